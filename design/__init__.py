@@ -1,0 +1,1 @@
+"""What the object is: specification, layouts, solids, mould and export."""

@@ -1,0 +1,101 @@
+"""Specification files: TOML read into a validated `ObjectSpec`, with errors a person can act on."""
+
+from __future__ import annotations
+
+import difflib
+import tomllib
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+from pydantic import BaseModel, ValidationError
+
+from design.errors import InputError
+from design.spec import ObjectSpec
+
+
+def load_spec(path: Path | str, overrides: Iterable[str] = ()) -> ObjectSpec:
+    """Read a specification and apply `key=value` overrides (dotted keys, TOML values).
+
+    Raises
+    ------
+    InputError
+        The file is missing or not TOML, or a key, unit or bound is wrong.
+    """
+    path = Path(path)
+    try:
+        content = tomllib.loads(path.read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        raise InputError(
+            f"no specification at {path}. `instobj new NAME` writes one to start from"
+        ) from None
+    except OSError as error:
+        raise InputError(f"cannot read {path}: {error.strerror}. Give a readable TOML file") from None
+    except UnicodeDecodeError:
+        raise InputError(f"{path} is not a text file. Give a specification in TOML") from None
+    except tomllib.TOMLDecodeError as error:
+        raise InputError(f"{path} is not valid TOML: {error}. Mend that line") from None
+    for override in overrides:
+        _apply_override(content, override)
+    return parse_spec(content, str(path))
+
+
+def parse_spec(content: dict[str, Any], source: str) -> ObjectSpec:
+    """Validate already parsed TOML; `source` names it in errors."""
+    try:
+        return ObjectSpec.model_validate(content)
+    except ValidationError as error:
+        problems = "\n".join(f"  - {_explain(problem)}" for problem in error.errors())
+        raise InputError(f"{source} is not a valid specification:\n{problems}") from None
+
+
+def _apply_override(content: dict[str, Any], override: str) -> None:
+    key, equals, value = override.partition("=")
+    if not equals or not key.strip():
+        raise InputError(
+            f"--set wants key=value, got {override!r}. Example: --set shell.thickness_mm=9"
+        )
+    *tables, name = key.strip().split(".")
+    table = content
+    for part in tables:
+        table = table.setdefault(part, {})
+        if not isinstance(table, dict):
+            raise InputError(f"--set {override}: {part!r} is a value, not a table of the specification")
+    table[name] = _toml_value(value.strip())
+
+
+def _toml_value(text: str) -> Any:
+    try:
+        return tomllib.loads(f"value = {text}")["value"]
+    except tomllib.TOMLDecodeError:
+        return text
+
+
+def _explain(problem: Any) -> str:
+    where = ".".join(str(part) for part in problem["loc"])
+    if problem["type"] == "extra_forbidden":
+        return _explain_unknown_key(problem["loc"], where)
+    message = problem["msg"].removeprefix("Value error, ")
+    if problem["type"] == "value_error":
+        return message
+    if problem["type"] == "missing":
+        return f"{where} is missing. Add it"
+    received = "" if isinstance(problem.get("input"), dict) else f"; got {problem.get('input')!r}"
+    return f"{where}: {message}{received}"
+
+
+def _explain_unknown_key(location: tuple[Any, ...], where: str) -> str:
+    known = sorted(_known_keys(location[:-1]))
+    name = str(location[-1])
+    close = difflib.get_close_matches(name, known, n=1, cutoff=0.6)
+    stem = name.rsplit("_", 1)[0]
+    close = close or [key for key in known if key.rsplit("_", 1)[0] == stem]
+    hint = f"Did you mean {close[0]!r}?" if close else f"Known keys: {', '.join(known)}"
+    return f"{where} is not a key of the specification. {hint}"
+
+
+def _known_keys(location: tuple[Any, ...]) -> set[str]:
+    model: type[BaseModel] = ObjectSpec
+    for part in location:
+        model = model.model_fields[str(part)].annotation  # type: ignore[assignment]
+    return set(model.model_fields)

@@ -1,0 +1,1 @@
+"""What the sensors see and what can be read back from them."""

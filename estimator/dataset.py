@@ -1,0 +1,144 @@
+"""Labelled frames, the same for simulated and recorded presses, in NetCDF.
+
+A frame holds the signals of all sensors at one instant and the contacts that caused them.
+Signals are changes against rest, in counts; a channel that was dead is NaN.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Literal
+
+import numpy as np
+from jaxtyping import Bool, Float, Int
+
+from design.errors import InputError
+from design.files import atomic_path
+
+SCHEMA_VERSION = 1
+NO_FACE = 0
+"""`contact_face` of an empty contact slot."""
+
+
+@dataclass(frozen=True)
+class FrameSet:
+    """Frames of one object.
+
+    Attributes
+    ----------
+    signal_counts : (frame, face, sensor, axis), counts
+        Change against rest; NaN where a channel is dead.
+    contact_face : (frame, contact)
+        Face number of each contact, `NO_FACE` where the slot is empty.
+    contact_xy_mm : (frame, contact, 2), mm in the face's frame; NaN where empty.
+    force_n : (frame, contact, 3), N along the face's x, y and inward normal; NaN where empty.
+    valid : (frame,)
+        False for frames that must not be used (glitches, force between contact and rest, …).
+    press_id : (frame,)
+        Frames of one press, or one stretch of rest before it, share an id; never split one.
+    place_id : (frame,)
+        Contact case (the same places pressed), -1 for rest.
+    session_id : (frame,)
+    time_s : (frame,), s
+    faces : (face,) face numbers along the face axis
+    grid_x_mm, grid_y_mm : contact grid, so that heatmaps know their pixels, mm
+    noise_counts : (axis,) white noise of a reading, counts
+    """
+
+    signal_counts: Float[np.ndarray, "frame face sensor axis"]
+    contact_face: Int[np.ndarray, "frame contact"]
+    contact_xy_mm: Float[np.ndarray, "frame contact 2"]
+    force_n: Float[np.ndarray, "frame contact 3"]
+    valid: Bool[np.ndarray, "frame"]
+    press_id: Int[np.ndarray, "frame"]
+    place_id: Int[np.ndarray, "frame"]
+    session_id: Int[np.ndarray, "frame"]
+    time_s: Float[np.ndarray, "frame"]
+    faces: Int[np.ndarray, "face"]
+    grid_x_mm: Float[np.ndarray, "nx"]
+    grid_y_mm: Float[np.ndarray, "ny"]
+    noise_counts: Float[np.ndarray, "3"]
+    source: Literal["simulated", "recorded"]
+    spec_hash: str
+    seed: int
+    lag_frames: int = 0
+
+    def __len__(self) -> int:
+        return len(self.time_s)
+
+    def select(self, frames: Bool[np.ndarray, "frame"] | Int[np.ndarray, "n"]) -> FrameSet:
+        """The given frames, in order."""
+        return replace(self, **{name: getattr(self, name)[frames] for name in _PER_FRAME})
+
+
+_PER_FRAME = {
+    "signal_counts": (("frame", "face", "sensor", "axis"), "count"),
+    "contact_face": (("frame", "contact"), "1"),
+    "contact_xy_mm": (("frame", "contact", "plane"), "mm"),
+    "force_n": (("frame", "contact", "space"), "N"),
+    "valid": (("frame",), "1"),
+    "press_id": (("frame",), "1"),
+    "place_id": (("frame",), "1"),
+    "session_id": (("frame",), "1"),
+    "time_s": (("frame",), "s"),
+}
+_FIXED = {
+    "faces": (("face",), "1"),
+    "grid_x_mm": (("grid_x",), "mm"),
+    "grid_y_mm": (("grid_y",), "mm"),
+    "noise_counts": (("axis",), "count"),
+}
+_ATTRIBUTES = ("source", "spec_hash", "seed", "lag_frames")
+
+
+def save_frames(frames: FrameSet, path: Path | str) -> None:
+    """Write a data set (NetCDF4): named dimensions, units, provenance."""
+    import xarray as xr
+
+    variables = {
+        name: (dims, getattr(frames, name), {"unit": unit})
+        for name, (dims, unit) in {**_PER_FRAME, **_FIXED}.items()
+    }
+    attributes = {name: getattr(frames, name) for name in _ATTRIBUTES}
+    data = xr.Dataset(variables, attrs={**attributes, "schema_version": SCHEMA_VERSION})
+    encoding = {"signal_counts": {"zlib": True, "complevel": 1, "dtype": "float32"}}
+    with atomic_path(path) as temporary:
+        data.to_netcdf(temporary, engine="h5netcdf", encoding=encoding)
+
+
+def load_frames(path: Path | str) -> FrameSet:
+    """Read a data set.
+
+    Raises
+    ------
+    InputError
+        No such file, not a data set of instobj, or of another schema version.
+    """
+    import xarray as xr
+
+    path = Path(path)
+    if not path.is_file():
+        raise InputError(f"no data set at {path}. `instobj recordings` or `instobj train SPEC` makes one")
+    try:
+        with xr.open_dataset(path, engine="h5netcdf", decode_timedelta=False) as data:
+            data = data.load()
+    except (OSError, ValueError, KeyError) as error:
+        raise InputError(f"{path} is not a NetCDF data set ({error}). Make it anew") from None
+    missing = [name for name in (*_PER_FRAME, *_FIXED) if name not in data.variables]
+    if missing or data.attrs.get("schema_version") != SCHEMA_VERSION:
+        raise InputError(
+            f"{path} is not a data set of schema {SCHEMA_VERSION}: missing {missing or 'nothing'}, "
+            f"schema {data.attrs.get('schema_version')}. Make it anew with this version of instobj"
+        )
+    values = {name: data[name].values for name in (*_PER_FRAME, *_FIXED)}
+    values["signal_counts"] = values["signal_counts"].astype(np.float64)
+    values["valid"] = values["valid"].astype(bool)
+    attributes = {name: data.attrs[name] for name in _ATTRIBUTES}
+    return FrameSet(
+        **values,
+        source=attributes["source"],
+        spec_hash=str(attributes["spec_hash"]),
+        seed=int(attributes["seed"]),
+        lag_frames=int(attributes["lag_frames"]),
+    )

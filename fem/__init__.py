@@ -1,0 +1,1 @@
+"""How the object deforms: mesh, elasticity, contact and response."""

@@ -1,0 +1,1 @@
+"""The application that chains design, fem and estimator."""
