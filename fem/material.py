@@ -1,0 +1,41 @@
+"""Linear elastic constants of nearly incompressible silicones."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class LameConstants:
+    """Shear modulus μ (MPa) and 1/λ (1/MPa); 1/λ = 0 is the incompressible limit."""
+
+    shear_modulus_mpa: float
+    inverse_lambda_per_mpa: float
+
+
+def lame_constants(youngs_modulus_mpa: float, poisson_ratio: float) -> LameConstants:
+    """μ = E / (2(1 + ν)) and 1/λ = (1 + ν)(1 − 2ν) / (E ν), finite up to ν = 0.5.
+
+    Raises
+    ------
+    ValueError
+        ν outside (0, 0.5] or E not positive.
+    """
+    if not (0 < poisson_ratio <= 0.5 and youngs_modulus_mpa > 0):
+        raise ValueError(
+            "linear elasticity needs E > 0 and 0 < ν ≤ 0.5; got "
+            f"E = {youngs_modulus_mpa:g} MPa, ν = {poisson_ratio:g}"
+        )
+    nu, e = poisson_ratio, youngs_modulus_mpa
+    return LameConstants(e / (2 * (1 + nu)), (1 + nu) * (1 - 2 * nu) / (e * nu))
+
+
+def youngs_modulus_from_shore_a_mpa(shore_a: float) -> float:
+    """Gent's relation, E in MPa; 0.414 at Shore A 10.
+
+    A. N. Gent, Rubber Chem. Technol. 31 (1958) 896. The relation is empirical: tensile tests of
+    soft silicones scatter by a factor of about 1.5 around it.
+    """
+    if not 0 <= shore_a < 100:
+        raise ValueError(f"Shore A hardness runs from 0 to below 100; got {shore_a:g}")
+    return 0.0981 * (56 + 7.66 * shore_a) / (0.137505 * (254 - 2.54 * shore_a))

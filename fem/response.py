@@ -1,0 +1,184 @@
+"""The response operator: one factorization that answers every press.
+
+Loads are unit P1 pressures at the vertices of every sensed face, and unit forces and moments on
+every magnet. Their mutual compliance Lᵀ A⁻¹ L holds the surface compliance for contact and, by
+reciprocity (A is symmetric), every magnet's motion under any pressure on any face.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import scipy.sparse as sp
+from jaxtyping import Float, Int
+from skfem import BilinearForm, ElementTetP1, ElementTetP2, FacetBasis, MeshTet
+
+from design.files import atomic_path
+from design.layouts import FaceFrame, face_frames, magnet_layout
+from design.spec import ObjectSpec
+from fem.elasticity import (
+    TaylorHood,
+    assemble,
+    free_motion_basis,
+    saddle_point_matrix,
+    taylor_hood,
+)
+from fem.factorization import SingularSystemError, compliance_of_loads
+from fem.magnets import magnet_of_nodes, mean_motion_functionals, rigid_motion_basis
+from fem.material import lame_constants
+from fem.tet_mesh import SILICONE, TetMesh
+
+_ON_SURFACE_MM = 0.1
+
+
+@dataclass(frozen=True)
+class FaceSurface:
+    """Triangulation of one sensed face: vertices (x, y) in the face's frame and triangles."""
+
+    number: int
+    xy_mm: Float[np.ndarray, "vertex 2"]
+    triangles: Int[np.ndarray, "triangle 3"]
+
+
+@dataclass(frozen=True)
+class ResponseOperator:
+    """Condensed elastic response of a whole object.
+
+    `compliance` (load, load): first the vertices of every face in turn (conjugate: ∫ φ_i u·(−n) dA,
+    mm³ per MPa), then six motions per magnet (mm, rad per MPa of pressure at a vertex).
+    """
+
+    surfaces: tuple[FaceSurface, ...]
+    compliance: Float[np.ndarray, "load load"]
+    unknowns: int
+    negative_pivots: int
+
+    def face_loads(self, index: int) -> slice:
+        """Rows of the index-th face's vertices."""
+        first = sum(len(surface.xy_mm) for surface in self.surfaces[:index])
+        return slice(first, first + len(self.surfaces[index].xy_mm))
+
+    @property
+    def magnet_loads(self) -> slice:
+        """Rows of the magnets' motions."""
+        return slice(sum(len(surface.xy_mm) for surface in self.surfaces), len(self.compliance))
+
+
+def build_response(mesh: TetMesh, spec: ObjectSpec) -> ResponseOperator:
+    """Assemble, bond to the core, factor once and condense.
+
+    Raises
+    ------
+    SingularSystemError
+        The inertia of the factored matrix is not that of a stable saddle point.
+    """
+    skfem_mesh = MeshTet(mesh.points_mm.T.copy(), mesh.tets.T.copy())
+    rigid = spec.mechanics.magnets == "rigid"
+    space = taylor_hood(skfem_mesh, np.flatnonzero(mesh.magnet == SILICONE) if rigid else None)
+    material = lame_constants(spec.silicone.youngs_modulus_mpa, spec.silicone.poisson_ratio)
+    motion = _motion_basis(mesh, space, spec)
+    matrix = saddle_point_matrix(assemble(space, material), motion, space.pressure_nodes)
+    surfaces, tractions = _face_pressure_loads(skfem_mesh, spec)
+    loads = motion.T @ tractions
+    if rigid:
+        first = motion.shape[1] - 6 * len(magnet_layout(spec).face)
+        magnets = sp.eye(motion.shape[1], format="csr")[:, first:]
+    else:
+        magnets = motion.T @ mean_motion_functionals(mesh, space).T
+    loads = sp.hstack([loads, magnets])
+    pressure_rows = sp.csr_matrix((matrix.shape[0] - loads.shape[0], loads.shape[1]))
+    condensed = compliance_of_loads(matrix, sp.vstack([loads, pressure_rows]))
+    _require_inertia(condensed.negative_pivots, pressure_rows.shape[0])
+    return ResponseOperator(
+        surfaces, condensed.matrix, matrix.shape[0], condensed.negative_pivots
+    )
+
+
+def save_response(response: ResponseOperator, folder: Path | str) -> None:
+    """Write `compliance.npy` (memory-mapped on loading) and `surfaces.npz`."""
+    folder = Path(folder)
+    with atomic_path(folder / "compliance.npy") as temporary, temporary.open("wb") as stream:
+        np.save(stream, response.compliance)
+    arrays: dict[str, np.ndarray] = {
+        "faces": np.array([surface.number for surface in response.surfaces]),
+        "counts": np.array([response.unknowns, response.negative_pivots]),
+    }
+    for surface in response.surfaces:
+        arrays[f"xy_mm_{surface.number}"] = surface.xy_mm
+        arrays[f"triangles_{surface.number}"] = surface.triangles
+    with atomic_path(folder / "surfaces.npz") as temporary, temporary.open("wb") as stream:
+        np.savez(stream, **arrays)
+
+
+def load_response(folder: Path | str) -> ResponseOperator:
+    """Read what `save_response` wrote."""
+    folder = Path(folder)
+    compliance = np.load(folder / "compliance.npy", mmap_mode="r", allow_pickle=False)
+    with np.load(folder / "surfaces.npz", allow_pickle=False) as data:
+        surfaces = tuple(
+            FaceSurface(int(n), data[f"xy_mm_{n}"], data[f"triangles_{n}"]) for n in data["faces"]
+        )
+        unknowns, negative = (int(count) for count in data["counts"])
+    return ResponseOperator(surfaces, compliance, unknowns, negative)
+
+
+def _motion_basis(mesh: TetMesh, space: TaylorHood, spec: ObjectSpec) -> sp.csr_matrix:
+    """Free nodes, the core's surface held, rigid magnets as six motions each."""
+    free = space.elastic_nodes & ~_touches_core(space.nodes_mm, spec)
+    if spec.mechanics.magnets == "points":
+        return free_motion_basis(free)
+    owner = magnet_of_nodes(mesh, space)
+    centres = magnet_layout(spec).centre_mm
+    return rigid_motion_basis(space.nodes_mm, free & (owner < 0), owner, centres)
+
+
+def _touches_core(nodes_mm: np.ndarray, spec: ObjectSpec) -> np.ndarray:
+    """The silicone is bonded where the core fills the cavity; the walls beyond it are free."""
+    half = np.asarray(spec.core_size_mm) / 2
+    return (abs(nodes_mm) < half + _tolerance(spec)).all(axis=1)
+
+
+def _face_pressure_loads(
+    mesh: MeshTet, spec: ObjectSpec
+) -> tuple[tuple[FaceSurface, ...], sp.csr_matrix]:
+    """Nodal forces of unit P1 pressures, acting inwards, at the vertices of every face."""
+    boundary = mesh.boundary_facets()
+    centre = mesh.p[:, mesh.facets[:, boundary]].mean(axis=1).T
+    surfaces, loads = [], []
+    for frame in face_frames(spec):
+        height = frame.from_object(centre)[:, 2]
+        facets = boundary[abs(height) < _tolerance(spec)]
+        surface, moments = _face_surface(mesh, facets, frame)
+        surfaces.append(surface)
+        loads.append(sp.vstack([-component * moments for component in frame.normal]))
+    return tuple(surfaces), sp.hstack(loads, format="csr")
+
+
+def _face_surface(
+    mesh: MeshTet, facets: np.ndarray, frame: FaceFrame
+) -> tuple[FaceSurface, sp.csc_matrix]:
+    displacement = FacetBasis(mesh, ElementTetP2(), facets=facets, intorder=3)
+    pressure = FacetBasis(mesh, ElementTetP1(), facets=facets, intorder=3)
+    vertices, triangles = np.unique(mesh.facets[:, facets], return_inverse=True)
+    moments = _normal_product.assemble(pressure, displacement).tocsc()[:, vertices]
+    xy = frame.from_object(mesh.p[:, vertices].T)[:, :2]
+    return FaceSurface(frame.number, xy, triangles.reshape(3, -1).T), moments
+
+
+@BilinearForm
+def _normal_product(pressure, displacement, _):
+    return pressure * displacement
+
+
+def _tolerance(spec: ObjectSpec) -> float:
+    return max(_ON_SURFACE_MM, 2 * spec.mesh.envelope_mm)
+
+
+def _require_inertia(negative_pivots: int, pressures: int) -> None:
+    if negative_pivots not in (-1, pressures):
+        raise SingularSystemError(
+            f"the factored matrix has {negative_pivots} negative pivots instead of {pressures}, one "
+            "per pressure unknown: the mesh or the support is broken. Remesh with other edge lengths"
+        )

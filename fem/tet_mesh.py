@@ -1,0 +1,168 @@
+"""Tetrahedral mesh of the sealed body with every magnet resolved, by pytetwild (fTetWild)."""
+
+from __future__ import annotations
+
+import contextlib
+import itertools
+import os
+import tempfile
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from jaxtyping import Float, Int
+
+from design.errors import InputError
+from design.files import atomic_path
+from design.layouts import magnet_layout
+from design.spec import ObjectSpec
+from fem.surfaces import magnet_surfaces, sealed_body_surface, support_ring_surface
+
+SILICONE = -1
+"""Value of `TetMesh.magnet` in elements of silicone."""
+
+_SIZING_STEP_MM = 2.0
+_FINE_LAYER_MM = 2.5
+
+
+@dataclass(frozen=True)
+class TetMesh:
+    """Positively oriented tetrahedra; `magnet` is the magnet an element lies in, or `SILICONE`."""
+
+    points_mm: Float[np.ndarray, "vertex 3"]
+    tets: Int[np.ndarray, "tet 4"]
+    magnet: Int[np.ndarray, "tet"]
+
+
+def tetrahedralize(spec: ObjectSpec) -> TetMesh:
+    """Mesh the sealed body, magnets conforming.
+
+    The mesher is not deterministic: store the mesh, never compare counts. Surfaces are followed
+    to within `mesh.envelope_mm`.
+
+    Raises
+    ------
+    InputError
+        The mesher fails, or a magnet got no element.
+    """
+    import pytetwild
+    import trimesh
+
+    surface = trimesh.util.concatenate(
+        [sealed_body_surface(spec), *magnet_surfaces(spec), support_ring_surface(spec)]
+    )
+    background = _edge_length_field(spec)
+    diagonal = float(np.linalg.norm(spec.body.size_mm))
+    with _scratch_folder():
+        try:
+            points, tets = pytetwild.tetrahedralize(
+                np.ascontiguousarray(surface.vertices, dtype=np.float64),
+                np.ascontiguousarray(surface.faces, dtype=np.int32),
+                edge_length_abs=spec.mesh.edge_mm,
+                epsilon=spec.mesh.envelope_mm / diagonal,
+                quiet=True,
+                **background,
+            )
+        except RuntimeError as error:
+            raise InputError(
+                f"the mesher failed on this body ({error}). Try a larger mesh.envelope_mm "
+                f"(now {spec.mesh.envelope_mm:g}) or a smaller mesh.edge_mm"
+            ) from error
+    tets = _positively_oriented(points, tets.astype(np.int64))
+    return TetMesh(points, tets, _containing_magnet(spec, points[tets].mean(axis=1)))
+
+
+def tet_volumes_mm3(mesh: TetMesh) -> Float[np.ndarray, "tet"]:
+    """Signed volumes."""
+    corner = mesh.points_mm[mesh.tets]
+    return np.linalg.det(corner[:, 1:] - corner[:, :1]) / 6
+
+
+def save_mesh(mesh: TetMesh, path: Path | str) -> None:
+    """Write as NumPy's .npz."""
+    with atomic_path(path) as temporary, temporary.open("wb") as stream:
+        np.savez(stream, points_mm=mesh.points_mm, tets=mesh.tets, magnet=mesh.magnet)
+
+
+def load_mesh(path: Path | str) -> TetMesh:
+    """Read what `save_mesh` wrote."""
+    with np.load(path, allow_pickle=False) as data:
+        return TetMesh(data["points_mm"], data["tets"], data["magnet"])
+
+
+@contextlib.contextmanager
+def _scratch_folder() -> Iterator[None]:
+    """fTetWild leaves a stray surface file in the current folder: give it one to lose."""
+    before = Path.cwd()
+    with tempfile.TemporaryDirectory() as folder:
+        os.chdir(folder)
+        try:
+            yield
+        finally:
+            os.chdir(before)
+
+
+def _positively_oriented(points: np.ndarray, tets: np.ndarray) -> np.ndarray:
+    corner = points[tets]
+    negative = np.linalg.det(corner[:, 1:] - corner[:, :1]) < 0
+    tets[negative] = tets[negative][:, [0, 2, 1, 3]]
+    return tets
+
+
+def _containing_magnet(spec: ObjectSpec, points: np.ndarray) -> np.ndarray:
+    layout = magnet_layout(spec)
+    tolerance = spec.mesh.envelope_mm
+    angle = np.pi / spec.mesh.magnet_sides
+    radius = spec.magnets.diameter_mm / 2 * np.sqrt(2 * angle / np.sin(2 * angle))
+    owner = np.full(len(points), SILICONE)
+    for index, (centre, axis) in enumerate(zip(layout.centre_mm, layout.axis, strict=True)):
+        offset = points - centre
+        height = offset @ axis
+        distance = np.linalg.norm(offset - height[:, None] * axis, axis=1)
+        inside = (abs(height) < spec.magnets.height_mm / 2) & (distance < radius + tolerance)
+        if not inside.any():
+            raise InputError(
+                f"magnet {index} got no element of the mesh. Use a smaller mesh.envelope_mm "
+                f"(now {tolerance:g})"
+            )
+        owner[inside] = index
+    return owner
+
+
+def _edge_length_field(spec: ObjectSpec) -> dict[str, np.ndarray]:
+    """Background mesh of target edge lengths: fine under the sensed faces, coarse in the bulk."""
+    half = np.asarray(spec.body.size_mm) / 2
+    axes = [np.linspace(-h - 1, h + 1, int(np.ceil(2 * (h + 1) / _SIZING_STEP_MM)) + 1) for h in half]
+    points = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, 3)
+    depth = half - abs(points)
+    depth[:, 2] = half[2] - points[:, 2]  # the open face −z is not pressed
+    below = np.clip(depth.min(axis=1) - _FINE_LAYER_MM, 0, None) / (spec.shell.thickness_mm / 2)
+    fine, coarse = spec.mesh.surface_edge_mm, spec.mesh.edge_mm
+    length = fine + (coarse - fine) * np.clip(below, 0, 1)
+    return {
+        "bg_vertices": points,
+        "bg_tets": _split_bricks(tuple(len(axis) for axis in axes)).astype(np.int32),
+        "bg_values": length,
+    }
+
+
+def _split_bricks(shape: tuple[int, ...]) -> np.ndarray:
+    """Six tetrahedra (Kuhn) in every brick of a structured grid of `shape` points."""
+    index = np.arange(int(np.prod(shape))).reshape(shape)
+    cells = tuple(n - 1 for n in shape)
+
+    def corner(offset: tuple[int, ...]) -> np.ndarray:
+        window = tuple(slice(o, o + n) for o, n in zip(offset, cells, strict=True))
+        return index[window].ravel()
+
+    tets = []
+    for order in itertools.permutations(range(3)):
+        offset = [0, 0, 0]
+        path = [corner((0, 0, 0))]
+        for axis in order:
+            offset[axis] = 1
+            path.append(corner((offset[0], offset[1], offset[2])))
+        even = order in {(0, 1, 2), (1, 2, 0), (2, 0, 1)}
+        tets.append(np.stack(path if even else [path[0], path[2], path[1], path[3]], axis=1))
+    return np.concatenate(tets)
