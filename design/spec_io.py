@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import difflib
+import hashlib
+import json
 import tomllib
 from collections.abc import Iterable
 from pathlib import Path
@@ -47,6 +49,17 @@ def parse_spec(content: dict[str, Any], source: str) -> ObjectSpec:
     except ValidationError as error:
         problems = "\n".join(f"  - {_explain(problem)}" for problem in error.errors())
         raise InputError(f"{source} is not a valid specification:\n{problems}") from None
+
+
+def spec_hash(spec: ObjectSpec) -> str:
+    """SHA-256 (hex) of the specification's canonical JSON: equal specifications, equal hashes.
+
+    Defaults are not validated, so an integer default would differ from the same number read from
+    a file; one round of validation makes them alike.
+    """
+    alike = ObjectSpec.model_validate(spec.model_dump(mode="json"))
+    canonical = json.dumps(alike.model_dump(mode="json"), sort_keys=True)
+    return hashlib.sha256(canonical.encode()).hexdigest()
 
 
 def _apply_override(content: dict[str, Any], override: str) -> None:

@@ -1,0 +1,27 @@
+"""Closed-form volumes of the shell, for checks that need no CAD kernel."""
+
+from __future__ import annotations
+
+from math import pi, prod
+
+from design.spec import SENSED_FACES, ObjectSpec
+
+
+def sealed_volume_mm3(spec: ObjectSpec) -> float:
+    """Volume of the sealed body in mm³: pockets filled, magnets included (the meshed body).
+
+    The cavity has the core's cross-section and runs from the core's top out of the open face.
+    """
+    core_x, core_y, _ = spec.core_size_mm
+    return prod(spec.body.size_mm) - core_x * core_y * cavity_depth_mm(spec)
+
+
+def shell_volume_mm3(spec: ObjectSpec) -> float:
+    """Volume of the cast shell in mm³: the sealed body less its open magnet pockets."""
+    pocket = pi * spec.shell.pocket_diameter_mm**2 / 4 * spec.shell.pocket_depth_mm
+    return sealed_volume_mm3(spec) - len(SENSED_FACES) * len(spec.magnets.positions_mm) * pocket
+
+
+def cavity_depth_mm(spec: ObjectSpec) -> float:
+    """Depth of the shell's cavity from the open face, mm: the body's height less the top wall."""
+    return spec.body.size_mm[2] - spec.shell.thickness_mm
