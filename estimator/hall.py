@@ -1,0 +1,103 @@
+"""Three-axis Hall sensors: field to counts, one noisy reading, saturation.
+
+Counts per mT, range, noise and drift of the TMAG5273 were measured on the public recordings
+(16× averaging, ±40 mT); see `design.spec.SensorSpec`.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from jaxtyping import Bool, Float
+
+from design.errors import InputError
+from design.layouts import MagnetLayout, SensorLayout
+from design.spec import SensorSpec
+from estimator.field import DiskMagnet, is_inside
+
+LARGEST_COUNT = 32767
+"""16-bit converter."""
+_RANGES_MT = (40.0, 80.0, 133.0, 266.0)
+"""Ranges of the TMAG5273 family (A1: ±40, ±80; A2: ±133, ±266 mT)."""
+_AXIS_NAMES = "XYZ"
+
+
+def full_scale_counts(sensors: SensorSpec) -> float:
+    """Largest magnitude that a reading can take, counts."""
+    return float(min(np.floor(sensors.range_mt * sensors.counts_per_mt), LARGEST_COUNT))
+
+
+def counts_of_field(
+    field_mt: Float[np.ndarray, "*any sensor 3"],
+    axes: Float[np.ndarray, "sensor 3 3"],
+    sensors: SensorSpec,
+) -> Float[np.ndarray, "*any sensor 3"]:
+    """Expected counts of the chip axes X, Y, Z for fields (mT) in the object's frame.
+
+    `axes` holds the chip axes as rows (`design.layouts.SensorLayout.axes`). No noise, no rounding,
+    no limit: `read_out` adds them.
+    """
+    return sensors.counts_per_mt * np.einsum("sac,...sc->...sa", axes, field_mt)
+
+
+def read_out(
+    expected_counts: Float[np.ndarray, "*any 3"], sensors: SensorSpec, rng: np.random.Generator
+) -> Float[np.ndarray, "*any 3"]:
+    """One reading: white noise of `sensors.noise_counts`, whole counts, clipped to full scale."""
+    noise = rng.standard_normal(expected_counts.shape) * np.asarray(sensors.noise_counts)
+    limit = full_scale_counts(sensors)
+    return np.clip(np.round(expected_counts + noise), -limit, limit)
+
+
+def check_rest(
+    rest_counts: Float[np.ndarray, "sensor 3"], layout: SensorLayout, sensors: SensorSpec
+) -> None:
+    """Refuse a design in which a sensor saturates with nothing pressed.
+
+    Raises
+    ------
+    InputError
+        Names the sensor and its axis, by how much it saturates and which range would do.
+    """
+    sensor, axis = np.unravel_index(np.argmax(abs(rest_counts)), rest_counts.shape)
+    largest_counts = abs(rest_counts[sensor, axis])
+    if largest_counts <= full_scale_counts(sensors):
+        return
+    largest_mt = largest_counts / sensors.counts_per_mt
+    wider = [r for r in _RANGES_MT if r > largest_mt and r > sensors.range_mt]
+    change = "a magnet farther away or weaker"
+    if wider:
+        gain = LARGEST_COUNT / wider[0]
+        change = (
+            f"the ±{wider[0]:g} mT range (sensors.range_mt = {wider[0]:g}, "
+            f"sensors.counts_per_mt = {gain:.0f}), or {change}"
+        )
+    limit = full_scale_counts(sensors)
+    raise InputError(
+        f"{_sensor_name(int(sensor), layout)} saturates at rest: axis {_AXIS_NAMES[axis]} sees "
+        f"{largest_mt:.3g} mT, {largest_counts / limit - 1:.1%} beyond full scale "
+        f"(±{limit:.0f} counts at {sensors.counts_per_mt:g} counts/mT). Choose {change}"
+    )
+
+
+def check_sensors_outside_magnets(
+    layout: SensorLayout, magnets: MagnetLayout, disk: DiskMagnet
+) -> None:
+    """Refuse a design in which a sensor's sensing point lies in a magnet at rest."""
+    offset = (layout.position_mm[:, None] - magnets.centre_mm).transpose(2, 0, 1)
+    axis = np.broadcast_to(magnets.axis[None], (len(layout.face), *magnets.axis.shape))
+    inside: Bool[np.ndarray, "sensor magnet"] = is_inside(
+        tuple(offset), tuple(axis.transpose(2, 0, 1)), disk
+    )
+    if inside.any():
+        sensor, magnet = np.argwhere(inside)[0]
+        distance = np.linalg.norm(offset[:, sensor, magnet])
+        raise InputError(
+            f"{_sensor_name(int(sensor), layout)} lies inside magnet {magnet} (face "
+            f"{magnets.face[magnet]}): {distance:.3g} mm from the centre of a disk of "
+            f"Ø{disk.diameter_mm:g} × {disk.height_mm:g} mm. Move the sensor or the magnet"
+        )
+
+
+def _sensor_name(sensor: int, layout: SensorLayout) -> str:
+    face = layout.face[sensor]
+    return f"sensor {sensor - int(np.argmax(layout.face == face)) + 1} of face {face}"
