@@ -34,7 +34,7 @@ def make_probe(spec: ObjectSpec, tips: int) -> cq.Solid:
     return single_solid(plate.fuse(*pieces), f"probe_{tips}")
 
 
-def _tip(x: float, y: float, radius: float) -> tuple[cq.Solid, cq.Solid]:
+def _tip(x: float, y: float, radius: float) -> tuple[cq.Shape, cq.Shape]:
     """Hemisphere below z = radius and the shaft above it, reaching into the plate."""
     equator, up = cq.Vector(x, y, radius), cq.Vector(0, 0, 1)
     hemisphere = cq.Solid.makeSphere(radius, equator, up, -90, 0, 360)
