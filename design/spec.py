@@ -8,7 +8,7 @@ densities in T (fields of sensors in mT), forces in N. Defaults are the paper's 
 from __future__ import annotations
 
 from itertools import combinations
-from typing import Annotated, Literal, Self
+from typing import Annotated, Literal
 
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
@@ -123,7 +123,7 @@ class PressSpec(_Part):
     )  # fmt: skip
 
     @model_validator(mode="after")
-    def _depths_increase(self) -> Self:
+    def _depths_increase(self) -> PressSpec:
         if any(b <= a for a, b in zip(self.depths_mm, self.depths_mm[1:], strict=False)):
             raise ValueError(
                 f"press.depths_mm must increase strictly; got {list(self.depths_mm)}. Sort the "
@@ -167,7 +167,7 @@ class ProtocolSpec(_Part):
     force_noise_n: NonNegative = 0.12
 
     @model_validator(mode="after")
-    def _peak_range(self) -> Self:
+    def _peak_range(self) -> ProtocolSpec:
         low, high = self.peak_force_n
         if low > high:
             raise ValueError(
@@ -228,7 +228,7 @@ class ObjectSpec(_Part):
         return self.shell.pocket_depth_mm - self.magnets.height_mm / 2
 
     @model_validator(mode="after")
-    def _everything_fits(self) -> Self:
+    def _everything_fits(self) -> ObjectSpec:
         _check_core(self)
         _check_pockets(self)
         _check_sensors(self)
