@@ -1,0 +1,188 @@
+"""A whole build: golden geometry, files on disk, the manifest, and errors that users meet."""
+
+import json
+import subprocess
+import sys
+from dataclasses import replace
+from importlib.metadata import version
+from pathlib import Path
+
+import cadquery as cq
+import pytest
+import trimesh
+import yaml
+from numpy.testing import assert_allclose
+
+import design.shell
+from design.errors import InputError
+from design.export import PART_BUILDERS, build_object
+from design.layouts import face_frames
+from design.manifest import BuildManifest
+from design.spec import ObjectSpec, ShellSpec
+from design.spec_io import parse_spec, spec_hash
+
+PAPER = ObjectSpec(name="paper")
+REFERENCE = yaml.safe_load(
+    (Path(__file__).parents[1] / "references/paper_cube.yaml").read_text(encoding="utf-8")
+)
+
+
+@pytest.fixture(scope="module")
+def build(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("cad_out") / "paper"
+    messages = []
+    return folder, build_object(PAPER, folder, messages.append), messages
+
+
+def assert_golden(part):
+    """Compare a part of the manifest with its reference; a part without reference fails."""
+    golden = REFERENCE["parts"][part.name]
+    assert part.face_count == golden["face_count"]
+    assert_allclose(part.volume_mm3, golden["volume_mm3"], rtol=1e-8)
+    assert_allclose(part.bounding_box_mm, golden["bounding_box_mm"], rtol=0, atol=1e-6)
+    assert_allclose(part.centre_of_mass_mm, golden["centre_of_mass_mm"], rtol=0, atol=1e-6)
+
+
+def test_every_part_has_a_reference_and_every_reference_a_part(build):
+    _, manifest, _ = build
+    assert [part.name for part in manifest.parts] == list(PART_BUILDERS)
+    assert set(REFERENCE["parts"]) == set(PART_BUILDERS)
+
+
+@pytest.mark.parametrize("name", PART_BUILDERS)
+def test_golden_geometry(build, name):
+    assert_golden(build[1].part(name))
+
+
+def test_a_part_without_reference_fails(build):
+    with pytest.raises(KeyError):
+        assert_golden(replace(build[1].part("shell"), name="unheard_of"))
+
+
+@pytest.mark.parametrize("name", ["core", "shell", "mould_box", "mould_plug"])
+def test_parts_agree_with_the_authors(build, name):
+    part, authors = build[1].part(name), REFERENCE["authors"][name]
+    within = {"core": 0.02, "mould_plug": 1e-4}.get(name, 1e-6)
+    assert_allclose(part.volume_mm3, authors["volume_mm3"], rtol=within)
+    assert_allclose(sorted(part.size_mm), authors["sorted_size_mm"], rtol=0, atol=1e-6)
+
+
+@pytest.mark.parametrize("name", PART_BUILDERS)
+def test_stl_is_watertight_and_as_large_as_the_solid(build, name):
+    folder, manifest, _ = build
+    part, mesh = manifest.part(name), trimesh.load_mesh(folder / f"{name}.stl")
+    assert part.solid_count == 1
+    assert mesh.is_watertight
+    assert mesh.is_winding_consistent
+    assert part.stl_watertight
+    assert len(mesh.faces) == part.stl_triangles
+    assert_allclose(mesh.volume, part.stl_volume_mm3, rtol=1e-9)
+    assert_allclose(mesh.volume, part.volume_mm3, rtol=2e-3)
+    assert_allclose(mesh.bounds, part.bounding_box_mm, rtol=0, atol=0.02)
+
+
+def test_shell_stl_is_within_a_twentieth_of_a_percent(build):
+    shell = build[1].part("shell")
+    assert_allclose(shell.stl_volume_mm3, shell.volume_mm3, rtol=5e-4)
+
+
+@pytest.mark.parametrize("name", PART_BUILDERS)
+def test_step_reads_back_as_the_same_solid(build, name):
+    folder, manifest, _ = build
+    shape = cq.importers.importStep(str(folder / f"{name}.step")).val()
+    assert len(shape.Solids()) == 1
+    assert_allclose(shape.Volume(), manifest.part(name).volume_mm3, rtol=1e-8)
+
+
+def test_the_folder_holds_the_parts_and_the_manifest_only(build):
+    folder, _, messages = build
+    expected = {f"{name}.{kind}" for name in PART_BUILDERS for kind in ("stl", "step")}
+    assert {path.name for path in folder.iterdir()} == expected | {"manifest.json"}
+    assert messages[:-1] == [f"building {name}" for name in PART_BUILDERS]
+    assert messages[-1] == f"wrote {folder / 'manifest.json'}"
+
+
+def test_manifest_on_disk_is_the_one_returned(build):
+    folder, manifest, _ = build
+    assert BuildManifest.read(folder) == manifest
+    assert BuildManifest.from_json(manifest.to_json()) == manifest
+    assert (manifest.name, manifest.spec_hash) == ("paper", spec_hash(PAPER))
+    assert manifest.library_versions["cadquery"] == version("cadquery")
+    content = json.loads((folder / "manifest.json").read_text(encoding="utf-8"))
+    assert content["parts"][1]["name"] == "shell"
+
+
+@pytest.mark.parametrize(
+    "text", ["{", "[]", "{}", '{"parts": [{}]}', '{"parts": [], "name": "a", "other": 1}']
+)
+def test_what_is_no_manifest_is_refused(text, tmp_path):
+    (tmp_path / "manifest.json").write_text(text, encoding="utf-8")
+    with pytest.raises(InputError, match=r"manifest\.json is not a build manifest"):
+        BuildManifest.read(tmp_path)
+
+
+def test_a_folder_without_manifest_is_named(tmp_path):
+    with pytest.raises(InputError, match=r"cannot read .*manifest\.json"):
+        BuildManifest.read(tmp_path)
+
+
+def test_an_unwritable_folder_is_an_input_error(tmp_path):
+    blocked = tmp_path / "a_file"
+    blocked.write_text("in the way", encoding="utf-8")
+    with pytest.raises(InputError, match=r"cannot write .*core\.step.*writable folder"):
+        build_object(PAPER, blocked / "paper")
+    assert blocked.read_text(encoding="utf-8") == "in the way"
+
+
+def test_a_build_that_fails_leaves_no_manifest(tmp_path):
+    def stop_at_the_mould(message):
+        if "mould_box" in message:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        build_object(PAPER, tmp_path, stop_at_the_mould)
+    assert not (tmp_path / "manifest.json").exists()
+    assert {path.suffix for path in tmp_path.iterdir()} == {".stl", ".step"}
+
+
+def test_golden_geometry_catches_a_wrong_depth(tmp_path):
+    shallow = ObjectSpec(name="paper", shell=ShellSpec(pocket_depth_mm=2.999))
+    manifest = build_object(shallow, tmp_path)
+    for name in ("shell", "mould_box"):
+        with pytest.raises(AssertionError, match="Not equal to tolerance"):
+            assert_golden(manifest.part(name))
+    assert_golden(manifest.part("mould_plug"))
+
+
+def test_golden_geometry_catches_a_lost_face(tmp_path, monkeypatch):
+    monkeypatch.setattr(design.shell, "face_frames", lambda spec: face_frames(spec)[:4])
+    manifest = build_object(PAPER, tmp_path)
+    with pytest.raises(AssertionError):
+        assert_golden(manifest.part("shell"))
+
+
+def test_spec_hash_tells_specifications_apart_and_equal_ones_alike():
+    assert spec_hash(PAPER) == spec_hash(ObjectSpec(name="paper"))
+    assert len(spec_hash(PAPER)) == 64
+    for other in (
+        ObjectSpec(name="paper2"),
+        ObjectSpec(name="paper", seed=2),
+        ObjectSpec(name="paper", shell=ShellSpec(pocket_depth_mm=2.999)),
+    ):
+        assert spec_hash(other) != spec_hash(PAPER)
+
+
+def test_spec_hash_does_not_see_whether_a_default_was_written_out():
+    written = parse_spec(
+        {"name": "paper", "sensors": {"first_azimuth_deg": [240, 180.0, 240, 60, 300]}}, "test"
+    )
+    assert spec_hash(written) == spec_hash(PAPER)
+
+
+def test_light_modules_load_no_cad_kernel():
+    code = (
+        "import sys, design.manifest, design.tips, design.volumes, instobj.report.parts_figure; "
+        "print([m for m in ('cadquery', 'OCP', 'trimesh', 'matplotlib') if m in sys.modules])"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "[]"
