@@ -1,9 +1,9 @@
 """Smooth analytic presses for tests: a Gaussian dimple that shifts and tilts magnets."""
 
 import numpy as np
+
 from design.layouts import PlaceGrid, face_frames, magnet_layout, press_lattice
 from design.spec import ObjectSpec
-
 from fem.results import MagnetMotions, PressForces
 
 WIDTH_MM = 5.5
