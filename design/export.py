@@ -13,7 +13,7 @@ import numpy as np
 from design.core import make_core
 from design.errors import InputError
 from design.files import atomic_path
-from design.manifest import BuildManifest, PartManifest
+from design.manifest import BuildManifest, PartManifest, remove_manifest
 from design.mould import make_mould_box, make_mould_plug
 from design.probes import make_probe
 from design.shell import make_shell
@@ -44,17 +44,24 @@ def build_object(
 ) -> BuildManifest:
     """Write {part}.stl, {part}.step and manifest.json (last) into the folder; return the manifest.
 
-    All parts but the probes are in the object's frame. Lengths are in mm, volumes in mm³.
+    All parts but the probes are in the object's frame. Lengths are in mm, volumes in mm³. Nothing
+    is written before every part has been built, and an earlier build's manifest goes first: a
+    manifest always describes the files beside it.
 
     Raises
     ------
     InputError
         The dimensions give no valid part, or the folder cannot be written.
     """
-    parts = []
+    solids = {}
     for name, make in PART_BUILDERS.items():
         progress(f"building {name}")
-        parts.append(write_part(name, make(spec), Path(folder)))
+        solids[name] = make(spec)
+    remove_manifest(folder)
+    parts = []
+    for name, solid in solids.items():
+        progress(f"writing {name}")
+        parts.append(write_part(name, solid, Path(folder)))
     versions = {library: version(library) for library in _LIBRARIES}
     manifest = BuildManifest(spec.name, spec_hash(spec), tuple(parts), versions)
     path = manifest.write(folder)
@@ -68,12 +75,12 @@ def write_part(name: str, solid: cq.Solid, folder: Path) -> PartManifest:
     Raises
     ------
     InputError
-        The folder cannot be written.
+        The folder cannot be written, or the part touches itself so that its surface is not closed.
     """
     # The bounding box is read first: a triangulated shape would be measured by its triangles.
     box, centre = solid.BoundingBox(), solid.Center()
-    _write_step(solid, folder / f"{name}.step")
     stl_volume, watertight, triangles = _write_stl(solid, folder / f"{name}.stl")
+    _write_step(solid, folder / f"{name}.step")
     return PartManifest(
         name=name,
         volume_mm3=solid.Volume(),
@@ -105,5 +112,10 @@ def _write_stl(solid: cq.Solid, target: Path) -> tuple[float, bool, int]:
         # The kernel closes the poles of spheres with triangles that repeat a vertex.
         corners = np.sort(mesh.faces, axis=1)
         mesh.update_faces((np.diff(corners, axis=1) > 0).all(axis=1))
+        if not mesh.is_watertight:
+            raise InputError(
+                f"the surface of {target.stem} is not closed: two of its recesses or pockets touch "
+                "in a line. Move them apart, or let them overlap, by 0.01 mm or more"
+            )
         mesh.export(path)
     return float(mesh.volume), bool(mesh.is_watertight), len(mesh.faces)

@@ -96,6 +96,23 @@ class BuildManifest:
         return cls.from_json(text, str(source))
 
 
+def remove_manifest(folder: Path | str) -> None:
+    """Remove a folder's manifest, if any, before its parts change.
+
+    Raises
+    ------
+    InputError
+        The folder cannot be written.
+    """
+    target = Path(folder) / MANIFEST_NAME
+    try:
+        target.unlink(missing_ok=True)
+    except OSError as error:
+        raise InputError(
+            f"cannot write {target}: {error.strerror}. Choose a writable folder with --out"
+        ) from None
+
+
 def _part_from(content: dict[str, object]) -> PartManifest:
     low, high = content.pop("bounding_box_mm")  # type: ignore[misc]
     centre = content.pop("centre_of_mass_mm")

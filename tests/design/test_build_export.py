@@ -18,7 +18,7 @@ from design.errors import InputError
 from design.export import PART_BUILDERS, build_object
 from design.layouts import face_frames
 from design.manifest import BuildManifest
-from design.spec import ObjectSpec, ShellSpec
+from design.spec import CoreSpec, MagnetSpec, ObjectSpec, ShellSpec
 from design.spec_io import parse_spec, spec_hash
 
 PAPER = ObjectSpec(name="paper")
@@ -98,7 +98,8 @@ def test_the_folder_holds_the_parts_and_the_manifest_only(build):
     folder, _, messages = build
     expected = {f"{name}.{kind}" for name in PART_BUILDERS for kind in ("stl", "step")}
     assert {path.name for path in folder.iterdir()} == expected | {"manifest.json"}
-    assert messages[:-1] == [f"building {name}" for name in PART_BUILDERS]
+    steps = [f"{doing} {name}" for doing in ("building", "writing") for name in PART_BUILDERS]
+    assert messages[:-1] == steps
     assert messages[-1] == f"wrote {folder / 'manifest.json'}"
 
 
@@ -129,20 +130,36 @@ def test_a_folder_without_manifest_is_named(tmp_path):
 def test_an_unwritable_folder_is_an_input_error(tmp_path):
     blocked = tmp_path / "a_file"
     blocked.write_text("in the way", encoding="utf-8")
-    with pytest.raises(InputError, match=r"cannot write .*core\.step.*writable folder"):
+    with pytest.raises(InputError, match=r"cannot write .*a_file/paper.*writable folder"):
         build_object(PAPER, blocked / "paper")
     assert blocked.read_text(encoding="utf-8") == "in the way"
 
 
-def test_a_build_that_fails_leaves_no_manifest(tmp_path):
+def test_an_interrupted_build_leaves_no_manifest(tmp_path):
     def stop_at_the_mould(message):
-        if "mould_box" in message:
+        if message == "writing mould_box":
             raise KeyboardInterrupt
 
+    (tmp_path / "manifest.json").write_text("of an earlier build", encoding="utf-8")
     with pytest.raises(KeyboardInterrupt):
         build_object(PAPER, tmp_path, stop_at_the_mould)
+    written = {f"{name}.{kind}" for name in ("core", "shell") for kind in ("stl", "step")}
+    assert {path.name for path in tmp_path.iterdir()} == written
+
+
+def test_a_specification_without_valid_parts_leaves_the_folder_alone(tmp_path):
+    (tmp_path / "manifest.json").write_text("of an earlier build", encoding="utf-8")
+    with pytest.raises(InputError, match="hub_depth_mm"):
+        build_object(ObjectSpec(name="bad", core=CoreSpec(hub_depth_mm=5.0)), tmp_path)
+    assert [path.name for path in tmp_path.iterdir()] == ["manifest.json"]
+
+
+def test_pockets_that_touch_in_a_line_are_refused(tmp_path):
+    touching = MagnetSpec(positions_mm=((0.0, 0.0), (6.0, 0.0)))
+    with pytest.raises(InputError, match="surface of shell is not closed"):
+        build_object(ObjectSpec(name="touching", magnets=touching), tmp_path)
+    assert not (tmp_path / "shell.stl").exists()
     assert not (tmp_path / "manifest.json").exists()
-    assert {path.suffix for path in tmp_path.iterdir()} == {".stl", ".step"}
 
 
 def test_golden_geometry_catches_a_wrong_depth(tmp_path):
