@@ -104,7 +104,10 @@ class SensorSpec(_Part):
 class ContactGridSpec(_Part):
     """Contact places on each face, centred on it; place = X·count_y + Y, counted from 0."""
 
-    count: tuple[Annotated[int, Field(ge=2, le=100)], Annotated[int, Field(ge=2, le=100)]] = (10, 10)
+    count: tuple[Annotated[int, Field(ge=2, le=100)], Annotated[int, Field(ge=2, le=100)]] = (
+        10,
+        10,
+    )
     pitch_mm: Positive = 3.0
 
 
@@ -136,9 +139,9 @@ class MeshSpec(_Part):
     """Target edge lengths: `edge_mm` in the bulk, `surface_edge_mm` under the pressed faces."""
 
     edge_mm: Positive = 4.0
-    surface_edge_mm: Positive = 1.7
+    surface_edge_mm: Positive = 1.2
     envelope_mm: Positive = 0.03
-    magnet_sides: Annotated[int, Field(ge=6, le=64)] = 12
+    magnet_sides: Annotated[int, Field(ge=6, le=64)] = 8
 
 
 class MechanicsSpec(_Part):

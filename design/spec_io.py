@@ -32,7 +32,9 @@ def load_spec(path: Path | str, overrides: Iterable[str] = ()) -> ObjectSpec:
             f"no specification at {path}. `instobj new NAME` writes one to start from"
         ) from None
     except OSError as error:
-        raise InputError(f"cannot read {path}: {error.strerror}. Give a readable TOML file") from None
+        raise InputError(
+            f"cannot read {path}: {error.strerror}. Give a readable TOML file"
+        ) from None
     except UnicodeDecodeError:
         raise InputError(f"{path} is not a text file. Give a specification in TOML") from None
     except tomllib.TOMLDecodeError as error:
@@ -73,7 +75,9 @@ def _apply_override(content: dict[str, Any], override: str) -> None:
     for part in tables:
         table = table.setdefault(part, {})
         if not isinstance(table, dict):
-            raise InputError(f"--set {override}: {part!r} is a value, not a table of the specification")
+            raise InputError(
+                f"--set {override}: {part!r} is a value, not a table of the specification"
+            )
     table[name] = _toml_value(value.strip())
 
 

@@ -5,9 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 
+LARGEST_POISSON_RATIO = 0.499999
+"""Beyond it ν is taken as this: the factorization needs a pivot for every pressure."""
+
+
 @dataclass(frozen=True)
 class LameConstants:
-    """Shear modulus μ (MPa) and 1/λ (1/MPa); 1/λ = 0 is the incompressible limit."""
+    """Shear modulus μ (MPa) and 1/λ (1/MPa)."""
 
     shear_modulus_mpa: float
     inverse_lambda_per_mpa: float
@@ -15,6 +19,9 @@ class LameConstants:
 
 def lame_constants(youngs_modulus_mpa: float, poisson_ratio: float) -> LameConstants:
     """μ = E / (2(1 + ν)) and 1/λ = (1 + ν)(1 − 2ν) / (E ν), finite up to ν = 0.5.
+
+    ν above 0.499999 counts as 0.499999: the compliance of the paper's shell falls by less than
+    1e-5 from there to 0.5 (it falls by 2.4 % from 0.49 to 0.5).
 
     Raises
     ------
@@ -26,7 +33,7 @@ def lame_constants(youngs_modulus_mpa: float, poisson_ratio: float) -> LameConst
             "linear elasticity needs E > 0 and 0 < ν ≤ 0.5; got "
             f"E = {youngs_modulus_mpa:g} MPa, ν = {poisson_ratio:g}"
         )
-    nu, e = poisson_ratio, youngs_modulus_mpa
+    nu, e = min(poisson_ratio, LARGEST_POISSON_RATIO), youngs_modulus_mpa
     return LameConstants(e / (2 * (1 + nu)), (1 + nu) * (1 - 2 * nu) / (e * nu))
 
 

@@ -10,7 +10,7 @@ from jaxtyping import Float
 
 from design.errors import InputError
 from design.spec import ObjectSpec
-from fem.surfaces import sealed_volume_mm3
+from design.volumes import sealed_volume_mm3
 from fem.tet_mesh import SILICONE, TetMesh, tet_volumes_mm3
 
 MIN_DIHEDRAL_DEG = 4.0

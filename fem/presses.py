@@ -27,8 +27,9 @@ def simulate_lattice(
 ) -> tuple[PressForces, MagnetMotions]:
     """Press every lattice place of every face to every depth of `spec.press.depths_mm`.
 
-    Forces on a mesh with 1.7 mm surface edges are 1 to 5 % from the converged ones, most at the
-    smallest depth, where the contact spans few vertices (tests/fem/test_presses.py).
+    With the default surface edges of 1.2 mm the force scatters between places, by the accident of
+    where vertices fall under the tip, by 0.8 % (standard deviation) at 2 mm depth, 1.4 % at 1 mm,
+    3 % at 0.5 mm and 6 % at 0.25 mm. Motions per newton scatter less.
     """
     lattice = press_lattice(spec)
     depths = np.asarray(spec.press.depths_mm)
@@ -124,4 +125,3 @@ def _require_on_face(surface: FaceSurface, xy_mm: np.ndarray, radius_mm: float) 
             f"{surface.number} (±{reach[0]:.3g}, ±{reach[1]:.3g} mm). Move the press inwards, or use "
             "fewer contact places or a smaller indenter"
         )
-

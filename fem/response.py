@@ -91,9 +91,7 @@ def build_response(mesh: TetMesh, spec: ObjectSpec) -> ResponseOperator:
     pressure_rows = sp.csr_matrix((matrix.shape[0] - loads.shape[0], loads.shape[1]))
     condensed = compliance_of_loads(matrix, sp.vstack([loads, pressure_rows]))
     _require_inertia(condensed.negative_pivots, pressure_rows.shape[0])
-    return ResponseOperator(
-        surfaces, condensed.matrix, matrix.shape[0], condensed.negative_pivots
-    )
+    return ResponseOperator(surfaces, condensed.matrix, matrix.shape[0], condensed.negative_pivots)
 
 
 def save_response(response: ResponseOperator, folder: Path | str) -> None:

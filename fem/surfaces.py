@@ -32,13 +32,6 @@ def sealed_body_surface(spec: ObjectSpec) -> trimesh.Trimesh:
     return outer.difference(cavity)
 
 
-def sealed_volume_mm3(spec: ObjectSpec) -> float:
-    """Volume of silicone and magnets together (paper's cube: 51 104)."""
-    sx, sy, sz = spec.body.size_mm
-    core_x, core_y, core_z = spec.core_size_mm
-    return sx * sy * sz - core_x * core_y * (core_z + spec.shell.thickness_mm)
-
-
 def magnet_surfaces(spec: ObjectSpec) -> list[trimesh.Trimesh]:
     """Each magnet as an n-sided prism of the disk's own volume and height."""
     layout = magnet_layout(spec)

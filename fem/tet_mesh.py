@@ -23,7 +23,7 @@ SILICONE = -1
 """Value of `TetMesh.magnet` in elements of silicone."""
 
 _SIZING_STEP_MM = 2.0
-_FINE_LAYER_MM = 2.5
+_FINE_LAYER_MM = 0.5
 
 
 @dataclass(frozen=True)
@@ -133,7 +133,9 @@ def _containing_magnet(spec: ObjectSpec, points: np.ndarray) -> np.ndarray:
 def _edge_length_field(spec: ObjectSpec) -> dict[str, np.ndarray]:
     """Background mesh of target edge lengths: fine under the sensed faces, coarse in the bulk."""
     half = np.asarray(spec.body.size_mm) / 2
-    axes = [np.linspace(-h - 1, h + 1, int(np.ceil(2 * (h + 1) / _SIZING_STEP_MM)) + 1) for h in half]
+    axes = [
+        np.linspace(-h - 1, h + 1, int(np.ceil(2 * (h + 1) / _SIZING_STEP_MM)) + 1) for h in half
+    ]
     points = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, 3)
     depth = half - abs(points)
     depth[:, 2] = half[2] - points[:, 2]  # the open face −z is not pressed
