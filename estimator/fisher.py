@@ -102,7 +102,7 @@ def _blind_direction(
     right: Float[np.ndarray, "press 3 3"], seen: Bool[np.ndarray, "press 3"]
 ) -> Float[np.ndarray, "press 3"]:
     last = right[:, -1] / np.linalg.norm(right[:, -1], axis=1, keepdims=True)
-    return np.where(seen.all(axis=1)[:, None], np.nan, last)
+    return np.where(seen.all(axis=1, keepdims=True), np.nan, last)
 
 
 def _weakest_direction(
@@ -113,7 +113,7 @@ def _weakest_direction(
     weakest = np.linalg.eigh(covariance[:, :2, :2])[1][:, :, -1]
     blind = right[:, -1, :2]
     length = np.linalg.norm(blind, axis=1)
-    use = ~seen[:, -1] & (length > 0)
+    use = np.logical_not(seen[:, -1]) & (length > 1e-6 * np.linalg.norm(right[:, -1], axis=1))
     weakest[use] = blind[use] / length[use, None]
     return weakest
 

@@ -69,7 +69,7 @@ class PressPlan:
     peak_force_n: Float[np.ndarray, "press"]
     clamped: Bool[np.ndarray, "press"]
 
-    def summary(self) -> dict[str, float]:
+    def summary(self) -> dict[str, int | float]:
         """Numbers for a report: presses, how many were clamped, and the range of peaks (N)."""
         return {
             "presses": len(self.face),

@@ -1,0 +1,137 @@
+"""Scores of all places: consistency with their parts, areas, files and time."""
+
+import time
+from dataclasses import fields, replace
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+from synthetic_presses import coarse_spec, synthetic_presses
+
+from design.errors import InputError
+from design.layouts import PlaceGrid, grid_places_in_lattice
+from design.spec import ObjectSpec
+from estimator.fisher import cramer_rao_bounds, disturbance_counts
+from estimator.interpolation import signal_gradient
+from estimator.scores import (
+    AREAS,
+    area_places,
+    load_scores_csv,
+    save_scores_csv,
+    score_places,
+    summarize_areas,
+    weakest_place,
+)
+from estimator.signals import press_signals
+
+SPEC = coarse_spec(score={"force_n": 14.0})
+
+
+@pytest.fixture(scope="module")
+def signals():
+    return press_signals(SPEC, *synthetic_presses(SPEC))
+
+
+@pytest.fixture(scope="module")
+def scores(signals):
+    return score_places(SPEC, signals)
+
+
+def test_bounds_are_those_of_the_own_channels_at_the_score_force(signals, scores):
+    face, place = 4, 13
+    lattice = grid_places_in_lattice(SPEC)[place]
+    x, y = signals.lattice.xy_mm[lattice]
+    force = scores.force_at_score_n[face - 1, place]
+    at = (np.array([face]), np.array([x]), np.array([y]), np.array([force]))
+    jacobian = signal_gradient(signals, *at).jacobian
+    sigma = disturbance_counts(SPEC.sensors, "drifted", 9)
+    own = cramer_rao_bounds(jacobian[:, 27:36], sigma)
+    assert_allclose(scores.position_bound_drifted_mm[face - 1, place], own.position_mm[0])
+    assert_allclose(scores.force_bound_drifted_n[face - 1, place], own.force_n[0])
+    neighbour = cramer_rao_bounds(jacobian[:, 18:27], sigma)
+    assert neighbour.position_mm[0] > 1.5 * own.position_mm[0]
+
+
+def test_drift_and_fewer_channels_make_bounds_worse(signals, scores):
+    assert (scores.position_bound_drifted_mm > scores.position_bound_fresh_mm).all()
+    assert (scores.detectable_force_drifted_n > scores.detectable_force_fresh_n).all()
+    every = score_places(SPEC, signals, channels="all")
+    assert (every.position_bound_fresh_mm < scores.position_bound_fresh_mm).all()
+    assert (every.force_bound_fresh_n < scores.force_bound_fresh_n).all()
+
+
+def test_places_that_do_not_reach_the_force_are_judged_at_their_largest_and_flagged(
+    signals, scores
+):
+    reach = signals.force_n[:, grid_places_in_lattice(SPEC), -1]
+    assert_allclose(scores.force_at_score_n, np.minimum(reach, 14.0), rtol=1e-9)
+    np.testing.assert_array_equal(scores.reaches_score_force, reach >= 14.0)
+    harder = coarse_spec(score={"force_n": 25.0})
+    few = score_places(harder, signals)
+    assert 0 < few.reaches_score_force.sum() < few.reaches_score_force.size
+    assert_allclose(few.depth_at_score_mm[~few.reaches_score_force], 4.0, rtol=1e-9)
+    assert_allclose(few.stiffness_n_per_mm * few.depth_at_score_mm, few.force_at_score_n)
+
+
+def test_areas_of_the_papers_grid():
+    grid = PlaceGrid(np.arange(10.0), np.arange(10.0))
+    sizes = {area: int(area_places(grid, area).sum()) for area in AREAS}
+    assert sizes == {"corner": 4, "edge": 32, "mid_edge": 16, "centre": 16}
+    middle = area_places(grid, "mid_edge").reshape(10, 10)
+    assert np.flatnonzero(middle[0]).tolist() == [3, 4, 5, 6]
+    assert middle[9, 3]
+    assert middle[5, 0]
+    assert not middle[2, 0]
+    assert not (area_places(grid, "corner") & area_places(grid, "edge")).any()
+
+
+def test_area_summary_gives_medians_and_ratios_to_the_centre(scores):
+    bound = np.full((5, 20), 2.0)
+    centre, edge = area_places(scores.grid, "centre"), area_places(scores.grid, "edge")
+    bound[:, centre], bound[:, edge & ~centre] = 0.5, 3.0
+    summary = {
+        row.area: row for row in summarize_areas(replace(scores, position_bound_fresh_mm=bound))
+    }
+    assert summary["centre"].medians["position_bound_fresh_mm"] == 0.5
+    assert summary["corner"].ratio_to_centre["position_bound_fresh_mm"] == 4.0
+    assert summary["corner"].places == 4
+    bound[2] *= 7
+    third = summarize_areas(replace(scores, position_bound_fresh_mm=bound), face=3)
+    assert third[0].medians["position_bound_fresh_mm"] == 14.0
+
+
+def test_weakest_place_has_the_largest_bound(scores):
+    weakest = weakest_place(scores)
+    bound = scores.position_bound_fresh_mm
+    assert weakest.position_bound_mm == bound.max() == bound[weakest.face - 1, weakest.place]
+    assert_allclose([weakest.x_mm, weakest.y_mm], scores.grid.xy_mm[weakest.place])
+    assert 0 <= weakest.direction_deg <= 180
+
+
+def test_scores_survive_their_table(scores, tmp_path):
+    blind = scores.force_bound_fresh_n.copy()
+    blind[1, 3] = np.inf
+    scores = replace(scores, force_bound_fresh_n=blind)
+    save_scores_csv(scores, tmp_path / "scores.csv")
+    back = load_scores_csv(tmp_path / "scores.csv")
+    for field in fields(scores)[2:]:
+        np.testing.assert_array_equal(getattr(back, field.name), getattr(scores, field.name))
+    np.testing.assert_array_equal(back.grid.xy_mm, scores.grid.xy_mm)
+    lines = (tmp_path / "scores.csv").read_text().splitlines()
+    assert len(lines) == 101
+    assert "delta_raw [counts^d/N]" in lines[0].split(",")
+    (tmp_path / "cut.csv").write_text("\n".join(lines[:-3]))
+    with pytest.raises(InputError, match="not a table of scores"):
+        load_scores_csv(tmp_path / "cut.csv")
+    with pytest.raises(InputError, match="not a table of scores"):
+        load_scores_csv(tmp_path / "none.csv")
+
+
+def test_500_places_are_scored_within_two_seconds():
+    spec = ObjectSpec(name="cube", press={"depths_mm": (0.5, 1, 1.5, 2, 2.5, 3)})  # pyright: ignore
+    signals = press_signals(spec, *synthetic_presses(spec))
+    start = time.process_time()
+    scores = score_places(spec, signals)
+    assert time.process_time() - start < 2
+    assert scores.delta_raw.shape == (5, 100)
+    assert np.isfinite(scores.position_bound_fresh_mm).all()
