@@ -1,0 +1,186 @@
+"""The `instobj` command: thin, typed, and quick to start (heavy imports inside the commands)."""
+
+from __future__ import annotations
+
+import json
+import sys
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from design.errors import InputError
+
+app = typer.Typer(
+    name="instobj",
+    help="Design, simulate and calibrate instrumented objects that feel how they are grasped.",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+)
+
+Specs = Annotated[list[Path], typer.Argument(help="Specification files (TOML).", show_default=False)]
+Sources = Annotated[
+    list[Path],
+    typer.Argument(help="Specifications (TOML) or data sets (NetCDF).", show_default=False),
+]
+Out = Annotated[Path, typer.Option(help="Folder that gets cad_out/ and runs/.")]
+AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON document on stdout.")]
+Overrides = Annotated[
+    list[str] | None,
+    typer.Option("--set", metavar="KEY=VALUE", help="Override, e.g. shell.thickness_mm=9."),
+]
+_HERE = Path()
+
+
+@app.command()
+def new(
+    name: Annotated[str, typer.Argument(help="Name of the object.")], out: Out = _HERE
+) -> None:
+    """Write a commented specification to start from: NAME.toml."""
+    from instobj.commands import new_specification
+
+    typer.echo(f"wrote {new_specification(name, out)}")
+
+
+@app.command()
+def check(specs: Specs, as_json: AsJson = False, overrides: Overrides = None) -> None:
+    """Validate specifications: keys, bounds, whether everything fits, and sensors at rest."""
+    from instobj.commands import check_specifications
+
+    _show(check_specifications(specs, overrides or []), as_json)
+
+
+@app.command()
+def build(
+    specs: Specs, out: Out = _HERE, as_json: AsJson = False, overrides: Overrides = None
+) -> None:
+    """Solids, casting mould and probes as STL and STEP, with a manifest."""
+    _chain(specs, ("build",), out, as_json, overrides)
+
+
+@app.command()
+def mesh(
+    specs: Specs, out: Out = _HERE, as_json: AsJson = False, overrides: Overrides = None
+) -> None:
+    """Tetrahedra of the sealed body with every magnet resolved; quality reported."""
+    _chain(specs, ("mesh",), out, as_json, overrides)
+
+
+@app.command()
+def simulate(
+    specs: Specs, out: Out = _HERE, as_json: AsJson = False, overrides: Overrides = None
+) -> None:
+    """Mechanics of every press, and the signals that all sensors give."""
+    _chain(specs, ("signals",), out, as_json, overrides)
+
+
+@app.command()
+def score(
+    specs: Specs, out: Out = _HERE, as_json: AsJson = False, overrides: Overrides = None
+) -> None:
+    """Sensitivity, Cramér–Rao bounds and maps of every contact place."""
+    _chain(specs, ("scores",), out, as_json, overrides)
+
+
+@app.command()
+def train(
+    sources: Sources, out: Out = _HERE, as_json: AsJson = False, overrides: Overrides = None
+) -> None:
+    """Train a contact estimator per face, on simulated presses or on a data set."""
+    _estimate(sources, ("networks",), out, as_json, overrides)
+
+
+@app.command()
+def evaluate(
+    sources: Sources, out: Out = _HERE, as_json: AsJson = False, overrides: Overrides = None
+) -> None:
+    """The paper's four metrics on held-out presses (trains first where nothing is stored)."""
+    _estimate(sources, ("networks", "metrics"), out, as_json, overrides)
+
+
+@app.command()
+def report(
+    specs: Specs, out: Out = _HERE, as_json: AsJson = False, overrides: Overrides = None
+) -> None:
+    """One self-contained report.html: go or no-go, tables, figures and provenance."""
+    _chain(specs, ("report",), out, as_json, overrides)
+
+
+@app.command()
+def run(
+    specs: Specs, out: Out = _HERE, as_json: AsJson = False, overrides: Overrides = None
+) -> None:
+    """The whole chain, stage by stage; stored results are reused."""
+    from instobj.stages import STAGES
+
+    _chain(specs, tuple(STAGES), out, as_json, overrides)
+
+
+@app.command()
+def recordings(
+    files: Annotated[list[Path], typer.Argument(help="Recordings (CSV).", show_default=False)],
+    out: Out = _HERE,
+    as_json: AsJson = False,
+) -> None:
+    """Read recordings, find and correct their faults, and write a data set to train on."""
+    from instobj.commands import read_recordings
+
+    _show(read_recordings(files, out), as_json)
+
+
+def _chain(
+    specs: list[Path],
+    stages: tuple[str, ...],
+    out: Path,
+    as_json: bool,
+    overrides: list[str] | None,
+) -> None:
+    from instobj.commands import run_chain
+
+    _show(run_chain(specs, stages, out, overrides or []), as_json)
+
+
+def _estimate(
+    sources: list[Path],
+    stages: tuple[str, ...],
+    out: Path,
+    as_json: bool,
+    overrides: list[str] | None,
+) -> None:
+    from instobj.commands import run_estimator
+
+    _show(run_estimator(sources, stages, out, overrides or []), as_json)
+
+
+def _show(result: dict[str, Any], as_json: bool) -> None:
+    if as_json:
+        typer.echo(json.dumps(result, indent=2))
+        return
+    from instobj.tables import print_result
+
+    print_result(result)
+
+
+def main() -> None:
+    """Entry point: bad input ends with one error message and exit code 2, without a traceback."""
+    try:
+        sys.exit(app(standalone_mode=False))
+    except typer.TyperException as error:
+        error.show()
+        sys.exit(error.exit_code)
+    except InputError as error:
+        _fail(str(error), 2)
+    except (KeyboardInterrupt, typer.Abort):
+        _fail("interrupted. Finished stages are kept: the same command goes on from there", 130)
+    except ArithmeticError as error:
+        _fail(f"the computation failed: {error}", 2)
+    except MemoryError as error:
+        _fail(f"out of memory: {error}. Use a larger mesh.edge_mm or mesh.surface_edge_mm", 2)
+
+
+def _fail(message: str, code: int) -> None:
+    if "--json" in sys.argv:
+        typer.echo(json.dumps({"error": message}))
+    typer.echo(f"error: {message}", err=True)
+    sys.exit(code)

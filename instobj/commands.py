@@ -1,0 +1,161 @@
+"""What the commands do, as functions that return one JSON-able document."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any
+
+from design.errors import InputError
+from design.files import atomic_path
+from design.spec import ObjectSpec
+from design.spec_io import load_spec, spec_hash
+from instobj.chain import Chain
+from instobj.publish import publish, require_writable, run_folder
+from instobj.store import StoredResult
+
+_TEMPLATE = Path(__file__).parent / "templates" / "cube.toml"
+
+
+def new_specification(name: str, out: Path) -> Path:
+    """Write `NAME.toml`, the paper's cube with every field commented.
+
+    Raises
+    ------
+    InputError
+        The name cannot be a folder's name, or the file is already there.
+    """
+    target = out / f"{name}.toml"
+    if not re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9_.-]{0,79}", name):
+        raise InputError(
+            f"{name!r} cannot name an object: start with a letter or digit, then letters, digits, "
+            "'_', '.', '-' (80 at most)"
+        )
+    if target.exists():
+        raise InputError(f"{target} is already there. Choose another name, or move it away")
+    text = _TEMPLATE.read_text(encoding="utf-8").replace('name = "NAME"', f'name = "{name}"')
+    with atomic_path(target) as temporary:
+        temporary.write_text(text, encoding="utf-8")
+    return target
+
+
+def check_specifications(specs: list[Path], overrides: list[str]) -> dict[str, Any]:
+    """Validate each specification, and that no sensor saturates or sits in a magnet at rest."""
+    from design.layouts import magnet_layout, sensor_layout
+    from estimator.field import disk_magnet
+    from estimator.hall import check_rest, check_sensors_outside_magnets
+    from estimator.signals import rest_counts
+
+    rows = []
+    for path in specs:
+        spec = load_spec(path, overrides)
+        sensors, magnets = sensor_layout(spec), magnet_layout(spec)
+        check_sensors_outside_magnets(sensors, magnets, disk_magnet(spec.magnets))
+        counts = rest_counts(spec)
+        check_rest(counts, sensors, spec.sensors)
+        largest_mt = float(abs(counts).max()) / spec.sensors.counts_per_mt
+        rows.append(
+            {
+                "spec": str(path),
+                "name": spec.name,
+                "spec_hash": spec_hash(spec),
+                "magnets": len(magnets.face),
+                "sensors": len(sensors.face),
+                "largest_field_at_rest_mt": round(largest_mt, 3),
+                "range_mt": spec.sensors.range_mt,
+            }
+        )
+    return {"command": "check", "specifications": rows}
+
+
+def run_chain(
+    specs: list[Path], stages: tuple[str, ...], out: Path, overrides: list[str]
+) -> dict[str, Any]:
+    """Bring each specification to the given stages and publish what users read."""
+    loaded = [load_spec(path, overrides) for path in specs]
+    _require_distinct_names(loaded, specs)
+    require_writable(out)
+    return {"command": "chain", "objects": [_run_one(spec, stages, out) for spec in loaded]}
+
+
+def _run_one(spec: ObjectSpec, stages: tuple[str, ...], out: Path) -> dict[str, Any]:
+    from instobj.summary import summarize
+
+    chain = Chain(spec)
+    files: list[Path] = []
+    for name in stages:
+        known = set(chain.results)
+        chain.require(name)
+        for stage in [name, *(s for s in chain.results if s not in known and s != name)]:
+            files += publish(spec, chain.results[stage], out)
+    return {
+        "name": spec.name,
+        "spec_hash": spec_hash(spec),
+        "stages": [_stage_row(result) for result in chain.results.values()],
+        "summary": summarize(chain.results),
+        "files": _file_rows(files),
+    }
+
+
+def run_estimator(
+    sources: list[Path], stages: tuple[str, ...], out: Path, overrides: list[str]
+) -> dict[str, Any]:
+    """Train or evaluate on specifications (simulated presses) and on data sets (.nc) alike."""
+    from instobj.learning import run_on_data_set
+
+    require_writable(out)
+    objects = []
+    for path in sources:
+        if path.suffix == ".nc":
+            objects.append(run_on_data_set(path, stages, out, overrides))
+        else:
+            objects.append(_run_one(load_spec(path, overrides), stages, out))
+    return {"command": "estimator", "objects": objects}
+
+
+def read_recordings(files: list[Path], out: Path) -> dict[str, Any]:
+    """Read recordings into one data set, `runs/<stems>/frames.nc`, and say what was found."""
+    from estimator.dataset import save_frames
+    from estimator.recordings import combine, read_recording
+    from instobj.progress import ProgressLine
+
+    require_writable(out)
+    progress = ProgressLine()
+    found = []
+    for path in files:
+        with progress.stage(f"reading {path}"):
+            found.append(read_recording(path))
+    frames = found[0].frames if len(found) == 1 else combine(found)
+    target = run_folder(out, "+".join(path.stem for path in files)) / "frames.nc"
+    save_frames(frames, target)
+    return {
+        "command": "recordings",
+        "reports": [recording.report.to_dict() for recording in found],
+        "texts": [str(recording.report) for recording in found],
+        "files": _file_rows([target]),
+    }
+
+
+def _require_distinct_names(loaded: list[ObjectSpec], paths: list[Path]) -> None:
+    seen: dict[str, Path] = {}
+    for spec, path in zip(loaded, paths, strict=True):
+        if spec.name in seen:
+            raise InputError(
+                f"{seen[spec.name]} and {path} are both named {spec.name!r}, and would write to the "
+                "same folders. Rename one"
+            )
+        seen[spec.name] = path
+
+
+def _stage_row(result: StoredResult) -> dict[str, Any]:
+    return {
+        "stage": result.stage,
+        "key": result.key[:16],
+        "reused": result.reused,
+        "seconds": round(result.seconds, 2),
+    }
+
+
+def _file_rows(files: list[Path]) -> list[dict[str, Any]]:
+    unique = dict.fromkeys(files)
+    return [{"path": str(path), "bytes": path.stat().st_size} for path in unique]

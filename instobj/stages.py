@@ -1,0 +1,221 @@
+"""The stages of the chain: what each needs, which parts of the specification it depends on, and
+how it makes its files. Heavy imports stay inside the functions."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from design.files import atomic_path
+from design.spec import ObjectSpec
+
+Step = Callable[[str], None]
+
+
+@dataclass(frozen=True)
+class StageContext:
+    """What a stage works from: the specification and the folders of the stages it needs."""
+
+    spec: ObjectSpec
+    inputs: dict[str, Path]
+    key: str
+    step: Step
+
+
+@dataclass(frozen=True)
+class Stage:
+    """A stage of the chain.
+
+    `depends_on` names parts of the specification (dotted where only one field matters); `version`
+    is raised when the code would give another result from the same inputs.
+    """
+
+    title: str
+    needs: tuple[str, ...]
+    depends_on: tuple[str, ...]
+    make: Callable[[StageContext, Path], None]
+    version: int = 1
+
+
+def _build(context: StageContext, folder: Path) -> None:
+    from design.export import build_object
+    from instobj.report.parts_figure import draw_parts
+
+    build_object(context.spec, folder, context.step)
+    context.step("drawing the parts")
+    draw_parts(folder, folder / "parts.png")
+
+
+def _mesh(context: StageContext, folder: Path) -> None:
+    from fem.mesh_quality import mesh_quality, require_quality
+    from fem.tet_mesh import save_mesh, tetrahedralize
+
+    context.step("tetrahedra of the sealed body, magnets resolved")
+    mesh = tetrahedralize(context.spec)
+    quality = mesh_quality(mesh, context.spec)
+    require_quality(quality)
+    save_mesh(mesh, folder / "mesh.npz")
+    write_json(quality.to_dict(), folder / "mesh_quality.json")
+
+
+def _response(context: StageContext, folder: Path) -> None:
+    from fem.response import build_response, save_response
+    from fem.tet_mesh import load_mesh
+
+    context.step("assembling, factoring and condensing")
+    response = build_response(load_mesh(context.inputs["mesh"] / "mesh.npz"), context.spec)
+    save_response(response, folder)
+    write_json(
+        {
+            "unknowns": response.unknowns,
+            "condensed_unknowns": len(response.compliance),
+            "negative_pivots": response.negative_pivots,
+        },
+        folder / "response.json",
+    )
+
+
+def _presses(context: StageContext, folder: Path) -> None:
+    from fem.presses import simulate_lattice
+    from fem.response import load_response
+    from fem.results import save_presses
+
+    response = load_response(context.inputs["response"])
+    forces, motions = simulate_lattice(context.spec, response, context.step)
+    save_presses(forces, motions, folder / "presses.nc")
+
+
+def _signals(context: StageContext, folder: Path) -> None:
+    from estimator.signals import press_signals, save_grid_signals, save_signals
+    from fem.results import load_presses
+
+    forces, motions = load_presses(context.inputs["presses"] / "presses.nc")
+    signals = press_signals(context.spec, forces, motions, context.step)
+    save_signals(signals, folder / "lattice_signals.nc")
+    save_grid_signals(context.spec, signals, folder / "signals.nc", context.spec.seed)
+
+
+def _scores(context: StageContext, folder: Path) -> None:
+    from estimator.scores import save_scores_csv, score_places
+    from instobj.report.maps import draw_score_maps
+
+    context.step("sensitivity and bounds of every place")
+    scores = score_places(context.spec, _stored_signals(context))
+    save_scores_csv(scores, folder / "scores.csv")
+    draw_score_maps(context.spec, scores, folder / "maps", context.step)
+
+
+def _frames(context: StageContext, folder: Path) -> None:
+    from estimator.dataset import save_frames
+    from estimator.press_protocol import nominal_peaks, plan_presses, simulate_presses
+
+    signals = _stored_signals(context)
+    frames = simulate_presses(context.spec, signals, context.key, context.step)
+    peaks = nominal_peaks(context.spec, signals)
+    write_json(
+        plan_presses(context.spec, signals).summary()
+        | {
+            "common_travel_mm": peaks.common_travel_mm,
+            "deepest_peak_mm": float(peaks.depth_mm.max()),
+            "shallowest_peak_mm": float(peaks.depth_mm.min()),
+            "clamped_places": int(peaks.clamped.sum()),
+        },
+        folder / "protocol.json",
+    )
+    save_frames(frames, folder / "frames.nc")
+
+
+def _networks(context: StageContext, folder: Path) -> None:
+    from instobj.learning import train_networks
+
+    frames = context.inputs["frames"] / "frames.nc"
+    train_networks(frames, context.spec.training, context.spec.seed, folder, context.step)
+
+
+def _metrics(context: StageContext, folder: Path) -> None:
+    from instobj.learning import evaluate_networks
+
+    frames = context.inputs["frames"] / "frames.nc"
+    evaluate_networks(
+        frames, context.inputs["networks"], context.spec.seed, folder, context.step
+    )
+
+
+def _stored_signals(context: StageContext) -> Any:
+    from estimator.signals import load_signals
+
+    return load_signals(context.inputs["signals"] / "lattice_signals.nc")
+
+
+def _report(context: StageContext, folder: Path) -> None:
+    from instobj.report.page import write_report
+
+    context.step("writing the report")
+    write_report(context.spec, context.inputs, folder / "report.html")
+
+
+def write_json(content: dict[str, Any], path: Path) -> None:
+    """Write JSON that is complete or absent."""
+    with atomic_path(path) as temporary:
+        temporary.write_text(json.dumps(content, indent=2) + "\n", encoding="utf-8")
+
+
+_WHERE_THINGS_ARE = ("body", "shell", "magnets")
+
+STAGES: dict[str, Stage] = {
+    "build": Stage(
+        "design: solids, mould and probes",
+        (),
+        ("name", *_WHERE_THINGS_ARE, "core", "sensors", "indenter"),
+        _build,
+    ),
+    "mesh": Stage("mesh: tetrahedra", (), (*_WHERE_THINGS_ARE, "mesh"), _mesh),
+    "response": Stage(
+        "mechanics: response operator",
+        ("mesh",),
+        ("silicone.youngs_modulus_mpa", "silicone.poisson_ratio", "mechanics"),
+        _response,
+    ),
+    "presses": Stage(
+        "mechanics: contact at every place and depth",
+        ("response",),
+        ("contact_grid", "indenter", "press"),
+        _presses,
+    ),
+    "signals": Stage(
+        "signals: Hall sensors", ("presses",), ("magnets", "sensors", "seed"), _signals
+    ),
+    "scores": Stage("sensitivity: bounds and maps", ("signals",), ("score",), _scores),
+    "frames": Stage("estimator: simulated presses", ("signals",), ("protocol", "seed"), _frames),
+    "networks": Stage("estimator: training", ("frames",), ("training", "seed"), _networks),
+    "metrics": Stage("estimator: held-out presses", ("frames", "networks"), (), _metrics),
+    "report": Stage(
+        "report",
+        ("build", "mesh", "response", "presses", "signals", "scores", "frames", "metrics"),
+        ("name", "limits"),
+        _report,
+    ),
+}
+"""In the order in which `instobj run` works through them."""
+
+
+def stage_inputs(
+    stage: Stage, spec: ObjectSpec, keys_of_needs: dict[str, str], versions: dict[str, str]
+) -> dict[str, Any]:
+    """Everything that a stage's result depends on, JSON-able, for its content key."""
+    content = spec.model_dump(mode="json")
+    parts: dict[str, Any] = {}
+    for name in stage.depends_on:
+        value: Any = content
+        for part in name.split("."):
+            value = value[part]
+        parts[name] = value
+    return {
+        "spec": parts,
+        "needs": keys_of_needs,
+        "version": stage.version,
+        "libraries": versions,
+    }

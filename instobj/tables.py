@@ -1,0 +1,64 @@
+"""Results as tables on a terminal."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from rich.console import Console
+from rich.table import Table
+
+
+def print_result(result: dict[str, Any]) -> None:
+    """Print the document that a command returned."""
+    console = Console(highlight=False)
+    for row in result.get("specifications", ()):
+        console.print(
+            f"{row['spec']}: valid. {row['magnets']} magnets, {row['sensors']} sensors; largest "
+            f"field at rest {row['largest_field_at_rest_mt']:g} of ±{row['range_mt']:g} mT"
+        )
+    for text in result.get("texts", ()):
+        console.print(text)
+    for item in result.get("objects", ()):
+        console.rule(item["name"])
+        _print_summary(console, item["summary"])
+        _print_files(console, item["files"])
+    _print_files(console, result.get("files", ()))
+
+
+def _print_summary(console: Console, summary: dict[str, Any]) -> None:
+    for title, values in summary.items():
+        if isinstance(values, list):
+            _print_rows(console, title, values)
+        else:
+            line = ", ".join(f"{name} {_number(value)}" for name, value in values.items())
+            console.print(f"[bold]{title}[/bold]: {line}")
+
+
+def _print_rows(console: Console, title: str, rows: list[dict[str, Any]]) -> None:
+    table = Table(title=title, title_justify="left")
+    for name in rows[0]:
+        table.add_column(name, justify="right")
+    for row in rows:
+        table.add_row(*(_number(value) for value in row.values()))
+    console.print(table)
+
+
+def _print_files(console: Console, files: Any) -> None:
+    if not files:
+        return
+    table = Table(title="Files written", title_justify="left")
+    table.add_column("file", overflow="fold")
+    table.add_column("size", justify="right")
+    for row in files:
+        table.add_row(row["path"], _size(row["bytes"]))
+    console.print(table)
+
+
+def _number(value: Any) -> str:
+    if value is None:
+        return "–"
+    return f"{value:.4g}" if isinstance(value, float) else str(value)
+
+
+def _size(count: int) -> str:
+    return f"{count / 1e6:.1f} MB" if count >= 1e5 else f"{count / 1e3:.1f} kB"
