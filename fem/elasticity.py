@@ -18,6 +18,7 @@ from jaxtyping import Bool, Float, Int
 from skfem import Basis, BilinearForm, ElementTetP1, ElementTetP2, MeshTet
 
 from fem.material import LameConstants
+from fem.sparse import block_matrix, columns_of
 
 
 @dataclass(frozen=True)
@@ -81,14 +82,14 @@ def assemble(space: TaylorHood, material: LameConstants) -> MixedOperators:
         [gradient[i, j] + laplacian if i == j else gradient[i, j] for j in range(3)]
         for i in range(3)
     ]
-    divergence = sp.hstack(
+    divergence = columns_of(
         [_divergence(a).assemble(space.displacement, space.pressure) for a in range(3)]
     )
     mass = _mass.assemble(space.pressure)
     return MixedOperators(
-        (material.shear_modulus_mpa * sp.bmat(blocks)).tocsr(),
-        divergence.tocsr(),
-        (material.inverse_lambda_per_mpa * mass).tocsr(),
+        material.shear_modulus_mpa * block_matrix(blocks),
+        divergence,
+        sp.csr_matrix(material.inverse_lambda_per_mpa * mass),
     )
 
 
@@ -103,7 +104,7 @@ def saddle_point_matrix(
     stiffness = t.T @ operators.stiffness @ t
     divergence = operators.divergence[pressure_nodes] @ t
     compressibility = operators.compressibility[pressure_nodes][:, pressure_nodes]
-    return sp.bmat([[stiffness, divergence.T], [divergence, -compressibility]]).tocsr()
+    return block_matrix([[stiffness, divergence.T], [divergence, -compressibility]])
 
 
 def free_motion_basis(free: Bool[np.ndarray, "node"]) -> sp.csr_matrix:
@@ -112,7 +113,7 @@ def free_motion_basis(free: Bool[np.ndarray, "node"]) -> sp.csr_matrix:
     selection = sp.csr_matrix(
         (np.ones(len(nodes)), (nodes, np.arange(len(nodes)))), shape=(len(free), len(nodes))
     )
-    return sp.block_diag([selection] * 3, format="csr")
+    return sp.csr_matrix(sp.block_diag([selection] * 3))
 
 
 def _gradient_product(a: int, b: int) -> BilinearForm:

@@ -18,6 +18,8 @@ import scipy.sparse as sp
 import scipy.sparse.linalg
 from jaxtyping import Float
 
+from fem.sparse import block_matrix, shape_of
+
 _SYMMETRIC_INDEFINITE = -2
 _ANALYSE, _FACTOR, _SOLVE, _RELEASE = 11, 22, 33, -1
 _CHUNK = 128
@@ -35,7 +37,7 @@ class Compliance:
     negative_pivots: int
 
 
-def compliance_of_loads(matrix: sp.csr_matrix, loads: sp.spmatrix) -> Compliance:
+def compliance_of_loads(matrix: sp.csr_matrix, loads: sp.csr_matrix) -> Compliance:
     """Condense a symmetric matrix A (n, n) onto sparse loads L (n, m).
 
     Raises
@@ -46,13 +48,13 @@ def compliance_of_loads(matrix: sp.csr_matrix, loads: sp.spmatrix) -> Compliance
     if not pardiso_available():
         _warn_without_mkl()
         return _compliance_by_solves(matrix, loads)
-    count, size = loads.shape[1], matrix.shape[0]
-    bordered = sp.bmat([[matrix, loads], [loads.T, None]])
+    size, count = shape_of(loads)
+    bordered = block_matrix([[matrix, loads], [loads.T, None]])
     solver = _Pardiso(bordered)
     solver.parameters[35] = 1  # return the Schur complement of the marked unknowns
     solver.marked[size:] = 1
     schur = np.zeros((count, count))
-    unused = np.zeros(bordered.shape[0])
+    unused = np.zeros(size + count)
     try:
         solver.call(_ANALYSE, unused, schur)
         solver.call(_FACTOR, unused, schur)
@@ -113,18 +115,18 @@ def _warn_without_mkl() -> None:
 class _Pardiso:
     """One symmetric indefinite matrix in PARDISO; indices are one-based there."""
 
-    def __init__(self, matrix: sp.spmatrix) -> None:
-        upper = sp.triu(matrix, format="csr")
+    def __init__(self, matrix: sp.csr_matrix) -> None:
+        size = shape_of(matrix)[0]
         diagonal = sp.csr_matrix(  # PARDISO wants every diagonal entry stored, zeros too
-            (np.zeros(upper.shape[0]), (np.arange(upper.shape[0]),) * 2), shape=upper.shape
+            (np.zeros(size), (np.arange(size),) * 2), shape=(size, size)
         )
-        upper = upper + diagonal
+        upper = sp.csr_matrix(sp.csr_matrix(sp.triu(matrix)) + diagonal)
         upper.sort_indices()
         self.values = upper.data
         self.row_start = (upper.indptr + 1).astype(np.int32)
         self.columns = (upper.indices + 1).astype(np.int32)
         self.handle = np.zeros(64, np.int64)
-        self.marked = np.zeros(upper.shape[0], np.int32)
+        self.marked = np.zeros(size, np.int32)
         self.parameters = np.zeros(64, np.int32)
         # own settings; METIS ordering; perturb pivots below 1e-8; Bunch–Kaufman; report the inertia
         for index, value in ((0, 1), (1, 2), (9, 8), (20, 1)):
@@ -165,11 +167,12 @@ def _pointer(array: np.ndarray, kind: Any) -> Any:
     return array.ctypes.data_as(ctypes.POINTER(kind))
 
 
-def _compliance_by_solves(matrix: sp.csr_matrix, loads: sp.spmatrix) -> Compliance:
+def _compliance_by_solves(matrix: sp.csr_matrix, loads: sp.csr_matrix) -> Compliance:
     factor = _superlu(matrix)
     columns = sp.csc_matrix(loads)
-    compliance = np.empty((columns.shape[1],) * 2)
-    for first in range(0, columns.shape[1], _CHUNK):
+    count = shape_of(loads)[1]
+    compliance = np.empty((count, count))
+    for first in range(0, count, _CHUNK):
         chunk = slice(first, first + _CHUNK)
         compliance[:, chunk] = columns.T @ factor.solve(columns[:, chunk].toarray())
     return Compliance((compliance + compliance.T) / 2, -1)

@@ -13,6 +13,7 @@ from jaxtyping import Bool, Float, Int
 from skfem import Basis, ElementTetP2, LinearForm
 
 from fem.elasticity import TaylorHood, free_motion_basis
+from fem.sparse import columns_of, rows_of
 from fem.tet_mesh import TetMesh
 
 _LEVI_CIVITA = ((0, 1, 2), (1, 2, 0), (2, 0, 1))
@@ -43,7 +44,7 @@ def rigid_motion_basis(
         (np.concatenate(values), (np.concatenate(rows), np.concatenate(columns))),
         shape=(3 * count, 6 * len(centres_mm)),
     )
-    return sp.hstack([free_motion_basis(free), rigid], format="csr")
+    return columns_of([free_motion_basis(free), rigid])
 
 
 def magnet_of_nodes(mesh: TetMesh, space: TaylorHood) -> Int[np.ndarray, "node"]:
@@ -56,7 +57,10 @@ def magnet_of_nodes(mesh: TetMesh, space: TaylorHood) -> Int[np.ndarray, "node"]
 
 
 def mean_motion_functionals(mesh: TetMesh, space: TaylorHood) -> sp.csr_matrix:
-    """Rows: mean displacement, then mean ½ curl u, over each magnet's volume; (6·magnet, 3·node)."""
+    """Rows: mean displacement, then mean ½ curl u, over each magnet's volume.
+
+    Shape (6·magnet, 3·node).
+    """
     rows = []
     for magnet in range(mesh.magnet.max() + 1):
         basis = Basis(
@@ -68,14 +72,14 @@ def mean_motion_functionals(mesh: TetMesh, space: TaylorHood) -> sp.csr_matrix:
         volume = basis.dx.sum()
         value = sp.csr_matrix(_value.assemble(basis) / volume)
         slope = [sp.csr_matrix(_slope(a).assemble(basis) / volume) for a in range(3)]
-        zero = sp.csr_matrix(value.shape)
+        zero = sp.csr_matrix((1, space.node_count))
         for i in range(3):
-            rows.append(sp.hstack([value if j == i else zero for j in range(3)]))
-        for i, j, k in _LEVI_CIVITA:  # ω_i = ½ (∂_j u_k − ∂_k u_j)
+            rows.append(columns_of([value if j == i else zero for j in range(3)]))
+        for _, j, k in _LEVI_CIVITA:  # ω_i = ½ (∂_j u_k − ∂_k u_j)
             blocks = [zero] * 3
             blocks[k], blocks[j] = slope[j] / 2, -slope[k] / 2
-            rows.append(sp.hstack(blocks))
-    return sp.vstack(rows, format="csr")
+            rows.append(columns_of(blocks))
+    return rows_of(rows)
 
 
 @LinearForm

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-
 LARGEST_POISSON_RATIO = 0.499999
 """Beyond it ν is taken as this: the factorization needs a pivot for every pressure."""
 

@@ -121,7 +121,7 @@ def _require_on_face(surface: FaceSurface, xy_mm: np.ndarray, radius_mm: float) 
     if over.any():
         x, y = xy_mm[over][0]
         raise InputError(
-            f"a tip of radius {radius_mm:g} mm at ({x:g}, {y:g}) mm hangs over the border of face "
-            f"{surface.number} (±{reach[0]:.3g}, ±{reach[1]:.3g} mm). Move the press inwards, or use "
-            "fewer contact places or a smaller indenter"
+            f"a tip of radius {radius_mm:g} mm at ({x:g}, {y:g}) mm hangs over the border of "
+            f"face {surface.number} (±{reach[0]:.3g}, ±{reach[1]:.3g} mm). Move the press inwards, "
+            "or use fewer contact places or a smaller indenter"
         )

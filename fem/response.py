@@ -28,6 +28,7 @@ from fem.elasticity import (
 from fem.factorization import SingularSystemError, compliance_of_loads
 from fem.magnets import magnet_of_nodes, mean_motion_functionals, rigid_motion_basis
 from fem.material import lame_constants
+from fem.sparse import columns_of, rows_of, shape_of
 from fem.tet_mesh import SILICONE, TetMesh
 
 _ON_SURFACE_MM = 0.1
@@ -81,17 +82,16 @@ def build_response(mesh: TetMesh, spec: ObjectSpec) -> ResponseOperator:
     motion = _motion_basis(mesh, space, spec)
     matrix = saddle_point_matrix(assemble(space, material), motion, space.pressure_nodes)
     surfaces, tractions = _face_pressure_loads(skfem_mesh, spec)
-    loads = motion.T @ tractions
+    unknowns, motions = shape_of(matrix)[0], shape_of(motion)[1]
     if rigid:
-        first = motion.shape[1] - 6 * len(magnet_layout(spec).face)
-        magnets = sp.eye(motion.shape[1], format="csr")[:, first:]
+        magnets = _last_columns(motions, 6 * len(magnet_layout(spec).face))
     else:
         magnets = motion.T @ mean_motion_functionals(mesh, space).T
-    loads = sp.hstack([loads, magnets])
-    pressure_rows = sp.csr_matrix((matrix.shape[0] - loads.shape[0], loads.shape[1]))
-    condensed = compliance_of_loads(matrix, sp.vstack([loads, pressure_rows]))
-    _require_inertia(condensed.negative_pivots, pressure_rows.shape[0])
-    return ResponseOperator(surfaces, condensed.matrix, matrix.shape[0], condensed.negative_pivots)
+    loads = columns_of([motion.T @ tractions, magnets])
+    no_pressure = sp.csr_matrix((unknowns - motions, shape_of(loads)[1]))
+    condensed = compliance_of_loads(matrix, rows_of([loads, no_pressure]))
+    _require_inertia(condensed.negative_pivots, unknowns - motions)
+    return ResponseOperator(surfaces, condensed.matrix, unknowns, condensed.negative_pivots)
 
 
 def save_response(response: ResponseOperator, folder: Path | str) -> None:
@@ -107,7 +107,7 @@ def save_response(response: ResponseOperator, folder: Path | str) -> None:
         arrays[f"xy_mm_{surface.number}"] = surface.xy_mm
         arrays[f"triangles_{surface.number}"] = surface.triangles
     with atomic_path(folder / "surfaces.npz") as temporary, temporary.open("wb") as stream:
-        np.savez(stream, **arrays)
+        np.savez(stream, **arrays)  # pyright: ignore[reportArgumentType]
 
 
 def load_response(folder: Path | str) -> ResponseOperator:
@@ -120,6 +120,12 @@ def load_response(folder: Path | str) -> ResponseOperator:
         )
         unknowns, negative = (int(count) for count in data["counts"])
     return ResponseOperator(surfaces, compliance, unknowns, negative)
+
+
+def _last_columns(size: int, count: int) -> sp.csr_matrix:
+    """The last `count` unit vectors of `size` unknowns, as columns."""
+    rows = np.arange(size - count, size)
+    return sp.csr_matrix((np.ones(count), (rows, np.arange(count))), shape=(size, count))
 
 
 def _motion_basis(mesh: TetMesh, space: TaylorHood, spec: ObjectSpec) -> sp.csr_matrix:
@@ -135,7 +141,7 @@ def _motion_basis(mesh: TetMesh, space: TaylorHood, spec: ObjectSpec) -> sp.csr_
 def _touches_core(nodes_mm: np.ndarray, spec: ObjectSpec) -> np.ndarray:
     """The silicone is bonded where the core fills the cavity; the walls beyond it are free."""
     half = np.asarray(spec.core_size_mm) / 2
-    return (abs(nodes_mm) < half + _tolerance(spec)).all(axis=1)
+    return np.all(abs(nodes_mm) < half + _tolerance(spec), axis=1)
 
 
 def _face_pressure_loads(
@@ -143,15 +149,15 @@ def _face_pressure_loads(
 ) -> tuple[tuple[FaceSurface, ...], sp.csr_matrix]:
     """Nodal forces of unit P1 pressures, acting inwards, at the vertices of every face."""
     boundary = mesh.boundary_facets()
-    centre = mesh.p[:, mesh.facets[:, boundary]].mean(axis=1).T
+    corner = np.moveaxis(mesh.p[:, np.asarray(mesh.facets)[:, boundary]], 0, -1)
     surfaces, loads = [], []
     for frame in face_frames(spec):
-        height = frame.from_object(centre)[:, 2]
-        facets = boundary[abs(height) < _tolerance(spec)]
+        height = np.asarray(frame.from_object(corner)[..., 2])
+        facets = boundary[np.all(abs(height) < _tolerance(spec), axis=0)]
         surface, moments = _face_surface(mesh, facets, frame)
         surfaces.append(surface)
-        loads.append(sp.vstack([-component * moments for component in frame.normal]))
-    return tuple(surfaces), sp.hstack(loads, format="csr")
+        loads.append(rows_of([-component * moments for component in frame.normal]))
+    return tuple(surfaces), columns_of(loads)
 
 
 def _face_surface(
@@ -159,9 +165,9 @@ def _face_surface(
 ) -> tuple[FaceSurface, sp.csc_matrix]:
     displacement = FacetBasis(mesh, ElementTetP2(), facets=facets, intorder=3)
     pressure = FacetBasis(mesh, ElementTetP1(), facets=facets, intorder=3)
-    vertices, triangles = np.unique(mesh.facets[:, facets], return_inverse=True)
+    vertices, triangles = np.unique(np.asarray(mesh.facets)[:, facets], return_inverse=True)
     moments = _normal_product.assemble(pressure, displacement).tocsc()[:, vertices]
-    xy = frame.from_object(mesh.p[:, vertices].T)[:, :2]
+    xy = np.asarray(frame.from_object(mesh.p[:, vertices].T)[:, :2])
     return FaceSurface(frame.number, xy, triangles.reshape(3, -1).T), moments
 
 
@@ -177,6 +183,7 @@ def _tolerance(spec: ObjectSpec) -> float:
 def _require_inertia(negative_pivots: int, pressures: int) -> None:
     if negative_pivots not in (-1, pressures):
         raise SingularSystemError(
-            f"the factored matrix has {negative_pivots} negative pivots instead of {pressures}, one "
-            "per pressure unknown: the mesh or the support is broken. Remesh with other edge lengths"
+            f"the factored matrix has {negative_pivots} negative pivots instead of {pressures}, "
+            "one per pressure unknown: the mesh or the support is broken. Remesh with other edge "
+            "lengths"
         )

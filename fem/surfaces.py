@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
+from jaxtyping import Bool, Float
 
 from design.layouts import magnet_layout
 from design.spec import ObjectSpec
@@ -18,6 +19,19 @@ if TYPE_CHECKING:
 
 _OVERSHOOT_MM = 1.0
 _SUPPORT_RING_MM = 2.0
+
+
+def all_surfaces(spec: ObjectSpec) -> trimesh.Trimesh:
+    """Body, magnets and support ring in one object, each still closed by itself."""
+    import trimesh
+
+    surfaces = [sealed_body_surface(spec), *magnet_surfaces(spec), support_ring_surface(spec)]
+    start = np.cumsum([0, *(len(surface.vertices) for surface in surfaces)])
+    return trimesh.Trimesh(
+        np.concatenate([surface.vertices for surface in surfaces]),
+        np.concatenate([s.faces + first for s, first in zip(surfaces, start, strict=False)]),
+        process=False,
+    )
 
 
 def sealed_body_surface(spec: ObjectSpec) -> trimesh.Trimesh:
@@ -44,6 +58,21 @@ def magnet_surfaces(spec: ObjectSpec) -> list[trimesh.Trimesh]:
     return surfaces
 
 
+def in_magnet(
+    points_mm: Float[np.ndarray, "n 3"],
+    centre_mm: Float[np.ndarray, "3"],
+    axis: Float[np.ndarray, "3"],
+    spec: ObjectSpec,
+) -> Bool[np.ndarray, "n"]:
+    """Whether points lie inside the prism of a magnet with this centre and axis."""
+    sides = spec.mesh.magnet_sides
+    x, y, z = ((points_mm - centre_mm) @ _frame_along(axis, centre_mm)[:3, :3]).T
+    apothem = _circumradius(sides, spec.magnets.diameter_mm / 2) * np.cos(np.pi / sides)
+    normal = 2 * np.pi / sides * np.arange(sides)
+    distance = np.max(np.outer(np.cos(normal), x) + np.outer(np.sin(normal), y), axis=0)
+    return (distance < apothem) & (abs(z) < spec.magnets.height_mm / 2)
+
+
 def support_ring_surface(spec: ObjectSpec) -> trimesh.Trimesh:
     """Closed ring in the cavity wall, from the end of the core a little towards the open face."""
     import trimesh
@@ -60,9 +89,8 @@ def support_ring_surface(spec: ObjectSpec) -> trimesh.Trimesh:
 def _prism(sides: int, radius_mm: float, height_mm: float) -> trimesh.Trimesh:
     import trimesh
 
-    angle = 2 * np.pi / sides
-    circumradius = radius_mm * np.sqrt(angle / np.sin(angle))
-    theta = (np.arange(sides) + 0.5) * angle
+    theta = (np.arange(sides) + 0.5) * 2 * np.pi / sides
+    circumradius = _circumradius(sides, radius_mm)
     corner = np.column_stack([np.cos(theta), np.sin(theta)]) * circumradius
     half = np.full((sides, 1), height_mm / 2)
     vertices = np.vstack(
@@ -80,6 +108,12 @@ def _prism(sides: int, radius_mm: float, height_mm: float) -> trimesh.Trimesh:
         ]
     )
     return trimesh.Trimesh(vertices, faces, process=False)
+
+
+def _circumradius(sides: int, radius_mm: float) -> float:
+    """Of the regular polygon with the area of a circle of `radius_mm`."""
+    angle = 2 * np.pi / sides
+    return float(radius_mm * np.sqrt(angle / np.sin(angle)))
 
 
 def _frame_along(axis: np.ndarray, origin_mm: np.ndarray) -> np.ndarray:

@@ -17,7 +17,7 @@ from design.errors import InputError
 from design.files import atomic_path
 from design.layouts import magnet_layout
 from design.spec import ObjectSpec
-from fem.surfaces import magnet_surfaces, sealed_body_surface, support_ring_surface
+from fem.surfaces import all_surfaces, in_magnet
 
 SILICONE = -1
 """Value of `TetMesh.magnet` in elements of silicone."""
@@ -35,6 +35,15 @@ class TetMesh:
     magnet: Int[np.ndarray, "tet"]
 
 
+@dataclass(frozen=True)
+class _EdgeLengths:
+    """Background mesh with the target edge length at its points."""
+
+    points_mm: Float[np.ndarray, "point 3"]
+    tets: Int[np.ndarray, "brick_tet 4"]
+    length_mm: Float[np.ndarray, "point"]
+
+
 def tetrahedralize(spec: ObjectSpec) -> TetMesh:
     """Mesh the sealed body, magnets conforming.
 
@@ -46,23 +55,22 @@ def tetrahedralize(spec: ObjectSpec) -> TetMesh:
     InputError
         The mesher fails, or a magnet got no element.
     """
-    import pytetwild
-    import trimesh
+    from pytetwild.pytetwild import tetrahedralize as pytetwild_tetrahedralize
 
-    surface = trimesh.util.concatenate(
-        [sealed_body_surface(spec), *magnet_surfaces(spec), support_ring_surface(spec)]
-    )
+    surface = all_surfaces(spec)
     background = _edge_length_field(spec)
     diagonal = float(np.linalg.norm(spec.body.size_mm))
     with _scratch_folder():
         try:
-            points, tets = pytetwild.tetrahedralize(
+            points, tets = pytetwild_tetrahedralize(
                 np.ascontiguousarray(surface.vertices, dtype=np.float64),
                 np.ascontiguousarray(surface.faces, dtype=np.int32),
                 edge_length_abs=spec.mesh.edge_mm,
                 epsilon=spec.mesh.envelope_mm / diagonal,
                 quiet=True,
-                **background,
+                bg_vertices=background.points_mm,
+                bg_tets=background.tets,
+                bg_values=background.length_mm,
             )
         except RuntimeError as error:
             raise InputError(
@@ -112,25 +120,19 @@ def _positively_oriented(points: np.ndarray, tets: np.ndarray) -> np.ndarray:
 
 def _containing_magnet(spec: ObjectSpec, points: np.ndarray) -> np.ndarray:
     layout = magnet_layout(spec)
-    tolerance = spec.mesh.envelope_mm
-    angle = np.pi / spec.mesh.magnet_sides
-    radius = spec.magnets.diameter_mm / 2 * np.sqrt(2 * angle / np.sin(2 * angle))
     owner = np.full(len(points), SILICONE)
     for index, (centre, axis) in enumerate(zip(layout.centre_mm, layout.axis, strict=True)):
-        offset = points - centre
-        height = offset @ axis
-        distance = np.linalg.norm(offset - height[:, None] * axis, axis=1)
-        inside = (abs(height) < spec.magnets.height_mm / 2) & (distance < radius + tolerance)
+        inside = in_magnet(points, centre, axis, spec)
         if not inside.any():
             raise InputError(
                 f"magnet {index} got no element of the mesh. Use a smaller mesh.envelope_mm "
-                f"(now {tolerance:g})"
+                f"(now {spec.mesh.envelope_mm:g})"
             )
         owner[inside] = index
     return owner
 
 
-def _edge_length_field(spec: ObjectSpec) -> dict[str, np.ndarray]:
+def _edge_length_field(spec: ObjectSpec) -> _EdgeLengths:
     """Background mesh of target edge lengths: fine under the sensed faces, coarse in the bulk."""
     half = np.asarray(spec.body.size_mm) / 2
     axes = [
@@ -142,11 +144,8 @@ def _edge_length_field(spec: ObjectSpec) -> dict[str, np.ndarray]:
     below = np.clip(depth.min(axis=1) - _FINE_LAYER_MM, 0, None) / (spec.shell.thickness_mm / 2)
     fine, coarse = spec.mesh.surface_edge_mm, spec.mesh.edge_mm
     length = fine + (coarse - fine) * np.clip(below, 0, 1)
-    return {
-        "bg_vertices": points,
-        "bg_tets": _split_bricks(tuple(len(axis) for axis in axes)).astype(np.int32),
-        "bg_values": length,
-    }
+    tets = _split_bricks(tuple(len(axis) for axis in axes)).astype(np.int32)
+    return _EdgeLengths(points, tets, length)
 
 
 def _split_bricks(shape: tuple[int, ...]) -> np.ndarray:
