@@ -83,6 +83,8 @@ _PER_FRAME = {
     "session_id": (("frame",), "1"),
     "time_s": (("frame",), "s"),
 }
+PER_FRAME_FIELDS = tuple(_PER_FRAME)
+"""Names of the arrays that have one row a frame."""
 _FIXED = {
     "faces": (("face",), "1"),
     "grid_x_mm": (("grid_x",), "mm"),
@@ -119,7 +121,9 @@ def load_frames(path: Path | str) -> FrameSet:
 
     path = Path(path)
     if not path.is_file():
-        raise InputError(f"no data set at {path}. `instobj recordings` or `instobj train SPEC` makes one")
+        raise InputError(
+            f"no data set at {path}. `instobj recordings` or `instobj train SPEC` makes one"
+        )
     try:
         with xr.open_dataset(path, engine="h5netcdf", decode_timedelta=False) as data:
             data = data.load()

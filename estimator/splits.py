@@ -1,0 +1,155 @@
+"""Splits of a data set into training, validation and test parts that share no press.
+
+Neighbouring frames of one press are nearly equal, so a random split of frames measures memory,
+not generalisation. Rest frames travel with the press that they belong to.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from jaxtyping import Bool, Int
+
+from design.errors import InputError
+from estimator.dataset import FrameSet
+
+DEFAULT_SHARES = (0.6, 0.2, 0.2)
+
+
+@dataclass(frozen=True)
+class Split:
+    """Masks over the frames; every frame is in exactly one part."""
+
+    train: Bool[np.ndarray, "frame"]
+    validation: Bool[np.ndarray, "frame"]
+    test: Bool[np.ndarray, "frame"]
+
+
+def split_presses(
+    frames: FrameSet, seed: int, shares: tuple[float, float, float] = DEFAULT_SHARES
+) -> Split:
+    """Whole presses, each contact case divided by `shares` (cases of one or two presses pooled).
+
+    Raises
+    ------
+    InputError
+        Fewer than three presses, or shares that do not add up to 1.
+    """
+    _check_shares(shares)
+    presses, places = _press_places(frames)
+    _check_enough(len(presses), "presses")
+    names, counts = np.unique(places, return_counts=True)
+    strata = np.where(np.isin(places, names[counts < 3]), -2, places)
+    rng = np.random.default_rng(seed)
+    part = np.empty(len(presses), dtype=int)
+    for stratum in np.unique(strata):
+        members = np.flatnonzero(strata == stratum)
+        part[rng.permutation(members)] = _parts(len(members), shares)
+    return _as_split(frames.press_id, presses, _fill_empty(part))
+
+
+def split_places(
+    frames: FrameSet, seed: int, shares: tuple[float, float, float] = DEFAULT_SHARES
+) -> Split:
+    """Whole contact cases, so that tested places were never trained on.
+
+    Raises
+    ------
+    InputError
+        Fewer than three contact cases, or shares that do not add up to 1.
+    """
+    _check_shares(shares)
+    presses, places = _press_places(frames)
+    cases = np.unique(places[places >= 0])
+    _check_enough(len(cases), "contact cases")
+    rng = np.random.default_rng(seed)
+    part_of_case = dict(
+        zip(rng.permutation(cases).tolist(), _parts(len(cases), shares).tolist(), strict=True)
+    )
+    part = np.array([part_of_case.get(int(place), 0) for place in places])
+    return _as_split(frames.press_id, presses, part)
+
+
+def split_sessions(
+    frames: FrameSet, seed: int, shares: tuple[float, float, float] = DEFAULT_SHARES
+) -> Split:
+    """Whole sessions.
+
+    Raises
+    ------
+    InputError
+        Fewer than three sessions, shares that do not add up to 1, or a press in two sessions.
+    """
+    _check_shares(shares)
+    sessions = np.unique(frames.session_id)
+    _check_enough(len(sessions), "sessions")
+    pairs = np.unique(np.stack([frames.press_id, frames.session_id]), axis=1)
+    if len(np.unique(pairs[0])) != pairs.shape[1]:
+        raise InputError(
+            "a split by session needs every press to lie in one session; got presses across two. "
+            "Number presses anew in each session"
+        )
+    rng = np.random.default_rng(seed)
+    part = _parts(len(sessions), shares)
+    return _as_split(frames.session_id, rng.permutation(sessions), part)
+
+
+def _press_places(frames: FrameSet) -> tuple[Int[np.ndarray, "press"], Int[np.ndarray, "press"]]:
+    """Press ids, and the contact case that each press shows most (-1 if it is only rest)."""
+    presses, index = np.unique(frames.press_id, return_inverse=True)
+    places = np.full(len(presses), -1)
+    pressed = frames.place_id >= 0
+    cases, case_index = np.unique(frames.place_id[pressed], return_inverse=True)
+    if len(cases) == 0:
+        return presses, places
+    counts = np.zeros((len(presses), len(cases)), dtype=int)
+    np.add.at(counts, (index[pressed], case_index), 1)
+    return presses, np.where(counts.any(axis=1), cases[counts.argmax(axis=1)], -1)
+
+
+def _parts(count: int, shares: tuple[float, float, float]) -> Int[np.ndarray, "n"]:
+    """Part (0 train, 1 validation, 2 test) of each of `count` members; none empty from three on."""
+    sizes = np.floor(np.asarray(shares) * count + 1e-9).astype(int)
+    remainder = np.asarray(shares) * count - sizes
+    for part in np.argsort(-remainder, kind="stable")[: count - sizes.sum()]:
+        sizes[part] += 1
+    for part in range(3):
+        if count >= 3 and sizes[part] == 0:
+            sizes[np.argmax(sizes)] -= 1
+            sizes[part] = 1
+    return np.repeat(np.arange(3), sizes)
+
+
+def _fill_empty(part: Int[np.ndarray, "press"]) -> Int[np.ndarray, "press"]:
+    """Move one press into each part that pooling left empty."""
+    part = part.copy()
+    for missing in set(range(3)) - set(part.tolist()):
+        largest = np.bincount(part, minlength=3).argmax()
+        part[np.flatnonzero(part == largest)[-1]] = missing
+    return part
+
+
+def _as_split(
+    frame_group: Int[np.ndarray, "frame"],
+    groups: Int[np.ndarray, "group"],
+    part: Int[np.ndarray, "group"],
+) -> Split:
+    masks = [np.isin(frame_group, groups[part == number]) for number in range(3)]
+    return Split(*masks)
+
+
+def _check_shares(shares: tuple[float, float, float]) -> None:
+    if min(shares) <= 0 or abs(sum(shares) - 1) > 1e-9:
+        raise InputError(
+            "the shares of training, validation and test must be positive and add up to 1; got "
+            f"{shares}. Use for example (0.6, 0.2, 0.2)"
+        )
+
+
+def _check_enough(count: int, what: str) -> None:
+    if count < 3:
+        raise InputError(
+            f"a split into training, validation and test needs at least 3 {what}; got {count}. "
+            "Add recordings or simulate more presses"
+        )
