@@ -23,7 +23,7 @@ from estimator.sensitivity import (
 )
 from estimator.signals import press_signals
 
-SPEC = coarse_spec(contact_grid={"count": (4, 5), "pitch_mm": 6.0}, seed=3)
+SPEC = coarse_spec(contact_grid={"count": (5, 5), "pitch_mm": 6.0}, seed=3)
 NOISE = channel_noise(SPEC.sensors, 9)
 
 
@@ -48,7 +48,7 @@ def rank_correlation_and_size(place_traces, frames, realizations):
 
 
 def test_equivalent_ranks_places_as_the_exact_hull_at_30_frames(place_traces):
-    correlation, size = rank_correlation_and_size(place_traces, 30, 16)
+    correlation, size = rank_correlation_and_size(place_traces, 30, 10)
     assert correlation >= 0.95
     assert_allclose(size, 1, atol=0.25)
     shuffled = replace(place_traces, counts=place_traces.counts[::-1] * [1, 0, 1, 2, 1, 1, 3, 1, 1])
@@ -60,7 +60,7 @@ def test_equivalent_ranks_places_as_the_exact_hull_at_30_frames(place_traces):
 
 @pytest.mark.slow
 def test_equivalent_ranks_places_as_the_exact_hull_at_100_frames(place_traces):
-    correlation, size = rank_correlation_and_size(place_traces, 100, 3)
+    correlation, size = rank_correlation_and_size(place_traces, 100, 2)
     assert correlation >= 0.95
     assert_allclose(size, 1, atol=0.25)
 
