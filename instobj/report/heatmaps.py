@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
+from textwrap import wrap
 from typing import Any
 
 import numpy as np
@@ -16,13 +17,29 @@ from jaxtyping import Float, Int
 from design.files import atomic_path
 from design.layouts import contact_grid, face_frames, sensor_layout
 from design.spec import ObjectSpec
-from instobj.report.map_scale import BOUND_COLOURS, MapScale, map_scale, set_plain_ticks
+from instobj.report.map_scale import (
+    BOUND_COLOURS,
+    GAIN_COLOURS,
+    MapScale,
+    finite_limits,
+    map_scale,
+    set_plain_ticks,
+)
+
+__all__ = [
+    "BOUND_COLOURS",
+    "GAIN_COLOURS",
+    "draw_face_heatmap",
+    "draw_overview",
+    "finite_limits",
+]
 
 _NET = {1: (0, 0, 0), 2: (-90, 0, -1), 3: (0, 1, 0), 4: (90, 0, 1), 5: (180, -1, 0)}
 """Face → turn of its map (degrees) and direction of its place in the net about face 1."""
 _OUTWARD = {1: "+z", 2: "−y", 3: "+x", 4: "+y", 5: "−x"}
 _GAP_MM = 3.0
 _SENSOR_EDGE_MM = 1.8
+_NOTE_WIDTH = 44
 _INK, _PAPER, _FRAME, _BLANK = "#1a1a1a", "#fdfdfb", "#77736b", "#efece4"
 _MAGNET, _SENSOR = "#1f77d0", "#0a8f5a"
 
@@ -96,7 +113,7 @@ def draw_overview(
 ) -> None:
     """All faces in one picture and on one scale, the object unfolded about face 1 (PNG).
 
-    `note` is printed beside the net, line breaks as given. Raises as `map_scale` does.
+    `note` is printed beside the net, wrapped to the room there. Raises as `map_scale` does.
     """
     from matplotlib.figure import Figure
 
@@ -127,7 +144,8 @@ def draw_overview(
     figure.legend(
         handles=_legend(), loc="upper left", bbox_to_anchor=(0.03, 0.88), frameon=False, fontsize=12
     )
-    figure.text(0.675, 0.27, note, fontsize=11.5, color=_INK, va="top", linespacing=1.6)
+    lines = [part for line in note.splitlines() for part in wrap(line, _NOTE_WIDTH)]
+    figure.text(0.675, 0.27, "\n".join(lines), fontsize=11.5, color=_INK, va="top", linespacing=1.6)
     _save(figure, path)
 
 

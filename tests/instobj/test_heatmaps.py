@@ -70,17 +70,8 @@ def test_cell_colours_follow_the_values_on_the_saved_picture(tmp_path):
 def test_pictures_are_written_whole(tmp_path):
     values = np.tile(VALUES, (5, 1)) * np.arange(1, 6)[:, None] * 1e15
     low, high = finite_limits(values)
-    heatmaps.draw_overview(
-        values,
-        np.arange(1, 6),
-        SPEC,
-        "δ",
-        "counts",
-        low,
-        high,
-        tmp_path / "a.png",
-        note="two\nlines",
-    )
+    path, faces = tmp_path / "a.png", np.arange(1, 6)
+    heatmaps.draw_overview(values, faces, SPEC, "δ", "counts", low, high, path, note="two\nlines")
     assert imread(path).shape[0] > 1000
     assert [file.name for file in tmp_path.iterdir()] == ["a.png"]
 
