@@ -23,6 +23,7 @@ from fem.sparse import block_matrix, shape_of
 _SYMMETRIC_INDEFINITE = -2
 _ANALYSE, _FACTOR, _SOLVE, _RELEASE = 11, 22, 33, -1
 _CHUNK = 128
+_LARGEST_RESIDUAL = 1e-6
 
 
 class SingularSystemError(ArithmeticError):
@@ -180,6 +181,14 @@ def _compliance_by_solves(matrix: sp.csr_matrix, loads: sp.csr_matrix) -> Compli
 
 def _superlu(matrix: sp.csr_matrix) -> Any:
     try:
-        return scipy.sparse.linalg.splu(sp.csc_matrix(matrix))
+        factor = scipy.sparse.linalg.splu(sp.csc_matrix(matrix))
     except RuntimeError as error:
         raise SingularSystemError(str(error)) from error
+    # SuperLU rarely notices a singular matrix: rounding leaves a pivot of 1e-16, and no error
+    probe = np.random.default_rng(1).standard_normal(shape_of(matrix)[0])
+    residual = np.linalg.norm(matrix @ factor.solve(probe) - probe) / np.linalg.norm(probe)
+    if not residual < _LARGEST_RESIDUAL:
+        raise SingularSystemError(
+            f"SuperLU solves to a relative residual of {residual:.1g} only: the matrix is singular"
+        )
+    return factor

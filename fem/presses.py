@@ -73,7 +73,7 @@ def press_places(
     loads = response.face_loads(face_index)
     compliance = np.asarray(response.compliance[loads, loads])
     weights = surface_weights_mm2(surface)
-    moments = _profile_moments(surface, xy_mm, radius)
+    moments = profile_moments_mm3(surface, xy_mm, radius)
     pressures = np.zeros((len(xy_mm), len(depths_mm), len(weights)))
     for place, centre in enumerate(xy_mm):
         near = np.flatnonzero(np.linalg.norm(surface.xy_mm - centre, axis=1) < radius)
@@ -96,7 +96,7 @@ def _triangle_areas(surface: FaceSurface) -> np.ndarray:
     return abs(u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]) / 2
 
 
-def _profile_moments(surface: FaceSurface, xy_mm: np.ndarray, radius_mm: float) -> np.ndarray:
+def profile_moments_mm3(surface: FaceSurface, xy_mm: np.ndarray, radius_mm: float) -> np.ndarray:
     """∫ φ_i profile(|x − centre|) dA for every place and vertex, mm³."""
     local, weight = get_quadrature(RefTri, _QUADRATURE_ORDER)
     hats = np.stack([1 - local.sum(axis=0), *local])  # (3, q)

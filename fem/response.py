@@ -19,6 +19,7 @@ from design.files import atomic_path
 from design.layouts import FaceFrame, face_frames, magnet_layout
 from design.spec import ObjectSpec
 from fem.elasticity import (
+    MixedOperators,
     TaylorHood,
     assemble,
     free_motion_basis,
@@ -67,6 +68,33 @@ class ResponseOperator:
         return slice(sum(len(surface.xy_mm) for surface in self.surfaces), len(self.compliance))
 
 
+@dataclass(frozen=True)
+class ElasticSystem:
+    """An object bonded to its core, before any load: A (q, p) = (loads, 0), u = motion_basis q."""
+
+    mesh: MeshTet
+    space: TaylorHood
+    operators: MixedOperators
+    motion_basis: sp.csr_matrix
+    matrix: sp.csr_matrix
+
+
+def elastic_system(mesh: TetMesh, spec: ObjectSpec) -> ElasticSystem:
+    """Assemble the silicone, hold what touches the core, tie the magnets.
+
+    Unknowns: three displacements of every free node (by component), six motions of every rigid
+    magnet, then the pressures.
+    """
+    skfem_mesh = MeshTet(mesh.points_mm.T.copy(), mesh.tets.T.copy())
+    rigid = spec.mechanics.magnets == "rigid"
+    space = taylor_hood(skfem_mesh, np.flatnonzero(mesh.magnet == SILICONE) if rigid else None)
+    silicone = spec.silicone
+    operators = assemble(space, lame_constants(silicone.youngs_modulus_mpa, silicone.poisson_ratio))
+    motion = _motion_basis(mesh, space, spec)
+    matrix = saddle_point_matrix(operators, motion, space.pressure_nodes)
+    return ElasticSystem(skfem_mesh, space, operators, motion, matrix)
+
+
 def build_response(mesh: TetMesh, spec: ObjectSpec) -> ResponseOperator:
     """Assemble, bond to the core, factor once and condense.
 
@@ -75,23 +103,49 @@ def build_response(mesh: TetMesh, spec: ObjectSpec) -> ResponseOperator:
     SingularSystemError
         The inertia of the factored matrix is not that of a stable saddle point.
     """
-    skfem_mesh = MeshTet(mesh.points_mm.T.copy(), mesh.tets.T.copy())
-    rigid = spec.mechanics.magnets == "rigid"
-    space = taylor_hood(skfem_mesh, np.flatnonzero(mesh.magnet == SILICONE) if rigid else None)
-    material = lame_constants(spec.silicone.youngs_modulus_mpa, spec.silicone.poisson_ratio)
-    motion = _motion_basis(mesh, space, spec)
-    matrix = saddle_point_matrix(assemble(space, material), motion, space.pressure_nodes)
-    surfaces, tractions = _face_pressure_loads(skfem_mesh, spec)
-    unknowns, motions = shape_of(matrix)[0], shape_of(motion)[1]
-    if rigid:
+    system = elastic_system(mesh, spec)
+    surfaces, tractions = face_pressure_loads(system.mesh, spec)
+    unknowns, motions = shape_of(system.matrix)[0], shape_of(system.motion_basis)[1]
+    if spec.mechanics.magnets == "rigid":
         magnets = _last_columns(motions, 6 * len(magnet_layout(spec).face))
     else:
-        magnets = motion.T @ mean_motion_functionals(mesh, space).T
-    loads = columns_of([motion.T @ tractions, magnets])
+        magnets = system.motion_basis.T @ mean_motion_functionals(mesh, system.space).T
+    loads = columns_of([system.motion_basis.T @ tractions, magnets])
     no_pressure = sp.csr_matrix((unknowns - motions, shape_of(loads)[1]))
-    condensed = compliance_of_loads(matrix, rows_of([loads, no_pressure]))
+    condensed = compliance_of_loads(system.matrix, rows_of([loads, no_pressure]))
     _require_inertia(condensed.negative_pivots, unknowns - motions)
     return ResponseOperator(surfaces, condensed.matrix, unknowns, condensed.negative_pivots)
+
+
+def face_pressure_loads(
+    mesh: MeshTet, spec: ObjectSpec
+) -> tuple[tuple[FaceSurface, ...], sp.csr_matrix]:
+    """Nodal forces of unit P1 pressures, acting inwards, at the vertices of every face."""
+    boundary = mesh.boundary_facets()
+    corner = np.moveaxis(mesh.p[:, np.asarray(mesh.facets)[:, boundary]], 0, -1)
+    surfaces, loads = [], []
+    for frame in face_frames(spec):
+        height = np.asarray(frame.from_object(corner)[..., 2])
+        facets = boundary[np.all(abs(height) < _tolerance(spec), axis=0)]
+        surface, moments = face_surface(mesh, facets, frame)
+        surfaces.append(surface)
+        loads.append(rows_of([-component * moments for component in frame.normal]))
+    return tuple(surfaces), columns_of(loads)
+
+
+def face_surface(
+    mesh: MeshTet, facets: np.ndarray, frame: FaceFrame
+) -> tuple[FaceSurface, sp.csc_matrix]:
+    """Surface of some flat boundary facets, and ∫ φ_i v dA of P1 pressures against P2 nodes.
+
+    Shape of the moments: (node, vertex), mm².
+    """
+    displacement = FacetBasis(mesh, ElementTetP2(), facets=facets, intorder=3)
+    pressure = FacetBasis(mesh, ElementTetP1(), facets=facets, intorder=3)
+    vertices, triangles = np.unique(np.asarray(mesh.facets)[:, facets], return_inverse=True)
+    moments = _normal_product.assemble(pressure, displacement).tocsc()[:, vertices]
+    xy = np.asarray(frame.from_object(mesh.p[:, vertices].T)[:, :2])
+    return FaceSurface(frame.number, xy, triangles.reshape(3, -1).T), moments
 
 
 def save_response(response: ResponseOperator, folder: Path | str) -> None:
@@ -142,33 +196,6 @@ def _touches_core(nodes_mm: np.ndarray, spec: ObjectSpec) -> np.ndarray:
     """The silicone is bonded where the core fills the cavity; the walls beyond it are free."""
     half = np.asarray(spec.core_size_mm) / 2
     return np.all(abs(nodes_mm) < half + _tolerance(spec), axis=1)
-
-
-def _face_pressure_loads(
-    mesh: MeshTet, spec: ObjectSpec
-) -> tuple[tuple[FaceSurface, ...], sp.csr_matrix]:
-    """Nodal forces of unit P1 pressures, acting inwards, at the vertices of every face."""
-    boundary = mesh.boundary_facets()
-    corner = np.moveaxis(mesh.p[:, np.asarray(mesh.facets)[:, boundary]], 0, -1)
-    surfaces, loads = [], []
-    for frame in face_frames(spec):
-        height = np.asarray(frame.from_object(corner)[..., 2])
-        facets = boundary[np.all(abs(height) < _tolerance(spec), axis=0)]
-        surface, moments = _face_surface(mesh, facets, frame)
-        surfaces.append(surface)
-        loads.append(rows_of([-component * moments for component in frame.normal]))
-    return tuple(surfaces), columns_of(loads)
-
-
-def _face_surface(
-    mesh: MeshTet, facets: np.ndarray, frame: FaceFrame
-) -> tuple[FaceSurface, sp.csc_matrix]:
-    displacement = FacetBasis(mesh, ElementTetP2(), facets=facets, intorder=3)
-    pressure = FacetBasis(mesh, ElementTetP1(), facets=facets, intorder=3)
-    vertices, triangles = np.unique(np.asarray(mesh.facets)[:, facets], return_inverse=True)
-    moments = _normal_product.assemble(pressure, displacement).tocsc()[:, vertices]
-    xy = np.asarray(frame.from_object(mesh.p[:, vertices].T)[:, :2])
-    return FaceSurface(frame.number, xy, triangles.reshape(3, -1).T), moments
 
 
 @BilinearForm
