@@ -39,9 +39,20 @@ def load_spec(path: Path | str, overrides: Iterable[str] = ()) -> ObjectSpec:
         raise InputError(f"{path} is not a text file. Give a specification in TOML") from None
     except tomllib.TOMLDecodeError as error:
         raise InputError(f"{path} is not valid TOML: {error}. Mend that line") from None
+    return parse_spec(with_overrides(content, overrides), str(path))
+
+
+def with_overrides(content: dict[str, Any], overrides: Iterable[str]) -> dict[str, Any]:
+    """Apply `key=value` overrides (dotted keys, TOML values) to parsed TOML, in place.
+
+    Raises
+    ------
+    InputError
+        An override is not of that form, or names a value as if it were a table.
+    """
     for override in overrides:
         _apply_override(content, override)
-    return parse_spec(content, str(path))
+    return content
 
 
 def parse_spec(content: dict[str, Any], source: str) -> ObjectSpec:

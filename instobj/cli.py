@@ -19,7 +19,9 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
 )
 
-Specs = Annotated[list[Path], typer.Argument(help="Specification files (TOML).", show_default=False)]
+Specs = Annotated[
+    list[Path], typer.Argument(help="Specification files (TOML).", show_default=False)
+]
 Sources = Annotated[
     list[Path],
     typer.Argument(help="Specifications (TOML) or data sets (NetCDF).", show_default=False),
@@ -34,9 +36,7 @@ _HERE = Path()
 
 
 @app.command()
-def new(
-    name: Annotated[str, typer.Argument(help="Name of the object.")], out: Out = _HERE
-) -> None:
+def new(name: Annotated[str, typer.Argument(help="Name of the object.")], out: Out = _HERE) -> None:
     """Write a commented specification to start from: NAME.toml."""
     from instobj.commands import new_specification
 
@@ -166,9 +166,11 @@ def main() -> None:
     """Entry point: bad input ends with one error message and exit code 2, without a traceback."""
     try:
         sys.exit(app(standalone_mode=False))
-    except typer.TyperException as error:
+    except typer.BadParameter as error:
         error.show()
-        sys.exit(error.exit_code)
+        sys.exit(2)
+    except typer.TyperException as error:
+        _fail(str(error), 2)
     except InputError as error:
         _fail(str(error), 2)
     except (KeyboardInterrupt, typer.Abort):

@@ -11,8 +11,7 @@ from design.files import atomic_path
 from design.spec import ObjectSpec
 from design.spec_io import load_spec, spec_hash
 from instobj.chain import Chain
-from instobj.publish import publish, require_writable, run_folder
-from instobj.store import StoredResult
+from instobj.publish import file_rows, publish, require_writable, run_folder, stage_row
 
 _TEMPLATE = Path(__file__).parent / "templates" / "cube.toml"
 
@@ -91,9 +90,9 @@ def _run_one(spec: ObjectSpec, stages: tuple[str, ...], out: Path) -> dict[str, 
     return {
         "name": spec.name,
         "spec_hash": spec_hash(spec),
-        "stages": [_stage_row(result) for result in chain.results.values()],
+        "stages": [stage_row(result) for result in chain.results.values()],
         "summary": summarize(chain.results),
-        "files": _file_rows(files),
+        "files": file_rows(files),
     }
 
 
@@ -130,9 +129,9 @@ def read_recordings(files: list[Path], out: Path) -> dict[str, Any]:
     save_frames(frames, target)
     return {
         "command": "recordings",
-        "reports": [recording.report.to_dict() for recording in found],
+        "reports": [recording.report.as_dict() for recording in found],
         "texts": [str(recording.report) for recording in found],
-        "files": _file_rows([target]),
+        "files": file_rows([target]),
     }
 
 
@@ -145,17 +144,3 @@ def _require_distinct_names(loaded: list[ObjectSpec], paths: list[Path]) -> None
                 "same folders. Rename one"
             )
         seen[spec.name] = path
-
-
-def _stage_row(result: StoredResult) -> dict[str, Any]:
-    return {
-        "stage": result.stage,
-        "key": result.key[:16],
-        "reused": result.reused,
-        "seconds": round(result.seconds, 2),
-    }
-
-
-def _file_rows(files: list[Path]) -> list[dict[str, Any]]:
-    unique = dict.fromkeys(files)
-    return [{"path": str(path), "bytes": path.stat().st_size} for path in unique]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import shutil
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 from design.errors import InputError
 from design.files import atomic_path
@@ -46,7 +47,11 @@ def publish(spec: ObjectSpec, result: StoredResult, out: Path) -> list[Path]:
     """Copy the files of one stage that users read; returns where they are."""
     if result.stage == "build":
         return _publish_parts(spec, result.folder, cad_folder(out, spec.name))
-    target = run_folder(out, spec.name)
+    return publish_to(run_folder(out, spec.name), result)
+
+
+def publish_to(target: Path, result: StoredResult) -> list[Path]:
+    """Copy a stage's files for users into a folder; returns where they are."""
     published = []
     for pattern in _FILES.get(result.stage, ()):
         for source in sorted(result.folder.glob(pattern)):
@@ -77,5 +82,22 @@ def _copy(source: Path, target: Path) -> Path:
         with atomic_path(target) as temporary:
             shutil.copy2(source, temporary)
     except OSError as error:
-        raise InputError(f"cannot write {target}: {error.strerror}. Make room or choose --out") from error
+        raise InputError(
+            f"cannot write {target}: {error.strerror}. Make room or choose --out"
+        ) from error
     return target
+
+
+def stage_row(result: StoredResult) -> dict[str, Any]:
+    """A stage result as JSON."""
+    return {
+        "stage": result.stage,
+        "key": result.key[:16],
+        "reused": result.reused,
+        "seconds": round(result.seconds, 2),
+    }
+
+
+def file_rows(files: list[Path]) -> list[dict[str, Any]]:
+    """Written files with their sizes, each once, as JSON."""
+    return [{"path": str(path), "bytes": path.stat().st_size} for path in dict.fromkeys(files)]

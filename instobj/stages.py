@@ -139,9 +139,7 @@ def _metrics(context: StageContext, folder: Path) -> None:
     from instobj.learning import evaluate_networks
 
     frames = context.inputs["frames"] / "frames.nc"
-    evaluate_networks(
-        frames, context.inputs["networks"], context.spec.seed, folder, context.step
-    )
+    evaluate_networks(frames, context.inputs["networks"], context.spec.seed, folder, context.step)
 
 
 def _stored_signals(context: StageContext) -> Any:
@@ -154,7 +152,7 @@ def _report(context: StageContext, folder: Path) -> None:
     from instobj.report.page import write_report
 
     context.step("writing the report")
-    write_report(context.spec, context.inputs, folder / "report.html")
+    write_report(context.spec, context.inputs, folder / "report.html", context.step)
 
 
 def write_json(content: dict[str, Any], path: Path) -> None:

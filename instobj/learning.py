@@ -1,0 +1,132 @@
+"""Training and evaluation of one network per pressed face, on simulated and recorded data alike."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from design.errors import InputError
+from design.spec import TrainingSpec
+from instobj.stages import Step, write_json
+from instobj.store import file_key, store_root, stored
+
+_VERSION = 1
+
+
+def train_networks(
+    frames_path: Path, training: TrainingSpec, seed: int, folder: Path, step: Step
+) -> None:
+    """Train each face that the data set presses; writes `face_<n>.safetensors`.
+
+    Raises
+    ------
+    InputError
+        The data set presses no face, or too few presses to split.
+    """
+    from estimator.dataset import load_frames
+    from estimator.heatmap import faces_pressed
+    from estimator.training import train_face
+
+    frames = load_frames(frames_path)
+    faces = faces_pressed(frames)
+    if not faces:
+        raise InputError(f"{frames_path} holds no contact. Give a data set with presses")
+    for face in faces:
+
+        def progress(epoch: int, of: int, score: float, face: int = face) -> None:
+            if epoch % 10 == 0 or epoch == of:
+                step(f"face {face}, epoch {epoch} of {of}: validation loss {score:.3f}")
+
+        train_face(frames, face, training, seed, progress, folder / f"face_{face}.safetensors")
+
+
+def evaluate_networks(
+    frames_path: Path, networks: Path, seed: int, folder: Path, step: Step
+) -> None:
+    """The paper's metrics of every face's network on held-out presses; writes `metrics.json`.
+
+    The split is that of the training: same data set, same seed. Ridge regression and the constant
+    mean map are evaluated beside it on the same presses.
+    """
+    from estimator.dataset import load_frames
+    from estimator.evaluation import evaluate_face, mean_map_baseline, ridge_baseline
+    from estimator.network import load_model
+    from estimator.splits import split_presses
+
+    frames = load_frames(frames_path)
+    split = split_presses(frames, seed)
+    held_out = frames.select(split.test)
+    rows: dict[str, list[Any]] = {"faces": [], "ridge_regression": [], "mean_map": []}
+    for path in sorted(networks.glob("face_*.safetensors")):
+        model = load_model(path)
+        step(f"face {model.face}")
+        rows["faces"].append(evaluate_face(model, held_out, dataset=frames).summary())
+        rows["ridge_regression"].append(ridge_baseline(frames, model.face, split).summary())
+        rows["mean_map"].append(mean_map_baseline(frames, model.face, split).summary())
+    write_json({"split": "whole presses held out", **rows}, folder / "metrics.json")
+
+
+def run_on_data_set(
+    path: Path, stages: tuple[str, ...], out: Path, overrides: list[str]
+) -> dict[str, Any]:
+    """Train (and evaluate) on a data set file; results go to `runs/<name>`.
+
+    Raises
+    ------
+    InputError
+        An override that is not `seed` or below `training`, or a bad data set.
+    """
+    from estimator.dataset import load_frames
+    from instobj.progress import ProgressLine
+    from instobj.publish import file_rows, publish_to, run_folder, stage_row
+    from instobj.summary import summarize
+
+    training, seed = _settings(overrides)
+    load_frames(path)
+    name = path.parent.name if path.stem == "frames" else path.stem
+    progress = ProgressLine()
+    inputs = {
+        "data_set": file_key(path),
+        "training": training.model_dump(mode="json"),
+        "seed": seed,
+        "version": _VERSION,
+    }
+    results = {}
+    with progress.stage(f"training on {path}"):
+        results["networks"] = stored(
+            store_root(),
+            "networks",
+            inputs,
+            lambda folder: train_networks(path, training, seed, folder, progress.step),
+        )
+    if "metrics" in stages:
+        networks = results["networks"].folder
+        with progress.stage("held-out presses"):
+            results["metrics"] = stored(
+                store_root(),
+                "metrics",
+                inputs,
+                lambda folder: evaluate_networks(path, networks, seed, folder, progress.step),
+            )
+    target = run_folder(out, name)
+    files = [file for result in results.values() for file in publish_to(target, result)]
+    return {
+        "name": name,
+        "stages": [stage_row(result) for result in results.values()],
+        "summary": summarize(results),
+        "files": file_rows(files),
+    }
+
+
+def _settings(overrides: list[str]) -> tuple[TrainingSpec, int]:
+    from design.spec_io import parse_spec, with_overrides
+
+    for override in overrides:
+        key = override.partition("=")[0].strip()
+        if key != "seed" and not key.startswith("training."):
+            raise InputError(
+                f"--set {override}: a data set takes only seed and training.* settings. Give the "
+                "specification instead of the data set to change the object"
+            )
+    spec = parse_spec(with_overrides({"name": "data-set"}, overrides), "--set")
+    return spec.training, spec.seed

@@ -1,0 +1,111 @@
+"""What to try next: the stored mechanics scored again with one thing changed at a time."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from design.errors import InputError
+from design.spec import ObjectSpec
+from estimator.scores import PlaceScores, score_places
+from estimator.signals import Signals, press_signals
+from fem.results import load_presses
+
+
+@dataclass(frozen=True)
+class Alternative:
+    """Weakest and median position bound (mm) and worst detectable force (N) after one change."""
+
+    change: str
+    weakest_bound_mm: float
+    median_bound_mm: float
+    worst_detectable_n: float
+
+
+def alternatives(
+    spec: ObjectSpec, signals: Signals, presses: Path, step: Callable[[str], None]
+) -> list[Alternative]:
+    """Score changes that leave the stored mechanics valid, best first; as specified comes first.
+
+    A softer silicone scales every force by its modulus; more sensors and stronger magnets move no
+    silicone. Changes that the specification's own checks refuse are left out.
+    """
+    rows = [_row("as specified", score_places(spec, signals))]
+    step("what to try next: all channels")
+    rows.append(_row("estimator reads all channels, not its own face's", _all(spec, signals)))
+    for change, update in _CHANGES.items():
+        step(f"what to try next: {change}")
+        try:
+            other = ObjectSpec.model_validate(update(spec).model_dump())
+            scores = score_places(other, _signals(spec, other, signals, presses))
+        except InputError:
+            continue
+        rows.append(_row(change, scores))
+    return rows[:1] + sorted(rows[1:], key=lambda row: row.weakest_bound_mm)
+
+
+def _all(spec: ObjectSpec, signals: Signals) -> PlaceScores:
+    return score_places(spec, signals, channels="all")
+
+
+def _quieter(spec: ObjectSpec) -> ObjectSpec:
+    x, y, z = (noise / 2 for noise in spec.sensors.noise_counts)
+    return _with_sensors(spec, noise_counts=(x, y, z))
+
+
+def _one_more_sensor(spec: ObjectSpec) -> ObjectSpec:
+    return _with_sensors(spec, count_per_face=spec.sensors.count_per_face + 1)
+
+
+def _stronger(spec: ObjectSpec) -> ObjectSpec:
+    magnets = spec.magnets.model_copy(update={"remanence_t": 1.2 * spec.magnets.remanence_t})
+    return spec.model_copy(update={"magnets": magnets})
+
+
+def _softer(spec: ObjectSpec) -> ObjectSpec:
+    modulus = 0.7 * spec.silicone.youngs_modulus_mpa
+    silicone = spec.silicone.model_copy(update={"youngs_modulus_mpa": modulus})
+    return spec.model_copy(update={"silicone": silicone})
+
+
+def _with_sensors(spec: ObjectSpec, **update: object) -> ObjectSpec:
+    return spec.model_copy(update={"sensors": spec.sensors.model_copy(update=update)})
+
+
+_CHANGES: dict[str, Callable[[ObjectSpec], ObjectSpec]] = {
+    "four times the averaging (half the white noise)": _quieter,
+    "one more sensor on every face": _one_more_sensor,
+    "20 % more remanence or magnet volume": _stronger,
+    "silicone 30 % softer (deeper presses)": _softer,
+}
+
+
+def _signals(spec: ObjectSpec, other: ObjectSpec, signals: Signals, presses: Path) -> Signals:
+    """Signals of `other`, whose mechanics differ from `spec`'s by the modulus at most."""
+    ratio = other.silicone.youngs_modulus_mpa / spec.silicone.youngs_modulus_mpa
+    if (
+        other.magnets == spec.magnets
+        and other.sensors.count_per_face == spec.sensors.count_per_face
+    ):
+        changed = signals
+    else:
+        changed = press_signals(other, *load_presses(presses))
+    return _with_forces(changed, changed.force_n * ratio)
+
+
+def _with_forces(signals: Signals, force_n: np.ndarray) -> Signals:
+    from dataclasses import replace
+
+    return replace(signals, force_n=force_n)
+
+
+def _row(change: str, scores: PlaceScores) -> Alternative:
+    return Alternative(
+        change,
+        float(scores.position_bound_fresh_mm.max()),
+        float(np.median(scores.position_bound_fresh_mm)),
+        float(scores.detectable_force_fresh_n.max()),
+    )

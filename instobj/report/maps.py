@@ -1,0 +1,89 @@
+"""The maps that a run writes: one per face and score, on one scale over all faces."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from design.spec import ObjectSpec
+from estimator.scores import PlaceScores, weakest_place
+from instobj.report.heatmaps import (
+    BOUND_COLOURS,
+    GAIN_COLOURS,
+    draw_face_heatmap,
+    draw_overview,
+    finite_limits,
+)
+
+OVERVIEW = "position_bound_overview.png"
+
+
+@dataclass(frozen=True)
+class ScoreMap:
+    """One score as a map: field of `PlaceScores`, file stem, title, unit, scale."""
+
+    field: str
+    stem: str
+    title: str
+    unit: str
+    log: bool
+    colours: str
+
+
+SCORE_MAPS = (
+    ScoreMap(
+        "position_bound_fresh_mm", "position_bound", "Position bound", "mm", True, BOUND_COLOURS
+    ),
+    ScoreMap("force_bound_fresh_n", "force_bound", "Force bound", "N", True, BOUND_COLOURS),
+    ScoreMap(
+        "detectable_force_fresh_n", "detectable", "Detectable force", "N", True, BOUND_COLOURS
+    ),
+    ScoreMap("delta_raw", "delta", "Convex-hull sensitivity δ", "counts⁹/N", True, GAIN_COLOURS),
+    ScoreMap("stiffness_n_per_mm", "stiffness", "Force per travel", "N/mm", False, GAIN_COLOURS),
+)
+
+
+def draw_score_maps(
+    spec: ObjectSpec, scores: PlaceScores, folder: Path, step: Callable[[str], None]
+) -> None:
+    """Write `<stem>_face_<n>.png` for every map and face, and the overview of position bounds."""
+    for score_map in SCORE_MAPS:
+        step(f"maps of {score_map.title.lower()}")
+        values = getattr(scores, score_map.field)
+        low, high = finite_limits(values)
+        for row, face in zip(values, scores.faces.tolist(), strict=True):
+            title = f"{score_map.title}, face {face}, {spec.score.force_n:g} N"
+            draw_face_heatmap(
+                row,
+                spec,
+                face,
+                title,
+                score_map.unit,
+                low,
+                high,
+                folder / f"{score_map.stem}_face_{face}.png",
+                log=score_map.log,
+                colours=score_map.colours,
+            )
+    _draw_overview(spec, scores, folder / OVERVIEW)
+
+
+def _draw_overview(spec: ObjectSpec, scores: PlaceScores, path: Path) -> None:
+    values = scores.position_bound_fresh_mm
+    weakest = weakest_place(scores)
+    draw_overview(
+        values,
+        scores.faces,
+        spec,
+        f"How well a contact of {spec.score.force_n:g} N can be located at best",
+        "mm",
+        *finite_limits(values),
+        path,
+        colours=BOUND_COLOURS,
+        note=(
+            f"Cramér–Rao bound √(σx² + σy²) from each face's own sensors, freshly zeroed. Weakest: "
+            f"{weakest.position_bound_mm:.2f} mm on face {weakest.face} at "
+            f"({weakest.x_mm:g}, {weakest.y_mm:g}) mm."
+        ),
+    )

@@ -1,0 +1,295 @@
+"""One self-contained report.html: the verdict first, then tables, figures and provenance."""
+
+from __future__ import annotations
+
+import base64
+import html
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from design.files import atomic_path
+from design.spec import ObjectSpec
+from design.spec_io import spec_hash
+from instobj.report.verdict import Verdict, judge
+from instobj.store import RECORD
+
+_STYLE = (Path(__file__).parent / "report.css").read_text(encoding="utf-8")
+
+PAPER_TABLE_1 = {
+    1: (0.999, 15.3e-4, 1.82, 0.278, 1.0),
+    2: (0.999, 67.8e-4, 2.09, 0.380, 1.0),
+    3: (0.997, 127e-4, 3.23, 0.479, 1.0),
+    4: (0.999, 60.4e-4, 1.99, 0.370, 1.0),
+    5: (0.999, 25.5e-4, 2.09, 0.410, 1.0),
+}
+"""Knopke et al., Table I: A_sim, E_loc (pixels), E_f (%), E_f (N), A_non; random frame split."""
+
+
+def write_report(
+    spec: ObjectSpec, inputs: dict[str, Path], path: Path, step: Callable[[str], None]
+) -> None:
+    """Write the page from the folders of the stages it stands on."""
+    from estimator.scores import load_scores_csv
+    from estimator.signals import load_signals, saturation_margin
+
+    scores = load_scores_csv(inputs["scores"] / "scores.csv")
+    signals = load_signals(inputs["signals"] / "lattice_signals.nc")
+    verdict = judge(spec, scores, saturation_margin(signals, spec))
+    sections = [
+        _verdict_section(spec, verdict),
+        _alternatives_section(spec, signals, inputs, step),
+        _maps_section(spec, inputs),
+        _areas_section(scores),
+        _mechanics_section(spec, signals, inputs, path.parent),
+        _estimator_section(spec, inputs),
+        _parts_section(inputs),
+        _provenance_section(spec, inputs),
+    ]
+    title = f"{spec.name}: {'go' if verdict.go else 'no-go'}"
+    with atomic_path(path) as temporary:
+        temporary.write_text(_page(title, sections), encoding="utf-8")
+
+
+def _page(title: str, sections: list[str]) -> str:
+    return (
+        f'<!doctype html>\n<html lang="en"><head><meta charset="utf-8"><title>{_text(title)}</title>'
+        f'<meta name="viewport" content="width=device-width"><style>{_STYLE}</style></head>'
+        f"<body><main>{''.join(sections)}</main></body></html>\n"
+    )
+
+
+def _verdict_section(spec: ObjectSpec, verdict: Verdict) -> str:
+    word, style = ("GO", "go") if verdict.go else ("NO-GO", "no-go")
+    rows = [
+        [check.what, check.value, check.limit, "pass" if check.passed else "FAIL", check.where]
+        for check in verdict.checks
+    ]
+    return (
+        f"<h1>{_text(spec.name)} <span class='{style}'>{word}</span></h1>"
+        f"<p><b>What limits it</b>: {_text(verdict.limited_by)}.</p>"
+        + _table(["check", "value", "limit", "", "where"], rows)
+    )
+
+
+def _alternatives_section(
+    spec: ObjectSpec, signals: Any, inputs: dict[str, Path], step: Callable[[str], None]
+) -> str:
+    from instobj.report.alternatives import alternatives
+
+    rows = [
+        [
+            row.change,
+            f"{row.weakest_bound_mm:.2f}",
+            f"{row.median_bound_mm:.2f}",
+            f"{row.worst_detectable_n:.2f}",
+        ]
+        for row in alternatives(spec, signals, inputs["presses"] / "presses.nc", step)
+    ]
+    header = ["change", "weakest position bound, mm", "median, mm", "worst detectable force, N"]
+    return (
+        "<h2>What to try next</h2><p>The same presses scored again with one thing changed at a "
+        f"time, at {spec.score.force_n:g} N; the best comes first.</p>" + _table(header, rows)
+    )
+
+
+def _maps_section(spec: ObjectSpec, inputs: dict[str, Path]) -> str:
+    from instobj.report.maps import OVERVIEW, SCORE_MAPS
+
+    folder = inputs["scores"] / "maps"
+    parts = [f"<h2>Where it is weak</h2>{_image(folder / OVERVIEW, 'Position bound, all faces')}"]
+    for score_map in SCORE_MAPS:
+        images = "".join(
+            _image(path, f"{score_map.title} {path.stem}")
+            for path in sorted(folder.glob(f"{score_map.stem}_face_*.png"))
+        )
+        parts.append(
+            f"<details><summary>{_text(score_map.title)} of every face ({score_map.unit})</summary>"
+            f"<div class='grid'>{images}</div></details>"
+        )
+    return "".join(parts) + (
+        f"<p class='note'>Bounds are Cramér–Rao bounds at {spec.score.force_n:g} N from the face's own "
+        f"channels, freshly zeroed (white noise and {spec.sensors.zeroing_counts:g} counts). δ is the "
+        f"covariance equivalent of the convex-hull volume at N = {spec.score.hull_frames} frames over "
+        "the force range, in raw counts with the sensors' white noise.</p>"
+    )
+
+
+def _areas_section(scores: Any) -> str:
+    from estimator.scores import summarize_areas
+
+    columns = {
+        "position_bound_fresh_mm": "position bound, mm",
+        "position_bound_drifted_mm": "after 15 min of drift, mm",
+        "force_bound_fresh_n": "force bound, N",
+        "detectable_force_fresh_n": "detectable force, N",
+        "delta_raw": "δ raw, counts⁹/N",
+        "stiffness_n_per_mm": "N/mm",
+    }
+    rows = [
+        [
+            area.area.replace("_", "-"),
+            str(area.places),
+            *(f"{area.medians[name]:.3g}" for name in columns),
+            f"{area.ratio_to_centre['position_bound_fresh_mm']:.2f}",
+            f"{area.ratio_to_centre['delta_raw']:.2f}",
+        ]
+        for area in summarize_areas(scores)
+    ]
+    header = ["area", "places a face", *columns.values(), "bound / centre's", "δ / centre's"]
+    return "<h2>Edges against the centre</h2>" + _table(header, rows) + _note("Medians, all faces.")
+
+
+def _mechanics_section(
+    spec: ObjectSpec, signals: Any, inputs: dict[str, Path], scratch: Path
+) -> str:
+    from instobj.report.figures import draw_press_curves
+
+    figure = scratch / "press_curves.png"
+    draw_press_curves(spec, signals, figure)
+    mesh = _read_json(inputs["mesh"] / "mesh_quality.json")
+    response = _read_json(inputs["response"] / "response.json")
+    protocol = _read_json(inputs["frames"] / "protocol.json")
+    rows = [
+        ["tetrahedra / vertices", f"{mesh['tets']} / {mesh['vertices']}"],
+        ["smallest dihedral angle", f"{mesh['min_dihedral_deg']:.1f}°"],
+        ["sealed volume (error)", f"{mesh['volume_mm3']:.1f} mm³ ({mesh['volume_error']:.1e})"],
+        ["unknowns, condensed to", f"{response['unknowns']}, {response['condensed_unknowns']}"],
+        ["model", f"{spec.mechanics.element}, magnets {spec.mechanics.magnets}, small strain"],
+        ["modulus, Poisson ratio", f"{spec.silicone.youngs_modulus_mpa:g} MPa, "
+         f"{spec.silicone.poisson_ratio:g}"],
+        ["depth at the protocol's peak forces", f"{protocol['shallowest_peak_mm']:.2f} to "
+         f"{protocol['deepest_peak_mm']:.2f} mm"],
+        ["places whose peak is clamped to the deepest press", str(protocol["clamped_places"])],
+    ]  # fmt: skip
+    return (
+        "<h2>Mechanics</h2>"
+        + _image(figure, "Force against travel, signal against force")
+        + _table(["", ""], rows)
+        + _note(_linearity_note(spec, protocol))
+    )
+
+
+def _linearity_note(spec: ObjectSpec, protocol: dict[str, Any]) -> str:
+    from fem.linearity import linear_force_shortfall
+
+    parts = []
+    for name in ("shallowest_peak_mm", "deepest_peak_mm"):
+        depth = protocol[name]
+        error = linear_force_shortfall(depth, spec.shell.thickness_mm)
+        size = "more than 19 %" if error is None else f"about {100 * error:.0f} %"
+        parts.append(f"{size} at {depth:.2f} mm")
+    return (
+        "Small-strain mechanics gives too little force in deep presses: "
+        + ", ".join(parts)
+        + " (orientation from a neo-Hookean study of a bonded layer, good to a factor of two). The "
+        "modulus is uncertain as well: recordings of the paper's cube fit 0.23 to 0.28 MPa in this "
+        "linear model, Gent's relation gives 0.414 MPa at Shore A10, and recorded peak forces of 10 "
+        "to 20 N ask for more travel or a stiffer silicone than either."
+    )
+
+
+def _estimator_section(spec: ObjectSpec, inputs: dict[str, Path]) -> str:
+    faces = _read_json(inputs["metrics"] / "metrics.json")["faces"]
+    keys = ("similarity", "location_error_px", "force_error_percent", "force_error_n")
+    rows = []
+    for face in faces:
+        paper = PAPER_TABLE_1.get(face["face"], (None,) * 5)
+        ours = [*(face[key] for key in keys), face["non_contact_accuracy"]]
+        cells = [
+            f"{_figure(mine)} <span class='paper'>{_figure(theirs)}</span>"
+            for mine, theirs in zip(ours, paper, strict=True)
+        ]
+        counts = f"{face['contact_frames']} + {face['rest_frames']}"
+        rows.append([str(face["face"]), *cells, counts])
+    header = ["face", "A_sim", "E_loc, px", "E_f, %", "E_f, N", "A_non", "contact + rest frames"]
+    return (
+        "<h2>Contact estimator, simulated presses</h2>"
+        + _table(header, rows, escape=False)
+        + _note(
+            "Held-out presses, none of whose frames were trained on; each press has its own place "
+            f"(±{spec.protocol.lateral_jitter_mm:g} mm), peak force, drift and noise. Grey: Table I of "
+            "Knopke et al. (RA-L 2024), real hardware, frames of one press in both training and test, "
+            "so the two are not the same task."
+        )
+    )
+
+
+def _parts_section(inputs: dict[str, Path]) -> str:
+    from design.manifest import BuildManifest
+
+    rows = [
+        [
+            part.name,
+            f"{part.volume_mm3:.2f}",
+            " × ".join(f"{edge:.3f}".rstrip("0").rstrip(".") for edge in part.size_mm),
+            f"{100 * (part.stl_volume_mm3 / part.volume_mm3 - 1):+.4f} %",
+            "yes" if part.stl_watertight else "NO",
+        ]
+        for part in BuildManifest.read(inputs["build"]).parts
+    ]
+    header = ["part", "volume, mm³", "box, mm", "STL volume error", "watertight"]
+    image = _image(inputs["build"] / "parts.png", "Core, shell, mould box and plug")
+    return "<h2>Parts</h2>" + image + _table(header, rows)
+
+
+def _provenance_section(spec: ObjectSpec, inputs: dict[str, Path]) -> str:
+    records = {name: _read_json(folder / RECORD) for name, folder in inputs.items()}
+    rows = [
+        [
+            name,
+            record["key"][:16],
+            f"{record['seconds']:.1f} s",
+            ", ".join(record["inputs"]["spec"]),
+        ]
+        for name, record in records.items()
+    ]
+    content = json.dumps(spec.model_dump(mode="json"), indent=1)
+    versions = next(iter(records.values()))["inputs"]["libraries"]
+    made_with = ", ".join(f"{name} {version}" for name, version in versions.items())
+    return (
+        "<h2>Provenance</h2>"
+        + _table(["stage", "content key", "took", "depends on"], rows)
+        + _note(f"Specification {spec_hash(spec)}; {made_with}.")
+        + f"<details><summary>Specification</summary><pre>{_text(content)}</pre></details>"
+    )
+
+
+def _read_json(path: Path) -> dict[str, Any]:
+    return json.loads(path.read_text(encoding="utf-8"))
+
+
+def _figure(value: float | None) -> str:
+    if value is None or not np.isfinite(value):
+        return "–"
+    return f"{value:.3g}"
+
+
+def _table(header: list[str], rows: list[list[str]], escape: bool = True) -> str:
+    clean = _text if escape else str
+    head = "".join(f"<th>{_text(name)}</th>" for name in header) if any(header) else ""
+    body = "".join(
+        f"<tr>{''.join(f'<td>{_marked(clean(cell))}</td>' for cell in row)}</tr>" for row in rows
+    )
+    return f"<div class='scroll'><table><tr>{head}</tr>{body}</table></div>"
+
+
+def _marked(cell: str) -> str:
+    style = {"pass": "go", "FAIL": "no-go", "NO": "no-go"}.get(cell)
+    return f"<span class='{style}'>{cell}</span>" if style else cell
+
+
+def _note(text: str) -> str:
+    return f"<p class='note'>{_text(text)}</p>"
+
+
+def _image(path: Path, alt: str) -> str:
+    data = base64.b64encode(path.read_bytes()).decode()
+    return f'<img alt="{_text(alt)}" src="data:image/png;base64,{data}">'
+
+
+def _text(value: str) -> str:
+    return html.escape(value)

@@ -1,0 +1,99 @@
+"""Go or no-go: the object's weakest figures against the specification's limits."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from design.spec import ObjectSpec
+from estimator.scores import PlaceScores, summarize_areas, weakest_place
+
+
+@dataclass(frozen=True)
+class Check:
+    """One figure against its limit; `ratio` is 1 at the limit and above 1 where it fails."""
+
+    what: str
+    value: str
+    limit: str
+    ratio: float
+    where: str
+
+    @property
+    def passed(self) -> bool:
+        return self.ratio <= 1
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """All checks; `go` where every one passes; `limited_by` says what comes first."""
+
+    checks: tuple[Check, ...]
+    limited_by: str
+
+    @property
+    def go(self) -> bool:
+        return all(check.passed for check in self.checks)
+
+
+def judge(spec: ObjectSpec, scores: PlaceScores, saturation_margin: float) -> Verdict:
+    """Judge an object from its scores and the share of the sensors' range that stays free."""
+    checks = (
+        _position(spec, scores),
+        _detection(spec, scores),
+        _saturation(spec, saturation_margin),
+    )
+    tightest = max(checks, key=lambda check: check.ratio)
+    reason = f"{tightest.what}: {tightest.value} ({tightest.where}), limit {tightest.limit}"
+    if tightest is checks[0]:
+        reason += f". {_edge_weakness(scores)}"
+    return Verdict(checks, reason)
+
+
+def _position(spec: ObjectSpec, scores: PlaceScores) -> Check:
+    weakest = weakest_place(scores)
+    limit = spec.limits.position_bound_mm
+    return Check(
+        f"Position bound at the weakest place, {spec.score.force_n:g} N, fresh zero",
+        f"{weakest.position_bound_mm:.2f} mm",
+        f"≤ {limit:g} mm",
+        weakest.position_bound_mm / limit,
+        f"face {weakest.face} at ({weakest.x_mm:g}, {weakest.y_mm:g}) mm, worst along "
+        f"{weakest.direction_deg:.0f}° from x",
+    )
+
+
+def _detection(spec: ObjectSpec, scores: PlaceScores) -> Check:
+    force = scores.detectable_force_fresh_n
+    face, place = np.unravel_index(np.argmax(force), force.shape)
+    x, y = scores.grid.xy_mm[place]
+    limit = spec.limits.detectable_force_n
+    return Check(
+        "Smallest force detectable everywhere (five sigma off rest)",
+        f"{force.max():.2f} N",
+        f"≤ {limit:g} N",
+        float(force.max() / limit),
+        f"face {scores.faces[face]} at ({x:g}, {y:g}) mm; median place {np.median(force):.2f} N",
+    )
+
+
+def _saturation(spec: ObjectSpec, margin: float) -> Check:
+    limit = spec.limits.saturation_margin
+    return Check(
+        "Sensor range left free in the strongest press",
+        f"{100 * margin:.0f} %",
+        f"≥ {100 * limit:g} %",
+        (1 - margin) / (1 - limit),
+        f"{spec.sensors.part}, ±{spec.sensors.range_mt:g} mT",
+    )
+
+
+def _edge_weakness(scores: PlaceScores) -> str:
+    areas = {area.area: area for area in summarize_areas(scores)}
+    ratio = areas["mid_edge"].ratio_to_centre["position_bound_fresh_mm"]
+    corner = areas["corner"].ratio_to_centre["position_bound_fresh_mm"]
+    return (
+        f"Mid-edge places know their position {ratio:.1f} times worse than the centre, corners "
+        f"{corner:.1f} times"
+    )
