@@ -1,0 +1,37 @@
+# Two commands for a newcomer: `make demo` and `make test`. Each installs what it needs, once.
+PYTHON ?= python3
+PIP_ARGS ?=
+BIN := .venv/bin
+INSTALLED := .venv/.installed
+
+.PHONY: demo test test-slow verify lint install clean
+
+demo: $(INSTALLED)
+	$(BIN)/instobj run examples/paper_cube.toml
+
+test: $(INSTALLED)
+	$(BIN)/pytest -q
+
+test-slow: $(INSTALLED)
+	$(BIN)/pytest -q -m slow
+
+verify: $(INSTALLED)
+	$(BIN)/pytest -q -m "slow or not slow" tests/fem
+
+lint: $(INSTALLED)
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/basedpyright
+	$(BIN)/lint-imports
+
+install: $(INSTALLED)
+
+$(INSTALLED): pyproject.toml constraints.txt
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
+		{ echo "instobj needs Python 3.11 or newer; set PYTHON=/path/to/python3.11"; exit 1; }
+	$(PYTHON) -m venv .venv
+	$(BIN)/pip install --disable-pip-version-check $(PIP_ARGS) -c constraints.txt -e '.[test]'
+	@touch $@
+
+clean:
+	rm -rf .venv .instobj runs cad_out/*/

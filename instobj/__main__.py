@@ -1,0 +1,6 @@
+"""`python -m instobj` is the `instobj` command."""
+
+from instobj.cli import main
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,63 @@
+"""What each stage depends on: the right changes make it anew, all others reuse it."""
+
+import pytest
+
+from design.spec import ObjectSpec
+from design.spec_io import parse_spec, with_overrides
+from instobj.stages import STAGES, stage_inputs
+from instobj.store import content_key
+
+
+def _keys(*overrides: str) -> dict[str, str]:
+    spec = parse_spec(with_overrides({"name": "cube"}, overrides), "test")
+    keys: dict[str, str] = {}
+    for name, stage in STAGES.items():
+        needs = {need: keys[need] for need in stage.needs}
+        keys[name] = content_key({"stage": name, "inputs": stage_inputs(stage, spec, needs, {})})
+    return keys
+
+
+DOWNSTREAM = {
+    "sensors.radius_mm=8.0": {"build", "signals"},
+    "sensors.noise_counts=[20.0,22.0,11.0]": {"build", "signals"},
+    "silicone.youngs_modulus_mpa=0.3": {"response"},
+    "silicone.density_g_per_cm3=1.1": set(),
+    "mechanics.magnets=points": {"response"},
+    "magnets.remanence_t=1.4": {"build", "mesh", "signals"},
+    "contact_grid.pitch_mm=2.5": {"presses"},
+    "press.depths_mm=[1.0,2.0]": {"presses"},
+    "mesh.edge_mm=5": {"mesh"},
+    "shell.thickness_mm=9": {"build", "mesh"},
+    "score.force_n=6": {"scores"},
+    "protocol.presses_per_place=4": {"frames"},
+    "training.epochs=5": {"networks"},
+    "limits.position_bound_mm=2": {"report"},
+    "core.wall_mm=4": {"build"},
+    "seed=2": {"signals", "frames", "networks"},
+}
+
+
+def _with_dependents(changed: set[str]) -> set[str]:
+    grown = set(changed)
+    for name, stage in STAGES.items():
+        if grown & set(stage.needs):
+            grown.add(name)
+    return grown
+
+
+@pytest.mark.parametrize("override", DOWNSTREAM)
+def test_a_change_reruns_what_depends_on_it_and_nothing_else(override):
+    before, after = _keys(), _keys(override)
+    changed = {name for name in STAGES if before[name] != after[name]}
+    assert changed == _with_dependents(DOWNSTREAM[override])
+
+
+def test_stages_come_after_what_they_need():
+    order = list(STAGES)
+    for name, stage in STAGES.items():
+        assert all(order.index(need) < order.index(name) for need in stage.needs)
+
+
+def test_every_part_of_the_specification_matters_to_some_stage():
+    used = {part.split(".")[0] for stage in STAGES.values() for part in stage.depends_on}
+    assert used == set(ObjectSpec.model_fields)
