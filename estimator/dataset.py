@@ -130,6 +130,7 @@ def load_frames(path: Path | str) -> FrameSet:
     except (OSError, ValueError, KeyError) as error:
         raise InputError(f"{path} is not a NetCDF data set ({error}). Make it anew") from None
     missing = [name for name in (*_PER_FRAME, *_FIXED) if name not in data.variables]
+    missing += [name for name in _ATTRIBUTES if name not in data.attrs]
     if missing or data.attrs.get("schema_version") != SCHEMA_VERSION:
         raise InputError(
             f"{path} is not a data set of schema {SCHEMA_VERSION}: missing {missing or 'nothing'}, "

@@ -2,7 +2,7 @@
 
 A fully connected trunk on arcsinh(ΔS / 3σ), σ the white noise of each channel, with three heads:
 the share of force at each pixel (softmax), the total force (softplus) and whether there is contact
-at all. The heatmap is force × share, and zero without contact. Scaling by the noise keeps weak and
+at all. The heatmap is force × P(contact)² × share. Scaling by the noise keeps weak and
 strong presses alike in range, which mattered more than width in comparisons.
 """
 
@@ -24,6 +24,8 @@ from design.errors import InputError
 from design.files import atomic_path
 
 SIGMA_SPAN = 3.0
+DOUBT_POWER = 2
+"""Forces are multiplied by P(contact)², so that doubtful contacts stay visible but faint."""
 MODEL_FORMAT = 1
 _BATCH_FRAMES = 8192
 
@@ -139,7 +141,8 @@ def predict_heatmaps(
 def _heatmaps(model: FaceModel, scaled: Tensor) -> Tensor:
     estimate = model.network(scaled)
     share = torch.softmax(model.sharpness * estimate.share_logits, dim=1)
-    force_n = model.force_scale_n * estimate.force * (estimate.contact_logit > 0)
+    certain = torch.sigmoid(estimate.contact_logit) ** DOUBT_POWER
+    force_n = model.force_scale_n * estimate.force * certain
     return force_n[:, None] * share
 
 

@@ -91,7 +91,7 @@ class RecordingReport:
 
     def __str__(self) -> str:
         lag = self.lag
-        did = "corrected" if lag.corrected else "not certain enough, not corrected"
+        did = "corrected" if lag.corrected else "not corrected: too little gained or agreed"
         lines = [
             f"{self.path}: {self.frames} frames ({self.kind} format), {self.presses} presses of "
             f"{len(self.places)} contact cases on faces {', '.join(map(str, self.faces_pressed))}",

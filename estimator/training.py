@@ -1,7 +1,7 @@
 """Training of a face's contact estimator on whole presses, stopped by presses that it never saw.
 
-The loss adds the cross-entropy of the shares of force, the absolute error of the total force and
-the cross-entropy of contact. Training frames get fresh noise and zeroing offsets in every epoch,
+The loss adds the cross-entropy of the shares of force, the absolute error of the total force
+(zero without contact) and the cross-entropy of contact. Training frames get fresh noise and zeroing offsets in every epoch,
 so that the network leans neither on the noise nor on the rest level of a press.
 """
 
@@ -39,7 +39,7 @@ Progress = Callable[[int, int, float], None]
 NEGATIVES_PER_CONTACT = 0.3
 """At most so many rest frames, and as many with other faces pressed, per contact frame."""
 SHARPNESS = (1.0, 1.5, 2.0, 3.0, 5.0)
-_FORCE_WEIGHT = 4.0
+_FORCE_WEIGHT = 8.0
 _WEIGHT_DECAY = 1e-3
 _WARM_UP_EPOCHS = 2.0
 
@@ -246,7 +246,7 @@ def _loss(estimate: Estimate, target: _Tensors) -> Tensor:
     weight = torch.sqrt(target.force)
     place = -(weight * (target.share * log_share).sum(dim=1)).mean()
     contact = target.contact
-    force = (contact * (estimate.force - target.force).abs()).mean()
+    force = (estimate.force - target.force).abs().mean()
     touch = torch.nn.functional.binary_cross_entropy_with_logits(estimate.contact_logit, contact)
     return place + _FORCE_WEIGHT * force + touch
 
