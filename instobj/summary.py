@@ -17,7 +17,7 @@ def summarize(results: dict[str, StoredResult]) -> dict[str, Any]:
         "response": ("mechanics", _json("response.json")),
         "scores": ("areas (median over faces, fresh zero)", _areas),
         "frames": ("simulated presses", _json("protocol.json")),
-        "metrics": ("held-out presses", _metrics),
+        "metrics": ("metrics on held-out presses (frames of contact and of rest)", _metrics),
     }
     return {
         title: _finite(make(results[stage]))
@@ -68,21 +68,30 @@ def _areas(result: StoredResult) -> list[dict[str, Any]]:
     ]
 
 
+_ESTIMATORS = {
+    "faces": "network",
+    "ridge_regression": "linear (ridge)",
+    "mean_map": "mean map (chance)",
+}
+
+
 def _metrics(result: StoredResult) -> list[dict[str, Any]]:
     content = json.loads((result.folder / "metrics.json").read_text(encoding="utf-8"))
     return [
         {
             "face": face["face"],
+            "estimator": title,
             "A_sim": face["similarity"],
             "E_loc px": face["location_error_px"],
             "E_f %": face["force_error_percent"],
             "E_f N": face["force_error_n"],
-            "total force error N": face["total_force_error_n"],
+            "total N": face["total_force_error_n"],
             "A_non": face["non_contact_accuracy"],
-            "contact frames": face["contact_frames"],
-            "rest frames": face["rest_frames"],
+            "contact": face["contact_frames"],
+            "rest": face["rest_frames"],
         }
-        for face in content["faces"]
+        for key, title in _ESTIMATORS.items()
+        for face in content[key]
     ]
 
 

@@ -41,9 +41,19 @@ def test_help_names_every_command_and_starts_quickly(tmp_path):
     started = time.perf_counter()
     done = run("--help", cwd=tmp_path)
     assert done.returncode == 0
-    for (
-        command
-    ) in "new check build mesh simulate score train evaluate report run recordings".split():
+    for command in [
+        "new",
+        "check",
+        "build",
+        "mesh",
+        "simulate",
+        "score",
+        "train",
+        "evaluate",
+        "report",
+        "run",
+        "recordings",
+    ]:
         assert command in done.stdout
     assert time.perf_counter() - started < 5
 
