@@ -1,0 +1,101 @@
+"""The Schur complement equals dense algebra; broken systems are refused."""
+
+import sys
+
+import numpy as np
+import pytest
+import scipy.sparse as sp
+from fem_cases import box_mesh
+from numpy.testing import assert_allclose
+
+from fem import factorization
+from fem.elasticity import assemble, free_motion_basis, saddle_point_matrix, taylor_hood
+from fem.factorization import SingularSystemError, compliance_of_loads, solve_symmetric
+from fem.material import lame_constants
+from fem.response import _require_inertia
+
+pardiso_only = pytest.mark.skipif(
+    not factorization.pardiso_available(), reason="MKL's PARDISO is not on this machine"
+)
+
+
+def small_system(bonded):
+    """Saddle-point matrix of a jiggled block, and its number of pressures."""
+    space = taylor_hood(box_mesh((3, 3, 2), (1.0, 1.3, 0.6), jiggle=0.15))
+    operators = assemble(space, lame_constants(0.3, 0.4999))
+    free = space.nodes_mm[:, 2] > 1e-9 if bonded else np.ones(space.node_count, bool)
+    matrix = saddle_point_matrix(operators, free_motion_basis(free), space.pressure_nodes)
+    return matrix, len(space.pressure_nodes)
+
+
+def sparse_loads(size):
+    loads = sp.random(size, 17, density=0.02, random_state=np.random.default_rng(5))
+    return sp.csr_matrix(loads)
+
+
+@pytest.fixture(params=["pardiso", "superlu"])
+def solver(request, monkeypatch):
+    if request.param == "superlu":
+        monkeypatch.setattr(factorization, "pardiso_available", lambda: False)
+        monkeypatch.setattr(factorization, "_CHUNK", 5)
+    elif not factorization.pardiso_available():
+        pytest.skip("MKL's PARDISO is not on this machine")
+    return request.param
+
+
+@pytest.mark.filterwarnings("ignore:MKL:UserWarning")
+def test_compliance_of_loads_equals_dense_algebra(solver):
+    matrix, _ = small_system(bonded=True)
+    loads = sparse_loads(matrix.shape[0])
+    exact = loads.T @ np.linalg.solve(matrix.toarray(), loads.toarray())
+    compliance = compliance_of_loads(matrix, loads).matrix
+    scale = abs(exact).max()
+    assert_allclose(compliance, exact, rtol=0, atol=1e-11 * scale)
+    assert_allclose(compliance, compliance.T, rtol=0, atol=1e-12 * scale)
+
+
+@pytest.mark.filterwarnings("ignore:MKL:UserWarning")
+def test_solutions_equal_dense_algebra(solver):
+    matrix, _ = small_system(bonded=True)
+    right = np.random.default_rng(8).standard_normal((matrix.shape[0], 3))
+    exact = np.linalg.solve(matrix.toarray(), right)
+    solution = solve_symmetric(matrix, right)
+    assert_allclose(solution, exact, rtol=0, atol=1e-10 * abs(exact).max())
+
+
+@pardiso_only
+def test_negative_pivots_are_the_pressures():
+    matrix, pressures = small_system(bonded=True)
+    negative = compliance_of_loads(matrix, sparse_loads(matrix.shape[0])).negative_pivots
+    assert negative == pressures == np.sum(np.linalg.eigvalsh(matrix.toarray()) < 0)
+
+
+@pytest.mark.filterwarnings("ignore:MKL:UserWarning")
+def test_an_unsupported_body_is_refused(solver):
+    matrix, _ = small_system(bonded=False)
+    loads = sparse_loads(matrix.shape[0])
+    with pytest.raises(SingularSystemError):
+        compliance_of_loads(matrix, loads)
+    with pytest.raises(SingularSystemError):
+        solve_symmetric(matrix, loads.toarray())
+
+
+def test_a_wrong_inertia_is_refused():
+    _require_inertia(80, 80)
+    _require_inertia(-1, 80)  # SuperLU does not count them
+    with pytest.raises(SingularSystemError, match="79 negative pivots instead of 80"):
+        _require_inertia(79, 80)
+
+
+@pytest.mark.parametrize("call", [compliance_of_loads, solve_symmetric])
+def test_the_slow_solver_says_that_it_is_used(monkeypatch, call):
+    monkeypatch.setattr(factorization, "pardiso_available", lambda: False)
+    matrix, _ = small_system(bonded=True)
+    loads = sparse_loads(matrix.shape[0])
+    with pytest.warns(UserWarning, match="SuperLU"):
+        call(matrix, loads if call is compliance_of_loads else loads.toarray())
+
+
+def test_a_machine_without_pypardiso_has_no_pardiso(monkeypatch):
+    monkeypatch.setitem(sys.modules, "pypardiso", None)
+    assert not factorization.pardiso_available()

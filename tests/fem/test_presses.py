@@ -1,0 +1,191 @@
+"""Presses on the real object: contact conditions, growth, the layer's force, frames, symmetry."""
+
+import numpy as np
+import pytest
+from fem_cases import dimitriadis_force_n, paper_cube
+from numpy.testing import assert_allclose
+
+from design.errors import InputError
+from design.layouts import magnet_layout, press_lattice
+from fem.presses import (
+    press_places,
+    profile_moments_mm3,
+    simulate_lattice,
+    surface_weights_mm2,
+)
+from fem.results import load_presses, save_presses
+
+DEPTHS = np.array([0.5, 1.0, 2.0])
+RADIUS = 5.0
+
+
+@pytest.fixture(scope="module")
+def presses(rigid_spec, rigid_response):
+    return simulate_lattice(rigid_spec, rigid_response)
+
+
+def nearest_place(spec, x, y):
+    distance = np.linalg.norm(press_lattice(spec).xy_mm - [x, y], axis=1)
+    assert distance.min() < 1e-9
+    return int(np.argmin(distance))
+
+
+def random_places(count, reach_mm):
+    return np.random.default_rng(11).uniform(-reach_mm, reach_mm, (count, 2))
+
+
+def forces_near_the_centre(spec, response, count):
+    """Force (N) at random places within ±4 mm of every face's centre; (face, place, step)."""
+    xy = random_places(count, 4.0)
+    return np.array(
+        [
+            press_places(spec, response, index, xy, DEPTHS) @ surface_weights_mm2(surface)
+            for index, surface in enumerate(response.surfaces)
+        ]
+    )
+
+
+def test_contact_conditions_hold_at_every_press(rigid_spec, rigid_response):
+    """Pressure ≥ 0, gap ≥ 0, and never both: over the whole face, not only near the tip."""
+    xy = random_places(12, 15.0)
+    for index in (0, 3):
+        surface, loads = rigid_response.surfaces[index], rigid_response.face_loads(index)
+        pressures = press_places(rigid_spec, rigid_response, index, xy, DEPTHS)
+        sunk = pressures @ rigid_response.compliance[loads, loads]
+        weights = surface_weights_mm2(surface)
+        rest = profile_moments_mm3(surface, xy, RADIUS)[:, None] - DEPTHS[:, None] * weights
+        gap = (sunk + rest) / weights
+        assert (pressures >= 0).all()
+        assert ((pressures > 0).sum(axis=2) >= 1).all()
+        assert gap.min() > -1e-8
+        assert abs(gap[pressures > 0]).max() < 1e-8
+        touched = np.linalg.norm(surface.xy_mm - xy[:, None], axis=2)[:, None] * (pressures > 0)
+        assert touched.max() < RADIUS  # the candidates within one radius were enough
+
+
+def test_the_tip_s_profile_is_integrated_against_the_hats(rigid_response):
+    """Sum over vertices = ∫ profile dA over the face, in polar coordinates."""
+    surface = rigid_response.surfaces[1]
+    centre = np.array([[3.3, -4.7]])
+    dish = np.pi * RADIUS**3 - 2 * np.pi * RADIUS**3 / 3
+    flat = RADIUS * (surface_weights_mm2(surface).sum() - np.pi * RADIUS**2)
+    total = profile_moments_mm3(surface, centre, RADIUS).sum()
+    assert_allclose(total, dish + flat, rtol=2e-4)
+    moments = profile_moments_mm3(surface, centre, RADIUS)[0] / surface_weights_mm2(surface)
+    assert np.linalg.norm(surface.xy_mm[np.argmin(moments)] - centre) < 1.5
+
+
+def test_contact_grows_and_force_rises_faster_than_depth(presses):
+    forces, _ = presses
+    assert (np.diff(forces.contact_area_mm2, axis=2) > 0).all()
+    assert (forces.force_n > 0).all()
+    ratio = forces.force_n[..., 1:] / forces.force_n[..., :-1]
+    assert (ratio > 2).all()
+
+
+def test_contact_is_not_one_patch_scaled(presses):
+    forces, _ = presses
+    growth = forces.contact_area_mm2[..., 2] / forces.contact_area_mm2[..., 0]
+    assert growth.mean() > 2
+    assert (growth > 1.5).all()
+
+
+def test_a_deeper_simulation_does_not_depend_on_the_steps_before_it(rigid_spec, rigid_response):
+    xy = random_places(5, 10.0)
+    stepped = press_places(rigid_spec, rigid_response, 4, xy, DEPTHS)[:, -1]
+    at_once = press_places(rigid_spec, rigid_response, 4, xy, DEPTHS[-1:])[:, 0]
+    assert_allclose(stepped, at_once, rtol=0, atol=1e-9 * stepped.max())
+
+
+def test_layer_force_without_magnets(points_spec, points_response):
+    """1.69 N at 1 mm and 5.5 N at 2 mm on an endless layer; this coarse mesh is below."""
+    mean = forces_near_the_centre(points_spec, points_response, 60).mean(axis=(0, 1))
+    assert_allclose(mean[1:], [1.69, 5.5], rtol=0.10)
+    assert_allclose(mean[1], dimitriadis_force_n(1.0, RADIUS, 8.0), rtol=0.10)
+
+
+@pytest.mark.parametrize("xy", [(16.2, 0.0), (0.0, -16.2)])
+def test_a_tip_over_the_border_is_refused(rigid_spec, rigid_response, xy):
+    with pytest.raises(InputError, match="hangs over the border of face 4"):
+        press_places(rigid_spec, rigid_response, 3, np.array([[0.0, 0.0], xy]), DEPTHS)
+
+
+@pytest.mark.parametrize(
+    ("xy", "magnet", "centre"),
+    [
+        ((9.0, -6.0), 14, (18.5, -10.0, -10.0)),
+        ((-12.0, 7.5), 12, (18.5, 10.0, 10.0)),
+        ((6.0, 3.0), 10, (18.5, 0.0, 0.0)),
+    ],
+)
+def test_a_press_on_face_3_pushes_its_nearest_magnet_inwards(
+    rigid_spec, presses, xy, magnet, centre
+):
+    """Face 3: normal +x, its x axis is −z, its y axis +y; the magnet's place is spelt out here."""
+    _, motions = presses
+    assert_allclose(magnet_layout(rigid_spec).centre_mm[magnet], centre, rtol=0, atol=1e-9)
+    motion = motions.motion[2, nearest_place(rigid_spec, *xy), -1]
+    inwards = -motion[:, 0]
+    assert int(np.argmax(np.linalg.norm(motion[:, :3], axis=1))) == magnet
+    assert int(np.argmax(inwards)) == magnet
+    assert inwards[magnet] > 0.2
+
+
+def test_a_magnet_beside_the_press_tilts_towards_it(rigid_spec, presses):
+    """Press face 3 at (+4.5, 0): its x is −z, so the centre magnet's −z edge sinks: ω_y < 0.
+
+    The magnet's north (+x) then leans towards +z: ω × x̂ = (0, ω_z, −ω_y).
+    """
+    _, motions = presses
+    omega = motions.motion[2, nearest_place(rigid_spec, 4.5, 0.0), -1, 10, 3:]
+    assert omega[1] < -0.02
+    assert abs(omega[1]) > 5 * max(abs(omega[0]), abs(omega[2]))
+
+
+def relative_mirror_difference(forces, spec):
+    """Root mean square of 2 (F − F mirrored)/(F + F mirrored) under x → −x on face 1."""
+    nx, ny = press_lattice(spec).shape
+    force = forces.force_n[0].reshape(nx, ny, -1)
+    mirrored = force[::-1]
+    return np.sqrt(np.mean((2 * (force - mirrored) / (force + mirrored)) ** 2, axis=(0, 1)))
+
+
+def test_mirrored_presses_agree_within_the_mesh_s_own_scatter(rigid_spec, presses):
+    """Surface edges of 2 mm: scatter of a few per cent, larger for smaller contacts."""
+    difference = relative_mirror_difference(presses[0], rigid_spec)
+    assert (difference < [0.15, 0.08, 0.05]).all()
+
+
+def test_progress_is_told_face_by_face(rigid_spec, rigid_response):
+    told = []
+    simulate_lattice(rigid_spec, rigid_response, told.append)
+    assert [line.split(":")[0] for line in told] == [f"face {n}" for n in range(1, 6)]
+
+
+def test_saved_presses_come_back_alike_with_axes_in_order(presses, rigid_spec, tmp_path):
+    forces, motions = presses
+    assert forces.force_n.shape == (5, 21 * 21, 3)
+    assert motions.motion.shape == (5, 21 * 21, 3, 25, 6)
+    save_presses(forces, motions, tmp_path / "presses.nc")
+    read_forces, read_motions = load_presses(tmp_path / "presses.nc")
+    for saved, read in ((forces, read_forces), (motions, read_motions)):
+        for name in set(vars(saved)) - {"lattice"}:
+            np.testing.assert_array_equal(getattr(read, name), getattr(saved, name))
+        np.testing.assert_array_equal(read.lattice.xy_mm, press_lattice(rigid_spec).xy_mm)
+    assert list(read_forces.faces) == [1, 2, 3, 4, 5]
+
+
+def test_presses_of_another_schema_are_refused(presses, tmp_path, monkeypatch):
+    from fem import results
+
+    monkeypatch.setattr(results, "SCHEMA_VERSION", 999)
+    save_presses(*presses, tmp_path / "presses.nc")
+    monkeypatch.undo()
+    with pytest.raises(InputError, match="schema"):
+        load_presses(tmp_path / "presses.nc")
+
+
+def test_the_paper_cube_here_differs_from_the_default_in_what_it_says():
+    spec = paper_cube("points", (2.0, 5.0), 0.49)
+    assert (spec.mesh.surface_edge_mm, spec.mesh.edge_mm) == (2.0, 5.0)
+    assert spec.silicone.poisson_ratio == 0.49
