@@ -38,7 +38,7 @@ class FaceData:
 
 
 def face_data(frames: FrameSet, face: int) -> FaceData:
-    """Valid frames with readings of the face.
+    """Valid frames with readings of the face; contacts labelled with no force are left out.
 
     Raises
     ------
@@ -50,7 +50,8 @@ def face_data(frames: FrameSet, face: int) -> FaceData:
         raise InputError(f"face {face} is not in the data set; it has {frames.faces.tolist()}")
     signal = frames.signal_counts[:, index[0]]
     recorded = np.any(np.isfinite(signal), axis=(1, 2))
-    used = frames.valid & recorded
+    faint = np.any((frames.contact_face == face) & ~(frames.force_n[..., 2] > 0), axis=1)
+    used = frames.valid & recorded & ~faint
     if not used.any():
         raise InputError(
             f"the data set holds no valid frame with readings of face {face}. Choose another face "

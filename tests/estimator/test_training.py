@@ -24,9 +24,9 @@ FACE = 4
 
 
 @pytest.fixture(scope="module", autouse=True)
-def few_threads():
+def one_thread():
     before = torch.get_num_threads()
-    torch.set_num_threads(min(2, before))
+    torch.set_num_threads(1)
     yield
     torch.set_num_threads(before)
 
