@@ -183,9 +183,9 @@ class TrainingSpec(_Part):
     """Contact estimator: one compact network per face."""
 
     hidden_units: Annotated[tuple[Count, ...], Field(min_length=1)] = (256, 256, 256)
-    epochs: Count = 60
-    batch_size: Count = 256
-    learning_rate: Positive = 2e-3
+    epochs: Count = 40
+    batch_size: Count = 512
+    learning_rate: Positive = 3e-3
     patience_epochs: Count = 15
 
 

@@ -27,6 +27,9 @@ def train_networks(
     from estimator.heatmap import faces_pressed
     from estimator.training import train_face
 
+    import torch
+
+    torch.set_num_threads(1)  # a second thread gains nothing on networks this small
     frames = load_frames(frames_path)
     faces = faces_pressed(frames)
     if not faces:
