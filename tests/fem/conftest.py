@@ -4,12 +4,10 @@ import os
 from dataclasses import dataclass
 
 import pytest
-from fem_cases import paper_cube
+from fem_cases import COARSE_EDGES_MM, paper_cube
 
 from fem.response import build_response, elastic_system
 from fem.tet_mesh import TetMesh, tetrahedralize
-
-COARSE_EDGES_MM = (2.0, 5.0)
 
 
 @dataclass(frozen=True)

@@ -1,22 +1,24 @@
 """Meshes, loads and closed forms that several tests of mechanics share."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import scipy.sparse as sp
 from skfem import ElementTetP2, FacetBasis, LinearForm, MeshTet
 
-from design.layouts import FaceFrame, face_frames
+from design.layouts import FaceFrame, face_frames, press_lattice
 from design.spec import MechanicsSpec, MeshSpec, ObjectSpec, PressSpec, SiliconeSpec
 from fem.contact import contact_pressures
-from fem.elasticity import assemble, saddle_point_matrix, taylor_hood
+from fem.elasticity import MixedOperators, assemble, saddle_point_matrix, taylor_hood
 from fem.factorization import compliance_of_loads, solve_symmetric
 from fem.material import lame_constants
-from fem.presses import profile_moments_mm3, surface_weights_mm2
+from fem.presses import press_places, profile_moments_mm3, surface_weights_mm2
 from fem.response import face_surface
 
 YOUNGS_MODULUS_MPA = 0.3
+COARSE_EDGES_MM = (1.7, 5.0)
 PATCH_RADIUS_MM = 5.0
+DEPTHS_MM = np.array([0.5, 1.0, 2.0])
 SHELL_COMPLIANCE_MM_PER_N = {0.49: 0.23170, 0.4999: 0.22621, 0.5: 0.22615}
 """Converged Taylor–Hood compliance of the patch load on the paper's shell without magnets."""
 
@@ -28,7 +30,7 @@ def paper_cube(magnets, edges_mm, poisson_ratio=0.4999):
         silicone=SiliconeSpec(youngs_modulus_mpa=YOUNGS_MODULUS_MPA, poisson_ratio=poisson_ratio),
         mesh=MeshSpec(surface_edge_mm=edges_mm[0], edge_mm=edges_mm[1]),
         mechanics=MechanicsSpec(magnets=magnets),
-        press=PressSpec(depths_mm=(0.5, 1.0, 2.0)),
+        press=PressSpec(depths_mm=tuple(DEPTHS_MM.tolist())),
     )
 
 
@@ -105,6 +107,28 @@ def _patch_form(frame):
     return form
 
 
+def with_poisson_ratio(system, before, after):
+    """The same system for another ν: K scales with μ and C with 1/λ, B stays."""
+    old, new = (lame_constants(YOUNGS_MODULUS_MPA, nu) for nu in (before, after))
+    operators = MixedOperators(
+        system.operators.stiffness * (new.shear_modulus_mpa / old.shear_modulus_mpa),
+        system.operators.divergence,
+        system.operators.compressibility
+        * (new.inverse_lambda_per_mpa / old.inverse_lambda_per_mpa),
+    )
+    matrix = saddle_point_matrix(operators, system.motion_basis, system.space.pressure_nodes)
+    return replace(system, operators=operators, matrix=matrix)
+
+
+def patch_compliances(system, spec):
+    """C = ∫ p u_n dA / F² of the patch load at the five face centres, mm/N, and p in the bulk."""
+    forces, totals = patch_loads(system, spec)
+    solution = solve_loads(system, forces)
+    motions = system.motion_basis.shape[1]
+    u = system.motion_basis @ solution[:motions]
+    return np.einsum("nf,nf->f", forces, u) / totals**2, solution[motions:]
+
+
 def solve_loads(system, nodal_forces):
     """Unknowns (q, p) of an `ElasticSystem` under nodal forces (3·node, load)."""
     motions = system.motion_basis.T @ nodal_forces
@@ -162,3 +186,26 @@ def dimitriadis_force_n(depth_mm, radius_mm, thickness_mm):
     chi = np.sqrt(radius_mm * depth_mm) / thickness_mm
     series = 1 + 1.133 * chi + 1.283 * chi**2 + 0.769 * chi**3 + 0.0975 * chi**4
     return 16 / 9 * YOUNGS_MODULUS_MPA * np.sqrt(radius_mm) * depth_mm**1.5 * series
+
+
+def random_places(count, reach_mm):
+    return np.random.default_rng(11).uniform(-reach_mm, reach_mm, (count, 2))
+
+
+def forces_near_the_centre(spec, response, count):
+    """Force (N) at random places within ±4 mm of every face's centre; (face, place, step)."""
+    xy = random_places(count, 4.0)
+    return np.array(
+        [
+            press_places(spec, response, index, xy, DEPTHS_MM) @ surface_weights_mm2(surface)
+            for index, surface in enumerate(response.surfaces)
+        ]
+    )
+
+
+def relative_mirror_difference(forces, spec):
+    """Root mean square of 2 (F − F mirrored)/(F + F mirrored) under x → −x on face 1."""
+    nx, ny = press_lattice(spec).shape
+    force = forces.force_n[0].reshape(nx, ny, -1)
+    mirrored = force[::-1]
+    return np.sqrt(np.mean((2 * (force - mirrored) / (force + mirrored)) ** 2, axis=(0, 1)))

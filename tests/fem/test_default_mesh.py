@@ -1,0 +1,55 @@
+"""The mesh of the default specification: shell compliance, layer force, symmetry. Minutes long."""
+
+import numpy as np
+import pytest
+from fem_cases import (
+    SHELL_COMPLIANCE_MM_PER_N,
+    dimitriadis_force_n,
+    forces_near_the_centre,
+    paper_cube,
+    patch_compliances,
+    relative_mirror_difference,
+)
+from numpy.testing import assert_allclose
+
+from design.spec import MeshSpec
+from fem.mesh_quality import mesh_quality, require_quality
+from fem.presses import simulate_lattice
+from fem.response import build_response, elastic_system
+from fem.tet_mesh import tetrahedralize
+
+pytestmark = pytest.mark.slow
+EDGES_MM = (MeshSpec().surface_edge_mm, MeshSpec().edge_mm)
+
+
+@pytest.fixture(scope="module")
+def default_mesh():
+    spec = paper_cube("points", EDGES_MM)
+    mesh = tetrahedralize(spec)
+    require_quality(mesh_quality(mesh, spec))
+    return mesh
+
+
+def test_shell_compliance_within_one_percent(default_mesh, record_property):
+    spec = paper_cube("points", EDGES_MM)
+    compliance, _ = patch_compliances(elastic_system(default_mesh, spec), spec)
+    record_property("compliance_mm_per_n", compliance.tolist())
+    assert_allclose(compliance, SHELL_COMPLIANCE_MM_PER_N[0.4999], rtol=0.01)
+
+
+def test_layer_force_without_magnets_within_four_percent(default_mesh, record_property):
+    """Random places within ±4 mm of the face centres; Dimitriadis et al. up to 1 mm."""
+    spec = paper_cube("points", EDGES_MM, 0.5)
+    mean = forces_near_the_centre(spec, build_response(default_mesh, spec), 60).mean(axis=(0, 1))
+    record_property("mean_force_n", mean.tolist())
+    assert_allclose(mean[1:], [1.69, 5.5], rtol=0.04)
+    assert_allclose(mean[:2], dimitriadis_force_n(np.array([0.5, 1.0]), 5.0, 8.0), rtol=0.05)
+
+
+def test_mirrored_presses_agree_and_every_press_is_in_contact(default_mesh, record_property):
+    spec = paper_cube("rigid", EDGES_MM)
+    forces, _ = simulate_lattice(spec, build_response(default_mesh, spec))
+    difference = relative_mirror_difference(forces, spec)
+    record_property("mirror_difference", difference.tolist())
+    assert (forces.force_n > 0).all()
+    assert (difference < [0.09, 0.04, 0.02]).all()
