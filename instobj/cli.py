@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import signal
 import sys
 from pathlib import Path
 from typing import Annotated, Any
@@ -164,8 +165,10 @@ def _show(result: dict[str, Any], as_json: bool) -> None:
 
 def main() -> None:
     """Entry point: bad input ends with one error message and exit code 2, without a traceback."""
+    interrupted = _note_interrupts()
+    code = 0
     try:
-        sys.exit(app(standalone_mode=False))
+        code = app(standalone_mode=False)
     except typer.BadParameter as error:
         error.show()
         sys.exit(2)
@@ -173,12 +176,28 @@ def main() -> None:
         _fail(str(error), 2)
     except InputError as error:
         _fail(str(error), 2)
-    except (KeyboardInterrupt, typer.Abort):
-        _fail("interrupted. Finished stages are kept: the same command goes on from there", 130)
     except ArithmeticError as error:
         _fail(f"the computation failed: {error}", 2)
     except MemoryError as error:
         _fail(f"out of memory: {error}. Use a larger mesh.edge_mm or mesh.surface_edge_mm", 2)
+    except (KeyboardInterrupt, typer.Abort, ImportError):
+        if not interrupted:  # an import that Ctrl-C breaks off may raise ImportError instead
+            raise
+    if interrupted:
+        _fail("interrupted. Finished stages are kept: the same command goes on from there", 130)
+    sys.exit(code)
+
+
+def _note_interrupts() -> list[int]:
+    """Interrupts received so far, besides raising KeyboardInterrupt as usual."""
+    received: list[int] = []
+
+    def note(number: int, frame: object) -> None:
+        received.append(number)
+        raise KeyboardInterrupt
+
+    signal.signal(signal.SIGINT, note)
+    return received
 
 
 def _fail(message: str, code: int) -> None:

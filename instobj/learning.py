@@ -23,11 +23,11 @@ def train_networks(
     InputError
         The data set presses no face, or too few presses to split.
     """
+    import torch
+
     from estimator.dataset import load_frames
     from estimator.heatmap import faces_pressed
     from estimator.training import train_face
-
-    import torch
 
     torch.set_num_threads(1)  # a second thread gains nothing on networks this small
     frames = load_frames(frames_path)

@@ -2,6 +2,7 @@
 
 import json
 import os
+import signal
 import subprocess
 import sys
 import time
@@ -133,3 +134,23 @@ def test_bad_data_sets_end_with_one_clear_error(tmp_path, command):
     assert_one_clear_error(run(command, "none.nc", cwd=tmp_path), "none.nc")
     wrong = run(command, "frames.nc", "--set", "shell.thickness_mm=9", cwd=tmp_path)
     assert_one_clear_error(wrong)
+
+
+def test_ctrl_c_keeps_finished_stages_and_the_next_run_goes_on(tmp_path):
+    command = [sys.executable, "-m", "instobj", "build", str(CUBE), "--json"]
+    process = subprocess.Popen(
+        command, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    )
+    assert process.stderr is not None
+    for line in process.stderr:  # the first progress line: the stage is at work
+        if "building core" in line:
+            break
+    process.send_signal(signal.SIGINT)
+    output, errors = process.communicate(timeout=60)
+    assert process.returncode == 130
+    assert "Traceback" not in errors
+    assert "interrupted" in json.loads(output)["error"]
+    assert not list(tmp_path.glob(".instobj/*"))
+    assert not list(tmp_path.glob("cad_out/paper_cube/*"))
+    again = run("build", CUBE, "--json", cwd=tmp_path)
+    assert json.loads(again.stdout)["objects"][0]["stages"][0]["reused"] is False
