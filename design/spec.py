@@ -333,11 +333,12 @@ def _check_presses(spec: ObjectSpec) -> None:
     grid = spec.contact_grid
     half = smallest_half_extents_mm(spec)
     for axis, (count, limit) in enumerate(zip(grid.count, half, strict=True)):
-        reach = count * grid.pitch_mm / 2
-        if reach >= limit:
+        reach = count * grid.pitch_mm / 2 + spec.indenter.radius_mm
+        if reach > limit:
             raise ValueError(
-                f"contact_grid.count[{axis}] × pitch_mm needs {2 * reach:g} mm (half a pitch of margin "
-                f"included) on a face of {2 * limit:g} mm. Use fewer places or a smaller pitch"
+                f"contact_grid.count[{axis}] × pitch_mm, half a pitch of margin and the indenter need "
+                f"{2 * reach:g} mm on a face of {2 * limit:g} mm. Use fewer places, a smaller pitch or "
+                "a smaller indenter.radius_mm"
             )
     deepest = spec.press.depths_mm[-1]
     if deepest > 0.6 * spec.shell.thickness_mm:

@@ -71,7 +71,7 @@ def press_places(
     """
     surface = response.surfaces[face_index]
     radius = spec.indenter.radius_mm
-    _require_on_face(surface, xy_mm, radius)
+    require_on_face(surface, xy_mm, radius)
     loads = response.face_loads(face_index)
     compliance = np.asarray(response.compliance[loads, loads])
     weights = surface_weights_mm2(surface)
@@ -117,7 +117,8 @@ def profile_moments_mm3(surface: FaceSurface, xy_mm: np.ndarray, radius_mm: floa
     return moments
 
 
-def _require_on_face(surface: FaceSurface, xy_mm: np.ndarray, radius_mm: float) -> None:
+def require_on_face(surface: FaceSurface, xy_mm: np.ndarray, radius_mm: float) -> None:
+    """Raise InputError for a tip whose hemisphere reaches beyond the face's border."""
     reach = abs(surface.xy_mm).max(axis=0)
     over = (abs(xy_mm) + radius_mm > reach + 1e-6).any(axis=1)
     if over.any():
