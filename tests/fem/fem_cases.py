@@ -203,9 +203,9 @@ def forces_near_the_centre(spec, response, count):
     )
 
 
-def relative_mirror_difference(forces, spec):
-    """Root mean square of 2 (F − F mirrored)/(F + F mirrored) under x → −x on face 1."""
+def relative_mirror_difference(force_n, spec):
+    """Root mean square over places of 2 (F − F mirrored)/(F + F mirrored) under x → −x."""
     nx, ny = press_lattice(spec).shape
-    force = forces.force_n[0].reshape(nx, ny, -1)
+    force = force_n.reshape(nx, ny, -1)
     mirrored = force[::-1]
     return np.sqrt(np.mean((2 * (force - mirrored) / (force + mirrored)) ** 2, axis=(0, 1)))
