@@ -195,6 +195,7 @@ STAGES: dict[str, Stage] = {
         ("build", "mesh", "response", "presses", "signals", "scores", "frames", "metrics"),
         ("name", "limits"),
         _report,
+        version=2,
     ),
 }
 """In the order in which `instobj run` works through them."""

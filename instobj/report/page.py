@@ -44,6 +44,7 @@ def write_report(
         _alternatives_section(spec, signals, inputs, step),
         _maps_section(spec, inputs),
         _areas_section(scores),
+        _cross_face_section(spec, signals),
         _mechanics_section(spec, signals, inputs, path.parent),
         _estimator_section(spec, inputs),
         _parts_section(inputs),
@@ -141,6 +142,23 @@ def _areas_section(scores: Any) -> str:
     ]
     header = ["area", "places a face", *columns.values(), "bound / centre's", "δ / centre's"]
     return "<h2>Edges against the centre</h2>" + _table(header, rows) + _note("Medians, all faces.")
+
+
+def _cross_face_section(spec: ObjectSpec, signals: Any) -> str:
+    from estimator.cross_face import RELATIONS, cross_face_disturbance
+
+    cross = cross_face_disturbance(spec, signals)
+    rows = []
+    for relation in RELATIONS:
+        values = cross.summary(relation)
+        rows.append([relation, *(f"{value:.2f}" for value in values.values())])
+    header = ["pressed face", "median, σ", "largest, σ", "median false force, N", "largest, N"]
+    note = (
+        f"A press of {cross.force_n:g} N on another face, read by this face's own channels: its size "
+        "in sigmas of a fresh zero, and the force of the own press whose signal is nearest to it. An "
+        "estimator that reads all channels can tell them apart, one that reads its own face cannot."
+    )
+    return "<h2>Presses on other faces</h2>" + _table(header, rows) + _note(note)
 
 
 def _mechanics_section(
