@@ -26,6 +26,7 @@ class LagReport:
     `residual_uncorrected` and `residual_corrected` are the shares of the Hall signals' variance
     that the curve leaves at lag 0 and at `frames`; `share_within_2` is the share of presses whose
     own best lag lies within 2 frames of it. `corrected` says whether it was trusted and applied.
+    Without a press long enough to fit, both residuals are 1.
     """
 
     frames: int
@@ -184,7 +185,7 @@ def estimate_lag(
     ).reshape(-1, len(LAGS))
     curves = curves[np.isfinite(curves).all(axis=1)]
     if not len(curves):
-        return LagReport(0, (), 0.0, float("nan"), float("nan"), False)
+        return LagReport(0, (), 0.0, 1.0, 1.0, False)
     mean = curves.mean(axis=0)
     best, zero = int(np.argmin(mean)), LAGS.index(0)
     own = curves.argmin(axis=1)

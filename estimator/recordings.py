@@ -7,16 +7,16 @@ is stated in the report; nothing is keyed to a file's name.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
 from design.errors import InputError
 from estimator.dataset import NO_FACE, PER_FRAME_FIELDS, FrameSet
-from estimator.heatmap import NO_CONTACT_LABELS, label_grid_mm, label_to_pixel, pixel_to_mm
+from estimator.heatmap import NO_CONTACT_LABELS, label_grid_mm
+from estimator.recording_contacts import Place, contact_cases, contact_slots
 from estimator.recording_faults import (
     Fault,
     axis_noise_counts,
@@ -44,6 +44,7 @@ from estimator.recording_presses import (
     stretches,
     tared,
 )
+from estimator.recording_report import RecordingReport
 
 NOMINAL_RATE_HZ = 10.5
 REST_FORCE_N = {"gripper": 0.05, "training": 0.15}
@@ -54,55 +55,6 @@ _UNITS = {
     "gripper": "grams-force × 9.8e-3 = N",
     "training": "N, counted from the rest level",
 }
-Place = tuple[tuple[int, int], ...]
-"""A contact case: (face, position label) of every tip, sorted."""
-
-
-@dataclass(frozen=True)
-class RecordingReport:
-    """What was read, measured, found and mended; `as_dict` for JSON, `str` for people.
-
-    `places` lists the contact case of each place id, `noise_counts` the white noise at rest by
-    channel name. `presses_zeroed_after` counts the presses without enough rest before them,
-    zeroed from the rest that follows.
-    """
-
-    path: str
-    kind: str
-    frames: int
-    contact_frames: int
-    rest_frames: int
-    unused_frames: int
-    faces_pressed: tuple[int, ...]
-    tips: int
-    presses: int
-    sessions: int
-    places: tuple[Place, ...]
-    frame_rate_hz: float
-    units: str
-    lag: LagReport
-    noise_counts: dict[str, float | None]
-    presses_zeroed_after: int
-    faults: tuple[Fault, ...]
-
-    def as_dict(self) -> dict[str, Any]:
-        """Plain values for JSON."""
-        return asdict(self)
-
-    def __str__(self) -> str:
-        lag = self.lag
-        did = "corrected" if lag.corrected else "not corrected: too little gained or agreed"
-        lines = [
-            f"{self.path}: {self.frames} frames ({self.kind} format), {self.presses} presses of "
-            f"{len(self.places)} contact cases on faces {', '.join(map(str, self.faces_pressed))}",
-            f"  frames: {self.contact_frames} contact, {self.rest_frames} rest, "
-            f"{self.unused_frames} not used; {self.frame_rate_hz:.1f} frames/s; {self.units}",
-            f"  force lag: {lag.frames} frames ({did}); {100 * lag.share_within_2:.0f} % of "
-            f"presses within ±2; variance left by H(F) {100 * lag.residual_uncorrected:.1f} % → "
-            f"{100 * lag.residual_corrected:.1f} %",
-            *(f"  {fault}" for fault in self.faults),
-        ]
-        return "\n".join(lines)
 
 
 @dataclass(frozen=True)
@@ -144,7 +96,9 @@ def read_recording(path: Path | str) -> Recording:
     presses = _find_presses(path, table)
     zero, zeroed_after = _rest_levels(path, table.counts, presses)
     noise = rest_noise_counts(table.counts, presses.rest)
-    session, place, places = _cases(presses, table.position_label)
+    session, place, places = contact_cases(
+        presses.face, table.position_label, presses.force_n >= CONTACT_FORCE_N
+    )
     frames = _frames(table, presses, zero, noise, session, place)
     faults = (
         *stamp_faults(table),
@@ -224,33 +178,6 @@ def _rest_levels(
     return np.array(levels), after
 
 
-def _cases(
-    presses: _Presses, position: Int[np.ndarray, "frame cell tip"]
-) -> tuple[Int[np.ndarray, "frame"], Int[np.ndarray, "frame"], tuple[Place, ...]]:
-    """Session of each frame (contiguous block of one contact case), place id (-1 without
-    contact), and the contact case of each place id."""
-    keys = np.column_stack([presses.face, position.reshape(len(position), -1)])
-    session = np.concatenate([[0], np.cumsum(np.any(keys[1:] != keys[:-1], axis=1))])
-    unique, index = np.unique(keys, axis=0, return_inverse=True)
-    cells = presses.face.shape[1]
-    cases = [_place(row[:cells], row[cells:].reshape(cells, -1)) for row in unique]
-    places = tuple(sorted({case for case in cases if case}))
-    number = np.array([places.index(case) if case else -1 for case in cases])
-    touched = np.any(presses.force_n >= CONTACT_FORCE_N, axis=1)
-    return session, np.where(touched, number[index.ravel()], -1), places
-
-
-def _place(face: Int[np.ndarray, "cell"], position: Int[np.ndarray, "cell tip"]) -> Place:
-    return tuple(
-        sorted(
-            (int(f), int(p))
-            for f, labels in zip(face, position, strict=True)
-            for p in labels
-            if p not in NO_CONTACT_LABELS
-        )
-    )
-
-
 def _frames(
     table: RawTable,
     presses: _Presses,
@@ -266,7 +193,9 @@ def _frames(
     signal[:, unusable] = np.nan
     touching = presses.force_n >= CONTACT_FORCE_N
     clear = presses.rest | touching.all(axis=1)
-    contact_face, xy_mm, contact_n = _contacts(presses, table.position_label, touching)
+    contact_face, xy_mm, contact_n = contact_slots(
+        presses.face, table.position_label, presses.force_n, touching
+    )
     return FrameSet(
         signal_counts=signal,
         contact_face=contact_face,
@@ -293,33 +222,6 @@ def _recorded(counts: Float[np.ndarray, "frame 5 3 3"]) -> Bool[np.ndarray, "fra
     return np.any(np.isfinite(counts), axis=(2, 3), keepdims=True)
 
 
-def _contacts(
-    presses: _Presses,
-    position: Int[np.ndarray, "frame cell tip"],
-    touching: Bool[np.ndarray, "frame cell"],
-) -> tuple[
-    Int[np.ndarray, "frame contact"],
-    Float[np.ndarray, "frame contact 2"],
-    Float[np.ndarray, "frame contact 3"],
-]:
-    """One slot a tip and cell, each tip with its share of the cell's normal force."""
-    frames, cells, tips = position.shape
-    held = touching[:, :, None] & ~np.isin(position, NO_CONTACT_LABELS)
-    share_n = presses.force_n / np.maximum(held.sum(axis=2), 1)
-    pixel = label_to_pixel(np.where(held, position, 1))
-    xy_mm = np.where(held[..., None], pixel_to_mm(pixel, *label_grid_mm()), np.nan)
-    force_n = np.zeros((frames, cells, tips, 3))
-    force_n[..., 2] = share_n[:, :, None]
-    force_n[~held] = np.nan
-    face = np.where(held, presses.face[:, :, None], NO_FACE)
-    slots = cells * tips
-    return (
-        face.reshape(frames, slots),
-        xy_mm.reshape(frames, slots, 2),
-        force_n.reshape(frames, slots, 3),
-    )
-
-
 def _by_name(noise: Float[np.ndarray, "5 3 3"]) -> dict[str, float | None]:
     return {
         channel_name(*index): None if np.isnan(value) else round(float(value), 2)
@@ -330,8 +232,8 @@ def _by_name(noise: Float[np.ndarray, "5 3 3"]) -> dict[str, float | None]:
 def combine(recordings: Sequence[Recording]) -> FrameSet:
     """One data set with unique press, place and session ids.
 
-    Channels whose rest level jumped between the recordings are NaN throughout
-    (`jumps_between`), lag and noise are those of the first recording's kind: the median.
+    Channels whose rest level jumped between the recordings (`jumps_between`) are NaN throughout;
+    lag and noise are medians over the recordings.
 
     Raises
     ------

@@ -1,8 +1,9 @@
 """Training of a face's contact estimator on whole presses, stopped by presses that it never saw.
 
 The loss adds the cross-entropy of the shares of force, the absolute error of the total force
-(zero without contact) and the cross-entropy of contact. Training frames get fresh noise and zeroing offsets in every epoch,
-so that the network leans neither on the noise nor on the rest level of a press.
+(zero without contact) and the cross-entropy of contact. Training frames get fresh noise and
+zeroing offsets in every epoch, so that the network leans neither on the noise nor on the rest
+level of a press.
 """
 
 from __future__ import annotations
@@ -38,10 +39,12 @@ Progress = Callable[[int, int, float], None]
 """Called after each epoch with its number, the number of epochs and the validation loss."""
 NEGATIVES_PER_CONTACT = 0.3
 """At most so many rest frames, and as many with other faces pressed, per contact frame."""
-SHARPNESS = (1.0, 1.5, 2.0, 3.0, 5.0)
+SHARPNESS = (1.0, 1.5, 2.0, 3.0, 5.0, 8.0)
 _FORCE_WEIGHT = 8.0
 _WEIGHT_DECAY = 1e-3
 _WARM_UP_EPOCHS = 2.0
+_LEAST_STEPS = 20
+_LEAST_BATCH_FRAMES = 16
 
 
 @dataclass(frozen=True)
@@ -49,8 +52,12 @@ class Augmentation:
     """Disturbances added to each training frame: offset of a press's zero (counts, one draw a
     channel) and white noise (in units of the channel's own σ)."""
 
-    offset_counts: float = 20.0
-    noise_sigmas: float = 0.5
+    offset_counts: float
+    noise_sigmas: float = 1.0
+
+
+AUGMENTATION = {"simulated": Augmentation(10.0), "recorded": Augmentation(25.0)}
+"""By source of the data: real silicone creeps back late, so its rest level is less certain."""
 
 
 @dataclass(frozen=True)
@@ -86,6 +93,7 @@ def train_face(
     progress : called after each epoch
     checkpoint : where the finished model is saved, if given
     split : by default `split_presses(frames, seed)`; only training and validation are used
+    augmentation : by default that of the data's source, `AUGMENTATION`
 
     Raises
     ------
@@ -107,7 +115,7 @@ def train_face(
         tensors[0],
         tensors[1],
         training,
-        augmentation or Augmentation(),
+        augmentation or AUGMENTATION[frames.source],
         seed,
         progress,
     )
@@ -197,7 +205,8 @@ def _fit(
     optimizer = torch.optim.AdamW(
         network.parameters(), lr=training.learning_rate, weight_decay=_WEIGHT_DECAY
     )
-    steps = math.ceil(len(train.force) / training.batch_size)
+    size = _batch_frames(len(train.force), training.batch_size)
+    steps = math.ceil(len(train.force) / size)
     schedule = torch.optim.lr_scheduler.LambdaLR(
         optimizer, lambda step: _rate_factor(step / steps, training.epochs)
     )
@@ -207,7 +216,7 @@ def _fit(
         network.train()
         disturbed = scaled_signals(_disturbed(train.counts, sigma, augmentation, generator), sigma)
         order = torch.randperm(len(train.force), generator=generator)
-        for batch in order.split(training.batch_size):
+        for batch in order.split(size):
             optimizer.zero_grad(set_to_none=True)
             _loss(network(disturbed[batch]), train.rows(batch)).backward()
             optimizer.step()
@@ -222,6 +231,11 @@ def _fit(
         if epoch - best_epoch >= training.patience_epochs:
             break
     network.load_state_dict(best_weights)
+
+
+def _batch_frames(frames: int, wanted: int) -> int:
+    """Smaller batches for small data sets, which otherwise get too few steps an epoch."""
+    return max(1, min(wanted, max(_LEAST_BATCH_FRAMES, frames // _LEAST_STEPS)))
 
 
 def _rate_factor(epoch: float, epochs: int) -> float:

@@ -59,6 +59,26 @@ def test_signals_are_changes_from_the_rest_before_each_press(clean):
     assert_allclose(frames.signal_counts, expected, atol=1e-9)
 
 
+def test_the_zero_comes_from_before_the_press(tmp_path):
+    """A rest level that shifts by 150 counts during the first press."""
+    arrays = gripper_arrays()
+    shift = PRESS // 2
+    arrays[2][shift:, 0, 0] += 150
+    frames = read_recording(write_gripper(tmp_path / "a.csv", arrays)).frames
+    shown = frames.signal_counts[:, 0, 0, 0]
+    assert_allclose(shown[: REST // 2].mean(), 0, atol=15)
+    assert_allclose(shown[PRESS - REST // 2 : PRESS].mean(), 150, atol=25)
+    assert_allclose(shown[PRESS : PRESS + REST // 2].mean(), 0, atol=25)
+
+
+def test_a_press_without_rest_before_it_is_zeroed_from_the_rest_after(tmp_path, clean):
+    cut = [array[REST + 3 :] for array in gripper_arrays()]
+    recording = read_recording(write_gripper(tmp_path / "a.csv", cut))
+    assert recording.report.presses_zeroed_after == 1
+    assert clean.report.presses_zeroed_after == 0
+    assert_allclose(recording.rest_counts[0], clean.rest_counts[0], atol=25)
+
+
 def test_columns_are_put_into_face_order(clean):
     """Faces 3 and 5 are pressed: indices 2 and 4 respond, the file's own order has them first."""
     size = np.abs(clean.frames.signal_counts).mean(axis=(0, 2, 3))
