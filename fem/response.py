@@ -121,16 +121,20 @@ def face_pressure_loads(
     mesh: MeshTet, spec: ObjectSpec
 ) -> tuple[tuple[FaceSurface, ...], sp.csr_matrix]:
     """Nodal forces of unit P1 pressures, acting inwards, at the vertices of every face."""
-    boundary = mesh.boundary_facets()
-    corner = np.moveaxis(mesh.p[:, np.asarray(mesh.facets)[:, boundary]], 0, -1)
     surfaces, loads = [], []
     for frame in face_frames(spec):
-        height = np.asarray(frame.from_object(corner)[..., 2])
-        facets = boundary[np.all(abs(height) < _tolerance(spec), axis=0)]
-        surface, moments = face_surface(mesh, facets, frame)
+        surface, moments = face_surface(mesh, face_facets(mesh, spec, frame), frame)
         surfaces.append(surface)
         loads.append(rows_of([-component * moments for component in frame.normal]))
     return tuple(surfaces), columns_of(loads)
+
+
+def face_facets(mesh: MeshTet, spec: ObjectSpec, frame: FaceFrame) -> Int[np.ndarray, "facet"]:
+    """Boundary facets that lie in one sensed face."""
+    boundary = mesh.boundary_facets()
+    corner = np.moveaxis(mesh.p[:, np.asarray(mesh.facets)[:, boundary]], 0, -1)
+    height = np.asarray(frame.from_object(corner)[..., 2])
+    return boundary[np.all(abs(height) < _tolerance(spec), axis=0)]
 
 
 def face_surface(
