@@ -131,6 +131,18 @@ def test_test_presses_are_never_used(frames, split, part):
     assert same == (part == "test")
 
 
+def test_the_network_learns_from_the_training_part(frames, split):
+    """Signals mirrored in training teach the mirrored object, whatever validation shows."""
+    signal = frames.signal_counts.copy()
+    signal[split.train] *= -1
+    spec = SHORT.model_copy(update={"epochs": 8})
+    model = train_face(replace(frames, signal_counts=signal), FACE, spec, seed=7, split=split)
+    test = frames.select(split.test)
+    true = evaluate_face(model, test, frames)
+    mirrored = evaluate_face(model, replace(test, signal_counts=-test.signal_counts), frames)
+    assert mirrored.force_error_percent < 0.5 * true.force_error_percent
+
+
 def test_early_stopping_and_progress(frames, split):
     calls = []
     spec = QUICK.model_copy(update={"patience_epochs": 2, "epochs": 200, "learning_rate": 2e-2})
