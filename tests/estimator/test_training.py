@@ -132,15 +132,14 @@ def test_test_presses_are_never_used(frames, split, part):
 
 
 def test_the_network_learns_from_the_training_part(frames, split):
-    """Signals mirrored in training teach the mirrored object, whatever validation shows."""
-    signal = frames.signal_counts.copy()
-    signal[split.train] *= -1
-    spec = SHORT.model_copy(update={"epochs": 8})
-    model = train_face(replace(frames, signal_counts=signal), FACE, spec, seed=7, split=split)
-    test = frames.select(split.test)
-    true = evaluate_face(model, test, frames)
-    mirrored = evaluate_face(model, replace(test, signal_counts=-test.signal_counts), frames)
-    assert mirrored.force_error_percent < 0.5 * true.force_error_percent
+    """Places that only the training part holds are known afterwards."""
+    odd = np.unique(frames.press_id[(frames.place_id >= 0) & (frames.place_id % 2 == 1)])
+    hidden = np.isin(frames.press_id, odd)
+    lean = replace(split, validation=split.validation & ~hidden)
+    model = train_face(frames, FACE, QUICK, seed=7, split=lean)
+    known = evaluate_face(model, frames.select(split.test & hidden), frames)
+    assert known.contact_frames > 100
+    assert known.location_error_px < 0.25
 
 
 def test_early_stopping_and_progress(frames, split):
