@@ -186,7 +186,7 @@ STAGES: dict[str, Stage] = {
     "signals": Stage(
         "signals: Hall sensors", ("presses",), ("magnets", "sensors", "seed"), _signals
     ),
-    "scores": Stage("sensitivity: bounds and maps", ("signals",), ("score",), _scores),
+    "scores": Stage("sensitivity: bounds and maps", ("signals",), ("score",), _scores, version=2),
     "frames": Stage("estimator: simulated presses", ("signals",), ("protocol", "seed"), _frames),
     "networks": Stage("estimator: training", ("frames",), ("training", "seed"), _networks),
     "metrics": Stage("estimator: held-out presses", ("frames", "networks"), (), _metrics),
@@ -195,7 +195,7 @@ STAGES: dict[str, Stage] = {
         ("build", "mesh", "response", "presses", "signals", "scores", "frames", "metrics"),
         ("name", "limits"),
         _report,
-        version=2,
+        version=3,
     ),
 }
 """In the order in which `instobj run` works through them."""

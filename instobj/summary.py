@@ -15,7 +15,7 @@ def summarize(results: dict[str, StoredResult]) -> dict[str, Any]:
         "build": ("parts", _parts),
         "mesh": ("mesh", _json("mesh_quality.json")),
         "response": ("mechanics", _json("response.json")),
-        "scores": ("areas (median over faces, fresh zero)", _areas),
+        "scores": ("bounds by area (medians over all faces, fresh zero)", _areas),
         "frames": ("simulated presses", _json("protocol.json")),
         "metrics": ("metrics on held-out presses (frames of contact and of rest)", _metrics),
     }
@@ -56,13 +56,13 @@ def _areas(result: StoredResult) -> list[dict[str, Any]]:
     return [
         {
             "area": area.area,
-            "places a face": area.places,
-            "position bound mm": area.medians["position_bound_fresh_mm"],
-            "force bound N": area.medians["force_bound_fresh_n"],
-            "detectable force N": area.medians["detectable_force_fresh_n"],
-            "δ raw": area.medians["delta_raw"],
-            "position bound / centre's": area.ratio_to_centre["position_bound_fresh_mm"],
-            "δ / centre's": area.ratio_to_centre["delta_raw"],
+            "places": area.places,
+            "place mm": area.medians["position_bound_fresh_mm"],
+            "force N": area.medians["force_bound_fresh_n"],
+            "detect N": area.medians["detectable_force_fresh_n"],
+            "δ": area.medians["delta_raw"],
+            "/centre": area.ratio_to_centre["position_bound_fresh_mm"],
+            "δ/centre": area.ratio_to_centre["delta_raw"],
         }
         for area in summarize_areas(scores)
     ]
@@ -70,17 +70,17 @@ def _areas(result: StoredResult) -> list[dict[str, Any]]:
 
 _ESTIMATORS = {
     "faces": "network",
-    "ridge_regression": "linear (ridge)",
-    "mean_map": "mean map (chance)",
+    "ridge_regression": "ridge",
+    "mean_map": "chance",
 }
 
 
 def _metrics(result: StoredResult) -> list[dict[str, Any]]:
     content = json.loads((result.folder / "metrics.json").read_text(encoding="utf-8"))
-    return [
+    rows = [
         {
             "face": face["face"],
-            "estimator": title,
+            "model": title,
             "A_sim": face["similarity"],
             "E_loc px": face["location_error_px"],
             "E_f %": face["force_error_percent"],
@@ -93,6 +93,7 @@ def _metrics(result: StoredResult) -> list[dict[str, Any]]:
         for key, title in _ESTIMATORS.items()
         for face in content[key]
     ]
+    return sorted(rows, key=lambda row: row["face"])
 
 
 def _finite(values: Any) -> Any:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from rich.box import SIMPLE
 from rich.console import Console
 from rich.table import Table
 
@@ -35,7 +36,7 @@ def _print_summary(console: Console, summary: dict[str, Any]) -> None:
 
 
 def _print_rows(console: Console, title: str, rows: list[dict[str, Any]]) -> None:
-    table = Table(title=title, title_justify="left")
+    table = Table(title=title, title_justify="left", box=SIMPLE, padding=(0, 0, 0, 1))
     for name in rows[0]:
         table.add_column(name, justify="right")
     for row in rows:
@@ -57,7 +58,9 @@ def _print_files(console: Console, files: Any) -> None:
 def _number(value: Any) -> str:
     if value is None:
         return "–"
-    return f"{value:.4g}" if isinstance(value, float) else str(value)
+    if not isinstance(value, float):
+        return str(value)
+    return f"{value:.1f}" if 1e3 <= abs(value) < 1e7 else f"{value:.3g}"
 
 
 def _size(count: int) -> str:

@@ -39,9 +39,14 @@ SCORE_MAPS = (
     ScoreMap(
         "detectable_force_fresh_n", "detectable", "Detectable force", "N", True, BOUND_COLOURS
     ),
-    ScoreMap("delta_raw", "delta", "Convex-hull sensitivity δ", "counts⁹/N", True, GAIN_COLOURS),
+    ScoreMap("delta_raw", "delta", "Convex-hull sensitivity δ", "", True, GAIN_COLOURS),
     ScoreMap("stiffness_n_per_mm", "stiffness", "Force per travel", "N/mm", False, GAIN_COLOURS),
 )
+
+
+def unit_of(score_map: ScoreMap, spec: ObjectSpec) -> str:
+    """Unit of a map; δ is a volume in as many dimensions as a face has channels."""
+    return score_map.unit or f"counts^{3 * spec.sensors.count_per_face}/N"
 
 
 def draw_score_maps(
@@ -59,7 +64,7 @@ def draw_score_maps(
                 spec,
                 face,
                 title,
-                score_map.unit,
+                unit_of(score_map, spec),
                 low,
                 high,
                 folder / f"{score_map.stem}_face_{face}.png",

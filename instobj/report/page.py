@@ -98,7 +98,7 @@ def _alternatives_section(
 
 
 def _maps_section(spec: ObjectSpec, inputs: dict[str, Path]) -> str:
-    from instobj.report.maps import OVERVIEW, SCORE_MAPS
+    from instobj.report.maps import OVERVIEW, SCORE_MAPS, unit_of
 
     folder = inputs["scores"] / "maps"
     parts = [f"<h2>Where it is weak</h2>{_image(folder / OVERVIEW, 'Position bound, all faces')}"]
@@ -108,7 +108,8 @@ def _maps_section(spec: ObjectSpec, inputs: dict[str, Path]) -> str:
             for path in sorted(folder.glob(f"{score_map.stem}_face_*.png"))
         )
         parts.append(
-            f"<details><summary>{_text(score_map.title)} of every face ({score_map.unit})</summary>"
+            f"<details><summary>{_text(score_map.title)} of every face "
+            f"({_text(unit_of(score_map, spec))})</summary>"
             f"<div class='grid'>{images}</div></details>"
         )
     return "".join(parts) + (
@@ -127,7 +128,7 @@ def _areas_section(scores: Any) -> str:
         "position_bound_drifted_mm": "after 15 min of drift, mm",
         "force_bound_fresh_n": "force bound, N",
         "detectable_force_fresh_n": "detectable force, N",
-        "delta_raw": "δ raw, counts⁹/N",
+        "delta_raw": "δ raw, counts^d/N",
         "stiffness_n_per_mm": "N/mm",
     }
     rows = [
@@ -204,9 +205,9 @@ def _linearity_note(spec: ObjectSpec, protocol: dict[str, Any]) -> str:
         "Small-strain mechanics gives too little force in deep presses: "
         + ", ".join(parts)
         + " (orientation from a neo-Hookean study of a bonded layer, good to a factor of two). The "
-        "modulus is uncertain as well: recordings of the paper's cube fit 0.23 to 0.28 MPa in this "
-        "linear model, Gent's relation gives 0.414 MPa at Shore A10, and recorded peak forces of 10 "
-        "to 20 N ask for more travel or a stiffer silicone than either."
+        "modulus is uncertain as well. For the paper's cube (Platsil Gel-10) recordings fit 0.23 to 0.28 "
+        "MPa in this linear model, Gent's relation gives 0.414 MPa at Shore A10, and its recorded peak "
+        "forces of 10 to 20 N ask for more travel or a stiffer silicone than either."
     )
 
 
