@@ -1,5 +1,7 @@
 """The mixed element: rigid modes, patch test, convergence rates and Lamé's hollow sphere."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 from fem_cases import box_mesh, solve_mixed
@@ -149,7 +151,7 @@ def errors_on(cells, poisson_ratio):
     )
     fine, fine_p = (Basis(mesh, e, intorder=6) for e in (ElementTetP2(), ElementTetP1()))
     x = fine.global_coordinates()
-    u = [fine.interpolate(component) for component in solution.u_mm]
+    u: list[Any] = [fine.interpolate(component) for component in solution.u_mm]
     exact, slope = field.u(np.asarray(x)), field.gradient(np.asarray(x))
     p = fine_p.interpolate(solution.pressure_mpa)
     l2 = sum(np.sum((np.asarray(u[i]) - exact[i]) ** 2 * fine.dx) for i in range(3))

@@ -13,6 +13,7 @@ from fem.elasticity import assemble, free_motion_basis, saddle_point_matrix, tay
 from fem.factorization import SingularSystemError, compliance_of_loads, solve_symmetric
 from fem.material import lame_constants
 from fem.response import _require_inertia
+from fem.sparse import shape_of
 
 pardiso_only = pytest.mark.skipif(
     not factorization.pardiso_available(), reason="MKL's PARDISO is not on this machine"
@@ -29,7 +30,7 @@ def small_system(bonded):
 
 
 def sparse_loads(size):
-    loads = sp.random(size, 17, density=0.02, random_state=np.random.default_rng(5))
+    loads = sp.random(size, 17, density=0.02, rng=np.random.default_rng(5))
     return sp.csr_matrix(loads)
 
 
@@ -46,7 +47,7 @@ def solver(request, monkeypatch):
 @pytest.mark.filterwarnings("ignore:MKL:UserWarning")
 def test_compliance_of_loads_equals_dense_algebra(solver):
     matrix, _ = small_system(bonded=True)
-    loads = sparse_loads(matrix.shape[0])
+    loads = sparse_loads(shape_of(matrix)[0])
     exact = loads.T @ np.linalg.solve(matrix.toarray(), loads.toarray())
     compliance = compliance_of_loads(matrix, loads).matrix
     scale = abs(exact).max()
@@ -57,7 +58,7 @@ def test_compliance_of_loads_equals_dense_algebra(solver):
 @pytest.mark.filterwarnings("ignore:MKL:UserWarning")
 def test_solutions_equal_dense_algebra(solver):
     matrix, _ = small_system(bonded=True)
-    right = np.random.default_rng(8).standard_normal((matrix.shape[0], 3))
+    right = np.random.default_rng(8).standard_normal((shape_of(matrix)[0], 3))
     exact = np.linalg.solve(matrix.toarray(), right)
     solution = solve_symmetric(matrix, right)
     assert_allclose(solution, exact, rtol=0, atol=1e-10 * abs(exact).max())
@@ -66,14 +67,14 @@ def test_solutions_equal_dense_algebra(solver):
 @pardiso_only
 def test_negative_pivots_are_the_pressures():
     matrix, pressures = small_system(bonded=True)
-    negative = compliance_of_loads(matrix, sparse_loads(matrix.shape[0])).negative_pivots
+    negative = compliance_of_loads(matrix, sparse_loads(shape_of(matrix)[0])).negative_pivots
     assert negative == pressures == np.sum(np.linalg.eigvalsh(matrix.toarray()) < 0)
 
 
 @pytest.mark.filterwarnings("ignore:MKL:UserWarning")
 def test_an_unsupported_body_is_refused(solver):
     matrix, _ = small_system(bonded=False)
-    loads = sparse_loads(matrix.shape[0])
+    loads = sparse_loads(shape_of(matrix)[0])
     with pytest.raises(SingularSystemError):
         compliance_of_loads(matrix, loads)
     with pytest.raises(SingularSystemError):
@@ -91,7 +92,7 @@ def test_a_wrong_inertia_is_refused():
 def test_the_slow_solver_says_that_it_is_used(monkeypatch, call):
     monkeypatch.setattr(factorization, "pardiso_available", lambda: False)
     matrix, _ = small_system(bonded=True)
-    loads = sparse_loads(matrix.shape[0])
+    loads = sparse_loads(shape_of(matrix)[0])
     with pytest.warns(UserWarning, match="SuperLU"):
         call(matrix, loads if call is compliance_of_loads else loads.toarray())
 

@@ -7,6 +7,7 @@ from numpy.testing import assert_allclose
 
 from fem.elasticity import taylor_hood
 from fem.magnets import magnet_of_nodes, mean_motion_functionals, rigid_motion_basis
+from fem.sparse import shape_of
 from fem.tet_mesh import SILICONE, TetMesh
 
 CENTRES_MM = np.array([[1.1, 1.2, 1.3], [2.9, 2.6, 0.9]])
@@ -41,8 +42,8 @@ def test_tied_nodes_follow_u_equals_c_plus_omega_cross_r(labelled):
     owner = magnet_of_nodes(mesh, space)
     free = (owner < 0) & (space.nodes_mm[:, 2] > 1e-9)
     basis = rigid_motion_basis(space.nodes_mm, free, owner, CENTRES_MM)
-    assert basis.shape == (3 * space.node_count, 3 * free.sum() + 12)
-    q = np.random.default_rng(2).standard_normal(basis.shape[1])
+    assert shape_of(basis) == (3 * space.node_count, 3 * free.sum() + 12)
+    q = np.random.default_rng(2).standard_normal(shape_of(basis)[1])
     u = (basis @ q).reshape(3, -1).T
     for index, centre in enumerate(CENTRES_MM):
         c, omega = q[3 * free.sum() + 6 * index :][:3], q[3 * free.sum() + 6 * index :][3:6]

@@ -121,17 +121,22 @@ def test_the_reaction_at_the_core_balances_force_and_moment(
     loose = ~touching_core & ~in_magnet
     reaction = rigid_solve.residual_n * touching_core
     total = rigid_solve.forces_n.sum(axis=1)
-    size = np.linalg.norm(total)
+    size = float(np.linalg.norm(total))
     assert abs(rigid_solve.residual_n[:, loose]).max() < 1e-9 * size
     assert_allclose(reaction.sum(axis=1), -total, rtol=0, atol=1e-9 * size)
     moment = np.cross(nodes.T, rigid_solve.forces_n.T).sum(axis=0)
     assert_allclose(
-        np.cross(nodes.T, reaction.T).sum(axis=0), -moment, rtol=0, atol=1e-9 * abs(moment).max()
+        np.cross(nodes.T, reaction.T).sum(axis=0),
+        -moment,
+        rtol=0,
+        atol=1e-9 * float(abs(moment).max()),
     )
     surface = rigid_response.surfaces[FACE_INDEX]
     vertex = rigid_solve.load - rigid_response.face_loads(FACE_INDEX).start
-    weight = surface_weights_mm2(surface)[vertex]
-    assert_allclose(total, [-weight, 0, 0], rtol=0, atol=1e-12 * weight)  # inwards on face 3
+    weight = float(surface_weights_mm2(surface)[vertex])
+    assert_allclose(
+        total, np.array([-weight, 0, 0]), rtol=0, atol=1e-12 * weight
+    )  # inwards on face 3
 
 
 def interpolated_patch_compliance(response, index):
