@@ -9,6 +9,7 @@ is found, SciPy's SuperLU does the same, slower by an order of magnitude and mor
 from __future__ import annotations
 
 import ctypes
+import functools
 import warnings
 from dataclasses import dataclass
 from typing import Any
@@ -98,11 +99,19 @@ def pardiso_available() -> bool:
 
 def _mkl() -> Any | None:
     try:
-        from pypardiso import PyPardisoSolver
+        import pypardiso  # noqa: F401
 
-        return PyPardisoSolver().libmkl
+        return _mkl_library()
     except ImportError:
         return None
+
+
+@functools.cache
+def _mkl_library() -> Any:
+    """Found once: pypardiso looks through the whole environment for it, which takes seconds."""
+    from pypardiso import PyPardisoSolver
+
+    return PyPardisoSolver().libmkl
 
 
 def _warn_without_mkl() -> None:
