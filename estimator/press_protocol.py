@@ -32,7 +32,7 @@ PLACE_ID_STRIDE = 1000
 DRIFT_TIME_S = 900.0
 """The rms drift of a channel, `sensors.drift_counts`, is that after 15 minutes."""
 LEAST_FORCE_NOISES = 2.5
-"""Contact frames below this many `force_noise_n` are marked invalid: neither contact nor rest."""
+"""Contact frames labelled below this many `force_noise_n` are invalid: neither contact nor rest."""
 
 
 @dataclass(frozen=True)
@@ -212,7 +212,7 @@ def _labelled(
         contact_face=np.where(contact, plan.face[:, None], NO_FACE).reshape(count, 1),
         contact_xy_mm=xy.reshape(count, 1, 2),
         force_n=forces.reshape(count, 1, 3),
-        valid=(~contact | (force > LEAST_FORCE_NOISES * noise)).ravel(),
+        valid=(~contact | (label > LEAST_FORCE_NOISES * noise)).ravel(),
         press_id=np.repeat(np.arange(presses), frames),
         place_id=np.where(contact, place_id, REST_PLACE_ID).ravel(),
         session_id=np.repeat(plan.repetition, frames),

@@ -187,8 +187,12 @@ STAGES: dict[str, Stage] = {
         "signals: Hall sensors", ("presses",), ("magnets", "sensors", "seed"), _signals
     ),
     "scores": Stage("sensitivity: bounds and maps", ("signals",), ("score",), _scores, version=2),
-    "frames": Stage("estimator: simulated presses", ("signals",), ("protocol", "seed"), _frames),
-    "networks": Stage("estimator: training", ("frames",), ("training", "seed"), _networks),
+    "frames": Stage(
+        "estimator: simulated presses", ("signals",), ("protocol", "seed"), _frames, version=2
+    ),
+    "networks": Stage(
+        "estimator: training", ("frames",), ("training", "seed"), _networks, version=2
+    ),
     "metrics": Stage("estimator: held-out presses", ("frames", "networks"), (), _metrics),
     "report": Stage(
         "report",
