@@ -6,8 +6,9 @@ import contextlib
 import itertools
 import os
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -21,6 +22,9 @@ from fem.surfaces import all_surfaces, in_magnet
 
 SILICONE = -1
 """Value of `TetMesh.magnet` in elements of silicone."""
+
+EdgeLength = Callable[[Float[np.ndarray, "point 3"]], Float[np.ndarray, "point"]]
+"""Wanted edge lengths (mm) at points of the object's frame (mm)."""
 
 _SIZING_STEP_MM = 2.0
 _FINE_LAYER_MM = 0.5
@@ -44,11 +48,12 @@ class _EdgeLengths:
     length_mm: Float[np.ndarray, "point"]
 
 
-def tetrahedralize(spec: ObjectSpec) -> TetMesh:
+def tetrahedralize(spec: ObjectSpec, edge_length: EdgeLength | None = None) -> TetMesh:
     """Mesh the sealed body, magnets conforming.
 
-    The mesher is not deterministic: store the mesh, never compare counts. Surfaces are followed
-    to within `mesh.envelope_mm`.
+    `edge_length` gives the wanted edge length (mm) at points (n, 3); by default edges are fine
+    under all sensed faces. The mesher is not deterministic: store the mesh, never compare counts.
+    Surfaces are followed to within `mesh.envelope_mm`.
 
     Raises
     ------
@@ -58,7 +63,7 @@ def tetrahedralize(spec: ObjectSpec) -> TetMesh:
     from pytetwild.pytetwild import tetrahedralize as pytetwild_tetrahedralize
 
     surface = all_surfaces(spec)
-    background = _edge_length_field(spec)
+    background = _edge_length_field(spec, edge_length or partial(_fine_under_all_faces, spec))
     diagonal = float(np.linalg.norm(spec.body.size_mm))
     with _scratch_folder():
         try:
@@ -132,20 +137,25 @@ def _containing_magnet(spec: ObjectSpec, points: np.ndarray) -> np.ndarray:
     return owner
 
 
-def _edge_length_field(spec: ObjectSpec) -> _EdgeLengths:
-    """Background mesh of target edge lengths: fine under the sensed faces, coarse in the bulk."""
+def _edge_length_field(spec: ObjectSpec, edge_length: EdgeLength) -> _EdgeLengths:
+    """Background mesh of target edge lengths."""
     half = np.asarray(spec.body.size_mm) / 2
     axes = [
         np.linspace(-h - 1, h + 1, int(np.ceil(2 * (h + 1) / _SIZING_STEP_MM)) + 1) for h in half
     ]
     points = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, 3)
-    depth = half - abs(points)
-    depth[:, 2] = half[2] - points[:, 2]  # the open face −z is not pressed
+    tets = _split_bricks(tuple(len(axis) for axis in axes)).astype(np.int32)
+    return _EdgeLengths(points, tets, edge_length(points))
+
+
+def _fine_under_all_faces(spec: ObjectSpec, points_mm: np.ndarray) -> np.ndarray:
+    """Fine under the sensed faces, coarse in the bulk."""
+    half = np.asarray(spec.body.size_mm) / 2
+    depth = half - abs(points_mm)
+    depth[:, 2] = half[2] - points_mm[:, 2]  # the open face −z is not pressed
     below = np.clip(depth.min(axis=1) - _FINE_LAYER_MM, 0, None) / (spec.shell.thickness_mm / 2)
     fine, coarse = spec.mesh.surface_edge_mm, spec.mesh.edge_mm
-    length = fine + (coarse - fine) * np.clip(below, 0, 1)
-    tets = _split_bricks(tuple(len(axis) for axis in axes)).astype(np.int32)
-    return _EdgeLengths(points, tets, length)
+    return fine + (coarse - fine) * np.clip(below, 0, 1)
 
 
 def _split_bricks(shape: tuple[int, ...]) -> np.ndarray:
