@@ -8,14 +8,22 @@ densities in T (fields of sensors in mT), forces in N. Defaults are the paper's 
 from __future__ import annotations
 
 from itertools import combinations
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal, get_args
 
 from pydantic import BaseModel, ConfigDict, Field, model_validator
+
+from design.catalogue import (
+    REFERENCE_TEMPERATURE_C,
+    hall_part,
+    magnet_grade,
+    remanence_at_temperature_t,
+)
 
 Positive = Annotated[float, Field(gt=0, allow_inf_nan=False)]
 NonNegative = Annotated[float, Field(ge=0, allow_inf_nan=False)]
 Finite = Annotated[float, Field(allow_inf_nan=False)]
 Count = Annotated[int, Field(ge=1)]
+Averaging = Literal[1, 2, 4, 8, 16, 32]
 
 SENSED_FACES = (1, 2, 3, 4, 5)
 """Faces that carry magnets and sensors; face 6 (−z) is open, the wires leave there."""
@@ -53,11 +61,16 @@ class SiliconeSpec(_Part):
 
 
 class MagnetSpec(_Part):
-    """Axially magnetised disks, one layout repeated on every sensed face, north outward."""
+    """Axially magnetised disks, one layout repeated on every sensed face, north outward.
+
+    `remanence_t` is that at 20 °C; left out, it is the typical one of `grade`.
+    """
 
     diameter_mm: Positive = 6.0
     height_mm: Positive = 1.0
+    grade: str | None = None
     remanence_t: Positive = 1.43
+    temperature_c: Annotated[float, Field(ge=-40, le=150)] = REFERENCE_TEMPERATURE_C
     positions_mm: Annotated[tuple[tuple[Finite, Finite], ...], Field(min_length=1)] = (
         (0.0, 0.0),
         (10.0, 10.0),
@@ -65,6 +78,37 @@ class MagnetSpec(_Part):
         (-10.0, -10.0),
         (10.0, -10.0),
     )
+
+    @property
+    def working_remanence_t(self) -> float:
+        """Remanence at `temperature_c`."""
+        return remanence_at_temperature_t(self.remanence_t, self.temperature_c)
+
+    @model_validator(mode="before")
+    @classmethod
+    def _remanence_of_the_grade(cls, given: Any) -> Any:
+        if not isinstance(given, dict) or not isinstance(given.get("grade"), str):
+            return given
+        return {"remanence_t": magnet_grade(given["grade"]).remanence_t, **given}
+
+    @model_validator(mode="after")
+    def _grade_agrees(self) -> MagnetSpec:
+        if self.grade is None:
+            return self
+        grade = magnet_grade(self.grade)
+        if not grade.admits(self.remanence_t):
+            raise ValueError(
+                f"magnets.remanence_t = {self.remanence_t:g} lies outside grade {grade.name} "
+                f"({grade.remanence_min_t:g} to {grade.remanence_max_t:g} T). Leave remanence_t out "
+                f"to take the typical {grade.remanence_t:g} T, or leave magnets.grade out"
+            )
+        if self.temperature_c > grade.max_temperature_c:
+            raise ValueError(
+                f"magnets.temperature_c = {self.temperature_c:g} exceeds the "
+                f"{grade.max_temperature_c:g} °C at which grade {grade.name} begins to lose "
+                "magnetisation for good. Lower it, or leave magnets.grade out for a hotter grade"
+            )
+        return self
 
 
 class CoreSpec(_Part):
@@ -84,11 +128,14 @@ class CoreSpec(_Part):
 class SensorSpec(_Part):
     """Three-axis Hall sensors on the core, the same ring on every sensed face.
 
-    Chip axes: X = −tangential, Y = radial outward, Z = the face's outward normal. Noise, drift and
-    gain were measured on the recordings (16× averaging, ±40 mT).
+    Chip axes: X = −tangential, Y = radial outward, Z = the face's outward normal. `range_mt`,
+    `counts_per_mt` and `noise_counts` are those of `part` where they are left out; the default
+    part's noise, gain and drift were measured on the recordings (16× averaging, ±40 mT).
+    `averaging` is the number of conversions in a reading; it enters the part's noise alone.
     """
 
     part: str = "TMAG5273A1"
+    averaging: Averaging = 16
     count_per_face: Annotated[int, Field(ge=1, le=12)] = 3
     radius_mm: Positive = 8.585
     depth_below_core_face_mm: NonNegative = 2.3
@@ -99,6 +146,36 @@ class SensorSpec(_Part):
     zeroing_counts: NonNegative = 10.0
     drift_counts: NonNegative = 60.0
     frame_rate_hz: Positive = 10.5
+
+    @model_validator(mode="before")
+    @classmethod
+    def _figures_of_the_part(cls, given: Any) -> Any:
+        return {**_part_figures(given), **given} if isinstance(given, dict) else given
+
+
+def _part_figures(given: dict[str, Any]) -> dict[str, Any]:
+    """The part's range, gain and noise where `given` has none; values of other types are left."""
+    name, averaging = given.get("part", "TMAG5273A1"), given.get("averaging", 16)
+    range_mt, counts_per_mt = given.get("range_mt"), given.get("counts_per_mt")
+    numbers = all(isinstance(n, int | float | None) for n in (range_mt, counts_per_mt))
+    if not (isinstance(name, str) and averaging in get_args(Averaging) and numbers):
+        return {}
+    part = hall_part(name)
+    if range_mt is None and part.ranges:
+        range_mt = part.ranges[0].range_mt
+    if counts_per_mt is None and range_mt is not None and part.ranges:
+        counts_per_mt = part.range_covering(float(range_mt)).counts_per_mt
+    noise_counts = given.get("noise_counts")
+    if noise_counts is None and counts_per_mt is not None and part.noise is not None:
+        noise_counts = part.noise.at(float(counts_per_mt), int(averaging))
+    figures = {"range_mt": range_mt, "counts_per_mt": counts_per_mt, "noise_counts": noise_counts}
+    missing = [f"sensors.{key}" for key, value in figures.items() if value is None]
+    if missing:
+        raise ValueError(
+            f"sensors.part = {name!r} has no figure in the catalogue for {', '.join(missing)}. Give "
+            "what was measured or what the datasheet says for your settings"
+        )
+    return figures
 
 
 class ContactGridSpec(_Part):

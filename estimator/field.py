@@ -45,8 +45,11 @@ class DiskMagnet:
 
 
 def disk_magnet(magnets: MagnetSpec) -> DiskMagnet:
-    """The disk that a specification describes; its remanence is taken as its polarization."""
-    return DiskMagnet(magnets.diameter_mm, magnets.height_mm, magnets.remanence_t)
+    """The disk that a specification describes, at its temperature.
+
+    Its remanence is taken as its polarization.
+    """
+    return DiskMagnet(magnets.diameter_mm, magnets.height_mm, magnets.working_remanence_t)
 
 
 @dataclass(frozen=True)

@@ -1,7 +1,7 @@
 """Three-axis Hall sensors: field to counts, one noisy reading, saturation.
 
-Counts per mT, range, noise and drift of the TMAG5273 were measured on the public recordings
-(16× averaging, ±40 mT); see `design.spec.SensorSpec`.
+Counts per mT, range and noise of known parts stand in `design.catalogue`; those of the TMAG5273A1
+were measured on the public recordings (16× averaging, ±40 mT), drift too.
 """
 
 from __future__ import annotations
@@ -9,6 +9,7 @@ from __future__ import annotations
 import numpy as np
 from jaxtyping import Bool, Float
 
+from design.catalogue import wider_range
 from design.errors import InputError
 from design.layouts import MagnetLayout, SensorLayout
 from design.spec import SensorSpec
@@ -16,8 +17,6 @@ from estimator.field import DiskMagnet, is_inside
 
 LARGEST_COUNT = 32767
 """16-bit converter."""
-_RANGES_MT = (40.0, 80.0, 133.0, 266.0)
-"""Ranges of the TMAG5273 family (A1: ±40, ±80; A2: ±133, ±266 mT)."""
 _AXIS_NAMES = "XYZ"
 
 
@@ -63,13 +62,14 @@ def check_rest(
     if largest_counts <= full_scale_counts(sensors):
         return
     largest_mt = largest_counts / sensors.counts_per_mt
-    wider = [r for r in _RANGES_MT if r > largest_mt and r > sensors.range_mt]
+    wider = wider_range(sensors.part, sensors.range_mt, largest_mt)
     change = "a magnet farther away or weaker"
-    if wider:
-        gain = LARGEST_COUNT / wider[0]
+    if wider is not None:
+        part, selectable = wider
         change = (
-            f"the ±{wider[0]:g} mT range (sensors.range_mt = {wider[0]:g}, "
-            f"sensors.counts_per_mt = {gain:.0f}), or {change}"
+            f"the ±{selectable.range_mt:g} mT range of {part.name} (sensors.range_mt = "
+            f"{selectable.range_mt:g}, sensors.counts_per_mt = {selectable.counts_per_mt:.4g}), "
+            f"or {change}"
         )
     limit = full_scale_counts(sensors)
     raise InputError(

@@ -61,7 +61,8 @@ def _one_more_sensor(spec: ObjectSpec) -> ObjectSpec:
 
 
 def _stronger(spec: ObjectSpec) -> ObjectSpec:
-    magnets = spec.magnets.model_copy(update={"remanence_t": 1.2 * spec.magnets.remanence_t})
+    stronger = {"grade": None, "remanence_t": 1.2 * spec.magnets.remanence_t}
+    magnets = spec.magnets.model_copy(update=stronger)
     return spec.model_copy(update={"magnets": magnets})
 
 

@@ -12,7 +12,7 @@ import xarray as xr
 from test_cli import assert_one_clear_error, run
 
 from design.spec import ObjectSpec
-from design.spec_io import load_spec, spec_hash
+from design.spec_io import load_spec, parse_spec, spec_hash
 from instobj.stages import STAGES
 
 ROOT = Path(__file__).parents[2]
@@ -152,7 +152,13 @@ def test_the_example_is_the_template_and_the_defaults():
     named = tomllib.loads(template.replace("NAME", "paper_cube"))
     assert named == tomllib.loads(example.read_text())
     assert spec_hash(load_spec(example)) == spec_hash(ObjectSpec(name="paper_cube"))
-    written = {key: set(value) for key, value in named.items() if isinstance(value, dict)}
+    switched_on = tomllib.loads(re.sub(r"^# (?=\w+ = )", "", template, flags=re.MULTILINE))
+    assert switched_on["magnets"].pop("grade") == "N50"
+    assert spec_hash(parse_spec(switched_on | {"name": "paper_cube"}, "all lines")) == spec_hash(
+        ObjectSpec(name="paper_cube")
+    )
+    switched_on["magnets"]["grade"] = "N50"
+    written = {key: set(value) for key, value in switched_on.items() if isinstance(value, dict)}
     fields = ObjectSpec.model_fields
     for key, names in written.items():
         assert names == set(fields[key].annotation.model_fields)  # type: ignore[union-attr]

@@ -1,0 +1,227 @@
+"""Named parts: magnet grades, disk sizes and Hall sensors, as makers' tables and datasheets give them.
+
+All figures are typical. A delivered magnet may lie anywhere in its grade's range, and makers'
+ranges differ by 0.01 to 0.02 T among themselves.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from design.errors import InputError
+
+REFERENCE_TEMPERATURE_C = 20.0
+"""At which remanence is stated."""
+NDFEB_REMANENCE_PER_KELVIN = -0.0011
+"""Reversible change of remanence of sintered NdFeB; makers give −0.11 to −0.12 %/K up to 100 °C."""
+
+Triple = tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class MagnetGrade:
+    """A grade of sintered NdFeB: least, typical and largest remanence at 20 °C."""
+
+    name: str
+    remanence_min_t: float
+    remanence_t: float
+    remanence_max_t: float
+    max_temperature_c: float = 80.0
+
+    def admits(self, remanence_t: float) -> bool:
+        """Whether a magnet of this grade may have that remanence."""
+        return self.remanence_min_t <= remanence_t <= self.remanence_max_t
+
+
+GRADES = {
+    grade.name: grade
+    for grade in (
+        MagnetGrade("N35", 1.17, 1.20, 1.23),
+        MagnetGrade("N38", 1.22, 1.24, 1.26),
+        MagnetGrade("N40", 1.25, 1.27, 1.29),
+        MagnetGrade("N42", 1.28, 1.31, 1.33),
+        MagnetGrade("N45", 1.32, 1.35, 1.38),
+        MagnetGrade("N48", 1.37, 1.40, 1.42),
+        MagnetGrade("N50", 1.40, 1.43, 1.46),
+        MagnetGrade("N52", 1.42, 1.45, 1.48),
+    )
+}
+"""Standard (80 °C) grades. Ranges span the tables of several makers and sellers (Magnet Expert,
+Dura Magnetics, K&J Magnetics, Shanghai Magnet); Dura states 60 °C for N50 and N52."""
+
+
+def magnet_grade(name: str) -> MagnetGrade:
+    """The grade of that name.
+
+    Raises
+    ------
+    InputError
+        No such grade.
+    """
+    if name not in GRADES:
+        raise InputError(
+            f"magnets.grade = {name!r} is not a known grade. Choose one of {', '.join(GRADES)}, or "
+            "leave it out and give magnets.remanence_t"
+        )
+    return GRADES[name]
+
+
+def remanence_at_temperature_t(remanence_t: float, temperature_c: float) -> float:
+    """Remanence (T) of NdFeB at a temperature (°C), from that at 20 °C; linear and reversible."""
+    rise_k = temperature_c - REFERENCE_TEMPERATURE_C
+    return remanence_t * (1 + NDFEB_REMANENCE_PER_KELVIN * rise_k)
+
+
+@dataclass(frozen=True)
+class DiskSize:
+    """A disk as sold: diameter by height, magnetised along its axis."""
+
+    diameter_mm: float
+    height_mm: float
+
+    @property
+    def name(self) -> str:
+        return f"D{self.diameter_mm:g}x{self.height_mm:g}"
+
+
+DISK_SIZES = {
+    size.name: size
+    for size in (
+        *(DiskSize(3.0, height) for height in (1.0, 1.5, 2.0, 3.0)),
+        *(DiskSize(4.0, height) for height in (1.0, 1.5, 2.0, 3.0)),
+        *(DiskSize(5.0, height) for height in (1.0, 1.5, 2.0, 3.0)),
+        *(DiskSize(6.0, height) for height in (1.0, 1.5, 2.0, 3.0)),
+        *(DiskSize(8.0, height) for height in (1.0, 2.0, 3.0)),
+        *(DiskSize(10.0, height) for height in (1.0, 2.0, 3.0)),
+    )
+}
+"""Sizes that many sellers stock; the paper's cube uses D6x1."""
+
+
+@dataclass(frozen=True)
+class SensorRange:
+    """A selectable range of a sensor and its counts per mT there."""
+
+    range_mt: float
+    counts_per_mt: float
+
+
+@dataclass(frozen=True)
+class NoiseFigure:
+    """White rms noise of X, Y, Z, in counts at that gain and that many conversions averaged."""
+
+    counts: Triple
+    counts_per_mt: float
+    averaging: int
+    source: str
+
+    def at(self, counts_per_mt: float, averaging: int) -> Triple:
+        """Noise (counts) at another gain and averaging: ∝ gain, ∝ 1/√n while it is white."""
+        scale = counts_per_mt / self.counts_per_mt * (self.averaging / averaging) ** 0.5
+        x, y, z = self.counts
+        return (x * scale, y * scale, z * scale)
+
+
+@dataclass(frozen=True)
+class HallPart:
+    """A three-axis Hall sensor: its ranges, narrowest first, and its noise where it is known.
+
+    `datasheet_noise_ut` is the rms noise of X, Y, Z of one conversion, µT; `measured_noise` goes
+    before it where there is one.
+    """
+
+    name: str
+    ranges: tuple[SensorRange, ...] = ()
+    datasheet_noise_ut: Triple | None = None
+    measured_noise: NoiseFigure | None = None
+
+    def range_covering(self, range_mt: float) -> SensorRange:
+        """The narrowest of the part's ranges that holds ±`range_mt`.
+
+        Raises
+        ------
+        InputError
+            Beyond the part's widest range.
+        """
+        for selectable in self.ranges:
+            if selectable.range_mt >= range_mt:
+                return selectable
+        listed = ", ".join(f"±{r.range_mt:g}" for r in self.ranges)
+        raise InputError(
+            f"sensors.range_mt = {range_mt:g} is beyond the ranges of {self.name} ({listed} mT). "
+            "Choose one of them or another sensors.part, or give sensors.counts_per_mt too"
+        )
+
+    @property
+    def noise(self) -> NoiseFigure | None:
+        if self.measured_noise is not None or self.datasheet_noise_ut is None:
+            return self.measured_noise
+        return NoiseFigure(self.datasheet_noise_ut, 1e3, 1, "datasheet, one conversion")
+
+
+GENERIC_PART = "generic"
+_TMAG5273_MEASURED = NoiseFigure(
+    (22.0, 22.0, 11.0), 820.0, 16, "measured on the public recordings, ±40 mT, 16× averaging"
+)
+
+HALL_PARTS = {
+    part.name: part
+    for part in (
+        HallPart(
+            "TMAG5273A1",
+            (SensorRange(40.0, 820.0), SensorRange(80.0, 410.0)),
+            datasheet_noise_ut=(125.0, 125.0, 68.0),
+            measured_noise=_TMAG5273_MEASURED,
+        ),
+        HallPart(
+            "TMAG5273A2",
+            (SensorRange(133.0, 250.0), SensorRange(266.0, 125.0)),
+            datasheet_noise_ut=(147.0, 147.0, 89.0),
+        ),
+        HallPart(
+            "MLX90393",
+            (
+                SensorRange(4.9, 1e3 / 0.150),
+                SensorRange(9.8, 1e3 / 0.300),
+                SensorRange(24.6, 1e3 / 0.751),
+                SensorRange(49.2, 1e3 / 1.502),
+            ),
+        ),
+        HallPart(GENERIC_PART),
+    )
+}
+"""TMAG5273: Texas Instruments SLYS045, sections 5.7 and 5.8 (sensitivity; noise at 25 °C, one
+conversion, low-power mode; that of 32 conversions, 22 and 11 µT, follows 1/√n). Its noise is the
+Hall elements', so in µT it is taken as the same in both ranges of a part.
+MLX90393: Melexis 3901090393, sensitivity of X and Y at HALLCONF 0xC, resolution setting 0 with
+gains 7, 4 and 0 (and setting 1 with gain 0); its Z steps are 1.6 times as wide and are taken as
+rescaled to the counts of X and Y. Its noise depends on filter and oversampling and is not listed.
+"""
+
+
+def hall_part(name: str) -> HallPart:
+    """The sensor of that part number.
+
+    Raises
+    ------
+    InputError
+        No such part.
+    """
+    if name not in HALL_PARTS:
+        raise InputError(
+            f"sensors.part = {name!r} is not a known part. Choose one of {', '.join(HALL_PARTS)}; "
+            f"{GENERIC_PART!r} takes sensors.range_mt, counts_per_mt and noise_counts as you give them"
+        )
+    return HALL_PARTS[name]
+
+
+def wider_range(
+    part_name: str, range_mt: float, needed_mt: float
+) -> tuple[HallPart, SensorRange] | None:
+    """The narrowest listed range that holds `needed_mt` and exceeds `range_mt`, and its part.
+
+    Ranges of the same part come before those of others.
+    """
+    listed = [(part, r) for part in HALL_PARTS.values() for r in part.ranges]
+    enough = [pair for pair in listed if pair[1].range_mt > max(range_mt, needed_mt)]
+    return min(enough, key=lambda pair: (pair[0].name != part_name, pair[1].range_mt), default=None)
