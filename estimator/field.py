@@ -1,8 +1,9 @@
 """Flux density of axially magnetised disks: point dipole, multipole series, exact cylinder.
 
 Vectors are triples of equally broadcastable arrays (x, y, z), so that large sets of pairs stay in
-cache-sized, contiguous pieces. Lengths are in mm, polarization and flux density in T: a magnet
-written with its polarization needs no conversion of lengths.
+cache-sized, contiguous pieces. Dipole and series use operators alone and so take NumPy arrays and
+torch tensors alike (`estimator.field_torch` has the latter in batches). Lengths are in mm,
+polarization and flux density in T: a magnet written with its polarization needs no conversion.
 """
 
 from __future__ import annotations
@@ -103,47 +104,74 @@ def multipole_field(offset_mm: Vector, axis: Vector, disk: DiskMagnet, order: in
     B = Σ a_l r^−(l+2) [P′_{l+1}(c) r̂ − P′_l(c) n̂] over odd l, c = n̂·r̂, with
     a_l = J V/(4π) l M_{l−1} and M_n the mean of rⁿ P_n(cos θ) over the disk's volume. It is the
     gradient of the scalar potential of a uniformly polarized body outside its circumscribed
-    sphere (Jackson, Classical Electrodynamics, section 5.9); it diverges inside.
+    sphere (Jackson, Classical Electrodynamics, section 5.9); it diverges inside. The gradient in
+    `axis` is that of this formula as written: keep the axis a unit vector.
     """
     x, y, z = offset_mm
     nx, ny, nz = axis
-    inverse = (x * x + y * y + z * z) ** -0.5
-    c = (x * nx + y * ny + z * nz) * inverse
-    radial, axial = _series(c, inverse, _strengths(disk, order))
-    radial = radial * inverse
+    scale = disk.circumscribed_radius_mm**2
+    inverse_squared = 1 / (x * x + y * y + z * z)
+    inverse_cubed = inverse_squared * inverse_squared**0.5
+    along = x * nx + y * ny + z * nz
+    s = scale * inverse_squared
+    powers = (s, along * along * inverse_squared * s, s * s)
+    radial_series, axial_series = _series(disk, order)
+    radial = _clenshaw(radial_series, *powers) * (inverse_cubed * inverse_squared * along)
+    axial = _clenshaw(axial_series, *powers) * inverse_cubed
     return radial * x - axial * nx, radial * y - axial * ny, radial * z - axial * nz
 
 
-def _series(c: Any, inverse: Any, strengths: tuple[float, ...]) -> tuple[Any, Any]:
-    """Sums over odd l that multiply r̂ and n̂, by the three-term recurrence of P and of P′."""
-    inverse_squared = inverse * inverse
-    power = inverse_squared * inverse
-    before, here = 1.0, c
-    slope_before, slope = 0.0, 1.0
-    radial, axial = 0.0, 0.0
-    for index, strength in enumerate(strengths):
-        l = 2 * index + 1
-        slope_next = slope_before + (2 * l + 1) * here
-        weight = strength * power
-        radial, axial = radial + weight * slope_next, axial + weight * slope
-        if index == len(strengths) - 1:
-            break
-        power = power * inverse_squared
-        after = ((2 * l + 1) / (l + 1)) * c * here - (l / (l + 1)) * before
-        slope_before, slope = slope_next, slope + (2 * l + 3) * after
-        before = after
-        here = ((2 * l + 3) / (l + 2)) * c * after - ((l + 1) / (l + 2)) * here
-    return radial, axial
+@dataclass(frozen=True)
+class _Series:
+    """Σ w_k F_k with F_{k+1} = (s t + β_k s) F_k + γ_k s² F_{k−1}, F_0 = 1, s = (R/r)², t = c²."""
+
+    weights: tuple[float, ...]
+    shifts: tuple[float, ...]
+    feedbacks: tuple[float, ...]
 
 
-@lru_cache(maxsize=64)
-def _strengths(disk: DiskMagnet, order: int) -> tuple[float, ...]:
-    """a_l (T mm^(l+2)) for l = 1, 3, … `order`."""
+def _clenshaw(series: _Series, s: Any, st: Any, s_squared: Any) -> Any:
+    """The sum, from its highest term down (Clenshaw, Math. Tables Aids Comput. 9, 1955)."""
+    *lower, here = series.weights
+    after = 0.0
+    for k in reversed(range(len(lower))):
+        step = (st + series.shifts[k] * s) * here
+        if k + 2 < len(series.weights):
+            step = step + (series.feedbacks[k + 1] * after) * s_squared
+        here, after = step + lower[k], here
+    return here
+
+
+@lru_cache(maxsize=256)
+def _series(disk: DiskMagnet, order: int) -> tuple[_Series, _Series]:
+    """Sums that multiply r̂ (divided by c) and n̂ in B r³: over P′_{l+1}(c)/c and over P′_l(c)."""
     if order < 1 or order % 2 == 0:
         raise ValueError(f"the series has odd orders only; got {order}")
     moment = disk.polarization_t * disk.volume_mm3 / (4 * np.pi)
     means = _mean_solid_harmonics(disk.diameter_mm / 2, disk.height_mm / 2, order)
-    return tuple(moment * l * float(means[l - 1]) for l in range(1, order + 1, 2))
+    lengths = disk.circumscribed_radius_mm ** np.arange(order)
+    orders = range(1, order + 1, 2)
+    strengths = [float(moment * l * means[l - 1] / lengths[l - 1]) for l in orders]
+    return _gegenbauer_series(1, strengths), _gegenbauer_series(0, strengths)
+
+
+def _gegenbauer_series(parity: int, strengths: list[float]) -> _Series:
+    """Recurrence in t = c² of P′_{n+1}(c) = C_n(c), the Gegenbauer polynomials of index 3/2.
+
+    c C_n = u_n C_{n+1} + d_n C_{n−1} with u_n = (n+1)/(2n+3) and d_n = (n+2)/(2n+3); applied twice
+    it links those of one parity. They are scaled to leading coefficient 1 in t.
+    """
+    n = np.arange(2 * len(strengths) + 3)
+    up, down = (n + 1) / (2 * n + 3), (n + 2) / (2 * n + 3)
+    leading, weights, shifts, feedbacks = 1.0 + 2 * parity, [], [], []
+    for k, strength in enumerate(strengths):
+        m = 2 * k + parity
+        weights.append(strength * leading)
+        shifts.append(float(-up[m] * down[m + 1] - (down[m] * up[m - 1] if m else 0)))
+        before = down[m] * down[m - 1] * up[m - 2] * up[m - 1] if k else 0
+        feedbacks.append(float(-before))
+        leading /= float(up[m] * up[m + 1])
+    return _Series(tuple(weights), tuple(shifts), tuple(feedbacks))
 
 
 def _mean_solid_harmonics(radius: float, half_height: float, count: int) -> Float[np.ndarray, "n"]:
@@ -236,6 +264,25 @@ def is_inside(offset_mm: Vector, axis: Vector, disk: DiskMagnet) -> Any:
     return (abs(along) <= disk.height_mm / 2) & (across_squared <= disk.diameter_mm**2 / 4)
 
 
+def sum_over_magnets(
+    points_mm: Vector, centres_mm: Vector, axes: Vector, model: FieldModel
+) -> Vector:
+    """Flux density (T) of all magnets together; the magnets run along the first dimension.
+
+    Parameters
+    ----------
+    points_mm, centres_mm, axes : three arrays each, broadcastable to (magnet, …), mm and unit
+        vectors. Speed wants a long contiguous last dimension and a size that fits the cache.
+
+    Returns
+    -------
+    Three arrays of shape (…), T.
+    """
+    offset = tuple(p - c for p, c in zip(points_mm, centres_mm, strict=True))
+    bx, by, bz = model(offset, axes)
+    return bx.sum(axis=0), by.sum(axis=0), bz.sum(axis=0)
+
+
 def total_field(
     points_mm: Float[np.ndarray, "point 3"],
     centres_mm: Float[np.ndarray, "magnet 3"],
@@ -243,9 +290,9 @@ def total_field(
     model: FieldModel,
 ) -> Float[np.ndarray, "point 3"]:
     """Flux density (T) of all magnets together at points (mm)."""
-    offset = (points_mm[:, None] - centres_mm).transpose(2, 0, 1)
-    axis = np.broadcast_to(axes[None], (len(points_mm), *axes.shape)).transpose(2, 0, 1)
-    return np.sum(np.array(model(tuple(offset), tuple(axis))), axis=-1).T
+    centres = tuple(centres_mm.T[:, :, None])
+    field = sum_over_magnets(tuple(points_mm.T[:, None]), centres, tuple(axes.T[:, :, None]), model)
+    return np.stack(field, axis=-1)
 
 
 _MODELS = {"dipole": dipole_field, "cylinder": cylinder_field}
