@@ -63,7 +63,7 @@ def tetrahedralize(spec: ObjectSpec, edge_length: EdgeLength | None = None) -> T
     from pytetwild.pytetwild import tetrahedralize as pytetwild_tetrahedralize
 
     surface = all_surfaces(spec)
-    background = _edge_length_field(spec, edge_length or partial(_fine_under_all_faces, spec))
+    background = _edge_length_field(spec, edge_length)
     diagonal = float(np.linalg.norm(spec.body.size_mm))
     with _scratch_folder():
         try:
@@ -137,7 +137,7 @@ def _containing_magnet(spec: ObjectSpec, points: np.ndarray) -> np.ndarray:
     return owner
 
 
-def _edge_length_field(spec: ObjectSpec, edge_length: EdgeLength) -> _EdgeLengths:
+def _edge_length_field(spec: ObjectSpec, edge_length: EdgeLength | None = None) -> _EdgeLengths:
     """Background mesh of target edge lengths."""
     half = np.asarray(spec.body.size_mm) / 2
     axes = [
@@ -145,6 +145,7 @@ def _edge_length_field(spec: ObjectSpec, edge_length: EdgeLength) -> _EdgeLength
     ]
     points = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, 3)
     tets = _split_bricks(tuple(len(axis) for axis in axes)).astype(np.int32)
+    edge_length = edge_length or partial(_fine_under_all_faces, spec)
     return _EdgeLengths(points, tets, edge_length(points))
 
 

@@ -10,7 +10,7 @@ from design.errors import InputError
 from design.mould import MouldDimensions, cast_cavity, make_mould_box, make_mould_plug
 from design.probes import make_probe
 from design.shell import envelope, make_shell
-from design.spec import BodySpec, IndenterSpec, MagnetSpec, ObjectSpec, ShellSpec
+from design.spec import BodySpec, ContactGridSpec, IndenterSpec, MagnetSpec, ObjectSpec, ShellSpec
 from design.tips import tip_positions_mm
 
 PAPER = ObjectSpec(name="paper")
@@ -125,7 +125,8 @@ def test_there_is_no_probe_with_four_tips():
 @pytest.mark.parametrize("tips", [1, 2, 3])
 @pytest.mark.parametrize("radius", [5.0, 8.0])
 def test_probe_volume_and_lowest_points(tips, radius):
-    spec = ObjectSpec(name="probe", indenter=IndenterSpec(radius_mm=radius))
+    indenter, grid = IndenterSpec(radius_mm=radius), ContactGridSpec(count=(8, 8))
+    spec = ObjectSpec(name="probe", indenter=indenter, contact_grid=grid)
     probe, centres = make_probe(spec, tips), tip_positions_mm(tips, radius)
     plate = np.prod(2 * (np.abs(centres).max(axis=0) + radius + 5)) * 4
     tip = 2 / 3 * np.pi * radius**3 + np.pi * radius**2 * 10
