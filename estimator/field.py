@@ -109,16 +109,35 @@ def multipole_field(offset_mm: Vector, axis: Vector, disk: DiskMagnet, order: in
     """
     x, y, z = offset_mm
     nx, ny, nz = axis
-    scale = disk.circumscribed_radius_mm**2
-    inverse_squared = 1 / (x * x + y * y + z * z)
+    inverse_squared = 1 / _dot(offset_mm, offset_mm)
     inverse_cubed = inverse_squared * inverse_squared**0.5
-    along = x * nx + y * ny + z * nz
-    s = scale * inverse_squared
+    along = _dot(offset_mm, axis)
+    s = disk.circumscribed_radius_mm**2 * inverse_squared
     powers = (s, along * along * inverse_squared * s, s * s)
     radial_series, axial_series = _series(disk, order)
-    radial = _clenshaw(radial_series, *powers) * (inverse_cubed * inverse_squared * along)
-    axial = _clenshaw(axial_series, *powers) * inverse_cubed
-    return radial * x - axial * nx, radial * y - axial * ny, radial * z - axial * nz
+    radial = inverse_cubed * inverse_squared * along * _clenshaw(radial_series, *powers)
+    axial = inverse_cubed * _clenshaw(axial_series, *powers)
+    return (
+        _plus_product(radial * x, axial, nx),
+        _plus_product(radial * y, axial, ny),
+        _plus_product(radial * z, axial, nz),
+    )
+
+
+def _dot(a: Vector, b: Vector) -> Any:
+    return _plus_product(_plus_product(a[0] * b[0], a[1], b[1]), a[2], b[2])
+
+
+def _plus_product(a: Any, b: Any, c: Any, factor: float = 1.0) -> Any:
+    """a + factor b c; a tensor does it in one pass over memory."""
+    if hasattr(a, "addcmul"):
+        return a.addcmul(b, c, value=factor)
+    return a + b * c if factor == 1.0 else a + (factor * b) * c
+
+
+def _plus_scaled(a: Any, b: Any, factor: float) -> Any:
+    """a + factor b; a tensor does it in one pass over memory."""
+    return a.add(b, alpha=factor) if hasattr(a, "addcmul") else a + factor * b
 
 
 @dataclass(frozen=True)
@@ -133,18 +152,20 @@ class _Series:
 def _clenshaw(series: _Series, s: Any, st: Any, s_squared: Any) -> Any:
     """The sum, from its highest term down (Clenshaw, Math. Tables Aids Comput. 9, 1955)."""
     *lower, here = series.weights
-    after = 0.0
+    after: Any = 0.0
     for k in reversed(range(len(lower))):
-        step = (st + series.shifts[k] * s) * here
-        if k + 2 < len(series.weights):
-            step = step + (series.feedbacks[k + 1] * after) * s_squared
+        step = _plus_scaled(st, s, series.shifts[k]) * here
+        if k + 3 < len(series.weights):
+            step = _plus_product(step, after, s_squared, series.feedbacks[k + 1])
+        elif k + 2 < len(series.weights):
+            step = _plus_scaled(step, s_squared, series.feedbacks[k + 1] * after)
         here, after = step + lower[k], here
     return here
 
 
 @lru_cache(maxsize=256)
 def _series(disk: DiskMagnet, order: int) -> tuple[_Series, _Series]:
-    """Sums that multiply r̂ (divided by c) and n̂ in B r³: over P′_{l+1}(c)/c and over P′_l(c)."""
+    """Sums that multiply c r̂ and n̂ in B r³: over P′_{l+1}(c)/c and over −P′_l(c)."""
     if order < 1 or order % 2 == 0:
         raise ValueError(f"the series has odd orders only; got {order}")
     moment = disk.polarization_t * disk.volume_mm3 / (4 * np.pi)
@@ -152,7 +173,7 @@ def _series(disk: DiskMagnet, order: int) -> tuple[_Series, _Series]:
     lengths = disk.circumscribed_radius_mm ** np.arange(order)
     orders = range(1, order + 1, 2)
     strengths = [float(moment * l * means[l - 1] / lengths[l - 1]) for l in orders]
-    return _gegenbauer_series(1, strengths), _gegenbauer_series(0, strengths)
+    return _gegenbauer_series(1, strengths), _gegenbauer_series(0, [-a for a in strengths])
 
 
 def _gegenbauer_series(parity: int, strengths: list[float]) -> _Series:

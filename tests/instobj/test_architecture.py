@@ -27,6 +27,7 @@ def _heavy_imports(module: str) -> set[str]:
         ("instobj.cli", set()),
         ("instobj.commands", set()),
         ("estimator.field", set()),
+        ("estimator.signals", set()),
         ("estimator.dataset", set()),
         ("fem.results", set()),
         ("estimator.scores", {"xarray"}),

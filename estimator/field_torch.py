@@ -1,0 +1,95 @@
+"""Flux density of many magnets at many points as torch tensors, with gradients, on any device.
+
+The law is that of `estimator.field`; this module only cuts the pairs into pieces that fit the
+processor's cache and puts the results together, so that gradients in magnet position, axis and
+sensor position come from autograd.
+"""
+
+from __future__ import annotations
+
+import torch
+from jaxtyping import Float
+from torch import Tensor
+
+from design.errors import InputError
+from estimator.field import FieldModel, Vector, sum_over_magnets
+
+_CPU_ARRAY_BYTES = 124 * 1024
+"""Of one temporary of a chunk: a dozen of them about fill a second-level cache."""
+_ACCELERATOR_PAIRS = 1 << 22
+"""Pairs of a chunk where launching a kernel costs more than memory does."""
+
+
+def batched_field(
+    points_mm: Float[Tensor, "#press point 3"],
+    centres_mm: Float[Tensor, "#press magnet 3"],
+    axes: Float[Tensor, "#press magnet 3"],
+    model: FieldModel,
+    chunk_pairs: int | None = None,
+) -> Float[Tensor, "press point 3"]:
+    """Flux density (T) of all magnets together, at every point of every press.
+
+    Differentiable in all three tensors. float32 costs 1e-6 of the field beside the model's own
+    error and is about twice as fast as float64 on a processor.
+
+    Parameters
+    ----------
+    points_mm : mm; first dimension 1 where the points are the same in every press
+    centres_mm : mm, centres of the magnets; first dimension 1 where they are the same
+    axes : unit vectors along the polarization; normalise inside the graph to optimise them
+    model : dipole or multipole (`field.field_model` chooses the order for a nearest distance)
+    chunk_pairs : pairs worked on at once; by default what fits the processor's cache
+
+    Raises
+    ------
+    InputError
+        The exact cylinder has no torch form, or the tensors differ in type or device.
+    """
+    _check(points_mm, centres_mm, axes, model)
+    presses = max(len(points_mm), len(centres_mm), len(axes))
+    pairs = (chunk_pairs or _default_chunk_pairs(points_mm)) // centres_mm.shape[1]
+    press_chunk = max(1, min(presses, pairs))
+    point_chunk = max(1, pairs // press_chunk)
+    parts = []
+    for start in range(0, presses, press_chunk):
+        rows = slice(start, start + press_chunk)
+        centre = _components(centres_mm, rows, 1)
+        axis = _components(axes, rows, 1)
+        point = _components(points_mm, rows, 0)
+        field = [
+            torch.stack(sum_over_magnets(piece, centre, axis, model), dim=-1)
+            for piece in zip(*(along.split(point_chunk, dim=1) for along in point), strict=True)
+        ]
+        parts.append(torch.cat(field).transpose(0, 1))
+    return torch.cat(parts)
+
+
+def _components(vectors: Float[Tensor, "#press many 3"], rows: slice, new_dimension: int) -> Vector:
+    """x, y, z of those presses, each with presses last and a dimension of size 1 put in."""
+    if len(vectors) > 1:
+        vectors = vectors[rows]
+    x, y, z = vectors.permute(2, 1, 0).contiguous().unsqueeze(1 + new_dimension)
+    return x, y, z
+
+
+def _default_chunk_pairs(like: Tensor) -> int:
+    if like.device.type != "cpu":
+        return _ACCELERATOR_PAIRS
+    return _CPU_ARRAY_BYTES // like.element_size()
+
+
+def _check(points_mm: Tensor, centres_mm: Tensor, axes: Tensor, model: FieldModel) -> None:
+    if model.name == "cylinder":
+        raise InputError(
+            f"the exact cylinder of Ø{model.disk.diameter_mm:g} × {model.disk.height_mm:g} mm has no "
+            "torch form and no gradients. Keep points far enough away for the multipole series, or "
+            "call estimator.field.total_field"
+        )
+    kinds = {(str(t.dtype), str(t.device)) for t in (points_mm, centres_mm, axes)}
+    if len(kinds) > 1:
+        raise InputError(
+            "points, centres and axes must share one type and device; got "
+            f"{', '.join(' on '.join(kind) for kind in sorted(kinds))}. Convert them alike"
+        )
+    if 0 in (*points_mm.shape, *centres_mm.shape):
+        raise InputError("points and centres must not be empty. Give at least one of each")
