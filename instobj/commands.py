@@ -105,6 +105,11 @@ def run_estimator(
     require_writable(out)
     objects = []
     for path in sources:
+        if path.suffix == ".csv":
+            raise InputError(
+                f"{path} is a recording, not a data set. Run `instobj recordings {path}` first and "
+                "give the frames.nc that it writes"
+            )
         if path.suffix == ".nc":
             objects.append(run_on_data_set(path, stages, out, overrides))
         else:
