@@ -15,7 +15,13 @@ import scipy.sparse as sp
 from jaxtyping import Float, Int
 
 from fem.elasticity import TaylorHood
-from fem.hyperelastic import Hyperelastic, first_piola_stress, inverse_transpose, tangent_modulus
+from fem.hyperelastic import (
+    Hyperelastic,
+    energy_density,
+    first_piola_stress,
+    inverse_transpose,
+    tangent_modulus,
+)
 from fem.sparse import columns_of
 
 _CHUNK = 2048
@@ -68,7 +74,7 @@ class TangentBlocks:
 def finite_strain_elements(space: TaylorHood) -> FiniteStrainElements:
     """Gradients, weights and the sparsity pattern of a Taylor–Hood space."""
     basis = space.displacement
-    gradients = np.stack([np.moveaxis(f[0].grad, 0, -1) for f in basis.basis], axis=2)
+    gradients = np.stack([np.moveaxis(np.asarray(f[0].grad), 0, -1) for f in basis.basis], axis=2)
     hats = np.stack([f[0].value[0] for f in space.pressure.basis], axis=1)
     nodes = basis.element_dofs.T.copy()
     used = np.unique(space.pressure.element_dofs)
@@ -106,6 +112,28 @@ def deformation_gradients(
     if not smallest > 0:
         raise InvertedElementError(f"an element is turned inside out (smallest J {smallest:.2g})")
     return deformation
+
+
+def potential_energy_n_mm(
+    elements: FiniteStrainElements,
+    material: Hyperelastic,
+    inverse_lambda_per_mpa: float,
+    displacement_mm: Float[np.ndarray, "component_node"],
+    pressure_mpa: Float[np.ndarray, "pressure"],
+) -> float:
+    """∫ W − p (J − 1) − p²/(2λ): at equilibrium, the strain energy stored.
+
+    Raises
+    ------
+    InvertedElementError
+        det F ≤ 0 somewhere.
+    """
+    deformation = deformation_gradients(elements, displacement_mm)
+    pressure = pressure_mpa[elements.pressure_nodes] @ elements.hats.T
+    density = energy_density(material, deformation)
+    density -= pressure * (np.linalg.det(deformation) - 1)
+    density -= inverse_lambda_per_mpa * pressure**2 / 2
+    return float((elements.weights_mm3 * density).sum())
 
 
 def internal_forces(

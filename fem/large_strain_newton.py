@@ -28,6 +28,7 @@ from fem.finite_strain import (
 )
 from fem.hyperelastic import Hyperelastic
 from fem.magnets import rigid_motion_basis
+from fem.sparse import shape_of
 from fem.sphere_contact import ContactFace, ContactState, contact_state, contact_stiffness
 
 _MAX_ITERATIONS = 12
@@ -155,7 +156,7 @@ def advanced(
     contact_mpa: Float[np.ndarray, "candidate"],
 ) -> PressState:
     """The state after a step of (q, p): magnets turn by the rotation exp(δω), not its linear part."""
-    count, magnets = basis.shape[1], len(state.shift_mm)
+    count, magnets = shape_of(basis)[1], len(state.shift_mm)
     motion = step[count - 6 * magnets : count].reshape(magnets, 6)
     shift = state.shift_mm + motion[:, :3]
     rotation = state.rotation
@@ -195,7 +196,8 @@ def _misfit(problem: PressProblem, state: PressState, forces: _Forces) -> float:
     """Largest violation of equilibrium, volume and contact, in units of what is allowed."""
     applied = forces.gradient.T @ state.contact_mpa
     unbalanced = abs(forces.basis.T @ forces.internal.nodal_n - applied).max()
-    hat_volume = problem.compressibility.sum(axis=1).A1 / problem.inverse_lambda_per_mpa
+    hat_volume = np.asarray(problem.compressibility.sum(axis=1)).ravel()
+    hat_volume = hat_volume / problem.inverse_lambda_per_mpa
     sunk = forces.contact.gap_mm3 / problem.face.weights_mm2 / problem.radius_mm
     pressed = state.contact_mpa / problem.material.shear_modulus_mpa
     parts = (
@@ -208,8 +210,8 @@ def _misfit(problem: PressProblem, state: PressState, forces: _Forces) -> float:
 
 def _newton_step(problem: PressProblem, state: PressState, forces: _Forces) -> PressState:
     matrix = _tangent(problem, state, forces)
-    motions = forces.basis.shape[1]
-    loads = np.zeros((matrix.shape[0], 1 + len(state.contact_mpa)))
+    motions = shape_of(forces.basis)[1]
+    loads = np.zeros((shape_of(matrix)[0], 1 + len(state.contact_mpa)))
     loads[:motions, 0] = -(forces.basis.T @ forces.internal.nodal_n)
     loads[motions:, 0] = -forces.internal.volume_mm3
     loads[:motions, 1:] = forces.gradient.T.toarray()
@@ -278,8 +280,9 @@ def _tangent(problem: PressProblem, state: PressState, forces: _Forces) -> sp.cs
     pressures = np.arange(problem.elements.pressure_count)
     matrix = saddle_point_matrix(operators, forces.basis, pressures)
     if len(state.rotation):
-        first = forces.basis.shape[1] - 6 * len(state.rotation)
-        matrix = matrix + _rotation_stiffness(problem, state, forces, first, matrix.shape[0])
+        first = shape_of(forces.basis)[1] - 6 * len(state.rotation)
+        size = shape_of(matrix)[0]
+        matrix = matrix + _rotation_stiffness(problem, state, forces, first, size)
     return matrix
 
 
