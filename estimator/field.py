@@ -113,9 +113,10 @@ def multipole_field(offset_mm: Vector, axis: Vector, disk: DiskMagnet, order: in
     inverse_cubed = inverse_squared * inverse_squared**0.5
     along = _dot(offset_mm, axis)
     s = disk.circumscribed_radius_mm**2 * inverse_squared
-    powers = (s, along * along * inverse_squared * s, s * s)
+    ratio = along * inverse_squared
+    powers = (s, along * ratio * s, s * s)
     radial_series, axial_series = _series(disk, order)
-    radial = inverse_cubed * inverse_squared * along * _clenshaw(radial_series, *powers)
+    radial = inverse_cubed * ratio * _clenshaw(radial_series, *powers)
     axial = inverse_cubed * _clenshaw(axial_series, *powers)
     return (
         _plus_product(radial * x, axial, nx),
@@ -132,7 +133,9 @@ def _plus_product(a: Any, b: Any, c: Any, factor: float = 1.0) -> Any:
     """a + factor b c; a tensor does it in one pass over memory."""
     if hasattr(a, "addcmul"):
         return a.addcmul(b, c, value=factor)
-    return a + b * c if factor == 1.0 else a + (factor * b) * c
+    product = b * c if factor == 1.0 else (factor * b) * c
+    product += a
+    return product
 
 
 def _plus_scaled(a: Any, b: Any, factor: float) -> Any:
@@ -159,7 +162,8 @@ def _clenshaw(series: _Series, s: Any, st: Any, s_squared: Any) -> Any:
             step = _plus_product(step, after, s_squared, series.feedbacks[k + 1])
         elif k + 2 < len(series.weights):
             step = _plus_scaled(step, s_squared, series.feedbacks[k + 1] * after)
-        here, after = step + lower[k], here
+        step += lower[k]
+        here, after = step, here
     return here
 
 

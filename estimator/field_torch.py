@@ -2,11 +2,13 @@
 
 The law is that of `estimator.field`; this module only cuts the pairs into pieces that fit the
 processor's cache and puts the results together, so that gradients in magnet position, axis and
-sensor position come from autograd.
+sensor position come from autograd. Where no gradient is wanted on a processor, the pieces are
+worked on as NumPy arrays that share the tensors' memory: its operations start a third quicker.
 """
 
 from __future__ import annotations
 
+import numpy as np
 import torch
 from jaxtyping import Float
 from torch import Tensor
@@ -14,8 +16,9 @@ from torch import Tensor
 from design.errors import InputError
 from estimator.field import FieldModel, Vector, sum_over_magnets
 
-_CPU_ARRAY_BYTES = 124 * 1024
-"""Of one temporary of a chunk: a dozen of them about fill a second-level cache."""
+_CPU_ARRAY_BYTES = 96 * 1024
+"""Of one temporary of a chunk: a dozen of them about fill a second-level cache, and each is well
+below the size at which allocators ask the system for memory every time."""
 _ACCELERATOR_PAIRS = 1 << 22
 """Pairs of a chunk where launching a kernel costs more than memory does."""
 
@@ -50,26 +53,46 @@ def batched_field(
     pairs = (chunk_pairs or _default_chunk_pairs(points_mm)) // centres_mm.shape[1]
     press_chunk = max(1, min(presses, pairs))
     point_chunk = max(1, pairs // press_chunk)
+    plain = points_mm.device.type == "cpu" and not _wants_gradient(points_mm, centres_mm, axes)
     parts = []
     for start in range(0, presses, press_chunk):
         rows = slice(start, start + press_chunk)
-        centre = _components(centres_mm, rows, 1)
-        axis = _components(axes, rows, 1)
-        point = _components(points_mm, rows, 0)
+        centre = _components(centres_mm, rows, 1, plain)
+        axis = _components(axes, rows, 1, plain)
+        point = _components(points_mm, rows, 0, plain)
         field = [
-            torch.stack(sum_over_magnets(piece, centre, axis, model), dim=-1)
-            for piece in zip(*(along.split(point_chunk, dim=1) for along in point), strict=True)
+            _stacked(sum_over_magnets(_piece(point, first, point_chunk), centre, axis, model))
+            for first in range(0, points_mm.shape[1], point_chunk)
         ]
-        parts.append(torch.cat(field).transpose(0, 1))
+        parts.append(torch.cat(field, dim=1).permute(2, 1, 0))
     return torch.cat(parts)
 
 
-def _components(vectors: Float[Tensor, "#press many 3"], rows: slice, new_dimension: int) -> Vector:
+def _wants_gradient(*given: Tensor) -> bool:
+    return torch.is_grad_enabled() and any(tensor.requires_grad for tensor in given)
+
+
+def _components(
+    vectors: Float[Tensor, "#press many 3"], rows: slice, new_dimension: int, plain: bool
+) -> Vector:
     """x, y, z of those presses, each with presses last and a dimension of size 1 put in."""
     if len(vectors) > 1:
         vectors = vectors[rows]
-    x, y, z = vectors.permute(2, 1, 0).contiguous().unsqueeze(1 + new_dimension)
+    parts = (part.contiguous().unsqueeze(new_dimension) for part in vectors.permute(2, 1, 0))
+    x, y, z = (part.detach().numpy() for part in parts) if plain else parts
     return x, y, z
+
+
+def _piece(point: Vector, first: int, count: int) -> Vector:
+    x, y, z = (along[:, first : first + count] for along in point)
+    return x, y, z
+
+
+def _stacked(field: Vector) -> Tensor:
+    """One tensor with the components first."""
+    if isinstance(field[0], Tensor):
+        return torch.stack(field)
+    return torch.from_numpy(np.array(field))
 
 
 def _default_chunk_pairs(like: Tensor) -> int:

@@ -20,12 +20,13 @@ def tensors(dtype, device, *arrays):
     return [torch.tensor(array, dtype=dtype, device=device) for array in arrays]
 
 
-def pair_by_pair(model, poses, dtype=torch.float64, device="cpu"):
+def pair_by_pair(model, poses, dtype=torch.float64, device="cpu", gradient=True):
     """Field of one magnet at one point for each pose, through the batched function."""
     turn, centre, point = poses
     axis = turn.apply([0, 0, 1])
     given = tensors(dtype, device, point[:, None], centre[:, None], axis[:, None])
-    return batched_field(*given, model)[:, 0].cpu().double().numpy()
+    given[0].requires_grad_(gradient)
+    return batched_field(*given, model)[:, 0].detach().cpu().double().numpy()
 
 
 def random_presses(rng, presses=7, points=5, magnets=4):
@@ -39,13 +40,15 @@ def random_presses(rng, presses=7, points=5, magnets=4):
 @pytest.mark.parametrize("device", DEVICES)
 @pytest.mark.parametrize("dtype", TYPES)
 @pytest.mark.parametrize("disk", DISKS)
-@pytest.mark.parametrize("reach", [1.6, 2.6])
-def test_series_and_dipole_match_magpylib_within_their_stated_error(device, dtype, disk, reach):
+@pytest.mark.parametrize(("reach", "gradient"), [(1.6, True), (2.6, True), (1.6, False)])
+def test_series_and_dipole_match_magpylib_within_their_stated_error(
+    device, dtype, disk, reach, gradient
+):
     nearest = reach * disk.circumscribed_radius_mm
     poses = random_poses(disk, nearest, np.random.default_rng(11), 1200)
     exact = magpylib_field(disk, *poses)
     model = field_model(disk, nearest)
-    series = pair_by_pair(model, poses, dtype, device)
+    series = pair_by_pair(model, poses, dtype, device, gradient)
     assert relative_error(series, exact).max() <= 1e-3
     dipole = pair_by_pair(FieldModel(disk, "dipole"), poses, dtype, device)
     stated = series_error(disk, nearest, 1)
@@ -59,13 +62,16 @@ def test_parity_notices_planted_faults(fault):
     assert np.median(relative_error(wrong, magpylib_field(DISKS[0], *poses))) > 0.1
 
 
+@pytest.mark.parametrize("gradient", [False, True])
 @pytest.mark.parametrize("device", DEVICES)
 @pytest.mark.parametrize("dtype", TYPES)
 @pytest.mark.parametrize("order", [1, 7, 9, 25])
-def test_torch_and_numpy_agree_to_rounding(device, dtype, order):
+def test_tensors_and_arrays_agree_to_rounding(device, dtype, order, gradient):
     model = FieldModel(DISKS[0], "multipole", order)
     points, centres, axes = random_presses(np.random.default_rng(13))
-    found = batched_field(*tensors(dtype, device, points, centres, axes), model)
+    given = tensors(dtype, device, points, centres, axes)
+    given[0].requires_grad_(gradient)
+    found = batched_field(*given, model).detach()
     assert (found.dtype, found.device.type) == (dtype, device)
     one_by_one = [
         total_field(p, c, a, model) for p, c, a in zip(points, centres, axes, strict=True)
@@ -74,14 +80,19 @@ def test_torch_and_numpy_agree_to_rounding(device, dtype, order):
     assert_allclose(found.cpu().numpy(), one_by_one, rtol=0, atol=10 * TYPES[dtype] * scale)
 
 
+@pytest.mark.parametrize("gradient", [False, True])
 @pytest.mark.parametrize("chunk_pairs", [1, 3, 8, 21, 60, 10**6])
-def test_pieces_do_not_change_the_result(chunk_pairs):
+def test_pieces_and_gradients_do_not_change_the_result(chunk_pairs, gradient):
     model = FieldModel(DISKS[0], "multipole", 7)
-    given = tensors(torch.float64, "cpu", *random_presses(np.random.default_rng(14)))
-    whole = batched_field(*given, model)
+    points, centres, axes = random_presses(np.random.default_rng(14))
+    given = tensors(torch.float64, "cpu", points, centres, axes)
+    one_by_one = [
+        total_field(p, c, a, model) for p, c, a in zip(points, centres, axes, strict=True)
+    ]
+    given[1].requires_grad_(gradient)
     pieces = batched_field(*given, model, chunk_pairs=chunk_pairs)
-    assert_allclose(pieces, whole, rtol=1e-12, atol=1e-18)
-    assert whole.shape == (7, 5, 3)
+    assert pieces.requires_grad is gradient
+    assert_allclose(pieces.detach(), one_by_one, rtol=1e-12, atol=1e-18)
 
 
 @pytest.mark.parametrize("shared", [(0,), (1,), (2,), (0, 1), (1, 2), (0, 2)])

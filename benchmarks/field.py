@@ -1,0 +1,284 @@
+"""Speed and error of the field models against magpylib, in one run on one thread.
+
+    python benchmarks/field.py [--quick] [--out FOLDER]
+
+The job is the product's own: in every press 25 magnets have moved and turned, and 15 sensors see
+the sum of their fields. Both sides do the whole of it, magpylib with one Cylinder a magnet whose
+path holds the presses. Times are processor time, the least of several runs, so that other programs
+on the machine matter little. Writes `field.json` and `field.png`.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import platform
+import sys
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import magpylib
+import numpy as np
+import torch
+from scipy.spatial.transform import Rotation
+
+from design.files import atomic_path
+from design.layouts import contact_grid, magnet_layout
+from design.spec import ObjectSpec
+from estimator.field import DiskMagnet, FieldModel, field_model
+from estimator.field_torch import batched_field
+from estimator.signals import press_signals
+from fem.results import MagnetMotions, PressForces
+
+DISK = DiskMagnet(6.0, 1.0, 1.43)
+MAGNETS, SENSORS = 25, 15
+PAIRS_PER_PRESS = MAGNETS * SENSORS
+TARGETS = {8.0: 30.0, 7.0: 20.0}
+"""Nearest distance (mm) to the ratio of rates that is aimed at, with an error of 0.1 %."""
+SIGNALS_TARGET_S = 0.5
+TYPES = {"float32": torch.float32, "float64": torch.float64}
+
+
+def best_seconds(call: Callable[[], Any], repeats: int) -> float:
+    """Least processor time of `repeats` calls after one to warm up."""
+    call()
+    times = []
+    for _ in range(repeats):
+        start = time.process_time()
+        call()
+        times.append(time.process_time() - start)
+    return min(times)
+
+
+@dataclass(frozen=True)
+class Job:
+    """Sensors within 0.5 mm of the origin; magnets anywhere from `nearest_mm` from any of them."""
+
+    points_mm: np.ndarray
+    centres_mm: np.ndarray
+    turns: Rotation
+
+    @property
+    def pairs(self) -> int:
+        return len(self.centres_mm) * PAIRS_PER_PRESS
+
+    @property
+    def axes(self) -> np.ndarray:
+        return self.turns.apply([0.0, 0.0, 1.0]).reshape(self.centres_mm.shape)
+
+
+def make_job(pairs: int, nearest_mm: float) -> Job:
+    """About that many pairs, at distances from `nearest_mm` to about three times that."""
+    rng = np.random.default_rng(1)
+    presses = max(1, round(pairs / PAIRS_PER_PRESS))
+    directions = rng.standard_normal((presses, MAGNETS, 3))
+    directions /= np.linalg.norm(directions, axis=-1, keepdims=True)
+    points = rng.standard_normal((SENSORS, 3))
+    points *= 0.5 * rng.uniform(0, 1, (SENSORS, 1)) / np.linalg.norm(points, axis=1, keepdims=True)
+    reach = 0.5 + nearest_mm * rng.uniform(1, 3, (presses, MAGNETS, 1))
+    return Job(points, reach * directions, Rotation.random(presses * MAGNETS, rng=rng))
+
+
+def by_magpylib(job: Job) -> Callable[[], np.ndarray]:
+    """The job for magpylib, its objects made beforehand."""
+    magnets = [
+        magpylib.magnet.Cylinder(
+            polarization=(0, 0, DISK.polarization_t),
+            dimension=(DISK.diameter_mm / 1e3, DISK.height_mm / 1e3),
+            position=job.centres_mm[:, magnet] / 1e3,
+            orientation=job.turns[slice(magnet, None, MAGNETS)],
+        )
+        for magnet in range(MAGNETS)
+    ]
+    points = job.points_mm / 1e3
+    return lambda: magpylib.getB(magnets, points, sumup=True)
+
+
+def by_tensors(job: Job, dtype: torch.dtype) -> tuple[torch.Tensor, torch.Tensor, torch.Tensor]:
+    """Points, centres and axes for `batched_field`."""
+    points, centres, axes = (
+        torch.tensor(array, dtype=dtype)
+        for array in (job.points_mm[None], job.centres_mm, job.axes)
+    )
+    return points, centres, axes
+
+
+def magpylib_rate(nearest_mm: float, sizes: tuple[int, ...], repeats: int) -> float:
+    """magpylib's pairs per second at the size that suits it best."""
+    jobs = [make_job(size, nearest_mm) for size in sizes]
+    return max(job.pairs / best_seconds(by_magpylib(job), repeats) for job in jobs)
+
+
+def rate(model: FieldModel, dtype: torch.dtype, job: Job, repeats: int) -> float:
+    """Pairs per second of the batched field, without gradients."""
+    given = by_tensors(job, dtype)
+    return job.pairs / best_seconds(lambda: batched_field(*given, model), repeats)
+
+
+def gradient_rate(model: FieldModel, dtype: torch.dtype, job: Job) -> float:
+    """Pairs per second with the gradients in every sensor, centre and axis."""
+    given = by_tensors(job, dtype)
+    for tensor in given:
+        tensor.requires_grad_()
+    return job.pairs / best_seconds(
+        lambda: torch.autograd.grad(batched_field(*given, model).square().sum(), given), 3
+    )
+
+
+def largest_error(model: FieldModel, dtype: torch.dtype, job: Job) -> float:
+    """Largest |ΔB|/|B| against magpylib, magnet by magnet at the first sensor."""
+    points, centres, axes = by_tensors(job, dtype)
+    singles = centres.reshape(-1, 1, 3), axes.reshape(-1, 1, 3)
+    found = batched_field(points[:, :1], *singles, model)[:, 0].double().numpy()
+    local = job.turns.inv().apply(job.points_mm[0] - job.centres_mm.reshape(-1, 3))
+    disk = magpylib.magnet.Cylinder(
+        polarization=(0, 0, DISK.polarization_t),
+        dimension=(DISK.diameter_mm / 1e3, DISK.height_mm / 1e3),
+    )
+    exact = job.turns.apply(disk.getB(local / 1e3))
+    error = np.linalg.norm(found - exact, axis=1) / np.linalg.norm(exact, axis=1)
+    return float(error.max())
+
+
+def compare(quick: bool) -> list[dict[str, Any]]:
+    """Rates and errors of dipole and series at both distances and in both types."""
+    sizes = (20_000,) if quick else (20_000, 200_000, 1_000_000)
+    repeats = 3 if quick else 7
+    rows = []
+    for nearest, target in TARGETS.items():
+        peer = magpylib_rate(nearest, sizes, repeats)
+        job = make_job(sizes[-1], nearest)
+        series = field_model(DISK, nearest)
+        for model in (series, FieldModel(DISK, "dipole")):
+            for name, dtype in TYPES.items():
+                speed = rate(model, dtype, job, repeats)
+                row = {
+                    "nearest_mm": nearest,
+                    "model": model.name,
+                    "order": model.order or 1,
+                    "type": name,
+                    "largest_error": largest_error(model, dtype, job),
+                    "pairs_per_s": speed,
+                    "with_gradient_pairs_per_s": gradient_rate(
+                        model, dtype, make_job(min(sizes[-1], 200_000), nearest)
+                    ),
+                    "magpylib_pairs_per_s": peer,
+                    "ratio": speed / peer,
+                    "target_ratio": target if model is series and name == "float32" else None,
+                }
+                rows.append(row)
+    return rows
+
+
+def growth(quick: bool) -> list[dict[str, Any]]:
+    """Processor time against the number of pairs, series at 8 mm."""
+    model = field_model(DISK, 8.0)
+    rows = []
+    for count in (1_000, 10_000, 50_000) if quick else [10**k for k in range(3, 8)]:
+        job = make_job(count, 8.0)
+        seconds = {name: job.pairs / rate(model, dtype, job, 3) for name, dtype in TYPES.items()}
+        if count <= 10**6:
+            seconds["magpylib Cylinder"] = best_seconds(by_magpylib(job), 2)
+        rows.append({"pairs": job.pairs, "seconds": seconds})
+    return rows
+
+
+def signals_seconds(quick: bool) -> dict[str, Any]:
+    """Signals of 5 faces × 100 places × 20 depths × 45 channels from motions (float64)."""
+    steps = 2 if quick else 20
+    depths = np.linspace(0.2, 4.0, steps)
+    spec = ObjectSpec(name="cube", press={"depths_mm": tuple(depths.tolist())})  # type: ignore[arg-type]
+    grid, faces = contact_grid(spec), np.arange(1, 6)
+    shape = (5, len(grid.xy_mm), steps)
+    size = np.repeat([0.3, 0.03], 3)
+    motion = size * np.random.default_rng(4).uniform(
+        -1, 1, (*shape, len(magnet_layout(spec).face), 6)
+    )
+    forces = PressForces(faces, grid, depths, np.ones(shape), np.ones(shape))
+    motions = MagnetMotions(faces, grid, depths, motion)
+    seconds = best_seconds(lambda: press_signals(spec, forces, motions), 3)
+    return {"presses": int(np.prod(shape)), "channels": 45, "seconds": seconds}
+
+
+def draw(rows: list[dict[str, Any]], path: Path) -> None:
+    """Time against the number of pairs, both logarithmic."""
+    import matplotlib
+
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+
+    figure, axes = pyplot.subplots(figsize=(6, 4), layout="constrained")
+    for name in rows[0]["seconds"]:
+        points = [(r["pairs"], r["seconds"][name]) for r in rows if name in r["seconds"]]
+        axes.loglog(*zip(*points, strict=True), marker="o", label=name)
+    axes.set(xlabel="magnet–sensor pairs", ylabel="processor time, s")
+    axes.set_title(f"Series of order {field_model(DISK, 8.0).order}, r ≥ 8 mm")
+    axes.grid(visible=True, which="major", alpha=0.3)
+    axes.legend()
+    with atomic_path(path) as temporary:
+        figure.savefig(temporary, dpi=120)
+    pyplot.close(figure)
+
+
+def machine() -> dict[str, Any]:
+    """What the figures were measured on."""
+    info = Path("/proc/cpuinfo")
+    lines = info.read_text(encoding="utf-8").splitlines() if info.is_file() else []
+    names = [line.split(":", 1)[1].strip() for line in lines if line.startswith("model name")]
+    versions = {"torch": torch.__version__, "numpy": np.__version__}
+    return {
+        "processor": names[0] if names else platform.processor(),
+        "system": platform.system(),
+        "python": platform.python_version(),
+        **versions,
+        "magpylib": magpylib.__version__,
+        "threads": torch.get_num_threads(),
+        "load_average": os.getloadavg()[0] if hasattr(os, "getloadavg") else None,
+    }
+
+
+def report(result: dict[str, Any]) -> str:
+    """The result as lines for people."""
+    lines = ["r >= mm  model      l<=  type     error     Mpairs/s  with grad  x magpylib  target"]
+    for row in result["models"]:
+        target = f">= {row['target_ratio']:g}" if row["target_ratio"] else ""
+        lines.append(
+            f"{row['nearest_mm']:7g}  {row['model']:9}  {row['order']:3}  {row['type']:7}"
+            f"  {row['largest_error']:.2e}  {row['pairs_per_s'] / 1e6:8.1f}"
+            f"  {row['with_gradient_pairs_per_s'] / 1e6:9.1f}  {row['ratio']:10.1f}  {target}"
+        )
+    signals = result["signals"]
+    lines.append(
+        f"{signals['presses']} presses x {signals['channels']} channels: {signals['seconds']:.3f} s"
+        f" (target {SIGNALS_TARGET_S:g} s for 10000)"
+    )
+    return "\n".join(lines)
+
+
+def main(arguments: list[str] | None = None) -> dict[str, Any]:
+    """Measure, write, print."""
+    parser = argparse.ArgumentParser(description="Field models against magpylib, one thread")
+    parser.add_argument("--quick", action="store_true", help="seconds instead of a minute")
+    parser.add_argument("--out", type=Path, default=Path(__file__).parent / "results")
+    options = parser.parse_args(arguments)
+    torch.set_num_threads(1)
+    result = {
+        "machine": machine(),
+        "quick": options.quick,
+        "models": compare(options.quick),
+        "growth": growth(options.quick),
+        "signals": signals_seconds(options.quick),
+    }
+    with atomic_path(options.out / "field.json") as temporary:
+        temporary.write_text(json.dumps(result, indent=2) + "\n", encoding="utf-8")
+    draw(result["growth"], options.out / "field.png")
+    print(report(result))
+    return result
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
