@@ -5,7 +5,7 @@
 The job is the product's own: in every press 25 magnets have moved and turned, and 15 sensors see
 the sum of their fields. Both sides do the whole of it, magpylib with one Cylinder a magnet whose
 path holds the presses. Times are processor time, the least of several runs, so that other programs
-on the machine matter little. Writes `field.json` and `field.png`.
+on the machine matter less. Writes `field.json` and `field.png`.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ import argparse
 import json
 import os
 import platform
+import re
 import sys
 import time
 from collections.abc import Callable
@@ -263,19 +264,22 @@ def main(arguments: list[str] | None = None) -> dict[str, Any]:
     """Measure, write, print."""
     parser = argparse.ArgumentParser(description="Field models against magpylib, one thread")
     parser.add_argument("--quick", action="store_true", help="seconds instead of a minute")
-    parser.add_argument("--out", type=Path, default=Path(__file__).parent / "results")
+    parser.add_argument("--out", type=Path, help="default: results/<processor> beside this file")
     options = parser.parse_args(arguments)
     torch.set_num_threads(1)
+    here = machine()
+    slug = re.sub(r"[^a-z0-9]+", "-", here["processor"].lower()).strip("-") or "unknown"
+    out = options.out or Path(__file__).parent / "results" / slug
     result = {
-        "machine": machine(),
+        "machine": here,
         "quick": options.quick,
         "models": compare(options.quick),
         "growth": growth(options.quick),
         "signals": signals_seconds(options.quick),
     }
-    with atomic_path(options.out / "field.json") as temporary:
+    with atomic_path(out / "field.json") as temporary:
         temporary.write_text(json.dumps(result, indent=2) + "\n", encoding="utf-8")
-    draw(result["growth"], options.out / "field.png")
+    draw(result["growth"], out / "field.png")
     print(report(result))
     return result
 

@@ -47,8 +47,9 @@ SCHEMA_VERSION = 1
 Progress = Callable[[str], None]
 """Called with a line about each part that is done."""
 
-_PAIRS_PER_CHUNK = 12000
-"""Magnet–sensor pairs at a time: about ten arrays of them in float64 fill a 1 MB cache."""
+_PAIRS_PER_CHUNK = 9000
+"""Magnet–sensor pairs at a time: a dozen arrays of them in float64 fit a second-level cache. Larger
+ones may be handed back to the system at every step, which costs three times the arithmetic."""
 
 
 @dataclass(frozen=True)

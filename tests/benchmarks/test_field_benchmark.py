@@ -1,0 +1,34 @@
+"""The benchmark of the field runs, and its figures hang together."""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+SCRIPT = Path(__file__).parents[2] / "benchmarks" / "field.py"
+
+
+def test_quick_run_writes_rates_errors_and_a_plot(tmp_path):
+    done = subprocess.run(
+        [sys.executable, str(SCRIPT), "--quick", "--out", str(tmp_path)],
+        capture_output=True,
+        text=True,
+        env={**os.environ, "OMP_NUM_THREADS": "1"},
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    result = json.loads((tmp_path / "field.json").read_text())
+    assert (tmp_path / "field.png").read_bytes().startswith(b"\x89PNG")
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["field.json", "field.png"]
+    rows = {(row["nearest_mm"], row["model"], row["type"]): row for row in result["models"]}
+    assert len(rows) == len(result["models"]) == 8
+    for (_, model, _), row in rows.items():
+        assert (row["largest_error"] <= 1e-3) is (model == "multipole")
+        assert row["pairs_per_s"] > row["with_gradient_pairs_per_s"] > 0
+    assert [rows[near, "multipole", "float32"]["order"] for near in (8.0, 7.0)] == [7, 9]
+    # the targets are 30 and 20; a busy machine that swaps mid-run must not fail the test
+    assert all(rows[near, "multipole", "float32"]["ratio"] > 5 for near in (8.0, 7.0))
+    assert [row["pairs"] for row in result["growth"]] == [1125, 10125, 49875]
+    assert result["signals"]["presses"] == 1000
+    assert "x magpylib" in done.stdout
