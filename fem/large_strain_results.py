@@ -83,7 +83,7 @@ def save_large_strain_press(press: LargeStrainPress, path: Path | str) -> None:
     import xarray as xr
 
     material = press.material
-    variables = {
+    variables: dict[str, tuple] = {
         "force_n": (("step",), press.force_n, {"units": "N"}),
         "linear_force_n": (("step",), press.linear_force_n, {"units": "N"}),
         "contact_area_mm2": (("step",), press.contact_area_mm2, {"units": "mm2"}),

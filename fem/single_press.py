@@ -134,14 +134,14 @@ def require_press(
         raise InputError(f"face {face} is not sensed. Choose one of {sorted(frames)}")
     radius = spec.indenter.radius_mm
     half_x, half_y = frames[face].half_extents_mm
-    if abs(x_mm) + radius > half_x or abs(y_mm) + radius > half_y:
+    if not (abs(x_mm) + radius <= half_x and abs(y_mm) + radius <= half_y):
         raise InputError(
             f"a tip of radius {radius:g} mm at ({x_mm:g}, {y_mm:g}) mm hangs over the border of face "
             f"{face} (±{half_x:g}, ±{half_y:g} mm). Move the press inwards or use a smaller indenter"
         )
     depths = np.asarray(depths_mm, float)
     increasing = len(depths) > 0 and depths[0] > 0 and (np.diff(depths) > 0).all()
-    if not increasing or depths[-1] >= min(radius, spec.shell.thickness_mm):
+    if not (increasing and depths[-1] < min(radius, spec.shell.thickness_mm)):
         raise InputError(
             "depths must increase from above 0 and stay below the tip's radius and the shell's "
             f"thickness ({min(radius, spec.shell.thickness_mm):g} mm); got {list(depths_mm)}"

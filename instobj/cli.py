@@ -130,6 +130,30 @@ def recordings(
     _show(read_recordings(files, out), as_json)
 
 
+@app.command()
+def press(
+    spec: Annotated[Path, typer.Argument(help="Specification (TOML).", show_default=False)],
+    xy: Annotated[tuple[float, float], typer.Option(help="Place in the face's frame, mm.")],
+    face: Annotated[int, typer.Option(help="Sensed face, 1 to 5.")] = 1,
+    depth: Annotated[float, typer.Option(help="Depth of the press, mm.")] = 2.0,
+    material: Annotated[str, typer.Option(help="neo-hookean, yeoh or ogden.")] = "neo-hookean",
+    constants: Annotated[
+        str, typer.Option(help="MPa: C1,C2,C3 of yeoh; μ1,α1,μ2,α2,… of ogden.")
+    ] = "",
+    out: Out = _HERE,
+    as_json: AsJson = False,
+    overrides: Overrides = None,
+) -> None:
+    """One press with large deformation beside small strain, on the same mesh."""
+    from instobj.press import press_specification
+
+    result = press_specification(spec, face, xy, depth, material, constants, out, overrides or [])
+    _show(result, as_json)
+    if result["status"] != "converged":
+        typer.echo("Newton's method found no equilibrium any deeper", err=True)
+        raise typer.Exit(1)
+
+
 def _chain(
     specs: list[Path],
     stages: tuple[str, ...],
