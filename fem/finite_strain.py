@@ -75,7 +75,7 @@ def finite_strain_elements(space: TaylorHood) -> FiniteStrainElements:
     """Gradients, weights and the sparsity pattern of a Taylor–Hood space."""
     basis = space.displacement
     gradients = np.stack([np.moveaxis(np.asarray(f[0].grad), 0, -1) for f in basis.basis], axis=2)
-    hats = np.stack([f[0].value[0] for f in space.pressure.basis], axis=1)
+    hats = np.stack([np.asarray(f[0])[0] for f in space.pressure.basis], axis=1)
     nodes = basis.element_dofs.T.copy()
     used = np.unique(space.pressure.element_dofs)
     pressure_nodes = np.searchsorted(used, space.pressure.element_dofs.T)

@@ -74,7 +74,7 @@ def contact_face(
     facets = facets[(number[np.asarray(mesh.facets)[:, facets]] >= 0).any(axis=0)]
     quadratic = FacetBasis(mesh, ElementTetP2(), facets=facets, intorder=_QUADRATURE_ORDER)
     linear = FacetBasis(mesh, ElementTetP1(), facets=facets, intorder=_QUADRATURE_ORDER)
-    hats = np.stack([f[0].value for f in linear.basis], axis=-1)
+    hats = np.stack([np.asarray(f[0]) for f in linear.basis], axis=-1)
     candidate = number[linear.element_dofs.T]
     area = np.asarray(quadratic.dx)
     return ContactFace(
@@ -151,7 +151,7 @@ def _shapes_and_slopes(basis: FacetBasis, frame: FaceFrame) -> np.ndarray:
     functions = []
     for shape, *_ in basis.basis:
         slopes = np.einsum("mi,ifq->fqm", tangents, np.asarray(shape.grad))
-        functions.append(np.concatenate([np.asarray(shape.value)[..., None], slopes], axis=-1))
+        functions.append(np.concatenate([np.asarray(shape)[..., None], slopes], axis=-1))
     return np.stack(functions, axis=-1)
 
 
