@@ -199,7 +199,7 @@ STAGES: dict[str, Stage] = {
         ("build", "mesh", "response", "presses", "signals", "scores", "frames", "metrics"),
         ("name", "limits"),
         _report,
-        version=3,
+        version=4,
     ),
 }
 """In the order in which `instobj run` works through them."""

@@ -193,18 +193,22 @@ def _mechanics_section(
 
 
 def _linearity_note(spec: ObjectSpec, protocol: dict[str, Any]) -> str:
-    from fem.linearity import linear_force_shortfall
+    from fem.linearity import linear_error
 
     parts = []
     for name in ("shallowest_peak_mm", "deepest_peak_mm"):
         depth = protocol[name]
-        error = linear_force_shortfall(depth, spec.shell.thickness_mm)
-        size = "more than 19 %" if error is None else f"about {100 * error:.0f} %"
-        parts.append(f"{size} at {depth:.2f} mm")
+        error = linear_error(depth, spec.shell.thickness_mm)
+        if error is None:
+            parts.append(f"beyond what was measured at {depth:.2f} mm")
+        else:
+            size = f"force by up to {100 * error.force:.0f} %, magnet motions by {100 * error.motion:.0f} %"
+            parts.append(f"{size} at {depth:.2f} mm")
     return (
-        "Small-strain mechanics gives too little force in deep presses: "
-        + ", ".join(parts)
-        + " (orientation from a neo-Hookean study of a bonded layer, good to a factor of two). The "
+        "Small-strain mechanics is off at the protocol's peaks: "
+        + "; ".join(parts)
+        + " (largest of five neo-Hookean presses of the R5 hemisphere on the paper's cube, scaled by "
+        "depth over thickness; `instobj press` shows both models for one press of this object). The "
         "modulus is uncertain as well. For the paper's cube (Platsil Gel-10) recordings fit 0.23 to 0.28 "
         "MPa in this linear model, Gent's relation gives 0.414 MPa at Shore A10, and its recorded peak "
         "forces of 10 to 20 N ask for more travel or a stiffer silicone than either."
