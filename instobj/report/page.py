@@ -207,7 +207,7 @@ def _linearity_note(spec: ObjectSpec, protocol: dict[str, Any]) -> str:
     return (
         "Small-strain mechanics is off at the protocol's peaks: "
         + "; ".join(parts)
-        + " (largest of five neo-Hookean presses of the R5 hemisphere on the paper's cube, scaled by "
+        + " (largest of six neo-Hookean presses of the R5 hemisphere on the paper's cube, scaled by "
         "depth over thickness; `instobj press` shows both models for one press of this object). The "
         "modulus is uncertain as well. For the paper's cube (Platsil Gel-10) recordings fit 0.23 to 0.28 "
         "MPa in this linear model, Gent's relation gives 0.414 MPa at Shore A10, and its recorded peak "
