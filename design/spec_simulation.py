@@ -1,0 +1,105 @@
+"""What a specification asks of simulation: presses, mesh, mechanics, scores, training, limits."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field, model_validator
+
+from design.spec_types import Count, NonNegative, Positive, SpecPart
+
+
+class ContactGridSpec(SpecPart):
+    """Contact places on each face, centred on it; place = X·count_y + Y, counted from 0."""
+
+    count: tuple[Annotated[int, Field(ge=2, le=100)], Annotated[int, Field(ge=2, le=100)]] = (
+        10,
+        10,
+    )
+    pitch_mm: Positive = 3.0
+
+
+class IndenterSpec(SpecPart):
+    """Rigid, frictionless indenter pressed along the face's inward normal."""
+
+    kind: Literal["hemisphere"] = "hemisphere"
+    radius_mm: Positive = 5.0
+
+
+class PressSpec(SpecPart):
+    """Depths below the undeformed face to which every place is pressed."""
+
+    depths_mm: Annotated[tuple[Positive, ...], Field(min_length=2)] = (
+        0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0,
+    )  # fmt: skip
+
+    @model_validator(mode="after")
+    def _depths_increase(self) -> PressSpec:
+        if any(b <= a for a, b in zip(self.depths_mm, self.depths_mm[1:], strict=False)):
+            raise ValueError(
+                f"press.depths_mm must increase strictly; got {list(self.depths_mm)}. Sort the "
+                "depths and remove repeats"
+            )
+        return self
+
+
+class MeshSpec(SpecPart):
+    """Target edge lengths: `edge_mm` in the bulk, `surface_edge_mm` under the pressed faces."""
+
+    edge_mm: Positive = 4.0
+    surface_edge_mm: Positive = 1.2
+    envelope_mm: Positive = 0.03
+    magnet_sides: Annotated[int, Field(ge=6, le=64)] = 8
+
+
+class MechanicsSpec(SpecPart):
+    """Finite element and the model of the magnets in the silicone."""
+
+    element: Literal["taylor-hood"] = "taylor-hood"
+    magnets: Literal["rigid", "points"] = "rigid"
+
+
+class ScoreSpec(SpecPart):
+    """At which force places are judged, and on how many frames the convex hull stands."""
+
+    force_n: Positive = 8.0
+    hull_frames: Annotated[int, Field(ge=12)] = 1000
+
+
+class ProtocolSpec(SpecPart):
+    """Simulated calibration presses: travel periodic, each press with its own disturbances."""
+
+    presses_per_place: Annotated[int, Field(ge=3)] = 6
+    frames_per_press: Annotated[int, Field(ge=4)] = 40
+    rest_frames_per_press: Annotated[int, Field(ge=2)] = 8
+    peak_force_n: tuple[Positive, Positive] = (10.0, 20.0)
+    peak_force_spread: Annotated[float, Field(ge=0, lt=0.9)] = 0.1
+    lateral_jitter_mm: NonNegative = 0.3
+    force_noise_n: NonNegative = 0.12
+
+    @model_validator(mode="after")
+    def _peak_range(self) -> ProtocolSpec:
+        low, high = self.peak_force_n
+        if low > high:
+            raise ValueError(
+                f"protocol.peak_force_n must be [lowest, highest]; got [{low:g}, {high:g}]. Swap them"
+            )
+        return self
+
+
+class TrainingSpec(SpecPart):
+    """Contact estimator: one compact network per face."""
+
+    hidden_units: Annotated[tuple[Count, ...], Field(min_length=1)] = (256, 256, 256)
+    epochs: Count = 40
+    batch_size: Count = 512
+    learning_rate: Positive = 3e-3
+    patience_epochs: Count = 15
+
+
+class LimitsSpec(SpecPart):
+    """Go or no-go limits of the report."""
+
+    position_bound_mm: Positive = 1.5
+    detectable_force_n: Positive = 1.0
+    saturation_margin: Annotated[float, Field(gt=0, lt=1)] = 0.1
