@@ -77,19 +77,64 @@ def solve_symmetric(
     SingularSystemError
         A is singular to working precision.
     """
-    if not pardiso_available():
-        _warn_without_mkl()
-        return _superlu(matrix).solve(np.asarray(right_sides))
-    solver = _Pardiso(matrix)
-    rhs = np.asfortranarray(right_sides, dtype=float)
-    solution = np.zeros_like(rhs, order="F")
-    try:
-        solver.call(_ANALYSE, rhs, solution)
-        solver.call(_FACTOR, rhs, solution)
-        solver.call(_SOLVE, rhs, solution)
-    finally:
-        solver.call(_RELEASE, rhs, solution)
-    return solution
+    with Factorization(matrix) as factor:
+        return factor.solve(right_sides)
+
+
+class Factorization:
+    """A symmetric, possibly indefinite matrix A, factored once and solved as often as wanted.
+
+    Use it as a context: the factor (1 GB for the default mesh) is given back at its end.
+    `negative_pivots` is the number of negative eigenvalues of A (−1: unknown).
+
+    Raises
+    ------
+    SingularSystemError
+        A is singular to working precision.
+    """
+
+    def __init__(self, matrix: sp.csr_matrix) -> None:
+        self.size = shape_of(matrix)[0]
+        self.negative_pivots = -1
+        self._pardiso: _Pardiso | None = None
+        self._superlu: Any = None
+        if not pardiso_available():
+            _warn_without_mkl()
+            self._superlu = _superlu(matrix)
+            return
+        self._pardiso = _Pardiso(matrix)
+        unused = np.zeros(self.size)
+        try:
+            self._pardiso.call(_ANALYSE, unused, unused)
+            self._pardiso.call(_FACTOR, unused, unused)
+        except BaseException:
+            self.release()
+            raise
+        self.negative_pivots = self._pardiso.negative_pivots
+
+    def solve(self, right_sides: Float[np.ndarray, "n m"]) -> Float[np.ndarray, "n m"]:
+        """x of A x = b for every column b."""
+        if self._superlu is not None:
+            return self._superlu.solve(np.asarray(right_sides, float))
+        if self._pardiso is None:
+            raise ValueError("the factorization was released. Solve inside its context")
+        rhs = np.asfortranarray(right_sides, dtype=float)
+        solution = np.zeros_like(rhs, order="F")
+        self._pardiso.call(_SOLVE, rhs, solution)
+        return solution
+
+    def release(self) -> None:
+        """Give the memory of the factor back; nothing can be solved afterwards."""
+        if self._pardiso is not None:
+            unused = np.zeros(self.size)
+            self._pardiso.call(_RELEASE, unused, unused)
+        self._pardiso = self._superlu = None
+
+    def __enter__(self) -> Factorization:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.release()
 
 
 def pardiso_available() -> bool:

@@ -49,7 +49,7 @@ def mesh_quality(mesh: TetMesh, spec: ObjectSpec) -> MeshQuality:
         dihedral_5th_percentile_deg=float(np.percentile(angles.min(axis=1), 5)),
         volume_mm3=float(volume.sum()),
         volume_error=float(volume.sum() / exact - 1),
-        magnet_volume_error=float(abs(per_magnet / disk - 1).max()),
+        magnet_volume_error=float(abs(per_magnet / disk - 1).max(initial=0)),
     )
 
 

@@ -21,11 +21,12 @@ _OVERSHOOT_MM = 1.0
 _SUPPORT_RING_MM = 2.0
 
 
-def all_surfaces(spec: ObjectSpec) -> trimesh.Trimesh:
-    """Body, magnets and support ring in one object, each still closed by itself."""
+def all_surfaces(spec: ObjectSpec, magnets: bool = True) -> trimesh.Trimesh:
+    """Body, magnets (or none) and support ring in one object, each still closed by itself."""
     import trimesh
 
-    surfaces = [sealed_body_surface(spec), *magnet_surfaces(spec), support_ring_surface(spec)]
+    prisms = magnet_surfaces(spec) if magnets else []
+    surfaces = [sealed_body_surface(spec), *prisms, support_ring_surface(spec)]
     start = np.cumsum([0, *(len(surface.vertices) for surface in surfaces)])
     return trimesh.Trimesh(
         np.concatenate([surface.vertices for surface in surfaces]),

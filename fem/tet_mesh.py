@@ -48,8 +48,10 @@ class _EdgeLengths:
     length_mm: Float[np.ndarray, "point"]
 
 
-def tetrahedralize(spec: ObjectSpec, edge_length: EdgeLength | None = None) -> TetMesh:
-    """Mesh the sealed body, magnets conforming.
+def tetrahedralize(
+    spec: ObjectSpec, edge_length: EdgeLength | None = None, magnets: bool = True
+) -> TetMesh:
+    """Mesh the sealed body, magnets conforming, or as if it were silicone throughout.
 
     `edge_length` gives the wanted edge length (mm) at points (n, 3); by default edges are fine
     under all sensed faces. The mesher is not deterministic: store the mesh, never compare counts.
@@ -62,7 +64,7 @@ def tetrahedralize(spec: ObjectSpec, edge_length: EdgeLength | None = None) -> T
     """
     from pytetwild.pytetwild import tetrahedralize as pytetwild_tetrahedralize
 
-    surface = all_surfaces(spec)
+    surface = all_surfaces(spec, magnets)
     background = _edge_length_field(spec, edge_length)
     diagonal = float(np.linalg.norm(spec.body.size_mm))
     with _scratch_folder():
@@ -83,6 +85,8 @@ def tetrahedralize(spec: ObjectSpec, edge_length: EdgeLength | None = None) -> T
                 f"(now {spec.mesh.envelope_mm:g}) or a smaller mesh.edge_mm"
             ) from error
     tets = _positively_oriented(points, tets.astype(np.int64))
+    if not magnets:
+        return TetMesh(points, tets, np.full(len(tets), SILICONE))
     return TetMesh(points, tets, _containing_magnet(spec, points[tets].mean(axis=1)))
 
 
