@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+from collections.abc import Callable
 from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any, Literal
@@ -15,14 +16,15 @@ from design.files import atomic_path
 from design.layouts import PlaceGrid, contact_grid
 from design.spec import ObjectSpec
 from estimator.fisher import cramer_rao_bounds, detectable_force_n, disturbance_counts
-from estimator.interpolation import depth_at_force, press_traces, signal_gradient
+from estimator.interpolation import Traces, depth_at_force, press_traces, signal_gradient
 from estimator.sensitivity import (
     channel_noise,
     covariance_sensitivity,
+    hull_sensitivity,
     own_channels,
     periodic_press,
 )
-from estimator.signals import Signals
+from estimator.signals import Signals, require_finite
 
 Area = Literal["corner", "edge", "mid_edge", "centre"]
 AREAS: tuple[Area, ...] = ("corner", "edge", "mid_edge", "centre")
@@ -35,10 +37,11 @@ class PlaceScores:
 
     Attributes
     ----------
-    delta_raw, delta_scaled : convex-hull sensitivity (covariance equivalent, N =
-        `score.hull_frames`, white noise) for presses up to `force_at_score_n`, in counts^d/N and,
-        with each channel divided by its range over the face (three sigma of noise at either end
-        included), in 1/N
+    delta_raw, delta_scaled : convex-hull sensitivity of the face's own d channels (form
+        `score.hull`, N = `score.hull_frames`, white noise) for presses up to `force_at_score_n`, in
+        counts^d/N and, with each channel divided by its range over the face (three sigma of noise
+        at either end included), in 1/N
+    delta_raw_standard_error : of the Monte Carlo form; 0 for the others
     position_bound_*_mm, force_bound_*_n : Cramér–Rao bounds at `force_at_score_n`, freshly zeroed
         and drifted (`estimator.fisher`); infinite where the signals cannot tell
     detectable_force_*_n : force at which the signal stands five sigma off rest
@@ -51,6 +54,7 @@ class PlaceScores:
     faces: Int[np.ndarray, "face"]
     grid: PlaceGrid
     delta_raw: Float[np.ndarray, "face place"]
+    delta_raw_standard_error: Float[np.ndarray, "face place"]
     delta_scaled: Float[np.ndarray, "face place"]
     position_bound_fresh_mm: Float[np.ndarray, "face place"]
     position_bound_drifted_mm: Float[np.ndarray, "face place"]
@@ -88,29 +92,37 @@ class AreaSummary:
 
 
 def score_places(
-    spec: ObjectSpec, signals: Signals, channels: Literal["own", "all"] = "own"
+    spec: ObjectSpec, signals: Signals, progress: Callable[[str], None] | None = None
 ) -> PlaceScores:
-    """Score every contact place from its face's own channels, or from those of all faces."""
+    """Score every contact place; bounds and detectable forces from `score.channels`.
+
+    Raises
+    ------
+    InputError
+        Signals that are not finite, forces that do not grow with depth, or no hull volume.
+    """
+    require_finite(signals)
     grid = contact_grid(spec)
-    rows = [_score_face(spec, signals, grid, int(face), channels) for face in signals.faces]
+    rows = []
+    for face in signals.faces.tolist():
+        if progress:
+            progress(f"face {face}: {len(grid)} places, hull form {spec.score.hull}")
+        rows.append(_score_face(spec, signals, grid, face))
     columns = {name: np.stack([row[name] for row in rows]) for name in rows[0]}
     return PlaceScores(signals.faces, grid, **columns)
 
 
-def _score_face(
-    spec: ObjectSpec, signals: Signals, grid: PlaceGrid, face: int, channels: str
-) -> dict[str, Any]:
-    used = np.arange(signals.baseline_counts.size)
-    if channels == "own":
-        used = own_channels(signals, spec.sensors, face)
+def _score_face(spec: ObjectSpec, signals: Signals, grid: PlaceGrid, face: int) -> dict[str, Any]:
+    own = own_channels(signals, spec.sensors, face)
+    used = own if spec.score.channels == "own" else np.arange(signals.baseline_counts.size)
     where = (np.full(len(grid), face), grid.xy_mm[:, 0], grid.xy_mm[:, 1])
-    traces = press_traces(signals, *where).of_channels(used)
+    every = press_traces(signals, *where)
+    traces = every.of_channels(used)
     reach = traces.force_n[:, -1]
     force = np.minimum(spec.score.force_n, reach)
     depth = depth_at_force(traces, force[:, None])[:, 0]
     jacobian = signal_gradient(signals, *where, force).jacobian[:, used]
-    press = periodic_press(traces, force, _COVARIANCE_SAMPLES)
-    row: dict[str, Any] = _sensitivities(spec, press, force)
+    row: dict[str, Any] = _sensitivities(spec, every.of_channels(own), force, face)
     for state in ("fresh", "drifted"):
         sigma = disturbance_counts(spec.sensors, state, len(used))
         bounds = cramer_rao_bounds(jacobian, sigma)
@@ -129,16 +141,22 @@ def _score_face(
 
 
 def _sensitivities(
-    spec: ObjectSpec,
-    press: Float[np.ndarray, "place frame channel"],
-    force_n: Float[np.ndarray, "place"],
+    spec: ObjectSpec, own: Traces, force_n: Float[np.ndarray, "place"], face: int
 ) -> dict[str, Float[np.ndarray, "place"]]:
-    noise = channel_noise(spec.sensors, press.shape[2])
-    frames = spec.score.hull_frames
+    form, frames = spec.score.hull, spec.score.hull_frames
+    noise = channel_noise(spec.sensors, own.counts.shape[2])
+    press = periodic_press(own, force_n, _COVARIANCE_SAMPLES if form == "covariance" else frames)
+    if form == "covariance":
+        raw = covariance_sensitivity(press, force_n, noise, frames)
+    else:
+        rng = np.random.default_rng([spec.seed, face])
+        raw = hull_sensitivity(press, force_n, noise, rng, form)
     span = press.max(axis=(0, 1)) - press.min(axis=(0, 1)) + 6 * noise
-    raw = covariance_sensitivity(press, force_n, noise, frames)
-    scaled = covariance_sensitivity(press / span, force_n, noise / span, frames)
-    return {"delta_raw": raw.delta, "delta_scaled": scaled.delta}
+    return {
+        "delta_raw": raw.delta,
+        "delta_raw_standard_error": raw.standard_error,
+        "delta_scaled": raw.scaled(span).delta,
+    }
 
 
 def weakest_place(scores: PlaceScores) -> WeakestPlace:
@@ -176,6 +194,7 @@ def summarize_areas(scores: PlaceScores, face: int | None = None) -> tuple[AreaS
     """Medians per area over all faces, or over one."""
     rows = slice(None) if face is None else scores.faces == face
     names = [f.name for f in fields(scores) if f.name.startswith(("delta", "position", "force_b"))]
+    names.remove("delta_raw_standard_error")
     names += ["detectable_force_fresh_n", "detectable_force_drifted_n", "stiffness_n_per_mm"]
     medians = {}
     for area in AREAS:
@@ -194,7 +213,11 @@ def summarize_areas(scores: PlaceScores, face: int | None = None) -> tuple[AreaS
     )
 
 
-_UNITS = {"delta_raw": "counts^d/N", "delta_scaled": "1/N"}
+_UNITS = {
+    "delta_raw": "counts^d/N",
+    "delta_raw_standard_error": "counts^d/N",
+    "delta_scaled": "1/N",
+}
 
 
 def save_scores_csv(scores: PlaceScores, path: Path | str) -> None:

@@ -205,6 +205,23 @@ def _check_sensor_clear(
         )
 
 
+def require_finite(signals: Signals) -> None:
+    """Raise InputError that names the channel where forces or signals are not finite."""
+    if not np.isfinite(signals.force_n).all():
+        count = int(np.sum(~np.isfinite(signals.force_n)))
+        raise InputError(f"the force of {count} presses is not finite. Simulate the presses anew")
+    per_channel = np.sum(~np.isfinite(signals.delta_counts), axis=(0, 1, 2))
+    bad = np.argwhere((per_channel > 0) | ~np.isfinite(signals.baseline_counts))
+    if bad.size:
+        named = ", ".join(f"sensor {sensor + 1} {'XYZ'[axis]}" for sensor, axis in bad[:4])
+        more = f" and {len(bad) - 4} more" if len(bad) > 4 else ""
+        raise InputError(
+            f"signals are not finite on {named}{more} (sensors counted over all faces; "
+            f"{int(per_channel.max())} presses on the worst). Leave the sensor out of the layout, or "
+            "simulate anew"
+        )
+
+
 def saturation_margin(signals: Signals, spec: ObjectSpec) -> float:
     """1 − (largest |expected counts| in any press or at rest) / full scale; negative if clipped."""
     pressed = np.abs(signals.baseline_counts + signals.delta_counts).max()

@@ -78,10 +78,19 @@ def simulate(
 
 @app.command()
 def score(
-    specs: Specs, out: Out = _HERE, as_json: AsJson = False, overrides: Overrides = None
+    specs: Specs,
+    hull: Annotated[
+        str | None, typer.Option(help="δ by covariance, monte-carlo (any N) or exact (N ≤ 100).")
+    ] = None,
+    hull_frames: Annotated[int | None, typer.Option(help="N of the convex hull.")] = None,
+    out: Out = _HERE,
+    as_json: AsJson = False,
+    overrides: Overrides = None,
 ) -> None:
     """Sensitivity, Cramér–Rao bounds and maps of every contact place."""
-    _chain(specs, ("scores",), out, as_json, overrides)
+    chosen = {"score.hull": hull, "score.hull_frames": hull_frames}
+    more = [f"{key}={value}" for key, value in chosen.items() if value is not None]
+    _chain(specs, ("scores",), out, as_json, [*(overrides or []), *more])
 
 
 @app.command()

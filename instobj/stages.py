@@ -103,7 +103,7 @@ def _scores(context: StageContext, folder: Path) -> None:
     from instobj.report.maps import draw_score_maps
 
     context.step("sensitivity and bounds of every place")
-    scores = score_places(context.spec, _stored_signals(context))
+    scores = score_places(context.spec, _stored_signals(context), context.step)
     save_scores_csv(scores, folder / "scores.csv")
     draw_score_maps(context.spec, scores, folder / "maps", context.step)
 
@@ -186,7 +186,9 @@ STAGES: dict[str, Stage] = {
     "signals": Stage(
         "signals: Hall sensors", ("presses",), ("magnets", "sensors", "seed"), _signals
     ),
-    "scores": Stage("sensitivity: bounds and maps", ("signals",), ("score",), _scores, version=2),
+    "scores": Stage(
+        "sensitivity: bounds and maps", ("signals",), ("score", "seed"), _scores, version=3
+    ),
     "frames": Stage(
         "estimator: simulated presses", ("signals",), ("protocol", "seed"), _frames, version=2
     ),

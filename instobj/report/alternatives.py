@@ -48,7 +48,8 @@ def alternatives(
 
 
 def _all(spec: ObjectSpec, signals: Signals) -> PlaceScores:
-    return score_places(spec, signals, channels="all")
+    score = spec.score.model_copy(update={"channels": "all"})
+    return score_places(spec.model_copy(update={"score": score}), signals)
 
 
 def _quieter(spec: ObjectSpec) -> ObjectSpec:

@@ -112,11 +112,12 @@ def _maps_section(spec: ObjectSpec, inputs: dict[str, Path]) -> str:
             f"({_text(unit_of(score_map, spec))})</summary>"
             f"<div class='grid'>{images}</div></details>"
         )
+    whose = "the face's own" if spec.score.channels == "own" else "all"
     return "".join(parts) + (
-        f"<p class='note'>Bounds are Cramér–Rao bounds at {spec.score.force_n:g} N from the face's own "
-        f"channels, freshly zeroed (white noise and {spec.sensors.zeroing_counts:g} counts). δ is the "
-        f"covariance equivalent of the convex-hull volume at N = {spec.score.hull_frames} frames over "
-        "the force range, in raw counts with the sensors' white noise.</p>"
+        f"<p class='note'>Bounds are Cramér–Rao bounds at {spec.score.force_n:g} N from {whose} channels, "
+        f"freshly zeroed (white noise and {spec.sensors.zeroing_counts:g} counts). δ is the convex-hull "
+        f"volume over the force range ({spec.score.hull} form, N = {spec.score.hull_frames} frames), in "
+        "raw counts of the face's own channels with the sensors' white noise.</p>"
     )
 
 

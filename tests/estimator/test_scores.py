@@ -55,9 +55,47 @@ def test_bounds_are_those_of_the_own_channels_at_the_score_force(signals, scores
 def test_drift_and_fewer_channels_make_bounds_worse(signals, scores):
     assert (scores.position_bound_drifted_mm > scores.position_bound_fresh_mm).all()
     assert (scores.detectable_force_drifted_n > scores.detectable_force_fresh_n).all()
-    every = score_places(SPEC, signals, channels="all")
+    every = score_places(coarse_spec(score={"force_n": 14.0, "channels": "all"}), signals)
     assert (every.position_bound_fresh_mm < scores.position_bound_fresh_mm).all()
     assert (every.force_bound_fresh_n < scores.force_bound_fresh_n).all()
+    assert_allclose(every.delta_raw, scores.delta_raw)
+
+
+def test_hull_forms_are_chosen_by_the_specification_and_agree(signals, scores):
+    for form, frames in (("exact", 24), ("monte-carlo", 1000)):
+        spec = coarse_spec(score={"force_n": 14.0, "hull": form, "hull_frames": frames})
+        told: list[str] = []
+        some = replace(
+            signals,
+            faces=signals.faces[:1],
+            force_n=signals.force_n[:1],
+            delta_counts=signals.delta_counts[:1],
+        )
+        found = score_places(spec, some, told.append)
+        equivalent = score_places(spec_of_frames(frames), some)
+        assert_allclose(np.median(found.delta_raw / equivalent.delta_raw), 1, atol=0.3)
+        shown = (found.delta_raw_standard_error > 0).all()
+        assert shown == (form == "monte-carlo")
+        assert_allclose(np.ptp(np.log(found.delta_scaled / found.delta_raw)), 0, atol=1e-9)
+        assert told == [f"face 1: 20 places, hull form {form}"]
+        np.testing.assert_array_equal(score_places(spec, some).delta_raw, found.delta_raw)
+    with pytest.raises(ValueError, match=r"at most 100 frames; got score.hull_frames = 1000"):
+        coarse_spec(score={"hull": "exact"})
+
+
+def spec_of_frames(frames):
+    return coarse_spec(score={"force_n": 14.0, "hull_frames": frames})
+
+
+def test_channels_that_are_not_finite_are_named(signals):
+    delta = signals.delta_counts.copy()
+    delta[2, 5:8, 1, 4, 1] = np.nan
+    with pytest.raises(InputError, match=r"not finite on sensor 5 Y .*3 presses"):
+        score_places(SPEC, replace(signals, delta_counts=delta))
+    force = signals.force_n.copy()
+    force[0, 0, 0] = np.inf
+    with pytest.raises(InputError, match="force of 1 presses is not finite"):
+        score_places(SPEC, replace(signals, force_n=force))
 
 
 def test_places_that_do_not_reach_the_force_are_judged_at_their_largest_and_flagged(

@@ -10,14 +10,12 @@ from synthetic_presses import coarse_spec, synthetic_presses
 
 from design.errors import InputError
 from design.layouts import contact_grid
+from estimator.hull import ln_hull_factor
 from estimator.interpolation import press_traces
 from estimator.sensitivity import (
     channel_noise,
     covariance_sensitivity,
     hull_sensitivity,
-    hull_volume,
-    ln_hull_factor,
-    ln_sample_covariance_factor,
     own_channels,
     periodic_press,
 )
@@ -65,29 +63,6 @@ def test_equivalent_ranks_places_as_the_exact_hull_at_100_frames(place_traces):
     assert_allclose(size, 1, atol=0.25)
 
 
-def test_hull_volume_of_a_sheared_box_is_its_determinant():
-    corners = np.array(np.meshgrid(*[[0.0, 1.0]] * 5)).reshape(5, -1).T
-    shear = np.diag([2.0, 300.0, 0.5, 1.0, 4.0]) + np.triu(np.full((5, 5), 0.3), 1)
-    assert_allclose(hull_volume(corners @ shear), abs(np.linalg.det(shear)), rtol=1e-9)
-
-
-def test_gaussian_factor_matches_known_and_sampled_hulls():
-    assert_allclose(np.exp(ln_hull_factor(3, 1)), 3 / np.sqrt(np.pi), rtol=1e-9)
-    rng = np.random.default_rng(2)
-    for frames, channels in ((12, 2), (30, 3), (25, 6)):
-        volumes = [hull_volume(rng.standard_normal((frames, channels))) for _ in range(400)]
-        spread = np.std(volumes) / np.mean(volumes) / 20
-        assert_allclose(np.exp(ln_hull_factor(frames, channels)), np.mean(volumes), rtol=4 * spread)
-
-
-def test_gaussian_factor_agrees_with_values_found_for_simulated_presses():
-    """ln c against sample covariances, as measured on simulated presses, N from 40 to 1000."""
-    measured = {40: 4.66, 60: 5.69, 100: 6.74, 200: 8.02, 400: 9.01, 1000: 10.15}
-    for frames, value in measured.items():
-        found = ln_hull_factor(frames, 9) + ln_sample_covariance_factor(frames, 9)
-        assert_allclose(found, value, atol=0.15)
-
-
 def test_delta_depends_on_frames_noise_and_force_range_as_stated(place_traces):
     peak = np.full(len(place_traces.force_n), 8.0)
     press = periodic_press(place_traces, peak, 64)
@@ -107,20 +82,34 @@ def test_delta_depends_on_frames_noise_and_force_range_as_stated(place_traces):
 def test_noise_free_presses_are_explained_not_crashed(place_traces):
     peak = np.full(len(place_traces.force_n), 8.0)
     press = periodic_press(place_traces, peak, 40)
-    line = np.linspace(0, 1, 40)[:, None] * np.arange(1.0, 10)
-    with pytest.raises(InputError, match=r"1 of 9 dimensions.*sensors.noise_counts"):
-        hull_volume(line)
-    with pytest.raises(InputError, match="no volume"):
-        hull_sensitivity(
-            press * [1, 1, 1, 1, 0, 1, 1, 1, 1], peak, 0 * NOISE, np.random.default_rng()
-        )
+    for form in ("exact", "monte-carlo"):
+        with pytest.raises(InputError, match=r"of 9 dimensions.*sensors.noise_counts"):
+            hull_sensitivity(
+                press * [1, 1, 1, 1, 0, 1, 1, 1, 1], peak, 0 * NOISE, np.random.default_rng(), form
+            )
     with pytest.raises(InputError, match="no volume"):
         covariance_sensitivity(press, peak, 0 * NOISE, 1000)
 
 
-def test_too_few_and_too_many_frames_are_refused():
+@pytest.mark.slow
+def test_monte_carlo_form_agrees_with_the_equivalent_at_the_papers_1000_frames(place_traces):
+    peak = np.full(len(place_traces.force_n), 8.0)
+    press = periodic_press(place_traces, peak, 1000)
     rng = np.random.default_rng(4)
-    with pytest.raises(InputError, match="more than 10 frames; got 10"):
-        hull_volume(rng.normal(size=(10, 9)))
-    with pytest.raises(InputError, match="limited to 100 frames; got 101"):
-        hull_volume(rng.normal(size=(101, 9)))
+    found = [hull_sensitivity(press, peak, NOISE, rng, "monte-carlo") for _ in range(3)]
+    equivalent = covariance_sensitivity(press, peak, NOISE, 1000)
+    assert found[0].frames == 1000
+    assert (found[0].standard_error < 0.12 * found[0].delta).all()
+    mean = np.mean([one.delta for one in found], axis=0)
+    assert spearmanr(mean, equivalent.delta).statistic >= 0.95
+    assert_allclose(np.median(mean / equivalent.delta), 1, atol=0.25)
+
+
+def test_scaled_delta_is_that_of_scaled_signals(place_traces):
+    peak = np.full(len(place_traces.force_n), 8.0)
+    press = periodic_press(place_traces, peak, 64)
+    span = press.max(axis=(0, 1)) - press.min(axis=(0, 1)) + 6 * NOISE
+    direct = covariance_sensitivity(press / span, peak, NOISE / span, 1000)
+    scaled = covariance_sensitivity(press, peak, NOISE, 1000).scaled(span)
+    assert_allclose(scaled.delta, direct.delta, rtol=1e-9)
+    assert_allclose(scaled.noise_counts, direct.noise_counts)
