@@ -30,9 +30,10 @@ from scipy.spatial.transform import Rotation
 from design.files import atomic_path
 from design.layouts import contact_grid, magnet_layout
 from design.spec import ObjectSpec
-from estimator.field import DiskMagnet, FieldModel, field_model
+from estimator.field import FieldModel, field_model
 from estimator.field_torch import batched_field
 from estimator.signals import press_signals
+from estimator.sources import DiskMagnet
 from fem.results import MagnetMotions, PressForces
 
 DISK = DiskMagnet(6.0, 1.0, 1.43)

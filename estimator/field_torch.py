@@ -14,7 +14,8 @@ from jaxtyping import Float
 from torch import Tensor
 
 from design.errors import InputError
-from estimator.field import FieldModel, Vector, sum_over_magnets
+from estimator.field import FieldModel, sum_over_magnets
+from estimator.vectors import Vector
 
 _CPU_ARRAY_BYTES = 96 * 1024
 """Of one temporary of a chunk: a dozen of them about fill a second-level cache, and each is well
@@ -47,7 +48,7 @@ def batched_field(
     Raises
     ------
     InputError
-        The exact cylinder has no torch form, or the tensors differ in type or device.
+        An exact body has no torch form, or the tensors differ in type or device.
     """
     _check(points_mm, centres_mm, axes, model)
     presses = max(len(points_mm), len(centres_mm), len(axes))
@@ -103,10 +104,10 @@ def _default_chunk_pairs(like: Tensor) -> int:
 
 
 def _check(points_mm: Tensor, centres_mm: Tensor, axes: Tensor, model: FieldModel) -> None:
-    if model.name == "cylinder":
+    if model.name == "exact":
         raise InputError(
-            f"the exact cylinder of Ø{model.disk.diameter_mm:g} × {model.disk.height_mm:g} mm has no "
-            "torch form and no gradients. Keep points far enough away for the multipole series, or "
+            f"the exact field of {model.magnet.description} has no torch "
+            "form and no gradients. Keep points far enough away for the multipole series, or "
             "call estimator.field.total_field"
         )
     kinds = {(str(t.dtype), str(t.device)) for t in (points_mm, centres_mm, axes)}

@@ -13,7 +13,7 @@ from design.catalogue import wider_range
 from design.errors import InputError
 from design.layouts import MagnetLayout, SensorLayout
 from design.spec import SensorSpec
-from estimator.field import DiskMagnet, is_inside
+from estimator.sources import Magnet
 
 LARGEST_COUNT = 32767
 """16-bit converter."""
@@ -80,21 +80,21 @@ def check_rest(
 
 
 def check_sensors_outside_magnets(
-    layout: SensorLayout, magnets: MagnetLayout, disk: DiskMagnet
+    layout: SensorLayout, magnets: MagnetLayout, body: Magnet
 ) -> None:
     """Refuse a design in which a sensor's sensing point lies in a magnet at rest."""
     offset = (layout.position_mm[:, None] - magnets.centre_mm).transpose(2, 0, 1)
     axis = np.broadcast_to(magnets.axis[None], (len(layout.face), *magnets.axis.shape))
-    inside: Bool[np.ndarray, "sensor magnet"] = is_inside(
-        tuple(offset), tuple(axis.transpose(2, 0, 1)), disk
+    inside: Bool[np.ndarray, "sensor magnet"] = body.holds(
+        tuple(offset), tuple(axis.transpose(2, 0, 1))
     )
     if inside.any():
         sensor, magnet = np.argwhere(inside)[0]
         distance = np.linalg.norm(offset[:, sensor, magnet])
         raise InputError(
             f"{_sensor_name(int(sensor), layout)} lies inside magnet {magnet} (face "
-            f"{magnets.face[magnet]}): {distance:.3g} mm from the centre of a disk of "
-            f"Ø{disk.diameter_mm:g} × {disk.height_mm:g} mm. Move the sensor or the magnet"
+            f"{magnets.face[magnet]}): {distance:.3g} mm from the centre of "
+            f"{body.description}. Move the sensor or the magnet"
         )
 
 

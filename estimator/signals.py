@@ -25,15 +25,7 @@ from design.layouts import (
     sensor_layout,
 )
 from design.spec import ObjectSpec
-from estimator.field import (
-    FieldModel,
-    Vector,
-    disk_magnet,
-    field_model,
-    is_inside,
-    sum_over_magnets,
-    total_field,
-)
+from estimator.field import FieldModel, field_model, sum_over_magnets, total_field
 from estimator.hall import (
     check_rest,
     check_sensors_outside_magnets,
@@ -41,6 +33,8 @@ from estimator.hall import (
     full_scale_counts,
     read_out,
 )
+from estimator.sources import magnet_source
+from estimator.vectors import Vector, components, rotated
 from fem.results import MagnetMotions, PressForces
 
 SCHEMA_VERSION = 1
@@ -92,10 +86,10 @@ def press_signals(
         A sensor lies in a magnet (at rest or pressed) or saturates at rest.
     """
     magnets, sensors = magnet_layout(spec), sensor_layout(spec)
-    disk = disk_magnet(spec.magnets)
-    check_sensors_outside_magnets(sensors, magnets, disk)
+    magnet = magnet_source(spec.magnets)
+    check_sensors_outside_magnets(sensors, magnets, magnet)
     everywhere = motions.motion.reshape(-1, len(magnets.face), 6)
-    model = field_model(disk, min_distance_mm(everywhere, magnets, sensors))
+    model = field_model(magnet, min_distance_mm(everywhere, magnets, sensors))
     baseline = rest_counts(spec, model)
     check_rest(baseline, sensors, spec.sensors)
     per_face = motions.motion.shape[1:3]
@@ -113,38 +107,11 @@ def press_signals(
 
 
 def rest_counts(spec: ObjectSpec, model: FieldModel | None = None) -> Float[np.ndarray, "sensor 3"]:
-    """Expected counts of all magnets at rest; exact cylinders unless a model is given."""
+    """Expected counts of all magnets at rest; exact bodies unless a model is given."""
     magnets, sensors = magnet_layout(spec), sensor_layout(spec)
-    model = model or FieldModel(disk_magnet(spec.magnets), "cylinder")
+    model = model or FieldModel(magnet_source(spec.magnets), "exact")
     field_t = total_field(sensors.position_mm, magnets.centre_mm, magnets.axis, model)
     return counts_of_field(1e3 * field_t, sensors.axes, spec.sensors)
-
-
-def rotate(
-    vectors: Float[np.ndarray, "*any 3"], rotation_vector: Float[np.ndarray, "*any 3"]
-) -> Float[np.ndarray, "*any 3"]:
-    """Rotate vectors by rotation vectors (rad) with Rodrigues' formula, exact for finite angles."""
-    vector, turn = np.broadcast_arrays(vectors, rotation_vector)
-    return np.stack(_rotated(_components(vector), _components(turn)), axis=-1)
-
-
-def _rotated(vector: Vector, turn: Vector) -> Vector:
-    """Rodrigues: v cos θ + w × v sin θ/θ + w (w·v) (1 − cos θ)/θ², component by component."""
-    (x, y, z), (wx, wy, wz) = vector, turn
-    angle = np.sqrt(wx * wx + wy * wy + wz * wz)
-    cosine, sine = np.cos(angle), np.sinc(angle / np.pi)
-    along = 0.5 * np.sinc(angle / (2 * np.pi)) ** 2 * (wx * x + wy * y + wz * z)
-    return (
-        cosine * x + sine * (wy * z - wz * y) + along * wx,
-        cosine * y + sine * (wz * x - wx * z) + along * wy,
-        cosine * z + sine * (wx * y - wy * x) + along * wz,
-    )
-
-
-def _components(vectors: Float[np.ndarray, "*any 3"]) -> Vector:
-    """x, y and z, each contiguous."""
-    x, y, z = (np.ascontiguousarray(vectors[..., axis]) for axis in range(3))
-    return x, y, z
 
 
 def min_distance_mm(
@@ -181,13 +148,13 @@ def _pressed_field(
     """
     chunk = max(1, _PAIRS_PER_CHUNK // len(magnets.face))
     field = np.empty((len(motion), len(sensors.face), 3))
-    rest, axis = _components(magnets.centre_mm[:, None]), _components(magnets.axis[:, None])
+    rest, axis = components(magnets.centre_mm[:, None]), components(magnets.axis[:, None])
     for start in range(0, len(motion), chunk):
         x, y, z, *turn = motion[start : start + chunk].transpose(2, 1, 0).copy()
         centres = (rest[0] + x, rest[1] + y, rest[2] + z)
-        axes = _rotated(axis, tuple(turn))
+        axes = rotated(axis, tuple(turn))
         for sensor, position in enumerate(sensors.position_mm.tolist()):
-            if model.name == "cylinder":
+            if model.name == "exact":
                 _check_sensor_clear(position, centres, axes, model)
             parts = sum_over_magnets(tuple(position), centres, axes, model)
             field[start : start + chunk, sensor] = np.stack(parts, axis=-1)
@@ -198,10 +165,27 @@ def _check_sensor_clear(
     position_mm: list[float], centres_mm: Vector, axes: Vector, model: FieldModel
 ) -> None:
     offset = tuple(p - c for p, c in zip(position_mm, centres_mm, strict=True))
-    if is_inside(offset, axes, model.disk).any():
+    if model.magnet.holds(offset, axes).any():
         raise InputError(
-            f"a press drives a magnet of Ø{model.disk.diameter_mm:g} × {model.disk.height_mm:g} mm "
-            "onto a sensor. Press less deep or increase sensors.depth_below_core_face_mm"
+            f"a press drives {model.magnet.description} onto a sensor. "
+            "Press less deep or increase sensors.depth_below_core_face_mm"
+        )
+
+
+def require_finite(signals: Signals) -> None:
+    """Raise InputError that names the channel where forces or signals are not finite."""
+    if not np.isfinite(signals.force_n).all():
+        count = int(np.sum(~np.isfinite(signals.force_n)))
+        raise InputError(f"the force of {count} presses is not finite. Simulate the presses anew")
+    per_channel = np.sum(~np.isfinite(signals.delta_counts), axis=(0, 1, 2))
+    bad = np.argwhere((per_channel > 0) | ~np.isfinite(signals.baseline_counts))
+    if bad.size:
+        named = ", ".join(f"sensor {sensor + 1} {'XYZ'[axis]}" for sensor, axis in bad[:4])
+        more = f" and {len(bad) - 4} more" if len(bad) > 4 else ""
+        raise InputError(
+            f"signals are not finite on {named}{more} (sensors counted over all faces; "
+            f"{int(per_channel.max())} presses on the worst). Leave the sensor out of the layout, or "
+            "simulate anew"
         )
 
 

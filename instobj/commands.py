@@ -41,15 +41,15 @@ def new_specification(name: str, out: Path) -> Path:
 def check_specifications(specs: list[Path], overrides: list[str]) -> dict[str, Any]:
     """Validate each specification, and that no sensor saturates or sits in a magnet at rest."""
     from design.layouts import magnet_layout, sensor_layout
-    from estimator.field import disk_magnet
     from estimator.hall import check_rest, check_sensors_outside_magnets
     from estimator.signals import rest_counts
+    from estimator.sources import magnet_source
 
     rows = []
     for path in specs:
         spec = load_spec(path, overrides)
         sensors, magnets = sensor_layout(spec), magnet_layout(spec)
-        check_sensors_outside_magnets(sensors, magnets, disk_magnet(spec.magnets))
+        check_sensors_outside_magnets(sensors, magnets, magnet_source(spec.magnets))
         counts = rest_counts(spec)
         check_rest(counts, sensors, spec.sensors)
         largest_mt = float(abs(counts).max()) / spec.sensors.counts_per_mt

@@ -15,7 +15,7 @@ from design.catalogue import (
 from design.errors import InputError
 from design.spec import MagnetSpec, ObjectSpec, SensorSpec
 from design.spec_io import parse_spec, spec_hash
-from estimator.field import disk_magnet
+from estimator.sources import magnet_source
 
 
 def parsed(**parts):
@@ -24,7 +24,7 @@ def parsed(**parts):
 
 def test_defaults_are_the_paper_cube_to_the_last_digit():
     spec = ObjectSpec(name="cube")
-    assert (spec.magnets.remanence_t, disk_magnet(spec.magnets).polarization_t) == (1.43, 1.43)
+    assert (spec.magnets.remanence_t, magnet_source(spec.magnets).polarization_t) == (1.43, 1.43)
     sensors = spec.sensors
     assert (sensors.counts_per_mt, sensors.range_mt) == (820.0, 40.0)
     assert sensors.noise_counts == (22.0, 22.0, 11.0)
@@ -71,7 +71,7 @@ def test_remanence_falls_by_0_11_percent_per_kelvin():
     assert_allclose(remanence_at_temperature_t(1.3, 0.0), 1.3 * 1.022, rtol=1e-12)
     warm = parsed(magnets={"remanence_t": 1.2, "temperature_c": 70.0}).magnets
     assert warm.remanence_t == 1.2
-    assert_allclose(disk_magnet(warm).polarization_t, 1.2 * 0.945, rtol=1e-12)
+    assert_allclose(magnet_source(warm).polarization_t, 1.2 * 0.945, rtol=1e-12)
 
 
 def test_temperatures_that_the_magnet_does_not_stand_are_refused():

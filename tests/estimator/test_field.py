@@ -6,19 +6,16 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.spatial.transform import Rotation
 
-from design.errors import InputError
 from estimator.field import (
-    DiskMagnet,
     FieldModel,
-    cylinder_field,
     dipole_field,
     field_model,
-    is_inside,
+    model_error,
     multipole_field,
-    multipole_order_for,
-    series_error,
     total_field,
 )
+from estimator.field_exact import cylinder_field
+from estimator.sources import DiskMagnet
 
 DISKS = [DiskMagnet(6.0, 1.0, 1.43), DiskMagnet(4.0, 5.0, 1.1), DiskMagnet(9.0, 0.5, -1.2)]
 POSES = 1500
@@ -63,13 +60,13 @@ def test_models_match_magpylib_within_their_stated_error(disk, reach):
     nearest = reach * disk.circumscribed_radius_mm
     poses = random_poses(disk, nearest, np.random.default_rng(1))
     exact = magpylib_field(disk, *poses)
-    order = multipole_order_for(nearest, disk.diameter_mm, disk.height_mm)
+    order = field_model(disk, nearest).order
     series = modelled(lambda o, a: multipole_field(o, a, disk, order), *poses)
     assert relative_error(series, exact).max() <= 1e-3
     if order > 7:
         lower = modelled(lambda o, a: multipole_field(o, a, disk, order - 2), *poses)
         assert relative_error(lower, exact).max() > 5e-4
-        assert series_error(disk, nearest, order - 2) > 1e-3
+        assert model_error(FieldModel(disk, "multipole", order - 2), nearest) > 1e-3
     cylinder = modelled(lambda o, a: cylinder_field(o, a, disk), *poses)
     assert relative_error(cylinder, exact).max() <= 1e-9
 
@@ -98,7 +95,7 @@ def test_dipole_is_the_far_field_and_13_percent_wrong_at_10_mm():
     poses = random_poses(disk, 400.0, np.random.default_rng(3), 200)
     far = modelled(lambda o, a: dipole_field(o, a, disk), *poses)
     assert relative_error(far, magpylib_field(disk, *poses)).max() < 1.2e-4
-    assert_allclose(series_error(disk, 10.0, 1), 0.1333, rtol=0.01)
+    assert_allclose(model_error(FieldModel(disk, "dipole"), 10.0), 0.1333, rtol=0.01)
     assert_allclose(
         np.ravel(dipole_field((0.0, 0.0, 10.0), (0.0, 0.0, 1.0), disk)),
         [0, 0, 1.43 * np.pi * 9 / (2 * np.pi * 1000)],
@@ -107,11 +104,11 @@ def test_dipole_is_the_far_field_and_13_percent_wrong_at_10_mm():
 
 
 @pytest.mark.parametrize(
-    "model", [FieldModel(DISKS[0], "multipole", 9), FieldModel(DISKS[1], "cylinder")]
+    "model", [FieldModel(DISKS[0], "multipole", 9), FieldModel(DISKS[1], "exact")]
 )
 def test_field_outside_has_no_divergence_and_no_curl(model):
     rng = np.random.default_rng(4)
-    _, _, points = random_poses(model.disk, 7.0, rng, 60)
+    _, _, points = random_poses(model.magnet, 7.0, rng, 60)
     centre = rng.uniform(-2, 2, (1, 3))
     axis = np.array([[0.48, -0.6, 0.64]])
     points = points[np.linalg.norm(points - centre, axis=1) > 7.0]
@@ -135,7 +132,7 @@ def test_field_outside_has_no_divergence_and_no_curl(model):
     assert_allclose(curl / size, 0, atol=2e-6)
 
 
-@pytest.mark.parametrize("name", ["dipole", "multipole", "cylinder"])
+@pytest.mark.parametrize("name", ["dipole", "multipole", "exact"])
 def test_field_turns_with_the_magnet_and_the_point(name):
     model = FieldModel(DISKS[0], name, 9)
     rng = np.random.default_rng(5)
@@ -162,9 +159,7 @@ def test_model_is_chosen_by_the_nearest_distance():
     disk = DISKS[0]
     assert field_model(disk, 12.0) == FieldModel(disk, "multipole", 7)
     assert field_model(disk, 7.0) == FieldModel(disk, "multipole", 9)
-    assert field_model(disk, 3.2).name == "cylinder"
-    with pytest.raises(InputError, match="Use the exact cylinder"):
-        multipole_order_for(3.2, 6.0, 1.0)
+    assert field_model(disk, 3.2).name == "exact"
 
 
 def test_inside_of_a_tilted_disk():
@@ -177,4 +172,4 @@ def test_inside_of_a_tilted_disk():
         (3.01 * across, False),
         (-inside, True),
     ):
-        assert bool(is_inside(tuple(point), axis, DISKS[0])) is expected
+        assert bool(DISKS[0].holds(tuple(point), axis)) is expected

@@ -8,8 +8,9 @@ from scipy.spatial.transform import Rotation
 from test_field import DISKS, magpylib_field, random_poses, relative_error
 
 from design.errors import InputError
-from estimator.field import DiskMagnet, FieldModel, field_model, series_error, total_field
+from estimator.field import FieldModel, field_model, model_error, total_field
 from estimator.field_torch import batched_field
+from estimator.sources import DiskMagnet
 
 DEVICES = ["cpu", *(["cuda"] if torch.cuda.is_available() else [])]
 TYPES = {torch.float32: 3e-6, torch.float64: 1e-13}
@@ -51,7 +52,7 @@ def test_series_and_dipole_match_magpylib_within_their_stated_error(
     series = pair_by_pair(model, poses, dtype, device, gradient)
     assert relative_error(series, exact).max() <= 1e-3
     dipole = pair_by_pair(FieldModel(disk, "dipole"), poses, dtype, device)
-    stated = series_error(disk, nearest, 1)
+    stated = model_error(FieldModel(disk, "dipole"), nearest)
     assert 0.1 * stated < relative_error(dipole, exact).max() <= stated
 
 
@@ -184,8 +185,8 @@ def test_descent_on_the_gradient_finds_a_displaced_magnet():
 def test_what_cannot_be_computed_is_refused():
     given = tensors(torch.float64, "cpu", *random_presses(np.random.default_rng(19)))
     model = FieldModel(DISKS[0], "multipole", 7)
-    with pytest.raises(InputError, match="cylinder of Ø6 × 1 mm has no torch form"):
-        batched_field(*given, FieldModel(DISKS[0], "cylinder"))
+    with pytest.raises(InputError, match="disk of Ø6 × 1 mm has no torch form"):
+        batched_field(*given, FieldModel(DISKS[0], "exact"))
     with pytest.raises(InputError, match=r"share one type.*torch.float32 on cpu, torch.float64"):
         batched_field(given[0].float(), given[1], given[2], model)
     with pytest.raises(InputError, match="must not be empty"):

@@ -9,7 +9,6 @@ from numpy.testing import assert_allclose
 from design.errors import InputError
 from design.layouts import magnet_layout, sensor_layout
 from design.spec import ObjectSpec, SensorSpec
-from estimator.field import disk_magnet
 from estimator.hall import (
     check_rest,
     check_sensors_outside_magnets,
@@ -17,6 +16,7 @@ from estimator.hall import (
     full_scale_counts,
     read_out,
 )
+from estimator.sources import magnet_source
 
 SPEC = ObjectSpec(name="cube")
 LAYOUT = sensor_layout(SPEC)
@@ -69,7 +69,7 @@ def test_saturation_at_rest_names_sensor_excess_and_remedy():
 
 
 def test_sensor_in_a_magnet_is_refused():
-    magnets, disk = magnet_layout(SPEC), disk_magnet(SPEC.magnets)
+    magnets, disk = magnet_layout(SPEC), magnet_source(SPEC.magnets)
     check_sensors_outside_magnets(LAYOUT, magnets, disk)
     moved = LAYOUT.position_mm.copy()
     moved[4] = magnets.centre_mm[8] + 0.4 * magnets.axis[8]

@@ -17,11 +17,11 @@ from estimator.signals import (
     min_distance_mm,
     press_signals,
     rest_counts,
-    rotate,
     saturation_margin,
     save_grid_signals,
     save_signals,
 )
+from estimator.vectors import rotate
 
 SPEC = coarse_spec()
 

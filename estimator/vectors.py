@@ -1,0 +1,70 @@
+"""Vectors as triples of equally broadcastable arrays (x, y, z).
+
+Large sets of pairs so stay in cache-sized, contiguous pieces. Everything here uses operators alone
+where it can and so takes NumPy arrays and torch tensors alike.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from jaxtyping import Float
+
+Vector = tuple[Any, Any, Any]
+"""Components x, y, z: arrays (NumPy or any library with the same operators) of one shape."""
+
+
+def dot(a: Vector, b: Vector) -> Any:
+    """a·b, in as few passes over memory as the library allows."""
+    return plus_product(plus_product(a[0] * b[0], a[1], b[1]), a[2], b[2])
+
+
+def cross(a: Vector, b: Vector) -> Vector:
+    """a × b."""
+    (ax, ay, az), (bx, by, bz) = a, b
+    return ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
+
+
+def plus_product(a: Any, b: Any, c: Any, factor: float = 1.0) -> Any:
+    """a + factor b c; a tensor does it in one pass over memory."""
+    if hasattr(a, "addcmul"):
+        return a.addcmul(b, c, value=factor)
+    product = b * c if factor == 1.0 else (factor * b) * c
+    product += a
+    return product
+
+
+def plus_scaled(a: Any, b: Any, factor: float) -> Any:
+    """a + factor b; a tensor does it in one pass over memory."""
+    return a.add(b, alpha=factor) if hasattr(a, "addcmul") else a + factor * b
+
+
+def components(vectors: Float[np.ndarray, "*any 3"]) -> Vector:
+    """x, y and z of an array whose last dimension holds them, each contiguous."""
+    x, y, z = (np.ascontiguousarray(vectors[..., axis]) for axis in range(3))
+    return x, y, z
+
+
+def rotated(vector: Vector, turn: Vector) -> Vector:
+    """Rodrigues: v cos θ + w × v sin θ/θ + w (w·v) (1 − cos θ)/θ², component by component.
+
+    `turn` is the rotation vector (rad); exact for finite angles. NumPy only.
+    """
+    (x, y, z), (wx, wy, wz) = vector, turn
+    angle = np.sqrt(wx * wx + wy * wy + wz * wz)
+    cosine, sine = np.cos(angle), np.sinc(angle / np.pi)
+    along = 0.5 * np.sinc(angle / (2 * np.pi)) ** 2 * (wx * x + wy * y + wz * z)
+    return (
+        cosine * x + sine * (wy * z - wz * y) + along * wx,
+        cosine * y + sine * (wz * x - wx * z) + along * wy,
+        cosine * z + sine * (wx * y - wy * x) + along * wz,
+    )
+
+
+def rotate(
+    vectors: Float[np.ndarray, "*any 3"], rotation_vector: Float[np.ndarray, "*any 3"]
+) -> Float[np.ndarray, "*any 3"]:
+    """`rotated` for arrays whose last dimension holds the components."""
+    vector, turn = np.broadcast_arrays(vectors, rotation_vector)
+    return np.stack(rotated(components(vector), components(turn)), axis=-1)
