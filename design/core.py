@@ -7,7 +7,6 @@ from dataclasses import replace
 import cadquery as cq
 import numpy as np
 
-from design.errors import InputError
 from design.layouts import FaceFrame, face_frames
 from design.solids import (
     OVERSHOOT_MM,
@@ -27,9 +26,8 @@ def make_core(spec: ObjectSpec) -> cq.Solid:
     Raises
     ------
     InputError
-        A hub or wire hole does not fit, or the dimensions do not give one valid solid.
+        The dimensions do not give one valid solid.
     """
-    _check_wire_passages(spec)
     half = np.asarray(spec.core_size_mm) / 2
     cutters = [_cavity(spec)]
     for frame, azimuth in zip(core_frames(spec), spec.sensors.first_azimuth_deg, strict=True):
@@ -86,25 +84,3 @@ def _wire_passage(spec: ObjectSpec, frame: FaceFrame) -> list[cq.Solid]:
 def _wire_hole_diameter_mm(spec: ObjectSpec, face: int) -> float:
     core = spec.core
     return core.wire_hole_top_diameter_mm if face == TOP_FACE else core.wire_hole_side_diameter_mm
-
-
-def _check_wire_passages(spec: ObjectSpec) -> None:
-    core = spec.core
-    if core.hub_depth_mm >= core.wall_mm:
-        raise InputError(
-            f"core.hub_depth_mm must be below core.wall_mm = {core.wall_mm:g}; got "
-            f"{core.hub_depth_mm:g}. Make the hub recess shallower or the wall thicker"
-        )
-    # The cavity is the narrowest across two walls; a side hole must also clear the top wall.
-    room = min(spec.core_size_mm) - 2 * core.wall_mm
-    widest = max(core.wire_hole_top_diameter_mm, core.wire_hole_side_diameter_mm)
-    if widest >= room:
-        raise InputError(
-            f"core.wire_hole_*_diameter_mm must be below the core's cavity, {room:g} mm wide; got "
-            f"{widest:g}. Use a smaller hole or thinner core walls"
-        )
-    if 2 * core.hub_radius_mm >= min(spec.core_size_mm):
-        raise InputError(
-            f"core.hub_radius_mm must be below half the core ({min(spec.core_size_mm) / 2:g} mm); "
-            f"got {core.hub_radius_mm:g}. Use a smaller hub recess"
-        )

@@ -5,13 +5,17 @@ from __future__ import annotations
 from itertools import combinations
 from typing import TYPE_CHECKING
 
+from design.pockets import Pocket, distance_of_axes_mm, pockets
+
 if TYPE_CHECKING:
     from design.spec import ObjectSpec
+    from design.spec_hardware import MagnetSpec
 
 
 def require_fit(spec: ObjectSpec) -> None:
     """Raise ValueError with what does not fit, what was given and how to mend it."""
     _check_core(spec)
+    _check_wire_passages(spec)
     _check_pockets(spec)
     _check_sensors(spec)
     _check_presses(spec)
@@ -43,6 +47,28 @@ def _check_core(spec: ObjectSpec) -> None:
         )
 
 
+def _check_wire_passages(spec: ObjectSpec) -> None:
+    core, smallest = spec.core, min(spec.core_size_mm)
+    if core.hub_depth_mm >= core.wall_mm:
+        raise ValueError(
+            f"core.hub_depth_mm must be below core.wall_mm = {core.wall_mm:g}; got "
+            f"{core.hub_depth_mm:g}. Make the hub recess shallower or the wall thicker"
+        )
+    # The cavity is the narrowest across two walls; a side hole must also clear the top wall.
+    room = smallest - 2 * core.wall_mm
+    widest = max(core.wire_hole_top_diameter_mm, core.wire_hole_side_diameter_mm)
+    if widest >= room:
+        raise ValueError(
+            f"core.wire_hole_*_diameter_mm must be below the core's cavity, {room:g} mm wide; got "
+            f"{widest:g}. Use a smaller hole or thinner core walls"
+        )
+    if 2 * core.hub_radius_mm >= smallest:
+        raise ValueError(
+            f"core.hub_radius_mm must be below half the core ({smallest / 2:g} mm); "
+            f"got {core.hub_radius_mm:g}. Use a smaller hub recess"
+        )
+
+
 def _check_pockets(spec: ObjectSpec) -> None:
     shell, magnets = spec.shell, spec.magnets
     if shell.pocket_depth_mm >= shell.thickness_mm:
@@ -56,34 +82,62 @@ def _check_pockets(spec: ObjectSpec) -> None:
             f"a pocket of {shell.pocket_diameter_mm:g} × {shell.pocket_depth_mm:g} mm; it does not. "
             "Choose a smaller magnet or a larger pocket"
         )
-    radius = shell.pocket_diameter_mm / 2
-    half_x, half_y = _smallest_half_extents_mm(spec)
-    for index, (x, y) in enumerate(magnets.positions_mm):
-        if abs(x) + radius >= half_x or abs(y) + radius >= half_y:
+    for index, pocket in enumerate(pockets(shell, magnets)):
+        _check_sealed(spec, index, pocket)
+        half = _smallest_half_extents_mm(spec)
+        if (pocket.reach_mm >= half).any():
             raise ValueError(
-                f"magnets.positions_mm[{index}] = ({x:g}, {y:g}) puts a pocket of radius {radius:g} mm "
-                f"outside the shell's face (±{half_x:g}, ±{half_y:g} mm). Move the magnet inwards"
+                f"{_where(magnets, index)} puts its pocket of radius {pocket.radius_mm:g} mm outside "
+                f"the shell's face (±{half[0]:g}, ±{half[1]:g} mm). Move the magnet inwards"
             )
-    for (i, a), (j, b) in combinations(enumerate(magnets.positions_mm), 2):
-        distance = ((a[0] - b[0]) ** 2 + (a[1] - b[1]) ** 2) ** 0.5
-        if distance < 2 * radius:
-            raise ValueError(
-                f"the pockets of magnets {i} and {j} overlap: centres {distance:.3g} mm apart, at "
-                f"least {2 * radius:g} mm needed. Move one of magnets.positions_mm"
-            )
+    _check_pockets_apart(spec)
     _check_pockets_across_edges(spec)
 
 
-def _check_pockets_across_edges(spec: ObjectSpec) -> None:
-    """Pockets of neighbouring faces are Ø×depth cylinders whose boxes must not meet at an edge."""
-    radius, depth = spec.shell.pocket_diameter_mm / 2, spec.shell.pocket_depth_mm
-    half_x, half_y = _smallest_half_extents_mm(spec)
-    for index, (x, y) in enumerate(spec.magnets.positions_mm):
-        if abs(x) + radius > half_x - depth or abs(y) + radius > half_y - depth:
+def _where(magnets: MagnetSpec, index: int) -> str:
+    x, y = magnets.positions_mm[index]
+    tilt = f" with tilt_deg {list(magnets.tilt_deg[index])}" if magnets.tilt_deg else ""
+    return f"magnets.positions_mm[{index}] = ({x:g}, {y:g}){tilt}"
+
+
+def _check_sealed(spec: ObjectSpec, index: int, pocket: Pocket) -> None:
+    """Silicone must be left between the magnet and the face, and between the pocket and the core."""
+    magnets, thickness = spec.magnets, spec.shell.thickness_mm
+    sine = (1 - pocket.axis[2] ** 2) ** 0.5
+    rim = sine * magnets.diameter_mm / 2 + pocket.axis[2] * magnets.height_mm / 2
+    depth = -pocket.centre_mm[2]
+    if depth <= rim or -pocket.lowest_mm >= thickness:
+        low, high = rim, thickness + depth + pocket.lowest_mm
+        raise ValueError(
+            f"magnets.depth_mm[{index}] = {depth:g} does not seal the magnet within the "
+            f"{thickness:g} mm of silicone: at this tilt its mid-plane must lie deeper than {low:.4g} "
+            f"and its pocket's floor above the core, less deep than {high:.4g} mm. Change depth_mm or "
+            "tilt_deg"
+        )
+
+
+def _check_pockets_apart(spec: ObjectSpec) -> None:
+    every = enumerate(pockets(spec.shell, spec.magnets))
+    for (i, a), (j, b) in combinations(every, 2):
+        distance = distance_of_axes_mm(a, b)
+        if distance <= a.radius_mm + b.radius_mm:
             raise ValueError(
-                f"magnets.positions_mm[{index}] = ({x:g}, {y:g}) reaches into the {depth:g} mm zone of "
-                "the neighbouring face's pockets: pockets of two faces could overlap. Move the magnet "
-                f"to within ±{half_x - depth - radius:g}, ±{half_y - depth - radius:g} mm"
+                f"the pockets of magnets {i} and {j} touch or overlap: axes {distance:.3g} mm apart, "
+                f"more than {a.radius_mm + b.radius_mm:g} mm needed. Move one of magnets.positions_mm"
+            )
+
+
+def _check_pockets_across_edges(spec: ObjectSpec) -> None:
+    """The boxes round the pockets of neighbouring faces must not meet at an edge."""
+    every = pockets(spec.shell, spec.magnets)
+    deepest = max(-pocket.lowest_mm for pocket in every)
+    half_x, half_y = (half - deepest for half in _smallest_half_extents_mm(spec))
+    for index, pocket in enumerate(every):
+        if (pocket.reach_mm >= (half_x, half_y)).any():
+            raise ValueError(
+                f"{_where(spec.magnets, index)} reaches into the {deepest:.4g} mm zone of the "
+                "neighbouring face's pockets: pockets of two faces could overlap. Move the magnet "
+                f"inwards: its pocket must stay within ±{half_x:.4g}, ±{half_y:.4g} mm"
             )
 
 

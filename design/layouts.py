@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Float, Int
 
+from design.pockets import pockets
 from design.spec import SENSED_FACES, ObjectSpec
 
 _FACE_AXES = {
@@ -124,13 +125,14 @@ class SensorLayout:
 
 
 def magnet_layout(spec: ObjectSpec) -> MagnetLayout:
-    """All magnets, face by face, north outward."""
-    positions = np.asarray(spec.magnets.positions_mm, float)
-    local = np.column_stack([positions, np.full(len(positions), -spec.magnet_depth_mm)])
+    """All magnets as cast, face by face, north outward."""
+    local = pockets(spec.shell, spec.magnets)
+    centre = np.stack([pocket.centre_mm for pocket in local])
+    axis = np.stack([pocket.axis for pocket in local])
     frames = face_frames(spec)
     return MagnetLayout(
-        np.concatenate([frame.to_object(local) for frame in frames]),
-        np.concatenate([np.tile(frame.normal, (len(local), 1)) for frame in frames]),
+        np.concatenate([frame.to_object(centre) for frame in frames]),
+        np.concatenate([axis @ frame.axes.T for frame in frames]),
         np.repeat([frame.number for frame in frames], len(local)),
     )
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 import cadquery as cq
 import numpy as np
 
-from design.layouts import face_frames
-from design.solids import OVERSHOOT_MM, box_between, cylinder_on_face, single_solid
+from design.layouts import FaceFrame, face_frames
+from design.pockets import Pocket, pockets
+from design.solids import OVERSHOOT_MM, box_between, single_solid
 from design.spec import ObjectSpec
 
 
@@ -43,11 +44,22 @@ def pocket_cylinders(spec: ObjectSpec) -> list[cq.Solid]:
 
     The pockets' negatives are the mould's bosses, so that both come from here.
     """
-    shell = spec.shell
-    return [
-        cylinder_on_face(
-            frame, position, shell.pocket_diameter_mm / 2, -shell.pocket_depth_mm, OVERSHOOT_MM
-        )
-        for frame in face_frames(spec)
-        for position in spec.magnets.positions_mm
-    ]
+    local = pockets(spec.shell, spec.magnets)
+    return [_pocket(frame, pocket) for frame in face_frames(spec) for pocket in local]
+
+
+def _pocket(frame: FaceFrame, pocket: Pocket) -> cq.Solid:
+    """The cylinder; a tilted one is cut off where the mould's wall still hides its end."""
+    floor, above = pocket.axis_ends_mm
+    lift = OVERSHOOT_MM / pocket.axis[2] * pocket.axis
+    start, end = frame.to_object(floor), frame.to_object(above + lift)
+    axis = cq.Vector(*(end - start))
+    cylinder = cq.Solid.makeCylinder(pocket.radius_mm, axis.Length, cq.Vector(*start), axis)
+    if pocket.axis[2] == 1:
+        return cylinder
+    reach = 2 * np.append(frame.half_extents_mm, 0)
+    top = [0, 0, OVERSHOOT_MM]
+    bottom = [0, 0, pocket.lowest_mm - OVERSHOOT_MM]
+    corners = np.stack([frame.to_object(bottom - reach), frame.to_object(top + reach)])
+    (piece,) = cylinder.intersect(box_between(corners.min(axis=0), corners.max(axis=0))).Solids()
+    return piece

@@ -65,11 +65,6 @@ class ObjectSpec(SpecPart):
         t = 2 * self.shell.thickness_mm
         return (x - t, y - t, z - t)
 
-    @property
-    def magnet_depth_mm(self) -> float:
-        """Depth of the magnets' mid-plane below the outer face (seated on the pocket floor)."""
-        return self.shell.pocket_depth_mm - self.magnets.height_mm / 2
-
     @model_validator(mode="after")
     def _everything_fits(self) -> ObjectSpec:
         require_fit(self)

@@ -18,6 +18,7 @@ from design.catalogue import (
 from design.spec_types import Finite, NonNegative, Positive, SpecPart
 
 Averaging = Literal[1, 2, 4, 8, 16, 32]
+Tilt = Annotated[float, Field(ge=-30, le=30)]
 
 
 class BodySpec(SpecPart):
@@ -50,7 +51,10 @@ class SiliconeSpec(SpecPart):
 class MagnetSpec(SpecPart):
     """Axially magnetised disks, one layout repeated on every sensed face, north outward.
 
-    `remanence_t` is that at 20 °C; left out, it is the typical one of `grade`.
+    `remanence_t` is that at 20 °C; left out, it is the typical one of `grade`. `depth_mm` is that
+    of the mid-plane's centre below the face, one for all magnets or one each; left out, magnets
+    lie on the floor of pockets of `shell.pocket_depth_mm`. `tilt_deg` turns each magnet, with its
+    pocket, about its centre by the rotation vector (about x, about y) of the face's frame.
     """
 
     diameter_mm: Positive = 6.0
@@ -65,6 +69,17 @@ class MagnetSpec(SpecPart):
         (-10.0, -10.0),
         (10.0, -10.0),
     )
+    depth_mm: Positive | tuple[Positive, ...] | None = None
+    tilt_deg: tuple[tuple[Tilt, Tilt], ...] = ()
+
+    @property
+    def depths_mm(self) -> tuple[float, ...]:
+        """`depth_mm` of every magnet; empty where it is left out."""
+        if self.depth_mm is None:
+            return ()
+        if isinstance(self.depth_mm, tuple):
+            return self.depth_mm
+        return (self.depth_mm,) * len(self.positions_mm)
 
     @property
     def working_remanence_t(self) -> float:
@@ -77,6 +92,17 @@ class MagnetSpec(SpecPart):
         if not isinstance(given, dict) or not isinstance(given.get("grade"), str):
             return given
         return {"remanence_t": magnet_grade(given["grade"]).remanence_t, **given}
+
+    @model_validator(mode="after")
+    def _one_for_each(self) -> MagnetSpec:
+        count = len(self.positions_mm)
+        for key, values in (("depth_mm", self.depths_mm), ("tilt_deg", self.tilt_deg)):
+            if len(values) not in (0, count):
+                raise ValueError(
+                    f"magnets.{key} needs one entry for each of the {count} magnets.positions_mm; "
+                    f"got {len(values)}. Add the missing ones, or leave the key out"
+                )
+        return self
 
     @model_validator(mode="after")
     def _grade_agrees(self) -> MagnetSpec:

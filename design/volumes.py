@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from math import pi, prod
+from math import prod
 
+from design.pockets import pockets
 from design.spec import SENSED_FACES, ObjectSpec
 
 
@@ -18,8 +19,8 @@ def sealed_volume_mm3(spec: ObjectSpec) -> float:
 
 def shell_volume_mm3(spec: ObjectSpec) -> float:
     """Volume of the cast shell in mm³: the sealed body less its open magnet pockets."""
-    pocket = pi * spec.shell.pocket_diameter_mm**2 / 4 * spec.shell.pocket_depth_mm
-    return sealed_volume_mm3(spec) - len(SENSED_FACES) * len(spec.magnets.positions_mm) * pocket
+    face = sum(pocket.volume_mm3 for pocket in pockets(spec.shell, spec.magnets))
+    return sealed_volume_mm3(spec) - len(SENSED_FACES) * face
 
 
 def cavity_depth_mm(spec: ObjectSpec) -> float:

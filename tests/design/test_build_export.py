@@ -12,6 +12,7 @@ import pytest
 import trimesh
 import yaml
 from numpy.testing import assert_allclose
+from pydantic import ValidationError
 
 import design.shell
 from design.errors import InputError
@@ -149,15 +150,20 @@ def test_an_interrupted_build_leaves_no_manifest(tmp_path):
 
 def test_a_specification_without_valid_parts_leaves_the_folder_alone(tmp_path):
     (tmp_path / "manifest.json").write_text("of an earlier build", encoding="utf-8")
-    with pytest.raises(InputError, match="hub_depth_mm"):
-        build_object(ObjectSpec(name="bad", core=CoreSpec(hub_depth_mm=5.0)), tmp_path)
+    unchecked = PAPER.model_copy(
+        update={"core": CoreSpec(wire_hole_top_diameter_mm=60.0, wire_hole_side_diameter_mm=60.0)}
+    )
+    with pytest.raises(InputError, match="core must be one valid solid"):
+        build_object(unchecked, tmp_path)
     assert [path.name for path in tmp_path.iterdir()] == ["manifest.json"]
 
 
 def test_pockets_that_touch_in_a_line_are_refused(tmp_path):
     touching = MagnetSpec(positions_mm=((0.0, 0.0), (6.0, 0.0)))
+    with pytest.raises(ValidationError, match="magnets 0 and 1 touch or overlap"):
+        ObjectSpec(name="touching", magnets=touching)
     with pytest.raises(InputError, match="surface of shell is not closed"):
-        build_object(ObjectSpec(name="touching", magnets=touching), tmp_path)
+        build_object(PAPER.model_copy(update={"magnets": touching}), tmp_path)
     assert not (tmp_path / "shell.stl").exists()
     assert not (tmp_path / "manifest.json").exists()
 
