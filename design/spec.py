@@ -18,8 +18,8 @@ from design.spec_hardware import (
     MagnetSpec,
     SensorSpec,
     ShellSpec,
-    SiliconeSpec,
 )
+from design.spec_silicone import SiliconeSpec
 from design.spec_simulation import (
     ContactGridSpec,
     IndenterSpec,

@@ -1,4 +1,4 @@
-"""The hardware in a specification: body, shell, silicone, magnets, core, sensors.
+"""The hardware in a specification: body, shell, magnets, core, sensors.
 
 Defaults are the paper's cube (Knopke et al., RA-L 2024); docs/units.md gives the source of each.
 """
@@ -34,18 +34,6 @@ class ShellSpec(SpecPart):
     thickness_mm: Positive = 8.0
     pocket_diameter_mm: Positive = 6.0
     pocket_depth_mm: Positive = 3.0
-
-
-class SiliconeSpec(SpecPart):
-    """Linear elastic constants and density of the cured silicone.
-
-    0.414 MPa is Gent's (1958) relation at Shore A10; the public recordings fit 0.23 to 0.28 MPa.
-    """
-
-    name: str = "Platsil Gel-10"
-    youngs_modulus_mpa: Positive = 0.414
-    poisson_ratio: Annotated[float, Field(ge=0, le=0.5)] = 0.4999
-    density_g_per_cm3: Positive = 1.07
 
 
 class MagnetSpec(SpecPart):

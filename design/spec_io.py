@@ -8,7 +8,7 @@ import json
 import tomllib
 from collections.abc import Iterable
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 from pydantic import BaseModel, ValidationError
 
@@ -39,7 +39,8 @@ def load_spec(path: Path | str, overrides: Iterable[str] = ()) -> ObjectSpec:
         raise InputError(f"{path} is not a text file. Give a specification in TOML") from None
     except tomllib.TOMLDecodeError as error:
         raise InputError(f"{path} is not valid TOML: {error}. Mend that line") from None
-    return parse_spec(with_overrides(content, overrides), str(path))
+    content = _with_tensile_data(with_overrides(content, overrides), path.parent)
+    return parse_spec(content, str(path))
 
 
 def with_overrides(content: dict[str, Any], overrides: Iterable[str]) -> dict[str, Any]:
@@ -73,6 +74,27 @@ def spec_hash(spec: ObjectSpec) -> str:
     alike = ObjectSpec.model_validate(spec.model_dump(mode="json"))
     canonical = json.dumps(alike.model_dump(mode="json"), sort_keys=True)
     return hashlib.sha256(canonical.encode()).hexdigest()
+
+
+def _with_tensile_data(content: dict[str, Any], folder: Path) -> dict[str, Any]:
+    """Fit `silicone.tensile_data`, a file beside the specification, where it is to give the modulus.
+
+    An explicit modulus goes before it; the key is then dropped.
+    """
+    silicone = content.get("silicone")
+    if not isinstance(silicone, dict) or not isinstance(silicone.get("tensile_data"), str):
+        return content
+    if "youngs_modulus_mpa" in silicone:
+        return content | {"silicone": silicone | {"tensile_data": None}}
+    from design.tensile import fit_tensile, read_tensile_test
+
+    file = folder / silicone["tensile_data"]
+    modulus = fit_tensile(read_tensile_test(file), file.name).modulus
+    figures = {
+        "youngs_modulus_mpa": modulus.youngs_modulus_mpa,
+        "youngs_modulus_range_mpa": modulus.range_mpa,
+    }
+    return content | {"silicone": figures | silicone}
 
 
 def _apply_override(content: dict[str, Any], override: str) -> None:
@@ -125,5 +147,8 @@ def _explain_unknown_key(location: tuple[Any, ...], where: str) -> str:
 def _known_keys(location: tuple[Any, ...]) -> set[str]:
     model: type[BaseModel] = ObjectSpec
     for part in location:
-        model = model.model_fields[str(part)].annotation  # type: ignore[assignment]
+        if isinstance(part, str):  # a number counts the entries of a list of tables
+            annotation = model.model_fields[part].annotation
+            kinds = (annotation, *get_args(annotation))
+            model = next(t for t in kinds if isinstance(t, type) and issubclass(t, BaseModel))
     return set(model.model_fields)

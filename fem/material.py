@@ -34,14 +34,3 @@ def lame_constants(youngs_modulus_mpa: float, poisson_ratio: float) -> LameConst
         )
     nu, e = min(poisson_ratio, LARGEST_POISSON_RATIO), youngs_modulus_mpa
     return LameConstants(e / (2 * (1 + nu)), (1 + nu) * (1 - 2 * nu) / (e * nu))
-
-
-def youngs_modulus_from_shore_a_mpa(shore_a: float) -> float:
-    """Gent's relation, E in MPa; 0.414 at Shore A 10.
-
-    A. N. Gent, Rubber Chem. Technol. 31 (1958) 896. The relation is empirical: tensile tests of
-    soft silicones scatter by a factor of about 1.5 around it.
-    """
-    if not 0 <= shore_a < 100:
-        raise ValueError(f"Shore A hardness runs from 0 to below 100; got {shore_a:g}")
-    return 0.0981 * (56 + 7.66 * shore_a) / (0.137505 * (254 - 2.54 * shore_a))

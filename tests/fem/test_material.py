@@ -6,7 +6,7 @@ from fem_cases import box_mesh
 from numpy.testing import assert_allclose
 
 from fem.elasticity import assemble, free_motion_basis, saddle_point_matrix, taylor_hood
-from fem.material import LameConstants, lame_constants, youngs_modulus_from_shore_a_mpa
+from fem.material import LameConstants, lame_constants
 from fem.sparse import shape_of
 
 
@@ -22,13 +22,6 @@ def test_lame_constants_give_back_bulk_and_young_s_modulus(poisson_ratio):
 def test_impossible_constants_are_refused(modulus, nu):
     with pytest.raises(ValueError, match="E > 0 and 0 < ν"):
         lame_constants(modulus, nu)
-
-
-def test_gent_s_relation_at_its_stated_point_and_against_hardness():
-    assert_allclose(youngs_modulus_from_shore_a_mpa(10.0), 0.414, rtol=2e-3)
-    assert_allclose(youngs_modulus_from_shore_a_mpa(50.0), 2.46, rtol=5e-3)
-    with pytest.raises(ValueError, match="Shore A"):
-        youngs_modulus_from_shore_a_mpa(100.0)
 
 
 def compliance_of_bonded_block(material):
