@@ -37,6 +37,10 @@ SENSED_FACES = (1, 2, 3, 4, 5)
 """Faces that carry magnets and sensors; face 6 (−z) is open, the wires leave there."""
 
 
+LARGEST_RATIO_WITHOUT_PRESSURE = 0.4999
+"""Poisson's ratio beyond which λ = E ν / ((1 + ν)(1 − 2ν)) alone spoils the factorization's digits."""
+
+
 class ObjectSpec(SpecPart):
     """A whole instrumented object with everything that its simulation needs."""
 
@@ -64,6 +68,17 @@ class ObjectSpec(SpecPart):
         x, y, z = self.body.size_mm
         t = 2 * self.shell.thickness_mm
         return (x - t, y - t, z - t)
+
+    @model_validator(mode="after")
+    def _element_takes_the_material(self) -> ObjectSpec:
+        nu, element = self.silicone.poisson_ratio, self.mechanics.element
+        if element != "taylor-hood" and nu > LARGEST_RATIO_WITHOUT_PRESSURE:
+            raise ValueError(
+                f'mechanics.element = "{element}" has no pressure unknowns and takes '
+                f"silicone.poisson_ratio up to {LARGEST_RATIO_WITHOUT_PRESSURE:g}; got {nu:g}. Lower it, "
+                'or use mechanics.element = "taylor-hood"'
+            )
+        return self
 
     @model_validator(mode="after")
     def _everything_fits(self) -> ObjectSpec:

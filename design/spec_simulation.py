@@ -53,9 +53,13 @@ class MeshSpec(SpecPart):
 
 
 class MechanicsSpec(SpecPart):
-    """Finite element and the model of the magnets in the silicone."""
+    """Finite element and the model of the magnets in the silicone.
 
-    element: Literal["taylor-hood"] = "taylor-hood"
+    "taylor-hood" takes every Poisson ratio up to 0.5; "p2-p0" (symmetric positive definite, a
+    little too soft) up to 0.4999; "p1" locks and is for teaching.
+    """
+
+    element: Literal["taylor-hood", "p2-p0", "p1"] = "taylor-hood"
     magnets: Literal["rigid", "points"] = "rigid"
 
 

@@ -14,6 +14,7 @@ import numpy as np
 import scipy.sparse as sp
 from jaxtyping import Float, Int
 
+from fem.assembly import UPPER_BLOCKS, NodePattern, node_pattern, vector_matrix
 from fem.elasticity import TaylorHood
 from fem.hyperelastic import (
     Hyperelastic,
@@ -25,7 +26,6 @@ from fem.hyperelastic import (
 from fem.sparse import columns_of
 
 _CHUNK = 2048
-_UPPER = ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))
 
 
 class InvertedElementError(ArithmeticError):
@@ -36,8 +36,7 @@ class InvertedElementError(ArithmeticError):
 class FiniteStrainElements:
     """What does not change while the body deforms; the quadrature is that of `space`.
 
-    `pair_slot` is the entry of the scalar sparsity pattern (`columns`, `row_start`) that a pair of
-    an element's nodes adds to; `pressure_nodes` count from 0 over the pressure unknowns only.
+    `pressure_nodes` count from 0 over the pressure unknowns only.
     """
 
     gradients: Float[np.ndarray, "tet q 10 3"]
@@ -45,10 +44,11 @@ class FiniteStrainElements:
     weights_mm3: Float[np.ndarray, "tet q"]
     nodes: Int[np.ndarray, "tet 10"]
     pressure_nodes: Int[np.ndarray, "tet 4"]
-    node_count: int
-    pair_slot: Int[np.ndarray, "tet 100"]
-    columns: Int[np.ndarray, "slot"]
-    row_start: Int[np.ndarray, "row"]
+    pattern: NodePattern
+
+    @property
+    def node_count(self) -> int:
+        return self.pattern.node_count
 
     @property
     def pressure_count(self) -> int:
@@ -79,20 +79,13 @@ def finite_strain_elements(space: TaylorHood) -> FiniteStrainElements:
     nodes = basis.element_dofs.T.copy()
     used = np.unique(space.pressure.element_dofs)
     pressure_nodes = np.searchsorted(used, space.pressure.element_dofs.T)
-    pairs = nodes[:, :, None] * space.node_count + nodes[:, None, :]
-    slots, pair_slot = np.unique(pairs.ravel(), return_inverse=True)
-    row, columns = np.divmod(slots, space.node_count)
-    row_start = np.append(0, np.cumsum(np.bincount(row, minlength=space.node_count)))
     return FiniteStrainElements(
         gradients,
         hats,
         np.asarray(basis.dx),
         nodes,
         pressure_nodes,
-        space.node_count,
-        pair_slot.reshape(len(nodes), 100),
-        columns,
-        row_start,
+        node_pattern(nodes, space.node_count),
     )
 
 
@@ -177,14 +170,16 @@ def tangent_blocks(
         det F ≤ 0 somewhere.
     """
     deformation = deformation_gradients(elements, displacement_mm)
-    blocks = np.zeros((len(_UPPER), len(elements.nodes), 100))
+    blocks = np.zeros((len(UPPER_BLOCKS), len(elements.nodes), 100))
     divergence = np.zeros((3, len(elements.nodes), 40))
     for first in range(0, len(elements.nodes), _CHUNK):
         chunk = slice(first, first + _CHUNK)
         pressure = pressure_mpa[elements.pressure_nodes[chunk]] @ elements.hats.T
         part = _chunk_tangent(elements, material, chunk, deformation[chunk], pressure)
         blocks[:, chunk], divergence[:, chunk] = part
-    return TangentBlocks(_vector_matrix(elements, blocks), _pressure_rows(elements, divergence))
+    return TangentBlocks(
+        vector_matrix(elements.pattern, blocks), _pressure_rows(elements, divergence)
+    )
 
 
 def _chunk_tangent(
@@ -204,8 +199,8 @@ def _chunk_tangent(
     count, points = weights.shape
     rows = np.swapaxes(gradients.reshape(count, points, 10, 3), 2, 3)  # (tet, q, j, a)
     left = rows.reshape(count, points * 3, 10).swapaxes(1, 2).copy()
-    blocks = np.empty((len(_UPPER), count, 100))
-    for block, (i, k) in enumerate(_UPPER):
+    blocks = np.empty((len(UPPER_BLOCKS), count, 100))
+    for block, (i, k) in enumerate(UPPER_BLOCKS):
         right = modulus[:, :, i, :, k, :] @ rows
         blocks[block] = (left @ right.reshape(count, points * 3, 10)).reshape(count, 100)
     tested = -weights[..., None] * elements.hats  # (tet, q, hat)
@@ -227,30 +222,6 @@ def _pressure_modulus(deformation: np.ndarray, pressure: np.ndarray) -> np.ndarr
 
 def _scatter(nodes: np.ndarray, values: np.ndarray, count: int) -> np.ndarray:
     return np.bincount(nodes.ravel(), values.ravel(), count)
-
-
-def _vector_matrix(elements: FiniteStrainElements, blocks: np.ndarray) -> sp.csr_matrix:
-    """The (3·node)² matrix from the six blocks i ≤ k; the others are their transposes."""
-    count, slots = elements.node_count, len(elements.columns)
-    scalar = {}
-    for (i, k), block in zip(_UPPER, blocks, strict=True):
-        data = np.bincount(elements.pair_slot.ravel(), block.ravel(), slots)
-        matrix = sp.csr_matrix(
-            (data, elements.columns, elements.row_start), shape=(count, count), copy=False
-        )
-        scalar[i, k] = matrix
-        if i != k:
-            scalar[k, i] = matrix.T.tocsr()
-    length = np.diff(elements.row_start)
-    row_start = np.concatenate([[0], np.cumsum(np.tile(3 * length, 3))])
-    data, columns = np.empty(9 * slots), np.empty(9 * slots, elements.columns.dtype)
-    within = np.arange(slots) - np.repeat(elements.row_start[:-1], length)
-    for (i, k), matrix in scalar.items():
-        start = 3 * slots * i + 3 * elements.row_start[:-1] + k * length
-        place = np.repeat(start, length) + within
-        data[place] = matrix.data
-        columns[place] = k * count + elements.columns
-    return sp.csr_matrix((data, columns, row_start), shape=(3 * count, 3 * count))
 
 
 def _pressure_rows(elements: FiniteStrainElements, divergence: np.ndarray) -> sp.csr_matrix:

@@ -10,9 +10,9 @@ from __future__ import annotations
 import numpy as np
 import scipy.sparse as sp
 from jaxtyping import Bool, Float, Int
-from skfem import Basis, ElementTetP2, LinearForm
+from skfem import Basis, LinearForm
 
-from fem.elasticity import TaylorHood, free_motion_basis
+from fem.elasticity import DisplacementSpace, free_motion_basis
 from fem.sparse import columns_of, rows_of
 from fem.tet_mesh import TetMesh
 
@@ -47,16 +47,16 @@ def rigid_motion_basis(
     return columns_of([free_motion_basis(free), rigid])
 
 
-def magnet_of_nodes(mesh: TetMesh, space: TaylorHood) -> Int[np.ndarray, "node"]:
-    """The magnet that each P2 node belongs to (its surface included), −1 for none."""
-    all_dofs = Basis(space.displacement.mesh, ElementTetP2(), intorder=1).element_dofs
+def magnet_of_nodes(mesh: TetMesh, space: DisplacementSpace) -> Int[np.ndarray, "node"]:
+    """The magnet that each node belongs to (its surface included), −1 for none."""
+    all_dofs = Basis(space.mesh, space.displacement.elem, intorder=1).element_dofs
     owner = np.full(space.node_count, -1)
     for magnet in range(mesh.magnet.max() + 1):
         owner[np.unique(all_dofs[:, mesh.magnet == magnet])] = magnet
     return owner
 
 
-def mean_motion_functionals(mesh: TetMesh, space: TaylorHood) -> sp.csr_matrix:
+def mean_motion_functionals(mesh: TetMesh, space: DisplacementSpace) -> sp.csr_matrix:
     """Rows: mean displacement, then mean ½ curl u, over each magnet's volume.
 
     Shape (6·magnet, 3·node).
@@ -64,8 +64,8 @@ def mean_motion_functionals(mesh: TetMesh, space: TaylorHood) -> sp.csr_matrix:
     rows = []
     for magnet in range(mesh.magnet.max() + 1):
         basis = Basis(
-            space.displacement.mesh,
-            ElementTetP2(),
+            space.mesh,
+            space.displacement.elem,
             elements=np.flatnonzero(mesh.magnet == magnet),
             intorder=2,
         )

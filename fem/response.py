@@ -7,24 +7,25 @@ reciprocity (A is symmetric), every magnet's motion under any pressure on any fa
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 import scipy.sparse as sp
 from jaxtyping import Float, Int
-from skfem import BilinearForm, ElementTetP1, ElementTetP2, FacetBasis, MeshTet
+from skfem import BilinearForm, ElementTetP1, FacetBasis, MeshTet
 
 from design.files import atomic_path
 from design.layouts import FaceFrame, face_frames, magnet_layout
 from design.spec import ObjectSpec
 from fem.elasticity import (
+    DisplacementSpace,
     MixedOperators,
-    TaylorHood,
     assemble,
+    element_space,
     free_motion_basis,
     saddle_point_matrix,
-    taylor_hood,
 )
 from fem.factorization import SingularSystemError, compliance_of_loads
 from fem.magnets import magnet_of_nodes, mean_motion_functionals, rigid_motion_basis
@@ -32,6 +33,10 @@ from fem.material import lame_constants
 from fem.sparse import columns_of, rows_of, shape_of
 from fem.tet_mesh import SILICONE, TetMesh
 
+LOCKING_WARNING = (
+    'mechanics.element = "p1" locks in nearly incompressible silicone: the shell comes out several '
+    "times too stiff. It is there for teaching; take taylor-hood for figures to rely on"
+)
 _ON_SURFACE_MM = 0.1
 
 
@@ -73,7 +78,7 @@ class ElasticSystem:
     """An object bonded to its core, before any load: A (q, p) = (loads, 0), u = motion_basis q."""
 
     mesh: MeshTet
-    space: TaylorHood
+    space: DisplacementSpace
     operators: MixedOperators
     motion_basis: sp.csr_matrix
     matrix: sp.csr_matrix
@@ -83,11 +88,14 @@ def elastic_system(mesh: TetMesh, spec: ObjectSpec) -> ElasticSystem:
     """Assemble the silicone, hold what touches the core, tie the magnets.
 
     Unknowns: three displacements of every free node (by component), six motions of every rigid
-    magnet, then the pressures.
+    magnet, then the pressures (Taylor–Hood only). Warns where the element locks.
     """
+    if spec.mechanics.element == "p1":
+        warnings.warn(LOCKING_WARNING, stacklevel=2)
     skfem_mesh = MeshTet(mesh.points_mm.T.copy(), mesh.tets.T.copy())
     rigid = spec.mechanics.magnets == "rigid"
-    space = taylor_hood(skfem_mesh, np.flatnonzero(mesh.magnet == SILICONE) if rigid else None)
+    elements = np.flatnonzero(mesh.magnet == SILICONE) if rigid else None
+    space = element_space(skfem_mesh, spec.mechanics.element, elements)
     silicone = spec.silicone
     operators = assemble(space, lame_constants(silicone.youngs_modulus_mpa, silicone.poisson_ratio))
     motion = _motion_basis(mesh, space, spec)
@@ -101,10 +109,10 @@ def build_response(mesh: TetMesh, spec: ObjectSpec) -> ResponseOperator:
     Raises
     ------
     SingularSystemError
-        The inertia of the factored matrix is not that of a stable saddle point.
+        The factored matrix has not one negative pivot per pressure unknown (none without).
     """
     system = elastic_system(mesh, spec)
-    surfaces, tractions = face_pressure_loads(system.mesh, spec)
+    surfaces, tractions = face_pressure_loads(system.space, spec)
     unknowns, motions = shape_of(system.matrix)[0], shape_of(system.motion_basis)[1]
     if spec.mechanics.magnets == "rigid":
         magnets = _last_columns(motions, 6 * len(magnet_layout(spec).face))
@@ -118,12 +126,12 @@ def build_response(mesh: TetMesh, spec: ObjectSpec) -> ResponseOperator:
 
 
 def face_pressure_loads(
-    mesh: MeshTet, spec: ObjectSpec
+    space: DisplacementSpace, spec: ObjectSpec
 ) -> tuple[tuple[FaceSurface, ...], sp.csr_matrix]:
     """Nodal forces of unit P1 pressures, acting inwards, at the vertices of every face."""
     surfaces, loads = [], []
     for frame in face_frames(spec):
-        surface, moments = face_surface(mesh, face_facets(mesh, spec, frame), frame)
+        surface, moments = face_surface(space, face_facets(space.mesh, spec, frame), frame)
         surfaces.append(surface)
         loads.append(rows_of([-component * moments for component in frame.normal]))
     return tuple(surfaces), columns_of(loads)
@@ -138,13 +146,14 @@ def face_facets(mesh: MeshTet, spec: ObjectSpec, frame: FaceFrame) -> Int[np.nda
 
 
 def face_surface(
-    mesh: MeshTet, facets: np.ndarray, frame: FaceFrame
+    space: DisplacementSpace, facets: np.ndarray, frame: FaceFrame
 ) -> tuple[FaceSurface, sp.csc_matrix]:
-    """Surface of some flat boundary facets, and ∫ φ_i v dA of P1 pressures against P2 nodes.
+    """Surface of some flat boundary facets, and ∫ φ_i v dA of P1 pressures against the space's nodes.
 
     Shape of the moments: (node, vertex), mm².
     """
-    displacement = FacetBasis(mesh, ElementTetP2(), facets=facets, intorder=3)
+    mesh = space.mesh
+    displacement = FacetBasis(mesh, space.displacement.elem, facets=facets, intorder=3)
     pressure = FacetBasis(mesh, ElementTetP1(), facets=facets, intorder=3)
     vertices, triangles = np.unique(np.asarray(mesh.facets)[:, facets], return_inverse=True)
     moments = _normal_product.assemble(pressure, displacement).tocsc()[:, vertices]
@@ -186,7 +195,7 @@ def _last_columns(size: int, count: int) -> sp.csr_matrix:
     return sp.csr_matrix((np.ones(count), (rows, np.arange(count))), shape=(size, count))
 
 
-def _motion_basis(mesh: TetMesh, space: TaylorHood, spec: ObjectSpec) -> sp.csr_matrix:
+def _motion_basis(mesh: TetMesh, space: DisplacementSpace, spec: ObjectSpec) -> sp.csr_matrix:
     """Free nodes, the core's surface held, rigid magnets as six motions each."""
     free = space.elastic_nodes & ~_touches_core(space.nodes_mm, spec)
     if spec.mechanics.magnets == "points":

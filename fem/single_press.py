@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import cast
 
 import numpy as np
 import scipy.sparse as sp
@@ -13,6 +14,7 @@ from design.errors import InputError
 from design.layouts import FaceFrame, face_frames, magnet_layout
 from design.spec import ObjectSpec
 from fem.contact import contact_pressures
+from fem.elasticity import TaylorHood
 from fem.factorization import solve_symmetric
 from fem.finite_strain import finite_strain_elements
 from fem.hyperelastic import Hyperelastic
@@ -67,11 +69,14 @@ def press_setting(
     xy_mm: Float[np.ndarray, "2"],
     material: Hyperelastic,
 ) -> PressSetting:
-    """Assemble the body with the material's modulus at small strain, for a tip at (x, y)."""
+    """Assemble the body with the material's modulus at small strain, for a tip at (x, y).
+
+    The specification has passed `require_press`.
+    """
     frame = next(frame for frame in face_frames(spec) if frame.number == face)
     system = elastic_system(mesh, _with_modulus_of(spec, material))
     facets = face_facets(system.mesh, spec, frame)
-    surface, moments = face_surface(system.mesh, facets, frame)
+    surface, moments = face_surface(system.space, facets, frame)
     radius = spec.indenter.radius_mm
     near = np.flatnonzero(np.linalg.norm(surface.xy_mm - xy_mm, axis=1) < radius)
     problem = _problem(spec, mesh, system, material, frame, facets, near)
@@ -128,7 +133,12 @@ def require_modulus(spec: ObjectSpec, material: Hyperelastic) -> None:
 def require_press(
     spec: ObjectSpec, face: int, x_mm: float, y_mm: float, depths_mm: Sequence[float]
 ) -> None:
-    """Raise InputError for an unknown face, a tip over the border, or depths out of range."""
+    """Raise InputError for another element, an unknown face, a tip over the border, bad depths."""
+    if spec.mechanics.element != "taylor-hood":
+        raise InputError(
+            "presses with large deformation need the Taylor–Hood element; mechanics.element is "
+            f'"{spec.mechanics.element}". Set mechanics.element = "taylor-hood"'
+        )
     frames = {frame.number: frame for frame in face_frames(spec)}
     if face not in frames:
         raise InputError(f"face {face} is not sensed. Choose one of {sorted(frames)}")
@@ -164,7 +174,7 @@ def _problem(
     vertices = np.unique(np.asarray(system.mesh.facets)[:, facets])[near]
     pressure_nodes = space.pressure_nodes
     return PressProblem(
-        finite_strain_elements(space),
+        finite_strain_elements(cast(TaylorHood, space)),
         material,
         _lame(spec, material).inverse_lambda_per_mpa,
         system.operators.compressibility[pressure_nodes][:, pressure_nodes],

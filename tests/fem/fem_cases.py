@@ -164,7 +164,7 @@ def forces_on_quarter_block(poisson_ratio, radius_mm, depths_mm, plan, height, c
     x, y, z = np.eye(3)
     frame = FaceFrame(1, z, x, y, np.zeros(3), (plan[-1], plan[-1]))
     facets = mesh.facets_satisfying(lambda x: abs(x[2]) < 1e-9, boundaries_only=True)
-    surface, moments = face_surface(mesh, facets, frame)
+    surface, moments = face_surface(space, facets, frame)
     near = np.flatnonzero(np.linalg.norm(surface.xy_mm, axis=1) < candidates_mm)
     loads = basis.T @ sp.vstack(
         [sp.csr_matrix((2 * space.node_count, len(near))), -moments[:, near]]

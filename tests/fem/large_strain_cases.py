@@ -76,7 +76,7 @@ def block(cells=(8, 7, 4), radius_mm=5.0, material=MATERIALS[0], magnet=True):
     held = space.nodes_mm[:, 2] < 1e-9
     frame = FaceFrame(1, *np.eye(3)[[2, 0, 1]], np.array([0, 0, BLOCK_MM[2]]), BLOCK_MM[:2])
     facets = mesh.facets_satisfying(lambda x: abs(x[2] - BLOCK_MM[2]) < 1e-9, True)
-    surface, moments = face_surface(mesh, facets, frame)
+    surface, moments = face_surface(space, facets, frame)
     near = np.flatnonzero(np.linalg.norm(surface.xy_mm - PLACE_MM, axis=1) < 5.0)
     vertices = np.unique(mesh.facets[:, facets])[near]
     operators = assemble(space, lame_constants(E_MPA, NU))

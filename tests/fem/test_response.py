@@ -34,7 +34,7 @@ class DirectSolve:
 
 def direct_solve(system, spec):
     """Unit pressure at the vertex of face 3 nearest to (x, y) = (5, −7) mm."""
-    surfaces, tractions = face_pressure_loads(system.mesh, spec)
+    surfaces, tractions = face_pressure_loads(system.space, spec)
     before = sum(len(surface.xy_mm) for surface in surfaces[:FACE_INDEX])
     distance = np.linalg.norm(surfaces[FACE_INDEX].xy_mm - [5.0, -7.0], axis=1)
     load = before + int(np.argmin(distance))
