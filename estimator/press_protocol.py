@@ -25,6 +25,7 @@ from estimator.interpolation import (
     press_traces,
 )
 from estimator.signals import Progress, Signals
+from fem.viscoelastic import relaxed_force_n
 
 REST_PLACE_ID = -1
 PLACE_ID_STRIDE = 1000
@@ -137,7 +138,9 @@ def simulate_presses(
 ) -> FrameSet:
     """Frames of the whole protocol: for each press rest frames, then one rise and fall of force.
 
-    The force is a raised cosine, sampled at a random phase within the frame interval. The zeroing
+    The force is a raised cosine, sampled at a random phase within the frame interval. With
+    `silicone.prony` that is the force which the modulus at once would give at each travel: signals
+    follow the travel, the labelled force relaxes and is lower, more so while unloading. The zeroing
     error of a press and its drift since are common to its rest and contact frames. Labels: the
     place's nominal position; the force with the load cell's noise. Repetitions are sessions.
     Peaks beyond the deepest simulated press are clamped to it (`plan_presses` counts them).
@@ -145,7 +148,7 @@ def simulate_presses(
     plan = plan_presses(spec, signals)
     rng = np.random.default_rng((spec.seed, 2))
     rest, moving = spec.protocol.rest_frames_per_press, spec.protocol.frames_per_press
-    force = _press_forces(spec, plan, rng)
+    force, prony = _press_forces(spec, plan, rng), spec.silicone.prony
     readings = np.empty((len(plan.face), rest + moving, signals.baseline_counts.size))
     block = max(1, len(plan.face) // spec.protocol.presses_per_place // 5)
     for start in range(0, len(plan.face), block):
@@ -156,13 +159,14 @@ def simulate_presses(
         readings[part] = _disturbed(spec, signals, readings[part], rng)
         if progress is not None:
             progress(f"{min(start + block, len(plan.face))} of {len(plan.face)} presses")
+    force = relaxed_force_n(force, np.arange(rest + moving) / spec.sensors.frame_rate_hz, prony)
     return _labelled(spec, signals, plan, force, readings, rng, spec_hash)
 
 
 def _press_forces(
     spec: ObjectSpec, plan: PressPlan, rng: np.random.Generator
 ) -> Float[np.ndarray, "press frame"]:
-    """True force (N) of each frame, 0 in the rest frames that come first."""
+    """Force (N) of each frame without relaxation, 0 in the rest frames that come first."""
     moving = spec.protocol.frames_per_press
     phase = 2 * np.pi * (np.arange(moving) + rng.uniform(0, 1, (len(plan.face), 1))) / moving
     force = plan.peak_force_n[:, None] * (1 - np.cos(phase)) / 2

@@ -190,7 +190,11 @@ STAGES: dict[str, Stage] = {
         "sensitivity: bounds and maps", ("signals",), ("score", "seed"), _scores, version=3
     ),
     "frames": Stage(
-        "estimator: simulated presses", ("signals",), ("protocol", "seed"), _frames, version=2
+        "estimator: simulated presses",
+        ("signals",),
+        ("protocol", "silicone.prony", "seed"),
+        _frames,
+        version=3,
     ),
     "networks": Stage(
         "estimator: training", ("frames",), ("training", "seed"), _networks, version=2
@@ -199,9 +203,9 @@ STAGES: dict[str, Stage] = {
     "report": Stage(
         "report",
         ("build", "mesh", "response", "presses", "signals", "scores", "frames", "metrics"),
-        ("name", "limits"),
+        ("name", "limits", "silicone"),
         _report,
-        version=4,
+        version=5,
     ),
 }
 """In the order in which `instobj run` works through them."""

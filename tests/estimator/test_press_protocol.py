@@ -176,3 +176,20 @@ def test_too_much_jitter_is_refused(signals):
     loose = coarse_spec(protocol={**PROTOCOL, "lateral_jitter_mm": 2.5})
     with pytest.raises(InputError, match=r"lateral_jitter_mm"):
         simulate_presses(loose, replace(signals), "hash")
+
+
+def test_relaxing_silicone_gives_hysteresis_in_force_and_none_in_the_signals(signals):
+    quiet = {"sensors": QUIET_SENSORS, "protocol": PROTOCOL | {"force_noise_n": 0.0}, "seed": 4}
+    elastic = simulate_presses(coarse_spec(**quiet), signals, "hash")
+    prony = ({"fraction": 0.2, "time_s": 0.8},)
+    relaxed = simulate_presses(coarse_spec(**quiet, silicone={"prony": prony}), signals, "hash")
+    np.testing.assert_array_equal(relaxed.signal_counts, elastic.signal_counts)
+    shape = (5 * 20 * 3, 26)
+    before = elastic.force_n[:, 0, 2].reshape(shape)[:, 6:]
+    after = relaxed.force_n[:, 0, 2].reshape(shape)[:, 6:]
+    share = after / before
+    rising, falling = slice(3, 9), slice(12, 17)
+    assert (share[:, rising] < 1).all()
+    assert (share[:, rising] > 0.8).all()
+    assert (share[:, falling].max(axis=1) < share[:, rising].min(axis=1)).all()
+    assert (after >= 0).all()
