@@ -19,7 +19,7 @@ import scipy.sparse as sp
 import scipy.sparse.linalg
 from jaxtyping import Float
 
-from fem.sparse import block_matrix, shape_of
+from fem.sparse import block_matrix, shape_of, upper_triangle
 
 _SYMMETRIC_INDEFINITE = -2
 _ANALYSE, _FACTOR, _SOLVE, _RELEASE = 11, 22, 33, -1
@@ -51,7 +51,8 @@ def compliance_of_loads(matrix: sp.csr_matrix, loads: sp.csr_matrix) -> Complian
         _warn_without_mkl()
         return _compliance_by_solves(matrix, loads)
     size, count = shape_of(loads)
-    bordered = block_matrix([[matrix, loads], [loads.T, None]])
+    empty = sp.csr_matrix((count, count))
+    bordered = block_matrix([[matrix, loads], [loads.T.tocsr(), empty]])
     solver = _Pardiso(bordered)
     solver.parameters[35] = 1  # return the Schur complement of the marked unknowns
     solver.marked[size:] = 1
@@ -172,11 +173,7 @@ class _Pardiso:
 
     def __init__(self, matrix: sp.csr_matrix) -> None:
         size = shape_of(matrix)[0]
-        diagonal = sp.csr_matrix(  # PARDISO wants every diagonal entry stored, zeros too
-            (np.zeros(size), (np.arange(size),) * 2), shape=(size, size)
-        )
-        upper = sp.csr_matrix(sp.csr_matrix(sp.triu(matrix)) + diagonal)
-        upper.sort_indices()
+        upper = upper_triangle(matrix)
         self.values = upper.data
         self.row_start = (upper.indptr + 1).astype(np.int32)
         self.columns = (upper.indices + 1).astype(np.int32)

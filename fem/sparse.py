@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+import numpy as np
 import scipy.sparse as sp
 
 
@@ -21,6 +22,23 @@ def columns_of(blocks: Sequence[Any]) -> sp.csr_matrix:
 def block_matrix(blocks: Sequence[Sequence[Any]]) -> sp.csr_matrix:
     """A matrix of blocks; None stands for zeros."""
     return sp.csr_matrix(sp.bmat(blocks))
+
+
+def upper_triangle(matrix: sp.csr_matrix) -> sp.csr_matrix:
+    """Entries on and above the diagonal, columns sorted, every diagonal entry stored (zeros too)."""
+    matrix.sum_duplicates()
+    size = shape_of(matrix)[0]
+    rows = np.repeat(np.arange(size, dtype=matrix.indices.dtype), np.diff(matrix.indptr))
+    keep = (matrix.indices == rows) | ((matrix.indices > rows) & (matrix.data != 0))
+    rows, columns = rows[keep], matrix.indices[keep]
+    missing = np.ones(size, bool)
+    missing[rows[columns == rows]] = False
+    start = np.append(0, np.cumsum(np.bincount(rows, minlength=size)))
+    bare = np.flatnonzero(missing)  # the diagonal comes first in its row
+    data = np.insert(matrix.data[keep], start[bare], 0.0)
+    columns = np.insert(columns, start[bare], bare)
+    start[1:] += np.cumsum(missing)
+    return sp.csr_matrix((data, columns, start), shape=(size, size), copy=False)
 
 
 def shape_of(matrix: sp.spmatrix) -> tuple[int, int]:

@@ -13,7 +13,7 @@ from fem.elasticity import assemble, free_motion_basis, saddle_point_matrix, tay
 from fem.factorization import SingularSystemError, compliance_of_loads, solve_symmetric
 from fem.material import lame_constants
 from fem.response import _require_inertia
-from fem.sparse import shape_of
+from fem.sparse import shape_of, upper_triangle
 
 pardiso_only = pytest.mark.skipif(
     not factorization.pardiso_available(), reason="MKL's PARDISO is not on this machine"
@@ -100,3 +100,15 @@ def test_the_slow_solver_says_that_it_is_used(monkeypatch, call):
 def test_a_machine_without_pypardiso_has_no_pardiso(monkeypatch):
     monkeypatch.setitem(sys.modules, "pypardiso", None)
     assert not factorization.pardiso_available()
+
+
+def test_the_upper_triangle_stores_every_diagonal_entry_in_sorted_rows():
+    dense = np.array([[0.0, 2, 0, -3], [2, 5, 0, 0], [0, 0, 0, 0], [-3, 0, 0, 7]])
+    rows, columns = np.nonzero(dense)
+    order = np.random.default_rng(3).permutation(len(rows))
+    entries = (dense[rows, columns][order] / 2, (rows[order], columns[order]))
+    halves = sp.coo_matrix((np.tile(entries[0], 2), np.tile(entries[1], 2)), shape=(4, 4))
+    upper = upper_triangle(sp.csr_matrix(halves))
+    assert_allclose(upper.toarray(), np.triu(dense), rtol=0, atol=0)
+    assert upper.indices.tolist() == [0, 1, 3, 1, 2, 3]
+    assert upper.indptr.tolist() == [0, 3, 4, 5, 6]
