@@ -155,3 +155,15 @@ def sensor_layout(spec: ObjectSpec) -> SensorLayout:
             axes.append(np.stack([-tangential, radial, [0.0, 0.0, 1.0]]) @ frame.axes.T)
             face.append(frame.number)
     return SensorLayout(np.array(position), np.array(axes), np.array(face))
+
+
+def slipped_sensors(spec: ObjectSpec) -> SensorLayout:
+    """The sensors moved with the core by `mechanics.slip`, in the shell's frame."""
+    from scipy.spatial.transform import Rotation
+
+    sensors, slip = sensor_layout(spec), spec.mechanics.slip
+    if not slip.slipped:
+        return sensors
+    turn = Rotation.from_rotvec(np.deg2rad(slip.rotation_deg)).as_matrix()
+    position = sensors.position_mm @ turn.T + np.asarray(slip.shift_mm, float)
+    return SensorLayout(position, sensors.axes @ turn.T, sensors.face)

@@ -8,6 +8,9 @@ from pydantic import Field, model_validator
 
 from design.spec_types import Count, NonNegative, Positive, SpecPart
 
+Shift = Annotated[float, Field(ge=-3, le=3)]
+Turn = Annotated[float, Field(ge=-10, le=10)]
+
 
 class ContactGridSpec(SpecPart):
     """Contact places on each face, centred on it; place = X·count_y + Y, counted from 0."""
@@ -52,15 +55,48 @@ class MeshSpec(SpecPart):
     magnet_sides: Annotated[int, Field(ge=6, le=64)] = 8
 
 
+class SlipSpec(SpecPart):
+    """Slip of the core against the bonded shell after casting, seen from the shell.
+
+    The core has turned about the object's origin by the rotation vector `rotation_deg`, then
+    shifted by `shift_mm`. "fem" keeps the core still and lets the shell follow its interface;
+    "sensors-only" moves the sensors instead and leaves presses as they were, an approximation.
+    `rim` "held" clamps the silicone's flat ring round the open face to the mounting plate, in
+    every press.
+    """
+
+    shift_mm: tuple[Shift, Shift, Shift] = (0.0, 0.0, 0.0)
+    rotation_deg: tuple[Turn, Turn, Turn] = (0.0, 0.0, 0.0)
+    model: Literal["fem", "sensors-only"] = "fem"
+    rim: Literal["free", "held"] = "free"
+
+    @property
+    def slipped(self) -> bool:
+        """Whether there is any slip."""
+        return any(self.shift_mm) or any(self.rotation_deg)
+
+
 class MechanicsSpec(SpecPart):
-    """Finite element and the model of the magnets in the silicone.
+    """Finite element, the model of the magnets in the silicone, and its hold on the core.
 
     "taylor-hood" takes every Poisson ratio up to 0.5; "p2-p0" (symmetric positive definite, a
-    little too soft) up to 0.4999; "p1" locks and is for teaching.
+    little too soft) up to 0.4999; "p1" locks and is for teaching. On a "frictionless" core the
+    shell slides but does not lift off.
     """
 
     element: Literal["taylor-hood", "p2-p0", "p1"] = "taylor-hood"
     magnets: Literal["rigid", "points"] = "rigid"
+    interface: Literal["bonded", "frictionless"] = "bonded"
+    slip: SlipSpec = SlipSpec()
+
+    @model_validator(mode="after")
+    def _slip_needs_a_bond(self) -> MechanicsSpec:
+        if self.interface == "frictionless" and self.slip.slipped:
+            raise ValueError(
+                "mechanics.slip moves a bonded interface, but mechanics.interface is 'frictionless': "
+                "a shell that slides keeps no slip. Set interface = 'bonded', or leave the slip out"
+            )
+        return self
 
 
 HullForm = Literal["covariance", "exact", "monte-carlo"]

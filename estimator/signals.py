@@ -23,6 +23,7 @@ from design.layouts import (
     grid_places_in_lattice,
     magnet_layout,
     sensor_layout,
+    slipped_sensors,
 )
 from design.spec import ObjectSpec
 from estimator.field import FieldModel, field_model, sum_over_magnets, total_field
@@ -85,12 +86,14 @@ def press_signals(
     InputError
         A sensor lies in a magnet (at rest or pressed) or saturates at rest.
     """
-    magnets, sensors = magnet_layout(spec), sensor_layout(spec)
+    magnets, sensors = magnet_layout(spec), _sensors_of_the_model(spec)
     magnet = magnet_source(spec.magnets)
     check_sensors_outside_magnets(sensors, magnets, magnet)
     everywhere = motions.motion.reshape(-1, len(magnets.face), 6)
     model = field_model(magnet, min_distance_mm(everywhere, magnets, sensors))
-    baseline = rest_counts(spec, model)
+    at_rest = np.zeros((len(magnets.face), 6)) if motions.rest is None else motions.rest
+    rest_t = _pressed_field(at_rest[None], magnets, sensors, model)[0]
+    baseline = counts_of_field(1e3 * rest_t, sensors.axes, spec.sensors)
     check_rest(baseline, sensors, spec.sensors)
     per_face = motions.motion.shape[1:3]
     delta = np.empty((len(motions.faces), *per_face, len(sensors.face), 3))
@@ -107,11 +110,21 @@ def press_signals(
 
 
 def rest_counts(spec: ObjectSpec, model: FieldModel | None = None) -> Float[np.ndarray, "sensor 3"]:
-    """Expected counts of all magnets at rest; exact bodies unless a model is given."""
-    magnets, sensors = magnet_layout(spec), sensor_layout(spec)
+    """Expected counts of all magnets at rest; exact bodies unless a model is given.
+
+    A slip of the core moves the sensors rigidly against the shell, which is exact while the shell's
+    outside is free.
+    """
+    magnets, sensors = magnet_layout(spec), slipped_sensors(spec)
     model = model or FieldModel(magnet_source(spec.magnets), "exact")
     field_t = total_field(sensors.position_mm, magnets.centre_mm, magnets.axis, model)
     return counts_of_field(1e3 * field_t, sensors.axes, spec.sensors)
+
+
+def _sensors_of_the_model(spec: ObjectSpec) -> SensorLayout:
+    """Where the slip moves the sensors instead of the magnets, the former are moved."""
+    moved = spec.mechanics.slip.model == "sensors-only"
+    return slipped_sensors(spec) if moved else sensor_layout(spec)
 
 
 def min_distance_mm(

@@ -150,13 +150,17 @@ def saddle_point_matrix(
     return block_matrix([[stiffness, divergence.T.tocsr()], [divergence, -compressibility]])
 
 
-def free_motion_basis(free: Bool[np.ndarray, "node"]) -> sp.csr_matrix:
-    """T that leaves the three displacements of the free nodes and holds all others at zero."""
-    nodes = np.flatnonzero(free)
-    selection = sp.csr_matrix(
-        (np.ones(len(nodes)), (nodes, np.arange(len(nodes)))), shape=(len(free), len(nodes))
-    )
-    return sp.csr_matrix(sp.block_diag([selection] * 3))
+def free_motion_basis(free: Bool[np.ndarray, "*component node"]) -> sp.csr_matrix:
+    """T that leaves free displacements and holds all others at zero.
+
+    `free` (node,) stands for all three components of a node; (3, node) is one row for each.
+    """
+    selections = []
+    for row in np.broadcast_to(free, (3, free.shape[-1])):
+        nodes = np.flatnonzero(row)
+        entries = (np.ones(len(nodes)), (nodes, np.arange(len(nodes))))
+        selections.append(sp.csr_matrix(entries, shape=(len(row), len(nodes))))
+    return sp.csr_matrix(sp.block_diag(selections))
 
 
 def _stiffness(

@@ -21,11 +21,11 @@ _LEVI_CIVITA = ((0, 1, 2), (1, 2, 0), (2, 0, 1))
 
 def rigid_motion_basis(
     nodes_mm: Float[np.ndarray, "node 3"],
-    free: Bool[np.ndarray, "node"],
+    free: Bool[np.ndarray, "*component node"],
     owner: Int[np.ndarray, "node"],
     centres_mm: Float[np.ndarray, "magnet 3"],
 ) -> sp.csr_matrix:
-    """T with u = T q: three displacements of each free node, then (c, ω) of each magnet.
+    """T with u = T q: displacements of the free nodes, then (c, ω) of each magnet.
 
     `owner` is the magnet that a node belongs to, negative where none. Shape (3·node, unknown).
     """

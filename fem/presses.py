@@ -14,6 +14,7 @@ from design.errors import InputError
 from design.layouts import press_lattice
 from design.spec import ObjectSpec
 from fem.contact import contact_pressures
+from fem.core_slip import RestingShell, slipped_response, superposed
 from fem.indenter import hemisphere_profile_mm
 from fem.response import FaceSurface, ResponseOperator
 from fem.results import MagnetMotions, PressForces
@@ -23,9 +24,15 @@ Progress = Callable[[str], None]
 
 
 def simulate_lattice(
-    spec: ObjectSpec, response: ResponseOperator, progress: Progress | None = None
+    spec: ObjectSpec,
+    response: ResponseOperator,
+    progress: Progress | None = None,
+    rest: RestingShell | None = None,
 ) -> tuple[PressForces, MagnetMotions]:
     """Press every lattice place of every face to every depth of `spec.press.depths_mm`.
+
+    On a core that has slipped (`rest`) places are those of the laboratory, where the core stands:
+    the shell lies shifted under the indenter. Depth counts from the first touch.
 
     With the default surface edges of 1.2 mm the force scatters between places, by the accident of
     where vertices fall under the tip, by 0.8 % (standard deviation) at 2 mm depth, 1.4 % at 1 mm,
@@ -35,6 +42,8 @@ def simulate_lattice(
     """
     lattice = press_lattice(spec)
     depths = np.asarray(spec.press.depths_mm)
+    if rest is not None:
+        response = slipped_response(spec, response, rest)
     shape = (len(response.surfaces), len(lattice), len(depths))
     force, area = np.zeros(shape), np.zeros(shape)
     magnets = (len(response.compliance) - response.magnet_loads.start) // 6
@@ -49,9 +58,13 @@ def simulate_lattice(
         if progress:
             progress(f"face {surface.number}: {len(lattice)} places × {len(depths)} depths")
     faces = np.array([surface.number for surface in response.surfaces])
+    at_rest = None
+    if rest is not None:
+        at_rest = rest.magnet_motion
+        motion = superposed(at_rest, motion)
     return (
         PressForces(faces, lattice, depths, force, area),
-        MagnetMotions(faces, lattice, depths, motion),
+        MagnetMotions(faces, lattice, depths, motion, at_rest),
     )
 
 
@@ -99,7 +112,10 @@ def _triangle_areas(surface: FaceSurface) -> np.ndarray:
 
 
 def profile_moments_mm3(surface: FaceSurface, xy_mm: np.ndarray, radius_mm: float) -> np.ndarray:
-    """∫ φ_i profile(|x − centre|) dA for every place and vertex, mm³."""
+    """∫ φ_i gap dA for every place and vertex, mm³: the gap to a tip that just touches the face.
+
+    On a flat face the gap is the profile at |x − centre|.
+    """
     local, weight = get_quadrature(RefTri, _QUADRATURE_ORDER)
     hats = np.stack([1 - local.sum(axis=0), *local])  # (3, q)
     corner = surface.xy_mm[surface.triangles]  # (t, 3, 2)
@@ -110,10 +126,14 @@ def profile_moments_mm3(surface: FaceSurface, xy_mm: np.ndarray, radius_mm: floa
     integral = sp.csr_matrix(
         (values.ravel(), (rows.ravel(), columns)), shape=(len(surface.xy_mm), len(points))
     )
+    height = 0.0
+    if surface.height_mm is not None:
+        height = np.einsum("kq,tk->tq", hats, surface.height_mm[surface.triangles]).ravel()
     moments = np.empty((len(xy_mm), len(surface.xy_mm)))
     for place, centre in enumerate(xy_mm):
-        distance = np.linalg.norm(points - centre, axis=1)
-        moments[place] = integral @ hemisphere_profile_mm(distance, radius_mm)
+        profile = hemisphere_profile_mm(np.linalg.norm(points - centre, axis=1), radius_mm)
+        touch = np.min(profile - height) - np.min(profile)
+        moments[place] = integral @ (profile - height - touch)
     return moments
 
 

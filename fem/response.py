@@ -8,7 +8,7 @@ reciprocity (A is symmetric), every magnet's motion under any pressure on any fa
 from __future__ import annotations
 
 import warnings
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from pathlib import Path
 
 import numpy as np
@@ -17,8 +17,15 @@ from jaxtyping import Float, Int
 from skfem import BilinearForm, ElementTetP1, FacetBasis, MeshTet
 
 from design.files import atomic_path
-from design.layouts import FaceFrame, face_frames, magnet_layout
+from design.layouts import FaceFrame, face_frames, shell_body_layout
 from design.spec import ObjectSpec
+from fem.core_interface import (
+    CoreContact,
+    held_components,
+    prescribed_loads,
+    surface_tolerance_mm,
+    wall_openings,
+)
 from fem.elasticity import (
     DisplacementSpace,
     MixedOperators,
@@ -27,7 +34,7 @@ from fem.elasticity import (
     free_motion_basis,
     saddle_point_matrix,
 )
-from fem.factorization import SingularSystemError, compliance_of_loads
+from fem.factorization import Compliance, SingularSystemError, compliance_of_loads
 from fem.magnets import magnet_of_nodes, mean_motion_functionals, rigid_motion_basis
 from fem.material import lame_constants
 from fem.sparse import columns_of, rows_of, shape_of
@@ -37,21 +44,24 @@ LOCKING_WARNING = (
     'mechanics.element = "p1" locks in nearly incompressible silicone: the shell comes out several '
     "times too stiff. It is there for teaching; take taylor-hood for figures to rely on"
 )
-_ON_SURFACE_MM = 0.1
 
 
 @dataclass(frozen=True)
 class FaceSurface:
-    """Triangulation of one sensed face: vertices (x, y) in the face's frame and triangles."""
+    """Triangulation of one sensed face: vertices (x, y) in the face's frame and triangles.
+
+    `height_mm` is how far the vertices lie above the face at rest; None where it is flat.
+    """
 
     number: int
     xy_mm: Float[np.ndarray, "vertex 2"]
     triangles: Int[np.ndarray, "triangle 3"]
+    height_mm: Float[np.ndarray, "vertex"] | None = None
 
 
 @dataclass(frozen=True)
 class ResponseOperator:
-    """Condensed elastic response of a whole object.
+    """Condensed elastic response of a whole object; `core` where it slides on a frictionless core.
 
     `compliance` (load, load): first the vertices of every face in turn (conjugate: ∫ φ_i u·(−n) dA,
     mm³ per MPa), then six motions per magnet (mm, rad per MPa of pressure at a vertex).
@@ -61,6 +71,7 @@ class ResponseOperator:
     compliance: Float[np.ndarray, "load load"]
     unknowns: int
     negative_pivots: int
+    core: CoreContact | None = None
 
     def face_loads(self, index: int) -> slice:
         """Rows of the index-th face's vertices."""
@@ -75,7 +86,7 @@ class ResponseOperator:
 
 @dataclass(frozen=True)
 class ElasticSystem:
-    """An object bonded to its core, before any load: A (q, p) = (loads, 0), u = motion_basis q."""
+    """An object on its core, before any load: A (q, p) = (loads, 0), u = motion_basis q."""
 
     mesh: MeshTet
     space: DisplacementSpace
@@ -85,10 +96,9 @@ class ElasticSystem:
 
 
 def elastic_system(mesh: TetMesh, spec: ObjectSpec) -> ElasticSystem:
-    """Assemble the silicone, hold what touches the core, tie the magnets.
+    """Assemble the silicone, hold what the core holds, tie the magnets.
 
-    Unknowns: three displacements of every free node (by component), six motions of every rigid
-    magnet, then the pressures (Taylor–Hood only). Warns where the element locks.
+    Unknowns: every free displacement (by component), six motions of every rigid magnet, then the pressures (Taylor–Hood only). Warns where the element locks.
     """
     if spec.mechanics.element == "p1":
         warnings.warn(LOCKING_WARNING, stacklevel=2)
@@ -104,7 +114,7 @@ def elastic_system(mesh: TetMesh, spec: ObjectSpec) -> ElasticSystem:
 
 
 def build_response(mesh: TetMesh, spec: ObjectSpec) -> ResponseOperator:
-    """Assemble, bond to the core, factor once and condense.
+    """Assemble, hold on the core, factor once and condense.
 
     Raises
     ------
@@ -115,14 +125,40 @@ def build_response(mesh: TetMesh, spec: ObjectSpec) -> ResponseOperator:
     surfaces, tractions = face_pressure_loads(system.space, spec)
     unknowns, motions = shape_of(system.matrix)[0], shape_of(system.motion_basis)[1]
     if spec.mechanics.magnets == "rigid":
-        magnets = _last_columns(motions, 6 * len(magnet_layout(spec).face))
+        magnets = _last_columns(motions, 6 * len(shell_body_layout(spec).face))
     else:
         magnets = system.motion_basis.T @ mean_motion_functionals(mesh, system.space).T
     loads = columns_of([system.motion_basis.T @ tractions, magnets])
     no_pressure = sp.csr_matrix((unknowns - motions, shape_of(loads)[1]))
-    condensed = compliance_of_loads(system.matrix, rows_of([loads, no_pressure]))
+    loads = rows_of([loads, no_pressure])
+    if spec.mechanics.interface == "bonded":
+        condensed, core = compliance_of_loads(system.matrix, loads), None
+    else:
+        condensed, core = _condense_with_core(system, spec, loads)
     _require_inertia(condensed.negative_pivots, unknowns - motions)
-    return ResponseOperator(surfaces, condensed.matrix, unknowns, condensed.negative_pivots)
+    return ResponseOperator(surfaces, condensed.matrix, unknowns, condensed.negative_pivots, core)
+
+
+def _condense_with_core(
+    system: ElasticSystem, spec: ObjectSpec, loads: sp.csr_matrix
+) -> tuple[Compliance, CoreContact]:
+    """Compliance of the loads, and the core's forces under them and under openings."""
+    openings = wall_openings(system.space, spec)
+    lifting = openings.displacement
+    operators, pressure_nodes = system.operators, system.space.pressure_nodes
+    prescribed = prescribed_loads(operators, system.motion_basis, pressure_nodes, lifting)
+    condensed = compliance_of_loads(system.matrix, columns_of([loads, prescribed]))
+    count = shape_of(loads)[1]
+    matrix = condensed.matrix
+    stiffness = (lifting.T @ (operators.stiffness @ lifting)).toarray() - matrix[count:, count:]
+    core = CoreContact(
+        system.space.nodes_mm[openings.vertices],
+        openings.normal,
+        openings.weights_mm2,
+        -matrix[count:, :count],
+        stiffness,
+    )
+    return Compliance(np.ascontiguousarray(matrix[:count, :count]), condensed.negative_pivots), core
 
 
 def face_pressure_loads(
@@ -142,7 +178,7 @@ def face_facets(mesh: MeshTet, spec: ObjectSpec, frame: FaceFrame) -> Int[np.nda
     boundary = mesh.boundary_facets()
     corner = np.moveaxis(mesh.p[:, np.asarray(mesh.facets)[:, boundary]], 0, -1)
     height = np.asarray(frame.from_object(corner)[..., 2])
-    return boundary[np.all(abs(height) < _tolerance(spec), axis=0)]
+    return boundary[np.all(abs(height) < surface_tolerance_mm(spec), axis=0)]
 
 
 def face_surface(
@@ -173,6 +209,8 @@ def save_response(response: ResponseOperator, folder: Path | str) -> None:
     for surface in response.surfaces:
         arrays[f"xy_mm_{surface.number}"] = surface.xy_mm
         arrays[f"triangles_{surface.number}"] = surface.triangles
+    if response.core is not None:
+        arrays |= {f"core_{f.name}": getattr(response.core, f.name) for f in fields(CoreContact)}
     with atomic_path(folder / "surfaces.npz") as temporary, temporary.open("wb") as stream:
         np.savez(stream, **arrays)  # pyright: ignore[reportArgumentType]
 
@@ -186,7 +224,10 @@ def load_response(folder: Path | str) -> ResponseOperator:
             FaceSurface(int(n), data[f"xy_mm_{n}"], data[f"triangles_{n}"]) for n in data["faces"]
         )
         unknowns, negative = (int(count) for count in data["counts"])
-    return ResponseOperator(surfaces, compliance, unknowns, negative)
+        names = [f.name for f in fields(CoreContact)]
+        sliding = "core_normal" in data
+        core = CoreContact(**{n: data[f"core_{n}"] for n in names}) if sliding else None
+    return ResponseOperator(surfaces, compliance, unknowns, negative, core)
 
 
 def _last_columns(size: int, count: int) -> sp.csr_matrix:
@@ -196,28 +237,18 @@ def _last_columns(size: int, count: int) -> sp.csr_matrix:
 
 
 def _motion_basis(mesh: TetMesh, space: DisplacementSpace, spec: ObjectSpec) -> sp.csr_matrix:
-    """Free nodes, the core's surface held, rigid magnets as six motions each."""
-    free = space.elastic_nodes & ~_touches_core(space.nodes_mm, spec)
+    """What nothing holds is free, rigid magnets are six motions each."""
+    free = space.elastic_nodes & ~held_components(space.nodes_mm, spec)
     if spec.mechanics.magnets == "points":
         return free_motion_basis(free)
     owner = magnet_of_nodes(mesh, space)
-    centres = magnet_layout(spec).centre_mm
+    centres = shell_body_layout(spec).centre_mm
     return rigid_motion_basis(space.nodes_mm, free & (owner < 0), owner, centres)
-
-
-def _touches_core(nodes_mm: np.ndarray, spec: ObjectSpec) -> np.ndarray:
-    """The silicone is bonded where the core fills the cavity; the walls beyond it are free."""
-    half = np.asarray(spec.core_size_mm) / 2
-    return np.all(abs(nodes_mm) < half + _tolerance(spec), axis=1)
 
 
 @BilinearForm
 def _normal_product(pressure, displacement, _):
     return pressure * displacement
-
-
-def _tolerance(spec: ObjectSpec) -> float:
-    return max(_ON_SURFACE_MM, 2 * spec.mesh.envelope_mm)
 
 
 def _require_inertia(negative_pivots: int, pressures: int) -> None:

@@ -34,13 +34,15 @@ class MagnetMotions:
     """Rigid motion of every magnet (all faces) in every press of `PressForces`.
 
     `motion` (face, place, step, magnet, 6): displacement of the magnet's centre (mm), then its
-    small rotation vector (rad), in the object's frame.
+    rotation vector (rad), in the object's frame, from where the layout puts it. `rest` (magnet, 6)
+    is the part of it that is there without a press, on a core that slipped; None for none.
     """
 
     faces: Int[np.ndarray, "face"]
     lattice: PlaceGrid
     depth_mm: Float[np.ndarray, "step"]
     motion: Float[np.ndarray, "face place step magnet 6"]
+    rest: Float[np.ndarray, "magnet 6"] | None = None
 
 
 def save_presses(forces: PressForces, motions: MagnetMotions, path: Path | str) -> None:
@@ -63,6 +65,8 @@ def save_presses(forces: PressForces, motions: MagnetMotions, path: Path | str) 
         coords={"face": forces.faces, "depth_mm": (("step",), forces.depth_mm, {"units": "mm"})},
         attrs={"schema_version": SCHEMA_VERSION},
     )
+    if motions.rest is not None:
+        data["rest"] = (("magnet", "component"), motions.rest, {"units": "mm mm mm rad rad rad"})
     with atomic_path(path) as temporary:
         data.to_netcdf(temporary, engine="h5netcdf")
 
@@ -77,4 +81,5 @@ def load_presses(path: Path | str) -> tuple[PressForces, MagnetMotions]:
         lattice = PlaceGrid(data["lattice_x_mm"].values, data["lattice_y_mm"].values)
         shared = (data["face"].values, lattice, data["depth_mm"].values)
         forces = PressForces(*shared, data["force_n"].values, data["contact_area_mm2"].values)
-        return forces, MagnetMotions(*shared, data["motion"].values)
+        rest = data["rest"].values if "rest" in data else None
+        return forces, MagnetMotions(*shared, data["motion"].values, rest)

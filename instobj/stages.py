@@ -79,12 +79,18 @@ def _response(context: StageContext, folder: Path) -> None:
 
 
 def _presses(context: StageContext, folder: Path) -> None:
+    from fem.core_slip import resting_shell
     from fem.presses import simulate_lattice
     from fem.response import load_response
     from fem.results import save_presses
+    from fem.tet_mesh import load_mesh
 
-    response = load_response(context.inputs["response"])
-    forces, motions = simulate_lattice(context.spec, response, context.step)
+    response, rest = load_response(context.inputs["response"]), None
+    slip = context.spec.mechanics.slip
+    if slip.slipped and slip.model == "fem":
+        context.step("the shell at rest on its slipped core")
+        rest = resting_shell(load_mesh(context.inputs["mesh"] / "mesh.npz"), context.spec)
+    forces, motions = simulate_lattice(context.spec, response, context.step, rest)
     save_presses(forces, motions, folder / "presses.nc")
 
 
@@ -174,13 +180,20 @@ STAGES: dict[str, Stage] = {
     "response": Stage(
         "mechanics: response operator",
         ("mesh",),
-        ("silicone.youngs_modulus_mpa", "silicone.poisson_ratio", "mechanics"),
+        (
+            "silicone.youngs_modulus_mpa",
+            "silicone.poisson_ratio",
+            "mechanics.element",
+            "mechanics.magnets",
+            "mechanics.interface",
+            "mechanics.slip.rim",
+        ),
         _response,
     ),
     "presses": Stage(
         "mechanics: contact at every place and depth",
-        ("response",),
-        ("contact_grid", "indenter", "press"),
+        ("mesh", "response"),
+        ("contact_grid", "indenter", "press", "mechanics.slip"),
         _presses,
     ),
     "signals": Stage(
