@@ -16,12 +16,12 @@ import numpy as np
 from jaxtyping import Float
 from scipy.spatial.transform import Rotation
 
-from design.layouts import FaceFrame, face_frames, shell_body_layout
+from design.layouts import FaceFrame, face_frames, magnet_layout
 from design.spec import ObjectSpec
 from fem.core_interface import prescribed_loads, rigid_interface_motions
 from fem.factorization import solve_symmetric
 from fem.magnets import mean_motion_functionals
-from fem.response import ElasticSystem, ResponseOperator, elastic_system, face_pressure_loads
+from fem.response import ElasticSystem, ResponseOperator, elastic_system
 from fem.sparse import shape_of
 from fem.tet_mesh import TetMesh
 
@@ -71,7 +71,7 @@ def resting_shell(mesh: TetMesh, spec: ObjectSpec) -> RestingShell:
     amplitudes = np.concatenate([shift, turn.as_rotvec()])
     system = elastic_system(mesh, spec)
     solution = move_interface(system, mesh, spec, amplitudes)
-    centre = shell_body_layout(spec).centre_mm
+    centre = magnet_layout(spec).centre_mm
     linear = np.hstack([_linear_rigid(amplitudes, centre), np.tile(turn.as_rotvec(), (len(centre), 1))])
     deviation = solution.magnet_motion - linear
     finite = np.hstack([turn.apply(centre) + shift - centre, linear[:, 3:]])
@@ -97,7 +97,7 @@ def move_interface(
     pressure = unknowns[motions:]
     internal = operators.stiffness @ u + operators.divergence[space.pressure_nodes].T @ pressure
     if spec.mechanics.magnets == "rigid":
-        magnets = unknowns[:motions][-6 * len(shell_body_layout(spec).face) :]
+        magnets = unknowns[:motions][-6 * len(magnet_layout(spec).face) :]
     else:
         magnets = mean_motion_functionals(mesh, space) @ u
     return InterfaceSolution(u.reshape(3, -1), magnets.reshape(-1, 6), lifting.T @ internal)
