@@ -29,6 +29,7 @@ _STRETCH_COLUMNS: dict[str, Callable[[np.ndarray], np.ndarray]] = {
 }
 _STRESS_COLUMNS = {"nominal_stress_mpa": 1.0, "nominal_stress_kpa": 1e-3}
 _FIT_TO_STRETCH = 2.0
+"""Points beyond it are not fitted."""
 _STABLE_FROM_STRETCH = 0.5
 _LARGEST_RESIDUAL_PERCENT = 10.0
 _EXPONENTS = (0.1, 12.0)

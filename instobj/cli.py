@@ -140,6 +140,21 @@ def recordings(
 
 
 @app.command()
+def material(
+    source: Annotated[
+        str,
+        typer.Argument(help="CSV of a tensile test, a name, or a hardness.", show_default=False),
+    ],
+    out: Out = _HERE,
+    as_json: AsJson = False,
+) -> None:
+    """Young's modulus of a silicone with its spread; solids fitted to a tensile test."""
+    from instobj.material import describe_material
+
+    _show(describe_material(source, out), as_json)
+
+
+@app.command()
 def press(
     spec: Annotated[Path, typer.Argument(help="Specification (TOML).", show_default=False)],
     xy: Annotated[tuple[float, float], typer.Option(help="Place in the face's frame, mm.")],

@@ -44,6 +44,7 @@ def check_specifications(specs: list[Path], overrides: list[str]) -> dict[str, A
     from estimator.hall import check_rest, check_sensors_outside_magnets
     from estimator.signals import rest_counts
     from estimator.sources import magnet_source
+    from instobj.material import force_spread_text, modulus_text
 
     rows = []
     for path in specs:
@@ -62,6 +63,10 @@ def check_specifications(specs: list[Path], overrides: list[str]) -> dict[str, A
                 "sensors": len(sensors.face),
                 "largest_field_at_rest_mt": round(largest_mt, 3),
                 "range_mt": spec.sensors.range_mt,
+                "youngs_modulus_mpa": spec.silicone.youngs_modulus_mpa,
+                "youngs_modulus_range_mpa": spec.silicone.youngs_modulus_range_mpa,
+                "modulus": modulus_text(spec),
+                "force_at_a_travel": force_spread_text(spec),
             }
         )
     return {"command": "check", "specifications": rows}

@@ -17,6 +17,9 @@ def print_result(result: dict[str, Any]) -> None:
             f"{row['spec']}: valid. {row['magnets']} magnets, {row['sensors']} sensors; largest "
             f"field at rest {row['largest_field_at_rest_mt']:g} of ±{row['range_mt']:g} mT"
         )
+        console.print(
+            f"  modulus {row['modulus']}; force at a given travel: {row['force_at_a_travel']}"
+        )
     for text in result.get("texts", ()):
         console.print(text)
     for item in result.get("objects", ()):

@@ -69,7 +69,8 @@ def _stronger(spec: ObjectSpec) -> ObjectSpec:
 
 def _softer(spec: ObjectSpec) -> ObjectSpec:
     modulus = 0.7 * spec.silicone.youngs_modulus_mpa
-    silicone = spec.silicone.model_copy(update={"youngs_modulus_mpa": modulus})
+    softer = {"youngs_modulus_mpa": modulus, "youngs_modulus_range_mpa": None}
+    silicone = spec.silicone.model_copy(update=softer)
     return spec.model_copy(update={"silicone": silicone})
 
 

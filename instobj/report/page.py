@@ -166,6 +166,7 @@ def _cross_face_section(spec: ObjectSpec, signals: Any) -> str:
 def _mechanics_section(
     spec: ObjectSpec, signals: Any, inputs: dict[str, Path], scratch: Path
 ) -> str:
+    from instobj.material import force_spread_text, modulus_text
     from instobj.report.figures import draw_press_curves
 
     figure = scratch / "press_curves.png"
@@ -179,8 +180,10 @@ def _mechanics_section(
         ["sealed volume (error)", f"{mesh['volume_mm3']:.1f} mm³ ({mesh['volume_error']:.1e})"],
         ["unknowns, condensed to", f"{response['unknowns']}, {response['condensed_unknowns']}"],
         ["model", f"{spec.mechanics.element}, magnets {spec.mechanics.magnets}, small strain"],
-        ["modulus, Poisson ratio", f"{spec.silicone.youngs_modulus_mpa:g} MPa, "
-         f"{spec.silicone.poisson_ratio:g}"],
+        ["Young's modulus", modulus_text(spec)],
+        ["force at a given travel, for that spread", force_spread_text(spec)],
+        ["travel to the middle peak force, for that spread", _travel_text(spec, signals)],
+        ["Poisson's ratio", f"{spec.silicone.poisson_ratio:g}"],
         ["depth at the protocol's peak forces", f"{protocol['shallowest_peak_mm']:.2f} to "
          f"{protocol['deepest_peak_mm']:.2f} mm"],
         ["places whose peak is clamped to the deepest press", str(protocol["clamped_places"])],
@@ -191,6 +194,20 @@ def _mechanics_section(
         + _table(["", ""], rows)
         + _note(_linearity_note(spec, protocol))
     )
+
+
+def _travel_text(spec: ObjectSpec, signals: Any) -> str:
+    from instobj.material import travel_spread
+
+    spread = travel_spread(spec, signals)
+    if spread is None:
+        return "not known"
+    deepest = f"more than {signals.depth_mm[-1]:g} mm"
+    at, least, most = (
+        deepest if travel is None else f"{travel:.2f} mm"
+        for travel in (spread.nominal_mm, spread.stiffest_mm, spread.softest_mm)
+    )
+    return f"{at} ({least} to {most}) to {spread.force_n:g} N at the median place"
 
 
 def _linearity_note(spec: ObjectSpec, protocol: dict[str, Any]) -> str:
