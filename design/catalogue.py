@@ -1,4 +1,4 @@
-"""Named parts: magnet grades, disk sizes and Hall sensors, as makers' tables and datasheets give them.
+"""Named parts: magnet grades and Hall sensors, as makers' tables and datasheets give them.
 
 All figures are typical. A delivered magnet may lie anywhere in its grade's range, and makers'
 ranges differ by 0.01 to 0.02 T among themselves.
@@ -73,32 +73,6 @@ def remanence_at_temperature_t(remanence_t: float, temperature_c: float) -> floa
 
 
 @dataclass(frozen=True)
-class DiskSize:
-    """A disk as sold: diameter by height, magnetised along its axis."""
-
-    diameter_mm: float
-    height_mm: float
-
-    @property
-    def name(self) -> str:
-        return f"D{self.diameter_mm:g}x{self.height_mm:g}"
-
-
-DISK_SIZES = {
-    size.name: size
-    for size in (
-        *(DiskSize(3.0, height) for height in (1.0, 1.5, 2.0, 3.0)),
-        *(DiskSize(4.0, height) for height in (1.0, 1.5, 2.0, 3.0)),
-        *(DiskSize(5.0, height) for height in (1.0, 1.5, 2.0, 3.0)),
-        *(DiskSize(6.0, height) for height in (1.0, 1.5, 2.0, 3.0)),
-        *(DiskSize(8.0, height) for height in (1.0, 2.0, 3.0)),
-        *(DiskSize(10.0, height) for height in (1.0, 2.0, 3.0)),
-    )
-}
-"""Sizes that many sellers stock; the paper's cube uses D6x1."""
-
-
-@dataclass(frozen=True)
 class SensorRange:
     """A selectable range of a sensor and its counts per mT there."""
 
@@ -127,13 +101,22 @@ class HallPart:
     """A three-axis Hall sensor: its ranges, narrowest first, and its noise where it is known.
 
     `datasheet_noise_ut` is the rms noise of X, Y, Z of one conversion, µT; `measured_noise` goes
-    before it where there is one.
+    before it where there is one. `conversion_us` is (fixed, per conversion averaged): the time
+    of a reading of all three axes.
     """
 
     name: str
     ranges: tuple[SensorRange, ...] = ()
     datasheet_noise_ut: Triple | None = None
     measured_noise: NoiseFigure | None = None
+    conversion_us: tuple[float, float] | None = None
+
+    def conversion_s(self, averaging: int) -> float | None:
+        """Time of one reading, s; None where the catalogue has none."""
+        if self.conversion_us is None:
+            return None
+        fixed, each = self.conversion_us
+        return 1e-6 * (fixed + each * averaging)
 
     def range_covering(self, range_mt: float) -> SensorRange:
         """The narrowest of the part's ranges that holds ±`range_mt`.
@@ -163,6 +146,7 @@ GENERIC_PART = "generic"
 _TMAG5273_MEASURED = NoiseFigure(
     (22.0, 22.0, 11.0), 820.0, 16, "measured on the public recordings, ±40 mT, 16× averaging"
 )
+_TMAG5273_CONVERSION_US = (25.0, 75.0)
 
 HALL_PARTS = {
     part.name: part
@@ -172,11 +156,13 @@ HALL_PARTS = {
             (SensorRange(40.0, 820.0), SensorRange(80.0, 410.0)),
             datasheet_noise_ut=(125.0, 125.0, 68.0),
             measured_noise=_TMAG5273_MEASURED,
+            conversion_us=_TMAG5273_CONVERSION_US,
         ),
         HallPart(
             "TMAG5273A2",
             (SensorRange(133.0, 250.0), SensorRange(266.0, 125.0)),
             datasheet_noise_ut=(147.0, 147.0, 89.0),
+            conversion_us=_TMAG5273_CONVERSION_US,
         ),
         HallPart(
             "MLX90393",
@@ -192,10 +178,13 @@ HALL_PARTS = {
 }
 """TMAG5273: Texas Instruments SLYS045, sections 5.7 and 5.8 (sensitivity; noise at 25 °C, one
 conversion, low-power mode; that of 32 conversions, 22 and 11 µT, follows 1/√n). Its noise is the
-Hall elements', so in µT it is taken as the same in both ranges of a part.
+Hall elements', so in µT it is taken as the same in both ranges of a part. Update rates of three axes
+(the family's table of update rates: 10, 5.7, 3.1, 1.6, 0.8, 0.4 kHz at 1 to 32 conversions) are
+those of 25 µs and three axes of 25 µs each a conversion.
 MLX90393: Melexis 3901090393, sensitivity of X and Y at HALLCONF 0xC, resolution setting 0 with
 gains 7, 4 and 0 (and setting 1 with gain 0); its Z steps are 1.6 times as wide and are taken as
-rescaled to the counts of X and Y. Its noise depends on filter and oversampling and is not listed.
+rescaled to the counts of X and Y. Its noise and conversion time depend on filter and oversampling,
+which `averaging` does not name, and are not listed.
 """
 
 

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import cadquery as cq
 import numpy as np
 
-from design.layouts import FaceFrame, face_frames
+from design.layouts import FaceFrame, core_frames
+from design.pockets import core_pockets
 from design.solids import (
     OVERSHOOT_MM,
     box_between,
     cylinder_on_face,
+    pocket_solid,
     radial_box_on_face,
     single_solid,
 )
@@ -30,23 +30,14 @@ def make_core(spec: ObjectSpec) -> cq.Solid:
     """
     half = np.asarray(spec.core_size_mm) / 2
     cutters = [_cavity(spec)]
-    for frame, azimuth in zip(core_frames(spec), spec.sensors.first_azimuth_deg, strict=True):
-        cutters += _sensor_recesses(spec, frame, float(azimuth))
+    frames = core_frames(spec)
+    for frame, places in zip(frames, spec.sensors.places, strict=True):
+        if spec.arrangement == "sensors-in-core":
+            cutters += [_sensor_recess(spec, frame, place) for place in places]
         cutters += _wire_passage(spec, frame)
+    for frame, pockets in zip(frames, core_pockets(spec), strict=True):
+        cutters += [pocket_solid(frame, pocket) for pocket in pockets]
     return single_solid(box_between(-half, half).cut(*cutters), "core")
-
-
-def core_frames(spec: ObjectSpec) -> tuple[FaceFrame, ...]:
-    """The sensed faces' frames moved inwards onto the core's faces."""
-    inward = spec.shell.thickness_mm
-    return tuple(
-        replace(
-            frame,
-            centre_mm=frame.centre_mm - inward * frame.normal,
-            half_extents_mm=tuple(half - inward for half in frame.half_extents_mm),
-        )
-        for frame in face_frames(spec)
-    )
 
 
 def _cavity(spec: ObjectSpec) -> cq.Solid:
@@ -55,18 +46,19 @@ def _cavity(spec: ObjectSpec) -> cq.Solid:
     return box_between((wall - x, wall - y, -z - OVERSHOOT_MM), (x - wall, y - wall, z - wall))
 
 
-def _sensor_recesses(spec: ObjectSpec, frame: FaceFrame, first_deg: float) -> list[cq.Solid]:
-    core, count = spec.core, spec.sensors.count_per_face
-    return [
-        radial_box_on_face(
-            frame,
-            first_deg + 360 * k / count,
-            core.recess_width_mm,
-            (core.recess_inner_radius_mm, core.recess_outer_radius_mm),
-            (-core.recess_depth_mm, OVERSHOOT_MM),
-        )
-        for k in range(count)
-    ]
+def _sensor_recess(
+    spec: ObjectSpec, frame: FaceFrame, place: tuple[float, float, float]
+) -> cq.Solid:
+    """Box of the recess's width and radial extent about the sensor, turned to its azimuth."""
+    core, (x, y, azimuth) = spec.core, place
+    offset = float(np.hypot(x, y)) - spec.sensors.radius_mm
+    return radial_box_on_face(
+        frame,
+        float(np.rad2deg(azimuth)),
+        core.recess_width_mm,
+        (core.recess_inner_radius_mm + offset, core.recess_outer_radius_mm + offset),
+        (-core.recess_depth_mm, OVERSHOOT_MM),
+    )
 
 
 def _wire_passage(spec: ObjectSpec, frame: FaceFrame) -> list[cq.Solid]:

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from itertools import combinations
+from math import cos, sin
 from typing import TYPE_CHECKING
 
-from design.pockets import Pocket, distance_of_axes_mm, pockets
+from design.pockets import Pocket, core_pockets, distance_of_axes_mm, shell_pockets
 
 if TYPE_CHECKING:
     from design.spec import ObjectSpec
-    from design.spec_hardware import MagnetSpec
 
 
 def require_fit(spec: ObjectSpec) -> None:
@@ -17,7 +17,7 @@ def require_fit(spec: ObjectSpec) -> None:
     _check_core(spec)
     _check_wire_passages(spec)
     _check_pockets(spec)
-    _check_sensors(spec)
+    _check_core_contents(spec)
     _check_presses(spec)
 
 
@@ -70,44 +70,45 @@ def _check_wire_passages(spec: ObjectSpec) -> None:
 
 
 def _check_pockets(spec: ObjectSpec) -> None:
-    shell, magnets = spec.shell, spec.magnets
+    shell = spec.shell
     if shell.pocket_depth_mm >= shell.thickness_mm:
         raise ValueError(
             f"shell.pocket_depth_mm must be below shell.thickness_mm = {shell.thickness_mm:g}; got "
             f"{shell.pocket_depth_mm:g}. Make the pocket shallower or the shell thicker"
         )
-    if magnets.height_mm >= shell.pocket_depth_mm or magnets.diameter_mm > shell.pocket_diameter_mm:
+    half = _smallest_half_extents_mm(spec)
+    for face in shell_pockets(spec):
+        for index, pocket in enumerate(face):
+            _check_body_in_pocket(spec, pocket)
+            _check_sealed(spec, index, pocket)
+            if (pocket.reach_mm >= half).any():
+                raise ValueError(
+                    f"{pocket.body.label} puts its pocket of radius {pocket.outline.radius_mm:g} mm "
+                    f"outside the shell's face (±{half[0]:g}, ±{half[1]:g} mm). Move it inwards"
+                )
+        _check_pockets_apart(face)
+    _check_pockets_across_edges(shell_pockets(spec), half, "shell")
+
+
+def _check_body_in_pocket(spec: ObjectSpec, pocket: Pocket) -> None:
+    body, depth = pocket.body, spec.shell.pocket_depth_mm
+    wide, tall = 2 * body.outline.half_mm[0], body.height_mm
+    if tall >= depth or wide > 2 * pocket.outline.half_mm[0]:
+        what = "a magnet" if spec.arrangement == "sensors-in-core" else "a sensor board"
         raise ValueError(
-            f"a magnet of {magnets.diameter_mm:g} × {magnets.height_mm:g} mm must fit below the seal in "
-            f"a pocket of {shell.pocket_diameter_mm:g} × {shell.pocket_depth_mm:g} mm; it does not. "
-            "Choose a smaller magnet or a larger pocket"
+            f"{what} of {wide:g} × {tall:g} mm must fit below the seal in a pocket of "
+            f"{2 * pocket.outline.half_mm[0]:g} × {depth:g} mm; it does not. Choose a smaller one or a "
+            "larger pocket"
         )
-    for index, pocket in enumerate(pockets(shell, magnets)):
-        _check_sealed(spec, index, pocket)
-        half = _smallest_half_extents_mm(spec)
-        if (pocket.reach_mm >= half).any():
-            raise ValueError(
-                f"{_where(magnets, index)} puts its pocket of radius {pocket.radius_mm:g} mm outside "
-                f"the shell's face (±{half[0]:g}, ±{half[1]:g} mm). Move the magnet inwards"
-            )
-    _check_pockets_apart(spec)
-    _check_pockets_across_edges(spec)
-
-
-def _where(magnets: MagnetSpec, index: int) -> str:
-    x, y = magnets.positions_mm[index]
-    tilt = f" with tilt_deg {list(magnets.tilt_deg[index])}" if magnets.tilt_deg else ""
-    return f"magnets.positions_mm[{index}] = ({x:g}, {y:g}){tilt}"
 
 
 def _check_sealed(spec: ObjectSpec, index: int, pocket: Pocket) -> None:
-    """Silicone must be left between the magnet and the face, and between the pocket and the core."""
-    magnets, thickness = spec.magnets, spec.shell.thickness_mm
-    sine = (1 - pocket.axis[2] ** 2) ** 0.5
-    rim = sine * magnets.diameter_mm / 2 + pocket.axis[2] * magnets.height_mm / 2
-    depth = -pocket.centre_mm[2]
-    if depth <= rim or -pocket.lowest_mm >= thickness:
-        low, high = rim, thickness + depth + pocket.lowest_mm
+    """Silicone must be left between the body and the face, and between the pocket and the core."""
+    thickness, body = spec.shell.thickness_mm, pocket.body
+    upwards = body.outline.support_mm(body.frame[2, :2]) + pocket.axis[2] * body.height_mm / 2
+    depth = -body.centre_mm[2]
+    if depth <= upwards or -pocket.lowest_mm >= thickness:
+        low, high = upwards, thickness + depth + pocket.lowest_mm
         raise ValueError(
             f"magnets.depth_mm[{index}] = {depth:g} does not seal the magnet within the "
             f"{thickness:g} mm of silicone: at this tilt its mid-plane must lie deeper than {low:.4g} "
@@ -116,49 +117,106 @@ def _check_sealed(spec: ObjectSpec, index: int, pocket: Pocket) -> None:
         )
 
 
-def _check_pockets_apart(spec: ObjectSpec) -> None:
-    every = enumerate(pockets(spec.shell, spec.magnets))
-    for (i, a), (j, b) in combinations(every, 2):
+def _check_pockets_apart(pockets: tuple[Pocket, ...]) -> None:
+    for a, b in combinations(pockets, 2):
         distance = distance_of_axes_mm(a, b)
-        if distance <= a.radius_mm + b.radius_mm:
+        needed = a.outline.radius_mm + b.outline.radius_mm
+        if distance <= needed:
             raise ValueError(
-                f"the pockets of magnets {i} and {j} touch or overlap: axes {distance:.3g} mm apart, "
-                f"more than {a.radius_mm + b.radius_mm:g} mm needed. Move one of magnets.positions_mm"
+                f"the pockets of {a.body.label} and {b.body.label} touch or overlap: axes "
+                f"{distance:.3g} mm apart, more than {needed:.4g} mm needed. Move one of them"
             )
 
 
-def _check_pockets_across_edges(spec: ObjectSpec) -> None:
+def _check_pockets_across_edges(
+    faces: tuple[tuple[Pocket, ...], ...], half_mm: tuple[float, float], part: str
+) -> None:
     """The boxes round the pockets of neighbouring faces must not meet at an edge."""
-    every = pockets(spec.shell, spec.magnets)
+    every = [pocket for face in faces for pocket in face]
     deepest = max(-pocket.lowest_mm for pocket in every)
-    half_x, half_y = (half - deepest for half in _smallest_half_extents_mm(spec))
-    for index, pocket in enumerate(every):
+    half_x, half_y = (half - deepest for half in half_mm)
+    for pocket in every:
         if (pocket.reach_mm >= (half_x, half_y)).any():
             raise ValueError(
-                f"{_where(spec.magnets, index)} reaches into the {deepest:.4g} mm zone of the "
-                "neighbouring face's pockets: pockets of two faces could overlap. Move the magnet "
-                f"inwards: its pocket must stay within ±{half_x:.4g}, ±{half_y:.4g} mm"
+                f"{pocket.body.label} reaches into the {deepest:.4g} mm zone of the neighbouring "
+                f"face's pockets in the {part}: pockets of two faces could overlap. Move it inwards: "
+                f"its pocket must stay within ±{half_x:.4g}, ±{half_y:.4g} mm"
             )
+
+
+def _check_core_contents(spec: ObjectSpec) -> None:
+    if spec.arrangement == "sensors-in-core":
+        _check_sensors(spec)
+    else:
+        _check_magnets_in_core(spec)
+
+
+def _check_magnets_in_core(spec: ObjectSpec) -> None:
+    core, (pockets, *_) = spec.core, core_pockets(spec)
+    if spec.magnets.depth_mm is not None:
+        raise ValueError(
+            "magnets.depth_mm is that of magnets in the shell; with arrangement = 'sensors-in-shell' "
+            "they sit in the core. Give magnets.depth_below_core_face_mm instead"
+        )
+    holes = (core.wire_hole_top_diameter_mm / 2, core.wire_hole_side_diameter_mm / 2)
+    middle = max(core.hub_radius_mm, *holes)
+    for pocket in pockets:
+        if -pocket.lowest_mm >= core.wall_mm:
+            raise ValueError(
+                f"{pocket.body.label} needs a pocket {-pocket.lowest_mm:.4g} mm deep in a core wall of "
+                f"core.wall_mm = {core.wall_mm:g}. Use a flatter magnet or a thicker wall"
+            )
+        clear = float((pocket.body.centre_mm[:2] ** 2).sum() ** 0.5) - pocket.outline.radius_mm
+        if clear <= middle:
+            raise ValueError(
+                f"{pocket.body.label} meets the hub or wire hole of radius {middle:g} mm at the middle "
+                f"of the core's face. Move it outwards by more than {middle - clear:.3g} mm"
+            )
+    _check_pockets_apart(pockets)
+    half_x, half_y = _smallest_half_extents_mm(spec)
+    inward = spec.shell.thickness_mm
+    _check_pockets_across_edges((pockets,), (half_x - inward, half_y - inward), "core")
 
 
 def _check_sensors(spec: ObjectSpec) -> None:
     sensors, core = spec.sensors, spec.core
     half = min(spec.core_size_mm) / 2
-    if sensors.radius_mm >= half:
-        raise ValueError(
-            f"sensors.radius_mm puts the sensors outside the core: it must be below {half:g} (half "
-            f"the core's edge); got {sensors.radius_mm:g}. Choose a smaller radius"
-        )
     if sensors.depth_below_core_face_mm > core.recess_depth_mm:
         raise ValueError(
             f"sensors.depth_below_core_face_mm must not exceed core.recess_depth_mm = "
             f"{core.recess_depth_mm:g}; got {sensors.depth_below_core_face_mm:g}. Deepen the recess"
+        )
+    if sensors.positions_mm is not None:
+        _check_sensor_places(spec)
+        return
+    if sensors.radius_mm >= half:
+        raise ValueError(
+            f"sensors.radius_mm puts the sensors outside the core: it must be below {half:g} (half "
+            f"the core's edge); got {sensors.radius_mm:g}. Choose a smaller radius"
         )
     if not core.recess_inner_radius_mm <= sensors.radius_mm <= core.recess_outer_radius_mm:
         raise ValueError(
             f"sensors.radius_mm must lie in the core's recess ({core.recess_inner_radius_mm:g} to "
             f"{core.recess_outer_radius_mm:g} mm); got {sensors.radius_mm:g}. Move the sensor or the recess"
         )
+
+
+def _check_sensor_places(spec: ObjectSpec) -> None:
+    """Explicit places: each recess, moved along with its sensor, must stay on the core's face."""
+    core, inward = spec.core, spec.shell.thickness_mm
+    limits = [half - inward for half in _smallest_half_extents_mm(spec)]
+    beyond = core.recess_outer_radius_mm - spec.sensors.radius_mm
+    for face, places in enumerate(spec.sensors.places, start=1):
+        for index, (x, y, azimuth) in enumerate(places):
+            reach = (
+                abs(x + beyond * cos(azimuth)) + core.recess_width_mm / 2 * abs(sin(azimuth)),
+                abs(y + beyond * sin(azimuth)) + core.recess_width_mm / 2 * abs(cos(azimuth)),
+            )
+            if reach[0] >= limits[0] or reach[1] >= limits[1]:
+                raise ValueError(
+                    f"sensors.positions_mm: sensor {index + 1} of face {face} at ({x:g}, {y:g}) puts its "
+                    f"recess outside the core's face (±{limits[0]:g}, ±{limits[1]:g} mm). Move it inwards"
+                )
 
 
 def _check_presses(spec: ObjectSpec) -> None:

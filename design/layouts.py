@@ -7,13 +7,13 @@ specification within a face.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from jaxtyping import Float, Int
 
-from design.pockets import pockets
-from design.spec import SENSED_FACES, ObjectSpec
+from design.pockets import Body, Outline, magnet_bodies, sensor_boards, shell_bodies
+from design.spec import SENSED_FACES, ObjectSpec, SensorSpec
 
 _FACE_AXES = {
     1: ((0, 0, 1), (1, 0, 0), (0, 1, 0)),
@@ -59,6 +59,19 @@ def face_frames(spec: ObjectSpec) -> tuple[FaceFrame, ...]:
         extents = (float(abs(x) @ half), float(abs(y) @ half))
         frames.append(FaceFrame(number, normal, x, y, normal * (abs(normal) @ half), extents))
     return tuple(frames)
+
+
+def core_frames(spec: ObjectSpec) -> tuple[FaceFrame, ...]:
+    """The sensed faces' frames moved inwards onto the core's faces."""
+    inward = spec.shell.thickness_mm
+    return tuple(
+        replace(
+            frame,
+            centre_mm=frame.centre_mm - inward * frame.normal,
+            half_extents_mm=tuple(half - inward for half in frame.half_extents_mm),
+        )
+        for frame in face_frames(spec)
+    )
 
 
 @dataclass(frozen=True)
@@ -108,11 +121,15 @@ def grid_places_in_lattice(spec: ObjectSpec) -> Int[np.ndarray, "place"]:
 
 @dataclass(frozen=True)
 class MagnetLayout:
-    """Magnets at rest: centre (mm), unit axis along the polarization, and the face they sit in."""
+    """Magnets at rest: centre (mm), unit axis along the polarization, the face they belong to.
+
+    `side` is the unit vector along a block's first edge (the face's x, where it is not tilted).
+    """
 
     centre_mm: Float[np.ndarray, "magnet 3"]
     axis: Float[np.ndarray, "magnet 3"]
     face: Int[np.ndarray, "magnet"]
+    side: Float[np.ndarray, "magnet 3"]
 
 
 @dataclass(frozen=True)
@@ -124,37 +141,86 @@ class SensorLayout:
     face: Int[np.ndarray, "sensor"]
 
 
+@dataclass(frozen=True)
+class ShellBodies:
+    """Rigid bodies in the silicone: magnets, or sensor boards in the reverse arrangement.
+
+    `frame` holds their axes as columns (the third along the height), in the object's frame; all
+    have one outline and height.
+    """
+
+    centre_mm: Float[np.ndarray, "body 3"]
+    frame: Float[np.ndarray, "body 3 3"]
+    face: Int[np.ndarray, "body"]
+    outline: Outline
+    height_mm: float
+
+    @property
+    def volume_mm3(self) -> float:
+        """Of one body."""
+        return self.outline.area_mm2 * self.height_mm
+
+
+def shell_body_layout(spec: ObjectSpec) -> ShellBodies:
+    """What moves with the silicone, face by face."""
+    bodies = shell_bodies(spec)
+    first = bodies[0][0]
+    return ShellBodies(*_in_object(face_frames(spec), bodies), first.outline, first.height_mm)
+
+
 def magnet_layout(spec: ObjectSpec) -> MagnetLayout:
-    """All magnets as cast, face by face, north outward."""
-    local = pockets(spec.shell, spec.magnets)
-    centre = np.stack([pocket.centre_mm for pocket in local])
-    axis = np.stack([pocket.axis for pocket in local])
-    frames = face_frames(spec)
-    return MagnetLayout(
-        np.concatenate([frame.to_object(centre) for frame in frames]),
-        np.concatenate([axis @ frame.axes.T for frame in frames]),
-        np.repeat([frame.number for frame in frames], len(local)),
-    )
+    """All magnets as cast or set into the core, face by face, north outward."""
+    in_shell = spec.arrangement == "sensors-in-core"
+    frames = face_frames(spec) if in_shell else core_frames(spec)
+    centre, frame, face = _in_object(frames, magnet_bodies(spec))
+    return MagnetLayout(centre, frame[:, :, 2], face, frame[:, :, 0])
 
 
 def sensor_layout(spec: ObjectSpec) -> SensorLayout:
     """All sensors, face by face; azimuths run counter-clockwise from x, seen from outside.
 
-    Chip axes (facts measured on the recordings): X = −tangential, Y = radial outward,
-    Z = outward normal of the face.
+    Chip axes of a chip that faces inward (facts measured on the recordings): X = −tangential,
+    Y = radial outward, Z = outward normal of the face.
     """
-    sensors = spec.sensors
-    position, axes, face = [], [], []
-    depth = spec.shell.thickness_mm + sensors.depth_below_core_face_mm
-    for frame, first in zip(face_frames(spec), sensors.first_azimuth_deg, strict=True):
-        for k in range(sensors.count_per_face):
-            azimuth = np.deg2rad(first + 360 * k / sensors.count_per_face)
-            radial = np.array([np.cos(azimuth), np.sin(azimuth), 0.0])
-            tangential = np.array([-np.sin(azimuth), np.cos(azimuth), 0.0])
-            position.append(frame.to_object(sensors.radius_mm * radial - [0, 0, depth]))
-            axes.append(np.stack([-tangential, radial, [0.0, 0.0, 1.0]]) @ frame.axes.T)
-            face.append(frame.number)
-    return SensorLayout(np.array(position), np.array(axes), np.array(face))
+    if spec.arrangement == "sensors-in-core":
+        frames, bodies = core_frames(spec), _sensors_in_core(spec)
+    else:
+        frames, bodies = face_frames(spec), sensor_boards(spec)
+    centre, frame, face = _in_object(frames, bodies)
+    return SensorLayout(centre, (frame @ chip_on_board(spec.sensors)).transpose(0, 2, 1), face)
+
+
+def _sensors_in_core(spec: ObjectSpec) -> tuple[tuple[Body, ...], ...]:
+    depth = spec.sensors.depth_below_core_face_mm
+    return tuple(
+        tuple(
+            replace(board, centre_mm=np.append(board.centre_mm[:2], -depth)) for board in face
+        )
+        for face in sensor_boards(spec)
+    )
+
+
+def chip_on_board(sensors: SensorSpec) -> Float[np.ndarray, "3 3"]:
+    """The chip's axes as columns, in the board's (−tangential, radial, normal)."""
+    turn = np.deg2rad(sensors.mount_rotation_deg)
+    angle = float(np.linalg.norm(turn))
+    across = np.cross(np.eye(3), -turn)
+    rotation = np.eye(3) + np.sinc(angle / np.pi) * across
+    rotation += 0.5 * np.sinc(angle / (2 * np.pi)) ** 2 * across @ across
+    outward = np.diag([-1.0, 1.0, -1.0])
+    return outward @ rotation if sensors.chip == "outward" else rotation
+
+
+def _in_object(
+    frames: tuple[FaceFrame, ...], bodies: tuple[tuple[Body, ...], ...]
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Centres, axes as columns and faces of bodies given face by face in the faces' own frames."""
+    placed = [(frame, body) for frame, face in zip(frames, bodies, strict=True) for body in face]
+    return (
+        np.stack([frame.to_object(body.centre_mm) for frame, body in placed]),
+        np.stack([frame.axes @ body.frame for frame, body in placed]),
+        np.array([frame.number for frame, _ in placed]),
+    )
 
 
 def slipped_sensors(spec: ObjectSpec) -> SensorLayout:

@@ -27,7 +27,7 @@ from dataclasses import dataclass
 import cadquery as cq
 import numpy as np
 
-from design.shell import cavity_block, envelope, pocket_cylinders
+from design.shell import cavity_block, envelope, pocket_prisms
 from design.solids import OVERSHOOT_MM, box_between, single_solid
 from design.spec import ObjectSpec
 
@@ -64,7 +64,7 @@ def make_mould_box(spec: ObjectSpec, dimensions: MouldDimensions | None = None) 
     outer = half + d.wall_mm
     block = box_between((-outer[0], -outer[1], -half[2]), outer)
     room = box_between((-half[0], -half[1], -half[2] - OVERSHOOT_MM), half)
-    bosses = pocket_cylinders(spec)
+    bosses = pocket_prisms(spec)
     return single_solid(block.cut(room).fuse(*bosses, *_tabs(spec, d)), "mould_box")
 
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import cadquery as cq
 import numpy as np
 
-from design.layouts import FaceFrame, face_frames
-from design.pockets import Pocket, pockets
-from design.solids import OVERSHOOT_MM, box_between, single_solid
+from design.layouts import face_frames
+from design.pockets import shell_pockets
+from design.solids import OVERSHOOT_MM, box_between, pocket_solid, single_solid
 from design.spec import ObjectSpec
 
 
@@ -20,7 +20,7 @@ def make_shell(spec: ObjectSpec) -> cq.Solid:
         The dimensions do not give one valid solid.
     """
     cavity = cavity_block(spec, OVERSHOOT_MM)
-    return single_solid(envelope(spec).cut(cavity, *pocket_cylinders(spec)), "shell")
+    return single_solid(envelope(spec).cut(cavity, *pocket_prisms(spec)), "shell")
 
 
 def envelope(spec: ObjectSpec) -> cq.Solid:
@@ -39,27 +39,13 @@ def cavity_block(spec: ObjectSpec, overshoot_mm: float = 0.0) -> cq.Solid:
     return box_between((-core_x, -core_y, bottom), (core_x, core_y, core_z))
 
 
-def pocket_cylinders(spec: ObjectSpec) -> list[cq.Solid]:
-    """One cylinder a pocket, face by face, from the pocket's floor to just outside the face.
+def pocket_prisms(spec: ObjectSpec) -> list[cq.Solid]:
+    """One prism a pocket, face by face, from the pocket's floor to just outside the face.
 
     The pockets' negatives are the mould's bosses, so that both come from here.
     """
-    local = pockets(spec.shell, spec.magnets)
-    return [_pocket(frame, pocket) for frame in face_frames(spec) for pocket in local]
-
-
-def _pocket(frame: FaceFrame, pocket: Pocket) -> cq.Solid:
-    """The cylinder; a tilted one is cut off where the mould's wall still hides its end."""
-    floor, above = pocket.axis_ends_mm
-    lift = OVERSHOOT_MM / pocket.axis[2] * pocket.axis
-    start, end = frame.to_object(floor), frame.to_object(above + lift)
-    axis = cq.Vector(*(end - start))
-    cylinder = cq.Solid.makeCylinder(pocket.radius_mm, axis.Length, cq.Vector(*start), axis)
-    if pocket.axis[2] == 1:
-        return cylinder
-    reach = 2 * np.append(frame.half_extents_mm, 0)
-    top = [0, 0, OVERSHOOT_MM]
-    bottom = [0, 0, pocket.lowest_mm - OVERSHOOT_MM]
-    corners = np.stack([frame.to_object(bottom - reach), frame.to_object(top + reach)])
-    (piece,) = cylinder.intersect(box_between(corners.min(axis=0), corners.max(axis=0))).Solids()
-    return piece
+    return [
+        pocket_solid(frame, pocket)
+        for frame, face in zip(face_frames(spec), shell_pockets(spec), strict=True)
+        for pocket in face
+    ]

@@ -9,6 +9,7 @@ import numpy as np
 
 from design.errors import InputError
 from design.layouts import FaceFrame
+from design.pockets import Pocket
 
 OVERSHOOT_MM = 0.5
 """Cutters and bosses pass the surface they cross by this much: coplanar faces are never cut."""
@@ -53,6 +54,32 @@ def radial_box_on_face(
     turned = local.rotate(cq.Vector(0, 0, 0), cq.Vector(0, 0, 1), azimuth_deg)
     plane = cq.Plane(cq.Vector(*frame.centre_mm), cq.Vector(*frame.x), cq.Vector(*frame.normal))
     return turned.moved(cq.Location(plane))
+
+
+def pocket_solid(frame: FaceFrame, pocket: Pocket) -> cq.Solid:
+    """The pocket's prism on a face; a tilted one is cut off just above the face and below itself."""
+    floor, above = pocket.axis_ends_mm
+    lift = OVERSHOOT_MM / pocket.axis[2] * pocket.axis
+    start, end = frame.to_object(floor), frame.to_object(above + lift)
+    axis = cq.Vector(*(end - start))
+    prism = _prism(pocket, frame, start, axis)
+    if pocket.axis[2] == 1:
+        return prism
+    reach = 2 * np.append(frame.half_extents_mm, 0)
+    top = [0, 0, OVERSHOOT_MM]
+    bottom = [0, 0, pocket.lowest_mm - OVERSHOOT_MM]
+    corners = np.stack([frame.to_object(bottom - reach), frame.to_object(top + reach)])
+    (piece,) = prism.intersect(box_between(corners.min(axis=0), corners.max(axis=0))).Solids()
+    return piece
+
+
+def _prism(pocket: Pocket, frame: FaceFrame, start: np.ndarray, axis: cq.Vector) -> cq.Solid:
+    half = pocket.outline.half_mm
+    if pocket.outline.round:
+        return cq.Solid.makeCylinder(half[0], axis.Length, cq.Vector(*start), axis)
+    local = box_between((-half[0], -half[1], 0.0), (half[0], half[1], axis.Length))
+    side = frame.axes @ pocket.body.frame[:, 0]
+    return local.moved(cq.Location(cq.Plane(cq.Vector(*start), cq.Vector(*side), axis)))
 
 
 def single_solid(shape: cq.Shape, part: str) -> cq.Solid:

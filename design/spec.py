@@ -7,18 +7,19 @@ densities in T (fields of sensors in mT), forces in N. Defaults are the paper's 
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
 from design.fit import require_fit
+from design.spec_environment import EnvironmentSpec
 from design.spec_hardware import (
     BodySpec,
     CoreSpec,
-    MagnetSpec,
-    SensorSpec,
     ShellSpec,
 )
+from design.spec_magnets import MagnetSpec
+from design.spec_sensors import SensorSpec
 from design.spec_silicone import SiliconeSpec
 from design.spec_simulation import (
     ContactGridSpec,
@@ -46,12 +47,14 @@ class ObjectSpec(SpecPart):
 
     name: Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.-]*$", max_length=80)]
     seed: Annotated[int, Field(ge=0)] = 1
+    arrangement: Literal["sensors-in-core", "sensors-in-shell"] = "sensors-in-core"
     body: BodySpec = BodySpec()
     shell: ShellSpec = ShellSpec()
     silicone: SiliconeSpec = SiliconeSpec()
     magnets: MagnetSpec = MagnetSpec()
     core: CoreSpec = CoreSpec()
     sensors: SensorSpec = SensorSpec()
+    environment: EnvironmentSpec = EnvironmentSpec()
     contact_grid: ContactGridSpec = ContactGridSpec()
     indenter: IndenterSpec = IndenterSpec()
     press: PressSpec = PressSpec()

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from math import prod
 
-from design.pockets import pockets
-from design.spec import SENSED_FACES, ObjectSpec
+from design.pockets import shell_pockets
+from design.spec import ObjectSpec
 
 
 def sealed_volume_mm3(spec: ObjectSpec) -> float:
@@ -18,9 +18,9 @@ def sealed_volume_mm3(spec: ObjectSpec) -> float:
 
 
 def shell_volume_mm3(spec: ObjectSpec) -> float:
-    """Volume of the cast shell in mm³: the sealed body less its open magnet pockets."""
-    face = sum(pocket.volume_mm3 for pocket in pockets(spec.shell, spec.magnets))
-    return sealed_volume_mm3(spec) - len(SENSED_FACES) * face
+    """Volume of the cast shell in mm³: the sealed body less its open pockets."""
+    pockets = sum(pocket.volume_mm3 for face in shell_pockets(spec) for pocket in face)
+    return sealed_volume_mm3(spec) - pockets
 
 
 def cavity_depth_mm(spec: ObjectSpec) -> float:

@@ -9,6 +9,7 @@ import numpy as np
 from jaxtyping import Float
 
 from design.errors import InputError
+from design.layouts import shell_body_layout
 from design.spec import ObjectSpec
 from design.volumes import sealed_volume_mm3
 from fem.tet_mesh import SILICONE, TetMesh, tet_volumes_mm3
@@ -39,7 +40,7 @@ def mesh_quality(mesh: TetMesh, spec: ObjectSpec) -> MeshQuality:
     volume = tet_volumes_mm3(mesh)
     angles = dihedral_angles_deg(mesh)
     exact = sealed_volume_mm3(spec)
-    disk = np.pi * spec.magnets.diameter_mm**2 / 4 * spec.magnets.height_mm
+    body = shell_body_layout(spec).volume_mm3
     in_magnets = mesh.magnet != SILICONE
     per_magnet = np.bincount(mesh.magnet[in_magnets], volume[in_magnets])
     return MeshQuality(
@@ -49,7 +50,7 @@ def mesh_quality(mesh: TetMesh, spec: ObjectSpec) -> MeshQuality:
         dihedral_5th_percentile_deg=float(np.percentile(angles.min(axis=1), 5)),
         volume_mm3=float(volume.sum()),
         volume_error=float(volume.sum() / exact - 1),
-        magnet_volume_error=float(abs(per_magnet / disk - 1).max(initial=0)),
+        magnet_volume_error=float(abs(per_magnet / body - 1).max(initial=0)),
     )
 
 

@@ -17,7 +17,7 @@ from jaxtyping import Float, Int
 from skfem import BilinearForm, ElementTetP1, FacetBasis, MeshTet
 
 from design.files import atomic_path
-from design.layouts import FaceFrame, face_frames, magnet_layout
+from design.layouts import FaceFrame, face_frames, shell_body_layout
 from design.spec import ObjectSpec
 from fem.core_interface import (
     CoreContact,
@@ -125,7 +125,7 @@ def build_response(mesh: TetMesh, spec: ObjectSpec) -> ResponseOperator:
     surfaces, tractions = face_pressure_loads(system.space, spec)
     unknowns, motions = shape_of(system.matrix)[0], shape_of(system.motion_basis)[1]
     if spec.mechanics.magnets == "rigid":
-        magnets = _last_columns(motions, 6 * len(magnet_layout(spec).face))
+        magnets = _last_columns(motions, 6 * len(shell_body_layout(spec).face))
     else:
         magnets = system.motion_basis.T @ mean_motion_functionals(mesh, system.space).T
     loads = columns_of([system.motion_basis.T @ tractions, magnets])
@@ -242,7 +242,7 @@ def _motion_basis(mesh: TetMesh, space: DisplacementSpace, spec: ObjectSpec) -> 
     if spec.mechanics.magnets == "points":
         return free_motion_basis(free)
     owner = magnet_of_nodes(mesh, space)
-    centres = magnet_layout(spec).centre_mm
+    centres = shell_body_layout(spec).centre_mm
     return rigid_motion_basis(space.nodes_mm, free & (owner < 0), owner, centres)
 
 

@@ -11,7 +11,7 @@ import scipy.sparse as sp
 from jaxtyping import Float, Int
 
 from design.errors import InputError
-from design.layouts import FaceFrame, face_frames, magnet_layout
+from design.layouts import FaceFrame, face_frames, shell_body_layout
 from design.spec import ObjectSpec
 from fem.contact import contact_pressures
 from fem.elasticity import TaylorHood
@@ -101,7 +101,7 @@ def linear_press(setting: PressSetting, depths_mm: Float[np.ndarray, "step"]) ->
     radius = setting.spec.indenter.radius_mm
     profile = profile_moments_mm3(setting.surface, setting.xy_mm[None], radius)[0, near]
     pressures = contact_pressures((compliance + compliance.T) / 2, profile, weights, depths_mm)
-    magnets = len(magnet_layout(setting.spec).face)
+    magnets = len(shell_body_layout(setting.spec).face)
     if setting.rigid_magnets:
         moved = motions[-6 * magnets :]
     else:
@@ -181,7 +181,7 @@ def _problem(
         space.nodes_mm,
         moved & (owner < 0),
         owner,
-        magnet_layout(spec).centre_mm if rigid else np.zeros((0, 3)),
+        shell_body_layout(spec).centre_mm if rigid else np.zeros((0, 3)),
         contact_face(system.mesh, facets, vertices, frame),
         spec.indenter.radius_mm,
     )

@@ -1,7 +1,7 @@
 """Closed triangle surfaces that the tetrahedral mesh must follow.
 
-The sealed body (pockets full of silicone and magnets), every magnet as a prism of equal volume,
-and a thin ring inside the wall that puts mesh edges on the line where the core's support ends.
+The sealed body (pockets full of silicone), every magnet or sensor board in it as a prism of equal
+volume, and a thin ring inside the wall that puts mesh edges on the line where the core's support ends.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from jaxtyping import Bool, Float
 
-from design.layouts import magnet_layout
+from design.layouts import ShellBodies, shell_body_layout
 from design.spec import ObjectSpec
 
 if TYPE_CHECKING:
@@ -25,7 +25,7 @@ def all_surfaces(spec: ObjectSpec, magnets: bool = True) -> trimesh.Trimesh:
     """Body, magnets (or none) and support ring in one object, each still closed by itself."""
     import trimesh
 
-    prisms = magnet_surfaces(spec) if magnets else []
+    prisms = body_surfaces(spec) if magnets else []
     surfaces = [sealed_body_surface(spec), *prisms, support_ring_surface(spec)]
     start = np.cumsum([0, *(len(surface.vertices) for surface in surfaces)])
     return trimesh.Trimesh(
@@ -47,31 +47,27 @@ def sealed_body_surface(spec: ObjectSpec) -> trimesh.Trimesh:
     return outer.difference(cavity)
 
 
-def magnet_surfaces(spec: ObjectSpec) -> list[trimesh.Trimesh]:
-    """Each magnet as an n-sided prism of the disk's own volume and height."""
-    layout = magnet_layout(spec)
-    prism = _prism(spec.mesh.magnet_sides, spec.magnets.diameter_mm / 2, spec.magnets.height_mm)
+def body_surfaces(spec: ObjectSpec) -> list[trimesh.Trimesh]:
+    """Each rigid body (magnet or sensor board) as a prism of its outline's area and its height."""
+    layout = shell_body_layout(spec)
+    prism = _prism(layout.outline.corners_mm(spec.mesh.magnet_sides), layout.height_mm)
     surfaces = []
-    for centre, axis in zip(layout.centre_mm, layout.axis, strict=True):
+    for centre, frame in zip(layout.centre_mm, layout.frame, strict=True):
         surface = prism.copy()
-        surface.apply_transform(_frame_along(axis, centre))
+        surface.apply_transform(_placed(frame, centre))
         surfaces.append(surface)
     return surfaces
 
 
-def in_magnet(
-    points_mm: Float[np.ndarray, "n 3"],
-    centre_mm: Float[np.ndarray, "3"],
-    axis: Float[np.ndarray, "3"],
-    spec: ObjectSpec,
+def in_body(
+    points_mm: Float[np.ndarray, "n 3"], layout: ShellBodies, index: int, spec: ObjectSpec
 ) -> Bool[np.ndarray, "n"]:
-    """Whether points lie inside the prism of a magnet with this centre and axis."""
-    sides = spec.mesh.magnet_sides
-    x, y, z = ((points_mm - centre_mm) @ _frame_along(axis, centre_mm)[:3, :3]).T
-    apothem = _circumradius(sides, spec.magnets.diameter_mm / 2) * np.cos(np.pi / sides)
-    normal = 2 * np.pi / sides * np.arange(sides)
-    distance = np.max(np.outer(np.cos(normal), x) + np.outer(np.sin(normal), y), axis=0)
-    return (distance < apothem) & (abs(z) < spec.magnets.height_mm / 2)
+    """Whether points lie inside the prism of one rigid body."""
+    x, y, z = ((points_mm - layout.centre_mm[index]) @ layout.frame[index]).T
+    corner = layout.outline.corners_mm(spec.mesh.magnet_sides)
+    edge = np.roll(corner, -1, axis=0) - corner
+    left = edge[:, :1] * (y - corner[:, 1:]) - edge[:, 1:] * (x - corner[:, :1])
+    return (left > 0).all(axis=0) & (abs(z) < layout.height_mm / 2)
 
 
 def support_ring_surface(spec: ObjectSpec) -> trimesh.Trimesh:
@@ -87,15 +83,17 @@ def support_ring_surface(spec: ObjectSpec) -> trimesh.Trimesh:
     return ring
 
 
-def _prism(sides: int, radius_mm: float, height_mm: float) -> trimesh.Trimesh:
+def _prism(corners_mm: np.ndarray, height_mm: float) -> trimesh.Trimesh:
     import trimesh
 
-    theta = (np.arange(sides) + 0.5) * 2 * np.pi / sides
-    circumradius = _circumradius(sides, radius_mm)
-    corner = np.column_stack([np.cos(theta), np.sin(theta)]) * circumradius
+    sides = len(corners_mm)
     half = np.full((sides, 1), height_mm / 2)
     vertices = np.vstack(
-        [np.hstack([corner, half]), np.hstack([corner, -half]), [[0, 0, 1], [0, 0, -1]] * half[0]]
+        [
+            np.hstack([corners_mm, half]),
+            np.hstack([corners_mm, -half]),
+            [[0, 0, 1], [0, 0, -1]] * half[0],
+        ]
     )
     i = np.arange(sides)
     j = (i + 1) % sides
@@ -111,18 +109,9 @@ def _prism(sides: int, radius_mm: float, height_mm: float) -> trimesh.Trimesh:
     return trimesh.Trimesh(vertices, faces, process=False)
 
 
-def _circumradius(sides: int, radius_mm: float) -> float:
-    """Of the regular polygon with the area of a circle of `radius_mm`."""
-    angle = 2 * np.pi / sides
-    return float(radius_mm * np.sqrt(angle / np.sin(angle)))
-
-
-def _frame_along(axis: np.ndarray, origin_mm: np.ndarray) -> np.ndarray:
-    """Homogeneous transform that takes +z to `axis` and the origin to `origin_mm`."""
-    helper = np.eye(3)[int(np.argmin(abs(axis)))]
-    x = np.cross(helper, axis)
-    x /= np.linalg.norm(x)
+def _placed(frame: np.ndarray, origin_mm: np.ndarray) -> np.ndarray:
+    """Homogeneous transform from a body's own frame to the object's."""
     transform = np.eye(4)
-    transform[:3, :3] = np.column_stack([x, np.cross(axis, x), axis])
+    transform[:3, :3] = frame
     transform[:3, 3] = origin_mm
     return transform

@@ -16,9 +16,9 @@ from jaxtyping import Float, Int
 
 from design.errors import InputError
 from design.files import atomic_path
-from design.layouts import magnet_layout
+from design.layouts import shell_body_layout
 from design.spec import ObjectSpec
-from fem.surfaces import all_surfaces, in_magnet
+from fem.surfaces import all_surfaces, in_body
 
 SILICONE = -1
 """Value of `TetMesh.magnet` in elements of silicone."""
@@ -32,7 +32,10 @@ _FINE_LAYER_MM = 0.5
 
 @dataclass(frozen=True)
 class TetMesh:
-    """Positively oriented tetrahedra; `magnet` is the magnet an element lies in, or `SILICONE`."""
+    """Positively oriented tetrahedra; `magnet` is the rigid body an element lies in, or `SILICONE`.
+
+    The rigid bodies are the magnets, or in the reverse arrangement the sensor boards.
+    """
 
     points_mm: Float[np.ndarray, "vertex 3"]
     tets: Int[np.ndarray, "tet 4"]
@@ -128,13 +131,13 @@ def _positively_oriented(points: np.ndarray, tets: np.ndarray) -> np.ndarray:
 
 
 def _containing_magnet(spec: ObjectSpec, points: np.ndarray) -> np.ndarray:
-    layout = magnet_layout(spec)
+    layout = shell_body_layout(spec)
     owner = np.full(len(points), SILICONE)
-    for index, (centre, axis) in enumerate(zip(layout.centre_mm, layout.axis, strict=True)):
-        inside = in_magnet(points, centre, axis, spec)
+    for index in range(len(layout.face)):
+        inside = in_body(points, layout, index, spec)
         if not inside.any():
             raise InputError(
-                f"magnet {index} got no element of the mesh. Use a smaller mesh.envelope_mm "
+                f"rigid body {index} got no element of the mesh. Use a smaller mesh.envelope_mm "
                 f"(now {spec.mesh.envelope_mm:g})"
             )
         owner[inside] = index

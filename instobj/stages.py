@@ -29,7 +29,8 @@ class StageContext:
 class Stage:
     """A stage of the chain.
 
-    `depends_on` names parts of the specification (dotted where only one field matters); `version`
+    `depends_on` names parts of the specification (dotted where only one field matters), or
+    "shell_bodies", what is cast into the silicone, which follows from several of them; `version`
     is raised when the code would give another result from the same inputs.
     """
 
@@ -167,7 +168,8 @@ def write_json(content: dict[str, Any], path: Path) -> None:
         temporary.write_text(json.dumps(content, indent=2) + "\n", encoding="utf-8")
 
 
-_WHERE_THINGS_ARE = ("body", "shell", "magnets")
+_WHERE_THINGS_ARE = ("body", "shell", "magnets", "arrangement")
+_WHAT_IS_MESHED = ("body", "shell.thickness_mm", "shell_bodies", "mesh")
 
 STAGES: dict[str, Stage] = {
     "build": Stage(
@@ -176,7 +178,7 @@ STAGES: dict[str, Stage] = {
         ("name", *_WHERE_THINGS_ARE, "core", "sensors", "indenter"),
         _build,
     ),
-    "mesh": Stage("mesh: tetrahedra", (), (*_WHERE_THINGS_ARE, "mesh"), _mesh),
+    "mesh": Stage("mesh: tetrahedra", (), _WHAT_IS_MESHED, _mesh),
     "response": Stage(
         "mechanics: response operator",
         ("mesh",),
@@ -197,7 +199,11 @@ STAGES: dict[str, Stage] = {
         _presses,
     ),
     "signals": Stage(
-        "signals: Hall sensors", ("presses",), ("magnets", "sensors", "seed"), _signals
+        "signals: Hall sensors",
+        ("presses",),
+        ("magnets", "sensors", "arrangement", "environment", "seed"),
+        _signals,
+        version=2,
     ),
     "scores": Stage(
         "sensitivity: bounds and maps", ("signals",), ("score", "seed"), _scores, version=3
@@ -224,11 +230,25 @@ STAGES: dict[str, Stage] = {
 """In the order in which `instobj run` works through them."""
 
 
+def _shell_bodies(spec: ObjectSpec) -> dict[str, Any]:
+    """Place and outline of what is cast into the silicone: all that mechanics knows of it."""
+    from design.layouts import shell_body_layout
+
+    layout = shell_body_layout(spec)
+    return {
+        "centre_mm": layout.centre_mm.tolist(),
+        "frame": layout.frame.tolist(),
+        "half_mm": list(layout.outline.half_mm),
+        "round": layout.outline.round,
+        "height_mm": layout.height_mm,
+    }
+
+
 def stage_inputs(
     stage: Stage, spec: ObjectSpec, keys_of_needs: dict[str, str], versions: dict[str, str]
 ) -> dict[str, Any]:
     """Everything that a stage's result depends on, JSON-able, for its content key."""
-    content = spec.model_dump(mode="json")
+    content = spec.model_dump(mode="json") | {"shell_bodies": _shell_bodies(spec)}
     parts: dict[str, Any] = {}
     for name in stage.depends_on:
         value: Any = content

@@ -4,7 +4,6 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.catalogue import (
-    DISK_SIZES,
     GRADES,
     HALL_PARTS,
     hall_part,
@@ -81,13 +80,6 @@ def test_temperatures_that_the_magnet_does_not_stand_are_refused():
     parsed(magnets={"remanence_t": 1.2, "temperature_c": 90})
     with pytest.raises(InputError, match=r"magnets\.temperature_c"):
         parsed(magnets={"temperature_c": 400})
-
-
-def test_disk_sizes_are_named_by_their_dimensions():
-    assert len(DISK_SIZES) == len({(s.diameter_mm, s.height_mm) for s in DISK_SIZES.values()})
-    paper = DISK_SIZES["D6x1"]
-    magnets = ObjectSpec(name="cube").magnets
-    assert (paper.diameter_mm, paper.height_mm) == (magnets.diameter_mm, magnets.height_mm)
 
 
 @pytest.mark.parametrize(

@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from design.layouts import magnet_layout
+from design.layouts import magnet_layout, shell_body_layout
 from design.spec import BodySpec, MagnetSpec, MeshSpec, ObjectSpec, ShellSpec
 from fem.surfaces import (
     all_surfaces,
-    in_magnet,
-    magnet_surfaces,
+    body_surfaces,
+    in_body,
     sealed_body_surface,
     support_ring_surface,
 )
@@ -37,7 +37,7 @@ def test_a_body_of_unequal_edges_has_its_closed_form_volume():
 @BOTH
 def test_every_magnet_prism_has_the_volume_height_and_place_of_its_disk(spec):
     layout = magnet_layout(spec)
-    surfaces = magnet_surfaces(spec)
+    surfaces = body_surfaces(spec)
     assert len(surfaces) == len(layout.centre_mm) > 0
     disk = np.pi * spec.magnets.diameter_mm**2 / 4 * spec.magnets.height_mm
     for surface, centre, axis in zip(surfaces, layout.centre_mm, layout.axis, strict=True):
@@ -53,7 +53,7 @@ def test_all_surfaces_are_closed_and_point_outwards(spec):
     parts = all_surfaces(spec).split(only_watertight=True)
     assert len(parts) == 2 + 5 * len(spec.magnets.positions_mm)
     assert all(part.volume > 0 for part in parts)
-    for part in magnet_surfaces(spec):
+    for part in body_surfaces(spec):
         outward = part.triangles_center - part.center_mass
         assert (np.einsum("ij,ij->i", outward, part.face_normals) > 0).all()
 
@@ -84,10 +84,10 @@ def test_the_share_of_points_in_a_magnet_is_its_volume(spec):
     rng = np.random.default_rng(3)
     edge = 2 * magnets.diameter_mm
     points = layout.centre_mm[index] + rng.uniform(-0.5, 0.5, (200_000, 3)) * edge
-    inside = in_magnet(points, layout.centre_mm[index], layout.axis[index], spec)
+    inside = in_body(points, shell_body_layout(spec), index, spec)
     disk = np.pi * magnets.diameter_mm**2 / 4 * magnets.height_mm
     assert_allclose(inside.mean() * edge**3, disk, rtol=0.05)
-    prism = magnet_surfaces(spec)[index]
+    prism = body_surfaces(spec)[index]
     assert (inside == prism.contains(points))[:2000].all()
 
 

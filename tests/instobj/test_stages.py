@@ -26,13 +26,15 @@ DOWNSTREAM = {
     "silicone.prony=[{fraction = 0.1, time_s = 2.0}]": {"frames"},
     "silicone.shore=A12": {"response", "report"},
     "mechanics.magnets=points": {"response"},
-    "magnets.remanence_t=1.4": {"build", "mesh", "signals"},
-    "magnets.temperature_c=45": {"build", "mesh", "signals"},
-    "magnets.grade=N45": {"build", "mesh", "signals"},
+    "magnets.remanence_t=1.4": {"build", "signals"},
+    "magnets.temperature_c=45": {"build", "signals"},
+    "magnets.grade=N45": {"build", "signals"},
     "sensors.averaging=32": {"build", "signals"},
     "contact_grid.pitch_mm=2.5": {"presses"},
     "press.depths_mm=[1.0,2.0]": {"presses"},
     "mesh.edge_mm=5": {"mesh"},
+    "magnets.positions_mm=[[0,0],[9,8]]": {"build", "mesh", "signals"},
+    "environment.earth_field_ut=50": {"signals"},
     "shell.thickness_mm=9": {"build", "mesh"},
     "score.force_n=6": {"scores"},
     "protocol.presses_per_place=4": {"frames"},
@@ -66,4 +68,4 @@ def test_stages_come_after_what_they_need():
 
 def test_every_part_of_the_specification_matters_to_some_stage():
     used = {part.split(".")[0] for stage in STAGES.values() for part in stage.depends_on}
-    assert used == set(ObjectSpec.model_fields)
+    assert used == set(ObjectSpec.model_fields) | {"shell_bodies"}
