@@ -99,7 +99,7 @@ def press_signals(
     delta = np.empty((len(motions.faces), *per_face, len(sensors.face), 3))
     for index, face in enumerate(motions.faces):
         motion = motions.motion[index].reshape(-1, len(magnets.face), 6)
-        field_t = _pressed_field(motion, magnets, sensors, model)
+        field_t = pressed_field(motion, magnets, sensors, model)
         counts = counts_of_field(1e3 * field_t, sensors.axes, spec.sensors)
         delta[index] = counts.reshape(*per_face, *baseline.shape) - baseline
         if progress is not None:
@@ -149,7 +149,7 @@ def _nearest_squared(
     return float(np.min(squared.min(axis=1) + np.sum(positions_mm**2, axis=1)))
 
 
-def _pressed_field(
+def pressed_field(
     motion: Float[np.ndarray, "press magnet 6"],
     magnets: MagnetLayout,
     sensors: SensorLayout,
@@ -182,23 +182,6 @@ def _check_sensor_clear(
         raise InputError(
             f"a press drives {model.magnet.description} onto a sensor. "
             "Press less deep or increase sensors.depth_below_core_face_mm"
-        )
-
-
-def require_finite(signals: Signals) -> None:
-    """Raise InputError that names the channel where forces or signals are not finite."""
-    if not np.isfinite(signals.force_n).all():
-        count = int(np.sum(~np.isfinite(signals.force_n)))
-        raise InputError(f"the force of {count} presses is not finite. Simulate the presses anew")
-    per_channel = np.sum(~np.isfinite(signals.delta_counts), axis=(0, 1, 2))
-    bad = np.argwhere((per_channel > 0) | ~np.isfinite(signals.baseline_counts))
-    if bad.size:
-        named = ", ".join(f"sensor {sensor + 1} {'XYZ'[axis]}" for sensor, axis in bad[:4])
-        more = f" and {len(bad) - 4} more" if len(bad) > 4 else ""
-        raise InputError(
-            f"signals are not finite on {named}{more} (sensors counted over all faces; "
-            f"{int(per_channel.max())} presses on the worst). Leave the sensor out of the layout, or "
-            "simulate anew"
         )
 
 

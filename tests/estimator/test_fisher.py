@@ -109,3 +109,32 @@ def test_detectable_force_is_where_the_distance_from_rest_is_five():
     assert_allclose(found[0], 5 / np.linalg.norm(slope / SIGMA), rtol=1e-3)
     assert np.isinf(found[1])
     assert_allclose(detectable_force_n(traces, SIGMA, distance=2.5)[0], found[0] / 2, rtol=1e-3)
+
+
+def test_tangential_forces_cost_information_and_get_a_bound_of_their_own():
+    jacobian = np.random.default_rng(3).normal(size=(4, 9, 5)) * [120, 60, 40, 90, 30]
+    five, three = cramer_rao_bounds(jacobian, SIGMA), cramer_rao_bounds(jacobian[:, :, :3], SIGMA)
+    assert (five.position_mm > three.position_mm).all()
+    assert (five.force_n > three.force_n).all()
+    assert np.isnan(three.tangential_force_n).all()
+    whitened = jacobian / SIGMA[:, None]
+    covariance = np.linalg.inv(whitened.swapaxes(1, 2) @ whitened)
+    expected = np.sqrt(covariance[:, 3, 3] + covariance[:, 4, 4])
+    assert_allclose(five.tangential_force_n, expected, rtol=1e-9)
+    assert five.status(0) == "ok"
+    jacobian[2, :, 4] = -0.5 * jacobian[2, :, 0]
+    blind = cramer_rao_bounds(jacobian, SIGMA)
+    assert blind.rank.tolist() == [5, 5, 4, 5]
+    assert np.isinf([blind.position_mm[2], blind.tangential_force_n[2]]).all()
+    assert np.isfinite(blind.force_n[2])
+    direction = blind.blind_direction[2] / blind.blind_direction[2, 0]
+    assert_allclose(direction, [1, 0, 0, 0, 2], atol=1e-9)
+    assert "blind to 1 of 5 parameters" in blind.status(2)
+
+
+def test_fewer_channels_than_parameters_are_blind_not_certain():
+    jacobian = random_jacobian(2)[:, :2]
+    bounds = cramer_rao_bounds(jacobian, SIGMA[:2])
+    assert bounds.rank.tolist() == [2, 2]
+    assert np.isinf(bounds.position_mm).all()
+    assert_allclose(jacobian @ bounds.blind_direction[:, :, None], 0, atol=1e-9)
