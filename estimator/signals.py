@@ -92,7 +92,7 @@ def press_signals(
     everywhere = motions.motion.reshape(-1, len(magnets.face), 6)
     model = field_model(magnet, min_distance_mm(everywhere, magnets, sensors))
     at_rest = np.zeros((len(magnets.face), 6)) if motions.rest is None else motions.rest
-    rest_t = _pressed_field(at_rest[None], magnets, sensors, model)[0]
+    rest_t = pressed_field(at_rest[None], magnets, sensors, model)[0]
     baseline = counts_of_field(1e3 * rest_t, sensors.axes, spec.sensors)
     check_rest(baseline, sensors, spec.sensors)
     per_face = motions.motion.shape[1:3]
