@@ -8,12 +8,14 @@ specification within a face.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import TypeVar
 
 import numpy as np
 from jaxtyping import Float, Int
 
 from design.pockets import Body, Outline, magnet_bodies, sensor_boards, shell_bodies
 from design.spec import SENSED_FACES, ObjectSpec, SensorSpec
+from design.spec_simulation import SlipSpec
 
 _FACE_AXES = {
     1: ((0, 0, 1), (1, 0, 0), (0, 1, 0)),
@@ -141,6 +143,9 @@ class SensorLayout:
     face: Int[np.ndarray, "sensor"]
 
 
+Layout = TypeVar("Layout", MagnetLayout, SensorLayout)
+
+
 @dataclass(frozen=True)
 class ShellBodies:
     """Rigid bodies in the silicone: magnets, or sensor boards in the reverse arrangement.
@@ -193,9 +198,7 @@ def sensor_layout(spec: ObjectSpec) -> SensorLayout:
 def _sensors_in_core(spec: ObjectSpec) -> tuple[tuple[Body, ...], ...]:
     depth = spec.sensors.depth_below_core_face_mm
     return tuple(
-        tuple(
-            replace(board, centre_mm=np.append(board.centre_mm[:2], -depth)) for board in face
-        )
+        tuple(replace(board, centre_mm=np.append(board.centre_mm[:2], -depth)) for board in face)
         for face in sensor_boards(spec)
     )
 
@@ -223,13 +226,16 @@ def _in_object(
     )
 
 
-def slipped_sensors(spec: ObjectSpec) -> SensorLayout:
-    """The sensors moved with the core by `mechanics.slip`, in the shell's frame."""
+def slipped(layout: Layout, slip: SlipSpec) -> Layout:
+    """Magnets or sensors moved with a core that slipped, in the shell's frame."""
     from scipy.spatial.transform import Rotation
 
-    sensors, slip = sensor_layout(spec), spec.mechanics.slip
     if not slip.slipped:
-        return sensors
-    turn = Rotation.from_rotvec(np.deg2rad(slip.rotation_deg)).as_matrix()
-    position = sensors.position_mm @ turn.T + np.asarray(slip.shift_mm, float)
-    return SensorLayout(position, sensors.axes @ turn.T, sensors.face)
+        return layout
+    turn = Rotation.from_rotvec(np.deg2rad(slip.rotation_deg)).as_matrix().T
+    shift = np.asarray(slip.shift_mm, float)
+    if isinstance(layout, SensorLayout):
+        position = layout.position_mm @ turn + shift
+        return replace(layout, position_mm=position, axes=layout.axes @ turn)
+    centre = layout.centre_mm @ turn + shift
+    return replace(layout, centre_mm=centre, axis=layout.axis @ turn, side=layout.side @ turn)

@@ -6,6 +6,8 @@ were measured on the public recordings (16× averaging, ±40 mT), drift too.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 from jaxtyping import Bool, Float
 
@@ -18,6 +20,8 @@ from estimator.sources import Magnet
 LARGEST_COUNT = 32767
 """16-bit converter."""
 _AXIS_NAMES = "XYZ"
+_CHIPS = 5273
+"""Keeps this stream of random numbers apart from others of the same seed."""
 
 
 def full_scale_counts(sensors: SensorSpec) -> float:
@@ -36,6 +40,29 @@ def counts_of_field(
     no limit: `read_out` adds them.
     """
     return sensors.counts_per_mt * np.einsum("sac,...sc->...sa", axes, field_mt)
+
+
+@dataclass(frozen=True)
+class ChipErrors:
+    """What sets real chips apart from nominal ones: signals = matrix · B + offset.
+
+    `matrix` (sensor, axis, axis) holds gains on its diagonal and cross-axis shares off it.
+    """
+
+    matrix: Float[np.ndarray, "sensor 3 3"]
+    offset_mt: Float[np.ndarray, "sensor 3"]
+
+
+def chip_errors(sensors: SensorSpec, count: int, seed: int) -> ChipErrors:
+    """Chips drawn at random within the tolerances of the specification (rms, normal).
+
+    Without tolerances every chip is nominal.
+    """
+    rng = np.random.default_rng([seed, _CHIPS])
+    diagonal = np.eye(3, dtype=bool)
+    rms = np.where(diagonal, sensors.gain_tolerance, sensors.cross_axis_tolerance)
+    matrix = np.eye(3) + rms * rng.standard_normal((count, 3, 3))
+    return ChipErrors(matrix, sensors.offset_tolerance_mt * rng.standard_normal((count, 3)))
 
 
 def read_out(
@@ -84,9 +111,8 @@ def check_sensors_outside_magnets(
 ) -> None:
     """Refuse a design in which a sensor's sensing point lies in a magnet at rest."""
     offset = (layout.position_mm[:, None] - magnets.centre_mm).transpose(2, 0, 1)
-    axis = np.broadcast_to(magnets.axis[None], (len(layout.face), *magnets.axis.shape))
     inside: Bool[np.ndarray, "sensor magnet"] = body.holds(
-        tuple(offset), tuple(axis.transpose(2, 0, 1))
+        tuple(offset), tuple(magnets.axis.T[:, None]), tuple(magnets.side.T[:, None])
     )
     if inside.any():
         sensor, magnet = np.argwhere(inside)[0]

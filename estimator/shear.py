@@ -15,15 +15,15 @@ import numpy as np
 from jaxtyping import Float, Int
 
 from design.files import atomic_path
-from design.layouts import PlaceGrid, grid_places_in_lattice, magnet_layout, sensor_layout
+from design.layouts import PlaceGrid, grid_places_in_lattice
 from design.spec import ObjectSpec
 from estimator.field import field_model
 from estimator.fisher import cramer_rao_bounds, disturbance_counts
-from estimator.hall import counts_of_field
 from estimator.interpolation import press_traces, signal_gradient
 from estimator.monotone import monotone_cubic
+from estimator.scene import counts, min_distance_mm, scene, sensed_field
 from estimator.sensitivity import own_channels
-from estimator.signals import Signals, min_distance_mm, pressed_field
+from estimator.signals import Signals
 from estimator.sources import magnet_source
 from fem.results import MagnetMotions
 from fem.shear import ShearMotions
@@ -70,22 +70,21 @@ class ShearScores:
 
 def shear_signals(spec: ObjectSpec, motions: MagnetMotions, shear: ShearMotions) -> ShearSignals:
     """Derivative of every channel by the tangential forces, by central differences."""
-    magnets, sensors = magnet_layout(spec), sensor_layout(spec)
+    place = scene(spec)
     pressed = motions.motion[:, grid_places_in_lattice(spec)]
-    nearest = min_distance_mm(pressed.reshape(-1, len(magnets.face), 6), magnets, sensors)
+    nearest = min_distance_mm(place, pressed.reshape(-1, place.bodies, 6))
     model = field_model(magnet_source(spec.magnets), nearest - 0.1)
     change = _STEP_N * shear.motion_per_n
     field_t = [
-        pressed_field(
-            (pressed[:, :, :, None] + side * change).reshape(-1, len(magnets.face), 6),
-            magnets, sensors, model,
+        sensed_field(
+            place, (pressed[:, :, :, None] + side * change).reshape(-1, place.bodies, 6), model
         )
         for side in (1, -1)
-    ]  # fmt: skip
-    slope_mt = 1e3 * (field_t[0] - field_t[1]) / (2 * _STEP_N)
-    counts = counts_of_field(slope_mt, sensors.axes, spec.sensors)
-    shape = (*shear.motion_per_n.shape[:4], len(sensors.face), 3)
-    return ShearSignals(shear.faces, shear.grid, shear.depth_mm, counts.reshape(shape))
+    ]
+    sides = [counts(place, field, spec) for field in field_t]
+    slope = (sides[0] - sides[1]) / (2 * _STEP_N)
+    shape = (*shear.motion_per_n.shape[:4], *slope.shape[1:])
+    return ShearSignals(shear.faces, shear.grid, shear.depth_mm, slope.reshape(shape))
 
 
 def contact_jacobian(

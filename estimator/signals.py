@@ -15,36 +15,22 @@ from jaxtyping import Float, Int
 
 from design.errors import InputError
 from design.files import atomic_path
-from design.layouts import (
-    MagnetLayout,
-    PlaceGrid,
-    SensorLayout,
-    contact_grid,
-    grid_places_in_lattice,
-    magnet_layout,
-    sensor_layout,
-    slipped_sensors,
-)
+from design.layouts import PlaceGrid, contact_grid, grid_places_in_lattice, sensor_layout
 from design.spec import ObjectSpec
-from estimator.field import FieldModel, field_model, sum_over_magnets, total_field
+from estimator.field import FieldModel, field_model
 from estimator.hall import (
     check_rest,
     check_sensors_outside_magnets,
-    counts_of_field,
     full_scale_counts,
     read_out,
 )
+from estimator.scene import at_rest, counts, min_distance_mm, scene, sensed_field
 from estimator.sources import magnet_source
-from estimator.vectors import Vector, components, rotated
 from fem.results import MagnetMotions, PressForces
 
 SCHEMA_VERSION = 1
 Progress = Callable[[str], None]
 """Called with a line about each part that is done."""
-
-_PAIRS_PER_CHUNK = 9000
-"""Magnet–sensor pairs at a time: a dozen arrays of them in float64 fit a second-level cache. Larger
-ones may be handed back to the system at every step, which costs three times the arithmetic."""
 
 
 @dataclass(frozen=True)
@@ -77,31 +63,29 @@ def press_signals(
 ) -> Signals:
     """Expected signals of all sensors for the magnets' motions in every press.
 
-    Each press moves the magnets of all faces. Displacement and finite rotation of a magnet both
-    change its field. The field model is the cheapest whose error is at most 0.1 % at the smallest
-    distance between a magnet and a sensor that any press reaches.
+    Each press moves the magnets of all faces, or the sensors where they sit in the shell.
+    Displacement and finite rotation both change what a sensor feels. The field model is the
+    cheapest whose error is at most 0.1 % at the smallest distance between a magnet and a sensor
+    that any press reaches.
 
     Raises
     ------
     InputError
         A sensor lies in a magnet (at rest or pressed) or saturates at rest.
     """
-    magnets, sensors = magnet_layout(spec), _sensors_of_the_model(spec)
+    place = scene(spec, core_slipped=spec.mechanics.slip.model == "sensors-only")
     magnet = magnet_source(spec.magnets)
-    check_sensors_outside_magnets(sensors, magnets, magnet)
-    everywhere = motions.motion.reshape(-1, len(magnets.face), 6)
-    model = field_model(magnet, min_distance_mm(everywhere, magnets, sensors))
-    at_rest = np.zeros((len(magnets.face), 6)) if motions.rest is None else motions.rest
-    rest_t = pressed_field(at_rest[None], magnets, sensors, model)[0]
-    baseline = counts_of_field(1e3 * rest_t, sensors.axes, spec.sensors)
-    check_rest(baseline, sensors, spec.sensors)
+    check_sensors_outside_magnets(place.sensors, place.magnets, magnet)
+    model = field_model(magnet, min_distance_mm(place, motions.motion.reshape(-1, place.bodies, 6)))
+    still = at_rest(place) if motions.rest is None else motions.rest[None]
+    baseline = counts(place, sensed_field(place, still, model)[0], spec)
+    check_rest(baseline, place.sensors, spec.sensors)
     per_face = motions.motion.shape[1:3]
-    delta = np.empty((len(motions.faces), *per_face, len(sensors.face), 3))
+    delta = np.empty((len(motions.faces), *per_face, *baseline.shape))
     for index, face in enumerate(motions.faces):
-        motion = motions.motion[index].reshape(-1, len(magnets.face), 6)
-        field_t = pressed_field(motion, magnets, sensors, model)
-        counts = counts_of_field(1e3 * field_t, sensors.axes, spec.sensors)
-        delta[index] = counts.reshape(*per_face, *baseline.shape) - baseline
+        motion = motions.motion[index].reshape(-1, place.bodies, 6)
+        pressed = counts(place, sensed_field(place, motion, model), spec)
+        delta[index] = pressed.reshape(*per_face, *baseline.shape) - baseline
         if progress is not None:
             progress(f"face {face}: field of {motion.shape[0]} presses at {len(baseline)} sensors")
     return Signals(
@@ -110,79 +94,14 @@ def press_signals(
 
 
 def rest_counts(spec: ObjectSpec, model: FieldModel | None = None) -> Float[np.ndarray, "sensor 3"]:
-    """Expected counts of all magnets at rest; exact bodies unless a model is given.
+    """Expected counts of all sensors at rest; exact bodies unless a model is given.
 
-    A slip of the core moves the sensors rigidly against the shell, which is exact while the shell's
-    outside is free.
+    A slip of the core moves what it carries rigidly against the shell, which is exact while the
+    shell's outside is free.
     """
-    magnets, sensors = magnet_layout(spec), slipped_sensors(spec)
+    place = scene(spec, core_slipped=True)
     model = model or FieldModel(magnet_source(spec.magnets), "exact")
-    field_t = total_field(sensors.position_mm, magnets.centre_mm, magnets.axis, model)
-    return counts_of_field(1e3 * field_t, sensors.axes, spec.sensors)
-
-
-def _sensors_of_the_model(spec: ObjectSpec) -> SensorLayout:
-    """Where the slip moves the sensors instead of the magnets, the former are moved."""
-    moved = spec.mechanics.slip.model == "sensors-only"
-    return slipped_sensors(spec) if moved else sensor_layout(spec)
-
-
-def min_distance_mm(
-    motion: Float[np.ndarray, "press magnet 6"], magnets: MagnetLayout, sensors: SensorLayout
-) -> float:
-    """Smallest distance between a magnet's centre and a sensor over all presses and at rest.
-
-    |c − s|² is expanded, so that one matrix product serves all sensors: 1e-14 of |c|² is lost.
-    """
-    chunk = max(1, _PAIRS_PER_CHUNK // len(magnets.face))
-    smallest = _nearest_squared(magnets.centre_mm, sensors.position_mm)
-    for start in range(0, len(motion), chunk):
-        centre = (magnets.centre_mm + motion[start : start + chunk, :, :3]).reshape(-1, 3)
-        smallest = min(smallest, _nearest_squared(centre, sensors.position_mm))
-    return float(np.sqrt(max(smallest, 0.0)))
-
-
-def _nearest_squared(
-    centres_mm: Float[np.ndarray, "magnet 3"], positions_mm: Float[np.ndarray, "sensor 3"]
-) -> float:
-    squared = np.sum(centres_mm**2, axis=1) - 2 * positions_mm @ centres_mm.T
-    return float(np.min(squared.min(axis=1) + np.sum(positions_mm**2, axis=1)))
-
-
-def pressed_field(
-    motion: Float[np.ndarray, "press magnet 6"],
-    magnets: MagnetLayout,
-    sensors: SensorLayout,
-    model: FieldModel,
-) -> Float[np.ndarray, "press sensor 3"]:
-    """Flux density (T) at every sensor with the magnets moved, in cache-sized chunks.
-
-    Presses run along the last dimension, one sensor at a time: long contiguous rows.
-    """
-    chunk = max(1, _PAIRS_PER_CHUNK // len(magnets.face))
-    field = np.empty((len(motion), len(sensors.face), 3))
-    rest, axis = components(magnets.centre_mm[:, None]), components(magnets.axis[:, None])
-    for start in range(0, len(motion), chunk):
-        x, y, z, *turn = motion[start : start + chunk].transpose(2, 1, 0).copy()
-        centres = (rest[0] + x, rest[1] + y, rest[2] + z)
-        axes = rotated(axis, tuple(turn))
-        for sensor, position in enumerate(sensors.position_mm.tolist()):
-            if model.name == "exact":
-                _check_sensor_clear(position, centres, axes, model)
-            parts = sum_over_magnets(tuple(position), centres, axes, model)
-            field[start : start + chunk, sensor] = np.stack(parts, axis=-1)
-    return field
-
-
-def _check_sensor_clear(
-    position_mm: list[float], centres_mm: Vector, axes: Vector, model: FieldModel
-) -> None:
-    offset = tuple(p - c for p, c in zip(position_mm, centres_mm, strict=True))
-    if model.magnet.holds(offset, axes).any():
-        raise InputError(
-            f"a press drives {model.magnet.description} onto a sensor. "
-            "Press less deep or increase sensors.depth_below_core_face_mm"
-        )
+    return counts(place, sensed_field(place, at_rest(place), model)[0], spec)
 
 
 def require_finite(signals: Signals) -> None:

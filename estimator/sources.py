@@ -124,7 +124,14 @@ def magnet_source(magnets: MagnetSpec) -> Magnet:
 
     A magnet's remanence is taken as its polarization.
     """
-    return DiskMagnet(magnets.diameter_mm, magnets.height_mm, magnets.working_remanence_t)
+    if magnets.kind == "coil":
+        polarization, wound = magnets.winding_polarization_t, True
+    else:
+        polarization, wound = magnets.working_remanence_t, False
+    if magnets.shape == "block":
+        return BlockMagnet(magnets.size_mm, magnets.height_mm, polarization)
+    hole = magnets.inner_diameter_mm
+    return DiskMagnet(magnets.diameter_mm, magnets.height_mm, polarization, hole, wound)
 
 
 def local_coordinates(offset_mm: Vector, axis: Vector, side: Vector | None) -> Vector:

@@ -16,7 +16,7 @@ import numpy as np
 from jaxtyping import Float
 from scipy.spatial.transform import Rotation
 
-from design.layouts import FaceFrame, face_frames, magnet_layout
+from design.layouts import FaceFrame, face_frames, shell_body_layout
 from design.spec import ObjectSpec
 from fem.core_interface import prescribed_loads, rigid_interface_motions
 from fem.factorization import solve_symmetric
@@ -71,8 +71,10 @@ def resting_shell(mesh: TetMesh, spec: ObjectSpec) -> RestingShell:
     amplitudes = np.concatenate([shift, turn.as_rotvec()])
     system = elastic_system(mesh, spec)
     solution = move_interface(system, mesh, spec, amplitudes)
-    centre = magnet_layout(spec).centre_mm
-    linear = np.hstack([_linear_rigid(amplitudes, centre), np.tile(turn.as_rotvec(), (len(centre), 1))])
+    centre = shell_body_layout(spec).centre_mm
+    linear = np.hstack(
+        [_linear_rigid(amplitudes, centre), np.tile(turn.as_rotvec(), (len(centre), 1))]
+    )
     deviation = solution.magnet_motion - linear
     finite = np.hstack([turn.apply(centre) + shift - centre, linear[:, 3:]])
     nodes = system.space.nodes_mm
@@ -97,7 +99,7 @@ def move_interface(
     pressure = unknowns[motions:]
     internal = operators.stiffness @ u + operators.divergence[space.pressure_nodes].T @ pressure
     if spec.mechanics.magnets == "rigid":
-        magnets = unknowns[:motions][-6 * len(magnet_layout(spec).face) :]
+        magnets = unknowns[:motions][-6 * len(shell_body_layout(spec).face) :]
     else:
         magnets = mean_motion_functionals(mesh, space) @ u
     return InterfaceSolution(u.reshape(3, -1), magnets.reshape(-1, 6), lifting.T @ internal)
@@ -112,9 +114,7 @@ def slipped_response(
         response.surfaces, face_frames(spec), rest.face_shift_mm, strict=True
     ):
         local = shift @ frame.axes
-        surfaces.append(
-            replace(surface, xy_mm=surface.xy_mm + local[:, :2], height_mm=local[:, 2])
-        )
+        surfaces.append(replace(surface, xy_mm=surface.xy_mm + local[:, :2], height_mm=local[:, 2]))
     return replace(response, surfaces=tuple(surfaces))
 
 

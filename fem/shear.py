@@ -19,7 +19,7 @@ from jaxtyping import Float, Int
 
 from design.errors import InputError
 from design.files import atomic_path
-from design.layouts import PlaceGrid, contact_grid, face_frames, magnet_layout
+from design.layouts import PlaceGrid, contact_grid, face_frames, shell_body_layout
 from design.spec import ObjectSpec
 from fem.factorization import Factorization
 from fem.magnets import mean_motion_functionals
@@ -78,7 +78,7 @@ def motions_under_traction(
     system = elastic_system(mesh, spec)
     motions = shape_of(system.motion_basis)[1]
     loads = system.motion_basis.T @ _tangential_loads(system, spec)
-    right_sides = np.zeros((shape_of(system.matrix)[0], 6 * len(magnet_layout(spec).face)))
+    right_sides = np.zeros((shape_of(system.matrix)[0], 6 * len(shell_body_layout(spec).face)))
     right_sides[:motions] = _magnet_loads(mesh, system, spec)
     with Factorization(system.matrix) as factor:
         adjoint = factor.solve(right_sides)[:motions]
@@ -106,7 +106,7 @@ def _magnet_loads(
     mesh: TetMesh, system: ElasticSystem, spec: ObjectSpec
 ) -> Float[np.ndarray, "motion load"]:
     """Unit forces and moments on every magnet, on the unknown motions."""
-    motions, count = shape_of(system.motion_basis)[1], 6 * len(magnet_layout(spec).face)
+    motions, count = shape_of(system.motion_basis)[1], 6 * len(shell_body_layout(spec).face)
     if spec.mechanics.magnets == "rigid":  # the last unknown motions are theirs
         return np.eye(motions, count, count - motions)
     rows = sp.csr_matrix(mean_motion_functionals(mesh, system.space) @ system.motion_basis)

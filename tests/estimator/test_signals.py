@@ -12,9 +12,9 @@ from synthetic_presses import coarse_spec, synthetic_presses
 
 from design.errors import InputError
 from design.layouts import grid_places_in_lattice, magnet_layout, sensor_layout
+from estimator.scene import min_distance_mm, scene
 from estimator.signals import (
     load_signals,
-    min_distance_mm,
     press_signals,
     rest_counts,
     saturation_margin,
@@ -113,10 +113,10 @@ def test_nearest_distance_counts_the_motion(presses):
     motion = np.zeros((1, 25, 6))
     # a sensor 15° beside a corner magnet: radii 8.585 and 10√2 mm, 7.8 mm apart in depth
     at_rest = np.hypot(abs(8.585 * np.exp(1j * np.pi / 12) - 10 * 2**0.5), 7.8)
-    assert_allclose(min_distance_mm(motion, magnets, sensors), at_rest, rtol=1e-9)
+    assert_allclose(min_distance_mm(scene(SPEC), motion), at_rest, rtol=1e-9)
     towards = sensors.position_mm[3] - magnets.centre_mm[8]
     motion[0, 8, :3] = towards * (1 - 5 / np.linalg.norm(towards))
-    assert_allclose(min_distance_mm(motion, magnets, sensors), 5.0, rtol=1e-9)
+    assert_allclose(min_distance_mm(scene(SPEC), motion), 5.0, rtol=1e-9)
 
 
 def test_near_magnets_use_the_exact_cylinder(presses):
