@@ -137,7 +137,10 @@ def wall_openings(space: DisplacementSpace, spec: ObjectSpec) -> WallOpenings:
         normals.append(np.tile(sign * np.eye(3)[axis], (len(corners), 1)))
         weights.append(hats.T @ area)
     return WallOpenings(
-        columns_of(parts), np.concatenate(vertices), np.concatenate(normals), np.concatenate(weights)
+        columns_of(parts),
+        np.concatenate(vertices),
+        np.concatenate(normals),
+        np.concatenate(weights),
     )
 
 

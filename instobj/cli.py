@@ -178,6 +178,26 @@ def press(
         raise typer.Exit(1)
 
 
+@app.command()
+def slip(
+    spec: Annotated[Path, typer.Argument(help="Specification (TOML).", show_default=False)],
+    shift: Annotated[
+        tuple[float, float, float], typer.Option(help="Of the core in the shell, x y z, mm.")
+    ] = (0.0, 0.0, 0.0),
+    rotation: Annotated[
+        tuple[float, float, float], typer.Option(help="Rotation vector about x y z, degrees.")
+    ] = (0.0, 0.0, 0.0),
+    rim: Annotated[str, typer.Option(help="free, or held on the mounting plate.")] = "free",
+    out: Out = _HERE,
+    as_json: AsJson = False,
+    overrides: Overrides = None,
+) -> None:
+    """What a core that slipped after calibration costs: resting signals, false places and forces."""
+    from instobj.slip import slip_specification
+
+    _show(slip_specification(spec, shift, rotation, rim, out, overrides or []), as_json)
+
+
 def _chain(
     specs: list[Path],
     stages: tuple[str, ...],
