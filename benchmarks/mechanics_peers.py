@@ -13,6 +13,7 @@ import subprocess
 import tempfile
 import time
 from dataclasses import dataclass
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -70,7 +71,7 @@ class Solved:
 def why_no_ngsolve() -> str | None:
     """None where NGSolve can be imported, else the reason."""
     try:
-        import ngsolve  # noqa: F401  # pyright: ignore[reportMissingImports]
+        import_module("ngsolve")
     except ImportError as error:
         return f"not installed ({error}); pip install ngsolve"
     return None
@@ -84,7 +85,7 @@ def why_no_calculix() -> str | None:
 def why_no_dolfinx() -> str | None:
     """None where dolfinx can be imported, else the reason."""
     try:
-        import dolfinx  # noqa: F401  # pyright: ignore[reportMissingImports]
+        import_module("dolfinx")
     except ImportError:
         return "not installed; PyPI has no wheels of it"
     return None
@@ -92,28 +93,19 @@ def why_no_dolfinx() -> str | None:
 
 def netgen_mesh(problem: Problem) -> Any:
     """The same mesh in NGSolve, its boundary named `held` and `free`."""
-    import ngsolve  # pyright: ignore[reportMissingImports]
-    from netgen.meshing import (  # pyright: ignore[reportMissingImports]
-        Element2D,
-        Element3D,
-        FaceDescriptor,
-        Mesh,
-        MeshPoint,
-        Pnt,
-    )
-
-    source, mesh = problem.mesh, Mesh(dim=3)
-    points = [mesh.Add(MeshPoint(Pnt(*p))) for p in source.p.T.tolist()]
+    ngsolve, netgen = import_module("ngsolve"), import_module("netgen.meshing")
+    source, mesh = problem.mesh, netgen.Mesh(dim=3)
+    points = [mesh.Add(netgen.MeshPoint(netgen.Pnt(*p))) for p in source.p.T.tolist()]
     for number in (1, 2):
-        mesh.Add(FaceDescriptor(surfnr=number, domin=1, bc=number))
+        mesh.Add(netgen.FaceDescriptor(surfnr=number, domin=1, bc=number))
     mesh.SetMaterial(1, "silicone")
     boundary = source.boundary_facets()
     kinds = np.where(np.isin(boundary, problem.held), 1, 2)
     corners = np.asarray(source.facets)[:, boundary].T
     for kind, facet in zip(kinds.tolist(), corners.tolist(), strict=True):
-        mesh.Add(Element2D(kind, [points[i] for i in facet]))
+        mesh.Add(netgen.Element2D(kind, [points[i] for i in facet]))
     for tet in source.t.T.tolist():
-        mesh.Add(Element3D(1, [points[i] for i in tet]))
+        mesh.Add(netgen.Element3D(1, [points[i] for i in tet]))
     mesh.SetBCName(0, "held")
     mesh.SetBCName(1, "free")
     return ngsolve.Mesh(mesh)
@@ -121,7 +113,7 @@ def netgen_mesh(problem: Problem) -> Any:
 
 def solve_with_ngsolve(problem: Problem, mesh: Any, mixed: bool, inverse: str) -> Solved:
     """P2 displacement, or Taylor–Hood where `mixed`, with one of NGSolve's direct solvers."""
-    import ngsolve as ng  # pyright: ignore[reportMissingImports]
+    ng: Any = import_module("ngsolve")
 
     mu, lam = problem.lame_mpa
     started, cpu = time.perf_counter(), time.process_time()
@@ -129,7 +121,7 @@ def solve_with_ngsolve(problem: Problem, mesh: Any, mixed: bool, inverse: str) -
         displacement = ng.VectorH1(mesh, order=2, dirichlet="held")
         space = displacement * ng.H1(mesh, order=1) if mixed else displacement
         trial, test = space.TnT()
-        (u, p), (v, q) = (trial, test) if mixed else ((trial, None), (test, None))
+        (u, p), (v, q) = (trial, test) if mixed else ((trial, 0), (test, 0))
         strain_u, strain_v = ng.Sym(ng.Grad(u)), ng.Sym(ng.Grad(v))
         form = 2 * mu * ng.InnerProduct(strain_u, strain_v)
         if mixed:

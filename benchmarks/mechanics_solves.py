@@ -10,6 +10,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
+from importlib import import_module
 
 import numpy as np
 import scipy.sparse as sp
@@ -119,9 +120,7 @@ def contests(mesh: MeshTet, held: np.ndarray, threads: int) -> list[Contest]:
 
 
 def _ngsolve_rivals(problem: Problem, mixed: bool, threads: int) -> dict[str, Callable[[], Solved]]:
-    import ngsolve  # pyright: ignore[reportMissingImports]
-
-    ngsolve.SetNumThreads(threads)
+    import_module("ngsolve").SetNumThreads(threads)
     mesh = netgen_mesh(problem)
     return {
         f"NGSolve, {inverse}": lambda inverse=inverse: solve_with_ngsolve(
