@@ -6,6 +6,7 @@ from itertools import combinations
 from math import cos, sin
 from typing import TYPE_CHECKING
 
+from design.fit_environment import check_environment
 from design.pockets import Pocket, core_pockets, distance_of_axes_mm, shell_pockets
 
 if TYPE_CHECKING:
@@ -19,6 +20,7 @@ def require_fit(spec: ObjectSpec) -> None:
     _check_pockets(spec)
     _check_core_contents(spec)
     _check_presses(spec)
+    check_environment(spec)
 
 
 def _smallest_half_extents_mm(spec: ObjectSpec) -> tuple[float, float]:

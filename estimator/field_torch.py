@@ -30,6 +30,7 @@ def batched_field(
     axes: Float[Tensor, "#press magnet 3"],
     model: FieldModel,
     chunk_pairs: int | None = None,
+    sides: Float[Tensor, "#press magnet 3"] | None = None,
 ) -> Float[Tensor, "press point 3"]:
     """Flux density (T) of all magnets together, at every point of every press.
 
@@ -42,8 +43,9 @@ def batched_field(
     points_mm : mm; first dimension 1 where the points are the same in every press
     centres_mm : mm, centres of the magnets; first dimension 1 where they are the same
     axes : unit vectors along the polarization; normalise inside the graph to optimise them
-    model : dipole or multipole (`field.field_model` chooses the order for a nearest distance)
+    model : dipole, multipole or charges (`field.field_model` chooses the order for a nearest distance)
     chunk_pairs : pairs worked on at once; by default what fits the processor's cache
+    sides : unit vectors along the first edge of blocks; round magnets need none
 
     Raises
     ------
@@ -55,23 +57,26 @@ def batched_field(
     pairs = (chunk_pairs or _default_chunk_pairs(points_mm)) // centres_mm.shape[1]
     press_chunk = max(1, min(presses, pairs))
     point_chunk = max(1, pairs // press_chunk)
-    plain = points_mm.device.type == "cpu" and not _wants_gradient(points_mm, centres_mm, axes)
+    plain = points_mm.device.type == "cpu" and not _wants_gradient(
+        points_mm, centres_mm, axes, sides
+    )
     parts = []
     for start in range(0, presses, press_chunk):
         rows = slice(start, start + press_chunk)
         centre = _components(centres_mm, rows, 1, plain)
         axis = _components(axes, rows, 1, plain)
+        side = None if sides is None else _components(sides, rows, 1, plain)
         point = _components(points_mm, rows, 0, plain)
         field = [
-            _stacked(sum_over_magnets(_piece(point, first, point_chunk), centre, axis, model))
+            _stacked(sum_over_magnets(_piece(point, first, point_chunk), centre, axis, model, side))
             for first in range(0, points_mm.shape[1], point_chunk)
         ]
         parts.append(torch.cat(field, dim=1).permute(2, 1, 0))
     return torch.cat(parts)
 
 
-def _wants_gradient(*given: Tensor) -> bool:
-    return torch.is_grad_enabled() and any(tensor.requires_grad for tensor in given)
+def _wants_gradient(*given: Tensor | None) -> bool:
+    return torch.is_grad_enabled() and any(t is not None and t.requires_grad for t in given)
 
 
 def _components(

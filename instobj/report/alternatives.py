@@ -41,7 +41,7 @@ def alternatives(
         try:
             other = ObjectSpec.model_validate(update(spec).model_dump())
             scores = score_places(other, _signals(spec, other, signals, presses))
-        except InputError:
+        except ValueError:
             continue
         rows.append(_row(change, scores))
     return rows[:1] + sorted(rows[1:], key=lambda row: row.weakest_bound_mm)
@@ -58,11 +58,17 @@ def _quieter(spec: ObjectSpec) -> ObjectSpec:
 
 
 def _one_more_sensor(spec: ObjectSpec) -> ObjectSpec:
+    if spec.sensors.positions_mm is not None:
+        raise InputError("sensors.positions_mm says where each sensor is. Add one by hand")
     return _with_sensors(spec, count_per_face=spec.sensors.count_per_face + 1)
 
 
 def _stronger(spec: ObjectSpec) -> ObjectSpec:
-    stronger = {"grade": None, "remanence_t": 1.2 * spec.magnets.remanence_t}
+    stronger = {
+        "grade": None,
+        "remanence_t": 1.2 * spec.magnets.remanence_t,
+        "current_a": 1.2 * spec.magnets.current_a,
+    }
     magnets = spec.magnets.model_copy(update=stronger)
     return spec.model_copy(update={"magnets": magnets})
 
@@ -81,7 +87,7 @@ def _with_sensors(spec: ObjectSpec, **update: object) -> ObjectSpec:
 _CHANGES: dict[str, Callable[[ObjectSpec], ObjectSpec]] = {
     "four times the averaging (half the white noise)": _quieter,
     "one more sensor on every face": _one_more_sensor,
-    "20 % more remanence or magnet volume": _stronger,
+    "20 % more remanence (coils: current)": _stronger,
     "silicone 30 % softer (deeper presses)": _softer,
 }
 
