@@ -1,8 +1,8 @@
-"""Smooth analytic presses for tests: a Gaussian dimple that shifts and tilts magnets."""
+"""Smooth analytic presses for tests: a Gaussian dimple that shifts and tilts what is in the shell."""
 
 import numpy as np
 
-from design.layouts import PlaceGrid, face_frames, magnet_layout, press_lattice
+from design.layouts import PlaceGrid, face_frames, press_lattice, shell_body_layout
 from design.spec import ObjectSpec
 from fem.results import MagnetMotions, PressForces
 
@@ -37,10 +37,9 @@ def force_n(face, xy_mm, depth_mm):
 
 
 def face_motion(spec, face, xy_mm, force):
-    """Motion (…, magnet, 6) of all magnets for presses at xy on a face (object's frame)."""
+    """Motion (…, body, 6) of all bodies in the shell for presses at xy on a face (object's frame)."""
     frame = face_frames(spec)[face - 1]
-    magnets = magnet_layout(spec)
-    local = frame.from_object(magnets.centre_mm)
+    local = frame.from_object(shell_body_layout(spec).centre_mm)
     away = local[:, :2] - xy_mm[..., None, :]
     reach = np.exp(-np.sum(away**2, -1) / (2 * WIDTH_MM**2)) * np.exp((local[:, 2] + 2.5) / 9)
     press = (force / (1 + 0.01 * force))[..., None]
