@@ -133,12 +133,13 @@ def require_modulus(spec: ObjectSpec, material: Hyperelastic) -> None:
 def require_press(
     spec: ObjectSpec, face: int, x_mm: float, y_mm: float, depths_mm: Sequence[float]
 ) -> None:
-    """Raise InputError for another element, an unknown face, a tip over the border, bad depths."""
+    """Raise InputError for another element or core, an unknown face, a tip over the border, bad depths."""
     if spec.mechanics.element != "taylor-hood":
         raise InputError(
             "presses with large deformation need the Taylor–Hood element; mechanics.element is "
             f'"{spec.mechanics.element}". Set mechanics.element = "taylor-hood"'
         )
+    _require_bonded(spec)
     frames = {frame.number: frame for frame in face_frames(spec)}
     if face not in frames:
         raise InputError(f"face {face} is not sensed. Choose one of {sorted(frames)}")
@@ -155,6 +156,20 @@ def require_press(
         raise InputError(
             "depths must increase from above 0 and stay below the tip's radius and the shell's "
             f"thickness ({min(radius, spec.shell.thickness_mm):g} mm); got {list(depths_mm)}"
+        )
+
+
+def _require_bonded(spec: ObjectSpec) -> None:
+    mechanics = spec.mechanics
+    if mechanics.interface != "bonded":
+        raise InputError(
+            "presses with large deformation need a bonded core; got mechanics.interface = "
+            f"{mechanics.interface!r}. Set it to 'bonded'"
+        )
+    if mechanics.slip.slipped:
+        raise InputError(
+            "presses with large deformation do not know a core that has slipped. Set "
+            "mechanics.slip.shift_mm and rotation_deg to zeros"
         )
 
 

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import pytest
 from fem_cases import COARSE_EDGES_MM, paper_cube
+from small_object import small_spec
 
 from fem.response import build_response, elastic_system
 from fem.tet_mesh import TetMesh, tetrahedralize
@@ -57,3 +58,8 @@ def points_response(coarse_mesh, points_spec):
 @pytest.fixture(scope="session")
 def rigid_system(coarse_mesh, rigid_spec):
     return elastic_system(coarse_mesh, rigid_spec)
+
+
+@pytest.fixture(scope="session")
+def small_mesh():
+    return tetrahedralize(small_spec())

@@ -1,0 +1,47 @@
+"""Where a frictionless core would let go of the shell: tension at the interface under presses."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from jaxtyping import Float
+
+from fem.presses import surface_weights_mm2
+from fem.response import ResponseOperator
+
+
+@dataclass(frozen=True)
+class CoreTension:
+    """The largest tension per newton of press force (MPa/N), and the core's vertex it acts at.
+
+    It is the mean over the wall's triangles around the vertex, weighted by its P1 hat: the pressure
+    itself grows without bound at the core's edges as the mesh is refined. Positive where the shell
+    would lift off, which the linear table leaves out.
+    """
+
+    pressure_mpa_per_n: float
+    point_mm: Float[np.ndarray, "3"]
+
+
+def largest_core_tension(
+    response: ResponseOperator, face_index: int, pressures_mpa: Float[np.ndarray, "press vertex"]
+) -> CoreTension:
+    """Over presses of one face, given by the pressures at its vertices; those without force skipped.
+
+    Raises
+    ------
+    ValueError
+        The shell is bonded to its core, or no press has any force.
+    """
+    core = response.core
+    if core is None:
+        raise ValueError("tension at the core is known of a frictionless interface only")
+    force = pressures_mpa @ surface_weights_mm2(response.surfaces[face_index])
+    pressed = force > 0
+    if not pressed.any():
+        raise ValueError("none of the presses touches the face")
+    per_load = core.force_per_load[:, response.face_loads(face_index)]
+    tension = -(per_load @ pressures_mpa[pressed].T) / core.weights_mm2[:, None] / force[pressed]
+    vertex, _ = np.unravel_index(int(np.argmax(tension)), tension.shape)
+    return CoreTension(float(tension.max()), core.points_mm[vertex])
