@@ -61,7 +61,7 @@ def mean_motion_functionals(mesh: TetMesh, space: DisplacementSpace) -> sp.csr_m
 
     Shape (6·magnet, 3·node).
     """
-    rows = []
+    rows = [sp.csr_matrix((0, 3 * space.node_count))]
     for magnet in range(mesh.magnet.max() + 1):
         basis = Basis(
             space.mesh,
