@@ -207,7 +207,7 @@ def chip_on_board(sensors: SensorSpec) -> Float[np.ndarray, "3 3"]:
     """The chip's axes as columns, in the board's (−tangential, radial, normal)."""
     turn = np.deg2rad(sensors.mount_rotation_deg)
     angle = float(np.linalg.norm(turn))
-    across = np.cross(np.eye(3), -turn)
+    across = np.cross(np.eye(3), turn)
     rotation = np.eye(3) + np.sinc(angle / np.pi) * across
     rotation += 0.5 * np.sinc(angle / (2 * np.pi)) ** 2 * across @ across
     outward = np.diag([-1.0, 1.0, -1.0])
