@@ -30,7 +30,7 @@ from estimator.signals import press_signals
 from fem.results import MagnetMotions, PressForces
 
 Channels = Literal["own", "all"]
-SENSOR_COUNTS = (1, 2, 3, 4, 5)
+_SENSOR_COUNTS = (1, 2, 3, 4, 5)
 CONTACT_COUNTS = (1, 2, 3)
 _PLACES_AN_AXIS = 5
 _RANK_TOLERANCE = 1e-9
@@ -44,6 +44,7 @@ class WorstSet:
     """
 
     face: int
+    condition: float
     xy_mm: Float[np.ndarray, "contact 2"]
     direction: Float[np.ndarray, "contact 3"]
 
@@ -87,15 +88,16 @@ def identifiability(
     spec: ObjectSpec,
     forces: PressForces,
     motions: MagnetMotions,
-    sensor_counts: Sequence[int] = SENSOR_COUNTS,
+    sensor_counts: Sequence[int] | None = None,
     contact_counts: Sequence[int] = CONTACT_COUNTS,
     progress: Callable[[str], None] | None = None,
 ) -> tuple[Identifiability, ...]:
     """Every number of contacts against every number of sensors, own channels and all.
 
     Each contact presses with `score.force_n` (or as far as its deepest press goes), freshly zeroed;
-    tips do not touch each other. Sensors stand evenly on the specification's ring, whether or not
-    their boards would fit there.
+    tips do not touch each other. By default one to five sensors a face are compared. Other numbers
+    of them than the specification's stand evenly on its ring, whether or not their boards would fit
+    there; where sensors sit in the shell their number cannot change without new mechanics.
 
     Raises
     ------
@@ -105,7 +107,7 @@ def identifiability(
     places = spread_places(spec)
     sets = {k: contact_sets(spec, places, k) for k in contact_counts}
     rows = []
-    for count in sensor_counts:
+    for count in sensor_counts or comparable_sensor_counts(spec):
         if progress:
             progress(f"{count} sensors a face")
         jacobians = whitened_jacobians(spec, forces, motions, places, count)
@@ -113,6 +115,14 @@ def identifiability(
             for k in contact_counts:
                 rows.append(_judge(spec, jacobians, places, sets[k], count, channels))
     return tuple(rows)
+
+
+def comparable_sensor_counts(spec: ObjectSpec) -> tuple[int, ...]:
+    """Numbers of sensors a face that the stored mechanics can answer for."""
+    own = spec.sensors.count_per_face
+    return (
+        (own,) if spec.arrangement == "sensors-in-shell" else tuple(sorted({*_SENSOR_COUNTS, own}))
+    )
 
 
 def spread_places(spec: ObjectSpec) -> Int[np.ndarray, "place"]:
@@ -160,7 +170,9 @@ def whitened_jacobians(
     sensors: int,
 ) -> tuple[FaceJacobians, ...]:
     """Derivatives at some contact places for another number of sensors a face."""
-    ring = spec.sensors.model_copy(update={"count_per_face": sensors})
+    ring = spec.sensors
+    if sensors != ring.count_per_face:
+        ring = ring.model_copy(update={"count_per_face": sensors, "positions_mm": None})
     other = spec.model_copy(update={"sensors": ring})
     signals = press_signals(other, forces, motions)
     sigma = disturbance_counts(ring, "fresh", signals.baseline_counts.size)
@@ -267,7 +279,9 @@ def _worst(
     condition = np.stack([info.condition for info in found])
     face, row = np.unravel_index(int(np.argmax(condition)), condition.shape)
     xy = contact_grid(spec).xy_mm[places[sets[row]]]
-    return WorstSet(jacobians[face].face, xy, found[face].blindest[row])
+    return WorstSet(
+        jacobians[face].face, float(condition[face, row]), xy, found[face].blindest[row]
+    )
 
 
 def _middle(values: Float[np.ndarray, "n"]) -> float:

@@ -53,8 +53,18 @@ def simulate_shear(
 ) -> ShearMotions:
     """Tangential forces at the contact places, at the pressures of frictionless presses.
 
-    `per_traction` comes from `motions_under_traction`. Raises as `fem.presses.press_places` does.
+    `per_traction` comes from `motions_under_traction`.
+
+    Raises
+    ------
+    InputError
+        A core that slides or has slipped (superposition fails there), or a tip over the border.
     """
+    if spec.mechanics.interface != "bonded" or spec.mechanics.slip.slipped:
+        raise InputError(
+            "tangential forces are simulated on a bonded core that has not slipped. Set "
+            "mechanics.interface = 'bonded' and leave mechanics.slip out"
+        )
     grid, depths = contact_grid(spec), np.asarray(spec.press.depths_mm)
     faces = []
     for index, surface in enumerate(response.surfaces):

@@ -83,6 +83,9 @@ def score(
         str | None, typer.Option(help="δ by covariance, monte-carlo (any N) or exact (N ≤ 100).")
     ] = None,
     hull_frames: Annotated[int | None, typer.Option(help="N of the convex hull.")] = None,
+    shear: Annotated[
+        bool, typer.Option("--shear", help="Bounds of (x, y, F, Fx, Fy) as well.")
+    ] = False,
     out: Out = _HERE,
     as_json: AsJson = False,
     overrides: Overrides = None,
@@ -90,7 +93,16 @@ def score(
     """Sensitivity, Cramér–Rao bounds and maps of every contact place."""
     chosen = {"score.hull": hull, "score.hull_frames": hull_frames}
     more = [f"{key}={value}" for key, value in chosen.items() if value is not None]
-    _chain(specs, ("scores",), out, as_json, [*(overrides or []), *more])
+    stages = ("scores", "shear_scores") if shear else ("scores",)
+    _chain(specs, stages, out, as_json, [*(overrides or []), *more])
+
+
+@app.command()
+def identify(
+    specs: Specs, out: Out = _HERE, as_json: AsJson = False, overrides: Overrides = None
+) -> None:
+    """How many contacts at once can be told apart, and with how many sensors."""
+    _chain(specs, ("identify",), out, as_json, overrides)
 
 
 @app.command()
@@ -122,9 +134,7 @@ def run(
     specs: Specs, out: Out = _HERE, as_json: AsJson = False, overrides: Overrides = None
 ) -> None:
     """The whole chain, stage by stage; stored results are reused."""
-    from instobj.stages import STAGES
-
-    _chain(specs, tuple(STAGES), out, as_json, overrides)
+    _chain(specs, ("report",), out, as_json, overrides)
 
 
 @app.command()

@@ -17,6 +17,8 @@ _FILES = {
     "mesh": ("mesh_quality.json",),
     "signals": ("signals.nc",),
     "scores": ("scores.csv", "maps/*.png"),
+    "shear_scores": ("shear_scores.csv", "maps/*.png"),
+    "identify": ("identifiability.csv", "*.png"),
     "frames": ("frames.nc",),
     "networks": ("*.safetensors",),
     "metrics": ("metrics.json", "metrics/*.png"),

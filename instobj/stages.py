@@ -115,6 +115,45 @@ def _scores(context: StageContext, folder: Path) -> None:
     draw_score_maps(context.spec, scores, folder / "maps", context.step)
 
 
+def _shear(context: StageContext, folder: Path) -> None:
+    from fem.response import load_response
+    from fem.shear import motions_under_traction, save_shear, simulate_shear
+    from fem.tet_mesh import load_mesh
+
+    context.step("magnet motions under tractions on every face")
+    mesh = load_mesh(context.inputs["mesh"] / "mesh.npz")
+    per_traction = motions_under_traction(mesh, context.spec)
+    context.step("tangential forces at every place and depth")
+    response = load_response(context.inputs["response"])
+    save_shear(simulate_shear(context.spec, response, per_traction), folder / "shear.nc")
+
+
+def _shear_scores(context: StageContext, folder: Path) -> None:
+    from estimator.shear import save_shear_scores_csv, score_shear, shear_signals
+    from fem.results import load_presses
+    from fem.shear import load_shear
+    from instobj.report.maps import draw_shear_maps
+
+    _, motions = load_presses(context.inputs["presses"] / "presses.nc")
+    shear = load_shear(context.inputs["shear"] / "shear.nc")
+    slopes = shear_signals(context.spec, motions, shear)
+    scores = score_shear(context.spec, _stored_signals(context), slopes)
+    save_shear_scores_csv(scores, folder / "shear_scores.csv")
+    draw_shear_maps(context.spec, scores, folder / "maps")
+
+
+def _identify(context: StageContext, folder: Path) -> None:
+    from estimator.identifiability import identifiability, save_identifiability_csv
+    from fem.results import load_presses
+    from instobj.report.information_figures import draw_blindest, draw_identifiability
+
+    forces, motions = load_presses(context.inputs["presses"] / "presses.nc")
+    rows = identifiability(context.spec, forces, motions, progress=context.step)
+    save_identifiability_csv(rows, folder / "identifiability.csv")
+    draw_identifiability(context.spec, rows, folder / "identifiability.png")
+    draw_blindest(context.spec, rows, folder / "blindest_contacts.png")
+
+
 def _frames(context: StageContext, folder: Path) -> None:
     from estimator.dataset import save_frames
     from estimator.press_protocol import nominal_peaks, plan_presses, simulate_presses
@@ -208,6 +247,24 @@ STAGES: dict[str, Stage] = {
     "scores": Stage(
         "sensitivity: bounds and maps", ("signals",), ("score", "seed"), _scores, version=3
     ),
+    "shear": Stage(
+        "mechanics: tangential forces",
+        ("mesh", "response"),
+        ("contact_grid", "indenter", "press", "mechanics.slip"),
+        _shear,
+    ),
+    "shear_scores": Stage(
+        "sensitivity: with tangential forces",
+        ("presses", "signals", "shear"),
+        ("score",),
+        _shear_scores,
+    ),
+    "identify": Stage(
+        "sensitivity: several contacts at once",
+        ("presses", "signals"),
+        ("score", "limits.position_bound_mm"),
+        _identify,
+    ),
     "frames": Stage(
         "estimator: simulated presses",
         ("signals",),
@@ -227,7 +284,7 @@ STAGES: dict[str, Stage] = {
         version=5,
     ),
 }
-"""In the order in which `instobj run` works through them."""
+"""In the order in which a command works through those that it needs."""
 
 
 def _shell_bodies(spec: ObjectSpec) -> dict[str, Any]:

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import csv
 import json
 import math
+import statistics
+from pathlib import Path
 from typing import Any
 
 from instobj.store import StoredResult
@@ -16,6 +19,11 @@ def summarize(results: dict[str, StoredResult]) -> dict[str, Any]:
         "mesh": ("mesh", _json("mesh_quality.json")),
         "response": ("mechanics", _json("response.json")),
         "scores": ("bounds by area (medians over all faces, fresh zero)", _areas),
+        "shear_scores": ("bounds with tangential forces (medians over all places)", _shear),
+        "identify": (
+            "k contacts at once: medians over sets, worst contact; ok: within limits.position_bound_mm",
+            _identify,
+        ),
         "frames": ("simulated presses", _json("protocol.json")),
         "metrics": ("metrics on held-out presses (frames of contact and of rest)", _metrics),
     }
@@ -66,6 +74,48 @@ def _areas(result: StoredResult) -> list[dict[str, Any]]:
         }
         for area in summarize_areas(scores)
     ]
+
+
+def _shear(result: StoredResult) -> list[dict[str, Any]]:
+    rows = _csv_rows(result.folder / "shear_scores.csv")
+    return [
+        {
+            "zero": state,
+            "place mm": _median(rows, f"position_bound_{state}_mm"),
+            "normal N": _median(rows, f"normal_force_bound_{state}_n"),
+            "tangential N": _median(rows, f"tangential_force_bound_{state}_n"),
+            "tangential N, largest": max(
+                float(row[f"tangential_force_bound_{state}_n"]) for row in rows
+            ),
+        }
+        for state in ("fresh", "drifted")
+    ]
+
+
+def _identify(result: StoredResult) -> list[dict[str, Any]]:
+    return [
+        {
+            "k": int(row["contacts"]),
+            "sens.": int(row["sensors"]),
+            "reads": row["channels"],
+            "rank": f"{row['rank_least']} of {row['unknowns']}",
+            "cond.": float(row["condition_median"]),
+            "place mm": float(row["bound_median_mm"]),
+            "90 % mm": float(row["bound_90_mm"]),
+            "force N": float(row["force_bound_median_n"]),
+            "ok %": round(100 * float(row["share_within_limit"]), 1),
+        }
+        for row in _csv_rows(result.folder / "identifiability.csv")
+    ]
+
+
+def _csv_rows(path: Path) -> list[dict[str, str]]:
+    with path.open(newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def _median(rows: list[dict[str, str]], name: str) -> float:
+    return statistics.median(float(row[name]) for row in rows)
 
 
 _ESTIMATORS = {

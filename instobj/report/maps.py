@@ -8,6 +8,7 @@ from pathlib import Path
 
 from design.spec import ObjectSpec
 from estimator.scores import PlaceScores, weakest_place
+from estimator.shear import ShearScores
 from instobj.report.heatmaps import (
     BOUND_COLOURS,
     GAIN_COLOURS,
@@ -91,4 +92,29 @@ def _draw_overview(spec: ObjectSpec, scores: PlaceScores, path: Path) -> None:
             f"{weakest.position_bound_mm:.2f} mm on face {weakest.face} at "
             f"({weakest.x_mm:g}, {weakest.y_mm:g}) mm."
         ),
+    )
+
+
+def draw_shear_maps(spec: ObjectSpec, scores: ShearScores, folder: Path) -> None:
+    """Overviews of the place's and of the tangential force's bound where both are unknown."""
+    asked = f"place, normal and tangential force all unknown, {spec.score.force_n:g} N"
+    draw_overview(
+        scores.position_bound_fresh_mm,
+        scores.faces,
+        spec,
+        "Position bound where the tip may also pull along the surface",
+        "mm",
+        *finite_limits(scores.position_bound_fresh_mm),
+        folder / "position_bound_sheared_overview.png",
+        note=f"Cramér–Rao bound √(σx² + σy²), freshly zeroed: {asked}.",
+    )
+    draw_overview(
+        scores.tangential_force_bound_fresh_n,
+        scores.faces,
+        spec,
+        "Bound of the tangential force",
+        "N",
+        *finite_limits(scores.tangential_force_bound_fresh_n),
+        folder / "tangential_force_bound_overview.png",
+        note=f"Cramér–Rao bound √(σFx² + σFy²), freshly zeroed: {asked}.",
     )

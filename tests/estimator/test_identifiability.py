@@ -11,6 +11,7 @@ from design.errors import InputError
 from design.layouts import contact_grid
 from estimator.fisher import cramer_rao_bounds, disturbance_counts
 from estimator.identifiability import (
+    comparable_sensor_counts,
     contact_sets,
     identifiability,
     save_identifiability_csv,
@@ -138,9 +139,16 @@ def test_the_worst_set_is_named_and_the_table_is_written(rows, tmp_path):
     worst = pick(rows, 2, 3, "own").worst
     assert worst.xy_mm.shape == (2, 2)
     assert_allclose(np.linalg.norm(worst.direction), 1)
+    assert worst.condition > pick(rows, 2, 3, "own").condition_median
     save_identifiability_csv(rows, tmp_path / "identifiability.csv")
     with (tmp_path / "identifiability.csv").open(newline="") as file:
         back = list(csv.DictReader(file))
     assert len(back) == len(rows) == 12
     assert float(back[4]["bound_median_mm"]) == rows[4].bound_median_mm
     assert "worst" not in back[0]
+
+
+def test_other_numbers_of_sensors_are_compared_where_mechanics_allows():
+    assert comparable_sensor_counts(SPEC) == (1, 2, 3, 4, 5)
+    shell = SPEC.model_copy(update={"arrangement": "sensors-in-shell"})
+    assert comparable_sensor_counts(shell) == (3,)

@@ -7,6 +7,7 @@ import pytest
 from fem_cases import solve_loads
 from numpy.testing import assert_allclose
 
+from design.errors import InputError
 from design.layouts import contact_grid, face_frames, magnet_layout
 from fem.magnets import magnet_of_nodes
 from fem.presses import press_places, surface_weights_mm2
@@ -130,3 +131,10 @@ def test_motions_survive_their_file(shear, tmp_path):
     np.testing.assert_array_equal(back.motion_per_n, shear.motion_per_n)
     np.testing.assert_array_equal(back.grid.xy_mm, shear.grid.xy_mm)
     assert replace(back, grid=shear.grid).faces.tolist() == [1, 2, 3, 4, 5]
+
+
+def test_cores_that_slide_or_slipped_are_refused(rigid_spec, rigid_response, per_traction):
+    mechanics = rigid_spec.mechanics.model_copy(update={"interface": "frictionless"})
+    sliding = rigid_spec.model_copy(update={"mechanics": mechanics})
+    with pytest.raises(InputError, match=r"bonded core that has not slipped"):
+        simulate_shear(sliding, rigid_response, per_traction)

@@ -43,6 +43,10 @@ def folder(tmp_path_factory):
     return folder
 
 
+ON_REQUEST = {"shear", "shear_scores", "identify"}
+"""Stages of `instobj score --shear` and `instobj identify`, which the report does without."""
+
+
 @pytest.fixture(scope="module")
 def first(folder):
     done = run("run", "small.toml", "--json", cwd=folder)
@@ -56,9 +60,10 @@ def _document(done) -> dict:
 
 
 def test_run_works_through_every_stage_and_says_so(first):
-    assert [row["stage"] for row in _document(first)["stages"]] == list(STAGES)
-    for stage in STAGES.values():
-        assert stage.title in first.stderr
+    worked = [name for name in STAGES if name not in ON_REQUEST]
+    assert [row["stage"] for row in _document(first)["stages"]] == worked
+    for name in worked:
+        assert STAGES[name].title in first.stderr
 
 
 def test_run_writes_the_files_of_the_contract(folder, first):

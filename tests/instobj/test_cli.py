@@ -49,6 +49,7 @@ def test_help_names_every_command_and_starts_quickly(tmp_path):
         "mesh",
         "simulate",
         "score",
+        "identify",
         "train",
         "evaluate",
         "report",

@@ -30,18 +30,18 @@ DOWNSTREAM = {
     "magnets.temperature_c=45": {"build", "signals"},
     "magnets.grade=N45": {"build", "signals"},
     "sensors.averaging=32": {"build", "signals"},
-    "contact_grid.pitch_mm=2.5": {"presses"},
-    "press.depths_mm=[1.0,2.0]": {"presses"},
+    "contact_grid.pitch_mm=2.5": {"presses", "shear"},
+    "press.depths_mm=[1.0,2.0]": {"presses", "shear"},
     "mesh.edge_mm=5": {"mesh"},
     "magnets.positions_mm=[[0,0],[9,8]]": {"build", "mesh", "signals"},
     "environment.earth_field_ut=50": {"signals"},
     "shell.thickness_mm=9": {"build", "mesh"},
-    "score.force_n=6": {"scores"},
+    "score.force_n=6": {"scores", "shear_scores", "identify"},
     "protocol.presses_per_place=4": {"frames"},
     "training.epochs=5": {"networks"},
-    "limits.position_bound_mm=2": {"report"},
+    "limits.position_bound_mm=2": {"report", "identify"},
     "core.wall_mm=4": {"build"},
-    "seed=2": {"signals", "frames", "networks"},
+    "seed=2": {"signals", "scores", "frames", "networks"},
 }
 
 
