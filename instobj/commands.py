@@ -45,6 +45,7 @@ def check_specifications(specs: list[Path], overrides: list[str]) -> dict[str, A
     from estimator.signals import rest_counts
     from estimator.sources import magnet_source
     from instobj.material import force_spread_text, modulus_text
+    from instobj.surroundings import surroundings_row
 
     rows = []
     for path in specs:
@@ -67,6 +68,7 @@ def check_specifications(specs: list[Path], overrides: list[str]) -> dict[str, A
                 "youngs_modulus_range_mpa": spec.silicone.youngs_modulus_range_mpa,
                 "modulus": modulus_text(spec),
                 "force_at_a_travel": force_spread_text(spec),
+                "surroundings": surroundings_row(spec),
             }
         )
     return {"command": "check", "specifications": rows}

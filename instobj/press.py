@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 MATERIALS = ("neo-hookean", "yeoh", "ogden")
 _STEP_MM = 0.25
 _VERSION = 1
-_SHAPE_OF_BODY = ("body", "shell", "magnets", "mesh")
+_SHAPE_OF_BODY = ("arrangement", "body", "shell", "magnets", "sensors", "mesh")
 
 
 def press_specification(

@@ -8,6 +8,8 @@ from rich.box import SIMPLE
 from rich.console import Console
 from rich.table import Table
 
+from instobj.surroundings import surroundings_lines
+
 
 def print_result(result: dict[str, Any]) -> None:
     """Print the document that a command returned."""
@@ -20,6 +22,8 @@ def print_result(result: dict[str, Any]) -> None:
         console.print(
             f"  modulus {row['modulus']}; force at a given travel: {row['force_at_a_travel']}"
         )
+        for line in surroundings_lines(row["surroundings"]):
+            console.print(f"  {line}")
     for text in result.get("texts", ()):
         console.print(text)
     for item in result.get("objects", ()):

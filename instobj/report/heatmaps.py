@@ -16,6 +16,7 @@ from jaxtyping import Float, Int
 
 from design.files import atomic_path
 from design.layouts import contact_grid, face_frames, sensor_layout
+from design.pockets import magnet_bodies
 from design.spec import ObjectSpec
 from instobj.report.map_scale import (
     BOUND_COLOURS,
@@ -188,10 +189,17 @@ def _draw_parts(axes: Any, spec: ObjectSpec, face: int, move: Any) -> None:
     from matplotlib.patches import Circle, Rectangle
     from matplotlib.patheffects import withStroke
 
-    radius, edge = spec.magnets.diameter_mm / 2, _SENSOR_EDGE_MM
-    patches = [
-        Circle((x, y), radius, fill=False, ec=_MAGNET, lw=1.6) for x, y in spec.magnets.positions_mm
-    ]
+    edge = _SENSOR_EDGE_MM
+    patches: list[Any] = []
+    for body in magnet_bodies(spec)[face - 1]:
+        (x, y), (half_x, half_y) = body.centre_mm[:2], body.outline.half_mm
+        if body.outline.round:
+            patches.append(Circle((x, y), half_x, fill=False, ec=_MAGNET, lw=1.6))
+        else:
+            corner = (x - half_x, y - half_y)
+            patches.append(
+                Rectangle(corner, 2 * half_x, 2 * half_y, fill=False, ec=_MAGNET, lw=1.6)
+            )
     patches += [
         Rectangle((x - edge / 2, y - edge / 2), edge, edge, fill=False, ec=_SENSOR, lw=2.0)
         for x, y in _sensors_in_plane(spec, face)
