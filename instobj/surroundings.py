@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from html import escape
 from typing import Any
 
 import numpy as np
@@ -72,6 +73,17 @@ def surroundings_lines(row: dict[str, Any]) -> list[str]:
         )
     lines.append(f"sensors can be read at up to {row['fastest_frame_rate_hz']:g} Hz over the bus")
     return lines
+
+
+def surroundings_section(spec: ObjectSpec) -> str:
+    """The report's section: what looks like a press and is none."""
+    items = "".join(
+        f"<li>{escape(line)}</li>" for line in surroundings_lines(surroundings_row(spec))
+    )
+    return (
+        "<h2>Surroundings</h2><p>What changes resting signals after they were zeroed, in counts; a "
+        f"face's own estimator takes it for a press.</p><ul>{items}</ul>"
+    )
 
 
 def _rounded(values: np.ndarray) -> list[float]:

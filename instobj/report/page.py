@@ -35,6 +35,7 @@ def write_report(
     """Write the page from the folders of the stages it stands on."""
     from estimator.scores import load_scores_csv
     from estimator.signals import load_signals, saturation_margin
+    from instobj.surroundings import surroundings_section
 
     scores = load_scores_csv(inputs["scores"] / "scores.csv")
     signals = load_signals(inputs["signals"] / "lattice_signals.nc")
@@ -45,6 +46,7 @@ def write_report(
         _maps_section(spec, inputs),
         _areas_section(scores),
         _cross_face_section(spec, signals),
+        surroundings_section(spec),
         _mechanics_section(spec, signals, inputs, path.parent),
         _estimator_section(spec, inputs),
         _parts_section(inputs),
