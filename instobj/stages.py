@@ -63,9 +63,11 @@ def _mesh(context: StageContext, folder: Path) -> None:
 
 
 def _response(context: StageContext, folder: Path) -> None:
-    from fem.response import build_response, save_response
+    from fem.response import LOCKING_WARNING, build_response, save_response
     from fem.tet_mesh import load_mesh
 
+    if context.spec.mechanics.element == "p1":
+        context.step(LOCKING_WARNING)
     context.step("assembling, factoring and condensing")
     response = build_response(load_mesh(context.inputs["mesh"] / "mesh.npz"), context.spec)
     save_response(response, folder)
@@ -76,6 +78,29 @@ def _response(context: StageContext, folder: Path) -> None:
             "negative_pivots": response.negative_pivots,
         },
         folder / "response.json",
+    )
+
+
+def _coarse_response(context: StageContext, folder: Path) -> None:
+    from fem.discretisation import coarser
+    from fem.response import build_response, save_response
+    from fem.tet_mesh import tetrahedralize
+
+    context.step("a mesh with edges 1.5 times as long")
+    spec = coarser(context.spec)
+    mesh = tetrahedralize(spec)
+    context.step("assembling, factoring and condensing")
+    save_response(build_response(mesh, spec), folder)
+
+
+def _discretisation(context: StageContext, folder: Path) -> None:
+    from fem.discretisation import discretisation_error
+    from fem.response import load_response
+
+    context.step("the same presses on both meshes")
+    responses = (load_response(context.inputs[name]) for name in ("response", "coarse_response"))
+    write_json(
+        discretisation_error(context.spec, *responses).to_dict(), folder / "discretisation.json"
     )
 
 
@@ -214,23 +239,19 @@ STAGES: dict[str, Stage] = {
     "build": Stage(
         "design: solids, mould and probes",
         (),
+_ELASTIC = (
+    "silicone.youngs_modulus_mpa",
+    "silicone.poisson_ratio",
+    "mechanics.element",
+    "mechanics.magnets",
+    "mechanics.interface",
+    "mechanics.slip.rim",
+)
         ("name", *_WHERE_THINGS_ARE, "core", "sensors", "indenter"),
         _build,
     ),
     "mesh": Stage("mesh: tetrahedra", (), _WHAT_IS_MESHED, _mesh),
-    "response": Stage(
-        "mechanics: response operator",
-        ("mesh",),
-        (
-            "silicone.youngs_modulus_mpa",
-            "silicone.poisson_ratio",
-            "mechanics.element",
-            "mechanics.magnets",
-            "mechanics.interface",
-            "mechanics.slip.rim",
-        ),
-        _response,
-    ),
+    "response": Stage("mechanics: response operator", ("mesh",), _ELASTIC, _response),
     "presses": Stage(
         "mechanics: contact at every place and depth",
         ("mesh", "response"),
@@ -242,6 +263,15 @@ STAGES: dict[str, Stage] = {
         ("presses",),
         ("magnets", "sensors", "arrangement", "environment", "seed"),
         _signals,
+    "coarse_response": Stage(
+        "mechanics: response on a coarser mesh", (), (*_WHAT_IS_MESHED, *_ELASTIC), _coarse_response
+    ),
+    "discretisation": Stage(
+        "mechanics: discretisation error",
+        ("response", "coarse_response"),
+        ("contact_grid", "indenter", "press"),
+        _discretisation,
+    ),
         version=2,
     ),
     "scores": Stage(
@@ -278,10 +308,20 @@ STAGES: dict[str, Stage] = {
     "metrics": Stage("estimator: held-out presses", ("frames", "networks"), (), _metrics),
     "report": Stage(
         "report",
-        ("build", "mesh", "response", "presses", "signals", "scores", "frames", "metrics"),
+        (
+            "build",
+            "mesh",
+            "response",
+            "presses",
+            "signals",
+            "scores",
+            "frames",
+            "metrics",
+            "discretisation",
+        ),
         ("name", "limits", "silicone"),
         _report,
-        version=5,
+        version=6,
     ),
 }
 """In the order in which a command works through those that it needs."""

@@ -18,6 +18,8 @@ def summarize(results: dict[str, StoredResult]) -> dict[str, Any]:
         "build": ("parts", _parts),
         "mesh": ("mesh", _json("mesh_quality.json")),
         "response": ("mechanics", _json("response.json")),
+        "presses": ("tension at the sliding core, left out of the presses", _core_tension),
+        "discretisation": ("discretisation error", _discretisation),
         "scores": ("bounds by area (medians over all faces, fresh zero)", _areas),
         "shear_scores": ("bounds with tangential forces (medians over all places)", _shear),
         "identify": (
@@ -27,15 +29,28 @@ def summarize(results: dict[str, StoredResult]) -> dict[str, Any]:
         "frames": ("simulated presses", _json("protocol.json")),
         "metrics": ("metrics on held-out presses (frames of contact and of rest)", _metrics),
     }
-    return {
+    made = {
         title: _finite(make(results[stage]))
         for stage, (title, make) in makers.items()
         if stage in results
     }
+    return {title: values for title, values in made.items() if values}
 
 
 def _json(name: str) -> Any:
     return lambda result: json.loads((result.folder / name).read_text(encoding="utf-8"))
+
+
+def _discretisation(result: StoredResult) -> dict[str, Any]:
+    from instobj.discretisation import summary_of
+
+    return summary_of(_json("discretisation.json")(result))
+
+
+def _core_tension(result: StoredResult) -> dict[str, float]:
+    """Nothing where the shell is bonded."""
+    path = result.folder / "core_tension.json"
+    return json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
 
 
 def _parts(result: StoredResult) -> list[dict[str, Any]]:

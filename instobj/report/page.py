@@ -14,6 +14,7 @@ import numpy as np
 from design.files import atomic_path
 from design.spec import ObjectSpec
 from design.spec_io import spec_hash
+from instobj.discretisation import HEADER, error_note, error_rows, error_text
 from instobj.report.verdict import Verdict, judge
 from instobj.store import RECORD
 
@@ -176,10 +177,12 @@ def _mechanics_section(
     mesh = _read_json(inputs["mesh"] / "mesh_quality.json")
     response = _read_json(inputs["response"] / "response.json")
     protocol = _read_json(inputs["frames"] / "protocol.json")
+    error = _read_json(inputs["discretisation"] / "discretisation.json")
     rows = [
         ["tetrahedra / vertices", f"{mesh['tets']} / {mesh['vertices']}"],
         ["smallest dihedral angle", f"{mesh['min_dihedral_deg']:.1f}°"],
         ["sealed volume (error)", f"{mesh['volume_mm3']:.1f} mm³ ({mesh['volume_error']:.1e})"],
+        ["discretisation error (rms, estimate)", error_text(error)],
         ["unknowns, condensed to", f"{response['unknowns']}, {response['condensed_unknowns']}"],
         ["model", f"{spec.mechanics.element}, magnets {spec.mechanics.magnets}, small strain"],
         ["Young's modulus", modulus_text(spec)],
@@ -195,6 +198,8 @@ def _mechanics_section(
         + _image(figure, "Force against travel, signal against force")
         + _table(["", ""], rows)
         + _note(_linearity_note(spec, protocol))
+        + _table(HEADER, error_rows(error))
+        + _note(_locking_note(spec) + error_note(error))
     )
 
 
@@ -210,6 +215,12 @@ def _travel_text(spec: ObjectSpec, signals: Any) -> str:
         for travel in (spread.nominal_mm, spread.stiffest_mm, spread.softest_mm)
     )
     return f"{at} ({least} to {most}) to {spread.force_n:g} N at the median place"
+
+
+def _locking_note(spec: ObjectSpec) -> str:
+    from fem.response import LOCKING_WARNING
+
+    return f"{LOCKING_WARNING}. " if spec.mechanics.element == "p1" else ""
 
 
 def _linearity_note(spec: ObjectSpec, protocol: dict[str, Any]) -> str:

@@ -2,7 +2,7 @@
 
 import pytest
 
-from design.spec import ObjectSpec
+from design.spec import MechanicsSpec, ObjectSpec
 from design.spec_io import parse_spec, with_overrides
 from instobj.stages import STAGES, stage_inputs
 from instobj.store import content_key
@@ -20,28 +20,39 @@ def _keys(*overrides: str) -> dict[str, str]:
 DOWNSTREAM = {
     "sensors.radius_mm=8.0": {"build", "signals"},
     "sensors.noise_counts=[20.0,22.0,11.0]": {"build", "signals"},
-    "silicone.youngs_modulus_mpa=0.3": {"response"},
+    "silicone.youngs_modulus_mpa=0.3": {"response", "coarse_response"},
     "silicone.density_g_per_cm3=1.1": {"report"},
     "silicone.youngs_modulus_range_mpa=[0.3, 0.5]": {"report"},
     "silicone.prony=[{fraction = 0.1, time_s = 2.0}]": {"frames"},
-    "silicone.shore=A12": {"response", "report"},
-    "mechanics.magnets=points": {"response"},
+    "silicone.shore=A12": {"response", "coarse_response", "report"},
+    "mechanics.element=p2-p0": {"response", "coarse_response"},
+    "mechanics.magnets=points": {"response", "coarse_response"},
+    "mechanics.interface=frictionless": {"response", "coarse_response"},
+    "mechanics.slip.rim=held": {"response", "coarse_response", "presses", "shear"},
+    "mechanics.slip.shift_mm=[1.0,0.0,0.0]": {"presses", "shear"},
+    "magnets.tilt_deg=[[1,2],[0,0],[0,0],[0,0],[0,0]]": {
+        "build",
+        "mesh",
+        "coarse_response",
+        "signals",
+    },
+    "magnets.depth_mm=3": {"build", "mesh", "coarse_response", "signals"},
     "magnets.remanence_t=1.4": {"build", "signals"},
     "magnets.temperature_c=45": {"build", "signals"},
     "magnets.grade=N45": {"build", "signals"},
     "sensors.averaging=32": {"build", "signals"},
-    "contact_grid.pitch_mm=2.5": {"presses", "shear"},
-    "press.depths_mm=[1.0,2.0]": {"presses", "shear"},
-    "mesh.edge_mm=5": {"mesh"},
-    "magnets.positions_mm=[[0,0],[9,8]]": {"build", "mesh", "signals"},
+    "contact_grid.pitch_mm=2.5": {"presses", "shear", "discretisation"},
+    "press.depths_mm=[1.0,2.0]": {"presses", "shear", "discretisation"},
+    "mesh.edge_mm=5": {"mesh", "coarse_response"},
+    "magnets.positions_mm=[[0,0],[9,8]]": {"build", "mesh", "coarse_response", "signals"},
     "environment.earth_field_ut=50": {"signals"},
-    "shell.thickness_mm=9": {"build", "mesh"},
+    "shell.thickness_mm=9": {"build", "mesh", "coarse_response"},
     "score.force_n=6": {"scores", "shear_scores", "identify"},
     "protocol.presses_per_place=4": {"frames"},
     "training.epochs=5": {"networks"},
     "limits.position_bound_mm=2": {"report", "identify"},
     "core.wall_mm=4": {"build"},
-    "seed=2": {"signals", "scores", "frames", "networks"},
+    "seed=2": {"signals", "frames", "networks"},
 }
 
 
@@ -69,3 +80,9 @@ def test_stages_come_after_what_they_need():
 def test_every_part_of_the_specification_matters_to_some_stage():
     used = {part.split(".")[0] for stage in STAGES.values() for part in stage.depends_on}
     assert used == set(ObjectSpec.model_fields) | {"shell_bodies"}
+
+
+def test_every_key_of_mechanics_matters_to_some_stage():
+    named = {part for stage in STAGES.values() for part in stage.depends_on}
+    keys = {f"mechanics.{key}" for key in MechanicsSpec.model_fields}
+    assert keys <= named
