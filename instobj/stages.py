@@ -234,11 +234,6 @@ def write_json(content: dict[str, Any], path: Path) -> None:
 
 _WHERE_THINGS_ARE = ("body", "shell", "magnets", "arrangement")
 _WHAT_IS_MESHED = ("body", "shell.thickness_mm", "shell_bodies", "mesh")
-
-STAGES: dict[str, Stage] = {
-    "build": Stage(
-        "design: solids, mould and probes",
-        (),
 _ELASTIC = (
     "silicone.youngs_modulus_mpa",
     "silicone.poisson_ratio",
@@ -247,6 +242,11 @@ _ELASTIC = (
     "mechanics.interface",
     "mechanics.slip.rim",
 )
+
+STAGES: dict[str, Stage] = {
+    "build": Stage(
+        "design: solids, mould and probes",
+        (),
         ("name", *_WHERE_THINGS_ARE, "core", "sensors", "indenter"),
         _build,
     ),
@@ -258,11 +258,6 @@ _ELASTIC = (
         ("contact_grid", "indenter", "press", "mechanics.slip"),
         _presses,
     ),
-    "signals": Stage(
-        "signals: Hall sensors",
-        ("presses",),
-        ("magnets", "sensors", "arrangement", "environment", "seed"),
-        _signals,
     "coarse_response": Stage(
         "mechanics: response on a coarser mesh", (), (*_WHAT_IS_MESHED, *_ELASTIC), _coarse_response
     ),
@@ -272,6 +267,11 @@ _ELASTIC = (
         ("contact_grid", "indenter", "press"),
         _discretisation,
     ),
+    "signals": Stage(
+        "signals: Hall sensors",
+        ("presses",),
+        ("magnets", "sensors", "arrangement", "environment", "seed"),
+        _signals,
         version=2,
     ),
     "scores": Stage(
