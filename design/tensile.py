@@ -28,7 +28,7 @@ _STRETCH_COLUMNS: dict[str, Callable[[np.ndarray], np.ndarray]] = {
     "strain_percent": lambda value: 1 + value / 100,
 }
 _STRESS_COLUMNS = {"nominal_stress_mpa": 1.0, "nominal_stress_kpa": 1e-3}
-_FIT_TO_STRETCH = 2.0
+FIT_TO_STRETCH = 2.0
 """Points beyond it are not fitted."""
 _STABLE_FROM_STRETCH = 0.5
 _LARGEST_RESIDUAL_PERCENT = 10.0
@@ -111,7 +111,7 @@ def fit_tensile(test: TensileTest, name: str) -> TensileFit:
     InputError
         No stable solid fits to 10 %.
     """
-    kept = test.stretch <= _FIT_TO_STRETCH
+    kept = test.stretch <= FIT_TO_STRETCH
     part = TensileTest(test.stretch[kept], test.nominal_stress_mpa[kept])
     solids = (_polynomial(part, "neo-hookean", 1), _polynomial(part, "yeoh", 3), _ogden(part))
     sound = [s for s in solids if s.stable and s.residual_percent < _LARGEST_RESIDUAL_PERCENT]
@@ -164,10 +164,10 @@ def _require_sound(test: TensileTest, path: Path) -> None:
             f"{path}, line {line}: the stretch {stretch[line - 2]:g} does not exceed the one before. "
             "Give one pull, sorted by stretch; leave unloading out"
         )
-    usable = int((stretch <= _FIT_TO_STRETCH).sum())
+    usable = int((stretch <= FIT_TO_STRETCH).sum())
     if usable < LEAST_POINTS or stretch[-1] < _LEAST_STRETCH:
         raise InputError(
-            f"{path} has {usable} points up to a stretch of {min(stretch[-1], _FIT_TO_STRETCH):g}; at "
+            f"{path} has {usable} points up to a stretch of {min(stretch[-1], FIT_TO_STRETCH):g}; at "
             f"least {LEAST_POINTS} that reach {_LEAST_STRETCH:g} are needed. Pull further or keep more"
         )
 

@@ -10,8 +10,9 @@ from scipy.spatial.transform import Rotation
 from design.spec import ObjectSpec
 from fem.hyperelastic import Hyperelastic
 from fem.large_strain_newton import PressState, StepDivergedError, equilibrium, undeformed
-from fem.large_strain_results import DeformedShape, LargeStrainPress
+from fem.large_strain_results import LargeStrainPress
 from fem.magnets import mean_motion_functionals
+from fem.press_shape import FacePressure, deformed_shape, face_vertices, shape_of_unknowns
 from fem.single_press import (
     PressRow,
     PressSetting,
@@ -112,8 +113,8 @@ def _collected(
     state: PressState,
     wanted_mm: float,
 ) -> LargeStrainPress:
-    linear = linear_press(setting, np.array([row.depth_mm for row in rows]))
-
+    small = linear_press(setting, np.array([row.depth_mm for row in rows]))
+    linear = small.rows
     return LargeStrainPress(
         face=setting.frame.number,
         x_mm=float(setting.xy_mm[0]),
@@ -127,7 +128,19 @@ def _collected(
         motion=_column("motion", rows),
         linear_motion=_column("motion", linear),
         status="converged" if rows[-1].depth_mm >= wanted_mm else "diverged",
-        shape=_shape(setting, state),
+        shape=deformed_shape(
+            setting.mesh,
+            setting.system.space,
+            state.displacement_mm,
+            state.pressure_mpa,
+            _under_the_tip(setting, state.contact_mpa),
+        ),
+        linear_shape=shape_of_unknowns(
+            setting.system,
+            setting.mesh,
+            small.unknowns,
+            _under_the_tip(setting, small.contact_mpa),
+        ),
     )
 
 
@@ -135,16 +148,8 @@ def _column(name: str, rows: list[PressRow]) -> np.ndarray:
     return np.array([getattr(row, name) for row in rows], float)
 
 
-def _shape(setting: PressSetting, state: PressState) -> DeformedShape:
-    """Deformed silicone with pressures at mid-edge nodes halfway between the corners'."""
-    space = setting.system.space
-    used = space.displacement.element_dofs.T
-    nodes, tets = np.unique(used, return_inverse=True)
-    tets = tets.reshape(used.shape)
-    pressure = np.zeros(len(nodes))
-    corner = state.pressure_mpa[setting.problem.elements.pressure_nodes]
-    pressure[tets[:, :4]] = corner
-    for node, (a, b) in enumerate(((0, 1), (1, 2), (0, 2), (0, 3), (1, 3), (2, 3)), start=4):
-        pressure[tets[:, node]] = (corner[:, a] + corner[:, b]) / 2
-    displacement = state.displacement_mm.reshape(3, -1).T
-    return DeformedShape(space.nodes_mm[nodes], tets, displacement[nodes], pressure)
+def _under_the_tip(setting: PressSetting, contact_mpa: np.ndarray) -> FacePressure:
+    vertices = face_vertices(setting.system, setting.spec, setting.frame.number)
+    pressure = np.zeros(len(vertices))
+    pressure[setting.near] = contact_mpa
+    return FacePressure(vertices, pressure)

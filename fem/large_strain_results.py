@@ -6,27 +6,13 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from jaxtyping import Float, Int
+from jaxtyping import Float
 
-from design.errors import InputError
 from design.files import atomic_path
 from fem.hyperelastic import Hyperelastic
+from fem.press_shape import DeformedShape
 
 SCHEMA_VERSION = 1
-_QUADRATIC_TETRA = 24
-
-
-@dataclass(frozen=True)
-class DeformedShape:
-    """Quadratic tetrahedra of the silicone (corners, then edges 01 12 02 03 13 23) at one depth.
-
-    `pressure_mpa` is the multiplier p of J − 1, positive where the silicone is compressed.
-    """
-
-    nodes_mm: Float[np.ndarray, "node 3"]
-    tets: Int[np.ndarray, "tet 10"]
-    displacement_mm: Float[np.ndarray, "node 3"]
-    pressure_mpa: Float[np.ndarray, "node"]
 
 
 @dataclass(frozen=True)
@@ -35,8 +21,8 @@ class LargeStrainPress:
 
     Areas are of the undeformed face. `motion` is the displacement of each magnet's centre (mm) and
     its rotation vector (rad) in the object's frame. `status` is "converged", or "diverged" where
-    a deeper press was asked for; then the last depth is the last converged one. `shape` is that
-    of the last depth.
+    a deeper press was asked for; then the last depth is the last converged one. `shape` and
+    `linear_shape` are those of the last depth.
     """
 
     face: int
@@ -52,6 +38,7 @@ class LargeStrainPress:
     linear_motion: Float[np.ndarray, "step magnet 6"]
     status: str
     shape: DeformedShape
+    linear_shape: DeformedShape
 
     @property
     def converged_depth_mm(self) -> float:
@@ -108,22 +95,6 @@ def save_large_strain_press(press: LargeStrainPress, path: Path | str) -> None:
     )
     with atomic_path(path) as temporary:
         data.to_netcdf(temporary, engine="h5netcdf")
-
-
-def save_deformed_shape(shape: DeformedShape, path: Path | str) -> None:
-    """Write the deformed silicone as VTU: quadratic tetrahedra, `displacement_mm`, `pressure_mpa`."""
-    import pyvista
-
-    path = Path(path)
-    if path.suffix != ".vtu":
-        raise InputError(f"a deformed shape is written as .vtu; got {path.name}. Rename the file")
-    cells = np.insert(shape.tets, 0, shape.tets.shape[1], axis=1)
-    kinds = np.full(len(shape.tets), _QUADRATIC_TETRA, np.uint8)
-    grid = pyvista.UnstructuredGrid(cells.ravel(), kinds, shape.nodes_mm + shape.displacement_mm)
-    grid.point_data["displacement_mm"] = shape.displacement_mm
-    grid.point_data["pressure_mpa"] = shape.pressure_mpa
-    with atomic_path(path) as temporary:
-        grid.save(str(temporary))
 
 
 def _first_crossing(depth: np.ndarray, off: np.ndarray, share: float) -> float | None:

@@ -62,6 +62,15 @@ class PressRow:
     motion: Float[np.ndarray, "magnet 6"]
 
 
+@dataclass(frozen=True)
+class LinearPress:
+    """Small strain at all depths; unknowns and contact pressures (MPa) of the last one."""
+
+    rows: list[PressRow]
+    unknowns: Float[np.ndarray, "unknown"]
+    contact_mpa: Float[np.ndarray, "candidate"]
+
+
 def press_setting(
     spec: ObjectSpec,
     mesh: TetMesh,
@@ -89,13 +98,14 @@ def sphere_centre_mm(setting: PressSetting, depth_mm: float) -> Float[np.ndarray
     return np.asarray(setting.frame.to_object(np.append(setting.xy_mm, radius - depth_mm)))
 
 
-def linear_press(setting: PressSetting, depths_mm: Float[np.ndarray, "step"]) -> list[PressRow]:
+def linear_press(setting: PressSetting, depths_mm: Float[np.ndarray, "step"]) -> LinearPress:
     """The same press with small strain: contact as in `fem.presses`, on these candidates only."""
     system, near = setting.system, setting.near
     tractions = sp.vstack([-part * setting.moments[:, near] for part in setting.frame.normal])
     loads = (system.motion_basis.T @ tractions).toarray()
     no_pressure = np.zeros((shape_of(system.matrix)[0] - len(loads), len(near)))
-    motions = solve_symmetric(system.matrix, np.vstack([loads, no_pressure]))[: len(loads)]
+    solution = solve_symmetric(system.matrix, np.vstack([loads, no_pressure]))
+    motions = solution[: len(loads)]
     compliance = loads.T @ motions
     weights = surface_weights_mm2(setting.surface)[near]
     radius = setting.spec.indenter.radius_mm
@@ -107,7 +117,7 @@ def linear_press(setting: PressSetting, depths_mm: Float[np.ndarray, "step"]) ->
     else:
         functionals = mean_motion_functionals(setting.mesh, system.space)
         moved = functionals @ (system.motion_basis @ motions)
-    return [
+    rows = [
         PressRow(
             float(depth),
             float(pressure @ weights),
@@ -116,6 +126,7 @@ def linear_press(setting: PressSetting, depths_mm: Float[np.ndarray, "step"]) ->
         )
         for depth, pressure in zip(depths_mm, pressures, strict=True)
     ]
+    return LinearPress(rows, solution @ pressures[-1], pressures[-1])
 
 
 def require_modulus(spec: ObjectSpec, material: Hyperelastic) -> None:

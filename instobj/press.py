@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 MATERIALS = ("neo-hookean", "yeoh", "ogden")
 _STEP_MM = 0.25
-_VERSION = 1
+_VERSION = 2
 _SHAPE_OF_BODY = ("arrangement", "body", "shell", "magnets", "sensors", "mesh")
 
 
@@ -172,15 +172,20 @@ def _make_press(
     step: Step,
 ) -> None:
     from fem.large_strain import press_large_strain
-    from fem.large_strain_results import save_deformed_shape, save_large_strain_press
+    from fem.large_strain_results import save_large_strain_press
+    from fem.press_shape import save_deformed_shape
     from fem.tet_mesh import load_mesh
+    from instobj.report.section_figure import draw_press_sections
 
     mesh = load_mesh(mesh_folder / "mesh.npz")
     press = press_large_strain(spec, mesh, face, *xy_mm, depths_mm, material, step)
     write_json(_summary(press), folder / "press.json")
     save_large_strain_press(press, folder / "press.nc")
-    save_deformed_shape(press.shape, folder / "deformed.vtu")
+    save_deformed_shape(press.shape, folder / "deformed.vtu", press.motion[-1])
+    save_deformed_shape(press.linear_shape, folder / "small_strain.vtu", press.linear_motion[-1])
     draw_force_travel(press, folder / "force_travel.png")
+    step("section")
+    draw_press_sections(spec, press, folder / "section.png")
 
 
 def _summary(press: LargeStrainPress) -> dict[str, Any]:

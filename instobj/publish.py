@@ -23,7 +23,7 @@ _FILES = {
     "networks": ("*.safetensors",),
     "metrics": ("metrics.json", "metrics/*.png"),
     "report": ("report.html",),
-    "press": ("press.json", "press.nc", "force_travel.png", "deformed.vtu"),
+    "press": ("press.json", "press.nc", "force_travel.png", "section.png", "*.vtu"),
 }
 
 

@@ -10,13 +10,12 @@ from fem.hyperelastic import neo_hookean, yeoh
 from fem.large_strain import press_large_strain
 from fem.large_strain_newton import StepDivergedError
 from fem.large_strain_results import (
-    DeformedShape,
     LargeStrainPress,
     linearity_limits,
-    save_deformed_shape,
     save_large_strain_press,
 )
 from fem.press_mesh import tetrahedralize_for_press
+from fem.press_shape import DeformedShape, save_deformed_shape
 from fem.presses import press_places, surface_weights_mm2
 
 SOFT = neo_hookean(0.3, 0.4999)
@@ -27,12 +26,13 @@ def made_up_press(linear_force_n, force_n, depth_mm=(0.5, 1.0, 2.0)):
     corners = np.array([[0, 0, 0], [2, 0, 0], [0, 3, 0], [0, 0, 4.0]])
     edges = [(0, 1), (1, 2), (0, 2), (0, 3), (1, 3), (2, 3)]
     nodes = np.concatenate([corners, [corners[[a, b]].mean(axis=0) for a, b in edges]])
-    shape = DeformedShape(nodes, np.arange(10)[None], 0.1 * nodes, nodes @ [1.0, 2.0, 3.0])
+    magnet, pressure = np.array([-1]), nodes @ [1.0, 2.0, 3.0]
+    shape = DeformedShape(nodes, np.arange(10)[None], magnet, 0.1 * nodes, pressure, 2 * pressure)
     motion = np.arange(12.0 * steps).reshape(steps, 2, 6)
     area = np.arange(1.0, steps + 1)
     return LargeStrainPress(
         3, 5.0, -4.0, SOFT, np.array(depth_mm), np.array(force_n), np.array(linear_force_n),
-        area, area + 1, motion, -motion, "converged", shape,
+        area, area + 1, motion, -motion, "converged", shape, shape,
     )  # fmt: skip
 
 
@@ -96,11 +96,14 @@ def test_the_deformed_shape_is_written_deformed(tmp_path):
     import pyvista
 
     press = made_up_press([1.0], [1.0], (1.0,))
-    save_deformed_shape(press.shape, tmp_path / "deformed.vtu")
+    save_deformed_shape(press.shape, tmp_path / "deformed.vtu", press.motion[-1])
     grid = pyvista.read(tmp_path / "deformed.vtu")
     assert_allclose(grid.points, 1.1 * press.shape.nodes_mm, rtol=1e-6)
     assert_allclose(grid.point_data["displacement_mm"], press.shape.displacement_mm, rtol=1e-6)
     assert_allclose(grid.point_data["pressure_mpa"], press.shape.pressure_mpa, rtol=1e-6)
+    assert_allclose(grid.point_data["contact_pressure_mpa"], 2 * press.shape.pressure_mpa)
+    assert grid.cell_data["magnet"].tolist() == [-1]
+    assert_allclose(grid.field_data["magnet_motion"], press.motion[-1])
     sizes = grid.compute_cell_sizes(length=False, area=False)
     assert_allclose(sizes.cell_data["Volume"], [4 * 1.331], rtol=1e-5)
     with pytest.raises(InputError, match=r"\.vtu"):
@@ -181,7 +184,7 @@ def test_silicone_keeps_its_volume_in_a_press(interrupted):
     shape = press.shape
 
     def volume(points):
-        corner = points[shape.tets[:, :4]]
+        corner = points[shape.tets[shape.magnet < 0, :4]]
         return np.linalg.det(corner[:, 1:] - corner[:, :1]).sum() / 6
 
     sunk = -shape.displacement_mm[:, 2].min()

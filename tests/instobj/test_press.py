@@ -97,7 +97,8 @@ def test_a_press_shows_both_models_writes_its_files_and_is_reused(tmp_path):
     assert steps[-1]["linear off %"] == pytest.approx(off, abs=1e-9)
     assert 0 < abs(off) < 8
     folder = tmp_path / "runs" / item["name"] / "press_3_-5_5.5_neo-hookean"
-    names = {"press.json", "press.nc", "force_travel.png", "deformed.vtu"}
+    names = {"press.json", "press.nc", "force_travel.png", "section.png"}
+    names |= {"deformed.vtu", "small_strain.vtu"}
     assert {path.name for path in folder.iterdir()} == names
     assert [stage["reused"] for stage in item["stages"]] == [False, False]
     stages = json.loads(again.stdout)["objects"][0]["stages"]
