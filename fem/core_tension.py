@@ -7,7 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Float
 
-from fem.presses import surface_weights_mm2
+from design.layouts import contact_grid
+from design.spec import ObjectSpec
+from fem.presses import press_places, surface_weights_mm2
 from fem.response import ResponseOperator
 
 
@@ -22,6 +24,16 @@ class CoreTension:
 
     pressure_mpa_per_n: float
     point_mm: Float[np.ndarray, "3"]
+
+    def to_dict(self) -> dict[str, float]:
+        """As JSON and tables show it."""
+        x, y, z = (float(value) for value in self.point_mm)
+        return {
+            "largest_tension_kpa_per_n": 1e3 * self.pressure_mpa_per_n,
+            "x_mm": x,
+            "y_mm": y,
+            "z_mm": z,
+        }
 
 
 def largest_core_tension(
@@ -45,3 +57,20 @@ def largest_core_tension(
     tension = -(per_load @ pressures_mpa[pressed].T) / core.weights_mm2[:, None] / force[pressed]
     vertex, _ = np.unravel_index(int(np.argmax(tension)), tension.shape)
     return CoreTension(float(tension.max()), core.points_mm[vertex])
+
+
+def core_tension(spec: ObjectSpec, response: ResponseOperator) -> CoreTension:
+    """The largest over all contact places of all faces, each pressed to the deepest depth.
+
+    Raises
+    ------
+    ValueError
+        The shell is bonded to its core.
+    """
+    deepest = np.array(spec.press.depths_mm[-1:])
+    xy = contact_grid(spec).xy_mm
+    found = []
+    for index in range(len(response.surfaces)):
+        pressures = press_places(spec, response, index, xy, deepest)[:, 0]
+        found.append(largest_core_tension(response, index, pressures))
+    return max(found, key=lambda tension: tension.pressure_mpa_per_n)

@@ -43,6 +43,7 @@ def slip_specification(
     if not any(shift_mm) and not any(rotation_deg):
         raise InputError("a slip of nothing costs nothing. Give --shift X Y Z or --rotation X Y Z")
     slip = {"shift_mm": shift_mm, "rotation_deg": rotation_deg, "rim": rim}
+    _with_slip(spec, slip)
     require_writable(out)
     chain, costs = slip_costs(spec, slip)
     target = run_folder(out, spec.name) / _folder(slip)

@@ -106,6 +106,7 @@ def _discretisation(context: StageContext, folder: Path) -> None:
 
 def _presses(context: StageContext, folder: Path) -> None:
     from fem.core_slip import resting_shell
+    from fem.core_tension import core_tension
     from fem.presses import simulate_lattice
     from fem.response import load_response
     from fem.results import save_presses
@@ -118,6 +119,10 @@ def _presses(context: StageContext, folder: Path) -> None:
         rest = resting_shell(load_mesh(context.inputs["mesh"] / "mesh.npz"), context.spec)
     forces, motions = simulate_lattice(context.spec, response, context.step, rest)
     save_presses(forces, motions, folder / "presses.nc")
+    if response.core is not None:
+        context.step("where the shell would lift off its core")
+        tension = core_tension(context.spec, response)
+        write_json(tension.to_dict(), folder / "core_tension.json")
 
 
 def _signals(context: StageContext, folder: Path) -> None:
