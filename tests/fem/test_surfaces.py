@@ -48,6 +48,43 @@ def test_every_magnet_prism_has_the_volume_height_and_place_of_its_disk(spec):
         assert_allclose([height.min(), height.max()], [-0.5, 0.5], rtol=0, atol=1e-9)
 
 
+OTHER_BODIES = [
+    ObjectSpec.model_validate(content)
+    for content in (
+        {
+            "name": "boards",
+            "arrangement": "sensors-in-shell",
+            "magnets": {"positions_mm": [[8, 8], [-8, 8], [-8, -8], [8, -8]]},
+        },
+        {
+            "name": "tilted-blocks",
+            "magnets": {
+                "shape": "block",
+                "size_mm": [6.0, 3.0],
+                "positions_mm": [[2, -1], [-9, 5]],
+                "tilt_deg": [[0, 0], [12, -8]],
+                "depth_mm": 3.2,
+            },
+        },
+    )
+]
+
+
+@pytest.mark.parametrize("spec", OTHER_BODIES, ids=lambda spec: spec.name)
+def test_boards_and_blocks_are_boxes_in_their_own_directions(spec):
+    layout, surfaces = shell_body_layout(spec), body_surfaces(spec)
+    assert len(surfaces) == len(layout.face)
+    half = np.array([*layout.outline.half_mm, layout.height_mm / 2])
+    rng = np.random.default_rng(8)
+    for index, (surface, frame) in enumerate(zip(surfaces, layout.frame, strict=True)):
+        assert_allclose(surface.volume, 8 * half.prod(), rtol=1e-12)
+        local = (surface.vertices - layout.centre_mm[index]) @ frame
+        assert_allclose(abs(local[:8]), np.tile(half, (8, 1)), rtol=0, atol=1e-9)
+        points = layout.centre_mm[index] + rng.uniform(-1.6, 1.6, (400, 3)) * half @ frame.T
+        inside = (abs((points - layout.centre_mm[index]) @ frame) < half).all(axis=1)
+        np.testing.assert_array_equal(in_body(points, layout, index, spec), inside)
+
+
 @BOTH
 def test_all_surfaces_are_closed_and_point_outwards(spec):
     parts = all_surfaces(spec).split(only_watertight=True)
