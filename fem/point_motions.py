@@ -61,7 +61,7 @@ def interpolate_at(
     def matrix(values: list[np.ndarray]) -> sp.csr_matrix:
         return sp.csr_matrix((np.concatenate(values), (rows, columns)), shape=shape)
 
-    x, y, z = (matrix([field.grad[a][:, 0] for field in fields]) for a in range(3))
+    x, y, z = (matrix([np.asarray(field.grad)[a][:, 0] for field in fields]) for a in range(3))
     return PointInterpolation(matrix([np.asarray(field)[:, 0] for field in fields]), (x, y, z))
 
 
@@ -75,7 +75,7 @@ def containing_tets(
     InputError
         A point outside the mesh.
     """
-    corner = np.moveaxis(mesh.p[:, np.asarray(mesh.t)], 0, -1)  # (4, tet, 3)
+    corner = np.moveaxis(np.asarray(mesh.p)[:, np.asarray(mesh.t)], 0, -1)  # (4, tet, 3)
     inverse = np.linalg.inv(np.moveaxis(corner[1:] - corner[0], 0, -1))
     tree = KDTree(corner.mean(axis=0))
     found = np.full(len(points_mm), -1)

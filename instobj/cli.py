@@ -77,6 +77,14 @@ def simulate(
 
 
 @app.command()
+def compliance(
+    specs: Specs, out: Out = _HERE, as_json: AsJson = False, overrides: Overrides = None
+) -> None:
+    """Map of travel per newton over all faces, with the magnets and without them."""
+    _chain(specs, ("compliance",), out, as_json, overrides)
+
+
+@app.command()
 def score(
     specs: Specs,
     hull: Annotated[

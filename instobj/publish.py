@@ -19,6 +19,7 @@ _FILES = {
     "scores": ("scores.csv", "maps/*.png"),
     "shear_scores": ("shear_scores.csv", "maps/*.png"),
     "identify": ("identifiability.csv", "*.png"),
+    "compliance": ("compliance.csv", "maps/*.png"),
     "frames": ("frames.nc",),
     "networks": ("*.safetensors",),
     "metrics": ("metrics.json", "metrics/*.png"),

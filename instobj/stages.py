@@ -5,12 +5,19 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
 from design.files import atomic_path
 from design.spec import ObjectSpec
+from instobj.magnet_free_stages import (
+    make_candidates,
+    make_compliance,
+    make_plain_mesh,
+    make_plain_presses,
+    make_plain_response,
+)
 
 Step = Callable[[str], None]
 
@@ -30,8 +37,9 @@ class Stage:
     """A stage of the chain.
 
     `depends_on` names parts of the specification (dotted where only one field matters), or
-    "shell_bodies", what is cast into the silicone, which follows from several of them; `version`
-    is raised when the code would give another result from the same inputs.
+    "shell_bodies", what is cast into the silicone, which follows from several of them (or
+    "shell_body_outline", the cross-section of one such body); `version` is raised when the code
+    would give another result from the same inputs.
     """
 
     title: str
@@ -247,6 +255,7 @@ _ELASTIC = (
     "mechanics.interface",
     "mechanics.slip.rim",
 )
+_ELASTIC_WITHOUT_MAGNETS = tuple(name for name in _ELASTIC if name != "mechanics.magnets")
 
 STAGES: dict[str, Stage] = {
     "build": Stage(
@@ -262,6 +271,40 @@ STAGES: dict[str, Stage] = {
         ("mesh", "response"),
         ("contact_grid", "indenter", "press", "mechanics.slip"),
         _presses,
+    ),
+    "plain_mesh": Stage(
+        "mesh: without magnets", (), ("body", "shell.thickness_mm", "mesh"), make_plain_mesh
+    ),
+    "plain_response": Stage(
+        "mechanics: response without magnets",
+        ("plain_mesh",),
+        _ELASTIC_WITHOUT_MAGNETS,
+        make_plain_response,
+    ),
+    "plain_presses": Stage(
+        "mechanics: contact without magnets",
+        ("plain_response",),
+        ("contact_grid", "indenter", "press"),
+        make_plain_presses,
+    ),
+    "compliance": Stage(
+        "mechanics: compliance map",
+        ("presses", "plain_presses"),
+        ("magnets", "sensors", "arrangement"),
+        make_compliance,
+    ),
+    "candidates": Stage(
+        "mechanics: motions of candidate magnets",
+        ("plain_mesh", "plain_response"),
+        (
+            "contact_grid",
+            "indenter",
+            "press",
+            "score.force_n",
+            "shell.pocket_diameter_mm",
+            "shell_body_outline",
+        ),
+        make_candidates,
     ),
     "coarse_response": Stage(
         "mechanics: response on a coarser mesh", (), (*_WHAT_IS_MESHED, *_ELASTIC), _coarse_response
@@ -340,8 +383,7 @@ def _shell_bodies(spec: ObjectSpec) -> dict[str, Any]:
     return {
         "centre_mm": layout.centre_mm.tolist(),
         "frame": layout.frame.tolist(),
-        "half_mm": list(layout.outline.half_mm),
-        "round": layout.outline.round,
+        "outline": asdict(layout.outline),
         "height_mm": layout.height_mm,
     }
 
@@ -350,7 +392,11 @@ def stage_inputs(
     stage: Stage, spec: ObjectSpec, keys_of_needs: dict[str, str], versions: dict[str, str]
 ) -> dict[str, Any]:
     """Everything that a stage's result depends on, JSON-able, for its content key."""
-    content = spec.model_dump(mode="json") | {"shell_bodies": _shell_bodies(spec)}
+    bodies = _shell_bodies(spec)
+    content = spec.model_dump(mode="json") | {
+        "shell_bodies": bodies,
+        "shell_body_outline": bodies["outline"],
+    }
     parts: dict[str, Any] = {}
     for name in stage.depends_on:
         value: Any = content

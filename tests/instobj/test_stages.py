@@ -18,36 +18,77 @@ def _keys(*overrides: str) -> dict[str, str]:
 
 
 DOWNSTREAM = {
-    "sensors.radius_mm=8.0": {"build", "signals"},
-    "sensors.noise_counts=[20.0,22.0,11.0]": {"build", "signals"},
-    "silicone.youngs_modulus_mpa=0.3": {"response", "coarse_response"},
+    "sensors.radius_mm=8.0": {"compliance", "build", "signals"},
+    "sensors.noise_counts=[20.0,22.0,11.0]": {"compliance", "build", "signals"},
+    "silicone.youngs_modulus_mpa=0.3": {"plain_response", "response", "coarse_response"},
     "silicone.density_g_per_cm3=1.1": {"report"},
     "silicone.youngs_modulus_range_mpa=[0.3, 0.5]": {"report"},
     "silicone.prony=[{fraction = 0.1, time_s = 2.0}]": {"frames"},
-    "silicone.shore=A12": {"response", "coarse_response", "report"},
-    "mechanics.element=p2-p0": {"response", "coarse_response"},
+    "silicone.shore=A12": {"plain_response", "response", "coarse_response", "report"},
+    "mechanics.element=p2-p0": {"plain_response", "response", "coarse_response"},
     "mechanics.magnets=points": {"response", "coarse_response"},
-    "mechanics.interface=frictionless": {"response", "coarse_response"},
-    "mechanics.slip.rim=held": {"response", "coarse_response", "presses", "shear"},
+    "mechanics.interface=frictionless": {"plain_response", "response", "coarse_response"},
+    "mechanics.slip.rim=held": {
+        "plain_response",
+        "response",
+        "coarse_response",
+        "presses",
+        "shear",
+    },
     "mechanics.slip.shift_mm=[1.0,0.0,0.0]": {"presses", "shear"},
     "magnets.tilt_deg=[[1,2],[0,0],[0,0],[0,0],[0,0]]": {
+        "compliance",
         "build",
         "mesh",
         "coarse_response",
         "signals",
     },
-    "magnets.depth_mm=3": {"build", "mesh", "coarse_response", "signals"},
-    "magnets.remanence_t=1.4": {"build", "signals"},
-    "magnets.temperature_c=45": {"build", "signals"},
-    "magnets.grade=N45": {"build", "signals"},
-    "sensors.averaging=32": {"build", "signals"},
-    "contact_grid.pitch_mm=2.5": {"presses", "shear", "discretisation"},
-    "press.depths_mm=[1.0,2.0]": {"presses", "shear", "discretisation"},
-    "mesh.edge_mm=5": {"mesh", "coarse_response"},
-    "magnets.positions_mm=[[0,0],[9,8]]": {"build", "mesh", "coarse_response", "signals"},
+    "magnets.depth_mm=3": {"compliance", "build", "mesh", "coarse_response", "signals"},
+    "magnets.remanence_t=1.4": {"compliance", "build", "signals"},
+    "magnets.temperature_c=45": {"compliance", "build", "signals"},
+    "magnets.grade=N45": {"compliance", "build", "signals"},
+    "sensors.averaging=32": {"compliance", "build", "signals"},
+    "contact_grid.pitch_mm=2.5": {
+        "plain_presses",
+        "candidates",
+        "presses",
+        "shear",
+        "discretisation",
+    },
+    "press.depths_mm=[1.0,2.0]": {
+        "plain_presses",
+        "candidates",
+        "presses",
+        "shear",
+        "discretisation",
+    },
+    "mesh.edge_mm=5": {"plain_mesh", "mesh", "coarse_response"},
+    "magnets.positions_mm=[[0,0],[9,8]]": {
+        "compliance",
+        "build",
+        "mesh",
+        "coarse_response",
+        "signals",
+    },
     "environment.earth_field_ut=50": {"signals"},
-    "shell.thickness_mm=9": {"build", "mesh", "coarse_response"},
-    "score.force_n=6": {"scores", "shear_scores", "identify"},
+    "magnets.diameter_mm=5": {
+        "compliance",
+        "candidates",
+        "build",
+        "mesh",
+        "coarse_response",
+        "signals",
+    },
+    "indenter.radius_mm=4.5": {
+        "build",
+        "presses",
+        "plain_presses",
+        "candidates",
+        "shear",
+        "discretisation",
+    },
+    "shell.thickness_mm=9": {"plain_mesh", "build", "mesh", "coarse_response"},
+    "score.force_n=6": {"candidates", "scores", "shear_scores", "identify"},
     "protocol.presses_per_place=4": {"frames"},
     "training.epochs=5": {"networks"},
     "limits.position_bound_mm=2": {"report", "identify"},
@@ -77,9 +118,36 @@ def test_stages_come_after_what_they_need():
         assert all(order.index(need) < order.index(name) for need in stage.needs)
 
 
+MECHANICS = {"mesh", "response", "presses", "plain_mesh", "plain_response", "candidates"}
+
+
+@pytest.mark.parametrize(
+    "override",
+    [
+        "sensors.radius_mm=8.0",
+        "sensors.noise_counts=[9.0,9.0,9.0]",
+        "score.hull_frames=500",
+        "protocol.presses_per_place=4",
+        "training.epochs=5",
+        "limits.position_bound_mm=2",
+        "seed=2",
+    ],
+)
+def test_sensors_noise_and_estimator_rerun_no_mechanics(override):
+    before, after = _keys(), _keys(override)
+    assert before != after
+    assert all(before[name] == after[name] for name in MECHANICS)
+
+
+def test_another_layout_reruns_nothing_of_the_shell_without_magnets():
+    before, after = _keys(), _keys("magnets.positions_mm=[[0,0],[9,8]]")
+    kept = {"plain_mesh", "plain_response", "plain_presses", "candidates"}
+    assert {name for name in MECHANICS | kept if before[name] == after[name]} == kept
+
+
 def test_every_part_of_the_specification_matters_to_some_stage():
     used = {part.split(".")[0] for stage in STAGES.values() for part in stage.depends_on}
-    assert used == set(ObjectSpec.model_fields) | {"shell_bodies"}
+    assert used == set(ObjectSpec.model_fields) | {"shell_bodies", "shell_body_outline"}
 
 
 def test_every_key_of_mechanics_matters_to_some_stage():

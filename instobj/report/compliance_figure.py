@@ -1,0 +1,52 @@
+"""Maps of compliance: all faces on one scale, with magnets and without them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+
+from design.layouts import grid_places_in_lattice
+from design.spec import ObjectSpec
+from fem.compliance_map import ComplianceMap
+from instobj.report.heatmaps import GAIN_COLOURS, draw_overview, finite_limits
+
+WITH_MAGNETS = "compliance.png"
+WITHOUT_MAGNETS = "compliance_without_magnets.png"
+
+
+def draw_compliance(
+    spec: ObjectSpec,
+    with_magnets: ComplianceMap,
+    folder: Path,
+    without_magnets: ComplianceMap | None = None,
+) -> None:
+    """Write `compliance.png`, and `compliance_without_magnets.png` on the same scale."""
+    maps = {WITH_MAGNETS: with_magnets}
+    if without_magnets is not None:
+        maps[WITHOUT_MAGNETS] = without_magnets
+    shown = {name: one.mm_per_n[:, grid_places_in_lattice(spec)] for name, one in maps.items()}
+    low, high = finite_limits(np.stack(list(shown.values())))
+    for name, values in shown.items():
+        what = "rigid magnets" if spec.mechanics.magnets == "rigid" else "magnets as ideal points"
+        if name == WITHOUT_MAGNETS:
+            what = "no magnets (circles: where they would be)"
+        softest, stiffest = np.nanmax(values), np.nanmin(values)
+        draw_overview(
+            values,
+            with_magnets.faces,
+            spec,
+            f"How soft it is {with_magnets.depth_mm:g} mm deep: travel per newton",
+            "mm/N",
+            low,
+            high,
+            folder / name,
+            log=False,
+            colours=GAIN_COLOURS,
+            note=(
+                f"Depth over force of the {spec.indenter.kind} pressed {with_magnets.depth_mm:g} mm, "
+                f"{what}. Softest {softest:.2f}, stiffest {stiffest:.2f} mm/N; E = "
+                f"{spec.silicone.youngs_modulus_mpa:g} MPa, small strain. The same colours in both "
+                "maps, with magnets and without."
+            ),
+        )
