@@ -47,11 +47,11 @@ def slip_specification(
     require_writable(out)
     chain, costs = slip_costs(spec, slip)
     target = run_folder(out, spec.name) / _folder(slip)
-    numbers = {model: summary(spec, cost) for model, cost in costs.items()}
+    numbers = {model: summary(cost) for model, cost in costs.items()}
     sensors = sensor_rows(spec, costs)
     target.mkdir(parents=True, exist_ok=True)
     write_json({"slip": slip, "models": numbers, "sensors": sensors}, target / "slip.json")
-    draw_slip(spec, costs, target / "slip.png", _title(slip))
+    draw_slip(spec, costs, target / "slip.png", slip_title(slip))
     return {
         "command": "slip",
         "objects": [
@@ -60,7 +60,7 @@ def slip_specification(
                 "spec_hash": spec_hash(spec),
                 "stages": [stage_row(result) for result in chain.results.values()],
                 "summary": {
-                    _title(slip): comparison_rows(numbers),
+                    slip_title(slip): comparison_rows(numbers),
                     "change of the resting signal": sensors,
                 },
                 "files": file_rows([target / "slip.json", target / "slip.png"]),
@@ -72,7 +72,8 @@ def slip_specification(
 def slip_costs(spec: ObjectSpec, slip: dict[str, Any]) -> tuple[Chain, dict[str, SlipCost]]:
     """Costs by both models, and the chain of the slipped object.
 
-    Both are measured against the object before its core slipped, rim alike.
+    Both are measured against the object before its core slipped, rim alike. `slip` has the keys of
+    `mechanics.slip`; its model does not matter.
     """
     from estimator.signals import load_signals, press_signals
     from estimator.slip_cost import slip_cost
@@ -91,7 +92,7 @@ def slip_costs(spec: ObjectSpec, slip: dict[str, Any]) -> tuple[Chain, dict[str,
     return slipped, {model: slip_cost(spec, before, after) for model, after in signals.items()}
 
 
-def summary(spec: ObjectSpec, cost: SlipCost) -> dict[str, float]:
+def summary(cost: SlipCost) -> dict[str, float]:
     """Medians and worst values over sensors, or over the contact places of all faces."""
     counts = np.linalg.norm(cost.baseline_counts, axis=1)
     return {
@@ -134,6 +135,10 @@ _ROWS = {
     "false force, N, median, re-zeroed": "rezeroed_force_n_median",
     "false force, N, worst, re-zeroed": "rezeroed_force_n_worst",
 }
+
+
+FIGURES = tuple(_ROWS.values())
+"""Names of the figures that tables show, of those in `summary`."""
 
 
 def comparison_rows(numbers: dict[str, dict[str, float]]) -> list[dict[str, Any]]:
@@ -228,7 +233,8 @@ def _with_slip(spec: ObjectSpec, slip: dict[str, Any]) -> ObjectSpec:
     return parse_spec(content, "this slip")
 
 
-def _title(slip: dict[str, Any]) -> str:
+def slip_title(slip: dict[str, Any]) -> str:
+    """The slip in words."""
     parts = []
     if any(slip["shift_mm"]):
         parts.append("shift " + _vector(slip["shift_mm"]) + " mm")

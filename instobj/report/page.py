@@ -36,6 +36,7 @@ def write_report(
     """Write the page from the folders of the stages it stands on."""
     from estimator.scores import load_scores_csv
     from estimator.signals import load_signals, saturation_margin
+    from instobj.report.core_section import core_section
     from instobj.surroundings import surroundings_section
 
     scores = load_scores_csv(inputs["scores"] / "scores.csv")
@@ -49,6 +50,7 @@ def write_report(
         _cross_face_section(spec, signals),
         surroundings_section(spec),
         _mechanics_section(spec, signals, inputs, path.parent),
+        core_section(spec, inputs["presses"], path.parent),
         _estimator_section(spec, inputs),
         _parts_section(inputs),
         _provenance_section(spec, inputs),

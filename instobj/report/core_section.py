@@ -1,0 +1,57 @@
+"""The report's words on the core: what its slip costs, and where a sliding shell would lift off."""
+
+from __future__ import annotations
+
+import base64
+import json
+from html import escape
+from pathlib import Path
+
+from design.spec import ObjectSpec
+
+
+def core_section(spec: ObjectSpec, presses: Path, scratch: Path) -> str:
+    """HTML; empty for a bonded core that has not slipped.
+
+    `presses` is the folder of the presses' stage. The slip is measured by both models against the
+    object as calibrated; its simulation is made, or reused from the store, here.
+    """
+    tension = presses / "core_tension.json"
+    if tension.exists():
+        return _sliding(json.loads(tension.read_text(encoding="utf-8")))
+    return _slipped(spec, scratch) if spec.mechanics.slip.slipped else ""
+
+
+def _sliding(tension: dict[str, float]) -> str:
+    place = ", ".join(f"{tension[f'{axis}_mm']:.3g}" for axis in "xyz")
+    return (
+        "<h2>Sliding core</h2><p>The shell slides on its core and is taken never to lift off. It "
+        f"would: tension reaches {tension['largest_tension_kpa_per_n']:.3g} kPa per newton of press "
+        f"force, at ({place}) mm. Where the silicone does not stick, presses are softer than shown."
+        "</p>"
+    )
+
+
+def _slipped(spec: ObjectSpec, scratch: Path) -> str:
+    from instobj.slip import comparison_rows, draw_slip, slip_costs, slip_title, summary
+
+    slip = spec.mechanics.slip.model_dump(mode="json")
+    _, costs = slip_costs(spec, slip)
+    figure = scratch / "slip.png"
+    draw_slip(spec, costs, figure, slip_title(slip))
+    rows = comparison_rows({model: summary(cost) for model, cost in costs.items()})
+    head = "".join(f"<th>{escape(name)}</th>" for name in rows[0])
+    body = "".join(
+        f"<tr><td>{escape(row['what'])}</td>"
+        + "".join(f"<td>{row[name]:.3g}</td>" for name in ("fem", "sensors-only", "its error"))
+        + "</tr>"
+        for row in rows
+    )
+    data = base64.b64encode(figure.read_bytes()).decode()
+    return (
+        f"<h2>Slipped core</h2><p>{escape(slip_title(slip))}. Signals in this report are those of the "
+        f"model {escape(slip['model'])!r}. The table reads them as an estimator calibrated before the "
+        "slip would, linearised, from each face's own channels; the last column is what moving the "
+        f"sensors alone gets wrong.</p><img alt='Cost of the slip' src='data:image/png;base64,{data}'>"
+        f"<div class='scroll'><table><tr>{head}</tr>{body}</table></div>"
+    )
