@@ -33,6 +33,8 @@ class PressForces:
 class MagnetMotions:
     """Rigid motion of every magnet (all faces) in every press of `PressForces`.
 
+    In the reverse arrangement the sensor boards stand in the magnets' place.
+
     `motion` (face, place, step, magnet, 6): displacement of the magnet's centre (mm), then its
     rotation vector (rad), in the object's frame, from where the layout puts it. `rest` (magnet, 6)
     is the part of it that is there without a press, on a core that slipped; None for none.
