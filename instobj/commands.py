@@ -81,7 +81,15 @@ def run_chain(
     loaded = [load_spec(path, overrides) for path in specs]
     _require_distinct_names(loaded, specs)
     require_writable(out)
-    return {"command": "chain", "objects": [_run_one(spec, stages, out) for spec in loaded]}
+    result: dict[str, Any] = {
+        "command": "chain",
+        "objects": [_run_one(spec, stages, out) for spec in loaded],
+    }
+    if "scores" in stages and len(loaded) > 1:
+        from instobj.compare import compare_scores
+
+        result["comparison"] = compare_scores(loaded, out)
+    return result
 
 
 def _run_one(spec: ObjectSpec, stages: tuple[str, ...], out: Path) -> dict[str, Any]:

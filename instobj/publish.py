@@ -16,7 +16,7 @@ from instobj.store import RECORD, StoredResult
 _FILES = {
     "mesh": ("mesh_quality.json",),
     "signals": ("signals.nc",),
-    "scores": ("scores.csv", "maps/*.png"),
+    "scores": ("scores.csv", "cross_face.json", "maps/*.png"),
     "shear_scores": ("shear_scores.csv", "maps/*.png"),
     "identify": ("identifiability.csv", "*.png"),
     "compliance": ("compliance.csv", "maps/*.png"),

@@ -144,13 +144,20 @@ def _signals(context: StageContext, folder: Path) -> None:
 
 
 def _scores(context: StageContext, folder: Path) -> None:
+    from estimator.cross_face import RELATIONS, cross_face_disturbance
     from estimator.scores import save_scores_csv, score_places
-    from instobj.report.maps import draw_score_maps
+    from instobj.report.maps import draw_cross_face_map, draw_score_maps
 
     context.step("sensitivity and bounds of every place")
-    scores = score_places(context.spec, _stored_signals(context), context.step)
+    signals = _stored_signals(context)
+    scores = score_places(context.spec, signals, context.step)
     save_scores_csv(scores, folder / "scores.csv")
     draw_score_maps(context.spec, scores, folder / "maps", context.step)
+    context.step("presses on other faces")
+    cross = cross_face_disturbance(context.spec, signals)
+    summaries = {relation: cross.summary(relation) for relation in RELATIONS}
+    write_json({"force_n": cross.force_n} | summaries, folder / "cross_face.json")
+    draw_cross_face_map(context.spec, cross, folder / "maps")
 
 
 def _shear(context: StageContext, folder: Path) -> None:
@@ -323,7 +330,7 @@ STAGES: dict[str, Stage] = {
         version=2,
     ),
     "scores": Stage(
-        "sensitivity: bounds and maps", ("signals",), ("score", "seed"), _scores, version=3
+        "sensitivity: bounds and maps", ("signals",), ("score", "seed"), _scores, version=4
     ),
     "shear": Stage(
         "mechanics: tangential forces",

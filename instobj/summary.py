@@ -14,25 +14,25 @@ from instobj.store import StoredResult
 
 def summarize(results: dict[str, StoredResult]) -> dict[str, Any]:
     """Title → numbers (or rows of numbers) for the stages that have results. NaN becomes None."""
-    makers = {
-        "build": ("parts", _parts),
-        "mesh": ("mesh", _json("mesh_quality.json")),
-        "response": ("mechanics", _json("response.json")),
-        "presses": ("tension at the sliding core, left out of the presses", _core_tension),
-        "discretisation": ("discretisation error", _discretisation),
-        "scores": ("bounds by area (medians over all faces, fresh zero)", _areas),
-        "shear_scores": ("bounds with tangential forces (medians over all places)", _shear),
-        "identify": (
+    makers = (
+        ("build", "parts", _parts),
+        ("mesh", "mesh", _json("mesh_quality.json")),
+        ("response", "mechanics", _json("response.json")),
+        ("presses", "tension at the sliding core, left out of the presses", _core_tension),
+        ("discretisation", "discretisation error", _discretisation),
+        ("scores", "bounds by area (medians over all faces, fresh zero)", _areas),
+        ("scores", "10 N on another face, in this face's own channels", _cross_face),
+        ("shear_scores", "bounds with tangential forces (medians over all places)", _shear),
+        (
+            "identify",
             "k contacts at once: medians over sets, worst contact; ok: within limits.position_bound_mm",
             _identify,
         ),
-        "frames": ("simulated presses", _json("protocol.json")),
-        "metrics": ("metrics on held-out presses (frames of contact and of rest)", _metrics),
-    }
+        ("frames", "simulated presses", _json("protocol.json")),
+        ("metrics", "metrics on held-out presses (frames of contact and of rest)", _metrics),
+    )
     made = {
-        title: _finite(make(results[stage]))
-        for stage, (title, make) in makers.items()
-        if stage in results
+        title: _finite(make(results[stage])) for stage, title, make in makers if stage in results
     }
     return {title: values for title, values in made.items() if values}
 
@@ -88,6 +88,20 @@ def _areas(result: StoredResult) -> list[dict[str, Any]]:
             "δ/centre": area.ratio_to_centre["delta_raw"],
         }
         for area in summarize_areas(scores)
+    ]
+
+
+def _cross_face(result: StoredResult) -> list[dict[str, Any]]:
+    content = json.loads((result.folder / "cross_face.json").read_text(encoding="utf-8"))
+    return [
+        {
+            "pressed": relation,
+            "median σ": content[relation]["median_sigma"],
+            "largest σ": content[relation]["largest_sigma"],
+            "false force N": content[relation]["median_false_force_n"],
+            "largest N": content[relation]["largest_false_force_n"],
+        }
+        for relation in ("adjacent", "opposite")
     ]
 
 

@@ -30,7 +30,17 @@ def print_result(result: dict[str, Any]) -> None:
         console.rule(item["name"])
         _print_summary(console, item["summary"])
         _print_files(console, item["files"])
+    if "comparison" in result:
+        console.rule("comparison")
+        title = "medians over all places, freshly zeroed unless said"
+        _print_rows(console, title, _objects_as_columns(result["comparison"]["rows"]))
+        _print_files(console, result["comparison"]["files"])
     _print_files(console, result.get("files", ()))
+
+
+def _objects_as_columns(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    names = [key for key in rows[0] if key != "object"]
+    return [{"score": key} | {row["object"]: row[key] for row in rows} for key in names]
 
 
 def _print_summary(console: Console, summary: dict[str, Any]) -> None:

@@ -12,7 +12,7 @@ from textwrap import wrap
 from typing import Any
 
 import numpy as np
-from jaxtyping import Float, Int
+from jaxtyping import Bool, Float, Int
 
 from design.files import atomic_path
 from design.layouts import contact_grid, face_frames, sensor_layout
@@ -111,10 +111,12 @@ def draw_overview(
     log: bool = True,
     colours: str = BOUND_COLOURS,
     note: str = "",
+    direction_deg: Float[np.ndarray, "face place"] | None = None,
 ) -> None:
     """All faces in one picture and on one scale, the object unfolded about face 1 (PNG).
 
-    `note` is printed beside the net, wrapped to the room there. Raises as `map_scale` does.
+    `note` is printed beside the net, wrapped to the room there; `direction_deg` from each face's x
+    is drawn as a line through places without a finite value. Raises as `map_scale` does.
     """
     from matplotlib.figure import Figure
 
@@ -126,6 +128,9 @@ def draw_overview(
         half_x, half_y = frames[number - 1].half_extents_mm
         pose = _net_pose(spec, int(number))
         meshes.append(_draw_face(axes, row, spec, int(number), scale, pose, font_size=7.4))
+        if direction_deg is not None:
+            turns = direction_deg[list(faces).index(number)]
+            _draw_directions(axes, spec, turns, ~np.isfinite(row), pose)
         name = pose.apply(np.array([0.0, 0.0]))
         upward = half_y if _NET[int(number)][0] in (0, 180) else half_x
         axes.text(
@@ -183,6 +188,25 @@ def _draw_face(
     _draw_parts(axes, spec, face, move)
     _write_numbers(axes, pose.apply(grid.xy_mm), shown.ravel(), scale, font_size)
     return mesh
+
+
+def _draw_directions(
+    axes: Any,
+    spec: ObjectSpec,
+    direction_deg: Float[np.ndarray, "place"],
+    blind: Bool[np.ndarray, "place"],
+    pose: _Pose,
+) -> None:
+    from matplotlib.collections import LineCollection
+    from matplotlib.patheffects import withStroke
+
+    turn = np.deg2rad(direction_deg[blind])
+    half = 0.45 * spec.contact_grid.pitch_mm * np.column_stack([np.cos(turn), np.sin(turn)])
+    centre = contact_grid(spec).xy_mm[blind]
+    ends = np.stack([pose.apply(centre - half), pose.apply(centre + half)], axis=1)
+    lines = LineCollection(list(ends), colors=_INK, linewidths=1.3, zorder=4)
+    lines.set_path_effects([withStroke(linewidth=2.6, foreground=_PAPER)])
+    axes.add_collection(lines)
 
 
 def _draw_parts(axes: Any, spec: ObjectSpec, face: int, move: Any) -> None:

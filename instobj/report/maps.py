@@ -6,7 +6,10 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
+import numpy as np
+
 from design.spec import ObjectSpec
+from estimator.cross_face import CrossFace
 from estimator.scores import PlaceScores, weakest_place
 from estimator.shear import ShearScores
 from instobj.report.heatmaps import (
@@ -78,6 +81,7 @@ def draw_score_maps(
 def _draw_overview(spec: ObjectSpec, scores: PlaceScores, path: Path) -> None:
     values = scores.position_bound_fresh_mm
     weakest = weakest_place(scores)
+    whose = "each face's own" if spec.score.channels == "own" else "all"
     draw_overview(
         values,
         scores.faces,
@@ -87,10 +91,12 @@ def _draw_overview(spec: ObjectSpec, scores: PlaceScores, path: Path) -> None:
         *finite_limits(values),
         path,
         colours=BOUND_COLOURS,
+        direction_deg=scores.weakest_direction_deg,
         note=(
-            f"Cramér–Rao bound √(σx² + σy²) from each face's own sensors, freshly zeroed. Weakest: "
+            f"Cramér–Rao bound √(σx² + σy²) from {whose} sensors, freshly zeroed. Weakest: "
             f"{weakest.position_bound_mm:.2f} mm on face {weakest.face} at "
             f"({weakest.x_mm:g}, {weakest.y_mm:g}) mm."
+            + (" ∞: blind, along the line." if not np.isfinite(values).all() else "")
         ),
     )
 
@@ -117,4 +123,26 @@ def draw_shear_maps(spec: ObjectSpec, scores: ShearScores, folder: Path) -> None
         *finite_limits(scores.tangential_force_bound_fresh_n),
         folder / "tangential_force_bound_overview.png",
         note=f"Cramér–Rao bound √(σFx² + σFy²), freshly zeroed: {asked}.",
+    )
+
+
+def draw_cross_face_map(spec: ObjectSpec, cross: CrossFace, folder: Path) -> None:
+    """Overview of what a press at each place does to the other face that it disturbs most."""
+    faces = np.unique(cross.pressed)
+    largest = np.stack([cross.size_sigma[cross.pressed == face].max(axis=0) for face in faces])
+    adjacent, opposite = cross.summary("adjacent"), cross.summary("opposite")
+    draw_overview(
+        largest,
+        faces,
+        spec,
+        f"What a press of {cross.force_n:g} N does to the worst disturbed other face",
+        "σ of a fresh zero",
+        *finite_limits(largest),
+        folder / "cross_face_overview.png",
+        note=(
+            "Length of the signal change in the other face's own channels. Median over all places, "
+            f"adjacent face {adjacent['median_sigma']:.1f} σ ({adjacent['median_false_force_n']:.2f} N "
+            f"of false force), opposite face {opposite['median_sigma']:.1f} σ "
+            f"({opposite['median_false_force_n']:.2f} N)."
+        ),
     )

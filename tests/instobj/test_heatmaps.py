@@ -92,3 +92,18 @@ def test_limits_that_cannot_be_drawn_are_refused():
         map_scale("mm", 0.0, 4.0, log=True)
     with pytest.raises(InputError, match="vmin ≤ vmax"):
         map_scale("mm", 5.0, 4.0)
+
+
+def test_blind_directions_are_drawn_through_blind_places_only():
+    figure = Figure()
+    axes = figure.add_subplot()
+    blind = np.zeros(100, bool)
+    blind[[4, 37]] = True
+    pose = heatmaps._net_pose(SPEC, 4)
+    heatmaps._draw_directions(axes, SPEC, np.full(100, 30.0), blind, pose)
+    (lines,) = axes.collections
+    drawn = np.array(lines.get_segments())
+    assert_allclose(drawn.mean(axis=1), pose.apply(contact_grid(SPEC).xy_mm[blind]))
+    # face 4's map is turned by 90 degrees in the net
+    along = drawn[:, 1] - drawn[:, 0]
+    assert_allclose(np.rad2deg(np.arctan2(along[:, 1], along[:, 0])), 120.0)
