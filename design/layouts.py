@@ -13,6 +13,7 @@ from typing import TypeVar
 import numpy as np
 from jaxtyping import Float, Int
 
+from design.as_built import magnets_as_built, sensors_as_built
 from design.pockets import Body, Outline, magnet_bodies, sensor_boards, shell_bodies
 from design.spec import SENSED_FACES, ObjectSpec, SensorSpec
 from design.spec_simulation import SlipSpec
@@ -125,13 +126,15 @@ def grid_places_in_lattice(spec: ObjectSpec) -> Int[np.ndarray, "place"]:
 class MagnetLayout:
     """Magnets at rest: centre (mm), unit axis along the polarization, the face they belong to.
 
-    `side` is the unit vector along a block's first edge (the face's x, where it is not tilted).
+    `side` is the unit vector along a block's first edge (the face's x, where it is not tilted);
+    `strength` is each one's polarization over the specification's.
     """
 
     centre_mm: Float[np.ndarray, "magnet 3"]
     axis: Float[np.ndarray, "magnet 3"]
     face: Int[np.ndarray, "magnet"]
     side: Float[np.ndarray, "magnet 3"]
+    strength: Float[np.ndarray, "magnet"]
 
 
 @dataclass(frozen=True)
@@ -174,15 +177,17 @@ def shell_body_layout(spec: ObjectSpec) -> ShellBodies:
 
 
 def magnet_layout(spec: ObjectSpec) -> MagnetLayout:
-    """All magnets as cast or set into the core, face by face, north outward."""
+    """All magnets, face by face, north outward, or as `as_built` found them."""
     in_shell = spec.arrangement == "sensors-in-core"
     frames = face_frames(spec) if in_shell else core_frames(spec)
     centre, frame, face = _in_object(frames, magnet_bodies(spec))
-    return MagnetLayout(centre, frame[:, :, 2], face, frame[:, :, 0])
+    designed = MagnetLayout(centre, frame[:, :, 2], face, frame[:, :, 0], np.ones(len(face)))
+    return magnets_as_built(spec, designed, frames)
 
 
 def sensor_layout(spec: ObjectSpec) -> SensorLayout:
-    """All sensors, face by face; azimuths run counter-clockwise from x, seen from outside.
+    """All sensors, face by face, as designed or as `as_built` found them; azimuths run
+    counter-clockwise from x, seen from outside.
 
     Chip axes of a chip that faces inward (facts measured on the recordings): X = −tangential,
     Y = radial outward, Z = outward normal of the face.
@@ -192,7 +197,8 @@ def sensor_layout(spec: ObjectSpec) -> SensorLayout:
     else:
         frames, bodies = face_frames(spec), sensor_boards(spec)
     centre, frame, face = _in_object(frames, bodies)
-    return SensorLayout(centre, (frame @ chip_on_board(spec.sensors)).transpose(0, 2, 1), face)
+    axes = (frame @ chip_on_board(spec.sensors)).transpose(0, 2, 1)
+    return sensors_as_built(spec, SensorLayout(centre, axes, face), frames)
 
 
 def _sensors_in_core(spec: ObjectSpec) -> tuple[tuple[Body, ...], ...]:

@@ -12,6 +12,7 @@ from typing import Annotated, Literal
 from pydantic import Field, model_validator
 
 from design.fit import require_fit
+from design.spec_as_built import AsBuiltSpec
 from design.spec_environment import EnvironmentSpec
 from design.spec_hardware import (
     BodySpec,
@@ -32,6 +33,7 @@ from design.spec_simulation import (
     ScoreSpec,
     TrainingSpec,
 )
+from design.spec_tolerances import TolerancesSpec
 from design.spec_types import SpecPart
 
 SENSED_FACES = (1, 2, 3, 4, 5)
@@ -64,6 +66,8 @@ class ObjectSpec(SpecPart):
     protocol: ProtocolSpec = ProtocolSpec()
     training: TrainingSpec = TrainingSpec()
     limits: LimitsSpec = LimitsSpec()
+    tolerances: TolerancesSpec = TolerancesSpec()
+    as_built: AsBuiltSpec = AsBuiltSpec()
 
     @property
     def core_size_mm(self) -> tuple[float, float, float]:
@@ -81,6 +85,11 @@ class ObjectSpec(SpecPart):
                 f"silicone.poisson_ratio up to {LARGEST_RATIO_WITHOUT_PRESSURE:g}; got {nu:g}. Lower it, "
                 'or use mechanics.element = "taylor-hood"'
             )
+        return self
+
+    @model_validator(mode="after")
+    def _as_built_parts_exist(self) -> ObjectSpec:
+        self.as_built.require_known(len(self.magnets.positions_mm), self.sensors.count_per_face)
         return self
 
     @model_validator(mode="after")

@@ -19,28 +19,34 @@ from design.spec import ObjectSpec
 def load_spec(path: Path | str, overrides: Iterable[str] = ()) -> ObjectSpec:
     """Read a specification and apply `key=value` overrides (dotted keys, TOML values).
 
+    What was measured on the built object, `<specification>.as_built.toml` beside it, is read too.
+
     Raises
     ------
     InputError
         The file is missing or not TOML, or a key, unit or bound is wrong.
     """
     path = Path(path)
+    content = _read_toml(
+        path, "no specification at {}. `instobj new NAME` writes one to start from"
+    )
+    content = _with_tensile_data(with_overrides(content, overrides), path.parent)
+    return parse_spec(_with_as_built(content, path), str(path))
+
+
+def _read_toml(path: Path, missing: str) -> dict[str, Any]:
     try:
-        content = tomllib.loads(path.read_text(encoding="utf-8"))
+        return tomllib.loads(path.read_text(encoding="utf-8"))
     except FileNotFoundError:
-        raise InputError(
-            f"no specification at {path}. `instobj new NAME` writes one to start from"
-        ) from None
+        raise InputError(missing.format(path)) from None
     except OSError as error:
         raise InputError(
             f"cannot read {path}: {error.strerror}. Give a readable TOML file"
         ) from None
     except UnicodeDecodeError:
-        raise InputError(f"{path} is not a text file. Give a specification in TOML") from None
+        raise InputError(f"{path} is not a text file. Give a file in TOML") from None
     except tomllib.TOMLDecodeError as error:
         raise InputError(f"{path} is not valid TOML: {error}. Mend that line") from None
-    content = _with_tensile_data(with_overrides(content, overrides), path.parent)
-    return parse_spec(content, str(path))
 
 
 def with_overrides(content: dict[str, Any], overrides: Iterable[str]) -> dict[str, Any]:
@@ -74,6 +80,19 @@ def spec_hash(spec: ObjectSpec) -> str:
     alike = ObjectSpec.model_validate(spec.model_dump(mode="json"))
     canonical = json.dumps(alike.model_dump(mode="json"), sort_keys=True)
     return hashlib.sha256(canonical.encode()).hexdigest()
+
+
+def _with_as_built(content: dict[str, Any], path: Path) -> dict[str, Any]:
+    """Read the file that `as_built` names, or `<specification>.as_built.toml` beside it."""
+    named, beside = content.get("as_built"), path.with_name(f"{path.stem}.as_built.toml")
+    if isinstance(named, str):
+        file = path.parent / named
+    elif named is None and beside.is_file():
+        file = beside
+    else:
+        return content
+    missing = "no as-built file at {}. Mend the key as_built (or --as-built), or leave it out"
+    return content | {"as_built": _read_toml(file, missing)}
 
 
 def _with_tensile_data(content: dict[str, Any], folder: Path) -> dict[str, Any]:

@@ -13,6 +13,7 @@ from typing import Literal
 import numpy as np
 from jaxtyping import Float, Int
 
+from design.as_built import live_channels
 from design.layouts import face_frames, grid_places_in_lattice
 from design.spec import ObjectSpec
 from estimator.fisher import disturbance_counts
@@ -63,10 +64,11 @@ def cross_face_disturbance(spec: ObjectSpec, signals: Signals, force_n: float = 
         "opposite" if frames[a].normal @ frames[b].normal < -0.5 else "adjacent" for a, b in pairs
     ]
     pressed = [_pressed_counts(spec, signals, face.number, force_n) for face in frames]
-    sizes, forces = [], []
+    sizes, forces, live = [], [], live_channels(spec).ravel()
     for pressed_face, read_face in pairs:
         own = own_channels(signals, spec.sensors, frames[read_face].number)
-        sigma = disturbance_counts(spec.sensors, "fresh", len(own))
+        own = own[live[own]]
+        sigma = disturbance_counts(spec.sensors, "fresh", live.size)[own]
         change = pressed[pressed_face][:, own] / sigma
         sizes.append(np.linalg.norm(change, axis=1))
         forces.append(_nearest_force(change, *_own_presses(spec, signals, read_face, own, sigma)))

@@ -13,6 +13,7 @@ change for jaws that touch two opposite faces of the paper's cube), and so is wh
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from jaxtyping import Float
@@ -87,9 +88,10 @@ def with_images(
     model: FieldModel,
     plates: tuple[Plate, ...],
     sides: Vector | None = None,
+    strength: Any = 1.0,
 ) -> Vector:
     """`field.sum_over_magnets`, with the magnets' images in every plate."""
-    total = sum_over_magnets(points_mm, centres_mm, axes, model, sides)
+    total = sum_over_magnets(points_mm, centres_mm, axes, model, sides, strength)
     for plate in plates:
         side = None if sides is None else plate.image_of_moment(sides)
         image = sum_over_magnets(
@@ -98,6 +100,7 @@ def with_images(
             plate.image_of_moment(axes),
             model,
             side,
+            strength,
         )
         total = _plus(total, image, plate.strength)
     return total

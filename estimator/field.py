@@ -233,6 +233,7 @@ def sum_over_magnets(
     axes: Vector,
     model: FieldModel,
     sides: Vector | None = None,
+    strength: Any = 1.0,
 ) -> Vector:
     """Flux density (T) of all magnets together; the magnets run along the first dimension.
 
@@ -241,13 +242,14 @@ def sum_over_magnets(
     points_mm, centres_mm, axes : three arrays each, broadcastable to (magnet, …), mm and unit
         vectors. Speed wants a long contiguous last dimension and a size that fits the cache.
     sides : unit vectors along the first edge of blocks; round magnets need none
+    strength : polarization of each magnet over the model's, broadcastable alike
 
     Returns
     -------
     Three arrays of shape (…), T.
     """
     offset = tuple(p - c for p, c in zip(points_mm, centres_mm, strict=True))
-    bx, by, bz = model(offset, axes, sides)
+    bx, by, bz = (strength * part for part in model(offset, axes, sides))
     return bx.sum(axis=0), by.sum(axis=0), bz.sum(axis=0)
 
 

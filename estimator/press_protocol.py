@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
+from design.as_built import live_channels
 from design.layouts import contact_grid
 from design.spec import ObjectSpec
 from estimator.dataset import NO_FACE, FrameSet
@@ -210,9 +211,10 @@ def _labelled(
     zero = np.where(contact, 0.0, np.nan)
     forces = np.stack([zero, zero, np.where(contact, label, np.nan)], axis=-1)
     count = presses * frames
-    shape = (count, 5, spec.sensors.count_per_face, 3)
+    shape = (5, spec.sensors.count_per_face, 3)
+    live = live_channels(spec).reshape(shape)
     return FrameSet(
-        signal_counts=readings.reshape(shape),
+        signal_counts=np.where(live, readings.reshape(count, *shape), np.nan),
         contact_face=np.where(contact, plan.face[:, None], NO_FACE).reshape(count, 1),
         contact_xy_mm=xy.reshape(count, 1, 2),
         force_n=forces.reshape(count, 1, 3),

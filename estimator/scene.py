@@ -143,7 +143,8 @@ def _at_sensor(
     centres, axes, sides = (_chosen(given, on) for given in magnets)
     if model.name == "exact":
         _check_sensor_clear(point, centres, axes, sides, model)
-    field = with_images(point, centres, axes, model, scene.environment.plates, sides)
+    strength = scene.magnets.strength[on, None]
+    field = with_images(point, centres, axes, model, scene.environment.plates, sides, strength)
     around = scene.environment.field_at(point)
     field = (field[0] + around[0], field[1] + around[1], field[2] + around[2])
     return field if own is None else rotated(field, (-own[3], -own[4], -own[5]))

@@ -11,6 +11,7 @@ from typing import Any, Literal
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
+from design.as_built import live_channels
 from design.errors import InputError
 from design.files import atomic_path
 from design.layouts import PlaceGrid, contact_grid
@@ -113,8 +114,15 @@ def score_places(
 
 
 def _score_face(spec: ObjectSpec, signals: Signals, grid: PlaceGrid, face: int) -> dict[str, Any]:
+    live = live_channels(spec).ravel()
     own = own_channels(signals, spec.sensors, face)
-    used = own if spec.score.channels == "own" else np.arange(signals.baseline_counts.size)
+    used = own if spec.score.channels == "own" else np.arange(live.size)
+    own, used = own[live[own]], used[live[used]]
+    if not len(own):
+        raise InputError(
+            f"face {face} has no live channel: as_built calls all of them dead. Mend a sensor, or "
+            "take the entries out"
+        )
     where = (np.full(len(grid), face), grid.xy_mm[:, 0], grid.xy_mm[:, 1])
     every = press_traces(signals, *where)
     traces = every.of_channels(used)
@@ -122,9 +130,10 @@ def _score_face(spec: ObjectSpec, signals: Signals, grid: PlaceGrid, face: int) 
     force = np.minimum(spec.score.force_n, reach)
     depth = depth_at_force(traces, force[:, None])[:, 0]
     jacobian = signal_gradient(signals, *where, force).jacobian[:, used]
-    row: dict[str, Any] = _sensitivities(spec, every.of_channels(own), force, face)
+    noise = channel_noise(spec.sensors, live.size)[own]
+    row: dict[str, Any] = _sensitivities(spec, every.of_channels(own), force, face, noise)
     for state in ("fresh", "drifted"):
-        sigma = disturbance_counts(spec.sensors, state, len(used))
+        sigma = disturbance_counts(spec.sensors, state, live.size)[used]
         bounds = cramer_rao_bounds(jacobian, sigma)
         row[f"position_bound_{state}_mm"] = bounds.position_mm
         row[f"force_bound_{state}_n"] = bounds.force_n
@@ -141,10 +150,13 @@ def _score_face(spec: ObjectSpec, signals: Signals, grid: PlaceGrid, face: int) 
 
 
 def _sensitivities(
-    spec: ObjectSpec, own: Traces, force_n: Float[np.ndarray, "place"], face: int
+    spec: ObjectSpec,
+    own: Traces,
+    force_n: Float[np.ndarray, "place"],
+    face: int,
+    noise: Float[np.ndarray, "channel"],
 ) -> dict[str, Float[np.ndarray, "place"]]:
     form, frames = spec.score.hull, spec.score.hull_frames
-    noise = channel_noise(spec.sensors, own.counts.shape[2])
     press = periodic_press(own, force_n, _COVARIANCE_SAMPLES if form == "covariance" else frames)
     if form == "covariance":
         raw = covariance_sensitivity(press, force_n, noise, frames)

@@ -14,6 +14,7 @@ from pathlib import Path
 import numpy as np
 from jaxtyping import Float, Int
 
+from design.as_built import live_channels
 from design.files import atomic_path
 from design.layouts import PlaceGrid, grid_places_in_lattice
 from design.spec import ObjectSpec
@@ -113,14 +114,16 @@ def _carry_over_missing(per_n: Float[np.ndarray, "place node value"]) -> None:
 
 def score_shear(spec: ObjectSpec, signals: Signals, shear: ShearSignals) -> ShearScores:
     """Bounds of all five parameters at every contact place, from `score.channels`."""
-    rows = []
+    rows, live = [], live_channels(spec).ravel()
     for face in signals.faces.tolist():
         jacobian = contact_jacobian(spec, signals, shear, face)
-        if spec.score.channels == "own":
-            jacobian = jacobian[:, own_channels(signals, spec.sensors, face)]
+        own = own_channels(signals, spec.sensors, face)
+        used = own if spec.score.channels == "own" else np.arange(live.size)
+        used = used[live[used]]
+        jacobian = jacobian[:, used]
         row = {}
         for state in ("fresh", "drifted"):
-            sigma = disturbance_counts(spec.sensors, state, jacobian.shape[1])
+            sigma = disturbance_counts(spec.sensors, state, live.size)[used]
             bounds = cramer_rao_bounds(jacobian, sigma)
             row[f"position_bound_{state}_mm"] = bounds.position_mm
             row[f"normal_force_bound_{state}_n"] = bounds.force_n

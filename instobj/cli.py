@@ -33,6 +33,10 @@ Overrides = Annotated[
     list[str] | None,
     typer.Option("--set", metavar="KEY=VALUE", help="Override, e.g. shell.thickness_mm=9."),
 ]
+AsBuilt = Annotated[
+    Path | None,
+    typer.Option(help="What was measured on the built object, else SPEC.as_built.toml."),
+]
 _HERE = Path()
 
 
@@ -70,10 +74,14 @@ def mesh(
 
 @app.command()
 def simulate(
-    specs: Specs, out: Out = _HERE, as_json: AsJson = False, overrides: Overrides = None
+    specs: Specs,
+    out: Out = _HERE,
+    as_json: AsJson = False,
+    overrides: Overrides = None,
+    as_built: AsBuilt = None,
 ) -> None:
     """Mechanics of every press, and the signals that all sensors give."""
-    _chain(specs, ("signals",), out, as_json, overrides)
+    _chain(specs, ("signals",), out, as_json, _with_as_built(overrides, as_built))
 
 
 @app.command()
@@ -97,12 +105,13 @@ def score(
     out: Out = _HERE,
     as_json: AsJson = False,
     overrides: Overrides = None,
+    as_built: AsBuilt = None,
 ) -> None:
     """Sensitivity, Cramér–Rao bounds and maps of every contact place."""
     chosen = {"score.hull": hull, "score.hull_frames": hull_frames}
     more = [f"{key}={value}" for key, value in chosen.items() if value is not None]
     stages = ("scores", "shear_scores") if shear else ("scores",)
-    _chain(specs, stages, out, as_json, [*(overrides or []), *more])
+    _chain(specs, stages, out, as_json, [*_with_as_built(overrides, as_built), *more])
 
 
 @app.command()
@@ -131,18 +140,26 @@ def evaluate(
 
 @app.command()
 def report(
-    specs: Specs, out: Out = _HERE, as_json: AsJson = False, overrides: Overrides = None
+    specs: Specs,
+    out: Out = _HERE,
+    as_json: AsJson = False,
+    overrides: Overrides = None,
+    as_built: AsBuilt = None,
 ) -> None:
     """One self-contained report.html: go or no-go, tables, figures and provenance."""
-    _chain(specs, ("report",), out, as_json, overrides)
+    _chain(specs, ("report",), out, as_json, _with_as_built(overrides, as_built))
 
 
 @app.command()
 def run(
-    specs: Specs, out: Out = _HERE, as_json: AsJson = False, overrides: Overrides = None
+    specs: Specs,
+    out: Out = _HERE,
+    as_json: AsJson = False,
+    overrides: Overrides = None,
+    as_built: AsBuilt = None,
 ) -> None:
     """The whole chain, stage by stage; stored results are reused."""
-    _chain(specs, ("report",), out, as_json, overrides)
+    _chain(specs, ("report",), out, as_json, _with_as_built(overrides, as_built))
 
 
 @app.command()
@@ -170,6 +187,20 @@ def material(
     from instobj.material import describe_material
 
     _show(describe_material(source, out), as_json)
+
+
+@app.command()
+def robustness(
+    specs: Specs,
+    out: Out = _HERE,
+    as_json: AsJson = False,
+    overrides: Overrides = None,
+    as_built: AsBuilt = None,
+) -> None:
+    """What the spread of assembly, material and surroundings does, ranked."""
+    from instobj.robustness import robustness_of
+
+    _show(robustness_of(specs, out, _with_as_built(overrides, as_built)), as_json)
 
 
 @app.command()
@@ -214,6 +245,11 @@ def slip(
     from instobj.slip import slip_specification
 
     _show(slip_specification(spec, shift, rotation, rim, out, overrides or []), as_json)
+
+
+def _with_as_built(overrides: list[str] | None, as_built: Path | None) -> list[str]:
+    given = [] if as_built is None else [f"as_built={json.dumps(str(as_built.absolute()))}"]
+    return [*(overrides or []), *given]
 
 
 def _chain(

@@ -20,6 +20,7 @@ _FILES = {
     "shear_scores": ("shear_scores.csv", "maps/*.png"),
     "identify": ("identifiability.csv", "*.png"),
     "compliance": ("compliance.csv", "maps/*.png"),
+    "robustness": ("robustness.json", "robustness.png"),
     "frames": ("frames.nc",),
     "networks": ("*.safetensors",),
     "metrics": ("metrics.json", "metrics/*.png"),

@@ -199,6 +199,17 @@ def _identify(context: StageContext, folder: Path) -> None:
     draw_blindest(context.spec, rows, folder / "blindest_contacts.png")
 
 
+def _robustness(context: StageContext, folder: Path) -> None:
+    from estimator.tolerances import robustness, save_robustness
+    from fem.results import load_presses
+    from instobj.report.robustness_figure import draw_robustness
+
+    presses = load_presses(context.inputs["presses"] / "presses.nc")
+    budget = robustness(context.spec, *presses, context.step)
+    save_robustness(budget, folder / "robustness.json")
+    draw_robustness(context.spec, budget, folder / "robustness.png")
+
+
 def _frames(context: StageContext, folder: Path) -> None:
     from estimator.dataset import save_frames
     from estimator.press_protocol import nominal_peaks, plan_presses, simulate_presses
@@ -325,7 +336,7 @@ STAGES: dict[str, Stage] = {
     "signals": Stage(
         "signals: Hall sensors",
         ("presses",),
-        ("magnets", "sensors", "arrangement", "environment", "seed"),
+        ("magnets", "sensors", "arrangement", "environment", "as_built", "seed"),
         _signals,
         version=2,
     ),
@@ -350,6 +361,15 @@ STAGES: dict[str, Stage] = {
         ("score", "limits.position_bound_mm"),
         _identify,
     ),
+    "robustness": Stage(
+        "robustness: tolerances",
+        ("presses",),
+        (
+            *("magnets", "sensors", "arrangement", "environment", "as_built"),
+            *("score.force_n", "score.channels", "tolerances", "seed"),
+        ),
+        _robustness,
+    ),
     "frames": Stage(
         "estimator: simulated presses",
         ("signals",),
@@ -372,11 +392,12 @@ STAGES: dict[str, Stage] = {
             "signals",
             "scores",
             "frames",
+            "robustness",
             "metrics",
         ),
         ("name", "limits", "silicone"),
         _report,
-        version=6,
+        version=7,
     ),
 }
 """In the order in which a command works through those that it needs."""

@@ -48,6 +48,7 @@ def write_report(
         _maps_section(spec, inputs),
         _areas_section(scores),
         _cross_face_section(spec, signals),
+        _robustness_section(spec, inputs),
         surroundings_section(spec),
         _mechanics_section(spec, signals, inputs, path.parent),
         core_section(spec, inputs["presses"], path.parent),
@@ -166,6 +167,26 @@ def _cross_face_section(spec: ObjectSpec, signals: Any) -> str:
         "estimator that reads all channels can tell them apart, one that reads its own face cannot."
     )
     return "<h2>Presses on other faces</h2>" + _table(header, rows) + _note(note)
+
+
+def _robustness_section(spec: ObjectSpec, inputs: dict[str, Path]) -> str:
+    from estimator.tolerances import SEAT_ERROR, load_robustness
+    from instobj.robustness import bound_rows
+
+    budget = load_robustness(inputs["robustness"] / "robustness.json")
+    rows = bound_rows(budget)
+    table = [[str(row["bound"]), *(_figure(row[key]) for key in list(row)[1:])] for row in rows]
+    note = (
+        f"Each tolerance alone to first order, all at once by {budget.draws} objects drawn within "
+        "`tolerances`. False readings are those of an estimator calibrated on the design and zeroed "
+        f"on the object. {SEAT_ERROR}"
+    )
+    return (
+        "<h2>Robustness</h2>"
+        + _image(inputs["robustness"] / "robustness.png", "Ranked bars of the tolerances")
+        + _table(["bound, freshly zeroed", "design", "5 % of objects below", "95 % below"], table)
+        + _note(note)
+    )
 
 
 def _mechanics_section(

@@ -18,8 +18,8 @@ def _keys(*overrides: str) -> dict[str, str]:
 
 
 DOWNSTREAM = {
-    "sensors.radius_mm=8.0": {"compliance", "build", "signals"},
-    "sensors.noise_counts=[20.0,22.0,11.0]": {"compliance", "build", "signals"},
+    "sensors.radius_mm=8.0": {"compliance", "build", "signals", "robustness"},
+    "sensors.noise_counts=[20.0,22.0,11.0]": {"compliance", "build", "signals", "robustness"},
     "silicone.youngs_modulus_mpa=0.3": {"plain_response", "response", "coarse_response"},
     "silicone.density_g_per_cm3=1.1": {"report"},
     "silicone.youngs_modulus_range_mpa=[0.3, 0.5]": {"report"},
@@ -42,12 +42,20 @@ DOWNSTREAM = {
         "mesh",
         "coarse_response",
         "signals",
+        "robustness",
     },
-    "magnets.depth_mm=3": {"compliance", "build", "mesh", "coarse_response", "signals"},
-    "magnets.remanence_t=1.4": {"compliance", "build", "signals"},
-    "magnets.temperature_c=45": {"compliance", "build", "signals"},
-    "magnets.grade=N45": {"compliance", "build", "signals"},
-    "sensors.averaging=32": {"compliance", "build", "signals"},
+    "magnets.depth_mm=3": {
+        "compliance",
+        "build",
+        "mesh",
+        "coarse_response",
+        "signals",
+        "robustness",
+    },
+    "magnets.remanence_t=1.4": {"compliance", "build", "signals", "robustness"},
+    "magnets.temperature_c=45": {"compliance", "build", "signals", "robustness"},
+    "magnets.grade=N45": {"compliance", "build", "signals", "robustness"},
+    "sensors.averaging=32": {"compliance", "build", "signals", "robustness"},
     "contact_grid.pitch_mm=2.5": {
         "plain_presses",
         "candidates",
@@ -69,8 +77,9 @@ DOWNSTREAM = {
         "mesh",
         "coarse_response",
         "signals",
+        "robustness",
     },
-    "environment.earth_field_ut=50": {"signals"},
+    "environment.earth_field_ut=50": {"signals", "robustness"},
     "magnets.diameter_mm=5": {
         "compliance",
         "candidates",
@@ -78,6 +87,7 @@ DOWNSTREAM = {
         "mesh",
         "coarse_response",
         "signals",
+        "robustness",
     },
     "indenter.radius_mm=4.5": {
         "build",
@@ -88,12 +98,14 @@ DOWNSTREAM = {
         "discretisation",
     },
     "shell.thickness_mm=9": {"plain_mesh", "build", "mesh", "coarse_response"},
-    "score.force_n=6": {"candidates", "scores", "shear_scores", "identify"},
+    "score.force_n=6": {"candidates", "robustness", "scores", "shear_scores", "identify"},
     "protocol.presses_per_place=4": {"frames"},
+    "tolerances.magnet_tilt_deg=1": {"robustness"},
+    "as_built.magnets=[{face=2, magnet=1, flipped=true}]": {"signals", "robustness"},
     "training.epochs=5": {"networks"},
     "limits.position_bound_mm=2": {"report", "identify"},
     "core.wall_mm=4": {"build"},
-    "seed=2": {"signals", "frames", "networks"},
+    "seed=2": {"signals", "robustness", "frames", "networks"},
 }
 
 
