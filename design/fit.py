@@ -222,24 +222,40 @@ def _check_sensor_places(spec: ObjectSpec) -> None:
 
 
 def _check_presses(spec: ObjectSpec) -> None:
-    grid = spec.contact_grid
-    half = _smallest_half_extents_mm(spec)
-    for axis, (count, limit) in enumerate(zip(grid.count, half, strict=True)):
-        reach = count * grid.pitch_mm / 2 + spec.indenter.radius_mm
-        if reach > limit:
-            raise ValueError(
-                f"contact_grid.count[{axis}] × pitch_mm, half a pitch of margin and the indenter need "
-                f"{2 * reach:g} mm on a face of {2 * limit:g} mm. Use fewer places, a smaller pitch or "
-                "a smaller indenter.radius_mm"
-            )
+    _check_indenter(spec)
     deepest = spec.press.depths_mm[-1]
     if deepest > 0.6 * spec.shell.thickness_mm:
         raise ValueError(
             f"press.depths_mm must stay below 60 % of shell.thickness_mm (linear mechanics); got "
             f"{deepest:g} of {spec.shell.thickness_mm:g} mm. Press less deep or thicken the shell"
         )
-    if deepest >= spec.indenter.radius_mm:
+
+
+def _check_indenter(spec: ObjectSpec) -> None:
+    """Every place of the grid, half a pitch of margin and the whole path lie on the faces."""
+    from design.tip_shapes import footprint_mm, path_mm, tip_shape
+
+    deepest, height = spec.press.depths_mm[-1], tip_shape(spec.indenter).height_mm
+    if deepest >= height:
         raise ValueError(
-            f"press.depths_mm must stay below indenter.radius_mm = {spec.indenter.radius_mm:g}; got "
-            f"{deepest:g}. Press less deep or use a larger hemisphere"
+            f"press.depths_mm must stay below the indenter's height, {height:g} mm (a hemisphere's "
+            f"radius); got {deepest:g}. Press less deep or use a larger indenter"
         )
+    footprint = footprint_mm(spec.indenter)
+    size = footprint[1] - footprint[0]
+    farthest = abs(footprint + path_mm(spec.indenter, spec.press.depths_mm)[-1]).max(axis=0)
+    reach = [max(pair) for pair in zip(farthest, abs(footprint).max(axis=0), strict=True)]
+    grid = spec.contact_grid
+    for axis, limit in enumerate(_smallest_half_extents_mm(spec)):
+        if size[axis] > 2 * limit:
+            raise ValueError(
+                f"the indenter is {size[axis]:.4g} mm wide, larger than the face of {2 * limit:g} mm. "
+                "Use a smaller indenter"
+            )
+        needed = grid.count[axis] * grid.pitch_mm / 2 + reach[axis]
+        if needed > limit:
+            raise ValueError(
+                f"contact_grid.count[{axis}] × pitch_mm, half a pitch of margin and the indenter need "
+                f"{2 * needed:.4g} mm on a face of {2 * limit:g} mm. Use fewer places, a smaller pitch "
+                "or a smaller indenter"
+            )

@@ -19,12 +19,12 @@ from design.spec_hardware import (
     CoreSpec,
     ShellSpec,
 )
+from design.spec_indenter import IndenterSpec
 from design.spec_magnets import MagnetSpec
 from design.spec_sensors import SensorSpec
 from design.spec_silicone import SiliconeSpec
 from design.spec_simulation import (
     ContactGridSpec,
-    IndenterSpec,
     LimitsSpec,
     MechanicsSpec,
     MeshSpec,

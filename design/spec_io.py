@@ -31,6 +31,7 @@ def load_spec(path: Path | str, overrides: Iterable[str] = ()) -> ObjectSpec:
         path, "no specification at {}. `instobj new NAME` writes one to start from"
     )
     content = _with_tensile_data(with_overrides(content, overrides), path.parent)
+    content = _with_indenter_corners(content, path.parent)
     return parse_spec(_with_as_built(content, path), str(path))
 
 
@@ -114,6 +115,17 @@ def _with_tensile_data(content: dict[str, Any], folder: Path) -> dict[str, Any]:
         "youngs_modulus_range_mpa": modulus.range_mpa,
     }
     return content | {"silicone": figures | silicone}
+
+
+def _with_indenter_corners(content: dict[str, Any], folder: Path) -> dict[str, Any]:
+    """The indenter with the corners of its STL file, if there is one, read from `folder`."""
+    indenter = content.get("indenter")
+    if not isinstance(indenter, dict) or not isinstance(indenter.get("file"), str):
+        return content
+    from design.stl_tip import stl_tip_vertices_mm
+
+    corners = stl_tip_vertices_mm(folder / indenter["file"])
+    return content | {"indenter": indenter | {"vertices_mm": corners}}
 
 
 def _apply_override(content: dict[str, Any], override: str) -> None:

@@ -22,13 +22,6 @@ class ContactGridSpec(SpecPart):
     pitch_mm: Positive = 3.0
 
 
-class IndenterSpec(SpecPart):
-    """Rigid, frictionless indenter pressed along the face's inward normal."""
-
-    kind: Literal["hemisphere"] = "hemisphere"
-    radius_mm: Positive = 5.0
-
-
 class PressSpec(SpecPart):
     """Depths below the undeformed face to which every place is pressed."""
 

@@ -16,6 +16,8 @@ from scipy.optimize import nnls
 
 _MAX_SWITCHES = 25
 _TOLERANCE = 1e-10
+_TOUCHES_BELOW = 0.6
+"""First guess: in contact to this part of the depth (a half of it in Hertz's, more on a layer)."""
 
 
 def contact_pressures(
@@ -36,7 +38,8 @@ def contact_pressures(
     active = np.zeros(len(weights), bool)
     for step, depth in enumerate(depths_mm):
         gap = profile_moments - depth * weights
-        pressures[step], active = _solve_complementarity(compliance, gap, active | (gap < 0))
+        guess = active | (profile_moments < _TOUCHES_BELOW * depth * weights)
+        pressures[step], active = _solve_complementarity(compliance, gap, guess)
     return pressures
 
 

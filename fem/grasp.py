@@ -1,7 +1,7 @@
-"""Several rigid tips at once, on one face or on several, with contact solved jointly.
+"""Several rigid indenters at once, on one face or on several, with contact solved jointly.
 
-Probes with two or three tips and parallel-jaw grasps: every tip's pressure moves the surface under
-every other tip, through the compliance between all faces.
+Presses side by side and parallel-jaw grasps: every indenter's pressure moves the surface under
+every other one, through the compliance between all faces.
 """
 
 from __future__ import annotations
@@ -11,12 +11,15 @@ from dataclasses import dataclass
 from itertools import combinations
 
 import numpy as np
-from jaxtyping import Float
+from jaxtyping import Float, Int
 
 from design.errors import InputError
 from design.spec import ObjectSpec
+from design.tip_shapes import path_mm, tip_shape, tips_overlap
 from fem.contact import contact_pressures
-from fem.presses import profile_moments_mm3, require_on_face, surface_weights_mm2
+from fem.indenter import moved, tip_cells
+from fem.presses import require_on_face, resting_gap_mm
+from fem.refined_contact import Spread, joint_compliance, refined_face, spread_cells
 from fem.response import ResponseOperator
 
 _FORCE_TOLERANCE = 1e-6
@@ -25,7 +28,7 @@ _MAX_STEPS = 60
 
 @dataclass(frozen=True)
 class Tip:
-    """One hemispherical tip: the face (1…5) and where it lands in the face's frame, mm."""
+    """One indenter: the face (1…5) and where it lands in the face's frame, mm."""
 
     face: int
     x_mm: float
@@ -34,7 +37,7 @@ class Tip:
 
 @dataclass(frozen=True)
 class JointPress:
-    """Tips pressed together: force of each tip (N) at its depth (mm), and all magnets' motions.
+    """Indenters pressed together: force of each (N) at its depth (mm), and all magnets' motions.
 
     `motion` (magnet, 6) is in mm and rad, in the object's frame, as in `MagnetMotions`.
     """
@@ -42,17 +45,19 @@ class JointPress:
     tips: tuple[Tip, ...]
     depth_mm: Float[np.ndarray, "tip"]
     force_n: Float[np.ndarray, "tip"]
+    contact_area_mm2: Float[np.ndarray, "tip"]
     motion: Float[np.ndarray, "magnet 6"]
 
 
 @dataclass(frozen=True)
-class _Candidates:
-    """Vertices that the tips may touch: rows of the compliance, their tip, moments and weights."""
+class _Cells:
+    """All indenters' cells with their mutual compliance, wherever their paths have brought them."""
 
-    loads: np.ndarray
-    tip: np.ndarray
-    moments: np.ndarray
-    weights: np.ndarray
+    spreads: tuple[Spread, ...]
+    compliance: Float[np.ndarray, "cell cell"]
+    gap_mm: Float[np.ndarray, "cell"]
+    area_mm2: Float[np.ndarray, "cell"]
+    tip: Int[np.ndarray, "cell"]
 
 
 def press_tips(
@@ -61,14 +66,45 @@ def press_tips(
     tips: Sequence[Tip],
     depths_mm: Float[np.ndarray, "tip"],
 ) -> JointPress:
-    """Press every tip to its own depth, all at once.
+    """Press every indenter to its own depth, all at once, without friction.
 
     Raises
     ------
     InputError
-        A tip on no sensed face, over a face's border, or closer than two radii to another.
+        An indenter on no sensed face, over a face's border, or overlapping another.
     """
-    return _press(response, tuple(tips), _candidates(spec, response, tips), depths_mm)
+    return _presser(spec, response, tips)(np.asarray(depths_mm, float))
+
+
+def press_to_force(
+    spec: ObjectSpec,
+    response: ResponseOperator,
+    groups: Sequence[Sequence[Tip]],
+    force_n: float,
+) -> JointPress:
+    """Press every group of indenters, each group at one depth, until each bears `force_n` in all.
+
+    Solved by a quasi-Newton (Broyden) iteration on the groups' depths, to 1e-6 of the force.
+
+    Raises
+    ------
+    InputError
+        As `press_tips`; or the force is not positive, or not reached within the indenter's height
+        and the shell's thickness.
+    """
+    if not (force_n > 0 and np.isfinite(force_n)):
+        raise InputError(
+            f"a press to a force needs a positive one; got {force_n:g} N. Give it in N"
+        )
+    press = _presser(spec, response, [tip for group in groups for tip in group])
+    group_of = np.repeat(np.arange(len(groups)), [len(group) for group in groups])
+
+    def missing(depth: np.ndarray) -> tuple[np.ndarray, JointPress]:
+        pressed = press(depth[group_of])
+        return np.bincount(group_of, pressed.force_n) - force_n, pressed
+
+    deepest = min(tip_shape(spec.indenter).height_mm, spec.shell.thickness_mm)
+    return _solve_depths(missing, np.full(len(groups), deepest), force_n)
 
 
 def squeeze(
@@ -80,40 +116,25 @@ def squeeze(
     """Squeeze the object between two rigid jaws until each presses with `force_n` in all.
 
     The object hangs freely between the jaws, so their forces are equal; the tips of one jaw share
-    its depth. Solved by a quasi-Newton (Broyden) iteration on the two depths, to 1e-6 of the force.
-
-    Raises
-    ------
-    InputError
-        As `press_tips`; or the force is not positive, or not reached within the tips' radius.
+    its depth. Raises as `press_to_force`.
     """
-    if not force_n > 0:
-        raise InputError(f"a squeeze needs a positive force; got {force_n:g} N")
-    tips = (*jaws[0], *jaws[1])
-    candidates = _candidates(spec, response, tips)
-    jaw = np.repeat([0, 1], [len(jaws[0]), len(jaws[1])])
-
-    def missing(depth: np.ndarray) -> tuple[np.ndarray, JointPress]:
-        press = _press(response, tips, candidates, depth[jaw])
-        return np.bincount(jaw, press.force_n) - force_n, press
-
-    return _solve_depths(missing, spec.indenter.radius_mm, force_n)
+    return press_to_force(spec, response, jaws, force_n)
 
 
 def _solve_depths(
     missing: Callable[[np.ndarray], tuple[np.ndarray, JointPress]],
-    deepest_mm: float,
+    deepest_mm: np.ndarray,
     force_n: float,
 ) -> JointPress:
-    most, press = missing(np.full(2, deepest_mm))
+    most, press = missing(deepest_mm)
     if most.min() < 0:
         raise InputError(
-            f"the jaws do not reach {force_n:g} N within {deepest_mm:g} mm, the radius of the tips "
-            f"(most {most.min() + force_n:.3g} N). Squeeze less hard"
+            f"{force_n:g} N are not reached within {deepest_mm[0]:g} mm, the lesser of the indenter's "
+            f"height and the shell's thickness (most {most.min() + force_n:.3g} N). Press less hard"
         )
-    depth = np.full(2, deepest_mm / 4)
+    depth = deepest_mm / 4
     residual, press = missing(depth)
-    stiffness = np.diag((residual + force_n) / depth * 1.5)
+    stiffness = np.diag(np.maximum(residual + force_n, 1e-3 * force_n) / depth * 1.5)
     for _ in range(_MAX_STEPS):
         if abs(residual).max() <= _FORCE_TOLERANCE * force_n:
             return press
@@ -125,51 +146,73 @@ def _solve_depths(
         change = residual - before - stiffness @ step
         stiffness = stiffness + np.outer(change, step) / (step @ step)
     raise ArithmeticError(
-        f"the squeeze to {force_n:g} N did not converge: off by {abs(residual).max():.2g} N"
+        f"the press to {force_n:g} N did not converge: off by {abs(residual).max():.2g} N"
     )
 
 
-def _press(
-    response: ResponseOperator,
-    tips: tuple[Tip, ...],
-    candidates: _Candidates,
-    depths_mm: np.ndarray,
-) -> JointPress:
-    loads, depth = candidates.loads, np.asarray(depths_mm, float)
-    compliance = np.asarray(response.compliance[np.ix_(loads, loads)])
-    moments = candidates.moments - depth[candidates.tip] * candidates.weights
-    pressure = contact_pressures(compliance, moments, candidates.weights, np.zeros(1))[0]
-    force = np.bincount(candidates.tip, pressure * candidates.weights, minlength=len(tips))
-    motion = response.compliance[response.magnet_loads][:, loads] @ pressure
-    return JointPress(tips, depth, force, np.asarray(motion).reshape(-1, 6))
+def _presser(
+    spec: ObjectSpec, response: ResponseOperator, tips: Sequence[Tip]
+) -> Callable[[np.ndarray], JointPress]:
+    """Function from the tips' depths to their joint press; on straight paths cells stay."""
+    _require_apart(spec, tips)
+    straight = not any(spec.indenter.direction_deg)
+    kept = _cells(spec, response, tips, np.zeros(len(tips))) if straight else None
+
+    def press(depths_mm: np.ndarray) -> JointPress:
+        cells = kept or _cells(spec, response, tips, depths_mm)
+        gap = (cells.gap_mm - depths_mm[cells.tip]) * cells.area_mm2
+        pressure = contact_pressures(cells.compliance, gap, cells.area_mm2, np.zeros(1))[0]
+        force = np.bincount(cells.tip, pressure * cells.area_mm2, minlength=len(tips))
+        touched = np.bincount(cells.tip, (pressure > 0) * cells.area_mm2, minlength=len(tips))
+        motion = spread_motion(response, cells.spreads, pressure)
+        return JointPress(tuple(tips), depths_mm, force, touched, motion)
+
+    return press
 
 
-def _candidates(spec: ObjectSpec, response: ResponseOperator, tips: Sequence[Tip]) -> _Candidates:
-    _require_apart(tips, spec.indenter.radius_mm)
+def spread_motion(
+    response: ResponseOperator, spreads: Sequence[Spread], pressure_mpa: Float[np.ndarray, "cell"]
+) -> Float[np.ndarray, "magnet 6"]:
+    """Motions of all magnets under the pressures of cells."""
+    motion, first = np.zeros(len(response.compliance) - response.magnet_loads.start), 0
+    for spread in spreads:
+        last = first + len(spread.patches.area_mm2)
+        columns = response.face_loads(spread.face.index).start + spread.rows
+        rows = response.compliance[response.magnet_loads][:, columns]
+        motion += rows @ (spread.matrix @ pressure_mpa[first:last])
+        first = last
+    return motion.reshape(-1, 6)
+
+
+def _cells(
+    spec: ObjectSpec, response: ResponseOperator, tips: Sequence[Tip], depths_mm: np.ndarray
+) -> _Cells:
     numbers = [surface.number for surface in response.surfaces]
-    parts = []
-    for index, tip in enumerate(tips):
+    used = {tip.face for tip in tips}
+    faces = {n: refined_face(response, i, spec) for i, n in enumerate(numbers) if n in used}
+    indenter, cut = spec.indenter, tip_cells(spec.indenter)
+    spreads = []
+    for tip, sideways in zip(tips, path_mm(indenter, depths_mm), strict=True):
         if tip.face not in numbers:
             raise InputError(f"face {tip.face} is not a sensed face. Press one of {numbers}")
-        face = numbers.index(tip.face)
-        surface = response.surfaces[face]
-        centre = np.array([[tip.x_mm, tip.y_mm]])
-        require_on_face(surface, centre, spec.indenter.radius_mm)
-        near = np.flatnonzero(
-            np.linalg.norm(surface.xy_mm - centre, axis=1) < spec.indenter.radius_mm
-        )
-        moments = profile_moments_mm3(surface, centre, spec.indenter.radius_mm)[0]
-        first = response.face_loads(face).start
-        weights = surface_weights_mm2(surface)
-        parts.append((first + near, np.full(len(near), index), moments[near], weights[near]))
-    return _Candidates(*(np.concatenate(column) for column in zip(*parts, strict=True)))
+        place = np.array([tip.x_mm, tip.y_mm])
+        require_on_face(faces[tip.face].surface, indenter, np.stack([place, place + sideways]))
+        spreads.append(spread_cells(faces[tip.face], moved(cut.patches, place + sideways)))
+    return _Cells(
+        tuple(spreads),
+        joint_compliance(response, spreads, spec),
+        np.concatenate([resting_gap_mm(cut, spread) for spread in spreads]),
+        np.tile(cut.patches.area_mm2, len(tips)),
+        np.repeat(np.arange(len(tips)), len(cut.height_mm)),
+    )
 
 
-def _require_apart(tips: Sequence[Tip], radius_mm: float) -> None:
+def _require_apart(spec: ObjectSpec, tips: Sequence[Tip]) -> None:
     for a, b in combinations(tips, 2):
-        distance = np.hypot(a.x_mm - b.x_mm, a.y_mm - b.y_mm)
-        if a.face == b.face and distance < 2 * radius_mm:
+        offset = np.array([b.x_mm - a.x_mm, b.y_mm - a.y_mm])
+        if a.face == b.face and tips_overlap(spec.indenter, offset):
             raise InputError(
-                f"two tips on face {a.face} are {distance:.3g} mm apart, less than two radii "
-                f"({2 * radius_mm:g} mm). Move them apart or use smaller tips"
+                f"two indenters on face {a.face}, {np.hypot(*offset):.3g} mm apart at ({a.x_mm:g}, "
+                f"{a.y_mm:g}) and ({b.x_mm:g}, {b.y_mm:g}) mm, overlap. Move them apart or use "
+                "smaller ones"
             )

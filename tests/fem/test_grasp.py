@@ -50,7 +50,7 @@ def test_a_squeeze_balances_its_jaws(rigid_spec, rigid_response):
     [
         ([Tip(6, 0.0, 0.0)], "not a sensed face"),
         ([Tip(1, 18.0, 0.0)], "hangs over the border"),
-        ([Tip(1, 0.0, 0.0), Tip(1, 6.0, 0.0)], "less than two radii"),
+        ([Tip(1, 0.0, 0.0), Tip(1, 6.0, 0.0)], "overlap"),
     ],
 )
 def test_impossible_tips_are_refused(rigid_spec, rigid_response, tips, words):
@@ -58,7 +58,7 @@ def test_impossible_tips_are_refused(rigid_spec, rigid_response, tips, words):
         press_tips(rigid_spec, rigid_response, tips, np.full(len(tips), 1.0))
 
 
-@pytest.mark.parametrize(("force", "words"), [(0.0, "positive"), (1e4, "do not reach")])
+@pytest.mark.parametrize(("force", "words"), [(0.0, "positive"), (1e4, "not reached")])
 def test_impossible_squeezes_are_refused(rigid_spec, rigid_response, force, words):
     with pytest.raises(InputError, match=words):
         squeeze(rigid_spec, rigid_response, ([Tip(3, 0.0, 0.0)], [Tip(5, 0.0, 0.0)]), force)

@@ -1,0 +1,58 @@
+"""Corners of a convex indenter from an STL file."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from design.errors import InputError
+
+if TYPE_CHECKING:
+    from trimesh import Trimesh
+
+_CONVEX_TO = 1e-3
+_MOST_CORNERS = 5000
+
+
+def stl_tip_vertices_mm(path: Path) -> tuple[tuple[float, float, float], ...]:
+    """Corners of the convex hull of a watertight, convex body (mm, to 1e-6).
+
+    Raises
+    ------
+    InputError
+        The file cannot be read, is no closed surface, is not convex to 0.1 % of its volume, or has
+        more than 5000 corners.
+    """
+    body = _read(path)
+    if not body.is_watertight or body.volume <= 0:
+        raise InputError(
+            f"indenter.file {path}: the surface is not closed with its normals outward. Mend the STL"
+        )
+    hull = body.convex_hull
+    if hull.volume > (1 + _CONVEX_TO) * body.volume:
+        raise InputError(
+            f"indenter.file {path}: the body is not convex (it fills {body.volume / hull.volume:.1%} "
+            "of its hull). Use a convex tip, or indenter.tip_count for several"
+        )
+    if len(hull.vertices) > _MOST_CORNERS:
+        raise InputError(
+            f"indenter.file {path} has {len(hull.vertices)} corners, more than {_MOST_CORNERS}. "
+            "Export it coarser"
+        )
+    return tuple((x, y, z) for x, y, z in hull.vertices.round(6).tolist())
+
+
+def _read(path: Path) -> Trimesh:
+    import trimesh
+
+    try:
+        with path.open("rb") as stream:
+            body = trimesh.load_mesh(stream, file_type="stl")
+    except (OSError, ValueError) as error:
+        raise InputError(
+            f"indenter.file {path} cannot be read as STL ({error}). Give the path from the "
+            "specification's folder"
+        ) from None
+    if not len(body.faces):
+        raise InputError(f"indenter.file {path} holds no triangles. Give the STL of a convex body")
+    return body
