@@ -19,6 +19,7 @@ from design.errors import InputError
 from design.export import PART_BUILDERS, build_object
 from design.layouts import face_frames
 from design.manifest import BuildManifest
+from design.pockets import shell_pockets
 from design.spec import CoreSpec, MagnetSpec, ObjectSpec, ShellSpec
 from design.spec_io import parse_spec, spec_hash
 
@@ -179,6 +180,7 @@ def test_golden_geometry_catches_a_wrong_depth(tmp_path):
 
 def test_golden_geometry_catches_a_lost_face(tmp_path, monkeypatch):
     monkeypatch.setattr(design.shell, "face_frames", lambda spec: face_frames(spec)[:4])
+    monkeypatch.setattr(design.shell, "shell_pockets", lambda spec: shell_pockets(spec)[:4])
     manifest = build_object(PAPER, tmp_path)
     with pytest.raises(AssertionError):
         assert_golden(manifest.part("shell"))

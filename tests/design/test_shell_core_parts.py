@@ -12,7 +12,7 @@ import design.core
 import design.shell
 from design.core import make_core
 from design.errors import InputError
-from design.layouts import face_frames, sensor_layout
+from design.layouts import core_frames, face_frames, sensor_layout
 from design.shell import make_shell
 from design.solids import single_solid
 from design.spec import BodySpec, CoreSpec, MagnetSpec, ObjectSpec, SensorSpec, ShellSpec
@@ -163,7 +163,11 @@ def test_every_sensor_lies_in_a_recess(spec):
 def test_recesses_mirrored_or_turned_bury_the_sensors(monkeypatch):
     turned = SensorSpec(first_azimuth_deg=(300.0, 240.0, 300.0, 120.0, 0.0))
     assert buried_sensors(PAPER, make_core(PAPER.model_copy(update={"sensors": turned}))) == 15
-    monkeypatch.setattr(design.core, "face_frames", mirrored_frames)
+    monkeypatch.setattr(
+        design.core,
+        "core_frames",
+        lambda spec: tuple(replace(frame, x=-frame.x) for frame in core_frames(spec)),
+    )
     assert buried_sensors(SKEWED, make_core(SKEWED)) == 15
 
 
