@@ -6,7 +6,7 @@ turning the object, an approaching jaw or another set of coils adds to a channel
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 
 import numpy as np
 from jaxtyping import Float, Int
@@ -108,9 +108,7 @@ def counts_of_states(spec: ObjectSpec) -> Float[np.ndarray, "state sensor 3"]:
     states = []
     for face in (*sensors_of_faces(spec).tolist(), None):
         on = slice(None) if face is None else whole.magnets.face == face
-        parts = {
-            name: getattr(whole.magnets, name)[on] for name in ("centre_mm", "axis", "face", "side")
-        }
+        parts = {f.name: getattr(whole.magnets, f.name)[on] for f in fields(whole.magnets)}
         magnets = replace(whole.magnets, **parts)
         here = replace(whole, magnets=magnets)
         states.append(counts(here, sensed_field(here, at_rest(here), model)[0], spec))
