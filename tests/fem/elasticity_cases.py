@@ -1,5 +1,6 @@
 """Closed forms that the elements are held against: a smooth field, and Lamé's hollow sphere."""
 
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -132,8 +133,24 @@ def lame_radial_mm(r, inner, outer, pressure, modulus, nu):
     return scale * ((1 - 2 * nu) * r + (1 + nu) * outer**3 / (2 * r**2))
 
 
+@dataclass(frozen=True)
+class RadialDisplacement:
+    """Measured and exact radial displacement at the vertices, and the mesh's number of nodes."""
+
+    radius_mm: np.ndarray
+    measured_mm: np.ndarray
+    exact_mm: np.ndarray
+    nodes: int
+
+
 def octant_displacement(poisson_ratio, division, layers, element="taylor-hood"):
     """Radial displacement at every vertex over Lamé's."""
+    radial = octant_radial(poisson_ratio, division, layers, element)
+    return radial.measured_mm / radial.exact_mm
+
+
+def octant_radial(poisson_ratio, division, layers, element="taylor-hood"):
+    """Hollow sphere of radii 1 and 2 mm under 0.07 MPa inside."""
     inner, outer, pressure = 1.0, 2.0, 0.07
     mesh = sphere_octant(inner, outer, division, layers)
     space, material = element_space(mesh, element), lame_constants(0.3, poisson_ratio)
@@ -149,4 +166,5 @@ def octant_displacement(poisson_ratio, division, layers, element="taylor-hood"):
     vertices = slice(0, mesh.p.shape[1])  # they lie on their spheres, edge midpoints do not
     radius = np.linalg.norm(mesh.p, axis=0)
     radial = np.einsum("in,in->n", solution.u_mm[:, vertices], mesh.p) / radius
-    return radial / lame_radial_mm(radius, inner, outer, pressure, 0.3, poisson_ratio)
+    exact = lame_radial_mm(radius, inner, outer, pressure, 0.3, poisson_ratio)
+    return RadialDisplacement(radius, radial, exact, space.node_count)

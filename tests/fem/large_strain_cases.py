@@ -1,6 +1,6 @@
 """Blocks, presses on them and prescribed stretches that tests of large deformation share."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import scipy.sparse as sp
@@ -18,12 +18,12 @@ from fem.elasticity import (
 from fem.factorization import solve_symmetric
 from fem.finite_strain import finite_strain_elements, internal_forces, tangent_blocks
 from fem.hyperelastic import neo_hookean, ogden, yeoh
-from fem.large_strain_newton import PressProblem, motion_basis, undeformed
+from fem.large_strain_newton import PressProblem, equilibrium, motion_basis, undeformed
 from fem.magnets import magnet_of_nodes
 from fem.material import lame_constants
 from fem.presses import profile_moments_mm3, surface_weights_mm2
 from fem.response import face_surface
-from fem.sphere_contact import contact_face
+from fem.sphere_contact import contact_face, contact_state, normal_force_n
 from fem.tet_mesh import TetMesh
 
 E_MPA, NU = 0.3, 0.4999
@@ -96,6 +96,19 @@ def block(cells=(8, 7, 4), radius_mm=5.0, material=MATERIALS[0], magnet=True):
     weights = surface_weights_mm2(surface)[near]
     profile = profile_moments_mm3(surface, np.array([PLACE_MM]), radius_mm)[0, near]
     return Block(problem, space, weights, moments[:, near], profile)
+
+
+def large_strain_force(setup, depth_mm, scale=1.0):
+    """Force (N) of the large-deformation model from rest, all moduli taken `scale` times."""
+    problem = replace(
+        setup.problem,
+        inverse_lambda_per_mpa=setup.problem.inverse_lambda_per_mpa * scale,
+        compressibility=setup.problem.compressibility * scale,
+    )
+    centre = setup.centre(depth_mm)
+    state = equilibrium(problem, undeformed(problem), centre)
+    contact = contact_state(problem.face, state.displacement_mm, centre, problem.radius_mm)
+    return scale * normal_force_n(problem.face, contact, state.contact_mpa)
 
 
 def stretch(space, material, inverse_lambda, free, prescribed_mm, steps):

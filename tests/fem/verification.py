@@ -1,21 +1,20 @@
 """One form for every proof of the mechanics: what is measured, against what, and a planted fault.
 
-A `Check` measures curves against a reference and one error; the error must lie within its
-tolerance, and beyond it once the planted fault is in. `write_page` shows them all, a figure each.
+A `Check` measures curves and one error; the error must lie within its tolerance, and beyond it once
+the planted fault is in. `write_page` shows them all, a figure each.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Literal
 
 import numpy as np
 import pytest
 
 from design.files import atomic_path
-
-INCH_PER_COLUMN = 4.6
 
 
 @dataclass(frozen=True)
@@ -47,7 +46,12 @@ class Fault:
 
 @dataclass(frozen=True)
 class Check:
-    """One proof: name (of its figure), claim, reference with its source, tolerance and fault."""
+    """One proof: name (of its figure), claim, reference with its source, tolerance and fault.
+
+    `figure` is how its curves are drawn: "values" with their reference and the tolerance as a band
+    about it, "errors" on a logarithmic scale under the tolerance, "rates" on two logarithmic scales
+    beside lines of the reference's slope. `axes` label x and y, with units.
+    """
 
     name: str
     claim: str
@@ -55,32 +59,39 @@ class Check:
     tolerance: float
     measure: Callable[[], Measured]
     fault: Fault
+    figure: Literal["values", "errors", "rates"]
     axes: tuple[str, str]
-    logarithmic: bool = False
+    logarithmic_x: bool = False
+    slow: bool = False
 
 
 @dataclass(frozen=True)
 class Outcome:
-    """A check's measurement, and its error with the fault planted (infinite where it refused)."""
+    """A check's measurement, and that with the fault planted (None: the code refused to answer)."""
 
     check: Check
     measured: Measured
-    faulty_error: float
+    faulty: Measured | None
+
+    @property
+    def faulty_error(self) -> float:
+        return float("inf") if self.faulty is None else self.faulty.error
 
 
-def faulty_error(check: Check) -> float:
-    """The check's error with its fault planted; infinite where the solver refuses to answer."""
+def outcome_of(check: Check) -> Outcome:
+    """Measure as the code is, then with the fault planted."""
+    measured = check.measure()
     with pytest.MonkeyPatch.context() as patch:
         check.fault.plant(patch)
         try:
-            return check.measure().error
+            faulty = check.measure()
         except (ArithmeticError, ValueError):
-            return float("inf")
+            faulty = None
+    return Outcome(check, measured, faulty)
 
 
-def write_page(outcomes: list[Outcome], folder: Path) -> None:
+def write_page(outcomes: Sequence[Outcome], folder: Path) -> None:
     """`README.md` with a table and a section with its figure for every check."""
-    outcomes = sorted(outcomes, key=lambda outcome: outcome.check.name)
     for outcome in outcomes:
         _draw(outcome, folder / f"{outcome.check.name}.svg")
     rows = [
@@ -95,10 +106,10 @@ def write_page(outcomes: list[Outcome], folder: Path) -> None:
         for o in outcomes
     ]
     text = (
-        "# The proofs, with a figure each\n"
+        "# Proofs of the mechanics\n"
         "Written by `make verify`, which fails where an error exceeds its tolerance or a planted "
         "fault goes unnoticed. The mesher is not deterministic: figures on the cube change a "
-        "little from run to run.\n\n"
+        "little from run to run. Further checks, and what is not covered: [scope](scope.md).\n\n"
         "| check | error | tolerance | with a planted fault |\n|---|---|---|---|\n"
     )
     with atomic_path(folder / "README.md") as temporary:
@@ -106,13 +117,11 @@ def write_page(outcomes: list[Outcome], folder: Path) -> None:
 
 
 def _faulty(outcome: Outcome) -> str:
-    if np.isinf(outcome.faulty_error):
-        return "refused"
-    return f"{outcome.faulty_error:.2g}"
+    return "refused" if outcome.faulty is None else f"{outcome.faulty_error:.2g}"
 
 
 def _draw(outcome: Outcome, path: Path) -> None:
-    """Measured curves over their references, and below them the relative difference."""
+    """Dots are measured, lines the reference, crosses are with the fault planted."""
     import matplotlib
 
     matplotlib.use("Agg")
@@ -120,23 +129,57 @@ def _draw(outcome: Outcome, path: Path) -> None:
     import matplotlib.pyplot as plt
 
     check = outcome.check
-    figure, axes = plt.subplots(figsize=(1.5 * INCH_PER_COLUMN, INCH_PER_COLUMN))
-    for index, curve in enumerate(outcome.measured.curves):
-        colour = f"C{index}"
-        axes.plot(curve.x, curve.measured, "o", color=colour, label=curve.label)
-        if curve.reference is not None:
-            axes.plot(curve.x, curve.reference, "-", color=colour, linewidth=1)
-    if check.logarithmic:
-        axes.set_xscale("log")
-        axes.set_yscale("log")
-    else:
-        axes.axhline(0, color="0.7", linewidth=0.6)
+    figure, axes = plt.subplots(figsize=(7.2, 4.8))
+    _draw_curves(axes, outcome)
+    if check.figure == "errors":
+        axes.axhspan(check.tolerance, 1e9 * check.tolerance, color="C3", alpha=0.08, linewidth=0)
+        axes.axhline(check.tolerance, color="C3", linewidth=1, label="tolerance")
     axes.set_xlabel(check.axes[0])
     axes.set_ylabel(check.axes[1])
-    axes.set_title(f"{check.claim}\ndots: measured, lines: reference", fontsize=9, loc="left")
-    axes.legend(frameon=False, fontsize=8)
+    axes.set_title(check.claim, fontsize=10, loc="left", wrap=True)
+    axes.legend(frameon=False, fontsize=8, loc="center left", bbox_to_anchor=(1.01, 0.5))
     axes.spines[["top", "right"]].set_visible(False)
-    figure.tight_layout()
     with atomic_path(path) as temporary:
-        figure.savefig(temporary, format="svg", metadata={"Date": None})
+        figure.savefig(temporary, format="svg", metadata={"Date": None}, bbox_inches="tight")
     plt.close(figure)
+
+
+def _draw_curves(axes, outcome: Outcome) -> None:
+    check, every = outcome.check, []
+    for index, curve in enumerate(outcome.measured.curves):
+        colour = f"C{index + (index > 2)}"  # C3, red, is the tolerance's
+        every.append(curve.measured)
+        axes.plot(curve.x, _shown(check, curve.measured), "o", color=colour, label=curve.label)
+        if curve.reference is not None:
+            every.append(curve.reference)
+            axes.plot(curve.x, curve.reference, "-", color=colour, linewidth=1)
+            if check.figure == "values":
+                low, high = ((1 + s * check.tolerance) * curve.reference for s in (-1, 1))
+                axes.fill_between(curve.x, low, high, color=colour, alpha=0.2, linewidth=0)
+        if outcome.faulty is not None and index < len(outcome.faulty.curves):
+            wrong = outcome.faulty.curves[index].measured
+            every.append(wrong)
+            label = "with the planted fault" if index == 0 else None
+            axes.plot(
+                curve.x,
+                _shown(check, wrong),
+                "x",
+                color=colour,
+                alpha=0.6,
+                markersize=5,
+                label=label,
+            )
+    if check.figure != "values":
+        axes.set_yscale("log")
+        sizes = np.concatenate([_shown(check, np.asarray(values)) for values in every])
+        bounds = (
+            [*sizes[np.isfinite(sizes)], check.tolerance] if check.figure == "errors" else sizes
+        )
+        axes.set_ylim(0.4 * np.min(bounds), 2.5 * np.max(bounds))
+    if check.figure == "rates" or check.logarithmic_x:
+        axes.set_xscale("log")
+
+
+def _shown(check: Check, values: np.ndarray) -> np.ndarray:
+    """Errors of exactly zero are shown at rounding's level."""
+    return values if check.figure == "values" else np.maximum(abs(values), 1e-17)
