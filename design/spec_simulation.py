@@ -74,13 +74,26 @@ class MechanicsSpec(SpecPart):
 
     "taylor-hood" takes every Poisson ratio up to 0.5; "p2-p0" (symmetric positive definite, a
     little too soft) up to 0.4999; "p1" locks and is for teaching. On a "frictionless" core the
-    shell slides but does not lift off.
+    shell slides but does not lift off. The correction "large-strain" presses a few places with
+    large deformation and corrects all presses by a fit to them (minutes, once).
     """
 
     element: Literal["taylor-hood", "p2-p0", "p1"] = "taylor-hood"
     magnets: Literal["rigid", "points"] = "rigid"
     interface: Literal["bonded", "frictionless"] = "bonded"
     slip: SlipSpec = SlipSpec()
+    correction: Literal["none", "large-strain"] = "none"
+
+    @model_validator(mode="after")
+    def _correction_knows_the_model(self) -> MechanicsSpec:
+        plain = self.element == "taylor-hood" and self.interface == "bonded"
+        if self.correction != "none" and not (plain and not self.slip.slipped):
+            raise ValueError(
+                "mechanics.correction = 'large-strain' needs element = 'taylor-hood', interface = "
+                f"'bonded' and no slip; got {self.element!r}, {self.interface!r}, shift "
+                f"{list(self.slip.shift_mm)}. Set them so, or correction = 'none'"
+            )
+        return self
 
     @model_validator(mode="after")
     def _slip_needs_a_bond(self) -> MechanicsSpec:

@@ -21,6 +21,11 @@ class LinearError:
     motion: float
 
 
+def depth_of_force_error_mm(share: float, thickness_mm: float) -> float:
+    """Depth at which the envelope of `linear_error` reaches an error of force, at most 16.5 %."""
+    return float(np.interp(share, _FORCE_ERROR, _DEPTH_MM)) * thickness_mm / _THICKNESS_MM
+
+
 def linear_error(depth_mm: float, thickness_mm: float) -> LinearError | None:
     """Envelope of small strain against neo-Hookean presses (`fem.large_strain`) on one mesh.
 

@@ -14,9 +14,10 @@ from design.errors import InputError
 from design.files import atomic_path
 from design.layouts import face_frames
 from design.spec import ObjectSpec
+from fem.contact import contact_pressures
 from fem.elasticity import DisplacementSpace
 from fem.factorization import solve_symmetric
-from fem.presses import press_places
+from fem.presses import press_places, profile_moments_mm3, surface_weights_mm2
 from fem.response import (
     ElasticSystem,
     ResponseOperator,
@@ -106,7 +107,12 @@ def table_shapes(
     xy_mm: Float[np.ndarray, "place 2"],
     depth_mm: float,
 ) -> list[DeformedShape]:
-    """Small-strain shapes of presses of the table: its contact pressures, one factorization.
+    """Small-strain shapes of presses on the table's mesh, one factorization.
+
+    A hemisphere's contact is solved on the mesh's own hat functions, so that the face follows it;
+    the table's contact is finer than the mesh, and its forces differ by what the mesh costs. Other
+    indenters press with the hats that stand for the table's contact: right under them the face
+    shows less depth than they have.
 
     Raises
     ------
@@ -120,8 +126,7 @@ def table_shapes(
         )
     system = elastic_system(mesh, spec)
     _, tractions = face_pressure_loads(system.space, spec)
-    depths = np.array([depth_mm])
-    pressures = press_places(spec, response, face_index, xy_mm, depths)[:, 0]
+    pressures = _pressures(spec, response, face_index, xy_mm, depth_mm)
     face = tractions[:, response.face_loads(face_index)]
     loads = system.motion_basis.T @ (face @ pressures.T)
     padding = np.zeros((shape_of(system.matrix)[0] - len(loads), len(xy_mm)))
@@ -132,6 +137,28 @@ def table_shapes(
         shape_of_unknowns(system, mesh, column, FacePressure(vertices, pressure))
         for column, pressure in zip(unknowns.T, pressures, strict=True)
     ]
+
+
+def _pressures(
+    spec: ObjectSpec,
+    response: ResponseOperator,
+    face_index: int,
+    xy_mm: np.ndarray,
+    depth_mm: float,
+) -> np.ndarray:
+    """Hat pressures (place, vertex), MPa."""
+    depth = np.array([depth_mm])
+    if spec.indenter.kind != "hemisphere":
+        return press_places(spec, response, face_index, xy_mm, depth)[:, 0]
+    surface, loads = response.surfaces[face_index], response.face_loads(face_index)
+    radius, weights = spec.indenter.radius_mm, surface_weights_mm2(surface)
+    moments = profile_moments_mm3(surface, xy_mm, radius)
+    pressures = np.zeros(moments.shape)
+    for row, moment, centre in zip(pressures, moments, xy_mm, strict=True):
+        near = np.flatnonzero(np.linalg.norm(surface.xy_mm - centre, axis=1) < radius)
+        compliance = np.asarray(response.compliance[loads, loads])[np.ix_(near, near)]
+        row[near] = contact_pressures(compliance, moment[near], weights[near], depth)[0]
+    return pressures
 
 
 def face_vertices(system: ElasticSystem, spec: ObjectSpec, face: int) -> Int[np.ndarray, "vertex"]:

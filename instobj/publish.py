@@ -20,6 +20,8 @@ _FILES = {
     "shear_scores": ("shear_scores.csv", "maps/*.png"),
     "identify": ("identifiability.csv", "*.png"),
     "compliance": ("compliance.csv", "maps/*.png"),
+    "shapes": ("shapes/*",),
+    "large_strain": ("large_strain.json",),
     "robustness": ("robustness.json", "robustness.png"),
     "frames": ("frames.nc",),
     "networks": ("*.safetensors",),

@@ -11,6 +11,7 @@ from typing import Any
 
 from design.files import atomic_path
 from design.spec import ObjectSpec
+from instobj.deformation_stages import correct_table, make_large_strain, make_shapes
 from instobj.magnet_free_stages import (
     make_candidates,
     make_compliance,
@@ -126,6 +127,7 @@ def _presses(context: StageContext, folder: Path) -> None:
         context.step("the shell at rest on its slipped core")
         rest = resting_shell(load_mesh(context.inputs["mesh"] / "mesh.npz"), context.spec)
     forces, motions = simulate_lattice(context.spec, response, context.step, rest)
+    forces, motions = correct_table(context.spec, forces, motions, context.inputs["large_strain"])
     save_presses(forces, motions, folder / "presses.nc")
     if response.core is not None:
         context.step("where the shell would lift off its core")
@@ -284,11 +286,32 @@ STAGES: dict[str, Stage] = {
     ),
     "mesh": Stage("mesh: tetrahedra", (), _WHAT_IS_MESHED, _mesh),
     "response": Stage("mechanics: response operator", ("mesh",), _ELASTIC, _response),
+    "large_strain": Stage(
+        "mechanics: presses with large deformation",
+        (),
+        (
+            *_WHAT_IS_MESHED,
+            *_ELASTIC,
+            "magnets.positions_mm",
+            "contact_grid",
+            "indenter",
+            "press",
+            "mechanics.correction",
+        ),
+        make_large_strain,
+    ),
+    "shapes": Stage(
+        "mechanics: shapes of presses",
+        ("mesh", "response"),
+        ("contact_grid", "indenter", "press"),
+        make_shapes,
+    ),
     "presses": Stage(
         "mechanics: contact at every place and depth",
-        ("mesh", "response"),
+        ("mesh", "response", "large_strain"),
         ("contact_grid", "indenter", "press", "mechanics.slip"),
         _presses,
+        version=2,
     ),
     "plain_mesh": Stage(
         "mesh: without magnets", (), ("body", "shell.thickness_mm", "mesh"), make_plain_mesh
@@ -304,6 +327,7 @@ STAGES: dict[str, Stage] = {
         ("plain_response",),
         ("contact_grid", "indenter", "press"),
         make_plain_presses,
+        version=2,
     ),
     "compliance": Stage(
         "mechanics: compliance map",
@@ -388,6 +412,8 @@ STAGES: dict[str, Stage] = {
             "mesh",
             "response",
             "presses",
+            "large_strain",
+            "shapes",
             "discretisation",
             "signals",
             "scores",

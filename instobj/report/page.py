@@ -30,6 +30,13 @@ PAPER_TABLE_1 = {
 """Knopke et al., Table I: A_sim, E_loc (pixels), E_f (%), E_f (N), A_non; random frame split."""
 
 
+_MODULUS_NOTE = (
+    "The modulus is uncertain. For the paper's cube (Platsil Gel-10) recordings fit 0.23 to 0.28 MPa "
+    "in the linear model, Gent's relation gives 0.414 MPa at Shore A10, and its recorded peak forces "
+    "of 10 to 20 N ask for more travel or a stiffer silicone than either."
+)
+
+
 def write_report(
     spec: ObjectSpec, inputs: dict[str, Path], path: Path, step: Callable[[str], None]
 ) -> None:
@@ -37,6 +44,7 @@ def write_report(
     from estimator.scores import load_scores_csv
     from estimator.signals import load_signals, saturation_margin
     from instobj.report.core_section import core_section
+    from instobj.report.deformation_section import deformation_section
     from instobj.surroundings import surroundings_section
 
     scores = load_scores_csv(inputs["scores"] / "scores.csv")
@@ -51,6 +59,7 @@ def write_report(
         _robustness_section(spec, inputs),
         surroundings_section(spec),
         _mechanics_section(spec, signals, inputs, path.parent),
+        deformation_section(spec, inputs, _read_json(inputs["frames"] / "protocol.json")),
         core_section(spec, inputs["presses"], path.parent),
         _estimator_section(spec, inputs),
         _parts_section(inputs),
@@ -207,7 +216,8 @@ def _mechanics_section(
         ["sealed volume (error)", f"{mesh['volume_mm3']:.1f} mm³ ({mesh['volume_error']:.1e})"],
         ["discretisation error (rms, estimate)", error_text(error)],
         ["unknowns, condensed to", f"{response['unknowns']}, {response['condensed_unknowns']}"],
-        ["model", f"{spec.mechanics.element}, magnets {spec.mechanics.magnets}, small strain"],
+        ["model", f"{spec.mechanics.element}, magnets {spec.mechanics.magnets}, small strain, "
+         f"correction: {spec.mechanics.correction}"],
         ["Young's modulus", modulus_text(spec)],
         ["force at a given travel, for that spread", force_spread_text(spec)],
         ["travel to the middle peak force, for that spread", _travel_text(spec, signals)],
@@ -220,7 +230,7 @@ def _mechanics_section(
         "<h2>Mechanics</h2>"
         + _image(figure, "Force against travel, signal against force")
         + _table(["", ""], rows)
-        + _note(_linearity_note(spec, protocol))
+        + _note(_MODULUS_NOTE)
         + _table(HEADER, error_rows(error))
         + _note(_locking_note(spec) + error_note(error))
     )
@@ -244,29 +254,6 @@ def _locking_note(spec: ObjectSpec) -> str:
     from fem.response import LOCKING_WARNING
 
     return f"{LOCKING_WARNING}. " if spec.mechanics.element == "p1" else ""
-
-
-def _linearity_note(spec: ObjectSpec, protocol: dict[str, Any]) -> str:
-    from fem.linearity import linear_error
-
-    parts = []
-    for name in ("shallowest_peak_mm", "deepest_peak_mm"):
-        depth = protocol[name]
-        error = linear_error(depth, spec.shell.thickness_mm)
-        if error is None:
-            parts.append(f"beyond what was measured at {depth:.2f} mm")
-        else:
-            size = f"force by up to {100 * error.force:.0f} %, magnet motions by {100 * error.motion:.0f} %"
-            parts.append(f"{size} at {depth:.2f} mm")
-    return (
-        "Small-strain mechanics is off at the protocol's peaks: "
-        + "; ".join(parts)
-        + " (largest of six neo-Hookean presses of the R5 hemisphere on the paper's cube, scaled by "
-        "depth over thickness; `instobj press` shows both models for one press of this object). The "
-        "modulus is uncertain as well. For the paper's cube (Platsil Gel-10) recordings fit 0.23 to 0.28 "
-        "MPa in this linear model, Gent's relation gives 0.414 MPa at Shore A10, and its recorded peak "
-        "forces of 10 to 20 N ask for more travel or a stiffer silicone than either."
-    )
 
 
 def _estimator_section(spec: ObjectSpec, inputs: dict[str, Path]) -> str:

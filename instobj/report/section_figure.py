@@ -34,10 +34,9 @@ class SectionPanel:
 
 @dataclass(frozen=True)
 class _Cut:
-    """Triangles of a section: points along x and outwards (mm), before and after the press."""
+    """A section: points along x and outwards (mm) where the press has put them, triangles."""
 
-    before_mm: np.ndarray
-    after_mm: np.ndarray
+    points_mm: np.ndarray
     triangles: np.ndarray
     magnet: np.ndarray
     size_mm: np.ndarray
@@ -51,13 +50,12 @@ def draw_sections(panels: list[SectionPanel], path: Path) -> None:
     """
     from matplotlib.figure import Figure
 
-    cuts = [_cut(panel) for panel in panels]
-    largest = max(float(cut.size_mm.max()) for cut in cuts)
+    sizes = [np.linalg.norm(panel.shape.displacement_mm, axis=1) for panel in panels]
+    largest = max(float(size.max()) for size in sizes)
     figure = Figure(figsize=(8.2, 3.5 * len(panels)), layout="constrained")
     axes = figure.subplots(len(panels), 1, squeeze=False)[:, 0]
-    for panel, cut, one in zip(panels, cuts, axes, strict=True):
-        image = _draw(one, panel, cut, largest)
-    figure.colorbar(image, ax=list(axes), label="displacement (mm)", shrink=0.8)
+    images = [_draw(one, panel, largest) for panel, one in zip(panels, axes, strict=True)]
+    figure.colorbar(images[0], ax=list(axes), label="displacement (mm)", shrink=0.8)
     with atomic_path(path) as temporary:
         figure.savefig(temporary, dpi=130)
 
@@ -85,59 +83,65 @@ def draw_press_sections(spec: ObjectSpec, press: LargeStrainPress, path: Path) -
     )
 
 
-def _draw(axes: Any, panel: SectionPanel, cut: _Cut, largest_mm: float) -> Any:
+def _draw(axes: Any, panel: SectionPanel, largest_mm: float) -> Any:
+    from matplotlib.collections import LineCollection
     from matplotlib.patches import Circle
 
+    cut, (before, after) = _cut(panel), _outline(panel)
     silicone, inside = cut.triangles[cut.magnet < 0], cut.triangles[cut.magnet >= 0]
     image = axes.tripcolor(
-        *cut.after_mm.T, silicone, cut.size_mm, shading="gouraud", cmap="viridis", vmin=0,
+        *cut.points_mm.T, silicone, cut.size_mm, shading="gouraud", cmap="viridis", vmin=0,
         vmax=largest_mm,
     )  # fmt: skip
     if len(inside):
-        one = np.zeros(len(cut.after_mm))
-        axes.tripcolor(*cut.after_mm.T, inside, one, cmap="binary_r", vmin=0, vmax=1)
-        for a, b in _border(inside):
-            axes.plot(*cut.before_mm[[a, b]].T, color="white", lw=0.9, ls=(0, (2, 1)))
-    for a, b in _border(cut.triangles):
-        axes.plot(*cut.before_mm[[a, b]].T, color="#888888", lw=0.7, ls=(0, (3, 2)))
-        axes.plot(*cut.after_mm[[a, b]].T, color="#222222", lw=0.9)
+        one = np.zeros(len(cut.points_mm))
+        axes.tripcolor(*cut.points_mm.T, inside, one, cmap="binary_r", vmin=0, vmax=1)
+    axes.add_collection(LineCollection(before, colors="#bbbbbb", lw=0.9, ls=(0, (3, 2))))
+    axes.add_collection(LineCollection(after, colors="#111111", lw=0.9))
     if panel.tip_radius_mm is not None:
-        centre = (panel.xy_mm[0], panel.tip_radius_mm - panel.depth_mm)
-        axes.add_patch(
-            Circle(centre, panel.tip_radius_mm, fc="#dddddd", ec="#c8553d", lw=1.4, zorder=0)
-        )
-    x = cut.before_mm[:, 0]
+        radius = panel.tip_radius_mm
+        centre = (panel.xy_mm[0], radius - panel.depth_mm)
+        axes.add_patch(Circle(centre, radius, fc="#dddddd", ec="#c8553d", lw=1.4, zorder=0))
+    ends = before[..., 0].min() - 2, before[..., 0].max() + 2
     axes.set(
-        xlim=(x.min() - 2, x.max() + 2), ylim=(-_BELOW_MM, _ABOVE_MM), aspect="equal",
-        xlabel="x on the face (mm)", ylabel="outwards (mm)", title=panel.title,
+        xlim=ends, ylim=(-_BELOW_MM, _ABOVE_MM), aspect="equal", xlabel="x on the face (mm)",
+        ylabel="outwards (mm)", title=panel.title,
     )  # fmt: skip
     return image
 
 
 def _cut(panel: SectionPanel) -> _Cut:
-    """Cut the undeformed body by the plane through the tip, across the face's y."""
     from fem.press_shape import vtk_grid
 
-    frame, y = panel.frame, panel.xy_mm[1]
-    origin = frame.to_object(np.array([0.0, y, 0.0]))
-    across = np.asarray(frame.to_object(np.array([0.0, y + 1, 0.0]))) - origin
-    sliced: Any = vtk_grid(panel.shape).slice(normal=across, origin=origin)
-    sliced = sliced.clean().triangulate()  # cells share their points only after cleaning
-    triangles = np.asarray(sliced.faces).reshape(-1, 4)[:, 1:]
-    points, moved = np.asarray(sliced.points), np.asarray(sliced["displacement_mm"])
+    sliced = _sliced(panel, vtk_grid(panel.shape)).triangulate()
+    moved = np.asarray(sliced["displacement_mm"])
     return _Cut(
-        np.asarray(frame.from_object(points))[:, [0, 2]],
-        np.asarray(frame.from_object(points + moved))[:, [0, 2]],
-        triangles,
+        _in_plane(panel, np.asarray(sliced.points) + moved),
+        np.asarray(sliced.faces).reshape(-1, 4)[:, 1:],
         np.asarray(sliced.cell_data["magnet"]),
         np.linalg.norm(moved, axis=1),
     )
 
 
-def _border(triangles: np.ndarray) -> np.ndarray:
-    """Edges that belong to one triangle only."""
-    edges = np.sort(
-        np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
-    )
-    unique, counts = np.unique(edges, axis=0, return_counts=True)
-    return unique[counts == 1]
+def _outline(panel: SectionPanel) -> tuple[np.ndarray, np.ndarray]:
+    """Segments (segment, 2, 2) of the silicone's border, magnets' included, before and after."""
+    from fem.press_shape import vtk_grid
+
+    grid = vtk_grid(panel.shape)
+    surface: Any = grid.extract_cells(panel.shape.magnet < 0).extract_surface(algorithm=None)
+    sliced = _sliced(panel, surface)
+    ends = np.asarray(sliced.lines).reshape(-1, 3)[:, 1:]
+    points, moved = np.asarray(sliced.points), np.asarray(sliced["displacement_mm"])
+    return _in_plane(panel, points)[ends], _in_plane(panel, points + moved)[ends]
+
+
+def _sliced(panel: SectionPanel, body: Any) -> Any:
+    """The undeformed body cut by the plane through the tip, across the face's y."""
+    frame, y = panel.frame, panel.xy_mm[1]
+    origin = np.asarray(frame.to_object(np.array([0.0, y, 0.0])))
+    across = np.asarray(frame.to_object(np.array([0.0, y + 1, 0.0]))) - origin
+    return body.slice(normal=across, origin=origin)
+
+
+def _in_plane(panel: SectionPanel, points_mm: np.ndarray) -> np.ndarray:
+    return np.asarray(panel.frame.from_object(points_mm))[:, [0, 2]]

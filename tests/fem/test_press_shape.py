@@ -9,7 +9,6 @@ from design.errors import InputError
 from design.layouts import face_frames, magnet_layout
 from fem.core_interface import CoreContact
 from fem.press_shape import table_shapes
-from fem.presses import press_places
 
 FACE, PLACE, DEPTH_MM = 2, np.array([[6.0, -3.5]]), 1.5
 
@@ -20,7 +19,7 @@ def shape(rigid_spec, coarse_mesh, rigid_response):
 
 
 def check_the_face_follows_the_tip(shape, spec):
-    """Where it touches the face has sunk by the depth less the tip's profile (weakly)."""
+    """Where it touches the face has sunk by the depth less the tip's profile, weakly."""
     frame = face_frames(spec)[FACE]
     touched = shape.contact_pressure_mpa > 0.02
     place = np.asarray(frame.from_object(shape.nodes_mm[touched]))
@@ -30,16 +29,24 @@ def check_the_face_follows_the_tip(shape, spec):
     assert_allclose(place[:, 2], 0, atol=1e-6)
     assert touched.sum() > 8
     weights = shape.contact_pressure_mpa[touched]
-    assert_allclose(weights @ sunk, weights @ expected, rtol=0.06)
-    assert_allclose(sunk, expected, atol=0.25)
+    assert_allclose(weights @ sunk, weights @ expected, rtol=0.05)
+    assert_allclose(sunk, expected, atol=0.3)
 
 
 def test_the_face_follows_the_tip(shape, rigid_spec):
     check_the_face_follows_the_tip(shape, rigid_spec)
 
 
-def test_magnets_move_as_in_the_table(shape, rigid_spec, rigid_response):
-    pressure = press_places(rigid_spec, rigid_response, FACE, PLACE, np.array([DEPTH_MM]))[0, 0]
+def test_magnets_move_as_by_the_response(shape, rigid_spec, rigid_response):
+    """Reciprocity: the same contact pressures on the rows of the condensed compliance."""
+    vertices = np.unique(shape.tets[:, :4])
+    frame = face_frames(rigid_spec)[FACE]
+    place = np.asarray(frame.from_object(shape.nodes_mm[vertices]))
+    surface = rigid_response.surfaces[FACE]
+    here = [
+        vertices[np.argmin(np.linalg.norm(place - [x, y, 0.0], axis=1))] for x, y in surface.xy_mm
+    ]
+    pressure = shape.contact_pressure_mpa[here]
     rows = rigid_response.compliance[rigid_response.magnet_loads, rigid_response.face_loads(FACE)]
     motion = (rows @ pressure).reshape(-1, 6)
     centres = magnet_layout(rigid_spec).centre_mm

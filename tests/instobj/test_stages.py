@@ -109,6 +109,31 @@ DOWNSTREAM = {
 }
 
 
+PRESSED_ON_THEIR_OWN = (
+    "silicone.youngs_modulus_mpa=0.3",
+    "silicone.shore=A12",
+    "mechanics.element=p2-p0",
+    "mechanics.magnets=points",
+    "mechanics.interface=frictionless",
+    "mechanics.slip.rim=held",
+    "magnets.tilt_deg=[[1,2],[0,0],[0,0],[0,0],[0,0]]",
+    "magnets.depth_mm=3",
+    "magnets.positions_mm=[[0,0],[9,8]]",
+    "magnets.diameter_mm=5",
+    "contact_grid.pitch_mm=2.5",
+    "press.depths_mm=[1.0,2.0]",
+    "indenter.radius_mm=4.5",
+    "mesh.edge_mm=5",
+    "shell.thickness_mm=9",
+)
+"""These also make the presses with large deformation anew."""
+for _override in PRESSED_ON_THEIR_OWN:
+    DOWNSTREAM[_override] = DOWNSTREAM[_override] | {"large_strain"}
+for _override in ("contact_grid.pitch_mm=2.5", "press.depths_mm=[1.0,2.0]", "indenter.radius_mm=4.5"):
+    DOWNSTREAM[_override] = DOWNSTREAM[_override] | {"shapes"}
+DOWNSTREAM["mechanics.correction=large-strain"] = {"large_strain"}
+
+
 def _with_dependents(changed: set[str]) -> set[str]:
     grown = set(changed)
     for name, stage in STAGES.items():
