@@ -96,8 +96,8 @@ def _draw(axes: Any, panel: SectionPanel, largest_mm: float) -> Any:
     if len(inside):
         one = np.zeros(len(cut.points_mm))
         axes.tripcolor(*cut.points_mm.T, inside, one, cmap="binary_r", vmin=0, vmax=1)
-    axes.add_collection(LineCollection(before, colors="#bbbbbb", lw=0.9, ls=(0, (3, 2))))
-    axes.add_collection(LineCollection(after, colors="#111111", lw=0.9))
+    axes.add_collection(LineCollection(list(before), colors="#bbbbbb", lw=0.9, ls=(0, (3, 2))))
+    axes.add_collection(LineCollection(list(after), colors="#111111", lw=0.9))
     if panel.tip_radius_mm is not None:
         radius = panel.tip_radius_mm
         centre = (panel.xy_mm[0], radius - panel.depth_mm)
