@@ -37,7 +37,7 @@ def error_note(content: dict[str, Any]) -> str:
     return (
         f"Discretisation error, estimated from the same {content['presses']} presses on a mesh with "
         f"edges 1.5 times as long ({content['coarse_unknowns']} unknowns): "
-        f"{100 * content['share_of_difference']:.0f} % of the difference, as for an error of third "
+        f"{100 * content['share_of_difference']:.0f} % of the difference, as for an error of second "
         "order. Motions are those of all magnets per newton. A patch load's compliance at a face's "
         f"centre: ±{_percent(content['patch_compliance'])} at most. A dash: the tip misses the coarser "
         "mesh's vertices."
