@@ -21,7 +21,7 @@ from design.spec import ObjectSpec
 from fem.core_interface import prescribed_loads, rigid_interface_motions
 from fem.factorization import solve_symmetric
 from fem.magnets import mean_motion_functionals
-from fem.response import ElasticSystem, ResponseOperator, elastic_system
+from fem.response import ElasticSystem, ResponseOperator, elastic_system, face_facets
 from fem.sparse import shape_of
 from fem.tet_mesh import TetMesh
 
@@ -147,7 +147,5 @@ def _at_faces(
 
 
 def _face_vertices(system: ElasticSystem, spec: ObjectSpec, frame: FaceFrame) -> np.ndarray:
-    from fem.response import face_facets
-
     facets = face_facets(system.mesh, spec, frame)
     return np.unique(np.asarray(system.mesh.facets)[:, facets])

@@ -94,7 +94,9 @@ def test_the_reach_and_the_lowest_point_of_a_pocket_bound_its_solid():
     for pocket in local:
         start, end = pocket.axis_ends_mm
         axis = cq.Vector(*(end - start))
-        solid = cq.Solid.makeCylinder(pocket.outline.radius_mm, axis.Length, cq.Vector(*start), axis)
+        solid = cq.Solid.makeCylinder(
+            pocket.outline.radius_mm, axis.Length, cq.Vector(*start), axis
+        )
         box = solid.intersect(room).BoundingBox()
         reach = [max(-box.xmin, box.xmax), max(-box.ymin, box.ymax)]
         assert_allclose(pocket.reach_mm, reach, rtol=0, atol=2e-3)

@@ -206,6 +206,7 @@ def test_superposed_motions_turn_with_the_shell():
     assert_allclose(still, rest, rtol=0, atol=1e-13)
 
 
+@pytest.mark.slow
 def test_the_table_of_a_slipped_object_keeps_its_rest(small_mesh, small_response, tmp_path):
     spec = small_spec(**SLIP)
     spec = spec.model_copy(
