@@ -31,6 +31,7 @@ class TolerancesSpec(SpecPart):
     sensor_seat_mm: NonNegative = 0.1
     sensor_rotation_deg: NonNegative = 2.0
     sensor_gain_relative: NonNegative = 0.02
+    sensor_offset_ut: NonNegative = 100.0
     core_shift_mm: Annotated[float, Field(ge=0, le=0.6)] = 0.3
     core_yaw_deg: Annotated[float, Field(ge=0, le=2)] = 1.0
     modulus_relative: NonNegative = 0.1

@@ -32,6 +32,7 @@ CONTRIBUTIONS = {
     "sensor_seat": ("sensor_seat_mm", "sensor seat"),
     "sensor_rotation": ("sensor_rotation_deg", "sensor rotation"),
     "sensor_gain": ("sensor_gain_relative", "sensor gain"),
+    "sensor_offset": ("sensor_offset_ut", "sensor offset"),
     "core_shift": ("core_shift_mm", "core shift"),
     "core_yaw": ("core_yaw_deg", "core yaw"),
     "modulus": ("modulus_relative", "modulus"),
@@ -117,6 +118,7 @@ def contribution_sizes(assembly: Assembly) -> dict[str, int]:
         "sensor_seat": 3 * sensors,
         "sensor_rotation": 3 * sensors,
         "sensor_gain": 3 * sensors,
+        "sensor_offset": 3 * sensors,
         "core_shift": 3,
         "core_yaw": 1,
         "modulus": 1,
@@ -150,7 +152,8 @@ def assembled(spec: ObjectSpec, design: Assembly, draws: Draws) -> Assembly:
         1e-6 * tolerances.earth_field_ut / np.sqrt(3) * numbers["earth_field"].reshape(2, 3)
     )
     around = replace(place.environment, uniform_t=place.environment.uniform_t + zeroed_t)
-    chips = ChipErrors(gain * place.chips.matrix, place.chips.offset_mt)
+    offset_mt = 1e-3 * tolerances.sensor_offset_ut * numbers["sensor_offset"].reshape(-1, 3)
+    chips = ChipErrors(gain * place.chips.matrix, place.chips.offset_mt + offset_mt)
     return Assembly(
         replace(place, magnets=magnets, sensors=sensors, chips=chips, environment=around),
         design.modulus_ratio * float(np.exp(tolerances.modulus_relative * numbers["modulus"][0])),

@@ -186,7 +186,7 @@ def self_test(
     spec: ObjectSpec,
     model: RestModel,
     counts: Float[np.ndarray, "channel"],
-    healthy_objects: int = 200,
+    healthy_objects: int = 100,
     shown: int = 5,
 ) -> SelfTest:
     """The likeliest none, one or two faults behind resting counts; NaN where a channel is dead.

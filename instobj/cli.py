@@ -204,6 +204,45 @@ def robustness(
 
 
 @app.command()
+def selftest(
+    spec: Annotated[Path, typer.Argument(help="Specification (TOML).", show_default=False)],
+    resting: Annotated[
+        Path,
+        typer.Argument(help="Recording, or CSV of frames at rest.", show_default=False),
+    ],
+    as_json: AsJson = False,
+    overrides: Overrides = None,
+    as_built: AsBuilt = None,
+) -> None:
+    """Flipped magnets, swapped or dead channels, from the resting signals of a built object."""
+    from instobj.hardware import self_test_of
+
+    result = self_test_of(spec, resting, _with_as_built(overrides, as_built))
+    _show(result, as_json)
+    if not result["passed"]:
+        raise typer.Exit(1)
+
+
+@app.command()
+def validate(
+    spec: Annotated[Path, typer.Argument(help="Specification (TOML).", show_default=False)],
+    recordings: Annotated[list[Path], typer.Argument(help="Recordings (CSV).", show_default=False)],
+    exchanges: Annotated[
+        int, typer.Option(min=1, help="Exchanges of places for the null of the calibration.")
+    ] = 19,
+    out: Out = _HERE,
+    as_json: AsJson = False,
+    overrides: Overrides = None,
+    as_built: AsBuilt = None,
+) -> None:
+    """Predicted against recorded presses, every figure beside its permutation null."""
+    from instobj.hardware import validate_on
+
+    given = _with_as_built(overrides, as_built)
+    _show(validate_on(spec, recordings, exchanges, out, given), as_json)
+
+
+@app.command()
 def press(
     spec: Annotated[Path, typer.Argument(help="Specification (TOML).", show_default=False)],
     xy: Annotated[tuple[float, float], typer.Option(help="Place in the face's frame, mm.")],

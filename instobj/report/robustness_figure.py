@@ -96,6 +96,7 @@ def tolerance_text(spec: ObjectSpec, name: str) -> str:
         "sensor_seat": f"{t.sensor_seat_mm:g} mm",
         "sensor_rotation": f"{t.sensor_rotation_deg:g}°",
         "sensor_gain": f"{100 * t.sensor_gain_relative:g} %",
+        "sensor_offset": f"{t.sensor_offset_ut:g} µT",
         "core_shift": f"{t.core_shift_mm:g} mm",
         "core_yaw": f"{t.core_yaw_deg:g}°",
         "modulus": f"{100 * t.modulus_relative:g} %",

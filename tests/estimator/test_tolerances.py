@@ -199,7 +199,7 @@ def test_dead_channels_and_all_channels_are_read_as_the_scores_do():
 def test_sizes_are_those_of_the_draws():
     spec = spec_with()
     sizes = contribution_sizes(designed(spec))
-    assert sum(sizes.values()) == 50 + 25 + 50 + 25 + 45 + 45 + 45 + 3 + 1 + 1 + 1 + 6
+    assert sum(sizes.values()) == 50 + 25 + 50 + 25 + 4 * 45 + 3 + 1 + 1 + 1 + 6
 
 
 def test_budget_survives_its_file(tmp_path):
