@@ -15,6 +15,7 @@ from instobj.store import RECORD, StoredResult
 
 _FILES = {
     "mesh": ("mesh_quality.json",),
+    "discretisation": ("discretisation.json",),
     "signals": ("signals.nc",),
     "scores": ("scores.csv", "cross_face.json", "maps/*.png"),
     "shear_scores": ("shear_scores.csv", "maps/*.png"),

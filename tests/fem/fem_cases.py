@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import scipy.sparse as sp
-from skfem import ElementTetP2, FacetBasis, LinearForm, MeshTet
+from skfem import FacetBasis, LinearForm, MeshTet
 
 from design.layouts import FaceFrame, face_frames, press_lattice
 from design.spec import MechanicsSpec, MeshSpec, ObjectSpec, PressSpec, SiliconeSpec
@@ -91,7 +91,7 @@ def patch_loads(system, spec):
     for frame in face_frames(spec):
         facets = boundary[abs(frame.from_object(centre)[:, 2]) < 0.1]
         nodal = _patch_form(frame).assemble(
-            FacetBasis(mesh, ElementTetP2(), facets=facets, intorder=8)
+            FacetBasis(mesh, system.space.displacement.elem, facets=facets, intorder=8)
         )
         totals.append(nodal.sum())
         forces.append(np.concatenate([-component * nodal for component in frame.normal]))

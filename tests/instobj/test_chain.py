@@ -82,8 +82,8 @@ def test_run_writes_the_files_of_the_contract(folder, first):
     expected |= {"cad_out/small/manifest.json"}
     expected |= {f"runs/small/face_{face}.safetensors" for face in range(1, 6)}
     expected |= {f"runs/small/maps/delta_face_{face}.png" for face in range(1, 6)}
-    names = ("signals.nc", "scores.csv", "frames.nc", "metrics.json", "report.html")
-    expected |= {f"runs/small/{name}" for name in names}
+    names = ("discretisation.json", "signals.nc", "scores.csv", "frames.nc", "metrics.json")
+    expected |= {f"runs/small/{name}" for name in (*names, "report.html")}
     assert expected <= written
     for path in written:
         assert (folder / path).stat().st_size > 0
