@@ -2,8 +2,8 @@
 
 With barycentric gradients ∇x̂_k constant in an element, ∂_a φ = Σ_k (∂_a x̂_k) ∂φ̂/∂x̂_k, so that
     ∫ ∂_a φ_p ∂_b φ_q = |e| Σ_kl (∂_a x̂_k)(∂_b x̂_l) R[k, l, p, q]
-with a mean R over the reference element. On the default mesh of the paper's cube this takes a
-quarter of the time of scikit-fem's forms, which stay as the oracle in the tests.
+with a mean R over the reference element. On the default mesh of the paper's cube this takes 40 %
+of the time of scikit-fem's forms (1.3 s for 3.3 s on one core), which stay as the tests' oracle.
 """
 
 from __future__ import annotations
