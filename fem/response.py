@@ -98,7 +98,8 @@ class ElasticSystem:
 def elastic_system(mesh: TetMesh, spec: ObjectSpec) -> ElasticSystem:
     """Assemble the silicone, hold what the core holds, tie the magnets.
 
-    Unknowns: every free displacement (by component), six motions of every rigid magnet, then the pressures (Taylor–Hood only). Warns where the element locks.
+    Unknowns: every free displacement (by component), six motions of every rigid magnet, then the
+    pressures (Taylor–Hood only). Warns where the element locks.
     """
     if spec.mechanics.element == "p1":
         warnings.warn(LOCKING_WARNING, stacklevel=2)
