@@ -16,7 +16,7 @@ test-slow: $(INSTALLED)
 	$(BIN)/pytest -q -m slow
 
 verify: $(INSTALLED)
-	$(BIN)/pytest -q -m "slow or not slow" tests/fem
+	$(BIN)/pytest -q -m "slow or not slow" tests/fem --verification-page docs/verification
 
 lint: $(INSTALLED)
 	$(BIN)/ruff check .

@@ -1,10 +1,16 @@
 """Every proof of the mechanics holds, and notices its planted fault."""
 
 import pytest
+import verification_checks_contact
 import verification_checks_elements
+import verification_checks_shell
 from verification import outcome_of
 
-CHECKS = [*verification_checks_elements.CHECKS]
+CHECKS = [
+    *verification_checks_elements.CHECKS,
+    *verification_checks_contact.CHECKS,
+    *verification_checks_shell.CHECKS,
+]
 
 
 @pytest.mark.parametrize(

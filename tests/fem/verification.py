@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 
 from design.files import atomic_path
+from fem.factorization import SingularSystemError
 
 
 @dataclass(frozen=True)
@@ -48,9 +49,9 @@ class Fault:
 class Check:
     """One proof: name (of its figure), claim, reference with its source, tolerance and fault.
 
-    `figure` is how its curves are drawn: "values" with their reference and the tolerance as a band
-    about it, "errors" on a logarithmic scale under the tolerance, "rates" on two logarithmic scales
-    beside lines of the reference's slope. `axes` label x and y, with units.
+    `figure` is how its curves are drawn: "values" with their reference, and below them the deviation
+    over the tolerance as a band; "errors" on a logarithmic scale under the tolerance; "rates" on two
+    logarithmic scales beside lines of the reference's slope. `axes` label x and y, with units.
     """
 
     name: str
@@ -85,7 +86,7 @@ def outcome_of(check: Check) -> Outcome:
         check.fault.plant(patch)
         try:
             faulty = check.measure()
-        except (ArithmeticError, ValueError):
+        except SingularSystemError:
             faulty = None
     return Outcome(check, measured, faulty)
 
@@ -129,16 +130,24 @@ def _draw(outcome: Outcome, path: Path) -> None:
     import matplotlib.pyplot as plt
 
     check = outcome.check
-    figure, axes = plt.subplots(figsize=(7.2, 4.8))
+    panels = 2 if check.figure == "values" else 1
+    figure, grid = plt.subplots(
+        panels, 1, figsize=(7.2, 4.8), sharex=True, squeeze=False, height_ratios=[2, 1][:panels]
+    )
+    axes, lowest = grid[0, 0], grid[-1, 0]
     _draw_curves(axes, outcome)
+    if check.figure == "values":
+        _draw_deviations(lowest, outcome)
     if check.figure == "errors":
-        axes.axhspan(check.tolerance, 1e9 * check.tolerance, color="C3", alpha=0.08, linewidth=0)
+        top = axes.get_ylim()[1]
+        axes.axhspan(check.tolerance, top, color="C3", alpha=0.08, linewidth=0)
         axes.axhline(check.tolerance, color="C3", linewidth=1, label="tolerance")
-    axes.set_xlabel(check.axes[0])
+    lowest.set_xlabel(check.axes[0])
     axes.set_ylabel(check.axes[1])
     axes.set_title(check.claim, fontsize=10, loc="left", wrap=True)
     axes.legend(frameon=False, fontsize=8, loc="center left", bbox_to_anchor=(1.01, 0.5))
-    axes.spines[["top", "right"]].set_visible(False)
+    for panel in grid[:, 0]:
+        panel.spines[["top", "right"]].set_visible(False)
     with atomic_path(path) as temporary:
         figure.savefig(temporary, format="svg", metadata={"Date": None}, bbox_inches="tight")
     plt.close(figure)
@@ -153,9 +162,6 @@ def _draw_curves(axes, outcome: Outcome) -> None:
         if curve.reference is not None:
             every.append(curve.reference)
             axes.plot(curve.x, curve.reference, "-", color=colour, linewidth=1)
-            if check.figure == "values":
-                low, high = ((1 + s * check.tolerance) * curve.reference for s in (-1, 1))
-                axes.fill_between(curve.x, low, high, color=colour, alpha=0.2, linewidth=0)
         if outcome.faulty is not None and index < len(outcome.faulty.curves):
             wrong = outcome.faulty.curves[index].measured
             every.append(wrong)
@@ -178,6 +184,19 @@ def _draw_curves(axes, outcome: Outcome) -> None:
         axes.set_ylim(0.4 * np.min(bounds), 2.5 * np.max(bounds))
     if check.figure == "rates" or check.logarithmic_x:
         axes.set_xscale("log")
+
+
+def _draw_deviations(axes, outcome: Outcome) -> None:
+    """Measured over reference, less 1, in per cent; the tolerance as a band."""
+    percent = 100 * outcome.check.tolerance
+    axes.axhspan(-percent, percent, color="C2", alpha=0.15, linewidth=0)
+    axes.axhline(0, color="0.5", linewidth=0.6)
+    for index, curve in enumerate(outcome.measured.curves):
+        deviation = 100 * (curve.measured / curve.reference - 1)
+        axes.plot(curve.x, deviation, "o", color=f"C{index}", markersize=4)
+    bound = 2 * percent
+    axes.set_ylim(-bound, bound)
+    axes.set_ylabel("deviation, %\n(band: tolerance)")
 
 
 def _shown(check: Check, values: np.ndarray) -> np.ndarray:
