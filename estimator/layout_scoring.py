@@ -27,7 +27,7 @@ from estimator.sources import BlockMagnet, Magnet, magnet_source
 
 OWN_ORDER = 7
 OTHER_ORDER = 3
-_CHUNK = 256
+_CHUNK = 512
 _FORCE_VARIANCE = 1 / 8
 """Of a raised-cosine press from 0 to its peak, over the peak squared."""
 _SMALLEST = 1e-6
@@ -183,11 +183,13 @@ def place_information(scorer: LayoutScorer, layouts: Layouts) -> PlaceInformatio
     counts = scorer.counts_per_t * (chips @ field.permute(1, 2, 0)[..., None])[..., 0]
     whitened = chips * (scorer.counts_per_t / scorer.sigma_counts)[:, None]
     own_rows, other_rows = mixed_rows(scorer.presses, layouts.magnet_mm.reshape(-1, 3))
+    of_others, magnets = scorer.presses.other, layouts.magnet_mm.shape[1]
+    faces = of_others.rows.shape[1] // (6 * len(of_others.basis))
+    moving = _of_moving_faces(other.by_motion, magnets, faces)
     mixed = torch.cat(
-        [_mixed(whitened, own.by_motion, own_rows), _mixed(whitened, other.by_motion, other_rows)],
-        dim=-1,
+        [_mixed(whitened, own.by_motion, own_rows), _mixed(whitened, moving, other_rows)], dim=-1
     )
-    basis = torch.cat([scorer.presses.own.basis, scorer.presses.other.basis])
+    basis = torch.cat([scorer.presses.own.basis, of_others.basis])
     change = mixed.transpose(0, 1).reshape(-1, len(basis)) @ basis
     channels = mixed.shape[1]
     by_parameter = change.reshape(channels, len(layouts), 4, -1)
@@ -219,6 +221,13 @@ def _field_changes(scorer: LayoutScorer, layouts: Layouts) -> tuple[FieldChange,
         change(centre, axis, polarity, OWN_ORDER),
         change(centres.flatten(2), axes.flatten(2), of_others, OTHER_ORDER),
     )
+
+
+def _of_moving_faces(
+    by_motion: Float[Tensor, "3 6 layout sensor other"], magnets: int, faces: int
+) -> Float[Tensor, "3 6 layout sensor moving"]:
+    """Without the opposite face, the last one, where there is one."""
+    return by_motion.unflatten(-1, (magnets, -1))[..., :faces].flatten(-2)
 
 
 def _axes(layouts: Layouts) -> Float[Tensor, "3 layout magnet"]:
