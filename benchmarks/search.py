@@ -35,7 +35,8 @@ from design.layouts import chip_on_board, contact_grid, core_frames, face_frames
 from design.pockets import board_frame, tilted_frame
 from design.spec import ObjectSpec
 from estimator.fisher import cramer_rao_bounds, disturbance_counts
-from estimator.layout_scoring import LayoutScorer, Layouts, layout_scorer, score_layouts
+from estimator.layout_batch import Layouts
+from estimator.layout_scoring import LayoutScorer, layout_scorer, score_layouts
 from estimator.press_basis import press_basis
 from fem.candidate_presses import presses_at_forces, simulate_candidates
 from fem.candidates import CandidateMotions, candidate_lattices

@@ -18,10 +18,10 @@ from torch import Tensor
 
 from design.errors import InputError
 from design.layouts import chip_on_board
-from design.pockets import magnet_bodies
 from design.spec import ObjectSpec
 from estimator.field_gradient import FieldChange, field_change
 from estimator.fisher import NoiseState, disturbance_counts
+from estimator.layout_batch import Layouts, chip_axes, magnet_axes
 from estimator.press_basis import PressBasis, mixed_rows
 from estimator.sources import BlockMagnet, Magnet, magnet_source
 
@@ -32,30 +32,6 @@ _FORCE_VARIANCE = 1 / 8
 """Of a raised-cosine press from 0 to its peak, over the peak squared."""
 _SMALLEST = 1e-6
 """Share of a direction's information that the others do not explain, from which float32 holds."""
-
-
-@dataclass(frozen=True)
-class Layouts:
-    """Layouts of one face, each repeated on all faces; every tensor may want gradients.
-
-    Attributes
-    ----------
-    magnet_mm : x, y in the face's frame and depth below the face, mm
-    turn_rad : rotation vector of each magnet's axis about the face's x and y, rad; 0 is outward
-    polarity : polarization over the specification's, usually 1 (north outward) or −1
-    sensor_mm : x, y in the face's frame, mm; chips are turned about the normal by their azimuth
-    """
-
-    magnet_mm: Float[Tensor, "layout magnet 3"]
-    turn_rad: Float[Tensor, "layout magnet 2"]
-    polarity: Float[Tensor, "layout magnet"]
-    sensor_mm: Float[Tensor, "layout sensor 2"]
-
-    def __len__(self) -> int:
-        return len(self.magnet_mm)
-
-    def __getitem__(self, rows: slice) -> Layouts:
-        return Layouts(*(getattr(self, f.name)[rows] for f in fields(self)))
 
 
 @dataclass(frozen=True)
@@ -145,19 +121,6 @@ def layout_scorer(
     )
 
 
-def layouts_of(spec: ObjectSpec, face: int, dtype: torch.dtype = torch.float32) -> Layouts:
-    """The specification's own layout of one face, as a batch of one."""
-    bodies, places = magnet_bodies(spec)[face - 1], spec.sensors.places[face - 1]
-    tilts = spec.magnets.tilt_deg or ((0.0, 0.0),) * len(bodies)
-    parts = (
-        [body.centre_mm * [1, 1, -1] for body in bodies],
-        np.deg2rad(tilts),
-        np.ones(len(bodies)),
-        [(x, y) for x, y, _ in places],
-    )
-    return Layouts(*(torch.as_tensor(np.asarray(part)[None], dtype=dtype) for part in parts))
-
-
 def score_layouts(scorer: LayoutScorer, layouts: Layouts, chunk: int = _CHUNK) -> LayoutScore:
     """Score every layout; differentiable in all four tensors. About 0.3 MB a layout of a chunk.
 
@@ -179,7 +142,7 @@ def place_information(scorer: LayoutScorer, layouts: Layouts) -> PlaceInformatio
     """Bounds and δ at every contact place, all layouts at once."""
     own, other = _field_changes(scorer, layouts)
     field = own.field.sum(-1) + other.field.sum(-1)
-    chips = _chip_axes(scorer, layouts.sensor_mm)
+    chips = chip_axes(layouts.sensor_mm, scorer.chip)
     counts = scorer.counts_per_t * (chips @ field.permute(1, 2, 0)[..., None])[..., 0]
     whitened = chips * (scorer.counts_per_t / scorer.sigma_counts)[:, None]
     own_rows, other_rows = mixed_rows(scorer.presses, layouts.magnet_mm.reshape(-1, 3))
@@ -203,7 +166,7 @@ def _field_changes(scorer: LayoutScorer, layouts: Layouts) -> tuple[FieldChange,
     """Fields and their changes at (layout, sensor, magnet) of own and (magnet, face) of others."""
     presses, xyd = scorer.presses, layouts.magnet_mm
     centre = torch.stack([xyd[..., 0], xyd[..., 1], -xyd[..., 2]])
-    axis = _axes(layouts)
+    axis = magnet_axes(layouts)
     depth = torch.full_like(layouts.sensor_mm[..., :1], -scorer.sensor_depth_mm)
     sensor = torch.cat([layouts.sensor_mm, depth], dim=-1).permute(2, 0, 1)[..., None]
 
@@ -228,29 +191,6 @@ def _of_moving_faces(
 ) -> Float[Tensor, "3 6 layout sensor moving"]:
     """Without the opposite face, the last one, where there is one."""
     return by_motion.unflatten(-1, (magnets, -1))[..., :faces].flatten(-2)
-
-
-def _axes(layouts: Layouts) -> Float[Tensor, "3 layout magnet"]:
-    """Unit axes: the outward normal turned by the rotation vector."""
-    about_x, about_y = layouts.turn_rad.unbind(-1)
-    angle = (about_x * about_x + about_y * about_y + 1e-14).sqrt()  # a root with a slope at rest
-    share = angle.sin() / angle
-    return torch.stack([share * about_y, -share * about_x, angle.cos()])
-
-
-def _chip_axes(
-    scorer: LayoutScorer, sensor_mm: Float[Tensor, "layout sensor 2"]
-) -> Float[Tensor, "layout sensor 3 3"]:
-    """Chip axes as rows, in the face's frame; a chip at the centre has azimuth 0."""
-    x, y = sensor_mm.unbind(-1)
-    squared = x * x + y * y
-    centred = squared == 0
-    length = torch.where(centred, 1.0, squared).sqrt()
-    cosine, sine = torch.where(centred, 1.0, x / length), y / length
-    zero, one = torch.zeros_like(x), torch.ones_like(x)
-    rows = torch.stack([sine, cosine, zero, -cosine, sine, zero, zero, zero, one], dim=-1)
-    board = rows.reshape(*x.shape, 3, 3)
-    return (board @ scorer.chip).transpose(-1, -2)
 
 
 def _mixed(

@@ -88,19 +88,16 @@ def press_basis(
     """
     _check(motions, face)
     frames = {frame.number: frame for frame in face_frames(spec)}
-    axes = frames[face].axes
-    tables = {
-        lattice.face: _derivatives(motions, face, lattice.face, axes, spec.score.force_n)
-        for lattice in motions.candidates
-    }
-    own = tables.pop(face)
-    others = sorted(tables, key=lambda g: _opposite(frames[g], frames[face]))
-    adjacent = [tables[g] for g in others if not _opposite(frames[g], frames[face])]
+    here = frames.pop(face)
+    others = sorted(frames.values(), key=lambda frame: _opposite(frame, here))
+    adjacent = [frame.number for frame in others if not _opposite(frame, here)]
+    own, *moving = (
+        _derivatives(motions, face, number, here.axes, spec.score.force_n)
+        for number in (face, *adjacent)
+    )
     scale = np.sqrt(np.mean(own**2, axis=(0, 1, 3)))
     scale = np.repeat(np.where(scale > 0, scale, 1.0), len(motions.places))
     lattice = motions.candidates[0]
-    turns = [axes.T @ frames[g].axes for g in others]
-    shifts = [(frames[g].centre_mm - frames[face].centre_mm) @ axes for g in others]
     ends = np.array([[n[0], n[1]] for n in (lattice.x_mm, lattice.y_mm, lattice.depth_mm)])
 
     def tensor(values: object) -> Tensor:
@@ -118,9 +115,9 @@ def press_basis(
         tensor(ends[:, 1] - ends[:, 0]),
         lattice.shape,
         table([own], own_rank or len(motions.places)),
-        table(adjacent, other_rank),
-        tensor(turns),
-        tensor(shifts),
+        table(moving, other_rank),
+        tensor([here.axes.T @ frame.axes for frame in others]),
+        tensor([here.from_object(frame.centre_mm) for frame in others]),
     )
 
 

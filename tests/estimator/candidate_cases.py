@@ -18,7 +18,7 @@ from estimator.field import FieldModel
 from estimator.fisher import cramer_rao_bounds, disturbance_counts
 from estimator.hall import chip_errors, counts_of_field
 from estimator.interpolation import signal_gradient
-from estimator.layout_scoring import Layouts
+from estimator.layout_batch import Layouts
 from estimator.scene import Scene, sensed_field
 from estimator.signals import Signals
 from estimator.sources import magnet_source

@@ -10,13 +10,8 @@ from numpy.testing import assert_allclose
 
 from design.errors import InputError
 from design.spec import ObjectSpec
-from estimator.layout_scoring import (
-    Layouts,
-    layout_scorer,
-    layouts_of,
-    place_information,
-    score_layouts,
-)
+from estimator.layout_batch import Layouts, layouts_of
+from estimator.layout_scoring import layout_scorer, place_information, score_layouts
 from estimator.press_basis import mixed_rows, press_basis
 
 FACE = 3
