@@ -7,17 +7,14 @@ designed seat does when the press lies as far aside the other way (`SEAT_ERROR` 
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import asdict, dataclass, fields
-from pathlib import Path
+from dataclasses import dataclass, fields
 from typing import Any
 
 import numpy as np
 from jaxtyping import Bool, Float
 
 from design.as_built import live_channels
-from design.files import atomic_path
 from design.layouts import contact_grid
 from design.spec import ObjectSpec
 from estimator.assembly import (
@@ -33,6 +30,7 @@ from estimator.field import FieldModel, field_model
 from estimator.fisher import cramer_rao_bounds, disturbance_counts
 from estimator.interpolation import press_traces
 from estimator.press_states import PressStates, motions_as_signals, press_states
+from estimator.robustness import BoundRange, Robustness, Spread
 from estimator.scene import min_distance_mm
 from estimator.sources import magnet_source
 from fem.results import MagnetMotions, PressForces
@@ -45,72 +43,12 @@ SEAT_ERROR = (
     "what its seat does is right in the median, but wrong by up to a factor of three at single "
     "places. Measured on the paper's cube against finite elements with point magnets at either seat."
 )
-_RANGES = ("position_median_mm", "position_worst_mm", "force_median_n", "force_worst_n")
 _STEP = 0.05
 """Of central differences, in standard deviations."""
 _NEARER_MM = 1.0
 """By which tolerances may bring magnet and sensor nearer than any press of the design does."""
 _REACH_SHARE = 0.7
 """Of a place's deepest press: leaves room for a softer silicone."""
-
-
-@dataclass(frozen=True)
-class Spread:
-    """Standard deviations that one contribution, or all, cause; medians and worst over places.
-
-    Attributes
-    ----------
-    baseline_counts, baseline_worst_counts : of channels at rest: rms and the worst
-    signal, signal_worst : of the change in a press, √Σσ² over the face's channels over its size
-    position_bound, position_bound_worst : of the Cramér–Rao position bound, relative
-    force_bound, force_bound_worst : of the force bound, relative
-    false_place_mm, false_place_worst_mm : place error (rms) of an estimator calibrated on the design
-    false_force_n, false_force_worst_n : its force error (rms)
-    """
-
-    name: str
-    baseline_counts: float
-    baseline_worst_counts: float
-    signal: float
-    signal_worst: float
-    position_bound: float
-    position_bound_worst: float
-    force_bound: float
-    force_bound_worst: float
-    false_place_mm: float
-    false_place_worst_mm: float
-    false_force_n: float
-    false_force_worst_n: float
-
-
-@dataclass(frozen=True)
-class BoundRange:
-    """A bound over the toleranced objects: that of the design, and 5 to 95 % of objects."""
-
-    design: float
-    low: float
-    high: float
-
-
-@dataclass(frozen=True)
-class Robustness:
-    """A specification's robustness budget.
-
-    `contributions` are each alone, to first order, in the order of their shares in the variances of
-    false place and false force. `together` is their root sum of squares, `monte_carlo` all at once
-    by `draws` objects. Bounds (mm, N) are freshly zeroed ones: that of the median place and that of
-    the worst.
-    """
-
-    contributions: tuple[Spread, ...]
-    together: Spread
-    monte_carlo: Spread
-    draws: int
-    force_n: float
-    position_median_mm: BoundRange
-    position_worst_mm: BoundRange
-    force_median_n: BoundRange
-    force_worst_n: BoundRange
 
 
 @dataclass(frozen=True)
@@ -179,21 +117,6 @@ def robustness(
         spec.score.force_n,
         *_bound_ranges(nominal, objects),
     )
-
-
-def save_robustness(budget: Robustness, path: Path | str) -> None:
-    """Write the budget as JSON."""
-    with atomic_path(path) as temporary:
-        temporary.write_text(json.dumps(asdict(budget), indent=1) + "\n", encoding="utf-8")
-
-
-def load_robustness(path: Path | str) -> Robustness:
-    """Read what `save_robustness` wrote."""
-    content = json.loads(Path(path).read_text(encoding="utf-8"))
-    ranges = {name: BoundRange(**content.pop(name)) for name in _RANGES}
-    rows = tuple(Spread(**row) for row in content.pop("contributions"))
-    whole = {name: Spread(**content.pop(name)) for name in ("together", "monte_carlo")}
-    return Robustness(contributions=rows, **whole, **ranges, **content)
 
 
 def _setting(spec: ObjectSpec, forces: PressForces, motions: MagnetMotions) -> _Setting:

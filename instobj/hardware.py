@@ -73,7 +73,8 @@ def _self_test_texts(result: SelfTest) -> list[str]:
     if not result.believed:
         lines.append(
             "NOT BELIEVED: no fault that is looked for brings the resting signals within the "
-            "tolerances. Measure the assembly (as_built), or widen the specification's tolerances to what is true"
+            "tolerances. Measure the assembly (as_built), or widen the specification's tolerances to "
+            "what is true"
         )
     return lines
 

@@ -14,7 +14,7 @@ from instobj.publish import file_rows, publish, require_writable, stage_row
 from instobj.report.robustness_figure import tolerance_text
 
 if TYPE_CHECKING:
-    from estimator.tolerances import Robustness
+    from estimator.robustness import Robustness
 
 
 def robustness_of(specs: list[Path], out: Path, overrides: list[str]) -> dict[str, Any]:
@@ -27,7 +27,7 @@ def robustness_of(specs: list[Path], out: Path, overrides: list[str]) -> dict[st
 
 
 def _budget_of(spec: ObjectSpec, out: Path) -> dict[str, Any]:
-    from estimator.tolerances import load_robustness
+    from estimator.robustness import load_robustness
 
     chain = Chain(spec)
     result = chain.require("robustness")

@@ -202,7 +202,8 @@ def _identify(context: StageContext, folder: Path) -> None:
 
 
 def _robustness(context: StageContext, folder: Path) -> None:
-    from estimator.tolerances import robustness, save_robustness
+    from estimator.robustness import save_robustness
+    from estimator.tolerances import robustness
     from fem.results import load_presses
     from instobj.report.robustness_figure import draw_robustness
 

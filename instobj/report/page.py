@@ -179,7 +179,8 @@ def _cross_face_section(spec: ObjectSpec, signals: Any) -> str:
 
 
 def _robustness_section(spec: ObjectSpec, inputs: dict[str, Path]) -> str:
-    from estimator.tolerances import SEAT_ERROR, load_robustness
+    from estimator.robustness import load_robustness
+    from estimator.tolerances import SEAT_ERROR
     from instobj.robustness import bound_rows
 
     budget = load_robustness(inputs["robustness"] / "robustness.json")

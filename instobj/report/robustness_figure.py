@@ -9,7 +9,7 @@ from design.files import atomic_path
 from design.spec import ObjectSpec
 
 if TYPE_CHECKING:
-    from estimator.tolerances import Robustness, Spread
+    from estimator.robustness import Robustness, Spread
 
 _ALONE, _ALL, _WORST = "#1b6ca8", "#5b5b5b", "#c8553d"
 _PANELS = (

@@ -13,11 +13,12 @@ from estimator import assembly, tolerances
 from estimator.assembly import assembled, contribution_sizes, counts_of, designed
 from estimator.field import FieldModel
 from estimator.press_states import press_states
+from estimator.robustness import load_robustness, save_robustness
 from estimator.scene import at_rest
 from estimator.scores import score_places
 from estimator.signals import press_signals
 from estimator.sources import magnet_source
-from estimator.tolerances import load_robustness, robustness, save_robustness
+from estimator.tolerances import robustness
 
 NONE = dict.fromkeys(ObjectSpec(name="x").tolerances.model_dump(), 0.0)
 ONE_EACH = {
