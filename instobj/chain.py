@@ -9,7 +9,8 @@ from pathlib import Path
 
 from design.spec import ObjectSpec
 from instobj.progress import ProgressLine
-from instobj.stages import STAGES, StageContext, stage_inputs
+from instobj.stage import StageContext
+from instobj.stages import STAGES, stage_inputs
 from instobj.store import StoredResult, content_key, store_root, stored
 
 _LIBRARIES = ("instobj",)

@@ -14,7 +14,7 @@ from design.spec import ObjectSpec
 if TYPE_CHECKING:
     from fem.large_strain_results import LargeStrainPress
     from fem.results import MagnetMotions, PressForces
-    from instobj.stages import StageContext
+    from instobj.stage import StageContext
 
 _SHOWN_DEPTH_MM = 2.0
 _EDGES_PER_TIP_RADIUS = 3.0

@@ -15,7 +15,7 @@ from design.spec_io import load_spec, spec_hash
 from instobj.chain import Chain
 from instobj.progress import ProgressLine
 from instobj.publish import file_rows, require_writable, run_folder, stage_row
-from instobj.stages import write_json
+from instobj.stage import write_json
 
 if TYPE_CHECKING:
     from estimator.pose_fit import CalibrationTest, Problem

@@ -7,7 +7,7 @@ from typing import Any
 
 from design.errors import InputError
 from design.spec import TrainingSpec
-from instobj.stages import Step, write_json
+from instobj.stage import Step, write_json
 from instobj.store import file_key, store_root, stored
 
 _VERSION = 1

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from instobj.stages import StageContext
+    from instobj.stage import StageContext
 
 
 def make_plain_mesh(context: StageContext, folder: Path) -> None:

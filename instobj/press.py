@@ -17,7 +17,7 @@ from design.spec import ObjectSpec
 from design.spec_io import load_spec, spec_hash
 from instobj.progress import ProgressLine
 from instobj.publish import file_rows, publish_to, require_writable, run_folder, stage_row
-from instobj.stages import Step, write_json
+from instobj.stage import Step, write_json
 from instobj.store import StoredResult, store_root, stored
 
 if TYPE_CHECKING:

@@ -19,7 +19,7 @@ from instobj.report.deformation_section import (
     deformation_section,
     envelope_text,
 )
-from instobj.stages import StageContext
+from instobj.stage import StageContext
 
 SPEC = ObjectSpec(name="cube")
 PROTOCOL = {"shallowest_peak_mm": 1.0, "deepest_peak_mm": 4.5}

@@ -129,7 +129,11 @@ PRESSED_ON_THEIR_OWN = (
 """These also make the presses with large deformation anew."""
 for _override in PRESSED_ON_THEIR_OWN:
     DOWNSTREAM[_override] = DOWNSTREAM[_override] | {"large_strain"}
-for _override in ("contact_grid.pitch_mm=2.5", "press.depths_mm=[1.0,2.0]", "indenter.radius_mm=4.5"):
+for _override in (
+    "contact_grid.pitch_mm=2.5",
+    "press.depths_mm=[1.0,2.0]",
+    "indenter.radius_mm=4.5",
+):
     DOWNSTREAM[_override] = DOWNSTREAM[_override] | {"shapes"}
 DOWNSTREAM["mechanics.correction=large-strain"] = {"large_strain"}
 
