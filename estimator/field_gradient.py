@@ -37,9 +37,9 @@ def field_change(
 ) -> FieldChange:
     """Field of a source and its change with the source's rigid motion; differentiable once more.
 
-    As wrong as `field.multipole_field` of that order is; the derivatives lose one order of it (a
-    dipole's field is 13 % wrong 10 mm from a disk of Ø6 × 1, its derivative 18 %). Diverges within
-    the circumscribed sphere.
+    Largest error 10 mm from a disk of Ø6 × 1, of the derivatives by displacement and by rotation:
+    23 and 50 % as a dipole, 3.5 and 9 % with order 3, 0.04 and 0.13 % with order 7 (7 mm away 0.9
+    and 3.3 %). The series diverges within the circumscribed sphere.
 
     Parameters
     ----------
