@@ -4,6 +4,22 @@ The displacement on a magnet's skin is held to a rigid motion (c, ω) in the mea
 polynomials ψ_k: ∫ ψ_k (u − c − ω × r) dS = 0. The multipliers are the magnet's tractions. With the
 flexibility S = Φᵀ A⁻¹ Φ of these functionals Φ, everything but their solves is small and dense, so
 any layout is answered by the one factorization of the magnet-free mesh.
+
+Too few functionals leave the magnet soft, many on coarse elements lock the elements around it.
+Against a mesh that resolves one magnet with edges of 0.8 mm (largest error of four patch loads over
+and beside it, in compliance, displacement and rotation of the magnet):
+
+| edges where the magnet is | functionals | compliance | displacement | rotation |
+|---|---|---|---|---|
+| 1.0 mm | 18 | +3.1 % | 5.8 % | 1.7 % |
+| 1.0 mm | 36 | −3.2 % | 1.4 % | 1.7 % |
+| 1.0 mm | 60 | −3.4 % | 1.8 % | 2.8 % |
+| 1.6 mm | 36 | −3.9 % | 2.6 % | 2.4 % |
+| 2 to 3 mm, the default | 36 | −8 % | 5 % | 6 % |
+| 2 to 3 mm, magnets meshed | – | 4.6 % | 4.3 % | 4.9 % |
+
+The default `degree` of 2 takes 36 for a disk. Layouts tied to one mesh differ by nothing but the
+layout, where meshing each anew adds the scatter between meshes.
 """
 
 from __future__ import annotations

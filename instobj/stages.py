@@ -197,7 +197,7 @@ STAGES: dict[str, Stage] = {
         ),
         ("name", "limits", "silicone"),
         make_report,
-        version=7,
+        version=8,
     ),
 }
 """In the order in which a command works through those that it needs."""

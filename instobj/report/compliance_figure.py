@@ -28,15 +28,18 @@ def draw_compliance(
     shown = {name: one.mm_per_n[:, grid_places_in_lattice(spec)] for name, one in maps.items()}
     low, high = finite_limits(np.stack(list(shown.values())))
     for name, values in shown.items():
-        what = "rigid magnets" if spec.mechanics.magnets == "rigid" else "magnets as ideal points"
+        rigid = spec.mechanics.magnets == "rigid"
+        what = "magnets rigid" if rigid else "magnets as ideal points"
+        title = f"How soft it is {with_magnets.depth_mm:g} mm deep: travel per newton"
         if name == WITHOUT_MAGNETS:
-            what = "no magnets (circles: where they would be)"
+            what, title = "magnets left out (drawn where they would be)", f"{title}, no magnets"
         softest, stiffest = np.nanmax(values), np.nanmin(values)
+        both = " One scale with and without magnets." if without_magnets is not None else ""
         draw_overview(
             values,
             with_magnets.faces,
             spec,
-            f"How soft it is {with_magnets.depth_mm:g} mm deep: travel per newton",
+            title,
             "mm/N",
             low,
             high,
@@ -46,7 +49,6 @@ def draw_compliance(
             note=(
                 f"Depth over force of the {spec.indenter.kind} pressed {with_magnets.depth_mm:g} mm, "
                 f"{what}. Softest {softest:.2f}, stiffest {stiffest:.2f} mm/N; E = "
-                f"{spec.silicone.youngs_modulus_mpa:g} MPa, small strain. The same colours in both "
-                "maps, with magnets and without."
+                f"{spec.silicone.youngs_modulus_mpa:g} MPa, small strain.{both}"
             ),
         )

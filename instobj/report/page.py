@@ -43,6 +43,7 @@ def write_report(
     """Write the page from the folders of the stages it stands on."""
     from estimator.scores import load_scores_csv
     from estimator.signals import load_signals, saturation_margin
+    from instobj.report.compliance_section import compliance_section
     from instobj.report.core_section import core_section
     from instobj.report.deformation_section import deformation_section
     from instobj.surroundings import surroundings_section
@@ -59,6 +60,7 @@ def write_report(
         _robustness_section(spec, inputs),
         surroundings_section(spec),
         _mechanics_section(spec, signals, inputs, path.parent),
+        compliance_section(spec, inputs["presses"], path.parent),
         deformation_section(spec, inputs, _read_json(inputs["frames"] / "protocol.json")),
         core_section(spec, inputs["presses"], path.parent),
         _estimator_section(spec, inputs),

@@ -1,0 +1,26 @@
+"""The report's map of how soft the object is where."""
+
+from __future__ import annotations
+
+import base64
+from pathlib import Path
+
+from design.spec import ObjectSpec
+
+
+def compliance_section(spec: ObjectSpec, presses: Path, scratch: Path) -> str:
+    """HTML; `presses` is the folder of the presses' stage."""
+    from fem.compliance_map import compliance_map
+    from fem.results import load_presses
+    from instobj.report.compliance_figure import WITH_MAGNETS, draw_compliance
+
+    forces, _ = load_presses(presses / "presses.nc")
+    draw_compliance(spec, compliance_map(forces), scratch)
+    data = base64.b64encode((scratch / WITH_MAGNETS).read_bytes()).decode()
+    return (
+        "<h2>How soft it is where</h2>"
+        f"<img alt='Compliance of every place' src='data:image/png;base64,{data}'>"
+        "<p class='note'>Travel per newton of every contact place, the secant at the stated depth. "
+        "<code>instobj compliance</code> shows it beside the same object without magnets, with the "
+        "numbers as a table.</p>"
+    )
