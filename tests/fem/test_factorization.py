@@ -10,7 +10,12 @@ from numpy.testing import assert_allclose
 
 from fem import factorization
 from fem.elasticity import assemble, free_motion_basis, saddle_point_matrix, taylor_hood
-from fem.factorization import SingularSystemError, compliance_of_loads, solve_symmetric
+from fem.factorization import (
+    Factorization,
+    SingularSystemError,
+    compliance_of_loads,
+    solve_symmetric,
+)
 from fem.material import lame_constants
 from fem.response import _require_inertia
 from fem.sparse import shape_of, upper_triangle
@@ -62,6 +67,35 @@ def test_solutions_equal_dense_algebra(solver):
     exact = np.linalg.solve(matrix.toarray(), right)
     solution = solve_symmetric(matrix, right)
     assert_allclose(solution, exact, rtol=0, atol=1e-10 * abs(exact).max())
+
+
+@pytest.mark.filterwarnings("ignore:MKL:UserWarning")
+def test_one_factorization_answers_many_right_sides(solver):
+    matrix, pressures = small_system(bonded=True)
+    right = np.random.default_rng(3).standard_normal((shape_of(matrix)[0], 5))
+    exact = np.linalg.solve(matrix.toarray(), right)
+    with Factorization(matrix) as factor:
+        for columns in (slice(0, 2), slice(2, 5), slice(1, 4)):
+            solved = factor.solve(right[:, columns])
+            assert_allclose(solved, exact[:, columns], rtol=0, atol=1e-10 * abs(exact).max())
+        assert factor.negative_pivots == (pressures if solver == "pardiso" else -1)
+    with pytest.raises(ValueError, match="released"):
+        factor.solve(right)
+    factor.release()  # once more does no harm
+
+
+@pytest.mark.filterwarnings("ignore:MKL:UserWarning")
+def test_adjoint_and_direct_solves_agree_to_rounding(solver):
+    """lᵀ (A⁻¹ f) = (A⁻¹ l)ᵀ f, and the Schur complement gives the same."""
+    matrix, _ = small_system(bonded=True)
+    loads = sparse_loads(shape_of(matrix)[0])
+    with Factorization(matrix) as factor:
+        solved = factor.solve(loads.toarray())
+    forward = loads.T @ solved
+    scale = abs(forward).max()
+    assert_allclose(forward, forward.T, rtol=0, atol=1e-12 * scale)
+    condensed = compliance_of_loads(matrix, loads).matrix
+    assert_allclose(condensed, forward, rtol=0, atol=1e-12 * scale)
 
 
 @pardiso_only
