@@ -39,12 +39,14 @@ class Tip:
 class JointPress:
     """Indenters pressed together: force of each (N) at its depth (mm), and all magnets' motions.
 
-    `motion` (magnet, 6) is in mm and rad, in the object's frame, as in `MagnetMotions`.
+    `shear_n` are the forces along the face's x and y, 0 without friction. `motion` (magnet, 6) is
+    in mm and rad, in the object's frame, as in `MagnetMotions`.
     """
 
     tips: tuple[Tip, ...]
     depth_mm: Float[np.ndarray, "tip"]
     force_n: Float[np.ndarray, "tip"]
+    shear_n: Float[np.ndarray, "tip 2"]
     contact_area_mm2: Float[np.ndarray, "tip"]
     motion: Float[np.ndarray, "magnet 6"]
 
@@ -154,7 +156,7 @@ def _presser(
     spec: ObjectSpec, response: ResponseOperator, tips: Sequence[Tip]
 ) -> Callable[[np.ndarray], JointPress]:
     """Function from the tips' depths to their joint press; on straight paths cells stay."""
-    _require_apart(spec, tips)
+    require_apart(spec, tips)
     straight = not any(spec.indenter.direction_deg)
     kept = _cells(spec, response, tips, np.zeros(len(tips))) if straight else None
 
@@ -165,7 +167,7 @@ def _presser(
         force = np.bincount(cells.tip, pressure * cells.area_mm2, minlength=len(tips))
         touched = np.bincount(cells.tip, (pressure > 0) * cells.area_mm2, minlength=len(tips))
         motion = spread_motion(response, cells.spreads, pressure)
-        return JointPress(tuple(tips), depths_mm, force, touched, motion)
+        return JointPress(tuple(tips), depths_mm, force, np.zeros((len(tips), 2)), touched, motion)
 
     return press
 
@@ -207,7 +209,8 @@ def _cells(
     )
 
 
-def _require_apart(spec: ObjectSpec, tips: Sequence[Tip]) -> None:
+def require_apart(spec: ObjectSpec, tips: Sequence[Tip]) -> None:
+    """Raise InputError where two indenters on a face overlap."""
     for a, b in combinations(tips, 2):
         offset = np.array([b.x_mm - a.x_mm, b.y_mm - a.y_mm])
         if a.face == b.face and tips_overlap(spec.indenter, offset):

@@ -1,6 +1,5 @@
 """The mesh of the default specification: shell compliance, layer force, symmetry. Minutes long."""
 
-import numpy as np
 import pytest
 from fem_cases import (
     SHELL_COMPLIANCE_MM_PER_N,
@@ -36,12 +35,12 @@ def test_shell_compliance_within_one_percent(default_mesh):
     assert_allclose(compliance, SHELL_COMPLIANCE_MM_PER_N[0.4999], rtol=0.01)
 
 
-def test_layer_force_without_magnets_within_four_percent(default_mesh):
+def test_layer_force_without_magnets_within_three_percent(default_mesh):
     """Random places within ±4 mm of the face centres; Dimitriadis et al. up to 1 mm."""
     spec = paper_cube("points", EDGES_MM, 0.5)
     mean = forces_near_the_centre(spec, build_response(default_mesh, spec), 60).mean(axis=(0, 1))
-    assert_allclose(mean[1:], [1.69, 5.5], rtol=0.04)
-    assert_allclose(mean[:2], dimitriadis_force_n(np.array([0.5, 1.0]), 5.0, 8.0), rtol=0.05)
+    assert_allclose(mean[1:], [1.69, 5.5], rtol=0.03)
+    assert_allclose(mean[0], dimitriadis_force_n(0.5, 5.0, 8.0), rtol=0.02)
 
 
 def test_mirrored_presses_agree_and_every_press_is_in_contact(default_mesh):
@@ -49,4 +48,4 @@ def test_mirrored_presses_agree_and_every_press_is_in_contact(default_mesh):
     forces, _ = simulate_lattice(spec, build_response(default_mesh, spec))
     difference = relative_mirror_difference(forces.force_n[0], spec)
     assert (forces.force_n > 0).all()
-    assert (difference < [0.09, 0.04, 0.02]).all()
+    assert (difference < [0.012, 0.01, 0.008]).all()

@@ -66,7 +66,6 @@ def test_hats_that_stand_for_the_contact_have_its_force_and_its_place(rigid_spec
     presses = press_face(rigid_spec, rigid_response, 3, xy, DEPTHS)
     surface = rigid_response.surfaces[3]
     weights = surface_weights_mm2(surface)
-    assert (presses.vertex_mpa >= 0).all()
     assert_allclose(presses.vertex_mpa @ weights, presses.force_n, rtol=1e-10)
     middle = (presses.vertex_mpa * weights) @ surface.xy_mm / presses.force_n[..., None]
     assert abs(middle - xy[:, None]).max() < 0.35  # magnets below one side draw the pressure
