@@ -6,6 +6,7 @@ from numpy.testing import assert_allclose
 
 from design.errors import InputError
 from fem import large_strain
+from fem.contact import contact_pressures
 from fem.hyperelastic import neo_hookean, yeoh
 from fem.large_strain import press_large_strain
 from fem.large_strain_newton import StepDivergedError
