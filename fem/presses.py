@@ -10,6 +10,7 @@ import scipy.sparse as sp
 from jaxtyping import Float
 from skfem.quadrature import get_quadrature
 from skfem.refdom import RefTri
+from threadpoolctl import threadpool_limits
 
 from design.errors import InputError
 from design.layouts import press_lattice
@@ -119,11 +120,25 @@ def press_face(
 ) -> FacePresses:
     """Press the indenter at every place on its own, without friction.
 
+    On one BLAS thread: with two, these many small dense systems cost fifteen times the work in
+    waiting for each other.
+
     Raises
     ------
     InputError
         An indenter that would hang over the face's border.
     """
+    with threadpool_limits(1, "blas"):
+        return _press_each(spec, response, face_index, xy_mm, depths_mm)
+
+
+def _press_each(
+    spec: ObjectSpec,
+    response: ResponseOperator,
+    face_index: int,
+    xy_mm: np.ndarray,
+    depths_mm: np.ndarray,
+) -> FacePresses:
     face, tip = refined_face(response, face_index, spec), tip_cells(spec.indenter)
     sideways = path_mm(spec.indenter, depths_mm)
     require_on_face(face.surface, spec.indenter, xy_mm + sideways[-1])
