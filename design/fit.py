@@ -13,13 +13,17 @@ if TYPE_CHECKING:
     from design.spec import ObjectSpec
 
 
-def require_fit(spec: ObjectSpec) -> None:
-    """Raise ValueError with what does not fit, what was given and how to mend it."""
+def require_fit(spec: ObjectSpec, table: bool = True) -> None:
+    """Raise ValueError with what does not fit, what was given and how to mend it.
+
+    Without `table`, whether the indenter can be pressed at every contact place is left open.
+    """
     _check_core(spec)
     _check_wire_passages(spec)
     _check_pockets(spec)
     _check_core_contents(spec)
-    _check_presses(spec)
+    if table:
+        _check_presses(spec)
     check_environment(spec)
 
 

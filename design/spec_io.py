@@ -13,11 +13,13 @@ from typing import Any, get_args
 from pydantic import BaseModel, ValidationError
 
 from design.errors import InputError
-from design.spec import ObjectSpec
+from design.spec import SINGLE_PRESSES, ObjectSpec
 
 
-def load_spec(path: Path | str, overrides: Iterable[str] = ()) -> ObjectSpec:
+def load_spec(path: Path | str, overrides: Iterable[str] = (), table: bool = True) -> ObjectSpec:
     """Read a specification and apply `key=value` overrides (dotted keys, TOML values).
+
+    Without `table`, the indenter need not fit at every contact place: for single presses.
 
     What was measured on the built object, `<specification>.as_built.toml` beside it, is read too.
 
@@ -32,7 +34,7 @@ def load_spec(path: Path | str, overrides: Iterable[str] = ()) -> ObjectSpec:
     )
     content = _with_tensile_data(with_overrides(content, overrides), path.parent)
     content = _with_indenter_corners(content, path.parent)
-    return parse_spec(_with_as_built(content, path), str(path))
+    return parse_spec(_with_as_built(content, path), str(path), table)
 
 
 def _read_toml(path: Path, missing: str) -> dict[str, Any]:
@@ -63,10 +65,10 @@ def with_overrides(content: dict[str, Any], overrides: Iterable[str]) -> dict[st
     return content
 
 
-def parse_spec(content: dict[str, Any], source: str) -> ObjectSpec:
-    """Validate already parsed TOML; `source` names it in errors."""
+def parse_spec(content: dict[str, Any], source: str, table: bool = True) -> ObjectSpec:
+    """Validate already parsed TOML; `source` names it in errors, `table` is that of `load_spec`."""
     try:
-        return ObjectSpec.model_validate(content)
+        return ObjectSpec.model_validate(content, context=None if table else SINGLE_PRESSES)
     except ValidationError as error:
         problems = "\n".join(f"  - {_explain(problem)}" for problem in error.errors())
         raise InputError(f"{source} is not a valid specification:\n{problems}") from None
@@ -78,7 +80,7 @@ def spec_hash(spec: ObjectSpec) -> str:
     Defaults are not validated, so an integer default would differ from the same number read from
     a file; one round of validation makes them alike.
     """
-    alike = ObjectSpec.model_validate(spec.model_dump(mode="json"))
+    alike = ObjectSpec.model_validate(spec.model_dump(mode="json"), context=SINGLE_PRESSES)
     canonical = json.dumps(alike.model_dump(mode="json"), sort_keys=True)
     return hashlib.sha256(canonical.encode()).hexdigest()
 

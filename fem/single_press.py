@@ -141,10 +141,24 @@ def require_modulus(spec: ObjectSpec, material: Hyperelastic) -> None:
         )
 
 
+def _require_hemisphere(spec: ObjectSpec) -> None:
+    indenter = spec.indenter
+    plain = indenter.kind == "hemisphere" and indenter.tip_count == 1
+    if not plain or any(indenter.direction_deg) or indenter.friction != "none":
+        raise InputError(
+            "large deformation presses one hemisphere, straight and without friction; got "
+            f"indenter.kind = {indenter.kind!r}, tip_count = {indenter.tip_count}, direction_deg = "
+            f"{list(indenter.direction_deg)}, friction = {indenter.friction!r}. Use "
+            "--material linear, or set them back"
+        )
+
+
 def require_press(
     spec: ObjectSpec, face: int, x_mm: float, y_mm: float, depths_mm: Sequence[float]
 ) -> None:
-    """Raise InputError for another element or core, an unknown face, a tip over the border, bad depths."""
+    """Raise InputError for another element, core or indenter, an unknown face, a tip over the border,
+    or bad depths."""
+    _require_hemisphere(spec)
     if spec.mechanics.element != "taylor-hood":
         raise InputError(
             "presses with large deformation need the Taylor–Hood element; mechanics.element is "

@@ -13,7 +13,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 import scipy.linalg
 from jaxtyping import Bool, Float, Int
+from scipy.optimize import brentq
 
+from design.errors import InputError
 from design.spec import ObjectSpec
 from design.tip_shapes import TipShape, path_mm, tip_heights_mm, tip_places_mm, tip_shape
 from fem.grasp import JointPress, Tip, require_apart
@@ -24,6 +26,7 @@ from fem.traction_response import TractionResponse, traction_response
 _LARGEST_STEP_MM = 0.1
 _FEWEST_STEPS = 10
 _MAX_SWITCHES = 60
+_LARGEST_SHARE = 0.8
 _TOLERANCE = 1e-9
 
 
@@ -104,6 +107,35 @@ def press_sticking(
         state = _next(setting, state, depth)
         presses.append(_joint_press(setting, state, depth))
     return presses
+
+
+def press_sticking_to_force(setting: StickingSetting, force_n: float) -> list[JointPress]:
+    """The press of a single indenter until it bears `force_n`, to 1e-6 mm of travel.
+
+    Raises
+    ------
+    InputError
+        Several indenters, or a force that is not positive or not reached within the indenter's
+        height and the shell's thickness.
+    """
+    if len(setting.tips) != 1:
+        raise InputError(
+            f"with sticking friction one press at a time goes to a force; got {len(setting.tips)}. "
+            "Press them one by one, or to depths"
+        )
+    deepest = _LARGEST_SHARE * min(setting.shape.height_mm, setting.spec.shell.thickness_mm)
+
+    def missing(depth_mm: float) -> float:
+        return float(press_sticking(setting, np.array([depth_mm]))[-1].force_n[0]) - force_n
+
+    most = missing(deepest) + force_n
+    if not 0 < force_n <= most:
+        raise InputError(
+            f"{force_n:g} N are not reached: the press must be positive and bears {most:.3g} N at "
+            f"{deepest:.3g} mm. Press less hard"
+        )
+    depth = brentq(missing, 1e-6, deepest, xtol=1e-6)
+    return press_sticking(setting, np.array([depth]))
 
 
 def _next(setting: StickingSetting, state: StickingState, depth_mm: np.ndarray) -> StickingState:

@@ -245,25 +245,83 @@ def validate(
 @app.command()
 def press(
     spec: Annotated[Path, typer.Argument(help="Specification (TOML).", show_default=False)],
-    xy: Annotated[tuple[float, float], typer.Option(help="Place in the face's frame, mm.")],
+    xy: Annotated[
+        tuple[float, float] | None, typer.Option(help="Place in the face's frame, mm.")
+    ] = None,
     face: Annotated[int, typer.Option(help="Sensed face, 1 to 5.")] = 1,
     depth: Annotated[float, typer.Option(help="Depth of the press, mm.")] = 2.0,
-    material: Annotated[str, typer.Option(help="neo-hookean, yeoh or ogden.")] = "neo-hookean",
+    material: Annotated[
+        str, typer.Option(help="neo-hookean, yeoh, ogden, or linear: small strain, any indenter.")
+    ] = "neo-hookean",
     constants: Annotated[
         str, typer.Option(help="MPa: C1,C2,C3 of yeoh; μ1,α1,μ2,α2,… of ogden.")
     ] = "",
+    at: Annotated[
+        list[str] | None,
+        typer.Option(metavar="FACE:X,Y[,DEPTH]", help="linear: one more place; repeat it."),
+    ] = None,
+    force: Annotated[
+        float | None, typer.Option(help="linear: press each to this force, N.")
+    ] = None,
+    direction: Annotated[
+        tuple[float, float] | None,
+        typer.Option(help="linear: path leans towards the face's x and y, degrees."),
+    ] = None,
+    patch: Annotated[
+        tuple[float, float] | None,
+        typer.Option(help="linear: uniform pressure instead: radius mm, MPa."),
+    ] = None,
     out: Out = _HERE,
     as_json: AsJson = False,
     overrides: Overrides = None,
 ) -> None:
-    """One press with large deformation beside small strain, on the same mesh."""
+    """Presses of chosen places: one with large deformation beside small strain, or any with --material
+    linear, several at once."""
+    from instobj.load_places import places_given
+
+    given = [*(overrides or [])]
+    if direction is not None:
+        given.append(f"indenter.direction_deg=[{direction[0]}, {direction[1]}]")
+    places = places_given(face, xy, at or [], depth)
+    if material == "linear":
+        from instobj.loads import press_loads
+
+        result = press_loads(spec, places, force, patch, out, given)
+        _show(result, as_json)
+        if result["status"] == "refused":
+            typer.echo("some presses were refused: see above", err=True)
+            raise typer.Exit(2)
+        return
+    if xy is None or at or force is not None or patch is not None:
+        raise InputError(
+            "--at, --force and --patch are for small strain: add --material linear, or give one "
+            "place with --xy and --depth"
+        )
     from instobj.press import press_specification
 
-    result = press_specification(spec, face, xy, depth, material, constants, out, overrides or [])
+    result = press_specification(spec, face, xy, depth, material, constants, out, given)
     _show(result, as_json)
     if result["status"] != "converged":
         typer.echo("Newton's method found no equilibrium any deeper", err=True)
         raise typer.Exit(1)
+
+
+@app.command()
+def grasp(
+    spec: Annotated[Path, typer.Argument(help="Specification (TOML).", show_default=False)],
+    jaw: Annotated[
+        list[str],
+        typer.Option(metavar="FACE:X,Y[;X,Y]", help="Tips of one jaw; give it twice."),
+    ],
+    force: Annotated[float, typer.Option(help="Force of each jaw, N.")],
+    out: Out = _HERE,
+    as_json: AsJson = False,
+    overrides: Overrides = None,
+) -> None:
+    """A parallel-jaw grasp: forces, travel, what all sensors see, and the error of superposition."""
+    from instobj.grasp import grasp_specification
+
+    _show(grasp_specification(spec, jaw, force, out, overrides or []), as_json)
 
 
 @app.command()

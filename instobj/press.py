@@ -50,7 +50,7 @@ def press_specification(
     """
     from fem.single_press import require_modulus, require_press
 
-    spec = load_spec(path, overrides)
+    spec = load_spec(path, overrides, table=False)
     material = material_of(spec, material_name, constants)
     depths = _depths_mm(depth_mm)
     require_press(spec, face, *xy_mm, depths)
