@@ -211,8 +211,12 @@ def profile_moments_mm3(surface: FaceSurface, xy_mm: np.ndarray, radius_mm: floa
 def require_on_face(
     surface: FaceSurface, indenter: IndenterSpec, xy_mm: Float[np.ndarray, "place 2"]
 ) -> None:
-    """Raise InputError for an indenter whose outline reaches beyond the face's border."""
-    low, high = surface.xy_mm.min(axis=0), surface.xy_mm.max(axis=0)
+    """Raise InputError for an indenter whose outline reaches beyond the face's border.
+
+    On a slipped shell it may hang over on one side by as much as the slip.
+    """
+    high = abs(surface.xy_mm).max(axis=0)
+    low = -high
     footprint = footprint_mm(indenter)
     size = np.ptp(footprint, axis=0)
     if (size > high - low + _BORDER_MM).any():
