@@ -1,7 +1,5 @@
 """Large deformation: element, tangent, contact, rigid magnets, and the limit of small strain."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 from fem_cases import box_mesh

@@ -1,0 +1,57 @@
+"""Proof of the contact finer than the mesh: a flat punch on blocks of growing size."""
+
+from functools import cache
+
+import block_cases
+import numpy as np
+from fem_cases import YOUNGS_MODULUS_MPA
+from verification import Check, Curve, Fault, Measured
+
+from fem import refined_contact
+from fem.presses import press_face
+
+POISSON_RATIO = 0.4999
+
+
+@cache
+def coarse_block(half_width_mm):
+    return block_cases.block_response(POISSON_RATIO, half_width_mm, half_width_mm, 2.0, 1)
+
+
+def flat_punch():
+    """F = 2 a E* δ on blocks of growing size, by cells finer than the mesh."""
+    sizes, radius, depth = np.array([5.0, 10.0, 20.0, 40.0, 80.0]), 1.0, np.array([0.2])
+    spec = block_cases.spec_of(POISSON_RATIO, kind="flat", radius_mm=radius)
+    exact = 2 * radius * YOUNGS_MODULUS_MPA / (1 - POISSON_RATIO**2) * depth[0]
+    force = [
+        float(press_face(spec, coarse_block(size), 0, np.zeros((1, 2)), depth).force_n[0, 0])
+        for size in sizes
+    ]
+    off = np.array(force) / exact - 1
+    words = (
+        f"Disk of radius 1 mm on blocks as high as half their width, cells of 2 mm in the middle: "
+        f"{off[0]:+.1%} on the smallest block, {off[-1]:+.2%} on the largest, where the infinite "
+        "pressure at the punch's edge is what the cells miss."
+    )
+    curve = Curve("force of the punch", sizes, np.array(force), np.full(len(sizes), exact))
+    return Measured(float(abs(off[-1])), words, (curve,))
+
+
+def _hats_kept(patch):
+    right = refined_contact.cells_compliance
+    patch.setattr(refined_contact, "cells_compliance", lambda *a: 0 * right(*a))
+
+
+CHECKS = (
+    Check(
+        "flat_punch",
+        "A flat punch on a large block",
+        "F = 2 a E* δ on a half-space",
+        0.01,
+        flat_punch,
+        Fault("near field of the mesh's own hat functions counted besides the cells'", _hats_kept),
+        "values",
+        ("half width of the block, mm", "force at 0.2 mm, N"),
+        logarithmic_x=True,
+    ),
+)
