@@ -118,6 +118,7 @@ STAGES: dict[str, Stage] = {
             "shell_body_outline",
         ),
         make_candidates,
+        version=2,
     ),
     "coarse_response": Stage(
         "mechanics: response on a coarser mesh",
@@ -130,6 +131,7 @@ STAGES: dict[str, Stage] = {
         ("response", "coarse_response"),
         ("contact_grid", "indenter", "press"),
         make_discretisation,
+        version=2,
     ),
     "signals": Stage(
         "signals: Hall sensors",
@@ -146,6 +148,7 @@ STAGES: dict[str, Stage] = {
         ("mesh", "response"),
         ("contact_grid", "indenter", "press", "mechanics.slip"),
         make_shear,
+        version=2,
     ),
     "shear_scores": Stage(
         "sensitivity: with tangential forces",
@@ -197,7 +200,7 @@ STAGES: dict[str, Stage] = {
         ),
         ("name", "limits", "silicone"),
         make_report,
-        version=8,
+        version=9,
     ),
 }
 """In the order in which a command works through those that it needs."""

@@ -15,7 +15,12 @@ from estimator.scores import area_places
 if TYPE_CHECKING:
     from estimator.signals import Signals
 
-_AREA_COLOURS = {"centre": "#1b6ca8", "mid_edge": "#c8553d", "corner": "#6a994e"}
+_AREA_COLOURS = {
+    "centre": "#1b6ca8",
+    "edge": "#b08900",
+    "mid_edge": "#c8553d",
+    "corner": "#6a994e",
+}
 
 
 def draw_press_curves(spec: ObjectSpec, signals: Signals, path: Path) -> None:
