@@ -22,6 +22,7 @@ def require_fit(spec: ObjectSpec, table: bool = True) -> None:
     _check_wire_passages(spec)
     _check_pockets(spec)
     _check_core_contents(spec)
+    _check_tips(spec)
     if table:
         _check_presses(spec)
     check_environment(spec)
@@ -233,6 +234,18 @@ def _check_presses(spec: ObjectSpec) -> None:
             f"press.depths_mm must stay below 60 % of shell.thickness_mm (linear mechanics); got "
             f"{deepest:g} of {spec.shell.thickness_mm:g} mm. Press less deep or thicken the shell"
         )
+
+
+def _check_tips(spec: ObjectSpec) -> None:
+    from design.tip_shapes import tip_places_mm, tips_overlap
+
+    one = spec.indenter.model_copy(update={"tip_count": 1})
+    for a, b in combinations(tip_places_mm(spec.indenter), 2):
+        if tips_overlap(one, b - a):
+            raise ValueError(
+                f"indenter.tip_spacing_mm = {spec.indenter.tip_spacing_mm} makes the tips overlap. Space "
+                "them by more than their width, or leave it out"
+            )
 
 
 def _check_indenter(spec: ObjectSpec) -> None:

@@ -148,8 +148,8 @@ def _require_hemisphere(spec: ObjectSpec) -> None:
         raise InputError(
             "large deformation presses one hemisphere, straight and without friction; got "
             f"indenter.kind = {indenter.kind!r}, tip_count = {indenter.tip_count}, direction_deg = "
-            f"{list(indenter.direction_deg)}, friction = {indenter.friction!r}. Use "
-            "--material linear, or set them back"
+            f"{list(indenter.direction_deg)}, friction = {indenter.friction!r}. Set them back, or use "
+            "small strain: `instobj press --material linear`, mechanics.correction = 'none'"
         )
 
 

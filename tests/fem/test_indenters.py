@@ -265,6 +265,7 @@ def test_a_table_with_sticking_friction_is_refused(rigid_response):
         ({"direction_deg": (30.0, 0.0)}, "fewer places"),
         ({"tip_count": 3}, "fewer places"),
         ({"radius_mm": 3.0}, "indenter's height, 3 mm"),
+        ({"tip_count": 2, "tip_spacing_mm": 9.0}, "tips overlap"),
         ({"tilt_deg": (5.0, 0.0)}, "does nothing to a hemisphere"),
         ({"kind": "flat", "fillet_mm": 5.0}, "below half their width"),
         ({"kind": "stl"}, "file"),
