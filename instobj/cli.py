@@ -286,11 +286,7 @@ def press(
     if material == "linear":
         from instobj.loads import press_loads
 
-        result = press_loads(spec, places, force, patch, out, given)
-        _show(result, as_json)
-        if result["status"] == "refused":
-            typer.echo("some presses were refused: see above", err=True)
-            raise typer.Exit(2)
+        _show_loads(press_loads(spec, places, force, patch, out, given), as_json)
         return
     if xy is None or at or force is not None or patch is not None:
         raise InputError(
@@ -342,6 +338,13 @@ def slip(
     from instobj.slip import slip_specification
 
     _show(slip_specification(spec, shift, rotation, rim, out, overrides or []), as_json)
+
+
+def _show_loads(result: dict[str, Any], as_json: bool) -> None:
+    _show(result, as_json)
+    if result["status"] == "refused":
+        typer.echo("some presses were refused: see above", err=True)
+        raise typer.Exit(2)
 
 
 def _with_as_built(overrides: list[str] | None, as_built: Path | None) -> list[str]:
