@@ -15,9 +15,8 @@ import scipy.sparse as sp
 
 from design.layouts import contact_grid, magnet_layout
 from design.spec import MeshSpec, ObjectSpec
-from fem.contact import contact_pressures
 from fem.factorization import Factorization
-from fem.presses import press_places, profile_moments_mm3, surface_weights_mm2
+from fem.presses import press_face
 from fem.response import (
     ElasticSystem,
     ResponseOperator,
@@ -31,6 +30,8 @@ from fem.sparse import shape_of
 from fem.tet_mesh import TetMesh, tetrahedralize
 
 DEPTHS_MM = np.linspace(0.2, 4.0, 20)
+STENCIL_EDGES = 3
+"""Vertices beyond the tip whose hat functions stand for its cells: rings of the surface mesh."""
 QUICK_MESH = MeshSpec(edge_mm=6.0, surface_edge_mm=2.4)
 
 
@@ -95,11 +96,11 @@ def _table_by_operator(
     """Force (face, place, step) and motions (face, place, step, 6·magnet)."""
     xy = contact_grid(spec).xy_mm[places]
     force, motion = [], []
-    for index, surface in enumerate(response.surfaces):
-        pressures = press_places(spec, response, index, xy, DEPTHS_MM)
+    for index in range(len(response.surfaces)):
+        pressed = press_face(spec, response, index, xy, DEPTHS_MM)
         rows = response.compliance[response.magnet_loads, response.face_loads(index)]
-        force.append(pressures @ surface_weights_mm2(surface))
-        motion.append(pressures @ rows.T)
+        force.append(pressed.force_n)
+        motion.append(pressed.vertex_mpa @ rows.T)
     return np.array(force), np.array(motion)
 
 
@@ -162,17 +163,19 @@ def _press_with(
     """One place of face 1 through forward solves; the largest relative difference to the table."""
     surfaces, tractions = face_pressure_loads(system.space, spec)
     centre = contact_grid(spec).xy_mm[place : place + 1]
-    surface, radius = surfaces[0], spec.indenter.radius_mm
-    near = np.flatnonzero(np.linalg.norm(surface.xy_mm - centre, axis=1) < radius)
+    surface, magnets = surfaces[0], 6 * len(magnet_layout(spec).face)
+    reach = spec.indenter.radius_mm + STENCIL_EDGES * spec.mesh.surface_edge_mm
+    near = np.flatnonzero(np.linalg.norm(surface.xy_mm - centre, axis=1) < reach)
     loads = (system.motion_basis.T @ sp.csc_matrix(tractions)[:, near]).toarray()
     padded = np.zeros((shape_of(system.matrix)[0], len(near)))
     padded[: len(loads)] = loads
     motions = factor.solve(padded)[: len(loads)]
-    compliance = loads.T @ motions
-    weights = surface_weights_mm2(surface)[near]
-    profile = profile_moments_mm3(surface, centre, radius)[0, near]
-    pressures = contact_pressures((compliance + compliance.T) / 2, profile, weights, depths_mm)
-    magnets = motions[-6 * len(magnet_layout(spec).face) :] @ pressures.T
-    off_force = abs(pressures @ weights - force[0, place]).max() / force[0, place].max()
-    off_motion = abs(magnets.T - motion[0, place]).max() / abs(motion[0, place]).max()
+    vertices = len(surface.xy_mm)
+    compliance = np.zeros((vertices + magnets, vertices + magnets))
+    compliance[np.ix_(near, near)] = loads.T @ motions
+    face = ResponseOperator((surface,), compliance, len(padded), -1)
+    pressed = press_face(spec, face, 0, centre, depths_mm)
+    moved = pressed.vertex_mpa[0][:, near] @ motions[-magnets:].T
+    off_force = abs(pressed.force_n[0] - force[0, place]).max() / force[0, place].max()
+    off_motion = abs(moved - motion[0, place]).max() / abs(motion[0, place]).max()
     return float(max(off_force, off_motion))
