@@ -166,7 +166,7 @@ def agreement(
         found = getattr(score, name).numpy()
         result[name] = {
             "median_error": float(np.median(abs(found / exact - 1))),
-            "rank_correlation": float(spearmanr(found, exact)[0]),
+            "rank_correlation": float(spearmanr(found, exact).statistic),  # pyright: ignore[reportAttributeAccessIssue],
         }
     return result
 
