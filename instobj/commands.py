@@ -106,7 +106,7 @@ def _run_one(spec: ObjectSpec, stages: tuple[str, ...], out: Path) -> dict[str, 
         "name": spec.name,
         "spec_hash": spec_hash(spec),
         "stages": [stage_row(result) for result in chain.results.values()],
-        "summary": summarize(chain.results),
+        "summary": summarize(chain.results, spec),
         "files": file_rows(files),
     }
 

@@ -1,49 +1,27 @@
-"""`instobj robustness`: what assembly, material and surroundings do to signals and bounds."""
+"""What assembly, material and surroundings do to signals and bounds, as rows."""
 
 from __future__ import annotations
 
-import json
-from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from design.spec import ObjectSpec
-from design.spec_io import load_spec, spec_hash
-from instobj.chain import Chain
-from instobj.publish import file_rows, publish, require_writable, stage_row
 from instobj.report.robustness_figure import tolerance_text
 
 if TYPE_CHECKING:
     from estimator.robustness import Robustness
 
 
-def robustness_of(specs: list[Path], out: Path, overrides: list[str]) -> dict[str, Any]:
-    """The budget of each specification, in `runs/<name>/robustness.{json,png}`."""
-    require_writable(out)
-    return {
-        "command": "robustness",
-        "objects": [_budget_of(load_spec(path, overrides), out) for path in specs],
-    }
-
-
-def _budget_of(spec: ObjectSpec, out: Path) -> dict[str, Any]:
+def robustness_summary(spec: ObjectSpec, folder: Path) -> dict[str, list[dict[str, Any]]]:
+    """Title → rows of a stage's `robustness.json`."""
     from estimator.robustness import load_robustness
 
-    chain = Chain(spec)
-    result = chain.require("robustness")
-    budget = load_robustness(result.folder / "robustness.json")
+    budget = load_robustness(folder / "robustness.json")
     return {
-        "name": spec.name,
-        "spec_hash": spec_hash(spec),
-        "stages": [stage_row(stage) for stage in chain.results.values()],
-        "budget": json.loads(json.dumps(asdict(budget))),
-        "summary": {
-            f"what one standard deviation does, {budget.force_n:g} N, median place": budget_rows(
-                spec, budget
-            ),
-            "bounds of objects within tolerance, freshly zeroed": bound_rows(budget),
-        },
-        "files": file_rows(publish(spec, result, out)),
+        f"what one standard deviation does, {budget.force_n:g} N, median place": budget_rows(
+            spec, budget
+        ),
+        "bounds of objects within tolerance, freshly zeroed": bound_rows(budget),
     }
 
 

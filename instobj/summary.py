@@ -9,11 +9,16 @@ import statistics
 from pathlib import Path
 from typing import Any
 
+from design.spec import ObjectSpec
+from instobj.robustness import robustness_summary
 from instobj.store import StoredResult
 
 
-def summarize(results: dict[str, StoredResult]) -> dict[str, Any]:
-    """Title → numbers (or rows of numbers) for the stages that have results. NaN becomes None."""
+def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) -> dict[str, Any]:
+    """Title → numbers (or rows of numbers) for the stages that have results. NaN becomes None.
+
+    `spec` is that of the chain, None for a data set.
+    """
     makers = (
         ("build", "parts", _parts),
         ("mesh", "mesh", _json("mesh_quality.json")),
@@ -34,6 +39,8 @@ def summarize(results: dict[str, StoredResult]) -> dict[str, Any]:
     made = {
         title: _finite(make(results[stage])) for stage, title, make in makers if stage in results
     }
+    if spec and "robustness" in results:
+        made |= _finite(robustness_summary(spec, results["robustness"].folder))
     return {title: values for title, values in made.items() if values}
 
 
