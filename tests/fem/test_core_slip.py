@@ -29,6 +29,7 @@ from fem.single_press import require_press
 SLIP = {"shift_mm": [0.9, -0.6, 0.4], "rotation_deg": [3.0, -2.0, 4.0]}
 AMPLITUDES = np.array([0.3, -0.7, 0.5, 0.02, 0.03, -0.05])
 DEPTHS_MM = np.array([1.0, 2.0])
+TIP_RADIUS_MM = 5.0
 
 
 @pytest.fixture(scope="module")
@@ -178,6 +179,14 @@ def test_a_shifted_shell_is_touched_elsewhere_and_its_depth_counts_from_the_touc
     assert abs(here / elsewhere - 1).max() > 1e-3
 
 
+def mean_contact_shift_mm(spec, response, places_mm):
+    """Centre of force less the place, towards +x: mean over the places, so over the mesh."""
+    pressure = press_places(spec, response, 0, places_mm, DEPTHS_MM)[:, -1]
+    surface = response.surfaces[0]
+    force = pressure * surface_weights_mm2(surface)
+    return ((force @ surface.xy_mm[:, 0]) / force.sum(axis=1) - places_mm[:, 0]).mean()
+
+
 def test_a_tilted_face_is_touched_first_on_its_high_side(small_mesh, small_response):
     """A turn of 4° about y lowers face 1 towards +x: the tip's contact moves to −x."""
     spec = small_spec(rotation_deg=[0.0, -4.0, 0.0])
@@ -185,9 +194,11 @@ def test_a_tilted_face_is_touched_first_on_its_high_side(small_mesh, small_respo
     surface = slipped.surfaces[0]
     slope = np.polyfit(surface.xy_mm[:, 0], surface.height_mm, 1)[0]
     assert_allclose(slope, -np.tan(np.deg2rad(4)), rtol=1e-6)
-    (pressure,) = press_places(spec, slipped, 0, np.array([[0.0, 0.0]]), DEPTHS_MM)[0][:1]
-    force = pressure * surface_weights_mm2(surface)
-    assert force @ surface.xy_mm[:, 0] / force.sum() < -0.1
+    ticks = np.linspace(-6, 6, 5)
+    places = np.stack(np.meshgrid(ticks, ticks), axis=-1).reshape(-1, 2)
+    shift = mean_contact_shift_mm(spec, slipped, places)
+    shift -= mean_contact_shift_mm(small_spec(), small_response, places)
+    assert_allclose(shift, -TIP_RADIUS_MM * np.sin(np.deg2rad(4)), rtol=0.4)
 
 
 def test_superposed_motions_turn_with_the_shell():
