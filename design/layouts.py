@@ -177,11 +177,12 @@ def shell_body_layout(spec: ObjectSpec) -> ShellBodies:
 
 
 def magnet_layout(spec: ObjectSpec) -> MagnetLayout:
-    """All magnets, face by face, north outward, or as `as_built` found them."""
+    """All magnets, face by face, as designed or as `as_built` found them; axes point north."""
     in_shell = spec.arrangement == "sensors-in-core"
     frames = face_frames(spec) if in_shell else core_frames(spec)
     centre, frame, face = _in_object(frames, magnet_bodies(spec))
-    designed = MagnetLayout(centre, frame[:, :, 2], face, frame[:, :, 0], np.ones(len(face)))
+    north = np.tile(spec.magnets.polarities, len(frames))[:, None] * frame[:, :, 2]
+    designed = MagnetLayout(centre, north, face, frame[:, :, 0], np.ones(len(face)))
     return magnets_as_built(spec, designed, frames)
 
 

@@ -21,7 +21,9 @@ Tilt = Annotated[float, Field(ge=-30, le=30)]
 
 
 class MagnetSpec(SpecPart):
-    """Axially magnetised bodies, one layout repeated on every sensed face, north outward.
+    """Axially magnetised bodies, one layout repeated on every sensed face.
+
+    `north` says of each magnet which way its north pole points; left out, all point outward.
 
     `part` gives shape and dimensions (and grade) of a catalogued magnet. A ring has an
     `inner_diameter_mm`; a block has edges `size_mm` along the face's x and y. `remanence_t` is that
@@ -60,6 +62,15 @@ class MagnetSpec(SpecPart):
     )
     depth_mm: Positive | tuple[Positive, ...] | None = None
     tilt_deg: tuple[tuple[Tilt, Tilt], ...] = ()
+    north: tuple[Literal["outward", "inward"], ...] = ()
+
+    @property
+    def polarities(self) -> tuple[int, ...]:
+        """1 for every magnet with its north outward, −1 for the others."""
+        return tuple(
+            1 if way == "outward" else -1
+            for way in self.north or ("outward",) * len(self.positions_mm)
+        )
 
     @property
     def depths_mm(self) -> tuple[float, ...]:
@@ -103,7 +114,8 @@ class MagnetSpec(SpecPart):
 
     def _check_one_for_each(self) -> None:
         count = len(self.positions_mm)
-        for key, values in (("depth_mm", self.depths_mm), ("tilt_deg", self.tilt_deg)):
+        listed = (("depth_mm", self.depths_mm), ("tilt_deg", self.tilt_deg), ("north", self.north))
+        for key, values in listed:
             if len(values) not in (0, count):
                 raise ValueError(
                     f"magnets.{key} needs one entry for each of the {count} magnets.positions_mm; "

@@ -44,7 +44,7 @@ def layouts_of(spec: ObjectSpec, face: int, dtype: torch.dtype = torch.float32) 
     parts = (
         [body.centre_mm * [1, 1, -1] for body in bodies],
         np.deg2rad(tilts),
-        np.ones(len(bodies)),
+        np.asarray(spec.magnets.polarities, dtype=float),
         [(x, y) for x, y, _ in places],
     )
     return Layouts(*(torch.as_tensor(np.asarray(part)[None], dtype=dtype) for part in parts))
