@@ -13,6 +13,7 @@ from pydantic import Field, model_validator
 
 from design.fit import require_fit
 from design.spec_as_built import AsBuiltSpec
+from design.spec_collection import CollectionSpec
 from design.spec_environment import EnvironmentSpec
 from design.spec_hardware import (
     BodySpec,
@@ -67,6 +68,7 @@ class ObjectSpec(SpecPart):
     mechanics: MechanicsSpec = MechanicsSpec()
     score: ScoreSpec = ScoreSpec()
     protocol: ProtocolSpec = ProtocolSpec()
+    collection: CollectionSpec = CollectionSpec()
     training: TrainingSpec = TrainingSpec()
     limits: LimitsSpec = LimitsSpec()
     tolerances: TolerancesSpec = TolerancesSpec()

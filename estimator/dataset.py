@@ -33,6 +33,7 @@ class FrameSet:
         Face number of each contact, `NO_FACE` where the slot is empty.
     contact_xy_mm : (frame, contact, 2), mm in the face's frame; NaN where empty.
     force_n : (frame, contact, 3), N along the face's x, y and inward normal; NaN where empty.
+        The label: what a load cell shows, shared equally among the tips of its probe.
     valid : (frame,)
         False for frames that must not be used (glitches, force between contact and rest, …).
     press_id : (frame,)
@@ -44,6 +45,7 @@ class FrameSet:
     faces : (face,) face numbers along the face axis
     grid_x_mm, grid_y_mm : contact grid, so that heatmaps know their pixels, mm
     noise_counts : (axis,) white noise of a reading, counts
+    true_force_n : as `force_n`, what each tip really bears; None where nobody knows (recorded)
     """
 
     signal_counts: Float[np.ndarray, "frame face sensor axis"]
@@ -63,13 +65,17 @@ class FrameSet:
     spec_hash: str
     seed: int
     lag_frames: int = 0
+    true_force_n: Float[np.ndarray, "frame contact 3"] | None = None
 
     def __len__(self) -> int:
         return len(self.time_s)
 
     def select(self, frames: Bool[np.ndarray, "frame"] | Int[np.ndarray, "n"]) -> FrameSet:
         """The given frames, in order."""
-        return replace(self, **{name: getattr(self, name)[frames] for name in _PER_FRAME})
+        chosen = {name: getattr(self, name)[frames] for name in _PER_FRAME}
+        if self.true_force_n is not None:
+            chosen["true_force_n"] = self.true_force_n[frames]
+        return replace(self, **chosen)
 
 
 _PER_FRAME = {
@@ -102,6 +108,8 @@ def save_frames(frames: FrameSet, path: Path | str) -> None:
         name: (dims, getattr(frames, name), {"unit": unit})
         for name, (dims, unit) in {**_PER_FRAME, **_FIXED}.items()
     }
+    if frames.true_force_n is not None:
+        variables["true_force_n"] = (_PER_FRAME["force_n"][0], frames.true_force_n, {"unit": "N"})
     attributes = {name: getattr(frames, name) for name in _ATTRIBUTES}
     data = xr.Dataset(variables, attrs={**attributes, "schema_version": SCHEMA_VERSION})
     encoding = {"signal_counts": {"zlib": True, "complevel": 1, "dtype": "float32"}}
@@ -146,4 +154,5 @@ def load_frames(path: Path | str) -> FrameSet:
         spec_hash=str(attributes["spec_hash"]),
         seed=int(attributes["seed"]),
         lag_frames=int(attributes["lag_frames"]),
+        true_force_n=data["true_force_n"].values if "true_force_n" in data else None,
     )

@@ -171,6 +171,7 @@ def test_the_example_is_the_template_and_the_defaults():
     chosen = [("magnets", key) for key in ("grade", "part", "depth_mm", "tilt_deg")]
     chosen.append(("sensors", "positions_mm"))
     chosen += [("indenter", key) for key in ("file", "vertices_mm", "tip_spacing_mm")]
+    chosen += [("collection", key) for key in ("dual_poses", "triple_poses")]
     optional = {where: switched_on[where[0]].pop(where[1]) for where in chosen}
     silicone = dict(switched_on["silicone"])
     for key in ("shore", "tensile_data", "prony"):
