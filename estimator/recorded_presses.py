@@ -18,7 +18,8 @@ from design.spec import ObjectSpec
 from estimator.dataset import NO_FACE, FrameSet
 from estimator.interpolation import counts_at_force, press_traces
 from estimator.press_states import motions_as_signals, rest_motion
-from estimator.recordings import Recording, jumps_between
+from estimator.recording_combine import jumps_between
+from estimator.recordings import Recording
 from fem.results import MagnetMotions, PressForces
 
 LOADED_SHARE = 0.5

@@ -6,43 +6,73 @@ import numpy as np
 from jaxtyping import Bool, Float, Int
 
 from estimator.dataset import NO_FACE
-from estimator.heatmap import NO_CONTACT_LABELS, label_grid_mm, label_to_pixel, pixel_to_mm
 
-Place = tuple[tuple[int, int], ...]
-"""A contact case: (face, position label) of every tip, sorted."""
+Place = tuple[tuple[int, float, float], ...]
+"""A contact case: face, x and y (mm) of every tip, sorted."""
+_NOWHERE = 1e6
+
+
+def place_keys(
+    face: Int[np.ndarray, "frame cell"], tip_xy_mm: Float[np.ndarray, "frame cell tip 2"]
+) -> Float[np.ndarray, "frame key"]:
+    """Rows that are equal where the labels are: faces, then places to 1 µm (none: far away)."""
+    xy = np.round(np.nan_to_num(tip_xy_mm, nan=_NOWHERE), 3)
+    stated = np.where(np.isfinite(tip_xy_mm).any(axis=(2, 3)), face, NO_FACE)
+    return np.column_stack([stated, xy.reshape(len(face), -1)])
+
+
+def carried_labels(
+    face: Int[np.ndarray, "frame cell"], tip_xy_mm: Float[np.ndarray, "frame cell tip 2"]
+) -> tuple[Int[np.ndarray, "frame cell"], Float[np.ndarray, "frame cell tip 2"]]:
+    """Labels carried to the frames that state none: to those before, and after the last.
+
+    A place stated only while it is pressed so covers the rest before that press, too.
+    """
+    frames = np.arange(len(face))
+    face, tip_xy_mm = face.copy(), tip_xy_mm.copy()
+    for cell in range(face.shape[1]):
+        stated = np.flatnonzero(np.isfinite(tip_xy_mm[:, cell]).any(axis=(1, 2)))
+        if len(stated):
+            source = stated[np.minimum(np.searchsorted(stated, frames), len(stated) - 1)]
+            face[:, cell], tip_xy_mm[:, cell] = face[source, cell], tip_xy_mm[source, cell]
+    return face, tip_xy_mm
 
 
 def contact_cases(
     face: Int[np.ndarray, "frame cell"],
-    position: Int[np.ndarray, "frame cell tip"],
+    tip_xy_mm: Float[np.ndarray, "frame cell tip 2"],
     touching: Bool[np.ndarray, "frame cell"],
 ) -> tuple[Int[np.ndarray, "frame"], Int[np.ndarray, "frame"], tuple[Place, ...]]:
-    """Session of each frame (contiguous block of one contact case), place id (-1 without
+    """Block of each frame (contiguous frames of one contact case), place id (-1 without
     contact), and the contact case of each place id."""
-    keys = np.column_stack([face, position.reshape(len(position), -1)])
-    session = np.concatenate([[0], np.cumsum(np.any(keys[1:] != keys[:-1], axis=1))])
-    unique, index = np.unique(keys, axis=0, return_inverse=True)
-    cells = face.shape[1]
-    cases = [_place(row[:cells], row[cells:].reshape(cells, -1)) for row in unique]
+    keys = place_keys(face, tip_xy_mm)
+    block = np.concatenate([[0], np.cumsum(np.any(keys[1:] != keys[:-1], axis=1))])
+    _, first, index = np.unique(keys, axis=0, return_index=True, return_inverse=True)
+    cases = [_place(face[row], tip_xy_mm[row]) for row in first]
     places = tuple(sorted({case for case in cases if case}))
     number = np.array([places.index(case) if case else -1 for case in cases])
-    return session, np.where(touching.any(axis=1), number[index.ravel()], -1), places
+    return block, np.where(touching.any(axis=1), number[index.ravel()], -1), places
 
 
-def _place(face: Int[np.ndarray, "cell"], position: Int[np.ndarray, "cell tip"]) -> Place:
+def _place(face: Int[np.ndarray, "cell"], tip_xy_mm: Float[np.ndarray, "cell tip 2"]) -> Place:
     return tuple(
         sorted(
-            (int(f), int(p))
-            for f, labels in zip(face, position, strict=True)
-            for p in labels
-            if p not in NO_CONTACT_LABELS
+            (int(f), round(float(x), 3), round(float(y), 3))
+            for f, tips in zip(face, tip_xy_mm, strict=True)
+            for x, y in tips
+            if np.isfinite(x)
         )
     )
 
 
+def place_text(place: Place) -> str:
+    """For people: face 3 (1.5, 4.5) + face 5 (1.5, -4.5)."""
+    return " + ".join(f"face {face} ({x:g}, {y:g})" for face, x, y in place) or "no place"
+
+
 def contact_slots(
     face: Int[np.ndarray, "frame cell"],
-    position: Int[np.ndarray, "frame cell tip"],
+    tip_xy_mm: Float[np.ndarray, "frame cell tip 2"],
     force_n: Float[np.ndarray, "frame cell"],
     touching: Bool[np.ndarray, "frame cell"],
 ) -> tuple[
@@ -51,11 +81,10 @@ def contact_slots(
     Float[np.ndarray, "frame contact 3"],
 ]:
     """One slot a tip and cell, each tip with its share of the cell's normal force."""
-    frames, cells, tips = position.shape
-    held = touching[:, :, None] & ~np.isin(position, NO_CONTACT_LABELS)
+    frames, cells, tips = tip_xy_mm.shape[:3]
+    held = touching[:, :, None] & np.isfinite(tip_xy_mm[..., 0])
     share_n = force_n / np.maximum(held.sum(axis=2), 1)
-    pixel = label_to_pixel(np.where(held, position, 1))
-    xy_mm = np.where(held[..., None], pixel_to_mm(pixel, *label_grid_mm()), np.nan)
+    xy_mm = np.where(held[..., None], tip_xy_mm, np.nan)
     force_xyz_n = np.zeros((frames, cells, tips, 3))
     force_xyz_n[..., 2] = share_n[:, :, None]
     force_xyz_n[~held] = np.nan

@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise, permutations
 
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
-from estimator.heatmap import LABEL_GRID, NO_CONTACT_LABELS, label_to_pixel
-from estimator.recording_files import FACES, RawTable
+from estimator.recording_table import FACES, RawTable, channel_name
 
 NOISY_FACTOR = 3.0
 JUMP_COUNTS = 500.0
+_MOVED_COUNTS = 150.0
 _DOUBT_FACTOR = 3.0
-_PIXEL_TOLERANCE = 2
-"""Two hand labels, each good to about one pixel."""
+_OPPOSITE_MM = 6.0
+"""Two hand labels, each good to about one pixel of 3 mm."""
 
 
 @dataclass(frozen=True)
@@ -30,14 +31,9 @@ class Fault:
         return f"{self.kind}: {self.where}: {self.detail}; {self.action}"
 
 
-def channel_name(face: int, sensor: int, axis: int) -> str:
-    """Name as in the recordings' header, for example F2-Y1 (indices counted from 0)."""
-    return f"F{FACES[face]}-{'XYZ'[axis]}{sensor + 1}"
-
-
 def rest_noise_counts(
-    counts: Float[np.ndarray, "frame 5 3 3"], rest: Bool[np.ndarray, "frame"]
-) -> Float[np.ndarray, "5 3 3"]:
+    counts: Float[np.ndarray, "frame 5 sensor 3"], rest: Bool[np.ndarray, "frame"]
+) -> Float[np.ndarray, "5 sensor 3"]:
     """White noise (counts) of each channel, from the differences of neighbouring rest frames.
 
     NaN where a channel has no reading in two neighbouring rest frames.
@@ -49,7 +45,7 @@ def rest_noise_counts(
     return np.where(number > 0, np.sqrt(mean_square.sum(0) / np.maximum(number, 1) / 2), np.nan)
 
 
-def dead_channels(counts: Float[np.ndarray, "frame 5 3 3"]) -> Bool[np.ndarray, "5 3 3"]:
+def dead_channels(counts: Float[np.ndarray, "frame 5 sensor 3"]) -> Bool[np.ndarray, "5 sensor 3"]:
     """Channels without any reading, or stuck at one value, on faces that have readings at all."""
     known = np.isfinite(counts)
     absent_face = np.all(~known, axis=(0, 2, 3))
@@ -58,13 +54,13 @@ def dead_channels(counts: Float[np.ndarray, "frame 5 3 3"]) -> Bool[np.ndarray, 
     return (high <= low) & ~absent_face[:, None, None]
 
 
-def noisy_channels(noise_counts: Float[np.ndarray, "5 3 3"]) -> Bool[np.ndarray, "5 3 3"]:
+def noisy_channels(noise_counts: Float[np.ndarray, "5 sensor 3"]) -> Bool[np.ndarray, "5 sensor 3"]:
     """Channels whose rest noise exceeds `NOISY_FACTOR` times the median of their axis."""
     with np.errstate(invalid="ignore"):
         return noise_counts > NOISY_FACTOR * axis_noise_counts(noise_counts)
 
 
-def axis_noise_counts(noise_counts: Float[np.ndarray, "5 3 3"]) -> Float[np.ndarray, "3"]:
+def axis_noise_counts(noise_counts: Float[np.ndarray, "5 sensor 3"]) -> Float[np.ndarray, "3"]:
     """Median over the live channels of each axis."""
     return np.array(
         [np.median(axis[np.isfinite(axis)]) for axis in np.moveaxis(noise_counts, 2, 0)]
@@ -72,7 +68,7 @@ def axis_noise_counts(noise_counts: Float[np.ndarray, "5 3 3"]) -> Float[np.ndar
 
 
 def channel_faults(
-    counts: Float[np.ndarray, "frame 5 3 3"], noise_counts: Float[np.ndarray, "5 3 3"]
+    counts: Float[np.ndarray, "frame 5 sensor 3"], noise_counts: Float[np.ndarray, "5 sensor 3"]
 ) -> list[Fault]:
     """Dead and noisy channels, each as one fault."""
     typical = axis_noise_counts(noise_counts)
@@ -91,15 +87,45 @@ def channel_faults(
 
 
 def jumped_channels(
-    first_rest_counts: Float[np.ndarray, "5 3 3"], other_rest_counts: Float[np.ndarray, "5 3 3"]
-) -> Bool[np.ndarray, "5 3 3"]:
+    first_rest_counts: Float[np.ndarray, "5 sensor 3"],
+    other_rest_counts: Float[np.ndarray, "5 sensor 3"],
+) -> Bool[np.ndarray, "5 sensor 3"]:
     """Channels whose rest level moved by more than `JUMP_COUNTS` between two recordings."""
     with np.errstate(invalid="ignore"):
         return np.abs(other_rest_counts - first_rest_counts) > JUMP_COUNTS
 
 
+def jump_faults(
+    rest_counts: Float[np.ndarray, "press 5 sensor 3"],
+) -> tuple[Bool[np.ndarray, "5 sensor 3"], list[Fault]]:
+    """Channels whose rest level jumps by more than `JUMP_COUNTS` from one press to the next.
+
+    Where many channels move at once the shell moved against the core (or other magnets came
+    near): that is reported, and the channels stay, for every press has its own zero.
+    """
+    jumping = np.zeros(rest_counts.shape[1:], dtype=bool)
+    faults = []
+    for number, (before, after) in enumerate(pairwise(rest_counts), start=1):
+        step = np.where(np.isfinite(after - before), np.abs(after - before), np.nan)
+        live = step[np.isfinite(step)]
+        if live.size and np.median(live) > _MOVED_COUNTS:
+            detail = f"rest moved by {np.median(live):.0f} counts (median of channels)"
+            faults.append(
+                Fault(
+                    "shell moved", f"before press {number}", detail, "kept: zeroed press by press"
+                )
+            )
+            continue
+        for index in np.argwhere(step > JUMP_COUNTS).tolist():
+            detail = f"rest level {before[tuple(index)]:.0f} → {after[tuple(index)]:.0f} counts"
+            where = f"{channel_name(*index)}, before press {number}"
+            faults.append(Fault("jumping channel", where, detail, "set to NaN"))
+            jumping[tuple(index)] = True
+    return jumping, faults
+
+
 def press_responses(
-    counts: Float[np.ndarray, "frame 5 3 3"],
+    counts: Float[np.ndarray, "frame 5 sensor 3"],
     force_n: Float[np.ndarray, "frame cell"],
     press: Int[np.ndarray, "frame"],
 ) -> Float[np.ndarray, "press 5"]:
@@ -121,15 +147,15 @@ def press_responses(
 def mend_face_labels(
     table: RawTable, press: Int[np.ndarray, "frame"], responses: Float[np.ndarray, "press 5"]
 ) -> tuple[Int[np.ndarray, "frame cell"], list[Fault]]:
-    """Face labels with both cells on different faces.
+    """Face labels of a gripper with both cells on different faces.
 
-    Two cells cannot press one face. The cell whose label departs from its own usual face gets
+    Two jaws cannot press one face. The cell whose label departs from its own usual face gets
     that face; where no usual face tells, the second cell gets the strongest responding other
     face.
     """
-    face = table.face_label.copy()
+    face = table.face.copy()
     faults: list[Fault] = []
-    if face.shape[1] < 2:
+    if table.kind != "gripper":
         return face, faults
     clash = face[:, 0] == face[:, 1]
     usual = [_mode(face[~clash, cell]) if (~clash).any() else 0 for cell in range(2)]
@@ -141,21 +167,24 @@ def mend_face_labels(
         face[frames, cell] = mended
         detail = f"both load cells are said to press face {named}"
         action = f"cell {cell + 1} set to face {mended}, whose sensors respond"
-        faults.append(Fault("wrong face label", _rows(frames), detail, action))
+        faults.append(Fault("wrong face label", rows_text(frames), detail, action))
     return face, faults
 
 
 def doubtful_presses(
-    face: Int[np.ndarray, "frame cell"],
+    pressed: Int[np.ndarray, "frame cell"],
     press: Int[np.ndarray, "frame"],
     responses: Float[np.ndarray, "press 5"],
 ) -> tuple[Bool[np.ndarray, "frame"], list[Fault]]:
-    """Presses in which an unnamed face responds far more than a named one: labels not believed."""
+    """Presses in which an unnamed face responds far more than a named one: labels not believed.
+
+    `pressed` is the face that each load cell is said to press while it holds a force, else 0.
+    """
     doubtful = np.zeros(len(press), dtype=bool)
     faults = []
     for number in range(press.max() + 1):
         frames = np.flatnonzero(press == number)
-        named = np.isin(FACES, face[frames[0]])
+        named = np.isin(FACES, pressed[frames])
         other = np.where(named | np.isnan(responses[number]), 0.0, responses[number])
         weakest = np.min(responses[number], where=named, initial=np.inf)
         if other.max() > _DOUBT_FACTOR * weakest:
@@ -163,38 +192,40 @@ def doubtful_presses(
                 f"face {FACES[int(other.argmax())]} responds {other.max():.0f} counts, a named "
             )
             detail += f"face only {weakest:.0f}"
-            faults.append(Fault("doubtful face label", _rows(frames), detail, "frames not used"))
+            faults.append(
+                Fault("doubtful face label", rows_text(frames), detail, "frames not used")
+            )
             doubtful[frames] = True
     return doubtful, faults
 
 
 def mirror_faults(
     face: Int[np.ndarray, "frame cell"],
-    position: Int[np.ndarray, "frame cell tip"],
-    session: Int[np.ndarray, "frame"],
+    tip_xy_mm: Float[np.ndarray, "frame cell tip 2"],
+    block: Int[np.ndarray, "frame"],
 ) -> list[Fault]:
-    """Cases on faces 3 and 5 whose places are not opposite: X3 = X5 and Y3 + Y5 = 9, ±2 pixels."""
+    """Gripper cases on faces 3 and 5 whose places are not opposite: x3 = x5, y3 = −y5, ±6 mm."""
     faults = []
-    for number in np.unique(session):
-        frames = np.flatnonzero(session == number)
-        cells, labels = face[frames[0]], position[frames[0]]
-        if set(cells.tolist()) != {3, 5} or np.isin(labels, NO_CONTACT_LABELS).any():
+    for number in np.unique(block):
+        frames = np.flatnonzero(block == number)
+        cells, tips = face[frames[0]], tip_xy_mm[frames[0]]
+        if set(cells.tolist()) != {3, 5} or np.isnan(tips).any():
             continue
-        on_3, on_5 = (label_to_pixel(labels[cells == side][0]) for side in (3, 5))
-        mirrored = on_5 * [1, -1] + [0, LABEL_GRID[1] - 1]
-        apart = _tip_distance(on_3, mirrored)
-        if apart > _PIXEL_TOLERANCE:
-            detail = f"labels {labels.tolist()} lie {apart} pixels from opposite places"
-            faults.append(Fault("labels not opposite", _rows(frames), detail, "kept as labelled"))
+        on_3, on_5 = (tips[cells == side][0] for side in (3, 5))
+        apart_mm = _tip_distance(on_3, on_5 * [1.0, -1.0])
+        if apart_mm > _OPPOSITE_MM + 1e-6:
+            detail = f"places {on_3.tolist()} and {on_5.tolist()} mm are {apart_mm:g} mm off"
+            faults.append(
+                Fault("labels not opposite", rows_text(frames), detail, "kept as labelled")
+            )
     return faults
 
 
-def _tip_distance(on_3: Int[np.ndarray, "tip 2"], mirrored: Int[np.ndarray, "tip 2"]) -> int:
-    """Largest pixel step (along x or y) between tips paired as well as possible."""
-    from itertools import permutations
-
+def _tip_distance(on_3: Float[np.ndarray, "tip 2"], mirrored: Float[np.ndarray, "tip 2"]) -> float:
+    """Largest step (mm, along x or y) between tips paired as well as possible."""
     return min(
-        int(np.abs(on_3 - mirrored[list(order)]).max()) for order in permutations(range(len(on_3)))
+        float(np.abs(on_3 - mirrored[list(order)]).max())
+        for order in permutations(range(len(on_3)))
     )
 
 
@@ -226,6 +257,6 @@ def _strongest_other(response: Float[np.ndarray, "5"], named: int) -> int:
     return FACES[int(candidates.argmax())]
 
 
-def _rows(frames: Int[np.ndarray, "n"]) -> str:
+def rows_text(frames: Int[np.ndarray, "n"]) -> str:
     """Rows as counted from 0 below the header."""
     return f"rows {frames[0]}–{frames[-1]}"

@@ -12,6 +12,8 @@ from itertools import pairwise
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
+from estimator.dataset import NO_FACE
+
 PAUSE_S = 5.0
 CONTACT_FORCE_N = 0.3
 LAGS = range(-10, 26)
@@ -38,7 +40,7 @@ class LagReport:
 
 
 def stretches(
-    time_s: Float[np.ndarray, "stamp"], case: Int[np.ndarray, "frame label"]
+    time_s: Float[np.ndarray, "stamp"], case: Float[np.ndarray, "frame label"]
 ) -> Int[np.ndarray, "frame"]:
     """Number of the uninterrupted stretch that each frame lies in.
 
@@ -93,8 +95,9 @@ def tared(
 ) -> Float[np.ndarray, "frame cell"]:
     """Forces (N) counted positive in compression from each cell's own rest level.
 
-    Where the file's sign is not known (`signed`), rest is the level of the frames labelled as no
-    contact, else that extreme at which the force dwells longer.
+    Rest is the level of the frames labelled as no contact, where there are any; else the lowest
+    level, or, where the file's sign is not known (not `signed`), that extreme at which the force
+    dwells longer.
     """
     columns = [_tared_cell(cell, no_contact, rest_force_n, signed) for cell in force_n.T]
     return np.column_stack(columns)
@@ -108,11 +111,11 @@ def _tared_cell(
 ) -> Float[np.ndarray, "frame"]:
     low, high = np.percentile(force_n, [1, 99])
     at_low = force_n <= low + rest_force_n
-    if signed:
-        return force_n - np.median(force_n[at_low])
     if no_contact.any():
         rest = np.median(force_n[no_contact])
-        return (force_n - rest) * (1.0 if high - rest >= rest - low else -1.0)
+        return (force_n - rest) * (1.0 if signed or high - rest >= rest - low else -1.0)
+    if signed:
+        return force_n - np.median(force_n[at_low])
     at_high = force_n >= high - rest_force_n
     if at_high.sum() > at_low.sum():
         return np.median(force_n[at_high]) - force_n
@@ -129,7 +132,7 @@ def number_presses(
     Between two excursions of one stretch the boundary lies in the middle of the rest.
     """
     starts = [0]
-    for first, last in _runs(stretch):
+    for first, last in runs(stretch):
         starts.append(first)
         excursions = _excursions(force_n[first:last].max(axis=1), rest_force_n)
         for (_, end), (begin, _) in pairwise(excursions):
@@ -139,7 +142,8 @@ def number_presses(
     return np.cumsum(marks) - 1
 
 
-def _runs(labels: Int[np.ndarray, "frame"]) -> list[tuple[int, int]]:
+def runs(labels: Int[np.ndarray, "frame"]) -> list[tuple[int, int]]:
+    """Ranges (first, last + 1) of equal neighbouring labels."""
     edges = np.flatnonzero(np.diff(labels)) + 1
     bounds = [0, *edges.tolist(), len(labels)]
     return list(pairwise(bounds))
@@ -149,7 +153,7 @@ def _excursions(force_n: Float[np.ndarray, "frame"], rest_force_n: float) -> lis
     """Frame ranges above `CONTACT_FORCE_N`, joined where the force never came back to rest."""
     pressed = [
         (first, last)
-        for first, last in _runs((force_n > CONTACT_FORCE_N).astype(int))
+        for first, last in runs((force_n > CONTACT_FORCE_N).astype(int))
         if force_n[first] > CONTACT_FORCE_N and last - first >= _LEAST_PRESS_FRAMES
     ]
     joined: list[tuple[int, int]] = []
@@ -162,7 +166,7 @@ def _excursions(force_n: Float[np.ndarray, "frame"], rest_force_n: float) -> lis
 
 
 def estimate_lag(
-    counts: Float[np.ndarray, "frame 5 3 3"],
+    counts: Float[np.ndarray, "frame 5 sensor 3"],
     force_n: Float[np.ndarray, "frame cell"],
     face: Int[np.ndarray, "frame cell"],
     press: Int[np.ndarray, "frame"],
@@ -177,9 +181,10 @@ def estimate_lag(
             _residual_by_lag(
                 _live(counts[first:last, face[first, cell] - 1]), force_n[first:last, cell]
             )
-            for first, last in _runs(press)
+            for first, last in runs(press)
             for cell in range(force_n.shape[1])
-            if np.ptp(force_n[first:last, cell]) > 3 * CONTACT_FORCE_N
+            if face[first, cell] != NO_FACE
+            and np.ptp(force_n[first:last, cell]) > 3 * CONTACT_FORCE_N
             and last - first > 3 * max(LAGS)
         ]
     ).reshape(-1, len(LAGS))
@@ -197,8 +202,8 @@ def estimate_lag(
     )
 
 
-def _live(counts: Float[np.ndarray, "frame 3 3"]) -> Float[np.ndarray, "frame channel"]:
-    flat = counts.reshape(len(counts), 9)
+def _live(counts: Float[np.ndarray, "frame sensor 3"]) -> Float[np.ndarray, "frame channel"]:
+    flat = counts.reshape(len(counts), -1)
     return flat[:, np.isfinite(flat).all(axis=0)]
 
 

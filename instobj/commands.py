@@ -135,7 +135,8 @@ def run_estimator(
 def read_recordings(files: list[Path], out: Path) -> dict[str, Any]:
     """Read recordings into one data set, `runs/<stems>/frames.nc`, and say what was found."""
     from estimator.dataset import save_frames
-    from estimator.recordings import combine, read_recording
+    from estimator.recording_combine import combine
+    from estimator.recordings import read_recording
     from instobj.progress import ProgressLine
 
     require_writable(out)

@@ -18,7 +18,8 @@ from estimator.evaluation import (
     ridge_baseline,
 )
 from estimator.heatmap import faces_pressed
-from estimator.recordings import combine, jumps_between, read_recording
+from estimator.recording_combine import combine, jumps_between
+from estimator.recordings import read_recording
 from estimator.splits import split_presses
 from estimator.training import train_face
 

@@ -37,8 +37,8 @@ def test_order_of_faces_and_units(tmp_path):
     table = read_table(write_gripper(tmp_path / "a.csv", arrays))
     assert np.array_equal(table.counts.reshape(-1, 5, 9), arrays[2])
     np.testing.assert_allclose(table.force_n, arrays[1], atol=0.01)
-    assert table.face_label[0].tolist() == [3, 5]
-    assert table.position_label[0].tolist() == [[54], [57]]
+    assert table.face[0].tolist() == [3, 5]
+    assert table.tip_xy_mm[0].tolist() == [[[1.5, 4.5]], [[1.5, -4.5]]]
 
 
 def test_missing_and_folder(tmp_path):

@@ -9,7 +9,8 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from design.errors import InputError
 from estimator.heatmap import contact_heatmaps
-from estimator.recordings import combine, jumps_between, read_recording
+from estimator.recording_combine import combine, jumps_between
+from estimator.recordings import read_recording
 
 
 @pytest.fixture(scope="module")
@@ -22,9 +23,13 @@ def kinds(recording):
 
 
 def test_what_a_clean_file_holds(clean):
+    """Labels 54 and 23 of face 3 are pixels (5, 6) and (2, 2), 57 and 28 of face 5 (5, 3), (2, 7)."""
     report = clean.report
     assert (report.presses, report.sessions, report.faces_pressed) == (6, 2, (3, 5))
-    assert report.places == (((3, 23), (5, 28)), ((3, 54), (5, 57)))
+    assert report.places == (
+        ((3, -7.5, -7.5), (5, -7.5, 7.5)),
+        ((3, 1.5, 4.5), (5, 1.5, -4.5)),
+    )
     assert report.contact_frames + report.rest_frames + report.unused_frames == report.frames
     assert kinds(clean) == {"time stamps"}
     assert_allclose(report.frame_rate_hz, 10.5, rtol=0.01)

@@ -1,0 +1,94 @@
+"""What a recording's file holds, in this package's order, before any fault is mended."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from jaxtyping import Bool, Float, Int
+
+from design.errors import InputError
+
+FACES = (1, 2, 3, 4, 5)
+LARGEST_COUNT = 2.0**24
+LARGEST_FORCE_N = 1000.0
+LARGEST_PLACE_MM = 300.0
+_SLOWEST_FRAME_S = 5.0
+"""Median time between frames from which stamps are taken for another unit."""
+
+
+@dataclass(frozen=True)
+class RawTable:
+    """A file's content in face order 1…5.
+
+    Attributes
+    ----------
+    kind : "gripper", "training" or "generic"
+    time_s : (frame,) stamps as written; empty where the format has none
+    force_n : (frame, cell) one column a load cell
+    counts : (frame, face, sensor, axis) raw counts, NaN where the file has none
+    face : (frame, cell) face that the load cell is said to press, `NO_FACE` where none is said
+    tip_xy_mm : (frame, cell, tip, 2) where its tips are said to be, NaN where none is said
+    case : (frame,) the training format's case, a generic file's session, 0 in gripper files
+    declared_rest : (frame,) frames in which, the file says, nothing touches the object
+    grid_x_mm, grid_y_mm : contact grid on which heatmaps will be drawn, mm
+    duplicate_columns : header names that occur twice
+    digest : SHA-256 of the file
+    """
+
+    kind: str
+    time_s: Float[np.ndarray, "stamp"]
+    force_n: Float[np.ndarray, "frame cell"]
+    counts: Float[np.ndarray, "frame 5 sensor 3"]
+    face: Int[np.ndarray, "frame cell"]
+    tip_xy_mm: Float[np.ndarray, "frame cell tip 2"]
+    case: Int[np.ndarray, "frame"]
+    declared_rest: Bool[np.ndarray, "frame"]
+    grid_x_mm: Float[np.ndarray, "nx"]
+    grid_y_mm: Float[np.ndarray, "ny"]
+    duplicate_columns: tuple[str, ...]
+    digest: str
+
+
+def channel_name(face: int, sensor: int, axis: int) -> str:
+    """Name as in the recordings' header, for example F2-Y1 (indices counted from 0)."""
+    return f"F{FACES[face]}-{'XYZ'[axis]}{sensor + 1}"
+
+
+def check_plausible(path: Path | str, table: RawTable) -> None:
+    """Refuse values that can only come from another unit or from damage.
+
+    Raises
+    ------
+    InputError
+        Counts beyond 24 bits, forces beyond 1 kN, places beyond 300 mm (or all within 0.1 mm of
+        the middle but not in it), or stamps 5 s or more apart.
+    """
+    _check_below(path, "counts", table.counts, LARGEST_COUNT, "raw counts of the sensors")
+    _check_below(path, "forces (N)", table.force_n, LARGEST_FORCE_N, "forces in N, not in g or mN")
+    _check_below(path, "places (mm)", table.tip_xy_mm, LARGEST_PLACE_MM, "places in mm")
+    known = np.abs(table.tip_xy_mm[np.isfinite(table.tip_xy_mm)])
+    if known.size and 0 < known.max() < 0.1:
+        raise InputError(
+            f"{path}: every place lies within {known.max():g} mm of its face's middle. Give places "
+            "in mm, not in m"
+        )
+    if len(table.time_s) and np.abs(table.time_s).max() > 1e11:
+        raise InputError(
+            f"{path}: time stamps reach {np.abs(table.time_s).max():.3g} s. Give seconds, not ms"
+        )
+    step_s = float(np.median(np.diff(table.time_s))) if len(table.time_s) > 2 else 0.0
+    if step_s >= _SLOWEST_FRAME_S:
+        raise InputError(
+            f"{path}: frames are {step_s:g} s apart (median). Give time stamps in s, not in ms"
+        )
+
+
+def _check_below(path: Path | str, what: str, values: np.ndarray, limit: float, right: str) -> None:
+    largest = np.max(np.abs(values), where=~np.isnan(values), initial=0.0)
+    if largest > limit:
+        raise InputError(
+            f"{path}: {what} reach {largest:.4g}, more than {limit:g}. Give {right}, and mend "
+            "damaged cells"
+        )
