@@ -154,13 +154,36 @@ class ProtocolSpec(SpecPart):
 
 
 class TrainingSpec(SpecPart):
-    """Contact estimator: one compact network per face."""
+    """Contact estimator, one a face.
 
+    `model`: "compact" reads the face's own sensors, "whole-object" those of every face, so that it
+    copes with presses on other faces; "paper" is the network and recipe of Knopke et al. (RA-L
+    2024), for which `hidden_units`, `batch_size` and `learning_rate` are its own; "linear" is ridge
+    regression. `output`: a "heatmap" of any number of contacts, or the "position" of one contact,
+    which places that training never saw need (compact and whole-object only). `heatmap_axes`: 1
+    for the normal force, 3 for Fx, Fy, Fz. `members`: networks that are averaged, each stopped and
+    calibrated by its own fold of the presses. Intervals cover the share `interval_cover`.
+    """
+
+    model: Literal["compact", "whole-object", "paper", "linear"] = "compact"
+    output: Literal["heatmap", "position"] = "heatmap"
+    heatmap_axes: Literal[1, 3] = 1
     hidden_units: Annotated[tuple[Count, ...], Field(min_length=1)] = (256, 256, 256)
     epochs: Count = 40
     batch_size: Count = 512
     learning_rate: Positive = 3e-3
     patience_epochs: Count = 15
+    members: Annotated[int, Field(ge=1, le=20)] = 1
+    interval_cover: Annotated[float, Field(gt=0, lt=1)] = 0.9
+
+    @model_validator(mode="after")
+    def _output_of_model(self) -> TrainingSpec:
+        if self.output == "position" and self.model in ("paper", "linear"):
+            raise ValueError(
+                f"training.model = {self.model!r} draws heatmaps only; got training.output = "
+                "'position'. Use model 'compact' or 'whole-object', or output 'heatmap'"
+            )
+        return self
 
 
 class LimitsSpec(SpecPart):

@@ -9,14 +9,29 @@ import numpy as np
 from jaxtyping import Float, Int
 
 from design.errors import InputError
+from design.spec import TrainingSpec
 from estimator.dataset import FrameSet
-from estimator.face_data import FaceData, face_data, live_channels
+from estimator.face_data import FaceData, face_data
+from estimator.face_model import FaceModel, predict, predict_heatmaps
 from estimator.metrics import FaceMetrics, face_metrics, force_reference
-from estimator.network import FaceModel, channel_counts, predict_heatmaps
 from estimator.recordings import Recording
 from estimator.splits import Split
+from estimator.training import FitSettings, fit_estimator
+from estimator.training_data import with_contacts
 
-RIDGE = 1e-3
+
+@dataclass(frozen=True)
+class IntervalReport:
+    """Intervals on presses that neither trained nor calibrated the model: covers are shares of
+    frames, widths medians over frames."""
+
+    wanted_cover: float
+    force_cover: float
+    position_cover: float
+    median_force_halfwidth_n: float
+    median_position_radius_mm: float
+    calibration_presses: int
+    tested_presses: int
 
 
 @dataclass(frozen=True)
@@ -48,21 +63,38 @@ def evaluate_face(
     """
     _check_grid(model, frames)
     data = face_data(frames, model.face)
-    return _metrics(data, predict_heatmaps(model, data.signal_counts), dataset or frames)
+    return _metrics(data, predict_heatmaps(model, data.frames), dataset or frames)
 
 
-def ridge_baseline(frames: FrameSet, face: int, split: Split) -> FaceMetrics:
+def evaluate_intervals(model: FaceModel, frames: FrameSet) -> IntervalReport:
+    """Cover and width of a model's intervals in the contact frames of one face.
+
+    Raises
+    ------
+    InputError
+        The frames hold no contact on the face.
+    """
+    data = with_contacts(face_data(frames, model.face), "tested")
+    data = data.select(data.contact)
+    found = predict(model, data.frames)
+    missed_n = np.abs(found.force_n - data.heatmap_n.sum(axis=(1, 2)))
+    away_mm = np.linalg.norm(found.xy_mm - data.centre_mm, axis=1)
+    return IntervalReport(
+        wanted_cover=model.interval_cover,
+        force_cover=float(np.mean(missed_n <= found.force_halfwidth_n)),
+        position_cover=float(np.mean(away_mm <= found.position_radius_mm)),
+        median_force_halfwidth_n=float(np.median(found.force_halfwidth_n)),
+        median_position_radius_mm=float(np.median(found.position_radius_mm)),
+        calibration_presses=model.interval_presses,
+        tested_presses=len(np.unique(data.frames.press_id)),
+    )
+
+
+def linear_baseline(frames: FrameSet, face: int, split: Split) -> FaceMetrics:
     """Linear (ridge) regression from signals in units of σ to the heatmap."""
-    train, test = (face_data(frames.select(part), face) for part in (split.train, split.test))
-    alive = set(live_channels(test))
-    channels = tuple(channel for channel in live_channels(train) if channel in alive)
-    sigma = np.array([frames.noise_counts[axis] for _, axis in channels])
-    basis = _with_constant(channel_counts(train.signal_counts, channels) / sigma)
-    penalty = RIDGE * np.trace(basis.T @ basis) / basis.shape[1] * np.eye(basis.shape[1])
-    target = train.heatmap_n.reshape(len(train), -1)
-    weights = np.linalg.solve(basis.T @ basis + penalty, basis.T @ target)
-    predicted = _with_constant(channel_counts(test.signal_counts, channels) / sigma) @ weights
-    return _metrics(test, predicted.reshape(test.heatmap_n.shape), frames)
+    settings = FitSettings(face, TrainingSpec(model="linear"))
+    model = fit_estimator(frames.select(split.train), frames.select(split.validation), settings)
+    return evaluate_face(model, frames.select(split.test), frames)
 
 
 def mean_map_baseline(frames: FrameSet, face: int, split: Split) -> FaceMetrics:
@@ -124,10 +156,6 @@ def _metrics(
 ) -> FaceMetrics:
     reference = force_reference(face_data(dataset, data.face).heatmap_n)
     return face_metrics(data.face, predicted_n, data.heatmap_n, reference, data.rest)
-
-
-def _with_constant(values: Float[np.ndarray, "frame channel"]) -> Float[np.ndarray, "frame basis"]:
-    return np.column_stack([values, np.ones(len(values))])
 
 
 def _check_grid(model: FaceModel, frames: FrameSet) -> None:

@@ -1,15 +1,18 @@
-"""The part of a data set that concerns one face: its signals and true heatmaps."""
+"""The part of a data set that concerns one face: its frames and true heatmaps."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
 import numpy as np
-from jaxtyping import Bool, Float
+from jaxtyping import Bool, Float, Int
 
 from design.errors import InputError
 from estimator.dataset import NO_FACE, FrameSet
-from estimator.heatmap import contact_heatmaps
+from estimator.heatmap import force_heatmaps
+
+Channel = tuple[int, int, int]
+"""Face number, sensor and axis counted from 0."""
 
 
 @dataclass(frozen=True)
@@ -18,23 +21,42 @@ class FaceData:
 
     Attributes
     ----------
-    signal_counts : (frame, sensor, axis), counts
-    heatmap_n : (frame, nx, ny), N
+    frames : the frames themselves, with the signals of all faces
+    force_maps_n : (frame, 3, nx, ny), N along the face's x, y and inward normal at each pixel
     rest : (frame,) no face is pressed; a zero heatmap that is not rest has other faces pressed
     """
 
     face: int
-    signal_counts: Float[np.ndarray, "frame sensor axis"]
-    heatmap_n: Float[np.ndarray, "frame nx ny"]
+    frames: FrameSet
+    force_maps_n: Float[np.ndarray, "frame 3 nx ny"]
     rest: Bool[np.ndarray, "frame"]
 
     def __len__(self) -> int:
         return len(self.rest)
 
     @property
+    def heatmap_n(self) -> Float[np.ndarray, "frame nx ny"]:
+        """Normal force at each pixel, N."""
+        return self.force_maps_n[:, 2]
+
+    @property
     def contact(self) -> Bool[np.ndarray, "frame"]:
         """Frames in which this face is pressed."""
         return self.heatmap_n.max(axis=(1, 2)) > 0
+
+    @property
+    def centre_mm(self) -> Float[np.ndarray, "frame 2"]:
+        """Centre of normal force of the face's contacts; NaN where there is none."""
+        mine = (self.frames.contact_face == self.face)[..., None]
+        weight = np.where(mine, self.frames.force_n[..., 2:], 0.0)
+        moment = np.sum(np.where(mine, weight * self.frames.contact_xy_mm, 0.0), axis=1)
+        total = weight.sum(axis=1)
+        return np.where(total > 0, moment / np.where(total > 0, total, 1.0), np.nan)
+
+    def select(self, index: Bool[np.ndarray, "frame"] | Int[np.ndarray, "n"]) -> FaceData:
+        """The given frames, in order."""
+        maps, rest = self.force_maps_n[index], self.rest[index]
+        return FaceData(self.face, self.frames.select(index), maps, rest)
 
 
 def face_data(frames: FrameSet, face: int) -> FaceData:
@@ -48,8 +70,7 @@ def face_data(frames: FrameSet, face: int) -> FaceData:
     index = np.flatnonzero(frames.faces == face)
     if not len(index):
         raise InputError(f"face {face} is not in the data set; it has {frames.faces.tolist()}")
-    signal = frames.signal_counts[:, index[0]]
-    recorded = np.any(np.isfinite(signal), axis=(1, 2))
+    recorded = np.any(np.isfinite(frames.signal_counts[:, index[0]]), axis=(1, 2))
     faint = np.any((frames.contact_face == face) & ~(frames.force_n[..., 2] > 0), axis=1)
     used = frames.valid & recorded & ~faint
     if not used.any():
@@ -59,21 +80,63 @@ def face_data(frames: FrameSet, face: int) -> FaceData:
         )
     chosen = frames.select(used)
     rest = np.all(chosen.contact_face == NO_FACE, axis=1)
-    return FaceData(face, signal[used], contact_heatmaps(chosen, face), rest)
+    return FaceData(face, chosen, force_heatmaps(chosen, face), rest)
 
 
-def live_channels(data: FaceData) -> tuple[tuple[int, int], ...]:
-    """(sensor, axis) of the channels without a missing reading, counted from 0.
+def live_channels(data: FaceData, every_face: bool = False) -> tuple[Channel, ...]:
+    """Channels of the face (or of every face) without a missing reading.
 
     Raises
     ------
     InputError
         Every channel misses readings.
     """
-    live = np.all(np.isfinite(data.signal_counts), axis=0)
+    live = np.all(np.isfinite(data.frames.signal_counts), axis=0)
+    faces = data.frames.faces
+    if not every_face:
+        live &= (faces == data.face)[:, None, None]
     if not live.any():
+        whose = "the object" if every_face else f"face {data.face}"
         raise InputError(
-            f"every channel of face {data.face} misses readings in some frame. Mark those frames "
+            f"every channel of {whose} misses readings in some frame. Mark those frames "
             "invalid or leave that recording out"
         )
-    return tuple((int(sensor), int(axis)) for sensor, axis in np.argwhere(live))
+    return tuple(
+        (int(faces[face]), int(sensor), int(axis)) for face, sensor, axis in np.argwhere(live)
+    )
+
+
+def channel_counts(
+    frames: FrameSet, channels: tuple[Channel, ...]
+) -> Float[np.ndarray, "frame channel"]:
+    """Signals of the given channels, in order.
+
+    Raises
+    ------
+    InputError
+        A channel does not exist or misses a reading.
+    """
+    face, sensor, axis = np.array(channels).T
+    row = {int(number): index for index, number in enumerate(frames.faces)}
+    absent = sorted(set(face.tolist()) - set(row))
+    if absent or sensor.max() >= frames.signal_counts.shape[2]:
+        raise InputError(
+            f"the model needs sensor {sensor.max() + 1} of faces {sorted(set(face.tolist()))}; the "
+            f"signals have {frames.signal_counts.shape[2]} sensors on faces {sorted(row)}. Use the "
+            "model of the object that was recorded"
+        )
+    chosen = frames.signal_counts[:, [row[int(number)] for number in face], sensor, axis]
+    missing = np.isnan(chosen).any(axis=0)
+    if missing.any():
+        names = ", ".join(channel_label(channels[k]) for k in np.flatnonzero(missing))
+        raise InputError(
+            f"channels {names}, which the model uses, miss readings. Train anew without them or "
+            "leave those frames out"
+        )
+    return chosen
+
+
+def channel_label(channel: Channel) -> str:
+    """F3-Y1: axis Y of the first sensor of face 3."""
+    face, sensor, axis = channel
+    return f"F{face}-{'XYZ'[axis]}{sensor + 1}"

@@ -77,17 +77,25 @@ def _nearest(value: Float[np.ndarray, "*n"], grid: Float[np.ndarray, "g"]) -> In
     return np.searchsorted(boundaries, value, side="left")
 
 
-def contact_heatmaps(frames: FrameSet, face: int) -> Float[np.ndarray, "frame nx ny"]:
-    """True heatmaps (N) of one face: the normal force of its contacts at their nearest pixels.
+def force_heatmaps(frames: FrameSet, face: int) -> Float[np.ndarray, "frame 3 nx ny"]:
+    """True force (N, along the face's x, y and inward normal) of one face's contacts at their
+    nearest pixels.
 
     Contacts that share a pixel add up; contacts of other faces do not show.
     """
-    shape = (len(frames), len(frames.grid_x_mm), len(frames.grid_y_mm))
+    shape = (len(frames), 3, len(frames.grid_x_mm), len(frames.grid_y_mm))
     heatmaps = np.zeros(shape)
     row, slot = np.nonzero(frames.contact_face == face)
     pixel = mm_to_pixel(frames.contact_xy_mm[row, slot], frames.grid_x_mm, frames.grid_y_mm)
-    np.add.at(heatmaps, (row, pixel[:, 0], pixel[:, 1]), frames.force_n[row, slot, 2])
+    for axis in range(3):
+        force_n = frames.force_n[row, slot, axis]
+        np.add.at(heatmaps[:, axis], (row, pixel[:, 0], pixel[:, 1]), force_n)
     return heatmaps
+
+
+def contact_heatmaps(frames: FrameSet, face: int) -> Float[np.ndarray, "frame nx ny"]:
+    """True heatmaps (N) of one face: the normal force of its contacts at their nearest pixels."""
+    return force_heatmaps(frames, face)[:, 2]
 
 
 def faces_pressed(frames: FrameSet) -> tuple[int, ...]:

@@ -1,231 +1,231 @@
-"""Contact estimator of one face: nine Hall changes in, heatmap of normal force out.
+"""Networks that read the contacts on one face from changes of Hall counts.
 
-A fully connected trunk on arcsinh(ΔS / 3σ), σ the white noise of each channel, with three heads:
-the share of force at each pixel (softmax), the total force (softplus) and whether there is contact
-at all. The heatmap is force × P(contact)² × share. Scaling by the noise keeps weak and
-strong presses alike in range, which mattered more than width in comparisons.
+Every network takes raw changes against rest (counts) and gives a `Reading` in N and mm: scaling and
+units are part of it, so that what is trained, saved, exported and used is one and the same.
+
+- `HeadsNetwork`: a compact trunk on arcsinh(ΔS / 3σ), σ the white noise of each channel, with heads
+  for the share of force at each pixel (softmax), the total force, contact or none, the centre of
+  force in mm, and how far force and centre are likely to be off. Scaling by the noise keeps weak
+  and strong presses alike in range, which mattered more than width in comparisons.
+- `HeatmapNetwork`: pixels directly, from min–max scaled inputs: the network of Knopke et al. (RA-L
+  2024), or with no hidden layer linear regression.
 """
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
-from dataclasses import dataclass
 from itertools import pairwise
-from pathlib import Path
-from typing import Any
+from typing import NamedTuple
 
 import numpy as np
 import torch
 from jaxtyping import Float
 from torch import Tensor, nn
 
-from design.errors import InputError
-from design.files import atomic_path
-
 SIGMA_SPAN = 3.0
 DOUBT_POWER = 2
 """Forces are multiplied by P(contact)², so that doubtful contacts stay visible but faint."""
-MODEL_FORMAT = 1
-_BATCH_FRAMES = 8192
+SPLAT_PITCHES = 0.3
+"""Standard deviation, in pitches of the grid, of the spot that a continuous position draws."""
+_LEAST_SPREAD = 1e-3
 
 
-@dataclass(frozen=True)
-class Estimate:
-    """Outputs of the heads: logits of the shares, force in units of the scale, contact logit."""
-
-    share_logits: Float[Tensor, "frame pixel"]
-    force: Float[Tensor, "frame"]
-    contact_logit: Float[Tensor, "frame"]
-
-
-class ContactNetwork(nn.Module):
-    """Trunk and heads; inputs are scaled signals (frame, channel)."""
-
-    def __init__(self, channels: int, hidden_units: Sequence[int], pixels: int) -> None:
-        super().__init__()
-        widths = [channels, *hidden_units]
-        layers: list[nn.Module] = []
-        for wide, narrow in pairwise(widths):
-            layers += [nn.Linear(wide, narrow), nn.SiLU()]
-        self.trunk = nn.Sequential(*layers)
-        self.heads = nn.Linear(widths[-1], pixels + 2)
-
-    def forward(self, scaled: Tensor) -> Estimate:
-        output = self.heads(self.trunk(scaled))
-        force = nn.functional.softplus(output[:, -2])
-        return Estimate(output[:, :-2], force, output[:, -1])
-
-
-@dataclass(frozen=True)
-class FaceModel:
-    """A trained network with all that is needed to use it.
+class Reading(NamedTuple):
+    """What an estimator says of each frame.
 
     Attributes
     ----------
-    channels : (sensor, axis) of each input, counted from 0; dead channels were left out
-    sigma_counts : (channel,) white noise that scales each input, counts
-    grid_x_mm, grid_y_mm : pixel centres of the heatmap, mm
-    force_scale_n : N per unit of the force head
-    sharpness : factor on the share logits, chosen on validation presses
+    heatmap_n : (frame, axis, nx, ny) N; axes are the normal, or with three axes x, y and normal
+    force_n : (frame,) total normal force, N
+    xy_mm : (frame, 2) centre of the normal force in the face's frame, mm
+    contact : (frame,) probability of a contact (of `HeatmapNetwork`: largest pixel over the
+        smallest contact force seen in training, at most 1)
+    force_halfwidth_n : (frame,) the interval is `force_n` ± this; NaN before calibration
+    position_radius_mm : (frame,) the true centre lies within this radius of `xy_mm`; likewise
     """
 
-    face: int
-    channels: tuple[tuple[int, int], ...]
-    sigma_counts: Float[np.ndarray, "channel"]
-    grid_x_mm: Float[np.ndarray, "nx"]
-    grid_y_mm: Float[np.ndarray, "ny"]
-    hidden_units: tuple[int, ...]
-    force_scale_n: float
-    sharpness: float
-    network: ContactNetwork
+    heatmap_n: Float[Tensor, "frame axis nx ny"]
+    force_n: Float[Tensor, "frame"]
+    xy_mm: Float[Tensor, "frame 2"]
+    contact: Float[Tensor, "frame"]
+    force_halfwidth_n: Float[Tensor, "frame"]
+    position_radius_mm: Float[Tensor, "frame"]
 
 
-def scaled_signals(
-    counts: Float[Tensor, "frame channel"], sigma_counts: Float[Tensor, "channel"]
-) -> Float[Tensor, "frame channel"]:
-    """Linear below 3σ, logarithmic far above: arcsinh(ΔS / 3σ)."""
-    return torch.asinh(counts / (SIGMA_SPAN * sigma_counts))
+READING_UNITS = dict(zip(Reading._fields, ("N", "N", "mm", "1", "N", "mm"), strict=True))
 
 
-def channel_counts(
-    signal_counts: Float[np.ndarray, "frame sensor axis"], channels: tuple[tuple[int, int], ...]
-) -> Float[np.ndarray, "frame channel"]:
-    """Signals of the given channels, in order.
+class Heads(NamedTuple):
+    """Outputs of `HeadsNetwork` for training: forces in units of the scale, spreads likewise and
+    in mm (mean absolute deviations)."""
 
-    Raises
-    ------
-    InputError
-        A channel does not exist or misses a reading.
+    share_logits: Float[Tensor, "frame pixel"]
+    force: Float[Tensor, "frame axis"]
+    contact_logit: Float[Tensor, "frame"]
+    xy_mm: Float[Tensor, "frame 2"]
+    force_spread: Float[Tensor, "frame"]
+    position_spread_mm: Float[Tensor, "frame"]
+
+
+class HeadsNetwork(nn.Module):
+    """Trunk and heads on noise-scaled inputs.
+
+    Parameters
+    ----------
+    continuous : shares are a spot around the centre of force, for presses with one contact at
+        places that training need not have seen; otherwise a softmax over pixels
     """
-    sensor, axis = np.array(channels).T
-    if sensor.max() >= signal_counts.shape[1]:
-        raise InputError(
-            f"the model needs sensor {sensor.max() + 1} of a face; the signals have "
-            f"{signal_counts.shape[1]} sensors. Use the model of the object that was recorded"
+
+    sigma_counts: Tensor
+    grid_mm: Tensor
+    pitch_mm: Tensor
+    force_scale_n: Tensor
+    sharpness: Tensor
+
+    def __init__(
+        self,
+        sigma_counts: Float[np.ndarray, "channel"],
+        grid_x_mm: Float[np.ndarray, "nx"],
+        grid_y_mm: Float[np.ndarray, "ny"],
+        hidden_units: Sequence[int],
+        force_scale_n: float,
+        axes: int = 1,
+        continuous: bool = False,
+    ) -> None:
+        super().__init__()
+        self.axes, self.continuous = axes, continuous
+        self.shape = (len(grid_x_mm), len(grid_y_mm))
+        self.pixels = len(grid_x_mm) * len(grid_y_mm)
+        self.trunk = _trunk([len(sigma_counts), *hidden_units], nn.SiLU)
+        self.heads = nn.Linear(hidden_units[-1], self.pixels + axes + 5)
+        _buffer(self, "sigma_counts", sigma_counts)
+        _buffer(self, "grid_mm", _pixel_centres_mm(grid_x_mm, grid_y_mm))
+        _buffer(self, "pitch_mm", np.array([_pitch_mm(grid_x_mm), _pitch_mm(grid_y_mm)]))
+        _buffer(self, "force_scale_n", force_scale_n)
+        _buffer(self, "sharpness", 1.0)
+
+    def heads_of(self, counts: Float[Tensor, "frame channel"]) -> Heads:
+        """Training's view."""
+        scaled = torch.asinh(counts / (SIGMA_SPAN * self.sigma_counts))
+        output = self.heads(self.trunk(scaled))
+        sizes = (self.pixels, self.axes - 1, 1, 1, 2, 2)
+        logits, tangential, normal, contact, xy, spread = output.split(sizes, dim=1)
+        force = torch.cat([tangential, nn.functional.softplus(normal)], dim=1)
+        xy_mm = xy * self.grid_mm.abs().amax(dim=0).clamp(min=1.0)
+        spread = nn.functional.softplus(spread) + _LEAST_SPREAD
+        if self.continuous:
+            logits = -self._distance2_in_pitches(xy_mm) / (2 * SPLAT_PITCHES**2)
+        return Heads(logits, force, contact[:, 0], xy_mm, 0.1 * spread[:, 0], spread[:, 1])
+
+    def _distance2_in_pitches(self, xy_mm: Tensor) -> Tensor:
+        away = (self.grid_mm - xy_mm[:, None]) / self.pitch_mm
+        return (away**2).sum(dim=2)
+
+    def forward(self, counts: Float[Tensor, "frame channel"]) -> Reading:
+        heads = self.heads_of(counts)
+        share = torch.softmax(self.sharpness * heads.share_logits, dim=1)
+        contact = torch.sigmoid(heads.contact_logit)
+        force_n = self.force_scale_n * heads.force * (contact**DOUBT_POWER)[:, None]
+        heatmap = (force_n[:, :, None] * share[:, None]).unflatten(2, self.shape)
+        halfwidth = self.force_scale_n * heads.force_spread
+        return Reading(
+            heatmap, force_n[:, -1], heads.xy_mm, contact, halfwidth, heads.position_spread_mm
         )
-    chosen = signal_counts[:, sensor, axis]
-    missing = np.isnan(chosen).any(axis=0)
-    if missing.any():
-        names = ", ".join(f"{'XYZ'[axis[k]]}{sensor[k] + 1}" for k in np.flatnonzero(missing))
-        raise InputError(
-            f"channels {names}, which the model uses, miss readings. Train anew without them or "
-            "leave those frames out"
-        )
-    return chosen
 
 
-def predict_heatmaps(
-    model: FaceModel, signal_counts: Float[np.ndarray, "frame sensor axis"]
-) -> Float[np.ndarray, "frame nx ny"]:
-    """Heatmaps (N) of the face from the changes of its own sensors against rest (counts).
+class HeatmapNetwork(nn.Module):
+    """Pixels from scaled inputs: (ΔS − offset) / span in, force over the scale out.
 
-    Raises
-    ------
-    InputError
-        A channel that the model uses is missing.
+    Widths of its intervals are the same in every frame.
     """
-    counts = torch.as_tensor(channel_counts(signal_counts, model.channels), dtype=torch.float32)
-    sigma = torch.as_tensor(model.sigma_counts, dtype=torch.float32)
-    device = next(model.network.parameters()).device
-    model.network.eval()
-    with torch.inference_mode():
-        parts = [
-            _heatmaps(model, scaled_signals(part, sigma).to(device)).cpu()
-            for part in counts.split(_BATCH_FRAMES)
-        ]
-    shape = (len(counts), len(model.grid_x_mm), len(model.grid_y_mm))
-    return torch.cat(parts).reshape(shape).numpy().astype(np.float64)
+
+    offset_counts: Tensor
+    span_counts: Tensor
+    grid_mm: Tensor
+    force_scale_n: Tensor
+    smallest_contact_n: Tensor
+
+    def __init__(
+        self,
+        offset_counts: Float[np.ndarray, "channel"],
+        span_counts: Float[np.ndarray, "channel"],
+        grid_x_mm: Float[np.ndarray, "nx"],
+        grid_y_mm: Float[np.ndarray, "ny"],
+        hidden_units: Sequence[int],
+        force_scale_n: float,
+        smallest_contact_n: float,
+        axes: int = 1,
+    ) -> None:
+        super().__init__()
+        self.axes = axes
+        self.shape = (len(grid_x_mm), len(grid_y_mm))
+        pixels = axes * len(grid_x_mm) * len(grid_y_mm)
+        widths = [len(span_counts), *hidden_units]
+        self.trunk = _trunk(widths, nn.ReLU)
+        self.heads = nn.Linear(widths[-1], pixels)
+        _buffer(self, "offset_counts", offset_counts)
+        _buffer(self, "span_counts", span_counts)
+        _buffer(self, "grid_mm", _pixel_centres_mm(grid_x_mm, grid_y_mm))
+        _buffer(self, "force_scale_n", force_scale_n)
+        _buffer(self, "smallest_contact_n", smallest_contact_n)
+
+    def pixels_of(self, counts: Float[Tensor, "frame channel"]) -> Float[Tensor, "frame pixel"]:
+        """Training's view: force at each pixel of each axis, over the scale."""
+        return self.heads(self.trunk((counts - self.offset_counts) / self.span_counts))
+
+    def forward(self, counts: Float[Tensor, "frame channel"]) -> Reading:
+        heatmap = (self.force_scale_n * self.pixels_of(counts)).unflatten(1, (self.axes, -1))
+        normal = heatmap[:, -1]
+        largest = normal.amax(dim=1)
+        weight = torch.relu(normal - 0.5 * torch.relu(largest)[:, None]) + 1e-9
+        xy = (weight @ self.grid_mm) / weight.sum(dim=1, keepdim=True)
+        contact = (largest / self.smallest_contact_n).clamp(0.0, 1.0)
+        even = torch.ones_like(largest)
+        return Reading(heatmap.unflatten(2, self.shape), normal.sum(dim=1), xy, contact, even, even)
 
 
-def _heatmaps(model: FaceModel, scaled: Tensor) -> Tensor:
-    estimate = model.network(scaled)
-    share = torch.softmax(model.sharpness * estimate.share_logits, dim=1)
-    certain = torch.sigmoid(estimate.contact_logit) ** DOUBT_POWER
-    force_n = model.force_scale_n * estimate.force * certain
-    return force_n[:, None] * share
+class ContactEstimator(nn.Module):
+    """One network or the mean of several, with calibrated intervals.
 
-
-def save_model(model: FaceModel, path: Path | str) -> None:
-    """Write weights and description as one safetensors file."""
-    from safetensors.torch import save_file
-
-    description = {
-        "format": MODEL_FORMAT,
-        "face": model.face,
-        "channels": model.channels,
-        "sigma_counts": model.sigma_counts.tolist(),
-        "grid_x_mm": model.grid_x_mm.tolist(),
-        "grid_y_mm": model.grid_y_mm.tolist(),
-        "hidden_units": model.hidden_units,
-        "force_scale_n": model.force_scale_n,
-        "sharpness": model.sharpness,
-        "input": f"arcsinh(counts / ({SIGMA_SPAN:g} sigma))",
-        "output": "N per pixel, axes x then y",
-    }
-    weights = {name: value.cpu().contiguous() for name, value in model.network.state_dict().items()}
-    with atomic_path(path) as temporary:
-        save_file(weights, temporary, metadata={"instobj": json.dumps(description)})
-
-
-def load_model(path: Path | str) -> FaceModel:
-    """Read a model written by `save_model`; no code is run from the file.
-
-    Raises
-    ------
-    InputError
-        No such file, not a model of instobj, or weights that do not fit the description.
+    The members' spreads times `force_quantile` and `position_quantile` are the intervals'
+    half-widths (`estimator.conformal`).
     """
-    path = Path(path)
-    if not path.is_file():
-        raise InputError(f"no model at {path}. `instobj train SPEC` makes one")
-    description, weights = _read_safetensors(path)
-    try:
-        return _assembled(description, weights)
-    except (KeyError, TypeError, ValueError, RuntimeError) as error:
-        raise InputError(
-            f"{path}: weights and description do not belong together ({error}). Train the "
-            "model anew"
-        ) from None
 
+    force_quantile: Tensor
+    position_quantile: Tensor
 
-def _read_safetensors(path: Path) -> tuple[dict[str, Any], dict[str, Tensor]]:
-    from safetensors import SafetensorError, safe_open
+    def __init__(self, members: Sequence[nn.Module]) -> None:
+        super().__init__()
+        self.members = nn.ModuleList(members)
+        _buffer(self, "force_quantile", float("nan"))
+        _buffer(self, "position_quantile", float("nan"))
 
-    try:
-        with safe_open(path, framework="pt") as file:
-            metadata = file.metadata() or {}
-            weights = {name: file.get_tensor(name) for name in file.keys()}  # noqa: SIM118
-    except (SafetensorError, OSError) as error:
-        raise InputError(
-            f"{path} is not a safetensors file ({error}). Give a trained model"
-        ) from None
-    try:
-        description = json.loads(metadata["instobj"])
-    except (KeyError, json.JSONDecodeError):
-        raise InputError(f"{path} is not a model of instobj. Give a trained model") from None
-    if description.get("format") != MODEL_FORMAT:
-        raise InputError(
-            f"{path} has model format {description.get('format')}, this version reads "
-            f"{MODEL_FORMAT}. Train the model anew"
+    def forward(self, counts: Float[Tensor, "frame channel"]) -> Reading:
+        readings = [member(counts) for member in self.members]
+        columns = zip(*readings, strict=True)
+        mean = Reading(*(torch.stack(column).mean(dim=0) for column in columns))
+        return mean._replace(
+            force_halfwidth_n=mean.force_halfwidth_n * self.force_quantile,
+            position_radius_mm=mean.position_radius_mm * self.position_quantile,
         )
-    return description, weights
 
 
-def _assembled(description: dict[str, Any], weights: dict[str, Tensor]) -> FaceModel:
-    channels = tuple((int(sensor), int(axis)) for sensor, axis in description["channels"])
-    grid_x, grid_y = (np.array(description[f"grid_{axis}_mm"], dtype=float) for axis in "xy")
-    hidden = tuple(int(units) for units in description["hidden_units"])
-    network = ContactNetwork(len(channels), hidden, len(grid_x) * len(grid_y))
-    network.load_state_dict(weights)
-    return FaceModel(
-        face=int(description["face"]),
-        channels=channels,
-        sigma_counts=np.array(description["sigma_counts"], dtype=float),
-        grid_x_mm=grid_x,
-        grid_y_mm=grid_y,
-        hidden_units=hidden,
-        force_scale_n=float(description["force_scale_n"]),
-        sharpness=float(description["sharpness"]),
-        network=network,
-    )
+def _pitch_mm(grid_mm: Float[np.ndarray, "n"]) -> float:
+    return float(np.diff(grid_mm).mean()) if len(grid_mm) > 1 else 1.0
+
+
+def _trunk(widths: Sequence[int], activation: type[nn.Module]) -> nn.Sequential:
+    layers: list[nn.Module] = []
+    for wide, narrow in pairwise(widths):
+        layers += [nn.Linear(wide, narrow), activation()]
+    return nn.Sequential(*layers)
+
+
+def _pixel_centres_mm(
+    grid_x_mm: Float[np.ndarray, "nx"], grid_y_mm: Float[np.ndarray, "ny"]
+) -> Float[np.ndarray, "pixel 2"]:
+    return np.stack(np.meshgrid(grid_x_mm, grid_y_mm, indexing="ij"), axis=-1).reshape(-1, 2)
+
+
+def _buffer(module: nn.Module, name: str, value: np.ndarray | float) -> None:
+    module.register_buffer(name, torch.as_tensor(np.asarray(value, dtype=np.float32)))

@@ -1,280 +1,312 @@
-"""Training of a face's contact estimator on whole presses, stopped by presses that it never saw.
+"""Training of a face's contact estimator on whole presses, stopped and calibrated by presses that
+it never saw.
 
-The loss adds the cross-entropy of the shares of force, the absolute error of the total force
-(zero without contact) and the cross-entropy of contact. Training frames get fresh noise and
-zeroing offsets in every epoch, so that the network leans neither on the noise nor on the rest
-level of a press.
+Training frames get fresh noise and zeroing offsets in every epoch, so that the network leans
+neither on the noise nor on the rest level of a press. With several members, training and
+validation presses are pooled into as many folds; each member is stopped by its own fold and
+calibrated there, and the estimator is their mean.
 """
 
 from __future__ import annotations
 
 import copy
-import math
-from collections.abc import Callable
-from dataclasses import dataclass, replace
+import hashlib
+from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
 import torch
 from jaxtyping import Float
-from torch import Tensor
+from torch import nn
 
 from design.errors import InputError
 from design.spec import TrainingSpec
+from estimator.conformal import conformal_quantile
 from estimator.dataset import FrameSet
-from estimator.face_data import FaceData, face_data, live_channels
+from estimator.face_data import Channel, FaceData, channel_counts, face_data, live_channels
+from estimator.face_model import Architecture, FaceModel, read_counts
+from estimator.fitting import Progress, Schedule, fit
 from estimator.metrics import face_metrics, force_reference
-from estimator.network import (
-    ContactNetwork,
-    Estimate,
-    FaceModel,
-    channel_counts,
-    predict_heatmaps,
-    save_model,
-    scaled_signals,
+from estimator.network import ContactEstimator, HeadsNetwork, HeatmapNetwork
+from estimator.training_data import (
+    AUGMENTATION,
+    Augmentation,
+    batch_of,
+    elsewhere_counts,
+    joined,
+    press_folds,
+    thinned,
+    with_contacts,
 )
-from estimator.splits import Split, split_presses
 
-Progress = Callable[[int, int, float], None]
-"""Called after each epoch with its number, the number of epochs and the validation loss."""
-NEGATIVES_PER_CONTACT = 0.3
-"""At most so many rest frames, and as many with other faces pressed, per contact frame."""
 SHARPNESS = (1.0, 1.5, 2.0, 3.0, 5.0, 8.0)
-_FORCE_WEIGHT = 8.0
+PAPER_HIDDEN_UNITS = (600, 2000, 2000, 2000)
+PAPER_BATCH_FRAMES = 2000
+PAPER_LEARNING_RATE = 1e-3
+PAPER_WEIGHT_DECAY = 1e-4
+FINE_TUNING_RATE = 0.3
+"""Learning rate of a network that goes on from `start`, over that of one that starts anew."""
+RIDGE = 1e-3
 _WEIGHT_DECAY = 1e-3
-_WARM_UP_EPOCHS = 2.0
-_LEAST_STEPS = 20
-_LEAST_BATCH_FRAMES = 16
+_OTHER_FACES = 0.5
 
 
 @dataclass(frozen=True)
-class Augmentation:
-    """Disturbances added to each training frame: offset of a press's zero (counts, one draw a
-    channel) and white noise (in units of the channel's own σ)."""
+class FitSettings:
+    """What is fitted, and how.
 
-    offset_counts: float
-    noise_sigmas: float = 1.0
+    Attributes
+    ----------
+    seed : of the initial weights, the batches, the disturbances and the folds
+    augmentation : by default that of the data's source, `AUGMENTATION`, with presses of other
+        faces superposed for the whole-object model
+    device : "cpu" or "cuda"
+    budget_s : limit of time over all members, s
+    checkpoint : folder that keeps an unfinished training; it is resumed from there
+    """
 
-
-AUGMENTATION = {"simulated": Augmentation(10.0), "recorded": Augmentation(25.0)}
-"""By source of the data: real silicone creeps back late, so its rest level is less certain."""
-
-
-@dataclass(frozen=True)
-class _Tensors:
-    counts: Float[Tensor, "frame channel"]
-    share: Float[Tensor, "frame pixel"]
-    force: Float[Tensor, "frame"]
-    contact: Float[Tensor, "frame"]
-
-    def rows(self, index: Tensor) -> _Tensors:
-        return _Tensors(
-            self.counts[index], self.share[index], self.force[index], self.contact[index]
-        )
+    face: int
+    training: TrainingSpec = field(default_factory=TrainingSpec)
+    seed: int = 1
+    augmentation: Augmentation | None = None
+    device: str = "cpu"
+    budget_s: float | None = None
+    checkpoint: Path | None = None
 
 
-def train_face(
-    frames: FrameSet,
-    face: int,
-    training: TrainingSpec,
-    seed: int,
+def fit_estimator(
+    train_frames: FrameSet,
+    validation_frames: FrameSet,
+    settings: FitSettings,
+    start: FaceModel | None = None,
     progress: Progress | None = None,
-    checkpoint: Path | str | None = None,
-    split: Split | None = None,
-    augmentation: Augmentation | None = None,
-    device: str = "cpu",
 ) -> FaceModel:
     """Train one face's estimator.
 
     Parameters
     ----------
-    frames : data set with presses on the face
-    seed : of the split, the initial weights, the batches and the disturbances
+    train_frames, validation_frames : whole presses, with ids unique over both
+    start : a model to go on from, for instance one trained on simulated twins; its channels and
+        architecture are kept
     progress : called after each epoch
-    checkpoint : where the finished model is saved, if given
-    split : by default `split_presses(frames, seed)`; only training and validation are used
-    augmentation : by default that of the data's source, `AUGMENTATION`
 
     Raises
     ------
     InputError
-        No contact on the face in the training or validation part, or no live channel.
+        No contact on the face in either part, no live channel, a start of another face or model.
     """
-    split = split or split_presses(frames, seed)
-    train, validation = (
-        _thinned(_with_contacts(face_data(frames.select(part), face), name), seed)
-        for part, name in ((split.train, "training"), (split.validation, "validation"))
-    )
-    model = _untrained(frames, face, training, train, validation, seed)
-    network = model.network.to(device)
-    sigma = torch.as_tensor(model.sigma_counts, dtype=torch.float32, device=device)
-    tensors = [_tensors(model, data, device) for data in (train, validation)]
-    _fit(
-        network,
-        sigma,
-        tensors[0],
-        tensors[1],
-        training,
-        augmentation or AUGMENTATION[frames.source],
-        seed,
-        progress,
-    )
-    model = _sharpened(model, validation)
-    if checkpoint is not None:
-        save_model(model, checkpoint)
-    return model
-
-
-def _with_contacts(data: FaceData, part: str) -> FaceData:
-    if not data.contact.any():
-        raise InputError(
-            f"face {data.face} has no contact in the {part} part. Press it in more presses, or "
-            "train only the faces that are pressed"
+    training, seed = settings.training, settings.seed
+    parts = [
+        thinned(with_contacts(face_data(frames, settings.face), name), seed)
+        for frames, name in ((train_frames, "training"), (validation_frames, "validation"))
+    ]
+    if training.members == 1:
+        folds = [(parts[0], parts[1])]
+    else:
+        pooled = joined(*parts)
+        fold = press_folds(pooled, training.members, seed)
+        folds = [
+            (pooled.select(fold != k), pooled.select(fold == k)) for k in range(training.members)
+        ]
+    if start is not None:
+        _require_same_kind(start, settings, train_frames)
+    channels = start.channels if start else _common_channels(parts, training)
+    members, scores = [], []
+    for number, (fitted, held_out) in enumerate(folds):
+        member = _member(number, fitted, channels, settings, start)
+        _fit_member(
+            member, number, fitted, held_out, channels, settings, start is not None, progress
         )
-    return data
+        members.append(_sharpened(member, held_out, channels))
+        scores.append(_scores(member, held_out, channels))
+    network = ContactEstimator(members)
+    force, position, press = (np.concatenate(column) for column in zip(*scores, strict=True))
+    network.force_quantile.fill_(conformal_quantile(force, press, training.interval_cover))
+    network.position_quantile.fill_(conformal_quantile(position, press, training.interval_cover))
+    return FaceModel(
+        name=training.model,
+        face=settings.face,
+        channels=channels,
+        grid_x_mm=train_frames.grid_x_mm,
+        grid_y_mm=train_frames.grid_y_mm,
+        architecture=_architecture(training),
+        interval_cover=training.interval_cover,
+        interval_presses=len(np.unique(press)),
+        network=network.to(settings.device),
+    )
 
 
-def _thinned(data: FaceData, seed: int) -> FaceData:
-    """All contact frames, with rest frames and other faces' presses limited in number."""
-    rng = np.random.default_rng(seed)
-    contact = data.contact
-    limit = math.ceil(NEGATIVES_PER_CONTACT * contact.sum())
-    kept = [np.flatnonzero(contact)]
-    for negatives in (np.flatnonzero(data.rest & ~contact), np.flatnonzero(~data.rest & ~contact)):
-        kept.append(rng.permutation(negatives)[:limit])
-    index = np.sort(np.concatenate(kept))
-    return FaceData(data.face, data.signal_counts[index], data.heatmap_n[index], data.rest[index])
+def _architecture(training: TrainingSpec) -> Architecture:
+    axes, members = training.heatmap_axes, training.members
+    if training.model == "paper":
+        return Architecture("heatmap", PAPER_HIDDEN_UNITS, axes, members=members)
+    if training.model == "linear":
+        return Architecture("heatmap", (), axes, members=members)
+    continuous = training.output == "position"
+    return Architecture("heads", training.hidden_units, axes, continuous, members)
 
 
-def _untrained(
-    frames: FrameSet,
-    face: int,
-    training: TrainingSpec,
-    train: FaceData,
-    validation: FaceData,
-    seed: int,
-) -> FaceModel:
-    alive = set(live_channels(validation))
-    channels = tuple(channel for channel in live_channels(train) if channel in alive)
+def _require_same_kind(start: FaceModel, settings: FitSettings, frames: FrameSet) -> None:
+    wanted = replace(_architecture(settings.training), members=start.architecture.members)
+    same_grid = all(
+        mine.shape == theirs.shape and np.allclose(mine, theirs, rtol=0, atol=1e-6)
+        for mine, theirs in (
+            (start.grid_x_mm, frames.grid_x_mm),
+            (start.grid_y_mm, frames.grid_y_mm),
+        )
+    )
+    if start.face != settings.face or start.architecture != wanted or not same_grid:
+        raise InputError(
+            f"the model to start from reads face {start.face} with {start.architecture} on "
+            f"{len(start.grid_x_mm)} × {len(start.grid_y_mm)} pixels; wanted are face "
+            f"{settings.face} and {wanted} on the data's grid. Start from a model trained with the "
+            "same training.* settings"
+        )
+
+
+def _common_channels(parts: list[FaceData], training: TrainingSpec) -> tuple[Channel, ...]:
+    every = training.model == "whole-object"
+    alive = set(live_channels(parts[1], every))
+    channels = tuple(channel for channel in live_channels(parts[0], every) if channel in alive)
     if not channels:
         raise InputError(
-            f"no channel of face {face} has readings in all frames. Leave that recording out"
+            f"no channel of face {parts[0].face} has readings in all frames. Leave that "
+            "recording out"
         )
-    pixels = len(frames.grid_x_mm) * len(frames.grid_y_mm)
+    return channels
+
+
+def _sigma_counts(data: FaceData, channels: tuple[Channel, ...]) -> Float[np.ndarray, "channel"]:
+    return np.array([data.frames.noise_counts[axis] for _, _, axis in channels])
+
+
+def _member(
+    number: int,
+    data: FaceData,
+    channels: tuple[Channel, ...],
+    settings: FitSettings,
+    start: FaceModel | None,
+) -> nn.Module:
+    """A network with its scales, from `start` or with fresh weights."""
+    if start is not None:
+        given = start.network.members
+        return copy.deepcopy(given[number % len(given)])
+    built, grids = _architecture(settings.training), (data.frames.grid_x_mm, data.frames.grid_y_mm)
+    scale = float(data.heatmap_n.sum(axis=(1, 2)).max())
+    sigma = _sigma_counts(data, channels)
     with torch.random.fork_rng(devices=[]):
-        torch.manual_seed(seed)
-        network = ContactNetwork(len(channels), training.hidden_units, pixels)
-    return FaceModel(
-        face=face,
-        channels=channels,
-        sigma_counts=np.array([frames.noise_counts[axis] for _, axis in channels]),
-        grid_x_mm=frames.grid_x_mm,
-        grid_y_mm=frames.grid_y_mm,
-        hidden_units=training.hidden_units,
-        force_scale_n=float(train.heatmap_n.sum(axis=(1, 2)).max()),
-        sharpness=1.0,
-        network=network,
-    )
+        torch.manual_seed(settings.seed + 7919 * number)
+        if built.kind == "heads":
+            return HeadsNetwork(
+                sigma, *grids, built.hidden_units, scale, built.axes, built.continuous
+            )
+        counts = channel_counts(data.frames, channels)
+        low, span = counts.min(axis=0), np.ptp(counts, axis=0)
+        if settings.training.model == "linear":
+            low, span = 0 * sigma, sigma
+        else:
+            scale = float(data.force_maps_n.max())
+        smallest = float(data.heatmap_n[data.heatmap_n > 0].min())
+        span = np.where(span > 0, span, 1.0)
+        return HeatmapNetwork(low, span, *grids, built.hidden_units, scale, smallest, built.axes)
 
 
-def _tensors(model: FaceModel, data: FaceData, device: str) -> _Tensors:
-    heatmap = data.heatmap_n.reshape(len(data), -1)
-    total = heatmap.sum(axis=1)
-    arrays = (
-        channel_counts(data.signal_counts, model.channels),
-        heatmap / np.where(total > 0, total, 1.0)[:, None],
-        total / model.force_scale_n,
-        data.contact,
-    )
-    tensors = [torch.as_tensor(a.astype(np.float32), device=device) for a in arrays]
-    return _Tensors(*tensors)
-
-
-def _fit(
-    network: ContactNetwork,
-    sigma: Tensor,
-    train: _Tensors,
-    validation: _Tensors,
-    training: TrainingSpec,
-    augmentation: Augmentation,
-    seed: int,
+def _fit_member(
+    member: nn.Module,
+    number: int,
+    data: FaceData,
+    held_out: FaceData,
+    channels: tuple[Channel, ...],
+    settings: FitSettings,
+    fine_tuned: bool,
     progress: Progress | None,
 ) -> None:
-    """Train in place; the weights of the best validation loss remain."""
-    generator = torch.Generator().manual_seed(seed)
-    optimizer = torch.optim.AdamW(
-        network.parameters(), lr=training.learning_rate, weight_decay=_WEIGHT_DECAY
+    training, device = settings.training, settings.device
+    member.to(device)
+    scale = float(member.get_buffer("force_scale_n"))
+    train, validation = (
+        batch_of(part, channels, scale, training.heatmap_axes, device) for part in (data, held_out)
     )
-    size = _batch_frames(len(train.force), training.batch_size)
-    steps = math.ceil(len(train.force) / size)
-    schedule = torch.optim.lr_scheduler.LambdaLR(
-        optimizer, lambda step: _rate_factor(step / steps, training.epochs)
-    )
-    held_out = scaled_signals(validation.counts, sigma)
-    best, best_epoch, best_weights = math.inf, 0, copy.deepcopy(network.state_dict())
-    for epoch in range(1, training.epochs + 1):
-        network.train()
-        disturbed = scaled_signals(_disturbed(train.counts, sigma, augmentation, generator), sigma)
-        order = torch.randperm(len(train.force), generator=generator)
-        for batch in order.split(size):
-            optimizer.zero_grad(set_to_none=True)
-            _loss(network(disturbed[batch]), train.rows(batch)).backward()
-            optimizer.step()
-            schedule.step()
-        network.eval()
-        with torch.no_grad():
-            score = float(_loss(network(held_out), validation))
-        if score < best:
-            best, best_epoch, best_weights = score, epoch, copy.deepcopy(network.state_dict())
-        if progress is not None:
-            progress(epoch, training.epochs, score)
-        if epoch - best_epoch >= training.patience_epochs:
-            break
-    network.load_state_dict(best_weights)
+    if training.model == "linear":
+        assert isinstance(member, HeatmapNetwork)
+        _fit_ridge(member, train.counts.cpu().numpy(), train.maps.cpu().numpy())
+        return
+    schedule = _schedule(settings, number, data.frames.source, fine_tuned)
+    sigma = torch.as_tensor(_sigma_counts(data, channels), dtype=torch.float32, device=device)
+    elsewhere = elsewhere_counts(data, channels).to(device)
+    folder = settings.checkpoint
+    path = None if folder is None else folder / f"member_{number}.safetensors"
+    mark = _fingerprint(schedule, train.counts, train.maps, asdict(_architecture(training)))
+    fit(member, train, validation, sigma, elsewhere, schedule, progress, path, mark)
 
 
-def _batch_frames(frames: int, wanted: int) -> int:
-    """Smaller batches for small data sets, which otherwise get too few steps an epoch."""
-    return max(1, min(wanted, max(_LEAST_BATCH_FRAMES, frames // _LEAST_STEPS)))
+def _schedule(settings: FitSettings, number: int, source: str, fine_tuned: bool) -> Schedule:
+    training, seed = settings.training, settings.seed + 7919 * number
+    budget = None if settings.budget_s is None else settings.budget_s / training.members
+    if training.model == "paper":
+        return Schedule(
+            training.epochs, PAPER_BATCH_FRAMES, PAPER_LEARNING_RATE, PAPER_WEIGHT_DECAY,
+            training.patience_epochs, None, seed, True, budget,
+        )  # fmt: skip
+    augmentation = settings.augmentation or AUGMENTATION[source]
+    if settings.augmentation is None and training.model == "whole-object":
+        augmentation = replace(augmentation, other_faces=_OTHER_FACES)
+    rate = training.learning_rate * (FINE_TUNING_RATE if fine_tuned else 1.0)
+    return Schedule(
+        training.epochs, training.batch_size, rate, _WEIGHT_DECAY,
+        training.patience_epochs, augmentation, seed, False, budget,
+    )  # fmt: skip
 
 
-def _rate_factor(epoch: float, epochs: int) -> float:
-    """Linear warm-up, then half a cosine down to 1 %."""
-    warm = min(_WARM_UP_EPOCHS, epochs / 2)
-    if epoch < warm:
-        return max(epoch / warm, 0.02)
-    return 0.01 + 0.99 * 0.5 * (1 + math.cos(math.pi * (epoch - warm) / (epochs - warm)))
+def _fit_ridge(
+    member: HeatmapNetwork, counts: Float[np.ndarray, "frame channel"], maps: np.ndarray
+) -> None:
+    scaled = counts.astype(float) / member.span_counts.cpu().numpy()
+    basis = np.column_stack([scaled, np.ones(len(scaled))])
+    normal = basis.T @ basis
+    penalty = RIDGE * np.trace(normal) / len(normal) * np.eye(len(normal))
+    weights = np.linalg.solve(normal + penalty, basis.T @ maps)
+    with torch.no_grad():
+        member.heads.weight.copy_(torch.as_tensor(weights[:-1].T, dtype=torch.float32))
+        member.heads.bias.copy_(torch.as_tensor(weights[-1], dtype=torch.float32))
 
 
-def _disturbed(
-    counts: Tensor, sigma: Tensor, augmentation: Augmentation, generator: torch.Generator
-) -> Tensor:
-    noise = torch.randn(counts.shape, generator=generator).to(counts.device)
-    offset = torch.randn(counts.shape, generator=generator).to(counts.device)
-    return counts + augmentation.noise_sigmas * sigma * noise + augmentation.offset_counts * offset
+def _fingerprint(schedule: Schedule, counts: torch.Tensor, maps: torch.Tensor, built: dict) -> str:
+    digest = hashlib.sha256(repr((schedule, built)).encode())
+    for tensor in (counts, maps):
+        digest.update(tensor.cpu().numpy().tobytes())
+    return digest.hexdigest()
 
 
-def _loss(estimate: Estimate, target: _Tensors) -> Tensor:
-    """Place is weighted by √force: a faint press says little about where it is."""
-    log_share = torch.log_softmax(estimate.share_logits, dim=1)
-    weight = torch.sqrt(target.force)
-    place = -(weight * (target.share * log_share).sum(dim=1)).mean()
-    contact = target.contact
-    force = (estimate.force - target.force).abs().mean()
-    touch = torch.nn.functional.binary_cross_entropy_with_logits(estimate.contact_logit, contact)
-    return place + _FORCE_WEIGHT * force + touch
-
-
-def _sharpened(model: FaceModel, validation: FaceData) -> FaceModel:
-    """The model with the sharpness that does best on validation contacts: dissimilarity plus
+def _sharpened(member: nn.Module, held_out: FaceData, channels: tuple[Channel, ...]) -> nn.Module:
+    """The member with the sharpness that does best on held-out contacts: dissimilarity plus
     relative error of force."""
-    contact = validation.contact
-    true_n = validation.heatmap_n[contact]
-    reference = force_reference(true_n)
-    scores = []
+    if not isinstance(member, HeadsNetwork) or member.continuous:
+        return member
+    data = held_out.select(held_out.contact)
+    reference = force_reference(data.heatmap_n)
+    counts, scale = channel_counts(data.frames, channels), float(member.force_scale_n)
+    costs = []
     for sharpness in SHARPNESS:
-        candidate = replace(model, sharpness=sharpness)
-        predicted = predict_heatmaps(candidate, validation.signal_counts[contact])
-        result = face_metrics(model.face, predicted, true_n, reference)
-        scores.append(1 - result.similarity + result.force_error_n / model.force_scale_n)
-    return replace(model, sharpness=SHARPNESS[int(np.argmin(scores))])
+        member.sharpness.fill_(sharpness)
+        maps = read_counts(ContactEstimator([member]), counts).heatmap_n[:, -1]
+        result = face_metrics(data.face, maps, data.heatmap_n, reference)
+        costs.append(1 - result.similarity + result.force_error_n / scale)
+    member.sharpness.fill_(SHARPNESS[int(np.argmin(costs))])
+    return member
+
+
+def _scores(
+    member: nn.Module, held_out: FaceData, channels: tuple[Channel, ...]
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Errors of force and centre over their spreads, and the press, in held-out contact frames."""
+    data = held_out.select(held_out.contact)
+    estimator = ContactEstimator([member])
+    estimator.force_quantile.fill_(1.0)
+    estimator.position_quantile.fill_(1.0)
+    counts = channel_counts(data.frames, channels)
+    found = read_counts(estimator, counts)
+    missed_n = np.abs(found.force_n - data.heatmap_n.sum(axis=(1, 2)))
+    away_mm = np.linalg.norm(found.xy_mm - data.centre_mm, axis=1)
+    scores = missed_n / found.force_halfwidth_n, away_mm / found.position_radius_mm
+    return *scores, data.frames.press_id

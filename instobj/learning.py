@@ -10,7 +10,7 @@ from design.spec import TrainingSpec
 from instobj.stage import Step, write_json
 from instobj.store import file_key, store_root, stored
 
-_VERSION = 1
+_VERSION = 2
 
 
 def train_networks(
@@ -26,21 +26,27 @@ def train_networks(
     import torch
 
     from estimator.dataset import load_frames
+    from estimator.face_model import save_model
     from estimator.heatmap import faces_pressed
-    from estimator.training import train_face
+    from estimator.splits import split_presses
+    from estimator.training import FitSettings, fit_estimator
 
     torch.set_num_threads(1)  # a second thread gains nothing on networks this small
     frames = load_frames(frames_path)
     faces = faces_pressed(frames)
     if not faces:
         raise InputError(f"{frames_path} holds no contact. Give a data set with presses")
+    split = split_presses(frames, seed)
+    parts = frames.select(split.train), frames.select(split.validation)
     for face in faces:
 
         def progress(epoch: int, of: int, score: float, face: int = face) -> None:
             if epoch % 10 == 0 or epoch == of:
                 step(f"face {face}, epoch {epoch} of {of}: validation loss {score:.3f}")
 
-        train_face(frames, face, training, seed, progress, folder / f"face_{face}.safetensors")
+        settings = FitSettings(face, training, seed)
+        model = fit_estimator(*parts, settings, progress=progress)
+        save_model(model, folder / f"face_{face}.safetensors")
 
 
 def evaluate_networks(
@@ -51,20 +57,31 @@ def evaluate_networks(
     The split is that of the training: same data set, same seed. Ridge regression and the constant
     mean map are evaluated beside it on the same presses.
     """
+    from dataclasses import asdict
+
     from estimator.dataset import load_frames
-    from estimator.evaluation import evaluate_face, mean_map_baseline, ridge_baseline
-    from estimator.network import load_model
+    from estimator.evaluation import (
+        evaluate_face,
+        evaluate_intervals,
+        linear_baseline,
+        mean_map_baseline,
+    )
+    from estimator.face_model import load_model
     from estimator.splits import split_presses
 
     frames = load_frames(frames_path)
     split = split_presses(frames, seed)
     held_out = frames.select(split.test)
-    rows: dict[str, list[Any]] = {"faces": [], "ridge_regression": [], "mean_map": []}
+    rows: dict[str, list[Any]] = {
+        name: [] for name in ("faces", "intervals", "ridge_regression", "mean_map")
+    }
     for path in sorted(networks.glob("face_*.safetensors")):
         model = load_model(path)
         step(f"face {model.face}")
         rows["faces"].append(evaluate_face(model, held_out, dataset=frames).summary())
-        rows["ridge_regression"].append(ridge_baseline(frames, model.face, split).summary())
+        intervals = asdict(evaluate_intervals(model, held_out))
+        rows["intervals"].append({"face": model.face, **intervals})
+        rows["ridge_regression"].append(linear_baseline(frames, model.face, split).summary())
         rows["mean_map"].append(mean_map_baseline(frames, model.face, split).summary())
     write_json({"split": "whole presses held out", **rows}, folder / "metrics.json")
 

@@ -179,9 +179,11 @@ STAGES: dict[str, Stage] = {
         version=3,
     ),
     "networks": Stage(
-        "estimator: training", ("frames",), ("training", "seed"), make_networks, version=2
+        "estimator: training", ("frames",), ("training", "seed"), make_networks, version=3
     ),
-    "metrics": Stage("estimator: held-out presses", ("frames", "networks"), (), make_metrics),
+    "metrics": Stage(
+        "estimator: held-out presses", ("frames", "networks"), (), make_metrics, version=2
+    ),
     "report": Stage(
         "report",
         (

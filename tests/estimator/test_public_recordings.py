@@ -13,15 +13,15 @@ import torch
 from design.spec import TrainingSpec
 from estimator.evaluation import (
     evaluate_face,
+    linear_baseline,
     mean_map_baseline,
     rest_offset_baseline,
-    ridge_baseline,
 )
 from estimator.heatmap import faces_pressed
 from estimator.recording_combine import combine, jumps_between
 from estimator.recordings import read_recording
 from estimator.splits import split_presses
-from estimator.training import train_face
+from estimator.training import FitSettings, fit_estimator
 
 FOLDER = Path(
     os.environ.get("INSTOBJ_DATA")
@@ -103,10 +103,11 @@ def test_estimator_on_held_out_presses(recordings, face):
     """Same places in training and test, other presses. Chance errs by half the range of force."""
     frames = recordings[0].frames
     split = split_presses(frames, 2)
-    model = train_face(frames, face, TrainingSpec(epochs=40), seed=2, split=split)
+    parts = frames.select(split.train), frames.select(split.validation)
+    model = fit_estimator(*parts, FitSettings(face, TrainingSpec(epochs=40), seed=2))
     result = evaluate_face(model, frames.select(split.test), frames)
     chance = mean_map_baseline(frames, face, split)
-    ridge = ridge_baseline(frames, face, split)
+    ridge = linear_baseline(frames, face, split)
     assert result.similarity > 0.97
     assert result.location_error_px < 0.5 < chance.location_error_px
     assert result.force_error_percent < 8 < chance.force_error_percent

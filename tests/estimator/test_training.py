@@ -12,15 +12,22 @@ from synthetic_frames import synthetic_frames
 
 from design.errors import InputError
 from design.spec import TrainingSpec
-from estimator.evaluation import evaluate_face, mean_map_baseline, ridge_baseline
+from estimator.evaluation import evaluate_face, linear_baseline, mean_map_baseline
 from estimator.face_data import FaceData, face_data, live_channels
-from estimator.network import load_model, predict_heatmaps, save_model, scaled_signals
+from estimator.face_model import load_model, predict_heatmaps, save_model
+from estimator.network import HeadsNetwork
 from estimator.splits import split_places, split_presses
-from estimator.training import train_face
+from estimator.training import FitSettings, fit_estimator
 
 QUICK = TrainingSpec(hidden_units=(96, 96), epochs=30, batch_size=128, learning_rate=3e-3)
 SHORT = QUICK.model_copy(update={"epochs": 2})
 FACE = 4
+
+
+def train_face(frames, face, training, seed, progress=None, split=None):
+    split = split or split_presses(frames, seed)
+    parts = frames.select(split.train), frames.select(split.validation)
+    return fit_estimator(*parts, FitSettings(face, training, seed), progress=progress)
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -72,7 +79,7 @@ def test_estimator_is_good(result):
 
 
 def test_estimator_beats_the_baselines(result, frames, split):
-    ridge = ridge_baseline(frames, FACE, split)
+    ridge = linear_baseline(frames, FACE, split)
     chance = mean_map_baseline(frames, FACE, split)
     assert result.force_error_percent < 0.5 * ridge.force_error_percent
     assert ridge.location_error_px < chance.location_error_px
@@ -96,12 +103,13 @@ def test_planted_faults_in_the_signals_show(model, result, frames, split, fault)
 
 def test_dead_channels_are_left_out(model):
     assert len(model.channels) == 8
-    assert (1, 2) not in model.channels
-    assert_allclose(model.sigma_counts, [22, 20, 11, 22, 20, 22, 20, 11])
+    assert (4, 1, 2) not in model.channels
+    sigma = model.network.members[0].sigma_counts
+    assert_allclose(sigma, [22, 20, 11, 22, 20, 22, 20, 11])
 
 
 def test_same_seed_same_weights(frames, split):
-    signal = frames.signal_counts[:50, 3]
+    signal = frames.select(np.arange(50))
     first, again, other = (
         predict_heatmaps(train_face(frames, FACE, SHORT, seed=s, split=split), signal)
         for s in (1, 1, 2)
@@ -126,7 +134,7 @@ def test_test_presses_are_never_used(frames, split, part):
     spec = SHORT.model_copy(update={"epochs": 8})
     clean = train_face(frames, FACE, spec, seed=7, split=split)
     spoiled = train_face(replace(frames, signal_counts=signal), FACE, spec, seed=7, split=split)
-    probe = frames.signal_counts[:50, 3]
+    probe = frames.select(np.arange(50))
     same = np.array_equal(predict_heatmaps(spoiled, probe), predict_heatmaps(clean, probe))
     assert same == (part == "test")
 
@@ -163,19 +171,10 @@ def test_unseen_places_are_harder(frames, result):
 def test_save_and_load(model, frames, tmp_path):
     save_model(model, tmp_path / "m" / "face4.safetensors")
     loaded = load_model(tmp_path / "m" / "face4.safetensors")
-    signal = frames.signal_counts[:80, 3]
+    signal = frames.select(np.arange(80))
     assert_array_equal(predict_heatmaps(loaded, signal), predict_heatmaps(model, signal))
     assert loaded.channels == model.channels
-    assert (loaded.face, loaded.hidden_units) == (FACE, (96, 96))
-
-
-def test_checkpoint_is_the_finished_model(frames, split, tmp_path):
-    path = tmp_path / "face4.safetensors"
-    trained = train_face(frames, FACE, SHORT, 7, checkpoint=path, split=split)
-    signal = frames.signal_counts[:20, 3]
-    assert_array_equal(
-        predict_heatmaps(load_model(path), signal), predict_heatmaps(trained, signal)
-    )
+    assert (loaded.face, loaded.architecture.hidden_units) == (FACE, (96, 96))
 
 
 @pytest.mark.parametrize("damage", ["foreign", "cut", "no description", "format", "weights"])
@@ -192,7 +191,7 @@ def test_bad_model_files(model, tmp_path, damage):
     elif damage == "format":
         save_file(weights, path, metadata={"instobj": json.dumps({"format": 9})})
     else:
-        description = {"format": 1, "face": 4, "channels": [[0, 0]], "hidden_units": [3]}
+        description = {"format": 2, "face": 4, "channels": [[4, 0, 0]], "grid_x_mm": [0]}
         save_file(weights, path, metadata={"instobj": json.dumps(description)})
     with pytest.raises(InputError, match=r"m\.safetensors"):
         load_model(path)
@@ -204,25 +203,28 @@ def test_missing_model(tmp_path):
 
 
 def test_prediction_refuses_missing_readings(model, frames):
-    signal = frames.signal_counts[:5, 3].copy()
-    signal[2, 0, 1] = np.nan
-    with pytest.raises(InputError, match="channels Y1"):
-        predict_heatmaps(model, signal)
-    with pytest.raises(InputError, match="needs sensor 3"):
-        predict_heatmaps(model, frames.signal_counts[:5, 3, :2])
+    few = frames.select(np.arange(5))
+    few.signal_counts[2, 3, 0, 1] = np.nan
+    with pytest.raises(InputError, match="channels F4-Y1"):
+        predict_heatmaps(model, few)
+    with pytest.raises(InputError, match="needs sensor 3 of faces"):
+        predict_heatmaps(model, replace(few, signal_counts=few.signal_counts[:, :, :2]))
 
 
 def test_prediction_shape_and_units(model, frames):
-    heatmaps = predict_heatmaps(model, frames.signal_counts[:7, 3])
+    heatmaps = predict_heatmaps(model, frames.select(np.arange(7)))
     assert heatmaps.shape == (7, 4, 5)
     assert heatmaps.min() >= 0
-    assert predict_heatmaps(model, frames.signal_counts[:0, 3]).shape == (0, 4, 5)
+    assert predict_heatmaps(model, frames.select(np.arange(0))).shape == (0, 4, 5)
 
 
 def test_scaling_by_hand():
-    """arcsinh(3σ / 3σ) = ln(1 + √2)."""
-    scaled = scaled_signals(torch.tensor([[66.0, -33.0, 0.0]]), torch.tensor([22.0, 11.0, 5.0]))
-    assert_allclose(scaled, [[np.log(1 + 2**0.5), -np.log(1 + 2**0.5), 0]], rtol=1e-6)
+    """The first layer sees arcsinh(ΔS / 3σ): arcsinh(1) = ln(1 + √2)."""
+    network = HeadsNetwork(np.array([22.0, 11.0, 5.0]), np.zeros(1), np.zeros(1), (3,), 1.0)
+    seen = []
+    network.trunk.register_forward_pre_hook(lambda _, given: seen.append(given[0]))
+    network.heads_of(torch.tensor([[66.0, -33.0, 0.0]]))
+    assert_allclose(seen[0], [[np.log(1 + 2**0.5), -np.log(1 + 2**0.5), 0]], rtol=1e-6)
 
 
 def test_errors_of_the_user(frames, split, model):
@@ -234,7 +236,7 @@ def test_errors_of_the_user(frames, split, model):
         face_data(replace(frames, valid=np.zeros(len(frames), dtype=bool)), FACE)
     with pytest.raises(InputError, match="grid_x_mm"):
         evaluate_face(replace(model, grid_x_mm=model.grid_x_mm + 1), frames)
+    silent = frames.select(np.arange(2))
+    silent.signal_counts[:] = np.nan
     with pytest.raises(InputError, match="every channel of face"):
-        live_channels(
-            FaceData(FACE, np.full((2, 3, 3), np.nan), np.ones((2, 4, 5)), np.zeros(2) > 0)
-        )
+        live_channels(FaceData(FACE, silent, np.ones((2, 3, 4, 5)), np.zeros(2) > 0))
