@@ -46,6 +46,14 @@ class CoreContact:
 
 
 @dataclass(frozen=True)
+class CoreState:
+    """What the vertices of a frictionless core bear (N) and how far the shell has left them (mm)."""
+
+    force_n: Float[np.ndarray, "i"]
+    opening_mm: Float[np.ndarray, "i"]
+
+
+@dataclass(frozen=True)
 class WallOpenings:
     """Openings φ_i n of P1 hats at the vertices of the core's walls, as nodal displacements."""
 

@@ -7,7 +7,7 @@ every other one, through the compliance between all faces.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations
 
 import numpy as np
@@ -17,9 +17,17 @@ from design.errors import InputError
 from design.spec import ObjectSpec
 from design.tip_shapes import path_mm, tip_shape, tips_overlap
 from fem.contact import contact_pressures
+from fem.core_interface import CoreState
+from fem.core_lift_off import lift_off
 from fem.indenter import moved, tip_cells
 from fem.presses import require_on_face, resting_gap_mm
-from fem.refined_contact import Spread, joint_compliance, refined_face, spread_cells
+from fem.refined_contact import (
+    RefinedFace,
+    Spread,
+    joint_compliance,
+    refined_face,
+    spread_cells,
+)
 from fem.response import ResponseOperator
 
 _FORCE_TOLERANCE = 1e-6
@@ -40,7 +48,7 @@ class JointPress:
     """Indenters pressed together: force of each (N) at its depth (mm), and all magnets' motions.
 
     `shear_n` are the forces along the face's x and y, 0 without friction. `motion` (magnet, 6) is
-    in mm and rad, in the object's frame, as in `MagnetMotions`.
+    in mm and rad, in the object's frame, as in `MagnetMotions`. `core` is None for a bonded one.
     """
 
     tips: tuple[Tip, ...]
@@ -49,6 +57,7 @@ class JointPress:
     shear_n: Float[np.ndarray, "tip 2"]
     contact_area_mm2: Float[np.ndarray, "tip"]
     motion: Float[np.ndarray, "magnet 6"]
+    core: CoreState | None = None
 
 
 @dataclass(frozen=True)
@@ -62,6 +71,50 @@ class _Cells:
     tip: Int[np.ndarray, "cell"]
 
 
+def refined_faces(spec: ObjectSpec, response: ResponseOperator) -> dict[int, RefinedFace]:
+    """Every face prepared for contact, for those who press many times."""
+    numbers = [surface.number for surface in response.surfaces]
+    return {number: refined_face(response, i, spec) for i, number in enumerate(numbers)}
+
+
+def press_path(
+    spec: ObjectSpec,
+    response: ResponseOperator,
+    tips: Sequence[Tip],
+    depths_mm: Float[np.ndarray, "step tip"],
+    faces: dict[int, RefinedFace] | None = None,
+) -> tuple[JointPress, ...]:
+    """`press_tips` at several depths, at the cost of little more than one.
+
+    A frictionless core holds the shell both ways here.
+    """
+    press = _presser(spec, response, tips, faces)
+    return tuple(press(depths) for depths in np.asarray(depths_mm, float))
+
+
+def squeeze_path(
+    spec: ObjectSpec,
+    response: ResponseOperator,
+    jaws: tuple[Sequence[Tip], Sequence[Tip]],
+    force_n: Sequence[float],
+    faces: dict[int, RefinedFace] | None = None,
+) -> tuple[JointPress, ...]:
+    """`squeeze` to several forces, at the cost of little more than one.
+
+    A frictionless core holds the shell both ways here.
+    """
+    press = _presser(spec, response, [tip for jaw in jaws for tip in jaw], faces)
+    path: list[JointPress] = []
+    for force in force_n:
+        near = None
+        if path:  # forces grow about as depth to the power 3/2
+            last, first_tips = path[-1], [0, len(jaws[0])]
+            rise = (2 * force / last.force_n.sum()) ** (2 / 3)
+            near = last.depth_mm[first_tips] * rise
+        path.append(_press_to(spec, press, jaws, force, near))
+    return tuple(path)
+
+
 def press_tips(
     spec: ObjectSpec,
     response: ResponseOperator,
@@ -70,12 +123,15 @@ def press_tips(
 ) -> JointPress:
     """Press every indenter to its own depth, all at once, without friction.
 
+    A frictionless core only pushes: the shell lifts off where it would pull (`fem.core_lift_off`).
+
     Raises
     ------
     InputError
         An indenter on no sensed face, over a face's border, or overlapping another.
     """
-    return _presser(spec, response, tips)(np.asarray(depths_mm, float))
+    depths = np.asarray(depths_mm, float)
+    return _on_core(spec, response, lambda given: _presser(spec, given, tips)(depths))
 
 
 def press_to_force(
@@ -94,11 +150,25 @@ def press_to_force(
         As `press_tips`; or the force is not positive, or not reached within the indenter's height
         and the shell's thickness.
     """
+    tips = [tip for group in groups for tip in group]
+
+    def press(given: ResponseOperator) -> JointPress:
+        return _press_to(spec, _presser(spec, given, tips), groups, force_n)
+
+    return _on_core(spec, response, press)
+
+
+def _press_to(
+    spec: ObjectSpec,
+    press: Callable[[np.ndarray], JointPress],
+    groups: Sequence[Sequence[Tip]],
+    force_n: float,
+    near_mm: Float[np.ndarray, "group"] | None = None,
+) -> JointPress:
     if not (force_n > 0 and np.isfinite(force_n)):
         raise InputError(
             f"a press to a force needs a positive one; got {force_n:g} N. Give it in N"
         )
-    press = _presser(spec, response, [tip for group in groups for tip in group])
     group_of = np.repeat(np.arange(len(groups)), [len(group) for group in groups])
 
     def missing(depth: np.ndarray) -> tuple[np.ndarray, JointPress]:
@@ -106,7 +176,7 @@ def press_to_force(
         return np.bincount(group_of, pressed.force_n) - force_n, pressed
 
     deepest = min(tip_shape(spec.indenter).height_mm, spec.shell.thickness_mm)
-    return _solve_depths(missing, np.full(len(groups), deepest), force_n)
+    return _solve_depths(missing, np.full(len(groups), deepest), force_n, near_mm)
 
 
 def squeeze(
@@ -123,18 +193,45 @@ def squeeze(
     return press_to_force(spec, response, jaws, force_n)
 
 
+def _on_core(
+    spec: ObjectSpec, response: ResponseOperator, press: Callable[[ResponseOperator], JointPress]
+) -> JointPress:
+    """The press as it is on a bonded core; a frictionless one only pushes."""
+    if response.core is None:
+        return press(response)
+    pressed, state = lift_off(spec, response, press, _core_force)
+    return replace(pressed, core=state)
+
+
+def _core_force(press: JointPress) -> np.ndarray:
+    assert press.core is not None
+    return press.core.force_n
+
+
+def _force_groups(
+    spec: ObjectSpec, response: ResponseOperator, groups: Sequence[Sequence[Tip]], force_n: float
+) -> JointPress:
+    press = _presser(spec, response, [tip for group in groups for tip in group])
+    group_of = np.repeat(np.arange(len(groups)), [len(group) for group in groups])
+
+    def missing(depth: np.ndarray) -> tuple[np.ndarray, JointPress]:
+        pressed = press(depth[group_of])
+        return np.bincount(group_of, pressed.force_n) - force_n, pressed
+
+    deepest = min(tip_shape(spec.indenter).height_mm, spec.shell.thickness_mm)
+    return _solve_depths(missing, np.full(len(groups), deepest), force_n)
+
+
 def _solve_depths(
     missing: Callable[[np.ndarray], tuple[np.ndarray, JointPress]],
     deepest_mm: np.ndarray,
     force_n: float,
+    near_mm: np.ndarray | None = None,
 ) -> JointPress:
-    most, press = missing(deepest_mm)
-    if most.min() < 0:
-        raise InputError(
-            f"{force_n:g} N are not reached within {deepest_mm[0]:g} mm, the lesser of the indenter's "
-            f"height and the shell's thickness (most {most.min() + force_n:.3g} N). Press less hard"
-        )
-    depth = deepest_mm / 4
+    """From `near_mm` where it is given, else from a quarter of the deepest press."""
+    if near_mm is None:
+        _require_reach(missing, deepest_mm, force_n)
+    depth = np.minimum(deepest_mm / 4 if near_mm is None else near_mm, deepest_mm)
     residual, press = missing(depth)
     stiffness = np.diag(np.maximum(residual + force_n, 1e-3 * force_n) / depth * 1.5)
     for _ in range(_MAX_STEPS):
@@ -152,22 +249,40 @@ def _solve_depths(
     )
 
 
+def _require_reach(
+    missing: Callable[[np.ndarray], tuple[np.ndarray, JointPress]],
+    deepest_mm: np.ndarray,
+    force_n: float,
+) -> None:
+    most, _ = missing(deepest_mm)
+    if most.min() < 0:
+        raise InputError(
+            f"{force_n:g} N are not reached within {deepest_mm[0]:g} mm, the lesser of the indenter's "
+            f"height and the shell's thickness (most {most.min() + force_n:.3g} N). Press less hard"
+        )
+
+
 def _presser(
-    spec: ObjectSpec, response: ResponseOperator, tips: Sequence[Tip]
+    spec: ObjectSpec,
+    response: ResponseOperator,
+    tips: Sequence[Tip],
+    faces: dict[int, RefinedFace] | None = None,
 ) -> Callable[[np.ndarray], JointPress]:
     """Function from the tips' depths to their joint press; on straight paths cells stay."""
     require_apart(spec, tips)
     straight = not any(spec.indenter.direction_deg)
-    kept = _cells(spec, response, tips, np.zeros(len(tips))) if straight else None
+    kept = _cells(spec, response, tips, np.zeros(len(tips)), faces) if straight else None
 
     def press(depths_mm: np.ndarray) -> JointPress:
-        cells = kept or _cells(spec, response, tips, depths_mm)
+        cells = kept or _cells(spec, response, tips, depths_mm, faces)
         gap = (cells.gap_mm - depths_mm[cells.tip]) * cells.area_mm2
         pressure = contact_pressures(cells.compliance, gap, cells.area_mm2, np.zeros(1))[0]
         force = np.bincount(cells.tip, pressure * cells.area_mm2, minlength=len(tips))
         touched = np.bincount(cells.tip, (pressure > 0) * cells.area_mm2, minlength=len(tips))
         motion = spread_motion(response, cells.spreads, pressure)
-        return JointPress(tuple(tips), depths_mm, force, np.zeros((len(tips), 2)), touched, motion)
+        shear = np.zeros((len(tips), 2))
+        core = _held_core(response, cells.spreads, pressure)
+        return JointPress(tuple(tips), depths_mm, force, shear, touched, motion, core)
 
     return press
 
@@ -176,30 +291,55 @@ def spread_motion(
     response: ResponseOperator, spreads: Sequence[Spread], pressure_mpa: Float[np.ndarray, "cell"]
 ) -> Float[np.ndarray, "magnet 6"]:
     """Motions of all magnets under the pressures of cells."""
-    motion, first = np.zeros(len(response.compliance) - response.magnet_loads.start), 0
+    per_load = response.compliance[response.magnet_loads]
+    return _by_spreads(response, per_load, spreads, pressure_mpa).reshape(-1, 6)
+
+
+def _held_core(
+    response: ResponseOperator, spreads: Sequence[Spread], pressure_mpa: np.ndarray
+) -> CoreState | None:
+    """Forces of a frictionless core that holds the shell both ways."""
+    if response.core is None:
+        return None
+    force = _by_spreads(response, response.core.force_per_load, spreads, pressure_mpa)
+    return CoreState(force, np.zeros(len(force)))
+
+
+def _by_spreads(
+    response: ResponseOperator,
+    per_load: Float[np.ndarray, "row load"],
+    spreads: Sequence[Spread],
+    pressure_mpa: np.ndarray,
+) -> np.ndarray:
+    """Sum of what the cells' pressures do through rows per load."""
+    total, first = np.zeros(len(per_load)), 0
     for spread in spreads:
         last = first + len(spread.patches.area_mm2)
         columns = response.face_loads(spread.face.index).start + spread.rows
-        rows = response.compliance[response.magnet_loads][:, columns]
-        motion += rows @ (spread.matrix @ pressure_mpa[first:last])
+        total += per_load[:, columns] @ (spread.matrix @ pressure_mpa[first:last])
         first = last
-    return motion.reshape(-1, 6)
+    return total
 
 
 def _cells(
-    spec: ObjectSpec, response: ResponseOperator, tips: Sequence[Tip], depths_mm: np.ndarray
+    spec: ObjectSpec,
+    response: ResponseOperator,
+    tips: Sequence[Tip],
+    depths_mm: np.ndarray,
+    faces: dict[int, RefinedFace] | None,
 ) -> _Cells:
     numbers = [surface.number for surface in response.surfaces]
     used = {tip.face for tip in tips}
-    faces = {n: refined_face(response, i, spec) for i, n in enumerate(numbers) if n in used}
+    if faces is None:
+        faces = {n: refined_face(response, i, spec) for i, n in enumerate(numbers) if n in used}
     indenter, cut = spec.indenter, tip_cells(spec.indenter)
     spreads = []
     for tip, sideways in zip(tips, path_mm(indenter, depths_mm), strict=True):
         if tip.face not in numbers:
             raise InputError(f"face {tip.face} is not a sensed face. Press one of {numbers}")
         place = np.array([tip.x_mm, tip.y_mm])
-        require_on_face(faces[tip.face].surface, indenter, np.stack([place, place + sideways]))
-        spreads.append(spread_cells(faces[tip.face], moved(cut.patches, place + sideways)))
+        require_on_face(faces[tip.face], indenter, np.stack([place, place + sideways]))
+        spreads.append(spread_cells(faces[tip.face], moved(cut.patches, place + sideways), place))
     return _Cells(
         tuple(spreads),
         joint_compliance(response, spreads, spec),
