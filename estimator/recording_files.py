@@ -50,7 +50,7 @@ def _read_csv(path: Path) -> RawTable:
     if header[0] == _HEAD[0]:
         return _gripper_table(path, rows, digest)
     if is_generic_header(header):
-        return generic_table(path, rows, digest)
+        return generic_table(path, rows)
     if len(rows[1]) in _TRAINING_TIPS and len(rows[0]) == len(rows[1]):
         return _training_table(path, rows[1:], digest, first_line=2)
     raise InputError(

@@ -59,7 +59,7 @@ def _cell_columns(cell: int, tips: int) -> list[str]:
     return [f"cell{cell}_force_n", f"cell{cell}_face", *places]
 
 
-def generic_table(path: Path, rows: list[list[str]], digest: str) -> RawTable:
+def generic_table(path: Path, rows: list[list[str]]) -> RawTable:
     """Read the rows of a generic CSV, header first.
 
     Raises
@@ -78,11 +78,12 @@ def generic_table(path: Path, rows: list[list[str]], digest: str) -> RawTable:
     needed = ["time_s", *(f"cell{cell}_force_n" for cell in range(1, cells + 1))]
     check_complete(path, np.stack([column[name] for name in needed], axis=1), needed)
     x_mm, y_mm = label_grid_mm()
+    counts, force_n = _counts(column, frames), by_cell[:, :, 0]
     return RawTable(
         kind="generic",
         time_s=column["time_s"],
-        force_n=by_cell[:, :, 0],
-        counts=_counts(column, frames),
+        force_n=force_n,
+        counts=counts,
         face=_faces(path, by_cell[:, :, 1]),
         tip_xy_mm=_tips(path, by_cell[:, :, 1:]),
         case=_labels(path, column, "session", 1, frames),
@@ -90,8 +91,16 @@ def generic_table(path: Path, rows: list[list[str]], digest: str) -> RawTable:
         grid_x_mm=x_mm,
         grid_y_mm=y_mm,
         duplicate_columns=(),
-        digest=digest,
+        digest=_digest(column["time_s"], force_n, counts),
     )
+
+
+def _digest(time_s: np.ndarray, force_n: np.ndarray, counts: np.ndarray) -> str:
+    """SHA-256 of the content, so that a CSV and its NetCDF are known to be the same recording."""
+    found = hashlib.sha256()
+    for values in (time_s, force_n, counts.astype(np.float32)):
+        found.update(np.ascontiguousarray(np.where(np.isnan(values), 0.0, values)).tobytes())
+    return found.hexdigest()
 
 
 def _check_header(path: Path, header: list[str]) -> tuple[int, int]:
@@ -226,7 +235,7 @@ def read_generic_netcdf(path: Path) -> RawTable:
     """
     import xarray as xr
 
-    digest = hashlib.sha256(read_bytes(path)).hexdigest()
+    read_bytes(path)
     try:
         with xr.open_dataset(path, engine="h5netcdf", decode_timedelta=False) as data:
             data = data.load()
@@ -244,10 +253,10 @@ def read_generic_netcdf(path: Path) -> RawTable:
             f"{data.attrs.get('schema')!r}. {FORMATS}"
         )
     values = {name: np.asarray(data[file_name].values) for name, file_name in names.items()}
-    return _checked(path, values, digest)
+    return _checked(path, values)
 
 
-def _checked(path: Path, values: dict[str, np.ndarray], digest: str) -> RawTable:
+def _checked(path: Path, values: dict[str, np.ndarray]) -> RawTable:
     """A table of arrays that have the right number of dimensions, types and labels."""
     frames, cells = values["force_n"].shape if values["force_n"].ndim == 2 else (0, 0)
     for name, (dims, _) in _VARIABLES.items():
@@ -281,5 +290,5 @@ def _checked(path: Path, values: dict[str, np.ndarray], digest: str) -> RawTable
         case=case,
         declared_rest=floats["declared_rest"] == 1,
         duplicate_columns=(),
-        digest=digest,
+        digest=_digest(floats["time_s"], floats["force_n"], floats["counts"]),
     )

@@ -34,7 +34,7 @@ class RawTable:
     declared_rest : (frame,) frames in which, the file says, nothing touches the object
     grid_x_mm, grid_y_mm : contact grid on which heatmaps will be drawn, mm
     duplicate_columns : header names that occur twice
-    digest : SHA-256 of the file
+    digest : SHA-256 of the file, of a generic one that of its content
     """
 
     kind: str

@@ -1,4 +1,4 @@
-"""Commands that meet real things: silicones, recordings, built objects."""
+"""Commands that meet real things: silicones, boards, recordings, built objects."""
 
 from __future__ import annotations
 
@@ -32,6 +32,62 @@ def recordings(
     from instobj.commands import read_recordings
 
     show(read_recordings(files, out), as_json)
+
+
+@app.command()
+def collect(
+    out: Annotated[
+        Path,
+        typer.Argument(
+            metavar="OUT", help="Recording: OUT.csv grows, OUT.nc is written at the end."
+        ),
+    ],
+    port: Annotated[
+        str | None, typer.Option(help="Serial port of the board, e.g. /dev/ttyACM0.")
+    ] = None,
+    replay: Annotated[
+        Path | None, typer.Option(help="Recording to replay in place of a board.")
+    ] = None,
+    load_port: Annotated[
+        str | None, typer.Option(help="Serial port of a load cell or machine of its own.")
+    ] = None,
+    place: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="FACE:X,Y", help="What load cell 1 (2, …) presses, mm; :X,Y for each more tip."
+        ),
+    ] = None,
+    force: Annotated[
+        list[float] | None,
+        typer.Option(metavar="N", help="Force of load cell 1 (2, …) where none speaks: a weight."),
+    ] = None,
+    zero: Annotated[
+        int, typer.Option(min=0, help="Frames at the start with nothing touching.")
+    ] = 20,
+    seconds: Annotated[
+        float | None, typer.Option(min=0, help="Stop after so many seconds.")
+    ] = None,
+    frames: Annotated[int | None, typer.Option(min=1, help="Stop after so many frames.")] = None,
+    session: Annotated[
+        int | None, typer.Option(min=1, help="Number of the session, else the last one goes on.")
+    ] = None,
+    cells: Annotated[int | None, typer.Option(min=1, max=9, help="Load cells.")] = None,
+    tips: Annotated[int | None, typer.Option(min=1, max=9, help="Tips a load cell.")] = None,
+    baud: Annotated[int, typer.Option(min=300, help="Bits a second.")] = 115_200,
+    speed: Annotated[
+        float, typer.Option(min=0, help="Of a replay: 1 as recorded, 0 as fast as possible.")
+    ] = 1.0,
+    as_json: AsJson = False,
+) -> None:
+    """Collect labelled frames from a board (or a replay) into a recording to calibrate with."""
+    from instobj.collect import collect as collect_frames
+    from instobj.collect_options import CollectOptions
+
+    options = CollectOptions(
+        out, port, replay, load_port, baud, speed, tuple(place or ()), tuple(force or ()),
+        cells, tips, session, zero, seconds, frames,
+    )  # fmt: skip
+    show(collect_frames(options), as_json)
 
 
 @app.command()
