@@ -35,6 +35,8 @@ def print_result(result: dict[str, Any]) -> None:
         title = "medians over all places, freshly zeroed unless said"
         _print_rows(console, title, _objects_as_columns(result["comparison"]["rows"]))
         _print_files(console, result["comparison"]["files"])
+    for title, rows in result.get("tables", {}).items():
+        _print_rows(console, title, rows)
     _print_files(console, result.get("files", ()))
 
 

@@ -1,0 +1,171 @@
+"""One score of a layout on three rungs of fidelity, and how well one rung predicts the next.
+
+1. `rung_one`: magnets without stiffness on stored presses, signals linear in their motions; a
+   fraction of a millisecond a layout in batches (`estimator.layout_scoring`).
+2. `rung_two`: rigid magnets tied to the magnet-free mesh through its one factorization, contact and
+   fields in full; half a minute a layout.
+3. `score_signals` on the chain's own signals: mesh that resolves the magnets, everything else as on
+   rung two; minutes a layout (`instobj.layout_ladder` runs the stages).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, fields
+
+import numpy as np
+import torch
+from jaxtyping import Float
+
+from design.spec import ObjectSpec
+from estimator.cross_face import cross_face_disturbance
+from estimator.hall import full_scale_counts
+from estimator.layout_batch import layouts_of
+from estimator.layout_cross_face import CROSS_FACE_FORCE_N, neighbour_disturbance
+from estimator.layout_scoring import LayoutScorer, place_information
+from estimator.scores import score_places
+from estimator.signals import Signals, press_signals, saturation_margin
+from fem.factorization import Factorization
+from fem.presses import simulate_lattice
+from fem.response import ElasticSystem, ResponseOperator
+from fem.tied_magnets import DEGREE, rigid_magnet_response
+
+
+@dataclass(frozen=True)
+class LadderScore:
+    """What a layout is judged by, on every rung the same.
+
+    Attributes
+    ----------
+    worst_position_bound_mm, median_position_bound_mm, worst_force_bound_n : Cramér–Rao bounds over
+        the contact places of all faces at `score.force_n`, freshly zeroed
+    cross_face_sigma : what presses of 10 N on an adjacent face do to a face's own channels, in
+        units of a fresh zero; median over pairs of faces and places
+    sensitivity_ratio : 5th over 50th percentile of δ over the places of all faces
+    saturation_margin : share of the sensors' range that stays free (rung one: at rest)
+    """
+
+    worst_position_bound_mm: float
+    median_position_bound_mm: float
+    worst_force_bound_n: float
+    cross_face_sigma: float
+    sensitivity_ratio: float
+    saturation_margin: float
+
+
+SCORE_NAMES = tuple(field.name for field in fields(LadderScore))
+LARGER_IS_BETTER = ("sensitivity_ratio", "saturation_margin")
+
+
+def rung_one(spec: ObjectSpec, scorers: Sequence[LayoutScorer]) -> LadderScore:
+    """Score on stored presses, with a scorer for each face that counts.
+
+    `estimator.layout_scoring` says what is left out; against the chain on the paper's cube bounds
+    come out 15 to 20 % low, as magnets without stiffness move further.
+    """
+    with torch.no_grad():
+        parts = [_face_on_stored_presses(spec, scorer) for scorer in scorers]
+    position, force, sensitivity, cross, rest = (
+        np.concatenate(part) for part in zip(*parts, strict=True)
+    )
+    low, middle = np.percentile(sensitivity, [5.0, 50.0])
+    return LadderScore(
+        float(position.max()),
+        float(np.median(position)),
+        float(force.max()),
+        float(np.median(cross)),
+        float(low / middle),
+        float(1 - rest.max() / full_scale_counts(spec.sensors)),
+    )
+
+
+def _face_on_stored_presses(spec: ObjectSpec, scorer: LayoutScorer) -> tuple[np.ndarray, ...]:
+    layout = layouts_of(spec, scorer.presses.face, scorer.presses.first_mm.dtype)
+    places = place_information(scorer, layout)
+    cross = neighbour_disturbance(scorer, layout)
+    found = (
+        places.position_bound_mm,
+        places.force_bound_n,
+        places.sensitivity,
+        cross,
+        abs(places.resting_counts),
+    )
+    return tuple(values.double().numpy().ravel() for values in found)
+
+
+def rung_two(
+    spec: ObjectSpec,
+    system: ElasticSystem,
+    factor: Factorization,
+    plain: ResponseOperator,
+    degree: int = DEGREE,
+) -> LadderScore:
+    """Score with rigid magnets tied to the magnet-free mesh; arguments as `rigid_magnet_response`.
+
+    Raises
+    ------
+    InputError
+        A magnet outside the silicone, a sensor in a magnet, or one that saturates at rest.
+    """
+    response = rigid_magnet_response(spec, system, factor, plain, degree)
+    forces, motions = simulate_lattice(spec, response)
+    return score_signals(spec, press_signals(spec, forces, motions))
+
+
+def score_signals(spec: ObjectSpec, signals: Signals) -> LadderScore:
+    """Score simulated signals: those of rung two, or the chain's.
+
+    Raises
+    ------
+    InputError
+        Signals that cannot be scored (`score_places`).
+    """
+    scores = score_places(spec, signals)
+    cross = cross_face_disturbance(spec, signals, CROSS_FACE_FORCE_N).summary("adjacent")
+    bound, delta = scores.position_bound_fresh_mm, scores.delta_raw
+    low, middle = np.percentile(delta, [5.0, 50.0])
+    return LadderScore(
+        float(bound.max()),
+        float(np.median(bound)),
+        float(scores.force_bound_fresh_n.max()),
+        cross["median_sigma"],
+        float(low / middle),
+        saturation_margin(signals, spec),
+    )
+
+
+def gains(start: LadderScore, found: LadderScore) -> dict[str, float]:
+    """How many times better each score is than the start's: above 1 is better.
+
+    Of `saturation_margin` the difference, as it may be negative.
+    """
+    better = {}
+    for name in SCORE_NAMES:
+        before, after = getattr(start, name), getattr(found, name)
+        ratio = after / before if name in LARGER_IS_BETTER else before / after
+        better[name] = after - before if name == "saturation_margin" else ratio
+    return better
+
+
+def rank_correlations(
+    lower: Sequence[LadderScore], upper: Sequence[LadderScore]
+) -> dict[str, float]:
+    """Spearman's rank correlation of every score between two rungs, over the same layouts.
+
+    NaN where one of the rungs gives all layouts the same value, or with fewer than three layouts.
+    """
+    found = {}
+    for name in SCORE_NAMES:
+        pairs = np.array(
+            [[getattr(a, name), getattr(b, name)] for a, b in zip(lower, upper, strict=True)]
+        )
+        found[name] = _spearman(pairs)
+    return found
+
+
+def _spearman(pairs: Float[np.ndarray, "layout 2"]) -> float:
+    from scipy.stats import spearmanr
+
+    if len(pairs) < 3 or (np.ptp(pairs, axis=0) == 0).any():
+        return float("nan")
+    return float(spearmanr(*pairs.T).statistic)  # pyright: ignore[reportAttributeAccessIssue]

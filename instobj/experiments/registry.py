@@ -1,0 +1,81 @@
+"""Experiments by name: what `instobj experiment NAME SPEC` runs, and what it writes.
+
+A module of experiments names them in a tuple `STUDIES` and is listed in `_MODULES`.
+"""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Callable
+from dataclasses import dataclass
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+from design.errors import InputError
+from design.files import atomic_path
+from design.spec import ObjectSpec
+from design.spec_io import load_spec
+from instobj.publish import file_rows, require_writable, run_folder
+from instobj.stage import write_json
+
+_MODULES: tuple[str, ...] = ("instobj.experiments.layouts",)
+
+
+@dataclass(frozen=True)
+class Study:
+    """An experiment.
+
+    `run(spec, folder, quick)` writes its figures into the folder and returns a JSON-able document
+    with `rows`, the table; `texts`, what it says in words, and anything else where wanted. `quick`
+    asks for the same on fewer and coarser cases, in seconds to a minute.
+    """
+
+    name: str
+    help: str
+    run: Callable[[ObjectSpec, Path, bool], dict[str, Any]]
+
+
+def studies() -> dict[str, Study]:
+    """All experiments by name, in the order of their modules."""
+    found = [study for module in _MODULES for study in import_module(module).STUDIES]
+    return {study.name: study for study in found}
+
+
+def run_study(
+    name: str, path: Path, out: Path, quick: bool, overrides: list[str]
+) -> dict[str, Any]:
+    """Run an experiment on a specification; writes `runs/<spec>/experiments/<name>`.
+
+    Raises
+    ------
+    InputError
+        No experiment of that name, a bad specification, or an output that cannot be written.
+    """
+    known = studies()
+    if name not in known:
+        raise InputError(f"no experiment is called {name!r}. Choose one of {', '.join(known)}")
+    spec = load_spec(path, overrides)
+    require_writable(out)
+    folder = run_folder(out, spec.name) / "experiments" / name
+    folder.mkdir(parents=True, exist_ok=True)
+    found = known[name].run(spec, folder, quick)
+    write_table(found["rows"], folder / f"{name}.csv")
+    write_json(
+        {"experiment": name, "spec": spec.name, "quick": quick} | found, folder / f"{name}.json"
+    )
+    return {
+        "command": "experiment",
+        "experiment": name,
+        "tables": {f"{name}, {spec.name}": found["rows"]},
+        **{key: value for key, value in found.items() if key != "rows"},
+        "files": file_rows(sorted(path for path in folder.iterdir() if path.is_file())),
+    }
+
+
+def write_table(rows: list[dict[str, Any]], path: Path) -> None:
+    """Rows with the same keys as CSV, complete or absent."""
+    with atomic_path(path) as temporary, temporary.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)

@@ -1,0 +1,54 @@
+"""Scores of variants beside each other, as multiples of the first one's."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from design.files import atomic_path
+
+_SCORES = {
+    "worst place mm": "position, worst place",
+    "median place mm": "position, median place",
+    "worst force N": "force, worst place",
+    "next face σ": "presses of the next face",
+}
+
+
+def draw_variants(rows: list[dict[str, Any]], force_n: float, path: Path) -> None:
+    """One line a variant, one mark a score; left of 1 is better (PNG)."""
+    from matplotlib import colormaps
+    from matplotlib.figure import Figure
+    from matplotlib.ticker import FuncFormatter, NullFormatter
+
+    figure = Figure(figsize=(8.5, 1.9 + 0.55 * len(rows)), layout="constrained")
+    axes = figure.subplots()
+    colours = colormaps["viridis"](np.linspace(0.0, 0.85, len(_SCORES)))
+    lanes = np.linspace(-0.24, 0.24, len(_SCORES))
+    first, largest = rows[0], 1.3
+    for (name, label), colour, lane in zip(_SCORES.items(), colours, lanes, strict=True):
+        ratio = np.array([row[name] / first[name] for row in rows])
+        largest = max(largest, *ratio, *(1 / ratio))
+        level = np.arange(len(rows)) + lane
+        axes.barh(level, ratio - 1, left=1, height=0.13, color=colour, label=label)
+    axes.axvline(1, color="0.3", lw=1)
+    axes.set(xscale="log", xlim=(1 / (1.1 * largest), 1.1 * largest), ylim=(len(rows) - 0.5, -0.5))
+    axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+    axes.xaxis.set_minor_formatter(NullFormatter())
+    ticks = [
+        t for t in (0.1, 0.2, 0.3, 0.5, 0.7, 1, 1.5, 2, 3, 5, 10) if 1 / largest <= t <= largest
+    ]
+    axes.set_xticks(ticks)
+    axes.set_yticks(range(len(rows)), [_label(row) for row in rows])
+    axes.grid(axis="x", alpha=0.3)
+    axes.set_xlabel(f"multiple of the first line's (bounds at {force_n:g} N; less is better)")
+    figure.legend(loc="outside upper center", ncols=4, frameon=False, fontsize=9)
+    with atomic_path(path) as temporary:
+        figure.savefig(temporary, dpi=130)
+
+
+def _label(row: dict[str, Any]) -> str:
+    worst, median = row["worst place mm"], row["median place mm"]
+    return f"{row['variant']}\n{worst:.2f} mm worst, {median:.2f} median"
