@@ -129,7 +129,7 @@ def encode_header(channels: Sequence[str]) -> bytes:
 
 def encode_frame(sequence: int, board_ms: int, counts: Sequence[float]) -> bytes:
     """Line of one reading; NaN becomes an empty cell."""
-    cells = ",".join(map(cell_text, counts))
+    cells = ",".join(cell_text(float(value)) for value in counts)
     return _line(f"F,{sequence % _SEQUENCES},{board_ms % 2**32},{cells}")
 
 
