@@ -10,13 +10,7 @@ on the machine matter less. Writes `field.json` and `field.png`.
 
 from __future__ import annotations
 
-import argparse
-import json
-import os
-import platform
-import re
 import sys
-import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -25,6 +19,7 @@ from typing import Any
 import magpylib
 import numpy as np
 import torch
+from harness import best_seconds, conclude, machine, option_parser
 from scipy.spatial.transform import Rotation
 
 from design.files import atomic_path
@@ -43,17 +38,6 @@ TARGETS = {8.0: 30.0, 7.0: 20.0}
 """Nearest distance (mm) to the ratio of rates that is aimed at, with an error of 0.1 %."""
 SIGNALS_TARGET_S = 0.5
 TYPES = {"float32": torch.float32, "float64": torch.float64}
-
-
-def best_seconds(call: Callable[[], Any], repeats: int) -> float:
-    """Least processor time of `repeats` calls after one to warm up."""
-    call()
-    times = []
-    for _ in range(repeats):
-        start = time.process_time()
-        call()
-        times.append(time.process_time() - start)
-    return min(times)
 
 
 @dataclass(frozen=True)
@@ -226,23 +210,6 @@ def draw(rows: list[dict[str, Any]], path: Path) -> None:
     pyplot.close(figure)
 
 
-def machine() -> dict[str, Any]:
-    """What the figures were measured on."""
-    info = Path("/proc/cpuinfo")
-    lines = info.read_text(encoding="utf-8").splitlines() if info.is_file() else []
-    names = [line.split(":", 1)[1].strip() for line in lines if line.startswith("model name")]
-    versions = {"torch": torch.__version__, "numpy": np.__version__}
-    return {
-        "processor": names[0] if names else platform.processor(),
-        "system": platform.system(),
-        "python": platform.python_version(),
-        **versions,
-        "magpylib": magpylib.__version__,
-        "threads": torch.get_num_threads(),
-        "load_average": os.getloadavg()[0] if hasattr(os, "getloadavg") else None,
-    }
-
-
 def report(result: dict[str, Any]) -> str:
     """The result as lines for people."""
     lines = ["r >= mm  model      l<=  type     error     Mpairs/s  with grad  x magpylib  target"]
@@ -261,28 +228,18 @@ def report(result: dict[str, Any]) -> str:
     return "\n".join(lines)
 
 
-def main(arguments: list[str] | None = None) -> dict[str, Any]:
+def main(arguments: list[str] | None = None) -> None:
     """Measure, write, print."""
-    parser = argparse.ArgumentParser(description="Field models against magpylib, one thread")
-    parser.add_argument("--quick", action="store_true", help="seconds instead of a minute")
-    parser.add_argument("--out", type=Path, help="default: results/<processor> beside this file")
-    options = parser.parse_args(arguments)
+    options = option_parser("Field models against magpylib, one thread").parse_args(arguments)
     torch.set_num_threads(1)
-    here = machine()
-    slug = re.sub(r"[^a-z0-9]+", "-", here["processor"].lower()).strip("-") or "unknown"
-    out = options.out or Path(__file__).parent / "results" / slug
     result = {
-        "machine": here,
+        "machine": machine(1, ("torch", "numpy", "magpylib")),
         "quick": options.quick,
         "models": compare(options.quick),
         "growth": growth(options.quick),
         "signals": signals_seconds(options.quick),
     }
-    with atomic_path(out / "field.json") as temporary:
-        temporary.write_text(json.dumps(result, indent=2) + "\n", encoding="utf-8")
-    draw(result["growth"], out / "field.png")
-    print(report(result))
-    return result
+    conclude("field", options, result, report, lambda found, path: draw(found["growth"], path))
 
 
 if __name__ == "__main__":

@@ -12,16 +12,14 @@ from __future__ import annotations
 import argparse
 import json
 import os
-import platform
-import re
 import resource
 import subprocess
 import sys
-from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from harness import conclude, machine, option_parser
 from mechanics_peers import Problem
 from mechanics_solves import Contest, contests, solve_taylor_hood
 from mechanics_table import QUICK_MESH, table
@@ -105,28 +103,6 @@ def in_own_process(*arguments: str) -> dict[str, Any]:
     return json.loads(done.stdout.splitlines()[-1])
 
 
-def machine() -> dict[str, Any]:
-    """What the figures were measured on."""
-    info = Path("/proc/cpuinfo")
-    lines = info.read_text(encoding="utf-8").splitlines() if info.is_file() else []
-    names = [line.split(":", 1)[1].strip() for line in lines if line.startswith("model name")]
-    return {
-        "processor": names[0] if names else platform.processor(),
-        "python": platform.python_version(),
-        "threads": THREADS,
-        "load_average_at_start": os.getloadavg()[0],
-        "solver": "PARDISO (MKL)" if pardiso_available() else "SuperLU: no MKL on this machine",
-        **{name: _version(name) for name in ("numpy", "scipy", "scikit-fem", "mkl", "ngsolve")},
-    }
-
-
-def _version(package: str) -> str | None:
-    try:
-        return version(package)
-    except PackageNotFoundError:
-        return None
-
-
 def _spread(values: list[float]) -> dict[str, float]:
     return {
         "least": float(min(values)),
@@ -201,30 +177,24 @@ def report(result: dict[str, Any]) -> str:
 
 def main(arguments: list[str] | None = None) -> None:
     """Measure, write, print."""
-    parser = argparse.ArgumentParser(description="Mechanics beside peers and slower ways")
-    parser.add_argument("--quick", action="store_true", help="a minute instead of ten")
-    parser.add_argument("--out", type=Path, help="default: results/<processor> beside this file")
+    parser = option_parser("Mechanics beside peers and slower ways")
     parser.add_argument("--block", type=int, help=argparse.SUPPRESS)
     parser.add_argument("--table", action="store_true", help=argparse.SUPPRESS)
     options = parser.parse_args(arguments)
     if options.block or options.table:
         print(json.dumps(block_of(options.block) if options.block else table(options.quick)))
         return
-    here = machine()
-    slug = re.sub(r"[^a-z0-9]+", "-", here["processor"].lower()).strip("-") or "unknown"
-    out = options.out or Path(__file__).parent / "results" / slug
+    solver = "PARDISO (MKL)" if pardiso_available() else "SuperLU: no MKL on this machine"
+    packages = ("numpy", "scipy", "scikit-fem", "mkl", "ngsolve")
     quick = ["--quick"] if options.quick else []
     result = {
-        "machine": here,
+        "machine": {**machine(THREADS, packages), "solver": solver},
         "quick": options.quick,
         "table": in_own_process("--table", *quick),
         "single_solves": single_solves(options.quick),
         "growth": [in_own_process("--block", str(n)) for n in GROWTH_CELLS[options.quick]],
     }
-    with atomic_path(out / "mechanics.json") as temporary:
-        temporary.write_text(json.dumps(result, indent=2) + "\n", encoding="utf-8")
-    draw(result, out / "mechanics.png")
-    print(report(result))
+    conclude("mechanics", options, result, report, draw)
 
 
 if __name__ == "__main__":

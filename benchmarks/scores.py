@@ -9,18 +9,13 @@ several runs. Writes `scores.json`.
 
 from __future__ import annotations
 
-import argparse
-import json
-import re
 import sys
-from pathlib import Path
 from typing import Any
 
 import numpy as np
-from field import best_seconds, machine
+from harness import best_seconds, conclude, machine, option_parser
 from scipy.spatial import ConvexHull
 
-from design.files import atomic_path
 from design.layouts import (
     contact_grid,
     face_frames,
@@ -146,20 +141,12 @@ def report(result: dict[str, Any]) -> str:
     )
 
 
-def main(arguments: list[str] | None = None) -> dict[str, Any]:
+def main(arguments: list[str] | None = None) -> None:
     """Measure, write, print."""
-    parser = argparse.ArgumentParser(description="Signals and scores on one thread")
-    parser.add_argument("--quick", action="store_true", help="seconds instead of a minute")
-    parser.add_argument("--out", type=Path, help="default: results/<processor> beside this file")
-    options = parser.parse_args(arguments)
-    here = machine()
-    slug = re.sub(r"[^a-z0-9]+", "-", here["processor"].lower()).strip("-") or "unknown"
-    out = options.out or Path(__file__).parent / "results" / slug
+    options = option_parser("Signals and scores on one thread").parse_args(arguments)
+    here = machine(1, ("numpy", "scipy"))
     result = {"machine": here, "quick": options.quick, "times": measure(options.quick)}
-    with atomic_path(out / "scores.json") as temporary:
-        temporary.write_text(json.dumps(result, indent=2) + "\n", encoding="utf-8")
-    print(report(result))
-    return result
+    conclude("scores", options, result, report)
 
 
 if __name__ == "__main__":

@@ -12,9 +12,6 @@ processor time on one thread. Writes `search.json`.
 
 from __future__ import annotations
 
-import argparse
-import json
-import re
 import sys
 import tempfile
 import time
@@ -24,13 +21,12 @@ from typing import Any
 import magpylib
 import numpy as np
 import torch
-from field import best_seconds, machine
+from harness import best_seconds, conclude, machine, option_parser
 from scipy.interpolate import make_interp_spline
 from scipy.spatial.distance import pdist
 from scipy.spatial.transform import Rotation
 from scipy.stats import spearmanr
 
-from design.files import atomic_path
 from design.layouts import chip_on_board, contact_grid, core_frames, face_frames
 from design.pockets import board_frame, tilted_frame
 from design.spec import ObjectSpec
@@ -228,21 +224,13 @@ def report(result: dict[str, Any]) -> str:
     return "\n".join(lines)
 
 
-def main(arguments: list[str] | None = None) -> dict[str, Any]:
+def main(arguments: list[str] | None = None) -> None:
     """Measure, write, print."""
-    parser = argparse.ArgumentParser(description="Layout scoring on one thread")
-    parser.add_argument("--quick", action="store_true", help="a minute at most, a coarse object")
-    parser.add_argument("--out", type=Path, help="default: results/<processor> beside this file")
-    options = parser.parse_args(arguments)
+    options = option_parser("Layout scoring on one thread").parse_args(arguments)
     torch.set_num_threads(1)
-    here = machine()
-    slug = re.sub(r"[^a-z0-9]+", "-", here["processor"].lower()).strip("-") or "unknown"
-    out = options.out or Path(__file__).parent / "results" / slug
+    here = machine(1, ("torch", "numpy", "magpylib"))
     result = {"machine": here, "quick": options.quick, "figures": measure(options.quick)}
-    with atomic_path(out / "search.json") as temporary:
-        temporary.write_text(json.dumps(result, indent=2) + "\n", encoding="utf-8")
-    print(report(result))
-    return result
+    conclude("search", options, result, report)
 
 
 if __name__ == "__main__":

@@ -1,26 +1,8 @@
 """The benchmark of the field runs, and its figures hang together."""
 
-import json
-import os
-import subprocess
-import sys
-from pathlib import Path
 
-SCRIPT = Path(__file__).parents[2] / "benchmarks" / "field.py"
-
-
-def test_quick_run_writes_rates_errors_and_a_plot(tmp_path):
-    done = subprocess.run(
-        [sys.executable, str(SCRIPT), "--quick", "--out", str(tmp_path)],
-        capture_output=True,
-        text=True,
-        env={**os.environ, "OMP_NUM_THREADS": "1"},
-        check=False,
-    )
-    assert done.returncode == 0, done.stderr
-    result = json.loads((tmp_path / "field.json").read_text())
-    assert (tmp_path / "field.png").read_bytes().startswith(b"\x89PNG")
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["field.json", "field.png"]
+def test_quick_run_writes_rates_errors_and_a_plot(quick_run):
+    result, printed = quick_run("field", 1, ["field.json", "field.png"])
     rows = {(row["nearest_mm"], row["model"], row["type"]): row for row in result["models"]}
     assert len(rows) == len(result["models"]) == 8
     for (_, model, _), row in rows.items():
@@ -31,4 +13,4 @@ def test_quick_run_writes_rates_errors_and_a_plot(tmp_path):
     assert all(rows[near, "multipole", "float32"]["ratio"] > 5 for near in (8.0, 7.0))
     assert [row["pairs"] for row in result["growth"]] == [1125, 10125, 49875]
     assert result["signals"]["presses"] == 1000
-    assert "x magpylib" in done.stdout
+    assert "x magpylib" in printed

@@ -1,24 +1,9 @@
 """The benchmark of signals and scores runs, and its figures hang together."""
 
-import json
-import os
-import subprocess
-import sys
-from pathlib import Path
 
-SCRIPT = Path(__file__).parents[2] / "benchmarks" / "scores.py"
-
-
-def test_quick_run_writes_times_and_beats_the_exact_hull(tmp_path):
-    done = subprocess.run(
-        [sys.executable, str(SCRIPT), "--quick", "--out", str(tmp_path)],
-        capture_output=True,
-        text=True,
-        env={**os.environ, "OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"},
-        check=False,
-    )
-    assert done.returncode == 0, done.stderr
-    times = json.loads((tmp_path / "scores.json").read_text())["times"]
+def test_quick_run_writes_times_and_beats_the_exact_hull(quick_run):
+    result, printed = quick_run("scores", 1, ["scores.json"])
+    times = result["times"]
     hull = times["hull"]
     assert (times["depths"], hull["frames"]) == (4, 40)
     assert 0 < times["signals_s"] < 5
@@ -27,4 +12,4 @@ def test_quick_run_writes_times_and_beats_the_exact_hull(tmp_path):
     # at 40 frames; the target is 1000 at 100, where the exact hull takes ten times as long
     assert times["exact_hulls_over_scores"] > 50
     assert times["exact_hulls_over_scores"] == 500 * hull["exact_s_per_place"] / times["scores_s"]
-    assert "500 exact hulls over all scores" in done.stdout
+    assert "500 exact hulls over all scores" in printed

@@ -1,27 +1,12 @@
 """The benchmark of layout scoring runs, and its figures hang together."""
 
-import json
-import os
-import subprocess
-import sys
-from pathlib import Path
-
 import pytest
-
-SCRIPT = Path(__file__).parents[2] / "benchmarks" / "search.py"
 
 
 @pytest.mark.slow
-def test_quick_run_beats_the_plain_way_and_agrees_with_it(tmp_path):
-    done = subprocess.run(
-        [sys.executable, str(SCRIPT), "--quick", "--out", str(tmp_path)],
-        capture_output=True,
-        text=True,
-        env={**os.environ, "OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"},
-        check=False,
-    )
-    assert done.returncode == 0, done.stderr
-    figures = json.loads((tmp_path / "search.json").read_text())["figures"]
+def test_quick_run_beats_the_plain_way_and_agrees_with_it(quick_run):
+    result, printed = quick_run("search", 1, ["search.json"])
+    figures = result["figures"]
     assert (figures["places"], figures["layouts"]) == (20, 256)
     assert figures["layouts_per_s"] > 2000
     assert figures["ratio_to_fields_alone"] > 50
@@ -30,4 +15,4 @@ def test_quick_run_beats_the_plain_way_and_agrees_with_it(tmp_path):
     for name in ("worst_position_bound_mm", "median_position_bound_mm", "worst_force_bound_n"):
         assert figures["linear"][name]["median_error"] < 0.05
         assert figures["as_pressed"][name]["median_error"] < 0.15
-    assert "extrapolated from these" in done.stdout
+    assert "extrapolated from these" in printed

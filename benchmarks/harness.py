@@ -1,0 +1,80 @@
+"""What every benchmark shares: its options, the machine's description, timing, and its files."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import platform
+import re
+import time
+from collections.abc import Callable, Sequence
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+from typing import Any
+
+from design.files import atomic_path
+
+Result = dict[str, Any]
+
+
+def best_seconds(call: Callable[[], Any], repeats: int) -> float:
+    """Least processor time of `repeats` calls after one to warm up."""
+    call()
+    times = []
+    for _ in range(repeats):
+        start = time.process_time()
+        call()
+        times.append(time.process_time() - start)
+    return min(times)
+
+
+def option_parser(title: str) -> argparse.ArgumentParser:
+    """Options of every benchmark."""
+    parser = argparse.ArgumentParser(description=title)
+    parser.add_argument("--quick", action="store_true", help="a small form of the same")
+    parser.add_argument("--out", type=Path, help="default: results/<processor> beside this file")
+    return parser
+
+
+def machine(threads: int, packages: Sequence[str]) -> Result:
+    """What the figures were measured on; None for a package that is not installed."""
+    return {
+        "processor": _processor(),
+        "system": platform.system(),
+        "python": platform.python_version(),
+        "threads": threads,
+        "load_average_at_start": os.getloadavg()[0] if hasattr(os, "getloadavg") else None,
+        **{name: _version(name) for name in packages},
+    }
+
+
+def conclude(
+    name: str,
+    options: argparse.Namespace,
+    result: Result,
+    report: Callable[[Result], str],
+    draw: Callable[[Result, Path], None] | None = None,
+) -> None:
+    """Write `name`.json, and a plot where there is one; print the report."""
+    slug = re.sub(r"[^a-z0-9]+", "-", result["machine"]["processor"].lower()).strip("-")
+    out = options.out or Path(__file__).parent / "results" / (slug or "unknown")
+    with atomic_path(out / f"{name}.json") as temporary:
+        temporary.write_text(json.dumps(result, indent=2) + "\n", encoding="utf-8")
+    if draw:
+        draw(result, out / f"{name}.png")
+    print(report(result))
+
+
+def _processor() -> str:
+    info = Path("/proc/cpuinfo")
+    lines = info.read_text(encoding="utf-8").splitlines() if info.is_file() else []
+    names = [line.split(":", 1)[1].strip() for line in lines if line.startswith("model name")]
+    return names[0] if names else platform.processor()
+
+
+def _version(package: str) -> str | None:
+    try:
+        return version(package)
+    except PackageNotFoundError:
+        return None
