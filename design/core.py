@@ -5,10 +5,12 @@ from __future__ import annotations
 import cadquery as cq
 import numpy as np
 
+from design.blocks import core_keys
 from design.layouts import FaceFrame, core_frames
 from design.pockets import core_pockets
 from design.solids import (
     OVERSHOOT_MM,
+    block_solid,
     box_between,
     cylinder_on_face,
     pocket_solid,
@@ -29,21 +31,28 @@ def make_core(spec: ObjectSpec) -> cq.Solid:
         The dimensions do not give one valid solid.
     """
     half = np.asarray(spec.core_size_mm) / 2
-    cutters = [_cavity(spec)]
+    cutters = _cavity(spec)
     frames = core_frames(spec)
     for frame, places in zip(frames, spec.sensors.places, strict=True):
         if spec.arrangement == "sensors-in-core":
             cutters += [_sensor_recess(spec, frame, place) for place in places]
+            cutters += _wire_channels(spec, frame, places)
         cutters += _wire_passage(spec, frame)
     for frame, pockets in zip(frames, core_pockets(spec), strict=True):
         cutters += [pocket_solid(frame, pocket) for pocket in pockets]
-    return single_solid(box_between(-half, half).cut(*cutters), "core")
+    body = box_between(-half, half)
+    keys = [block_solid(key) for key in core_keys(spec)]
+    return single_solid((body.fuse(*keys) if keys else body).cut(*cutters), "core")
 
 
-def _cavity(spec: ObjectSpec) -> cq.Solid:
+def _cavity(spec: ObjectSpec) -> list[cq.Solid]:
     x, y, z = np.asarray(spec.core_size_mm) / 2
-    wall = spec.core.wall_mm
-    return box_between((wall - x, wall - y, -z - OVERSHOOT_MM), (x - wall, y - wall, z - wall))
+    wall, bay, bottom = spec.core.wall_mm, spec.core.bay_mm, -z - OVERSHOOT_MM
+    rooms = [box_between((wall - x, wall - y, bottom), (x - wall, y - wall, z - wall))]
+    if bay is not None:
+        half_x, half_y, top = bay[0] / 2, bay[1] / 2, bay[2] - z
+        rooms.append(box_between((-half_x, -half_y, bottom), (half_x, half_y, top)))
+    return rooms
 
 
 def _sensor_recess(
@@ -59,6 +68,26 @@ def _sensor_recess(
         (core.recess_inner_radius_mm + offset, core.recess_outer_radius_mm + offset),
         (-core.recess_depth_mm, OVERSHOOT_MM),
     )
+
+
+def _wire_channels(
+    spec: ObjectSpec, frame: FaceFrame, places: tuple[tuple[float, float, float], ...]
+) -> list[cq.Solid]:
+    """Channels from the wire hole at the face's centre into every recess."""
+    core = spec.core
+    if not core.wire_channel_width_mm:
+        return []
+    heights = (-core.wire_channel_depth_mm, OVERSHOOT_MM)
+    return [
+        radial_box_on_face(
+            frame,
+            float(np.rad2deg(np.arctan2(y, x))),
+            core.wire_channel_width_mm,
+            (0.0, float(np.hypot(x, y))),
+            heights,
+        )
+        for x, y, _ in places
+    ]
 
 
 def _wire_passage(spec: ObjectSpec, frame: FaceFrame) -> list[cq.Solid]:

@@ -18,10 +18,13 @@ def require_fit(spec: ObjectSpec, table: bool = True) -> None:
 
     Without `table`, whether the indenter can be pressed at every contact place is left open.
     """
+    from design.fit_parts import check_parts  # it needs the layouts, and these the specification
+
     _check_core(spec)
     _check_wire_passages(spec)
     _check_pockets(spec)
     _check_core_contents(spec)
+    check_parts(spec)
     _check_tips(spec)
     if table:
         _check_presses(spec)

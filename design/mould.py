@@ -17,95 +17,131 @@ resting on the tabs (30 × 50 × 3), clips that reach 4 mm below the rim (2 of 3
 26 mm long and 3 mm high fills the height, and the volume left over makes it 10.3 mm wide.
 
 No part has draft. The side bosses are undercuts: the plug comes out first, then the soft wall
-folds inwards.
+folds inwards. `design/split_mould.py` makes the same cavity from halves that draw apart.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import cadquery as cq
 import numpy as np
 
-from design.shell import cavity_block, envelope, pocket_prisms
+from design.shell import cast_envelope, cavity, envelope, pocket_prisms, slit_fins
 from design.solids import OVERSHOOT_MM, box_between, single_solid
 from design.spec import ObjectSpec
 
-
-@dataclass(frozen=True)
-class MouldDimensions:
-    """Dimensions of the mould that do not follow from the object, mm.
-
-    The flange overlaps the shell's rim by `flange_overlap_mm`, but at most by a quarter of the
-    shell's thickness, so that thin shells keep room to pour.
-    """
-
-    wall_mm: float = 1.5
-    tab_height_mm: float = 4.0
-    play_mm: float = 0.1
-    flange_overlap_mm: float = 2.0
-    plate_mm: float = 3.0
-    clip_mm: float = 2.5
-    clip_reach_mm: float = 4.0
-    grip_height_mm: float = 3.0
-    grip_width_mm: float = 10.3
+TAB_HEIGHT_MM = 4.0
+FLANGE_OVERLAP_MM = 2.0
+"""Of the flange over the shell's rim, but at most a quarter of the shell's thickness, so that thin
+shells keep room to pour."""
+PLATE_MM = 3.0
+CLIP_MM = 2.5
+CLIP_REACH_MM = 4.0
+GRIP_HEIGHT_MM = 3.0
+GRIP_WIDTH_MM = 10.3
 
 
-def make_mould_box(spec: ObjectSpec, dimensions: MouldDimensions | None = None) -> cq.Solid:
-    """Outer box in the object's frame (mm), open towards −z, bosses reaching into the pockets.
+def play_mm(spec: ObjectSpec) -> float:
+    """Gap between parts of the mould that slide: `moulplay_mm(spec)`, else the printer's clearance."""
+    given = spec.mould.play_mm
+    return spec.printer.clearance_mm if given is None else given
+
+
+def make_mould_box(spec: ObjectSpec) -> cq.Solid:
+    """Outer box in the object's frame (mm), open towards −z, with bosses and the slits' fins.
 
     Raises
     ------
     InputError
         The dimensions do not give one valid solid.
     """
-    d = dimensions or MouldDimensions()
+    room = cast_envelope(spec)
+    inside = [*pocket_prisms(spec), *fins_to_walls(spec)]
+    return single_solid(walls(spec, room).fuse(*inside), "mould_box")
+
+
+def make_seal_mould(spec: ObjectSpec) -> cq.Solid:
+    """Box of the second pour, without bosses: the shell on its plug gets its seal layer in it.
+
+    Raises
+    ------
+    InputError
+        The dimensions do not give one valid solid.
+    """
+    box = walls(spec, envelope(spec))
+    fins = fins_to_walls(spec)
+    return single_solid(box.fuse(*fins) if fins else box, "mould_seal_box")
+
+
+def walls(spec: ObjectSpec, room: cq.Solid) -> cq.Shape:
+    """The mould's walls and tabs round a room that is open towards −z, without bosses."""
     half = np.asarray(spec.body.size_mm) / 2
-    outer = half + d.wall_mm
+    outer = half + spec.mould.wall_mm
     block = box_between((-outer[0], -outer[1], -half[2]), outer)
-    room = box_between((-half[0], -half[1], -half[2] - OVERSHOOT_MM), half)
-    bosses = pocket_prisms(spec)
-    return single_solid(block.cut(room).fuse(*bosses, *_tabs(spec, d)), "mould_box")
+    low = room.BoundingBox()
+    mouth = box_between(
+        (low.xmin, low.ymin, low.zmin - OVERSHOOT_MM), (low.xmax, low.ymax, low.zmin + OVERSHOOT_MM)
+    )
+    return block.cut(room, mouth).fuse(*_tabs(spec))
 
 
-def make_mould_plug(spec: ObjectSpec, dimensions: MouldDimensions | None = None) -> cq.Solid:
-    """Inner plug in the object's frame (mm): the cavity's block, flange, clips and grip at −z.
+def fins_to_walls(spec: ObjectSpec) -> list[cq.Shape]:
+    """Fins of the relief slits, from the walls inwards, down to the open face."""
+    half = np.asarray(spec.body.size_mm) / 2
+    outer = half + spec.mould.wall_mm
+    block = box_between((-outer[0], -outer[1], -half[2]), outer)
+    return [fin.intersect(block) for fin in slit_fins(spec)]
+
+
+def make_mould_plug(spec: ObjectSpec) -> cq.Solid:
+    """Inner plug in the object's frame (mm): what the core fills, flange, clips and grip at −z.
 
     Raises
     ------
     InputError
         The dimensions do not give one valid solid.
     """
-    d = dimensions or MouldDimensions()
-    pieces = (*_flange(spec, d), *_clips(spec, d))
-    return single_solid(cavity_block(spec).fuse(*pieces), "mould_plug")
+    block, *keys = cavity(spec)
+    return single_solid(block.fuse(*keys, *_flange(spec), *_clips(spec)), "mould_plug")
 
 
-def cast_cavity(spec: ObjectSpec, dimensions: MouldDimensions | None = None) -> cq.Shape:
-    """What silicone fills between the assembled box and plug within the body's envelope."""
-    return envelope(spec).cut(make_mould_box(spec, dimensions), make_mould_plug(spec, dimensions))
+def cast_cavity(spec: ObjectSpec) -> cq.Shape:
+    """What silicone fills between the assembled mould and plug within the first pour's envelope."""
+    return cast_envelope(spec).cut(*mould_around(spec), make_mould_plug(spec))
 
 
-def _flange_half_width(spec: ObjectSpec, d: MouldDimensions) -> float:
-    return spec.core_size_mm[0] / 2 + min(d.flange_overlap_mm, spec.shell.thickness_mm / 4)
+def mould_around(spec: ObjectSpec) -> list[cq.Solid]:
+    """Everything that closes round the shell from outside: the box, or halves and pins."""
+    if spec.mould.style == "one-piece":
+        return [make_mould_box(spec)]
+    from design.split_mould import make_mould_half, mould_pins
+
+    return [make_mould_half(spec, 1), make_mould_half(spec, -1), *mould_pins(spec)]
 
 
-def _tabs(spec: ObjectSpec, d: MouldDimensions) -> list[cq.Solid]:
+def _flange_half_width(spec: ObjectSpec) -> float:
+    return spec.core_size_mm[0] / 2 + min(FLANGE_OVERLAP_MM, spec.shell.thickness_mm / 4)
+
+
+def _tabs(spec: ObjectSpec) -> list[cq.Solid]:
     """Two tabs that continue the ±y walls beyond the open face; they hold the plug in place."""
     _, half_y, half_z = np.asarray(spec.body.size_mm) / 2
-    half_width = _flange_half_width(spec, d) - d.play_mm
-    low = np.array([-half_width, half_y, -half_z - d.tab_height_mm])
-    high = np.array([half_width, half_y + d.wall_mm, -half_z + OVERSHOOT_MM])
+    half_width = _flange_half_width(spec) - play_mm(spec)
+    low = np.array([-half_width, half_y, -half_z - TAB_HEIGHT_MM])
+    high = np.array([half_width, half_y + spec.mould.wall_mm, -half_z + OVERSHOOT_MM])
     return [box_between(low, high), _mirrored_in_y(low, high)]
 
 
-def _flange(spec: ObjectSpec, d: MouldDimensions) -> list[cq.Solid]:
+def _flange(spec: ObjectSpec) -> list[cq.Solid]:
     """Bridge between the tabs, plate on the tabs and grip, stacked outwards from the open face."""
     _, half_y, half_z = np.asarray(spec.body.size_mm) / 2
-    half_width = _flange_half_width(spec, d)
-    half_lengths = (half_y - d.play_mm, half_y + d.wall_mm + d.clip_mm, spec.core_size_mm[1] / 2)
-    half_widths = (half_width, half_width, min(d.grip_width_mm / 2, half_width))
-    levels = -half_z - np.cumsum([0.0, d.tab_height_mm, d.plate_mm, d.grip_height_mm])
+    half_width = _flange_half_width(spec)
+    half_lengths = (
+        half_y - play_mm(spec),
+        half_y + spec.mould.wall_mm + CLIP_MM,
+        spec.core_size_mm[1] / 2,
+    )
+    half_widths = (half_width, half_width, min(GRIP_WIDTH_MM / 2, half_width))
+    levels = -half_z - np.cumsum([0.0, TAB_HEIGHT_MM, PLATE_MM, GRIP_HEIGHT_MM])
     return [
         box_between((-x, -y, bottom), (x, y, top))
         for x, y, top, bottom in zip(
@@ -114,13 +150,13 @@ def _flange(spec: ObjectSpec, d: MouldDimensions) -> list[cq.Solid]:
     ]
 
 
-def _clips(spec: ObjectSpec, d: MouldDimensions) -> list[cq.Solid]:
+def _clips(spec: ObjectSpec) -> list[cq.Solid]:
     """Two arms that hang from the plate outside the ±y walls and reach below the rim."""
     _, half_y, half_z = np.asarray(spec.body.size_mm) / 2
-    half_width, wall = _flange_half_width(spec, d), half_y + d.wall_mm
-    plate_middle = -half_z - d.tab_height_mm - d.plate_mm / 2
-    low = np.array([-half_width, wall + d.play_mm, plate_middle])
-    high = np.array([half_width, wall + d.clip_mm, -half_z + d.clip_reach_mm])
+    half_width, wall = _flange_half_width(spec), half_y + spec.mould.wall_mm
+    plate_middle = -half_z - TAB_HEIGHT_MM - PLATE_MM / 2
+    low = np.array([-half_width, wall + play_mm(spec), plate_middle])
+    high = np.array([half_width, wall + CLIP_MM, -half_z + CLIP_REACH_MM])
     return [box_between(low, high), _mirrored_in_y(low, high)]
 
 

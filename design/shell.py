@@ -1,13 +1,18 @@
-"""The cast silicone shell: five walls round the core's cavity, magnet pockets open outwards."""
+"""The cast silicone shell: walls round the core's cavity, magnet pockets open outwards.
+
+With a seal layer the shell leaves its mould thinner by that layer on every sensed face, and the
+layer is poured over it once the magnets lie in their pockets.
+"""
 
 from __future__ import annotations
 
 import cadquery as cq
 import numpy as np
 
+from design.blocks import core_keys, relief_slits
 from design.layouts import face_frames
 from design.pockets import shell_pockets
-from design.solids import OVERSHOOT_MM, box_between, pocket_solid, single_solid
+from design.solids import OVERSHOOT_MM, block_solid, box_between, pocket_solid, single_solid
 from design.spec import ObjectSpec
 
 
@@ -19,14 +24,35 @@ def make_shell(spec: ObjectSpec) -> cq.Solid:
     InputError
         The dimensions do not give one valid solid.
     """
-    cavity = cavity_block(spec, OVERSHOOT_MM)
-    return single_solid(envelope(spec).cut(cavity, *pocket_prisms(spec)), "shell")
+    removed = (*cavity(spec, OVERSHOOT_MM), *pocket_prisms(spec), *slit_fins(spec))
+    return single_solid(cast_envelope(spec).cut(*removed), "shell")
 
 
 def envelope(spec: ObjectSpec) -> cq.Solid:
     """The body's outer box, mm, centred on the origin."""
     half = np.asarray(spec.body.size_mm) / 2
     return box_between(-half, half)
+
+
+def cast_envelope(spec: ObjectSpec) -> cq.Solid:
+    """The outer box of what the first pour casts: the body's, less the seal layer."""
+    high = np.asarray(spec.body.size_mm) / 2
+    low, layer = -high, spec.shell.seal_layer_mm
+    for frame in face_frames(spec):
+        high = high - layer * frame.normal.clip(min=0)
+        low = low - layer * frame.normal.clip(max=0)
+    return box_between(low, high)
+
+
+def cavity(spec: ObjectSpec, overshoot_mm: float = 0.0) -> list[cq.Solid]:
+    """What the core and its keys keep free of silicone, down to the open face and beyond it."""
+    keys = [block_solid(key) for key in core_keys(spec)]
+    return [cavity_block(spec, overshoot_mm), *keys]
+
+
+def slit_fins(spec: ObjectSpec) -> list[cq.Solid]:
+    """The relief slits as solids, each begun outside the body; the mould holds them as fins."""
+    return [block_solid(slit) for slit in relief_slits(spec)]
 
 
 def cavity_block(spec: ObjectSpec, overshoot_mm: float = 0.0) -> cq.Solid:

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import cadquery as cq
 import numpy as np
 
+from design.blocks import Block
 from design.errors import InputError
 from design.layouts import FaceFrame
 from design.pockets import Pocket
@@ -22,6 +23,13 @@ def box_between(
     low, high = np.asarray(low_mm, float), np.asarray(high_mm, float)
     length, width, height = (float(edge) for edge in high - low)
     return cq.Solid.makeBox(length, width, height, cq.Vector(*low))
+
+
+def block_solid(block: Block) -> cq.Solid:
+    """A block as a solid in the object's frame."""
+    x, normal = (cq.Vector(*block.axes[:, k]) for k in (0, 2))
+    plane = cq.Plane(cq.Vector(*block.centre_mm), x, normal)
+    return box_between(-block.half_mm, block.half_mm).moved(cq.Location(plane))
 
 
 def cylinder_on_face(
@@ -73,8 +81,41 @@ def pocket_solid(frame: FaceFrame, pocket: Pocket) -> cq.Solid:
     return piece
 
 
-def _prism(pocket: Pocket, frame: FaceFrame, start: np.ndarray, axis: cq.Vector) -> cq.Solid:
-    half = pocket.outline.half_mm
+def pocket_prism(
+    frame: FaceFrame,
+    pocket: Pocket,
+    bottom_mm: float | None,
+    top_mm: float,
+    grow_mm: float = 0.0,
+) -> cq.Solid:
+    """The pocket's prism, its outline grown on all sides, between two heights above the face.
+
+    Without a bottom it begins at the pocket's floor; elsewhere planes parallel to the face end it.
+    """
+    floor, axis = pocket.axis_ends_mm[0], pocket.axis
+    past = (pocket.outline.radius_mm + grow_mm) + OVERSHOOT_MM
+    start = floor
+    if bottom_mm is not None:
+        start = floor + ((bottom_mm - floor[2]) / axis[2] - past) * axis
+    end = floor + ((top_mm - floor[2]) / axis[2] + past) * axis
+    origin, tip = frame.to_object(start), frame.to_object(end)
+    prism = _prism(pocket, frame, origin, cq.Vector(*(tip - origin)), grow_mm)
+    low = pocket.lowest_mm - OVERSHOOT_MM if bottom_mm is None else bottom_mm
+    reach = 3 * np.append(frame.half_extents_mm, 0)
+    corners = np.stack(
+        [
+            frame.to_object(np.array([0, 0, low]) - reach),
+            frame.to_object(np.array([0, 0, top_mm]) + reach),
+        ]
+    )
+    (piece,) = prism.intersect(box_between(corners.min(axis=0), corners.max(axis=0))).Solids()
+    return piece
+
+
+def _prism(
+    pocket: Pocket, frame: FaceFrame, start: np.ndarray, axis: cq.Vector, grow_mm: float = 0.0
+) -> cq.Solid:
+    half = [edge + grow_mm for edge in pocket.outline.half_mm]
     if pocket.outline.round:
         return cq.Solid.makeCylinder(half[0], axis.Length, cq.Vector(*start), axis)
     local = box_between((-half[0], -half[1], 0.0), (half[0], half[1], axis.Length))

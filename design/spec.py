@@ -15,6 +15,7 @@ from design.fit import require_fit
 from design.spec_as_built import AsBuiltSpec
 from design.spec_collection import CollectionSpec
 from design.spec_environment import EnvironmentSpec
+from design.spec_fabrication import ExportSpec, MouldSpec, PrinterSpec
 from design.spec_hardware import (
     BodySpec,
     CoreSpec,
@@ -73,6 +74,9 @@ class ObjectSpec(SpecPart):
     limits: LimitsSpec = LimitsSpec()
     tolerances: TolerancesSpec = TolerancesSpec()
     as_built: AsBuiltSpec = AsBuiltSpec()
+    mould: MouldSpec = MouldSpec()
+    printer: PrinterSpec = PrinterSpec()
+    export: ExportSpec = ExportSpec()
 
     @property
     def core_size_mm(self) -> tuple[float, float, float]:

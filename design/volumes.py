@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from math import prod
 
+from design.blocks import keys_volume_mm3, slits_volume_mm3
+from design.layouts import face_frames
 from design.pockets import shell_pockets
 from design.spec import ObjectSpec
 
@@ -11,16 +13,31 @@ from design.spec import ObjectSpec
 def sealed_volume_mm3(spec: ObjectSpec) -> float:
     """Volume of the sealed body in mm³: pockets filled, magnets included (the meshed body).
 
-    The cavity has the core's cross-section and runs from the core's top out of the open face.
+    The cavity has the core's cross-section and runs from the core's top out of the open face; keys
+    of the core add to it, and relief slits are left out.
     """
     core_x, core_y, _ = spec.core_size_mm
-    return prod(spec.body.size_mm) - core_x * core_y * cavity_depth_mm(spec)
+    cavity = core_x * core_y * cavity_depth_mm(spec) + keys_volume_mm3(spec)
+    return prod(spec.body.size_mm) - cavity - slits_volume_mm3(spec)
 
 
 def shell_volume_mm3(spec: ObjectSpec) -> float:
-    """Volume of the cast shell in mm³: the sealed body less its open pockets."""
+    """Volume of the cast shell in mm³: the sealed body less its open pockets and the seal layer."""
     pockets = sum(pocket.volume_mm3 for face in shell_pockets(spec) for pocket in face)
-    return sealed_volume_mm3(spec) - pockets
+    return sealed_volume_mm3(spec) - pockets - _layer_volume_mm3(spec)
+
+
+def _layer_volume_mm3(spec: ObjectSpec) -> float:
+    """Silicone of the seal layer itself, without what fills the pockets below it."""
+    layer = spec.shell.seal_layer_mm
+    if not layer:
+        return 0.0
+    cast = list(spec.body.size_mm)
+    for frame in face_frames(spec):
+        cast = [edge - layer * abs(n) for edge, n in zip(cast, frame.normal, strict=True)]
+    slits = slits_volume_mm3(spec) - slits_volume_mm3(spec, layer)
+    mouths = sum(p.outline.area_mm2 * layer / p.axis[2] for f in shell_pockets(spec) for p in f)
+    return prod(spec.body.size_mm) - prod(cast) - slits - float(mouths)
 
 
 def cavity_depth_mm(spec: ObjectSpec) -> float:

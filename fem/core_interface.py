@@ -18,6 +18,7 @@ import scipy.sparse as sp
 from jaxtyping import Bool, Float, Int
 from skfem import FacetBasis, LinearForm
 
+from design.blocks import core_keys
 from design.spec import ObjectSpec
 from fem.elasticity import DisplacementSpace, MixedOperators
 from fem.sparse import columns_of, rows_of, shape_of
@@ -81,9 +82,13 @@ def held_components(
 def touches_core(
     nodes_mm: Float[np.ndarray, "node 3"], spec: ObjectSpec
 ) -> Bool[np.ndarray, "node"]:
-    """Nodes where the core fills the cavity; the walls beyond it are free."""
+    """Nodes where the core and its keys fill the cavity; the walls beyond it are free."""
     half = np.asarray(spec.core_size_mm) / 2
-    return np.all(abs(nodes_mm) < half + surface_tolerance_mm(spec), axis=1)
+    near = surface_tolerance_mm(spec)
+    touching = np.all(abs(nodes_mm) < half + near, axis=1)
+    for key in core_keys(spec):
+        touching |= key.holds(nodes_mm, near)
+    return touching
 
 
 def on_wall(

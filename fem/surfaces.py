@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from jaxtyping import Bool, Float
 
+from design.blocks import Block, core_keys, relief_slits
 from design.layouts import ShellBodies, shell_body_layout
 from design.spec import ObjectSpec
 
@@ -36,7 +37,10 @@ def all_surfaces(spec: ObjectSpec, magnets: bool = True) -> trimesh.Trimesh:
 
 
 def sealed_body_surface(spec: ObjectSpec) -> trimesh.Trimesh:
-    """Outer box less the cavity, which runs from the core's top out through the open face."""
+    """Outer box less the cavity, which runs from the core's top out through the open face.
+
+    Keys of the core widen the cavity, and relief slits are left out.
+    """
     import trimesh
 
     outer = trimesh.creation.box(spec.body.size_mm)
@@ -44,7 +48,14 @@ def sealed_body_surface(spec: ObjectSpec) -> trimesh.Trimesh:
     bottom = -spec.body.size_mm[2] / 2 - _OVERSHOOT_MM
     cavity = trimesh.creation.box((core_x, core_y, core_z / 2 - bottom))
     cavity.apply_translation((0, 0, (core_z / 2 + bottom) / 2))
-    return outer.difference(cavity)
+    left_out = [cavity, *(_block(block) for block in (*core_keys(spec), *relief_slits(spec)))]
+    return trimesh.boolean.difference([outer, *left_out])
+
+
+def _block(block: Block) -> trimesh.Trimesh:
+    import trimesh
+
+    return trimesh.creation.box(2 * block.half_mm, _placed(block.axes, block.centre_mm))
 
 
 def body_surfaces(spec: ObjectSpec) -> list[trimesh.Trimesh]:

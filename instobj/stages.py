@@ -37,7 +37,8 @@ from instobj.mechanics_stages import (
 from instobj.stage import Stage
 
 _WHERE_THINGS_ARE = ("body", "shell", "magnets", "arrangement")
-_WHAT_IS_MESHED = ("body", "shell.thickness_mm", "shell_bodies", "mesh")
+_SHAPE = ("body", "shell.thickness_mm", "shell.slits", "core.keys")
+_WHAT_IS_MESHED = (*_SHAPE, "shell_bodies", "mesh")
 _ELASTIC = (
     "silicone.youngs_modulus_mpa",
     "silicone.poisson_ratio",
@@ -52,7 +53,10 @@ STAGES: dict[str, Stage] = {
     "build": Stage(
         "design: solids, mould and probes",
         (),
-        ("name", *_WHERE_THINGS_ARE, "core", "sensors", "indenter"),
+        (
+            *("name", *_WHERE_THINGS_ARE, "core", "sensors", "indenter"),
+            *("mould", "printer", "export"),
+        ),
         make_build,
     ),
     "mesh": Stage("mesh: tetrahedra", (), _WHAT_IS_MESHED, make_mesh),
@@ -84,9 +88,7 @@ STAGES: dict[str, Stage] = {
         make_presses,
         version=2,
     ),
-    "plain_mesh": Stage(
-        "mesh: without magnets", (), ("body", "shell.thickness_mm", "mesh"), make_plain_mesh
-    ),
+    "plain_mesh": Stage("mesh: without magnets", (), (*_SHAPE, "mesh"), make_plain_mesh),
     "plain_response": Stage(
         "mechanics: response without magnets",
         ("plain_mesh",),

@@ -7,10 +7,11 @@ from numpy.testing import assert_allclose
 from scipy.spatial.distance import pdist
 
 from design.errors import InputError
-from design.mould import MouldDimensions, cast_cavity, make_mould_box, make_mould_plug
+from design.mould import cast_cavity, make_mould_box, make_mould_plug
 from design.probes import make_probe
 from design.shell import envelope, make_shell
 from design.spec import BodySpec, ContactGridSpec, IndenterSpec, MagnetSpec, ObjectSpec, ShellSpec
+from design.spec_fabrication import MouldSpec
 from design.tips import tip_positions_mm
 
 PAPER = ObjectSpec(name="paper")
@@ -100,7 +101,7 @@ def test_mould_plug_follows_the_docstrings_sum():
 
 
 def test_box_walls_follow_the_mould_dimensions():
-    thick = make_mould_box(PAPER, MouldDimensions(wall_mm=2.5)).BoundingBox()
+    thick = make_mould_box(PAPER.model_copy(update={"mould": MouldSpec(wall_mm=2.5)})).BoundingBox()
     assert_allclose([thick.xlen, thick.ylen, thick.zlen], [47, 47, 48.5], rtol=0, atol=1e-6)
 
 

@@ -105,6 +105,12 @@ DOWNSTREAM = {
     "training.epochs=5": {"networks"},
     "limits.position_bound_mm=2": {"report", "identify"},
     "core.wall_mm=4": {"build"},
+    "mould.style=split": {"build"},
+    "printer.name=resin": {"build"},
+    "export.mesh_tolerance_mm=0.1": {"build"},
+    "shell.seal_layer_mm=0.5": {"build"},
+    "shell.slits.depth_mm=3": {"plain_mesh", "build", "mesh", "coarse_response"},
+    "core.keys.positions_mm=[[11.4,11.4]]": {"plain_mesh", "build", "mesh", "coarse_response"},
     "seed=2": {"signals", "robustness", "frames", "networks"},
 }
 
@@ -125,6 +131,8 @@ PRESSED_ON_THEIR_OWN = (
     "indenter.radius_mm=4.5",
     "mesh.edge_mm=5",
     "shell.thickness_mm=9",
+    "shell.slits.depth_mm=3",
+    "core.keys.positions_mm=[[11.4,11.4]]",
 )
 """These also make the presses with large deformation anew."""
 for _override in PRESSED_ON_THEIR_OWN:
