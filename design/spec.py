@@ -23,6 +23,7 @@ from design.spec_hardware import (
 )
 from design.spec_indenter import IndenterSpec
 from design.spec_magnets import MagnetSpec
+from design.spec_search import SearchSpec
 from design.spec_sensors import SensorSpec
 from design.spec_silicone import SiliconeSpec
 from design.spec_simulation import (
@@ -74,6 +75,7 @@ class ObjectSpec(SpecPart):
     limits: LimitsSpec = LimitsSpec()
     tolerances: TolerancesSpec = TolerancesSpec()
     as_built: AsBuiltSpec = AsBuiltSpec()
+    search: SearchSpec = SearchSpec()
     mould: MouldSpec = MouldSpec()
     printer: PrinterSpec = PrinterSpec()
     export: ExportSpec = ExportSpec()

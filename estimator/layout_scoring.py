@@ -229,17 +229,17 @@ def _bounds(
 
 def _summary(places: PlaceInformation) -> LayoutScore:
     position = places.position_bound_mm.sort(dim=1).values
-    low, middle = (_percentile(places.sensitivity.sort(dim=1).values, q) for q in (5.0, 50.0))
+    low, middle = (percentile(places.sensitivity.sort(dim=1).values, q) for q in (5.0, 50.0))
     return LayoutScore(
         position[:, -1],
-        _percentile(position, 50.0),
+        percentile(position, 50.0),
         places.force_bound_n.amax(dim=1),
         low / middle,
         places.resting_counts.abs().flatten(1).amax(dim=1),
     )
 
 
-def _percentile(ordered: Float[Tensor, "layout place"], percent: float) -> Float[Tensor, "layout"]:
+def percentile(ordered: Float[Tensor, "layout place"], percent: float) -> Float[Tensor, "layout"]:
     """Linear between the two nearest ranks, as NumPy's."""
     at = percent / 100 * (ordered.shape[1] - 1)
     below = min(int(at), ordered.shape[1] - 2)

@@ -13,6 +13,7 @@ from test_cli import assert_one_clear_error, run
 
 from design.spec import ObjectSpec
 from design.spec_io import load_spec, parse_spec, spec_hash
+from design.spec_search import PricesSpec, SearchLimitsSpec, VarySpec
 from instobj.stages import STAGES
 
 ROOT = Path(__file__).parents[2]
@@ -168,11 +169,15 @@ def test_the_example_is_the_template_and_the_defaults():
     assert named == tomllib.loads(example.read_text())
     assert spec_hash(load_spec(example)) == spec_hash(ObjectSpec(name="paper_cube"))
     switched_on = tomllib.loads(re.sub(r"^# (?=\w+ = )", "", template, flags=re.MULTILINE))
-    chosen = [("magnets", key) for key in ("grade", "part", "depth_mm", "tilt_deg")]
+    chosen = [("magnets", key) for key in ("grade", "part", "depth_mm", "tilt_deg", "north")]
     chosen.append(("sensors", "positions_mm"))
     chosen += [("indenter", key) for key in ("file", "vertices_mm", "tip_spacing_mm")]
     chosen += [("collection", key) for key in ("dual_poses", "triple_poses")]
     optional = {where: switched_on[where[0]].pop(where[1]) for where in chosen}
+    search = switched_on.pop("search")
+    for table, part in (("vary", VarySpec), ("limits", SearchLimitsSpec), ("prices", PricesSpec)):
+        assert set(search[table]) == set(part.model_fields)
+    assert parse_spec({"name": "all", "search": search}, "all lines").search.vary.magnet_count
     silicone = dict(switched_on["silicone"])
     for key in ("shore", "tensile_data", "prony"):
         del switched_on["silicone"][key]
@@ -181,7 +186,7 @@ def test_the_example_is_the_template_and_the_defaults():
     )
     for (table, key), value in optional.items():
         switched_on[table][key] = value
-    switched_on["silicone"] = silicone
+    switched_on |= {"silicone": silicone, "search": search}
     written = {key: set(value) for key, value in switched_on.items() if isinstance(value, dict)}
     fields = ObjectSpec.model_fields
     for key, names in written.items():

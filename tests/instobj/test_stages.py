@@ -196,7 +196,8 @@ def test_another_layout_reruns_nothing_of_the_shell_without_magnets():
 
 def test_every_part_of_the_specification_matters_to_some_stage():
     used = {part.split(".")[0] for stage in STAGES.values() for part in stage.depends_on}
-    assert used == set(ObjectSpec.model_fields) | {"shell_bodies", "shell_body_outline"}
+    derived = {"shell_bodies", "shell_body_outline"}
+    assert used | {"search"} == set(ObjectSpec.model_fields) | derived
 
 
 def test_every_key_of_mechanics_matters_to_some_stage():

@@ -1,0 +1,131 @@
+"""A search's main loop: ask an engine for a batch, have it scored, keep what came of it."""
+
+from __future__ import annotations
+
+import time
+from collections import defaultdict
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from optuna.trial import FrozenTrial, Trial
+
+from design.errors import InputError
+from design.search_space import SearchSpace, structure_of
+from design.spec_search import SearchSpec
+from instobj.search.apart import GivenUp
+from instobj.search.engines import Sampling, ask, sampling, tell, tell_failed
+from instobj.search.first_rung import Scored
+from instobj.search.study import KeptStudy
+
+_FAILURES_IN_A_ROW = 3
+"""Batches without a single result after which a search is given up."""
+
+Score = Callable[[list[dict[str, Any]], float], list[Scored]]
+"""Scores trials of one structure within so many seconds; raises GivenUp."""
+Say = Callable[[str], None]
+
+
+def run_search(
+    space: SearchSpace,
+    kept: KeptStudy,
+    score: Score,
+    say: Say,
+    first: dict[str, Any] | None = None,
+    worker: int = 0,
+) -> None:
+    """Work on the study until its trials or this call's seconds are spent.
+
+    Trials that others keep meanwhile are learned from. `first` is tried first in a new study.
+
+    Raises
+    ------
+    InputError
+        Trials cannot be kept, or nothing but failures comes back.
+    """
+    search, started = space.spec.search, time.monotonic()
+    past = kept.trials()
+    seed = _seed(space.spec.seed, len(past), worker)
+    engine = sampling(
+        search.engine, space.variables, len(search.objectives), seed, search.batch, past
+    )
+    if first is not None and not past:
+        engine.study.enqueue_trial(first)
+    seen, failed = len(past), 0
+    while seen < search.trials and time.monotonic() - started < search.seconds:
+        asked = ask(engine, min(search.batch, search.trials - seen))
+        finished = _scored_batch(space, engine, asked, score)
+        kept.keep(finished)
+        failed = _count_failed(finished, failed)
+        seen = _learn_from_others(engine, kept, seen, len(finished))
+        say(_standing(kept, search, seen))
+
+
+def _scored_batch(
+    space: SearchSpace, engine: Sampling, asked: list[Trial], score: Score
+) -> list[FrozenTrial]:
+    """All trials of the batch, finished: scored, or failed with a reason."""
+    groups: dict[Any, list[Trial]] = defaultdict(list)
+    for trial in asked:
+        groups[structure_of(space, trial.params)].append(trial)
+    finished: list[FrozenTrial] = []
+    for trials in groups.values():
+        try:
+            results = score(
+                [dict(trial.params) for trial in trials], space.spec.search.trial_seconds
+            )
+        except (GivenUp, InputError) as error:
+            finished += [tell_failed(engine, trial, str(error)) for trial in trials]
+            continue
+        finished += [
+            tell(engine, trial, result.params, result.values, _attributes(result))
+            for trial, result in zip(trials, results, strict=True)
+        ]
+    return finished
+
+
+def _attributes(result: Scored) -> dict[str, Any]:
+    return {"scores": result.scores, "broken_mm": result.broken_mm, "misfit": result.misfit}
+
+
+def _count_failed(finished: list[FrozenTrial], before: int) -> int:
+    reasons = [t.user_attrs["failure"] for t in finished if "failure" in t.user_attrs]
+    failed = before + 1 if len(reasons) == len(finished) else 0
+    if failed >= _FAILURES_IN_A_ROW:
+        raise InputError(
+            f"the search gave up: {failed} batches in a row had no result. The last reason: "
+            f"{reasons[-1]}. Mend that, or raise search.trial_seconds, then go on with --resume"
+        )
+    return failed
+
+
+def _learn_from_others(engine: Sampling, kept: KeptStudy, seen: int, own: int) -> int:
+    """Add what other workers kept since; returns how many trials there are now."""
+    trials = kept.trials()
+    known = {_identity(t) for t in engine.study.get_trials(deepcopy=False)[-own:]} if own else set()
+    if len(trials) > seen + own:
+        engine.study.add_trials([t for t in trials[seen:] if _identity(t) not in known])
+    return len(trials)
+
+
+def _identity(trial: FrozenTrial) -> tuple[Any, ...]:
+    return tuple(sorted(trial.params.items(), key=lambda item: item[0]))
+
+
+def _standing(kept: KeptStudy, search: SearchSpec, seen: int) -> str:
+    feasible = [t for t in kept.finished() if is_feasible(t)]
+    if not feasible:
+        return f"{seen} of {search.trials} trials, none within the limits yet"
+    best = min(feasible, key=lambda t: t.values[0])
+    name = search.objectives[0]
+    return f"{seen} of {search.trials} trials, {name} {best.user_attrs['scores'][name]:.4g}"
+
+
+def is_feasible(trial: FrozenTrial) -> bool:
+    """Whether a finished trial keeps every limit."""
+    return trial.user_attrs["broken_mm"] == 0 and not trial.user_attrs["misfit"]
+
+
+def _seed(seed: int, past: int, worker: int) -> int:
+    """Another stream for every continuation and worker, the same each time."""
+    return int(np.random.SeedSequence([seed, past, worker]).generate_state(1)[0])
