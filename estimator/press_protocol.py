@@ -157,7 +157,7 @@ def simulate_presses(
         traces = press_traces(signals, plan.face[part], plan.x_mm[part], plan.y_mm[part])
         readings[part, :rest] = 0.0
         readings[part, rest:] = counts_at_force(traces, force[part, rest:]).counts
-        readings[part] = _disturbed(spec, signals, readings[part], rng)
+        readings[part] = disturbed(spec, signals, readings[part], rng)
         if progress is not None:
             progress(f"{min(start + block, len(plan.face))} of {len(plan.face)} presses")
     force = relaxed_force_n(force, np.arange(rest + moving) / spec.sensors.frame_rate_hz, prony)
@@ -175,7 +175,7 @@ def _press_forces(
     return np.concatenate([rest, force], axis=1)
 
 
-def _disturbed(
+def disturbed(
     spec: ObjectSpec,
     signals: Signals,
     delta: Float[np.ndarray, "press frame channel"],

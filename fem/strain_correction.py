@@ -19,7 +19,7 @@ from collections.abc import Sequence
 from dataclasses import asdict, dataclass, replace
 
 import numpy as np
-from jaxtyping import Bool, Float
+from jaxtyping import Bool, Float, Int
 
 from design.layouts import face_frames, shell_body_layout
 from design.spec import ObjectSpec
@@ -144,6 +144,34 @@ def corrected_table(
             normals[int(face)],
         )
     return replace(forces, force_n=force), replace(motions, motion=motion)
+
+
+def corrected_joint(
+    spec: ObjectSpec,
+    faces: Int[np.ndarray, "tip"],
+    depth_mm: Float[np.ndarray, "step tip"],
+    force_n: Float[np.ndarray, "step tip"],
+    motion: Float[np.ndarray, "step magnet 6"],
+    correction: StrainCorrection,
+) -> tuple[Float[np.ndarray, "step tip"], Float[np.ndarray, "step magnet 6"]]:
+    """Several tips pressed together, each face with its own magnets and its deepest tip.
+
+    The magnets of faces that nothing presses follow the first face. Jaws that were squeezed to one
+    force differ afterwards by as much as their corrections do.
+    """
+    owner = np.asarray(shell_body_layout(spec).face)
+    normals = {frame.number: np.asarray(frame.normal, float) for frame in face_frames(spec)}
+    force, moved = force_n.copy(), None
+    for face in dict.fromkeys(faces.tolist()):
+        here, own = faces == face, owner == face
+        deepest = depth_mm[:, here].max(axis=1)
+        on_face, motions = _corrected(
+            correction, deepest, force_n[:, here].T, motion, own, normals[face]
+        )
+        force[:, here] = on_face.T
+        moved = motions if moved is None else moved
+        moved[:, own] = motions[:, own]
+    return force, motion if moved is None else moved
 
 
 def _fit(pairs: Sequence[PressPair], thickness_mm: float) -> StrainCorrection:

@@ -11,7 +11,7 @@ from typing import Annotated
 import typer
 
 from design.errors import InputError
-from instobj import cli_hardware, cli_presses
+from instobj import cli_frames, cli_hardware, cli_presses
 from instobj.cli_options import (
     HERE,
     AsBuilt,
@@ -127,6 +127,7 @@ def evaluate(
     _estimate(sources, ("networks", "metrics"), out, as_json, overrides)
 
 
+app.add_typer(cli_frames.app)
 app.add_typer(cli_presses.app)
 app.add_typer(cli_hardware.app)
 

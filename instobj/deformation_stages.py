@@ -14,6 +14,7 @@ from design.spec import ObjectSpec
 if TYPE_CHECKING:
     from fem.large_strain_results import LargeStrainPress
     from fem.results import MagnetMotions, PressForces
+    from fem.strain_correction import StrainCorrection
     from instobj.stage import StageContext
 
 _SHOWN_DEPTH_MM = 2.0
@@ -69,18 +70,27 @@ def correct_table(
     spec: ObjectSpec, forces: PressForces, motions: MagnetMotions, folder: Path
 ) -> tuple[PressForces, MagnetMotions]:
     """The table corrected by what `make_large_strain` left in its folder; unchanged without."""
-    from fem.strain_correction import StrainCorrection, corrected_table
+    from fem.strain_correction import corrected_table
+
+    correction = stored_correction(folder)
+    if correction is None:
+        return forces, motions
+    return corrected_table(spec, forces, motions, correction)
+
+
+def stored_correction(folder: Path) -> StrainCorrection | None:
+    """The correction that `make_large_strain` left in its folder; None where none was asked."""
+    from fem.strain_correction import StrainCorrection
 
     content = large_strain_content(folder)["correction"]
     if content is None:
-        return forces, motions
-    correction = StrainCorrection(
+        return None
+    return StrainCorrection(
         content["thickness_mm"],
         tuple(content["force"]),
         tuple(content["shift"]),
         tuple(content["rotation"]),
     )
-    return corrected_table(spec, forces, motions, correction)
 
 
 def large_strain_content(folder: Path) -> dict[str, Any]:

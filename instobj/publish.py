@@ -25,6 +25,7 @@ _FILES = {
     "large_strain": ("large_strain.json",),
     "robustness": ("robustness.json", "robustness.png"),
     "frames": ("frames.nc",),
+    "collection": ("frames_*.nc",),
     "networks": ("*.safetensors",),
     "metrics": ("metrics.json", "metrics/*.png"),
     "report": ("report.html",),

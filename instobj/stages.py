@@ -6,6 +6,7 @@ from dataclasses import asdict
 from typing import Any
 
 from design.spec import ObjectSpec
+from instobj.collection_stage import make_collection
 from instobj.deformation_stages import make_large_strain, make_shapes
 from instobj.estimator_stages import (
     make_frames,
@@ -179,6 +180,12 @@ STAGES: dict[str, Stage] = {
         ("protocol", "silicone.prony", "seed"),
         make_frames,
         version=3,
+    ),
+    "collection": Stage(
+        "estimator: simulated recordings",
+        ("response", "large_strain", "signals"),
+        ("collection", "protocol", "silicone.prony", "seed"),
+        make_collection,
     ),
     "networks": Stage(
         "estimator: training", ("frames",), ("training", "seed"), make_networks, version=3
