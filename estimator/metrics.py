@@ -1,12 +1,11 @@
 """The four metrics of Knopke et al. (RA-L 2024) on heatmaps, and the error of the total force.
 
-With maps T (true) and P (predicted), each less its own mean, the zero-normalised
-cross-correlation at displacement d is C(d) = Σ_u P(u + d) T(u) / (‖P‖ ‖T‖), zero outside.
-
-- A_sim, `similarity`: the maximum of C over all displacements, in contact frames;
+- A_sim, `similarity`: the maximum over all displacements of the zero-normalised cross-correlation
+  between predicted and true map (`estimator.alignment`), in contact frames;
 - E_loc, `location_error_px`: the displacement of that maximum;
 - E_f, `force_error_n`: |P − T| at the true contact pixels, also in per cent of the range of
-  force that the data set holds at that pixel;
+  force that the data set holds at that pixel; the total force likewise, over all pixels, in per
+  cent of the summed ranges of the true contact pixels;
 - A_non, `non_contact_accuracy`: share of rest frames in which every pixel stays below 0.9 times
   the data set's smallest contact force.
 """
@@ -19,23 +18,9 @@ import numpy as np
 from jaxtyping import Bool, Float, Int
 
 from design.errors import InputError
+from estimator.alignment import align
 
 NON_CONTACT_SHARE = 0.9
-_TIE = 1e-9
-"""Correlations this close are equal: the shortest displacement among them is taken."""
-_CHUNK_FRAMES = 4096
-
-
-@dataclass(frozen=True)
-class Alignment:
-    """Best displacement of each predicted map against the true one.
-
-    A map without any contrast (constant) has no correlation: its similarity is 0 and its
-    displacement NaN.
-    """
-
-    similarity: Float[np.ndarray, "frame"]
-    displacement_px: Float[np.ndarray, "frame 2"]
 
 
 @dataclass(frozen=True)
@@ -45,6 +30,32 @@ class ForceReference:
 
     smallest_contact_n: float
     range_n: Float[np.ndarray, "nx ny"]
+
+
+@dataclass(frozen=True)
+class ContactErrors:
+    """Errors of contact frames and, from `frame` on, of the contacts in them.
+
+    `similarity` (frame,); `displacement_px` (frame, 2), NaN where undefined; `total_n`,
+    `total_percent` (frame,) of the total force, `true_total_n` itself. For every contact: its
+    `frame`, pixel `x`, `y`, and `force_n`, `force_percent`, NaN without a range.
+    """
+
+    similarity: Float[np.ndarray, "frame"]
+    displacement_px: Float[np.ndarray, "frame 2"]
+    total_n: Float[np.ndarray, "frame"]
+    total_percent: Float[np.ndarray, "frame"]
+    true_total_n: Float[np.ndarray, "frame"]
+    frame: Int[np.ndarray, "contact"]
+    x: Int[np.ndarray, "contact"]
+    y: Int[np.ndarray, "contact"]
+    force_n: Float[np.ndarray, "contact"]
+    force_percent: Float[np.ndarray, "contact"]
+
+    @property
+    def distance_px(self) -> Float[np.ndarray, "frame"]:
+        """E_loc of every frame."""
+        return np.hypot(self.displacement_px[:, 0], self.displacement_px[:, 1])
 
 
 @dataclass(frozen=True)
@@ -75,6 +86,7 @@ class FaceMetrics:
     force_error_n: float
     force_error_percent: float
     total_force_error_n: float
+    total_force_error_percent: float
     non_contact_accuracy: float
     other_face_accuracy: float
     contact_frames: int
@@ -88,56 +100,6 @@ class FaceMetrics:
         """Everything but the maps, ready for JSON (None where undefined)."""
         values = {f.name: getattr(self, f.name) for f in fields(self) if f.name != "maps"}
         return {name: None if value != value else value for name, value in values.items()}
-
-
-def align(
-    predicted_n: Float[np.ndarray, "frame nx ny"], true_n: Float[np.ndarray, "frame nx ny"]
-) -> Alignment:
-    """A_sim and the displacement of the best match, frame by frame (zero-padded, by FFT)."""
-    chunks = [
-        _align_chunk(
-            predicted_n[start : start + _CHUNK_FRAMES], true_n[start : start + _CHUNK_FRAMES]
-        )
-        for start in range(0, max(1, len(true_n)), _CHUNK_FRAMES)
-    ]
-    return Alignment(
-        np.concatenate([chunk.similarity for chunk in chunks]),
-        np.concatenate([chunk.displacement_px for chunk in chunks]),
-    )
-
-
-def _align_chunk(
-    predicted_n: Float[np.ndarray, "frame nx ny"], true_n: Float[np.ndarray, "frame nx ny"]
-) -> Alignment:
-    from scipy import fft
-
-    p, t = _normalised(predicted_n), _normalised(true_n)
-    nx, ny = t.shape[1:]
-    size = (fft.next_fast_len(2 * nx - 1, real=True), fft.next_fast_len(2 * ny - 1, real=True))
-    spectrum = np.asarray(fft.rfft2(p, size)) * np.asarray(fft.rfft2(t, size)).conj()
-    correlation = np.asarray(fft.irfft2(spectrum, size))
-    shifts = np.stack(
-        np.meshgrid(np.arange(1 - nx, nx), np.arange(1 - ny, ny), indexing="ij"), -1
-    ).reshape(-1, 2)
-    shifts = shifts[np.argsort(np.hypot(*shifts.T), kind="stable")]
-    by_distance = correlation[:, shifts[:, 0], shifts[:, 1]]
-    best = by_distance.max(axis=1)
-    chosen = np.argmax(by_distance >= best[:, None] - _TIE, axis=1)
-    defined = np.any(p != 0, axis=(1, 2)) & np.any(t != 0, axis=(1, 2))
-    return Alignment(
-        np.where(defined, np.clip(best, -1.0, 1.0), 0.0),
-        np.where(defined[:, None], shifts[chosen], np.nan).astype(float),
-    )
-
-
-def _normalised(maps: Float[np.ndarray, "frame nx ny"]) -> Float[np.ndarray, "frame nx ny"]:
-    """Zero mean and unit norm; exactly zero where a map is constant up to rounding."""
-    maps = np.asarray(maps, float)
-    centred = maps - maps.mean(axis=(1, 2), keepdims=True)
-    norm = np.sqrt(np.sum(centred**2, axis=(1, 2), keepdims=True))
-    scale = np.abs(maps).max(axis=(1, 2), keepdims=True)
-    constant = norm <= 1e-12 * scale
-    return np.where(constant, 0.0, centred / np.where(constant, 1.0, norm))
 
 
 def force_reference(true_n: Float[np.ndarray, "frame nx ny"]) -> ForceReference:
@@ -180,31 +142,58 @@ def face_metrics(
     resting = ~contact if rest is None else rest & ~contact
     quiet = predicted_n.max(axis=(1, 2)) < NON_CONTACT_SHARE * reference.smallest_contact_n
     elsewhere = ~contact & ~resting
-    aligned = align(predicted_n[contact], true_n[contact])
-    away = np.abs(aligned.displacement_px)
-    frame, x, y = np.nonzero(true_n[contact])
-    error_n = np.abs(predicted_n - true_n)[contact][frame, x, y]
-    error_percent = 100 * error_n / reference.range_n[x, y]
-    total = np.abs(predicted_n.sum(axis=(1, 2)) - true_n.sum(axis=(1, 2)))[contact]
-    distance = np.hypot(away[:, 0], away[:, 1])
-    per_contact = (aligned.similarity[frame], distance[frame], error_n, error_percent)
+    errors = contact_errors(predicted_n[contact], true_n[contact], reference)
+    away = np.abs(errors.displacement_px)
+    per_contact = (
+        errors.similarity[errors.frame],
+        errors.distance_px[errors.frame],
+        errors.force_n,
+        errors.force_percent,
+    )
     return FaceMetrics(
         face=face,
-        similarity=_mean(aligned.similarity),
-        location_error_px=_mean(distance),
+        similarity=_mean(errors.similarity),
+        location_error_px=_mean(errors.distance_px),
         location_error_x_px=_mean(away[:, 0]),
         location_error_y_px=_mean(away[:, 1]),
-        force_error_n=_mean(error_n),
-        force_error_percent=_mean(error_percent),
-        total_force_error_n=_mean(total),
+        force_error_n=_mean(errors.force_n),
+        force_error_percent=_mean(errors.force_percent),
+        total_force_error_n=_mean(errors.total_n),
+        total_force_error_percent=_mean(errors.total_percent),
         non_contact_accuracy=_mean(quiet[resting]),
         other_face_accuracy=_mean(quiet[elsewhere]),
         contact_frames=int(contact.sum()),
         rest_frames=int(resting.sum()),
         other_face_frames=int(elsewhere.sum()),
-        undefined_frames=int(np.isnan(distance).sum()),
+        undefined_frames=int(np.isnan(errors.distance_px).sum()),
         smallest_contact_n=reference.smallest_contact_n,
-        maps=_place_maps(x, y, per_contact, true_n.shape[1:]),
+        maps=_place_maps(errors.x, errors.y, per_contact, true_n.shape[1:]),
+    )
+
+
+def contact_errors(
+    predicted_n: Float[np.ndarray, "frame nx ny"],
+    true_n: Float[np.ndarray, "frame nx ny"],
+    reference: ForceReference,
+) -> ContactErrors:
+    """Errors one by one, of frames that all hold a contact."""
+    aligned = align(predicted_n, true_n)
+    frame, x, y = np.nonzero(true_n)
+    force = np.abs(predicted_n - true_n)[frame, x, y]
+    spans = np.zeros(len(true_n))
+    np.add.at(spans, frame, reference.range_n[x, y])
+    total = np.abs(predicted_n.sum(axis=(1, 2)) - true_n.sum(axis=(1, 2)))
+    return ContactErrors(
+        aligned.similarity,
+        aligned.displacement_px,
+        total,
+        100 * total / spans,
+        true_n.sum(axis=(1, 2)),
+        frame,
+        x,
+        y,
+        force,
+        100 * force / reference.range_n[x, y],
     )
 
 

@@ -5,8 +5,9 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.errors import InputError
-from estimator import metrics
-from estimator.metrics import ForceReference, align, face_metrics, force_reference
+from estimator import alignment
+from estimator.alignment import align
+from estimator.metrics import ForceReference, face_metrics, force_reference
 
 
 def maps(shape, *contacts):
@@ -93,7 +94,7 @@ def test_chunks_change_nothing(monkeypatch):
     rng = np.random.default_rng(0)
     predicted, true = rng.random((11, 5, 4)), rng.random((11, 5, 4))
     whole = align(predicted, true)
-    monkeypatch.setattr(metrics, "_CHUNK_FRAMES", 4)
+    monkeypatch.setattr(alignment, "_CHUNK_FRAMES", 4)
     parts = align(predicted, true)
     assert_allclose(parts.similarity, whole.similarity, rtol=1e-12)
     assert_allclose(parts.displacement_px, whole.displacement_px, atol=0)
@@ -126,6 +127,9 @@ def test_face_metrics_by_hand():
     assert_allclose(result.force_error_n, 8 / 3, rtol=1e-12)
     assert_allclose(result.force_error_percent, (12.5 + 25 + 50) / 3, rtol=1e-12)
     assert_allclose(result.total_force_error_n, 4 / 3, rtol=1e-12)
+    assert_allclose(
+        result.total_force_error_percent, (100 / 8 + 200 / 8 + 100 / 10) / 3, rtol=1e-12
+    )
     assert_allclose(result.location_error_px, 1 / 3, rtol=1e-12)
     assert_allclose(result.location_error_x_px, 1 / 3, rtol=1e-12)
     assert_allclose(result.location_error_y_px, 0, atol=0)
