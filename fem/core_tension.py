@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from jaxtyping import Float
 
 from design.layouts import contact_grid
 from design.spec import ObjectSpec
+from fem.grasp import Tip, press_path, press_tips
 from fem.presses import press_places, surface_weights_mm2
 from fem.response import ResponseOperator
 
@@ -19,21 +20,30 @@ class CoreTension:
 
     It is the mean over the wall's triangles around the vertex, weighted by its P1 hat: the pressure
     itself grows without bound at the core's edges as the mesh is refined. Positive where the shell
-    would lift off, which the linear table leaves out.
+    would lift off, which the linear table leaves out. `press` (face number, x, y) is the press at
+    which it is largest, and `force_drop` the share of that press's force that the table has too
+    much, from the same press on a core that only pushes; None where not computed.
     """
 
     pressure_mpa_per_n: float
     point_mm: Float[np.ndarray, "3"]
+    press: tuple[int, float, float] | None = None
+    force_drop: float | None = None
 
     def to_dict(self) -> dict[str, float]:
         """As JSON and tables show it."""
         x, y, z = (float(value) for value in self.point_mm)
-        return {
+        shown = {
             "largest_tension_kpa_per_n": 1e3 * self.pressure_mpa_per_n,
             "x_mm": x,
             "y_mm": y,
             "z_mm": z,
         }
+        if self.press is not None and self.force_drop is not None:
+            face, *place = self.press
+            shown |= dict(zip(("press_x_mm", "press_y_mm"), place, strict=True))
+            shown |= {"press_face": face, "force_drop_where_it_lifts_off": self.force_drop}
+        return shown
 
 
 def largest_core_tension(
@@ -62,6 +72,8 @@ def largest_core_tension(
 def core_tension(spec: ObjectSpec, response: ResponseOperator) -> CoreTension:
     """The largest over all contact places of all faces, each pressed to the deepest depth.
 
+    The press that has it is repeated on a core that only pushes.
+
     Raises
     ------
     ValueError
@@ -72,5 +84,18 @@ def core_tension(spec: ObjectSpec, response: ResponseOperator) -> CoreTension:
     found = []
     for index in range(len(response.surfaces)):
         pressures = press_places(spec, response, index, xy, deepest)[:, 0]
-        found.append(largest_core_tension(response, index, pressures))
-    return max(found, key=lambda tension: tension.pressure_mpa_per_n)
+        for place, pressure in zip(xy, pressures, strict=True):
+            number = response.surfaces[index].number
+            tension = largest_core_tension(response, index, pressure[None])
+            found.append(replace(tension, press=(number, float(place[0]), float(place[1]))))
+    worst = max(found, key=lambda tension: tension.pressure_mpa_per_n)
+    return replace(worst, force_drop=_force_drop(spec, response, worst, deepest))
+
+
+def _force_drop(
+    spec: ObjectSpec, response: ResponseOperator, worst: CoreTension, depth_mm: np.ndarray
+) -> float:
+    assert worst.press is not None
+    tips = [Tip(*worst.press)]
+    (held,) = press_path(spec, response, tips, depth_mm[None])
+    return 1 - float(press_tips(spec, response, tips, depth_mm).force_n[0] / held.force_n[0])

@@ -117,6 +117,11 @@ def loads_document(
     summary: dict[str, Any] = {"presses": pressed.rows}
     if pressed.alone:
         summary["superposition of single presses"] = superposition_row(pressed, changes)
+    if pressed.curve and (core := pressed.curve[-1].core):
+        summary["shell lifted off its core"] = {
+            "largest opening mm": float(core.opening_mm.max()),
+            "share of the core's vertices": float((core.opening_mm > 0).mean()),
+        }
     summary["signal changes, counts"] = sensor_rows(spec, changes[0])
     if refused:
         summary["refused"] = list(refused)

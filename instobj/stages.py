@@ -87,7 +87,7 @@ STAGES: dict[str, Stage] = {
         ("mesh", "response", "large_strain"),
         ("contact_grid", "indenter", "press", "mechanics.slip"),
         make_presses,
-        version=2,
+        version=3,
     ),
     "plain_mesh": Stage("mesh: without magnets", (), (*_SHAPE, "mesh"), make_plain_mesh),
     "plain_response": Stage(

@@ -24,11 +24,15 @@ def core_section(spec: ObjectSpec, presses: Path, scratch: Path) -> str:
 
 def _sliding(tension: dict[str, float]) -> str:
     place = ", ".join(f"{tension[f'{axis}_mm']:.3g}" for axis in "xyz")
+    drop = 100 * tension["force_drop_where_it_lifts_off"]
     return (
-        "<h2>Sliding core</h2><p>The shell slides on its core and is taken never to lift off. It "
-        f"would: tension reaches {tension['largest_tension_kpa_per_n']:.3g} kPa per newton of press "
-        f"force, at ({place}) mm. Where the silicone does not stick, presses are softer than shown."
-        "</p>"
+        "<h2>Sliding core</h2><p>The shell slides on its core; the table of presses takes it never to "
+        f"lift off. It would: tension reaches {tension['largest_tension_kpa_per_n']:.3g} kPa per "
+        f"newton of press force, at ({place}) mm, under a press on face {tension['press_face']:g} at "
+        f"({tension['press_x_mm']:.3g}, {tension['press_y_mm']:.3g}) mm. On a core that only pushes "
+        f"that press takes {drop:.3g} % less force at the deepest travel: so much softer than shown "
+        "is the worst place where the silicone does not stick. <code>instobj press</code> and "
+        "<code>instobj grasp</code> let it lift off.</p>"
     )
 
 

@@ -15,10 +15,14 @@ def test_a_bonded_core_in_its_place_is_not_mentioned(tmp_path):
 
 def test_tension_at_a_sliding_core_is_told(tmp_path):
     tension = {"largest_tension_kpa_per_n": 3.21, "x_mm": 13.0, "y_mm": -2.5, "z_mm": 4.0}
+    tension |= {"press_face": 2, "press_x_mm": 7.5, "press_y_mm": -1.5}
+    tension |= {"force_drop_where_it_lifts_off": 0.123}
     (tmp_path / "core_tension.json").write_text(json.dumps(tension))
     text = core_section(ObjectSpec(name="cube"), tmp_path, tmp_path)
     assert "3.21 kPa per newton" in text
     assert "(13, -2.5, 4) mm" in text
+    assert "a press on face 2 at (7.5, -1.5) mm" in text
+    assert "12.3 % less force" in text
 
 
 @pytest.mark.parametrize("model", ["fem", "sensors-only"])
