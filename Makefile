@@ -9,11 +9,14 @@ INSTALLED := .venv/.installed
 demo: $(INSTALLED)
 	$(BIN)/instobj run examples/paper_cube.toml
 
+# Two processes, each on one thread: solvers that share threads wait for each other.
+PYTEST := OMP_NUM_THREADS=1 MKL_NUM_THREADS=1 $(BIN)/pytest -q -n 2 --dist loadfile
+
 test: $(INSTALLED)
-	$(BIN)/pytest -q
+	$(PYTEST)
 
 test-slow: $(INSTALLED)
-	$(BIN)/pytest -q -m slow
+	$(PYTEST) -m slow
 
 verify: $(INSTALLED)
 	$(BIN)/pytest -q -m "slow or not slow" tests/fem --verification-page docs/verification
