@@ -14,22 +14,24 @@ from jaxtyping import Float
 
 from design.errors import InputError
 from design.spec import ObjectSpec
+from estimator.assembly import Assembly, designed
 from estimator.contact_cases import ContactCase
 from estimator.interpolation import press_traces
 from estimator.monotone import monotone_cubic
-from estimator.signals import Progress, Signals, press_signals
+from estimator.signals import Progress, Signals
+from estimator.twin import twin_changes
 from fem.grasp import JointPress, Tip, press_path, refined_faces, squeeze_path
 from fem.response import ResponseOperator
-from fem.results import MagnetMotions, PressForces
 from fem.strain_correction import StrainCorrection, corrected_joint
 
 
 @dataclass(frozen=True)
 class JointMechanics:
-    """What contact between several tips is solved on."""
+    """What contact between several tips is solved on; `assembly` where the object is a twin."""
 
     response: ResponseOperator
     correction: StrainCorrection | None = None
+    assembly: Assembly | None = None
 
 
 @dataclass(frozen=True)
@@ -121,6 +123,7 @@ def _joint_presses(
             "indenter.tip_count = 1. Simulate single contacts, or set mechanics.slip and tip_count so"
         )
     faces, pressed = refined_faces(spec, mechanics.response), []
+    assembly = mechanics.assembly or designed(spec)
     for number, case in enumerate(cases, start=1):
         tips = [
             Tip(int(f), float(x), float(y)) for f, (x, y) in zip(case.face, case.xy_mm, strict=True)
@@ -136,11 +139,12 @@ def _joint_presses(
             path = press_path(
                 spec, mechanics.response, tips, signals.depth_mm[:, None] * case.share, faces
             )
-        pressed.append(_corrected(spec, case, path, mechanics.correction))
+        travel, force, motion = _corrected(spec, case, path, mechanics.correction)
+        pressed.append((travel, force * assembly.modulus_ratio, motion))
         if progress is not None and number % 10 == 0:
             progress(f"several tips at once: {number} of {len(cases)} cases")
-    counts = _counts(spec, np.concatenate([motion for _, _, motion in pressed]))
-    parts = counts.reshape(len(cases), len(signals.depth_mm), -1)
+    motions = np.concatenate([motion for _, _, motion in pressed])
+    parts = twin_changes(spec, assembly, motions).reshape(len(cases), len(signals.depth_mm), -1)
     return [(t, f, seen) for (t, f, _), seen in zip(pressed, parts, strict=True)]
 
 
@@ -159,16 +163,3 @@ def _corrected(
     if case.squeezed:
         travel = depth[:, case.cell == 0].max(axis=1) + depth[:, case.cell == 1].max(axis=1)
     return travel, force, motion
-
-
-def _counts(
-    spec: ObjectSpec, motion: Float[np.ndarray, "press magnet 6"]
-) -> Float[np.ndarray, "press channel"]:
-    """Changes of counts against rest under motions of all bodies."""
-    from design.layouts import PlaceGrid
-
-    steps, one = np.arange(1.0, len(motion) + 1), PlaceGrid(np.zeros(1), np.zeros(1))
-    face, none = np.array([1]), np.zeros((1, 1, len(motion)))
-    forces = PressForces(face, one, steps, none, none)
-    seen = press_signals(spec, forces, MagnetMotions(face, one, steps, motion[None, None]))
-    return seen.delta_counts[0, 0].reshape(len(motion), -1)
