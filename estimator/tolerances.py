@@ -119,6 +119,21 @@ def robustness(
     )
 
 
+def twin_bounds(
+    spec: ObjectSpec, forces: PressForces, motions: MagnetMotions, twins: int
+) -> dict[str, Float[np.ndarray, "object press"]]:
+    """Bounds `position_mm` and `force_n` of the design, then of `twins` objects within tolerance.
+
+    Twins are drawn with the specification's seed; presses run face by face, forces as in `robustness`.
+    """
+    setting, rng = _setting(spec, forces, motions), np.random.default_rng((spec.seed, 7))
+    objects = [setting.design, *(draw(spec, setting.design, rng) for _ in range(twins))]
+    found = [_outcome(setting, one) for one in objects]
+    return {
+        name: np.stack([getattr(o, name) for o in found]) for name in ("position_mm", "force_n")
+    }
+
+
 def _setting(spec: ObjectSpec, forces: PressForces, motions: MagnetMotions) -> _Setting:
     design, grid, working = designed(spec), contact_grid(spec), live_channels(spec)
     moving = motions_as_signals(forces, motions)

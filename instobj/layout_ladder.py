@@ -2,14 +2,55 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from jaxtyping import Float
 
 from design.spec import ObjectSpec
 from instobj.chain import Chain
 
 if TYPE_CHECKING:
     from estimator.layout_ladder import LadderScore
+    from fem.factorization import Factorization
+    from fem.response import ElasticSystem, ResponseOperator
+
+TWINS = 20
+
+
+@dataclass(frozen=True)
+class PlainShell:
+    """The magnet-free shell, factored: what rung two scores any number of its layouts with."""
+
+    system: ElasticSystem
+    factor: Factorization
+    response: ResponseOperator
+
+    def score(self, spec: ObjectSpec) -> LadderScore:
+        """Rung two: `estimator.layout_ladder.rung_two`."""
+        from estimator.layout_ladder import rung_two
+
+        return rung_two(spec, self.system, self.factor, self.response)
+
+
+@contextmanager
+def plain_shell(spec: ObjectSpec) -> Iterator[PlainShell]:
+    """Mesh and response from the store or made, factored once; 1 GB until the context ends."""
+    from fem.factorization import Factorization
+    from fem.magnet_free import without_magnets
+    from fem.response import elastic_system, load_response
+    from fem.tet_mesh import load_mesh
+
+    chain = Chain(spec)
+    mesh = load_mesh(chain.require("plain_mesh").folder / "mesh.npz")
+    response = load_response(chain.require("plain_response").folder)
+    system = elastic_system(mesh, without_magnets(spec))
+    with Factorization(system.matrix) as factor:
+        yield PlainShell(system, factor, response)
 
 
 def chain_score(spec: ObjectSpec) -> LadderScore:
@@ -17,8 +58,56 @@ def chain_score(spec: ObjectSpec) -> LadderScore:
     from estimator.layout_ladder import score_signals
     from estimator.signals import load_signals
 
-    folder = Chain(spec).require("signals").folder
-    return score_signals(spec, load_signals(Path(folder) / "lattice_signals.nc"))
+    folder = Path(Chain(spec).require("signals").folder)
+    return score_signals(spec, load_signals(folder / "lattice_signals.nc"))
+
+
+@dataclass(frozen=True)
+class TwinRatio:
+    """How many times smaller a bound is than the start's: of the designs, and between twins.
+
+    `low`, `high` hold 95 % of the ratios between any twin of the start and any of the layout.
+    """
+
+    design: float
+    low: float
+    high: float
+
+
+def twin_ratios(start: ObjectSpec, found: ObjectSpec, twins: int = TWINS) -> dict[str, TwinRatio]:
+    """Bounds of toleranced twins of the start over those of a layout, worst and median place.
+
+    Twins share their design's mechanics; `tolerances` of each specification sizes their errors.
+    Places that reach `score.force_n` only near the deepest press are judged at less force, of
+    both alike (`estimator.tolerances`).
+    """
+    before, after = (_bounds_of_twins(spec, twins) for spec in (start, found))
+    return {
+        name: TwinRatio(
+            float(before[name][0] / after[name][0]), *_interval(before[name][1:], after[name][1:])
+        )
+        for name in before
+    }
+
+
+def _bounds_of_twins(spec: ObjectSpec, twins: int) -> dict[str, Float[np.ndarray, "object"]]:
+    """The design first, then its twins."""
+    from estimator.tolerances import twin_bounds
+    from fem.results import load_presses
+
+    presses = load_presses(Chain(spec).require("presses").folder / "presses.nc")
+    bounds = twin_bounds(spec, *presses, twins)
+    position, force = bounds["position_mm"], bounds["force_n"]
+    return {
+        "worst_position_bound_mm": position.max(axis=1),
+        "median_position_bound_mm": np.median(position, axis=1),
+        "worst_force_bound_n": force.max(axis=1),
+    }
+
+
+def _interval(before: np.ndarray, after: np.ndarray) -> tuple[float, float]:
+    low, high = np.quantile(before[:, None] / after, [0.025, 0.975])
+    return float(low), float(high)
 
 
 def score_row(score: LadderScore) -> dict[str, Any]:

@@ -82,7 +82,7 @@ def ordinary_chain(spec, motions, face, layouts, row):
         np.asarray(getattr(layouts, name)[row].detach(), float)
         for name in ("magnet_mm", "turn_rad", "polarity", "sensor_mm")
     )
-    scene, motion = _scene(spec, motions, face, magnet_mm, turn, polarity, sensor_mm)
+    scene, motion = layout_scene(spec, motions, face, magnet_mm, turn, polarity, sensor_mm)
     model = FieldModel(magnet_source(spec.magnets), "exact")
 
     def counts(moved):
@@ -104,7 +104,7 @@ def ordinary_chain(spec, motions, face, layouts, row):
     return cramer_rao_bounds(found.jacobian, sigma), found.counts, rest
 
 
-def _scene(spec, motions, face, magnet_mm, turn, polarity, sensor_mm):
+def layout_scene(spec, motions, face, magnet_mm, turn, polarity, sensor_mm):
     centre, axis, faces, motion = [], [], [], []
     for frame in face_frames(spec):
         centre.append(frame.to_object(magnet_mm * [1, 1, -1]))
