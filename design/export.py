@@ -1,40 +1,28 @@
-"""Build every part of an object, write STL and STEP files, and describe them in a manifest."""
+"""Build every part of an object, write STL, 3MF and STEP files, and describe them in a manifest."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import partial
 from importlib.metadata import version
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import cadquery as cq
 import numpy as np
 
-from design.core import make_core
 from design.errors import InputError
 from design.files import atomic_path
 from design.manifest import BuildManifest, PartManifest, remove_manifest
-from design.mould import make_mould_box, make_mould_plug
-from design.probes import make_probe
-from design.shell import make_shell
+from design.parts import Part, parts_of
+from design.scene import ASSEMBLY_NAME, assembly_scene, write_3mf, write_glb
 from design.spec import ObjectSpec
+from design.spec_fabrication import ExportSpec
 from design.spec_io import spec_hash
 
-STL_TOLERANCE_MM = 0.05
-STL_ANGLE_RAD = 0.2
+if TYPE_CHECKING:
+    import trimesh
 
 _LIBRARIES = ("instobj", "cadquery", "cadquery-ocp", "trimesh", "numpy")
-
-PART_BUILDERS: dict[str, Callable[[ObjectSpec], cq.Solid]] = {
-    "core": make_core,
-    "shell": make_shell,
-    "mould_box": make_mould_box,
-    "mould_plug": make_mould_plug,
-    "probe_1": partial(make_probe, tips=1),
-    "probe_2": partial(make_probe, tips=2),
-    "probe_3": partial(make_probe, tips=3),
-}
-"""Every part that a build writes, in the order of the manifest."""
 
 
 def build_object(
@@ -42,35 +30,40 @@ def build_object(
     folder: Path | str,
     progress: Callable[[str], None] = lambda message: None,
 ) -> BuildManifest:
-    """Write {part}.stl, {part}.step and manifest.json (last) into the folder; return the manifest.
+    """Write {part}.stl, .3mf, .step, assembly.glb and manifest.json (last); return the manifest.
 
-    All parts but the probes are in the object's frame. Lengths are in mm, volumes in mm³. Nothing
-    is written before every part has been built, and an earlier build's manifest goes first: a
-    manifest always describes the files beside it.
+    Probes and magnet templates are in their own frames, all other parts in the object's. Lengths
+    are in mm, volumes in mm³. Nothing is written before every part has been built, and an earlier
+    build's manifest goes first: a manifest always describes the files beside it.
 
     Raises
     ------
     InputError
         The dimensions give no valid part, or the folder cannot be written.
     """
-    solids = {}
-    for name, make in PART_BUILDERS.items():
-        progress(f"building {name}")
-        solids[name] = make(spec)
+    parts, solids = parts_of(spec), {}
+    for part in parts:
+        progress(f"building {part.name}")
+        solids[part.name] = part.make()
     remove_manifest(folder)
-    parts = []
-    for name, solid in solids.items():
-        progress(f"writing {name}")
-        parts.append(write_part(name, solid, Path(folder)))
+    written, meshes = [], {}
+    for part in parts:
+        progress(f"writing {part.name}")
+        manifest, meshes[part.name] = write_part(part, solids[part.name], Path(folder), spec.export)
+        written.append(manifest)
+    progress("writing the assembly")
+    write_glb(assembly_scene(spec, meshes), Path(folder) / ASSEMBLY_NAME)
     versions = {library: version(library) for library in _LIBRARIES}
-    manifest = BuildManifest(spec.name, spec_hash(spec), tuple(parts), versions)
+    manifest = BuildManifest(spec.name, spec_hash(spec), tuple(written), versions)
     path = manifest.write(folder)
     progress(f"wrote {path}")
     return manifest
 
 
-def write_part(name: str, solid: cq.Solid, folder: Path) -> PartManifest:
-    """Write one part as STEP and STL, and measure both the solid and the STL as read back.
+def write_part(
+    part: Part, solid: cq.Solid, folder: Path, export: ExportSpec
+) -> tuple[PartManifest, trimesh.Trimesh]:
+    """Write one part as STEP, STL and 3MF; measure both the solid and the STL as read back.
 
     Raises
     ------
@@ -79,19 +72,23 @@ def write_part(name: str, solid: cq.Solid, folder: Path) -> PartManifest:
     """
     # The bounding box is read first: a triangulated shape would be measured by its triangles.
     box, centre = solid.BoundingBox(), solid.Center()
-    stl_volume, watertight, triangles = _write_stl(solid, folder / f"{name}.stl")
-    _write_step(solid, folder / f"{name}.step")
-    return PartManifest(
-        name=name,
+    mesh = _write_stl(solid, folder / f"{part.name}.stl", export)
+    write_3mf(mesh, part.name, folder / f"{part.name}.3mf")
+    _write_step(solid, folder / f"{part.name}.step")
+    manifest = PartManifest(
+        name=part.name,
         volume_mm3=solid.Volume(),
         bounding_box_mm=((box.xmin, box.ymin, box.zmin), (box.xmax, box.ymax, box.zmax)),
         centre_of_mass_mm=centre.toTuple(),
         face_count=len(solid.Faces()),
         solid_count=len(solid.Solids()),
-        stl_volume_mm3=stl_volume,
-        stl_watertight=watertight,
-        stl_triangles=triangles,
+        stl_volume_mm3=float(mesh.volume),
+        stl_watertight=bool(mesh.is_watertight),
+        stl_triangles=len(mesh.faces),
+        material=part.material,
+        count=part.count,
     )
+    return manifest, mesh
 
 
 def _write_step(solid: cq.Solid, target: Path) -> None:
@@ -102,11 +99,12 @@ def _write_step(solid: cq.Solid, target: Path) -> None:
             raise InputError(f"cannot write {target}. Choose a writable folder with room left")
 
 
-def _write_stl(solid: cq.Solid, target: Path) -> tuple[float, bool, int]:
+def _write_stl(solid: cq.Solid, target: Path, export: ExportSpec) -> trimesh.Trimesh:
     import trimesh
 
     with atomic_path(target) as path:
-        if not solid.exportStl(str(path), STL_TOLERANCE_MM, STL_ANGLE_RAD, relative=False):
+        fineness = (export.mesh_tolerance_mm, export.mesh_angle_rad)
+        if not solid.exportStl(str(path), *fineness, relative=False):
             raise InputError(f"cannot write {target}. Choose a writable folder with room left")
         mesh = trimesh.load_mesh(path)
         # The kernel closes the poles of spheres with triangles that repeat a vertex.
@@ -118,4 +116,4 @@ def _write_stl(solid: cq.Solid, target: Path) -> tuple[float, bool, int]:
                 "in a line. Move them apart, or let them overlap, by 0.01 mm or more"
             )
         mesh.export(path)
-    return float(mesh.volume), bool(mesh.is_watertight), len(mesh.faces)
+    return mesh

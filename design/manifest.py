@@ -16,7 +16,10 @@ Vector = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class PartManifest:
-    """One part: figures of the exact solid, and of the STL that was written from it."""
+    """One part: figures of the exact solid, and of the STL that was written from it.
+
+    `material` is "printed" or "silicone"; `count` pieces of it are needed.
+    """
 
     name: str
     volume_mm3: float
@@ -27,6 +30,8 @@ class PartManifest:
     stl_volume_mm3: float
     stl_watertight: bool
     stl_triangles: int
+    material: str = "printed"
+    count: int = 1
 
     @property
     def size_mm(self) -> Vector:

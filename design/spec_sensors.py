@@ -30,7 +30,8 @@ class SensorSpec(SpecPart):
     conversions in a reading. With tolerances (rms) above 0, simulated chips are drawn with the
     specification's seed: the gain of each axis, the share of other axes in it, and its offset.
     Where sensors sit in the shell (`arrangement`), each is a rigid board of `package_mm`
-    (tangential, radial, thick) on its pocket's floor, sensing at its centre.
+    (tangential, radial, thick) on its pocket's floor, sensing at its centre. `chip_mm` is the chip
+    with its leads on the board (as `package_mm`), for the checks alone.
     """
 
     part: str = "TMAG5273A1"
@@ -47,6 +48,7 @@ class SensorSpec(SpecPart):
     )
     positions_mm: tuple[Places, Places, Places, Places, Places] | None = None
     package_mm: tuple[Positive, Positive, Positive] = (6.6, 6.2, 1.6)
+    chip_mm: tuple[Positive, Positive, Positive] = (2.9, 2.8, 1.25)
     chip: Literal["inward", "outward"] = "inward"
     mount_rotation_deg: tuple[Finite, Finite, Finite] = (0.0, 0.0, 0.0)
     counts_per_mt: Positive = 820.0

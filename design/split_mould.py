@@ -37,7 +37,7 @@ def make_mould_half(spec: ObjectSpec, side: int) -> cq.Solid:
     """
     room = cast_envelope(spec)
     outer = walls(spec, room).fuse(_flange(spec).cut(room), *fins_to_walls(spec))
-    holes = [_pin_hole(spec, frame, pocket) for frame, pocket in _places(spec)]
+    holes = [hole for place in _places(spec) for hole in _pin_holes(spec, *place)]
     half = outer.cut(*holes, *_bolt_holes(spec)).intersect(_half_space(spec, side))
     dowels = [_dowel(spec, *place, grow_mm=0.0) for place in _dowel_places(spec)]
     sockets = [_dowel(spec, *place, grow_mm=play_mm(spec)) for place in _dowel_places(spec)]
@@ -88,10 +88,14 @@ def _places(spec: ObjectSpec) -> list[tuple[FaceFrame, Pocket]]:
     return [(frame, pocket) for frame, face in faces for pocket in face]
 
 
-def _pin_hole(spec: ObjectSpec, frame: FaceFrame, pocket: Pocket) -> cq.Solid:
-    low = -spec.shell.seal_layer_mm - OVERSHOOT_MM
-    high = spec.mould.wall_mm + PIN_HEAD_MM + OVERSHOOT_MM
-    return pocket_prism(frame, pocket, low, high, play_mm(spec))
+def _pin_holes(spec: ObjectSpec, frame: FaceFrame, pocket: Pocket) -> tuple[cq.Solid, cq.Solid]:
+    """Hole through the wall, and room for the head where a flange would be in its way."""
+    low, top = -spec.shell.seal_layer_mm - OVERSHOOT_MM, spec.mould.wall_mm
+    high, play = top + PIN_HEAD_MM + spec.mould.flange_mm, play_mm(spec)
+    return (
+        pocket_prism(frame, pocket, low, top + OVERSHOOT_MM, play),
+        pocket_prism(frame, pocket, top, high, PIN_HEAD_RIM_MM + play),
+    )
 
 
 def _parting_plane(spec: ObjectSpec) -> cq.Plane:

@@ -59,6 +59,7 @@ STAGES: dict[str, Stage] = {
             *("mould", "printer", "export"),
         ),
         make_build,
+        version=2,
     ),
     "mesh": Stage("mesh: tetrahedra", (), _WHAT_IS_MESHED, make_mesh),
     "response": Stage("mechanics: response operator", ("mesh",), _ELASTIC, make_response),

@@ -40,14 +40,29 @@ class PartView:
     cut_open: bool = False
 
 
-VIEWS = (
-    PartView("core", "Core, faces 1, 2 and 3", (1, -1.25, 1), (0, 0, 1), (0.55, 0.66, 0.78)),
-    PartView("shell", "Shell, cut open", (1, -1.25, 0.9), (0, 0, 1), (0.93, 0.84, 0.68), True),
-    PartView(
-        "mould_box", "Mould box, open side up", (0.7, -1, -1.6), (0, 0, -1), (0.66, 0.77, 0.62)
-    ),
-    PartView("mould_plug", "Mould plug", (1.2, -0.9, 0.7), (0, 0, 1), (0.76, 0.70, 0.84)),
-)
+VIEWS = {
+    view.part: view
+    for view in (
+        PartView("core", "Core, faces 1, 2 and 3", (1, -1.25, 1), (0, 0, 1), (0.55, 0.66, 0.78)),
+        PartView("shell", "Shell, cut open", (1, -1.25, 0.9), (0, 0, 1), (0.93, 0.84, 0.68), True),
+        PartView(
+            "mould_box", "Mould box, open side up", (0.7, -1, -1.6), (0, 0, -1), (0.66, 0.77, 0.62)
+        ),
+        PartView(
+            "mould_half_a",
+            "Mould half, from its seam",
+            (-1, -0.8, 0.7),
+            (0, 0, 1),
+            (0.66, 0.77, 0.62),
+        ),
+        PartView("mould_plug", "Mould plug", (1.2, -0.9, 0.7), (0, 0, 1), (0.76, 0.70, 0.84)),
+        PartView("jig", "Jig", (0.7, -1, 1), (0, 0, 1), (0.70, 0.70, 0.70)),
+        PartView(
+            "magnet_template", "Magnet template", (0.5, -0.9, 1.6), (0, 0, 1), (0.85, 0.72, 0.60)
+        ),
+    )
+}
+"""Shown in this order, of those that the build has."""
 
 
 @dataclass(frozen=True)
@@ -60,7 +75,7 @@ class DepthImage:
 
 
 def draw_parts(folder: Path | str, png_path: Path | str) -> Path:
-    """Draw core, shell (cut open), mould box and mould plug of a build into one PNG.
+    """Draw core, shell (cut open), mould, jig and template of a build into one PNG.
 
     Parameters
     ----------
@@ -79,9 +94,14 @@ def draw_parts(folder: Path | str, png_path: Path | str) -> Path:
     folder = Path(folder)
     folder = folder.parent if folder.name == MANIFEST_NAME else folder
     manifest = BuildManifest.read(folder)
-    figure = Figure(figsize=(11, 11.6), layout="constrained")
+    figure = Figure(figsize=(15.5, 11.4), layout="constrained")
     figure.suptitle(f"Parts of {manifest.name}", fontsize=15)
-    for axes, view in zip(figure.subplots(2, 2).ravel(), VIEWS, strict=True):
+    shown = {part.name for part in manifest.parts}
+    views = [view for name, view in VIEWS.items() if name in shown]
+    places = figure.subplots(2, 3).ravel()
+    for axes in places:
+        axes.set_axis_off()
+    for axes, view in zip(places, views, strict=False):
         _draw_view(axes, view, _load_stl(folder / f"{view.part}.stl"), manifest.part(view.part))
     target = Path(png_path)
     with atomic_path(target) as path:

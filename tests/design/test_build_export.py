@@ -16,14 +16,16 @@ from pydantic import ValidationError
 
 import design.shell
 from design.errors import InputError
-from design.export import PART_BUILDERS, build_object
+from design.export import build_object
 from design.layouts import face_frames
 from design.manifest import BuildManifest
+from design.parts import parts_of
 from design.pockets import shell_pockets
 from design.spec import CoreSpec, MagnetSpec, ObjectSpec, ShellSpec
 from design.spec_io import parse_spec, spec_hash
 
 PAPER = ObjectSpec(name="paper")
+PART_NAMES = [part.name for part in parts_of(PAPER)]
 REFERENCE = yaml.safe_load(
     (Path(__file__).parents[1] / "references/paper_cube.yaml").read_text(encoding="utf-8")
 )
@@ -47,11 +49,11 @@ def assert_golden(part):
 
 def test_every_part_has_a_reference_and_every_reference_a_part(build):
     _, manifest, _ = build
-    assert [part.name for part in manifest.parts] == list(PART_BUILDERS)
-    assert set(REFERENCE["parts"]) == set(PART_BUILDERS)
+    assert [part.name for part in manifest.parts] == PART_NAMES
+    assert set(REFERENCE["parts"]) == set(PART_NAMES)
 
 
-@pytest.mark.parametrize("name", PART_BUILDERS)
+@pytest.mark.parametrize("name", PART_NAMES)
 def test_golden_geometry(build, name):
     assert_golden(build[1].part(name))
 
@@ -69,7 +71,7 @@ def test_parts_agree_with_the_authors(build, name):
     assert_allclose(sorted(part.size_mm), authors["sorted_size_mm"], rtol=0, atol=1e-6)
 
 
-@pytest.mark.parametrize("name", PART_BUILDERS)
+@pytest.mark.parametrize("name", PART_NAMES)
 def test_stl_is_watertight_and_as_large_as_the_solid(build, name):
     folder, manifest, _ = build
     part, mesh = manifest.part(name), trimesh.load_mesh(folder / f"{name}.stl")
@@ -88,7 +90,7 @@ def test_shell_stl_is_within_a_twentieth_of_a_percent(build):
     assert_allclose(shell.stl_volume_mm3, shell.volume_mm3, rtol=5e-4)
 
 
-@pytest.mark.parametrize("name", PART_BUILDERS)
+@pytest.mark.parametrize("name", PART_NAMES)
 def test_step_reads_back_as_the_same_solid(build, name):
     folder, manifest, _ = build
     shape = cq.importers.importStep(str(folder / f"{name}.step")).val()
@@ -98,10 +100,10 @@ def test_step_reads_back_as_the_same_solid(build, name):
 
 def test_the_folder_holds_the_parts_and_the_manifest_only(build):
     folder, _, messages = build
-    expected = {f"{name}.{kind}" for name in PART_BUILDERS for kind in ("stl", "step")}
-    assert {path.name for path in folder.iterdir()} == expected | {"manifest.json"}
-    steps = [f"{doing} {name}" for doing in ("building", "writing") for name in PART_BUILDERS]
-    assert messages[:-1] == steps
+    expected = {f"{name}.{kind}" for name in PART_NAMES for kind in ("stl", "step", "3mf")}
+    assert {path.name for path in folder.iterdir()} == expected | {"manifest.json", "assembly.glb"}
+    steps = [f"{doing} {name}" for doing in ("building", "writing") for name in PART_NAMES]
+    assert messages[:-2] == steps
     assert messages[-1] == f"wrote {folder / 'manifest.json'}"
 
 
@@ -145,7 +147,7 @@ def test_an_interrupted_build_leaves_no_manifest(tmp_path):
     (tmp_path / "manifest.json").write_text("of an earlier build", encoding="utf-8")
     with pytest.raises(KeyboardInterrupt):
         build_object(PAPER, tmp_path, stop_at_the_mould)
-    written = {f"{name}.{kind}" for name in ("core", "shell") for kind in ("stl", "step")}
+    written = {f"{n}.{kind}" for n in ("core", "shell") for kind in ("stl", "step", "3mf")}
     assert {path.name for path in tmp_path.iterdir()} == written
 
 

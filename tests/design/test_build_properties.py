@@ -6,8 +6,8 @@ from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 from pydantic import ValidationError
 
-from design.export import PART_BUILDERS
 from design.mould import cast_cavity
+from design.parts import parts_of
 from design.shell import make_shell
 from design.spec import ObjectSpec
 from design.volumes import shell_volume_mm3
@@ -58,8 +58,8 @@ def specifications(draw):
 @settings(max_examples=8, deadline=None, derandomize=True)
 @given(spec=specifications())
 def test_random_objects_build_and_their_mould_casts_their_shell(spec):
-    for make in PART_BUILDERS.values():
-        solid = make(spec)
+    for part in parts_of(spec):
+        solid = part.make()
         assert solid.isValid()
         assert solid.Volume() > 0
     shell, cavity = make_shell(spec), cast_cavity(spec)

@@ -1,0 +1,82 @@
+"""Every part of an object: how it is made, of what, how often."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from typing import Literal
+
+import cadquery as cq
+
+from design.core import make_core
+from design.jig import make_jig
+from design.magnet_template import make_magnet_template, template_faces
+from design.mould import make_mould_box, make_mould_plug, make_seal_mould
+from design.probes import make_probe
+from design.shell import make_shell
+from design.spec import ObjectSpec
+from design.split_mould import distinct_pins, make_mould_half, mould_pins
+
+Material = Literal["printed", "silicone"]
+
+
+@dataclass(frozen=True)
+class Part:
+    """A part by its name; `make` builds its solid, in the object's frame unless it is a tool."""
+
+    name: str
+    make: Callable[[], cq.Solid]
+    material: Material = "printed"
+    count: int = 1
+
+
+def parts_of(spec: ObjectSpec) -> tuple[Part, ...]:
+    """Core, shell, mould, probes, jig and magnet templates, in the order of the manifest."""
+    return (
+        Part("core", partial(make_core, spec)),
+        Part("shell", partial(make_shell, spec), "silicone"),
+        *_mould(spec),
+        *(Part(f"probe_{tips}", partial(make_probe, spec, tips)) for tips in (1, 2, 3)),
+        Part("jig", partial(make_jig, spec)),
+        *_templates(spec),
+    )
+
+
+def _mould(spec: ObjectSpec) -> list[Part]:
+    if spec.mould.style == "one-piece":
+        parts = [Part("mould_box", partial(make_mould_box, spec))]
+    else:
+        parts = [
+            Part("mould_half_a", partial(make_mould_half, spec, 1)),
+            Part("mould_half_b", partial(make_mould_half, spec, -1)),
+            *_pins(spec),
+        ]
+    parts.append(Part("mould_plug", partial(make_mould_plug, spec)))
+    if spec.shell.seal_layer_mm:
+        parts.append(Part("mould_seal_box", partial(make_seal_mould, spec)))
+    return parts
+
+
+def _pins(spec: ObjectSpec) -> list[Part]:
+    """One part for every kind of pin, where it stands first."""
+    kinds = distinct_pins(spec)
+    return [
+        Part(
+            "mould_pin" if len(kinds) == 1 else f"mould_pin_{number}",
+            lambda first=first: mould_pins(spec)[first],
+            count=count,
+        )
+        for number, (first, count) in enumerate(kinds, start=1)
+    ]
+
+
+def _templates(spec: ObjectSpec) -> list[Part]:
+    groups = template_faces(spec)
+    return [
+        Part(
+            "magnet_template" if len(groups) == 1 else f"magnet_template_face_{first}",
+            partial(make_magnet_template, spec, first),
+        )
+        for first in groups
+    ]
