@@ -69,11 +69,12 @@ def sensors_as_built(
 
 
 def live_channels(spec: ObjectSpec) -> Bool[np.ndarray, "sensor 3"]:
-    """Which channels work: all but those that `as_built` calls dead."""
-    count = spec.sensors.count_per_face
-    live = np.ones((5 * count, 3), bool)
+    """Which channels work: the axes that the part measures, but those that `as_built` calls dead."""
+    count, faces = spec.sensors.count_per_face, spec.body.sensed
+    live = np.zeros((len(faces) * count, 3), bool)
+    live[:, [_AXIS_NAMES.index(axis) for axis in spec.sensors.axes]] = True
     for found in spec.as_built.sensors:
-        row = (found.face - 1) * count + found.sensor - 1
+        row = faces.index(found.face) * count + found.sensor - 1
         live[row, [_AXIS_NAMES.index(axis) for axis in found.dead]] = False
     return live
 

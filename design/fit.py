@@ -6,8 +6,10 @@ from itertools import combinations
 from math import cos, sin
 from typing import TYPE_CHECKING
 
+from design.body import face_frames
+from design.fit_bodies import check_body, check_curved_presses
 from design.fit_environment import check_environment
-from design.pockets import Pocket, core_pockets, distance_of_axes_mm, shell_pockets
+from design.pockets import Pocket, core_pockets, distance_of_axes_mm, sensor_places, shell_pockets
 
 if TYPE_CHECKING:
     from design.spec import ObjectSpec
@@ -20,21 +22,26 @@ def require_fit(spec: ObjectSpec, table: bool = True) -> None:
     """
     from design.fit_parts import check_parts  # it needs the layouts, and these the specification
 
-    _check_core(spec)
-    _check_wire_passages(spec)
-    _check_pockets(spec)
-    _check_core_contents(spec)
-    check_parts(spec)
+    if spec.body.kind == "box":
+        _check_core(spec)
+        _check_wire_passages(spec)
+        _check_pockets(spec)
+        _check_core_contents(spec)
+    else:
+        check_body(spec)
     _check_tips(spec)
-    if table:
+    if table and spec.body.kind == "box":
         _check_presses(spec)
+    elif table:
+        check_curved_presses(spec)
     check_environment(spec)
+    check_parts(spec)
 
 
 def _smallest_half_extents_mm(spec: ObjectSpec) -> tuple[float, float]:
     """Half extents (x, y) that every sensed face of the body offers, in the face's own axes."""
-    sx, sy, sz = (edge / 2 for edge in spec.body.size_mm)
-    return min(sx, sz), min(sx, sy)
+    half_x, half_y = zip(*(frame.half_extents_mm for frame in face_frames(spec)), strict=True)
+    return min(half_x), min(half_y)
 
 
 def _check_core(spec: ObjectSpec) -> None:
@@ -216,7 +223,7 @@ def _check_sensor_places(spec: ObjectSpec) -> None:
     core, inward = spec.core, spec.shell.thickness_mm
     limits = [half - inward for half in _smallest_half_extents_mm(spec)]
     beyond = core.recess_outer_radius_mm - spec.sensors.radius_mm
-    for face, places in enumerate(spec.sensors.places, start=1):
+    for face, places in zip(spec.body.sensed, sensor_places(spec), strict=True):
         for index, (x, y, azimuth) in enumerate(places):
             reach = (
                 abs(x + beyond * cos(azimuth)) + core.recess_width_mm / 2 * abs(sin(azimuth)),

@@ -1,7 +1,6 @@
 """Where faces, contact places, magnets and sensors are, in the object's frame.
 
-Object frame: origin at the body's centre, face 1 outward = +z, the open face 6 = −z.
-Every array that is indexed by magnet or sensor runs face by face (1…5), in the order of the
+Every array that is indexed by magnet or sensor runs face by face, in the order of the
 specification within a face.
 """
 
@@ -14,67 +13,13 @@ import numpy as np
 from jaxtyping import Float, Int
 
 from design.as_built import magnets_as_built, sensors_as_built
+from design.body import core_frames, face_frame, face_frames
+from design.patch import FaceFrame
 from design.pockets import Body, Outline, magnet_bodies, sensor_boards, shell_bodies
-from design.spec import SENSED_FACES, ObjectSpec, SensorSpec
+from design.spec import ObjectSpec, SensorSpec
 from design.spec_simulation import SlipSpec
 
-_FACE_AXES = {
-    1: ((0, 0, 1), (1, 0, 0), (0, 1, 0)),
-    2: ((0, -1, 0), (0, 0, -1), (1, 0, 0)),
-    3: ((1, 0, 0), (0, 0, -1), (0, 1, 0)),
-    4: ((0, 1, 0), (0, 0, -1), (-1, 0, 0)),
-    5: ((-1, 0, 0), (0, 0, -1), (0, -1, 0)),
-}
-"""Face number → outward normal n and in-plane x, y (right-handed: x × y = n)."""
-
-
-@dataclass(frozen=True)
-class FaceFrame:
-    """One sensed face: its number, orthonormal axes, centre and half extents (mm)."""
-
-    number: int
-    normal: Float[np.ndarray, "3"]
-    x: Float[np.ndarray, "3"]
-    y: Float[np.ndarray, "3"]
-    centre_mm: Float[np.ndarray, "3"]
-    half_extents_mm: tuple[float, float]
-
-    @property
-    def axes(self) -> Float[np.ndarray, "3 3"]:
-        """Rotation whose columns are x, y, n: face coordinates to object coordinates."""
-        return np.column_stack([self.x, self.y, self.normal])
-
-    def to_object(self, xyz_mm: Float[np.ndarray, "*n 3"]) -> Float[np.ndarray, "*n 3"]:
-        """Points given as (x, y, height above the face) in mm, in the object's frame."""
-        return self.centre_mm + np.asarray(xyz_mm, float) @ self.axes.T
-
-    def from_object(self, points_mm: Float[np.ndarray, "*n 3"]) -> Float[np.ndarray, "*n 3"]:
-        """Inverse of `to_object`."""
-        return (np.asarray(points_mm, float) - self.centre_mm) @ self.axes
-
-
-def face_frames(spec: ObjectSpec) -> tuple[FaceFrame, ...]:
-    """The sensed faces of the body in the order 1…5."""
-    half = np.asarray(spec.body.size_mm) / 2
-    frames = []
-    for number in SENSED_FACES:
-        normal, x, y = (np.asarray(axis, float) for axis in _FACE_AXES[number])
-        extents = (float(abs(x) @ half), float(abs(y) @ half))
-        frames.append(FaceFrame(number, normal, x, y, normal * (abs(normal) @ half), extents))
-    return tuple(frames)
-
-
-def core_frames(spec: ObjectSpec) -> tuple[FaceFrame, ...]:
-    """The sensed faces' frames moved inwards onto the core's faces."""
-    inward = spec.shell.thickness_mm
-    return tuple(
-        replace(
-            frame,
-            centre_mm=frame.centre_mm - inward * frame.normal,
-            half_extents_mm=tuple(half - inward for half in frame.half_extents_mm),
-        )
-        for frame in face_frames(spec)
-    )
+__all__ = ["FaceFrame", "core_frames", "face_frame", "face_frames"]
 
 
 @dataclass(frozen=True)
@@ -191,7 +136,7 @@ def sensor_layout(spec: ObjectSpec) -> SensorLayout:
     counter-clockwise from x, seen from outside.
 
     Chip axes of a chip that faces inward (facts measured on the recordings): X = −tangential,
-    Y = radial outward, Z = outward normal of the face.
+    Y = radial outward, Z = outward normal of the face where the chip is.
     """
     if spec.arrangement == "sensors-in-core":
         frames, bodies = core_frames(spec), _sensors_in_core(spec)
@@ -228,7 +173,7 @@ def _in_object(
     placed = [(frame, body) for frame, face in zip(frames, bodies, strict=True) for body in face]
     return (
         np.stack([frame.to_object(body.centre_mm) for frame, body in placed]),
-        np.stack([frame.axes @ body.frame for frame, body in placed]),
+        np.stack([frame.axes_at(body.centre_mm[:2]) @ body.frame for frame, body in placed]),
         np.array([frame.number for frame, _ in placed]),
     )
 

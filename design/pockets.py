@@ -134,7 +134,7 @@ def shell_pockets(spec: ObjectSpec) -> tuple[tuple[Pocket, ...], ...]:
 def core_pockets(spec: ObjectSpec) -> tuple[tuple[Pocket, ...], ...]:
     """The core's pockets for magnets, face by face, heights above the core's face."""
     if spec.arrangement == "sensors-in-core":
-        return ((),) * len(spec.sensors.places)
+        return ((),) * len(spec.body.sensed)
     return tuple(tuple(Pocket(body, body.outline) for body in face) for face in magnet_bodies(spec))
 
 
@@ -162,7 +162,7 @@ def magnet_bodies(spec: ObjectSpec) -> tuple[tuple[Body, ...], ...]:
             zip(magnets.positions_mm, depths, tilts, strict=True)
         )
     )
-    return (one_face,) * len(spec.sensors.places)
+    return (one_face,) * len(spec.body.sensed)
 
 
 def _seated_depth_mm(spec: ObjectSpec) -> float:
@@ -171,6 +171,14 @@ def _seated_depth_mm(spec: ObjectSpec) -> float:
     if spec.arrangement == "sensors-in-core":
         return spec.shell.pocket_depth_mm - magnets.height_mm / 2
     return magnets.depth_below_core_face_mm + magnets.height_mm / 2
+
+
+def sensor_places(spec: ObjectSpec) -> tuple[tuple[tuple[float, float, float], ...], ...]:
+    """x, y (mm, in the face's frame) and azimuth (rad) of every sensor, sensed face by face."""
+    lists, sensed = spec.sensors.places, spec.body.sensed
+    if len(lists) == len(sensed):
+        return lists
+    return tuple(lists[(number - 1) % len(lists)] for number in sensed)
 
 
 def sensor_boards(spec: ObjectSpec) -> tuple[tuple[Body, ...], ...]:
@@ -189,7 +197,7 @@ def sensor_boards(spec: ObjectSpec) -> tuple[tuple[Body, ...], ...]:
             )
             for index, (x, y, azimuth) in enumerate(places)
         )
-        for face, places in enumerate(spec.sensors.places, start=1)
+        for face, places in zip(spec.body.sensed, sensor_places(spec), strict=True)
     )
 
 
@@ -214,7 +222,12 @@ def distance_of_axes_mm(a: Pocket, b: Pocket) -> float:
     Pockets that are further apart than their circumscribed radii together cannot touch; for round
     pockets without tilt the reverse holds too.
     """
-    (p, p_end), (q, q_end) = a.axis_ends_mm, b.axis_ends_mm
+    return distance_of_segments_mm(a.axis_ends_mm, b.axis_ends_mm)
+
+
+def distance_of_segments_mm(a: Float[np.ndarray, "2 3"], b: Float[np.ndarray, "2 3"]) -> float:
+    """Smallest distance between two straight pieces, given by their ends."""
+    (p, p_end), (q, q_end) = a, b
     along, other, between = p_end - p, q_end - q, p - q
     aa, bb, ab = along @ along, other @ other, along @ other
     pa, pb = along @ between, other @ between

@@ -13,18 +13,18 @@ from pydantic import Field, model_validator
 
 from design.fit import require_fit
 from design.spec_as_built import AsBuiltSpec
+from design.spec_body import BodySpec
 from design.spec_collection import CollectionSpec
 from design.spec_environment import EnvironmentSpec
 from design.spec_fabrication import ExportSpec, MouldSpec, PrinterSpec
 from design.spec_hardware import (
-    BodySpec,
     CoreSpec,
     ShellSpec,
 )
 from design.spec_indenter import IndenterSpec
 from design.spec_magnets import MagnetSpec
 from design.spec_search import SearchSpec
-from design.spec_sensors import SensorSpec
+from design.spec_sensors import FACES_OF_A_CUBE, SensorSpec, fastest_frame_rate_hz
 from design.spec_silicone import SiliconeSpec
 from design.spec_simulation import (
     ContactGridSpec,
@@ -38,10 +38,6 @@ from design.spec_simulation import (
 )
 from design.spec_tolerances import TolerancesSpec
 from design.spec_types import SpecPart
-
-SENSED_FACES = (1, 2, 3, 4, 5)
-"""Faces that carry magnets and sensors; face 6 (−z) is open, the wires leave there."""
-
 
 SINGLE_PRESSES = "single presses"
 """Context of validation that leaves open whether the indenter fits at every contact place."""
@@ -99,8 +95,32 @@ class ObjectSpec(SpecPart):
         return self
 
     @model_validator(mode="after")
+    def _frames_can_be_read(self) -> ObjectSpec:
+        sensors, faces = self.sensors, len(self.body.sensed)
+        fastest = fastest_frame_rate_hz(sensors, faces)
+        if sensors.frame_rate_hz > fastest:
+            raise ValueError(
+                f"sensors.frame_rate_hz = {sensors.frame_rate_hz:g} is beyond the {fastest:.4g} Hz at "
+                f"which {faces * sensors.count_per_face} sensors with averaging = {sensors.averaging} "
+                f"can be read over one bus of {sensors.i2c_khz:g} kHz. Lower it or the averaging, or "
+                "raise i2c_khz"
+            )
+        return self
+
+    @model_validator(mode="after")
+    def _sensors_for_every_face(self) -> ObjectSpec:
+        given, faces = self.sensors.positions_mm, self.body.sensed
+        if given is not None and len(given) not in (FACES_OF_A_CUBE, len(faces)):
+            raise ValueError(
+                f"sensors.positions_mm holds {len(given)} lists of places; the body's sensed faces are "
+                f"{list(faces)}. Give one list for all of them, or one for each"
+            )
+        return self
+
+    @model_validator(mode="after")
     def _as_built_parts_exist(self) -> ObjectSpec:
-        self.as_built.require_known(len(self.magnets.positions_mm), self.sensors.count_per_face)
+        magnets, sensors = len(self.magnets.positions_mm), self.sensors.count_per_face
+        self.as_built.require_known(magnets, sensors, self.body.sensed)
         return self
 
     @model_validator(mode="after")

@@ -13,7 +13,7 @@ from pydantic import Field, model_validator
 
 from design.spec_types import Count, Finite, Positive, SpecPart
 
-FaceNumber = Annotated[int, Field(ge=1, le=5)]
+FaceNumber = Annotated[int, Field(ge=1, le=6)]
 Triple = tuple[Finite, Finite, Finite]
 Axis = Literal["X", "Y", "Z"]
 
@@ -65,11 +65,16 @@ class AsBuiltSpec(SpecPart):
                 )
         return self
 
-    def require_known(self, magnets: int, sensors: int) -> None:
-        """Raise ValueError where an entry names a magnet or sensor that a face does not have."""
+    def require_known(self, magnets: int, sensors: int, faces: tuple[int, ...]) -> None:
+        """Raise ValueError where an entry names a face, magnet or sensor that there is not."""
         named = [("magnet", m.face, m.magnet, magnets) for m in self.magnets]
         named += [("sensor", s.face, s.sensor, sensors) for s in self.sensors]
         for kind, face, number, count in named:
+            if face not in faces:
+                raise ValueError(
+                    f"as_built names {kind} {number} of face {face}; the sensed faces are {list(faces)}. "
+                    "Name one of them"
+                )
             if number > count:
                 raise ValueError(
                     f"as_built names {kind} {number} of face {face}; each face has {count}. Count "

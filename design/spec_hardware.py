@@ -1,20 +1,11 @@
-"""The hardware in a specification: body, shell, core.
+"""The hardware in a specification: shell, core.
 
 Defaults are the paper's cube (Knopke et al., RA-L 2024); docs/units.md gives the source of each.
 """
 
 from __future__ import annotations
 
-from typing import Literal
-
 from design.spec_types import Count, Finite, NonNegative, Positive, SpecPart
-
-
-class BodySpec(SpecPart):
-    """Outer shape of the silicone shell."""
-
-    kind: Literal["box"] = "box"
-    size_mm: tuple[Positive, Positive, Positive] = (42.0, 42.0, 42.0)
 
 
 class SlitsSpec(SpecPart):

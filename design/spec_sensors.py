@@ -15,16 +15,20 @@ from design.spec_types import Finite, NonNegative, Positive, SpecPart
 
 Averaging = Literal[1, 2, 4, 8, 16, 32]
 Places = Annotated[tuple[tuple[Finite, Finite], ...], Field(min_length=1, max_length=12)]
-_FACES = 5
+Axis = Literal["X", "Y", "Z"]
+FACES_OF_A_CUBE = 5
+"""Sensed faces of the default body, for which lists of places are filled up."""
 
 
 class SensorSpec(SpecPart):
-    """Three-axis Hall sensors, by default the same ring on every sensed face of the core.
+    """Hall sensors, by default the same ring on every sensed face of the core.
 
-    `positions_mm` puts them elsewhere: x, y in the face's frame, one list for every face or five
-    lists of equal length. Chip axes: X = −tangential, Y = radial outward, Z = the face's outward
-    normal, with the chip facing inward; "outward" turns it about Y, and `mount_rotation_deg` then
-    turns it by that rotation vector about its own X, Y, Z. `range_mt`, `counts_per_mt` and
+    `axes` are those of the chip that it measures: all three, or ["Z"] of a linear Hall sensor.
+    `first_azimuth_deg` is for faces 1, 2, …, over again where there are more. `positions_mm` puts
+    sensors elsewhere: x, y in the face's frame, one list for every face or one for each, of equal
+    length. Chip axes: X = −tangential, Y = radial outward, Z = the face's outward normal, with the
+    chip facing inward; "outward" turns it about Y, and `mount_rotation_deg` then turns it by that
+    rotation vector about its own X, Y, Z. `range_mt`, `counts_per_mt` and
     `noise_counts` are those of `part` where they are left out; the default part's noise, gain and
     drift were measured on the recordings (16× averaging, ±40 mT). `averaging` is the number of
     conversions in a reading. With tolerances (rms) above 0, simulated chips are drawn with the
@@ -35,18 +39,19 @@ class SensorSpec(SpecPart):
     """
 
     part: str = "TMAG5273A1"
+    axes: Annotated[tuple[Axis, ...], Field(min_length=1)] = ("X", "Y", "Z")
     averaging: Averaging = 16
     count_per_face: Annotated[int, Field(ge=1, le=12)] = 3
     radius_mm: Positive = 8.585
     depth_below_core_face_mm: NonNegative = 2.3
-    first_azimuth_deg: tuple[Finite, Finite, Finite, Finite, Finite] = (
+    first_azimuth_deg: Annotated[tuple[Finite, ...], Field(min_length=1)] = (
         240.0,
         180.0,
         240.0,
         60.0,
         300.0,
     )
-    positions_mm: tuple[Places, Places, Places, Places, Places] | None = None
+    positions_mm: tuple[Places, ...] | None = None
     package_mm: tuple[Positive, Positive, Positive] = (6.6, 6.2, 1.6)
     chip_mm: tuple[Positive, Positive, Positive] = (2.9, 2.8, 1.25)
     chip: Literal["inward", "outward"] = "inward"
@@ -64,9 +69,10 @@ class SensorSpec(SpecPart):
 
     @property
     def places(self) -> tuple[tuple[tuple[float, float, float], ...], ...]:
-        """x, y (mm, in the face's frame) and azimuth (rad) of every sensor, face by face.
+        """x, y (mm, in the face's frame) and azimuth (rad) of every sensor, list by list.
 
-        Azimuths run from x counter-clockwise, seen from outside.
+        `design.pockets.sensor_places` gives the faces' own. Azimuths run from x counter-clockwise,
+        seen from outside.
         """
         if self.positions_mm is not None:
             return tuple(
@@ -96,41 +102,30 @@ class SensorSpec(SpecPart):
             )
         return self
 
-    @model_validator(mode="after")
-    def _frames_can_be_read(self) -> SensorSpec:
-        fastest = fastest_frame_rate_hz(self)
-        if self.frame_rate_hz > fastest:
-            raise ValueError(
-                f"sensors.frame_rate_hz = {self.frame_rate_hz:g} is beyond the {fastest:.4g} Hz at which "
-                f"{_FACES * self.count_per_face} sensors with averaging = {self.averaging} can be read "
-                f"over one bus of {self.i2c_khz:g} kHz. Lower it or the averaging, or raise i2c_khz"
-            )
-        return self
-
 
 _READ_BITS = 9 * 9 + 3
 """Address, register, address again and six bytes of data, nine bits each; start, restart, stop."""
 
 
-def fastest_frame_rate_hz(sensors: SensorSpec) -> float:
+def fastest_frame_rate_hz(sensors: SensorSpec, faces: int = FACES_OF_A_CUBE) -> float:
     """Frames per second: all sensors convert at once, then are read in turn over one I²C bus.
 
     A part without a conversion time in the catalogue is limited by the bus alone. Firmware and
     multiplexers come on top: the paper's object ran at 10.5 Hz.
     """
     conversion_s = hall_part(sensors.part).conversion_s(sensors.averaging) or 0.0
-    return 1 / (
-        conversion_s + _FACES * sensors.count_per_face * _READ_BITS / (1e3 * sensors.i2c_khz)
-    )
+    read_s = faces * sensors.count_per_face * _READ_BITS / (1e3 * sensors.i2c_khz)
+    return 1 / (conversion_s + read_s)
 
 
 def _explicit_places(given: dict[str, Any]) -> dict[str, Any]:
-    """`positions_mm` on five faces, and how many they are; malformed lists are left to pydantic."""
+    """`positions_mm` of five faces where one list was given, and how many sensors it has; malformed
+    lists are left to pydantic."""
     places = given.get("positions_mm")
     if not isinstance(places, list | tuple) or not places:
         return {}
     numbers = all(isinstance(p, list | tuple) and all(_is_number(n) for n in p) for p in places)
-    faces = (places,) * _FACES if numbers else places
+    faces = (places,) * FACES_OF_A_CUBE if numbers else places
     first = faces[0]
     counted = isinstance(first, list | tuple) and "count_per_face" not in given
     return {"positions_mm": faces, **({"count_per_face": len(first)} if counted else {})}

@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import prod
 
 from design.blocks import keys_volume_mm3, slits_volume_mm3
+from design.body_volume import body_volume_mm3
 from design.layouts import face_frames
 from design.pockets import shell_pockets
 from design.spec import ObjectSpec
@@ -16,9 +17,7 @@ def sealed_volume_mm3(spec: ObjectSpec) -> float:
     The cavity has the core's cross-section and runs from the core's top out of the open face; keys
     of the core add to it, and relief slits are left out.
     """
-    core_x, core_y, _ = spec.core_size_mm
-    cavity = core_x * core_y * cavity_depth_mm(spec) + keys_volume_mm3(spec)
-    return prod(spec.body.size_mm) - cavity - slits_volume_mm3(spec)
+    return body_volume_mm3(spec) - keys_volume_mm3(spec) - slits_volume_mm3(spec)
 
 
 def shell_volume_mm3(spec: ObjectSpec) -> float:

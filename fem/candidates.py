@@ -15,7 +15,7 @@ from jaxtyping import Float, Float32, Int
 
 from design.errors import InputError
 from design.files import atomic_path
-from design.layouts import PlaceGrid, face_frames
+from design.layouts import FaceFrame, PlaceGrid, face_frames
 from design.spec import ObjectSpec
 from fem.cubic_convolution import axis_weights
 
@@ -132,12 +132,13 @@ def candidate_lattices(
     Raises
     ------
     InputError
-        A shell too thin, or a face too small, for the margins.
+        A shell too thin, or a face too small, for the margins; or a curved face.
     """
     thickness = spec.shell.thickness_mm
     deepest = thickness - margin_mm
     lattices = []
     for frame in face_frames(spec):
+        _require_flat(frame)
         reach = [half - spec.shell.pocket_diameter_mm / 2 for half in frame.half_extents_mm]
         if min(*reach, deepest - margin_mm) <= 0:
             raise InputError(
@@ -149,6 +150,14 @@ def candidate_lattices(
         depth = _regular(margin_mm, deepest, depth_step_mm)
         lattices.append(FaceCandidates(frame.number, x, y, depth))
     return tuple(lattices)
+
+
+def _require_flat(frame: FaceFrame) -> None:
+    if not frame.flat:
+        raise InputError(
+            f"candidate places are known under flat faces only; face {frame.number} is curved. Choose a "
+            "body of flat faces, or simulate the layouts one by one"
+        )
 
 
 def save_candidates(motions: CandidateMotions, folder: Path | str) -> None:

@@ -19,6 +19,7 @@ from jaxtyping import Bool, Float, Int
 from skfem import FacetBasis, LinearForm
 
 from design.blocks import core_keys
+from design.body import core_distance_mm
 from design.spec import ObjectSpec
 from fem.elasticity import DisplacementSpace, MixedOperators
 from fem.sparse import columns_of, rows_of, shape_of
@@ -83,9 +84,8 @@ def touches_core(
     nodes_mm: Float[np.ndarray, "node 3"], spec: ObjectSpec
 ) -> Bool[np.ndarray, "node"]:
     """Nodes where the core and its keys fill the cavity; the walls beyond it are free."""
-    half = np.asarray(spec.core_size_mm) / 2
     near = surface_tolerance_mm(spec)
-    touching = np.all(abs(nodes_mm) < half + near, axis=1)
+    touching = core_distance_mm(spec, nodes_mm) < near
     for key in core_keys(spec):
         touching |= key.holds(nodes_mm, near)
     return touching

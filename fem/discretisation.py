@@ -17,7 +17,7 @@ from skfem.models.poisson import mass
 
 from design.layouts import contact_grid
 from design.spec import ObjectSpec
-from fem.presses import press_places, surface_weights_mm2
+from fem.presses import press_face, surface_weights_mm2
 from fem.response import FaceSurface, ResponseOperator
 
 COARSENING = 1.5
@@ -137,11 +137,11 @@ def sample_presses(spec: ObjectSpec, response: ResponseOperator) -> PressSample:
     count = len(response.compliance) - response.magnet_loads.start
     arm = np.tile(np.repeat([1.0, _ROTATION_ARM_MM], 3), count // 6)
     forces, motions = [], []
-    for face, surface in enumerate(response.surfaces):
-        pressures = press_places(spec, response, face, xy, depths)
+    for face in range(len(response.surfaces)):
+        presses = press_face(spec, response, face, xy, depths)
         rows = response.compliance[response.magnet_loads, response.face_loads(face)]
-        forces.append(pressures @ surface_weights_mm2(surface))
-        motions.append(pressures @ rows.T * arm)
+        forces.append(presses.force_n)
+        motions.append(presses.vertex_mpa @ rows.T * arm)
     return PressSample(np.concatenate(forces), np.concatenate(motions))
 
 

@@ -28,11 +28,11 @@ SQUARE_OWN, HAT_OWN = 0.9505, 0.9614
 
 @dataclass(frozen=True)
 class Patches:
-    """Patches of unit pressure: area (∫ p dA per MPa), centroid, variance per axis, and the factor
-    of their shape on the compliance of each to itself."""
+    """Patches of unit pressure: area (∫ p dA per MPa), centroid in the plane or on a surface that
+    bends little, variance per axis, and the factor of their shape on each one's own compliance."""
 
     area_mm2: Float[np.ndarray, "patch"]
-    centre_mm: Float[np.ndarray, "patch 2"]
+    centre_mm: Float[np.ndarray, "patch dim"]
     variance_mm2: Float[np.ndarray, "patch"]
     own: float = SQUARE_OWN
 

@@ -8,8 +8,9 @@ from typing import Any
 import numpy as np
 from jaxtyping import Float
 
+from design.body_surface import sealed_body_surface
 from design.errors import InputError
-from design.layouts import shell_body_layout
+from design.layouts import face_frames, shell_body_layout
 from design.spec import ObjectSpec
 from design.volumes import sealed_volume_mm3
 from fem.tet_mesh import SILICONE, TetMesh, tet_volumes_mm3
@@ -21,7 +22,10 @@ MAX_MAGNET_VOLUME_ERROR = 0.03
 
 @dataclass(frozen=True)
 class MeshQuality:
-    """Counts, dihedral angles (degrees) and volumes (mm³) with their errors (relative)."""
+    """Counts, dihedral angles (degrees) and volumes (mm³) with their errors (relative).
+
+    `volume_error_limit` is what the mesh may be off by: a curved surface by the mesh's envelope.
+    """
 
     vertices: int
     tets: int
@@ -29,6 +33,7 @@ class MeshQuality:
     dihedral_5th_percentile_deg: float
     volume_mm3: float
     volume_error: float
+    volume_error_limit: float
     magnet_volume_error: float
 
     def to_dict(self) -> dict[str, Any]:
@@ -50,6 +55,7 @@ def mesh_quality(mesh: TetMesh, spec: ObjectSpec) -> MeshQuality:
         dihedral_5th_percentile_deg=float(np.percentile(angles.min(axis=1), 5)),
         volume_mm3=float(volume.sum()),
         volume_error=float(volume.sum() / exact - 1),
+        volume_error_limit=_volume_error_limit(spec),
         magnet_volume_error=float(abs(per_magnet / body - 1).max(initial=0)),
     )
 
@@ -58,7 +64,7 @@ def require_quality(quality: MeshQuality) -> None:
     """Raise InputError when a mesh is too poor to trust (slivers, lost volume, lost magnets)."""
     limits = [
         ("smallest dihedral angle (deg)", -quality.min_dihedral_deg, -MIN_DIHEDRAL_DEG),
-        ("relative volume error", abs(quality.volume_error), MAX_VOLUME_ERROR),
+        ("relative volume error", abs(quality.volume_error), quality.volume_error_limit),
         ("relative magnet volume error", quality.magnet_volume_error, MAX_MAGNET_VOLUME_ERROR),
     ]
     for what, value, limit in limits:
@@ -67,6 +73,13 @@ def require_quality(quality: MeshQuality) -> None:
                 f"the mesh fails its quality gate: {what} is {abs(value):.3g}, the limit is "
                 f"{abs(limit):g}. Change mesh.edge_mm, mesh.surface_edge_mm or mesh.envelope_mm"
             )
+
+
+def _volume_error_limit(spec: ObjectSpec) -> float:
+    if all(frame.flat for frame in face_frames(spec)):
+        return MAX_VOLUME_ERROR
+    surface = sealed_body_surface(spec)
+    return MAX_VOLUME_ERROR + spec.mesh.envelope_mm * float(surface.area / surface.volume)
 
 
 def dihedral_angles_deg(mesh: TetMesh) -> Float[np.ndarray, "tet 6"]:

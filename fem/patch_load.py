@@ -13,7 +13,7 @@ from design.spec import ObjectSpec
 from design.spec_indenter import IndenterSpec
 from fem.grasp import Tip, spread_motion
 from fem.indenter import moved, patch_cells
-from fem.presses import require_on_face
+from fem.presses import require_on_face, require_on_patch
 from fem.refined_contact import joint_compliance, refined_face, spread_cells
 from fem.response import ResponseOperator
 
@@ -58,8 +58,10 @@ def load_patches(
             raise InputError(f"face {place.face} is not a sensed face. Press one of {numbers}")
         face = refined_face(response, numbers.index(place.face), spec)
         centre = np.array([place.x_mm, place.y_mm])
-        require_on_face(face.surface, disk, centre[None])
-        spreads.append(spread_cells(face, moved(cells.patches, centre)))
+        require_on_face(face, disk, centre[None])
+        spread = spread_cells(face, moved(cells.patches, centre), centre)
+        require_on_patch(cells, spread, np.inf)
+        spreads.append(spread)
     pressure = np.full(len(spreads) * len(cells.height_mm), pressure_mpa)
     sunk = joint_compliance(response, spreads, spec) @ pressure
     area = float(cells.patches.area_mm2.sum())

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from design.layouts import face_frames
+from design.layouts import face_frame
 from design.spec import ObjectSpec
 from fem.tet_mesh import TetMesh, tetrahedralize
 
@@ -24,7 +24,7 @@ def tetrahedralize_for_press(spec: ObjectSpec, face: int, x_mm: float, y_mm: flo
     InputError
         The mesher fails, or a magnet got no element.
     """
-    frame = next(frame for frame in face_frames(spec) if frame.number == face)
+    frame = face_frame(spec, face)
     place = frame.to_object(np.array([x_mm, y_mm, 0.0]))
     radius = spec.indenter.radius_mm
     fine, coarse = spec.mesh.surface_edge_mm, max(_COARSE_EDGE_MM, spec.mesh.edge_mm)

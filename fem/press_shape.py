@@ -12,7 +12,7 @@ from skfem import Basis
 
 from design.errors import InputError
 from design.files import atomic_path
-from design.layouts import face_frames
+from design.layouts import face_frame
 from design.spec import ObjectSpec
 from fem.contact import contact_pressures
 from fem.elasticity import DisplacementSpace
@@ -111,8 +111,8 @@ def table_shapes(
 
     A hemisphere's contact is solved on the mesh's own hat functions, so that the face follows it;
     the table's contact is finer than the mesh, and its forces differ by what the mesh costs. Other
-    indenters press with the hats that stand for the table's contact: right under them the face
-    shows less depth than they have.
+    indenters, and all on curved faces, press with the hats that stand for the table's contact:
+    right under them the face shows less depth than they have.
 
     Raises
     ------
@@ -148,7 +148,8 @@ def _pressures(
 ) -> np.ndarray:
     """Hat pressures (place, vertex), MPa."""
     depth = np.array([depth_mm])
-    if spec.indenter.kind != "hemisphere":
+    frame = face_frame(spec, response.surfaces[face_index].number)
+    if spec.indenter.kind != "hemisphere" or not frame.flat:
         return press_places(spec, response, face_index, xy_mm, depth)[:, 0]
     surface, loads = response.surfaces[face_index], response.face_loads(face_index)
     radius, weights = spec.indenter.radius_mm, surface_weights_mm2(surface)
@@ -163,7 +164,7 @@ def _pressures(
 
 def face_vertices(system: ElasticSystem, spec: ObjectSpec, face: int) -> Int[np.ndarray, "vertex"]:
     """Vertices of a face in the order of its `FaceSurface`."""
-    frame = next(frame for frame in face_frames(spec) if frame.number == face)
+    frame = face_frame(spec, face)
     facets = face_facets(system.mesh, spec, frame)
     return np.unique(np.asarray(system.mesh.facets)[:, facets])
 

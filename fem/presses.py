@@ -20,12 +20,21 @@ from design.tip_shapes import footprint_mm, path_mm
 from fem.contact import contact_pressures
 from fem.core_slip import RestingShell, slipped_response, superposed
 from fem.indenter import TipCells, hemisphere_profile_mm, moved, tip_cells
-from fem.refined_contact import Spread, cells_compliance, refined_face, spread_cells, wide_block
+from fem.refined_contact import (
+    RefinedFace,
+    Spread,
+    cells_compliance,
+    place_compliance,
+    refined_face,
+    spread_cells,
+    triangle_areas_mm2,
+)
 from fem.response import FaceSurface, ResponseOperator
 from fem.results import MagnetMotions, PressForces
 
 _QUADRATURE_ORDER = 8
 _BORDER_MM = 1e-3
+_NEVER_MM = 1e3
 Progress = Callable[[str], None]
 
 
@@ -141,8 +150,8 @@ def _press_each(
 ) -> FacePresses:
     face, tip = refined_face(response, face_index, spec), tip_cells(spec.indenter)
     sideways = path_mm(spec.indenter, depths_mm)
-    require_on_face(face.surface, spec.indenter, xy_mm + sideways[-1])
-    require_on_face(face.surface, spec.indenter, xy_mm)
+    require_on_face(face, spec.indenter, xy_mm + sideways[-1])
+    require_on_face(face, spec.indenter, xy_mm)
     near = cells_compliance(tip.patches, spec)
     shape = (len(xy_mm), len(depths_mm))
     force, touched = np.zeros(shape), np.zeros(shape)
@@ -150,36 +159,35 @@ def _press_each(
     together = [np.arange(len(depths_mm))] if not sideways.any() else np.arange(shape[1])[:, None]
     for place, centre in enumerate(xy_mm):
         for steps in together:
-            spread = spread_cells(face, moved(tip.patches, centre + sideways[steps[0]]))
+            spread = spread_cells(face, moved(tip.patches, centre + sideways[steps[0]]), centre)
+            require_on_patch(tip, spread, depths_mm[steps[-1]])
             pressure = contact_pressures(
-                wide_block(spread) + near,
+                place_compliance(spread, near),
                 resting_gap_mm(tip, spread) * tip.patches.area_mm2,
                 tip.patches.area_mm2,
                 np.asarray(depths_mm)[steps],
             )
             force[place, steps] = pressure @ tip.patches.area_mm2
-            touched[place, steps] = (pressure > 0) @ tip.patches.area_mm2
+            touched[place, steps] = (pressure > 0) @ spread.patches.area_mm2
             vertex[place, steps[:, None], spread.rows] = pressure @ spread.matrix.T
     return FacePresses(force, touched, vertex)
 
 
 def resting_gap_mm(tip: TipCells, spread: Spread) -> Float[np.ndarray, "cell"]:
-    """Gap between every cell of the face and an indenter that just touches it."""
+    """Gap between every cell of the face and an indenter that just touches it.
+
+    Along the touching plane's normal; cells beside a curved patch never touch.
+    """
     gap = tip.height_mm - spread.height_mm
-    return gap - (gap.min() - tip.height_mm.min())
+    gap = gap - (np.nanmin(gap) - tip.height_mm.min())
+    return np.nan_to_num(gap, nan=_NEVER_MM)
 
 
 def surface_weights_mm2(surface: FaceSurface) -> Float[np.ndarray, "vertex"]:
     """∫ φ_i dA of every vertex: force per unit pressure."""
     weights = np.zeros(len(surface.xy_mm))
-    np.add.at(weights, surface.triangles, _triangle_areas(surface)[:, None] / 3)
+    np.add.at(weights, surface.triangles, triangle_areas_mm2(surface)[:, None] / 3)
     return weights
-
-
-def _triangle_areas(surface: FaceSurface) -> np.ndarray:
-    a, b, c = (surface.xy_mm[surface.triangles[:, k]] for k in range(3))
-    u, v = b - a, c - a
-    return abs(u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]) / 2
 
 
 def profile_moments_mm3(surface: FaceSurface, xy_mm: np.ndarray, radius_mm: float) -> np.ndarray:
@@ -191,7 +199,7 @@ def profile_moments_mm3(surface: FaceSurface, xy_mm: np.ndarray, radius_mm: floa
     hats = np.stack([1 - local.sum(axis=0), *local])  # (3, q)
     corner = surface.xy_mm[surface.triangles]  # (t, 3, 2)
     points = np.einsum("kq,tkd->tqd", hats, corner).reshape(-1, 2)
-    values = np.einsum("kq,q,t->tqk", hats, 2 * weight, _triangle_areas(surface))
+    values = np.einsum("kq,q,t->tqk", hats, 2 * weight, triangle_areas_mm2(surface))
     rows = np.repeat(surface.triangles[:, None, :], len(weight), axis=1)
     columns = np.repeat(np.arange(len(points)), 3)
     integral = sp.csr_matrix(
@@ -209,27 +217,44 @@ def profile_moments_mm3(surface: FaceSurface, xy_mm: np.ndarray, radius_mm: floa
 
 
 def require_on_face(
-    surface: FaceSurface, indenter: IndenterSpec, xy_mm: Float[np.ndarray, "place 2"]
+    face: RefinedFace, indenter: IndenterSpec, xy_mm: Float[np.ndarray, "place 2"]
 ) -> None:
-    """Raise InputError for an indenter whose outline reaches beyond the face's border.
+    """Raise InputError for an indenter whose outline reaches beyond a flat face's border.
 
-    On a slipped shell it may hang over on one side by as much as the slip.
+    On a slipped shell it may hang over on one side by as much as the slip. An indenter on a curved
+    face covers more than it touches: `require_on_patch` looks at that.
     """
-    high = abs(surface.xy_mm).max(axis=0)
-    low = -high
+    if not face.frame.flat:
+        return
+    high = abs(face.surface.xy_mm).max(axis=0)
+    low, number = -high, face.frame.number
     footprint = footprint_mm(indenter)
     size = np.ptp(footprint, axis=0)
     if (size > high - low + _BORDER_MM).any():
         raise InputError(
-            f"the indenter covers {size[0]:.4g} × {size[1]:.4g} mm, more than face {surface.number} "
+            f"the indenter covers {size[0]:.4g} × {size[1]:.4g} mm, more than face {number} "
             f"({high[0] - low[0]:.3g} × {high[1] - low[1]:.3g} mm). Use a smaller indenter"
         )
     beyond = (xy_mm + footprint[0] < low - _BORDER_MM) | (xy_mm + footprint[1] > high + _BORDER_MM)
     over = beyond.any(axis=1)
+    if face.frame.round:
+        reach = np.linalg.norm(footprint, axis=1).max() / np.sqrt(2)
+        over |= np.linalg.norm(xy_mm, axis=1) + reach > high.max() + _BORDER_MM
     if over.any():
         x, y = xy_mm[over][0]
         raise InputError(
             f"the {indenter.kind} pressed at ({x:g}, {y:g}) mm hangs over the border of face "
-            f"{surface.number} (±{high[0]:.3g}, ±{high[1]:.3g} mm). Move the press inwards, or use "
+            f"{number} (±{high[0]:.3g}, ±{high[1]:.3g} mm). Move the press inwards, or use "
             "fewer contact places or a smaller indenter"
+        )
+
+
+def require_on_patch(tip: TipCells, spread: Spread, depth_mm: float) -> None:
+    """Raise InputError where a press to a depth might touch a curved body beside the patch."""
+    if np.any(np.isnan(spread.height_mm) & (tip.height_mm < depth_mm)):
+        frame = spread.face.frame
+        raise InputError(
+            f"a press {depth_mm:g} mm deep leaves the patch of face {frame.number} (±"
+            f"{frame.half_extents_mm[0]:.4g}, ±{frame.half_extents_mm[1]:.4g} mm, up to 60° steep). "
+            "Press nearer to its centre or less deep, or use a smaller indenter"
         )

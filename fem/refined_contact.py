@@ -14,22 +14,27 @@ scatter on the real object. Within a triangle of the face's border the half-spac
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import scipy.sparse as sp
 from jaxtyping import Float, Int
 from scipy.spatial import Delaunay
 
+from design.layouts import FaceFrame, face_frame
 from design.spec import ObjectSpec
 from fem.half_space import HAT_OWN, Patches, normal_compliance
 from fem.response import FaceSurface, ResponseOperator
+
+_FAR_MM = 1e3
+"""Where cells are put that miss the face."""
 
 
 @dataclass(frozen=True)
 class RefinedFace:
     """One face with the part of its compliance that finite elements keep, C_fem − H_hats."""
 
+    frame: FaceFrame
     surface: FaceSurface
     index: int
     hats: Patches
@@ -42,7 +47,9 @@ class RefinedFace:
 class Spread:
     """Cells of unit pressure on one face, and the pressures of hats that stand for them.
 
-    `matrix` (row, cell) for the face's vertices `rows`; `height_mm` is the face's own at the cells.
+    `patches` lie on the face. `matrix` (row, cell) is for the face's vertices `rows`; `height_mm` is
+    the face's own over the plane that touches it where the indenter lands, `cosine` that of how it
+    leans there; both are NaN beside the patch.
     """
 
     face: RefinedFace
@@ -50,6 +57,7 @@ class Spread:
     rows: Int[np.ndarray, "row"]
     matrix: Float[np.ndarray, "row cell"]
     height_mm: Float[np.ndarray, "cell"]
+    cosine: Float[np.ndarray, "cell"]
 
 
 def refined_face(response: ResponseOperator, index: int, spec: ObjectSpec) -> RefinedFace:
@@ -57,29 +65,62 @@ def refined_face(response: ResponseOperator, index: int, spec: ObjectSpec) -> Re
     surface, loads = response.surfaces[index], response.face_loads(index)
     hats = hat_patches(surface)
     wide = np.asarray(response.compliance[loads, loads]) - cells_compliance(hats, spec)
-    return RefinedFace(surface, index, hats, wide, hat_narrowing(surface), Delaunay(surface.xy_mm))
+    frame, around = face_frame(spec, surface.number), Delaunay(surface.xy_mm)
+    return RefinedFace(frame, surface, index, hats, wide, hat_narrowing(surface), around)
 
 
-def spread_cells(face: RefinedFace, patches: Patches) -> Spread:
-    """Share every cell's force among the hats around it."""
-    vertices, share = _barycentric(face.triangulation, patches.centre_mm)
+def spread_cells(face: RefinedFace, patches: Patches, place_mm: Float[np.ndarray, "2"]) -> Spread:
+    """Share every cell's force among the hats around it.
+
+    `patches` lie in the plane that touches the face at `place_mm`, called by the place's own x, y.
+    """
+    on_face, height, cosine = _onto_face(face.frame, patches.centre_mm, place_mm)
+    missed = ~np.isfinite(height)
+    vertices, share = _barycentric(face.triangulation, np.where(missed[:, None], 0, on_face)[:, :2])
+    area = patches.area_mm2 / np.where(missed, 1, cosine)
+    force = share * (area * ~missed)[:, None] / face.hats.area_mm2[vertices]
     cells = np.arange(len(vertices))
-    force = share * patches.area_mm2[:, None] / face.hats.area_mm2[vertices]
     entries = (force.ravel(), (vertices.ravel(), np.repeat(cells, 3)))
     shared = sp.csc_matrix(entries, shape=(len(face.hats.area_mm2), len(cells)))
     narrowed = sp.csc_matrix(face.narrowing @ shared)
     rows = np.unique(narrowed.indices)
     matrix = sp.csr_matrix(narrowed)[rows].toarray()
-    height = np.zeros(len(cells))
     if face.surface.height_mm is not None:
-        height = np.sum(share * face.surface.height_mm[vertices], axis=1)
-    return Spread(face, patches, rows, matrix, height)
+        height = height + np.sum(share * face.surface.height_mm[vertices], axis=1)
+    beside = np.column_stack([patches.centre_mm, np.full(len(cells), _FAR_MM)])
+    lying = replace(patches, area_mm2=area, centre_mm=np.where(missed[:, None], beside, on_face))
+    return Spread(face, lying, rows, matrix, height, cosine)
+
+
+def _onto_face(
+    frame: FaceFrame, xy_mm: np.ndarray, place_mm: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Points of the touching plane on the face (in its frame), how much higher, how it leans."""
+    flat = np.column_stack([xy_mm, np.zeros(len(xy_mm))])
+    if frame.flat:
+        return flat, np.zeros(len(flat)), np.ones(len(flat))
+    tangent = frame.tangent(place_mm)
+    points = tangent.to_object(flat)
+    on_face = frame.onto(points, tangent.normal)
+    on_face[~frame.covers(np.nan_to_num(on_face[:, :2], nan=np.inf))] = np.nan
+    height = (on_face - frame.in_plane(points)) @ (tangent.normal @ frame.axes)
+    return on_face, height, frame.axes_at(on_face[:, :2])[..., 2] @ tangent.normal
 
 
 def wide_block(spread: Spread) -> Float[np.ndarray, "cell cell"]:
     """Pᵀ (C_fem − H_hats) P: what H of the cells, the same wherever they lie, is added to."""
     inner = spread.face.wide_compliance[np.ix_(spread.rows, spread.rows)]
     return spread.matrix.T @ inner @ spread.matrix
+
+
+def place_compliance(
+    spread: Spread, near: Float[np.ndarray, "cell cell"]
+) -> Float[np.ndarray, "cell cell"]:
+    """Compliance of one indenter's cells; `near` is H of them in the touching plane."""
+    if spread.face.frame.flat:
+        return wide_block(spread) + near
+    lean = 1 / np.nan_to_num(spread.cosine, nan=1.0)
+    return wide_block(spread) + near * np.multiply.outer(lean, lean)
 
 
 def cells_compliance(patches: Patches, spec: ObjectSpec) -> Float[np.ndarray, "cell cell"]:
@@ -112,10 +153,10 @@ def joint_compliance(
 
 def hat_patches(surface: FaceSurface) -> Patches:
     """Area, centroid and variance of the hat function of every vertex."""
-    corner = surface.xy_mm[surface.triangles]
-    area = _triangle_areas(surface)
+    corner = surface.points_mm[surface.triangles]
+    area = triangle_areas_mm2(surface)
     count = len(surface.xy_mm)
-    weights, first, second = np.zeros(count), np.zeros((count, 2)), np.zeros(count)
+    weights, first, second = np.zeros(count), np.zeros((count, 3)), np.zeros(count)
     total, squares = corner.sum(axis=1), np.sum(corner**2, axis=(1, 2))
     for k in range(3):
         own = corner[:, k]
@@ -132,7 +173,7 @@ def hat_narrowing(surface: FaceSurface) -> sp.csc_matrix:
     """2 − W⁻¹ M: keeps every force and its place, and takes back one smoothing by the hats."""
     corner = surface.triangles
     count = len(surface.xy_mm)
-    area = _triangle_areas(surface)
+    area = triangle_areas_mm2(surface)
     values = area[:, None] * ((np.ones((3, 3)) + np.eye(3)) / 12).ravel()
     entries = (values.ravel(), (np.repeat(corner, 3, axis=1).ravel(), np.tile(corner, 3).ravel()))
     mass = sp.csc_matrix(entries, shape=(count, count))
@@ -141,10 +182,10 @@ def hat_narrowing(surface: FaceSurface) -> sp.csc_matrix:
     )
 
 
-def _triangle_areas(surface: FaceSurface) -> np.ndarray:
-    a, b, c = (surface.xy_mm[surface.triangles[:, k]] for k in range(3))
-    u, v = b - a, c - a
-    return abs(u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]) / 2
+def triangle_areas_mm2(surface: FaceSurface) -> Float[np.ndarray, "triangle"]:
+    """Areas of a face's triangles."""
+    a, b, c = (surface.points_mm[surface.triangles[:, k]] for k in range(3))
+    return np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
 
 
 def _barycentric(triangulation: Delaunay, xy_mm: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -48,15 +48,23 @@ LOCKING_WARNING = (
 
 @dataclass(frozen=True)
 class FaceSurface:
-    """Triangulation of one sensed face: vertices (x, y) in the face's frame and triangles.
+    """Triangulation of one sensed face: places (x, y) of its vertices and triangles.
 
-    `height_mm` is how far the vertices lie above the face at rest; None where it is flat.
+    `relief_mm` is the height of a curved face at the vertices over its frame's plane; `height_mm` is
+    how far they lie above the face at rest, on a slipped shell. None where there is none.
     """
 
     number: int
     xy_mm: Float[np.ndarray, "vertex 2"]
     triangles: Int[np.ndarray, "triangle 3"]
     height_mm: Float[np.ndarray, "vertex"] | None = None
+    relief_mm: Float[np.ndarray, "vertex"] | None = None
+
+    @property
+    def points_mm(self) -> Float[np.ndarray, "vertex 3"]:
+        """The vertices at rest in the face's frame, without slip."""
+        height = np.zeros(len(self.xy_mm)) if self.relief_mm is None else self.relief_mm
+        return np.column_stack([self.xy_mm, height])
 
 
 @dataclass(frozen=True)
@@ -168,24 +176,29 @@ def face_pressure_loads(
     """Nodal forces of unit P1 pressures, acting inwards, at the vertices of every face."""
     surfaces, loads = [], []
     for frame in face_frames(spec):
-        surface, moments = face_surface(space, face_facets(space.mesh, spec, frame), frame)
+        facets = face_facets(space.mesh, spec, frame)
+        surface, moments = face_surface(space, facets, frame)
         surfaces.append(surface)
-        loads.append(rows_of([-component * moments for component in frame.normal]))
+        if frame.flat:
+            loads.append(rows_of([-component * moments for component in frame.normal]))
+        else:
+            loads.append(rows_of(_curved_moments(space, facets, frame)))
     return tuple(surfaces), columns_of(loads)
 
 
 def face_facets(mesh: MeshTet, spec: ObjectSpec, frame: FaceFrame) -> Int[np.ndarray, "facet"]:
-    """Boundary facets that lie in one sensed face."""
+    """Boundary facets that lie in one sensed face; patches of a curved body overlap."""
     boundary = mesh.boundary_facets()
     corner = np.moveaxis(mesh.p[:, np.asarray(mesh.facets)[:, boundary]], 0, -1)
-    height = np.asarray(frame.from_object(corner)[..., 2])
-    return boundary[np.all(abs(height) < surface_tolerance_mm(spec), axis=0)]
+    local = np.asarray(frame.from_object(corner))
+    close = abs(local[..., 2]) < surface_tolerance_mm(spec)
+    return boundary[np.all(close & (frame.flat | frame.covers(local[..., :2])), axis=0)]
 
 
 def face_surface(
     space: DisplacementSpace, facets: np.ndarray, frame: FaceFrame
 ) -> tuple[FaceSurface, sp.csc_matrix]:
-    """Surface of some flat boundary facets, and ∫ φ_i v dA of P1 pressures against the space's nodes.
+    """Surface of some boundary facets, and ∫ φ_i v dA of P1 pressures against the space's nodes.
 
     Shape of the moments: (node, vertex), mm².
     """
@@ -195,7 +208,25 @@ def face_surface(
     vertices, triangles = np.unique(np.asarray(mesh.facets)[:, facets], return_inverse=True)
     moments = _normal_product.assemble(pressure, displacement).tocsc()[:, vertices]
     xy = np.asarray(frame.from_object(mesh.p[:, vertices].T)[:, :2])
-    return FaceSurface(frame.number, xy, triangles.reshape(3, -1).T), moments
+    relief = None if frame.flat else frame.relief.at(xy)[0]
+    surface = FaceSurface(frame.number, xy, triangles.reshape(3, -1).T, relief_mm=relief)
+    return surface, moments
+
+
+def _curved_moments(
+    space: DisplacementSpace, facets: np.ndarray, frame: FaceFrame
+) -> list[sp.csc_matrix]:
+    """∫ −n_k φ_i v dA for the components k of the surface's own normal, not of its triangles'."""
+    mesh = space.mesh
+    displacement = FacetBasis(mesh, space.displacement.elem, facets=facets, intorder=4)
+    pressure = FacetBasis(mesh, ElementTetP1(), facets=facets, intorder=4)
+    vertices = np.unique(np.asarray(mesh.facets)[:, facets])
+    points = np.moveaxis(np.asarray(displacement.global_coordinates()), 0, -1)
+    inward = -frame.axes_at(frame.from_object(points)[..., :2])[..., 2]
+    return [
+        _weighted_product.assemble(pressure, displacement, weight=part).tocsc()[:, vertices]
+        for part in np.moveaxis(inward, -1, 0)
+    ]
 
 
 def save_response(response: ResponseOperator, folder: Path | str) -> None:
@@ -210,6 +241,8 @@ def save_response(response: ResponseOperator, folder: Path | str) -> None:
     for surface in response.surfaces:
         arrays[f"xy_mm_{surface.number}"] = surface.xy_mm
         arrays[f"triangles_{surface.number}"] = surface.triangles
+        if surface.relief_mm is not None:
+            arrays[f"relief_mm_{surface.number}"] = surface.relief_mm
     if response.core is not None:
         arrays |= {f"core_{f.name}": getattr(response.core, f.name) for f in fields(CoreContact)}
     with atomic_path(folder / "surfaces.npz") as temporary, temporary.open("wb") as stream:
@@ -222,7 +255,13 @@ def load_response(folder: Path | str) -> ResponseOperator:
     compliance = np.load(folder / "compliance.npy", mmap_mode="r", allow_pickle=False)
     with np.load(folder / "surfaces.npz", allow_pickle=False) as data:
         surfaces = tuple(
-            FaceSurface(int(n), data[f"xy_mm_{n}"], data[f"triangles_{n}"]) for n in data["faces"]
+            FaceSurface(
+                int(n),
+                data[f"xy_mm_{n}"],
+                data[f"triangles_{n}"],
+                relief_mm=data.get(f"relief_mm_{n}"),
+            )
+            for n in data["faces"]
         )
         unknowns, negative = (int(count) for count in data["counts"])
         names = [f.name for f in fields(CoreContact)]
@@ -250,6 +289,11 @@ def _motion_basis(mesh: TetMesh, space: DisplacementSpace, spec: ObjectSpec) -> 
 @BilinearForm
 def _normal_product(pressure, displacement, _):
     return pressure * displacement
+
+
+@BilinearForm
+def _weighted_product(pressure, displacement, w):
+    return w.weight * pressure * displacement
 
 
 def _require_inertia(negative_pivots: int, pressures: int) -> None:

@@ -58,12 +58,18 @@ def simulate_shear(
     Raises
     ------
     InputError
-        A core that slides or has slipped (superposition fails there), or a tip over the border.
+        A core that slides or has slipped (superposition fails there), a curved face, or a tip over
+        the border.
     """
     if spec.mechanics.interface != "bonded" or spec.mechanics.slip.slipped:
         raise InputError(
             "tangential forces are simulated on a bonded core that has not slipped. Set "
             "mechanics.interface = 'bonded' and leave mechanics.slip out"
+        )
+    if not all(frame.flat for frame in face_frames(spec)):
+        raise InputError(
+            f"tangential forces are simulated on flat faces only; body.kind is {spec.body.kind!r}. "
+            "Leave shear out, or choose a body of flat faces"
         )
     grid, depths = contact_grid(spec), np.asarray(spec.press.depths_mm)
     faces = []

@@ -156,8 +156,8 @@ def _require_hemisphere(spec: ObjectSpec) -> None:
 def require_press(
     spec: ObjectSpec, face: int, x_mm: float, y_mm: float, depths_mm: Sequence[float]
 ) -> None:
-    """Raise InputError for another element, core or indenter, an unknown face, a tip over the border,
-    or bad depths."""
+    """Raise InputError for another element, core or indenter, an unknown or curved face, a tip over
+    the border, or bad depths."""
     _require_hemisphere(spec)
     if spec.mechanics.element != "taylor-hood":
         raise InputError(
@@ -168,6 +168,11 @@ def require_press(
     frames = {frame.number: frame for frame in face_frames(spec)}
     if face not in frames:
         raise InputError(f"face {face} is not sensed. Choose one of {sorted(frames)}")
+    if not frames[face].flat:
+        raise InputError(
+            f"large deformation is known on flat faces only; face {face} is curved. Press with small "
+            "strain: `instobj press --material linear`"
+        )
     radius = spec.indenter.radius_mm
     half_x, half_y = frames[face].half_extents_mm
     if not (abs(x_mm) + radius <= half_x and abs(y_mm) + radius <= half_y):

@@ -1,7 +1,7 @@
 """Closed triangle surfaces that the tetrahedral mesh must follow.
 
 The sealed body (pockets full of silicone), every magnet or sensor board in it as a prism of equal
-volume, and a thin ring inside the wall that puts mesh edges on the line where the core's support ends.
+volume, and thin rings inside the wall that put mesh edges on the line where the core's support ends.
 """
 
 from __future__ import annotations
@@ -11,51 +11,26 @@ from typing import TYPE_CHECKING
 import numpy as np
 from jaxtyping import Bool, Float
 
-from design.blocks import Block, core_keys, relief_slits
+from design.body_surface import sealed_body_surface, support_rings
 from design.layouts import ShellBodies, shell_body_layout
 from design.spec import ObjectSpec
 
 if TYPE_CHECKING:
     import trimesh
 
-_OVERSHOOT_MM = 1.0
-_SUPPORT_RING_MM = 2.0
-
 
 def all_surfaces(spec: ObjectSpec, magnets: bool = True) -> trimesh.Trimesh:
-    """Body, magnets (or none) and support ring in one object, each still closed by itself."""
+    """Body, magnets (or none) and support rings in one object, each still closed by itself."""
     import trimesh
 
     prisms = body_surfaces(spec) if magnets else []
-    surfaces = [sealed_body_surface(spec), *prisms, support_ring_surface(spec)]
+    surfaces = [sealed_body_surface(spec), *prisms, *support_rings(spec)]
     start = np.cumsum([0, *(len(surface.vertices) for surface in surfaces)])
     return trimesh.Trimesh(
         np.concatenate([surface.vertices for surface in surfaces]),
         np.concatenate([s.faces + first for s, first in zip(surfaces, start, strict=False)]),
         process=False,
     )
-
-
-def sealed_body_surface(spec: ObjectSpec) -> trimesh.Trimesh:
-    """Outer box less the cavity, which runs from the core's top out through the open face.
-
-    Keys of the core widen the cavity, and relief slits are left out.
-    """
-    import trimesh
-
-    outer = trimesh.creation.box(spec.body.size_mm)
-    core_x, core_y, core_z = spec.core_size_mm
-    bottom = -spec.body.size_mm[2] / 2 - _OVERSHOOT_MM
-    cavity = trimesh.creation.box((core_x, core_y, core_z / 2 - bottom))
-    cavity.apply_translation((0, 0, (core_z / 2 + bottom) / 2))
-    left_out = [cavity, *(_block(block) for block in (*core_keys(spec), *relief_slits(spec)))]
-    return trimesh.boolean.difference([outer, *left_out])
-
-
-def _block(block: Block) -> trimesh.Trimesh:
-    import trimesh
-
-    return trimesh.creation.box(2 * block.half_mm, _placed(block.axes, block.centre_mm))
 
 
 def body_surfaces(spec: ObjectSpec) -> list[trimesh.Trimesh]:
@@ -79,19 +54,6 @@ def in_body(
     edge = np.roll(corner, -1, axis=0) - corner
     left = edge[:, :1] * (y - corner[:, 1:]) - edge[:, 1:] * (x - corner[:, :1])
     return (left > 0).all(axis=0) & (abs(z) < layout.height_mm / 2)
-
-
-def support_ring_surface(spec: ObjectSpec) -> trimesh.Trimesh:
-    """Closed ring in the cavity wall, from the end of the core a little towards the open face."""
-    import trimesh
-
-    core_x, core_y, core_z = spec.core_size_mm
-    width = min(_SUPPORT_RING_MM, spec.shell.thickness_mm / 3)
-    outer = trimesh.creation.box((core_x + 2 * width, core_y + 2 * width, width))
-    inner = trimesh.creation.box((core_x, core_y, 2 * width))
-    ring = outer.difference(inner)
-    ring.apply_translation((0, 0, -core_z / 2 - width / 2))
-    return ring
 
 
 def _prism(corners_mm: np.ndarray, height_mm: float) -> trimesh.Trimesh:

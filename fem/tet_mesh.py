@@ -16,7 +16,7 @@ from jaxtyping import Float, Int
 
 from design.errors import InputError
 from design.files import atomic_path
-from design.layouts import shell_body_layout
+from design.layouts import face_frames, shell_body_layout
 from design.spec import ObjectSpec
 from fem.surfaces import all_surfaces, in_body
 
@@ -158,10 +158,12 @@ def _edge_length_field(spec: ObjectSpec, edge_length: EdgeLength | None = None) 
 
 def _fine_under_all_faces(spec: ObjectSpec, points_mm: np.ndarray) -> np.ndarray:
     """Fine under the sensed faces, coarse in the bulk."""
-    half = np.asarray(spec.body.size_mm) / 2
-    depth = half - abs(points_mm)
-    depth[:, 2] = half[2] - points_mm[:, 2]  # the open face −z is not pressed
-    below = np.clip(depth.min(axis=1) - _FINE_LAYER_MM, 0, None) / (spec.shell.thickness_mm / 2)
+    below = np.full(len(points_mm), np.inf)
+    for frame in face_frames(spec):
+        local = frame.from_object(points_mm)
+        under = frame.flat | frame.covers(local[:, :2])
+        below = np.minimum(below, np.where(under, -local[:, 2], np.inf))
+    below = np.clip(below - _FINE_LAYER_MM, 0, None) / (spec.shell.thickness_mm / 2)
     fine, coarse = spec.mesh.surface_edge_mm, spec.mesh.edge_mm
     return fine + (coarse - fine) * np.clip(below, 0, 1)
 

@@ -16,6 +16,7 @@ import scipy.sparse as sp
 from jaxtyping import Float
 from scipy.spatial import Delaunay
 
+from design.errors import InputError
 from design.layouts import FaceFrame, face_frames, shell_body_layout
 from design.spec import ObjectSpec
 from fem.factorization import compliance_of_loads
@@ -46,13 +47,20 @@ def traction_response(
 
     Raises
     ------
+    InputError
+        A curved face.
     SingularSystemError
         The matrix could not be factored.
     """
     system = elastic_system(mesh, spec)
     frames = {frame.number: frame for frame in face_frames(spec)}
+    for number in set(faces):
+        _require_flat(frames[number])
     surfaces = {number: _surface(system, spec, frames[number]) for number in set(faces)}
-    spreads = [spread_cells(surfaces[n][0], group) for n, group in zip(faces, groups, strict=True)]
+    centre = np.zeros(2)
+    spreads = [
+        spread_cells(surfaces[n][0], group, centre) for n, group in zip(faces, groups, strict=True)
+    ]
     tractions = [
         columns_of(
             [
@@ -83,8 +91,16 @@ def _surface(
     unused = np.zeros((0, 0))
     hats = hat_patches(surface)
     narrowing = hat_narrowing(surface)
-    face = RefinedFace(surface, frame.number, hats, unused, narrowing, Delaunay(surface.xy_mm))
-    return face, moments
+    around = Delaunay(surface.xy_mm)
+    return RefinedFace(frame, surface, frame.number, hats, unused, narrowing, around), moments
+
+
+def _require_flat(frame: FaceFrame) -> None:
+    if not frame.flat:
+        raise InputError(
+            f"face {frame.number} is curved, and friction is known on flat faces only. Set "
+            "indenter.friction = 'none', or press a flat face"
+        )
 
 
 def _traction(frame: FaceFrame, direction: int, moments: sp.csc_matrix) -> sp.csr_matrix:

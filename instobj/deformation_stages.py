@@ -48,7 +48,8 @@ def make_shapes(context: StageContext, folder: Path) -> None:
         name = f"face_{frame.number}_{x:g}_{y:g}"
         save_deformed_shape(shape, folder / "shapes" / f"{name}.vtu")
         title = f"Face {frame.number}, ({x:g}, {y:g}) mm, {depth:g} mm deep, small strain"
-        panels.append(SectionPanel(title, shape, frame, (x, y), depth, tip_radius_mm(spec)))
+        tangent = frame.tangent(np.array([x, y]))
+        panels.append(SectionPanel(title, shape, tangent, (x, y), depth, tip_radius_mm(spec)))
     draw_sections(panels, folder / "shapes" / "section.png")
 
 

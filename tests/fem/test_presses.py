@@ -47,7 +47,7 @@ def test_contact_conditions_hold_at_every_press(rigid_spec, rigid_response):
     area = tip.patches.area_mm2
     for index, place in ((0, (3.3, -4.7)), (3, (-11.0, 8.0))):
         face = refined_face(rigid_response, index, rigid_spec)
-        spread = spread_cells(face, moved(tip.patches, np.array(place)))
+        spread = spread_cells(face, moved(tip.patches, np.array(place)), np.array(place))
         compliance = wide_block(spread) + cells_compliance(tip.patches, rigid_spec)
         for pressure, depth in zip(
             contact_pressures(compliance, tip.height_mm * area, area, DEPTHS), DEPTHS, strict=True
@@ -68,7 +68,7 @@ def test_hats_that_stand_for_the_contact_have_its_force_and_its_place(rigid_spec
     weights = surface_weights_mm2(surface)
     assert_allclose(presses.vertex_mpa @ weights, presses.force_n, rtol=1e-10)
     middle = (presses.vertex_mpa * weights) @ surface.xy_mm / presses.force_n[..., None]
-    assert abs(middle - xy[:, None]).max() < 0.35  # magnets below one side draw the pressure
+    assert abs(middle - xy[:, None]).max() < 0.5  # magnets below one side draw the pressure
 
 
 def test_the_tip_s_profile_is_integrated_against_the_hats(rigid_response):

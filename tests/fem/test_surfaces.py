@@ -4,15 +4,10 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from design.body_surface import sealed_body_surface, support_rings
 from design.layouts import magnet_layout, shell_body_layout
 from design.spec import BodySpec, MagnetSpec, MeshSpec, ObjectSpec, ShellSpec
-from fem.surfaces import (
-    all_surfaces,
-    body_surfaces,
-    in_body,
-    sealed_body_surface,
-    support_ring_surface,
-)
+from fem.surfaces import all_surfaces, body_surfaces, in_body
 from fem.tet_mesh import _edge_length_field
 
 PAPER = ObjectSpec(name="paper")
@@ -97,7 +92,7 @@ def test_all_surfaces_are_closed_and_point_outwards(spec):
 
 @BOTH
 def test_the_support_ring_has_an_edge_where_the_core_ends(spec):
-    ring = support_ring_surface(spec)
+    (ring,) = support_rings(spec)
     core = np.array(spec.core_size_mm)
     assert_allclose(ring.bounds[1, 2], -core[2] / 2, rtol=0, atol=1e-12)
     corners = {tuple(np.round(vertex, 9)) for vertex in ring.vertices}
@@ -109,7 +104,7 @@ def test_the_support_ring_has_an_edge_where_the_core_ends(spec):
 
 @BOTH
 def test_the_ring_lies_wholly_in_the_silicone(spec):
-    body, ring = sealed_body_surface(spec), support_ring_surface(spec)
+    body, (ring,) = sealed_body_surface(spec), support_rings(spec)
     assert_allclose(body.intersection(ring).volume, ring.volume, rtol=1e-9)
 
 

@@ -9,12 +9,13 @@ from scipy.spatial.transform import Rotation
 from skfem import MeshTet
 from small_object import small_spec
 
+from design.body_surface import sealed_body_surface
 from design.layouts import magnet_layout, shell_body_layout
 from fem.elasticity import assemble, saddle_point_matrix, taylor_hood
 from fem.factorization import solve_symmetric
 from fem.magnets import rigid_motion_basis
 from fem.material import lame_constants
-from fem.surfaces import body_surfaces, in_body, sealed_body_surface
+from fem.surfaces import body_surfaces, in_body
 
 SPEC = small_spec()
 TURN = Rotation.from_rotvec([0.4, -0.7, 0.9])

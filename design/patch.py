@@ -1,0 +1,157 @@
+"""A patch of the body's surface: a frame, and how high the surface lies over the frame's plane.
+
+A place (x, y) of a patch is where the line through it along the frame's normal meets the surface;
+a point at (x, y, h) lies h above that place, along the surface's own normal there. A flat face is
+the patch whose surface is its plane.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from typing import Protocol, runtime_checkable
+
+import numpy as np
+from jaxtyping import Float
+
+_MAX_ITERATIONS = 60
+_CONVERGED_MM = 1e-10
+_LARGEST_SQUARE = 0.97
+"""Of x²/a² + y²/b²: a cap is known up to a slope of 80°."""
+
+
+@runtime_checkable
+class Relief(Protocol):
+    """Height of a surface over a frame's plane."""
+
+    def at(
+        self, xy_mm: Float[np.ndarray, "*n 2"]
+    ) -> tuple[Float[np.ndarray, "*n"], Float[np.ndarray, "*n 2"]]:
+        """Height (mm) and its slopes along x and y; NaN where the patch does not reach."""
+        ...
+
+
+@dataclass(frozen=True)
+class Cap:
+    """Cap of an ellipsoid at the end of its third semi-axis; straight where one is infinite.
+
+    c(√(1 − x²/a² − y²/b²) − 1): a plane has a = b = ∞, a cylinder one of them, a sphere a = b = c.
+    """
+
+    semi_axes_mm: tuple[float, float, float] = (np.inf, np.inf, 1.0)
+
+    def at(
+        self, xy_mm: Float[np.ndarray, "*n 2"]
+    ) -> tuple[Float[np.ndarray, "*n"], Float[np.ndarray, "*n 2"]]:
+        across, c = np.asarray(self.semi_axes_mm[:2]), self.semi_axes_mm[2]
+        square = np.sum((xy_mm / across) ** 2, axis=-1)
+        root = np.asarray(np.sqrt(1 - np.where(square <= _LARGEST_SQUARE, square, np.nan)))
+        return np.asarray(c * (root - 1)), -c * xy_mm / across**2 / root[..., None]
+
+
+@dataclass(frozen=True)
+class FaceFrame:
+    """One sensed face: its number, orthonormal axes, centre, half extents (mm) and relief.
+
+    The axes are those of the frame's plane, which touches the surface at the centre. A `round`
+    face is an ellipse of its half extents, else a rectangle.
+    """
+
+    number: int
+    normal: Float[np.ndarray, "3"]
+    x: Float[np.ndarray, "3"]
+    y: Float[np.ndarray, "3"]
+    centre_mm: Float[np.ndarray, "3"]
+    half_extents_mm: tuple[float, float]
+    relief: Relief = field(default_factory=Cap)
+    round: bool = False
+
+    @property
+    def flat(self) -> bool:
+        """Whether the surface is the frame's plane."""
+        return self.relief == Cap()
+
+    @property
+    def axes(self) -> Float[np.ndarray, "3 3"]:
+        """Rotation whose columns are x, y, n: face coordinates to object coordinates."""
+        return np.column_stack([self.x, self.y, self.normal])
+
+    def axes_at(self, xy_mm: Float[np.ndarray, "*n 2"]) -> Float[np.ndarray, "*n 3 3"]:
+        """The same at places: n normal to the surface there, x in the plane of x and n."""
+        _, slope = self.relief.at(np.asarray(xy_mm, float))
+        return self.axes @ _local_axes(slope)
+
+    def to_object(self, xyz_mm: Float[np.ndarray, "*n 3"]) -> Float[np.ndarray, "*n 3"]:
+        """Points given as (x, y, height above the surface) in mm, in the object's frame."""
+        xyz = np.asarray(xyz_mm, float)
+        height, slope = self.relief.at(xyz[..., :2])
+        local = np.concatenate([xyz[..., :2], height[..., None]], axis=-1)
+        return self.centre_mm + (local + xyz[..., 2:] * _normals(slope)) @ self.axes.T
+
+    def in_plane(self, points_mm: Float[np.ndarray, "*n 3"]) -> Float[np.ndarray, "*n 3"]:
+        """(x, y, height over the frame's plane) of points in the object's frame."""
+        return (np.asarray(points_mm, float) - self.centre_mm) @ self.axes
+
+    def from_object(self, points_mm: Float[np.ndarray, "*n 3"]) -> Float[np.ndarray, "*n 3"]:
+        """Inverse of `to_object`, by the foot of each point on the surface; NaN beside the patch."""
+        local = self.in_plane(points_mm)
+        xy, above = local[..., :2], local[..., 2] * np.nan
+        for _ in range(_MAX_ITERATIONS):
+            before = xy
+            height, slope = self.relief.at(xy)
+            normal = _normals(slope)
+            above = (local[..., 2] - height) * normal[..., 2]
+            xy = local[..., :2] - above[..., None] * normal[..., :2]
+            if not np.any(abs(xy - before) > _CONVERGED_MM):
+                break
+        return np.concatenate([xy, above[..., None]], axis=-1)
+
+    def covers(self, xy_mm: Float[np.ndarray, "*n 2"]) -> np.ndarray:
+        """Whether places lie within the half extents."""
+        share = np.asarray(xy_mm) / np.asarray(self.half_extents_mm)
+        size = np.sum(share**2, axis=-1) if self.round else np.max(abs(share), axis=-1)
+        return size <= 1 + 1e-9
+
+    def tangent(self, xy_mm: Float[np.ndarray, "2"]) -> FaceFrame:
+        """The flat face that touches this one at a place and calls the place (x, y) too."""
+        xy = np.asarray(xy_mm, float)
+        axes = self.axes_at(xy)
+        origin = self.to_object(np.append(xy, 0.0)) - axes[:, :2] @ xy
+        x, y, normal = axes.T
+        return replace(self, normal=normal, x=x, y=y, centre_mm=origin, relief=Cap())
+
+    def onto(
+        self, points_mm: Float[np.ndarray, "n 3"], along: Float[np.ndarray, "3"]
+    ) -> Float[np.ndarray, "n 3"]:
+        """Where lines through points along a direction (out of the surface) meet the surface.
+
+        In the coordinates of `in_plane`; NaN where they miss the patch. Newton from outside, which
+        converges from one side on a convex surface.
+        """
+        start, direction = self.in_plane(points_mm), along @ self.axes
+        offset = np.zeros(len(start))
+        for _ in range(_MAX_ITERATIONS):
+            point = start + offset[:, None] * direction
+            height, slope = self.relief.at(point[:, :2])
+            rise = direction[2] - slope @ direction[:2]
+            step = (point[:, 2] - height) / np.where(rise > 0, rise, np.nan)
+            offset = offset - step
+            if not np.any(abs(step) > _CONVERGED_MM):
+                break
+        else:
+            offset = np.where(abs(step) > _CONVERGED_MM, np.nan, offset)
+        return start + offset[:, None] * direction
+
+
+def _normals(slope: Float[np.ndarray, "*n 2"]) -> Float[np.ndarray, "*n 3"]:
+    """Outward normals of a surface of those slopes, in its frame."""
+    rise = np.concatenate([-slope, np.ones((*slope.shape[:-1], 1))], axis=-1)
+    return rise / np.linalg.norm(rise, axis=-1, keepdims=True)
+
+
+def _local_axes(slope: Float[np.ndarray, "*n 2"]) -> Float[np.ndarray, "*n 3 3"]:
+    """Axes as columns: along the surface above x, across it, and its normal."""
+    normal = _normals(slope)
+    zero, one = np.zeros(slope.shape[:-1]), np.ones(slope.shape[:-1])
+    x = np.stack([one, zero, slope[..., 0]], axis=-1)
+    x = x / np.linalg.norm(x, axis=-1, keepdims=True)
+    return np.stack([x, np.cross(normal, x), normal], axis=-1)
