@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -113,7 +113,7 @@ def board_messages(
         yield found
 
 
-def serial_chunks(port: str, baud: int = BAUD, timeout_s: float = _SLICE_S) -> Iterator[bytes]:
+def serial_chunks(port: str, baud: int = BAUD, timeout_s: float = _SLICE_S) -> Generator[bytes]:
     """Bytes from a serial port as they come; empty after `timeout_s` without any.
 
     Asks for the header at the start (`?`), which the board may also send by itself.
@@ -148,7 +148,7 @@ def _ports() -> str:
     return f"Ports found: {names or 'none'}; on Linux you must belong to the group dialout"
 
 
-def replay_chunks(table: RawTable, speed: float) -> Iterator[bytes]:
+def replay_chunks(table: RawTable, speed: float) -> Generator[bytes]:
     """A recording as the lines that a board would have sent.
 
     `speed` 1 keeps its own times, 2 is twice as fast, 0 as fast as possible.

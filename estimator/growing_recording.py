@@ -45,7 +45,7 @@ class GrowingRecording:
                 f"{self.path} has {len(self.columns)} columns; got {len(values)} values. Give a "
                 "file of its own to another board"
             )
-        line = ",".join(cell_text(float(value)) for value in values) + "\n"
+        line = ",".join(map(cell_text, values)) + "\n"
         try:
             os.write(self._handle, line.encode())
             if time.monotonic() - self._synced_s > _SYNC_S:

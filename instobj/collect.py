@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import time
 from collections import deque
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
+from contextlib import closing
 from dataclasses import dataclass, field
 from itertools import chain
 from typing import Any
@@ -77,14 +78,21 @@ def collect(options: CollectOptions) -> dict[str, Any]:
     state = _Collection(options, _places(options), zero_left=options.zero_frames)
     progress, failure = ProgressLine(), None
     growing: GrowingRecording | None = None
-    with progress.stage(f"collecting {options.csv_path}"), stop_on_signals(state.stop):
+    with (
+        progress.stage(f"collecting {options.csv_path}"),
+        stop_on_signals(state.stop),
+        closing(chunks),
+    ):
         try:
             stream = board_messages(chunks, state.decoder, options.source)
             first = _until_header(stream, state)
-            with growing_recording(
-                options.csv_path, state.channels, state.cells, state.tips, options.session
-            ) as growing:
-                _run(chain([first], stream), state, growing, progress)
+            with (
+                closing(_load_messages(state)) as loads,
+                growing_recording(
+                    options.csv_path, state.channels, state.cells, state.tips, options.session
+                ) as growing,
+            ):
+                _run(chain([first], stream), loads, state, growing, progress)
         except InputError as error:
             failure = error
     if growing is None or not growing.rows_before + growing.rows_added:
@@ -116,11 +124,11 @@ def _until_header(stream: Iterator[list[Message]], state: _Collection) -> list[M
 
 def _run(
     stream: Iterator[list[Message]],
+    loads: Iterator[list[Load]],
     state: _Collection,
     growing: GrowingRecording,
     progress: ProgressLine,
 ) -> None:
-    loads = _load_messages(state)
     typed = TypedLines()
     shown_s, every_s = time.monotonic(), 5.0
     if progress.console.is_terminal:
@@ -145,13 +153,13 @@ def _run(
             return
 
 
-def _load_messages(state: _Collection) -> Iterator[list[Load]]:
+def _load_messages(state: _Collection) -> Generator[list[Load]]:
     """What the second port has said since the last time."""
     if state.options.load_port is None:
         while True:
             yield []
     decoder = LineDecoder()
-    for chunk in serial_chunks(state.options.load_port, state.options.baud, timeout_s=0):
+    for chunk in serial_chunks(state.options.load_port, state.options.baud, timeout_s=0.0):
         yield [message for message in decoder.feed(chunk) if isinstance(message, Load)]
 
 
@@ -173,7 +181,7 @@ def _take_frame(frame: Frame, state: _Collection, growing: GrowingRecording) -> 
         state.unlabelled += 1
         return
     flat = [value for label in known for value in label]
-    growing.append([time_s, growing.session, zeroing, *frame.counts, *flat])
+    growing.append([time_s, float(growing.session), float(zeroing), *frame.counts, *flat])
     state.steps_s.append(min(max(time_s - state.last_s, 0.0), _PAUSE_S))
     state.first_s = time_s if state.first_s is None else state.first_s
     state.last_s, state.last_counts = time_s, frame.counts
@@ -194,7 +202,7 @@ def _label(cell: int, time_s: float, zeroing: bool, state: _Collection) -> list[
     if force_n is None:
         return None
     tips = [] if place is None else [value for tip in place.tips_mm for value in tip]
-    face = float("nan") if place is None else place.face
+    face = float("nan") if place is None else float(place.face)
     return [force_n, face, *tips, *[float("nan")] * (2 * state.tips - len(tips))]
 
 

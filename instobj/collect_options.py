@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Generator
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -76,7 +76,7 @@ def parse_place(text: str) -> Place | None:
     return Place(int(match[1]), tuple((float(x), float(y)) for x, y in pairs))
 
 
-def open_source(options: CollectOptions) -> tuple[Iterator[bytes], CollectOptions]:
+def open_source(options: CollectOptions) -> tuple[Generator[bytes], CollectOptions]:
     """The bytes to read, and the options with `cells` and `tips` filled in.
 
     Raises

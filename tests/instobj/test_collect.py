@@ -1,35 +1,39 @@
 """`instobj collect`: a dummy board on a pseudo-terminal, replays, interruptions and damage."""
 
-import json
 import os
 import signal
 import subprocess
 import sys
 import time
+from pathlib import Path
 
 import numpy as np
 import pytest
 from dummy_board import CHANNELS, board_lines, counts_at, dummy_board, force_at
 from test_cli import assert_one_clear_error, run
 
+from design.errors import InputError
 from estimator.board_lines import Load, encode_header, encode_load
 from estimator.recording_files import read_table
+from instobj.collect import collect
+from instobj.collect_options import CollectOptions
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="needs pseudo-terminals")
 
 
-def collected(tmp_path, *arguments, stdin=""):
-    done = subprocess.run(
-        [sys.executable, "-m", "instobj", "collect", "cube", *map(str, arguments), "--json"],
-        capture_output=True,
-        text=True,
-        cwd=tmp_path,
-        input=stdin,
-        check=False,
-        timeout=60,
-    )
-    assert done.returncode == 0, done.stderr
-    return json.loads(done.stdout)
+@pytest.fixture
+def collected(tmp_path, monkeypatch):
+    """Collect into cube.csv within this process; `typed` arrives on standard input."""
+
+    def run_here(typed="", **options):
+        read, write = os.pipe()
+        os.write(write, typed.encode())
+        os.close(write)
+        with os.fdopen(read) as stdin:
+            monkeypatch.setattr(sys, "stdin", stdin)
+            return collect(CollectOptions(tmp_path / "cube", **options))
+
+    return run_here
 
 
 def started(tmp_path, port, *arguments):
@@ -55,9 +59,9 @@ def rows_of(tmp_path):
     return path.read_bytes().count(b"\n") - 1 if path.exists() else 0
 
 
-def test_frames_labels_and_zero_from_a_port(tmp_path):
+def test_frames_labels_and_zero_from_a_port(tmp_path, collected):
     with dummy_board() as port:
-        found = collected(tmp_path, "--port", port, "--frames", 150, "--zero", 10)
+        found = collected(port=port, frames=150, zero_frames=10)
     assert (found["frames_added"], found["frames"], found["damaged_lines"]) == (150, 150, 0)
     assert found["lost_frames"] == 0
     assert found["rate_hz"] == pytest.approx(100, rel=0.05)
@@ -78,7 +82,7 @@ def first_counts(table):
     return table.counts[0, [0, 2], 0].ravel()
 
 
-def test_damage_and_loss_are_counted_and_nothing_false_is_kept(tmp_path):
+def test_damage_and_loss_are_counted_and_nothing_false_is_kept(tmp_path, collected):
     def damaged(k):
         line = board_lines(k)
         if k % 20 == 7:
@@ -86,7 +90,7 @@ def test_damage_and_loss_are_counted_and_nothing_false_is_kept(tmp_path):
         return b"\x00\xfe$F,garbage\n" + line if k % 20 == 13 else line
 
     with dummy_board(damaged) as port:
-        found = collected(tmp_path, "--port", port, "--frames", 100, "--zero", 0)
+        found = collected(port=port, frames=100, zero_frames=0)
     assert 4 <= found["lost_frames"] <= 6
     assert 4 <= found["damaged_lines"] <= 7
     table = read_table(tmp_path / "cube.csv")
@@ -94,14 +98,14 @@ def test_damage_and_loss_are_counted_and_nothing_false_is_kept(tmp_path):
     assert {tuple(row) for row in table.counts[:, [0, 2], 0].reshape(-1, 6)} <= sent
 
 
-def test_the_place_from_the_command_line_and_typed(tmp_path):
+def test_the_place_from_the_command_line_and_typed(tmp_path, collected):
     def unplaced(k):
         return board_lines(k, place=None)
 
     with dummy_board(unplaced) as port:
-        arguments = ("--port", port, "--zero", 0, "--frames", 40)
-        collected(tmp_path, *arguments, "--place", "3:0,7.5:0,-7.5")
-        collected(tmp_path, *arguments, "--tips", 2, "--session", 4, stdin="1:-3,6\n")
+        options = {"port": port, "zero_frames": 0, "frames": 40}
+        collected(**options, places=("3:0,7.5:0,-7.5",))
+        collected(**options, tips=2, session=4, typed="nonsense\n1:-3,6\n")
     table = read_table(tmp_path / "cube.nc")
     assert table.tip_xy_mm[0, 0].tolist() == [[0, 7.5], [0, -7.5]]
     assert (table.face[0, 0], table.face[-1, 0]) == (3, 1)
@@ -126,7 +130,7 @@ def test_weights_are_labelled_only_once_the_user_says_so(tmp_path):
     assert table.force_n[:, 0].tolist() == [0.0] * 15 + [9.81] * 25
 
 
-def test_a_load_cell_on_a_port_of_its_own(tmp_path):
+def test_a_load_cell_on_a_port_of_its_own(tmp_path, collected):
     def loads(k):
         return encode_load(Load(10 * k + 77777, 1, 4.5, 5, ((3.0, 0.0),)))
 
@@ -134,7 +138,7 @@ def test_a_load_cell_on_a_port_of_its_own(tmp_path):
         return board_lines(k, loads=False)
 
     with dummy_board(bare) as port, dummy_board(loads, header=False) as cell:
-        collected(tmp_path, "--port", port, "--load-port", cell, "--frames", 50, "--zero", 0)
+        collected(port=port, load_port=cell, frames=50, zero_frames=0)
     table = read_table(tmp_path / "cube.nc")
     assert set(table.force_n[:, 0]) == {4.5}
     assert set(table.face[:, 0]) == {5}
@@ -150,7 +154,7 @@ def test_ctrl_c_ends_in_order(tmp_path):
     assert len(read_table(tmp_path / "cube.nc").force_n) == rows_of(tmp_path)
 
 
-def test_kill_loses_nothing_and_the_same_command_goes_on(tmp_path):
+def test_kill_loses_nothing_and_the_same_command_goes_on(tmp_path, collected):
     with dummy_board() as port:
         process = started(tmp_path, port)
         process.kill()
@@ -160,7 +164,7 @@ def test_kill_loses_nothing_and_the_same_command_goes_on(tmp_path):
         assert not (tmp_path / "cube.nc").exists()
         with (tmp_path / "cube.csv").open("a") as file:
             file.write("1795283334.64,1,0,12")
-        found = collected(tmp_path, "--port", port, "--frames", 30)
+        found = collected(port=port, frames=30)
     assert (found["frames_added"], found["frames"]) == (30, kept + 30)
     assert "unfinished last line of 20 bytes" in " ".join(found["texts"])
     assert sorted(path.name for path in tmp_path.iterdir()) == ["cube.csv", "cube.nc"]
@@ -186,13 +190,13 @@ def test_a_board_that_is_unplugged_keeps_what_came(tmp_path):
     assert len(read_table(tmp_path / "cube.nc").force_n) == 30
 
 
-def test_a_replay_is_the_recording_again(tmp_path):
+def test_a_replay_is_the_recording_again(tmp_path, collected):
     with dummy_board() as port:
-        collected(tmp_path, "--port", port, "--frames", 120, "--zero", 10)
+        collected(port=port, frames=120, zero_frames=10)
     (tmp_path / "cube.csv").rename(tmp_path / "first.csv")
     (tmp_path / "cube.nc").unlink()
     began = time.monotonic()
-    collected(tmp_path, "--replay", "first.csv", "--zero", 0)
+    collected(replay=tmp_path / "first.csv", zero_frames=0)
     assert time.monotonic() - began >= 1.19
     first, again = read_table(tmp_path / "first.csv"), read_table(tmp_path / "cube.nc")
     np.testing.assert_array_equal(first.counts[:, [0, 2], :1], again.counts[:, [0, 2], :1])
@@ -203,23 +207,28 @@ def test_a_replay_is_the_recording_again(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("arguments", "words"),
+    ("options", "words"),
     [
-        ((), ("--port", "--replay")),
-        (("--port", "/dev/none"), ("cannot open /dev/none", "Ports found")),
-        (("--replay", "none.csv"), ("no recording at",)),
-        (("--replay", "cube.csv"), ("itself",)),
-        (("--port", "x", "--place", "7:0,0"), ("'7:0,0' is not a place",)),
-        (("--port", "x", "--place", "3:0,0:1,1", "--tips", "1"), ("--tips",)),
+        ({}, "--port or --replay"),
+        ({"port": "/dev/none"}, "cannot open /dev/none.*Ports found"),
+        ({"replay": Path("none.csv")}, "no recording at"),
+        ({"port": "x", "places": ("7:0,0",)}, "'7:0,0' is not a place"),
+        ({"port": "x", "places": ("3:0,0:1,1",), "tips": 1}, "--tips 1"),
     ],
 )
-def test_what_cannot_be_collected(tmp_path, arguments, words):
-    if "cube.csv" in arguments:
-        (tmp_path / "cube.csv").write_text("time_s\n")
-    assert_one_clear_error(run("collect", "cube", *arguments, cwd=tmp_path), *words)
+def test_what_cannot_be_collected(collected, options, words):
+    with pytest.raises(InputError, match=words):
+        collected(**options)
+
+
+def test_a_recording_is_not_replayed_into_itself(tmp_path, collected):
+    (tmp_path / "cube.csv").write_text("time_s\n")
+    with pytest.raises(InputError, match="itself"):
+        collected(replay=tmp_path / "cube.csv")
 
 
 def test_another_board_does_not_append_to_the_file(tmp_path):
+    """Through the command, which ends with one error."""
     (tmp_path / "cube.csv").write_text("time_s,session,rest,F1-X1,cell1_force_n,cell1_face\n")
     with dummy_board() as port:
         done = run("collect", "cube", "--port", port, cwd=tmp_path)
