@@ -1,4 +1,4 @@
-"""The rigid printed core: a box with sensor recesses, hub recesses, wire holes and a cavity."""
+"""The rigid printed core, with sensor recesses, hub recesses, wire holes and a cavity."""
 
 from __future__ import annotations
 
@@ -6,8 +6,10 @@ import cadquery as cq
 import numpy as np
 
 from design.blocks import core_keys
+from design.body import core_half_mm
+from design.body_solids import core_hollow, core_solid
 from design.layouts import FaceFrame, core_frames
-from design.pockets import core_pockets
+from design.pockets import core_pockets, sensor_places
 from design.solids import (
     OVERSHOOT_MM,
     block_solid,
@@ -23,33 +25,32 @@ TOP_FACE = 1
 
 
 def make_core(spec: ObjectSpec) -> cq.Solid:
-    """Core in the object's frame (mm): fills ± core_size/2, its cavity open towards −z.
+    """Core in the object's frame (mm), its cavity open towards −z.
 
     Raises
     ------
     InputError
         The dimensions do not give one valid solid.
     """
-    half = np.asarray(spec.core_size_mm) / 2
     cutters = _cavity(spec)
     frames = core_frames(spec)
-    for frame, places in zip(frames, spec.sensors.places, strict=True):
+    for frame, places in zip(frames, sensor_places(spec), strict=True):
         if spec.arrangement == "sensors-in-core":
             cutters += [_sensor_recess(spec, frame, place) for place in places]
             cutters += _wire_channels(spec, frame, places)
         cutters += _wire_passage(spec, frame)
     for frame, pockets in zip(frames, core_pockets(spec), strict=True):
         cutters += [pocket_solid(frame, pocket) for pocket in pockets]
-    body = box_between(-half, half)
+    body = core_solid(spec)
     keys = [block_solid(key) for key in core_keys(spec)]
     return single_solid((body.fuse(*keys) if keys else body).cut(*cutters), "core")
 
 
 def _cavity(spec: ObjectSpec) -> list[cq.Solid]:
-    x, y, z = np.asarray(spec.core_size_mm) / 2
-    wall, bay, bottom = spec.core.wall_mm, spec.core.bay_mm, -z - OVERSHOOT_MM
-    rooms = [box_between((wall - x, wall - y, bottom), (x - wall, y - wall, z - wall))]
+    rooms, bay = core_hollow(spec), spec.core.bay_mm
     if bay is not None:
+        z = spec.core_size_mm[2] / 2
+        bottom = -z - OVERSHOOT_MM
         half_x, half_y, top = bay[0] / 2, bay[1] / 2, bay[2] - z
         rooms.append(box_between((-half_x, -half_y, bottom), (half_x, half_y, top)))
     return rooms
@@ -62,7 +63,7 @@ def _sensor_recess(
     core, (x, y, azimuth) = spec.core, place
     offset = float(np.hypot(x, y)) - spec.sensors.radius_mm
     return radial_box_on_face(
-        frame,
+        frame.tangent(np.array([x, y])),
         float(np.rad2deg(azimuth)),
         core.recess_width_mm,
         (core.recess_inner_radius_mm + offset, core.recess_outer_radius_mm + offset),
@@ -94,12 +95,21 @@ def _wire_passage(spec: ObjectSpec, frame: FaceFrame) -> list[cq.Solid]:
     """Wire hole through the wall at the face centre, and the hub recess where it is wider."""
     core = spec.core
     radius = _wire_hole_diameter_mm(spec, frame.number) / 2
-    through = -core.wall_mm - OVERSHOOT_MM
+    through = -_passage_mm(spec, frame) - OVERSHOOT_MM
     passage = [cylinder_on_face(frame, (0.0, 0.0), radius, through, OVERSHOOT_MM)]
     if core.hub_radius_mm > radius:
         hub = (core.hub_radius_mm, -core.hub_depth_mm, OVERSHOOT_MM)
         passage.append(cylinder_on_face(frame, (0.0, 0.0), *hub))
     return passage
+
+
+def _passage_mm(spec: ObjectSpec, frame: FaceFrame) -> float:
+    """How deep a wire hole is: through the wall of a hollow core, else to where wires leave."""
+    if core_hollow(spec):
+        return spec.core.wall_mm
+    if spec.body.kind in ("pad", "dome"):
+        return float(frame.centre_mm[2]) + spec.body.size_mm[2] / 2
+    return float(abs(frame.normal) @ core_half_mm(spec))
 
 
 def _wire_hole_diameter_mm(spec: ObjectSpec, face: int) -> float:

@@ -11,6 +11,7 @@ import cadquery as cq
 
 from design.core import make_core
 from design.jig import make_jig
+from design.layouts import face_frames
 from design.magnet_template import make_magnet_template, template_faces
 from design.mould import make_mould_box, make_mould_plug, make_seal_mould
 from design.probes import make_probe
@@ -44,6 +45,8 @@ def parts_of(spec: ObjectSpec) -> tuple[Part, ...]:
 
 
 def _mould(spec: ObjectSpec) -> list[Part]:
+    if spec.body.kind != "box" or spec.body.opened != (6,):
+        return []
     if spec.mould.style == "one-piece":
         parts = [Part("mould_box", partial(make_mould_box, spec))]
     else:
@@ -72,6 +75,8 @@ def _pins(spec: ObjectSpec) -> list[Part]:
 
 
 def _templates(spec: ObjectSpec) -> list[Part]:
+    if not all(frame.flat for frame in face_frames(spec)):
+        return []
     groups = template_faces(spec)
     return [
         Part(

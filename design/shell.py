@@ -10,6 +10,7 @@ import cadquery as cq
 import numpy as np
 
 from design.blocks import core_keys, relief_slits
+from design.body_solids import cavity_solid, outer_solid
 from design.layouts import face_frames
 from design.pockets import shell_pockets
 from design.solids import OVERSHOOT_MM, block_solid, box_between, pocket_solid, single_solid
@@ -22,20 +23,21 @@ def make_shell(spec: ObjectSpec) -> cq.Solid:
     Raises
     ------
     InputError
-        The dimensions do not give one valid solid.
+        The dimensions do not give one valid solid, or the body has no exact one.
     """
     removed = (*cavity(spec, OVERSHOOT_MM), *pocket_prisms(spec), *slit_fins(spec))
     return single_solid(cast_envelope(spec).cut(*removed), "shell")
 
 
 def envelope(spec: ObjectSpec) -> cq.Solid:
-    """The body's outer box, mm, centred on the origin."""
-    half = np.asarray(spec.body.size_mm) / 2
-    return box_between(-half, half)
+    """The silicone's outside, mm."""
+    return outer_solid(spec)
 
 
 def cast_envelope(spec: ObjectSpec) -> cq.Solid:
-    """The outer box of what the first pour casts: the body's, less the seal layer."""
+    """The outside of what the first pour casts: the body's, on a box less the seal layer."""
+    if not spec.shell.seal_layer_mm:
+        return envelope(spec)
     high = np.asarray(spec.body.size_mm) / 2
     low, layer = -high, spec.shell.seal_layer_mm
     for frame in face_frames(spec):
@@ -45,24 +47,15 @@ def cast_envelope(spec: ObjectSpec) -> cq.Solid:
 
 
 def cavity(spec: ObjectSpec, overshoot_mm: float = 0.0) -> list[cq.Solid]:
-    """What the core and its keys keep free of silicone, down to the open face and beyond it."""
+    """What the core and its keys keep free of silicone, out through the open faces and beyond."""
+    block = cavity_solid(spec, overshoot_mm)
     keys = [block_solid(key) for key in core_keys(spec)]
-    return [cavity_block(spec, overshoot_mm), *keys]
+    return keys if block is None else [block, *keys]
 
 
 def slit_fins(spec: ObjectSpec) -> list[cq.Solid]:
     """The relief slits as solids, each begun outside the body; the mould holds them as fins."""
     return [block_solid(slit) for slit in relief_slits(spec)]
-
-
-def cavity_block(spec: ObjectSpec, overshoot_mm: float = 0.0) -> cq.Solid:
-    """What the cavity removes: the core's cross-section, from the core's top to the open face.
-
-    The block ends `overshoot_mm` beyond the open face.
-    """
-    core_x, core_y, core_z = (edge / 2 for edge in spec.core_size_mm)
-    bottom = -spec.body.size_mm[2] / 2 - overshoot_mm
-    return box_between((-core_x, -core_y, bottom), (core_x, core_y, core_z))
 
 
 def pocket_prisms(spec: ObjectSpec) -> list[cq.Solid]:
@@ -71,7 +64,7 @@ def pocket_prisms(spec: ObjectSpec) -> list[cq.Solid]:
     The pockets' negatives are the mould's bosses, so that both come from here.
     """
     return [
-        pocket_solid(frame, pocket)
+        pocket_solid(frame.tangent(pocket.body.centre_mm[:2]), pocket)
         for frame, face in zip(face_frames(spec), shell_pockets(spec), strict=True)
         for pocket in face
     ]

@@ -1,0 +1,178 @@
+"""Exact solids of the bodies: the outside of the silicone, what the core keeps free, the core."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import cadquery as cq
+import numpy as np
+
+from design.body import base_top_mm, core_half_mm, sphere_centre_mm
+from design.body_surface import open_span_mm
+from design.errors import InputError
+from design.solids import OVERSHOOT_MM, box_between
+from design.spec import ObjectSpec
+
+_Z = cq.Vector(0, 0, 1)
+
+
+def outer_solid(spec: ObjectSpec) -> cq.Solid:
+    """The silicone's outside as if it were solid, mm.
+
+    Raises
+    ------
+    InputError
+        A body that is known by its triangles only.
+    """
+    return _exact(_OUTER, spec)(spec)
+
+
+def cavity_solid(spec: ObjectSpec, overshoot_mm: float) -> cq.Solid | None:
+    """What the core and its passage keep free, so far beyond the open faces; None where nothing."""
+    return _exact(_CAVITIES, spec)(spec, overshoot_mm)
+
+
+def core_solid(spec: ObjectSpec) -> cq.Solid:
+    """The core without recesses, passages and its own cavity."""
+    return _exact(_CORES, spec)(spec)
+
+
+def core_hollow(spec: ObjectSpec) -> list[cq.Solid]:
+    """The core's own cavity, one core wall inside it and open towards −z, where there is room."""
+    wall, low = spec.core.wall_mm, -spec.body.size_mm[2] / 2
+    if spec.body.kind in ("pad", "dome"):
+        return []
+    half = core_half_mm(spec) - wall
+    if half.min() <= 0:
+        return []
+    if spec.body.kind == "box":
+        bottom = -core_half_mm(spec)[2] - OVERSHOOT_MM
+        return [box_between((-half[0], -half[1], bottom), half)]
+    if spec.body.kind == "cylinder":
+        bottom = -core_half_mm(spec)[2] - OVERSHOOT_MM
+        return [_cylinder_between(float(half[0]), float(bottom), float(half[2]))]
+    bore = min(spec.body.bore_mm / 2, float(half[0]) * 0.9)
+    return [_sphere_at(float(half[0]), np.zeros(3)).fuse(_cylinder_between(bore, low, 0.0)).Solids()[0]]
+
+
+def _exact(
+    kinds: dict[str, Callable[..., cq.Solid]], spec: ObjectSpec
+) -> Callable[..., cq.Solid]:
+    if spec.body.kind not in kinds:
+        raise InputError(
+            f"a body of kind {spec.body.kind!r} is known by its triangles and has no exact solid. Use "
+            "its STL"
+        )
+    return kinds[spec.body.kind]
+
+
+def _cylinder_between(radius_mm: float, low_mm: float, high_mm: float) -> cq.Solid:
+    return cq.Solid.makeCylinder(radius_mm, high_mm - low_mm, cq.Vector(0, 0, low_mm), _Z)
+
+
+def _sphere_at(radius_mm: float, centre_mm: np.ndarray) -> cq.Solid:
+    return cq.Solid.makeSphere(radius_mm, cq.Vector(*centre_mm), _Z, -90, 90, 360)
+
+
+def _upper_half(spec: ObjectSpec, radius_mm: float) -> cq.Solid:
+    return cq.Solid.makeSphere(radius_mm, cq.Vector(*sphere_centre_mm(spec)), _Z, 0, 90, 360)
+
+
+def _box(spec: ObjectSpec) -> cq.Solid:
+    half = np.asarray(spec.body.size_mm) / 2
+    return box_between(-half, half)
+
+
+def _pad(spec: ObjectSpec) -> cq.Solid:
+    half = np.asarray(spec.body.size_mm) / 2
+    return box_between((-half[0], -half[1], base_top_mm(spec)), half)
+
+
+def _cylinder(spec: ObjectSpec) -> cq.Solid:
+    radius, _, half = np.asarray(spec.body.size_mm) / 2
+    return _cylinder_between(float(radius), float(-half), float(half))
+
+
+def _sphere(spec: ObjectSpec) -> cq.Solid:
+    return _sphere_at(spec.body.size_mm[0] / 2, np.zeros(3))
+
+
+def _dome(spec: ObjectSpec) -> cq.Solid:
+    return _upper_half(spec, spec.body.size_mm[0] / 2)
+
+
+def _box_cavity(spec: ObjectSpec, overshoot_mm: float) -> cq.Solid:
+    return box_between(*open_span_mm(spec, overshoot_mm))
+
+
+def _cylinder_cavity(spec: ObjectSpec, overshoot_mm: float) -> cq.Solid:
+    low, high = open_span_mm(spec, overshoot_mm)
+    return _cylinder_between(float(core_half_mm(spec)[0]), float(low[2]), float(high[2]))
+
+
+def _sphere_cavity(spec: ObjectSpec, overshoot_mm: float) -> cq.Solid:
+    ball = _sphere_at(float(core_half_mm(spec)[0]), np.zeros(3))
+    if 6 not in spec.body.opened:
+        return ball
+    low = -spec.body.size_mm[2] / 2 - overshoot_mm
+    return ball.fuse(_cylinder_between(spec.body.bore_mm / 2, low, 0.0)).Solids()[0]
+
+
+def _dome_cavity(spec: ObjectSpec, overshoot_mm: float) -> cq.Solid | None:
+    """A whole ball: what lies under the base's plane cuts no silicone."""
+    if spec.body.inside == "silicone":
+        return None
+    return _sphere_at(spec.body.size_mm[0] / 2 - spec.shell.thickness_mm, sphere_centre_mm(spec))
+
+
+def _box_core(spec: ObjectSpec) -> cq.Solid:
+    return box_between(-core_half_mm(spec), core_half_mm(spec))
+
+
+def _pad_core(spec: ObjectSpec) -> cq.Solid:
+    half = np.asarray(spec.body.size_mm) / 2
+    return box_between(-half, (half[0], half[1], base_top_mm(spec)))
+
+
+def _cylinder_core(spec: ObjectSpec) -> cq.Solid:
+    radius, _, half = core_half_mm(spec)
+    return _cylinder_between(float(radius), float(-half), float(half))
+
+
+def _sphere_core(spec: ObjectSpec) -> cq.Solid:
+    return _sphere_at(float(core_half_mm(spec)[0]), np.zeros(3))
+
+
+def _dome_core(spec: ObjectSpec) -> cq.Solid:
+    """The base, and a rigid dome on it where that is inside."""
+    radius, _, half = np.asarray(spec.body.size_mm) / 2
+    base = _cylinder_between(float(radius), float(-half), base_top_mm(spec))
+    if spec.body.inside != "core":
+        return base
+    inner = _sphere_at(float(radius) - spec.shell.thickness_mm, sphere_centre_mm(spec))
+    low = (-radius, -radius, -half)
+    above = box_between(low, (radius, radius, half))
+    return base.fuse(inner.intersect(above).Solids()[0]).clean().Solids()[0]
+
+
+_OUTER: dict[str, Callable[..., cq.Solid]] = {
+    "box": _box,
+    "pad": _pad,
+    "cylinder": _cylinder,
+    "sphere": _sphere,
+    "dome": _dome,
+}
+_CAVITIES: dict[str, Callable[..., cq.Solid | None]] = {
+    "box": _box_cavity,
+    "pad": lambda spec, overshoot_mm: None,
+    "cylinder": _cylinder_cavity,
+    "sphere": _sphere_cavity,
+    "dome": _dome_cavity,
+}
+_CORES: dict[str, Callable[..., cq.Solid]] = {
+    "box": _box_core,
+    "pad": _pad_core,
+    "cylinder": _cylinder_core,
+    "sphere": _sphere_core,
+    "dome": _dome_core,
+}
