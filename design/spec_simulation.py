@@ -161,13 +161,15 @@ class TrainingSpec(SpecPart):
     2024), for which `hidden_units`, `batch_size` and `learning_rate` are its own; "linear" is ridge
     regression. `output`: a "heatmap" of any number of contacts, or the "position" of one contact,
     which places that training never saw need (compact and whole-object only). `heatmap_axes`: 1
-    for the normal force, 3 for Fx, Fy, Fz. `members`: networks that are averaged, each stopped and
+    for the normal force, 3 for Fx, Fy, Fz. With `history_frames` the estimator also reads the change
+    over so many frames, which tells loading from unloading (hysteresis of the silicone). `members`: networks that are averaged, each stopped and
     calibrated by its own fold of the presses. Intervals cover the share `interval_cover`.
     """
 
     model: Literal["compact", "whole-object", "paper", "linear"] = "compact"
     output: Literal["heatmap", "position"] = "heatmap"
     heatmap_axes: Literal[1, 3] = 1
+    history_frames: Annotated[int, Field(ge=0, le=100)] = 0
     hidden_units: Annotated[tuple[Count, ...], Field(min_length=1)] = (256, 256, 256)
     epochs: Count = 40
     batch_size: Count = 512

@@ -11,7 +11,7 @@ from jaxtyping import Float, Int
 from design.errors import InputError
 from design.spec import TrainingSpec
 from estimator.dataset import FrameSet
-from estimator.face_data import FaceData, face_data
+from estimator.face_data import FaceData, face_data, with_history
 from estimator.face_model import FaceModel, predict, predict_heatmaps
 from estimator.metrics import FaceMetrics, face_metrics, force_reference
 from estimator.recordings import Recording
@@ -62,7 +62,7 @@ def evaluate_face(
         The frames hold no usable frame of the face, or its contacts are on another grid.
     """
     _check_grid(model, frames)
-    data = face_data(frames, model.face)
+    data = face_data(with_history(frames, model.history_frames), model.face)
     return _metrics(data, predict_heatmaps(model, data.frames), dataset or frames)
 
 
@@ -74,7 +74,9 @@ def evaluate_intervals(model: FaceModel, frames: FrameSet) -> IntervalReport:
     InputError
         The frames hold no contact on the face.
     """
-    data = with_contacts(face_data(frames, model.face), "tested")
+    data = with_contacts(
+        face_data(with_history(frames, model.history_frames), model.face), "tested"
+    )
     data = data.select(data.contact)
     found = predict(model, data.frames)
     missed_n = np.abs(found.force_n - data.heatmap_n.sum(axis=(1, 2)))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from jaxtyping import Bool, Float, Int
@@ -12,7 +12,8 @@ from estimator.dataset import NO_FACE, FrameSet
 from estimator.heatmap import force_heatmaps
 
 Channel = tuple[int, int, int]
-"""Face number, sensor and axis counted from 0."""
+"""Face number, sensor and axis counted from 0; changes over time have `HISTORY` added to the face."""
+HISTORY = 100
 
 
 @dataclass(frozen=True)
@@ -94,7 +95,7 @@ def live_channels(data: FaceData, every_face: bool = False) -> tuple[Channel, ..
     live = np.all(np.isfinite(data.frames.signal_counts), axis=0)
     faces = data.frames.faces
     if not every_face:
-        live &= (faces == data.face)[:, None, None]
+        live &= (faces % HISTORY == data.face)[:, None, None]
     if not live.any():
         whose = "the object" if every_face else f"face {data.face}"
         raise InputError(
@@ -137,6 +138,26 @@ def channel_counts(
 
 
 def channel_label(channel: Channel) -> str:
-    """F3-Y1: axis Y of the first sensor of face 3."""
+    """F3-Y1: axis Y of the first sensor of face 3; dF3-Y1: its change over `history_frames`."""
     face, sensor, axis = channel
-    return f"F{face}-{'XYZ'[axis]}{sensor + 1}"
+    name = f"F{face % HISTORY}-{'XYZ'[axis]}{sensor + 1}"
+    return name if face < HISTORY else f"d{name}"
+
+
+def with_history(frames: FrameSet, history_frames: int) -> FrameSet:
+    """The frames with further faces, numbered from `HISTORY` on, that hold the change of each
+    channel over `history_frames`, or since the press began where that is later.
+
+    Frames of a press must be complete and in order.
+    """
+    if not history_frames:
+        return frames
+    row = np.arange(len(frames))
+    _, first, press = np.unique(frames.press_id, return_index=True, return_inverse=True)
+    before = np.maximum(row - history_frames, first[press])
+    change = frames.signal_counts - frames.signal_counts[before]
+    return replace(
+        frames,
+        signal_counts=np.concatenate([frames.signal_counts, change], axis=1),
+        faces=np.concatenate([frames.faces, frames.faces + HISTORY]),
+    )

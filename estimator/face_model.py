@@ -16,7 +16,7 @@ from torch import Tensor, nn
 from design.errors import InputError
 from design.files import atomic_path
 from estimator.dataset import FrameSet
-from estimator.face_data import Channel, channel_counts
+from estimator.face_data import HISTORY, Channel, channel_counts, with_history
 from estimator.network import ContactEstimator, HeadsNetwork, HeatmapNetwork
 
 MODEL_FORMAT = 2
@@ -42,6 +42,7 @@ class FaceModel:
     ----------
     name : of the model, `training.model`
     channels : inputs, in order; dead channels were left out
+    history_frames : over how many frames the channels that are changes reach back
     grid_x_mm, grid_y_mm : pixel centres of the heatmap, mm
     interval_cover : share of held-out presses' frames that the intervals are made to cover
     interval_presses : how many presses with contact calibrated them
@@ -53,6 +54,7 @@ class FaceModel:
     grid_x_mm: Float[np.ndarray, "nx"]
     grid_y_mm: Float[np.ndarray, "ny"]
     architecture: Architecture
+    history_frames: int
     interval_cover: float
     interval_presses: int
     network: ContactEstimator
@@ -71,13 +73,15 @@ class Prediction:
 
 
 def predict(model: FaceModel, frames: FrameSet) -> Prediction:
-    """Read every frame.
+    """Read every frame; presses must be complete if the model reads changes over time.
 
     Raises
     ------
     InputError
         A channel that the model uses is missing.
     """
+    if frames.faces.max() < HISTORY:
+        frames = with_history(frames, model.history_frames)
     return read_counts(model.network, channel_counts(frames, model.channels))
 
 
@@ -130,6 +134,7 @@ def description(model: FaceModel) -> dict[str, Any]:
         "grid_x_mm": model.grid_x_mm.tolist(),
         "grid_y_mm": model.grid_y_mm.tolist(),
         "architecture": asdict(model.architecture),
+        "history_frames": model.history_frames,
         "interval_cover": model.interval_cover,
         "interval_presses": model.interval_presses,
     }
@@ -203,6 +208,7 @@ def _assembled(described: dict[str, Any], weights: dict[str, Tensor]) -> FaceMod
         grid_x_mm=grid_x,
         grid_y_mm=grid_y,
         architecture=architecture,
+        history_frames=int(described["history_frames"]),
         interval_cover=float(described["interval_cover"]),
         interval_presses=int(described["interval_presses"]),
         network=network,

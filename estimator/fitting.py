@@ -21,7 +21,7 @@ from torch import Tensor, nn
 from design.errors import InputError
 from design.files import atomic_path
 from estimator.losses import loss_of
-from estimator.training_data import Augmentation, Batch, disturbed
+from estimator.training_data import Augmentation, Batch, Disturbances, disturbed
 
 Progress = Callable[[int, int, float], None]
 """Called after each epoch with its number, the number of epochs and the validation loss."""
@@ -69,8 +69,7 @@ def fit(
     network: nn.Module,
     train: Batch,
     validation: Batch,
-    sigma_counts: Tensor,
-    elsewhere: Tensor,
+    disturbances: Disturbances,
     schedule: Schedule,
     progress: Progress | None = None,
     checkpoint: Path | None = None,
@@ -95,7 +94,7 @@ def fit(
     started, saved = time.monotonic(), time.monotonic()
     while state.epoch < schedule.epochs and not _stopped(state, schedule, started):
         state.epoch += 1
-        _one_epoch(network, optimizer, train, sigma_counts, elsewhere, schedule, state, started)
+        _one_epoch(network, optimizer, train, disturbances, schedule, state, started)
         score = _loss_on(network, validation)
         if score < state.best_loss:
             state.best_loss, state.best_epoch = score, state.epoch
@@ -119,8 +118,7 @@ def _one_epoch(
     network: nn.Module,
     optimizer: torch.optim.Optimizer,
     train: Batch,
-    sigma_counts: Tensor,
-    elsewhere: Tensor,
+    disturbances: Disturbances,
     schedule: Schedule,
     state: _State,
     started: float,
@@ -128,7 +126,7 @@ def _one_epoch(
     generator = torch.Generator().manual_seed(1_000_003 * schedule.seed + state.epoch)
     counts = train.counts
     if schedule.augmentation is not None:
-        counts = disturbed(counts, sigma_counts, elsewhere, schedule.augmentation, generator)
+        counts = disturbed(counts, disturbances, schedule.augmentation, generator)
     size = _batch_frames(len(train), schedule.batch_frames)
     batches = torch.randperm(len(train), generator=generator).to(counts.device).split(size)
     network.train()

@@ -3,8 +3,9 @@
 Every network takes raw changes against rest (counts) and gives a `Reading` in N and mm: scaling and
 units are part of it, so that what is trained, saved, exported and used is one and the same.
 
-- `HeadsNetwork`: a compact trunk on arcsinh(ΔS / 3σ), σ the white noise of each channel, with heads
-  for the share of force at each pixel (softmax), the total force, contact or none, the centre of
+- `HeadsNetwork`: a compact trunk on arcsinh(ΔS / 3σ) and ΔS / 30σ, σ the white noise of each
+  channel (small changes stay visible in the one, contacts add up in the other), with heads for the
+  share of force at each pixel (softmax), the total force, contact or none, the centre of
   force in mm, and how far force and centre are likely to be off. Scaling by the noise keeps weak
   and strong presses alike in range, which mattered more than width in comparisons.
 - `HeatmapNetwork`: pixels directly, from min–max scaled inputs: the network of Knopke et al. (RA-L
@@ -23,6 +24,7 @@ from jaxtyping import Float
 from torch import Tensor, nn
 
 SIGMA_SPAN = 3.0
+LINEAR_SIGMA_SPAN = 30.0
 DOUBT_POWER = 2
 """Forces are multiplied by P(contact)², so that doubtful contacts stay visible but faint."""
 SPLAT_PITCHES = 0.3
@@ -96,7 +98,7 @@ class HeadsNetwork(nn.Module):
         self.axes, self.continuous = axes, continuous
         self.shape = (len(grid_x_mm), len(grid_y_mm))
         self.pixels = len(grid_x_mm) * len(grid_y_mm)
-        self.trunk = _trunk([len(sigma_counts), *hidden_units], nn.SiLU)
+        self.trunk = _trunk([2 * len(sigma_counts), *hidden_units], nn.SiLU)
         self.heads = nn.Linear(hidden_units[-1], self.pixels + axes + 5)
         _buffer(self, "sigma_counts", sigma_counts)
         _buffer(self, "grid_mm", _pixel_centres_mm(grid_x_mm, grid_y_mm))
@@ -106,8 +108,9 @@ class HeadsNetwork(nn.Module):
 
     def heads_of(self, counts: Float[Tensor, "frame channel"]) -> Heads:
         """Training's view."""
-        scaled = torch.asinh(counts / (SIGMA_SPAN * self.sigma_counts))
-        output = self.heads(self.trunk(scaled))
+        sigmas = counts / self.sigma_counts
+        scaled = [torch.asinh(sigmas / SIGMA_SPAN), sigmas / LINEAR_SIGMA_SPAN]
+        output = self.heads(self.trunk(torch.cat(scaled, dim=1)))
         sizes = (self.pixels, self.axes - 1, 1, 1, 2, 2)
         logits, tangential, normal, contact, xy, spread = output.split(sizes, dim=1)
         force = torch.cat([tangential, nn.functional.softplus(normal)], dim=1)

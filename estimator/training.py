@@ -16,21 +16,30 @@ from pathlib import Path
 
 import numpy as np
 import torch
-from jaxtyping import Float
 from torch import nn
 
 from design.errors import InputError
 from design.spec import TrainingSpec
 from estimator.conformal import conformal_quantile
 from estimator.dataset import FrameSet
-from estimator.face_data import Channel, FaceData, channel_counts, face_data, live_channels
-from estimator.face_model import Architecture, FaceModel, read_counts
+from estimator.face_data import (
+    HISTORY,
+    Channel,
+    FaceData,
+    channel_counts,
+    face_data,
+    live_channels,
+    with_history,
+)
+from estimator.face_model import FaceModel, read_counts
 from estimator.fitting import Progress, Schedule, fit
+from estimator.members import architecture_of, fit_ridge, new_member, sigma_counts
 from estimator.metrics import face_metrics, force_reference
 from estimator.network import ContactEstimator, HeadsNetwork, HeatmapNetwork
 from estimator.training_data import (
     AUGMENTATION,
     Augmentation,
+    Disturbances,
     batch_of,
     elsewhere_counts,
     joined,
@@ -40,15 +49,14 @@ from estimator.training_data import (
 )
 
 SHARPNESS = (1.0, 1.5, 2.0, 3.0, 5.0, 8.0)
-PAPER_HIDDEN_UNITS = (600, 2000, 2000, 2000)
 PAPER_BATCH_FRAMES = 2000
 PAPER_LEARNING_RATE = 1e-3
 PAPER_WEIGHT_DECAY = 1e-4
 FINE_TUNING_RATE = 0.3
 """Learning rate of a network that goes on from `start`, over that of one that starts anew."""
-RIDGE = 1e-3
 _WEIGHT_DECAY = 1e-3
 _OTHER_FACES = 0.5
+_NEXT_SEED = 7919
 
 
 @dataclass(frozen=True)
@@ -97,23 +105,18 @@ def fit_estimator(
     """
     training, seed = settings.training, settings.seed
     parts = [
-        thinned(with_contacts(face_data(frames, settings.face), name), seed)
+        _prepared(frames, name, settings)
         for frames, name in ((train_frames, "training"), (validation_frames, "validation"))
     ]
-    if training.members == 1:
-        folds = [(parts[0], parts[1])]
-    else:
-        pooled = joined(*parts)
-        fold = press_folds(pooled, training.members, seed)
-        folds = [
-            (pooled.select(fold != k), pooled.select(fold == k)) for k in range(training.members)
-        ]
     if start is not None:
         _require_same_kind(start, settings, train_frames)
     channels = start.channels if start else _common_channels(parts, training)
     members, scores = [], []
-    for number, (fitted, held_out) in enumerate(folds):
-        member = _member(number, fitted, channels, settings, start)
+    for number, (fitted, held_out) in enumerate(_folds(parts, settings)):
+        if start is None:
+            member = new_member(fitted, channels, training, seed + _NEXT_SEED * number)
+        else:
+            member = copy.deepcopy(start.network.members[number % len(start.network.members)])
         _fit_member(
             member, number, fitted, held_out, channels, settings, start is not None, progress
         )
@@ -121,33 +124,40 @@ def fit_estimator(
         scores.append(_scores(member, held_out, channels))
     network = ContactEstimator(members)
     force, position, press = (np.concatenate(column) for column in zip(*scores, strict=True))
-    network.force_quantile.fill_(conformal_quantile(force, press, training.interval_cover))
-    network.position_quantile.fill_(conformal_quantile(position, press, training.interval_cover))
+    cover, pooled = training.interval_cover, training.members > 1
+    network.force_quantile.fill_(conformal_quantile(force, press, cover, pooled))
+    network.position_quantile.fill_(conformal_quantile(position, press, cover, pooled))
     return FaceModel(
         name=training.model,
         face=settings.face,
         channels=channels,
         grid_x_mm=train_frames.grid_x_mm,
         grid_y_mm=train_frames.grid_y_mm,
-        architecture=_architecture(training),
+        architecture=architecture_of(training),
+        history_frames=training.history_frames,
         interval_cover=training.interval_cover,
         interval_presses=len(np.unique(press)),
         network=network.to(settings.device),
     )
 
 
-def _architecture(training: TrainingSpec) -> Architecture:
-    axes, members = training.heatmap_axes, training.members
-    if training.model == "paper":
-        return Architecture("heatmap", PAPER_HIDDEN_UNITS, axes, members=members)
-    if training.model == "linear":
-        return Architecture("heatmap", (), axes, members=members)
-    continuous = training.output == "position"
-    return Architecture("heads", training.hidden_units, axes, continuous, members)
+def _prepared(frames: FrameSet, part: str, settings: FitSettings) -> FaceData:
+    whole = with_history(frames, settings.training.history_frames)
+    return thinned(with_contacts(face_data(whole, settings.face), part), settings.seed)
+
+
+def _folds(parts: list[FaceData], settings: FitSettings) -> list[tuple[FaceData, FaceData]]:
+    """What each member is fitted to, and what stops and calibrates it."""
+    members = settings.training.members
+    if members == 1:
+        return [(parts[0], parts[1])]
+    pooled = joined(*parts)
+    fold = press_folds(pooled, members, settings.seed)
+    return [(pooled.select(fold != k), pooled.select(fold == k)) for k in range(members)]
 
 
 def _require_same_kind(start: FaceModel, settings: FitSettings, frames: FrameSet) -> None:
-    wanted = replace(_architecture(settings.training), members=start.architecture.members)
+    wanted = replace(architecture_of(settings.training), members=start.architecture.members)
     same_grid = all(
         mine.shape == theirs.shape and np.allclose(mine, theirs, rtol=0, atol=1e-6)
         for mine, theirs in (
@@ -176,41 +186,6 @@ def _common_channels(parts: list[FaceData], training: TrainingSpec) -> tuple[Cha
     return channels
 
 
-def _sigma_counts(data: FaceData, channels: tuple[Channel, ...]) -> Float[np.ndarray, "channel"]:
-    return np.array([data.frames.noise_counts[axis] for _, _, axis in channels])
-
-
-def _member(
-    number: int,
-    data: FaceData,
-    channels: tuple[Channel, ...],
-    settings: FitSettings,
-    start: FaceModel | None,
-) -> nn.Module:
-    """A network with its scales, from `start` or with fresh weights."""
-    if start is not None:
-        given = start.network.members
-        return copy.deepcopy(given[number % len(given)])
-    built, grids = _architecture(settings.training), (data.frames.grid_x_mm, data.frames.grid_y_mm)
-    scale = float(data.heatmap_n.sum(axis=(1, 2)).max())
-    sigma = _sigma_counts(data, channels)
-    with torch.random.fork_rng(devices=[]):
-        torch.manual_seed(settings.seed + 7919 * number)
-        if built.kind == "heads":
-            return HeadsNetwork(
-                sigma, *grids, built.hidden_units, scale, built.axes, built.continuous
-            )
-        counts = channel_counts(data.frames, channels)
-        low, span = counts.min(axis=0), np.ptp(counts, axis=0)
-        if settings.training.model == "linear":
-            low, span = 0 * sigma, sigma
-        else:
-            scale = float(data.force_maps_n.max())
-        smallest = float(data.heatmap_n[data.heatmap_n > 0].min())
-        span = np.where(span > 0, span, 1.0)
-        return HeatmapNetwork(low, span, *grids, built.hidden_units, scale, smallest, built.axes)
-
-
 def _fit_member(
     member: nn.Module,
     number: int,
@@ -229,19 +204,21 @@ def _fit_member(
     )
     if training.model == "linear":
         assert isinstance(member, HeatmapNetwork)
-        _fit_ridge(member, train.counts.cpu().numpy(), train.maps.cpu().numpy())
+        fit_ridge(member, train.counts.cpu().numpy(), train.maps.cpu().numpy())
         return
     schedule = _schedule(settings, number, data.frames.source, fine_tuned)
-    sigma = torch.as_tensor(_sigma_counts(data, channels), dtype=torch.float32, device=device)
+    sigma = torch.as_tensor(sigma_counts(data, channels), dtype=torch.float32, device=device)
     elsewhere = elsewhere_counts(data, channels).to(device)
+    zeroed = torch.tensor([float(face < HISTORY) for face, _, _ in channels], device=device)
     folder = settings.checkpoint
     path = None if folder is None else folder / f"member_{number}.safetensors"
-    mark = _fingerprint(schedule, train.counts, train.maps, asdict(_architecture(training)))
-    fit(member, train, validation, sigma, elsewhere, schedule, progress, path, mark)
+    mark = _fingerprint(schedule, train.counts, train.maps, asdict(architecture_of(training)))
+    disturbances = Disturbances(sigma, zeroed, elsewhere)
+    fit(member, train, validation, disturbances, schedule, progress, path, mark)
 
 
 def _schedule(settings: FitSettings, number: int, source: str, fine_tuned: bool) -> Schedule:
-    training, seed = settings.training, settings.seed + 7919 * number
+    training, seed = settings.training, settings.seed + _NEXT_SEED * number
     budget = None if settings.budget_s is None else settings.budget_s / training.members
     if training.model == "paper":
         return Schedule(
@@ -256,19 +233,6 @@ def _schedule(settings: FitSettings, number: int, source: str, fine_tuned: bool)
         training.epochs, training.batch_size, rate, _WEIGHT_DECAY,
         training.patience_epochs, augmentation, seed, False, budget,
     )  # fmt: skip
-
-
-def _fit_ridge(
-    member: HeatmapNetwork, counts: Float[np.ndarray, "frame channel"], maps: np.ndarray
-) -> None:
-    scaled = counts.astype(float) / member.span_counts.cpu().numpy()
-    basis = np.column_stack([scaled, np.ones(len(scaled))])
-    normal = basis.T @ basis
-    penalty = RIDGE * np.trace(normal) / len(normal) * np.eye(len(normal))
-    weights = np.linalg.solve(normal + penalty, basis.T @ maps)
-    with torch.no_grad():
-        member.heads.weight.copy_(torch.as_tensor(weights[:-1].T, dtype=torch.float32))
-        member.heads.bias.copy_(torch.as_tensor(weights[-1], dtype=torch.float32))
 
 
 def _fingerprint(schedule: Schedule, counts: torch.Tensor, maps: torch.Tensor, built: dict) -> str:

@@ -45,7 +45,7 @@ class Batch:
     (normal last), contact or none (1, 0), centre of force in mm (0 without contact)."""
 
     counts: Float[Tensor, "frame channel"]
-    maps: Float[Tensor, "frame pixel"]
+    maps: Float[Tensor, "frame cell"]
     share: Float[Tensor, "frame pixel"]
     force: Float[Tensor, "frame axis"]
     contact: Float[Tensor, "frame"]
@@ -81,10 +81,19 @@ def batch_of(
     return Batch(*(torch.as_tensor(a.astype(np.float32), device=device) for a in arrays))
 
 
+@dataclass(frozen=True)
+class Disturbances:
+    """What disturbances are made of: white noise of each channel (counts), whether it is zeroed
+    before a press (1) or a change over time (0), and signals with only other faces pressed."""
+
+    sigma_counts: Float[Tensor, "channel"]
+    zeroed: Float[Tensor, "channel"]
+    elsewhere: Float[Tensor, "frame channel"]
+
+
 def disturbed(
     counts: Tensor,
-    sigma_counts: Tensor,
-    elsewhere: Tensor,
+    sources: Disturbances,
     augmentation: Augmentation,
     generator: torch.Generator,
 ) -> Tensor:
@@ -92,12 +101,13 @@ def disturbed(
     noise, offset = (
         torch.randn(counts.shape, generator=generator).to(counts.device) for _ in range(2)
     )
-    counts = counts + augmentation.noise_sigmas * sigma_counts * noise
-    counts = counts + augmentation.offset_counts * offset
-    if augmentation.other_faces and len(elsewhere):
-        chosen = torch.randint(len(elsewhere), (len(counts),), generator=generator)
+    counts = counts + augmentation.noise_sigmas * sources.sigma_counts * noise
+    counts = counts + augmentation.offset_counts * sources.zeroed * offset
+    pool = sources.elsewhere
+    if augmentation.other_faces and len(pool):
+        chosen = torch.randint(len(pool), (len(counts),), generator=generator)
         added = torch.rand(len(counts), generator=generator) < augmentation.other_faces
-        counts = counts + added.to(counts.device)[:, None] * elsewhere[chosen]
+        counts = counts + added.to(counts.device)[:, None] * pool[chosen.to(pool.device)]
     return counts
 
 

@@ -10,7 +10,7 @@ from design.spec import TrainingSpec
 from instobj.stage import Step, write_json
 from instobj.store import file_key, store_root, stored
 
-_VERSION = 2
+_VERSION = 3
 
 
 def train_networks(

@@ -189,7 +189,7 @@ STAGES: dict[str, Stage] = {
         make_collection,
     ),
     "networks": Stage(
-        "estimator: training", ("frames",), ("training", "seed"), make_networks, version=3
+        "estimator: training", ("frames",), ("training", "seed"), make_networks, version=4
     ),
     "metrics": Stage(
         "estimator: held-out presses", ("frames", "networks"), (), make_metrics, version=2

@@ -10,7 +10,7 @@ NOISE_COUNTS = np.array([22.0, 20.0, 11.0])
 
 
 def synthetic_frames(
-    faces=(2, 4), presses=5, rest=4, loaded=16, seed=0, places=None, zero_error=8.0
+    faces=(2, 4), presses=5, rest=4, loaded=16, seed=0, places=None, zero_error=8.0, cross=0.05
 ) -> FrameSet:
     """Presses of every place on each face; a press is rest frames, then a rise and fall."""
     rng = np.random.default_rng(seed)
@@ -20,7 +20,7 @@ def synthetic_frames(
         _press(face, place, number, rest, loaded, rng) for number, (face, place) in enumerate(plan)
     ]
     joined = {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
-    signal = np.stack([_signal(f, joined) for f in range(1, 6)], axis=1)
+    signal = np.stack([_signal(f, joined, cross) for f in range(1, 6)], axis=1)
     error = rng.normal(0, zero_error, (len(plan), 5, 3, 3))[joined["press_id"]]
     noise = rng.normal(0, 1, signal.shape) * NOISE_COUNTS
     return FrameSet(
@@ -58,13 +58,13 @@ def _press(face, place, number, rest, loaded, rng):
     }
 
 
-def _signal(face, frames):
+def _signal(face, frames, cross):
     """Counts (frame, sensor, axis): strong for the face's own contacts, weak for another's."""
     rng = np.random.default_rng(100 + face)
     centre, width = rng.uniform(-6, 6, (9, 2)), rng.uniform(4, 7, 9)
     gain = rng.choice([-1, 1], 9) * rng.uniform(60, 160, 9)
     away = np.sum((frames["xy"][:, None] - centre) ** 2, axis=2) / (2 * width**2)
-    own = np.where(frames["face"] == face, 1.0, 0.05)[:, None]
+    own = np.where(frames["face"] == face, 1.0, cross)[:, None]
     bent = frames["force"] / (1 + 0.02 * frames["force"])
     return (own * gain * np.exp(-away) * bent[:, None]).reshape(-1, 3, 3)
 

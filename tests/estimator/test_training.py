@@ -219,12 +219,14 @@ def test_prediction_shape_and_units(model, frames):
 
 
 def test_scaling_by_hand():
-    """The first layer sees arcsinh(ΔS / 3σ): arcsinh(1) = ln(1 + √2)."""
+    """The first layer sees arcsinh(ΔS / 3σ), arcsinh(1) = ln(1 + √2), and ΔS / 30σ."""
     network = HeadsNetwork(np.array([22.0, 11.0, 5.0]), np.zeros(1), np.zeros(1), (3,), 1.0)
     seen = []
     network.trunk.register_forward_pre_hook(lambda _, given: seen.append(given[0]))
     network.heads_of(torch.tensor([[66.0, -33.0, 0.0]]))
-    assert_allclose(seen[0], [[np.log(1 + 2**0.5), -np.log(1 + 2**0.5), 0]], rtol=1e-6)
+    assert_allclose(
+        seen[0], [[np.log(1 + 2**0.5), -np.log(1 + 2**0.5), 0, 0.1, -0.1, 0]], rtol=1e-6
+    )
 
 
 def test_errors_of_the_user(frames, split, model):
