@@ -131,28 +131,38 @@ def polish(
     steps: int,
     weights: Float[Tensor, "layout objective"],
 ) -> Float[Tensor, "layout variable"]:
-    """The best points on walks of `steps` (Adam) down the weighted logarithms of the objectives.
+    """Walk down the weighted logarithms of the objectives, limits included."""
 
-    Points stay in the unit cube, and no layout ends worse than it began.
+    def loss(point: Tensor) -> Float[Tensor, "layout"]:
+        return (weights * judge_at(point).penalized.log()).sum(dim=1)
+
+    return descend(loss, unit, steps)
+
+
+def descend(
+    loss_at: Callable[[Tensor], Tensor], unit: Float[Tensor, "layout variable"], steps: int
+) -> Float[Tensor, "layout variable"]:
+    """The best points on walks of `steps` (Adam) within the unit cube, each by itself.
+
+    No point ends worse than it began.
     """
     point = unit.clone().requires_grad_()
     walk = torch.optim.Adam([point], lr=_LEARNING_RATE)
     schedule = torch.optim.lr_scheduler.CosineAnnealingLR(walk, max(steps, 1))
     best, least = unit.clone(), torch.full((len(unit),), torch.inf, dtype=unit.dtype)
     for step in range(steps + 1):
-        loss = (weights * judge_at(point).penalized.log()).sum(dim=1)
+        loss = loss_at(point)
         better = loss.detach() < least
         least = torch.where(better, loss.detach(), least)
         best = torch.where(better[:, None], point.detach(), best)
-        if step == steps:
-            break
-        walk.zero_grad()
-        loss.sum().backward()
-        _forget_undefined(point)
-        walk.step()
-        schedule.step()
-        with torch.no_grad():
-            point.clamp_(0, 1)
+        if step < steps:
+            walk.zero_grad()
+            loss.sum().backward()
+            _forget_undefined(point)
+            walk.step()
+            schedule.step()
+            with torch.no_grad():
+                point.clamp_(0, 1)
     return best
 
 

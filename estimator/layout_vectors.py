@@ -15,17 +15,13 @@ from jaxtyping import Float
 from torch import Tensor
 
 from design.layouts import face_frames
-from design.search_space import (
-    PlaceMap,
-    SearchSpace,
-    magnet_map,
-    sensor_map,
-)
+from design.search_places import PlaceMap, magnet_map, sensor_map
+from design.search_space import SearchSpace
 from design.spec import ObjectSpec
 from estimator.layout_batch import Layouts, magnet_axes
 
-SLACK_MM = 1e-3
-"""Kept from every limit, so that what is feasible in float32 is so in the specification's check."""
+SLACK_MM = 0.02
+"""Kept from every limit, so that what keeps it still does once rounded to 0.01 mm and 0.1°."""
 RULES = (
     "pocket gap",
     "pockets near the edge",
@@ -62,8 +58,8 @@ def layout_space(
         structured,
         torch.as_tensor(low, dtype=dtype),
         torch.as_tensor(high - low, dtype=dtype),
-        magnet_map(space, structured),
-        sensor_map(space, structured) if moving else None,
+        magnet_map(structured, space.continuous_names),
+        sensor_map(structured, space.continuous_names) if moving else None,
     )
 
 

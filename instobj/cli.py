@@ -11,7 +11,7 @@ from typing import Annotated
 import typer
 
 from design.errors import InputError
-from instobj import cli_experiments, cli_frames, cli_hardware, cli_presses
+from instobj import cli_experiments, cli_frames, cli_hardware, cli_presses, cli_search
 from instobj.cli_options import (
     HERE,
     AsBuilt,
@@ -131,6 +131,7 @@ app.add_typer(cli_frames.app)
 app.add_typer(cli_presses.app)
 app.add_typer(cli_hardware.app)
 app.add_typer(cli_experiments.app)
+app.add_typer(cli_search.app)
 
 
 def _chain(

@@ -9,7 +9,6 @@ from __future__ import annotations
 import json
 import zlib
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
@@ -17,17 +16,16 @@ import numpy as np
 import torch
 
 from design.errors import InputError
+from design.search_places import polarities
 from design.search_space import (
-    STRUCTURE,
     SearchSpace,
     params_at,
-    polarities,
     search_space,
     structure_of,
     unit_of,
     with_layout,
-    with_structure,
 )
+from design.search_structure import with_structure
 from design.spec import ObjectSpec
 from design.spec_io import parse_spec
 from design.spec_search import OBJECTIVES_TO_MAXIMIZE
@@ -38,27 +36,10 @@ from estimator.layout_vectors import layout_space
 from estimator.press_basis import press_basis
 from fem.candidates import load_candidates
 from instobj.chain import Chain
+from instobj.search.scored import Scored
 
 _UNFIT_MM = 0.5
 """For what only the specification's own check refuses."""
-
-
-@dataclass(frozen=True)
-class Scored:
-    """What became of a trial: its polished variables, values to minimise and scores.
-
-    `broken_mm` is 0 where every limit is kept; `misfit` says what else does not fit, or nothing.
-    """
-
-    params: dict[str, Any]
-    values: tuple[float, ...]
-    scores: dict[str, float]
-    broken_mm: float
-    misfit: str
-
-    @property
-    def feasible(self) -> bool:
-        return self.broken_mm == 0 and not self.misfit
 
 
 Evaluate = Callable[[list[dict[str, Any]]], list[Scored]]
@@ -84,7 +65,7 @@ def structure_rung(
     space: SearchSpace, params: dict[str, Any], start: dict[str, float]
 ) -> FirstRung:
     """Scorers of a structure, from stored mechanics or after it."""
-    structured = with_structure(space, params)
+    structured = with_structure(space.spec, params)
     faces = pressed_faces(structured)
     constants, broken = {"cost": cost(structured)}, broken_by_structure(structured)
     limits = structured.search.limits.times_start
@@ -121,13 +102,12 @@ def start_scores(spec: ObjectSpec) -> dict[str, float]:
 def score_trials(space: SearchSpace, rung: FirstRung, trials: list[dict[str, Any]]) -> list[Scored]:
     """Polish and score trials of one structure; deterministic."""
     spec, structured = space.spec, rung.space.structured
-    continuous = [v.name for v in space.continuous]
-    flags = [v.name not in STRUCTURE and not v.choices for v in space.variables]
+    flags = [not v.choices for v in space.variables]
     units = np.array([unit_of(space, trial) for trial in trials])
-    poles = torch.tensor([polarities(space, structured, trial) for trial in trials])
+    poles = torch.tensor([polarities(structured, trial) for trial in trials])
     judge_at = partial(judge, rung, polarity=poles, objectives=spec.search.objectives)
     point = torch.as_tensor(units[:, flags], dtype=torch.float32)
-    if spec.search.polish_steps and continuous:
+    if spec.search.polish_steps and any(flags):
         point = polish(judge_at, point, spec.search.polish_steps, _weights(units, spec))
     with torch.no_grad():
         judged = judge_at(point)

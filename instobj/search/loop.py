@@ -15,7 +15,7 @@ from design.search_space import SearchSpace, structure_of
 from design.spec_search import SearchSpec
 from instobj.search.apart import GivenUp
 from instobj.search.engines import Sampling, ask, sampling, tell, tell_failed
-from instobj.search.first_rung import Scored
+from instobj.search.scored import Scored
 from instobj.search.study import KeptStudy
 
 _FAILURES_IN_A_ROW = 3

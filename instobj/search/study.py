@@ -7,7 +7,6 @@ cut; it is dropped when the journal is opened again.
 
 from __future__ import annotations
 
-import json
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -19,7 +18,8 @@ from optuna.trial import FrozenTrial, TrialState
 
 from design.errors import InputError
 from design.spec import ObjectSpec
-from instobj.store import content_key
+from design.spec_io import spec_hash
+from design.spec_search import SearchSpec
 
 _BUDGET = ("trials", "seconds", "trial_seconds", "batch", "leaders", "finalists", "polish_steps")
 """Of `[search]`: may change while a study goes on."""
@@ -74,6 +74,7 @@ def open_study(
         The storage cannot be reached or read, there is a study already (or, to resume, none), or it
         is one of another specification.
     """
+    optuna.logging.set_verbosity(optuna.logging.WARNING)
     where = _without_password(str(storage))
     backend = _storage(storage, where)
     known = spec.name in optuna.get_all_study_names(backend)
@@ -99,10 +100,9 @@ def open_study(
 
 def study_key(spec: ObjectSpec) -> str:
     """SHA-256 of what makes trials comparable: all but the budget."""
-    content = spec.model_dump(mode="json")
-    for name in _BUDGET:
-        del content["search"][name]
-    return content_key(json.loads(json.dumps(content, default=str)))
+    update = {name: SearchSpec.model_fields[name].default for name in _BUDGET}
+    search = spec.search.model_copy(update=update)
+    return spec_hash(spec.model_copy(update={"search": search}))
 
 
 def mend_journal(path: Path) -> None:

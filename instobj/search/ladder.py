@@ -1,0 +1,203 @@
+"""From the first rung to the last: leaders re-ranked with rigid magnets, finalists by the chain.
+
+What a rung said is kept in a file beside the trials, layout by layout, so that a broken search goes
+on from there.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator
+from dataclasses import asdict, dataclass
+from itertools import groupby
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from optuna.trial import FrozenTrial
+
+from design.files import atomic_path
+from design.search_space import SearchSpace, unit_of, with_layout
+from design.search_structure import structure_choices
+from design.spec import ObjectSpec
+from design.spec_io import spec_hash
+from design.spec_search import OBJECTIVES_TO_MAXIMIZE, SearchSpec
+from estimator.layout_ladder import SCORE_NAMES, LadderScore, rank_correlations, rung_one
+from estimator.layout_scoring import LayoutScorer
+from instobj.layout_ladder import TwinRatio, chain_score, plain_shell, twin_ratios
+from instobj.search.first_rung import cost, scorers
+from instobj.search.loop import is_feasible
+from instobj.search.study import KeptStudy
+
+_APART = 0.05
+"""Of the unit cube: leaders differ by at least that much in some variable."""
+_FACES = (1, 2, 3, 4, 5)
+_EXCESS_WEIGHT = 10.0
+FIRST, SECOND, LAST = "1", "2", "3"
+
+Say = Callable[[str], None]
+
+
+@dataclass(frozen=True)
+class Climber:
+    """A layout on its way up: its trial's number (None: the start) and its score on each rung."""
+
+    label: str
+    trial: int | None
+    spec: ObjectSpec
+    rungs: dict[str, LadderScore]
+
+
+@dataclass(frozen=True)
+class Climb:
+    """What the ladder found.
+
+    `correlations` are rank correlations of every score between a rung and the next, by its number;
+    `ratios` of the best against the start on the last rung, with 95 % intervals between toleranced
+    twins. `better` only where the last rung says so, of the mean and of 95 % of the twins.
+    """
+
+    start: Climber
+    leaders: tuple[Climber, ...]
+    finalists: tuple[Climber, ...]
+    correlations: dict[str, dict[str, float]]
+    ratios: dict[str, TwinRatio]
+    better: bool
+
+    @property
+    def best(self) -> Climber:
+        """The finalist that the last rung puts first."""
+        return self.finalists[0]
+
+
+def climb(space: SearchSpace, kept: KeptStudy, folder: Path, say: Say) -> Climb | None:
+    """Take the search's leaders up all rungs; None where no trial keeps every limit."""
+    search, memo = space.spec.search, folder / "rungs.json"
+    chosen = leaders(space, kept, search.leaders)
+    if not chosen:
+        return None
+    start = Climber("start", None, space.spec, {})
+    named = [
+        Climber(f"trial {trial.number}", trial.number, with_layout(space.spec, trial.params), {})
+        for trial in chosen
+    ]
+    everyone = [start, *named]
+    _score(everyone, FIRST, _on_first_rung, memo, say)
+    _score(everyone, SECOND, _on_second_rung, memo, say)
+    ranked = sorted(named, key=lambda one: merit(search, one, start, SECOND))
+    finalists = ranked[: search.finalists]
+    _score([start, *finalists], LAST, _on_last_rung, memo, say)
+    finalists.sort(key=lambda one: merit(search, one, start, LAST))
+    correlations = {
+        FIRST: _correlations(everyone, FIRST, SECOND),
+        SECOND: _correlations([start, *finalists], SECOND, LAST),
+    }
+    say("twins within tolerance")
+    ratios = twin_ratios(start.spec, finalists[0].spec)
+    better = _is_better(search, finalists[0], start, ratios)
+    return Climb(start, tuple(ranked), tuple(finalists), correlations, ratios, better)
+
+
+def leaders(space: SearchSpace, kept: KeptStudy, count: int) -> list[FrozenTrial]:
+    """The best trials within all limits that are not almost the same layout.
+
+    With several objectives, by their product: in the middle of the front.
+    """
+    within = [trial for trial in kept.finished() if is_feasible(trial)]
+    within.sort(key=lambda trial: float(np.log(trial.values).sum()))
+    found: list[FrozenTrial] = []
+    points: list[np.ndarray] = []
+    for trial in within:
+        point = unit_of(space, trial.params)
+        if all(abs(point - other).max() >= _APART for other in points):
+            found.append(trial)
+            points.append(point)
+        if len(found) == count:
+            break
+    return found
+
+
+def merit(search: SearchSpec, one: Climber, start: Climber, rung: str) -> float:
+    """Mean logarithm of the objectives over the start's, with what limits are exceeded: less is
+    better, the start has 0."""
+    logs = [np.log(_over_start(name, one, start, rung)) for name in search.objectives]
+    return float(np.mean(logs)) + _EXCESS_WEIGHT * excess(search, one, start, rung)
+
+
+def excess(search: SearchSpec, one: Climber, start: Climber, rung: str) -> float:
+    """Shares by which the limits of `times_start` are exceeded, summed."""
+    total = 0.0
+    for name, factor in search.limits.times_start.items():
+        most = 1 / factor if name in OBJECTIVES_TO_MAXIMIZE else factor
+        total += max(_over_start(name, one, start, rung) / most - 1, 0.0)
+    return total
+
+
+def _over_start(name: str, one: Climber, start: Climber, rung: str) -> float:
+    """A score over the start's, as something to minimise."""
+    if name == "cost":
+        return max(cost(one.spec), 1e-9) / max(cost(start.spec), 1e-9)
+    value = getattr(one.rungs[rung], name) / getattr(start.rungs[rung], name)
+    return 1 / value if name in OBJECTIVES_TO_MAXIMIZE else value
+
+
+def _is_better(
+    search: SearchSpec, best: Climber, start: Climber, ratios: dict[str, TwinRatio]
+) -> bool:
+    sure = all(ratios[name].low > 1 for name in search.objectives[:1] if name in ratios)
+    return sure and merit(search, best, start, LAST) < 0 and not excess(search, best, start, LAST)
+
+
+def _correlations(climbers: list[Climber], lower: str, upper: str) -> dict[str, float]:
+    return rank_correlations(*([one.rungs[rung] for one in climbers] for rung in (lower, upper)))
+
+
+Scores = Callable[[list[ObjectSpec]], Iterator[LadderScore]]
+
+
+def _score(climbers: list[Climber], rung: str, scores: Scores, memo: Path, say: Say) -> None:
+    """Fill in a rung, from the file or anew."""
+    known = json.loads(memo.read_text(encoding="utf-8")) if memo.is_file() else {}
+    keys = [f"{rung} {spec_hash(one.spec)}" for one in climbers]
+    missing = [k for k, key in enumerate(keys) if key not in known]
+    found = scores([climbers[k].spec for k in missing])
+    for done, k in enumerate(missing):
+        say(f"rung {rung}: {climbers[k].label}, {done + 1} of {len(missing)}")
+        known[keys[k]] = asdict(next(found))
+        with atomic_path(memo) as temporary:
+            temporary.write_text(json.dumps(known, indent=1), encoding="utf-8")
+    for one, key in zip(climbers, keys, strict=True):
+        one.rungs[rung] = LadderScore(**{name: known[key][name] for name in SCORE_NAMES})
+
+
+_SCORER = ("magnet_part", "sensor_chip", "sensor_turn_deg", "sensor_range_mt")
+_SHELL = ("shell_thickness_mm", "silicone", "core_size_mm")
+
+
+def _alike(spec: ObjectSpec, names: tuple[str, ...]) -> tuple[Any, ...]:
+    """What layouts that share mechanics, or scorers, have in common."""
+    choices = structure_choices(spec)
+    return tuple(choices[name] for name in names)
+
+
+def _on_first_rung(specs: list[ObjectSpec]) -> Iterator[LadderScore]:
+    found: dict[tuple[Any, ...], tuple[LayoutScorer, ...]] = {}
+    for spec in specs:
+        key = _alike(spec, _SCORER + _SHELL)
+        if key not in found:
+            found[key] = scorers(spec, _FACES)
+        yield rung_one(spec, found[key])
+
+
+def _on_second_rung(specs: list[ObjectSpec]) -> Iterator[LadderScore]:
+    """One factorization for all layouts of a shell that follow each other."""
+    for _, group in groupby(specs, key=lambda spec: _alike(spec, _SHELL)):
+        alike = list(group)
+        with plain_shell(alike[0]) as shell:
+            for spec in alike:
+                yield shell.score(spec)
+
+
+def _on_last_rung(specs: list[ObjectSpec]) -> Iterator[LadderScore]:
+    for spec in specs:
+        yield chain_score(spec)

@@ -1,0 +1,140 @@
+"""The commands `optimize` and `worker`: search, climb the ladder, write what came of it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from design.errors import InputError
+from design.search_space import SearchSpace, start_params
+from design.spec import ObjectSpec
+from design.spec_as_built import AsBuiltSpec
+from design.spec_io import load_spec, spec_hash
+from instobj.chain import Chain
+from instobj.layout_ladder import score_row
+from instobj.progress import ProgressLine
+from instobj.publish import file_rows, require_writable, run_folder
+from instobj.search.apart import Apart
+from instobj.search.first_rung import first_rung
+from instobj.search.ladder import FIRST, LAST, SECOND, Climb, Climber, climb
+from instobj.search.loop import is_feasible, run_search
+from instobj.search.outcome import write_outcome
+from instobj.search.possible import require_possible
+from instobj.search.study import KeptStudy, open_study
+
+
+def optimize(
+    path: Path, out: Path, overrides: list[str], resume: bool, storage: str | None
+) -> dict[str, Any]:
+    """Search, then take the leaders up the ladder; files in `runs/<name>/search`.
+
+    Raises
+    ------
+    InputError
+        Of `require_possible` and `open_study`; trials cannot be kept; or none keeps every limit.
+    """
+    spec, space = _prepared(path, out, overrides)
+    folder = search_folder(out, spec)
+    kept = open_study(spec, storage or folder / "journal.log", resume)
+    progress = ProgressLine()
+    _search(space, kept, progress)
+    with progress.stage("ladder"):
+        found = climb(space, kept, folder, progress.step)
+    if found is None:
+        raise InputError(
+            f"none of {len(kept.trials())} trials keeps every limit. Raise search.trials and go on with "
+            "--resume, or loosen [search.limits]"
+        )
+    with progress.stage("report"):
+        files = write_outcome(space, kept, found, folder, path.parent, progress.step)
+    return _document(spec, kept, found, files)
+
+
+def work(path: Path, out: Path, overrides: list[str], storage: str, worker: int) -> dict[str, Any]:
+    """Work on a study that others work on too, until its budget is spent.
+
+    Raises
+    ------
+    InputError
+        As `optimize`.
+    """
+    spec, space = _prepared(path, out, overrides)
+    kept = open_study(spec, storage, join=True)
+    _search(space, kept, ProgressLine(), worker)
+    return {"command": "worker", "tables": {f"search of {spec.name}": [_trial_counts(kept)]}}
+
+
+def search_folder(out: Path, spec: ObjectSpec) -> Path:
+    """Where a search of this specification keeps its files."""
+    return run_folder(out, spec.name) / "search"
+
+
+def _prepared(path: Path, out: Path, overrides: list[str]) -> tuple[ObjectSpec, SearchSpace]:
+    """Another object is sought: what was measured on the built one goes."""
+    spec = load_spec(path, overrides).model_copy(update={"as_built": AsBuiltSpec()})
+    require_writable(out)
+    return spec, require_possible(spec)
+
+
+def _search(space: SearchSpace, kept: KeptStudy, progress: ProgressLine, worker: int = 0) -> None:
+    if len(kept.trials()) >= space.spec.search.trials:
+        return
+    Chain(space.spec, progress).require("candidates")
+    scoring = Apart(first_rung, space.spec.model_dump_json())
+    try:
+        with progress.stage("search"):
+            run_search(space, kept, scoring.ask, progress.step, start_params(space), worker)
+    finally:
+        scoring.close()
+
+
+def _document(spec: ObjectSpec, kept: KeptStudy, found: Climb, files: list[Path]) -> dict[str, Any]:
+    verdict = (
+        f"{found.best.label} is better than the start, by the last rung"
+        if found.better
+        else "no layout is better than the start by the last rung; best.toml is not written"
+    )
+    ratios = [
+        {"score": name, "start / best": ratio.design, "95 % from": ratio.low, "to": ratio.high}
+        for name, ratio in found.ratios.items()
+    ]
+    return {
+        "command": "optimize",
+        "name": spec.name,
+        "spec_hash": spec_hash(spec),
+        "better": found.better,
+        "verdict": verdict,
+        "tables": {
+            f"search of {spec.name}: {verdict}": [_trial_counts(kept)],
+            "first rung: magnets without stiffness, linear signals": _rows(found, FIRST),
+            "second rung: rigid magnets, contact and fields in full": _rows(found, SECOND),
+            "last rung: the chain": _rows(found, LAST),
+            "last rung, between objects within tolerance": ratios,
+            "how well a rung ranks the next (Spearman)": correlation_rows(found),
+        },
+        "files": file_rows(files),
+    }
+
+
+def correlation_rows(found: Climb) -> list[dict[str, Any]]:
+    """Rank correlations of every score, from a rung to the next."""
+    return [
+        {"score": name, "1 to 2": found.correlations[FIRST][name], "2 to 3": second}
+        for name, second in found.correlations[SECOND].items()
+    ]
+
+
+def _rows(found: Climb, rung: str) -> list[dict[str, Any]]:
+    climbers: tuple[Climber, ...] = (found.start, *found.leaders)
+    known = [one for one in climbers if rung in one.rungs]
+    return [{"layout": one.label} | score_row(one.rungs[rung]) for one in known]
+
+
+def _trial_counts(kept: KeptStudy) -> dict[str, Any]:
+    trials, finished = kept.trials(), kept.finished()
+    return {
+        "trials": len(trials),
+        "within all limits": sum(map(is_feasible, finished)),
+        "failed": len(trials) - len(finished),
+        "kept in": kept.where,
+    }

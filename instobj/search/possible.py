@@ -1,0 +1,124 @@
+"""Whether a search's bounds and limits leave any layout at all, before anything is solved."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+import torch
+from jaxtyping import Float
+from torch import Tensor
+
+from design.errors import InputError
+from design.search_space import SearchSpace, params_at, search_space, structure_of, unit_of
+from design.search_structure import with_structure
+from design.spec import ObjectSpec
+from estimator.layout_polish import descend
+from estimator.layout_vectors import RULES, broken_limits_mm, layout_space, layouts_at
+from fem.candidates import candidate_lattices
+from instobj.search.first_rung import broken_by_structure, misfit_of
+
+_STARTS = 64
+_STEPS = 150
+_STRUCTURES = 24
+"""Drawn at random; a search of more kinds of shells and counts than that has some that fit."""
+
+
+@dataclass(frozen=True)
+class _Nearest:
+    """The layout that comes nearest to the limits: variables, what is broken and which rule most."""
+
+    params: dict[str, object]
+    broken_mm: float
+    rule: str
+
+
+def require_possible(spec: ObjectSpec) -> SearchSpace:
+    """The search space, if it holds a layout within all limits.
+
+    Raises
+    ------
+    InputError
+        Of `search_space`; a body that cannot be searched; or no layout within the limits, with the
+        one that is most in the way.
+    """
+    if spec.body.kind != "box":
+        raise InputError(f"a layout search takes a box; got body.kind = {spec.body.kind!r}")
+    if spec.arrangement != "sensors-in-core":
+        raise InputError(
+            "a layout search takes magnets in the shell; got arrangement = "
+            f"{spec.arrangement!r}. Compare such layouts by `instobj score A.toml B.toml`"
+        )
+    space = search_space(spec)
+    reasons: Counter[str] = Counter()
+    for structured, nearest in _nearest_of_structures(space):
+        _require_candidates(structured)
+        if nearest.broken_mm > 0:
+            reasons[nearest.rule] += 1
+            continue
+        misfit = misfit_of(spec, nearest.params)
+        if not misfit:
+            return space
+        reasons[misfit.splitlines()[-1].strip(" -")] += 1
+    (rule, _), *_ = reasons.most_common()
+    raise InputError(
+        f"no layout within the bounds keeps every limit. Most in the way: {rule}. Widen [search.vary] "
+        "or loosen [search.limits]"
+    )
+
+
+def _nearest_of_structures(space: SearchSpace) -> Iterator[tuple[ObjectSpec, _Nearest]]:
+    """Structures drawn at random, each with the layout that comes nearest to its limits."""
+    rng, seen = np.random.default_rng(space.spec.seed), set()
+    for _ in range(_STRUCTURES):
+        units = rng.random((_STARTS, len(space.variables)))
+        params = params_at(space, units[0])
+        structure = structure_of(space, params)
+        if structure in seen:
+            continue
+        seen.add(structure)
+        structured = with_structure(space.spec, params)
+        yield structured, _nearest(space, structured, params, units)
+
+
+def _nearest(
+    space: SearchSpace,
+    structured: ObjectSpec,
+    params: dict[str, object],
+    units: Float[np.ndarray, "layout variable"],
+) -> _Nearest:
+    """Walk random layouts of one structure towards the limits."""
+    tensors = layout_space(space, structured)
+    flags = np.array([not v.choices for v in space.variables])
+    poles = torch.ones(len(units), len(tensors.magnets.constant))
+
+    def broken(point: Tensor) -> Tensor:
+        return broken_limits_mm(tensors, layouts_at(tensors, point, poles, 1))
+
+    start = torch.as_tensor(units[:, flags], dtype=torch.float32)
+    point = descend(lambda u: broken(u).sum(dim=1), start, _STEPS) if flags.any() else start
+    rules = broken(point)
+    best = int(rules.sum(dim=1).argmin())
+    unit = unit_of(space, params)
+    unit[flags] = point[best].numpy()
+    by_structure = broken_by_structure(structured)
+    total = float(rules[best].sum()) + by_structure
+    worst = int(rules[best].argmax())
+    if by_structure > float(rules[best].max()):
+        rule = "the count or the cost of the parts (search.limits.parts_per_face, cost)"
+    else:
+        rule = f"{RULES[worst]}, by {float(rules[best, worst]):.2g} mm at least"
+    return _Nearest(params | params_at(space, unit), total, rule)
+
+
+def _require_candidates(structured: ObjectSpec) -> None:
+    """Depths must lie where magnets' motions are known."""
+    depth = candidate_lattices(structured)[0].depth_mm
+    low, high = structured.search.vary.magnet_depth_mm or (depth[0], depth[-1])
+    if low < depth[0] or high > depth[-1]:
+        raise InputError(
+            f"search.vary.magnet_depth_mm must stay within {depth[0]:g} to {depth[-1]:g} mm, 1.5 mm "
+            f"from both skins of the shell; got {low:g} to {high:g}. Narrow it"
+        )
