@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from design.spec import ObjectSpec
+from design.spec_io import parse_spec
 from instobj.experiments.registry import Study
 from instobj.experiments.variant_figure import draw_variants
 from instobj.layout_ladder import chain_score, score_row
@@ -31,8 +32,14 @@ _QUICK: Changes = {
 }
 
 
-def changed(spec: ObjectSpec, changes: Changes) -> ObjectSpec:
-    """The specification with dotted keys set, checked like any other."""
+def changed(spec: ObjectSpec, changes: Changes, source: str = "a variant") -> ObjectSpec:
+    """The specification with dotted keys set, checked like any other; `source` names it in errors.
+
+    Raises
+    ------
+    InputError
+        The changes do not fit the specification.
+    """
     content = spec.model_dump(mode="json", exclude_unset=True)
     for name, value in changes.items():
         *tables, key = name.split(".")
@@ -40,7 +47,7 @@ def changed(spec: ObjectSpec, changes: Changes) -> ObjectSpec:
         for part in tables:
             table = table.setdefault(part, {})
         table[key] = value
-    return ObjectSpec.model_validate(content)
+    return parse_spec(content, source)
 
 
 def compare_variants(
@@ -49,7 +56,9 @@ def compare_variants(
     """Score the variants, the first being what the others are compared with; write the figure."""
     rows = []
     for label, changes in variants(spec).items():
-        variant = changed(spec, {**changes, **(_QUICK if quick else _MESH)})
+        variant = changed(
+            spec, {**changes, **(_QUICK if quick else _MESH)}, f"{spec.name} with {label}"
+        )
         rows.append({"variant": label} | score_row(chain_score(variant)))
     draw_variants(
         rows, spec.score.force_n if not quick else _QUICK["score.force_n"], folder / "scores.png"
@@ -88,7 +97,7 @@ def poles(spec: ObjectSpec) -> dict[str, Changes]:
     """Which of the five poles point inward."""
     out, inward = "outward", "inward"
     return {
-        "all outward": {"magnets.north": [out] * 5},
+        "all outward": {"magnets.north": []},
         "centre inward": {"magnets.north": [inward, out, out, out, out]},
         "corners alternating": {"magnets.north": [out, out, inward, out, inward]},
         "two neighbours inward": {"magnets.north": [out, out, out, inward, inward]},
@@ -140,6 +149,15 @@ def moduli(spec: ObjectSpec) -> dict[str, Changes]:
     }
 
 
+def slits(spec: ObjectSpec) -> dict[str, Changes]:
+    """Relief slits along the edges between faces, 1 mm wide."""
+    return {
+        "no slits": {"shell.slits.depth_mm": 0.0},
+        "slits 3 mm deep": {"shell.slits.depth_mm": 3.0},
+        "slits 5 mm deep": {"shell.slits.depth_mm": 5.0},
+    }
+
+
 def _study(name: str, text: str, variants: Variants) -> Study:
     return Study(name, text, partial(compare_variants, variants))
 
@@ -151,4 +169,5 @@ STUDIES = (
     _study("arrangement", "Magnets in the core and sensors in the shell.", arrangements),
     _study("shell-thickness", "A thicker shell round the same core.", thicknesses),
     _study("silicone-modulus", "A softer or harder silicone.", moduli),
+    _study("relief-slits", "Slits along the edges, against pressure on the neighbours.", slits),
 )
