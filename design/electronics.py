@@ -8,7 +8,7 @@ import numpy as np
 
 from design.blocks import Block
 from design.layouts import FaceFrame, core_frames, shell_body_layout
-from design.pockets import board_frame
+from design.pockets import board_frame, sensor_places
 from design.spec import ObjectSpec
 
 PACKING = 0.7
@@ -38,8 +38,8 @@ def mounted_sensors(spec: ObjectSpec) -> list[Mounted]:
     if spec.arrangement == "sensors-in-shell":
         return []
     return [
-        _mounted(spec, frame, number, place)
-        for frame, places in zip(core_frames(spec), spec.sensors.places, strict=True)
+        _mounted(spec, frame.tangent(np.array(place[:2])), number, place)
+        for frame, places in zip(core_frames(spec), sensor_places(spec), strict=True)
         for number, place in enumerate(places, start=1)
     ]
 

@@ -42,8 +42,13 @@ class CrossFace:
     false_force_n: Float[np.ndarray, "pair place"]
 
     def summary(self, relation: Relation) -> dict[str, float]:
-        """Median and largest disturbance (σ) and false force (N) over all pairs and places."""
+        """Median and largest disturbance (σ) and false force (N) over all pairs and places.
+
+        Empty where no two sensed faces lie so to each other.
+        """
         rows = [r == relation for r in self.relation]
+        if not any(rows):
+            return {}
         size, force = self.size_sigma[rows], self.false_force_n[rows]
         return {
             "median_sigma": float(np.median(size)),
@@ -77,8 +82,8 @@ def cross_face_disturbance(spec: ObjectSpec, signals: Signals, force_n: float = 
         np.array([frames[a].number for a, _ in pairs]),
         np.array([frames[b].number for _, b in pairs]),
         tuple(relation),
-        np.stack(sizes),
-        np.stack(forces),
+        np.reshape(sizes, (len(pairs), -1)) if pairs else np.zeros((0, len(pressed[0]))),
+        np.reshape(forces, (len(pairs), -1)) if pairs else np.zeros((0, len(pressed[0]))),
     )
 
 

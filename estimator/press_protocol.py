@@ -211,7 +211,7 @@ def _labelled(
     zero = np.where(contact, 0.0, np.nan)
     forces = np.stack([zero, zero, np.where(contact, label, np.nan)], axis=-1)
     count = presses * frames
-    shape = (5, spec.sensors.count_per_face, 3)
+    shape = (len(spec.body.sensed), spec.sensors.count_per_face, 3)
     live = live_channels(spec).reshape(shape)
     return FrameSet(
         signal_counts=np.where(live, readings.reshape(count, *shape), np.nan),
@@ -223,7 +223,7 @@ def _labelled(
         place_id=np.where(contact, place_id, REST_PLACE_ID).ravel(),
         session_id=np.repeat(plan.repetition, frames),
         time_s=np.arange(count) / spec.sensors.frame_rate_hz,
-        faces=np.arange(1, 6),
+        faces=np.array(spec.body.sensed),
         grid_x_mm=grid.x_mm,
         grid_y_mm=grid.y_mm,
         noise_counts=np.asarray(spec.sensors.noise_counts, float),

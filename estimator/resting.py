@@ -14,7 +14,7 @@ from design.errors import InputError
 from design.spec import ObjectSpec
 from estimator.hall import full_scale_counts
 
-_CHANNEL = re.compile(r"F([1-5])-([XYZ])(\d+)")
+_CHANNEL = re.compile(r"F([1-6])-([XYZ])(\d+)")
 _DEAD_KINDS = ("dead channel", "noisy channel")
 
 
@@ -51,7 +51,7 @@ def read_resting(path: Path, spec: ObjectSpec) -> Resting:
 def channel_names(spec: ObjectSpec) -> list[str]:
     """F1-X1, F1-Y1, …: flat channels in this package's order."""
     sensors = range(1, spec.sensors.count_per_face + 1)
-    return [f"F{face}-{axis}{k}" for face in range(1, 6) for k in sensors for axis in "XYZ"]
+    return [f"F{face}-{axis}{k}" for face in spec.body.sensed for k in sensors for axis in "XYZ"]
 
 
 def _of_recording(path: Path, spec: ObjectSpec) -> Resting:

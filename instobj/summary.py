@@ -110,6 +110,7 @@ def _cross_face(result: StoredResult) -> list[dict[str, Any]]:
             "largest N": content[relation]["largest_false_force_n"],
         }
         for relation in ("adjacent", "opposite")
+        if content[relation]
     ]
 
 

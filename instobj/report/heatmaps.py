@@ -15,7 +15,7 @@ import numpy as np
 from jaxtyping import Bool, Float, Int
 
 from design.files import atomic_path
-from design.layouts import contact_grid, face_frames, sensor_layout
+from design.layouts import contact_grid, face_frame, face_frames, sensor_layout
 from design.pockets import magnet_bodies
 from design.spec import ObjectSpec
 from instobj.report.map_scale import (
@@ -35,9 +35,9 @@ __all__ = [
     "finite_limits",
 ]
 
-_NET = {1: (0, 0, 0), 2: (-90, 0, -1), 3: (0, 1, 0), 4: (90, 0, 1), 5: (180, -1, 0)}
+_NET = {1: (0, 0, 0), 2: (-90, 0, -1), 3: (0, 1, 0), 4: (90, 0, 1), 5: (180, -1, 0), 6: (0, 3, 0)}
 """Face → turn of its map (degrees) and direction of its place in the net about face 1."""
-_OUTWARD = {1: "+z", 2: "−y", 3: "+x", 4: "+y", 5: "−x"}
+_OUTWARD = {1: "+z", 2: "−y", 3: "+x", 4: "+y", 5: "−x", 6: "−z"}
 _GAP_MM = 3.0
 _SENSOR_EDGE_MM = 1.8
 _NOTE_WIDTH = 44
@@ -87,7 +87,7 @@ def draw_face_heatmap(
     axes = figure.add_subplot()
     pose = _Pose(0.0, (0.0, 0.0))
     mesh = _draw_face(axes, values, spec, face, scale, pose, font_size=8.5)
-    half_x, half_y = face_frames(spec)[face - 1].half_extents_mm
+    half_x, half_y = face_frame(spec, face).half_extents_mm
     axes.set(xlim=(-half_x - 0.5, half_x + 0.5), ylim=(-half_y - 0.5, half_y + 0.5), aspect="equal")
     axes.set(xlabel=f"x of face {face} (mm)", ylabel=f"y of face {face} (mm)")
     axes.set_title(f"{title}\nface {face} ({_OUTWARD[face]}), seen from outside", fontsize=11)
@@ -123,9 +123,9 @@ def draw_overview(
     scale = map_scale(unit, vmin, vmax, log, colours)
     figure = Figure(figsize=(13.0, 13.4), dpi=120, facecolor=_PAPER)
     axes = figure.add_axes((0.02, 0.01, 0.96, 0.93))
-    frames, meshes = face_frames(spec), []
+    meshes = []
     for row, number in zip(values, faces, strict=True):
-        half_x, half_y = frames[number - 1].half_extents_mm
+        half_x, half_y = face_frame(spec, int(number)).half_extents_mm
         pose = _net_pose(spec, int(number))
         meshes.append(_draw_face(axes, row, spec, int(number), scale, pose, font_size=7.4))
         if direction_deg is not None:
@@ -157,7 +157,7 @@ def draw_overview(
 
 def _net_pose(spec: ObjectSpec, face: int) -> _Pose:
     turn, right, up = _NET[face]
-    top, own = face_frames(spec)[0].half_extents_mm, face_frames(spec)[face - 1].half_extents_mm
+    top, own = face_frames(spec)[0].half_extents_mm, face_frame(spec, face).half_extents_mm
     distance_x, distance_y = top[0] + own[0] + _GAP_MM, top[1] + own[0] + _GAP_MM
     return _Pose(turn, (right * distance_x, up * distance_y))
 
@@ -171,11 +171,13 @@ def _draw_face(
     pose: _Pose,
     font_size: float,
 ) -> Any:
-    from matplotlib.patches import Rectangle
+    from matplotlib.patches import Ellipse, Rectangle
 
-    grid, move = contact_grid(spec), pose.transform(axes)
-    half_x, half_y = face_frames(spec)[face - 1].half_extents_mm
+    grid, move, frame = contact_grid(spec), pose.transform(axes), face_frame(spec, face)
+    half_x, half_y = frame.half_extents_mm
     outline = Rectangle((-half_x, -half_y), 2 * half_x, 2 * half_y, fc=_BLANK, ec=_FRAME, lw=1.2)
+    if frame.round:
+        outline = Ellipse((0, 0), 2 * half_x, 2 * half_y, fc=_BLANK, ec=_FRAME, lw=1.2)
     axes.add_patch(_placed(outline, move))
     corners = pose.apply(np.array([[-half_x, -half_y], [half_x, half_y]]))
     axes.update_datalim(corners)
@@ -215,7 +217,7 @@ def _draw_parts(axes: Any, spec: ObjectSpec, face: int, move: Any) -> None:
 
     edge = _SENSOR_EDGE_MM
     patches: list[Any] = []
-    for body in magnet_bodies(spec)[face - 1]:
+    for body in magnet_bodies(spec)[spec.body.sensed.index(face)]:
         (x, y), (half_x, half_y) = body.centre_mm[:2], body.outline.half_mm
         if body.outline.round:
             patches.append(Circle((x, y), half_x, fill=False, ec=_MAGNET, lw=1.6))
@@ -245,7 +247,7 @@ def _cell_edges(centres_mm: Float[np.ndarray, "n"], pitch_mm: float) -> Float[np
 def _sensors_in_plane(spec: ObjectSpec, face: int) -> Float[np.ndarray, "sensor 2"]:
     layout = sensor_layout(spec)
     own = layout.position_mm[layout.face == face]
-    return face_frames(spec)[face - 1].from_object(own)[:, :2]
+    return face_frame(spec, face).in_plane(own)[:, :2]
 
 
 def _write_numbers(

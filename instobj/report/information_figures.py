@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 
 from design.files import atomic_path
-from design.layouts import contact_grid, face_frames
+from design.layouts import contact_grid, face_frame
+from design.pockets import sensor_places
 from design.spec import ObjectSpec
 from estimator.identifiability import Identifiability
 
@@ -95,11 +96,11 @@ def _draw_set(axes: Any, spec: ObjectSpec, row: Identifiability) -> None:
     from matplotlib.patches import Circle, Rectangle
 
     worst = row.worst
-    half_x, half_y = face_frames(spec)[worst.face - 1].half_extents_mm
+    half_x, half_y = face_frame(spec, worst.face).half_extents_mm
     axes.add_patch(Rectangle((-half_x, -half_y), 2 * half_x, 2 * half_y, fc="#f7f4ec", ec="0.5"))
     for x, y in spec.magnets.positions_mm:
         axes.add_patch(Circle((x, y), spec.magnets.diameter_mm / 2, fill=False, ec="#1f77d0"))
-    for x, y, _ in spec.sensors.places[worst.face - 1]:
+    for x, y, _ in sensor_places(spec)[spec.body.sensed.index(worst.face)]:
         axes.plot(x, y, marker="s", color="#0a8f5a", mfc="none", ms=7, ls="")
     grid = contact_grid(spec).xy_mm
     axes.plot(*grid.T, ls="", marker=".", ms=2, color="0.7")

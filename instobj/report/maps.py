@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from design.spec import ObjectSpec
-from estimator.cross_face import CrossFace
+from estimator.cross_face import RELATIONS, CrossFace
 from estimator.scores import PlaceScores, weakest_place
 from estimator.shear import ShearScores
 from instobj.report.heatmaps import (
@@ -127,10 +127,21 @@ def draw_shear_maps(spec: ObjectSpec, scores: ShearScores, folder: Path) -> None
 
 
 def draw_cross_face_map(spec: ObjectSpec, cross: CrossFace, folder: Path) -> None:
-    """Overview of what a press at each place does to the other face that it disturbs most."""
+    """Overview of what a press at each place does to the other face that it disturbs most.
+
+    None is drawn of an object with one sensed face.
+    """
+    if not len(cross.pressed):
+        return
     faces = np.unique(cross.pressed)
     largest = np.stack([cross.size_sigma[cross.pressed == face].max(axis=0) for face in faces])
-    adjacent, opposite = cross.summary("adjacent"), cross.summary("opposite")
+    medians = {relation: cross.summary(relation) for relation in RELATIONS}
+    told = ", ".join(
+        f"{relation} face {values['median_sigma']:.1f} σ ({values['median_false_force_n']:.2f} N of "
+        "false force)"
+        for relation, values in medians.items()
+        if values
+    )
     draw_overview(
         largest,
         faces,
@@ -141,8 +152,6 @@ def draw_cross_face_map(spec: ObjectSpec, cross: CrossFace, folder: Path) -> Non
         folder / "cross_face_overview.png",
         note=(
             "Length of the signal change in the other face's own channels. Median over all places, "
-            f"adjacent face {adjacent['median_sigma']:.1f} σ ({adjacent['median_false_force_n']:.2f} N "
-            f"of false force), opposite face {opposite['median_sigma']:.1f} σ "
-            f"({opposite['median_false_force_n']:.2f} N)."
+            f"{told}."
         ),
     )

@@ -166,11 +166,14 @@ def _areas_section(scores: Any) -> str:
 def _cross_face_section(spec: ObjectSpec, signals: Any) -> str:
     from estimator.cross_face import RELATIONS, cross_face_disturbance
 
+    if len(signals.faces) == 1:
+        return ""
     cross = cross_face_disturbance(spec, signals)
     rows = []
     for relation in RELATIONS:
         values = cross.summary(relation)
-        rows.append([relation, *(f"{value:.2f}" for value in values.values())])
+        if values:
+            rows.append([relation, *(f"{value:.2f}" for value in values.values())])
     header = ["pressed face", "median, σ", "largest, σ", "median false force, N", "largest, N"]
     note = (
         f"A press of {cross.force_n:g} N on another face, read by this face's own channels: its size "
