@@ -28,6 +28,7 @@ from estimator.contact_traces import (
 from estimator.dataset import NO_FACE, PER_FRAME_FIELDS, FrameSet
 from estimator.monotone import monotone_cubic
 from estimator.press_protocol import (
+    DRIFT_TIME_S,
     LEAST_FORCE_NOISES,
     REST_PLACE_ID,
     disturbed,
@@ -134,13 +135,27 @@ def _periodic(
     """Every case over and over: the paper's at one travel for all, grasps to one force."""
     frames, quiet = spec.collection.frames_per_case, spec.collection.non_contact_cases
     traces = contact_traces(spec, signals, cases, mechanics, progress)
-    peak = traces.travel_mm[:, -1]
-    if not cases[0].squeezed:
-        peak = np.minimum(nominal_peaks(spec, signals).common_travel_mm, peak)
     total = len(cases) + quiet
     period = spec.protocol.frames_per_press * (1 + _PERIOD_SPREAD * rng.uniform(-1, 1, (total, 1)))
     turns = rng.uniform(0, 1, (total, 1)) + np.arange(frames) / period
+    peak = peak_travel_mm(spec, signals, cases, traces)
     return _Recipe(cases, traces, peak, turns, np.ones(frames, bool))
+
+
+def peak_travel_mm(
+    spec: ObjectSpec, signals: Signals, cases: Sequence[ContactCase], traces: ContactTraces
+) -> Float[np.ndarray, "case"]:
+    """Height of the periodic travel: the paper's common one, or that of the grasps' force."""
+    deepest = traces.travel_mm[:, -1]
+    if cases[0].squeezed:
+        return deepest
+    return np.minimum(nominal_peaks(spec, signals).common_travel_mm, deepest)
+
+
+def drift_rms_counts(spec: ObjectSpec) -> float:
+    """Drift of a case since its zeroing, rms over its frames."""
+    seconds = spec.collection.frames_per_case / spec.sensors.frame_rate_hz
+    return spec.sensors.drift_counts * float(np.sqrt(seconds / 2 / DRIFT_TIME_S))
 
 
 def _anywhere(
@@ -224,7 +239,7 @@ def _labelled(
     true, label, sure = _forces(spec, recipe, felt_n, rng)
     identity = np.full(cases, REST_PLACE_ID)
     identity[: len(recipe.cases)] = [case.place_id for case in recipe.cases]
-    count, shape = cases * frames, (5, spec.sensors.count_per_face, 3)
+    count, shape = cases * frames, (len(spec.body.sensed), spec.sensors.count_per_face, 3)
     slots = contact.shape[1]
 
     def in_contact(values: np.ndarray, empty: float | int) -> np.ndarray:
@@ -243,7 +258,7 @@ def _labelled(
         place_id=np.where(recipe.moving, identity[:, None], REST_PLACE_ID).ravel(),
         session_id=np.repeat(np.arange(cases), frames),
         time_s=np.arange(count) / spec.sensors.frame_rate_hz,
-        faces=np.arange(1, 6),
+        faces=np.array(spec.body.sensed),
         grid_x_mm=grid.x_mm,
         grid_y_mm=grid.y_mm,
         noise_counts=np.asarray(spec.sensors.noise_counts, float),

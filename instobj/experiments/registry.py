@@ -19,7 +19,13 @@ from design.spec_io import load_spec
 from instobj.publish import file_rows, require_writable, run_folder
 from instobj.stage import write_json
 
-_MODULES: tuple[str, ...] = ("instobj.experiments.layouts",)
+_MODULES: tuple[str, ...] = (
+    "instobj.experiments.general",
+    "instobj.experiments.places",
+    "instobj.experiments.amounts",
+    "instobj.experiments.reference",
+    "instobj.experiments.layouts",
+)
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,224 @@
+"""How much data, and of which places, an estimator needs."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from instobj.experiments.paper_figures import draw_bars, draw_lines, draw_maps
+from instobj.experiments.paper_object import (
+    SIMULATED,
+    SimulatedObject,
+    fitted,
+    metric_row,
+    predict_face,
+    random_split,
+    simulated_object,
+)
+from instobj.experiments.published import LEAST_TRAINING_FRAMES, TABLE_II, beside
+from instobj.experiments.registry import Study
+
+if TYPE_CHECKING:
+    from design.spec import ObjectSpec
+    from estimator.dataset import FrameSet
+    from estimator.face_model import FaceModel
+    from estimator.metrics import ForceReference
+
+_HALVINGS = 10
+
+
+def run_data_amount(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]:
+    """The paper's training part halved ten times; the same test part throughout."""
+    from estimator.face_data import face_data
+    from estimator.metrics import face_metrics, force_reference
+
+    recorded = simulated_object(spec, quick)
+    face = recorded.spec.collection.faces[0]
+    frames = recorded.collect(faces=[face])
+    span = force_reference(face_data(frames, face).heatmap_n)
+    split = random_split(frames, recorded.spec.seed)
+    train, validation = np.flatnonzero(split.train), np.flatnonzero(split.validation)
+    test, rng = frames.select(split.test), np.random.default_rng(recorded.spec.seed)
+    train, validation = rng.permutation(train), rng.permutation(validation)
+    rows = []
+    for halvings in range(0, _HALVINGS + 1, 4 if quick else 1):
+        parts = tuple(
+            frames.select(np.sort(part[: max(40, len(part) >> halvings)]))
+            for part in (train, validation)
+        )
+        label = {"collection": "paper", "faces": [face], "halvings": halvings}
+        model = fitted(recorded, (parts[0], parts[1]), face, label)
+        predicted, true, rest = predict_face(model, test)
+        found = face_metrics(face, predicted, true, span, rest)
+        rows.append(
+            {"data": f"1/{2**halvings}", "training frames": len(parts[0])} | metric_row(found)
+        )
+    amount = np.array([row["training frames"] for row in rows])
+    shown = ("A_sim", "E_loc px", "E_f %", "A_non")
+    panels = {name: {"simulated": np.array([row[name] for row in rows])} for name in shown}
+    mark = (float(LEAST_TRAINING_FRAMES), "the paper's held down to here")
+    draw_lines(amount, panels, "training frames", folder / "data-amount.png", mark)
+    texts = [
+        SIMULATED,
+        f"The paper's performance held down to {LEAST_TRAINING_FRAMES} training frames, 1/32 of all.",
+    ]
+    return {"rows": rows, "texts": texts}
+
+
+def run_seen_unseen(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]:
+    """Trained on every second place in x and y; tested there and on all other places."""
+    from estimator.contact_cases import DUAL_CASES
+    from estimator.face_data import face_data
+    from estimator.metrics import force_reference
+
+    recorded = simulated_object(spec, quick)
+    face = recorded.spec.collection.faces[0]
+    frames = recorded.collect(faces=[face], non_contact_cases=1)
+    frames = frames.select(frames.place_id < DUAL_CASES)
+    seen = seen_places(frames)
+    split = random_split(frames, recorded.spec.seed)
+    span = force_reference(face_data(frames, face).heatmap_n)
+    parts = tuple(frames.select(part & seen) for part in (split.train, split.validation))
+    unseen = frames.select(~seen)
+    rows: list[dict[str, Any]] = []
+    maps = {}
+    for output in ("heatmap", "position"):
+        label = {"collection": "paper", "faces": [face], "places": "seen"}
+        model = fitted(recorded, (parts[0], parts[1]), face, label, output=output)
+        for places, tested in (("seen", frames.select(split.test & seen)), ("unseen", unseen)):
+            row, errors = _place_row(model, tested, span, recorded)
+            rows.append({"output": output, "places": places} | beside(row, TABLE_II[places]))
+            if places == "unseen":
+                maps[f"{output}: distance (px)"] = errors
+    draw_maps(maps, folder / "unseen-places.png")
+    draw_bars(
+        [row | {"test": f"{row['places']}, {row['output']}"} for row in rows],
+        "test",
+        {"E_f %": "E_f", "total force %": "total force", "paper E_f %": "E_f, paper (real object)"},
+        "force error (%)",
+        folder / "seen-unseen.png",
+    )
+    texts = [
+        SIMULATED,
+        "E_f is read at the true pixel alone: a force shared with the next pixel counts as lost. The "
+        "total force and the distance of the estimated place do not depend on pixels.",
+    ]
+    return {"rows": rows, "texts": texts}
+
+
+def seen_places(frames: FrameSet) -> np.ndarray:
+    """Frames at every second place in x and y, and those at rest."""
+    pitch = frames.grid_x_mm[1] - frames.grid_x_mm[0]
+    first = np.array([frames.grid_x_mm[0], frames.grid_y_mm[0]])
+    index = np.round((np.nan_to_num(frames.contact_xy_mm[:, 0], nan=first[0]) - first) / pitch)
+    even = (index.astype(int) % 2 == 0).all(axis=1)
+    return even | (frames.place_id < 0)
+
+
+def _place_row(
+    model: FaceModel, tested: FrameSet, span: ForceReference, recorded: SimulatedObject
+) -> tuple[dict[str, float], np.ndarray]:
+    """Metrics with the estimated place's distance, and that distance as a map (px)."""
+    from estimator.metrics import face_metrics
+
+    predicted, true, rest = predict_face(model, tested)
+    metrics = face_metrics(model.face, predicted, true, span, rest)
+    distance, pixel = place_distance_px(model, tested, recorded.spec.contact_grid.pitch_mm)
+    total, count = np.zeros(true.shape[1:]), np.zeros(true.shape[1:])
+    np.add.at(total, tuple(pixel.T), distance)
+    np.add.at(count, tuple(pixel.T), 1)
+    mean = np.where(count > 0, total / np.maximum(count, 1), np.nan)
+    return metric_row(metrics) | {"distance px": round(float(distance.mean()), 4)}, mean
+
+
+def place_distance_px(
+    model: FaceModel, frames: FrameSet, pitch_mm: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """Distance of the estimated from the true centre of force, and the true pixel, by contact."""
+    from estimator.face_data import face_data
+    from estimator.face_model import predict
+    from estimator.heatmap import mm_to_pixel
+
+    data = face_data(frames, model.face)
+    data = data.select(data.contact)
+    away = np.linalg.norm(predict(model, data.frames).xy_mm - data.centre_mm, axis=1)
+    return away / pitch_mm, mm_to_pixel(data.centre_mm, frames.grid_x_mm, frames.grid_y_mm)
+
+
+def run_places(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]:
+    """One budget of frames spent on few places or on many, tested anywhere on the face."""
+    recorded = simulated_object(spec, quick)
+    face, protocol = recorded.spec.collection.faces[0], recorded.spec.protocol
+    per_press = protocol.frames_per_press + protocol.rest_frames_per_press
+    budget = 60 * per_press if quick else 600 * per_press
+    tested = recorded.collect(
+        seed=1, kind="continuous", faces=[face], presses=60 if quick else 1000
+    )
+    grid = recorded.collect(faces=[face], dual_poses=[], triple_poses=[])
+    rows = []
+    for name, frames in (
+        ("every second place", grid.select(seen_places(grid))),
+        ("every place", grid),
+        (
+            "anywhere",
+            recorded.collect(seed=2, kind="continuous", faces=[face], presses=budget // per_press),
+        ),
+    ):
+        chosen = _thinned(frames, budget, recorded.spec.seed)
+        split = random_split(chosen, recorded.spec.seed)
+        label = {"places": name, "budget": budget}
+        parts = (chosen.select(split.train | split.test), chosen.select(split.validation))
+        model = fitted(recorded, parts, face, label, output="position")
+        rows.append(
+            {"labelled": name, "places": _places(chosen), "frames": len(chosen)}
+            | _anywhere_row(model, tested, recorded)
+        )
+    draw_bars(
+        rows,
+        "labelled",
+        {"mean distance mm": "place (mm)", "total force %": "total force (% of the mean force)"},
+        "error of contacts anywhere on the face",
+        folder / "places-against-frames.png",
+    )
+    return {
+        "rows": rows,
+        "texts": [SIMULATED, "The paper labels 100 places with 1000 frames each."],
+    }
+
+
+def _thinned(frames: FrameSet, count: int, seed: int) -> FrameSet:
+    chosen = np.random.default_rng(seed).permutation(len(frames))[:count]
+    return frames.select(np.sort(chosen))
+
+
+def _places(frames: FrameSet) -> int:
+    pressed = frames.contact_face[:, 0] > 0
+    return len(np.unique(frames.contact_xy_mm[pressed, 0], axis=0))
+
+
+def _anywhere_row(
+    model: FaceModel, tested: FrameSet, recorded: SimulatedObject
+) -> dict[str, float]:
+    from estimator.face_data import face_data
+    from estimator.face_model import predict
+
+    data = face_data(tested, model.face)
+    data = data.select(data.contact)
+    found, force = predict(model, data.frames), data.heatmap_n.sum(axis=(1, 2))
+    away = np.linalg.norm(found.xy_mm - data.centre_mm, axis=1)
+    return {
+        "mean distance mm": round(float(away.mean()), 4),
+        "90th percentile mm": round(float(np.quantile(away, 0.9)), 4),
+        "total force N": round(float(abs(found.force_n - force).mean()), 4),
+        "total force %": round(100 * float(abs(found.force_n - force).mean() / force.mean()), 3),
+    }
+
+
+STUDIES: Sequence[Study] = (
+    Study("data-amount", "Training frames halved ten times.", run_data_amount),
+    Study("seen-unseen", "The paper's Table II: places never trained on.", run_seen_unseen),
+    Study("places-against-frames", "The same number of frames at few places or many.", run_places),
+)

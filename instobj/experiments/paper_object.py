@@ -1,0 +1,194 @@
+"""The simulated object that the paper's experiments run on, its recordings, and fits to them.
+
+The object is a hidden twin: magnets, sensors, remanence and modulus off the design within
+`tolerances`, drawn with a seed of its own; in full runs also a finer mesh and forces corrected for
+large deformation. What an estimator is fitted to is labelled on that object alone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from design.spec import ObjectSpec
+from instobj.experiments.layouts import changed
+from instobj.store import content_key, store_root, stored
+
+if TYPE_CHECKING:
+    from estimator.contact_traces import JointMechanics
+    from estimator.dataset import FrameSet
+    from estimator.face_model import FaceModel
+    from estimator.metrics import FaceMetrics
+    from estimator.signals import Signals
+    from estimator.splits import Split
+
+SIMULATED = (
+    "Simulated: a hidden twin of the specification, off the design within its tolerances. The "
+    "paper's figures are of its real object; it had other errors and presses."
+)
+_TWIN = 1_000
+"""Added to the specification's seed for the twin's errors."""
+_FINER = 0.85
+_QUICK: dict[str, Any] = {
+    "mesh.surface_edge_mm": 3.5,
+    "mesh.edge_mm": 8.0,
+    "contact_grid.count": [5, 5],
+    "contact_grid.pitch_mm": 6.0,
+    "press.depths_mm": [1.0, 2.0, 3.0],
+    "protocol.peak_force_n": [6.0, 9.0],
+    "score.force_n": 4.0,
+    "collection.frames_per_case": 60,
+    "collection.non_contact_cases": 10,
+    "collection.presses": 150,
+    "collection.dual_poses": [[0, 6, 0], [6, 0, 90]],
+    "collection.triple_poses": [[0, -3, 0]],
+    "training.epochs": 12,
+    "training.hidden_units": [64, 64],
+}
+_VERSION = 1
+
+
+@dataclass(frozen=True)
+class SimulatedObject:
+    """An object with the expected signals of its presses and the mechanics of joint contact."""
+
+    spec: ObjectSpec
+    signals: Signals
+    mechanics: JointMechanics
+    key: str
+
+    def collect(self, seed: int = 0, **changes: Any) -> FrameSet:
+        """A recording (`[collection]` with changes); another `seed` records again."""
+        from estimator.collection import simulate_collection
+
+        spec = changed(
+            self.spec,
+            {f"collection.{name}": value for name, value in changes.items()}
+            | {"seed": self.spec.seed + seed},
+        )
+        return simulate_collection(spec, self.signals, self.key, self.mechanics)
+
+
+def simulated_object(spec: ObjectSpec, quick: bool) -> SimulatedObject:
+    """The hidden twin, from the store or made (minutes; quick: seconds, on the twin's coarse mesh)."""
+    from estimator.contact_traces import JointMechanics
+    from estimator.twin import drawn_assembly, twin_signals
+    from fem.response import load_response
+    from fem.results import load_presses
+    from instobj.chain import Chain
+    from instobj.deformation_stages import stored_correction
+
+    if quick:
+        spec = changed(spec, _QUICK)
+    else:
+        finer = {name: _FINER * getattr(spec.mesh, name) for name in ("surface_edge_mm", "edge_mm")}
+        spec = changed(
+            spec,
+            {f"mesh.{name}": edge for name, edge in finer.items()}
+            | {"mechanics.correction": "large-strain"},
+        )
+    chain = Chain(spec)
+    presses = load_presses(chain.require("presses").folder / "presses.nc")
+    assembly = drawn_assembly(spec, spec.seed + _TWIN)
+    mechanics = JointMechanics(
+        load_response(chain.require("response").folder),
+        stored_correction(chain.require("large_strain").folder),
+        assembly,
+    )
+    signals = twin_signals(spec, assembly, *presses)
+    key = content_key(
+        {"presses": chain.results["presses"].key, "spec": spec.model_dump(mode="json")}
+    )
+    return SimulatedObject(spec, signals, mechanics, key)
+
+
+def random_split(frames: FrameSet, seed: int) -> Split:
+    """The paper's split: 60 % of the frames, 20 and 20 %, at random.
+
+    Frames of one press fall into all three parts: this measures memory as well as generalisation.
+    """
+    from estimator.splits import Split
+
+    part = np.random.default_rng(seed).permutation(len(frames)) / len(frames)
+    return Split(part < 0.6, (part >= 0.6) & (part < 0.8), part >= 0.8)
+
+
+def fitted(
+    recorded: SimulatedObject,
+    parts: tuple[FrameSet, FrameSet],
+    face: int,
+    label: dict[str, Any],
+    **training: Any,
+) -> FaceModel:
+    """A face's estimator, from the store or fitted to training and validation frames.
+
+    `label` says, in JSON, which frames these are; `training` overrides the specification's table.
+    """
+    from estimator.face_model import load_model, save_model
+    from estimator.training import FitSettings, fit_estimator
+
+    settings = recorded.spec.training.model_validate(recorded.spec.training.model_dump() | training)
+
+    def make(folder: Path) -> None:
+        import torch
+
+        torch.set_num_threads(1)  # a second thread gains nothing on networks this small
+        fit = FitSettings(face, settings, recorded.spec.seed)
+        save_model(fit_estimator(*parts, fit), folder / "model.safetensors")
+
+    inputs = {
+        "object": recorded.key,
+        "frames": label,
+        "face": face,
+        "training": settings.model_dump(mode="json"),
+        "seed": recorded.spec.seed,
+        "version": _VERSION,
+    }
+    return load_model(
+        stored(store_root(), "experiment_models", inputs, make).folder / "model.safetensors"
+    )
+
+
+def fitted_to_split(
+    recorded: SimulatedObject,
+    frames: FrameSet,
+    split: Callable[[FrameSet, int], Split],
+    face: int,
+    label: dict[str, Any],
+    **training: Any,
+) -> tuple[FaceModel, FrameSet, FrameSet]:
+    """A fit to the split's training part; also its validation and test parts."""
+    found = split(frames, recorded.spec.seed)
+    train, validation, test = (
+        frames.select(part) for part in (found.train, found.validation, found.test)
+    )
+    named = label | {"split": getattr(split, "__name__", str(split))}
+    model = fitted(recorded, (train, validation), face, named, **training)
+    return model, validation, test
+
+
+def metric_row(metrics: FaceMetrics) -> dict[str, float]:
+    """The paper's four metrics and the total force, as columns of a table."""
+    return {
+        "A_sim": round(metrics.similarity, 4),
+        "E_loc px": round(metrics.location_error_px, 4),
+        "E_loc x px": round(metrics.location_error_x_px, 4),
+        "E_loc y px": round(metrics.location_error_y_px, 4),
+        "E_f %": round(metrics.force_error_percent, 3),
+        "E_f N": round(metrics.force_error_n, 4),
+        "total force %": round(metrics.total_force_error_percent, 3),
+        "A_non": round(metrics.non_contact_accuracy, 4),
+    }
+
+
+def predict_face(model: FaceModel, frames: FrameSet) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Predicted and true heatmaps (frame, nx, ny), N, and which frames are at rest."""
+    from estimator.face_data import face_data
+    from estimator.face_model import predict_heatmaps
+
+    data = face_data(frames, model.face)
+    return predict_heatmaps(model, data.frames), data.heatmap_n, data.rest

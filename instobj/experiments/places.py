@@ -1,0 +1,158 @@
+"""Errors place by place, and how far sensitivity explains them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from instobj.experiments.paper_figures import draw_maps, draw_scatter
+from instobj.experiments.paper_object import (
+    SIMULATED,
+    SimulatedObject,
+    fitted_to_split,
+    predict_face,
+    random_split,
+    simulated_object,
+)
+from instobj.experiments.registry import Study
+
+if TYPE_CHECKING:
+    from design.spec import ObjectSpec
+    from estimator.metrics import FaceMetrics
+
+
+def single_contact_metrics(recorded: SimulatedObject, face: int) -> FaceMetrics:
+    """The model of `general-performance`, judged on its single-contact test frames alone."""
+    from estimator.contact_cases import DUAL_CASES
+    from estimator.face_data import face_data
+    from estimator.metrics import face_metrics, force_reference
+
+    frames = recorded.collect(faces=[face])
+    label = {"collection": "paper", "faces": [face]}
+    model, _, test = fitted_to_split(recorded, frames, random_split, face, label)
+    span = force_reference(face_data(frames, face).heatmap_n)
+    predicted, true, rest = predict_face(model, test.select(test.place_id < DUAL_CASES))
+    return face_metrics(face, predicted, true, span, rest)
+
+
+def run_location_wise(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]:
+    """Mean errors at every place of the first face, and by area."""
+    from design.layouts import contact_grid
+    from estimator.scores import AREAS, area_places
+
+    recorded = simulated_object(spec, quick)
+    face = recorded.spec.collection.faces[0]
+    maps = single_contact_metrics(recorded, face).maps
+    grid = contact_grid(recorded.spec)
+    shown = {
+        "similarity A_sim": maps.similarity,
+        "location error E_loc (px)": maps.location_error_px,
+        "force error E_f (%)": maps.force_error_percent,
+    }
+    draw_maps(shown, folder / "location-wise.png")
+    rows = []
+    for area in AREAS:
+        inside = area_places(grid, area).reshape(grid.shape) & (maps.contacts > 0)
+        if not inside.any():
+            continue
+        means = {
+            name: round(float(np.nanmean(values[inside])), 4) for name, values in shown.items()
+        }
+        rows.append({"area": area.replace("_", "-"), "places": int(inside.sum())} | means)
+    texts = [
+        SIMULATED,
+        f"Face {face}, single contacts. The paper finds its errors at the mid-edges.",
+    ]
+    return {"rows": rows, "texts": texts}
+
+
+def run_sensitivity(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]:
+    """δ and the Cramér–Rao bounds of every place beside the errors there, ranks compared."""
+    from estimator.scores import score_places
+
+    recorded = simulated_object(spec, quick)
+    face = recorded.spec.collection.faces[0]
+    scores = score_places(recorded.spec, recorded.signals)
+    row = int(np.flatnonzero(scores.faces == face)[0])
+    maps = single_contact_metrics(recorded, face).maps
+    known = {
+        "δ, raw (counts^d/N)": 1 / scores.delta_raw[row],
+        "δ, scaled (1/N)": 1 / scores.delta_scaled[row],
+        "position bound (mm)": scores.position_bound_fresh_mm[row],
+        "force bound (N)": scores.force_bound_fresh_n[row],
+    }
+    errors = {
+        "E_f %": maps.force_error_percent.ravel(),
+        "E_f N": maps.force_error_n.ravel(),
+        "E_loc px": maps.location_error_px.ravel(),
+        "1 − A_sim": 1 - maps.similarity.ravel(),
+    }
+    rows = [
+        {"predictor": name}
+        | {
+            f"rank correlation with {error}": rank_correlation(value, found)
+            for error, found in errors.items()
+        }
+        for name, value in known.items()
+    ]
+    shape = maps.similarity.shape
+    delta = scores.delta_raw[row]
+    draw_maps(
+        {
+            "sensitivity δ (raw)": delta.reshape(shape),
+            "position bound (mm)": scores.position_bound_fresh_mm[row].reshape(shape),
+            "force error E_f (%)": maps.force_error_percent,
+        },
+        folder / "force-sensitivity.png",
+        logarithmic=("sensitivity δ (raw)", "position bound (mm)"),
+    )
+    bound = scores.force_bound_fresh_n[row]
+    draw_scatter(
+        [
+            (
+                "sensitivity δ (raw)",
+                "E_f (%)",
+                delta,
+                errors["E_f %"],
+                -rank_correlation(1 / delta, errors["E_f %"]),
+            ),
+            (
+                "force bound (N)",
+                "E_f (N)",
+                bound,
+                errors["E_f N"],
+                rank_correlation(bound, errors["E_f N"]),
+            ),
+        ],
+        folder / "correlation.png",
+    )
+    texts = [
+        SIMULATED,
+        "Ranks of 1/δ and of the bounds against the errors: +1 means that the predictor orders the "
+        f"places as the errors do. δ from {recorded.spec.score.hull_frames} frames, form "
+        f"{recorded.spec.score.hull}.",
+    ]
+    return {"rows": rows, "texts": texts}
+
+
+def rank_correlation(a: np.ndarray, b: np.ndarray) -> float:
+    """Spearman's, over what is finite in both; NaN where one does not vary."""
+    from scipy.stats import rankdata
+
+    kept = np.isfinite(a) & np.isfinite(b)
+    ranks = [rankdata(values[kept]) for values in (a, b)]
+    if min(np.ptp(rank) for rank in ranks) == 0:
+        return float("nan")
+    return round(float(np.corrcoef(*ranks)[0, 1]), 3)
+
+
+STUDIES = (
+    Study("location-wise", "Errors at every contact place of a face.", run_location_wise),
+    Study(
+        "force-sensitivity",
+        "Maps of δ and the bounds, and how they rank the errors.",
+        run_sensitivity,
+    ),
+)

@@ -1,0 +1,129 @@
+"""The bound of each metric: what Bayes' optimum reaches on the same frames, and Cramér–Rao.
+
+The optimum knows the object's own table of signals, all contact cases and their prior, and judges
+frames one by one (`estimator.reference`).
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from instobj.experiments.paper_object import SIMULATED, SimulatedObject, simulated_object
+from instobj.experiments.registry import Study
+
+if TYPE_CHECKING:
+    from design.spec import ObjectSpec
+    from estimator.dataset import FrameSet
+    from estimator.metrics import ForceReference
+    from estimator.reference import Hypotheses
+
+_MOST_FRAMES = 4000
+
+
+def reference_row(
+    recorded: SimulatedObject, face: int, frames: FrameSet, span: ForceReference
+) -> dict[str, float]:
+    """Metrics of the best possible answers on (at most 4000 of) the frames of one face."""
+    from estimator.collection import drift_rms_counts
+    from estimator.face_data import channel_counts, face_data, live_channels
+    from estimator.metrics import contact_errors
+    from estimator.reference import best_answers, disturbance_sigma
+
+    data = face_data(frames, face)
+    if len(data) > _MOST_FRAMES:
+        chosen = np.random.default_rng(0).choice(len(data), _MOST_FRAMES, replace=False)
+        data = data.select(np.sort(chosen))
+    channels = live_channels(data)
+    flat = flat_channels(recorded.spec, channels)
+    sigma = disturbance_sigma(recorded.spec, flat, drift_rms_counts(recorded.spec))
+    found = best_answers(
+        own_hypotheses(recorded, face, flat), channel_counts(data.frames, channels), sigma
+    )
+    true, contact = data.heatmap_n, data.contact
+    medians, exact, means = (
+        contact_errors(maps[contact], true[contact], span)
+        for maps in (found.median_map_n, found.case_map_n, found.mean_map_n)
+    )
+    spans = medians.total_n / medians.total_percent
+    total = abs(found.total_n - true.sum(axis=(1, 2)))[contact]
+    return {
+        "best A_sim": round(float(max(exact.similarity.mean(), means.similarity.mean())), 4),
+        "best E_loc px": round(
+            float(min(np.nanmean(exact.distance_px), np.nanmean(means.distance_px))), 4
+        ),
+        "best E_f %": round(float(np.nanmean(medians.force_percent)), 3),
+        "best E_f N": round(float(medians.force_n.mean()), 4),
+        "best total force %": round(float(np.nanmean(total / spans)), 3),
+    }
+
+
+def flat_channels(spec: ObjectSpec, channels: tuple[tuple[int, int, int], ...]) -> np.ndarray:
+    """Numbers of (face, sensor, axis) among all channels of an object."""
+    face, sensor, axis = np.array(channels).T
+    return ((face - 1) * spec.sensors.count_per_face + sensor) * 3 + axis
+
+
+def own_hypotheses(recorded: SimulatedObject, face: int, flat: np.ndarray) -> Hypotheses:
+    """Every case of a face's collection as the object itself shows it, in some channels."""
+    from dataclasses import replace
+
+    from estimator.collection import peak_travel_mm
+    from estimator.contact_cases import paper_cases
+    from estimator.contact_traces import contact_traces
+    from estimator.reference import press_hypotheses
+
+    spec, cases = recorded.spec, paper_cases(recorded.spec, face)
+    traces = contact_traces(spec, recorded.signals, cases, recorded.mechanics)
+    peak = peak_travel_mm(spec, recorded.signals, cases, traces)
+    quiet = spec.collection.non_contact_cases
+    found = press_hypotheses(spec, cases, traces, peak, face, quiet / (quiet + len(cases)))
+    return replace(found, counts=found.counts[..., flat])
+
+
+def cramer_rao_row(recorded: SimulatedObject, face: int) -> dict[str, float]:
+    """Mean absolute errors that go with the Cramér–Rao bounds at `score.force_n`, single contacts.
+
+    An unbiased normal error of standard deviation σ is √(2/π) σ in the mean, a planar one with
+    √(σx² + σy²) = σ about √(π)/2 σ.
+    """
+    from design.layouts import contact_grid
+    from estimator.fisher import cramer_rao_bounds, disturbance_counts
+    from estimator.interpolation import press_traces, signal_gradient
+    from estimator.sensitivity import own_channels
+
+    spec, signals = recorded.spec, recorded.signals
+    xy = contact_grid(spec).xy_mm
+    where = (np.full(len(xy), face), xy[:, 0], xy[:, 1])
+    force = np.minimum(spec.score.force_n, press_traces(signals, *where).force_n[:, -1])
+    own = own_channels(signals, spec.sensors, face)
+    sigma = disturbance_counts(spec.sensors, "fresh", signals.baseline_counts.size)[own]
+    bounds = cramer_rao_bounds(signal_gradient(signals, *where, force).jacobian[:, own], sigma)
+    return {
+        "Cramér–Rao mean |F error| N": round(float(np.sqrt(2 / np.pi) * bounds.force_n.mean()), 4),
+        "Cramér–Rao mean place error px": round(
+            float(np.sqrt(np.pi) / 2 * bounds.position_mm.mean() / spec.contact_grid.pitch_mm), 4
+        ),
+    }
+
+
+def run_reference(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]:
+    """Bounds of every face on a fresh recording of the paper's collection."""
+    from estimator.face_data import face_data
+    from estimator.metrics import force_reference
+
+    recorded = simulated_object(spec, quick)
+    rows = []
+    for face in recorded.spec.collection.faces[: 1 if quick else None]:
+        frames = recorded.collect(faces=[face])
+        span = force_reference(face_data(frames, face).heatmap_n)
+        row = reference_row(recorded, face, frames, span) | cramer_rao_row(recorded, face)
+        rows.append({"face": face} | row)
+    return {"rows": rows, "texts": [SIMULATED, __doc__ or ""]}
+
+
+STUDIES = (
+    Study("reference-bounds", "What no estimator can beat, metric by metric.", run_reference),
+)
