@@ -22,9 +22,11 @@ def place_keys(
 
 
 def carried_labels(
-    face: Int[np.ndarray, "frame cell"], tip_xy_mm: Float[np.ndarray, "frame cell tip 2"]
+    face: Int[np.ndarray, "frame cell"],
+    tip_xy_mm: Float[np.ndarray, "frame cell tip 2"],
+    session: Int[np.ndarray, "frame"],
 ) -> tuple[Int[np.ndarray, "frame cell"], Float[np.ndarray, "frame cell tip 2"]]:
-    """Labels carried to the frames that state none: to those before, and after the last.
+    """Labels carried to the frames that state none: from those after, else before, of the session.
 
     A place stated only while it is pressed so covers the rest before that press, too.
     """
@@ -32,9 +34,15 @@ def carried_labels(
     face, tip_xy_mm = face.copy(), tip_xy_mm.copy()
     for cell in range(face.shape[1]):
         stated = np.flatnonzero(np.isfinite(tip_xy_mm[:, cell]).any(axis=(1, 2)))
-        if len(stated):
-            source = stated[np.minimum(np.searchsorted(stated, frames), len(stated) - 1)]
-            face[:, cell], tip_xy_mm[:, cell] = face[source, cell], tip_xy_mm[source, cell]
+        if not len(stated):
+            continue
+        after = np.searchsorted(stated, frames)
+        following = stated[np.minimum(after, len(stated) - 1)]
+        preceding = stated[np.maximum(after - 1, 0)]
+        source = np.where(session[following] == session, following, preceding)
+        known = session[source] == session
+        face[known, cell] = face[source[known], cell]
+        tip_xy_mm[known, cell] = tip_xy_mm[source[known], cell]
     return face, tip_xy_mm
 
 

@@ -98,7 +98,9 @@ def generic_table(path: Path, rows: list[list[str]]) -> RawTable:
 def _digest(time_s: np.ndarray, force_n: np.ndarray, counts: np.ndarray) -> str:
     """SHA-256 of the content, so that a CSV and its NetCDF are known to be the same recording."""
     found = hashlib.sha256()
-    for values in (time_s, force_n, counts.astype(np.float32)):
+    with np.errstate(over="ignore"):
+        stored_counts = counts.astype(np.float32)
+    for values in (time_s, force_n, stored_counts):
         found.update(np.ascontiguousarray(np.where(np.isnan(values), 0.0, values)).tobytes())
     return found.hexdigest()
 

@@ -64,22 +64,23 @@ def hidden_contacts(
     counts: Float[np.ndarray, "frame 5 sensor 3"],
     rest: Bool[np.ndarray, "frame"],
     stretch: Int[np.ndarray, "frame"],
+    block: Int[np.ndarray, "frame"],
     noise_counts: Float[np.ndarray, "5 sensor 3"],
 ) -> tuple[Bool[np.ndarray, "frame"], list[Fault]]:
     """Frames at rest by the load cells in which a face's signals leave their rest level.
 
-    A face's change is the median over its channels of the change against the stretch's median at
-    rest, in σ of the channel; contact is more than 6 in `LEAST_FRAMES` frames in a row.
+    The level of a block of frames (one session and place) is the median over its stretches of the
+    medians at rest. A face's change is the median over its channels of the change against it, in σ
+    of the channel; contact is more than 6 in `LEAST_FRAMES` frames in a row.
     """
     hidden = np.zeros(len(rest), dtype=bool)
     faults = []
-    for first, last in runs(stretch):
-        part = rest[first:last]
-        if part.sum() < 3 * LEAST_FRAMES:
+    for first, last in runs(block):
+        part = slice(first, last)
+        if rest[part].sum() < 3 * LEAST_FRAMES:
             continue
-        change = _sigmas(counts[first:last], part, noise_counts)
-        loud = part & (change.max(axis=1) > _HIDDEN_SIGMAS)
-        for begin, end in _long_runs(loud):
+        change = _sigmas(counts[part], rest[part], stretch[part], noise_counts)
+        for begin, end in _long_runs(rest[part] & (change.max(axis=1) > _HIDDEN_SIGMAS)):
             frames = np.arange(first + begin, first + end)
             face = 1 + int(change[begin:end].mean(axis=0).argmax())
             size = change[begin:end, face - 1].max()
@@ -94,16 +95,18 @@ def hidden_contacts(
 def _sigmas(
     counts: Float[np.ndarray, "frame 5 sensor 3"],
     rest: Bool[np.ndarray, "frame"],
+    stretch: Int[np.ndarray, "frame"],
     noise_counts: Float[np.ndarray, "5 sensor 3"],
 ) -> Float[np.ndarray, "frame 5"]:
-    """Median over each face's live channels of |change against the median at rest| / σ."""
+    """Median over each face's live channels of |change against rest| / σ."""
     change = np.zeros((len(counts), 5))
+    parts = [np.flatnonzero(rest & (stretch == number)) for number in np.unique(stretch[rest])]
     for face in range(5):
         own = counts[:, face].reshape(len(counts), -1)
         sigma = noise_counts[face].ravel()
         live = np.isfinite(own).all(axis=0) & (sigma > 0)
         if live.any():
-            level = np.median(own[rest][:, live], axis=0)
+            level = np.median([np.median(own[rows][:, live], axis=0) for rows in parts], axis=0)
             change[:, face] = np.median(np.abs(own[:, live] - level) / sigma[live], axis=1)
     return change
 

@@ -95,9 +95,8 @@ def tared(
 ) -> Float[np.ndarray, "frame cell"]:
     """Forces (N) counted positive in compression from each cell's own rest level.
 
-    Rest is the level of the frames labelled as no contact, where there are any; else the lowest
-    level, or, where the file's sign is not known (not `signed`), that extreme at which the force
-    dwells longer.
+    Rest is the lowest level. Where the file's sign is not known (not `signed`), it is the level of
+    the frames labelled as no contact, else that extreme at which the force dwells longer.
     """
     columns = [_tared_cell(cell, no_contact, rest_force_n, signed) for cell in force_n.T]
     return np.column_stack(columns)
@@ -111,11 +110,12 @@ def _tared_cell(
 ) -> Float[np.ndarray, "frame"]:
     low, high = np.percentile(force_n, [1, 99])
     at_low = force_n <= low + rest_force_n
+    if signed:
+        level = np.median(force_n[at_low])
+        return force_n - np.median(force_n[np.abs(force_n - level) <= rest_force_n])
     if no_contact.any():
         rest = np.median(force_n[no_contact])
-        return (force_n - rest) * (1.0 if signed or high - rest >= rest - low else -1.0)
-    if signed:
-        return force_n - np.median(force_n[at_low])
+        return (force_n - rest) * (1.0 if high - rest >= rest - low else -1.0)
     at_high = force_n >= high - rest_force_n
     if at_high.sum() > at_low.sum():
         return np.median(force_n[at_high]) - force_n

@@ -176,7 +176,7 @@ def _find_presses(path: Path | str, table: RawTable) -> _Presses:
     label_face, tip_xy_mm = table.face, table.tip_xy_mm
     no_contact = table.declared_rest | np.all(np.isnan(tip_xy_mm), axis=(1, 2, 3))
     if table.kind == "generic":
-        label_face, tip_xy_mm = carried_labels(label_face, tip_xy_mm)
+        label_face, tip_xy_mm = carried_labels(label_face, tip_xy_mm, table.case)
     table = replace(table, face=label_face, tip_xy_mm=tip_xy_mm)
     keys = np.column_stack([table.case, place_keys(label_face, tip_xy_mm)])
     stretch = stretches(table.time_s, keys)
@@ -197,7 +197,8 @@ def _find_presses(path: Path | str, table: RawTable) -> _Presses:
     rest = at_rest(aligned_n, limit_n)
     noise = rest_noise_counts(table.counts, rest)
     unlabelled, denied = contacts_at_rest(force_n >= CONTACT_FORCE_N, no_contact, press)
-    hidden, concealed = hidden_contacts(table.counts, rest, stretch, noise)
+    block = np.concatenate([[0], np.cumsum(np.any(keys[1:] != keys[:-1], axis=1))])
+    hidden, concealed = hidden_contacts(table.counts, rest, stretch, block, noise)
     silent, quiet = silent_presses(face, force_n, press, responses, noise)
     return _Presses(
         time_s, rate_hz, press, aligned_n, rest, hidden, face, tip_xy_mm,
