@@ -21,7 +21,11 @@ from instobj.layout_ladder import chain_score, score_row
 Changes = dict[str, Any]
 Variants = Callable[[ObjectSpec], dict[str, Changes]]
 
-_MESH: Changes = {"mesh.surface_edge_mm": 1.8, "mesh.edge_mm": 5.0}
+_MESH: Changes = {
+    "mesh.surface_edge_mm": 2.2,
+    "mesh.edge_mm": 6.0,
+    "press.depths_mm": [0.5, 1.0, 1.5, 2.0, 2.75, 3.5],
+}
 _QUICK: Changes = {
     "mesh.surface_edge_mm": 3.5,
     "mesh.edge_mm": 8.0,
@@ -57,7 +61,7 @@ def compare_variants(
     rows = []
     for label, changes in variants(spec).items():
         variant = changed(
-            spec, {**changes, **(_QUICK if quick else _MESH)}, f"{spec.name} with {label}"
+            spec, {**(_QUICK if quick else _MESH), **changes}, f"{spec.name} with {label}"
         )
         rows.append({"variant": label} | score_row(chain_score(variant)))
     draw_variants(
@@ -138,7 +142,7 @@ def thicknesses(spec: ObjectSpec) -> dict[str, Changes]:
 def moduli(spec: ObjectSpec) -> dict[str, Changes]:
     """The same object in softer and harder silicone; what is pressed further stays linear here."""
     modulus = spec.silicone.youngs_modulus_mpa
-    depths = [0.25, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 4.5]
+    depths = [0.5, 1.0, 1.5, 2.0, 2.75, 3.5, 4.5]
     return {
         f"{share * modulus:.3g} MPa": {
             "silicone.youngs_modulus_mpa": share * modulus,

@@ -22,7 +22,7 @@ VARIANTS = (
 
 def all_of(variants, mesh):
     return {
-        label: changed(PAPER, {**changes, **mesh}) for label, changes in variants(PAPER).items()
+        label: changed(PAPER, {**mesh, **changes}) for label, changes in variants(PAPER).items()
     }
 
 
