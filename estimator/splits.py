@@ -1,11 +1,13 @@
 """Splits of a data set into training, validation and test parts that share no press.
 
 Neighbouring frames of one press are nearly equal, so a random split of frames measures memory,
-not generalisation. Rest frames travel with the press that they belong to.
+not generalisation: it exists for comparison with Knopke et al. (RA-L 2024) alone, under its own
+name. Rest frames travel with the press that they belong to.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -93,6 +95,52 @@ def split_sessions(
     rng = np.random.default_rng(seed)
     part = _parts(len(sessions), shares)
     return _as_split(frames.session_id, rng.permutation(sessions), part)
+
+
+def split_paper_random_frames(
+    frames: FrameSet, seed: int, shares: tuple[float, float, float] = DEFAULT_SHARES
+) -> Split:
+    """The paper's split: single frames at random, so that every press is in every part.
+
+    Raises
+    ------
+    InputError
+        Fewer than three frames, or shares that do not add up to 1.
+    """
+    _check_shares(shares)
+    _check_enough(len(frames), "frames")
+    part = np.empty(len(frames), dtype=int)
+    part[np.random.default_rng(seed).permutation(len(frames))] = _parts(len(frames), shares)
+    return Split(part == 0, part == 1, part == 2)
+
+
+SPLITS: dict[str, Callable[[FrameSet, int], Split]] = {
+    "press": split_presses,
+    "place": split_places,
+    "session": split_sessions,
+    "paper-random-frames": split_paper_random_frames,
+}
+"""Splits by name, from what they hold out."""
+
+
+def split_by(name: str, frames: FrameSet, seed: int) -> Split:
+    """One of `SPLITS` by its name.
+
+    Raises
+    ------
+    InputError
+        Another name, or a data set too small for it.
+    """
+    if name not in SPLITS:
+        raise InputError(f"there is no split by {name!r}. Choose one of {', '.join(SPLITS)}")
+    return SPLITS[name](frames, seed)
+
+
+def shared_presses(frames: FrameSet, split: Split) -> Int[np.ndarray, "press"]:
+    """Presses with frames in more than one part: none, but for the paper's random split."""
+    parts = [np.unique(frames.press_id[part]) for part in vars(split).values()]
+    presses, counts = np.unique(np.concatenate(parts), return_counts=True)
+    return presses[counts > 1]
 
 
 def _press_places(frames: FrameSet) -> tuple[Int[np.ndarray, "press"], Int[np.ndarray, "press"]]:

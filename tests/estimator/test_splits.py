@@ -5,7 +5,17 @@ import pytest
 from synthetic_frames import synthetic_frames
 
 from design.errors import InputError
-from estimator.splits import split_places, split_presses, split_sessions
+from estimator.splits import (
+    SPLITS as BY_NAME,
+)
+from estimator.splits import (
+    shared_presses,
+    split_by,
+    split_paper_random_frames,
+    split_places,
+    split_presses,
+    split_sessions,
+)
 
 SPLITS = [split_presses, split_places, split_sessions]
 
@@ -30,12 +40,52 @@ def test_no_press_leaks(frames, splitter):
     assert not parts[0] & parts[1]
     assert not parts[0] & parts[2]
     assert not parts[1] & parts[2]
+    assert not len(shared_presses(frames, split))
 
 
-def test_a_random_split_of_frames_would_be_caught(frames):
+def test_the_paper_random_split_leaks_and_is_caught(frames):
     """The leak test above fails on the protocol that it guards against."""
-    train = np.random.default_rng(0).random(len(frames)) < 0.6
-    assert set(frames.press_id[train]) & set(frames.press_id[~train])
+    split = split_paper_random_frames(frames, 3)
+    sizes = [part.sum() / len(frames) for part in (split.train, split.validation, split.test)]
+    np.testing.assert_allclose(sizes, [0.6, 0.2, 0.2], atol=2 / len(frames))
+    assert np.all(split.train.astype(int) + split.validation + split.test == 1)
+    assert len(shared_presses(frames, split)) > 0.9 * len(np.unique(frames.press_id))
+
+
+def test_splits_by_name(frames):
+    assert np.array_equal(split_by("place", frames, 2).test, split_places(frames, 2).test)
+    assert [name for name in BY_NAME if "random" in name] == ["paper-random-frames"]
+    with pytest.raises(InputError, match="press, place, session, paper-random-frames"):
+        split_by("random", frames, 0)
+
+
+def remembered_error_n(frames, split):
+    """Force error (N) of the nearest training frame's label: pure memory of the signals."""
+    counts = frames.signal_counts.reshape(len(frames), -1)
+    force = np.nan_to_num(frames.force_n[:, 0, 2])
+    pressed = frames.place_id >= 0
+    train, test = split.train & pressed, split.test & pressed
+    square = np.sum(counts[train] ** 2, axis=1)
+    nearest = np.argmin(square - 2 * counts[test] @ counts[train].T, axis=1)
+    return float(np.abs(force[train][nearest] - force[test]).mean())
+
+
+def test_shuffled_labels_destroy_the_score_of_held_out_presses():
+    """Force labels exchanged among presses: nothing can be learned but which press a frame is of.
+
+    Whole presses held out, memory falls to chance; with the paper's split it still looks good.
+    """
+    honest = synthetic_frames(presses=5, rest=2, loaded=12, seed=3, zero_error=150.0)
+    rng = np.random.default_rng(5)
+    scale = rng.permutation(np.geomspace(0.2, 3.0, len(np.unique(honest.press_id))))
+    shuffled = replace(honest, force_n=honest.force_n * scale[honest.press_id][:, None, None])
+    force = np.nan_to_num(shuffled.force_n[:, 0, 2])[shuffled.place_id >= 0]
+    chance_n = float(np.abs(force - np.median(force)).mean())
+    held_out = remembered_error_n(shuffled, split_presses(shuffled, 1))
+    leaked = remembered_error_n(shuffled, split_paper_random_frames(shuffled, 1))
+    assert held_out > 0.9 * chance_n
+    assert leaked < 0.5 * chance_n
+    assert remembered_error_n(honest, split_presses(honest, 1)) < 0.5 * held_out
 
 
 def test_presses_are_stratified_by_place(frames):
