@@ -11,7 +11,7 @@ from design.spec_types import Count, NonNegative, Positive, SpecPart
 Coordinate = Annotated[float, Field(ge=-500, le=500)]
 ProbePose = tuple[Coordinate, Coordinate, Annotated[float, Field(ge=-360, le=360)]]
 """Centre of a probe in the face's frame (x, y in mm) and its turn about the normal (degrees)."""
-SensedFace = Annotated[int, Field(ge=1, le=5)]
+SensedFace = Annotated[int, Field(ge=1, le=6)]
 
 _ROWS: tuple[ProbePose, ...] = (
     *((float(x), y, 0.0) for y in (-10.5, 10.5) for x in (-6, -3, 0, 3, 6)),

@@ -119,7 +119,8 @@ def joined(parts: Sequence[FrameSet]) -> FrameSet:
             int(ids.max()) + 1 for ids in (numbered[-1].press_id, numbered[-1].session_id)
         )
         start_s = float(numbered[-1].time_s[-1] + step_s)
-    names = (*PER_FRAME_FIELDS, "true_force_n")
+    true = () if parts[0].true_force_n is None else ("true_force_n",)
+    names = (*PER_FRAME_FIELDS, *true)
     whole = {name: np.concatenate([getattr(part, name) for part in numbered]) for name in names}
     return replace(parts[0], **whole)
 

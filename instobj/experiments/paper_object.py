@@ -41,6 +41,7 @@ _QUICK: dict[str, Any] = {
     "press.depths_mm": [1.0, 2.0, 3.0],
     "protocol.peak_force_n": [6.0, 9.0],
     "score.force_n": 4.0,
+    "collection.faces": [1],
     "collection.frames_per_case": 60,
     "collection.non_contact_cases": 10,
     "collection.presses": 150,

@@ -63,7 +63,8 @@ def reference_row(
 def flat_channels(spec: ObjectSpec, channels: tuple[tuple[int, int, int], ...]) -> np.ndarray:
     """Numbers of (face, sensor, axis) among all channels of an object."""
     face, sensor, axis = np.array(channels).T
-    return ((face - 1) * spec.sensors.count_per_face + sensor) * 3 + axis
+    row = np.searchsorted(spec.body.sensed, face)
+    return (row * spec.sensors.count_per_face + sensor) * 3 + axis
 
 
 def own_hypotheses(recorded: SimulatedObject, face: int, flat: np.ndarray) -> Hypotheses:
@@ -116,7 +117,7 @@ def run_reference(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]
 
     recorded = simulated_object(spec, quick)
     rows = []
-    for face in recorded.spec.collection.faces[: 1 if quick else None]:
+    for face in recorded.spec.collection.faces:
         frames = recorded.collect(faces=[face])
         span = force_reference(face_data(frames, face).heatmap_n)
         row = reference_row(recorded, face, frames, span) | cramer_rao_row(recorded, face)
