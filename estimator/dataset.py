@@ -137,6 +137,11 @@ def load_frames(path: Path | str) -> FrameSet:
             data = data.load()
     except (OSError, ValueError, KeyError) as error:
         raise InputError(f"{path} is not a NetCDF data set ({error}). Make it anew") from None
+    if "counts" in data.variables:
+        raise InputError(
+            f"{path} is a recording, not a data set. Run `instobj recordings {path}` first and give "
+            "the frames.nc that it writes"
+        )
     missing = [name for name in (*_PER_FRAME, *_FIXED) if name not in data.variables]
     missing += [name for name in _ATTRIBUTES if name not in data.attrs]
     if missing or data.attrs.get("schema_version") != SCHEMA_VERSION:

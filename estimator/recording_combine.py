@@ -11,7 +11,8 @@ from jaxtyping import Bool
 from design.errors import InputError
 from estimator.dataset import NO_FACE, PER_FRAME_FIELDS, FrameSet
 from estimator.recording_contacts import Place
-from estimator.recording_faults import jumped_channels
+from estimator.recording_faults import Fault, jumped_channels
+from estimator.recording_table import channel_name
 from estimator.recordings import Recording
 
 
@@ -24,7 +25,7 @@ def combine(recordings: Sequence[Recording]) -> FrameSet:
     Raises
     ------
     InputError
-        No recording, or the same file twice.
+        No recording, the same content twice, or recordings of objects with other sensors or grids.
     """
     digests = [recording.frames.spec_hash for recording in recordings]
     if not recordings or len(set(digests)) < len(digests):
@@ -32,6 +33,13 @@ def combine(recordings: Sequence[Recording]) -> FrameSet:
             f"combining needs recordings, each given once; got {len(recordings)} with "
             f"{len(set(digests))} different contents. Remove the repeats"
         )
+    grids = {(*r.frames.grid_x_mm.tolist(), None, *r.frames.grid_y_mm.tolist()) for r in recordings}
+    if len(grids) > 1:
+        raise InputError(
+            f"combining needs recordings on one contact grid; got {len(grids)}. Give --spec, the "
+            "specification of the object"
+        )
+    jumped = jumps_between(recordings)
     places = sorted({place for recording in recordings for place in recording.report.places})
     contacts = max(recording.frames.contact_face.shape[1] for recording in recordings)
     parts, press, session = [], 0, 0
@@ -42,7 +50,7 @@ def combine(recordings: Sequence[Recording]) -> FrameSet:
     joined = {
         name: np.concatenate([getattr(part, name) for part in parts]) for name in PER_FRAME_FIELDS
     }
-    joined["signal_counts"][:, jumps_between(recordings)] = np.nan
+    joined["signal_counts"][:, jumped] = np.nan
     return replace(
         parts[0],
         **joined,
@@ -53,10 +61,33 @@ def combine(recordings: Sequence[Recording]) -> FrameSet:
 
 
 def jumps_between(recordings: Sequence[Recording]) -> Bool[np.ndarray, "5 sensor 3"]:
-    """Channels whose rest level jumped between any two recordings: another magnet or sensor."""
+    """Channels whose rest level jumped between any two recordings: another magnet or sensor.
+
+    Raises
+    ------
+    InputError
+        The recordings have different numbers of sensors.
+    """
+    sensors = sorted({recording.rest_counts.shape[2] for recording in recordings})
+    if len(sensors) > 1:
+        raise InputError(
+            f"the recordings have up to {' and '.join(map(str, sensors))} sensors a face, so they "
+            "are of different objects. Give recordings of one"
+        )
     levels = [np.median(recording.rest_counts, axis=0) for recording in recordings]
     jumped = [jumped_channels(levels[0], level) for level in levels]
     return np.any(jumped, axis=0)
+
+
+def jump_between_faults(recordings: Sequence[Recording]) -> list[Fault]:
+    """The channels of `jumps_between`, with their rest levels in each recording."""
+    levels = [np.median(recording.rest_counts, axis=0) for recording in recordings]
+    faults = []
+    for index in np.argwhere(jumps_between(recordings)).tolist():
+        shown = " → ".join(f"{level[tuple(index)]:.0f}" for level in levels)
+        where = f"{channel_name(*index)}, between the recordings"
+        faults.append(Fault("jumping channel", where, f"rest level {shown} counts", "set to NaN"))
+    return faults
 
 
 def _renumbered(

@@ -25,13 +25,16 @@ app = typer.Typer()
 @app.command()
 def recordings(
     files: Recordings,
+    spec: Annotated[
+        Path | None, typer.Option(help="Specification of the object: its contact grid.")
+    ] = None,
     out: Out = HERE,
     as_json: AsJson = False,
 ) -> None:
     """Read recordings, find and correct their faults, and write a data set to train on."""
-    from instobj.commands import read_recordings
+    from instobj.recordings import read_recordings
 
-    show(read_recordings(files, out), as_json)
+    show(read_recordings(files, out, spec), as_json)
 
 
 @app.command()

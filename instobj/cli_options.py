@@ -12,7 +12,9 @@ Specs = Annotated[
     list[Path], typer.Argument(help="Specification files (TOML).", show_default=False)
 ]
 Spec = Annotated[Path, typer.Argument(help="Specification (TOML).", show_default=False)]
-Recordings = Annotated[list[Path], typer.Argument(help="Recordings (CSV).", show_default=False)]
+Recordings = Annotated[
+    list[Path], typer.Argument(help="Recordings (CSV or NetCDF).", show_default=False)
+]
 Sources = Annotated[
     list[Path],
     typer.Argument(help="Specifications (TOML) or data sets (NetCDF).", show_default=False),

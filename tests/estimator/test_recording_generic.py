@@ -12,6 +12,7 @@ from made_recordings import gripper_arrays, write_gripper
 from numpy.testing import assert_allclose, assert_array_equal
 
 from design.errors import InputError
+from estimator.recording_combine import combine
 from estimator.recording_files import read_table
 from estimator.recording_generic import generic_columns, write_generic_csv, write_generic_netcdf
 from estimator.recordings import read_recording
@@ -136,6 +137,16 @@ def test_the_grid_of_an_object_of_its_own(tmp_path):
     frames = read_recording(made(tmp_path), grid).frames
     assert_array_equal(frames.grid_x_mm, grid[0])
     assert_array_equal(frames.grid_y_mm, grid[1])
+
+
+def test_recordings_of_different_objects_are_not_combined(tmp_path, gripper):
+    own, other = read_recording(gripper), read_recording(made(tmp_path))
+    with pytest.raises(InputError, match="3 and 4 sensors a face"):
+        combine([own, other])
+    grid = np.arange(7) * 5.0 - 15.0, np.arange(3) * 4.0 - 4.0
+    louder = replace(own, frames=replace(own.frames, spec_hash="other", grid_x_mm=grid[0]))
+    with pytest.raises(InputError, match="one contact grid"):
+        combine([own, louder])
 
 
 def edited(tmp_path, text, old, new, count=1):

@@ -9,7 +9,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from design.errors import InputError
 from estimator.heatmap import contact_heatmaps
-from estimator.recording_combine import combine, jumps_between
+from estimator.recording_combine import combine, jump_between_faults, jumps_between
 from estimator.recordings import read_recording
 
 
@@ -256,6 +256,10 @@ def test_combine_drops_channels_that_jumped(clean, tmp_path):
     arrays[2][:, 1, 1] += 2750
     other = read_recording(write_gripper(tmp_path / "b.csv", arrays))
     assert np.argwhere(jumps_between([clean, other])).tolist() == [[1, 0, 1]]
+    (fault,) = jump_between_faults([clean, other])
+    before, after = (int(text) for text in fault.detail.split()[2:5:2])
+    assert fault.where == "F2-Y1, between the recordings"
+    assert after - before == pytest.approx(2750, abs=30)
     signal = combine([clean, other]).signal_counts
     assert np.isnan(signal[:, 1, 0, 1]).all()
     assert np.isfinite(np.delete(signal.reshape(-1, 45), 10, axis=1)).all()
