@@ -164,6 +164,7 @@ class TrainingSpec(SpecPart):
     for the normal force, 3 for Fx, Fy, Fz. With `history_frames` the estimator also reads the change
     over so many frames, which tells loading from unloading (hysteresis of the silicone). `members`: networks that are averaged, each stopped and
     calibrated by its own fold of the presses. Intervals cover the share `interval_cover`.
+    `twins`: simulated objects that `instobj pretrain` draws within `[tolerances]`.
     """
 
     model: Literal["compact", "whole-object", "paper", "linear"] = "compact"
@@ -177,6 +178,7 @@ class TrainingSpec(SpecPart):
     patience_epochs: Count = 15
     members: Annotated[int, Field(ge=1, le=20)] = 1
     interval_cover: Annotated[float, Field(gt=0, lt=1)] = 0.9
+    twins: Annotated[int, Field(ge=2, le=1000)] = 10
 
     @model_validator(mode="after")
     def _output_of_model(self) -> TrainingSpec:

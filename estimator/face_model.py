@@ -18,6 +18,7 @@ from design.files import atomic_path
 from estimator.dataset import FrameSet
 from estimator.face_data import HISTORY, Channel, channel_counts, with_history
 from estimator.network import ContactEstimator, HeadsNetwork, HeatmapNetwork
+from estimator.prediction import Prediction
 
 MODEL_FORMAT = 2
 _BATCH_FRAMES = 8192
@@ -58,18 +59,6 @@ class FaceModel:
     interval_cover: float
     interval_presses: int
     network: ContactEstimator
-
-
-@dataclass(frozen=True)
-class Prediction:
-    """`estimator.network.Reading` of each frame as arrays in float64."""
-
-    heatmap_n: Float[np.ndarray, "frame axis nx ny"]
-    force_n: Float[np.ndarray, "frame"]
-    xy_mm: Float[np.ndarray, "frame 2"]
-    contact: Float[np.ndarray, "frame"]
-    force_halfwidth_n: Float[np.ndarray, "frame"]
-    position_radius_mm: Float[np.ndarray, "frame"]
 
 
 def predict(model: FaceModel, frames: FrameSet) -> Prediction:

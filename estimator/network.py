@@ -54,9 +54,6 @@ class Reading(NamedTuple):
     position_radius_mm: Float[Tensor, "frame"]
 
 
-READING_UNITS = dict(zip(Reading._fields, ("N", "N", "mm", "1", "N", "mm"), strict=True))
-
-
 class Heads(NamedTuple):
     """Outputs of `HeadsNetwork` for training: forces in units of the scale, spreads likewise and
     in mm (mean absolute deviations)."""

@@ -11,14 +11,20 @@ from typing import Annotated
 import typer
 
 from design.errors import InputError
-from instobj import cli_experiments, cli_frames, cli_hardware, cli_presses, cli_search
+from instobj import (
+    cli_estimators,
+    cli_experiments,
+    cli_frames,
+    cli_hardware,
+    cli_presses,
+    cli_search,
+)
 from instobj.cli_options import (
     HERE,
     AsBuilt,
     AsJson,
     Out,
     Overrides,
-    Sources,
     Specs,
     show,
     with_as_built,
@@ -49,8 +55,8 @@ def check(specs: Specs, as_json: AsJson = False, overrides: Overrides = None) ->
     show(check_specifications(specs, overrides or []), as_json)
 
 
-def _chain_command(name: str, stage: str, purpose: str) -> None:
-    """A command that brings specifications to a stage."""
+def _chain_command(name: str, stages: str, purpose: str) -> None:
+    """A command that brings specifications to a stage, or to several."""
 
     def command(
         specs: Specs,
@@ -59,15 +65,19 @@ def _chain_command(name: str, stage: str, purpose: str) -> None:
         overrides: Overrides = None,
         as_built: AsBuilt = None,
     ) -> None:
-        _chain(specs, (stage,), out, as_json, with_as_built(overrides, as_built))
+        _chain(specs, tuple(stages.split()), out, as_json, with_as_built(overrides, as_built))
 
     app.command(name, help=purpose)(command)
 
 
-for _name, _stage, _purpose in (
+for _name, _stages, _purpose in (
     ("build", "build", "Solids, casting mould and probes as STL and STEP, with a manifest."),
     ("mesh", "mesh", "Tetrahedra of the sealed body with every magnet resolved; quality reported."),
-    ("simulate", "signals", "Mechanics of every press, and the signals that all sensors give."),
+    (
+        "simulate",
+        "signals discretisation",
+        "Mechanics of every press, and the signals that all sensors give.",
+    ),
     (
         "compliance",
         "compliance",
@@ -80,13 +90,18 @@ for _name, _stage, _purpose in (
         "What the spread of assembly, material and surroundings does, ranked.",
     ),
     (
+        "pretrain",
+        "pretraining",
+        "Estimators trained on simulated twins, from which `train --start` goes on.",
+    ),
+    (
         "report",
         "report",
         "One self-contained report.html: go or no-go, tables, figures and provenance.",
     ),
     ("run", "report", "The whole chain, stage by stage; stored results are reused."),
 ):
-    _chain_command(_name, _stage, _purpose)
+    _chain_command(_name, _stages, _purpose)
 
 
 @app.command()
@@ -107,26 +122,11 @@ def score(
     """Sensitivity, Cramér–Rao bounds and maps of every contact place."""
     chosen = {"score.hull": hull, "score.hull_frames": hull_frames}
     more = [f"{key}={value}" for key, value in chosen.items() if value is not None]
-    stages = ("scores", "shear_scores") if shear else ("scores",)
+    stages = ("scores", *(("shear_scores",) if shear else ()), "discretisation")
     _chain(specs, stages, out, as_json, [*with_as_built(overrides, as_built), *more])
 
 
-@app.command()
-def train(
-    sources: Sources, out: Out = HERE, as_json: AsJson = False, overrides: Overrides = None
-) -> None:
-    """Train a contact estimator per face, on simulated presses or on a data set."""
-    _estimate(sources, ("networks",), out, as_json, overrides)
-
-
-@app.command()
-def evaluate(
-    sources: Sources, out: Out = HERE, as_json: AsJson = False, overrides: Overrides = None
-) -> None:
-    """The paper's four metrics on held-out presses (trains first where nothing is stored)."""
-    _estimate(sources, ("networks", "metrics"), out, as_json, overrides)
-
-
+app.add_typer(cli_estimators.app)
 app.add_typer(cli_frames.app)
 app.add_typer(cli_presses.app)
 app.add_typer(cli_hardware.app)
@@ -144,18 +144,6 @@ def _chain(
     from instobj.commands import run_chain
 
     show(run_chain(specs, stages, out, overrides or []), as_json)
-
-
-def _estimate(
-    sources: list[Path],
-    stages: tuple[str, ...],
-    out: Path,
-    as_json: bool,
-    overrides: list[str] | None,
-) -> None:
-    from instobj.commands import run_estimator
-
-    show(run_estimator(sources, stages, out, overrides or []), as_json)
 
 
 def main() -> None:

@@ -112,9 +112,16 @@ def _run_one(spec: ObjectSpec, stages: tuple[str, ...], out: Path) -> dict[str, 
 
 
 def run_estimator(
-    sources: list[Path], stages: tuple[str, ...], out: Path, overrides: list[str]
+    sources: list[Path],
+    stages: tuple[str, ...],
+    out: Path,
+    overrides: list[str],
+    start: Path | None = None,
 ) -> dict[str, Any]:
-    """Train or evaluate on specifications (simulated presses) and on data sets (.nc) alike."""
+    """Train or evaluate on specifications (simulated presses) and on data sets (.nc) alike.
+
+    On data sets training goes on from the estimators in the folder `start`, if given.
+    """
     from instobj.learning import run_on_data_set
 
     require_writable(out)
@@ -126,7 +133,12 @@ def run_estimator(
                 "give the frames.nc that it writes"
             )
         if path.suffix == ".nc":
-            objects.append(run_on_data_set(path, stages, out, overrides))
+            objects.append(run_on_data_set(path, stages, out, overrides, start))
+        elif start is not None:
+            raise InputError(
+                f"--start is for data sets (.nc); got the specification {path}. Leave it out, or "
+                "give the data set of the object that the estimators shall be tuned to"
+            )
         else:
             objects.append(_run_one(load_spec(path, overrides), stages, out))
     return {"command": "estimator", "objects": objects}

@@ -99,12 +99,28 @@ def make_frames(context: StageContext, folder: Path) -> None:
     save_frames(frames, folder / "frames.nc")
 
 
+def make_pretraining(context: StageContext, folder: Path) -> None:
+    """A network per face, trained on presses of twins."""
+    from estimator.pretraining import split_twins, twin_frames
+    from fem.results import load_presses
+    from instobj.learning import fit_faces
+
+    spec = context.spec
+    presses = load_presses(context.inputs["presses"] / "presses.nc")
+    frames = twin_frames(spec, *presses, spec.training.twins, context.step)
+    split, target = split_twins(frames), folder / "pretrained"
+    fit_faces(frames, split, spec.training, spec.seed, target, context.step)
+
+
 def make_networks(context: StageContext, folder: Path) -> None:
     """A network per face."""
-    from instobj.learning import train_networks
+    from instobj.learning import train_networks, unfinished_folder
 
     frames = context.inputs["frames"] / "frames.nc"
-    train_networks(frames, context.spec.training, context.spec.seed, folder, context.step)
+    unfinished = unfinished_folder(context.key)
+    train_networks(
+        frames, context.spec.training, context.spec.seed, folder, context.step, unfinished
+    )
 
 
 def make_metrics(context: StageContext, folder: Path) -> None:

@@ -2,41 +2,70 @@
 
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from design.errors import InputError
 from design.spec import TrainingSpec
 from instobj.stage import Step, write_json
-from instobj.store import file_key, store_root, stored
+from instobj.store import content_key, file_key, store_root, stored
+
+if TYPE_CHECKING:
+    from estimator.dataset import FrameSet
+    from estimator.splits import Split
 
 _VERSION = 3
 
 
 def train_networks(
-    frames_path: Path, training: TrainingSpec, seed: int, folder: Path, step: Step
+    frames_path: Path,
+    training: TrainingSpec,
+    seed: int,
+    folder: Path,
+    step: Step,
+    unfinished: Path | None = None,
+    start: Path | None = None,
 ) -> None:
     """Train each face that the data set presses; writes `face_<n>.safetensors`.
+
+    `unfinished` keeps what an interrupted training has reached, and is gone on from; `start` is a
+    folder of estimators to begin with.
 
     Raises
     ------
     InputError
         The data set presses no face, or too few presses to split.
     """
+    from estimator.dataset import load_frames
+    from estimator.splits import split_presses
+
+    frames = load_frames(frames_path)
+    split = split_presses(frames, seed)
+    fit_faces(frames, split, training, seed, folder, step, unfinished, start)
+
+
+def fit_faces(
+    frames: FrameSet,
+    split: Split,
+    training: TrainingSpec,
+    seed: int,
+    folder: Path,
+    step: Step,
+    unfinished: Path | None = None,
+    start: Path | None = None,
+) -> None:
+    """Fit an estimator for each face that is pressed; as `train_networks`."""
     import torch
 
-    from estimator.dataset import load_frames
-    from estimator.face_model import save_model
+    from estimator.face_model import load_model, save_model
     from estimator.heatmap import faces_pressed
-    from estimator.splits import split_presses
     from estimator.training import FitSettings, fit_estimator
 
     torch.set_num_threads(1)  # a second thread gains nothing on networks this small
-    frames = load_frames(frames_path)
     faces = faces_pressed(frames)
     if not faces:
-        raise InputError(f"{frames_path} holds no contact. Give a data set with presses")
-    split = split_presses(frames, seed)
+        raise InputError("the data set holds no contact. Give a data set with presses")
     parts = frames.select(split.train), frames.select(split.validation)
     for face in faces:
 
@@ -44,9 +73,18 @@ def train_networks(
             if epoch % 10 == 0 or epoch == of:
                 step(f"face {face}, epoch {epoch} of {of}: validation loss {score:.3f}")
 
-        settings = FitSettings(face, training, seed)
-        model = fit_estimator(*parts, settings, progress=progress)
+        checkpoint = None if unfinished is None else unfinished / f"face_{face}"
+        settings = FitSettings(face, training, seed, checkpoint=checkpoint)
+        begin = None if start is None else load_model(start / f"face_{face}.safetensors")
+        model = fit_estimator(*parts, settings, begin, progress)
         save_model(model, folder / f"face_{face}.safetensors")
+    if unfinished is not None:
+        shutil.rmtree(unfinished, ignore_errors=True)
+
+
+def unfinished_folder(key: str) -> Path:
+    """Where a training that is interrupted can go on from."""
+    return store_root() / "unfinished" / key
 
 
 def evaluate_networks(
@@ -87,9 +125,15 @@ def evaluate_networks(
 
 
 def run_on_data_set(
-    path: Path, stages: tuple[str, ...], out: Path, overrides: list[str]
+    path: Path,
+    stages: tuple[str, ...],
+    out: Path,
+    overrides: list[str],
+    start: Path | None = None,
 ) -> dict[str, Any]:
     """Train (and evaluate) on a data set file; results go to `runs/<name>`.
+
+    Training goes on from the estimators in the folder `start`, if given.
 
     Raises
     ------
@@ -109,15 +153,19 @@ def run_on_data_set(
         "data_set": file_key(path),
         "training": training.model_dump(mode="json"),
         "seed": seed,
+        "start": None if start is None else _keys_of_models(start),
         "version": _VERSION,
     }
+    unfinished = unfinished_folder(content_key(inputs))
     results = {}
     with progress.stage(f"training on {path}"):
         results["networks"] = stored(
             store_root(),
             "networks",
             inputs,
-            lambda folder: train_networks(path, training, seed, folder, progress.step),
+            lambda folder: train_networks(
+                path, training, seed, folder, progress.step, unfinished, start
+            ),
         )
     if "metrics" in stages:
         networks = results["networks"].folder
@@ -136,6 +184,16 @@ def run_on_data_set(
         "summary": summarize(results),
         "files": file_rows(files),
     }
+
+
+def _keys_of_models(folder: Path) -> dict[str, str]:
+    paths = sorted(folder.glob("face_*.safetensors"))
+    if not paths:
+        raise InputError(
+            f"{folder} holds no face_<n>.safetensors to start from. Give the folder that `instobj "
+            "pretrain` or `instobj train` wrote"
+        )
+    return {path.name: file_key(path) for path in paths}
 
 
 def _settings(overrides: list[str]) -> tuple[TrainingSpec, int]:

@@ -27,6 +27,7 @@ _FILES = {
     "frames": ("frames.nc",),
     "collection": ("frames_*.nc",),
     "networks": ("*.safetensors",),
+    "pretraining": ("pretrained/*.safetensors",),
     "metrics": ("metrics.json", "metrics/*.png"),
     "report": ("report.html",),
     "press": ("press.json", "press.nc", "force_travel.png", "section.png", "*.vtu"),

@@ -13,6 +13,7 @@ from instobj.estimator_stages import (
     make_identify,
     make_metrics,
     make_networks,
+    make_pretraining,
     make_report,
     make_robustness,
     make_scores,
@@ -187,6 +188,15 @@ STAGES: dict[str, Stage] = {
         ("response", "large_strain", "signals"),
         ("collection", "protocol", "silicone.prony", "seed"),
         make_collection,
+    ),
+    "pretraining": Stage(
+        "estimator: pre-training on twins",
+        ("presses",),
+        (
+            *("magnets", "sensors", "arrangement", "environment", "as_built", "tolerances"),
+            *("protocol", "training", "seed"),
+        ),
+        make_pretraining,
     ),
     "networks": Stage(
         "estimator: training", ("frames",), ("training", "seed"), make_networks, version=4

@@ -1,0 +1,64 @@
+"""Presses of many twins of a design, to train estimators before the first press of the real object.
+
+Each twin has magnets, sensors, remanence, modulus and core off the design within `tolerances`, as a
+built object has, a slipped core among them (`tolerances.core_shift_mm`, `core_yaw_deg`): what is
+learnt from all of them together leans on no single one.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from design.spec import ObjectSpec
+from estimator.collection import joined
+from estimator.dataset import FrameSet
+from estimator.press_protocol import simulate_presses
+from estimator.signals import Progress
+from estimator.splits import Split
+from estimator.twin import drawn_assembly, twin_signals
+from fem.results import MagnetMotions, PressForces
+
+PRESSES_PER_PLACE = 3
+FRAMES_PER_PRESS = 12
+REST_FRAMES_PER_PRESS = 4
+VALIDATION_SHARE = 0.2
+_FIRST_SEED = 50_000
+"""Added to the specification's seed: pre-training twins are never the experiments' hidden twin."""
+
+
+def twin_frames(
+    spec: ObjectSpec,
+    forces: PressForces,
+    motions: MagnetMotions,
+    twins: int,
+    progress: Progress | None = None,
+) -> FrameSet:
+    """Presses of every place on each of `twins` objects, fixed by `spec.seed`; a session is a twin.
+
+    Presses are those of `[protocol]`, fewer and shorter: 48 frames a place and twin.
+    """
+    shorter = {
+        "presses_per_place": PRESSES_PER_PLACE,
+        "frames_per_press": FRAMES_PER_PRESS,
+        "rest_frames_per_press": REST_FRAMES_PER_PRESS,
+    }
+    protocol = spec.protocol.model_copy(update=shorter)
+    parts = []
+    for number in range(twins):
+        seed = spec.seed + _FIRST_SEED + number
+        if progress is not None:
+            progress(f"presses of twin {number + 1} of {twins}")
+        signals = twin_signals(spec, drawn_assembly(spec, seed), forces, motions)
+        drawn = spec.model_copy(update={"seed": seed, "protocol": protocol})
+        frames = simulate_presses(drawn, signals, f"twin {number}")
+        frames.session_id[:] = 0
+        parts.append(frames)
+    return joined(parts)
+
+
+def split_twins(frames: FrameSet) -> Split:
+    """Whole twins: the last fifth of them (at least one) validates, none is tested."""
+    twins = np.unique(frames.session_id)
+    held_out = max(1, round(VALIDATION_SHARE * len(twins)))
+    validation = np.isin(frames.session_id, twins[len(twins) - held_out :])
+    return Split(~validation, validation, np.zeros(len(frames), dtype=bool))
