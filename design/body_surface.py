@@ -91,7 +91,7 @@ def ball(spec: ObjectSpec, radius_mm: float, centre_mm: np.ndarray) -> trimesh.T
     import trimesh
 
     finest = _ICOSAHEDRON_EDGE * radius_mm / largest_edge_mm(spec, radius_mm)
-    sphere = trimesh.creation.icosphere(max(2, int(np.ceil(np.log2(finest)))), radius_mm)
+    sphere = trimesh.creation.icosphere(max(2, round(float(np.log2(finest)))), radius_mm)
     sphere.apply_translation(centre_mm)
     return sphere
 

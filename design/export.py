@@ -61,15 +61,19 @@ def build_object(
 
 
 def write_part(
-    part: Part, solid: cq.Solid, folder: Path, export: ExportSpec
+    part: Part, solid: cq.Solid | trimesh.Trimesh, folder: Path, export: ExportSpec
 ) -> tuple[PartManifest, trimesh.Trimesh]:
     """Write one part as STEP, STL and 3MF; measure both the solid and the STL as read back.
+
+    What is known by its triangles has no STEP, and its faces are its triangles.
 
     Raises
     ------
     InputError
         The folder cannot be written, or the part touches itself so that its surface is not closed.
     """
+    if not isinstance(solid, cq.Shape):
+        return _write_triangles(part, solid, folder), solid
     # The bounding box is read first: a triangulated shape would be measured by its triangles.
     box, centre = solid.BoundingBox(), solid.Center()
     mesh = _write_stl(solid, folder / f"{part.name}.stl", export)
@@ -89,6 +93,27 @@ def write_part(
         count=part.count,
     )
     return manifest, mesh
+
+
+def _write_triangles(part: Part, surface: trimesh.Trimesh, folder: Path) -> PartManifest:
+    with atomic_path(folder / f"{part.name}.stl") as path:
+        surface.export(path)
+    write_3mf(surface, part.name, folder / f"{part.name}.3mf")
+    (x0, y0, z0), (x1, y1, z1) = surface.bounds.tolist()
+    cx, cy, cz = surface.center_mass.tolist()
+    return PartManifest(
+        name=part.name,
+        volume_mm3=float(surface.volume),
+        bounding_box_mm=((x0, y0, z0), (x1, y1, z1)),
+        centre_of_mass_mm=(cx, cy, cz),
+        face_count=len(surface.faces),
+        solid_count=int(surface.body_count),
+        stl_volume_mm3=float(surface.volume),
+        stl_watertight=bool(surface.is_watertight),
+        stl_triangles=len(surface.faces),
+        material=part.material,
+        count=part.count,
+    )
 
 
 def _write_step(solid: cq.Solid, target: Path) -> None:

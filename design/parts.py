@@ -5,40 +5,55 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 import cadquery as cq
 
+from design.body import SAMPLED
 from design.core import make_core
 from design.jig import make_jig
 from design.layouts import face_frames
 from design.magnet_template import make_magnet_template, template_faces
 from design.mould import make_mould_box, make_mould_plug, make_seal_mould
 from design.probes import make_probe
+from design.sampled_parts import sampled_core_part, sampled_shell
 from design.shell import make_shell
 from design.spec import ObjectSpec
 from design.split_mould import distinct_pins, make_mould_half, mould_pins
+
+if TYPE_CHECKING:
+    import trimesh
 
 Material = Literal["printed", "silicone"]
 
 
 @dataclass(frozen=True)
 class Part:
-    """A part by its name; `make` builds its solid, in the object's frame unless it is a tool."""
+    """A part by its name; `make` builds it, in the object's frame unless it is a tool.
+
+    A body that is known by its triangles gives triangles, all others exact solids.
+    """
 
     name: str
-    make: Callable[[], cq.Solid]
+    make: Callable[[], cq.Solid | trimesh.Trimesh]
     material: Material = "printed"
     count: int = 1
 
 
 def parts_of(spec: ObjectSpec) -> tuple[Part, ...]:
     """Core, shell, mould, probes, jig and magnet templates, in the order of the manifest."""
+    probes = [Part(f"probe_{tips}", partial(make_probe, spec, tips)) for tips in (1, 2, 3)]
+    if spec.body.kind in SAMPLED:
+        return (
+            Part("core", partial(sampled_core_part, spec)),
+            Part("shell", partial(sampled_shell, spec), "silicone"),
+            *probes,
+        )
     return (
         Part("core", partial(make_core, spec)),
         Part("shell", partial(make_shell, spec), "silicone"),
         *_mould(spec),
-        *(Part(f"probe_{tips}", partial(make_probe, spec, tips)) for tips in (1, 2, 3)),
+        *probes,
         Part("jig", partial(make_jig, spec)),
         *_templates(spec),
     )

@@ -34,6 +34,7 @@ def load_spec(path: Path | str, overrides: Iterable[str] = (), table: bool = Tru
     )
     content = _with_tensile_data(with_overrides(content, overrides), path.parent)
     content = _with_indenter_corners(content, path.parent)
+    content = _with_imported_body(content, path.parent)
     return parse_spec(_with_as_built(content, path), str(path), table)
 
 
@@ -128,6 +129,16 @@ def _with_indenter_corners(content: dict[str, Any], folder: Path) -> dict[str, A
 
     corners = stl_tip_vertices_mm(folder / indenter["file"])
     return content | {"indenter": indenter | {"vertices_mm": corners}}
+
+
+def _with_imported_body(content: dict[str, Any], folder: Path) -> dict[str, Any]:
+    """An imported body with the size of what its file holds, read from `folder`."""
+    body = content.get("body")
+    if not isinstance(body, dict) or not isinstance(body.get("file"), str):
+        return content
+    from design.import_body import body_of_file
+
+    return content | {"body": body | body_of_file(folder / body["file"])}
 
 
 def _apply_override(content: dict[str, Any], override: str) -> None:

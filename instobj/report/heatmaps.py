@@ -151,7 +151,8 @@ def draw_overview(
         handles=_legend(), loc="upper left", bbox_to_anchor=(0.03, 0.88), frameon=False, fontsize=12
     )
     lines = [part for line in note.splitlines() for part in wrap(line, _NOTE_WIDTH)]
-    figure.text(0.675, 0.27, "\n".join(lines), fontsize=11.5, color=_INK, va="top", linespacing=1.6)
+    low = 0.27 if len(faces) > 1 else 0.12
+    figure.text(0.675, low, "\n".join(lines), fontsize=11.5, color=_INK, va="top", linespacing=1.6)
     _save(figure, path)
 
 

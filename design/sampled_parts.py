@@ -1,0 +1,123 @@
+"""Shell and core of bodies that are known by their triangles, by booleans of closed surfaces."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from design.body import core_half_mm
+from design.body_surface import cavity_surface, outer_surface, with_bore
+from design.errors import InputError
+from design.layouts import FaceFrame, core_frames, face_frames
+from design.pockets import Pocket, sensor_places, shell_pockets
+from design.sampled_body import sampled_core
+
+if TYPE_CHECKING:
+    import trimesh
+
+    from design.spec import ObjectSpec
+
+_OVERSHOOT_MM = 0.5
+_SECTIONS = 64
+_LEAST_HOLLOW_MM = 3.0
+
+
+def sampled_shell(spec: ObjectSpec) -> trimesh.Trimesh:
+    """The cast shell, pockets open outwards, in the object's frame (mm).
+
+    Raises
+    ------
+    InputError
+        The dimensions do not give one closed surface.
+    """
+    pockets = [
+        _pocket(frame.tangent(pocket.body.centre_mm[:2]), pocket)
+        for frame, face in zip(face_frames(spec), shell_pockets(spec), strict=True)
+        for pocket in face
+    ]
+    cavity = cavity_surface(spec)
+    removed = [*pockets, *([] if cavity is None else [cavity])]
+    return _one(outer_surface(spec), removed, "shell")
+
+
+def sampled_core_part(spec: ObjectSpec) -> trimesh.Trimesh:
+    """The core with its recesses and wire holes, hollow with an outlet by the bore if there is room.
+
+    Raises
+    ------
+    InputError
+        The dimensions do not give one closed surface.
+    """
+    removed = []
+    for frame, places in zip(core_frames(spec), sensor_places(spec), strict=True):
+        removed += [_recess(spec, frame, place) for place in places]
+        removed.append(_wire_hole(spec, frame))
+    wall = spec.core.wall_mm
+    if core_half_mm(spec).min() - wall > _LEAST_HOLLOW_MM:
+        shell = spec.shell.model_copy(update={"thickness_mm": spec.shell.thickness_mm + wall})
+        removed.append(with_bore(spec, sampled_core(spec.model_copy(update={"shell": shell}))))
+    return _one(sampled_core(spec), removed, "core")
+
+
+def _pocket(frame: FaceFrame, pocket: Pocket) -> trimesh.Trimesh:
+    """The pocket's prism from its floor to above the plane that touches the body there."""
+    import trimesh
+
+    floor, mouth = frame.to_object(pocket.axis_ends_mm)
+    mouth = mouth + _OVERSHOOT_MM * frame.normal
+    half, length = pocket.outline.half_mm, float(np.linalg.norm(mouth - floor))
+    if pocket.outline.round:
+        solid = trimesh.creation.cylinder(half[0], length, sections=_SECTIONS)
+    else:
+        solid = trimesh.creation.box((2 * half[0], 2 * half[1], length))
+    solid.apply_transform(_placed(frame.axes @ pocket.body.frame, (floor + mouth) / 2))
+    return solid
+
+
+def _recess(
+    spec: ObjectSpec, frame: FaceFrame, place: tuple[float, float, float]
+) -> trimesh.Trimesh:
+    import trimesh
+
+    core, (x, y, azimuth) = spec.core, place
+    length = core.recess_outer_radius_mm - core.recess_inner_radius_mm
+    middle = (
+        core.recess_outer_radius_mm + core.recess_inner_radius_mm
+    ) / 2 - spec.sensors.radius_mm
+    height = core.recess_depth_mm + _OVERSHOOT_MM
+    radial = np.array([np.cos(azimuth), np.sin(azimuth), 0.0])
+    turn = np.column_stack([radial, np.cross([0, 0, 1.0], radial), [0, 0, 1.0]])
+    centre = np.array([x, y, height / 2 - core.recess_depth_mm]) + middle * radial
+    tangent = frame.tangent(np.array([x, y]))
+    box = trimesh.creation.box((length, core.recess_width_mm, height))
+    box.apply_transform(_placed(tangent.axes @ turn, tangent.to_object(centre)))
+    return box
+
+
+def _wire_hole(spec: ObjectSpec, frame: FaceFrame) -> trimesh.Trimesh:
+    """From the patch's centre to the body's."""
+    import trimesh
+
+    top = frame.centre_mm + _OVERSHOOT_MM * frame.normal
+    radius = spec.core.wire_hole_side_diameter_mm / 2
+    return trimesh.creation.cylinder(radius, segment=[0 * top, top], sections=_SECTIONS)
+
+
+def _placed(axes: np.ndarray, origin_mm: np.ndarray) -> np.ndarray:
+    transform = np.eye(4)
+    transform[:3, :3], transform[:3, 3] = axes, origin_mm
+    return transform
+
+
+def _one(body: trimesh.Trimesh, removed: list[trimesh.Trimesh], name: str) -> trimesh.Trimesh:
+    import trimesh
+
+    part = trimesh.boolean.difference([body, *removed], engine="manifold")
+    pieces = [piece for piece in part.split(only_watertight=False) if abs(piece.volume) > 1e-3]
+    if len(pieces) != 1 or not pieces[0].is_watertight:
+        raise InputError(
+            f"{name} must be one closed body; these dimensions give {len(pieces)}. Move its recesses, "
+            "holes or pockets apart, or make them smaller"
+        )
+    return pieces[0]
