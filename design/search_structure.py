@@ -41,7 +41,7 @@ def with_structure(spec: ObjectSpec, params: Mapping[str, Any]) -> ObjectSpec:
     if "silicone" in chosen:
         update["silicone"] = SiliconeSpec(name=chosen["silicone"])
     update |= _with_sizes(spec, update.get("shell", spec.shell), chosen)
-    update["sensors"] = _with_sensors(spec.sensors, chosen)
+    update["sensors"] = _with_sensors(spec, chosen)
     return spec.model_copy(update=update)
 
 
@@ -78,13 +78,18 @@ def _with_sizes(spec: ObjectSpec, shell: Any, chosen: dict[str, Any]) -> dict[st
     }
 
 
-def _with_sensors(sensors: SensorSpec, chosen: dict[str, Any]) -> SensorSpec:
+def _with_sensors(spec: ObjectSpec, chosen: dict[str, Any]) -> SensorSpec:
+    """A board turned over lies on its recess's floor where it was flush with the core, and back."""
+    sensors = spec.sensors
     content = sensors.model_dump(exclude_none=True)
     if "sensor_count" in chosen:
         content.pop("positions_mm", None)
         content["count_per_face"] = chosen["sensor_count"]
     if "sensor_chip" in chosen:
         content["chip"] = chosen["sensor_chip"]
+        if chosen["sensor_chip"] != sensors.chip:
+            depth = spec.core.recess_depth_mm - sensors.depth_below_core_face_mm
+            content["depth_below_core_face_mm"] = depth
     if "sensor_turn_deg" in chosen:
         content["mount_rotation_deg"] = (0.0, 0.0, chosen["sensor_turn_deg"])
     if "sensor_range_mt" in chosen:
