@@ -14,6 +14,8 @@ from design.files import atomic_path
 from design.search_space import SearchSpace
 from design.spec import ObjectSpec
 from design.spec_search import SearchSpec
+from instobj.report.search_page import write_search_page
+from instobj.search.history import search_history
 from instobj.search.ladder import Climb, Climber
 from instobj.search.study import KeptStudy
 from instobj.stage import write_json
@@ -44,7 +46,8 @@ def write_outcome(
         (folder / BEST).unlink(missing_ok=True)  # of an earlier call
     written.append(folder / "search.json")
     write_json(_results(found), written[-1])
-    step("figures and page")
+    history = search_history(space, kept)
+    written.append(write_search_page(space.spec, found, history, folder, step))
     return written
 
 

@@ -18,11 +18,14 @@ from optuna.trial import FrozenTrial, TrialState
 
 from design.errors import InputError
 from design.spec import ObjectSpec
-from design.spec_io import spec_hash
-from design.spec_search import SearchSpec
+from instobj.store import content_key
 
 _BUDGET = ("trials", "seconds", "trial_seconds", "batch", "leaders", "finalists", "polish_steps")
 """Of `[search]`: may change while a study goes on."""
+_MATTERS = (
+    *("arrangement", "body", "shell", "silicone", "magnets", "core", "sensors", "contact_grid"),
+    *("indenter", "press", "mesh", "mechanics", "score", "limits", "search"),
+)
 _KEY = "specification"
 
 
@@ -99,10 +102,12 @@ def open_study(
 
 
 def study_key(spec: ObjectSpec) -> str:
-    """SHA-256 of what makes trials comparable: all but the budget."""
-    update = {name: SearchSpec.model_fields[name].default for name in _BUDGET}
-    search = spec.search.model_copy(update=update)
-    return spec_hash(spec.model_copy(update={"search": search}))
+    """SHA-256 of what trials depend on: the budget of the search, training and so on may change."""
+    alike = ObjectSpec.model_validate(spec.model_dump(mode="json"))  # defaults like what was read
+    content = alike.model_dump(mode="json")
+    for name in _BUDGET:
+        del content["search"][name]
+    return content_key({name: content[name] for name in _MATTERS})
 
 
 def mend_journal(path: Path) -> None:

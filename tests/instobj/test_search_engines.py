@@ -148,7 +148,7 @@ def test_a_killed_search_loses_no_finished_trial(tmp_path):
     code = (
         "import sys; from pathlib import Path; sys.path.insert(0, sys.argv[2])\n"
         "from test_search_engines import searched\n"
-        "searched(Path(sys.argv[1]), trials=100000, batch=8)\n"
+        "searched(Path(sys.argv[1]), 'random', trials=100000, batch=8)\n"
     )
     here = Path(__file__).parent
     process = subprocess.Popen(
@@ -159,7 +159,7 @@ def test_a_killed_search_loses_no_finished_trial(tmp_path):
         time.sleep(0.05)
     process.send_signal(signal.SIGKILL)
     process.wait()
-    trials = open_study(made_up_space(trials=100000, batch=8).spec, path, resume=True).trials()
+    trials = open_study(made_up_space(engine="random", trials=100000, batch=8).spec, path, resume=True).trials()
     assert len(trials) >= 50
     assert {t.state.name for t in trials} == {"COMPLETE"}
 
