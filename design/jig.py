@@ -12,7 +12,8 @@ from __future__ import annotations
 import cadquery as cq
 import numpy as np
 
-from design.mould import play_mm
+from design.body_solids import core_hollow
+from design.mould import has_mould, play_mm
 from design.shell import envelope
 from design.solids import OVERSHOOT_MM, box_between, single_solid
 from design.spec import ObjectSpec
@@ -39,7 +40,7 @@ def make_jig(spec: ObjectSpec) -> cq.Solid:
     top, half = _seat_mm(spec), _half_plate_mm(spec)
     plate = box_between((-half, -half, top - PLATE_MM), (half, half, top))
     cutters = [*_bolt_holes(half, top), *_marks(half, top)]
-    if spec.body.kind == "box":
+    if _on_post(spec):
         post, passage = _post(spec, top)
         plate, cutters = plate.fuse(post), [*cutters, passage, _channel(half, top)]
     else:
@@ -50,7 +51,11 @@ def make_jig(spec: ObjectSpec) -> cq.Solid:
 def _seat_mm(spec: ObjectSpec) -> float:
     """Level of the plate's top: the open face, or above it where the body lies in a recess."""
     low = -spec.body.size_mm[2] / 2
-    return low if spec.body.kind == "box" else low + RECESS_MM
+    return low if _on_post(spec) else low + RECESS_MM
+
+
+def _on_post(spec: ObjectSpec) -> bool:
+    return has_mould(spec) and bool(core_hollow(spec))
 
 
 def _half_plate_mm(spec: ObjectSpec) -> float:

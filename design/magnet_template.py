@@ -21,6 +21,7 @@ LIP_MM = (2.0, 3.0)
 MARK_LENGTH_MM = 3.0
 MARK_WIDTH_MM = 0.9
 MARK_DEPTH_MM = 0.8
+MARK_GAP_MM = 1.3
 CORNER_MM = 4.0
 
 
@@ -89,7 +90,7 @@ def _mark_place(pockets: tuple[Pocket, ...], index: int, half: tuple[float, floa
     centres = np.stack([_centre(pocket) for pocket in pockets])
     radii = np.array([pocket.outline.radius_mm for pocket in pockets])
     angle = np.arange(16) * np.pi / 8
-    away = radii[index] + 0.75 * MARK_LENGTH_MM
+    away = radii[index] + MARK_GAP_MM + MARK_LENGTH_MM / 2
     places = centres[index] + away * np.column_stack([np.cos(angle), np.sin(angle)])
     gaps = np.linalg.norm(places[:, None] - centres, axis=2) - radii
     border = (np.asarray(half) - abs(places)).min(axis=1)

@@ -118,6 +118,16 @@ def mould_around(spec: ObjectSpec) -> list[cq.Solid]:
     return [make_mould_half(spec, 1), make_mould_half(spec, -1), *mould_pins(spec)]
 
 
+def has_mould(spec: ObjectSpec) -> bool:
+    """Whether moulds are made for the body: boxes that are open towards −z alone."""
+    return spec.body.kind == "box" and spec.body.opened == (6,)
+
+
+def pour_width_mm(spec: ObjectSpec) -> float:
+    """Width of the two slots that the plug's flange leaves open beside it."""
+    return spec.body.size_mm[0] / 2 - _flange_half_width(spec)
+
+
 def _flange_half_width(spec: ObjectSpec) -> float:
     return spec.core_size_mm[0] / 2 + min(FLANGE_OVERLAP_MM, spec.shell.thickness_mm / 4)
 

@@ -14,7 +14,7 @@ from design.core import make_core
 from design.jig import make_jig
 from design.layouts import face_frames
 from design.magnet_template import make_magnet_template, template_faces
-from design.mould import make_mould_box, make_mould_plug, make_seal_mould
+from design.mould import has_mould, make_mould_box, make_mould_plug, make_seal_mould
 from design.probes import make_probe
 from design.sampled_parts import sampled_core_part, sampled_shell
 from design.shell import make_shell
@@ -60,7 +60,7 @@ def parts_of(spec: ObjectSpec) -> tuple[Part, ...]:
 
 
 def _mould(spec: ObjectSpec) -> list[Part]:
-    if spec.body.kind != "box" or spec.body.opened != (6,):
+    if not has_mould(spec):
         return []
     if spec.mould.style == "one-piece":
         parts = [Part("mould_box", partial(make_mould_box, spec))]

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from typing import Literal
 
 from design.errors import InputError
 
@@ -37,6 +38,17 @@ class ModulusEstimate:
 
 
 @dataclass(frozen=True)
+class Casting:
+    """How a rubber is cast: chemistry, parts A : B by mass, times at 23 °C, strain at break."""
+
+    cure: Literal["platinum", "tin", "none"]
+    mix_ratio: tuple[float, float]
+    pot_life_min: float | None
+    cure_h: float | None
+    elongation_percent: float
+
+
+@dataclass(frozen=True)
 class Silicone:
     """A casting rubber by its trade name."""
 
@@ -44,6 +56,7 @@ class Silicone:
     modulus: ModulusEstimate
     density_g_per_cm3: float
     poisson_ratio: float = _INCOMPRESSIBLE
+    casting: Casting | None = None
 
 
 _TENSILE = "tensile tests (Marechal et al. 2021) and the maker's 100 % modulus, read as neo-Hookean"
@@ -61,11 +74,32 @@ SILICONES = {
                 "MPa, the public recordings 0.23 to 0.28",
             ),
             1.07,
+            casting=Casting("platinum", (1.0, 1.0), 6.0, 0.5, 970.0),
         ),
-        Silicone("Ecoflex 00-30", ModulusEstimate(0.078, 0.043, 0.12, _TENSILE), 1.07),
-        Silicone("Dragon Skin 10", ModulusEstimate(0.22, 0.12, 0.42, _TENSILE), 1.07),
-        Silicone("Dragon Skin 20", ModulusEstimate(0.56, 0.33, 0.74, _TENSILE), 1.08),
-        Silicone("Dragon Skin 30", ModulusEstimate(0.87, 0.50, 1.15, _TENSILE), 1.08),
+        Silicone(
+            "Ecoflex 00-30",
+            ModulusEstimate(0.078, 0.043, 0.12, _TENSILE),
+            1.07,
+            casting=Casting("platinum", (1.0, 1.0), 45.0, 4.0, 900.0),
+        ),
+        Silicone(
+            "Dragon Skin 10",
+            ModulusEstimate(0.22, 0.12, 0.42, _TENSILE),
+            1.07,
+            casting=Casting("platinum", (1.0, 1.0), 20.0, 5.0, 1000.0),
+        ),
+        Silicone(
+            "Dragon Skin 20",
+            ModulusEstimate(0.56, 0.33, 0.74, _TENSILE),
+            1.08,
+            casting=Casting("platinum", (1.0, 1.0), 25.0, 4.0, 620.0),
+        ),
+        Silicone(
+            "Dragon Skin 30",
+            ModulusEstimate(0.87, 0.50, 1.15, _TENSILE),
+            1.08,
+            casting=Casting("platinum", (1.0, 1.0), 45.0, 16.0, 364.0),
+        ),
         Silicone(
             "TPU 85A",
             ModulusEstimate(
@@ -77,6 +111,7 @@ SILICONES = {
             ),
             1.18,
             0.48,
+            Casting("none", (1.0, 0.0), None, None, 600.0),
         ),
     )
 }

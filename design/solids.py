@@ -123,20 +123,29 @@ def _prism(
     return local.moved(cq.Location(cq.Plane(cq.Vector(*start), cq.Vector(*side), axis)))
 
 
+class NotOneSolid(InputError):
+    """A part that came out in pieces or invalid; `shape` is what was made."""
+
+    def __init__(self, message: str, shape: cq.Shape) -> None:
+        super().__init__(message)
+        self.shape = shape
+
+
 def single_solid(shape: cq.Shape, part: str) -> cq.Solid:
     """The one valid solid that `shape` is made of, with split faces merged.
 
     Raises
     ------
-    InputError
-        The dimensions of the specification leave several pieces, or a body that is not valid.
+    NotOneSolid
+        An InputError: the dimensions leave several pieces, or a body that is not valid.
     """
     merged = shape.clean()
     solids = merged.Solids()
     if len(solids) != 1 or not merged.isValid():
         state = "valid" if merged.isValid() else "invalid"
-        raise InputError(
+        raise NotOneSolid(
             f"{part} must be one valid solid; these dimensions give {len(solids)} ({state}). "
-            "Move its recesses, holes or pockets apart, or make them smaller"
+            "Move its recesses, holes or pockets apart, or make them smaller",
+            merged,
         )
     return solids[0]

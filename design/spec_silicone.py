@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from dataclasses import asdict
+from typing import Annotated, Any, Literal
 
 from pydantic import Field, model_validator
 
 from design.silicones import SILICONES, ModulusEstimate, modulus_from_shore, silicone_preset
-from design.spec_types import Positive, SpecPart
+from design.spec_types import NonNegative, Positive, SpecPart
 
 
 class PronyTermSpec(SpecPart):
@@ -25,6 +26,11 @@ class SiliconeSpec(SpecPart):
     the interval that the modulus may lie in, unknown where an explicit one lies outside its source's.
     0.414 MPa is Gent's (1958) relation at Shore A10; the public recordings fit 0.23 to 0.28 MPa.
 
+    `cure` is its chemistry (what is not cast, as printed TPU, has "none"), `mix_ratio` its parts by
+    mass; pot life and time to demould are the maker's at room temperature, unknown where neither
+    preset nor specification gives them. Walls below `thinnest_wall_mm` tear; it may be stretched by
+    `peel_share` of its elongation at break when it is peeled out of a mould.
+
     With `prony` terms the modulus is the one at once, E(t) = E (1 − Σ fraction (1 − exp(−t/time))).
     """
 
@@ -36,6 +42,13 @@ class SiliconeSpec(SpecPart):
     poisson_ratio: Annotated[float, Field(ge=0, le=0.5)] = 0.4999
     density_g_per_cm3: Positive = 1.07
     prony: tuple[PronyTermSpec, ...] = ()
+    cure: Literal["platinum", "tin", "none"] = "platinum"
+    mix_ratio: tuple[Positive, NonNegative] = (1.0, 1.0)
+    pot_life_min: Positive | None = 6.0
+    cure_h: Positive | None = 0.5
+    elongation_percent: Positive = 970.0
+    thinnest_wall_mm: Positive = 1.0
+    peel_share: Annotated[float, Field(gt=0, le=1)] = 0.33
 
     @model_validator(mode="before")
     @classmethod
@@ -109,8 +122,12 @@ def _estimate(name: str, shore: str | None) -> ModulusEstimate | None:
     return SILICONES[name].modulus if name in SILICONES else None
 
 
-def _of_preset(name: str) -> dict[str, float]:
+def _of_preset(name: str) -> dict[str, Any]:
     if name not in SILICONES:
-        return {}
+        return {"pot_life_min": None, "cure_h": None}
     preset = SILICONES[name]
-    return {"poisson_ratio": preset.poisson_ratio, "density_g_per_cm3": preset.density_g_per_cm3}
+    figures = {
+        "poisson_ratio": preset.poisson_ratio,
+        "density_g_per_cm3": preset.density_g_per_cm3,
+    }
+    return figures | ({} if preset.casting is None else asdict(preset.casting))

@@ -48,11 +48,27 @@ def new(name: Annotated[str, typer.Argument(help="Name of the object.")], out: O
 
 
 @app.command()
-def check(specs: Specs, as_json: AsJson = False, overrides: Overrides = None) -> None:
+def check(
+    specs: Specs,
+    fabrication: Annotated[
+        bool,
+        typer.Option("--fabrication", help="Also whether the parts print, cast and go together."),
+    ] = False,
+    out: Out = HERE,
+    as_json: AsJson = False,
+    overrides: Overrides = None,
+) -> None:
     """Validate specifications: keys, bounds, whether everything fits, and sensors at rest."""
     from instobj.commands import check_specifications
 
-    show(check_specifications(specs, overrides or []), as_json)
+    result = check_specifications(specs, overrides or [])
+    if fabrication:
+        from instobj.fabrication import fabrication_of
+
+        result["fabrication"] = fabrication_of(specs, overrides or [], out)
+    show(result, as_json)
+    if any(item["status"] == "fail" for item in result.get("fabrication", ())):
+        raise typer.Exit(1)
 
 
 def _chain_command(name: str, stages: str, purpose: str) -> None:

@@ -14,6 +14,8 @@ from design.spec_io import spec_hash
 from instobj.store import RECORD, StoredResult
 
 _FILES = {
+    "fabrication": ("fabrication.json", "fabrication.png"),
+    "sheet": ("bom.csv", "assembly.html"),
     "mesh": ("mesh_quality.json",),
     "discretisation": ("discretisation.json",),
     "signals": ("signals.nc",),
@@ -32,6 +34,9 @@ _FILES = {
     "report": ("report.html",),
     "press": ("press.json", "press.nc", "force_travel.png", "section.png", "*.vtu"),
 }
+
+_BESIDE_THE_PARTS = ("fabrication", "sheet")
+"""Stages whose files go to the parts, not to the results."""
 
 
 def run_folder(out: Path, name: str) -> Path:
@@ -57,7 +62,8 @@ def publish(spec: ObjectSpec, result: StoredResult, out: Path) -> list[Path]:
     """Copy the files of one stage that users read; returns where they are."""
     if result.stage == "build":
         return _publish_parts(spec, result.folder, cad_folder(out, spec.name))
-    return publish_to(run_folder(out, spec.name), result)
+    folder = cad_folder if result.stage in _BESIDE_THE_PARTS else run_folder
+    return publish_to(folder(out, spec.name), result)
 
 
 def publish_to(target: Path, result: StoredResult) -> list[Path]:

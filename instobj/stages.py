@@ -20,6 +20,7 @@ from instobj.estimator_stages import (
     make_shear_scores,
     make_signals,
 )
+from instobj.fabrication import make_fabrication
 from instobj.magnet_free_stages import (
     make_candidates,
     make_compliance,
@@ -39,6 +40,10 @@ from instobj.mechanics_stages import (
 from instobj.stage import Stage
 
 _WHERE_THINGS_ARE = ("body", "shell", "magnets", "arrangement")
+_MAKING = (
+    *(*_WHERE_THINGS_ARE, "core", "sensors", "indenter"),
+    *("mould", "printer", "export"),
+)
 _SHAPE = ("body", "shell.thickness_mm", "shell.slits", "core.keys")
 _WHAT_IS_MESHED = (*_SHAPE, "shell_bodies", "mesh")
 _ELASTIC = (
@@ -55,12 +60,15 @@ STAGES: dict[str, Stage] = {
     "build": Stage(
         "design: solids, mould and probes",
         (),
-        (
-            *("name", *_WHERE_THINGS_ARE, "core", "sensors", "indenter"),
-            *("mould", "printer", "export"),
-        ),
+        ("name", *_MAKING),
         make_build,
         version=2,
+    ),
+    "fabrication": Stage(
+        "design: fabrication checks",
+        (),
+        ("name", *_MAKING, "silicone"),
+        make_fabrication,
     ),
     "mesh": Stage("mesh: tetrahedra", (), _WHAT_IS_MESHED, make_mesh),
     "response": Stage("mechanics: response operator", ("mesh",), _ELASTIC, make_response),

@@ -24,6 +24,8 @@ def print_result(result: dict[str, Any]) -> None:
         )
         for line in surroundings_lines(row["surroundings"]):
             console.print(f"  {line}")
+    for item in result.get("fabrication", ()):
+        _print_findings(console, item)
     for text in result.get("texts", ()):
         console.print(text)
     for item in result.get("objects", ()):
@@ -38,6 +40,35 @@ def print_result(result: dict[str, Any]) -> None:
     for title, rows in result.get("tables", {}).items():
         _print_rows(console, title, rows)
     _print_files(console, result.get("files", ()))
+
+
+def _print_findings(console: Console, item: dict[str, Any]) -> None:
+    """What did not pass, in full, and how much did."""
+    console.rule(f"{item['name']}: fabrication on {item['printer']}, {item['silicone']}")
+    rows = [
+        {
+            "status": found["status"],
+            "part": found["part"],
+            "check": found["check"],
+            "value": found["value"],
+            "limit": found["limit"],
+            "unit": found["unit"],
+            "place, mm": "" if found["place_mm"] is None else _place(found["place_mm"]),
+        }
+        for found in item["findings"]
+        if found["status"] != "pass"
+    ]
+    console.print(f"{len(item['findings']) - len(rows)} of {len(item['findings'])} checks pass")
+    if rows:
+        _print_rows(console, "not passed", rows)
+    for found in item["findings"]:
+        if found["status"] != "pass":
+            console.print(f"{found['status']}: {found['part']}, {found['check']}: {found['what']}")
+    _print_files(console, item["files"])
+
+
+def _place(place_mm: list[float]) -> str:
+    return ", ".join(f"{value:.1f}" for value in place_mm)
 
 
 def _objects_as_columns(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:

@@ -126,12 +126,12 @@ def _draw_view(axes: Axes, view: PartView, mesh: trimesh.Trimesh, part: PartMani
     camera = camera_axes(view.towards_viewer, view.up)
     image = depth_image(np.asarray(mesh.triangles) @ camera.T)
     axes.imshow(
-        _shade(image, mesh, camera, view), extent=image.extent_mm, interpolation="antialiased"
+        shade(image, mesh, camera, view), extent=image.extent_mm, interpolation="antialiased"
     )
     size = " × ".join(f"{edge:.4g}" for edge in part.size_mm)
     axes.set_title(f"{view.title}\n{size} mm, {part.volume_mm3 / 1000:.2f} cm³", fontsize=12)
     axes.set_axis_off()
-    _draw_axes_and_scale(axes, camera, image.extent_mm)
+    draw_axes_and_scale(axes, camera, image.extent_mm)
 
 
 def _without_quarter(mesh: trimesh.Trimesh) -> trimesh.Trimesh:
@@ -195,7 +195,7 @@ def _draw_triangle(
     index[window][wins] = number
 
 
-def _shade(
+def shade(
     image: DepthImage, mesh: trimesh.Trimesh, camera: Float[np.ndarray, "3 3"], view: PartView
 ) -> Float[np.ndarray, "row column 3"]:
     """Diffuse light from above left of the viewer, dark lines where the surface turns or steps."""
@@ -236,7 +236,7 @@ def _edges(
     return marked & ~background
 
 
-def _draw_axes_and_scale(
+def draw_axes_and_scale(
     axes: Axes,
     camera: Float[np.ndarray, "3 3"],
     extent: tuple[float, float, float, float],

@@ -144,6 +144,9 @@ for _override in (
     "indenter.radius_mm=4.5",
 ):
     DOWNSTREAM[_override] = DOWNSTREAM[_override] | {"shapes"}
+for _override, _stages in DOWNSTREAM.items():
+    if "build" in _stages or _override.startswith("silicone."):
+        DOWNSTREAM[_override] = _stages | {"fabrication"}
 DOWNSTREAM["mechanics.correction=large-strain"] = {"large_strain"}
 
 

@@ -1,0 +1,150 @@
+"""Fabrication checks of a whole object: what printing, casting and assembly will stumble over.
+
+Limits come from `[printer]` and `[silicone]` of the specification. Parts are measured as solids and
+as the triangles that are printed. What is only estimated says so: the strain of peeling a shell off
+an undercut is taken as the undercut's depth over the thickness of the wall that gives way.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import cadquery as cq
+
+from design.checks_assembly import check_clearances, check_electronics, check_pockets
+from design.checks_casting import check_casting
+from design.checks_print import (
+    check_bed,
+    check_edges,
+    check_features,
+    check_inhibition,
+    check_walls,
+)
+from design.finding import Finding, at_least, place_of
+from design.parts import Part, parts_of
+from design.solids import NotOneSolid
+from design.spec import ObjectSpec
+
+if TYPE_CHECKING:
+    import trimesh
+
+SLIVER_MM3 = 1.0
+"""Separate pieces below this volume come loose in the print."""
+
+
+@dataclass(frozen=True)
+class Built:
+    """A part as solid and as triangles."""
+
+    part: Part
+    shape: cq.Shape
+    mesh: trimesh.Trimesh
+
+
+@dataclass(frozen=True)
+class Checked:
+    """What was found, and the triangles of every part whose surface closes."""
+
+    findings: list[Finding]
+    meshes: dict[str, trimesh.Trimesh]
+
+
+def check_fabrication(
+    spec: ObjectSpec, progress: Callable[[str], None] = lambda message: None
+) -> Checked:
+    """All checks of an object, part by part.
+
+    A part that falls into pieces is a finding itself; where its surface does not close, the checks
+    that need it are left out.
+    """
+    findings: list[Finding] = []
+    built: dict[str, Built] = {}
+    for part in parts_of(spec):
+        progress(f"checking {part.name}")
+        try:
+            shape = part.make()
+        except NotOneSolid as error:
+            shape = error.shape
+        found, mesh = check_solid(part.name, shape, spec)
+        findings += found
+        if mesh is not None:
+            built[part.name] = Built(part, shape, mesh)
+            findings += check_walls(part, mesh, spec)
+            findings += [*check_edges(part, mesh), *check_bed(part, mesh, spec)]
+    findings += [*check_features(spec), *check_inhibition(spec), *check_pockets(spec)]
+    findings += check_clearances(spec)
+    if "core" in built:
+        progress("checking boards, chips and wires")
+        findings += check_electronics(spec, built["core"].shape)
+    progress("checking the mould")
+    meshes = {name: b.mesh for name, b in built.items()}
+    return Checked(findings + check_casting(spec, meshes), meshes)
+
+
+def check_solid(
+    name: str, shape: cq.Shape, spec: ObjectSpec
+) -> tuple[list[Finding], trimesh.Trimesh | None]:
+    """One valid solid without slivers, closed as triangles; the mesh where it is closed."""
+    solids = sorted(shape.Solids(), key=lambda solid: solid.Volume())
+    smallest = solids[0] if solids else None
+    findings = [
+        Finding(
+            "one solid",
+            name,
+            float(len(solids)),
+            1.0,
+            "solids",
+            "pass" if len(solids) == 1 and shape.isValid() else "fail",
+            "the part is one valid solid"
+            if len(solids) == 1
+            else "the part falls into pieces. Move its recesses, holes or pockets apart",
+            None if smallest is None or len(solids) == 1 else place_of(smallest.Center().toTuple()),
+        )
+    ]
+    if smallest is not None:
+        volume = smallest.Volume()
+        findings.append(
+            Finding(
+                "no slivers",
+                name,
+                volume,
+                SLIVER_MM3,
+                "mm³",
+                at_least(volume, SLIVER_MM3),
+                "volume of the smallest piece: what is smaller comes loose. Let cuts overlap clearly "
+                "or keep them apart",
+                place_of(smallest.Center().toTuple()),
+            )
+        )
+    mesh = mesh_of(shape, spec)
+    closed = bool(mesh.is_watertight and mesh.is_winding_consistent)
+    findings.append(
+        Finding(
+            "closed surface",
+            name,
+            float(closed),
+            1.0,
+            "",
+            "pass" if closed else "fail",
+            "the triangles close round a volume, outwards throughout; where they do not, two cuts "
+            "touch in a line: move them by 0.01 mm",
+        )
+    )
+    return findings, mesh if closed else None
+
+
+def mesh_of(shape: cq.Shape, spec: ObjectSpec) -> trimesh.Trimesh:
+    """Triangles of a shape at the specification's tolerance, vertices merged."""
+    import numpy as np
+    import trimesh
+
+    fineness = (spec.export.mesh_tolerance_mm, spec.export.mesh_angle_rad)
+    vertices, triangles = shape.tessellate(*fineness)
+    points = np.array([vertex.toTuple() for vertex in vertices])
+    mesh = trimesh.Trimesh(points, np.array(triangles))
+    mesh.merge_vertices(digits_vertex=7)
+    corners = np.sort(mesh.faces, axis=1)
+    mesh.update_faces((np.diff(corners, axis=1) > 0).all(axis=1))
+    return mesh

@@ -1,0 +1,51 @@
+"""What a fabrication check found: a value against its limit, at a place, with advice."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass
+from typing import Any, Literal
+
+Status = Literal["pass", "warn", "fail"]
+Place = tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One check of one part; `place_mm` is in the part's own frame, None where it has none.
+
+    `what` says what was measured and, where it did not pass, how to mend it.
+    """
+
+    check: str
+    part: str
+    value: float
+    limit: float
+    unit: str
+    status: Status
+    what: str
+    place_mm: Place | None = None
+
+    def as_dict(self) -> dict[str, Any]:
+        return asdict(self)
+
+
+def at_least(value: float, limit: float, warn_factor: float = 1.0) -> Status:
+    """Fails below the limit, warns below that times the factor.
+
+    Figures within 1e-6 of a limit meet it: they come from floating-point geometry.
+    """
+    if value < limit - 1e-6:
+        return "fail"
+    return "warn" if value < warn_factor * limit - 1e-6 else "pass"
+
+
+def worst(findings: list[Finding]) -> Status:
+    """The worst status among findings; pass where there are none."""
+    found = {finding.status for finding in findings}
+    return "fail" if "fail" in found else "warn" if "warn" in found else "pass"
+
+
+def place_of(point: Any) -> Place:
+    """Any three numbers as a place."""
+    x, y, z = (round(float(v), 4) for v in point)
+    return (x, y, z)

@@ -1,0 +1,187 @@
+"""Measures on closed triangle meshes: walls by rays, undercuts by normals, traps for air by height.
+
+All lengths in mm. Meshes follow their solids within the specification's tolerance (0.05 mm by
+default), and so do the figures here; walls between parallel planes come out exact.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from jaxtyping import Bool, Float
+
+if TYPE_CHECKING:
+    import trimesh
+
+RAYS = 5_000
+"""Rays a large part gets, about; every facet gets one, and they lie 1 to 2 mm apart on wide ones."""
+
+EDGE_MM = 0.2
+"""Shorter edges say nothing of their angle."""
+
+_FACING = -np.cos(np.deg2rad(15))
+_START_MM = 1e-4
+_LEVEL_MM = 1e-3
+
+
+@dataclass(frozen=True)
+class ThinnestWall:
+    """Smallest thickness met and the middle of that wall."""
+
+    thickness_mm: float
+    place_mm: Float[np.ndarray, "3"]
+
+
+@dataclass(frozen=True)
+class Undercut:
+    """Where a part drives into what it releases: area, and the way that must give way sideways.
+
+    `depth_mm` is that of the patch that needs most: its least width across the pull, by which the
+    soft side must move to let it by; `place_mm` is that patch's middle.
+    """
+
+    area_mm2: float
+    depth_mm: float
+    place_mm: Float[np.ndarray, "3"] | None
+
+
+def thinnest_wall(mesh: trimesh.Trimesh) -> ThinnestWall | None:
+    """The smallest distance, through the material, between surfaces that face apart; None if none.
+
+    Rays start from a fine triangulation of the surface and run along the inward normal; a wall is
+    where the first surface they meet faces within 15° of the ray. Wedges are no walls, their edge
+    is as thin as one likes: `sharpest_edge` finds them. Between a plane and a hole of radius r the
+    result is too thick by up to 0.01 r.
+    """
+    from trimesh.remesh import subdivide_to_size
+
+    edge = max(1.0, float(np.sqrt(mesh.area / (0.3 * RAYS))))
+    vertices, faces = subdivide_to_size(mesh.vertices, mesh.faces, edge, max_iter=30)
+    corner = vertices[faces]
+    doubled = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
+    size = np.linalg.norm(doubled, axis=1)
+    kept = size > 1e-9
+    normal, start = doubled[kept] / size[kept, None], corner[kept].mean(axis=1)
+    solid, reach = _manifold(mesh), float(np.linalg.norm(mesh.extents))
+    best: ThinnestWall | None = None
+    for point, n in zip(start, normal, strict=True):
+        thickness = _through(solid, point, n, reach)
+        if thickness is not None and (best is None or thickness < best.thickness_mm):
+            best = ThinnestWall(thickness, point - thickness / 2 * n)
+    return best
+
+
+def sharpest_edge(mesh: trimesh.Trimesh) -> tuple[float, Float[np.ndarray, "3"]] | None:
+    """Smallest angle (degrees) of material at a convex edge of the mesh, and the edge's middle."""
+    convex = np.asarray(mesh.face_adjacency_convex)
+    long = np.ptp(mesh.vertices[mesh.face_adjacency_edges], axis=1).max(axis=1) > EDGE_MM
+    chosen = np.flatnonzero(convex & long)
+    if not len(chosen):
+        return None
+    sharpest = chosen[np.argmax(mesh.face_adjacency_angles[chosen])]
+    angle = 180 - float(np.degrees(mesh.face_adjacency_angles[sharpest]))
+    return angle, mesh.vertices[mesh.face_adjacency_edges[sharpest]].mean(axis=0)
+
+
+def undercut(
+    mesh: trimesh.Trimesh, pull: Float[np.ndarray, "3"], where: Bool[np.ndarray, "face"]
+) -> Undercut:
+    """Faces of a part (of those in `where`) that move into their neighbour when it is pulled."""
+    from trimesh.graph import connected_components
+
+    against = where & (np.asarray(mesh.face_normals) @ pull > np.sin(np.deg2rad(0.5)))
+    if not against.any():
+        return Undercut(0.0, 0.0, None)
+    pairs = mesh.face_adjacency[against[mesh.face_adjacency].all(axis=1)]
+    deepest, place = 0.0, None
+    for patch in connected_components(pairs, nodes=np.flatnonzero(against)):
+        points = mesh.triangles[patch].reshape(-1, 3)
+        depth = _least_width_mm(points, pull)
+        if depth > deepest:
+            deepest, place = depth, points.mean(axis=0)
+    return Undercut(float(mesh.area_faces[against].sum()), deepest, place)
+
+
+def least_draft_deg(
+    mesh: trimesh.Trimesh, pull: Float[np.ndarray, "3"], where: Bool[np.ndarray, "face"]
+) -> tuple[float, Float[np.ndarray, "3"]] | None:
+    """Smallest draft (degrees) among the faces in `where` that are no undercut, and a place there."""
+    rise = -(np.asarray(mesh.face_normals) @ pull)
+    chosen = np.flatnonzero(where & (rise > -np.sin(np.deg2rad(0.5))))
+    if not len(chosen):
+        return None
+    least = chosen[np.argmin(np.round(rise[chosen], 6))]
+    draft = float(np.degrees(np.arcsin(np.clip(rise[least], 0.0, 1.0)))) + 0.0
+    return draft, mesh.triangles_center[least]
+
+
+def high_points(
+    mesh: trimesh.Trimesh, up: Float[np.ndarray, "3"], rim_mm: float
+) -> list[Float[np.ndarray, "3"]]:
+    """Places where air stays caught: local maxima of height below the level of the open rim.
+
+    Vertices of one height that are connected count as one; none of their neighbours is higher, and
+    the surface there faces up, so that the mould is above it.
+    """
+    from trimesh.graph import connected_components
+
+    height = np.round(np.asarray(mesh.vertices) @ up / _LEVEL_MM) * _LEVEL_MM
+    a, b = mesh.edges_unique.T
+    level = mesh.edges_unique[height[a] == height[b]]
+    plateaus = connected_components(level, nodes=np.arange(len(height)))
+    owner = np.empty(len(height), int)
+    for number, members in enumerate(plateaus):
+        owner[members] = number
+    blocked = np.zeros(len(plateaus), bool)
+    blocked[owner[a[height[b] > height[a]]]] = True
+    blocked[owner[b[height[a] > height[b]]]] = True
+    return [
+        mesh.vertices[members].mean(axis=0)
+        for members, open_above in zip(plateaus, blocked, strict=True)
+        if not open_above
+        and height[members[0]] < rim_mm - _LEVEL_MM
+        and float(mesh.vertex_normals[members].mean(axis=0) @ up) > 0
+    ]
+
+
+def largest_ceiling(
+    mesh: trimesh.Trimesh, up: Float[np.ndarray, "3"], rim_mm: float
+) -> tuple[float, Float[np.ndarray, "3"]] | None:
+    """Area (mm²) and middle of the largest flat surface that faces up, the rim left out."""
+    from trimesh.graph import connected_components
+
+    normals, centres = np.asarray(mesh.face_normals), mesh.triangles_center
+    flat = (normals @ up > np.cos(np.deg2rad(1))) & (centres @ up < rim_mm - _LEVEL_MM)
+    if not flat.any():
+        return None
+    pairs = mesh.face_adjacency[flat[mesh.face_adjacency].all(axis=1)]
+    patches = connected_components(pairs, nodes=np.flatnonzero(flat))
+    areas = [float(mesh.area_faces[patch].sum()) for patch in patches]
+    largest = patches[int(np.argmax(areas))]
+    return max(areas), mesh.triangles[largest].reshape(-1, 3).mean(axis=0)
+
+
+def _manifold(mesh: trimesh.Trimesh):
+    from manifold3d import Manifold, Mesh64
+
+    vertices = np.ascontiguousarray(mesh.vertices, dtype=np.float64)
+    return Manifold(Mesh64(vertices, np.ascontiguousarray(mesh.faces, dtype=np.uint64)))
+
+
+def _through(solid, point: np.ndarray, normal: np.ndarray, reach: float) -> float | None:
+    """Thickness below a point of the surface, or None where no surface faces it there."""
+    start = point - _START_MM * normal
+    hits = solid.ray_cast(tuple(start), tuple(start - reach * normal))
+    if not hits or np.dot(hits[0].normal, normal) > _FACING:
+        return None
+    return float(np.linalg.norm(np.asarray(hits[0].position) - point))
+
+
+def _least_width_mm(points: np.ndarray, pull: np.ndarray) -> float:
+    """Smallest extent of points over all directions across the pull, in steps of 2.5°."""
+    across = np.linalg.svd(np.asarray(pull, float)[None])[2][1:]
+    angle = np.deg2rad(np.arange(0, 180, 2.5))
+    directions = np.column_stack([np.cos(angle), np.sin(angle)]) @ across
+    return float(np.ptp(points @ directions.T, axis=0).min())
