@@ -14,7 +14,7 @@ import torch
 from jaxtyping import Float
 from torch import Tensor
 
-from design.layouts import face_frames
+from design.layouts import core_frames, face_frames
 from design.search_places import PlaceMap, magnet_map, sensor_map
 from design.search_space import SearchSpace
 from design.spec import ObjectSpec
@@ -210,21 +210,48 @@ def _boards_mm(spec: ObjectSpec, layouts: Layouts) -> _Boards:
 
 
 def _board_gaps(spec: ObjectSpec, boards: _Boards, gap_mm: float) -> Float[Tensor, "layout"]:
-    """Overlap of rectangles along the axis, of their four, that separates them best."""
-    count = boards.centre.shape[1]
-    i, j = torch.triu_indices(count, count, offset=1)
-    tangential = torch.stack([-boards.radial[..., 1], boards.radial[..., 0]], dim=-1)
-    away = boards.centre[:, i] - boards.centre[:, j]
-    gaps = []
-    for axis in (boards.radial[:, i], tangential[:, i], boards.radial[:, j], tangential[:, j]):
-        reach = sum(
-            half * (side[:, k] * axis).sum(-1).abs()
-            for k in (i, j)
-            for half, side in zip(boards.half_mm, (boards.radial, tangential), strict=True)
-        )
-        gaps.append((away * axis).sum(-1).abs() - reach)
-    best = torch.stack(gaps).amax(dim=0)
-    return torch.relu(gap_mm + SLACK_MM - best).sum(dim=1)
+    """Wall missing between any two recesses of the core, round its edges too.
+
+    As `design.recess_walls`: the gap of two boxes is the largest along any of their axes and the
+    products of these.
+    """
+    centre, axes = _recesses(spec, boards)
+    half = torch.tensor([*boards.half_mm, spec.core.recess_depth_mm / 2], dtype=centre.dtype)
+    i, j = torch.triu_indices(centre.shape[1], centre.shape[1], offset=1)
+    a, b = axes[:, i], axes[:, j]
+    crossed = torch.linalg.cross(a[..., :, None, :], b[..., None, :, :]).flatten(-3, -2)
+    directions = torch.cat([a, b, crossed], dim=-2)
+    length = (directions * directions).sum(-1, keepdim=True)
+    parallel = length[..., 0] < 1e-6
+    directions = directions / length.clamp(min=1e-6).sqrt()
+    apart = (directions @ (centre[:, i] - centre[:, j])[..., None])[..., 0].abs()
+    reach = sum((directions @ box.transpose(-1, -2)).abs() @ half for box in (a, b))
+    gap = (apart - reach).masked_fill(parallel, -torch.inf).amax(dim=-1)
+    return torch.relu(gap_mm + SLACK_MM - gap).sum(dim=1)
+
+
+def _recesses(
+    spec: ObjectSpec, boards: _Boards
+) -> tuple[Float[Tensor, "layout recess 3"], Float[Tensor, "layout recess 3 3"]]:
+    """Centres (mm) and axes as rows, in the object's frame, of one layout on all faces."""
+    radial = boards.radial
+    zero, down = torch.zeros_like(radial[..., :1]), spec.core.recess_depth_mm / 2
+    local = torch.cat([boards.centre, zero - down], dim=-1)
+    tangential = torch.stack([-radial[..., 1], radial[..., 0]], dim=-1)
+    box = torch.stack(
+        [
+            torch.cat([radial, zero], dim=-1),
+            torch.cat([tangential, zero], dim=-1),
+            torch.cat([zero, zero, zero + 1], dim=-1),
+        ],
+        dim=-2,
+    )
+    centres, axes = [], []
+    for frame in core_frames(spec):
+        turn = torch.as_tensor(frame.axes.T.copy(), dtype=radial.dtype)
+        centres.append(local @ turn + torch.as_tensor(frame.centre_mm, dtype=radial.dtype))
+        axes.append(box @ turn)
+    return torch.cat(centres, dim=1), torch.cat(axes, dim=1)
 
 
 def _boards_past_edges(spec: ObjectSpec, boards: _Boards) -> Float[Tensor, "layout"]:

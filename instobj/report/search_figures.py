@@ -128,10 +128,23 @@ def draw_moves(start: ObjectSpec, found: ObjectSpec, path: Path) -> None:
     _draw_arrows(axes, sensors[0], sensors[1], _SENSOR)
     axes.set(xlim=(-edges[0] - 1, edges[0] + 1), ylim=(-edges[1] - 1, edges[1] + 1), aspect="equal")
     axes.set(xlabel="x of face 1 (mm)", ylabel="y of face 1 (mm)")
-    axes.set_title(
-        "What moved: magnets (blue, with pole and depth) and sensors (green); before: grey"
-    )
+    axes.set_title("What moved on every face (sensors before: face 1's)")
+    figure.legend(handles=_move_legend(), loc="outside lower center", ncols=2, frameon=False)
     _save(figure, path)
+
+
+def _move_legend() -> list[Any]:
+    from matplotlib.lines import Line2D
+
+    hollow: dict[str, Any] = {"ls": "", "mfc": "none", "ms": 11}
+    return [
+        Line2D(
+            [], [], marker="o", mec=_BEST, mew=2, label="magnet, north pole and depth", **hollow
+        ),
+        Line2D([], [], marker="s", mec=_SENSOR, mew=2, label="Hall sensor", **hollow),
+        Line2D([], [], marker="o", mec=_GREY, mew=2, label="before", **hollow),
+        Line2D([], [], color=_BEST, lw=3, label="where a tilted magnet's axis leans"),
+    ]
 
 
 def paired(

@@ -16,6 +16,7 @@ import numpy as np
 import torch
 
 from design.errors import InputError
+from design.recess_walls import smallest_recess_wall_mm
 from design.search_places import polarities
 from design.search_space import (
     SearchSpace,
@@ -134,9 +135,12 @@ def _scored(spec: ObjectSpec, params: dict[str, Any], judged: Judged, row: int) 
 def misfit_of(spec: ObjectSpec, params: dict[str, Any]) -> str:
     """What the specification's own check says of a layout; nothing where it fits."""
     try:
-        with_layout(spec, params)
+        found = with_layout(spec, params)
     except InputError as error:
         return str(error)
+    wall, least = smallest_recess_wall_mm(found), spec.search.limits.board_gap_mm
+    if spec.search.vary.sensor_reach_mm is not None and wall < least:
+        return f"{wall:.2f} mm of core between two recesses, less than board_gap_mm = {least:g}"
     return ""
 
 
