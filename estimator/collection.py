@@ -9,7 +9,7 @@ and drifts from there; white noise, rounding, clipping and the load cells' noise
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from jaxtyping import Bool, Float, Int
@@ -17,52 +17,18 @@ from jaxtyping import Bool, Float, Int
 from design.as_built import live_channels
 from design.layouts import contact_grid
 from design.spec import ObjectSpec
-from estimator.contact_cases import ContactCase, grasp_cases, paper_cases, random_case
-from estimator.contact_traces import (
-    ContactTraces,
-    JointMechanics,
-    contact_traces,
-    force_at_travel,
-    travel_at_force,
-)
+from estimator.collection_recipe import Recipe, anywhere_recipe, periodic_recipe
+from estimator.contact_cases import grasp_cases, paper_cases
+from estimator.contact_traces import ContactTraces, JointMechanics, force_at_travel
 from estimator.dataset import NO_FACE, PER_FRAME_FIELDS, FrameSet
 from estimator.monotone import monotone_cubic
-from estimator.press_protocol import (
-    DRIFT_TIME_S,
-    LEAST_FORCE_NOISES,
-    REST_PLACE_ID,
-    disturbed,
-    nominal_peaks,
-)
+from estimator.press_protocol import LEAST_FORCE_NOISES, REST_PLACE_ID, disturbed
+from estimator.shear import ShearSignals
 from estimator.signals import Progress, Signals
+from estimator.tangential import pulled_counts
 from fem.viscoelastic import relaxed_force_n
 
-_PERIOD_SPREAD = 0.05
-"""Periods differ by so much between cases, so that frames do not meet the same phases again."""
 _BLOCK_FRAMES = 20_000
-
-
-@dataclass(frozen=True)
-class _Recipe:
-    """Cases to be recorded together and how each is driven; cases without contact come last.
-
-    `turns` (every, frame) is the phase of travel, rows beyond the cases are without contact;
-    `moving` (frame,) marks frames after rest.
-    """
-
-    cases: Sequence[ContactCase]
-    traces: ContactTraces
-    peak_mm: Float[np.ndarray, "case"]
-    turns: Float[np.ndarray, "every frame"]
-    moving: Bool[np.ndarray, "frame"]
-
-
-@dataclass(frozen=True)
-class _Course:
-    """Forces (case, frame, tip) that tips bear, at once and as felt, in N."""
-
-    elastic_n: Float[np.ndarray, "case frame tip"]
-    felt_n: Float[np.ndarray, "case frame tip"]
 
 
 def simulate_collection(
@@ -71,30 +37,31 @@ def simulate_collection(
     spec_hash: str,
     mechanics: JointMechanics | None = None,
     progress: Progress | None = None,
+    shear: ShearSignals | None = None,
 ) -> FrameSet:
     """All frames of `spec.collection`, fixed by `spec.seed`.
 
-    `mechanics` is needed where several tips press at once. Labels: places as pressed; the force of
-    each load cell with its noise, shared equally by its tips. `true_force_n` holds what every tip
-    bears. A period is a press (`press_id`), a case a session, zeroed once. Contact frames labelled
-    below 2.5 σ of the load cell are invalid.
+    `mechanics` is needed where several tips press at once, `shear` for tangential forces. Labels:
+    places as pressed; the force of each load cell with its noise, shared equally by its tips.
+    `true_force_n` holds what every tip bears. A period is a press (`press_id`), a case a session,
+    zeroed once. Contact frames labelled below 2.5 σ of the load cell are invalid.
 
     Raises
     ------
     InputError
-        As `contact_traces` and `grasp_cases`.
+        As `contact_traces` and `grasp_cases`; tangential forces without `shear`.
     """
     rng = np.random.default_rng((spec.seed, 3))
     kind = spec.collection.kind
     if kind == "continuous":
-        recipes = [_anywhere(spec, signals, mechanics, rng, progress)]
-        return _recorded(spec, signals, recipes[0], rng, spec_hash)
+        recipe = anywhere_recipe(spec, signals, mechanics, rng, progress, shear)
+        return _recorded(spec, signals, recipe, rng, spec_hash)
     groups = [grasp_cases(spec)]
     if kind == "paper":
         groups = [paper_cases(spec, face) for face in spec.collection.faces]
     parts = []
     for cases in groups:
-        recipe = _periodic(spec, signals, cases, mechanics, rng, progress)
+        recipe = periodic_recipe(spec, signals, cases, mechanics, rng, progress)
         parts.append(_recorded(spec, signals, recipe, rng, spec_hash))
         if progress is not None:
             progress(f"face {cases[0].face[0]}: {len(parts[-1])} frames of {len(cases)} cases")
@@ -125,85 +92,31 @@ def joined(parts: Sequence[FrameSet]) -> FrameSet:
     return replace(parts[0], **whole)
 
 
-def _periodic(
-    spec: ObjectSpec,
-    signals: Signals,
-    cases: Sequence[ContactCase],
-    mechanics: JointMechanics | None,
-    rng: np.random.Generator,
-    progress: Progress | None,
-) -> _Recipe:
-    """Every case over and over: the paper's at one travel for all, grasps to one force."""
-    frames, quiet = spec.collection.frames_per_case, spec.collection.non_contact_cases
-    traces = contact_traces(spec, signals, cases, mechanics, progress)
-    total = len(cases) + quiet
-    period = spec.protocol.frames_per_press * (1 + _PERIOD_SPREAD * rng.uniform(-1, 1, (total, 1)))
-    turns = rng.uniform(0, 1, (total, 1)) + np.arange(frames) / period
-    peak = peak_travel_mm(spec, signals, cases, traces)
-    return _Recipe(cases, traces, peak, turns, np.ones(frames, bool))
-
-
-def peak_travel_mm(
-    spec: ObjectSpec, signals: Signals, cases: Sequence[ContactCase], traces: ContactTraces
-) -> Float[np.ndarray, "case"]:
-    """Height of the periodic travel: the paper's common one, or that of the grasps' force."""
-    deepest = traces.travel_mm[:, -1]
-    if cases[0].squeezed:
-        return deepest
-    return np.minimum(nominal_peaks(spec, signals).common_travel_mm, deepest)
-
-
-def drift_rms_counts(spec: ObjectSpec) -> float:
-    """Drift of a case since its zeroing, rms over its frames."""
-    seconds = spec.collection.frames_per_case / spec.sensors.frame_rate_hz
-    return spec.sensors.drift_counts * float(np.sqrt(seconds / 2 / DRIFT_TIME_S))
-
-
-def _anywhere(
-    spec: ObjectSpec,
-    signals: Signals,
-    mechanics: JointMechanics | None,
-    rng: np.random.Generator,
-    progress: Progress | None,
-) -> _Recipe:
-    """One press at each of many places, after some frames at rest."""
-    asked, protocol = spec.collection, spec.protocol
-    cases = [random_case(spec, rng, number, asked.contacts) for number in range(asked.presses)]
-    traces = contact_traces(spec, signals, cases, mechanics, progress)
-    wanted = asked.contacts * rng.uniform(*protocol.peak_force_n, (len(cases), 1))
-    peak = travel_at_force(traces, wanted)[:, 0]
-    rest, frames = protocol.rest_frames_per_press, protocol.frames_per_press
-    turns = (rng.uniform(0, 1, (len(cases), 1)) + np.arange(frames)) / frames
-    turns = np.concatenate([np.zeros((len(cases), rest)), turns], axis=1)
-    return _Recipe(cases, traces, peak, turns, np.arange(rest + frames) >= rest)
-
-
 def _recorded(
     spec: ObjectSpec,
     signals: Signals,
-    recipe: _Recipe,
+    recipe: Recipe,
     rng: np.random.Generator,
     spec_hash: str,
 ) -> FrameSet:
     contacts, frames = len(recipe.cases), recipe.turns.shape[1]
     counts = np.zeros((len(recipe.turns), frames, signals.baseline_counts.size))
-    courses = []
+    forces = []
     block = max(1, _BLOCK_FRAMES // frames)
     for start in range(0, len(recipe.turns), block):
         part = slice(start, min(start + block, contacts))
         if start < contacts:
-            course, counts[part] = _pressed(spec, recipe, part)
-            courses.append(course)
+            felt, counts[part] = _pressed(spec, recipe, part)
+            forces.append(felt)
         rows = slice(start, start + block)
         counts[rows] = disturbed(spec, signals, counts[rows], rng)
-    felt = np.concatenate([course.felt_n for course in courses])
-    return _labelled(spec, recipe, felt, counts, rng, spec_hash)
+    return _labelled(spec, recipe, np.concatenate(forces), counts, rng, spec_hash)
 
 
 def _pressed(
-    spec: ObjectSpec, recipe: _Recipe, part: slice
-) -> tuple[_Course, Float[np.ndarray, "case frame channel"]]:
-    """Forces of all tips and undisturbed changes of counts of some cases."""
+    spec: ObjectSpec, recipe: Recipe, part: slice
+) -> tuple[Float[np.ndarray, "case frame tip"], Float[np.ndarray, "case frame channel"]]:
+    """Forces felt at all tips (N) and undisturbed changes of counts of some cases."""
     every = recipe.traces
     traces = ContactTraces(
         every.travel_mm[part], every.force_n[part], every.tip_force_n[part], every.counts[part]
@@ -222,12 +135,16 @@ def _pressed(
     way = np.where(turns % 1 < 0.5, 1.0, -1.0)
     felt = felt * (1 + 2 * spec.collection.hysteresis * way * (1 - total / peak))
     ratio = np.divide(felt, total, out=np.zeros_like(felt), where=total > 0)
-    return _Course(elastic, elastic * ratio[..., None]), values[..., :channels]
+    counts = values[..., :channels]
+    if recipe.pull is not None:
+        pull = recipe.pull.of(part)
+        counts = counts + pulled_counts(pull.slopes, total, felt[..., None] * pull.share[:, None])
+    return elastic * ratio[..., None], counts
 
 
 def _labelled(
     spec: ObjectSpec,
-    recipe: _Recipe,
+    recipe: Recipe,
     felt_n: Float[np.ndarray, "case frame tip"],
     counts: Float[np.ndarray, "every frame channel"],
     rng: np.random.Generator,
@@ -270,7 +187,7 @@ def _labelled(
     )
 
 
-def _tip_values(recipe: _Recipe, name: str, empty: float | int, kind: type) -> np.ndarray:
+def _tip_values(recipe: Recipe, name: str, empty: float | int, kind: type) -> np.ndarray:
     """An attribute of every tip of every case, padded; cases without contact are empty."""
     tips = recipe.traces.tip_force_n.shape[2]
     first = np.asarray(getattr(recipe.cases[0], name))
@@ -282,7 +199,7 @@ def _tip_values(recipe: _Recipe, name: str, empty: float | int, kind: type) -> n
 
 def _forces(
     spec: ObjectSpec,
-    recipe: _Recipe,
+    recipe: Recipe,
     felt_n: Float[np.ndarray, "case frame tip"],
     rng: np.random.Generator,
 ) -> tuple[np.ndarray, np.ndarray, Bool[np.ndarray, "every frame"]]:
@@ -298,11 +215,17 @@ def _forces(
             shown = felt_n[row][:, tips].sum(axis=1) + rng.normal(0, noise, shape[1])
             label[row][:, tips] = (shown / len(tips))[:, None]
             sure[row] &= shown > LEAST_FORCE_NOISES * noise
-    along = np.array([0.0, 0.0, 1.0])
-    return true[..., None] * along, label[..., None] * along, sure
+    along = np.zeros((shape[0], 3))
+    along[:, 2] = 1.0
+    if recipe.pull is not None:
+        along[:, :2] = recipe.pull.share
+    true, label = (values[..., None] * along[:, None, None] for values in (true, label))
+    if recipe.pull is not None:  # a cell of three axes shows each with a noise of its own
+        label[..., :2] = true[..., :2] + rng.normal(0, noise, (*shape, 2))
+    return true, label, sure
 
 
-def _press_ids(recipe: _Recipe) -> Int[np.ndarray, "frame"]:
+def _press_ids(recipe: Recipe) -> Int[np.ndarray, "frame"]:
     """A new press with every period of every case."""
     turn = np.floor(recipe.turns).astype(int)
     first = np.concatenate([[0], np.cumsum(turn.max(axis=1) + 1)[:-1]])

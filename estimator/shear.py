@@ -99,13 +99,13 @@ def contact_jacobian(
     normal = signal_gradient(signals, *where, force).jacobian
     per_n = shear.counts_per_n[list(shear.faces).index(face)]
     rest_first = np.concatenate([per_n[:, :1], per_n], axis=1).reshape(*traces.force_n.shape, -1)
-    _carry_over_missing(rest_first)
+    carry_over_missing(rest_first)
     tangential = monotone_cubic(traces.force_n, rest_first, force[:, None])[:, 0]
     tangential = tangential.reshape(len(xy), 2, -1).swapaxes(1, 2)
     return np.concatenate([normal, tangential], axis=2)
 
 
-def _carry_over_missing(per_n: Float[np.ndarray, "place node value"]) -> None:
+def carry_over_missing(per_n: Float[np.ndarray, "place node value"]) -> None:
     """Give presses that found no contact the slopes of the next deeper one, in place."""
     for node in range(per_n.shape[1] - 2, -1, -1):
         missing = ~per_n[:, node].any(axis=1)

@@ -24,8 +24,8 @@ def frames(
     as_built: AsBuilt = None,
 ) -> None:
     """Simulated recordings as a data set: the paper's collection, grasps, or presses anywhere."""
-    from instobj.commands import run_chain
+    from instobj.commands import simulate_recordings
 
     chosen = [] if kind is None else [f"collection.kind={kind}"]
     given = [*with_as_built(overrides, as_built), *chosen]
-    show(run_chain(specs, ("collection",), out, given), as_json)
+    show(simulate_recordings(specs, out, given), as_json)

@@ -11,6 +11,7 @@ from instobj.stage import StageContext, write_json
 
 if TYPE_CHECKING:
     from estimator.dataset import FrameSet
+    from estimator.shear import ShearSignals
 
 
 def make_collection(context: StageContext, folder: Path) -> None:
@@ -23,15 +24,28 @@ def make_collection(context: StageContext, folder: Path) -> None:
 
     spec, inputs = context.spec, context.inputs
     signals = load_signals(inputs["signals"] / "lattice_signals.nc")
+    shear = _shear(context) if spec.collection.tangential_share else None
     mechanics = JointMechanics(
         load_response(inputs["response"]), stored_correction(inputs["large_strain"])
     )
     started = time.perf_counter()
-    frames = simulate_collection(spec, signals, context.key, mechanics, context.step)
+    frames = simulate_collection(spec, signals, context.key, mechanics, context.step, shear)
     seconds = time.perf_counter() - started
     write_json(collection_summary(frames) | {"seconds": round(seconds, 1)}, folder / "frames.json")
     context.step("writing the frames")
     save_frames(frames, folder / f"frames_{spec.collection.kind}.nc")
+
+
+def _shear(context: StageContext) -> ShearSignals | None:
+    """Signals of tangential forces, where the stage was given their mechanics."""
+    from estimator.shear import shear_signals
+    from fem.results import load_presses
+    from fem.shear import load_shear
+
+    if "shear" not in context.inputs:
+        return None
+    _, motions = load_presses(context.inputs["presses"] / "presses.nc")
+    return shear_signals(context.spec, motions, load_shear(context.inputs["shear"] / "shear.nc"))
 
 
 def collection_summary(frames: FrameSet) -> dict[str, Any]:

@@ -92,6 +92,18 @@ def run_chain(
     return result
 
 
+def simulate_recordings(specs: list[Path], out: Path, overrides: list[str]) -> dict[str, Any]:
+    """Recordings as `[collection]` asks for them, with tangential forces where it does."""
+    loaded = [load_spec(path, overrides) for path in specs]
+    _require_distinct_names(loaded, specs)
+    require_writable(out)
+    objects = []
+    for spec in loaded:
+        pulled = spec.collection.tangential_share > 0
+        objects.append(_run_one(spec, ("pulled_collection" if pulled else "collection",), out))
+    return {"command": "frames", "objects": objects}
+
+
 def _run_one(spec: ObjectSpec, stages: tuple[str, ...], out: Path) -> dict[str, Any]:
     from instobj.summary import summarize
 

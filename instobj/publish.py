@@ -28,6 +28,7 @@ _FILES = {
     "robustness": ("robustness.json", "robustness.png"),
     "frames": ("frames.nc",),
     "collection": ("frames_*.nc",),
+    "pulled_collection": ("frames_*.nc",),
     "networks": ("*.safetensors",),
     "pretraining": ("pretrained/*.safetensors",),
     "metrics": ("metrics.json", "metrics/*.png"),

@@ -197,6 +197,12 @@ STAGES: dict[str, Stage] = {
         ("collection", "protocol", "silicone.prony", "seed"),
         make_collection,
     ),
+    "pulled_collection": Stage(
+        "estimator: simulated recordings with tangential forces",
+        ("response", "large_strain", "presses", "signals", "shear"),
+        ("collection", "protocol", "silicone.prony", "seed"),
+        make_collection,
+    ),
     "pretraining": Stage(
         "estimator: pre-training on twins",
         ("presses",),

@@ -35,6 +35,7 @@ def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) 
         ),
         ("frames", "simulated presses", _json("protocol.json")),
         ("collection", "simulated recordings", _json("frames.json")),
+        ("pulled_collection", "simulated recordings", _json("frames.json")),
         ("metrics", "metrics on held-out presses (frames of contact and of rest)", _metrics),
     )
     made = {

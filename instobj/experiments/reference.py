@@ -27,7 +27,7 @@ def reference_row(
     recorded: SimulatedObject, face: int, frames: FrameSet, span: ForceReference
 ) -> dict[str, float]:
     """Metrics of the best possible answers on (at most 4000 of) the frames of one face."""
-    from estimator.collection import drift_rms_counts
+    from estimator.collection_recipe import drift_rms_counts
     from estimator.face_data import channel_counts, face_data, live_channels
     from estimator.metrics import contact_errors
     from estimator.reference import best_answers, disturbance_sigma
@@ -71,7 +71,7 @@ def own_hypotheses(recorded: SimulatedObject, face: int, flat: np.ndarray) -> Hy
     """Every case of a face's collection as the object itself shows it, in some channels."""
     from dataclasses import replace
 
-    from estimator.collection import peak_travel_mm
+    from estimator.collection_recipe import peak_travel_mm
     from estimator.contact_cases import paper_cases
     from estimator.contact_traces import contact_traces
     from estimator.reference import press_hypotheses

@@ -7,7 +7,7 @@ from numpy.testing import assert_allclose
 from synthetic_presses import coarse_spec, synthetic_presses
 
 from design.errors import InputError
-from design.layouts import face_frames
+from design.layouts import contact_grid, face_frames
 from estimator import collection
 from estimator.collection import simulate_collection
 from estimator.contact_cases import (
@@ -20,6 +20,7 @@ from estimator.contact_cases import (
 from estimator.contact_traces import JointMechanics, contact_traces
 from estimator.dataset import load_frames, save_frames
 from estimator.interpolation import counts_at_force, press_traces
+from estimator.shear import ShearSignals
 from estimator.signals import press_signals
 from fem.grasp import Tip, press_tips
 from fem.viscoelastic import relaxed_force_n
@@ -268,7 +269,53 @@ def test_blocks_of_cases_do_not_change_forces(paper, signals, mechanics, monkeyp
     np.testing.assert_array_equal(again.true_force_n, paper.true_force_n)
 
 
+@pytest.fixture(scope="module")
+def shear():
+    """Counts per newton that grow with depth and turn with the place, the same on every face."""
+    spec = spec_of()
+    grid, depth = contact_grid(spec), np.asarray(spec.press.depths_mm)
+    slope = np.random.default_rng(1).normal(0, 40, (2, 15, 3))
+    turned = 1 + 0.05 * grid.xy_mm[:, 0]
+    per_n = turned[:, None, None, None, None] * (1 + depth[:, None, None, None] / 4) * slope
+    return ShearSignals(np.arange(1, 6), grid, depth, np.tile(per_n, (5, 1, 1, 1, 1, 1)))
+
+
+@pytest.mark.parametrize("fault", ["none", "axes swapped"])
+def test_a_pull_adds_its_signals_and_its_label(signals, shear, fault):
+    quiet = {"sensors": QUIET, "protocol": {"force_noise_n": 0.0}}
+    asked = {"kind": "continuous", "presses": 12}
+    pulled = spec_of(**quiet, **asked, tangential_share=0.5)
+    one, other = (
+        simulate_collection(spec, signals, "hash", shear=shear)
+        for spec in (pulled, spec_of(**quiet, **asked))
+    )
+    moving = one.contact_face[:, 0] > 0
+    force, xy = one.force_n[moving, 0], one.contact_xy_mm[moving, 0]
+    share = np.linalg.norm(force[:, :2], axis=1) / np.maximum(force[:, 2], 1e-9)
+    assert share.max() <= 0.5 + 1e-9
+    assert len(np.unique(share[force[:, 2] > 0.5].round(6))) == 12
+    assert np.nanmax(abs(other.force_n[..., :2])) == 0
+    np.testing.assert_array_equal(one.force_n[..., 2], other.force_n[..., 2])
+    travel = np.interp(force[:, 2], *_force_of_depth(signals))
+    slope = np.random.default_rng(1).normal(0, 40, (2, 15, 3))
+    pull = force[:, :2] if fault == "none" else force[:, 1::-1]
+    expected = (1 + 0.05 * xy[:, :1]) * (1 + travel[:, None] / 4) * (pull @ slope.reshape(2, -1))
+    change = (one.signal_counts - other.signal_counts)[moving].reshape(len(force), -1)
+    strong = force[:, 2] > 1
+    off = np.sqrt(np.mean((change - expected)[strong] ** 2) / np.mean(expected[strong] ** 2))
+    assert (off < 0.05) == (fault == "none")
+
+
+def _force_of_depth(signals):
+    """Median force of all presses at each depth, and the depths: a rough scale of travel."""
+    return np.append(0, np.median(signals.force_n, axis=(0, 1))), np.append(0, signals.depth_mm)
+
+
 def test_what_cannot_be_simulated_is_refused(signals, mechanics):
+    with pytest.raises(InputError, match="signals of tangential forces"):
+        simulate_collection(
+            spec_of(kind="continuous", presses=3, tangential_share=0.2), signals, "hash"
+        )
     with pytest.raises(InputError, match="response operator"):
         simulate_collection(spec_of(), signals, "hash")
     with pytest.raises(InputError, match="not opposite"):
