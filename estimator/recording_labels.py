@@ -175,21 +175,20 @@ def place_label_faults(
     """
     wrong = np.zeros(len(frames), dtype=bool)
     press, place, pattern = _patterns(frames)
+    pressed, index, count = np.unique(place, return_inverse=True, return_counts=True)
+    mean = np.array([pattern[index == number].mean(axis=0) for number in range(len(pressed))])
     likeness: dict[int, int] = {}
-    for k, own in enumerate(place):
-        others = np.flatnonzero(place == own)
-        others = others[others != k]
-        if not len(others):
-            continue
-        near = _chord(pattern[k], pattern[others])
-        rivals = {
-            int(other): _chord(pattern[k], pattern[place == other])
-            for other in np.unique(place)
-            if other != own and _faces(places[other]) == _faces(places[own])
-        }
-        best = min(rivals, key=lambda other: rivals[other], default=-1)
-        if best >= 0 and near > max(_OWN_DISTANCE, _DISTANCE_RATIO * rivals[best]):
-            likeness[k] = best
+    for k in np.flatnonzero(count[index] > 1):
+        own = index[k]
+        others = (mean[own] * count[own] - pattern[k]) / (count[own] - 1)
+        near = float(_chords(pattern[k], others[None])[0])
+        rivals = _chords(pattern[k], mean)
+        same = [_faces(places[other]) == _faces(places[place[k]]) for other in pressed]
+        rivals[~np.array(same)] = np.inf
+        rivals[own] = np.inf
+        best = int(rivals.argmin())
+        if near > max(_OWN_DISTANCE, _DISTANCE_RATIO * rivals[best]):
+            likeness[int(k)] = int(pressed[best])
     faults = []
     for k, best in likeness.items():
         rows = np.flatnonzero(frames.press_id == press[k])
@@ -227,11 +226,11 @@ def _patterns(
     return np.array(press), np.array(place), np.array(pattern)
 
 
-def _chord(
-    pattern: Float[np.ndarray, "channel"], others: Float[np.ndarray, "press channel"]
-) -> float:
-    """Distance of a unit pattern from the mean of others, over the channels that all have."""
-    return float(np.sqrt(np.nansum((pattern - others.mean(axis=0)) ** 2)))
+def _chords(
+    pattern: Float[np.ndarray, "channel"], others: Float[np.ndarray, "place channel"]
+) -> Float[np.ndarray, "place"]:
+    """Distances of a unit pattern from others, over the channels that both have."""
+    return np.sqrt(np.nansum((pattern - others) ** 2, axis=-1))
 
 
 def _faces(place: Place) -> tuple[int, ...]:
