@@ -84,7 +84,7 @@ def _core_openings(spec: ObjectSpec) -> list[list[tuple[str, Corners]]]:
     hub = ("the wire hole", _rectangle((0.0, 0.0), (middle, middle), 0.0))
     faces = []
     for places in spec.sensors.places:
-        found = [hub]
+        found: list[tuple[str, Corners]] = [hub]
         for x, y, azimuth in places if spec.arrangement == "sensors-in-core" else ():
             offset = hypot(x, y) - spec.sensors.radius_mm
             radial = (core.recess_inner_radius_mm + offset, core.recess_outer_radius_mm + offset)

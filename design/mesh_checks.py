@@ -58,7 +58,7 @@ def thinnest_wall(mesh: trimesh.Trimesh) -> ThinnestWall | None:
     from trimesh.remesh import subdivide_to_size
 
     edge = max(1.0, float(np.sqrt(mesh.area / (0.3 * RAYS))))
-    vertices, faces = subdivide_to_size(mesh.vertices, mesh.faces, edge, max_iter=30)
+    vertices, faces = subdivide_to_size(mesh.vertices, mesh.faces, edge, max_iter=30)[:2]
     corner = vertices[faces]
     doubled = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
     size = np.linalg.norm(doubled, axis=1)

@@ -103,7 +103,7 @@ def write_glb(scene: trimesh.Scene, target: Path) -> None:
     turned.apply_transform(_GLTF_FRAME)
     try:
         with atomic_path(target) as path:
-            path.write_bytes(turned.export(file_type="glb"))
+            turned.export(path, file_type="glb")
     except OSError as error:
         raise InputError(f"cannot write {target}: {error.strerror}. Make room there") from error
 

@@ -87,7 +87,11 @@ def _chain_command(name: str, stages: str, purpose: str) -> None:
 
 
 for _name, _stages, _purpose in (
-    ("build", "build", "Solids, casting mould and probes as STL and STEP, with a manifest."),
+    (
+        "build",
+        "sheet",
+        "Parts, mould, probes and jig as STL, STEP, 3MF and GLB; bill of materials, assembly sheet.",
+    ),
     ("mesh", "mesh", "Tetrahedra of the sealed body with every magnet resolved; quality reported."),
     (
         "simulate",

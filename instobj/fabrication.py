@@ -1,4 +1,4 @@
-"""Fabrication checks as a stage of the chain, and as a part of `instobj check`."""
+"""Fabrication as stages of the chain (checks, bill of materials, assembly sheet), and in `check`."""
 
 from __future__ import annotations
 
@@ -29,6 +29,23 @@ def make_fabrication(context: StageContext, folder: Path) -> None:
         "findings": [finding.as_dict() for finding in checked.findings],
     }
     write_json(content, folder / FINDINGS)
+
+
+def make_sheet(context: StageContext, folder: Path) -> None:
+    """Bill of materials and assembly sheet of a build."""
+    from design.bom import BOM_NAME, bill_of_materials, write_bom
+    from design.files import atomic_path
+    from design.manifest import BuildManifest
+    from instobj.report.assembly_sheet import assembly_sheet
+    from instobj.report.exploded_view import draw_exploded
+
+    spec, parts = context.spec, context.inputs["build"]
+    manifest = BuildManifest.read(parts)
+    write_bom(bill_of_materials(spec, manifest), folder / BOM_NAME)
+    context.step("drawing the exploded view")
+    picture = draw_exploded(spec, parts, folder / "exploded.png")
+    with atomic_path(folder / "assembly.html") as path:
+        path.write_text(assembly_sheet(spec, manifest, picture), encoding="utf-8")
 
 
 def fabrication_of(specs: list[Path], overrides: list[str], out: Path) -> list[dict[str, Any]]:

@@ -15,7 +15,7 @@ from instobj.store import RECORD, StoredResult
 
 _FILES = {
     "fabrication": ("fabrication.json", "fabrication.png"),
-    "sheet": ("bom.csv", "assembly.html"),
+    "sheet": ("bom.csv", "exploded.png", "assembly.html"),
     "mesh": ("mesh_quality.json",),
     "discretisation": ("discretisation.json",),
     "signals": ("signals.nc",),

@@ -20,7 +20,7 @@ from instobj.estimator_stages import (
     make_shear_scores,
     make_signals,
 )
-from instobj.fabrication import make_fabrication
+from instobj.fabrication import make_fabrication, make_sheet
 from instobj.magnet_free_stages import (
     make_candidates,
     make_compliance,
@@ -63,6 +63,12 @@ STAGES: dict[str, Stage] = {
         ("name", *_MAKING),
         make_build,
         version=2,
+    ),
+    "sheet": Stage(
+        "design: bill of materials and assembly sheet",
+        ("build",),
+        ("name", *_MAKING, "silicone"),
+        make_sheet,
     ),
     "fabrication": Stage(
         "design: fabrication checks",

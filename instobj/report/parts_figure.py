@@ -24,19 +24,24 @@ if TYPE_CHECKING:
 PIXELS = 1100
 EDGE_ANGLE_DEG = 25.0
 DEPTH_STEP_MM = 0.4
+STEEPEST_PIXELS = 5.0
+"""Surfaces that fall by less than so many pixels in one are drawn without lines."""
 _ARROW = {"arrowstyle": "->", "shrinkA": 0, "shrinkB": 0}
 CUT_COLOUR = (0.80, 0.36, 0.25)
 
 
 @dataclass(frozen=True)
 class PartView:
-    """How one part is shown: direction towards the viewer, object axis drawn upwards, colour."""
+    """How one part is shown: direction towards the viewer, object axis drawn upwards, colour.
+
+    The colour is one, or one a triangle.
+    """
 
     part: str
     title: str
     towards_viewer: tuple[float, float, float]
     up: tuple[float, float, float]
-    colour: tuple[float, float, float]
+    colour: tuple[float, float, float] | Float[np.ndarray, "triangle 3"]
     cut_open: bool = False
 
 
@@ -102,14 +107,14 @@ def draw_parts(folder: Path | str, png_path: Path | str) -> Path:
     for axes in places:
         axes.set_axis_off()
     for axes, view in zip(places, views, strict=False):
-        _draw_view(axes, view, _load_stl(folder / f"{view.part}.stl"), manifest.part(view.part))
+        _draw_view(axes, view, load_stl(folder / f"{view.part}.stl"), manifest.part(view.part))
     target = Path(png_path)
     with atomic_path(target) as path:
         figure.savefig(path, dpi=110, format="png")
     return target
 
 
-def _load_stl(path: Path) -> trimesh.Trimesh:
+def load_stl(path: Path) -> trimesh.Trimesh:
     import trimesh
 
     if not path.is_file():
@@ -202,7 +207,7 @@ def shade(
     normals = np.asarray(mesh.face_normals) @ camera.T
     light = np.array([-0.45, 0.65, 0.62])
     brightness = 0.45 + 0.55 * np.clip(normals @ (light / np.linalg.norm(light)), 0, 1)
-    colours = np.tile(view.colour, (len(normals), 1))
+    colours = np.broadcast_to(view.colour, (len(normals), 3)).copy()
     if view.cut_open:
         colours[_on_cut(mesh)] = CUT_COLOUR
     picture = (colours * brightness[:, None])[image.triangle]
@@ -223,11 +228,13 @@ def _edges(
     normal = normals[image.triangle]
     depth = np.where(image.triangle < 0, -1e6, image.depth_mm)
     marked = np.zeros(depth.shape, bool)
+    pixel = (image.extent_mm[1] - image.extent_mm[0]) / depth.shape[1]
+    step = max(DEPTH_STEP_MM, STEEPEST_PIXELS * pixel)
     for axis in (0, 1):
         near = np.take(normal, range(normal.shape[axis] - 1), axis)
         far = np.take(normal, range(1, normal.shape[axis]), axis)
         turns = (near * far).sum(axis=-1) < np.cos(np.deg2rad(EDGE_ANGLE_DEG))
-        border = turns | (np.abs(np.diff(depth, axis=axis)) > DEPTH_STEP_MM)
+        border = turns | (np.abs(np.diff(depth, axis=axis)) > step)
         for shift in (0, 1):
             start = [slice(None), slice(None)]
             start[axis] = slice(shift, shift + border.shape[axis])

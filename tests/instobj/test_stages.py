@@ -146,7 +146,7 @@ for _override in (
     DOWNSTREAM[_override] = DOWNSTREAM[_override] | {"shapes"}
 for _override, _stages in DOWNSTREAM.items():
     if "build" in _stages or _override.startswith("silicone."):
-        DOWNSTREAM[_override] = _stages | {"fabrication"}
+        DOWNSTREAM[_override] = _stages | {"fabrication", "sheet"}
 DOWNSTREAM["mechanics.correction=large-strain"] = {"large_strain"}
 
 
