@@ -11,7 +11,7 @@ from design.files import atomic_path
 from design.spec import ObjectSpec
 from design.spec_io import load_spec, spec_hash
 from instobj.chain import Chain
-from instobj.publish import file_rows, publish, require_writable, run_folder, stage_row
+from instobj.publish import file_rows, publish, require_writable, stage_row
 
 _TEMPLATE = Path(__file__).parent / "templates" / "cube.toml"
 
@@ -154,30 +154,6 @@ def run_estimator(
         else:
             objects.append(_run_one(load_spec(path, overrides), stages, out))
     return {"command": "estimator", "objects": objects}
-
-
-def read_recordings(files: list[Path], out: Path) -> dict[str, Any]:
-    """Read recordings into one data set, `runs/<stems>/frames.nc`, and say what was found."""
-    from estimator.dataset import save_frames
-    from estimator.recording_combine import combine
-    from estimator.recordings import read_recording
-    from instobj.progress import ProgressLine
-
-    require_writable(out)
-    progress = ProgressLine()
-    found = []
-    for path in files:
-        with progress.stage(f"reading {path}"):
-            found.append(read_recording(path))
-    frames = found[0].frames if len(found) == 1 else combine(found)
-    target = run_folder(out, "+".join(path.stem for path in files)) / "frames.nc"
-    save_frames(frames, target)
-    return {
-        "command": "recordings",
-        "reports": [recording.report.as_dict() for recording in found],
-        "texts": [str(recording.report) for recording in found],
-        "files": file_rows([target]),
-    }
 
 
 def _require_distinct_names(loaded: list[ObjectSpec], paths: list[Path]) -> None:

@@ -15,6 +15,7 @@ CUBE = ROOT / "examples" / "paper_cube.toml"
 BAD_DATA = {
     "empty.csv": "",
     "foreign.csv": "date,temperature\n2024-01-01,20.5\n2024-01-02,21.0\n",
+    "generic.csv": "time_s,F1-X1,cell1_force_g,cell1_face\n0.0,12,3,1\n0.1,x,3,1\n",
     "truncated.csv": "Time,Left,Right-blue,F5-X1\n1690355952,0.09,0.32\n",
 }
 
@@ -55,6 +56,7 @@ def test_help_names_every_command_and_starts_quickly(tmp_path):
         "report",
         "run",
         "recordings",
+        "collect",
     ]:
         assert command in done.stdout
     assert time.perf_counter() - started < 5
