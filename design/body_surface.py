@@ -1,7 +1,7 @@
 """Closed triangle surfaces of the body's outside and of the core's cavity, for the mesh.
 
-Curved surfaces are triangulated with vertices on them, so finely that edges leave them by half of
-the mesh's envelope at most.
+Curved surfaces are triangulated so finely that edges leave them by about half of the mesh's envelope,
+and enclose the same volume.
 """
 
 from __future__ import annotations
@@ -80,8 +80,10 @@ def _cylinder_between(
     """About z; its triangles are as wide as they may be."""
     import trimesh
 
-    sections = int(np.ceil(2 * np.pi * radius_mm / largest_edge_mm(spec, radius_mm)))
-    solid = trimesh.creation.cylinder(radius_mm, high_mm - low_mm, sections=max(sections, 24))
+    sections = max(24, int(np.ceil(2 * np.pi * radius_mm / largest_edge_mm(spec, radius_mm))))
+    angle = 2 * np.pi / sections
+    radius = radius_mm * float(np.sqrt(angle / np.sin(angle)))
+    solid = trimesh.creation.cylinder(radius, high_mm - low_mm, sections=sections)
     solid.apply_translation((0, 0, (low_mm + high_mm) / 2))
     return solid
 
@@ -92,6 +94,7 @@ def ball(spec: ObjectSpec, radius_mm: float, centre_mm: np.ndarray) -> trimesh.T
 
     finest = _ICOSAHEDRON_EDGE * radius_mm / largest_edge_mm(spec, radius_mm)
     sphere = trimesh.creation.icosphere(max(2, round(float(np.log2(finest)))), radius_mm)
+    sphere.apply_scale((4 / 3 * np.pi * radius_mm**3 / sphere.volume) ** (1 / 3))
     sphere.apply_translation(centre_mm)
     return sphere
 

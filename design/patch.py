@@ -11,7 +11,7 @@ from dataclasses import dataclass, field, replace
 from typing import Protocol, runtime_checkable
 
 import numpy as np
-from jaxtyping import Float
+from jaxtyping import Bool, Float
 
 _MAX_ITERATIONS = 60
 _CONVERGED_MM = 1e-10
@@ -99,17 +99,18 @@ class FaceFrame:
             before = xy
             height, slope = self.relief.at(xy)
             normal = _normals(slope)
-            above = (local[..., 2] - height) * normal[..., 2]
+            foot = np.concatenate([xy, height[..., None]], axis=-1)
+            above = np.sum((local - foot) * normal, axis=-1)
             xy = local[..., :2] - above[..., None] * normal[..., :2]
             if not np.any(abs(xy - before) > _CONVERGED_MM):
                 break
         return np.concatenate([xy, above[..., None]], axis=-1)
 
-    def covers(self, xy_mm: Float[np.ndarray, "*n 2"]) -> np.ndarray:
+    def covers(self, xy_mm: Float[np.ndarray, "*n 2"]) -> Bool[np.ndarray, "*n"]:
         """Whether places lie within the half extents."""
         share = np.asarray(xy_mm) / np.asarray(self.half_extents_mm)
         size = np.sum(share**2, axis=-1) if self.round else np.max(abs(share), axis=-1)
-        return size <= 1 + 1e-9
+        return np.asarray(size <= 1 + 1e-9)
 
     def tangent(self, xy_mm: Float[np.ndarray, "2"]) -> FaceFrame:
         """The flat face that touches this one at a place and calls the place (x, y) too."""

@@ -115,7 +115,7 @@ def _outer(body: BodySpec, envelope_mm: float) -> trimesh.Trimesh:
     edge = np.sqrt(4 * half.min() ** 2 / half.max() * envelope_mm)
     finest = 1.05 * half.max() / edge
     sphere = trimesh.creation.icosphere(max(2, round(float(np.log2(finest)))), 1.0)
-    sphere.apply_scale(half)
+    sphere.apply_scale(half * (4 / 3 * np.pi / sphere.volume) ** (1 / 3))
     return sphere
 
 

@@ -114,10 +114,10 @@ def _one(body: trimesh.Trimesh, removed: list[trimesh.Trimesh], name: str) -> tr
     import trimesh
 
     part = trimesh.boolean.difference([body, *removed], engine="manifold")
-    pieces = [piece for piece in part.split(only_watertight=False) if abs(piece.volume) > 1e-3]
-    if len(pieces) != 1 or not pieces[0].is_watertight:
+    solids = sum(piece.volume > 0 for piece in part.split(only_watertight=False))
+    if solids != 1 or not part.is_watertight:
         raise InputError(
-            f"{name} must be one closed body; these dimensions give {len(pieces)}. Move its recesses, "
+            f"{name} must be one closed body; these dimensions give {solids}. Move its recesses, "
             "holes or pockets apart, or make them smaller"
         )
-    return pieces[0]
+    return part
