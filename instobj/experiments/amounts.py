@@ -15,6 +15,7 @@ from instobj.experiments.paper_object import (
     fitted,
     metric_row,
     predict_face,
+    pretrained,
     random_split,
     simulated_object,
 )
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
     from estimator.metrics import ForceReference
 
 _HALVINGS = 10
+_TWINS = 16
 
 
 def run_data_amount(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]:
@@ -85,17 +87,22 @@ def run_seen_unseen(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, An
     unseen = frames.select(~seen)
     rows: list[dict[str, Any]] = []
     maps = {}
-    for output in ("heatmap", "position"):
-        label = {"collection": "paper", "faces": [face], "places": "seen"}
-        model = fitted(recorded, (parts[0], parts[1]), face, label, output=output)
+    for name, output, twins in (
+        ("heatmap", "heatmap", 0),
+        ("position", "position", 0),
+        ("pre-trained", "position", 2 if quick else _TWINS),
+    ):
+        start = pretrained(recorded, face, twins, output=output) if twins else None
+        label = {"collection": "paper", "faces": [face], "places": "seen", "twins": twins}
+        model = fitted(recorded, (parts[0], parts[1]), face, label, start, output=output)
         for places, tested in (("seen", frames.select(split.test & seen)), ("unseen", unseen)):
             row, errors = _place_row(model, tested, span, recorded)
-            rows.append({"output": output, "places": places} | beside(row, TABLE_II[places]))
+            rows.append({"model": name, "places": places} | beside(row, TABLE_II[places]))
             if places == "unseen":
-                maps[f"{output}: distance (px)"] = errors
+                maps[f"{name}: distance (px)"] = errors
     draw_maps(maps, folder / "unseen-places.png")
     draw_bars(
-        [row | {"test": f"{row['places']}, {row['output']}"} for row in rows],
+        [row | {"test": f"{row['places']}, {row['model']}"} for row in rows],
         "test",
         {"E_f %": "E_f", "total force %": "total force", "paper E_f %": "E_f, paper (real object)"},
         "force error (%)",
@@ -105,6 +112,8 @@ def run_seen_unseen(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, An
         SIMULATED,
         "E_f is read at the true pixel alone: a force shared with the next pixel counts as lost. The "
         "total force and the distance of the estimated place do not depend on pixels.",
+        "heatmap, position: outputs of the compact network, trained on the labelled places alone; "
+        "pre-trained: position, after presses of other twins of the design at all places.",
     ]
     return {"rows": rows, "texts": texts}
 

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from design.spec import ObjectSpec
+from estimator.press_protocol import PLACE_ID_STRIDE
 from instobj.experiments.layouts import changed
 from instobj.store import content_key, store_root, stored
 
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
     from estimator.metrics import FaceMetrics
     from estimator.signals import Signals
     from estimator.splits import Split
+    from fem.results import MagnetMotions, PressForces
 
 SIMULATED = (
     "Simulated: a hidden twin of the specification, off the design within its tolerances. The "
@@ -55,11 +57,16 @@ _VERSION = 1
 
 @dataclass(frozen=True)
 class SimulatedObject:
-    """An object with the expected signals of its presses and the mechanics of joint contact."""
+    """An object with the expected signals of its presses and the mechanics of joint contact.
+
+    `design` and `design_presses` are what was known before the object was built.
+    """
 
     spec: ObjectSpec
     signals: Signals
     mechanics: JointMechanics
+    design: ObjectSpec
+    design_presses: tuple[PressForces, MagnetMotions]
     key: str
 
     def collect(self, seed: int = 0, **changes: Any) -> FrameSet:
@@ -83,16 +90,17 @@ def simulated_object(spec: ObjectSpec, quick: bool) -> SimulatedObject:
     from instobj.chain import Chain
     from instobj.deformation_stages import stored_correction
 
-    if quick:
-        spec = changed(spec, _QUICK)
-    else:
+    design = changed(spec, _QUICK) if quick else spec
+    spec = design
+    if not quick:
         finer = {name: _FINER * getattr(spec.mesh, name) for name in ("surface_edge_mm", "edge_mm")}
         spec = changed(
             spec,
             {f"mesh.{name}": edge for name, edge in finer.items()}
             | {"mechanics.correction": "large-strain"},
         )
-    chain = Chain(spec)
+    planned, chain = Chain(design), Chain(spec)
+    design_presses = load_presses(planned.require("presses").folder / "presses.nc")
     presses = load_presses(chain.require("presses").folder / "presses.nc")
     assembly = drawn_assembly(spec, spec.seed + _TWIN)
     mechanics = JointMechanics(
@@ -104,7 +112,7 @@ def simulated_object(spec: ObjectSpec, quick: bool) -> SimulatedObject:
     key = content_key(
         {"presses": chain.results["presses"].key, "spec": spec.model_dump(mode="json")}
     )
-    return SimulatedObject(spec, signals, mechanics, key)
+    return SimulatedObject(spec, signals, mechanics, design, design_presses, key)
 
 
 def random_split(frames: FrameSet, seed: int) -> Split:
@@ -123,11 +131,13 @@ def fitted(
     parts: tuple[FrameSet, FrameSet],
     face: int,
     label: dict[str, Any],
+    start: FaceModel | None = None,
     **training: Any,
 ) -> FaceModel:
     """A face's estimator, from the store or fitted to training and validation frames.
 
-    `label` says, in JSON, which frames these are; `training` overrides the specification's table.
+    `label` says, in JSON, which frames these are and what it starts from; `training` overrides the
+    specification's table.
     """
     from estimator.face_model import load_model, save_model
     from estimator.training import FitSettings, fit_estimator
@@ -139,7 +149,7 @@ def fitted(
 
         torch.set_num_threads(1)  # a second thread gains nothing on networks this small
         fit = FitSettings(face, settings, recorded.spec.seed)
-        save_model(fit_estimator(*parts, fit), folder / "model.safetensors")
+        save_model(fit_estimator(*parts, fit, start), folder / "model.safetensors")
 
     inputs = {
         "object": recorded.key,
@@ -152,6 +162,18 @@ def fitted(
     return load_model(
         stored(store_root(), "experiment_models", inputs, make).folder / "model.safetensors"
     )
+
+
+def pretrained(recorded: SimulatedObject, face: int, twins: int, **training: Any) -> FaceModel:
+    """An estimator that has seen presses of `twins` objects of the design, none of this one."""
+    from estimator.pretraining import split_twins, twin_frames
+
+    frames = twin_frames(recorded.design, *recorded.design_presses, twins)
+    on_face = np.unique(frames.press_id[frames.place_id // PLACE_ID_STRIDE == face])
+    frames = frames.select(np.isin(frames.press_id, on_face))
+    split = split_twins(frames)
+    parts = (frames.select(split.train), frames.select(split.validation))
+    return fitted(recorded, parts, face, {"twins": twins}, **training)
 
 
 def fitted_to_split(

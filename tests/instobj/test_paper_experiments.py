@@ -38,9 +38,10 @@ NAMES = (
 def synthetic_object():
     spec = changed(ObjectSpec(name="synthetic"), paper_object._QUICK)
     assembly = drawn_assembly(spec, 7)
-    signals = twin_signals(spec, assembly, *synthetic_presses(spec))
+    presses = synthetic_presses(spec)
+    signals = twin_signals(spec, assembly, *presses)
     mechanics = JointMechanics(half_space_response(spec, 13), None, assembly)
-    return SimulatedObject(spec, signals, mechanics, "synthetic")
+    return SimulatedObject(spec, signals, mechanics, spec, presses, "synthetic")
 
 
 @pytest.fixture(scope="module")
@@ -95,14 +96,19 @@ def test_less_data_does_worse(results):
 
 def test_unseen_places_are_harder_than_seen_ones(results):
     rows = results["seen-unseen"][0]["rows"]
-    for output in ("heatmap", "position"):
+    for model in ("heatmap", "position"):
         seen, unseen = (
-            next(r for r in rows if (r["output"], r["places"]) == (output, place))
+            next(r for r in rows if (r["model"], r["places"]) == (model, place))
             for place in ("seen", "unseen")
         )
         assert unseen["E_f %"] > seen["E_f %"]
         assert unseen["distance px"] > seen["distance px"]
     assert rows[1]["paper E_f %"] == 32.6
+    before, after = (
+        next(r for r in rows if (r["model"], r["places"]) == (model, "unseen"))
+        for model in ("position", "pre-trained")
+    )
+    assert after["distance px"] < 0.9 * before["distance px"]
 
 
 def test_seen_places_are_every_second_in_x_and_y(synthetic_object):
