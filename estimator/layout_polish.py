@@ -79,7 +79,9 @@ def judge(
     )
     for name, value in rung.constants.items():
         scores[name] = torch.full_like(scores["worst_position_bound_mm"], value)
-    broken = torch.stack([broken_limits_mm(rung.space, one).sum(dim=1) for one in layouts])
+    alike = rung.space.sensors is not None  # sensors that move have one layout on every face
+    checked = layouts[:1] if alike else layouts
+    broken = torch.stack([broken_limits_mm(rung.space, one).sum(dim=1) for one in checked])
     excess = _saturation(rung.space.structured, scores["largest_resting_counts"])
     for name, most in rung.at_most.items():
         excess = excess + torch.relu(_to_minimize(name, scores) / most - 1)

@@ -20,8 +20,8 @@ from estimator.layout_vectors import RULES, broken_limits_mm, layout_space, layo
 from fem.candidates import candidate_lattices
 from instobj.search.first_rung import broken_by_structure, misfit_of
 
-_STARTS = 64
-_STEPS = 150
+_STARTS = 24
+_STEPS, _WALKS = 30, 5
 _STRUCTURES = 24
 """Drawn at random; a search of more kinds of shells and counts than that has some that fit."""
 
@@ -97,9 +97,13 @@ def _nearest(
     def broken(point: Tensor) -> Tensor:
         return broken_limits_mm(tensors, layouts_at(tensors, point, poles, 1))
 
-    start = torch.as_tensor(units[:, flags], dtype=torch.float32)
-    point = descend(lambda u: broken(u).sum(dim=1), start, _STEPS) if flags.any() else start
+    point = torch.as_tensor(units[:, flags], dtype=torch.float32)
     rules = broken(point)
+    for _ in range(_WALKS if flags.any() else 0):
+        if (rules.sum(dim=1) == 0).any():
+            break
+        point = descend(lambda u: broken(u).sum(dim=1), point, _STEPS)
+        rules = broken(point)
     best = int(rules.sum(dim=1).argmin())
     unit = unit_of(space, params)
     unit[flags] = point[best].numpy()

@@ -110,7 +110,7 @@ def test_limits_agree_with_the_specifications_check():
 
 
 def test_walls_between_recesses_are_those_of_the_core(monkeypatch):
-    spec, space, params, poles, units = batch(5, 30, board_gap_mm=0.0)
+    spec, space, params, poles, units = batch(5, 60, sensors="ring", board_gap_mm=0.0)
     missing = broken_limits_mm(space, layouts_at(space, units, poles, 1))[
         :, RULES.index("board gap")
     ]
