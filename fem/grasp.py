@@ -20,7 +20,7 @@ from fem.contact import contact_pressures
 from fem.core_interface import CoreState
 from fem.core_lift_off import lift_off
 from fem.indenter import moved, tip_cells
-from fem.presses import require_on_face, resting_gap_mm
+from fem.presses import require_on_face, require_on_patch, resting_gap_mm
 from fem.refined_contact import (
     RefinedFace,
     Spread,
@@ -270,11 +270,14 @@ def _presser(
 ) -> Callable[[np.ndarray], JointPress]:
     """Function from the tips' depths to their joint press; on straight paths cells stay."""
     require_apart(spec, tips)
+    cut = tip_cells(spec.indenter)
     straight = not any(spec.indenter.direction_deg)
     kept = _cells(spec, response, tips, np.zeros(len(tips)), faces) if straight else None
 
     def press(depths_mm: np.ndarray) -> JointPress:
         cells = kept or _cells(spec, response, tips, depths_mm, faces)
+        for spread, depth in zip(cells.spreads, depths_mm, strict=True):
+            require_on_patch(cut, spread, depth)
         gap = (cells.gap_mm - depths_mm[cells.tip]) * cells.area_mm2
         pressure = contact_pressures(cells.compliance, gap, cells.area_mm2, np.zeros(1))[0]
         force = np.bincount(cells.tip, pressure * cells.area_mm2, minlength=len(tips))
