@@ -25,17 +25,15 @@ _OVERLAP = 0.04
 
 
 def body_of_file(path: Path) -> dict[str, Any]:
-    """What `[body]` takes from a file: its path, what it holds, and the size of its box.
+    """What `[body]` takes from a file: its path and the size of its box.
 
     Raises
     ------
     InputError
         A file that is missing, not a solid, open, in several pieces or crossing itself.
     """
-    surface = _closed_surface(path)
-    size = [round(float(edge), 6) for edge in surface.extents]
-    digest = hashlib.sha256(path.read_bytes()).hexdigest()
-    return {"file": str(path.resolve()), "file_sha256": digest, "size_mm": size}
+    size = [round(float(edge), 6) for edge in _closed_surface(path).extents]
+    return {"file": str(path.resolve()), "size_mm": size}
 
 
 def read_body(body: BodySpec) -> trimesh.Trimesh:
@@ -44,15 +42,16 @@ def read_body(body: BodySpec) -> trimesh.Trimesh:
     Raises
     ------
     InputError
-        As `body_of_file`, or the file has changed since the specification was read.
+        As `body_of_file`.
     """
-    if body.file is None or body.file_sha256 is None:
+    if body.file is None:
         raise InputError("body.kind = 'imported' needs body.file. Name an STL or STEP file in mm")
-    path = Path(body.file)
-    surface = _closed_surface(path)
-    if hashlib.sha256(path.read_bytes()).hexdigest() != body.file_sha256:
-        raise InputError(f"{path} has changed since the specification was read. Start again")
-    return surface
+    return _closed_surface(Path(body.file))
+
+
+def file_digest(body: BodySpec) -> str | None:
+    """SHA-256 (hex) of the file that a body comes from, if any."""
+    return None if body.file is None else hashlib.sha256(Path(body.file).read_bytes()).hexdigest()
 
 
 def _closed_surface(path: Path) -> trimesh.Trimesh:

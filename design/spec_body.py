@@ -53,7 +53,6 @@ class BodySpec(SpecPart):
     inside: Literal["core", "silicone", "air"] = "core"
     bore_mm: Positive = 10.0
     file: str | None = None
-    file_sha256: str | None = None
 
     @property
     def opened(self) -> tuple[int, ...]:

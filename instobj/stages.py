@@ -265,8 +265,11 @@ def stage_inputs(
     stage: Stage, spec: ObjectSpec, keys_of_needs: dict[str, str], versions: dict[str, str]
 ) -> dict[str, Any]:
     """Everything that a stage's result depends on, JSON-able, for its content key."""
+    from design.import_body import file_digest
+
     bodies = _shell_bodies(spec)
     content = spec.model_dump(mode="json") | {
+        "body": spec.body.model_dump(mode="json") | {"file": file_digest(spec.body)},
         "shell_bodies": bodies,
         "shell_body_outline": bodies["outline"],
     }

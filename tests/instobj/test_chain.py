@@ -171,6 +171,7 @@ def test_the_example_is_the_template_and_the_defaults():
     switched_on = tomllib.loads(re.sub(r"^# (?=\w+ = )", "", template, flags=re.MULTILINE))
     chosen = [("magnets", key) for key in ("grade", "part", "depth_mm", "tilt_deg", "north")]
     chosen += [("sensors", "positions_mm"), ("core", "bay_mm")]
+    chosen += [("body", "sensed_faces"), ("body", "file")]
     chosen += [("mould", key) for key in ("play_mm", "parting_azimuth_deg")]
     chosen += [("indenter", key) for key in ("file", "vertices_mm", "tip_spacing_mm")]
     chosen += [("collection", key) for key in ("dual_poses", "triple_poses")]
