@@ -12,9 +12,9 @@ metric its own best answer:
   exact answer; the posterior mean does better where several places are alike (`mean_map_n`);
 - contact: the posterior probability of rest.
 
-Frames are judged one by one: an estimator that follows a press through time may do better. With
-300 phases the force grid adds less than 1 % to the force error of the paper's cube (measured: 100
-against 300).
+Frames are judged one by one: an estimator that follows a press through time may do better. The
+grid of 300 phases costs 0.1 % of the force error, one of 100 0.3 %, against 600 (single contacts of
+the paper's cube).
 """
 
 from __future__ import annotations

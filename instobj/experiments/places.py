@@ -77,64 +77,54 @@ def run_sensitivity(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, An
     scores = score_places(recorded.spec, recorded.signals)
     row = int(np.flatnonzero(scores.faces == face)[0])
     maps = single_contact_metrics(recorded, face).maps
-    known = {
-        "δ, raw (counts^d/N)": 1 / scores.delta_raw[row],
-        "δ, scaled (1/N)": 1 / scores.delta_scaled[row],
+    predictors = {
+        "1 / δ, raw": 1 / scores.delta_raw[row],
+        "1 / δ, scaled": 1 / scores.delta_scaled[row],
         "position bound (mm)": scores.position_bound_fresh_mm[row],
         "force bound (N)": scores.force_bound_fresh_n[row],
     }
     errors = {
-        "E_f %": maps.force_error_percent.ravel(),
-        "E_f N": maps.force_error_n.ravel(),
-        "E_loc px": maps.location_error_px.ravel(),
+        "E_f (%)": maps.force_error_percent.ravel(),
+        "E_f (N)": maps.force_error_n.ravel(),
+        "E_loc (px)": maps.location_error_px.ravel(),
         "1 − A_sim": 1 - maps.similarity.ravel(),
     }
     rows = [
         {"predictor": name}
-        | {
-            f"rank correlation with {error}": rank_correlation(value, found)
-            for error, found in errors.items()
-        }
-        for name, value in known.items()
+        | {f"ranks as {error}": rank_correlation(value, found) for error, found in errors.items()}
+        for name, value in predictors.items()
     ]
-    shape = maps.similarity.shape
-    delta = scores.delta_raw[row]
-    draw_maps(
-        {
-            "sensitivity δ (raw)": delta.reshape(shape),
-            "position bound (mm)": scores.position_bound_fresh_mm[row].reshape(shape),
-            "force error E_f (%)": maps.force_error_percent,
-        },
-        folder / "force-sensitivity.png",
-        logarithmic=("sensitivity δ (raw)", "position bound (mm)"),
-    )
-    bound = scores.force_bound_fresh_n[row]
-    draw_scatter(
-        [
-            (
-                "sensitivity δ (raw)",
-                "E_f (%)",
-                delta,
-                errors["E_f %"],
-                -rank_correlation(1 / delta, errors["E_f %"]),
-            ),
-            (
-                "force bound (N)",
-                "E_f (N)",
-                bound,
-                errors["E_f N"],
-                rank_correlation(bound, errors["E_f N"]),
-            ),
-        ],
-        folder / "correlation.png",
-    )
+    _draw_sensitivity(predictors, errors, maps.similarity.shape, folder)
     texts = [
         SIMULATED,
-        "Ranks of 1/δ and of the bounds against the errors: +1 means that the predictor orders the "
+        "Spearman's correlation of predictors with errors: +1 means that a predictor orders the "
         f"places as the errors do. δ from {recorded.spec.score.hull_frames} frames, form "
-        f"{recorded.spec.score.hull}.",
+        f"{recorded.spec.score.hull}; bounds at {recorded.spec.score.force_n:g} N. Face {face}.",
     ]
     return {"rows": rows, "texts": texts}
+
+
+def _draw_sensitivity(
+    predictors: dict[str, np.ndarray],
+    errors: dict[str, np.ndarray],
+    shape: tuple[int, ...],
+    folder: Path,
+) -> None:
+    delta, bound = 1 / predictors["1 / δ, raw"], predictors["position bound (mm)"]
+    names = ("sensitivity δ (raw)", "position bound (mm)", "force error E_f (%)")
+    values = (delta, bound, errors["E_f (%)"])
+    shown = {name: value.reshape(shape) for name, value in zip(names, values, strict=True)}
+    draw_maps(shown, folder / "force-sensitivity.png", logarithmic=names[:2])
+    pairs = (
+        ("1 / δ, raw", "E_f (%)"),
+        ("force bound (N)", "E_f (N)"),
+        ("position bound (mm)", "E_f (%)"),
+    )
+    panels = [
+        (a, b, predictors[a], errors[b], rank_correlation(predictors[a], errors[b]))
+        for a, b in pairs
+    ]
+    draw_scatter(panels, folder / "correlation.png")
 
 
 def rank_correlation(a: np.ndarray, b: np.ndarray) -> float:
