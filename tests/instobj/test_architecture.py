@@ -29,6 +29,8 @@ def _heavy_imports(module: str) -> set[str]:
         ("estimator.field", set()),
         ("estimator.signals", set()),
         ("estimator.dataset", set()),
+        ("estimator.deployed", set()),
+        ("instobj.predict", set()),
         ("estimator.board_link", set()),
         ("instobj.collect", set()),
         ("fem.results", set()),
