@@ -73,7 +73,7 @@ def write_part(
         The folder cannot be written, or the part touches itself so that its surface is not closed.
     """
     if not isinstance(solid, cq.Shape):
-        return _write_triangles(part, solid, folder), solid
+        return _write_triangles(part, solid, folder)
     # The bounding box is read first: a triangulated shape would be measured by its triangles.
     box, centre = solid.BoundingBox(), solid.Center()
     mesh = _write_stl(solid, folder / f"{part.name}.stl", export)
@@ -95,25 +95,29 @@ def write_part(
     return manifest, mesh
 
 
-def _write_triangles(part: Part, surface: trimesh.Trimesh, folder: Path) -> PartManifest:
+def _write_triangles(
+    part: Part, surface: trimesh.Trimesh, folder: Path
+) -> tuple[PartManifest, trimesh.Trimesh]:
     with atomic_path(folder / f"{part.name}.stl") as path:
         surface.export(path)
+        written = _closed(path, part.name)
     write_3mf(surface, part.name, folder / f"{part.name}.3mf")
     (x0, y0, z0), (x1, y1, z1) = surface.bounds.tolist()
     cx, cy, cz = surface.center_mass.tolist()
-    return PartManifest(
+    manifest = PartManifest(
         name=part.name,
         volume_mm3=float(surface.volume),
         bounding_box_mm=((x0, y0, z0), (x1, y1, z1)),
         centre_of_mass_mm=(cx, cy, cz),
         face_count=len(surface.faces),
         solid_count=int(surface.body_count),
-        stl_volume_mm3=float(surface.volume),
-        stl_watertight=bool(surface.is_watertight),
-        stl_triangles=len(surface.faces),
+        stl_volume_mm3=float(written.volume),
+        stl_watertight=bool(written.is_watertight),
+        stl_triangles=len(written.faces),
         material=part.material,
         count=part.count,
     )
+    return manifest, written
 
 
 def _write_step(solid: cq.Solid, target: Path) -> None:
@@ -125,20 +129,25 @@ def _write_step(solid: cq.Solid, target: Path) -> None:
 
 
 def _write_stl(solid: cq.Solid, target: Path, export: ExportSpec) -> trimesh.Trimesh:
-    import trimesh
-
     with atomic_path(target) as path:
         fineness = (export.mesh_tolerance_mm, export.mesh_angle_rad)
         if not solid.exportStl(str(path), *fineness, relative=False):
             raise InputError(f"cannot write {target}. Choose a writable folder with room left")
-        mesh = trimesh.load_mesh(path)
-        # The kernel closes the poles of spheres with triangles that repeat a vertex.
-        corners = np.sort(mesh.faces, axis=1)
-        mesh.update_faces((np.diff(corners, axis=1) > 0).all(axis=1))
-        if not mesh.is_watertight:
-            raise InputError(
-                f"the surface of {target.stem} is not closed: two of its recesses or pockets touch "
-                "in a line. Move them apart, or let them overlap, by 0.01 mm or more"
-            )
-        mesh.export(path)
+        return _closed(path, target.stem)
+
+
+def _closed(path: Path, name: str) -> trimesh.Trimesh:
+    """The STL as read back, without triangles that repeat a vertex: the kernel closes the poles of
+    spheres with such, and single precision makes them of slivers."""
+    import trimesh
+
+    mesh = trimesh.load_mesh(path)
+    corners = np.sort(mesh.faces, axis=1)
+    mesh.update_faces((np.diff(corners, axis=1) > 0).all(axis=1))
+    if not mesh.is_watertight:
+        raise InputError(
+            f"the surface of {name} is not closed: two of its recesses or pockets touch in a line. Move "
+            "them apart, or let them overlap, by 0.01 mm or more"
+        )
+    mesh.export(path)
     return mesh
