@@ -23,6 +23,11 @@ TABLE_II = {
     "seen": {"A_sim": 1.0, "E_loc px": 0.0, "E_f %": 3.06, "E_f N": 0.372},
     "unseen": {"A_sim": 0.896, "E_loc px": 1.32, "E_f %": 32.6, "E_f N": 4.18},
 }
+TABLE_III = {
+    3: {"A_sim": 0.631, "E_loc px": 1.91, "E_f %": 38.7, "E_f N": 5.76, "A_non": 0.933},
+    5: {"A_sim": 0.678, "E_loc px": 2.96, "E_f %": 23.8, "E_f N": 4.61, "A_non": 0.984},
+}
+"""Grasps by a gripper that presses faces 3 and 5 at once."""
 LINEAR = {"A_sim": 0.318, "E_loc px": 1.36, "E_f %": 43.5, "E_f N": 6.56, "A_non": 0.625}
 """Linear regression on face 1, from the authors' repository page."""
 LEAST_TRAINING_FRAMES = 2683

@@ -24,6 +24,9 @@ _MODULES: tuple[str, ...] = (
     "instobj.experiments.places",
     "instobj.experiments.amounts",
     "instobj.experiments.reference",
+    "instobj.experiments.grasps",
+    "instobj.experiments.slipped",
+    "instobj.experiments.force_vectors",
     "instobj.experiments.layouts",
 )
 
