@@ -12,6 +12,7 @@ from jaxtyping import Float
 from torch import Tensor
 
 from design.errors import InputError
+from design.pockets import magnet_bodies
 from design.search_space import SearchSpace, params_at, search_space, structure_of, unit_of
 from design.search_structure import with_structure
 from design.spec import ObjectSpec
@@ -113,16 +114,18 @@ def _nearest(
     if by_structure > float(rules[best].max()):
         rule = "the count or the cost of the parts (search.limits.parts_per_face, cost)"
     else:
-        rule = f"{RULES[worst]}, by {float(rules[best, worst]):.2g} mm at least"
+        rule = f"{RULES[worst]}, by {float(rules[best, worst]):.3g} mm of all parts together"
     return _Nearest(params | params_at(space, unit), total, rule)
 
 
 def _require_candidates(structured: ObjectSpec) -> None:
     """Depths must lie where magnets' motions are known."""
-    depth = candidate_lattices(structured)[0].depth_mm
-    low, high = structured.search.vary.magnet_depth_mm or (depth[0], depth[-1])
-    if low < depth[0] or high > depth[-1]:
+    known = candidate_lattices(structured)[0].depth_mm
+    lie = [-float(body.centre_mm[2]) for body in magnet_bodies(structured)[0]]
+    low, high = structured.search.vary.magnet_depth_mm or (min(lie), max(lie))
+    if low < known[0] - 1e-9 or high > known[-1] + 1e-9:
         raise InputError(
-            f"search.vary.magnet_depth_mm must stay within {depth[0]:g} to {depth[-1]:g} mm, 1.5 mm "
-            f"from both skins of the shell; got {low:g} to {high:g}. Narrow it"
+            f"a search takes magnets whose mid-planes lie {known[0]:g} to {known[-1]:g} mm deep, 1.5 mm "
+            f"from both skins of the shell; got {low:g} to {high:g} mm. Narrow "
+            "search.vary.magnet_depth_mm, or move the magnets"
         )

@@ -159,7 +159,9 @@ def test_a_killed_search_loses_no_finished_trial(tmp_path):
         time.sleep(0.05)
     process.send_signal(signal.SIGKILL)
     process.wait()
-    trials = open_study(made_up_space(engine="random", trials=100000, batch=8).spec, path, resume=True).trials()
+    trials = open_study(
+        made_up_space(engine="random", trials=100000, batch=8).spec, path, resume=True
+    ).trials()
     assert len(trials) >= 50
     assert {t.state.name for t in trials} == {"COMPLETE"}
 
