@@ -34,6 +34,11 @@ class Outline:
         """Of the circumscribed circle."""
         return self.half_mm[0] if self.round else float(np.hypot(*self.half_mm))
 
+    def inset(self, by_mm: float) -> Outline:
+        """The outline that lies `by_mm` inside this one."""
+        x, y = (half - by_mm for half in self.half_mm)
+        return Outline((x, y), self.round)
+
     def support_mm(self, across: Float[np.ndarray, "2"]) -> float:
         """Largest dot product of a vector in the outline's plane with its points."""
         if self.round:

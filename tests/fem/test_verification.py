@@ -3,12 +3,14 @@
 import pytest
 import verification_checks_contact
 import verification_checks_elements
+import verification_checks_magnets
 import verification_checks_punch
 import verification_checks_shell
 from verification import outcome_of
 
 CHECKS = [
     *verification_checks_elements.CHECKS,
+    *verification_checks_magnets.CHECKS,
     *verification_checks_contact.CHECKS,
     *verification_checks_punch.CHECKS,
     *verification_checks_shell.CHECKS,
