@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -71,15 +72,7 @@ def run_swap(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]:
                 model, reference = _fitted(recorded, face, name)
                 label = {"arrangement": title, "face": face, "reads": reads}
                 rows.append(label | _judged(model, grasps, reference))
-    for row in rows:
-        row["case"] = f"{row['arrangement']}, {row['reads']}, face {row['face']}"
-    draw_bars(
-        rows,
-        "case",
-        {"total force %": "simulated grasps"},
-        "total force error (% of range)",
-        folder / "swap-magnets-and-sensors.png",
-    )
+    _draw_swap(rows, folder / "swap-magnets-and-sensors.png")
     texts = [
         SIMULATED,
         "The paper supposes that sensors in the shell feel presses of other faces less. Fitted to "
@@ -156,6 +149,16 @@ def _draw_sweep(sweeps: dict[str, dict[str, np.ndarray]], path: Path) -> None:
     panels[0].legend(fontsize=8)
     figure.suptitle("Simulated grasps of two faces", fontsize=10)
     save(figure, path)
+
+
+def _draw_swap(rows: list[dict[str, Any]], path: Path) -> None:
+    """Bars by arrangement and face, one colour for what the estimator reads."""
+    groups: dict[str, dict[str, Any]] = {}
+    for row in rows:
+        name = textwrap.fill(row["arrangement"], 20) + f"\nface {row['face']}"
+        groups.setdefault(name, {"": name})[row["reads"]] = row["total force %"]
+    series = {reads: reads for reads in MODELS.values()}
+    draw_bars(list(groups.values()), "", series, "total force error (% of range)", path)
 
 
 def _as_lists(sweeps: dict[str, dict[str, np.ndarray]]) -> dict[str, Any]:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from instobj.experiments.layouts import changed
-from instobj.experiments.paper_figures import draw_bars
+from instobj.experiments.paper_figures import save
 from instobj.experiments.paper_object import (
     SIMULATED,
     SimulatedObject,
@@ -30,6 +30,7 @@ SLIP_MM = (0.7, -0.5, 0.5)
 """1 mm, along no axis."""
 _TRAINED_SLIP_MM = 0.6
 _UNIT_MM = 0.5
+_AIM_PERCENT = 15.0
 """Standard deviation of the core's shift, each direction, among the twins of pre-training."""
 
 
@@ -52,22 +53,15 @@ def run_core_slip(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]
     for name, model, reference in _models(recorded, frames, face):
         for when, test in tests.items():
             rows.append({"estimator": name, "object": when} | _judged(model, test, reference))
-    for row in rows:
-        row["case"] = f"{row['object']}: {row['estimator']}"
-    draw_bars(
-        rows[1:],
-        "case",
-        {"total force %": "simulated"},
-        "total force error (% of range)",
-        folder / "core-slip.png",
-    )
+    _draw(rows, list(tests), folder / "core-slip.png")
     best = min(row["total force %"] for row in rows if row["object"] == "slipped, new zero")
     texts = [
         SIMULATED,
         f"Slip of {np.linalg.norm(SLIP_MM):.2f} mm after calibration; the resting signals change by "
         f"up to {np.abs(change).max():.0f} counts. It moves the sensors with the core; the silicone "
         "stays as it was (`instobj slip` says how far finite elements differ).",
-        f"Aim after a new zero: total force within 15 % ({'' if best <= 15 else 'not '}reached: "
+        f"Aim after a new zero: total force within {_AIM_PERCENT:g} % "
+        f"({'' if best <= _AIM_PERCENT else 'not '}reached: "
         f"{best:.1f} %).",
     ]
     return {"rows": rows, "texts": texts}
@@ -143,6 +137,27 @@ def _judged(model: FaceModel, frames: FrameSet, reference: ForceReference) -> di
 
     predicted, true, rest = predict_face(model, frames)
     return metric_row(face_metrics(model.face, predicted, true, reference, rest))
+
+
+def _draw(rows: list[dict[str, Any]], objects: list[str], path: Path) -> None:
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(7.5, 3.8), layout="constrained")
+    axes = figure.subplots()
+    estimators = list(dict.fromkeys(row["estimator"] for row in rows))
+    for index, name in enumerate(estimators):
+        values = [row["total force %"] for row in rows if row["estimator"] == name]
+        place = np.arange(len(objects)) + 0.26 * (index - 1)
+        bars = axes.bar(place, values, 0.24, color=f"C{index}", label=name)
+        axes.bar_label(bars, fmt="%.3g", fontsize=8)
+    axes.axhline(_AIM_PERCENT, color="0.4", lw=1, ls=":")
+    axes.annotate("aim", (0.5, _AIM_PERCENT), color="0.4", va="bottom", ha="center")
+    axes.set(yscale="log", ylabel="total force error (% of range)")
+    axes.set_xticks(range(len(objects)), objects)
+    axes.margins(y=0.12)
+    axes.legend(title="trained on", fontsize=8, loc="upper right")
+    axes.set_title("Simulated: core slipped by 1 mm after calibration", fontsize=10)
+    save(figure, path)
 
 
 STUDIES = (
