@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from itertools import combinations
-
-import cadquery as cq
+from typing import TYPE_CHECKING
 
 from design.electronics import Mounted, mounted_sensors, wire_bundle_mm
 from design.finding import Finding, at_least, place_of
 from design.layouts import FaceFrame, face_frames
+from design.mesh_checks import block_manifold, manifold_of
 from design.mould import play_mm
 from design.pockets import Pocket, distance_of_axes_mm, shell_pockets
-from design.solids import block_solid
 from design.spec import ObjectSpec
+
+if TYPE_CHECKING:
+    import trimesh
 
 TOUCHING_MM3 = 1e-3
 """Common volume above which two bodies are said to interfere."""
@@ -82,7 +84,7 @@ def _silicone(check: str, value: float, limit: float, text: str, place) -> Findi
     return Finding(check, "shell", value, limit, "mm", at_least(value, limit, 1.25), text, place)
 
 
-def check_electronics(spec: ObjectSpec, core: cq.Shape) -> list[Finding]:
+def check_electronics(spec: ObjectSpec, core: trimesh.Trimesh) -> list[Finding]:
     """Boards and chips against the core and each other, and wires against their holes."""
     mounted = mounted_sensors(spec)
     found = [_wires(spec)]
@@ -134,10 +136,11 @@ def _fits(spec: ObjectSpec) -> list[Finding]:
     ]
 
 
-def _interference(mounted: list[Mounted], core: cq.Shape) -> list[Finding]:
+def _interference(mounted: list[Mounted], core: trimesh.Trimesh) -> list[Finding]:
     """The board or chip that shares most volume with the core."""
+    solid = manifold_of(core)
     shares = [
-        (core.intersect(block_solid(block)).Volume(), sensor, block)
+        ((solid ^ block_manifold(block)).volume(), sensor, block)
         for sensor in mounted
         for block in (sensor.board, sensor.chip)
     ]
@@ -166,7 +169,7 @@ def _collisions(mounted: list[Mounted]) -> list[Finding]:
                 reach = float(sum(one.half_mm**2) ** 0.5 + sum(other.half_mm**2) ** 0.5)
                 if float(sum((one.centre_mm - other.centre_mm) ** 2) ** 0.5) > reach:
                     continue
-                common = block_solid(one).intersect(block_solid(other)).Volume()
+                common = (block_manifold(one) ^ block_manifold(other)).volume()
                 if common > worst:
                     worst, names = common, f"{a.label} and {b.label}"
                     place = place_of((one.centre_mm + other.centre_mm) / 2)

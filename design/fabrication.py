@@ -22,8 +22,8 @@ from design.checks_print import (
     check_inhibition,
     check_walls,
 )
-from design.finding import Finding, at_least, place_of
-from design.parts import Part, parts_of
+from design.finding import Finding, Place, at_least, place_of
+from design.parts import parts_of
 from design.solids import NotOneSolid
 from design.spec import ObjectSpec
 
@@ -32,15 +32,6 @@ if TYPE_CHECKING:
 
 SLIVER_MM3 = 1.0
 """Separate pieces below this volume come loose in the print."""
-
-
-@dataclass(frozen=True)
-class Built:
-    """A part as solid and as triangles."""
-
-    part: Part
-    shape: cq.Shape
-    mesh: trimesh.Trimesh
 
 
 @dataclass(frozen=True)
@@ -60,7 +51,7 @@ def check_fabrication(
     that need it are left out.
     """
     findings: list[Finding] = []
-    built: dict[str, Built] = {}
+    meshes: dict[str, trimesh.Trimesh] = {}
     for part in parts_of(spec):
         progress(f"checking {part.name}")
         try:
@@ -70,69 +61,60 @@ def check_fabrication(
         found, mesh = check_solid(part.name, shape, spec)
         findings += found
         if mesh is not None:
-            built[part.name] = Built(part, shape, mesh)
+            meshes[part.name] = mesh
             findings += check_walls(part, mesh, spec)
             findings += [*check_edges(part, mesh), *check_bed(part, mesh, spec)]
     findings += [*check_features(spec), *check_inhibition(spec), *check_pockets(spec)]
     findings += check_clearances(spec)
-    if "core" in built:
+    if "core" in meshes:
         progress("checking boards, chips and wires")
-        findings += check_electronics(spec, built["core"].shape)
+        findings += check_electronics(spec, meshes["core"])
     progress("checking the mould")
-    meshes = {name: b.mesh for name, b in built.items()}
     return Checked(findings + check_casting(spec, meshes), meshes)
 
 
 def check_solid(
-    name: str, shape: cq.Shape, spec: ObjectSpec
+    name: str, shape: cq.Shape | trimesh.Trimesh, spec: ObjectSpec
 ) -> tuple[list[Finding], trimesh.Trimesh | None]:
     """One valid solid without slivers, closed as triangles; the mesh where it is closed."""
-    solids = sorted(shape.Solids(), key=lambda solid: solid.Volume())
-    smallest = solids[0] if solids else None
-    findings = [
-        Finding(
-            "one solid",
-            name,
-            float(len(solids)),
-            1.0,
-            "solids",
-            "pass" if len(solids) == 1 and shape.isValid() else "fail",
-            "the part is one valid solid"
-            if len(solids) == 1
-            else "the part falls into pieces. Move its recesses, holes or pockets apart",
-            None if smallest is None or len(solids) == 1 else place_of(smallest.Center().toTuple()),
-        )
-    ]
-    if smallest is not None:
-        volume = smallest.Volume()
-        findings.append(
-            Finding(
-                "no slivers",
-                name,
-                volume,
-                SLIVER_MM3,
-                "mm³",
-                at_least(volume, SLIVER_MM3),
-                "volume of the smallest piece: what is smaller comes loose. Let cuts overlap clearly "
-                "or keep them apart",
-                place_of(smallest.Center().toTuple()),
-            )
-        )
-    mesh = mesh_of(shape, spec)
-    closed = bool(mesh.is_watertight and mesh.is_winding_consistent)
-    findings.append(
-        Finding(
-            "closed surface",
-            name,
-            float(closed),
-            1.0,
-            "",
-            "pass" if closed else "fail",
-            "the triangles close round a volume, outwards throughout; where they do not, two cuts "
-            "touch in a line: move them by 0.01 mm",
-        )
+    mesh = mesh_of(shape, spec) if isinstance(shape, cq.Shape) else shape
+    pieces = sorted(_pieces(shape))
+    single = len(pieces) == 1 and (not isinstance(shape, cq.Shape) or shape.isValid())
+    text = (
+        "the part is one valid solid"
+        if single
+        else "the part falls into pieces or is not valid. Move its recesses, holes or pockets apart"
     )
+    place = None if single or not pieces else pieces[0][1]
+    status = "pass" if single else "fail"
+    findings = [Finding("one solid", name, float(len(pieces)), 1.0, "solids", status, text, place)]
+    if pieces:
+        findings.append(_sliver(name, *pieces[0]))
+    closed = bool(mesh.is_watertight and mesh.is_winding_consistent)
+    text = (
+        "the triangles close round a volume, outwards throughout; where they do not, two cuts touch "
+        "in a line: move them by 0.01 mm"
+    )
+    status = "pass" if closed else "fail"
+    findings.append(Finding("closed surface", name, float(closed), 1.0, "", status, text))
     return findings, mesh if closed else None
+
+
+def _sliver(name: str, volume_mm3: float, place: Place) -> Finding:
+    text = (
+        "volume of the smallest piece: what is smaller comes loose. Let cuts overlap clearly or keep "
+        "them apart"
+    )
+    status = at_least(volume_mm3, SLIVER_MM3)
+    return Finding("no slivers", name, volume_mm3, SLIVER_MM3, "mm³", status, text, place)
+
+
+def _pieces(shape: cq.Shape | trimesh.Trimesh) -> list[tuple[float, Place]]:
+    """Volume (mm³) and middle of every separate piece."""
+    if isinstance(shape, cq.Shape):
+        return [(s.Volume(), place_of(s.Center().toTuple())) for s in shape.Solids()]
+    pieces = shape.split(only_watertight=False)
+    return [(float(piece.volume), place_of(piece.center_mass)) for piece in pieces]
 
 
 def mesh_of(shape: cq.Shape, spec: ObjectSpec) -> trimesh.Trimesh:

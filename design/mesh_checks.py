@@ -12,8 +12,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 from jaxtyping import Bool, Float
 
+from design.blocks import Block
+
 if TYPE_CHECKING:
     import trimesh
+    from manifold3d import Manifold
 
 RAYS = 5_000
 """Rays a large part gets, about; every facet gets one, and they lie 1 to 2 mm apart on wide ones."""
@@ -64,7 +67,7 @@ def thinnest_wall(mesh: trimesh.Trimesh) -> ThinnestWall | None:
     size = np.linalg.norm(doubled, axis=1)
     kept = size > 1e-9
     normal, start = doubled[kept] / size[kept, None], corner[kept].mean(axis=1)
-    solid, reach = _manifold(mesh), float(np.linalg.norm(mesh.extents))
+    solid, reach = manifold_of(mesh), float(np.linalg.norm(mesh.extents))
     best: ThinnestWall | None = None
     for point, n in zip(start, normal, strict=True):
         thickness = _through(solid, point, n, reach)
@@ -163,14 +166,24 @@ def largest_ceiling(
     return max(areas), mesh.triangles[largest].reshape(-1, 3).mean(axis=0)
 
 
-def _manifold(mesh: trimesh.Trimesh):
+def manifold_of(mesh: trimesh.Trimesh) -> Manifold:
+    """The closed mesh for exact booleans and rays."""
     from manifold3d import Manifold, Mesh64
 
     vertices = np.ascontiguousarray(mesh.vertices, dtype=np.float64)
     return Manifold(Mesh64(vertices, np.ascontiguousarray(mesh.faces, dtype=np.uint64)))
 
 
-def _through(solid, point: np.ndarray, normal: np.ndarray, reach: float) -> float | None:
+def block_manifold(block: Block) -> Manifold:
+    """A block as a closed mesh."""
+    import trimesh
+
+    placed = np.eye(4)
+    placed[:3, :3], placed[:3, 3] = block.axes, block.centre_mm
+    return manifold_of(trimesh.creation.box(2 * block.half_mm).apply_transform(placed))
+
+
+def _through(solid: Manifold, point: np.ndarray, normal: np.ndarray, reach: float) -> float | None:
     """Thickness below a point of the surface, or None where no surface faces it there."""
     start = point - _START_MM * normal
     hits = solid.ray_cast(tuple(start), tuple(start - reach * normal))

@@ -43,11 +43,10 @@ class Piece:
 
 def draw_exploded(spec: ObjectSpec, folder: Path, png_path: Path) -> Path:
     """Draw the parts of a build above each other, in the order in which they go together."""
-    import trimesh
     from matplotlib.figure import Figure
 
     pieces = _pieces(spec, folder)
-    whole = trimesh.util.concatenate([piece.mesh for piece in pieces])
+    whole = _joined([piece.mesh for piece in pieces])
     colours = np.concatenate([np.tile(p.colour, (len(p.mesh.faces), 1)) for p in pieces])
     camera = camera_axes(_TOWARDS, _UP)
     image = depth_image(np.asarray(whole.triangles) @ camera.T)
@@ -65,6 +64,17 @@ def draw_exploded(spec: ObjectSpec, folder: Path, png_path: Path) -> Path:
     with atomic_path(png_path) as path:
         figure.savefig(path, dpi=90, format="png", bbox_inches="tight")
     return png_path
+
+
+def _joined(meshes: list[trimesh.Trimesh]) -> trimesh.Trimesh:
+    import trimesh
+
+    start = np.cumsum([0, *(len(mesh.vertices) for mesh in meshes)])
+    return trimesh.Trimesh(
+        np.concatenate([mesh.vertices for mesh in meshes]),
+        np.concatenate([m.faces + first for m, first in zip(meshes, start, strict=False)]),
+        process=False,
+    )
 
 
 def _pieces(spec: ObjectSpec, folder: Path) -> list[Piece]:

@@ -52,6 +52,8 @@ def test_slivers_beside_the_core_are_found():
     assert loose.status == "fail"
     assert_allclose(loose.value, 0.54, rtol=1e-9)
     assert_allclose(loose.place_mm, (20.45, 0.5, 3.3), rtol=0, atol=1e-3)
+    as_triangles, _ = check_solid("core", mesh_of(broken, PAPER), PAPER)
+    assert_allclose(found(as_triangles, "no slivers").value, 0.54, rtol=1e-6)
     whole, _ = check_solid("core", make_core(PAPER), PAPER)
     assert {finding.status for finding in whole} == {"pass"}
     assert mesh is not None
@@ -72,23 +74,23 @@ def test_a_wall_of_0_38_mm_is_found():
 def test_a_chip_that_meets_its_recess_is_found():
     """In the authors' core chip and recess share 0.2 mm of depth."""
     shallow = parsed(core={"recess_depth_mm": 2.65})
-    findings = check_electronics(shallow, make_core(shallow))
+    findings = check_electronics(shallow, mesh_of(make_core(shallow), shallow))
     deep = found(findings, "board in its recess, deep")
     assert deep.status == "fail"
     assert_allclose(deep.value, -0.2, rtol=0, atol=1e-9)
     common = found(findings, "boards and chips clear of the core")
     assert common.status == "fail"
     assert_allclose(common.value, 2.9 * 2.8 * 0.2, rtol=1e-6)
-    for finding in check_electronics(PAPER, make_core(PAPER)):
+    for finding in check_electronics(PAPER, mesh_of(make_core(PAPER), PAPER)):
         assert finding.status == "pass", finding
 
 
 def test_boards_that_overlap_and_wires_too_thick_are_found():
     crowded = parsed(sensors={"count_per_face": 4, "frame_rate_hz": 5.0})
-    findings = check_electronics(crowded, make_core(crowded))
+    findings = check_electronics(crowded, mesh_of(make_core(crowded), crowded))
     assert found(findings, "boards clear of each other").status == "pass"
     wide = parsed(sensors={"package_mm": [8.5, 6.2, 1.6]}, core={"wire_diameter_mm": 0.6})
-    findings = check_electronics(wide, make_core(wide))
+    findings = check_electronics(wide, mesh_of(make_core(wide), wide))
     assert found(findings, "board in its recess, across").value == pytest.approx(-0.75)
     assert found(findings, "boards and chips clear of the core").status == "fail"
     assert found(findings, "wires in their hole").status == "fail"
