@@ -10,6 +10,7 @@ import numpy as np
 from design.files import atomic_path
 from design.finding import Finding
 from instobj.report.parts_figure import (
+    DepthImage,
     PartView,
     camera_axes,
     depth_image,
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 PANELS = 6
+BEHIND_MM = 1.5
 _GREY = (0.72, 0.74, 0.78)
 _COLOURS = {"fail": "#c1121f", "warn": "#e07b00"}
 _LINE = 76
@@ -32,7 +34,8 @@ def draw_findings(
 ) -> Path:
     """One panel a part with what did not pass: numbered rings at the places, texts below.
 
-    Failures come first, and at most six parts are drawn; a ring may lie behind the surface seen.
+    Failures come first, and at most six parts are drawn. The ring of a place that lies hidden behind
+    the surface seen is dashed.
     """
     from matplotlib.figure import Figure
 
@@ -65,6 +68,8 @@ def marked_parts(
 
 
 def _draw_part(axes: Axes, part: str, mesh: trimesh.Trimesh, found: list[Finding]) -> None:
+    from matplotlib.patches import Circle
+
     towards = _towards(mesh, np.array(found[0].place_mm))
     up = (0.0, 0.0, 1.0) if abs(towards[2]) < 0.95 else (0.0, 1.0, 0.0)
     camera = camera_axes(tuple(towards), up)
@@ -74,11 +79,13 @@ def _draw_part(axes: Axes, part: str, mesh: trimesh.Trimesh, found: list[Finding
     draw_axes_and_scale(axes, camera, image.extent_mm)
     lines = []
     for number, finding in enumerate(found, start=1):
-        x, y, _ = camera @ np.array(finding.place_mm)
+        x, y = (camera @ np.array(finding.place_mm))[:2]
         colour = _COLOURS[finding.status]
-        axes.plot(
-            x, y, "o", markersize=21, markerfacecolor="none", markeredgewidth=2.4, color=colour
-        )
+        hidden = _hidden(image, camera @ np.array(finding.place_mm))
+        style = (0, (2, 1.2)) if hidden else "solid"
+        size = 0.028 * (image.extent_mm[1] - image.extent_mm[0])
+        ring = Circle((x, y), size, fill=False, linewidth=2.4, linestyle=style, edgecolor=colour)
+        axes.add_patch(ring)
         axes.annotate(
             str(number), (x, y), ha="center", va="center", fontsize=11, color=colour, weight="bold"
         )
@@ -92,6 +99,15 @@ def _draw_part(axes: Axes, part: str, mesh: trimesh.Trimesh, found: list[Finding
     axes.text(
         0.0, -0.02, text, transform=axes.transAxes, va="top", fontsize=8.5, family="monospace"
     )
+
+
+def _hidden(image: DepthImage, seen_mm: np.ndarray) -> bool:
+    """Whether a place lies behind the surface that its pixel shows."""
+    left, right, bottom, top = image.extent_mm
+    rows, columns = image.depth_mm.shape
+    column = int((seen_mm[0] - left) / (right - left) * columns)
+    row = int((top - seen_mm[1]) / (top - bottom) * rows)
+    return bool(image.depth_mm[row, column] > seen_mm[2] + BEHIND_MM)
 
 
 def _towards(mesh: trimesh.Trimesh, place: np.ndarray) -> np.ndarray:

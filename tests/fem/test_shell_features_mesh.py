@@ -7,7 +7,10 @@ from numpy.testing import assert_allclose
 from design.spec_io import parse_spec
 from design.volumes import sealed_volume_mm3
 from fem.core_interface import touches_core
+from fem.mesh_quality import mesh_quality, require_quality
+from fem.response import build_response
 from fem.surfaces import sealed_body_surface
+from fem.tet_mesh import tetrahedralize
 
 KEYS = {"core": {"keys": {"positions_mm": [[11.0, 11.3], [-11.5, 11.0]], "size_mm": [2.0, 3.0]}}}
 SLITS = {"shell": {"slits": {"depth_mm": 3.0, "width_mm": 0.8}}}
@@ -31,3 +34,22 @@ def test_the_core_holds_the_silicone_at_its_keys():
     points = np.array([top, side, free])
     assert touches_core(points, parsed(KEYS)).tolist() == [True, True, False]
     assert touches_core(points, parsed({})).tolist() == [False, False, False]
+
+
+@pytest.mark.slow
+def test_slits_keep_a_press_off_the_neighbouring_face():
+    """Mean |motion| of face 3 under pressures on face 1, over that of face 1 itself.
+
+    Measured on this mesh: 0.27 without slits, 0.20 with slits 5 mm deep.
+    """
+    shares = []
+    for depth in (0.0, 5.0):
+        content = {"mesh": {"edge_mm": 6.0, "surface_edge_mm": 3.0}}
+        spec = parsed(content | {"shell": {"slits": {"depth_mm": depth}}})
+        mesh = tetrahedralize(spec)
+        require_quality(mesh_quality(mesh, spec))
+        response = build_response(mesh, spec)
+        own, other = response.face_loads(0), response.face_loads(2)
+        motion = abs(response.compliance[own])
+        shares.append(motion[:, other].mean() / motion[:, own].mean())
+    assert shares[1] < 0.85 * shares[0]
