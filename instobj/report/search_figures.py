@@ -63,7 +63,7 @@ def draw_front(history: History, path: Path) -> None:
     figure, axes = _figure((6.8, 5.2))
     pair, feasible = history.names[:2], history.values[history.feasible, :2]
     sign = np.array([-1.0 if name in OBJECTIVES_TO_MAXIMIZE else 1.0 for name in pair])
-    ahead = _front(sign * feasible)
+    ahead = pareto_front(sign * feasible)
     axes.plot(*feasible[~ahead].T, ".", color=_GREY, ms=5, label="trials within all limits")
     front = feasible[ahead][np.argsort(feasible[ahead, 0])]
     axes.step(*front.T, "o-", where="post", color=_BEST, lw=1.6, ms=6, label="Pareto front")
@@ -175,7 +175,7 @@ def _draw_arrows(axes: Any, before: np.ndarray, after: np.ndarray, colour: str) 
             axes.annotate("", after[j], before[i], arrowprops=arrow)
 
 
-def _front(values: Float[np.ndarray, "n 2"]) -> np.ndarray:
+def pareto_front(values: Float[np.ndarray, "n 2"]) -> np.ndarray:
     """Those that no other is better than or equal to in both (and better in one)."""
     no_worse = np.all(values[None] <= values[:, None], axis=2)
     better = np.any(values[None] < values[:, None], axis=2)
