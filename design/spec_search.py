@@ -76,12 +76,14 @@ class SearchLimitsSpec(SpecPart):
     between the recesses of two sensor boards; `wiring_mm` is the length of straight wires from a
     face's sensors to its centre; `parts_per_face` counts magnets and sensors; `cost` is that of all
     faces, in the unit of the prices. `times_start` says how many times the starting specification's
-    value a score may have at most (`sensitivity_ratio`: at least). Channels at rest must leave
+    value a score may have at most (`sensitivity_ratio`: at least). Channels at rest may
+    take `resting_share` of the range; on the upper rungs, pressed, they must leave
     `limits.saturation_margin` free.
     """
 
     pocket_gap_mm: NonNegative = 1.0
     board_gap_mm: NonNegative = 0.0
+    resting_share: Annotated[float, Field(gt=0, le=1)] = 0.5
     wiring_mm: Positive | None = None
     parts_per_face: Count | None = None
     cost: Positive | None = None

@@ -178,4 +178,4 @@ def _forget_undefined(point: Tensor) -> None:
 def _saturation(spec: ObjectSpec, counts: Float[Tensor, "layout"]) -> Float[Tensor, "layout"]:
     """Share by which channels at rest exceed what they may."""
     full = spec.sensors.range_mt * spec.sensors.counts_per_mt
-    return torch.relu(counts / (full * (1 - spec.limits.saturation_margin)) - 1)
+    return torch.relu(counts / (full * spec.search.limits.resting_share) - 1)

@@ -52,7 +52,7 @@ def draw_convergence(history: History, path: Path) -> None:
     axes.set(xscale="log", yscale="log", xlabel="layouts scored on the first rung")
     axes.set(ylabel=LABELS[name], title="Convergence on the first rung")
     _plain(axes.yaxis)
-    axes.legend(frameon=False, fontsize=9)
+    figure.legend(loc="outside lower center", ncols=4, frameon=False, fontsize=9)
     _save(figure, path)
 
 
@@ -72,7 +72,7 @@ def draw_front(history: History, path: Path) -> None:
     axes.set_title("What one objective costs in the other, first rung")
     _plain(axes.xaxis)
     _plain(axes.yaxis)
-    axes.legend(frameon=False, fontsize=9)
+    figure.legend(loc="outside lower center", ncols=4, frameon=False, fontsize=9)
     _save(figure, path)
 
 

@@ -125,8 +125,8 @@ def merit(search: SearchSpec, one: Climber, start: Climber, rung: str) -> float:
 
 
 def excess(search: SearchSpec, one: Climber, start: Climber, rung: str) -> float:
-    """Shares by which the limits of `times_start` are exceeded, summed."""
-    total = 0.0
+    """Shares by which the limits of `times_start` are exceeded and by which range is lacking."""
+    total = max(one.spec.limits.saturation_margin - one.rungs[rung].saturation_margin, 0.0)
     for name, factor in search.limits.times_start.items():
         most = 1 / factor if name in OBJECTIVES_TO_MAXIMIZE else factor
         total += max(_over_start(name, one, start, rung) / most - 1, 0.0)
