@@ -37,7 +37,8 @@ class MouldSpec(SpecPart):
 class PrinterSpec(SpecPart):
     """What the printer of core, mould and probes can make; figures left out are those of `name`.
 
-    Walls, features (pins, ribs) and holes below the given sizes fail, bosses more slender than
+    In a file, `printer = "profile.toml"` takes this table from another one beside it. Walls,
+    features (pins, ribs) and holes below the given sizes fail, bosses more slender than
     `aspect` (height over width) and walls with less draft than `draft_deg` are warned of.
     """
 

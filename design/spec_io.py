@@ -33,7 +33,7 @@ def load_spec(path: Path | str, overrides: Iterable[str] = (), table: bool = Tru
         path, "no specification at {}. `instobj new NAME` writes one to start from"
     )
     content = _with_tensile_data(with_overrides(content, overrides), path.parent)
-    content = _with_indenter_corners(content, path.parent)
+    content = _with_printer(_with_indenter_corners(content, path.parent), path.parent)
     content = _with_imported_body(content, path.parent)
     return parse_spec(_with_as_built(content, path), str(path), table)
 
@@ -118,6 +118,16 @@ def _with_tensile_data(content: dict[str, Any], folder: Path) -> dict[str, Any]:
         "youngs_modulus_range_mpa": modulus.range_mpa,
     }
     return content | {"silicone": figures | silicone}
+
+
+def _with_printer(content: dict[str, Any], folder: Path) -> dict[str, Any]:
+    """`printer = "file.toml"`, a profile beside the specification, read as the table [printer]."""
+    named = content.get("printer")
+    if not isinstance(named, str):
+        return content
+    missing = "no printer profile at {}. Mend the key printer, or give a table [printer]"
+    profile = _read_toml(folder / named, missing)
+    return content | {"printer": {"name": Path(named).stem} | profile}
 
 
 def _with_indenter_corners(content: dict[str, Any], folder: Path) -> dict[str, Any]:

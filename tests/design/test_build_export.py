@@ -3,6 +3,7 @@
 import json
 import subprocess
 import sys
+import time
 from dataclasses import replace
 from importlib.metadata import version
 from pathlib import Path
@@ -213,3 +214,11 @@ def test_light_modules_load_no_cad_kernel():
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "[]"
+
+
+@pytest.mark.slow
+def test_the_papers_cube_is_built_and_written_in_five_seconds(tmp_path):
+    build_object(PAPER, tmp_path / "warm")  # imports are not counted
+    started = time.process_time()
+    build_object(PAPER, tmp_path / "timed")
+    assert time.process_time() - started < 5

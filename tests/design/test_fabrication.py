@@ -1,5 +1,7 @@
 """Fabrication checks: faults built on purpose must be found, with value, limit and place."""
 
+import json
+
 import cadquery as cq
 import numpy as np
 import pytest
@@ -15,13 +17,14 @@ from design.checks_print import (
     check_walls,
 )
 from design.core import make_core
+from design.errors import InputError
 from design.fabrication import check_fabrication, check_solid, mesh_of
 from design.finding import at_least
 from design.mould import make_mould_box, make_mould_plug
 from design.parts import Part
 from design.shell import make_shell
 from design.solids import NotOneSolid, box_between
-from design.spec_io import parse_spec
+from design.spec_io import load_spec, parse_spec
 from design.split_mould import make_mould_half
 
 
@@ -183,6 +186,24 @@ def test_printers_limits():
         ("slenderness", "mould_box"),
     }
     assert all(f.status == "pass" for f in check_features(PAPER))
+
+
+def test_a_printers_profile_is_a_file_that_users_edit(tmp_path):
+    spec = tmp_path / "cube.toml"
+    spec.write_text('name = "cube"\nprinter = "bench.toml"\n')
+    with pytest.raises(InputError, match=r"no printer profile at .*bench\.toml"):
+        load_spec(spec)
+    profile = tmp_path / "bench.toml"
+    profile.write_text('name = "resin"\nwall_mm = 0.7\n')
+    printer = load_spec(spec).printer
+    assert (printer.name, printer.process, printer.wall_mm) == ("resin", "resin", 0.7)
+    profile.write_text("wall_mm = 0.7\n")
+    with pytest.raises(InputError, match="'bench' is not built in"):
+        load_spec(spec)
+    figures = parsed().printer.model_dump(exclude={"name"})
+    lines = [f"{key} = {json.dumps(value)}" for key, value in figures.items()]
+    profile.write_text("\n".join(lines))
+    assert load_spec(spec).printer.name == "bench"
 
 
 def test_platinum_silicone_on_resin_prints_is_warned_of():
