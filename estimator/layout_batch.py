@@ -9,7 +9,7 @@ import torch
 from jaxtyping import Float
 from torch import Tensor
 
-from design.pockets import magnet_bodies
+from design.pockets import magnet_bodies, sensor_places
 from design.spec import ObjectSpec
 
 
@@ -39,7 +39,8 @@ class Layouts:
 
 def layouts_of(spec: ObjectSpec, face: int, dtype: torch.dtype = torch.float32) -> Layouts:
     """The specification's own layout of one face, as a batch of one."""
-    bodies, places = magnet_bodies(spec)[face - 1], spec.sensors.places[face - 1]
+    index = spec.body.sensed.index(face)
+    bodies, places = magnet_bodies(spec)[index], sensor_places(spec)[index]
     tilts = spec.magnets.tilt_deg or ((0.0, 0.0),) * len(bodies)
     parts = (
         [body.centre_mm * [1, 1, -1] for body in bodies],

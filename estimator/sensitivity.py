@@ -60,9 +60,9 @@ class Sensitivity:
 
 
 def own_channels(signals: Signals, sensors: SensorSpec, face: int) -> Int[np.ndarray, "channel"]:
-    """Flat channel indices (sensor · 3 + axis) of a face's own sensors."""
+    """Flat channel indices (sensor · 3 + axis) of a face's own sensors, which run as the faces do."""
     count = 3 * sensors.count_per_face
-    return (int(face) - 1) * count + np.arange(count)
+    return int(np.flatnonzero(signals.faces == face)[0]) * count + np.arange(count)
 
 
 def channel_noise(sensors: SensorSpec, channels: int) -> Float[np.ndarray, "channel"]:
