@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from jaxtyping import Float, Int
+from jaxtyping import Bool, Float, Int
 
 from estimator.interpolation import Traces, counts_at_force, press_traces
 from estimator.signals import Signals
@@ -58,6 +58,11 @@ class PressStates:
         ]
         moved = np.stack([at, *beside, more, less])
         return self.rest + moved.reshape(7, len(force), *self.rest.shape)
+
+    def simulated(self, modulus_ratio: float) -> Bool[np.ndarray, "press"]:
+        """Which presses have all their states within the simulated depths (`motion` clamps)."""
+        reach = np.min([traces.force_n[:, -1] for traces in self.traces], axis=0)
+        return (1 + _FORCE_STEP) * self.force_n / modulus_ratio <= reach
 
     def differentiate(
         self, values: Float[np.ndarray, "7 press channel"]

@@ -124,13 +124,18 @@ def twin_bounds(
 ) -> dict[str, Float[np.ndarray, "object press"]]:
     """Bounds `position_mm` and `force_n` of the design, then of `twins` objects within tolerance.
 
-    Twins are drawn with the specification's seed; presses run face by face, forces as in `robustness`.
+    Twins are drawn with the specification's seed; presses run face by face, forces as in
+    `robustness`. NaN where softer silicone would be pressed deeper than was simulated.
     """
     setting, rng = _setting(spec, forces, motions), np.random.default_rng((spec.seed, 7))
     objects = [setting.design, *(draw(spec, setting.design, rng) for _ in range(twins))]
     found = [_outcome(setting, one) for one in objects]
+    valid = [
+        np.concatenate([s.simulated(o.modulus_ratio) for s in setting.states]) for o in objects
+    ]
     return {
-        name: np.stack([getattr(o, name) for o in found]) for name in ("position_mm", "force_n")
+        name: np.where(valid, [getattr(outcome, name) for outcome in found], np.nan)
+        for name in ("position_mm", "force_n")
     }
 
 

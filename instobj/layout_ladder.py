@@ -99,9 +99,9 @@ def _bounds_of_twins(spec: ObjectSpec, twins: int) -> dict[str, Float[np.ndarray
     bounds = twin_bounds(spec, *presses, twins)
     position, force = bounds["position_mm"], bounds["force_n"]
     return {
-        "worst_position_bound_mm": position.max(axis=1),
-        "median_position_bound_mm": np.median(position, axis=1),
-        "worst_force_bound_n": force.max(axis=1),
+        "worst_position_bound_mm": np.nanmax(position, axis=1),
+        "median_position_bound_mm": np.nanmedian(position, axis=1),
+        "worst_force_bound_n": np.nanmax(force, axis=1),
     }
 
 

@@ -186,3 +186,16 @@ def test_twins_are_the_design_first_then_seeded_draws_of_its_tolerances():
     perfect = spec.model_copy(update={"tolerances": spec.tolerances.model_copy(update=exact)})
     alike = twin_bounds(perfect, *presses, 2)["position_mm"]
     assert_allclose(alike[1:], alike[[0, 0]], rtol=1e-12)
+
+
+def test_a_twin_too_soft_for_the_simulated_depths_is_left_out_there():
+    sizes = {"tolerances": {"modulus_relative": 0.6}, "score": {"force_n": 60.0}}
+    spec = coarse_spec(contact_grid={"count": (2, 3), "pitch_mm": 4.0}, **sizes)
+    presses = synthetic_presses(spec)
+    found = twin_bounds(spec, *presses, 8)
+    left_out = np.isnan(found["force_n"])
+    assert not left_out[0].any()  # the design
+    assert left_out[1:].any()
+    assert not left_out[1:].all()
+    assert np.isfinite(found["force_n"][~left_out]).all()
+    assert (np.isnan(found["position_mm"]) == left_out).all()
