@@ -28,6 +28,10 @@ if TYPE_CHECKING:
 
 POUR_MM = 3.0
 CEILING_MM2 = 100.0
+NO_MOULD = (
+    "moulds are made for boxes that are open at the bottom alone: draw one for this body from shell.step "
+    "or shell.stl, or print the shell; nothing of casting was checked"
+)
 _UP = np.array([0.0, 0.0, -1.0])
 
 
@@ -42,8 +46,10 @@ class Draw:
 
 def check_casting(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> list[Finding]:
     """Draft and undercuts of every part that was built, the pour opening, trapped air."""
-    if spec.silicone.cure == "none" or not has_mould(spec):
+    if spec.silicone.cure == "none":
         return []
+    if not has_mould(spec):
+        return [Finding("mould", "shell", 0.0, 1.0, "moulds", "warn", NO_MOULD)]
     found = [_pour(spec)]
     for draw in draws(spec):
         if draw.part in meshes:

@@ -1,6 +1,7 @@
 """Fabrication checks: faults built on purpose must be found, with value, limit and place."""
 
 import json
+from pathlib import Path
 
 import cadquery as cq
 import numpy as np
@@ -33,6 +34,7 @@ def parsed(**content):
 
 
 PAPER = parsed()
+EXAMPLES = Path(__file__).parents[2] / "examples"
 KEYS = {"core": {"keys": {"positions_mm": [[11.4, 11.2]]}}}
 
 
@@ -163,6 +165,12 @@ def test_stiff_rubber_may_not_be_peeled():
     hook = found(check_casting(stiff, meshes_of(stiff)), "undercut", "mould_box")
     assert hook.status == "fail"
     assert not check_casting(parsed(silicone={"name": "TPU 85A"}), {})
+
+
+def test_bodies_without_a_mould_are_told_so():
+    lying = load_spec(EXAMPLES / "hall_skin.toml")
+    (told,) = check_casting(lying, {})
+    assert (told.check, told.status) == ("mould", "warn")
 
 
 def test_every_part_of_the_mould_is_drawn_once():
