@@ -37,9 +37,9 @@ def draw_variants(rows: list[dict[str, Any]], force_n: float, path: Path) -> Non
     axes.set(xscale="log", xlim=(1 / (1.1 * largest), 1.1 * largest), ylim=(len(rows) - 0.5, -0.5))
     axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
     axes.xaxis.set_minor_formatter(NullFormatter())
-    ticks = [
-        t for t in (0.1, 0.2, 0.3, 0.5, 0.7, 1, 1.5, 2, 3, 5, 10) if 1 / largest <= t <= largest
-    ]
+    every = (0.1, 0.2, 0.3, 0.5, 0.7, 0.8, 0.9, 1, 1.1, 1.25, 1.5, 2, 3, 5, 10)
+    near = (0.8, 0.9, 1.1, 1.25)
+    ticks = [t for t in every if 1 / largest <= t <= largest and (largest < 1.7 or t not in near)]
     axes.set_xticks(ticks)
     axes.set_yticks(range(len(rows)), [_label(row) for row in rows])
     axes.grid(axis="x", alpha=0.3)
