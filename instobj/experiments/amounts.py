@@ -129,7 +129,7 @@ def seen_places(frames: FrameSet) -> np.ndarray:
 
 def _place_row(
     model: FaceModel, tested: FrameSet, span: ForceReference, recorded: SimulatedObject
-) -> tuple[dict[str, float], np.ndarray]:
+) -> tuple[dict[str, float | None], np.ndarray]:
     """Metrics with the estimated place's distance, and that distance as a map (px)."""
     from estimator.metrics import face_metrics
 

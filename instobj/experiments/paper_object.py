@@ -52,7 +52,11 @@ _QUICK: dict[str, Any] = {
     "training.epochs": 12,
     "training.hidden_units": [64, 64],
 }
-_VERSION = 1
+_MANY_FRAMES = 10_000
+_LITTLE_OFFSET_COUNTS, _LITTLE_NOISE = 3.0, 0.4
+"""Disturbances added to training frames where there are many, which hold noise of their own: on
+21 000 frames of the paper's cube E_f falls from 8.4 to 7.2 % (usual ones, 10 counts and 1 σ)."""
+_VERSION = 2
 
 
 @dataclass(frozen=True)
@@ -141,6 +145,7 @@ def fitted(
     """
     from estimator.face_model import load_model, save_model
     from estimator.training import FitSettings, fit_estimator
+    from estimator.training_data import Augmentation
 
     settings = recorded.spec.training.model_validate(recorded.spec.training.model_dump() | training)
 
@@ -148,7 +153,9 @@ def fitted(
         import torch
 
         torch.set_num_threads(1)  # a second thread gains nothing on networks this small
-        fit = FitSettings(face, settings, recorded.spec.seed)
+        many = len(parts[0]) > _MANY_FRAMES and settings.model == "compact"
+        little = Augmentation(_LITTLE_OFFSET_COUNTS, _LITTLE_NOISE) if many else None
+        fit = FitSettings(face, settings, recorded.spec.seed, little)
         save_model(fit_estimator(*parts, fit, start), folder / "model.safetensors")
 
     inputs = {
@@ -194,18 +201,19 @@ def fitted_to_split(
     return model, validation, test
 
 
-def metric_row(metrics: FaceMetrics) -> dict[str, float]:
-    """The paper's four metrics and the total force, as columns of a table."""
-    return {
-        "A_sim": round(metrics.similarity, 4),
-        "E_loc px": round(metrics.location_error_px, 4),
-        "E_loc x px": round(metrics.location_error_x_px, 4),
-        "E_loc y px": round(metrics.location_error_y_px, 4),
-        "E_f %": round(metrics.force_error_percent, 3),
-        "E_f N": round(metrics.force_error_n, 4),
-        "total force %": round(metrics.total_force_error_percent, 3),
-        "A_non": round(metrics.non_contact_accuracy, 4),
+def metric_row(metrics: FaceMetrics) -> dict[str, float | None]:
+    """The paper's four metrics and the total force, as columns of a table; None where undefined."""
+    columns = {
+        "A_sim": metrics.similarity,
+        "E_loc px": metrics.location_error_px,
+        "E_loc x px": metrics.location_error_x_px,
+        "E_loc y px": metrics.location_error_y_px,
+        "E_f %": metrics.force_error_percent,
+        "E_f N": metrics.force_error_n,
+        "total force %": metrics.total_force_error_percent,
+        "A_non": metrics.non_contact_accuracy,
     }
+    return {name: None if value != value else round(value, 4) for name, value in columns.items()}
 
 
 def predict_face(model: FaceModel, frames: FrameSet) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

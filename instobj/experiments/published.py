@@ -34,7 +34,7 @@ LEAST_TRAINING_FRAMES = 2683
 """Down to this many training frames, 1/32 of all, the paper's performance held."""
 
 
-def beside(ours: dict[str, float], published: dict[str, float]) -> dict[str, float | None]:
+def beside(ours: dict[str, float | None], published: dict[str, float]) -> dict[str, float | None]:
     """Our columns, each followed by the published one where there is one."""
     row: dict[str, float | None] = {}
     for name, value in ours.items():
