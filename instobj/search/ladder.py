@@ -8,14 +8,15 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterator
+from contextlib import AbstractContextManager, ExitStack, contextmanager
 from dataclasses import asdict, dataclass
-from itertools import groupby
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from optuna.trial import FrozenTrial
 
+from design.errors import InputError
 from design.files import atomic_path
 from design.search_space import SearchSpace, unit_of, with_layout
 from design.search_structure import structure_choices
@@ -24,7 +25,7 @@ from design.spec_io import spec_hash
 from design.spec_search import OBJECTIVES_TO_MAXIMIZE, SearchSpec
 from estimator.layout_ladder import SCORE_NAMES, LadderScore, rank_correlations, rung_one
 from estimator.layout_scoring import LayoutScorer
-from instobj.layout_ladder import TwinRatio, chain_score, plain_shell, twin_ratios
+from instobj.layout_ladder import PlainShell, TwinRatio, chain_score, plain_shell, twin_ratios
 from instobj.search.first_rung import cost, scorers
 from instobj.search.loop import is_feasible
 from instobj.search.study import KeptStudy
@@ -81,12 +82,18 @@ def climb(space: SearchSpace, kept: KeptStudy, folder: Path, say: Say) -> Climb 
         Climber(f"trial {trial.number}", trial.number, with_layout(space.spec, trial.params), {})
         for trial in chosen
     ]
-    everyone = [start, *named]
-    _score(everyone, FIRST, _on_first_rung, memo, say)
-    _score(everyone, SECOND, _on_second_rung, memo, say)
-    ranked = sorted(named, key=lambda one: merit(search, one, start, SECOND))
-    finalists = ranked[: search.finalists]
-    _score([start, *finalists], LAST, _on_last_rung, memo, say)
+    everyone = _score([start, *named], FIRST, _first_rung, memo, say)
+    everyone = _score(everyone, SECOND, _second_rung, memo, say)
+    ranked = sorted(everyone[1:], key=lambda one: merit(search, one, start, SECOND))
+    finalists: list[Climber] = []
+    for one in ranked:
+        if len(finalists) < search.finalists:
+            finalists += _score([start, one], LAST, _last_rung, memo, say)[1:]
+    if not finalists:
+        raise InputError(
+            "no leader could be scored on the upper rungs: see the reasons above. Raise search.leaders and "
+            "go on with --resume"
+        )
     finalists.sort(key=lambda one: merit(search, one, start, LAST))
     correlations = {
         FIRST: _correlations(everyone, FIRST, SECOND),
@@ -152,22 +159,32 @@ def _correlations(climbers: list[Climber], lower: str, upper: str) -> dict[str, 
     return rank_correlations(*([one.rungs[rung] for one in climbers] for rung in (lower, upper)))
 
 
-Scores = Callable[[list[ObjectSpec]], Iterator[LadderScore]]
+Scoring = Callable[[], AbstractContextManager[Callable[[ObjectSpec], LadderScore]]]
 
 
-def _score(climbers: list[Climber], rung: str, scores: Scores, memo: Path, say: Say) -> None:
-    """Fill in a rung, from the file or anew."""
+def _score(
+    climbers: list[Climber], rung: str, scoring: Scoring, memo: Path, say: Say
+) -> list[Climber]:
+    """Fill in a rung, from the file or anew; layouts that cannot be scored fall out, with a reason."""
     known = json.loads(memo.read_text(encoding="utf-8")) if memo.is_file() else {}
-    keys = [f"{rung} {spec_hash(one.spec)}" for one in climbers]
-    missing = [k for k, key in enumerate(keys) if key not in known]
-    found = scores([climbers[k].spec for k in missing])
-    for done, k in enumerate(missing):
-        say(f"rung {rung}: {climbers[k].label}, {done + 1} of {len(missing)}")
-        known[keys[k]] = asdict(next(found))
-        with atomic_path(memo) as temporary:
-            temporary.write_text(json.dumps(known, indent=1), encoding="utf-8")
-    for one, key in zip(climbers, keys, strict=True):
-        one.rungs[rung] = LadderScore(**{name: known[key][name] for name in SCORE_NAMES})
+    left: list[Climber] = []
+    with scoring() as score:
+        for one in climbers:
+            key = f"{rung} {spec_hash(one.spec)}"
+            if key not in known:
+                say(f"rung {rung}: {one.label} of {len(climbers) - 1}")
+                try:
+                    known[key] = asdict(score(one.spec))
+                except (ValueError, ArithmeticError) as error:
+                    if one.trial is None:
+                        raise
+                    say(f"rung {rung}: {one.label} falls out: {error}")
+                    continue
+                with atomic_path(memo) as temporary:
+                    temporary.write_text(json.dumps(known, indent=1), encoding="utf-8")
+            one.rungs[rung] = LadderScore(**{name: known[key][name] for name in SCORE_NAMES})
+            left.append(one)
+    return left
 
 
 _SCORER = ("magnet_part", "sensor_chip", "sensor_turn_deg", "sensor_range_mt")
@@ -180,24 +197,36 @@ def _alike(spec: ObjectSpec, names: tuple[str, ...]) -> tuple[Any, ...]:
     return tuple(choices[name] for name in names)
 
 
-def _on_first_rung(specs: list[ObjectSpec]) -> Iterator[LadderScore]:
+@contextmanager
+def _first_rung() -> Iterator[Callable[[ObjectSpec], LadderScore]]:
     found: dict[tuple[Any, ...], tuple[LayoutScorer, ...]] = {}
-    for spec in specs:
+
+    def score(spec: ObjectSpec) -> LadderScore:
         key = _alike(spec, _SCORER + _SHELL)
         if key not in found:
             found[key] = scorers(spec, _FACES)
-        yield rung_one(spec, found[key])
+        return rung_one(spec, found[key])
+
+    yield score
 
 
-def _on_second_rung(specs: list[ObjectSpec]) -> Iterator[LadderScore]:
+@contextmanager
+def _second_rung() -> Iterator[Callable[[ObjectSpec], LadderScore]]:
     """One factorization for all layouts of a shell that follow each other."""
-    for _, group in groupby(specs, key=lambda spec: _alike(spec, _SHELL)):
-        alike = list(group)
-        with plain_shell(alike[0]) as shell:
-            for spec in alike:
-                yield shell.score(spec)
+    with ExitStack() as stack:
+        held: dict[tuple[Any, ...], PlainShell] = {}
+
+        def score(spec: ObjectSpec) -> LadderScore:
+            key = _alike(spec, _SHELL)
+            if key not in held:
+                stack.close()
+                held.clear()
+                held[key] = stack.enter_context(plain_shell(spec))
+            return held[key].score(spec)
+
+        yield score
 
 
-def _on_last_rung(specs: list[ObjectSpec]) -> Iterator[LadderScore]:
-    for spec in specs:
-        yield chain_score(spec)
+@contextmanager
+def _last_rung() -> Iterator[Callable[[ObjectSpec], LadderScore]]:
+    yield chain_score
