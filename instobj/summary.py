@@ -37,6 +37,7 @@ def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) 
         ("collection", "simulated recordings", _json("frames.json")),
         ("pulled_collection", "simulated recordings", _json("frames.json")),
         ("metrics", "metrics on held-out presses (frames of contact and of rest)", _metrics),
+        ("metrics", "intervals on held-out presses (medians of widths; presses)", _intervals),
     )
     made = {
         title: _finite(make(results[stage])) for stage, title, make in makers if stage in results
@@ -183,6 +184,23 @@ def _metrics(result: StoredResult) -> list[dict[str, Any]]:
         for face in content[key]
     ]
     return sorted(rows, key=lambda row: row["face"])
+
+
+def _intervals(result: StoredResult) -> list[dict[str, Any]]:
+    content = json.loads((result.folder / "metrics.json").read_text(encoding="utf-8"))
+    return [
+        {
+            "face": row["face"],
+            "wanted": row["wanted_cover"],
+            "force covered": row["force_cover"],
+            "place covered": row["position_cover"],
+            "± N": row["median_force_halfwidth_n"],
+            "radius mm": row["median_position_radius_mm"],
+            "calibrated on": row["calibration_presses"],
+            "tested on": row["tested_presses"],
+        }
+        for row in content["intervals"]
+    ]
 
 
 def _finite(values: Any) -> Any:

@@ -20,6 +20,7 @@ from instobj.experiments.paper_object import (
 )
 from instobj.experiments.published import TABLE_III, beside
 from instobj.experiments.registry import Study
+from instobj.experiments.slipped import SHOWN
 
 if TYPE_CHECKING:
     from design.spec import ObjectSpec
@@ -71,7 +72,8 @@ def run_swap(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]:
             for name, reads in MODELS.items():
                 model, reference = _fitted(recorded, face, name)
                 label = {"arrangement": title, "face": face, "reads": reads}
-                rows.append(label | _judged(model, grasps, reference))
+                judged = _judged(model, grasps, reference)
+                rows.append(label | {name: judged[name] for name in SHOWN})
     _draw_swap(rows, folder / "swap-magnets-and-sensors.png")
     texts = [
         SIMULATED,
@@ -101,7 +103,7 @@ def _fitted(recorded: SimulatedObject, face: int, name: str) -> tuple[FaceModel,
     return model, force_reference(face_data(frames, face).heatmap_n)
 
 
-def _judged(model: FaceModel, grasps: FrameSet, reference: ForceReference) -> dict[str, float]:
+def _judged(model: FaceModel, grasps: FrameSet, reference: ForceReference) -> dict[str, float | None]:
     from estimator.metrics import face_metrics
 
     predicted, true, rest = predict_face(model, grasps)

@@ -28,6 +28,7 @@ if TYPE_CHECKING:
 
 SLIP_MM = (0.7, -0.5, 0.5)
 """1 mm, along no axis."""
+SHOWN = ("A_sim", "E_loc px", "E_f %", "total force %", "A_non")
 _TRAINED_SLIP_MM = 0.6
 _UNIT_MM = 0.5
 _AIM_PERCENT = 15.0
@@ -132,11 +133,12 @@ def _models(
     return [(name, model, reference) for name, model in models.items()]
 
 
-def _judged(model: FaceModel, frames: FrameSet, reference: ForceReference) -> dict[str, float]:
+def _judged(model: FaceModel, frames: FrameSet, reference: ForceReference) -> dict[str, float | None]:
     from estimator.metrics import face_metrics
 
     predicted, true, rest = predict_face(model, frames)
-    return metric_row(face_metrics(model.face, predicted, true, reference, rest))
+    row = metric_row(face_metrics(model.face, predicted, true, reference, rest))
+    return {name: row[name] for name in SHOWN}
 
 
 def _draw(rows: list[dict[str, Any]], objects: list[str], path: Path) -> None:
