@@ -100,7 +100,7 @@ def run_seen_unseen(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, An
             rows.append({"model": name, "places": places} | beside(row, TABLE_II[places]))
             if places == "unseen":
                 maps[f"{name}: distance (px)"] = errors
-    draw_maps(maps, folder / "unseen-places.png")
+    draw_maps(maps, folder / "unseen-places.png", alike=True)
     draw_bars(
         [row | {"test": f"{row['places']}, {row['model']}"} for row in rows],
         "test",

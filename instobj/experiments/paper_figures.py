@@ -62,23 +62,30 @@ def draw_histograms(errors: dict[str, ContactErrors], path: Path) -> None:
 
 
 def draw_maps(
-    maps: dict[str, Float[np.ndarray, "nx ny"]], path: Path, logarithmic: tuple[str, ...] = ()
+    maps: dict[str, Float[np.ndarray, "nx ny"]],
+    path: Path,
+    logarithmic: tuple[str, ...] = (),
+    alike: bool = False,
 ) -> None:
-    """Maps over a face's pixels, x to the right and y up; `logarithmic` names those by decades."""
+    """Maps over a face's pixels, x to the right and y up; `logarithmic` names those by decades.
+
+    `alike` gives all one scale of colours.
+    """
     from matplotlib.colors import LogNorm
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(3.5 * len(maps), 3.4), layout="constrained")
+    every = np.concatenate([values.ravel() for values in maps.values()])
+    limits = {"vmin": float(np.nanmin(every)), "vmax": float(np.nanmax(every))} if alike else {}
     for axes, (title, values) in zip(
         figure.subplots(1, len(maps), squeeze=False)[0], maps.items(), strict=True
     ):
         norm = LogNorm() if title in logarithmic and np.nanmin(values) > 0 else None
-        image = axes.imshow(values.T, origin="lower", cmap="viridis", norm=norm)
+        image = axes.imshow(values.T, origin="lower", cmap="viridis", norm=norm, **limits)
         axes.set(title=title, xlabel="X (pixel)", ylabel="Y (pixel)")
         bar = figure.colorbar(image, ax=axes, shrink=0.8)
         if norm is not None:
-            bar.ax.yaxis.set_major_formatter("{x:.3g}")
-            bar.ax.yaxis.set_minor_formatter("{x:.3g}")
+            _few_ticks(bar.ax.yaxis)
     save(figure, path)
 
 
@@ -123,7 +130,18 @@ def draw_scatter(panels: list[tuple[str, str, np.ndarray, np.ndarray, float]], p
         axes.loglog(x[kept], y[kept], "o", ms=4, color=_COLOURS[0], alpha=0.7)
         axes.set(xlabel=x_label, ylabel=y_label, title=f"rank correlation {rank:.2f}")
         axes.grid(alpha=0.3)
+        for axis in (axes.xaxis, axes.yaxis):
+            _few_ticks(axis)
     save(figure, path)
+
+
+def _few_ticks(axis: Any) -> None:
+    """1, 2 and 5 of every decade, as plain numbers."""
+    from matplotlib.ticker import LogLocator, NullLocator
+
+    axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+    axis.set_minor_locator(NullLocator())
+    axis.set_major_formatter("{x:.3g}")
 
 
 def save(figure: Any, path: Path) -> None:
