@@ -129,9 +129,9 @@ def _dome(spec: ObjectSpec, number: int, inward_mm: float) -> FaceFrame:
     radius = spec.body.size_mm[0] / 2 - inward_mm
     normal, x, y = _axes(number)
     centre = sphere_centre_mm(spec) + radius * normal
-    extents = (_reach(radius, radius),) * 2
+    reach = _reach(radius, radius)
     relief = Cap((radius, radius, radius))
-    return FaceFrame(number, normal, x, y, centre, extents, relief, round=True)
+    return FaceFrame(number, normal, x, y, centre, (reach, reach), relief, round=True)
 
 
 def _equator(spec: ObjectSpec) -> FaceFrame:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TypeVar, cast
 
 import cadquery as cq
 import numpy as np
@@ -14,6 +15,7 @@ from design.solids import OVERSHOOT_MM, box_between
 from design.spec import ObjectSpec
 
 _Z = cq.Vector(0, 0, 1)
+Solid = TypeVar("Solid", cq.Solid, cq.Solid | None)
 
 
 def outer_solid(spec: ObjectSpec) -> cq.Solid:
@@ -52,12 +54,12 @@ def core_hollow(spec: ObjectSpec) -> list[cq.Solid]:
         bottom = -core_half_mm(spec)[2] - OVERSHOOT_MM
         return [_cylinder_between(float(half[0]), float(bottom), float(half[2]))]
     bore = min(spec.body.bore_mm / 2, float(half[0]) * 0.9)
-    return [_sphere_at(float(half[0]), np.zeros(3)).fuse(_cylinder_between(bore, low, 0.0)).Solids()[0]]
+    return [
+        _sphere_at(float(half[0]), np.zeros(3)).fuse(_cylinder_between(bore, low, 0.0)).Solids()[0]
+    ]
 
 
-def _exact(
-    kinds: dict[str, Callable[..., cq.Solid]], spec: ObjectSpec
-) -> Callable[..., cq.Solid]:
+def _exact(kinds: dict[str, Callable[..., Solid]], spec: ObjectSpec) -> Callable[..., Solid]:
     if spec.body.kind not in kinds:
         raise InputError(
             f"a body of kind {spec.body.kind!r} is known by its triangles and has no exact solid. Use "
@@ -71,11 +73,12 @@ def _cylinder_between(radius_mm: float, low_mm: float, high_mm: float) -> cq.Sol
 
 
 def _sphere_at(radius_mm: float, centre_mm: np.ndarray) -> cq.Solid:
-    return cq.Solid.makeSphere(radius_mm, cq.Vector(*centre_mm), _Z, -90, 90, 360)
+    return cast(cq.Solid, cq.Solid.makeSphere(radius_mm, cq.Vector(*centre_mm), _Z, -90, 90, 360))
 
 
 def _upper_half(spec: ObjectSpec, radius_mm: float) -> cq.Solid:
-    return cq.Solid.makeSphere(radius_mm, cq.Vector(*sphere_centre_mm(spec)), _Z, 0, 90, 360)
+    centre = cq.Vector(*sphere_centre_mm(spec))
+    return cast(cq.Solid, cq.Solid.makeSphere(radius_mm, centre, _Z, 0, 90, 360))
 
 
 def _box(spec: ObjectSpec) -> cq.Solid:

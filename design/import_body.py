@@ -124,7 +124,7 @@ def _require_simple(surface: trimesh.Trimesh, path: Path) -> None:
     """Refuse a surface that overlaps itself: parts of its volume then count twice."""
     import pyvista
 
-    points = np.random.default_rng(1).uniform(*surface.bounds, (_SAMPLES, 3))
+    points = np.random.default_rng(1).uniform(surface.bounds[0], surface.bounds[1], (_SAMPLES, 3))
     polydata = pyvista.PolyData.from_regular_faces(surface.vertices, surface.faces)
     cloud = pyvista.PolyData(points).compute_implicit_distance(polydata)
     inside = float(np.mean(np.asarray(cloud["implicit_distance"]) < 0))

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from jaxtyping import Float
@@ -173,7 +173,7 @@ def _core(body: BodySpec, envelope_mm: float, thickness_mm: float) -> trimesh.Tr
     grid = pyvista.ImageData(dimensions=count, spacing=(step,) * 3, origin=tuple(points[0]))
     distance = _field(body, envelope_mm).at(points).reshape(count)
     grid["distance"] = distance.ravel(order="F")
-    found = grid.contour([-thickness_mm], scalars="distance", method="flying_edges")
+    found: Any = grid.contour([-thickness_mm], scalars="distance", method="flying_edges")
     if not found.n_points:
         raise InputError(_no_core(body, thickness_mm))
     found = found.triangulate().clean()
@@ -232,7 +232,7 @@ def _frame(body: BodySpec, envelope_mm: float, number: int, inward_mm: float) ->
         )
     middle = height[len(nodes[0]) // 2, len(nodes[1]) // 2]
     filled = _filled(height)
-    spline = RectBivariateSpline(*nodes, filled - middle, s=0)
+    spline = RectBivariateSpline(nodes[0], nodes[1], filled - middle, s=0)
     extents = (share * float(nodes[0][-1]), share * float(nodes[1][-1]))
     centre = (top + middle) * normal
     return FaceFrame(
@@ -274,5 +274,5 @@ def _filled(height: np.ndarray) -> np.ndarray:
     from scipy.ndimage import distance_transform_edt
 
     missing = ~np.isfinite(height)
-    nearest = distance_transform_edt(missing, return_distances=False, return_indices=True)
+    nearest: Any = distance_transform_edt(missing, return_distances=False, return_indices=True)
     return height[tuple(nearest)]

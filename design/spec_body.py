@@ -54,6 +54,9 @@ class BodySpec(SpecPart):
     bore_mm: Positive = 10.0
     file: str | None = None
 
+    def __hash__(self) -> int:
+        return hash(self.model_dump_json())
+
     @property
     def opened(self) -> tuple[int, ...]:
         """`open_faces` where the body has faces that can be open, else none."""

@@ -160,7 +160,7 @@ def _press_each(
     for place, centre in enumerate(xy_mm):
         for steps in together:
             spread = spread_cells(face, moved(tip.patches, centre + sideways[steps[0]]), centre)
-            require_on_patch(tip, spread, depths_mm[steps[-1]])
+            require_on_patch(tip, spread, float(depths_mm[steps[-1]]))
             pressure = contact_pressures(
                 place_compliance(spread, near),
                 resting_gap_mm(tip, spread) * tip.patches.area_mm2,
