@@ -103,7 +103,9 @@ def _fitted(recorded: SimulatedObject, face: int, name: str) -> tuple[FaceModel,
     return model, force_reference(face_data(frames, face).heatmap_n)
 
 
-def _judged(model: FaceModel, grasps: FrameSet, reference: ForceReference) -> dict[str, float | None]:
+def _judged(
+    model: FaceModel, grasps: FrameSet, reference: ForceReference
+) -> dict[str, float | None]:
     from estimator.metrics import face_metrics
 
     predicted, true, rest = predict_face(model, grasps)

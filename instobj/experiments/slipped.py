@@ -133,7 +133,9 @@ def _models(
     return [(name, model, reference) for name, model in models.items()]
 
 
-def _judged(model: FaceModel, frames: FrameSet, reference: ForceReference) -> dict[str, float | None]:
+def _judged(
+    model: FaceModel, frames: FrameSet, reference: ForceReference
+) -> dict[str, float | None]:
     from estimator.metrics import face_metrics
 
     predicted, true, rest = predict_face(model, frames)
