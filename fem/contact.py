@@ -14,6 +14,8 @@ import scipy.linalg
 from jaxtyping import Bool, Float
 from scipy.optimize import nnls
 
+from design.errors import InputError
+
 _MAX_SWITCHES = 25
 _TOLERANCE = 1e-10
 _TOUCHES_BELOW = 0.6
@@ -33,13 +35,24 @@ def contact_pressures(
     compliance : ∫ φ_i u_n dA for unit φ_j, mm³/MPa
     profile_moments : ∫ φ_i profile dA, mm³, the tip's surface above its lowest point
     weights : ∫ φ_i dA, mm²
+
+    Raises
+    ------
+    InputError
+        A compliance that is not positive definite.
     """
     pressures = np.zeros((len(depths_mm), len(weights)))
     active = np.zeros(len(weights), bool)
     for step, depth in enumerate(depths_mm):
         gap = profile_moments - depth * weights
         guess = active | (profile_moments < _TOUCHES_BELOW * depth * weights)
-        pressures[step], active = _solve_complementarity(compliance, gap, guess)
+        try:
+            pressures[step], active = _solve_complementarity(compliance, gap, guess)
+        except np.linalg.LinAlgError as error:
+            raise InputError(
+                "contact cannot be solved: the face's compliance is not positive definite under the "
+                "indenter. Use smaller mesh.surface_edge_mm, or magnets further below the surface"
+            ) from error
     return pressures
 
 

@@ -14,6 +14,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 
+from design.errors import InputError
 from fem import contact
 from fem.contact import contact_pressures
 from fem.indenter import hemisphere_profile_mm
@@ -114,3 +115,9 @@ def test_bonded_incompressible_layer():
     force = forces_on_quarter_block(0.5, 5.0, depths, plan, np.linspace(0, 8, 6), 4.9)
     assert_allclose(force[:2], dimitriadis_force_n(depths[:2], 5.0, 8.0), rtol=0.025)
     assert_allclose(force[1:], [1.69, 5.5], rtol=0.015)  # axisymmetric Taylor–Hood
+
+
+def test_a_compliance_that_is_not_positive_definite_is_told():
+    indefinite = np.array([[1.0, 2.0], [2.0, 1.0]])
+    with pytest.raises(InputError, match="smaller mesh.surface_edge_mm"):
+        contact_pressures(indefinite, np.zeros(2), np.ones(2), np.array([0.5]))
