@@ -55,7 +55,7 @@ def signals():
 
 @pytest.fixture(scope="module")
 def mechanics():
-    return JointMechanics(half_space_response(spec_of()))
+    return JointMechanics(half_space_response(spec_of(), 15))
 
 
 @pytest.fixture(scope="module")
