@@ -162,9 +162,9 @@ class TrainingSpec(SpecPart):
     regression. `output`: a "heatmap" of any number of contacts, or the "position" of one contact,
     which places that training never saw need (compact and whole-object only). `heatmap_axes`: 1
     for the normal force, 3 for Fx, Fy, Fz. With `history_frames` the estimator also reads the change
-    over so many frames, which tells loading from unloading (hysteresis of the silicone). `members`: networks that are averaged, each stopped and
-    calibrated by its own fold of the presses. Intervals cover the share `interval_cover`.
-    `twins`: simulated objects that `instobj pretrain` draws within `[tolerances]`.
+    over so many frames, which tells loading from unloading (hysteresis of the silicone). `members`:
+    networks that are averaged, each stopped and calibrated by its own fold of the presses. Intervals
+    cover the share `interval_cover`. `twins`: simulated objects that `instobj pretrain` draws within `[tolerances]`.
     """
 
     model: Literal["compact", "whole-object", "paper", "linear"] = "compact"
