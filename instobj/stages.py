@@ -214,7 +214,7 @@ STAGES: dict[str, Stage] = {
         ("presses",),
         (
             *("magnets", "sensors", "arrangement", "environment", "as_built", "tolerances"),
-            *("protocol", "training", "seed"),
+            *("protocol", "silicone.prony", "training", "seed"),
         ),
         make_pretraining,
     ),

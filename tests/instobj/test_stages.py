@@ -23,7 +23,11 @@ DOWNSTREAM = {
     "silicone.youngs_modulus_mpa=0.3": {"plain_response", "response", "coarse_response"},
     "silicone.density_g_per_cm3=1.1": {"report"},
     "silicone.youngs_modulus_range_mpa=[0.3, 0.5]": {"report"},
-    "silicone.prony=[{fraction = 0.1, time_s = 2.0}]": {"frames", "collection", "pulled_collection"},
+    "silicone.prony=[{fraction = 0.1, time_s = 2.0}]": {
+        "frames",
+        "collection",
+        "pulled_collection",
+    },
     "silicone.shore=A12": {"plain_response", "response", "coarse_response", "report"},
     "mechanics.element=p2-p0": {"plain_response", "response", "coarse_response"},
     "mechanics.magnets=points": {"response", "coarse_response"},
@@ -147,6 +151,10 @@ for _override in (
 for _override, _stages in DOWNSTREAM.items():
     if "build" in _stages or _override.startswith("silicone."):
         DOWNSTREAM[_override] = _stages | {"fabrication", "sheet"}
+for _override, _stages in DOWNSTREAM.items():
+    trains_on = _override.startswith(("protocol.", "training.", "silicone.prony"))
+    if trains_on or ("robustness" in _stages and not _override.startswith("score.")):
+        DOWNSTREAM[_override] = _stages | {"pretraining"}
 DOWNSTREAM["mechanics.correction=large-strain"] = {"large_strain"}
 
 
