@@ -40,9 +40,12 @@ def core_solid(spec: ObjectSpec) -> cq.Solid:
 
 
 def core_hollow(spec: ObjectSpec) -> list[cq.Solid]:
-    """The core's own cavity, one core wall inside it and open towards −z, where there is room."""
+    """The core's own cavity, one core wall inside it and open towards −z, where there is room.
+
+    A core without an open face 6 is solid, or silicone would run into it.
+    """
     wall, low = spec.core.wall_mm, -spec.body.size_mm[2] / 2
-    if spec.body.kind in ("pad", "dome"):
+    if 6 not in spec.body.opened:
         return []
     half = core_half_mm(spec) - wall
     if half.min() <= 0:

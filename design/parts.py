@@ -54,9 +54,16 @@ def parts_of(spec: ObjectSpec) -> tuple[Part, ...]:
         Part("shell", partial(make_shell, spec), "silicone"),
         *_mould(spec),
         *probes,
-        Part("jig", partial(make_jig, spec)),
+        *_jig(spec),
         *_templates(spec),
     )
+
+
+def _jig(spec: ObjectSpec) -> list[Part]:
+    """None for a closed box: the jig's post reaches into the core's cavity."""
+    if spec.body.kind == "box" and 6 not in spec.body.opened:
+        return []
+    return [Part("jig", partial(make_jig, spec))]
 
 
 def _mould(spec: ObjectSpec) -> list[Part]:

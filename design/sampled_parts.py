@@ -54,7 +54,7 @@ def sampled_core_part(spec: ObjectSpec) -> trimesh.Trimesh:
         removed += [_recess(spec, frame, place) for place in places]
         removed.append(_wire_hole(spec, frame))
     wall = spec.core.wall_mm
-    if core_half_mm(spec).min() - wall > _LEAST_HOLLOW_MM:
+    if 6 in spec.body.opened and core_half_mm(spec).min() - wall > _LEAST_HOLLOW_MM:
         shell = spec.shell.model_copy(update={"thickness_mm": spec.shell.thickness_mm + wall})
         removed.append(with_bore(spec, sampled_core(spec.model_copy(update={"shell": shell}))))
     return _one(sampled_core(spec), removed, "core")
