@@ -164,7 +164,8 @@ class TrainingSpec(SpecPart):
     for the normal force, 3 for Fx, Fy, Fz. With `history_frames` the estimator also reads the change
     over so many frames, which tells loading from unloading (hysteresis of the silicone). `members`:
     networks that are averaged, each stopped and calibrated by its own fold of the presses. Intervals
-    cover the share `interval_cover`. `twins`: simulated objects that `instobj pretrain` draws within `[tolerances]`.
+    cover the share `interval_cover`. `twins`: simulated objects that `instobj pretrain` draws within
+    `[tolerances]`.
     """
 
     model: Literal["compact", "whole-object", "paper", "linear"] = "compact"
