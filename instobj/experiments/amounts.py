@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from estimator.splits import split_paper_random_frames
 from instobj.experiments.paper_figures import draw_bars, draw_lines, draw_maps
 from instobj.experiments.paper_object import (
     SIMULATED,
@@ -16,7 +17,6 @@ from instobj.experiments.paper_object import (
     metric_row,
     predict_face,
     pretrained,
-    random_split,
     simulated_object,
 )
 from instobj.experiments.published import LEAST_TRAINING_FRAMES, TABLE_II, beside
@@ -41,7 +41,7 @@ def run_data_amount(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, An
     face = recorded.spec.collection.faces[0]
     frames = recorded.collect(faces=[face])
     span = force_reference(face_data(frames, face).heatmap_n)
-    split = random_split(frames, recorded.spec.seed)
+    split = split_paper_random_frames(frames, recorded.spec.seed)
     train, validation = np.flatnonzero(split.train), np.flatnonzero(split.validation)
     test, rng = frames.select(split.test), np.random.default_rng(recorded.spec.seed)
     train, validation = rng.permutation(train), rng.permutation(validation)
@@ -81,7 +81,7 @@ def run_seen_unseen(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, An
     frames = recorded.collect(faces=[face], non_contact_cases=1)
     frames = frames.select(frames.place_id < DUAL_CASES)
     seen = seen_places(frames)
-    split = random_split(frames, recorded.spec.seed)
+    split = split_paper_random_frames(frames, recorded.spec.seed)
     span = force_reference(face_data(frames, face).heatmap_n)
     parts = tuple(frames.select(part & seen) for part in (split.train, split.validation))
     unseen = frames.select(~seen)
@@ -177,7 +177,7 @@ def run_places(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]:
         ),
     ):
         chosen = _thinned(frames, budget, recorded.spec.seed)
-        split = random_split(chosen, recorded.spec.seed)
+        split = split_paper_random_frames(chosen, recorded.spec.seed)
         label = {"places": name, "budget": budget}
         parts = (chosen.select(split.train | split.test), chosen.select(split.validation))
         model = fitted(recorded, parts, face, label, output="position")

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from estimator.splits import split_paper_random_frames
 from instobj.experiments.paper_figures import draw_bars, draw_histograms
 from instobj.experiments.paper_object import (
     SIMULATED,
@@ -14,7 +15,6 @@ from instobj.experiments.paper_object import (
     fitted_to_split,
     metric_row,
     predict_face,
-    random_split,
     simulated_object,
 )
 from instobj.experiments.published import LINEAR, TABLE_I, beside
@@ -58,7 +58,7 @@ def _face_row(recorded: SimulatedObject, face: int) -> tuple[dict[str, Any], Con
 
     label = {"collection": "paper", "faces": [face]}
     frames = recorded.collect(faces=[face])
-    model, validation, test = fitted_to_split(recorded, frames, random_split, face, label)
+    model, validation, test = fitted_to_split(recorded, frames, split_paper_random_frames, face, label)
     span = force_reference(face_data(frames, face).heatmap_n)
     known, _, rest = predict_face(model, validation)
     predicted, true, at_rest = predict_face(model, test)
@@ -95,10 +95,10 @@ def run_linear(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]:
     label = {"collection": "paper", "faces": [face]}
     rows: list[dict[str, Any]] = []
     for name in ("linear", "compact"):
-        model, _, test = fitted_to_split(recorded, frames, random_split, face, label, model=name)
+        model, _, test = fitted_to_split(recorded, frames, split_paper_random_frames, face, label, model=name)
         metrics = face_metrics(face, *_pair(predict_face(model, test), span))
         rows.append({"estimator": name} | _beside(metrics, LINEAR if name == "linear" else {}))
-    split = random_split(frames, recorded.spec.seed)
+    split = split_paper_random_frames(frames, recorded.spec.seed)
     chance = mean_map_baseline(frames, face, split)
     rows.append({"estimator": "always the mean map"} | _beside(chance, {}))
     draw_bars(

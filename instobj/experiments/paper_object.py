@@ -119,17 +119,6 @@ def simulated_object(spec: ObjectSpec, quick: bool) -> SimulatedObject:
     return SimulatedObject(spec, signals, mechanics, design, design_presses, key)
 
 
-def random_split(frames: FrameSet, seed: int) -> Split:
-    """The paper's split: 60 % of the frames, 20 and 20 %, at random.
-
-    Frames of one press fall into all three parts: this measures memory as well as generalisation.
-    """
-    from estimator.splits import Split
-
-    part = np.random.default_rng(seed).permutation(len(frames)) / len(frames)
-    return Split(part < 0.6, (part >= 0.6) & (part < 0.8), part >= 0.8)
-
-
 def fitted(
     recorded: SimulatedObject,
     parts: tuple[FrameSet, FrameSet],

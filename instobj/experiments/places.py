@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from estimator.splits import split_paper_random_frames
 from instobj.experiments.paper_figures import draw_maps, draw_scatter
 from instobj.experiments.paper_object import (
     SIMULATED,
     SimulatedObject,
     fitted_to_split,
     predict_face,
-    random_split,
     simulated_object,
 )
 from instobj.experiments.registry import Study
@@ -31,7 +31,7 @@ def single_contact_metrics(recorded: SimulatedObject, face: int) -> FaceMetrics:
 
     frames = recorded.collect(faces=[face])
     label = {"collection": "paper", "faces": [face]}
-    model, _, test = fitted_to_split(recorded, frames, random_split, face, label)
+    model, _, test = fitted_to_split(recorded, frames, split_paper_random_frames, face, label)
     span = force_reference(face_data(frames, face).heatmap_n)
     predicted, true, rest = predict_face(model, test.select(test.place_id < DUAL_CASES))
     return face_metrics(face, predicted, true, span, rest)

@@ -14,10 +14,11 @@ from synthetic_presses import synthetic_presses
 
 from design.spec import ObjectSpec
 from estimator.contact_traces import JointMechanics
+from estimator.splits import split_paper_random_frames
 from estimator.twin import drawn_assembly, twin_signals
 from instobj.experiments import amounts, general, paper_object, places, reference
 from instobj.experiments.layouts import changed
-from instobj.experiments.paper_object import SimulatedObject, metric_row, random_split
+from instobj.experiments.paper_object import SimulatedObject, metric_row
 from instobj.experiments.places import rank_correlation
 from instobj.experiments.published import TABLE_I, beside
 from instobj.experiments.registry import studies
@@ -129,7 +130,7 @@ def test_another_recording_has_other_noise_and_the_same_object(synthetic_object)
 
 def test_the_random_split_tears_presses_apart(synthetic_object):
     frames = synthetic_object.collect()
-    split = random_split(frames, 1)
+    split = split_paper_random_frames(frames, 1)
     shares = [part.mean() for part in (split.train, split.validation, split.test)]
     assert_allclose(shares, (0.6, 0.2, 0.2), atol=1e-3)
     assert (split.train + split.validation + split.test == 1).all()
