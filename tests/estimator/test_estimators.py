@@ -4,7 +4,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-import torch
 from numpy.testing import assert_allclose, assert_array_equal
 from synthetic_frames import synthetic_frames
 
@@ -20,14 +19,6 @@ from estimator.training_data import press_folds
 
 FACE = 4
 QUICK = TrainingSpec(hidden_units=(64, 64), epochs=25, batch_size=128)
-
-
-@pytest.fixture(scope="module", autouse=True)
-def one_thread():
-    before = torch.get_num_threads()
-    torch.set_num_threads(1)
-    yield
-    torch.set_num_threads(before)
 
 
 @pytest.fixture(scope="module")

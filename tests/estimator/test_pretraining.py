@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-import torch
 from synthetic_presses import coarse_spec, synthetic_presses
 
 from design.spec import TrainingSpec
@@ -24,14 +23,6 @@ SPEC = coarse_spec(
 )
 TRAINING = TrainingSpec(hidden_units=(64, 64), epochs=12, batch_size=128)
 FACE = 3
-
-
-@pytest.fixture(scope="module", autouse=True)
-def one_thread():
-    before = torch.get_num_threads()
-    torch.set_num_threads(1)
-    yield
-    torch.set_num_threads(before)
 
 
 @pytest.fixture(scope="module")

@@ -8,7 +8,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-import torch
 
 from design.spec import TrainingSpec
 from estimator.evaluation import (
@@ -32,14 +31,6 @@ pytestmark = pytest.mark.skipif(
     not all((FOLDER / name).is_file() for name in NAMES),
     reason=f"public recordings not found in {FOLDER}; set INSTOBJ_DATA to their folder",
 )
-
-
-@pytest.fixture(scope="module", autouse=True)
-def one_thread():
-    before = torch.get_num_threads()
-    torch.set_num_threads(1)
-    yield
-    torch.set_num_threads(before)
 
 
 @pytest.fixture(scope="module")

@@ -30,14 +30,6 @@ def train_face(frames, face, training, seed, progress=None, split=None):
     return fit_estimator(*parts, FitSettings(face, training, seed), progress=progress)
 
 
-@pytest.fixture(scope="module", autouse=True)
-def one_thread():
-    before = torch.get_num_threads()
-    torch.set_num_threads(1)
-    yield
-    torch.set_num_threads(before)
-
-
 @pytest.fixture(scope="module")
 def frames():
     made = synthetic_frames(presses=6)
