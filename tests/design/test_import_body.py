@@ -149,5 +149,5 @@ def test_a_body_too_small_for_its_core_is_refused(tmp_path):
     small = _pebble(3)
     small.apply_scale(0.25)
     small.export(tmp_path / "small.stl")
-    with pytest.raises(InputError, match="half the core|no room for a core|too small for a patch"):
+    with pytest.raises(InputError, match=r"half the core|no room for a core|too small for a patch"):
         _load(tmp_path, "small.stl")
