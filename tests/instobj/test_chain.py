@@ -53,6 +53,11 @@ ON_REQUEST = {
     "shear",
     "shear_scores",
     "identify",
+    "collection",
+    "pulled_collection",
+    "pretraining",
+    "fabrication",
+    "sheet",
 }
 """Stages of commands beside `run`, which the report does without."""
 
