@@ -20,11 +20,17 @@ Objective = Literal[
     "worst_force_bound_n",
     "cross_face_sigma",
     "sensitivity_ratio",
+    "edge_position_bound_mm",
+    "slip_place_mm",
+    "tolerance_place_mm",
+    "compliance_deviation",
     "cost",
 ]
 OBJECTIVES_TO_MAXIMIZE = ("sensitivity_ratio",)
 PARETO_ENGINES = ("tpe", "nsga-ii", "nsga-iii", "random")
 
+WantedCompliance = dict[Literal["everywhere", "corner", "edge", "mid_edge", "centre"], Positive]
+_SOFTENS = ("shell_thickness_mm", "silicone", "core_size_mm")
 Range = tuple[Finite, Finite]
 Some = Field(min_length=1, max_length=20)
 
@@ -104,7 +110,8 @@ class SearchSpec(SpecPart):
     rungs get. Every trial's continuous variables are improved by `polish_steps` steps down the
     gradient. `trials` and `seconds` end the search, whichever is first; a trial beyond
     `trial_seconds` is given up. `leaders` go to the second rung (rigid magnets), `finalists` to the
-    last.
+    last. `compliance_mm_per_n` is travel over force at `score.force_n` that `compliance_deviation`
+    is taken from, by area (later ones over earlier ones; "edge" without corners); none: even.
     """
 
     objectives: Annotated[tuple[Objective, ...], Field(min_length=1, max_length=4)] = (
@@ -120,6 +127,7 @@ class SearchSpec(SpecPart):
     finalists: Count = 2
     magnet_symmetry: Literal["free", "mirrored", "four-fold"] = "free"
     sensor_symmetry: Literal["free", "mirrored", "ring"] = "free"
+    compliance_mm_per_n: WantedCompliance = Field(default_factory=dict)
     vary: VarySpec = VarySpec()
     limits: SearchLimitsSpec = SearchLimitsSpec()
     prices: PricesSpec = PricesSpec()
@@ -141,7 +149,18 @@ class SearchSpec(SpecPart):
                 "more leaders"
             )
         self._check_symmetry()
+        self._check_compliance()
         return self
+
+    def _check_compliance(self) -> None:
+        free = any(getattr(self.vary, name) is not None for name in _SOFTENS)
+        if "compliance_deviation" in self.objectives and not free:
+            raise ValueError(
+                'search.objectives has "compliance_deviation", which the first rung takes of the shell '
+                f"without magnets: places of magnets and sensors do not change it. Free one of "
+                f"{', '.join(f'search.vary.{name}' for name in _SOFTENS)}; how magnets stiffen the "
+                "shell is scored on the second rung, whatever the objectives"
+            )
 
     def _check_symmetry(self) -> None:
         for part, symmetry in (("magnet", self.magnet_symmetry), ("sensor", self.sensor_symmetry)):

@@ -20,16 +20,20 @@ import torch
 from jaxtyping import Float
 
 from design.spec import ObjectSpec
+from estimator.compliance_score import compliance_deviation
 from estimator.cross_face import cross_face_disturbance
+from estimator.false_places import false_places_mm
 from estimator.hall import full_scale_counts
 from estimator.layout_batch import layouts_of
 from estimator.layout_cross_face import CROSS_FACE_FORCE_N, neighbour_disturbance
+from estimator.layout_robustness import SLIP_MM, slip_places_mm, tolerance_places_mm
 from estimator.layout_scoring import LayoutScorer, place_information
-from estimator.scores import score_places
+from estimator.scores import outermost_places, score_places
 from estimator.signals import Signals, press_signals, saturation_margin
 from fem.factorization import Factorization
 from fem.presses import simulate_lattice
 from fem.response import ElasticSystem, ResponseOperator
+from fem.results import MagnetMotions, PressForces
 from fem.tied_magnets import DEGREE, rigid_magnet_response
 
 
@@ -44,6 +48,11 @@ class LadderScore:
     cross_face_sigma : what presses of 10 N on an adjacent face do to a face's own channels, in
         units of a fresh zero; median over pairs of faces and places
     sensitivity_ratio : 5th over 50th percentile of δ over the places of all faces
+    edge_position_bound_mm : mean position bound over the outermost ring of places, corners included
+    slip_place_mm, tolerance_place_mm : place error (rms) of an estimator calibrated on the design
+        where the core has slipped by 1 mm, and over objects within tolerance; median over places
+    compliance_deviation : of travel over force at `score.force_n` from what `search` wants, relative
+        (rms); rung one: of the shell without magnets
     saturation_margin : share of the sensors' range that stays free (rung one: at rest)
     """
 
@@ -52,6 +61,10 @@ class LadderScore:
     worst_force_bound_n: float
     cross_face_sigma: float
     sensitivity_ratio: float
+    edge_position_bound_mm: float
+    slip_place_mm: float
+    tolerance_place_mm: float
+    compliance_deviation: float
     saturation_margin: float
 
 
@@ -66,34 +79,45 @@ def rung_one(spec: ObjectSpec, scorers: Sequence[LayoutScorer]) -> LadderScore:
     15 to 20 % below the chain's and the worst force bound 24 % above; layouts that were improved on
     this rung, with deep magnets near the chips, have 1.3 to 3 times the bounds on the chain.
     """
-    with torch.no_grad():
-        parts = [_face_on_stored_presses(spec, scorer) for scorer in scorers]
-    position, force, sensitivity, cross, rest = (
-        np.concatenate(part) for part in zip(*parts, strict=True)
-    )
-    low, middle = np.percentile(sensitivity, [5.0, 50.0])
+    parts: list[dict[str, np.ndarray]] = []
+    for scorer in scorers:
+        with torch.no_grad():
+            parts.append(_face_on_stored_presses(spec, scorer))
+    pooled = {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
+    low, middle = np.percentile(pooled["sensitivity"], [5.0, 50.0])
+    compliance = np.stack([scorer.presses.mm_per_n for scorer in scorers])
     return LadderScore(
-        float(position.max()),
-        float(np.median(position)),
-        float(force.max()),
-        float(np.median(cross)),
-        float(low / middle),
-        float(1 - rest.max() / full_scale_counts(spec.sensors)),
+        worst_position_bound_mm=float(pooled["position"].max()),
+        median_position_bound_mm=float(np.median(pooled["position"])),
+        worst_force_bound_n=float(pooled["force"].max()),
+        cross_face_sigma=float(np.median(pooled["cross"])),
+        sensitivity_ratio=float(low / middle),
+        edge_position_bound_mm=float(pooled["edge"].mean()),
+        slip_place_mm=float(np.median(pooled["slip"])),
+        tolerance_place_mm=float(np.median(pooled["tolerance"])),
+        compliance_deviation=compliance_deviation(
+            spec.search.compliance_mm_per_n, scorers[0].presses.places, compliance
+        ),
+        saturation_margin=float(1 - pooled["rest"].max() / full_scale_counts(spec.sensors)),
     )
 
 
-def _face_on_stored_presses(spec: ObjectSpec, scorer: LayoutScorer) -> tuple[np.ndarray, ...]:
+def _face_on_stored_presses(spec: ObjectSpec, scorer: LayoutScorer) -> dict[str, np.ndarray]:
     layout = layouts_of(spec, scorer.presses.face, scorer.presses.first_mm.dtype)
     places = place_information(scorer, layout)
-    cross = neighbour_disturbance(scorer, layout)
-    found = (
-        places.position_bound_mm,
-        places.force_bound_n,
-        places.sensitivity,
-        cross,
-        abs(places.resting_counts),
-    )
-    return tuple(values.double().numpy().ravel() for values in found)
+    found = {
+        "position": places.position_bound_mm,
+        "force": places.force_bound_n,
+        "sensitivity": places.sensitivity,
+        "edge": places.position_bound_mm[
+            :, torch.as_tensor(outermost_places(scorer.presses.places))
+        ],
+        "cross": neighbour_disturbance(scorer, layout),
+        "slip": slip_places_mm(scorer, layout),
+        "tolerance": tolerance_places_mm(scorer, layout),
+        "rest": abs(places.resting_counts),
+    }
+    return {name: values.double().numpy().ravel() for name, values in found.items()}
 
 
 def rung_two(
@@ -112,11 +136,13 @@ def rung_two(
     """
     response = rigid_magnet_response(spec, system, factor, plain, degree)
     forces, motions = simulate_lattice(spec, response)
-    return score_signals(spec, press_signals(spec, forces, motions))
+    return score_signals(spec, press_signals(spec, forces, motions), forces, motions)
 
 
-def score_signals(spec: ObjectSpec, signals: Signals) -> LadderScore:
-    """Score simulated signals: those of rung two, or the chain's.
+def score_signals(
+    spec: ObjectSpec, signals: Signals, forces: PressForces, motions: MagnetMotions
+) -> LadderScore:
+    """Score simulated signals and the presses behind them: those of rung two, or the chain's.
 
     Raises
     ------
@@ -125,15 +151,22 @@ def score_signals(spec: ObjectSpec, signals: Signals) -> LadderScore:
     """
     scores = score_places(spec, signals)
     cross = cross_face_disturbance(spec, signals, CROSS_FACE_FORCE_N).summary("adjacent")
+    false = false_places_mm(spec, forces, motions, SLIP_MM)
     bound, delta = scores.position_bound_fresh_mm, scores.delta_raw
     low, middle = np.percentile(delta, [5.0, 50.0])
     return LadderScore(
-        float(bound.max()),
-        float(np.median(bound)),
-        float(scores.force_bound_fresh_n.max()),
-        cross["median_sigma"],
-        float(low / middle),
-        saturation_margin(signals, spec),
+        worst_position_bound_mm=float(bound.max()),
+        median_position_bound_mm=float(np.median(bound)),
+        worst_force_bound_n=float(scores.force_bound_fresh_n.max()),
+        cross_face_sigma=cross["median_sigma"],
+        sensitivity_ratio=float(low / middle),
+        edge_position_bound_mm=float(bound[:, outermost_places(scores.grid)].mean()),
+        slip_place_mm=float(np.median(false["slip"])),
+        tolerance_place_mm=float(np.median(false["tolerance"])),
+        compliance_deviation=compliance_deviation(
+            spec.search.compliance_mm_per_n, scores.grid, 1 / scores.stiffness_n_per_mm
+        ),
+        saturation_margin=saturation_margin(signals, spec),
     )
 
 

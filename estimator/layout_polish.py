@@ -6,8 +6,8 @@ that a layout breaks make it worth less, smoothly, so that every engine is led b
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import dataclass
 
 import torch
 from jaxtyping import Bool, Float
@@ -17,8 +17,15 @@ from design.spec import ObjectSpec
 from design.spec_search import OBJECTIVES_TO_MAXIMIZE
 from estimator.layout_batch import Layouts
 from estimator.layout_cross_face import neighbour_disturbance
-from estimator.layout_scoring import LayoutScorer, percentile, place_information
+from estimator.layout_robustness import slip_places_mm, tolerance_places_mm
+from estimator.layout_scoring import (
+    LayoutScorer,
+    percentile,
+    place_information,
+    within_candidates,
+)
 from estimator.layout_vectors import LayoutSpace, broken_limits_mm, layouts_at
+from estimator.scores import outermost_places
 
 PENALTY_PER_MM = 10.0
 """A limit broken by 0.1 mm doubles every objective, more than any layout gains by it."""
@@ -74,8 +81,8 @@ def judge(
     named = {*objectives, *rung.at_most}
     scores = batch_scores(
         rung.scorers,
-        [_within(*pair) for pair in zip(rung.scorers, layouts, strict=True)],
-        "cross_face_sigma" in named,
+        [within_candidates(*pair) for pair in zip(rung.scorers, layouts, strict=True)],
+        named,
     )
     for name, value in rung.constants.items():
         scores[name] = torch.full_like(scores["worst_position_bound_mm"], value)
@@ -91,9 +98,12 @@ def judge(
 
 
 def batch_scores(
-    scorers: Sequence[LayoutScorer], layouts: Sequence[Layouts], cross_face: bool
+    scorers: Sequence[LayoutScorer], layouts: Sequence[Layouts], named: Collection[str]
 ) -> dict[str, Float[Tensor, "layout"]]:
-    """Scores over the places of all pressed faces, as `estimator.layout_ladder` pools them."""
+    """Scores over the places of all pressed faces, as `estimator.layout_ladder` pools them.
+
+    Those that cost more than all others together are worked out only where they are named.
+    """
     places = [place_information(*pair) for pair in zip(scorers, layouts, strict=True)]
     position, force, sensitivity = (
         torch.cat([getattr(face, name) for face in places], dim=1)
@@ -106,21 +116,32 @@ def batch_scores(
         "median_position_bound_mm": percentile(position.sort(dim=1).values, 50.0),
         "worst_force_bound_n": force.amax(dim=1),
         "sensitivity_ratio": percentile(ordered, 5.0) / percentile(ordered, 50.0),
+        "edge_position_bound_mm": _edge_mean(scorers, [face.position_bound_mm for face in places]),
         "largest_resting_counts": rest.amax(dim=0),
     }
-    if cross_face:
-        sizes = [neighbour_disturbance(*pair) for pair in zip(scorers, layouts, strict=True)]
+    for name in DEARER.keys() & set(named):
+        sizes = [DEARER[name](*pair) for pair in zip(scorers, layouts, strict=True)]
         pooled = torch.cat([size.flatten(1) for size in sizes], dim=1).sort(dim=1).values
-        found["cross_face_sigma"] = percentile(pooled, 50.0)
+        found[name] = percentile(pooled, 50.0)
     return found
 
 
-def _within(scorer: LayoutScorer, layouts: Layouts) -> Layouts:
-    """Magnets at the nearest candidates' places: what lies beyond breaks the limits of the edge."""
-    first = scorer.presses.first_mm
-    last = first + scorer.presses.step_mm * (torch.tensor(scorer.presses.nodes) - 1)
-    nearest = torch.maximum(torch.minimum(layouts.magnet_mm, last), first)
-    return replace(layouts, magnet_mm=nearest)
+DEARER: dict[str, Callable[[LayoutScorer, Layouts], Tensor]] = {
+    "cross_face_sigma": neighbour_disturbance,
+    "slip_place_mm": slip_places_mm,
+    "tolerance_place_mm": tolerance_places_mm,
+}
+"""Scores that are the median of something over places, by name."""
+
+
+def _edge_mean(
+    scorers: Sequence[LayoutScorer], bounds_mm: Sequence[Float[Tensor, "layout _"]]
+) -> Float[Tensor, "layout"]:
+    found = [
+        bound[:, torch.as_tensor(outermost_places(scorer.presses.places))]
+        for scorer, bound in zip(scorers, bounds_mm, strict=True)
+    ]
+    return torch.cat(found, dim=1).mean(dim=1)
 
 
 def _to_minimize(name: str, scores: dict[str, Tensor]) -> Float[Tensor, "layout"]:

@@ -9,7 +9,7 @@ of the series and a shorter basis: cheap, as they are further away and move less
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 
 import numpy as np
 import torch
@@ -19,6 +19,7 @@ from torch import Tensor
 from design.errors import InputError
 from design.layouts import chip_on_board
 from design.spec import ObjectSpec
+from design.spec_tolerances import TolerancesSpec
 from estimator.field_gradient import FieldChange, field_change
 from estimator.fisher import NoiseState, disturbance_counts
 from estimator.layout_batch import Layouts, chip_axes, magnet_axes
@@ -64,11 +65,20 @@ class PlaceInformation:
 
 
 @dataclass(frozen=True)
+class PressChanges:
+    """Whitened derivatives of own channels by x, y and force, their change in the press itself, and
+    the counts at rest."""
+
+    by_parameter: Float[Tensor, "channel layout 4 place"]
+    resting_counts: Float[Tensor, "layout sensor 3"]
+
+
+@dataclass(frozen=True)
 class LayoutScorer:
     """All that stays the same between layouts; `layout_scorer` makes it.
 
-    `chip` are the chip's axes as columns on its board, `counts_per_t` counts per T over one sigma
-    of an axis, `white_share` that sigma over the white noise's.
+    `chip` are the chip's axes as columns on its board, `counts_per_t` counts per T,
+    `white_share` one sigma of an axis over that of the white noise.
     """
 
     presses: PressBasis
@@ -78,6 +88,7 @@ class LayoutScorer:
     counts_per_t: float
     sigma_counts: Float[Tensor, "3"]
     white_share: Float[Tensor, "3"]
+    tolerances: TolerancesSpec
 
 
 def layout_scorer(
@@ -118,6 +129,7 @@ def layout_scorer(
         1e3 * spec.sensors.counts_per_mt,
         torch.as_tensor(sigma, dtype=like.dtype),
         torch.as_tensor(sigma / white, dtype=like.dtype),
+        spec.tolerances,
     )
 
 
@@ -142,7 +154,22 @@ def score_layouts(scorer: LayoutScorer, layouts: Layouts, chunk: int = _CHUNK) -
 
 def place_information(scorer: LayoutScorer, layouts: Layouts) -> PlaceInformation:
     """Bounds and δ at every contact place, all layouts at once."""
-    own, other = _field_changes(scorer, layouts)
+    changes = press_changes(scorer, layouts)
+    by_parameter = changes.by_parameter
+    position, force = _bounds(by_parameter[:, :, :3])
+    white = scorer.white_share.repeat(len(by_parameter) // 3)[:, None, None]
+    power = (by_parameter[:, :, 3] * white).square().sum(0)
+    delta = (1 + _FORCE_VARIANCE * power).sqrt()
+    return PlaceInformation(position, force, delta, changes.resting_counts)
+
+
+def press_changes(
+    scorer: LayoutScorer,
+    layouts: Layouts,
+    sensor_shift_mm: Float[Tensor, "layout sensor 3"] | None = None,
+) -> PressChanges:
+    """What presses change, with sensors shifted off their places (boards do not turn with it)."""
+    own, other = _field_changes(scorer, layouts, sensor_shift_mm)
     field = own.field.sum(-1) + other.field.sum(-1)
     chips = chip_axes(layouts.sensor_mm, scorer.chip)
     counts = scorer.counts_per_t * (chips @ field.permute(1, 2, 0)[..., None])[..., 0]
@@ -156,21 +183,31 @@ def place_information(scorer: LayoutScorer, layouts: Layouts) -> PlaceInformatio
     )
     basis = torch.cat([scorer.presses.own.basis, of_others.basis])
     change = mixed.transpose(0, 1).reshape(-1, len(basis)) @ basis
-    channels = mixed.shape[1]
-    by_parameter = change.reshape(channels, len(layouts), 4, -1)
-    position, force = _bounds(by_parameter[:, :, :3])
-    white = scorer.white_share.repeat(channels // 3)[:, None, None]
-    power = (by_parameter[:, :, 3] * white).square().sum(0)
-    return PlaceInformation(position, force, (1 + _FORCE_VARIANCE * power).sqrt(), counts)
+    return PressChanges(change.reshape(mixed.shape[1], len(layouts), 4, -1), counts)
 
 
-def _field_changes(scorer: LayoutScorer, layouts: Layouts) -> tuple[FieldChange, FieldChange]:
+def within_candidates(scorer: LayoutScorer, layouts: Layouts) -> Layouts:
+    """Magnets beyond the candidates at the nearest of their places."""
+    first = scorer.presses.first_mm
+    last = first + scorer.presses.step_mm * (torch.tensor(scorer.presses.nodes) - 1)
+    nearest = torch.maximum(torch.minimum(layouts.magnet_mm, last), first)
+    return replace(layouts, magnet_mm=nearest)
+
+
+def _field_changes(
+    scorer: LayoutScorer,
+    layouts: Layouts,
+    sensor_shift_mm: Float[Tensor, "layout sensor 3"] | None,
+) -> tuple[FieldChange, FieldChange]:
     """Fields and their changes at (layout, sensor, magnet) of own and (magnet, face) of others."""
     presses, xyd = scorer.presses, layouts.magnet_mm
     centre = torch.stack([xyd[..., 0], xyd[..., 1], -xyd[..., 2]])
     axis = magnet_axes(layouts)
     depth = torch.full_like(layouts.sensor_mm[..., :1], -scorer.sensor_depth_mm)
-    sensor = torch.cat([layouts.sensor_mm, depth], dim=-1).permute(2, 0, 1)[..., None]
+    place = torch.cat([layouts.sensor_mm, depth], dim=-1)
+    if sensor_shift_mm is not None:
+        place = place + sensor_shift_mm
+    sensor = place.permute(2, 0, 1)[..., None]
 
     def change(centres: Tensor, axes: Tensor, polarity: Tensor, order: int) -> FieldChange:
         offset, axes = torch.broadcast_tensors(sensor - centres[:, :, None], axes[:, :, None])

@@ -46,7 +46,8 @@ class PressBasis:
 
     `first_mm`, `step_mm`, `nodes`: the candidates' lattice in (x, y, depth), ghosts left out.
     `turn`, `shift_mm` take the other faces' frames to this one's. The opposite face comes last and
-    has no rows: what motions of magnets that far away add does not show in the bounds.
+    has no rows: what motions of magnets that far away add does not show in the bounds. `mm_per_n` is
+    travel over force at every place, of the shell without magnets.
     """
 
     face: int
@@ -59,6 +60,7 @@ class PressBasis:
     other: RowTable
     turn: Float[Tensor, "face 3 3"]
     shift_mm: Float[Tensor, "face 3"]
+    mm_per_n: Float[np.ndarray, "place"]
 
 
 def press_basis(
@@ -118,6 +120,7 @@ def press_basis(
         table(moving, other_rank),
         tensor([here.axes.T @ frame.axes for frame in others]),
         tensor([here.from_object(frame.centre_mm) for frame in others]),
+        _compliance(motions, face, spec.score.force_n),
     )
 
 
@@ -170,6 +173,16 @@ def _kernel(t: Float[Tensor, "magnet 3"]) -> Float[Tensor, "magnet 3 4"]:
         ],
         dim=-1,
     )
+
+
+def _compliance(
+    motions: CandidateMotions, pressed: int, force_n: float
+) -> Float[np.ndarray, "place"]:
+    """Secant, straight between and beyond the stored forces."""
+    row = motions.faces.tolist().index(pressed)
+    force, depth = motions.force_n[row], motions.depth_mm[row]
+    share = (force_n - force[:, 0]) / (force[:, -1] - force[:, 0])
+    return (depth[:, 0] + share * (depth[:, -1] - depth[:, 0])) / force_n
 
 
 def _opposite(a: FaceFrame, b: FaceFrame) -> bool:

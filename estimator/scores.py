@@ -202,6 +202,11 @@ def area_places(grid: PlaceGrid, area: Area) -> Bool[np.ndarray, "place"]:
     return masks[area].ravel()
 
 
+def outermost_places(grid: PlaceGrid) -> Bool[np.ndarray, "place"]:
+    """The outermost ring, corners included."""
+    return area_places(grid, "corner") | area_places(grid, "edge")
+
+
 def summarize_areas(scores: PlaceScores, face: int | None = None) -> tuple[AreaSummary, ...]:
     """Medians per area over all faces, or over one."""
     rows = slice(None) if face is None else scores.faces == face

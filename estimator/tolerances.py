@@ -52,7 +52,7 @@ _REACH_SHARE = 0.7
 
 
 @dataclass(frozen=True)
-class _Outcome:
+class Outcome:
     """What one assembly shows: counts at rest; face by face the change in each press and its
     derivatives in x, y, F, of live channels; the bounds of all presses."""
 
@@ -74,7 +74,7 @@ class _Deviation:
 
 
 @dataclass(frozen=True)
-class _Setting:
+class Setting:
     """What all assemblies share; `states` and `live` channels face by face."""
 
     spec: ObjectSpec
@@ -97,15 +97,15 @@ def robustness(
     Places that reach it only near the deepest press are judged at 0.7 of that press's force.
     """
     say = progress or (lambda _: None)
-    setting = _setting(spec, forces, motions)
-    nominal = _outcome(setting, setting.design)
+    setting = setting_of(spec, forces, motions)
+    nominal = outcome_of(setting, setting.design)
     rows = []
     for name, (_, title) in CONTRIBUTIONS.items():
         say(f"{title}, to first order")
         rows.append(_summary(name, setting, nominal, _linear(setting, name)))
     say(f"all together: {draws} objects")
     rng = np.random.default_rng((spec.seed, 6))
-    objects = [_outcome(setting, draw(spec, setting.design, rng)) for _ in range(draws)]
+    objects = [outcome_of(setting, draw(spec, setting.design, rng)) for _ in range(draws)]
     scale = draws**-0.5
     deviations = (_deviation(one, nominal, scale) for one in objects)
     together = _together(rows)
@@ -127,9 +127,9 @@ def twin_bounds(
     Twins are drawn with the specification's seed; presses run face by face, forces as in
     `robustness`. NaN where softer silicone would be pressed deeper than was simulated.
     """
-    setting, rng = _setting(spec, forces, motions), np.random.default_rng((spec.seed, 7))
+    setting, rng = setting_of(spec, forces, motions), np.random.default_rng((spec.seed, 7))
     objects = [setting.design, *(draw(spec, setting.design, rng) for _ in range(twins))]
-    found = [_outcome(setting, one) for one in objects]
+    found = [outcome_of(setting, one) for one in objects]
     valid = [
         np.concatenate([s.simulated(o.modulus_ratio) for s in setting.states]) for o in objects
     ]
@@ -139,7 +139,7 @@ def twin_bounds(
     }
 
 
-def _setting(spec: ObjectSpec, forces: PressForces, motions: MagnetMotions) -> _Setting:
+def setting_of(spec: ObjectSpec, forces: PressForces, motions: MagnetMotions) -> Setting:
     design, grid, working = designed(spec), contact_grid(spec), live_channels(spec)
     moving = motions_as_signals(forces, motions)
     states, live = [], []
@@ -152,10 +152,10 @@ def _setting(spec: ObjectSpec, forces: PressForces, motions: MagnetMotions) -> _
         live.append((working[own] if spec.score.channels == "own" else working).ravel())
     nearest = min_distance_mm(design.scene, motions.motion.reshape(-1, design.scene.bodies, 6))
     model = field_model(magnet_source(spec.magnets), nearest - _NEARER_MM)
-    return _Setting(spec, design, tuple(motions.faces.tolist()), tuple(states), tuple(live), model)
+    return Setting(spec, design, tuple(motions.faces.tolist()), tuple(states), tuple(live), model)
 
 
-def _outcome(setting: _Setting, assembly: Assembly) -> _Outcome:
+def outcome_of(setting: Setting, assembly: Assembly) -> Outcome:
     spec, model, deltas, jacobians, bounds = setting.spec, setting.model, [], [], []
     baseline = counts_of(spec, assembly.scene, setting.states[0].rest[None], model)[0]
     pressed, ratio = assembly.pressed_scene, assembly.modulus_ratio
@@ -169,7 +169,7 @@ def _outcome(setting: _Setting, assembly: Assembly) -> _Outcome:
         deltas.append(counts[0] - rest.ravel()[live])
         jacobians.append(states.differentiate(counts))
         bounds.append(cramer_rao_bounds(jacobians[-1], _sigma(spec, live)))
-    return _Outcome(
+    return Outcome(
         baseline,
         tuple(deltas),
         tuple(jacobians),
@@ -199,20 +199,20 @@ def _sigma(spec: ObjectSpec, live: Bool[np.ndarray, "every"]) -> Float[np.ndarra
     return disturbance_counts(spec.sensors, "fresh", len(live))[live]
 
 
-def _linear(setting: _Setting, name: str) -> Iterator[_Deviation]:
+def _linear(setting: Setting, name: str) -> Iterator[_Deviation]:
     """What one standard deviation of each of a contribution's numbers changes, to first order."""
     design, (size, _) = setting.design, CONTRIBUTIONS[name]
     if not getattr(setting.spec.tolerances, size):
         return
     for step in _STEP * _independent_steps(setting, name):
         plus, minus = (
-            _outcome(setting, assembled(setting.spec, design, {name: way * step}))
+            outcome_of(setting, assembled(setting.spec, design, {name: way * step}))
             for way in (1.0, -1.0)
         )
         yield _deviation(plus, minus, 1 / (2 * _STEP))
 
 
-def _independent_steps(setting: _Setting, name: str) -> Float[np.ndarray, "step number"]:
+def _independent_steps(setting: Setting, name: str) -> Float[np.ndarray, "step number"]:
     """One standard deviation of each number, those that no channel shares in one step.
 
     Read by its own sensors alone, each face feels its own sensors' errors and no others'.
@@ -224,7 +224,7 @@ def _independent_steps(setting: _Setting, name: str) -> Float[np.ndarray, "step 
     return np.eye(size)
 
 
-def _deviation(one: _Outcome, other: _Outcome, scale: float) -> _Deviation:
+def _deviation(one: Outcome, other: Outcome, scale: float) -> _Deviation:
     """Differences, of bounds in their logarithms; 0 where a bound is infinite."""
 
     def log_ratio(a: Any, b: Any) -> Float[np.ndarray, "press"]:
@@ -240,11 +240,11 @@ def _deviation(one: _Outcome, other: _Outcome, scale: float) -> _Deviation:
 
 
 def _summary(
-    name: str, setting: _Setting, nominal: _Outcome, deviations: Iterable[_Deviation]
+    name: str, setting: Setting, nominal: Outcome, deviations: Iterable[_Deviation]
 ) -> Spread:
     """Sums of squares over independent deviations, as figures of a `Spread`."""
     estimators = [
-        _estimator(setting.spec, jacobian, live)
+        calibrated_estimator(setting.spec, jacobian, live)
         for jacobian, live in zip(nominal.jacobian, setting.live, strict=True)
     ]
     places = len(nominal.position_mm)
@@ -268,7 +268,7 @@ def _summary(
     return Spread(name, *map(float, figures))
 
 
-def _estimator(
+def calibrated_estimator(
     spec: ObjectSpec,
     jacobian: Float[np.ndarray, "press channel 3"],
     live: Bool[np.ndarray, "every"],
@@ -291,7 +291,7 @@ def _share(row: Spread, together: Spread) -> float:
     return sum((own / (whole or 1.0)) ** 2 for own, whole in zip(*pairs, strict=True))
 
 
-def _bound_ranges(nominal: _Outcome, objects: list[_Outcome]) -> list[BoundRange]:
+def _bound_ranges(nominal: Outcome, objects: list[Outcome]) -> list[BoundRange]:
     ranges = []
     for name in ("position_mm", "force_n"):
         for pick in (np.median, np.max):

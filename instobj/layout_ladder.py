@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from jaxtyping import Float
+from jaxtyping import Bool, Float
 
 from design.spec import ObjectSpec
 from instobj.chain import Chain
@@ -57,9 +56,13 @@ def chain_score(spec: ObjectSpec) -> LadderScore:
     """Rung three: the score of the chain's own signals, its stages stored and reused."""
     from estimator.layout_ladder import score_signals
     from estimator.signals import load_signals
+    from fem.results import load_presses
 
-    folder = Path(Chain(spec).require("signals").folder)
-    return score_signals(spec, load_signals(folder / "lattice_signals.nc"))
+    chain = Chain(spec)
+    signals = load_signals(chain.require("signals").folder / "lattice_signals.nc")
+    return score_signals(
+        spec, signals, *load_presses(chain.require("presses").folder / "presses.nc")
+    )
 
 
 @dataclass(frozen=True)
@@ -75,7 +78,7 @@ class TwinRatio:
 
 
 def twin_ratios(start: ObjectSpec, found: ObjectSpec, twins: int = TWINS) -> dict[str, TwinRatio]:
-    """Bounds of toleranced twins of the start over those of a layout, worst and median place.
+    """Bounds of toleranced twins of the start over those of a layout: worst, median, edge.
 
     Twins share their design's mechanics; `tolerances` of each specification sizes their errors.
     Places that reach `score.force_n` only near the deepest press are judged at less force, of
@@ -101,8 +104,16 @@ def _bounds_of_twins(spec: ObjectSpec, twins: int) -> dict[str, Float[np.ndarray
     return {
         "worst_position_bound_mm": np.nanmax(position, axis=1),
         "median_position_bound_mm": np.nanmedian(position, axis=1),
+        "edge_position_bound_mm": np.nanmean(position[:, _at_edges(spec)], axis=1),
         "worst_force_bound_n": np.nanmax(force, axis=1),
     }
+
+
+def _at_edges(spec: ObjectSpec) -> Bool[np.ndarray, "press"]:
+    from design.layouts import contact_grid
+    from estimator.scores import outermost_places
+
+    return np.tile(outermost_places(contact_grid(spec)), len(spec.body.sensed))
 
 
 def _interval(before: np.ndarray, after: np.ndarray) -> tuple[float, float]:
@@ -118,5 +129,9 @@ def score_row(score: LadderScore) -> dict[str, Any]:
         "worst force N": score.worst_force_bound_n,
         "next face σ": score.cross_face_sigma,
         "δ 5/50 %": score.sensitivity_ratio,
+        "edge mm": score.edge_position_bound_mm,
+        "slip mm": score.slip_place_mm,
+        "tolerance mm": score.tolerance_place_mm,
+        "uneven softness": score.compliance_deviation,
         "free range": score.saturation_margin,
     }

@@ -26,6 +26,10 @@ LABELS = {
     "worst_force_bound_n": "worst place, force bound (N)",
     "cross_face_sigma": "disturbance of the next face (σ)",
     "sensitivity_ratio": "δ, 5th over 50th percentile",
+    "edge_position_bound_mm": "outermost places, mean position bound (mm)",
+    "slip_place_mm": "place error by a core slip of 1 mm (mm)",
+    "tolerance_place_mm": "place error within tolerance (mm)",
+    "compliance_deviation": "deviation from the wanted compliance (relative)",
     "cost": "cost of the parts",
 }
 

@@ -30,8 +30,9 @@ from design.search_structure import with_structure
 from design.spec import ObjectSpec
 from design.spec_io import parse_spec
 from design.spec_search import OBJECTIVES_TO_MAXIMIZE
+from estimator.compliance_score import compliance_deviation
 from estimator.layout_batch import layouts_of
-from estimator.layout_polish import FirstRung, Judged, batch_scores, judge, polish
+from estimator.layout_polish import DEARER, FirstRung, Judged, batch_scores, judge, polish
 from estimator.layout_scoring import LayoutScorer, layout_scorer
 from estimator.layout_vectors import layout_space
 from estimator.press_basis import press_basis
@@ -67,16 +68,24 @@ def structure_rung(
 ) -> FirstRung:
     """Scorers of a structure, from stored mechanics or after it."""
     structured = with_structure(space.spec, params)
-    faces = pressed_faces(structured)
-    constants, broken = {"cost": cost(structured)}, broken_by_structure(structured)
+    every = scorers(structured, pressed_faces(structured))
+    constants, broken = decided_by_structure(structured, every), broken_by_structure(structured)
     limits = structured.search.limits.times_start
     at_most = {
         name: 1 / (factor * start[name]) if name in OBJECTIVES_TO_MAXIMIZE else factor * start[name]
         for name, factor in limits.items()
     }
-    return FirstRung(
-        layout_space(space, structured), scorers(structured, faces), constants, at_most, broken
-    )
+    return FirstRung(layout_space(space, structured), every, constants, at_most, broken)
+
+
+def decided_by_structure(spec: ObjectSpec, faces: tuple[LayoutScorer, ...]) -> dict[str, float]:
+    """Scores that all layouts of a structure share on the first rung."""
+    compliance = np.stack([scorer.presses.mm_per_n for scorer in faces])
+    wanted, grid = spec.search.compliance_mm_per_n, faces[0].presses.places
+    return {
+        "cost": cost(spec),
+        "compliance_deviation": compliance_deviation(wanted, grid, compliance),
+    }
 
 
 def scorers(spec: ObjectSpec, faces: tuple[int, ...]) -> tuple[LayoutScorer, ...]:
@@ -96,8 +105,9 @@ def start_scores(spec: ObjectSpec) -> dict[str, float]:
     faces = (1, 2, 3, 4, 5)
     found = scorers(spec, faces)
     with torch.no_grad():
-        scores = batch_scores(found, [layouts_of(spec, face) for face in faces], True)
-    return {name: float(value) for name, value in scores.items()} | {"cost": cost(spec)}
+        scores = batch_scores(found, [layouts_of(spec, face) for face in faces], DEARER)
+    own = {name: float(value) for name, value in scores.items()}
+    return own | decided_by_structure(spec, found)
 
 
 def score_trials(space: SearchSpace, rung: FirstRung, trials: list[dict[str, Any]]) -> list[Scored]:

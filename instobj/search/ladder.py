@@ -144,7 +144,8 @@ def _over_start(name: str, one: Climber, start: Climber, rung: str) -> float:
     """A score over the start's, as something to minimise."""
     if name == "cost":
         return max(cost(one.spec), 1e-9) / max(cost(start.spec), 1e-9)
-    value = getattr(one.rungs[rung], name) / getattr(start.rungs[rung], name)
+    before, after = (max(getattr(who.rungs[rung], name), 1e-9) for who in (start, one))
+    value = after / before
     return 1 / value if name in OBJECTIVES_TO_MAXIMIZE else value
 
 
@@ -171,7 +172,7 @@ def _score(
     with scoring() as score:
         for one in climbers:
             key = f"{rung} {spec_hash(one.spec)}"
-            if key not in known:
+            if known.get(key, {}).keys() != set(SCORE_NAMES):
                 say(f"rung {rung}: {one.label} of {len(climbers) - 1}")
                 try:
                     known[key] = asdict(score(one.spec))

@@ -143,8 +143,9 @@ def test_rung_one_pools_the_places_of_all_faces(spec, motions, scorer):
 
 def test_a_score_of_signals_is_that_of_its_parts():
     spec = coarse_spec()
-    signals = press_signals(spec, *synthetic_presses(spec))
-    found, scores = score_signals(spec, signals), score_places(spec, signals)
+    presses = synthetic_presses(spec)
+    signals = press_signals(spec, *presses)
+    found, scores = score_signals(spec, signals, *presses), score_places(spec, signals)
     assert found.worst_position_bound_mm == scores.position_bound_fresh_mm.max()
     assert found.worst_force_bound_n == scores.force_bound_fresh_n.max()
     assert found.saturation_margin == saturation_margin(signals, spec)
@@ -152,17 +153,24 @@ def test_a_score_of_signals_is_that_of_its_parts():
     assert found.cross_face_sigma == cross["median_sigma"]
     ratio = np.percentile(scores.delta_raw, 5) / np.median(scores.delta_raw)
     assert_allclose(found.sensitivity_ratio, ratio, rtol=1e-12)
+    ring = np.ones(scores.grid.shape, bool)
+    ring[1:-1, 1:-1] = False
+    at_edge = scores.position_bound_fresh_mm[:, ring.ravel()]
+    assert_allclose(found.edge_position_bound_mm, at_edge.mean(), rtol=1e-12)
+    travel = scores.depth_at_score_mm / scores.force_at_score_n
+    assert_allclose(found.compliance_deviation, travel.std() / travel.mean(), rtol=1e-9)
 
 
 def test_gains_are_above_one_where_a_layout_is_better():
-    start = LadderScore(1.5, 0.5, 2.5, 6.0, 0.3, 0.8)
-    found = gains(start, LadderScore(0.5, 0.4, 5.0, 3.0, 0.6, 0.7))
-    assert_allclose([found[name] for name in SCORE_NAMES], [3, 1.25, 0.5, 2, 2, -0.1])
+    start = LadderScore(1.5, 0.5, 2.5, 6.0, 0.3, 1.8, 2.0, 0.4, 0.1, 0.8)
+    found = gains(start, LadderScore(0.5, 0.4, 5.0, 3.0, 0.6, 0.9, 4.0, 0.1, 0.2, 0.7))
+    wanted = [3, 1.25, 0.5, 2, 2, 2, 0.5, 4, 0.5, -0.1]
+    assert_allclose([found[name] for name in SCORE_NAMES], wanted)
 
 
 def test_rank_correlation_counts_order_alone():
     def rung(values):
-        return [LadderScore(v, v, -v, 1.0, v**3, 0.5) for v in values]
+        return [LadderScore(v, v, -v, 1.0, v**3, v, v, v, v, 0.5) for v in values]
 
     found = rank_correlations(rung([1.0, 2.0, 5.0]), rung([10.0, 11.0, 90.0]))
     assert found["worst_position_bound_mm"] == found["sensitivity_ratio"] == pytest.approx(1)

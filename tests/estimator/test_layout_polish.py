@@ -13,7 +13,7 @@ from design.search_structure import with_structure
 from design.spec_search import SearchSpec
 from estimator.layout_batch import layouts_of
 from estimator.layout_ladder import rung_one
-from estimator.layout_polish import FirstRung, batch_scores, judge, polish
+from estimator.layout_polish import DEARER, FirstRung, batch_scores, judge, polish
 from estimator.layout_scoring import layout_scorer
 from estimator.layout_vectors import layout_space
 from estimator.press_basis import press_basis
@@ -57,13 +57,16 @@ def test_scores_are_pooled_as_on_the_ladder(rung):
     spec = rung.space.structured
     layouts = [layouts_of(spec, face) for face in FACES]
     with torch.no_grad():
-        found = batch_scores(rung.scorers, layouts, cross_face=True)
+        found = batch_scores(rung.scorers, layouts, DEARER)
     wanted = rung_one(spec, rung.scorers)
     for name in (
         *OBJECTIVES,
         "median_position_bound_mm",
         "worst_force_bound_n",
         "sensitivity_ratio",
+        "edge_position_bound_mm",
+        "slip_place_mm",
+        "tolerance_place_mm",
     ):
         assert_allclose(float(found[name][0]), getattr(wanted, name), rtol=1e-5)
     assert_allclose(float(found["cross_face_sigma"][0]), wanted.cross_face_sigma, rtol=0.02)
