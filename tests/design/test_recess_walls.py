@@ -18,8 +18,8 @@ def test_two_recesses_on_one_face_by_hand():
     """Radial boxes at 0° and 90°: 4.5 mm from the centre to each, 3.5 half wide."""
     places = [[[8.585, 0.0], [0.0, 8.585]]] * 5
     assert_allclose(smallest_recess_wall_mm(one_sensor(places)), 4.5 - 3.5, rtol=1e-12)
-    turned = [[[6.0, 0.0], [-6.0, 0.0]]] * 5
-    by_hand = 2 * (6.0 - (8.585 - 4.5))
+    turned = [[[5.0, 0.0], [-5.0, 0.0]]] * 5
+    by_hand = 2 * (5.0 - (8.585 - 4.5))
     assert_allclose(smallest_recess_wall_mm(one_sensor(turned)), by_hand, rtol=1e-12)
 
 
