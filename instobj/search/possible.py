@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 
 import numpy as np
@@ -53,13 +54,18 @@ def require_possible(spec: ObjectSpec) -> SearchSpace:
             f"{spec.arrangement!r}. Compare such layouts by `instobj score A.toml B.toml`"
         )
     space = search_space(spec)
+    with _one_thread():
+        return _possible(space)
+
+
+def _possible(space: SearchSpace) -> SearchSpace:
     reasons: Counter[str] = Counter()
     for structured, nearest in _nearest_of_structures(space):
         _require_candidates(structured)
         if nearest.broken_mm > 0:
             reasons[nearest.rule] += 1
             continue
-        misfit = misfit_of(spec, nearest.params)
+        misfit = misfit_of(space.spec, nearest.params)
         if not misfit:
             return space
         reasons[misfit.splitlines()[-1].strip(" -")] += 1
@@ -68,6 +74,17 @@ def require_possible(spec: ObjectSpec) -> SearchSpace:
         f"no layout within the bounds keeps every limit. Most in the way: {rule}. Widen [search.vary] "
         "or loosen [search.limits]"
     )
+
+
+@contextmanager
+def _one_thread() -> Iterator[None]:
+    """Tensors here are small: on a busy machine torch's threads wait for each other, ten times as long."""
+    before = torch.get_num_threads()
+    torch.set_num_threads(1)
+    try:
+        yield
+    finally:
+        torch.set_num_threads(before)
 
 
 def _nearest_of_structures(space: SearchSpace) -> Iterator[tuple[ObjectSpec, _Nearest]]:

@@ -9,6 +9,7 @@ from test_cli import assert_one_clear_error, run
 from design.errors import InputError
 from design.spec import ObjectSpec
 from design.spec_io import load_spec, parse_spec
+from instobj.search.optimize import optimize, work
 from instobj.search.outcome import write_specification
 from instobj.search.possible import require_possible
 
@@ -78,13 +79,14 @@ def test_a_written_layout_is_read_back(tmp_path):
 
 
 def test_impossible_and_unreachable_searches_end_with_one_error(tmp_path):
-    (tmp_path / "cube.toml").write_text('name = "cube"\n[search.vary]\nmagnet_reach_mm = 14.0\n')
-    done = run("optimize", "cube.toml", "--set", "search.vary.magnet_reach_mm=4.5", cwd=tmp_path)
-    assert_one_clear_error(done, "pocket gap")
+    path = tmp_path / "cube.toml"
+    path.write_text('name = "cube"\n[search.vary]\nmagnet_reach_mm = 14.0\n')
+    with pytest.raises(InputError, match="pocket gap"):
+        optimize(path, tmp_path, ["search.vary.magnet_reach_mm=4.5"], False, None)
     url = "postgresql+psycopg://somebody:secret@127.0.0.1:1/none"
-    done = run("worker", "cube.toml", "--storage", url, cwd=tmp_path)
-    assert_one_clear_error(done, "cannot reach the database")
-    assert "secret" not in done.stderr
+    with pytest.raises(InputError, match="cannot reach the database") as caught:
+        work(path, tmp_path, [], url, 1)
+    assert "secret" not in str(caught.value)
 
 
 SMALL = """
