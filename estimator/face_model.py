@@ -20,7 +20,7 @@ from estimator.face_data import HISTORY, Channel, channel_counts, with_history
 from estimator.network import ContactEstimator, HeadsNetwork, HeatmapNetwork
 from estimator.prediction import Prediction
 
-MODEL_FORMAT = 2
+MODEL_FORMAT = 3
 _BATCH_FRAMES = 8192
 
 

@@ -27,9 +27,15 @@ SIGMA_SPAN = 3.0
 LINEAR_SIGMA_SPAN = 30.0
 DOUBT_POWER = 2
 """Forces are multiplied by P(contact)², so that doubtful contacts stay visible but faint."""
+GATHER_MM = 9.0
+"""Within this distance force is gathered on the likeliest pixels; tips that stand further apart
+keep their shares. On 15 200 frames of a coarse paper's cube, against sharpening all shares of a
+face alike: E_f of one tip 7.1 instead of 7.5 %, of two 8.5 instead of 13.0, of three 6.1 instead of
+10.1; A_sim 0.951 instead of 0.925. Between 6 and 12 mm the choice hardly matters."""
 SPLAT_PITCHES = 0.3
 """Standard deviation, in pitches of the grid, of the spot that a continuous position draws."""
 _LEAST_SPREAD = 1e-3
+_LEAST_WEIGHT = 1e-12
 
 
 class Reading(NamedTuple):
@@ -80,6 +86,8 @@ class HeadsNetwork(nn.Module):
     pitch_mm: Tensor
     force_scale_n: Tensor
     sharpness: Tensor
+    faint: Tensor
+    near: Tensor
 
     def __init__(
         self,
@@ -102,6 +110,10 @@ class HeadsNetwork(nn.Module):
         _buffer(self, "pitch_mm", np.array([_pitch_mm(grid_x_mm), _pitch_mm(grid_y_mm)]))
         _buffer(self, "force_scale_n", force_scale_n)
         _buffer(self, "sharpness", 1.0)
+        _buffer(self, "faint", 0.2)
+        centres = self.grid_mm.double()
+        near = (torch.cdist(centres, centres) <= GATHER_MM + 1e-6).float()
+        self.register_buffer("near", near, persistent=False)
 
     def heads_of(self, counts: Float[Tensor, "frame channel"]) -> Heads:
         """Training's view."""
@@ -121,9 +133,25 @@ class HeadsNetwork(nn.Module):
         away = (self.grid_mm - xy_mm[:, None]) / self.pitch_mm
         return (away**2).sum(dim=2)
 
+    def _gathered(self, share: Tensor, logits: Tensor) -> Tensor:
+        """Every pixel's share dealt out among the pixels near it, by their softmax at `sharpness`.
+
+        Training leaves the mean of what may be there. This goes from a mean over neighbouring
+        places towards the likeliest of them, and leaves the shares of distant tips alone. Below
+        `faint` times the largest a share is taken for a mere chance and goes; from twice that it
+        stays whole.
+        """
+        weight = torch.softmax(self.sharpness * logits, dim=1) + _LEAST_WEIGHT
+        gathered = weight * ((share / (weight @ self.near)) @ self.near)
+        ratio = gathered / gathered.amax(dim=1, keepdim=True)
+        kept = gathered * (ratio / self.faint - 1).clamp(0.0, 1.0)
+        return kept / kept.sum(dim=1, keepdim=True)
+
     def forward(self, counts: Float[Tensor, "frame channel"]) -> Reading:
         heads = self.heads_of(counts)
-        share = torch.softmax(self.sharpness * heads.share_logits, dim=1)
+        share = torch.softmax(heads.share_logits, dim=1)
+        if not self.continuous:
+            share = self._gathered(share, heads.share_logits)
         contact = torch.sigmoid(heads.contact_logit)
         force_n = self.force_scale_n * heads.force * (contact**DOUBT_POWER)[:, None]
         heatmap = (force_n[:, :, None] * share[:, None]).unflatten(2, self.shape)

@@ -12,6 +12,7 @@ from __future__ import annotations
 import copy
 import hashlib
 from dataclasses import asdict, dataclass, field, replace
+from itertools import product
 from pathlib import Path
 
 import numpy as np
@@ -48,7 +49,8 @@ from estimator.training_data import (
     with_contacts,
 )
 
-SHARPNESS = (1.0, 1.5, 2.0, 3.0, 5.0, 8.0)
+SHARPNESS = (1.0, 2.0, 4.0, 8.0, 16.0)
+FAINT = (0.05, 0.2, 0.4)
 PAPER_BATCH_FRAMES = 2000
 PAPER_LEARNING_RATE = 1e-3
 PAPER_WEIGHT_DECAY = 1e-4
@@ -243,20 +245,23 @@ def _fingerprint(schedule: Schedule, counts: torch.Tensor, maps: torch.Tensor, b
 
 
 def _sharpened(member: nn.Module, held_out: FaceData, channels: tuple[Channel, ...]) -> nn.Module:
-    """The member with the sharpness that does best on held-out contacts: dissimilarity plus
-    relative error of force."""
+    """The member with the sharpness and the limit of faint shares that do best on held-out contacts:
+    dissimilarity plus relative error of force."""
     if not isinstance(member, HeadsNetwork) or member.continuous:
         return member
     data = held_out.select(held_out.contact)
     reference = force_reference(data.heatmap_n)
     counts, scale = channel_counts(data.frames, channels), float(member.force_scale_n)
-    costs = []
-    for sharpness in SHARPNESS:
+    costs = {}
+    for sharpness, faint in product(SHARPNESS, FAINT):
         member.sharpness.fill_(sharpness)
+        member.faint.fill_(faint)
         maps = read_counts(ContactEstimator([member]), counts).heatmap_n[:, -1]
         result = face_metrics(data.face, maps, data.heatmap_n, reference)
-        costs.append(1 - result.similarity + result.force_error_n / scale)
-    member.sharpness.fill_(SHARPNESS[int(np.argmin(costs))])
+        costs[sharpness, faint] = 1 - result.similarity + result.force_error_n / scale
+    sharpness, faint = min(costs, key=lambda choice: costs[choice])
+    member.sharpness.fill_(sharpness)
+    member.faint.fill_(faint)
     return member
 
 

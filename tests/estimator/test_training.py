@@ -14,7 +14,7 @@ from design.errors import InputError
 from design.spec import TrainingSpec
 from estimator.evaluation import evaluate_face, linear_baseline, mean_map_baseline
 from estimator.face_data import FaceData, face_data, live_channels
-from estimator.face_model import load_model, predict_heatmaps, save_model
+from estimator.face_model import MODEL_FORMAT, load_model, predict_heatmaps, save_model
 from estimator.network import HeadsNetwork
 from estimator.splits import split_places, split_presses
 from estimator.training import FitSettings, fit_estimator
@@ -183,7 +183,7 @@ def test_bad_model_files(model, tmp_path, damage):
     elif damage == "format":
         save_file(weights, path, metadata={"instobj": json.dumps({"format": 9})})
     else:
-        description = {"format": 2, "face": 4, "channels": [[4, 0, 0]], "grid_x_mm": [0]}
+        description = {"format": MODEL_FORMAT, "face": 4, "channels": [[4, 0, 0]], "grid_x_mm": [0]}
         save_file(weights, path, metadata={"instobj": json.dumps(description)})
     with pytest.raises(InputError, match=r"m\.safetensors"):
         load_model(path)
