@@ -41,7 +41,7 @@ def write_search_page(
         _maps(found, folder / "figures"),
         _moves(start, found.best.spec, folder / "figures"),
         _robustness(found),
-        _ladder(found, history.names[0], folder / "figures"),
+        _ladder(found, history.names, folder / "figures"),
         _search(history, folder / "figures"),
         _parts(found.best.spec),
     ]
@@ -56,7 +56,8 @@ def _verdict(found: Climb) -> str:
     stated = (
         "By the last rung, and for 95 % of pairs of objects built within tolerance."
         if found.better
-        else "The last rung does not confirm an improvement; the best finalist is shown all the same."
+        else f"Not confirmed by the last rung: {'; '.join(found.objections)}. The best finalist is shown "
+        "all the same."
     )
     rows = [
         [_label(name), f"{before:.4g}", f"{after:.4g}", _change(name, before, after)]
@@ -195,23 +196,33 @@ def _robustness(found: Climb) -> str:
     )
 
 
-def _ladder(found: Climb, name: str, folder: Path) -> str:
-    shown = name if name in found.correlations["1"] else "worst_position_bound_mm"
-    draw_rungs(found, shown, folder / "rungs.png")
-    rows = [
-        [one.label, *(_on(one, rung, shown) for rung in _RUNGS)]
-        for one in (found.start, *found.leaders)
-    ]
+def _ladder(found: Climb, objectives: tuple[str, ...], folder: Path) -> str:
+    named = [name for name in objectives if name in found.correlations["1"]]
+    shown = named or ["worst_position_bound_mm"]  # cost is the same on every rung
+    everyone = (found.start, *found.leaders)
+    counts = {rung: sum(rung in one.rungs for one in everyone) for rung in _RUNGS}
+    pictures = []
+    for name in shown:
+        draw_rungs(found, name, folder / f"rungs_{name}.png")
+        rows = [[one.label, *(_on(one, rung, name) for rung in _RUNGS)] for one in everyone]
+        pictures.append(image(folder / f"rungs_{name}.png", "Scores on one rung against the next"))
+        pictures.append(table([LABELS[name], *_RUNGS.values()], rows))
     ranks = [
         [_label(score), *(_rank(found.correlations[rung][score]) for rung in ("1", "2"))]
         for score in found.correlations["1"]
     ]
+    header = [
+        "rank correlation (Spearman)",
+        f"first to second, {counts['2']} layouts",
+        f"second to last, {counts['3']} layouts",
+    ]
     return (
         "<h2>From rung to rung</h2>"
-        + image(folder / "rungs.png", "Scores on one rung against the next")
-        + table([LABELS[shown], *_RUNGS.values()], rows)
-        + table(["rank correlation (Spearman)", "first to second", "second to last"], ranks)
+        + "".join(pictures)
+        + table(header, ranks)
         + note(
+            "1 is the same order, 0 none, −1 the reverse; with as few layouts as these one swap of "
+            "two neighbours is worth 0.2 (four layouts) to 0.06 (six). The start is among them. "
             "First: magnets without stiffness, signals linear in their motions. Second: rigid magnets, "
             "contact and fields in full. Last: a mesh that resolves the magnets. Correlations are among "
             "layouts that the rung below had already chosen, where they differ least."

@@ -55,7 +55,7 @@ class Climb:
 
     `correlations` are rank correlations of every score between a rung and the next, by its number;
     `ratios` of the best against the start on the last rung, with 95 % intervals between toleranced
-    twins. `better` only where the last rung says so, of the mean and of 95 % of the twins.
+    twins. `objections` say why the last rung does not call the best one better than the start.
     """
 
     start: Climber
@@ -63,7 +63,12 @@ class Climb:
     finalists: tuple[Climber, ...]
     correlations: dict[str, dict[str, float]]
     ratios: dict[str, TwinRatio]
-    better: bool
+    objections: tuple[str, ...]
+
+    @property
+    def better(self) -> bool:
+        """Whether the last rung says so: of the objectives' mean, all limits and 95 % of the twins."""
+        return not self.objections
 
     @property
     def best(self) -> Climber:
@@ -101,8 +106,8 @@ def climb(space: SearchSpace, kept: KeptStudy, folder: Path, say: Say) -> Climb 
     }
     say("twins within tolerance")
     ratios = twin_ratios(start.spec, finalists[0].spec)
-    better = _is_better(search, finalists[0], start, ratios)
-    return Climb(start, tuple(ranked), tuple(finalists), correlations, ratios, better)
+    against = objections(search, finalists[0], start, ratios)
+    return Climb(start, tuple(ranked), tuple(finalists), correlations, ratios, against)
 
 
 def leaders(space: SearchSpace, kept: KeptStudy, count: int) -> list[FrozenTrial]:
@@ -127,17 +132,38 @@ def leaders(space: SearchSpace, kept: KeptStudy, count: int) -> list[FrozenTrial
 def merit(search: SearchSpec, one: Climber, start: Climber, rung: str) -> float:
     """Mean logarithm of the objectives over the start's, with what limits are exceeded: less is
     better, the start has 0."""
-    logs = [np.log(_over_start(name, one, start, rung)) for name in search.objectives]
-    return float(np.mean(logs)) + _EXCESS_WEIGHT * excess(search, one, start, rung)
+    exceeded = sum(excess(search, one, start, rung).values())
+    return _mean_log(search, one, start, rung) + _EXCESS_WEIGHT * exceeded
 
 
-def excess(search: SearchSpec, one: Climber, start: Climber, rung: str) -> float:
-    """Shares by which the limits of `times_start` are exceeded and by which range is lacking."""
-    total = max(one.spec.limits.saturation_margin - one.rungs[rung].saturation_margin, 0.0)
+def excess(search: SearchSpec, one: Climber, start: Climber, rung: str) -> dict[str, float]:
+    """Shares by which limits of `times_start` are exceeded and by which range is lacking."""
+    lacking = one.spec.limits.saturation_margin - one.rungs[rung].saturation_margin
+    found = {"saturation_margin": lacking}
     for name, factor in search.limits.times_start.items():
         most = 1 / factor if name in OBJECTIVES_TO_MAXIMIZE else factor
-        total += max(_over_start(name, one, start, rung) / most - 1, 0.0)
-    return total
+        found[name] = _over_start(name, one, start, rung) / most - 1
+    return {name: share for name, share in found.items() if share > 0}
+
+
+def objections(
+    search: SearchSpec, best: Climber, start: Climber, ratios: dict[str, TwinRatio]
+) -> tuple[str, ...]:
+    """What keeps a layout from being better on the last rung, in words."""
+    found = []
+    if _mean_log(search, best, start, LAST) >= 0:
+        found.append("the objectives' mean is not better")
+    for name, share in excess(search, best, start, LAST).items():
+        found.append(f"{name} misses its limit by {100 * share:.2g} %")
+    first = search.objectives[0]
+    if first in ratios and ratios[first].low <= 1:
+        found.append(f"{first} is not better in 95 % of pairs of twins")
+    return tuple(found)
+
+
+def _mean_log(search: SearchSpec, one: Climber, start: Climber, rung: str) -> float:
+    logs = [np.log(_over_start(name, one, start, rung)) for name in search.objectives]
+    return float(np.mean(logs))
 
 
 def _over_start(name: str, one: Climber, start: Climber, rung: str) -> float:
@@ -147,13 +173,6 @@ def _over_start(name: str, one: Climber, start: Climber, rung: str) -> float:
     before, after = (max(getattr(who.rungs[rung], name), 1e-9) for who in (start, one))
     value = after / before
     return 1 / value if name in OBJECTIVES_TO_MAXIMIZE else value
-
-
-def _is_better(
-    search: SearchSpec, best: Climber, start: Climber, ratios: dict[str, TwinRatio]
-) -> bool:
-    sure = all(ratios[name].low > 1 for name in search.objectives[:1] if name in ratios)
-    return sure and merit(search, best, start, LAST) < 0 and not excess(search, best, start, LAST)
 
 
 def _correlations(climbers: list[Climber], lower: str, upper: str) -> dict[str, float]:

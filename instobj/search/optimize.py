@@ -92,7 +92,8 @@ def _document(spec: ObjectSpec, kept: KeptStudy, found: Climb, files: list[Path]
     verdict = (
         f"{found.best.label} is better than the start, by the last rung"
         if found.better
-        else "no layout is better than the start by the last rung; best.toml is not written"
+        else f"no layout is better than the start by the last rung ({'; '.join(found.objections)}); "
+        "best.toml is not written"
     )
     ratios = [
         {"score": name, "start / best": ratio.design, "95 % from": ratio.low, "to": ratio.high}

@@ -73,6 +73,7 @@ def _results(found: Climb) -> dict[str, Any]:
         json.dumps(
             {
                 "better": found.better,
+                "objections": found.objections,
                 "start": climber(found.start),
                 "leaders": [climber(one) for one in found.leaders],
                 "finalists": [one.label for one in found.finalists],
