@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from estimator.splits import split_paper_random_frames
-from instobj.experiments.paper_figures import draw_bars, draw_lines, draw_maps
+from instobj.experiments.paper_figures import draw_bars, draw_lines, draw_maps, headline
 from instobj.experiments.paper_object import (
     SIMULATED,
     SimulatedObject,
@@ -19,7 +19,7 @@ from instobj.experiments.paper_object import (
     pretrained,
     simulated_object,
 )
-from instobj.experiments.published import LEAST_TRAINING_FRAMES, TABLE_II, beside
+from instobj.experiments.published import LEAST_TRAINING_FRAMES, TABLE_I, TABLE_II, beside
 from instobj.experiments.registry import Study
 
 if TYPE_CHECKING:
@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from estimator.metrics import ForceReference
 
 _HALVINGS = 10
+_LEAST_FRAMES = 40
 _TWINS = 16
 
 
@@ -46,9 +47,11 @@ def run_data_amount(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, An
     test, rng = frames.select(split.test), np.random.default_rng(recorded.spec.seed)
     train, validation = rng.permutation(train), rng.permutation(validation)
     rows = []
-    for halvings in range(0, _HALVINGS + 1, 4 if quick else 1):
+    for halvings in range(0, _HALVINGS + 1, 2 if quick else 1):
+        if len(train) >> halvings < _LEAST_FRAMES:
+            break
         parts = tuple(
-            frames.select(np.sort(part[: max(40, len(part) >> halvings)]))
+            frames.select(np.sort(part[: max(_LEAST_FRAMES, len(part) >> halvings)]))
             for part in (train, validation)
         )
         label = {"collection": "paper", "faces": [face], "halvings": halvings}
@@ -59,10 +62,21 @@ def run_data_amount(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, An
             {"data": f"1/{2**halvings}", "training frames": len(parts[0])} | metric_row(found)
         )
     amount = np.array([row["training frames"] for row in rows])
-    shown = ("A_sim", "E_loc px", "E_f %", "A_non")
-    panels = {name: {"simulated": np.array([row[name] for row in rows])} for name in shown}
-    mark = (float(LEAST_TRAINING_FRAMES), "the paper's held down to here")
-    draw_lines(amount, panels, "training frames", folder / "data-amount.png", mark)
+    shown = {
+        "A_sim": "similarity A_sim",
+        "E_loc px": "location error E_loc (px)",
+        "E_f %": "force error E_f (%)",
+        "A_non": "accuracy at rest, A_non",
+    }
+    draw_lines(
+        amount,
+        {label: np.array([row[name] for row in rows]) for name, label in shown.items()},
+        "training frames",
+        headline(f"face {face}, frames split at random", quick),
+        folder / "data-amount.png",
+        {label: TABLE_I[face][name] for name, label in shown.items() if face in TABLE_I},
+        (float(LEAST_TRAINING_FRAMES), "the paper's held down to here"),
+    )
     texts = [
         SIMULATED,
         f"The paper's performance held down to {LEAST_TRAINING_FRAMES} training frames, 1/32 of all.",
@@ -99,13 +113,20 @@ def run_seen_unseen(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, An
             row, errors = _place_row(model, tested, span, recorded)
             rows.append({"model": name, "places": places} | beside(row, TABLE_II[places]))
             if places == "unseen":
-                maps[f"{name}: distance (px)"] = errors
-    draw_maps(maps, folder / "unseen-places.png", alike=True)
+                maps[name] = errors
+    away = headline("distance of the estimated place at places never trained on (px)", quick)
+    draw_maps(maps, away, folder / "unseen-places.png", alike=True)
     draw_bars(
         [row | {"test": f"{row['places']}, {row['model']}"} for row in rows],
         "test",
-        {"E_f %": "E_f", "total force %": "total force", "paper E_f %": "E_f, paper (real object)"},
-        "force error (%)",
+        {
+            "force error (% of the place's range)": {
+                "E_f %": "E_f",
+                "total force %": "total force",
+                "paper E_f %": "E_f, paper (real object)",
+            }
+        },
+        headline("places trained on, and others", quick),
         folder / "seen-unseen.png",
     )
     texts = [
@@ -167,15 +188,17 @@ def run_places(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]:
         seed=1, kind="continuous", faces=[face], presses=60 if quick else 1000
     )
     grid = recorded.collect(faces=[face], dual_poses=[], triple_poses=[])
+    anywhere = recorded.collect(
+        seed=2, kind="continuous", faces=[face], presses=budget // per_press
+    )
+    recordings = {
+        "every second place": grid.select(seen_places(grid)),
+        "every place": grid,
+        "anywhere": anywhere,
+    }
+    budget = min(len(frames) for frames in recordings.values())
     rows = []
-    for name, frames in (
-        ("every second place", grid.select(seen_places(grid))),
-        ("every place", grid),
-        (
-            "anywhere",
-            recorded.collect(seed=2, kind="continuous", faces=[face], presses=budget // per_press),
-        ),
-    ):
+    for name, frames in recordings.items():
         chosen = _thinned(frames, budget, recorded.spec.seed)
         split = split_paper_random_frames(chosen, recorded.spec.seed)
         label = {"places": name, "budget": budget}
@@ -188,8 +211,11 @@ def run_places(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]:
     draw_bars(
         rows,
         "labelled",
-        {"mean distance mm": "place (mm)", "total force %": "total force (% of the mean force)"},
-        "error of contacts anywhere on the face",
+        {
+            "distance of the estimated place (mm)": {"mean distance mm": "mean"},
+            "total force error (% of the mean force)": {"total force %": "mean"},
+        },
+        headline(f"contacts anywhere on face {face}, {budget} labelled frames each", quick),
         folder / "places-against-frames.png",
     )
     return {

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from instobj.experiments.layouts import changed
-from instobj.experiments.paper_figures import save
+from instobj.experiments.paper_figures import headline, save
 from instobj.experiments.paper_object import (
     SIMULATED,
     SimulatedObject,
@@ -47,7 +47,8 @@ def run_3d_force(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]:
         maps.sum(axis=(2, 3)) for maps in (data.force_maps_n, predict(model, data.frames).heatmap_n)
     )
     rows = [_row(axis, true[:, k], found[:, k]) for k, axis in enumerate(_AXES)]
-    _draw(true, found, folder / "3d-force.png")
+    title = headline(f"presses anywhere on face {face} that pull sideways, held out", quick)
+    _draw(true, found, title, folder / "3d-force.png")
     texts = [
         SIMULATED,
         f"Face {face}, presses anywhere, tangential force up to {SHARE:g} of the normal force, whole "
@@ -83,7 +84,7 @@ def _row(axis: str, true: np.ndarray, found: np.ndarray) -> dict[str, Any]:
     }
 
 
-def _draw(true: np.ndarray, found: np.ndarray, path: Path) -> None:
+def _draw(true: np.ndarray, found: np.ndarray, title: str, path: Path) -> None:
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(10, 3.5), layout="constrained")
@@ -94,7 +95,7 @@ def _draw(true: np.ndarray, found: np.ndarray, path: Path) -> None:
         axes.plot(ends, ends, color="0.3", lw=1)
         axes.set(xlabel=f"true {_AXES[k]} (N)", ylabel=f"estimated {_AXES[k]} (N)")
         axes.grid(alpha=0.3)
-    figure.suptitle("Simulated presses, held out", fontsize=10)
+    figure.suptitle(title, fontsize=10)
     save(figure, path)
 
 

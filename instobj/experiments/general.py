@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from estimator.splits import split_paper_random_frames
-from instobj.experiments.paper_figures import draw_bars, draw_histograms
+from instobj.experiments.paper_figures import draw_bars, draw_histograms, headline
 from instobj.experiments.paper_object import (
     SIMULATED,
     SimulatedObject,
@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from estimator.metrics import ContactErrors, FaceMetrics
 
 _STRONG_N = 4.0
+_PAPER = {"paper E_f %": "paper (real object)"}
 
 
 def run_general(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]:
@@ -38,11 +39,11 @@ def run_general(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]:
     draw_bars(
         rows,
         "face",
-        {"E_f %": "simulated", "best E_f %": "bound", "paper E_f %": "paper (real object)"},
-        "force error E_f (%)",
+        {"force error E_f (%)": {"E_f %": "simulated", "best E_f %": "its bound", **_PAPER}},
+        headline("one to three contacts, frames split at random", quick),
         folder / "general-performance.png",
     )
-    draw_histograms(errors, folder / "errors.png")
+    draw_histograms(errors, headline("errors of the test frames", quick), folder / "errors.png")
     texts = [
         SIMULATED,
         "Frames split at random as in the paper, so frames of one press are in every part. The bound "
@@ -58,7 +59,9 @@ def _face_row(recorded: SimulatedObject, face: int) -> tuple[dict[str, Any], Con
 
     label = {"collection": "paper", "faces": [face]}
     frames = recorded.collect(faces=[face])
-    model, validation, test = fitted_to_split(recorded, frames, split_paper_random_frames, face, label)
+    model, validation, test = fitted_to_split(
+        recorded, frames, split_paper_random_frames, face, label
+    )
     span = force_reference(face_data(frames, face).heatmap_n)
     known, _, rest = predict_face(model, validation)
     predicted, true, at_rest = predict_face(model, test)
@@ -95,7 +98,9 @@ def run_linear(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]:
     label = {"collection": "paper", "faces": [face]}
     rows: list[dict[str, Any]] = []
     for name in ("linear", "compact"):
-        model, _, test = fitted_to_split(recorded, frames, split_paper_random_frames, face, label, model=name)
+        model, _, test = fitted_to_split(
+            recorded, frames, split_paper_random_frames, face, label, model=name
+        )
         metrics = face_metrics(face, *_pair(predict_face(model, test), span))
         rows.append({"estimator": name} | _beside(metrics, LINEAR if name == "linear" else {}))
     split = split_paper_random_frames(frames, recorded.spec.seed)
@@ -104,8 +109,13 @@ def run_linear(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]:
     draw_bars(
         rows,
         "estimator",
-        {"E_f %": "simulated", "paper E_f %": "authors' page (real object)"},
-        "force error E_f (%)",
+        {
+            "force error E_f (%)": {
+                "E_f %": "simulated",
+                "paper E_f %": "authors' page (real object)",
+            }
+        },
+        headline(f"linear regression and the network, face {face}", quick),
         folder / "linear-baseline.png",
     )
     return {"rows": rows, "texts": [SIMULATED]}

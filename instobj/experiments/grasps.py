@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import textwrap
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from instobj.experiments.layouts import arrangements, changed
-from instobj.experiments.paper_figures import draw_bars, save
+from instobj.experiments.paper_figures import PAPER_COLOUR, draw_bars, headline, save
 from instobj.experiments.paper_object import (
     SIMULATED,
     SimulatedObject,
@@ -43,14 +42,14 @@ def run_two_face_grasp(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str,
     """Estimators of single-face presses, judged in grasps of both faces."""
     recorded = simulated_object(spec, quick)
     rows, sweeps = [], {}
-    grasps = _grasps(recorded)
+    grasps, frames = _grasps(recorded), _one_face_at_a_time(recorded)
     for face in recorded.spec.collection.grasp_faces:
         for name, reads in MODELS.items():
-            model, reference = _fitted(recorded, face, name)
+            model, reference, _ = _fitted(recorded, frames, face, name)
             row = beside(_judged(model, grasps, reference), TABLE_III.get(face, {}))
             rows.append({"face": face, "reads": reads} | row)
             sweeps[f"face {face}, {reads}"] = _sweep(model, grasps, reference)
-    _draw_sweep(sweeps, folder / "two-face-grasp.png")
+    _draw_sweep(sweeps, headline("grasps of two faces", quick), folder / "two-face-grasp.png")
     worst = max(row["total force %"] for row in rows if row["reads"] == MODELS["whole-object"])
     texts = [
         SIMULATED,
@@ -67,18 +66,25 @@ def run_swap(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]:
     rows = []
     for title, changes in arrangements(spec).items():
         recorded = simulated_object(changed(spec, changes), quick)
-        grasps = _grasps(recorded)
+        grasps, frames = _grasps(recorded), _one_face_at_a_time(recorded)
         for face in recorded.spec.collection.grasp_faces:
             for name, reads in MODELS.items():
-                model, reference = _fitted(recorded, face, name)
+                model, reference, alone = _fitted(recorded, frames, face, name)
                 label = {"arrangement": title, "face": face, "reads": reads}
                 judged = _judged(model, grasps, reference)
-                rows.append(label | {name: judged[name] for name in SHOWN})
-    _draw_swap(rows, folder / "swap-magnets-and-sensors.png")
+                one_face = _judged(model, alone, reference)["total force %"]
+                rows.append(
+                    label
+                    | {name: judged[name] for name in SHOWN}
+                    | {"one face: total force %": one_face}
+                )
+    title = headline("one face pressed, and grasps of two", quick)
+    _draw_swap(rows, title, folder / "swap-magnets-and-sensors.png")
     texts = [
         SIMULATED,
-        "The paper supposes that sensors in the shell feel presses of other faces less. Fitted to "
-        "presses of one face at a time, judged in grasps of two faces.",
+        "The paper supposes that sensors in the shell feel presses of other faces less, and gives no "
+        "figure. Fitted to presses of one face at a time, judged in grasps of two faces and, for "
+        "comparison, in held-out presses of either face alone.",
     ]
     return {"rows": rows, "texts": texts}
 
@@ -90,17 +96,28 @@ def _grasps(recorded: SimulatedObject) -> FrameSet:
     return recorded.collect(seed=_TEST_SEED, kind="grasp", grasp_force_n=force_n)
 
 
-def _fitted(recorded: SimulatedObject, face: int, name: str) -> tuple[FaceModel, ForceReference]:
+def _one_face_at_a_time(recorded: SimulatedObject) -> FrameSet:
+    """The collection that estimators are fitted to."""
+    count = min(FRAMES_PER_CASE, recorded.spec.collection.frames_per_case)
+    faces = list(recorded.spec.collection.grasp_faces)
+    return recorded.collect(faces=faces, frames_per_case=count)
+
+
+def _fitted(
+    recorded: SimulatedObject, frames: FrameSet, face: int, name: str
+) -> tuple[FaceModel, ForceReference, FrameSet]:
+    """Also the frames that were held out."""
     from estimator.face_data import face_data
     from estimator.metrics import force_reference
     from estimator.splits import split_presses
 
-    faces = list(recorded.spec.collection.grasp_faces)
-    count = min(FRAMES_PER_CASE, recorded.spec.collection.frames_per_case)
-    frames = recorded.collect(faces=faces, frames_per_case=count)
-    label = {"collection": "paper", "faces": faces, "frames_per_case": count}
-    model, _, _ = fitted_to_split(recorded, frames, split_presses, face, label, model=name)
-    return model, force_reference(face_data(frames, face).heatmap_n)
+    label = {
+        "collection": "paper",
+        "faces": list(recorded.spec.collection.grasp_faces),
+        "frames_per_case": min(FRAMES_PER_CASE, recorded.spec.collection.frames_per_case),
+    }
+    model, _, test = fitted_to_split(recorded, frames, split_presses, face, label, model=name)
+    return model, force_reference(face_data(frames, face).heatmap_n), test
 
 
 def _judged(
@@ -131,10 +148,11 @@ def _sweep(model: FaceModel, grasps: FrameSet, reference: ForceReference) -> dic
     return {"E_f %": percent, "E_loc px": pixels}
 
 
-def _draw_sweep(sweeps: dict[str, dict[str, np.ndarray]], path: Path) -> None:
+def _draw_sweep(sweeps: dict[str, dict[str, np.ndarray]], title: str, path: Path) -> None:
+    """Lines by face and by what is read, with the paper's means over all shares."""
     from matplotlib.figure import Figure
 
-    figure = Figure(figsize=(9, 3.6), layout="constrained")
+    figure = Figure(figsize=(9, 4.4), layout="constrained")
     panels = figure.subplots(1, 2)
     for index, (name, values) in enumerate(sweeps.items()):
         style = {
@@ -145,24 +163,32 @@ def _draw_sweep(sweeps: dict[str, dict[str, np.ndarray]], path: Path) -> None:
         }
         for axes, key in zip(panels, ("E_f %", "E_loc px"), strict=True):
             axes.plot(SHARES, values[key], label=name, **style)
-    panels[0].set(ylabel="force error E_f (% of the place's range)")
-    panels[1].set(ylabel="location error E_loc (pixels)")
-    for axes in panels:
+    for axes, key in zip(panels, ("E_f %", "E_loc px"), strict=True):
+        for face, style in zip(TABLE_III, ("-.", ":"), strict=True):
+            label = f"paper, face {face}: mean (real object)"
+            axes.axhline(TABLE_III[face][key], color=PAPER_COLOUR, ls=style, lw=1, label=label)
         axes.set(xlabel="force on the other face over its largest", ylim=(0, None))
         axes.grid(alpha=0.3)
-    panels[0].legend(fontsize=8)
-    figure.suptitle("Simulated grasps of two faces", fontsize=10)
+    panels[0].set(ylabel="force error E_f (% of the place's range)")
+    panels[1].set(ylabel="location error E_loc (pixels)")
+    handles = panels[0].get_legend_handles_labels()
+    figure.legend(*handles, loc="outside lower center", ncols=3, fontsize=8, frameon=False)
+    figure.suptitle(title, fontsize=10)
     save(figure, path)
 
 
-def _draw_swap(rows: list[dict[str, Any]], path: Path) -> None:
-    """Bars by arrangement and face, one colour for what the estimator reads."""
+def _draw_swap(rows: list[dict[str, Any]], title: str, path: Path) -> None:
+    """Bars by arrangement and face, a panel for what the estimator reads."""
+    label = "total force error (% of the place's range)"
     groups: dict[str, dict[str, Any]] = {}
+    panels: dict[str, dict[str, str]] = {}
     for row in rows:
-        name = textwrap.fill(row["arrangement"], 20) + f"\nface {row['face']}"
-        groups.setdefault(name, {"": name})[row["reads"]] = row["total force %"]
-    series = {reads: reads for reads in MODELS.values()}
-    draw_bars(list(groups.values()), "", series, "total force error (% of range)", path)
+        name = f"{row['arrangement']}, face {row['face']}"
+        group, reads = groups.setdefault(name, {"": name}), row["reads"]
+        alone, both = f"{reads} alone", f"{reads} grasp"
+        group[alone], group[both] = row["one face: total force %"], row["total force %"]
+        panels[f"{reads}:\n{label}"] = {alone: "one face pressed", both: "both, in a grasp"}
+    draw_bars(list(groups.values()), "", panels, title, path)
 
 
 def _as_lists(sweeps: dict[str, dict[str, np.ndarray]]) -> dict[str, Any]:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from estimator.splits import split_paper_random_frames
-from instobj.experiments.paper_figures import draw_maps, draw_scatter
+from instobj.experiments.paper_figures import draw_maps, draw_scatter, headline
 from instobj.experiments.paper_object import (
     SIMULATED,
     SimulatedObject,
@@ -51,7 +51,9 @@ def run_location_wise(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, 
         "location error E_loc (px)": maps.location_error_px,
         "force error E_f (%)": maps.force_error_percent,
     }
-    draw_maps(shown, folder / "location-wise.png")
+    better = tuple(shown)[:1]
+    title = headline(f"face {face}, single contacts", quick)
+    draw_maps(shown, title, folder / "location-wise.png", more_is_better=better)
     rows = []
     for area in AREAS:
         inside = area_places(grid, area).reshape(grid.shape) & (maps.contacts > 0)
@@ -94,7 +96,8 @@ def run_sensitivity(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, An
         | {f"ranks as {error}": rank_correlation(value, found) for error, found in errors.items()}
         for name, value in predictors.items()
     ]
-    _draw_sensitivity(predictors, errors, maps.similarity.shape, folder)
+    title = headline(f"face {face}, single contacts", quick)
+    _draw_sensitivity(predictors, errors, maps.similarity.shape, title, folder)
     texts = [
         SIMULATED,
         "Spearman's correlation of predictors with errors: +1 means that a predictor orders the "
@@ -108,23 +111,30 @@ def _draw_sensitivity(
     predictors: dict[str, np.ndarray],
     errors: dict[str, np.ndarray],
     shape: tuple[int, ...],
+    title: str,
     folder: Path,
 ) -> None:
     delta, bound = 1 / predictors["1 / δ, raw"], predictors["position bound (mm)"]
-    names = ("sensitivity δ (raw)", "position bound (mm)", "force error E_f (%)")
+    names = ("sensitivity δ, raw (counts⁹/N)", "position bound (mm)", "force error E_f (%)")
     values = (delta, bound, errors["E_f (%)"])
     shown = {name: value.reshape(shape) for name, value in zip(names, values, strict=True)}
-    draw_maps(shown, folder / "force-sensitivity.png", logarithmic=names[:2])
+    draw_maps(shown, title, folder / "force-sensitivity.png", names[:2], more_is_better=names[:1])
     pairs = (
         ("1 / δ, raw", "E_f (%)"),
         ("force bound (N)", "E_f (N)"),
         ("position bound (mm)", "E_f (%)"),
     )
     panels = [
-        (a, b, predictors[a], errors[b], rank_correlation(predictors[a], errors[b]))
+        (
+            a.replace("raw", "raw (N/counts⁹)"),
+            f"error {b}",
+            predictors[a],
+            errors[b],
+            rank_correlation(predictors[a], errors[b]),
+        )
         for a, b in pairs
     ]
-    draw_scatter(panels, folder / "correlation.png")
+    draw_scatter(panels, title + ", a point a place", folder / "correlation.png")
 
 
 def rank_correlation(a: np.ndarray, b: np.ndarray) -> float:

@@ -13,6 +13,7 @@ from synthetic_presses import synthetic_presses
 
 from design.layouts import contact_grid
 from design.spec import ObjectSpec
+from estimator import contact_cases
 from estimator.contact_traces import JointMechanics
 from estimator.shear import ShearSignals
 from estimator.twin import drawn_assembly, twin_signals
@@ -20,6 +21,7 @@ from instobj.experiments import force_vectors, grasps, paper_object, slipped
 from instobj.experiments.layouts import changed
 from instobj.experiments.paper_object import SimulatedObject
 from instobj.experiments.registry import studies
+from instobj.store import content_key
 
 SHORTER = {
     "training.twins": 3,
@@ -29,6 +31,7 @@ SHORTER = {
     "protocol.rest_frames_per_press": 4,
 }
 NAMES = ("two-face-grasp", "core-slip", "3d-force")
+FEWER_GRASPS = (((0.0, 0.0, 0.0), (7.5, -7.5, 0.0)), ((0.0, -9.0, 0.0),))
 
 
 def made_shear(spec):
@@ -40,26 +43,39 @@ def made_shear(spec):
     return ShearSignals(np.arange(1, 6), grid, depth, np.tile(per_n, (5, 1, 1, 1, 1, 1)))
 
 
-@pytest.fixture(scope="module")
-def results(tmp_path_factory):
-    spec = changed(ObjectSpec(name="synthetic"), paper_object._QUICK | SHORTER)
-    presses = synthetic_presses(spec)
-    assembly = drawn_assembly(spec, 7)
+def made_object(spec):
+    """Of any arrangement: synthetic presses of whatever moves with the shell."""
+    presses, assembly = synthetic_presses(spec), drawn_assembly(spec, 7)
     mechanics = JointMechanics(half_space_response(spec, 13), None, assembly)
     signals = twin_signals(spec, assembly, *presses)
-    made = SimulatedObject(spec, signals, mechanics, spec, presses, "synthetic")
+    return SimulatedObject(
+        spec, signals, mechanics, spec, presses, content_key(spec.model_dump(mode="json"))
+    )
+
+
+@pytest.fixture(scope="module")
+def run(tmp_path_factory):
+    """Function name → (what the study returned, its folder)."""
+    spec = changed(ObjectSpec(name="synthetic"), paper_object._QUICK | SHORTER)
     folder = tmp_path_factory.mktemp("experiments")
-    found = {}
+
+    def run(name):
+        (folder / name).mkdir()
+        return studies()[name].run(spec, folder / name, True), folder / name
+
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("INSTOBJ_STORE", str(folder / "store"))
+        patch.setattr(contact_cases, "GRASP_POSES", FEWER_GRASPS)
         for module in (grasps, slipped, force_vectors):
-            patch.setattr(module, "simulated_object", lambda spec, quick: made)
-        patch.setattr(slipped, "_presses", lambda recorded: presses)
+            patch.setattr(module, "simulated_object", lambda spec, quick: made_object(spec))
+        patch.setattr(slipped, "_presses", lambda recorded: recorded.design_presses)
         patch.setattr(force_vectors, "_shear", lambda recorded: made_shear(spec))
-        for name in NAMES:
-            (folder / name).mkdir()
-            found[name] = studies()[name].run(spec, folder / name, True), folder / name
-    return found
+        yield run
+
+
+@pytest.fixture(scope="module")
+def results(run):
+    return {name: run(name) for name in NAMES}
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -75,6 +91,25 @@ def test_grasps_stand_beside_the_papers(results):
     assert [row["face"] for row in found["rows"]] == [3, 3, 5, 5]
     assert found["rows"][0]["paper E_f %"] == 38.7
     assert len(found["sweep"]["face 3, all sensors"]["E_f %"]) == 8
+
+
+@pytest.mark.slow
+def test_swapping_magnets_and_sensors_is_judged_against_one_face_pressed(run):
+    found, folder = run("swap-magnets-and-sensors")
+    assert (folder / "swap-magnets-and-sensors.png").stat().st_size > 5000
+    rows = found["rows"]
+    assert len(rows) == 3 * 2 * 2
+    swapped = [row for row in rows if "sensors in the shell" in row["arrangement"]]
+    assert {(row["face"], row["reads"]) for row in swapped} == {
+        (face, reads) for face in (3, 5) for reads in grasps.MODELS.values()
+    }
+    errors = {tuple(row[name] for name in ("E_f %", "total force %")) for row in rows}
+    assert len(errors) == len(rows)  # no arrangement, face or model stands twice
+    own = [row for row in rows if row["reads"] == grasps.MODELS["compact"]]
+    alone, both = (
+        np.mean([row[name] for row in own]) for name in ("one face: total force %", "total force %")
+    )
+    assert alone < both
 
 
 def test_a_new_zero_undoes_most_of_a_slip(results):
