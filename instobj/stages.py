@@ -217,10 +217,10 @@ STAGES: dict[str, Stage] = {
             *("protocol", "silicone.prony", "training", "seed"),
         ),
         make_pretraining,
-        version=2,
+        version=3,
     ),
     "networks": Stage(
-        "estimator: training", ("frames",), ("training", "seed"), make_networks, version=5
+        "estimator: training", ("frames",), ("training", "seed"), make_networks, version=6
     ),
     "metrics": Stage(
         "estimator: held-out presses", ("frames", "networks"), (), make_metrics, version=2
