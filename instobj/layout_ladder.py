@@ -132,6 +132,6 @@ def score_row(score: LadderScore) -> dict[str, Any]:
         "edge mm": score.edge_position_bound_mm,
         "slip mm": score.slip_place_mm,
         "tolerance mm": score.tolerance_place_mm,
-        "uneven softness": score.compliance_deviation,
+        "softness off": score.compliance_deviation,
         "free range": score.saturation_margin,
     }

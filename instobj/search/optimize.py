@@ -126,9 +126,13 @@ def correlation_rows(found: Climb) -> list[dict[str, Any]]:
 
 
 def _rows(found: Climb, rung: str) -> list[dict[str, Any]]:
+    """One row a score, one column a layout: there are more scores than fit side by side."""
     climbers: tuple[Climber, ...] = (found.start, *found.leaders)
-    known = [one for one in climbers if rung in one.rungs]
-    return [{"layout": one.label} | score_row(one.rungs[rung]) for one in known]
+    columns = {one.label: score_row(one.rungs[rung]) for one in climbers if rung in one.rungs}
+    return [
+        {"score": score} | {label: values[score] for label, values in columns.items()}
+        for score in columns["start"]
+    ]
 
 
 def _trial_counts(kept: KeptStudy) -> dict[str, Any]:
