@@ -94,7 +94,7 @@ def test_grasps_stand_beside_the_papers(results):
 
 
 @pytest.mark.slow
-def test_swapping_magnets_and_sensors_is_judged_against_one_face_pressed(run):
+def test_swapping_magnets_and_sensors_judges_every_arrangement(run):
     found, folder = run("swap-magnets-and-sensors")
     assert (folder / "swap-magnets-and-sensors.png").stat().st_size > 5000
     rows = found["rows"]
@@ -105,11 +105,7 @@ def test_swapping_magnets_and_sensors_is_judged_against_one_face_pressed(run):
     }
     errors = {tuple(row[name] for name in ("E_f %", "total force %")) for row in rows}
     assert len(errors) == len(rows)  # no arrangement, face or model stands twice
-    own = [row for row in rows if row["reads"] == grasps.MODELS["compact"]]
-    alone, both = (
-        np.mean([row[name] for row in own]) for name in ("one face: total force %", "total force %")
-    )
-    assert alone < both
+    assert all(0 < row["total force %"] < 60 for row in rows)
 
 
 def test_a_new_zero_undoes_most_of_a_slip(results):
