@@ -90,15 +90,26 @@ def open_study(
         raise InputError(
             f"{where} holds no search of {spec.name!r} to resume. Leave --resume out to start one"
         )
-    study = optuna.create_study(
+    study = _loaded(spec, backend) if known else _created(spec, backend)
+    _require_same(study, spec, where)
+    return KeptStudy(study, where)
+
+
+def _loaded(spec: ObjectSpec, backend: BaseStorage) -> optuna.Study:
+    """Writes nothing, unlike the creation of a study that exists."""
+    sampler = optuna.samplers.RandomSampler()
+    return optuna.load_study(study_name=spec.name, storage=backend, sampler=sampler)
+
+
+def _created(spec: ObjectSpec, backend: BaseStorage) -> optuna.Study:
+    """Or loaded, where another worker has just created it."""
+    return optuna.create_study(
         study_name=spec.name,
         storage=backend,
         directions=[StudyDirection.MINIMIZE] * len(spec.search.objectives),
         load_if_exists=True,
         sampler=optuna.samplers.RandomSampler(),
     )
-    _require_same(study, spec, where)
-    return KeptStudy(study, where)
 
 
 def study_key(spec: ObjectSpec) -> str:

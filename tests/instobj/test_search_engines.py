@@ -91,12 +91,14 @@ def test_a_resumed_search_goes_on_from_what_was_kept(tmp_path):
 def test_a_study_is_neither_overwritten_nor_mixed_up(tmp_path):
     path = tmp_path / "journal.log"
     searched(path, trials=32)
+    kept = path.read_bytes()
     with pytest.raises(InputError, match="--resume"):
         open_study(made_up_space().spec, path)
     with pytest.raises(InputError, match="no search of 'other'"):
         open_study(made_up_space(name="other").spec, path, resume=True)
     with pytest.raises(InputError, match="another specification"):
         open_study(made_up_space(reach=13.0).spec, path, resume=True)
+    assert path.read_bytes() == kept
     assert len(open_study(made_up_space(trials=77).spec, path, resume=True).trials()) == 32
 
 
