@@ -54,9 +54,7 @@ def test_a_core_that_also_pulls_is_stiffer(spec, sliding, lifted, monkeypatch):
         assert_complementary(stuck)
 
 
-def test_it_is_one_solve_with_the_open_vertices_as_unknowns(
-    small_mesh, spec, lifted, monkeypatch
-):
+def test_it_is_one_solve_with_the_open_vertices_as_unknowns(small_mesh, spec, lifted, monkeypatch):
     """Independent of the core's forces: openings join the motions before the factorization."""
     basis_of = fem.response._motion_basis
 
