@@ -56,17 +56,24 @@ def largest_core_tension(
     ValueError
         The shell is bonded to its core, or no press has any force.
     """
+    return _largest(response, face_index, pressures_mpa)[0]
+
+
+def _largest(
+    response: ResponseOperator, face_index: int, pressures_mpa: np.ndarray
+) -> tuple[CoreTension, int]:
+    """And the press that has it."""
     core = response.core
     if core is None:
         raise ValueError("tension at the core is known of a frictionless interface only")
     force = pressures_mpa @ surface_weights_mm2(response.surfaces[face_index])
-    pressed = force > 0
-    if not pressed.any():
+    pressed = np.flatnonzero(force > 0)
+    if len(pressed) == 0:
         raise ValueError("none of the presses touches the face")
     per_load = core.force_per_load[:, response.face_loads(face_index)]
     tension = -(per_load @ pressures_mpa[pressed].T) / core.weights_mm2[:, None] / force[pressed]
-    vertex, _ = np.unravel_index(int(np.argmax(tension)), tension.shape)
-    return CoreTension(float(tension.max()), core.points_mm[vertex])
+    vertex, press = np.unravel_index(int(np.argmax(tension)), tension.shape)
+    return CoreTension(float(tension.max()), core.points_mm[vertex]), int(pressed[press])
 
 
 def core_tension(spec: ObjectSpec, response: ResponseOperator) -> CoreTension:
@@ -82,12 +89,11 @@ def core_tension(spec: ObjectSpec, response: ResponseOperator) -> CoreTension:
     deepest = np.array(spec.press.depths_mm[-1:])
     xy = contact_grid(spec).xy_mm
     found = []
-    for index in range(len(response.surfaces)):
+    for index, surface in enumerate(response.surfaces):
         pressures = press_places(spec, response, index, xy, deepest)[:, 0]
-        for place, pressure in zip(xy, pressures, strict=True):
-            number = response.surfaces[index].number
-            tension = largest_core_tension(response, index, pressure[None])
-            found.append(replace(tension, press=(number, float(place[0]), float(place[1]))))
+        tension, press = _largest(response, index, pressures)
+        x, y = xy[press].tolist()
+        found.append(replace(tension, press=(surface.number, x, y)))
     worst = max(found, key=lambda tension: tension.pressure_mpa_per_n)
     return replace(worst, force_drop=_force_drop(spec, response, worst, deepest))
 

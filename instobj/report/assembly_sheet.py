@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import base64
 import html
 from math import degrees
 from pathlib import Path
@@ -14,6 +13,7 @@ from design.layouts import core_frames, face_frames
 from design.manifest import BuildManifest
 from design.pockets import sensor_places
 from design.spec import ObjectSpec
+from instobj.report import elements
 
 _STYLE = """
 body { font: 11pt/1.4 system-ui, sans-serif; color: #111; max-width: 190mm; margin: 8mm auto; }
@@ -32,13 +32,12 @@ _FACE_MM = 55.0
 
 def assembly_sheet(spec: ObjectSpec, manifest: BuildManifest, exploded_png: Path) -> str:
     """The page as HTML without any file beside it; print it to get a PDF."""
-    picture = base64.b64encode(exploded_png.read_bytes()).decode()
     body = "".join(
         (
             f"<h1>{html.escape(spec.name)}: assembly</h1>",
             f'<p class="note">Specification {manifest.spec_hash[:16]}. Lengths in mm. z points away '
             "from the open face, face 1 outwards.</p>",
-            f'<img alt="Exploded view" src="data:image/png;base64,{picture}">',
+            elements.image(exploded_png, "Exploded view"),
             "<h2>Magnets: poles seen from outside</h2>",
             _polarity_section(spec),
             "<h2>Sensors and wires</h2>",

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import base64
 from pathlib import Path
 
 from design.spec import ObjectSpec
+from instobj.report import elements
 
 
 def compliance_section(spec: ObjectSpec, presses: Path, scratch: Path) -> str:
@@ -16,11 +16,10 @@ def compliance_section(spec: ObjectSpec, presses: Path, scratch: Path) -> str:
 
     forces, _ = load_presses(presses / "presses.nc")
     draw_compliance(spec, compliance_map(forces), scratch)
-    data = base64.b64encode((scratch / WITH_MAGNETS).read_bytes()).decode()
     return (
         "<h2>How soft it is where</h2>"
-        f"<img alt='Compliance of every place' src='data:image/png;base64,{data}'>"
-        "<p class='note'>Travel per newton of every contact place, the secant at the stated depth. "
+        + elements.image(scratch / WITH_MAGNETS, "Compliance of every place")
+        + "<p class='note'>Travel per newton of every contact place, the secant at the stated depth. "
         "<code>instobj compliance</code> shows it beside the same object without magnets, with the "
         "numbers as a table.</p>"
     )

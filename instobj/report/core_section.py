@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import base64
 import json
 from html import escape
 from pathlib import Path
 
 from design.spec import ObjectSpec
+from instobj.report import elements
 
 
 def core_section(spec: ObjectSpec, presses: Path, scratch: Path) -> str:
@@ -44,18 +44,13 @@ def _slipped(spec: ObjectSpec, scratch: Path) -> str:
     figure = scratch / "slip.png"
     draw_slip(spec, costs, figure, slip_title(slip))
     rows = comparison_rows({model: summary(cost) for model, cost in costs.items()})
-    head = "".join(f"<th>{escape(name)}</th>" for name in rows[0])
-    body = "".join(
-        f"<tr><td>{escape(row['what'])}</td>"
-        + "".join(f"<td>{row[name]:.3g}</td>" for name in ("fem", "sensors-only", "its error"))
-        + "</tr>"
-        for row in rows
-    )
-    data = base64.b64encode(figure.read_bytes()).decode()
+    columns = ("fem", "sensors-only", "its error")
+    cells = [[row["what"], *(f"{row[name]:.3g}" for name in columns)] for row in rows]
     return (
         f"<h2>Slipped core</h2><p>{escape(slip_title(slip))}. Signals in this report are those of the "
         f"model {escape(slip['model'])!r}. The table reads them as an estimator calibrated before the "
         "slip would, linearised, from each face's own channels; the last column is what moving the "
-        f"sensors alone gets wrong.</p><img alt='Cost of the slip' src='data:image/png;base64,{data}'>"
-        f"<div class='scroll'><table><tr>{head}</tr>{body}</table></div>"
+        "sensors alone gets wrong.</p>"
+        + elements.image(figure, "Cost of the slip")
+        + elements.table(list(rows[0]), cells)
     )

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import base64
-from html import escape
 from pathlib import Path
 from typing import Any
 
 from design.spec import ObjectSpec
 from instobj.deformation_stages import large_strain_content
+from instobj.report import elements
 
 
 def deformation_section(spec: ObjectSpec, inputs: dict[str, Path], protocol: dict[str, Any]) -> str:
@@ -16,10 +15,10 @@ def deformation_section(spec: ObjectSpec, inputs: dict[str, Path], protocol: dic
     content = large_strain_content(inputs["large_strain"])
     parts = ["<h2>Deformation</h2>", _figure(inputs["shapes"] / "shapes" / "section.png")]
     if content["correction"] is None:
-        parts.append(_note(envelope_text(spec, protocol)))
+        parts.append(elements.note(envelope_text(spec, protocol)))
     else:
         parts.append(_presses(content))
-        parts.append(_note(correction_text(content)))
+        parts.append(elements.note(correction_text(content)))
     return "".join(parts)
 
 
@@ -91,11 +90,7 @@ def _presses(content: dict[str, Any]) -> str:
                 f"{ratio:.2f}",
             ]
         )
-    head = "".join(f"<th>{escape(name)}</th>" for name in header)
-    body = "".join(
-        "<tr>" + "".join(f"<td>{escape(cell)}</td>" for cell in row) + "</tr>" for row in rows
-    )
-    return f"<div class='scroll'><table><tr>{head}</tr>{body}</table></div>"
+    return elements.table(header, rows)
 
 
 def _depth(value_mm: float | None) -> str:
@@ -104,10 +99,5 @@ def _depth(value_mm: float | None) -> str:
 
 def _figure(path: Path) -> str:
     if not path.is_file():
-        return _note("No section: the shell slides on its core.")
-    data = base64.b64encode(path.read_bytes()).decode()
-    return f'<img alt="Sections through the deformed shell" src="data:image/png;base64,{data}">'
-
-
-def _note(text: str) -> str:
-    return f"<p class='note'>{escape(text)}</p>"
+        return elements.note("No section: the shell slides on its core.")
+    return elements.image(path, "Sections through the deformed shell")

@@ -19,10 +19,13 @@ def page(title: str, sections: Sequence[str]) -> str:
     )
 
 
-def table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    """Cells are text."""
-    head = "".join(f"<th>{text(name)}</th>" for name in header)
-    body = "".join(f"<tr>{''.join(f'<td>{text(cell)}</td>' for cell in row)}</tr>" for row in rows)
+def table(header: Sequence[str], rows: Sequence[Sequence[str]], escape: bool = True) -> str:
+    """Cells are text (HTML without `escape`); pass, FAIL and NO are coloured. No names: no head."""
+    clean = text if escape else str
+    head = "".join(f"<th>{text(name)}</th>" for name in header) if any(header) else ""
+    body = "".join(
+        f"<tr>{''.join(f'<td>{_marked(clean(cell))}</td>' for cell in row)}</tr>" for row in rows
+    )
     return f"<div class='scroll'><table><tr>{head}</tr>{body}</table></div>"
 
 
@@ -40,3 +43,8 @@ def image(path: Path, alt: str) -> str:
 def text(value: str) -> str:
     """Escaped."""
     return html.escape(value)
+
+
+def _marked(cell: str) -> str:
+    style = {"pass": "go", "FAIL": "no-go", "NO": "no-go"}.get(cell)
+    return f"<span class='{style}'>{cell}</span>" if style else cell

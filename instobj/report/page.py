@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import base64
-import html
 import json
 from collections.abc import Callable
 from pathlib import Path
@@ -15,10 +13,9 @@ from design.files import atomic_path
 from design.spec import ObjectSpec
 from design.spec_io import spec_hash
 from instobj.discretisation import HEADER, error_note, error_rows, error_text
+from instobj.report import elements
 from instobj.report.verdict import Verdict, judge
 from instobj.store import RECORD
-
-_STYLE = (Path(__file__).parent / "report.css").read_text(encoding="utf-8")
 
 PAPER_TABLE_1 = {
     1: (0.999, 15.3e-4, 1.82, 0.278, 1.0),
@@ -69,15 +66,7 @@ def write_report(
     ]
     title = f"{spec.name}: {'go' if verdict.go else 'no-go'}"
     with atomic_path(path) as temporary:
-        temporary.write_text(_page(title, sections), encoding="utf-8")
-
-
-def _page(title: str, sections: list[str]) -> str:
-    return (
-        f'<!doctype html>\n<html lang="en"><head><meta charset="utf-8"><title>{_text(title)}</title>'
-        f'<meta name="viewport" content="width=device-width"><style>{_STYLE}</style></head>'
-        f"<body><main>{''.join(sections)}</main></body></html>\n"
-    )
+        temporary.write_text(elements.page(title, sections), encoding="utf-8")
 
 
 def _verdict_section(spec: ObjectSpec, verdict: Verdict) -> str:
@@ -87,9 +76,9 @@ def _verdict_section(spec: ObjectSpec, verdict: Verdict) -> str:
         for check in verdict.checks
     ]
     return (
-        f"<h1>{_text(spec.name)} <span class='{style}'>{word}</span></h1>"
-        f"<p><b>What limits it</b>: {_text(verdict.limited_by)}.</p>"
-        + _table(["check", "value", "limit", "", "where"], rows)
+        f"<h1>{elements.text(spec.name)} <span class='{style}'>{word}</span></h1>"
+        f"<p><b>What limits it</b>: {elements.text(verdict.limited_by)}.</p>"
+        + elements.table(["check", "value", "limit", "", "where"], rows)
     )
 
 
@@ -110,7 +99,8 @@ def _alternatives_section(
     header = ["change", "weakest position bound, mm", "median, mm", "worst detectable force, N"]
     return (
         "<h2>What to try next</h2><p>The same presses scored again with one thing changed at a "
-        f"time, at {spec.score.force_n:g} N; the best comes first.</p>" + _table(header, rows)
+        f"time, at {spec.score.force_n:g} N; the best comes first.</p>"
+        + elements.table(header, rows)
     )
 
 
@@ -118,15 +108,17 @@ def _maps_section(spec: ObjectSpec, inputs: dict[str, Path]) -> str:
     from instobj.report.maps import OVERVIEW, SCORE_MAPS, unit_of
 
     folder = inputs["scores"] / "maps"
-    parts = [f"<h2>Where it is weak</h2>{_image(folder / OVERVIEW, 'Position bound, all faces')}"]
+    parts = [
+        f"<h2>Where it is weak</h2>{elements.image(folder / OVERVIEW, 'Position bound, all faces')}"
+    ]
     for score_map in SCORE_MAPS:
         images = "".join(
-            _image(path, f"{score_map.title} {path.stem}")
+            elements.image(path, f"{score_map.title} {path.stem}")
             for path in sorted(folder.glob(f"{score_map.stem}_face_*.png"))
         )
         parts.append(
-            f"<details><summary>{_text(score_map.title)} of every face "
-            f"({_text(unit_of(score_map, spec))})</summary>"
+            f"<details><summary>{elements.text(score_map.title)} of every face "
+            f"({elements.text(unit_of(score_map, spec))})</summary>"
             f"<div class='grid'>{images}</div></details>"
         )
     whose = "the face's own" if spec.score.channels == "own" else "all"
@@ -160,7 +152,11 @@ def _areas_section(scores: Any) -> str:
         for area in summarize_areas(scores)
     ]
     header = ["area", "places a face", *columns.values(), "bound / centre's", "δ / centre's"]
-    return "<h2>Edges against the centre</h2>" + _table(header, rows) + _note("Medians, all faces.")
+    return (
+        "<h2>Edges against the centre</h2>"
+        + elements.table(header, rows)
+        + elements.note("Medians, all faces.")
+    )
 
 
 def _cross_face_section(spec: ObjectSpec, signals: Any) -> str:
@@ -180,7 +176,7 @@ def _cross_face_section(spec: ObjectSpec, signals: Any) -> str:
         "in sigmas of a fresh zero, and the force of the own press whose signal is nearest to it. An "
         "estimator that reads all channels can tell them apart, one that reads its own face cannot."
     )
-    return "<h2>Presses on other faces</h2>" + _table(header, rows) + _note(note)
+    return "<h2>Presses on other faces</h2>" + elements.table(header, rows) + elements.note(note)
 
 
 def _robustness_section(spec: ObjectSpec, inputs: dict[str, Path]) -> str:
@@ -198,9 +194,11 @@ def _robustness_section(spec: ObjectSpec, inputs: dict[str, Path]) -> str:
     )
     return (
         "<h2>Robustness</h2>"
-        + _image(inputs["robustness"] / "robustness.png", "Ranked bars of the tolerances")
-        + _table(["bound, freshly zeroed", "design", "5 % of objects below", "95 % below"], table)
-        + _note(note)
+        + elements.image(inputs["robustness"] / "robustness.png", "Ranked bars of the tolerances")
+        + elements.table(
+            ["bound, freshly zeroed", "design", "5 % of objects below", "95 % below"], table
+        )
+        + elements.note(note)
     )
 
 
@@ -234,11 +232,11 @@ def _mechanics_section(
     ]  # fmt: skip
     return (
         "<h2>Mechanics</h2>"
-        + _image(figure, "Force against travel, signal against force")
-        + _table(["", ""], rows)
-        + _note(_MODULUS_NOTE)
-        + _table(HEADER, error_rows(error))
-        + _note(_locking_note(spec) + error_note(error))
+        + elements.image(figure, "Force against travel, signal against force")
+        + elements.table(["", ""], rows)
+        + elements.note(_MODULUS_NOTE)
+        + elements.table(HEADER, error_rows(error))
+        + elements.note(_locking_note(spec) + error_note(error))
     )
 
 
@@ -278,8 +276,8 @@ def _estimator_section(spec: ObjectSpec, inputs: dict[str, Path]) -> str:
     header = ["face", "A_sim", "E_loc, px", "E_f, %", "E_f, N", "A_non", "contact + rest frames"]
     return (
         "<h2>Contact estimator, simulated presses</h2>"
-        + _table(header, rows, escape=False)
-        + _note(
+        + elements.table(header, rows, escape=False)
+        + elements.note(
             "Held-out presses, none of whose frames were trained on; each press has its own place "
             f"(±{spec.protocol.lateral_jitter_mm:g} mm), peak force, drift and noise. Grey: Table I of "
             "Knopke et al. (RA-L 2024), real hardware, frames of one press in both training and test, "
@@ -302,8 +300,8 @@ def _parts_section(inputs: dict[str, Path]) -> str:
         for part in BuildManifest.read(inputs["build"]).parts
     ]
     header = ["part", "volume, mm³", "box, mm", "STL volume error", "watertight"]
-    image = _image(inputs["build"] / "parts.png", "Core, shell, mould box and plug")
-    return "<h2>Parts</h2>" + image + _table(header, rows)
+    image = elements.image(inputs["build"] / "parts.png", "Core, shell, mould box and plug")
+    return "<h2>Parts</h2>" + image + elements.table(header, rows)
 
 
 def _provenance_section(spec: ObjectSpec, inputs: dict[str, Path]) -> str:
@@ -322,9 +320,9 @@ def _provenance_section(spec: ObjectSpec, inputs: dict[str, Path]) -> str:
     made_with = ", ".join(f"{name} {version}" for name, version in versions.items())
     return (
         "<h2>Provenance</h2>"
-        + _table(["stage", "content key", "took", "depends on"], rows)
-        + _note(f"Specification {spec_hash(spec)}; {made_with}.")
-        + f"<details><summary>Specification</summary><pre>{_text(content)}</pre></details>"
+        + elements.table(["stage", "content key", "took", "depends on"], rows)
+        + elements.note(f"Specification {spec_hash(spec)}; {made_with}.")
+        + f"<details><summary>Specification</summary><pre>{elements.text(content)}</pre></details>"
     )
 
 
@@ -336,30 +334,3 @@ def _figure(value: float | None) -> str:
     if value is None or not np.isfinite(value):
         return "–"
     return f"{value:.3g}"
-
-
-def _table(header: list[str], rows: list[list[str]], escape: bool = True) -> str:
-    clean = _text if escape else str
-    head = "".join(f"<th>{_text(name)}</th>" for name in header) if any(header) else ""
-    body = "".join(
-        f"<tr>{''.join(f'<td>{_marked(clean(cell))}</td>' for cell in row)}</tr>" for row in rows
-    )
-    return f"<div class='scroll'><table><tr>{head}</tr>{body}</table></div>"
-
-
-def _marked(cell: str) -> str:
-    style = {"pass": "go", "FAIL": "no-go", "NO": "no-go"}.get(cell)
-    return f"<span class='{style}'>{cell}</span>" if style else cell
-
-
-def _note(text: str) -> str:
-    return f"<p class='note'>{_text(text)}</p>"
-
-
-def _image(path: Path, alt: str) -> str:
-    data = base64.b64encode(path.read_bytes()).decode()
-    return f'<img alt="{_text(alt)}" src="data:image/png;base64,{data}">'
-
-
-def _text(value: str) -> str:
-    return html.escape(value)
