@@ -48,7 +48,7 @@ def _run(name: str, folder: Path, *more: str) -> dict:
     return result
 
 
-def _require_results(name: str, folder: Path, faces: tuple[int, ...]) -> None:
+def assert_results(name: str, folder: Path, faces: tuple[int, ...]) -> None:
     runs, parts = folder / "runs" / name, folder / "cad_out" / name
     with xr.open_dataset(runs / "signals.nc") as data:
         assert tuple(data.face.values) == faces
@@ -65,11 +65,11 @@ def _require_results(name: str, folder: Path, faces: tuple[int, ...]) -> None:
 
 def test_a_dome_goes_through_the_whole_chain(tmp_path):
     _run("three_axis_dome", tmp_path, "--set", "contact_grid.pitch_mm=2")
-    _require_results("three_axis_dome", tmp_path, (1,))
+    assert_results("three_axis_dome", tmp_path, (1,))
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", sorted(set(FACES) - {"three_axis_dome"}))
 def test_every_body_goes_through_the_whole_chain(name, tmp_path):
     _run(name, tmp_path)
-    _require_results(name, tmp_path, FACES[name])
+    assert_results(name, tmp_path, FACES[name])
