@@ -78,11 +78,17 @@ def test_a_written_layout_is_read_back(tmp_path):
     assert changed == {"name"}
 
 
-def test_impossible_and_unreachable_searches_end_with_one_error(tmp_path):
+def test_an_impossible_search_ends_with_one_error(tmp_path):
     path = tmp_path / "cube.toml"
     path.write_text('name = "cube"\n[search.vary]\nmagnet_reach_mm = 14.0\n')
     with pytest.raises(InputError, match="pocket gap"):
         optimize(path, tmp_path, ["search.vary.magnet_reach_mm=4.5"], False, None)
+
+
+def test_an_unreachable_database_ends_with_one_error(tmp_path):
+    pytest.importorskip("psycopg", reason="the driver comes with instobj[postgresql]")
+    path = tmp_path / "cube.toml"
+    path.write_text('name = "cube"\n[search.vary]\nmagnet_reach_mm = 14.0\n')
     url = "postgresql+psycopg://somebody:secret@127.0.0.1:1/none"
     with pytest.raises(InputError, match="cannot reach the database") as caught:
         work(path, tmp_path, [], url, 1)

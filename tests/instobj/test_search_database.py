@@ -128,6 +128,7 @@ def test_workers_share_one_search(server):
 
 
 def test_an_unreachable_database_is_one_clear_error_without_its_password():
+    pytest.importorskip("psycopg", reason="the driver comes with instobj[postgresql]")
     url = f"postgresql+psycopg://search:secret@127.0.0.1:{_free_port()}/postgres"
     with pytest.raises(InputError, match="cannot reach the database") as error:
         open_study(made_up_space().spec, url)
