@@ -61,7 +61,7 @@ class SampledRelief:
 
 def sampled_outer(spec: ObjectSpec) -> trimesh.Trimesh:
     """The outer surface, mm, in the object's frame."""
-    return _outer(spec.body, spec.mesh.envelope_mm).copy()
+    return outer_of(spec.body, spec.mesh.envelope_mm).copy()
 
 
 def outer_distance_mm(
@@ -78,7 +78,7 @@ def measured_distance_mm(
     spec: ObjectSpec, points_mm: Float[np.ndarray, "n 3"]
 ) -> Float[np.ndarray, "n"]:
     """The same measured to the triangles at every point: exact, and a hundred times slower."""
-    return _measured(_outer(spec.body, spec.mesh.envelope_mm), points_mm)
+    return _measured(outer_of(spec.body, spec.mesh.envelope_mm), points_mm)
 
 
 def sampled_core(spec: ObjectSpec) -> trimesh.Trimesh:
@@ -104,7 +104,8 @@ def sampled_frame(spec: ObjectSpec, number: int, inward_mm: float) -> FaceFrame:
 
 
 @lru_cache(maxsize=8)
-def _outer(body: BodySpec, envelope_mm: float) -> trimesh.Trimesh:
+def outer_of(body: BodySpec, envelope_mm: float) -> trimesh.Trimesh:
+    """The outer surface, mm, shared: `sampled_outer` gives a copy."""
     import trimesh
 
     if body.kind == "imported":
@@ -140,7 +141,7 @@ def _field(body: BodySpec, envelope_mm: float) -> _Field:
 
     step = (float(np.prod(body.size_mm)) / _GRID_POINTS) ** (1 / 3)
     points, count = _grid(np.asarray(body.size_mm) / 2, step)
-    distance = _measured(_outer(body, envelope_mm), points).reshape(count)
+    distance = _measured(outer_of(body, envelope_mm), points).reshape(count)
     return _Field(points[0], step, spline_filter(distance, order=3, mode="nearest"))
 
 
