@@ -31,7 +31,11 @@ class Split:
 def split_presses(
     frames: FrameSet, seed: int, shares: tuple[float, float, float] = DEFAULT_SHARES
 ) -> Split:
-    """Whole presses, each contact case divided by `shares` (cases of one or two presses pooled).
+    """Whole presses, each contact case divided by `shares`.
+
+    Of a case with two presses one trains, and the other one validates or tests; cases of a single
+    press are pooled. So every case with two presses or more is trained on, and the test holds new
+    presses of known cases (and those single presses that fell to it).
 
     Raises
     ------
@@ -42,13 +46,20 @@ def split_presses(
     presses, places = _press_places(frames)
     _check_enough(len(presses), "presses")
     names, counts = np.unique(places, return_counts=True)
-    strata = np.where(np.isin(places, names[counts < 3]), -2, places)
     rng = np.random.default_rng(seed)
-    part = np.empty(len(presses), dtype=int)
-    for stratum in np.unique(strata):
-        members = np.flatnonzero(strata == stratum)
+    part = np.zeros(len(presses), dtype=int)
+    for case in names[counts >= 3]:
+        members = np.flatnonzero(places == case)
         part[rng.permutation(members)] = _parts(len(members), shares)
-    return _as_split(frames.press_id, presses, _fill_empty(part))
+    pairs = [np.flatnonzero(places == case) for case in names[counts == 2]]
+    spare = rng.permutation([int(rng.choice(pair)) for pair in pairs]).astype(int)
+    validating = round(len(spare) * shares[1] / (shares[1] + shares[2]))
+    part[spare] = np.where(np.arange(len(spare)) < validating, 1, 2)
+    single = rng.permutation(np.flatnonzero(np.isin(places, names[counts == 1])))
+    part[single] = _parts(len(single), shares)
+    return _as_split(
+        frames.press_id, presses, _fill_empty(part, np.isin(places, names[counts == 1]))
+    )
 
 
 def split_places(
@@ -169,12 +180,15 @@ def _parts(count: int, shares: tuple[float, float, float]) -> Int[np.ndarray, "n
     return np.repeat(np.arange(3), sizes)
 
 
-def _fill_empty(part: Int[np.ndarray, "press"]) -> Int[np.ndarray, "press"]:
-    """Move one press into each part that pooling left empty."""
+def _fill_empty(
+    part: Int[np.ndarray, "press"], single: Bool[np.ndarray, "press"]
+) -> Int[np.ndarray, "press"]:
+    """Move one press into each part that is empty, the only one of its case where there is one."""
     part = part.copy()
-    for missing in set(range(3)) - set(part.tolist()):
-        largest = np.bincount(part, minlength=3).argmax()
-        part[np.flatnonzero(part == largest)[-1]] = missing
+    for missing in sorted(set(range(3)) - set(part.tolist())):
+        crowded = part == np.bincount(part, minlength=3).argmax()
+        spared = crowded & single if np.any(crowded & single) else crowded
+        part[np.flatnonzero(spared)[-1]] = missing
     return part
 
 

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from estimator.dataset import FrameSet
     from estimator.splits import Split
 
-_VERSION = 3
+_VERSION = 4
 
 
 def train_networks(

@@ -220,7 +220,7 @@ STAGES: dict[str, Stage] = {
         version=3,
     ),
     "networks": Stage(
-        "estimator: training", ("frames",), ("training", "seed"), make_networks, version=6
+        "estimator: training", ("frames",), ("training", "seed"), make_networks, version=7
     ),
     "metrics": Stage(
         "estimator: held-out presses", ("frames", "networks"), (), make_metrics, version=2

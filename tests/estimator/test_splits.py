@@ -121,6 +121,28 @@ def test_seed_decides(frames, splitter):
     assert any(not np.array_equal(first.test, splitter(frames, seed).test) for seed in range(6, 12))
 
 
+@pytest.mark.parametrize("seed", range(6))
+def test_every_place_pressed_twice_is_trained_on(seed):
+    """Of two presses one trains; the others are shared between validation and test."""
+    frames = synthetic_frames(presses=2, faces=(2, 4), rest=1, loaded=3)
+    split = split_presses(frames, seed)
+    places = set(frames.place_id[frames.place_id >= 0])
+    assert set(frames.place_id[split.train]) - {-1} == places
+    held_out = [set(frames.place_id[part]) - {-1} for part in (split.validation, split.test)]
+    assert held_out[0] | held_out[1] == places
+    assert not held_out[0] & held_out[1]
+    assert abs(len(held_out[0]) - len(held_out[1])) <= 1
+
+
+def test_a_place_pressed_twice_is_trained_on_beside_one_pressed_once():
+    frames = synthetic_frames(presses=2, places=[0, 1], faces=(2,), rest=1, loaded=3)
+    few = frames.select(frames.press_id != 3)
+    for seed in range(6):
+        split = split_presses(few, seed)
+        assert 2000 in few.place_id[split.train]
+        assert all(part.any() for part in vars(split).values())
+
+
 def test_places_with_few_presses_are_pooled():
     split = split_presses(synthetic_frames(presses=1, faces=(2,), rest=1, loaded=3), 0)
     assert split.train.any()
