@@ -14,7 +14,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from design.errors import InputError
-from estimator.recording_generic import cell_text, generic_columns, write_generic_netcdf
+from estimator.recording_generic import cell_text, generic_columns
+from estimator.recording_netcdf import write_generic_netcdf
 
 _SYNC_S = 1.0
 

@@ -82,20 +82,20 @@ def contact_slots(
     face: Int[np.ndarray, "frame cell"],
     tip_xy_mm: Float[np.ndarray, "frame cell tip 2"],
     force_n: Float[np.ndarray, "frame cell"],
+    shear_n: Float[np.ndarray, "frame cell 2"],
     touching: Bool[np.ndarray, "frame cell"],
 ) -> tuple[
     Int[np.ndarray, "frame contact"],
     Float[np.ndarray, "frame contact 2"],
     Float[np.ndarray, "frame contact 3"],
 ]:
-    """One slot a tip and cell, each tip with its share of the cell's normal force."""
+    """One slot a tip and cell, each tip with its share of the cell's normal and tangential force."""
     frames, cells, tips = tip_xy_mm.shape[:3]
     held = touching[:, :, None] & np.isfinite(tip_xy_mm[..., 0])
-    share_n = force_n / np.maximum(held.sum(axis=2), 1)
+    cell_n = np.concatenate([shear_n, force_n[..., None]], axis=2)
+    share_n = cell_n / np.maximum(held.sum(axis=2), 1)[..., None]
     xy_mm = np.where(held[..., None], tip_xy_mm, np.nan)
-    force_xyz_n = np.zeros((frames, cells, tips, 3))
-    force_xyz_n[..., 2] = share_n[:, :, None]
-    force_xyz_n[~held] = np.nan
+    force_xyz_n = np.where(held[..., None], share_n[:, :, None], np.nan)
     held_face = np.where(held, face[:, :, None], NO_FACE)
     slots = cells * tips
     return (

@@ -16,7 +16,8 @@ from jaxtyping import Float, Int
 
 from design.errors import InputError
 from estimator.heatmap import NO_CONTACT_LABELS, label_grid_mm, label_to_pixel, pixel_to_mm
-from estimator.recording_generic import generic_table, is_generic_header, read_generic_netcdf
+from estimator.recording_generic import generic_table, is_generic_header
+from estimator.recording_netcdf import read_generic_netcdf
 from estimator.recording_table import FACES, RawTable, check_plausible
 from estimator.recording_text import FORMATS, check_complete, is_number, numbers, read_rows, whole
 

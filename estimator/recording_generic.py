@@ -3,8 +3,9 @@
 CSV columns, in any order: `time_s`; a channel each (F1-X1 … F5-Z3, raw counts; missing channels
 have no reading); for each load cell n from 1: `celln_force_n`, `celln_face`, and for each of its
 tips k from 1 `celln_xk_mm`, `celln_yk_mm` (face and places empty where nothing is pressed);
-optional `session` (whole number, 1 throughout if absent) and `rest` (1: nothing touches).
-The NetCDF holds the same with named dimensions and units.
+optional `celln_shear_x_n` and `celln_shear_y_n` for every load cell (three-axis cells), `session`
+(whole number, 1 throughout if absent) and `rest` (1: nothing touches).
+`estimator.recording_netcdf` holds the same with named dimensions and units.
 """
 
 from __future__ import annotations
@@ -22,25 +23,12 @@ from design.files import atomic_path
 from estimator.dataset import NO_FACE
 from estimator.heatmap import label_grid_mm
 from estimator.recording_table import FACES, RawTable, channel_name
-from estimator.recording_text import FORMATS, check_complete, numbers, read_bytes, whole
+from estimator.recording_text import FORMATS, check_complete, numbers, whole
 
 CHANNEL = re.compile(r"F([1-5])-([XYZ])([1-9]\d?)")
 _FORCE = re.compile(r"cell([1-9])_force_n")
 _TIP = re.compile(r"cell([1-9])_x([1-9])_mm")
-SCHEMA = "instobj recording 1"
-_VARIABLES = {
-    "time_s": (("frame",), "s"),
-    "counts": (("frame", "face", "sensor", "axis"), "count"),
-    "force_n": (("frame", "cell"), "N"),
-    "face": (("frame", "cell"), "1"),
-    "tip_xy_mm": (("frame", "cell", "tip", "plane"), "mm"),
-    "case": (("frame",), "1"),
-    "declared_rest": (("frame",), "1"),
-    "grid_x_mm": (("grid_x",), "mm"),
-    "grid_y_mm": (("grid_y",), "mm"),
-}
-_FILE_NAMES = {"face": "cell_face", "force_n": "cell_force_n", "case": "session"}
-"""Names in the file where they differ from those of `RawTable`."""
+_SHEAR = re.compile(r"cell[1-9]_shear_[xy]_n")
 
 
 def is_generic_header(header: list[str]) -> bool:
@@ -48,15 +36,20 @@ def is_generic_header(header: list[str]) -> bool:
     return any(name == "time_s" or CHANNEL.fullmatch(name) for name in header)
 
 
-def generic_columns(channels: list[str], cells: int, tips: int) -> list[str]:
-    """Header of a generic CSV."""
+def generic_columns(channels: list[str], cells: int, tips: int, shear: bool = False) -> list[str]:
+    """Header of a generic CSV; `shear` adds tangential forces of every load cell at its end."""
     labels = [name for cell in range(1, cells + 1) for name in _cell_columns(cell, tips)]
-    return ["time_s", "session", "rest", *channels, *labels]
+    tangential = _shear_columns(cells) if shear else []
+    return ["time_s", "session", "rest", *channels, *labels, *tangential]
 
 
 def _cell_columns(cell: int, tips: int) -> list[str]:
     places = [f"cell{cell}_{axis}{tip}_mm" for tip in range(1, tips + 1) for axis in "xy"]
     return [f"cell{cell}_force_n", f"cell{cell}_face", *places]
+
+
+def _shear_columns(cells: int) -> list[str]:
+    return [f"cell{cell}_shear_{axis}_n" for cell in range(1, cells + 1) for axis in "xy"]
 
 
 def generic_table(path: Path, rows: list[list[str]]) -> RawTable:
@@ -75,32 +68,39 @@ def generic_table(path: Path, rows: list[list[str]]) -> RawTable:
     labels = [name for cell in range(1, cells + 1) for name in _cell_columns(cell, tips)]
     empty = np.full(frames, np.nan)
     by_cell = np.stack([column.get(name, empty) for name in labels], 1).reshape(frames, cells, -1)
-    needed = ["time_s", *(f"cell{cell}_force_n" for cell in range(1, cells + 1))]
+    shear = _shear_columns(cells) if any(map(_SHEAR.fullmatch, header)) else []
+    needed = ["time_s", *(f"cell{cell}_force_n" for cell in range(1, cells + 1)), *shear]
     check_complete(path, np.stack([column[name] for name in needed], axis=1), needed)
     x_mm, y_mm = label_grid_mm()
-    counts, force_n = _counts(column, frames), by_cell[:, :, 0]
+    counts, force_n, shear_n = _counts(column, frames), by_cell[:, :, 0], None
+    if shear:
+        shear_n = np.stack([column[name] for name in shear], axis=1).reshape(frames, cells, 2)
     return RawTable(
         kind="generic",
         time_s=column["time_s"],
         force_n=force_n,
         counts=counts,
-        face=_faces(path, by_cell[:, :, 1]),
-        tip_xy_mm=_tips(path, by_cell[:, :, 1:]),
+        face=face_labels(path, by_cell[:, :, 1]),
+        tip_xy_mm=tip_places(path, by_cell[:, :, 1:]),
         case=_labels(path, column, "session", 1, frames),
         declared_rest=_labels(path, column, "rest", 0, frames) == 1,
         grid_x_mm=x_mm,
         grid_y_mm=y_mm,
         duplicate_columns=(),
-        digest=_digest(column["time_s"], force_n, counts),
+        digest=content_digest(column["time_s"], force_n, counts, shear_n),
+        shear_n=shear_n,
     )
 
 
-def _digest(time_s: np.ndarray, force_n: np.ndarray, counts: np.ndarray) -> str:
+def content_digest(
+    time_s: np.ndarray, force_n: np.ndarray, counts: np.ndarray, shear_n: np.ndarray | None
+) -> str:
     """SHA-256 of the content, so that a CSV and its NetCDF are known to be the same recording."""
     found = hashlib.sha256()
     with np.errstate(over="ignore"):
         stored_counts = counts.astype(np.float32)
-    for values in (time_s, force_n, stored_counts):
+    known = (time_s, force_n, stored_counts)
+    for values in known if shear_n is None else (*known, shear_n):
         found.update(np.ascontiguousarray(np.where(np.isnan(values), 0.0, values)).tobytes())
     return found.hexdigest()
 
@@ -114,6 +114,8 @@ def _check_header(path: Path, header: list[str]) -> tuple[int, int]:
     tips = max((int(m[2]) for m in map(_TIP.fullmatch, header) if m), default=0)
     known = {"time_s", "session", "rest"}
     known |= {name for cell in range(1, cells + 1) for name in _cell_columns(cell, tips)}
+    shear = _shear_columns(cells) if any(map(_SHEAR.fullmatch, header)) else []
+    known |= set(shear)
     unknown = [name for name in header if name not in known and not CHANNEL.fullmatch(name)]
     if unknown:
         raise InputError(
@@ -121,7 +123,7 @@ def _check_header(path: Path, header: list[str]) -> tuple[int, int]:
             f"stand in the names (time_s, cell1_force_n, cell1_x1_mm); {FORMATS}"
         )
     needed = [name for cell in range(1, max(cells, 1) + 1) for name in _cell_columns(cell, 1)]
-    missing = [name for name in ("time_s", *needed) if name not in header]
+    missing = [name for name in ("time_s", *needed, *shear) if name not in header]
     if not any(CHANNEL.fullmatch(name) for name in header):
         missing.append("F1-X1 …")
     if missing:
@@ -141,7 +143,8 @@ def _counts(
     return counts
 
 
-def _faces(path: Path, face: Float[np.ndarray, "frame cell"]) -> Int[np.ndarray, "frame cell"]:
+def face_labels(path: Path, face: Float[np.ndarray, "frame cell"]) -> Int[np.ndarray, "frame cell"]:
+    """Faces as whole numbers, `NO_FACE` where none is stated; anything else is an InputError."""
     names = [f"cell{cell + 1}_face" for cell in range(face.shape[1])]
     number = whole(path, np.nan_to_num(face, nan=NO_FACE), names)
     wrong = ~np.isin(number, (NO_FACE, *FACES))
@@ -153,7 +156,7 @@ def _faces(path: Path, face: Float[np.ndarray, "frame cell"]) -> Int[np.ndarray,
     return number
 
 
-def _tips(
+def tip_places(
     path: Path, face_and_tips: Float[np.ndarray, "frame cell column"]
 ) -> Float[np.ndarray, "frame cell tip 2"]:
     """Places of tips; a face without a place, or half a place, is an error."""
@@ -188,7 +191,8 @@ def write_generic_csv(table: RawTable, path: Path | str) -> None:
         for index in np.ndindex(*table.counts.shape[1:])
     ]
     channels = [(name, values) for name, values in channels if np.isfinite(values).any()]
-    header = generic_columns([name for name, _ in channels], cells, tips)
+    names, sheared = [name for name, _ in channels], table.shear_n is not None
+    header = generic_columns(names, cells, tips, sheared)
     time_s = table.time_s if len(table.time_s) else np.arange(len(table.force_n)) / 10.0
     face = np.where(np.isfinite(table.tip_xy_mm).any(axis=(2, 3)), table.face, np.nan)
     labels = [
@@ -200,6 +204,8 @@ def write_generic_csv(table: RawTable, path: Path | str) -> None:
             *table.tip_xy_mm[:, cell].reshape(len(face), -1).T,
         )
     ]
+    if table.shear_n is not None:
+        labels += list(table.shear_n.reshape(len(face), -1).T)
     columns = [time_s, table.case, table.declared_rest, *(v for _, v in channels), *labels]
     with atomic_path(path) as temporary, temporary.open("w", newline="") as file:
         writer = csv.writer(file)
@@ -211,86 +217,3 @@ def write_generic_csv(table: RawTable, path: Path | str) -> None:
 def cell_text(value: float) -> str:
     """A number as short as it can be read back to the microsecond and the millinewton."""
     return "" if np.isnan(value) else f"{value:.6f}".rstrip("0").rstrip(".")
-
-
-def write_generic_netcdf(table: RawTable, path: Path | str) -> None:
-    """Write a recording as NetCDF4 with named dimensions and units."""
-    import xarray as xr
-
-    variables = {
-        _FILE_NAMES.get(name, name): (dims, getattr(table, name), {"unit": unit})
-        for name, (dims, unit) in _VARIABLES.items()
-    }
-    data = xr.Dataset(variables, attrs={"schema": SCHEMA})
-    encoding = {"counts": {"zlib": True, "complevel": 1, "dtype": "float32"}}
-    with atomic_path(path) as temporary:
-        data.to_netcdf(temporary, engine="h5netcdf", encoding=encoding)
-
-
-def read_generic_netcdf(path: Path) -> RawTable:
-    """Read a NetCDF written by `write_generic_netcdf`, or by others with the same variables.
-
-    Raises
-    ------
-    InputError
-        Missing, damaged, or of another schema.
-    """
-    import xarray as xr
-
-    read_bytes(path)
-    try:
-        with xr.open_dataset(path, engine="h5netcdf", decode_timedelta=False) as data:
-            data = data.load()
-    except (OSError, ValueError, KeyError, RuntimeError, TypeError, AttributeError) as error:
-        raise InputError(f"{path} is not a NetCDF recording ({error}). {FORMATS}") from None
-    if "signal_counts" in data.variables:
-        raise InputError(
-            f"{path} is a data set, already zeroed and labelled. Give it to `instobj train`"
-        )
-    names = {name: _FILE_NAMES.get(name, name) for name in _VARIABLES}
-    missing = [file_name for file_name in names.values() if file_name not in data.variables]
-    if missing or data.attrs.get("schema") != SCHEMA:
-        raise InputError(
-            f"{path} is not of schema {SCHEMA!r}: missing {', '.join(missing) or 'nothing'}, schema "
-            f"{data.attrs.get('schema')!r}. {FORMATS}"
-        )
-    values = {name: np.asarray(data[file_name].values) for name, file_name in names.items()}
-    return _checked(path, values)
-
-
-def _checked(path: Path, values: dict[str, np.ndarray]) -> RawTable:
-    """A table of arrays that have the right number of dimensions, types and labels."""
-    frames, cells = values["force_n"].shape if values["force_n"].ndim == 2 else (0, 0)
-    for name, (dims, _) in _VARIABLES.items():
-        array = values[name]
-        right = array.ndim == len(dims) and array.dtype.kind in "fiub"
-        if not right or (dims[0] == "frame" and len(array) != frames):
-            raise InputError(
-                f"{path}: {_FILE_NAMES.get(name, name)} must hold numbers over ({', '.join(dims)}); "
-                f"got {array.dtype} of shape {array.shape}. {FORMATS}"
-            )
-    floats = {name: values[name].astype(float) for name in _VARIABLES}
-    shapes = floats["counts"].shape[1::2], floats["tip_xy_mm"].shape[1::2], floats["face"].shape[1]
-    if shapes != ((len(FACES), 3), (cells, 2), cells) or not frames:
-        raise InputError(
-            f"{path} must hold frames with 5 faces, 3 axes and places (x, y) for each of its "
-            f"{cells} load cells; got {shapes} in {frames} frames. {FORMATS}"
-        )
-    for name in ("time_s", "force_n", "grid_x_mm", "grid_y_mm"):
-        check_complete(path, floats[name].reshape(len(floats[name]), -1), [name] * max(cells, 1))
-    labelled = np.concatenate(
-        [floats["face"][..., None], floats["tip_xy_mm"].reshape(frames, cells, -1)], axis=2
-    )
-    case = whole(path, floats["case"][:, None], ["session"])[:, 0]
-    return RawTable(
-        kind="generic",
-        **{
-            name: floats[name] for name in ("time_s", "force_n", "counts", "grid_x_mm", "grid_y_mm")
-        },
-        face=_faces(path, floats["face"]),
-        tip_xy_mm=_tips(path, labelled),
-        case=case,
-        declared_rest=floats["declared_rest"] == 1,
-        duplicate_columns=(),
-        digest=_digest(floats["time_s"], floats["force_n"], floats["counts"]),
-    )

@@ -235,6 +235,18 @@ def shifted_forces(
     return shifted
 
 
+def shifted_shear(
+    shear_n: Float[np.ndarray, "frame cell 2"],
+    stretch: Int[np.ndarray, "frame"],
+    lag: int,
+    rest: Bool[np.ndarray, "frame"],
+) -> Float[np.ndarray, "frame cell 2"]:
+    """Tangential forces as `shifted_forces`, counted from their median at rest."""
+    axes = [shifted_forces(shear_n[..., axis], stretch, lag) for axis in range(2)]
+    shifted = np.stack(axes, axis=2)
+    return shifted - np.median(shifted[rest], axis=0) if rest.any() else shifted
+
+
 def at_rest(
     force_n: Float[np.ndarray, "frame cell"], rest_force_n: float
 ) -> Bool[np.ndarray, "frame"]:

@@ -35,6 +35,8 @@ class RawTable:
     grid_x_mm, grid_y_mm : contact grid on which heatmaps will be drawn, mm
     duplicate_columns : header names that occur twice
     digest : SHA-256 of the file, of a generic one that of its content
+    shear_n : (frame, cell, 2) tangential force along the x and y of the face that is pressed, N;
+        None where the file has none
     """
 
     kind: str
@@ -49,6 +51,7 @@ class RawTable:
     grid_y_mm: Float[np.ndarray, "ny"]
     duplicate_columns: tuple[str, ...]
     digest: str
+    shear_n: Float[np.ndarray, "frame cell 2"] | None = None
 
 
 def channel_name(face: int, sensor: int, axis: int) -> str:
@@ -67,6 +70,8 @@ def check_plausible(path: Path | str, table: RawTable) -> None:
     """
     _check_below(path, "counts", table.counts, LARGEST_COUNT, "raw counts of the sensors")
     _check_below(path, "forces (N)", table.force_n, LARGEST_FORCE_N, "forces in N, not in g or mN")
+    if table.shear_n is not None:
+        _check_below(path, "shear forces (N)", table.shear_n, LARGEST_FORCE_N, "forces in N")
     _check_below(path, "places (mm)", table.tip_xy_mm, LARGEST_PLACE_MM, "places in mm")
     known = np.abs(table.tip_xy_mm[np.isfinite(table.tip_xy_mm)])
     if known.size and 0 < known.max() < 0.1:

@@ -52,6 +52,7 @@ from estimator.recording_presses import (
     frame_times_s,
     number_presses,
     shifted_forces,
+    shifted_shear,
     stretches,
     tared,
 )
@@ -96,6 +97,7 @@ class _Presses:
     rate_hz: float
     press: Int[np.ndarray, "frame"]
     force_n: Float[np.ndarray, "frame cell"]
+    shear_n: Float[np.ndarray, "frame cell 2"]
     rest: Bool[np.ndarray, "frame"]
     hidden: Bool[np.ndarray, "frame"]
     face: Int[np.ndarray, "frame cell"]
@@ -195,13 +197,16 @@ def _find_presses(path: Path | str, table: RawTable) -> _Presses:
     lag = estimate_lag(table.counts, force_n, face, press)
     aligned_n = shifted_forces(force_n, stretch, lag.frames if lag.corrected else 0)
     rest = at_rest(aligned_n, limit_n)
+    shear_n = np.zeros((*aligned_n.shape, 2))
+    if table.shear_n is not None:
+        shear_n = shifted_shear(table.shear_n, stretch, lag.frames if lag.corrected else 0, rest)
     noise = rest_noise_counts(table.counts, rest)
     unlabelled, denied = contacts_at_rest(force_n >= CONTACT_FORCE_N, no_contact, press)
     block = np.concatenate([[0], np.cumsum(np.any(keys[1:] != keys[:-1], axis=1))])
     hidden, concealed = hidden_contacts(table.counts, rest, stretch, block, noise)
     silent, quiet = silent_presses(face, force_n, press, responses, noise)
     return _Presses(
-        time_s, rate_hz, press, aligned_n, rest, hidden, face, tip_xy_mm,
+        time_s, rate_hz, press, aligned_n, shear_n, rest, hidden, face, tip_xy_mm,
         doubtful | unlabelled | hidden | silent, noise, lag,
         (*mended, *doubts, *denied, *concealed, *quiet),
     )  # fmt: skip
@@ -250,7 +255,7 @@ def _frames(
     still = alone & (np.abs(presses.force_n) < REST_FORCE_N[table.kind])
     clear = presses.rest | (touching | still).all(axis=1)
     contact_face, xy_mm, contact_n = contact_slots(
-        presses.face, presses.tip_xy_mm, presses.force_n, touching
+        presses.face, presses.tip_xy_mm, presses.force_n, presses.shear_n, touching
     )
     return FrameSet(
         signal_counts=signal,

@@ -14,7 +14,8 @@ from numpy.testing import assert_allclose, assert_array_equal
 from design.errors import InputError
 from estimator.recording_combine import combine
 from estimator.recording_files import read_table
-from estimator.recording_generic import generic_columns, write_generic_csv, write_generic_netcdf
+from estimator.recording_generic import generic_columns, write_generic_csv
+from estimator.recording_netcdf import write_generic_netcdf
 from estimator.recordings import read_recording
 
 CASES = ((54, 57), (23, 28))
@@ -214,6 +215,81 @@ def test_half_a_label_is_an_error(tmp_path, good):
             read_recording(tmp_path / "a.csv")
 
 
+SHEAR_SHARE = np.array([[0.3, -0.2], [-0.1, 0.25]])
+SHEAR_REST_N = np.array([[1.5, 0.0], [0.0, -0.7]])
+
+
+def with_shear(table, late_frames=0):
+    """Cells of three axes that are pulled in proportion, each with a resting level of its own."""
+    force = np.roll(table.force_n, late_frames, axis=0)[..., None]
+    return replace(table, shear_n=force * SHEAR_SHARE + SHEAR_REST_N)
+
+
+@pytest.fixture(scope="module")
+def sheared(table, tmp_path_factory):
+    """The short CSV with tangential forces."""
+    path = tmp_path_factory.mktemp("s") / "sheared.csv"
+    write_generic_csv(with_shear(table), path)
+    return path.read_text()
+
+
+def test_tangential_forces_survive_both_forms(table, sheared, tmp_path):
+    (tmp_path / "a.csv").write_text(sheared)
+    as_csv = read_table(tmp_path / "a.csv")
+    assert_allclose(as_csv.shear_n, with_shear(table).shear_n, atol=2e-6)
+    write_generic_netcdf(as_csv, tmp_path / "a.nc")
+    as_netcdf = read_table(tmp_path / "a.nc")
+    assert_array_equal(as_netcdf.shear_n, as_csv.shear_n)
+    assert as_netcdf.digest == as_csv.digest
+    write_generic_csv(as_netcdf, tmp_path / "b.csv")
+    assert (tmp_path / "b.csv").read_text() == sheared
+    write_generic_netcdf(replace(as_csv, shear_n=-as_csv.shear_n), tmp_path / "c.nc")
+    assert read_table(tmp_path / "c.nc").digest != as_csv.digest
+    write_generic_netcdf(table, tmp_path / "plain.nc")
+    assert read_table(tmp_path / "plain.nc").shear_n is None
+
+
+@pytest.mark.parametrize("late_frames", [0, 4])
+def test_tangential_labels_stand_beside_the_normal_ones(table, tmp_path, late_frames):
+    """Rest level off, lag corrected; planted fault: tangential forces 4 frames later than those."""
+    write_generic_netcdf(with_shear(table, late_frames), tmp_path / "a.nc")
+    frames = read_recording(tmp_path / "a.nc").frames
+    error_n = []
+    for cell in range(2):
+        force = frames.force_n[frames.valid & (frames.contact_face[:, cell] > 0), cell]
+        assert force[:, 2].max() > 10
+        error_n.append(np.abs(force[:, :2] - force[:, 2:] * SHEAR_SHARE[cell]).max())
+    assert (max(error_n) < 0.05) == (late_frames == 0)
+    assert np.isnan(frames.force_n[frames.contact_face == 0]).all()
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ("cell1_shear_x_n", "cell1_shear_x_mn", "'cell1_shear_x_mn'"),
+        ("cell1_shear_x_n", "cell3_shear_x_n", "'cell3_shear_x_n'"),
+        ("cell2_shear_y_n", "cell2_shear_x_n", "twice"),
+        (",cell2_shear_y_n", "", "lacks the columns cell2_shear_y_n"),
+    ],
+)
+def test_headers_with_a_mistake_in_tangential_forces(tmp_path, sheared, old, new, words):
+    with pytest.raises(InputError, match=words):
+        read_recording(edited(tmp_path, sheared, old, new))
+
+
+@pytest.mark.parametrize(
+    ("value", "words"),
+    [("", "cell1_shear_y_n is empty"), ("much", "not a number"), ("4e3", "shear forces")],
+)
+def test_impossible_tangential_forces(tmp_path, sheared, value, words):
+    rows = list(csv.reader(sheared.splitlines()))
+    rows[9][rows[0].index("cell1_shear_y_n")] = value
+    with (tmp_path / "a.csv").open("w", newline="") as file:
+        csv.writer(file).writerows(rows)
+    with pytest.raises(InputError, match=words):
+        read_recording(tmp_path / "a.csv")
+
+
 def outcome(path):
     """Whether the file read well, or failed with one message that names it."""
     try:
@@ -227,9 +303,9 @@ def outcome(path):
     max_examples=80, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
 )
 @given(data=st.data())
-def test_fuzzed_csv_gives_one_clear_error(tmp_path, good, data):
+def test_fuzzed_csv_gives_one_clear_error(tmp_path, good, sheared, data):
     """Truncated, reordered, text in numbers, empty, NaN, huge or binary."""
-    lines = good.splitlines()[:260]
+    lines = data.draw(st.sampled_from([good, sheared])).splitlines()[:260]
     for _ in range(data.draw(st.integers(1, 3))):
         kind = data.draw(st.sampled_from(["cell", "cut", "swap", "drop", "bytes"]))
         row = data.draw(st.integers(0, len(lines) - 1))

@@ -5,7 +5,7 @@ import pytest
 from made_recordings import PRESS, REST, RISE, gripper_arrays, write_gripper
 
 from estimator.recording_files import read_table
-from estimator.recording_generic import write_generic_netcdf
+from estimator.recording_netcdf import write_generic_netcdf
 from estimator.recordings import read_recording
 
 CASES = ((54, 57), (23, 28), (75, 76))
