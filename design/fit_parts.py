@@ -11,7 +11,7 @@ from jaxtyping import Float
 
 from design.blocks import Block, relief_slits
 from design.layouts import face_frames
-from design.pockets import Pocket, shell_pockets
+from design.pockets import Pocket, sensor_places, shell_pockets
 
 if TYPE_CHECKING:
     from design.spec import ObjectSpec
@@ -62,11 +62,11 @@ def _check_keys(spec: ObjectSpec) -> None:
 
 
 def _check_key_clear_of_core(spec: ObjectSpec, where: str, key: Corners) -> None:
-    for face, openings in enumerate(_core_openings(spec), start=1):
+    for face, openings in zip(spec.body.sensed, _core_openings(spec), strict=True):
         for name, corners in openings:
             if overlap(key, corners):
                 raise ValueError(
-                    f"{where} stands over {name} of sensed face {face}. Move it, or make "
+                    f"{where} stands over {name} of face {face}. Move it, or make "
                     "core.keys.size_mm smaller"
                 )
     others = [
@@ -83,7 +83,7 @@ def _core_openings(spec: ObjectSpec) -> list[list[tuple[str, Corners]]]:
     middle = max(middle, core.wire_hole_top_diameter_mm / 2)
     hub = ("the wire hole", _rectangle((0.0, 0.0), (middle, middle), 0.0))
     faces = []
-    for places in spec.sensors.places:
+    for places in sensor_places(spec):
         found: list[tuple[str, Corners]] = [hub]
         for x, y, azimuth in places if spec.arrangement == "sensors-in-core" else ():
             offset = hypot(x, y) - spec.sensors.radius_mm

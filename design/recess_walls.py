@@ -10,6 +10,7 @@ import numpy as np
 from jaxtyping import Float
 
 from design.layouts import core_frames
+from design.pockets import sensor_places
 from design.spec import ObjectSpec
 
 
@@ -29,7 +30,7 @@ def sensor_recesses(spec: ObjectSpec) -> tuple[Recess, ...]:
     length = core.recess_outer_radius_mm - core.recess_inner_radius_mm
     half = np.array([length, core.recess_width_mm, core.recess_depth_mm]) / 2
     found = []
-    for frame, places in zip(core_frames(spec), spec.sensors.places, strict=True):
+    for frame, places in zip(core_frames(spec), sensor_places(spec), strict=True):
         for x, y, azimuth in places:
             cosine, sine = np.cos(azimuth), np.sin(azimuth)
             turn = np.array([[cosine, -sine, 0.0], [sine, cosine, 0.0], [0.0, 0.0, 1.0]])

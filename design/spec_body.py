@@ -34,6 +34,8 @@ _OPENABLE: dict[BodyKind, tuple[int, ...]] = {
     "imported": (6,),
 }
 
+_OPPOSITE = ((1, 6), (2, 4), (3, 5))
+
 
 class BodySpec(SpecPart):
     """Outer shape of the object, silicone and what is inside it, in a box of `size_mm` (x, y, z).
@@ -104,6 +106,11 @@ def _check_faces(body: BodySpec) -> None:
     closed = [face for face in CLOSABLE[body.kind] if face not in body.opened]
     if not closed:
         raise ValueError("body.open_faces leaves no face of silicone. Close one of them")
+    if body.kind == "box" and tuple(closed) in _OPPOSITE:
+        raise ValueError(
+            f"body.open_faces leaves two faces {closed} that do not meet: the shell would be in two "
+            "pieces. Close another face, or open one of the two"
+        )
     wrong = [face for face in body.sensed_faces or () if face not in closed]
     if wrong or body.sensed_faces == ():
         raise ValueError(
