@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 import json
+import math
 from collections import deque
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from jaxtyping import Float
+from jaxtyping import Bool, Float
 
 from design.errors import InputError
 from estimator.dataset import FrameSet
 from estimator.face_data import HISTORY, Channel, channel_counts, channel_label, with_history
 from estimator.prediction import UNITS, Prediction
+from estimator.zeroing import ZERO_FRAMES, RestZero, ZeroMode, is_pause
 
 
 @dataclass(frozen=True)
@@ -102,19 +104,30 @@ def predict_frames(model: DeployedModel, frames: FrameSet) -> Prediction:
 
 @dataclass
 class LiveReader:
-    """Frames one by one: zero from the first `zero_frames`, then a reading of each.
+    """Frames one by one, zeroed as `zero` says (`estimator.zeroing`), with a reading of each.
 
-    `feed` returns None while the zero is taken.
+    Attributes
+    ----------
+    zero : "rest" follows rest, also where the first frames were none; "first" takes the mean of the
+        first `zero_frames`, in which nothing may touch; "none" takes counts for changes
+    zero_frames : how many (still) frames give a zero
     """
 
     model: DeployedModel
-    zero_frames: int = 20
+    zero: ZeroMode = "rest"
+    zero_frames: int = ZERO_FRAMES
+    _rest: RestZero | None = None
     _resting: list[np.ndarray] = field(default_factory=list)
-    _zero: np.ndarray | None = None
     _recent: deque[np.ndarray] = field(default_factory=deque)
+    _last_s: float = math.nan
 
-    def feed(self, raw_counts: Float[np.ndarray, "face sensor 3"]) -> Prediction | None:
-        """Take one frame of raw counts, faces in order from 1.
+    def __post_init__(self) -> None:
+        self.rezero()
+
+    def feed(
+        self, raw_counts: Float[np.ndarray, "face sensor 3"], time_s: float = math.nan
+    ) -> Prediction | None:
+        """Read one frame of raw counts, faces in order from 1; None while there is no zero.
 
         Raises
         ------
@@ -122,23 +135,45 @@ class LiveReader:
             A channel that the model uses does not exist or misses its reading.
         """
         now = self._channels_of(raw_counts)
-        if self._zero is None:
-            self._resting.append(now)
-            if len(self._resting) >= self.zero_frames:
-                self._zero = np.mean(self._resting, axis=0)
-            return None
-        change = now - self._zero
-        self._recent.append(change)
+        if is_pause(time_s - self._last_s):
+            self._recent.clear()
+        self._last_s = time_s
+        self._recent.append(now)
         if len(self._recent) > self.model.history_frames + 1:
             self._recent.popleft()
-        past = np.array([face >= HISTORY for face, _, _ in self.model.channels])
-        counts = np.where(past, change - self._recent[0], change)
+        zero = self._zero_after(now, time_s)
+        if zero is None:
+            return None
+        counts = np.where(self._past, now - self._recent[0], now - zero)
         return run_model(self.model, counts[None])
 
     def rezero(self) -> None:
         """Take the zero anew from the frames that follow, with nothing pressed."""
-        self._resting, self._zero = [], None
+        follows = self.zero == "rest"
+        self._rest = RestZero(self.zero_frames, self._read_still) if follows else None
+        self._resting = []
         self._recent.clear()
+
+    @property
+    def _past(self) -> Bool[np.ndarray, "channel"]:
+        return np.array([face >= HISTORY for face, _, _ in self.model.channels])
+
+    def _zero_after(
+        self, now: Float[np.ndarray, "channel"], time_s: float
+    ) -> Float[np.ndarray, "channel"] | None:
+        if self.zero == "none":
+            return np.zeros(len(now))
+        if self._rest is not None:
+            self._rest.update(now, time_s)
+            return self._rest.level
+        if len(self._resting) < self.zero_frames:
+            self._resting.append(now)
+            return None
+        return np.mean(self._resting, axis=0)
+
+    def _read_still(self, change: Float[np.ndarray, "channel"]) -> tuple[float, float]:
+        found = run_model(self.model, np.where(self._past, 0.0, change)[None])
+        return float(found.contact[0]), float(found.force_n[0])
 
     def _channels_of(self, raw: Float[np.ndarray, "face sensor 3"]) -> Float[np.ndarray, "channel"]:
         values = []

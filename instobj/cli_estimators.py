@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Literal
 
 import typer
 
@@ -65,9 +65,13 @@ def predict(
     port: Annotated[
         str | None, typer.Option(help="Serial port of the board, e.g. /dev/ttyACM0.")
     ] = None,
-    zero_frames: Annotated[
-        int, typer.Option(min=1, help="Frames at the start, at rest, that give the zero.")
-    ] = 20,
+    zero: Annotated[
+        Literal["rest", "first", "none"] | None,
+        typer.Option(
+            help="Zero follows rest (default), is that of the first frames, or is there already."
+        ),
+    ] = None,
+    zero_frames: Annotated[int, typer.Option(min=5, help="Frames at rest that give the zero.")] = 8,
     frames: Annotated[
         int | None, typer.Option(min=1, help="With --port: stop after so many frames.")
     ] = None,
@@ -75,14 +79,14 @@ def predict(
     as_json: AsJson = False,
 ) -> None:
     """Contacts in a recording, or live from a board (one JSON document a frame)."""
-    from instobj.predict import predict_file, predict_port
+    from instobj.predict import Zeroing, predict_file, predict_port
 
     if (file is None) == (port is None):
         raise InputError("give either a file or --port, the serial port of a board")
     if file is not None:
-        show(predict_file(model, file, out, zero_frames), as_json)
+        show(predict_file(model, file, out, Zeroing(zero, zero_frames)), as_json)
     elif port is not None:
-        for line in predict_port(model, port, zero_frames, frames):
+        for line in predict_port(model, port, Zeroing(zero, zero_frames), frames):
             typer.echo(line)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import json
 from collections.abc import Iterator
+from dataclasses import dataclass
 from itertools import islice
 from pathlib import Path
 from typing import Any
@@ -16,6 +17,7 @@ from design.files import atomic_path
 from estimator.dataset import load_frames
 from estimator.deployed import DeployedModel, LiveReader, load_deployed, predict_frames
 from estimator.prediction import Prediction
+from estimator.zeroing import ZERO_FRAMES, ZeroMode
 from instobj.publish import file_rows, require_writable, run_folder
 
 COLUMNS: tuple[str, ...] = (
@@ -31,24 +33,48 @@ COLUMNS: tuple[str, ...] = (
 _DIGITS = {"time_s": 3, "contact": 4}
 
 
-def predict_file(model_path: Path, path: Path, out: Path, zero_frames: int) -> dict[str, Any]:
+@dataclass(frozen=True)
+class Zeroing:
+    """How raw counts become changes against rest (`estimator.zeroing`); by default they follow
+    rest, except those of data sets."""
+
+    mode: ZeroMode | None = None
+    frames: int = ZERO_FRAMES
+
+    def reader(self, model: DeployedModel) -> LiveReader:
+        """A reader of raw counts."""
+        return LiveReader(model, self.mode or "rest", self.frames)
+
+
+_FOLLOW_REST = Zeroing()
+
+
+def predict_file(
+    model_path: Path, path: Path, out: Path, zeroing: Zeroing = _FOLLOW_REST
+) -> dict[str, Any]:
     """Read every frame of a file; writes `runs/<file>/prediction_face_<n>.csv`.
 
     Data sets of instobj are changes against rest already. Recordings of any other format are zeroed
-    by their first `zero_frames` frames, in which nothing may touch the object.
+    like a board's readings, by default by following rest; frames before the first zero are left out.
 
     Raises
     ------
     InputError
-        A bad model or file, or channels that the model uses without readings.
+        A bad model or file, channels that the model uses without readings, no zero in the whole
+        file, or a data set to be zeroed again.
     """
     model = load_deployed(model_path)
     require_writable(out)
     if _is_data_set(path):
+        if zeroing.mode not in (None, "none"):
+            raise InputError(
+                f"{path} is a data set, zeroed press by press; got --zero {zeroing.mode}. Leave "
+                "--zero out"
+            )
         frames = load_frames(path)
         rows = _rows(frames.time_s, predict_frames(model, frames))
     else:
-        rows = list(_read_recording(model, path, zero_frames))
+        rows = list(_read_recording(model, path, zeroing))
     target = run_folder(out, path.stem) / f"prediction_face_{model.face}.csv"
     with atomic_path(target) as temporary, temporary.open("w", newline="") as file:
         writer = csv.DictWriter(file, list(COLUMNS), lineterminator="\n")
@@ -69,10 +95,8 @@ def predict_file(model_path: Path, path: Path, out: Path, zero_frames: int) -> d
     }
 
 
-def predict_port(model_path: Path, port: str, zero_frames: int, count: int | None) -> Iterator[str]:
+def predict_port(model_path: Path, port: str, zeroing: Zeroing, count: int | None) -> Iterator[str]:
     """One JSON document a frame from a board, `count` of them or without end.
-
-    The first `zero_frames` frames give the zero: nothing may touch the object then.
 
     Raises
     ------
@@ -81,13 +105,13 @@ def predict_port(model_path: Path, port: str, zero_frames: int, count: int | Non
     """
     from estimator.board_link import board_readings
 
-    reader = LiveReader(load_deployed(model_path), zero_frames)
+    reader = zeroing.reader(load_deployed(model_path))
     return islice(_live(reader, board_readings(port)), count)
 
 
 def _live(reader: LiveReader, readings: Iterator[Any]) -> Iterator[str]:
     for reading in readings:
-        found = reader.feed(reading.counts)
+        found = reader.feed(reading.counts, reading.time_s)
         if found is not None:
             yield json.dumps(_rows(np.array([reading.time_s]), found)[0])
 
@@ -102,22 +126,24 @@ def _is_data_set(path: Path) -> bool:
 
 
 def _read_recording(
-    model: DeployedModel, path: Path, zero_frames: int
+    model: DeployedModel, path: Path, zeroing: Zeroing
 ) -> Iterator[dict[str, float]]:
     from estimator.recording_files import read_table
 
     table = read_table(path)
-    if len(table.counts) <= zero_frames:
-        raise InputError(
-            f"{path} holds {len(table.counts)} frames; the first {zero_frames} give the zero. Give "
-            "a longer recording, or a smaller --zero-frames"
-        )
-    reader = LiveReader(model, zero_frames)
-    time_s = table.time_s if len(table.time_s) else np.arange(len(table.counts)) * np.nan
-    for now_s, counts in zip(time_s, table.counts, strict=True):
-        found = reader.feed(counts)
+    reader, read = zeroing.reader(model), 0
+    time_s = table.time_s if len(table.time_s) else np.full(len(table.counts), np.nan)
+    for now_s, counts in zip(time_s.tolist(), table.counts, strict=True):
+        found = reader.feed(counts, now_s)
         if found is not None:
+            read += 1
             yield _rows(np.array([now_s]), found)[0]
+    if not read:
+        raise InputError(
+            f"{path} holds {len(table.counts)} frames, none of them after {zeroing.frames} that give "
+            "a zero. Give a longer recording, a smaller --zero-frames or, for signals that are "
+            "changes already, --zero none"
+        )
 
 
 def _rows(time_s: np.ndarray, found: Prediction) -> list[dict[str, float]]:

@@ -84,19 +84,21 @@ def test_live_readings_are_those_of_the_recording(frames, path):
     deployed = load_deployed(path)
     press = frames.select(frames.press_id == 23)
     raw = 1000.0 + press.signal_counts
-    reader = LiveReader(deployed, zero_frames=4)
+    reader = LiveReader(deployed, "first", zero_frames=4)
     found = [reader.feed(one) for one in raw]
     assert [one is None for one in found] == [True] * 4 + [False] * (len(raw) - 4)
-    zeroed = press.select(np.arange(4, len(press)))
-    zeroed = replace(zeroed, signal_counts=zeroed.signal_counts - press.signal_counts[:4].mean(0))
-    expected = predict_frames(deployed, zeroed)
-    assert_allclose([one.force_n[0] for one in found[4:]], expected.force_n, rtol=1e-5, atol=1e-5)
+    zeroed = replace(press, signal_counts=press.signal_counts - press.signal_counts[:4].mean(0))
+    expected = predict_frames(deployed, zeroed).force_n[4:]
+    assert_allclose([one.force_n[0] for one in found[4:]], expected, rtol=1e-5, atol=1e-5)
+    as_they_are = LiveReader(deployed, "none")
+    changes = [as_they_are.feed(one).force_n[0] for one in zeroed.signal_counts]
+    assert_allclose(changes[4:], expected, rtol=1e-5, atol=1e-5)
     reader.rezero()
     assert reader.feed(raw[0]) is None
 
 
 def test_slip_of_the_core_is_undone_by_a_new_zero(path):
-    reader = LiveReader(load_deployed(path), zero_frames=2)
+    reader = LiveReader(load_deployed(path), "first", zero_frames=2)
     rest = np.full((5, 3, 3), 500.0)
     for _ in range(2):
         reader.feed(rest)
@@ -106,14 +108,14 @@ def test_slip_of_the_core_is_undone_by_a_new_zero(path):
     for _ in range(2):
         reader.feed(slipped)
     again = reader.feed(slipped)
-    still = LiveReader(load_deployed(path), zero_frames=1)
+    still = LiveReader(load_deployed(path), "first", zero_frames=1)
     still.feed(rest)
     assert_allclose(again.force_n, still.feed(rest).force_n, rtol=1e-6)
     assert abs(shifted.force_n[0] - again.force_n[0]) > 1e-3
 
 
 def test_a_channel_without_a_reading_is_named(frames, path):
-    reader = LiveReader(load_deployed(path), zero_frames=1)
+    reader = LiveReader(load_deployed(path), "first", zero_frames=1)
     raw = np.zeros((5, 3, 3))
     raw[3, 0, 1] = np.nan
     with pytest.raises(InputError, match="channel F4-Y1, which the model uses"):
@@ -145,7 +147,7 @@ def test_prediction_loads_no_torch(path):
         "import sys, pathlib, numpy as np\n"
         "from estimator.deployed import load_deployed, LiveReader\n"
         "import instobj.predict\n"
-        f"reader = LiveReader(load_deployed(pathlib.Path({str(path)!r})), 1)\n"
+        f"reader = LiveReader(load_deployed(pathlib.Path({str(path)!r})), 'first', 1)\n"
         "reader.feed(np.zeros((5, 3, 3))); found = reader.feed(np.ones((5, 3, 3)))\n"
         "assert found is not None and found.force_n.shape == (1,)\n"
         "assert 'torch' not in sys.modules, 'torch was imported'\n"

@@ -15,7 +15,7 @@ from estimator.face_model import load_model, predict, save_model
 from estimator.splits import split_presses
 from estimator.training import FitSettings, fit_estimator
 from instobj.commands import run_estimator
-from instobj.predict import export_models, predict_file, predict_port
+from instobj.predict import Zeroing, export_models, predict_file, predict_port
 
 FACE = 3
 SMALL = TrainingSpec(hidden_units=(16,), epochs=2, batch_size=64)
@@ -73,7 +73,7 @@ def folder(tmp_path_factory):
 
 
 def test_predict_a_data_set(folder, tmp_path):
-    found = predict_file(folder / "robot" / "face_3.onnx", folder / "press.nc", tmp_path, 5)
+    found = predict_file(folder / "robot" / "face_3.onnx", folder / "press.nc", tmp_path)
     with (tmp_path / "runs" / "press" / "prediction_face_3.csv").open() as file:
         rows = list(csv.DictReader(file))
     frames = load_frames(folder / "press.nc")
@@ -82,6 +82,10 @@ def test_predict_a_data_set(folder, tmp_path):
     assert float(rows[7]["force_low_n"]) <= float(rows[7]["force_n"])
     summary = next(iter(found["tables"].values()))[0]
     assert summary["frames"] == len(frames)
+    with pytest.raises(InputError, match="zeroed press by press; got --zero first"):
+        predict_file(
+            folder / "robot" / "face_3.onnx", folder / "press.nc", tmp_path, Zeroing("first")
+        )
 
 
 def test_predict_a_recording_zeroes_by_its_first_frames(folder, tmp_path):
@@ -94,17 +98,17 @@ def test_predict_a_recording_zeroes_by_its_first_frames(folder, tmp_path):
         lines.append(f"{k / 10:.1f},{row[0]},{row[1]},{row[2]},{label},{force[k]:.3f}")
     path = tmp_path / "board.csv"
     path.write_text("\n".join(lines) + "\n")
-    predict_file(folder / "robot" / "face_3.onnx", path, tmp_path, 4)
+    predict_file(folder / "robot" / "face_3.onnx", path, tmp_path, Zeroing("first", 4))
     with (tmp_path / "runs" / "board" / "prediction_face_3.csv").open() as file:
         rows = list(csv.DictReader(file))
     assert len(rows) == 10
     with pytest.raises(InputError, match="smaller --zero-frames"):
-        predict_file(folder / "robot" / "face_3.onnx", path, tmp_path, 14)
+        predict_file(folder / "robot" / "face_3.onnx", path, tmp_path, Zeroing("first", 14))
 
 
 def test_predict_live_from_a_board(folder):
     with dummy_board() as port:
-        lines = list(predict_port(folder / "robot" / "face_3.onnx", port, 10, 5))
+        lines = list(predict_port(folder / "robot" / "face_3.onnx", port, Zeroing(), 5))
     assert len(lines) == 5
     assert set(json.loads(lines[0])) >= {"time_s", "force_n", "x_mm", "contact"}
     assert "F3-X1" in CHANNELS
