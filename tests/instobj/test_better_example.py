@@ -25,8 +25,10 @@ PRINTABLE_WALL_MM = 0.8
 
 def test_it_has_the_papers_parts_shell_and_silicone():
     better, paper = load_spec(BETTER, []), load_spec(PAPER, [])
-    for name in ("body", "shell", "silicone", "core", "score", "tolerances"):
+    for name in ("body", "shell", "silicone", "score", "tolerances"):
         assert getattr(better, name) == getattr(paper, name)
+    passages = {"hub_radius_mm": 1.7, "wire_hole_side_diameter_mm": 3.4}
+    assert better.core == paper.core.model_copy(update=passages)
     for name in ("shape", "diameter_mm", "height_mm", "remanence_t"):
         assert getattr(better.magnets, name) == getattr(paper.magnets, name)
     assert len(better.magnets.positions_mm) == len(paper.magnets.positions_mm)
