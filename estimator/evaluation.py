@@ -14,6 +14,7 @@ from estimator.dataset import FrameSet
 from estimator.face_data import FaceData, face_data, with_history
 from estimator.face_model import FaceModel, predict, predict_heatmaps
 from estimator.metrics import FaceMetrics, face_metrics, force_reference
+from estimator.prediction import Prediction
 from estimator.recordings import Recording
 from estimator.splits import Split
 from estimator.training import FitSettings, fit_estimator
@@ -78,9 +79,7 @@ def evaluate_intervals(model: FaceModel, frames: FrameSet) -> IntervalReport:
         face_data(with_history(frames, model.history_frames), model.face), "tested"
     )
     data = data.select(data.contact)
-    found = predict(model, data.frames)
-    missed_n = np.abs(found.force_n - data.heatmap_n.sum(axis=(1, 2)))
-    away_mm = np.linalg.norm(found.xy_mm - data.centre_mm, axis=1)
+    found, missed_n, away_mm = interval_errors(model, data)
     return IntervalReport(
         wanted_cover=model.interval_cover,
         force_cover=float(np.mean(missed_n <= found.force_halfwidth_n)),
@@ -90,6 +89,15 @@ def evaluate_intervals(model: FaceModel, frames: FrameSet) -> IntervalReport:
         calibration_presses=model.interval_presses,
         tested_presses=len(np.unique(data.frames.press_id)),
     )
+
+
+def interval_errors(
+    model: FaceModel, data: FaceData
+) -> tuple[Prediction, Float[np.ndarray, "frame"], Float[np.ndarray, "frame"]]:
+    """Predictions in contact frames, how far off the total force is (N) and the centre (mm)."""
+    found = predict(model, data.frames)
+    missed_n = np.abs(found.force_n - data.heatmap_n.sum(axis=(1, 2)))
+    return found, missed_n, np.linalg.norm(found.xy_mm - data.centre_mm, axis=1)
 
 
 def linear_baseline(frames: FrameSet, face: int, split: Split) -> FaceMetrics:

@@ -19,7 +19,7 @@ the paper's cube).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -114,14 +114,24 @@ def best_answers(
     sigma_counts: Float[np.ndarray, "channel"],
 ) -> BestAnswers:
     """Posterior-optimal answers for every frame."""
+    parts = [
+        _answers(hypotheses, posterior)
+        for posterior in chunked_posterior(hypotheses, seen_counts, sigma_counts)
+    ]
+    return BestAnswers(*(np.concatenate(column) for column in zip(*parts, strict=True)))
+
+
+def chunked_posterior(
+    hypotheses: Hypotheses,
+    seen_counts: Float[np.ndarray, "frame channel"],
+    sigma_counts: Float[np.ndarray, "channel"],
+) -> Iterator[Float[np.ndarray, "some hypothesis"]]:
+    """Posteriors of frames in turn, so many at a time as memory likes; rest is the last column."""
     channels = hypotheses.counts.shape[-1]
     white = (hypotheses.counts / sigma_counts).reshape(-1, channels)
     chunk = max(1, int(_CHUNK_BYTES / 8 / len(white)))
-    parts = [
-        _answers(hypotheses, _posterior(hypotheses, white, seen / sigma_counts))
-        for seen in np.array_split(seen_counts, int(np.ceil(len(seen_counts) / chunk)))
-    ]
-    return BestAnswers(*(np.concatenate(column) for column in zip(*parts, strict=True)))
+    for seen in np.array_split(seen_counts, int(np.ceil(len(seen_counts) / chunk))):
+        yield _posterior(hypotheses, white, seen / sigma_counts)
 
 
 def _posterior(

@@ -6,10 +6,12 @@ frames one by one (`estimator.reference`).
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from jaxtyping import Float
 
 from instobj.experiments.paper_object import SIMULATED, SimulatedObject, simulated_object
 from instobj.experiments.registry import Study
@@ -17,20 +19,34 @@ from instobj.experiments.registry import Study
 if TYPE_CHECKING:
     from design.spec import ObjectSpec
     from estimator.dataset import FrameSet
+    from estimator.face_data import FaceData
+    from estimator.face_model import FaceModel
     from estimator.metrics import ForceReference
     from estimator.reference import Hypotheses
 
 _MOST_FRAMES = 4000
 
 
-def reference_row(
-    recorded: SimulatedObject, face: int, frames: FrameSet, span: ForceReference
-) -> dict[str, float]:
-    """Metrics of the best possible answers on (at most 4000 of) the frames of one face."""
+@dataclass(frozen=True)
+class Judged:
+    """Frames of one face on which estimator and bound are compared, and what the bound knows.
+
+    `centre_mm` is the centre of force of each hypothesis' case.
+    """
+
+    data: FaceData
+    hypotheses: Hypotheses
+    centre_mm: Float[np.ndarray, "case 2"]
+    seen_counts: Float[np.ndarray, "frame channel"]
+    sigma_counts: Float[np.ndarray, "channel"]
+
+
+def judged_frames(recorded: SimulatedObject, face: int, frames: FrameSet) -> Judged:
+    """At most 4000 of the frames, and every contact case as the object itself shows it."""
     from estimator.collection_recipe import drift_rms_counts
+    from estimator.contact_cases import paper_cases
     from estimator.face_data import channel_counts, face_data, live_channels
-    from estimator.metrics import contact_errors
-    from estimator.reference import best_answers, disturbance_sigma
+    from estimator.reference import disturbance_sigma
 
     data = face_data(frames, face)
     if len(data) > _MOST_FRAMES:
@@ -38,11 +54,22 @@ def reference_row(
         data = data.select(np.sort(chosen))
     channels = live_channels(data)
     flat = flat_channels(recorded.spec, channels)
-    sigma = disturbance_sigma(recorded.spec, flat, drift_rms_counts(recorded.spec))
-    found = best_answers(
-        own_hypotheses(recorded, face, flat), channel_counts(data.frames, channels), sigma
+    return Judged(
+        data,
+        own_hypotheses(recorded, face, flat),
+        np.array([case.xy_mm.mean(axis=0) for case in paper_cases(recorded.spec, face)]),
+        channel_counts(data.frames, channels),
+        disturbance_sigma(recorded.spec, flat, drift_rms_counts(recorded.spec)),
     )
-    true, contact = data.heatmap_n, data.contact
+
+
+def reference_row(judged: Judged, span: ForceReference) -> dict[str, float]:
+    """Metrics of the best possible answers."""
+    from estimator.metrics import contact_errors
+    from estimator.reference import best_answers
+
+    found = best_answers(judged.hypotheses, judged.seen_counts, judged.sigma_counts)
+    true, contact = judged.data.heatmap_n, judged.data.contact
     medians, exact, means = (
         contact_errors(maps[contact], true[contact], span)
         for maps in (found.median_map_n, found.case_map_n, found.mean_map_n)
@@ -57,6 +84,35 @@ def reference_row(
         "best E_f %": round(float(np.nanmean(medians.force_percent)), 3),
         "best E_f N": round(float(medians.force_n.mean()), 4),
         "best total force %": round(float(np.nanmean(total / spans)), 3),
+    }
+
+
+def interval_row(judged: Judged, model: FaceModel, label_noise_n: float) -> dict[str, float]:
+    """Cover and median width of a model's intervals beside the posterior's, in the same frames."""
+    from estimator.evaluation import interval_errors
+    from estimator.reference_intervals import best_intervals
+
+    contact = judged.data.contact
+    found, missed_n, away_mm = interval_errors(model, judged.data.select(contact))
+    best = best_intervals(
+        judged.hypotheses, judged.centre_mm, judged.seen_counts[contact], judged.sigma_counts,
+        model.interval_cover, label_noise_n,
+    )  # fmt: skip
+    widths = [
+        float(np.median(values))
+        for values in (
+            found.force_halfwidth_n, best.force_halfwidth_n,
+            found.position_radius_mm, best.position_radius_mm,
+        )
+    ]  # fmt: skip
+    return {
+        "force in interval %": round(100 * float(np.mean(missed_n <= found.force_halfwidth_n)), 2),
+        "interval ± N": round(widths[0], 4),
+        "best interval ± N": round(widths[1], 4),
+        "interval over bound": round(widths[0] / widths[1], 3),
+        "place in radius %": round(100 * float(np.mean(away_mm <= found.position_radius_mm)), 2),
+        "radius mm": round(widths[2], 3),
+        "best radius mm": round(widths[3], 3),
     }
 
 
@@ -120,7 +176,8 @@ def run_reference(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]
     for face in recorded.spec.collection.faces:
         frames = recorded.collect(faces=[face])
         span = force_reference(face_data(frames, face).heatmap_n)
-        row = reference_row(recorded, face, frames, span) | cramer_rao_row(recorded, face)
+        judged = judged_frames(recorded, face, frames)
+        row = reference_row(judged, span) | cramer_rao_row(recorded, face)
         rows.append({"face": face} | row)
     return {"rows": rows, "texts": [SIMULATED, __doc__ or ""]}
 

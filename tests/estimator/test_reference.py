@@ -14,6 +14,7 @@ from estimator.reference import (
     disturbance_sigma,
     press_hypotheses,
 )
+from estimator.reference_intervals import best_intervals
 from estimator.signals import press_signals
 
 SIGMA = np.array([2.0, 1.0, 3.0, 1.5])
@@ -117,3 +118,50 @@ def test_sigma_adds_what_disturbs_a_frame():
     spec = coarse_spec()
     sigma = disturbance_sigma(spec, np.array([0, 5]), drift_counts=30.0)
     assert_allclose(sigma**2, [22**2 + 100 + 900 + 1 / 12, 11**2 + 100 + 900 + 1 / 12])
+
+
+@pytest.mark.parametrize("fault", ["none", "sigma of one channel ten times too small", "no noise"])
+def test_intervals_of_a_linear_toy_have_the_width_of_its_bound(fault):
+    """Known answer: 1.645 √(σ_F² + σ_label²), σ_F the Cramér–Rao bound, and 90 % inside."""
+    slopes, hypotheses = linear_toy(separation=8.0)
+    rng = np.random.default_rng(4)
+    noisy, label_noise = SIGMA * np.array([1, 1, 1, 30.0]), 0.2
+    true, seen = frames_of(slopes, 4000, rng, noisy)
+    label = true.sum(axis=(1, 2)) + rng.normal(0, label_noise, len(true))
+    believed = noisy * np.array([1, 1, 1, 0.02]) if "sigma" in fault else noisy
+    centre = np.array([[-3.0, -3], [-3, 3], [3, -3], [3, 3]])
+    noise = 0.0 if fault == "no noise" else label_noise
+    found = best_intervals(hypotheses, centre, seen, believed, 0.9, noise)
+    right = []
+    for place in range(3):  # the fourth place speaks through the misjudged channel alone
+        mine = true[:, place // 2, place % 2] > 0
+        bound = 1 / np.sqrt(np.sum((slopes[place] / noisy) ** 2))
+        known = 1.6449 * np.hypot(bound, label_noise)
+        inside = abs(label - found.force_n)[mine] <= found.force_halfwidth_n[mine]
+        width = np.median(found.force_halfwidth_n[mine])
+        right.append(abs(width / known - 1) < 0.03 and abs(inside.mean() - 0.9) < 0.03)
+        if fault == "none":
+            assert_allclose(np.median(found.position_radius_mm[mine]), 0.0)
+    assert all(right) == (fault == "none")
+
+
+def test_radius_by_hand():
+    """Two places 5 mm apart with posterior odds written out."""
+    hypotheses = Hypotheses(
+        np.array([[[1.0], [3.0]], [[2.0], [6.0]]]),
+        np.array([[[[2.0, 0.0]], [[4.0, 0.0]]], [[[0.0, 5.0]], [[0.0, 8.0]]]]),
+        rest_share=0.2,
+    )
+    weight = np.exp(-((2.2 - np.array([1, 3, 2, 6.0])) ** 2) / 2 / 0.25)
+    second = weight[2:].sum() / weight.sum()
+    assert 0.6 < second < 0.8
+    centre, seen, sigma = np.array([[0.0, 0.0], [3.0, 4.0]]), np.array([[2.2]]), np.array([0.5])
+    for cover, radius in ((0.5, 0.0), (0.9, 5 * second)):
+        found = best_intervals(hypotheses, centre, seen, sigma, cover, 0.0)
+        assert_allclose(found.position_radius_mm, [radius], rtol=1e-9)
+        assert_allclose(found.force_n, [5.0])
+        share = weight / weight.sum()
+        away = np.abs(np.array([2, 4, 5, 8.0]) - 5.0)
+        order = np.argsort(away)
+        needed = away[order][np.argmax(share[order].cumsum() >= cover)]
+        assert_allclose(found.force_halfwidth_n, [needed], atol=1e-6)

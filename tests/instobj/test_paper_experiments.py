@@ -82,6 +82,16 @@ def test_table_one_stands_beside_the_papers_and_the_bound(results):
     assert 0 <= row["false alarms %"] < 20
 
 
+def test_intervals_stand_beside_the_narrowest_ones(results):
+    (row,) = results["general-performance"][0]["rows"]
+    assert 75 < row["force in interval %"] <= 100
+    assert 75 < row["place in radius %"] <= 100
+    assert row["interval ± N"] > row["best interval ± N"] > 1.6 * 0.12  # the load cell's noise
+    ratio = row["interval ± N"] / row["best interval ± N"]
+    assert row["interval over bound"] == pytest.approx(ratio, rel=2e-3)
+    assert row["radius mm"] > row["best radius mm"]
+
+
 def test_the_network_beats_linear_regression_and_both_beat_chance(results):
     rows = {row["estimator"]: row for row in results["linear-baseline"][0]["rows"]}
     assert rows["compact"]["A_sim"] > rows["linear"]["A_sim"] > rows["always the mean map"]["A_sim"]
