@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -19,6 +20,14 @@ if TYPE_CHECKING:
     from fem.response import ElasticSystem, ResponseOperator
 
 TWINS = 20
+METRIC_LABELS = {
+    "similarity": "A_sim",
+    "location_error_px": "E_loc, px",
+    "force_error_percent": "E_f, %",
+    "total_force_error_percent": "total force, %",
+    "non_contact_accuracy": "A_non",
+}
+"""What estimators of a layout are compared by: the paper's metrics and the total force's error."""
 
 
 @dataclass(frozen=True)
@@ -63,6 +72,20 @@ def chain_score(spec: ObjectSpec) -> LadderScore:
     return score_signals(
         spec, signals, *load_presses(chain.require("presses").folder / "presses.nc")
     )
+
+
+def estimator_errors(spec: ObjectSpec) -> dict[str, float]:
+    """Metrics of estimators trained on a layout's own simulated presses, on whole presses held out.
+
+    Means over the pressed faces of `estimator.metrics.FaceMetrics`, undefined ones left out; the
+    chain's stages run, or come from the store.
+    """
+    folder = Chain(spec).require("metrics").folder
+    faces = json.loads((folder / "metrics.json").read_text(encoding="utf-8"))["faces"]
+    values = {
+        name: [face[name] for face in faces if face[name] is not None] for name in METRIC_LABELS
+    }
+    return {name: float(np.mean(found)) for name, found in values.items() if found}
 
 
 @dataclass(frozen=True)

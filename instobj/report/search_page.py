@@ -13,6 +13,7 @@ from design.files import atomic_path
 from design.pockets import magnet_bodies
 from design.spec import ObjectSpec
 from instobj.chain import Chain
+from instobj.layout_ladder import METRIC_LABELS
 from instobj.report.elements import image, note, page, table, text
 from instobj.report.search_figures import (
     LABELS,
@@ -41,6 +42,7 @@ def write_search_page(
         _maps(found, folder / "figures"),
         _moves(start, found.best.spec, folder / "figures"),
         _robustness(found),
+        _estimators(found),
         _ladder(found, history.names, folder / "figures"),
         _search(history, folder / "figures"),
         _parts(found.best.spec),
@@ -194,6 +196,26 @@ def _robustness(found: Climb) -> str:
             "found layout. Above 1 the found layout is better."
         )
     )
+
+
+def _estimators(found: Climb) -> str:
+    columns = (found.start.label, *(one.label for one in found.finalists))
+    rows = [
+        [label, *(_given(found.estimators[column].get(name)) for column in columns)]
+        for name, label in METRIC_LABELS.items()
+    ]
+    return (
+        "<h2>Estimators</h2>"
+        + table(["mean of faces", *columns], rows)
+        + note(
+            "Trained for each layout on simulated presses of the same protocol, judged on whole presses "
+            "held out; simulated throughout."
+        )
+    )
+
+
+def _given(value: float | None) -> str:
+    return "–" if value is None else f"{value:.3g}"
 
 
 def _ladder(found: Climb, objectives: tuple[str, ...], folder: Path) -> str:

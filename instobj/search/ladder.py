@@ -25,7 +25,14 @@ from design.spec_io import spec_hash
 from design.spec_search import OBJECTIVES_TO_MAXIMIZE, SearchSpec
 from estimator.layout_ladder import SCORE_NAMES, LadderScore, rank_correlations, rung_one
 from estimator.layout_scoring import LayoutScorer
-from instobj.layout_ladder import PlainShell, TwinRatio, chain_score, plain_shell, twin_ratios
+from instobj.layout_ladder import (
+    PlainShell,
+    TwinRatio,
+    chain_score,
+    estimator_errors,
+    plain_shell,
+    twin_ratios,
+)
 from instobj.search.first_rung import cost, scorers
 from instobj.search.loop import is_feasible
 from instobj.search.study import KeptStudy
@@ -55,7 +62,9 @@ class Climb:
 
     `correlations` are rank correlations of every score between a rung and the next, by its number;
     `ratios` of the best against the start on the last rung, with 95 % intervals between toleranced
-    twins. `objections` say why the last rung does not call the best one better than the start.
+    twins. `estimators` holds what estimators trained for the start and for each finalist achieve on
+    simulated presses held out (`instobj.layout_ladder.estimator_errors`). `objections` say why the
+    last rung does not call the best one better than the start.
     """
 
     start: Climber
@@ -63,6 +72,7 @@ class Climb:
     finalists: tuple[Climber, ...]
     correlations: dict[str, dict[str, float]]
     ratios: dict[str, TwinRatio]
+    estimators: dict[str, dict[str, float]]
     objections: tuple[str, ...]
 
     @property
@@ -106,8 +116,12 @@ def climb(space: SearchSpace, kept: KeptStudy, folder: Path, say: Say) -> Climb 
     }
     say("twins within tolerance")
     ratios = twin_ratios(start.spec, finalists[0].spec)
+    estimators = {}
+    for one in (start, *finalists):
+        say(f"estimators of {one.label}")
+        estimators[one.label] = estimator_errors(one.spec)
     against = objections(search, finalists[0], start, ratios)
-    return Climb(start, tuple(ranked), tuple(finalists), correlations, ratios, against)
+    return Climb(start, tuple(ranked), tuple(finalists), correlations, ratios, estimators, against)
 
 
 def leaders(space: SearchSpace, kept: KeptStudy, count: int) -> list[FrozenTrial]:

@@ -11,7 +11,7 @@ from design.spec import ObjectSpec
 from design.spec_as_built import AsBuiltSpec
 from design.spec_io import load_spec, spec_hash
 from instobj.chain import Chain
-from instobj.layout_ladder import score_row
+from instobj.layout_ladder import METRIC_LABELS, score_row
 from instobj.progress import ProgressLine
 from instobj.publish import file_rows, require_writable, run_folder
 from instobj.search.apart import Apart
@@ -111,10 +111,21 @@ def _document(spec: ObjectSpec, kept: KeptStudy, found: Climb, files: list[Path]
             "second rung: rigid magnets, contact and fields in full": _rows(found, SECOND),
             "last rung: the chain": _rows(found, LAST),
             "last rung, between objects within tolerance": ratios,
+            "estimators trained for a layout, simulated presses held out": estimator_rows(found),
             "how well a rung ranks the next (Spearman)": correlation_rows(found),
         },
         "files": file_rows(files),
     }
+
+
+def estimator_rows(found: Climb) -> list[dict[str, Any]]:
+    """One row a metric, one column a layout."""
+    names = found.estimators[found.start.label]
+    return [
+        {"mean of faces": METRIC_LABELS[name]}
+        | {label: errors.get(name) for label, errors in found.estimators.items()}
+        for name in names
+    ]
 
 
 def correlation_rows(found: Climb) -> list[dict[str, Any]]:

@@ -78,6 +78,7 @@ def _results(found: Climb) -> dict[str, Any]:
                 "leaders": [climber(one) for one in found.leaders],
                 "finalists": [one.label for one in found.finalists],
                 "rank_correlations": found.correlations,
+                "estimators": found.estimators,
                 "ratios": {name: asdict(ratio) for name, ratio in found.ratios.items()},
             }
         )
