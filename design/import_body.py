@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import warnings
+from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -30,7 +31,7 @@ def body_of_file(path: Path) -> dict[str, Any]:
     InputError
         A file that is missing, not a solid, open, in several pieces or crossing itself.
     """
-    size = [round(float(edge), 6) for edge in _closed_surface(path).extents]
+    size = [round(float(edge), 6) for edge in _surface_in(path).extents]
     return {"file": str(path.resolve()), "size_mm": size}
 
 
@@ -44,17 +45,27 @@ def read_body(body: BodySpec) -> trimesh.Trimesh:
     """
     if body.file is None:
         raise InputError("body.kind = 'imported' needs body.file. Name an STL or STEP file in mm")
-    return _closed_surface(Path(body.file))
+    return _surface_in(Path(body.file)).copy()
 
 
 def file_digest(body: BodySpec) -> str | None:
     """SHA-256 (hex) of the file that a body comes from, if any."""
-    return None if body.file is None else hashlib.sha256(Path(body.file).read_bytes()).hexdigest()
+    return None if body.file is None else _digest(Path(body.file))
 
 
-def _closed_surface(path: Path) -> trimesh.Trimesh:
+def _digest(path: Path) -> str:
+    return hashlib.sha256(path.read_bytes()).hexdigest()
+
+
+def _surface_in(path: Path) -> trimesh.Trimesh:
     if not path.is_file():
         raise InputError(f"no body at {path}. Name an STL or STEP file in mm in body.file")
+    return _closed_surface(path.resolve(), _digest(path))
+
+
+@lru_cache(maxsize=4)
+def _closed_surface(path: Path, digest: str) -> trimesh.Trimesh:
+    """The file's surface, kept while its content is the same."""
     surface = _of_step(path) if path.suffix.lower() in _STEP else _of_mesh(path)
     surface = _repaired(surface, path)
     surface.apply_translation(-surface.bounds.mean(axis=0))
