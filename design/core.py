@@ -6,7 +6,7 @@ import cadquery as cq
 import numpy as np
 
 from design.blocks import core_keys
-from design.body import core_half_mm
+from design.body import FACE_AXES, core_half_mm
 from design.body_solids import core_hollow, core_solid
 from design.layouts import FaceFrame, core_frames
 from design.pockets import core_pockets, sensor_places
@@ -32,7 +32,7 @@ def make_core(spec: ObjectSpec) -> cq.Solid:
     InputError
         The dimensions do not give one valid solid.
     """
-    cutters = _cavity(spec)
+    cutters = [*_cavity(spec), *_outlets(spec)]
     frames = core_frames(spec)
     for frame, places in zip(frames, sensor_places(spec), strict=True):
         if spec.arrangement == "sensors-in-core":
@@ -54,6 +54,19 @@ def _cavity(spec: ObjectSpec) -> list[cq.Solid]:
         half_x, half_y, top = bay[0] / 2, bay[1] / 2, bay[2] - z
         rooms.append(box_between((-half_x, -half_y, bottom), (half_x, half_y, top)))
     return rooms
+
+
+def _outlets(spec: ObjectSpec) -> list[cq.Solid]:
+    """Of a core without a cavity: from its middle, where the wire holes meet, out of every open face."""
+    if core_hollow(spec):
+        return []
+    radius, half = spec.core.wire_hole_side_diameter_mm / 2, core_half_mm(spec)
+    middle, found = cq.Vector(0, 0, 0), []
+    for face in spec.body.opened:
+        normal = np.asarray(FACE_AXES[face][0], float)
+        length = float(abs(normal) @ half) + OVERSHOOT_MM
+        found.append(cq.Solid.makeCylinder(radius, length, middle, cq.Vector(*normal)))
+    return found
 
 
 def _sensor_recess(

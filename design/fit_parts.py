@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from design.spec import ObjectSpec
 
 Corners = Float[np.ndarray, "corner 2"]
+_TOUCHING_MM = 0.01
 
 
 def check_parts(spec: ObjectSpec) -> None:
@@ -28,6 +29,8 @@ def check_parts(spec: ObjectSpec) -> None:
     if spec.shell.seal_layer_mm:
         _check_seal_layer(spec)
     _check_channels(spec)
+    if spec.arrangement == "sensors-in-core":
+        _check_recesses_off_passages(spec)
     if spec.core.bay_mm is not None:
         _check_bay(spec)
 
@@ -86,9 +89,7 @@ def _core_openings(spec: ObjectSpec) -> list[list[tuple[str, Corners]]]:
     for places in sensor_places(spec):
         found: list[tuple[str, Corners]] = [hub]
         for x, y, azimuth in places if spec.arrangement == "sensors-in-core" else ():
-            offset = hypot(x, y) - spec.sensors.radius_mm
-            radial = (core.recess_inner_radius_mm + offset, core.recess_outer_radius_mm + offset)
-            found.append(("a sensor's recess", _radial(azimuth, radial, core.recess_width_mm)))
+            found.append(("a sensor's recess", _recess(spec, x, y, azimuth)))
             if core.wire_channel_width_mm:
                 reach = (0.0, hypot(x, y))
                 channel = _radial(atan2(y, x), reach, core.wire_channel_width_mm)
@@ -177,6 +178,33 @@ def _check_channels(spec: ObjectSpec) -> None:
             f"core.wire_channel_depth_mm must be below core.wall_mm = {core.wall_mm:g}; got "
             f"{core.wire_channel_depth_mm:g}. Make the channels shallower or the wall thicker"
         )
+
+
+def _check_recesses_off_passages(spec: ObjectSpec) -> None:
+    """A recess may run into the hub or the wire hole, or stay clear of it, but not touch it in a line."""
+    core, beside = spec.core, np.zeros(2)
+    passages = {
+        "core.hub_radius_mm": core.hub_radius_mm,
+        "half of core.wire_hole_top_diameter_mm": core.wire_hole_top_diameter_mm / 2,
+        "half of core.wire_hole_side_diameter_mm": core.wire_hole_side_diameter_mm / 2,
+    }
+    for places in sensor_places(spec):
+        for x, y, azimuth in places:
+            near = distance_mm(_recess(spec, x, y, azimuth), beside)
+            for name, radius in passages.items():
+                if abs(near - radius) < _TOUCHING_MM:
+                    raise ValueError(
+                        f"a sensor's recess begins {near:.4g} mm from the middle of the core's face, just "
+                        f"where {name} = {radius:g} ends: they would touch in a line. Move "
+                        f"core.recess_inner_radius_mm, or that radius, by {_TOUCHING_MM:g} mm or more"
+                    )
+
+
+def _recess(spec: ObjectSpec, x: float, y: float, azimuth: float) -> Corners:
+    """Outline of a sensor's recess on the core's face."""
+    core, offset = spec.core, hypot(x, y) - spec.sensors.radius_mm
+    radii = (core.recess_inner_radius_mm + offset, core.recess_outer_radius_mm + offset)
+    return _radial(azimuth, radii, core.recess_width_mm)
 
 
 def _check_bay(spec: ObjectSpec) -> None:

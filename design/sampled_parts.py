@@ -52,12 +52,19 @@ def sampled_core_part(spec: ObjectSpec) -> trimesh.Trimesh:
     removed = []
     for frame, places in zip(core_frames(spec), sensor_places(spec), strict=True):
         removed += [_recess(spec, frame, place) for place in places]
-        removed.append(_wire_hole(spec, frame))
-    wall = spec.core.wall_mm
-    if 6 in spec.body.opened and core_half_mm(spec).min() - wall > _LEAST_HOLLOW_MM:
-        shell = spec.shell.model_copy(update={"thickness_mm": spec.shell.thickness_mm + wall})
-        removed.append(with_bore(spec, sampled_core(spec.model_copy(update={"shell": shell}))))
+        removed.append(_wire_hole(spec, frame.centre_mm + _OVERSHOOT_MM * frame.normal))
+    if 6 in spec.body.opened:
+        removed.append(_hollow(spec))
     return _one(sampled_core(spec), removed, "core")
+
+
+def _hollow(spec: ObjectSpec) -> trimesh.Trimesh:
+    """The core's cavity and its outlet by the bore; without room for one a wire hole down to it."""
+    wall = spec.core.wall_mm
+    if core_half_mm(spec).min() - wall <= _LEAST_HOLLOW_MM:
+        return _wire_hole(spec, np.array([0.0, 0.0, -spec.body.size_mm[2] / 2]))
+    shell = spec.shell.model_copy(update={"thickness_mm": spec.shell.thickness_mm + wall})
+    return with_bore(spec, sampled_core(spec.model_copy(update={"shell": shell})))
 
 
 def _pocket(frame: FaceFrame, pocket: Pocket) -> trimesh.Trimesh:
@@ -95,13 +102,12 @@ def _recess(
     return box
 
 
-def _wire_hole(spec: ObjectSpec, frame: FaceFrame) -> trimesh.Trimesh:
-    """From the patch's centre to the body's."""
+def _wire_hole(spec: ObjectSpec, end_mm: np.ndarray) -> trimesh.Trimesh:
+    """From the body's centre to a point outside the core."""
     import trimesh
 
-    top = frame.centre_mm + _OVERSHOOT_MM * frame.normal
     radius = spec.core.wire_hole_side_diameter_mm / 2
-    return trimesh.creation.cylinder(radius, segment=[0 * top, top], sections=_SECTIONS)
+    return trimesh.creation.cylinder(radius, segment=[0 * end_mm, end_mm], sections=_SECTIONS)
 
 
 def _placed(axes: np.ndarray, origin_mm: np.ndarray) -> np.ndarray:

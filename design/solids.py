@@ -132,7 +132,9 @@ class NotOneSolid(InputError):
 
 
 def single_solid(shape: cq.Shape, part: str) -> cq.Solid:
-    """The one valid solid that `shape` is made of, with split faces merged.
+    """The one valid solid that `shape` is made of, with split faces merged where that leaves it valid.
+
+    The kernel's merging may spoil a sound solid, such as one in which many passages meet.
 
     Raises
     ------
@@ -140,6 +142,8 @@ def single_solid(shape: cq.Shape, part: str) -> cq.Solid:
         An InputError: the dimensions leave several pieces, or a body that is not valid.
     """
     merged = shape.clean()
+    if not merged.isValid() and shape.isValid():
+        merged = shape
     solids = merged.Solids()
     if len(solids) != 1 or not merged.isValid():
         state = "valid" if merged.isValid() else "invalid"

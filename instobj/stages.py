@@ -62,7 +62,7 @@ STAGES: dict[str, Stage] = {
         (),
         ("name", *_MAKING),
         make_build,
-        version=2,
+        version=3,
     ),
     "sheet": Stage(
         "design: bill of materials and assembly sheet",
@@ -75,6 +75,7 @@ STAGES: dict[str, Stage] = {
         (),
         ("name", *_MAKING, "silicone"),
         make_fabrication,
+        version=2,
     ),
     "mesh": Stage("mesh: tetrahedra", (), _WHAT_IS_MESHED, make_mesh),
     "response": Stage("mechanics: response operator", ("mesh",), _ELASTIC, make_response),

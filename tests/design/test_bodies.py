@@ -131,6 +131,12 @@ def test_the_core_ends_where_the_inner_surface_is(name):
         ("solid_dome", {"sensors": {"positions_mm": [[13.0, 0.0]]}}, "outside the core's patch"),
         ("pad", {"sensors": {"positions_mm": [[[0, 0]], [[1, 1]]]}}, "holds 2 lists"),
         ("closed_box", {"body": {"open_faces": [1, 2, 3, 4, 5, 6]}}, "no face of silicone"),
+        ("closed_box", {"body": {"open_faces": [2, 3, 4, 5]}}, "in two pieces"),
+        (
+            "pad",
+            {"core": {"recess_inner_radius_mm": 8.349, "recess_outer_radius_mm": 12.0}},
+            r"begins 2 mm .* where core.hub_radius_mm = 2 ends: they would touch in a line",
+        ),
     ],
 )
 def test_what_does_not_fit_is_refused_with_the_reason(name, changes, wanted):

@@ -10,6 +10,7 @@ from pydantic import ValidationError
 
 import design.core
 import design.shell
+from design.body import FACE_AXES
 from design.core import make_core
 from design.errors import InputError
 from design.layouts import core_frames, face_frames, sensor_layout
@@ -206,6 +207,27 @@ def test_wires_pass_from_every_face_to_the_cavity():
 def test_passages_that_do_not_fit_are_refused(change, message):
     with pytest.raises(ValidationError, match=message):
         ObjectSpec(name="bad", core=CoreSpec(**change))
+
+
+@pytest.mark.parametrize(
+    ("kind", "open_faces"),
+    [("box", (2,)), ("box", (1, 3)), ("box", (4, 5, 6)), ("cylinder", (1,)), ("cylinder", (1, 6))],
+)
+def test_wires_leave_through_the_open_faces(kind, open_faces):
+    """On the way out of an open face, and of no other, is no plastic; a hollow core opens to 6 alone."""
+    size = (46.0, 46.0, 50.0)
+    body = BodySpec(kind=kind, size_mm=size, open_faces=open_faces)
+    unsensed = body.model_copy(update={"sensed_faces": ()})
+    spec = ObjectSpec(name="open").model_copy(update={"body": unsensed})
+    core = make_core(spec)
+    for face, (normal, _, _) in FACE_AXES.items():
+        out = np.array(normal) * (np.array(size) / 2 - 8)
+        passage = cq.Solid.makeCylinder(1.5, 8, cq.Vector(*(0.7 * out)), cq.Vector(*normal))
+        inside = core.intersect(passage).Volume()
+        if face in ((6,) if 6 in open_faces else open_faces):
+            assert_allclose(inside, 0, rtol=0, atol=1e-6)
+        else:
+            assert inside > 10
 
 
 def test_two_pieces_are_no_part():

@@ -73,8 +73,8 @@ def test_presses_on_every_face_give_the_force_of_the_layer(box):
     more over magnets, less where the wall is free."""
     name, folder = box
     force = force_n(folder, name)
-    assert (force > 4).all()
-    assert (force < 16).all()
+    assert (force > 6).all()
+    assert (force < 12).all()
     if name == "closed":
         middle = force[:, 4]
         assert_allclose(middle[[0, 1, 2]], middle[[5, 3, 4]], rtol=0.1)
