@@ -57,13 +57,34 @@ def conclude(
     draw: Callable[[Result, Path], None] | None = None,
 ) -> None:
     """Write `name`.json, and a plot where there is one; print the report."""
-    slug = re.sub(r"[^a-z0-9]+", "-", result["machine"]["processor"].lower()).strip("-")
-    out = options.out or Path(__file__).parent / "results" / (slug or "unknown")
+    out = results_folder(options, result)
     with atomic_path(out / f"{name}.json") as temporary:
         temporary.write_text(json.dumps(result, indent=2) + "\n", encoding="utf-8")
     if draw:
         draw(result, out / f"{name}.png")
     print(report(result))
+
+
+def results_folder(options: argparse.Namespace, result: Result) -> Path:
+    """Where a benchmark writes: `--out`, or one folder a processor."""
+    slug = re.sub(r"[^a-z0-9]+", "-", result["machine"]["processor"].lower()).strip("-")
+    return options.out or Path(__file__).parent / "results" / (slug or "unknown")
+
+
+def peak_memory_gb() -> float:
+    """Largest resident memory of this process so far.
+
+    Linux's own figure: what `getrusage` gives there also counts the process that started this one.
+    """
+    status = Path("/proc/self/status")
+    if status.is_file():
+        found = re.search(r"VmHWM:\s+(\d+) kB", status.read_text(encoding="utf-8"))
+        if found:
+            return int(found[1]) / 1024**2
+    import resource
+
+    unit = 1024**3 if platform.system() == "Darwin" else 1024**2
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / unit
 
 
 def _processor() -> str:

@@ -4,7 +4,8 @@
 
 Everything in one run on one machine with the same number of threads for all. Rivals take turns
 (A B C, A B C, …), and must agree in what they compute. Writes `mechanics.json` and
-`mechanics.png`. Peers that are not installed are named with the reason.
+`mechanics.png`. Peers that are not installed are named with the reason. Finished parts stand in
+`mechanics_parts_full` until all are: an interrupted run goes on from them.
 """
 
 from __future__ import annotations
@@ -12,14 +13,15 @@ from __future__ import annotations
 import argparse
 import json
 import os
-import resource
+import shutil
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from harness import conclude, machine, option_parser
+from harness import conclude, machine, option_parser, peak_memory_gb, results_folder
 from mechanics_peers import Problem
 from mechanics_solves import Contest, contests, solve_taylor_hood
 from mechanics_table import QUICK_MESH, table
@@ -87,8 +89,17 @@ def block_of(cells: int) -> dict[str, Any]:
         "nodes": (2 * cells + 1) ** 3,
         "phases_s": solved.wall_s,
         "total_s": solved.total_s,
-        "peak_gb": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024**2,
+        "peak_gb": peak_memory_gb(),
     }
+
+
+def kept(parts: Path, name: str, measure: Callable[[], Any]) -> Any:
+    """A part of the run, measured or read from where an interrupted run left it."""
+    path = parts / f"{name}.json"
+    if not path.is_file():
+        with atomic_path(path) as temporary:
+            temporary.write_text(json.dumps(measure()), encoding="utf-8")
+    return json.loads(path.read_text(encoding="utf-8"))
 
 
 def in_own_process(*arguments: str) -> dict[str, Any]:
@@ -190,11 +201,18 @@ def main(arguments: list[str] | None = None) -> None:
     result = {
         "machine": {**machine(THREADS, packages), "solver": solver},
         "quick": options.quick,
-        "table": in_own_process("--table", *quick),
-        "single_solves": single_solves(options.quick),
-        "growth": [in_own_process("--block", str(n)) for n in GROWTH_CELLS[options.quick]],
     }
+    form = "quick" if options.quick else "full"
+    parts = results_folder(options, result) / f"mechanics_parts_{form}"
+
+    def block(cells: int) -> dict[str, Any]:
+        return kept(parts, f"block_{cells}", lambda: in_own_process("--block", str(cells)))
+
+    result["table"] = kept(parts, "table", lambda: in_own_process("--table", *quick))
+    result["single_solves"] = kept(parts, "solves", lambda: single_solves(options.quick))
+    result["growth"] = [block(cells) for cells in GROWTH_CELLS[options.quick]]
     conclude("mechanics", options, result, report, draw)
+    shutil.rmtree(parts)
 
 
 if __name__ == "__main__":

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import resource
 import tempfile
 import time
 from collections.abc import Iterator
@@ -12,6 +11,7 @@ from typing import Any
 
 import numpy as np
 import scipy.sparse as sp
+from harness import peak_memory_gb
 
 from design.layouts import contact_grid, magnet_layout
 from design.spec import MeshSpec, ObjectSpec
@@ -59,7 +59,7 @@ def table(quick: bool) -> dict[str, Any]:
         start = time.perf_counter()
         _table_by_operator(spec, load_response(Path(folder)), places=slice(0, 1))
         stored = time.perf_counter() - start
-    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024**2
+    peak = peak_memory_gb()
     ways = _slower_ways(spec, mesh, system, force, motion, 1 if quick else 3)
     total = sum(seconds.values())
     presses = force.size
