@@ -10,6 +10,7 @@ import numpy as np
 
 from design.body import base_top_mm, core_half_mm, sphere_centre_mm
 from design.body_surface import open_span_mm
+from design.core_hold import core_outlet
 from design.errors import InputError
 from design.solids import OVERSHOOT_MM, box_between
 from design.spec import ObjectSpec
@@ -42,24 +43,30 @@ def core_solid(spec: ObjectSpec) -> cq.Solid:
 def core_hollow(spec: ObjectSpec) -> list[cq.Solid]:
     """The core's own cavity, one core wall inside it and open towards −z, where there is room.
 
-    A core without an open face 6 is solid, or silicone would run into it.
+    A core without an open face 6 is solid, or silicone would run into it. A ball's outlet has a flat
+    on one side, by which the core is held from turning while it is cast in.
     """
-    wall, low = spec.core.wall_mm, -spec.body.size_mm[2] / 2
+    wall = spec.core.wall_mm
     if 6 not in spec.body.opened:
         return []
     half = core_half_mm(spec) - wall
+    if spec.body.kind == "sphere":
+        return [_ball_hollow(spec, float(half[0]))]
     if half.min() <= 0:
         return []
     if spec.body.kind == "box":
         bottom = -core_half_mm(spec)[2] - OVERSHOOT_MM
         return [box_between((-half[0], -half[1], bottom), half)]
-    if spec.body.kind == "cylinder":
-        bottom = -core_half_mm(spec)[2] - OVERSHOOT_MM
-        return [_cylinder_between(float(half[0]), float(bottom), float(half[2]))]
-    bore = min(spec.body.bore_mm / 2, float(half[0]) * 0.9)
-    return [
-        _sphere_at(float(half[0]), np.zeros(3)).fuse(_cylinder_between(bore, low, 0.0)).Solids()[0]
-    ]
+    bottom = -core_half_mm(spec)[2] - OVERSHOOT_MM
+    return [_cylinder_between(float(half[0]), float(bottom), float(half[2]))]
+
+
+def _ball_hollow(spec: ObjectSpec, radius_mm: float) -> cq.Solid:
+    """A ball with its outlet, which alone is cut where there is no room for the ball."""
+    outlet = core_outlet(spec)
+    bore = _cylinder_between(outlet.radius_mm, -spec.body.size_mm[2] / 2, 0.0)
+    hollow = bore if radius_mm <= 0 else _sphere_at(radius_mm, np.zeros(3)).fuse(bore)
+    return hollow.cut(box_between(*outlet.key_mm)).Solids()[0]
 
 
 def _exact(kinds: dict[str, Callable[..., Solid]], spec: ObjectSpec) -> Callable[..., Solid]:

@@ -39,13 +39,14 @@ def sealed_body_surface(spec: ObjectSpec) -> trimesh.Trimesh:
     import trimesh
 
     outer, cavity = outer_surface(spec), cavity_surface(spec)
-    left_out = [_block(block) for block in (*core_keys(spec), *relief_slits(spec))]
+    left_out = [block_surface(block) for block in (*core_keys(spec), *relief_slits(spec))]
     if cavity is not None:
         left_out.insert(0, cavity)
     return trimesh.boolean.difference([outer, *left_out]) if left_out else outer
 
 
-def _block(block: Block) -> trimesh.Trimesh:
+def block_surface(block: Block) -> trimesh.Trimesh:
+    """A block as a closed surface in the object's frame."""
     import trimesh
 
     placed = np.eye(4)

@@ -9,7 +9,7 @@ from design.electronics import Mounted, mounted_sensors, wire_bundle_mm
 from design.finding import Finding, at_least, place_of
 from design.layouts import FaceFrame, face_frames
 from design.mesh_checks import block_manifold, manifold_of
-from design.mould import play_mm
+from design.mould_frame import play_mm
 from design.pockets import Pocket, distance_of_axes_mm, shell_pockets
 from design.spec import ObjectSpec
 

@@ -8,31 +8,39 @@ drawn first, a closed mould leaves none.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 from jaxtyping import Bool, Float
 
+from design.core_hold import why_no_mould
 from design.finding import Finding, at_least, place_of
-from design.layouts import face_frames
-from design.mesh_checks import high_points, largest_ceiling, least_draft_deg, undercut
-from design.mould import has_mould, pour_width_mm
-from design.pockets import shell_pockets
-from design.shell import cast_envelope
+from design.mesh_checks import (
+    distance_mm,
+    largest_ceiling,
+    least_draft_deg,
+    manifold_of,
+    undercut,
+)
+from design.mould_frame import mould_frame, mould_style, parting, up
+from design.mould_openings import Hole, air_traps, mould_holes
+from design.mould_pins import least_rim_mm, loose_pins, pin_kinds
+from design.mould_plug import pour_width_mm
 from design.spec import ObjectSpec
-from design.split_mould import distinct_pins, parting_normal
 
 if TYPE_CHECKING:
     import trimesh
 
 POUR_MM = 3.0
 CEILING_MM2 = 100.0
-NO_MOULD = (
-    "moulds are made for boxes that are open at the bottom alone: draw one for this body from shell.step "
-    "or shell.stl, or print the shell; nothing of casting was checked"
-)
-_UP = np.array([0.0, 0.0, -1.0])
+YIELD_SHARE = 0.02
+"""Of the silicone's thickness: what it gives way by on the spot, without room; an estimate."""
+NEAR_MM = 0.15
+"""Of the silicone's surface, within which a face touches it: triangles of both leave theirs by less."""
+OPEN_MM3 = 1e-3
+CLOSING = ("mould_box", "mould_half_a", "mould_half_b", "mould_plug", "mould_holder")
+"""Parts in the object's frame of which a mould has one each."""
 
 
 @dataclass(frozen=True)
@@ -48,42 +56,37 @@ def check_casting(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> list[
     """Draft and undercuts of every part that was built, the pour opening, trapped air."""
     if spec.silicone.cure == "none":
         return []
-    if not has_mould(spec):
-        return [Finding("mould", "shell", 0.0, 1.0, "moulds", "warn", NO_MOULD)]
-    found = [_pour(spec)]
+    reason = why_no_mould(spec)
+    if reason is not None:
+        return [Finding("mould", "shell", 0.0, 1.0, "moulds", "fail", reason)]
+    found = [_pour(spec), *_heads(spec)]
+    if "shell" not in meshes:
+        return found
     for draw in draws(spec):
         if draw.part in meshes:
-            found += _draw(spec, draw, meshes[draw.part])
-    return found + (_air(spec, meshes["shell"]) if "shell" in meshes else [])
+            found += _draw(spec, draw, meshes[draw.part], meshes["shell"])
+    return [*found, *_air(spec, meshes)]
 
 
 def draws(spec: ObjectSpec) -> list[Draw]:
     """How the mould comes off, part by part, in this order."""
-    down = np.array([0.0, 0.0, -1.0])
-    cavity = float(min(spec.core_size_mm[:2])) / 2
-    if spec.mould.style == "one-piece":
-        return [Draw("mould_plug", down, 0.0), Draw("mould_box", -down, cavity)]
-    normal, free = parting_normal(spec), float("inf")
-    return [
-        *_pin_draws(spec),
-        Draw("mould_half_a", normal, 0.0),
-        Draw("mould_half_b", -normal, 0.0),
-        Draw("mould_plug", down, free),
-    ]
+    frame, free = mould_frame(spec), float("inf")
+    plug = [Draw("mould_plug", frame.out, 0.0)] if frame.plugged else []
+    if mould_style(spec) == "one-piece":
+        left = np.ptp(frame.plug_mm, axis=0).min() / 2
+        return [*plug, Draw("mould_box", -frame.out, float(left))]
+    pins, normal = loose_pins(spec), parting(spec).normal
+    drawn = [Draw(name, pins[first].way, 0.0) for name, first, _ in pin_kinds(pins)]
+    if frame.opening == "bore":
+        drawn.append(Draw("mould_holder", frame.out, 0.0))
+    drawn += [Draw("mould_half_a", normal, 0.0), Draw("mould_half_b", -normal, 0.0)]
+    return drawn + [replace(last, room_mm=free) for last in plug if frame.opening == "open"]
 
 
-def _pin_draws(spec: ObjectSpec) -> list[Draw]:
-    kinds = distinct_pins(spec)
-    faces = zip(face_frames(spec), shell_pockets(spec), strict=True)
-    ways = [frame.axes @ pocket.axis for frame, face in faces for pocket in face]
-    return [
-        Draw("mould_pin" if len(kinds) == 1 else f"mould_pin_{number}", ways[first], 0.0)
-        for number, (first, _) in enumerate(kinds, start=1)
-    ]
-
-
-def _draw(spec: ObjectSpec, draw: Draw, mesh: trimesh.Trimesh) -> list[Finding]:
-    against = _wetted(spec, mesh)
+def _draw(
+    spec: ObjectSpec, draw: Draw, mesh: trimesh.Trimesh, shell: trimesh.Trimesh
+) -> list[Finding]:
+    against = _wetted(mesh, shell)
     found = [_undercut(spec, draw, mesh, against)]
     draft = least_draft_deg(mesh, draw.pull, against)
     if draft is not None:
@@ -96,35 +99,32 @@ def _draw(spec: ObjectSpec, draw: Draw, mesh: trimesh.Trimesh) -> list[Finding]:
                 limit,
                 "°",
                 at_least(draft[0], limit) if draft[0] >= limit else "warn",
-                "least draft of a wall towards the silicone. Below the limit: use release agent, draw "
-                "slowly; silicone lets go, printed layers scratch it",
+                "least draft of a wall towards the silicone, which is that of the object's own walls. "
+                "Below the limit: use release agent, draw slowly; silicone lets go, printed layers "
+                "scratch it",
                 place_of(draft[1]),
             )
         )
     return found
 
 
-def _wetted(spec: ObjectSpec, mesh: trimesh.Trimesh) -> Bool[np.ndarray, "face"]:
-    """Faces that lie in the silicone's box, its open side left out: they touch what is cast."""
-    box, near = cast_envelope(spec).BoundingBox(), 1e-3
-    low = np.array([box.xmin, box.ymin, box.zmin])
-    high = np.array([box.xmax, box.ymax, box.zmax])
-    centre = mesh.triangles_center
-    inside = ((centre > low - near) & (centre < high + near)).all(axis=1)
-    return inside & (centre[:, 2] > box.zmin + near)
+def _wetted(mesh: trimesh.Trimesh, shell: trimesh.Trimesh) -> Bool[np.ndarray, "face"]:
+    """Faces whose middle lies on the silicone's surface."""
+    return distance_mm(shell, mesh.triangles_center) < NEAR_MM
 
 
 def _undercut(spec: ObjectSpec, draw: Draw, mesh: trimesh.Trimesh, against: np.ndarray) -> Finding:
     found = undercut(mesh, draw.pull, against)
     strain = found.depth_mm / spec.shell.thickness_mm
+    room = max(draw.room_mm, YIELD_SHARE * spec.shell.thickness_mm)
     allowed = spec.silicone.peel_share * spec.silicone.elongation_percent / 100
     if not found.depth_mm:
         status, text = "pass", "no undercut along the pull"
-    elif found.depth_mm > draw.room_mm:
+    elif found.depth_mm > room:
         status = "fail"
         text = (
             f"{found.area_mm2:.0f} mm² of undercut; the silicone must give way by {found.depth_mm:.2g} mm "
-            f"and has {draw.room_mm:.2g} mm of room. Use mould.style = 'split', or leave out what hooks"
+            f"and has {room:.2g} mm of room. Use mould.style = 'split', or leave out what hooks"
         )
     else:
         status = "pass" if strain <= allowed else "fail"
@@ -132,32 +132,47 @@ def _undercut(spec: ObjectSpec, draw: Draw, mesh: trimesh.Trimesh, against: np.n
             f"{found.area_mm2:.0f} mm² of undercut, to be peeled: about {strain:.0%} of strain of "
             f"{allowed:.0%} allowed, and room to give way"
         )
-    limit = min(draw.room_mm, allowed * spec.shell.thickness_mm) if found.depth_mm else 0.0
+    limit = min(room, allowed * spec.shell.thickness_mm) if found.depth_mm else 0.0
     place = None if found.place_mm is None else place_of(found.place_mm)
     return Finding("undercut", draw.part, found.depth_mm, limit, "mm", status, text, place)
 
 
 def _pour(spec: ObjectSpec) -> Finding:
-    width = pour_width_mm(spec)
-    x, _, z = np.asarray(spec.body.size_mm) / 2
+    frame, width = mould_frame(spec), pour_width_mm(spec)
+    part = "mould_half_a" if mould_style(spec) == "split" else "mould_box"
+    text = {
+        "open": "width of the slots beside the plug's flange, or of the open side; they also let the air "
+        "out. Below the limit: thicken the shell, or open fewer faces",
+        "bore": "diameter of the holes beside the rod; they also let the air out. Below the limit: raise "
+        "mould.pour_mm",
+        "closed": "diameter of the hole at the mould's upper corner. Below the limit: raise mould.pour_mm",
+    }[frame.opening]
+    place = place_of(frame.rim_mm * up(spec))
     return Finding(
-        "pour opening",
-        "mould_plug",
-        width,
-        POUR_MM,
-        "mm",
-        at_least(width, POUR_MM),
-        "width of the two slots beside the plug's flange; they also let the air out. Below the limit: "
-        "thicken the shell",
-        place_of((x - width / 2, 0.0, -z)),
+        "pour opening", part, width, POUR_MM, "mm", at_least(width, POUR_MM), text, place
     )
 
 
-def _air(spec: ObjectSpec, shell: trimesh.Trimesh) -> list[Finding]:
-    """Air rises to the open side, −z up; it must not be caught on its way."""
-    rim = spec.body.size_mm[2] / 2
-    traps = high_points(shell, _UP, rim)
-    ceiling = largest_ceiling(shell, _UP, rim)
+def _heads(spec: ObjectSpec) -> list[Finding]:
+    """Rims of the loose pins' heads, which rest on the mould."""
+    pins = loose_pins(spec) if mould_style(spec) == "split" else []
+    if not pins:
+        return []
+    rim, limit = pins[0].rim_mm, least_rim_mm(spec)
+    text = (
+        "rim by which the pins' heads rest on the mould, narrowed where pins stand close. Below the "
+        "limit pins may go in too far: move pockets apart, or use mould.style = 'one-piece'"
+    )
+    return [
+        Finding("rim of the pins' heads", "mould_pin", rim, limit, "mm", at_least(rim, limit), text)
+    ]
+
+
+def _air(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> list[Finding]:
+    """Air rises to the open side or to vents; it must not be caught on its way."""
+    holes, shell = mould_holes(spec), meshes["shell"]
+    traps = air_traps(spec, shell, holes)
+    vents = sum(hole.use == "vent" for hole in holes)
     found = [
         Finding(
             "air traps",
@@ -166,10 +181,13 @@ def _air(spec: ObjectSpec, shell: trimesh.Trimesh) -> list[Finding]:
             0.0,
             "places",
             "fail" if traps else "pass",
-            "high points that the rim does not drain. Drill a vent of 1 mm there, or turn the mould",
-            place_of(traps[0]) if traps else None,
-        )
+            f"high points that neither the open side nor one of {vents} vents drains. Drill one there, or "
+            "turn the mould",
+            place_of(traps[0].place_mm) if traps else None,
+        ),
+        *_blocked(spec, holes, meshes),
     ]
+    ceiling = largest_ceiling(shell, up(spec), mould_frame(spec).rim_mm)
     if ceiling is not None:
         found.append(
             Finding(
@@ -185,3 +203,30 @@ def _air(spec: ObjectSpec, shell: trimesh.Trimesh) -> list[Finding]:
             )
         )
     return found
+
+
+def _blocked(
+    spec: ObjectSpec, holes: tuple[Hole, ...], meshes: dict[str, trimesh.Trimesh]
+) -> list[Finding]:
+    """Pouring holes and vents against the parts that they go through."""
+    if not holes:
+        return []
+    solids = [manifold_of(mesh) for name, mesh in meshes.items() if name in CLOSING]
+    in_the_way = [
+        sum((solid ^ manifold_of(hole.surface())).volume() for solid in solids) for hole in holes
+    ]
+    worst = int(np.argmax(in_the_way))
+    limit = OPEN_MM3 + 0.01 * float(np.pi * holes[worst].diameter_mm ** 2 / 4)
+    return [
+        Finding(
+            "holes are open",
+            "mould_half_a" if mould_style(spec) == "split" else "mould_box",
+            float(in_the_way[worst]),
+            limit,
+            "mm³",
+            "pass" if in_the_way[worst] <= limit else "fail",
+            "largest volume of the mould in a hole for pouring or for air. Above the limit: turn the seam "
+            "(mould.parting_azimuth_deg) or move pockets",
+            place_of(holes[worst].start_mm),
+        )
+    ]

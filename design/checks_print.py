@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from design.core_hold import locators
 from design.finding import Finding, at_least, place_of
 from design.mesh_checks import sharpest_edge, thinnest_wall
 from design.mould import has_mould
+from design.mould_frame import mould_style
 from design.parts import Part
 from design.pockets import shell_pockets
 from design.spec import ObjectSpec
@@ -103,11 +105,24 @@ def check_features(spec: ObjectSpec) -> list[Finding]:
     if slits.depth_mm:
         found.append(_feature("fin of a slit", _mould(spec), slits.width_mm, printer.wall_mm))
         found.append(_aspect("fin of a slit", _mould(spec), slits.depth_mm / slits.width_mm, spec))
-    return found + (_bosses(spec) if has_mould(spec) else [])
+    return found + (_bosses(spec) + _holding(spec) if has_mould(spec) else [])
+
+
+def _holding(spec: ObjectSpec) -> list[Finding]:
+    """Pins that hold the core of a closed body, and vents."""
+    found = [
+        _aspect(
+            "locating pin", f"mould_locator_{k}", locator.depth_mm / (2 * locator.radius_mm), spec
+        )
+        for k, locator in enumerate(locators(spec), start=1)
+    ]
+    if spec.mould.vent_mm is not None:
+        found.append(_feature("vent", "mould", spec.mould.vent_mm, spec.printer.hole_mm))
+    return found
 
 
 def _bosses(spec: ObjectSpec) -> list[Finding]:
-    part = "mould_box" if spec.mould.style == "one-piece" else "mould_pin"
+    part = "mould_box" if mould_style(spec) == "one-piece" else "mould_pin"
     pockets = [pocket for face in shell_pockets(spec) for pocket in face]
     narrow = min(2 * min(pocket.outline.half_mm) for pocket in pockets)
     slender = max(
@@ -123,7 +138,7 @@ def _bosses(spec: ObjectSpec) -> list[Finding]:
 
 
 def _mould(spec: ObjectSpec) -> str:
-    return "mould_box" if spec.mould.style == "one-piece" else "mould_half_a"
+    return "mould_box" if mould_style(spec) == "one-piece" else "mould_half_a"
 
 
 def _feature(what: str, part: str, value: float, limit: float) -> Finding:

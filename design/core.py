@@ -8,6 +8,7 @@ import numpy as np
 from design.blocks import core_keys
 from design.body import FACE_AXES, core_half_mm
 from design.body_solids import core_hollow, core_solid
+from design.core_hold import wire_hole_diameter_mm
 from design.layouts import FaceFrame, core_frames
 from design.pockets import core_pockets, sensor_places
 from design.solids import (
@@ -20,8 +21,6 @@ from design.solids import (
     single_solid,
 )
 from design.spec import ObjectSpec
-
-TOP_FACE = 1
 
 
 def make_core(spec: ObjectSpec) -> cq.Solid:
@@ -107,7 +106,7 @@ def _wire_channels(
 def _wire_passage(spec: ObjectSpec, frame: FaceFrame) -> list[cq.Solid]:
     """Wire hole through the wall at the face centre, and the hub recess where it is wider."""
     core = spec.core
-    radius = _wire_hole_diameter_mm(spec, frame.number) / 2
+    radius = wire_hole_diameter_mm(spec, frame.number) / 2
     through = -_passage_mm(spec, frame) - OVERSHOOT_MM
     passage = [cylinder_on_face(frame, (0.0, 0.0), radius, through, OVERSHOOT_MM)]
     if core.hub_radius_mm > radius:
@@ -123,8 +122,3 @@ def _passage_mm(spec: ObjectSpec, frame: FaceFrame) -> float:
     if spec.body.kind in ("pad", "dome"):
         return float(frame.centre_mm[2]) + spec.body.size_mm[2] / 2
     return float(abs(frame.normal) @ core_half_mm(spec))
-
-
-def _wire_hole_diameter_mm(spec: ObjectSpec, face: int) -> float:
-    core = spec.core
-    return core.wire_hole_top_diameter_mm if face == TOP_FACE else core.wire_hole_side_diameter_mm

@@ -20,6 +20,7 @@ def require_fit(spec: ObjectSpec, table: bool = True) -> None:
 
     Without `table`, whether the indenter can be pressed at every contact place is left open.
     """
+    from design.fit_mould import check_mould
     from design.fit_parts import check_parts  # it needs the layouts, and these the specification
 
     if spec.body.kind == "box":
@@ -36,6 +37,7 @@ def require_fit(spec: ObjectSpec, table: bool = True) -> None:
         check_curved_presses(spec)
     check_environment(spec)
     check_parts(spec)
+    check_mould(spec)
 
 
 def _smallest_half_extents_mm(spec: ObjectSpec) -> tuple[float, float]:

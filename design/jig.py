@@ -13,7 +13,7 @@ import cadquery as cq
 import numpy as np
 
 from design.body_solids import core_hollow
-from design.mould import has_mould, play_mm
+from design.mould_frame import play_mm
 from design.shell import envelope
 from design.solids import OVERSHOOT_MM, box_between, single_solid
 from design.spec import ObjectSpec
@@ -55,7 +55,7 @@ def _seat_mm(spec: ObjectSpec) -> float:
 
 
 def _on_post(spec: ObjectSpec) -> bool:
-    return has_mould(spec) and bool(core_hollow(spec))
+    return spec.body.kind == "box" and spec.body.opened == (6,) and bool(core_hollow(spec))
 
 
 def _half_plate_mm(spec: ObjectSpec) -> float:

@@ -11,7 +11,7 @@ import cadquery as cq
 import numpy as np
 
 from design.layouts import FaceFrame, core_frames, face_frames
-from design.mould import play_mm
+from design.mould_frame import play_mm
 from design.pockets import Pocket, core_pockets, shell_pockets
 from design.solids import OVERSHOOT_MM, box_between, single_solid
 from design.spec import ObjectSpec

@@ -24,6 +24,9 @@ RAYS = 5_000
 EDGE_MM = 0.2
 """Shorter edges say nothing of their angle."""
 
+SLIVER_MM = 0.01
+"""Nor do triangles that are less high."""
+
 _FACING = -np.cos(np.deg2rad(15))
 _START_MM = 1e-4
 _LEVEL_MM = 1e-3
@@ -42,12 +45,22 @@ class Undercut:
     """Where a part drives into what it releases: area, and the way that must give way sideways.
 
     `depth_mm` is that of the patch that needs most: its least width across the pull, by which the
-    soft side must move to let it by; `place_mm` is that patch's middle.
+    soft side must move to let it by, or, of a wall that leans a little, its length along the pull
+    times the mean tangent of the lean; `place_mm` is that patch's middle.
     """
 
     area_mm2: float
     depth_mm: float
     place_mm: Float[np.ndarray, "3"] | None
+
+
+@dataclass(frozen=True)
+class Trap:
+    """A high point of the silicone, the surface's normal there, and how deep a bubble it keeps."""
+
+    place_mm: Float[np.ndarray, "3"]
+    normal: Float[np.ndarray, "3"]
+    depth_mm: float
 
 
 def thinnest_wall(mesh: trimesh.Trimesh) -> ThinnestWall | None:
@@ -80,7 +93,8 @@ def sharpest_edge(mesh: trimesh.Trimesh) -> tuple[float, Float[np.ndarray, "3"]]
     """Smallest angle (degrees) of material at a convex edge of the mesh, and the edge's middle."""
     convex = np.asarray(mesh.face_adjacency_convex)
     long = np.ptp(mesh.vertices[mesh.face_adjacency_edges], axis=1).max(axis=1) > EDGE_MM
-    chosen = np.flatnonzero(convex & long)
+    wide = _height_mm(mesh)[mesh.face_adjacency].min(axis=1) > SLIVER_MM
+    chosen = np.flatnonzero(convex & long & wide)
     if not len(chosen):
         return None
     sharpest = chosen[np.argmax(mesh.face_adjacency_angles[chosen])]
@@ -94,14 +108,17 @@ def undercut(
     """Faces of a part (of those in `where`) that move into their neighbour when it is pulled."""
     from trimesh.graph import connected_components
 
-    against = where & (np.asarray(mesh.face_normals) @ pull > np.sin(np.deg2rad(0.5)))
+    rise = np.asarray(mesh.face_normals) @ pull
+    against = where & (rise > np.sin(np.deg2rad(0.5)))
     if not against.any():
         return Undercut(0.0, 0.0, None)
     pairs = mesh.face_adjacency[against[mesh.face_adjacency].all(axis=1)]
     deepest, place = 0.0, None
     for patch in connected_components(pairs, nodes=np.flatnonzero(against)):
         points = mesh.triangles[patch].reshape(-1, 3)
-        depth = _least_width_mm(points, pull)
+        tangent = np.tan(np.arcsin(np.clip(rise[patch], 0, 1 - 1e-9)))
+        lean = float(np.average(tangent, weights=mesh.area_faces[patch]))
+        depth = min(_least_width_mm(points, pull), float(np.ptp(points @ pull)) * lean)
         if depth > deepest:
             deepest, place = depth, points.mean(axis=0)
     return Undercut(float(mesh.area_faces[against].sum()), deepest, place)
@@ -121,32 +138,51 @@ def least_draft_deg(
 
 
 def high_points(
-    mesh: trimesh.Trimesh, up: Float[np.ndarray, "3"], rim_mm: float
-) -> list[Float[np.ndarray, "3"]]:
+    mesh: trimesh.Trimesh, up: Float[np.ndarray, "3"], rim_mm: float, least_mm: float = _LEVEL_MM
+) -> list[Trap]:
     """Places where air stays caught: local maxima of height below the level of the open rim.
 
-    Vertices of one height that are connected count as one; none of their neighbours is higher, and
-    the surface there faces up, so that the mould is above it.
+    The surface is flooded with air from the top: a bubble at a maximum grows downwards until it can
+    leave over the saddle to a higher one. Those less high than `least_mm` are left out, and those
+    where the surface faces down, so that the mould is not above it.
     """
-    from trimesh.graph import connected_components
-
     height = np.round(np.asarray(mesh.vertices) @ up / _LEVEL_MM) * _LEVEL_MM
-    a, b = mesh.edges_unique.T
-    level = mesh.edges_unique[height[a] == height[b]]
-    plateaus = connected_components(level, nodes=np.arange(len(height)))
-    owner = np.empty(len(height), int)
-    for number, members in enumerate(plateaus):
-        owner[members] = number
-    blocked = np.zeros(len(plateaus), bool)
-    blocked[owner[a[height[b] > height[a]]]] = True
-    blocked[owner[b[height[a] > height[b]]]] = True
+    peaks: list[tuple[int, float]] = []
+    for peak, saddle in _peaks_and_saddles(height, np.asarray(mesh.edges_unique)):
+        drained = height[peak] >= rim_mm - _LEVEL_MM or height[peak] - saddle < least_mm
+        if not drained and float(mesh.vertex_normals[peak] @ up) > 0:
+            peaks.append((peak, float(height[peak] - saddle)))
     return [
-        mesh.vertices[members].mean(axis=0)
-        for members, open_above in zip(plateaus, blocked, strict=True)
-        if not open_above
-        and height[members[0]] < rim_mm - _LEVEL_MM
-        and float(mesh.vertex_normals[members].mean(axis=0) @ up) > 0
+        Trap(np.array(mesh.vertices[peak]), np.array(mesh.vertex_normals[peak]), bubble)
+        for peak, bubble in sorted(peaks)
     ]
+
+
+def _peaks_and_saddles(height: np.ndarray, edges: np.ndarray) -> list[tuple[int, float]]:
+    """Vertices of local maxima, each with the height at which it joins a higher one (−inf: none)."""
+    order = np.lexsort((np.arange(len(height)), -height))
+    rank = np.empty(len(order), int)
+    rank[order] = np.arange(len(order))
+    a, b = np.sort(rank[edges], axis=1).T
+    owner = np.arange(len(order))
+
+    def root(k: int) -> int:
+        while owner[k] != k:
+            owner[k] = owner[owner[k]]
+            k = int(owner[k])
+        return k
+
+    died: list[tuple[int, float]] = []
+    by_lower = np.lexsort((a, b))
+    for high, low in zip(a[by_lower].tolist(), b[by_lower].tolist(), strict=True):
+        first, second = sorted((root(high), root(low)))
+        if first == second:
+            continue
+        owner[second] = first
+        if second != low:
+            died.append((int(order[second]), float(height[order[low]])))
+    alive = [k for k in range(len(order)) if owner[k] == k]
+    return died + [(int(order[k]), -np.inf) for k in alive]
 
 
 def largest_ceiling(
@@ -164,6 +200,17 @@ def largest_ceiling(
     areas = [float(mesh.area_faces[patch].sum()) for patch in patches]
     largest = patches[int(np.argmax(areas))]
     return max(areas), mesh.triangles[largest].reshape(-1, 3).mean(axis=0)
+
+
+def distance_mm(
+    mesh: trimesh.Trimesh, points_mm: Float[np.ndarray, "n 3"]
+) -> Float[np.ndarray, "n"]:
+    """Distance of points to a closed surface, unsigned."""
+    import pyvista
+
+    surface = pyvista.PolyData.from_regular_faces(mesh.vertices, mesh.faces)
+    cloud = pyvista.PolyData(np.ascontiguousarray(points_mm, float))
+    return abs(np.asarray(cloud.compute_implicit_distance(surface)["implicit_distance"], float))
 
 
 def manifold_of(mesh: trimesh.Trimesh) -> Manifold:
@@ -190,6 +237,13 @@ def _through(solid: Manifold, point: np.ndarray, normal: np.ndarray, reach: floa
     if not hits or np.dot(hits[0].normal, normal) > _FACING:
         return None
     return float(np.linalg.norm(np.asarray(hits[0].position) - point))
+
+
+def _height_mm(mesh: trimesh.Trimesh) -> np.ndarray:
+    """Of every triangle over its longest edge."""
+    corners = mesh.triangles
+    edges = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).max(axis=1)
+    return 2 * mesh.area_faces / np.maximum(edges, 1e-12)
 
 
 def _least_width_mm(points: np.ndarray, pull: np.ndarray) -> float:

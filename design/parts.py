@@ -14,12 +14,15 @@ from design.core import make_core
 from design.jig import make_jig
 from design.layouts import face_frames
 from design.magnet_template import make_magnet_template, template_faces
-from design.mould import has_mould, make_mould_box, make_mould_plug, make_seal_mould
+from design.mould import has_mould, make_mould_box, make_seal_mould
+from design.mould_frame import mould_frame, mould_style
+from design.mould_pins import loose_pins, make_pin, pin_kinds
+from design.mould_plug import make_mould_holder, make_mould_plug
 from design.probes import make_probe
 from design.sampled_parts import sampled_core_part, sampled_shell
 from design.shell import make_shell
 from design.spec import ObjectSpec
-from design.split_mould import distinct_pins, make_mould_half, mould_pins
+from design.split_mould import make_mould_half
 
 if TYPE_CHECKING:
     import trimesh
@@ -31,7 +34,7 @@ Material = Literal["printed", "silicone"]
 class Part:
     """A part by its name; `make` builds it, in the object's frame unless it is a tool.
 
-    A body that is known by its triangles gives triangles, all others exact solids.
+    A body that is known by its triangles gives triangles wherever its surface is, all else is exact.
     """
 
     name: str
@@ -47,6 +50,7 @@ def parts_of(spec: ObjectSpec) -> tuple[Part, ...]:
         return (
             Part("core", partial(sampled_core_part, spec)),
             Part("shell", partial(sampled_shell, spec), "silicone"),
+            *_mould(spec),
             *probes,
         )
     return (
@@ -69,7 +73,8 @@ def _jig(spec: ObjectSpec) -> list[Part]:
 def _mould(spec: ObjectSpec) -> list[Part]:
     if not has_mould(spec):
         return []
-    if spec.mould.style == "one-piece":
+    frame = mould_frame(spec)
+    if mould_style(spec) == "one-piece":
         parts = [Part("mould_box", partial(make_mould_box, spec))]
     else:
         parts = [
@@ -77,7 +82,10 @@ def _mould(spec: ObjectSpec) -> list[Part]:
             Part("mould_half_b", partial(make_mould_half, spec, -1)),
             *_pins(spec),
         ]
-    parts.append(Part("mould_plug", partial(make_mould_plug, spec)))
+    if frame.opening == "bore":
+        parts.append(Part("mould_holder", partial(make_mould_holder, spec)))
+    elif frame.plugged:
+        parts.append(Part("mould_plug", partial(make_mould_plug, spec)))
     if spec.shell.seal_layer_mm:
         parts.append(Part("mould_seal_box", partial(make_seal_mould, spec)))
     return parts
@@ -85,14 +93,10 @@ def _mould(spec: ObjectSpec) -> list[Part]:
 
 def _pins(spec: ObjectSpec) -> list[Part]:
     """One part for every kind of pin, where it stands first."""
-    kinds = distinct_pins(spec)
+    pins = loose_pins(spec)
     return [
-        Part(
-            "mould_pin" if len(kinds) == 1 else f"mould_pin_{number}",
-            lambda first=first: mould_pins(spec)[first],
-            count=count,
-        )
-        for number, (first, count) in enumerate(kinds, start=1)
+        Part(name, partial(make_pin, spec, pins[first]), count=count)
+        for name, first, count in pin_kinds(pins)
     ]
 
 

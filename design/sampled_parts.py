@@ -1,4 +1,4 @@
-"""Shell and core of bodies that are known by their triangles, by booleans of closed surfaces."""
+"""Shell and core as closed surfaces: the parts of bodies that are known by their triangles."""
 
 from __future__ import annotations
 
@@ -6,10 +6,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from design.blocks import core_keys, relief_slits
 from design.body import core_half_mm
-from design.body_surface import cavity_surface, outer_surface, with_bore
+from design.body_surface import block_surface, cavity_surface, outer_surface
+from design.core_hold import Locator, core_outlet, locators
 from design.errors import InputError
 from design.layouts import FaceFrame, core_frames, face_frames
+from design.mould_frame import cast_corners_mm
 from design.pockets import Pocket, sensor_places, shell_pockets
 from design.sampled_body import sampled_core
 
@@ -24,7 +27,10 @@ _LEAST_HOLLOW_MM = 3.0
 
 
 def sampled_shell(spec: ObjectSpec) -> trimesh.Trimesh:
-    """The cast shell, pockets open outwards, in the object's frame (mm).
+    """The cast shell, pockets open outwards, in the object's frame (mm), of any body.
+
+    Of bodies that are known by their triangles it is the part itself; of all others it leaves the
+    exact shell by the mesh's envelope, and round pockets by 0.004 mm.
 
     Raises
     ------
@@ -36,9 +42,29 @@ def sampled_shell(spec: ObjectSpec) -> trimesh.Trimesh:
         for frame, face in zip(face_frames(spec), shell_pockets(spec), strict=True)
         for pocket in face
     ]
+    blocks = [block_surface(block) for block in (*core_keys(spec), *relief_slits(spec))]
+    holes = [_locator_hole(locator) for locator in locators(spec)]
     cavity = cavity_surface(spec)
-    removed = [*pockets, *([] if cavity is None else [cavity])]
-    return _one(outer_surface(spec), removed, "shell")
+    removed = [*pockets, *blocks, *holes, *([] if cavity is None else [cavity])]
+    return _one(cast_surface(spec), removed, "shell")
+
+
+def cast_surface(spec: ObjectSpec) -> trimesh.Trimesh:
+    """The outside of what the first pour casts, as a closed surface."""
+    import trimesh
+
+    if not spec.shell.seal_layer_mm:
+        return outer_surface(spec)
+    return trimesh.creation.box(bounds=cast_corners_mm(spec))
+
+
+def _locator_hole(locator: Locator) -> trimesh.Trimesh:
+    """From within the core to outside the face."""
+    import trimesh
+
+    middle, normal = locator.frame.centre_mm, locator.frame.normal
+    ends = [middle - (locator.depth_mm + _OVERSHOOT_MM) * normal, middle + _OVERSHOOT_MM * normal]
+    return trimesh.creation.cylinder(locator.radius_mm, segment=ends, sections=_SECTIONS)
 
 
 def sampled_core_part(spec: ObjectSpec) -> trimesh.Trimesh:
@@ -59,12 +85,17 @@ def sampled_core_part(spec: ObjectSpec) -> trimesh.Trimesh:
 
 
 def _hollow(spec: ObjectSpec) -> trimesh.Trimesh:
-    """The core's cavity and its outlet by the bore; without room for one a wire hole down to it."""
-    wall = spec.core.wall_mm
-    if core_half_mm(spec).min() - wall <= _LEAST_HOLLOW_MM:
-        return _wire_hole(spec, np.array([0.0, 0.0, -spec.body.size_mm[2] / 2]))
-    shell = spec.shell.model_copy(update={"thickness_mm": spec.shell.thickness_mm + wall})
-    return with_bore(spec, sampled_core(spec.model_copy(update={"shell": shell})))
+    """The core's cavity where there is room for one, and its outlet with a flat on one side."""
+    import trimesh
+
+    wall, outlet = spec.core.wall_mm, core_outlet(spec)
+    length = spec.body.size_mm[2] / 2
+    hollow = trimesh.creation.cylinder(outlet.radius_mm, length, sections=_SECTIONS)
+    hollow.apply_translation((0, 0, -length / 2))
+    if core_half_mm(spec).min() - wall > _LEAST_HOLLOW_MM:
+        shell = spec.shell.model_copy(update={"thickness_mm": spec.shell.thickness_mm + wall})
+        hollow = hollow.union(sampled_core(spec.model_copy(update={"shell": shell})))
+    return hollow.difference(trimesh.creation.box(bounds=outlet.key_mm))
 
 
 def _pocket(frame: FaceFrame, pocket: Pocket) -> trimesh.Trimesh:

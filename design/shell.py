@@ -1,19 +1,28 @@
 """The cast silicone shell: walls round the core's cavity, magnet pockets open outwards.
 
 With a seal layer the shell leaves its mould thinner by that layer on every sensed face, and the
-layer is poured over it once the magnets lie in their pockets.
+layer is poured over it once the magnets lie in their pockets. A closed body has the holes of the
+pins that held its core.
 """
 
 from __future__ import annotations
 
 import cadquery as cq
-import numpy as np
 
 from design.blocks import core_keys, relief_slits
 from design.body_solids import cavity_solid, outer_solid
+from design.core_hold import Locator, locators
 from design.layouts import face_frames
+from design.mould_frame import cast_corners_mm
 from design.pockets import shell_pockets
-from design.solids import OVERSHOOT_MM, block_solid, box_between, pocket_solid, single_solid
+from design.solids import (
+    OVERSHOOT_MM,
+    block_solid,
+    box_between,
+    cylinder_on_face,
+    pocket_solid,
+    single_solid,
+)
 from design.spec import ObjectSpec
 
 
@@ -25,7 +34,12 @@ def make_shell(spec: ObjectSpec) -> cq.Solid:
     InputError
         The dimensions do not give one valid solid, or the body has no exact one.
     """
-    removed = (*cavity(spec, OVERSHOOT_MM), *pocket_prisms(spec), *slit_fins(spec))
+    removed = (
+        *cavity(spec, OVERSHOOT_MM),
+        *pocket_prisms(spec),
+        *slit_fins(spec),
+        *(locator_hole(locator) for locator in locators(spec)),
+    )
     return single_solid(cast_envelope(spec).cut(*removed), "shell")
 
 
@@ -38,12 +52,7 @@ def cast_envelope(spec: ObjectSpec) -> cq.Solid:
     """The outside of what the first pour casts: the body's, on a box less the seal layer."""
     if not spec.shell.seal_layer_mm:
         return envelope(spec)
-    high = np.asarray(spec.body.size_mm) / 2
-    low, layer = -high, spec.shell.seal_layer_mm
-    for frame in face_frames(spec):
-        high = high - layer * frame.normal.clip(min=0)
-        low = low - layer * frame.normal.clip(max=0)
-    return box_between(low, high)
+    return box_between(*cast_corners_mm(spec))
 
 
 def cavity(spec: ObjectSpec, overshoot_mm: float = 0.0) -> list[cq.Solid]:
@@ -68,3 +77,9 @@ def pocket_prisms(spec: ObjectSpec) -> list[cq.Solid]:
         for frame, face in zip(face_frames(spec), shell_pockets(spec), strict=True)
         for pocket in face
     ]
+
+
+def locator_hole(locator: Locator) -> cq.Solid:
+    """What a locating pin leaves in the silicone, from within the core to outside the face."""
+    bottom = -locator.depth_mm - OVERSHOOT_MM
+    return cylinder_on_face(locator.frame, (0.0, 0.0), locator.radius_mm, bottom, OVERSHOOT_MM)

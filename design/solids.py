@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 import cadquery as cq
 import numpy as np
@@ -87,12 +88,18 @@ def pocket_prism(
     bottom_mm: float | None,
     top_mm: float,
     grow_mm: float = 0.0,
+    draft_deg: float = 0.0,
 ) -> cq.Solid:
     """The pocket's prism, its outline grown on all sides, between two heights above the face.
 
     Without a bottom it begins at the pocket's floor; elsewhere planes parallel to the face end it.
+    A draft widens it upwards, of pockets that are not tilted.
     """
     floor, axis = pocket.axis_ends_mm[0], pocket.axis
+    if axis[2] == 1:
+        low = floor[2] if bottom_mm is None else bottom_mm
+        start, end = (frame.to_object(np.array([*floor[:2], z])) for z in (low, top_mm))
+        return _prism(pocket, frame, start, cq.Vector(*(end - start)), grow_mm, draft_deg)
     past = (pocket.outline.radius_mm + grow_mm) + OVERSHOOT_MM
     start = floor
     if bottom_mm is not None:
@@ -113,20 +120,36 @@ def pocket_prism(
 
 
 def _prism(
-    pocket: Pocket, frame: FaceFrame, start: np.ndarray, axis: cq.Vector, grow_mm: float = 0.0
+    pocket: Pocket,
+    frame: FaceFrame,
+    start: np.ndarray,
+    axis: cq.Vector,
+    grow_mm: float = 0.0,
+    draft_deg: float = 0.0,
 ) -> cq.Solid:
-    half = [edge + grow_mm for edge in pocket.outline.half_mm]
+    half, widening = (
+        [edge + grow_mm for edge in pocket.outline.half_mm],
+        np.tan(np.deg2rad(draft_deg)),
+    )
     if pocket.outline.round:
-        return cq.Solid.makeCylinder(half[0], axis.Length, cq.Vector(*start), axis)
-    local = box_between((-half[0], -half[1], 0.0), (half[0], half[1], axis.Length))
+        base = cq.Vector(*start)
+        if not draft_deg:
+            return cq.Solid.makeCylinder(half[0], axis.Length, base, axis)
+        return cq.Solid.makeCone(half[0], half[0] + axis.Length * widening, axis.Length, base, axis)
     side = frame.axes @ pocket.body.frame[:, 0]
-    return local.moved(cq.Location(cq.Plane(cq.Vector(*start), cq.Vector(*side), axis)))
+    placed = cq.Location(cq.Plane(cq.Vector(*start), cq.Vector(*side), axis))
+    if not draft_deg:
+        return box_between((-half[0], -half[1], 0.0), (half[0], half[1], axis.Length)).moved(placed)
+    corners = [cq.Vector(x * half[0], y * half[1]) for x, y in ((1, 1), (-1, 1), (-1, -1), (1, -1))]
+    base = cq.Wire.makePolygon(corners, close=True)
+    up = cq.Vector(0, 0, axis.Length)
+    return cq.Solid.extrudeLinear(base, [], up, taper=-draft_deg).moved(placed)
 
 
 class NotOneSolid(InputError):
-    """A part that came out in pieces or invalid; `shape` is what was made."""
+    """A part that came out in pieces or invalid; `shape`, a solid or triangles, is what was made."""
 
-    def __init__(self, message: str, shape: cq.Shape) -> None:
+    def __init__(self, message: str, shape: Any) -> None:
         super().__init__(message)
         self.shape = shape
 

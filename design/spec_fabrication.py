@@ -18,19 +18,26 @@ from design.spec_types import Finite, Positive, SpecPart
 class MouldSpec(SpecPart):
     """The mould that the shell is cast in.
 
-    "one-piece" is the paper's box with bosses on its walls; "split" are two halves, pulled apart
-    across a plane through z, with loose pins as bosses, drawn first, along their own axes. The
-    plane's normal has `parting_azimuth_deg` from x; left out, the plane runs through two edges of
-    the body's box, the only one across which a box leaves both halves. Both styles take one plug.
-    `play_mm` is left between parts that slide; left out, it is the printer's clearance.
+    "one-piece" is the paper's box with bosses on its walls, for bodies with an open side; "split"
+    are two halves, pulled apart across a plane through z, with loose pins as bosses, drawn first,
+    along their own axes (bosses that point along the pull stay on their half). Left out, the style
+    is one piece where a side is open. The plane's normal has `parting_azimuth_deg` from x; left
+    out, it is chosen for the body's kind (`design.mould_frame.parting`). `play_mm` is left between
+    parts that slide; left out, it is the printer's clearance. A closed mould is poured through a
+    hole of `pour_mm`; vents of `vent_mm` (left out: the printer's narrowest hole) stand where air
+    would be caught. `draft_deg` widens pins and rods from where they leave the silicone, dowels
+    have `dowel_draft_deg`; walls that shape silicone have the draft of the object's own.
     """
 
-    style: Literal["one-piece", "split"] = "one-piece"
+    style: Literal["one-piece", "split"] | None = None
     wall_mm: Positive = 1.5
     play_mm: Positive | None = None
     parting_azimuth_deg: Finite | None = None
     flange_mm: Positive = 8.0
     dowel_draft_deg: Annotated[float, Field(ge=0, le=30)] = 10.0
+    draft_deg: Annotated[float, Field(ge=0, le=10)] = 0.0
+    pour_mm: Positive = 6.0
+    vent_mm: Positive | None = None
     silicone_waste: Annotated[float, Field(ge=0, le=2)] = 0.15
 
 

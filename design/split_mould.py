@@ -1,10 +1,11 @@
 """A mould in two halves with loose pins for bosses, so that nothing is torn when it opens.
 
-The parting plane contains the z axis; each half draws away along the plane's normal, after the
-pins, each of which draws outwards along its own axis. By default the seam of a box runs along two
-of its edges and every side wall leaves with plenty of draft. Tapered dowels on the
-flanges find the halves, bolts or clamps outside them hold them together, and the plug of the
-one-piece mould clips onto the same tabs.
+The parting plane holds the direction in which silicone is poured; each half draws away along the
+plane's normal, after the pins, each of which draws outwards along its own axis. By default the seam
+of a box runs along two of its edges and every side wall leaves with plenty of draft; that of a round
+body runs at its largest silhouette. Tapered dowels on the flanges find the halves, bolts or clamps
+outside them hold them together; the plug of the one-piece mould, or the rod that holds the core,
+clips onto the same tabs. Dowels and bolts take a flange of some length: a low mould gets it downwards.
 """
 
 from __future__ import annotations
@@ -12,22 +13,29 @@ from __future__ import annotations
 import cadquery as cq
 import numpy as np
 
-from design.layouts import FaceFrame, face_frames
-from design.mould import CLIP_REACH_MM, fins_to_walls, play_mm, walls
-from design.pockets import Pocket, shell_pockets
-from design.shell import cast_envelope
-from design.solids import OVERSHOOT_MM, box_between, pocket_prism, single_solid
+from design.mould import fins_to_walls, walls
+from design.mould_frame import MouldFrame, mould_frame, parting, play_mm
+from design.mould_openings import mould_holes
+from design.mould_pins import Pin, fixed_bosses, loose_pins, pin_holes
+from design.mould_plug import CLIP_REACH_MM, rod_hole
+from design.mould_room import cast_room
+from design.solid_ops import Shape, Solid, common, cut, join, one_body
+from design.solids import OVERSHOOT_MM, box_between
 from design.spec import ObjectSpec
 
 FLANGE_THICKNESS_MM = 4.0
+FLANGE_LENGTH_MM = 26.0
+"""At least: dowels and bolts lie at shares of it and must not meet."""
 DOWEL_DIAMETER_MM = 4.0
 DOWEL_HEIGHT_MM = 2.5
 BOLT_HOLE_MM = 3.4
-PIN_HEAD_MM = 2.0
-PIN_HEAD_RIM_MM = 1.5
+PLACES = (0.15, 0.42, 0.7, 0.9)
+"""Of dowels and bolts by turns, as shares of the flange's length."""
+LEAST_GAP_MM = 5.0
+"""Between the middles of a dowel and a bolt."""
 
 
-def make_mould_half(spec: ObjectSpec, side: int) -> cq.Solid:
+def make_mould_half(spec: ObjectSpec, side: int) -> Solid:
     """The half on the side (1 or −1) of the parting plane that its normal points to, mm.
 
     Raises
@@ -35,95 +43,61 @@ def make_mould_half(spec: ObjectSpec, side: int) -> cq.Solid:
     InputError
         The dimensions do not give one valid solid.
     """
-    room = cast_envelope(spec)
-    outer = walls(spec, room).fuse(_flange(spec).cut(room), *fins_to_walls(spec))
-    holes = [hole for place in _places(spec) for hole in _pin_holes(spec, *place)]
-    half = outer.cut(*holes, *_bolt_holes(spec)).intersect(_half_space(spec, side))
+    room, half_space = cast_room(spec), _half_space(spec, side)
+    outer = join(walls(spec, room), cut(_flange(spec), room), *fins_to_walls(spec))
+    half = common(cut(outer, *_holes(spec)), half_space)
     dowels = [_dowel(spec, *place, grow_mm=0.0) for place in _dowel_places(spec)]
     sockets = [_dowel(spec, *place, grow_mm=play_mm(spec)) for place in _dowel_places(spec)]
-    joined = half.fuse(*dowels) if side > 0 else half.cut(*sockets)
-    return single_solid(joined, "mould_half_a" if side > 0 else "mould_half_b")
+    bossed = join(half, *fixed_bosses(spec, side))
+    joined = join(bossed, *dowels) if side > 0 else cut(bossed, *sockets)
+    return one_body(joined, "mould_half_a" if side > 0 else "mould_half_b")
 
 
-def mould_pins(spec: ObjectSpec) -> list[cq.Solid]:
-    """A pin for every pocket, face by face, in the object's frame.
-
-    Raises
-    ------
-    InputError
-        A pin is not one valid solid.
-    """
-    return [make_pin(spec, frame, pocket) for frame, pocket in _places(spec)]
-
-
-def distinct_pins(spec: ObjectSpec) -> list[tuple[int, int]]:
-    """Index of the first pin of each kind among `mould_pins`, and how many are alike.
-
-    Pins are alike where outline, depth and tilt of their pockets are.
-    """
-    kinds: dict[tuple[float, ...], list[int]] = {}
-    for index, (_, pocket) in enumerate(_places(spec)):
-        shape = (*pocket.outline.half_mm, *pocket.axis_ends_mm[:, 2], *pocket.axis)
-        kinds.setdefault(tuple(np.round(shape, 6)), []).append(index)
-    return [(members[0], len(members)) for members in kinds.values()]
-
-
-def make_pin(spec: ObjectSpec, frame: FaceFrame, pocket: Pocket) -> cq.Solid:
-    """Boss, shank through the wall, and a head that rests on the wall's outside."""
-    top = spec.mould.wall_mm
-    shank = pocket_prism(frame, pocket, None, top + OVERSHOOT_MM)
-    head = pocket_prism(frame, pocket, top, top + PIN_HEAD_MM, PIN_HEAD_RIM_MM)
-    return single_solid(shank.fuse(head), "mould_pin")
-
-
-def parting_normal(spec: ObjectSpec) -> np.ndarray:
-    """Unit normal of the parting plane: half A draws along it, half B against it."""
-    given, (x, y, _) = spec.mould.parting_azimuth_deg, spec.body.size_mm
-    azimuth = np.arctan2(x, y) if given is None else np.deg2rad(given)
-    return np.array([np.cos(azimuth), np.sin(azimuth), 0.0])
-
-
-def _places(spec: ObjectSpec) -> list[tuple[FaceFrame, Pocket]]:
-    faces = zip(face_frames(spec), shell_pockets(spec), strict=True)
-    return [(frame, pocket) for frame, face in faces for pocket in face]
-
-
-def _pin_holes(spec: ObjectSpec, frame: FaceFrame, pocket: Pocket) -> tuple[cq.Solid, cq.Solid]:
-    """Hole through the wall, and room for the head where a flange would be in its way."""
-    low, top = -spec.shell.seal_layer_mm - OVERSHOOT_MM, spec.mould.wall_mm
-    high, play = top + PIN_HEAD_MM + spec.mould.flange_mm, play_mm(spec)
-    return (
-        pocket_prism(frame, pocket, low, top + OVERSHOOT_MM, play),
-        pocket_prism(frame, pocket, top, high, PIN_HEAD_RIM_MM + play),
-    )
+def _holes(spec: ObjectSpec) -> list[cq.Solid]:
+    """Of pins, bolts, pouring, vents and a rod."""
+    pins = [hole for pin in loose_pins(spec) for hole in pin_holes(spec, pin)]
+    rod = [rod_hole(spec)] if mould_frame(spec).opening == "bore" else []
+    return [*pins, *_bolt_holes(spec), *rod, *(hole.solid() for hole in mould_holes(spec))]
 
 
 def _parting_plane(spec: ObjectSpec) -> cq.Plane:
-    """x across the mould in the parting plane, y upwards against z, normal as `parting_normal`."""
-    normal = parting_normal(spec)
-    across = np.cross(normal, [0.0, 0.0, 1.0])
-    return cq.Plane(cq.Vector(0, 0, 0), cq.Vector(*across), cq.Vector(*normal))
+    """x across the mould in the parting plane, y along `out`, normal as the plane's."""
+    plane = parting(spec)
+    across = np.cross(mould_frame(spec).out, plane.normal)
+    origin = cq.Vector(*(plane.offset_mm * plane.normal))
+    return cq.Plane(origin, cq.Vector(*across), cq.Vector(*plane.normal))
 
 
 def _in_plane(spec: ObjectSpec, low: list[float], high: list[float]) -> cq.Solid:
-    """Box given across, along −z and along the normal."""
+    """Box given across, along `out` and along the normal."""
     return box_between(low, high).moved(cq.Location(_parting_plane(spec)))
 
 
-def _reach(spec: ObjectSpec) -> tuple[float, float, float]:
-    """Half width of the walls across the parting plane, and their levels from top to rim, −z."""
-    half = np.asarray(spec.body.size_mm) / 2
-    outer = half + spec.mould.wall_mm
-    across = np.cross(parting_normal(spec), [0.0, 0.0, 1.0])
-    inside = float(np.min(outer[:2] / np.maximum(abs(across[:2]), 1e-9)))
-    return inside, -float(outer[2]), float(half[2]) - CLIP_REACH_MM - 2 * play_mm(spec)
+def _reach(spec: ObjectSpec) -> tuple[tuple[float, float], float, float]:
+    """Ends of the block in the parting plane, across it, and of the flanges along `out`."""
+    frame, plane = mould_frame(spec), parting(spec)
+    across = frame.axes.T @ np.cross(frame.out, plane.normal)
+    start = frame.axes.T @ (plane.offset_mm * plane.normal)
+    ends = _line_in_block(frame, start, across)
+    clips = CLIP_REACH_MM + 2 * play_mm(spec) if frame.plugged else 0.0
+    top = frame.rim_mm - clips
+    return ends, min(float(frame.low_mm[2]), top - FLANGE_LENGTH_MM), top
+
+
+def _line_in_block(frame: MouldFrame, start: np.ndarray, way: np.ndarray) -> tuple[float, float]:
+    """Where a line through the block, level and given along the axes, enters and leaves it."""
+    steep = abs(way) > 1e-9
+    crossings = np.stack(
+        [(end - start)[steep] / way[steep] for end in (frame.low_mm, frame.high_mm)]
+    )
+    return float(crossings.min(axis=0).max()), float(crossings.max(axis=0).min())
 
 
 def _flange(spec: ObjectSpec) -> cq.Solid:
     """Both halves' flanges along the seam, clear of the plug's clips."""
-    inside, top, bottom = _reach(spec)
-    wide = inside + spec.mould.flange_mm
-    return _in_plane(spec, [-wide, top, -FLANGE_THICKNESS_MM], [wide, bottom, FLANGE_THICKNESS_MM])
+    (left, right), bottom, top = _reach(spec)
+    wide, thick = spec.mould.flange_mm, FLANGE_THICKNESS_MM
+    return _in_plane(spec, [left - wide, bottom, -thick], [right + wide, top, thick])
 
 
 def _half_space(spec: ObjectSpec, side: int) -> cq.Solid:
@@ -132,19 +106,58 @@ def _half_space(spec: ObjectSpec, side: int) -> cq.Solid:
     return _in_plane(spec, [-reach, -reach, low], [reach, reach, high])
 
 
-def _flange_points(spec: ObjectSpec, shares: tuple[float, float]) -> list[tuple[float, float]]:
-    """Points in the middle of both flanges, at two shares of their length."""
-    inside, top, bottom = _reach(spec)
-    across = inside + spec.mould.flange_mm / 2
-    levels = [top + share * (bottom - top) for share in shares]
-    return [(side * across, level) for side in (-1, 1) for level in levels]
-
-
 def _dowel_places(spec: ObjectSpec) -> list[tuple[float, float]]:
-    return _flange_points(spec, (0.15, 0.7))
+    """Across the mould and along `out`, in the middle of both flanges."""
+    return [place for index, place in enumerate(_flange_places(spec)) if not index % 2]
 
 
-def _dowel(spec: ObjectSpec, across: float, level: float, grow_mm: float) -> cq.Shape:
+def _bolt_places(spec: ObjectSpec) -> list[tuple[float, float]]:
+    return [place for index, place in enumerate(_flange_places(spec)) if index % 2]
+
+
+def _flange_places(spec: ObjectSpec) -> list[tuple[float, float]]:
+    """Dowels and bolts by turns, first on one flange, then on the other, out of the pins' way.
+
+    Each stands at its share of the flange's length from its lower end, or as near as pins and those
+    before it leave room; where there is none it stays, and the checks find it.
+    """
+    (left, right), bottom, top = _reach(spec)
+    middle, pins = spec.mould.flange_mm / 2, loose_pins(spec)
+    shifts = sorted(np.linspace(-0.85, 0.85, 69), key=abs)
+    places: list[tuple[float, float]] = []
+    for across in (left - middle, right + middle):
+        for share in PLACES:
+            levels = [bottom + (share + shift) * (top - bottom) for shift in shifts]
+            inside = [z for z in levels if bottom + LEAST_GAP_MM / 2 <= z <= top - LEAST_GAP_MM / 2]
+            clear = (z for z in inside if _is_clear(spec, pins, places, (across, z)))
+            places.append((across, next(clear, levels[0])))
+    return places
+
+
+def _is_clear(
+    spec: ObjectSpec,
+    pins: list[Pin],
+    taken: list[tuple[float, float]],
+    place: tuple[float, float],
+) -> bool:
+    if any(np.hypot(*np.subtract(place, other)) < LEAST_GAP_MM for other in taken):
+        return False
+    frame, plane = mould_frame(spec), parting(spec)
+    across, level = place
+    point = across * np.cross(frame.out, plane.normal) + level * frame.out
+    point = point + plane.offset_mm * plane.normal
+    return all(
+        _off_axis_mm(pin, point) > pin.radius_mm + pin.rim_mm + LEAST_GAP_MM / 2 for pin in pins
+    )
+
+
+def _off_axis_mm(pin: Pin, point_mm: np.ndarray) -> float:
+    """Distance from the half-line along which a pin is drawn."""
+    start = point_mm - pin.head_axis_mm[0]
+    return float(np.linalg.norm(start - max(start @ pin.way, 0.0) * pin.way))
+
+
+def _dowel(spec: ObjectSpec, across: float, level: float, grow_mm: float) -> Shape:
     """Cone from half A into half B, tapered by the draft."""
     root, height = DOWEL_DIAMETER_MM / 2 + grow_mm, DOWEL_HEIGHT_MM + grow_mm
     tip = root - height * float(np.tan(np.deg2rad(spec.mould.dowel_draft_deg)))
@@ -165,5 +178,5 @@ def _bolt_holes(spec: ObjectSpec) -> list[cq.Solid]:
         cq.Solid.makeCylinder(
             BOLT_HOLE_MM / 2, long, cq.Vector(across, level, -long / 2), along
         ).moved(cq.Location(_parting_plane(spec)))
-        for across, level in _flange_points(spec, (0.42, 0.9))
+        for across, level in _bolt_places(spec)
     ]

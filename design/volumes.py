@@ -6,6 +6,7 @@ from math import prod
 
 from design.blocks import keys_volume_mm3, slits_volume_mm3
 from design.body_volume import body_volume_mm3
+from design.core_hold import locators
 from design.layouts import face_frames
 from design.pockets import shell_pockets
 from design.spec import ObjectSpec
@@ -21,13 +22,15 @@ def sealed_volume_mm3(spec: ObjectSpec) -> float:
 
 
 def shell_volume_mm3(spec: ObjectSpec) -> float:
-    """Volume of the cast shell in mm³: the sealed body less its open pockets and the seal layer.
+    """Volume of the cast shell in mm³: the sealed body less its open pockets, the holes of pins
+    that held the core of a closed body, and the seal layer.
 
     On curved patches pockets are taken to end at the plane that touches there: 0.03 % too much is
     left out on a ball of 50 mm, 0.15 % on a dome of radius 12 mm.
     """
     pockets = sum(pocket.volume_mm3 for face in shell_pockets(spec) for pocket in face)
-    return sealed_volume_mm3(spec) - pockets - _layer_volume_mm3(spec)
+    holes = sum(locator.volume_mm3 for locator in locators(spec))
+    return sealed_volume_mm3(spec) - pockets - holes - _layer_volume_mm3(spec)
 
 
 def _layer_volume_mm3(spec: ObjectSpec) -> float:

@@ -42,7 +42,7 @@ from instobj.stage import Stage
 _WHERE_THINGS_ARE = ("body", "shell", "magnets", "arrangement")
 _MAKING = (
     *(*_WHERE_THINGS_ARE, "core", "sensors", "indenter"),
-    *("mould", "printer", "export"),
+    *("mould", "printer", "export", "mesh.envelope_mm"),
 )
 _SHAPE = ("body", "shell.thickness_mm", "shell.slits", "core.keys")
 _WHAT_IS_MESHED = (*_SHAPE, "shell_bodies", "mesh")
@@ -69,6 +69,7 @@ STAGES: dict[str, Stage] = {
         ("build",),
         ("name", *_MAKING, "silicone"),
         make_sheet,
+        version=2,
     ),
     "fabrication": Stage(
         "design: fabrication checks",

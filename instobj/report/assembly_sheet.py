@@ -11,6 +11,7 @@ from design.bom import bill_of_materials, silicone_amount
 from design.electronics import wire_bundle_mm
 from design.layouts import core_frames, face_frames
 from design.manifest import BuildManifest
+from design.mould_frame import mould_frame, mould_style, opening_of
 from design.pockets import sensor_places
 from design.spec import ObjectSpec
 from instobj.report import elements
@@ -157,29 +158,86 @@ def _casting_steps(spec: ObjectSpec) -> list[str]:
         else f"{silicone.pot_life_min:g} min"
     )
     cure = "see the maker's sheet" if silicone.cure_h is None else f"{silicone.cure_h:g} h"
-    closed = (
-        "Join the mould's halves on their dowels, bolt the flanges, push all pins in to their heads."
-        if spec.mould.style == "split"
-        else "Set the mould box with its open side up."
-    )
-    opened = (
-        "draw all pins outwards, part the halves, then peel the shell off the plug."
-        if spec.mould.style == "split"
-        else "draw the plug straight out first, then fold the walls inwards off the bosses."
-    )
     return [
-        f"{closed} Spray release agent thinly, on the plug too.",
+        *_core_first(spec),
+        f"{_closed(spec)} Spray release agent thinly, on all that the silicone touches but the core.",
         f"Weigh {a:.1f} g of part A and {b:.1f} g of part B of {silicone.name} "
         f"({amount.mixed_g:.1f} g, with {spec.mould.silicone_waste:.0%} more than the object holds); "
         f"keep a part of it for sealing. Mix; pot life {pot}. Take the air out under vacuum.",
-        "Fill the mould, tilt the plug in so that no air stays under its flat end, and clip it on.",
-        f"Let it cure: {cure} at room temperature, longer when cold. Then {opened}",
+        _poured(spec),
+        f"Let it cure: {cure} at room temperature, longer when cold. Then {_opened(spec)}",
     ]
+
+
+def _core_first(spec: ObjectSpec) -> list[str]:
+    """A core that is cast in gets its electronics before."""
+    if opening_of(spec) == "open":
+        return []
+    hold = {
+        "bore": "Lead the wires out through its outlet and the rod's side, seat it on the rod's nose, flat "
+        "on flat, and secure it there with a drop of hot glue.",
+        "closed": "Coil the wires' ends in the middle of the core, deeper than the locating pins reach.",
+    }[opening_of(spec)]
+    return [f"{_glued(spec)} Fill its recesses flush with silicone and let it cure. {hold}"]
+
+
+def _glued(spec: ObjectSpec) -> str:
+    in_core = "sensor boards" if spec.arrangement == "sensors-in-core" else "magnets"
+    return f"Glue the {in_core} into the core, wires through their holes; test every sensor now."
+
+
+def _closed(spec: ObjectSpec) -> str:
+    if mould_style(spec) == "one-piece":
+        return "Set the mould box with its open side up."
+    core = {
+        "open": "",
+        "bore": " round the core on its rod, clip the rod's flange on",
+        "closed": " round the core",
+    }[opening_of(spec)]
+    pins = (
+        "push all pins in to their heads, the locating pins into the core's wire holes"
+        if opening_of(spec) == "closed"
+        else "push all pins in to their heads"
+    )
+    return f"Join the mould's halves on their dowels{core}, bolt the flanges, {pins}."
+
+
+def _poured(spec: ObjectSpec) -> str:
+    frame = mould_frame(spec)
+    if frame.opening == "bore":
+        return (
+            "Pour slowly into one of the two holes beside the rod until silicone stands in the other and "
+            "in all vents."
+        )
+    if frame.opening == "closed":
+        return (
+            "Stand the mould on the corner opposite to its pouring hole; pour slowly until silicone stands "
+            "in the hole and in all vents."
+        )
+    if not frame.plugged:
+        return "Fill the mould to its rim and draw the surface flat with a blade."
+    return (
+        "Fill the mould, tilt the plug in so that no air stays under its flat end, and clip it on."
+    )
+
+
+def _opened(spec: ObjectSpec) -> str:
+    frame = mould_frame(spec)
+    if mould_style(spec) == "one-piece":
+        if not frame.plugged:
+            return "peel the silicone out of the mould, from its edge inwards."
+        return "draw the plug straight out first, then fold the walls inwards off the bosses."
+    if frame.opening == "open":
+        last = ", then peel the shell off the plug" if frame.plugged else ""
+        return f"draw all pins outwards, part the halves{last}."
+    rod = " and the rod" if frame.opening == "bore" else ""
+    return (
+        f"draw all pins{rod} outwards, part the halves and cut the sprues flush; the core stays in."
+    )
 
 
 def _joining_steps(spec: ObjectSpec) -> list[str]:
     in_shell = "magnets" if spec.arrangement == "sensors-in-core" else "sensor boards"
-    in_core = "sensor boards" if spec.arrangement == "sensors-in-core" else "magnets"
     layer = spec.shell.seal_layer_mm
     seal = (
         f"Put the shell on its plug into the seal box and pour the layer of {layer:g} mm over all faces."
@@ -192,11 +250,17 @@ def _joining_steps(spec: ObjectSpec) -> list[str]:
         else "A film of silicone glue between both keeps the core from slipping: where it sits decides "
         "the calibration."
     )
+    held = opening_of(spec) != "open"
+    core = f"Push the core in, face 1 first, until it meets the cavity's end. {keys}"
+    wires = (
+        "Draw the wires out through the holes of the locating pins and fill these with silicone."
+    )
     return [
-        f"Glue the {in_core} into the core, wires through their holes; test every sensor now.",
+        *([] if held else [_glued(spec)]),
         f"Set the {in_shell} on the floors of the shell's pockets, by the template and the maps above.",
         seal,
-        f"Push the core in, face 1 first, until it meets the cavity's end. {keys}",
+        *([] if held else [core]),
+        *([wires] if opening_of(spec) == "closed" else []),
         "Read all sensors at rest and run `instobj selftest`: it finds flipped magnets and swapped "
         "channels.",
         "Put the object on its jig, align the jig's grooves with the machine, and calibrate.",

@@ -29,6 +29,7 @@ _PRINTED = {
     "mould_half_a": (0.66, 0.77, 0.62),
     "mould_half_b": (0.58, 0.70, 0.56),
     "mould_plug": (0.76, 0.70, 0.84),
+    "mould_holder": (0.76, 0.70, 0.84),
 }
 
 
@@ -89,6 +90,7 @@ def _pieces(spec: ObjectSpec, folder: Path) -> list[Piece]:
         ("shell",),
         ("core",),
         ("mould_plug",),
+        ("mould_holder",),
     ):
         present = [name for name in names if name in parts]
         if not present:
@@ -110,9 +112,9 @@ def _aside(spec: ObjectSpec, name: str) -> Float[np.ndarray, "3"]:
     """Halves of a split mould stand apart along the pull."""
     if not name.startswith("mould_half"):
         return np.zeros(3)
-    from design.split_mould import parting_normal
+    from design.mould_frame import parting
 
-    return (1 if name.endswith("a") else -1) * _OUT_MM * parting_normal(spec)
+    return (1 if name.endswith("a") else -1) * _OUT_MM * parting(spec).normal
 
 
 def _around(spec: ObjectSpec, name: str) -> list[Piece]:

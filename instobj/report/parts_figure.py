@@ -61,6 +61,9 @@ VIEWS = {
             (0.66, 0.77, 0.62),
         ),
         PartView("mould_plug", "Mould plug", (1.2, -0.9, 0.7), (0, 0, 1), (0.76, 0.70, 0.84)),
+        PartView(
+            "mould_holder", "Rod for the core", (1.2, -0.9, 0.7), (0, 0, 1), (0.76, 0.70, 0.84)
+        ),
         PartView("jig", "Jig", (0.7, -1, 1), (0, 0, 1), (0.70, 0.70, 0.70)),
         PartView(
             "magnet_template", "Magnet template", (0.5, -0.9, 1.6), (0, 0, 1), (0.85, 0.72, 0.60)

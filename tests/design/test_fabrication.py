@@ -21,7 +21,9 @@ from design.core import make_core
 from design.errors import InputError
 from design.fabrication import check_fabrication, check_solid, mesh_of
 from design.finding import at_least
-from design.mould import make_mould_box, make_mould_plug
+from design.mould import make_mould_box
+from design.mould_frame import mould_style
+from design.mould_plug import make_mould_plug
 from design.parts import Part
 from design.shell import make_shell
 from design.solids import NotOneSolid, box_between
@@ -120,7 +122,7 @@ def test_thin_silicone_is_found_where_it_is():
 
 def meshes_of(spec):
     parts = {"mould_plug": make_mould_plug, "shell": make_shell}
-    if spec.mould.style == "one-piece":
+    if mould_style(spec) == "one-piece":
         parts["mould_box"] = make_mould_box
     else:
         parts["mould_half_a"] = lambda spec: make_mould_half(spec, 1)
@@ -165,12 +167,6 @@ def test_stiff_rubber_may_not_be_peeled():
     hook = found(check_casting(stiff, meshes_of(stiff)), "undercut", "mould_box")
     assert hook.status == "fail"
     assert not check_casting(parsed(silicone={"name": "TPU 85A"}), {})
-
-
-def test_bodies_without_a_mould_are_told_so():
-    lying = load_spec(EXAMPLES / "hall_skin.toml")
-    (told,) = check_casting(lying, {})
-    assert (told.check, told.status) == ("mould", "warn")
 
 
 def test_every_part_of_the_mould_is_drawn_once():

@@ -7,7 +7,8 @@ from numpy.testing import assert_allclose
 from scipy.spatial.distance import pdist
 
 from design.errors import InputError
-from design.mould import cast_cavity, make_mould_box, make_mould_plug
+from design.mould import cast_cavity, make_mould_box
+from design.mould_plug import make_mould_plug
 from design.probes import make_probe
 from design.shell import envelope, make_shell
 from design.spec import BodySpec, ContactGridSpec, IndenterSpec, MagnetSpec, ObjectSpec, ShellSpec

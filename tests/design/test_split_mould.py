@@ -6,11 +6,14 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.layouts import face_frames
-from design.mould import cast_cavity, make_mould_box, make_mould_plug
+from design.mould import cast_cavity, make_mould_box
+from design.mould_frame import parting
+from design.mould_pins import loose_pins, make_pin, pin_kinds
+from design.mould_plug import make_mould_plug
 from design.pockets import shell_pockets
 from design.shell import make_shell
 from design.spec_io import parse_spec
-from design.split_mould import distinct_pins, make_mould_half, mould_pins, parting_normal
+from design.split_mould import make_mould_half
 
 SKEWED = {
     "body": {"size_mm": [50.0, 46.0, 44.0]},
@@ -35,7 +38,7 @@ def drawn_through(part, shell, way):
 
 def test_halves_draw_apart_once_the_pins_are_out():
     spec = parsed(**SKEWED)
-    shell, normal = make_shell(spec), parting_normal(spec)
+    shell, normal = make_shell(spec), parting(spec).normal
     for side in (1, -1):
         half = make_mould_half(spec, side)
         assert_allclose(drawn_through(half, shell, side * normal), 0, rtol=0, atol=1e-6)
@@ -45,7 +48,7 @@ def test_halves_draw_apart_once_the_pins_are_out():
 def test_a_seam_beside_the_edges_makes_an_undercut():
     spec = parsed(30.0, **SKEWED)
     half = make_mould_half(spec, 1)
-    assert drawn_through(half, make_shell(spec), parting_normal(spec)) > 100
+    assert drawn_through(half, make_shell(spec), parting(spec).normal) > 100
 
 
 def test_the_one_piece_box_cannot_be_drawn():
@@ -58,7 +61,7 @@ def test_pins_draw_out_along_their_axes(content):
     spec = parsed(**content)
     shell = make_shell(spec)
     halves = [make_mould_half(spec, side) for side in (1, -1)]
-    pins = mould_pins(spec)
+    pins = [make_pin(spec, pin) for pin in loose_pins(spec)]
     ways = [
         frame.axes @ pocket.axis
         for frame, face in zip(face_frames(spec), shell_pockets(spec), strict=True)
@@ -88,10 +91,10 @@ def test_halves_fit_each_other_and_the_plug():
     a, b, plug = make_mould_half(spec, 1), make_mould_half(spec, -1), make_mould_plug(spec)
     for one, other in ((a, b), (a, plug), (b, plug)):
         assert_allclose(one.intersect(other).Volume(), 0, rtol=0, atol=1e-6)
-    sideways = b.translate(cq.Vector(*(0.5 * np.cross(parting_normal(spec), [0, 0, 1]))))
+    sideways = b.translate(cq.Vector(*(0.5 * np.cross(parting(spec).normal, [0, 0, 1]))))
     assert a.intersect(sideways).Volume() > 1, "dowels must stop the halves from sliding"
 
 
 def test_pins_that_are_alike_are_counted_once():
-    assert distinct_pins(parsed(**SKEWED)) == [(0, 10)]
-    assert [count for _, count in distinct_pins(parsed(**TILTED))] == [5, 5]
+    assert pin_kinds(loose_pins(parsed(**SKEWED))) == [("mould_pin", 0, 10)]
+    assert [count for *_, count in pin_kinds(loose_pins(parsed(**TILTED)))] == [5, 5]

@@ -178,7 +178,7 @@ def test_the_example_is_the_template_and_the_defaults():
     chosen = [("magnets", key) for key in ("grade", "part", "depth_mm", "tilt_deg", "north")]
     chosen += [("sensors", "positions_mm"), ("core", "bay_mm")]
     chosen += [("body", "sensed_faces"), ("body", "file")]
-    chosen += [("mould", key) for key in ("play_mm", "parting_azimuth_deg")]
+    chosen += [("mould", k) for k in ("style", "play_mm", "parting_azimuth_deg", "vent_mm")]
     chosen += [("indenter", key) for key in ("file", "vertices_mm", "tip_spacing_mm")]
     chosen += [("collection", key) for key in ("dual_poses", "triple_poses")]
     optional = {where: switched_on[where[0]].pop(where[1]) for where in chosen}
