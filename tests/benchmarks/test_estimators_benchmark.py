@@ -1,10 +1,15 @@
 """The benchmark of estimators runs, and its figures hang together."""
 
+import importlib
+from pathlib import Path
+
 import pytest
+
+BENCHMARKS = Path(__file__).parents[2] / "benchmarks"
 
 
 def test_quick_run_compares_both_recipes_in_the_same_time(quick_run):
-    result, printed = quick_run("estimators", 1, ["estimators.json"])
+    result, printed = quick_run("estimators", 1, ["estimators.json", "estimators.png"])
     ours, paper = (result["recipes"][name] for name in ("compact", "paper"))
     assert ours["E_f_percent"] < paper["E_f_percent"]
     assert ours["epochs"] > paper["epochs"] >= 1
@@ -12,4 +17,17 @@ def test_quick_run_compares_both_recipes_in_the_same_time(quick_run):
     hours = 1000 * 85_800 / result["frames"]["train"] * paper["seconds_an_epoch"] / 3600
     assert result["extrapolated_hours_of_the_papers_whole_recipe"] == pytest.approx(hours)
     assert result["inference"]["times_faster"] > 5
+    assert list(result["budget_s"].values()) == pytest.approx([3.0, 3.0, 1.2])
     assert "extrapolated" in printed
+
+
+def test_an_interrupted_run_goes_on_from_finished_trainings(tmp_path, monkeypatch):
+    monkeypatch.syspath_prepend(str(BENCHMARKS))
+    estimators = importlib.import_module("estimators")
+    frames = estimators.made_frames(True)
+    split = estimators.split_presses(frames, 1)
+    first = estimators.trained("compact", frames, split, 0.5, tmp_path)
+    monkeypatch.setattr(estimators, "fit_estimator", None)
+    assert estimators.trained("compact", frames, split, 0.5, tmp_path) == first
+    with pytest.raises(TypeError, match="not callable"):
+        estimators.trained("paper", frames, split, 0.5, tmp_path)
