@@ -158,6 +158,7 @@ def draw(result: Result, path: Path) -> None:
     errors = [result["recipes"][name]["E_f_percent"] for name in names]
     labels = [f"{n.split(',')[0]}\n{result['budget_s'][n]:g} s" for n in names]
     left.bar_label(left.bar(labels, errors, color=["C0", "C3", "C0"]), fmt="%.3g")
+    left.margins(y=0.12)
     left.set(ylabel="force error E_f (%), held-out presses", xlabel="recipe, time of training")
     times = [result["inference"][f"{name}_ms"] for name in ("compact", "paper")]
     bars = right.bar(["compact", "paper"], times, color=["C0", "C3"])

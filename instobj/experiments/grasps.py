@@ -55,6 +55,7 @@ def run_two_face_grasp(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str,
         SIMULATED,
         "Fitted to presses of one face at a time; the model that reads all sensors saw presses of "
         "other faces superposed. The paper's figures are those of a gripper, other cases.",
+        _tested(recorded, frames, grasps),
         f"Aim with all sensors: total force within 8 % ({_reached(worst <= 8)}: {worst:.1f} % on "
         "the worse face), E_loc within 0.5 pixels.",
     ]
@@ -63,10 +64,11 @@ def run_two_face_grasp(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str,
 
 def run_swap(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]:
     """Whether a face's own sensors suffice in a grasp once they move with the shell."""
-    rows = []
+    rows, tested = [], set()
     for title, changes in arrangements(spec).items():
         recorded = simulated_object(changed(spec, changes), quick)
         grasps, frames = _grasps(recorded), _one_face_at_a_time(recorded)
+        tested.add(_tested(recorded, frames, grasps))
         for face in recorded.spec.collection.grasp_faces:
             for name, reads in MODELS.items():
                 model, reference = _fitted(recorded, frames, face, name)
@@ -79,15 +81,18 @@ def run_swap(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]:
         SIMULATED,
         "The paper supposes that sensors in the shell feel presses of other faces less, and gives no "
         "figure. Fitted to presses of one face at a time, judged in grasps of two faces.",
+        *sorted(tested),
     ]
     return {"rows": rows, "texts": texts}
 
 
 def _grasps(recorded: SimulatedObject) -> FrameSet:
     """Squeezed to the specified force, or as far as presses of single faces went."""
-    spec = recorded.spec
-    force_n = min(spec.collection.grasp_force_n, spec.protocol.peak_force_n[1])
-    return recorded.collect(seed=_TEST_SEED, kind="grasp", grasp_force_n=force_n)
+    return recorded.collect(seed=_TEST_SEED, kind="grasp", grasp_force_n=_grasp_force_n(recorded))
+
+
+def _grasp_force_n(recorded: SimulatedObject) -> float:
+    return min(recorded.spec.collection.grasp_force_n, recorded.spec.protocol.peak_force_n[1])
 
 
 def _one_face_at_a_time(recorded: SimulatedObject) -> FrameSet:
@@ -95,6 +100,22 @@ def _one_face_at_a_time(recorded: SimulatedObject) -> FrameSet:
     count = min(FRAMES_PER_CASE, recorded.spec.collection.frames_per_case)
     faces = list(recorded.spec.collection.grasp_faces)
     return recorded.collect(faces=faces, frames_per_case=count)
+
+
+def _tested(recorded: SimulatedObject, frames: FrameSet, grasps: FrameSet) -> str:
+    """What is trained and what is tested, in words."""
+    from estimator.splits import split_presses
+
+    train = split_presses(frames, recorded.spec.seed).train
+    known, trained, tested = (
+        len(np.unique(one.place_id[one.place_id >= 0]))
+        for one in (frames, frames.select(train), grasps)
+    )
+    return (
+        f"{trained} of the collection's {known} contact cases are in training presses; tested are "
+        f"{tested} grasps of up to {_grasp_force_n(recorded):g} N, whose probes stand at places of "
+        "their own."
+    )
 
 
 def _fitted(

@@ -91,6 +91,7 @@ def test_grasps_stand_beside_the_papers(results):
     assert [row["face"] for row in found["rows"]] == [3, 3, 5, 5]
     assert found["rows"][0]["paper E_f %"] == 38.7
     assert len(found["sweep"]["face 3, all sensors"]["E_f %"]) == 8
+    assert "56 of the collection's 56 contact cases" in " ".join(found["texts"])
 
 
 @pytest.mark.slow
@@ -113,6 +114,15 @@ def test_a_new_zero_undoes_most_of_a_slip(results):
     error = {(row["estimator"], row["object"]): row["total force %"] for row in rows}
     assert error["calibrated", "slipped, old zero"] > 3 * error["calibrated", "before the slip"]
     assert error["calibrated", "slipped, new zero"] < 0.5 * error["calibrated", "slipped, old zero"]
+
+
+def test_a_calibration_is_carried_over_to_the_slip_found(results):
+    rows = results["core-slip"][0]["rows"]
+    (carried,) = [row for row in rows if row["estimator"] == slipped.CARRIED]
+    assert carried["object"] == slipped.NEW_ZERO
+    after = {row["estimator"]: row for row in rows if row["object"] == slipped.NEW_ZERO}
+    assert carried["total force %"] < 1.2 * after["calibrated"]["total force %"]
+    assert carried["total force %"] != after["calibrated"]["total force %"]
 
 
 def test_tangential_forces_are_read(results):
