@@ -53,7 +53,7 @@ def common(body: Shape, tool: Shape) -> Shape:
 def volume_mm3(body: Shape) -> float:
     """Volume; 0 of nothing."""
     if isinstance(body, cq.Shape):
-        return sum(solid.Volume() for solid in body.Solids())
+        return float(sum(solid.Volume() for solid in body.Solids()))
     return float(body.volume) if len(body.faces) else 0.0
 
 
