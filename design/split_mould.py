@@ -45,7 +45,7 @@ def make_mould_half(spec: ObjectSpec, side: int) -> Solid:
     """
     room, half_space = cast_room(spec), _half_space(spec, side)
     outer = join(walls(spec, room), cut(_flange(spec), room), *fins_to_walls(spec))
-    half = common(cut(outer, *_holes(spec)), half_space)
+    half = cut(common(outer, half_space), *_holes(spec))
     dowels = [_dowel(spec, *place, grow_mm=0.0) for place in _dowel_places(spec)]
     sockets = [_dowel(spec, *place, grow_mm=play_mm(spec)) for place in _dowel_places(spec)]
     bossed = join(half, *fixed_bosses(spec, side))
