@@ -29,8 +29,8 @@ def builder(tmp_path_factory):
     """Object → its numbers, from a process of its own."""
     apart, folder = Apart(measure_object), str(tmp_path_factory.mktemp("objects"))
 
-    def measure(content, every_part):
-        question = {"object": content, "folder": folder, "every_part": every_part}
+    def measure(content, everything):
+        question = {"object": content, "folder": folder, "everything": everything}
         return apart.ask(question, TIMEOUT_S)
 
     yield measure
@@ -51,8 +51,8 @@ def assert_sound(measured, kind):
         assert_allclose(measured["mould_misses_mm3"], 0, rtol=0, atol=1e-6 * shell)
 
 
-def assert_built(builder, content, every_part):
-    measured = builder(content, every_part)
+def assert_built(builder, content, everything):
+    measured = builder(content, everything)
     assume("refused" not in measured)
     assert_sound(measured, content["body"]["kind"])
 
@@ -60,7 +60,7 @@ def assert_built(builder, content, every_part):
 @settings(max_examples=10, **RANDOM)
 @given(content=objects())
 def test_random_objects_build_and_their_mould_casts_their_shell(builder, content):
-    assert_built(builder, content, every_part=False)
+    assert_built(builder, content, everything=False)
 
 
 @pytest.mark.slow
@@ -68,7 +68,7 @@ def test_random_objects_build_and_their_mould_casts_their_shell(builder, content
 @settings(max_examples=30, **RANDOM)
 @given(data=st.data())
 def test_thirty_random_objects_of_every_kind_build_with_all_parts(builder, kind, data):
-    assert_built(builder, data.draw(objects((kind,))), every_part=True)
+    assert_built(builder, data.draw(objects((kind,))), everything=True)
 
 
 def test_a_build_that_hangs_crashes_or_raises_is_told_and_the_next_one_goes_on():
