@@ -10,6 +10,8 @@ from rich.table import Table
 
 from instobj.surroundings import surroundings_lines
 
+_MOST_COLUMNS = 12
+
 
 def print_result(result: dict[str, Any]) -> None:
     """Print the document that a command returned."""
@@ -76,6 +78,18 @@ def _objects_as_columns(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
     return [{"score": key} | {row["object"]: row[key] for row in rows} for key in names]
 
 
+def _turned(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """One row a key, one column a row, headed by what stands first in each."""
+    first, *others = rows[0]
+    heads = [str(row[first]) for row in rows]
+    if len(set(heads)) < len(heads):
+        heads = [f"{number}: {head}" for number, head in enumerate(heads, start=1)]
+    return [
+        {first: key} | {head: row[key] for head, row in zip(heads, rows, strict=True)}
+        for key in others
+    ]
+
+
 def _print_summary(console: Console, summary: dict[str, Any]) -> None:
     for title, values in summary.items():
         if isinstance(values, list):
@@ -86,6 +100,9 @@ def _print_summary(console: Console, summary: dict[str, Any]) -> None:
 
 
 def _print_rows(console: Console, title: str, rows: list[dict[str, Any]]) -> None:
+    """A table; one with more columns than fit is turned, a row becoming a column."""
+    if len(rows[0]) > _MOST_COLUMNS and len(rows) < len(rows[0]):
+        rows = _turned(rows)
     table = Table(title=title, title_justify="left", box=SIMPLE, padding=(0, 0, 0, 1))
     for name in rows[0]:
         table.add_column(name, justify="right")
