@@ -37,7 +37,7 @@ def print_result(result: dict[str, Any]) -> None:
     if "comparison" in result:
         console.rule("comparison")
         title = "medians over all places, freshly zeroed unless said"
-        _print_rows(console, title, _objects_as_columns(result["comparison"]["rows"]))
+        _print_rows(console, title, _turned(result["comparison"]["rows"]))
         _print_files(console, result["comparison"]["files"])
     for title, rows in result.get("tables", {}).items():
         _print_rows(console, title, rows)
@@ -71,11 +71,6 @@ def _print_findings(console: Console, item: dict[str, Any]) -> None:
 
 def _place(place_mm: list[float]) -> str:
     return ", ".join(f"{value:.1f}" for value in place_mm)
-
-
-def _objects_as_columns(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
-    names = [key for key in rows[0] if key != "object"]
-    return [{"score": key} | {row["object"]: row[key] for row in rows} for key in names]
 
 
 def _turned(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
