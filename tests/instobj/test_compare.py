@@ -39,7 +39,7 @@ def test_objects_are_compared_in_one_table_and_one_figure(tmp_path, capsys):
     assert picture.read_bytes().startswith(b"\x89PNG")
     print_result({"comparison": found})
     shown = capsys.readouterr().out
-    assert any(line.split() == ["score", "near", "far"] for line in shown.splitlines())
+    assert any(line.split() == ["object", "near", "far"] for line in shown.splitlines())
     assert any(line.split() == ["place", "mm", "0.4", "2"] for line in shown.splitlines())
     assert [row["path"] for row in found["files"]] == [str(picture)]
 
