@@ -14,25 +14,19 @@ import cadquery as cq
 import numpy as np
 
 from design.mould import fins_to_walls, walls
-from design.mould_frame import MouldFrame, mould_frame, parting, play_mm
+from design.mould_flange import FLANGE_THICKNESS_MM, flanges
+from design.mould_frame import mould_frame, parting, play_mm
 from design.mould_openings import mould_holes
-from design.mould_pins import Pin, fixed_bosses, loose_pins, pin_holes
-from design.mould_plug import CLIP_REACH_MM, rod_hole
+from design.mould_pins import fixed_bosses, loose_pins, pin_holes
+from design.mould_plug import rod_hole
 from design.mould_room import cast_room
 from design.solid_ops import Shape, Solid, common, cut, join, one_body
 from design.solids import OVERSHOOT_MM, box_between
 from design.spec import ObjectSpec
 
-FLANGE_THICKNESS_MM = 4.0
-FLANGE_LENGTH_MM = 26.0
-"""At least: dowels and bolts lie at shares of it and must not meet."""
 DOWEL_DIAMETER_MM = 4.0
 DOWEL_HEIGHT_MM = 2.5
 BOLT_HOLE_MM = 3.4
-PLACES = (0.15, 0.42, 0.7, 0.9)
-"""Of dowels and bolts by turns, as shares of the flange's length."""
-LEAST_GAP_MM = 5.0
-"""Between the middles of a dowel and a bolt."""
 
 
 def make_mould_half(spec: ObjectSpec, side: int) -> Solid:
@@ -73,31 +67,26 @@ def _in_plane(spec: ObjectSpec, low: list[float], high: list[float]) -> cq.Solid
     return box_between(low, high).moved(cq.Location(_parting_plane(spec)))
 
 
-def _reach(spec: ObjectSpec) -> tuple[tuple[float, float], float, float]:
-    """Ends of the block in the parting plane, across it, and of the flanges along `out`."""
-    frame, plane = mould_frame(spec), parting(spec)
-    across = frame.axes.T @ np.cross(frame.out, plane.normal)
-    start = frame.axes.T @ (plane.offset_mm * plane.normal)
-    ends = _line_in_block(frame, start, across)
-    clips = CLIP_REACH_MM + 2 * play_mm(spec) if frame.plugged else 0.0
-    top = frame.rim_mm - clips
-    return ends, min(float(frame.low_mm[2]), top - FLANGE_LENGTH_MM), top
-
-
-def _line_in_block(frame: MouldFrame, start: np.ndarray, way: np.ndarray) -> tuple[float, float]:
-    """Where a line through the block, level and given along the axes, enters and leaves it."""
-    steep = abs(way) > 1e-9
-    crossings = np.stack(
-        [(end - start)[steep] / way[steep] for end in (frame.low_mm, frame.high_mm)]
-    )
-    return float(crossings.min(axis=0).max()), float(crossings.max(axis=0).min())
-
-
-def _flange(spec: ObjectSpec) -> cq.Solid:
-    """Both halves' flanges along the seam, clear of the plug's clips."""
-    (left, right), bottom, top = _reach(spec)
-    wide, thick = spec.mould.flange_mm, FLANGE_THICKNESS_MM
-    return _in_plane(spec, [left - wide, bottom, -thick], [right + wide, top, thick])
+def _flange(spec: ObjectSpec) -> Shape:
+    """Both halves' flanges along the seam, notched for pins; below the block there are two strips."""
+    first, second = flanges(spec)
+    thick, block = FLANGE_THICKNESS_MM, float(mould_frame(spec).low_mm[2])
+    slab = _in_plane(spec, [first.low_mm, block, -thick], [second.high_mm, first.top_mm, thick])
+    strips = [
+        _in_plane(spec, [side.low_mm, side.bottom_mm, -thick], [side.high_mm, block + 1.0, thick])
+        for side in (first, second)
+        if side.bottom_mm < block
+    ]
+    past = thick + 1.0
+    notches = [
+        _in_plane(spec, [first.low_mm - 1.0, start, -past], [first.high_mm, end, past])
+        for start, end in first.notches
+    ]
+    notches += [
+        _in_plane(spec, [second.low_mm, start, -past], [second.high_mm + 1.0, end, past])
+        for start, end in second.notches
+    ]
+    return cut(join(slab, *strips), *notches)
 
 
 def _half_space(spec: ObjectSpec, side: int) -> cq.Solid:
@@ -107,54 +96,12 @@ def _half_space(spec: ObjectSpec, side: int) -> cq.Solid:
 
 
 def _dowel_places(spec: ObjectSpec) -> list[tuple[float, float]]:
-    """Across the mould and along `out`, in the middle of both flanges."""
-    return [place for index, place in enumerate(_flange_places(spec)) if not index % 2]
+    """Across the mould and along `out`, in the parting plane."""
+    return [place for flange in flanges(spec) for place in flange.places_mm[::2]]
 
 
 def _bolt_places(spec: ObjectSpec) -> list[tuple[float, float]]:
-    return [place for index, place in enumerate(_flange_places(spec)) if index % 2]
-
-
-def _flange_places(spec: ObjectSpec) -> list[tuple[float, float]]:
-    """Dowels and bolts by turns, first on one flange, then on the other, out of the pins' way.
-
-    Each stands at its share of the flange's length from its lower end, or as near as pins and those
-    before it leave room; where there is none it stays, and the checks find it.
-    """
-    (left, right), bottom, top = _reach(spec)
-    middle, pins = spec.mould.flange_mm / 2, loose_pins(spec)
-    shifts = sorted(np.linspace(-0.85, 0.85, 69), key=abs)
-    places: list[tuple[float, float]] = []
-    for across in (left - middle, right + middle):
-        for share in PLACES:
-            levels = [bottom + (share + shift) * (top - bottom) for shift in shifts]
-            inside = [z for z in levels if bottom + LEAST_GAP_MM / 2 <= z <= top - LEAST_GAP_MM / 2]
-            clear = (z for z in inside if _is_clear(spec, pins, places, (across, z)))
-            places.append((across, next(clear, levels[0])))
-    return places
-
-
-def _is_clear(
-    spec: ObjectSpec,
-    pins: list[Pin],
-    taken: list[tuple[float, float]],
-    place: tuple[float, float],
-) -> bool:
-    if any(np.hypot(*np.subtract(place, other)) < LEAST_GAP_MM for other in taken):
-        return False
-    frame, plane = mould_frame(spec), parting(spec)
-    across, level = place
-    point = across * np.cross(frame.out, plane.normal) + level * frame.out
-    point = point + plane.offset_mm * plane.normal
-    return all(
-        _off_axis_mm(pin, point) > pin.radius_mm + pin.rim_mm + LEAST_GAP_MM / 2 for pin in pins
-    )
-
-
-def _off_axis_mm(pin: Pin, point_mm: np.ndarray) -> float:
-    """Distance from the half-line along which a pin is drawn."""
-    start = point_mm - pin.head_axis_mm[0]
-    return float(np.linalg.norm(start - max(start @ pin.way, 0.0) * pin.way))
+    return [place for flange in flanges(spec) for place in flange.places_mm[1::2]]
 
 
 def _dowel(spec: ObjectSpec, across: float, level: float, grow_mm: float) -> Shape:

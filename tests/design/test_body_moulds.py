@@ -100,7 +100,7 @@ def test_a_pin_forgotten_or_shifted_does_not_cast_the_shell(name):
     spec = case(name)
     half_a, half_b, pin, *others = [*mould_around(spec), *inside_of_mould(spec)]
     assert missed_share(spec, [half_a, half_b, *others]) > 1e-3
-    way = 0.2 * loose_pins(spec)[0].way
+    way = 0.6 * loose_pins(spec)[0].way
     shifted = translated(pin, way)
     assert missed_share(spec, [half_a, half_b, shifted, *others]) > SAMPLING
 
@@ -232,7 +232,13 @@ def peanut(tmp_path_factory):
         ball.apply_translation((x, 0, 0))
     path = Path(tmp_path_factory.mktemp("body")) / "peanut.stl"
     trimesh.boolean.union(balls, engine="manifold").export(path)
-    body = {"bore_mm": 6.0, "sensed_faces": [1, 3], "open_faces": [6], **body_of_file(path)}
+    body = {
+        "kind": "imported",
+        "bore_mm": 6.0,
+        "sensed_faces": [1, 3],
+        "open_faces": [6],
+        **body_of_file(path),
+    }
     return body_spec("ellipsoid", body=body, mesh={"envelope_mm": 0.1}, mould={"vent_mm": 1.5})
 
 
@@ -276,7 +282,7 @@ def test_high_points_by_hand():
     )
     places = high_points(mesh, np.array([0, 0, 1.0]), 99.0, 0.1)
     assert_allclose([trap.place_mm[0] for trap in places], [-8, 1], rtol=0, atol=0.51)
-    assert_allclose(places[1].depth_mm, 2.0, rtol=0, atol=0.02)
+    assert_allclose(places[1].depth_mm, 1.97, rtol=0, atol=0.02)  # over the saddle to the first
     (left,) = high_points(mesh, np.array([0, 0, 1.0]), 2.5, 0.1)
     assert_allclose(left.place_mm[0], 1, rtol=0, atol=0.51)
     assert len(high_points(mesh, np.array([0, 0, 1.0]), 99.0, 0.01)) == 3
