@@ -36,7 +36,7 @@ def objects(draw, kinds: tuple[str, ...] = KINDS) -> dict[str, Any]:
         "contact_grid": {"count": [2, 2], "pitch_mm": 2.0},
         "press": {"depths_mm": [0.5, 1.0]},
         "indenter": {"radius_mm": draw(between(2.0, 6.0))},
-        "mould": {"style": draw(st.sampled_from(["one-piece", "split"]))},
+        "mould": draw(st.sampled_from([{}, {"style": "split"}])),
     }
     return _joined(content, draw(_box_only(thickness, narrow))) if kind == "box" else content
 

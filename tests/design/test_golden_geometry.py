@@ -5,16 +5,17 @@ import pytest
 import yaml
 from golden_geometry import (
     REFERENCE,
-    golden_parts,
     measured_part,
     measured_places,
     specifications,
 )
 from numpy.testing import assert_allclose
 
+from design.parts import parts_of
+
 SPECS = specifications()
 GOLDEN = yaml.safe_load(REFERENCE.read_text(encoding="utf-8"))
-PARTS = {(name, part.name): part for name, spec in SPECS.items() for part in golden_parts(spec)}
+PARTS = {(name, part.name): part for name, spec in SPECS.items() for part in parts_of(spec)}
 SLOW = ("preset", "search_cube", "better_cube", "reverse_cube")
 """Their parts are the paper's cube's, or differ from them by places alone."""
 
