@@ -12,10 +12,9 @@ import numpy as np
 import trimesh
 
 from design.core_hold import locators
-from design.mould import make_mould_plug
 from design.mould_frame import mould_frame, parting
 from design.mould_pins import loose_pins, make_pin
-from design.mould_plug import make_mould_holder
+from design.mould_plug import make_mould_holder, make_mould_plug
 from design.mould_room import core_outside
 from design.parts import parts_of
 from design.solid_ops import as_triangles
@@ -30,7 +29,9 @@ APART = 0.75
 """How far the halves are drawn, of the body's largest edge."""
 
 
-def pieces(spec: ObjectSpec, apart_mm: float) -> list[tuple[trimesh.Trimesh, tuple[float, ...]]]:
+def pieces(
+    spec: ObjectSpec, apart_mm: float
+) -> list[tuple[trimesh.Trimesh, tuple[float, float, float]]]:
     """Half B with what it holds where it stands, half A and the pins drawn out."""
     frame, normal = mould_frame(spec), parting(spec).normal
     core = {part.name: part for part in parts_of(spec)}["core"]
@@ -54,19 +55,31 @@ def _moved(shape: object, by_mm: np.ndarray | None = None) -> trimesh.Trimesh:
     return mesh
 
 
+def joined(meshes: list[trimesh.Trimesh]) -> trimesh.Trimesh:
+    """All triangles as one mesh."""
+    start = np.cumsum([0, *(len(mesh.vertices) for mesh in meshes)])
+    return trimesh.Trimesh(
+        np.concatenate([mesh.vertices for mesh in meshes]),
+        np.concatenate([m.faces + first for m, first in zip(meshes, start, strict=False)]),
+        process=False,
+    )
+
+
 def draw(spec: ObjectSpec, target: Path) -> None:
     """One picture; `out`, the side that is poured into, is up."""
     from matplotlib.figure import Figure
 
     frame = mould_frame(spec)
     shown = pieces(spec, APART * max(spec.body.size_mm))
-    whole = trimesh.util.concatenate([mesh for mesh, _ in shown])
+    whole = joined([mesh for mesh, _ in shown])
     colours = np.concatenate([np.tile(colour, (len(mesh.faces), 1)) for mesh, colour in shown])
     side = np.cross(frame.out, parting(spec).normal)
-    towards = tuple(side + 0.35 * parting(spec).normal + 0.6 * frame.out)
-    camera = camera_axes(towards, tuple(frame.out))
+    x, y, z = (side + 0.35 * parting(spec).normal + 0.6 * frame.out).tolist()
+    up_x, up_y, up_z = frame.out.tolist()
+    view = PartView("mould", "", (x, y, z), (up_x, up_y, up_z), colours)
+    camera = camera_axes(view.towards_viewer, view.up)
     image = depth_image(np.asarray(whole.triangles) @ camera.T)
-    picture = shade(image, whole, camera, PartView("mould", "", towards, tuple(frame.out), colours))
+    picture = shade(image, whole, camera, view)
     left, right, bottom, top = image.extent_mm
     figure = Figure(figsize=(11, 11 * (top - bottom) / (right - left)), layout="constrained")
     axes = figure.subplots()

@@ -110,6 +110,8 @@ def test_the_exploded_view_shows_magnets_of_both_poles_and_boards(tmp_path):
         ),
         ({"silicone": {"name": "TPU 85A"}}, "Print the shell in TPU 85A"),
         ({"mould": {"style": "split"}}, "push all pins in"),
+        ({"body": {"open_faces": []}}, "locating pins into the core's wire holes"),
+        ({"body": {"open_faces": []}}, "Stand the mould on the corner"),
         ({"printer": {"name": "resin"}}, "inhibits platinum silicone"),
         ({"shell": {"seal_layer_mm": 0.8}}, "the layer of 0.8 mm"),
         ({"core": {"keys": {"positions_mm": [[11.4, 11.4]]}}}, "keys must snap"),
