@@ -57,6 +57,8 @@ KINDS = {
     "open at the side": "closed_box",
     "closed cylinder": "cylinder",
 }
+LONG = ("sphere", "bored ellipsoid", "split dome", "split cylinder", "closed cylinder")
+"""Booleans of many pins with curved faces take the kernel 5 to 15 s."""
 SAMPLING = 2e-4
 """Of the shell's volume: round pockets are cut with 64 sides there, and pins are finer."""
 
@@ -87,7 +89,12 @@ def translated(part, by_mm):
     return part.copy().apply_translation(by_mm)
 
 
-@pytest.mark.parametrize("name", CASES)
+def marked(*names):
+    """Parameters, the long ones slow."""
+    return [pytest.param(n, marks=pytest.mark.slow if n in LONG else []) for n in names]
+
+
+@pytest.mark.parametrize("name", marked(*CASES))
 def test_envelope_less_mould_less_what_is_inside_is_the_shell(name):
     spec = case(name)
     assert missed_share(spec, [*mould_around(spec), *inside_of_mould(spec)]) < (
@@ -95,7 +102,7 @@ def test_envelope_less_mould_less_what_is_inside_is_the_shell(name):
     )
 
 
-@pytest.mark.parametrize("name", ["sphere", "bored ellipsoid", "closed_box"])
+@pytest.mark.parametrize("name", marked("sphere", "bored ellipsoid", "closed_box"))
 def test_a_pin_forgotten_or_shifted_does_not_cast_the_shell(name):
     spec = case(name)
     half_a, half_b, pin, *others = [*mould_around(spec), *inside_of_mould(spec)]
@@ -112,7 +119,7 @@ def test_the_closed_box_is_the_formula_s_shell():
     assert abs(one.frame.normal @ other.frame.normal) < 1e-12
 
 
-@pytest.mark.parametrize("name", ["sphere", "closed_box"])
+@pytest.mark.parametrize("name", marked("sphere", "closed_box"))
 def test_parts_go_together_and_none_is_inside_another(name):
     spec = case(name)
     halves = [make_mould_half(spec, side) for side in (1, -1)]
@@ -125,7 +132,7 @@ def test_parts_go_together_and_none_is_inside_another(name):
             assert volume_mm3(common(part, other)) < 1e-6
 
 
-@pytest.mark.parametrize("name", ["sphere", "split cylinder"])
+@pytest.mark.parametrize("name", marked("sphere", "split cylinder"))
 def test_halves_and_the_rod_draw_out_without_tearing_the_silicone(name):
     spec = case(name)
     shell, normal = make_shell(spec), parting(spec).normal
@@ -198,6 +205,7 @@ def found(findings, check, part=None):
     return finding
 
 
+@pytest.mark.slow
 def test_the_seam_of_an_ellipsoid_runs_at_its_silhouette():
     spec = case("bored ellipsoid")  # 60 × 50 × 44 mm
     assert_allclose(parting(spec).normal, [0, 1, 0], rtol=0, atol=1e-12)
