@@ -15,6 +15,7 @@ from design.fabrication import mesh_of
 from design.mould import has_mould, inside_of_mould, mould_around
 from design.mould_room import cast_room
 from design.parts import Part, parts_of
+from design.pockets import shell_pockets
 from design.solid_ops import Shape, as_triangles, cut, volume_mm3
 from design.spec import ObjectSpec
 from design.volumes import shell_volume_mm3
@@ -47,6 +48,7 @@ def measure_object(question: dict[str, Any]) -> dict[str, Any]:
         "shell_mm3": shell_volume_mm3(spec),
         "pockets_mm3": body_volume_mm3(spec) - shell_volume_mm3(spec),
         "mould_misses_mm3": missed,
+        "pocket_mm3": shell_pockets(spec)[0][0].volume_mm3,
     }
 
 

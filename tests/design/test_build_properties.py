@@ -15,7 +15,6 @@ from sound_objects import measure_object
 TIMEOUT_S = 120
 """For one object; on a quiet core it takes 0.5 to 10 s."""
 
-EXACT = ("box", "pad", "cylinder", "sphere", "dome")
 RANDOM = {
     "deadline": None,
     "derandomize": True,
@@ -48,7 +47,9 @@ def assert_sound(measured, kind):
     slack = 1e-8 * shell if kind in ("box", "pad") else 0.15 * measured["pockets_mm3"]
     assert_allclose(shell, measured["shell_mm3"], rtol=0, atol=slack)
     if measured["mould_misses_mm3"] is not None:
-        assert_allclose(measured["mould_misses_mm3"], 0, rtol=0, atol=1e-6 * shell)
+        exact = kind in ("box", "pad")  # elsewhere a forgotten pin must show
+        slack = 1e-6 * shell if exact else 0.25 * measured["pocket_mm3"]
+        assert_allclose(measured["mould_misses_mm3"], 0, rtol=0, atol=slack)
 
 
 def assert_built(builder, content, everything):
