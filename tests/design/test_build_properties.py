@@ -52,6 +52,20 @@ def assert_sound(measured, kind):
         assert_allclose(measured["mould_misses_mm3"], 0, rtol=0, atol=slack)
 
 
+@pytest.mark.parametrize("kind", ["box", "sphere"])
+@pytest.mark.parametrize(
+    "fault",
+    [{"shell_mm3": 970.0}, {"mould_misses_mm3": 50.0}, {"solids": 2}, {"closed": False}],
+    ids=lambda fault: next(iter(fault)),
+)
+def test_a_lost_pocket_a_forgotten_pin_pieces_and_holes_are_seen(kind, fault):
+    shell = {"solids": 1, "closed": True, "volume_mm3": 1000.0}
+    whole = {"shell_mm3": 1000.0, "pockets_mm3": 100.0, "pocket_mm3": 50.0, "mould_misses_mm3": 0.0}
+    assert_sound({"parts": {"shell": shell}, **whole}, kind)
+    with pytest.raises(AssertionError):
+        assert_sound({"parts": {"shell": shell | fault}, **whole, **fault}, kind)
+
+
 def assert_built(builder, content, everything):
     measured = builder(content, everything)
     assume("refused" not in measured)
