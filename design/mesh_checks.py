@@ -118,7 +118,9 @@ def undercut(
         points = mesh.triangles[patch].reshape(-1, 3)
         tangent = np.tan(np.arcsin(np.clip(rise[patch], 0, 1 - 1e-9)))
         lean = float(np.average(tangent, weights=mesh.area_faces[patch]))
-        depth = min(_least_width_mm(points, pull), float(np.ptp(points @ pull)) * lean)
+        depth = _least_width_mm(points, pull)
+        if lean <= 1:  # a curved wall that leans a little is wider than it hooks; a ledge is not
+            depth = min(depth, float(np.ptp(points @ pull)) * lean)
         if depth > deepest:
             deepest, place = depth, points.mean(axis=0)
     return Undercut(float(mesh.area_faces[against].sum()), deepest, place)

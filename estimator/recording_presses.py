@@ -60,9 +60,9 @@ def frame_times_s(
     """Strictly increasing time axis (s) and frame rate (Hz).
 
     Stamps in whole seconds repeat: frames are spread evenly over each stretch, at the rate that
-    all stretches share. Without stamps the nominal rate is used throughout.
+    all stretches share. Without stamps, or with one, the nominal rate is used.
     """
-    if not len(time_s):
+    if len(time_s) < 2:
         return np.arange(len(stretch)) / nominal_rate_hz, nominal_rate_hz
     if np.all(np.diff(time_s) > 0):
         return time_s, float(1 / np.median(np.diff(time_s)))

@@ -63,7 +63,17 @@ def test_shell_and_core_are_single_solids_with_their_pockets(name):
     assert core.isValid()
     faces = len(spec.body.sensed)
     pockets = faces * np.pi * 3**2 * 3
+    if name == "closed_box":
+        # two pins of a wire hole's width held the core; each meets a pocket
+        pockets += 2 * (np.pi * 2**2 * 8 - 3 * _lens_mm2(2.0, 3.0, 5**0.5))
     assert 0.9 * pockets < BY_HAND[name] - shell.Volume() <= pockets * (1 + 1e-9)
+
+
+def _lens_mm2(r, s, d):
+    """Area that two circles share."""
+    along = (d**2 + r**2 - s**2) / (2 * d)
+    halves = r**2 * np.arccos(along / r) + s**2 * np.arccos((d - along) / s)
+    return halves - d * np.sqrt(r**2 - along**2)
 
 
 def test_an_ellipsoid_s_core_has_steiner_s_volume():

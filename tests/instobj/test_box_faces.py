@@ -76,8 +76,8 @@ def test_presses_on_every_face_give_the_force_of_the_layer(box):
     assert (force > 6).all()
     assert (force < 12).all()
     if name == "closed":
-        middle = force[:, 4]
-        assert_allclose(middle[[0, 1, 2]], middle[[5, 3, 4]], rtol=0.1)
+        mean = force.mean(axis=1)  # single places scatter with the coarse mesh
+        assert_allclose(mean[[0, 1, 2]], mean[[5, 3, 4]], rtol=0.1)
 
 
 def test_own_sensors_see_most_and_every_score_is_finite(box):
