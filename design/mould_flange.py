@@ -72,10 +72,10 @@ def flanges(spec: ObjectSpec) -> tuple[Flange, Flange]:
     clips = CLIP_REACH_MM + 2 * play_mm(spec) if frame.plugged else 0.0
     top = frame.rim_mm - clips
     bottom = min(float(frame.low_mm[2]), top - FLANGE_LENGTH_MM)
-    ends = (left - wide, left), (right, right + wide)
+    ends, pins = ((left - wide, left), (right, right + wide)), loose_pins(spec)
     for longer in (*LONGER_MM, 0.0):
         low = bottom - longer
-        found = [Flange(*end, low, top, _notches(spec, *end, low, top)) for end in ends]
+        found = [Flange(*end, low, top, _notches(spec, pins, *end, low, top)) for end in ends]
         if all(len(flange.places_mm) == len(PLACES) for flange in found):
             break
     return found[0], found[1]
@@ -92,10 +92,10 @@ def _block_ends_mm(spec: ObjectSpec, frame: MouldFrame) -> tuple[float, float]:
 
 
 def _notches(
-    spec: ObjectSpec, low: float, high: float, bottom: float, top: float
+    spec: ObjectSpec, pins: list[Pin], low: float, high: float, bottom: float, top: float
 ) -> tuple[tuple[float, float], ...]:
     """Stretches through which pins are drawn, joined where too little is between or beyond them."""
-    found = [_levels(spec, pin, low, high) for pin in loose_pins(spec)]
+    found = [_levels(spec, pin, low, high) for pin in pins]
     through = [levels for levels in found if levels is not None]
     merged: list[tuple[float, float]] = []
     for start, end in sorted(pair for pair in through if pair[1] > bottom and pair[0] < top):

@@ -21,7 +21,7 @@ from design.mould_frame import mould_frame, parting, play_mm
 from design.mould_room import core_outside
 from design.pockets import Body, Outline, Pocket, distance_of_segments_mm, shell_pockets
 from design.solid_ops import Shape, Solid, cut, join, one_body
-from design.solids import OVERSHOOT_MM, cylinder_on_face, pocket_prism
+from design.solids import OVERSHOOT_MM, cylinder_on_face, pocket_prism, pocket_solid
 from design.spec import ObjectSpec
 
 PIN_HEAD_MM = 2.0
@@ -99,7 +99,7 @@ def fixed_bosses(spec: ObjectSpec, side: int) -> list[cq.Solid]:
     """Bosses that stay on the half at that side (1, −1) of the parting plane."""
     met, normal = _met(spec), parting(spec).normal
     return [
-        pocket_prism(frame, pocket, None, OVERSHOOT_MM)
+        pocket_solid(frame, pocket)
         for frame, pocket in _places(spec)
         if _key(frame, pocket) not in met
         and _along_pull(spec, frame, pocket)

@@ -67,19 +67,7 @@ def radial_box_on_face(
 
 def pocket_solid(frame: FaceFrame, pocket: Pocket) -> cq.Solid:
     """The pocket's prism on a face; a tilted one is cut off just above the face and below itself."""
-    floor, above = pocket.axis_ends_mm
-    lift = OVERSHOOT_MM / pocket.axis[2] * pocket.axis
-    start, end = frame.to_object(floor), frame.to_object(above + lift)
-    axis = cq.Vector(*(end - start))
-    prism = _prism(pocket, frame, start, axis)
-    if pocket.axis[2] == 1:
-        return prism
-    reach = 2 * np.append(frame.half_extents_mm, 0)
-    top = [0, 0, OVERSHOOT_MM]
-    bottom = [0, 0, pocket.lowest_mm - OVERSHOOT_MM]
-    corners = np.stack([frame.to_object(bottom - reach), frame.to_object(top + reach)])
-    (piece,) = prism.intersect(box_between(corners.min(axis=0), corners.max(axis=0))).Solids()
-    return piece
+    return pocket_prism(frame, pocket, None, OVERSHOOT_MM)
 
 
 def pocket_prism(

@@ -14,7 +14,7 @@ import cadquery as cq
 import numpy as np
 
 from design.mould import fins_to_walls, walls
-from design.mould_flange import FLANGE_THICKNESS_MM, flanges
+from design.mould_flange import FLANGE_THICKNESS_MM, Flange, flanges
 from design.mould_frame import mould_frame, parting, play_mm
 from design.mould_openings import mould_holes
 from design.mould_pins import fixed_bosses, loose_pins, pin_holes
@@ -37,21 +37,20 @@ def make_mould_half(spec: ObjectSpec, side: int) -> Solid:
     InputError
         The dimensions do not give one valid solid.
     """
-    room, half_space = cast_room(spec), _half_space(spec, side)
-    outer = join(walls(spec, room), cut(_flange(spec), room), *fins_to_walls(spec))
-    half = cut(common(outer, half_space), *_holes(spec))
-    dowels = [_dowel(spec, *place, grow_mm=0.0) for place in _dowel_places(spec)]
-    sockets = [_dowel(spec, *place, grow_mm=play_mm(spec)) for place in _dowel_places(spec)]
-    bossed = join(half, *fixed_bosses(spec, side))
-    joined = join(bossed, *dowels) if side > 0 else cut(bossed, *sockets)
+    room, ends = cast_room(spec), flanges(spec)
+    outer = join(walls(spec, room), cut(_flange(spec, *ends), room), *fins_to_walls(spec))
+    half = cut(common(outer, _half_space(spec, side)), *_holes(spec), *_bolt_holes(spec, *ends))
+    bossed, grown = join(half, *fixed_bosses(spec, side)), 0.0 if side > 0 else play_mm(spec)
+    dowels = [_dowel(spec, *place, grown) for end in ends for place in end.places_mm[::2]]
+    joined = join(bossed, *dowels) if side > 0 else cut(bossed, *dowels)
     return one_body(joined, "mould_half_a" if side > 0 else "mould_half_b")
 
 
 def _holes(spec: ObjectSpec) -> list[cq.Solid]:
-    """Of pins, bolts, pouring, vents and a rod."""
+    """Of pins, pouring, vents and a rod."""
     pins = [hole for pin in loose_pins(spec) for hole in pin_holes(spec, pin)]
     rod = [rod_hole(spec)] if mould_frame(spec).opening == "bore" else []
-    return [*pins, *_bolt_holes(spec), *rod, *(hole.solid() for hole in mould_holes(spec))]
+    return [*pins, *rod, *(hole.solid() for hole in mould_holes(spec))]
 
 
 def _parting_plane(spec: ObjectSpec) -> cq.Plane:
@@ -67,9 +66,8 @@ def _in_plane(spec: ObjectSpec, low: list[float], high: list[float]) -> cq.Solid
     return box_between(low, high).moved(cq.Location(_parting_plane(spec)))
 
 
-def _flange(spec: ObjectSpec) -> Shape:
+def _flange(spec: ObjectSpec, first: Flange, second: Flange) -> Shape:
     """Both halves' flanges along the seam, notched for pins; below the block there are two strips."""
-    first, second = flanges(spec)
     thick, block = FLANGE_THICKNESS_MM, float(mould_frame(spec).low_mm[2])
     slab = _in_plane(spec, [first.low_mm, block, -thick], [second.high_mm, first.top_mm, thick])
     strips = [
@@ -95,15 +93,6 @@ def _half_space(spec: ObjectSpec, side: int) -> cq.Solid:
     return _in_plane(spec, [-reach, -reach, low], [reach, reach, high])
 
 
-def _dowel_places(spec: ObjectSpec) -> list[tuple[float, float]]:
-    """Across the mould and along `out`, in the parting plane."""
-    return [place for flange in flanges(spec) for place in flange.places_mm[::2]]
-
-
-def _bolt_places(spec: ObjectSpec) -> list[tuple[float, float]]:
-    return [place for flange in flanges(spec) for place in flange.places_mm[1::2]]
-
-
 def _dowel(spec: ObjectSpec, across: float, level: float, grow_mm: float) -> Shape:
     """Cone from half A into half B, tapered by the draft."""
     root, height = DOWEL_DIAMETER_MM / 2 + grow_mm, DOWEL_HEIGHT_MM + grow_mm
@@ -119,11 +108,12 @@ def _dowel(spec: ObjectSpec, across: float, level: float, grow_mm: float) -> Sha
     return stem.fuse(cone).moved(cq.Location(_parting_plane(spec)))
 
 
-def _bolt_holes(spec: ObjectSpec) -> list[cq.Solid]:
+def _bolt_holes(spec: ObjectSpec, *ends: Flange) -> list[cq.Solid]:
     long, along = 2 * FLANGE_THICKNESS_MM + 2 * OVERSHOOT_MM, cq.Vector(0, 0, 1)
     return [
         cq.Solid.makeCylinder(
             BOLT_HOLE_MM / 2, long, cq.Vector(across, level, -long / 2), along
         ).moved(cq.Location(_parting_plane(spec)))
-        for across, level in _bolt_places(spec)
+        for end in ends
+        for across, level in end.places_mm[1::2]
     ]

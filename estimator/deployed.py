@@ -6,6 +6,7 @@ import json
 import math
 from collections import deque
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -154,7 +155,7 @@ class LiveReader:
         self._resting = []
         self._recent.clear()
 
-    @property
+    @cached_property
     def _past(self) -> Bool[np.ndarray, "channel"]:
         return np.array([face >= HISTORY for face, _, _ in self.model.channels])
 

@@ -26,7 +26,7 @@ PRIOR = (1.0, 1.0, 1.0, 3.0, 3.0, 3.0, 0.02, 0.5)
 scale (a grade's range), ln of the modulus' scale."""
 LARGEST_SHIFT_MM = 3.0
 """Of each coordinate that a fit may take; sensors come no nearer to magnets than by about this."""
-_BOUNDS = (*(LARGEST_SHIFT_MM,) * 3, 10.0, 10.0, 10.0, 0.1, 1.5)
+BOUNDS = (*(LARGEST_SHIFT_MM,) * 3, 10.0, 10.0, 10.0, 0.1, 1.5)
 _FLOOR_COUNTS = 20.0
 _MODEL_ERROR = 0.2
 _EVALUATIONS = 15
@@ -116,7 +116,7 @@ def fit(
         wrong = (recorded - problem.predicted(assembly, first, case)) / sigma
         return np.concatenate([wrong[known], scaled])
 
-    bounds = np.array(_BOUNDS) / PRIOR
+    bounds = np.array(BOUNDS) / PRIOR
     found: Any = least_squares(
         residual, np.zeros(8), bounds=(-bounds, bounds), max_nfev=_EVALUATIONS, diff_step=1e-4
     )

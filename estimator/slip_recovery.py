@@ -19,14 +19,14 @@ from estimator.assembly import Assembly, counts_of, designed
 from estimator.dataset import NO_FACE, FrameSet
 from estimator.field import field_model
 from estimator.interpolation import counts_at_force, press_traces
-from estimator.pose_fit import LARGEST_SHIFT_MM, Calibration
+from estimator.pose_fit import BOUNDS, LARGEST_SHIFT_MM, Calibration
+from estimator.pose_fit import PRIOR as PRIOR_OF_NUISANCES
 from estimator.scene import min_distance_mm
 from estimator.signals import Signals
 from estimator.sources import magnet_source
 
-PRIOR = (1.0, 1.0, 1.0, 3.0, 3.0, 3.0)
-"""Standard deviations of the slip: shift (mm) and rotation vector (degrees)."""
-_LARGEST = (*(LARGEST_SHIFT_MM,) * 3, 10.0, 10.0, 10.0)
+PRIOR, _LARGEST = np.array(PRIOR_OF_NUISANCES[:6]), np.array(BOUNDS[:6])
+"""Standard deviations and largest values of the slip: shift (mm) and rotation vector (degrees)."""
 _MODEL_ERROR = 0.1
 """Error of the predicted change over its rms: magnets and sensors are off the design."""
 _CHUNK_FRAMES = 4000
@@ -66,19 +66,19 @@ def slip_from_rest(
     sigma = np.hypot(noise_counts, _MODEL_ERROR * rms)
 
     def missing(scaled: Float[np.ndarray, "6"]) -> Float[np.ndarray, "known"]:
-        x, y, z, a, b, c = (scaled * np.array(PRIOR)).tolist()
+        x, y, z, a, b, c = (scaled * PRIOR).tolist()
         moved = FoundSlip((x, y, z), (a, b, c), 0.0).applied(design).scene
         found = counts_of(spec, moved, rest, model)[0] - before
         return (change_counts - found)[known]
 
-    bounds = np.array(_LARGEST) / PRIOR
+    bounds = _LARGEST / PRIOR
     found: Any = least_squares(
         lambda scaled: np.concatenate([missing(scaled) / sigma, scaled]),
         np.zeros(6),
         bounds=(-bounds, bounds),
         diff_step=1e-4,
     )
-    x, y, z, a, b, c = (found.x * np.array(PRIOR)).tolist()
+    x, y, z, a, b, c = (found.x * PRIOR).tolist()
     left = float(np.sqrt(np.mean(missing(found.x) ** 2))) / rms
     return FoundSlip((x, y, z), (a, b, c), left)
 

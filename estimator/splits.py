@@ -55,11 +55,10 @@ def split_presses(
     spare = rng.permutation([int(rng.choice(pair)) for pair in pairs]).astype(int)
     validating = round(len(spare) * shares[1] / (shares[1] + shares[2]))
     part[spare] = np.where(np.arange(len(spare)) < validating, 1, 2)
-    single = rng.permutation(np.flatnonzero(np.isin(places, names[counts == 1])))
-    part[single] = _parts(len(single), shares)
-    return _as_split(
-        frames.press_id, presses, _fill_empty(part, np.isin(places, names[counts == 1]))
-    )
+    single = np.isin(places, names[counts == 1])
+    pooled = rng.permutation(np.flatnonzero(single))
+    part[pooled] = _parts(len(pooled), shares)
+    return _as_split(frames.press_id, presses, _fill_empty(part, single))
 
 
 def split_places(

@@ -97,9 +97,15 @@ def _grasp_force_n(recorded: SimulatedObject) -> float:
 
 def _one_face_at_a_time(recorded: SimulatedObject) -> FrameSet:
     """The collection that estimators are fitted to."""
-    count = min(FRAMES_PER_CASE, recorded.spec.collection.frames_per_case)
-    faces = list(recorded.spec.collection.grasp_faces)
-    return recorded.collect(faces=faces, frames_per_case=count)
+    return recorded.collect(**_collected(recorded))
+
+
+def _collected(recorded: SimulatedObject) -> dict[str, Any]:
+    wanted = recorded.spec.collection
+    return {
+        "faces": list(wanted.grasp_faces),
+        "frames_per_case": min(FRAMES_PER_CASE, wanted.frames_per_case),
+    }
 
 
 def _tested(recorded: SimulatedObject, frames: FrameSet, grasps: FrameSet) -> str:
@@ -125,11 +131,7 @@ def _fitted(
     from estimator.metrics import force_reference
     from estimator.splits import split_presses
 
-    label = {
-        "collection": "paper",
-        "faces": list(recorded.spec.collection.grasp_faces),
-        "frames_per_case": min(FRAMES_PER_CASE, recorded.spec.collection.frames_per_case),
-    }
+    label = {"collection": "paper"} | _collected(recorded)
     model, _, _ = fitted_to_split(recorded, frames, split_presses, face, label, model=name)
     return model, force_reference(face_data(frames, face).heatmap_n)
 
