@@ -38,8 +38,10 @@ def make_mould_half(spec: ObjectSpec, side: int) -> Solid:
         The dimensions do not give one valid solid.
     """
     room, ends = cast_room(spec), flanges(spec)
-    outer = join(walls(spec, room), cut(_flange(spec, *ends), room), *fins_to_walls(spec))
-    half = cut(common(outer, _half_space(spec, side)), *_holes(spec), *_bolt_holes(spec, *ends))
+    outer = join(walls(spec, room), cut(_flange(spec, *ends), room))
+    half_space, fins = _half_space(spec, side), fins_to_walls(spec)
+    half = cut(common(outer, half_space), *_holes(spec), *_bolt_holes(spec, *ends))
+    half = join(half, *(common(fin, half_space) for fin in fins))  # whole: vents may meet them
     bossed, grown = join(half, *fixed_bosses(spec, side)), 0.0 if side > 0 else play_mm(spec)
     dowels = [_dowel(spec, *place, grown) for end in ends for place in end.places_mm[::2]]
     joined = join(bossed, *dowels) if side > 0 else cut(bossed, *dowels)

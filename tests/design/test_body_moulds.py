@@ -48,6 +48,7 @@ CASES = {
     "split dome": {"mould": {"style": "split"}},
     "open at the side": {"body": {"open_faces": [3]}},
     "closed cylinder": {"body": {"open_faces": []}, "magnets": BESIDE},
+    "slits that meet the pouring hole": {"shell": {"slits": {"depth_mm": 1.2, "width_mm": 0.5}}},
 }
 KINDS = {
     "bored ellipsoid": "ellipsoid",
@@ -55,6 +56,7 @@ KINDS = {
     "split cylinder": "cylinder",
     "split dome": "dome_on_core",
     "open at the side": "closed_box",
+    "slits that meet the pouring hole": "closed_box",
     "closed cylinder": "cylinder",
 }
 LONG = ("sphere", "bored ellipsoid", "split dome", "split cylinder", "closed cylinder")
