@@ -22,9 +22,9 @@ from design.checks_print import (
     check_inhibition,
     check_walls,
 )
+from design.errors import NotOneSolid
 from design.finding import Finding, Place, at_least, place_of
 from design.parts import parts_of
-from design.solids import NotOneSolid
 from design.spec import ObjectSpec
 
 if TYPE_CHECKING:

@@ -13,6 +13,7 @@ import numpy as np
 from jaxtyping import Bool, Float
 
 from design.blocks import Block
+from design.errors import NotOneSolid
 
 if TYPE_CHECKING:
     import trimesh
@@ -61,6 +62,24 @@ class Trap:
     place_mm: Float[np.ndarray, "3"]
     normal: Float[np.ndarray, "3"]
     depth_mm: float
+
+
+def one_closed_surface(mesh: trimesh.Trimesh, part: str) -> trimesh.Trimesh:
+    """The mesh itself where it closes round one body, which may have voids.
+
+    Raises
+    ------
+    NotOneSolid
+        An InputError: several pieces, none, or a surface that is not closed.
+    """
+    outsides = sum(piece.volume > 0 for piece in mesh.split(only_watertight=False))
+    if outsides != 1 or not mesh.is_watertight:
+        raise NotOneSolid(
+            f"{part} must be one closed body; these dimensions give {outsides}. Move its recesses, "
+            "holes or pockets apart, or make them smaller",
+            mesh,
+        )
+    return mesh
 
 
 def thinnest_wall(mesh: trimesh.Trimesh) -> ThinnestWall | None:

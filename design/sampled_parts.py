@@ -10,8 +10,8 @@ from design.blocks import core_keys, relief_slits
 from design.body import core_half_mm
 from design.body_surface import block_surface, cavity_surface, outer_surface
 from design.core_hold import Locator, core_outlet, locators
-from design.errors import InputError
 from design.layouts import FaceFrame, core_frames, face_frames
+from design.mesh_checks import one_closed_surface
 from design.mould_frame import cast_corners_mm
 from design.pockets import Pocket, sensor_places, shell_pockets
 from design.sampled_body import sampled_core
@@ -34,8 +34,8 @@ def sampled_shell(spec: ObjectSpec) -> trimesh.Trimesh:
 
     Raises
     ------
-    InputError
-        The dimensions do not give one closed surface.
+    NotOneSolid
+        An InputError: the dimensions do not give one closed surface.
     """
     pockets = [
         _pocket(frame.tangent(pocket.body.centre_mm[:2]), pocket)
@@ -72,8 +72,8 @@ def sampled_core_part(spec: ObjectSpec) -> trimesh.Trimesh:
 
     Raises
     ------
-    InputError
-        The dimensions do not give one closed surface.
+    NotOneSolid
+        An InputError: the dimensions do not give one closed surface.
     """
     removed = []
     for frame, places in zip(core_frames(spec), sensor_places(spec), strict=True):
@@ -151,10 +151,4 @@ def _one(body: trimesh.Trimesh, removed: list[trimesh.Trimesh], name: str) -> tr
     import trimesh
 
     part = trimesh.boolean.difference([body, *removed], engine="manifold")
-    solids = sum(piece.volume > 0 for piece in part.split(only_watertight=False))
-    if solids != 1 or not part.is_watertight:
-        raise InputError(
-            f"{name} must be one closed body; these dimensions give {solids}. Move its recesses, "
-            "holes or pockets apart, or make them smaller"
-        )
-    return part
+    return one_closed_surface(part, name)

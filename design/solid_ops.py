@@ -13,7 +13,8 @@ import cadquery as cq
 import numpy as np
 import trimesh
 
-from design.solids import NotOneSolid, single_solid
+from design.mesh_checks import one_closed_surface
+from design.solids import single_solid
 
 Shape: TypeAlias = cq.Shape | trimesh.Trimesh
 Solid: TypeAlias = cq.Solid | trimesh.Trimesh
@@ -67,14 +68,7 @@ def one_body(shape: Shape, part: str) -> Solid:
     """
     if isinstance(shape, cq.Shape):
         return single_solid(shape, part)
-    outsides = sum(piece.volume > 0 for piece in shape.split(only_watertight=False))
-    if outsides != 1 or not shape.is_watertight:
-        raise NotOneSolid(
-            f"{part} must be one closed body; these dimensions give {outsides}. Move its recesses, "
-            "holes or pockets apart, or make them smaller",
-            shape,
-        )
-    return shape
+    return one_closed_surface(shape, part)
 
 
 def as_triangles(shape: Shape) -> trimesh.Trimesh:

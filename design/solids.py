@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import cadquery as cq
 import numpy as np
 
 from design.blocks import Block
-from design.errors import InputError
+from design.errors import NotOneSolid
 from design.layouts import FaceFrame
 from design.pockets import Pocket
 
@@ -132,14 +131,6 @@ def _prism(
     base = cq.Wire.makePolygon(corners, close=True)
     up = cq.Vector(0, 0, axis.Length)
     return cq.Solid.extrudeLinear(base, [], up, taper=-draft_deg).moved(placed)
-
-
-class NotOneSolid(InputError):
-    """A part that came out in pieces or invalid; `shape`, a solid or triangles, is what was made."""
-
-    def __init__(self, message: str, shape: Any) -> None:
-        super().__init__(message)
-        self.shape = shape
 
 
 def single_solid(shape: cq.Shape, part: str) -> cq.Solid:

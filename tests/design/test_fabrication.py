@@ -6,6 +6,7 @@ from pathlib import Path
 import cadquery as cq
 import numpy as np
 import pytest
+from body_cases import body_spec
 from numpy.testing import assert_allclose
 
 from design.checks_assembly import check_electronics, check_pockets
@@ -18,7 +19,7 @@ from design.checks_print import (
     check_walls,
 )
 from design.core import make_core
-from design.errors import InputError
+from design.errors import InputError, NotOneSolid
 from design.fabrication import check_fabrication, check_solid, mesh_of
 from design.finding import at_least
 from design.mould import make_mould_box
@@ -26,7 +27,7 @@ from design.mould_frame import mould_style
 from design.mould_plug import make_mould_plug
 from design.parts import Part
 from design.shell import make_shell
-from design.solids import NotOneSolid, box_between
+from design.solids import box_between
 from design.spec_io import load_spec, parse_spec
 from design.split_mould import make_mould_half
 
@@ -251,6 +252,16 @@ def test_pieces_are_handed_on():
             )
         )
     assert caught.value.shape.Volume() >= 0
+
+
+def test_a_sampled_part_in_pieces_is_a_finding_and_the_checks_go_on():
+    wide = {"wire_hole_side_diameter_mm": 24.0}  # leaves four corners of a core 44 × 34 × 28 mm
+    checked = check_fabrication(body_spec("ellipsoid", core=wide, mesh={"envelope_mm": 0.3}))
+    whole = found(checked.findings, "one solid", "core")
+    assert (whole.status, whole.value) == ("fail", 4)
+    assert abs(np.asarray(whole.place_mm))[:2].min() > 8
+    assert found(checked.findings, "fits the bed", "core").status == "pass"
+    assert found(checked.findings, "one solid", "probe_3").status == "pass"
 
 
 @pytest.mark.slow
