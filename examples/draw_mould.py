@@ -9,7 +9,6 @@ import sys
 from pathlib import Path
 
 import numpy as np
-import trimesh
 
 from design.core_hold import locators
 from design.mould_frame import mould_frame, parting
@@ -17,52 +16,41 @@ from design.mould_pins import loose_pins, make_pin
 from design.mould_plug import make_mould_holder, make_mould_plug
 from design.mould_room import core_outside
 from design.parts import parts_of
-from design.solid_ops import as_triangles
+from design.solid_ops import Shape, as_triangles
 from design.spec import ObjectSpec
 from design.spec_io import load_spec
 from design.split_mould import make_mould_half
-from instobj.report.parts_figure import PartView, camera_axes, depth_image, shade
+from instobj.report.pieces import Piece, moved, picture_of
 
 HALF, OTHER_HALF, ROD = (0.66, 0.77, 0.62), (0.58, 0.70, 0.56), (0.76, 0.70, 0.84)
-CORE, PIN, SHELL = (0.55, 0.66, 0.78), (0.80, 0.45, 0.30), (0.93, 0.84, 0.68)
+CORE, PIN = (0.55, 0.66, 0.78), (0.80, 0.45, 0.30)
 APART = 0.75
 """How far the halves are drawn, of the body's largest edge."""
 
 
-def pieces(
-    spec: ObjectSpec, apart_mm: float
-) -> list[tuple[trimesh.Trimesh, tuple[float, float, float]]]:
+def pieces(spec: ObjectSpec, apart_mm: float) -> list[Piece]:
     """Half B with what it holds where it stands, half A and the pins drawn out."""
     frame, normal = mould_frame(spec), parting(spec).normal
     core = {part.name: part for part in parts_of(spec)}["core"]
+    inside = core.make() if frame.opening != "closed" else core_outside(spec)
     shown = [
-        (_moved(make_mould_half(spec, 1), apart_mm * normal), HALF),
-        (_moved(make_mould_half(spec, -1), -apart_mm * normal), OTHER_HALF),
-        (_moved(core.make() if frame.opening != "closed" else core_outside(spec)), CORE),
+        piece(make_mould_half(spec, 1), HALF, apart_mm * normal),
+        piece(make_mould_half(spec, -1), OTHER_HALF, -apart_mm * normal),
+        piece(inside, CORE, np.zeros(3)),
     ]
     if frame.plugged:
         made = make_mould_holder(spec) if frame.opening == "bore" else make_mould_plug(spec)
-        shown.append((_moved(made), ROD))
+        shown.append(piece(made, ROD, np.zeros(3)))
     for pin in loose_pins(spec):
         side = float(np.sign(np.round(pin.axis_mm[1] @ normal, 6)))
-        shown.append((_moved(make_pin(spec, pin), side * apart_mm * normal + 16.0 * pin.way), PIN))
+        drawn_mm = side * apart_mm * normal + 16.0 * pin.way
+        shown.append(piece(make_pin(spec, pin), PIN, drawn_mm))
     return shown
 
 
-def _moved(shape: object, by_mm: np.ndarray | None = None) -> trimesh.Trimesh:
-    mesh = as_triangles(shape).copy()  # pyright: ignore[reportArgumentType]
-    mesh.apply_translation(np.zeros(3) if by_mm is None else by_mm)
-    return mesh
-
-
-def joined(meshes: list[trimesh.Trimesh]) -> trimesh.Trimesh:
-    """All triangles as one mesh."""
-    start = np.cumsum([0, *(len(mesh.vertices) for mesh in meshes)])
-    return trimesh.Trimesh(
-        np.concatenate([mesh.vertices for mesh in meshes]),
-        np.concatenate([m.faces + first for m, first in zip(meshes, start, strict=False)]),
-        process=False,
-    )
+def piece(shape: Shape, colour: tuple[float, float, float], by_mm: np.ndarray) -> Piece:
+    """A part as triangles, moved."""
+    return Piece(moved(as_triangles(shape), by_mm), colour)
 
 
 def draw(spec: ObjectSpec, target: Path) -> None:
@@ -71,19 +59,14 @@ def draw(spec: ObjectSpec, target: Path) -> None:
 
     frame = mould_frame(spec)
     shown = pieces(spec, APART * max(spec.body.size_mm))
-    whole = joined([mesh for mesh, _ in shown])
-    colours = np.concatenate([np.tile(colour, (len(mesh.faces), 1)) for mesh, colour in shown])
     side = np.cross(frame.out, parting(spec).normal)
     x, y, z = (side + 0.35 * parting(spec).normal + 0.6 * frame.out).tolist()
     up_x, up_y, up_z = frame.out.tolist()
-    view = PartView("mould", "", (x, y, z), (up_x, up_y, up_z), colours)
-    camera = camera_axes(view.towards_viewer, view.up)
-    image = depth_image(np.asarray(whole.triangles) @ camera.T)
-    picture = shade(image, whole, camera, view)
-    left, right, bottom, top = image.extent_mm
+    picture = picture_of(shown, (x, y, z), (up_x, up_y, up_z))
+    left, right, bottom, top = picture.extent_mm
     figure = Figure(figsize=(11, 11 * (top - bottom) / (right - left)), layout="constrained")
     axes = figure.subplots()
-    axes.imshow(picture, extent=image.extent_mm)
+    axes.imshow(picture.rgb, extent=picture.extent_mm)
     axes.set_axis_off()
     held = "locating pins" if locators(spec) else "rod" if frame.opening == "bore" else "plug"
     axes.set_title(f"Split mould of {spec.name}: halves, pins drawn outwards, core and {held}")

@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
 from jaxtyping import Float
 
 from design.files import atomic_path
 from design.spec import ObjectSpec
-from instobj.report.parts_figure import PartView, camera_axes, depth_image, load_stl, shade
-
-if TYPE_CHECKING:
-    import trimesh
+from instobj.report.parts_figure import load_stl
+from instobj.report.pieces import Piece, moved, picture_of
 
 _TOWARDS = (1.0, -1.25, 0.6)
 _UP = (0.0, 0.0, 1.0)
@@ -33,49 +29,25 @@ _PRINTED = {
 }
 
 
-@dataclass(frozen=True)
-class Piece:
-    """Triangles in their place in the view, a colour each, and what is written beside them."""
-
-    mesh: trimesh.Trimesh
-    colour: tuple[float, float, float]
-    label: str = ""
-
-
 def draw_exploded(spec: ObjectSpec, folder: Path, png_path: Path) -> Path:
     """Draw the parts of a build above each other, in the order in which they go together."""
     from matplotlib.figure import Figure
 
     pieces = _pieces(spec, folder)
-    whole = _joined([piece.mesh for piece in pieces])
-    colours = np.concatenate([np.tile(p.colour, (len(p.mesh.faces), 1)) for p in pieces])
-    camera = camera_axes(_TOWARDS, _UP)
-    image = depth_image(np.asarray(whole.triangles) @ camera.T)
-    picture = shade(image, whole, camera, PartView("all", "", _TOWARDS, _UP, colours))
-    left, right, bottom, top = image.extent_mm
+    picture = picture_of(pieces, _TOWARDS, _UP)
+    left, right, bottom, top = picture.extent_mm
     figure = Figure(figsize=(11 * (right - left) / (top - bottom) + 2.4, 11), layout="constrained")
     axes = figure.subplots()
-    axes.imshow(picture, extent=image.extent_mm)
+    axes.imshow(picture.rgb, extent=picture.extent_mm)
     for piece in pieces:
         if piece.label:
-            seen = piece.mesh.vertices @ camera.T
+            seen = piece.mesh.vertices @ picture.camera.T
             height = (seen[:, 1].min() + seen[:, 1].max()) / 2
             axes.text(right + 2, height, piece.label, va="center", fontsize=12)
     axes.set_axis_off()
     with atomic_path(png_path) as path:
         figure.savefig(path, dpi=90, format="png", bbox_inches="tight")
     return png_path
-
-
-def _joined(meshes: list[trimesh.Trimesh]) -> trimesh.Trimesh:
-    import trimesh
-
-    start = np.cumsum([0, *(len(mesh.vertices) for mesh in meshes)])
-    return trimesh.Trimesh(
-        np.concatenate([mesh.vertices for mesh in meshes]),
-        np.concatenate([m.faces + first for m, first in zip(meshes, start, strict=False)]),
-        process=False,
-    )
 
 
 def _pieces(spec: ObjectSpec, folder: Path) -> list[Piece]:
@@ -102,8 +74,8 @@ def _pieces(spec: ObjectSpec, folder: Path) -> list[Piece]:
         shift = np.array([0.0, 0.0, level - high - reach])
         for name in present:
             aside = _aside(spec, name) + shift
-            pieces.append(Piece(_moved(parts[name], aside), _PRINTED[name], name.replace("_", " ")))
-        pieces += [Piece(_moved(piece.mesh, shift), piece.colour) for piece in extra]
+            pieces.append(Piece(moved(parts[name], aside), _PRINTED[name], name.replace("_", " ")))
+        pieces += [Piece(moved(piece.mesh, shift), piece.colour) for piece in extra]
         level -= high - low + 2 * reach + _GAP_MM
     return pieces
 
@@ -128,7 +100,7 @@ def _around(spec: ObjectSpec, name: str) -> list[Piece]:
         layout = magnet_layout(spec)
         out = _outward(layout.centre_mm, layout.axis) * _OUT_MM
         return [
-            Piece(_moved(half, way), colour)
+            Piece(moved(half, way), colour)
             for halves, way in zip(magnet_halves(spec, layout), out, strict=True)
             for half, colour in zip(halves, (_NORTH, _SOUTH), strict=True)
         ]
@@ -152,9 +124,3 @@ def _outward(centre_mm: np.ndarray, axis: np.ndarray) -> np.ndarray:
     """Axes turned so that they point away from the middle."""
     sign = np.sign(np.einsum("nk,nk->n", centre_mm - centre_mm.mean(axis=0), axis))
     return np.where(sign < 0, -1.0, 1.0)[:, None] * axis
-
-
-def _moved(mesh: trimesh.Trimesh, by_mm: np.ndarray) -> trimesh.Trimesh:
-    copy = mesh.copy()
-    copy.apply_translation(by_mm)
-    return copy
