@@ -56,13 +56,13 @@ def _pieces(spec: ObjectSpec, folder: Path) -> list[Piece]:
         name: load_stl(path) for name in _PRINTED if (path := folder / f"{name}.stl").is_file()
     }
     level, pieces = 0.0, []
-    for names in (
-        ("mould_box",),
-        ("mould_half_a", "mould_half_b"),
-        ("shell",),
-        ("core",),
-        ("mould_plug",),
-        ("mould_holder",),
+    for label, names in (
+        ("mould box", ("mould_box",)),
+        ("mould halves", ("mould_half_a", "mould_half_b")),
+        ("shell", ("shell",)),
+        ("core", ("core",)),
+        ("mould plug", ("mould_plug",)),
+        ("mould holder", ("mould_holder",)),
     ):
         present = [name for name in names if name in parts]
         if not present:
@@ -73,8 +73,10 @@ def _pieces(spec: ObjectSpec, folder: Path) -> list[Piece]:
         reach = _OUT_MM if extra else 0.0
         shift = np.array([0.0, 0.0, level - high - reach])
         for name in present:
-            aside = _aside(spec, name) + shift
-            pieces.append(Piece(moved(parts[name], aside), _PRINTED[name], name.replace("_", " ")))
+            text = label if name == present[0] else ""
+            pieces.append(
+                Piece(moved(parts[name], _aside(spec, name) + shift), _PRINTED[name], text)
+            )
         pieces += [Piece(moved(piece.mesh, shift), piece.colour) for piece in extra]
         level -= high - low + 2 * reach + _GAP_MM
     return pieces
