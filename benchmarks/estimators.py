@@ -5,22 +5,22 @@
 Both are trained on the same simulated presses of one face for the same wall-clock time, one thread,
 half of the minutes each, and judged on presses that neither saw. Ours is trained once more, in a
 fifth of the minutes (two of ten). Presses are made up and smooth (those of `scores.py`) with the
-sensors' measured noise. Finished trainings stand in `estimators_parts` until all are: an
-interrupted run goes on from them. Writes `estimators.json` and `estimators.png`.
+sensors' measured noise. Finished trainings stand in a folder `estimators_parts_…` until all are:
+an interrupted run goes on from them. Writes `estimators.json` and `estimators.png`.
 """
 
 from __future__ import annotations
 
-import json
 import shutil
 import sys
 import tempfile
 import time
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 import torch
-from harness import Result, conclude, machine, option_parser, results_folder
+from harness import Result, conclude, kept, machine, option_parser, parts_folder
 from scores import made_up_presses
 
 from design.files import atomic_path
@@ -68,11 +68,8 @@ def made_frames(quick: bool) -> FrameSet:
 
 
 def trained(name: str, frames: FrameSet, split: Split, budget_s: float, parts: Path) -> Result:
-    """One recipe within its budget, with the time of an epoch as measured; kept in `parts`."""
+    """One recipe within its budget, with the time of an epoch as measured; weights to `parts`."""
     model_name = name.split(",")[0]
-    kept, weights = parts / f"{name}.json", parts / f"{name}.safetensors"
-    if kept.is_file():
-        return json.loads(kept.read_text(encoding="utf-8"))
     marks: list[float] = []
     epochs = PAPER_EPOCHS if model_name == "paper" else 60
     training = TrainingSpec(model=model_name, epochs=epochs, patience_epochs=epochs)
@@ -84,7 +81,8 @@ def trained(name: str, frames: FrameSet, split: Split, budget_s: float, parts: P
     )
     whole = np.diff(marks[:-1]) if len(marks) > 2 else np.array(marks[:1])
     scores = evaluate_face(model, frames.select(split.test), frames)
-    result = {
+    save_model(model, parts / f"{name}.safetensors")
+    return {
         "epochs": len(marks),
         "seconds": marks[-1],
         "seconds_an_epoch": float(np.median(whole)),
@@ -94,10 +92,14 @@ def trained(name: str, frames: FrameSet, split: Split, budget_s: float, parts: P
         "A_non": scores.non_contact_accuracy,
         "weights": sum(p.numel() for p in model.network.parameters()),
     }
-    save_model(model, weights)
-    with atomic_path(kept) as temporary:
-        temporary.write_text(json.dumps(result), encoding="utf-8")
-    return result
+
+
+def all_trained(frames: FrameSet, split: Split, whole_s: float, parts: Path) -> Result:
+    """Every recipe within its share of the time, those that `parts` holds from there."""
+    return {
+        name: kept(parts, name, partial(trained, name, frames, split, share * whole_s, parts))
+        for name, share in SHARES.items()
+    }
 
 
 def inference(models: dict[str, FaceModel], quick: bool) -> Result:
@@ -127,13 +129,11 @@ def frame_ms(model: DeployedModel, repeats: int) -> float:
 
 
 def measured(quick: bool, minutes: float, parts: Path) -> Result:
-    """Train, judge, time; what `parts` already holds is not done again."""
+    """Train, judge, time."""
     frames = made_frames(quick)
     split = split_presses(frames, SEED)
     whole_s = 6.0 if quick else 60.0 * minutes
-    recipes = {
-        name: trained(name, frames, split, share * whole_s, parts) for name, share in SHARES.items()
-    }
+    recipes = all_trained(frames, split, whole_s, parts)
     models = {name: load_model(parts / f"{name}.safetensors") for name in ("compact", "paper")}
     share = PAPER_FRAMES / int(split.train.sum())
     epoch_s = recipes["paper"]["seconds_an_epoch"] * share
@@ -214,7 +214,7 @@ def main(arguments: list[str]) -> None:
     torch.set_num_threads(1)
     result = {"machine": machine(1, ("torch", "onnxruntime")), "quick": options.quick}
     form = "quick" if options.quick else f"{options.minutes:g}_min"
-    parts = results_folder(options, result) / f"estimators_parts_{form}"
+    parts = parts_folder("estimators", form, options, result)
     result |= measured(options.quick, options.minutes, parts)
     conclude("estimators", options, result, report, draw)
     shutil.rmtree(parts)

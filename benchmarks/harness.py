@@ -71,6 +71,20 @@ def results_folder(options: argparse.Namespace, result: Result) -> Path:
     return options.out or Path(__file__).parent / "results" / (slug or "unknown")
 
 
+def parts_folder(name: str, form: str, options: argparse.Namespace, result: Result) -> Path:
+    """Where finished parts of one form of a benchmark stand until all are."""
+    return results_folder(options, result) / f"{name}_parts_{form}"
+
+
+def kept(parts: Path, name: str, measure: Callable[[], Any]) -> Any:
+    """A part of the run, measured or read from where an interrupted run left it."""
+    path = parts / f"{name}.json"
+    if not path.is_file():
+        with atomic_path(path) as temporary:
+            temporary.write_text(json.dumps(measure()), encoding="utf-8")
+    return json.loads(path.read_text(encoding="utf-8"))
+
+
 def peak_memory_gb() -> float:
     """Largest resident memory of this process so far.
 

@@ -16,12 +16,11 @@ import os
 import shutil
 import subprocess
 import sys
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from harness import conclude, machine, option_parser, peak_memory_gb, results_folder
+from harness import conclude, kept, machine, option_parser, parts_folder, peak_memory_gb
 from mechanics_peers import Problem
 from mechanics_solves import Contest, contests, solve_taylor_hood
 from mechanics_table import QUICK_MESH, table
@@ -91,15 +90,6 @@ def block_of(cells: int) -> dict[str, Any]:
         "total_s": solved.total_s,
         "peak_gb": peak_memory_gb(),
     }
-
-
-def kept(parts: Path, name: str, measure: Callable[[], Any]) -> Any:
-    """A part of the run, measured or read from where an interrupted run left it."""
-    path = parts / f"{name}.json"
-    if not path.is_file():
-        with atomic_path(path) as temporary:
-            temporary.write_text(json.dumps(measure()), encoding="utf-8")
-    return json.loads(path.read_text(encoding="utf-8"))
 
 
 def in_own_process(*arguments: str) -> dict[str, Any]:
@@ -203,7 +193,7 @@ def main(arguments: list[str] | None = None) -> None:
         "quick": options.quick,
     }
     form = "quick" if options.quick else "full"
-    parts = results_folder(options, result) / f"mechanics_parts_{form}"
+    parts = parts_folder("mechanics", form, options, result)
 
     def block(cells: int) -> dict[str, Any]:
         return kept(parts, f"block_{cells}", lambda: in_own_process("--block", str(cells)))

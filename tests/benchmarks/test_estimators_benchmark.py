@@ -1,6 +1,7 @@
 """The benchmark of estimators runs, and its figures hang together."""
 
 import importlib
+import json
 from pathlib import Path
 
 import pytest
@@ -26,8 +27,22 @@ def test_an_interrupted_run_goes_on_from_finished_trainings(tmp_path, monkeypatc
     estimators = importlib.import_module("estimators")
     frames = estimators.made_frames(True)
     split = estimators.split_presses(frames, 1)
-    first = estimators.trained("compact", frames, split, 0.5, tmp_path)
-    monkeypatch.setattr(estimators, "fit_estimator", None)
-    assert estimators.trained("compact", frames, split, 0.5, tmp_path) == first
-    with pytest.raises(TypeError, match="not callable"):
-        estimators.trained("paper", frames, split, 0.5, tmp_path)
+    fit, begun, stopped = estimators.fit_estimator, [], ["paper"]
+
+    def stoppable(train, validation, settings, progress):
+        begun.append(settings.training.model)
+        if begun[-1] in stopped:
+            raise KeyboardInterrupt
+        return fit(train, validation, settings, progress=progress)
+
+    monkeypatch.setattr(estimators, "fit_estimator", stoppable)
+    with pytest.raises(KeyboardInterrupt):
+        estimators.all_trained(frames, split, 1.0, tmp_path)
+    first = (tmp_path / "compact.json").read_text()
+    assert begun == ["compact", "paper"]
+    stopped.clear()
+    whole = estimators.all_trained(frames, split, 1.0, tmp_path)
+    assert begun == ["compact", "paper", "paper", "compact"], "the last is the short one"
+    assert whole["compact"] == json.loads(first)
+    assert estimators.all_trained(frames, split, 1.0, tmp_path) == whole
+    assert len(begun) == 4
