@@ -31,8 +31,10 @@ FACE_AXES = {
 STEEPEST = np.tan(np.deg2rad(60))
 """Slope up to which a patch of a curved surface reaches."""
 
-SAMPLED = ("ellipsoid", "imported")
-"""Kinds whose core is an offset of a triangulated surface."""
+
+def is_sampled(spec: ObjectSpec) -> bool:
+    """Whether the body is known by its triangles, its core an offset of them, and so its mould."""
+    return spec.body.kind in ("ellipsoid", "imported")
 
 
 def face_frames(spec: ObjectSpec) -> tuple[FaceFrame, ...]:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from jaxtyping import Float
 
-from design.body import SAMPLED, core_frames, core_half_mm, face_frames
+from design.body import core_frames, core_half_mm, face_frames, is_sampled
 from design.mould_frame import opening_of
 from design.patch import FaceFrame
 from design.pockets import Pocket, shell_pockets
@@ -83,7 +83,7 @@ class Outlet:
 def wire_hole_diameter_mm(spec: ObjectSpec, face: int) -> float:
     """Of the hole in the middle of a face of the core."""
     core = spec.core
-    if face == TOP_FACE and spec.body.kind not in SAMPLED:
+    if face == TOP_FACE and not is_sampled(spec):
         return core.wire_hole_top_diameter_mm
     return core.wire_hole_side_diameter_mm
 
@@ -165,7 +165,7 @@ def _common_area_mm2(radius_mm: float, pocket: Pocket) -> float:
 
 def _floor_mm(spec: ObjectSpec) -> float:
     """Level at which the −z axis leaves the core."""
-    if spec.body.kind not in SAMPLED:
+    if not is_sampled(spec):
         return -float(core_half_mm(spec)[2])
     from design.sampled_body import sampled_core
 

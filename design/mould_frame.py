@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 from jaxtyping import Float
 
-from design.body import FACE_AXES, SAMPLED, base_top_mm, core_half_mm
+from design.body import FACE_AXES, base_top_mm, core_half_mm
 
 if TYPE_CHECKING:
     import trimesh
@@ -236,8 +236,3 @@ def least_undercut(surface: trimesh.Trimesh, normal: Float[np.ndarray, "3"]) -> 
         return float(wrong[middle]), 0.0
     ends = place[[max(least - 1, 0), min(least, len(place) - 1)]]
     return float(wrong[least]), float(ends.mean())
-
-
-def is_sampled(spec: ObjectSpec) -> bool:
-    """Whether the body is known by its triangles, and so its mould."""
-    return spec.body.kind in SAMPLED

@@ -6,9 +6,9 @@ import cadquery as cq
 import numpy as np
 
 from design.blocks import core_keys
-from design.body import sphere_centre_mm
+from design.body import is_sampled, sphere_centre_mm
 from design.body_solids import core_solid
-from design.mould_frame import MouldFrame, is_sampled, mould_frame
+from design.mould_frame import MouldFrame, mould_frame
 from design.sampled_body import sampled_core
 from design.sampled_parts import cast_surface
 from design.shell import cast_envelope

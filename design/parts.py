@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Literal
 
 import cadquery as cq
 
-from design.body import SAMPLED
+from design.body import is_sampled
 from design.core import make_core
 from design.jig import make_jig
 from design.layouts import face_frames
@@ -46,7 +46,7 @@ class Part:
 def parts_of(spec: ObjectSpec) -> tuple[Part, ...]:
     """Core, shell, mould, probes, jig and magnet templates, in the order of the manifest."""
     probes = [Part(f"probe_{tips}", partial(make_probe, spec, tips)) for tips in (1, 2, 3)]
-    if spec.body.kind in SAMPLED:
+    if is_sampled(spec):
         return (
             Part("core", partial(sampled_core_part, spec)),
             Part("shell", partial(sampled_shell, spec), "silicone"),

@@ -10,13 +10,14 @@ from body_cases import body_spec
 from numpy.testing import assert_allclose
 from pydantic import ValidationError
 
+from design.body import is_sampled
 from design.checks_casting import check_casting
 from design.core import make_core
 from design.core_hold import core_outlet, locators, why_no_mould
 from design.import_body import body_of_file
 from design.mesh_checks import high_points
 from design.mould import inside_of_mould, mould_around
-from design.mould_frame import is_sampled, least_undercut, mould_frame, mould_style, parting, up
+from design.mould_frame import least_undercut, mould_frame, mould_style, parting, up
 from design.mould_openings import air_traps, mould_holes, pour_holes
 from design.mould_pins import loose_pins, make_pin
 from design.mould_plug import make_mould_holder
