@@ -46,16 +46,12 @@ class Part:
 def parts_of(spec: ObjectSpec) -> tuple[Part, ...]:
     """Core, shell, mould, probes, jig and magnet templates, in the order of the manifest."""
     probes = [Part(f"probe_{tips}", partial(make_probe, spec, tips)) for tips in (1, 2, 3)]
-    if is_sampled(spec):
-        return (
-            Part("core", partial(sampled_core_part, spec)),
-            Part("shell", partial(sampled_shell, spec), "silicone"),
-            *_mould(spec),
-            *probes,
-        )
+    core, shell = (
+        (sampled_core_part, sampled_shell) if is_sampled(spec) else (make_core, make_shell)
+    )
     return (
-        Part("core", partial(make_core, spec)),
-        Part("shell", partial(make_shell, spec), "silicone"),
+        Part("core", partial(core, spec)),
+        Part("shell", partial(shell, spec), "silicone"),
         *_mould(spec),
         *probes,
         *_jig(spec),
@@ -64,8 +60,9 @@ def parts_of(spec: ObjectSpec) -> tuple[Part, ...]:
 
 
 def _jig(spec: ObjectSpec) -> list[Part]:
-    """None for a closed box: the jig's post reaches into the core's cavity."""
-    if spec.body.kind == "box" and 6 not in spec.body.opened:
+    """None for a closed box, as the jig's post reaches into the core's cavity, nor for triangles."""
+    closed_box = spec.body.kind == "box" and 6 not in spec.body.opened
+    if closed_box or is_sampled(spec):
         return []
     return [Part("jig", partial(make_jig, spec))]
 
