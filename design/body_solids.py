@@ -12,7 +12,7 @@ from design.body import base_top_mm, core_half_mm, sphere_centre_mm
 from design.body_surface import open_span_mm
 from design.core_hold import core_outlet
 from design.errors import InputError
-from design.solids import OVERSHOOT_MM, box_between
+from design.solids import OVERSHOOT_MM, box_between, rod_about_z
 from design.spec import ObjectSpec
 
 _Z = cq.Vector(0, 0, 1)
@@ -58,13 +58,13 @@ def core_hollow(spec: ObjectSpec) -> list[cq.Solid]:
         bottom = -core_half_mm(spec)[2] - OVERSHOOT_MM
         return [box_between((-half[0], -half[1], bottom), half)]
     bottom = -core_half_mm(spec)[2] - OVERSHOOT_MM
-    return [_cylinder_between(float(half[0]), float(bottom), float(half[2]))]
+    return [rod_about_z(float(half[0]), float(bottom), float(half[2]))]
 
 
 def _ball_hollow(spec: ObjectSpec, radius_mm: float) -> cq.Solid:
     """A ball with its outlet, which alone is cut where there is no room for the ball."""
     outlet = core_outlet(spec)
-    bore = _cylinder_between(outlet.radius_mm, -spec.body.size_mm[2] / 2, 0.0)
+    bore = rod_about_z(outlet.radius_mm, -spec.body.size_mm[2] / 2, 0.0)
     hollow = bore if radius_mm <= 0 else _sphere_at(radius_mm, np.zeros(3)).fuse(bore)
     return hollow.cut(box_between(*outlet.key_mm)).Solids()[0]
 
@@ -76,10 +76,6 @@ def _exact(kinds: dict[str, Callable[..., Solid]], spec: ObjectSpec) -> Callable
             "its STL"
         )
     return kinds[spec.body.kind]
-
-
-def _cylinder_between(radius_mm: float, low_mm: float, high_mm: float) -> cq.Solid:
-    return cq.Solid.makeCylinder(radius_mm, high_mm - low_mm, cq.Vector(0, 0, low_mm), _Z)
 
 
 def _sphere_at(radius_mm: float, centre_mm: np.ndarray) -> cq.Solid:
@@ -103,7 +99,7 @@ def _pad(spec: ObjectSpec) -> cq.Solid:
 
 def _cylinder(spec: ObjectSpec) -> cq.Solid:
     radius, _, half = np.asarray(spec.body.size_mm) / 2
-    return _cylinder_between(float(radius), float(-half), float(half))
+    return rod_about_z(float(radius), float(-half), float(half))
 
 
 def _sphere(spec: ObjectSpec) -> cq.Solid:
@@ -120,7 +116,7 @@ def _box_cavity(spec: ObjectSpec, overshoot_mm: float) -> cq.Solid:
 
 def _cylinder_cavity(spec: ObjectSpec, overshoot_mm: float) -> cq.Solid:
     low, high = open_span_mm(spec, overshoot_mm)
-    return _cylinder_between(float(core_half_mm(spec)[0]), float(low[2]), float(high[2]))
+    return rod_about_z(float(core_half_mm(spec)[0]), float(low[2]), float(high[2]))
 
 
 def _sphere_cavity(spec: ObjectSpec, overshoot_mm: float) -> cq.Solid:
@@ -128,7 +124,7 @@ def _sphere_cavity(spec: ObjectSpec, overshoot_mm: float) -> cq.Solid:
     if 6 not in spec.body.opened:
         return ball
     low = -spec.body.size_mm[2] / 2 - overshoot_mm
-    return ball.fuse(_cylinder_between(spec.body.bore_mm / 2, low, 0.0)).Solids()[0]
+    return ball.fuse(rod_about_z(spec.body.bore_mm / 2, low, 0.0)).Solids()[0]
 
 
 def _dome_cavity(spec: ObjectSpec, overshoot_mm: float) -> cq.Solid | None:
@@ -149,7 +145,7 @@ def _pad_core(spec: ObjectSpec) -> cq.Solid:
 
 def _cylinder_core(spec: ObjectSpec) -> cq.Solid:
     radius, _, half = core_half_mm(spec)
-    return _cylinder_between(float(radius), float(-half), float(half))
+    return rod_about_z(float(radius), float(-half), float(half))
 
 
 def _sphere_core(spec: ObjectSpec) -> cq.Solid:
@@ -159,7 +155,7 @@ def _sphere_core(spec: ObjectSpec) -> cq.Solid:
 def _dome_core(spec: ObjectSpec) -> cq.Solid:
     """The base, and a rigid dome on it where that is inside."""
     radius, _, half = np.asarray(spec.body.size_mm) / 2
-    base = _cylinder_between(float(radius), float(-half), base_top_mm(spec))
+    base = rod_about_z(float(radius), float(-half), base_top_mm(spec))
     if spec.body.inside != "core":
         return base
     inner = _sphere_at(float(radius) - spec.shell.thickness_mm, sphere_centre_mm(spec))

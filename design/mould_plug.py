@@ -25,7 +25,7 @@ from design.mould_openings import mould_holes
 from design.mould_room import cast_room, core_outside
 from design.shell import cavity
 from design.solid_ops import Shape, Solid, common, cut, join, one_body
-from design.solids import OVERSHOOT_MM, box_between
+from design.solids import OVERSHOOT_MM, box_between, rod_about_z
 from design.spec import ObjectSpec
 
 TAB_HEIGHT_MM = 4.0
@@ -63,10 +63,10 @@ def make_mould_holder(spec: ObjectSpec) -> Solid:
         The dimensions do not give one valid solid.
     """
     frame, outlet, play = mould_frame(spec), core_outlet(spec), play_mm(spec)
-    rod = _about_z(spec.body.bore_mm / 2, -frame.rim_mm, 0.5 * outlet.floor_mm)
+    rod = rod_about_z(spec.body.bore_mm / 2, -frame.rim_mm, 0.5 * outlet.floor_mm)
     radius, low = outlet.radius_mm - play, outlet.floor_mm - OVERSHOOT_MM
     narrowing = float(np.tan(np.deg2rad(spec.mould.draft_deg)))
-    nose = _about_z(radius, low, outlet.nose_mm, radius - narrowing * (outlet.nose_mm - low))
+    nose = rod_about_z(radius, low, outlet.nose_mm, radius - narrowing * (outlet.nose_mm - low))
     past = 2 * radius
     flat = box_between(
         (outlet.flat_mm - play, -past, outlet.floor_mm - 2.0), (past, past, outlet.nose_mm + 1.0)
@@ -103,16 +103,7 @@ def rod_hole(spec: ObjectSpec) -> cq.Solid:
     """Hole in the mould's wall round the rod."""
     frame = mould_frame(spec)
     radius = spec.body.bore_mm / 2 + play_mm(spec)
-    return _about_z(radius, -frame.rim_mm - OVERSHOOT_MM, 0.0)
-
-
-def _about_z(
-    radius_mm: float, low_mm: float, high_mm: float, high_radius_mm: float | None = None
-) -> cq.Solid:
-    base, up = cq.Vector(0, 0, low_mm), cq.Vector(0, 0, 1)
-    if high_radius_mm is None or high_radius_mm == radius_mm:
-        return cq.Solid.makeCylinder(radius_mm, high_mm - low_mm, base, up)
-    return cq.Solid.makeCone(radius_mm, high_radius_mm, high_mm - low_mm, base, up)
+    return rod_about_z(radius, -frame.rim_mm - OVERSHOOT_MM, 0.0)
 
 
 def _span(spec: ObjectSpec, frame: MouldFrame) -> tuple[float, float]:

@@ -32,6 +32,23 @@ def block_solid(block: Block) -> cq.Solid:
     return box_between(-block.half_mm, block.half_mm).moved(cq.Location(plane))
 
 
+def tapered_rod(
+    start: cq.Vector, axis: cq.Vector, radius_mm: float, end_radius_mm: float | None = None
+) -> cq.Solid:
+    """As long as its axis: a cylinder, or a cone where the radius at the end is another, mm."""
+    if end_radius_mm is None or end_radius_mm == radius_mm:
+        return cq.Solid.makeCylinder(radius_mm, axis.Length, start, axis)
+    return cq.Solid.makeCone(radius_mm, end_radius_mm, axis.Length, start, axis)
+
+
+def rod_about_z(
+    radius_mm: float, low_mm: float, high_mm: float, high_radius_mm: float | None = None
+) -> cq.Solid:
+    """`tapered_rod` on the z axis, between two levels."""
+    start, axis = cq.Vector(0, 0, low_mm), cq.Vector(0, 0, high_mm - low_mm)
+    return tapered_rod(start, axis, radius_mm, high_radius_mm)
+
+
 def cylinder_on_face(
     frame: FaceFrame,
     xy_mm: tuple[float, float],
@@ -114,15 +131,10 @@ def _prism(
     grow_mm: float = 0.0,
     draft_deg: float = 0.0,
 ) -> cq.Solid:
-    half, widening = (
-        [edge + grow_mm for edge in pocket.outline.half_mm],
-        np.tan(np.deg2rad(draft_deg)),
-    )
+    half = [edge + grow_mm for edge in pocket.outline.half_mm]
     if pocket.outline.round:
-        base = cq.Vector(*start)
-        if not draft_deg:
-            return cq.Solid.makeCylinder(half[0], axis.Length, base, axis)
-        return cq.Solid.makeCone(half[0], half[0] + axis.Length * widening, axis.Length, base, axis)
+        widening = float(np.tan(np.deg2rad(draft_deg)))
+        return tapered_rod(cq.Vector(*start), axis, half[0], half[0] + axis.Length * widening)
     side = frame.axes @ pocket.body.frame[:, 0]
     placed = cq.Location(cq.Plane(cq.Vector(*start), cq.Vector(*side), axis))
     if not draft_deg:

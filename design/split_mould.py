@@ -21,7 +21,7 @@ from design.mould_pins import fixed_bosses, loose_pins, pin_holes
 from design.mould_plug import rod_hole
 from design.mould_room import cast_room
 from design.solid_ops import Shape, Solid, common, cut, join, one_body
-from design.solids import OVERSHOOT_MM, box_between
+from design.solids import OVERSHOOT_MM, box_between, tapered_rod
 from design.spec import ObjectSpec
 
 DOWEL_DIAMETER_MM = 4.0
@@ -99,14 +99,8 @@ def _dowel(spec: ObjectSpec, across: float, level: float, grow_mm: float) -> Sha
     """Cone from half A into half B, tapered by the draft."""
     root, height = DOWEL_DIAMETER_MM / 2 + grow_mm, DOWEL_HEIGHT_MM + grow_mm
     tip = root - height * float(np.tan(np.deg2rad(spec.mould.dowel_draft_deg)))
-    start, along = cq.Vector(across, level, OVERSHOOT_MM), cq.Vector(0, 0, -1)
-    stem = cq.Solid.makeCylinder(root, OVERSHOOT_MM, start, along)
-    end = cq.Vector(across, level, 0)
-    cone = (
-        cq.Solid.makeCone(root, tip, height, end, along)
-        if tip < root
-        else cq.Solid.makeCylinder(root, height, end, along)
-    )
+    stem = tapered_rod(cq.Vector(across, level, OVERSHOOT_MM), cq.Vector(0, 0, -OVERSHOOT_MM), root)
+    cone = tapered_rod(cq.Vector(across, level, 0), cq.Vector(0, 0, -height), root, tip)
     return stem.fuse(cone).moved(cq.Location(_parting_plane(spec)))
 
 
