@@ -69,8 +69,13 @@ def simulate_collection(
 
 
 def joined(parts: Sequence[FrameSet]) -> FrameSet:
-    """Parts of one recording one after the other, with ids and times that go on."""
+    """Parts of one recording one after the other, with ids and times that go on.
+
+    All get the contact slots of the part with the most.
+    """
     press = session = 0
+    slots = max(part.contact_face.shape[1] for part in parts)
+    parts = [with_slots(part, slots) for part in parts]
     start_s, numbered = 0.0, []
     for part in parts:
         step_s = part.time_s[1] - part.time_s[0]
@@ -86,10 +91,30 @@ def joined(parts: Sequence[FrameSet]) -> FrameSet:
             int(ids.max()) + 1 for ids in (numbered[-1].press_id, numbered[-1].session_id)
         )
         start_s = float(numbered[-1].time_s[-1] + step_s)
-    true = () if parts[0].true_force_n is None else ("true_force_n",)
+    true = () if any(part.true_force_n is None for part in parts) else ("true_force_n",)
     names = (*PER_FRAME_FIELDS, *true)
     whole = {name: np.concatenate([getattr(part, name) for part in numbered]) for name in names}
-    return replace(parts[0], **whole)
+    return replace(parts[0], **({"true_force_n": None} | whole))
+
+
+def with_slots(frames: FrameSet, slots: int) -> FrameSet:
+    """The frames with empty contact slots added."""
+    more = slots - frames.contact_face.shape[1]
+    if not more:
+        return frames
+
+    def padded(values: np.ndarray, empty: float | int) -> np.ndarray:
+        width = [(0, 0), (0, more), *[(0, 0)] * (values.ndim - 2)]
+        return np.pad(values, width, constant_values=empty)
+
+    true = frames.true_force_n
+    return replace(
+        frames,
+        contact_face=padded(frames.contact_face, NO_FACE),
+        contact_xy_mm=padded(frames.contact_xy_mm, np.nan),
+        force_n=padded(frames.force_n, np.nan),
+        true_force_n=None if true is None else padded(true, np.nan),
+    )
 
 
 def _recorded(

@@ -10,10 +10,11 @@ from __future__ import annotations
 import numpy as np
 
 from design.spec import ObjectSpec
+from estimator.calibrated_twin import CalibratedTwin
 from estimator.collection import joined
 from estimator.dataset import FrameSet
 from estimator.press_protocol import simulate_presses
-from estimator.signals import Progress
+from estimator.signals import Progress, Signals
 from estimator.splits import Split
 from estimator.twin import drawn_assembly, twin_signals
 from fem.results import MagnetMotions, PressForces
@@ -37,23 +38,44 @@ def twin_frames(
 
     Presses are those of `[protocol]`, fewer and shorter: 48 frames a place and twin.
     """
-    shorter = {
-        "presses_per_place": PRESSES_PER_PLACE,
-        "frames_per_press": FRAMES_PER_PRESS,
-        "rest_frames_per_press": REST_FRAMES_PER_PRESS,
-    }
-    protocol = spec.protocol.model_copy(update=shorter)
     parts = []
     for number in range(twins):
         seed = spec.seed + _FIRST_SEED + number
         if progress is not None:
             progress(f"presses of twin {number + 1} of {twins}")
         signals = twin_signals(spec, drawn_assembly(spec, seed), forces, motions)
-        drawn = spec.model_copy(update={"seed": seed, "protocol": protocol})
-        frames = simulate_presses(drawn, signals, f"twin {number}")
-        frames.session_id[:] = 0
-        parts.append(frames)
+        parts.append(_few_presses(spec, signals, seed, f"twin {number}"))
     return joined(parts)
+
+
+def calibrated_frames(
+    twin: CalibratedTwin, draws: int, progress: Progress | None = None
+) -> FrameSet:
+    """Presses of every place of the face on what its labelled presses leave possible of one object;
+    a session is a draw. Otherwise as `twin_frames`."""
+    spec, parts = twin.unknowns.spec, []
+    for number in range(draws):
+        seed = spec.seed + _FIRST_SEED + number
+        if progress is not None:
+            progress(f"presses of draw {number + 1} of {draws}")
+        signals = twin.signals(np.random.default_rng((seed, 9)))
+        parts.append(_few_presses(spec, signals, seed, f"draw {number}"))
+    return joined(parts)
+
+
+def _few_presses(spec: ObjectSpec, signals: Signals, seed: int, name: str) -> FrameSet:
+    """Presses of `[protocol]`, fewer and shorter: 48 frames a place."""
+    shorter = {
+        "presses_per_place": PRESSES_PER_PLACE,
+        "frames_per_press": FRAMES_PER_PRESS,
+        "rest_frames_per_press": REST_FRAMES_PER_PRESS,
+    }
+    protocol = spec.protocol.model_copy(update=shorter)
+    frames = simulate_presses(
+        spec.model_copy(update={"seed": seed, "protocol": protocol}), signals, name
+    )
+    frames.session_id[:] = 0
+    return frames
 
 
 def split_twins(frames: FrameSet) -> Split:

@@ -40,7 +40,7 @@ def twin_signals(
     Forces scale with its modulus. The object is not turned between zeroing and the press, so that
     Earth's field does not show.
     """
-    model, rest = _model(spec, assembly, motions.motion), rest_motion(motions)
+    model, rest = twin_model(spec, assembly, motions.motion), rest_motion(motions)
     baseline = counts_of(spec, assembly.scene, rest[None], model)[0]
     lattice = motions.motion.shape[1:3]
     delta = np.empty((*motions.motion.shape[:3], *baseline.shape))
@@ -64,13 +64,16 @@ def twin_changes(
     spec: ObjectSpec, assembly: Assembly, motion: Float[np.ndarray, "press body 6"]
 ) -> Float[np.ndarray, "press sensor 3"]:
     """Changes of counts against rest under given motions; bodies that sit aside keep theirs."""
-    model = _model(spec, assembly, motion)
+    model = twin_model(spec, assembly, motion)
     rest = np.zeros((1, *motion.shape[1:]))
     still = counts_of(spec, assembly.scene, rest, model)
     return counts_of(spec, assembly.scene, motion, model) - still
 
 
-def _model(spec: ObjectSpec, assembly: Assembly, motion: np.ndarray) -> FieldModel:
+def twin_model(
+    spec: ObjectSpec, assembly: Assembly, motion: Float[np.ndarray, "*press body 6"]
+) -> FieldModel:
+    """The field model that serves an assembled object in these motions."""
     nearest = min_distance_mm(assembly.scene, motion.reshape(-1, assembly.scene.bodies, 6))
     return field_model(magnet_source(spec.magnets), nearest - _NEARER_MM)
 

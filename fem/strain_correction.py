@@ -83,7 +83,6 @@ class CorrectionError:
 
 def press_pair(spec: ObjectSpec, press: LargeStrainPress) -> PressPair:
     """What the correction needs of a press, depths without contact left out."""
-    frame = next(frame for frame in face_frames(spec) if frame.number == press.face)
     kept = (press.force_n > 0) & (press.linear_force_n > 0)
     return PressPair(
         press.depth_mm[kept],
@@ -91,8 +90,7 @@ def press_pair(spec: ObjectSpec, press: LargeStrainPress) -> PressPair:
         press.linear_force_n[kept],
         press.motion[kept],
         press.linear_motion[kept],
-        np.asarray(shell_body_layout(spec).face) == press.face,
-        np.asarray(frame.normal, float),
+        *own_bodies(spec, press.face),
     )
 
 
@@ -131,17 +129,14 @@ def corrected_table(
     spec: ObjectSpec, forces: PressForces, motions: MagnetMotions, correction: StrainCorrection
 ) -> tuple[PressForces, MagnetMotions]:
     """The table with every press corrected; fitted on one face, taken to hold on all."""
-    owner = np.asarray(shell_body_layout(spec).face)
-    normals = {frame.number: np.asarray(frame.normal, float) for frame in face_frames(spec)}
     force, motion = np.empty_like(forces.force_n), np.empty_like(motions.motion)
-    for index, face in enumerate(forces.faces):
-        force[index], motion[index] = _corrected(
+    for index, face in enumerate(forces.faces.tolist()):
+        force[index], motion[index] = corrected_presses(
             correction,
             forces.depth_mm,
             forces.force_n[index],
             motions.motion[index],
-            owner == face,
-            normals[int(face)],
+            *own_bodies(spec, face),
         )
     return replace(forces, force_n=force), replace(motions, motion=motion)
 
@@ -159,14 +154,12 @@ def corrected_joint(
     The magnets of faces that nothing presses follow the first face. Jaws that were squeezed to one
     force differ afterwards by as much as their corrections do.
     """
-    owner = np.asarray(shell_body_layout(spec).face)
-    normals = {frame.number: np.asarray(frame.normal, float) for frame in face_frames(spec)}
     force, moved = force_n.copy(), None
     for face in dict.fromkeys(faces.tolist()):
-        here, own = faces == face, owner == face
+        here, (own, normal) = faces == face, own_bodies(spec, face)
         deepest = depth_mm[:, here].max(axis=1)
-        on_face, motions = _corrected(
-            correction, deepest, force_n[:, here].T, motion, own, normals[face]
+        on_face, motions = corrected_presses(
+            correction, deepest, force_n[:, here].T, motion, own, normal
         )
         force[:, here] = on_face.T
         moved = motions if moved is None else moved
@@ -211,15 +204,23 @@ def _squeeze(
     return np.maximum(inward.max(axis=-1, initial=0), 0) / depth_mm
 
 
-def _corrected(
+def own_bodies(
+    spec: ObjectSpec, face: int
+) -> tuple[Bool[np.ndarray, "magnet"], Float[np.ndarray, "3"]]:
+    """Which magnets are a face's own, and its outward normal."""
+    frame = next(frame for frame in face_frames(spec) if frame.number == face)
+    return np.asarray(shell_body_layout(spec).face) == face, np.asarray(frame.normal, float)
+
+
+def corrected_presses(
     correction: StrainCorrection,
-    depth_mm: np.ndarray,
-    force_n: np.ndarray,
-    motion: np.ndarray,
-    own: np.ndarray,
-    normal: np.ndarray,
-) -> tuple[np.ndarray, np.ndarray]:
-    """Forces (…, step) and motions (…, step, magnet, 6) with the correction applied."""
+    depth_mm: Float[np.ndarray, "step"],
+    force_n: Float[np.ndarray, "*any step"],
+    motion: Float[np.ndarray, "*some step magnet 6"],
+    own: Bool[np.ndarray, "magnet"],
+    normal: Float[np.ndarray, "3"],
+) -> tuple[Float[np.ndarray, "*any step"], Float[np.ndarray, "*some step magnet 6"]]:
+    """Presses of a face corrected; `own` and `normal` are those of `own_bodies`."""
     (a, b), (c, d), (e,) = correction.force, correction.shift, correction.rotation
     share = depth_mm / correction.thickness_mm
     squeeze = _squeeze(depth_mm, motion, own, normal)
@@ -237,7 +238,7 @@ def _errors(
     pair: PressPair, correction: StrainCorrection
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Errors of force, shift and rotation at every depth, as shares of the nonlinear press."""
-    force, motion = _corrected(
+    force, motion = corrected_presses(
         correction, pair.depth_mm, pair.linear_force_n, pair.linear_motion, pair.own, pair.normal
     )
     off = motion - pair.motion

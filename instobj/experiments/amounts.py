@@ -1,4 +1,4 @@
-"""How much data, and of which places, an estimator needs."""
+"""How much data an estimator needs, and spent on which places."""
 
 from __future__ import annotations
 
@@ -9,28 +9,26 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from estimator.splits import split_paper_random_frames
-from instobj.experiments.paper_figures import draw_bars, draw_lines, draw_maps, headline
+from instobj.experiments.paper_figures import draw_bars, draw_lines, headline
 from instobj.experiments.paper_object import (
     SIMULATED,
     SimulatedObject,
     fitted,
     metric_row,
     predict_face,
-    pretrained,
     simulated_object,
 )
-from instobj.experiments.published import LEAST_TRAINING_FRAMES, TABLE_I, TABLE_II, beside
+from instobj.experiments.published import LEAST_TRAINING_FRAMES, TABLE_I
 from instobj.experiments.registry import Study
+from instobj.experiments.unseen import seen_places
 
 if TYPE_CHECKING:
     from design.spec import ObjectSpec
     from estimator.dataset import FrameSet
     from estimator.face_model import FaceModel
-    from estimator.metrics import ForceReference
 
 _HALVINGS = 10
 _LEAST_FRAMES = 40
-_TWINS = 16
 
 
 def run_data_amount(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]:
@@ -82,100 +80,6 @@ def run_data_amount(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, An
         f"The paper's performance held down to {LEAST_TRAINING_FRAMES} training frames, 1/32 of all.",
     ]
     return {"rows": rows, "texts": texts}
-
-
-def run_seen_unseen(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]:
-    """Trained on every second place in x and y; tested there and on all other places."""
-    from estimator.contact_cases import DUAL_CASES
-    from estimator.face_data import face_data
-    from estimator.metrics import force_reference
-
-    recorded = simulated_object(spec, quick)
-    face = recorded.spec.collection.faces[0]
-    frames = recorded.collect(faces=[face], non_contact_cases=1)
-    frames = frames.select(frames.place_id < DUAL_CASES)
-    seen = seen_places(frames)
-    split = split_paper_random_frames(frames, recorded.spec.seed)
-    span = force_reference(face_data(frames, face).heatmap_n)
-    parts = tuple(frames.select(part & seen) for part in (split.train, split.validation))
-    unseen = frames.select(~seen)
-    rows: list[dict[str, Any]] = []
-    maps = {}
-    for name, output, twins in (
-        ("heatmap", "heatmap", 0),
-        ("position", "position", 0),
-        ("pre-trained", "position", 2 if quick else _TWINS),
-    ):
-        start = pretrained(recorded, face, twins, output=output) if twins else None
-        label = {"collection": "paper", "faces": [face], "places": "seen", "twins": twins}
-        model = fitted(recorded, (parts[0], parts[1]), face, label, start, output=output)
-        for places, tested in (("seen", frames.select(split.test & seen)), ("unseen", unseen)):
-            row, errors = _place_row(model, tested, span, recorded)
-            rows.append({"model": name, "places": places} | beside(row, TABLE_II[places]))
-            if places == "unseen":
-                maps[name] = errors
-    away = headline("distance of the estimated place at places never trained on (px)", quick)
-    draw_maps(maps, away, folder / "unseen-places.png", alike=True)
-    draw_bars(
-        [row | {"test": f"{row['places']}, {row['model']}"} for row in rows],
-        "test",
-        {
-            "force error (% of the place's range)": {
-                "E_f %": "E_f",
-                "total force %": "total force",
-                "paper E_f %": "E_f, paper (real object)",
-            }
-        },
-        headline("places trained on, and others", quick),
-        folder / "seen-unseen.png",
-    )
-    texts = [
-        SIMULATED,
-        "E_f is read at the true pixel alone: a force shared with the next pixel counts as lost. The "
-        "total force and the distance of the estimated place do not depend on pixels.",
-        "heatmap, position: outputs of the compact network, trained on the labelled places alone; "
-        "pre-trained: position, after presses of other twins of the design at all places.",
-    ]
-    return {"rows": rows, "texts": texts}
-
-
-def seen_places(frames: FrameSet) -> np.ndarray:
-    """Frames at every second place in x and y, and those at rest."""
-    pitch = frames.grid_x_mm[1] - frames.grid_x_mm[0]
-    first = np.array([frames.grid_x_mm[0], frames.grid_y_mm[0]])
-    index = np.round((np.nan_to_num(frames.contact_xy_mm[:, 0], nan=first[0]) - first) / pitch)
-    even = (index.astype(int) % 2 == 0).all(axis=1)
-    return even | (frames.place_id < 0)
-
-
-def _place_row(
-    model: FaceModel, tested: FrameSet, span: ForceReference, recorded: SimulatedObject
-) -> tuple[dict[str, float | None], np.ndarray]:
-    """Metrics with the estimated place's distance, and that distance as a map (px)."""
-    from estimator.metrics import face_metrics
-
-    predicted, true, rest = predict_face(model, tested)
-    metrics = face_metrics(model.face, predicted, true, span, rest)
-    distance, pixel = place_distance_px(model, tested, recorded.spec.contact_grid.pitch_mm)
-    total, count = np.zeros(true.shape[1:]), np.zeros(true.shape[1:])
-    np.add.at(total, tuple(pixel.T), distance)
-    np.add.at(count, tuple(pixel.T), 1)
-    mean = np.where(count > 0, total / np.maximum(count, 1), np.nan)
-    return metric_row(metrics) | {"distance px": round(float(distance.mean()), 4)}, mean
-
-
-def place_distance_px(
-    model: FaceModel, frames: FrameSet, pitch_mm: float
-) -> tuple[np.ndarray, np.ndarray]:
-    """Distance of the estimated from the true centre of force, and the true pixel, by contact."""
-    from estimator.face_data import face_data
-    from estimator.face_model import predict
-    from estimator.heatmap import mm_to_pixel
-
-    data = face_data(frames, model.face)
-    data = data.select(data.contact)
-    away = np.linalg.norm(predict(model, data.frames).xy_mm - data.centre_mm, axis=1)
-    return away / pitch_mm, mm_to_pixel(data.centre_mm, frames.grid_x_mm, frames.grid_y_mm)
 
 
 def run_places(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]:
@@ -254,6 +158,5 @@ def _anywhere_row(
 
 STUDIES: Sequence[Study] = (
     Study("data-amount", "Training frames halved ten times.", run_data_amount),
-    Study("seen-unseen", "The paper's Table II: places never trained on.", run_seen_unseen),
     Study("places-against-frames", "The same number of frames at few places or many.", run_places),
 )

@@ -172,6 +172,26 @@ def pretrained(recorded: SimulatedObject, face: int, twins: int, **training: Any
     return fitted(recorded, parts, face, {"twins": twins}, **training)
 
 
+def calibrated_parts(
+    recorded: SimulatedObject, parts: tuple[FrameSet, FrameSet], face: int, draws: int
+) -> tuple[FrameSet, FrameSet]:
+    """Training and validation frames with presses of the design's twin added, at every place.
+
+    The twin is calibrated on the training frames alone.
+    """
+    from estimator.calibrated_twin import calibrate
+    from estimator.collection import joined
+    from estimator.pressed_places import pressed_places
+    from estimator.pretraining import calibrated_frames, split_twins
+
+    seen = pressed_places(recorded.design, parts[0], face)
+    twin = calibrate(recorded.design, *recorded.design_presses, seen)
+    simulated = calibrated_frames(twin, draws)
+    split = split_twins(simulated)
+    train, validation = simulated.select(split.train), simulated.select(split.validation)
+    return joined([parts[0], train]), joined([parts[1], validation])
+
+
 def fitted_to_split(
     recorded: SimulatedObject,
     frames: FrameSet,

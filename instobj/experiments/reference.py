@@ -6,6 +6,7 @@ frames one by one (`estimator.reference`).
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -18,6 +19,7 @@ from instobj.experiments.registry import Study
 
 if TYPE_CHECKING:
     from design.spec import ObjectSpec
+    from estimator.contact_cases import ContactCase
     from estimator.dataset import FrameSet
     from estimator.face_data import FaceData
     from estimator.face_model import FaceModel
@@ -41,8 +43,13 @@ class Judged:
     sigma_counts: Float[np.ndarray, "channel"]
 
 
-def judged_frames(recorded: SimulatedObject, face: int, frames: FrameSet) -> Judged:
-    """At most 4000 of the frames, and every contact case as the object itself shows it."""
+def judged_frames(
+    recorded: SimulatedObject,
+    face: int,
+    frames: FrameSet,
+    cases: Sequence[ContactCase] | None = None,
+) -> Judged:
+    """At most 4000 of the frames, and contact cases (all by default) as the object shows them."""
     from estimator.collection_recipe import drift_rms_counts
     from estimator.contact_cases import paper_cases
     from estimator.face_data import channel_counts, face_data, live_channels
@@ -54,10 +61,11 @@ def judged_frames(recorded: SimulatedObject, face: int, frames: FrameSet) -> Jud
         data = data.select(np.sort(chosen))
     channels = live_channels(data)
     flat = flat_channels(recorded.spec, channels)
+    cases = paper_cases(recorded.spec, face) if cases is None else cases
     return Judged(
         data,
-        own_hypotheses(recorded, face, flat),
-        np.array([case.xy_mm.mean(axis=0) for case in paper_cases(recorded.spec, face)]),
+        own_hypotheses(recorded, face, flat, cases),
+        np.array([case.xy_mm.mean(axis=0) for case in cases]),
         channel_counts(data.frames, channels),
         disturbance_sigma(recorded.spec, flat, drift_rms_counts(recorded.spec)),
     )
@@ -123,16 +131,17 @@ def flat_channels(spec: ObjectSpec, channels: tuple[tuple[int, int, int], ...]) 
     return (row * spec.sensors.count_per_face + sensor) * 3 + axis
 
 
-def own_hypotheses(recorded: SimulatedObject, face: int, flat: np.ndarray) -> Hypotheses:
-    """Every case of a face's collection as the object itself shows it, in some channels."""
+def own_hypotheses(
+    recorded: SimulatedObject, face: int, flat: np.ndarray, cases: Sequence[ContactCase]
+) -> Hypotheses:
+    """Cases of a face's collection as the object itself shows them, in some channels."""
     from dataclasses import replace
 
     from estimator.collection_recipe import peak_travel_mm
-    from estimator.contact_cases import paper_cases
     from estimator.contact_traces import contact_traces
     from estimator.reference import press_hypotheses
 
-    spec, cases = recorded.spec, paper_cases(recorded.spec, face)
+    spec = recorded.spec
     traces = contact_traces(spec, recorded.signals, cases, recorded.mechanics)
     peak = peak_travel_mm(spec, recorded.signals, cases, traces)
     quiet = spec.collection.non_contact_cases

@@ -23,6 +23,7 @@ _MODULES: tuple[str, ...] = (
     "instobj.experiments.general",
     "instobj.experiments.places",
     "instobj.experiments.amounts",
+    "instobj.experiments.unseen",
     "instobj.experiments.reference",
     "instobj.experiments.grasps",
     "instobj.experiments.slipped",

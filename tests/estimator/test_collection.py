@@ -9,7 +9,7 @@ from synthetic_presses import coarse_spec, synthetic_presses
 from design.errors import InputError
 from design.layouts import contact_grid, face_frames
 from estimator import collection
-from estimator.collection import simulate_collection
+from estimator.collection import joined, simulate_collection
 from estimator.contact_cases import (
     DUAL_CASES,
     TRIPLE_CASES,
@@ -18,7 +18,7 @@ from estimator.contact_cases import (
     random_case,
 )
 from estimator.contact_traces import JointMechanics, contact_traces
-from estimator.dataset import load_frames, save_frames
+from estimator.dataset import NO_FACE, load_frames, save_frames
 from estimator.interpolation import counts_at_force, press_traces
 from estimator.shear import ShearSignals
 from estimator.signals import press_signals
@@ -309,6 +309,21 @@ def test_a_pull_adds_its_signals_and_its_label(signals, shear, fault):
 def _force_of_depth(signals):
     """Median force of all presses at each depth, and the depths: a rough scale of travel."""
     return np.append(0, np.median(signals.force_n, axis=(0, 1))), np.append(0, signals.depth_mm)
+
+
+def test_recordings_of_one_tip_and_of_three_are_joined(paper, signals):
+    """The one with fewer contact slots gets empty ones, and keeps what it says."""
+    one = simulate_collection(spec_of(dual_poses=(), triple_poses=()), signals, "one")
+    both = joined([paper, one])
+    assert one.contact_face.shape[1] == 1
+    assert both.contact_face.shape[1] == 3
+    last = both.select(np.arange(len(paper), len(both)))
+    np.testing.assert_array_equal(last.contact_face[:, 0], one.contact_face[:, 0])
+    assert (last.contact_face[:, 1:] == NO_FACE).all()
+    for name in ("contact_xy_mm", "force_n", "true_force_n"):
+        np.testing.assert_array_equal(getattr(last, name)[:, :1], getattr(one, name))
+        assert np.isnan(getattr(last, name)[:, 1:]).all()
+    assert not set(last.press_id) & set(paper.press_id)
 
 
 def test_what_cannot_be_simulated_is_refused(signals, mechanics):

@@ -16,7 +16,7 @@ from design.spec import ObjectSpec
 from estimator.contact_traces import JointMechanics
 from estimator.splits import split_paper_random_frames
 from estimator.twin import drawn_assembly, twin_signals
-from instobj.experiments import amounts, general, paper_object, places, reference
+from instobj.experiments import amounts, general, paper_object, places, reference, unseen
 from instobj.experiments.layouts import changed
 from instobj.experiments.paper_object import SimulatedObject, metric_row
 from instobj.experiments.places import rank_correlation
@@ -52,7 +52,7 @@ def results(synthetic_object, tmp_path_factory):
     found = {}
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("INSTOBJ_STORE", str(folder / "store"))
-        for module in (general, places, amounts, reference):
+        for module in (general, places, amounts, unseen, reference):
             patch.setattr(module, "simulated_object", lambda spec, quick: synthetic_object)
         for name in NAMES:
             target = folder / name
@@ -122,9 +122,18 @@ def test_unseen_places_are_harder_than_seen_ones(results):
     assert after["distance px"] < 0.9 * before["distance px"]
 
 
+def test_a_calibrated_twin_knows_places_that_nobody_pressed(results):
+    rows = [row for row in results["seen-unseen"][0]["rows"] if row["places"] == "unseen"]
+    errors = {row["model"]: row for row in rows}
+    twin, tuned = errors["calibrated twin"], errors["pre-trained"]
+    assert twin["distance px"] < 0.8 * tuned["distance px"]
+    assert twin["E_f %"] < 0.5 * errors["heatmap"]["E_f %"]
+    assert all(row["best E_f %"] < row["E_f %"] for row in rows)
+
+
 def test_seen_places_are_every_second_in_x_and_y(synthetic_object):
     frames = synthetic_object.collect(dual_poses=[], triple_poses=[])
-    kept = frames.select(amounts.seen_places(frames))
+    kept = frames.select(unseen.seen_places(frames))
     places_kept = np.unique(kept.place_id[kept.place_id >= 0] - 1000)
     assert places_kept.tolist() == [5 * x + y for x in (0, 2, 4) for y in (0, 2, 4)]
     assert (kept.place_id < 0).sum() == (frames.place_id < 0).sum()
