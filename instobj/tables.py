@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from rich.box import SIMPLE
+from rich.cells import cell_len
 from rich.console import Console
 from rich.table import Table
 
@@ -95,15 +96,50 @@ def _print_summary(console: Console, summary: dict[str, Any]) -> None:
 
 
 def _print_rows(console: Console, title: str, rows: list[dict[str, Any]]) -> None:
-    """A table; one with more columns than fit is turned, a row becoming a column."""
-    if len(rows[0]) > _MOST_COLUMNS and len(rows) < len(rows[0]):
-        rows = _turned(rows)
+    columns, widths = _laid_out(rows, console.width)
     table = Table(title=title, title_justify="left", box=SIMPLE, padding=(0, 0, 0, 1))
-    for name in rows[0]:
-        table.add_column(name, justify="right")
-    for row in rows:
-        table.add_row(*(_number(value) for value in row.values()))
+    for (name, *_), width in zip(columns, widths or [None] * len(columns), strict=True):
+        table.add_column(name, justify="right", width=width, overflow="fold")
+    for cells in zip(*(values for _, *values in columns), strict=True):
+        table.add_row(*cells)
     console.print(table)
+
+
+def _laid_out(rows: list[dict[str, Any]], room: int) -> tuple[list[list[str]], list[int] | None]:
+    """Columns and their widths, turned (a row a column) where they are many or their words do not fit.
+
+    No widths where the words fit neither way.
+    """
+    columns = _columns(rows)
+    widths = _widths(columns, room)
+    many = len(columns) > _MOST_COLUMNS and len(rows) < len(columns)
+    if len(columns) == 1 or (widths and not many):
+        return columns, widths
+    turned = _columns(_turned(rows))
+    turned_widths = _widths(turned, room)
+    if turned_widths or (many and not widths):
+        return turned, turned_widths
+    return columns, widths
+
+
+def _columns(rows: list[dict[str, Any]]) -> list[list[str]]:
+    """Of every column its name and its values, as printed."""
+    return [[name, *(_number(row[name]) for row in rows)] for name in rows[0]]
+
+
+def _widths(columns: list[list[str]], room: int) -> list[int] | None:
+    """Characters for every column, broken at spaces alone; None where that does not fit the room.
+
+    The widest columns are narrowed first, none below its longest word.
+    """
+    room -= 2 * len(columns) + 1
+    full = [max(map(cell_len, column)) for column in columns]
+    words = [max(map(cell_len, " ".join(column).split()), default=0) for column in columns]
+    for most in range(max(full), 0, -1):
+        widths = [max(word, min(most, width)) for word, width in zip(words, full, strict=True)]
+        if sum(widths) <= room:
+            return widths
+    return None
 
 
 def _print_files(console: Console, files: Any) -> None:
