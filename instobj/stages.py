@@ -69,7 +69,7 @@ STAGES: dict[str, Stage] = {
         ("build",),
         ("name", *_MAKING, "silicone"),
         make_sheet,
-        version=2,
+        version=3,
     ),
     "fabrication": Stage(
         "design: fabrication checks",
