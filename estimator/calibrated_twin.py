@@ -124,27 +124,24 @@ class _Mechanics:
         self.shape = seen.force_n.size, len(seen.channels)
         moving, face = motions_as_signals(forces, motions), np.full(len(seen), seen.face)
         sides = ASIDE_MM * np.array([(0, 0), (1, 0), (-1, 0), (0, 1), (0, -1)])
-        self.states = []
-        for side in sides:
-            traces = press_traces(moving, face, *(seen.xy_mm + side).T)
-            shape = (len(seen), len(self.depth_mm), *self.rest.shape)
-            motion = self.rest + np.real(traces.counts[:, 1:]).reshape(shape)
-            self.states.append((np.real(traces.force_n[:, 1:]), motion))
+        traces = [press_traces(moving, face, *(seen.xy_mm + side).T) for side in sides]
+        shape = (len(sides), len(seen), len(self.depth_mm), *self.rest.shape)
+        self.force_n = np.real([trace.force_n[:, 1:] for trace in traces])
+        motion = np.real([trace.counts[:, 1:] for trace in traces])
+        self.motion = self.rest + motion.reshape(shape)
 
     def expected(self, numbers: Float[np.ndarray, "number"]) -> Float[np.ndarray, "row channel"]:
         """Changes of counts of all means, at their labelled forces; NaN where forces would not grow
         with depth."""
         spec, seen = self.unknowns.spec, self.seen
         assembly, correction = self.unknowns.assembly(numbers), self.unknowns.correction(numbers)
-        (force, motion), *beside = (
-            corrected_presses(correction, self.depth_mm, force, motion, self.own, self.normal)
-            for force, motion in self.states
+        forces, motions = corrected_presses(
+            correction, self.depth_mm, self.force_n, self.motion, self.own, self.normal
         )
-        place = assembly.scene
-        own = self.own
-        for axis in range(2):
-            slope = (beside[2 * axis][1] - beside[2 * axis + 1][1])[:, :, own] / (2 * ASIDE_MM)
-            motion[:, :, own] -= assembly.aside_mm[own, axis, None] * slope
+        place, force, motion = assembly.scene, forces[0], motions[0]
+        slopes = (motions[1::2] - motions[2::2])[..., self.own, :] / (2 * ASIDE_MM)
+        aside = assembly.aside_mm[self.own]
+        motion[..., self.own, :] -= np.einsum("ba,apsbk->psbk", aside, slopes)
         motion = motion.reshape(-1, *self.rest.shape)
         model = twin_model(spec, assembly, motion)
         still = counts_of(spec, place, self.rest[None], model, seen.face)

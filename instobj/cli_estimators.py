@@ -17,29 +17,39 @@ Start = Annotated[
     typer.Option(help="Folder of face_<n>.safetensors to go on from, e.g. pre-trained ones."),
 ]
 
+Twin = Annotated[
+    Path | None,
+    typer.Option(
+        help="Specification of the object in a data set: its twin, calibrated on the training "
+        "presses, adds presses at every place."
+    ),
+]
+
 
 @app.command()
 def train(
     sources: Sources,
     start: Start = None,
+    twin: Twin = None,
     out: Out = HERE,
     as_json: AsJson = False,
     overrides: Overrides = None,
 ) -> None:
     """Train a contact estimator per face, on simulated presses or on a data set."""
-    _estimate(sources, ("networks",), start, out, as_json, overrides)
+    _estimate(sources, ("networks",), start, twin, out, as_json, overrides)
 
 
 @app.command()
 def evaluate(
     sources: Sources,
     start: Start = None,
+    twin: Twin = None,
     out: Out = HERE,
     as_json: AsJson = False,
     overrides: Overrides = None,
 ) -> None:
     """The paper's four metrics on held-out presses (trains first where nothing is stored)."""
-    _estimate(sources, ("networks", "metrics"), start, out, as_json, overrides)
+    _estimate(sources, ("networks", "metrics"), start, twin, out, as_json, overrides)
 
 
 @app.command()
@@ -94,10 +104,11 @@ def _estimate(
     sources: list[Path],
     stages: tuple[str, ...],
     start: Path | None,
+    twin: Path | None,
     out: Path,
     as_json: bool,
     overrides: list[str] | None,
 ) -> None:
     from instobj.commands import run_estimator
 
-    show(run_estimator(sources, stages, out, overrides or [], start), as_json)
+    show(run_estimator(sources, stages, out, overrides or [], start, twin), as_json)

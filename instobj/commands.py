@@ -129,10 +129,12 @@ def run_estimator(
     out: Path,
     overrides: list[str],
     start: Path | None = None,
+    twin: Path | None = None,
 ) -> dict[str, Any]:
     """Train or evaluate on specifications (simulated presses) and on data sets (.nc) alike.
 
-    On data sets training goes on from the estimators in the folder `start`, if given.
+    On data sets training goes on from the estimators in the folder `start`, if given, and gets
+    presses of the calibrated twin of the specification `twin`, if given.
     """
     from instobj.learning import run_on_data_set
 
@@ -145,11 +147,12 @@ def run_estimator(
                 "give the frames.nc that it writes"
             )
         if path.suffix == ".nc":
-            objects.append(run_on_data_set(path, stages, out, overrides, start))
-        elif start is not None:
+            objects.append(run_on_data_set(path, stages, out, overrides, start, twin))
+        elif start is not None or twin is not None:
             raise InputError(
-                f"--start is for data sets (.nc); got the specification {path}. Leave it out, or "
-                "give the data set of the object that the estimators shall be tuned to"
+                f"--{'twin' if start is None else 'start'} is for data sets (.nc); got the "
+                f"specification {path}. Leave it out, or give the data set of the object that the "
+                "estimators shall be tuned to"
             )
         else:
             objects.append(_run_one(load_spec(path, overrides), stages, out))

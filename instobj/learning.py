@@ -14,8 +14,9 @@ from instobj.store import content_key, file_key, store_root, stored
 if TYPE_CHECKING:
     from estimator.dataset import FrameSet
     from estimator.splits import Split
+    from instobj.calibrated import TwinOfData
 
-_VERSION = 4
+_VERSION = 5
 
 
 def train_networks(
@@ -26,11 +27,12 @@ def train_networks(
     step: Step,
     unfinished: Path | None = None,
     start: Path | None = None,
+    twin: TwinOfData | None = None,
 ) -> None:
     """Train each face that the data set presses; writes `face_<n>.safetensors`.
 
     `unfinished` keeps what an interrupted training has reached, and is gone on from; `start` is a
-    folder of estimators to begin with.
+    folder of estimators to begin with; `twin` adds presses of the object's calibrated twin.
 
     Raises
     ------
@@ -42,7 +44,9 @@ def train_networks(
 
     frames = load_frames(frames_path)
     split = split_presses(frames, seed)
-    fit_faces(frames, split, training, seed, folder, step, unfinished, start)
+    fit_faces(frames, split, training, seed, folder, step, unfinished, start, twin)
+    if twin is not None:
+        twin.write(folder)
 
 
 def fit_faces(
@@ -54,6 +58,7 @@ def fit_faces(
     step: Step,
     unfinished: Path | None = None,
     start: Path | None = None,
+    twin: TwinOfData | None = None,
 ) -> None:
     """Fit an estimator for each face that is pressed; as `train_networks`."""
     import torch
@@ -76,7 +81,8 @@ def fit_faces(
         checkpoint = None if unfinished is None else unfinished / f"face_{face}"
         settings = FitSettings(face, training, seed, checkpoint=checkpoint)
         begin = None if start is None else load_model(start / f"face_{face}.safetensors")
-        model = fit_estimator(*parts, settings, begin, progress)
+        shown = parts if twin is None else twin.extended(parts, face, step)
+        model = fit_estimator(*shown, settings, begin, progress)
         save_model(model, folder / f"face_{face}.safetensors")
     if unfinished is not None:
         shutil.rmtree(unfinished, ignore_errors=True)
@@ -130,10 +136,12 @@ def run_on_data_set(
     out: Path,
     overrides: list[str],
     start: Path | None = None,
+    twin_spec: Path | None = None,
 ) -> dict[str, Any]:
     """Train (and evaluate) on a data set file; results go to `runs/<name>`.
 
-    Training goes on from the estimators in the folder `start`, if given.
+    Training goes on from the estimators in the folder `start`, if given, and gets presses of the
+    calibrated twin of the specification `twin_spec`, if given.
 
     Raises
     ------
@@ -141,6 +149,7 @@ def run_on_data_set(
         An override that is not `seed` or below `training`, or a bad data set.
     """
     from estimator.dataset import load_frames
+    from instobj.calibrated import twin_of_data
     from instobj.progress import ProgressLine
     from instobj.publish import file_rows, publish_to, run_folder, stage_row
     from instobj.summary import summarize
@@ -149,11 +158,13 @@ def run_on_data_set(
     load_frames(path)
     name = path.parent.name if path.stem == "frames" else path.stem
     progress = ProgressLine()
+    twin = None if twin_spec is None else twin_of_data(twin_spec)
     inputs = {
         "data_set": file_key(path),
         "training": training.model_dump(mode="json"),
         "seed": seed,
         "start": None if start is None else _keys_of_models(start),
+        "twin": None if twin is None else [twin.key, twin.spec.model_dump(mode="json")],
         "version": _VERSION,
     }
     unfinished = unfinished_folder(content_key(inputs))
@@ -164,7 +175,7 @@ def run_on_data_set(
             "networks",
             inputs,
             lambda folder: train_networks(
-                path, training, seed, folder, progress.step, unfinished, start
+                path, training, seed, folder, progress.step, unfinished, start, twin
             ),
         )
     if "metrics" in stages:

@@ -29,7 +29,7 @@ _FILES = {
     "frames": ("frames.nc",),
     "collection": ("frames_*.nc",),
     "pulled_collection": ("frames_*.nc",),
-    "networks": ("*.safetensors",),
+    "networks": ("*.safetensors", "calibration.json", "calibration.png"),
     "pretraining": ("pretrained/*.safetensors",),
     "metrics": ("metrics.json", "metrics/*.png"),
     "report": ("report.html",),

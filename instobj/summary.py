@@ -36,6 +36,7 @@ def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) 
         ("frames", "simulated presses", _json("protocol.json")),
         ("collection", "simulated recordings", _json("frames.json")),
         ("pulled_collection", "simulated recordings", _json("frames.json")),
+        ("networks", "calibrated twin (medians over labelled places)", _calibration),
         ("metrics", "metrics on held-out presses (frames of contact and of rest)", _metrics),
         ("metrics", "intervals on held-out presses (medians of widths; presses)", _intervals),
     )
@@ -55,6 +56,15 @@ def _discretisation(result: StoredResult) -> dict[str, Any]:
     from instobj.discretisation import summary_of
 
     return summary_of(_json("discretisation.json")(result))
+
+
+def _calibration(result: StoredResult) -> list[dict[str, Any]]:
+    """Nothing where no twin was calibrated."""
+    path = result.folder / "calibration.json"
+    rows = json.loads(path.read_text(encoding="utf-8"))["faces"] if path.exists() else []
+    return [
+        {name: value for name, value in row.items() if not isinstance(value, list)} for row in rows
+    ]
 
 
 def _core_tension(result: StoredResult) -> dict[str, float]:

@@ -1,0 +1,102 @@
+"""Training on a data set with presses of the object's calibrated twin beside it."""
+
+import json
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "estimator"))
+
+from synthetic_presses import coarse_spec, synthetic_presses
+
+from design.errors import InputError
+from estimator import calibrated_twin
+from estimator.dataset import save_frames
+from estimator.press_protocol import simulate_presses
+from estimator.splits import split_presses
+from estimator.twin import drawn_assembly, twin_signals
+from instobj import calibrated
+from instobj.calibrated import TwinOfData, require_same_object
+from instobj.commands import run_estimator
+from instobj.publish import run_folder
+
+FACE = 3
+SPEC = coarse_spec(
+    seed=5,
+    contact_grid={"count": (4, 4), "pitch_mm": 6.0},
+    protocol={
+        "presses_per_place": 6,
+        "frames_per_press": 12,
+        "rest_frames_per_press": 3,
+        "peak_force_n": (6.0, 9.0),
+    },
+    training={"twins": 5},
+)
+SETTINGS = ["training.epochs=3", "training.hidden_units=[16, 16]", "seed=2"]
+
+
+@pytest.fixture(scope="module")
+def presses():
+    return synthetic_presses(SPEC)
+
+
+@pytest.fixture(scope="module")
+def frames(presses):
+    """Presses of an object of its own at every place but those of the last row."""
+    signals = twin_signals(SPEC, drawn_assembly(SPEC, 77), *presses)
+    frames = simulate_presses(SPEC, signals, "object")
+    on_face = np.isin(frames.press_id, frames.press_id[frames.contact_face[:, 0] == FACE])
+    return frames.select(on_face & (frames.place_id % 1000 < 12))
+
+
+@pytest.fixture
+def twin(presses, monkeypatch):
+    monkeypatch.setattr(calibrated_twin, "_FOLDS", 2)
+    return TwinOfData(SPEC, presses, "synthetic")
+
+
+def test_presses_at_every_place_join_both_parts(frames, twin):
+    split = split_presses(frames, 1)
+    parts = frames.select(split.train), frames.select(split.validation)
+    train, validation = twin.extended(parts, FACE, lambda text: None)
+    for mine, wider in zip(parts, (train, validation), strict=True):
+        np.testing.assert_array_equal(wider.signal_counts[: len(mine)], mine.signal_counts)
+        places = np.unique(wider.place_id[wider.place_id >= 0])
+        assert places.tolist() == [3000 + place for place in range(16)]
+        assert not set(wider.press_id[len(mine) :]) & set(wider.press_id[: len(mine)])
+    (row,) = twin.rows
+    assert row["places"] == 12
+    assert row["signals left %, places left out"] < 0.5 * row["signals left %, design"]
+    assert len(row["places mm"]) == len(row["left %"]) == len(row["left by design %"]) == 12
+
+
+def test_the_command_writes_models_and_what_was_calibrated(frames, twin, tmp_path, monkeypatch):
+    monkeypatch.setenv("INSTOBJ_STORE", str(tmp_path / "store"))
+    monkeypatch.setattr(calibrated, "twin_of_data", lambda path: twin)
+    save_frames(frames, tmp_path / "cube.nc")
+    found = run_estimator(
+        [tmp_path / "cube.nc"], ("networks",), tmp_path, SETTINGS, None, tmp_path / "cube.toml"
+    )
+    target = run_folder(tmp_path, "cube")
+    assert (target / "face_3.safetensors").is_file()
+    assert (target / "calibration.png").stat().st_size > 5000
+    (row,) = json.loads((target / "calibration.json").read_text())["faces"]
+    (shown,) = found["objects"][0]["summary"]["calibrated twin (medians over labelled places)"]
+    assert shown["signals left %, design"] == row["signals left %, design"] > 0
+    assert shown["face"] == FACE
+    plain = run_estimator([tmp_path / "cube.nc"], ("networks",), tmp_path, SETTINGS)
+    assert plain["objects"][0]["stages"] != found["objects"][0]["stages"]
+    assert "calibrated twin (medians over labelled places)" not in plain["objects"][0]["summary"]
+
+
+def test_another_object_and_too_few_places_are_told(frames, twin):
+    other = coarse_spec(contact_grid={"count": (5, 4), "pitch_mm": 5.0})
+    with pytest.raises(InputError, match=r"4 × 4 contact places .* 5 × 4"):
+        require_same_object(other, frames)
+    few = frames.select(frames.place_id % 1000 < 2)
+    with pytest.raises(InputError, match="Press more places one by one"):
+        twin.extended((few, few), FACE, lambda text: None)
+    with pytest.raises(InputError, match="--twin is for data sets"):
+        run_estimator([Path("a.toml")], ("networks",), Path(), [], None, Path("a.toml"))
