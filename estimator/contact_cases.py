@@ -6,6 +6,7 @@ faces, or nothing. Probes are those of Knopke et al. (RA-L 2024).
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import combinations
 
@@ -68,6 +69,17 @@ def grasp_cases(spec: ObjectSpec) -> list[ContactCase]:
     InputError
         `collection.grasp_faces` are not opposite each other.
     """
+    places = [
+        probe_tips_mm(spec, tips, pose)
+        for tips, poses in enumerate(GRASP_POSES, start=1)
+        for pose in poses
+    ]
+    return opposed(spec, places)
+
+
+def opposed(spec: ObjectSpec, places_mm: Sequence[Float[np.ndarray, "_ 2"]]) -> list[ContactCase]:
+    """Grasps with tips at these places of the first of `collection.grasp_faces`, each opposite its
+    like; raises as `grasp_cases`."""
     first, second = spec.collection.grasp_faces
     frames = {frame.number: frame for frame in face_frames(spec)}
     if frames[first].normal @ frames[second].normal > -0.5:
@@ -76,15 +88,14 @@ def grasp_cases(spec: ObjectSpec) -> list[ContactCase]:
             "collection.grasp_faces to [3, 5] or [2, 4]"
         )
     cases = []
-    for tips, poses in enumerate(GRASP_POSES, start=1):
-        for pose in poses:
-            here = probe_tips_mm(spec, tips, pose)
-            through = frames[first].to_object(np.column_stack([here, np.zeros(tips)]))
-            there = frames[second].from_object(through)[:, :2]
-            cell = np.repeat([0, 1], tips)
-            number = GRASP_CASES + 1000 * first + len(cases)
-            face, xy = np.repeat([first, second], tips), np.vstack([here, there])
-            cases.append(ContactCase(face, xy, cell, np.ones(2 * tips), number, squeezed=True))
+    for here in places_mm:
+        tips = len(here)
+        through = frames[first].to_object(np.column_stack([here, np.zeros(tips)]))
+        there = frames[second].from_object(through)[:, :2]
+        cell = np.repeat([0, 1], tips)
+        number = GRASP_CASES + 1000 * first + len(cases)
+        face, xy = np.repeat([first, second], tips), np.vstack([here, there])
+        cases.append(ContactCase(face, xy, cell, np.ones(2 * tips), number, squeezed=True))
     return cases
 
 

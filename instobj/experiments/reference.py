@@ -20,6 +20,7 @@ from instobj.experiments.registry import Study
 if TYPE_CHECKING:
     from design.spec import ObjectSpec
     from estimator.contact_cases import ContactCase
+    from estimator.contact_traces import ContactTraces
     from estimator.dataset import FrameSet
     from estimator.face_data import FaceData
     from estimator.face_model import FaceModel
@@ -27,6 +28,15 @@ if TYPE_CHECKING:
     from estimator.reference import Hypotheses
 
 _MOST_FRAMES = 4000
+
+
+@dataclass(frozen=True)
+class KnownCases:
+    """Contact cases that a bound knows, with what the object shows in each and the travel's peak."""
+
+    cases: Sequence[ContactCase]
+    traces: ContactTraces
+    peak_mm: Float[np.ndarray, "case"]
 
 
 @dataclass(frozen=True)
@@ -47,28 +57,52 @@ def judged_frames(
     recorded: SimulatedObject,
     face: int,
     frames: FrameSet,
-    cases: Sequence[ContactCase] | None = None,
+    known: KnownCases | None = None,
+    every_face: bool = False,
 ) -> Judged:
-    """At most 4000 of the frames, and contact cases (all by default) as the object shows them."""
+    """At most 4000 of the frames, and contact cases as the object shows them.
+
+    Known are all cases of the face's collection unless others are given; seen are the face's own
+    channels, or those of every face.
+    """
+    from dataclasses import replace
+
     from estimator.collection_recipe import drift_rms_counts
-    from estimator.contact_cases import paper_cases
     from estimator.face_data import channel_counts, face_data, live_channels
-    from estimator.reference import disturbance_sigma
+    from estimator.reference import disturbance_sigma, press_hypotheses
 
     data = face_data(frames, face)
     if len(data) > _MOST_FRAMES:
         chosen = np.random.default_rng(0).choice(len(data), _MOST_FRAMES, replace=False)
         data = data.select(np.sort(chosen))
-    channels = live_channels(data)
+    channels = live_channels(data, every_face)
     flat = flat_channels(recorded.spec, channels)
-    cases = paper_cases(recorded.spec, face) if cases is None else cases
+    known = known or known_cases(recorded, face)
+    cases, quiet = known.cases, recorded.spec.collection.non_contact_cases
+    hypotheses = press_hypotheses(
+        recorded.spec, cases, known.traces, known.peak_mm, face, quiet / (quiet + len(cases))
+    )
     return Judged(
         data,
-        own_hypotheses(recorded, face, flat, cases),
-        np.array([case.xy_mm.mean(axis=0) for case in cases]),
+        replace(hypotheses, counts=hypotheses.counts[..., flat]),
+        np.array([case.xy_mm[case.face == face].mean(axis=0) for case in cases]),
         channel_counts(data.frames, channels),
         disturbance_sigma(recorded.spec, flat, drift_rms_counts(recorded.spec)),
     )
+
+
+def known_cases(
+    recorded: SimulatedObject, face: int, cases: Sequence[ContactCase] | None = None
+) -> KnownCases:
+    """Contact cases (by default all of a face's collection) pressed on the object itself."""
+    from estimator.collection_recipe import peak_travel_mm
+    from estimator.contact_cases import paper_cases
+    from estimator.contact_traces import contact_traces
+
+    spec = recorded.spec
+    cases = paper_cases(spec, face) if cases is None else cases
+    traces = contact_traces(spec, recorded.signals, cases, recorded.mechanics)
+    return KnownCases(cases, traces, peak_travel_mm(spec, recorded.signals, cases, traces))
 
 
 def reference_row(judged: Judged, span: ForceReference) -> dict[str, float]:
@@ -129,24 +163,6 @@ def flat_channels(spec: ObjectSpec, channels: tuple[tuple[int, int, int], ...]) 
     face, sensor, axis = np.array(channels).T
     row = np.searchsorted(spec.body.sensed, face)
     return (row * spec.sensors.count_per_face + sensor) * 3 + axis
-
-
-def own_hypotheses(
-    recorded: SimulatedObject, face: int, flat: np.ndarray, cases: Sequence[ContactCase]
-) -> Hypotheses:
-    """Cases of a face's collection as the object itself shows them, in some channels."""
-    from dataclasses import replace
-
-    from estimator.collection_recipe import peak_travel_mm
-    from estimator.contact_traces import contact_traces
-    from estimator.reference import press_hypotheses
-
-    spec = recorded.spec
-    traces = contact_traces(spec, recorded.signals, cases, recorded.mechanics)
-    peak = peak_travel_mm(spec, recorded.signals, cases, traces)
-    quiet = spec.collection.non_contact_cases
-    found = press_hypotheses(spec, cases, traces, peak, face, quiet / (quiet + len(cases)))
-    return replace(found, counts=found.counts[..., flat])
 
 
 def cramer_rao_row(recorded: SimulatedObject, face: int) -> dict[str, float]:

@@ -21,7 +21,7 @@ from instobj.experiments.paper_object import (
     simulated_object,
 )
 from instobj.experiments.published import TABLE_II, beside
-from instobj.experiments.reference import judged_frames, reference_row
+from instobj.experiments.reference import judged_frames, known_cases, reference_row
 from instobj.experiments.registry import Study
 
 if TYPE_CHECKING:
@@ -50,8 +50,9 @@ def run_seen_unseen(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, An
     parts = frames.select(split.train & seen), frames.select(split.validation & seen)
     tested = {"seen": frames.select(split.test & seen), "unseen": frames.select(~seen)}
     single = [case for case in paper_cases(recorded.spec, face) if len(case.face) == 1]
+    known = known_cases(recorded, face, single)
     bounds = {
-        places: reference_row(judged_frames(recorded, face, part, single), span)
+        places: reference_row(judged_frames(recorded, face, part, known), span)
         for places, part in tested.items()
     }
     rows: list[dict[str, Any]] = []

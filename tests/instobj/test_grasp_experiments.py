@@ -92,6 +92,11 @@ def test_grasps_stand_beside_the_papers(results):
     assert found["rows"][0]["paper E_f %"] == 38.7
     assert len(found["sweep"]["face 3, all sensors"]["E_f %"]) == 8
     assert "56 of the collection's 56 contact cases" in " ".join(found["texts"])
+    for row in found["rows"]:
+        assert 0 < row["best total force %"] < row["total force %"]
+        assert 0 < row["best E_f %"] < row["E_f %"]
+    own, every = found["rows"][:2]
+    assert every["best total force %"] < own["best total force %"]
 
 
 @pytest.mark.slow
