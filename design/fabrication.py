@@ -110,10 +110,11 @@ def _sliver(name: str, volume_mm3: float, place: Place) -> Finding:
 
 
 def _pieces(shape: cq.Shape | trimesh.Trimesh) -> list[tuple[float, Place]]:
-    """Volume (mm³) and middle of every separate piece."""
+    """Volume (mm³) and middle of every separate piece; a void inside one (its triangles look inwards)
+    is none."""
     if isinstance(shape, cq.Shape):
         return [(s.Volume(), place_of(s.Center().toTuple())) for s in shape.Solids()]
-    pieces = shape.split(only_watertight=False)
+    pieces = [piece for piece in shape.split(only_watertight=False) if piece.volume > 0]
     return [(float(piece.volume), place_of(piece.center_mass)) for piece in pieces]
 
 

@@ -6,6 +6,7 @@ from pathlib import Path
 import cadquery as cq
 import numpy as np
 import pytest
+import trimesh
 from body_cases import body_spec
 from numpy.testing import assert_allclose
 
@@ -65,6 +66,15 @@ def test_slivers_beside_the_core_are_found():
     whole, _ = check_solid("core", make_core(PAPER), PAPER)
     assert {finding.status for finding in whole} == {"pass"}
     assert mesh is not None
+
+
+def test_a_void_inside_a_body_is_no_second_body():
+    """A shell cast round a core that nothing reaches is one body with two surfaces."""
+    hollow = trimesh.boolean.difference([trimesh.creation.box((9, 8, 7)), trimesh.creation.box()])
+    assert len(hollow.split(only_watertight=False)) == 2
+    findings, _ = check_solid("shell", hollow, PAPER)
+    assert found(findings, "one solid").status == "pass"
+    assert_allclose(found(findings, "no slivers").value, 9 * 8 * 7, rtol=1e-9)
 
 
 def test_a_wall_of_0_38_mm_is_found():
