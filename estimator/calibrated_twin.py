@@ -29,7 +29,7 @@ from estimator.assembly import Assembly, assembled, contribution_sizes, counts_o
 from estimator.discrepancy import Discrepancy, Prior
 from estimator.interpolation import press_traces
 from estimator.monotone import monotone_cubic
-from estimator.pose_fit import LARGEST_SHIFT_MM
+from estimator.pose_fit import LARGEST_SHIFT_MM, LARGEST_TURN_DEG
 from estimator.press_states import ASIDE_MM, motions_as_signals, rest_motion
 from estimator.pressed_places import PressedPlaces
 from estimator.signals import Signals
@@ -87,10 +87,15 @@ class Unknowns:
 
     @cached_property
     def limits(self) -> Float[np.ndarray, "number"]:
-        """How far each may go either way: five standard deviations, a core shift 3 mm at most."""
+        """How far each may go either way: five standard deviations, and a core as far as it may slip
+        (3 mm, 10°)."""
         sizes = {name: np.full(int(mask.sum()), _FARTHEST) for name, mask in self.free.items()}
-        shift = max(self.spec.tolerances.core_shift_mm, 1e-9)
-        sizes["core_shift"] = np.minimum(sizes["core_shift"], LARGEST_SHIFT_MM / shift)
+        tolerances = self.spec.tolerances
+        for name, farthest, one in (
+            ("core_shift", LARGEST_SHIFT_MM, tolerances.core_shift_mm),
+            ("core_yaw", LARGEST_TURN_DEG, tolerances.core_yaw_deg),
+        ):
+            sizes[name] = np.minimum(sizes[name], farthest / max(one, 1e-9))
         return np.concatenate([*sizes.values(), np.full(len(STIFFENING), _FARTHEST)])
 
     def within(self, numbers: Float[np.ndarray, "number"]) -> Float[np.ndarray, "number"]:
@@ -159,15 +164,16 @@ class _Mechanics:
     def jacobian(
         self, numbers: Float[np.ndarray, "number"], here: Float[np.ndarray, "row channel"]
     ) -> Float[np.ndarray, "row channel number"]:
-        """By differences of a twentieth of each number's standard deviation, forward where forces
-        grow there."""
+        """By differences of a twentieth of each number's standard deviation, forward within the limits
+        and where forces grow there."""
         columns = []
-        for step in _STEP * np.eye(len(numbers)):
+        room = self.unknowns.limits - numbers
+        for step in np.diag(np.where(room > _STEP, _STEP, -_STEP)):
             there = self.expected(numbers + step)
-            ahead = np.isfinite(there).all()
-            columns.append(
-                (there - here if ahead else here - self.expected(numbers - step)) / _STEP
-            )
+            if not np.isfinite(there).all():
+                step = -step
+                there = self.expected(numbers + step)
+            columns.append((there - here) / step.sum())
         return np.stack(columns, axis=-1)
 
 

@@ -19,6 +19,9 @@ if TYPE_CHECKING:
     from estimator.pressed_places import PressedPlaces
     from fem.results import MagnetMotions, PressForces
 
+_TRUSTED_PERCENT = 10.0
+_EXACT_PERCENT = 3.0
+"""What meshes of one design differ by: nothing is to be gained on a design that leaves less."""
 Parts = tuple["FrameSet", "FrameSet"]
 
 
@@ -108,17 +111,33 @@ def require_same_object(spec: ObjectSpec, frames: FrameSet) -> None:
         )
 
 
+def verdict(left_percent: float, design_percent: float, strained: int) -> str:
+    """Whether presses of the twin help: less than half is left of what the design leaves, and at most
+    10 % of the signals, with no number at its limit; or the design itself leaves next to nothing.
+    """
+    if strained:
+        return (
+            f"no: {strained} numbers at their limits; is it this object, are its tolerances true?"
+        )
+    if left_percent > min(_TRUSTED_PERCENT, design_percent / 2) and design_percent > _EXACT_PERCENT:
+        return "no: train without --twin, or press more places"
+    return "yes"
+
+
 def _row(
     twin: CalibratedTwin, seen: PressedPlaces, calibrated: np.ndarray, planned: np.ndarray
 ) -> dict[str, Any]:
     """What was found, and what is left of the signals of places left out in turn."""
     found = twin.unknowns
     correction = found.correction(twin.numbers)
+    left, by_design = (round(100 * float(np.median(one)), 2) for one in (calibrated, planned))
+    strained = int(np.sum(abs(twin.numbers) >= found.limits - 1e-6))
     return {
         "face": found.face,
         "places": len(seen),
-        "signals left %, places left out": round(100 * float(np.median(calibrated)), 2),
-        "signals left %, design": round(100 * float(np.median(planned)), 2),
+        "signals left %, places left out": left,
+        "signals left %, design": by_design,
+        "helps": verdict(left, by_design, strained),
         "modulus over design": round(found.assembly(twin.numbers).modulus_ratio, 4),
         "large deformation": [
             round(value, 4)

@@ -18,7 +18,7 @@ from estimator.press_protocol import simulate_presses
 from estimator.splits import split_presses
 from estimator.twin import drawn_assembly, twin_signals
 from instobj import calibrated
-from instobj.calibrated import TwinOfData, require_same_object
+from instobj.calibrated import TwinOfData, require_same_object, verdict
 from instobj.commands import run_estimator
 from instobj.publish import run_folder
 
@@ -69,6 +69,7 @@ def test_presses_at_every_place_join_both_parts(frames, twin):
     (row,) = twin.rows
     assert row["places"] == 12
     assert row["signals left %, places left out"] < 0.5 * row["signals left %, design"]
+    assert row["helps"] == "yes"
     assert len(row["places mm"]) == len(row["left %"]) == len(row["left by design %"]) == 12
 
 
@@ -89,6 +90,35 @@ def test_the_command_writes_models_and_what_was_calibrated(frames, twin, tmp_pat
     plain = run_estimator([tmp_path / "cube.nc"], ("networks",), tmp_path, SETTINGS)
     assert plain["objects"][0]["stages"] != found["objects"][0]["stages"]
     assert "calibrated twin (medians over labelled places)" not in plain["objects"][0]["summary"]
+
+
+@pytest.mark.parametrize(
+    ("numbers", "said"),
+    [
+        ((4.0, 20.0, 0), "yes"),
+        ((2.5, 2.4, 0), "yes"),
+        ((11.0, 40.0, 0), "no: train without"),
+        ((6.0, 8.0, 0), "no: train without"),
+        ((4.0, 20.0, 2), "no: 2 numbers at their limits"),
+    ],
+)
+def test_the_verdict_on_a_twin(numbers, said):
+    assert verdict(*numbers).startswith(said)
+
+
+@pytest.mark.slow
+def test_a_foreign_object_is_not_explained(frames, twin):
+    """Places exchanged: no object within tolerances gives such signals."""
+    wrong = frames.select(np.arange(len(frames)))
+    pressed = wrong.contact_face[:, 0] == FACE
+    wrong.contact_xy_mm[pressed, 0] = np.roll(
+        np.unique(wrong.contact_xy_mm[pressed, 0], axis=0), 5, 0
+    )[wrong.place_id[pressed] % 1000]
+    split = split_presses(wrong, 1)
+    twin.extended(
+        (wrong.select(split.train), wrong.select(split.validation)), FACE, lambda text: None
+    )
+    assert twin.rows[0]["helps"].startswith("no: ")
 
 
 def test_another_object_and_too_few_places_are_told(frames, twin):
