@@ -24,10 +24,11 @@ from itertools import product
 import numpy as np
 from jaxtyping import Bool, Float
 
+from design.errors import InputError
 from design.spec import ObjectSpec
 from estimator.assembly import Assembly, assembled, contribution_sizes, counts_of, designed
 from estimator.discrepancy import Discrepancy, Prior
-from estimator.interpolation import press_traces
+from estimator.interpolation import all_grow, press_traces
 from estimator.monotone import monotone_cubic
 from estimator.pose_fit import LARGEST_SHIFT_MM, LARGEST_TURN_DEG
 from estimator.press_states import ASIDE_MM, motions_as_signals, rest_motion
@@ -57,6 +58,7 @@ _FIRST = Prior(0.02, 10.0)
 _ITERATIONS = 12
 _STEP = 0.05
 _FARTHEST = 5.0
+_DRAWS = 20
 _SETTLED = 0.05
 _FOLDS = 5
 
@@ -198,23 +200,44 @@ class CalibratedTwin:
         the labelled presses leave possible.
 
         Channels of other faces are the design's, with this object's core and modulus.
+
+        Raises
+        ------
+        InputError
+            Forces that fall with depth, in the most probable object or in twenty draws.
         """
-        unknowns, face = self.unknowns, self.unknowns.face
-        numbers = self.numbers
-        if rng is not None:
-            numbers = unknowns.within(numbers + self.factor @ rng.standard_normal(len(numbers)))
-        table = corrected_table(
-            unknowns.spec, *_of_face(self.forces, self.motions, face), unknowns.correction(numbers)
+        for _ in range(1 if rng is None else _DRAWS):
+            numbers = self.numbers
+            if rng is not None:
+                numbers = numbers + self.factor @ rng.standard_normal(len(numbers))
+            signals = self._of(self.unknowns.within(numbers))
+            if all_grow(signals):
+                return self._with_discrepancy(signals, rng)
+        raise InputError(
+            f"the labelled presses of face {self.unknowns.face} fit no object of "
+            f"{self.unknowns.spec.name!r}: its forces would fall with depth. Give the specification "
+            "of the object that was pressed, with true tolerances"
         )
-        signals = twin_signals(unknowns.spec, unknowns.assembly(numbers), *table)
+
+    def _of(self, numbers: Float[np.ndarray, "number"]) -> Signals:
+        unknowns = self.unknowns
+        table = corrected_table(
+            unknowns.spec,
+            *_of_face(self.forces, self.motions, unknowns.face),
+            unknowns.correction(numbers),
+        )
+        return twin_signals(unknowns.spec, unknowns.assembly(numbers), *table)
+
+    def _with_discrepancy(self, signals: Signals, rng: np.random.Generator | None) -> Signals:
         xy, force = signals.lattice.xy_mm, signals.force_n[0]
         added = self.discrepancy.mean(self.left, xy, force)
         if rng is not None:
             added = added + self.discrepancy.doubt(xy, force, rng)
-        first = int(np.searchsorted(unknowns.spec.body.sensed, face))
-        count = 3 * unknowns.spec.sensors.count_per_face
+        spec = self.unknowns.spec
+        first = int(np.searchsorted(spec.body.sensed, self.unknowns.face))
+        own = 3 * spec.sensors.count_per_face * first + self.discrepancy.seen.channels
         delta = signals.delta_counts.reshape(*signals.force_n.shape, -1).copy()
-        delta[0][..., first * count + self.discrepancy.seen.channels] += added
+        delta[0][..., own] += added
         return replace(signals, delta_counts=delta.reshape(signals.delta_counts.shape))
 
 

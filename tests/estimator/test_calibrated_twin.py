@@ -122,6 +122,16 @@ def test_draws_scatter_by_the_error_that_there_is(truth, seen, twin):
     assert 0.3 < np.sqrt(np.mean(error**2)) < 2.0
 
 
+def test_an_object_whose_forces_fall_is_told(twin):
+    """Large deformation at its limits softens so much that no press grows."""
+    numbers = twin.numbers.copy()
+    numbers[-5:] = [-5, 5, 0, 0, 0]
+    impossible = replace(twin, numbers=numbers, factor=0 * twin.factor)
+    for rng in (None, np.random.default_rng(1)):
+        with pytest.raises(InputError, match="forces would fall with depth"):
+            impossible.signals(rng)
+
+
 def test_simulated_presses_cover_all_places_and_are_reproducible(twin):
     simulated, again = (calibrated_frames(twin, 2) for _ in range(2))
     np.testing.assert_array_equal(simulated.signal_counts, again.signal_counts)
