@@ -74,8 +74,9 @@ def one_closed_surface(mesh: trimesh.Trimesh, part: str) -> trimesh.Trimesh:
     """
     outsides = sum(piece.volume > 0 for piece in mesh.split(only_watertight=False))
     if outsides != 1 or not mesh.is_watertight:
+        state = "closed" if mesh.is_watertight else "not closed"
         raise NotOneSolid(
-            f"{part} must be one closed body; these dimensions give {outsides}. Move its recesses, "
+            f"{part} must be one closed body; these dimensions give {outsides} ({state}). Move its recesses, "
             "holes or pockets apart, or make them smaller",
             mesh,
         )

@@ -165,7 +165,7 @@ class TrainingSpec(SpecPart):
     over so many frames, which tells loading from unloading (hysteresis of the silicone). `members`:
     networks that are averaged, each stopped and calibrated by its own fold of the presses. Intervals
     cover the share `interval_cover`. `twins`: simulated objects that `instobj pretrain` draws within
-    `[tolerances]`.
+    `[tolerances]`, or `--twin` within what labelled presses leave possible.
     """
 
     model: Literal["compact", "whole-object", "paper", "linear"] = "compact"

@@ -230,13 +230,6 @@ def unresolved_presses(signals: Signals) -> Bool[np.ndarray, "face place step"]:
     return ~_grows(signals.force_n)
 
 
-def all_grow(signals: Signals) -> bool:
-    """Whether `press_traces` takes every place of the lattice: the deepest force is the largest, and
-    most steps grow."""
-    grows = _grows(signals.force_n)
-    return bool(grows[..., -1].all() and (2 * grows.sum(axis=-1) >= grows.shape[-1]).all())
-
-
 def _grows(force_n: Float[np.ndarray, "*any step"]) -> Bool[np.ndarray, "*any step"]:
     before = np.maximum.accumulate(force_n, axis=-1)[..., :-1]
     before = np.concatenate([np.zeros_like(force_n[..., :1]), np.maximum(before, 0)], axis=-1)

@@ -26,8 +26,7 @@ PRIOR = (1.0, 1.0, 1.0, 3.0, 3.0, 3.0, 0.02, 0.5)
 scale (a grade's range), ln of the modulus' scale."""
 LARGEST_SHIFT_MM = 3.0
 """Of each coordinate that a fit may take; sensors come no nearer to magnets than by about this."""
-LARGEST_TURN_DEG = 10.0
-BOUNDS = (*(LARGEST_SHIFT_MM,) * 3, *(LARGEST_TURN_DEG,) * 3, 0.1, 1.5)
+BOUNDS = (*(LARGEST_SHIFT_MM,) * 3, 10.0, 10.0, 10.0, 0.1, 1.5)
 _FLOOR_COUNTS = 20.0
 _MODEL_ERROR = 0.2
 _EVALUATIONS = 15

@@ -8,15 +8,20 @@ import numpy as np
 from jaxtyping import Bool, Float, Int
 
 from design.errors import InputError
+from design.layouts import press_lattice
 from design.spec import ObjectSpec
 from estimator.dataset import NO_FACE, FrameSet
 from estimator.press_protocol import DRIFT_TIME_S
+from estimator.press_states import ASIDE_MM
 
 LEVELS = 16
 """At most; with few frames at least three make a mean."""
 LEAST_PLACES = 4
 LEAST_FRAMES = 12
 """Frames of a place, below which it is left out."""
+MOST_PLACES = 150
+"""Of more, every second, third, … is used: costs grow with the cube of their number."""
+_STRAIGHT_NOISES = 4.0
 
 
 @dataclass(frozen=True)
@@ -61,7 +66,8 @@ class PressedPlaces:
 
 
 def pressed_places(spec: ObjectSpec, frames: FrameSet, face: int) -> PressedPlaces:
-    """Frames in which one tip presses this face and nothing else does, up to 16 means a place.
+    """Frames in which one tip presses this face straight down and nothing else does, up to 16 means
+    a place (`place_id`). Places beyond the simulated lattice are left out.
 
     Raises
     ------
@@ -70,28 +76,33 @@ def pressed_places(spec: ObjectSpec, frames: FrameSet, face: int) -> PressedPlac
     """
     touched = frames.contact_face != NO_FACE
     slot, every = touched.argmax(axis=1), np.arange(len(frames))
+    force, xy = frames.force_n[every, slot], frames.contact_xy_mm[every, slot]
+    own = frames.signal_counts[:, np.flatnonzero(frames.faces == face)]
+    own = own.reshape(len(frames), 3 * spec.sensors.count_per_face)
+    straight = np.hypot(force[:, 0], force[:, 1]) <= _STRAIGHT_NOISES * spec.protocol.force_noise_n
+    reach = -press_lattice(spec).xy_mm.min(axis=0) - ASIDE_MM
     alone = frames.valid & (touched.sum(axis=1) == 1) & (frames.contact_face[every, slot] == face)
-    force = frames.force_n[every, slot, 2][alone]
-    xy = frames.contact_xy_mm[every, slot][alone]
-    own = frames.signal_counts[alone][:, np.flatnonzero(frames.faces == face)]
-    own = own.reshape(len(force), 3 * spec.sensors.count_per_face)
+    alone &= straight & np.isfinite(own).any(axis=1) & (abs(xy) <= reach).all(axis=1)
+    force, xy, own = force[alone, 2], xy[alone], own[alone]
     zeroed = (frames.press_id if frames.source == "recorded" else frames.session_id)[alone]
     channels = np.flatnonzero(np.isfinite(own).all(axis=0)) if len(own) else np.arange(0)
-    _, which = np.unique(np.round(xy, 3), axis=0, return_inverse=True)
+    which = frames.place_id[alone]
     rows = [np.flatnonzero(which == number) for number in np.unique(which)]
     rows = [row[np.argsort(force[row])] for row in rows if len(row) >= LEAST_FRAMES]
     if len(rows) < LEAST_PLACES or not len(channels):
         raise InputError(
-            f"a twin of face {face} is calibrated on presses of one tip alone, at {LEAST_PLACES} "
-            f"places or more with {LEAST_FRAMES} frames each; got {len(rows)} such places and "
-            f"{len(channels)} channels of the face without gaps. Press more places one by one"
+            f"a twin of face {face} is calibrated on presses straight down by one tip alone, at "
+            f"{LEAST_PLACES} places or more with {LEAST_FRAMES} frames each; got {len(rows)} such "
+            f"places and {len(channels)} channels of the face without gaps. Press more places one by "
+            "one"
         )
+    rows = rows[:: -(-len(rows) // MOST_PLACES)]
     count = min(LEVELS, min(len(row) for row in rows) // 3)
     levels = [np.array_split(row, count) for row in rows]
     return PressedPlaces(
         face,
         channels,
-        np.array([xy[row[0]] for row in rows]),
+        np.array([np.median(xy[row], axis=0) for row in rows]),
         np.maximum([[force[level].mean() for level in place] for place in levels], 0.0),
         np.array([[own[level][:, channels].mean(axis=0) for level in place] for place in levels]),
         np.array([[len(level) for level in place] for place in levels]),

@@ -7,6 +7,8 @@ learnt from all of them together leans on no single one.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from design.spec import ObjectSpec
@@ -46,6 +48,22 @@ def twin_frames(
         signals = twin_signals(spec, drawn_assembly(spec, seed), forces, motions)
         parts.append(_few_presses(spec, signals, seed, f"twin {number}"))
     return joined(parts)
+
+
+def with_calibrated_presses(
+    twin: CalibratedTwin,
+    parts: tuple[FrameSet, FrameSet],
+    draws: int,
+    progress: Progress | None = None,
+) -> FrameSet:
+    """The first part, for training, with presses of the calibrated twin at every place.
+
+    Press ids are unique over both parts; the second one, which stops the training and calibrates the
+    intervals, stays what was labelled.
+    """
+    simulated = calibrated_frames(twin, draws, progress)
+    taken = max(int(part.press_id.max()) for part in parts) + 1
+    return joined([parts[0], replace(simulated, press_id=simulated.press_id + taken)])
 
 
 def calibrated_frames(

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from design.errors import InputError
-from design.spec import ObjectSpec
+from design.spec import ObjectSpec, TrainingSpec
 from instobj.chain import Chain
 from instobj.stage import Step, write_json
 
@@ -20,8 +20,9 @@ if TYPE_CHECKING:
     from fem.results import MagnetMotions, PressForces
 
 _TRUSTED_PERCENT = 10.0
-_EXACT_PERCENT = 3.0
-"""What meshes of one design differ by: nothing is to be gained on a design that leaves less."""
+_EXACT_PERCENT = 4.0
+"""Twice what meshes of one design differ by in the mean."""
+_SHARE = 0.8
 Parts = tuple["FrameSet", "FrameSet"]
 
 
@@ -29,61 +30,108 @@ Parts = tuple["FrameSet", "FrameSet"]
 class TwinOfData:
     """The specification of a data set's object, its simulated presses, and what was calibrated.
 
-    `key` names the presses in the store; `rows` gets one row a calibrated face.
+    `key` names the presses in the store; `draws` objects are drawn from what is left possible; `rows`
+    gets one row a face.
     """
 
     spec: ObjectSpec
     presses: tuple[PressForces, MagnetMotions]
     key: str
+    draws: int
     rows: list[dict[str, Any]] = field(default_factory=list)
 
     def extended(self, parts: Parts, face: int, step: Step) -> Parts:
-        """Training and validation frames with presses at every place of the face added.
+        """Training frames with presses at every place of the face added; validation frames as given.
 
         The twin sees training frames alone; how well it predicts is judged on training places left
-        out in turn.
-
-        Raises
-        ------
-        InputError
-            Another object than the specification's, or too few places pressed one by one.
+        out in turn. A face with too few places stays as it is, and its row says so.
         """
         from estimator.calibrated_twin import calibrate, places_left_out
-        from estimator.collection import joined
         from estimator.pressed_places import pressed_places
-        from estimator.pretraining import calibrated_frames, split_twins
+        from estimator.pretraining import with_calibrated_presses
 
-        require_same_object(self.spec, parts[0])
-        seen = pressed_places(self.spec, parts[0], face)
+        try:
+            seen = pressed_places(self.spec, parts[0], face)
+        except InputError as error:
+            self.rows.append({"face": face, "places": 0, "helps": f"not used: {error}"})
+            return parts
         step(f"face {face}: calibrating the twin on {len(seen)} places")
         twin = calibrate(self.spec, *self.presses, seen)
         left = places_left_out(
             self.spec, *self.presses, seen, lambda text: step(f"face {face}: {text}")
         )
         self.rows.append(_row(twin, seen, *left))
-        simulated = calibrated_frames(
-            twin, self.spec.training.twins, lambda text: step(f"face {face}: {text}")
+        train = with_calibrated_presses(
+            twin, parts, self.draws, lambda text: step(f"face {face}: {text}")
         )
-        split = split_twins(simulated)
-        train, validation = (simulated.select(part) for part in (split.train, split.validation))
-        return joined([parts[0], train]), joined([parts[1], validation])
+        return train, parts[1]
 
     def write(self, folder: Path) -> None:
         """`calibration.json` and a picture of what is left at places left out."""
         from instobj.report.calibration_figure import draw_calibration
 
         write_json({"object": self.spec.name, "faces": self.rows}, folder / "calibration.json")
-        draw_calibration(self.spec, self.rows, folder / "calibration.png")
+        judged = [row for row in self.rows if row["places"]]
+        draw_calibration(self.spec, judged, folder / "calibration.png")
 
 
-def twin_of_data(path: Path) -> TwinOfData:
-    """Simulated presses of a specification, from the store or made."""
+def twin_of_data(path: Path, frames: FrameSet, training: TrainingSpec) -> TwinOfData:
+    """Simulated presses of a specification, from the store or made.
+
+    Raises
+    ------
+    InputError
+        Another object than the data set's, settings that presses of a twin do not serve, or no face
+        with enough places pressed one by one.
+    """
     from design.spec_io import load_spec
     from fem.results import load_presses
 
     spec = load_spec(path, [])
+    require_settings(training)
+    require_same_object(spec, frames)
+    _require_some_face(spec, frames)
     result = Chain(spec).require("presses")
-    return TwinOfData(spec, load_presses(result.folder / "presses.nc"), result.key)
+    presses = load_presses(result.folder / "presses.nc")
+    return TwinOfData(spec, presses, result.key, training.twins)
+
+
+def require_settings(training: TrainingSpec) -> None:
+    """Draws of a twin are single frames of the face's own channels and of normal force.
+
+    Raises
+    ------
+    InputError
+        Settings that need more.
+    """
+    wanted = {"model": "compact", "history_frames": 0, "heatmap_axes": 1, "members": 1}
+    asked = {
+        name: getattr(training, name)
+        for name, value in wanted.items()
+        if getattr(training, name) != value
+        and (name != "model" or training.model == "whole-object")
+    }
+    if asked:
+        texts = ", ".join(f"training.{name} = {value!r}" for name, value in asked.items())
+        raise InputError(
+            f"--twin serves estimators that read single frames of the face's own sensors as normal "
+            f"force, one network each; got {texts}. Leave these settings or --twin out"
+        )
+
+
+def _require_some_face(spec: ObjectSpec, frames: FrameSet) -> None:
+    from estimator.heatmap import faces_pressed
+    from estimator.pressed_places import pressed_places
+
+    errors = []
+    for face in faces_pressed(frames):
+        try:
+            pressed_places(spec, frames, face)
+            return
+        except InputError as error:
+            errors.append(error)
+    if errors:
+        raise errors[0]
 
 
 def require_same_object(spec: ObjectSpec, frames: FrameSet) -> None:
@@ -104,22 +152,31 @@ def require_same_object(spec: ObjectSpec, frames: FrameSet) -> None:
     alike = all(a.shape == b.shape and np.allclose(a, b, atol=1e-6) for a, b in pairs)
     if not alike or sensors != spec.sensors.count_per_face:
         raise InputError(
-            f"the data set has {len(got[0])} × {len(got[1])} contact places on faces "
-            f"{got[2].tolist()} and {sensors} sensors a face; {spec.name} has {len(wanted[0])} × "
-            f"{len(wanted[1])} on faces {wanted[2].tolist()} and {spec.sensors.count_per_face}. Give "
-            "the specification of the object that was recorded"
+            f"the data set has {_described(*got, sensors)}; {spec.name} has "
+            f"{_described(*wanted, spec.sensors.count_per_face)}. Give the specification of the object "
+            "that was recorded"
         )
 
 
+def _described(x_mm: np.ndarray, y_mm: np.ndarray, faces: np.ndarray, sensors: int) -> str:
+    return (
+        f"{len(x_mm)} × {len(y_mm)} contact places from ({x_mm[0]:g}, {y_mm[0]:g}) to ({x_mm[-1]:g}, "
+        f"{y_mm[-1]:g}) mm on faces {faces.tolist()} and {sensors} sensors a face"
+    )
+
+
 def verdict(left_percent: float, design_percent: float, strained: int) -> str:
-    """Whether presses of the twin help: less than half is left of what the design leaves, and at most
-    10 % of the signals, with no number at its limit; or the design itself leaves next to nothing.
+    """Whether presses of the twin help, from what it and the design leave of signals at four of five
+    places at most.
+
+    They do where it leaves no more than meshes of one design differ by, or less than half of what
+    the design leaves and at most 10 %, with no number at its limit.
     """
     if strained:
         return (
             f"no: {strained} numbers at their limits; is it this object, are its tolerances true?"
         )
-    if left_percent > min(_TRUSTED_PERCENT, design_percent / 2) and design_percent > _EXACT_PERCENT:
+    if left_percent > max(_EXACT_PERCENT, min(_TRUSTED_PERCENT, design_percent / 2)):
         return "no: train without --twin, or press more places"
     return "yes"
 
@@ -128,16 +185,19 @@ def _row(
     twin: CalibratedTwin, seen: PressedPlaces, calibrated: np.ndarray, planned: np.ndarray
 ) -> dict[str, Any]:
     """What was found, and what is left of the signals of places left out in turn."""
+    from estimator.calibrated_twin import FARTHEST
+
     found = twin.unknowns
     correction = found.correction(twin.numbers)
     left, by_design = (round(100 * float(np.median(one)), 2) for one in (calibrated, planned))
-    strained = int(np.sum(abs(twin.numbers) >= found.limits - 1e-6))
+    most, most_by_design = (100 * float(np.quantile(one, _SHARE)) for one in (calibrated, planned))
+    strained = int(np.sum(abs(twin.numbers) >= FARTHEST - 1e-6))
     return {
         "face": found.face,
         "places": len(seen),
         "signals left %, places left out": left,
         "signals left %, design": by_design,
-        "helps": verdict(left, by_design, strained),
+        "helps": verdict(most, most_by_design, strained),
         "modulus over design": round(found.assembly(twin.numbers).modulus_ratio, 4),
         "large deformation": [
             round(value, 4)

@@ -150,7 +150,7 @@ def run_estimator(
             objects.append(run_on_data_set(path, stages, out, overrides, start, twin))
         elif start is not None or twin is not None:
             raise InputError(
-                f"--{'twin' if start is None else 'start'} is for data sets (.nc); got the "
+                f"{'--twin' if start is None else '--start'} is for data sets (.nc); got the "
                 f"specification {path}. Leave it out, or give the data set of the object that the "
                 "estimators shall be tuned to"
             )

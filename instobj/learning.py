@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from estimator.splits import Split
     from instobj.calibrated import TwinOfData
 
-_VERSION = 5
+_VERSION = 6
 
 
 def train_networks(
@@ -155,10 +155,10 @@ def run_on_data_set(
     from instobj.summary import summarize
 
     training, seed = _settings(overrides)
-    load_frames(path)
+    frames = load_frames(path)
     name = path.parent.name if path.stem == "frames" else path.stem
     progress = ProgressLine()
-    twin = None if twin_spec is None else twin_of_data(twin_spec)
+    twin = None if twin_spec is None else twin_of_data(twin_spec, frames, training)
     inputs = {
         "data_set": file_key(path),
         "training": training.model_dump(mode="json"),

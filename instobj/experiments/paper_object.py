@@ -175,21 +175,17 @@ def pretrained(recorded: SimulatedObject, face: int, twins: int, **training: Any
 def calibrated_parts(
     recorded: SimulatedObject, parts: tuple[FrameSet, FrameSet], face: int, draws: int
 ) -> tuple[FrameSet, FrameSet]:
-    """Training and validation frames with presses of the design's twin added, at every place.
+    """Training frames with presses of the design's twin added, at every place; validation frames.
 
     The twin is calibrated on the training frames alone.
     """
     from estimator.calibrated_twin import calibrate
-    from estimator.collection import joined
     from estimator.pressed_places import pressed_places
-    from estimator.pretraining import calibrated_frames, split_twins
+    from estimator.pretraining import with_calibrated_presses
 
     seen = pressed_places(recorded.design, parts[0], face)
     twin = calibrate(recorded.design, *recorded.design_presses, seen)
-    simulated = calibrated_frames(twin, draws)
-    split = split_twins(simulated)
-    train, validation = simulated.select(split.train), simulated.select(split.validation)
-    return joined([parts[0], train]), joined([parts[1], validation])
+    return with_calibrated_presses(twin, parts, draws), parts[1]
 
 
 def fitted_to_split(

@@ -62,8 +62,8 @@ def judged_frames(
 ) -> Judged:
     """At most 4000 of the frames, and contact cases as the object shows them.
 
-    Known are all cases of the face's collection unless others are given; seen are the face's own
-    channels, or those of every face.
+    Known are all cases of the face's collection unless others are given, and the share of rest; seen
+    are the face's own channels, or those of every face.
     """
     from dataclasses import replace
 
@@ -78,9 +78,9 @@ def judged_frames(
     channels = live_channels(data, every_face)
     flat = flat_channels(recorded.spec, channels)
     known = known or known_cases(recorded, face)
-    cases, quiet = known.cases, recorded.spec.collection.non_contact_cases
+    cases, rest_share = known.cases, float(data.rest.mean())
     hypotheses = press_hypotheses(
-        recorded.spec, cases, known.traces, known.peak_mm, face, quiet / (quiet + len(cases))
+        recorded.spec, cases, known.traces, known.peak_mm, face, rest_share
     )
     return Judged(
         data,

@@ -107,7 +107,9 @@ def _models(
     tuned = label | {"twins": twins}
     models["pre-trained"] = fitted(recorded, parts, face, tuned, start, output="position")
     wider = calibrated_parts(recorded, parts, face, twins)
-    models["calibrated twin"] = fitted(recorded, wider, face, label | {"calibrated": twins})
+    models["calibrated twin"] = fitted(
+        recorded, wider, face, label | {"calibrated": twins, "version": 2}
+    )
     return models
 
 

@@ -14,7 +14,9 @@ _PANELS = {"left by design %": "design", "left %": "calibrated twin"}
 
 
 def draw_calibration(spec: ObjectSpec, rows: list[dict[str, Any]], path: Path) -> None:
-    """A row of panels a face, one colour scale for all (PNG)."""
+    """A row of panels a face, one colour scale for all (PNG); nothing without a face."""
+    if not rows:
+        return
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(9.6, 0.9 + 3.9 * len(rows)), layout="constrained")

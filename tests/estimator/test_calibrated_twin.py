@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
+from scipy.linalg import block_diag
 from synthetic_presses import coarse_spec, synthetic_presses
 
 from design.errors import InputError
@@ -65,6 +66,15 @@ def twin(presses, seen):
     return calibrate(SPEC, *presses, seen)
 
 
+@pytest.fixture(scope="module")
+def quiet(presses, truth):
+    """Calibrated on presses with little noise, so that numbers and process are known apart."""
+    sensors = {"noise_counts": (2.0, 2.0, 2.0), "zeroing_counts": 2.0}
+    spec = SPEC.model_copy(update={"sensors": SPEC.sensors.model_copy(update=sensors)})
+    frames = simulate_presses(spec, truth, "quiet")
+    return calibrate(spec, *presses, pressed_places(spec, frames, FACE).at(np.arange(0, 49, 5)))
+
+
 def left_over(signals, truth, seen):
     """Share of the signals (rms) at 5 N at places that were not pressed."""
     xy = contact_grid(SPEC).xy_mm
@@ -105,21 +115,65 @@ def test_places_left_out_tell_the_error_beforehand(monkeypatch, presses, seen):
     calibrated, planned = places_left_out(SPEC, *presses, seen)
     assert calibrated.shape == planned.shape == (len(seen),)
     assert np.median(calibrated) < 0.5 * np.median(planned)
-    assert 0 <= np.median(calibrated) < 0.1
+    assert 0 <= np.median(calibrated) < 0.2
 
 
-def test_draws_scatter_by_the_error_that_there_is(truth, seen, twin):
-    """Around the truth as around their mean, at places that were not pressed."""
-    xy = contact_grid(SPEC).xy_mm
+def at_five_newtons(signals, xy):
+    """Own channels at places of the lattice."""
     face, force = np.full(len(xy), FACE), np.full((len(xy), 1), 5.0)
     own = slice((FACE - 1) * 9, FACE * 9)
+    return counts_at_force(press_traces(signals, face, *xy.T), force).counts[:, 0, own]
 
-    def at(signals):
-        return counts_at_force(press_traces(signals, face, *xy.T), force).counts[:, 0, own]
 
-    draws = np.stack([at(twin.signals(np.random.default_rng(seed))) for seed in range(16)])
-    error = (at(truth) - at(twin.signals())) / draws.std(axis=0)
+def drawn_at_five_newtons(twin, xy, count):
+    rngs = [np.random.default_rng(seed) for seed in range(count)]
+    return np.stack([at_five_newtons(twin.signals(rng), xy) for rng in rngs])
+
+
+def test_draws_scatter_by_the_error_that_there_is(truth, twin):
+    """Around the truth as around their mean, over all places."""
+    xy = contact_grid(SPEC).xy_mm
+    draws = drawn_at_five_newtons(twin, xy, 12)
+    error = (at_five_newtons(truth, xy) - at_five_newtons(twin.signals(), xy)) / draws.std(axis=0)
     assert 0.3 < np.sqrt(np.mean(error**2)) < 2.0
+
+
+def joint_doubt(twin):
+    """Posterior standard deviation (row, channel) of the means' expected values, by one dense matrix
+    over all channels, for linear numbers with the process."""
+    process, (rows, channels, _) = twin.discrepancy, twin.jacobian.shape
+    seen, flat = process.seen, twin.jacobian.transpose(1, 0, 2).reshape(rows * channels, -1)
+    kernel = process._kernel(seen.xy_mm, seen.force_n)
+    scales = (process.prior.size * process.scale) ** 2
+    signal = flat @ flat.T + block_diag(*[scale * kernel for scale in scales])
+    zeros = block_diag(*seen.zero_counts2)
+    noise = block_diag(*[zeros + np.diag(white) for white in process._white.T])
+    variance = signal.diagonal() - np.einsum(
+        "ij,ji->i", signal, np.linalg.solve(signal + noise, signal)
+    )
+    return np.sqrt(variance).reshape(channels, rows).T
+
+
+@pytest.mark.parametrize("fault", [None, "numbers and process drawn apart"])
+def test_numbers_and_process_are_drawn_together(quiet, fault):
+    """At pressed places, where both are known together much better than either alone."""
+    wanted = joint_doubt(quiet)
+    if fault:
+        quiet = replace(quiet, jacobian=0 * quiet.jacobian)
+    seen, own = quiet.discrepancy.seen, slice((FACE - 1) * 9, FACE * 9)
+    face = np.full(len(seen), FACE)
+    draws = [
+        counts_at_force(
+            press_traces(quiet.signals(np.random.default_rng(seed)), face, *seen.xy_mm.T),
+            seen.force_n,
+            "clamp",
+        ).counts[..., own]
+        for seed in range(12)
+    ]
+    spread = np.std(draws, axis=0, ddof=1).reshape(-1, 9)
+    strong = (seen.force_n > 3.0).ravel()
+    ratio = np.median(spread[strong] / wanted[strong])
+    assert (0.85 < ratio < 1.15) == (fault is None)
 
 
 def test_an_object_whose_forces_fall_is_told(twin):

@@ -14,11 +14,17 @@ from synthetic_presses import coarse_spec, synthetic_presses
 from design.errors import InputError
 from estimator import calibrated_twin
 from estimator.dataset import save_frames
+from estimator.face_model import load_model
 from estimator.press_protocol import simulate_presses
 from estimator.splits import split_presses
 from estimator.twin import drawn_assembly, twin_signals
 from instobj import calibrated
-from instobj.calibrated import TwinOfData, require_same_object, verdict
+from instobj.calibrated import (
+    TwinOfData,
+    require_same_object,
+    twin_of_data,
+    verdict,
+)
 from instobj.commands import run_estimator
 from instobj.publish import run_folder
 
@@ -54,18 +60,19 @@ def frames(presses):
 @pytest.fixture
 def twin(presses, monkeypatch):
     monkeypatch.setattr(calibrated_twin, "_FOLDS", 2)
-    return TwinOfData(SPEC, presses, "synthetic")
+    return TwinOfData(SPEC, presses, "synthetic", 5)
 
 
 def test_presses_at_every_place_join_both_parts(frames, twin):
     split = split_presses(frames, 1)
     parts = frames.select(split.train), frames.select(split.validation)
     train, validation = twin.extended(parts, FACE, lambda text: None)
-    for mine, wider in zip(parts, (train, validation), strict=True):
-        np.testing.assert_array_equal(wider.signal_counts[: len(mine)], mine.signal_counts)
-        places = np.unique(wider.place_id[wider.place_id >= 0])
-        assert places.tolist() == [3000 + place for place in range(16)]
-        assert not set(wider.press_id[len(mine) :]) & set(wider.press_id[: len(mine)])
+    assert validation is parts[1]
+    np.testing.assert_array_equal(train.signal_counts[: len(parts[0])], parts[0].signal_counts)
+    places = np.unique(train.place_id[train.place_id >= 0])
+    assert places.tolist() == [3000 + place for place in range(16)]
+    drawn = set(train.press_id[len(parts[0]) :])
+    assert not drawn & (set(parts[0].press_id) | set(validation.press_id))
     (row,) = twin.rows
     assert row["places"] == 12
     assert row["signals left %, places left out"] < 0.5 * row["signals left %, design"]
@@ -75,7 +82,7 @@ def test_presses_at_every_place_join_both_parts(frames, twin):
 
 def test_the_command_writes_models_and_what_was_calibrated(frames, twin, tmp_path, monkeypatch):
     monkeypatch.setenv("INSTOBJ_STORE", str(tmp_path / "store"))
-    monkeypatch.setattr(calibrated, "twin_of_data", lambda path: twin)
+    monkeypatch.setattr(calibrated, "twin_of_data", lambda *given: twin)
     save_frames(frames, tmp_path / "cube.nc")
     found = run_estimator(
         [tmp_path / "cube.nc"], ("networks",), tmp_path, SETTINGS, None, tmp_path / "cube.toml"
@@ -87,8 +94,10 @@ def test_the_command_writes_models_and_what_was_calibrated(frames, twin, tmp_pat
     (shown,) = found["objects"][0]["summary"]["calibrated twin (medians over labelled places)"]
     assert shown["signals left %, design"] == row["signals left %, design"] > 0
     assert shown["face"] == FACE
+    wider = load_model(target / "face_3.safetensors").network.state_dict()
     plain = run_estimator([tmp_path / "cube.nc"], ("networks",), tmp_path, SETTINGS)
-    assert plain["objects"][0]["stages"] != found["objects"][0]["stages"]
+    alone = load_model(target / "face_3.safetensors").network.state_dict()
+    assert not all(wider[name].equal(alone[name]) for name in wider)
     assert "calibrated twin (medians over labelled places)" not in plain["objects"][0]["summary"]
 
 
@@ -97,6 +106,7 @@ def test_the_command_writes_models_and_what_was_calibrated(frames, twin, tmp_pat
     [
         ((4.0, 20.0, 0), "yes"),
         ((2.5, 2.4, 0), "yes"),
+        ((30.0, 2.5, 0), "no: train without"),
         ((11.0, 40.0, 0), "no: train without"),
         ((6.0, 8.0, 0), "no: train without"),
         ((4.0, 20.0, 2), "no: 2 numbers at their limits"),
@@ -121,12 +131,20 @@ def test_a_foreign_object_is_not_explained(frames, twin):
     assert twin.rows[0]["helps"].startswith("no: ")
 
 
-def test_another_object_and_too_few_places_are_told(frames, twin):
+def test_what_a_twin_does_not_serve_is_told_before_anything_is_simulated(frames, twin, tmp_path):
     other = coarse_spec(contact_grid={"count": (5, 4), "pitch_mm": 5.0})
     with pytest.raises(InputError, match=r"4 × 4 contact places .* 5 × 4"):
         require_same_object(other, frames)
     few = frames.select(frames.place_id % 1000 < 2)
+    assert twin.extended((few, few), FACE, lambda text: None) == (few, few)
+    assert "Press more places one by one" in twin.rows[-1]["helps"]
+    path = tmp_path / "object.toml"
+    path.write_text('name = "synthetic"\n[contact_grid]\ncount = [4, 4]\npitch_mm = 6.0\n')
     with pytest.raises(InputError, match="Press more places one by one"):
-        twin.extended((few, few), FACE, lambda text: None)
+        twin_of_data(path, few, SPEC.training)
+    for name, value in (("history_frames", 9), ("heatmap_axes", 3), ("model", "whole-object")):
+        asked = SPEC.training.model_copy(update={name: value})
+        with pytest.raises(InputError, match=f"--twin serves .* training.{name} = "):
+            twin_of_data(path, frames, asked)
     with pytest.raises(InputError, match="--twin is for data sets"):
         run_estimator([Path("a.toml")], ("networks",), Path(), [], None, Path("a.toml"))
