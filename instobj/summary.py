@@ -59,12 +59,12 @@ def _discretisation(result: StoredResult) -> dict[str, Any]:
 
 
 def _calibration(result: StoredResult) -> list[dict[str, Any]]:
-    """Nothing where no twin was calibrated."""
+    """Nothing where no twin was calibrated; faces without one have fewer numbers."""
     path = result.folder / "calibration.json"
     rows = json.loads(path.read_text(encoding="utf-8"))["faces"] if path.exists() else []
-    return [
-        {name: value for name, value in row.items() if not isinstance(value, list)} for row in rows
-    ]
+    every = [(name, value) for row in rows for name, value in row.items()]
+    names = dict.fromkeys(name for name, value in every if not isinstance(value, list))
+    return [{name: row.get(name) for name in names} for row in rows]
 
 
 def _core_tension(result: StoredResult) -> dict[str, float]:

@@ -35,7 +35,7 @@ def draw_calibration(spec: ObjectSpec, rows: list[dict[str, Any]], path: Path) -
             axes.set(title=f"face {row['face']}, {title}: median {np.median(left):.2g} %")
             axes.set(xlabel="x (mm)", ylabel="y (mm)", aspect="equal")
             axes.margins(0.12)
-    figure.colorbar(dots, ax=panels, label="signal left over (%, rms)", shrink=0.8)
+    figure.colorbar(dots, ax=panels, label="signal left over beyond noise (%, rms)", shrink=0.8)
     figure.suptitle(f"{spec.name}: labelled places that the twin was not shown; dark is good")
     with atomic_path(path) as temporary:
         figure.savefig(temporary, dpi=120, format="png")

@@ -27,6 +27,8 @@ from instobj.calibrated import (
 )
 from instobj.commands import run_estimator
 from instobj.publish import run_folder
+from instobj.store import StoredResult
+from instobj.summary import summarize
 
 FACE = 3
 SPEC = coarse_spec(
@@ -99,6 +101,23 @@ def test_the_command_writes_models_and_what_was_calibrated(frames, twin, tmp_pat
     alone = load_model(target / "face_3.safetensors").network.state_dict()
     assert not all(wider[name].equal(alone[name]) for name in wider)
     assert "calibrated twin (medians over labelled places)" not in plain["objects"][0]["summary"]
+
+
+def test_a_face_without_a_twin_stands_in_the_table(twin, frames, tmp_path):
+    """After one that has none, and before one that has."""
+    split = split_presses(frames, 1)
+    parts = frames.select(split.train), frames.select(split.validation)
+    few = frames.select(frames.place_id % 1000 < 2)
+    twin.extended((few, few), FACE, lambda text: None)
+    twin.extended(parts, FACE, lambda text: None)
+    twin.write(tmp_path)
+    rows = summarize({"networks": StoredResult("networks", "", tmp_path, True, 0.0)})
+    without, calibrated = rows["calibrated twin (medians over labelled places)"]
+    assert without.keys() == calibrated.keys()
+    assert (without["places"], without["signals left %, design"]) == (0, None)
+    assert without["helps"].startswith("not used: ")
+    assert calibrated["helps"] == "yes"
+    assert (tmp_path / "calibration.png").is_file()
 
 
 @pytest.mark.parametrize(
