@@ -99,7 +99,6 @@ def test_grasps_stand_beside_the_papers(results):
     assert every["best total force %"] < own["best total force %"]
 
 
-@pytest.mark.slow
 def test_swapping_magnets_and_sensors_judges_every_arrangement(run):
     found, folder = run("swap-magnets-and-sensors")
     assert (folder / "swap-magnets-and-sensors.png").stat().st_size > 5000
