@@ -4,11 +4,10 @@ Signals at places never pressed come from the design's mechanics with what diffe
 in: poses and strengths of the face's magnets, poses and gains of its sensors, the core's pose, the
 modulus, and the coefficients by which large deformation departs from the table of presses
 (`fem.strain_correction`; a corrected table is corrected further). All are Gaussian beforehand, the
-first with the standard deviations in `[tolerances]`. What they
-leave over is a Gaussian process (`estimator.discrepancy`), so that pressed places are met and others
-keep an honest doubt. Numbers and process are fitted jointly, by Gauss–Newton steps on the posterior
-(Kennedy & O'Hagan, J. R. Stat. Soc. B 63, 2001); size and length of the process have the largest
-marginal likelihood of a few.
+first with the standard deviations in `[tolerances]`. What they leave over is a Gaussian process
+(`estimator.discrepancy`), so that pressed places are met and others keep an honest doubt. Numbers
+and process are fitted jointly, by Gauss–Newton steps on the posterior (Kennedy & O'Hagan, J. R.
+Stat. Soc. B 63, 2001); size and length of the process have the largest marginal likelihood of a few.
 
 On a hidden twin of the paper's cube (finer mesh, large deformation) 25 places leave 2 % of the
 signals at the 75 others, where the design leaves 16 to 22 %. Its large deformation has the form of
@@ -61,8 +60,6 @@ _ITERATIONS = 12
 _STEP = 0.05
 FARTHEST = 5.0
 """Standard deviations that a number may go either way."""
-REACH = 0.8
-"""Of the deepest simulated force: means above it count for nothing, as an object may be softer."""
 _DRAWS = 20
 _SETTLED = 0.05
 _FOLDS = 5
@@ -124,11 +121,10 @@ class _Mechanics:
         self.force_n = np.real([trace.force_n[:, 1:] for trace in traces])
         motion = np.real([trace.counts[:, 1:] for trace in traces])
         self.motion = self.rest + motion.reshape(shape)
-        self.beyond = seen.force_n > REACH * self.force_n[0][:, -1:]
-        if self.beyond.mean() > 0.5:
+        if (seen.force_n > self.force_n[0][:, -1:]).any():
             raise InputError(
-                f"labelled forces on face {seen.face} reach {seen.force_n.max():.3g} N, most of them "
-                f"beyond {REACH:g} of what the simulated presses reach there. Add to press.depths_mm"
+                f"labelled forces on face {seen.face} reach {seen.force_n.max():.3g} N, beyond the "
+                "deepest simulated press. Add to press.depths_mm, or leave them out (`within_reach`)"
             )
 
     def expected(self, numbers: Float[np.ndarray, "number"]) -> Float[np.ndarray, "row channel"]:
@@ -176,9 +172,9 @@ class _Mechanics:
 class CalibratedTwin:
     """An object as labelled presses of one face show it.
 
-    `numbers` are the posterior's mean, `factor` a square root of its covariance; `left` (row,
-    channel) is what they leave over of the means, `jacobian` (row, channel, number) how that falls
-    with them, and `discrepancy` spreads it.
+    `forces` and `motions` are the design's table of that face; `numbers` are the posterior's mean,
+    `factor` a square root of its covariance; `left` (row, channel) is what they leave over of the
+    means, `jacobian` (row, channel, number) how that falls with them, and `discrepancy` spreads it.
     """
 
     unknowns: Unknowns
@@ -201,29 +197,22 @@ class CalibratedTwin:
         InputError
             Forces that fall with depth, in the most probable object or in twenty draws.
         """
-        unresolved = unresolved_presses(self._table(0 * self.numbers))
+        spec, unresolved = self.unknowns.spec, _unresolved(self.forces, self.motions)
         for _ in range(1 if rng is None else _DRAWS):
             numbers = self.numbers
             if rng is not None:
                 numbers = numbers + self.factor @ rng.standard_normal(len(numbers))
                 numbers = np.clip(numbers, -FARTHEST, FARTHEST)
-            signals = self._table(numbers)
-            if (unresolved | ~unresolved_presses(signals)).all():
+            correction = self.unknowns.correction(numbers)
+            table = corrected_table(spec, self.forces, self.motions, correction)
+            if (unresolved | ~_unresolved(*table)).all():
+                signals = twin_signals(spec, self.unknowns.assembly(numbers), *table)
                 return self._with_discrepancy(signals, numbers, rng)
         raise InputError(
             f"the labelled presses of face {self.unknowns.face} fit no object of "
             f"{self.unknowns.spec.name!r}: its forces would fall with depth. Give the specification "
             "of the object that was pressed, with true tolerances"
         )
-
-    def _table(self, numbers: Float[np.ndarray, "number"]) -> Signals:
-        unknowns = self.unknowns
-        table = corrected_table(
-            unknowns.spec,
-            *_of_face(self.forces, self.motions, unknowns.face),
-            unknowns.correction(numbers),
-        )
-        return twin_signals(unknowns.spec, unknowns.assembly(numbers), *table)
 
     def _with_discrepancy(
         self,
@@ -237,9 +226,8 @@ class CalibratedTwin:
         added = self.discrepancy.mean(left, xy, force)
         if rng is not None:
             added = added + self.discrepancy.doubt(xy, force, rng)
-        spec = self.unknowns.spec
-        first = int(np.searchsorted(spec.body.sensed, self.unknowns.face))
-        own = 3 * spec.sensors.count_per_face * first + self.discrepancy.seen.channels
+        on_face = self.unknowns.design.scene.sensors.face == self.unknowns.face
+        own = np.flatnonzero(np.repeat(on_face, 3))[self.discrepancy.seen.channels]
         delta = signals.delta_counts.reshape(*signals.force_n.shape, -1).copy()
         delta[0][..., own] += added
         return replace(signals, delta_counts=delta.reshape(signals.delta_counts.shape))
@@ -253,8 +241,7 @@ def calibrate(
     Raises
     ------
     InputError
-        A core that slipped in the mechanics; forces mostly beyond the simulated depths; presses that
-        fit no object.
+        A core that slipped in the mechanics, or forces beyond the simulated depths.
     """
     if spec.mechanics.slip.slipped and spec.mechanics.slip.model == "fem":
         raise InputError(
@@ -264,18 +251,19 @@ def calibrate(
     unknowns = Unknowns(spec, seen.face)
     mechanics = _Mechanics(unknowns, forces, motions, seen)
     counts = seen.counts.reshape(-1, len(seen.channels))
-    first = Discrepancy(spec, _FIRST, seen, mechanics.beyond)
+    first = Discrepancy(spec, _FIRST, seen)
     numbers, here, jacobian = _most_probable(mechanics, first, counts, np.zeros(len(unknowns)))
     right = counts - here + jacobian @ numbers
-    choices = [
+    choices = (
         Discrepancy(spec, Prior(size, length), seen) for size, length in product(SIZES, LENGTHS_MM)
-    ]
+    )
     chosen = max(choices, key=lambda one: _log_evidence(one, jacobian, right))
     numbers, here, jacobian = _most_probable(mechanics, chosen, counts, numbers)
     precision, _ = _normal_equations(chosen, jacobian, counts - here)
     factor = np.linalg.inv(np.linalg.cholesky(precision)).T
     left = counts - here
-    return CalibratedTwin(unknowns, forces, motions, numbers, factor, chosen, left, jacobian)
+    table = _of_face(forces, motions, seen.face)
+    return CalibratedTwin(unknowns, *table, numbers, factor, chosen, left, jacobian)
 
 
 def _most_probable(
@@ -372,6 +360,10 @@ def _left_share(
         for values in (seen.counts - predicted, seen.counts)
     )
     return np.sqrt(np.maximum(wrong, 0.0) / np.maximum(size, noise))
+
+
+def _unresolved(forces: PressForces, motions: MagnetMotions) -> Bool[np.ndarray, "face place step"]:
+    return unresolved_presses(motions_as_signals(forces, motions))
 
 
 def _of_face(

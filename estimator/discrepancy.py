@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from jaxtyping import Bool, Float
+from jaxtyping import Float
 from scipy.linalg import block_diag, cho_factor, cho_solve
 
 from design.spec import ObjectSpec
@@ -21,7 +21,6 @@ from estimator.pressed_places import PressedPlaces
 _FORCE_SCALE_N = 10.0
 _FLOOR_COUNTS = 1.0
 _JITTER = 1e-8
-_IGNORED_COUNTS = 1e6
 
 
 @dataclass(frozen=True)
@@ -39,20 +38,12 @@ class Prior:
 
 
 class Discrepancy:
-    """Covariances of all means of some places, and what they tell of others; `ignored` ones nothing."""
+    """Covariances of all means of some places, and what they tell of others."""
 
-    def __init__(
-        self,
-        spec: ObjectSpec,
-        prior: Prior,
-        seen: PressedPlaces,
-        ignored: Bool[np.ndarray, "place level"] | None = None,
-    ) -> None:
+    def __init__(self, spec: ObjectSpec, prior: Prior, seen: PressedPlaces) -> None:
         self.prior, self.seen = prior, seen
         self.scale = np.sqrt(np.mean(seen.counts**2, axis=(0, 1)))
         white = seen.white_counts2(spec) + _FLOOR_COUNTS**2
-        if ignored is not None:
-            white[ignored] = _IGNORED_COUNTS**2
         self._white = white.reshape(-1, len(seen.channels))
         kernel, zeros = self._kernel(seen.xy_mm, seen.force_n), block_diag(*seen.zero_counts2)
         self._factors = [

@@ -13,6 +13,7 @@ from design.spec import ObjectSpec
 from estimator.dataset import NO_FACE, FrameSet
 from estimator.press_protocol import DRIFT_TIME_S
 from estimator.press_states import ASIDE_MM
+from fem.results import PressForces
 
 LEVELS = 16
 """At most; with few frames at least three make a mean."""
@@ -21,6 +22,8 @@ LEAST_FRAMES = 12
 """Frames of a place, below which it is left out."""
 MOST_PLACES = 150
 """Of more, every second, third, … is used: costs grow with the cube of their number."""
+REACH = 0.8
+"""Of the deepest simulated force, up to which labelled ones are used."""
 _STRAIGHT_NOISES = 4.0
 
 
@@ -63,6 +66,21 @@ class PressedPlaces:
         white = np.asarray(spec.sensors.noise_counts)[self.channels % 3]
         slope = self.counts / np.maximum(self.force_n, 3 * force_noise)[..., None]
         return (white**2 + (force_noise * slope) ** 2) / self.frames[..., None]
+
+
+def within_reach(frames: FrameSet, forces: PressForces, face: int) -> FrameSet:
+    """The frames, of which those are invalid that press the face harder than 0.8 of the deepest
+    simulated press there: an object may be so much softer than its design."""
+    from scipy.interpolate import RegularGridInterpolator
+
+    lattice, deepest = forces.lattice, forces.force_n[forces.faces == face][0, :, -1]
+    shape = len(lattice.x_mm), len(lattice.y_mm)
+    reach_n = RegularGridInterpolator(
+        (lattice.x_mm, lattice.y_mm), deepest.reshape(shape), bounds_error=False, fill_value=0.0
+    )
+    on_face = frames.contact_face == face
+    beyond = frames.force_n[..., 2] > REACH * reach_n(np.nan_to_num(frames.contact_xy_mm))
+    return replace(frames, valid=frames.valid & ~(on_face & beyond).any(axis=1))
 
 
 def pressed_places(spec: ObjectSpec, frames: FrameSet, face: int) -> PressedPlaces:

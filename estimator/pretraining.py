@@ -7,6 +7,7 @@ learnt from all of them together leans on no single one.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -40,14 +41,12 @@ def twin_frames(
 
     Presses are those of `[protocol]`, fewer and shorter: 48 frames a place and twin.
     """
-    parts = []
-    for number in range(twins):
-        seed = spec.seed + _FIRST_SEED + number
-        if progress is not None:
-            progress(f"presses of twin {number + 1} of {twins}")
-        signals = twin_signals(spec, drawn_assembly(spec, seed), forces, motions)
-        parts.append(_few_presses(spec, signals, seed, f"twin {number}"))
-    return joined(parts)
+    return _drawn_presses(
+        spec,
+        twins,
+        lambda seed: twin_signals(spec, drawn_assembly(spec, seed), forces, motions),
+        progress,
+    )
 
 
 def with_calibrated_presses(
@@ -71,29 +70,33 @@ def calibrated_frames(
 ) -> FrameSet:
     """Presses of every place of the face on what its labelled presses leave possible of one object;
     a session is a draw. Otherwise as `twin_frames`."""
-    spec, parts = twin.unknowns.spec, []
-    for number in range(draws):
-        seed = spec.seed + _FIRST_SEED + number
-        if progress is not None:
-            progress(f"presses of draw {number + 1} of {draws}")
-        signals = twin.signals(np.random.default_rng((seed, 9)))
-        parts.append(_few_presses(spec, signals, seed, f"draw {number}"))
-    return joined(parts)
+    return _drawn_presses(
+        twin.unknowns.spec,
+        draws,
+        lambda seed: twin.signals(np.random.default_rng((seed, 9))),
+        progress,
+    )
 
 
-def _few_presses(spec: ObjectSpec, signals: Signals, seed: int, name: str) -> FrameSet:
-    """Presses of `[protocol]`, fewer and shorter: 48 frames a place."""
+def _drawn_presses(
+    spec: ObjectSpec, count: int, signals_of: Callable[[int], Signals], progress: Progress | None
+) -> FrameSet:
+    """Presses of `[protocol]`, fewer and shorter, on as many objects, each from a seed of its own."""
     shorter = {
         "presses_per_place": PRESSES_PER_PLACE,
         "frames_per_press": FRAMES_PER_PRESS,
         "rest_frames_per_press": REST_FRAMES_PER_PRESS,
     }
-    protocol = spec.protocol.model_copy(update=shorter)
-    frames = simulate_presses(
-        spec.model_copy(update={"seed": seed, "protocol": protocol}), signals, name
-    )
-    frames.session_id[:] = 0
-    return frames
+    protocol, parts = spec.protocol.model_copy(update=shorter), []
+    for number in range(count):
+        seed = spec.seed + _FIRST_SEED + number
+        if progress is not None:
+            progress(f"presses of twin {number + 1} of {count}")
+        drawn = spec.model_copy(update={"seed": seed, "protocol": protocol})
+        frames = simulate_presses(drawn, signals_of(seed), f"twin {number}")
+        frames.session_id[:] = 0
+        parts.append(frames)
+    return joined(parts)
 
 
 def split_twins(frames: FrameSet) -> Split:

@@ -47,11 +47,11 @@ class TwinOfData:
         out in turn. A face with too few places stays as it is, and its row says so.
         """
         from estimator.calibrated_twin import calibrate, places_left_out
-        from estimator.pressed_places import pressed_places
+        from estimator.pressed_places import pressed_places, within_reach
         from estimator.pretraining import with_calibrated_presses
 
         try:
-            seen = pressed_places(self.spec, parts[0], face)
+            seen = pressed_places(self.spec, within_reach(parts[0], self.presses[0], face), face)
         except InputError as error:
             self.rows.append({"face": face, "places": 0, "helps": f"not used: {error}"})
             return parts

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from estimator.splits import Split
     from instobj.calibrated import TwinOfData
 
-_VERSION = 6
+_VERSION = 7
 
 
 def train_networks(

@@ -56,7 +56,7 @@ _MANY_FRAMES = 10_000
 _LITTLE_OFFSET_COUNTS, _LITTLE_NOISE = 3.0, 0.4
 """Disturbances added to training frames where there are many, which hold noise of their own: on
 21 000 frames of the paper's cube E_f falls from 8.4 to 7.2 % (usual ones, 10 counts and 1 σ)."""
-_VERSION = 5
+_VERSION = 6
 
 
 @dataclass(frozen=True)
@@ -180,10 +180,11 @@ def calibrated_parts(
     The twin is calibrated on the training frames alone.
     """
     from estimator.calibrated_twin import calibrate
-    from estimator.pressed_places import pressed_places
+    from estimator.pressed_places import pressed_places, within_reach
     from estimator.pretraining import with_calibrated_presses
 
-    seen = pressed_places(recorded.design, parts[0], face)
+    reached = within_reach(parts[0], recorded.design_presses[0], face)
+    seen = pressed_places(recorded.design, reached, face)
     twin = calibrate(recorded.design, *recorded.design_presses, seen)
     return with_calibrated_presses(twin, parts, draws), parts[1]
 

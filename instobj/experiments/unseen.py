@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -107,9 +106,7 @@ def _models(
     tuned = label | {"twins": twins}
     models["pre-trained"] = fitted(recorded, parts, face, tuned, start, output="position")
     wider = calibrated_parts(recorded, parts, face, twins)
-    models["calibrated twin"] = fitted(
-        recorded, wider, face, label | {"calibrated": twins, "version": 2}
-    )
+    models["calibrated twin"] = fitted(recorded, wider, face, label | {"calibrated": twins})
     return models
 
 
@@ -158,6 +155,4 @@ def place_distance_px(
     return away / pitch_mm, mm_to_pixel(data.centre_mm, frames.grid_x_mm, frames.grid_y_mm)
 
 
-STUDIES: Sequence[Study] = (
-    Study("seen-unseen", "The paper's Table II: places never trained on.", run_seen_unseen),
-)
+STUDIES = (Study("seen-unseen", "The paper's Table II: places never trained on.", run_seen_unseen),)

@@ -16,7 +16,7 @@ from estimator.collection import with_slots
 from estimator.discrepancy import Discrepancy, Prior
 from estimator.interpolation import counts_at_force, press_traces
 from estimator.press_protocol import simulate_presses
-from estimator.pressed_places import PressedPlaces, pressed_places
+from estimator.pressed_places import PressedPlaces, pressed_places, within_reach
 from estimator.pretraining import calibrated_frames
 from estimator.twin import drawn_assembly, twin_signals
 from fem.strain_correction import StrainCorrection, corrected_table
@@ -219,6 +219,26 @@ def test_what_cannot_calibrate_is_left_out_or_told(frames):
         pressed_places(SPEC, two, FACE)
     with pytest.raises(InputError, match="Press more places"):
         pressed_places(SPEC, frames.select(frames.place_id == 3003), FACE)
+
+
+def test_forces_beyond_the_simulated_presses_are_left_out_or_refused(presses, frames, seen):
+    """On a table of half the depths, which the labelled presses exceed."""
+    forces, motions = presses
+    half = slice(0, 3)
+    depth = {"depth_mm": forces.depth_mm[half]}
+    pressed = {name: getattr(forces, name)[..., half] for name in ("force_n", "contact_area_mm2")}
+    shallow = replace(forces, **depth, **pressed)
+    with pytest.raises(InputError, match="beyond the deepest simulated press"):
+        calibrate(SPEC, shallow, replace(motions, **depth, motion=motions.motion[:, :, half]), seen)
+    reached = within_reach(frames, shallow, FACE)
+    assert 0.2 < reached.valid.mean() / frames.valid.mean() < 0.9
+    i, j = 4, 9  # the lattice has half the grid's pitch
+    place = frames.contact_xy_mm[:, 0] == [shallow.lattice.x_mm[i + 1], shallow.lattice.y_mm[j]]
+    mine = place.all(axis=1) & frames.valid
+    deepest = shallow.force_n[FACE - 1].reshape(15, 15, 3)[i + 1, j, -1]
+    wanted = frames.force_n[mine, 0, 2] <= 0.8 * deepest
+    assert 0 < wanted.sum() < mine.sum()
+    np.testing.assert_array_equal(reached.valid[mine], wanted)
 
 
 PRIOR = Prior(0.1, 5.0)
