@@ -19,7 +19,7 @@ test-slow: $(INSTALLED)
 	$(PYTEST) -m slow
 
 verify: $(INSTALLED)
-	$(BIN)/pytest -q -m "slow or not slow" tests/fem/test_verification.py --verification-page docs/verification
+	$(BIN)/pytest -q -m "slow or not slow" tests/fem/verification/test_verification.py --verification-page docs/verification
 
 lint: $(INSTALLED)
 	$(BIN)/ruff check .

@@ -19,8 +19,8 @@ import trimesh
 from harness import best_seconds, conclude, machine, option_parser
 from scipy.spatial import ConvexHull
 
-from design.export import build_object
-from design.spec import ObjectSpec
+from design.build.export import build_object
+from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
 
 CUBE_TARGET_S, FRUIT_TARGET_S = 5.0, 30.0

@@ -24,16 +24,16 @@ from harness import Result, conclude, kept, machine, option_parser, parts_folder
 from scores import made_up_presses
 
 from design.files import atomic_path
-from design.spec import ObjectSpec, TrainingSpec
-from estimator.dataset import FrameSet
-from estimator.deploy import export_onnx
-from estimator.deployed import DeployedModel, load_deployed, run_model
-from estimator.evaluation import evaluate_face
-from estimator.face_model import FaceModel, load_model, save_model
-from estimator.press_protocol import simulate_presses
-from estimator.signals import press_signals
-from estimator.splits import Split, split_presses
-from estimator.training import FitSettings, fit_estimator
+from design.spec.object import ObjectSpec, TrainingSpec
+from estimator.deploy.export import export_onnx
+from estimator.deploy.runtime import DeployedModel, load_deployed, run_model
+from estimator.evaluation.evaluation import evaluate_face
+from estimator.frames.dataset import FrameSet
+from estimator.frames.press_protocol import simulate_presses
+from estimator.frames.splits import Split, split_presses
+from estimator.networks.face_model import FaceModel, load_model, save_model
+from estimator.networks.training import FitSettings, fit_estimator
+from estimator.signals.presses import press_signals
 
 FACE, SEED = 3, 1
 PAPER_EPOCHS, PAPER_FRAMES = 1000, 85_800

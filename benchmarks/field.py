@@ -23,13 +23,13 @@ from harness import best_seconds, conclude, machine, option_parser
 from scipy.spatial.transform import Rotation
 
 from design.files import atomic_path
-from design.layouts import contact_grid, magnet_layout
-from design.spec import ObjectSpec
-from estimator.field import FieldModel, field_model
-from estimator.field_torch import batched_field
-from estimator.signals import press_signals
-from estimator.sources import DiskMagnet
-from fem.results import MagnetMotions, PressForces
+from design.layout.positions import contact_grid, magnet_layout
+from design.spec.object import ObjectSpec
+from estimator.field.batched import batched_field
+from estimator.field.models import FieldModel, field_model
+from estimator.field.sources import DiskMagnet
+from estimator.signals.presses import press_signals
+from fem.presses.results import MagnetMotions, PressForces
 
 DISK = DiskMagnet(6.0, 1.0, 1.43)
 MAGNETS, SENSORS = 25, 15

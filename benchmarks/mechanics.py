@@ -27,9 +27,9 @@ from mechanics_table import QUICK_MESH, table
 from skfem import MeshTet
 
 from design.files import atomic_path
-from design.spec import MeshSpec, ObjectSpec
-from fem.factorization import pardiso_available
-from fem.tet_mesh import tetrahedralize
+from design.spec.object import MeshSpec, ObjectSpec
+from fem.linear.factorization import pardiso_available
+from fem.mesh.tetrahedra import tetrahedralize
 
 THREADS = 2
 AGREEMENT = 2e-6

@@ -26,7 +26,7 @@ from mechanics_peers import (
 )
 from skfem import Basis, ElementTetP2, MeshTet
 
-from fem.assembly import (
+from fem.linear.assembly import (
     UPPER_BLOCKS,
     affine_elements,
     elastic_blocks,
@@ -34,10 +34,10 @@ from fem.assembly import (
     reference_shapes,
     vector_matrix,
 )
-from fem.elasticity import assemble, free_motion_basis, saddle_point_matrix, taylor_hood
-from fem.factorization import Factorization
-from fem.material import lame_constants
-from fem.sparse import shape_of
+from fem.linear.elements import assemble, free_motion_basis, saddle_point_matrix, taylor_hood
+from fem.linear.factorization import Factorization
+from fem.linear.material import lame_constants
+from fem.linear.sparse import shape_of
 
 NGSOLVE_INVERSES = ("sparsecholesky", "pardiso")
 """UMFPACK is several times slower than either on every size tried."""

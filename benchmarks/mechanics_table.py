@@ -13,11 +13,10 @@ import numpy as np
 import scipy.sparse as sp
 from harness import peak_memory_gb
 
-from design.layouts import contact_grid, magnet_layout
-from design.spec import MeshSpec, ObjectSpec
-from fem.factorization import Factorization
-from fem.presses import press_face
-from fem.response import (
+from design.layout.positions import contact_grid, magnet_layout
+from design.spec.object import MeshSpec, ObjectSpec
+from fem.linear.factorization import Factorization
+from fem.linear.response import (
     ElasticSystem,
     ResponseOperator,
     build_response,
@@ -26,8 +25,9 @@ from fem.response import (
     load_response,
     save_response,
 )
-from fem.sparse import shape_of
-from fem.tet_mesh import TetMesh, tetrahedralize
+from fem.linear.sparse import shape_of
+from fem.mesh.tetrahedra import TetMesh, tetrahedralize
+from fem.presses.table import press_face
 
 DEPTHS_MM = np.linspace(0.2, 4.0, 20)
 STENCIL_EDGES = 3

@@ -17,19 +17,19 @@ import numpy as np
 import torch
 from harness import Result, conclude, machine, option_parser
 
-from design.spec import TrainingSpec
-from estimator.dataset import FrameSet
-from estimator.evaluation import (
+from design.spec.object import TrainingSpec
+from estimator.evaluation.evaluation import (
     evaluate_face,
     evaluate_intervals,
     linear_baseline,
     mean_map_baseline,
     rest_offset_baseline,
 )
-from estimator.heatmap import faces_pressed
-from estimator.recordings import read_recording
-from estimator.splits import Split, split_places, split_presses
-from estimator.training import FitSettings, fit_estimator
+from estimator.frames.dataset import FrameSet
+from estimator.frames.heatmap import faces_pressed
+from estimator.frames.splits import Split, split_places, split_presses
+from estimator.networks.training import FitSettings, fit_estimator
+from estimator.recordings.reading import read_recording
 
 HISTORIES = (0, 3, 6, 9)
 FORCE_TARGET_PERCENT, QUIET_TARGET = 5.0, 0.98

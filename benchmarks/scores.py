@@ -16,25 +16,25 @@ import numpy as np
 from harness import best_seconds, conclude, machine, option_parser
 from scipy.spatial import ConvexHull
 
-from design.layouts import (
+from design.layout.positions import (
     contact_grid,
     face_frames,
     grid_places_in_lattice,
     magnet_layout,
     press_lattice,
 )
-from design.spec import ObjectSpec
-from estimator.hull import monte_carlo_hull_volume
-from estimator.interpolation import press_traces
-from estimator.scores import score_places
-from estimator.sensitivity import (
+from design.spec.object import ObjectSpec
+from estimator.information.hull import monte_carlo_hull_volume
+from estimator.information.scores import score_places
+from estimator.information.sensitivity import (
     channel_noise,
     covariance_sensitivity,
     own_channels,
     periodic_press,
 )
-from estimator.signals import Signals, press_signals
-from fem.results import MagnetMotions, PressForces
+from estimator.signals.interpolation import press_traces
+from estimator.signals.presses import Signals, press_signals
+from fem.presses.results import MagnetMotions, PressForces
 
 SIGNALS_TARGET_S, SCORES_TARGET_S, HULL_TARGET = 0.5, 1.0, 1000.0
 PLACES = 500

@@ -27,18 +27,18 @@ from scipy.spatial.distance import pdist
 from scipy.spatial.transform import Rotation
 from scipy.stats import spearmanr
 
-from design.layouts import chip_on_board, contact_grid, core_frames, face_frames
-from design.pockets import board_frame, tilted_frame
-from design.spec import ObjectSpec
-from estimator.fisher import cramer_rao_bounds, disturbance_counts
-from estimator.layout_batch import Layouts
-from estimator.layout_scoring import LayoutScorer, layout_scorer, score_layouts
-from estimator.press_basis import press_basis
-from fem.candidate_presses import presses_at_forces, simulate_candidates
-from fem.candidates import CandidateMotions, candidate_lattices
-from fem.magnet_free import magnet_free_mesh, without_magnets
-from fem.response import build_response
-from fem.tet_mesh import tetrahedralize
+from design.layout.pockets import board_frame, tilted_frame
+from design.layout.positions import chip_on_board, contact_grid, core_frames, face_frames
+from design.spec.object import ObjectSpec
+from estimator.information.fisher import cramer_rao_bounds, disturbance_counts
+from estimator.layouts.batch import Layouts
+from estimator.layouts.press_basis import press_basis
+from estimator.layouts.scoring import LayoutScorer, layout_scorer, score_layouts
+from fem.candidates.motions import CandidateMotions, candidate_lattices
+from fem.candidates.presses import presses_at_forces, simulate_candidates
+from fem.linear.response import build_response
+from fem.mesh.magnet_free import magnet_free_mesh, without_magnets
+from fem.mesh.tetrahedra import tetrahedralize
 
 FACE = 3
 RATE_TARGET, RATIO_TARGET, ERROR_TARGET, RANK_TARGET = 1e4, 1e3, 0.05, 0.95

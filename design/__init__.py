@@ -1,1 +1,1 @@
-"""What the object is: specification, layouts, solids, mould and export."""
+"""What the object is: its specification, shape, layout, solids and files."""

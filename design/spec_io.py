@@ -13,7 +13,7 @@ from typing import Any, get_args
 from pydantic import BaseModel, ValidationError
 
 from design.errors import InputError
-from design.spec import SINGLE_PRESSES, ObjectSpec
+from design.spec.object import SINGLE_PRESSES, ObjectSpec
 
 
 def load_spec(path: Path | str, overrides: Iterable[str] = (), table: bool = True) -> ObjectSpec:
@@ -109,7 +109,7 @@ def _with_tensile_data(content: dict[str, Any], folder: Path) -> dict[str, Any]:
         return content
     if "youngs_modulus_mpa" in silicone:
         return content | {"silicone": silicone | {"tensile_data": None}}
-    from design.tensile import fit_tensile, read_tensile_test
+    from design.catalogue.tensile import fit_tensile, read_tensile_test
 
     file = folder / silicone["tensile_data"]
     modulus = fit_tensile(read_tensile_test(file), file.name).modulus
@@ -135,7 +135,7 @@ def _with_indenter_corners(content: dict[str, Any], folder: Path) -> dict[str, A
     indenter = content.get("indenter")
     if not isinstance(indenter, dict) or not isinstance(indenter.get("file"), str):
         return content
-    from design.stl_tip import stl_tip_vertices_mm
+    from design.layout.stl_tip import stl_tip_vertices_mm
 
     corners = stl_tip_vertices_mm(folder / indenter["file"])
     return content | {"indenter": indenter | {"vertices_mm": corners}}
@@ -146,7 +146,7 @@ def _with_imported_body(content: dict[str, Any], folder: Path) -> dict[str, Any]
     body = content.get("body")
     if not isinstance(body, dict) or not isinstance(body.get("file"), str):
         return content
-    from design.import_body import body_of_file
+    from design.body.imported import body_of_file
 
     return content | {"body": body | body_of_file(folder / body["file"])}
 

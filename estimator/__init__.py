@@ -1,1 +1,1 @@
-"""What the sensors see and what can be read back from them."""
+"""What the sensors see of a press, and what can be read back from it."""

@@ -11,12 +11,12 @@ from pathlib import Path
 import numpy as np
 import trimesh
 
-from design.layouts import magnet_layout
-from design.parts import parts_of
-from design.scene import magnet_halves
-from design.spec import ObjectSpec
+from design.build.parts import parts_of
+from design.build.scene import magnet_halves
+from design.layout.positions import magnet_layout
+from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
-from instobj.report.parts_figure import camera_axes, depth_image
+from instobj.render.parts import camera_axes, depth_image
 
 COLOURS = {
     "silicone": (0.93, 0.84, 0.68),

@@ -10,17 +10,17 @@ from pathlib import Path
 
 import numpy as np
 
-from design.core_hold import locators
-from design.mould_frame import mould_frame, parting
-from design.mould_pins import loose_pins, make_pin
-from design.mould_plug import make_mould_holder, make_mould_plug
-from design.mould_room import core_outside
-from design.parts import parts_of
-from design.solid_ops import Shape, as_triangles
-from design.spec import ObjectSpec
+from design.build.parts import parts_of
+from design.layout.core_hold import locators
+from design.layout.mould_frame import mould_frame, parting
+from design.mould.halves import make_mould_half
+from design.mould.pins import loose_pins, make_pin
+from design.mould.plug import make_mould_holder, make_mould_plug
+from design.mould.room import core_outside
+from design.solids.booleans import Shape, as_triangles
+from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
-from design.split_mould import make_mould_half
-from instobj.report.pieces import Piece, moved, picture_of
+from instobj.render.pieces import Piece, moved, picture_of
 
 HALF, OTHER_HALF, ROD = (0.66, 0.77, 0.62), (0.58, 0.70, 0.56), (0.76, 0.70, 0.84)
 CORE, PIN = (0.55, 0.66, 0.78), (0.80, 0.45, 0.30)

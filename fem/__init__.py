@@ -1,1 +1,1 @@
-"""How the object deforms: mesh, elasticity, contact and response."""
+"""How the object deforms under presses."""

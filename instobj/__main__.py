@@ -1,6 +1,6 @@
 """`python -m instobj` is the `instobj` command."""
 
-from instobj.cli import main
+from instobj.cli.app import main
 
 if __name__ == "__main__":
     main()

@@ -15,7 +15,7 @@ def pytest_addoption(parser):
         "--verification-page",
         metavar="DIR",
         type=Path,
-        help="write the table and figures of tests/fem/test_verification.py into this folder",
+        help="write the table and figures of tests/fem/verification/test_verification.py into this folder",
     )
 
 
@@ -33,6 +33,6 @@ def pytest_sessionfinish(session):
     folder = session.config.getoption("--verification-page")
     outcomes = session.config.stash[VERIFICATION_OUTCOMES]
     if folder and outcomes:
-        from verification import write_page
+        from tests.support.verification import write_page
 
         write_page(outcomes, folder)

@@ -1,0 +1,1 @@
+"""Studies of layouts, and the registry of experiments."""

@@ -12,11 +12,11 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from design.spec import ObjectSpec
+from design.spec.object import ObjectSpec
 from design.spec_io import parse_spec
 from instobj.experiments.registry import Study
 from instobj.experiments.variant_figure import draw_variants
-from instobj.layout_ladder import chain_score, score_row
+from instobj.search.fidelity import chain_score, score_row
 
 Changes = dict[str, Any]
 Variants = Callable[[ObjectSpec], dict[str, Changes]]

@@ -14,20 +14,20 @@ from typing import Any
 
 from design.errors import InputError
 from design.files import atomic_path
-from design.spec import ObjectSpec
+from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
-from instobj.publish import file_rows, require_writable, run_folder
-from instobj.stage import write_json
+from instobj.store.publish import file_rows, require_writable, run_folder
+from instobj.store.stage import write_json
 
 _MODULES: tuple[str, ...] = (
-    "instobj.experiments.general",
-    "instobj.experiments.places",
-    "instobj.experiments.amounts",
-    "instobj.experiments.unseen",
-    "instobj.experiments.reference",
-    "instobj.experiments.grasps",
-    "instobj.experiments.slipped",
-    "instobj.experiments.force_vectors",
+    "instobj.experiments.paper.general",
+    "instobj.experiments.paper.places",
+    "instobj.experiments.paper.amounts",
+    "instobj.experiments.paper.unseen",
+    "instobj.experiments.paper.reference",
+    "instobj.experiments.paper.grasps",
+    "instobj.experiments.paper.slipped",
+    "instobj.experiments.paper.force_vectors",
     "instobj.experiments.layouts",
 )
 

@@ -9,10 +9,10 @@ from pathlib import Path
 import numpy as np
 
 from design.errors import InputError
-from design.spec import ObjectSpec
-from estimator.scores import PlaceScores, score_places
-from estimator.signals import Signals, press_signals
-from fem.results import load_presses
+from design.spec.object import ObjectSpec
+from estimator.information.scores import PlaceScores, score_places
+from estimator.signals.presses import Signals, press_signals
+from fem.presses.results import load_presses
 
 
 @dataclass(frozen=True)

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from design.spec import ObjectSpec
+from design.spec.object import ObjectSpec
 from instobj.report import elements
 
 
 def compliance_section(spec: ObjectSpec, presses: Path, scratch: Path) -> str:
     """HTML; `presses` is the folder of the presses' stage."""
-    from fem.compliance_map import compliance_map
-    from fem.results import load_presses
-    from instobj.report.compliance_figure import WITH_MAGNETS, draw_compliance
+    from fem.presses.compliance_map import compliance_map
+    from fem.presses.results import load_presses
+    from instobj.figures.compliance import WITH_MAGNETS, draw_compliance
 
     forces, _ = load_presses(presses / "presses.nc")
     draw_compliance(spec, compliance_map(forces), scratch)

@@ -6,7 +6,7 @@ import json
 from html import escape
 from pathlib import Path
 
-from design.spec import ObjectSpec
+from design.spec.object import ObjectSpec
 from instobj.report import elements
 
 
@@ -37,7 +37,7 @@ def _sliding(tension: dict[str, float]) -> str:
 
 
 def _slipped(spec: ObjectSpec, scratch: Path) -> str:
-    from instobj.slip import comparison_rows, draw_slip, slip_costs, slip_title, summary
+    from instobj.commands.slip import comparison_rows, draw_slip, slip_costs, slip_title, summary
 
     slip = spec.mechanics.slip.model_dump(mode="json")
     _, costs = slip_costs(spec, slip)

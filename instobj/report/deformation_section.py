@@ -5,9 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from design.spec import ObjectSpec
-from instobj.deformation_stages import large_strain_content
+from design.spec.object import ObjectSpec
 from instobj.report import elements
+from instobj.stages.deformation import large_strain_content
 
 
 def deformation_section(spec: ObjectSpec, inputs: dict[str, Path], protocol: dict[str, Any]) -> str:
@@ -24,7 +24,7 @@ def deformation_section(spec: ObjectSpec, inputs: dict[str, Path], protocol: dic
 
 def envelope_text(spec: ObjectSpec, protocol: dict[str, Any]) -> str:
     """Orientation from presses of another object: error at the protocol's peaks, 5 and 20 % depths."""
-    from fem.linearity import depth_of_force_error_mm, linear_error
+    from fem.large_strain.linearity import depth_of_force_error_mm, linear_error
 
     thickness = spec.shell.thickness_mm
     parts = []

@@ -10,12 +10,12 @@ from typing import Any
 import numpy as np
 
 from design.files import atomic_path
-from design.spec import ObjectSpec
+from design.spec.object import ObjectSpec
 from design.spec_io import spec_hash
-from instobj.discretisation import HEADER, error_note, error_rows, error_text
 from instobj.report import elements
+from instobj.report.discretisation import HEADER, error_note, error_rows, error_text
 from instobj.report.verdict import Verdict, judge
-from instobj.store import RECORD
+from instobj.store.content import RECORD
 
 PAPER_TABLE_1 = {
     1: (0.999, 15.3e-4, 1.82, 0.278, 1.0),
@@ -38,12 +38,12 @@ def write_report(
     spec: ObjectSpec, inputs: dict[str, Path], path: Path, step: Callable[[str], None]
 ) -> None:
     """Write the page from the folders of the stages it stands on."""
-    from estimator.scores import load_scores_csv
-    from estimator.signals import load_signals, saturation_margin
+    from estimator.information.scores import load_scores_csv
+    from estimator.signals.presses import load_signals, saturation_margin
     from instobj.report.compliance_section import compliance_section
     from instobj.report.core_section import core_section
     from instobj.report.deformation_section import deformation_section
-    from instobj.surroundings import surroundings_section
+    from instobj.report.surroundings import surroundings_section
 
     scores = load_scores_csv(inputs["scores"] / "scores.csv")
     signals = load_signals(inputs["signals"] / "lattice_signals.nc")
@@ -105,7 +105,7 @@ def _alternatives_section(
 
 
 def _maps_section(spec: ObjectSpec, inputs: dict[str, Path]) -> str:
-    from instobj.report.maps import OVERVIEW, SCORE_MAPS, unit_of
+    from instobj.figures.maps import OVERVIEW, SCORE_MAPS, unit_of
 
     folder = inputs["scores"] / "maps"
     parts = [
@@ -131,7 +131,7 @@ def _maps_section(spec: ObjectSpec, inputs: dict[str, Path]) -> str:
 
 
 def _areas_section(scores: Any) -> str:
-    from estimator.scores import summarize_areas
+    from estimator.information.scores import summarize_areas
 
     columns = {
         "position_bound_fresh_mm": "position bound, mm",
@@ -160,7 +160,7 @@ def _areas_section(scores: Any) -> str:
 
 
 def _cross_face_section(spec: ObjectSpec, signals: Any) -> str:
-    from estimator.cross_face import RELATIONS, cross_face_disturbance
+    from estimator.information.cross_face import RELATIONS, cross_face_disturbance
 
     if len(signals.faces) == 1:
         return ""
@@ -180,9 +180,9 @@ def _cross_face_section(spec: ObjectSpec, signals: Any) -> str:
 
 
 def _robustness_section(spec: ObjectSpec, inputs: dict[str, Path]) -> str:
-    from estimator.robustness import load_robustness
-    from estimator.tolerances import SEAT_ERROR
-    from instobj.robustness import bound_rows
+    from estimator.tolerances.budget import SEAT_ERROR
+    from estimator.tolerances.result import load_robustness
+    from instobj.report.robustness import bound_rows
 
     budget = load_robustness(inputs["robustness"] / "robustness.json")
     rows = bound_rows(budget)
@@ -205,8 +205,8 @@ def _robustness_section(spec: ObjectSpec, inputs: dict[str, Path]) -> str:
 def _mechanics_section(
     spec: ObjectSpec, signals: Any, inputs: dict[str, Path], scratch: Path
 ) -> str:
-    from instobj.material import force_spread_text, modulus_text
-    from instobj.report.figures import draw_press_curves
+    from instobj.commands.material import force_spread_text, modulus_text
+    from instobj.figures.curves import draw_press_curves
 
     figure = scratch / "press_curves.png"
     draw_press_curves(spec, signals, figure)
@@ -241,7 +241,7 @@ def _mechanics_section(
 
 
 def _travel_text(spec: ObjectSpec, signals: Any) -> str:
-    from instobj.material import travel_spread
+    from instobj.commands.material import travel_spread
 
     spread = travel_spread(spec, signals)
     if spread is None:
@@ -255,7 +255,7 @@ def _travel_text(spec: ObjectSpec, signals: Any) -> str:
 
 
 def _locking_note(spec: ObjectSpec) -> str:
-    from fem.response import LOCKING_WARNING
+    from fem.linear.response import LOCKING_WARNING
 
     return f"{LOCKING_WARNING}. " if spec.mechanics.element == "p1" else ""
 
@@ -287,7 +287,7 @@ def _estimator_section(spec: ObjectSpec, inputs: dict[str, Path]) -> str:
 
 
 def _parts_section(inputs: dict[str, Path]) -> str:
-    from design.manifest import BuildManifest
+    from design.build.manifest import BuildManifest
 
     rows = [
         [

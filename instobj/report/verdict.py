@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from design.spec import ObjectSpec
-from estimator.scores import PlaceScores, summarize_areas, weakest_place
+from design.spec.object import ObjectSpec
+from estimator.information.scores import PlaceScores, summarize_areas, weakest_place
 
 
 @dataclass(frozen=True)

@@ -23,8 +23,8 @@ from optuna.samplers import (
 from optuna.study import StudyDirection
 from optuna.trial import FrozenTrial, Trial, TrialState, create_trial
 
-from design.search_space import Params, Variable
-from design.spec_search import Engine
+from design.search.space import Params, Variable
+from design.spec.search import Engine
 
 _SAMPLER_STATE = "cma"
 """Optuna pickles this sampler's state into its trials' attributes; it never leaves the memory."""

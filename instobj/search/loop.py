@@ -11,8 +11,8 @@ import numpy as np
 from optuna.trial import FrozenTrial, Trial
 
 from design.errors import InputError
-from design.search_space import SearchSpace, structure_of
-from design.spec_search import SearchSpec
+from design.search.space import SearchSpace, structure_of
+from design.spec.search import SearchSpec
 from instobj.search.apart import GivenUp
 from instobj.search.engines import Sampling, ask, sampling, tell, tell_failed
 from instobj.search.scored import Scored

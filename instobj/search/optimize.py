@@ -6,21 +6,21 @@ from pathlib import Path
 from typing import Any
 
 from design.errors import InputError
-from design.search_space import SearchSpace, start_params
-from design.spec import ObjectSpec
-from design.spec_as_built import AsBuiltSpec
+from design.search.space import SearchSpace, start_params
+from design.spec.assembly import AsBuiltSpec
+from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, spec_hash
-from instobj.chain import Chain
-from instobj.layout_ladder import METRIC_LABELS, score_row
-from instobj.progress import ProgressLine
-from instobj.publish import file_rows, require_writable, run_folder
 from instobj.search.apart import Apart
-from instobj.search.first_rung import first_rung
-from instobj.search.ladder import FIRST, LAST, SECOND, Climb, Climber, climb
+from instobj.search.fidelity import METRIC_LABELS, score_row
 from instobj.search.loop import is_feasible, run_search
-from instobj.search.outcome import write_outcome
+from instobj.search.lowest_fidelity import first_rung
+from instobj.search.outcome.write import write_outcome
 from instobj.search.possible import require_possible
+from instobj.search.promotion import FIRST, LAST, SECOND, Climb, Climber, climb
 from instobj.search.study import KeptStudy, open_study
+from instobj.stages.chain import Chain
+from instobj.store.progress import ProgressLine
+from instobj.store.publish import file_rows, require_writable, run_folder
 
 
 def optimize(

@@ -13,14 +13,14 @@ from jaxtyping import Float
 from torch import Tensor
 
 from design.errors import InputError
-from design.pockets import magnet_bodies
-from design.search_space import SearchSpace, params_at, search_space, structure_of, unit_of
-from design.search_structure import with_structure
-from design.spec import ObjectSpec
-from estimator.layout_polish import descend
-from estimator.layout_vectors import RULES, broken_limits_mm, layout_space, layouts_at
-from fem.candidates import candidate_lattices
-from instobj.search.first_rung import broken_by_structure, misfit_of
+from design.layout.pockets import magnet_bodies
+from design.search.space import SearchSpace, params_at, search_space, structure_of, unit_of
+from design.search.structure import with_structure
+from design.spec.object import ObjectSpec
+from estimator.layouts.polish import descend
+from estimator.layouts.vectors import RULES, broken_limits_mm, layout_space, layouts_at
+from fem.candidates.motions import candidate_lattices
+from instobj.search.lowest_fidelity import broken_by_structure, misfit_of
 
 _STARTS = 24
 _STEPS, _WALKS = 30, 5

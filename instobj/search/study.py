@@ -17,8 +17,8 @@ from optuna.study import StudyDirection
 from optuna.trial import FrozenTrial, TrialState
 
 from design.errors import InputError
-from design.spec import ObjectSpec
-from instobj.store import content_key
+from design.spec.object import ObjectSpec
+from instobj.store.content import content_key
 
 _BUDGET = ("trials", "seconds", "trial_seconds", "batch", "leaders", "finalists", "polish_steps")
 """Of `[search]`: may change while a study goes on."""

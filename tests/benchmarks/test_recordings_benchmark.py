@@ -1,13 +1,8 @@
 """The benchmark on recordings runs on a made-up one, and its figures hang together."""
 
-import sys
-from pathlib import Path
-
 import pytest
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "estimator"))
-
-from made_recordings import gripper_arrays, write_gripper
+from tests.support.made_recordings import gripper_arrays, write_gripper
 
 CASES = ((54, 57), (23, 28), (71, 80))
 

@@ -4,11 +4,11 @@ import os
 from dataclasses import dataclass
 
 import pytest
-from fem_cases import COARSE_EDGES_MM, paper_cube
-from small_object import small_spec
 
-from fem.response import build_response, elastic_system
-from fem.tet_mesh import TetMesh, tetrahedralize
+from fem.linear.response import build_response, elastic_system
+from fem.mesh.tetrahedra import TetMesh, tetrahedralize
+from tests.support.fem_cases import COARSE_EDGES_MM, paper_cube
+from tests.support.small_object import small_spec
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,113 @@
+"""Rectangular blocks that the core adds to its cavity and that slits take from the shell.
+
+They are given as numbers, so that the CAD solids and the mesh of the mechanics are made from one
+description, and touch no CAD kernel.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import combinations
+from typing import TYPE_CHECKING
+
+import numpy as np
+from jaxtyping import Bool, Float
+
+from design.layout.positions import FaceFrame, core_frames, face_frames
+
+if TYPE_CHECKING:
+    from design.spec.object import ObjectSpec
+
+
+@dataclass(frozen=True)
+class Block:
+    """A box in the object's frame: centre (mm), orthonormal axes as columns, half edges (mm)."""
+
+    centre_mm: Float[np.ndarray, "3"]
+    axes: Float[np.ndarray, "3 3"]
+    half_mm: Float[np.ndarray, "3"]
+
+    @property
+    def volume_mm3(self) -> float:
+        return float(8 * np.prod(self.half_mm))
+
+    def holds(
+        self, points_mm: Float[np.ndarray, "n 3"], margin_mm: float = 0.0
+    ) -> Bool[np.ndarray, "n"]:
+        """Whether points lie in the block grown by a margin on all sides."""
+        local = abs((points_mm - self.centre_mm) @ self.axes)
+        return np.all(local <= self.half_mm + margin_mm, axis=1)
+
+
+def core_keys(spec: ObjectSpec) -> tuple[Block, ...]:
+    """Keys of every face of the core, face by face; each begins 0.5 mm below the core's face.
+
+    What lies below the face is inside the core, so that a union with it has no coplanar faces.
+    """
+    keys, sunk = spec.core.keys, 0.5
+    half = np.array([*(edge / 2 for edge in keys.size_mm), (keys.height_mm + sunk) / 2])
+    height = (keys.height_mm - sunk) / 2
+    return tuple(
+        Block(frame.to_object(np.array([x, y, height])), frame.axes, half)
+        for frame in core_frames(spec)
+        for x, y in keys.positions_mm
+    )
+
+
+def keys_volume_mm3(spec: ObjectSpec) -> float:
+    """Volume of silicone that all keys displace."""
+    keys = spec.core.keys
+    per_key = keys.size_mm[0] * keys.size_mm[1] * keys.height_mm
+    return per_key * len(keys.positions_mm) * len(core_frames(spec))
+
+
+def relief_slits(spec: ObjectSpec) -> tuple[Block, ...]:
+    """One slit per edge between two sensed faces; each begins outside the body, past its edge.
+
+    Slits along z run out through the open face.
+    """
+    if not spec.shell.slits.depth_mm:
+        return ()
+    pairs = combinations(face_frames(spec), 2)
+    return tuple(_slit(spec, a, b) for a, b in pairs if abs(a.normal @ b.normal) < 0.5)
+
+
+def _slit(spec: ObjectSpec, a: FaceFrame, b: FaceFrame) -> Block:
+    slits, half_body = spec.shell.slits, np.asarray(spec.body.size_mm) / 2
+    along = np.cross(a.normal, b.normal)
+    inward = -(a.normal + b.normal) / np.sqrt(2)
+    edge = (a.normal + b.normal) * half_body
+    reach = float(abs(along) @ half_body)
+    low, high = slits.end_mm - reach, reach - slits.end_mm
+    if abs(along[2]) > 0.5 and not _sensed_below(spec):
+        past = reach + slits.width_mm
+        low, high = (-past, high) if along[2] > 0 else (low, past)
+    start, end = -slits.width_mm, slits.depth_mm
+    centre = edge + (low + high) / 2 * along + (start + end) / 2 * inward
+    axes = np.column_stack([along, inward, np.cross(along, inward)])
+    return Block(centre, axes, np.array([high - low, end - start, slits.width_mm]) / 2)
+
+
+def _sensed_below(spec: ObjectSpec) -> bool:
+    return any(frame.normal[2] < -0.5 for frame in face_frames(spec))
+
+
+def slits_volume_mm3(spec: ObjectSpec, below_mm: float = 0.0) -> float:
+    """Volume that the slits take from the body, or from the body less a layer on its faces.
+
+    A slit's section inside the right-angled edge is its width w times its depth d less the corner's
+    triangle, w d − w²/4; a layer t takes √2 t of the depth.
+    """
+    width = spec.shell.slits.width_mm
+    depth = spec.shell.slits.depth_mm - np.sqrt(2) * below_mm
+    section = width * depth - width**2 / 4 if depth >= width / 2 else max(depth, 0.0) ** 2
+    half_body = np.asarray(spec.body.size_mm) / 2
+    return section * sum(_length_in_body_mm(block, half_body) for block in relief_slits(spec))
+
+
+def _length_in_body_mm(slit: Block, half_body_mm: np.ndarray) -> float:
+    """Length of a slit, along its first axis, within the body."""
+    along, reach = slit.axes[:, 0], float(abs(slit.axes[:, 0]) @ half_body_mm)
+    middle = float(along @ slit.centre_mm)
+    ends = np.clip([middle - slit.half_mm[0], middle + slit.half_mm[0]], -reach, reach)
+    return float(ends[1] - ends[0])

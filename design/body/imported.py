@@ -1,0 +1,171 @@
+"""Bodies from files: read, repaired where that is safe, or refused with the reason."""
+
+from __future__ import annotations
+
+import hashlib
+import warnings
+from functools import lru_cache
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from design.errors import InputError
+
+if TYPE_CHECKING:
+    import trimesh
+
+    from design.spec.body import BodySpec
+
+_STEP = (".step", ".stp")
+_TOLERANCE_MM, _ANGLE_RAD = 0.03, 0.2
+_PIERCED_MM = 0.1
+"""How far one triangle may stand through another: less is lost in the body's own triangles."""
+
+
+def body_of_file(path: Path) -> dict[str, Any]:
+    """What `[body]` takes from a file: its path and the size of its box.
+
+    Raises
+    ------
+    InputError
+        A file that is missing, not a solid, open, in several pieces or crossing itself.
+    """
+    size = [round(float(edge), 6) for edge in _surface_in(path).extents]
+    return {"file": str(path.resolve()), "size_mm": size}
+
+
+def read_body(body: BodySpec) -> trimesh.Trimesh:
+    """The surface in `body.file`, its box centred on the origin.
+
+    Raises
+    ------
+    InputError
+        As `body_of_file`.
+    """
+    if body.file is None:
+        raise InputError("body.kind = 'imported' needs body.file. Name an STL or STEP file in mm")
+    return _surface_in(Path(body.file)).copy()
+
+
+def file_digest(body: BodySpec) -> str | None:
+    """SHA-256 (hex) of the file that a body comes from, if any."""
+    return None if body.file is None else _digest(Path(body.file))
+
+
+def _digest(path: Path) -> str:
+    return hashlib.sha256(path.read_bytes()).hexdigest()
+
+
+def _surface_in(path: Path) -> trimesh.Trimesh:
+    if not path.is_file():
+        raise InputError(f"no body at {path}. Name an STL or STEP file in mm in body.file")
+    return _closed_surface(path.resolve(), _digest(path))
+
+
+@lru_cache(maxsize=4)
+def _closed_surface(path: Path, digest: str) -> trimesh.Trimesh:
+    """The file's surface, kept while its content is the same."""
+    surface = _of_step(path) if path.suffix.lower() in _STEP else _of_mesh(path)
+    surface = _repaired(surface, path)
+    surface.apply_translation(-surface.bounds.mean(axis=0))
+    _require_simple(surface, path)
+    return surface
+
+
+def _of_mesh(path: Path) -> trimesh.Trimesh:
+    import trimesh
+
+    try:
+        surface = trimesh.load_mesh(path)
+    except (ValueError, IndexError, KeyError, OSError, NotImplementedError) as error:
+        raise InputError(f"{path} cannot be read as a surface: {error}. Export it anew") from error
+    if not isinstance(surface, trimesh.Trimesh) or not len(surface.faces):
+        raise InputError(f"{path} holds no triangles. Export a closed surface in mm")
+    return surface
+
+
+def _of_step(path: Path) -> trimesh.Trimesh:
+    import cadquery as cq
+    import trimesh
+
+    try:
+        shapes: list[Any] = cq.importers.importStep(str(path)).vals()
+        pieces = [shape.tessellate(_TOLERANCE_MM, _ANGLE_RAD) for shape in shapes]
+    except (ValueError, RuntimeError, AttributeError, IndexError) as error:
+        raise InputError(f"{path} cannot be read as STEP: {error}. Export it anew") from error
+    if not any(triangles for _, triangles in pieces):
+        raise InputError(f"{path} holds no solid. Export one closed body in mm")
+    solids = [trimesh.Trimesh([p.toTuple() for p in points], faces) for points, faces in pieces]
+    return sum(solids[1:], start=solids[0])
+
+
+def _repaired(surface: trimesh.Trimesh, path: Path) -> trimesh.Trimesh:
+    """Merged, holes filled, turned outwards, overlapping pieces united; tells what it did."""
+    import trimesh
+
+    surface.merge_vertices()
+    surface.update_faces(surface.nondegenerate_faces() & surface.unique_faces())
+    done = []
+    if not surface.is_watertight:
+        before = len(surface.faces)
+        trimesh.repair.fill_holes(surface)
+        done.append(f"closed small holes with {len(surface.faces) - before} triangles")
+    _require_closed(surface, path)
+    if not surface.is_winding_consistent or surface.volume < 0:
+        trimesh.repair.fix_normals(surface)
+        done.append("turned triangles outwards")
+    if surface.body_count > 1:
+        pieces = surface.body_count
+        surface = _united(surface, path)
+        done.append(f"united {pieces} pieces that overlap")
+    if done:
+        warnings.warn(f"{path}: {' and '.join(done)}", stacklevel=2)
+    return surface
+
+
+def _require_closed(surface: trimesh.Trimesh, path: Path) -> None:
+    if surface.is_watertight:
+        return
+    _, count = np.unique(surface.edges_sorted, axis=0, return_counts=True)
+    raise InputError(
+        f"the surface in {path} is open: {(count == 1).sum()} edges have a triangle on one side only, "
+        f"{(count > 2).sum()} edges more than two triangles. Close it in the program that made it"
+    )
+
+
+def _united(surface: trimesh.Trimesh, path: Path) -> trimesh.Trimesh:
+    """The union of pieces that overlap.
+
+    Raises
+    ------
+    InputError
+        Pieces apart from each other, or voids inside.
+    """
+    import trimesh
+
+    pieces = surface.split(only_watertight=False)
+    whole = all(piece.volume > 0 for piece in pieces)
+    united = trimesh.boolean.union(pieces, engine="manifold") if whole else surface
+    if united.body_count != 1:
+        raise InputError(
+            f"{path} holds {len(pieces)} separate surfaces. Export one closed body without holes inside"
+        )
+    return united
+
+
+def _require_simple(surface: trimesh.Trimesh, path: Path) -> None:
+    """Refuse a surface that crosses itself: one of its edges then runs through a triangle."""
+    from design.body.meshes import manifold_of
+
+    solid, corners = manifold_of(surface), np.asarray(surface.vertices)
+    for start, end in corners[surface.edges_unique]:
+        for hit in solid.ray_cast(tuple(start), tuple(end)):
+            place, normal = np.asarray(hit.position), np.asarray(hit.normal)
+            beyond = min(abs((start - place) @ normal), abs((end - place) @ normal))
+            if beyond > _PIERCED_MM:
+                raise InputError(
+                    f"the surface in {path} crosses itself, {beyond:.2g} mm deep at "
+                    f"({', '.join(f'{x:.3g}' for x in place)}) mm from its middle. Unite its pieces in the "
+                    "program that made it"
+                )

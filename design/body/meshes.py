@@ -1,0 +1,276 @@
+"""Measures on closed triangle meshes: walls by rays, undercuts by normals, traps for air by height.
+
+All lengths in mm. Meshes follow their solids within the specification's tolerance (0.05 mm by
+default), and so do the figures here; walls between parallel planes come out exact.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from jaxtyping import Bool, Float
+
+from design.body.blocks import Block
+from design.errors import NotOneSolid
+
+if TYPE_CHECKING:
+    import trimesh
+    from manifold3d import Manifold
+
+RAYS = 5_000
+"""Rays a large part gets, about; every facet gets one, and they lie 1 to 2 mm apart on wide ones."""
+
+EDGE_MM = 0.2
+"""Shorter edges say nothing of their angle."""
+
+SLIVER_MM = 0.01
+"""Nor do triangles that are less high."""
+
+_FACING = -np.cos(np.deg2rad(15))
+_START_MM = 1e-4
+_LEVEL_MM = 1e-3
+
+
+@dataclass(frozen=True)
+class ThinnestWall:
+    """Smallest thickness met and the middle of that wall."""
+
+    thickness_mm: float
+    place_mm: Float[np.ndarray, "3"]
+
+
+@dataclass(frozen=True)
+class Undercut:
+    """Where a part drives into what it releases: area, and the way that must give way sideways.
+
+    `depth_mm` is that of the patch that needs most: its least width across the pull, by which the
+    soft side must move to let it by, or, of a wall that leans a little, its length along the pull
+    times the mean tangent of the lean; `place_mm` is that patch's middle.
+    """
+
+    area_mm2: float
+    depth_mm: float
+    place_mm: Float[np.ndarray, "3"] | None
+
+
+@dataclass(frozen=True)
+class Trap:
+    """A high point of the silicone, the surface's normal there, and how deep a bubble it keeps."""
+
+    place_mm: Float[np.ndarray, "3"]
+    normal: Float[np.ndarray, "3"]
+    depth_mm: float
+
+
+def one_closed_surface(mesh: trimesh.Trimesh, part: str) -> trimesh.Trimesh:
+    """The mesh itself where it closes round one body, which may have voids.
+
+    Raises
+    ------
+    NotOneSolid
+        An InputError: several pieces, none, or a surface that is not closed.
+    """
+    outsides = sum(piece.volume > 0 for piece in mesh.split(only_watertight=False))
+    if outsides != 1 or not mesh.is_watertight:
+        state = "closed" if mesh.is_watertight else "not closed"
+        raise NotOneSolid(
+            f"{part} must be one closed body; these dimensions give {outsides} ({state}). Move its recesses, "
+            "holes or pockets apart, or make them smaller",
+            mesh,
+        )
+    return mesh
+
+
+def thinnest_wall(mesh: trimesh.Trimesh) -> ThinnestWall | None:
+    """The smallest distance, through the material, between surfaces that face apart; None if none.
+
+    Rays start from a fine triangulation of the surface and run along the inward normal; a wall is
+    where the first surface they meet faces within 15° of the ray. Wedges are no walls, their edge
+    is as thin as one likes: `sharpest_edge` finds them. Between a plane and a hole of radius r the
+    result is too thick by up to 0.01 r.
+    """
+    from trimesh.remesh import subdivide_to_size
+
+    edge = max(1.0, float(np.sqrt(mesh.area / (0.3 * RAYS))))
+    vertices, faces = subdivide_to_size(mesh.vertices, mesh.faces, edge, max_iter=30)[:2]
+    corner = vertices[faces]
+    doubled = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
+    size = np.linalg.norm(doubled, axis=1)
+    kept = size > 1e-9
+    normal, start = doubled[kept] / size[kept, None], corner[kept].mean(axis=1)
+    solid, reach = manifold_of(mesh), float(np.linalg.norm(mesh.extents))
+    best: ThinnestWall | None = None
+    for point, n in zip(start, normal, strict=True):
+        thickness = _through(solid, point, n, reach)
+        if thickness is not None and (best is None or thickness < best.thickness_mm):
+            best = ThinnestWall(thickness, point - thickness / 2 * n)
+    return best
+
+
+def sharpest_edge(mesh: trimesh.Trimesh) -> tuple[float, Float[np.ndarray, "3"]] | None:
+    """Smallest angle (degrees) of material at a convex edge of the mesh, and the edge's middle."""
+    convex = np.asarray(mesh.face_adjacency_convex)
+    long = np.ptp(mesh.vertices[mesh.face_adjacency_edges], axis=1).max(axis=1) > EDGE_MM
+    wide = _height_mm(mesh)[mesh.face_adjacency].min(axis=1) > SLIVER_MM
+    chosen = np.flatnonzero(convex & long & wide)
+    if not len(chosen):
+        return None
+    sharpest = chosen[np.argmax(mesh.face_adjacency_angles[chosen])]
+    angle = 180 - float(np.degrees(mesh.face_adjacency_angles[sharpest]))
+    return angle, mesh.vertices[mesh.face_adjacency_edges[sharpest]].mean(axis=0)
+
+
+def undercut(
+    mesh: trimesh.Trimesh, pull: Float[np.ndarray, "3"], where: Bool[np.ndarray, "face"]
+) -> Undercut:
+    """Faces of a part (of those in `where`) that move into their neighbour when it is pulled."""
+    from trimesh.graph import connected_components
+
+    rise = np.asarray(mesh.face_normals) @ pull
+    against = where & (rise > np.sin(np.deg2rad(0.5)))
+    if not against.any():
+        return Undercut(0.0, 0.0, None)
+    pairs = mesh.face_adjacency[against[mesh.face_adjacency].all(axis=1)]
+    deepest, place = 0.0, None
+    for patch in connected_components(pairs, nodes=np.flatnonzero(against)):
+        points = mesh.triangles[patch].reshape(-1, 3)
+        tangent = np.tan(np.arcsin(np.clip(rise[patch], 0, 1 - 1e-9)))
+        lean = float(np.average(tangent, weights=mesh.area_faces[patch]))
+        depth = _least_width_mm(points, pull)
+        if lean <= 1:  # a curved wall that leans a little is wider than it hooks; a ledge is not
+            depth = min(depth, float(np.ptp(points @ pull)) * lean)
+        if depth > deepest:
+            deepest, place = depth, points.mean(axis=0)
+    return Undercut(float(mesh.area_faces[against].sum()), deepest, place)
+
+
+def least_draft_deg(
+    mesh: trimesh.Trimesh, pull: Float[np.ndarray, "3"], where: Bool[np.ndarray, "face"]
+) -> tuple[float, Float[np.ndarray, "3"]] | None:
+    """Smallest draft (degrees) among the faces in `where` that are no undercut, and a place there."""
+    rise = -(np.asarray(mesh.face_normals) @ pull)
+    chosen = np.flatnonzero(where & (rise > -np.sin(np.deg2rad(0.5))))
+    if not len(chosen):
+        return None
+    least = chosen[np.argmin(np.round(rise[chosen], 6))]
+    draft = float(np.degrees(np.arcsin(np.clip(rise[least], 0.0, 1.0)))) + 0.0
+    return draft, mesh.triangles_center[least]
+
+
+def high_points(
+    mesh: trimesh.Trimesh, up: Float[np.ndarray, "3"], rim_mm: float, least_mm: float = _LEVEL_MM
+) -> list[Trap]:
+    """Places where air stays caught: local maxima of height below the level of the open rim.
+
+    The surface is flooded with air from the top: a bubble at a maximum grows downwards until it can
+    leave over the saddle to a higher one. Those less high than `least_mm` are left out, and those
+    where the surface faces down, so that the mould is not above it.
+    """
+    height = np.round(np.asarray(mesh.vertices) @ up / _LEVEL_MM) * _LEVEL_MM
+    peaks: list[tuple[int, float]] = []
+    for peak, saddle in _peaks_and_saddles(height, np.asarray(mesh.edges_unique)):
+        drained = height[peak] >= rim_mm - _LEVEL_MM or height[peak] - saddle < least_mm
+        if not drained and float(mesh.vertex_normals[peak] @ up) > 0:
+            peaks.append((peak, float(height[peak] - saddle)))
+    return [
+        Trap(np.array(mesh.vertices[peak]), np.array(mesh.vertex_normals[peak]), bubble)
+        for peak, bubble in sorted(peaks)
+    ]
+
+
+def _peaks_and_saddles(height: np.ndarray, edges: np.ndarray) -> list[tuple[int, float]]:
+    """Vertices of local maxima, each with the height at which it joins a higher one (−inf: none)."""
+    order = np.lexsort((np.arange(len(height)), -height))
+    rank = np.empty(len(order), int)
+    rank[order] = np.arange(len(order))
+    a, b = np.sort(rank[edges], axis=1).T
+    owner = np.arange(len(order))
+
+    def root(k: int) -> int:
+        while owner[k] != k:
+            owner[k] = owner[owner[k]]
+            k = int(owner[k])
+        return k
+
+    died: list[tuple[int, float]] = []
+    by_lower = np.lexsort((a, b))
+    for high, low in zip(a[by_lower].tolist(), b[by_lower].tolist(), strict=True):
+        first, second = sorted((root(high), root(low)))
+        if first == second:
+            continue
+        owner[second] = first
+        if second != low:
+            died.append((int(order[second]), float(height[order[low]])))
+    alive = [k for k in range(len(order)) if owner[k] == k]
+    return died + [(int(order[k]), -np.inf) for k in alive]
+
+
+def largest_ceiling(
+    mesh: trimesh.Trimesh, up: Float[np.ndarray, "3"], rim_mm: float
+) -> tuple[float, Float[np.ndarray, "3"]] | None:
+    """Area (mm²) and middle of the largest flat surface that faces up, the rim left out."""
+    from trimesh.graph import connected_components
+
+    normals, centres = np.asarray(mesh.face_normals), mesh.triangles_center
+    flat = (normals @ up > np.cos(np.deg2rad(1))) & (centres @ up < rim_mm - _LEVEL_MM)
+    if not flat.any():
+        return None
+    pairs = mesh.face_adjacency[flat[mesh.face_adjacency].all(axis=1)]
+    patches = connected_components(pairs, nodes=np.flatnonzero(flat))
+    areas = [float(mesh.area_faces[patch].sum()) for patch in patches]
+    largest = patches[int(np.argmax(areas))]
+    return max(areas), mesh.triangles[largest].reshape(-1, 3).mean(axis=0)
+
+
+def distance_mm(
+    mesh: trimesh.Trimesh, points_mm: Float[np.ndarray, "n 3"]
+) -> Float[np.ndarray, "n"]:
+    """Distance of points to a closed surface, unsigned."""
+    import pyvista
+
+    surface = pyvista.PolyData.from_regular_faces(mesh.vertices, mesh.faces)
+    cloud = pyvista.PolyData(np.ascontiguousarray(points_mm, float))
+    return abs(np.asarray(cloud.compute_implicit_distance(surface)["implicit_distance"], float))
+
+
+def manifold_of(mesh: trimesh.Trimesh) -> Manifold:
+    """The closed mesh for exact booleans and rays."""
+    from manifold3d import Manifold, Mesh64
+
+    vertices = np.ascontiguousarray(mesh.vertices, dtype=np.float64)
+    return Manifold(Mesh64(vertices, np.ascontiguousarray(mesh.faces, dtype=np.uint64)))
+
+
+def block_manifold(block: Block) -> Manifold:
+    """A block as a closed mesh."""
+    import trimesh
+
+    placed = np.eye(4)
+    placed[:3, :3], placed[:3, 3] = block.axes, block.centre_mm
+    return manifold_of(trimesh.creation.box(2 * block.half_mm).apply_transform(placed))
+
+
+def _through(solid: Manifold, point: np.ndarray, normal: np.ndarray, reach: float) -> float | None:
+    """Thickness below a point of the surface, or None where no surface faces it there."""
+    start = point - _START_MM * normal
+    hits = solid.ray_cast(tuple(start), tuple(start - reach * normal))
+    if not hits or np.dot(hits[0].normal, normal) > _FACING:
+        return None
+    return float(np.linalg.norm(np.asarray(hits[0].position) - point))
+
+
+def _height_mm(mesh: trimesh.Trimesh) -> np.ndarray:
+    """Of every triangle over its longest edge."""
+    corners = mesh.triangles
+    edges = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).max(axis=1)
+    return 2 * mesh.area_faces / np.maximum(edges, 1e-12)
+
+
+def _least_width_mm(points: np.ndarray, pull: np.ndarray) -> float:
+    """Smallest extent of points over all directions across the pull, in steps of 2.5°."""
+    across = np.linalg.svd(np.asarray(pull, float)[None])[2][1:]
+    angle = np.deg2rad(np.arange(0, 180, 2.5))
+    directions = np.column_stack([np.cos(angle), np.sin(angle)]) @ across
+    return float(np.ptp(points @ directions.T, axis=0).min())

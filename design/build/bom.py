@@ -1,0 +1,150 @@
+"""Bill of materials: magnets, sensors, silicone with waste, prints, screws."""
+
+from __future__ import annotations
+
+import csv
+from dataclasses import asdict, dataclass, fields
+from pathlib import Path
+
+from design.build.manifest import BuildManifest
+from design.files import atomic_path
+from design.layout.positions import magnet_layout, sensor_layout, shell_body_layout
+from design.layout.volumes import sealed_volume_mm3
+from design.spec.object import ObjectSpec
+
+BOM_NAME = "bom.csv"
+
+
+@dataclass(frozen=True)
+class Item:
+    """One line: how many, how much of it (volume and mass together), and what to know."""
+
+    item: str
+    count: int
+    volume_cm3: float | None = None
+    mass_g: float | None = None
+    note: str = ""
+
+
+@dataclass(frozen=True)
+class SiliconeAmount:
+    """Silicone in the object (shell, pockets filled, seal layer), and what is mixed for it."""
+
+    volume_cm3: float
+    mass_g: float
+    mixed_g: float
+    parts_g: tuple[float, float]
+
+
+def silicone_amount(spec: ObjectSpec) -> SiliconeAmount:
+    """Volume and mass of all silicone of one object, and both components with the waste."""
+    bodies = shell_body_layout(spec)
+    volume = (sealed_volume_mm3(spec) - bodies.volume_mm3 * len(bodies.face)) / 1e3
+    mass = volume * spec.silicone.density_g_per_cm3
+    mixed, (a, b) = mass * (1 + spec.mould.silicone_waste), spec.silicone.mix_ratio
+    return SiliconeAmount(volume, mass, mixed, (mixed * a / (a + b), mixed * b / (a + b)))
+
+
+def bill_of_materials(spec: ObjectSpec, manifest: BuildManifest) -> list[Item]:
+    """Everything to buy, mix and print for one object; prints are counted as solid."""
+    return [
+        _magnets(spec),
+        *_electronics(spec),
+        _silicone(spec),
+        *_prints(spec, manifest),
+        *_screws(spec, manifest),
+    ]
+
+
+def write_bom(items: list[Item], target: Path) -> None:
+    """Write as CSV, one line an item; what does not apply is left empty.
+
+    Raises
+    ------
+    InputError
+        The folder cannot be written.
+    """
+    names = [field.name for field in fields(Item)]
+    with atomic_path(target) as path, path.open("w", encoding="utf-8", newline="") as stream:
+        writer = csv.DictWriter(stream, names)
+        writer.writeheader()
+        for item in items:
+            row = asdict(item)
+            for key in ("volume_cm3", "mass_g"):
+                row[key] = "" if row[key] is None else f"{row[key]:.3f}"
+            writer.writerow(row)
+
+
+def magnet_name(spec: ObjectSpec) -> str:
+    """The magnet as one would order it."""
+    magnets = spec.magnets
+    across = {
+        "disk": f"Ø{magnets.diameter_mm:g}",
+        "ring": f"Ø{magnets.diameter_mm:g}/{magnets.inner_diameter_mm:g}",
+        "block": f"{magnets.size_mm[0]:g} × {magnets.size_mm[1]:g}",
+    }[magnets.shape]
+    kind = "coil" if magnets.kind == "coil" else f"{magnets.shape} magnet"
+    grade = f" {magnets.grade}" if magnets.grade else ""
+    part = f"{magnets.part}, " if magnets.part else ""
+    return f"{part}{kind}{grade} {across} × {magnets.height_mm:g} mm"
+
+
+def _magnets(spec: ObjectSpec) -> Item:
+    count = len(magnet_layout(spec).face)
+    if spec.magnets.kind == "coil":
+        note = f"{spec.magnets.turns} turns, {spec.magnets.current_a:g} A"
+    else:
+        outward = sum(way > 0 for way in spec.magnets.polarities)
+        faces = count // len(spec.magnets.positions_mm)
+        note = (
+            f"remanence {spec.magnets.remanence_t:g} T; {outward * faces} with north outward, "
+            f"{count - outward * faces} inward"
+        )
+    return Item(magnet_name(spec), count, note=note)
+
+
+def _electronics(spec: ObjectSpec) -> list[Item]:
+    sensors, core = len(sensor_layout(spec).face), spec.core
+    board = " × ".join(f"{edge:g}" for edge in spec.sensors.package_mm)
+    return [
+        Item(f"Hall sensor {spec.sensors.part}", sensors, note=f"chip {spec.sensors.chip}"),
+        Item("sensor board", sensors, note=f"{board} mm"),
+        Item(
+            f"wire Ø{core.wire_diameter_mm:g} mm",
+            sensors * core.wires_per_sensor,
+            note="from each board through its face's hole; shared supply and bus may save most",
+        ),
+    ]
+
+
+def _silicone(spec: ObjectSpec) -> Item:
+    amount = silicone_amount(spec)
+    a, b = amount.parts_g
+    mixed = (
+        "not cast"
+        if spec.silicone.cure == "none"
+        else f"mix {amount.mixed_g:.1f} g with {spec.mould.silicone_waste:.0%} of waste: "
+        f"{a:.1f} g A + {b:.1f} g B"
+    )
+    return Item(spec.silicone.name, 1, amount.volume_cm3, amount.mass_g, mixed)
+
+
+def _prints(spec: ObjectSpec, manifest: BuildManifest) -> list[Item]:
+    density = spec.printer.density_g_per_cm3
+    return [
+        Item(
+            f"print {part.name}",
+            part.count,
+            part.count * part.volume_mm3 / 1e3,
+            part.count * part.volume_mm3 / 1e3 * density,
+            f"{part.name}.3mf; " + " × ".join(f"{edge:.1f}" for edge in part.size_mm) + " mm each",
+        )
+        for part in manifest.parts
+        if part.material == "printed"
+    ]
+
+
+def _screws(spec: ObjectSpec, manifest: BuildManifest) -> list[Item]:
+    if "mould_half_a" not in {part.name for part in manifest.parts}:
+        return []
+    return [Item("M3 × 16 screw with nut", 4, note="through the flanges of the mould's halves")]

@@ -1,0 +1,153 @@
+"""Build every part of an object, write STL, 3MF and STEP files, and describe them in a manifest."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from importlib.metadata import version
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import cadquery as cq
+import numpy as np
+
+from design.build.manifest import BuildManifest, PartManifest, remove_manifest
+from design.build.parts import Part, parts_of
+from design.build.scene import ASSEMBLY_NAME, assembly_scene, write_3mf, write_glb
+from design.errors import InputError
+from design.files import atomic_path
+from design.spec.fabrication import ExportSpec
+from design.spec.object import ObjectSpec
+from design.spec_io import spec_hash
+
+if TYPE_CHECKING:
+    import trimesh
+
+_LIBRARIES = ("instobj", "cadquery", "cadquery-ocp", "trimesh", "numpy")
+
+
+def build_object(
+    spec: ObjectSpec,
+    folder: Path | str,
+    progress: Callable[[str], None] = lambda message: None,
+) -> BuildManifest:
+    """Write {part}.stl, .3mf, .step, assembly.glb and manifest.json (last); return the manifest.
+
+    Probes and magnet templates are in their own frames, all other parts in the object's. Lengths
+    are in mm, volumes in mm³. Nothing is written before every part has been built, and an earlier
+    build's manifest goes first: a manifest always describes the files beside it.
+
+    Raises
+    ------
+    InputError
+        The dimensions give no valid part, or the folder cannot be written.
+    """
+    parts, solids = parts_of(spec), {}
+    for part in parts:
+        progress(f"building {part.name}")
+        solids[part.name] = part.make()
+    remove_manifest(folder)
+    written, meshes = [], {}
+    for part in parts:
+        progress(f"writing {part.name}")
+        manifest, meshes[part.name] = write_part(part, solids[part.name], Path(folder), spec.export)
+        written.append(manifest)
+    progress("writing the assembly")
+    write_glb(assembly_scene(spec, meshes), Path(folder) / ASSEMBLY_NAME)
+    versions = {library: version(library) for library in _LIBRARIES}
+    manifest = BuildManifest(spec.name, spec_hash(spec), tuple(written), versions)
+    path = manifest.write(folder)
+    progress(f"wrote {path}")
+    return manifest
+
+
+def write_part(
+    part: Part, solid: cq.Solid | trimesh.Trimesh, folder: Path, export: ExportSpec
+) -> tuple[PartManifest, trimesh.Trimesh]:
+    """Write one part as STEP, STL and 3MF; measure both the solid and the STL as read back.
+
+    What is known by its triangles has no STEP, and its faces are its triangles.
+
+    Raises
+    ------
+    InputError
+        The folder cannot be written, or the part touches itself so that its surface is not closed.
+    """
+    if not isinstance(solid, cq.Shape):
+        return _write_triangles(part, solid, folder)
+    # The bounding box is read first: a triangulated shape would be measured by its triangles.
+    box, centre = solid.BoundingBox(), solid.Center()
+    mesh = _write_stl(solid, folder / f"{part.name}.stl", export)
+    write_3mf(mesh, part.name, folder / f"{part.name}.3mf")
+    _write_step(solid, folder / f"{part.name}.step")
+    manifest = PartManifest(
+        name=part.name,
+        volume_mm3=solid.Volume(),
+        bounding_box_mm=((box.xmin, box.ymin, box.zmin), (box.xmax, box.ymax, box.zmax)),
+        centre_of_mass_mm=centre.toTuple(),
+        face_count=len(solid.Faces()),
+        solid_count=len(solid.Solids()),
+        stl_volume_mm3=float(mesh.volume),
+        stl_watertight=bool(mesh.is_watertight),
+        stl_triangles=len(mesh.faces),
+        material=part.material,
+        count=part.count,
+    )
+    return manifest, mesh
+
+
+def _write_triangles(
+    part: Part, surface: trimesh.Trimesh, folder: Path
+) -> tuple[PartManifest, trimesh.Trimesh]:
+    with atomic_path(folder / f"{part.name}.stl") as path:
+        surface.export(path)
+        written = _closed(path, part.name)
+    write_3mf(surface, part.name, folder / f"{part.name}.3mf")
+    (x0, y0, z0), (x1, y1, z1) = surface.bounds.tolist()
+    cx, cy, cz = surface.center_mass.tolist()
+    manifest = PartManifest(
+        name=part.name,
+        volume_mm3=float(surface.volume),
+        bounding_box_mm=((x0, y0, z0), (x1, y1, z1)),
+        centre_of_mass_mm=(cx, cy, cz),
+        face_count=len(surface.faces),
+        solid_count=int(surface.body_count),
+        stl_volume_mm3=float(written.volume),
+        stl_watertight=bool(written.is_watertight),
+        stl_triangles=len(written.faces),
+        material=part.material,
+        count=part.count,
+    )
+    return manifest, written
+
+
+def _write_step(solid: cq.Solid, target: Path) -> None:
+    from OCP.IFSelect import IFSelect_RetDone  # pyright: ignore[reportAttributeAccessIssue]
+
+    with atomic_path(target) as path:
+        if solid.exportStep(str(path)) != IFSelect_RetDone:
+            raise InputError(f"cannot write {target}. Choose a writable folder with room left")
+
+
+def _write_stl(solid: cq.Solid, target: Path, export: ExportSpec) -> trimesh.Trimesh:
+    with atomic_path(target) as path:
+        fineness = (export.mesh_tolerance_mm, export.mesh_angle_rad)
+        if not solid.exportStl(str(path), *fineness, relative=False):
+            raise InputError(f"cannot write {target}. Choose a writable folder with room left")
+        return _closed(path, target.stem)
+
+
+def _closed(path: Path, name: str) -> trimesh.Trimesh:
+    """The STL as read back, without triangles that repeat a vertex: the kernel closes the poles of
+    spheres with such, and single precision makes them of slivers."""
+    import trimesh
+
+    mesh = trimesh.load_mesh(path)
+    corners = np.sort(mesh.faces, axis=1)
+    mesh.update_faces((np.diff(corners, axis=1) > 0).all(axis=1))
+    if not mesh.is_watertight:
+        raise InputError(
+            f"the surface of {name} is not closed: two of its recesses or pockets touch in a line. Move "
+            "them apart, or let them overlap, by 0.01 mm or more"
+        )
+    mesh.export(path)
+    return mesh

@@ -1,0 +1,110 @@
+"""Every part of an object: how it is made, of what, how often."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from typing import TYPE_CHECKING, Literal
+
+import cadquery as cq
+
+from design.body.kinds import is_sampled
+from design.layout.mould_frame import mould_frame, mould_style
+from design.layout.positions import face_frames
+from design.mould.halves import make_mould_half
+from design.mould.one_piece import has_mould, make_mould_box, make_seal_mould
+from design.mould.pins import loose_pins, make_pin, pin_kinds
+from design.mould.plug import make_mould_holder, make_mould_plug
+from design.solids.core import make_core
+from design.solids.jig import make_jig
+from design.solids.magnet_template import make_magnet_template, template_faces
+from design.solids.probes import make_probe
+from design.solids.sampled import sampled_core_part, sampled_shell
+from design.solids.shell import make_shell
+from design.spec.object import ObjectSpec
+
+if TYPE_CHECKING:
+    import trimesh
+
+Material = Literal["printed", "silicone"]
+
+
+@dataclass(frozen=True)
+class Part:
+    """A part by its name; `make` builds it, in the object's frame unless it is a tool.
+
+    A body that is known by its triangles gives triangles wherever its surface is, all else is exact.
+    """
+
+    name: str
+    make: Callable[[], cq.Solid | trimesh.Trimesh]
+    material: Material = "printed"
+    count: int = 1
+
+
+def parts_of(spec: ObjectSpec) -> tuple[Part, ...]:
+    """Core, shell, mould, probes, jig and magnet templates, in the order of the manifest."""
+    probes = [Part(f"probe_{tips}", partial(make_probe, spec, tips)) for tips in (1, 2, 3)]
+    core, shell = (
+        (sampled_core_part, sampled_shell) if is_sampled(spec) else (make_core, make_shell)
+    )
+    return (
+        Part("core", partial(core, spec)),
+        Part("shell", partial(shell, spec), "silicone"),
+        *_mould(spec),
+        *probes,
+        *_jig(spec),
+        *_templates(spec),
+    )
+
+
+def _jig(spec: ObjectSpec) -> list[Part]:
+    """None for a closed box, as the jig's post reaches into the core's cavity, nor for triangles."""
+    closed_box = spec.body.kind == "box" and 6 not in spec.body.opened
+    if closed_box or is_sampled(spec):
+        return []
+    return [Part("jig", partial(make_jig, spec))]
+
+
+def _mould(spec: ObjectSpec) -> list[Part]:
+    if not has_mould(spec):
+        return []
+    frame = mould_frame(spec)
+    if mould_style(spec) == "one-piece":
+        parts = [Part("mould_box", partial(make_mould_box, spec))]
+    else:
+        parts = [
+            Part("mould_half_a", partial(make_mould_half, spec, 1)),
+            Part("mould_half_b", partial(make_mould_half, spec, -1)),
+            *_pins(spec),
+        ]
+    if frame.opening == "bore":
+        parts.append(Part("mould_holder", partial(make_mould_holder, spec)))
+    elif frame.plugged:
+        parts.append(Part("mould_plug", partial(make_mould_plug, spec)))
+    if spec.shell.seal_layer_mm:
+        parts.append(Part("mould_seal_box", partial(make_seal_mould, spec)))
+    return parts
+
+
+def _pins(spec: ObjectSpec) -> list[Part]:
+    """One part for every kind of pin, where it stands first."""
+    pins = loose_pins(spec)
+    return [
+        Part(name, partial(make_pin, spec, pins[first]), count=count)
+        for name, first, count in pin_kinds(pins)
+    ]
+
+
+def _templates(spec: ObjectSpec) -> list[Part]:
+    if not all(frame.flat for frame in face_frames(spec)):
+        return []
+    groups = template_faces(spec)
+    return [
+        Part(
+            "magnet_template" if len(groups) == 1 else f"magnet_template_face_{first}",
+            partial(make_magnet_template, spec, first),
+        )
+        for first in groups
+    ]

@@ -1,0 +1,1 @@
+"""What can be bought: Hall sensors, magnets, silicones, printers."""

@@ -1,0 +1,1 @@
+"""Whether the parts can be printed, cast and assembled."""

@@ -1,0 +1,198 @@
+"""Checks of what goes together: pockets in the silicone, boards and wires in the core, play."""
+
+from __future__ import annotations
+
+from itertools import combinations
+from typing import TYPE_CHECKING
+
+from design.body.meshes import block_manifold, manifold_of
+from design.fabrication.finding import Finding, at_least, place_of
+from design.layout.boards import Mounted, mounted_sensors, wire_bundle_mm
+from design.layout.mould_frame import play_mm
+from design.layout.pockets import Pocket, distance_of_axes_mm, shell_pockets
+from design.layout.positions import FaceFrame, face_frames
+from design.spec.object import ObjectSpec
+
+if TYPE_CHECKING:
+    import trimesh
+
+TOUCHING_MM3 = 1e-3
+"""Common volume above which two bodies are said to interfere."""
+
+
+def check_pockets(spec: ObjectSpec) -> list[Finding]:
+    """Silicone between pockets of a face, under the deepest pocket, and over the magnets."""
+    faces = list(zip(face_frames(spec), shell_pockets(spec), strict=True))
+    found = [_spacing(spec, frame, face) for frame, face in faces if len(face) > 1]
+    frame, deepest = min(
+        ((frame, pocket) for frame, face in faces for pocket in face),
+        key=lambda pair: pair[1].lowest_mm,
+    )
+    limit, thickness = spec.silicone.thinnest_wall_mm, spec.shell.thickness_mm
+    left = thickness + deepest.lowest_mm
+    text = "silicone under the deepest pocket. Below the limit: seat the magnet higher"
+    place = place_of(frame.to_object(deepest.axis_ends_mm[0]))
+    found.append(_silicone("breakthrough", left, limit, text, place))
+    return [*min_by_value(found), _seal(spec, faces)]
+
+
+def min_by_value(findings: list[Finding]) -> list[Finding]:
+    """Of findings of one check, the one with the smallest value."""
+    least: dict[str, Finding] = {}
+    for finding in findings:
+        known = least.get(finding.check)
+        if known is None or finding.value < known.value:
+            least[finding.check] = finding
+    return list(least.values())
+
+
+def _spacing(spec: ObjectSpec, frame: FaceFrame, pockets: tuple[Pocket, ...]) -> Finding:
+    def gap(pair: tuple[Pocket, Pocket]) -> float:
+        a, b = pair
+        return distance_of_axes_mm(a, b) - a.outline.radius_mm - b.outline.radius_mm
+
+    a, b = min(combinations(pockets, 2), key=gap)
+    middle = (a.axis_ends_mm.mean(axis=0) + b.axis_ends_mm.mean(axis=0)) / 2
+    return _silicone(
+        "pocket spacing",
+        gap((a, b)),
+        spec.silicone.thinnest_wall_mm,
+        f"silicone between the pockets of {a.body.label} and {b.body.label}. Below the limit: move "
+        "them apart",
+        place_of(frame.to_object(middle)),
+    )
+
+
+def _seal(spec: ObjectSpec, faces: list[tuple[FaceFrame, tuple[Pocket, ...]]]) -> Finding:
+    def cover(pair: tuple[FaceFrame, Pocket]) -> float:
+        body = pair[1].body
+        tilt = body.outline.support_mm(body.frame[2, :2])
+        return float(-body.centre_mm[2] - body.frame[2, 2] * body.height_mm / 2 - tilt)
+
+    frame, thinnest = min(((f, p) for f, face in faces for p in face), key=cover)
+    return _silicone(
+        "seal over the magnets",
+        cover((frame, thinnest)),
+        spec.silicone.thinnest_wall_mm,
+        "silicone over the highest magnet or board. Below the limit it tears off: seat it deeper",
+        place_of(frame.to_object(thinnest.body.centre_mm)),
+    )
+
+
+def _silicone(check: str, value: float, limit: float, text: str, place) -> Finding:
+    value = float(value)
+    return Finding(check, "shell", value, limit, "mm", at_least(value, limit, 1.25), text, place)
+
+
+def check_electronics(spec: ObjectSpec, core: trimesh.Trimesh) -> list[Finding]:
+    """Boards and chips against the core and each other, and wires against their holes."""
+    mounted = mounted_sensors(spec)
+    found = [_wires(spec)]
+    if not mounted:
+        return found
+    return [*found, *_fits(spec), *_interference(mounted, core), *_collisions(mounted)]
+
+
+def _wires(spec: ObjectSpec) -> Finding:
+    core, bundle = spec.core, wire_bundle_mm(spec)
+    room = min(core.wire_hole_top_diameter_mm, core.wire_hole_side_diameter_mm) - bundle
+    return Finding(
+        "wires in their hole",
+        "core",
+        room,
+        0.0,
+        "mm",
+        at_least(room, 0.0),
+        f"the narrowest hole less the bundle of {bundle:.2f} mm of a face's wires. Below the limit: "
+        "widen core.wire_hole_*_diameter_mm or take thinner wires",
+    )
+
+
+def _fits(spec: ObjectSpec) -> list[Finding]:
+    """Room of the board in its recess: across, along, and for chip and board in its depth."""
+    core, sensors = spec.core, spec.sensors
+    width, length, thick = sensors.package_mm
+    radial = core.recess_outer_radius_mm - core.recess_inner_radius_mm
+    stack = thick + sensors.chip_mm[2]
+    rooms = {
+        "across": (core.recess_width_mm - width) / 2,
+        "along": (radial - length) / 2,
+        "deep": core.recess_depth_mm - stack,
+    }
+    place = place_of(mounted_sensors(spec)[0].chip.centre_mm)
+    return [
+        Finding(
+            f"board in its recess, {way}",
+            "core",
+            room,
+            0.0,
+            "mm",
+            "fail" if room < -1e-9 else at_least(room, 0.0) if room > 0.02 else "warn",
+            f"room of board and chip in the recess ({way}). Below the limit they do not go in: change "
+            "core.recess_* or the board",
+            place,
+        )
+        for way, room in rooms.items()
+    ]
+
+
+def _interference(mounted: list[Mounted], core: trimesh.Trimesh) -> list[Finding]:
+    """The board or chip that shares most volume with the core."""
+    solid = manifold_of(core)
+    shares = [
+        ((solid ^ block_manifold(block)).volume(), sensor, block)
+        for sensor in mounted
+        for block in (sensor.board, sensor.chip)
+    ]
+    volume, sensor, block = max(shares, key=lambda share: share[0])
+    return [
+        Finding(
+            "boards and chips clear of the core",
+            "core",
+            volume,
+            TOUCHING_MM3,
+            "mm³",
+            "pass" if volume <= TOUCHING_MM3 else "fail",
+            f"largest common volume of a board or chip with the core ({sensor.label}). Above the "
+            "limit: deepen or widen the recess, or move the sensor",
+            place_of(block.centre_mm),
+        )
+    ]
+
+
+def _collisions(mounted: list[Mounted]) -> list[Finding]:
+    """Largest common volume of the boards and chips of two sensors."""
+    worst, place, names = 0.0, None, ""
+    for a, b in combinations(mounted, 2):
+        for one in (a.board, a.chip):
+            for other in (b.board, b.chip):
+                reach = float(sum(one.half_mm**2) ** 0.5 + sum(other.half_mm**2) ** 0.5)
+                if float(sum((one.centre_mm - other.centre_mm) ** 2) ** 0.5) > reach:
+                    continue
+                common = (block_manifold(one) ^ block_manifold(other)).volume()
+                if common > worst:
+                    worst, names = common, f"{a.label} and {b.label}"
+                    place = place_of((one.centre_mm + other.centre_mm) / 2)
+    return [
+        Finding(
+            "boards clear of each other",
+            "core",
+            worst,
+            TOUCHING_MM3,
+            "mm³",
+            "pass" if worst <= TOUCHING_MM3 else "fail",
+            f"largest common volume of two sensors' boards or chips{f' ({names})' if names else ''}. "
+            "Above the limit: move one of them",
+            place,
+        )
+    ]
+
+
+def check_clearances(spec: ObjectSpec) -> list[Finding]:
+    """Play of what slides, against the printer's clearance."""
+    play = play_mm(spec)
+    text = (
+        "play between the mould's sliding parts, jig and core. Below the limit: raise mould.play_mm"
+    )
+    limit = spec.printer.clearance_mm
+    return [Finding("clearance", "mould", play, limit, "mm", at_least(play, limit), text)]

@@ -1,0 +1,232 @@
+"""Checks of casting: the mould's parts in the order in which they come off, pouring, trapped air.
+
+The soft rule: a rigid part may drive into silicone that has room to give way, as long as the strain
+of giving way stays below a share of the elongation at break. Room is what the parts that came off
+before have left: the plug leaves its cavity to the wall of a one-piece mould; to a plug that is
+drawn first, a closed mould leaves none.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+from jaxtyping import Bool, Float
+
+from design.body.meshes import (
+    distance_mm,
+    largest_ceiling,
+    least_draft_deg,
+    manifold_of,
+    undercut,
+)
+from design.fabrication.finding import Finding, at_least, place_of
+from design.layout.core_hold import why_no_mould
+from design.layout.mould_frame import mould_frame, mould_style, parting, up
+from design.mould.openings import Hole, air_traps, mould_holes
+from design.mould.pins import least_rim_mm, loose_pins, pin_kinds
+from design.mould.plug import pour_width_mm
+from design.spec.object import ObjectSpec
+
+if TYPE_CHECKING:
+    import trimesh
+
+POUR_MM = 3.0
+CEILING_MM2 = 100.0
+YIELD_SHARE = 0.02
+"""Of the silicone's thickness: what it gives way by on the spot, without room; an estimate."""
+NEAR_MM = 0.15
+"""Of the silicone's surface, within which a face touches it: triangles of both leave theirs by less."""
+OPEN_MM3 = 1e-3
+CLOSING = ("mould_box", "mould_half_a", "mould_half_b", "mould_plug", "mould_holder")
+"""Parts in the object's frame of which a mould has one each."""
+
+
+@dataclass(frozen=True)
+class Draw:
+    """A part of the mould, the way it is drawn, and the room the silicone then has, mm."""
+
+    part: str
+    pull: Float[np.ndarray, "3"]
+    room_mm: float
+
+
+def check_casting(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> list[Finding]:
+    """Draft and undercuts of every part that was built, the pour opening, trapped air."""
+    if spec.silicone.cure == "none":
+        return []
+    reason = why_no_mould(spec)
+    if reason is not None:
+        return [Finding("mould", "shell", 0.0, 1.0, "moulds", "fail", reason)]
+    found = [_pour(spec), *_heads(spec)]
+    if "shell" not in meshes:
+        return found
+    for draw in draws(spec):
+        if draw.part in meshes:
+            found += _draw(spec, draw, meshes[draw.part], meshes["shell"])
+    return [*found, *_air(spec, meshes)]
+
+
+def draws(spec: ObjectSpec) -> list[Draw]:
+    """How the mould comes off, part by part, in this order."""
+    frame, free = mould_frame(spec), float("inf")
+    plug = [Draw("mould_plug", frame.out, 0.0)] if frame.plugged else []
+    if mould_style(spec) == "one-piece":
+        left = np.ptp(frame.plug_mm, axis=0).min() / 2
+        return [*plug, Draw("mould_box", -frame.out, float(left))]
+    pins, normal = loose_pins(spec), parting(spec).normal
+    drawn = [Draw(name, pins[first].way, 0.0) for name, first, _ in pin_kinds(pins)]
+    if frame.opening == "bore":
+        drawn.append(Draw("mould_holder", frame.out, 0.0))
+    drawn += [Draw("mould_half_a", normal, 0.0), Draw("mould_half_b", -normal, 0.0)]
+    return drawn + [replace(last, room_mm=free) for last in plug if frame.opening == "open"]
+
+
+def _draw(
+    spec: ObjectSpec, draw: Draw, mesh: trimesh.Trimesh, shell: trimesh.Trimesh
+) -> list[Finding]:
+    against = _wetted(mesh, shell)
+    found = [_undercut(spec, draw, mesh, against)]
+    draft = least_draft_deg(mesh, draw.pull, against)
+    if draft is not None:
+        limit = spec.printer.draft_deg
+        found.append(
+            Finding(
+                "draft",
+                draw.part,
+                draft[0],
+                limit,
+                "°",
+                at_least(draft[0], limit) if draft[0] >= limit else "warn",
+                "least draft of a wall towards the silicone, which is that of the object's own walls. "
+                "Below the limit: use release agent, draw slowly; silicone lets go, printed layers "
+                "scratch it",
+                place_of(draft[1]),
+            )
+        )
+    return found
+
+
+def _wetted(mesh: trimesh.Trimesh, shell: trimesh.Trimesh) -> Bool[np.ndarray, "face"]:
+    """Faces whose middle lies on the silicone's surface."""
+    return distance_mm(shell, mesh.triangles_center) < NEAR_MM
+
+
+def _undercut(spec: ObjectSpec, draw: Draw, mesh: trimesh.Trimesh, against: np.ndarray) -> Finding:
+    found = undercut(mesh, draw.pull, against)
+    strain = found.depth_mm / spec.shell.thickness_mm
+    room = max(draw.room_mm, YIELD_SHARE * spec.shell.thickness_mm)
+    allowed = spec.silicone.peel_share * spec.silicone.elongation_percent / 100
+    if not found.depth_mm:
+        status, text = "pass", "no undercut along the pull"
+    elif found.depth_mm > room:
+        status = "fail"
+        text = (
+            f"{found.area_mm2:.0f} mm² of undercut; the silicone must give way by {found.depth_mm:.2g} mm "
+            f"and has {room:.2g} mm of room. Use mould.style = 'split', or leave out what hooks"
+        )
+    else:
+        status = "pass" if strain <= allowed else "fail"
+        text = (
+            f"{found.area_mm2:.0f} mm² of undercut, to be peeled: about {strain:.0%} of strain of "
+            f"{allowed:.0%} allowed, and room to give way"
+        )
+    limit = min(room, allowed * spec.shell.thickness_mm) if found.depth_mm else 0.0
+    place = None if found.place_mm is None else place_of(found.place_mm)
+    return Finding("undercut", draw.part, found.depth_mm, limit, "mm", status, text, place)
+
+
+def _pour(spec: ObjectSpec) -> Finding:
+    frame, width = mould_frame(spec), pour_width_mm(spec)
+    part = "mould_half_a" if mould_style(spec) == "split" else "mould_box"
+    text = {
+        "open": "width of the slots beside the plug's flange, or of the open side; they also let the air "
+        "out. Below the limit: thicken the shell, or open fewer faces",
+        "bore": "diameter of the holes beside the rod; they also let the air out. Below the limit: raise "
+        "mould.pour_mm",
+        "closed": "diameter of the hole at the mould's upper corner. Below the limit: raise mould.pour_mm",
+    }[frame.opening]
+    place = place_of(frame.rim_mm * up(spec))
+    return Finding(
+        "pour opening", part, width, POUR_MM, "mm", at_least(width, POUR_MM), text, place
+    )
+
+
+def _heads(spec: ObjectSpec) -> list[Finding]:
+    """Rims of the loose pins' heads, which rest on the mould."""
+    pins = loose_pins(spec) if mould_style(spec) == "split" else []
+    if not pins:
+        return []
+    rim, limit = pins[0].rim_mm, least_rim_mm(spec)
+    text = (
+        "rim by which the pins' heads rest on the mould, narrowed where pins stand close. Below the "
+        "limit pins may go in too far: move pockets apart, or use mould.style = 'one-piece'"
+    )
+    return [
+        Finding("rim of the pins' heads", "mould_pin", rim, limit, "mm", at_least(rim, limit), text)
+    ]
+
+
+def _air(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> list[Finding]:
+    """Air rises to the open side or to vents; it must not be caught on its way."""
+    holes, shell = mould_holes(spec), meshes["shell"]
+    traps = air_traps(spec, shell, holes)
+    vents = sum(hole.use == "vent" for hole in holes)
+    found = [
+        Finding(
+            "air traps",
+            "shell",
+            float(len(traps)),
+            0.0,
+            "places",
+            "fail" if traps else "pass",
+            f"high points that neither the open side nor one of {vents} vents drains. Drill one there, or "
+            "turn the mould",
+            place_of(traps[0].place_mm) if traps else None,
+        ),
+        *_blocked(spec, holes, meshes),
+    ]
+    ceiling = largest_ceiling(shell, up(spec), mould_frame(spec).rim_mm)
+    if ceiling is not None:
+        found.append(
+            Finding(
+                "flat ceilings",
+                "shell",
+                ceiling[0],
+                CEILING_MM2,
+                "mm²",
+                "pass" if ceiling[0] <= CEILING_MM2 else "warn",
+                "largest flat surface under which bubbles rest. Above the limit: fill the mould first "
+                "and press the plug in tilted, or pour under vacuum",
+                place_of(ceiling[1]),
+            )
+        )
+    return found
+
+
+def _blocked(
+    spec: ObjectSpec, holes: tuple[Hole, ...], meshes: dict[str, trimesh.Trimesh]
+) -> list[Finding]:
+    """Pouring holes and vents against the parts that they go through."""
+    if not holes:
+        return []
+    solids = [manifold_of(mesh) for name, mesh in meshes.items() if name in CLOSING]
+    in_the_way = [
+        sum((solid ^ manifold_of(hole.surface())).volume() for solid in solids) for hole in holes
+    ]
+    worst = int(np.argmax(in_the_way))
+    limit = OPEN_MM3 + 0.01 * float(np.pi * holes[worst].diameter_mm ** 2 / 4)
+    return [
+        Finding(
+            "holes are open",
+            "mould_half_a" if mould_style(spec) == "split" else "mould_box",
+            float(in_the_way[worst]),
+            limit,
+            "mm³",
+            "pass" if in_the_way[worst] <= limit else "fail",
+            "largest volume of the mould in a hole for pouring or for air. Above the limit: turn the seam "
+            "(mould.parting_azimuth_deg) or move pockets",
+            place_of(holes[worst].start_mm),
+        )
+    ]

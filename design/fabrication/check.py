@@ -1,0 +1,133 @@
+"""Fabrication checks of a whole object: what printing, casting and assembly will stumble over.
+
+Limits come from `[printer]` and `[silicone]` of the specification. Parts are measured as solids and
+as the triangles that are printed. What is only estimated says so: the strain of peeling a shell off
+an undercut is taken as the undercut's depth over the thickness of the wall that gives way.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import cadquery as cq
+
+from design.build.parts import parts_of
+from design.errors import NotOneSolid
+from design.fabrication.assembly import check_clearances, check_electronics, check_pockets
+from design.fabrication.casting import check_casting
+from design.fabrication.finding import Finding, Place, at_least, place_of
+from design.fabrication.printing import (
+    check_bed,
+    check_edges,
+    check_features,
+    check_inhibition,
+    check_walls,
+)
+from design.spec.object import ObjectSpec
+
+if TYPE_CHECKING:
+    import trimesh
+
+SLIVER_MM3 = 1.0
+"""Separate pieces below this volume come loose in the print."""
+
+
+@dataclass(frozen=True)
+class Checked:
+    """What was found, and the triangles of every part whose surface closes."""
+
+    findings: list[Finding]
+    meshes: dict[str, trimesh.Trimesh]
+
+
+def check_fabrication(
+    spec: ObjectSpec, progress: Callable[[str], None] = lambda message: None
+) -> Checked:
+    """All checks of an object, part by part.
+
+    A part that falls into pieces is a finding itself; where its surface does not close, the checks
+    that need it are left out.
+    """
+    findings: list[Finding] = []
+    meshes: dict[str, trimesh.Trimesh] = {}
+    for part in parts_of(spec):
+        progress(f"checking {part.name}")
+        try:
+            shape = part.make()
+        except NotOneSolid as error:
+            shape = error.shape
+        found, mesh = check_solid(part.name, shape, spec)
+        findings += found
+        if mesh is not None:
+            meshes[part.name] = mesh
+            findings += check_walls(part, mesh, spec)
+            findings += [*check_edges(part, mesh), *check_bed(part, mesh, spec)]
+    findings += [*check_features(spec), *check_inhibition(spec), *check_pockets(spec)]
+    findings += check_clearances(spec)
+    if "core" in meshes:
+        progress("checking boards, chips and wires")
+        findings += check_electronics(spec, meshes["core"])
+    progress("checking the mould")
+    return Checked(findings + check_casting(spec, meshes), meshes)
+
+
+def check_solid(
+    name: str, shape: cq.Shape | trimesh.Trimesh, spec: ObjectSpec
+) -> tuple[list[Finding], trimesh.Trimesh | None]:
+    """One valid solid without slivers, closed as triangles; the mesh where it is closed."""
+    mesh = mesh_of(shape, spec) if isinstance(shape, cq.Shape) else shape
+    pieces = sorted(_pieces(shape))
+    single = len(pieces) == 1 and (not isinstance(shape, cq.Shape) or shape.isValid())
+    text = (
+        "the part is one valid solid"
+        if single
+        else "the part falls into pieces or is not valid. Move its recesses, holes or pockets apart"
+    )
+    place = None if single or not pieces else pieces[0][1]
+    status = "pass" if single else "fail"
+    findings = [Finding("one solid", name, float(len(pieces)), 1.0, "solids", status, text, place)]
+    if pieces:
+        findings.append(_sliver(name, *pieces[0]))
+    closed = bool(mesh.is_watertight and mesh.is_winding_consistent)
+    text = (
+        "the triangles close round a volume, outwards throughout; where they do not, two cuts touch "
+        "in a line: move them by 0.01 mm"
+    )
+    status = "pass" if closed else "fail"
+    findings.append(Finding("closed surface", name, float(closed), 1.0, "", status, text))
+    return findings, mesh if closed else None
+
+
+def _sliver(name: str, volume_mm3: float, place: Place) -> Finding:
+    text = (
+        "volume of the smallest piece: what is smaller comes loose. Let cuts overlap clearly or keep "
+        "them apart"
+    )
+    status = at_least(volume_mm3, SLIVER_MM3)
+    return Finding("no slivers", name, volume_mm3, SLIVER_MM3, "mm³", status, text, place)
+
+
+def _pieces(shape: cq.Shape | trimesh.Trimesh) -> list[tuple[float, Place]]:
+    """Volume (mm³) and middle of every separate piece; a void inside one (its triangles look inwards)
+    is none."""
+    if isinstance(shape, cq.Shape):
+        return [(s.Volume(), place_of(s.Center().toTuple())) for s in shape.Solids()]
+    pieces = [piece for piece in shape.split(only_watertight=False) if piece.volume > 0]
+    return [(float(piece.volume), place_of(piece.center_mass)) for piece in pieces]
+
+
+def mesh_of(shape: cq.Shape, spec: ObjectSpec) -> trimesh.Trimesh:
+    """Triangles of a shape at the specification's tolerance, vertices merged."""
+    import numpy as np
+    import trimesh
+
+    fineness = (spec.export.mesh_tolerance_mm, spec.export.mesh_angle_rad)
+    vertices, triangles = shape.tessellate(*fineness)
+    points = np.array([vertex.toTuple() for vertex in vertices])
+    mesh = trimesh.Trimesh(points, np.array(triangles))
+    mesh.merge_vertices(digits_vertex=7)
+    corners = np.sort(mesh.faces, axis=1)
+    mesh.update_faces((np.diff(corners, axis=1) > 0).all(axis=1))
+    return mesh

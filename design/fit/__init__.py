@@ -1,0 +1,1 @@
+"""Whether everything that a specification asks for fits."""

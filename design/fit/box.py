@@ -1,0 +1,296 @@
+"""Whether everything in a specification fits: the core, pockets, sensors and presses."""
+
+from __future__ import annotations
+
+from itertools import combinations
+from math import cos, sin
+from typing import TYPE_CHECKING
+
+from design.body.kinds import face_frames
+from design.fit.curved import check_body, check_curved_presses
+from design.fit.environment import check_environment
+from design.layout.pockets import (
+    Pocket,
+    core_pockets,
+    distance_of_axes_mm,
+    sensor_places,
+    shell_pockets,
+)
+
+if TYPE_CHECKING:
+    from design.spec.object import ObjectSpec
+
+
+def require_fit(spec: ObjectSpec, table: bool = True) -> None:
+    """Raise ValueError with what does not fit, what was given and how to mend it.
+
+    Without `table`, whether the indenter can be pressed at every contact place is left open.
+    """
+    from design.fit.mould import check_mould
+    from design.fit.parts import check_parts  # it needs the layouts, and these the specification
+
+    if spec.body.kind == "box":
+        _check_core(spec)
+        _check_wire_passages(spec)
+        _check_pockets(spec)
+        _check_core_contents(spec)
+    else:
+        check_body(spec)
+    _check_tips(spec)
+    if table and spec.body.kind == "box":
+        _check_presses(spec)
+    elif table:
+        check_curved_presses(spec)
+    check_environment(spec)
+    check_parts(spec)
+    check_mould(spec)
+
+
+def _smallest_half_extents_mm(spec: ObjectSpec) -> tuple[float, float]:
+    """Half extents (x, y) that every sensed face of the body offers, in the face's own axes."""
+    half_x, half_y = zip(*(frame.half_extents_mm for frame in face_frames(spec)), strict=True)
+    return min(half_x), min(half_y)
+
+
+def _check_core(spec: ObjectSpec) -> None:
+    smallest = min(spec.core_size_mm)
+    if smallest <= 2 * spec.core.wall_mm:
+        raise ValueError(
+            f"the core must be larger than two core walls ({2 * spec.core.wall_mm:g} mm); got a core "
+            f"of {smallest:g} mm. Make the body larger, or shell.thickness_mm or core.wall_mm smaller"
+        )
+    if spec.core.recess_depth_mm >= spec.core.wall_mm:
+        raise ValueError(
+            f"core.recess_depth_mm must be below core.wall_mm = {spec.core.wall_mm:g}; got "
+            f"{spec.core.recess_depth_mm:g}. Make the recess shallower or the wall thicker"
+        )
+    if not spec.core.recess_inner_radius_mm < spec.core.recess_outer_radius_mm < smallest / 2:
+        raise ValueError(
+            "core recesses must satisfy recess_inner_radius_mm < recess_outer_radius_mm < half the "
+            f"core ({smallest / 2:g} mm); got {spec.core.recess_inner_radius_mm:g} and "
+            f"{spec.core.recess_outer_radius_mm:g}. Move the recess inwards"
+        )
+
+
+def _check_wire_passages(spec: ObjectSpec) -> None:
+    core, smallest = spec.core, min(spec.core_size_mm)
+    if core.hub_depth_mm >= core.wall_mm:
+        raise ValueError(
+            f"core.hub_depth_mm must be below core.wall_mm = {core.wall_mm:g}; got "
+            f"{core.hub_depth_mm:g}. Make the hub recess shallower or the wall thicker"
+        )
+    # The cavity is the narrowest across two walls; a side hole must also clear the top wall.
+    room = smallest - 2 * core.wall_mm
+    widest = max(core.wire_hole_top_diameter_mm, core.wire_hole_side_diameter_mm)
+    if widest >= room:
+        raise ValueError(
+            f"core.wire_hole_*_diameter_mm must be below the core's cavity, {room:g} mm wide; got "
+            f"{widest:g}. Use a smaller hole or thinner core walls"
+        )
+    if 2 * core.hub_radius_mm >= smallest:
+        raise ValueError(
+            f"core.hub_radius_mm must be below half the core ({smallest / 2:g} mm); "
+            f"got {core.hub_radius_mm:g}. Use a smaller hub recess"
+        )
+
+
+def _check_pockets(spec: ObjectSpec) -> None:
+    shell = spec.shell
+    if shell.pocket_depth_mm >= shell.thickness_mm:
+        raise ValueError(
+            f"shell.pocket_depth_mm must be below shell.thickness_mm = {shell.thickness_mm:g}; got "
+            f"{shell.pocket_depth_mm:g}. Make the pocket shallower or the shell thicker"
+        )
+    half = _smallest_half_extents_mm(spec)
+    for face in shell_pockets(spec):
+        for index, pocket in enumerate(face):
+            _check_body_in_pocket(spec, pocket)
+            _check_sealed(spec, index, pocket)
+            if (pocket.reach_mm >= half).any():
+                raise ValueError(
+                    f"{pocket.body.label} puts its pocket of radius {pocket.outline.radius_mm:g} mm "
+                    f"outside the shell's face (±{half[0]:g}, ±{half[1]:g} mm). Move it inwards"
+                )
+        _check_pockets_apart(face)
+    _check_pockets_across_edges(shell_pockets(spec), half, "shell")
+
+
+def _check_body_in_pocket(spec: ObjectSpec, pocket: Pocket) -> None:
+    body, depth = pocket.body, spec.shell.pocket_depth_mm
+    wide, tall = 2 * body.outline.half_mm[0], body.height_mm
+    if tall >= depth or wide > 2 * pocket.outline.half_mm[0]:
+        what = "a magnet" if spec.arrangement == "sensors-in-core" else "a sensor board"
+        raise ValueError(
+            f"{what} of {wide:g} × {tall:g} mm must fit below the seal in a pocket of "
+            f"{2 * pocket.outline.half_mm[0]:g} × {depth:g} mm; it does not. Choose a smaller one or a "
+            "larger pocket"
+        )
+
+
+def _check_sealed(spec: ObjectSpec, index: int, pocket: Pocket) -> None:
+    """Silicone must be left between the body and the face, and between the pocket and the core."""
+    thickness, body = spec.shell.thickness_mm, pocket.body
+    upwards = body.outline.support_mm(body.frame[2, :2]) + pocket.axis[2] * body.height_mm / 2
+    depth = -body.centre_mm[2]
+    if depth <= upwards or -pocket.lowest_mm >= thickness:
+        low, high = upwards, thickness + depth + pocket.lowest_mm
+        raise ValueError(
+            f"magnets.depth_mm[{index}] = {depth:g} does not seal the magnet within the "
+            f"{thickness:g} mm of silicone: at this tilt its mid-plane must lie deeper than {low:.4g} "
+            f"and its pocket's floor above the core, less deep than {high:.4g} mm. Change depth_mm or "
+            "tilt_deg"
+        )
+
+
+def _check_pockets_apart(pockets: tuple[Pocket, ...]) -> None:
+    for a, b in combinations(pockets, 2):
+        distance = distance_of_axes_mm(a, b)
+        needed = a.outline.radius_mm + b.outline.radius_mm
+        if distance <= needed:
+            raise ValueError(
+                f"the pockets of {a.body.label} and {b.body.label} touch or overlap: axes "
+                f"{distance:.3g} mm apart, more than {needed:.4g} mm needed. Move one of them"
+            )
+
+
+def _check_pockets_across_edges(
+    faces: tuple[tuple[Pocket, ...], ...], half_mm: tuple[float, float], part: str
+) -> None:
+    """The boxes round the pockets of neighbouring faces must not meet at an edge."""
+    every = [pocket for face in faces for pocket in face]
+    deepest = max(-pocket.lowest_mm for pocket in every)
+    half_x, half_y = (half - deepest for half in half_mm)
+    for pocket in every:
+        if (pocket.reach_mm >= (half_x, half_y)).any():
+            raise ValueError(
+                f"{pocket.body.label} reaches into the {deepest:.4g} mm zone of the neighbouring "
+                f"face's pockets in the {part}: pockets of two faces could overlap. Move it inwards: "
+                f"its pocket must stay within ±{half_x:.4g}, ±{half_y:.4g} mm"
+            )
+
+
+def _check_core_contents(spec: ObjectSpec) -> None:
+    if spec.arrangement == "sensors-in-core":
+        _check_sensors(spec)
+    else:
+        _check_magnets_in_core(spec)
+
+
+def _check_magnets_in_core(spec: ObjectSpec) -> None:
+    core, (pockets, *_) = spec.core, core_pockets(spec)
+    if spec.magnets.depth_mm is not None:
+        raise ValueError(
+            "magnets.depth_mm is that of magnets in the shell; with arrangement = 'sensors-in-shell' "
+            "they sit in the core. Give magnets.depth_below_core_face_mm instead"
+        )
+    holes = (core.wire_hole_top_diameter_mm / 2, core.wire_hole_side_diameter_mm / 2)
+    middle = max(core.hub_radius_mm, *holes)
+    for pocket in pockets:
+        if -pocket.lowest_mm >= core.wall_mm:
+            raise ValueError(
+                f"{pocket.body.label} needs a pocket {-pocket.lowest_mm:.4g} mm deep in a core wall of "
+                f"core.wall_mm = {core.wall_mm:g}. Use a flatter magnet or a thicker wall"
+            )
+        clear = float((pocket.body.centre_mm[:2] ** 2).sum() ** 0.5) - pocket.outline.radius_mm
+        if clear <= middle:
+            raise ValueError(
+                f"{pocket.body.label} meets the hub or wire hole of radius {middle:g} mm at the middle "
+                f"of the core's face. Move it outwards by more than {middle - clear:.3g} mm"
+            )
+    _check_pockets_apart(pockets)
+    half_x, half_y = _smallest_half_extents_mm(spec)
+    inward = spec.shell.thickness_mm
+    _check_pockets_across_edges((pockets,), (half_x - inward, half_y - inward), "core")
+
+
+def _check_sensors(spec: ObjectSpec) -> None:
+    sensors, core = spec.sensors, spec.core
+    half = min(spec.core_size_mm) / 2
+    if sensors.depth_below_core_face_mm > core.recess_depth_mm:
+        raise ValueError(
+            f"sensors.depth_below_core_face_mm must not exceed core.recess_depth_mm = "
+            f"{core.recess_depth_mm:g}; got {sensors.depth_below_core_face_mm:g}. Deepen the recess"
+        )
+    if sensors.positions_mm is not None:
+        _check_sensor_places(spec)
+        return
+    if sensors.radius_mm >= half:
+        raise ValueError(
+            f"sensors.radius_mm puts the sensors outside the core: it must be below {half:g} (half "
+            f"the core's edge); got {sensors.radius_mm:g}. Choose a smaller radius"
+        )
+    if not core.recess_inner_radius_mm <= sensors.radius_mm <= core.recess_outer_radius_mm:
+        raise ValueError(
+            f"sensors.radius_mm must lie in the core's recess ({core.recess_inner_radius_mm:g} to "
+            f"{core.recess_outer_radius_mm:g} mm); got {sensors.radius_mm:g}. Move the sensor or the recess"
+        )
+
+
+def _check_sensor_places(spec: ObjectSpec) -> None:
+    """Explicit places: each recess, moved along with its sensor, must stay on the core's face."""
+    core, inward = spec.core, spec.shell.thickness_mm
+    limits = [half - inward for half in _smallest_half_extents_mm(spec)]
+    beyond = core.recess_outer_radius_mm - spec.sensors.radius_mm
+    for face, places in zip(spec.body.sensed, sensor_places(spec), strict=True):
+        for index, (x, y, azimuth) in enumerate(places):
+            reach = (
+                abs(x + beyond * cos(azimuth)) + core.recess_width_mm / 2 * abs(sin(azimuth)),
+                abs(y + beyond * sin(azimuth)) + core.recess_width_mm / 2 * abs(cos(azimuth)),
+            )
+            if reach[0] >= limits[0] or reach[1] >= limits[1]:
+                raise ValueError(
+                    f"sensors.positions_mm: sensor {index + 1} of face {face} at ({x:g}, {y:g}) puts its "
+                    f"recess outside the core's face (±{limits[0]:g}, ±{limits[1]:g} mm). Move it inwards"
+                )
+
+
+def _check_presses(spec: ObjectSpec) -> None:
+    _check_indenter(spec)
+    deepest = spec.press.depths_mm[-1]
+    if deepest > 0.6 * spec.shell.thickness_mm:
+        raise ValueError(
+            f"press.depths_mm must stay below 60 % of shell.thickness_mm (linear mechanics); got "
+            f"{deepest:g} of {spec.shell.thickness_mm:g} mm. Press less deep or thicken the shell"
+        )
+
+
+def _check_tips(spec: ObjectSpec) -> None:
+    from design.layout.tip_shapes import tip_places_mm, tips_overlap
+
+    one = spec.indenter.model_copy(update={"tip_count": 1})
+    for a, b in combinations(tip_places_mm(spec.indenter), 2):
+        if tips_overlap(one, b - a):
+            raise ValueError(
+                f"indenter.tip_spacing_mm = {spec.indenter.tip_spacing_mm} makes the tips overlap. Space "
+                "them by more than their width, or leave it out"
+            )
+
+
+def _check_indenter(spec: ObjectSpec) -> None:
+    """Every place of the grid, half a pitch of margin and the whole path lie on the faces."""
+    from design.layout.tip_shapes import footprint_mm, path_mm, tip_shape
+
+    deepest, height = spec.press.depths_mm[-1], tip_shape(spec.indenter).height_mm
+    if deepest >= height:
+        raise ValueError(
+            f"press.depths_mm must stay below the indenter's height, {height:g} mm (a hemisphere's "
+            f"radius); got {deepest:g}. Press less deep or use a larger indenter"
+        )
+    footprint = footprint_mm(spec.indenter)
+    size = footprint[1] - footprint[0]
+    farthest = abs(footprint + path_mm(spec.indenter, spec.press.depths_mm)[-1]).max(axis=0)
+    reach = [max(pair) for pair in zip(farthest, abs(footprint).max(axis=0), strict=True)]
+    grid = spec.contact_grid
+    for axis, limit in enumerate(_smallest_half_extents_mm(spec)):
+        if size[axis] > 2 * limit:
+            raise ValueError(
+                f"the indenter is {size[axis]:.4g} mm wide, larger than the face of {2 * limit:g} mm. "
+                "Use a smaller indenter"
+            )
+        needed = grid.count[axis] * grid.pitch_mm / 2 + reach[axis]
+        if needed > limit:
+            raise ValueError(
+                f"contact_grid.count[{axis}] × pitch_mm, half a pitch of margin and the indenter need "
+                f"{2 * needed:.4g} mm on a face of {2 * limit:g} mm. Use fewer places, a smaller pitch "
+                "or a smaller indenter"
+            )

@@ -1,0 +1,174 @@
+"""Whether everything fits in bodies other than boxes, and what only boxes can.
+
+Neighbouring patches of a curved body overlap, so that pockets are compared in the object's frame.
+"""
+
+from __future__ import annotations
+
+from itertools import combinations
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from design.body.kinds import base_top_mm, core_frames, core_half_mm, face_frames
+from design.layout.pockets import Pocket, distance_of_segments_mm, sensor_places, shell_pockets
+
+if TYPE_CHECKING:
+    from design.body.surface_chart import FaceFrame
+    from design.spec.object import ObjectSpec
+
+_LARGEST_SHARE = 0.6
+
+
+def check_body(spec: ObjectSpec) -> None:
+    """Raise ValueError with what does not fit, what was given and how to mend it."""
+    _check_what_boxes_can(spec)
+    _check_core(spec)
+    _check_pockets(spec)
+    _check_sensors(spec)
+
+
+def silicone_mm(spec: ObjectSpec) -> float:
+    """Depth of silicone under a patch's centre: the shell's thickness, or all of a solid dome."""
+    if spec.body.inside == "silicone":
+        return spec.body.size_mm[0] / 2
+    return spec.shell.thickness_mm
+
+
+def check_curved_presses(spec: ObjectSpec) -> None:
+    """Raise ValueError where a press of the table would leave its patch or goes too deep."""
+    from design.layout.tip_shapes import tip_heights_mm, tip_places_mm, tip_shape
+
+    deepest, silicone = spec.press.depths_mm[-1], silicone_mm(spec)
+    if deepest > _LARGEST_SHARE * silicone:
+        raise ValueError(
+            f"press.depths_mm must stay below {_LARGEST_SHARE:.0%} of the silicone (linear mechanics); "
+            f"got {deepest:g} of {silicone:g} mm. Press less deep or thicken the shell"
+        )
+    shape = tip_shape(spec.indenter)
+    radii = np.linspace(0, np.linalg.norm(shape.corners_mm, axis=1).max(), 200)
+    heights = tip_heights_mm(shape, np.column_stack([radii, 0 * radii]))
+    reach = float(radii[heights <= deepest].max()) if shape.sphere_radius_mm else float(radii[-1])
+    reach += float(np.linalg.norm(tip_places_mm(spec.indenter), axis=1).max())
+    corner = np.asarray(spec.contact_grid.count) * spec.contact_grid.pitch_mm / 2
+    for frame in face_frames(spec):
+        if not _covered(frame, corner, reach):
+            half = frame.half_extents_mm
+            raise ValueError(
+                f"contact_grid.count × pitch_mm / 2 = ({corner[0]:g}, {corner[1]:g}) mm, and {reach:.3g} mm "
+                f"round the tip, leave face {frame.number}, {'an ellipse' if frame.round else 'a rectangle'} "
+                f"of ±{half[0]:.4g}, ±{half[1]:.4g} mm. Use fewer places, a smaller pitch, a smaller "
+                "tip or lesser depths"
+            )
+
+
+def _covered(frame: FaceFrame, place_mm: np.ndarray, reach_mm: float) -> bool:
+    """Whether a disk that touches the surface at a place stays on the patch all round."""
+    if not frame.covers(place_mm):
+        return False
+    turn = np.linspace(0, 2 * np.pi, 24)
+    tangent = frame.tangent(place_mm)
+    ring = np.column_stack([reach_mm * np.cos(turn), reach_mm * np.sin(turn), 0 * turn])
+    rim = frame.onto(tangent.to_object(ring + np.append(place_mm, 0.0)), tangent.normal)
+    return bool(np.all(frame.covers(np.where(np.isfinite(rim), rim, np.inf)[:, :2])))
+
+
+def _check_what_boxes_can(spec: ObjectSpec) -> None:
+    kind, mechanics = spec.body.kind, spec.mechanics
+    wants = {
+        "mechanics.interface": mechanics.interface != "bonded",
+        "mechanics.slip": mechanics.slip.slipped or mechanics.slip.rim != "free",
+        "mechanics.correction": mechanics.correction != "none",
+        "arrangement": spec.arrangement != "sensors-in-core",
+        "magnets.tilt_deg": bool(spec.magnets.tilt_deg)
+        and not all(f.flat for f in face_frames(spec)),
+        "core.keys": bool(spec.core.keys.positions_mm),
+        "core.bay_mm": spec.core.bay_mm is not None,
+        "shell.slits": spec.shell.slits.depth_mm > 0,
+        "shell.seal_layer_mm": spec.shell.seal_layer_mm > 0,
+    }
+    for key in (key for key, wanted in wants.items() if wanted):
+        raise ValueError(
+            f"{key} is known for boxes only, with its default otherwise; body.kind is {kind!r}. Leave "
+            f"{key} out"
+        )
+
+
+def _check_core(spec: ObjectSpec) -> None:
+    body, core = spec.body, spec.core
+    if body.kind in ("pad", "dome"):
+        room, what = base_top_mm(spec) + body.size_mm[2] / 2, "the rigid base"
+    else:
+        room, what = float(core_half_mm(spec).min()), "half the core"
+    if room <= core.recess_depth_mm:
+        raise ValueError(
+            f"{what} is {room:.4g} mm thick and must be more than core.recess_depth_mm = "
+            f"{core.recess_depth_mm:g}. Make body.size_mm larger, or shell.thickness_mm or the recess "
+            "smaller"
+        )
+    if body.kind == "dome" and body.inside != "silicone":
+        radius = body.size_mm[0] / 2
+        if spec.shell.thickness_mm >= radius:
+            raise ValueError(
+                f"shell.thickness_mm must be below the dome's radius of {radius:g} mm; got "
+                f"{spec.shell.thickness_mm:g}. Make it thinner, or body.inside = 'silicone'"
+            )
+    if body.opened and body.kind not in ("box", "cylinder") and body.bore_mm >= 2 * room:
+        raise ValueError(
+            f"body.bore_mm must be below the core's width, {2 * room:.4g} mm; got {body.bore_mm:g}"
+        )
+
+
+def _check_pockets(spec: ObjectSpec) -> None:
+    shell, silicone = spec.shell, silicone_mm(spec)
+    frames, placed = face_frames(spec), []
+    for frame, pockets in zip(frames, shell_pockets(spec), strict=True):
+        for pocket in pockets:
+            body = pocket.body
+            tall = body.height_mm >= shell.pocket_depth_mm and spec.magnets.depth_mm is None
+            if -pocket.lowest_mm >= silicone or tall or body.centre_mm[2] + body.height_mm / 2 >= 0:
+                raise ValueError(
+                    f"{body.label}: a magnet {body.height_mm:g} mm high in a pocket "
+                    f"{-pocket.lowest_mm:.4g} mm deep does not lie within the {silicone:g} mm of silicone. "
+                    "Change shell.pocket_depth_mm, magnets.depth_mm or the magnet"
+                )
+            reach = pocket.reach_mm
+            if not frame.covers(reach):
+                raise ValueError(
+                    f"{body.label} puts its pocket outside face {frame.number} (±"
+                    f"{frame.half_extents_mm[0]:.4g}, ±{frame.half_extents_mm[1]:.4g} mm). Move it inwards"
+                )
+            tangent = frame.tangent(body.centre_mm[:2])
+            placed.append((frame.number, pocket, tangent.to_object(pocket.axis_ends_mm)))
+    for (face, a, ends), (other, b, ends_b) in combinations(placed, 2):
+        _require_apart(face, a, ends, other, b, ends_b)
+
+
+def _require_apart(
+    face: int, a: Pocket, ends: np.ndarray, other: int, b: Pocket, ends_b: np.ndarray
+) -> None:
+    distance = distance_of_segments_mm(ends, ends_b)
+    needed = a.outline.radius_mm + b.outline.radius_mm
+    if distance <= needed:
+        raise ValueError(
+            f"the pockets of {a.body.label} of face {face} and {b.body.label} of face {other} touch or "
+            f"overlap: axes {distance:.3g} mm apart, more than {needed:.4g} mm needed. Move one of "
+            "them, or leave a face out with body.sensed_faces"
+        )
+
+
+def _check_sensors(spec: ObjectSpec) -> None:
+    sensors, core = spec.sensors, spec.core
+    if sensors.depth_below_core_face_mm > core.recess_depth_mm:
+        raise ValueError(
+            f"sensors.depth_below_core_face_mm must not exceed core.recess_depth_mm = "
+            f"{core.recess_depth_mm:g}; got {sensors.depth_below_core_face_mm:g}. Deepen the recess"
+        )
+    for frame, places in zip(core_frames(spec), sensor_places(spec), strict=True):
+        for index, (x, y, _) in enumerate(places):
+            if not frame.covers(np.array([x, y])):
+                raise ValueError(
+                    f"sensor {index + 1} of face {frame.number} at ({x:.4g}, {y:.4g}) lies outside the "
+                    f"core's patch (±{frame.half_extents_mm[0]:.4g}, ±{frame.half_extents_mm[1]:.4g} mm). "
+                    "Use a smaller sensors.radius_mm, or sensors.positions_mm"
+                )

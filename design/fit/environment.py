@@ -1,0 +1,50 @@
+"""Whether what surrounds the object stays outside it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from design.spec.environment import SteelPlateSpec, StrayMagnetSpec
+    from design.spec.object import ObjectSpec
+
+
+def check_environment(spec: ObjectSpec) -> None:
+    """Raise ValueError where steel or a stray magnet reaches into the object, or one the other."""
+    half = [edge / 2 for edge in spec.body.size_mm]
+    for index, stray in enumerate(spec.environment.magnets):
+        outside = [max(abs(p) - h, 0.0) for p, h in zip(stray.position_mm, half, strict=True)]
+        if _dot(outside, outside) <= _reach_mm(stray) ** 2:
+            raise ValueError(
+                f"environment.magnets[{index}] at {list(stray.position_mm)} may reach into the object: "
+                f"its centre must be more than {_reach_mm(stray):.4g} mm from the body. Move it away"
+            )
+    for index, plate in enumerate(spec.environment.steel_plates):
+        normal = _normal(plate)
+        nearest = [("the object", -sum(abs(n) * h for n, h in zip(normal, half, strict=True)))]
+        nearest += [
+            ("a stray magnet", _dot(normal, stray.position_mm) - _reach_mm(stray))
+            for stray in spec.environment.magnets
+        ]
+        for what, height in nearest:
+            depth = _dot(normal, plate.position_mm) - height
+            if depth > 1e-9:
+                raise ValueError(
+                    f"environment.steel_plates[{index}]: {what} reaches {depth:.4g} mm into the steel. "
+                    "Move position_mm back, or turn normal round (it points out of the steel)"
+                )
+
+
+def _reach_mm(stray: StrayMagnetSpec) -> float:
+    """Radius of the sphere about a stray magnet."""
+    return ((stray.diameter_mm / 2) ** 2 + (stray.height_mm / 2) ** 2) ** 0.5
+
+
+def _normal(plate: SteelPlateSpec) -> list[float]:
+    size = _dot(plate.normal, plate.normal) ** 0.5
+    return [n / size for n in plate.normal]
+
+
+def _dot(a: Sequence[float], b: Sequence[float]) -> float:
+    return sum(x * y for x, y in zip(a, b, strict=True))

@@ -1,0 +1,265 @@
+"""Whether keys, slits, seal layer, channels and bay fit what else is in the object."""
+
+from __future__ import annotations
+
+from itertools import product
+from math import atan2, cos, hypot, sin, sqrt
+from typing import TYPE_CHECKING
+
+import numpy as np
+from jaxtyping import Float
+
+from design.body.blocks import Block, relief_slits
+from design.layout.pockets import Pocket, sensor_places, shell_pockets
+from design.layout.positions import face_frames
+
+if TYPE_CHECKING:
+    from design.spec.object import ObjectSpec
+
+Corners = Float[np.ndarray, "corner 2"]
+_TOUCHING_MM = 0.01
+
+
+def check_parts(spec: ObjectSpec) -> None:
+    """Raise ValueError with what does not fit, what was given and how to mend it."""
+    if spec.core.keys.positions_mm:
+        _check_keys(spec)
+    if spec.shell.slits.depth_mm:
+        _check_slits(spec)
+    if spec.shell.seal_layer_mm:
+        _check_seal_layer(spec)
+    _check_channels(spec)
+    if spec.arrangement == "sensors-in-core":
+        _check_recesses_off_passages(spec)
+    if spec.core.bay_mm is not None:
+        _check_bay(spec)
+
+
+def _require_box(spec: ObjectSpec, what: str) -> None:
+    if spec.body.kind != "box":
+        raise ValueError(
+            f"{what} are made for body.kind = 'box' only; got {spec.body.kind!r}. Leave them out"
+        )
+
+
+def _check_keys(spec: ObjectSpec) -> None:
+    _require_box(spec, "core.keys")
+    keys = spec.core.keys
+    if spec.mechanics.interface != "bonded":
+        raise ValueError(
+            "core.keys lock the shell, so that it cannot slide on a frictionless core. Set "
+            'mechanics.interface = "bonded", or leave the keys out'
+        )
+    half = [edge / 2 - spec.shell.thickness_mm for edge in _smallest_face_mm(spec)]
+    for index, (x, y) in enumerate(keys.positions_mm):
+        where = f"core.keys.positions_mm[{index}] = ({x:g}, {y:g})"
+        width, length = keys.size_mm
+        if abs(x) + width / 2 > half[0] or abs(y) + length / 2 > half[1]:
+            raise ValueError(
+                f"{where} reaches past the core's face (±{half[0]:g}, ±{half[1]:g} mm). Move it "
+                "inwards or make core.keys.size_mm smaller"
+            )
+        key = _rectangle((x, y), (width / 2, length / 2), 0.0)
+        _check_key_clear_of_core(spec, where, key)
+        _check_key_below_pockets(spec, where, key)
+
+
+def _check_key_clear_of_core(spec: ObjectSpec, where: str, key: Corners) -> None:
+    for face, openings in zip(spec.body.sensed, _core_openings(spec), strict=True):
+        for name, corners in openings:
+            if overlap(key, corners):
+                raise ValueError(
+                    f"{where} stands over {name} of face {face}. Move it, or make "
+                    "core.keys.size_mm smaller"
+                )
+    others = [
+        _rectangle(p, _half(spec.core.keys.size_mm), 0.0) for p in spec.core.keys.positions_mm
+    ]
+    if sum(overlap(key, other) for other in others) > 1:
+        raise ValueError(f"{where} meets another key. Move one of them")
+
+
+def _core_openings(spec: ObjectSpec) -> list[list[tuple[str, Corners]]]:
+    """Outlines of recesses, channels and wire hole on every face of the core."""
+    core = spec.core
+    middle = max(core.hub_radius_mm, core.wire_hole_side_diameter_mm / 2)
+    middle = max(middle, core.wire_hole_top_diameter_mm / 2)
+    hub = ("the wire hole", _rectangle((0.0, 0.0), (middle, middle), 0.0))
+    faces = []
+    for places in sensor_places(spec):
+        found: list[tuple[str, Corners]] = [hub]
+        for x, y, azimuth in places if spec.arrangement == "sensors-in-core" else ():
+            found.append(("a sensor's recess", _recess(spec, x, y, azimuth)))
+            if core.wire_channel_width_mm:
+                reach = (0.0, hypot(x, y))
+                channel = _radial(atan2(y, x), reach, core.wire_channel_width_mm)
+                found.append(("a wire channel", channel))
+        faces.append(found)
+    return faces
+
+
+def _check_key_below_pockets(spec: ObjectSpec, where: str, key: Corners) -> None:
+    room = spec.shell.thickness_mm - spec.core.keys.height_mm
+    for face in shell_pockets(spec):
+        for pocket in face:
+            below = [end[:2] for end in pocket.axis_ends_mm]
+            near = any(distance_mm(key, xy) < pocket.outline.radius_mm for xy in below)
+            if -pocket.lowest_mm >= (room if near else spec.shell.thickness_mm):
+                raise ValueError(
+                    f"{where} reaches {spec.core.keys.height_mm:g} mm up, into the pocket of "
+                    f"{pocket.body.label}. Lower core.keys.height_mm, or move the key"
+                )
+    if room <= 0:
+        raise ValueError(
+            f"core.keys.height_mm must be below shell.thickness_mm = {spec.shell.thickness_mm:g}; got "
+            f"{spec.core.keys.height_mm:g}. Lower it"
+        )
+
+
+def _check_slits(spec: ObjectSpec) -> None:
+    _require_box(spec, "shell.slits")
+    slits, thickness = spec.shell.slits, spec.shell.thickness_mm
+    if slits.depth_mm + slits.width_mm / 2 >= sqrt(2) * thickness:
+        raise ValueError(
+            f"shell.slits.depth_mm = {slits.depth_mm:g} reaches the core, {sqrt(2) * thickness:.3g} mm "
+            "below the edge. Make the slits shallower or the shell thicker"
+        )
+    needed = slits.depth_mm / sqrt(2) + slits.width_mm
+    if slits.end_mm < needed:
+        raise ValueError(
+            f"shell.slits.end_mm must be at least {needed:.3g}, so that slits do not meet at the "
+            f"corners; got {slits.end_mm:g}. Raise it"
+        )
+    if 2 * slits.end_mm >= min(spec.body.size_mm):
+        raise ValueError(
+            f"shell.slits.end_mm must be below half the shortest edge of the body "
+            f"({min(spec.body.size_mm) / 2:g} mm); got {slits.end_mm:g}. Lower it"
+        )
+    for frame, face in zip(face_frames(spec), shell_pockets(spec), strict=True):
+        for pocket, slit in product(face, relief_slits(spec)):
+            if _slit_meets(slit, np.asarray(frame.to_object(_along(pocket))), pocket):
+                raise ValueError(
+                    f"the pocket of {pocket.body.label} meets a relief slit. Move the magnet inwards "
+                    "or make shell.slits.depth_mm smaller"
+                )
+
+
+def _along(pocket: Pocket) -> Float[np.ndarray, "n 3"]:
+    floor, mouth = pocket.axis_ends_mm
+    return floor + np.linspace(0, 1, 25)[:, None] * (mouth - floor)
+
+
+def _slit_meets(slit: Block, axis_mm: np.ndarray, pocket: Pocket) -> bool:
+    """Whether a slit comes within a pocket's radius of its axis, in steps of an eighth of its depth."""
+    local = abs((axis_mm - slit.centre_mm) @ slit.axes) - slit.half_mm
+    return bool((np.linalg.norm(local.clip(min=0), axis=1) <= pocket.outline.radius_mm).any())
+
+
+def _check_seal_layer(spec: ObjectSpec) -> None:
+    _require_box(spec, "seal layers (shell.seal_layer_mm)")
+    layer = spec.shell.seal_layer_mm
+    room = min(
+        -(p.body.centre_mm[2] + p.axis[2] * p.body.height_mm / 2)
+        - p.body.outline.support_mm(p.body.frame[2, :2])
+        for face in shell_pockets(spec)
+        for p in face
+    )
+    if layer > room:
+        raise ValueError(
+            f"shell.seal_layer_mm = {layer:g} would leave magnets sticking out of the first pour: at "
+            f"most {room:.3g} mm of silicone lie over them. Lower it or seat them deeper"
+        )
+
+
+def _check_channels(spec: ObjectSpec) -> None:
+    core = spec.core
+    if core.wire_channel_width_mm and core.wire_channel_depth_mm >= core.wall_mm:
+        raise ValueError(
+            f"core.wire_channel_depth_mm must be below core.wall_mm = {core.wall_mm:g}; got "
+            f"{core.wire_channel_depth_mm:g}. Make the channels shallower or the wall thicker"
+        )
+
+
+def _check_recesses_off_passages(spec: ObjectSpec) -> None:
+    """A recess may run into the hub or the wire hole, or stay clear of it, but not touch it in a line."""
+    core, beside = spec.core, np.zeros(2)
+    passages = {
+        "core.hub_radius_mm": core.hub_radius_mm,
+        "half of core.wire_hole_top_diameter_mm": core.wire_hole_top_diameter_mm / 2,
+        "half of core.wire_hole_side_diameter_mm": core.wire_hole_side_diameter_mm / 2,
+    }
+    for places in sensor_places(spec):
+        for x, y, azimuth in places:
+            near = distance_mm(_recess(spec, x, y, azimuth), beside)
+            for name, radius in passages.items():
+                if abs(near - radius) < _TOUCHING_MM:
+                    raise ValueError(
+                        f"a sensor's recess begins {near:.4g} mm from the middle of the core's face, just "
+                        f"where {name} = {radius:g} ends: they would touch in a line. Move "
+                        f"core.recess_inner_radius_mm, or that radius, by {_TOUCHING_MM:g} mm or more"
+                    )
+
+
+def _recess(spec: ObjectSpec, x: float, y: float, azimuth: float) -> Corners:
+    """Outline of a sensor's recess on the core's face."""
+    core, offset = spec.core, hypot(x, y) - spec.sensors.radius_mm
+    radii = (core.recess_inner_radius_mm + offset, core.recess_outer_radius_mm + offset)
+    return _radial(azimuth, radii, core.recess_width_mm)
+
+
+def _check_bay(spec: ObjectSpec) -> None:
+    core, size = spec.core, spec.core_size_mm
+    assert core.bay_mm is not None
+    deepest = core.recess_depth_mm
+    limits = (size[0] - 2 * deepest, size[1] - 2 * deepest, size[2] - deepest)
+    for axis, edge, limit in zip("xyz", core.bay_mm, limits, strict=True):
+        if edge >= limit:
+            raise ValueError(
+                f"core.bay_mm is {edge:g} mm in {axis}; the core leaves less than {limit:g} mm behind "
+                "its recesses. Make the bay smaller or the body larger"
+            )
+
+
+def _smallest_face_mm(spec: ObjectSpec) -> tuple[float, float]:
+    """Smallest extent along x, and along y, of the sensed faces in their own frames."""
+    extents = np.array([frame.half_extents_mm for frame in face_frames(spec)]).min(axis=0)
+    return float(2 * extents[0]), float(2 * extents[1])
+
+
+def _half(size: tuple[float, float]) -> tuple[float, float]:
+    return size[0] / 2, size[1] / 2
+
+
+def _rectangle(centre: tuple[float, float], half: tuple[float, float], azimuth: float) -> Corners:
+    turn = np.array([[cos(azimuth), -sin(azimuth)], [sin(azimuth), cos(azimuth)]])
+    corners = np.array([[1, 1], [-1, 1], [-1, -1], [1, -1]]) * np.asarray(half)
+    return corners @ turn.T + np.asarray(centre)
+
+
+def _radial(azimuth: float, radii: tuple[float, float], width: float) -> Corners:
+    """Rectangle between two radii along an azimuth."""
+    middle = (radii[0] + radii[1]) / 2
+    centre = (middle * cos(azimuth), middle * sin(azimuth))
+    return _rectangle(centre, ((radii[1] - radii[0]) / 2, width / 2), azimuth)
+
+
+def overlap(a: Corners, b: Corners) -> bool:
+    """Whether two convex polygons (corners counter-clockwise) overlap: no edge separates them."""
+    for polygon, other in ((a, b), (b, a)):
+        edge = np.roll(polygon, -1, axis=0) - polygon
+        outward = np.column_stack([edge[:, 1], -edge[:, 0]])
+        heights = (other[None] - polygon[:, None]) @ outward[:, :, None]
+        if (heights[..., 0].min(axis=1) >= -1e-9).any():
+            return False
+    return True
+
+
+def distance_mm(polygon: Corners, point: Float[np.ndarray, "2"]) -> float:
+    """Distance of a point from a convex polygon (corners counter-clockwise); 0 inside."""
+    edge = np.roll(polygon, -1, axis=0) - polygon
+    away = point - polygon
+    left = edge[:, 0] * away[:, 1] - edge[:, 1] * away[:, 0]
+    if (left >= 0).all():
+        return 0.0
+    share = np.clip((away * edge).sum(axis=1) / (edge**2).sum(axis=1), 0, 1)
+    return float(np.linalg.norm(away - share[:, None] * edge, axis=1).min())

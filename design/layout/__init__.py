@@ -1,0 +1,1 @@
+"""Where everything is: contact grids, magnets, sensors, pockets, boards, tips."""

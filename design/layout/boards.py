@@ -1,0 +1,80 @@
+"""Sensor boards, chips and wires as the room that they take, for checks and pictures."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from design.body.blocks import Block
+from design.layout.pockets import board_frame, sensor_places
+from design.layout.positions import FaceFrame, core_frames, shell_body_layout
+from design.spec.object import ObjectSpec
+
+PACKING = 0.7
+"""Share of a round hole that loose wires fill, at most (densest packing of equal circles: 0.91)."""
+
+
+@dataclass(frozen=True)
+class Mounted:
+    """One sensor as mounted: its face, its number on it, board and chip in the object's frame."""
+
+    face: int
+    number: int
+    board: Block
+    chip: Block
+
+    @property
+    def label(self) -> str:
+        return f"sensor {self.number} of face {self.face}"
+
+
+def mounted_sensors(spec: ObjectSpec) -> list[Mounted]:
+    """Boards in the core's recesses, face by face; empty where the sensors sit in the shell.
+
+    Each board lies in the middle of its recess. A chip that faces inward hangs under a board that is
+    flush with the core's face; one that faces outward stands on a board on the recess's floor.
+    """
+    if spec.arrangement == "sensors-in-shell":
+        return []
+    return [
+        _mounted(spec, frame.tangent(np.array(place[:2])), number, place)
+        for frame, places in zip(core_frames(spec), sensor_places(spec), strict=True)
+        for number, place in enumerate(places, start=1)
+    ]
+
+
+def board_blocks(spec: ObjectSpec) -> list[Block]:
+    """Every sensor board, in the core or cast into the shell."""
+    if spec.arrangement == "sensors-in-core":
+        return [mounted.board for mounted in mounted_sensors(spec)]
+    layout, half = shell_body_layout(spec), np.asarray(spec.sensors.package_mm) / 2
+    return [Block(c, f, half) for c, f in zip(layout.centre_mm, layout.frame, strict=True)]
+
+
+def _mounted(
+    spec: ObjectSpec, frame: FaceFrame, number: int, place: tuple[float, float, float]
+) -> Mounted:
+    core, sensors, (x, y, azimuth) = spec.core, spec.sensors, place
+    axes = frame.axes @ board_frame(azimuth)
+    radial = np.array([np.cos(azimuth), np.sin(azimuth)])
+    middle = (core.recess_inner_radius_mm + core.recess_outer_radius_mm) / 2
+    board_xy = np.array([x, y]) + (middle - sensors.radius_mm) * radial
+    thick, high = sensors.package_mm[2], sensors.chip_mm[2]
+    inward = sensors.chip == "inward"
+    board_top = 0.0 if inward else -core.recess_depth_mm + thick
+    chip_top = board_top - thick if inward else board_top + high
+    board = frame.to_object(np.array([*board_xy, board_top - thick / 2]))
+    chip = frame.to_object(np.array([x, y, chip_top - high / 2]))
+    return Mounted(
+        frame.number,
+        number,
+        Block(board, axes, np.asarray(sensors.package_mm) / 2),
+        Block(chip, axes, np.asarray(sensors.chip_mm) / 2),
+    )
+
+
+def wire_bundle_mm(spec: ObjectSpec) -> float:
+    """Diameter of the bundle of one face's wires, loosely packed."""
+    wires = spec.core.wires_per_sensor * spec.sensors.count_per_face
+    return spec.core.wire_diameter_mm * float(np.sqrt(wires / PACKING))

@@ -1,0 +1,174 @@
+"""How a core that is cast in is held: by a rod through its bore, or by pins through its wire holes.
+
+Everything here is numbers. A rod has a flat on its nose, and the core's outlet one that meets it, so
+that the core cannot turn. Pins leave holes in the silicone, from the core to the outside (or to the
+floor of the pocket in the face's middle), through which the wires come out; they are filled last.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from jaxtyping import Float
+
+from design.body.kinds import core_frames, core_half_mm, face_frames, is_sampled
+from design.body.surface_chart import FaceFrame
+from design.layout.mould_frame import opening_of
+from design.layout.pockets import Pocket, shell_pockets
+
+if TYPE_CHECKING:
+    from design.spec.object import ObjectSpec
+
+FLAT_SHARE = 0.7
+"""Distance of the outlet's flat from its axis, of its radius."""
+NOSE_MM = 4.0
+"""Of the rod's nose beyond the core's wall."""
+LOCATOR_NOSE_MM = 6.0
+LOCATOR_GAP_MM = 0.8
+"""Between a locating pin and a pocket that it does not go through, at least."""
+TOP_FACE = 1
+
+
+@dataclass(frozen=True)
+class Locator:
+    """A pin through the silicone into the core's wire hole in the middle of a face.
+
+    `depth_mm` is that of the core below the face; `pockets` are those that it meets, and with whose
+    pins it is one.
+    """
+
+    frame: FaceFrame
+    radius_mm: float
+    depth_mm: float
+    pockets: tuple[Pocket, ...]
+
+    @property
+    def volume_mm3(self) -> float:
+        """Of silicone that is missing besides the pockets; exact on flat faces."""
+        met = sum(
+            _common_area_mm2(self.radius_mm, pocket) * -float(pocket.axis_ends_mm[0, 2])
+            for pocket in self.pockets
+        )
+        return float(np.pi * self.radius_mm**2 * self.depth_mm - met)
+
+
+@dataclass(frozen=True)
+class Outlet:
+    """The core's hole to its bore, about −z: radius, level of the core's surface on its axis, and
+    how far the wall reaches that carries the flat, mm. The flat is at x = `flat_mm`."""
+
+    radius_mm: float
+    floor_mm: float
+    wall_mm: float
+
+    @property
+    def flat_mm(self) -> float:
+        return FLAT_SHARE * self.radius_mm
+
+    @property
+    def key_mm(self) -> tuple[Float[np.ndarray, "3"], Float[np.ndarray, "3"]]:
+        """Corners of the box that stays of the core's wall within the outlet."""
+        past = self.radius_mm + 1.0
+        low = np.array([self.flat_mm, -past, self.floor_mm - past])
+        return low, np.array([past, past, self.floor_mm + self.wall_mm])
+
+    @property
+    def nose_mm(self) -> float:
+        """Level of the nose's tip."""
+        return self.floor_mm + min(self.wall_mm + NOSE_MM, 0.8 * abs(self.floor_mm))
+
+
+def wire_hole_diameter_mm(spec: ObjectSpec, face: int) -> float:
+    """Of the hole in the middle of a face of the core."""
+    core = spec.core
+    if face == TOP_FACE and not is_sampled(spec):
+        return core.wire_hole_top_diameter_mm
+    return core.wire_hole_side_diameter_mm
+
+
+def core_outlet(spec: ObjectSpec) -> Outlet:
+    """Of a body that is open through a bore; the wall is at most half of the core."""
+    floor = _floor_mm(spec)
+    radius = min(spec.body.bore_mm / 2, 0.9 * abs(floor))
+    return Outlet(radius, floor, min(spec.core.wall_mm, 0.5 * abs(floor)))
+
+
+def locators(spec: ObjectSpec) -> tuple[Locator, ...]:
+    """Two pins at right angles that hold the core of a closed body, one where there is no second.
+
+    Wide holes go before narrow ones. A pocket that the pin meets must have its direction, and be
+    round or hold all of it; else the face is left out.
+    """
+    if opening_of(spec) != "closed":
+        return ()
+    cores = {frame.number: frame for frame in core_frames(spec)}
+    fit = [
+        locator
+        for frame, pockets in zip(face_frames(spec), shell_pockets(spec), strict=True)
+        if (locator := _locator(spec, frame, cores[frame.number], pockets)) is not None
+    ]
+    fit.sort(key=lambda locator: (-locator.radius_mm, locator.frame.number))
+    if not fit:
+        return ()
+    second = [l for l in fit[1:] if abs(l.frame.normal @ fit[0].frame.normal) < 0.5]
+    return (fit[0], *second[:1])
+
+
+def why_no_mould(spec: ObjectSpec) -> str | None:
+    """What keeps the object from being cast in a mould of ours; None where nothing does."""
+    if opening_of(spec) == "closed" and not locators(spec):
+        return (
+            "no side of the body is open and pockets are in the way of every wire hole, so that nothing "
+            "can hold the core in the mould. Move a face's pockets away from its middle, or exactly onto "
+            "it, or open face 6"
+        )
+    return None
+
+
+def _locator(
+    spec: ObjectSpec, frame: FaceFrame, core: FaceFrame, pockets: tuple[Pocket, ...]
+) -> Locator | None:
+    radius = wire_hole_diameter_mm(spec, frame.number) / 2
+    depth = float((frame.centre_mm - core.centre_mm) @ frame.normal)
+    met = []
+    for pocket in pockets:
+        away = _away_mm(pocket)
+        if pocket.axis[2] == 1 and away > radius + pocket.outline.radius_mm + LOCATOR_GAP_MM:
+            continue
+        parallel = pocket.axis[2] == 1 and (frame.flat or away == 0)
+        within = away + radius <= min(pocket.outline.half_mm)
+        if not parallel or not (pocket.outline.round or within):
+            return None
+        met.append(pocket)
+    return Locator(frame, radius, depth, tuple(met))
+
+
+def _away_mm(pocket: Pocket) -> float:
+    return float(np.hypot(*pocket.body.centre_mm[:2]))
+
+
+def _common_area_mm2(radius_mm: float, pocket: Pocket) -> float:
+    """Of the pin's section and a pocket's: the lens of two circles, or all of the pin."""
+    r, away, other = radius_mm, _away_mm(pocket), pocket.outline.half_mm[0]
+    if away + r <= min(pocket.outline.half_mm):
+        return float(np.pi * r**2)
+    if away >= r + other:
+        return 0.0
+    if away + other <= r:
+        return pocket.outline.area_mm2
+    x = (away**2 + r**2 - other**2) / (2 * away)
+    sectors = r**2 * np.arccos(x / r) + other**2 * np.arccos((away - x) / other)
+    return float(sectors - away * np.sqrt(r**2 - x**2))
+
+
+def _floor_mm(spec: ObjectSpec) -> float:
+    """Level at which the −z axis leaves the core."""
+    if not is_sampled(spec):
+        return -float(core_half_mm(spec)[2])
+    from design.body.sampled import sampled_core
+
+    core = sampled_core(spec)
+    hits, _, _ = core.ray.intersects_location([[0.0, 0.0, 0.0]], [[0.0, 0.0, -1.0]])
+    return float(np.min(hits[:, 2])) if len(hits) else float(core.bounds[0, 2])

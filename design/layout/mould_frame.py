@@ -1,0 +1,238 @@
+"""Which way a mould opens, how far its block reaches, and where its halves part: numbers alone.
+
+A mould stands with `out` upwards when silicone is poured. Where the core's cavity runs out through
+a whole side of the body, that side is open and a plug closes it ("open"). Where it runs out through
+a bore, the core itself is cast in, held by a rod through the bore ("bore"); where it runs out
+nowhere, by locating pins through its wire holes ("closed").
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+from jaxtyping import Float
+
+from design.body.kinds import FACE_AXES, base_top_mm, core_half_mm
+
+if TYPE_CHECKING:
+    import trimesh
+
+    from design.spec.body import BodySpec
+    from design.spec.object import ObjectSpec
+
+Opening = Literal["open", "bore", "closed"]
+_DOWN = 6
+_STEP_DEG = 15.0
+_AS_GOOD = 1e-4
+"""Share of the surface by which an undercut may grow for a plane through the origin."""
+_SLOPE = np.sin(np.deg2rad(2.0))
+"""Undercuts below this slope are those of facets that the parting plane crosses."""
+
+
+@dataclass(frozen=True)
+class MouldFrame:
+    """A mould's axes and extents; lengths in mm along (across, along, out), origin the object's.
+
+    `low_mm` and `high_mm` are the corners of the block. `plug_mm` are the lowest and the highest
+    corner, across and along, of what passes through the side at `high_mm[2]`; zeros: nothing does.
+    """
+
+    opening: Opening
+    across: Float[np.ndarray, "3"]
+    along: Float[np.ndarray, "3"]
+    out: Float[np.ndarray, "3"]
+    low_mm: Float[np.ndarray, "3"]
+    high_mm: Float[np.ndarray, "3"]
+    plug_mm: Float[np.ndarray, "2 2"]
+
+    @property
+    def axes(self) -> Float[np.ndarray, "3 3"]:
+        """Columns across, along, out; they need not be right-handed."""
+        return np.column_stack([self.across, self.along, self.out])
+
+    @property
+    def plugged(self) -> bool:
+        """Whether a plug or a rod passes through the upper side."""
+        return bool(self.plug_mm.any())
+
+    @property
+    def rim_mm(self) -> float:
+        """Level of the block's upper side along `out`."""
+        return float(self.high_mm[2])
+
+    def corners(
+        self, low_mm: Float[np.ndarray, "3"], high_mm: Float[np.ndarray, "3"]
+    ) -> tuple[Float[np.ndarray, "3"], Float[np.ndarray, "3"]]:
+        """Lowest and highest corner, in the object's frame, of a box given along the axes."""
+        ends = self.axes @ np.column_stack([low_mm, high_mm])
+        return ends.min(axis=1), ends.max(axis=1)
+
+
+@dataclass(frozen=True)
+class Parting:
+    """The plane between two halves: its unit normal, and how far along it from the origin, mm."""
+
+    normal: Float[np.ndarray, "3"]
+    offset_mm: float
+
+
+def play_mm(spec: ObjectSpec) -> float:
+    """Gap between parts of the mould that slide: `mould.play_mm`, else the printer's clearance."""
+    given = spec.mould.play_mm
+    return spec.printer.clearance_mm if given is None else given
+
+
+def opening_of(spec: ObjectSpec) -> Opening:
+    """How the core's cavity runs out of the silicone."""
+    if spec.body.kind in ("pad", "dome"):
+        return "open"
+    if not spec.body.opened:
+        return "closed"
+    return "open" if spec.body.kind in ("box", "cylinder") else "bore"
+
+
+def mould_style(spec: ObjectSpec) -> Literal["one-piece", "split"]:
+    """The style given, else one piece where a side is open to draw the shell out of."""
+    if spec.mould.style is not None:
+        return spec.mould.style
+    return "one-piece" if opening_of(spec) == "open" else "split"
+
+
+def mould_frame(spec: ObjectSpec) -> MouldFrame:
+    """Axes and block of the object's mould. Of several open sides the lowest, else the first, is up.
+
+    `across` is the axis with more walls at its ends: silicone is poured at those ends.
+    """
+    opening, out = opening_of(spec), _out(spec)
+    x, y = (axis for axis in np.eye(3) if abs(axis @ out) < 0.5)
+    across, along = (y, x) if _open_ends(spec, x) > _open_ends(spec, y) else (x, y)
+    low, high = envelope_corners_mm(spec)
+    wall = spec.mould.wall_mm
+    axes = np.column_stack([across, along, out])
+    ends = np.sort(axes.T @ np.column_stack([low, high]), axis=1)
+    above = 0.0 if opening == "open" else wall
+    block = ends[:, 0] - wall, ends[:, 1] + [wall, wall, above]
+    return MouldFrame(opening, across, along, out, *block, _plug_mm(spec, axes))
+
+
+def envelope_corners_mm(
+    spec: ObjectSpec,
+) -> tuple[Float[np.ndarray, "3"], Float[np.ndarray, "3"]]:
+    """Lowest and highest corner of the silicone's outside."""
+    high = np.asarray(spec.body.size_mm) / 2
+    low = -high
+    if spec.body.kind in ("pad", "dome"):
+        low = np.array([*low[:2], base_top_mm(spec)])
+    return low, high
+
+
+def cast_corners_mm(
+    spec: ObjectSpec,
+) -> tuple[Float[np.ndarray, "3"], Float[np.ndarray, "3"]]:
+    """The same of what the first pour casts: less the seal layer on the sensed faces of a box."""
+    low, high = envelope_corners_mm(spec)
+    for face in spec.body.sensed if spec.shell.seal_layer_mm else ():
+        layer = spec.shell.seal_layer_mm * np.asarray(FACE_AXES[face][0], float)
+        high, low = high - layer.clip(min=0), low - layer.clip(max=0)
+    return low, high
+
+
+def up(spec: ObjectSpec) -> Float[np.ndarray, "3"]:
+    """Unit vector that points upwards while silicone is poured.
+
+    A closed mould stands on one of its corners: the opposite one, on the seam, is its highest
+    point, far from the middles of the faces, and no ceiling lies flat.
+    """
+    frame = mould_frame(spec)
+    if frame.opening != "closed":
+        return frame.out
+    half = np.asarray(spec.body.size_mm) / 2
+    side = np.cross(frame.out, parting(spec).normal)
+    corner = float(np.min(half / np.maximum(abs(side), 1e-9))) * side + (half @ abs(frame.out)) * (
+        frame.out
+    )
+    return corner / np.linalg.norm(corner)
+
+
+def parting(spec: ObjectSpec) -> Parting:
+    """The plane that parts the halves; it holds `out`.
+
+    By default through two edges of a box, of an ellipsoid across its shorter axis, and of an
+    imported body where least of it is an undercut.
+    """
+    frame, given = mould_frame(spec), spec.mould.parting_azimuth_deg
+    half = abs(frame.axes.T) @ np.asarray(spec.body.size_mm) / 2
+    if given is None and spec.body.kind == "imported":
+        return _at_silhouette(spec.body, spec.mesh.envelope_mm)
+    if given is not None:
+        azimuth = np.deg2rad(given)
+    elif spec.body.kind == "ellipsoid" and half[0] != half[1]:
+        azimuth = 0.0 if half[0] < half[1] else np.pi / 2
+    else:
+        azimuth = np.arctan2(half[0], half[1])
+    return Parting(np.cos(azimuth) * frame.across + np.sin(azimuth) * frame.along, 0.0)
+
+
+def _out(spec: ObjectSpec) -> np.ndarray:
+    opened = spec.body.opened
+    face = _DOWN if _DOWN in opened or not opened else opened[0]
+    return np.asarray(FACE_AXES[face][0], float)
+
+
+def _open_ends(spec: ObjectSpec, axis: np.ndarray) -> int:
+    if spec.body.kind != "box":
+        return 0
+    normals = [np.asarray(FACE_AXES[face][0], float) for face in spec.body.opened]
+    return sum(abs(float(normal @ axis)) > 0.5 for normal in normals)
+
+
+def _plug_mm(spec: ObjectSpec, axes: np.ndarray) -> np.ndarray:
+    """Corners, across and along, of what passes through the mould's upper side."""
+    body, opening = spec.body, opening_of(spec)
+    if opening == "closed" or body.kind == "pad" or body.inside == "silicone":
+        return np.zeros((2, 2))
+    if body.kind == "box":
+        from design.body.surface import open_span_mm
+
+        return np.sort(axes.T @ np.column_stack(open_span_mm(spec, 0.0)), axis=1)[:2].T
+    radius = body.bore_mm / 2 if opening == "bore" else float(core_half_mm(spec)[0])
+    return np.array([[-radius, -radius], [radius, radius]])
+
+
+@lru_cache(maxsize=8)
+def _at_silhouette(body: BodySpec, envelope_mm: float) -> Parting:
+    """Of planes about z in steps of 15°, and all their offsets, the one with the least undercut."""
+    from design.body.sampled import outer_of
+
+    surface = outer_of(body, envelope_mm)
+    best: tuple[float, Parting] | None = None
+    for azimuth in np.deg2rad(45.0 + np.arange(0.0, 180.0, _STEP_DEG)):
+        normal = np.array([np.cos(azimuth), np.sin(azimuth), 0.0])
+        hooked, offset = least_undercut(surface, normal)
+        if best is None or hooked < best[0] - 1e-7 * surface.area:
+            best = hooked, Parting(normal, offset)
+    assert best is not None
+    return best[1]
+
+
+def least_undercut(surface: trimesh.Trimesh, normal: Float[np.ndarray, "3"]) -> tuple[float, float]:
+    """Least area that faces the wrong way on either side of a plane with that normal, and its offset.
+
+    Areas are those projected along the normal, mm². The plane goes through the origin where that
+    is as good as any.
+    """
+    rise = np.asarray(surface.face_normals) @ normal
+    place = np.asarray(surface.triangles_center) @ normal
+    order = np.argsort(place)
+    area, rise, place = np.asarray(surface.area_faces)[order], rise[order], place[order]
+    lower = np.append(0.0, np.cumsum(area * np.maximum(rise - _SLOPE, 0)))
+    upper = np.append(np.cumsum((area * np.maximum(-rise - _SLOPE, 0))[::-1])[::-1], 0.0)
+    wrong = lower + upper
+    middle, least = int(np.searchsorted(place, 0.0)), int(np.argmin(wrong))
+    if wrong[middle] <= wrong[least] + _AS_GOOD * float(area.sum()):
+        return float(wrong[middle]), 0.0
+    ends = place[[max(least - 1, 0), min(least, len(place) - 1)]]
+    return float(wrong[least]), float(ends.mean())

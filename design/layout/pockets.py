@@ -1,0 +1,243 @@
+"""Rigid bodies on a face and the pockets that take them, in the face's own frame.
+
+A body is a magnet, a coil or a sensor board. Its pocket is a prism of its outline along the body's
+axis, from under it out through the face; both turn about the body's centre. Heights are above the
+face that the pocket opens to, so that everything here is below 0.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from jaxtyping import Float
+
+if TYPE_CHECKING:
+    from design.spec.object import ObjectSpec
+
+
+@dataclass(frozen=True)
+class Outline:
+    """Cross-section of a body or a pocket: a disk of `half_mm[0]`, or a rectangle of half edges."""
+
+    half_mm: tuple[float, float]
+    round: bool
+
+    @property
+    def area_mm2(self) -> float:
+        x, y = self.half_mm
+        return float(np.pi * x * y) if self.round else 4 * x * y
+
+    @property
+    def radius_mm(self) -> float:
+        """Of the circumscribed circle."""
+        return self.half_mm[0] if self.round else float(np.hypot(*self.half_mm))
+
+    def inset(self, by_mm: float) -> Outline:
+        """The outline that lies `by_mm` inside this one."""
+        x, y = (half - by_mm for half in self.half_mm)
+        return Outline((x, y), self.round)
+
+    def support_mm(self, across: Float[np.ndarray, "2"]) -> float:
+        """Largest dot product of a vector in the outline's plane with its points."""
+        if self.round:
+            return self.half_mm[0] * float(np.hypot(*across))
+        return float(abs(across) @ np.asarray(self.half_mm))
+
+    def corners_mm(self, sides: int) -> Float[np.ndarray, "corner 2"]:
+        """Polygon of the outline's own area, counter-clockwise: `sides` corners where it is round."""
+        if not self.round:
+            return np.array([[1, 1], [-1, 1], [-1, -1], [1, -1]]) * np.asarray(self.half_mm)
+        angle = 2 * np.pi / sides
+        radius = self.half_mm[0] * np.sqrt(angle / np.sin(angle))
+        theta = (np.arange(sides) + 0.5) * angle
+        return radius * np.column_stack([np.cos(theta), np.sin(theta)])
+
+
+@dataclass(frozen=True)
+class Body:
+    """A rigid body at rest on a face: centre (mm), its axes as columns (the third outward)."""
+
+    centre_mm: Float[np.ndarray, "3"]
+    frame: Float[np.ndarray, "3 3"]
+    outline: Outline
+    height_mm: float
+    label: str
+    """How the specification calls it, for errors."""
+
+    @property
+    def volume_mm3(self) -> float:
+        return self.outline.area_mm2 * self.height_mm
+
+
+@dataclass(frozen=True)
+class Pocket:
+    """The pocket of a body: its floor touches the body's lower side."""
+
+    body: Body
+    outline: Outline
+
+    @property
+    def axis(self) -> Float[np.ndarray, "3"]:
+        return self.body.frame[:, 2]
+
+    @property
+    def mouth_mm(self) -> float:
+        """Distance along the axis from the body's centre to the face's plane."""
+        return float(-self.body.centre_mm[2] / self.axis[2])
+
+    @property
+    def volume_mm3(self) -> float:
+        """Of what is left out: the face cuts the prism obliquely, but at its mean length."""
+        return self.outline.area_mm2 * (self.body.height_mm / 2 + self.mouth_mm)
+
+    @property
+    def axis_ends_mm(self) -> Float[np.ndarray, "2 3"]:
+        """On the axis: the floor's centre, and the height that the mouth's highest point has."""
+        beyond = self._support_mm(np.array([0.0, 0.0, 1.0])) / self.axis[2]
+        ends = np.array([-self.body.height_mm / 2, self.mouth_mm + beyond])
+        return self.body.centre_mm + ends[:, None] * self.axis
+
+    @property
+    def lowest_mm(self) -> float:
+        """Height of the pocket's lowest point, negative."""
+        return float(self.axis_ends_mm[0, 2] - self._support_mm(np.array([0.0, 0.0, 1.0])))
+
+    @property
+    def reach_mm(self) -> Float[np.ndarray, "2"]:
+        """Largest |x| and |y| within the pocket and its mouth."""
+        lean = self.axis[:2] / self.axis[2]
+        middle = self.body.centre_mm[:2] + self.mouth_mm * self.axis[:2]
+        reach = []
+        for k, along in enumerate(np.eye(3)[:2]):
+            floor = abs(self.axis_ends_mm[0, k]) + self._support_mm(along)
+            # along the axis, the mouth's points lie where the face cuts the prism
+            mouth = abs(middle[k]) + self._support_mm(along - lean[k] * np.array([0.0, 0.0, 1.0]))
+            reach.append(max(floor, mouth))
+        return np.array(reach)
+
+    def _support_mm(self, direction: Float[np.ndarray, "3"]) -> float:
+        return self.outline.support_mm(direction @ self.body.frame[:, :2])
+
+
+def shell_bodies(spec: ObjectSpec) -> tuple[tuple[Body, ...], ...]:
+    """What moves with the silicone, face by face, heights above the body's face."""
+    return magnet_bodies(spec) if spec.arrangement == "sensors-in-core" else sensor_boards(spec)
+
+
+def shell_pockets(spec: ObjectSpec) -> tuple[tuple[Pocket, ...], ...]:
+    """The shell's pockets, face by face."""
+    radius = spec.shell.pocket_diameter_mm / 2
+    wide = Outline((radius, radius), True)
+    return tuple(
+        tuple(Pocket(body, wide if body.outline.round else body.outline) for body in face)
+        for face in shell_bodies(spec)
+    )
+
+
+def core_pockets(spec: ObjectSpec) -> tuple[tuple[Pocket, ...], ...]:
+    """The core's pockets for magnets, face by face, heights above the core's face."""
+    if spec.arrangement == "sensors-in-core":
+        return ((),) * len(spec.body.sensed)
+    return tuple(tuple(Pocket(body, body.outline) for body in face) for face in magnet_bodies(spec))
+
+
+def magnet_bodies(spec: ObjectSpec) -> tuple[tuple[Body, ...], ...]:
+    """Magnets of every face, in the order of `magnets.positions_mm`.
+
+    A ring is the body of its outline: its hole is full of the glue that holds it.
+    """
+    magnets, half = spec.magnets, spec.magnets.diameter_mm / 2
+    x, y = magnets.size_mm
+    block = magnets.shape == "block"
+    outline = Outline((x / 2, y / 2), False) if block else Outline((half, half), True)
+    tilts = magnets.tilt_deg or ((0.0, 0.0),) * len(magnets.positions_mm)
+    depths = magnets.depths_mm or (_seated_depth_mm(spec),) * len(magnets.positions_mm)
+    one_face = tuple(
+        Body(
+            np.array([x, y, -depth]),
+            tilted_frame(*tilt),
+            outline,
+            magnets.height_mm,
+            f"magnets.positions_mm[{index}] = ({x:g}, {y:g})"
+            + (f" with tilt_deg {list(tilt)}" if magnets.tilt_deg else ""),
+        )
+        for index, ((x, y), depth, tilt) in enumerate(
+            zip(magnets.positions_mm, depths, tilts, strict=True)
+        )
+    )
+    return (one_face,) * len(spec.body.sensed)
+
+
+def _seated_depth_mm(spec: ObjectSpec) -> float:
+    """Depth of a magnet's mid-plane below the face that its pocket opens to."""
+    magnets = spec.magnets
+    if spec.arrangement == "sensors-in-core":
+        return spec.shell.pocket_depth_mm - magnets.height_mm / 2
+    return magnets.depth_below_core_face_mm + magnets.height_mm / 2
+
+
+def sensor_places(spec: ObjectSpec) -> tuple[tuple[tuple[float, float, float], ...], ...]:
+    """x, y (mm, in the face's frame) and azimuth (rad) of every sensor, sensed face by face."""
+    lists, sensed = spec.sensors.places, spec.body.sensed
+    if len(lists) == len(sensed):
+        return lists
+    return tuple(lists[(number - 1) % len(lists)] for number in sensed)
+
+
+def sensor_boards(spec: ObjectSpec) -> tuple[tuple[Body, ...], ...]:
+    """Sensor boards in the shell, seated on the floors of their pockets."""
+    width, length, thickness = spec.sensors.package_mm
+    outline = Outline((width / 2, length / 2), False)
+    depth = spec.shell.pocket_depth_mm - thickness / 2
+    return tuple(
+        tuple(
+            Body(
+                np.array([x, y, -depth]),
+                board_frame(azimuth),
+                outline,
+                thickness,
+                f"sensor {index + 1} of face {face} at ({x:.4g}, {y:.4g})",
+            )
+            for index, (x, y, azimuth) in enumerate(places)
+        )
+        for face, places in zip(spec.body.sensed, sensor_places(spec), strict=True)
+    )
+
+
+def board_frame(azimuth_rad: float) -> Float[np.ndarray, "3 3"]:
+    """Axes of a sensor board as columns: −tangential, radial outward, the face's normal."""
+    cosine, sine = np.cos(azimuth_rad), np.sin(azimuth_rad)
+    return np.array([[sine, cosine, 0.0], [-cosine, sine, 0.0], [0.0, 0.0, 1.0]])
+
+
+def tilted_frame(about_x_deg: float, about_y_deg: float) -> Float[np.ndarray, "3 3"]:
+    """Rotation by the rotation vector (about x, about y, 0); its third column is the axis."""
+    turn = np.deg2rad([about_x_deg, about_y_deg])
+    angle = float(np.hypot(*turn))
+    across = np.array([[0, 0, turn[1]], [0, 0, -turn[0]], [-turn[1], turn[0], 0]])
+    along = np.sinc(angle / np.pi) * across
+    return np.eye(3) + along + 0.5 * np.sinc(angle / (2 * np.pi)) ** 2 * across @ across
+
+
+def distance_of_axes_mm(a: Pocket, b: Pocket) -> float:
+    """Smallest distance between the axes of two pockets, each from its floor to above its mouth.
+
+    Pockets that are further apart than their circumscribed radii together cannot touch; for round
+    pockets without tilt the reverse holds too.
+    """
+    return distance_of_segments_mm(a.axis_ends_mm, b.axis_ends_mm)
+
+
+def distance_of_segments_mm(a: Float[np.ndarray, "2 3"], b: Float[np.ndarray, "2 3"]) -> float:
+    """Smallest distance between two straight pieces, given by their ends."""
+    (p, p_end), (q, q_end) = a, b
+    along, other, between = p_end - p, q_end - q, p - q
+    aa, bb, ab = along @ along, other @ other, along @ other
+    pa, pb = along @ between, other @ between
+    determinant = aa * bb - ab**2
+    s = 0.0 if determinant < 1e-12 * aa * bb else np.clip((ab * pb - bb * pa) / determinant, 0, 1)
+    t = np.clip((ab * s + pb) / bb, 0, 1)
+    s = np.clip((ab * t - pa) / aa, 0, 1)
+    return float(np.linalg.norm(between + s * along - t * other))

@@ -1,0 +1,51 @@
+"""Closed-form volumes of the shell, for checks that need no CAD kernel."""
+
+from __future__ import annotations
+
+from math import prod
+
+from design.body.blocks import keys_volume_mm3, slits_volume_mm3
+from design.body.volume import body_volume_mm3
+from design.layout.core_hold import locators
+from design.layout.pockets import shell_pockets
+from design.layout.positions import face_frames
+from design.spec.object import ObjectSpec
+
+
+def sealed_volume_mm3(spec: ObjectSpec) -> float:
+    """Volume of the sealed body in mm³: pockets filled, magnets included (the meshed body).
+
+    The cavity has the core's cross-section and runs from the core's top out of the open face; keys
+    of the core add to it, and relief slits are left out.
+    """
+    return body_volume_mm3(spec) - keys_volume_mm3(spec) - slits_volume_mm3(spec)
+
+
+def shell_volume_mm3(spec: ObjectSpec) -> float:
+    """Volume of the cast shell in mm³: the sealed body less its open pockets, the holes of pins
+    that held the core of a closed body, and the seal layer.
+
+    On curved patches pockets are taken to end at the plane that touches there: 0.03 % too much is
+    left out on a ball of 50 mm, 0.15 % on a dome of radius 12 mm.
+    """
+    pockets = sum(pocket.volume_mm3 for face in shell_pockets(spec) for pocket in face)
+    holes = sum(locator.volume_mm3 for locator in locators(spec))
+    return sealed_volume_mm3(spec) - pockets - holes - _layer_volume_mm3(spec)
+
+
+def _layer_volume_mm3(spec: ObjectSpec) -> float:
+    """Silicone of the seal layer itself, without what fills the pockets below it."""
+    layer = spec.shell.seal_layer_mm
+    if not layer:
+        return 0.0
+    cast = list(spec.body.size_mm)
+    for frame in face_frames(spec):
+        cast = [edge - layer * abs(n) for edge, n in zip(cast, frame.normal, strict=True)]
+    slits = slits_volume_mm3(spec) - slits_volume_mm3(spec, layer)
+    mouths = sum(p.outline.area_mm2 * layer / p.axis[2] for f in shell_pockets(spec) for p in f)
+    return prod(spec.body.size_mm) - prod(cast) - slits - float(mouths)
+
+
+def cavity_depth_mm(spec: ObjectSpec) -> float:
+    """Depth of the shell's cavity from the open face, mm: the body's height less the top wall."""
+    return spec.body.size_mm[2] - spec.shell.thickness_mm

@@ -1,0 +1,1 @@
+"""Moulds that the shell is cast in (CadQuery)."""

@@ -1,0 +1,121 @@
+"""The flanges along the seam of a split mould: where they reach, their notches, dowels and bolts.
+
+Everything is numbers in the parting plane: across the mould and along `out`, mm.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from design.layout.mould_frame import MouldFrame, mould_frame, parting, play_mm
+from design.mould.pins import Pin, loose_pins
+from design.mould.plug import CLIP_REACH_MM
+from design.spec.object import ObjectSpec
+
+FLANGE_THICKNESS_MM = 4.0
+FLANGE_LENGTH_MM = 26.0
+"""At least: dowels and bolts lie at shares of it and must not meet."""
+PLACES = (0.15, 0.42, 0.7, 0.9)
+"""Of dowels and bolts by turns, as shares of the flange's length."""
+LONGER_MM = (0.0, 6.0, 12.0, 18.0, 24.0)
+"""By which flanges reach below the block where pins leave too little room."""
+LEAST_GAP_MM = 5.0
+"""Between the middles of a dowel and a bolt."""
+EDGE_MM = 3.0
+"""From the middle of a dowel or a bolt to the end of the flange or a notch, at least."""
+LEAST_STRETCH_MM = 4.0
+"""Of flange between two notches; less is cut away."""
+_STEP_MM = 0.5
+
+
+@dataclass(frozen=True)
+class Flange:
+    """A strip beside the block, from `low_mm` to `high_mm` across and `bottom_mm` to `top_mm`.
+
+    `notches` are the stretches along it that are cut away for pins, in rising order.
+    """
+
+    low_mm: float
+    high_mm: float
+    bottom_mm: float
+    top_mm: float
+    notches: tuple[tuple[float, float], ...]
+
+    @property
+    def places_mm(self) -> list[tuple[float, float]]:
+        """Dowels and bolts by turns, out of the notches' way.
+
+        Each stands at its share of the length from the lower end, or as near as notches and those
+        before it leave room; where there is none it is left out.
+        """
+        length, taken = self.top_mm - self.bottom_mm, []
+        shifts = sorted(np.linspace(-0.85, 0.85, 69).tolist(), key=abs)
+        for share in PLACES:
+            levels = [self.bottom_mm + (share + shift) * length for shift in shifts]
+            taken += [level for level in levels if self._is_clear(level, taken)][:1]
+        return [((self.low_mm + self.high_mm) / 2, level) for level in taken]
+
+    def _is_clear(self, level: float, taken: list[float]) -> bool:
+        return (
+            self.bottom_mm + EDGE_MM <= level <= self.top_mm - EDGE_MM
+            and all(abs(level - other) >= LEAST_GAP_MM for other in taken)
+            and not any(low - EDGE_MM < level < high + EDGE_MM for low, high in self.notches)
+        )
+
+
+def flanges(spec: ObjectSpec) -> tuple[Flange, Flange]:
+    """Of both ends of the seam, clear of the plug's clips, as long as dowels and bolts need."""
+    frame, wide = mould_frame(spec), spec.mould.flange_mm
+    left, right = _block_ends_mm(spec, frame)
+    clips = CLIP_REACH_MM + 2 * play_mm(spec) if frame.plugged else 0.0
+    top = frame.rim_mm - clips
+    bottom = min(float(frame.low_mm[2]), top - FLANGE_LENGTH_MM)
+    ends, pins = ((left - wide, left), (right, right + wide)), loose_pins(spec)
+    for longer in (*LONGER_MM, 0.0):
+        low = bottom - longer
+        found = [Flange(*end, low, top, _notches(spec, pins, *end, low, top)) for end in ends]
+        if all(len(flange.places_mm) == len(PLACES) for flange in found):
+            break
+    return found[0], found[1]
+
+
+def _block_ends_mm(spec: ObjectSpec, frame: MouldFrame) -> tuple[float, float]:
+    """Where a level line in the parting plane enters and leaves the block."""
+    plane = parting(spec)
+    way = frame.axes.T @ np.cross(frame.out, plane.normal)
+    start = frame.axes.T @ (plane.offset_mm * plane.normal)
+    steep = abs(way) > 1e-9
+    ends = [(end - start)[steep] / way[steep] for end in (frame.low_mm, frame.high_mm)]
+    return float(np.min(ends, axis=0).max()), float(np.max(ends, axis=0).min())
+
+
+def _notches(
+    spec: ObjectSpec, pins: list[Pin], low: float, high: float, bottom: float, top: float
+) -> tuple[tuple[float, float], ...]:
+    """Stretches through which pins are drawn, joined where too little is between or beyond them."""
+    found = [_levels(spec, pin, low, high) for pin in pins]
+    through = [levels for levels in found if levels is not None]
+    merged: list[tuple[float, float]] = []
+    for start, end in sorted(pair for pair in through if pair[1] > bottom and pair[0] < top):
+        start = bottom - 1.0 if start - bottom < LEAST_STRETCH_MM else start
+        end = top + 1.0 if top - end < LEAST_STRETCH_MM else end
+        if merged and start - merged[-1][1] < LEAST_STRETCH_MM:
+            start, before = merged.pop()
+            end = max(end, before)
+        merged.append((start, end))
+    return tuple(merged)
+
+
+def _levels(spec: ObjectSpec, pin: Pin, low: float, high: float) -> tuple[float, float] | None:
+    """Between which levels a pin's head is drawn through a flange; None where it passes by."""
+    frame, plane = mould_frame(spec), parting(spec)
+    radius = pin.radius_mm + pin.rim_mm + play_mm(spec)
+    steps = np.arange(0.0, 2 * max(spec.body.size_mm), _STEP_MM)
+    path = steps[:, None] * pin.way + pin.head_axis_mm[0]
+    across = path @ np.cross(frame.out, plane.normal)
+    aside = abs(path @ plane.normal - plane.offset_mm)
+    near = (aside < FLANGE_THICKNESS_MM + radius) & (across > low) & (across < high)
+    levels = (path @ frame.out)[near]
+    return (float(levels.min() - radius), float(levels.max() + radius)) if len(levels) else None

@@ -1,0 +1,115 @@
+"""A mould in two halves with loose pins for bosses, so that nothing is torn when it opens.
+
+The parting plane holds the direction in which silicone is poured; each half draws away along the
+plane's normal, after the pins, each of which draws outwards along its own axis. By default the seam
+of a box runs along two of its edges and every side wall leaves with plenty of draft; that of a round
+body runs at its largest silhouette. Tapered dowels on the flanges find the halves, bolts or clamps
+outside them hold them together; the plug of the one-piece mould, or the rod that holds the core,
+clips onto the same tabs. Dowels and bolts take a flange of some length: a low mould gets it downwards.
+"""
+
+from __future__ import annotations
+
+import cadquery as cq
+import numpy as np
+
+from design.layout.mould_frame import mould_frame, parting, play_mm
+from design.mould.flange import FLANGE_THICKNESS_MM, Flange, flanges
+from design.mould.one_piece import fins_to_walls, walls
+from design.mould.openings import mould_holes
+from design.mould.pins import fixed_bosses, loose_pins, pin_holes
+from design.mould.plug import rod_hole
+from design.mould.room import cast_room
+from design.solids.booleans import Shape, Solid, common, cut, join, one_body
+from design.solids.primitives import OVERSHOOT_MM, box_between, tapered_rod
+from design.spec.object import ObjectSpec
+
+DOWEL_DIAMETER_MM = 4.0
+DOWEL_HEIGHT_MM = 2.5
+BOLT_HOLE_MM = 3.4
+
+
+def make_mould_half(spec: ObjectSpec, side: int) -> Solid:
+    """The half on the side (1 or −1) of the parting plane that its normal points to, mm.
+
+    Raises
+    ------
+    InputError
+        The dimensions do not give one valid solid.
+    """
+    room, ends = cast_room(spec), flanges(spec)
+    outer = join(walls(spec, room), cut(_flange(spec, *ends), room))
+    half_space, fins = _half_space(spec, side), fins_to_walls(spec)
+    half = cut(common(outer, half_space), *_holes(spec), *_bolt_holes(spec, *ends))
+    half = join(half, *(common(fin, half_space) for fin in fins))  # whole: vents may meet them
+    bossed, grown = join(half, *fixed_bosses(spec, side)), 0.0 if side > 0 else play_mm(spec)
+    dowels = [_dowel(spec, *place, grown) for end in ends for place in end.places_mm[::2]]
+    joined = join(bossed, *dowels) if side > 0 else cut(bossed, *dowels)
+    return one_body(joined, "mould_half_a" if side > 0 else "mould_half_b")
+
+
+def _holes(spec: ObjectSpec) -> list[cq.Solid]:
+    """Of pins, pouring, vents and a rod."""
+    pins = [hole for pin in loose_pins(spec) for hole in pin_holes(spec, pin)]
+    rod = [rod_hole(spec)] if mould_frame(spec).opening == "bore" else []
+    return [*pins, *rod, *(hole.solid() for hole in mould_holes(spec))]
+
+
+def _parting_plane(spec: ObjectSpec) -> cq.Plane:
+    """x across the mould in the parting plane, y along `out`, normal as the plane's."""
+    plane = parting(spec)
+    across = np.cross(mould_frame(spec).out, plane.normal)
+    origin = cq.Vector(*(plane.offset_mm * plane.normal))
+    return cq.Plane(origin, cq.Vector(*across), cq.Vector(*plane.normal))
+
+
+def _in_plane(spec: ObjectSpec, low: list[float], high: list[float]) -> cq.Solid:
+    """Box given across, along `out` and along the normal."""
+    return box_between(low, high).moved(cq.Location(_parting_plane(spec)))
+
+
+def _flange(spec: ObjectSpec, first: Flange, second: Flange) -> Shape:
+    """Both halves' flanges along the seam, notched for pins; below the block there are two strips."""
+    thick, block = FLANGE_THICKNESS_MM, float(mould_frame(spec).low_mm[2])
+    slab = _in_plane(spec, [first.low_mm, block, -thick], [second.high_mm, first.top_mm, thick])
+    strips = [
+        _in_plane(spec, [side.low_mm, side.bottom_mm, -thick], [side.high_mm, block + 1.0, thick])
+        for side in (first, second)
+        if side.bottom_mm < block
+    ]
+    past = thick + 1.0
+    notches = [
+        _in_plane(spec, [first.low_mm - 1.0, start, -past], [first.high_mm, end, past])
+        for start, end in first.notches
+    ]
+    notches += [
+        _in_plane(spec, [second.low_mm, start, -past], [second.high_mm + 1.0, end, past])
+        for start, end in second.notches
+    ]
+    return cut(join(slab, *strips), *notches)
+
+
+def _half_space(spec: ObjectSpec, side: int) -> cq.Solid:
+    reach = 4 * max(spec.body.size_mm) + 4 * spec.mould.flange_mm
+    low, high = (0.0, reach) if side > 0 else (-reach, 0.0)
+    return _in_plane(spec, [-reach, -reach, low], [reach, reach, high])
+
+
+def _dowel(spec: ObjectSpec, across: float, level: float, grow_mm: float) -> Shape:
+    """Cone from half A into half B, tapered by the draft."""
+    root, height = DOWEL_DIAMETER_MM / 2 + grow_mm, DOWEL_HEIGHT_MM + grow_mm
+    tip = root - height * float(np.tan(np.deg2rad(spec.mould.dowel_draft_deg)))
+    stem = tapered_rod(cq.Vector(across, level, OVERSHOOT_MM), cq.Vector(0, 0, -OVERSHOOT_MM), root)
+    cone = tapered_rod(cq.Vector(across, level, 0), cq.Vector(0, 0, -height), root, tip)
+    return stem.fuse(cone).moved(cq.Location(_parting_plane(spec)))
+
+
+def _bolt_holes(spec: ObjectSpec, *ends: Flange) -> list[cq.Solid]:
+    long, along = 2 * FLANGE_THICKNESS_MM + 2 * OVERSHOOT_MM, cq.Vector(0, 0, 1)
+    return [
+        cq.Solid.makeCylinder(
+            BOLT_HOLE_MM / 2, long, cq.Vector(across, level, -long / 2), along
+        ).moved(cq.Location(_parting_plane(spec)))
+        for end in ends
+        for across, level in end.places_mm[1::2]
+    ]

@@ -1,0 +1,141 @@
+"""Holes through a mould: for pouring where no side is open, and vents where air would be caught.
+
+Air rises along the silicone's surface and stays at local high points. They are found on its
+triangles, with the pouring holes joined to them, and each gets a straight vent: upwards if nothing
+but mould lies above it, else out along the surface's normal, or between the two.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal
+
+import cadquery as cq
+import numpy as np
+from jaxtyping import Float
+
+from design.body.meshes import Trap, high_points, manifold_of
+from design.layout.mould_frame import MouldFrame, mould_frame, mould_style, up
+from design.layout.pockets import distance_of_segments_mm
+from design.mould.pins import Pin, loose_pins
+from design.solids.sampled import cast_surface, sampled_shell
+from design.spec.object import ObjectSpec
+
+if TYPE_CHECKING:
+    import trimesh
+
+_SECTIONS = 48
+_SKIN_MM = 0.05
+_LEAST_TRAP_MM = 0.1
+"""Bubbles less high than this are left: triangles of curved surfaces make dents of a third of it."""
+
+
+@dataclass(frozen=True)
+class Hole:
+    """A straight round hole from within the silicone to outside the mould."""
+
+    use: Literal["pour", "vent"]
+    start_mm: Float[np.ndarray, "3"]
+    end_mm: Float[np.ndarray, "3"]
+    diameter_mm: float
+
+    def solid(self) -> cq.Solid:
+        way = self.end_mm - self.start_mm
+        length = float(np.linalg.norm(way))
+        start = cq.Vector(*self.start_mm)
+        return cq.Solid.makeCylinder(self.diameter_mm / 2, length, start, cq.Vector(*way))
+
+    def surface(self) -> trimesh.Trimesh:
+        import trimesh
+
+        ends = [self.start_mm, self.end_mm]
+        return trimesh.creation.cylinder(self.diameter_mm / 2, segment=ends, sections=_SECTIONS)
+
+
+def vent_diameter_mm(spec: ObjectSpec) -> float:
+    """`mould.vent_mm`, else the narrowest hole that the printer keeps open."""
+    given = spec.mould.vent_mm
+    return spec.printer.hole_mm if given is None else given
+
+
+def mould_holes(spec: ObjectSpec) -> tuple[Hole, ...]:
+    """Pouring holes, then vents."""
+    pour = pour_holes(spec)
+    return (*pour, *_vents(spec, pour))
+
+
+def pour_holes(spec: ObjectSpec) -> tuple[Hole, ...]:
+    """Beside the rod through a bore, at both its sides; at the upper corner of a closed mould."""
+    frame = mould_frame(spec)
+    if frame.opening == "open":
+        return ()
+    surface, way, diameter = cast_surface(spec), up(spec), spec.mould.pour_mm
+    if frame.opening == "closed":
+        top = surface.vertices[np.argmax(surface.vertices @ way)]
+        return (_hole(spec, "pour", top, way, diameter),)
+    aside = float(frame.plug_mm[1, 0]) + diameter / 2
+    tops = [_below(surface, frame, sign * aside * frame.across) for sign in (-1, 1)]
+    return tuple(_hole(spec, "pour", top, way, diameter) for top in tops if top is not None)
+
+
+def air_traps(spec: ObjectSpec, shell: trimesh.Trimesh, holes: tuple[Hole, ...]) -> list[Trap]:
+    """High points of the silicone that neither the open side nor a hole drains."""
+    frame, way = mould_frame(spec), up(spec)
+    whole = shell
+    if holes:
+        import trimesh
+
+        surfaces = [shell, *(hole.surface() for hole in holes)]
+        whole = trimesh.boolean.union(surfaces, engine="manifold")
+    rim = frame.rim_mm if frame.opening != "closed" else float(_far_mm(spec)) / 2
+    return high_points(whole, way, rim, max(_LEAST_TRAP_MM, 3 * spec.mesh.envelope_mm))
+
+
+def _vents(spec: ObjectSpec, pour: tuple[Hole, ...]) -> list[Hole]:
+    shell = sampled_shell(spec)
+    pins = loose_pins(spec) if mould_style(spec) == "split" else []
+    vents = [_vent(spec, shell, pins, trap) for trap in air_traps(spec, shell, pour)]
+    return [vent for vent in vents if vent is not None]
+
+
+def _vent(spec: ObjectSpec, shell: trimesh.Trimesh, pins: list[Pin], trap: Trap) -> Hole | None:
+    """The first of some directions in which neither silicone nor a pin is in the way; or None."""
+    solid, diameter = manifold_of(shell), vent_diameter_mm(spec)
+    for outward in (0.0, 0.5, 1.0, 2.0):
+        way = up(spec) + outward * trap.normal
+        hole = _hole(spec, "vent", trap.place_mm, way / np.linalg.norm(way), diameter)
+        way = (hole.end_mm - hole.start_mm) / np.linalg.norm(hole.end_mm - hole.start_mm)
+        start = trap.place_mm + _SKIN_MM * (way + trap.normal)
+        if solid.ray_cast(tuple(start), tuple(hole.end_mm)):
+            continue
+        axis = np.stack([hole.start_mm, hole.end_mm])
+        if all(_apart(axis, pin, diameter) for pin in pins):
+            return hole
+    return None
+
+
+def _apart(axis: np.ndarray, pin: Pin, diameter: float) -> bool:
+    needed = diameter / 2 + pin.radius_mm
+    return distance_of_segments_mm(axis, pin.axis_mm) > needed
+
+
+def _hole(
+    spec: ObjectSpec,
+    use: Literal["pour", "vent"],
+    top_mm: np.ndarray,
+    way: np.ndarray,
+    diameter: float,
+) -> Hole:
+    """From below a point of the surface, so that all of its rim is open, to far outside."""
+    return Hole(use, top_mm - diameter * way, top_mm + _far_mm(spec) * way, diameter)
+
+
+def _far_mm(spec: ObjectSpec) -> float:
+    return 3 * max(spec.body.size_mm) + spec.mould.flange_mm + spec.mould.wall_mm
+
+
+def _below(surface: trimesh.Trimesh, frame: MouldFrame, beside_mm: np.ndarray) -> np.ndarray | None:
+    """The silicone's surface under a place beside the axis `out`; None where there is none."""
+    top = beside_mm + (frame.rim_mm + 1.0) * frame.out
+    hits = manifold_of(surface).ray_cast(tuple(top), tuple(beside_mm - frame.rim_mm * frame.out))
+    return np.asarray(hits[0].position) if hits else None

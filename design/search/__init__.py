@@ -1,0 +1,1 @@
+"""What a layout search may change, and how a vector becomes a specification."""

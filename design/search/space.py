@@ -1,0 +1,234 @@
+"""The layouts that a search may try: named variables ↔ a vector in [0, 1]ⁿ ↔ a specification."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from jaxtyping import Float
+
+from design.catalogue.magnets import magnet_part
+from design.errors import InputError
+from design.layout.pockets import magnet_bodies
+from design.search.places import generators, magnet_map, polarities, sensor_map
+from design.search.structure import STRUCTURE, structure_choices, with_structure
+from design.spec.object import ObjectSpec
+from design.spec.search import VarySpec
+from design.spec_io import parse_spec
+
+Params = Mapping[str, Any]
+"""Value of every variable, by name."""
+
+
+@dataclass(frozen=True)
+class Variable:
+    """A range from `low` to `high` in the unit of its name, or one of `choices`."""
+
+    name: str
+    low: float = 0.0
+    high: float = 1.0
+    choices: tuple[Any, ...] = ()
+
+
+@dataclass(frozen=True)
+class SearchSpace:
+    """A specification and its variables, in the order of the vector."""
+
+    spec: ObjectSpec
+    variables: tuple[Variable, ...]
+
+    @property
+    def continuous_names(self) -> tuple[str, ...]:
+        return tuple(v.name for v in self.continuous)
+
+    @property
+    def continuous(self) -> tuple[Variable, ...]:
+        return tuple(v for v in self.variables if not v.choices)
+
+
+def search_space(spec: ObjectSpec) -> SearchSpace:
+    """The variables that `[search]` frees.
+
+    Raises
+    ------
+    InputError
+        Nothing may change, or what may change contradicts the rest of the specification.
+    """
+    vary = spec.search.vary
+    variables = [
+        Variable(name, choices=choices)
+        for name in STRUCTURE
+        if (choices := getattr(vary, name)) is not None
+    ]
+    variables += _magnet_variables(spec) + _sensor_variables(spec)
+    if not variables:
+        raise InputError(
+            "nothing may change: [search.vary] is empty. Name what may, e.g. magnet_reach_mm = 14.0"
+        )
+    _check(spec)
+    return SearchSpace(spec, tuple(variables))
+
+
+def structure_of(space: SearchSpace, params: Params) -> tuple[tuple[str, Any], ...]:
+    """The choices that decide which layouts can be scored together."""
+    return tuple((v.name, params[v.name]) for v in space.variables if v.name in STRUCTURE)
+
+
+def params_at(space: SearchSpace, unit: Float[np.ndarray, "variable"]) -> dict[str, Any]:
+    """Values at a point of the unit cube; choices share [0, 1] evenly."""
+    found: dict[str, Any] = {}
+    for variable, u in zip(space.variables, unit, strict=True):
+        if variable.choices:
+            count = len(variable.choices)
+            found[variable.name] = variable.choices[min(int(u * count), count - 1)]
+        else:
+            found[variable.name] = variable.low + float(u) * (variable.high - variable.low)
+    return found
+
+
+def unit_of(space: SearchSpace, params: Params) -> Float[np.ndarray, "variable"]:
+    """The point of the unit cube; a choice's is the middle of its share."""
+    found = []
+    for variable in space.variables:
+        value = params[variable.name]
+        if variable.choices:
+            found.append((variable.choices.index(value) + 0.5) / len(variable.choices))
+        else:
+            found.append((value - variable.low) / (variable.high - variable.low))
+    return np.array(found)
+
+
+def start_params(space: SearchSpace) -> dict[str, Any] | None:
+    """The specification's own layout as variables; None where the space does not hold it."""
+    spec = space.spec
+    found: dict[str, Any] = structure_choices(spec)
+    tilts = spec.magnets.tilt_deg or ((0.0, 0.0),) * len(spec.magnets.positions_mm)
+    norths = spec.magnets.north or ("outward",) * len(tilts)
+    for k, (body, tilt) in enumerate(zip(magnet_bodies(spec)[0], tilts, strict=True), start=1):
+        x, y, z = body.centre_mm.tolist()
+        values = {
+            "x_mm": x,
+            "y_mm": y,
+            "depth_mm": -z,
+            "tilt_x_deg": tilt[0],
+            "tilt_y_deg": tilt[1],
+        }
+        values["north"] = norths[k - 1]
+        found |= {f"magnet{k}_{name}": value for name, value in values.items()}
+    for k, (x, y, _) in enumerate(spec.sensors.places[0], start=1):
+        found |= {f"sensor{k}_x_mm": x, f"sensor{k}_y_mm": y}
+    symmetries = {spec.search.magnet_symmetry, spec.search.sensor_symmetry}
+    for variable in space.variables:
+        found.setdefault(variable.name, _middle(variable))  # of parts that the start lacks
+    if symmetries != {"free"} or not all(_holds(v, found[v.name]) for v in space.variables):
+        return None
+    return {v.name: found[v.name] for v in space.variables}
+
+
+def _middle(variable: Variable) -> Any:
+    return variable.choices[0] if variable.choices else (variable.low + variable.high) / 2
+
+
+def _holds(variable: Variable, value: Any) -> bool:
+    if variable.choices:
+        return value in variable.choices
+    return variable.low <= value <= variable.high
+
+
+def with_layout(spec: ObjectSpec, params: Params) -> ObjectSpec:
+    """The specification with that layout, checked like one read from a file.
+
+    Places are rounded to 0.01 mm and 0.1°, as drawings give them.
+
+    Raises
+    ------
+    InputError
+        Something does not fit.
+    """
+    space = search_space(spec)
+    structured = with_structure(spec, params)
+    names = space.continuous_names
+    values = np.array([params[name] for name in names], dtype=float)
+    content = structured.model_dump(mode="json")
+    vary = spec.search.vary
+    magnets = magnet_map(structured, names).at(values)
+    if vary.magnet_reach_mm is not None:
+        content["magnets"]["positions_mm"] = magnets[:, :2].round(2).tolist()
+    if vary.magnet_depth_mm is not None:
+        content["magnets"]["depth_mm"] = magnets[:, 2].round(2).tolist()
+    if vary.magnet_tilt_deg is not None:
+        content["magnets"]["tilt_deg"] = magnets[:, 3:].round(1).tolist()
+    if vary.magnet_north:
+        poles = polarities(structured, params)
+        content["magnets"]["north"] = ["outward" if pole > 0 else "inward" for pole in poles]
+    if vary.sensor_reach_mm is not None:
+        places = np.round(sensor_map(structured, names).at(values), 2).tolist()
+        content["sensors"]["positions_mm"] = places
+        content["sensors"]["count_per_face"] = len(places)
+    return parse_spec(content, "the layout")
+
+
+def _magnet_variables(spec: ObjectSpec) -> list[Variable]:
+    vary, symmetry = spec.search.vary, spec.search.magnet_symmetry
+    counts = vary.magnet_count or (len(spec.magnets.positions_mm),)
+    found: list[Variable] = []
+    for seat in generators(symmetry, counts):
+        name = f"magnet{seat.label}"
+        found += _pair(name, ("x_mm", "y_mm"), vary.magnet_reach_mm, seat.place)
+        if vary.magnet_depth_mm is not None:
+            found.append(Variable(f"{name}_depth_mm", *vary.magnet_depth_mm))
+        found += _pair(name, ("tilt_x_deg", "tilt_y_deg"), vary.magnet_tilt_deg, seat.turn)
+        if vary.magnet_north:
+            found.append(Variable(f"{name}_north", choices=("outward", "inward")))
+    return found
+
+
+def _sensor_variables(spec: ObjectSpec) -> list[Variable]:
+    reach, symmetry = spec.search.vary.sensor_reach_mm, spec.search.sensor_symmetry
+    if reach is None:
+        return []
+    counts = spec.search.vary.sensor_count or (spec.sensors.count_per_face,)
+    if symmetry == "ring":
+        turn = 360.0 / min(counts)
+        return [Variable("sensor_radius_mm", 0.0, reach), Variable("sensor_azimuth_deg", 0.0, turn)]
+    return [
+        variable
+        for seat in generators(symmetry, counts)
+        for variable in _pair(f"sensor{seat.label}", ("x_mm", "y_mm"), reach, seat.place)
+    ]
+
+
+def _pair(name: str, axes: tuple[str, str], reach: float | None, matrix: Any) -> list[Variable]:
+    """Variables of two coordinates, without those that the seat's matrix drops."""
+    if reach is None:
+        return []
+    kept = [axis for axis, column in zip(axes, np.asarray(matrix).T, strict=True) if column.any()]
+    return [Variable(f"{name}_{axis}", -reach, reach) for axis in kept]
+
+
+def _check(spec: ObjectSpec) -> None:
+    vary: VarySpec = spec.search.vary
+    if spec.search.magnet_symmetry == "four-fold":
+        counts = vary.magnet_count or (len(spec.magnets.positions_mm),)
+        wrong = [count for count in counts if count % 4 > 1]
+        if wrong:
+            raise InputError(
+                f'search.magnet_symmetry = "four-fold" takes 4, 5, 8, 9 … magnets; got {wrong}. Change '
+                "search.vary.magnet_count, or the symmetry"
+            )
+    for name in vary.magnet_part or ():
+        if magnet_part(name).shape == "block":
+            raise InputError(
+                f"search.vary.magnet_part = {name!r} is a block; a search takes round magnets only. "
+                "Leave it out"
+            )
+    magnets = spec.magnets
+    if vary.magnet_count and (
+        magnets.north or magnets.tilt_deg or isinstance(magnets.depth_mm, tuple)
+    ):
+        raise InputError(
+            "search.vary.magnet_count changes how many magnets there are, and magnets.north, tilt_deg "
+            "or depth_mm hold for as many as there were. Leave those out"
+        )

@@ -1,0 +1,118 @@
+"""What a search's choices make of a specification: other parts, counts and sizes, the old places."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from design.catalogue.magnets import MAGNET_PARTS, magnet_part
+from design.spec.assembly import AsBuiltSpec
+from design.spec.magnets import MagnetSpec
+from design.spec.object import ObjectSpec
+from design.spec.sensors import SensorSpec
+from design.spec.silicone import SiliconeSpec
+
+STRUCTURE = (
+    "magnet_count",
+    "magnet_part",
+    "sensor_count",
+    "sensor_chip",
+    "sensor_turn_deg",
+    "sensor_range_mt",
+    "shell_thickness_mm",
+    "silicone",
+    "core_size_mm",
+)
+"""Choices between which places are not comparable; a batch is scored structure by structure."""
+
+
+def with_structure(spec: ObjectSpec, params: Mapping[str, Any]) -> ObjectSpec:
+    """The specification with the layout's choices but the old places: not checked as a whole.
+
+    What was measured on the built object goes, as another object is meant.
+    """
+    chosen = {name: params[name] for name in STRUCTURE if name in params}
+    update: dict[str, Any] = {"as_built": AsBuiltSpec()}
+    if "magnet_part" in chosen:
+        update |= _with_part(spec, chosen["magnet_part"])
+    if "magnet_count" in chosen:
+        unplaced = {"positions_mm": ((0.0, 0.0),) * chosen["magnet_count"]}
+        update["magnets"] = update.get("magnets", spec.magnets).model_copy(update=unplaced)
+    if "silicone" in chosen:
+        update["silicone"] = SiliconeSpec(name=chosen["silicone"])
+    update |= _with_sizes(spec, update.get("shell", spec.shell), chosen)
+    update["sensors"] = _with_sensors(spec, chosen)
+    return spec.model_copy(update=update)
+
+
+def _with_part(spec: ObjectSpec, name: str) -> dict[str, Any]:
+    """Another magnet, with the pocket's clearance and the silicone above it unchanged."""
+    old, part = spec.magnets, magnet_part(name)
+    graded = {} if part.grade is None else {"grade": part.grade}
+    kept = old.model_dump(
+        exclude={"shape", "diameter_mm", "inner_diameter_mm", "size_mm", "height_mm"}
+    )
+    if graded:
+        kept.pop("remanence_t")
+    new = MagnetSpec.model_validate({**kept, **graded, "part": name})
+    wider, taller = new.diameter_mm - old.diameter_mm, new.height_mm - old.height_mm
+    shell = spec.shell
+    pocket = {
+        "pocket_diameter_mm": shell.pocket_diameter_mm + wider,
+        "pocket_depth_mm": shell.pocket_depth_mm + taller,
+    }
+    return {"magnets": new, "shell": shell.model_copy(update=pocket)}
+
+
+def _with_sizes(spec: ObjectSpec, shell: Any, chosen: dict[str, Any]) -> dict[str, Any]:
+    if not {"shell_thickness_mm", "core_size_mm"} & chosen.keys():
+        return {"shell": shell}
+    thickness = chosen.get("shell_thickness_mm", shell.thickness_mm)
+    edges = spec.core_size_mm
+    if "core_size_mm" in chosen:
+        edges = (chosen["core_size_mm"],) * 3
+    size = tuple(edge + 2 * thickness for edge in edges)
+    return {
+        "shell": shell.model_copy(update={"thickness_mm": thickness}),
+        "body": spec.body.model_copy(update={"size_mm": size}),
+    }
+
+
+def _with_sensors(spec: ObjectSpec, chosen: dict[str, Any]) -> SensorSpec:
+    """A board turned over lies on its recess's floor where it was flush with the core, and back."""
+    sensors = spec.sensors
+    content = sensors.model_dump(exclude_none=True)
+    if "sensor_count" in chosen:
+        content.pop("positions_mm", None)
+        content["count_per_face"] = chosen["sensor_count"]
+    if "sensor_chip" in chosen:
+        content["chip"] = chosen["sensor_chip"]
+        if chosen["sensor_chip"] != sensors.chip:
+            depth = spec.core.recess_depth_mm - sensors.depth_below_core_face_mm
+            content["depth_below_core_face_mm"] = depth
+    if "sensor_turn_deg" in chosen:
+        content["mount_rotation_deg"] = (0.0, 0.0, chosen["sensor_turn_deg"])
+    if "sensor_range_mt" in chosen:
+        for key in ("counts_per_mt", "noise_counts"):
+            del content[key]
+        content["range_mt"] = chosen["sensor_range_mt"]
+    return SensorSpec.model_validate(content)
+
+
+def structure_choices(spec: ObjectSpec) -> dict[str, Any]:
+    """The specification's own values of all choices; a magnet is named where it is a known part."""
+    magnets, sensors = spec.magnets, spec.sensors
+    figures = {key: getattr(magnets, key) for key in ("shape", "height_mm", "diameter_mm")}
+    figures["inner_diameter_mm"] = magnets.inner_diameter_mm
+    part = next((n for n, p in MAGNET_PARTS.items() if p.figures() == figures), magnets.part)
+    return {
+        "magnet_count": len(magnets.positions_mm),
+        "magnet_part": magnets.part or part,
+        "sensor_count": sensors.count_per_face,
+        "sensor_chip": sensors.chip,
+        "sensor_turn_deg": sensors.mount_rotation_deg[2],
+        "sensor_range_mt": sensors.range_mt,
+        "shell_thickness_mm": spec.shell.thickness_mm,
+        "silicone": spec.silicone.name,
+        "core_size_mm": spec.core_size_mm[0],
+    }

@@ -1,0 +1,1 @@
+"""Exact solids of core, shell, probes and jigs (CadQuery)."""

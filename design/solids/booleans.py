@@ -1,0 +1,94 @@
+"""Booleans over exact solids and closed triangle surfaces alike.
+
+A body that is known by its triangles meets mould tools that are exact: whatever an operation has
+triangles among its operands is done with triangles, everything else stays exact.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, TypeAlias
+
+import cadquery as cq
+import numpy as np
+import trimesh
+
+from design.body.meshes import one_closed_surface
+from design.solids.primitives import single_solid
+
+Shape: TypeAlias = cq.Shape | trimesh.Trimesh
+Solid: TypeAlias = cq.Solid | trimesh.Trimesh
+
+_FINENESS = (0.005, 0.1)
+"""Tools leave their solids by 5 µm where they become triangles."""
+
+
+def cut(body: Shape, *tools: Shape) -> Shape:
+    """What is left of a body without the tools."""
+    if not tools:
+        return body
+    exact = _exact(body, *tools)
+    if exact:
+        return exact[0].cut(*exact[1:])
+    return _manifold("difference", [body, *tools])
+
+
+def join(body: Shape, *tools: Shape) -> Shape:
+    """The union of a body and the tools."""
+    if not tools:
+        return body
+    exact = _exact(body, *tools)
+    if exact:
+        return exact[0].fuse(*exact[1:])
+    return _manifold("union", [body, *tools])
+
+
+def common(body: Shape, tool: Shape) -> Shape:
+    """What a body and a tool share."""
+    exact = _exact(body, tool)
+    if exact:
+        return exact[0].intersect(exact[1])
+    return _manifold("intersection", [body, tool])
+
+
+def volume_mm3(body: Shape) -> float:
+    """Volume; 0 of nothing."""
+    if isinstance(body, cq.Shape):
+        return float(sum(solid.Volume() for solid in body.Solids()))
+    return float(body.volume) if len(body.faces) else 0.0
+
+
+def one_body(shape: Shape, part: str) -> Solid:
+    """The one closed body that a shape is made of.
+
+    Raises
+    ------
+    NotOneSolid
+        An InputError: several pieces, or a surface that is not closed.
+    """
+    if isinstance(shape, cq.Shape):
+        return single_solid(shape, part)
+    return one_closed_surface(shape, part)
+
+
+def as_triangles(shape: Shape) -> trimesh.Trimesh:
+    """Triangles of an exact solid within 5 µm; what consists of triangles is returned."""
+    if not isinstance(shape, cq.Shape):
+        return shape
+    points, triangles = shape.tessellate(*_FINENESS)
+    mesh = trimesh.Trimesh([point.toTuple() for point in points], triangles)
+    mesh.merge_vertices(digits_vertex=7)
+    corners = np.sort(mesh.faces, axis=1)
+    mesh.update_faces((np.diff(corners, axis=1) > 0).all(axis=1))
+    return mesh
+
+
+def _exact(*shapes: Shape) -> list[cq.Shape]:
+    """The same shapes if all of them are exact, else nothing."""
+    exact = [shape for shape in shapes if isinstance(shape, cq.Shape)]
+    return exact if len(exact) == len(shapes) else []
+
+
+def _manifold(operation: str, shapes: Sequence[Shape]) -> Any:
+    meshes = [as_triangles(shape) for shape in shapes]
+    return getattr(trimesh.boolean, operation)(meshes, engine="manifold")

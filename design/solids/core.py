@@ -1,0 +1,124 @@
+"""The rigid printed core, with sensor recesses, hub recesses, wire holes and a cavity."""
+
+from __future__ import annotations
+
+import cadquery as cq
+import numpy as np
+
+from design.body.blocks import core_keys
+from design.body.kinds import FACE_AXES, core_half_mm
+from design.layout.core_hold import wire_hole_diameter_mm
+from design.layout.pockets import core_pockets, sensor_places
+from design.layout.positions import FaceFrame, core_frames
+from design.solids.body import core_hollow, core_solid
+from design.solids.primitives import (
+    OVERSHOOT_MM,
+    block_solid,
+    box_between,
+    cylinder_on_face,
+    pocket_solid,
+    radial_box_on_face,
+    single_solid,
+)
+from design.spec.object import ObjectSpec
+
+
+def make_core(spec: ObjectSpec) -> cq.Solid:
+    """Core in the object's frame (mm), its cavity open towards −z.
+
+    Raises
+    ------
+    InputError
+        The dimensions do not give one valid solid.
+    """
+    cutters = [*_cavity(spec), *_outlets(spec)]
+    frames = core_frames(spec)
+    for frame, places in zip(frames, sensor_places(spec), strict=True):
+        if spec.arrangement == "sensors-in-core":
+            cutters += [_sensor_recess(spec, frame, place) for place in places]
+            cutters += _wire_channels(spec, frame, places)
+        cutters += _wire_passage(spec, frame)
+    for frame, pockets in zip(frames, core_pockets(spec), strict=True):
+        cutters += [pocket_solid(frame, pocket) for pocket in pockets]
+    body = core_solid(spec)
+    keys = [block_solid(key) for key in core_keys(spec)]
+    return single_solid((body.fuse(*keys) if keys else body).cut(*cutters), "core")
+
+
+def _cavity(spec: ObjectSpec) -> list[cq.Solid]:
+    rooms, bay = core_hollow(spec), spec.core.bay_mm
+    if bay is not None:
+        z = spec.core_size_mm[2] / 2
+        bottom = -z - OVERSHOOT_MM
+        half_x, half_y, top = bay[0] / 2, bay[1] / 2, bay[2] - z
+        rooms.append(box_between((-half_x, -half_y, bottom), (half_x, half_y, top)))
+    return rooms
+
+
+def _outlets(spec: ObjectSpec) -> list[cq.Solid]:
+    """Of a core without a cavity: from its middle, where the wire holes meet, out of every open face."""
+    if core_hollow(spec):
+        return []
+    radius, half = spec.core.wire_hole_side_diameter_mm / 2, core_half_mm(spec)
+    middle, found = cq.Vector(0, 0, 0), []
+    for face in spec.body.opened:
+        normal = np.asarray(FACE_AXES[face][0], float)
+        length = float(abs(normal) @ half) + OVERSHOOT_MM
+        found.append(cq.Solid.makeCylinder(radius, length, middle, cq.Vector(*normal)))
+    return found
+
+
+def _sensor_recess(
+    spec: ObjectSpec, frame: FaceFrame, place: tuple[float, float, float]
+) -> cq.Solid:
+    """Box of the recess's width and radial extent about the sensor, turned to its azimuth."""
+    core, (x, y, azimuth) = spec.core, place
+    offset = float(np.hypot(x, y)) - spec.sensors.radius_mm
+    return radial_box_on_face(
+        frame.tangent(np.array([x, y])),
+        float(np.rad2deg(azimuth)),
+        core.recess_width_mm,
+        (core.recess_inner_radius_mm + offset, core.recess_outer_radius_mm + offset),
+        (-core.recess_depth_mm, OVERSHOOT_MM),
+    )
+
+
+def _wire_channels(
+    spec: ObjectSpec, frame: FaceFrame, places: tuple[tuple[float, float, float], ...]
+) -> list[cq.Solid]:
+    """Channels from the wire hole at the face's centre into every recess."""
+    core = spec.core
+    if not core.wire_channel_width_mm:
+        return []
+    heights = (-core.wire_channel_depth_mm, OVERSHOOT_MM)
+    return [
+        radial_box_on_face(
+            frame,
+            float(np.rad2deg(np.arctan2(y, x))),
+            core.wire_channel_width_mm,
+            (0.0, float(np.hypot(x, y))),
+            heights,
+        )
+        for x, y, _ in places
+    ]
+
+
+def _wire_passage(spec: ObjectSpec, frame: FaceFrame) -> list[cq.Solid]:
+    """Wire hole through the wall at the face centre, and the hub recess where it is wider."""
+    core = spec.core
+    radius = wire_hole_diameter_mm(spec, frame.number) / 2
+    through = -_passage_mm(spec, frame) - OVERSHOOT_MM
+    passage = [cylinder_on_face(frame, (0.0, 0.0), radius, through, OVERSHOOT_MM)]
+    if core.hub_radius_mm > radius:
+        hub = (core.hub_radius_mm, -core.hub_depth_mm, OVERSHOOT_MM)
+        passage.append(cylinder_on_face(frame, (0.0, 0.0), *hub))
+    return passage
+
+
+def _passage_mm(spec: ObjectSpec, frame: FaceFrame) -> float:
+    """How deep a wire hole is: through the wall of a hollow core, else to where wires leave."""
+    if core_hollow(spec):
+        return spec.core.wall_mm
+    if spec.body.kind in ("pad", "dome"):
+        return float(frame.centre_mm[2]) + spec.body.size_mm[2] / 2
+    return float(abs(frame.normal) @ core_half_mm(spec))

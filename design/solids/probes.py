@@ -1,0 +1,108 @@
+"""Calibration probes: tips of the indenter's kind on shafts under a mounting plate."""
+
+from __future__ import annotations
+
+import cadquery as cq
+import numpy as np
+
+from design.layout.tip_shapes import footprint_mm, tip_places_mm
+from design.solids.primitives import OVERSHOOT_MM, box_between, single_solid
+from design.spec.indenter import IndenterSpec
+from design.spec.object import ObjectSpec
+
+SHAFT_LENGTH_MM = 10.0
+PLATE_MM = 4.0
+PLATE_MARGIN_MM = 5.0
+_ABOVE_FILLET_MM = 4.0
+_SHAFT_SHARE = 0.6
+_ORIGIN = cq.Vector(0, 0, 0)
+
+
+def make_probe(spec: ObjectSpec, tips: int) -> cq.Solid:
+    """Probe with 1, 2 or 3 tips of the indenter's kind and size, mm.
+
+    The tips point to −z and their lowest points lie at z = 0, so that a probe placed in a face's
+    frame touches that face.
+
+    Raises
+    ------
+    InputError
+        No such probe, or the dimensions do not give one valid solid.
+    """
+    indenter = spec.indenter
+    if tips != indenter.tip_count:
+        indenter = indenter.model_copy(update={"tip_count": tips, "tip_spacing_mm": None})
+    tip = _hemisphere(indenter) if indenter.kind == "hemisphere" else _body(indenter)
+    plate_z = _top_of_tip_mm(indenter, tip) + SHAFT_LENGTH_MM
+    shaft = _shaft(indenter, tip, plate_z)
+    reach = abs(footprint_mm(indenter)).max(axis=0) + PLATE_MARGIN_MM
+    plate = box_between((-reach[0], -reach[1], plate_z), (reach[0], reach[1], plate_z + PLATE_MM))
+    places = [cq.Vector(float(x), float(y), 0) for x, y in tip_places_mm(indenter)]
+    pieces = [piece.translate(place) for place in places for piece in (tip, shaft)]
+    return single_solid(plate.fuse(*pieces), f"probe_{tips}")
+
+
+def _top_of_tip_mm(indenter: IndenterSpec, tip: cq.Shape) -> float:
+    return indenter.radius_mm if indenter.kind == "hemisphere" else tip.BoundingBox().zmax
+
+
+def _shaft(indenter: IndenterSpec, tip: cq.Shape, plate_z: float) -> cq.Solid:
+    """A hemisphere's goes on with its own radius; others stand on the body's centre of mass."""
+    if indenter.kind == "hemisphere":
+        start, radius = cq.Vector(0, 0, indenter.radius_mm), indenter.radius_mm
+    else:
+        start, box = tip.Center(), tip.BoundingBox()
+        radius = _SHAFT_SHARE * min(box.xlen, box.ylen) / 2
+    length = plate_z + OVERSHOOT_MM - start.z
+    return cq.Solid.makeCylinder(radius, length, start, cq.Vector(0, 0, 1))
+
+
+def _hemisphere(indenter: IndenterSpec) -> cq.Shape:
+    equator = cq.Vector(0, 0, indenter.radius_mm)
+    return cq.Solid.makeSphere(indenter.radius_mm, equator, cq.Vector(0, 0, 1), -90, 0, 360)
+
+
+def _body(indenter: IndenterSpec) -> cq.Shape:
+    """The tip turned by yaw and tilt, its lowest point (or the middle of what is lowest) at 0."""
+    solid: cq.Shape = _SOLIDS[indenter.kind](indenter)
+    turns = zip(np.eye(3)[[2, 0, 1]], (indenter.yaw_deg, *indenter.tilt_deg), strict=True)
+    for axis, angle in turns:
+        solid = solid.rotate(_ORIGIN, cq.Vector(*axis), angle)
+    box, low = solid.BoundingBox(), footprint_mm(indenter.model_copy(update={"tip_count": 1}))
+    return solid.translate(cq.Vector(low[0, 0] - box.xmin, low[0, 1] - box.ymin, -box.zmin))
+
+
+def _flat(indenter: IndenterSpec) -> cq.Solid:
+    disk = cq.Solid.makeCylinder(indenter.radius_mm, indenter.fillet_mm + _ABOVE_FILLET_MM)
+    if not indenter.fillet_mm:
+        return disk
+    return disk.fillet(indenter.fillet_mm, disk.faces("<Z").Edges())
+
+
+def _cuboid(indenter: IndenterSpec) -> cq.Solid:
+    half = np.asarray(indenter.size_mm) / 2
+    box = box_between([*-half, 0.0], [*half, indenter.fillet_mm + _ABOVE_FILLET_MM])
+    if not indenter.fillet_mm:
+        return box
+    sides = box.edges("|Z").Edges() + box.faces("<Z").Edges()
+    return box.fillet(indenter.fillet_mm, sides)
+
+
+def _cylinder(indenter: IndenterSpec) -> cq.Solid:
+    start = cq.Vector(-indenter.length_mm / 2, 0, 0)
+    return cq.Solid.makeCylinder(indenter.radius_mm, indenter.length_mm, start, cq.Vector(1, 0, 0))
+
+
+def _polyhedron(indenter: IndenterSpec) -> cq.Solid:
+    from scipy.spatial import ConvexHull
+
+    corners = np.asarray(indenter.vertices_mm, float)
+    hull = ConvexHull(corners)
+    faces = []
+    for simplex in hull.simplices:
+        loop = [cq.Vector(*corner) for corner in corners[simplex]]
+        faces.append(cq.Face.makeFromWires(cq.Wire.makePolygon(loop, close=True)))
+    return cq.Solid.makeSolid(cq.Shell.makeShell(faces)).fix()
+
+
+_SOLIDS = {"flat": _flat, "cuboid": _cuboid, "cylinder": _cylinder, "stl": _polyhedron}

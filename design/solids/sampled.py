@@ -1,0 +1,154 @@
+"""Shell and core as closed surfaces: the parts of bodies that are known by their triangles."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from design.body.blocks import core_keys, relief_slits
+from design.body.kinds import core_half_mm
+from design.body.meshes import one_closed_surface
+from design.body.sampled import sampled_core
+from design.body.surface import block_surface, cavity_surface, outer_surface
+from design.layout.core_hold import Locator, core_outlet, locators
+from design.layout.mould_frame import cast_corners_mm
+from design.layout.pockets import Pocket, sensor_places, shell_pockets
+from design.layout.positions import FaceFrame, core_frames, face_frames
+
+if TYPE_CHECKING:
+    import trimesh
+
+    from design.spec.object import ObjectSpec
+
+_OVERSHOOT_MM = 0.5
+_SECTIONS = 64
+_LEAST_HOLLOW_MM = 3.0
+
+
+def sampled_shell(spec: ObjectSpec) -> trimesh.Trimesh:
+    """The cast shell, pockets open outwards, in the object's frame (mm), of any body.
+
+    Of bodies that are known by their triangles it is the part itself; of all others it leaves the
+    exact shell by the mesh's envelope, and round pockets by 0.004 mm.
+
+    Raises
+    ------
+    NotOneSolid
+        An InputError: the dimensions do not give one closed surface.
+    """
+    pockets = [
+        _pocket(frame.tangent(pocket.body.centre_mm[:2]), pocket)
+        for frame, face in zip(face_frames(spec), shell_pockets(spec), strict=True)
+        for pocket in face
+    ]
+    blocks = [block_surface(block) for block in (*core_keys(spec), *relief_slits(spec))]
+    holes = [_locator_hole(locator) for locator in locators(spec)]
+    cavity = cavity_surface(spec)
+    removed = [*pockets, *blocks, *holes, *([] if cavity is None else [cavity])]
+    return _one(cast_surface(spec), removed, "shell")
+
+
+def cast_surface(spec: ObjectSpec) -> trimesh.Trimesh:
+    """The outside of what the first pour casts, as a closed surface."""
+    import trimesh
+
+    if not spec.shell.seal_layer_mm:
+        return outer_surface(spec)
+    return trimesh.creation.box(bounds=cast_corners_mm(spec))
+
+
+def _locator_hole(locator: Locator) -> trimesh.Trimesh:
+    """From within the core to outside the face."""
+    import trimesh
+
+    middle, normal = locator.frame.centre_mm, locator.frame.normal
+    ends = [middle - (locator.depth_mm + _OVERSHOOT_MM) * normal, middle + _OVERSHOOT_MM * normal]
+    return trimesh.creation.cylinder(locator.radius_mm, segment=ends, sections=_SECTIONS)
+
+
+def sampled_core_part(spec: ObjectSpec) -> trimesh.Trimesh:
+    """The core with its recesses and wire holes, hollow with an outlet by the bore if there is room.
+
+    Raises
+    ------
+    NotOneSolid
+        An InputError: the dimensions do not give one closed surface.
+    """
+    removed = []
+    for frame, places in zip(core_frames(spec), sensor_places(spec), strict=True):
+        removed += [_recess(spec, frame, place) for place in places]
+        removed.append(_wire_hole(spec, frame.centre_mm + _OVERSHOOT_MM * frame.normal))
+    if 6 in spec.body.opened:
+        removed.append(_hollow(spec))
+    return _one(sampled_core(spec), removed, "core")
+
+
+def _hollow(spec: ObjectSpec) -> trimesh.Trimesh:
+    """The core's cavity where there is room for one, and its outlet with a flat on one side."""
+    import trimesh
+
+    wall, outlet = spec.core.wall_mm, core_outlet(spec)
+    length = spec.body.size_mm[2] / 2
+    hollow = trimesh.creation.cylinder(outlet.radius_mm, length, sections=_SECTIONS)
+    hollow.apply_translation((0, 0, -length / 2))
+    if core_half_mm(spec).min() - wall > _LEAST_HOLLOW_MM:
+        shell = spec.shell.model_copy(update={"thickness_mm": spec.shell.thickness_mm + wall})
+        hollow = hollow.union(sampled_core(spec.model_copy(update={"shell": shell})))
+    return hollow.difference(trimesh.creation.box(bounds=outlet.key_mm))
+
+
+def _pocket(frame: FaceFrame, pocket: Pocket) -> trimesh.Trimesh:
+    """The pocket's prism from its floor to above the plane that touches the body there."""
+    import trimesh
+
+    floor, mouth = frame.to_object(pocket.axis_ends_mm)
+    mouth = mouth + _OVERSHOOT_MM * frame.normal
+    half, length = pocket.outline.half_mm, float(np.linalg.norm(mouth - floor))
+    if pocket.outline.round:
+        solid = trimesh.creation.cylinder(half[0], length, sections=_SECTIONS)
+    else:
+        solid = trimesh.creation.box((2 * half[0], 2 * half[1], length))
+    solid.apply_transform(_placed(frame.axes @ pocket.body.frame, (floor + mouth) / 2))
+    return solid
+
+
+def _recess(
+    spec: ObjectSpec, frame: FaceFrame, place: tuple[float, float, float]
+) -> trimesh.Trimesh:
+    import trimesh
+
+    core, (x, y, azimuth) = spec.core, place
+    length = core.recess_outer_radius_mm - core.recess_inner_radius_mm
+    middle = (
+        core.recess_outer_radius_mm + core.recess_inner_radius_mm
+    ) / 2 - spec.sensors.radius_mm
+    height = core.recess_depth_mm + _OVERSHOOT_MM
+    radial = np.array([np.cos(azimuth), np.sin(azimuth), 0.0])
+    turn = np.column_stack([radial, np.cross([0, 0, 1.0], radial), [0, 0, 1.0]])
+    centre = np.array([x, y, height / 2 - core.recess_depth_mm]) + middle * radial
+    tangent = frame.tangent(np.array([x, y]))
+    box = trimesh.creation.box((length, core.recess_width_mm, height))
+    box.apply_transform(_placed(tangent.axes @ turn, tangent.to_object(centre)))
+    return box
+
+
+def _wire_hole(spec: ObjectSpec, end_mm: np.ndarray) -> trimesh.Trimesh:
+    """From the body's centre to a point outside the core."""
+    import trimesh
+
+    radius = spec.core.wire_hole_side_diameter_mm / 2
+    return trimesh.creation.cylinder(radius, segment=[0 * end_mm, end_mm], sections=_SECTIONS)
+
+
+def _placed(axes: np.ndarray, origin_mm: np.ndarray) -> np.ndarray:
+    transform = np.eye(4)
+    transform[:3, :3], transform[:3, 3] = axes, origin_mm
+    return transform
+
+
+def _one(body: trimesh.Trimesh, removed: list[trimesh.Trimesh], name: str) -> trimesh.Trimesh:
+    import trimesh
+
+    part = trimesh.boolean.difference([body, *removed], engine="manifold")
+    return one_closed_surface(part, name)

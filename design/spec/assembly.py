@@ -1,0 +1,82 @@
+"""What was measured on one built object, to stand in place of the design where it is known.
+
+It lies beside a specification as `<specification>.as_built.toml`, or is named by its key `as_built`.
+Places and directions are in the face's frame: x, y, and height above the face (negative inside).
+Magnets and sensors are counted from 1, in the order of the specification.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field, model_validator
+
+from design.spec.base import Count, Finite, Positive, SpecPart
+
+FaceNumber = Annotated[int, Field(ge=1, le=6)]
+Triple = tuple[Finite, Finite, Finite]
+Axis = Literal["X", "Y", "Z"]
+
+
+class BuiltMagnet(SpecPart):
+    """One magnet as found: what is left out is as designed. `axis` points north, of any length."""
+
+    face: FaceNumber
+    magnet: Count
+    centre_mm: Triple | None = None
+    axis: Triple | None = None
+    flipped: bool = False
+    remanence_t: Positive | None = None
+
+    @model_validator(mode="after")
+    def _has_a_direction(self) -> BuiltMagnet:
+        if self.axis is not None and not any(self.axis):
+            raise ValueError(
+                f"as_built: the axis of magnet {self.magnet} of face {self.face} has no direction; "
+                "got [0, 0, 0]. Give the direction of its north pole, or leave axis out"
+            )
+        return self
+
+
+class BuiltSensor(SpecPart):
+    """One sensor as found. `rotation_deg` turns the chip by that rotation vector."""
+
+    face: FaceNumber
+    sensor: Count
+    position_mm: Triple | None = None
+    rotation_deg: Triple = (0.0, 0.0, 0.0)
+    dead: tuple[Axis, ...] = ()
+
+
+class AsBuiltSpec(SpecPart):
+    """Everything that was measured; empty where the object is taken as designed."""
+
+    magnets: tuple[BuiltMagnet, ...] = ()
+    sensors: tuple[BuiltSensor, ...] = ()
+
+    @model_validator(mode="after")
+    def _each_once(self) -> AsBuiltSpec:
+        named = [("magnet", m.face, m.magnet) for m in self.magnets]
+        named += [("sensor", s.face, s.sensor) for s in self.sensors]
+        for kind, face, number in named:
+            if named.count((kind, face, number)) > 1:
+                raise ValueError(
+                    f"as_built names {kind} {number} of face {face} more than once. Merge the entries"
+                )
+        return self
+
+    def require_known(self, magnets: int, sensors: int, faces: tuple[int, ...]) -> None:
+        """Raise ValueError where an entry names a face, magnet or sensor that there is not."""
+        named = [("magnet", m.face, m.magnet, magnets) for m in self.magnets]
+        named += [("sensor", s.face, s.sensor, sensors) for s in self.sensors]
+        for kind, face, number, count in named:
+            if face not in faces:
+                raise ValueError(
+                    f"as_built names {kind} {number} of face {face}; the sensed faces are {list(faces)}. "
+                    "Name one of them"
+                )
+            if number > count:
+                raise ValueError(
+                    f"as_built names {kind} {number} of face {face}; each face has {count}. Count "
+                    "from 1 in the order of the specification"
+                )

@@ -1,0 +1,131 @@
+"""The body in a specification: its outer shape, which faces are open, and what is inside.
+
+Defaults are the paper's cube (Knopke et al., RA-L 2024).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Annotated, Literal
+
+from pydantic import Field, model_validator
+
+from design.spec.base import Positive, SpecPart
+
+BodyKind = Literal["box", "pad", "cylinder", "sphere", "ellipsoid", "dome", "imported"]
+FaceNumber = Annotated[int, Field(ge=1, le=6)]
+
+CLOSABLE: dict[BodyKind, tuple[int, ...]] = {
+    "box": (1, 2, 3, 4, 5, 6),
+    "pad": (1,),
+    "cylinder": (1, 2, 3, 4, 5, 6),
+    "sphere": (1, 2, 3, 4, 5, 6),
+    "ellipsoid": (1, 2, 3, 4, 5, 6),
+    "dome": (1,),
+    "imported": (1, 2, 3, 4, 5, 6),
+}
+"""Faces that a body can have: 1 = +z, 2 = −y, 3 = +x, 4 = +y, 5 = −x, 6 = −z."""
+
+_OPENABLE: dict[BodyKind, tuple[int, ...]] = {
+    "box": (1, 2, 3, 4, 5, 6),
+    "cylinder": (1, 6),
+    "sphere": (6,),
+    "ellipsoid": (6,),
+    "imported": (6,),
+}
+
+_OPPOSITE = ((1, 6), (2, 4), (3, 5))
+
+
+class BodySpec(SpecPart):
+    """Outer shape of the object, silicone and what is inside it, in a box of `size_mm` (x, y, z).
+
+    "box"; "cylinder" about z; "sphere"; "ellipsoid" of three diameters; "pad", a slab of silicone
+    on a rigid plate; "dome", a hemisphere on a rigid base, with `inside` of it a rigid core,
+    silicone or air; "imported", the closed surface in `file` (STL, STEP and others), moved so that
+    its box is centred. `open_faces` have no silicone: there the core's cavity runs out, of a ball
+    or an imported body through a bore of `bore_mm`. `sensed_faces`, by default all that are closed,
+    carry magnets and sensors and are pressed.
+    """
+
+    kind: BodyKind = "box"
+    size_mm: tuple[Positive, Positive, Positive] = (42.0, 42.0, 42.0)
+    open_faces: tuple[FaceNumber, ...] = (6,)
+    sensed_faces: tuple[FaceNumber, ...] | None = None
+    inside: Literal["core", "silicone", "air"] = "core"
+    bore_mm: Positive = 10.0
+    file: str | None = None
+
+    def __hash__(self) -> int:
+        return hash(self.model_dump_json())
+
+    @property
+    def opened(self) -> tuple[int, ...]:
+        """`open_faces` where the body has faces that can be open, else none."""
+        openable = _OPENABLE.get(self.kind, ())
+        return tuple(sorted(face for face in set(self.open_faces) if face in openable))
+
+    @property
+    def sensed(self) -> tuple[int, ...]:
+        """Numbers of the sensed faces, in order."""
+        closed = tuple(face for face in CLOSABLE[self.kind] if face not in self.opened)
+        return closed if self.sensed_faces is None else tuple(sorted(self.sensed_faces))
+
+    @model_validator(mode="after")
+    def _agrees(self) -> BodySpec:
+        for check in (_check_size, _check_faces, _check_inside):
+            check(self)
+        return self
+
+
+def _check_size(body: BodySpec) -> None:
+    x, y, z = body.size_mm
+    rules: dict[str, tuple[Callable[[], bool], str]] = {
+        "cylinder": (lambda: x == y, "x and y alike, the diameter"),
+        "sphere": (lambda: x == y == z, "three times its diameter"),
+        "dome": (
+            lambda: x == y and z > x / 2,
+            "x and y alike, the diameter, and z above half of it",
+        ),
+    }
+    holds, wanted = rules.get(body.kind, (lambda: True, ""))
+    if not holds():
+        raise ValueError(
+            f"body.size_mm of a {body.kind} must be {wanted}; got {list(body.size_mm)}. Mend the "
+            "size, or choose another body.kind"
+        )
+
+
+def _check_faces(body: BodySpec) -> None:
+    openable = _OPENABLE.get(body.kind, ())
+    unknown = [face for face in body.open_faces if face not in openable]
+    if openable and unknown:
+        raise ValueError(
+            f"body.open_faces of a {body.kind} may name {list(openable)}; got {unknown}. Leave those out"
+        )
+    closed = [face for face in CLOSABLE[body.kind] if face not in body.opened]
+    if not closed:
+        raise ValueError("body.open_faces leaves no face of silicone. Close one of them")
+    if body.kind == "box" and tuple(closed) in _OPPOSITE:
+        raise ValueError(
+            f"body.open_faces leaves two faces {closed} that do not meet: the shell would be in two "
+            "pieces. Close another face, or open one of the two"
+        )
+    wrong = [face for face in body.sensed_faces or () if face not in closed]
+    if wrong or body.sensed_faces == ():
+        raise ValueError(
+            f"body.sensed_faces must name some of the closed faces {closed}; got "
+            f"{list(body.sensed_faces or ())}. Mend it, or leave it out to take them all"
+        )
+
+
+def _check_inside(body: BodySpec) -> None:
+    if body.inside != "core" and body.kind != "dome":
+        raise ValueError(
+            f"body.inside = {body.inside!r} is for a dome; got body.kind = {body.kind!r}. Leave it out"
+        )
+    if (body.kind == "imported") != (body.file is not None):
+        raise ValueError(
+            f"body.file goes with kind = 'imported'; got kind = {body.kind!r} and file = {body.file!r}. "
+            "Give both or neither"
+        )

@@ -1,0 +1,77 @@
+"""How the parts are made, in a specification: mould, printer, files.
+
+Defaults give the paper's two-part mould (Knopke et al., RA-L 2024); docs/units.md gives the source
+of each figure.
+"""
+
+from __future__ import annotations
+
+from dataclasses import asdict
+from typing import Annotated, Any, Literal
+
+from pydantic import Field, model_validator
+
+from design.catalogue.printers import Process, printer_preset
+from design.spec.base import Finite, Positive, SpecPart
+
+
+class MouldSpec(SpecPart):
+    """The mould that the shell is cast in.
+
+    "one-piece" is the paper's box with bosses on its walls, for bodies with an open side; "split"
+    are two halves, pulled apart across a plane through z, with loose pins as bosses, drawn first,
+    along their own axes (bosses that point along the pull stay on their half). Left out, the style
+    is one piece where a side is open. The plane's normal has `parting_azimuth_deg` from x; left
+    out, it is chosen for the body's kind (`design.layout.mould_frame.parting`). `play_mm` is left between
+    parts that slide; left out, it is the printer's clearance. A closed mould is poured through a
+    hole of `pour_mm`; vents of `vent_mm` (left out: the printer's narrowest hole) stand where air
+    would be caught. `draft_deg` widens pins and rods from where they leave the silicone, dowels
+    have `dowel_draft_deg`; walls that shape silicone have the draft of the object's own.
+    """
+
+    style: Literal["one-piece", "split"] | None = None
+    wall_mm: Positive = 1.5
+    play_mm: Positive | None = None
+    parting_azimuth_deg: Finite | None = None
+    flange_mm: Positive = 8.0
+    dowel_draft_deg: Annotated[float, Field(ge=0, le=30)] = 10.0
+    draft_deg: Annotated[float, Field(ge=0, le=10)] = 0.0
+    pour_mm: Positive = 6.0
+    vent_mm: Positive | None = None
+    silicone_waste: Annotated[float, Field(ge=0, le=2)] = 0.15
+
+
+class PrinterSpec(SpecPart):
+    """What the printer of core, mould and probes can make; figures left out are those of `name`.
+
+    In a file, `printer = "profile.toml"` takes this table from another one beside it. Walls,
+    features (pins, ribs) and holes below the given sizes fail, bosses more slender than
+    `aspect` (height over width) and walls with less draft than `draft_deg` are warned of.
+    """
+
+    name: str = "fdm-0.4"
+    process: Process = "fdm"
+    bed_mm: tuple[Positive, Positive, Positive] = (220.0, 220.0, 240.0)
+    wall_mm: Positive = 0.8
+    feature_mm: Positive = 0.8
+    hole_mm: Positive = 1.0
+    clearance_mm: Positive = 0.1
+    aspect: Positive = 4.0
+    draft_deg: Annotated[float, Field(ge=0, lt=45)] = 1.0
+    density_g_per_cm3: Positive = 1.27
+
+    @model_validator(mode="before")
+    @classmethod
+    def _figures_left_out(cls, given: Any) -> Any:
+        if not isinstance(given, dict) or not isinstance(given.get("name", ""), str):
+            return given
+        own = set(cls.model_fields) - {"name"} <= set(given)
+        preset = {} if own else asdict(printer_preset(given.get("name", "fdm-0.4")))
+        return {**preset, **given}
+
+
+class ExportSpec(SpecPart):
+    """How far the triangles of STL, 3MF and GLB files may leave the solids, and turn at a step."""
+
+    mesh_tolerance_mm: Positive = 0.05
+    mesh_angle_rad: Annotated[float, Field(gt=0, le=1)] = 0.2

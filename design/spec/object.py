@@ -1,0 +1,129 @@
+"""The specification of an instrumented object: frozen, validated, with units in the field names.
+
+Every later stage is a function of an `ObjectSpec`. Lengths are in mm, stresses in MPa, flux
+densities in T (fields of sensors in mT), forces in N. Defaults are the paper's cube
+(Knopke et al., RA-L 2024); docs/units.md gives the source of each figure.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal
+
+from pydantic import Field, model_validator
+
+from design.fit.box import require_fit
+from design.spec.assembly import AsBuiltSpec
+from design.spec.base import SpecPart
+from design.spec.body import BodySpec
+from design.spec.environment import EnvironmentSpec
+from design.spec.fabrication import ExportSpec, MouldSpec, PrinterSpec
+from design.spec.hardware import (
+    CoreSpec,
+    ShellSpec,
+)
+from design.spec.indenter import IndenterSpec
+from design.spec.learning import CollectionSpec
+from design.spec.magnets import MagnetSpec
+from design.spec.mechanics import (
+    ContactGridSpec,
+    LimitsSpec,
+    MechanicsSpec,
+    MeshSpec,
+    PressSpec,
+    ProtocolSpec,
+    ScoreSpec,
+    TrainingSpec,
+)
+from design.spec.search import SearchSpec
+from design.spec.sensors import FACES_OF_A_CUBE, SensorSpec, fastest_frame_rate_hz
+from design.spec.silicone import SiliconeSpec
+from design.spec.tolerances import TolerancesSpec
+
+SINGLE_PRESSES = "single presses"
+"""Context of validation that leaves open whether the indenter fits at every contact place."""
+
+LARGEST_RATIO_WITHOUT_PRESSURE = 0.4999
+"""Poisson's ratio beyond which λ = E ν / ((1 + ν)(1 − 2ν)) alone spoils the factorization's digits."""
+
+
+class ObjectSpec(SpecPart):
+    """A whole instrumented object with everything that its simulation needs."""
+
+    name: Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.-]*$", max_length=80)]
+    seed: Annotated[int, Field(ge=0)] = 1
+    arrangement: Literal["sensors-in-core", "sensors-in-shell"] = "sensors-in-core"
+    body: BodySpec = BodySpec()
+    shell: ShellSpec = ShellSpec()
+    silicone: SiliconeSpec = SiliconeSpec()
+    magnets: MagnetSpec = MagnetSpec()
+    core: CoreSpec = CoreSpec()
+    sensors: SensorSpec = SensorSpec()
+    environment: EnvironmentSpec = EnvironmentSpec()
+    contact_grid: ContactGridSpec = ContactGridSpec()
+    indenter: IndenterSpec = IndenterSpec()
+    press: PressSpec = PressSpec()
+    mesh: MeshSpec = MeshSpec()
+    mechanics: MechanicsSpec = MechanicsSpec()
+    score: ScoreSpec = ScoreSpec()
+    protocol: ProtocolSpec = ProtocolSpec()
+    collection: CollectionSpec = CollectionSpec()
+    training: TrainingSpec = TrainingSpec()
+    limits: LimitsSpec = LimitsSpec()
+    tolerances: TolerancesSpec = TolerancesSpec()
+    as_built: AsBuiltSpec = AsBuiltSpec()
+    search: SearchSpec = SearchSpec()
+    mould: MouldSpec = MouldSpec()
+    printer: PrinterSpec = PrinterSpec()
+    export: ExportSpec = ExportSpec()
+
+    @property
+    def core_size_mm(self) -> tuple[float, float, float]:
+        """Edges of the core: the body less one shell thickness on every side."""
+        x, y, z = self.body.size_mm
+        t = 2 * self.shell.thickness_mm
+        return (x - t, y - t, z - t)
+
+    @model_validator(mode="after")
+    def _element_takes_the_material(self) -> ObjectSpec:
+        nu, element = self.silicone.poisson_ratio, self.mechanics.element
+        if element != "taylor-hood" and nu > LARGEST_RATIO_WITHOUT_PRESSURE:
+            raise ValueError(
+                f'mechanics.element = "{element}" has no pressure unknowns and takes '
+                f"silicone.poisson_ratio up to {LARGEST_RATIO_WITHOUT_PRESSURE:g}; got {nu:g}. Lower it, "
+                'or use mechanics.element = "taylor-hood"'
+            )
+        return self
+
+    @model_validator(mode="after")
+    def _frames_can_be_read(self) -> ObjectSpec:
+        sensors, faces = self.sensors, len(self.body.sensed)
+        fastest = fastest_frame_rate_hz(sensors, faces)
+        if sensors.frame_rate_hz > fastest:
+            raise ValueError(
+                f"sensors.frame_rate_hz = {sensors.frame_rate_hz:g} is beyond the {fastest:.4g} Hz at "
+                f"which {faces * sensors.count_per_face} sensors with averaging = {sensors.averaging} "
+                f"can be read over one bus of {sensors.i2c_khz:g} kHz. Lower it or the averaging, or "
+                "raise i2c_khz"
+            )
+        return self
+
+    @model_validator(mode="after")
+    def _sensors_for_every_face(self) -> ObjectSpec:
+        given, faces = self.sensors.positions_mm, self.body.sensed
+        if given is not None and len(given) not in (FACES_OF_A_CUBE, len(faces)):
+            raise ValueError(
+                f"sensors.positions_mm holds {len(given)} lists of places; the body's sensed faces are "
+                f"{list(faces)}. Give one list for all of them, or one for each"
+            )
+        return self
+
+    @model_validator(mode="after")
+    def _as_built_parts_exist(self) -> ObjectSpec:
+        magnets, sensors = len(self.magnets.positions_mm), self.sensors.count_per_face
+        self.as_built.require_known(magnets, sensors, self.body.sensed)
+        return self
+
+    @model_validator(mode="after")
+    def _everything_fits(self, info: Any) -> ObjectSpec:
+        require_fit(self, table=info.context != SINGLE_PRESSES)
+        return self

@@ -1,0 +1,171 @@
+"""What a layout search may change, within which limits, and what it is to improve.
+
+Everything that is left out of `[search.vary]` stays as the specification has it. Lists are choices:
+the mechanics of every shell (thickness, core, silicone, magnet's outline) is solved once, in
+minutes, and a shell that came up before costs nothing. Ranges are continuous.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field, model_validator
+
+from design.spec.base import Count, Finite, NonNegative, Positive, SpecPart
+
+Engine = Literal["tpe", "cma-es", "nsga-ii", "nsga-iii", "random"]
+Objective = Literal[
+    "worst_position_bound_mm",
+    "median_position_bound_mm",
+    "worst_force_bound_n",
+    "cross_face_sigma",
+    "sensitivity_ratio",
+    "edge_position_bound_mm",
+    "slip_place_mm",
+    "tolerance_place_mm",
+    "compliance_deviation",
+    "cost",
+]
+OBJECTIVES_TO_MAXIMIZE = ("sensitivity_ratio",)
+PARETO_ENGINES = ("tpe", "nsga-ii", "nsga-iii", "random")
+
+WantedCompliance = dict[Literal["everywhere", "corner", "edge", "mid_edge", "centre"], Positive]
+_SOFTENS = ("shell_thickness_mm", "silicone", "core_size_mm")
+Range = tuple[Finite, Finite]
+Some = Field(min_length=1, max_length=20)
+
+
+class VarySpec(SpecPart):
+    """What may change; magnets have one layout for every face, and so have sensors that move.
+
+    A changed magnet keeps its pocket's clearance and the silicone above it; where thickness or core
+    change, the core's inside stays and the body grows or shrinks. A changed range takes the part's
+    gain and noise. `magnet_reach_mm` and `sensor_reach_mm` limit |x| and |y|, of sensors on a ring
+    the radius.
+    """
+
+    magnet_count: Annotated[tuple[Count, ...], Some] | None = None
+    magnet_part: Annotated[tuple[str, ...], Some] | None = None
+    magnet_reach_mm: Positive | None = None
+    magnet_depth_mm: Range | None = None
+    magnet_tilt_deg: Annotated[float, Field(gt=0, le=30)] | None = None
+    magnet_north: bool = False
+    sensor_count: Annotated[tuple[Annotated[int, Field(ge=1, le=12)], ...], Some] | None = None
+    sensor_reach_mm: Positive | None = None
+    sensor_chip: Annotated[tuple[Literal["inward", "outward"], ...], Some] | None = None
+    sensor_turn_deg: Annotated[tuple[Finite, ...], Some] | None = None
+    sensor_range_mt: Annotated[tuple[Positive, ...], Some] | None = None
+    shell_thickness_mm: Annotated[tuple[Positive, ...], Some] | None = None
+    silicone: Annotated[tuple[str, ...], Some] | None = None
+    core_size_mm: Annotated[tuple[Positive, ...], Some] | None = None
+
+    @model_validator(mode="after")
+    def _is_possible(self) -> VarySpec:
+        if self.magnet_depth_mm and not 0 < self.magnet_depth_mm[0] < self.magnet_depth_mm[1]:
+            raise ValueError(
+                "search.vary.magnet_depth_mm must rise from above 0; got "
+                f"{list(self.magnet_depth_mm)}. Give the least depth first"
+            )
+        for part in ("magnet", "sensor"):
+            if getattr(self, f"{part}_count") and getattr(self, f"{part}_reach_mm") is None:
+                raise ValueError(
+                    f"search.vary.{part}_count needs search.vary.{part}_reach_mm: where more or fewer "
+                    f"{part}s go must be free as well. Add it, or leave {part}_count out"
+                )
+        return self
+
+
+class SearchLimitsSpec(SpecPart):
+    """What every layout must keep, beyond what any specification must.
+
+    `pocket_gap_mm` and `board_gap_mm` are what is left between the pockets of two magnets and
+    between the recesses of two sensor boards; `wiring_mm` is the length of straight wires from a
+    face's sensors to its centre; `parts_per_face` counts magnets and sensors; `cost` is that of all
+    faces, in the unit of the prices. `times_start` says how many times the starting specification's
+    value a score may have at most (`sensitivity_ratio`: at least). Channels at rest may
+    take `resting_share` of the range; on the upper rungs, pressed, they must leave
+    `limits.saturation_margin` free.
+    """
+
+    pocket_gap_mm: NonNegative = 1.0
+    board_gap_mm: NonNegative = 0.0
+    resting_share: Annotated[float, Field(gt=0, le=1)] = 0.5
+    wiring_mm: Positive | None = None
+    parts_per_face: Count | None = None
+    cost: Positive | None = None
+    times_start: dict[Objective, Positive] = Field(default_factory=dict)
+
+
+class PricesSpec(SpecPart):
+    """Of one part, in any currency; sensors with their board."""
+
+    magnet: NonNegative = 0.2
+    sensor: NonNegative = 3.0
+
+
+class SearchSpec(SpecPart):
+    """A layout search: what may change, limits, objectives, engine and budget.
+
+    With several objectives the result is a Pareto front; the first names the layouts that the next
+    rungs get. Every trial's continuous variables are improved by `polish_steps` steps down the
+    gradient. `trials` and `seconds` end the search, whichever is first; a trial beyond
+    `trial_seconds` is given up. `leaders` go to the second rung (rigid magnets), `finalists` to the
+    last. `compliance_mm_per_n` is travel over force at `score.force_n` that `compliance_deviation`
+    is taken from, by area (later ones over earlier ones; "edge" without corners); none: even.
+    """
+
+    objectives: Annotated[tuple[Objective, ...], Field(min_length=1, max_length=4)] = (
+        "worst_position_bound_mm",
+    )
+    engine: Engine = "tpe"
+    polish_steps: Annotated[int, Field(ge=0, le=1000)] = 40
+    trials: Count = 500
+    seconds: Positive = 900.0
+    trial_seconds: Positive = 900.0
+    batch: Annotated[int, Field(ge=1, le=1024)] = 32
+    leaders: Count = 6
+    finalists: Count = 2
+    magnet_symmetry: Literal["free", "mirrored", "four-fold"] = "free"
+    sensor_symmetry: Literal["free", "mirrored", "ring"] = "free"
+    compliance_mm_per_n: WantedCompliance = Field(default_factory=dict)
+    vary: VarySpec = VarySpec()
+    limits: SearchLimitsSpec = SearchLimitsSpec()
+    prices: PricesSpec = PricesSpec()
+
+    @model_validator(mode="after")
+    def _agrees(self) -> SearchSpec:
+        if len(set(self.objectives)) < len(self.objectives):
+            raise ValueError(
+                f"search.objectives names one twice: {list(self.objectives)}. Leave one out"
+            )
+        if len(self.objectives) > 1 and self.engine not in PARETO_ENGINES:
+            raise ValueError(
+                f'search.engine = "{self.engine}" takes a single objective; got '
+                f"{len(self.objectives)}. Choose one of {', '.join(PARETO_ENGINES)}"
+            )
+        if self.finalists > self.leaders:
+            raise ValueError(
+                f"search.finalists = {self.finalists} come from search.leaders = {self.leaders}. Give "
+                "more leaders"
+            )
+        self._check_symmetry()
+        self._check_compliance()
+        return self
+
+    def _check_compliance(self) -> None:
+        free = any(getattr(self.vary, name) is not None for name in _SOFTENS)
+        if "compliance_deviation" in self.objectives and not free:
+            raise ValueError(
+                'search.objectives has "compliance_deviation", which the first rung takes of the shell '
+                f"without magnets: places of magnets and sensors do not change it. Free one of "
+                f"{', '.join(f'search.vary.{name}' for name in _SOFTENS)}; how magnets stiffen the "
+                "shell is scored on the second rung, whatever the objectives"
+            )
+
+    def _check_symmetry(self) -> None:
+        for part, symmetry in (("magnet", self.magnet_symmetry), ("sensor", self.sensor_symmetry)):
+            if symmetry != "free" and getattr(self.vary, f"{part}_reach_mm") is None:
+                raise ValueError(
+                    f'search.{part}_symmetry = "{symmetry}" arranges {part}s anew and needs '
+                    f'search.vary.{part}_reach_mm. Add it, or use "free"'
+                )

@@ -1,0 +1,138 @@
+"""The silicone in a specification: elastic constants with their spread, density, relaxation."""
+
+from __future__ import annotations
+
+from dataclasses import asdict
+from typing import Annotated, Any, Literal
+
+from pydantic import Field, model_validator
+
+from design.catalogue.silicones import (
+    SILICONES,
+    ModulusEstimate,
+    modulus_from_shore,
+    silicone_preset,
+)
+from design.spec.base import NonNegative, Positive, SpecPart
+
+
+class PronyTermSpec(SpecPart):
+    """One term of the relaxation: the modulus loses `fraction` of its value at once with `time_s`."""
+
+    fraction: Annotated[float, Field(gt=0, lt=1)]
+    time_s: Positive
+
+
+class SiliconeSpec(SpecPart):
+    """Elastic constants and density of the cured silicone.
+
+    Figures that are left out are those of the preset `name`, the modulus that of `tensile_data` or
+    `shore` where one is given; an explicit modulus goes before all. `youngs_modulus_range_mpa` is
+    the interval that the modulus may lie in, unknown where an explicit one lies outside its source's.
+    0.414 MPa is Gent's (1958) relation at Shore A10; the public recordings fit 0.23 to 0.28 MPa.
+
+    `cure` is its chemistry (what is not cast, as printed TPU, has "none"), `mix_ratio` its parts by
+    mass; pot life and time to demould are the maker's at room temperature, unknown where neither
+    preset nor specification gives them. Walls below `thinnest_wall_mm` tear; it may be stretched by
+    `peel_share` of its elongation at break when it is peeled out of a mould.
+
+    With `prony` terms the modulus is the one at once, E(t) = E (1 − Σ fraction (1 − exp(−t/time))).
+    """
+
+    name: str = "Platsil Gel-10"
+    shore: str | None = None
+    tensile_data: str | None = None
+    youngs_modulus_mpa: Positive = 0.414
+    youngs_modulus_range_mpa: tuple[Positive, Positive] | None = (0.15, 0.54)
+    poisson_ratio: Annotated[float, Field(ge=0, le=0.5)] = 0.4999
+    density_g_per_cm3: Positive = 1.07
+    prony: tuple[PronyTermSpec, ...] = ()
+    cure: Literal["platinum", "tin", "none"] = "platinum"
+    mix_ratio: tuple[Positive, NonNegative] = (1.0, 1.0)
+    pot_life_min: Positive | None = 6.0
+    cure_h: Positive | None = 0.5
+    elongation_percent: Positive = 970.0
+    thinnest_wall_mm: Positive = 1.0
+    peel_share: Annotated[float, Field(gt=0, le=1)] = 0.33
+
+    @model_validator(mode="before")
+    @classmethod
+    def _figures_left_out(cls, given: Any) -> Any:
+        return {**_figures(given), **given} if isinstance(given, dict) else given
+
+    @model_validator(mode="after")
+    def _range_holds_the_modulus(self) -> SiliconeSpec:
+        if self.youngs_modulus_range_mpa is not None:
+            low, high = self.youngs_modulus_range_mpa
+            if not low <= self.youngs_modulus_mpa <= high:
+                raise ValueError(
+                    "silicone.youngs_modulus_range_mpa must be [lowest, highest] around "
+                    f"youngs_modulus_mpa = {self.youngs_modulus_mpa:g}; got [{low:g}, {high:g}]. "
+                    "Mend one of them"
+                )
+        return self
+
+    @model_validator(mode="after")
+    def _relaxes_to_a_solid(self) -> SiliconeSpec:
+        lost = sum(term.fraction for term in self.prony)
+        if lost >= 1:
+            raise ValueError(
+                f"the fractions of silicone.prony must sum to less than 1; got {lost:g}. The rest is "
+                "what the modulus relaxes to"
+            )
+        return self
+
+    @property
+    def modulus_source(self) -> str:
+        """Where the modulus comes from, in words."""
+        known = _estimate(self.name, self.shore)
+        if known is not None and known.youngs_modulus_mpa == self.youngs_modulus_mpa:
+            return known.source
+        return f"fitted to {self.tensile_data}" if self.tensile_data else "given"
+
+    @property
+    def relative_spread(self) -> tuple[float, float] | None:
+        """Ends of the modulus's interval over the modulus; forces at a depth scale with it."""
+        if self.youngs_modulus_range_mpa is None:
+            return None
+        low, high = self.youngs_modulus_range_mpa
+        return low / self.youngs_modulus_mpa, high / self.youngs_modulus_mpa
+
+
+def _figures(given: dict[str, Any]) -> dict[str, Any]:
+    """The source's figures where `given` has none; values of wrong types are left to pydantic."""
+    name, shore = given.get("name", "Platsil Gel-10"), given.get("shore")
+    modulus = given.get("youngs_modulus_mpa")
+    if not isinstance(name, str) or not isinstance(shore, str | None):
+        return {}
+    estimate = _estimate(name, shore)
+    if modulus is None:
+        if given.get("tensile_data") is not None:
+            raise ValueError(
+                "silicone.tensile_data is read where a specification is loaded from a file. Give "
+                "silicone.youngs_modulus_mpa, or load the file"
+            )
+        estimate = estimate or silicone_preset(name).modulus
+        modulus = estimate.youngs_modulus_mpa
+    numeric = isinstance(modulus, int | float)
+    spread = (
+        estimate.range_mpa if estimate and numeric and estimate.admits(float(modulus)) else None
+    )
+    return _of_preset(name) | {"youngs_modulus_mpa": modulus, "youngs_modulus_range_mpa": spread}
+
+
+def _estimate(name: str, shore: str | None) -> ModulusEstimate | None:
+    if shore is not None:
+        return modulus_from_shore(shore)
+    return SILICONES[name].modulus if name in SILICONES else None
+
+
+def _of_preset(name: str) -> dict[str, Any]:
+    if name not in SILICONES:
+        return {"pot_life_min": None, "cure_h": None}
+    preset = SILICONES[name]
+    figures = {
+        "poisson_ratio": preset.poisson_ratio,
+        "density_g_per_cm3": preset.density_g_per_cm3,
+    }
+    return figures | ({} if preset.casting is None else asdict(preset.casting))

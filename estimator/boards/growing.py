@@ -1,0 +1,126 @@
+"""A recording that grows line by line and survives Ctrl-C, kill -9 and power cuts.
+
+The CSV (generic format) only ever grows: every frame is one write, forced to disk once a second. A
+line that a power cut left unfinished is cut off when the file is opened again.
+"""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+from design.errors import InputError
+from estimator.recordings.generic import cell_text, generic_columns
+from estimator.recordings.netcdf import write_generic_netcdf
+
+_SYNC_S = 1.0
+
+
+@dataclass
+class GrowingRecording:
+    """An open CSV: rows it had and got, the session that goes on, and bytes cut off at its end."""
+
+    path: Path
+    columns: list[str]
+    rows_before: int
+    session: int
+    cut_bytes: int
+    _handle: int
+    rows_added: int = 0
+    _synced_s: float = 0.0
+
+    def append(self, values: Sequence[float]) -> None:
+        """Write one row (NaN becomes an empty cell).
+
+        Raises
+        ------
+        InputError
+            Another number of values than columns, or the disk is full.
+        """
+        if len(values) != len(self.columns):
+            raise InputError(
+                f"{self.path} has {len(self.columns)} columns; got {len(values)} values. Give a "
+                "file of its own to another board"
+            )
+        line = ",".join(map(cell_text, values)) + "\n"
+        try:
+            os.write(self._handle, line.encode())
+            if time.monotonic() - self._synced_s > _SYNC_S:
+                os.fsync(self._handle)
+                self._synced_s = time.monotonic()
+        except OSError as error:
+            raise InputError(f"cannot write {self.path}: {error.strerror}. Make room") from None
+        self.rows_added += 1
+
+
+@contextmanager
+def growing_recording(
+    path: Path, channels: Sequence[str], cells: int, tips: int, session: int | None
+) -> Iterator[GrowingRecording]:
+    """Open a recording to append to; its last session goes on unless another is given.
+
+    Raises
+    ------
+    InputError
+        The file has other columns (another board, other numbers of load cells or tips), is not a
+        recording, or cannot be written.
+    """
+    columns = generic_columns(list(channels), cells, tips)
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        handle = os.open(path, os.O_RDWR | os.O_CREAT | os.O_APPEND, 0o644)
+    except OSError as error:
+        raise InputError(f"cannot write {path}: {error.strerror}. Choose another folder") from None
+    try:
+        rows, last, cut = _resume(handle, path, columns)
+        yield GrowingRecording(path, columns, rows, session or last, cut, handle)
+        os.fsync(handle)
+    finally:
+        os.close(handle)
+
+
+def _resume(handle: int, path: Path, columns: list[str]) -> tuple[int, int, int]:
+    """Rows and last session of what is there, and the bytes of an unfinished line now cut off."""
+    content = path.read_bytes()
+    whole = content.rfind(b"\n") + 1
+    header = ",".join(columns)
+    if whole == 0 and header.encode().startswith(content):
+        os.ftruncate(handle, 0)
+        os.write(handle, f"{header}\n".encode())
+        return 0, 1, len(content)
+    first, *rows = content[:whole].decode("utf-8", "replace").splitlines() or [""]
+    if first != header:
+        raise InputError(
+            f"{path} is there with other columns ({first[:60]}…; wanted {header[:60]}…). Give "
+            "another name, or the same channels, --cells and --tips"
+        )
+    os.ftruncate(handle, whole)
+    return len(rows), _session(path, rows), len(content) - whole
+
+
+def _session(path: Path, rows: list[str]) -> int:
+    if not rows:
+        return 1
+    cell = rows[-1].split(",")[1]
+    if not cell.isdigit():
+        raise InputError(f"{path}: the last row's session is {cell!r}. Mend or remove that row")
+    return int(cell)
+
+
+def finish_recording(csv_path: Path, target: Path) -> int:
+    """Write the whole recording as NetCDF under its final name, at once; returns its frames.
+
+    Raises
+    ------
+    InputError
+        The recording holds no frame, or a damaged one.
+    """
+    from estimator.recordings.files import read_table
+
+    table = read_table(csv_path)
+    write_generic_netcdf(table, target)
+    return len(table.force_n)

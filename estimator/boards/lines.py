@@ -1,0 +1,208 @@
+r"""The lines that a board with Hall sensors, a load cell or a machine sends: text with a checksum.
+
+Each line is `$` body `*` CRC `\n`, where CRC is CRC-16/CCITT-FALSE of the body in four hexadecimal
+digits. Bodies, comma-separated:
+
+- `H,1,F1-X1,F1-Y1,…`  format version and the channels of the frames that follow, in their order
+- `F,sequence,ms,v1,v2,…`  one reading of all channels (raw counts, empty where a sensor is silent);
+  the sequence counts frames modulo 65536, ms is the board's clock modulo 2³²
+- `L,ms,cell,force_n,face,x1_mm,y1_mm,…`  load cell (1…9), its normal force in N, and where it
+  presses: face and places of its tips, or nothing after the force where nobody knows
+
+Everything else on the line is skipped and counted: after garbage the next `$` starts anew.
+"""
+
+from __future__ import annotations
+
+from binascii import crc_hqx
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from design.errors import InputError
+from estimator.recordings.generic import CHANNEL, cell_text
+from estimator.recordings.table import LARGEST_COUNT, LARGEST_FORCE_N, LARGEST_PLACE_MM
+
+FORMAT_VERSION = 1
+_SEQUENCES = 65536
+_RESTART_GAP = 10_000
+"""A larger step of the sequence is a board that started anew, not lost frames."""
+_LONGEST_LINE = 4096
+
+
+@dataclass(frozen=True)
+class Header:
+    """Channels of the frames that follow."""
+
+    channels: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Frame:
+    """One reading of all channels: raw counts, NaN where a sensor is silent."""
+
+    sequence: int
+    board_ms: int
+    counts: tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class Load:
+    """What a load cell holds, and where its tips press (`face` None where the line says nothing)."""
+
+    board_ms: int
+    cell: int
+    force_n: float
+    face: int | None
+    tips_mm: tuple[tuple[float, float], ...]
+
+
+Message = Header | Frame | Load
+
+
+@dataclass
+class LineStatistics:
+    """What came over a line: frames, damaged lines, frames lost (gaps of the sequence), restarts."""
+
+    frames: int = 0
+    damaged_lines: int = 0
+    lost_frames: int = 0
+    restarts: int = 0
+
+
+@dataclass
+class LineDecoder:
+    """Bytes to messages; keeps the unfinished line and the statistics."""
+
+    statistics: LineStatistics = field(default_factory=LineStatistics)
+    _rest: bytes = b""
+    _channels: int | None = None
+    _sequence: int | None = None
+
+    def feed(self, data: bytes) -> list[Message]:
+        """Messages completed by `data`; frames before the first header are skipped.
+
+        Raises
+        ------
+        InputError
+            A sound line of another format version, or a header that names no known channel.
+        """
+        *lines, self._rest = (self._rest + data).split(b"\n")
+        if len(self._rest) > _LONGEST_LINE:
+            self._rest = b""
+            self.statistics.damaged_lines += 1
+        found = [self._message(line) for line in lines]
+        return [message for message in found if message is not None]
+
+    def _message(self, line: bytes) -> Message | None:
+        if not line.strip():
+            return None
+        body = _body(line)
+        message = None if body is None else _parsed(body)
+        if isinstance(message, Header):
+            self._channels = len(message.channels)
+        elif isinstance(message, Frame):
+            if self._channels is None:
+                return None
+            message = message if len(message.counts) == self._channels else None
+        if message is None:
+            self.statistics.damaged_lines += 1
+        elif isinstance(message, Frame):
+            self._count(message.sequence)
+        return message
+
+    def _count(self, sequence: int) -> None:
+        seen, self._sequence = self._sequence, sequence
+        self.statistics.frames += 1
+        if seen is None:
+            return
+        gap = (sequence - seen - 1) % _SEQUENCES
+        if gap > _RESTART_GAP:
+            self.statistics.restarts += 1
+        else:
+            self.statistics.lost_frames += gap
+
+
+def encode_header(channels: Sequence[str]) -> bytes:
+    """Line that names the channels."""
+    return _line(f"H,{FORMAT_VERSION},{','.join(channels)}")
+
+
+def encode_frame(sequence: int, board_ms: int, counts: Sequence[float]) -> bytes:
+    """Line of one reading; NaN becomes an empty cell."""
+    cells = ",".join(cell_text(float(value)) for value in counts)
+    return _line(f"F,{sequence % _SEQUENCES},{board_ms % 2**32},{cells}")
+
+
+def encode_load(load: Load) -> bytes:
+    """Line of one load cell."""
+    place = (
+        [] if load.face is None else [str(load.face), *(f"{v:g}" for t in load.tips_mm for v in t)]
+    )
+    cells = [str(load.board_ms % 2**32), str(load.cell), f"{load.force_n:.4f}", *place]
+    return _line(f"L,{','.join(cells)}")
+
+
+def checksum(body: bytes) -> str:
+    """CRC-16/CCITT-FALSE (polynomial 0x1021, start 0xFFFF) in four hexadecimal digits."""
+    return f"{crc_hqx(body, 0xFFFF):04X}"
+
+
+def _line(body: str) -> bytes:
+    return f"${body}*{checksum(body.encode())}\n".encode()
+
+
+def _body(line: bytes) -> str | None:
+    """What stands between the last `$` and `*`, if its checksum is right."""
+    body, star, crc = line.rstrip(b"\r")[line.rfind(b"$") + 1 :].partition(b"*")
+    if not star or b"$" not in line or crc.decode("ascii", "replace").upper() != checksum(body):
+        return None
+    try:
+        return body.decode("ascii")
+    except UnicodeDecodeError:
+        return None
+
+
+def _parsed(body: str) -> Message | None:
+    kind, *cells = body.split(",")
+    if kind == "H":
+        return _header(cells)
+    try:
+        return _frame(cells) if kind == "F" else _load(cells) if kind == "L" else None
+    except (ValueError, IndexError):
+        return None
+
+
+def _header(cells: list[str]) -> Header:
+    if not cells or cells[0] != str(FORMAT_VERSION):
+        raise InputError(
+            f"the board speaks line format {cells[:1]}, this is version {FORMAT_VERSION}. See "
+            "docs/recordings.md"
+        )
+    channels = tuple(cells[1:])
+    wrong = [name for name in channels if not CHANNEL.fullmatch(name)]
+    if wrong or not channels or len(set(channels)) < len(channels):
+        raise InputError(
+            f"the board names channels {wrong[:5] or list(channels)[:5]}. Each must be named once, "
+            "F1-X1 and so on: face, axis, number of the sensor"
+        )
+    return Header(channels)
+
+
+def _frame(cells: list[str]) -> Frame | None:
+    counts = tuple(float(cell) if cell else float("nan") for cell in cells[2:])
+    if not all(abs(value) <= LARGEST_COUNT for value in counts if value == value):
+        return None
+    return Frame(int(cells[0]), int(cells[1]), counts)
+
+
+def _load(cells: list[str]) -> Load | None:
+    ms, cell, force_n = int(cells[0]), int(cells[1]), float(cells[2])
+    if not 1 <= cell <= 9 or not abs(force_n) <= LARGEST_FORCE_N:
+        return None
+    if len(cells) == 3 or not cells[3]:
+        return Load(ms, cell, force_n, None, ())
+    face, values = int(cells[3]), [float(value) for value in cells[4:]]
+    sound = all(abs(value) <= LARGEST_PLACE_MM for value in values)
+    if face not in range(6) or len(values) % 2 or not sound or (face > 0) != bool(values):
+        return None
+    return Load(ms, cell, force_n, face, tuple(zip(values[::2], values[1::2], strict=True)))

@@ -1,0 +1,182 @@
+"""Readings from a board on a serial port, or replayed from a recording through the same lines."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Generator, Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from jaxtyping import Float
+
+from design.errors import InputError
+from estimator.boards.lines import (
+    Frame,
+    Header,
+    LineDecoder,
+    Load,
+    Message,
+    encode_frame,
+    encode_header,
+    encode_load,
+)
+from estimator.recordings.generic import CHANNEL
+from estimator.recordings.presses import frame_times_s, stretches
+from estimator.recordings.table import RawTable, channel_name
+
+BAUD = 115_200
+PATIENCE_S = 10.0
+_SLICE_S = 0.2
+_CLOCK = 2**32
+_DISORDER_MS = 1000
+
+
+@dataclass(frozen=True)
+class Reading:
+    """One frame: time (s since 1970, by the board's clock) and raw counts, NaN where silent."""
+
+    time_s: float
+    counts: Float[np.ndarray, "5 sensor 3"]
+
+
+@dataclass
+class BoardClock:
+    """A board's milliseconds as seconds since 1970: set at its first line and after restarts."""
+
+    _base_s: float = 0.0
+    _last_ms: int | None = None
+
+    def time_s(self, board_ms: int, now_s: float) -> float:
+        """Time of a line that arrived at `now_s`; lines up to 1 s out of order keep their times."""
+        if self._last_ms is None:
+            self._base_s, self._last_ms = now_s, board_ms
+            return now_s
+        step_ms = (board_ms - self._last_ms + _CLOCK // 2) % _CLOCK - _CLOCK // 2
+        if -_DISORDER_MS <= step_ms < 0:
+            return self._base_s + step_ms / 1000
+        self._base_s = self._base_s + step_ms / 1000 if step_ms >= 0 else now_s
+        self._last_ms = board_ms
+        return self._base_s
+
+
+def board_readings(port: str, baud: int = BAUD) -> Iterator[Reading]:
+    """Readings of a board as they come, without end.
+
+    Raises
+    ------
+    InputError
+        No such port, no sound frame for `PATIENCE_S`, or the board was unplugged.
+    """
+    decoder, clock, channels = LineDecoder(), BoardClock(), ()
+    for messages in board_messages(serial_chunks(port, baud), decoder, port):
+        for message in messages:
+            if isinstance(message, Header):
+                channels = message.channels
+            elif isinstance(message, Frame):
+                now_s = clock.time_s(message.board_ms, time.time())
+                yield Reading(now_s, counts_of(channels, message.counts))
+
+
+def counts_of(
+    channels: tuple[str, ...], values: tuple[float, ...]
+) -> Float[np.ndarray, "5 sensor 3"]:
+    """Values in the order of a header as (face, sensor, axis), NaN where there is no channel."""
+    places = [match for name in channels if (match := CHANNEL.fullmatch(name))]
+    counts = np.full((5, max(int(match[3]) for match in places), 3), np.nan)
+    for match, value in zip(places, values, strict=True):
+        counts[int(match[1]) - 1, int(match[3]) - 1, "XYZ".index(match[2])] = value
+    return counts
+
+
+def board_messages(
+    chunks: Iterator[bytes], decoder: LineDecoder, where: str
+) -> Iterator[list[Message]]:
+    """Messages of every chunk (often none).
+
+    Raises
+    ------
+    InputError
+        No sound line for `PATIENCE_S`.
+    """
+    heard_s, received = time.monotonic(), 0
+    for chunk in chunks:
+        found = decoder.feed(chunk)
+        received += len(chunk)
+        if found:
+            heard_s = time.monotonic()
+        elif time.monotonic() - heard_s > PATIENCE_S:
+            raise InputError(
+                f"{where}: no sound line for {PATIENCE_S:g} s ({received} bytes since the start, "
+                f"{decoder.statistics.damaged_lines} damaged lines). Check the baud rate and the "
+                "line format (docs/recordings.md)"
+            )
+        yield found
+
+
+def serial_chunks(port: str, baud: int = BAUD, timeout_s: float = _SLICE_S) -> Generator[bytes]:
+    """Bytes from a serial port as they come; empty after `timeout_s` without any.
+
+    Asks for the header at the start (`?`), which the board may also send by itself.
+
+    Raises
+    ------
+    InputError
+        The port cannot be opened, or the board was unplugged.
+    """
+    from serial import Serial, SerialException
+
+    try:
+        link = Serial(port, baud, timeout=timeout_s, exclusive=True)
+    except (SerialException, ValueError, OSError) as error:
+        raise InputError(f"cannot open {port}: {error}. {_ports()}") from None
+    with link:
+        try:
+            link.write(b"?\n")
+            while True:
+                yield link.read(min(max(1, link.in_waiting), 65536))
+        except (SerialException, OSError) as error:
+            raise InputError(
+                f"{port}: the line broke off ({error}). Plug the board in again and repeat the "
+                "command: it goes on where it stopped"
+            ) from None
+
+
+def _ports() -> str:
+    from serial.tools.list_ports import comports
+
+    names = ", ".join(port.device for port in comports())
+    return f"Ports found: {names or 'none'}; on Linux you must belong to the group dialout"
+
+
+def replay_chunks(table: RawTable, speed: float) -> Generator[bytes]:
+    """A recording as the lines that a board would have sent.
+
+    `speed` 1 keeps its own times, 2 is twice as fast, 0 as fast as possible.
+    """
+    channels = [
+        index
+        for index in np.ndindex(*table.counts.shape[1:])
+        if np.isfinite(table.counts[(slice(None), *index)]).any()
+    ]
+    yield encode_header([channel_name(*index) for index in channels])
+    stretch = stretches(table.time_s, table.case[:, None].astype(float))
+    times_s, _ = frame_times_s(table.time_s, stretch, 10.0)
+    started_s = time.monotonic()
+    for row, time_s in enumerate(times_s - times_s[0]):
+        while speed > 0 and (wait_s := time_s / speed - (time.monotonic() - started_s)) > 0:
+            time.sleep(min(wait_s, _SLICE_S))
+            yield b""
+        board_ms = round(1000 * max(time_s, 0.0))
+        loads = [encode_load(load) for load in _loads(table, row, board_ms)]
+        counts = [float(table.counts[(row, *index)]) for index in channels]
+        yield b"".join([*loads, encode_frame(row, board_ms, counts)])
+
+
+def _loads(table: RawTable, row: int, board_ms: int) -> list[Load]:
+    found = []
+    for cell, force_n in enumerate(table.force_n[row]):
+        tips = [(float(x), float(y)) for x, y in table.tip_xy_mm[row, cell] if np.isfinite(x)]
+        stated = bool(tips) and not table.declared_rest[row]
+        face = int(table.face[row, cell]) if stated else 0
+        found.append(Load(board_ms, cell + 1, float(force_n), face, tuple(tips) if stated else ()))
+    return found

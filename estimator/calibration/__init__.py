@@ -1,0 +1,1 @@
+"""The model against a built object: validation, digital twin, pretraining."""

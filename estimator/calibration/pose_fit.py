@@ -1,0 +1,231 @@
+"""Calibration of nuisances on recorded presses: pose of the core in the shell, remanence, modulus.
+
+Eight numbers with Gaussian priors, fitted by least squares to the mean recorded changes of each
+case. A fit with eight numbers can follow almost anything, so it is judged on presses that it has
+not seen, and by what the same procedure reaches with the places exchanged.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from jaxtyping import Float, Int
+
+from design.layout.positions import slipped
+from design.spec.mechanics import SlipSpec
+from design.spec.object import ObjectSpec
+from estimator.calibration.recorded_presses import PredictedMotions, RecordedPresses
+from estimator.field.models import FieldModel
+from estimator.tolerances.assembly import Assembly, counts_of
+
+PRIOR = (1.0, 1.0, 1.0, 3.0, 3.0, 3.0, 0.02, 0.5)
+"""Standard deviations: shift x, y, z (mm), rotation vector x, y, z (degrees), ln of the remanence's
+scale (a grade's range), ln of the modulus' scale."""
+LARGEST_SHIFT_MM = 3.0
+"""Of each coordinate that a fit may take; sensors come no nearer to magnets than by about this."""
+BOUNDS = (*(LARGEST_SHIFT_MM,) * 3, 10.0, 10.0, 10.0, 0.1, 1.5)
+_FLOOR_COUNTS = 20.0
+_MODEL_ERROR = 0.2
+_EVALUATIONS = 15
+
+
+@dataclass(frozen=True)
+class Calibration:
+    """Nuisances of one object against its specification."""
+
+    shift_mm: tuple[float, float, float]
+    rotation_deg: tuple[float, float, float]
+    remanence_scale: float
+    modulus_scale: float
+
+    def applied(self, design: Assembly) -> Assembly:
+        """The design with what sits in the core moved, magnets and silicone scaled."""
+        place, slip = design.scene, SlipSpec(shift_mm=self.shift_mm, rotation_deg=self.rotation_deg)
+        magnets = replace(place.magnets, strength=place.magnets.strength * self.remanence_scale)
+        if place.sensors_move:
+            moved = replace(place, magnets=slipped(magnets, slip))
+        else:
+            moved = replace(place, magnets=magnets, sensors=slipped(place.sensors, slip))
+        return replace(design, scene=moved, modulus_ratio=design.modulus_ratio * self.modulus_scale)
+
+
+@dataclass(frozen=True)
+class Judged:
+    """Means over unseen presses: cosine of each face's own channels and of all, and the share of
+    the recorded change (rms) that predictions leave, √Σ|r|²/Σ|S|²."""
+
+    own_cosine: float
+    all_cosine: float
+    left: float
+
+
+@dataclass(frozen=True)
+class CalibrationTest:
+    """What calibration gains on unseen presses.
+
+    `before` and `after` are without and with it; `null` the medians of the same procedure with the
+    places exchanged (training and test alike), `p_*` the shares of these that do at least as well.
+    """
+
+    unseen: str
+    before: Judged
+    after: Judged
+    null: Judged
+    p_own_cosine: float
+    p_left: float
+    permutations: int
+
+
+@dataclass(frozen=True)
+class Problem:
+    """What fits and tests share."""
+
+    spec: ObjectSpec
+    design: Assembly
+    presses: RecordedPresses
+    moving: PredictedMotions
+    rest: Float[np.ndarray, "body 6"]
+    model: FieldModel
+
+    def predicted(
+        self, assembly: Assembly, rows: Int[np.ndarray, "some"], case: Int[np.ndarray, "press"]
+    ) -> Float[np.ndarray, "some channel"]:
+        """Change of counts of some presses, each as a case."""
+        ratio = float(np.clip(assembly.modulus_ratio, 0.2, 3.0))
+        motion = self.moving.at(case, ratio)[rows]
+        still = counts_of(self.spec, assembly.scene, self.rest[None], self.model)
+        return (counts_of(self.spec, assembly.scene, motion, self.model) - still).reshape(
+            len(rows), -1
+        )
+
+
+def fit(
+    problem: Problem, rows: Int[np.ndarray, "some"], case: Int[np.ndarray, "press"]
+) -> Calibration:
+    """Nuisances from some presses; `case` (of every press) may have been exchanged."""
+    from scipy.optimize import least_squares
+
+    first, recorded, sigma = _means_of_cases(problem, rows)
+    known = np.isfinite(recorded)
+
+    def residual(scaled: Float[np.ndarray, "8"]) -> Float[np.ndarray, "residual"]:
+        assembly = _calibration(scaled).applied(problem.design)
+        wrong = (recorded - problem.predicted(assembly, first, case)) / sigma
+        return np.concatenate([wrong[known], scaled])
+
+    bounds = np.array(BOUNDS) / PRIOR
+    found: Any = least_squares(
+        residual, np.zeros(8), bounds=(-bounds, bounds), max_nfev=_EVALUATIONS, diff_step=1e-4
+    )
+    return _calibration(found.x)
+
+
+def _calibration(scaled: Float[np.ndarray, "8"]) -> Calibration:
+    x, y, z, a, b, c, strength, modulus = (scaled * np.array(PRIOR)).tolist()
+    return Calibration((x, y, z), (a, b, c), float(np.exp(strength)), float(np.exp(modulus)))
+
+
+def _means_of_cases(
+    problem: Problem, rows: Int[np.ndarray, "some"]
+) -> tuple[Int[np.ndarray, "case"], Float[np.ndarray, "case channel"], Float[np.ndarray, "case 1"]]:
+    """One typical press (that of the median force) for each case, and the mean recorded change."""
+    presses = problem.presses
+    typical, means = [], []
+    for case in np.unique(presses.case[rows]):
+        same = rows[presses.case[rows] == case]
+        force = presses.face_force_n[same].sum(axis=1)
+        typical.append(same[np.argsort(force)[len(same) // 2]])
+        means.append(presses.signal_counts[same].mean(axis=0))
+    recorded = np.array(means)
+    size = np.sqrt(np.nanmean(recorded**2, axis=1, keepdims=True))
+    return np.array(typical), recorded, np.hypot(_FLOOR_COUNTS, _MODEL_ERROR * size)
+
+
+def folds_by_case(presses: RecordedPresses) -> list[Int[np.ndarray, "some"]]:
+    """Test presses of each fold: all of one case, whose places no fitted press has."""
+    return [np.flatnonzero(presses.case == case) for case in range(len(presses.cases))]
+
+
+def folds_by_press(presses: RecordedPresses) -> list[Int[np.ndarray, "some"]]:
+    """Two folds, every other press of each case."""
+    order = np.zeros(len(presses), int)
+    for case in range(len(presses.cases)):
+        same = np.flatnonzero(presses.case == case)
+        order[same] = np.arange(len(same)) % 2
+    return [np.flatnonzero(order == half) for half in range(2)]
+
+
+def calibration_test(
+    problem: Problem,
+    unseen: str,
+    folds: Sequence[Int[np.ndarray, "_"]],
+    exchanged: Int[np.ndarray, "permutation case"],
+    progress: Callable[[str], None] = lambda _: None,
+) -> CalibrationTest:
+    """Fit on all folds but one, judge on that one, in turn; and so with every exchange of places."""
+    after = _judged(problem, folds, problem.presses.case, True)
+    null = []
+    for number, order in enumerate(exchanged):
+        progress(f"{unseen}: places exchanged, {number + 1} of {len(exchanged)}")
+        null.append(_judged(problem, folds, order[problem.presses.case], True))
+    medians = [float(np.median([getattr(n, f) for n in null])) for f in Judged.__annotations__]
+    cosine = [after.own_cosine, *(n.own_cosine for n in null)]
+    left = [after.left, *(n.left for n in null)]
+    return CalibrationTest(
+        unseen,
+        _judged(problem, folds, problem.presses.case, False),
+        after,
+        Judged(*medians),
+        float(np.mean(np.array(cosine) >= after.own_cosine)),
+        float(np.mean(np.array(left) <= after.left)),
+        len(exchanged),
+    )
+
+
+def _judged(
+    problem: Problem,
+    folds: Sequence[Int[np.ndarray, "_"]],
+    case: Int[np.ndarray, "press"],
+    calibrated: bool,
+) -> Judged:
+    presses = problem.presses
+    predicted = np.empty(presses.signal_counts.shape)
+    for test in folds:
+        assembly = problem.design
+        if calibrated:
+            train = np.setdiff1d(np.arange(len(presses)), test)
+            assembly = fit(problem, train, case).applied(problem.design)
+        predicted[test] = problem.predicted(assembly, test, case)
+    recorded = presses.signal_counts
+    predicted = np.where(np.isfinite(recorded), predicted, 0.0)
+    recorded = np.nan_to_num(recorded)
+    left = np.sum((recorded - predicted) ** 2) / np.sum(recorded**2)
+    return Judged(
+        _own_cosine(problem, recorded, predicted),
+        float(np.mean(_cosines(recorded, predicted))),
+        float(np.sqrt(left)),
+    )
+
+
+def _own_cosine(
+    problem: Problem,
+    recorded: Float[np.ndarray, "press channel"],
+    predicted: Float[np.ndarray, "press channel"],
+) -> float:
+    """Mean over presses and the faces that they press, own channels."""
+    count, values = 3 * problem.spec.sensors.count_per_face, []
+    for face in range(1, 6):
+        rows = problem.presses.face_of_case(face)[problem.presses.case]
+        own = slice((face - 1) * count, face * count)
+        values.append(_cosines(recorded[rows, own], predicted[rows, own]))
+    return float(np.mean(np.concatenate(values)))
+
+
+def _cosines(
+    recorded: Float[np.ndarray, "some c"], predicted: Float[np.ndarray, "some c"]
+) -> Float[np.ndarray, "some"]:
+    size = np.linalg.norm(recorded, axis=1) * np.linalg.norm(predicted, axis=1)
+    return np.einsum("pc,pc->p", recorded, predicted) / np.maximum(size, 1e-12)

@@ -1,0 +1,125 @@
+"""Resting signals for the self-test: from a recording, or from a plain table of frames at rest."""
+
+from __future__ import annotations
+
+import csv
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from jaxtyping import Float
+
+from design.errors import InputError
+from design.spec.object import ObjectSpec
+from estimator.signals.hall import full_scale_counts
+
+_CHANNEL = re.compile(r"F([1-6])-([XYZ])(\d+)")
+_DEAD_KINDS = ("dead channel", "noisy channel")
+
+
+@dataclass(frozen=True)
+class Resting:
+    """Mean counts at rest (channel,), NaN where a channel is silent, and what is wrong with those."""
+
+    counts: Float[np.ndarray, "channel"]
+    frames: int
+    silent: dict[str, str]
+
+
+def read_resting(path: Path, spec: ObjectSpec) -> Resting:
+    """Read a recording (its rest before each press), or a CSV with one column a channel.
+
+    The plain table's header names the channels F1-X1 (face, axis, number of the sensor), in any
+    order; its rows are frames at rest. Channels without a reading, stuck at one value over three or
+    more frames, at full scale, or marked dead in `as_built`, are silent.
+
+    Raises
+    ------
+    InputError
+        A missing or damaged file, unknown or missing channels, or no frame.
+    """
+    if not path.is_file():
+        raise InputError(f"no resting signals at {path}. Give a recording or a table of frames")
+    with path.open(newline="", encoding="utf-8-sig", errors="replace") as file:
+        header = [cell.strip() for cell in next(csv.reader(file), [])]
+    if not header or not _CHANNEL.fullmatch(header[0]):
+        return _of_recording(path, spec)
+    return _of_table(path, spec, header)
+
+
+def channel_names(spec: ObjectSpec) -> list[str]:
+    """F1-X1, F1-Y1, …: flat channels in this package's order."""
+    sensors = range(1, spec.sensors.count_per_face + 1)
+    return [f"F{face}-{axis}{k}" for face in spec.body.sensed for k in sensors for axis in "XYZ"]
+
+
+def _of_recording(path: Path, spec: ObjectSpec) -> Resting:
+    from estimator.recordings.reading import read_recording
+
+    if spec.sensors.count_per_face != 3:
+        raise InputError(
+            f"recordings hold 3 sensors a face; {spec.name} has {spec.sensors.count_per_face}. Give "
+            "a table with one column a channel (F1-X1, …)"
+        )
+    recording = read_recording(path)
+    silent = {
+        fault.where: f"{fault.kind}: {fault.detail}"
+        for fault in recording.report.faults
+        if fault.kind in _DEAD_KINDS
+    }
+    counts = np.median(recording.rest_counts, axis=0).ravel()
+    return _with_silent(spec, counts, recording.report.rest_frames, silent)
+
+
+def _of_table(path: Path, spec: ObjectSpec, header: list[str]) -> Resting:
+    names = channel_names(spec)
+    unknown = [name for name in header if name not in names]
+    missing = [name for name in names if name not in header]
+    if unknown or missing or len(set(header)) < len(header):
+        raise InputError(
+            f"{path} must have one column for each channel of {spec.name}; unknown: "
+            f"{', '.join(unknown[:5]) or 'none'}; missing: {', '.join(missing[:5]) or 'none'}. Name "
+            "the columns F1-X1 and so on, each once"
+        )
+    values = _numbers(path, header)[:, [header.index(name) for name in names]]
+    known = np.isfinite(values)
+    silent = {names[c]: "no reading" for c in np.flatnonzero(~known.any(axis=0))}
+    low = np.min(values, axis=0, where=known, initial=np.inf)
+    high = np.max(values, axis=0, where=known, initial=-np.inf)
+    if len(values) >= 3:
+        silent |= {names[c]: f"stuck at {low[c]:g}" for c in np.flatnonzero(low == high)}
+    counts = np.where(known, values, 0.0).sum(axis=0) / np.maximum(known.sum(axis=0), 1)
+    return _with_silent(spec, counts, len(values), silent)
+
+
+def _numbers(path: Path, header: list[str]) -> Float[np.ndarray, "row column"]:
+    with path.open(newline="", encoding="utf-8-sig") as file:
+        rows = [row for row in csv.reader(file) if row][1:]
+    if not rows:
+        raise InputError(f"{path} holds no frame below its header. Record some frames at rest")
+    try:
+        values = np.array([[float(cell or "nan") for cell in row] for row in rows])
+    except ValueError as error:
+        raise InputError(f"{path}: {error}. Every row needs {len(header)} numbers") from None
+    if values.ndim != 2 or values.shape[1] != len(header):
+        raise InputError(f"{path}: every row needs {len(header)} numbers. Mend the cut rows")
+    return values
+
+
+def _with_silent(
+    spec: ObjectSpec, counts: Float[np.ndarray, "channel"], frames: int, silent: dict[str, str]
+) -> Resting:
+    from design.layout.as_built import live_channels
+
+    names, counts = channel_names(spec), counts.copy()
+    silent = dict(silent)
+    for channel in np.flatnonzero(~live_channels(spec).ravel()):
+        silent.setdefault(names[channel], "dead in as_built")
+    with np.errstate(invalid="ignore"):
+        for channel in np.flatnonzero(abs(counts) >= full_scale_counts(spec.sensors)):
+            silent.setdefault(names[channel], "at full scale")
+    counts[[names.index(name) for name in silent]] = np.nan
+    for channel in np.flatnonzero(np.isnan(counts)):
+        silent.setdefault(names[channel], "no reading")
+    return Resting(counts, frames, silent)

@@ -1,0 +1,278 @@
+"""Predicted against recorded signals of presses, each figure with its permutation null.
+
+The null hypothesis is that the model knows nothing of the place: the cases (which places are pressed
+together) are exchanged among the presses, forces and recorded signals kept. All permutations are
+tried up to eight cases, else a random sample. p is the share of permutations, the true one
+included, that do at least as well; the smallest possible p is 1 / permutations.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import permutations
+from math import factorial
+from typing import Any
+
+import numpy as np
+from jaxtyping import Bool, Float, Int
+
+from design.spec.object import ObjectSpec
+from estimator.calibration.recorded_presses import MODULUS_RATIOS, PredictedMotions, RecordedPresses
+from estimator.field.models import FieldModel
+from estimator.tolerances.assembly import Assembly, counts_of
+
+SIGNIFICANCE = 0.05
+SIZE_BAND = 1.25
+"""A size or modulus within this factor counts as supported: hysteresis alone is about 10 %."""
+_SAMPLED_PERMUTATIONS = 5000
+_LARGEST_ENUMERATED = 8
+_SIGN_SIGMAS = 3.0
+
+
+@dataclass(frozen=True)
+class Figure:
+    """One figure of merit, the median of its null and the p of being no better than that."""
+
+    value: float
+    null: float
+    p: float
+
+    @property
+    def significant(self) -> bool:
+        return self.p <= SIGNIFICANCE
+
+
+@dataclass(frozen=True)
+class Agreement:
+    """How predictions agree with recordings on some channels.
+
+    Attributes
+    ----------
+    what : "face 3" (its own channels, presses on it) or "all channels"
+    presses, cases : how many enter
+    cosine : mean over presses of the cosine between predicted and recorded change
+    signs : mean share of clear channels (recorded change above 3 σ of a fresh zero) of the right sign
+    size_ratio : geometric mean of recorded over predicted size, at the specification's modulus
+    size_spread : factor of one standard deviation of that ratio over presses
+    modulus_mpa : geometric mean of the moduli at which sizes agree
+    modulus_spread : factor of one standard deviation of it
+    modulus_bounded : share of presses whose modulus lies within the range searched
+    """
+
+    what: str
+    presses: int
+    cases: int
+    cosine: Figure
+    signs: Figure
+    size_ratio: float
+    size_spread: Figure
+    modulus_mpa: float
+    modulus_spread: Figure
+    modulus_bounded: float
+
+
+@dataclass(frozen=True)
+class Predictions:
+    """Predicted change (press, case, channel) of counts were each press any of the cases, and its
+    size (press, case, ratio) on `channels` at `MODULUS_RATIOS`."""
+
+    counts: Float[np.ndarray, "press case channel"]
+    by_ratio: Float[np.ndarray, "ratio press case channel"]
+
+
+def predict(
+    spec: ObjectSpec,
+    assembly: Assembly,
+    moving: PredictedMotions,
+    rest: Float[np.ndarray, "body 6"],
+    model: FieldModel,
+) -> Predictions:
+    """Signals of all presses as all cases, for an assembly, at every tabulated modulus.
+
+    The modulus of the assembly multiplies the specification's.
+    """
+    presses, cases = moving.motion.shape[:2]
+    zero = counts_of(spec, assembly.scene, rest[None], model)[0]
+
+    def change(ratio: float) -> Float[np.ndarray, "press case channel"]:
+        every = [moving.at(np.full(presses, case), ratio) for case in range(cases)]
+        motion = np.stack(every, axis=1).reshape(presses * cases, *rest.shape)
+        counts = counts_of(spec, assembly.scene, motion, model) - zero
+        return counts.reshape(presses, cases, -1)
+
+    ratios = np.clip(MODULUS_RATIOS * assembly.modulus_ratio, MODULUS_RATIOS[0], MODULUS_RATIOS[-1])
+    by_ratio = np.stack([change(float(ratio)) for ratio in ratios])
+    return Predictions(change(assembly.modulus_ratio), by_ratio)
+
+
+def agreement(
+    spec: ObjectSpec,
+    presses: RecordedPresses,
+    predictions: Predictions,
+    face: int | None,
+    seed: int,
+) -> Agreement:
+    """Figures of merit on a face's own channels (and the presses on it), or on all."""
+    rows, channels = _chosen(spec, presses, face)
+    recorded = presses.signal_counts[rows][:, channels]
+    known = np.isfinite(recorded)
+    recorded = np.where(known, recorded, 0.0)
+    predicted = np.where(known[:, None], predictions.counts[rows][:, :, channels], 0.0)
+    by_ratio = np.where(known[:, None], predictions.by_ratio[:, rows][..., channels], 0.0)
+    sizes = np.linalg.norm(by_ratio, axis=-1)
+    clear = _clear(spec, presses, rows, channels) & known
+    moduli, bounded = _effective_ratios(np.linalg.norm(recorded, axis=1), sizes)
+    case = presses.case[rows]
+    used, number = np.unique(case, return_inverse=True)
+    order = case_permutations(predicted[:, used], number, seed)
+    cosine, signs, log_size = _per_press(recorded, predicted[:, used], clear)
+    log_modulus = np.log(moduli[:, used] * spec.silicone.youngs_modulus_mpa)
+    own = np.arange(len(case)), number
+    return Agreement(
+        "all channels" if face is None else f"face {face}",
+        len(case),
+        len(used),
+        _mean_figure(cosine, number, order),
+        _mean_figure(signs, number, order),
+        float(np.exp(log_size[own].mean())),
+        _spread_figure(log_size, number, order),
+        float(np.exp(log_modulus[own].mean())),
+        _spread_figure(log_modulus, number, order),
+        float(bounded[:, used][own].mean()),
+    )
+
+
+def _chosen(
+    spec: ObjectSpec, presses: RecordedPresses, face: int | None
+) -> tuple[Int[np.ndarray, "some"], Int[np.ndarray, "channel"]]:
+    if face is None:
+        return np.arange(len(presses)), np.arange(presses.signal_counts.shape[1])
+    count = 3 * spec.sensors.count_per_face
+    rows = np.flatnonzero(presses.face_of_case(face)[presses.case])
+    return rows, (face - 1) * count + np.arange(count)
+
+
+def _clear(
+    spec: ObjectSpec, presses: RecordedPresses, rows: np.ndarray, channels: np.ndarray
+) -> Bool[np.ndarray, "press channel"]:
+    """Recorded changes that stand out of noise and of the error of a fresh zero."""
+    noise = np.tile(presses.noise_counts, presses.signal_counts.shape[1] // 3)[channels]
+    sigma = np.hypot(noise / np.sqrt(presses.frames[rows, None]), spec.sensors.zeroing_counts)
+    with np.errstate(invalid="ignore"):
+        return abs(presses.signal_counts[rows][:, channels]) > _SIGN_SIGMAS * sigma
+
+
+def _per_press(
+    recorded: Float[np.ndarray, "press channel"],
+    predicted: Float[np.ndarray, "press case channel"],
+    clear: Bool[np.ndarray, "press channel"],
+) -> tuple[Float[np.ndarray, "press case"], ...]:
+    """Cosine, share of right signs, and ln(recorded size / predicted size)."""
+    size = np.linalg.norm(recorded, axis=1)[:, None]
+    other = np.linalg.norm(predicted, axis=2)
+    cosine = np.einsum("pc,pkc->pk", recorded, predicted) / (size * other)
+    right = (recorded[:, None] * predicted > 0) & clear[:, None]
+    signs = right.sum(axis=2) / np.maximum(clear.sum(axis=1), 1)[:, None]
+    return cosine, signs, np.log(size / other)
+
+
+def _effective_ratios(
+    recorded_size: Float[np.ndarray, "press"], sizes: Float[np.ndarray, "ratio press case"]
+) -> tuple[Float[np.ndarray, "press case"], Bool[np.ndarray, "press case"]]:
+    """Modulus over the specification's at which sizes agree (they fall with it), clamped."""
+    ratio = np.empty(sizes.shape[1:])
+    bounded = np.empty(sizes.shape[1:], bool)
+    for press, case in np.ndindex(ratio.shape):
+        falling = np.minimum.accumulate(np.log(sizes[:, press, case]))[::-1]
+        wanted = np.log(recorded_size[press])
+        ratio[press, case] = np.exp(np.interp(wanted, falling, np.log(MODULUS_RATIOS)[::-1]))
+        bounded[press, case] = falling[0] <= wanted <= falling[-1]
+    return ratio, bounded
+
+
+def case_permutations(
+    predicted: Float[np.ndarray, "press case channel"], case: Int[np.ndarray, "press"], seed: int
+) -> Int[np.ndarray, "permutation case"]:
+    """Exchanges of cases that press the same faces, the true order first."""
+    count = predicted.shape[1]
+    allowed = np.array([np.isfinite(predicted[case == own]).all((0, 2)) for own in range(count)])
+    if factorial(count) <= factorial(_LARGEST_ENUMERATED):
+        every = np.array(list(permutations(range(count))))
+    else:
+        rng = np.random.default_rng((seed, 8))
+        drawn = [rng.permutation(count) for _ in range(_SAMPLED_PERMUTATIONS)]
+        every = np.vstack([np.arange(count), *drawn])
+    return every[allowed[np.arange(count), every].all(axis=1)]
+
+
+def _mean_figure(
+    values: Float[np.ndarray, "press case"], case: np.ndarray, order: np.ndarray
+) -> Figure:
+    """Mean over presses; larger is better."""
+    means = _permuted_means(values, case, order)
+    return Figure(float(means[0]), float(np.median(means)), _share(means >= means[0] - 1e-12))
+
+
+def _spread_figure(
+    logarithms: Float[np.ndarray, "press case"], case: np.ndarray, order: np.ndarray
+) -> Figure:
+    """Factor of one standard deviation over presses; smaller is better."""
+    mean = _permuted_means(logarithms, case, order)
+    square = _permuted_means(logarithms**2, case, order)
+    spread = np.exp(np.sqrt(np.maximum(square - mean**2, 0)))
+    return Figure(float(spread[0]), float(np.median(spread)), _share(spread <= spread[0] + 1e-12))
+
+
+def _permuted_means(
+    values: Float[np.ndarray, "press case"], case: np.ndarray, order: np.ndarray
+) -> Float[np.ndarray, "permutation"]:
+    sums = np.zeros((order.shape[1], values.shape[1]))
+    np.add.at(sums, case, np.nan_to_num(values))
+    return sums[np.arange(order.shape[1]), order].sum(axis=1) / len(values)
+
+
+def _share(good: Bool[np.ndarray, "permutation"]) -> float:
+    return float(np.mean(good))
+
+
+def channel_rows(
+    presses: RecordedPresses, predictions: Predictions, names: list[str]
+) -> list[dict[str, Any]]:
+    """Each channel over all presses: correlation, share of right signs, recorded over predicted."""
+    predicted = predictions.counts[np.arange(len(presses)), presses.case]
+    rows = []
+    for channel, name in enumerate(names):
+        recorded, model = presses.signal_counts[:, channel], predicted[:, channel]
+        if not np.isfinite(recorded).all():
+            rows.append({"channel": name, "correlation": None, "signs": None, "gain": None})
+            continue
+        rows.append(
+            {
+                "channel": name,
+                "correlation": float(np.corrcoef(recorded, model)[0, 1]),
+                "signs": float(np.mean(recorded * model > 0)),
+                "gain": float(recorded @ model / (model @ model)),
+            }
+        )
+    return rows
+
+
+def verdict(spec: ObjectSpec, found: Agreement) -> str:
+    """In words: what the recordings support of the model, and what not."""
+    pattern = "supported" if found.cosine.significant else "not supported"
+    low, high = spec.silicone.youngs_modulus_range_mpa or (spec.silicone.youngs_modulus_mpa,) * 2
+    inside = low <= found.modulus_mpa <= high
+    near = 1 / SIZE_BAND <= found.size_ratio <= SIZE_BAND
+    sized = found.size_spread.significant and near
+    scatter = "no smaller" if not found.modulus_spread.significant else "smaller"
+    return (
+        f"{found.what}: pattern {pattern} (cosine {found.cosine.value:.2f}, null "
+        f"{found.cosine.null:.2f}, p {found.cosine.p:.3g}); signs right in "
+        f"{100 * found.signs.value:.0f} % (null {100 * found.signs.null:.0f} %, p "
+        f"{found.signs.p:.3g}); absolute size {'supported' if sized else 'not supported'} (recorded "
+        f"{found.size_ratio:.2f} of predicted, scatter ×/÷ {found.size_spread.value:.2f}, null "
+        f"{found.size_spread.null:.2f}); effective modulus {found.modulus_mpa:.2f} MPa ×/÷ "
+        f"{found.modulus_spread.value:.2f}, {'inside' if inside else 'outside'} "
+        f"{low:g} to {high:g} MPa, its scatter {scatter} than that of places exchanged (p "
+        f"{found.modulus_spread.p:.3g})"
+    )

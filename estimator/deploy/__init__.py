@@ -1,0 +1,1 @@
+"""Estimators on the robot: ONNX export, and a runtime without torch."""

@@ -1,0 +1,192 @@
+"""Exported estimators on readings, with onnxruntime alone (no torch)."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections import deque
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from jaxtyping import Bool, Float
+
+from design.errors import InputError
+from estimator.deploy.zeroing import ZERO_FRAMES, RestZero, ZeroMode, is_pause
+from estimator.frames.dataset import FrameSet
+from estimator.frames.face_data import HISTORY, Channel, channel_counts, channel_label, with_history
+from estimator.networks.prediction import UNITS, Prediction
+
+
+@dataclass(frozen=True)
+class DeployedModel:
+    """An exported estimator; attributes as in `estimator.networks.face_model.FaceModel`."""
+
+    face: int
+    channels: tuple[Channel, ...]
+    grid_x_mm: Float[np.ndarray, "nx"]
+    grid_y_mm: Float[np.ndarray, "ny"]
+    history_frames: int
+    interval_cover: float
+    session: Any
+
+
+def load_deployed(path: Path | str) -> DeployedModel:
+    """Read a file written by `estimator.deploy.export.export_onnx`.
+
+    Raises
+    ------
+    InputError
+        No such file, not an ONNX file, or not an estimator of instobj.
+    """
+    path = Path(path)
+    if not path.is_file():
+        raise InputError(f"no model at {path}. `instobj export` makes one of a trained estimator")
+    session = _session(path)
+    try:
+        described = json.loads(session.get_modelmeta().custom_metadata_map["instobj"])
+        names = [output.name for output in session.get_outputs()]
+        if names != list(UNITS):
+            raise ValueError(f"its outputs are {names}")
+        return DeployedModel(
+            face=int(described["face"]),
+            channels=tuple((int(f), int(s), int(a)) for f, s, a in described["channels"]),
+            grid_x_mm=np.array(described["grid_x_mm"], dtype=float),
+            grid_y_mm=np.array(described["grid_y_mm"], dtype=float),
+            history_frames=int(described["history_frames"]),
+            interval_cover=float(described["interval_cover"]),
+            session=session,
+        )
+    except (KeyError, TypeError, ValueError) as error:
+        raise InputError(
+            f"{path} is an ONNX file, but no estimator of instobj ({error}). Give a file that "
+            "`instobj export` wrote"
+        ) from None
+
+
+def _session(path: Path) -> Any:
+    import onnxruntime
+
+    options = onnxruntime.SessionOptions()
+    options.intra_op_num_threads = 1  # networks this small gain nothing from more
+    options.inter_op_num_threads = 1
+    options.log_severity_level = 4
+    try:
+        return onnxruntime.InferenceSession(
+            path.read_bytes(), options, providers=["CPUExecutionProvider"]
+        )
+    except Exception as error:  # onnxruntime's errors share no base class of their own
+        reason = str(error).splitlines()[0][:120]
+        raise InputError(
+            f"{path} is not an ONNX file that onnxruntime reads ({reason}). Give a file that "
+            "`instobj export` wrote"
+        ) from None
+
+
+def run_model(model: DeployedModel, counts: Float[np.ndarray, "frame channel"]) -> Prediction:
+    """Readings of changes against rest (counts), in the model's channel order."""
+    outputs = model.session.run(None, {"counts": counts.astype(np.float32)})
+    return Prediction(*(output.astype(np.float64) for output in outputs))
+
+
+def predict_frames(model: DeployedModel, frames: FrameSet) -> Prediction:
+    """Readings of a data set's frames; presses must be complete if the model reads changes.
+
+    Raises
+    ------
+    InputError
+        A channel that the model uses is missing.
+    """
+    wide = with_history(frames, model.history_frames)
+    return run_model(model, channel_counts(wide, model.channels))
+
+
+@dataclass
+class LiveReader:
+    """Frames one by one, zeroed as `zero` says (`estimator.deploy.zeroing`), with a reading of each.
+
+    Attributes
+    ----------
+    zero : "rest" follows rest, also where the first frames were none; "first" takes the mean of the
+        first `zero_frames`, in which nothing may touch; "none" takes counts for changes
+    zero_frames : how many (still) frames give a zero
+    """
+
+    model: DeployedModel
+    zero: ZeroMode = "rest"
+    zero_frames: int = ZERO_FRAMES
+    _rest: RestZero | None = None
+    _resting: list[np.ndarray] = field(default_factory=list)
+    _recent: deque[np.ndarray] = field(default_factory=deque)
+    _last_s: float = math.nan
+
+    def __post_init__(self) -> None:
+        self.rezero()
+
+    def feed(
+        self, raw_counts: Float[np.ndarray, "face sensor 3"], time_s: float = math.nan
+    ) -> Prediction | None:
+        """Read one frame of raw counts, faces in order from 1; None while there is no zero.
+
+        Raises
+        ------
+        InputError
+            A channel that the model uses does not exist or misses its reading.
+        """
+        now = self._channels_of(raw_counts)
+        if is_pause(time_s - self._last_s):
+            self._recent.clear()
+        self._last_s = time_s
+        self._recent.append(now)
+        if len(self._recent) > self.model.history_frames + 1:
+            self._recent.popleft()
+        zero = self._zero_after(now, time_s)
+        if zero is None:
+            return None
+        counts = np.where(self._past, now - self._recent[0], now - zero)
+        return run_model(self.model, counts[None])
+
+    def rezero(self) -> None:
+        """Take the zero anew from the frames that follow, with nothing pressed."""
+        follows = self.zero == "rest"
+        self._rest = RestZero(self.zero_frames, self._read_still) if follows else None
+        self._resting = []
+        self._recent.clear()
+
+    @cached_property
+    def _past(self) -> Bool[np.ndarray, "channel"]:
+        return np.array([face >= HISTORY for face, _, _ in self.model.channels])
+
+    def _zero_after(
+        self, now: Float[np.ndarray, "channel"], time_s: float
+    ) -> Float[np.ndarray, "channel"] | None:
+        if self.zero == "none":
+            return np.zeros(len(now))
+        if self._rest is not None:
+            self._rest.update(now, time_s)
+            return self._rest.level
+        if len(self._resting) < self.zero_frames:
+            self._resting.append(now)
+            return None
+        return np.mean(self._resting, axis=0)
+
+    def _read_still(self, change: Float[np.ndarray, "channel"]) -> tuple[float, float]:
+        found = run_model(self.model, np.where(self._past, 0.0, change)[None])
+        return float(found.contact[0]), float(found.force_n[0])
+
+    def _channels_of(self, raw: Float[np.ndarray, "face sensor 3"]) -> Float[np.ndarray, "channel"]:
+        values = []
+        for channel in self.model.channels:
+            face, sensor, axis = channel
+            index = (face % HISTORY - 1, sensor, axis)
+            inside = index[0] < raw.shape[0] and sensor < raw.shape[1]
+            value = raw[index] if inside else np.nan
+            if np.isnan(value):
+                raise InputError(
+                    f"channel {channel_label((face % HISTORY, sensor, axis))}, which the model "
+                    "uses, gives no reading. Mend the sensor, or train anew without it"
+                )
+            values.append(value)
+        return np.array(values)

@@ -1,0 +1,127 @@
+"""The zero of a stream of readings that follows rest, for exported estimators (no torch).
+
+Signals count as still when they scatter over a few frames no more than from one frame to the next
+(von Neumann's ratio; it needs no noise level). A still level becomes the zero
+
+- at once, when it reads as less than 15 % of the largest force of a press that ended within the last
+  5 s: silicone hangs back by up to 10 %, and a new mounting shifts the rest;
+- at once, when it does not read as a press, but the zero read from it does: then the zero was taken
+  while something touched;
+- by at most 1 count/s, when it reads as no contact: drift.
+
+The price: a hold that keeps less than 15 % of the force of the press before it, and a force that
+grows by less than about 0.02 N/s, are taken for rest. Measured on the public recording of one probe,
+which begins within a press, with models of its own training presses: docs/estimators.md.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Literal
+
+import numpy as np
+from jaxtyping import Float
+
+from design.errors import InputError
+from estimator.recordings.presses import PAUSE_S
+
+ZeroMode = Literal["rest", "first", "none"]
+"""How readings are zeroed: by following rest, by the first frames, or not at all."""
+ReadStill = Callable[[Float[np.ndarray, "channel"]], tuple[float, float]]
+"""Probability of contact and force (N) that a change against rest is read as."""
+ZERO_FRAMES = 8
+STILL_RATIO = 1.3
+"""Largest ratio of the variance in a window to half the mean squared step from frame to frame."""
+RETURN_SHARE = 0.15
+SETTLE_S = 5.0
+DRIFT_COUNTS_PER_S = 1.0
+LEAST_FORCE_N = 0.3
+PRESS_FORCE_N = 1.0
+_LEAST_FRAMES = 5
+_FRAME_S = 0.1
+"""Between frames without time stamps."""
+
+
+def is_still(window: Float[np.ndarray, "frame channel"]) -> bool:
+    """Whether frames scatter about their mean no more than from one to the next."""
+    steps = np.diff(window, axis=0)
+    noise = np.maximum(np.mean(steps**2, axis=0) / 2, 1 / 12)
+    return bool(np.mean(window.var(axis=0, ddof=1) / noise) <= STILL_RATIO)
+
+
+def is_pause(elapsed_s: float) -> bool:
+    """Whether frames so far apart belong to different stretches; so does time that runs back."""
+    return elapsed_s > PAUSE_S or elapsed_s < 0
+
+
+@dataclass
+class RestZero:
+    """The zero after each frame of raw counts (channel,), None before the first still frames.
+
+    Attributes
+    ----------
+    frames : length of the window that must be still, and that gives the zero
+    read : how the estimator reads a constant change
+
+    Raises
+    ------
+    InputError
+        Fewer than five frames, among which stillness does not show.
+    """
+
+    frames: int
+    read: ReadStill
+    level: Float[np.ndarray, "channel"] | None = None
+    _window: deque[np.ndarray] = field(default_factory=deque)
+    _now_s: float = 0.0
+    _loaded_s: float = -math.inf
+    _largest_n: float = 0.0
+
+    def __post_init__(self) -> None:
+        if self.frames < _LEAST_FRAMES:
+            raise InputError(
+                f"a zero that follows rest needs {_LEAST_FRAMES} frames or more; got {self.frames}. "
+                "Raise --zero-frames, or take --zero first"
+            )
+
+    def update(self, raw: Float[np.ndarray, "channel"], time_s: float = math.nan) -> None:
+        """Take one frame and its time (s), if known."""
+        now_s = self._now_s + _FRAME_S if math.isnan(time_s) else time_s
+        elapsed_s, self._now_s = now_s - self._now_s, now_s
+        if is_pause(elapsed_s):
+            self._window.clear()
+            self._loaded_s = min(self._loaded_s, now_s)
+        self._window.append(raw)
+        if len(self._window) > self.frames:
+            self._window.popleft()
+        if self.level is not None:
+            self._note_force(self.read(raw - self.level)[1])
+        if len(self._window) == self.frames:
+            window = np.array(self._window)
+            if is_still(window):
+                self._consider(window.mean(axis=0), max(0.0, elapsed_s))
+
+    def _note_force(self, force_n: float) -> None:
+        if self._now_s - self._loaded_s > SETTLE_S:
+            self._largest_n = 0.0
+        if force_n > max(LEAST_FORCE_N, RETURN_SHARE * self._largest_n):
+            self._loaded_s = self._now_s
+            self._largest_n = max(self._largest_n, force_n)
+
+    def _consider(self, level: Float[np.ndarray, "channel"], elapsed_s: float) -> None:
+        """Move the zero to, or towards, a still level that is rest."""
+        if self.level is None:
+            self.level = level
+            return
+        change = level - self.level
+        contact, force_n = self.read(change)
+        if self.read(-change)[1] > max(PRESS_FORCE_N, 2 * force_n):
+            self.level, self._largest_n = level, 0.0
+        elif force_n <= RETURN_SHARE * self._largest_n:
+            self.level = level
+        elif contact < 0.5 or force_n < LEAST_FORCE_N:
+            step = DRIFT_COUNTS_PER_S * min(elapsed_s, SETTLE_S)
+            self.level = self.level + np.clip(change, -step, step)

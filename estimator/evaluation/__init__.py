@@ -1,0 +1,1 @@
+"""How good an estimator is, beside what is possible at best."""

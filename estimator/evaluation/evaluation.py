@@ -1,0 +1,178 @@
+"""Metrics of trained estimators, beside baselines that any estimator must beat."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from jaxtyping import Float, Int
+
+from design.errors import InputError
+from design.spec.object import TrainingSpec
+from estimator.frames.dataset import FrameSet
+from estimator.frames.face_data import FaceData, face_data, with_history
+from estimator.frames.splits import Split
+from estimator.networks.face_model import FaceModel, predict, predict_heatmaps
+from estimator.networks.metrics import FaceMetrics, face_metrics, force_reference
+from estimator.networks.prediction import Prediction
+from estimator.networks.training import FitSettings, fit_estimator
+from estimator.networks.training_data import with_contacts
+from estimator.recordings.reading import Recording
+
+
+@dataclass(frozen=True)
+class IntervalReport:
+    """Intervals on presses that neither trained nor calibrated the model: covers are shares of
+    frames, widths medians over frames."""
+
+    wanted_cover: float
+    force_cover: float
+    position_cover: float
+    median_force_halfwidth_n: float
+    median_position_radius_mm: float
+    calibration_presses: int
+    tested_presses: int
+
+
+@dataclass(frozen=True)
+class RestOffsetBaseline:
+    """How well the contact case is guessed from the raw rest level alone, before any press.
+
+    Nearest case mean over the training presses, judged on the test presses. Whatever an estimator
+    scores on location must be read beside this: sessions, and with them places, have their own
+    rest levels. `chance` is 1 over the number of cases.
+    """
+
+    accuracy: float
+    chance: float
+    presses: int
+
+
+def evaluate_face(
+    model: FaceModel, frames: FrameSet, dataset: FrameSet | None = None
+) -> FaceMetrics:
+    """Metrics of a model on frames (normally the test part).
+
+    `dataset` gives the smallest contact force and each place's range of force; by default the
+    frames themselves.
+
+    Raises
+    ------
+    InputError
+        The frames hold no usable frame of the face, or its contacts are on another grid.
+    """
+    _check_grid(model, frames)
+    data = face_data(with_history(frames, model.history_frames), model.face)
+    return _metrics(data, predict_heatmaps(model, data.frames), dataset or frames)
+
+
+def evaluate_intervals(model: FaceModel, frames: FrameSet) -> IntervalReport:
+    """Cover and width of a model's intervals in the contact frames of one face.
+
+    Raises
+    ------
+    InputError
+        The frames hold no contact on the face.
+    """
+    data = with_contacts(
+        face_data(with_history(frames, model.history_frames), model.face), "tested"
+    )
+    data = data.select(data.contact)
+    found, missed_n, away_mm = interval_errors(model, data)
+    return IntervalReport(
+        wanted_cover=model.interval_cover,
+        force_cover=float(np.mean(missed_n <= found.force_halfwidth_n)),
+        position_cover=float(np.mean(away_mm <= found.position_radius_mm)),
+        median_force_halfwidth_n=float(np.median(found.force_halfwidth_n)),
+        median_position_radius_mm=float(np.median(found.position_radius_mm)),
+        calibration_presses=model.interval_presses,
+        tested_presses=len(np.unique(data.frames.press_id)),
+    )
+
+
+def interval_errors(
+    model: FaceModel, data: FaceData
+) -> tuple[Prediction, Float[np.ndarray, "frame"], Float[np.ndarray, "frame"]]:
+    """Predictions in contact frames, how far off the total force is (N) and the centre (mm)."""
+    found = predict(model, data.frames)
+    missed_n = np.abs(found.force_n - data.heatmap_n.sum(axis=(1, 2)))
+    return found, missed_n, np.linalg.norm(found.xy_mm - data.centre_mm, axis=1)
+
+
+def linear_baseline(frames: FrameSet, face: int, split: Split) -> FaceMetrics:
+    """Linear (ridge) regression from signals in units of σ to the heatmap."""
+    settings = FitSettings(face, TrainingSpec(model="linear"))
+    model = fit_estimator(frames.select(split.train), frames.select(split.validation), settings)
+    return evaluate_face(model, frames.select(split.test), frames)
+
+
+def mean_map_baseline(frames: FrameSet, face: int, split: Split) -> FaceMetrics:
+    """Chance: always the mean training heatmap of contact frames, whatever the signals say."""
+    train, test = (face_data(frames.select(part), face) for part in (split.train, split.test))
+    mean = train.heatmap_n[train.contact].mean(axis=0)
+    return _metrics(test, np.broadcast_to(mean, test.heatmap_n.shape).copy(), frames)
+
+
+def rest_offset_baseline(
+    recordings: Sequence[Recording], seed: int, train_share: float = 0.6
+) -> RestOffsetBaseline:
+    """Contact case guessed from the raw counts at rest before each press.
+
+    Raises
+    ------
+    InputError
+        Some case has fewer than two presses.
+    """
+    level, case = _rest_levels(recordings)
+    rng = np.random.default_rng(seed)
+    train = np.zeros(len(case), dtype=bool)
+    for name in np.unique(case):
+        members = rng.permutation(np.flatnonzero(case == name))
+        if len(members) < 2:
+            raise InputError(
+                f"contact case {name} has one press; this baseline needs at least two of each. Add "
+                "recordings"
+            )
+        train[members[: min(len(members) - 1, max(1, round(train_share * len(members))))]] = True
+    names = np.unique(case)
+    means = np.array([level[train & (case == name)].mean(axis=0) for name in names])
+    distance = np.linalg.norm(level[~train, None] - means, axis=2)
+    guess = names[distance.argmin(axis=1)]
+    return RestOffsetBaseline(
+        float(np.mean(guess == case[~train])), 1 / len(names), int(np.sum(~train))
+    )
+
+
+def _rest_levels(
+    recordings: Sequence[Recording],
+) -> tuple[Float[np.ndarray, "press channel"], Int[np.ndarray, "press"]]:
+    """Raw rest level of each press with contacts, live channels only, and its contact case."""
+    places = sorted({place for recording in recordings for place in recording.report.places})
+    levels, cases = [], []
+    for recording in recordings:
+        frames = recording.frames
+        for press, level in enumerate(recording.rest_counts):
+            ids = frames.place_id[(frames.press_id == press) & (frames.place_id >= 0)]
+            if len(ids):
+                levels.append(level.ravel())
+                cases.append(places.index(recording.report.places[ids[0]]))
+    level = np.array(levels)
+    return level[:, np.isfinite(level).all(axis=0)], np.array(cases)
+
+
+def _metrics(
+    data: FaceData, predicted_n: Float[np.ndarray, "frame nx ny"], dataset: FrameSet
+) -> FaceMetrics:
+    reference = force_reference(face_data(dataset, data.face).heatmap_n)
+    return face_metrics(data.face, predicted_n, data.heatmap_n, reference, data.rest)
+
+
+def _check_grid(model: FaceModel, frames: FrameSet) -> None:
+    for name in ("grid_x_mm", "grid_y_mm"):
+        mine, theirs = getattr(model, name), getattr(frames, name)
+        if mine.shape != theirs.shape or not np.allclose(mine, theirs, rtol=0, atol=1e-6):
+            raise InputError(
+                f"the model's {name} is {mine.tolist()}, the data set's {theirs.tolist()}. Evaluate "
+                "on the contact grid that the model was trained on"
+            )

@@ -1,0 +1,1 @@
+"""Flux density of magnets, and its derivatives."""

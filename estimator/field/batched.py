@@ -1,0 +1,125 @@
+"""Flux density of many magnets at many points as torch tensors, with gradients, on any device.
+
+The law is that of `estimator.field.models`; this module only cuts the pairs into pieces that fit the
+processor's cache and puts the results together, so that gradients in magnet position, axis and
+sensor position come from autograd. Where no gradient is wanted on a processor, the pieces are
+worked on as NumPy arrays that share the tensors' memory: its operations start a third quicker.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import torch
+from jaxtyping import Float
+from torch import Tensor
+
+from design.errors import InputError
+from estimator.field.models import FieldModel, sum_over_magnets
+from estimator.field.vectors import Vector
+
+_CPU_ARRAY_BYTES = 96 * 1024
+"""Of one temporary of a chunk: a dozen of them about fill a second-level cache, and each is well
+below the size at which allocators ask the system for memory every time."""
+_ACCELERATOR_PAIRS = 1 << 22
+"""Pairs of a chunk where launching a kernel costs more than memory does."""
+
+
+def batched_field(
+    points_mm: Float[Tensor, "#press point 3"],
+    centres_mm: Float[Tensor, "#press magnet 3"],
+    axes: Float[Tensor, "#press magnet 3"],
+    model: FieldModel,
+    chunk_pairs: int | None = None,
+    sides: Float[Tensor, "#press magnet 3"] | None = None,
+) -> Float[Tensor, "press point 3"]:
+    """Flux density (T) of all magnets together, at every point of every press.
+
+    Differentiable in all three tensors; autograd then keeps about 25 numbers a pair. float32 costs
+    1e-6 of the field beside the model's own error and is about twice as fast as float64 on a
+    processor.
+
+    Parameters
+    ----------
+    points_mm : mm; first dimension 1 where the points are the same in every press
+    centres_mm : mm, centres of the magnets; first dimension 1 where they are the same
+    axes : unit vectors along the polarization; normalise inside the graph to optimise them
+    model : dipole, multipole or charges (`field.field_model` chooses the order for a nearest distance)
+    chunk_pairs : pairs worked on at once; by default what fits the processor's cache
+    sides : unit vectors along the first edge of blocks; round magnets need none
+
+    Raises
+    ------
+    InputError
+        An exact body has no torch form, or the tensors differ in type or device.
+    """
+    _check(points_mm, centres_mm, axes, model)
+    presses = max(len(points_mm), len(centres_mm), len(axes))
+    pairs = (chunk_pairs or _default_chunk_pairs(points_mm)) // centres_mm.shape[1]
+    press_chunk = max(1, min(presses, pairs))
+    point_chunk = max(1, pairs // press_chunk)
+    plain = points_mm.device.type == "cpu" and not _wants_gradient(
+        points_mm, centres_mm, axes, sides
+    )
+    parts = []
+    for start in range(0, presses, press_chunk):
+        rows = slice(start, start + press_chunk)
+        centre = _components(centres_mm, rows, 1, plain)
+        axis = _components(axes, rows, 1, plain)
+        side = None if sides is None else _components(sides, rows, 1, plain)
+        point = _components(points_mm, rows, 0, plain)
+        field = [
+            _stacked(sum_over_magnets(_piece(point, first, point_chunk), centre, axis, model, side))
+            for first in range(0, points_mm.shape[1], point_chunk)
+        ]
+        parts.append(torch.cat(field, dim=1).permute(2, 1, 0))
+    return torch.cat(parts)
+
+
+def _wants_gradient(*given: Tensor | None) -> bool:
+    return torch.is_grad_enabled() and any(t is not None and t.requires_grad for t in given)
+
+
+def _components(
+    vectors: Float[Tensor, "#press many 3"], rows: slice, new_dimension: int, plain: bool
+) -> Vector:
+    """x, y, z of those presses, each with presses last and a dimension of size 1 put in."""
+    if len(vectors) > 1:
+        vectors = vectors[rows]
+    parts = (part.contiguous().unsqueeze(new_dimension) for part in vectors.permute(2, 1, 0))
+    x, y, z = (part.detach().numpy() for part in parts) if plain else parts
+    return x, y, z
+
+
+def _piece(point: Vector, first: int, count: int) -> Vector:
+    x, y, z = (along[:, first : first + count] for along in point)
+    return x, y, z
+
+
+def _stacked(field: Vector) -> Tensor:
+    """One tensor with the components first."""
+    if isinstance(field[0], Tensor):
+        return torch.stack(field)
+    return torch.from_numpy(np.array(field))
+
+
+def _default_chunk_pairs(like: Tensor) -> int:
+    if like.device.type != "cpu":
+        return _ACCELERATOR_PAIRS
+    return _CPU_ARRAY_BYTES // like.element_size()
+
+
+def _check(points_mm: Tensor, centres_mm: Tensor, axes: Tensor, model: FieldModel) -> None:
+    if model.name == "exact":
+        raise InputError(
+            f"the exact field of {model.magnet.description} has no torch "
+            "form and no gradients. Keep points far enough away for the multipole series, or "
+            "call estimator.field.total_field"
+        )
+    kinds = {(str(t.dtype), str(t.device)) for t in (points_mm, centres_mm, axes)}
+    if len(kinds) > 1:
+        raise InputError(
+            "points, centres and axes must share one type and device; got "
+            f"{', '.join(' on '.join(kind) for kind in sorted(kinds))}. Convert them alike"
+        )
+    if 0 in (*points_mm.shape, *centres_mm.shape):
+        raise InputError("points and centres must not be empty. Give at least one of each")

@@ -1,0 +1,267 @@
+"""Flux density of magnets: point dipole, multipole series, pole charges, exact bodies.
+
+Vectors are triples of equally broadcastable arrays (`estimator.field.vectors`), so that large sets of
+pairs stay in cache-sized, contiguous pieces. Dipole, series and charges take NumPy arrays and torch
+tensors alike (`estimator.field.batched` has the latter in batches). Lengths are in mm, polarization
+and flux density in T: a magnet written with its polarization needs no conversion.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any, Literal
+
+import numpy as np
+from jaxtyping import Float
+
+from estimator.field.exact import cuboid_field, cylinder_field
+from estimator.field.sources import BlockMagnet, DiskMagnet, Magnet, in_space, local_coordinates
+from estimator.field.vectors import Vector, dot, plus_product, plus_scaled
+
+ModelName = Literal["dipole", "multipole", "charges", "exact"]
+LOWEST_ORDER = 7
+HIGHEST_ORDER = 25
+HIGHEST_CHARGES = 8
+_REFERENCE_ORDER = 61
+
+
+@dataclass(frozen=True)
+class FieldModel:
+    """A model of one magnet's field; calling it gives B (T) at an offset (mm) from its centre.
+
+    `order` is that of the multipole series, or the number of charges along a block's edge.
+    """
+
+    magnet: Magnet
+    name: ModelName
+    order: int = 0
+
+    def __call__(self, offset_mm: Vector, axis: Vector, side: Vector | None = None) -> Vector:
+        if self.name == "dipole":
+            return dipole_field(offset_mm, axis, self.magnet)
+        if self.name == "multipole":
+            return multipole_field(offset_mm, axis, self.magnet, self.order)
+        if isinstance(self.magnet, DiskMagnet):
+            return cylinder_field(offset_mm, axis, self.magnet)
+        if self.name == "charges":
+            return charges_field(offset_mm, axis, self.magnet, self.order, side)
+        return cuboid_field(offset_mm, axis, self.magnet, side)
+
+
+def field_model(magnet: Magnet, nearest_distance_mm: float, tolerance: float = 1e-3) -> FieldModel:
+    """The cheapest model whose error stays within `tolerance` beyond `nearest_distance_mm`.
+
+    The multipole series where one of its orders will do (of a block only its part of rotational
+    symmetry counts, which suffices at a distance), charges on a block's poles nearer to it, the
+    exact body nearer still. The error is the largest over all directions, relative to the local
+    |B|; it falls with distance.
+    """
+    for model in _candidates(magnet):
+        if _holds(model, nearest_distance_mm, tolerance):
+            return model
+    return FieldModel(magnet, "exact")
+
+
+def _candidates(magnet: Magnet) -> list[FieldModel]:
+    orders = range(LOWEST_ORDER, HIGHEST_ORDER + 1, 2)
+    series = [FieldModel(magnet, "multipole", order) for order in orders]
+    if isinstance(magnet, DiskMagnet):
+        return series
+    return series[:2] + [FieldModel(magnet, "charges", n) for n in range(2, HIGHEST_CHARGES + 1)]
+
+
+def _holds(model: FieldModel, distance_mm: float, tolerance: float) -> bool:
+    if distance_mm <= model.magnet.circumscribed_radius_mm:
+        return False
+    return model_error(model, distance_mm) <= tolerance
+
+
+def dipole_field(offset_mm: Vector, axis: Vector, magnet: Magnet) -> Vector:
+    """Point dipole J V / (4π r³) (3 (n̂·r̂) r̂ − n̂): 13 % wrong 10 mm from a disk of Ø6 × 1.
+
+    Parameters
+    ----------
+    offset_mm : three arrays, mm, from the magnet's centre to the point
+    axis : three arrays, unit vector along the polarization
+
+    Returns
+    -------
+    Three arrays, T.
+    """
+    return multipole_field(offset_mm, axis, magnet, order=1)
+
+
+def multipole_field(offset_mm: Vector, axis: Vector, magnet: Magnet, order: int) -> Vector:
+    """Axisymmetric multipole series about the magnet's centre up to the odd `order`.
+
+    B = Σ a_l r^−(l+2) [P′_{l+1}(c) r̂ − P′_l(c) n̂] over odd l, c = n̂·r̂, with
+    a_l = J V/(4π) l M_{l−1} and M_n the mean of rⁿ P_n(cos θ) over the magnet's volume. It is the
+    gradient of the scalar potential of a uniformly polarized body outside its circumscribed
+    sphere (Jackson, Classical Electrodynamics, section 5.9); it diverges inside. Of a block it is
+    the part of rotational symmetry alone. The gradient in `axis` is that of this formula as
+    written: keep the axis a unit vector.
+    """
+    x, y, z = offset_mm
+    nx, ny, nz = axis
+    inverse_squared = 1 / dot(offset_mm, offset_mm)
+    inverse_cubed = inverse_squared * inverse_squared**0.5
+    along = dot(offset_mm, axis)
+    s = magnet.circumscribed_radius_mm**2 * inverse_squared
+    ratio = along * inverse_squared
+    powers = (s, along * ratio * s, s * s)
+    radial_series, axial_series = _series(magnet, order)
+    radial = inverse_cubed * ratio * _clenshaw(radial_series, *powers)
+    axial = inverse_cubed * _clenshaw(axial_series, *powers)
+    return (
+        plus_product(radial * x, axial, nx),
+        plus_product(radial * y, axial, ny),
+        plus_product(radial * z, axial, nz),
+    )
+
+
+def charges_field(
+    offset_mm: Vector, axis: Vector, block: BlockMagnet, count: int, side: Vector | None = None
+) -> Vector:
+    """A block's two poles as `count`² point charges each, placed and weighed by Gauss's rule.
+
+    The poles carry the surface charge ±J; a rule of n points an edge is exact for the multipoles
+    up to order 2n, so that the error falls as (size / distance)^2n.
+    """
+    along, first, second = local_coordinates(offset_mm, axis, side)
+    nodes, weights = np.polynomial.legendre.leggauss(count)
+    (x, y), half_height = (edge / 2 * nodes for edge in block.size_mm), block.height_mm / 2
+    strength = block.polarization_t * block.size_mm[0] * block.size_mm[1] / (16 * np.pi)
+    b_along, b_first, b_second = 0.0, 0.0, 0.0
+    for sign in (1.0, -1.0):
+        height = along - sign * half_height
+        for i, j in np.ndindex(count, count):
+            a, b = first - float(x[i]), second - float(y[j])
+            inverse_squared = 1 / dot((a, b, height), (a, b, height))
+            weight = float(sign * strength * weights[i] * weights[j])
+            pull = weight * inverse_squared * inverse_squared**0.5
+            b_along = b_along + pull * height
+            b_first = b_first + pull * a
+            b_second = b_second + pull * b
+    return in_space((b_along, b_first, b_second), axis, side)
+
+
+@dataclass(frozen=True)
+class _Series:
+    """Σ w_k F_k with F_{k+1} = (s t + β_k s) F_k + γ_k s² F_{k−1}, F_0 = 1, s = (R/r)², t = c²."""
+
+    weights: tuple[float, ...]
+    shifts: tuple[float, ...]
+    feedbacks: tuple[float, ...]
+
+
+def _clenshaw(series: _Series, s: Any, st: Any, s_squared: Any) -> Any:
+    """The sum, from its highest term down (Clenshaw, Math. Tables Aids Comput. 9, 1955)."""
+    *lower, here = series.weights
+    after: Any = 0.0
+    for k in reversed(range(len(lower))):
+        step = plus_scaled(st, s, series.shifts[k]) * here
+        if k + 3 < len(series.weights):
+            step = plus_product(step, after, s_squared, series.feedbacks[k + 1])
+        elif k + 2 < len(series.weights):
+            step = plus_scaled(step, s_squared, series.feedbacks[k + 1] * after)
+        step += lower[k]
+        here, after = step, here
+    return here
+
+
+@lru_cache(maxsize=256)
+def _series(magnet: Magnet, order: int) -> tuple[_Series, _Series]:
+    """Sums that multiply c r̂ and n̂ in B r³: over P′_{l+1}(c)/c and over −P′_l(c)."""
+    if order < 1 or order % 2 == 0:
+        raise ValueError(f"the series has odd orders only; got {order}")
+    moment = magnet.polarization_t * magnet.volume_mm3 / (4 * np.pi)
+    means = magnet.mean_solid_harmonics(order)
+    lengths = magnet.circumscribed_radius_mm ** np.arange(order)
+    orders = range(1, order + 1, 2)
+    strengths = [float(moment * l * means[l - 1] / lengths[l - 1]) for l in orders]
+    return _gegenbauer_series(1, strengths), _gegenbauer_series(0, [-a for a in strengths])
+
+
+def _gegenbauer_series(parity: int, strengths: list[float]) -> _Series:
+    """Recurrence in t = c² of P′_{n+1}(c) = C_n(c), the Gegenbauer polynomials of index 3/2.
+
+    c C_n = u_n C_{n+1} + d_n C_{n−1} with u_n = (n+1)/(2n+3) and d_n = (n+2)/(2n+3); applied twice
+    it links those of one parity. They are scaled to leading coefficient 1 in t.
+    """
+    n = np.arange(2 * len(strengths) + 3)
+    up, down = (n + 1) / (2 * n + 3), (n + 2) / (2 * n + 3)
+    leading, weights, shifts, feedbacks = 1.0 + 2 * parity, [], [], []
+    for k, strength in enumerate(strengths):
+        m = 2 * k + parity
+        weights.append(strength * leading)
+        shifts.append(float(-up[m] * down[m + 1] - (down[m] * up[m - 1] if m else 0)))
+        before = down[m] * down[m - 1] * up[m - 2] * up[m - 1] if k else 0
+        feedbacks.append(float(-before))
+        leading /= float(up[m] * up[m + 1])
+    return _Series(tuple(weights), tuple(shifts), tuple(feedbacks))
+
+
+@lru_cache(maxsize=256)
+def model_error(model: FieldModel, distance_mm: float) -> float:
+    """Largest relative error of a model at a distance, over all directions.
+
+    Against the series of order 61 for round sources, which leaves out (R/r)^60 of the field, and
+    against the exact block.
+    """
+    angle = np.linspace(0, np.pi, 181)
+    around = isinstance(model.magnet, DiskMagnet)
+    azimuth = np.zeros(1) if around else np.linspace(0, np.pi / 2, 13)
+    x, y, z = (
+        distance_mm * np.outer(polar, part).ravel()
+        for polar, part in (
+            (np.sin(angle), np.cos(azimuth)),
+            (np.sin(angle), np.sin(azimuth)),
+            (np.cos(angle), np.ones_like(azimuth)),
+        )
+    )
+    pose: tuple[Vector, Vector, Vector] = (x, y, z), (0.0, 0.0, 1.0), (1.0, 0.0, 0.0)
+    best: ModelName = "multipole" if around else "exact"
+    exact = np.array(FieldModel(model.magnet, best, _REFERENCE_ORDER)(*pose))
+    error = np.array(model(*pose)) - exact
+    return float(np.max(np.linalg.norm(error, axis=0) / np.linalg.norm(exact, axis=0)))
+
+
+def sum_over_magnets(
+    points_mm: Vector,
+    centres_mm: Vector,
+    axes: Vector,
+    model: FieldModel,
+    sides: Vector | None = None,
+    strength: Any = 1.0,
+) -> Vector:
+    """Flux density (T) of all magnets together; the magnets run along the first dimension.
+
+    Parameters
+    ----------
+    points_mm, centres_mm, axes : three arrays each, broadcastable to (magnet, …), mm and unit
+        vectors. Speed wants a long contiguous last dimension and a size that fits the cache.
+    sides : unit vectors along the first edge of blocks; round magnets need none
+    strength : polarization of each magnet over the model's, broadcastable alike
+
+    Returns
+    -------
+    Three arrays of shape (…), T.
+    """
+    offset = tuple(p - c for p, c in zip(points_mm, centres_mm, strict=True))
+    bx, by, bz = (strength * part for part in model(offset, axes, sides))
+    return bx.sum(axis=0), by.sum(axis=0), bz.sum(axis=0)
+
+
+def total_field(
+    points_mm: Float[np.ndarray, "point 3"],
+    centres_mm: Float[np.ndarray, "magnet 3"],
+    axes: Float[np.ndarray, "magnet 3"],
+    model: FieldModel,
+    sides: Float[np.ndarray, "magnet 3"] | None = None,
+) -> Float[np.ndarray, "point 3"]:
+    """Flux density (T) of all magnets together at points (mm); `sides` as `sum_over_magnets`."""
+    centres, turned = (tuple(given.T[:, :, None]) for given in (centres_mm, axes))
+    side = None if sides is None else tuple(sides.T[:, :, None])
+    field = sum_over_magnets(tuple(points_mm.T[:, None]), centres, turned, model, side)
+    return np.stack(field, axis=-1)

@@ -1,0 +1,176 @@
+"""Sources of field that magnets and coils are: round ones and blocks, polarized along their height.
+
+A coil has the field of a uniformly polarized cylinder of J = μ0 N I / L (its current sheet is that
+body's surface current), a thick winding that of many such cylinders one in another.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from jaxtyping import Float
+
+from design.spec.object import MagnetSpec
+from estimator.field.vectors import Vector, cross, dot, plus_product
+
+_WINDING_SHEETS = 8
+"""Gauss points over a winding's thickness: exact to 1e-9 outside it."""
+
+
+@dataclass(frozen=True)
+class DiskMagnet:
+    """A disk polarized along its axis, a ring of that outline, or a coil wound in it.
+
+    Attributes
+    ----------
+    diameter_mm, height_mm : outline, mm
+    polarization_t : T, of a coil μ0 N I / L
+    inner_diameter_mm : of a ring's hole, or of the innermost turn
+    wound : whether turns fill it evenly from the inner to the outer diameter
+    """
+
+    diameter_mm: float
+    height_mm: float
+    polarization_t: float
+    inner_diameter_mm: float = 0.0
+    wound: bool = False
+
+    @cached_property
+    def cylinders(self) -> tuple[tuple[float, float], ...]:
+        """Radii (mm) and weights of the full cylinders of this height that sum to the source."""
+        outer, inner = self.diameter_mm / 2, self.inner_diameter_mm / 2
+        if self.wound:
+            nodes, weights = np.polynomial.legendre.leggauss(_WINDING_SHEETS)
+            radii = inner + (outer - inner) * (1 + nodes) / 2
+            return tuple(zip(radii.tolist(), (weights / 2).tolist(), strict=True))
+        return ((outer, 1.0), (inner, -1.0)) if inner else ((outer, 1.0),)
+
+    @property
+    def volume_mm3(self) -> float:
+        """Moment per polarization, mm³; of a disk or ring its volume."""
+        return float(np.pi * self.height_mm * sum(w * r**2 for r, w in self.cylinders))
+
+    @property
+    def circumscribed_radius_mm(self) -> float:
+        """Radius of the sphere about the outline; the multipole series converges outside it."""
+        return float(np.hypot(self.diameter_mm, self.height_mm) / 2)
+
+    @property
+    def description(self) -> str:
+        hole = f"/{self.inner_diameter_mm:g}" if self.inner_diameter_mm else ""
+        kind = "coil" if self.wound else "ring" if hole else "disk"
+        return f"a {kind} of Ø{self.diameter_mm:g}{hole} × {self.height_mm:g} mm"
+
+    def mean_solid_harmonics(self, count: int) -> Float[np.ndarray, "n"]:
+        """Mean of rⁿ P_n(cos θ) over the source, n < `count`."""
+        parts = [(w * r**2, _of_cylinder(r, self.height_mm / 2, count)) for r, w in self.cylinders]
+        weights = np.array([v for v, _ in parts])
+        return weights @ np.array([mean for _, mean in parts]) / weights.sum()
+
+    def holds(self, offset_mm: Vector, axis: Vector, side: Vector | None = None) -> Any:
+        """Whether points (offsets from the centre, mm) lie in the outline; a hole counts as full."""
+        del side
+        along = dot(offset_mm, axis)
+        across_squared = dot(offset_mm, offset_mm) - along * along
+        return (abs(along) <= self.height_mm / 2) & (across_squared <= self.diameter_mm**2 / 4)
+
+
+@dataclass(frozen=True)
+class BlockMagnet:
+    """A cuboid polarized along its height; `size_mm` are its edges along `side` and across it."""
+
+    size_mm: tuple[float, float]
+    height_mm: float
+    polarization_t: float
+
+    @property
+    def volume_mm3(self) -> float:
+        return self.size_mm[0] * self.size_mm[1] * self.height_mm
+
+    @property
+    def circumscribed_radius_mm(self) -> float:
+        """Radius of the sphere about the block."""
+        return float(np.linalg.norm((*self.size_mm, self.height_mm)) / 2)
+
+    @property
+    def description(self) -> str:
+        x, y = self.size_mm
+        return f"a block of {x:g} × {y:g} × {self.height_mm:g} mm"
+
+    def mean_solid_harmonics(self, count: int) -> Float[np.ndarray, "n"]:
+        """Mean of rⁿ P_n(cos θ) over the block, n < `count`: its part of rotational symmetry."""
+        nodes, weights = np.polynomial.legendre.leggauss(count // 2 + 2)
+        x, y = (edge / 2 * nodes for edge in self.size_mm)
+        across_squared = np.add.outer(x**2, y**2).ravel()
+        weight = np.outer(weights, weights).ravel() / 4
+        z = self.height_mm / 2 * nodes[:, None]
+        return _means(z, across_squared, weights[:, None] / 2 * weight, count)
+
+    def holds(self, offset_mm: Vector, axis: Vector, side: Vector | None = None) -> Any:
+        """Whether points (offsets from the centre, mm) lie in the block or on its surface."""
+        along, first, second = local_coordinates(offset_mm, axis, side)
+        x, y = self.size_mm
+        return (abs(along) <= self.height_mm / 2) & (abs(first) <= x / 2) & (abs(second) <= y / 2)
+
+
+Magnet = DiskMagnet | BlockMagnet
+
+
+def magnet_source(magnets: MagnetSpec) -> Magnet:
+    """The magnet or coil that a specification describes, at its temperature.
+
+    A magnet's remanence is taken as its polarization.
+    """
+    if magnets.kind == "coil":
+        polarization, wound = magnets.winding_polarization_t, True
+    else:
+        polarization, wound = magnets.working_remanence_t, False
+    if magnets.shape == "block":
+        return BlockMagnet(magnets.size_mm, magnets.height_mm, polarization)
+    hole = magnets.inner_diameter_mm
+    return DiskMagnet(magnets.diameter_mm, magnets.height_mm, polarization, hole, wound)
+
+
+def local_coordinates(offset_mm: Vector, axis: Vector, side: Vector | None) -> Vector:
+    """Components along the axis, along a block's side and across both."""
+    first, second = _edges(axis, side)
+    return dot(offset_mm, axis), dot(offset_mm, first), dot(offset_mm, second)
+
+
+def in_space(local: Vector, axis: Vector, side: Vector | None) -> Vector:
+    """Undo `local_coordinates`."""
+    (along, first, second), (u, v) = local, _edges(axis, side)
+    x, y, z = (
+        plus_product(plus_product(along * axis[k], first, u[k]), second, v[k]) for k in range(3)
+    )
+    return x, y, z
+
+
+def _edges(axis: Vector, side: Vector | None) -> tuple[Vector, Vector]:
+    if side is None:
+        raise ValueError("a block's field needs the direction of its side")
+    return side, cross(axis, side)
+
+
+def _of_cylinder(radius: float, half_height: float, count: int) -> Float[np.ndarray, "n"]:
+    """Volume means of rⁿ P_n(cos θ) of a full cylinder."""
+    nodes, weights = np.polynomial.legendre.leggauss(count // 2 + 2)
+    weight = weights[:, None] * weights / 4
+    return _means(half_height * nodes[:, None], radius**2 * (1 + nodes) / 2, weight, count)
+
+
+def _means(z: Any, across_squared: Any, weight: Any, count: int) -> Float[np.ndarray, "n"]:
+    """Gauss quadrature, exact for these polynomials.
+
+    The explicit sum over powers cancels badly for tall magnets; the recurrence does not.
+    """
+    r_squared = z**2 + across_squared
+    before, here = np.ones_like(r_squared), np.broadcast_to(z, r_squared.shape)
+    means = []
+    for n in range(count):
+        means.append(np.sum(weight * before))
+        before, here = here, ((2 * n + 3) * z * here - (n + 1) * r_squared * before) / (n + 2)
+    return np.array(means)

@@ -1,0 +1,1 @@
+"""Labelled frames: data sets, and their simulation."""

@@ -1,0 +1,134 @@
+"""How the cases of a simulated recording are driven: which, how far, how often, how long."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from jaxtyping import Bool, Float
+
+from design.errors import InputError
+from design.spec.object import ObjectSpec
+from estimator.frames.contact_cases import ContactCase, random_case
+from estimator.frames.contact_traces import (
+    ContactTraces,
+    JointMechanics,
+    contact_traces,
+    travel_at_force,
+)
+from estimator.frames.press_protocol import DRIFT_TIME_S, nominal_peaks
+from estimator.frames.tangential import slope_traces
+from estimator.information.shear import ShearSignals
+from estimator.signals.interpolation import Traces
+from estimator.signals.presses import Progress, Signals
+
+_PERIOD_SPREAD = 0.05
+"""Periods differ by so much between cases, so that frames do not meet the same phases again."""
+
+
+@dataclass(frozen=True)
+class Pull:
+    """Tangential force of each case as a share of its normal force, and counts per newton of it."""
+
+    share: Float[np.ndarray, "case 2"]
+    slopes: tuple[Traces, Traces]
+
+    def of(self, part: slice) -> Pull:
+        """That of some cases."""
+        x, y = (
+            replace(t, force_n=t.force_n[part], counts=t.counts[part], mended=t.mended[part])
+            for t in self.slopes
+        )
+        return Pull(self.share[part], (x, y))
+
+
+@dataclass(frozen=True)
+class Recipe:
+    """Cases to be recorded together and how each is driven; cases without contact come last.
+
+    `pull` is None without tangential forces. `turns` (every, frame) is the phase of travel, rows
+    beyond the cases are without contact; `moving` (frame,) marks frames after rest.
+    """
+
+    cases: Sequence[ContactCase]
+    traces: ContactTraces
+    pull: Pull | None
+    peak_mm: Float[np.ndarray, "case"]
+    turns: Float[np.ndarray, "every frame"]
+    moving: Bool[np.ndarray, "frame"]
+
+
+def periodic_recipe(
+    spec: ObjectSpec,
+    signals: Signals,
+    cases: Sequence[ContactCase],
+    mechanics: JointMechanics | None,
+    rng: np.random.Generator,
+    progress: Progress | None,
+) -> Recipe:
+    """Every case over and over: the paper's at one travel for all, grasps to one force."""
+    frames, quiet = spec.collection.frames_per_case, spec.collection.non_contact_cases
+    traces = contact_traces(spec, signals, cases, mechanics, progress)
+    total = len(cases) + quiet
+    period = spec.protocol.frames_per_press * (1 + _PERIOD_SPREAD * rng.uniform(-1, 1, (total, 1)))
+    turns = rng.uniform(0, 1, (total, 1)) + np.arange(frames) / period
+    peak = peak_travel_mm(spec, signals, cases, traces)
+    return Recipe(cases, traces, None, peak, turns, np.ones(frames, bool))
+
+
+def peak_travel_mm(
+    spec: ObjectSpec, signals: Signals, cases: Sequence[ContactCase], traces: ContactTraces
+) -> Float[np.ndarray, "case"]:
+    """Height of the periodic travel: the paper's common one, or that of the grasps' force."""
+    deepest = traces.travel_mm[:, -1]
+    if cases[0].squeezed:
+        return deepest
+    return np.minimum(nominal_peaks(spec, signals).common_travel_mm, deepest)
+
+
+def drift_rms_counts(spec: ObjectSpec) -> float:
+    """Drift of a case since its zeroing, rms over its frames."""
+    seconds = spec.collection.frames_per_case / spec.sensors.frame_rate_hz
+    return spec.sensors.drift_counts * float(np.sqrt(seconds / 2 / DRIFT_TIME_S))
+
+
+def anywhere_recipe(
+    spec: ObjectSpec,
+    signals: Signals,
+    mechanics: JointMechanics | None,
+    rng: np.random.Generator,
+    progress: Progress | None,
+    shear: ShearSignals | None,
+) -> Recipe:
+    """One press at each of many places, after some frames at rest."""
+    asked, protocol = spec.collection, spec.protocol
+    cases = [random_case(spec, rng, number, asked.contacts) for number in range(asked.presses)]
+    traces = contact_traces(spec, signals, cases, mechanics, progress)
+    wanted = asked.contacts * rng.uniform(*protocol.peak_force_n, (len(cases), 1))
+    peak = travel_at_force(traces, wanted)[:, 0]
+    rest, frames = protocol.rest_frames_per_press, protocol.frames_per_press
+    turns = (rng.uniform(0, 1, (len(cases), 1)) + np.arange(frames)) / frames
+    turns = np.concatenate([np.zeros((len(cases), rest)), turns], axis=1)
+    pull = _pull(spec, signals, cases, shear, rng) if asked.tangential_share else None
+    return Recipe(cases, traces, pull, peak, turns, np.arange(rest + frames) >= rest)
+
+
+def _pull(
+    spec: ObjectSpec,
+    signals: Signals,
+    cases: Sequence[ContactCase],
+    shear: ShearSignals | None,
+    rng: np.random.Generator,
+) -> Pull:
+    """Every case in a direction of its own, by a share of its own up to the largest asked for."""
+    if shear is None:
+        raise InputError(
+            "collection.tangential_share needs the signals of tangential forces. Run `instobj "
+            "frames`, which simulates them, or set it to 0"
+        )
+    angle, size = rng.uniform(0, [2 * np.pi, spec.collection.tangential_share], (len(cases), 2)).T
+    share = size[:, None] * np.stack([np.cos(angle), np.sin(angle)], axis=1)
+    face = np.array([case.face[0] for case in cases])
+    xy = np.array([case.xy_mm[0] for case in cases])
+    return Pull(share, slope_traces(spec, signals, shear, face, xy))

@@ -1,0 +1,139 @@
+"""Contact cases: which tips press where, and on which load cells.
+
+A case is what a machine repeats: a probe of one to three tips on a face, two probes on opposite
+faces, or nothing. Probes are those of Knopke et al. (RA-L 2024).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+from jaxtyping import Float, Int
+
+from design.errors import InputError
+from design.layout.positions import contact_grid, face_frames
+from design.layout.tip_shapes import tips_overlap
+from design.layout.tips import tip_positions_mm
+from design.spec.learning import ProbePose
+from design.spec.object import ObjectSpec
+
+DUAL_CASES, TRIPLE_CASES, GRASP_CASES = 100_000, 200_000, 300_000
+"""Added to `place_id` = 1000 · face + number, so that every case has its own."""
+GRASP_POSES: tuple[tuple[ProbePose, ...], ...] = (
+    ((0.0, 0.0, 0.0), *((x, y, 0.0) for y in (-7.5, 7.5) for x in (-7.5, 7.5))),
+    ((0.0, 0.0, 0.0), (0.0, -9.0, 0.0), (9.0, 0.0, 90.0)),
+    ((0.0, -3.0, 0.0), (0.0, 3.0, 180.0)),
+)
+"""Where the paper's grasps pressed is said in words only: evenly over both faces."""
+
+
+@dataclass(frozen=True)
+class ContactCase:
+    """Tips that press together.
+
+    `face` (tip,), `xy_mm` (tip, 2) in the face's frame, `cell` (tip,): tips of one number share a
+    load cell, whose force is labelled in equal parts. `squeezed`: jaws of equal force, else
+    indenters whose travels are `share` (tip,) of the largest. `place_id` names the case in a
+    `FrameSet`.
+    """
+
+    face: Int[np.ndarray, "tip"]
+    xy_mm: Float[np.ndarray, "tip 2"]
+    cell: Int[np.ndarray, "tip"]
+    share: Float[np.ndarray, "tip"]
+    place_id: int
+    squeezed: bool = False
+
+
+def paper_cases(spec: ObjectSpec, face: int) -> list[ContactCase]:
+    """Every contact place on its own, then the poses of the probes of two and three tips."""
+    ids = 1000 * face
+    cases = [
+        _probe(face, xy[None], ids + place) for place, xy in enumerate(contact_grid(spec).xy_mm)
+    ]
+    poses = ((2, spec.collection.dual_poses), (3, spec.collection.triple_poses))
+    for (tips, given), first in zip(poses, (DUAL_CASES, TRIPLE_CASES), strict=True):
+        for number, pose in enumerate(given):
+            cases.append(_probe(face, probe_tips_mm(spec, tips, pose), first + ids + number))
+    return cases
+
+
+def grasp_cases(spec: ObjectSpec) -> list[ContactCase]:
+    """Five places of one tip, three of two and two of three, each opposite its like.
+
+    Raises
+    ------
+    InputError
+        `collection.grasp_faces` are not opposite each other.
+    """
+    places = [
+        probe_tips_mm(spec, tips, pose)
+        for tips, poses in enumerate(GRASP_POSES, start=1)
+        for pose in poses
+    ]
+    return opposed(spec, places)
+
+
+def opposed(spec: ObjectSpec, places_mm: Sequence[Float[np.ndarray, "_ 2"]]) -> list[ContactCase]:
+    """Grasps with tips at these places of the first of `collection.grasp_faces`, each opposite its
+    like; raises as `grasp_cases`."""
+    first, second = spec.collection.grasp_faces
+    frames = {frame.number: frame for frame in face_frames(spec)}
+    if frames[first].normal @ frames[second].normal > -0.5:
+        raise InputError(
+            f"faces {first} and {second} are not opposite each other: jaws cannot squeeze them. Set "
+            "collection.grasp_faces to [3, 5] or [2, 4]"
+        )
+    cases = []
+    for here in places_mm:
+        tips = len(here)
+        through = frames[first].to_object(np.column_stack([here, np.zeros(tips)]))
+        there = frames[second].from_object(through)[:, :2]
+        cell = np.repeat([0, 1], tips)
+        number = GRASP_CASES + 1000 * first + len(cases)
+        face, xy = np.repeat([first, second], tips), np.vstack([here, there])
+        cases.append(ContactCase(face, xy, cell, np.ones(2 * tips), number, squeezed=True))
+    return cases
+
+
+def probe_tips_mm(spec: ObjectSpec, tips: int, pose: ProbePose) -> Float[np.ndarray, "tip 2"]:
+    """Where the tips of a probe land."""
+    x, y, turn = pose
+    c, s = np.cos(np.deg2rad(turn)), np.sin(np.deg2rad(turn))
+    places = tip_positions_mm(tips, spec.indenter.radius_mm)
+    return places @ np.array([[c, s], [-s, c]]) + np.array([x, y], float)
+
+
+def random_case(
+    spec: ObjectSpec, rng: np.random.Generator, place_id: int, contacts: int
+) -> ContactCase:
+    """Tips anywhere on `collection.faces` within the contact grid, none overlapping another.
+
+    The first goes deepest, the others between a half and all of its travel.
+    """
+    grid, faces = contact_grid(spec), np.asarray(spec.collection.faces)
+    low, high = grid.xy_mm.min(axis=0), grid.xy_mm.max(axis=0)
+    for _ in range(1000):
+        face, xy = rng.choice(faces, contacts), rng.uniform(low, high, (contacts, 2))
+        if _apart(spec, face, xy):
+            share = np.concatenate([[1.0], rng.uniform(0.5, 1.0, contacts - 1)])
+            return ContactCase(face, xy, np.arange(contacts), share, place_id)
+    raise InputError(
+        f"{contacts} tips of this indenter do not find room on faces "
+        f"{faces.tolist()}. Lower collection.contacts or name more faces"
+    )
+
+
+def _apart(spec: ObjectSpec, face: np.ndarray, xy_mm: np.ndarray) -> bool:
+    return not any(
+        face[a] == face[b] and tips_overlap(spec.indenter, xy_mm[b] - xy_mm[a])
+        for a, b in combinations(range(len(face)), 2)
+    )
+
+
+def _probe(face: int, xy_mm: np.ndarray, place_id: int) -> ContactCase:
+    tips = len(xy_mm)
+    return ContactCase(np.full(tips, face), xy_mm, np.zeros(tips, int), np.ones(tips), place_id)

@@ -1,0 +1,216 @@
+"""Splits of a data set into training, validation and test parts that share no press.
+
+Neighbouring frames of one press are nearly equal, so a random split of frames measures memory,
+not generalisation: it exists for comparison with Knopke et al. (RA-L 2024) alone, under its own
+name. Rest frames travel with the press that they belong to.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from jaxtyping import Bool, Int
+
+from design.errors import InputError
+from estimator.frames.dataset import FrameSet
+
+DEFAULT_SHARES = (0.6, 0.2, 0.2)
+
+
+@dataclass(frozen=True)
+class Split:
+    """Masks over the frames; every frame is in exactly one part."""
+
+    train: Bool[np.ndarray, "frame"]
+    validation: Bool[np.ndarray, "frame"]
+    test: Bool[np.ndarray, "frame"]
+
+
+def split_presses(
+    frames: FrameSet, seed: int, shares: tuple[float, float, float] = DEFAULT_SHARES
+) -> Split:
+    """Whole presses, each contact case divided by `shares`.
+
+    Of a case with two presses one trains, and the other one validates or tests; cases of a single
+    press are pooled. So every case with two presses or more is trained on, and the test holds new
+    presses of known cases (and those single presses that fell to it).
+
+    Raises
+    ------
+    InputError
+        Fewer than three presses, or shares that do not add up to 1.
+    """
+    _check_shares(shares)
+    presses, places = _press_places(frames)
+    _check_enough(len(presses), "presses")
+    names, counts = np.unique(places, return_counts=True)
+    rng = np.random.default_rng(seed)
+    part = np.zeros(len(presses), dtype=int)
+    for case in names[counts >= 3]:
+        members = np.flatnonzero(places == case)
+        part[rng.permutation(members)] = _parts(len(members), shares)
+    pairs = [np.flatnonzero(places == case) for case in names[counts == 2]]
+    spare = rng.permutation([int(rng.choice(pair)) for pair in pairs]).astype(int)
+    validating = round(len(spare) * shares[1] / (shares[1] + shares[2]))
+    part[spare] = np.where(np.arange(len(spare)) < validating, 1, 2)
+    single = np.isin(places, names[counts == 1])
+    pooled = rng.permutation(np.flatnonzero(single))
+    part[pooled] = _parts(len(pooled), shares)
+    return _as_split(frames.press_id, presses, _fill_empty(part, single))
+
+
+def split_places(
+    frames: FrameSet, seed: int, shares: tuple[float, float, float] = DEFAULT_SHARES
+) -> Split:
+    """Whole contact cases, so that tested places were never trained on.
+
+    Raises
+    ------
+    InputError
+        Fewer than three contact cases, or shares that do not add up to 1.
+    """
+    _check_shares(shares)
+    presses, places = _press_places(frames)
+    cases = np.unique(places[places >= 0])
+    _check_enough(len(cases), "contact cases")
+    rng = np.random.default_rng(seed)
+    part_of_case = dict(
+        zip(rng.permutation(cases).tolist(), _parts(len(cases), shares).tolist(), strict=True)
+    )
+    part = np.array([part_of_case.get(int(place), 0) for place in places])
+    return _as_split(frames.press_id, presses, part)
+
+
+def split_sessions(
+    frames: FrameSet, seed: int, shares: tuple[float, float, float] = DEFAULT_SHARES
+) -> Split:
+    """Whole sessions.
+
+    Raises
+    ------
+    InputError
+        Fewer than three sessions, shares that do not add up to 1, or a press in two sessions.
+    """
+    _check_shares(shares)
+    sessions = np.unique(frames.session_id)
+    _check_enough(len(sessions), "sessions")
+    pairs = np.unique(np.stack([frames.press_id, frames.session_id]), axis=1)
+    if len(np.unique(pairs[0])) != pairs.shape[1]:
+        raise InputError(
+            "a split by session needs every press to lie in one session; got presses across two. "
+            "Number presses anew in each session"
+        )
+    rng = np.random.default_rng(seed)
+    part = _parts(len(sessions), shares)
+    return _as_split(frames.session_id, rng.permutation(sessions), part)
+
+
+def split_paper_random_frames(
+    frames: FrameSet, seed: int, shares: tuple[float, float, float] = DEFAULT_SHARES
+) -> Split:
+    """The paper's split: single frames at random, so that every press is in every part.
+
+    Raises
+    ------
+    InputError
+        Fewer than three frames, or shares that do not add up to 1.
+    """
+    _check_shares(shares)
+    _check_enough(len(frames), "frames")
+    part = np.empty(len(frames), dtype=int)
+    part[np.random.default_rng(seed).permutation(len(frames))] = _parts(len(frames), shares)
+    return Split(part == 0, part == 1, part == 2)
+
+
+SPLITS: dict[str, Callable[[FrameSet, int], Split]] = {
+    "press": split_presses,
+    "place": split_places,
+    "session": split_sessions,
+    "paper-random-frames": split_paper_random_frames,
+}
+"""Splits by name, from what they hold out."""
+
+
+def split_by(name: str, frames: FrameSet, seed: int) -> Split:
+    """One of `SPLITS` by its name.
+
+    Raises
+    ------
+    InputError
+        Another name, or a data set too small for it.
+    """
+    if name not in SPLITS:
+        raise InputError(f"there is no split by {name!r}. Choose one of {', '.join(SPLITS)}")
+    return SPLITS[name](frames, seed)
+
+
+def shared_presses(frames: FrameSet, split: Split) -> Int[np.ndarray, "press"]:
+    """Presses with frames in more than one part: none, but for the paper's random split."""
+    parts = [np.unique(frames.press_id[part]) for part in vars(split).values()]
+    presses, counts = np.unique(np.concatenate(parts), return_counts=True)
+    return presses[counts > 1]
+
+
+def _press_places(frames: FrameSet) -> tuple[Int[np.ndarray, "press"], Int[np.ndarray, "press"]]:
+    """Press ids, and the contact case that each press shows most (-1 if it is only rest)."""
+    presses, index = np.unique(frames.press_id, return_inverse=True)
+    places = np.full(len(presses), -1)
+    pressed = frames.place_id >= 0
+    cases, case_index = np.unique(frames.place_id[pressed], return_inverse=True)
+    if len(cases) == 0:
+        return presses, places
+    counts = np.zeros((len(presses), len(cases)), dtype=int)
+    np.add.at(counts, (index[pressed], case_index), 1)
+    return presses, np.where(counts.any(axis=1), cases[counts.argmax(axis=1)], -1)
+
+
+def _parts(count: int, shares: tuple[float, float, float]) -> Int[np.ndarray, "n"]:
+    """Part (0 train, 1 validation, 2 test) of each of `count` members; none empty from three on."""
+    sizes = np.floor(np.asarray(shares) * count + 1e-9).astype(int)
+    remainder = np.asarray(shares) * count - sizes
+    for part in np.argsort(-remainder, kind="stable")[: count - sizes.sum()]:
+        sizes[part] += 1
+    for part in range(3):
+        if count >= 3 and sizes[part] == 0:
+            sizes[np.argmax(sizes)] -= 1
+            sizes[part] = 1
+    return np.repeat(np.arange(3), sizes)
+
+
+def _fill_empty(
+    part: Int[np.ndarray, "press"], single: Bool[np.ndarray, "press"]
+) -> Int[np.ndarray, "press"]:
+    """Move one press into each part that is empty, the only one of its case where there is one."""
+    part = part.copy()
+    for missing in sorted(set(range(3)) - set(part.tolist())):
+        crowded = part == np.bincount(part, minlength=3).argmax()
+        spared = crowded & single if np.any(crowded & single) else crowded
+        part[np.flatnonzero(spared)[-1]] = missing
+    return part
+
+
+def _as_split(
+    frame_group: Int[np.ndarray, "frame"],
+    groups: Int[np.ndarray, "group"],
+    part: Int[np.ndarray, "group"],
+) -> Split:
+    masks = [np.isin(frame_group, groups[part == number]) for number in range(3)]
+    return Split(*masks)
+
+
+def _check_shares(shares: tuple[float, float, float]) -> None:
+    if min(shares) <= 0 or abs(sum(shares) - 1) > 1e-9:
+        raise InputError(
+            "the shares of training, validation and test must be positive and add up to 1; got "
+            f"{shares}. Use for example (0.6, 0.2, 0.2)"
+        )
+
+
+def _check_enough(count: int, what: str) -> None:
+    if count < 3:
+        raise InputError(
+            f"a split into training, validation and test needs at least 3 {what}; got {count}. "
+            "Add recordings or simulate more presses"
+        )

@@ -1,0 +1,130 @@
+"""Cross-face disturbance: what a press on one face does to the channels of another.
+
+A face's own estimator takes every signal for a press on its own face. A press elsewhere moves
+magnets near this face's sensors all the same; the paper names it the limit of grasps (its E_f
+rises to 24 to 39 % when the opposite face is pressed too).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from jaxtyping import Float, Int
+
+from design.layout.as_built import live_channels
+from design.layout.positions import face_frames, grid_places_in_lattice
+from design.spec.object import ObjectSpec
+from estimator.information.fisher import disturbance_counts
+from estimator.information.sensitivity import own_channels
+from estimator.signals.interpolation import counts_at_force, press_traces
+from estimator.signals.presses import Signals
+
+Relation = Literal["adjacent", "opposite"]
+RELATIONS: tuple[Relation, ...] = ("adjacent", "opposite")
+
+
+@dataclass(frozen=True)
+class CrossFace:
+    """Disturbance of a face's own channels by presses of `force_n` on other faces.
+
+    `pressed`, `read` (pair,) are face numbers and `relation` how they lie to each other. Per pair
+    and place of the pressed face: `size_sigma`, length of the signal change in units of a fresh
+    zero; `false_force_n`, force of the own-face press (or rest) whose signal is nearest.
+    """
+
+    force_n: float
+    pressed: Int[np.ndarray, "pair"]
+    read: Int[np.ndarray, "pair"]
+    relation: tuple[Relation, ...]
+    size_sigma: Float[np.ndarray, "pair place"]
+    false_force_n: Float[np.ndarray, "pair place"]
+
+    def summary(self, relation: Relation) -> dict[str, float]:
+        """Median and largest disturbance (σ) and false force (N) over all pairs and places.
+
+        Empty where no two sensed faces lie so to each other.
+        """
+        rows = [r == relation for r in self.relation]
+        if not any(rows):
+            return {}
+        size, force = self.size_sigma[rows], self.false_force_n[rows]
+        return {
+            "median_sigma": float(np.median(size)),
+            "largest_sigma": float(size.max()),
+            "median_false_force_n": float(np.median(force)),
+            "largest_false_force_n": float(force.max()),
+        }
+
+
+def cross_face_disturbance(spec: ObjectSpec, signals: Signals, force_n: float = 10.0) -> CrossFace:
+    """Every sensed face read while every other is pressed at each contact place.
+
+    Places that do not reach `force_n` within the deepest press are pressed to that depth.
+    """
+    frames = face_frames(spec)
+    pairs = [(a, b) for a in range(len(frames)) for b in range(len(frames)) if a != b]
+    relation: list[Relation] = [
+        "opposite" if frames[a].normal @ frames[b].normal < -0.5 else "adjacent" for a, b in pairs
+    ]
+    pressed = [_pressed_counts(spec, signals, face.number, force_n) for face in frames]
+    sizes, forces, live = [], [], live_channels(spec).ravel()
+    for pressed_face, read_face in pairs:
+        own = own_channels(signals, spec.sensors, frames[read_face].number)
+        own = own[live[own]]
+        sigma = disturbance_counts(spec.sensors, "fresh", live.size)[own]
+        change = pressed[pressed_face][:, own] / sigma
+        sizes.append(np.linalg.norm(change, axis=1))
+        forces.append(_nearest_force(change, *_own_presses(spec, signals, read_face, own, sigma)))
+    return CrossFace(
+        force_n,
+        np.array([frames[a].number for a, _ in pairs]),
+        np.array([frames[b].number for _, b in pairs]),
+        tuple(relation),
+        np.reshape(sizes, (len(pairs), -1)) if pairs else np.zeros((0, len(pressed[0]))),
+        np.reshape(forces, (len(pairs), -1)) if pairs else np.zeros((0, len(pressed[0]))),
+    )
+
+
+def _pressed_counts(
+    spec: ObjectSpec, signals: Signals, face: int, force_n: float
+) -> Float[np.ndarray, "place channel"]:
+    xy = signals.lattice.xy_mm[grid_places_in_lattice(spec)]
+    traces = press_traces(signals, np.full(len(xy), face), xy[:, 0], xy[:, 1])
+    return counts_at_force(traces, np.full((len(xy), 1), force_n), beyond="clamp").counts[:, 0]
+
+
+def _own_presses(
+    spec: ObjectSpec,
+    signals: Signals,
+    face_index: int,
+    own: Int[np.ndarray, "channel"],
+    sigma: Float[np.ndarray, "channel"],
+) -> tuple[Float[np.ndarray, "place knot channel"], Float[np.ndarray, "place knot"]]:
+    """Whitened signals of the face's own presses from rest on, and their forces."""
+    places = grid_places_in_lattice(spec)
+    counts = signals.delta_counts[face_index, places].reshape(
+        len(places), len(signals.depth_mm), -1
+    )
+    rest = np.zeros((len(places), 1))
+    curve = np.concatenate([np.zeros((len(places), 1, len(own))), counts[..., own] / sigma], axis=1)
+    return curve, np.concatenate([rest, signals.force_n[face_index, places]], axis=1)
+
+
+def _nearest_force(
+    change: Float[np.ndarray, "n channel"],
+    curve: Float[np.ndarray, "place knot channel"],
+    force_n: Float[np.ndarray, "place knot"],
+) -> Float[np.ndarray, "n"]:
+    """Force at the point of all the curves (straight between knots) nearest to each change."""
+    start, along = curve[:, :-1], np.diff(curve, axis=1)
+    length2 = np.maximum((along**2).sum(axis=-1), 1e-12)
+    nearest = np.empty(len(change))
+    for row, point in enumerate(change):
+        share = np.clip(((point - start) * along).sum(axis=-1) / length2, 0, 1)
+        distance = ((point - start - share[..., None] * along) ** 2).sum(axis=-1)
+        place, knot = np.unravel_index(int(np.argmin(distance)), distance.shape)
+        low, high = force_n[place, knot], force_n[place, knot + 1]
+        nearest[row] = low + share[place, knot] * (high - low)
+    return nearest

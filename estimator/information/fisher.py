@@ -1,0 +1,166 @@
+"""Cramér–Rao bounds of contact place and force, and the smallest force that can be detected.
+
+Signals S(x, y, F), or S(x, y, F, Fx, Fy) with tangential forces, with Gaussian disturbances of
+covariance Σ carry the Fisher information I = Jᵀ Σ⁻¹ J, J the derivatives of S by the parameters; no
+unbiased estimator has a covariance below I⁻¹
+(Kay, Fundamentals of Statistical Signal Processing, 1993, section 3). Force is a nuisance of the
+position bound, and position of the force bound.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from jaxtyping import Bool, Float, Int
+
+from design.spec.object import SensorSpec
+from estimator.signals.interpolation import Traces, counts_at_force
+
+NoiseState = Literal["fresh", "drifted"]
+DETECTION_DISTANCE = 5.0
+"""A force is detectable where the signal's Mahalanobis distance from rest reaches this."""
+
+_PARAMETERS = ("x", "y", "force", "x force", "y force")
+_RANK_TOLERANCE = 1e-7
+_SMALLEST_FORCE_N = 1e-4
+
+
+@dataclass(frozen=True)
+class Bounds:
+    """Cramér–Rao bounds of presses; infinite where the signals cannot tell.
+
+    Attributes
+    ----------
+    position_mm : √(σx² + σy²)
+    force_n : σF of the normal force
+    tangential_force_n : √(σFx² + σFy²); NaN where tangential forces are not asked
+    weakest_direction : unit vector in the face's plane along which the place is least certain
+    rank : 3 (5 with tangential forces) where all parameters can be told
+    blind_direction : unit vector in the parameters (mm and N) that leaves the signals unchanged;
+        NaN where all can be told
+    """
+
+    position_mm: Float[np.ndarray, "press"]
+    force_n: Float[np.ndarray, "press"]
+    tangential_force_n: Float[np.ndarray, "press"]
+    weakest_direction: Float[np.ndarray, "press 2"]
+    rank: Int[np.ndarray, "press"]
+    blind_direction: Float[np.ndarray, "press parameter"]
+
+    def status(self, press: int) -> str:
+        """In words: "ok", or which change of contact leaves the signals as they are."""
+        count = self.blind_direction.shape[1]
+        if self.rank[press] == count:
+            return "ok"
+        direction = zip(_PARAMETERS, self.blind_direction[press], strict=False)
+        mix = ", ".join(f"{name} {value:+.2g}" for name, value in direction if abs(value) > 1e-3)
+        return f"blind to {count - self.rank[press]} of {count} parameters: along ({mix})"
+
+
+def disturbance_counts(
+    sensors: SensorSpec, state: NoiseState, channels: int
+) -> Float[np.ndarray, "channel"]:
+    """Standard deviation (counts) of each flat channel (sensor · 3 + axis).
+
+    "fresh": white noise and `zeroing_counts` in quadrature, as just after zeroing. "drifted":
+    white noise and `drift_counts`, unknown offsets with that rms, as after 15 minutes.
+    """
+    offset = {"fresh": sensors.zeroing_counts, "drifted": sensors.drift_counts}[state]
+    return np.tile(np.hypot(np.asarray(sensors.noise_counts, float), offset), channels // 3)
+
+
+def cramer_rao_bounds(
+    jacobian: Float[np.ndarray, "press channel parameter"],
+    sigma_counts: Float[np.ndarray, "channel"],
+) -> Bounds:
+    """Bounds from ∂S/∂(x, y, F) or ∂S/∂(x, y, F, Fx, Fy) (counts per mm and N) and independent
+    disturbances."""
+    whitened = _at_least_square(jacobian / sigma_counts[:, None])
+    size = np.linalg.norm(whitened, axis=1)
+    scale = np.where(size > 0, size, 1.0)
+    _, singular, right = np.linalg.svd(whitened / scale[:, None], full_matrices=False)
+    seen = np.greater(singular, _RANK_TOLERANCE)
+    inverse = np.where(seen, singular, np.inf) ** -2.0
+    covariance = np.einsum("pk,pki,pkj->pij", inverse, right, right)
+    covariance = covariance / (scale[:, :, None] * scale[:, None, :])
+    variance = np.diagonal(covariance, axis1=1, axis2=2).copy()
+    variance[_touched_by_blindness(right, seen)] = np.inf
+    return Bounds(
+        np.sqrt(variance[:, 0] + variance[:, 1]),
+        np.sqrt(variance[:, 2]),
+        _tangential_bound(variance),
+        _weakest_direction(covariance, right / scale[:, None], seen),
+        seen.sum(axis=1),
+        _blind_direction(right / scale[:, None], seen),
+    )
+
+
+def _at_least_square(
+    whitened: Float[np.ndarray, "press channel parameter"],
+) -> Float[np.ndarray, "press row parameter"]:
+    """Channels that see nothing fill up what is missing to the number of parameters."""
+    presses, channels, parameters = whitened.shape
+    missing = np.zeros((presses, max(0, parameters - channels), parameters))
+    return np.concatenate([whitened, missing], axis=1)
+
+
+def _tangential_bound(
+    variance: Float[np.ndarray, "press parameter"],
+) -> Float[np.ndarray, "press"]:
+    if variance.shape[1] == 3:
+        return np.full(len(variance), np.nan)
+    return np.sqrt(variance[:, 3:].sum(axis=1))
+
+
+def _touched_by_blindness(
+    right: Float[np.ndarray, "press k parameter"], seen: Bool[np.ndarray, "press k"]
+) -> Bool[np.ndarray, "press parameter"]:
+    """Parameters with a share in a direction that is not seen: they have no finite bound."""
+    share = np.where(seen[:, :, None], 0.0, right**2).sum(axis=1)
+    return share > 1e-10
+
+
+def _blind_direction(
+    right: Float[np.ndarray, "press k parameter"], seen: Bool[np.ndarray, "press k"]
+) -> Float[np.ndarray, "press parameter"]:
+    last = right[:, -1] / np.linalg.norm(right[:, -1], axis=1, keepdims=True)
+    return np.where(seen.all(axis=1, keepdims=True), np.nan, last)
+
+
+def _weakest_direction(
+    covariance: Float[np.ndarray, "press k parameter"],
+    right: Float[np.ndarray, "press k parameter"],
+    seen: Bool[np.ndarray, "press k"],
+) -> Float[np.ndarray, "press 2"]:
+    weakest = np.linalg.eigh(covariance[:, :2, :2])[1][:, :, -1]
+    blind = right[:, -1, :2]
+    length = np.linalg.norm(blind, axis=1)
+    use = np.logical_not(seen[:, -1]) & (length > 1e-6 * np.linalg.norm(right[:, -1], axis=1))
+    weakest[use] = blind[use] / length[use, None]
+    return weakest
+
+
+def detectable_force_n(
+    traces: Traces,
+    sigma_counts: Float[np.ndarray, "channel"],
+    distance: float = DETECTION_DISTANCE,
+) -> Float[np.ndarray, "press"]:
+    """Smallest force (N) at which √(ΔSᵀ Σ⁻¹ ΔS), the Mahalanobis distance from rest, is reached.
+
+    Found between forces 3 % apart by linear interpolation; infinite where the deepest press does
+    not reach the distance.
+    """
+    largest = traces.force_n[:, -1:]
+    steps = int(np.ceil(np.log(largest.max() / _SMALLEST_FORCE_N) / np.log(1.03)))
+    force = largest * np.geomspace(_SMALLEST_FORCE_N / largest.max(), 1.0, steps)
+    force = np.concatenate([np.zeros_like(largest), force], axis=1)
+    counts = counts_at_force(traces, force, beyond="clamp").counts
+    reached = np.linalg.norm(counts / sigma_counts, axis=2)
+    after = np.argmax(reached >= distance, axis=1)
+    row, before = np.arange(len(force)), np.maximum(after - 1, 0)
+    rise = reached[row, after] - reached[row, before]
+    share = (distance - reached[row, before]) / np.where(rise > 0, rise, 1.0)
+    found = force[row, before] + share * (force[row, after] - force[row, before])
+    return np.where(after > 0, found, np.inf)

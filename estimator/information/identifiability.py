@@ -1,0 +1,302 @@
+"""How many contacts can be told apart: rank and condition of the information of k contacts at once.
+
+k contacts have 3k unknowns (x, y, F each) against 3 channels a sensor. Enough channels make the
+information's rank full; whether places can then be read is a matter of its condition.
+
+Signals of several contacts are taken as the sum of those of each alone. Condition numbers hold for
+signals in units of a fresh zero's sigma and parameters in mm and N.
+"""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import asdict, dataclass
+from itertools import combinations
+from pathlib import Path
+from typing import Literal
+
+import numpy as np
+from jaxtyping import Float, Int
+
+from design.errors import InputError
+from design.files import atomic_path
+from design.layout.positions import contact_grid
+from design.spec.object import ObjectSpec
+from estimator.information.fisher import disturbance_counts
+from estimator.information.sensitivity import own_channels
+from estimator.signals.interpolation import press_traces, signal_gradient
+from estimator.signals.presses import press_signals
+from fem.presses.results import MagnetMotions, PressForces
+
+Channels = Literal["own", "all"]
+_SENSOR_COUNTS = (1, 2, 3, 4, 5)
+CONTACT_COUNTS = (1, 2, 3)
+_PLACES_AN_AXIS = 5
+_RANK_TOLERANCE = 1e-9
+
+
+@dataclass(frozen=True)
+class WorstSet:
+    """The contact set that is told worst, and its blindest direction.
+
+    `direction` (contact, 3): unit change of (x, y, F) in mm and N that moves the signals least.
+    """
+
+    face: int
+    condition: float
+    xy_mm: Float[np.ndarray, "contact 2"]
+    direction: Float[np.ndarray, "contact 3"]
+
+
+@dataclass(frozen=True)
+class Identifiability:
+    """Information of k simultaneous contacts on one face over many sets of places.
+
+    Attributes
+    ----------
+    contacts, sensors, channels : k, Hall sensors a face, and whose channels are read
+    unknowns, signals : 3k parameters, and the number of channels
+    sets : contact sets judged, over all faces
+    rank_least : smallest rank of the information over the sets
+    told_median : median number of directions known to better than 1 mm or 1 N
+    condition_median : median condition number of the whitened Jacobian (∞ where rank is short)
+    bound_10_mm, bound_median_mm, bound_90_mm : position bound of a set's worst contact, quantiles
+    share_within_limit : sets whose every contact is bounded within `limits.position_bound_mm`
+    force_bound_median_n : force bound of a set's worst contact
+    worst : the set of largest condition
+    """
+
+    contacts: int
+    sensors: int
+    channels: Channels
+    unknowns: int
+    signals: int
+    sets: int
+    rank_least: int
+    told_median: float
+    condition_median: float
+    bound_10_mm: float
+    bound_median_mm: float
+    bound_90_mm: float
+    share_within_limit: float
+    force_bound_median_n: float
+    worst: WorstSet
+
+
+def identifiability(
+    spec: ObjectSpec,
+    forces: PressForces,
+    motions: MagnetMotions,
+    sensor_counts: Sequence[int] | None = None,
+    contact_counts: Sequence[int] = CONTACT_COUNTS,
+    progress: Callable[[str], None] | None = None,
+) -> tuple[Identifiability, ...]:
+    """Every number of contacts against every number of sensors, own channels and all.
+
+    Each contact presses with `score.force_n` (or as far as its deepest press goes), freshly zeroed;
+    tips do not touch each other. By default one to five sensors a face are compared. Other numbers
+    of them than the specification's stand evenly on its ring, whether or not their boards would fit
+    there; where sensors sit in the shell their number cannot change without new mechanics.
+
+    Raises
+    ------
+    InputError
+        The face is too small for that many tips, or a sensor lies in a magnet or saturates.
+    """
+    places = spread_places(spec)
+    sets = {k: contact_sets(spec, places, k) for k in contact_counts}
+    rows = []
+    for count in sensor_counts or comparable_sensor_counts(spec):
+        if progress:
+            progress(f"{count} sensors a face")
+        jacobians = whitened_jacobians(spec, forces, motions, places, count)
+        for channels in ("own", "all"):
+            for k in contact_counts:
+                rows.append(_judge(spec, jacobians, places, sets[k], count, channels))
+    return tuple(rows)
+
+
+def comparable_sensor_counts(spec: ObjectSpec) -> tuple[int, ...]:
+    """Numbers of sensors a face that the stored mechanics can answer for."""
+    own = spec.sensors.count_per_face
+    return (
+        (own,) if spec.arrangement == "sensors-in-shell" else tuple(sorted({*_SENSOR_COUNTS, own}))
+    )
+
+
+def spread_places(spec: ObjectSpec) -> Int[np.ndarray, "place"]:
+    """Contact places spread evenly over the face, five an axis at most."""
+    nx, ny = spec.contact_grid.count
+    ix, iy = (
+        np.unique(np.linspace(0, n - 1, _PLACES_AN_AXIS).round()).astype(int) for n in (nx, ny)
+    )
+    return (ix[:, None] * ny + iy).ravel()
+
+
+def contact_sets(
+    spec: ObjectSpec, places: Int[np.ndarray, "place"], contacts: int
+) -> Int[np.ndarray, "set contact"]:
+    """All sets of so many of the places (as rows into `places`) whose tips do not touch."""
+    xy = contact_grid(spec).xy_mm[places]
+    apart = np.linalg.norm(xy[:, None] - xy, axis=2) >= 2 * spec.indenter.radius_mm
+    sets = [c for c in combinations(range(len(places)), contacts) if _all_apart(apart, c)]
+    if not sets:
+        raise InputError(
+            f"{contacts} tips of radius {spec.indenter.radius_mm:g} mm do not fit on the contact "
+            "grid. Take fewer contacts, a smaller indenter or a larger grid"
+        )
+    return np.array(sets)
+
+
+def _all_apart(apart: np.ndarray, some: tuple[int, ...]) -> bool:
+    return all(apart[a, b] for a, b in combinations(some, 2))
+
+
+@dataclass(frozen=True)
+class FaceJacobians:
+    """∂S/∂(x, y, F) of single presses in sigmas; `own` are the rows of the face's own channels."""
+
+    face: int
+    whitened: Float[np.ndarray, "place channel 3"]
+    own: Int[np.ndarray, "own"]
+
+
+def whitened_jacobians(
+    spec: ObjectSpec,
+    forces: PressForces,
+    motions: MagnetMotions,
+    places: Int[np.ndarray, "place"],
+    sensors: int,
+) -> tuple[FaceJacobians, ...]:
+    """Derivatives at some contact places for another number of sensors a face."""
+    ring = spec.sensors
+    if sensors != ring.count_per_face:
+        ring = ring.model_copy(update={"count_per_face": sensors, "positions_mm": None})
+    other = spec.model_copy(update={"sensors": ring})
+    signals = press_signals(other, forces, motions)
+    sigma = disturbance_counts(ring, "fresh", signals.baseline_counts.size)
+    x, y = contact_grid(spec).xy_mm[places].T
+    found = []
+    for face in signals.faces.tolist():
+        where = (np.full(len(x), face), x, y)
+        force = np.minimum(spec.score.force_n, press_traces(signals, *where).force_n[:, -1])
+        jacobian = signal_gradient(signals, *where, force).jacobian
+        own = own_channels(signals, ring, face)
+        found.append(FaceJacobians(face, jacobian / sigma[:, None], own))
+    return tuple(found)
+
+
+@dataclass(frozen=True)
+class SetInformation:
+    """What the whitened Jacobians of contact sets hold; parameters run contact by contact."""
+
+    rank: Int[np.ndarray, "set"]
+    told: Int[np.ndarray, "set"]
+    condition: Float[np.ndarray, "set"]
+    position_bound_mm: Float[np.ndarray, "set contact"]
+    force_bound_n: Float[np.ndarray, "set contact"]
+    blindest: Float[np.ndarray, "set contact 3"]
+
+
+def set_information(whitened: Float[np.ndarray, "set channel parameter"]) -> SetInformation:
+    """Rank, condition and Cramér–Rao bounds of 3k parameters from ∂S/∂(x, y, F, x, y, F, …).
+
+    Raises no error where channels are fewer than parameters: the bounds are infinite there.
+    """
+    sets, channels, parameters = whitened.shape
+    missing = np.zeros((sets, max(0, parameters - channels), parameters))
+    square = np.concatenate([whitened, missing], axis=1)
+    _, singular, right = np.linalg.svd(square, full_matrices=False)
+    seen = singular > _RANK_TOLERANCE * singular[:, :1]
+    rank = seen.sum(axis=1)
+    full = rank == parameters
+    with np.errstate(divide="ignore"):
+        condition = np.where(full, singular[:, 0] / np.where(full, singular[:, -1], 1), np.inf)
+    inverse = np.where(seen, singular, 1.0) ** -2.0
+    variance = np.einsum("sk,ski->si", inverse, right**2).reshape(sets, -1, 3)
+    variance[~full] = np.inf
+    return SetInformation(
+        rank,
+        np.sum(singular > 1, axis=1),
+        condition,
+        np.sqrt(variance[:, :, 0] + variance[:, :, 1]),
+        np.sqrt(variance[:, :, 2]),
+        right[:, -1].reshape(sets, -1, 3),
+    )
+
+
+def _judge(
+    spec: ObjectSpec,
+    jacobians: tuple[FaceJacobians, ...],
+    places: Int[np.ndarray, "place"],
+    sets: Int[np.ndarray, "set contact"],
+    sensors: int,
+    channels: Channels,
+) -> Identifiability:
+    found = [set_information(stacked) for stacked in _stacked(jacobians, sets, channels)]
+    position = np.concatenate([info.position_bound_mm.max(axis=1) for info in found])
+    force = np.concatenate([info.force_bound_n.max(axis=1) for info in found])
+    rank = np.concatenate([info.rank for info in found])
+    # `inverted_cdf` picks sets that exist: no interpolation between finite and infinite bounds
+    low, middle, high = np.quantile(position, (0.1, 0.5, 0.9), method="inverted_cdf")
+    signals = (1 if channels == "own" else len(jacobians)) * 3 * sensors
+    return Identifiability(
+        sets.shape[1],
+        sensors,
+        channels,
+        3 * sets.shape[1],
+        signals,
+        len(position),
+        int(rank.min()),
+        float(np.median(np.concatenate([info.told for info in found]))),
+        _middle(np.concatenate([info.condition for info in found])),
+        float(low),
+        float(middle),
+        float(high),
+        float(np.mean(position <= spec.limits.position_bound_mm)),
+        _middle(force),
+        _worst(spec, jacobians, places, sets, found),
+    )
+
+
+def _stacked(
+    jacobians: tuple[FaceJacobians, ...], sets: Int[np.ndarray, "set contact"], channels: Channels
+) -> Iterator[Float[np.ndarray, "set channel parameter"]]:
+    """Jacobians of the sets on each face in turn, contacts side by side."""
+    for face in jacobians:
+        used = face.whitened[:, face.own] if channels == "own" else face.whitened
+        yield np.concatenate([used[sets[:, k]] for k in range(sets.shape[1])], axis=2)
+
+
+def _worst(
+    spec: ObjectSpec,
+    jacobians: tuple[FaceJacobians, ...],
+    places: Int[np.ndarray, "place"],
+    sets: Int[np.ndarray, "set contact"],
+    found: list[SetInformation],
+) -> WorstSet:
+    condition = np.stack([info.condition for info in found])
+    face, row = np.unravel_index(int(np.argmax(condition)), condition.shape)
+    xy = contact_grid(spec).xy_mm[places[sets[row]]]
+    return WorstSet(
+        jacobians[face].face, float(condition[face, row]), xy, found[face].blindest[row]
+    )
+
+
+def _middle(values: Float[np.ndarray, "n"]) -> float:
+    return float(np.quantile(values, 0.5, method="inverted_cdf"))
+
+
+def table_rows(rows: Sequence[Identifiability]) -> list[dict[str, float | int | str]]:
+    """Plain rows without the worst set."""
+    return [{k: v for k, v in asdict(row).items() if k != "worst"} for row in rows]
+
+
+def save_identifiability_csv(rows: Sequence[Identifiability], path: Path | str) -> None:
+    """One row for every number of contacts and sensors; the header's names carry the units."""
+    plain = table_rows(rows)
+    with atomic_path(path) as temporary, temporary.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, list(plain[0]), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(plain)

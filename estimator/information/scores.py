@@ -1,0 +1,279 @@
+"""Scores of the contact places: sensitivity δ, Cramér–Rao bounds and detectable forces."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Callable
+from dataclasses import dataclass, fields
+from pathlib import Path
+from typing import Any, Literal
+
+import numpy as np
+from jaxtyping import Bool, Float, Int
+
+from design.errors import InputError
+from design.files import atomic_path
+from design.layout.as_built import live_channels
+from design.layout.positions import PlaceGrid, contact_grid
+from design.spec.object import ObjectSpec
+from estimator.information.fisher import cramer_rao_bounds, detectable_force_n, disturbance_counts
+from estimator.information.sensitivity import (
+    channel_noise,
+    covariance_sensitivity,
+    hull_sensitivity,
+    own_channels,
+    periodic_press,
+)
+from estimator.signals.interpolation import Traces, depth_at_force, press_traces, signal_gradient
+from estimator.signals.presses import Signals, require_finite
+
+Area = Literal["corner", "edge", "mid_edge", "centre"]
+AREAS: tuple[Area, ...] = ("corner", "edge", "mid_edge", "centre")
+_COVARIANCE_SAMPLES = 64
+
+
+@dataclass(frozen=True)
+class PlaceScores:
+    """Scores of every contact place; arrays are (face, place) of the contact grid.
+
+    Attributes
+    ----------
+    delta_raw, delta_scaled : convex-hull sensitivity of the face's own d channels (form
+        `score.hull`, N = `score.hull_frames`, white noise) for presses up to `force_at_score_n`, in
+        counts^d/N and, with each channel divided by its range over the face (three sigma of noise
+        at either end included), in 1/N
+    delta_raw_standard_error : of the Monte Carlo form; 0 for the others
+    position_bound_*_mm, force_bound_*_n : Cramér–Rao bounds at `force_at_score_n`, freshly zeroed
+        and drifted (`estimator.information.fisher`); infinite where the signals cannot tell
+    detectable_force_*_n : force at which the signal stands five sigma off rest
+    weakest_direction_deg : direction of the largest position bound, 0 to 180° from x
+    force_at_score_n : `score.force_n`, or the force of the deepest press where that is less
+    reaches_score_force : whether `score.force_n` is reached
+    depth_at_score_mm, stiffness_n_per_mm : travel at that force, and force over travel
+    """
+
+    faces: Int[np.ndarray, "face"]
+    grid: PlaceGrid
+    delta_raw: Float[np.ndarray, "face place"]
+    delta_raw_standard_error: Float[np.ndarray, "face place"]
+    delta_scaled: Float[np.ndarray, "face place"]
+    position_bound_fresh_mm: Float[np.ndarray, "face place"]
+    position_bound_drifted_mm: Float[np.ndarray, "face place"]
+    force_bound_fresh_n: Float[np.ndarray, "face place"]
+    force_bound_drifted_n: Float[np.ndarray, "face place"]
+    detectable_force_fresh_n: Float[np.ndarray, "face place"]
+    detectable_force_drifted_n: Float[np.ndarray, "face place"]
+    weakest_direction_deg: Float[np.ndarray, "face place"]
+    force_at_score_n: Float[np.ndarray, "face place"]
+    reaches_score_force: Bool[np.ndarray, "face place"]
+    depth_at_score_mm: Float[np.ndarray, "face place"]
+    stiffness_n_per_mm: Float[np.ndarray, "face place"]
+
+
+@dataclass(frozen=True)
+class WeakestPlace:
+    """The place with the largest position bound; `direction_deg` from the face's x."""
+
+    face: int
+    place: int
+    x_mm: float
+    y_mm: float
+    position_bound_mm: float
+    direction_deg: float
+
+
+@dataclass(frozen=True)
+class AreaSummary:
+    """Medians of scores over one kind of place, and their ratios to the centre's."""
+
+    area: Area
+    places: int
+    medians: dict[str, float]
+    ratio_to_centre: dict[str, float]
+
+
+def score_places(
+    spec: ObjectSpec, signals: Signals, progress: Callable[[str], None] | None = None
+) -> PlaceScores:
+    """Score every contact place; bounds and detectable forces from `score.channels`.
+
+    Raises
+    ------
+    InputError
+        Signals that are not finite, forces that do not grow with depth, or no hull volume.
+    """
+    require_finite(signals)
+    grid = contact_grid(spec)
+    rows = []
+    for face in signals.faces.tolist():
+        if progress:
+            progress(f"face {face}: {len(grid)} places, hull form {spec.score.hull}")
+        rows.append(_score_face(spec, signals, grid, face))
+    columns = {name: np.stack([row[name] for row in rows]) for name in rows[0]}
+    return PlaceScores(signals.faces, grid, **columns)
+
+
+def _score_face(spec: ObjectSpec, signals: Signals, grid: PlaceGrid, face: int) -> dict[str, Any]:
+    live = live_channels(spec).ravel()
+    own = own_channels(signals, spec.sensors, face)
+    used = own if spec.score.channels == "own" else np.arange(live.size)
+    own, used = own[live[own]], used[live[used]]
+    if not len(own):
+        raise InputError(
+            f"face {face} has no live channel: as_built calls all of them dead. Mend a sensor, or "
+            "take the entries out"
+        )
+    where = (np.full(len(grid), face), grid.xy_mm[:, 0], grid.xy_mm[:, 1])
+    every = press_traces(signals, *where)
+    traces = every.of_channels(used)
+    reach = traces.force_n[:, -1]
+    force = np.minimum(spec.score.force_n, reach)
+    depth = depth_at_force(traces, force[:, None])[:, 0]
+    jacobian = signal_gradient(signals, *where, force).jacobian[:, used]
+    noise = channel_noise(spec.sensors, live.size)[own]
+    row: dict[str, Any] = _sensitivities(spec, every.of_channels(own), force, face, noise)
+    for state in ("fresh", "drifted"):
+        sigma = disturbance_counts(spec.sensors, state, live.size)[used]
+        bounds = cramer_rao_bounds(jacobian, sigma)
+        row[f"position_bound_{state}_mm"] = bounds.position_mm
+        row[f"force_bound_{state}_n"] = bounds.force_n
+        row[f"detectable_force_{state}_n"] = detectable_force_n(traces, sigma)
+        if state == "fresh":
+            x, y = bounds.weakest_direction.T
+            row["weakest_direction_deg"] = np.rad2deg(np.arctan2(y, x)) % 180
+    return row | {
+        "force_at_score_n": force,
+        "reaches_score_force": reach >= spec.score.force_n,
+        "depth_at_score_mm": depth,
+        "stiffness_n_per_mm": force / depth,
+    }
+
+
+def _sensitivities(
+    spec: ObjectSpec,
+    own: Traces,
+    force_n: Float[np.ndarray, "place"],
+    face: int,
+    noise: Float[np.ndarray, "channel"],
+) -> dict[str, Float[np.ndarray, "place"]]:
+    form, frames = spec.score.hull, spec.score.hull_frames
+    press = periodic_press(own, force_n, _COVARIANCE_SAMPLES if form == "covariance" else frames)
+    if form == "covariance":
+        raw = covariance_sensitivity(press, force_n, noise, frames)
+    else:
+        rng = np.random.default_rng([spec.seed, face])
+        raw = hull_sensitivity(press, force_n, noise, rng, form)
+    span = press.max(axis=(0, 1)) - press.min(axis=(0, 1)) + 6 * noise
+    return {
+        "delta_raw": raw.delta,
+        "delta_raw_standard_error": raw.standard_error,
+        "delta_scaled": raw.scaled(span).delta,
+    }
+
+
+def weakest_place(scores: PlaceScores) -> WeakestPlace:
+    """Where the freshly zeroed object knows the contact place least."""
+    bound = scores.position_bound_fresh_mm
+    face, place = (int(i) for i in np.unravel_index(np.argmax(bound), bound.shape))
+    x, y = scores.grid.xy_mm[place]
+    return WeakestPlace(
+        int(scores.faces[face]),
+        place,
+        float(x),
+        float(y),
+        float(bound[face, place]),
+        float(scores.weakest_direction_deg[face, place]),
+    )
+
+
+def area_places(grid: PlaceGrid, area: Area) -> Bool[np.ndarray, "place"]:
+    """Places of an area: corners; edge, the outermost ring without corners; mid_edge, the middle
+    third of each side; centre, the inner 4 × 4."""
+    nx, ny = grid.shape
+    x, y = np.meshgrid(np.arange(nx), np.arange(ny), indexing="ij")
+    on_x, on_y = (x == 0) | (x == nx - 1), (y == 0) | (y == ny - 1)
+    from_x, from_y = abs(x - (nx - 1) / 2), abs(y - (ny - 1) / 2)
+    masks = {
+        "corner": on_x & on_y,
+        "edge": on_x ^ on_y,
+        "mid_edge": (on_x & (from_y <= ny / 6)) | (on_y & (from_x <= nx / 6)),
+        "centre": (from_x < 2) & (from_y < 2),
+    }
+    return masks[area].ravel()
+
+
+def outermost_places(grid: PlaceGrid) -> Bool[np.ndarray, "place"]:
+    """The outermost ring, corners included."""
+    return area_places(grid, "corner") | area_places(grid, "edge")
+
+
+def summarize_areas(scores: PlaceScores, face: int | None = None) -> tuple[AreaSummary, ...]:
+    """Medians per area over all faces, or over one."""
+    rows = slice(None) if face is None else scores.faces == face
+    names = [f.name for f in fields(scores) if f.name.startswith(("delta", "position", "force_b"))]
+    names.remove("delta_raw_standard_error")
+    names += ["detectable_force_fresh_n", "detectable_force_drifted_n", "stiffness_n_per_mm"]
+    medians = {}
+    for area in AREAS:
+        places = area_places(scores.grid, area)
+        medians[area] = {
+            name: float(np.median(getattr(scores, name)[rows][:, places])) for name in names
+        }
+    return tuple(
+        AreaSummary(
+            area,
+            int(area_places(scores.grid, area).sum()),
+            medians[area],
+            {name: medians[area][name] / medians["centre"][name] for name in names},
+        )
+        for area in AREAS
+    )
+
+
+_UNITS = {
+    "delta_raw": "counts^d/N",
+    "delta_raw_standard_error": "counts^d/N",
+    "delta_scaled": "1/N",
+}
+
+
+def save_scores_csv(scores: PlaceScores, path: Path | str) -> None:
+    """One row for every face and place; the header's names carry the units."""
+    names = [f.name for f in fields(scores)][2:]
+    header = [f"{name} [{_UNITS[name]}]" if name in _UNITS else name for name in names]
+    xy = scores.grid.xy_mm
+    with atomic_path(path) as temporary, temporary.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(["face", "place", "x_mm", "y_mm", *header])
+        for row, face in enumerate(scores.faces):
+            for place in range(len(xy)):
+                values = [getattr(scores, name)[row, place].item() for name in names]
+                writer.writerow([face, place, *xy[place].tolist(), *(repr(v) for v in values)])
+
+
+def load_scores_csv(path: Path | str) -> PlaceScores:
+    """Read what `save_scores_csv` wrote.
+
+    Raises
+    ------
+    InputError
+        No such file, or columns or rows are missing.
+    """
+    try:
+        with Path(path).open(newline="", encoding="utf-8") as file:
+            rows = [
+                {key.split(" [")[0]: value for key, value in row.items()}
+                for row in csv.DictReader(file)
+            ]
+        table = {name: np.array([row[name] for row in rows]) for name in rows[0]}
+        faces, x, y = (
+            np.unique(table[key].astype(kind))
+            for key, kind in (("face", int), ("x_mm", float), ("y_mm", float))
+        )
+        shape = (len(faces), len(x) * len(y))
+        columns = {f.name: table[f.name].reshape(shape) for f in fields(PlaceScores)[2:]}
+    except (OSError, ValueError, KeyError, IndexError, AttributeError) as error:
+        raise InputError(f"{path} is not a table of scores ({error!r}). Score anew") from None
+    reached = columns.pop("reaches_score_force") == "True"
+    values = {name: column.astype(float) for name, column in columns.items()}
+    return PlaceScores(faces, PlaceGrid(x, y), reaches_score_force=reached, **values)

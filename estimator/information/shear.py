@@ -1,0 +1,148 @@
+"""Signals of tangential forces, and the information about (x, y, F, Fx, Fy) that they leave.
+
+Where the tip may also pull along the surface, five parameters share the signals: a place that is
+well known when only (x, y, F) are asked can be lost. Tangential forces are small changes about a
+frictionless press (`fem.presses.shear`).
+"""
+
+from __future__ import annotations
+
+import csv
+from dataclasses import dataclass, fields
+from pathlib import Path
+
+import numpy as np
+from jaxtyping import Float, Int
+
+from design.files import atomic_path
+from design.layout.as_built import live_channels
+from design.layout.positions import PlaceGrid, grid_places_in_lattice
+from design.spec.object import ObjectSpec
+from estimator.field.models import field_model
+from estimator.field.sources import magnet_source
+from estimator.information.fisher import cramer_rao_bounds, disturbance_counts
+from estimator.information.sensitivity import own_channels
+from estimator.signals.field_setup import counts, min_distance_mm, scene, sensed_field
+from estimator.signals.interpolation import press_traces, signal_gradient
+from estimator.signals.monotone import monotone_cubic
+from estimator.signals.presses import Signals
+from fem.presses.results import MagnetMotions
+from fem.presses.shear import ShearMotions
+
+_STEP_N = 0.2
+"""Half of the central difference: the field bends by 1e-5 of its slope over it."""
+
+
+@dataclass(frozen=True)
+class ShearSignals:
+    """Change of counts per newton along the face's x and y, at every contact place and depth.
+
+    `counts_per_n` (face, place, step, tangent, sensor, axis); `depth_mm` (step,).
+    """
+
+    faces: Int[np.ndarray, "face"]
+    grid: PlaceGrid
+    depth_mm: Float[np.ndarray, "step"]
+    counts_per_n: Float[np.ndarray, "face place step 2 sensor 3"]
+
+
+@dataclass(frozen=True)
+class ShearScores:
+    """Cramér–Rao bounds of (x, y, F, Fx, Fy) at `score.force_n` and no tangential force.
+
+    Attributes
+    ----------
+    position_bound_*_mm : √(σx² + σy²) with both tangential forces unknown
+    normal_force_bound_*_n : σF
+    tangential_force_bound_*_n : √(σFx² + σFy²)
+    condition : of the whitened Jacobian in mm and N, freshly zeroed
+    """
+
+    faces: Int[np.ndarray, "face"]
+    grid: PlaceGrid
+    position_bound_fresh_mm: Float[np.ndarray, "face place"]
+    position_bound_drifted_mm: Float[np.ndarray, "face place"]
+    normal_force_bound_fresh_n: Float[np.ndarray, "face place"]
+    normal_force_bound_drifted_n: Float[np.ndarray, "face place"]
+    tangential_force_bound_fresh_n: Float[np.ndarray, "face place"]
+    tangential_force_bound_drifted_n: Float[np.ndarray, "face place"]
+    condition: Float[np.ndarray, "face place"]
+
+
+def shear_signals(spec: ObjectSpec, motions: MagnetMotions, shear: ShearMotions) -> ShearSignals:
+    """Derivative of every channel by the tangential forces, by central differences."""
+    place = scene(spec)
+    pressed = motions.motion[:, grid_places_in_lattice(spec)]
+    nearest = min_distance_mm(place, pressed.reshape(-1, place.bodies, 6))
+    model = field_model(magnet_source(spec.magnets), nearest - 0.1)
+    change = _STEP_N * shear.motion_per_n
+    field_t = [
+        sensed_field(
+            place, (pressed[:, :, :, None] + side * change).reshape(-1, place.bodies, 6), model
+        )
+        for side in (1, -1)
+    ]
+    sides = [counts(place, field, spec) for field in field_t]
+    slope = (sides[0] - sides[1]) / (2 * _STEP_N)
+    shape = (*shear.motion_per_n.shape[:4], *slope.shape[1:])
+    return ShearSignals(shear.faces, shear.grid, shear.depth_mm, slope.reshape(shape))
+
+
+def contact_jacobian(
+    spec: ObjectSpec, signals: Signals, shear: ShearSignals, face: int
+) -> Float[np.ndarray, "place channel 5"]:
+    """∂(counts)/∂(x, y, F, Fx, Fy) at `score.force_n`, or at the deepest press where that is less."""
+    xy = shear.grid.xy_mm
+    where = (np.full(len(xy), face), xy[:, 0], xy[:, 1])
+    traces = press_traces(signals, *where)
+    force = np.minimum(spec.score.force_n, traces.force_n[:, -1])
+    normal = signal_gradient(signals, *where, force).jacobian
+    per_n = shear.counts_per_n[list(shear.faces).index(face)]
+    rest_first = np.concatenate([per_n[:, :1], per_n], axis=1).reshape(*traces.force_n.shape, -1)
+    carry_over_missing(rest_first)
+    tangential = monotone_cubic(traces.force_n, rest_first, force[:, None])[:, 0]
+    tangential = tangential.reshape(len(xy), 2, -1).swapaxes(1, 2)
+    return np.concatenate([normal, tangential], axis=2)
+
+
+def carry_over_missing(per_n: Float[np.ndarray, "place node value"]) -> None:
+    """Give presses that found no contact the slopes of the next deeper one, in place."""
+    for node in range(per_n.shape[1] - 2, -1, -1):
+        missing = ~per_n[:, node].any(axis=1)
+        per_n[missing, node] = per_n[missing, node + 1]
+
+
+def score_shear(spec: ObjectSpec, signals: Signals, shear: ShearSignals) -> ShearScores:
+    """Bounds of all five parameters at every contact place, from `score.channels`."""
+    rows, live = [], live_channels(spec).ravel()
+    for face in signals.faces.tolist():
+        jacobian = contact_jacobian(spec, signals, shear, face)
+        own = own_channels(signals, spec.sensors, face)
+        used = own if spec.score.channels == "own" else np.arange(live.size)
+        used = used[live[used]]
+        jacobian = jacobian[:, used]
+        row = {}
+        for state in ("fresh", "drifted"):
+            sigma = disturbance_counts(spec.sensors, state, live.size)[used]
+            bounds = cramer_rao_bounds(jacobian, sigma)
+            row[f"position_bound_{state}_mm"] = bounds.position_mm
+            row[f"normal_force_bound_{state}_n"] = bounds.force_n
+            row[f"tangential_force_bound_{state}_n"] = bounds.tangential_force_n
+            if state == "fresh":
+                row["condition"] = np.linalg.cond(jacobian / sigma[:, None])
+        rows.append(row)
+    columns = {name: np.stack([row[name] for row in rows]) for name in rows[0]}
+    return ShearScores(signals.faces, shear.grid, **columns)
+
+
+def save_shear_scores_csv(scores: ShearScores, path: Path | str) -> None:
+    """One row for every face and place; the header's names carry the units."""
+    names = [f.name for f in fields(scores)][2:]
+    xy = scores.grid.xy_mm
+    with atomic_path(path) as temporary, temporary.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(["face", "place", "x_mm", "y_mm", *names])
+        for row, face in enumerate(scores.faces.tolist()):
+            for place in range(len(xy)):
+                values = [repr(getattr(scores, name)[row, place].item()) for name in names]
+                writer.writerow([face, place, *xy[place].tolist(), *values])

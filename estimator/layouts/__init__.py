@@ -1,0 +1,1 @@
+"""Many layouts scored at once, with gradients."""

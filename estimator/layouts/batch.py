@@ -1,0 +1,74 @@
+"""Batches of layouts as tensors: where magnets and sensors of one face are, and how they turn."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+
+import numpy as np
+import torch
+from jaxtyping import Float
+from torch import Tensor
+
+from design.layout.pockets import magnet_bodies, sensor_places
+from design.spec.object import ObjectSpec
+
+
+@dataclass(frozen=True)
+class Layouts:
+    """Layouts of one face, each repeated on all faces; every tensor may want gradients.
+
+    Attributes
+    ----------
+    magnet_mm : x, y in the face's frame and depth below the face, mm
+    turn_rad : rotation vector of each magnet's axis about the face's x and y, rad; 0 is outward
+    polarity : polarization over the specification's, usually 1 (north outward) or −1
+    sensor_mm : x, y in the face's frame, mm; chips are turned about the normal by their azimuth
+    """
+
+    magnet_mm: Float[Tensor, "layout magnet 3"]
+    turn_rad: Float[Tensor, "layout magnet 2"]
+    polarity: Float[Tensor, "layout magnet"]
+    sensor_mm: Float[Tensor, "layout sensor 2"]
+
+    def __len__(self) -> int:
+        return len(self.magnet_mm)
+
+    def __getitem__(self, rows: slice) -> Layouts:
+        return Layouts(*(getattr(self, f.name)[rows] for f in fields(self)))
+
+
+def layouts_of(spec: ObjectSpec, face: int, dtype: torch.dtype = torch.float32) -> Layouts:
+    """The specification's own layout of one face, as a batch of one."""
+    index = spec.body.sensed.index(face)
+    bodies, places = magnet_bodies(spec)[index], sensor_places(spec)[index]
+    tilts = spec.magnets.tilt_deg or ((0.0, 0.0),) * len(bodies)
+    parts = (
+        [body.centre_mm * [1, 1, -1] for body in bodies],
+        np.deg2rad(tilts),
+        np.asarray(spec.magnets.polarities, dtype=float),
+        [(x, y) for x, y, _ in places],
+    )
+    return Layouts(*(torch.as_tensor(np.asarray(part)[None], dtype=dtype) for part in parts))
+
+
+def magnet_axes(layouts: Layouts) -> Float[Tensor, "3 layout magnet"]:
+    """Unit axes: the outward normal turned by the rotation vector."""
+    about_x, about_y = layouts.turn_rad.unbind(-1)
+    angle = (about_x * about_x + about_y * about_y + 1e-14).sqrt()  # a root with a slope at rest
+    share = angle.sin() / angle
+    return torch.stack([share * about_y, -share * about_x, angle.cos()])
+
+
+def chip_axes(
+    sensor_mm: Float[Tensor, "layout sensor 2"], on_board: Float[Tensor, "3 3"]
+) -> Float[Tensor, "layout sensor 3 3"]:
+    """Chip axes as rows, in the face's frame, from columns on the board; at the centre azimuth 0."""
+    x, y = sensor_mm.unbind(-1)
+    squared = x * x + y * y
+    centred = squared == 0
+    length = torch.where(centred, 1.0, squared).sqrt()
+    cosine, sine = torch.where(centred, 1.0, x / length), y / length
+    zero, one = torch.zeros_like(x), torch.ones_like(x)
+    rows = torch.stack([sine, cosine, zero, -cosine, sine, zero, zero, zero, one], dim=-1)
+    board = rows.reshape(*x.shape, 3, 3)
+    return (board @ on_board).transpose(-1, -2)

@@ -1,0 +1,202 @@
+"""First rung of a layout search: what a batch of layouts is worth, and a walk down its gradient.
+
+A layout repeated on all faces is pressed on several of them; its score is that of the worst. Limits
+that a layout breaks make it worth less, smoothly, so that every engine is led back inside.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import dataclass
+
+import torch
+from jaxtyping import Bool, Float
+from torch import Tensor
+
+from design.spec.object import ObjectSpec
+from design.spec.search import OBJECTIVES_TO_MAXIMIZE
+from estimator.information.scores import outermost_places
+from estimator.layouts.batch import Layouts
+from estimator.layouts.cross_face import neighbour_disturbance
+from estimator.layouts.robustness import slip_places_mm, tolerance_places_mm
+from estimator.layouts.scoring import (
+    LayoutScorer,
+    percentile,
+    place_information,
+    within_candidates,
+)
+from estimator.layouts.vectors import LayoutSpace, broken_limits_mm, layouts_at
+
+PENALTY_PER_MM = 10.0
+"""A limit broken by 0.1 mm doubles every objective, more than any layout gains by it."""
+_MM_PER_EXCESS = 10.0
+"""A score or channel beyond its limit by a tenth counts as a length broken by 1 mm."""
+_LEARNING_RATE = 0.03
+"""Of the unit cube: 1 mm in a range of 30."""
+
+Judge = Callable[[Float[Tensor, "layout variable"]], "Judged"]
+
+
+@dataclass(frozen=True)
+class Judged:
+    """What layouts are worth: every objective as something to minimise, above 0.
+
+    `broken_mm` is 0 where all limits are kept; `scores` are those of the first rung, with the
+    objectives that the structure alone decides.
+    """
+
+    objectives: Float[Tensor, "layout objective"]
+    broken_mm: Float[Tensor, "layout"]
+    scores: dict[str, Float[Tensor, "layout"]]
+
+    @property
+    def penalized(self) -> Float[Tensor, "layout objective"]:
+        """Objectives with the penalty for broken limits."""
+        return self.objectives * (1 + PENALTY_PER_MM * self.broken_mm[:, None])
+
+
+@dataclass(frozen=True)
+class FirstRung:
+    """Scorers of the pressed faces for one structure, and what the structure itself decides.
+
+    `constants` are scores that all its layouts share; `at_most` bounds scores (`sensitivity_ratio`
+    from below); `broken_mm` is what the structure breaks, in the currency of mm.
+    """
+
+    space: LayoutSpace
+    scorers: tuple[LayoutScorer, ...]
+    constants: Mapping[str, float]
+    at_most: Mapping[str, float]
+    broken_mm: float = 0.0
+
+
+def judge(
+    rung: FirstRung,
+    unit: Float[Tensor, "layout variable"],
+    polarity: Float[Tensor, "layout magnet"],
+    objectives: tuple[str, ...],
+) -> Judged:
+    """Score layouts at points of the unit cube; differentiable."""
+    layouts = [layouts_at(rung.space, unit, polarity, s.presses.face) for s in rung.scorers]
+    named = {*objectives, *rung.at_most}
+    scores = batch_scores(
+        rung.scorers,
+        [within_candidates(*pair) for pair in zip(rung.scorers, layouts, strict=True)],
+        named,
+    )
+    for name, value in rung.constants.items():
+        scores[name] = torch.full_like(scores["worst_position_bound_mm"], value)
+    alike = rung.space.sensors is not None  # sensors that move have one layout on every face
+    checked = layouts[:1] if alike else layouts
+    broken = torch.stack([broken_limits_mm(rung.space, one).sum(dim=1) for one in checked])
+    excess = _saturation(rung.space.structured, scores["largest_resting_counts"])
+    for name, most in rung.at_most.items():
+        excess = excess + torch.relu(_to_minimize(name, scores) / most - 1)
+    broken = broken.amax(dim=0) + rung.broken_mm + _MM_PER_EXCESS * excess
+    columns = [_to_minimize(name, scores) for name in objectives]
+    return Judged(torch.stack(columns, dim=1).clamp(min=1e-9), broken, scores)
+
+
+def batch_scores(
+    scorers: Sequence[LayoutScorer], layouts: Sequence[Layouts], named: Collection[str]
+) -> dict[str, Float[Tensor, "layout"]]:
+    """Scores over the places of all pressed faces, as `estimator.layouts.fidelity` pools them.
+
+    Those that cost more than all others together are worked out only where they are named.
+    """
+    places = [place_information(*pair) for pair in zip(scorers, layouts, strict=True)]
+    position, force, sensitivity = (
+        torch.cat([getattr(face, name) for face in places], dim=1)
+        for name in ("position_bound_mm", "force_bound_n", "sensitivity")
+    )
+    ordered = sensitivity.sort(dim=1).values
+    rest = torch.stack([face.resting_counts.abs().flatten(1).amax(dim=1) for face in places])
+    found = {
+        "worst_position_bound_mm": position.amax(dim=1),
+        "median_position_bound_mm": percentile(position.sort(dim=1).values, 50.0),
+        "worst_force_bound_n": force.amax(dim=1),
+        "sensitivity_ratio": percentile(ordered, 5.0) / percentile(ordered, 50.0),
+        "edge_position_bound_mm": _edge_mean(scorers, [face.position_bound_mm for face in places]),
+        "largest_resting_counts": rest.amax(dim=0),
+    }
+    for name in DEARER.keys() & set(named):
+        sizes = [DEARER[name](*pair) for pair in zip(scorers, layouts, strict=True)]
+        pooled = torch.cat([size.flatten(1) for size in sizes], dim=1).sort(dim=1).values
+        found[name] = percentile(pooled, 50.0)
+    return found
+
+
+DEARER: dict[str, Callable[[LayoutScorer, Layouts], Tensor]] = {
+    "cross_face_sigma": neighbour_disturbance,
+    "slip_place_mm": slip_places_mm,
+    "tolerance_place_mm": tolerance_places_mm,
+}
+"""Scores that are the median of something over places, by name."""
+
+
+def _edge_mean(
+    scorers: Sequence[LayoutScorer], bounds_mm: Sequence[Float[Tensor, "layout _"]]
+) -> Float[Tensor, "layout"]:
+    found = [
+        bound[:, torch.as_tensor(outermost_places(scorer.presses.places))]
+        for scorer, bound in zip(scorers, bounds_mm, strict=True)
+    ]
+    return torch.cat(found, dim=1).mean(dim=1)
+
+
+def _to_minimize(name: str, scores: dict[str, Tensor]) -> Float[Tensor, "layout"]:
+    return 1 / scores[name] if name in OBJECTIVES_TO_MAXIMIZE else scores[name]
+
+
+def polish(
+    judge_at: Judge,
+    unit: Float[Tensor, "layout variable"],
+    steps: int,
+    weights: Float[Tensor, "layout objective"],
+) -> Float[Tensor, "layout variable"]:
+    """Walk down the weighted logarithms of the objectives, limits included."""
+
+    def loss(point: Tensor) -> Float[Tensor, "layout"]:
+        return (weights * judge_at(point).penalized.log()).sum(dim=1)
+
+    return descend(loss, unit, steps)
+
+
+def descend(
+    loss_at: Callable[[Tensor], Tensor], unit: Float[Tensor, "layout variable"], steps: int
+) -> Float[Tensor, "layout variable"]:
+    """The best points on walks of `steps` (Adam) within the unit cube, each by itself.
+
+    No point ends worse than it began.
+    """
+    point = unit.clone().requires_grad_()
+    walk = torch.optim.Adam([point], lr=_LEARNING_RATE)
+    schedule = torch.optim.lr_scheduler.CosineAnnealingLR(walk, max(steps, 1))
+    best, least = unit.clone(), torch.full((len(unit),), torch.inf, dtype=unit.dtype)
+    for step in range(steps + 1):
+        loss = loss_at(point)
+        better = loss.detach() < least
+        least = torch.where(better, loss.detach(), least)
+        best = torch.where(better[:, None], point.detach(), best)
+        if step < steps:
+            walk.zero_grad()
+            loss.sum().backward()
+            _forget_undefined(point)
+            walk.step()
+            schedule.step()
+            with torch.no_grad():
+                point.clamp_(0, 1)
+    return best
+
+
+def _forget_undefined(point: Tensor) -> None:
+    """A layout whose gradient is not finite stays where it is."""
+    if point.grad is not None:
+        defined: Bool[Tensor, "layout"] = point.grad.isfinite().all(dim=1)
+        point.grad.nan_to_num_(0.0, 0.0, 0.0).mul_(defined[:, None])
+
+
+def _saturation(spec: ObjectSpec, counts: Float[Tensor, "layout"]) -> Float[Tensor, "layout"]:
+    """Share by which channels at rest exceed what they may."""
+    full = spec.sensors.range_mt * spec.sensors.counts_per_mt
+    return torch.relu(counts / (full * spec.search.limits.resting_share) - 1)

@@ -1,0 +1,283 @@
+"""Scores of many layouts at once on stored motions of candidate magnets, with gradients.
+
+First rung of a layout search. A layout is one face's magnets and sensors, repeated on every face;
+magnets are ideal here, without stiffness. Counts are linearised in the magnets' motions about rest,
+J = ∂S/∂(motion) · ∂(motion)/∂(x, y, F), with the field's derivatives in closed form and the
+motions' compressed (`estimator.layouts.press_basis`). The other faces' magnets count too, by a lower order
+of the series and a shorter basis: cheap, as they are further away and move less.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields, replace
+
+import numpy as np
+import torch
+from jaxtyping import Float
+from torch import Tensor
+
+from design.errors import InputError
+from design.layout.positions import chip_on_board
+from design.spec.object import ObjectSpec
+from design.spec.tolerances import TolerancesSpec
+from estimator.field.gradient import FieldChange, field_change
+from estimator.field.sources import BlockMagnet, Magnet, magnet_source
+from estimator.information.fisher import NoiseState, disturbance_counts
+from estimator.layouts.batch import Layouts, chip_axes, magnet_axes
+from estimator.layouts.press_basis import PressBasis, mixed_rows
+
+OWN_ORDER = 7
+OTHER_ORDER = 3
+_CHUNK = 512
+_FORCE_VARIANCE = 1 / 8
+"""Of a raised-cosine press from 0 to its peak, over the peak squared."""
+_SMALLEST = 1e-6
+"""Share of a direction's information that the others do not explain, from which float32 holds."""
+
+
+@dataclass(frozen=True)
+class LayoutScore:
+    """Scores over layouts, of presses of one face read by its own sensors.
+
+    Attributes
+    ----------
+    worst_position_bound_mm, median_position_bound_mm, worst_force_bound_n : Cramér–Rao bounds over
+        the contact places, at the basis's force
+    sensitivity_ratio : 5th over 50th percentile of δ (covariance form, white noise) over the places
+    largest_resting_counts : largest magnitude of any own channel at rest, counts
+    """
+
+    worst_position_bound_mm: Float[Tensor, "layout"]
+    median_position_bound_mm: Float[Tensor, "layout"]
+    worst_force_bound_n: Float[Tensor, "layout"]
+    sensitivity_ratio: Float[Tensor, "layout"]
+    largest_resting_counts: Float[Tensor, "layout"]
+
+
+@dataclass(frozen=True)
+class PlaceInformation:
+    """Bounds and δ (up to a factor that is the same everywhere) of every contact place."""
+
+    position_bound_mm: Float[Tensor, "layout place"]
+    force_bound_n: Float[Tensor, "layout place"]
+    sensitivity: Float[Tensor, "layout place"]
+    resting_counts: Float[Tensor, "layout sensor 3"]
+
+
+@dataclass(frozen=True)
+class PressChanges:
+    """Whitened derivatives of own channels by x, y and force, their change in the press itself, and
+    the counts at rest."""
+
+    by_parameter: Float[Tensor, "channel layout 4 place"]
+    resting_counts: Float[Tensor, "layout sensor 3"]
+
+
+@dataclass(frozen=True)
+class LayoutScorer:
+    """All that stays the same between layouts; `layout_scorer` makes it.
+
+    `chip` are the chip's axes as columns on its board, `counts_per_t` counts per T,
+    `white_share` one sigma of an axis over that of the white noise.
+    """
+
+    presses: PressBasis
+    magnet: Magnet
+    sensor_depth_mm: float
+    chip: Float[Tensor, "3 3"]
+    counts_per_t: float
+    sigma_counts: Float[Tensor, "3"]
+    white_share: Float[Tensor, "3"]
+    tolerances: TolerancesSpec
+
+
+def layout_scorer(
+    spec: ObjectSpec, presses: PressBasis, state: NoiseState = "fresh"
+) -> LayoutScorer:
+    """Set up scoring of layouts of this specification's magnets and chips.
+
+    Chips are nominal, and nothing but the magnets is around: what the environment adds at rest does
+    not change the bounds.
+
+    Raises
+    ------
+    InputError
+        Sensors in the shell, blocks, or coils switched face by face.
+    """
+    magnet = magnet_source(spec.magnets)
+    if spec.arrangement != "sensors-in-core" or isinstance(magnet, BlockMagnet):
+        raise InputError(
+            "layouts are scored in batches with round magnets in the shell and sensors in the core "
+            f"only; got {magnet.description} in the arrangement {spec.arrangement!r}. Use the full "
+            "chain"
+        )
+    if spec.magnets.switching != "all-on":
+        raise InputError(
+            'layouts are scored in batches with all magnets on; got magnets.switching = "'
+            f'{spec.magnets.switching}". Use the full chain'
+        )
+    like = presses.first_mm
+    sigma = disturbance_counts(spec.sensors, state, 3)
+    white = np.asarray(spec.sensors.noise_counts, dtype=float)
+    if not white.all():
+        raise InputError("δ needs white noise on every axis. Set sensors.noise_counts above 0")
+    return LayoutScorer(
+        presses,
+        magnet,
+        spec.shell.thickness_mm + spec.sensors.depth_below_core_face_mm,
+        torch.as_tensor(chip_on_board(spec.sensors), dtype=like.dtype),
+        1e3 * spec.sensors.counts_per_mt,
+        torch.as_tensor(sigma, dtype=like.dtype),
+        torch.as_tensor(sigma / white, dtype=like.dtype),
+        spec.tolerances,
+    )
+
+
+def score_layouts(scorer: LayoutScorer, layouts: Layouts, chunk: int = _CHUNK) -> LayoutScore:
+    """Score every layout; differentiable in all four tensors.
+
+    Memory: at most 0.4 MB a layout of a chunk; with gradients of every layout.
+
+    Raises
+    ------
+    InputError
+        A magnet outside the candidates.
+    """
+    parts = [
+        _summary(place_information(scorer, layouts[first : first + chunk]))
+        for first in range(0, len(layouts), chunk)
+    ]
+    return LayoutScore(
+        *(torch.cat([getattr(part, f.name) for part in parts]) for f in fields(LayoutScore))
+    )
+
+
+def place_information(scorer: LayoutScorer, layouts: Layouts) -> PlaceInformation:
+    """Bounds and δ at every contact place, all layouts at once."""
+    changes = press_changes(scorer, layouts)
+    by_parameter = changes.by_parameter
+    position, force = _bounds(by_parameter[:, :, :3])
+    white = scorer.white_share.repeat(len(by_parameter) // 3)[:, None, None]
+    power = (by_parameter[:, :, 3] * white).square().sum(0)
+    delta = (1 + _FORCE_VARIANCE * power).sqrt()
+    return PlaceInformation(position, force, delta, changes.resting_counts)
+
+
+def press_changes(
+    scorer: LayoutScorer,
+    layouts: Layouts,
+    sensor_shift_mm: Float[Tensor, "layout sensor 3"] | None = None,
+) -> PressChanges:
+    """What presses change, with sensors shifted off their places (boards do not turn with it)."""
+    own, other = _field_changes(scorer, layouts, sensor_shift_mm)
+    field = own.field.sum(-1) + other.field.sum(-1)
+    chips = chip_axes(layouts.sensor_mm, scorer.chip)
+    counts = scorer.counts_per_t * (chips @ field.permute(1, 2, 0)[..., None])[..., 0]
+    whitened = chips * (scorer.counts_per_t / scorer.sigma_counts)[:, None]
+    own_rows, other_rows = mixed_rows(scorer.presses, layouts.magnet_mm.reshape(-1, 3))
+    of_others, magnets = scorer.presses.other, layouts.magnet_mm.shape[1]
+    faces = of_others.rows.shape[1] // (6 * len(of_others.basis))
+    moving = _of_moving_faces(other.by_motion, magnets, faces)
+    mixed = torch.cat(
+        [_mixed(whitened, own.by_motion, own_rows), _mixed(whitened, moving, other_rows)], dim=-1
+    )
+    basis = torch.cat([scorer.presses.own.basis, of_others.basis])
+    change = mixed.transpose(0, 1).reshape(-1, len(basis)) @ basis
+    return PressChanges(change.reshape(mixed.shape[1], len(layouts), 4, -1), counts)
+
+
+def within_candidates(scorer: LayoutScorer, layouts: Layouts) -> Layouts:
+    """Magnets beyond the candidates at the nearest of their places."""
+    first = scorer.presses.first_mm
+    last = first + scorer.presses.step_mm * (torch.tensor(scorer.presses.nodes) - 1)
+    nearest = torch.maximum(torch.minimum(layouts.magnet_mm, last), first)
+    return replace(layouts, magnet_mm=nearest)
+
+
+def _field_changes(
+    scorer: LayoutScorer,
+    layouts: Layouts,
+    sensor_shift_mm: Float[Tensor, "layout sensor 3"] | None,
+) -> tuple[FieldChange, FieldChange]:
+    """Fields and their changes at (layout, sensor, magnet) of own and (magnet, face) of others."""
+    presses, xyd = scorer.presses, layouts.magnet_mm
+    centre = torch.stack([xyd[..., 0], xyd[..., 1], -xyd[..., 2]])
+    axis = magnet_axes(layouts)
+    depth = torch.full_like(layouts.sensor_mm[..., :1], -scorer.sensor_depth_mm)
+    place = torch.cat([layouts.sensor_mm, depth], dim=-1)
+    if sensor_shift_mm is not None:
+        place = place + sensor_shift_mm
+    sensor = place.permute(2, 0, 1)[..., None]
+
+    def change(centres: Tensor, axes: Tensor, polarity: Tensor, order: int) -> FieldChange:
+        offset, axes = torch.broadcast_tensors(sensor - centres[:, :, None], axes[:, :, None])
+        found = field_change(offset, axes, scorer.magnet, order)
+        return FieldChange(found.field * polarity, found.by_motion * polarity)
+
+    turned = torch.einsum("gij,jbm->ibmg", presses.turn, centre)
+    centres = turned + presses.shift_mm.T[:, None, None]
+    axes = torch.einsum("gij,jbm->ibmg", presses.turn, axis)
+    polarity = layouts.polarity[:, None, :]
+    of_others = polarity.repeat_interleave(len(presses.turn), dim=2)
+    return (
+        change(centre, axis, polarity, OWN_ORDER),
+        change(centres.flatten(2), axes.flatten(2), of_others, OTHER_ORDER),
+    )
+
+
+def _of_moving_faces(
+    by_motion: Float[Tensor, "3 6 layout sensor other"], magnets: int, faces: int
+) -> Float[Tensor, "3 6 layout sensor moving"]:
+    """Without the opposite face, the last one, where there is one."""
+    return by_motion.unflatten(-1, (magnets, -1))[..., :faces].flatten(-2)
+
+
+def _mixed(
+    whitened: Float[Tensor, "layout sensor 3 3"],
+    by_motion: Float[Tensor, "3 6 layout sensor magnet"],
+    rows: Float[Tensor, "own_magnet column"],
+) -> Float[Tensor, "layout channel rank"]:
+    """Change of whitened channels along the basis: their change with motions times the rows."""
+    layouts, sensors = whitened.shape[:2]
+    by_field = by_motion.permute(2, 3, 0, 4, 1).reshape(layouts, sensors, 3, -1)
+    by_channel = (whitened @ by_field).reshape(layouts, 3 * sensors, -1)
+    return by_channel @ rows.reshape(layouts, by_channel.shape[2], -1)
+
+
+def _bounds(
+    jacobian: Float[Tensor, "channel layout 3 place"],
+) -> tuple[Float[Tensor, "layout place"], Float[Tensor, "layout place"]]:
+    """Position and force bounds from whitened derivatives by x, y and force.
+
+    By elimination, with parameters in units of their own information. Where a direction is left
+    with less than a millionth of it, the bound is held at what that gives.
+    """
+    x, y, f = jacobian.unbind(2)
+    xx, yy, ff = ((a * a).sum(0) + 1e-20 for a in (x, y, f))
+    xy, xf, yf = ((a * b).sum(0) for a, b in ((x, y), (x, f), (y, f)))
+    xx_f, yy_f, xy_f = xx - xf * xf / ff, yy - yf * yf / ff, xy - xf * yf / ff
+    left = xx_f * yy_f - xy_f * xy_f
+    left = torch.maximum(left, _SMALLEST * xx * yy)
+    position = (torch.maximum(xx_f + yy_f, _SMALLEST * (xx + yy)) / left).sqrt()
+    across = torch.maximum(xx * yy - xy * xy, _SMALLEST * xx * yy)
+    force = (across / (ff * left)).sqrt()
+    return position, force
+
+
+def _summary(places: PlaceInformation) -> LayoutScore:
+    position = places.position_bound_mm.sort(dim=1).values
+    low, middle = (percentile(places.sensitivity.sort(dim=1).values, q) for q in (5.0, 50.0))
+    return LayoutScore(
+        position[:, -1],
+        percentile(position, 50.0),
+        places.force_bound_n.amax(dim=1),
+        low / middle,
+        places.resting_counts.abs().flatten(1).amax(dim=1),
+    )
+
+
+def percentile(ordered: Float[Tensor, "layout place"], percent: float) -> Float[Tensor, "layout"]:
+    """Linear between the two nearest ranks, as NumPy's."""
+    at = percent / 100 * (ordered.shape[1] - 1)
+    below = min(int(at), ordered.shape[1] - 2)
+    return torch.lerp(ordered[:, below], ordered[:, below + 1], at - below)

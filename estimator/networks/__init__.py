@@ -1,0 +1,1 @@
+"""The contact estimator: networks, training, metrics (torch)."""

@@ -1,0 +1,208 @@
+"""A trained estimator of one face: what it reads, its network, its file, and its use on frames."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any, Literal
+
+import numpy as np
+import torch
+from jaxtyping import Float
+from torch import Tensor, nn
+
+from design.errors import InputError
+from design.files import atomic_path
+from estimator.frames.dataset import FrameSet
+from estimator.frames.face_data import HISTORY, Channel, channel_counts, with_history
+from estimator.networks.network import ContactEstimator, HeadsNetwork, HeatmapNetwork
+from estimator.networks.prediction import Prediction
+
+MODEL_FORMAT = 3
+_BATCH_FRAMES = 8192
+
+
+@dataclass(frozen=True)
+class Architecture:
+    """What a member network is built of, besides the numbers among its weights."""
+
+    kind: Literal["heads", "heatmap"]
+    hidden_units: tuple[int, ...]
+    axes: int = 1
+    continuous: bool = False
+    members: int = 1
+
+
+@dataclass(frozen=True)
+class FaceModel:
+    """A trained network with all that is needed to use it.
+
+    Attributes
+    ----------
+    name : of the model, `training.model`
+    channels : inputs, in order; dead channels were left out
+    history_frames : over how many frames the channels that are changes reach back
+    grid_x_mm, grid_y_mm : pixel centres of the heatmap, mm
+    interval_cover : share of held-out presses' frames that the intervals are made to cover
+    interval_presses : how many presses with contact calibrated them
+    """
+
+    name: str
+    face: int
+    channels: tuple[Channel, ...]
+    grid_x_mm: Float[np.ndarray, "nx"]
+    grid_y_mm: Float[np.ndarray, "ny"]
+    architecture: Architecture
+    history_frames: int
+    interval_cover: float
+    interval_presses: int
+    network: ContactEstimator
+
+
+def predict(model: FaceModel, frames: FrameSet) -> Prediction:
+    """Read every frame; presses must be complete if the model reads changes over time.
+
+    Raises
+    ------
+    InputError
+        A channel that the model uses is missing.
+    """
+    if frames.faces.max() < HISTORY:
+        frames = with_history(frames, model.history_frames)
+    return read_counts(model.network, channel_counts(frames, model.channels))
+
+
+def predict_heatmaps(model: FaceModel, frames: FrameSet) -> Float[np.ndarray, "frame nx ny"]:
+    """Heatmaps of normal force (N); raises as `predict`."""
+    return predict(model, frames).heatmap_n[:, -1]
+
+
+def read_counts(
+    network: ContactEstimator, counts: Float[np.ndarray, "frame channel"]
+) -> Prediction:
+    """Readings of counts in batches, on the network's own device."""
+    device = next(network.parameters()).device
+    network.eval()
+    with torch.inference_mode():
+        parts = [
+            network(part.to(device))
+            for part in torch.as_tensor(counts, dtype=torch.float32).split(_BATCH_FRAMES)
+        ]
+    columns = (torch.cat(column).cpu().double().numpy() for column in zip(*parts, strict=True))
+    return Prediction(*columns)
+
+
+def empty_network(
+    architecture: Architecture,
+    channels: int,
+    grid_x_mm: Float[np.ndarray, "nx"],
+    grid_y_mm: Float[np.ndarray, "ny"],
+) -> ContactEstimator:
+    """A network of the right shapes whose weights and scales are yet to be loaded."""
+    ones = np.ones(channels)
+    grids = (grid_x_mm, grid_y_mm)
+    units, axes = architecture.hidden_units, architecture.axes
+
+    def member() -> nn.Module:
+        if architecture.kind == "heads":
+            return HeadsNetwork(ones, *grids, units, 1.0, axes, architecture.continuous)
+        return HeatmapNetwork(ones, ones, *grids, units, 1.0, 1.0, axes)
+
+    return ContactEstimator([member() for _ in range(architecture.members)])
+
+
+def description(model: FaceModel) -> dict[str, Any]:
+    """What is written beside the weights."""
+    return {
+        "format": MODEL_FORMAT,
+        "name": model.name,
+        "face": model.face,
+        "channels": model.channels,
+        "grid_x_mm": model.grid_x_mm.tolist(),
+        "grid_y_mm": model.grid_y_mm.tolist(),
+        "architecture": asdict(model.architecture),
+        "history_frames": model.history_frames,
+        "interval_cover": model.interval_cover,
+        "interval_presses": model.interval_presses,
+    }
+
+
+def save_model(model: FaceModel, path: Path | str) -> None:
+    """Write weights and description as one safetensors file."""
+    from safetensors.torch import save_file
+
+    weights = {name: value.cpu().contiguous() for name, value in model.network.state_dict().items()}
+    with atomic_path(path) as temporary:
+        save_file(weights, temporary, metadata={"instobj": json.dumps(description(model))})
+
+
+def load_model(path: Path | str) -> FaceModel:
+    """Read a model written by `save_model`; no code is run from the file.
+
+    Raises
+    ------
+    InputError
+        No such file, not a model of instobj, or weights that do not fit the description.
+    """
+    path = Path(path)
+    if not path.is_file():
+        raise InputError(f"no model at {path}. `instobj train SPEC` makes one")
+    described, weights = _read_safetensors(path)
+    try:
+        return _assembled(described, weights)
+    except (KeyError, TypeError, ValueError, RuntimeError) as error:
+        raise InputError(
+            f"{path}: weights and description do not belong together ({error}). Train the "
+            "model anew"
+        ) from None
+
+
+def _read_safetensors(path: Path) -> tuple[dict[str, Any], dict[str, Tensor]]:
+    from safetensors import SafetensorError, safe_open
+
+    try:
+        with safe_open(path, framework="pt") as file:
+            metadata = file.metadata() or {}
+            weights = {name: file.get_tensor(name) for name in file.keys()}  # noqa: SIM118
+    except (SafetensorError, OSError) as error:
+        raise InputError(
+            f"{path} is not a safetensors file ({error}). Give a trained model"
+        ) from None
+    try:
+        described = json.loads(metadata["instobj"])
+    except (KeyError, json.JSONDecodeError):
+        raise InputError(f"{path} is not a model of instobj. Give a trained model") from None
+    if described.get("format") != MODEL_FORMAT:
+        raise InputError(
+            f"{path} has model format {described.get('format')}, this version reads "
+            f"{MODEL_FORMAT}. Train the model anew"
+        )
+    return described, weights
+
+
+def _assembled(described: dict[str, Any], weights: dict[str, Tensor]) -> FaceModel:
+    channels = tuple((int(f), int(s), int(a)) for f, s, a in described["channels"])
+    grid_x, grid_y = (np.array(described[f"grid_{axis}_mm"], dtype=float) for axis in "xy")
+    built = dict(described["architecture"])
+    built["hidden_units"] = _whole_numbers(built["hidden_units"])
+    architecture = Architecture(**built)
+    network = empty_network(architecture, len(channels), grid_x, grid_y)
+    network.load_state_dict(weights)
+    return FaceModel(
+        name=str(described["name"]),
+        face=int(described["face"]),
+        channels=channels,
+        grid_x_mm=grid_x,
+        grid_y_mm=grid_y,
+        architecture=architecture,
+        history_frames=int(described["history_frames"]),
+        interval_cover=float(described["interval_cover"]),
+        interval_presses=int(described["interval_presses"]),
+        network=network,
+    )
+
+
+def _whole_numbers(values: Sequence[Any]) -> tuple[int, ...]:
+    return tuple(int(value) for value in values)

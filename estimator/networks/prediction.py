@@ -1,0 +1,34 @@
+"""What an estimator says of frames, as arrays; the same from torch and from an exported file."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from jaxtyping import Float
+
+
+@dataclass(frozen=True)
+class Prediction:
+    """Readings of frames in float64; `estimator.networks.network.Reading` explains each column.
+
+    With an interval's cover of 90 %, the true force lies within `force_n` ± `force_halfwidth_n` and
+    the true centre within `position_radius_mm` of `xy_mm` in 90 % of the frames of new presses.
+    """
+
+    heatmap_n: Float[np.ndarray, "frame axis nx ny"]
+    force_n: Float[np.ndarray, "frame"]
+    xy_mm: Float[np.ndarray, "frame 2"]
+    contact: Float[np.ndarray, "frame"]
+    force_halfwidth_n: Float[np.ndarray, "frame"]
+    position_radius_mm: Float[np.ndarray, "frame"]
+
+
+UNITS = {
+    "heatmap_n": "N",
+    "force_n": "N",
+    "xy_mm": "mm",
+    "contact": "1",
+    "force_halfwidth_n": "N",
+    "position_radius_mm": "mm",
+}

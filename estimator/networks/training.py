@@ -1,0 +1,281 @@
+"""Training of a face's contact estimator on whole presses, stopped and calibrated by presses that
+it never saw.
+
+Training frames get fresh noise and zeroing offsets in every epoch, so that the network leans
+neither on the noise nor on the rest level of a press. With several members, training and
+validation presses are pooled into as many folds; each member is stopped by its own fold and
+calibrated there, and the estimator is their mean.
+"""
+
+from __future__ import annotations
+
+import copy
+import hashlib
+from dataclasses import asdict, dataclass, field, replace
+from itertools import product
+from pathlib import Path
+
+import numpy as np
+import torch
+from torch import nn
+
+from design.errors import InputError
+from design.spec.object import TrainingSpec
+from estimator.frames.dataset import FrameSet
+from estimator.frames.face_data import (
+    HISTORY,
+    Channel,
+    FaceData,
+    channel_counts,
+    face_data,
+    live_channels,
+    with_history,
+)
+from estimator.networks.conformal import conformal_quantile
+from estimator.networks.ensemble import architecture_of, fit_ridge, new_member, sigma_counts
+from estimator.networks.face_model import FaceModel, read_counts
+from estimator.networks.fitting import Progress, Schedule, fit
+from estimator.networks.metrics import face_metrics, force_reference
+from estimator.networks.network import ContactEstimator, HeadsNetwork, HeatmapNetwork
+from estimator.networks.training_data import (
+    AUGMENTATION,
+    Augmentation,
+    Disturbances,
+    batch_of,
+    elsewhere_counts,
+    joined,
+    press_folds,
+    thinned,
+    with_contacts,
+)
+
+SHARPNESS = (1.0, 2.0, 4.0, 8.0, 16.0)
+FAINT = (0.05, 0.2, 0.4)
+PAPER_BATCH_FRAMES = 2000
+PAPER_LEARNING_RATE = 1e-3
+PAPER_WEIGHT_DECAY = 1e-4
+FINE_TUNING_RATE = 0.3
+"""Learning rate of a network that goes on from `start`, over that of one that starts anew."""
+_WEIGHT_DECAY = 1e-3
+_OTHER_FACES = 0.5
+_NEXT_SEED = 7919
+
+
+@dataclass(frozen=True)
+class FitSettings:
+    """What is fitted, and how.
+
+    Attributes
+    ----------
+    seed : of the initial weights, the batches, the disturbances and the folds
+    augmentation : by default that of the data's source, `AUGMENTATION`, with presses of other
+        faces superposed for the whole-object model
+    device : "cpu" or "cuda"
+    budget_s : limit of time over all members, s
+    checkpoint : folder that keeps an unfinished training; it is resumed from there
+    """
+
+    face: int
+    training: TrainingSpec = field(default_factory=TrainingSpec)
+    seed: int = 1
+    augmentation: Augmentation | None = None
+    device: str = "cpu"
+    budget_s: float | None = None
+    checkpoint: Path | None = None
+
+
+def fit_estimator(
+    train_frames: FrameSet,
+    validation_frames: FrameSet,
+    settings: FitSettings,
+    start: FaceModel | None = None,
+    progress: Progress | None = None,
+) -> FaceModel:
+    """Train one face's estimator.
+
+    Parameters
+    ----------
+    train_frames, validation_frames : whole presses, with ids unique over both
+    start : a model to go on from, for instance one trained on simulated twins; its channels and
+        architecture are kept
+    progress : called after each epoch
+
+    Raises
+    ------
+    InputError
+        No contact on the face in either part, no live channel, a start of another face or model.
+    """
+    training, seed = settings.training, settings.seed
+    parts = [
+        _prepared(frames, name, settings)
+        for frames, name in ((train_frames, "training"), (validation_frames, "validation"))
+    ]
+    if start is not None:
+        _require_same_kind(start, settings, train_frames)
+    channels = start.channels if start else _common_channels(parts, training)
+    members, scores = [], []
+    for number, (fitted, held_out) in enumerate(_folds(parts, settings)):
+        if start is None:
+            member = new_member(fitted, channels, training, seed + _NEXT_SEED * number)
+        else:
+            member = copy.deepcopy(start.network.members[number % len(start.network.members)])
+        _fit_member(
+            member, number, fitted, held_out, channels, settings, start is not None, progress
+        )
+        members.append(_sharpened(member, held_out, channels))
+        scores.append(_scores(member, held_out, channels))
+    network = ContactEstimator(members)
+    force, position, press = (np.concatenate(column) for column in zip(*scores, strict=True))
+    cover, pooled = training.interval_cover, training.members > 1
+    network.force_quantile.fill_(conformal_quantile(force, press, cover, pooled))
+    network.position_quantile.fill_(conformal_quantile(position, press, cover, pooled))
+    return FaceModel(
+        name=training.model,
+        face=settings.face,
+        channels=channels,
+        grid_x_mm=train_frames.grid_x_mm,
+        grid_y_mm=train_frames.grid_y_mm,
+        architecture=architecture_of(training),
+        history_frames=training.history_frames,
+        interval_cover=training.interval_cover,
+        interval_presses=len(np.unique(press)),
+        network=network.to(settings.device),
+    )
+
+
+def _prepared(frames: FrameSet, part: str, settings: FitSettings) -> FaceData:
+    whole = with_history(frames, settings.training.history_frames)
+    return thinned(with_contacts(face_data(whole, settings.face), part), settings.seed)
+
+
+def _folds(parts: list[FaceData], settings: FitSettings) -> list[tuple[FaceData, FaceData]]:
+    """What each member is fitted to, and what stops and calibrates it."""
+    members = settings.training.members
+    if members == 1:
+        return [(parts[0], parts[1])]
+    pooled = joined(*parts)
+    fold = press_folds(pooled, members, settings.seed)
+    return [(pooled.select(fold != k), pooled.select(fold == k)) for k in range(members)]
+
+
+def _require_same_kind(start: FaceModel, settings: FitSettings, frames: FrameSet) -> None:
+    wanted = replace(architecture_of(settings.training), members=start.architecture.members)
+    same_grid = all(
+        mine.shape == theirs.shape and np.allclose(mine, theirs, rtol=0, atol=1e-6)
+        for mine, theirs in (
+            (start.grid_x_mm, frames.grid_x_mm),
+            (start.grid_y_mm, frames.grid_y_mm),
+        )
+    )
+    if start.face != settings.face or start.architecture != wanted or not same_grid:
+        raise InputError(
+            f"the model to start from reads face {start.face} with {start.architecture} on "
+            f"{len(start.grid_x_mm)} × {len(start.grid_y_mm)} pixels; wanted are face "
+            f"{settings.face} and {wanted} on the data's grid. Start from a model trained with the "
+            "same training.* settings"
+        )
+
+
+def _common_channels(parts: list[FaceData], training: TrainingSpec) -> tuple[Channel, ...]:
+    every = training.model == "whole-object"
+    alive = set(live_channels(parts[1], every))
+    channels = tuple(channel for channel in live_channels(parts[0], every) if channel in alive)
+    if not channels:
+        raise InputError(
+            f"no channel of face {parts[0].face} has readings in all frames. Leave that "
+            "recording out"
+        )
+    return channels
+
+
+def _fit_member(
+    member: nn.Module,
+    number: int,
+    data: FaceData,
+    held_out: FaceData,
+    channels: tuple[Channel, ...],
+    settings: FitSettings,
+    fine_tuned: bool,
+    progress: Progress | None,
+) -> None:
+    training, device = settings.training, settings.device
+    member.to(device)
+    scale = float(member.get_buffer("force_scale_n"))
+    train, validation = (
+        batch_of(part, channels, scale, training.heatmap_axes, device) for part in (data, held_out)
+    )
+    if training.model == "linear":
+        assert isinstance(member, HeatmapNetwork)
+        fit_ridge(member, train.counts.cpu().numpy(), train.maps.cpu().numpy())
+        return
+    schedule = _schedule(settings, number, data.frames.source, fine_tuned)
+    sigma = torch.as_tensor(sigma_counts(data, channels), dtype=torch.float32, device=device)
+    elsewhere = elsewhere_counts(data, channels).to(device)
+    zeroed = torch.tensor([float(face < HISTORY) for face, _, _ in channels], device=device)
+    folder = settings.checkpoint
+    path = None if folder is None else folder / f"member_{number}.safetensors"
+    mark = _fingerprint(schedule, train.counts, train.maps, asdict(architecture_of(training)))
+    disturbances = Disturbances(sigma, zeroed, elsewhere)
+    fit(member, train, validation, disturbances, schedule, progress, path, mark)
+
+
+def _schedule(settings: FitSettings, number: int, source: str, fine_tuned: bool) -> Schedule:
+    training, seed = settings.training, settings.seed + _NEXT_SEED * number
+    budget = None if settings.budget_s is None else settings.budget_s / training.members
+    if training.model == "paper":
+        return Schedule(
+            training.epochs, PAPER_BATCH_FRAMES, PAPER_LEARNING_RATE, PAPER_WEIGHT_DECAY,
+            training.patience_epochs, None, seed, True, budget,
+        )  # fmt: skip
+    augmentation = settings.augmentation or AUGMENTATION[source]
+    if settings.augmentation is None and training.model == "whole-object":
+        augmentation = replace(augmentation, other_faces=_OTHER_FACES)
+    rate = training.learning_rate * (FINE_TUNING_RATE if fine_tuned else 1.0)
+    return Schedule(
+        training.epochs, training.batch_size, rate, _WEIGHT_DECAY,
+        training.patience_epochs, augmentation, seed, False, budget,
+    )  # fmt: skip
+
+
+def _fingerprint(schedule: Schedule, counts: torch.Tensor, maps: torch.Tensor, built: dict) -> str:
+    digest = hashlib.sha256(repr((schedule, built)).encode())
+    for tensor in (counts, maps):
+        digest.update(tensor.cpu().numpy().tobytes())
+    return digest.hexdigest()
+
+
+def _sharpened(member: nn.Module, held_out: FaceData, channels: tuple[Channel, ...]) -> nn.Module:
+    """The member with the sharpness and the limit of faint shares that do best on held-out contacts:
+    dissimilarity plus relative error of force."""
+    if not isinstance(member, HeadsNetwork) or member.continuous:
+        return member
+    data = held_out.select(held_out.contact)
+    reference = force_reference(data.heatmap_n)
+    counts, scale = channel_counts(data.frames, channels), float(member.force_scale_n)
+    costs = {}
+    for sharpness, faint in product(SHARPNESS, FAINT):
+        member.sharpness.fill_(sharpness)
+        member.faint.fill_(faint)
+        maps = read_counts(ContactEstimator([member]), counts).heatmap_n[:, -1]
+        result = face_metrics(data.face, maps, data.heatmap_n, reference)
+        costs[sharpness, faint] = 1 - result.similarity + result.force_error_n / scale
+    sharpness, faint = min(costs, key=lambda choice: costs[choice])
+    member.sharpness.fill_(sharpness)
+    member.faint.fill_(faint)
+    return member
+
+
+def _scores(
+    member: nn.Module, held_out: FaceData, channels: tuple[Channel, ...]
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Errors of force and centre over their spreads, and the press, in held-out contact frames."""
+    data = held_out.select(held_out.contact)
+    estimator = ContactEstimator([member])
+    estimator.force_quantile.fill_(1.0)
+    estimator.position_quantile.fill_(1.0)
+    counts = channel_counts(data.frames, channels)
+    found = read_counts(estimator, counts)
+    missed_n = np.abs(found.force_n - data.heatmap_n.sum(axis=(1, 2)))
+    away_mm = np.linalg.norm(found.xy_mm - data.centre_mm, axis=1)
+    scores = missed_n / found.force_halfwidth_n, away_mm / found.position_radius_mm
+    return *scores, data.frames.press_id

@@ -1,0 +1,1 @@
+"""Recordings of real objects, read into frames."""

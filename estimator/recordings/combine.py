@@ -1,0 +1,108 @@
+"""Several recordings of one object as one data set."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+from jaxtyping import Bool
+
+from design.errors import InputError
+from estimator.frames.dataset import NO_FACE, PER_FRAME_FIELDS, FrameSet
+from estimator.recordings.contacts import Place
+from estimator.recordings.faults import Fault, jumped_channels
+from estimator.recordings.reading import Recording
+from estimator.recordings.table import channel_name
+
+
+def combine(recordings: Sequence[Recording]) -> FrameSet:
+    """One data set with unique press, place and session ids.
+
+    Channels whose rest level jumped between the recordings (`jumps_between`) are NaN throughout;
+    lag and noise are medians over the recordings.
+
+    Raises
+    ------
+    InputError
+        No recording, the same content twice, or recordings of objects with other sensors or grids.
+    """
+    digests = [recording.frames.spec_hash for recording in recordings]
+    if not recordings or len(set(digests)) < len(digests):
+        raise InputError(
+            f"combining needs recordings, each given once; got {len(recordings)} with "
+            f"{len(set(digests))} different contents. Remove the repeats"
+        )
+    grids = {(*r.frames.grid_x_mm.tolist(), None, *r.frames.grid_y_mm.tolist()) for r in recordings}
+    if len(grids) > 1:
+        raise InputError(
+            f"combining needs recordings on one contact grid; got {len(grids)}. Give --spec, the "
+            "specification of the object"
+        )
+    jumped = jumps_between(recordings)
+    places = sorted({place for recording in recordings for place in recording.report.places})
+    contacts = max(recording.frames.contact_face.shape[1] for recording in recordings)
+    parts, press, session = [], 0, 0
+    for recording in recordings:
+        parts.append(_renumbered(recording, places, contacts, press, session))
+        press += int(recording.frames.press_id.max()) + 1
+        session += int(recording.frames.session_id.max()) + 1
+    joined = {
+        name: np.concatenate([getattr(part, name) for part in parts]) for name in PER_FRAME_FIELDS
+    }
+    joined["signal_counts"][:, jumped] = np.nan
+    return replace(
+        parts[0],
+        **joined,
+        noise_counts=np.median([part.noise_counts for part in parts], axis=0),
+        spec_hash="+".join(digests) if len(digests) > 1 else digests[0],
+        lag_frames=round(float(np.median([part.lag_frames for part in parts]))),
+    )
+
+
+def jumps_between(recordings: Sequence[Recording]) -> Bool[np.ndarray, "5 sensor 3"]:
+    """Channels whose rest level jumped between any two recordings: another magnet or sensor.
+
+    Raises
+    ------
+    InputError
+        The recordings have different numbers of sensors.
+    """
+    sensors = sorted({recording.rest_counts.shape[2] for recording in recordings})
+    if len(sensors) > 1:
+        raise InputError(
+            f"the recordings have up to {' and '.join(map(str, sensors))} sensors a face, so they "
+            "are of different objects. Give recordings of one"
+        )
+    levels = [np.median(recording.rest_counts, axis=0) for recording in recordings]
+    jumped = [jumped_channels(levels[0], level) for level in levels]
+    return np.any(jumped, axis=0)
+
+
+def jump_between_faults(recordings: Sequence[Recording]) -> list[Fault]:
+    """The channels of `jumps_between`, with their rest levels in each recording."""
+    levels = [np.median(recording.rest_counts, axis=0) for recording in recordings]
+    faults = []
+    for index in np.argwhere(jumps_between(recordings)).tolist():
+        shown = " → ".join(f"{level[tuple(index)]:.0f}" for level in levels)
+        where = f"{channel_name(*index)}, between the recordings"
+        faults.append(Fault("jumping channel", where, f"rest level {shown} counts", "set to NaN"))
+    return faults
+
+
+def _renumbered(
+    recording: Recording, places: list[Place], contacts: int, press: int, session: int
+) -> FrameSet:
+    frames = recording.frames
+    new_id = np.array([*(places.index(place) for place in recording.report.places), -1])
+    missing = contacts - frames.contact_face.shape[1]
+    pad = ((0, 0), (0, missing))
+    return replace(
+        frames,
+        contact_face=np.pad(frames.contact_face, pad, constant_values=NO_FACE),
+        contact_xy_mm=np.pad(frames.contact_xy_mm, (*pad, (0, 0)), constant_values=np.nan),
+        force_n=np.pad(frames.force_n, (*pad, (0, 0)), constant_values=np.nan),
+        press_id=frames.press_id + press,
+        place_id=new_id[frames.place_id],
+        session_id=frames.session_id + session,
+    )

@@ -1,0 +1,262 @@
+"""Faults of recordings, found from the data alone: channels, labels and stamps."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import pairwise, permutations
+
+import numpy as np
+from jaxtyping import Bool, Float, Int
+
+from estimator.recordings.table import FACES, RawTable, channel_name
+
+NOISY_FACTOR = 3.0
+JUMP_COUNTS = 500.0
+_MOVED_COUNTS = 150.0
+_DOUBT_FACTOR = 3.0
+_OPPOSITE_MM = 6.0
+"""Two hand labels, each good to about one pixel of 3 mm."""
+
+
+@dataclass(frozen=True)
+class Fault:
+    """What was found, where, and what was done about it."""
+
+    kind: str
+    where: str
+    detail: str
+    action: str
+
+    def __str__(self) -> str:
+        return f"{self.kind}: {self.where}: {self.detail}; {self.action}"
+
+
+def rest_noise_counts(
+    counts: Float[np.ndarray, "frame 5 sensor 3"], rest: Bool[np.ndarray, "frame"]
+) -> Float[np.ndarray, "5 sensor 3"]:
+    """White noise (counts) of each channel, from the differences of neighbouring rest frames.
+
+    NaN where a channel has no reading in two neighbouring rest frames.
+    """
+    step = np.diff(counts, axis=0)[rest[1:] & rest[:-1]]
+    known = np.isfinite(step)
+    number = known.sum(axis=0)
+    mean_square = np.where(known, step, 0.0) ** 2
+    return np.where(number > 0, np.sqrt(mean_square.sum(0) / np.maximum(number, 1) / 2), np.nan)
+
+
+def dead_channels(counts: Float[np.ndarray, "frame 5 sensor 3"]) -> Bool[np.ndarray, "5 sensor 3"]:
+    """Channels without any reading, or stuck at one value, on faces that have readings at all."""
+    known = np.isfinite(counts)
+    absent_face = np.all(~known, axis=(0, 2, 3))
+    low = np.min(counts, axis=0, where=known, initial=np.inf)
+    high = np.max(counts, axis=0, where=known, initial=-np.inf)
+    return (high <= low) & ~absent_face[:, None, None]
+
+
+def noisy_channels(noise_counts: Float[np.ndarray, "5 sensor 3"]) -> Bool[np.ndarray, "5 sensor 3"]:
+    """Channels whose rest noise exceeds `NOISY_FACTOR` times the median of their axis."""
+    with np.errstate(invalid="ignore"):
+        return noise_counts > NOISY_FACTOR * axis_noise_counts(noise_counts)
+
+
+def axis_noise_counts(noise_counts: Float[np.ndarray, "5 sensor 3"]) -> Float[np.ndarray, "3"]:
+    """Median over the live channels of each axis."""
+    return np.array(
+        [np.median(axis[np.isfinite(axis)]) for axis in np.moveaxis(noise_counts, 2, 0)]
+    )
+
+
+def channel_faults(
+    counts: Float[np.ndarray, "frame 5 sensor 3"], noise_counts: Float[np.ndarray, "5 sensor 3"]
+) -> list[Fault]:
+    """Dead and noisy channels, each as one fault."""
+    typical = axis_noise_counts(noise_counts)
+    faults = []
+    for index in np.argwhere(dead_channels(counts)).tolist():
+        faults.append(
+            Fault("dead channel", channel_name(*index), "no varying reading", "set to NaN")
+        )
+    for face, sensor, axis in np.argwhere(noisy_channels(noise_counts)).tolist():
+        sigma = noise_counts[face, sensor, axis]
+        detail = f"σ {sigma:.0f} counts at rest, {typical[axis]:.0f} are typical of {'XYZ'[axis]}"
+        faults.append(
+            Fault("noisy channel", channel_name(face, sensor, axis), detail, "set to NaN")
+        )
+    return faults
+
+
+def jumped_channels(
+    first_rest_counts: Float[np.ndarray, "5 sensor 3"],
+    other_rest_counts: Float[np.ndarray, "5 sensor 3"],
+) -> Bool[np.ndarray, "5 sensor 3"]:
+    """Channels whose rest level moved by more than `JUMP_COUNTS` between two recordings."""
+    with np.errstate(invalid="ignore"):
+        return np.abs(other_rest_counts - first_rest_counts) > JUMP_COUNTS
+
+
+def jump_faults(
+    rest_counts: Float[np.ndarray, "press 5 sensor 3"],
+) -> tuple[Bool[np.ndarray, "5 sensor 3"], list[Fault]]:
+    """Channels whose rest level jumps by more than `JUMP_COUNTS` from one press to the next.
+
+    Where many channels move at once the shell moved against the core (or other magnets came
+    near): that is reported, and the channels stay, for every press has its own zero.
+    """
+    jumping = np.zeros(rest_counts.shape[1:], dtype=bool)
+    faults = []
+    for number, (before, after) in enumerate(pairwise(rest_counts), start=1):
+        step = np.where(np.isfinite(after - before), np.abs(after - before), np.nan)
+        live = step[np.isfinite(step)]
+        if live.size and np.median(live) > _MOVED_COUNTS:
+            detail = f"rest moved by {np.median(live):.0f} counts (median of channels)"
+            faults.append(
+                Fault(
+                    "shell moved", f"before press {number}", detail, "kept: zeroed press by press"
+                )
+            )
+            continue
+        for index in np.argwhere(step > JUMP_COUNTS).tolist():
+            detail = f"rest level {before[tuple(index)]:.0f} → {after[tuple(index)]:.0f} counts"
+            where = f"{channel_name(*index)}, before press {number}"
+            faults.append(Fault("jumping channel", where, detail, "set to NaN"))
+            jumping[tuple(index)] = True
+    return jumping, faults
+
+
+def press_responses(
+    counts: Float[np.ndarray, "frame 5 sensor 3"],
+    force_n: Float[np.ndarray, "frame cell"],
+    press: Int[np.ndarray, "frame"],
+) -> Float[np.ndarray, "press 5"]:
+    """Change of each face's signals (rms counts over live channels) between rest and full force."""
+    total = force_n.sum(axis=1)
+    responses = np.full((press.max() + 1, len(FACES)), np.nan)
+    for number in range(len(responses)):
+        frames = np.flatnonzero(press == number)
+        low, high = np.percentile(total[frames], [15, 75])
+        rest, loaded = frames[total[frames] <= low], frames[total[frames] >= high]
+        change = counts[loaded].mean(axis=0) - counts[rest].mean(axis=0)
+        for face in range(len(FACES)):
+            live = change[face][np.isfinite(change[face])]
+            if len(live):
+                responses[number, face] = np.sqrt(np.mean(live**2))
+    return responses
+
+
+def mend_face_labels(
+    table: RawTable, press: Int[np.ndarray, "frame"], responses: Float[np.ndarray, "press 5"]
+) -> tuple[Int[np.ndarray, "frame cell"], list[Fault]]:
+    """Face labels of a gripper with both cells on different faces.
+
+    Two jaws cannot press one face. The cell whose label departs from its own usual face gets
+    that face; where no usual face tells, the second cell gets the strongest responding other
+    face.
+    """
+    face = table.face.copy()
+    faults: list[Fault] = []
+    if table.kind != "gripper":
+        return face, faults
+    clash = face[:, 0] == face[:, 1]
+    usual = [_mode(face[~clash, cell]) if (~clash).any() else 0 for cell in range(2)]
+    for number in np.unique(press[clash]):
+        frames = np.flatnonzero((press == number) & clash)
+        named = int(face[frames[0], 0])
+        cell = 0 if usual[0] not in (0, named) else 1
+        mended = usual[cell] or _strongest_other(responses[number], named)
+        face[frames, cell] = mended
+        detail = f"both load cells are said to press face {named}"
+        action = f"cell {cell + 1} set to face {mended}, whose sensors respond"
+        faults.append(Fault("wrong face label", rows_text(frames), detail, action))
+    return face, faults
+
+
+def doubtful_presses(
+    pressed: Int[np.ndarray, "frame cell"],
+    press: Int[np.ndarray, "frame"],
+    responses: Float[np.ndarray, "press 5"],
+) -> tuple[Bool[np.ndarray, "frame"], list[Fault]]:
+    """Presses in which an unnamed face responds far more than a named one: labels not believed.
+
+    `pressed` is the face that each load cell is said to press while it holds a force, else 0.
+    """
+    doubtful = np.zeros(len(press), dtype=bool)
+    faults = []
+    for number in range(press.max() + 1):
+        frames = np.flatnonzero(press == number)
+        named = np.isin(FACES, pressed[frames])
+        other = np.where(named | np.isnan(responses[number]), 0.0, responses[number])
+        weakest = np.min(responses[number], where=named, initial=np.inf)
+        if other.max() > _DOUBT_FACTOR * weakest:
+            detail = (
+                f"face {FACES[int(other.argmax())]} responds {other.max():.0f} counts, a named "
+            )
+            detail += f"face only {weakest:.0f}"
+            faults.append(
+                Fault("doubtful face label", rows_text(frames), detail, "frames not used")
+            )
+            doubtful[frames] = True
+    return doubtful, faults
+
+
+def mirror_faults(
+    face: Int[np.ndarray, "frame cell"],
+    tip_xy_mm: Float[np.ndarray, "frame cell tip 2"],
+    block: Int[np.ndarray, "frame"],
+) -> list[Fault]:
+    """Gripper cases on faces 3 and 5 whose places are not opposite: x3 = x5, y3 = −y5, ±6 mm."""
+    faults = []
+    for number in np.unique(block):
+        frames = np.flatnonzero(block == number)
+        cells, tips = face[frames[0]], tip_xy_mm[frames[0]]
+        if set(cells.tolist()) != {3, 5} or np.isnan(tips).any():
+            continue
+        on_3, on_5 = (tips[cells == side][0] for side in (3, 5))
+        apart_mm = _tip_distance(on_3, on_5 * [1.0, -1.0])
+        if apart_mm > _OPPOSITE_MM + 1e-6:
+            detail = f"places {on_3.tolist()} and {on_5.tolist()} mm are {apart_mm:g} mm off"
+            faults.append(
+                Fault("labels not opposite", rows_text(frames), detail, "kept as labelled")
+            )
+    return faults
+
+
+def _tip_distance(on_3: Float[np.ndarray, "tip 2"], mirrored: Float[np.ndarray, "tip 2"]) -> float:
+    """Largest step (mm, along x or y) between tips paired as well as possible."""
+    return min(
+        float(np.abs(on_3 - mirrored[list(order)]).max())
+        for order in permutations(range(len(on_3)))
+    )
+
+
+def stamp_faults(table: RawTable) -> list[Fault]:
+    """Repeated or backward time stamps and duplicate column names."""
+    faults = []
+    if table.duplicate_columns:
+        names = ", ".join(table.duplicate_columns)
+        faults.append(
+            Fault("duplicate column names", names, "named twice", "told apart by their order")
+        )
+    step = np.diff(table.time_s)
+    if np.any(step == 0):
+        detail = f"{int(np.sum(step == 0))} of {len(step) + 1} repeat the one before"
+        faults.append(Fault("time stamps", "Time", detail, "rebuilt from the frame rate"))
+    if np.any(step < 0):
+        detail = f"{int(np.sum(step < 0))} run backwards"
+        faults.append(Fault("time stamps", "Time", detail, "a new stretch begins there"))
+    return faults
+
+
+def _mode(values: Int[np.ndarray, "n"]) -> int:
+    names, counts = np.unique(values, return_counts=True)
+    return int(names[counts.argmax()])
+
+
+def _strongest_other(response: Float[np.ndarray, "5"], named: int) -> int:
+    candidates = np.where(np.isnan(response) | (np.array(FACES) == named), -1.0, response)
+    return FACES[int(candidates.argmax())]
+
+
+def rows_text(frames: Int[np.ndarray, "n"]) -> str:
+    """Rows as counted from 0 below the header."""
+    return f"rows {frames[0]}–{frames[-1]}"

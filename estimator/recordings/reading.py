@@ -1,0 +1,290 @@
+"""Recordings of the real object as data sets: faults found, lag corrected, presses zeroed.
+
+Formats: `estimator.recordings.files`; faults: `estimator.recordings.faults` (channels, faces, stamps)
+and `estimator.recordings.labels` (contacts and places). Every correction
+is stated in the report; nothing is keyed to a file's name.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+from jaxtyping import Bool, Float, Int
+
+from design.errors import InputError
+from estimator.frames.dataset import NO_FACE, FrameSet
+from estimator.recordings.contacts import (
+    Place,
+    carried_labels,
+    contact_cases,
+    contact_slots,
+    place_keys,
+)
+from estimator.recordings.faults import (
+    Fault,
+    axis_noise_counts,
+    channel_faults,
+    dead_channels,
+    doubtful_presses,
+    jump_faults,
+    mend_face_labels,
+    mirror_faults,
+    noisy_channels,
+    press_responses,
+    rest_noise_counts,
+    stamp_faults,
+)
+from estimator.recordings.files import read_table
+from estimator.recordings.labels import (
+    contacts_at_rest,
+    hidden_contacts,
+    place_label_faults,
+    pressed_faces,
+    silent_presses,
+)
+from estimator.recordings.presses import (
+    CONTACT_FORCE_N,
+    LagReport,
+    at_rest,
+    estimate_lag,
+    frame_times_s,
+    number_presses,
+    shifted_forces,
+    shifted_shear,
+    stretches,
+    tared,
+)
+from estimator.recordings.report import RecordingReport
+from estimator.recordings.table import FACES, RawTable, channel_name
+
+NOMINAL_RATE_HZ = 10.5
+REST_FORCE_N = {"gripper": 0.05, "training": 0.15, "generic": 0.15}
+"""Forces below are rest. The training files' converter resolves only about 0.12 N."""
+ZERO_FRAMES = 20
+LEAST_ZERO_FRAMES = 5
+_UNITS = {
+    "gripper": "grams-force × 9.8e-3 = N",
+    "training": "N, counted from the rest level",
+    "generic": "N, counted from the rest level",
+}
+
+
+Grid = tuple[Float[np.ndarray, "nx"], Float[np.ndarray, "ny"]]
+
+
+@dataclass(frozen=True)
+class Recording:
+    """Frames of one file with its report.
+
+    `rest_counts` (press, face, sensor, axis) are the raw counts subtracted from each press.
+    """
+
+    frames: FrameSet
+    report: RecordingReport
+    rest_counts: Float[np.ndarray, "press 5 sensor 3"]
+
+
+@dataclass(frozen=True)
+class _Presses:
+    """A table after its force and labels were brought into line with its signals.
+
+    `hidden` marks frames at rest by the load cells in which the signals show a contact.
+    """
+
+    time_s: Float[np.ndarray, "frame"]
+    rate_hz: float
+    press: Int[np.ndarray, "frame"]
+    force_n: Float[np.ndarray, "frame cell"]
+    shear_n: Float[np.ndarray, "frame cell 2"]
+    rest: Bool[np.ndarray, "frame"]
+    hidden: Bool[np.ndarray, "frame"]
+    face: Int[np.ndarray, "frame cell"]
+    tip_xy_mm: Float[np.ndarray, "frame cell tip 2"]
+    doubtful: Bool[np.ndarray, "frame"]
+    noise_counts: Float[np.ndarray, "5 sensor 3"]
+    lag: LagReport
+    faults: tuple[Fault, ...]
+
+
+def read_recording(path: Path | str, grid_mm: Grid | None = None) -> Recording:
+    """Read a recording of any format, find and correct its faults.
+
+    `grid_mm` is the contact grid (x, y) on which heatmaps will be drawn, by default that of the
+    file or 10 × 10 places 3 mm apart.
+
+    Raises
+    ------
+    InputError
+        The file is missing or damaged, or holds no press or no rest.
+    """
+    table = read_table(path)
+    if grid_mm is not None:
+        table = replace(table, grid_x_mm=grid_mm[0], grid_y_mm=grid_mm[1])
+    presses = _find_presses(path, table)
+    zero, zeroed_after = _rest_levels(path, table.counts, presses)
+    jumping, jumps = jump_faults(zero)
+    block, place, places = contact_cases(
+        presses.face, presses.tip_xy_mm, presses.force_n >= CONTACT_FORCE_N
+    )
+    session = np.unique(table.case, return_inverse=True)[1] if table.kind == "generic" else block
+    frames = _frames(table, presses, zero, jumping, session, place)
+    wrong, place_faults = place_label_faults(frames, places)
+    frames = replace(frames, valid=frames.valid & ~wrong)
+    faults = (
+        *stamp_faults(table),
+        *channel_faults(table.counts, presses.noise_counts),
+        *jumps,
+        *presses.faults,
+        *place_faults,
+        *(mirror_faults(presses.face, presses.tip_xy_mm, block) if table.kind == "gripper" else ()),
+    )
+    report = _report(path, table, presses, frames, places, zeroed_after, faults)
+    return Recording(frames, report, zero)
+
+
+def _report(
+    path: Path | str,
+    table: RawTable,
+    presses: _Presses,
+    frames: FrameSet,
+    places: tuple[Place, ...],
+    zeroed_after: int,
+    faults: tuple[Fault, ...],
+) -> RecordingReport:
+    return RecordingReport(
+        path=str(path),
+        kind=table.kind,
+        frames=len(frames),
+        contact_frames=int(np.sum(frames.valid & ~presses.rest)),
+        rest_frames=int(np.sum(frames.valid & presses.rest)),
+        unused_frames=int(np.sum(~frames.valid)),
+        faces_pressed=tuple(int(f) for f in np.unique(presses.face) if f != NO_FACE),
+        tips=table.tip_xy_mm.shape[2],
+        presses=int(presses.press.max()) + 1,
+        sessions=len(np.unique(frames.session_id)),
+        places=places,
+        frame_rate_hz=presses.rate_hz,
+        units=_UNITS[table.kind],
+        lag=presses.lag,
+        noise_counts=_by_name(presses.noise_counts),
+        presses_zeroed_after=zeroed_after,
+        faults=faults,
+    )
+
+
+def _find_presses(path: Path | str, table: RawTable) -> _Presses:
+    label_face, tip_xy_mm = table.face, table.tip_xy_mm
+    no_contact = table.declared_rest | np.all(np.isnan(tip_xy_mm), axis=(1, 2, 3))
+    if table.kind == "generic":
+        label_face, tip_xy_mm = carried_labels(label_face, tip_xy_mm, table.case)
+    table = replace(table, face=label_face, tip_xy_mm=tip_xy_mm)
+    keys = np.column_stack([table.case, place_keys(label_face, tip_xy_mm)])
+    stretch = stretches(table.time_s, keys)
+    time_s, rate_hz = frame_times_s(table.time_s, stretch, NOMINAL_RATE_HZ)
+    limit_n = REST_FORCE_N[table.kind]
+    force_n = tared(table.force_n, no_contact, limit_n, signed=table.kind != "training")
+    if force_n.max() < CONTACT_FORCE_N:
+        raise InputError(
+            f"{path} holds no press: the largest force is {force_n.max():.3g} N, a contact needs "
+            f"{CONTACT_FORCE_N} N. Give a recording with presses"
+        )
+    press = number_presses(force_n, stretch, limit_n)
+    responses = press_responses(table.counts, force_n, press)
+    face, mended = mend_face_labels(table, press, responses)
+    doubtful, doubts = doubtful_presses(pressed_faces(face, force_n, press), press, responses)
+    lag = estimate_lag(table.counts, force_n, face, press)
+    aligned_n = shifted_forces(force_n, stretch, lag.frames if lag.corrected else 0)
+    rest = at_rest(aligned_n, limit_n)
+    shear_n = np.zeros((*aligned_n.shape, 2))
+    if table.shear_n is not None:
+        shear_n = shifted_shear(table.shear_n, stretch, lag.frames if lag.corrected else 0, rest)
+    noise = rest_noise_counts(table.counts, rest)
+    unlabelled, denied = contacts_at_rest(force_n >= CONTACT_FORCE_N, no_contact, press)
+    block = np.concatenate([[0], np.cumsum(np.any(keys[1:] != keys[:-1], axis=1))])
+    hidden, concealed = hidden_contacts(table.counts, rest, stretch, block, noise)
+    silent, quiet = silent_presses(face, force_n, press, responses, noise)
+    return _Presses(
+        time_s, rate_hz, press, aligned_n, shear_n, rest, hidden, face, tip_xy_mm,
+        doubtful | unlabelled | hidden | silent, noise, lag,
+        (*mended, *doubts, *denied, *concealed, *quiet),
+    )  # fmt: skip
+
+
+def _rest_levels(
+    path: Path | str, counts: Float[np.ndarray, "frame 5 sensor 3"], presses: _Presses
+) -> tuple[Float[np.ndarray, "press 5 sensor 3"], int]:
+    """Mean counts of up to `ZERO_FRAMES` rest frames before each press, and how many presses had
+    too few of them and took the rest that follows instead."""
+    rest = np.flatnonzero(presses.rest & ~presses.hidden)
+    if len(rest) < LEAST_ZERO_FRAMES:
+        raise InputError(
+            f"{path} holds {len(rest)} frames at rest; at least {LEAST_ZERO_FRAMES} are needed to "
+            "zero the signals. Record some frames before each press"
+        )
+    levels, after = [], 0
+    loaded = np.any(presses.force_n >= CONTACT_FORCE_N, axis=1)
+    for number in range(int(presses.press.max()) + 1):
+        frames = np.flatnonzero(presses.press == number)
+        begin = frames[loaded[frames]][0] if loaded[frames].any() else frames[-1] + 1
+        split = int(np.searchsorted(rest, begin))
+        chosen = rest[max(0, split - ZERO_FRAMES) : split]
+        if len(chosen) < LEAST_ZERO_FRAMES:
+            chosen, after = rest[split : split + ZERO_FRAMES], after + 1
+        if len(chosen) < LEAST_ZERO_FRAMES:
+            chosen = rest[-ZERO_FRAMES:]
+        levels.append(counts[chosen].mean(axis=0))
+    return np.array(levels), after
+
+
+def _frames(
+    table: RawTable,
+    presses: _Presses,
+    zero: Float[np.ndarray, "press 5 sensor 3"],
+    jumping: Bool[np.ndarray, "5 sensor 3"],
+    session: Int[np.ndarray, "frame"],
+    place: Int[np.ndarray, "frame"],
+) -> FrameSet:
+    signal = table.counts - zero[presses.press]
+    unusable = dead_channels(table.counts) | noisy_channels(presses.noise_counts) | jumping
+    gap = np.any(np.isnan(table.counts) & ~unusable & _recorded(table.counts), axis=(1, 2, 3))
+    signal[:, unusable] = np.nan
+    touching = presses.force_n >= CONTACT_FORCE_N
+    alone = table.kind == "generic"  # a gripper's jaws press together, other load cells may rest
+    still = alone & (np.abs(presses.force_n) < REST_FORCE_N[table.kind])
+    clear = presses.rest | (touching | still).all(axis=1)
+    contact_face, xy_mm, contact_n = contact_slots(
+        presses.face, presses.tip_xy_mm, presses.force_n, presses.shear_n, touching
+    )
+    return FrameSet(
+        signal_counts=signal,
+        contact_face=contact_face,
+        contact_xy_mm=xy_mm,
+        force_n=contact_n,
+        valid=clear & ~presses.doubtful & ~gap,
+        press_id=presses.press,
+        place_id=place,
+        session_id=session,
+        time_s=presses.time_s,
+        faces=np.array(FACES),
+        grid_x_mm=table.grid_x_mm,
+        grid_y_mm=table.grid_y_mm,
+        noise_counts=axis_noise_counts(presses.noise_counts),
+        source="recorded",
+        spec_hash=table.digest,
+        seed=0,
+        lag_frames=presses.lag.frames if presses.lag.corrected else 0,
+    )
+
+
+def _recorded(counts: Float[np.ndarray, "frame 5 sensor 3"]) -> Bool[np.ndarray, "frame 5 1 1"]:
+    """Which faces have readings in each frame: a training frame has those of one face."""
+    return np.any(np.isfinite(counts), axis=(2, 3), keepdims=True)
+
+
+def _by_name(noise: Float[np.ndarray, "5 sensor 3"]) -> dict[str, float | None]:
+    return {
+        channel_name(*index): None if np.isnan(value) else round(float(value), 2)
+        for index, value in np.ndenumerate(noise)
+    }

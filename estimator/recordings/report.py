@@ -1,0 +1,57 @@
+"""What reading a recording found, measured and mended."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass
+from typing import Any
+
+from estimator.recordings.contacts import Place
+from estimator.recordings.faults import Fault
+from estimator.recordings.presses import LagReport
+
+
+@dataclass(frozen=True)
+class RecordingReport:
+    """What was read, measured, found and mended; `as_dict` for JSON, `str` for people.
+
+    `places` lists the contact case of each place id, `noise_counts` the white noise at rest by
+    channel name. `presses_zeroed_after` counts the presses without enough rest before them,
+    zeroed from the rest that follows.
+    """
+
+    path: str
+    kind: str
+    frames: int
+    contact_frames: int
+    rest_frames: int
+    unused_frames: int
+    faces_pressed: tuple[int, ...]
+    tips: int
+    presses: int
+    sessions: int
+    places: tuple[Place, ...]
+    frame_rate_hz: float
+    units: str
+    lag: LagReport
+    noise_counts: dict[str, float | None]
+    presses_zeroed_after: int
+    faults: tuple[Fault, ...]
+
+    def as_dict(self) -> dict[str, Any]:
+        """Plain values for JSON."""
+        return asdict(self)
+
+    def __str__(self) -> str:
+        lag = self.lag
+        did = "corrected" if lag.corrected else "not corrected: too little gained or agreed"
+        lines = [
+            f"{self.path}: {self.frames} frames ({self.kind} format), {self.presses} presses of "
+            f"{len(self.places)} contact cases on faces {', '.join(map(str, self.faces_pressed))}",
+            f"  frames: {self.contact_frames} contact, {self.rest_frames} rest, "
+            f"{self.unused_frames} not used; {self.frame_rate_hz:.1f} frames/s; {self.units}",
+            f"  force lag: {lag.frames} frames ({did}); {100 * lag.share_within_2:.0f} % of "
+            f"presses within ±2; variance left by H(F) {100 * lag.residual_uncorrected:.1f} % → "
+            f"{100 * lag.residual_corrected:.1f} %",
+            *(f"  {fault}" for fault in self.faults),
+        ]
+        return "\n".join(lines)

@@ -1,0 +1,1 @@
+"""What the Hall sensors read at rest and under presses."""

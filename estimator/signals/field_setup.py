@@ -1,0 +1,196 @@
+"""What the sensors of an object feel: its magnets at rest and pressed, and what is around it.
+
+In a press either the magnets move with the silicone and the sensors rest in the core, or, in the
+reverse arrangement, the sensors move and the magnets rest. Both are one flow here: every press
+gives the motions of the shell's bodies, and whatever sits in the core has none.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from jaxtyping import Float
+
+from design.errors import InputError
+from design.layout.positions import (
+    MagnetLayout,
+    SensorLayout,
+    magnet_layout,
+    sensor_layout,
+    slipped,
+)
+from design.spec.object import ObjectSpec
+from estimator.field.environment import Environment, environment, with_images
+from estimator.field.models import FieldModel
+from estimator.field.sources import BlockMagnet
+from estimator.field.vectors import Vector, components, rotated
+from estimator.signals.hall import ChipErrors, chip_errors, counts_of_field
+
+_PAIRS_PER_CHUNK = 9000
+"""Magnet–sensor pairs at a time: a dozen arrays of them in float64 fit a second-level cache. Larger
+ones may be handed back to the system at every step, which costs three times the arithmetic."""
+
+
+@dataclass(frozen=True)
+class Scene:
+    """Magnets and sensors at rest, which of them move, the chips' errors and the environment.
+
+    With `face_by_face` a sensor is read while only the magnets (coils) of its own face are on.
+    """
+
+    magnets: MagnetLayout
+    sensors: SensorLayout
+    chips: ChipErrors
+    environment: Environment
+    sensors_move: bool = False
+    face_by_face: bool = False
+
+    @property
+    def bodies(self) -> int:
+        """How many bodies move with the silicone."""
+        return len(self.sensors.face) if self.sensors_move else len(self.magnets.face)
+
+    def on_for(self, face: int) -> slice:
+        """The magnets that are on while the sensors of a face are read."""
+        if not self.face_by_face:
+            return slice(None)
+        (own,) = np.nonzero(self.magnets.face == face)
+        return slice(int(own[0]), int(own[-1]) + 1)
+
+
+def scene(spec: ObjectSpec, core_slipped: bool = False) -> Scene:
+    """The scene that a specification describes.
+
+    With `core_slipped`, `mechanics.slip` moves what sits in the core, in the shell's frame.
+    """
+    magnets, sensors = magnet_layout(spec), sensor_layout(spec)
+    sensors_move = spec.arrangement == "sensors-in-shell"
+    if core_slipped and sensors_move:
+        magnets = slipped(magnets, spec.mechanics.slip)
+    elif core_slipped:
+        sensors = slipped(sensors, spec.mechanics.slip)
+    return Scene(
+        magnets,
+        sensors,
+        chip_errors(spec.sensors, len(sensors.face), spec.seed),
+        environment(spec),
+        sensors_move,
+        spec.magnets.switching == "face-by-face",
+    )
+
+
+def sensed_field(
+    scene: Scene, motion: Float[np.ndarray, "press body 6"], model: FieldModel
+) -> Float[np.ndarray, "press sensor 3"]:
+    """Flux density (T) at every sensor with the shell's bodies moved, in cache-sized chunks.
+
+    A sensor that turns feels the field turned back: the result is in the directions that it has at
+    rest, so that `SensorLayout.axes` serve all presses. Presses run along the last dimension, one
+    sensor at a time: long contiguous rows.
+    """
+    chunk = max(1, _PAIRS_PER_CHUNK // len(scene.magnets.face))
+    field = np.empty((len(motion), len(scene.sensors.face), 3))
+    for start in range(0, len(motion), chunk):
+        rows = slice(start, start + chunk)
+        moved = motion[rows].transpose(2, 1, 0).copy()
+        magnets = _magnets(scene, moved, model)
+        for sensor in range(len(scene.sensors.face)):
+            parts = _at_sensor(scene, sensor, moved, magnets, model)
+            field[rows, sensor] = np.stack(np.broadcast_arrays(*parts), axis=-1)
+    return field
+
+
+def counts(
+    scene: Scene, field_t: Float[np.ndarray, "*any sensor 3"], spec: ObjectSpec
+) -> Float[np.ndarray, "*any sensor 3"]:
+    """Expected counts of a field as `sensed_field` gives it."""
+    axes = scene.chips.matrix @ scene.sensors.axes
+    offset = spec.sensors.counts_per_mt * scene.chips.offset_mt
+    return counts_of_field(1e3 * field_t, axes, spec.sensors) + offset
+
+
+def at_rest(scene: Scene) -> Float[np.ndarray, "1 body 6"]:
+    """No motion of any body."""
+    return np.zeros((1, scene.bodies, 6))
+
+
+_Magnets = tuple[Vector, Vector, Vector]
+"""Centres, axes and sides (those of blocks turn with them, round magnets need none)."""
+
+
+def _magnets(scene: Scene, moved: Float[np.ndarray, "6 body press"], model: FieldModel) -> _Magnets:
+    magnets = scene.magnets
+    centre, axis, side = (
+        components(given[:, None]) for given in (magnets.centre_mm, magnets.axis, magnets.side)
+    )
+    if scene.sensors_move:
+        return centre, axis, side
+    x, y, z, *turns = moved
+    turn = (turns[0], turns[1], turns[2])
+    shifted = (centre[0] + x, centre[1] + y, centre[2] + z)
+    if isinstance(model.magnet, BlockMagnet):
+        side = rotated(side, turn)
+    return shifted, rotated(axis, turn), side
+
+
+def _at_sensor(
+    scene: Scene,
+    sensor: int,
+    moved: Float[np.ndarray, "6 body press"],
+    magnets: _Magnets,
+    model: FieldModel,
+) -> Vector:
+    """Field of all sources at one sensor, in the directions that it has at rest."""
+    x, y, z = scene.sensors.position_mm[sensor].tolist()
+    own = moved[:, sensor] if scene.sensors_move else None
+    point = (x, y, z) if own is None else (x + own[0], y + own[1], z + own[2])
+    on = scene.on_for(int(scene.sensors.face[sensor]))
+    centres, axes, sides = (_chosen(given, on) for given in magnets)
+    if model.name == "exact":
+        _check_sensor_clear(point, centres, axes, sides, model)
+    strength = scene.magnets.strength[on, None]
+    field = with_images(point, centres, axes, model, scene.environment.plates, sides, strength)
+    around = scene.environment.field_at(point)
+    field = (field[0] + around[0], field[1] + around[1], field[2] + around[2])
+    return field if own is None else rotated(field, (-own[3], -own[4], -own[5]))
+
+
+def _chosen(vector: Vector, on: slice) -> Vector:
+    x, y, z = vector
+    return x[on], y[on], z[on]
+
+
+def _check_sensor_clear(
+    point: Vector, centres_mm: Vector, axes: Vector, sides: Vector, model: FieldModel
+) -> None:
+    offset = (point[0] - centres_mm[0], point[1] - centres_mm[1], point[2] - centres_mm[2])
+    if model.magnet.holds(offset, axes, sides).any():
+        raise InputError(
+            f"a press drives {model.magnet.description} onto a sensor. "
+            "Press less deep or move sensors and magnets further apart"
+        )
+
+
+def min_distance_mm(scene: Scene, motion: Float[np.ndarray, "press body 6"]) -> float:
+    """Smallest distance between a magnet's centre and a sensor over all presses and at rest.
+
+    |c − s|² is expanded, so that one matrix product serves all pairs: 1e-14 of |c|² is lost.
+    Images in steel plates are further away than their magnets.
+    """
+    moving, fixed = scene.magnets.centre_mm, scene.sensors.position_mm
+    if scene.sensors_move:
+        moving, fixed = fixed, moving
+    chunk = max(1, _PAIRS_PER_CHUNK // len(fixed))
+    smallest = _nearest_squared(moving, fixed)
+    for start in range(0, len(motion), chunk):
+        here = (moving + motion[start : start + chunk, :, :3]).reshape(-1, 3)
+        smallest = min(smallest, _nearest_squared(here, fixed))
+    return float(np.sqrt(max(smallest, 0.0)))
+
+
+def _nearest_squared(
+    moving_mm: Float[np.ndarray, "moving 3"], fixed_mm: Float[np.ndarray, "fixed 3"]
+) -> float:
+    squared = np.sum(moving_mm**2, axis=1) - 2 * fixed_mm @ moving_mm.T
+    return float(np.min(squared.min(axis=1) + np.sum(fixed_mm**2, axis=1)))

@@ -1,0 +1,129 @@
+"""Three-axis Hall sensors: field to counts, one noisy reading, saturation.
+
+Counts per mT, range and noise of known parts stand in `catalogue.hall_sensors`; those of the TMAG5273A1
+were measured on the public recordings (16× averaging, ±40 mT), drift too.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from jaxtyping import Bool, Float
+
+from design.catalogue.hall_sensors import wider_range
+from design.errors import InputError
+from design.layout.positions import MagnetLayout, SensorLayout
+from design.spec.object import SensorSpec
+from estimator.field.sources import Magnet
+
+LARGEST_COUNT = 32767
+"""16-bit converter."""
+_AXIS_NAMES = "XYZ"
+_CHIPS = 5273
+"""Keeps this stream of random numbers apart from others of the same seed."""
+
+
+def full_scale_counts(sensors: SensorSpec) -> float:
+    """Largest magnitude that a reading can take, counts."""
+    return float(min(np.floor(sensors.range_mt * sensors.counts_per_mt), LARGEST_COUNT))
+
+
+def counts_of_field(
+    field_mt: Float[np.ndarray, "*any sensor 3"],
+    axes: Float[np.ndarray, "sensor 3 3"],
+    sensors: SensorSpec,
+) -> Float[np.ndarray, "*any sensor 3"]:
+    """Expected counts of the chip axes X, Y, Z for fields (mT) in the object's frame.
+
+    `axes` holds the chip axes as rows (`design.layout.positions.SensorLayout.axes`). No noise, no rounding,
+    no limit: `read_out` adds them.
+    """
+    return sensors.counts_per_mt * np.einsum("sac,...sc->...sa", axes, field_mt)
+
+
+@dataclass(frozen=True)
+class ChipErrors:
+    """What sets real chips apart from nominal ones: signals = matrix · B + offset.
+
+    `matrix` (sensor, axis, axis) holds gains on its diagonal and cross-axis shares off it.
+    """
+
+    matrix: Float[np.ndarray, "sensor 3 3"]
+    offset_mt: Float[np.ndarray, "sensor 3"]
+
+
+def chip_errors(sensors: SensorSpec, count: int, seed: int) -> ChipErrors:
+    """Chips drawn at random within the tolerances of the specification (rms, normal).
+
+    Without tolerances every chip is nominal.
+    """
+    rng = np.random.default_rng([seed, _CHIPS])
+    diagonal = np.eye(3, dtype=bool)
+    rms = np.where(diagonal, sensors.gain_tolerance, sensors.cross_axis_tolerance)
+    matrix = np.eye(3) + rms * rng.standard_normal((count, 3, 3))
+    return ChipErrors(matrix, sensors.offset_tolerance_mt * rng.standard_normal((count, 3)))
+
+
+def read_out(
+    expected_counts: Float[np.ndarray, "*any 3"], sensors: SensorSpec, rng: np.random.Generator
+) -> Float[np.ndarray, "*any 3"]:
+    """One reading: white noise of `sensors.noise_counts`, whole counts, clipped to full scale."""
+    noise = rng.standard_normal(expected_counts.shape) * np.asarray(sensors.noise_counts)
+    limit = full_scale_counts(sensors)
+    return np.clip(np.round(expected_counts + noise), -limit, limit)
+
+
+def check_rest(
+    rest_counts: Float[np.ndarray, "sensor 3"], layout: SensorLayout, sensors: SensorSpec
+) -> None:
+    """Refuse a design in which a sensor saturates with nothing pressed.
+
+    Raises
+    ------
+    InputError
+        Names the sensor and its axis, by how much it saturates and which range would do.
+    """
+    sensor, axis = np.unravel_index(np.argmax(abs(rest_counts)), rest_counts.shape)
+    largest_counts = abs(rest_counts[sensor, axis])
+    if largest_counts <= full_scale_counts(sensors):
+        return
+    largest_mt = largest_counts / sensors.counts_per_mt
+    wider = wider_range(sensors.part, sensors.range_mt, largest_mt)
+    change = "a magnet farther away or weaker"
+    if wider is not None:
+        part, selectable = wider
+        change = (
+            f"the ±{selectable.range_mt:g} mT range of {part.name} (sensors.range_mt = "
+            f"{selectable.range_mt:g}, sensors.counts_per_mt = {selectable.counts_per_mt:.4g}), "
+            f"or {change}"
+        )
+    limit = full_scale_counts(sensors)
+    raise InputError(
+        f"{_sensor_name(int(sensor), layout)} saturates at rest: axis {_AXIS_NAMES[axis]} sees "
+        f"{largest_mt:.3g} mT, {largest_counts / limit - 1:.1%} beyond full scale "
+        f"(±{limit:.0f} counts at {sensors.counts_per_mt:g} counts/mT). Choose {change}"
+    )
+
+
+def check_sensors_outside_magnets(
+    layout: SensorLayout, magnets: MagnetLayout, body: Magnet
+) -> None:
+    """Refuse a design in which a sensor's sensing point lies in a magnet at rest."""
+    offset = (layout.position_mm[:, None] - magnets.centre_mm).transpose(2, 0, 1)
+    inside: Bool[np.ndarray, "sensor magnet"] = body.holds(
+        tuple(offset), tuple(magnets.axis.T[:, None]), tuple(magnets.side.T[:, None])
+    )
+    if inside.any():
+        sensor, magnet = np.argwhere(inside)[0]
+        distance = np.linalg.norm(offset[:, sensor, magnet])
+        raise InputError(
+            f"{_sensor_name(int(sensor), layout)} lies inside magnet {magnet} (face "
+            f"{magnets.face[magnet]}): {distance:.3g} mm from the centre of "
+            f"{body.description}. Move the sensor or the magnet"
+        )
+
+
+def _sensor_name(sensor: int, layout: SensorLayout) -> str:
+    face = layout.face[sensor]
+    return f"sensor {sensor - int(np.argmax(layout.face == face)) + 1} of face {face}"

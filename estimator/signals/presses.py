@@ -1,0 +1,224 @@
+"""What every sensor sees in every press: expected changes of counts over the press lattice.
+
+Axis order: face pressed, place (of the press lattice or of the contact grid), step (depth),
+sensor (all faces, face by face), chip axis (X, Y, Z).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from jaxtyping import Float, Int
+
+from design.errors import InputError
+from design.files import atomic_path
+from design.layout.positions import PlaceGrid, contact_grid, grid_places_in_lattice, sensor_layout
+from design.spec.object import ObjectSpec
+from estimator.field.models import FieldModel, field_model
+from estimator.field.sources import magnet_source
+from estimator.signals.field_setup import at_rest, counts, min_distance_mm, scene, sensed_field
+from estimator.signals.hall import (
+    check_rest,
+    check_sensors_outside_magnets,
+    full_scale_counts,
+    read_out,
+)
+from fem.presses.results import MagnetMotions, PressForces
+
+SCHEMA_VERSION = 1
+Progress = Callable[[str], None]
+"""Called with a line about each part that is done."""
+
+
+@dataclass(frozen=True)
+class Signals:
+    """Noise-free signals of every press of the lattice.
+
+    Attributes
+    ----------
+    faces : (face,) numbers of the faces pressed
+    lattice : places pressed on each face, mm in the face's frame
+    depth_mm : (step,) travel of the indenter below the undeformed face
+    force_n : (face, place, step) normal force, N, compressive positive
+    delta_counts : (face, place, step, sensor, axis) expected change against rest, counts
+    baseline_counts : (sensor, axis) expected counts at rest
+    """
+
+    faces: Int[np.ndarray, "face"]
+    lattice: PlaceGrid
+    depth_mm: Float[np.ndarray, "step"]
+    force_n: Float[np.ndarray, "face place step"]
+    delta_counts: Float[np.ndarray, "face place step sensor 3"]
+    baseline_counts: Float[np.ndarray, "sensor 3"]
+
+
+def press_signals(
+    spec: ObjectSpec,
+    forces: PressForces,
+    motions: MagnetMotions,
+    progress: Progress | None = None,
+) -> Signals:
+    """Expected signals of all sensors for the magnets' motions in every press.
+
+    Each press moves the magnets of all faces, or the sensors where they sit in the shell.
+    Displacement and finite rotation both change what a sensor feels. The field model is the
+    cheapest whose error is at most 0.1 % at the smallest distance between a magnet and a sensor
+    that any press reaches.
+
+    Raises
+    ------
+    InputError
+        A sensor lies in a magnet (at rest or pressed) or saturates at rest.
+    """
+    place = scene(spec, core_slipped=spec.mechanics.slip.model == "sensors-only")
+    magnet = magnet_source(spec.magnets)
+    check_sensors_outside_magnets(place.sensors, place.magnets, magnet)
+    model = field_model(magnet, min_distance_mm(place, motions.motion.reshape(-1, place.bodies, 6)))
+    still = at_rest(place) if motions.rest is None else motions.rest[None]
+    baseline = counts(place, sensed_field(place, still, model)[0], spec)
+    check_rest(baseline, place.sensors, spec.sensors)
+    per_face = motions.motion.shape[1:3]
+    delta = np.empty((len(motions.faces), *per_face, *baseline.shape))
+    for index, face in enumerate(motions.faces):
+        motion = motions.motion[index].reshape(-1, place.bodies, 6)
+        pressed = counts(place, sensed_field(place, motion, model), spec)
+        delta[index] = pressed.reshape(*per_face, *baseline.shape) - baseline
+        if progress is not None:
+            progress(f"face {face}: field of {motion.shape[0]} presses at {len(baseline)} sensors")
+    return Signals(
+        motions.faces, motions.lattice, motions.depth_mm, forces.force_n, delta, baseline
+    )
+
+
+def rest_counts(spec: ObjectSpec, model: FieldModel | None = None) -> Float[np.ndarray, "sensor 3"]:
+    """Expected counts of all sensors at rest; exact bodies unless a model is given.
+
+    A slip of the core moves what it carries rigidly against the shell, which is exact while the
+    shell's outside is free.
+    """
+    place = scene(spec, core_slipped=True)
+    model = model or FieldModel(magnet_source(spec.magnets), "exact")
+    return counts(place, sensed_field(place, at_rest(place), model)[0], spec)
+
+
+def require_finite(signals: Signals) -> None:
+    """Raise InputError that names the channel where forces or signals are not finite."""
+    if not np.isfinite(signals.force_n).all():
+        count = int(np.sum(~np.isfinite(signals.force_n)))
+        raise InputError(f"the force of {count} presses is not finite. Simulate the presses anew")
+    per_channel = np.sum(~np.isfinite(signals.delta_counts), axis=(0, 1, 2))
+    bad = np.argwhere((per_channel > 0) | ~np.isfinite(signals.baseline_counts))
+    if bad.size:
+        named = ", ".join(f"sensor {sensor + 1} {'XYZ'[axis]}" for sensor, axis in bad[:4])
+        more = f" and {len(bad) - 4} more" if len(bad) > 4 else ""
+        raise InputError(
+            f"signals are not finite on {named}{more} (sensors counted over all faces; "
+            f"{int(per_channel.max())} presses on the worst). Leave the sensor out of the layout, or "
+            "simulate anew"
+        )
+
+
+def saturation_margin(signals: Signals, spec: ObjectSpec) -> float:
+    """1 − (largest |expected counts| in any press or at rest) / full scale; negative if clipped."""
+    pressed = np.abs(signals.baseline_counts + signals.delta_counts).max()
+    largest = max(float(pressed), float(np.abs(signals.baseline_counts).max()))
+    return 1 - largest / full_scale_counts(spec.sensors)
+
+
+def save_signals(signals: Signals, path: Path | str) -> None:
+    """Write the lattice's signals as NetCDF with units (`load_signals` reads them)."""
+    import xarray as xr
+
+    per_press = ("face", "place", "step")
+    data = xr.Dataset(
+        {
+            "force_n": (per_press, signals.force_n, {"units": "N"}),
+            "delta_counts": (
+                (*per_press, "sensor", "axis"),
+                signals.delta_counts,
+                {"units": "count"},
+            ),
+            "baseline_counts": (("sensor", "axis"), signals.baseline_counts, {"units": "count"}),
+            "lattice_x_mm": (("ix",), signals.lattice.x_mm, {"units": "mm"}),
+            "lattice_y_mm": (("iy",), signals.lattice.y_mm, {"units": "mm"}),
+        },
+        coords={"face": signals.faces, "depth_mm": (("step",), signals.depth_mm, {"units": "mm"})},
+        attrs={"schema_version": SCHEMA_VERSION},
+    )
+    with atomic_path(path) as temporary:
+        data.to_netcdf(temporary, engine="h5netcdf")
+
+
+def load_signals(path: Path | str) -> Signals:
+    """Read what `save_signals` wrote.
+
+    Raises
+    ------
+    InputError
+        No such file, or not signals of this schema.
+    """
+    import xarray as xr
+
+    if not Path(path).is_file():
+        raise InputError(f"no signals at {path}. Simulate the presses first")
+    try:
+        with xr.open_dataset(path, engine="h5netcdf") as data:
+            if data.attrs.get("schema_version") != SCHEMA_VERSION or "delta_counts" not in data:
+                raise InputError(
+                    f"{path} holds no signals of schema {SCHEMA_VERSION}. Simulate anew"
+                )
+            return Signals(
+                data["face"].values,
+                PlaceGrid(data["lattice_x_mm"].values, data["lattice_y_mm"].values),
+                data["depth_mm"].values,
+                data["force_n"].values,
+                data["delta_counts"].values,
+                data["baseline_counts"].values,
+            )
+    except (OSError, KeyError) as error:
+        raise InputError(f"{path} is not a file of signals ({error}). Simulate anew") from None
+
+
+def save_grid_signals(spec: ObjectSpec, signals: Signals, path: Path | str, seed: int) -> None:
+    """Write the signals of the contact places alone, with one simulated reading of each press.
+
+    `reading_counts` is noisy, rounded and clipped to the sensor's full scale (`hall.read_out`);
+    `delta_counts` and `baseline_counts` are the expected counts behind it.
+    """
+    import xarray as xr
+
+    places, grid = grid_places_in_lattice(spec), contact_grid(spec)
+    delta = signals.delta_counts[:, places]
+    expected = signals.baseline_counts + delta
+    reading = read_out(expected, spec.sensors, np.random.default_rng(seed))
+    per_press = ("face", "place", "step")
+    channel = (*per_press, "sensor", "axis")
+    data = xr.Dataset(
+        {
+            "force_n": (per_press, signals.force_n[:, places], {"units": "N"}),
+            "delta_counts": (channel, delta, {"units": "count"}),
+            "baseline_counts": (("sensor", "axis"), signals.baseline_counts, {"units": "count"}),
+            "reading_counts": (channel, reading.astype(np.int32), {"units": "count"}),
+        },
+        coords={
+            "face": signals.faces,
+            "place": np.arange(len(places)),
+            "x_mm": (("place",), grid.xy_mm[:, 0], {"units": "mm"}),
+            "y_mm": (("place",), grid.xy_mm[:, 1], {"units": "mm"}),
+            "depth_mm": (("step",), signals.depth_mm, {"units": "mm"}),
+            "sensor": np.arange(delta.shape[3]),
+            "sensor_face": (("sensor",), sensor_layout(spec).face),
+            "axis": list("XYZ"),
+        },
+        attrs={
+            "schema_version": SCHEMA_VERSION,
+            "object": spec.name,
+            "seed": seed,
+            "source": "simulated",
+        },
+    )
+    with atomic_path(path) as temporary:
+        data.to_netcdf(temporary, engine="h5netcdf")

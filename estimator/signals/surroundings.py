@@ -1,0 +1,115 @@
+"""What surroundings and switched coils do to the resting signals, in counts.
+
+A face's own estimator works on changes against a zero taken somewhere else, or a while ago: what
+turning the object, an approaching jaw or another set of coils adds to a channel looks like a press.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields, replace
+
+import numpy as np
+from jaxtyping import Float, Int
+
+from design.layout.positions import FaceFrame, face_frames
+from design.spec.environment import SteelPlateSpec
+from design.spec.object import ObjectSpec
+from estimator.field.models import FieldModel
+from estimator.field.sources import magnet_source
+from estimator.signals.field_setup import at_rest, counts, scene, sensed_field
+from estimator.signals.presses import rest_counts
+
+TYPICAL_EARTH_UT = 50.0
+"""Between 25 µT near the equator and 65 µT near the poles."""
+
+
+@dataclass(frozen=True)
+class Surroundings:
+    """Changes of resting channels, counts.
+
+    Attributes
+    ----------
+    earth_field_ut : the specification's, or a typical one where it gives none
+    turning_largest_counts : largest change of a channel when the object is turned over in it
+    turning_rms_counts : rms change of a channel between two random orientations
+    jaw_gap_mm : gaps between a face and a steel jaw that covers it
+    jaw_counts : (face, gap) largest change of that face's own channels
+    jaw_elsewhere_counts : (face, gap) largest change of any other face's channels
+    """
+
+    earth_field_ut: float
+    turning_largest_counts: float
+    turning_rms_counts: float
+    jaw_gap_mm: Float[np.ndarray, "gap"]
+    jaw_counts: Float[np.ndarray, "face gap"]
+    jaw_elsewhere_counts: Float[np.ndarray, "face gap"]
+
+
+def surroundings(spec: ObjectSpec, jaw_gap_mm: tuple[float, ...] = (0.0, 10.0)) -> Surroundings:
+    """Turning in Earth's field, and a steel jaw at each face in turn.
+
+    The jaw is a half-space of relative permeability 1000, an upper bound
+    (`estimator.field.environment`).
+    """
+    earth_ut = spec.environment.earth_field_ut or TYPICAL_EARTH_UT
+    per_channel = spec.sensors.counts_per_mt * 1e-3 * earth_ut
+    changes = np.array(
+        [[jaw_change(spec, frame, gap) for gap in jaw_gap_mm] for frame in face_frames(spec)]
+    )
+    size = np.abs(changes).max(axis=-1)
+    own = sensors_of_faces(spec)[:, None] == scene(spec).sensors.face
+    return Surroundings(
+        earth_ut,
+        2 * per_channel,
+        float(np.sqrt(2 / 3) * per_channel),
+        np.asarray(jaw_gap_mm, float),
+        np.where(own[:, None], size, 0.0).max(axis=-1),
+        np.where(own[:, None], 0.0, size).max(axis=-1),
+    )
+
+
+def sensors_of_faces(spec: ObjectSpec) -> Int[np.ndarray, "face"]:
+    """The numbers of the faces that have sensors, in order."""
+    return np.array([frame.number for frame in face_frames(spec)])
+
+
+def jaw_change(spec: ObjectSpec, frame: FaceFrame, gap_mm: float) -> Float[np.ndarray, "sensor 3"]:
+    """Change of every resting channel (counts) when a steel jaw comes to a face."""
+    surface = frame.to_object(np.array([0.0, 0.0, gap_mm]))
+    x, y, z = surface.tolist()
+    nx, ny, nz = (-frame.normal).tolist()
+    jaw = SteelPlateSpec(position_mm=(x, y, z), normal=(nx, ny, nz))
+    plates = (*spec.environment.steel_plates, jaw)
+    beside = spec.environment.model_copy(update={"steel_plates": plates})
+    return rest_counts(spec.model_copy(update={"environment": beside})) - rest_counts(spec)
+
+
+def turned_counts(
+    spec: ObjectSpec, direction: Float[np.ndarray, "3"]
+) -> Float[np.ndarray, "sensor 3"]:
+    """Change of every resting channel (counts) when Earth's field comes to lie along `direction`.
+
+    Against the specification's own direction; `direction` is in the object's frame.
+    """
+    x, y, z = direction.tolist()
+    turned = spec.environment.model_copy(update={"earth_direction": (x, y, z)})
+    return rest_counts(spec.model_copy(update={"environment": turned})) - rest_counts(spec)
+
+
+def counts_of_states(spec: ObjectSpec) -> Float[np.ndarray, "state sensor 3"]:
+    """Resting counts of all sensors with the coils of one face on, face by face; the last state
+    has all of them on.
+
+    The environment is felt in every state. With permanent magnets the states show which face's
+    magnets a channel's baseline comes from.
+    """
+    whole = replace(scene(spec), face_by_face=False)
+    model = FieldModel(magnet_source(spec.magnets), "exact")
+    states = []
+    for face in (*sensors_of_faces(spec).tolist(), None):
+        on = slice(None) if face is None else whole.magnets.face == face
+        parts = {f.name: getattr(whole.magnets, f.name)[on] for f in fields(whole.magnets)}
+        magnets = replace(whole.magnets, **parts)
+        here = replace(whole, magnets=magnets)
+        states.append(counts(here, sensed_field(here, at_rest(here), model)[0], spec))
+    return np.stack(states)

@@ -1,0 +1,1 @@
+"""Objects off the design: tolerances, virtual objects, faults seen at rest."""

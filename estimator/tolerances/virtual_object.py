@@ -1,0 +1,104 @@
+"""Signals of one object as it may be assembled: a twin of the design, with errors of its own.
+
+Poses, remanences, chips and modulus come from an `Assembly` (`estimator.tolerances.assembly`), mechanics from
+any table of presses, the design's or a better one. A magnet that sits aside is moved as if the press
+lay as far aside the other way (`estimator.tolerances.budget.SEAT_ERROR` says how well).
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from jaxtyping import Float
+
+from design.spec.object import ObjectSpec
+from estimator.field.models import FieldModel, field_model
+from estimator.field.sources import magnet_source
+from estimator.signals.field_setup import min_distance_mm
+from estimator.signals.press_states import rest_motion
+from estimator.signals.presses import Progress, Signals
+from estimator.tolerances.assembly import Assembly, counts_of, designed, draw
+from fem.presses.results import MagnetMotions, PressForces
+
+_NEARER_MM = 1.0
+"""By which tolerances may bring magnet and sensor nearer than the table's presses do."""
+
+
+def drawn_assembly(spec: ObjectSpec, seed: int) -> Assembly:
+    """An object within `spec.tolerances`, always the same for one seed."""
+    return draw(spec, designed(spec), np.random.default_rng((seed, 8)))
+
+
+def twin_signals(
+    spec: ObjectSpec,
+    assembly: Assembly,
+    forces: PressForces,
+    motions: MagnetMotions,
+    progress: Progress | None = None,
+) -> Signals:
+    """Expected signals of an assembled object in every press of a table.
+
+    Forces scale with its modulus. The object is not turned between zeroing and the press, so that
+    Earth's field does not show.
+    """
+    model, rest = twin_model(spec, assembly, motions.motion), rest_motion(motions)
+    baseline = counts_of(spec, assembly.scene, rest[None], model)[0]
+    lattice = motions.motion.shape[1:3]
+    delta = np.empty((*motions.motion.shape[:3], *baseline.shape))
+    for index, face in enumerate(motions.faces.tolist()):
+        moved = _moved_aside(assembly, motions, index)
+        counts = counts_of(spec, assembly.scene, moved.reshape(-1, *rest.shape), model)
+        delta[index] = counts.reshape(*lattice, *baseline.shape) - baseline
+        if progress is not None:
+            progress(f"face {face}: {len(counts)} presses of the twin")
+    return Signals(
+        motions.faces,
+        motions.lattice,
+        motions.depth_mm,
+        forces.force_n * assembly.modulus_ratio,
+        delta,
+        baseline,
+    )
+
+
+def twin_changes(
+    spec: ObjectSpec, assembly: Assembly, motion: Float[np.ndarray, "press body 6"]
+) -> Float[np.ndarray, "press sensor 3"]:
+    """Changes of counts against rest under given motions; bodies that sit aside keep theirs."""
+    model = twin_model(spec, assembly, motion)
+    rest = np.zeros((1, *motion.shape[1:]))
+    still = counts_of(spec, assembly.scene, rest, model)
+    return counts_of(spec, assembly.scene, motion, model) - still
+
+
+def twin_model(
+    spec: ObjectSpec, assembly: Assembly, motion: Float[np.ndarray, "*press body 6"]
+) -> FieldModel:
+    """The field model that serves an assembled object in these motions."""
+    nearest = min_distance_mm(assembly.scene, motion.reshape(-1, assembly.scene.bodies, 6))
+    return field_model(magnet_source(spec.magnets), nearest - _NEARER_MM)
+
+
+def _moved_aside(
+    assembly: Assembly, motions: MagnetMotions, index: int
+) -> Float[np.ndarray, "place step body 6"]:
+    """The table of one face with the face's own bodies where they sit."""
+    place, motion = assembly.scene, motions.motion[index]
+    own = (place.sensors if place.sensors_move else place.magnets).face == motions.faces[index]
+    if not assembly.aside_mm[own].any():
+        return motion
+    lattice = motions.lattice
+    shape = (len(lattice.x_mm), len(lattice.y_mm), *motion.shape[1:])
+    moved = motion.copy()
+    for axis, nodes in enumerate((lattice.x_mm, lattice.y_mm)):
+        slope = _slope(motion.reshape(shape)[..., own, :], nodes, axis).reshape(
+            len(motion), shape[2], -1, 6
+        )
+        moved[:, :, own] -= assembly.aside_mm[own, axis, None] * slope
+    return moved
+
+
+def _slope(values: np.ndarray, nodes_mm: np.ndarray, axis: int) -> np.ndarray:
+    from scipy.interpolate import make_interp_spline
+
+    spline = make_interp_spline(nodes_mm, values, k=3, axis=axis)
+    return np.moveaxis(np.moveaxis(spline(nodes_mm, nu=1), axis, 0), 0, axis)

@@ -1,0 +1,1 @@
+"""Magnets anywhere in the shell, without another mesh."""

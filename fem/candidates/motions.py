@@ -1,0 +1,220 @@
+"""Motions of all places where a magnet could sit, under presses of the magnet-free shell.
+
+A layout search moves magnets thousands of times: it needs what each press does at any point of the
+silicone, without mechanics. Magnets are ideal here, without stiffness: a candidate moves by the
+rigid motion that fits the silicone's on its mid-plane best.
+"""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+import numpy as np
+from jaxtyping import Float, Float32, Int
+
+from design.errors import InputError
+from design.files import atomic_path
+from design.layout.positions import FaceFrame, PlaceGrid, face_frames
+from design.spec.object import ObjectSpec
+from fem.candidates.cubic_convolution import axis_weights
+
+MOTIONS_FILE = "candidate_motions.npy"
+_TABLE_FILE = "candidates.npz"
+_PITCH_MM = 2.0
+_DEPTH_STEP_MM = 1.0
+_MARGIN_MM = 1.5
+
+
+@dataclass(frozen=True)
+class FaceCandidates:
+    """Candidate places of one face: x, y in its frame and depth below it, regular in each.
+
+    Candidate (ix, iy, iz) of the face has index (ix · ny + iy) · nz + iz.
+    """
+
+    face: int
+    x_mm: Float[np.ndarray, "nx"]
+    y_mm: Float[np.ndarray, "ny"]
+    depth_mm: Float[np.ndarray, "nz"]
+
+    @property
+    def shape(self) -> tuple[int, int, int]:
+        return len(self.x_mm), len(self.y_mm), len(self.depth_mm)
+
+    @property
+    def xyd_mm(self) -> Float[np.ndarray, "candidate 3"]:
+        """(x, y, depth) of every candidate."""
+        mesh = np.meshgrid(self.x_mm, self.y_mm, self.depth_mm, indexing="ij")
+        return np.stack(mesh, axis=-1).reshape(-1, 3)
+
+    def __len__(self) -> int:
+        return int(np.prod(self.shape))
+
+
+@dataclass(frozen=True)
+class InterpolationError:
+    """Interpolated against directly evaluated motions at random points between candidates.
+
+    Relative to the rms (the largest, for `worst`) motion of the pressed face's own points.
+    """
+
+    displacement_rms: float
+    displacement_worst: float
+    rotation_rms: float
+    rotation_worst: float
+
+
+@dataclass(frozen=True)
+class CandidateMotions:
+    """What every press does at every candidate of every face.
+
+    `by_candidate` (candidate, face, place, step, 6): displacement (mm) and rotation (rad) in the
+    object's frame; candidates run face by face as in `candidates`; memory-mapped where it was
+    loaded. A layout gathers few candidates of all presses, hence the order. Steps are presses to
+    `force_n` (N), at `depth_mm`, of places in `places`.
+    """
+
+    faces: Int[np.ndarray, "face"]
+    places: PlaceGrid
+    force_n: Float[np.ndarray, "face place step"]
+    depth_mm: Float[np.ndarray, "face place step"]
+    candidates: tuple[FaceCandidates, ...]
+    by_candidate: Float32[np.ndarray, "candidate face place step 6"]
+    error: InterpolationError
+
+    @property
+    def motion(self) -> Float32[np.ndarray, "face place step candidate 6"]:
+        """The same numbers in the order of `MagnetMotions` (a view)."""
+        return np.moveaxis(self.by_candidate, 0, 3)
+
+    def at(
+        self,
+        face: int,
+        xy_mm: Float[np.ndarray, "magnet 2"],
+        depth_mm: Float[np.ndarray, "magnet"],
+    ) -> Float[np.ndarray, "face place step magnet 6"]:
+        """Motions of magnets anywhere among one face's candidates, in all presses of all faces."""
+        index, weight = self.weights(face, np.column_stack([xy_mm, depth_mm]))
+        rows = self.by_candidate[index.ravel()].reshape(*index.shape, -1)
+        motion = np.einsum("mk,mkv->mv", weight, rows)
+        return np.moveaxis(motion.reshape(-1, *self.by_candidate.shape[1:]), 0, 3)
+
+    def weights(
+        self, face: int, xyd_mm: Float[np.ndarray, "magnet 3"]
+    ) -> tuple[Int[np.ndarray, "magnet 64"], Float[np.ndarray, "magnet 64"]]:
+        """Rows of `by_candidate` and their weights: tricubic convolution, once differentiable.
+
+        Raises
+        ------
+        InputError
+            A place outside the candidates of the face, or a face without any.
+        """
+        numbers = [lattice.face for lattice in self.candidates]
+        if face not in numbers:
+            raise InputError(f"face {face} has no candidates. Choose one of {numbers}")
+        before = self.candidates[: numbers.index(face)]
+        lattice = self.candidates[numbers.index(face)]
+        return _tricubic(lattice, xyd_mm, sum(len(one) for one in before))
+
+
+def candidate_lattices(
+    spec: ObjectSpec,
+    pitch_mm: float = _PITCH_MM,
+    depth_step_mm: float = _DEPTH_STEP_MM,
+    margin_mm: float = _MARGIN_MM,
+) -> tuple[FaceCandidates, ...]:
+    """Regular places up to a pocket's radius from the borders, depths `margin_mm` off both skins.
+
+    `pitch_mm` and `depth_step_mm` are the largest distances wanted. The paper's cube: 19 × 19
+    places, depths 1.5 to 6.5 mm, on each of five faces.
+
+    Raises
+    ------
+    InputError
+        A shell too thin, or a face too small, for the margins; or a curved face.
+    """
+    thickness = spec.shell.thickness_mm
+    deepest = thickness - margin_mm
+    lattices = []
+    for frame in face_frames(spec):
+        _require_flat(frame)
+        reach = [half - spec.shell.pocket_diameter_mm / 2 for half in frame.half_extents_mm]
+        if min(*reach, deepest - margin_mm) <= 0:
+            raise InputError(
+                f"face {frame.number} has no room for candidates: reach {min(reach):g} mm, depths "
+                f"{margin_mm:g} to {deepest:g} mm. Use a smaller margin_mm than {margin_mm:g}, or a "
+                "larger body"
+            )
+        x, y = (_regular(-r, r, pitch_mm) for r in reach)
+        depth = _regular(margin_mm, deepest, depth_step_mm)
+        lattices.append(FaceCandidates(frame.number, x, y, depth))
+    return tuple(lattices)
+
+
+def _require_flat(frame: FaceFrame) -> None:
+    if not frame.flat:
+        raise InputError(
+            f"candidate places are known under flat faces only; face {frame.number} is curved. Choose a "
+            "body of flat faces, or simulate the layouts one by one"
+        )
+
+
+def save_candidates(motions: CandidateMotions, folder: Path | str) -> None:
+    """Write what stands beside `MOTIONS_FILE`, which `simulate_candidates` fills itself."""
+    arrays: dict[str, np.ndarray] = {
+        "faces": motions.faces,
+        "place_x_mm": motions.places.x_mm,
+        "place_y_mm": motions.places.y_mm,
+        "force_n": motions.force_n,
+        "depth_mm": motions.depth_mm,
+        "candidate_faces": np.array([lattice.face for lattice in motions.candidates]),
+    }
+    for lattice in motions.candidates:
+        for name in ("x_mm", "y_mm", "depth_mm"):
+            arrays[f"candidate_{name}_{lattice.face}"] = getattr(lattice, name)
+    arrays |= {f"error_{name}": np.array(value) for name, value in asdict(motions.error).items()}
+    with atomic_path(Path(folder) / _TABLE_FILE) as temporary, temporary.open("wb") as stream:
+        np.savez(stream, **arrays)  # pyright: ignore[reportArgumentType]
+
+
+def load_candidates(folder: Path | str) -> CandidateMotions:
+    """Read what `simulate_candidates` left in a folder; the motions are memory-mapped."""
+    folder = Path(folder)
+    by_candidate = np.load(folder / MOTIONS_FILE, mmap_mode="r", allow_pickle=False)
+    with np.load(folder / _TABLE_FILE, allow_pickle=False) as data:
+        lattices = tuple(
+            FaceCandidates(
+                int(face),
+                *(data[f"candidate_{name}_{face}"] for name in ("x_mm", "y_mm", "depth_mm")),
+            )
+            for face in data["candidate_faces"]
+        )
+        names = InterpolationError.__dataclass_fields__
+        return CandidateMotions(
+            data["faces"],
+            PlaceGrid(data["place_x_mm"], data["place_y_mm"]),
+            data["force_n"],
+            data["depth_mm"],
+            lattices,
+            by_candidate,
+            InterpolationError(**{name: float(data[f"error_{name}"]) for name in names}),
+        )
+
+
+def _regular(first: float, last: float, step: float) -> np.ndarray:
+    """Equal steps of at most `step`, three of them at least."""
+    return np.linspace(first, last, max(3, int(np.ceil((last - first) / step - 1e-9))) + 1)
+
+
+def _tricubic(
+    lattice: FaceCandidates, xyd_mm: np.ndarray, first: int
+) -> tuple[np.ndarray, np.ndarray]:
+    axes = (lattice.x_mm, lattice.y_mm, lattice.depth_mm)
+    (ix, wx), (iy, wy), (iz, wz) = (
+        axis_weights(nodes, xyd_mm[:, k]) for k, nodes in enumerate(axes)
+    )
+    _, ny, nz = lattice.shape
+    index = (ix[:, :, None, None] * ny + iy[:, None, :, None]) * nz + iz[:, None, None, :]
+    weight = wx[:, :, None, None] * wy[:, None, :, None] * wz[:, None, None, :]
+    return first + index.reshape(len(index), -1), weight.reshape(len(weight), -1)

@@ -1,0 +1,216 @@
+"""Presses of the magnet-free shell, recorded at every candidate place of a magnet."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+import scipy.sparse as sp
+from jaxtyping import Float
+
+from design.layout.pockets import Outline, shell_bodies
+from design.layout.positions import contact_grid, face_frames
+from design.spec.object import ObjectSpec
+from fem.candidates.motions import (
+    MOTIONS_FILE,
+    CandidateMotions,
+    FaceCandidates,
+    InterpolationError,
+    save_candidates,
+)
+from fem.candidates.point_motions import fitted_motion_rows, interpolate_at
+from fem.candidates.quadrature import outline_quadrature
+from fem.linear.elements import DisplacementSpace
+from fem.linear.factorization import Factorization
+from fem.linear.response import ElasticSystem, ResponseOperator, elastic_system, face_pressure_loads
+from fem.linear.sparse import rows_of, shape_of
+from fem.mesh.magnet_free import without_magnets
+from fem.mesh.tetrahedra import TetMesh
+from fem.presses.table import press_places, surface_weights_mm2
+
+FORCE_SHARES = (0.8, 1.2)
+_TEST_POINTS_PER_FACE = 60
+_CHUNK = 128
+_CIRCLES, _AROUND = 2, 8
+
+Progress = Callable[[str], None]
+
+
+@dataclass(frozen=True)
+class PressesAtForce:
+    """Pressures (place, step, vertex) on one face in MPa, their forces (N) and depths (mm)."""
+
+    pressure_mpa: Float[np.ndarray, "place step vertex"]
+    force_n: Float[np.ndarray, "place step"]
+    depth_mm: Float[np.ndarray, "place step"]
+
+
+def simulate_candidates(
+    spec: ObjectSpec,
+    mesh: TetMesh,
+    response: ResponseOperator,
+    lattices: tuple[FaceCandidates, ...],
+    folder: Path | str,
+    force_shares: Sequence[float] = FORCE_SHARES,
+    progress: Progress | None = None,
+) -> CandidateMotions:
+    """Press every contact place on a magnet-free mesh, record every candidate, write the folder.
+
+    Presses go to `force_shares` of `spec.score.force_n`, or of less where the deepest simulated
+    press does not reach the largest of them. Between simulated depths pressures are interpolated
+    linearly: forces and equilibrium stay exact. A slip of the core is left out.
+
+    Raises
+    ------
+    InputError
+        A candidate outside the silicone.
+    SingularSystemError
+        The matrix could not be factored.
+    """
+    spec = without_magnets(spec)
+    presses = [
+        presses_at_forces(spec, response, index, force_shares)
+        for index in range(len(response.surfaces))
+    ]
+    force = np.stack([press.force_n for press in presses])
+    depth = np.stack([press.depth_mm for press in presses])
+    count = sum(len(lattice) for lattice in lattices)
+    motions = np.lib.format.open_memmap(
+        Path(folder) / MOTIONS_FILE, "w+", np.float32, (count, *force.shape, 6)
+    )
+    tests = _test_points(lattices)
+    direct = _record(spec, mesh, response, presses, lattices, tests, motions, progress)
+    motions.flush()
+    faces = np.array([surface.number for surface in response.surfaces])
+    unknown = InterpolationError(*(4 * [np.nan]))
+    table = CandidateMotions(faces, contact_grid(spec), force, depth, lattices, motions, unknown)
+    table = _with_error(table, tests, direct)
+    save_candidates(table, folder)
+    return table
+
+
+def presses_at_forces(
+    spec: ObjectSpec, response: ResponseOperator, face_index: int, force_shares: Sequence[float]
+) -> PressesAtForce:
+    """Contact at shares of the score's force at every contact place of one face.
+
+    Raises
+    ------
+    InputError
+        A tip that would hang over the face's border.
+    """
+    depths = np.append(0.0, spec.press.depths_mm)
+    places = contact_grid(spec).xy_mm
+    pressed = press_places(spec, response, face_index, places, depths[1:])
+    pressed = np.concatenate([np.zeros_like(pressed[:, :1]), pressed], axis=1)
+    reached = pressed @ surface_weights_mm2(response.surfaces[face_index])
+    shares = np.asarray(force_shares)
+    force = shares * np.minimum(spec.score.force_n, reached[:, -1:] / shares.max())
+    after = np.argmax(reached[:, None] >= force[:, :, None] * (1 - 1e-12), axis=2)
+    place = np.arange(len(places))[:, None]
+    low, high = reached[place, after - 1], reached[place, after]
+    share = (force - low) / (high - low)
+    below, above = pressed[place, after - 1], pressed[place, after]
+    mixed = below + share[..., None] * (above - below)
+    return PressesAtForce(mixed, force, depths[after - 1] + share * np.diff(depths)[after - 1])
+
+
+def candidate_rows(
+    space: DisplacementSpace,
+    points_mm: Float[np.ndarray, "point 3"],
+    axes: Float[np.ndarray, "3 3"],
+    outline: Outline,
+) -> sp.csr_matrix:
+    """Rigid motion that fits a body's cross-section about each point best; (6·point, 3·node).
+
+    `axes` are the outline's x and y and its normal, as columns.
+    """
+    local, weights = outline_quadrature(outline, _CIRCLES, _AROUND)
+    spread = points_mm[:, None] + local @ axes[:, :2].T
+    values = interpolate_at(space, spread.reshape(-1, 3)).values
+    return fitted_motion_rows(values, local, weights, axes)
+
+
+def _record(
+    spec: ObjectSpec,
+    mesh: TetMesh,
+    response: ResponseOperator,
+    presses: list[PressesAtForce],
+    lattices: tuple[FaceCandidates, ...],
+    tests: list[np.ndarray],
+    motions: np.ndarray,
+    progress: Progress | None,
+) -> np.ndarray:
+    """Fill `motions`; the motions of the test points are returned, in the same order of axes."""
+    system = elastic_system(mesh, spec)
+    tractions = face_pressure_loads(system.space, spec)[1]
+    points = [*(lattice.xyd_mm for lattice in lattices), *tests]
+    rows = rows_of(
+        [
+            _face_rows(spec, system.space, lattice.face, xyd)
+            for lattice, xyd in zip(lattices * 2, points, strict=True)
+        ]
+    )
+    direct = np.zeros((sum(map(len, tests)), *motions.shape[1:]), np.float32)
+    steps = motions.shape[3]
+    with Factorization(system.matrix) as factor:
+        for index, press in enumerate(presses):
+            loads = tractions[:, response.face_loads(index)]
+            pressures = press.pressure_mpa.reshape(-1, press.pressure_mpa.shape[-1]).T
+            for first in range(0, pressures.shape[1], _CHUNK):
+                column = np.arange(first, min(first + _CHUNK, pressures.shape[1]))
+                u = displacements(system, factor, loads @ pressures[:, column])
+                found = (rows @ u).astype(np.float32).reshape(-1, 6, len(column))
+                place, step = np.divmod(column, steps)
+                motions[:, index, place, step] = found[: len(motions)].transpose(0, 2, 1)
+                direct[:, index, place, step] = found[len(motions) :].transpose(0, 2, 1)
+            if progress:
+                progress(f"face {response.surfaces[index].number}: {pressures.shape[1]} presses")
+    return direct
+
+
+def displacements(
+    system: ElasticSystem, factor: Factorization, forces_n: Float[np.ndarray, "n load"]
+) -> Float[np.ndarray, "n load"]:
+    """Nodal displacements (mm) under nodal forces, both (3·node, load)."""
+    motions = shape_of(system.motion_basis)[1]
+    right = np.zeros((shape_of(system.matrix)[0], forces_n.shape[1]), order="F")
+    right[:motions] = system.motion_basis.T @ forces_n
+    return system.motion_basis @ factor.solve(right)[:motions]
+
+
+def _face_rows(
+    spec: ObjectSpec, space: DisplacementSpace, face: int, xyd_mm: np.ndarray
+) -> sp.csr_matrix:
+    frame = next(frame for frame in face_frames(spec) if frame.number == face)
+    points = frame.to_object(xyd_mm * [1, 1, -1])
+    return candidate_rows(space, points, frame.axes, shell_bodies(spec)[0][0].outline)
+
+
+def _test_points(lattices: tuple[FaceCandidates, ...]) -> list[np.ndarray]:
+    """Random (x, y, depth) among the candidates of every face."""
+    random = np.random.default_rng(1)
+    ends = [np.array([lattice.xyd_mm.min(0), lattice.xyd_mm.max(0)]) for lattice in lattices]
+    return [random.uniform(low, high, (_TEST_POINTS_PER_FACE, 3)) for low, high in ends]
+
+
+def _with_error(
+    table: CandidateMotions, tests: list[np.ndarray], direct: np.ndarray
+) -> CandidateMotions:
+    """The table with the error of its interpolation on the pressed faces' own test points."""
+    exact, wrong = [], []
+    for lattice, points, values in zip(
+        table.candidates, tests, np.split(direct, len(tests)), strict=True
+    ):
+        own = table.faces == lattice.face
+        found = np.moveaxis(table.at(lattice.face, points[:, :2], points[:, 2]), 3, 0)
+        exact.append(values[:, own])
+        wrong.append(found[:, own] - values[:, own])
+    exact, wrong = np.concatenate(exact).reshape(-1, 2, 3), np.concatenate(wrong).reshape(-1, 2, 3)
+    size, miss = np.linalg.norm(exact, axis=2), np.linalg.norm(wrong, axis=2)
+    rms = np.sqrt(np.mean(miss**2, axis=0) / np.mean(size**2, axis=0))
+    worst = miss.max(axis=0) / size.max(axis=0)
+    error = InterpolationError(*(float(v) for v in (rms[0], worst[0], rms[1], worst[1])))
+    return replace(table, error=error)

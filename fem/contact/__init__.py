@@ -1,0 +1,1 @@
+"""Contact of an indenter with a surface of known compliance."""

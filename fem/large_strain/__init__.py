@@ -1,0 +1,1 @@
+"""Presses beyond small strain, and how far small strain holds."""

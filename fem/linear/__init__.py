@@ -1,0 +1,1 @@
+"""Small-strain elasticity: one factorization that answers every load."""

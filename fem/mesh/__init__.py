@@ -1,0 +1,1 @@
+"""Tetrahedra of the sealed body, and their quality."""

@@ -1,0 +1,1 @@
+"""Presses of a whole object: tables of forces and magnet motions."""

@@ -1,0 +1,101 @@
+"""How soft the object is where: travel of the indenter per newton at every place of every face.
+
+The secant compliance at a depth d is d / F(d), in mm/N: contact grows with depth, so a press twice
+as deep needs more than twice the force.
+"""
+
+from __future__ import annotations
+
+import csv
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from jaxtyping import Float, Int
+
+from design.files import atomic_path
+from design.layout.positions import PlaceGrid
+from design.spec.object import ObjectSpec
+from fem.linear.response import ResponseOperator
+from fem.mesh.magnet_free import without_magnets
+from fem.presses.results import PressForces
+from fem.presses.table import Progress, simulate_lattice
+
+DEPTH_MM = 1.0
+"""Compliances are taken at the simulated depth nearest to this one."""
+
+
+@dataclass(frozen=True)
+class ComplianceMap:
+    """Secant compliance (face, place) in mm/N at `depth_mm`, over the lattice of presses.
+
+    Infinite where the press found no contact.
+    """
+
+    faces: Int[np.ndarray, "face"]
+    lattice: PlaceGrid
+    depth_mm: float
+    mm_per_n: Float[np.ndarray, "face place"]
+
+
+def compliance_map(forces: PressForces) -> ComplianceMap:
+    """From simulated presses, at the depth nearest to 1 mm."""
+    step = int(np.argmin(abs(forces.depth_mm - DEPTH_MM)))
+    depth, force = float(forces.depth_mm[step]), forces.force_n[:, :, step]
+    with np.errstate(divide="ignore"):
+        return ComplianceMap(forces.faces, forces.lattice, depth, depth / force)
+
+
+def presses_without_magnets(
+    spec: ObjectSpec, response: ResponseOperator, progress: Progress | None = None
+) -> PressForces:
+    """The presses that a compliance map needs, answered by the response of a magnet-free mesh.
+
+    Raises
+    ------
+    InputError
+        As `simulate_lattice`.
+    """
+    depth = min(spec.press.depths_mm, key=lambda depth: abs(depth - DEPTH_MM))
+    press = spec.press.model_copy(update={"depths_mm": (depth,)})
+    plain = without_magnets(spec).model_copy(update={"press": press})
+    return simulate_lattice(plain, response, progress)[0]
+
+
+def save_forces(forces: PressForces, path: Path | str) -> None:
+    """Write as NumPy's .npz."""
+    arrays = {
+        "faces": forces.faces,
+        "x_mm": forces.lattice.x_mm,
+        "y_mm": forces.lattice.y_mm,
+        "depth_mm": forces.depth_mm,
+        "force_n": forces.force_n,
+        "contact_area_mm2": forces.contact_area_mm2,
+    }
+    with atomic_path(path) as temporary, temporary.open("wb") as stream:
+        np.savez(stream, **arrays)  # pyright: ignore[reportArgumentType]
+
+
+def load_forces(path: Path | str) -> PressForces:
+    """Read what `save_forces` wrote."""
+    with np.load(path, allow_pickle=False) as data:
+        lattice = PlaceGrid(data["x_mm"], data["y_mm"])
+        rest = (data["depth_mm"], data["force_n"], data["contact_area_mm2"])
+        return PressForces(data["faces"], lattice, *rest)
+
+
+def save_compliance_csv(
+    with_magnets: ComplianceMap, without_magnets: ComplianceMap, path: Path | str
+) -> None:
+    """One row a place: face, x and y in its frame (mm), and both compliances in mm/N."""
+    rows = [
+        (int(face), f"{x:g}", f"{y:g}", f"{tied:.6g}", f"{free:.6g}")
+        for face, tied_row, free_row in zip(
+            with_magnets.faces, with_magnets.mm_per_n, without_magnets.mm_per_n, strict=True
+        )
+        for (x, y), tied, free in zip(with_magnets.lattice.xy_mm, tied_row, free_row, strict=True)
+    ]
+    depth = f"{with_magnets.depth_mm:g}_mm_deep"
+    header = ("face", "x_mm", "y_mm", f"mm_per_n_{depth}", f"mm_per_n_without_magnets_{depth}")
+    with atomic_path(path) as temporary, temporary.open("w", newline="", encoding="utf-8") as file:
+        csv.writer(file, lineterminator="\n").writerows([header, *rows])

@@ -1,0 +1,364 @@
+"""Several rigid indenters at once, on one face or on several, with contact solved jointly.
+
+Presses side by side and parallel-jaw grasps: every indenter's pressure moves the surface under
+every other one, through the compliance between all faces.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from itertools import combinations
+
+import numpy as np
+from jaxtyping import Float, Int
+
+from design.errors import InputError
+from design.layout.tip_shapes import path_mm, tip_shape, tips_overlap
+from design.spec.object import ObjectSpec
+from fem.contact.complementarity import contact_pressures
+from fem.contact.indenter import moved, tip_cells
+from fem.contact.lift_off import lift_off
+from fem.contact.refined import (
+    RefinedFace,
+    Spread,
+    joint_compliance,
+    refined_face,
+    spread_cells,
+)
+from fem.linear.core_interface import CoreState
+from fem.linear.response import ResponseOperator
+from fem.presses.table import require_on_face, require_on_patch, resting_gap_mm
+
+_FORCE_TOLERANCE = 1e-6
+_MAX_STEPS = 60
+
+
+@dataclass(frozen=True)
+class Tip:
+    """One indenter: the face (1…5) and where it lands in the face's frame, mm."""
+
+    face: int
+    x_mm: float
+    y_mm: float
+
+
+@dataclass(frozen=True)
+class JointPress:
+    """Indenters pressed together: force of each (N) at its depth (mm), and all magnets' motions.
+
+    `shear_n` are the forces along the face's x and y, 0 without friction. `motion` (magnet, 6) is
+    in mm and rad, in the object's frame, as in `MagnetMotions`. `core` is None for a bonded one.
+    """
+
+    tips: tuple[Tip, ...]
+    depth_mm: Float[np.ndarray, "tip"]
+    force_n: Float[np.ndarray, "tip"]
+    shear_n: Float[np.ndarray, "tip 2"]
+    contact_area_mm2: Float[np.ndarray, "tip"]
+    motion: Float[np.ndarray, "magnet 6"]
+    core: CoreState | None = None
+
+
+@dataclass(frozen=True)
+class _Cells:
+    """All indenters' cells with their mutual compliance, wherever their paths have brought them."""
+
+    spreads: tuple[Spread, ...]
+    compliance: Float[np.ndarray, "cell cell"]
+    gap_mm: Float[np.ndarray, "cell"]
+    area_mm2: Float[np.ndarray, "cell"]
+    tip: Int[np.ndarray, "cell"]
+
+
+def refined_faces(spec: ObjectSpec, response: ResponseOperator) -> dict[int, RefinedFace]:
+    """Every face prepared for contact, for those who press many times."""
+    numbers = [surface.number for surface in response.surfaces]
+    return {number: refined_face(response, i, spec) for i, number in enumerate(numbers)}
+
+
+def press_path(
+    spec: ObjectSpec,
+    response: ResponseOperator,
+    tips: Sequence[Tip],
+    depths_mm: Float[np.ndarray, "step tip"],
+    faces: dict[int, RefinedFace] | None = None,
+) -> tuple[JointPress, ...]:
+    """`press_tips` at several depths, at the cost of little more than one.
+
+    A frictionless core holds the shell both ways here.
+    """
+    press = _presser(spec, response, tips, faces)
+    return tuple(press(depths) for depths in np.asarray(depths_mm, float))
+
+
+def squeeze_path(
+    spec: ObjectSpec,
+    response: ResponseOperator,
+    jaws: tuple[Sequence[Tip], Sequence[Tip]],
+    force_n: Sequence[float],
+    faces: dict[int, RefinedFace] | None = None,
+) -> tuple[JointPress, ...]:
+    """`squeeze` to several forces, at the cost of little more than one.
+
+    A frictionless core holds the shell both ways here.
+    """
+    press = _presser(spec, response, [tip for jaw in jaws for tip in jaw], faces)
+    path: list[JointPress] = []
+    for force in force_n:
+        near = None
+        if path:  # forces grow about as depth to the power 3/2
+            last, first_tips = path[-1], [0, len(jaws[0])]
+            rise = (2 * force / last.force_n.sum()) ** (2 / 3)
+            near = last.depth_mm[first_tips] * rise
+        path.append(_press_to(spec, press, jaws, force, near))
+    return tuple(path)
+
+
+def press_tips(
+    spec: ObjectSpec,
+    response: ResponseOperator,
+    tips: Sequence[Tip],
+    depths_mm: Float[np.ndarray, "tip"],
+) -> JointPress:
+    """Press every indenter to its own depth, all at once, without friction.
+
+    A frictionless core only pushes: the shell lifts off where it would pull (`fem.contact.lift_off`).
+
+    Raises
+    ------
+    InputError
+        An indenter on no sensed face, over a face's border, or overlapping another.
+    """
+    depths = np.asarray(depths_mm, float)
+    return _on_core(spec, response, lambda given: _presser(spec, given, tips)(depths))
+
+
+def press_to_force(
+    spec: ObjectSpec,
+    response: ResponseOperator,
+    groups: Sequence[Sequence[Tip]],
+    force_n: float,
+) -> JointPress:
+    """Press every group of indenters, each group at one depth, until each bears `force_n` in all.
+
+    Solved by a quasi-Newton (Broyden) iteration on the groups' depths, to 1e-6 of the force.
+
+    Raises
+    ------
+    InputError
+        As `press_tips`; or the force is not positive, or not reached within the indenter's height
+        and the shell's thickness.
+    """
+    tips = [tip for group in groups for tip in group]
+
+    def press(given: ResponseOperator) -> JointPress:
+        return _press_to(spec, _presser(spec, given, tips), groups, force_n)
+
+    return _on_core(spec, response, press)
+
+
+def _press_to(
+    spec: ObjectSpec,
+    press: Callable[[np.ndarray], JointPress],
+    groups: Sequence[Sequence[Tip]],
+    force_n: float,
+    near_mm: Float[np.ndarray, "group"] | None = None,
+) -> JointPress:
+    if not (force_n > 0 and np.isfinite(force_n)):
+        raise InputError(
+            f"a press to a force needs a positive one; got {force_n:g} N. Give it in N"
+        )
+    group_of = np.repeat(np.arange(len(groups)), [len(group) for group in groups])
+
+    def missing(depth: np.ndarray) -> tuple[np.ndarray, JointPress]:
+        pressed = press(depth[group_of])
+        return np.bincount(group_of, pressed.force_n) - force_n, pressed
+
+    deepest = min(tip_shape(spec.indenter).height_mm, spec.shell.thickness_mm)
+    return _solve_depths(missing, np.full(len(groups), deepest), force_n, near_mm)
+
+
+def squeeze(
+    spec: ObjectSpec,
+    response: ResponseOperator,
+    jaws: tuple[Sequence[Tip], Sequence[Tip]],
+    force_n: float,
+) -> JointPress:
+    """Squeeze the object between two rigid jaws until each presses with `force_n` in all.
+
+    The object hangs freely between the jaws, so their forces are equal; the tips of one jaw share
+    its depth. Raises as `press_to_force`.
+    """
+    return press_to_force(spec, response, jaws, force_n)
+
+
+def _on_core(
+    spec: ObjectSpec, response: ResponseOperator, press: Callable[[ResponseOperator], JointPress]
+) -> JointPress:
+    """The press as it is on a bonded core; a frictionless one only pushes."""
+    if response.core is None:
+        return press(response)
+    pressed, state = lift_off(spec, response, press, _core_force)
+    return replace(pressed, core=state)
+
+
+def _core_force(press: JointPress) -> np.ndarray:
+    assert press.core is not None
+    return press.core.force_n
+
+
+def _force_groups(
+    spec: ObjectSpec, response: ResponseOperator, groups: Sequence[Sequence[Tip]], force_n: float
+) -> JointPress:
+    press = _presser(spec, response, [tip for group in groups for tip in group])
+    group_of = np.repeat(np.arange(len(groups)), [len(group) for group in groups])
+
+    def missing(depth: np.ndarray) -> tuple[np.ndarray, JointPress]:
+        pressed = press(depth[group_of])
+        return np.bincount(group_of, pressed.force_n) - force_n, pressed
+
+    deepest = min(tip_shape(spec.indenter).height_mm, spec.shell.thickness_mm)
+    return _solve_depths(missing, np.full(len(groups), deepest), force_n)
+
+
+def _solve_depths(
+    missing: Callable[[np.ndarray], tuple[np.ndarray, JointPress]],
+    deepest_mm: np.ndarray,
+    force_n: float,
+    near_mm: np.ndarray | None = None,
+) -> JointPress:
+    """From `near_mm` where it is given, else from a quarter of the deepest press."""
+    if near_mm is None:
+        _require_reach(missing, deepest_mm, force_n)
+    depth = np.minimum(deepest_mm / 4 if near_mm is None else near_mm, deepest_mm)
+    residual, press = missing(depth)
+    stiffness = np.diag(np.maximum(residual + force_n, 1e-3 * force_n) / depth * 1.5)
+    for _ in range(_MAX_STEPS):
+        if abs(residual).max() <= _FORCE_TOLERANCE * force_n:
+            return press
+        step = -np.linalg.solve(stiffness, residual)
+        step = np.clip(step, -depth / 2, (deepest_mm - depth) / 2)
+        before = residual
+        depth = depth + step
+        residual, press = missing(depth)
+        change = residual - before - stiffness @ step
+        stiffness = stiffness + np.outer(change, step) / (step @ step)
+    raise ArithmeticError(
+        f"the press to {force_n:g} N did not converge: off by {abs(residual).max():.2g} N"
+    )
+
+
+def _require_reach(
+    missing: Callable[[np.ndarray], tuple[np.ndarray, JointPress]],
+    deepest_mm: np.ndarray,
+    force_n: float,
+) -> None:
+    most, _ = missing(deepest_mm)
+    if most.min() < 0:
+        raise InputError(
+            f"{force_n:g} N are not reached within {deepest_mm[0]:g} mm, the lesser of the indenter's "
+            f"height and the shell's thickness (most {most.min() + force_n:.3g} N). Press less hard"
+        )
+
+
+def _presser(
+    spec: ObjectSpec,
+    response: ResponseOperator,
+    tips: Sequence[Tip],
+    faces: dict[int, RefinedFace] | None = None,
+) -> Callable[[np.ndarray], JointPress]:
+    """Function from the tips' depths to their joint press; on straight paths cells stay."""
+    require_apart(spec, tips)
+    cut = tip_cells(spec.indenter)
+    straight = not any(spec.indenter.direction_deg)
+    kept = _cells(spec, response, tips, np.zeros(len(tips)), faces) if straight else None
+
+    def press(depths_mm: np.ndarray) -> JointPress:
+        cells = kept or _cells(spec, response, tips, depths_mm, faces)
+        for spread, depth in zip(cells.spreads, depths_mm, strict=True):
+            require_on_patch(cut, spread, depth)
+        gap = (cells.gap_mm - depths_mm[cells.tip]) * cells.area_mm2
+        pressure = contact_pressures(cells.compliance, gap, cells.area_mm2, np.zeros(1))[0]
+        force = np.bincount(cells.tip, pressure * cells.area_mm2, minlength=len(tips))
+        touched = np.bincount(cells.tip, (pressure > 0) * cells.area_mm2, minlength=len(tips))
+        motion = spread_motion(response, cells.spreads, pressure)
+        shear = np.zeros((len(tips), 2))
+        core = _held_core(response, cells.spreads, pressure)
+        return JointPress(tuple(tips), depths_mm, force, shear, touched, motion, core)
+
+    return press
+
+
+def spread_motion(
+    response: ResponseOperator, spreads: Sequence[Spread], pressure_mpa: Float[np.ndarray, "cell"]
+) -> Float[np.ndarray, "magnet 6"]:
+    """Motions of all magnets under the pressures of cells."""
+    per_load = response.compliance[response.magnet_loads]
+    return _by_spreads(response, per_load, spreads, pressure_mpa).reshape(-1, 6)
+
+
+def _held_core(
+    response: ResponseOperator, spreads: Sequence[Spread], pressure_mpa: np.ndarray
+) -> CoreState | None:
+    """Forces of a frictionless core that holds the shell both ways."""
+    if response.core is None:
+        return None
+    force = _by_spreads(response, response.core.force_per_load, spreads, pressure_mpa)
+    return CoreState(force, np.zeros(len(force)))
+
+
+def _by_spreads(
+    response: ResponseOperator,
+    per_load: Float[np.ndarray, "row load"],
+    spreads: Sequence[Spread],
+    pressure_mpa: np.ndarray,
+) -> np.ndarray:
+    """Sum of what the cells' pressures do through rows per load."""
+    total, first = np.zeros(len(per_load)), 0
+    for spread in spreads:
+        last = first + len(spread.patches.area_mm2)
+        columns = response.face_loads(spread.face.index).start + spread.rows
+        total += per_load[:, columns] @ (spread.matrix @ pressure_mpa[first:last])
+        first = last
+    return total
+
+
+def _cells(
+    spec: ObjectSpec,
+    response: ResponseOperator,
+    tips: Sequence[Tip],
+    depths_mm: np.ndarray,
+    faces: dict[int, RefinedFace] | None,
+) -> _Cells:
+    numbers = [surface.number for surface in response.surfaces]
+    used = {tip.face for tip in tips}
+    if faces is None:
+        faces = {n: refined_face(response, i, spec) for i, n in enumerate(numbers) if n in used}
+    indenter, cut = spec.indenter, tip_cells(spec.indenter)
+    spreads = []
+    for tip, sideways in zip(tips, path_mm(indenter, depths_mm), strict=True):
+        if tip.face not in numbers:
+            raise InputError(f"face {tip.face} is not a sensed face. Press one of {numbers}")
+        place = np.array([tip.x_mm, tip.y_mm])
+        require_on_face(faces[tip.face], indenter, np.stack([place, place + sideways]))
+        spreads.append(spread_cells(faces[tip.face], moved(cut.patches, place + sideways), place))
+    return _Cells(
+        tuple(spreads),
+        joint_compliance(response, spreads, spec),
+        np.concatenate([resting_gap_mm(cut, spread) for spread in spreads]),
+        np.tile(cut.patches.area_mm2, len(tips)),
+        np.repeat(np.arange(len(tips)), len(cut.height_mm)),
+    )
+
+
+def require_apart(spec: ObjectSpec, tips: Sequence[Tip]) -> None:
+    """Raise InputError where two indenters on a face overlap."""
+    for a, b in combinations(tips, 2):
+        offset = np.array([b.x_mm - a.x_mm, b.y_mm - a.y_mm])
+        if a.face == b.face and tips_overlap(spec.indenter, offset):
+            raise InputError(
+                f"two indenters on face {a.face}, {np.hypot(*offset):.3g} mm apart at ({a.x_mm:g}, "
+                f"{a.y_mm:g}) and ({b.x_mm:g}, {b.y_mm:g}) mm, overlap. Move them apart or use "
+                "smaller ones"
+            )

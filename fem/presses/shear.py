@@ -1,0 +1,167 @@
+"""Motions of the magnets under tangential forces of the tip: full-slip Coulomb tractions.
+
+A tip that slips exerts a traction along the surface in proportion to its pressure, τ = (Ft/Fn) p.
+By reciprocity, one solve per magnet motion gives the motions under every traction on every face.
+
+What is left out: the tangential force does not change where the tip presses (uncoupled contact,
+exact for the pressure on an incompressible half-space; Johnson, Contact Mechanics, 1985, section
+7.1), and a tip that sticks spreads its traction otherwise, with the same resultant.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import scipy.sparse as sp
+from jaxtyping import Float, Int
+
+from design.errors import InputError
+from design.files import atomic_path
+from design.layout.positions import PlaceGrid, contact_grid, face_frames, shell_body_layout
+from design.spec.object import ObjectSpec
+from fem.linear.factorization import Factorization
+from fem.linear.magnets import mean_motion_functionals
+from fem.linear.response import ElasticSystem, ResponseOperator, elastic_system, face_pressure_loads
+from fem.linear.sparse import columns_of, rows_of, shape_of
+from fem.mesh.tetrahedra import TetMesh
+from fem.presses.table import press_places, surface_weights_mm2
+
+SCHEMA_VERSION = 1
+_LEAST_FORCE_N = 1e-9
+
+
+@dataclass(frozen=True)
+class ShearMotions:
+    """Motion of every magnet per newton of tangential force at every contact place and depth.
+
+    `motion_per_n` (face, place, step, tangent, magnet, 6): mm and rad per N along the face's x and
+    y, in the object's frame; zero where the press found no contact.
+    """
+
+    faces: Int[np.ndarray, "face"]
+    grid: PlaceGrid
+    depth_mm: Float[np.ndarray, "step"]
+    motion_per_n: Float[np.ndarray, "face place step 2 magnet 6"]
+
+
+def simulate_shear(
+    spec: ObjectSpec,
+    response: ResponseOperator,
+    per_traction: Float[np.ndarray, "vertex 2 component"],
+) -> ShearMotions:
+    """Tangential forces at the contact places, at the pressures of frictionless presses.
+
+    `per_traction` comes from `motions_under_traction`.
+
+    Raises
+    ------
+    InputError
+        A core that slides or has slipped (superposition fails there), a curved face, or a tip over
+        the border.
+    """
+    if spec.mechanics.interface != "bonded" or spec.mechanics.slip.slipped:
+        raise InputError(
+            "tangential forces are simulated on a bonded core that has not slipped. Set "
+            "mechanics.interface = 'bonded' and leave mechanics.slip out"
+        )
+    if not all(frame.flat for frame in face_frames(spec)):
+        raise InputError(
+            f"tangential forces are simulated on flat faces only; body.kind is {spec.body.kind!r}. "
+            "Leave shear out, or choose a body of flat faces"
+        )
+    grid, depths = contact_grid(spec), np.asarray(spec.press.depths_mm)
+    faces = []
+    for index, surface in enumerate(response.surfaces):
+        pressures = press_places(spec, response, index, grid.xy_mm, depths)
+        force = pressures @ surface_weights_mm2(surface)
+        share = pressures / np.maximum(force, _LEAST_FORCE_N)[..., None]
+        here = per_traction[response.face_loads(index)]
+        motion = share.reshape(-1, here.shape[0]) @ here.reshape(here.shape[0], -1)
+        faces.append(motion.reshape(len(grid), len(depths), 2, -1, 6))
+    numbers = np.array([surface.number for surface in response.surfaces])
+    return ShearMotions(numbers, grid, depths, np.stack(faces))
+
+
+def motions_under_traction(
+    mesh: TetMesh, spec: ObjectSpec
+) -> Float[np.ndarray, "vertex 2 component"]:
+    """Every magnet's motions (mm, rad) per MPa of a unit P1 traction at each face vertex.
+
+    Vertices run face by face as in the response operator; tractions along the face's x, then y.
+    """
+    system = elastic_system(mesh, spec)
+    motions = shape_of(system.motion_basis)[1]
+    loads = system.motion_basis.T @ _tangential_loads(system, spec)
+    right_sides = np.zeros((shape_of(system.matrix)[0], 6 * len(shell_body_layout(spec).face)))
+    right_sides[:motions] = _magnet_loads(mesh, system, spec)
+    with Factorization(system.matrix) as factor:
+        adjoint = factor.solve(right_sides)[:motions]
+    return np.asarray(loads.T @ adjoint).reshape(2, -1, adjoint.shape[1]).swapaxes(0, 1)
+
+
+def _tangential_loads(system: ElasticSystem, spec: ObjectSpec) -> sp.csr_matrix:
+    """Nodal forces of unit P1 tractions along x of every face's vertices, then along y.
+
+    The pressure loads hold ∫ φ_i v dA times −n; dotted with −n they give it back.
+    """
+    surfaces, inward = face_pressure_loads(system.space, spec)
+    nodes, first = shape_of(inward)[0] // 3, 0
+    along: dict[str, list[sp.csr_matrix]] = {"x": [], "y": []}
+    for frame, surface in zip(face_frames(spec), surfaces, strict=True):
+        columns = sp.csc_matrix(inward)[:, first : first + len(surface.xy_mm)]
+        first += len(surface.xy_mm)
+        moments = sum(-n * columns[a * nodes : (a + 1) * nodes] for a, n in enumerate(frame.normal))
+        for name, axis in (("x", frame.x), ("y", frame.y)):
+            along[name].append(rows_of([component * moments for component in axis]))
+    return columns_of([columns_of(along["x"]), columns_of(along["y"])])
+
+
+def _magnet_loads(
+    mesh: TetMesh, system: ElasticSystem, spec: ObjectSpec
+) -> Float[np.ndarray, "motion load"]:
+    """Unit forces and moments on every magnet, on the unknown motions."""
+    motions, count = shape_of(system.motion_basis)[1], 6 * len(shell_body_layout(spec).face)
+    if spec.mechanics.magnets == "rigid":  # the last unknown motions are theirs
+        return np.eye(motions, count, count - motions)
+    rows = sp.csr_matrix(mean_motion_functionals(mesh, system.space) @ system.motion_basis)
+    return rows.toarray().T
+
+
+def save_shear(shear: ShearMotions, path: Path | str) -> None:
+    """Write as NetCDF with units."""
+    import xarray as xr
+
+    data = xr.Dataset(
+        {
+            "motion_per_n": (
+                ("face", "place", "step", "tangent", "magnet", "component"),
+                shear.motion_per_n,
+                {"units": "mm/N mm/N mm/N rad/N rad/N rad/N"},
+            ),
+            "grid_x_mm": (("ix",), shear.grid.x_mm, {"units": "mm"}),
+            "grid_y_mm": (("iy",), shear.grid.y_mm, {"units": "mm"}),
+        },
+        coords={
+            "face": shear.faces,
+            "depth_mm": (("step",), shear.depth_mm, {"units": "mm"}),
+            "tangent": ["x", "y"],
+        },
+        attrs={"schema_version": SCHEMA_VERSION},
+    )
+    with atomic_path(path) as temporary:
+        data.to_netcdf(temporary, engine="h5netcdf")
+
+
+def load_shear(path: Path | str) -> ShearMotions:
+    """Read what `save_shear` wrote."""
+    import xarray as xr
+
+    with xr.open_dataset(path, engine="h5netcdf") as data:
+        if data.attrs.get("schema_version") != SCHEMA_VERSION or "motion_per_n" not in data:
+            raise InputError(f"{path} holds no tangential motions. Simulate anew")
+        grid = PlaceGrid(data["grid_x_mm"].values, data["grid_y_mm"].values)
+        return ShearMotions(
+            data["face"].values, grid, data["depth_mm"].values, data["motion_per_n"].values
+        )

@@ -1,0 +1,208 @@
+"""The `instobj` command: thin, typed, and quick to start (heavy imports inside the commands)."""
+
+from __future__ import annotations
+
+import json
+import signal
+import sys
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from design.errors import InputError
+from instobj.cli import estimators as cli_estimators
+from instobj.cli import experiments as cli_experiments
+from instobj.cli import frames as cli_frames
+from instobj.cli import hardware as cli_hardware
+from instobj.cli import presses as cli_presses
+from instobj.cli import search as cli_search
+from instobj.cli.options import (
+    HERE,
+    AsBuilt,
+    AsJson,
+    Out,
+    Overrides,
+    Specs,
+    show,
+    with_as_built,
+)
+
+app = typer.Typer(
+    name="instobj",
+    help="Design, simulate and calibrate instrumented objects that feel how they are grasped.",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+)
+
+
+@app.command()
+def new(name: Annotated[str, typer.Argument(help="Name of the object.")], out: Out = HERE) -> None:
+    """Write a commented specification to start from: NAME.toml."""
+    from instobj.commands.run import new_specification
+
+    typer.echo(f"wrote {new_specification(name, out)}")
+
+
+@app.command()
+def check(
+    specs: Specs,
+    fabrication: Annotated[
+        bool,
+        typer.Option("--fabrication", help="Also whether the parts print, cast and go together."),
+    ] = False,
+    out: Out = HERE,
+    as_json: AsJson = False,
+    overrides: Overrides = None,
+) -> None:
+    """Validate specifications: keys, bounds, whether everything fits, and sensors at rest."""
+    from instobj.commands.run import check_specifications
+
+    result = check_specifications(specs, overrides or [])
+    if fabrication:
+        from instobj.stages.fabrication import fabrication_of
+
+        result["fabrication"] = fabrication_of(specs, overrides or [], out)
+    show(result, as_json)
+    if any(item["status"] == "fail" for item in result.get("fabrication", ())):
+        raise typer.Exit(1)
+
+
+def _chain_command(name: str, stages: str, purpose: str) -> None:
+    """A command that brings specifications to a stage, or to several."""
+
+    def command(
+        specs: Specs,
+        out: Out = HERE,
+        as_json: AsJson = False,
+        overrides: Overrides = None,
+        as_built: AsBuilt = None,
+    ) -> None:
+        _chain(specs, tuple(stages.split()), out, as_json, with_as_built(overrides, as_built))
+
+    app.command(name, help=purpose)(command)
+
+
+for _name, _stages, _purpose in (
+    (
+        "build",
+        "sheet",
+        "Parts, mould, probes and jig as STL, STEP, 3MF and GLB; bill of materials, assembly sheet.",
+    ),
+    ("mesh", "mesh", "Tetrahedra of the sealed body with every magnet resolved; quality reported."),
+    (
+        "simulate",
+        "signals discretisation",
+        "Mechanics of every press, and the signals that all sensors give.",
+    ),
+    (
+        "compliance",
+        "compliance",
+        "Map of travel per newton over all faces, with the magnets and without them.",
+    ),
+    ("identify", "identify", "How many contacts can be told apart, and with how many sensors."),
+    (
+        "robustness",
+        "robustness",
+        "What the spread of assembly, material and surroundings does, ranked.",
+    ),
+    (
+        "pretrain",
+        "pretraining",
+        "Estimators trained on simulated twins, from which `train --start` goes on.",
+    ),
+    (
+        "report",
+        "report",
+        "One self-contained report.html: go or no-go, tables, figures and provenance.",
+    ),
+    ("run", "report", "The whole chain, stage by stage; stored results are reused."),
+):
+    _chain_command(_name, _stages, _purpose)
+
+
+@app.command()
+def score(
+    specs: Specs,
+    hull: Annotated[
+        str | None, typer.Option(help="δ by covariance, monte-carlo (any N) or exact (N ≤ 100).")
+    ] = None,
+    hull_frames: Annotated[int | None, typer.Option(help="N of the convex hull.")] = None,
+    shear: Annotated[
+        bool, typer.Option("--shear", help="Bounds of (x, y, F, Fx, Fy) as well.")
+    ] = False,
+    out: Out = HERE,
+    as_json: AsJson = False,
+    overrides: Overrides = None,
+    as_built: AsBuilt = None,
+) -> None:
+    """Sensitivity, Cramér–Rao bounds and maps of every contact place."""
+    chosen = {"score.hull": hull, "score.hull_frames": hull_frames}
+    more = [f"{key}={value}" for key, value in chosen.items() if value is not None]
+    stages = ("scores", *(("shear_scores",) if shear else ()), "discretisation")
+    _chain(specs, stages, out, as_json, [*with_as_built(overrides, as_built), *more])
+
+
+app.add_typer(cli_estimators.app)
+app.add_typer(cli_frames.app)
+app.add_typer(cli_presses.app)
+app.add_typer(cli_hardware.app)
+app.add_typer(cli_experiments.app)
+app.add_typer(cli_search.app)
+
+
+def _chain(
+    specs: list[Path],
+    stages: tuple[str, ...],
+    out: Path,
+    as_json: bool,
+    overrides: list[str] | None,
+) -> None:
+    from instobj.commands.run import run_chain
+
+    show(run_chain(specs, stages, out, overrides or []), as_json)
+
+
+def main() -> None:
+    """Entry point: bad input ends with one error message and exit code 2, without a traceback."""
+    interrupted = _note_interrupts()
+    code = 0
+    try:
+        code = app(standalone_mode=False)
+    except typer.BadParameter as error:
+        error.show()
+        sys.exit(2)
+    except typer.TyperException as error:
+        _fail(str(error), 2)
+    except InputError as error:
+        _fail(str(error), 2)
+    except ArithmeticError as error:
+        _fail(f"the computation failed: {error}", 2)
+    except MemoryError as error:
+        _fail(f"out of memory: {error}. Use a larger mesh.edge_mm or mesh.surface_edge_mm", 2)
+    except (KeyboardInterrupt, typer.Abort, ImportError):
+        if not interrupted:  # an import that Ctrl-C breaks off may raise ImportError instead
+            raise
+    if interrupted:
+        _fail("interrupted. Finished stages are kept: the same command goes on from there", 130)
+    sys.exit(code)
+
+
+def _note_interrupts() -> list[int]:
+    """Interrupts received so far, besides raising KeyboardInterrupt as usual."""
+    received: list[int] = []
+
+    def note(number: int, frame: object) -> None:
+        received.append(number)
+        raise KeyboardInterrupt
+
+    signal.signal(signal.SIGINT, note)
+    return received
+
+
+def _fail(message: str, code: int) -> None:
+    if "--json" in sys.argv:
+        typer.echo(json.dumps({"error": message}))
+    typer.echo(f"error: {message}", err=True)
+    sys.exit(code)

@@ -1,0 +1,114 @@
+"""Commands that train, judge, export and use estimators."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Literal
+
+import typer
+
+from design.errors import InputError
+from instobj.cli.options import HERE, AsJson, Out, Overrides, Sources, show
+
+app = typer.Typer()
+
+Start = Annotated[
+    Path | None,
+    typer.Option(help="Folder of face_<n>.safetensors to go on from, e.g. pre-trained ones."),
+]
+
+Twin = Annotated[
+    Path | None,
+    typer.Option(
+        help="Specification of the object in a data set: its twin, calibrated on the training "
+        "presses, adds presses at every place."
+    ),
+]
+
+
+@app.command()
+def train(
+    sources: Sources,
+    start: Start = None,
+    twin: Twin = None,
+    out: Out = HERE,
+    as_json: AsJson = False,
+    overrides: Overrides = None,
+) -> None:
+    """Train a contact estimator per face, on simulated presses or on a data set."""
+    _estimate(sources, ("networks",), start, twin, out, as_json, overrides)
+
+
+@app.command()
+def evaluate(
+    sources: Sources,
+    start: Start = None,
+    twin: Twin = None,
+    out: Out = HERE,
+    as_json: AsJson = False,
+    overrides: Overrides = None,
+) -> None:
+    """The paper's four metrics on held-out presses (trains first where nothing is stored)."""
+    _estimate(sources, ("networks", "metrics"), start, twin, out, as_json, overrides)
+
+
+@app.command()
+def export(
+    models: Annotated[
+        list[Path], typer.Argument(help="Trained estimators (face_<n>.safetensors).")
+    ],
+    out: Annotated[Path, typer.Option(help="Folder of the files; left out: beside each.")] = HERE,
+    as_json: AsJson = False,
+) -> None:
+    """Trained estimators as ONNX files with scaling, units and channel order inside."""
+    from instobj.commands.predict import export_models
+
+    show(export_models(models, out), as_json)
+
+
+@app.command()
+def predict(
+    model: Annotated[Path, typer.Argument(help="Exported estimator (.onnx).")],
+    file: Annotated[
+        Path | None, typer.Argument(help="Recording or data set.", show_default=False)
+    ] = None,
+    port: Annotated[
+        str | None, typer.Option(help="Serial port of the board, e.g. /dev/ttyACM0.")
+    ] = None,
+    zero: Annotated[
+        Literal["rest", "first", "none"] | None,
+        typer.Option(
+            help="Zero follows rest (default), is that of the first frames, or is there already."
+        ),
+    ] = None,
+    zero_frames: Annotated[int, typer.Option(min=5, help="Frames at rest that give the zero.")] = 8,
+    frames: Annotated[
+        int | None, typer.Option(min=1, help="With --port: stop after so many frames.")
+    ] = None,
+    out: Out = HERE,
+    as_json: AsJson = False,
+) -> None:
+    """Contacts in a recording, or live from a board (one JSON document a frame)."""
+    from instobj.commands.predict import Zeroing, predict_file, predict_port
+
+    if (file is None) == (port is None):
+        raise InputError("give either a file or --port, the serial port of a board")
+    if file is not None:
+        show(predict_file(model, file, out, Zeroing(zero, zero_frames)), as_json)
+    elif port is not None:
+        for line in predict_port(model, port, Zeroing(zero, zero_frames), frames):
+            typer.echo(line)
+
+
+def _estimate(
+    sources: list[Path],
+    stages: tuple[str, ...],
+    start: Path | None,
+    twin: Path | None,
+    out: Path,
+    as_json: bool,
+    overrides: list[str] | None,
+) -> None:
+    from instobj.commands.run import run_estimator
+
+    show(run_estimator(sources, stages, out, overrides or [], start, twin), as_json)

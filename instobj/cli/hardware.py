@@ -1,0 +1,147 @@
+"""Commands that meet real things: silicones, boards, recordings, built objects."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from instobj.cli.options import (
+    HERE,
+    AsBuilt,
+    AsJson,
+    Out,
+    Overrides,
+    Recordings,
+    Spec,
+    show,
+    with_as_built,
+)
+
+app = typer.Typer()
+
+
+@app.command()
+def recordings(
+    files: Recordings,
+    spec: Annotated[
+        Path | None, typer.Option(help="Specification of the object: its contact grid.")
+    ] = None,
+    out: Out = HERE,
+    as_json: AsJson = False,
+) -> None:
+    """Read recordings, find and correct their faults, and write a data set to train on."""
+    from instobj.commands.recordings import read_recordings
+
+    show(read_recordings(files, out, spec), as_json)
+
+
+@app.command()
+def collect(
+    out: Annotated[
+        Path,
+        typer.Argument(
+            metavar="OUT", help="Recording: OUT.csv grows, OUT.nc is written at the end."
+        ),
+    ],
+    port: Annotated[
+        str | None, typer.Option(help="Serial port of the board, e.g. /dev/ttyACM0.")
+    ] = None,
+    replay: Annotated[
+        Path | None, typer.Option(help="Recording to replay in place of a board.")
+    ] = None,
+    load_port: Annotated[
+        str | None, typer.Option(help="Serial port of a load cell or machine of its own.")
+    ] = None,
+    place: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="FACE:X,Y", help="What load cell 1 (2, …) presses, mm; :X,Y for each more tip."
+        ),
+    ] = None,
+    force: Annotated[
+        list[float] | None,
+        typer.Option(metavar="N", help="Force of load cell 1 (2, …) where none speaks: a weight."),
+    ] = None,
+    zero: Annotated[
+        int, typer.Option(min=0, help="Frames at the start with nothing touching.")
+    ] = 20,
+    seconds: Annotated[
+        float | None, typer.Option(min=0, help="Stop after so many seconds.")
+    ] = None,
+    frames: Annotated[int | None, typer.Option(min=1, help="Stop after so many frames.")] = None,
+    session: Annotated[
+        int | None, typer.Option(min=1, help="Number of the session, else the last one goes on.")
+    ] = None,
+    cells: Annotated[int | None, typer.Option(min=1, max=9, help="Load cells.")] = None,
+    tips: Annotated[int | None, typer.Option(min=1, max=9, help="Tips a load cell.")] = None,
+    baud: Annotated[int, typer.Option(min=300, help="Bits a second.")] = 115_200,
+    speed: Annotated[
+        float, typer.Option(min=0, help="Of a replay: 1 as recorded, 0 as fast as possible.")
+    ] = 1.0,
+    as_json: AsJson = False,
+) -> None:
+    """Collect labelled frames from a board (or a replay) into a recording to calibrate with."""
+    from instobj.commands.collect import collect as collect_frames
+    from instobj.commands.collect_options import CollectOptions
+
+    options = CollectOptions(
+        out, port, replay, load_port, baud, speed, tuple(place or ()), tuple(force or ()),
+        cells, tips, session, zero, seconds, frames,
+    )  # fmt: skip
+    show(collect_frames(options), as_json)
+
+
+@app.command()
+def material(
+    source: Annotated[
+        str,
+        typer.Argument(help="CSV of a tensile test, a name, or a hardness.", show_default=False),
+    ],
+    out: Out = HERE,
+    as_json: AsJson = False,
+) -> None:
+    """Young's modulus of a silicone with its spread; solids fitted to a tensile test."""
+    from instobj.commands.material import describe_material
+
+    show(describe_material(source, out), as_json)
+
+
+@app.command()
+def selftest(
+    spec: Spec,
+    resting: Annotated[
+        Path,
+        typer.Argument(help="Recording, or CSV of frames at rest.", show_default=False),
+    ],
+    as_json: AsJson = False,
+    overrides: Overrides = None,
+    as_built: AsBuilt = None,
+) -> None:
+    """Flipped magnets, swapped or dead channels, from the resting signals of a built object."""
+    from instobj.commands.validate import self_test_of
+
+    result = self_test_of(spec, resting, with_as_built(overrides, as_built))
+    show(result, as_json)
+    if not result["passed"]:
+        raise typer.Exit(1)
+
+
+@app.command()
+def validate(
+    spec: Spec,
+    recordings: Recordings,
+    exchanges: Annotated[
+        int, typer.Option(min=1, help="Exchanges of places for the null of the calibration.")
+    ] = 19,
+    out: Out = HERE,
+    as_json: AsJson = False,
+    overrides: Overrides = None,
+    as_built: AsBuilt = None,
+) -> None:
+    """Predicted against recorded presses, every figure beside its permutation null."""
+    from instobj.commands.validate import validate_on
+
+    given = with_as_built(overrides, as_built)
+    show(validate_on(spec, recordings, exchanges, out, given), as_json)

@@ -1,0 +1,116 @@
+"""Commands that press chosen places of one object."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any
+
+import typer
+
+from design.errors import InputError
+from instobj.cli.options import HERE, AsJson, Out, Overrides, Spec, show
+
+app = typer.Typer()
+
+
+@app.command()
+def press(
+    spec: Spec,
+    xy: Annotated[
+        tuple[float, float] | None, typer.Option(help="Place in the face's frame, mm.")
+    ] = None,
+    face: Annotated[int, typer.Option(help="Sensed face, 1 to 5.")] = 1,
+    depth: Annotated[float, typer.Option(help="Depth of the press, mm.")] = 2.0,
+    material: Annotated[
+        str, typer.Option(help="neo-hookean, yeoh, ogden, or linear: small strain, any indenter.")
+    ] = "neo-hookean",
+    constants: Annotated[
+        str, typer.Option(help="MPa: C1,C2,C3 of yeoh; μ1,α1,μ2,α2,… of ogden.")
+    ] = "",
+    at: Annotated[
+        list[str] | None,
+        typer.Option(metavar="FACE:X,Y[,DEPTH]", help="linear: one more place; repeat it."),
+    ] = None,
+    force: Annotated[
+        float | None, typer.Option(help="linear: press each to this force, N.")
+    ] = None,
+    direction: Annotated[
+        tuple[float, float] | None,
+        typer.Option(help="linear: path leans towards the face's x and y, degrees."),
+    ] = None,
+    patch: Annotated[
+        tuple[float, float] | None,
+        typer.Option(help="linear: uniform pressure instead: radius mm, MPa."),
+    ] = None,
+    out: Out = HERE,
+    as_json: AsJson = False,
+    overrides: Overrides = None,
+) -> None:
+    """Chosen presses: one with large deformation, or several with --material linear."""
+    from instobj.commands.places import places_given
+
+    given = [*(overrides or [])]
+    if direction is not None:
+        given.append(f"indenter.direction_deg=[{direction[0]}, {direction[1]}]")
+    places = places_given(face, xy, at or [], depth)
+    if material == "linear":
+        from instobj.commands.loads import press_loads
+
+        _show_loads(press_loads(spec, places, force, patch, out, given), as_json)
+        return
+    if xy is None or at or force is not None or patch is not None:
+        raise InputError(
+            "--at, --force and --patch are for small strain: add --material linear, or give one "
+            "place with --xy and --depth"
+        )
+    from instobj.commands.press import press_specification
+
+    result = press_specification(spec, face, xy, depth, material, constants, out, given)
+    show(result, as_json)
+    if result["status"] != "converged":
+        typer.echo("Newton's method found no equilibrium any deeper", err=True)
+        raise typer.Exit(1)
+
+
+@app.command()
+def grasp(
+    spec: Spec,
+    jaw: Annotated[
+        list[str],
+        typer.Option(metavar="FACE:X,Y[;X,Y]", help="Tips of one jaw; give it twice."),
+    ],
+    force: Annotated[float, typer.Option(help="Force of each jaw, N.")],
+    out: Out = HERE,
+    as_json: AsJson = False,
+    overrides: Overrides = None,
+) -> None:
+    """A parallel-jaw grasp: forces, travel, what all sensors see, and the error of superposition."""
+    from instobj.commands.grasp import grasp_specification
+
+    show(grasp_specification(spec, jaw, force, out, overrides or []), as_json)
+
+
+@app.command()
+def slip(
+    spec: Spec,
+    shift: Annotated[
+        tuple[float, float, float], typer.Option(help="Of the core in the shell, x y z, mm.")
+    ] = (0.0, 0.0, 0.0),
+    rotation: Annotated[
+        tuple[float, float, float], typer.Option(help="Rotation vector about x y z, degrees.")
+    ] = (0.0, 0.0, 0.0),
+    rim: Annotated[str, typer.Option(help="free, or held on the mounting plate.")] = "free",
+    out: Out = HERE,
+    as_json: AsJson = False,
+    overrides: Overrides = None,
+) -> None:
+    """What a core that slipped after calibration costs: resting signals, false places and forces."""
+    from instobj.commands.slip import slip_specification
+
+    show(slip_specification(spec, shift, rotation, rim, out, overrides or []), as_json)
+
+
+def _show_loads(result: dict[str, Any], as_json: bool) -> None:
+    show(result, as_json)
+    if result["status"] == "refused":
+        typer.echo("some presses were refused: see above", err=True)
+        raise typer.Exit(2)

@@ -1,0 +1,165 @@
+"""Results as tables on a terminal."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from rich.box import SIMPLE
+from rich.cells import cell_len
+from rich.console import Console
+from rich.table import Table
+
+from instobj.report.surroundings import surroundings_lines
+
+_MOST_COLUMNS = 12
+
+
+def print_result(result: dict[str, Any]) -> None:
+    """Print the document that a command returned."""
+    console = Console(highlight=False)
+    for row in result.get("specifications", ()):
+        console.print(
+            f"{row['spec']}: valid. {row['magnets']} magnets, {row['sensors']} sensors; largest "
+            f"field at rest {row['largest_field_at_rest_mt']:g} of ±{row['range_mt']:g} mT"
+        )
+        console.print(
+            f"  modulus {row['modulus']}; force at a given travel: {row['force_at_a_travel']}"
+        )
+        for line in surroundings_lines(row["surroundings"]):
+            console.print(f"  {line}")
+    for item in result.get("fabrication", ()):
+        _print_findings(console, item)
+    for text in result.get("texts", ()):
+        console.print(text)
+    for item in result.get("objects", ()):
+        console.rule(item["name"])
+        _print_summary(console, item["summary"])
+        _print_files(console, item["files"])
+    if "comparison" in result:
+        console.rule("comparison")
+        title = "medians over all places, freshly zeroed unless said"
+        _print_rows(console, title, _turned(result["comparison"]["rows"]))
+        _print_files(console, result["comparison"]["files"])
+    for title, rows in result.get("tables", {}).items():
+        _print_rows(console, title, rows)
+    _print_files(console, result.get("files", ()))
+
+
+def _print_findings(console: Console, item: dict[str, Any]) -> None:
+    """What did not pass, in full, and how much did."""
+    console.rule(f"{item['name']}: fabrication on {item['printer']}, {item['silicone']}")
+    rows = [
+        {
+            "status": found["status"],
+            "part": found["part"],
+            "check": found["check"],
+            "value": found["value"],
+            "limit": found["limit"],
+            "unit": found["unit"],
+            "place, mm": "" if found["place_mm"] is None else _place(found["place_mm"]),
+        }
+        for found in item["findings"]
+        if found["status"] != "pass"
+    ]
+    console.print(f"{len(item['findings']) - len(rows)} of {len(item['findings'])} checks pass")
+    if rows:
+        _print_rows(console, "not passed", rows)
+    for found in item["findings"]:
+        if found["status"] != "pass":
+            console.print(f"{found['status']}: {found['part']}, {found['check']}: {found['what']}")
+    _print_files(console, item["files"])
+
+
+def _place(place_mm: list[float]) -> str:
+    return ", ".join(f"{value:.1f}" for value in place_mm)
+
+
+def _turned(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """One row a key, one column a row, headed by what stands first in each."""
+    first, *others = rows[0]
+    heads = [str(row[first]) for row in rows]
+    if len(set(heads)) < len(heads):
+        heads = [f"{number}: {head}" for number, head in enumerate(heads, start=1)]
+    return [
+        {first: key} | {head: row[key] for head, row in zip(heads, rows, strict=True)}
+        for key in others
+    ]
+
+
+def _print_summary(console: Console, summary: dict[str, Any]) -> None:
+    for title, values in summary.items():
+        if isinstance(values, list):
+            _print_rows(console, title, values)
+        else:
+            line = ", ".join(f"{name} {_number(value)}" for name, value in values.items())
+            console.print(f"[bold]{title}[/bold]: {line}")
+
+
+def _print_rows(console: Console, title: str, rows: list[dict[str, Any]]) -> None:
+    columns, widths = _laid_out(rows, console.width)
+    table = Table(title=title, title_justify="left", box=SIMPLE, padding=(0, 0, 0, 1))
+    for (name, *_), width in zip(columns, widths or [None] * len(columns), strict=True):
+        table.add_column(name, justify="right", width=width, overflow="fold")
+    for cells in zip(*(values for _, *values in columns), strict=True):
+        table.add_row(*cells)
+    console.print(table)
+
+
+def _laid_out(rows: list[dict[str, Any]], room: int) -> tuple[list[list[str]], list[int] | None]:
+    """Columns and their widths, turned (a row a column) where they are many or their words do not fit.
+
+    No widths where the words fit neither way.
+    """
+    columns = _columns(rows)
+    widths = _widths(columns, room)
+    many = len(columns) > _MOST_COLUMNS and len(rows) < len(columns)
+    if len(columns) == 1 or (widths and not many):
+        return columns, widths
+    turned = _columns(_turned(rows))
+    turned_widths = _widths(turned, room)
+    if turned_widths or (many and not widths):
+        return turned, turned_widths
+    return columns, widths
+
+
+def _columns(rows: list[dict[str, Any]]) -> list[list[str]]:
+    """Of every column its name and its values, as printed."""
+    return [[name, *(_number(row[name]) for row in rows)] for name in rows[0]]
+
+
+def _widths(columns: list[list[str]], room: int) -> list[int] | None:
+    """Characters for every column, broken at spaces alone; None where that does not fit the room.
+
+    The widest columns are narrowed first, none below its longest word.
+    """
+    room -= 2 * len(columns) + 1
+    full = [max(map(cell_len, column)) for column in columns]
+    words = [max(map(cell_len, " ".join(column).split()), default=0) for column in columns]
+    for most in range(max(full), 0, -1):
+        widths = [max(word, min(most, width)) for word, width in zip(words, full, strict=True)]
+        if sum(widths) <= room:
+            return widths
+    return None
+
+
+def _print_files(console: Console, files: Any) -> None:
+    if not files:
+        return
+    table = Table(title="Files written", title_justify="left")
+    table.add_column("file", overflow="fold")
+    table.add_column("size", justify="right")
+    for row in files:
+        table.add_row(row["path"], _size(row["bytes"]))
+    console.print(table)
+
+
+def _number(value: Any) -> str:
+    if value is None:
+        return "–"
+    if not isinstance(value, float):
+        return str(value)
+    return f"{value:.1f}" if 1e3 <= abs(value) < 1e7 else f"{value:.3g}"
+
+
+def _size(count: int) -> str:
+    return f"{count / 1e6:.1f} MB" if count >= 1e5 else f"{count / 1e3:.1f} kB"

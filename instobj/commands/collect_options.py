@@ -1,0 +1,110 @@
+"""What `instobj collect` is told: source, places, forces, and when to stop."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Generator
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from design.errors import InputError
+from estimator.boards.link import replay_chunks, serial_chunks
+
+_PLACE = re.compile(r"([1-5])((?::-?\d+(?:\.\d*)?,-?\d+(?:\.\d*)?)+)")
+
+
+@dataclass(frozen=True)
+class CollectOptions:
+    """What the command line says; `places` and `forces_n` are those of load cells 1, 2, …"""
+
+    out: Path
+    port: str | None = None
+    replay: Path | None = None
+    load_port: str | None = None
+    baud: int = 115_200
+    speed: float = 1.0
+    places: tuple[str, ...] = ()
+    forces_n: tuple[float, ...] = ()
+    cells: int | None = None
+    tips: int | None = None
+    session: int | None = None
+    zero_frames: int = 20
+    seconds: float | None = None
+    frames: int | None = None
+
+    @property
+    def csv_path(self) -> Path:
+        """The recording that grows."""
+        return self.out.with_name(self.out.name.removesuffix(".nc").removesuffix(".csv") + ".csv")
+
+    @property
+    def target(self) -> Path:
+        """The recording under its final name."""
+        return self.csv_path.with_suffix(".nc")
+
+    @property
+    def source(self) -> str:
+        """Port or file, for messages."""
+        return str(self.port or self.replay)
+
+
+@dataclass(frozen=True)
+class Place:
+    """Face pressed and the places (mm) of the tips on it."""
+
+    face: int
+    tips_mm: tuple[tuple[float, float], ...]
+
+
+def parse_place(text: str) -> Place | None:
+    """`3:1.5,4.5` is face 3 at (1.5, 4.5) mm, `3:0,7.5:0,-7.5` two tips, `-` nothing pressed.
+
+    Raises
+    ------
+    InputError
+        Anything else.
+    """
+    if text == "-":
+        return None
+    match = _PLACE.fullmatch(text)
+    if match is None:
+        raise InputError(
+            f"{text!r} is not a place. Give FACE:X,Y in mm, such as 3:1.5,-4.5, with :X,Y for each "
+            "further tip, or - where nothing is pressed"
+        )
+    pairs = [pair.split(",") for pair in match[2][1:].split(":")]
+    return Place(int(match[1]), tuple((float(x), float(y)) for x, y in pairs))
+
+
+def open_source(options: CollectOptions) -> tuple[Generator[bytes], CollectOptions]:
+    """The bytes to read, and the options with `cells` and `tips` filled in.
+
+    Raises
+    ------
+    InputError
+        Not exactly one source, a recording replayed into itself, or more places than cells and tips.
+    """
+    if (options.port is None) == (options.replay is None):
+        raise InputError("give either --port or --replay: where the readings come from")
+    places = [parse_place(text) for text in options.places]
+    cells = max(1, len(places), len(options.forces_n))
+    tips = max([1, *(len(place.tips_mm) for place in places if place)])
+    if options.replay is not None:
+        from estimator.recordings.files import read_table
+
+        outputs = (options.csv_path.resolve(), options.target.resolve())
+        if options.replay.resolve() in outputs:
+            raise InputError(f"{options.replay} cannot be replayed into itself. Give another name")
+        table = read_table(options.replay)
+        chunks = replay_chunks(table, options.speed)
+        cells, tips = max(cells, table.tip_xy_mm.shape[1]), max(tips, table.tip_xy_mm.shape[2])
+    else:
+        chunks = serial_chunks(options.port or "", options.baud)
+    filled = replace(options, cells=options.cells or cells, tips=options.tips or tips)
+    if (filled.cells or 0) < len(places) or any(
+        p and len(p.tips_mm) > (filled.tips or 0) for p in places
+    ):
+        raise InputError(
+            f"more places than --cells {filled.cells} and --tips {filled.tips} allow. Raise them"
+        )
+    return chunks, filled

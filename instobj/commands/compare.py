@@ -1,0 +1,70 @@
+"""Layouts beside each other: one table and one figure of their scores."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from design.files import atomic_path
+from design.spec.object import ObjectSpec
+from estimator.information.scores import PlaceScores, area_places, load_scores_csv, weakest_place
+from instobj.store.publish import file_rows, run_folder
+
+
+def compare_scores(specs: list[ObjectSpec], out: Path) -> dict[str, Any]:
+    """Rows and a figure from the `scores.csv` that every specification has in `runs/<name>`."""
+    scores = [load_scores_csv(run_folder(out, spec.name) / "scores.csv") for spec in specs]
+    figure = run_folder(out, "+".join(spec.name for spec in specs)) / "comparison.png"
+    draw_comparison(specs, scores, figure)
+    rows = [_row(spec, places) for spec, places in zip(specs, scores, strict=True)]
+    return {"rows": rows, "files": file_rows([figure])}
+
+
+def _row(spec: ObjectSpec, scores: PlaceScores) -> dict[str, Any]:
+    bound, weakest = scores.position_bound_fresh_mm, weakest_place(scores)
+    mid_edge = bound[:, area_places(scores.grid, "mid_edge")]
+    return {
+        "object": spec.name,
+        "press N": spec.score.force_n,
+        "bounds read": spec.score.channels,
+        "place mm": float(np.median(bound)),
+        "place at mid-edge mm": float(np.median(mid_edge)),
+        "weakest place mm": weakest.position_bound_mm,
+        "on face": weakest.face,
+        "places within limit %": round(
+            100 * float(np.mean(bound <= spec.limits.position_bound_mm)), 1
+        ),
+        "place after 15 min mm": float(np.median(scores.position_bound_drifted_mm)),
+        "force N": float(np.median(scores.force_bound_fresh_n)),
+        "detect N": float(np.median(scores.detectable_force_fresh_n)),
+        "own channels": 3 * spec.sensors.count_per_face,
+        "δ, counts^channels/N": float(np.median(scores.delta_raw)),
+    }
+
+
+def draw_comparison(specs: list[ObjectSpec], scores: list[PlaceScores], path: Path) -> None:
+    """Share of the places whose position bound stays below a value, one line an object (PNG)."""
+    from matplotlib import colormaps
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(8, 4.6), layout="constrained")
+    axes = figure.subplots()
+    colours = colormaps["viridis"](np.linspace(0.05, 0.85, len(specs)))
+    for spec, places, colour in zip(specs, scores, colours, strict=True):
+        for state, style in (("fresh", "-"), ("drifted", ":")):
+            bound = np.sort(getattr(places, f"position_bound_{state}_mm").ravel())
+            share = 100 * np.arange(1, bound.size + 1) / bound.size
+            label = spec.name if state == "fresh" else None
+            axes.plot(bound, share, color=colour, ls=style, label=label)
+    axes.set(xscale="log", ylim=(0, 100), xlabel="position bound (mm)")
+    axes.set_ylabel("places within the bound (%)")
+    axes.set_title(
+        "How well contacts can be located: freshly zeroed (solid), after 15 min (dotted)"
+    )
+    axes.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
+    axes.grid(alpha=0.3, which="both")
+    axes.legend(frameon=False, loc="lower right")
+    with atomic_path(path) as temporary:
+        figure.savefig(temporary, dpi=130)

@@ -1,0 +1,252 @@
+"""Presses with small strain, all at once: any indenter to depths or to a force, patches, grasps."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from design.errors import InputError
+from design.spec.object import ObjectSpec
+from design.spec_io import load_spec, spec_hash
+from instobj.commands.places import CheckedPlaces, Place, check_places
+from instobj.stages.chain import Chain
+from instobj.store.publish import file_rows, require_writable, run_folder, stage_row
+from instobj.store.stage import write_json
+
+if TYPE_CHECKING:
+    from fem.linear.response import ResponseOperator
+    from fem.presses.joint import JointPress
+
+_CURVE_STEPS = 16
+
+
+@dataclass(frozen=True)
+class Pressed:
+    """What loads do together: a row for each, the magnets' motions, and the way there.
+
+    `curve` holds the joint presses on the way, the last one complete; it is empty for patches.
+    `alone` holds each press by itself, empty where superposition means nothing or everything.
+    """
+
+    rows: list[dict[str, Any]]
+    motion: np.ndarray
+    curve: list[JointPress]
+    alone: list[JointPress]
+
+
+def press_loads(
+    path: Path,
+    places: list[Place],
+    force_n: float | None,
+    patch: tuple[float, float] | None,
+    out: Path,
+    overrides: list[str],
+) -> dict[str, Any]:
+    """Press all places together, to their depths, each to one force, or with uniform patches (radius
+    in mm, MPa).
+
+    Places that cannot be pressed are told of under "refused"; the others are kept. Results go to
+    `runs/<name>/press_<place>_linear/`.
+
+    Raises
+    ------
+    InputError
+        A bad specification, both a force and a patch, or no place that can be pressed.
+    """
+    spec = load_spec(path, overrides, table=False)
+    if force_n is not None and patch is not None:
+        raise InputError("give either --force or --patch: a patch has the force of its pressure")
+    require_no_slip(spec)
+    checked = check_places(_with_patch(spec, patch), places, force_n is None and patch is None)
+    require_writable(out)
+    chain = Chain(spec)
+    if patch is not None:
+        pressed = _patches(chain, checked.good, patch)
+    elif spec.indenter.friction == "sticking":
+        pressed = _sticking(chain, checked.good, force_n)
+    else:
+        if force_n is not None:
+            checked = _reachable(chain, checked, force_n)
+        pressed = _frictionless(chain, checked.good, force_n)
+    label = _label(checked.good, (force_n, patch, spec_hash(spec)), patch)
+    return loads_document(
+        "press", chain, pressed, checked.refused, run_folder(out, spec.name) / label
+    )
+
+
+def response_of(chain: Chain) -> ResponseOperator:
+    """The response operator of the chain's specification."""
+    from fem.linear.response import load_response
+
+    return load_response(chain.require("response").folder)
+
+
+def joint_pressed(
+    spec: ObjectSpec, response: ResponseOperator, final: JointPress, step: Callable[..., JointPress]
+) -> Pressed:
+    """A joint press without friction with the way to it, and each of its indenters alone.
+
+    `step(depths)` is the joint press at depths.
+    """
+    from fem.presses.joint import press_tips
+
+    shares = np.arange(1, _CURVE_STEPS) / _CURVE_STEPS
+    curve = [*(step(share * final.depth_mm) for share in shares), final]
+    alone = []
+    if len(final.tips) > 1:
+        for tip, depth in zip(final.tips, final.depth_mm, strict=True):
+            alone.append(press_tips(spec, response, [tip], np.array([depth])))
+    return Pressed(_rows(final, alone), final.motion, curve, alone)
+
+
+def loads_document(
+    command: str, chain: Chain, pressed: Pressed, refused: Sequence[dict[str, Any]], target: Path
+) -> dict[str, Any]:
+    """Write `loads.json` and `loads.png` into a folder, and tell what a command prints."""
+    from instobj.commands.load_signals import sensor_rows, signal_changes, superposition_row
+    from instobj.figures.loads import draw_loads
+
+    spec = chain.spec
+    motions = [pressed.motion, *(press.motion for press in pressed.alone)]
+    changes = signal_changes(spec, np.stack(motions))
+    summary: dict[str, Any] = {"presses": pressed.rows}
+    if pressed.alone:
+        summary["superposition of single presses"] = superposition_row(pressed, changes)
+    if pressed.curve and (core := pressed.curve[-1].core):
+        summary["shell lifted off its core"] = {
+            "largest opening mm": float(core.opening_mm.max()),
+            "share of the core's vertices": float((core.opening_mm > 0).mean()),
+        }
+    summary["signal changes, counts"] = sensor_rows(spec, changes[0])
+    if refused:
+        summary["refused"] = list(refused)
+    target.mkdir(parents=True, exist_ok=True)
+    write_json({"command": command, **summary}, target / "loads.json")
+    draw_loads(spec, pressed, changes[0], target / "loads.png")
+    return {
+        "command": command,
+        "objects": [
+            {
+                "name": spec.name,
+                "spec_hash": spec_hash(spec),
+                "stages": [stage_row(stage) for stage in chain.results.values()],
+                "summary": summary,
+                "files": file_rows([target / "loads.json", target / "loads.png"]),
+            }
+        ],
+        "status": "refused" if refused else "converged",
+    }
+
+
+def require_no_slip(spec: ObjectSpec) -> None:
+    """Raise InputError for a slipped core, which these presses do not know."""
+    if spec.mechanics.slip.slipped:
+        raise InputError(
+            "these presses know no slip of the core. Leave mechanics.slip out, or use `instobj slip` "
+            "or `instobj run`"
+        )
+
+
+def _frictionless(chain: Chain, places: Sequence[Place], force_n: float | None) -> Pressed:
+    from fem.presses.joint import press_tips, press_to_force
+
+    spec, response = chain.spec, response_of(chain)
+    tips = [place.tip for place in places]
+
+    def step(depths: np.ndarray) -> JointPress:
+        return press_tips(spec, response, tips, depths)
+
+    if force_n is None:
+        final = step(np.array([place.depth_mm for place in places]))
+    else:
+        final = press_to_force(spec, response, [[tip] for tip in tips], force_n)
+    return joint_pressed(spec, response, final, step)
+
+
+def _sticking(chain: Chain, places: Sequence[Place], force_n: float | None) -> Pressed:
+    from fem.mesh.tetrahedra import load_mesh
+    from fem.presses.sticking import press_sticking, press_sticking_to_force, sticking_setting
+
+    mesh = load_mesh(chain.require("mesh").folder / "mesh.npz")
+    setting = sticking_setting(chain.spec, mesh, [place.tip for place in places])
+    if force_n is None:
+        curve = press_sticking(setting, np.array([place.depth_mm for place in places]))
+    else:
+        curve = press_sticking_to_force(setting, force_n)
+    return Pressed(_rows(curve[-1], []), curve[-1].motion, curve, [])
+
+
+def _patches(chain: Chain, places: Sequence[Place], patch: tuple[float, float]) -> Pressed:
+    from fem.presses.patch_load import load_patches
+
+    load = load_patches(chain.spec, response_of(chain), [place.tip for place in places], *patch)
+    rows = [
+        {
+            "face": place.face,
+            "x mm": place.x_mm,
+            "y mm": place.y_mm,
+            "N": force,
+            "mean sink mm": sunk,
+        }
+        for place, force, sunk in zip(
+            places, load.force_n.tolist(), load.sunk_mm.tolist(), strict=True
+        )
+    ]
+    return Pressed(rows, load.motion, [], [])
+
+
+def _rows(press: JointPress, alone: Sequence[JointPress]) -> list[dict[str, Any]]:
+    rows = []
+    for index, tip in enumerate(press.tips):
+        row = {
+            "face": tip.face,
+            "x mm": tip.x_mm,
+            "y mm": tip.y_mm,
+            "travel mm": float(press.depth_mm[index]),
+            "N": float(press.force_n[index]),
+            "shear N": float(np.hypot(*press.shear_n[index])),
+            "contact mm²": float(press.contact_area_mm2[index]),
+        }
+        if alone:
+            row["alone N"] = float(alone[index].force_n[0])
+        rows.append(row)
+    return rows
+
+
+def _reachable(chain: Chain, checked: CheckedPlaces, force_n: float) -> CheckedPlaces:
+    """Without the places that do not reach the force by themselves."""
+    from fem.presses.joint import press_to_force
+
+    good, refused = [], list(checked.refused)
+    for place in checked.good:
+        try:
+            press_to_force(chain.spec, response_of(chain), [[place.tip]], force_n)
+        except InputError as error:
+            refused.append({"press": str(place), "error": str(error)})
+        else:
+            good.append(place)
+    if not good:
+        raise InputError(refused[-1]["error"])
+    return CheckedPlaces(tuple(good), tuple(refused))
+
+
+def _with_patch(spec: ObjectSpec, patch: tuple[float, float] | None) -> ObjectSpec:
+    """The specification with a disk in place of the indenter, for checks of where it lands."""
+    if patch is None or not patch[0] > 0:
+        return spec
+    from design.spec.indenter import IndenterSpec
+
+    disk = IndenterSpec(kind="flat", radius_mm=patch[0])
+    return spec.model_copy(update={"indenter": disk})
+
+
+def _label(places: Sequence[Place], how: tuple[Any, ...], patch: object) -> str:
+    kind = "linear" if patch is None else "patch"
+    if len(places) == 1:
+        return f"press_{places[0].face}_{places[0].x_mm:g}_{places[0].y_mm:g}_{kind}"
+    return f"presses_{hashlib.sha256(repr((places, how)).encode()).hexdigest()[:8]}_{kind}"

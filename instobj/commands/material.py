@@ -1,0 +1,166 @@
+"""The modulus of a silicone from its name, a hardness or a tensile test, with the fits and a figure."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from design.catalogue.silicones import SILICONES, ModulusEstimate, modulus_from_shore
+from design.errors import InputError
+from design.files import atomic_path
+from design.spec.object import ObjectSpec
+from instobj.store.publish import file_rows, require_writable, run_folder
+
+if TYPE_CHECKING:
+    from design.catalogue.tensile import TensileFit
+    from estimator.signals.presses import Signals
+
+_COLOURS = ("#1b6ca8", "#c8553d", "#6a994e")
+
+
+@dataclass(frozen=True)
+class TravelSpread:
+    """Travel (mm) at which the median place reaches a force, at the modulus and at its ends.
+
+    None: not within the deepest simulated press.
+    """
+
+    force_n: float
+    nominal_mm: float | None
+    stiffest_mm: float | None
+    softest_mm: float | None
+
+
+def describe_material(source: str, out: Path) -> dict[str, Any]:
+    """Modulus and spread of a preset's name, a hardness, or a CSV of a tensile test.
+
+    A test also gives the fitted solids, and a figure in `runs/material_<stem>/`.
+
+    Raises
+    ------
+    InputError
+        None of the three, or data that cannot be fitted.
+    """
+    if source.lower().endswith(".csv"):
+        return _describe_test(Path(source), out)
+    named = {name.lower(): silicone for name, silicone in SILICONES.items()}
+    silicone = named.get(source.lower())
+    try:
+        modulus = silicone.modulus if silicone else modulus_from_shore(source)
+    except InputError:
+        raise InputError(
+            f"{source!r} is no silicone in the catalogue ({', '.join(SILICONES)}), no hardness such "
+            "as A10 or 00-30, and no CSV file. Give one of the three"
+        ) from None
+    return _document(source, {"modulus": _modulus_row(modulus)}, [])
+
+
+def travel_spread(spec: ObjectSpec, signals: Signals) -> TravelSpread | None:
+    """How far the tip travels to the protocol's middle peak force; None where no spread is known.
+
+    At a given travel small-strain forces are proportional to the modulus. Linear interpolation
+    between the simulated depths of the median place's force.
+    """
+    from design.layout.positions import grid_places_in_lattice
+
+    if spec.silicone.relative_spread is None:
+        return None
+    softest, stiffest = spec.silicone.relative_spread
+    wanted = sum(spec.protocol.peak_force_n) / 2
+    places = grid_places_in_lattice(spec)
+    force = np.append(0, np.median(signals.force_n[:, places], axis=(0, 1)))
+    depth = np.append(0, signals.depth_mm)
+
+    def travel(scale: float) -> float | None:
+        return (
+            float(np.interp(wanted / scale, force, depth)) if wanted <= scale * force[-1] else None
+        )
+
+    return TravelSpread(wanted, travel(1.0), travel(stiffest), travel(softest))
+
+
+def modulus_text(spec: ObjectSpec) -> str:
+    """The modulus with its interval and source, for a person."""
+    silicone = spec.silicone
+    spread = silicone.youngs_modulus_range_mpa
+    ends = f"{spread[0]:.3g} to {spread[1]:.3g}" if spread else "spread not known"
+    return f"{silicone.youngs_modulus_mpa:.3g} MPa ({ends}; {silicone.modulus_source})"
+
+
+def force_spread_text(spec: ObjectSpec) -> str:
+    """What the interval of the modulus does to the force at a given travel."""
+    spread = spec.silicone.relative_spread
+    if spread is None:
+        return "scales with the modulus, whose spread is not known"
+    return f"{spread[0]:.2f} to {spread[1]:.2f} times what is shown"
+
+
+def _describe_test(path: Path, out: Path) -> dict[str, Any]:
+    from design.catalogue.tensile import fit_tensile, read_tensile_test
+
+    fit = fit_tensile(read_tensile_test(path), path.name)
+    require_writable(out)
+    figure = run_folder(out, f"material_{path.stem}") / "fit.png"
+    draw_tensile_fit(fit, figure)
+    rows = [
+        {
+            "solid": solid.solid,
+            "constants": ",".join(f"{constant:.4g}" for constant in solid.constants),
+            "E MPa": solid.youngs_modulus_mpa,
+            "rms %": solid.residual_percent,
+            "stable": solid.stable,
+        }
+        for solid in fit.solids
+    ]
+    return _document(path.stem, {"modulus": _modulus_row(fit.modulus), "solids": rows}, [figure])
+
+
+def _modulus_row(modulus: ModulusEstimate) -> dict[str, Any]:
+    return {
+        "E MPa": modulus.youngs_modulus_mpa,
+        "from": modulus.low_mpa,
+        "to": modulus.high_mpa,
+        "source": modulus.source,
+    }
+
+
+def _document(name: str, summary: dict[str, Any], files: list[Path]) -> dict[str, Any]:
+    return {
+        "command": "material",
+        "objects": [{"name": name, "summary": summary, "files": file_rows(files)}],
+    }
+
+
+def draw_tensile_fit(fit: TensileFit, path: Path) -> None:
+    """Measured points and the fitted solids, and their misfit (PNG)."""
+    from matplotlib.figure import Figure
+
+    from design.catalogue.tensile import FIT_TO_STRETCH, nominal_stress_mpa
+
+    stretch, stress = fit.test.stretch, fit.test.nominal_stress_mpa
+    kept = stretch <= FIT_TO_STRETCH
+    fine = np.linspace(1, stretch[kept][-1], 200)
+    figure = Figure(figsize=(8.4, 3.6), layout="constrained")
+    axes, rest = figure.subplots(1, 2)
+    axes.plot(stretch[kept], 1e3 * stress[kept], "o", ms=4, color="#333333", label="measured")
+    for solid, colour in zip(fit.solids, _COLOURS, strict=True):
+        label = f"{solid.solid}, E {solid.youngs_modulus_mpa:.3g} MPa"
+        curve = nominal_stress_mpa(solid.solid, solid.constants, fine)
+        axes.plot(fine, 1e3 * curve, color=colour, label=label, ls="-" if solid.stable else ":")
+        misfit = nominal_stress_mpa(solid.solid, solid.constants, stretch[kept]) - stress[kept]
+        label = f"rms {solid.residual_percent:.1f} % of the largest stress"
+        rest.plot(stretch[kept], 1e3 * misfit, ".-", lw=0.8, color=colour, label=label)
+    axes.set(
+        xlabel="stretch", ylabel="nominal stress (kPa)", title="Tensile test and fitted solids"
+    )
+    rest.set(xlabel="stretch", ylabel="fit less measured (kPa)", title="Misfit")
+    for part in (axes, rest):
+        part.grid(alpha=0.3)
+        part.set_xlim(1)
+        part.legend(frameon=False, fontsize=8)
+    axes.set_ylim(0)
+    with atomic_path(path) as temporary:
+        figure.savefig(temporary, dpi=130)

@@ -1,0 +1,147 @@
+"""Places to press, as given on the command line: read, and checked one by one."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from design.errors import InputError
+from design.spec.object import ObjectSpec
+
+if TYPE_CHECKING:
+    from fem.presses.joint import Tip
+
+_EXAMPLE = "Example: --at 3:5,-4 or, with its own depth, --at 3:5,-4,1.5"
+
+
+@dataclass(frozen=True)
+class Place:
+    """A place on a face (mm in the face's frame) and the depth of its press."""
+
+    face: int
+    x_mm: float
+    y_mm: float
+    depth_mm: float
+
+    @property
+    def tip(self) -> Tip:
+        """The indenter there."""
+        from fem.presses.joint import Tip
+
+        return Tip(self.face, self.x_mm, self.y_mm)
+
+    def __str__(self) -> str:
+        return f"face {self.face} at ({self.x_mm:g}, {self.y_mm:g}) mm"
+
+
+@dataclass(frozen=True)
+class CheckedPlaces:
+    """Places that can be pressed, and what is wrong with the others."""
+
+    good: tuple[Place, ...]
+    refused: tuple[dict[str, Any], ...]
+
+
+def places_given(
+    face: int, xy_mm: tuple[float, float] | None, at: list[str], depth_mm: float
+) -> list[Place]:
+    """Places of `--xy` (with `--face`) and of every `--at FACE:X,Y[,DEPTH]`.
+
+    Raises
+    ------
+    InputError
+        None is given, or one cannot be read.
+    """
+    places = [] if xy_mm is None else [Place(face, *xy_mm, depth_mm)]
+    places += [_place_at(text, depth_mm) for text in at]
+    if not places:
+        raise InputError(f"no place to press. Give --face N --xy X Y, or --at. {_EXAMPLE}")
+    return places
+
+
+def jaw_given(text: str) -> list[Place]:
+    """Places of one jaw, `FACE:X,Y[;X,Y]`.
+
+    Raises
+    ------
+    InputError
+        It cannot be read.
+    """
+    face, colon, rest = text.partition(":")
+    if not colon:
+        raise InputError(f"--jaw {text!r} is not FACE:X,Y[;X,Y]. Example: --jaw '3:-7.5,0;7.5,0'")
+    places = [_place_at(f"{face}:{part}", 0.0) for part in rest.split(";")]
+    return places
+
+
+def check_places(spec: ObjectSpec, places: list[Place], to_depth: bool) -> CheckedPlaces:
+    """Tell places that can be pressed from those that cannot.
+
+    Raises
+    ------
+    InputError
+        Not one can be pressed.
+    """
+    good, refused = [], []
+    for place in places:
+        try:
+            _require_place(spec, place, to_depth)
+        except InputError as error:
+            refused.append({"press": str(place), "error": str(error)})
+        else:
+            good.append(place)
+    if not good:
+        raise InputError(refused[0]["error"])
+    return CheckedPlaces(tuple(good), tuple(refused))
+
+
+def _place_at(text: str, depth_mm: float) -> Place:
+    try:
+        face, _, rest = text.partition(":")
+        numbers = [float(part) for part in rest.split(",")]
+        x, y, depth = (*numbers, depth_mm)[:3] if len(numbers) in (2, 3) else (math.nan,) * 3
+        if not all(map(math.isfinite, (x, y, depth))):
+            raise ValueError
+        return Place(int(face), x, y, depth)
+    except ValueError:
+        raise InputError(f"{text!r} is no place FACE:X,Y in mm. {_EXAMPLE}") from None
+
+
+def _require_place(spec: ObjectSpec, place: Place, to_depth: bool) -> None:
+    from design.layout.positions import face_frames, press_lattice
+    from design.layout.tip_shapes import footprint_mm, path_mm, tip_shape
+
+    frames = {frame.number: frame for frame in face_frames(spec)}
+    if place.face not in frames:
+        raise InputError(f"face {place.face} is not sensed. Choose one of {sorted(frames)}")
+    deepest = min(tip_shape(spec.indenter).height_mm, spec.shell.thickness_mm)
+    if to_depth and not 0 < place.depth_mm < deepest:
+        raise InputError(
+            f"a press to {place.depth_mm:g} mm on {place}: the depth must be above 0 and below the "
+            f"indenter's height and the shell's thickness ({deepest:g} mm). Press less deep"
+        )
+    half = frames[place.face].half_extents_mm
+    at_the_end = path_mm(spec.indenter, [place.depth_mm])[0] if to_depth else (0.0, 0.0)
+    lattice, footprint = press_lattice(spec), footprint_mm(spec.indenter)
+    grid = (abs(lattice.x_mm).max(), abs(lattice.y_mm).max())
+    size = footprint[1] - footprint[0]
+    if size[0] > 2 * half[0] or size[1] > 2 * half[1]:
+        raise InputError(
+            f"the {spec.indenter.kind} covers {size[0]:.4g} × {size[1]:.4g} mm, more than face "
+            f"{place.face} ({2 * half[0]:g} × {2 * half[1]:g} mm). Use a smaller indenter"
+        )
+    for axis, (name, at) in enumerate((("x", place.x_mm), ("y", place.y_mm))):
+        ends = [at + side + way for side in footprint[:, axis] for way in (0, at_the_end[axis])]
+        if max(map(abs, ends)) > half[axis] + 1e-9:
+            raise InputError(
+                f"the {spec.indenter.kind} pressed on {place} reaches {name} = "
+                f"{max(ends, key=abs):.4g} mm, beyond the border of face {place.face} "
+                f"(±{half[axis]:g} mm): it misses the body. Move the press inwards or use a "
+                "smaller indenter"
+            )
+        if abs(at) > grid[axis] + 1e-9:
+            raise InputError(
+                f"{place} lies outside the contact grid (|{name}| up to {grid[axis]:g} mm, half a "
+                "pitch of margin included). Move the press inwards or enlarge contact_grid"
+            )

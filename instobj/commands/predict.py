@@ -1,0 +1,174 @@
+"""Exported estimators at work: on a file of readings, or frame by frame on a board's port."""
+
+from __future__ import annotations
+
+import csv
+import json
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import islice
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from design.errors import InputError
+from design.files import atomic_path
+from estimator.deploy.runtime import DeployedModel, LiveReader, load_deployed, predict_frames
+from estimator.deploy.zeroing import ZERO_FRAMES, ZeroMode
+from estimator.frames.dataset import load_frames
+from estimator.networks.prediction import Prediction
+from instobj.store.publish import file_rows, require_writable, run_folder
+
+COLUMNS: tuple[str, ...] = (
+    "time_s",
+    "contact",
+    "force_n",
+    "force_low_n",
+    "force_high_n",
+    "x_mm",
+    "y_mm",
+    "position_radius_mm",
+)
+_DIGITS = {"time_s": 3, "contact": 4}
+
+
+@dataclass(frozen=True)
+class Zeroing:
+    """How raw counts become changes against rest (`estimator.deploy.zeroing`); by default they follow
+    rest, except those of data sets."""
+
+    mode: ZeroMode | None = None
+    frames: int = ZERO_FRAMES
+
+    def reader(self, model: DeployedModel) -> LiveReader:
+        """A reader of raw counts."""
+        return LiveReader(model, self.mode or "rest", self.frames)
+
+
+_FOLLOW_REST = Zeroing()
+
+
+def predict_file(
+    model_path: Path, path: Path, out: Path, zeroing: Zeroing = _FOLLOW_REST
+) -> dict[str, Any]:
+    """Read every frame of a file; writes `runs/<file>/prediction_face_<n>.csv`.
+
+    Data sets of instobj are changes against rest already. Recordings of any other format are zeroed
+    like a board's readings, by default by following rest; frames before the first zero are left out.
+
+    Raises
+    ------
+    InputError
+        A bad model or file, channels that the model uses without readings, no zero in the whole
+        file, or a data set to be zeroed again.
+    """
+    model = load_deployed(model_path)
+    require_writable(out)
+    if _is_data_set(path):
+        if zeroing.mode not in (None, "none"):
+            raise InputError(
+                f"{path} is a data set, zeroed press by press; got --zero {zeroing.mode}. Leave "
+                "--zero out"
+            )
+        frames = load_frames(path)
+        rows = _rows(frames.time_s, predict_frames(model, frames))
+    else:
+        rows = list(_read_recording(model, path, zeroing))
+    target = run_folder(out, path.stem) / f"prediction_face_{model.face}.csv"
+    with atomic_path(target) as temporary, temporary.open("w", newline="") as file:
+        writer = csv.DictWriter(file, list(COLUMNS), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+    forces = [row["force_n"] for row in rows]
+    summary = {
+        "face": model.face,
+        "frames": len(rows),
+        "frames with contact": sum(row["contact"] > 0.5 for row in rows),
+        "largest force N": max(forces, default=0.0),
+        "interval cover": model.interval_cover,
+    }
+    return {
+        "command": "predict",
+        "tables": {f"{path.name}, {model_path.name}": [summary]},
+        "files": file_rows([target]),
+    }
+
+
+def predict_port(model_path: Path, port: str, zeroing: Zeroing, count: int | None) -> Iterator[str]:
+    """One JSON document a frame from a board, `count` of them or without end.
+
+    Raises
+    ------
+    InputError
+        A bad model or port, or a channel that the model uses without readings.
+    """
+    from estimator.boards.link import board_readings
+
+    reader = zeroing.reader(load_deployed(model_path))
+    return islice(_live(reader, board_readings(port)), count)
+
+
+def _live(reader: LiveReader, readings: Iterator[Any]) -> Iterator[str]:
+    for reading in readings:
+        found = reader.feed(reading.counts, reading.time_s)
+        if found is not None:
+            yield json.dumps(_rows(np.array([reading.time_s]), found)[0])
+
+
+def _is_data_set(path: Path) -> bool:
+    import h5py
+
+    if path.suffix != ".nc" or not path.is_file() or not h5py.is_hdf5(path):
+        return False
+    with h5py.File(path) as file:
+        return "press_id" in file
+
+
+def _read_recording(
+    model: DeployedModel, path: Path, zeroing: Zeroing
+) -> Iterator[dict[str, float]]:
+    from estimator.recordings.files import read_table
+
+    table = read_table(path)
+    reader, read = zeroing.reader(model), 0
+    time_s = table.time_s if len(table.time_s) else np.full(len(table.counts), np.nan)
+    for now_s, counts in zip(time_s.tolist(), table.counts, strict=True):
+        found = reader.feed(counts, now_s)
+        if found is not None:
+            read += 1
+            yield _rows(np.array([now_s]), found)[0]
+    if not read:
+        raise InputError(
+            f"{path} holds {len(table.counts)} frames, none of them after {zeroing.frames} that give "
+            "a zero. Give a longer recording, a smaller --zero-frames or, for signals that are "
+            "changes already, --zero none"
+        )
+
+
+def _rows(time_s: np.ndarray, found: Prediction) -> list[dict[str, float]]:
+    columns = {
+        "time_s": time_s,
+        "contact": found.contact,
+        "force_n": found.force_n,
+        "force_low_n": np.maximum(found.force_n - found.force_halfwidth_n, 0.0),
+        "force_high_n": found.force_n + found.force_halfwidth_n,
+        "x_mm": found.xy_mm[:, 0],
+        "y_mm": found.xy_mm[:, 1],
+        "position_radius_mm": found.position_radius_mm,
+    }
+    rounded = [np.round(columns[name], _DIGITS.get(name, 3)).tolist() for name in COLUMNS]
+    return [dict(zip(COLUMNS, values, strict=True)) for values in zip(*rounded, strict=True)]
+
+
+def export_models(models: list[Path], out: Path) -> dict[str, Any]:
+    """Write an ONNX file for each trained estimator, in `out` or beside it."""
+    from estimator.deploy.export import export_onnx
+    from estimator.networks.face_model import load_model
+
+    written = []
+    for path in models:
+        target = (path.parent if out == Path() else out) / f"{path.stem}.onnx"
+        export_onnx(load_model(path), target)
+        written.append(target)
+    return {"command": "export", "files": file_rows(written)}

@@ -1,0 +1,170 @@
+"""What the commands do, as functions that return one JSON-able document."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any
+
+from design.errors import InputError
+from design.files import atomic_path
+from design.spec.object import ObjectSpec
+from design.spec_io import load_spec, spec_hash
+from instobj.stages.chain import Chain
+from instobj.store.publish import file_rows, publish, require_writable, stage_row
+
+_TEMPLATE = Path(__file__).parents[1] / "templates" / "cube.toml"
+
+
+def new_specification(name: str, out: Path) -> Path:
+    """Write `NAME.toml`, the paper's cube with every field commented.
+
+    Raises
+    ------
+    InputError
+        The name cannot be a folder's name, or the file is already there.
+    """
+    target = out / f"{name}.toml"
+    if not re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9_.-]{0,79}", name):
+        raise InputError(
+            f"{name!r} cannot name an object: start with a letter or digit, then letters, digits, "
+            "'_', '.', '-' (80 at most)"
+        )
+    if target.exists():
+        raise InputError(f"{target} is already there. Choose another name, or move it away")
+    text = _TEMPLATE.read_text(encoding="utf-8").replace('name = "NAME"', f'name = "{name}"')
+    with atomic_path(target) as temporary:
+        temporary.write_text(text, encoding="utf-8")
+    return target
+
+
+def check_specifications(specs: list[Path], overrides: list[str]) -> dict[str, Any]:
+    """Validate each specification, and that no sensor saturates or sits in a magnet at rest."""
+    from design.layout.positions import magnet_layout, sensor_layout
+    from estimator.field.sources import magnet_source
+    from estimator.signals.hall import check_rest, check_sensors_outside_magnets
+    from estimator.signals.presses import rest_counts
+    from instobj.commands.material import force_spread_text, modulus_text
+    from instobj.report.surroundings import surroundings_row
+
+    rows = []
+    for path in specs:
+        spec = load_spec(path, overrides)
+        sensors, magnets = sensor_layout(spec), magnet_layout(spec)
+        check_sensors_outside_magnets(sensors, magnets, magnet_source(spec.magnets))
+        counts = rest_counts(spec)
+        check_rest(counts, sensors, spec.sensors)
+        largest_mt = float(abs(counts).max()) / spec.sensors.counts_per_mt
+        rows.append(
+            {
+                "spec": str(path),
+                "name": spec.name,
+                "spec_hash": spec_hash(spec),
+                "magnets": len(magnets.face),
+                "sensors": len(sensors.face),
+                "largest_field_at_rest_mt": round(largest_mt, 3),
+                "range_mt": spec.sensors.range_mt,
+                "youngs_modulus_mpa": spec.silicone.youngs_modulus_mpa,
+                "youngs_modulus_range_mpa": spec.silicone.youngs_modulus_range_mpa,
+                "modulus": modulus_text(spec),
+                "force_at_a_travel": force_spread_text(spec),
+                "surroundings": surroundings_row(spec),
+            }
+        )
+    return {"command": "check", "specifications": rows}
+
+
+def run_chain(
+    specs: list[Path], stages: tuple[str, ...], out: Path, overrides: list[str]
+) -> dict[str, Any]:
+    """Bring each specification to the given stages and publish what users read."""
+    loaded = [load_spec(path, overrides) for path in specs]
+    _require_distinct_names(loaded, specs)
+    require_writable(out)
+    result: dict[str, Any] = {
+        "command": "chain",
+        "objects": [_run_one(spec, stages, out) for spec in loaded],
+    }
+    if "scores" in stages and len(loaded) > 1:
+        from instobj.commands.compare import compare_scores
+
+        result["comparison"] = compare_scores(loaded, out)
+    return result
+
+
+def simulate_recordings(specs: list[Path], out: Path, overrides: list[str]) -> dict[str, Any]:
+    """Recordings as `[collection]` asks for them, with tangential forces where it does."""
+    loaded = [load_spec(path, overrides) for path in specs]
+    _require_distinct_names(loaded, specs)
+    require_writable(out)
+    objects = []
+    for spec in loaded:
+        pulled = spec.collection.tangential_share > 0
+        objects.append(_run_one(spec, ("pulled_collection" if pulled else "collection",), out))
+    return {"command": "frames", "objects": objects}
+
+
+def _run_one(spec: ObjectSpec, stages: tuple[str, ...], out: Path) -> dict[str, Any]:
+    from instobj.report.summary import summarize
+
+    chain = Chain(spec)
+    files: list[Path] = []
+    for name in stages:
+        known = set(chain.results)
+        chain.require(name)
+        for stage in [name, *(s for s in chain.results if s not in known and s != name)]:
+            files += publish(spec, chain.results[stage], out)
+    return {
+        "name": spec.name,
+        "spec_hash": spec_hash(spec),
+        "stages": [stage_row(result) for result in chain.results.values()],
+        "summary": summarize(chain.results, spec),
+        "files": file_rows(files),
+    }
+
+
+def run_estimator(
+    sources: list[Path],
+    stages: tuple[str, ...],
+    out: Path,
+    overrides: list[str],
+    start: Path | None = None,
+    twin: Path | None = None,
+) -> dict[str, Any]:
+    """Train or evaluate on specifications (simulated presses) and on data sets (.nc) alike.
+
+    On data sets training goes on from the estimators in the folder `start`, if given, and gets
+    presses of the calibrated twin of the specification `twin`, if given.
+    """
+    from instobj.stages.learning import run_on_data_set
+
+    require_writable(out)
+    objects = []
+    for path in sources:
+        if path.suffix == ".csv":
+            raise InputError(
+                f"{path} is a recording, not a data set. Run `instobj recordings {path}` first and "
+                "give the frames.nc that it writes"
+            )
+        if path.suffix == ".nc":
+            objects.append(run_on_data_set(path, stages, out, overrides, start, twin))
+        elif start is not None or twin is not None:
+            raise InputError(
+                f"{'--twin' if start is None else '--start'} is for data sets (.nc); got the "
+                f"specification {path}. Leave it out, or give the data set of the object that the "
+                "estimators shall be tuned to"
+            )
+        else:
+            objects.append(_run_one(load_spec(path, overrides), stages, out))
+    return {"command": "estimator", "objects": objects}
+
+
+def _require_distinct_names(loaded: list[ObjectSpec], paths: list[Path]) -> None:
+    seen: dict[str, Path] = {}
+    for spec, path in zip(loaded, paths, strict=True):
+        if spec.name in seen:
+            raise InputError(
+                f"{seen[spec.name]} and {path} are both named {spec.name!r}, and would write to the "
+                "same folders. Rename one"
+            )
+        seen[spec.name] = path

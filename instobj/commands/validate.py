@@ -1,0 +1,288 @@
+"""`instobj selftest` and `instobj validate`: a specification against its built object."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import asdict
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from design.errors import InputError
+from design.spec.object import ObjectSpec
+from design.spec_io import load_spec, spec_hash
+from instobj.stages.chain import Chain
+from instobj.store.progress import ProgressLine
+from instobj.store.publish import file_rows, require_writable, run_folder, stage_row
+from instobj.store.stage import write_json
+
+if TYPE_CHECKING:
+    from estimator.calibration.pose_fit import CalibrationTest, Problem
+    from estimator.calibration.recorded_presses import RecordedPresses
+    from estimator.calibration.validation import Agreement, Predictions
+    from estimator.tolerances.selftest import SelfTest
+
+
+_WORTHWHILE_GAIN = 0.05
+
+
+def self_test_of(path: Path, resting: Path, overrides: list[str]) -> dict[str, Any]:
+    """The likeliest faults behind resting signals, and what to write into `as_built`."""
+    from estimator.calibration.resting import read_resting
+    from estimator.tolerances.selftest import rest_model, self_test
+
+    spec = load_spec(path, overrides)
+    found = read_resting(resting, spec)
+    progress = ProgressLine()
+    with progress.stage("self-test"):
+        progress.step("resting signals of objects within tolerance")
+        model = rest_model(spec, spec.sensors.drift_counts)
+        progress.step("hypotheses")
+        result = self_test(spec, model, found.counts)
+    hypotheses = [
+        {"hypothesis": h.name, "log odds": h.log_odds, "fit": h.fit} for h in result.hypotheses
+    ]
+    return {
+        "command": "selftest",
+        "spec_hash": spec_hash(spec),
+        "frames": found.frames,
+        "silent": found.silent,
+        "hypotheses": hypotheses,
+        "believed": result.believed,
+        "false_alarm_rate": result.false_alarm_rate,
+        "healthy_objects": result.healthy_objects,
+        "texts": [*_silent_texts(found.silent), *_self_test_texts(result)],
+        "passed": result.believed and not result.best.faults and not found.silent,
+    }
+
+
+def _silent_texts(silent: dict[str, str]) -> list[str]:
+    return [f"{name} says nothing: {why}" for name, why in silent.items()]
+
+
+def _self_test_texts(result: SelfTest) -> list[str]:
+    best, others = result.best, result.hypotheses[1:4]
+    lines = [
+        f"likeliest: {best.name} (log odds against 'as specified' {best.log_odds:.1f}; an object within "
+        f"tolerance lies as far off with probability {best.fit:.2g})",
+        *(f"  then: {h.name} ({h.log_odds:.1f})" for h in others),
+        f"false alarms: {100 * result.false_alarm_rate:.1f} % of {result.healthy_objects} simulated "
+        "objects within tolerance",
+    ]
+    if not result.believed:
+        lines.append(
+            "NOT BELIEVED: no fault that is looked for brings the resting signals within the "
+            "tolerances. Measure the assembly (as_built), or widen the specification's tolerances to "
+            "what is true"
+        )
+    return lines
+
+
+def validate_on(
+    path: Path, recordings: list[Path], exchanges: int, out: Path, overrides: list[str]
+) -> dict[str, Any]:
+    """Predicted against recorded presses, each figure beside its permutation null.
+
+    Results go to `runs/<name>/validation.{json,png}`.
+    """
+    from estimator.calibration.recorded_presses import recorded_presses
+    from estimator.recordings.reading import read_recording
+
+    spec = load_spec(path, overrides)
+    if spec.sensors.count_per_face != 3:
+        raise InputError(
+            f"recordings hold 3 sensors a face; {spec.name} has {spec.sensors.count_per_face}. "
+            "Validate the specification of the recorded object"
+        )
+    require_writable(out)
+    chain = Chain(spec)
+    with chain.progress.stage("reading recordings"):
+        presses = recorded_presses([read_recording(file) for file in recordings])
+    problem, agreements, predictions = _compare(chain, presses)
+    tests = _calibrations(problem, exchanges, chain.progress)
+    document = _document(problem, agreements, predictions, tests)
+    target = run_folder(out, spec.name)
+    target.mkdir(parents=True, exist_ok=True)
+    write_json(document, target / "validation.json")
+    return _published(spec, chain, presses, predictions, document, target)
+
+
+def _compare(
+    chain: Chain, presses: RecordedPresses
+) -> tuple[Problem, list[Agreement], Predictions]:
+    from estimator.calibration.pose_fit import LARGEST_SHIFT_MM, Problem
+    from estimator.calibration.recorded_presses import predicted_motions
+    from estimator.calibration.validation import agreement, predict
+    from estimator.field.models import field_model
+    from estimator.field.sources import magnet_source
+    from estimator.signals.field_setup import min_distance_mm
+    from estimator.signals.press_states import rest_motion
+    from estimator.tolerances.assembly import designed
+    from fem.presses.results import load_presses
+
+    spec = chain.spec
+    forces, motions = load_presses(chain.require("presses").folder / "presses.nc")
+    design, rest = designed(spec), rest_motion(motions)
+    nearest = min_distance_mm(design.scene, motions.motion.reshape(-1, *rest.shape))
+    model = field_model(magnet_source(spec.magnets), nearest - LARGEST_SHIFT_MM)
+    moving = predicted_motions(spec, forces, motions, presses)
+    predictions = predict(spec, design, moving, rest, model)
+    faces = [face for face in range(1, 6) if presses.face_of_case(face).any()]
+    agreements = [agreement(spec, presses, predictions, face, spec.seed) for face in (*faces, None)]
+    return Problem(spec, design, presses, moving, rest, model), agreements, predictions
+
+
+def _calibrations(
+    problem: Problem, exchanges: int, progress: ProgressLine
+) -> list[CalibrationTest]:
+    from estimator.calibration.pose_fit import calibration_test, folds_by_case, folds_by_press
+
+    presses = problem.presses
+    if len(presses.cases) < 3:
+        return []
+    rng = np.random.default_rng((problem.spec.seed, 9))
+    order = exchanged_cases(presses, exchanges, rng)
+    named = {
+        "other places": folds_by_case(presses),
+        "other presses of the same places": folds_by_press(presses),
+    }
+    with progress.stage("calibration of pose, remanence and modulus"):
+        return [
+            calibration_test(problem, name, folds, order, progress.step)
+            for name, folds in named.items()
+        ]
+
+
+def exchanged_cases(presses: RecordedPresses, count: int, rng: np.random.Generator) -> np.ndarray:
+    """Random exchanges of the cases that press the same faces, (exchange, case)."""
+    faces = [tuple(sorted({contact[0] for contact in case})) for case in presses.cases]
+    orders = np.tile(np.arange(len(faces)), (count, 1))
+    for group in set(faces):
+        same = np.array([index for index, own in enumerate(faces) if own == group])
+        for row in orders:
+            row[same] = rng.permutation(same)
+    return orders
+
+
+def _document(
+    problem: Problem,
+    agreements: list[Agreement],
+    predictions: Predictions,
+    tests: list[CalibrationTest],
+) -> dict[str, Any]:
+    from estimator.calibration.pose_fit import fit
+    from estimator.calibration.resting import channel_names
+    from estimator.calibration.validation import channel_rows, verdict
+
+    presses, spec = problem.presses, problem.spec
+    calibrated = fit(problem, np.arange(len(presses)), presses.case)
+    return {
+        "object": spec.name,
+        "spec_hash": spec_hash(spec),
+        "presses": len(presses),
+        "cases": [[list(contact) for contact in case] for case in presses.cases],
+        "youngs_modulus_mpa": spec.silicone.youngs_modulus_mpa,
+        "share_beyond_deepest_press": _share_beyond(problem),
+        "agreement": [asdict(found) for found in agreements],
+        "verdicts": [verdict(spec, found) for found in agreements],
+        "calibration": asdict(calibrated),
+        "calibration_tests": [asdict(test) for test in tests],
+        "channels": channel_rows(presses, predictions, channel_names(spec)),
+    }
+
+
+def _share_beyond(problem: Problem) -> float:
+    """Share of presses whose force exceeds the deepest simulated press at the specification's E."""
+    from estimator.calibration.recorded_presses import MODULUS_RATIOS
+
+    rows = np.arange(len(problem.presses))
+    beyond = problem.moving.beyond[rows, problem.presses.case]
+    return float(beyond[:, np.argmin(abs(np.log(MODULUS_RATIOS)))].mean())
+
+
+def _published(
+    spec: ObjectSpec,
+    chain: Chain,
+    presses: RecordedPresses,
+    predictions: Predictions,
+    document: dict[str, Any],
+    target: Path,
+) -> dict[str, Any]:
+    from instobj.figures.validation import draw_validation
+
+    figure = target / "validation.png"
+    draw_validation(spec, presses, predictions, document, figure)
+    return {
+        "command": "validate",
+        "texts": document["verdicts"]
+        + [calibration_text(t) for t in document["calibration_tests"]],
+        "validation": json.loads(json.dumps(document)),
+        "objects": [
+            {
+                "name": spec.name,
+                "spec_hash": spec_hash(spec),
+                "stages": [stage_row(stage) for stage in chain.results.values()],
+                "summary": {
+                    "predicted against recorded (null: places exchanged)": agreement_rows(document),
+                    "calibrated on some presses, judged on others": calibration_rows(document),
+                },
+                "files": file_rows([target / "validation.json", figure]),
+            }
+        ],
+    }
+
+
+def agreement_rows(document: dict[str, Any]) -> list[dict[str, Any]]:
+    """One row a figure of merit and set of channels: value, null, p."""
+    rows = []
+    for found in document["agreement"]:
+        for title, key in (
+            ("cosine", "cosine"),
+            ("signs right", "signs"),
+            ("scatter of size ×/÷", "size_spread"),
+            ("scatter of modulus ×/÷", "modulus_spread"),
+        ):
+            rows.append({"channels": found["what"], "figure": title, **found[key]})
+        for title, key in (
+            ("recorded / predicted size", "size_ratio"),
+            ("effective modulus MPa", "modulus_mpa"),
+        ):
+            rows.append(
+                {
+                    "channels": found["what"],
+                    "figure": title,
+                    "value": found[key],
+                    "null": None,
+                    "p": None,
+                }
+            )
+    return rows
+
+
+def calibration_rows(document: dict[str, Any]) -> list[dict[str, Any]]:
+    """One row a kind of unseen presses and figure: before, after, null, p."""
+    rows = []
+    for test in document["calibration_tests"]:
+        for title, key, p in (
+            ("cosine, own faces", "own_cosine", test["p_own_cosine"]),
+            ("cosine, all channels", "all_cosine", None),
+            ("share of the change left", "left", test["p_left"]),
+        ):
+            values = {when: test[when][key] for when in ("before", "after", "null")}
+            rows.append({"unseen": test["unseen"], "figure": title, **values, "p": p})
+    return rows
+
+
+def calibration_text(test: dict[str, Any]) -> str:
+    """In words: what calibration is worth on presses that it has not seen."""
+    from estimator.calibration.validation import SIGNIFICANCE
+
+    before, after, null = (test[key]["own_cosine"] for key in ("before", "after", "null"))
+    helps = after - before >= _WORTHWHILE_GAIN and test["p_own_cosine"] <= SIGNIFICANCE
+    worth = "helps" if helps else "is worth little"
+    return (
+        f"calibration judged on {test['unseen']}: own-face cosine {before:.2f} → {after:.2f} (null of the "
+        f"same fit {null:.2f}, p {test['p_own_cosine']:.2g}), share of the change left "
+        f"{test['before']['left']:.2f} → {test['after']['left']:.2f}: it {worth} there"
+    )

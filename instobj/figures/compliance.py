@@ -1,0 +1,54 @@
+"""Maps of compliance: all faces on one scale, with magnets and without them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+
+from design.layout.positions import grid_places_in_lattice
+from design.spec.object import ObjectSpec
+from fem.presses.compliance_map import ComplianceMap
+from instobj.figures.heatmaps import GAIN_COLOURS, draw_overview, finite_limits
+
+WITH_MAGNETS = "compliance.png"
+WITHOUT_MAGNETS = "compliance_without_magnets.png"
+
+
+def draw_compliance(
+    spec: ObjectSpec,
+    with_magnets: ComplianceMap,
+    folder: Path,
+    without_magnets: ComplianceMap | None = None,
+) -> None:
+    """Write `compliance.png`, and `compliance_without_magnets.png` on the same scale."""
+    maps = {WITH_MAGNETS: with_magnets}
+    if without_magnets is not None:
+        maps[WITHOUT_MAGNETS] = without_magnets
+    shown = {name: one.mm_per_n[:, grid_places_in_lattice(spec)] for name, one in maps.items()}
+    low, high = finite_limits(np.stack(list(shown.values())))
+    for name, values in shown.items():
+        rigid = spec.mechanics.magnets == "rigid"
+        what = "magnets rigid" if rigid else "magnets as ideal points"
+        title = f"How soft it is {with_magnets.depth_mm:g} mm deep: travel per newton"
+        if name == WITHOUT_MAGNETS:
+            what, title = "magnets left out (drawn where they would be)", f"{title}, no magnets"
+        softest, stiffest = np.nanmax(values), np.nanmin(values)
+        both = " One scale with and without magnets." if without_magnets is not None else ""
+        draw_overview(
+            values,
+            with_magnets.faces,
+            spec,
+            title,
+            "mm/N",
+            low,
+            high,
+            folder / name,
+            log=False,
+            colours=GAIN_COLOURS,
+            note=(
+                f"Depth over force of the {spec.indenter.kind} pressed {with_magnets.depth_mm:g} mm, "
+                f"{what}. Softest {softest:.2f}, stiffest {stiffest:.2f} mm/N; E = "
+                f"{spec.silicone.youngs_modulus_mpa:g} MPa, small strain.{both}"
+            ),
+        )

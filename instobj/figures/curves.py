@@ -1,0 +1,84 @@
+"""Curves of the report: force against travel, and signal against force, at telling places."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from design.files import atomic_path
+from design.layout.positions import contact_grid
+from design.spec.object import ObjectSpec
+from estimator.information.scores import area_places
+
+if TYPE_CHECKING:
+    from estimator.signals.presses import Signals
+
+_AREA_COLOURS = {
+    "centre": "#1b6ca8",
+    "edge": "#b08900",
+    "mid_edge": "#c8553d",
+    "corner": "#6a994e",
+}
+
+
+def draw_press_curves(spec: ObjectSpec, signals: Signals, path: Path) -> None:
+    """Median over faces and places of an area, the band from least to most (PNG)."""
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(9, 3.6), layout="constrained")
+    force_axes, signal_axes = figure.subplots(1, 2)
+    places = _grid_places(spec)
+    force = signals.force_n[:, places]
+    size = _whitened_size(spec, signals)[:, places]
+    for area, colour in _AREA_COLOURS.items():
+        inside = area_places(contact_grid(spec), area)  # type: ignore[arg-type]
+        label = area.replace("_", "-")
+        _band(force_axes, signals.depth_mm, force[:, inside], colour, label)
+        mean_force = np.median(force[:, inside], axis=(0, 1))
+        _band(signal_axes, mean_force, size[:, inside], colour, label)
+    force_axes.set(xlabel="travel (mm)", ylabel="force (N)", title="Force and travel")
+    signal_axes.set(
+        xlabel="force (N, median of the area)",
+        ylabel="signal change (σ of a fresh zero)",
+        title="Signal of the face's own sensors",
+    )
+    for axes in (force_axes, signal_axes):
+        axes.grid(alpha=0.3)
+        axes.set_xlim(0)
+        axes.set_ylim(0)
+        axes.legend(frameon=False)
+    _save(figure, path)
+
+
+def _band(axes: Any, x: np.ndarray, values: np.ndarray, colour: str, label: str) -> None:
+    flat = values.reshape(-1, values.shape[-1])
+    x = np.append(0, x)
+    low, middle, high = (np.append(0, q) for q in np.quantile(flat, (0, 0.5, 1), axis=0))
+    axes.plot(x, middle, color=colour, label=label)
+    axes.fill_between(x, low, high, color=colour, alpha=0.18, lw=0)
+
+
+def _whitened_size(spec: ObjectSpec, signals: Signals) -> np.ndarray:
+    """Length of each face's own signal change in units of a fresh zero's sigma."""
+    from design.layout.positions import sensor_layout
+
+    sigma = np.hypot(np.asarray(spec.sensors.noise_counts), spec.sensors.zeroing_counts)
+    owner = sensor_layout(spec).face
+    sizes = []
+    for index, face in enumerate(signals.faces):
+        own = signals.delta_counts[index][:, :, owner == face] / sigma
+        sizes.append(np.sqrt((own**2).sum(axis=(-2, -1))))
+    return np.stack(sizes)
+
+
+def _grid_places(spec: ObjectSpec) -> np.ndarray:
+    from design.layout.positions import grid_places_in_lattice
+
+    return grid_places_in_lattice(spec)
+
+
+def _save(figure: Any, path: Path) -> None:
+    with atomic_path(path) as temporary:
+        figure.savefig(temporary, dpi=130)

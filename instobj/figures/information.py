@@ -1,0 +1,123 @@
+"""Figures of identifiability: bounds against the number of sensors, and the blindest contact sets."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from design.files import atomic_path
+from design.layout.pockets import sensor_places
+from design.layout.positions import contact_grid, face_frame
+from design.spec.object import ObjectSpec
+from estimator.information.identifiability import Identifiability
+
+_COLOURS = {1: "#1b6ca8", 2: "#c8553d", 3: "#6a994e"}
+_PANELS = {
+    "own": "reading the pressed face's own sensors",
+    "all": "reading the sensors of all faces",
+}
+_ARROW_PER_MM = 9.0
+
+
+def draw_identifiability(
+    spec: ObjectSpec, rows: Sequence[Identifiability], path: Path | str
+) -> None:
+    """Position bound of the worst contact of a set against sensors a face (PNG).
+
+    Lines are medians over the sets, bands run from 10 to 90 %; crosses at the top stand where the
+    median set is blind.
+    """
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(11, 4.8), layout="constrained")
+    panels = figure.subplots(1, 2, sharey=True)
+    finite = [r.bound_90_mm for r in rows if np.isfinite(r.bound_90_mm)]
+    low, high = min(r.bound_10_mm for r in rows) / 1.5, 3 * max(finite)
+    for axes, (channels, title) in zip(panels, _PANELS.items(), strict=True):
+        for contacts in sorted({r.contacts for r in rows}):
+            some = [r for r in rows if (r.channels, r.contacts) == (channels, contacts)]
+            _draw_line(axes, some, high)
+        limit = spec.limits.position_bound_mm
+        axes.axhline(limit, color="0.35", ls="--", lw=1)
+        axes.text(0.99, limit * 1.06, f"limit {limit:g} mm", ha="right", fontsize=9, color="0.35",
+                  transform=axes.get_yaxis_transform())  # fmt: skip
+        axes.set(yscale="log", ylim=(low, high), xlabel="Hall sensors a face", title=title)
+        axes.set_xticks(sorted({r.sensors for r in rows}))
+        axes.yaxis.set_major_formatter(lambda value, _: f"{value:g}")
+        axes.grid(alpha=0.3)
+    panels[0].set_ylabel("position bound of the worst contact (mm)")
+    panels[0].legend(frameon=False, loc="lower left")
+    figure.suptitle(
+        f"How well k contacts of {spec.score.force_n:g} N each on one face can be located at once"
+    )
+    _save(figure, path)
+
+
+def _draw_line(axes: Any, rows: Sequence[Identifiability], top_mm: float) -> None:
+    contacts = rows[0].contacts
+    colour = _COLOURS.get(contacts, "#555555")
+    sensors = np.array([r.sensors for r in rows])
+    low, middle, high = (
+        np.array([getattr(r, f"bound_{name}_mm") for r in rows]) for name in ("10", "median", "90")
+    )
+    seen = np.isfinite(middle)
+    label = f"{contacts} contact{'s' if contacts > 1 else ''} ({3 * contacts} unknowns)"
+    axes.plot(sensors[seen], middle[seen], color=colour, marker="o", label=label)
+    upper = np.where(np.isfinite(high), high, top_mm)
+    axes.fill_between(sensors[seen], low[seen], upper[seen], color=colour, alpha=0.15, lw=0)
+    offset = 0.06 * (contacts - 2)
+    blind = sensors[~seen] + offset
+    axes.plot(blind, np.full(len(blind), top_mm / 1.25), color=colour, marker="x", ls="", mew=2)
+    if len(blind) and contacts == max(_COLOURS):
+        axes.text(blind.max() + 0.12, top_mm / 1.25, "blind", va="center", fontsize=9, color="0.35")
+
+
+def draw_blindest(spec: ObjectSpec, rows: Sequence[Identifiability], path: Path | str) -> None:
+    """The contact sets that are told worst from own channels, and which change goes unseen (PNG)."""
+    from matplotlib.figure import Figure
+
+    count = spec.sensors.count_per_face
+    some = [r for r in rows if r.channels == "own" and r.sensors == count]
+    figure = Figure(figsize=(4.2 * len(some), 5.2), layout="constrained")
+    panels = np.atleast_1d(np.asarray(figure.subplots(1, len(some)), dtype=object))
+    for axes, row in zip(panels, some, strict=True):
+        _draw_set(axes, spec, row)
+    figure.suptitle(
+        "Blindest sets of contacts: shifts (arrows, nine times larger) and forces whose change together "
+        "is seen least"
+    )
+    _save(figure, path)
+
+
+def _draw_set(axes: Any, spec: ObjectSpec, row: Identifiability) -> None:
+    from matplotlib.patches import Circle, Rectangle
+
+    worst = row.worst
+    half_x, half_y = face_frame(spec, worst.face).half_extents_mm
+    axes.add_patch(Rectangle((-half_x, -half_y), 2 * half_x, 2 * half_y, fc="#f7f4ec", ec="0.5"))
+    for x, y in spec.magnets.positions_mm:
+        axes.add_patch(Circle((x, y), spec.magnets.diameter_mm / 2, fill=False, ec="#1f77d0"))
+    for x, y, _ in sensor_places(spec)[spec.body.sensed.index(worst.face)]:
+        axes.plot(x, y, marker="s", color="#0a8f5a", mfc="none", ms=7, ls="")
+    grid = contact_grid(spec).xy_mm
+    axes.plot(*grid.T, ls="", marker=".", ms=2, color="0.7")
+    for xy, change in zip(worst.xy_mm, worst.direction, strict=True):
+        axes.plot(*xy, marker="o", color="#c8553d", ms=9)
+        tip = xy + _ARROW_PER_MM * change[:2]
+        axes.annotate("", tip, xy, arrowprops={"arrowstyle": "-|>", "color": "#1a1a1a", "lw": 1.8})
+        axes.annotate(f"{change[2]:+.2f} N", xy, (0, -13), textcoords="offset points", ha="center",
+                      va="top", fontsize=9)  # fmt: skip
+    told = f"condition {worst.condition:.3g}"
+    if not np.isfinite(worst.condition):
+        told = f"rank {row.rank_least} of {row.unknowns}"
+    axes.set(aspect="equal", xlabel=f"x of face {worst.face} (mm)", ylabel="y (mm)")
+    axes.set_title(f"{row.contacts} contact{'s' if row.contacts > 1 else ''}: {told}")
+    axes.autoscale_view()
+
+
+def _save(figure: Any, path: Path | str) -> None:
+    with atomic_path(path) as temporary:
+        figure.savefig(temporary, dpi=130)

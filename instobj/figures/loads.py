@@ -1,0 +1,87 @@
+"""Figure of loads: force against travel of every press, and what every sensor sees."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from design.files import atomic_path
+from design.layout.positions import sensor_layout
+from design.spec.object import ObjectSpec
+
+if TYPE_CHECKING:
+    from instobj.commands.loads import Pressed
+
+_COLOURS = ("#1b6ca8", "#c8553d", "#6a994e", "#8d6cab", "#b08900", "#3d8f8f")
+_AXES = (("ΔX", "#1b6ca8"), ("ΔY", "#c8553d"), ("ΔZ", "#6a994e"))
+
+
+def draw_loads(spec: ObjectSpec, pressed: Pressed, change: np.ndarray, path: Path) -> None:
+    """Write the figure (PNG); `change` (sensor, 3) in counts."""
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(10, 3.8), layout="constrained")
+    travel_axes, signal_axes = figure.subplots(1, 2, width_ratios=(1, 1.5))
+    if pressed.curve:
+        _draw_travel(travel_axes, pressed)
+    else:
+        _draw_sinks(travel_axes, pressed)
+    _draw_signals(signal_axes, spec, change)
+    with atomic_path(path) as temporary:
+        figure.savefig(temporary, dpi=130)
+
+
+def _draw_travel(axes: Any, pressed: Pressed) -> None:
+    """Every press of the joint load; dashed, the same press alone."""
+    final = pressed.curve[-1]
+    for index, tip in enumerate(final.tips):
+        colour = _COLOURS[index % len(_COLOURS)]
+        travel = [0.0, *(press.depth_mm[index] for press in pressed.curve)]
+        force = [0.0, *(press.force_n[index] for press in pressed.curve)]
+        label = f"face {tip.face} ({tip.x_mm:g}, {tip.y_mm:g}) mm"
+        axes.plot(travel, force, color=colour, label=label)
+        shear = [0.0, *(np.hypot(*press.shear_n[index]) for press in pressed.curve)]
+        if any(shear):
+            axes.plot(travel, shear, ":", color=colour, label="shear force")
+        if pressed.alone:
+            alone = pressed.alone[index]
+            axes.plot(alone.depth_mm, alone.force_n, "x", color=colour, ms=7)
+    if pressed.alone:
+        axes.plot([], [], "x", color="#555555", label="the same press alone")
+    axes.set(xlabel="travel (mm)", ylabel="force (N)", title="Force and travel")
+    axes.set_xlim(0)
+    axes.set_ylim(0)
+    axes.grid(alpha=0.3)
+    axes.legend(frameon=False, fontsize=8)
+
+
+def _draw_sinks(axes: Any, pressed: Pressed) -> None:
+    names = [f"face {row['face']}\n({row['x mm']:g}, {row['y mm']:g}) mm" for row in pressed.rows]
+    bars = axes.bar(
+        names, [row["mean sink mm"] for row in pressed.rows], color=_COLOURS[0], width=0.5
+    )
+    axes.bar_label(bars, [f"{row['N']:.3g} N" for row in pressed.rows], fontsize=8)
+    axes.set(ylabel="mean displacement inwards (mm)", title="Uniform pressure on disks")
+    axes.set_xlim(-0.9, len(names) - 0.1)
+    axes.margins(y=0.15)
+
+
+def _draw_signals(axes: Any, spec: ObjectSpec, change: np.ndarray) -> None:
+    faces = sensor_layout(spec).face
+    place = np.arange(len(faces)) + 0.8 * (faces - 1)
+    for index, (name, colour) in enumerate(_AXES):
+        axes.bar(place + 0.27 * (index - 1), change[:, index], 0.25, color=colour, label=name)
+    for face in np.unique(faces):
+        own = place[faces == face]
+        axes.text(
+            own.mean(), 1.01, f"face {face}", transform=axes.get_xaxis_transform(), ha="center"
+        )
+    numbers = [int(np.sum(faces[:index] == face)) + 1 for index, face in enumerate(faces)]
+    axes.set_xticks(place, [f"S{number}" for number in numbers], fontsize=8)
+    axes.axhline(0, color="black", lw=0.6)
+    axes.set(ylabel="change of signal (counts)")
+    axes.set_title("What the sensors see", pad=18)
+    axes.grid(axis="y", alpha=0.3)
+    axes.legend(frameon=False, ncols=3, fontsize=8)

@@ -1,0 +1,157 @@
+"""The maps that a run writes: one per face and score, on one scale over all faces."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from design.spec.object import ObjectSpec
+from estimator.information.cross_face import RELATIONS, CrossFace
+from estimator.information.scores import PlaceScores, weakest_place
+from estimator.information.shear import ShearScores
+from instobj.figures.heatmaps import (
+    BOUND_COLOURS,
+    GAIN_COLOURS,
+    draw_face_heatmap,
+    draw_overview,
+    finite_limits,
+)
+
+OVERVIEW = "position_bound_overview.png"
+
+
+@dataclass(frozen=True)
+class ScoreMap:
+    """One score as a map: field of `PlaceScores`, file stem, title, unit, scale."""
+
+    field: str
+    stem: str
+    title: str
+    unit: str
+    log: bool
+    colours: str
+
+
+SCORE_MAPS = (
+    ScoreMap(
+        "position_bound_fresh_mm", "position_bound", "Position bound", "mm", True, BOUND_COLOURS
+    ),
+    ScoreMap("force_bound_fresh_n", "force_bound", "Force bound", "N", True, BOUND_COLOURS),
+    ScoreMap(
+        "detectable_force_fresh_n", "detectable", "Detectable force", "N", True, BOUND_COLOURS
+    ),
+    ScoreMap("delta_raw", "delta", "Convex-hull sensitivity δ", "", True, GAIN_COLOURS),
+    ScoreMap("stiffness_n_per_mm", "stiffness", "Force per travel", "N/mm", False, GAIN_COLOURS),
+)
+
+
+def unit_of(score_map: ScoreMap, spec: ObjectSpec) -> str:
+    """Unit of a map; δ is a volume in as many dimensions as a face has channels."""
+    return score_map.unit or f"counts^{3 * spec.sensors.count_per_face}/N"
+
+
+def draw_score_maps(
+    spec: ObjectSpec, scores: PlaceScores, folder: Path, step: Callable[[str], None]
+) -> None:
+    """Write `<stem>_face_<n>.png` for every map and face, and the overview of position bounds."""
+    for score_map in SCORE_MAPS:
+        step(f"maps of {score_map.title.lower()}")
+        values = getattr(scores, score_map.field)
+        low, high = finite_limits(values)
+        for row, face in zip(values, scores.faces.tolist(), strict=True):
+            title = f"{score_map.title}, face {face}, {spec.score.force_n:g} N"
+            draw_face_heatmap(
+                row,
+                spec,
+                face,
+                title,
+                unit_of(score_map, spec),
+                low,
+                high,
+                folder / f"{score_map.stem}_face_{face}.png",
+                log=score_map.log,
+                colours=score_map.colours,
+            )
+    _draw_overview(spec, scores, folder / OVERVIEW)
+
+
+def _draw_overview(spec: ObjectSpec, scores: PlaceScores, path: Path) -> None:
+    values = scores.position_bound_fresh_mm
+    weakest = weakest_place(scores)
+    whose = "each face's own" if spec.score.channels == "own" else "all"
+    draw_overview(
+        values,
+        scores.faces,
+        spec,
+        f"How well a contact of {spec.score.force_n:g} N can be located at best",
+        "mm",
+        *finite_limits(values),
+        path,
+        colours=BOUND_COLOURS,
+        direction_deg=scores.weakest_direction_deg,
+        note=(
+            f"Cramér–Rao bound √(σx² + σy²) from {whose} sensors, freshly zeroed. Weakest: "
+            f"{weakest.position_bound_mm:.2f} mm on face {weakest.face} at "
+            f"({weakest.x_mm:g}, {weakest.y_mm:g}) mm."
+            + (" ∞: blind, along the line." if not np.isfinite(values).all() else "")
+        ),
+    )
+
+
+def draw_shear_maps(spec: ObjectSpec, scores: ShearScores, folder: Path) -> None:
+    """Overviews of the place's and of the tangential force's bound where both are unknown."""
+    asked = f"place, normal and tangential force all unknown, {spec.score.force_n:g} N"
+    draw_overview(
+        scores.position_bound_fresh_mm,
+        scores.faces,
+        spec,
+        "Position bound where the tip may also pull along the surface",
+        "mm",
+        *finite_limits(scores.position_bound_fresh_mm),
+        folder / "position_bound_sheared_overview.png",
+        note=f"Cramér–Rao bound √(σx² + σy²), freshly zeroed: {asked}.",
+    )
+    draw_overview(
+        scores.tangential_force_bound_fresh_n,
+        scores.faces,
+        spec,
+        "Bound of the tangential force",
+        "N",
+        *finite_limits(scores.tangential_force_bound_fresh_n),
+        folder / "tangential_force_bound_overview.png",
+        note=f"Cramér–Rao bound √(σFx² + σFy²), freshly zeroed: {asked}.",
+    )
+
+
+def draw_cross_face_map(spec: ObjectSpec, cross: CrossFace, folder: Path) -> None:
+    """Overview of what a press at each place does to the other face that it disturbs most.
+
+    None is drawn of an object with one sensed face.
+    """
+    if not len(cross.pressed):
+        return
+    faces = np.unique(cross.pressed)
+    largest = np.stack([cross.size_sigma[cross.pressed == face].max(axis=0) for face in faces])
+    medians = {relation: cross.summary(relation) for relation in RELATIONS}
+    told = ", ".join(
+        f"{relation} face {values['median_sigma']:.1f} σ ({values['median_false_force_n']:.2f} N of "
+        "false force)"
+        for relation, values in medians.items()
+        if values
+    )
+    draw_overview(
+        largest,
+        faces,
+        spec,
+        f"What a press of {cross.force_n:g} N does to the worst disturbed other face",
+        "σ of a fresh zero",
+        *finite_limits(largest),
+        folder / "cross_face_overview.png",
+        note=(
+            "Length of the signal change in the other face's own channels. Median over all places, "
+            f"{told}."
+        ),
+    )

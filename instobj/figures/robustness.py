@@ -1,0 +1,107 @@
+"""Ranked bars of the robustness budget: what hurts most, for the specification at hand."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from design.files import atomic_path
+from design.spec.object import ObjectSpec
+
+if TYPE_CHECKING:
+    from estimator.tolerances.result import Robustness, Spread
+
+_ALONE, _ALL, _WORST = "#1b6ca8", "#5b5b5b", "#c8553d"
+_PANELS = (
+    ("false_place_mm", "false_place_worst_mm", 1.0, "false place (mm)"),
+    ("false_force_n", "false_force_worst_n", 1.0, "false force (N)"),
+    ("signal", "signal_worst", 100.0, "signal change (%)"),
+    ("baseline_counts", "baseline_worst_counts", 1.0, "resting level (counts)"),
+)
+
+
+def draw_robustness(spec: ObjectSpec, budget: Robustness, path: Path) -> None:
+    """One row a contribution, worst first, and all together below; one panel a consequence (PNG)."""
+    from matplotlib.figure import Figure
+
+    rows = (*budget.contributions, budget.monte_carlo)
+    figure = Figure(figsize=(13, 0.34 * len(rows) + 2.2), layout="constrained")
+    panels = figure.subplots(1, len(_PANELS), sharey=True)
+    for axes, (median, worst, scale, label) in zip(panels, _PANELS, strict=True):
+        _draw_panel(axes, rows, median, worst, scale)
+        axes.set_xlabel(label)
+    panels[0].set_yticks(range(len(rows)), [tolerance_text(spec, row.name) for row in rows])
+    panels[0].invert_yaxis()
+    handles, labels = panels[0].get_legend_handles_labels()
+    title = "figures: typical / worst"
+    figure.legend(handles, labels, loc="outside lower center", ncols=2, frameon=False, title=title)
+    figure.suptitle(
+        f"{spec.name}: what one standard deviation of each tolerance does to a press of "
+        f"{budget.force_n:g} N, read by an estimator calibrated on the design"
+    )
+    with atomic_path(path) as temporary:
+        figure.savefig(temporary, dpi=120)
+
+
+def _draw_panel(axes: Any, rows: tuple[Spread, ...], median: str, worst: str, scale: float) -> None:
+    values = [scale * getattr(row, median) for row in rows]
+    largest = [scale * getattr(row, worst) for row in rows]
+    colours = [_ALONE] * (len(rows) - 1) + [_ALL]
+    axes.barh(
+        range(len(rows)),
+        values,
+        color=colours,
+        height=0.7,
+        label="median place (resting level: rms of channels)",
+    )
+    axes.plot(
+        largest,
+        range(len(rows)),
+        "|",
+        color=_WORST,
+        markersize=11,
+        label="worst place (worst channel)",
+    )
+    for index, (value, worst_value) in enumerate(zip(values, largest, strict=True)):
+        axes.annotate(
+            f"{_short(value)} / {_short(worst_value)}",
+            (worst_value, index),
+            xytext=(5, 0),
+            textcoords="offset points",
+            va="center",
+            fontsize=8,
+            color="#333333",
+        )
+    axes.axhline(len(rows) - 1.5, color="#999999", linewidth=0.8)
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.set_xlim(0, 1.3 * max(largest))
+
+
+def _short(value: float) -> str:
+    if value < 0.005:
+        return "0"
+    return f"{value:.2f}" if value < 1 else f"{value:.1f}" if value < 10 else f"{value:.0f}"
+
+
+def tolerance_text(spec: ObjectSpec, name: str) -> str:
+    """What a row of the budget stands for, with its standard deviation."""
+    from estimator.tolerances.assembly import CONTRIBUTIONS
+
+    t = spec.tolerances
+    sizes = {
+        "magnet_seat": f"{t.magnet_seat_mm:g} mm",
+        "magnet_depth": f"{t.magnet_seat_depth_mm:g} mm",
+        "magnet_tilt": f"{t.magnet_tilt_deg:g}°",
+        "remanence": f"{100 * t.remanence_relative:g} %",
+        "sensor_seat": f"{t.sensor_seat_mm:g} mm",
+        "sensor_rotation": f"{t.sensor_rotation_deg:g}°",
+        "sensor_gain": f"{100 * t.sensor_gain_relative:g} %",
+        "sensor_offset": f"{t.sensor_offset_ut:g} µT",
+        "core_shift": f"{t.core_shift_mm:g} mm",
+        "core_yaw": f"{t.core_yaw_deg:g}°",
+        "modulus": f"{100 * t.modulus_relative:g} %",
+        "temperature": f"{t.temperature_k:g} K",
+        "earth_field": f"{t.earth_field_ut:g} µT, turned",
+    }
+    whole = {"monte_carlo": "all at once (Monte Carlo)", "together": "root sum of squares"}
+    return whole.get(name) or f"{CONTRIBUTIONS[name][1]} {sizes[name]}"

@@ -1,0 +1,111 @@
+"""Predicted against recorded changes of signal, and each case's cosine beside its null."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from design.files import atomic_path
+from design.spec.object import ObjectSpec
+
+if TYPE_CHECKING:
+    from estimator.calibration.recorded_presses import RecordedPresses
+    from estimator.calibration.validation import Predictions
+
+_FACE_COLOURS = ("#1b6ca8", "#c8553d", "#6a994e", "#8d6cab", "#b8860b")
+
+
+def draw_validation(
+    spec: ObjectSpec,
+    presses: RecordedPresses,
+    predictions: Predictions,
+    document: dict[str, Any],
+    path: Path,
+) -> None:
+    """One scatter a face pressed (own channels), and the figures of merit beside their nulls (PNG)."""
+    from matplotlib.figure import Figure
+
+    faces = [face for face in range(1, 6) if presses.face_of_case(face).any()]
+    figure = Figure(figsize=(4.4 * (len(faces) + 1), 5.6), layout="constrained")
+    *panels, last = figure.subplots(1, len(faces) + 1)
+    for face, axes in zip(faces, panels, strict=True):
+        _draw_scatter(axes, spec, presses, predictions, face)
+    _draw_nulls(last, document)
+    figure.suptitle(
+        f"{spec.name}: predicted against {len(presses)} recorded presses of "
+        f"{len(presses.cases)} sets of places"
+    )
+    with atomic_path(path) as temporary:
+        figure.savefig(temporary, dpi=120)
+
+
+def _draw_scatter(
+    axes: Any,
+    spec: ObjectSpec,
+    presses: RecordedPresses,
+    predictions: Predictions,
+    face: int,
+) -> None:
+    """One point a channel and case: means over its presses."""
+    count = 3 * spec.sensors.count_per_face
+    own = slice((face - 1) * count, face * count)
+    largest = 0.0
+    for case in np.flatnonzero(presses.face_of_case(face)):
+        rows = np.flatnonzero(presses.case == case)
+        recorded = presses.signal_counts[rows, own].mean(axis=0)
+        predicted = predictions.counts[rows, case, own].mean(axis=0)
+        places = "; ".join(f"({x:g}, {y:g})" for f, x, y in presses.cases[case] if f == face)
+        axes.plot(predicted, recorded, "o", markersize=4, alpha=0.8, label=places)
+        largest = max(largest, np.nanmax(abs(recorded)), np.nanmax(abs(predicted)))
+    limit = 1.08 * largest
+    axes.plot([-limit, limit], [-limit, limit], color="#777777", linewidth=0.8, label="equal")
+    axes.axhline(0, color="#cccccc", linewidth=0.8, zorder=0)
+    axes.axvline(0, color="#cccccc", linewidth=0.8, zorder=0)
+    axes.set(
+        xlim=(-limit, limit),
+        ylim=(-limit, limit),
+        aspect="equal",
+        xlabel="predicted change (counts)",
+        ylabel="recorded change (counts)",
+        title=f"Face {face}, own channels",
+    )
+    axes.legend(
+        fontsize=6.5,
+        frameon=False,
+        loc="upper center",
+        bbox_to_anchor=(0.5, -0.16),
+        ncols=2,
+        title="places pressed, x, y (mm)",
+        title_fontsize=7,
+    )
+
+
+def _draw_nulls(axes: Any, document: dict[str, Any]) -> None:
+    """Cosines and signs as bars, the median of the null as a tick, p beside them."""
+    rows = [
+        (f"{found['what']}: {title}", found[key])
+        for found in document["agreement"]
+        for title, key in (("cosine", "cosine"), ("signs", "signs"))
+    ]
+    rows += [
+        (
+            f"calibrated, {test['unseen'].split(' of ')[0]}: cosine",
+            {
+                "value": test["after"]["own_cosine"],
+                "null": test["null"]["own_cosine"],
+                "p": test["p_own_cosine"],
+            },
+        )
+        for test in document["calibration_tests"]
+    ]
+    for index, (_, row) in enumerate(rows):
+        supported = row["p"] <= 0.05
+        axes.barh(index, row["value"], color=_FACE_COLOURS[0] if supported else "#b5b5b5")
+        axes.plot([row["null"]] * 2, [index - 0.4, index + 0.4], color="black", linewidth=2)
+        axes.text(1.03, index, f"{row['value']:.2f}, p {row['p']:.2g}", va="center", fontsize=7.5)
+    axes.set_yticks(range(len(rows)), [name for name, _ in rows], fontsize=7.5)
+    axes.invert_yaxis()
+    axes.set(xlim=(0, 1), title="Blue: better than chance\nblack: places exchanged (null)")
+    axes.spines[["top", "right"]].set_visible(False)

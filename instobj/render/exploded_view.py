@@ -1,0 +1,128 @@
+"""Exploded view of an object: mould, shell with its magnets, core with its sensor boards, plug."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+from jaxtyping import Float
+
+from design.files import atomic_path
+from design.spec.object import ObjectSpec
+from instobj.render.parts import load_stl
+from instobj.render.pieces import Piece, moved, picture_of
+
+_TOWARDS = (1.0, -1.25, 0.6)
+_UP = (0.0, 0.0, 1.0)
+_GAP_MM = 24.0
+_OUT_MM = 7.0
+_BOARD = (0.10, 0.45, 0.22)
+_NORTH, _SOUTH = (0.80, 0.16, 0.14), (0.16, 0.32, 0.72)
+_PRINTED = {
+    "core": (0.55, 0.66, 0.78),
+    "shell": (0.93, 0.84, 0.68),
+    "mould_box": (0.66, 0.77, 0.62),
+    "mould_half_a": (0.66, 0.77, 0.62),
+    "mould_half_b": (0.58, 0.70, 0.56),
+    "mould_plug": (0.76, 0.70, 0.84),
+    "mould_holder": (0.76, 0.70, 0.84),
+}
+
+
+def draw_exploded(spec: ObjectSpec, folder: Path, png_path: Path) -> Path:
+    """Draw the parts of a build above each other, in the order in which they go together."""
+    from matplotlib.figure import Figure
+
+    pieces = _pieces(spec, folder)
+    picture = picture_of(pieces, _TOWARDS, _UP)
+    left, right, bottom, top = picture.extent_mm
+    figure = Figure(figsize=(11 * (right - left) / (top - bottom) + 2.4, 11), layout="constrained")
+    axes = figure.subplots()
+    axes.imshow(picture.rgb, extent=picture.extent_mm)
+    for piece in pieces:
+        if piece.label:
+            seen = piece.mesh.vertices @ picture.camera.T
+            height = (seen[:, 1].min() + seen[:, 1].max()) / 2
+            axes.text(right + 2, height, piece.label, va="center", fontsize=12)
+    axes.set_axis_off()
+    with atomic_path(png_path) as path:
+        figure.savefig(path, dpi=90, format="png", bbox_inches="tight")
+    return png_path
+
+
+def _pieces(spec: ObjectSpec, folder: Path) -> list[Piece]:
+    """From the top: mould, shell with magnets drawn out, core with boards drawn out, plug."""
+    parts = {
+        name: load_stl(path) for name in _PRINTED if (path := folder / f"{name}.stl").is_file()
+    }
+    level, pieces = 0.0, []
+    for label, names in (
+        ("mould box", ("mould_box",)),
+        ("mould halves", ("mould_half_a", "mould_half_b")),
+        ("shell", ("shell",)),
+        ("core", ("core",)),
+        ("mould plug", ("mould_plug",)),
+        ("mould holder", ("mould_holder",)),
+    ):
+        present = [name for name in names if name in parts]
+        if not present:
+            continue
+        extra = _around(spec, present[0])
+        low = min(parts[name].bounds[0, 2] for name in present)
+        high = max(parts[name].bounds[1, 2] for name in present)
+        reach = _OUT_MM if extra else 0.0
+        shift = np.array([0.0, 0.0, level - high - reach])
+        for name in present:
+            text = label if name == present[0] else ""
+            pieces.append(
+                Piece(moved(parts[name], _aside(spec, name) + shift), _PRINTED[name], text)
+            )
+        pieces += [Piece(moved(piece.mesh, shift), piece.colour) for piece in extra]
+        level -= high - low + 2 * reach + _GAP_MM
+    return pieces
+
+
+def _aside(spec: ObjectSpec, name: str) -> Float[np.ndarray, "3"]:
+    """Halves of a split mould stand apart along the pull."""
+    if not name.startswith("mould_half"):
+        return np.zeros(3)
+    from design.layout.mould_frame import parting
+
+    return (1 if name.endswith("a") else -1) * _OUT_MM * parting(spec).normal
+
+
+def _around(spec: ObjectSpec, name: str) -> list[Piece]:
+    """Magnets or boards of a part, drawn out along their axes."""
+    from design.build.scene import magnet_halves
+    from design.layout.boards import board_blocks
+    from design.layout.positions import magnet_layout
+
+    in_shell = spec.arrangement == "sensors-in-core"
+    if name == ("shell" if in_shell else "core"):
+        layout = magnet_layout(spec)
+        out = _outward(layout.centre_mm, layout.axis) * _OUT_MM
+        return [
+            Piece(moved(half, way), colour)
+            for halves, way in zip(magnet_halves(spec, layout), out, strict=True)
+            for half, colour in zip(halves, (_NORTH, _SOUTH), strict=True)
+        ]
+    if name == ("core" if in_shell else "shell"):
+        import trimesh
+
+        blocks = board_blocks(spec)
+        centres = np.stack([block.centre_mm for block in blocks])
+        out = _outward(centres, np.stack([block.axes[:, 2] for block in blocks])) * _OUT_MM
+        boards = []
+        for block, way in zip(blocks, out, strict=True):
+            placed = np.eye(4)
+            placed[:3, :3], placed[:3, 3] = block.axes, block.centre_mm + way
+            box = trimesh.creation.box(2 * block.half_mm)
+            boards.append(Piece(box.apply_transform(placed), _BOARD))
+        return boards
+    return []
+
+
+def _outward(centre_mm: np.ndarray, axis: np.ndarray) -> np.ndarray:
+    """Axes turned so that they point away from the middle."""
+    sign = np.sign(np.einsum("nk,nk->n", centre_mm - centre_mm.mean(axis=0), axis))
+    return np.where(sign < 0, -1.0, 1.0)[:, None] * axis

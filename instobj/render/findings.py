@@ -1,0 +1,120 @@
+"""Picture of the parts that fabrication checks found fault with, each failing place marked."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from design.fabrication.finding import Finding
+from design.files import atomic_path
+from instobj.render.parts import (
+    DepthImage,
+    PartView,
+    camera_axes,
+    depth_image,
+    draw_axes_and_scale,
+    shade,
+)
+
+if TYPE_CHECKING:
+    import trimesh
+    from matplotlib.axes import Axes
+
+PANELS = 6
+BEHIND_MM = 1.5
+_GREY = (0.72, 0.74, 0.78)
+_COLOURS = {"fail": "#c1121f", "warn": "#e07b00"}
+_LINE = 76
+
+
+def draw_findings(
+    findings: list[Finding], meshes: dict[str, trimesh.Trimesh], title: str, png_path: Path
+) -> Path:
+    """One panel a part with what did not pass: numbered rings at the places, texts below.
+
+    Failures come first, and at most six parts are drawn. The ring of a place that lies hidden behind
+    the surface seen is dashed.
+    """
+    from matplotlib.figure import Figure
+
+    marked = marked_parts(findings, meshes)
+    rows, columns = (1, 1) if not marked else (-(-len(marked) // 3), min(3, len(marked)))
+    figure = Figure(figsize=(6.2 * columns, 6.6 * rows + 0.5), layout="constrained")
+    figure.suptitle(f"Fabrication checks of {title}", fontsize=15)
+    places = np.atleast_1d(figure.subplots(rows, columns)).ravel()
+    for axes in places:
+        axes.set_axis_off()
+    if not marked:
+        places[0].text(0.5, 0.5, "no place to mark: all checks pass", ha="center", fontsize=14)
+    for axes, (part, found) in zip(places, marked.items(), strict=False):
+        _draw_part(axes, part, meshes[part], found)
+    with atomic_path(png_path) as path:
+        figure.savefig(path, dpi=100, format="png")
+    return png_path
+
+
+def marked_parts(
+    findings: list[Finding], meshes: dict[str, trimesh.Trimesh]
+) -> dict[str, list[Finding]]:
+    """Findings with a place that did not pass, by part, parts with failures first."""
+    order = {"fail": 0, "warn": 1}
+    found = [f for f in findings if f.status != "pass" and f.place_mm and f.part in meshes]
+    by_part: dict[str, list[Finding]] = {}
+    for finding in sorted(found, key=lambda finding: order[finding.status]):
+        by_part.setdefault(finding.part, []).append(finding)
+    return dict(list(by_part.items())[:PANELS])
+
+
+def _draw_part(axes: Axes, part: str, mesh: trimesh.Trimesh, found: list[Finding]) -> None:
+    from matplotlib.patches import Circle
+
+    towards = _towards(mesh, np.array(found[0].place_mm))
+    up = (0.0, 0.0, 1.0) if abs(towards[2]) < 0.95 else (0.0, 1.0, 0.0)
+    camera = camera_axes(tuple(towards), up)
+    view = PartView(part, part, tuple(towards), up, _GREY)
+    image = depth_image(np.asarray(mesh.triangles) @ camera.T)
+    axes.imshow(shade(image, mesh, camera, view), extent=image.extent_mm)
+    draw_axes_and_scale(axes, camera, image.extent_mm)
+    lines = []
+    for number, finding in enumerate(found, start=1):
+        x, y = (camera @ np.array(finding.place_mm))[:2]
+        colour = _COLOURS[finding.status]
+        hidden = _hidden(image, camera @ np.array(finding.place_mm))
+        style = (0, (2, 1.2)) if hidden else "solid"
+        size = 0.028 * (image.extent_mm[1] - image.extent_mm[0])
+        ring = Circle((x, y), size, fill=False, linewidth=2.4, linestyle=style, edgecolor=colour)
+        axes.add_patch(ring)
+        axes.annotate(
+            str(number), (x, y), ha="center", va="center", fontsize=11, color=colour, weight="bold"
+        )
+        lines.append(
+            f"{number}  {finding.status}: {finding.check} {finding.value:.3g} {finding.unit} "
+            f"(limit {finding.limit:.3g})"
+        )
+    worst = "fail" if any(finding.status == "fail" for finding in found) else "warn"
+    axes.set_title(part.replace("_", " "), fontsize=13, color=_COLOURS[worst])
+    text = "\n".join(line[:_LINE] for line in lines)
+    axes.text(
+        0.0, -0.02, text, transform=axes.transAxes, va="top", fontsize=8.5, family="monospace"
+    )
+
+
+def _hidden(image: DepthImage, seen_mm: np.ndarray) -> bool:
+    """Whether a place lies behind the surface that its pixel shows."""
+    left, right, bottom, top = image.extent_mm
+    rows, columns = image.depth_mm.shape
+    column = int((seen_mm[0] - left) / (right - left) * columns)
+    row = int((top - seen_mm[1]) / (top - bottom) * rows)
+    return bool(image.depth_mm[row, column] > seen_mm[2] + BEHIND_MM)
+
+
+def _towards(mesh: trimesh.Trimesh, place: np.ndarray) -> np.ndarray:
+    """Direction to the viewer: obliquely over the side of the part on which the place lies."""
+    away = (place - mesh.bounds.mean(axis=0)) / np.maximum(mesh.extents, 1e-9)
+    side = np.where(away >= 0, 1.0, -1.0) * np.array([0.8, 0.9, 0.55])
+    strongest = np.argmax(abs(away))
+    side[strongest] *= 1.7
+    side *= np.sqrt(mesh.extents.max() / np.maximum(mesh.extents, 1e-9))
+    return side / np.linalg.norm(side)

@@ -1,0 +1,223 @@
+"""The few numbers of each stage that the command line and the report show."""
+
+from __future__ import annotations
+
+import csv
+import json
+import math
+import statistics
+from pathlib import Path
+from typing import Any
+
+from design.spec.object import ObjectSpec
+from instobj.report.robustness import robustness_summary
+from instobj.store.content import StoredResult
+
+
+def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) -> dict[str, Any]:
+    """Title → numbers (or rows of numbers) for the stages that have results. NaN becomes None.
+
+    `spec` is that of the chain, None for a data set.
+    """
+    makers = (
+        ("build", "parts", _parts),
+        ("mesh", "mesh", _json("mesh_quality.json")),
+        ("response", "mechanics", _json("response.json")),
+        ("presses", "tension at the sliding core, left out of the presses", _core_tension),
+        ("discretisation", "discretisation error", _discretisation),
+        ("scores", "bounds by area (medians over all faces, fresh zero)", _areas),
+        ("scores", "10 N on another face, in this face's own channels", _cross_face),
+        ("shear_scores", "bounds with tangential forces (medians over all places)", _shear),
+        (
+            "identify",
+            "k contacts at once: medians over sets, worst contact; ok: within limits.position_bound_mm",
+            _identify,
+        ),
+        ("frames", "simulated presses", _json("protocol.json")),
+        ("collection", "simulated recordings", _json("frames.json")),
+        ("pulled_collection", "simulated recordings", _json("frames.json")),
+        ("networks", "calibrated twin (medians over labelled places)", _calibration),
+        ("metrics", "metrics on held-out presses (frames of contact and of rest)", _metrics),
+        ("metrics", "intervals on held-out presses (medians of widths; presses)", _intervals),
+    )
+    made = {
+        title: _finite(make(results[stage])) for stage, title, make in makers if stage in results
+    }
+    if spec and "robustness" in results:
+        made |= _finite(robustness_summary(spec, results["robustness"].folder))
+    return {title: values for title, values in made.items() if values}
+
+
+def _json(name: str) -> Any:
+    return lambda result: json.loads((result.folder / name).read_text(encoding="utf-8"))
+
+
+def _discretisation(result: StoredResult) -> dict[str, Any]:
+    from instobj.report.discretisation import summary_of
+
+    return summary_of(_json("discretisation.json")(result))
+
+
+def _calibration(result: StoredResult) -> list[dict[str, Any]]:
+    """Nothing where no twin was calibrated; faces without one have fewer numbers."""
+    path = result.folder / "calibration.json"
+    rows = json.loads(path.read_text(encoding="utf-8"))["faces"] if path.exists() else []
+    every = [(name, value) for row in rows for name, value in row.items()]
+    names = dict.fromkeys(name for name, value in every if not isinstance(value, list))
+    return [{name: row.get(name) for name in names} for row in rows]
+
+
+def _core_tension(result: StoredResult) -> dict[str, float]:
+    """Nothing where the shell is bonded."""
+    path = result.folder / "core_tension.json"
+    return json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
+
+
+def _parts(result: StoredResult) -> list[dict[str, Any]]:
+    from design.build.manifest import BuildManifest
+
+    return [
+        {
+            "part": part.name,
+            "volume mm³": round(part.volume_mm3, 2),
+            "box mm": " × ".join(f"{edge:g}" for edge in map(_rounded, part.size_mm)),
+            "STL volume error %": round(100 * (part.stl_volume_mm3 / part.volume_mm3 - 1), 4),
+            "watertight": part.stl_watertight,
+        }
+        for part in BuildManifest.read(result.folder).parts
+    ]
+
+
+def _rounded(value: float) -> float:
+    return round(value, 3)
+
+
+def _areas(result: StoredResult) -> list[dict[str, Any]]:
+    from estimator.information.scores import load_scores_csv, summarize_areas
+
+    scores = load_scores_csv(result.folder / "scores.csv")
+    return [
+        {
+            "area": area.area,
+            "places": area.places,
+            "place mm": area.medians["position_bound_fresh_mm"],
+            "force N": area.medians["force_bound_fresh_n"],
+            "detect N": area.medians["detectable_force_fresh_n"],
+            "δ": area.medians["delta_raw"],
+            "/centre": area.ratio_to_centre["position_bound_fresh_mm"],
+            "δ/centre": area.ratio_to_centre["delta_raw"],
+        }
+        for area in summarize_areas(scores)
+    ]
+
+
+def _cross_face(result: StoredResult) -> list[dict[str, Any]]:
+    content = json.loads((result.folder / "cross_face.json").read_text(encoding="utf-8"))
+    return [
+        {
+            "pressed": relation,
+            "median σ": content[relation]["median_sigma"],
+            "largest σ": content[relation]["largest_sigma"],
+            "false force N": content[relation]["median_false_force_n"],
+            "largest N": content[relation]["largest_false_force_n"],
+        }
+        for relation in ("adjacent", "opposite")
+        if content[relation]
+    ]
+
+
+def _shear(result: StoredResult) -> list[dict[str, Any]]:
+    rows = _csv_rows(result.folder / "shear_scores.csv")
+    return [
+        {
+            "zero": state,
+            "place mm": _median(rows, f"position_bound_{state}_mm"),
+            "normal N": _median(rows, f"normal_force_bound_{state}_n"),
+            "tangential N": _median(rows, f"tangential_force_bound_{state}_n"),
+            "tangential N, largest": max(
+                float(row[f"tangential_force_bound_{state}_n"]) for row in rows
+            ),
+        }
+        for state in ("fresh", "drifted")
+    ]
+
+
+def _identify(result: StoredResult) -> list[dict[str, Any]]:
+    return [
+        {
+            "k": int(row["contacts"]),
+            "sens.": int(row["sensors"]),
+            "reads": row["channels"],
+            "rank": f"{row['rank_least']} of {row['unknowns']}",
+            "cond.": float(row["condition_median"]),
+            "place mm": float(row["bound_median_mm"]),
+            "90 % mm": float(row["bound_90_mm"]),
+            "force N": float(row["force_bound_median_n"]),
+            "ok %": round(100 * float(row["share_within_limit"]), 1),
+        }
+        for row in _csv_rows(result.folder / "identifiability.csv")
+    ]
+
+
+def _csv_rows(path: Path) -> list[dict[str, str]]:
+    with path.open(newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def _median(rows: list[dict[str, str]], name: str) -> float:
+    return statistics.median(float(row[name]) for row in rows)
+
+
+_ESTIMATORS = {
+    "faces": "network",
+    "ridge_regression": "ridge",
+    "mean_map": "chance",
+}
+
+
+def _metrics(result: StoredResult) -> list[dict[str, Any]]:
+    content = json.loads((result.folder / "metrics.json").read_text(encoding="utf-8"))
+    rows = [
+        {
+            "face": face["face"],
+            "model": title,
+            "A_sim": face["similarity"],
+            "E_loc px": face["location_error_px"],
+            "E_f %": face["force_error_percent"],
+            "E_f N": face["force_error_n"],
+            "total N": face["total_force_error_n"],
+            "A_non": face["non_contact_accuracy"],
+            "contact": face["contact_frames"],
+            "rest": face["rest_frames"],
+        }
+        for key, title in _ESTIMATORS.items()
+        for face in content[key]
+    ]
+    return sorted(rows, key=lambda row: row["face"])
+
+
+def _intervals(result: StoredResult) -> list[dict[str, Any]]:
+    content = json.loads((result.folder / "metrics.json").read_text(encoding="utf-8"))
+    return [
+        {
+            "face": row["face"],
+            "wanted": row["wanted_cover"],
+            "force covered": row["force_cover"],
+            "place covered": row["position_cover"],
+            "± N": row["median_force_halfwidth_n"],
+            "radius mm": row["median_position_radius_mm"],
+            "calibrated on": row["calibration_presses"],
+            "tested on": row["tested_presses"],
+        }
+        for row in content["intervals"]
+    ]
+
+
+def _finite(values: Any) -> Any:
+    if isinstance(values, list):
+        return [_finite(value) for value in values]
+    if isinstance(values, dict):
+        return {name: _finite(value) for name, value in values.items()}
+    if isinstance(values, float) and not math.isfinite(values):
+        return None
+    return values

@@ -1,0 +1,160 @@
+"""The upper rungs of a layout search on the chain's stages: what they need, run and stored."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from jaxtyping import Bool, Float
+
+from design.spec.object import ObjectSpec
+from instobj.stages.chain import Chain
+
+if TYPE_CHECKING:
+    from estimator.layouts.fidelity import LadderScore
+    from fem.linear.factorization import Factorization
+    from fem.linear.response import ElasticSystem, ResponseOperator
+
+TWINS = 20
+METRIC_LABELS = {
+    "similarity": "A_sim",
+    "location_error_px": "E_loc, px",
+    "force_error_percent": "E_f, %",
+    "total_force_error_percent": "total force, %",
+    "non_contact_accuracy": "A_non",
+}
+"""What estimators of a layout are compared by: the paper's metrics and the total force's error."""
+
+
+@dataclass(frozen=True)
+class PlainShell:
+    """The magnet-free shell, factored: what rung two scores any number of its layouts with."""
+
+    system: ElasticSystem
+    factor: Factorization
+    response: ResponseOperator
+
+    def score(self, spec: ObjectSpec) -> LadderScore:
+        """Rung two: `estimator.layouts.fidelity.rung_two`."""
+        from estimator.layouts.fidelity import rung_two
+
+        return rung_two(spec, self.system, self.factor, self.response)
+
+
+@contextmanager
+def plain_shell(spec: ObjectSpec) -> Iterator[PlainShell]:
+    """Mesh and response from the store or made, factored once; 1 GB until the context ends."""
+    from fem.linear.factorization import Factorization
+    from fem.linear.response import elastic_system, load_response
+    from fem.mesh.magnet_free import without_magnets
+    from fem.mesh.tetrahedra import load_mesh
+
+    chain = Chain(spec)
+    mesh = load_mesh(chain.require("plain_mesh").folder / "mesh.npz")
+    response = load_response(chain.require("plain_response").folder)
+    system = elastic_system(mesh, without_magnets(spec))
+    with Factorization(system.matrix) as factor:
+        yield PlainShell(system, factor, response)
+
+
+def chain_score(spec: ObjectSpec) -> LadderScore:
+    """Rung three: the score of the chain's own signals, its stages stored and reused."""
+    from estimator.layouts.fidelity import score_signals
+    from estimator.signals.presses import load_signals
+    from fem.presses.results import load_presses
+
+    chain = Chain(spec)
+    signals = load_signals(chain.require("signals").folder / "lattice_signals.nc")
+    return score_signals(
+        spec, signals, *load_presses(chain.require("presses").folder / "presses.nc")
+    )
+
+
+def estimator_errors(spec: ObjectSpec) -> dict[str, float]:
+    """Metrics of estimators trained on a layout's own simulated presses, on whole presses held out.
+
+    Means over the pressed faces of `estimator.networks.metrics.FaceMetrics`, undefined ones left out; the
+    chain's stages run, or come from the store.
+    """
+    folder = Chain(spec).require("metrics").folder
+    faces = json.loads((folder / "metrics.json").read_text(encoding="utf-8"))["faces"]
+    values = {
+        name: [face[name] for face in faces if face[name] is not None] for name in METRIC_LABELS
+    }
+    return {name: float(np.mean(found)) for name, found in values.items() if found}
+
+
+@dataclass(frozen=True)
+class TwinRatio:
+    """How many times smaller a bound is than the start's: of the designs, and between twins.
+
+    `low`, `high` hold 95 % of the ratios between any twin of the start and any of the layout.
+    """
+
+    design: float
+    low: float
+    high: float
+
+
+def twin_ratios(start: ObjectSpec, found: ObjectSpec, twins: int = TWINS) -> dict[str, TwinRatio]:
+    """Bounds of toleranced twins of the start over those of a layout: worst, median, edge.
+
+    Twins share their design's mechanics; `tolerances` of each specification sizes their errors.
+    Places that reach `score.force_n` only near the deepest press are judged at less force, of
+    both alike (`estimator.tolerances.budget`).
+    """
+    before, after = (_bounds_of_twins(spec, twins) for spec in (start, found))
+    return {
+        name: TwinRatio(
+            float(before[name][0] / after[name][0]), *_interval(before[name][1:], after[name][1:])
+        )
+        for name in before
+    }
+
+
+def _bounds_of_twins(spec: ObjectSpec, twins: int) -> dict[str, Float[np.ndarray, "object"]]:
+    """The design first, then its twins."""
+    from estimator.tolerances.budget import twin_bounds
+    from fem.presses.results import load_presses
+
+    presses = load_presses(Chain(spec).require("presses").folder / "presses.nc")
+    bounds = twin_bounds(spec, *presses, twins)
+    position, force = bounds["position_mm"], bounds["force_n"]
+    return {
+        "worst_position_bound_mm": np.nanmax(position, axis=1),
+        "median_position_bound_mm": np.nanmedian(position, axis=1),
+        "edge_position_bound_mm": np.nanmean(position[:, _at_edges(spec)], axis=1),
+        "worst_force_bound_n": np.nanmax(force, axis=1),
+    }
+
+
+def _at_edges(spec: ObjectSpec) -> Bool[np.ndarray, "press"]:
+    from design.layout.positions import contact_grid
+    from estimator.information.scores import outermost_places
+
+    return np.tile(outermost_places(contact_grid(spec)), len(spec.body.sensed))
+
+
+def _interval(before: np.ndarray, after: np.ndarray) -> tuple[float, float]:
+    low, high = np.quantile(before[:, None] / after, [0.025, 0.975])
+    return float(low), float(high)
+
+
+def score_row(score: LadderScore) -> dict[str, Any]:
+    """A score with the names and units that tables show."""
+    return {
+        "worst place mm": score.worst_position_bound_mm,
+        "median place mm": score.median_position_bound_mm,
+        "worst force N": score.worst_force_bound_n,
+        "next face σ": score.cross_face_sigma,
+        "δ 5/50 %": score.sensitivity_ratio,
+        "edge mm": score.edge_position_bound_mm,
+        "slip mm": score.slip_place_mm,
+        "tolerance mm": score.tolerance_place_mm,
+        "softness off": score.compliance_deviation,
+        "free range": score.saturation_margin,
+    }

@@ -1,0 +1,189 @@
+"""First rung of a search: scores trials in batches, structure by structure, and polishes them.
+
+Runs in a process of its own. The mechanics of every shell comes from the store (stage
+`candidates`): minutes the first time that a thickness, core, silicone or magnet's outline comes up.
+"""
+
+from __future__ import annotations
+
+import json
+import zlib
+from collections.abc import Callable
+from functools import partial
+from typing import Any
+
+import numpy as np
+import torch
+
+from design.errors import InputError
+from design.layout.recess_walls import smallest_recess_wall_mm
+from design.search.places import polarities
+from design.search.space import (
+    SearchSpace,
+    params_at,
+    search_space,
+    structure_of,
+    unit_of,
+    with_layout,
+)
+from design.search.structure import with_structure
+from design.spec.object import ObjectSpec
+from design.spec.search import OBJECTIVES_TO_MAXIMIZE
+from design.spec_io import parse_spec
+from estimator.information.compliance_score import compliance_deviation
+from estimator.layouts.batch import layouts_of
+from estimator.layouts.polish import DEARER, FirstRung, Judged, batch_scores, judge, polish
+from estimator.layouts.press_basis import press_basis
+from estimator.layouts.scoring import LayoutScorer, layout_scorer
+from estimator.layouts.vectors import layout_space
+from fem.candidates.motions import load_candidates
+from instobj.search.scored import Scored
+from instobj.stages.chain import Chain
+
+_UNFIT_MM = 0.5
+"""For what only the specification's own check refuses."""
+
+
+Evaluate = Callable[[list[dict[str, Any]]], list[Scored]]
+
+
+def first_rung(spec_json: str) -> Evaluate:
+    """The function that scores trials of one structure; takes and gives what pipes can carry."""
+    torch.set_num_threads(1)
+    space = search_space(parse_spec(json.loads(spec_json), "the specification"))
+    start = start_scores(space.spec)
+    rungs: dict[Any, FirstRung] = {}
+
+    def evaluate(trials: list[dict[str, Any]]) -> list[Scored]:
+        structure = structure_of(space, trials[0])
+        if structure not in rungs:
+            rungs[structure] = structure_rung(space, trials[0], start)
+        return score_trials(space, rungs[structure], trials)
+
+    return evaluate
+
+
+def structure_rung(
+    space: SearchSpace, params: dict[str, Any], start: dict[str, float]
+) -> FirstRung:
+    """Scorers of a structure, from stored mechanics or after it."""
+    structured = with_structure(space.spec, params)
+    every = scorers(structured, pressed_faces(structured))
+    constants, broken = decided_by_structure(structured, every), broken_by_structure(structured)
+    limits = structured.search.limits.times_start
+    at_most = {
+        name: 1 / (factor * start[name]) if name in OBJECTIVES_TO_MAXIMIZE else factor * start[name]
+        for name, factor in limits.items()
+    }
+    return FirstRung(layout_space(space, structured), every, constants, at_most, broken)
+
+
+def decided_by_structure(spec: ObjectSpec, faces: tuple[LayoutScorer, ...]) -> dict[str, float]:
+    """Scores that all layouts of a structure share on the first rung."""
+    compliance = np.stack([scorer.presses.mm_per_n for scorer in faces])
+    wanted, grid = spec.search.compliance_mm_per_n, faces[0].presses.places
+    return {
+        "cost": cost(spec),
+        "compliance_deviation": compliance_deviation(wanted, grid, compliance),
+    }
+
+
+def scorers(spec: ObjectSpec, faces: tuple[int, ...]) -> tuple[LayoutScorer, ...]:
+    """A scorer for every pressed face, on the stage `candidates`."""
+    motions = load_candidates(Chain(spec).require("candidates").folder)
+    return tuple(layout_scorer(spec, press_basis(spec, motions, face)) for face in faces)
+
+
+def pressed_faces(spec: ObjectSpec) -> tuple[int, ...]:
+    """Faces that stand for all: on a cube whose sensors move, the side faces are alike."""
+    alike = len(set(spec.body.size_mm)) == 1 and spec.search.vary.sensor_reach_mm is not None
+    return (1, 3) if alike else (1, 2, 3, 4, 5)
+
+
+def start_scores(spec: ObjectSpec) -> dict[str, float]:
+    """First-rung scores of the specification as it is."""
+    faces = (1, 2, 3, 4, 5)
+    found = scorers(spec, faces)
+    with torch.no_grad():
+        scores = batch_scores(found, [layouts_of(spec, face) for face in faces], DEARER)
+    own = {name: float(value) for name, value in scores.items()}
+    return own | decided_by_structure(spec, found)
+
+
+def score_trials(space: SearchSpace, rung: FirstRung, trials: list[dict[str, Any]]) -> list[Scored]:
+    """Polish and score trials of one structure; deterministic."""
+    spec, structured = space.spec, rung.space.structured
+    flags = [not v.choices for v in space.variables]
+    units = np.array([unit_of(space, trial) for trial in trials])
+    poles = torch.tensor([polarities(structured, trial) for trial in trials])
+    judge_at = partial(judge, rung, polarity=poles, objectives=spec.search.objectives)
+    point = torch.as_tensor(units[:, flags], dtype=torch.float32)
+    if spec.search.polish_steps and any(flags):
+        point = polish(judge_at, point, spec.search.polish_steps, _weights(units, spec))
+    with torch.no_grad():
+        judged = judge_at(point)
+    units[:, flags] = point.numpy()
+    found = []
+    for row, (unit, trial) in enumerate(zip(units, trials, strict=True)):
+        params = params_at(space, unit) | {
+            v.name: trial[v.name] for v in space.variables if v.choices
+        }
+        found.append(_scored(spec, params, judged, row))
+    return found
+
+
+def _scored(spec: ObjectSpec, params: dict[str, Any], judged: Judged, row: int) -> Scored:
+    broken, misfit = float(judged.broken_mm[row]), ""
+    if broken == 0:
+        misfit = misfit_of(spec, params)
+    worse = 1 + _UNFIT_MM * bool(misfit)
+    values = tuple(worse * float(value) for value in judged.penalized[row])
+    scores = {name: float(value[row]) for name, value in judged.scores.items()}
+    return Scored(params, values, scores, broken, misfit)
+
+
+def misfit_of(spec: ObjectSpec, params: dict[str, Any]) -> str:
+    """What the specification's own check says of a layout; nothing where it fits."""
+    try:
+        found = with_layout(spec, params)
+    except InputError as error:
+        return str(error)
+    wall, least = smallest_recess_wall_mm(found), spec.search.limits.board_gap_mm
+    if spec.search.vary.sensor_reach_mm is not None and wall < least:
+        return f"{wall:.2f} mm of core between two recesses, less than board_gap_mm = {least:g}"
+    return ""
+
+
+def cost(spec: ObjectSpec) -> float:
+    """Of the magnets and sensors of all faces."""
+    prices, faces = spec.search.prices, len(magnets_of_faces(spec))
+    each = len(spec.magnets.positions_mm) * prices.magnet
+    return faces * (each + spec.sensors.count_per_face * prices.sensor)
+
+
+def magnets_of_faces(spec: ObjectSpec) -> tuple[Any, ...]:
+    """Magnets, sensed face by face."""
+    from design.layout.pockets import magnet_bodies
+
+    return magnet_bodies(spec)
+
+
+def broken_by_structure(spec: ObjectSpec) -> float:
+    """What counts and cost exceed, one part or the whole cost as 10 mm."""
+    limits, broken = spec.search.limits, 0.0
+    parts = len(spec.magnets.positions_mm) + spec.sensors.count_per_face
+    if limits.parts_per_face is not None:
+        broken += 10.0 * max(parts - limits.parts_per_face, 0)
+    if limits.cost is not None:
+        broken += 10.0 * max(cost(spec) / limits.cost - 1, 0.0)
+    return broken
+
+
+def _weights(units: np.ndarray, spec: ObjectSpec) -> torch.Tensor:
+    """Directions towards the front: one a layout, drawn from the layout itself, so repeatable."""
+    count = len(spec.search.objectives)
+    if count == 1:
+        return torch.ones(len(units), 1)
+    seeds = [zlib.crc32(row.tobytes()) for row in units]
+    drawn = [np.random.default_rng(seed).dirichlet(np.ones(count)) for seed in seeds]
+    return torch.as_tensor(np.array(drawn), dtype=torch.float32)

@@ -1,0 +1,1 @@
+"""What a layout search leaves behind: files, figures, page."""

@@ -1,0 +1,210 @@
+"""Figures of a layout search: how it converged, its front, what moved, how rungs agree."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from jaxtyping import Float
+
+from design.files import atomic_path
+from design.layout.pockets import Body, magnet_bodies
+from design.spec.object import ObjectSpec
+
+if TYPE_CHECKING:
+    from instobj.search.outcome.history import History
+    from instobj.search.promotion import Climb
+
+_INK, _PAPER, _GREY = "#1a1a1a", "#fdfdfb", "#9a968d"
+_BEST, _RANDOM, _START = "#1f77d0", "#c46a1b", "#77736b"
+_SENSOR = "#0a8f5a"
+_FACE = 1
+LABELS = {
+    "worst_position_bound_mm": "worst place, position bound (mm)",
+    "median_position_bound_mm": "median place, position bound (mm)",
+    "worst_force_bound_n": "worst place, force bound (N)",
+    "cross_face_sigma": "disturbance of the next face (σ)",
+    "sensitivity_ratio": "δ, 5th over 50th percentile",
+    "edge_position_bound_mm": "outermost places, mean position bound (mm)",
+    "slip_place_mm": "place error by a core slip of 1 mm (mm)",
+    "tolerance_place_mm": "place error within tolerance (mm)",
+    "compliance_deviation": "deviation from the wanted compliance (relative)",
+    "cost": "cost of the parts",
+}
+
+
+def draw_convergence(history: History, path: Path) -> None:
+    """Best feasible first objective against layouts scored, beside random search (PNG)."""
+    from instobj.search.outcome.history import best_so_far
+
+    figure, axes = _figure((8.2, 4.6))
+    name, values = history.names[0], history.values[:, 0]
+    at = history.scorings_per_trial * (1.0 + np.arange(len(values)))
+    axes.plot(at[history.feasible], values[history.feasible], ".", color=_GREY, ms=4,
+              label="trials within all limits")  # fmt: skip
+    axes.step(at, best_so_far(name, values, history.feasible), where="post", color=_BEST, lw=2.2,
+              label="search, best so far")  # fmt: skip
+    if len(history.random):
+        drawn = history.random[:, 0]
+        best = best_so_far(name, drawn, np.ones(len(drawn), bool))
+        axes.step(history.random_scorings, best, where="post", color=_RANDOM, lw=2.2,
+                  label="random search, best so far")  # fmt: skip
+    else:
+        axes.plot([], [], color=_RANDOM, lw=2.2, label="random search: none within all limits")
+    axes.axhline(history.start[0], color=_START, ls="--", lw=1.4, label="start")
+    axes.set(xscale="log", yscale="log", xlabel="layouts scored on the first rung")
+    axes.set(ylabel=LABELS[name], title="Convergence on the first rung")
+    _plain(axes.yaxis)
+    figure.legend(loc="outside lower center", ncols=4, frameon=False, fontsize=9)
+    _save(figure, path)
+
+
+def draw_front(history: History, path: Path) -> None:
+    """Two objectives of all feasible trials, with those that none is better than in both (PNG)."""
+    from design.spec.search import OBJECTIVES_TO_MAXIMIZE
+
+    figure, axes = _figure((6.8, 5.2))
+    pair, feasible = history.names[:2], history.values[history.feasible, :2]
+    sign = np.array([-1.0 if name in OBJECTIVES_TO_MAXIMIZE else 1.0 for name in pair])
+    ahead = pareto_front(sign * feasible)
+    axes.plot(*feasible[~ahead].T, ".", color=_GREY, ms=5, label="trials within all limits")
+    front = feasible[ahead][np.argsort(feasible[ahead, 0])]
+    axes.step(*front.T, "o-", where="post", color=_BEST, lw=1.6, ms=6, label="Pareto front")
+    axes.plot(*history.start[:2], "X", color=_START, ms=11, label="start")
+    axes.set(xlabel=LABELS[pair[0]], ylabel=LABELS[pair[1]], xscale="log", yscale="log")
+    axes.set_title("What one objective costs in the other, first rung")
+    _plain(axes.xaxis)
+    _plain(axes.yaxis)
+    figure.legend(loc="outside lower center", ncols=4, frameon=False, fontsize=9)
+    _save(figure, path)
+
+
+def draw_rungs(climb: Climb, name: str, path: Path) -> None:
+    """One score of every layout on a rung against the next (PNG)."""
+    figure, rows = _figure((9.6, 4.6), 2)
+    for axes, (lower, upper) in zip(rows, (("1", "2"), ("2", "3")), strict=True):
+        climbers = [one for one in (climb.start, *climb.leaders) if upper in one.rungs]
+        pairs = np.array(
+            [[getattr(one.rungs[r], name) for r in (lower, upper)] for one in climbers]
+        )
+        colours = [_START] + [_BEST] * (len(pairs) - 1)
+        axes.scatter(*pairs.T, c=colours, s=46, zorder=3)
+        for one, (x, y) in zip(climbers, pairs, strict=True):
+            axes.annotate(one.label, (x, y), xytext=(6, 5), textcoords="offset points", fontsize=8)
+        ends = [0.0, 1.12 * pairs.max()]
+        axes.plot(ends, ends, color=_GREY, lw=1, ls=":", label="equal")
+        found = climb.correlations[lower][name]
+        stated = f"rank correlation {found:.2f}" if np.isfinite(found) else "too few to rank"
+        axes.set(xlim=ends, ylim=ends, xlabel=f"rung {lower}", ylabel=f"rung {upper}", title=stated)
+        axes.set_aspect("equal")
+        axes.legend(frameon=False, fontsize=8, loc="upper left")
+    figure.suptitle(f"How well one rung predicts the next: {LABELS[name]}", fontsize=11)
+    _save(figure, path)
+
+
+def draw_moves(start: ObjectSpec, found: ObjectSpec, path: Path) -> None:
+    """Face 1 seen from outside, before (grey) and after; arrows join the nearest (PNG)."""
+    from matplotlib.patches import Rectangle
+    from matplotlib.patheffects import withStroke
+
+    figure, axes = _figure((7.6, 8.0))
+    before, after = magnet_bodies(start)[_FACE - 1], magnet_bodies(found)[_FACE - 1]
+    sensors = [np.array([p[:2] for p in one.sensors.places[_FACE - 1]]) for one in (start, found)]
+    edges = [size / 2 for size in found.body.size_mm[:2]]
+    axes.add_patch(Rectangle((-edges[0], -edges[1]), 2 * edges[0], 2 * edges[1], fc="#efece4"))
+    for body in before:
+        _draw_magnet(axes, body, _GREY, "--")
+    for body, pole in zip(after, found.magnets.polarities, strict=True):
+        _draw_magnet(axes, body, _BEST, "-")
+        mark = f"{'N out' if pole > 0 else 'N in'}, {-body.centre_mm[2]:.1f} mm"
+        below = body.centre_mm[:2] - [0, body.outline.radius_mm + 0.9]
+        label = axes.annotate(mark, below, ha="center", va="center", fontsize=8.5, color=_INK)
+        label.set_path_effects([withStroke(linewidth=3, foreground="#efece4")])
+    places = [np.array([body.centre_mm[:2] for body in bodies]) for bodies in (before, after)]
+    _draw_arrows(axes, places[0], places[1], _BEST)
+    for points, colour, style in ((sensors[0], _GREY, "--"), (sensors[1], _SENSOR, "-")):
+        for x, y in points:
+            square = Rectangle(
+                (x - 1.2, y - 1.2), 2.4, 2.4, fill=False, ec=colour, ls=style, lw=1.8
+            )
+            axes.add_patch(square)
+    _draw_arrows(axes, sensors[0], sensors[1], _SENSOR)
+    axes.set(xlim=(-edges[0] - 1, edges[0] + 1), ylim=(-edges[1] - 1, edges[1] + 1), aspect="equal")
+    axes.set(xlabel="x of face 1 (mm)", ylabel="y of face 1 (mm)")
+    axes.set_title("What moved on every face (sensors before: face 1's)")
+    figure.legend(handles=_move_legend(), loc="outside lower center", ncols=2, frameon=False)
+    _save(figure, path)
+
+
+def _move_legend() -> list[Any]:
+    from matplotlib.lines import Line2D
+
+    hollow: dict[str, Any] = {"ls": "", "mfc": "none", "ms": 11}
+    return [
+        Line2D(
+            [], [], marker="o", mec=_BEST, mew=2, label="magnet, north pole and depth", **hollow
+        ),
+        Line2D([], [], marker="s", mec=_SENSOR, mew=2, label="Hall sensor", **hollow),
+        Line2D([], [], marker="o", mec=_GREY, mew=2, label="before", **hollow),
+        Line2D([], [], color=_BEST, lw=3, label="where a tilted magnet's axis leans"),
+    ]
+
+
+def paired(
+    before: Float[np.ndarray, "n 2"], after: Float[np.ndarray, "m 2"]
+) -> list[tuple[int, int]]:
+    """Which of the old places became which of the new, by the least total distance."""
+    from scipy.optimize import linear_sum_assignment
+
+    away = np.linalg.norm(before[:, None] - after, axis=-1)
+    rows, columns = linear_sum_assignment(away)
+    return list(zip(rows.tolist(), columns.tolist(), strict=True))
+
+
+def _draw_magnet(axes: Any, body: Body, colour: str, style: str) -> None:
+    from matplotlib.patches import Circle
+
+    x, y = body.centre_mm[:2]
+    axes.add_patch(Circle((x, y), body.outline.radius_mm, fill=False, ec=colour, ls=style, lw=2))
+    lean = 8 * body.frame[:2, 2]
+    if np.hypot(*lean) > 0.2:
+        axes.plot([x, x + lean[0]], [y, y + lean[1]], color=colour, lw=3, solid_capstyle="round")
+
+
+def _draw_arrows(axes: Any, before: np.ndarray, after: np.ndarray, colour: str) -> None:
+    for i, j in paired(before, after):
+        if np.hypot(*(after[j] - before[i])) > 0.5:
+            arrow = {"arrowstyle": "-|>", "color": colour, "lw": 1.3, "alpha": 0.7}
+            axes.annotate("", after[j], before[i], arrowprops=arrow)
+
+
+def pareto_front(values: Float[np.ndarray, "n 2"]) -> np.ndarray:
+    """Those that no other is better than or equal to in both (and better in one)."""
+    no_worse = np.all(values[None] <= values[:, None], axis=2)
+    better = np.any(values[None] < values[:, None], axis=2)
+    return ~np.any(no_worse & better, axis=1)
+
+
+def _figure(size: tuple[float, float], columns: int = 1) -> tuple[Any, Any]:
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=size, dpi=130, facecolor=_PAPER, layout="constrained")
+    axes = figure.subplots(1, columns)
+    for one in np.atleast_1d(axes):
+        one.spines[["top", "right"]].set_visible(False)
+        one.set_facecolor(_PAPER)
+    return figure, axes
+
+
+def _plain(axis: Any) -> None:
+    from matplotlib.ticker import FuncFormatter, LogLocator
+
+    axis.set_major_locator(LogLocator(subs=(1.0, 1.5, 2.0, 3.0, 5.0, 7.0)))
+    axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+    axis.set_minor_formatter(FuncFormatter(lambda *_: ""))
+
+
+def _save(figure: Any, path: Path) -> None:
+    with atomic_path(path) as temporary:
+        figure.savefig(temporary, format="png")

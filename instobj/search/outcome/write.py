@@ -1,0 +1,85 @@
+"""What a search leaves behind: specifications that `instobj run` takes, its results and a page."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+import tomli_w
+
+from design.files import atomic_path
+from design.search.space import SearchSpace
+from design.spec.object import ObjectSpec
+from design.spec.search import SearchSpec
+from instobj.search.outcome.history import search_history
+from instobj.search.outcome.page import write_search_page
+from instobj.search.promotion import Climb, Climber
+from instobj.search.study import KeptStudy
+from instobj.store.stage import write_json
+
+BEST = "best.toml"
+
+
+def write_outcome(
+    space: SearchSpace,
+    kept: KeptStudy,
+    found: Climb,
+    folder: Path,
+    beside: Path,
+    step: Callable[[str], None],
+) -> list[Path]:
+    """Write finalists, the best of them where it is better than the start, `search.json`, the page.
+
+    `beside` is the folder of the specification, from which it names other files.
+    """
+    written = []
+    for place, one in enumerate(found.finalists, start=1):
+        written.append(folder / f"finalist_{place}.toml")
+        write_specification(one.spec, f"{space.spec.name}_finalist_{place}", written[-1], beside)
+    if found.better:
+        written.append(folder / BEST)
+        write_specification(found.best.spec, f"{space.spec.name}_best", written[-1], beside)
+    else:
+        (folder / BEST).unlink(missing_ok=True)  # of an earlier call
+    written.append(folder / "search.json")
+    write_json(_results(found), written[-1])
+    history = search_history(space, kept)
+    written.append(write_search_page(space.spec, found, history, folder, step))
+    return written
+
+
+def write_specification(spec: ObjectSpec, name: str, path: Path, beside: Path) -> None:
+    """A layout as a specification file of its own, without the search."""
+    content = spec.model_copy(update={"name": name, "search": SearchSpec()}).model_dump(
+        mode="json", exclude_none=True
+    )
+    del content["search"], content["as_built"]
+    for table, key in (("indenter", "file"), ("silicone", "tensile_data")):
+        if key in content[table]:
+            content[table][key] = str((beside / content[table][key]).absolute())
+    with atomic_path(path) as temporary:
+        temporary.write_bytes(tomli_w.dumps(content).encode())
+
+
+def _results(found: Climb) -> dict[str, Any]:
+    def climber(one: Climber) -> dict[str, Any]:
+        rungs = {rung: asdict(score) for rung, score in one.rungs.items()}
+        return {"layout": one.label, "trial": one.trial, "rungs": rungs}
+
+    return json.loads(
+        json.dumps(
+            {
+                "better": found.better,
+                "objections": found.objections,
+                "start": climber(found.start),
+                "leaders": [climber(one) for one in found.leaders],
+                "finalists": [one.label for one in found.finalists],
+                "rank_correlations": found.correlations,
+                "estimators": found.estimators,
+                "ratios": {name: asdict(ratio) for name, ratio in found.ratios.items()},
+            }
+        )
+    )

@@ -1,0 +1,266 @@
+"""From the first rung to the last: leaders re-ranked with rigid magnets, finalists by the chain.
+
+What a rung said is kept in a file beside the trials, layout by layout, so that a broken search goes
+on from there.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator
+from contextlib import AbstractContextManager, ExitStack, contextmanager
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from optuna.trial import FrozenTrial
+
+from design.errors import InputError
+from design.files import atomic_path
+from design.search.space import SearchSpace, unit_of, with_layout
+from design.search.structure import structure_choices
+from design.spec.object import ObjectSpec
+from design.spec.search import OBJECTIVES_TO_MAXIMIZE, SearchSpec
+from design.spec_io import spec_hash
+from estimator.layouts.fidelity import SCORE_NAMES, LadderScore, rank_correlations, rung_one
+from estimator.layouts.scoring import LayoutScorer
+from instobj.search.fidelity import (
+    PlainShell,
+    TwinRatio,
+    chain_score,
+    estimator_errors,
+    plain_shell,
+    twin_ratios,
+)
+from instobj.search.loop import is_feasible
+from instobj.search.lowest_fidelity import cost, scorers
+from instobj.search.study import KeptStudy
+
+_APART = 0.05
+"""Of the unit cube: leaders differ by at least that much in some variable."""
+_FACES = (1, 2, 3, 4, 5)
+_EXCESS_WEIGHT = 10.0
+FIRST, SECOND, LAST = "1", "2", "3"
+
+Say = Callable[[str], None]
+
+
+@dataclass(frozen=True)
+class Climber:
+    """A layout on its way up: its trial's number (None: the start) and its score on each rung."""
+
+    label: str
+    trial: int | None
+    spec: ObjectSpec
+    rungs: dict[str, LadderScore]
+
+
+@dataclass(frozen=True)
+class Climb:
+    """What the ladder found.
+
+    `correlations` are rank correlations of every score between a rung and the next, by its number;
+    `ratios` of the best against the start on the last rung, with 95 % intervals between toleranced
+    twins. `estimators` holds what estimators trained for the start and for each finalist achieve on
+    simulated presses held out (`instobj.search.fidelity.estimator_errors`). `objections` say why the
+    last rung does not call the best one better than the start.
+    """
+
+    start: Climber
+    leaders: tuple[Climber, ...]
+    finalists: tuple[Climber, ...]
+    correlations: dict[str, dict[str, float]]
+    ratios: dict[str, TwinRatio]
+    estimators: dict[str, dict[str, float]]
+    objections: tuple[str, ...]
+
+    @property
+    def better(self) -> bool:
+        """Whether the last rung says so: of the objectives' mean, all limits and 95 % of the twins."""
+        return not self.objections
+
+    @property
+    def best(self) -> Climber:
+        """The finalist that the last rung puts first."""
+        return self.finalists[0]
+
+
+def climb(space: SearchSpace, kept: KeptStudy, folder: Path, say: Say) -> Climb | None:
+    """Take the search's leaders up all rungs; None where no trial keeps every limit."""
+    search, memo = space.spec.search, folder / "rungs.json"
+    chosen = leaders(space, kept, search.leaders)
+    if not chosen:
+        return None
+    start = Climber("start", None, space.spec, {})
+    named = [
+        Climber(f"trial {trial.number}", trial.number, with_layout(space.spec, trial.params), {})
+        for trial in chosen
+    ]
+    everyone = _score([start, *named], FIRST, _first_rung, memo, say)
+    everyone = _score(everyone, SECOND, _second_rung, memo, say)
+    ranked = sorted(everyone[1:], key=lambda one: merit(search, one, start, SECOND))
+    finalists: list[Climber] = []
+    for one in ranked:
+        if len(finalists) < search.finalists:
+            finalists += _score([start, one], LAST, _last_rung, memo, say)[1:]
+    if not finalists:
+        raise InputError(
+            "no leader could be scored on the upper rungs: see the reasons above. Raise search.leaders and "
+            "go on with --resume"
+        )
+    finalists.sort(key=lambda one: merit(search, one, start, LAST))
+    correlations = {
+        FIRST: _correlations(everyone, FIRST, SECOND),
+        SECOND: _correlations([start, *finalists], SECOND, LAST),
+    }
+    say("twins within tolerance")
+    ratios = twin_ratios(start.spec, finalists[0].spec)
+    estimators = {}
+    for one in (start, *finalists):
+        say(f"estimators of {one.label}")
+        estimators[one.label] = estimator_errors(one.spec)
+    against = objections(search, finalists[0], start, ratios)
+    return Climb(start, tuple(ranked), tuple(finalists), correlations, ratios, estimators, against)
+
+
+def leaders(space: SearchSpace, kept: KeptStudy, count: int) -> list[FrozenTrial]:
+    """The best trials within all limits that are not almost the same layout.
+
+    With several objectives, by their product: in the middle of the front.
+    """
+    within = [trial for trial in kept.finished() if is_feasible(trial)]
+    within.sort(key=lambda trial: float(np.log(trial.values).sum()))
+    found: list[FrozenTrial] = []
+    points: list[np.ndarray] = []
+    for trial in within:
+        point = unit_of(space, trial.params)
+        if all(abs(point - other).max() >= _APART for other in points):
+            found.append(trial)
+            points.append(point)
+        if len(found) == count:
+            break
+    return found
+
+
+def merit(search: SearchSpec, one: Climber, start: Climber, rung: str) -> float:
+    """Mean logarithm of the objectives over the start's, with what limits are exceeded: less is
+    better, the start has 0."""
+    exceeded = sum(excess(search, one, start, rung).values())
+    return _mean_log(search, one, start, rung) + _EXCESS_WEIGHT * exceeded
+
+
+def excess(search: SearchSpec, one: Climber, start: Climber, rung: str) -> dict[str, float]:
+    """Shares by which limits of `times_start` are exceeded and by which range is lacking."""
+    lacking = one.spec.limits.saturation_margin - one.rungs[rung].saturation_margin
+    found = {"saturation_margin": lacking}
+    for name, factor in search.limits.times_start.items():
+        most = 1 / factor if name in OBJECTIVES_TO_MAXIMIZE else factor
+        found[name] = _over_start(name, one, start, rung) / most - 1
+    return {name: share for name, share in found.items() if share > 0}
+
+
+def objections(
+    search: SearchSpec, best: Climber, start: Climber, ratios: dict[str, TwinRatio]
+) -> tuple[str, ...]:
+    """What keeps a layout from being better on the last rung, in words."""
+    found = []
+    if _mean_log(search, best, start, LAST) >= 0:
+        found.append("the objectives' mean is not better")
+    for name, share in excess(search, best, start, LAST).items():
+        found.append(f"{name} misses its limit by {100 * share:.2g} %")
+    first = search.objectives[0]
+    if first in ratios and ratios[first].low <= 1:
+        found.append(f"{first} is not better in 95 % of pairs of twins")
+    return tuple(found)
+
+
+def _mean_log(search: SearchSpec, one: Climber, start: Climber, rung: str) -> float:
+    logs = [np.log(_over_start(name, one, start, rung)) for name in search.objectives]
+    return float(np.mean(logs))
+
+
+def _over_start(name: str, one: Climber, start: Climber, rung: str) -> float:
+    """A score over the start's, as something to minimise."""
+    if name == "cost":
+        return max(cost(one.spec), 1e-9) / max(cost(start.spec), 1e-9)
+    before, after = (max(getattr(who.rungs[rung], name), 1e-9) for who in (start, one))
+    value = after / before
+    return 1 / value if name in OBJECTIVES_TO_MAXIMIZE else value
+
+
+def _correlations(climbers: list[Climber], lower: str, upper: str) -> dict[str, float]:
+    return rank_correlations(*([one.rungs[rung] for one in climbers] for rung in (lower, upper)))
+
+
+Scoring = Callable[[], AbstractContextManager[Callable[[ObjectSpec], LadderScore]]]
+
+
+def _score(
+    climbers: list[Climber], rung: str, scoring: Scoring, memo: Path, say: Say
+) -> list[Climber]:
+    """Fill in a rung, from the file or anew; layouts that cannot be scored fall out, with a reason."""
+    known = json.loads(memo.read_text(encoding="utf-8")) if memo.is_file() else {}
+    left: list[Climber] = []
+    with scoring() as score:
+        for one in climbers:
+            key = f"{rung} {spec_hash(one.spec)}"
+            if known.get(key, {}).keys() != set(SCORE_NAMES):
+                say(f"rung {rung}: {one.label} of {len(climbers) - 1}")
+                try:
+                    known[key] = asdict(score(one.spec))
+                except (ValueError, ArithmeticError) as error:
+                    if one.trial is None:
+                        raise
+                    say(f"rung {rung}: {one.label} falls out: {error}")
+                    continue
+                with atomic_path(memo) as temporary:
+                    temporary.write_text(json.dumps(known, indent=1), encoding="utf-8")
+            one.rungs[rung] = LadderScore(**{name: known[key][name] for name in SCORE_NAMES})
+            left.append(one)
+    return left
+
+
+_SCORER = ("magnet_part", "sensor_chip", "sensor_turn_deg", "sensor_range_mt")
+_SHELL = ("shell_thickness_mm", "silicone", "core_size_mm")
+
+
+def _alike(spec: ObjectSpec, names: tuple[str, ...]) -> tuple[Any, ...]:
+    """What layouts that share mechanics, or scorers, have in common."""
+    choices = structure_choices(spec)
+    return tuple(choices[name] for name in names)
+
+
+@contextmanager
+def _first_rung() -> Iterator[Callable[[ObjectSpec], LadderScore]]:
+    found: dict[tuple[Any, ...], tuple[LayoutScorer, ...]] = {}
+
+    def score(spec: ObjectSpec) -> LadderScore:
+        key = _alike(spec, _SCORER + _SHELL)
+        if key not in found:
+            found[key] = scorers(spec, _FACES)
+        return rung_one(spec, found[key])
+
+    yield score
+
+
+@contextmanager
+def _second_rung() -> Iterator[Callable[[ObjectSpec], LadderScore]]:
+    """One factorization for all layouts of a shell that follow each other."""
+    with ExitStack() as stack:
+        held: dict[tuple[Any, ...], PlainShell] = {}
+
+        def score(spec: ObjectSpec) -> LadderScore:
+            key = _alike(spec, _SHELL)
+            if key not in held:
+                stack.close()
+                held.clear()
+                held[key] = stack.enter_context(plain_shell(spec))
+            return held[key].score(spec)
+
+        yield score
+
+
+@contextmanager
+def _last_rung() -> Iterator[Callable[[ObjectSpec], LadderScore]]:
+    yield chain_score

@@ -1,0 +1,68 @@
+"""Maker of the stage that simulates recordings. Heavy imports stay inside."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from instobj.stages.deformation import stored_correction
+from instobj.store.stage import StageContext, write_json
+
+if TYPE_CHECKING:
+    from estimator.frames.dataset import FrameSet
+    from estimator.information.shear import ShearSignals
+
+
+def make_collection(context: StageContext, folder: Path) -> None:
+    """`frames_<kind>.nc` and what is in it."""
+    from estimator.frames.collection import simulate_collection
+    from estimator.frames.contact_traces import JointMechanics
+    from estimator.frames.dataset import save_frames
+    from estimator.signals.presses import load_signals
+    from fem.linear.response import load_response
+
+    spec, inputs = context.spec, context.inputs
+    signals = load_signals(inputs["signals"] / "lattice_signals.nc")
+    shear = _shear(context) if spec.collection.tangential_share else None
+    mechanics = JointMechanics(
+        load_response(inputs["response"]), stored_correction(inputs["large_strain"])
+    )
+    started = time.perf_counter()
+    frames = simulate_collection(spec, signals, context.key, mechanics, context.step, shear)
+    seconds = time.perf_counter() - started
+    write_json(collection_summary(frames) | {"seconds": round(seconds, 1)}, folder / "frames.json")
+    context.step("writing the frames")
+    save_frames(frames, folder / f"frames_{spec.collection.kind}.nc")
+
+
+def _shear(context: StageContext) -> ShearSignals | None:
+    """Signals of tangential forces, where the stage was given their mechanics."""
+    from estimator.information.shear import shear_signals
+    from fem.presses.results import load_presses
+    from fem.presses.shear import load_shear
+
+    if "shear" not in context.inputs:
+        return None
+    _, motions = load_presses(context.inputs["presses"] / "presses.nc")
+    return shear_signals(context.spec, motions, load_shear(context.inputs["shear"] / "shear.nc"))
+
+
+def collection_summary(frames: FrameSet) -> dict[str, Any]:
+    """Numbers of frames, cases and presses, and the range of force (N)."""
+    import numpy as np
+
+    from estimator.frames.dataset import NO_FACE
+    from estimator.frames.press_protocol import REST_PLACE_ID
+
+    pressed = (frames.contact_face != NO_FACE).any(axis=1)
+    force = frames.force_n[frames.valid & pressed][..., 2]
+    return {
+        "frames": len(frames),
+        "contact_frames": int(pressed.sum()),
+        "contact_cases": len(np.setdiff1d(frames.place_id, [REST_PLACE_ID])),
+        "presses": len(np.unique(frames.press_id)),
+        "most_contacts": int((frames.contact_face != NO_FACE).sum(axis=1).max()),
+        "smallest_force_n": float(np.nanmin(force)),
+        "largest_force_n": float(np.nanmax(force)),
+    }

@@ -1,0 +1,187 @@
+"""Makers of the stages that show and correct deformation: shapes of presses, large-strain presses."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from design.files import atomic_path
+from design.spec.object import ObjectSpec
+
+if TYPE_CHECKING:
+    from fem.large_strain.correction import StrainCorrection
+    from fem.large_strain.results import LargeStrainPress
+    from fem.presses.results import MagnetMotions, PressForces
+    from instobj.store.stage import StageContext
+
+_SHOWN_DEPTH_MM = 2.0
+_EDGES_PER_TIP_RADIUS = 3.0
+_APART_MM = 1.0
+_FILE = "large_strain.json"
+
+
+def make_shapes(context: StageContext, folder: Path) -> None:
+    """Shapes of two presses of the table, at the centre and at the edge of the first face.
+
+    A shell that slides on its core has none: the stage is then empty.
+    """
+    from design.layout.positions import contact_grid, face_frames
+    from fem.linear.response import load_response
+    from fem.mesh.tetrahedra import load_mesh
+    from fem.presses.shape import save_deformed_shape, table_shapes
+    from instobj.figures.section import SectionPanel, draw_sections
+
+    spec, response = context.spec, load_response(context.inputs["response"])
+    if response.core is not None:
+        return
+    context.step("shapes under two presses")
+    places = [(0.0, 0.0), (float(contact_grid(spec).x_mm[-1]), 0.0)]
+    depth = min(_SHOWN_DEPTH_MM, spec.press.depths_mm[-1])
+    mesh = load_mesh(context.inputs["mesh"] / "mesh.npz")
+    shapes = table_shapes(spec, mesh, response, 0, np.array(places), depth)
+    frame = face_frames(spec)[0]
+    panels = []
+    for (x, y), shape in zip(places, shapes, strict=True):
+        name = f"face_{frame.number}_{x:g}_{y:g}"
+        save_deformed_shape(shape, folder / "shapes" / f"{name}.vtu")
+        title = f"Face {frame.number}, ({x:g}, {y:g}) mm, {depth:g} mm deep, small strain"
+        tangent = frame.tangent(np.array([x, y]))
+        panels.append(SectionPanel(title, shape, tangent, (x, y), depth, tip_radius_mm(spec)))
+    draw_sections(panels, folder / "shapes" / "section.png")
+
+
+def make_large_strain(context: StageContext, folder: Path) -> None:
+    """Press a few places of the first face with large deformation and fit the correction.
+
+    Nothing is made where `mechanics.correction` is "none". A press that diverges counts with the
+    depths that it reached.
+    """
+    spec = context.spec
+    content: dict[str, Any] = {"correction": None, "presses": []}
+    if spec.mechanics.correction == "large-strain":
+        content = _presses_and_fit(context)
+    with atomic_path(folder / _FILE) as temporary:
+        temporary.write_text(json.dumps(content, indent=1), encoding="utf-8")
+
+
+def correct_table(
+    spec: ObjectSpec, forces: PressForces, motions: MagnetMotions, folder: Path
+) -> tuple[PressForces, MagnetMotions]:
+    """The table corrected by what `make_large_strain` left in its folder; unchanged without."""
+    from fem.large_strain.correction import corrected_table
+
+    correction = stored_correction(folder)
+    if correction is None:
+        return forces, motions
+    return corrected_table(spec, forces, motions, correction)
+
+
+def stored_correction(folder: Path) -> StrainCorrection | None:
+    """The correction that `make_large_strain` left in its folder; None where none was asked."""
+    from fem.large_strain.correction import StrainCorrection
+
+    content = large_strain_content(folder)["correction"]
+    if content is None:
+        return None
+    return StrainCorrection(
+        content["thickness_mm"],
+        tuple(content["force"]),
+        tuple(content["shift"]),
+        tuple(content["rotation"]),
+    )
+
+
+def large_strain_content(folder: Path) -> dict[str, Any]:
+    """What `make_large_strain` wrote: coefficients, errors, and a row for each press."""
+    return json.loads((folder / _FILE).read_text(encoding="utf-8"))
+
+
+def correction_places_mm(spec: ObjectSpec) -> list[tuple[float, float]]:
+    """Centre, middle of an edge, corner, over the outermost magnet, on the way there, off centre.
+
+    All within the contact grid; places less than 1 mm from an earlier one are left out.
+    """
+    from design.layout.positions import contact_grid
+
+    grid = contact_grid(spec)
+    reach = np.array([grid.x_mm[-1], grid.y_mm[-1]])
+    outer = max(spec.magnets.positions_mm, key=lambda place: float(np.hypot(*place)))
+    magnet = np.clip(outer, -reach, reach)
+    wanted = (0 * reach, reach * [1, 0], reach, magnet, magnet / 2, reach * [0.4, 0])
+    places: list[np.ndarray] = []
+    for place in wanted:
+        if all(np.hypot(*(place - other)) >= _APART_MM for other in places):
+            places.append(place)
+    return [(round(float(x), 4), round(float(y), 4)) for x, y in places]
+
+
+def tip_radius_mm(spec: ObjectSpec) -> float | None:
+    """Radius of a tip that is a sphere in section, else None."""
+    return spec.indenter.radius_mm if spec.indenter.kind == "hemisphere" else None
+
+
+def _presses_and_fit(context: StageContext) -> dict[str, Any]:
+    from dataclasses import asdict
+
+    from fem.large_strain.correction import fit_correction, leave_one_out, press_pair
+
+    spec = context.spec
+    presses = [_press(context, place) for place in correction_places_mm(spec)]
+    pairs = [press_pair(spec, press) for press in presses]
+    thickness = spec.shell.thickness_mm
+    return {
+        "correction": fit_correction(pairs, thickness).to_dict(),
+        "error": asdict(leave_one_out(pairs, thickness)),
+        "presses": [_row(press) for press in presses],
+    }
+
+
+def _press(context: StageContext, place: tuple[float, float]) -> LargeStrainPress:
+    """One press on a mesh of its own, a third of the tip's radius fine.
+
+    Ratios of the two models on one mesh need no finer one: at the centre of the paper's cube they
+    scatter by 4 % of the force either way between edges of 1.7 and 1.2 mm.
+    """
+    from fem.large_strain.hyperelastic import neo_hookean
+    from fem.large_strain.press import press_large_strain
+    from fem.mesh.press_mesh import tetrahedralize_for_press
+
+    spec = context.spec
+    edge = max(spec.mesh.surface_edge_mm, spec.indenter.radius_mm / _EDGES_PER_TIP_RADIUS)
+    mesh_spec = spec.mesh.model_copy(update={"surface_edge_mm": edge})
+    coarse = spec.model_copy(update={"mesh": mesh_spec})
+    face = 1
+    where = f"place ({place[0]:g}, {place[1]:g}) mm"
+    context.step(f"{where}: mesh")
+    mesh = tetrahedralize_for_press(coarse, face, *place)
+    silicone = spec.silicone
+    material = neo_hookean(silicone.youngs_modulus_mpa, silicone.poisson_ratio)
+    return press_large_strain(
+        coarse,
+        mesh,
+        face,
+        *place,
+        spec.press.depths_mm,
+        material,
+        lambda text: context.step(f"{where}: {text}"),
+    )
+
+
+def _row(press: LargeStrainPress) -> dict[str, Any]:
+    from fem.large_strain.results import linearity_limits
+
+    limits = linearity_limits(press)
+    return {
+        "x_mm": press.x_mm,
+        "y_mm": press.y_mm,
+        "status": press.status,
+        "converged_depth_mm": press.converged_depth_mm,
+        "five_percent_mm": limits.five_percent_mm,
+        "twenty_percent_mm": limits.twenty_percent_mm,
+        "depth_mm": press.depth_mm.tolist(),
+        "force_n": press.force_n.tolist(),
+        "linear_force_n": press.linear_force_n.tolist(),
+    }

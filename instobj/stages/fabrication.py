@@ -1,0 +1,64 @@
+"""Fabrication as stages of the chain (checks, bill of materials, assembly sheet), and in `check`."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+from instobj.store.stage import StageContext, write_json
+
+FINDINGS = "fabrication.json"
+PICTURE = "fabrication.png"
+
+
+def make_fabrication(context: StageContext, folder: Path) -> None:
+    """All findings, and a picture of the places where something did not pass."""
+    from design.fabrication.check import check_fabrication
+    from design.fabrication.finding import worst
+    from instobj.render.findings import draw_findings
+
+    checked = check_fabrication(context.spec, context.step)
+    context.step("drawing the places found")
+    draw_findings(checked.findings, checked.meshes, context.spec.name, folder / PICTURE)
+    content = {
+        "name": context.spec.name,
+        "printer": context.spec.printer.name,
+        "silicone": context.spec.silicone.name,
+        "status": worst(checked.findings),
+        "findings": [finding.as_dict() for finding in checked.findings],
+    }
+    write_json(content, folder / FINDINGS)
+
+
+def make_sheet(context: StageContext, folder: Path) -> None:
+    """Bill of materials and assembly sheet of a build."""
+    from design.build.bom import BOM_NAME, bill_of_materials, write_bom
+    from design.build.manifest import BuildManifest
+    from design.files import atomic_path
+    from instobj.render.exploded_view import draw_exploded
+    from instobj.report.assembly_sheet import assembly_sheet
+
+    spec, parts = context.spec, context.inputs["build"]
+    manifest = BuildManifest.read(parts)
+    write_bom(bill_of_materials(spec, manifest), folder / BOM_NAME)
+    context.step("drawing the exploded view")
+    picture = draw_exploded(spec, parts, folder / "exploded.png")
+    with atomic_path(folder / "assembly.html") as path:
+        path.write_text(assembly_sheet(spec, manifest, picture), encoding="utf-8")
+
+
+def fabrication_of(specs: list[Path], overrides: list[str], out: Path) -> list[dict[str, Any]]:
+    """Findings of every specification, published to `cad_out/<name>`."""
+    from design.spec_io import load_spec
+    from instobj.stages.chain import Chain
+    from instobj.store.publish import file_rows, publish, require_writable
+
+    require_writable(out)
+    found = []
+    for path in specs:
+        spec = load_spec(path, overrides)
+        result = Chain(spec).require("fabrication")
+        content = json.loads((result.folder / FINDINGS).read_text(encoding="utf-8"))
+        found.append(content | {"files": file_rows(publish(spec, result, out))})
+    return found

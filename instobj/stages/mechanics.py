@@ -1,0 +1,113 @@
+"""Makers of the stages from solids to presses. Heavy imports stay inside."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from instobj.stages.deformation import correct_table
+from instobj.store.stage import StageContext, write_json
+
+
+def make_build(context: StageContext, folder: Path) -> None:
+    """Solids, mould and probes, with a picture."""
+    from design.build.export import build_object
+    from instobj.render.parts import draw_parts
+
+    build_object(context.spec, folder, context.step)
+    context.step("drawing the parts")
+    draw_parts(folder, folder / "parts.png")
+
+
+def make_mesh(context: StageContext, folder: Path) -> None:
+    """Tetrahedra of the sealed body and their quality."""
+    from fem.mesh.quality import mesh_quality, require_quality
+    from fem.mesh.tetrahedra import save_mesh, tetrahedralize
+
+    context.step("tetrahedra of the sealed body, magnets resolved")
+    mesh = tetrahedralize(context.spec)
+    quality = mesh_quality(mesh, context.spec)
+    require_quality(quality)
+    save_mesh(mesh, folder / "mesh.npz")
+    write_json(quality.to_dict(), folder / "mesh_quality.json")
+
+
+def make_response(context: StageContext, folder: Path) -> None:
+    """The response operator."""
+    from fem.linear.response import LOCKING_WARNING, build_response, save_response
+    from fem.mesh.tetrahedra import load_mesh
+
+    if context.spec.mechanics.element == "p1":
+        context.step(LOCKING_WARNING)
+    context.step("assembling, factoring and condensing")
+    response = build_response(load_mesh(context.inputs["mesh"] / "mesh.npz"), context.spec)
+    save_response(response, folder)
+    write_json(
+        {
+            "unknowns": response.unknowns,
+            "condensed_unknowns": len(response.compliance),
+            "negative_pivots": response.negative_pivots,
+        },
+        folder / "response.json",
+    )
+
+
+def make_coarse_response(context: StageContext, folder: Path) -> None:
+    """The response operator on a mesh with edges 1.5 times as long."""
+    from fem.linear.response import build_response, save_response
+    from fem.mesh.tetrahedra import tetrahedralize
+    from fem.presses.discretisation import coarser
+
+    context.step("a mesh with edges 1.5 times as long")
+    spec = coarser(context.spec)
+    mesh = tetrahedralize(spec)
+    context.step("assembling, factoring and condensing")
+    save_response(build_response(mesh, spec), folder)
+
+
+def make_discretisation(context: StageContext, folder: Path) -> None:
+    """Error of the table of presses, from both meshes."""
+    from fem.linear.response import load_response
+    from fem.presses.discretisation import discretisation_error
+
+    context.step("the same presses on both meshes")
+    responses = (load_response(context.inputs[name]) for name in ("response", "coarse_response"))
+    write_json(
+        discretisation_error(context.spec, *responses).to_dict(), folder / "discretisation.json"
+    )
+
+
+def make_presses(context: StageContext, folder: Path) -> None:
+    """Every press of the table: forces and motions, at rest and pressed."""
+    from fem.linear.core_slip import resting_shell
+    from fem.linear.response import load_response
+    from fem.mesh.tetrahedra import load_mesh
+    from fem.presses.core_tension import core_tension
+    from fem.presses.results import save_presses
+    from fem.presses.table import simulate_lattice
+
+    response, rest = load_response(context.inputs["response"]), None
+    slip = context.spec.mechanics.slip
+    if slip.slipped and slip.model == "fem":
+        context.step("the shell at rest on its slipped core")
+        rest = resting_shell(load_mesh(context.inputs["mesh"] / "mesh.npz"), context.spec)
+    forces, motions = simulate_lattice(context.spec, response, context.step, rest)
+    forces, motions = correct_table(context.spec, forces, motions, context.inputs["large_strain"])
+    save_presses(forces, motions, folder / "presses.nc")
+    if response.core is not None:
+        context.step("where the shell would lift off its core")
+        tension = core_tension(context.spec, response)
+        write_json(tension.to_dict(), folder / "core_tension.json")
+
+
+def make_shear(context: StageContext, folder: Path) -> None:
+    """Motions under tangential forces of the tip."""
+    from fem.linear.response import load_response
+    from fem.mesh.tetrahedra import load_mesh
+    from fem.presses.shear import motions_under_traction, save_shear, simulate_shear
+
+    context.step("magnet motions under tractions on every face")
+    mesh = load_mesh(context.inputs["mesh"] / "mesh.npz")
+    per_traction = motions_under_traction(mesh, context.spec)
+    context.step("tangential forces at every place and depth")
+    response = load_response(context.inputs["response"])
+    save_shear(simulate_shear(context.spec, response, per_traction), folder / "shear.nc")

@@ -1,0 +1,145 @@
+"""Makers of the stages from signals to the report. Heavy imports stay inside."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from instobj.store.stage import StageContext, write_json
+
+
+def make_signals(context: StageContext, folder: Path) -> None:
+    """Expected counts of every press."""
+    from estimator.signals.presses import press_signals, save_grid_signals, save_signals
+    from fem.presses.results import load_presses
+
+    forces, motions = load_presses(context.inputs["presses"] / "presses.nc")
+    signals = press_signals(context.spec, forces, motions, context.step)
+    save_signals(signals, folder / "lattice_signals.nc")
+    save_grid_signals(context.spec, signals, folder / "signals.nc", context.spec.seed)
+
+
+def make_scores(context: StageContext, folder: Path) -> None:
+    """Sensitivity, bounds, maps and cross-face disturbance."""
+    from estimator.information.cross_face import RELATIONS, cross_face_disturbance
+    from estimator.information.scores import save_scores_csv, score_places
+    from instobj.figures.maps import draw_cross_face_map, draw_score_maps
+
+    context.step("sensitivity and bounds of every place")
+    signals = _stored_signals(context)
+    scores = score_places(context.spec, signals, context.step)
+    save_scores_csv(scores, folder / "scores.csv")
+    draw_score_maps(context.spec, scores, folder / "maps", context.step)
+    context.step("presses on other faces")
+    cross = cross_face_disturbance(context.spec, signals)
+    summaries = {relation: cross.summary(relation) for relation in RELATIONS}
+    write_json({"force_n": cross.force_n} | summaries, folder / "cross_face.json")
+    draw_cross_face_map(context.spec, cross, folder / "maps")
+
+
+def make_shear_scores(context: StageContext, folder: Path) -> None:
+    """Bounds with tangential forces unknown."""
+    from estimator.information.shear import save_shear_scores_csv, score_shear, shear_signals
+    from fem.presses.results import load_presses
+    from fem.presses.shear import load_shear
+    from instobj.figures.maps import draw_shear_maps
+
+    _, motions = load_presses(context.inputs["presses"] / "presses.nc")
+    shear = load_shear(context.inputs["shear"] / "shear.nc")
+    slopes = shear_signals(context.spec, motions, shear)
+    scores = score_shear(context.spec, _stored_signals(context), slopes)
+    save_shear_scores_csv(scores, folder / "shear_scores.csv")
+    draw_shear_maps(context.spec, scores, folder / "maps")
+
+
+def make_identify(context: StageContext, folder: Path) -> None:
+    """Information of several contacts at once."""
+    from estimator.information.identifiability import identifiability, save_identifiability_csv
+    from fem.presses.results import load_presses
+    from instobj.figures.information import draw_blindest, draw_identifiability
+
+    forces, motions = load_presses(context.inputs["presses"] / "presses.nc")
+    rows = identifiability(context.spec, forces, motions, progress=context.step)
+    save_identifiability_csv(rows, folder / "identifiability.csv")
+    draw_identifiability(context.spec, rows, folder / "identifiability.png")
+    draw_blindest(context.spec, rows, folder / "blindest_contacts.png")
+
+
+def make_robustness(context: StageContext, folder: Path) -> None:
+    """Budget of tolerances."""
+    from estimator.tolerances.budget import robustness
+    from estimator.tolerances.result import save_robustness
+    from fem.presses.results import load_presses
+    from instobj.figures.robustness import draw_robustness
+
+    presses = load_presses(context.inputs["presses"] / "presses.nc")
+    budget = robustness(context.spec, *presses, context.step)
+    save_robustness(budget, folder / "robustness.json")
+    draw_robustness(context.spec, budget, folder / "robustness.png")
+
+
+def make_frames(context: StageContext, folder: Path) -> None:
+    """Simulated calibration presses."""
+    from estimator.frames.dataset import save_frames
+    from estimator.frames.press_protocol import nominal_peaks, plan_presses, simulate_presses
+
+    signals = _stored_signals(context)
+    frames = simulate_presses(context.spec, signals, context.key, context.step)
+    peaks = nominal_peaks(context.spec, signals)
+    write_json(
+        plan_presses(context.spec, signals).summary()
+        | {
+            "common_travel_mm": peaks.common_travel_mm,
+            "deepest_peak_mm": float(peaks.depth_mm.max()),
+            "shallowest_peak_mm": float(peaks.depth_mm.min()),
+            "clamped_places": int(peaks.clamped.sum()),
+        },
+        folder / "protocol.json",
+    )
+    save_frames(frames, folder / "frames.nc")
+
+
+def make_pretraining(context: StageContext, folder: Path) -> None:
+    """A network per face, trained on presses of twins."""
+    from estimator.calibration.pretraining import split_twins, twin_frames
+    from fem.presses.results import load_presses
+    from instobj.stages.learning import fit_faces
+
+    spec = context.spec
+    presses = load_presses(context.inputs["presses"] / "presses.nc")
+    frames = twin_frames(spec, *presses, spec.training.twins, context.step)
+    split, target = split_twins(frames), folder / "pretrained"
+    fit_faces(frames, split, spec.training, spec.seed, target, context.step)
+
+
+def make_networks(context: StageContext, folder: Path) -> None:
+    """A network per face."""
+    from instobj.stages.learning import train_networks, unfinished_folder
+
+    frames = context.inputs["frames"] / "frames.nc"
+    unfinished = unfinished_folder(context.key)
+    train_networks(
+        frames, context.spec.training, context.spec.seed, folder, context.step, unfinished
+    )
+
+
+def make_metrics(context: StageContext, folder: Path) -> None:
+    """Held-out presses."""
+    from instobj.stages.learning import evaluate_networks
+
+    frames = context.inputs["frames"] / "frames.nc"
+    evaluate_networks(frames, context.inputs["networks"], context.spec.seed, folder, context.step)
+
+
+def make_report(context: StageContext, folder: Path) -> None:
+    """The report page."""
+    from instobj.report.page import write_report
+
+    context.step("writing the report")
+    write_report(context.spec, context.inputs, folder / "report.html", context.step)
+
+
+def _stored_signals(context: StageContext) -> Any:
+    from estimator.signals.presses import load_signals
+
+    return load_signals(context.inputs["signals"] / "lattice_signals.nc")

@@ -1,0 +1,290 @@
+"""The stages of the chain: what each needs, and which parts of the specification it depends on."""
+
+from __future__ import annotations
+
+from dataclasses import asdict
+from typing import Any
+
+from design.spec.object import ObjectSpec
+from instobj.stages.collection import make_collection
+from instobj.stages.deformation import make_large_strain, make_shapes
+from instobj.stages.fabrication import make_fabrication, make_sheet
+from instobj.stages.magnet_free import (
+    make_candidates,
+    make_compliance,
+    make_plain_mesh,
+    make_plain_presses,
+    make_plain_response,
+)
+from instobj.stages.mechanics import (
+    make_build,
+    make_coarse_response,
+    make_discretisation,
+    make_mesh,
+    make_presses,
+    make_response,
+    make_shear,
+)
+from instobj.stages.signals import (
+    make_frames,
+    make_identify,
+    make_metrics,
+    make_networks,
+    make_pretraining,
+    make_report,
+    make_robustness,
+    make_scores,
+    make_shear_scores,
+    make_signals,
+)
+from instobj.store.stage import Stage
+
+_WHERE_THINGS_ARE = ("body", "shell", "magnets", "arrangement")
+_MAKING = (
+    *(*_WHERE_THINGS_ARE, "core", "sensors", "indenter"),
+    *("mould", "printer", "export", "mesh.envelope_mm"),
+)
+_SHAPE = ("body", "shell.thickness_mm", "shell.slits", "core.keys")
+_WHAT_IS_MESHED = (*_SHAPE, "shell_bodies", "mesh")
+_ELASTIC = (
+    "silicone.youngs_modulus_mpa",
+    "silicone.poisson_ratio",
+    "mechanics.element",
+    "mechanics.magnets",
+    "mechanics.interface",
+    "mechanics.slip.rim",
+)
+_ELASTIC_WITHOUT_MAGNETS = tuple(name for name in _ELASTIC if name != "mechanics.magnets")
+
+STAGES: dict[str, Stage] = {
+    "build": Stage(
+        "design: solids, mould and probes",
+        (),
+        ("name", *_MAKING),
+        make_build,
+        version=3,
+    ),
+    "sheet": Stage(
+        "design: bill of materials and assembly sheet",
+        ("build",),
+        ("name", *_MAKING, "silicone"),
+        make_sheet,
+        version=3,
+    ),
+    "fabrication": Stage(
+        "design: fabrication checks",
+        (),
+        ("name", *_MAKING, "silicone"),
+        make_fabrication,
+        version=2,
+    ),
+    "mesh": Stage("mesh: tetrahedra", (), _WHAT_IS_MESHED, make_mesh),
+    "response": Stage("mechanics: response operator", ("mesh",), _ELASTIC, make_response),
+    "large_strain": Stage(
+        "mechanics: presses with large deformation",
+        (),
+        (
+            *_WHAT_IS_MESHED,
+            *_ELASTIC,
+            "magnets.positions_mm",
+            "contact_grid",
+            "indenter",
+            "press",
+            "mechanics.correction",
+        ),
+        make_large_strain,
+    ),
+    "shapes": Stage(
+        "mechanics: shapes of presses",
+        ("mesh", "response"),
+        ("contact_grid", "indenter", "press"),
+        make_shapes,
+    ),
+    "presses": Stage(
+        "mechanics: contact at every place and depth",
+        ("mesh", "response", "large_strain"),
+        ("contact_grid", "indenter", "press", "mechanics.slip"),
+        make_presses,
+        version=3,
+    ),
+    "plain_mesh": Stage("mesh: without magnets", (), (*_SHAPE, "mesh"), make_plain_mesh),
+    "plain_response": Stage(
+        "mechanics: response without magnets",
+        ("plain_mesh",),
+        _ELASTIC_WITHOUT_MAGNETS,
+        make_plain_response,
+    ),
+    "plain_presses": Stage(
+        "mechanics: contact without magnets",
+        ("plain_response",),
+        ("contact_grid", "indenter", "press"),
+        make_plain_presses,
+        version=2,
+    ),
+    "compliance": Stage(
+        "mechanics: compliance map",
+        ("presses", "plain_presses"),
+        ("magnets", "sensors", "arrangement"),
+        make_compliance,
+    ),
+    "candidates": Stage(
+        "mechanics: motions of candidate magnets",
+        ("plain_mesh", "plain_response"),
+        (
+            "contact_grid",
+            "indenter",
+            "press",
+            "score.force_n",
+            "shell.pocket_diameter_mm",
+            "shell_body_outline",
+        ),
+        make_candidates,
+        version=2,
+    ),
+    "coarse_response": Stage(
+        "mechanics: response on a coarser mesh",
+        (),
+        (*_WHAT_IS_MESHED, *_ELASTIC),
+        make_coarse_response,
+    ),
+    "discretisation": Stage(
+        "mechanics: discretisation error",
+        ("response", "coarse_response"),
+        ("contact_grid", "indenter", "press"),
+        make_discretisation,
+        version=2,
+    ),
+    "signals": Stage(
+        "signals: Hall sensors",
+        ("presses",),
+        ("magnets", "sensors", "arrangement", "environment", "as_built", "seed"),
+        make_signals,
+        version=2,
+    ),
+    "scores": Stage(
+        "sensitivity: bounds and maps", ("signals",), ("score", "seed"), make_scores, version=4
+    ),
+    "shear": Stage(
+        "mechanics: tangential forces",
+        ("mesh", "response"),
+        ("contact_grid", "indenter", "press", "mechanics.slip"),
+        make_shear,
+        version=2,
+    ),
+    "shear_scores": Stage(
+        "sensitivity: with tangential forces",
+        ("presses", "signals", "shear"),
+        ("score",),
+        make_shear_scores,
+    ),
+    "identify": Stage(
+        "sensitivity: several contacts at once",
+        ("presses", "signals"),
+        ("score", "limits.position_bound_mm"),
+        make_identify,
+    ),
+    "robustness": Stage(
+        "robustness: tolerances",
+        ("presses",),
+        (
+            *("magnets", "sensors", "arrangement", "environment", "as_built"),
+            *("score.force_n", "score.channels", "tolerances", "seed"),
+        ),
+        make_robustness,
+    ),
+    "frames": Stage(
+        "estimator: simulated presses",
+        ("signals",),
+        ("protocol", "silicone.prony", "seed"),
+        make_frames,
+        version=3,
+    ),
+    "collection": Stage(
+        "estimator: simulated recordings",
+        ("response", "large_strain", "signals"),
+        ("collection", "protocol", "silicone.prony", "seed"),
+        make_collection,
+    ),
+    "pulled_collection": Stage(
+        "estimator: simulated recordings with tangential forces",
+        ("response", "large_strain", "presses", "signals", "shear"),
+        ("collection", "protocol", "silicone.prony", "seed"),
+        make_collection,
+    ),
+    "pretraining": Stage(
+        "estimator: pre-training on twins",
+        ("presses",),
+        (
+            *("magnets", "sensors", "arrangement", "environment", "as_built", "tolerances"),
+            *("protocol", "silicone.prony", "training", "seed"),
+        ),
+        make_pretraining,
+        version=3,
+    ),
+    "networks": Stage(
+        "estimator: training", ("frames",), ("training", "seed"), make_networks, version=7
+    ),
+    "metrics": Stage(
+        "estimator: held-out presses", ("frames", "networks"), (), make_metrics, version=2
+    ),
+    "report": Stage(
+        "report",
+        (
+            "build",
+            "mesh",
+            "response",
+            "presses",
+            "large_strain",
+            "shapes",
+            "discretisation",
+            "signals",
+            "scores",
+            "frames",
+            "robustness",
+            "metrics",
+        ),
+        ("name", "limits", "silicone"),
+        make_report,
+        version=9,
+    ),
+}
+"""In the order in which a command works through those that it needs."""
+
+
+def _shell_bodies(spec: ObjectSpec) -> dict[str, Any]:
+    """Place and outline of what is cast into the silicone: all that mechanics knows of it."""
+    from design.layout.positions import shell_body_layout
+
+    layout = shell_body_layout(spec)
+    return {
+        "centre_mm": layout.centre_mm.tolist(),
+        "frame": layout.frame.tolist(),
+        "outline": asdict(layout.outline),
+        "height_mm": layout.height_mm,
+    }
+
+
+def stage_inputs(
+    stage: Stage, spec: ObjectSpec, keys_of_needs: dict[str, str], versions: dict[str, str]
+) -> dict[str, Any]:
+    """Everything that a stage's result depends on, JSON-able, for its content key."""
+    from design.body.imported import file_digest
+
+    bodies = _shell_bodies(spec)
+    content = spec.model_dump(mode="json") | {
+        "body": spec.body.model_dump(mode="json") | {"file": file_digest(spec.body)},
+        "shell_bodies": bodies,
+        "shell_body_outline": bodies["outline"],
+    }
+    parts: dict[str, Any] = {}
+    for name in stage.depends_on:
+        value: Any = content
+        for part in name.split("."):
+            value = value[part]
+        parts[name] = value
+    return {
+        "spec": parts,
+        "needs": keys_of_needs,
+        "version": stage.version,
+        "libraries": versions,
+    }

@@ -1,0 +1,214 @@
+"""Training on a data set together with presses of the object's calibrated twin."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from design.errors import InputError
+from design.spec.object import ObjectSpec, TrainingSpec
+from instobj.stages.chain import Chain
+from instobj.store.stage import Step, write_json
+
+if TYPE_CHECKING:
+    from estimator.calibration.digital_twin import CalibratedTwin
+    from estimator.calibration.pressed_places import PressedPlaces
+    from estimator.frames.dataset import FrameSet
+    from fem.presses.results import MagnetMotions, PressForces
+
+_TRUSTED_PERCENT = 10.0
+_EXACT_PERCENT = 4.0
+"""Twice what meshes of one design differ by in the mean."""
+_SHARE = 0.8
+Parts = tuple["FrameSet", "FrameSet"]
+
+
+@dataclass
+class TwinOfData:
+    """The specification of a data set's object, its simulated presses, and what was calibrated.
+
+    `key` names the presses in the store; `draws` objects are drawn from what is left possible; `rows`
+    gets one row a face.
+    """
+
+    spec: ObjectSpec
+    presses: tuple[PressForces, MagnetMotions]
+    key: str
+    draws: int
+    rows: list[dict[str, Any]] = field(default_factory=list)
+
+    def extended(self, parts: Parts, face: int, step: Step) -> Parts:
+        """Training frames with presses at every place of the face added; validation frames as given.
+
+        The twin sees training frames alone; how well it predicts is judged on training places left
+        out in turn. A face with too few places stays as it is, and its row says so.
+        """
+        from estimator.calibration.digital_twin import calibrate, places_left_out
+        from estimator.calibration.pressed_places import pressed_places, within_reach
+        from estimator.calibration.pretraining import with_calibrated_presses
+
+        try:
+            seen = pressed_places(self.spec, within_reach(parts[0], self.presses[0], face), face)
+        except InputError as error:
+            self.rows.append({"face": face, "places": 0, "helps": f"not used: {error}"})
+            return parts
+        step(f"face {face}: calibrating the twin on {len(seen)} places")
+        twin = calibrate(self.spec, *self.presses, seen)
+        left = places_left_out(
+            self.spec, *self.presses, seen, lambda text: step(f"face {face}: {text}")
+        )
+        self.rows.append(_row(twin, seen, *left))
+        train = with_calibrated_presses(
+            twin, parts, self.draws, lambda text: step(f"face {face}: {text}")
+        )
+        return train, parts[1]
+
+    def write(self, folder: Path) -> None:
+        """`calibration.json` and a picture of what is left at places left out."""
+        from instobj.figures.calibration import draw_calibration
+
+        write_json({"object": self.spec.name, "faces": self.rows}, folder / "calibration.json")
+        judged = [row for row in self.rows if row["places"]]
+        draw_calibration(self.spec, judged, folder / "calibration.png")
+
+
+def twin_of_data(path: Path, frames: FrameSet, training: TrainingSpec) -> TwinOfData:
+    """Simulated presses of a specification, from the store or made.
+
+    Raises
+    ------
+    InputError
+        Another object than the data set's, settings that presses of a twin do not serve, or no face
+        with enough places pressed one by one.
+    """
+    from design.spec_io import load_spec
+    from fem.presses.results import load_presses
+
+    spec = load_spec(path, [])
+    require_settings(training)
+    require_same_object(spec, frames)
+    _require_some_face(spec, frames)
+    result = Chain(spec).require("presses")
+    presses = load_presses(result.folder / "presses.nc")
+    return TwinOfData(spec, presses, result.key, training.twins)
+
+
+def require_settings(training: TrainingSpec) -> None:
+    """Draws of a twin are single frames of the face's own channels and of normal force.
+
+    Raises
+    ------
+    InputError
+        Settings that need more.
+    """
+    wanted = {"model": "compact", "history_frames": 0, "heatmap_axes": 1, "members": 1}
+    asked = {
+        name: getattr(training, name)
+        for name, value in wanted.items()
+        if getattr(training, name) != value
+        and (name != "model" or training.model == "whole-object")
+    }
+    if asked:
+        texts = ", ".join(f"training.{name} = {value!r}" for name, value in asked.items())
+        raise InputError(
+            f"--twin serves estimators that read single frames of the face's own sensors as normal "
+            f"force, one network each; got {texts}. Leave these settings or --twin out"
+        )
+
+
+def _require_some_face(spec: ObjectSpec, frames: FrameSet) -> None:
+    from estimator.calibration.pressed_places import pressed_places
+    from estimator.frames.heatmap import faces_pressed
+
+    errors = []
+    for face in faces_pressed(frames):
+        try:
+            pressed_places(spec, frames, face)
+            return
+        except InputError as error:
+            errors.append(error)
+    if errors:
+        raise errors[0]
+
+
+def require_same_object(spec: ObjectSpec, frames: FrameSet) -> None:
+    """The data set has the specification's contact grid and sensors.
+
+    Raises
+    ------
+    InputError
+        It has others.
+    """
+    from design.layout.positions import contact_grid
+
+    grid = contact_grid(spec)
+    wanted = (grid.x_mm, grid.y_mm, np.array(spec.body.sensed))
+    got = (frames.grid_x_mm, frames.grid_y_mm, frames.faces)
+    sensors = frames.signal_counts.shape[2]
+    pairs = zip(wanted, got, strict=True)
+    alike = all(a.shape == b.shape and np.allclose(a, b, atol=1e-6) for a, b in pairs)
+    if not alike or sensors != spec.sensors.count_per_face:
+        raise InputError(
+            f"the data set has {_described(*got, sensors)}; {spec.name} has "
+            f"{_described(*wanted, spec.sensors.count_per_face)}. Give the specification of the object "
+            "that was recorded"
+        )
+
+
+def _described(x_mm: np.ndarray, y_mm: np.ndarray, faces: np.ndarray, sensors: int) -> str:
+    return (
+        f"{len(x_mm)} × {len(y_mm)} contact places from ({x_mm[0]:g}, {y_mm[0]:g}) to ({x_mm[-1]:g}, "
+        f"{y_mm[-1]:g}) mm on faces {faces.tolist()} and {sensors} sensors a face"
+    )
+
+
+def verdict(left_percent: float, design_percent: float, strained: int) -> str:
+    """Whether presses of the twin help, from what it and the design leave of signals at four of five
+    places at most.
+
+    They do where it leaves no more than meshes of one design differ by, or less than half of what
+    the design leaves and at most 10 %, with no number at its limit.
+    """
+    if strained:
+        return (
+            f"no: {strained} numbers at their limits; is it this object, are its tolerances true?"
+        )
+    if left_percent > max(_EXACT_PERCENT, min(_TRUSTED_PERCENT, design_percent / 2)):
+        return "no: train without --twin, or press more places"
+    return "yes"
+
+
+def _row(
+    twin: CalibratedTwin, seen: PressedPlaces, calibrated: np.ndarray, planned: np.ndarray
+) -> dict[str, Any]:
+    """What was found, and what is left of the signals of places left out in turn."""
+    from estimator.calibration.digital_twin import FARTHEST
+
+    found = twin.unknowns
+    correction = found.correction(twin.numbers)
+    left, by_design = (round(100 * float(np.median(one)), 2) for one in (calibrated, planned))
+    most, most_by_design = (100 * float(np.quantile(one, _SHARE)) for one in (calibrated, planned))
+    strained = int(np.sum(abs(twin.numbers) >= FARTHEST - 1e-6))
+    return {
+        "face": found.face,
+        "places": len(seen),
+        "signals left %, places left out": left,
+        "signals left %, design": by_design,
+        "helps": verdict(most, most_by_design, strained),
+        "modulus over design": round(found.assembly(twin.numbers).modulus_ratio, 4),
+        "large deformation": [
+            round(value, 4)
+            for value in (*correction.force, *correction.shift, *correction.rotation)
+        ],
+        "largest number (σ)": round(float(abs(twin.numbers).max()), 2),
+        "left over: size, length mm": [
+            twin.discrepancy.prior.size,
+            twin.discrepancy.prior.length_mm,
+        ],
+        "places mm": np.round(seen.xy_mm, 4).tolist(),
+        "left %": np.round(100 * calibrated, 2).tolist(),
+        "left by design %": np.round(100 * planned, 2).tolist(),
+    }

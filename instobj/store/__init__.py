@@ -1,0 +1,1 @@
+"""Stored results: keys, the contract of a stage, publishing."""

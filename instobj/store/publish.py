@@ -1,0 +1,120 @@
+"""Copies stored results to where a user looks for them: `cad_out/<name>` and `runs/<name>`."""
+
+from __future__ import annotations
+
+import shutil
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from design.errors import InputError
+from design.files import atomic_path
+from design.spec.object import ObjectSpec
+from design.spec_io import spec_hash
+from instobj.store.content import RECORD, StoredResult
+
+_FILES = {
+    "fabrication": ("fabrication.json", "fabrication.png"),
+    "sheet": ("bom.csv", "exploded.png", "assembly.html"),
+    "mesh": ("mesh_quality.json",),
+    "discretisation": ("discretisation.json",),
+    "signals": ("signals.nc",),
+    "scores": ("scores.csv", "cross_face.json", "maps/*.png"),
+    "shear_scores": ("shear_scores.csv", "maps/*.png"),
+    "identify": ("identifiability.csv", "*.png"),
+    "compliance": ("compliance.csv", "maps/*.png"),
+    "shapes": ("shapes/*",),
+    "large_strain": ("large_strain.json",),
+    "robustness": ("robustness.json", "robustness.png"),
+    "frames": ("frames.nc",),
+    "collection": ("frames_*.nc",),
+    "pulled_collection": ("frames_*.nc",),
+    "networks": ("*.safetensors", "calibration.json", "calibration.png"),
+    "pretraining": ("pretrained/*.safetensors",),
+    "metrics": ("metrics.json", "metrics/*.png"),
+    "report": ("report.html",),
+    "press": ("press.json", "press.nc", "force_travel.png", "section.png", "*.vtu"),
+}
+
+_BESIDE_THE_PARTS = ("fabrication", "sheet")
+"""Stages whose files go to the parts, not to the results."""
+
+
+def run_folder(out: Path, name: str) -> Path:
+    """`runs/<name>` below the output folder."""
+    return out / "runs" / name
+
+
+def cad_folder(out: Path, name: str) -> Path:
+    """`cad_out/<name>` below the output folder."""
+    return out / "cad_out" / name
+
+
+def require_writable(out: Path) -> None:
+    """Raise InputError before any work is done where results could not be written afterwards."""
+    for folder in (out, out / "runs", out / "cad_out"):
+        if folder == out or folder.exists():
+            with atomic_path(folder / ".instobj-writable") as probe:
+                probe.write_text("")
+            (folder / ".instobj-writable").unlink(missing_ok=True)
+
+
+def publish(spec: ObjectSpec, result: StoredResult, out: Path) -> list[Path]:
+    """Copy the files of one stage that users read; returns where they are."""
+    if result.stage == "build":
+        return _publish_parts(spec, result.folder, cad_folder(out, spec.name))
+    folder = cad_folder if result.stage in _BESIDE_THE_PARTS else run_folder
+    return publish_to(folder(out, spec.name), result)
+
+
+def publish_to(target: Path, result: StoredResult) -> list[Path]:
+    """Copy a stage's files for users into a folder; returns where they are."""
+    published = []
+    for pattern in _FILES.get(result.stage, ()):
+        for source in sorted(result.folder.glob(pattern)):
+            published.append(_copy(source, target / source.relative_to(result.folder)))
+    return published
+
+
+def _publish_parts(spec: ObjectSpec, source: Path, target: Path) -> list[Path]:
+    """Parts first, the manifest last, with the hash of the whole specification of this run."""
+    from design.build.manifest import MANIFEST_NAME, BuildManifest
+
+    skip = {MANIFEST_NAME, RECORD}
+    paths = [
+        _copy(path, target / path.name)
+        for path in sorted(source.iterdir())
+        if path.name not in skip
+    ]
+    manifest = replace(BuildManifest.read(source), name=spec.name, spec_hash=spec_hash(spec))
+    return [*paths, manifest.write(target)]
+
+
+def _copy(source: Path, target: Path) -> Path:
+    """Copy unless the target is already that file (same size and time of change)."""
+    before, now = source.stat(), target.stat() if target.exists() else None
+    if now and (now.st_size, now.st_mtime_ns) == (before.st_size, before.st_mtime_ns):
+        return target
+    try:
+        with atomic_path(target) as temporary:
+            shutil.copy2(source, temporary)
+    except OSError as error:
+        raise InputError(
+            f"cannot write {target}: {error.strerror}. Make room or choose --out"
+        ) from error
+    return target
+
+
+def stage_row(result: StoredResult) -> dict[str, Any]:
+    """A stage result as JSON."""
+    return {
+        "stage": result.stage,
+        "key": result.key[:16],
+        "reused": result.reused,
+        "seconds": round(result.seconds, 2),
+    }
+
+
+def file_rows(files: list[Path]) -> list[dict[str, Any]]:
+    """Written files with their sizes, each once, as JSON."""
+    return [{"path": str(path), "bytes": path.stat().st_size} for path in dict.fromkeys(files)]

@@ -1,0 +1,47 @@
+"""What a stage of the chain is, and what it works from."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from design.files import atomic_path
+from design.spec.object import ObjectSpec
+
+Step = Callable[[str], None]
+
+
+@dataclass(frozen=True)
+class StageContext:
+    """What a stage works from: the specification and the folders of the stages it needs."""
+
+    spec: ObjectSpec
+    inputs: dict[str, Path]
+    key: str
+    step: Step
+
+
+@dataclass(frozen=True)
+class Stage:
+    """A stage of the chain.
+
+    `depends_on` names parts of the specification (dotted where only one field matters), or
+    "shell_bodies", what is cast into the silicone, which follows from several of them (or
+    "shell_body_outline", the cross-section of one such body); `version` is raised when the code
+    would give another result from the same inputs.
+    """
+
+    title: str
+    needs: tuple[str, ...]
+    depends_on: tuple[str, ...]
+    make: Callable[[StageContext, Path], None]
+    version: int = 1
+
+
+def write_json(content: dict[str, Any], path: Path) -> None:
+    """Write JSON that is complete or absent."""
+    with atomic_path(path) as temporary:
+        temporary.write_text(json.dumps(content, indent=2) + "\n", encoding="utf-8")

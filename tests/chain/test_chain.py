@@ -1,0 +1,201 @@
+"""The whole chain on a small object, through the command that a user runs."""
+
+import json
+import re
+import tomllib
+from pathlib import Path
+
+import numpy as np
+import pytest
+import trimesh
+import xarray as xr
+
+from design.spec.object import ObjectSpec
+from design.spec.search import PricesSpec, SearchLimitsSpec, VarySpec
+from design.spec_io import load_spec, parse_spec, spec_hash
+from instobj.stages.table import STAGES
+from tests.instobj.cli.test_cli import assert_one_clear_error, run
+
+ROOT = Path(__file__).parents[2]
+SMALL = """
+name = "small"
+[mesh]
+edge_mm = 6.0
+surface_edge_mm = 2.2
+[contact_grid]
+count = [4, 4]
+pitch_mm = 7.0
+[press]
+depths_mm = [0.5, 1.0, 2.0, 3.0]
+[protocol]
+presses_per_place = 5
+frames_per_press = 16
+rest_frames_per_press = 4
+[training]
+hidden_units = [128, 128]
+epochs = 50
+"""
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("chain")
+    (folder / "small.toml").write_text(SMALL)
+    return folder
+
+
+ON_REQUEST = {
+    "plain_mesh",
+    "plain_response",
+    "plain_presses",
+    "compliance",
+    "candidates",
+    "shear",
+    "shear_scores",
+    "identify",
+    "collection",
+    "pulled_collection",
+    "pretraining",
+    "fabrication",
+    "sheet",
+}
+"""Stages of commands beside `run`, which the report does without."""
+
+
+@pytest.fixture(scope="module")
+def first(folder):
+    done = run("run", "small.toml", "--json", cwd=folder)
+    assert done.returncode == 0, done.stderr
+    return done
+
+
+def _document(done) -> dict:
+    (result,) = json.loads(done.stdout)["objects"]
+    return result
+
+
+def test_run_works_through_every_stage_and_says_so(first):
+    worked = [name for name in STAGES if name not in ON_REQUEST]
+    assert sorted(row["stage"] for row in _document(first)["stages"]) == sorted(worked)
+    for name in worked:
+        assert STAGES[name].title in first.stderr
+
+
+def test_run_writes_the_files_of_the_contract(folder, first):
+    written = {Path(row["path"]).as_posix() for row in _document(first)["files"]}
+    parts = ("core", "shell", "mould_box", "mould_plug", "probe_1", "probe_2", "probe_3")
+    expected = {f"cad_out/small/{part}.{kind}" for part in parts for kind in ("stl", "step")}
+    expected |= {"cad_out/small/manifest.json"}
+    expected |= {f"runs/small/face_{face}.safetensors" for face in range(1, 6)}
+    expected |= {f"runs/small/maps/delta_face_{face}.png" for face in range(1, 6)}
+    names = ("discretisation.json", "signals.nc", "scores.csv", "frames.nc", "metrics.json")
+    expected |= {f"runs/small/{name}" for name in (*names, "report.html")}
+    assert expected <= written
+    for path in written:
+        assert (folder / path).stat().st_size > 0
+
+
+def test_the_shell_stl_has_the_closed_form_volume(folder, first):
+    mesh = trimesh.load_mesh(folder / "cad_out/small/shell.stl")
+    assert mesh.is_watertight
+    np.testing.assert_allclose(mesh.volume, 48_983.425, rtol=5e-4)
+
+
+def test_the_manifest_carries_the_hash_of_the_whole_specification(folder, first):
+    manifest = json.loads((folder / "cad_out/small/manifest.json").read_text())
+    assert manifest["spec_hash"] == spec_hash(load_spec(folder / "small.toml"))
+
+
+def test_signals_are_labelled_quantised_readings(folder, first):
+    with xr.open_dataset(folder / "runs/small/signals.nc", engine="h5netcdf") as data:
+        assert data["reading_counts"].dims == ("face", "place", "step", "sensor", "axis")
+        assert dict(data.sizes) | {"face": 5, "place": 16, "step": 4, "sensor": 15} == dict(
+            data.sizes
+        )
+        reading = data["reading_counts"].values
+        expected = data["baseline_counts"].values + data["delta_counts"].values
+    assert (reading == np.round(reading)).all()
+    scatter = (reading - expected).std(axis=(0, 1, 2, 3))
+    np.testing.assert_allclose(scatter, [22, 22, 11], rtol=0.1)
+
+
+def test_the_estimator_beats_the_linear_one_and_chance(first):
+    (title,) = (name for name in _document(first)["summary"] if "metrics on held-out" in name)
+    rows = _document(first)["summary"][title]
+    for face in range(1, 6):
+        network, ridge, chance = (row for row in rows if row["face"] == face)
+        assert network["E_f %"] < ridge["E_f %"]
+        assert network["A_sim"] > max(ridge["A_sim"], chance["A_sim"])
+
+
+def test_the_report_opens_with_the_verdict_and_stands_alone(folder, first):
+    page = (folder / "runs/small/report.html").read_text()
+    body = page[page.index("<body>") :]
+    assert re.search(r"<h1>small <span class='(no-)?go'>(NO-)?GO</span></h1>", body[:200])
+    for title in ("What limits it", "What to try next", "Edges against the centre", "Provenance"):
+        assert title in page
+    assert not re.findall(r'(?:src|href)="(?!data:)', page)
+
+
+def test_a_second_run_reuses_everything(folder, first):
+    again = _document(run("run", "small.toml", "--json", cwd=folder))
+    assert all(row["reused"] for row in again["stages"])
+    assert again["files"] == _document(first)["files"]
+
+
+def test_a_change_of_a_sensor_reruns_no_mechanics(folder, first):
+    done = run("simulate", "small.toml", "--set", "sensors.radius_mm=8", "--json", cwd=folder)
+    reused = {row["stage"]: row["reused"] for row in _document(done)["stages"]}
+    mechanics = ("mesh", "response", "large_strain", "presses")
+    mechanics += ("coarse_response", "discretisation")
+    assert reused == dict.fromkeys(mechanics, True) | {"signals": False}
+
+
+def test_a_data_set_of_the_run_trains_like_a_recorded_one(folder, first):
+    arguments = ("evaluate", "runs/small/frames.nc", "--set", "training.epochs=3", "--json")
+    done = run(*arguments, cwd=folder)
+    assert done.returncode == 0, done.stderr
+    title, rows = next(iter(_document(done)["summary"].items()))
+    assert "held-out" in title
+    assert {row["face"] for row in rows} == {1, 2, 3, 4, 5}
+
+
+def test_an_error_in_a_later_stage_keeps_earlier_results(folder, first):
+    done = run("score", "small.toml", "--set", "sensors.range_mt=3", cwd=folder)
+    assert_one_clear_error(done, "range")
+    assert not list((folder / ".instobj").glob(".making-*"))
+    reused = _document(run("simulate", "small.toml", "--json", cwd=folder))["stages"]
+    assert all(row["reused"] for row in reused)
+
+
+def test_the_example_is_the_template_and_the_defaults():
+    example = ROOT / "examples" / "paper_cube.toml"
+    template = (ROOT / "instobj/templates/cube.toml").read_text()
+    named = tomllib.loads(template.replace("NAME", "paper_cube"))
+    assert named == tomllib.loads(example.read_text())
+    assert spec_hash(load_spec(example)) == spec_hash(ObjectSpec(name="paper_cube"))
+    switched_on = tomllib.loads(re.sub(r"^# (?=\w+ = )", "", template, flags=re.MULTILINE))
+    chosen = [("magnets", key) for key in ("grade", "part", "depth_mm", "tilt_deg", "north")]
+    chosen += [("sensors", "positions_mm"), ("core", "bay_mm")]
+    chosen += [("body", "sensed_faces"), ("body", "file")]
+    chosen += [("mould", k) for k in ("style", "play_mm", "parting_azimuth_deg", "vent_mm")]
+    chosen += [("indenter", key) for key in ("file", "vertices_mm", "tip_spacing_mm")]
+    chosen += [("collection", key) for key in ("dual_poses", "triple_poses")]
+    optional = {where: switched_on[where[0]].pop(where[1]) for where in chosen}
+    search = switched_on.pop("search")
+    for table, part in (("vary", VarySpec), ("limits", SearchLimitsSpec), ("prices", PricesSpec)):
+        assert set(search[table]) == set(part.model_fields)
+    assert parse_spec({"name": "all", "search": search}, "all lines").search.vary.magnet_count
+    silicone = dict(switched_on["silicone"])
+    for key in ("shore", "tensile_data", "prony"):
+        del switched_on["silicone"][key]
+    assert spec_hash(parse_spec(switched_on | {"name": "paper_cube"}, "all lines")) == spec_hash(
+        ObjectSpec(name="paper_cube")
+    )
+    for (table, key), value in optional.items():
+        switched_on[table][key] = value
+    switched_on |= {"silicone": silicone, "search": search}
+    written = {key: set(value) for key, value in switched_on.items() if isinstance(value, dict)}
+    fields = ObjectSpec.model_fields
+    for key, names in written.items():
+        assert names == set(fields[key].annotation.model_fields)  # type: ignore[union-attr]

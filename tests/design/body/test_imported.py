@@ -1,0 +1,276 @@
+"""Bodies from files: STL and STEP, repaired with a warning or refused with the reason."""
+
+import warnings
+from pathlib import Path
+
+import cadquery as cq
+import numpy as np
+import pytest
+import trimesh
+from numpy.testing import assert_allclose
+
+from design.body.imported import body_of_file
+from design.body.sampled import measured_distance_mm, sampled_core
+from design.errors import InputError
+from design.layout.positions import core_frames, face_frames, magnet_layout
+from design.solids.sampled import sampled_core_part, sampled_shell
+from design.spec_io import load_spec, parse_spec
+
+TEXT = """
+name = "pebble"
+[body]
+kind = "imported"
+file = "{file}"
+sensed_faces = [1, 3]
+[magnets]
+positions_mm = [[0, 0]]
+[sensors]
+positions_mm = [[0, 0]]
+[core]
+recess_inner_radius_mm = 1.0
+recess_outer_radius_mm = 4.0
+[contact_grid]
+count = [3, 3]
+pitch_mm = 3.0
+"""
+SIZE = (52.0, 46.0, 50.0)
+
+
+def _pebble(subdivisions: int = 4) -> trimesh.Trimesh:
+    """An ellipsoid off the origin."""
+    surface = trimesh.creation.icosphere(subdivisions, 0.5)
+    surface.apply_scale(SIZE / surface.extents)
+    surface.apply_translation((7.0, -4.0, 2.0))
+    return surface
+
+
+def _load(folder: Path, name: str, **overrides: str):
+    (folder / "pebble.toml").write_text(TEXT.format(file=name))
+    return load_spec(folder / "pebble.toml", [f"{k}={v}" for k, v in overrides.items()])
+
+
+@pytest.fixture(scope="module")
+def pebble(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("pebble")
+    _pebble().export(folder / "pebble.stl")
+    return _load(folder, "pebble.stl")
+
+
+def test_the_size_is_that_of_the_file_and_the_body_is_centred(pebble):
+    assert_allclose(pebble.body.size_mm, SIZE, rtol=1e-5)
+    top, side = face_frames(pebble)
+    assert_allclose(top.centre_mm, [0, 0, 25], rtol=0, atol=0.05)
+    assert_allclose(side.centre_mm, [26, 0, 0], rtol=0, atol=0.05)
+
+
+def test_magnets_stand_normal_to_the_sampled_surface(pebble):
+    axis = magnet_layout(pebble).axis
+    assert_allclose(axis, [[0, 0, 1], [1, 0, 0]], rtol=0, atol=0.01)
+    inner = core_frames(pebble)[0]
+    assert_allclose(inner.centre_mm, [0, 0, 17], rtol=0, atol=0.06)
+
+
+def test_the_wall_measures_its_thickness_and_the_parts_are_closed(pebble):
+    wall = -measured_distance_mm(pebble, np.asarray(sampled_core(pebble).vertices))
+    assert 7.9 < wall.min() <= wall.max() < 8.1
+    for part in (sampled_shell(pebble), sampled_core_part(pebble)):
+        assert part.is_watertight
+        assert part.volume > 5000
+
+
+def test_a_step_file_gives_the_same_body(tmp_path):
+    solid = cq.Workplane().box(40, 44, 48).edges().fillet(16).val()
+    solid.exportStep(str(tmp_path / "brick.step"))
+    spec = _load(tmp_path, "brick.step")
+    assert_allclose(spec.body.size_mm, (40, 44, 48), rtol=0, atol=0.05)
+
+
+def _holed(surface: trimesh.Trimesh) -> trimesh.Trimesh:
+    surface.update_faces(np.arange(len(surface.faces)) != 5)
+    return surface
+
+
+def _halved(surface: trimesh.Trimesh) -> trimesh.Trimesh:
+    surface.update_faces(surface.triangles_center[:, 2] < surface.centroid[2])
+    return surface
+
+
+def _inverted(surface: trimesh.Trimesh) -> trimesh.Trimesh:
+    surface.invert()
+    return surface
+
+
+def _some_inverted(surface: trimesh.Trimesh) -> trimesh.Trimesh:
+    surface.faces[3:40] = surface.faces[3:40, ::-1]
+    return surface
+
+
+def _crossing(surface: trimesh.Trimesh) -> trimesh.Trimesh:
+    """One closed surface that runs through itself: its top is pushed out at the bottom."""
+    points = surface.vertices - surface.bounds.mean(axis=0)
+    points[:, 2] = np.where(points[:, 2] > 10, 10 - 3 * (points[:, 2] - 10), points[:, 2])
+    return trimesh.Trimesh(points, surface.faces)
+
+
+def _dented(surface: trimesh.Trimesh) -> trimesh.Trimesh:
+    """The same on a small part: one corner is pushed through to the other side (0.1 % of volume)."""
+    surface.vertices[surface.vertices[:, 2].argmax(), 2] -= SIZE[2] + 3.0
+    return surface
+
+
+def _moved(surface: trimesh.Trimesh, x_mm: float) -> trimesh.Trimesh:
+    return surface.copy().apply_translation((x_mm, 0, 0))
+
+
+def _hollow(surface: trimesh.Trimesh) -> trimesh.Trimesh:
+    inner = surface.copy().apply_transform(
+        trimesh.transformations.scale_matrix(0.5, surface.centroid)
+    )
+    inner.invert()
+    return surface + inner
+
+
+def _finned(surface: trimesh.Trimesh) -> trimesh.Trimesh:
+    """With a triangle that stands on an edge of the surface."""
+    corners = np.vstack([surface.vertices, surface.vertices[surface.faces[7]].mean(axis=0) * 1.2])
+    a, b, _ = surface.faces[7]
+    return trimesh.Trimesh(corners, np.vstack([surface.faces, [a, b, len(corners) - 1]]))
+
+
+def _without_numbers(surface: trimesh.Trimesh) -> trimesh.Trimesh:
+    surface.vertices[9] = np.nan
+    return surface
+
+
+def _written(folder: Path, change, **options) -> Path:
+    change(_pebble(3)).export(folder / "body.stl", **options)
+    return folder / "body.stl"
+
+
+@pytest.mark.parametrize(
+    ("change", "told"),
+    [
+        pytest.param(_holed, "closed small holes with 1 triangles", id="a small hole"),
+        pytest.param(_inverted, "turned triangles outwards", id="inside out"),
+        pytest.param(_some_inverted, "turned triangles outwards", id="some triangles inverted"),
+    ],
+)
+def test_what_can_be_repaired_is_with_a_warning(tmp_path, change, told):
+    with pytest.warns(UserWarning, match=told):
+        found = body_of_file(_written(tmp_path, change))
+    assert_allclose(found["size_mm"], SIZE, rtol=1e-5)
+
+
+def test_pieces_that_overlap_are_united_with_a_warning(tmp_path):
+    path = _written(tmp_path, lambda one: one + _moved(one, 30.0))
+    with pytest.warns(UserWarning, match="united 2 pieces that overlap"):
+        found = body_of_file(path)
+    assert_allclose(found["size_mm"], (SIZE[0] + 30, *SIZE[1:]), rtol=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("change", "reason"),
+    [
+        pytest.param(_halved, r"is open: \d+ edges have a triangle on one side", id="open"),
+        pytest.param(_finned, r"is open: 2 edges .* 1 edges more than two", id="a fin"),
+        pytest.param(lambda one: one + _moved(one, 99.0), "2 separate surfaces", id="two pieces"),
+        pytest.param(_hollow, "2 separate surfaces.*without holes inside", id="a void inside"),
+        pytest.param(_crossing, "crosses itself", id="crossing itself"),
+        pytest.param(_dented, "crosses itself", id="crossing itself a little"),
+        pytest.param(_without_numbers, "is open", id="a corner that is no number"),
+    ],
+)
+def test_surfaces_that_enclose_no_single_body_are_refused(tmp_path, change, reason):
+    path = _written(tmp_path, change)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", UserWarning)
+        with pytest.raises(InputError, match=reason):
+            body_of_file(path)
+
+
+@pytest.mark.parametrize("kind", ["stl", "stl_ascii"])
+def test_a_file_that_was_cut_off_is_refused(tmp_path, kind):
+    path = _written(tmp_path, lambda one: one, file_type=kind)
+    path.write_bytes(path.read_bytes()[: path.stat().st_size // 2])
+    with pytest.raises(InputError, match=r"Export|is open"):
+        body_of_file(path)
+
+
+@pytest.mark.parametrize(
+    ("name", "content"),
+    [
+        ("text.stl", b"solid of nothing"),
+        ("empty.stl", b""),
+        ("bytes.stl", bytes(range(256)) * 9),
+        ("text.step", b"ISO-10303-21; end"),
+        ("empty.step", b""),
+        ("picture.png", b"no body at all"),
+    ],
+)
+def test_corrupt_files_are_refused(tmp_path, name, content):
+    (tmp_path / name).write_bytes(content)
+    with pytest.raises(InputError, match="Export"):
+        body_of_file(tmp_path / name)
+
+
+def _step(folder: Path, *shapes: cq.Shape) -> Path:
+    work = cq.Workplane().newObject(list(shapes))
+    cq.exporters.export(work, str(folder / "body.step"))
+    return folder / "body.step"
+
+
+def _brick(x_mm: float = 0.0) -> cq.Shape:
+    return cq.Solid.makeBox(40, 44, 48, cq.Vector(x_mm, 0, 0))
+
+
+def test_two_solids_of_a_step_file_that_overlap_are_united(tmp_path):
+    with pytest.warns(UserWarning, match="united 2 pieces"):
+        found = body_of_file(_step(tmp_path, _brick(), _brick(25.0)))
+    assert_allclose(found["size_mm"], (65, 44, 48), rtol=0, atol=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("shapes", "reason"),
+    [
+        pytest.param((_brick(), _brick(60.0)), "2 separate surfaces", id="two solids"),
+        pytest.param((_brick().Faces()[0],), "is open", id="a face"),
+        pytest.param((_brick().Edges()[0],), "holds no solid", id="an edge"),
+    ],
+)
+def test_step_files_without_one_solid_are_refused(tmp_path, shapes, reason):
+    path = _step(tmp_path, *shapes)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", UserWarning)
+        with pytest.raises(InputError, match=reason):
+            body_of_file(path)
+
+
+def test_a_missing_file_and_a_missing_name_are_told(tmp_path):
+    with pytest.raises(InputError, match="no body at"):
+        body_of_file(tmp_path / "nowhere.stl")
+    with pytest.raises(InputError, match="goes with kind = 'imported'"):
+        parse_spec({"name": "a", "body": {"kind": "imported"}}, "test")
+
+
+@pytest.mark.parametrize(
+    ("scale", "overrides", "reason"),
+    [
+        pytest.param(0.25, {}, "half the core|no room for a core", id="smaller than two walls"),
+        pytest.param(0.42, {}, r"half the core is .* thick and must be more", id="no recesses"),
+        pytest.param(0.001, {}, "no room for a core|half the core", id="in metres"),
+        pytest.param(
+            0.7, {"magnets.positions_mm": "[[14, 0]]"}, "pocket outside face", id="pocket"
+        ),
+        pytest.param(
+            0.7, {"sensors.positions_mm": "[[12, 0]]"}, "outside the core's patch", id="sensors"
+        ),
+        pytest.param(0.7, {"contact_grid.pitch_mm": "9.0"}, "leave face", id="contact places"),
+        pytest.param(0.7, {"body.bore_mm": "60.0"}, "below the core's width", id="bore"),
+    ],
+)
+def test_bodies_too_small_for_their_parts_are_refused(tmp_path, scale, overrides, reason):
+    small = _pebble(3)
+    small.apply_scale(scale)
+    small.export(tmp_path / "small.stl")
+    with pytest.raises(InputError, match=reason):
+        _load(tmp_path, "small.stl", **overrides)

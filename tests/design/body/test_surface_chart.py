@@ -1,0 +1,122 @@
+"""Patches of curved bodies: places, normals, and the frames that touch them."""
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from design.body.surface_chart import Cap, FaceFrame
+from design.layout.positions import (
+    core_frames,
+    face_frame,
+    face_frames,
+    magnet_layout,
+    sensor_layout,
+)
+from tests.support.body_cases import body_spec
+
+CURVED = ("cylinder", "sphere", "solid_dome", "ellipsoid")
+PLACES = np.array([[0.0, 0.0], [3.0, -2.0], [-4.0, 1.5], [5.0, 5.0]])
+
+
+def _heights(places: np.ndarray) -> np.ndarray:
+    return np.column_stack([places, np.array([0.0, 0.7, -1.2, 2.0])])
+
+
+@pytest.mark.parametrize("name", CURVED)
+def test_points_come_back_from_the_object_s_frame(name):
+    for frame in face_frames(body_spec(name)):
+        given = _heights(PLACES)
+        assert_allclose(frame.from_object(frame.to_object(given)), given, rtol=0, atol=1e-8)
+
+
+def _gradient(name: str, points: np.ndarray) -> np.ndarray:
+    """Outward normals of the implicit surfaces, in closed form."""
+    half = {"sphere": [22.0] * 3, "solid_dome": [12.0] * 3, "ellipsoid": [30.0, 25.0, 22.0]}
+    if name == "cylinder":
+        wanted = np.column_stack([points[:, :2], np.zeros(len(points))])
+    else:
+        centre = [0, 0, -4.0] if name == "solid_dome" else [0, 0, 0]
+        wanted = (points - centre) / np.square(half[name])
+    return wanted / np.linalg.norm(wanted, axis=1, keepdims=True)
+
+
+@pytest.mark.parametrize("name", CURVED)
+def test_normals_are_those_of_the_implicit_surface(name):
+    for frame in face_frames(body_spec(name)):
+        if name == "cylinder" and frame.number in (1, 6):
+            continue
+        surface = frame.to_object(np.column_stack([PLACES, np.zeros(len(PLACES))]))
+        axes = frame.axes_at(PLACES)
+        assert_allclose(axes[..., 2], _gradient(name, surface), rtol=0, atol=1e-12)
+        assert_allclose(np.swapaxes(axes, 1, 2) @ axes, np.tile(np.eye(3), (4, 1, 1)), atol=1e-12)
+        assert_allclose(np.linalg.det(axes), 1, rtol=1e-12)
+
+
+def test_a_wrong_slope_would_be_noticed():
+    """The planted fault: a cap whose slopes are half of what they should be."""
+
+    class Flattened(Cap):
+        def at(self, xy_mm):
+            height, slope = super().at(xy_mm)
+            return height, slope / 2
+
+    frame = face_frame(body_spec("sphere"), 3)
+    wrong = FaceFrame(
+        3, frame.normal, frame.x, frame.y, frame.centre_mm, (9.0, 9.0), Flattened((22.0,) * 3)
+    )
+    surface = wrong.to_object(np.column_stack([PLACES, np.zeros(len(PLACES))]))
+    assert abs(wrong.axes_at(PLACES)[..., 2] - _gradient("sphere", surface)).max() > 0.05
+
+
+@pytest.mark.parametrize("name", CURVED)
+def test_a_tangent_frame_touches_at_its_place_and_lies_outside_a_convex_body(name):
+    frame = face_frames(body_spec(name))[-1]
+    place = np.array([3.0, -2.0])
+    tangent = frame.tangent(place)
+    assert tangent.flat
+    assert_allclose(
+        tangent.to_object(np.append(place, 0.0)), frame.to_object(np.append(place, 0.0)), atol=1e-12
+    )
+    ring = place + 2.5 * np.array([[1, 0], [0, 1], [-1, 0], [0, -1]])
+    points = tangent.to_object(np.column_stack([ring, np.zeros(4)]))
+    on_face = frame.onto(points, tangent.normal)
+    assert_allclose(frame.relief.at(on_face[:, :2])[0], on_face[:, 2], rtol=0, atol=1e-8)
+    dropped = (on_face - frame.in_plane(points)) @ (tangent.normal @ frame.axes)
+    assert (dropped <= 1e-12).all()
+    assert dropped.min() < -0.05
+
+
+def test_lines_that_miss_a_patch_are_told():
+    frame = face_frame(body_spec("sphere"), 1)
+    beside = np.array([[40.0, 0.0, 22.0], [0.0, 3.0, 22.0]])
+    assert np.isfinite(frame.onto(beside, frame.normal)).all(axis=1).tolist() == [False, True]
+
+
+@pytest.mark.parametrize("name", ["sphere", "dome_on_core", "cylinder"])
+def test_the_core_lies_one_thickness_below_every_place(name):
+    spec = body_spec(name)
+    for outer, inner in zip(face_frames(spec), core_frames(spec), strict=True):
+        below = outer.to_object(np.column_stack([PLACES[:2], np.full(2, -spec.shell.thickness_mm)]))
+        assert_allclose(inner.from_object(below)[:, 2], 0, rtol=0, atol=1e-9)
+
+
+def test_an_ellipsoid_s_sampled_core_lies_one_thickness_below_every_place():
+    spec = body_spec("ellipsoid")
+    for outer, inner in zip(face_frames(spec), core_frames(spec), strict=True):
+        below = outer.to_object(np.column_stack([PLACES, np.full(4, -spec.shell.thickness_mm)]))
+        found = inner.from_object(below)
+        assert abs(found[:, 2]).max() < 0.05
+        turned = inner.axes_at(found[:, :2])[..., 2]
+        assert_allclose(turned, outer.axes_at(PLACES)[..., 2], rtol=0, atol=0.02)
+
+
+def test_magnets_and_sensors_stand_normal_to_the_surface():
+    spec = body_spec("sphere")
+    magnets, sensors = magnet_layout(spec), sensor_layout(spec)
+    depth = spec.shell.pocket_depth_mm - spec.magnets.height_mm / 2
+    assert_allclose(np.linalg.norm(magnets.centre_mm, axis=1), 22 - depth, rtol=1e-12)
+    outward = magnets.centre_mm / np.linalg.norm(magnets.centre_mm, axis=1, keepdims=True)
+    assert_allclose(magnets.axis, outward, rtol=0, atol=1e-12)
+    radius = 22 - spec.shell.thickness_mm - spec.sensors.depth_below_core_face_mm
+    assert_allclose(np.linalg.norm(sensors.position_mm, axis=1), radius, rtol=1e-12)
+    assert_allclose(sensors.axes[:, 2] * radius, sensors.position_mm, rtol=0, atol=1e-9)

@@ -1,0 +1,131 @@
+"""Tensile tests: solids found again from their own curves, and data that are refused."""
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from design.catalogue.tensile import TensileTest, fit_tensile, nominal_stress_mpa, read_tensile_test
+from design.errors import InputError
+from design.spec_io import load_spec
+from fem.large_strain.hyperelastic import first_piola_stress, ogden, yeoh
+
+STRETCH = np.linspace(1.05, 1.9, 18)
+SOLIDS = {
+    "neo-hookean": (0.045,),
+    "yeoh": (0.05, 0.008, -0.0004),
+    "ogden": (0.061, 2.7),
+}
+
+
+def curve(solid, scale=1.0):
+    return TensileTest(STRETCH, scale * nominal_stress_mpa(solid, SOLIDS[solid], STRETCH))
+
+
+def fitted(test, solid):
+    return next(fit for fit in fit_tensile(test, "test").solids if fit.solid == solid)
+
+
+@pytest.mark.parametrize("solid", SOLIDS)
+def test_a_solid_is_found_again_from_its_own_curve(solid):
+    fit = fitted(curve(solid), solid)
+    assert_allclose(fit.constants, SOLIDS[solid], rtol=1e-5)
+    assert fit.stable
+    assert fit.residual_mpa < 1e-8
+    doubled = fitted(curve(solid, 2.0), solid)
+    assert_allclose(doubled.youngs_modulus_mpa, 2 * fit.youngs_modulus_mpa, rtol=1e-5)
+
+
+@pytest.mark.parametrize("solid", SOLIDS)
+def test_the_curve_is_that_of_the_finite_elements_material(solid):
+    """Uniaxial tension of `fem.large_strain.hyperelastic` with the pressure that frees the sides."""
+    constants = SOLIDS[solid]
+    material = ogden(constants[:1], constants[1:]) if solid == "ogden" else yeoh(*constants)
+    for stretch in (1.1, 1.7):
+        gradient = np.diag([stretch, stretch**-0.5, stretch**-0.5])
+        stress = np.diag(first_piola_stress(material, gradient[None])[0])
+        free = stress[0] - stress[1] * stretch**-1.5
+        expected = nominal_stress_mpa(solid, constants, np.array([stretch]))[0]
+        assert_allclose(free, expected, rtol=1e-12)
+
+
+@pytest.mark.parametrize("solid", SOLIDS)
+def test_the_modulus_is_the_slope_at_rest(solid):
+    step = 1e-6
+    slope = nominal_stress_mpa(solid, SOLIDS[solid], np.array([1 + step]))[0] / step
+    assert_allclose(fitted(curve(solid), solid).youngs_modulus_mpa, slope, rtol=1e-4)
+
+
+def test_the_interval_spans_the_solids_that_fit():
+    stress = nominal_stress_mpa("yeoh", SOLIDS["yeoh"], STRETCH)
+    noise = 0.002 * np.random.default_rng(4).standard_normal(len(STRETCH))
+    fit = fit_tensile(TensileTest(STRETCH, stress + noise), "pull.csv")
+    moduli = [s.youngs_modulus_mpa for s in fit.solids if s.stable and s.residual_percent < 10]
+    assert fit.modulus.range_mpa == (min(moduli), max(moduli))
+    assert fit.modulus.low_mpa < 0.3 < fit.modulus.high_mpa
+    assert "fitted to pull.csv" in fit.modulus.source
+
+
+def test_points_far_beyond_a_press_are_left_out():
+    near = curve("ogden")
+    far = np.linspace(2.1, 6, 20)
+    test = TensileTest(np.append(STRETCH, far), np.append(near.nominal_stress_mpa, far**4))
+    assert fitted(test, "ogden").constants == fitted(near, "ogden").constants
+
+
+def written(folder, header, rows):
+    path = folder / "pull.csv"
+    path.write_text("\n".join([header, *(",".join(map(str, row)) for row in rows)]))
+    return path
+
+
+def test_strain_percent_and_kilopascals(tmp_path):
+    test = curve("neo-hookean")
+    rows = zip(100 * (STRETCH - 1), 1e3 * test.nominal_stress_mpa, strict=True)
+    read = read_tensile_test(written(tmp_path, "strain_percent,nominal_stress_kpa", rows))
+    assert_allclose(read.stretch, STRETCH, rtol=1e-12)
+    assert_allclose(read.nominal_stress_mpa, test.nominal_stress_mpa, rtol=1e-12)
+
+
+GOOD = [(1 + 0.1 * i, 0.02 * i) for i in range(1, 9)]
+
+
+@pytest.mark.parametrize(
+    ("header", "rows", "words"),
+    [
+        ("time,force", GOOD, "columns .'time', 'force'.; tensile data need one of"),
+        ("stretch,nominal_stress_mpa", [], "tensile data need"),
+        ("stretch,nominal_stress_mpa", GOOD[:4], "4 points .*at least 6"),
+        ("strain,nominal_stress_mpa", [(0.01 * i, 0.1 * i) for i in range(8)], "reach 1.1"),
+        ("stretch,nominal_stress_mpa", [*GOOD[:5], (1.2, 0.1), *GOOD[5:]], "line 7: .*sorted"),
+        ("stretch,nominal_stress_mpa", [*GOOD, (1.95, -0.1)], "line 10: .*stress ≥ 0"),
+        ("stretch,nominal_stress_mpa", [(0.9, 0.1), *GOOD], "line 2: .*stretch ≥ 1"),
+        ("stretch,nominal_stress_mpa", [*GOOD, (1.95, "nan")], "not finite"),
+        ("stretch,nominal_stress_mpa", [*GOOD, (1.95, "1;2")], "needs a number"),
+        ("stretch,nominal_stress_mpa", [*GOOD, (1.95,)], "needs a number"),
+    ],
+)
+def test_data_that_make_no_sense_are_refused(header, rows, words, tmp_path):
+    with pytest.raises(InputError, match=words):
+        read_tensile_test(written(tmp_path, header, rows))
+
+
+def test_a_falling_curve_fits_no_solid():
+    falling = TensileTest(STRETCH, 0.1 / STRETCH**4)
+    with pytest.raises(InputError, match=r"no solid fits pull\.csv to 10 %"):
+        fit_tensile(falling, "pull.csv")
+
+
+def test_a_specification_takes_its_modulus_from_a_file_beside_it(tmp_path):
+    test = curve("ogden")
+    rows = zip(STRETCH, test.nominal_stress_mpa, strict=True)
+    written(tmp_path, "stretch,nominal_stress_mpa", rows)
+    spec = tmp_path / "cube.toml"
+    spec.write_text('name = "cube"\n[silicone]\ntensile_data = "pull.csv"\n')
+    silicone = load_spec(spec).silicone
+    assert_allclose(silicone.youngs_modulus_mpa, 1.5 * 0.061 * 2.7, rtol=1e-5)
+    assert silicone.relative_spread is not None
+    assert silicone.modulus_source == "fitted to pull.csv"
+    given = load_spec(spec, ["silicone.youngs_modulus_mpa=0.3"]).silicone
+    assert (given.youngs_modulus_mpa, given.modulus_source) == (0.3, "given")
+    with pytest.raises(InputError, match="cannot read tensile data"):
+        load_spec(spec, ["silicone.tensile_data=none.csv"])

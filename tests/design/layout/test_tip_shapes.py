@@ -1,0 +1,47 @@
+"""Probes of every kind of indenter: the solid's underside is the profile that contact uses."""
+
+import cadquery as cq
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from design.layout.tip_shapes import footprint_mm, tip_heights_mm, tip_shape
+from design.solids.probes import make_probe
+from design.spec.object import ContactGridSpec, IndenterSpec, ObjectSpec
+
+PYRAMID = ((0.0, 0.0, 0.0), (5.0, 1.0, 7.0), (-4.0, 3.0, 7.0), (-3.0, -4.0, 7.0))
+KINDS = [
+    {"kind": "flat", "radius_mm": 4.0},
+    {"kind": "flat", "radius_mm": 4.0, "fillet_mm": 1.5, "tilt_deg": (0.0, 8.0)},
+    {"kind": "cylinder", "radius_mm": 3.0, "length_mm": 8.0, "yaw_deg": 35.0},
+    {"kind": "cuboid", "size_mm": (9.0, 5.0), "fillet_mm": 1.0, "tilt_deg": (-6.0, 4.0)},
+    {"kind": "stl", "vertices_mm": PYRAMID, "yaw_deg": 20.0},
+]
+
+
+@pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind["kind"])
+def test_the_solid_s_underside_is_the_profile(kind):
+    indenter = IndenterSpec(**kind)
+    grid = ContactGridSpec(count=(4, 4))
+    probe = make_probe(ObjectSpec(name="probe", indenter=indenter, contact_grid=grid), 1)
+    assert probe.isValid()
+    assert_allclose(probe.BoundingBox().zmin, 0, rtol=0, atol=2e-3)
+    low, high = footprint_mm(indenter)
+    places = np.random.default_rng(5).uniform(0.9 * low, 0.9 * high, (4000, 2))
+    heights = tip_heights_mm(tip_shape(indenter), places)
+    touching = np.flatnonzero(heights < 0.6)[:40]
+    assert len(touching) > 5
+    for x, y, z in np.column_stack([places, heights])[touching].tolist():
+        assert probe.isInside(cq.Vector(x, y, z + 0.02))
+        assert not probe.isInside(cq.Vector(x, y, z - 0.02))
+
+
+def test_three_cuboids_stand_where_the_paper_s_tips_stand():
+    indenter = IndenterSpec(kind="cuboid", size_mm=(4.0, 2.0), tip_count=3, tip_spacing_mm=11.0)
+    spec = ObjectSpec(name="probe", indenter=indenter, contact_grid=ContactGridSpec(count=(6, 6)))
+    probe = make_probe(spec, 3)
+    radius = 11 / np.sqrt(3)
+    for angle in np.deg2rad([90, 210, 330]):
+        x, y = radius * np.cos(angle), radius * np.sin(angle)
+        assert probe.isInside(cq.Vector(x + 1.9, y - 0.9, 0.01))
+        assert not probe.isInside(cq.Vector(x + 2.1, y, 0.01))

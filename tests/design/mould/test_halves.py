@@ -1,0 +1,100 @@
+"""Halves draw apart without an undercut, and pins draw out along their own axes."""
+
+import cadquery as cq
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from design.layout.mould_frame import parting
+from design.layout.pockets import shell_pockets
+from design.layout.positions import face_frames
+from design.mould.halves import make_mould_half
+from design.mould.one_piece import cast_cavity, make_mould_box
+from design.mould.pins import loose_pins, make_pin, pin_kinds
+from design.mould.plug import make_mould_plug
+from design.solids.shell import make_shell
+from design.spec_io import parse_spec
+
+SKEWED = {
+    "body": {"size_mm": [50.0, 46.0, 44.0]},
+    "magnets": {"positions_mm": [[2.0, -1.0], [-9.0, 4.0]]},
+}
+TILTED = SKEWED | {"magnets": SKEWED["magnets"] | {"depth_mm": 2.4, "tilt_deg": [[8, 0], [0, -12]]}}
+
+
+def parsed(azimuth=None, **content):
+    mould = {"style": "split"} | ({} if azimuth is None else {"parting_azimuth_deg": azimuth})
+    return parse_spec({"name": "t", "mould": mould, **content}, "test")
+
+
+def drawn_through(part, shell, way):
+    """Volume of silicone in the way of a part that is drawn, over steps of its path."""
+    steps = (0.5, 2.0, 5.0, 12.0)
+    return sum(
+        shell.intersect(part.translate(cq.Vector(*(step * np.asarray(way))))).Volume()
+        for step in steps
+    )
+
+
+def test_halves_draw_apart_once_the_pins_are_out():
+    spec = parsed(**SKEWED)
+    shell, normal = make_shell(spec), parting(spec).normal
+    for side in (1, -1):
+        half = make_mould_half(spec, side)
+        assert_allclose(drawn_through(half, shell, side * normal), 0, rtol=0, atol=1e-6)
+    assert drawn_through(half, shell, normal) > 100, "the other way it cannot go"
+
+
+def test_a_seam_beside_the_edges_makes_an_undercut():
+    spec = parsed(30.0, **SKEWED)
+    half = make_mould_half(spec, 1)
+    assert drawn_through(half, make_shell(spec), parting(spec).normal) > 100
+
+
+def test_the_one_piece_box_cannot_be_drawn():
+    spec = parsed(**SKEWED)
+    assert drawn_through(make_mould_box(spec), make_shell(spec), (0, 0, 1)) > 50
+
+
+@pytest.mark.parametrize("content", [SKEWED, TILTED], ids=["straight", "tilted"])
+def test_pins_draw_out_along_their_axes(content):
+    spec = parsed(**content)
+    shell = make_shell(spec)
+    halves = [make_mould_half(spec, side) for side in (1, -1)]
+    pins = [make_pin(spec, pin) for pin in loose_pins(spec)]
+    ways = [
+        frame.axes @ pocket.axis
+        for frame, face in zip(face_frames(spec), shell_pockets(spec), strict=True)
+        for pocket in face
+    ]
+    for pin, way in list(zip(pins, ways, strict=True))[::3]:
+        assert_allclose(drawn_through(pin, shell, way), 0, rtol=0, atol=1e-6)
+        for half in halves:
+            assert_allclose(half.intersect(pin).Volume(), 0, rtol=0, atol=1e-6)
+            assert_allclose(drawn_through(pin, half, way), 0, rtol=0, atol=1e-6)
+        pushed = pin.translate(cq.Vector(*(-0.3 * way)))
+        blocked = sum(half.intersect(pushed).Volume() for half in halves)
+        assert blocked > 1, "the head must stop the pin at its depth"
+
+
+@pytest.mark.parametrize("content", [SKEWED, TILTED], ids=["straight", "tilted"])
+def test_halves_pins_and_plug_cast_the_shell(content):
+    spec = parsed(**content)
+    shell, cavity = make_shell(spec), cast_cavity(spec)
+    assert_allclose(cavity.Volume(), shell.Volume(), rtol=1e-9)
+    outside = cavity.cut(shell).Volume() + shell.cut(cavity).Volume()
+    assert_allclose(outside, 0, rtol=0, atol=1e-6 * shell.Volume())
+
+
+def test_halves_fit_each_other_and_the_plug():
+    spec = parsed(**SKEWED)
+    a, b, plug = make_mould_half(spec, 1), make_mould_half(spec, -1), make_mould_plug(spec)
+    for one, other in ((a, b), (a, plug), (b, plug)):
+        assert_allclose(one.intersect(other).Volume(), 0, rtol=0, atol=1e-6)
+    sideways = b.translate(cq.Vector(*(0.5 * np.cross(parting(spec).normal, [0, 0, 1]))))
+    assert a.intersect(sideways).Volume() > 1, "dowels must stop the halves from sliding"
+
+
+def test_pins_that_are_alike_are_counted_once():
+    assert pin_kinds(loose_pins(parsed(**SKEWED))) == [("mould_pin", 0, 10)]
+    assert [count for *_, count in pin_kinds(loose_pins(parsed(**TILTED)))] == [5, 5]

@@ -1,0 +1,182 @@
+"""Lines of boards: what is sent comes out, and whatever is damaged is counted, never believed."""
+
+import binascii
+import itertools
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from design.errors import InputError
+from estimator.boards.lines import (
+    Frame,
+    Header,
+    LineDecoder,
+    Load,
+    checksum,
+    encode_header,
+    encode_load,
+)
+from estimator.boards.lines import encode_frame as encode_floats
+from estimator.boards.link import BoardClock, counts_of
+
+CHANNELS = ("F3-X1", "F1-Z2", "F5-Y3")
+
+
+def encode_frame(sequence, board_ms, counts):
+    return encode_floats(sequence, board_ms, [float(value) for value in counts])
+
+
+def lines(count=5, first=0):
+    return [encode_frame(first + k, 100 * k, [k, -7.5, float("nan")]) for k in range(count)]
+
+
+def started():
+    decoder = LineDecoder()
+    decoder.feed(encode_header(CHANNELS))
+    return decoder
+
+
+def test_checksum_is_the_published_one():
+    """Check value of CRC-16/CCITT-FALSE."""
+    assert checksum(b"123456789") == "29B1"
+    assert binascii.crc_hqx(b"123456789", 0) != 0x29B1
+
+
+def test_messages_round_trip():
+    loads = [
+        Load(12, 2, 7.25, 3, ((1.5, -4.5), (0.0, 13.5))),
+        Load(13, 1, -0.02, None, ()),
+        Load(14, 1, 0.0, 0, ()),
+    ]
+    sent = encode_header(CHANNELS) + encode_frame(65537, 2**32 + 5, [3, -2, 8.125])
+    sent += b"".join(encode_load(load) for load in loads)
+    assert LineDecoder().feed(sent) == [
+        Header(CHANNELS),
+        Frame(1, 5, (3.0, -2.0, 8.125)),
+        *loads,
+    ]
+
+
+def test_a_silent_sensor_is_an_empty_cell():
+    (frame,) = started().feed(encode_frame(0, 0, [5, float("nan"), 6]))
+    assert np.isnan(frame.counts[1])
+    assert b",5,,6*" in encode_frame(0, 0, [5, float("nan"), 6])
+
+
+@given(cuts=st.lists(st.integers(0, 400), max_size=30))
+def test_however_the_bytes_are_cut(cuts):
+    sent = encode_header(CHANNELS) + b"".join(lines(8))
+    edges = sorted({0, len(sent), *(cut for cut in cuts if cut < len(sent))})
+    decoder = LineDecoder()
+    found = [
+        message
+        for first, last in itertools.pairwise(edges)
+        for message in decoder.feed(sent[first:last])
+    ]
+    assert [frame.sequence for frame in found[1:]] == list(range(8))
+    assert decoder.statistics.damaged_lines == 0
+
+
+@settings(max_examples=200, deadline=None)
+@given(garbage=st.binary(min_size=1, max_size=300), after=st.integers(0, 4))
+def test_garbage_costs_no_sound_line_behind_its_end(garbage, after):
+    sent = lines(5)
+    sent.insert(after, garbage + b"\n")
+    decoder = started()
+    found = [m for m in decoder.feed(b"".join(sent)) if isinstance(m, Frame)]
+    assert [frame.sequence for frame in found] == list(range(5))
+    assert decoder.statistics.lost_frames == 0
+
+
+def test_garbage_glued_to_a_line_is_skipped():
+    decoder = started()
+    assert decoder.feed(b"\xff\x00$F,1,$$" + lines(1)[0])[0].sequence == 0
+    assert decoder.statistics.damaged_lines == 0
+
+
+@given(place=st.integers(0, 10**6), bit=st.integers(0, 7))
+def test_one_flipped_bit_is_never_believed(place, bit):
+    line = bytearray(encode_frame(7, 900, [123, -45, 6]))
+    line[place % (len(line) - 1)] ^= 1 << bit
+    decoder = started()
+    found = decoder.feed(bytes(line) + encode_frame(8, 1000, [1, 2, 3]))
+    sound = [frame for frame in found if frame.sequence == 7]
+    assert all(frame == Frame(7, 900, (123.0, -45.0, 6.0)) for frame in sound)
+    assert found[-1].sequence == 8
+    assert sound or decoder.statistics.damaged_lines
+
+
+def test_without_a_checksum_the_flip_would_be_believed():
+    """The planted fault: the same line with a checksum of its own damaged text."""
+    line = encode_frame(7, 900, [123, -45, 6]).replace(b"123", b"923")
+    assert started().feed(line) == []
+    body = line[1 : line.rfind(b"*")]
+    (frame,) = started().feed(b"$" + body + b"*" + checksum(body).encode() + b"\n")
+    assert frame.counts[0] == 923
+
+
+def test_lost_frames_and_restarts_are_counted():
+    decoder = started()
+    for sequence in (65533, 65535, 0, 3, 40000):
+        decoder.feed(encode_frame(sequence, 0, [1, 2, 3]))
+    found = decoder.statistics
+    assert (found.frames, found.lost_frames, found.restarts) == (5, 1 + 0 + 2, 1)
+
+
+@pytest.mark.parametrize(
+    "body",
+    ["F,1", "F,1,2,3,4", "F,1,2,3,4,5,6", "F,a,2,3,4,5", "F,1,2,3,4,1e30", "F,1,2,inf,4,5",
+     "L,1,0,3", "L,1,1,nan", "L,1,1,2,7,0,0", "L,1,1,2,3", "L,1,1,2,3,4", "L,1,1,2,0,1,1",
+     "L,1,1,99999", "Q,1", ""],
+)  # fmt: skip
+def test_sound_lines_that_make_no_sense_are_damaged(body):
+    decoder = started()
+    assert decoder.feed(f"${body}*{checksum(body.encode())}\n".encode()) == []
+    assert decoder.statistics.damaged_lines == 1
+
+
+@pytest.mark.parametrize(
+    ("body", "words"),
+    [
+        ("H,2,F1-X1", "line format"),
+        ("H,1", "channels"),
+        ("H,1,X1", "X1"),
+        ("H,1,F1-X1,F1-X1", "named once"),
+        ("H,1,F6-X1", "F6-X1"),
+    ],
+)
+def test_headers_that_cannot_be_followed(body, words):
+    with pytest.raises(InputError, match=words):
+        LineDecoder().feed(f"${body}*{checksum(body.encode())}\n".encode())
+
+
+def test_frames_before_the_header_are_skipped():
+    decoder = LineDecoder()
+    assert decoder.feed(b"".join(lines(3))) == []
+    assert decoder.statistics.frames == 0
+
+
+def test_an_endless_line_does_not_fill_the_memory():
+    decoder = started()
+    for _ in range(50):
+        decoder.feed(b"x" * 1000)
+    assert decoder.statistics.damaged_lines >= 9
+    assert len(decoder.feed(b"\n" + lines(1)[0])) == 1
+
+
+def test_counts_in_this_package_order():
+    counts = counts_of(CHANNELS, (1.0, 2.0, 3.0))
+    assert counts.shape == (5, 3, 3)
+    assert (counts[2, 0, 0], counts[0, 1, 2], counts[4, 2, 1]) == (1, 2, 3)
+    assert np.isfinite(counts).sum() == 3
+
+
+def test_clock_of_a_board():
+    """It wraps after 49 days, may be a little out of order, and starts anew with the board."""
+    clock = BoardClock()
+    times = [clock.time_s(ms, 50.0) for ms in (2**32 - 400, 2**32 - 100, 200, 150, 1200)]
+    np.testing.assert_allclose(times, [50, 50.3, 50.6, 50.55, 51.6], atol=1e-9)
+    assert clock.time_s(2**31, 80.0) == pytest.approx(50.6 + (2**31 - 200) / 1000)
+    assert clock.time_s(10, 99.0) == 99.0

@@ -1,0 +1,208 @@
+"""Recorded presses made by a known object: agreement, nulls and the calibration that finds it."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from design.errors import InputError
+from estimator.calibration.pose_fit import (
+    Calibration,
+    Problem,
+    calibration_test,
+    fit,
+    folds_by_case,
+    folds_by_press,
+)
+from estimator.calibration.recorded_presses import (
+    MODULUS_RATIOS,
+    RecordedPresses,
+    predicted_motions,
+    recorded_presses,
+)
+from estimator.calibration.validation import agreement, channel_rows, predict, verdict
+from estimator.field.models import FieldModel
+from estimator.field.sources import magnet_source
+from estimator.recordings.reading import read_recording
+from estimator.signals.press_states import rest_motion
+from estimator.tolerances.assembly import designed
+from tests.estimator.recordings.test_public_recordings import FOLDER, NAMES
+from tests.support.made_recordings import gripper_arrays, write_gripper
+from tests.support.synthetic_presses import coarse_spec, synthetic_presses
+
+SPEC = coarse_spec(silicone={"youngs_modulus_mpa": 0.4, "youngs_modulus_range_mpa": (0.2, 0.6)})
+CASES = (
+    ((3, -3.0, 2.0), (5, -3.0, -2.0)),
+    ((3, 0.5, 4.0), (5, 0.5, -4.0)),
+    ((3, 2.5, -3.5), (5, 2.5, 3.5)),
+    ((3, 4.0, 1.0), (5, 4.0, -1.0)),
+    ((3, -4.0, -4.0), (5, -4.0, 4.0)),
+)
+TRUE = Calibration((0.5, -0.4, 0.3), (1.5, 2.0, -2.5), 1.0, 0.7)
+MODEL = FieldModel(magnet_source(SPEC.magnets), "multipole", 11)
+
+
+def presses_of(signal=None, copies=4):
+    case = np.repeat(np.arange(len(CASES)), copies)
+    rng = np.random.default_rng(4)
+    force = np.zeros((len(case), 5))
+    force[:, [2, 4]] = rng.uniform(5, 8, (len(case), 2))
+    signal = np.zeros((len(case), 45)) if signal is None else signal
+    frames, recording = np.full(len(case), 50), case % 2
+    return RecordedPresses(signal, force, case, recording, frames, CASES, np.array([22, 22, 11.0]))
+
+
+@pytest.fixture(scope="module")
+def problem():
+    """Recordings of `TRUE`, with noise: 3 counts and 5 % of each channel."""
+    forces, motions = synthetic_presses(SPEC)
+    silent, design = presses_of(), designed(SPEC)
+    moving = predicted_motions(SPEC, forces, motions, silent)
+    empty = Problem(SPEC, design, silent, moving, rest_motion(motions), MODEL)
+    signal = empty.predicted(TRUE.applied(design), np.arange(20), silent.case)
+    rng = np.random.default_rng(7)
+    signal *= 1 + 0.05 * rng.standard_normal(signal.shape)
+    return replace(empty, presses=presses_of(signal + 3 * rng.standard_normal(signal.shape)))
+
+
+def found(problem, assembly, face=3, presses=None):
+    predictions = predict(SPEC, assembly, problem.moving, problem.rest, MODEL)
+    return agreement(SPEC, presses or problem.presses, predictions, face, seed=1)
+
+
+def test_the_true_object_agrees_beyond_its_null(problem):
+    result = found(problem, TRUE.applied(designed(SPEC)))
+    assert result.cosine.value > 0.99 > 0.9 > result.cosine.null
+    assert result.cosine.p == pytest.approx(1 / 120)
+    assert result.signs.value > 0.98
+    assert_allclose(result.size_ratio, 1, atol=0.03)
+    assert result.size_spread.value < 1.06 < result.size_spread.null
+    assert "pattern supported" in verdict(SPEC, result)
+
+
+def _mirrored(signals):
+    return signals * np.tile([-1.0, 1.0, 1.0], 15)
+
+
+def _wrong_places(signals):
+    return np.roll(signals, 4, axis=0)
+
+
+@pytest.mark.parametrize("fault", [_mirrored, _wrong_places])
+def test_wrong_recordings_are_not_supported(problem, fault):
+    wrong = replace(problem.presses, signal_counts=fault(problem.presses.signal_counts))
+    result = found(problem, TRUE.applied(designed(SPEC)), presses=wrong)
+    assert not (result.cosine.significant and result.cosine.value > 0.9)
+
+
+def test_the_effective_modulus_is_that_of_the_object(problem):
+    """The true pose with the design's silicone: sizes alone tell the modulus, 0.7 × 0.4 MPa."""
+    pose = replace(TRUE, modulus_scale=1.0).applied(designed(SPEC))
+    for face in (3, 5, None):
+        result = found(problem, pose, face)
+        assert_allclose(result.modulus_mpa, 0.28, rtol=0.03)
+        assert result.modulus_bounded == 1
+
+
+def test_dead_channels_do_not_matter(problem):
+    signal = problem.presses.signal_counts.copy()
+    signal[:, [18, 22]] = np.nan
+    one_dead = replace(problem.presses, signal_counts=signal)
+    result = found(problem, TRUE.applied(designed(SPEC)), presses=one_dead)
+    assert result.cosine.value > 0.98
+    predictions = predict(SPEC, designed(SPEC), problem.moving, problem.rest, MODEL)
+    rows = channel_rows(one_dead, predictions, [str(k) for k in range(45)])
+    assert rows[18]["correlation"] is None
+    assert rows[19]["correlation"] is not None
+
+
+def test_calibration_finds_pose_and_modulus(problem):
+    result = fit(problem, np.arange(20), problem.presses.case)
+    assert_allclose(result.shift_mm, TRUE.shift_mm, atol=0.15)
+    assert_allclose(result.rotation_deg, TRUE.rotation_deg, atol=0.8)
+    assert_allclose(result.modulus_scale / result.remanence_scale, 0.7, rtol=0.06)
+    assert abs(np.log(result.remanence_scale)) < 0.04
+
+
+@pytest.mark.parametrize("folds", [folds_by_case, folds_by_press])
+def test_every_press_is_unseen_once(problem, folds):
+    chosen = folds(problem.presses)
+    assert sorted(np.concatenate(chosen).tolist()) == list(range(20))
+    if folds is folds_by_case:
+        assert all(len(set(problem.presses.case[rows])) == 1 for rows in chosen)
+
+
+def test_calibration_is_judged_on_unseen_presses(problem):
+    exchanged = np.array([[2, 3, 4, 0, 1]])
+    result = calibration_test(problem, "unseen", folds_by_press(problem.presses), exchanged)
+    assert result.after.own_cosine > max(0.98, result.before.own_cosine)
+    assert result.after.left < 0.15 < 0.2 < result.before.left
+    assert result.null.own_cosine < 0.9
+    assert result.null.left > 0.3
+    assert (result.p_own_cosine, result.p_left, result.permutations) == (0.5, 0.5, 1)
+
+
+def motions_of(case, force_n):
+    """Motions at the design's modulus of one case pressed with the given forces on faces 3 and 5."""
+    forces, motions = synthetic_presses(SPEC)
+    force = np.zeros((20, 5))
+    force[:, [2, 4]] = force_n
+    presses = replace(presses_of(), face_force_n=force, cases=(case, *CASES[1:]))
+    return predicted_motions(SPEC, forces, motions, presses).at(np.zeros(20, int), 1.0)[0]
+
+
+def test_motions_superpose_over_tips_and_faces():
+    """Each of two tips takes half of its face's force; the faces add."""
+    tips = ((3, 1.0, 2.0), (3, -3.0, 2.5))
+    both = motions_of((*tips, (5, 1.0, -2.0)), [6.0, 5.0])
+    parts = [motions_of((tip,), [3.0, 0.0]) for tip in tips]
+    parts.append(motions_of(((5, 1.0, -2.0),), [0.0, 5.0]))
+    assert_allclose(both, sum(parts), atol=1e-9)
+    assert abs(both - motions_of((tips[0], (5, 1.0, -2.0)), [6.0, 5.0])).max() > 1e-3
+
+
+def test_a_case_on_other_faces_is_no_prediction():
+    assert np.isnan(motions_of(((3, 1.0, 2.0),), [6.0, 5.0])).all()
+
+
+def test_a_softer_silicone_moves_as_under_more_force():
+    forces, motions = synthetic_presses(SPEC)
+    presses = presses_of()
+    moving = predicted_motions(SPEC, forces, motions, presses)
+    ratio = float(MODULUS_RATIOS[5])
+    harder = replace(presses, face_force_n=presses.face_force_n / ratio)
+    same = predicted_motions(SPEC, forces, motions, harder)
+    assert_allclose(
+        moving.at(presses.case, ratio), same.at(presses.case, 1.0), rtol=0.01, atol=1e-4
+    )
+
+
+def test_presses_of_a_made_recording(tmp_path):
+    path = write_gripper(tmp_path / "made.csv", gripper_arrays())
+    presses = recorded_presses([read_recording(path)])
+    assert (len(presses), len(presses.cases)) == (6, 2)
+    assert [contact[0] for contact in presses.cases[0]] == [3, 5]
+    assert presses.face_force_n[:, [2, 4]].min() > 0.5 * 17
+    assert not presses.face_force_n[:, [0, 1, 3]].any()
+    with pytest.raises(InputError, match="twice"):
+        recorded_presses([read_recording(path), read_recording(path)])
+
+
+@pytest.mark.skipif(
+    not all((FOLDER / name).is_file() for name in NAMES),
+    reason=f"public recordings not found in {FOLDER}; set INSTOBJ_DATA to their folder",
+)
+def test_presses_of_the_public_recordings():
+    presses = recorded_presses([read_recording(FOLDER / name) for name in NAMES])
+    assert (len(presses), len(presses.cases)) == (42, 8)
+    assert [len(case) for case in presses.cases].count(4) == 3
+    dead = np.isnan(presses.signal_counts)
+    both = np.argwhere(dead.all(axis=0)).ravel().tolist()
+    assert both == [10]  # F2-Y1, which jumped between the files
+    second = presses.recording == 1
+    assert dead[second][:, [33, 34, 35]].all()  # F4-3, dead in the second
+    assert not dead[:, [*range(18, 27), *range(36, 45)]].any()
+    force = presses.face_force_n[:, [2, 4]]
+    assert (force > 7).all()
+    assert (force < 20).all()

@@ -1,0 +1,156 @@
+"""Exported estimators: the same figures as the trained ones, without torch."""
+
+import json
+import subprocess
+import sys
+from dataclasses import replace
+
+import numpy as np
+import onnx
+import pytest
+import torch
+from numpy.testing import assert_allclose
+
+from design.errors import InputError
+from design.spec.object import TrainingSpec
+from estimator.deploy.export import export_onnx
+from estimator.deploy.runtime import LiveReader, load_deployed, predict_frames
+from estimator.frames.splits import split_presses
+from estimator.networks.face_model import predict
+from estimator.networks.prediction import UNITS
+from estimator.networks.training import FitSettings, fit_estimator
+from tests.support.synthetic_frames import synthetic_frames
+
+FACE = 4
+SMALL = TrainingSpec(
+    hidden_units=(24,), epochs=2, batch_size=128, members=2, history_frames=2, heatmap_axes=3
+)
+
+
+@pytest.fixture(scope="module")
+def frames():
+    made = synthetic_frames(presses=3)
+    made.signal_counts[:, 3, 1, 2] = np.nan
+    return made
+
+
+@pytest.fixture(scope="module")
+def model(frames):
+    threads = torch.get_num_threads()
+    torch.set_num_threads(1)
+    split = split_presses(frames, 1)
+    parts = frames.select(split.train), frames.select(split.validation)
+    fitted = fit_estimator(*parts, FitSettings(FACE, SMALL))
+    torch.set_num_threads(threads)
+    return fitted
+
+
+@pytest.fixture(scope="module")
+def path(model, tmp_path_factory):
+    target = tmp_path_factory.mktemp("deployed") / "face_4.onnx"
+    export_onnx(model, target)
+    return target
+
+
+def test_parity_with_the_trained_model(model, frames, path):
+    trained, deployed = predict(model, frames), predict_frames(load_deployed(path), frames)
+    for name in UNITS:
+        expected = getattr(trained, name)
+        size = np.abs(expected).max()
+        assert size > 0
+        assert_allclose(getattr(deployed, name), expected, rtol=0, atol=1e-5 * size)
+
+
+def test_planted_fault_in_the_channel_order_breaks_parity(model, frames, path):
+    deployed = load_deployed(path)
+    swapped = replace(deployed, channels=deployed.channels[::-1])
+    expected = predict(model, frames).force_n
+    assert np.abs(predict_frames(swapped, frames).force_n - expected).max() > 0.05 * expected.max()
+
+
+def test_one_file_says_what_goes_in_and_comes_out(path):
+    graph = onnx.load(path)
+    found = json.loads({p.key: p.value for p in graph.metadata_props}["instobj"])
+    assert found["channel_names"][0] == "F4-X1"
+    assert "F4-Z2" not in found["channel_names"]
+    assert found["channel_names"][-1] == "dF4-Z3"
+    assert found["units"] == UNITS
+    assert found["history_frames"] == 2
+    assert not [t for t in graph.graph.initializer if t.data_location == onnx.TensorProto.EXTERNAL]
+
+
+def test_live_readings_are_those_of_the_recording(frames, path):
+    """Raw counts, frame by frame, zeroed by the first frames at rest."""
+    deployed = load_deployed(path)
+    press = frames.select(frames.press_id == 23)
+    raw = 1000.0 + press.signal_counts
+    reader = LiveReader(deployed, "first", zero_frames=4)
+    found = [reader.feed(one) for one in raw]
+    assert [one is None for one in found] == [True] * 4 + [False] * (len(raw) - 4)
+    zeroed = replace(press, signal_counts=press.signal_counts - press.signal_counts[:4].mean(0))
+    expected = predict_frames(deployed, zeroed).force_n[4:]
+    assert_allclose([one.force_n[0] for one in found[4:]], expected, rtol=1e-5, atol=1e-5)
+    as_they_are = LiveReader(deployed, "none")
+    changes = [as_they_are.feed(one).force_n[0] for one in zeroed.signal_counts]
+    assert_allclose(changes[4:], expected, rtol=1e-5, atol=1e-5)
+    reader.rezero()
+    assert reader.feed(raw[0]) is None
+
+
+def test_slip_of_the_core_is_undone_by_a_new_zero(path):
+    reader = LiveReader(load_deployed(path), "first", zero_frames=2)
+    rest = np.full((5, 3, 3), 500.0)
+    for _ in range(2):
+        reader.feed(rest)
+    slipped = rest + 900.0 * np.linspace(-1, 1, rest.size).reshape(rest.shape)
+    shifted = reader.feed(slipped)
+    reader.rezero()
+    for _ in range(2):
+        reader.feed(slipped)
+    again = reader.feed(slipped)
+    still = LiveReader(load_deployed(path), "first", zero_frames=1)
+    still.feed(rest)
+    assert_allclose(again.force_n, still.feed(rest).force_n, rtol=1e-6)
+    assert abs(shifted.force_n[0] - again.force_n[0]) > 1e-3
+
+
+def test_a_channel_without_a_reading_is_named(frames, path):
+    reader = LiveReader(load_deployed(path), "first", zero_frames=1)
+    raw = np.zeros((5, 3, 3))
+    raw[3, 0, 1] = np.nan
+    with pytest.raises(InputError, match="channel F4-Y1, which the model uses"):
+        reader.feed(raw)
+    broken = frames.signal_counts.copy()
+    broken[5, 3, 0, 1] = np.nan
+    with pytest.raises(InputError, match="channels F4-Y1"):
+        predict_frames(load_deployed(path), replace(frames, signal_counts=broken))
+
+
+@pytest.mark.parametrize("damage", ["missing", "text", "cut", "foreign"])
+def test_bad_files_give_one_clear_error(path, tmp_path, damage):
+    bad = tmp_path / "bad.onnx"
+    if damage == "text":
+        bad.write_text("hello")
+    elif damage == "cut":
+        bad.write_bytes(path.read_bytes()[:-2000])
+    elif damage == "foreign":
+        graph = onnx.load(path)
+        del graph.metadata_props[:]
+        onnx.save(graph, bad)
+    with pytest.raises(InputError, match=r"bad\.onnx") as raised:
+        load_deployed(bad)
+    assert len(str(raised.value)) < 400
+
+
+def test_prediction_loads_no_torch(path):
+    code = (
+        "import sys, pathlib, numpy as np\n"
+        "from estimator.deployed import load_deployed, LiveReader\n"
+        "import instobj.predict\n"
+        f"reader = LiveReader(load_deployed(pathlib.Path({str(path)!r})), 'first', 1)\n"
+        "reader.feed(np.zeros((5, 3, 3))); found = reader.feed(np.ones((5, 3, 3)))\n"
+        "assert found is not None and found.force_n.shape == (1,)\n"
+        "assert 'torch' not in sys.modules, 'torch was imported'\n"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr

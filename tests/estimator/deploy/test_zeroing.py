@@ -1,0 +1,126 @@
+"""The zero that follows rest: drift, offsets between presses, a start within a press, long holds."""
+
+import math
+
+import numpy as np
+import pytest
+
+from design.errors import InputError
+from estimator.deploy import zeroing
+from estimator.deploy.zeroing import RestZero, is_still
+
+GAIN = np.array([60.0, -35.0, 90.0, 20.0, -15.0, 40.0])
+"""Counts per newton of a press; noise below is 20 counts."""
+RATE_HZ = 10.0
+REST, RISE, HOLD = 25, 8, 60
+
+
+def read(change):
+    """A linear estimator: force along the press' own direction, none where it points back."""
+    force = max(0.0, float(change @ GAIN / (GAIN @ GAIN)))
+    return float(force > 0.3), force
+
+
+def forces(presses=6, hold=HOLD, seed=0):
+    """Presses of different strength with rest before and after each, N."""
+    peaks = np.random.default_rng(seed).uniform(6, 15, presses)
+    up = np.linspace(0, 1, RISE)
+    shape = np.concatenate([np.zeros(REST), up, np.ones(hold), up[::-1], np.zeros(REST)])
+    return (peaks[:, None] * shape).ravel()
+
+
+def stream(force_n, seed=1, hysteresis=0.06, drift_per_s=0.2, jump_counts=40.0):
+    """Raw counts: noise, drift that goes on, a shift of rest after every press, hysteresis that
+    stays after it."""
+    rng = np.random.default_rng(seed)
+    loaded = force_n > 0
+    number = np.cumsum(np.diff(loaded.astype(int), prepend=0) < 0)
+    shift = rng.normal(0, jump_counts, (number.max() + 1, len(GAIN)))[number]
+    hung = hysteresis * np.maximum.accumulate(force_n)[:, None] * (~loaded & (number > 0))[:, None]
+    drift = (
+        drift_per_s * np.arange(len(force_n))[:, None] / RATE_HZ * rng.choice([-1, 1], len(GAIN))
+    )
+    noise = rng.normal(0, 20, (len(force_n), len(GAIN)))
+    return 700 + GAIN * (force_n[:, None] + hung) + shift + drift + noise
+
+
+def followed(raw, zero):
+    """Force read in each frame, NaN before the first zero."""
+    found = []
+    for number, row in enumerate(raw):
+        zero.update(row, number / RATE_HZ)
+        found.append(math.nan if zero.level is None else read(row - zero.level)[1])
+    return np.array(found)
+
+
+def shares(force_n, found, limit=1.0):
+    """Rest frames read as more than `limit`, and frames of 2 N and more read as less."""
+    rest, pressed = (force_n == 0) & np.isfinite(found), (force_n > 2) & np.isfinite(found)
+    return float(np.mean(found[rest] > limit)), float(np.mean(found[pressed] < limit))
+
+
+@pytest.mark.parametrize("fault", ["none", "zeroed once", "nothing counts as a return"])
+def test_offsets_and_drift_between_presses_are_followed(fault, monkeypatch):
+    if fault == "nothing counts as a return":
+        monkeypatch.setattr(zeroing, "RETURN_SHARE", 0.0)
+    force_n = forces()
+    raw, zero = stream(force_n), RestZero(8, read)
+    if fault == "zeroed once":
+        first = raw[:20].mean(axis=0)
+        found = np.array([read(row - first)[1] for row in raw])
+    else:
+        found = followed(raw, zero)
+    false, missed = shares(force_n, found, limit=0.5)
+    assert (false < 0.12 and missed < 0.01) == (fault == "none")
+
+
+@pytest.mark.parametrize("start", ["rest", "hold"])
+def test_a_start_within_a_press_is_mended_at_its_end(start):
+    force_n = forces(presses=4)
+    begin = 0 if start == "rest" else REST + RISE + 10
+    found = followed(stream(force_n)[begin:], RestZero(8, read))
+    after = REST + RISE + HOLD + RISE + 12 - begin
+    false, missed = shares(force_n[begin:][after:], found[after:])
+    assert false < 0.05
+    assert missed < 0.01
+
+
+def test_a_long_hold_is_no_rest():
+    """Ten minutes at one force: still, but read as a contact throughout."""
+    force_n = np.concatenate([forces(presses=1, hold=6000)])
+    found = followed(stream(force_n, drift_per_s=0.05), RestZero(8, read))
+    assert shares(force_n, found)[1] < 0.001
+    held = found[force_n == force_n.max()]
+    assert abs(held.mean() - force_n.max()) < 0.5
+
+
+@pytest.mark.parametrize(("rate_n_per_s", "seen"), [(0.1, True), (0.004, False)])
+def test_a_slow_press_is_seen_and_a_slower_one_is_drift(rate_n_per_s, seen):
+    """The price that the module names: between these rates of force lies the limit."""
+    force_n = np.concatenate([np.zeros(100), np.arange(0, 4, rate_n_per_s / RATE_HZ)])
+    found = followed(stream(force_n, jump_counts=0.0, drift_per_s=0.0), RestZero(8, read))
+    assert (found[-20:].mean() > 3.0) == seen
+
+
+def test_stillness_needs_no_noise_level():
+    rng = np.random.default_rng(2)
+    for sigma in (0.5, 20.0, 300.0):
+        windows = rng.normal(0, sigma, (300, 8, 9))
+        assert np.mean([is_still(window) for window in windows]) > 0.75
+        ramp = sigma * np.arange(8)[:, None]
+        assert np.mean([is_still(window + ramp) for window in windows]) < 0.05
+    assert is_still(np.zeros((8, 3)))
+
+
+def test_a_window_does_not_span_a_pause():
+    zero = RestZero(8, read)
+    for number in range(14):
+        zero.update(np.full(6, 5.0), number / RATE_HZ + (20.0 if number > 6 else 0.0))
+    assert zero.level is None
+    zero.update(np.full(6, 5.0), 21.4)
+    assert zero.level is not None
+
+
+def test_too_few_frames_are_refused():
+    with pytest.raises(InputError, match="5 frames or more; got 2"):
+        RestZero(2, read)

@@ -1,0 +1,175 @@
+"""Models of a disk magnet's field against magpylib, Maxwell's equations and rotations."""
+
+import magpylib
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+from scipy.spatial.transform import Rotation
+
+from estimator.field.exact import cylinder_field
+from estimator.field.models import (
+    FieldModel,
+    dipole_field,
+    field_model,
+    model_error,
+    multipole_field,
+    total_field,
+)
+from estimator.field.sources import DiskMagnet
+
+DISKS = [DiskMagnet(6.0, 1.0, 1.43), DiskMagnet(4.0, 5.0, 1.1), DiskMagnet(9.0, 0.5, -1.2)]
+POSES = 1500
+
+
+def random_poses(disk, nearest_mm, rng, count=POSES):
+    """Magnets anywhere, turned anyhow, and points from `nearest_mm` outward."""
+    turn = Rotation.random(count, rng=rng)
+    centre = rng.uniform(-20, 20, (count, 3))
+    direction = rng.standard_normal((count, 3))
+    direction /= np.linalg.norm(direction, axis=1, keepdims=True)
+    distance = nearest_mm * rng.uniform(1, 3, (count, 1))
+    return turn, centre, centre + distance * direction
+
+
+def magpylib_field(disk, turn, centre, point):
+    """Independent oracle: magpylib's own poses, lengths in metres."""
+    field = [
+        magpylib.magnet.Cylinder(
+            polarization=(0, 0, disk.polarization_t),
+            dimension=(disk.diameter_mm / 1e3, disk.height_mm / 1e3),
+            position=c / 1e3,
+            orientation=r,
+        ).getB(p / 1e3)
+        for r, c, p in zip(turn, centre, point, strict=True)
+    ]
+    return np.array(field)
+
+
+def modelled(model, turn, centre, point):
+    offset, axis = (point - centre).T, turn.apply([0, 0, 1]).T
+    return np.array(model(tuple(offset), tuple(axis))).T
+
+
+def relative_error(field, exact):
+    return np.linalg.norm(field - exact, axis=1) / np.linalg.norm(exact, axis=1)
+
+
+@pytest.mark.parametrize("disk", DISKS)
+@pytest.mark.parametrize("reach", [1.6, 2.6])
+def test_models_match_magpylib_within_their_stated_error(disk, reach):
+    nearest = reach * disk.circumscribed_radius_mm
+    poses = random_poses(disk, nearest, np.random.default_rng(1))
+    exact = magpylib_field(disk, *poses)
+    order = field_model(disk, nearest).order
+    series = modelled(lambda o, a: multipole_field(o, a, disk, order), *poses)
+    assert relative_error(series, exact).max() <= 1e-3
+    if order > 7:
+        lower = modelled(lambda o, a: multipole_field(o, a, disk, order - 2), *poses)
+        assert relative_error(lower, exact).max() > 5e-4
+        assert model_error(FieldModel(disk, "multipole", order - 2), nearest) > 1e-3
+    cylinder = modelled(lambda o, a: cylinder_field(o, a, disk), *poses)
+    assert relative_error(cylinder, exact).max() <= 1e-9
+
+
+@pytest.mark.parametrize(
+    "fault",
+    [
+        lambda field, turn: -field,
+        lambda field, turn: 2 * field,
+        lambda field, turn: turn.inv().apply(turn.inv().apply(field)),
+        lambda field, turn: field * [1, 1, -1],
+    ],
+    ids=["sign", "factor two", "transposed rotation", "mirrored"],
+)
+def test_parity_with_magpylib_notices_planted_faults(fault):
+    disk = DISKS[0]
+    turn, centre, point = random_poses(disk, 8.0, np.random.default_rng(2), 50)
+    exact = magpylib_field(disk, turn, centre, point)
+    model = field_model(disk, 8.0)
+    wrong = fault(modelled(model, turn, centre, point), turn)
+    assert np.median(relative_error(wrong, exact)) > 0.1
+
+
+def test_dipole_is_the_far_field_and_13_percent_wrong_at_10_mm():
+    disk = DISKS[0]
+    poses = random_poses(disk, 400.0, np.random.default_rng(3), 200)
+    far = modelled(lambda o, a: dipole_field(o, a, disk), *poses)
+    assert relative_error(far, magpylib_field(disk, *poses)).max() < 1.2e-4
+    assert_allclose(model_error(FieldModel(disk, "dipole"), 10.0), 0.1333, rtol=0.01)
+    assert_allclose(
+        np.ravel(dipole_field((0.0, 0.0, 10.0), (0.0, 0.0, 1.0), disk)),
+        [0, 0, 1.43 * np.pi * 9 / (2 * np.pi * 1000)],
+        rtol=1e-12,
+    )
+
+
+@pytest.mark.parametrize(
+    "model", [FieldModel(DISKS[0], "multipole", 9), FieldModel(DISKS[1], "exact")]
+)
+def test_field_outside_has_no_divergence_and_no_curl(model):
+    rng = np.random.default_rng(4)
+    _, _, points = random_poses(model.magnet, 7.0, rng, 60)
+    centre = rng.uniform(-2, 2, (1, 3))
+    axis = np.array([[0.48, -0.6, 0.64]])
+    points = points[np.linalg.norm(points - centre, axis=1) > 7.0]
+    step = 1e-3
+    shifts = step * np.eye(3)
+    slope = np.stack(
+        [
+            (
+                total_field(points + shift, centre, axis, model)
+                - total_field(points - shift, centre, axis, model)
+            )
+            / (2 * step)
+            for shift in shifts
+        ],
+        axis=1,
+    )
+    size = np.linalg.norm(slope, axis=(1, 2))
+    divergence = np.trace(slope, axis1=1, axis2=2)
+    curl = np.linalg.norm(slope - slope.transpose(0, 2, 1), axis=(1, 2))
+    assert_allclose(divergence / size, 0, atol=2e-6)
+    assert_allclose(curl / size, 0, atol=2e-6)
+
+
+@pytest.mark.parametrize("name", ["dipole", "multipole", "exact"])
+def test_field_turns_with_the_magnet_and_the_point(name):
+    model = FieldModel(DISKS[0], name, 9)
+    rng = np.random.default_rng(5)
+    turn = Rotation.from_rotvec([0.3, -1.1, 0.7])
+    points, centres = rng.uniform(8, 15, (40, 3)), rng.uniform(-3, 3, (2, 3))
+    axes = Rotation.random(2, rng=rng).apply([0, 0, 1])
+    turned = total_field(turn.apply(points), turn.apply(centres), turn.apply(axes), model)
+    still = total_field(points, centres, axes, model)
+    assert_allclose(turned, turn.apply(still), rtol=1e-10, atol=1e-16)
+    assert abs(turned - turn.inv().apply(still)).max() > 0.1 * abs(turned).max()
+
+
+def test_fields_of_magnets_add_up():
+    model = field_model(DISKS[0], 8.0)
+    points = np.array([[1.0, 2.0, 12.0], [-3.0, 9.0, 4.0]])
+    centres = np.array([[0.0, 0.0, 0.0], [2.0, -4.0, -1.0]])
+    axes = np.array([[0.0, 0.0, 1.0], [0.6, 0.0, -0.8]])
+    both = total_field(points, centres, axes, model)
+    apart = sum(total_field(points, centres[i : i + 1], axes[i : i + 1], model) for i in (0, 1))
+    assert_allclose(both, apart, rtol=1e-12)
+
+
+def test_model_is_chosen_by_the_nearest_distance():
+    disk = DISKS[0]
+    assert field_model(disk, 12.0) == FieldModel(disk, "multipole", 7)
+    assert field_model(disk, 7.0) == FieldModel(disk, "multipole", 9)
+    assert field_model(disk, 3.2).name == "exact"
+
+
+def test_inside_of_a_tilted_disk():
+    axis = (0.6, 0.0, 0.8)
+    along, across = np.array(axis), np.array([0.8, 0.0, -0.6])
+    inside = 0.49 * along + 2.9 * across
+    for point, expected in (
+        (inside, True),
+        (0.51 * along, False),
+        (3.01 * across, False),
+        (-inside, True),
+    ):
+        assert bool(DISKS[0].holds(tuple(point), axis)) is expected

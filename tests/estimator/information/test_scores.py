@@ -1,0 +1,175 @@
+"""Scores of all places: consistency with their parts, areas, files and time."""
+
+import time
+from dataclasses import fields, replace
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from design.errors import InputError
+from design.layout.positions import PlaceGrid, grid_places_in_lattice
+from design.spec.object import ObjectSpec
+from estimator.information.fisher import cramer_rao_bounds, disturbance_counts
+from estimator.information.scores import (
+    AREAS,
+    area_places,
+    load_scores_csv,
+    save_scores_csv,
+    score_places,
+    summarize_areas,
+    weakest_place,
+)
+from estimator.signals.interpolation import signal_gradient
+from estimator.signals.presses import press_signals
+from tests.support.synthetic_presses import coarse_spec, synthetic_presses
+
+SPEC = coarse_spec(score={"force_n": 14.0})
+
+
+@pytest.fixture(scope="module")
+def signals():
+    return press_signals(SPEC, *synthetic_presses(SPEC))
+
+
+@pytest.fixture(scope="module")
+def scores(signals):
+    return score_places(SPEC, signals)
+
+
+def test_bounds_are_those_of_the_own_channels_at_the_score_force(signals, scores):
+    face, place = 4, 13
+    lattice = grid_places_in_lattice(SPEC)[place]
+    x, y = signals.lattice.xy_mm[lattice]
+    force = scores.force_at_score_n[face - 1, place]
+    at = (np.array([face]), np.array([x]), np.array([y]), np.array([force]))
+    jacobian = signal_gradient(signals, *at).jacobian
+    sigma = disturbance_counts(SPEC.sensors, "drifted", 9)
+    own = cramer_rao_bounds(jacobian[:, 27:36], sigma)
+    assert_allclose(scores.position_bound_drifted_mm[face - 1, place], own.position_mm[0])
+    assert_allclose(scores.force_bound_drifted_n[face - 1, place], own.force_n[0])
+    neighbour = cramer_rao_bounds(jacobian[:, 18:27], sigma)
+    assert neighbour.position_mm[0] > 1.5 * own.position_mm[0]
+
+
+def test_drift_and_fewer_channels_make_bounds_worse(signals, scores):
+    assert (scores.position_bound_drifted_mm > scores.position_bound_fresh_mm).all()
+    assert (scores.detectable_force_drifted_n > scores.detectable_force_fresh_n).all()
+    every = score_places(coarse_spec(score={"force_n": 14.0, "channels": "all"}), signals)
+    assert (every.position_bound_fresh_mm < scores.position_bound_fresh_mm).all()
+    assert (every.force_bound_fresh_n < scores.force_bound_fresh_n).all()
+    assert_allclose(every.delta_raw, scores.delta_raw)
+
+
+def test_hull_forms_are_chosen_by_the_specification_and_agree(signals, scores):
+    for form, frames in (("exact", 24), ("monte-carlo", 1000)):
+        spec = coarse_spec(score={"force_n": 14.0, "hull": form, "hull_frames": frames})
+        told: list[str] = []
+        some = replace(
+            signals,
+            faces=signals.faces[:1],
+            force_n=signals.force_n[:1],
+            delta_counts=signals.delta_counts[:1],
+        )
+        found = score_places(spec, some, told.append)
+        equivalent = score_places(spec_of_frames(frames), some)
+        assert_allclose(np.median(found.delta_raw / equivalent.delta_raw), 1, atol=0.3)
+        shown = (found.delta_raw_standard_error > 0).all()
+        assert shown == (form == "monte-carlo")
+        assert_allclose(np.ptp(np.log(found.delta_scaled / found.delta_raw)), 0, atol=1e-9)
+        assert told == [f"face 1: 20 places, hull form {form}"]
+        np.testing.assert_array_equal(score_places(spec, some).delta_raw, found.delta_raw)
+    with pytest.raises(ValueError, match=r"at most 100 frames; got score.hull_frames = 1000"):
+        coarse_spec(score={"hull": "exact"})
+
+
+def spec_of_frames(frames):
+    return coarse_spec(score={"force_n": 14.0, "hull_frames": frames})
+
+
+def test_channels_that_are_not_finite_are_named(signals):
+    delta = signals.delta_counts.copy()
+    delta[2, 5:8, 1, 4, 1] = np.nan
+    with pytest.raises(InputError, match=r"not finite on sensor 5 Y .*3 presses"):
+        score_places(SPEC, replace(signals, delta_counts=delta))
+    force = signals.force_n.copy()
+    force[0, 0, 0] = np.inf
+    with pytest.raises(InputError, match="force of 1 presses is not finite"):
+        score_places(SPEC, replace(signals, force_n=force))
+
+
+def test_places_that_do_not_reach_the_force_are_judged_at_their_largest_and_flagged(
+    signals, scores
+):
+    reach = signals.force_n[:, grid_places_in_lattice(SPEC), -1]
+    assert_allclose(scores.force_at_score_n, np.minimum(reach, 14.0), rtol=1e-9)
+    np.testing.assert_array_equal(scores.reaches_score_force, reach >= 14.0)
+    harder = coarse_spec(score={"force_n": 25.0})
+    few = score_places(harder, signals)
+    assert 0 < few.reaches_score_force.sum() < few.reaches_score_force.size
+    assert_allclose(few.depth_at_score_mm[~few.reaches_score_force], 4.0, rtol=1e-9)
+    assert_allclose(few.stiffness_n_per_mm * few.depth_at_score_mm, few.force_at_score_n)
+
+
+def test_areas_of_the_papers_grid():
+    grid = PlaceGrid(np.arange(10.0), np.arange(10.0))
+    sizes = {area: int(area_places(grid, area).sum()) for area in AREAS}
+    assert sizes == {"corner": 4, "edge": 32, "mid_edge": 16, "centre": 16}
+    middle = area_places(grid, "mid_edge").reshape(10, 10)
+    assert np.flatnonzero(middle[0]).tolist() == [3, 4, 5, 6]
+    assert middle[9, 3]
+    assert middle[5, 0]
+    assert not middle[2, 0]
+    assert not (area_places(grid, "corner") & area_places(grid, "edge")).any()
+
+
+def test_area_summary_gives_medians_and_ratios_to_the_centre(scores):
+    bound = np.full((5, 20), 2.0)
+    centre, edge = area_places(scores.grid, "centre"), area_places(scores.grid, "edge")
+    bound[:, centre], bound[:, edge & ~centre] = 0.5, 3.0
+    summary = {
+        row.area: row for row in summarize_areas(replace(scores, position_bound_fresh_mm=bound))
+    }
+    assert summary["centre"].medians["position_bound_fresh_mm"] == 0.5
+    assert summary["corner"].ratio_to_centre["position_bound_fresh_mm"] == 4.0
+    assert summary["corner"].places == 4
+    bound[2] *= 7
+    third = summarize_areas(replace(scores, position_bound_fresh_mm=bound), face=3)
+    assert third[0].medians["position_bound_fresh_mm"] == 14.0
+
+
+def test_weakest_place_has_the_largest_bound(scores):
+    weakest = weakest_place(scores)
+    bound = scores.position_bound_fresh_mm
+    assert weakest.position_bound_mm == bound.max() == bound[weakest.face - 1, weakest.place]
+    assert_allclose([weakest.x_mm, weakest.y_mm], scores.grid.xy_mm[weakest.place])
+    assert 0 <= weakest.direction_deg <= 180
+
+
+def test_scores_survive_their_table(scores, tmp_path):
+    blind = scores.force_bound_fresh_n.copy()
+    blind[1, 3] = np.inf
+    scores = replace(scores, force_bound_fresh_n=blind)
+    save_scores_csv(scores, tmp_path / "scores.csv")
+    back = load_scores_csv(tmp_path / "scores.csv")
+    for field in fields(scores)[2:]:
+        np.testing.assert_array_equal(getattr(back, field.name), getattr(scores, field.name))
+    np.testing.assert_array_equal(back.grid.xy_mm, scores.grid.xy_mm)
+    lines = (tmp_path / "scores.csv").read_text().splitlines()
+    assert len(lines) == 101
+    assert "delta_raw [counts^d/N]" in lines[0].split(",")
+    (tmp_path / "cut.csv").write_text("\n".join(lines[:-3]))
+    with pytest.raises(InputError, match="not a table of scores"):
+        load_scores_csv(tmp_path / "cut.csv")
+    with pytest.raises(InputError, match="not a table of scores"):
+        load_scores_csv(tmp_path / "none.csv")
+
+
+def test_500_places_are_scored_within_two_seconds():
+    spec = ObjectSpec(name="cube", press={"depths_mm": (0.5, 1, 1.5, 2, 2.5, 3)})  # pyright: ignore
+    signals = press_signals(spec, *synthetic_presses(spec))
+    start = time.process_time()
+    scores = score_places(spec, signals)
+    assert time.process_time() - start < 2
+    assert scores.delta_raw.shape == (5, 100)
+    assert np.isfinite(scores.position_bound_fresh_mm).all()

@@ -1,0 +1,115 @@
+"""Convex-hull sensitivity: exact volumes, the Gaussian factor, the equivalent against the hull."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+from scipy.stats import spearmanr
+
+from design.errors import InputError
+from design.layout.positions import contact_grid
+from estimator.information.hull import ln_hull_factor
+from estimator.information.sensitivity import (
+    channel_noise,
+    covariance_sensitivity,
+    hull_sensitivity,
+    own_channels,
+    periodic_press,
+)
+from estimator.signals.interpolation import press_traces
+from estimator.signals.presses import press_signals
+from tests.support.synthetic_presses import coarse_spec, synthetic_presses
+
+SPEC = coarse_spec(contact_grid={"count": (5, 5), "pitch_mm": 6.0}, seed=3)
+NOISE = channel_noise(SPEC.sensors, 9)
+
+
+@pytest.fixture(scope="module")
+def place_traces():
+    signals = press_signals(SPEC, *synthetic_presses(SPEC))
+    grid = contact_grid(SPEC)
+    traces = press_traces(signals, np.full(len(grid), 3), *grid.xy_mm.T)
+    return traces.of_channels(own_channels(signals, SPEC.sensors, 3))
+
+
+def rank_correlation_and_size(place_traces, frames, realizations):
+    """Exact δ (mean over noise) against the equivalent at the same N: ranks and median ratio."""
+    peak = np.full(len(place_traces.force_n), 8.0)
+    press = periodic_press(place_traces, peak, frames)
+    rng = np.random.default_rng(1)
+    exact = [hull_sensitivity(press, peak, NOISE, rng) for _ in range(realizations)]
+    equivalent = covariance_sensitivity(press, peak, NOISE, frames)
+    assert exact[0].frames == equivalent.frames == frames
+    mean = np.mean([one.delta for one in exact], axis=0)
+    return spearmanr(mean, equivalent.delta).statistic, np.median(mean / equivalent.delta)
+
+
+def test_equivalent_ranks_places_as_the_exact_hull_at_30_frames(place_traces):
+    correlation, size = rank_correlation_and_size(place_traces, 30, 10)
+    assert correlation >= 0.95
+    assert_allclose(size, 1, atol=0.25)
+    shuffled = replace(place_traces, counts=place_traces.counts[::-1] * [1, 0, 1, 2, 1, 1, 3, 1, 1])
+    peak = np.full(len(place_traces.force_n), 8.0)
+    other = covariance_sensitivity(periodic_press(shuffled, peak, 30), peak, NOISE, 30).delta
+    right = covariance_sensitivity(periodic_press(place_traces, peak, 30), peak, NOISE, 30).delta
+    assert spearmanr(other, right).statistic < 0.9
+
+
+@pytest.mark.slow
+def test_equivalent_ranks_places_as_the_exact_hull_at_100_frames(place_traces):
+    correlation, size = rank_correlation_and_size(place_traces, 100, 2)
+    assert correlation >= 0.95
+    assert_allclose(size, 1, atol=0.25)
+
+
+def test_delta_depends_on_frames_noise_and_force_range_as_stated(place_traces):
+    peak = np.full(len(place_traces.force_n), 8.0)
+    press = periodic_press(place_traces, peak, 64)
+    delta = covariance_sensitivity(press, peak, NOISE, 1000).delta
+    fewer = covariance_sensitivity(press, peak, NOISE, 50).delta
+    ratio = np.exp(ln_hull_factor(1000, 9) - ln_hull_factor(50, 9))
+    assert ratio > 50
+    assert_allclose(delta / fewer, ratio, rtol=1e-9)
+    assert_allclose(covariance_sensitivity(press, 2 * peak, NOISE, 1000).delta, delta / 2)
+    still = covariance_sensitivity(0 * press, peak, NOISE, 1000).delta
+    assert_allclose(still, np.exp(ln_hull_factor(1000, 9)) * np.prod(NOISE) / 8, rtol=1e-9)
+    gain = np.array([2.0, 3, 0.5, 1, 1, 4, 1, 0.1, 7])
+    scaled = covariance_sensitivity(press * gain, peak, NOISE * gain, 1000).delta
+    assert_allclose(scaled, delta * np.prod(gain), rtol=1e-6)
+
+
+def test_noise_free_presses_are_explained_not_crashed(place_traces):
+    peak = np.full(len(place_traces.force_n), 8.0)
+    press = periodic_press(place_traces, peak, 40)
+    for form in ("exact", "monte-carlo"):
+        with pytest.raises(InputError, match=r"of 9 dimensions.*sensors.noise_counts"):
+            hull_sensitivity(
+                press * [1, 1, 1, 1, 0, 1, 1, 1, 1], peak, 0 * NOISE, np.random.default_rng(), form
+            )
+    with pytest.raises(InputError, match="no volume"):
+        covariance_sensitivity(press, peak, 0 * NOISE, 1000)
+
+
+@pytest.mark.slow
+def test_monte_carlo_form_agrees_with_the_equivalent_at_the_papers_1000_frames(place_traces):
+    peak = np.full(len(place_traces.force_n), 8.0)
+    press = periodic_press(place_traces, peak, 1000)
+    rng = np.random.default_rng(4)
+    found = [hull_sensitivity(press, peak, NOISE, rng, "monte-carlo") for _ in range(3)]
+    equivalent = covariance_sensitivity(press, peak, NOISE, 1000)
+    assert found[0].frames == 1000
+    assert (found[0].standard_error < 0.12 * found[0].delta).all()
+    mean = np.mean([one.delta for one in found], axis=0)
+    assert spearmanr(mean, equivalent.delta).statistic >= 0.95
+    assert_allclose(np.median(mean / equivalent.delta), 1, atol=0.25)
+
+
+def test_scaled_delta_is_that_of_scaled_signals(place_traces):
+    peak = np.full(len(place_traces.force_n), 8.0)
+    press = periodic_press(place_traces, peak, 64)
+    span = press.max(axis=(0, 1)) - press.min(axis=(0, 1)) + 6 * NOISE
+    direct = covariance_sensitivity(press / span, peak, NOISE / span, 1000)
+    scaled = covariance_sensitivity(press, peak, NOISE, 1000).scaled(span)
+    assert_allclose(scaled.delta, direct.delta, rtol=1e-9)
+    assert_allclose(scaled.noise_counts, direct.noise_counts)

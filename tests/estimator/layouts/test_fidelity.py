@@ -1,0 +1,214 @@
+"""Rungs of a layout search: cross-face disturbance in batches, one score, twins within tolerance."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import torch
+from numpy.testing import assert_allclose
+
+from design.layout.positions import face_frames
+from estimator.field.models import FieldModel
+from estimator.field.sources import magnet_source
+from estimator.information.cross_face import cross_face_disturbance
+from estimator.information.fisher import disturbance_counts
+from estimator.information.scores import score_places
+from estimator.layouts.batch import layouts_of
+from estimator.layouts.cross_face import CROSS_FACE_FORCE_N, neighbour_disturbance
+from estimator.layouts.fidelity import (
+    SCORE_NAMES,
+    LadderScore,
+    gains,
+    rank_correlations,
+    rung_one,
+    score_signals,
+)
+from estimator.layouts.press_basis import press_basis
+from estimator.layouts.scoring import layout_scorer, place_information
+from estimator.signals.field_setup import sensed_field
+from estimator.signals.hall import counts_of_field, full_scale_counts
+from estimator.signals.presses import press_signals, saturation_margin
+from estimator.tolerances.budget import twin_bounds
+from tests.support.candidate_cases import (
+    layout_scene,
+    made_up_motions,
+    made_up_spec,
+    random_layouts,
+)
+from tests.support.synthetic_presses import coarse_spec, synthetic_presses
+
+FACE = 3
+"""Its x is −z and its y is +y: a mix-up of axes shows."""
+COUNT = 3
+DISTURBANCE_TOLERANCE = 0.05
+"""Of a layout's median; measured 2 %, from the short series and basis."""
+
+
+@pytest.fixture(scope="module")
+def spec():
+    return made_up_spec()
+
+
+@pytest.fixture(scope="module")
+def motions(spec):
+    return made_up_motions(spec)
+
+
+@pytest.fixture(scope="module")
+def scorer(spec, motions):
+    return layout_scorer(spec, press_basis(spec, motions, FACE))
+
+
+def neighbours_of(spec):
+    frames = {frame.number: frame for frame in face_frames(spec)}
+    return [n for n, f in frames.items() if abs(f.normal @ frames[FACE].normal) < 0.5]
+
+
+def ordinary_disturbance(spec, motions, layouts, row):
+    """Per neighbour and place, with exact fields of all 25 magnets."""
+    parts = [
+        np.asarray(getattr(layouts, name)[row], float)
+        for name in ("magnet_mm", "turn_rad", "polarity", "sensor_mm")
+    ]
+    motion = layout_scene(spec, motions, FACE, *parts)[1].mean(axis=1)  # of 0.8 and 1.2 times 8 N
+    model, sizes = FieldModel(magnet_source(spec.magnets), "exact"), []
+    for number in neighbours_of(spec):
+        scene = layout_scene(spec, motions, number, *parts)[0]
+        states = np.concatenate([motion, 0 * motion[:1]])
+        counts = counts_of_field(
+            1e3 * sensed_field(scene, states, model), scene.sensors.axes, spec.sensors
+        )
+        change = (counts[:-1] - counts[-1]).reshape(len(motion), -1)
+        sigma = disturbance_counts(spec.sensors, "fresh", change.shape[1])
+        sizes.append(np.linalg.norm(change / sigma, axis=1))
+    return np.stack(sizes) * CROSS_FACE_FORCE_N / spec.score.force_n
+
+
+def worst_median_error(spec, motions, scorer):
+    layouts = random_layouts(COUNT, seed=4)
+    found = neighbour_disturbance(scorer, layouts).numpy()
+    errors = []
+    for row in range(COUNT):
+        exact = ordinary_disturbance(spec, motions, layouts, row)
+        errors.append(np.max(abs(np.median(found[row], axis=1) / np.median(exact, axis=1) - 1)))
+    return max(errors)
+
+
+def test_disturbance_of_neighbours_is_that_of_all_magnets_exactly(spec, motions, scorer):
+    assert worst_median_error(spec, motions, scorer) < DISTURBANCE_TOLERANCE
+
+
+FAULTS = {
+    "pressed face's magnets left out": lambda p: replace(
+        p, own=replace(p.own, rows=torch.zeros_like(p.own.rows))
+    ),
+    "neighbour's own magnets left out": lambda p: replace(
+        p, other=replace(p.other, rows=torch.zeros_like(p.other.rows))
+    ),
+    "turned the wrong way": lambda p: replace(p, turn=p.turn.transpose(1, 2)),
+    "neighbours mixed up": lambda p: replace(
+        p, turn=p.turn.roll(1, 0), shift_mm=p.shift_mm.roll(1, 0)
+    ),
+}
+
+
+@pytest.mark.parametrize("fault", FAULTS)
+def test_a_wrong_disturbance_is_caught(spec, motions, scorer, fault):
+    broken = replace(scorer, presses=FAULTS[fault](scorer.presses))
+    assert worst_median_error(spec, motions, broken) > 5 * DISTURBANCE_TOLERANCE
+
+
+def test_disturbance_has_gradients(scorer):
+    layouts = random_layouts(1, seed=2)
+    place = layouts.magnet_mm.clone().requires_grad_()
+    neighbour_disturbance(scorer, replace(layouts, magnet_mm=place)).median().backward()
+    step = torch.zeros_like(place)
+    step[0, 2, 1] = 0.02
+    ahead, behind = (
+        neighbour_disturbance(scorer, replace(layouts, magnet_mm=layouts.magnet_mm + sign * step))
+        for sign in (1, -1)
+    )
+    slope = float(ahead.median() - behind.median()) / 0.04
+    assert_allclose(float(place.grad[0, 2, 1]), slope, rtol=0.05)
+
+
+def test_rung_one_pools_the_places_of_all_faces(spec, motions, scorer):
+    other = layout_scorer(spec, press_basis(spec, motions, 1))
+    found = rung_one(spec, (scorer, other))
+    places = [place_information(s, layouts_of(spec, s.presses.face)) for s in (scorer, other)]
+    position = torch.cat([p.position_bound_mm.flatten() for p in places]).double().numpy()
+    delta = torch.cat([p.sensitivity.flatten() for p in places]).double().numpy()
+    assert_allclose(found.worst_position_bound_mm, position.max(), rtol=1e-6)
+    assert_allclose(found.median_position_bound_mm, np.median(position), rtol=1e-6)
+    low, middle = np.percentile(delta, [5, 50])
+    assert_allclose(found.sensitivity_ratio, low / middle, rtol=1e-6)
+    rest = max(float(abs(p.resting_counts).max()) for p in places)
+    assert_allclose(found.saturation_margin, 1 - rest / full_scale_counts(spec.sensors), rtol=1e-6)
+
+
+def test_a_score_of_signals_is_that_of_its_parts():
+    spec = coarse_spec()
+    presses = synthetic_presses(spec)
+    signals = press_signals(spec, *presses)
+    found, scores = score_signals(spec, signals, *presses), score_places(spec, signals)
+    assert found.worst_position_bound_mm == scores.position_bound_fresh_mm.max()
+    assert found.worst_force_bound_n == scores.force_bound_fresh_n.max()
+    assert found.saturation_margin == saturation_margin(signals, spec)
+    cross = cross_face_disturbance(spec, signals, CROSS_FACE_FORCE_N).summary("adjacent")
+    assert found.cross_face_sigma == cross["median_sigma"]
+    ratio = np.percentile(scores.delta_raw, 5) / np.median(scores.delta_raw)
+    assert_allclose(found.sensitivity_ratio, ratio, rtol=1e-12)
+    ring = np.ones(scores.grid.shape, bool)
+    ring[1:-1, 1:-1] = False
+    at_edge = scores.position_bound_fresh_mm[:, ring.ravel()]
+    assert_allclose(found.edge_position_bound_mm, at_edge.mean(), rtol=1e-12)
+    travel = scores.depth_at_score_mm / scores.force_at_score_n
+    assert_allclose(found.compliance_deviation, travel.std() / travel.mean(), rtol=1e-9)
+
+
+def test_gains_are_above_one_where_a_layout_is_better():
+    start = LadderScore(1.5, 0.5, 2.5, 6.0, 0.3, 1.8, 2.0, 0.4, 0.1, 0.8)
+    found = gains(start, LadderScore(0.5, 0.4, 5.0, 3.0, 0.6, 0.9, 4.0, 0.1, 0.2, 0.7))
+    wanted = [3, 1.25, 0.5, 2, 2, 2, 0.5, 4, 0.5, -0.1]
+    assert_allclose([found[name] for name in SCORE_NAMES], wanted)
+
+
+def test_rank_correlation_counts_order_alone():
+    def rung(values):
+        return [LadderScore(v, v, -v, 1.0, v**3, v, v, v, v, 0.5) for v in values]
+
+    found = rank_correlations(rung([1.0, 2.0, 5.0]), rung([10.0, 11.0, 90.0]))
+    assert found["worst_position_bound_mm"] == found["sensitivity_ratio"] == pytest.approx(1)
+    assert np.isnan(found["cross_face_sigma"])
+    turned = rank_correlations(rung([1.0, 2.0, 5.0]), rung([3.0, 2.0, 1.0]))
+    assert turned["worst_force_bound_n"] == pytest.approx(-1)
+    assert np.isnan(rank_correlations(rung([1.0, 2.0]), rung([1.0, 2.0]))["worst_force_bound_n"])
+
+
+def test_twins_are_the_design_first_then_seeded_draws_of_its_tolerances():
+    spec = coarse_spec(contact_grid={"count": (2, 3), "pitch_mm": 4.0})
+    presses = synthetic_presses(spec)
+    found = twin_bounds(spec, *presses, 3)
+    assert found["position_mm"].shape == found["force_n"].shape == (4, 30)
+    assert_allclose(found["position_mm"], twin_bounds(spec, *presses, 3)["position_mm"], rtol=0)
+    assert np.ptp(found["position_mm"][1:].mean(axis=1)) > 1e-3
+    signals = press_signals(spec, *presses)
+    design = score_places(spec, signals).position_bound_fresh_mm
+    assert_allclose(found["position_mm"][0], design.ravel(), rtol=0.06)
+    exact = dict.fromkeys(type(spec.tolerances).model_fields, 0.0)
+    perfect = spec.model_copy(update={"tolerances": spec.tolerances.model_copy(update=exact)})
+    alike = twin_bounds(perfect, *presses, 2)["position_mm"]
+    assert_allclose(alike[1:], alike[[0, 0]], rtol=1e-12)
+
+
+def test_a_twin_too_soft_for_the_simulated_depths_is_left_out_there():
+    sizes = {"tolerances": {"modulus_relative": 0.6}, "score": {"force_n": 60.0}}
+    spec = coarse_spec(contact_grid={"count": (2, 3), "pitch_mm": 4.0}, **sizes)
+    presses = synthetic_presses(spec)
+    found = twin_bounds(spec, *presses, 8)
+    left_out = np.isnan(found["force_n"])
+    assert not left_out[0].any()  # the design
+    assert left_out[1:].any()
+    assert not left_out[1:].all()
+    assert np.isfinite(found["force_n"][~left_out]).all()
+    assert (np.isnan(found["position_mm"]) == left_out).all()

@@ -1,0 +1,223 @@
+"""Batched scores of layouts: against the ordinary chain, gradients, mirror images, bad input."""
+
+from dataclasses import fields, replace
+
+import numpy as np
+import pytest
+import torch
+from numpy.testing import assert_allclose
+
+from design.errors import InputError
+from design.spec.object import ObjectSpec
+from estimator.layouts.batch import Layouts, layouts_of
+from estimator.layouts.press_basis import mixed_rows, press_basis
+from estimator.layouts.scoring import layout_scorer, place_information, score_layouts
+from tests.support.candidate_cases import (
+    made_up_motions,
+    made_up_spec,
+    ordinary_chain,
+    random_layouts,
+)
+
+FACE = 3
+"""Its x is −z and its y is +y: a mix-up of axes shows."""
+COUNT = 4
+BOUND_TOLERANCE = 0.03
+"""Of a place's bound; measured 1 %, from the other faces' short series and basis."""
+
+
+@pytest.fixture(scope="module")
+def spec():
+    return made_up_spec()
+
+
+@pytest.fixture(scope="module")
+def motions(spec):
+    return made_up_motions(spec)
+
+
+@pytest.fixture(scope="module")
+def presses(spec, motions):
+    return press_basis(spec, motions, FACE)
+
+
+@pytest.fixture(scope="module")
+def scorer(spec, presses):
+    return layout_scorer(spec, presses)
+
+
+@pytest.fixture(scope="module")
+def layouts():
+    return random_layouts(COUNT)
+
+
+@pytest.fixture(scope="module")
+def ordinary(spec, motions, layouts):
+    return [ordinary_chain(spec, motions, FACE, layouts, row) for row in range(COUNT)]
+
+
+def worst_error(scorer, layouts, ordinary):
+    """Largest relative error of any place's position and force bound."""
+    found = place_information(scorer, layouts)
+    pairs = [
+        (getattr(found, name)[row], getattr(bounds, of))
+        for row, (bounds, _, _) in enumerate(ordinary)
+        for name, of in (("position_bound_mm", "position_mm"), ("force_bound_n", "force_n"))
+    ]
+    return max(float(np.max(abs(np.asarray(a) / b - 1))) for a, b in pairs)
+
+
+def test_bounds_are_those_of_the_ordinary_chain(scorer, layouts, ordinary):
+    assert worst_error(scorer, layouts, ordinary) < BOUND_TOLERANCE
+
+
+def _without_turning(table):
+    rank = len(table.basis)
+    rows = table.rows.reshape(len(table.rows), -1, 6, rank).clone()
+    rows[:, :, 3:] = 0
+    return replace(table, rows=rows.reshape(len(rows), -1))
+
+
+FAULTS = {
+    "other faces left out": lambda p: replace(
+        p, other=replace(p.other, rows=torch.zeros_like(p.other.rows))
+    ),
+    "rotations left out": lambda p: replace(p, own=_without_turning(p.own)),
+    "faces turned the wrong way": lambda p: replace(p, turn=p.turn.transpose(1, 2).contiguous()),
+    "candidates off by half a node": lambda p: replace(
+        p, first_mm=p.first_mm - torch.tensor([1.0, 0.0, 0.0])
+    ),
+}
+
+
+@pytest.mark.parametrize("fault", FAULTS)
+def test_a_planted_fault_would_show(scorer, presses, layouts, ordinary, fault):
+    wrong = replace(scorer, presses=FAULTS[fault](presses))
+    assert worst_error(wrong, layouts, ordinary) > 3 * BOUND_TOLERANCE
+
+
+def test_polarity_counts(scorer, layouts, ordinary):
+    north = replace(layouts, polarity=torch.ones_like(layouts.polarity))
+    assert worst_error(scorer, north, ordinary) > 3 * BOUND_TOLERANCE
+
+
+def test_sensitivity_and_rest_are_those_of_the_ordinary_chain(spec, scorer, layouts, ordinary):
+    found = place_information(scorer, layouts)
+    for row, (_, counts, rest) in enumerate(ordinary):
+        white = counts / np.tile(spec.sensors.noise_counts, counts.shape[1] // 3)
+        # determinant of noise plus one direction of signal, whose variance is an eighth
+        wanted = np.sqrt(1 + (white**2).sum(axis=1) / 8)
+        assert_allclose(found.sensitivity[row], wanted, rtol=0.02)
+        assert_allclose(found.resting_counts[row], rest, rtol=0, atol=0.02 * abs(rest).max())
+
+
+def test_summaries_are_those_of_the_places(scorer, layouts):
+    found, score = place_information(scorer, layouts), score_layouts(scorer, layouts, chunk=3)
+    position, delta = found.position_bound_mm.numpy(), found.sensitivity.numpy()
+    wanted = {
+        "worst_position_bound_mm": position.max(axis=1),
+        "median_position_bound_mm": np.median(position, axis=1),
+        "worst_force_bound_n": found.force_bound_n.numpy().max(axis=1),
+        "sensitivity_ratio": np.divide(*np.percentile(delta, [5, 50], axis=1)),
+        "largest_resting_counts": abs(found.resting_counts.numpy()).max(axis=(1, 2)),
+    }
+    for name, values in wanted.items():
+        assert_allclose(getattr(score, name), values, rtol=1e-5, err_msg=name)
+
+
+def test_gradients_are_those_of_finite_differences(spec, motions):
+    scorer = layout_scorer(spec, press_basis(spec, motions, FACE, dtype=torch.float64))
+    layouts = random_layouts(2, seed=5, dtype=torch.float64)
+    given = tuple(getattr(layouts, f.name).requires_grad_() for f in fields(Layouts))
+
+    def logarithms(*tensors):
+        score = score_layouts(scorer, Layouts(*tensors))
+        return torch.stack([getattr(score, f.name).log() for f in fields(score)])
+
+    assert torch.autograd.gradcheck(logarithms, given, eps=1e-6, atol=1e-5, rtol=1e-3)
+
+
+def test_an_untilted_magnet_and_a_sensor_at_the_centre_have_gradients(scorer, layouts):
+    turn = torch.zeros_like(layouts.turn_rad).requires_grad_()
+    sensor = torch.cat([torch.zeros(COUNT, 1, 2), layouts.sensor_mm[:, 1:]], dim=1).requires_grad_()
+    score = score_layouts(scorer, replace(layouts, turn_rad=turn, sensor_mm=sensor))
+    score.worst_position_bound_mm.sum().backward()
+    for given in (turn, sensor):
+        assert torch.isfinite(given.grad).all()
+    assert (abs(turn.grad).amax(dim=(1, 2)) > 0).all()
+
+
+def test_a_mirrored_layout_has_mirrored_bounds(spec, scorer, layouts):
+    """y → −y is a symmetry of the whole object; tilts about x change sign, moments flip."""
+    mirror = torch.tensor([1.0, -1.0])
+    mirrored = Layouts(
+        layouts.magnet_mm * torch.tensor([1.0, -1.0, 1.0]),
+        layouts.turn_rad * torch.tensor([-1.0, 1.0]),
+        layouts.polarity,
+        layouts.sensor_mm * mirror,
+    )
+    nx, ny = spec.contact_grid.count
+    found, other = (place_information(scorer, given) for given in (layouts, mirrored))
+    for name in ("position_bound_mm", "force_bound_n", "sensitivity"):
+        here = getattr(found, name).reshape(COUNT, nx, ny)
+        there = getattr(other, name).reshape(COUNT, nx, ny)
+        assert_allclose(there.flip(2), here, rtol=2e-3, err_msg=name)
+        assert abs(there / here - 1).max() > 0.1
+
+
+def test_rows_are_the_motions_of_the_table(spec, motions, layouts):
+    """Unfolded again, in the pressed face's frame, up to the border of the candidates."""
+    presses = press_basis(spec, motions, FACE)
+    xyd = layouts.magnet_mm.reshape(-1, 3).clone()
+    xyd[0], xyd[1] = torch.tensor([18.0, -18.0, 1.5]), torch.tensor([-18.0, 3.3, 6.5])
+    own, _ = mixed_rows(presses, xyd)
+    unfolded = own.reshape(len(xyd), 6, -1) @ presses.own.basis
+    found = unfolded.reshape(len(xyd), 2, 3, 4, -1)[:, :, :, 3]
+    at = xyd.double().numpy()
+    stored = motions.at(FACE, at[:, :2], at[:, 2])[FACE - 1].mean(axis=1)
+    axes = np.array([[0, 0, -1], [0, 1, 0], [1, 0, 0]]).T
+    wanted = (stored.reshape(*stored.shape[:2], 2, 3) @ axes).transpose(1, 2, 3, 0)
+    assert_allclose(found, wanted, rtol=0, atol=2e-3 * abs(wanted).max())
+
+
+def test_the_specification_s_own_layout():
+    spec = ObjectSpec(name="cube")
+    tilts = ((0.0, 0.0), (5.0, 0.0), (0.0, 5.0), (-5.0, 0.0), (0.0, -4.0))
+    magnets = spec.magnets.model_copy(update={"tilt_deg": tilts})
+    layouts = layouts_of(spec.model_copy(update={"magnets": magnets}), 2)
+    assert_allclose(layouts.magnet_mm[0, 1], [10, 10, 2.5], rtol=1e-6)
+    assert_allclose(layouts.turn_rad[0, 4], [0, np.deg2rad(-4)], rtol=1e-6)
+    assert_allclose(layouts.sensor_mm[0, 0], [-8.585, 0], rtol=0, atol=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("place", "what"), [((18.5, 0, 2.5), "x = 18.5 mm"), ((0, 0, 0.9), "depth = 0.9 mm")]
+)
+def test_magnets_beyond_the_candidates_are_refused(scorer, layouts, place, what):
+    magnet_mm = layouts.magnet_mm.clone()
+    magnet_mm[2, 1] = torch.tensor(place)
+    with pytest.raises(InputError, match=what):
+        score_layouts(scorer, replace(layouts, magnet_mm=magnet_mm))
+
+
+def test_what_cannot_be_scored_is_refused(spec, motions, presses):
+    blocks = spec.magnets.model_copy(update={"shape": "block"})
+    with pytest.raises(InputError, match="round magnets in the shell"):
+        layout_scorer(spec.model_copy(update={"magnets": blocks}), presses)
+    silent = spec.sensors.model_copy(update={"noise_counts": (1.0, 0.0, 1.0)})
+    with pytest.raises(InputError, match="white noise on every axis"):
+        layout_scorer(spec.model_copy(update={"sensors": silent}), presses)
+    with pytest.raises(InputError, match="face 6 was not pressed"):
+        press_basis(spec, motions, 6)
+    once = replace(
+        motions,
+        force_n=motions.force_n[..., :1],
+        depth_mm=motions.depth_mm[..., :1],
+        by_candidate=motions.by_candidate[..., :1, :],
+    )
+    with pytest.raises(InputError, match="two forces"):
+        press_basis(spec, once, FACE)
+    uneven = replace(motions.candidates[1], x_mm=motions.candidates[1].x_mm * 0.9)
+    lattices = (motions.candidates[0], uneven, *motions.candidates[2:])
+    with pytest.raises(InputError, match="different sizes"):
+        press_basis(spec, replace(motions, candidates=lattices), FACE)

@@ -1,0 +1,149 @@
+"""Batches of layouts against the specification that each is: places, limits, gradients, polish."""
+
+import numpy as np
+import pytest
+import torch
+from numpy.testing import assert_allclose
+
+from design.errors import InputError
+from design.layout.recess_walls import smallest_recess_wall_mm
+from design.search.places import polarities
+from design.search.space import params_at, search_space, with_layout
+from design.search.structure import with_structure
+from design.spec_io import parse_spec
+from estimator.layouts.batch import layouts_of
+from estimator.layouts.polish import descend
+from estimator.layouts.vectors import RULES, broken_limits_mm, layout_space, layouts_at
+
+VARY = {
+    "magnet_reach_mm": 15.0,
+    "magnet_depth_mm": [1.6, 6.0],
+    "magnet_tilt_deg": 25.0,
+    "magnet_north": True,
+    "sensor_reach_mm": 10.5,
+}
+COUNT = 40
+
+
+def batch(seed=0, count=COUNT, sensors="free", magnets="free", **limits):
+    """Random layouts of one structure: specification, space, tensors, variables, polarities, units."""
+    search = {
+        "vary": VARY,
+        "limits": limits,
+        "sensor_symmetry": sensors,
+        "magnet_symmetry": magnets,
+    }
+    spec = parse_spec({"name": "cube", "search": search}, "made up")
+    space = search_space(spec)
+    units = np.random.default_rng(seed).random((count, len(space.variables)))
+    params = [params_at(space, unit) for unit in units]
+    structured = with_structure(spec, params[0])
+    tensors = layout_space(space, structured, torch.float64)
+    flags = [not v.choices for v in space.variables]
+    poles = torch.tensor([polarities(structured, one) for one in params], dtype=torch.float64)
+    return spec, tensors, params, poles, torch.as_tensor(units[:, flags])
+
+
+def unchecked(spec, params, monkeypatch):
+    """The layout as a specification, whether it fits or not."""
+    monkeypatch.setattr("design.spec.object.require_fit", lambda spec, table=True: None)
+    return with_layout(spec, params)
+
+
+@pytest.mark.parametrize(
+    ("magnets", "sensors"), [("free", "free"), ("mirrored", "ring"), ("four-fold", "mirrored")]
+)
+def test_tensors_are_those_of_the_specification(magnets, sensors, monkeypatch):
+    spec, space, params, poles, units = batch(count=6, magnets=magnets, sensors=sensors)
+    found = layouts_at(space, units, poles, 3)
+    for row, one in enumerate(params):
+        wanted = layouts_of(unchecked(spec, one, monkeypatch), 3, torch.float64)
+        assert_allclose(found.magnet_mm[row], wanted.magnet_mm[0], rtol=0, atol=0.0051)
+        assert_allclose(found.turn_rad[row], wanted.turn_rad[0], rtol=0, atol=np.deg2rad(0.051))
+        assert_allclose(found.polarity[row], wanted.polarity[0], rtol=0, atol=0)
+        assert_allclose(found.sensor_mm[row], wanted.sensor_mm[0], rtol=0, atol=0.0051)
+
+
+WORDS = {
+    "pocket gap": ("touch or overlap",),
+    "pockets near the edge": ("zone of the neighbouring", "outside the shell's face"),
+    "seal": ("does not seal",),
+    "boards near the edge": ("recess outside the core",),
+}
+
+
+def verdicts(seed):
+    """For near misses and near hits: the rules broken, and what the specification's check says."""
+    spec, space, params, poles, units = batch(seed, 16, pocket_gap_mm=0.0)
+    variables = search_space(spec).continuous
+
+    def broken(point):
+        return broken_limits_mm(space, layouts_at(space, point, poles, 1))
+
+    for steps in (8, 120):
+        point = descend(lambda u: broken(u).sum(dim=1), units, steps)
+        for row, rules in enumerate(broken(point)):
+            values = zip(variables, point[row].tolist(), strict=True)
+            moved = {v.name: v.low + u * (v.high - v.low) for v, u in values}
+            try:
+                with_layout(spec, params[row] | moved)
+                said = ""
+            except InputError as error:
+                said = str(error)
+            yield rules, said, spec, params[row] | moved
+
+
+def test_limits_agree_with_the_specifications_check():
+    """Kept limits fit; what does not fit breaks the limit of that name."""
+    kept = refused = 0
+    for rules, said, spec, params in verdicts(2):
+        if float(rules.sum()) == 0:
+            assert not said
+            assert smallest_recess_wall_mm(with_layout(spec, params)) >= 0
+            kept += 1
+        for rule, words in WORDS.items():
+            if any(word in said for word in words):
+                assert rules[RULES.index(rule)] > 0, (rule, said)
+                refused += 1
+    assert kept >= 4
+    assert refused >= 4
+
+
+def test_walls_between_recesses_are_those_of_the_core(monkeypatch):
+    spec, space, params, poles, units = batch(5, 60, sensors="ring", board_gap_mm=0.0)
+    missing = broken_limits_mm(space, layouts_at(space, units, poles, 1))[
+        :, RULES.index("board gap")
+    ]
+    walls = np.array([smallest_recess_wall_mm(unchecked(spec, one, monkeypatch)) for one in params])
+    clear = walls > 0.04
+    assert clear.any()
+    assert (missing.numpy()[clear] == 0).all()
+    assert (missing.numpy()[walls < 0] >= -walls[walls < 0] - 0.02).all()
+
+
+@pytest.mark.parametrize("rule", range(len(RULES)))
+def test_gradients_of_limits_are_those_of_differences(rule):
+    _, space, _, poles, units = batch(7, 12, wiring_mm=18.0)
+
+    def broken(point):
+        return broken_limits_mm(space, layouts_at(space, point, poles, 1))[:, rule]
+
+    point = units.clone().requires_grad_()
+    (slope,) = torch.autograd.grad(broken(point).sum(), point)
+    way = torch.as_tensor(np.random.default_rng(1).normal(size=units.shape))
+    step = 1e-6
+    numeric = (broken(units + step * way) - broken(units - step * way)) / (2 * step)
+    assert_allclose((slope * way).sum(dim=1), numeric, rtol=1e-3, atol=1e-4)
+    assert float(broken(units).max()) > 0 or RULES[rule] == "seal"
+
+
+def test_descent_never_ends_worse_and_stays_inside():
+    start = torch.as_tensor(np.random.default_rng(3).random((20, 4)))
+
+    def loss(point):
+        return ((point - 1.2) ** 2).sum(dim=1) + torch.sin(40 * point).sum(dim=1)
+
+    end = descend(loss, start, 60)
+    assert (loss(end) <= loss(start)).all()
+    assert float(end.max()) <= 1
+    assert float(loss(end).mean()) < float(loss(start).mean()) - 2

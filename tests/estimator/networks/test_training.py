@@ -1,0 +1,236 @@
+"""Estimators trained on a small synthetic data set whose truth is known."""
+
+import json
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import torch
+from numpy.testing import assert_allclose, assert_array_equal
+from safetensors.torch import load_file, save_file
+
+from design.errors import InputError
+from design.spec.object import TrainingSpec
+from estimator.evaluation.evaluation import evaluate_face, linear_baseline, mean_map_baseline
+from estimator.frames.face_data import FaceData, face_data, live_channels
+from estimator.frames.splits import split_places, split_presses
+from estimator.networks.face_model import MODEL_FORMAT, load_model, predict_heatmaps, save_model
+from estimator.networks.network import HeadsNetwork
+from estimator.networks.training import FitSettings, fit_estimator
+from tests.support.synthetic_frames import synthetic_frames
+
+QUICK = TrainingSpec(hidden_units=(96, 96), epochs=30, batch_size=128, learning_rate=3e-3)
+SHORT = QUICK.model_copy(update={"epochs": 2})
+FACE = 4
+
+
+def train_face(frames, face, training, seed, progress=None, split=None):
+    split = split or split_presses(frames, seed)
+    parts = frames.select(split.train), frames.select(split.validation)
+    return fit_estimator(*parts, FitSettings(face, training, seed), progress=progress)
+
+
+@pytest.fixture(scope="module")
+def frames():
+    made = synthetic_frames(presses=6)
+    made.signal_counts[:, 3, 1, 2] = np.nan
+    return made
+
+
+@pytest.fixture(scope="module")
+def split(frames):
+    return split_presses(frames, 7)
+
+
+@pytest.fixture(scope="module")
+def model(frames, split):
+    return train_face(frames, FACE, QUICK, seed=7, split=split)
+
+
+@pytest.fixture(scope="module")
+def result(model, frames, split):
+    return evaluate_face(model, frames.select(split.test), frames)
+
+
+def test_face_data_selects_valid_frames(frames):
+    hidden = replace(frames, valid=np.arange(len(frames)) >= 100)
+    data = face_data(hidden, FACE)
+    assert len(data) == len(frames) - 100
+    assert data.contact.sum() == np.sum(hidden.contact_face[hidden.valid] == FACE)
+    assert_array_equal(data.rest, hidden.contact_face[hidden.valid, 0] == 0)
+    assert (1, 2) not in live_channels(data)
+    assert len(live_channels(data)) == 8
+
+
+def test_estimator_is_good(result):
+    assert result.similarity > 0.97
+    assert result.location_error_px < 0.25
+    assert result.force_error_percent < 8
+    assert result.non_contact_accuracy > 0.95
+    assert result.other_face_accuracy > 0.9
+
+
+def test_estimator_beats_the_baselines(result, frames, split):
+    ridge = linear_baseline(frames, FACE, split)
+    chance = mean_map_baseline(frames, FACE, split)
+    assert result.force_error_percent < 0.5 * ridge.force_error_percent
+    assert ridge.location_error_px < chance.location_error_px
+    assert result.contact_frames == ridge.contact_frames == chance.contact_frames
+
+
+@pytest.mark.parametrize("fault", ["sign", "channels", "unzeroed"])
+def test_planted_faults_in_the_signals_show(model, result, frames, split, fault):
+    test = frames.select(split.test)
+    signal = test.signal_counts.copy()
+    if fault == "sign":
+        signal = -signal
+    elif fault == "channels":
+        signal = signal[:, :, ::-1].copy()
+        signal[:, 3, 1] = np.nan_to_num(signal[:, 3, 1])
+    else:
+        signal += 400.0
+    worse = evaluate_face(model, replace(test, signal_counts=np.nan_to_num(signal)), frames)
+    assert worse.force_error_percent > 2 * result.force_error_percent
+
+
+def test_dead_channels_are_left_out(model):
+    assert len(model.channels) == 8
+    assert (4, 1, 2) not in model.channels
+    sigma = model.network.members[0].sigma_counts
+    assert_allclose(sigma, [22, 20, 11, 22, 20, 22, 20, 11])
+
+
+def test_same_seed_same_weights(frames, split):
+    signal = frames.select(np.arange(50))
+    first, again, other = (
+        predict_heatmaps(train_face(frames, FACE, SHORT, seed=s, split=split), signal)
+        for s in (1, 1, 2)
+    )
+    assert_array_equal(again, first)
+    assert np.any(other != first)
+
+
+def test_global_random_state_is_untouched(frames, split):
+    torch.manual_seed(11)
+    expected = torch.rand(3)
+    torch.manual_seed(11)
+    train_face(frames, FACE, SHORT, seed=5, split=split)
+    assert torch.equal(torch.rand(3), expected)
+
+
+@pytest.mark.parametrize("part", ["test", "validation"])
+def test_test_presses_are_never_used(frames, split, part):
+    """Nonsense in the test part changes nothing; in the validation part it does."""
+    signal = frames.signal_counts.copy()
+    signal[getattr(split, part)] *= -3
+    spec = SHORT.model_copy(update={"epochs": 8})
+    clean = train_face(frames, FACE, spec, seed=7, split=split)
+    spoiled = train_face(replace(frames, signal_counts=signal), FACE, spec, seed=7, split=split)
+    probe = frames.select(np.arange(50))
+    same = np.array_equal(predict_heatmaps(spoiled, probe), predict_heatmaps(clean, probe))
+    assert same == (part == "test")
+
+
+def test_the_network_learns_from_the_training_part(frames, split):
+    """Places that only the training part holds are known afterwards."""
+    odd = np.unique(frames.press_id[(frames.place_id >= 0) & (frames.place_id % 2 == 1)])
+    hidden = np.isin(frames.press_id, odd)
+    lean = replace(split, validation=split.validation & ~hidden)
+    model = train_face(frames, FACE, QUICK, seed=7, split=lean)
+    known = evaluate_face(model, frames.select(split.test & hidden), frames)
+    assert known.contact_frames > 100
+    assert known.location_error_px < 0.25
+
+
+def test_early_stopping_and_progress(frames, split):
+    calls = []
+    spec = QUICK.model_copy(update={"patience_epochs": 2, "epochs": 200, "learning_rate": 2e-2})
+    train_face(frames, FACE, spec, 1, lambda *call: calls.append(call), split=split)
+    epochs, totals, scores = zip(*calls, strict=True)
+    assert epochs == tuple(range(1, len(calls) + 1))
+    assert set(totals) == {200}
+    assert len(calls) < 200
+    assert len(calls) - 1 - int(np.argmin(scores)) == 2
+
+
+def test_unseen_places_are_harder(frames, result):
+    split = split_places(frames, 0)
+    model = train_face(frames, FACE, QUICK, seed=0, split=split)
+    unseen = evaluate_face(model, frames.select(split.test), frames)
+    assert unseen.location_error_px > 2 * result.location_error_px
+
+
+def test_save_and_load(model, frames, tmp_path):
+    save_model(model, tmp_path / "m" / "face4.safetensors")
+    loaded = load_model(tmp_path / "m" / "face4.safetensors")
+    signal = frames.select(np.arange(80))
+    assert_array_equal(predict_heatmaps(loaded, signal), predict_heatmaps(model, signal))
+    assert loaded.channels == model.channels
+    assert (loaded.face, loaded.architecture.hidden_units) == (FACE, (96, 96))
+
+
+@pytest.mark.parametrize("damage", ["foreign", "cut", "no description", "format", "weights"])
+def test_bad_model_files(model, tmp_path, damage):
+    path = tmp_path / "m.safetensors"
+    save_model(model, path)
+    weights = load_file(path)
+    if damage == "foreign":
+        path.write_text("hello")
+    elif damage == "cut":
+        path.write_bytes(path.read_bytes()[:-100])
+    elif damage == "no description":
+        save_file(weights, path)
+    elif damage == "format":
+        save_file(weights, path, metadata={"instobj": json.dumps({"format": 9})})
+    else:
+        description = {"format": MODEL_FORMAT, "face": 4, "channels": [[4, 0, 0]], "grid_x_mm": [0]}
+        save_file(weights, path, metadata={"instobj": json.dumps(description)})
+    with pytest.raises(InputError, match=r"m\.safetensors"):
+        load_model(path)
+
+
+def test_missing_model(tmp_path):
+    with pytest.raises(InputError, match="no model at"):
+        load_model(tmp_path / "none")
+
+
+def test_prediction_refuses_missing_readings(model, frames):
+    few = frames.select(np.arange(5))
+    few.signal_counts[2, 3, 0, 1] = np.nan
+    with pytest.raises(InputError, match="channels F4-Y1"):
+        predict_heatmaps(model, few)
+    with pytest.raises(InputError, match="needs sensor 3 of faces"):
+        predict_heatmaps(model, replace(few, signal_counts=few.signal_counts[:, :, :2]))
+
+
+def test_prediction_shape_and_units(model, frames):
+    heatmaps = predict_heatmaps(model, frames.select(np.arange(7)))
+    assert heatmaps.shape == (7, 4, 5)
+    assert heatmaps.min() >= 0
+    assert predict_heatmaps(model, frames.select(np.arange(0))).shape == (0, 4, 5)
+
+
+def test_scaling_by_hand():
+    """The first layer sees arcsinh(ΔS / 3σ), arcsinh(1) = ln(1 + √2), and ΔS / 30σ."""
+    network = HeadsNetwork(np.array([22.0, 11.0, 5.0]), np.zeros(1), np.zeros(1), (3,), 1.0)
+    seen = []
+    network.trunk.register_forward_pre_hook(lambda _, given: seen.append(given[0]))
+    network.heads_of(torch.tensor([[66.0, -33.0, 0.0]]))
+    assert_allclose(
+        seen[0], [[np.log(1 + 2**0.5), -np.log(1 + 2**0.5), 0, 0.1, -0.1, 0]], rtol=1e-6
+    )
+
+
+def test_errors_of_the_user(frames, split, model):
+    with pytest.raises(InputError, match="face 9 is not in the data set"):
+        train_face(frames, 9, QUICK, 0)
+    with pytest.raises(InputError, match="no contact in the training part"):
+        train_face(frames, 1, QUICK, 0, split=split)
+    with pytest.raises(InputError, match="no valid frame"):
+        face_data(replace(frames, valid=np.zeros(len(frames), dtype=bool)), FACE)
+    with pytest.raises(InputError, match="grid_x_mm"):
+        evaluate_face(replace(model, grid_x_mm=model.grid_x_mm + 1), frames)
+    silent = frames.select(np.arange(2))
+    silent.signal_counts[:] = np.nan
+    with pytest.raises(InputError, match="every channel of face"):
+        live_channels(FaceData(FACE, silent, np.ones((2, 3, 4, 5)), np.zeros(2) > 0))

@@ -1,0 +1,151 @@
+"""Labels that the signals contradict: each fault is planted in a sound recording and found there."""
+
+import numpy as np
+import pytest
+
+from estimator.recordings.files import read_table
+from estimator.recordings.netcdf import write_generic_netcdf
+from estimator.recordings.reading import read_recording
+from tests.support.made_recordings import PRESS, REST, RISE, gripper_arrays, write_gripper
+
+CASES = ((54, 57), (23, 28), (75, 76))
+LABEL_FAULTS = {
+    "contact while labelled rest",
+    "force without signal",
+    "wrong place label",
+    "jumping channel",
+    "shell moved",
+}
+
+
+@pytest.fixture(scope="module")
+def arrays():
+    return gripper_arrays(CASES, presses=4, lag=0)
+
+
+@pytest.fixture
+def read(tmp_path):
+    def read_arrays(arrays, cases=CASES):
+        return read_recording(write_gripper(tmp_path / "a.csv", arrays, cases))
+
+    return read_arrays
+
+
+def copies(arrays):
+    return [array.copy() for array in arrays]
+
+
+def found(recording, kind):
+    return [fault for fault in recording.report.faults if fault.kind == kind]
+
+
+def rows(press, first=0, last=PRESS):
+    return slice(press * PRESS + first, press * PRESS + last)
+
+
+def used(recording, press):
+    part = rows(press)
+    loaded = recording.frames.place_id[part] >= 0
+    return bool((recording.frames.valid[part] & loaded).any())
+
+
+def test_a_sound_recording_has_none_of_them(read, arrays):
+    kinds = {fault.kind for fault in read(arrays).report.faults}
+    assert not kinds & LABEL_FAULTS
+    assert all(used(read(arrays), press) for press in range(12))
+
+
+def test_a_wrong_place_is_found_by_the_other_presses_of_both_places(read, arrays):
+    planted = copies(arrays)
+    planted[3][rows(1)] = 2
+    recording = read(planted)
+    (fault,) = found(recording, "wrong place label")
+    assert fault.where == f"rows {PRESS}–{2 * PRESS - 1}"
+    assert "labelled face 3 (7.5, 1.5) + face 5 (7.5, -1.5)" in fault.detail
+    assert "responds like face 3 (1.5, 4.5) + face 5 (1.5, -4.5)" in fault.detail
+    assert [used(recording, press) for press in range(12)] == [press != 1 for press in range(12)]
+
+
+def test_two_swapped_places_name_each_other(read, arrays):
+    planted = copies(arrays)
+    planted[3][rows(2)], planted[3][rows(5)] = 1, 0
+    first, second = found(read(planted), "wrong place label")
+    assert f"swapped with rows {5 * PRESS}–{6 * PRESS - 1}" in first.detail
+    assert f"swapped with rows {2 * PRESS}–{3 * PRESS - 1}" in second.detail
+
+
+def test_a_place_pressed_once_cannot_be_judged(read):
+    lone = gripper_arrays(CASES, presses=1, lag=0)
+    assert not found(read(lone), "wrong place label")
+
+
+@pytest.mark.parametrize("cell", [0, 1])
+def test_a_force_without_signal(read, arrays, cell):
+    planted = copies(arrays)
+    face = (2, 4)[cell]
+    quiet = planted[2][rows(6, 0, 15), face].mean(axis=0)
+    noise = np.random.default_rng(2).normal(0, 20, (PRESS, 9))
+    planted[2][rows(6), face] = np.round(quiet + noise)
+    recording = read(planted)
+    (fault,) = found(recording, "force without signal")
+    assert fault.where == f"rows {6 * PRESS}–{7 * PRESS - 1}"
+    assert f"on face {(3, 5)[cell]}" in fault.detail
+    assert not used(recording, 6)
+    assert used(recording, 7)
+
+
+def test_a_press_that_the_load_cells_did_not_feel(read, arrays):
+    """The cable of both cells out for one press: signals move in frames called rest."""
+    planted = copies(arrays)
+    planted[1][rows(4)] = 0.0
+    recording = read(planted)
+    faults = found(recording, "contact while labelled rest")
+    assert len(faults) == 1
+    first, last = (int(text) for text in faults[0].where.removeprefix("rows ").split("–"))
+    assert 4 * PRESS + REST <= first < 4 * PRESS + REST + RISE
+    assert 5 * PRESS - REST - RISE < last < 5 * PRESS - REST
+    assert not recording.frames.valid[first : last + 1].any()
+    rest = recording.frames.valid[rows(5)] & (recording.frames.place_id[rows(5)] < 0)
+    shown = recording.frames.signal_counts[rows(5)][rest]
+    np.testing.assert_allclose(np.nanmean(shown, axis=0), 0, atol=15)
+
+
+def test_a_force_where_the_label_says_no_contact(read, arrays):
+    planted = copies(arrays)
+    planted[3][rows(3)] = 3
+    recording = read(planted, (*CASES, (0, 101)))
+    fault = found(recording, "contact while labelled rest")[0]
+    assert fault.where.startswith("rows 4")
+    assert not used(recording, 3)
+    assert used(recording, 2)
+
+
+def test_a_force_in_a_generic_recording_where_no_place_is_stated(arrays, tmp_path):
+    table = read_table(write_gripper(tmp_path / "a.csv", arrays, CASES))
+    unstated = rows(7, REST + 20, REST + 40)
+    table.tip_xy_mm[unstated], table.face[unstated] = np.nan, 0
+    write_generic_netcdf(table, tmp_path / "a.nc")
+    recording = read_recording(tmp_path / "a.nc")
+    (fault,) = found(recording, "contact while labelled rest")
+    assert fault.where == f"rows {7 * PRESS + REST + 20}–{7 * PRESS + REST + 39}"
+    assert not used(recording, 7)
+
+
+def test_a_channel_that_jumps_between_two_presses(read, arrays):
+    planted = copies(arrays)
+    planted[2][5 * PRESS - 2 :, 3, 4] += 2750
+    recording = read(planted)
+    (fault,) = found(recording, "jumping channel")
+    assert fault.where == "F4-Y2, before press 5"
+    assert np.isnan(recording.frames.signal_counts[:, 3, 1, 1]).all()
+    assert np.isfinite(np.delete(recording.frames.signal_counts.reshape(-1, 45), 31, axis=1)).all()
+
+
+def test_a_shell_that_moved_is_no_jumping_channel(read, arrays):
+    planted = copies(arrays)
+    shift = np.random.default_rng(3).choice([-1, 1], (5, 9)) * 700
+    planted[2][8 * PRESS - 2 :] += shift
+    recording = read(planted)
+    assert not found(recording, "jumping channel")
+    assert [fault.where for fault in found(recording, "shell moved")] == ["before press 8"]
+    assert np.isfinite(recording.frames.signal_counts).all()

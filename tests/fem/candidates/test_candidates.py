@@ -1,0 +1,231 @@
+"""Candidate motions: against direct solves and magnets in the mesh; interpolation; files."""
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from design.errors import InputError
+from design.layout.positions import contact_grid, face_frames, shell_body_layout
+from design.spec.object import ContactGridSpec, ScoreSpec
+from fem.candidates.cubic_convolution import axis_weights
+from fem.candidates.motions import candidate_lattices, load_candidates
+from fem.candidates.point_motions import interpolate_at, motion_rows
+from fem.candidates.presses import candidate_rows, displacements, presses_at_forces
+from fem.candidates.presses import simulate_candidates as simulate
+from fem.candidates.quadrature import outline_quadrature
+from fem.linear.factorization import Factorization
+from fem.linear.magnets import mean_motion_functionals
+from fem.linear.response import elastic_system, face_pressure_loads
+from fem.mesh.tetrahedra import tetrahedralize
+from fem.presses.table import surface_weights_mm2
+from tests.support.fem_cases import paper_cube
+from tests.support.magnet_free_cases import EDGES_MM, magnet_free_cube
+
+FACE = 3
+"""Its x is −z and its y is +y: a mix-up of axes shows."""
+
+
+@pytest.fixture(scope="module")
+def cube():
+    return magnet_free_cube()
+
+
+@pytest.fixture(scope="module")
+def spec(cube):
+    grid = ContactGridSpec(count=(3, 2), pitch_mm=7.0)
+    return cube.spec.model_copy(update={"contact_grid": grid, "score": ScoreSpec(force_n=1.0)})
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    return tmp_path_factory.mktemp("candidates")
+
+
+@pytest.fixture(scope="module")
+def table(cube, spec, folder):
+    lattices = candidate_lattices(spec, pitch_mm=4.0, depth_step_mm=1.0)
+    return simulate(spec, cube.mesh, cube.response, lattices, folder, force_shares=(0.5, 1.0))
+
+
+@pytest.fixture(scope="module")
+def fields(cube, spec, table):
+    """Nodal displacements of every press of face 3 at the second force; (3·node, place)."""
+    press = presses_at_forces(spec, cube.response, FACE - 1, (0.5, 1.0))
+    tractions = face_pressure_loads(cube.space, spec)[1]
+    loads = tractions[:, cube.response.face_loads(FACE - 1)]
+    with Factorization(cube.system.matrix) as factor:
+        return displacements(cube.system, factor, loads @ press.pressure_mpa[:, 1].T)
+
+
+def test_the_paper_s_cube_has_19_by_19_places_at_six_depths():
+    lattices = candidate_lattices(paper_cube("rigid", (1.2, 4.0)))
+    assert [lattice.shape for lattice in lattices] == [(19, 19, 6)] * 5
+    assert_allclose(lattices[2].x_mm[[0, -1]], [-18, 18], rtol=0, atol=1e-12)
+    assert_allclose(lattices[2].depth_mm, [1.5, 2.5, 3.5, 4.5, 5.5, 6.5], rtol=0, atol=1e-12)
+
+
+def test_axes_and_candidates_are_in_order(table, spec):
+    count = sum(len(lattice) for lattice in table.candidates)
+    assert table.motion.shape == (5, 6, 2, count, 6)
+    assert table.by_candidate.dtype == np.float32
+    assert list(table.faces) == [1, 2, 3, 4, 5]
+    lattice = table.candidates[1]
+    ix, iy, iz = 3, 1, 2
+    index = (ix * lattice.shape[1] + iy) * lattice.shape[2] + iz
+    wanted = [lattice.x_mm[ix], lattice.y_mm[iy], lattice.depth_mm[iz]]
+    assert_allclose(lattice.xyd_mm[index], wanted, rtol=0, atol=0)
+    assert_allclose(table.places.xy_mm, contact_grid(spec).xy_mm, rtol=0, atol=0)
+
+
+def test_candidates_move_as_the_solved_field_does(cube, table, fields):
+    """Every candidate of faces 3 and 4 under presses of face 3, with its own rows."""
+    first = sum(len(lattice) for lattice in table.candidates[: FACE - 1])
+    outline = shell_body_layout(cube.spec).outline
+    for lattice, frame in zip(table.candidates[2:4], face_frames(cube.spec)[2:4], strict=True):
+        points = frame.to_object(lattice.xyd_mm * [1, 1, -1])
+        rows = candidate_rows(cube.space, points, frame.axes, outline)
+        direct = (rows @ fields).reshape(len(lattice), 6, -1)
+        found = table.motion[FACE - 1, :, 1, first : first + len(lattice)]
+        assert_allclose(
+            np.moveaxis(found, 0, 2), direct, rtol=0, atol=2e-7 * abs(direct).max()
+        )  # float32
+        first += len(lattice)
+
+
+@pytest.mark.parametrize("fault", ["sign", "axes", "depth"])
+def test_a_fault_of_frames_would_show(cube, table, fields, fault):
+    frame, lattice = face_frames(cube.spec)[FACE - 1], table.candidates[FACE - 1]
+    xyd = lattice.xyd_mm * {"sign": [-1, 1, 1], "axes": [1, 1, 1], "depth": [1, 1, 1]}[fault]
+    xyd = xyd[:, [1, 0, 2]] if fault == "axes" else xyd
+    xyd[:, 2] += 0.5 if fault == "depth" else 0.0
+    outline = shell_body_layout(cube.spec).outline
+    points = frame.to_object(xyd * [1, 1, -1])
+    rows = candidate_rows(cube.space, points, frame.axes, outline)
+    direct = (rows @ fields).reshape(len(lattice), 6, -1)
+    first = sum(len(one) for one in table.candidates[: FACE - 1])
+    found = np.moveaxis(table.motion[FACE - 1, :, 1, first : first + len(lattice)], 0, 2)
+    assert abs(found - direct).max() > 0.05 * abs(direct).max()
+
+
+def test_forces_are_those_asked_for_or_shares_of_the_reachable(cube, spec, table):
+    assert_allclose(table.force_n[..., 1], 1.0, rtol=1e-9)
+    assert_allclose(table.force_n[..., 0], 0.5, rtol=1e-9)
+    assert (np.diff(table.depth_mm, axis=2) > 0).all()
+    far = spec.model_copy(update={"score": ScoreSpec(force_n=500.0)})
+    press = presses_at_forces(far, cube.response, 0, (0.5, 1.0))
+    weights = surface_weights_mm2(cube.response.surfaces[0])
+    assert_allclose(press.depth_mm[:, 1], spec.press.depths_mm[-1], rtol=1e-12)
+    assert_allclose(press.pressure_mpa @ weights, press.force_n, rtol=1e-12)
+    assert_allclose(press.force_n[:, 0], press.force_n[:, 1] / 2, rtol=1e-12)
+
+
+def test_at_a_candidate_interpolation_gives_its_own_motion(table):
+    lattice = table.candidates[FACE - 1]
+    index = np.array([0, 17, len(lattice) - 1])
+    first = sum(len(one) for one in table.candidates[: FACE - 1])
+    at = lattice.xyd_mm[index]
+    found = table.at(FACE, at[:, :2], at[:, 2])
+    assert_allclose(found, table.motion[:, :, :, first + index], rtol=0, atol=1e-9)
+
+
+def test_the_stated_interpolation_error_is_that_of_direct_evaluation(cube, table, fields):
+    """At other points than those it was measured at; a lattice of 4 mm is a coarse one."""
+    frame, lattice = face_frames(cube.spec)[FACE - 1], table.candidates[FACE - 1]
+    low, high = lattice.xyd_mm.min(axis=0), lattice.xyd_mm.max(axis=0)
+    xyd = np.random.default_rng(9).uniform(low, high, (60, 3))
+    outline = shell_body_layout(cube.spec).outline
+    points = frame.to_object(xyd * [1, 1, -1])
+    direct = candidate_rows(cube.space, points, frame.axes, outline) @ fields
+    direct = np.moveaxis(direct.reshape(len(xyd), 6, -1), 2, 0)
+    miss = table.at(FACE, xyd[:, :2], xyd[:, 2])[FACE - 1, :, 1] - direct
+    for part, stated in (
+        (slice(0, 3), table.error.displacement_rms),
+        (slice(3, 6), table.error.rotation_rms),
+    ):
+        rms = np.sqrt(np.mean(miss[..., part] ** 2) / np.mean(direct[..., part] ** 2))
+        assert stated / 2 < rms < 2 * stated
+    assert table.error.displacement_rms < 0.1
+    assert table.error.displacement_rms < table.error.displacement_worst < 0.3
+
+
+def test_a_finer_lattice_interpolates_better(cube, spec, table, tmp_path):
+    lattices = candidate_lattices(spec, pitch_mm=2.5)
+    finer = simulate(spec, cube.mesh, cube.response, lattices, tmp_path, force_shares=(0.5, 1.0))
+    assert finer.error.displacement_rms < 0.6 * table.error.displacement_rms
+
+
+def test_a_table_comes_back_from_its_folder_memory_mapped(table, folder):
+    loaded = load_candidates(folder)
+    assert isinstance(loaded.by_candidate, np.memmap)
+    np.testing.assert_array_equal(loaded.by_candidate, table.by_candidate)
+    for name in ("faces", "force_n", "depth_mm"):
+        np.testing.assert_array_equal(getattr(loaded, name), getattr(table, name))
+    assert loaded.error == table.error
+    for read, saved in zip(loaded.candidates, table.candidates, strict=True):
+        assert read.face == saved.face
+        np.testing.assert_array_equal(read.xyd_mm, saved.xyd_mm)
+
+
+@pytest.mark.parametrize(
+    ("face", "xy", "depth", "what"),
+    [
+        (3, (30.0, 0.0), 2.5, "30 mm lies outside"),
+        (3, (0.0, 0.0), 0.4, "0.4 mm lies outside"),
+        (6, (0.0, 0.0), 2.5, "face 6 has no candidates"),
+    ],
+)
+def test_places_without_candidates_are_refused(table, face, xy, depth, what):
+    with pytest.raises(InputError, match=what):
+        table.at(face, np.array([xy]), np.array([depth]))
+
+
+def test_a_shell_too_thin_for_the_margins_is_refused(spec):
+    with pytest.raises(InputError, match="no room for candidates"):
+        candidate_lattices(spec, margin_mm=4.0)
+
+
+def test_cubic_convolution_keeps_parabolas_up_to_the_border():
+    nodes = np.linspace(-3.0, 5.0, 7)
+    at = np.random.default_rng(2).uniform(-3, 5, 40)
+    at[:2] = nodes[[0, -1]]
+    index, weight = axis_weights(nodes, at)
+    values = 1 + 2 * nodes - 0.7 * nodes**2
+    assert_allclose((weight * values[index]).sum(axis=1), 1 + 2 * at - 0.7 * at**2, atol=1e-13)
+
+
+def test_cubic_convolution_is_smooth_across_nodes_and_of_third_order():
+    error = []
+    for count in (9, 17, 33):
+        nodes, at = np.linspace(0, 4, count), np.linspace(0.8, 3.2, 501)
+        index, weight = axis_weights(nodes, at)
+        error.append(abs((weight * np.sin(2 * nodes)[index]).sum(axis=1) - np.sin(2 * at)).max())
+    assert error[0] / error[1] > 6
+    assert error[1] / error[2] > 6
+    index, weight = axis_weights(nodes, nodes[10] + np.array([-2e-6, -1e-6, 1e-6, 2e-6]))
+    low, below, above, high = (weight * np.exp(nodes)[index]).sum(axis=1)
+    assert_allclose((below - low) / 1e-6, (high - above) / 1e-6, rtol=1e-4)
+
+
+def test_motions_at_magnets_places_against_ideal_points_resolved_by_the_mesh():
+    """Means over the disk's mid-plane here, over the volume of the meshed prism there."""
+    spec = paper_cube("points", EDGES_MM)
+    mesh = tetrahedralize(spec)
+    system, layout = elastic_system(mesh, spec), shell_body_layout(spec)
+    surfaces, loads = face_pressure_loads(system.space, spec)
+    first = sum(len(surface.xy_mm) for surface in surfaces[: FACE - 1])
+    distance = np.linalg.norm(surfaces[FACE - 1].xy_mm - [4.0, -3.0], axis=1)
+    pressure = np.clip(1 - distance**2 / 49, 0, None) ** 2
+    force = loads[:, first : first + len(pressure)] @ pressure
+    with Factorization(system.matrix) as factor:
+        u = displacements(system, factor, force[:, None])[:, 0]
+    own = np.flatnonzero(layout.face == FACE)
+    volume = (mean_motion_functionals(mesh, system.space) @ u).reshape(-1, 6)[own]
+    local, weights = outline_quadrature(layout.outline, 4, 16)
+    for magnet, exact in zip(own, volume, strict=True):
+        centre, axes = layout.centre_mm[magnet], layout.frame[magnet]
+        fitted = candidate_rows(system.space, centre[None], axes, layout.outline) @ u
+        assert_allclose(fitted[:3], exact[:3], rtol=0, atol=0.03 * abs(volume[:, :3]).max())
+        rows = motion_rows(interpolate_at(system.space, centre + local @ axes[:, :2].T))
+        mean = weights @ (rows @ u).reshape(-1, 6)
+        assert_allclose(mean[:3], exact[:3], rtol=0, atol=0.03 * abs(volume[:, :3]).max())
+        assert_allclose(mean[3:], exact[3:], rtol=0, atol=0.1 * abs(volume[:, 3:]).max())

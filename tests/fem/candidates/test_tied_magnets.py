@@ -1,0 +1,119 @@
+"""Rigid magnets tied to a magnet-free mesh: the ties, the balance, and a mesh that resolves them."""
+
+import numpy as np
+import pytest
+import scipy.sparse as sp
+from numpy.testing import assert_allclose
+
+from design.layout.positions import shell_body_layout
+from design.spec.object import MagnetSpec
+from fem.candidates.tied_magnets import rigid_magnet_response, tie_functionals
+from fem.linear.factorization import Factorization, SingularSystemError, solve_symmetric
+from fem.linear.response import face_pressure_loads
+from tests.support.magnet_free_cases import magnet_free_cube
+
+PLACES_MM = ((3.0, -5.0), (-8.0, 6.0))
+DEGREE = 1
+SPRING_N_PER_MM = 1e7
+
+
+@pytest.fixture(scope="module")
+def cube():
+    return magnet_free_cube()
+
+
+@pytest.fixture(scope="module")
+def spec(cube):
+    """Two magnets a face, tilted and each in its own depth."""
+    tilts = ((4.0, -7.0), (0.0, 5.0))
+    magnets = MagnetSpec(positions_mm=PLACES_MM, tilt_deg=tilts, depth_mm=(2.4, 3.1))
+    shell = cube.spec.shell.model_copy(update={"pocket_diameter_mm": 7.0})
+    return cube.spec.model_copy(update={"magnets": magnets, "shell": shell})
+
+
+@pytest.fixture(scope="module")
+def tied(cube, spec):
+    with Factorization(cube.system.matrix) as factor:
+        return rigid_magnet_response(spec, cube.system, factor, cube.response, DEGREE)
+
+
+@pytest.fixture(scope="module")
+def penalised(cube, spec):
+    """Motions and surface under one pressure, the ties as springs of 1e7 N/mm instead."""
+    system = cube.system
+    functionals, rigid = tie_functionals(spec, system.space, DEGREE)
+    free, motions = system.motion_basis.shape[1], rigid.shape[1]
+    phi = system.motion_basis.T @ functionals.T
+    empty = sp.csr_matrix((system.matrix.shape[0] - free, rigid.shape[0]))
+    gap = sp.vstack([phi, empty, sp.csr_matrix(-rigid.T)])
+    held = sp.block_diag([system.matrix, sp.csr_matrix((motions, motions))])
+    load = 7 + cube.response.face_loads(2).start
+    tractions = face_pressure_loads(system.space, spec)[1]
+    right = np.zeros((held.shape[0], 1))
+    right[:free, 0] = (system.motion_basis.T @ tractions[:, [load]]).toarray()[:, 0]
+    solution = solve_symmetric(sp.csr_matrix(held + SPRING_N_PER_MM * gap @ gap.T), right)[:, 0]
+    surface = tractions.T @ (system.motion_basis @ solution[:free])
+    return load, solution[-motions:], surface
+
+
+def test_condensed_ties_equal_stiff_springs_in_one_matrix(tied, penalised):
+    load, motions, surface = penalised
+    condensed = tied.compliance[:, load]
+    assert abs(motions).max() > 1e-4
+    scale = abs(motions).max()
+    assert_allclose(condensed[tied.magnet_loads], motions, rtol=0, atol=1e-5 * scale)
+    faces = slice(0, tied.magnet_loads.start)
+    assert_allclose(condensed[faces], surface, rtol=0, atol=1e-5 * abs(surface).max())
+
+
+@pytest.mark.parametrize("fault", ["sign", "rotation", "order"])
+def test_a_fault_in_the_motions_would_show(tied, penalised, fault):
+    load, motions, _ = penalised
+    six = motions.reshape(-1, 6)
+    wrong = {
+        "sign": -six,
+        "rotation": six * [1, 1, 1, -1, -1, -1],
+        "order": six[::-1],
+    }[fault]
+    condensed = tied.compliance[tied.magnet_loads, load].reshape(-1, 6)
+    assert abs(condensed - wrong)[:, 3:].max() > 0.5 * abs(six[:, 3:]).max()
+
+
+def test_a_rigid_motion_of_the_silicone_is_that_of_the_magnets(cube, spec):
+    functionals, rigid = tie_functionals(spec, cube.space, 2)
+    shift, turn = np.array([0.3, -0.8, 0.5]), np.array([0.02, -0.06, 0.04])
+    u = (shift + np.cross(turn, cube.space.nodes_mm)).T.ravel()
+    centres = shell_body_layout(spec).centre_mm
+    motion = np.column_stack([shift + np.cross(turn, centres), np.tile(turn, (len(centres), 1))])
+    assert_allclose(functionals @ u, rigid @ motion.ravel(), rtol=0, atol=1e-11)
+    assert functionals.shape[0] == 10 * 3 * 12
+
+
+def test_the_tied_compliance_is_symmetric_and_positive_definite(tied):
+    compliance = tied.compliance
+    assert_allclose(compliance, compliance.T, rtol=0, atol=1e-12 * abs(compliance).max())
+    scale = 1 / np.sqrt(np.diag(compliance))
+    np.linalg.cholesky(compliance * np.outer(scale, scale))
+    assert tied.magnet_loads.stop - tied.magnet_loads.start == 6 * 10
+
+
+def test_ties_only_ever_stiffen(cube, spec, tied):
+    """More functionals, less compliance, for every pressure; without ties the most."""
+    with Factorization(cube.system.matrix) as factor:
+        more = rigid_magnet_response(spec, cube.system, factor, cube.response, DEGREE + 1)
+    faces = slice(0, tied.magnet_loads.start)
+    plain = np.diag(cube.response.compliance)
+    softer, stiffer = (np.diag(one.compliance)[faces] for one in (tied, more))
+    assert (softer < plain * (1 + 1e-9)).all()
+    assert (stiffer < softer * (1 + 1e-9)).all()
+    assert (softer / plain).min() < 0.99
+
+
+def test_functionals_that_the_mesh_cannot_tell_apart_are_refused(cube):
+    magnets = MagnetSpec(positions_mm=(PLACES_MM[0],))
+    one = cube.spec.model_copy(update={"magnets": magnets})
+    with (
+        Factorization(cube.system.matrix) as factor,
+        pytest.raises(SingularSystemError, match="lower degree"),
+    ):
+        rigid_magnet_response(one, cube.system, factor, cube.response, 8)

@@ -1,0 +1,101 @@
+"""The elements: energy of a linear field; orders and locking of those other than Taylor–Hood."""
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from fem.linear import elements as elasticity
+from fem.linear.assembly import ReferenceShapes
+from fem.linear.elements import assemble, element_space
+from fem.linear.material import lame_constants
+from tests.support.elasticity_cases import (
+    ELEMENTS,
+    GRADIENT,
+    SIZE_MM,
+    errors_on,
+    octant_displacement,
+)
+from tests.support.fem_cases import box_mesh
+
+
+@pytest.fixture(scope="module", params=ELEMENTS)
+def jiggled(request):
+    return element_space(box_mesh((5, 6, 4), SIZE_MM, jiggle=0.2), request.param)
+
+
+def energy(operators, u):
+    return u.ravel() @ operators.stiffness @ u.ravel()
+
+
+def test_a_linear_field_costs_the_energy_of_its_strain(jiggled):
+    material = lame_constants(0.3, 0.4999)
+    operators = assemble(jiggled, material)
+    u = GRADIENT @ jiggled.nodes_mm.T
+    expected = energy_of_gradient(material, mixed=len(jiggled.pressure_nodes) > 0)
+    assert_allclose(energy(operators, u), expected, rtol=1e-12)
+    if len(jiggled.pressure_nodes):
+        div = -np.sum(operators.divergence @ u.ravel())
+        assert_allclose(div, np.trace(GRADIENT) * np.prod(SIZE_MM), rtol=1e-12)
+
+
+def energy_of_gradient(material, mixed):
+    """∫ 2μ ε:ε, and λ (div u)² where no pressure carries it."""
+    strain = (GRADIENT + GRADIENT.T) / 2
+    density = 2 * material.shear_modulus_mpa * np.sum(strain**2)
+    if not mixed:
+        density += np.trace(GRADIENT) ** 2 / material.inverse_lambda_per_mpa
+    return density * np.prod(SIZE_MM)
+
+
+FAULTS = {
+    "grad-div for its transpose": lambda s: ReferenceShapes(s.slope_slope.swapaxes(0, 1), s.slope),
+    "mean divergence": lambda s: ReferenceShapes(s.slope_slope, 1.1 * s.slope),
+    "one slope": lambda s: ReferenceShapes(s.slope_slope * [[[[1]]], [[[1]]], [[[1.1]]]], s.slope),
+}
+
+
+@pytest.mark.parametrize("fault", FAULTS)
+def test_a_faulty_reference_element_shows_in_the_energy_of_a_linear_field(monkeypatch, fault):
+    right = elasticity.reference_shapes
+    monkeypatch.setattr(elasticity, "reference_shapes", lambda e: FAULTS[fault](right(e)))
+    space = element_space(box_mesh((3, 2, 2), SIZE_MM, jiggle=0.2), "p2-p0")
+    material = lame_constants(0.3, 0.4)
+    stored = energy(assemble(space, material), GRADIENT @ space.nodes_mm.T)
+    assert abs(stored / energy_of_gradient(material, mixed=False) - 1) > 0.01
+
+
+RATES = {
+    ("p2-p0", 0.3): ([2, 1], 0.22, [1.8e-3, 0.1]),
+    ("p2-p0", 0.4999): ([2, 1], 0.33, [2.6e-3, 0.12]),
+    ("p1", 0.3): ([2, 1], 0.15, [1.5e-2, 0.33]),
+}
+"""Orders for u in L2 and its gradient; how far off they may be; bounds on 8³ bricks.
+
+The constant pressure of P2/P0 costs an order, which it nears from below (1.68 to 1.88 here)."""
+
+
+@pytest.mark.parametrize(("element", "poisson_ratio"), RATES)
+def test_errors_fall_at_the_rates_of_the_element(element, poisson_ratio):
+    cells = np.array([3, 5, 8])
+    errors = np.array([errors_on(element, n, poisson_ratio) for n in cells])
+    rates = -np.diff(np.log(errors), axis=0) / np.diff(np.log(cells))[:, None]
+    orders, tolerance, bounds = RATES[element, poisson_ratio]
+    assert_allclose(rates, [orders] * 2, rtol=0, atol=tolerance)
+    assert (errors[-1] < bounds).all()
+
+
+def test_lame_s_hollow_sphere_with_constant_pressures():
+    assert_allclose(octant_displacement(0.4999, 5, 4, "p2-p0"), 1, rtol=5e-3)
+
+
+def test_plain_linear_tetrahedra_lock():
+    """Right to 5 % at ν 0.3, they lose a fifth of the displacement at 0.49 and most at 0.4999."""
+    means = [octant_displacement(nu, 4, 4, "p1").mean() for nu in (0.3, 0.49, 0.4999)]
+    assert_allclose(means, [0.96, 0.79, 0.16], rtol=0, atol=0.03)
+
+
+@pytest.mark.parametrize("poisson_ratio", [0.3, 0.4999])
+def test_the_sphere_s_error_is_that_of_its_flat_facets(poisson_ratio):
+    """Halving the facets divides it by about four."""
+    coarse, fine = (octant_displacement(poisson_ratio, n, n).mean() - 1 for n in (3, 4))
+    assert 3.2 < coarse / fine < 5

@@ -1,0 +1,51 @@
+"""The mesh of the default specification: shell compliance, layer force, symmetry. Minutes long."""
+
+import pytest
+from numpy.testing import assert_allclose
+
+from design.spec.object import MeshSpec
+from fem.linear.response import build_response, elastic_system
+from fem.mesh.quality import mesh_quality, require_quality
+from fem.mesh.tetrahedra import tetrahedralize
+from fem.presses.table import simulate_lattice
+from tests.support.fem_cases import (
+    SHELL_COMPLIANCE_MM_PER_N,
+    dimitriadis_force_n,
+    forces_near_the_centre,
+    paper_cube,
+    patch_compliances,
+    relative_mirror_difference,
+)
+
+pytestmark = pytest.mark.slow
+EDGES_MM = (MeshSpec().surface_edge_mm, MeshSpec().edge_mm)
+
+
+@pytest.fixture(scope="module")
+def default_mesh():
+    spec = paper_cube("points", EDGES_MM)
+    mesh = tetrahedralize(spec)
+    require_quality(mesh_quality(mesh, spec))
+    return mesh
+
+
+def test_shell_compliance_within_one_percent(default_mesh):
+    spec = paper_cube("points", EDGES_MM)
+    compliance, _ = patch_compliances(elastic_system(default_mesh, spec), spec)
+    assert_allclose(compliance, SHELL_COMPLIANCE_MM_PER_N[0.4999], rtol=0.01)
+
+
+def test_layer_force_without_magnets_within_three_percent(default_mesh):
+    """Random places within ±4 mm of the face centres; Dimitriadis et al. up to 1 mm."""
+    spec = paper_cube("points", EDGES_MM, 0.5)
+    mean = forces_near_the_centre(spec, build_response(default_mesh, spec), 60).mean(axis=(0, 1))
+    assert_allclose(mean[1:], [1.69, 5.5], rtol=0.03)
+    assert_allclose(mean[0], dimitriadis_force_n(0.5, 5.0, 8.0), rtol=0.02)
+
+
+def test_mirrored_presses_agree_and_every_press_is_in_contact(default_mesh):
+    spec = paper_cube("rigid", EDGES_MM)
+    forces, _ = simulate_lattice(spec, build_response(default_mesh, spec))
+    difference = relative_mirror_difference(forces.force_n[0], spec)
+    assert (forces.force_n > 0).all()
+    assert (difference < [0.012, 0.01, 0.008]).all()

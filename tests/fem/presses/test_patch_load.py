@@ -1,0 +1,88 @@
+"""Uniform pressure on disks: half-space, superposition, reciprocity, presses to a force."""
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from design.errors import InputError
+from fem.presses.joint import Tip, press_tips, press_to_force
+from fem.presses.patch_load import load_patches
+from tests.support.block_cases import block_response, plane_strain_modulus_mpa, spec_of
+
+
+def test_a_disk_of_pressure_sinks_as_on_the_half_space():
+    """Mean displacement 16 p a/(3π E*) (Johnson, Contact Mechanics, 3.4), by block size 2 e₂ − e₁."""
+    nu, radius, pressure = 0.4999, 2.0, 0.01
+    exact = 16 * pressure * radius / (3 * np.pi * plane_strain_modulus_mpa(nu))
+    errors = []
+    for size in (20.0, 40.0):
+        block = block_response(nu, size, size)
+        patch = load_patches(spec_of(nu), block, [Tip(1, 0.6, -0.9)], radius, pressure)
+        assert_allclose(patch.force_n, np.pi * radius**2 * pressure, rtol=0.003)
+        errors.append(patch.sunk_mm[0] / exact - 1)
+    assert errors[0] < errors[1] < 0
+    assert abs(2 * errors[1] - errors[0]) < 0.015
+
+
+def test_patches_superpose_and_pull_as_they_push(rigid_spec, rigid_response):
+    places = [Tip(3, 4.0, -6.0), Tip(5, -2.0, 7.0)]
+    both = load_patches(rigid_spec, rigid_response, places, 3.0, 0.02)
+    each = [load_patches(rigid_spec, rigid_response, [place], 3.0, 0.02) for place in places]
+    summed = each[0].motion + each[1].motion
+    assert_allclose(both.motion, summed, rtol=0, atol=1e-12 * abs(summed).max())
+    pulled = load_patches(rigid_spec, rigid_response, places, 3.0, -0.02)
+    assert_allclose(pulled.motion, -both.motion, rtol=0, atol=1e-15)
+    assert both.motion[10:15, 0].min() < -0.005  # face 3 is +x: the magnet below goes inwards
+
+
+@pytest.mark.parametrize(
+    ("place", "radius", "pressure", "words"),
+    [
+        (Tip(1, 0.0, 0.0), -1.0, 0.01, "positive radius"),
+        (Tip(1, 0.0, 0.0), 3.0, 0.0, "positive radius"),
+        (Tip(1, 19.0, 0.0), 3.0, 0.01, "hangs over the border"),
+        (Tip(1, 0.0, 0.0), 25.0, 0.01, "more than face 1"),
+        (Tip(6, 0.0, 0.0), 3.0, 0.01, "not a sensed face"),
+    ],
+)
+def test_impossible_patches_are_refused(rigid_spec, rigid_response, place, radius, pressure, words):
+    with pytest.raises(InputError, match=words):
+        load_patches(rigid_spec, rigid_response, [place], radius, pressure)
+
+
+def test_three_presses_to_one_force_each(rigid_spec, rigid_response):
+    tips = [Tip(1, -8.0, 3.0), Tip(1, 8.0, 1.0), Tip(4, 2.0, -5.0)]
+    press = press_to_force(rigid_spec, rigid_response, [[tip] for tip in tips], 4.0)
+    assert_allclose(press.force_n, 4.0, rtol=1e-5)
+    again = press_tips(rigid_spec, rigid_response, tips, press.depth_mm)
+    assert_allclose(again.force_n, press.force_n, rtol=1e-12)
+    assert_allclose(again.motion, press.motion, rtol=0, atol=1e-12)
+
+
+def test_an_oblique_press_to_a_force_lands_beside_its_place(rigid_spec, rigid_response):
+    indenter = rigid_spec.indenter.model_copy(update={"direction_deg": (0.0, 40.0)})
+    oblique = rigid_spec.model_copy(update={"indenter": indenter})
+    press = press_to_force(oblique, rigid_response, [[Tip(2, 1.0, 2.0)]], 5.0)
+    y = 2.0 + press.depth_mm[0] * np.tan(np.deg2rad(40))
+    straight = press_tips(rigid_spec, rigid_response, [Tip(2, 1.0, float(y))], press.depth_mm)
+    assert_allclose(straight.force_n, 5.0, rtol=1e-5)
+    assert_allclose(straight.motion, press.motion, rtol=0, atol=1e-12)
+
+
+def test_the_core_bears_what_the_indenter_presses(rigid_system, rigid_spec, coarse_mesh):
+    """Applied force against the reaction where the silicone is held, straight and oblique."""
+    from dataclasses import replace
+
+    from design.layout.positions import face_frames
+    from fem.contact.half_space import Patches
+    from fem.contact.refined import spread_cells
+    from fem.contact.traction import _surface, _traction
+
+    frame = next(frame for frame in face_frames(rigid_spec) if frame.number == 3)
+    face, moments = _surface(rigid_system, rigid_spec, frame)
+    cells = Patches(np.array([0.7, 0.4]), np.array([[4.0, -6.0], [4.9, -5.2]]), np.full(2, 0.05))
+    spread = spread_cells(replace(face), cells, np.zeros(2))
+    for direction, axis in enumerate((-frame.normal, frame.x, frame.y)):
+        loads = _traction(frame, direction, moments[:, spread.rows]) @ spread.matrix
+        applied = (loads @ np.array([1.0, 2.0])).reshape(3, -1).sum(axis=1)
+        assert_allclose(applied, axis * 1.5, rtol=0, atol=1e-10)

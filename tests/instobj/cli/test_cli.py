@@ -1,0 +1,159 @@
+"""The command line as a user meets it: in a process of its own."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[3]
+CUBE = ROOT / "examples" / "paper_cube.toml"
+BAD_DATA = {
+    "empty.csv": "",
+    "foreign.csv": "date,temperature\n2024-01-01,20.5\n2024-01-02,21.0\n",
+    "generic.csv": "time_s,F1-X1,cell1_force_g,cell1_face\n0.0,12,3,1\n0.1,x,3,1\n",
+    "truncated.csv": "Time,Left,Right-blue,F5-X1\n1690355952,0.09,0.32\n",
+}
+
+
+def run(*arguments: str | Path, cwd: Path, **environment: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, "-m", "instobj", *map(str, arguments)],
+        capture_output=True,
+        text=True,
+        cwd=cwd,
+        env=os.environ | {"COLUMNS": "200"} | environment,
+        check=False,
+    )
+
+
+def assert_one_clear_error(done: subprocess.CompletedProcess[str], *words: str) -> None:
+    assert done.returncode == 2
+    assert "Traceback" not in done.stderr + done.stdout
+    assert done.stderr.count("error:") == 1
+    for word in words:
+        assert word in done.stderr
+
+
+def test_help_names_every_command_and_starts_quickly(tmp_path):
+    started = time.perf_counter()
+    done = run("--help", cwd=tmp_path)
+    assert done.returncode == 0
+    for command in [
+        "new",
+        "check",
+        "build",
+        "mesh",
+        "simulate",
+        "score",
+        "identify",
+        "train",
+        "evaluate",
+        "report",
+        "run",
+        "recordings",
+        "collect",
+    ]:
+        assert command in done.stdout
+    assert time.perf_counter() - started < 5
+
+
+def test_new_writes_a_specification_that_check_accepts(tmp_path):
+    assert run("new", "my_object", cwd=tmp_path).returncode == 0
+    done = run("check", "my_object.toml", "--json", cwd=tmp_path)
+    (row,) = json.loads(done.stdout)["specifications"]
+    assert (row["name"], row["magnets"], row["sensors"]) == ("my_object", 25, 15)
+    assert_one_clear_error(run("new", "my_object", cwd=tmp_path), "already there")
+
+
+@pytest.mark.parametrize(
+    ("override", "words"),
+    [
+        ("shell.thicknes_mm=8", ("thickness_mm",)),
+        ("shell.thickness_cm=0.8", ("thickness_mm",)),
+        ("shell.thickness_mm=-8", ("greater than 0", "-8")),
+        ("shell.thickness_mm=eight", ("shell.thickness_mm", "eight")),
+        ("magnets.positions_mm=[[0,0],[19,0]]", ("outside the shell",)),
+        ("magnets.positions_mm=[[0,0],[4,0]]", ("overlap",)),
+        ("sensors.radius_mm=14", ("outside the core",)),
+        ("silicone.poisson_ratio=0.6", ("poisson_ratio",)),
+        ("press.depths_mm=[2,1]", ("increase",)),
+        ("contact_grid.count=[20,20]", ("contact_grid",)),
+        ("name=../evil", ("name",)),
+        ("shell", ("key=value",)),
+        ("sensors.range_mt=3", ("range",)),
+    ],
+)
+def test_bad_specifications_end_with_one_clear_error(tmp_path, override, words):
+    assert_one_clear_error(run("check", CUBE, "--set", override, cwd=tmp_path), *words)
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(
+    ("content", "word"),
+    [(None, "no specification"), ("name = ", "TOML"), (b"\xff\xfe\x00", "text"), ("", "name")],
+)
+def test_bad_files_end_with_one_clear_error(tmp_path, content, word):
+    path = tmp_path / "spec.toml"
+    if content is not None:
+        path.write_bytes(content if isinstance(content, bytes) else content.encode())
+    assert_one_clear_error(run("run", path, cwd=tmp_path), word)
+
+
+def test_json_errors_are_json(tmp_path):
+    done = run("check", "missing.toml", "--json", cwd=tmp_path)
+    assert done.returncode == 2
+    assert "missing.toml" in json.loads(done.stdout)["error"]
+
+
+def test_unwritable_output_is_refused_before_any_work(tmp_path):
+    blocked = tmp_path / "file"
+    blocked.write_text("")
+    done = run("run", CUBE, "--out", blocked / "out", cwd=tmp_path)
+    assert_one_clear_error(done, "cannot write", "--out")
+    assert not (tmp_path / ".instobj").exists()
+
+
+def test_two_specifications_of_one_name_are_refused(tmp_path):
+    assert_one_clear_error(run("build", CUBE, CUBE, cwd=tmp_path), "both named")
+
+
+@pytest.mark.parametrize("name", [*BAD_DATA, "missing.csv"])
+def test_bad_recordings_end_with_one_clear_error(tmp_path, name):
+    if name in BAD_DATA:
+        (tmp_path / name).write_text(BAD_DATA[name])
+    assert_one_clear_error(run("recordings", name, cwd=tmp_path), name)
+    assert not list(tmp_path.glob("runs/**/*.nc"))
+
+
+@pytest.mark.parametrize("command", ["train", "evaluate"])
+def test_bad_data_sets_end_with_one_clear_error(tmp_path, command):
+    (tmp_path / "frames.nc").write_text("not a data set")
+    assert_one_clear_error(run(command, "frames.nc", cwd=tmp_path), "frames.nc")
+    assert_one_clear_error(run(command, "none.nc", cwd=tmp_path), "none.nc")
+    wrong = run(command, "frames.nc", "--set", "shell.thickness_mm=9", cwd=tmp_path)
+    assert_one_clear_error(wrong)
+
+
+def test_ctrl_c_keeps_finished_stages_and_the_next_run_goes_on(tmp_path):
+    command = [sys.executable, "-m", "instobj", "build", str(CUBE), "--json"]
+    process = subprocess.Popen(
+        command, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    )
+    assert process.stderr is not None
+    for line in process.stderr:  # the first progress line: the stage is at work
+        if "building core" in line:
+            break
+    process.send_signal(signal.SIGINT)
+    output, errors = process.communicate(timeout=60)
+    assert process.returncode == 130
+    assert "Traceback" not in errors
+    assert "interrupted" in json.loads(output)["error"]
+    assert not list(tmp_path.glob(".instobj/*"))
+    assert not list(tmp_path.glob("cad_out/paper_cube/*"))
+    again = run("build", CUBE, "--json", cwd=tmp_path)
+    assert json.loads(again.stdout)["objects"][0]["stages"][0]["reused"] is False

@@ -1,0 +1,62 @@
+"""Tables on a terminal of 80 columns: no name and no value is cut, and none is lost."""
+
+import pytest
+
+from instobj.cli.tables import print_result
+
+MODELS = ("heatmap", "position", "pre-trained")
+SCORES = ("A_sim", "paper A_sim", "E_loc px", "paper E_loc px", "E_loc x px", "E_loc y px")
+
+
+@pytest.fixture
+def printed(monkeypatch, capsys):
+    """Function rows → lines of their table, without its title and rule."""
+    monkeypatch.setenv("COLUMNS", "80")
+
+    def lines(rows):
+        print_result({"tables": {"title": rows}})
+        shown = capsys.readouterr().out.splitlines()
+        assert max(map(len, shown)) <= 80
+        return [line.split() for line in shown[1:] if line.strip() and "─" not in line]
+
+    return lines
+
+
+def words_of(rows):
+    return {word for row in rows for pair in row.items() for text in pair for word in text.split()}
+
+
+def test_sixteen_columns_of_six_rows_are_turned_and_keep_their_words(printed):
+    scores = (*SCORES, *(f"{name} of all" for name in SCORES), "distance px", "non-contact")
+    rows = [
+        {"model": model, "places": places} | dict.fromkeys(scores, f"{k}.25")
+        for model in MODELS
+        for k, places in enumerate(("seen", "unseen"))
+    ]
+    shown = printed(rows)
+    assert ["places", *["seen", "unseen"] * 3] in shown
+    assert ["non-contact", *["0.25", "1.25"] * 3] in shown
+    assert words_of(rows) <= {word for line in shown for word in line}
+
+
+def test_columns_that_fit_when_their_names_are_broken_at_spaces_stay_columns(printed):
+    names = ("data", "training frames", *SCORES, "total force %", "E_f %")
+    rows = [dict.fromkeys(names, f"{k}/256") for k in range(3)]
+    shown = printed(rows)
+    assert shown[-3:] == [[f"{k}/256"] * len(names) for k in range(3)]
+    assert words_of(rows) <= {word for line in shown for word in line}
+
+
+def test_few_columns_are_turned_where_their_names_do_not_fit(printed):
+    names = [f"median_position_bound_{k}_mm" for k in range(4)]
+    rows = [{"object": f"cube_{k}"} | dict.fromkeys(names, f"{k}.5") for k in range(2)]
+    assert printed(rows) == [
+        ["object", "cube_0", "cube_1"],
+        *([name, "0.5", "1.5"] for name in names),
+    ]
+
+
+def test_what_fits_neither_way_is_folded_and_nothing_is_lost(printed):
+    path = "/a/folder" * 12
+    shown = printed([{"trials": "64", "kept in": path}])
+    assert path in "".join(word for line in shown for word in line)

@@ -1,0 +1,71 @@
+"""`instobj check --fabrication`: findings as JSON, table and picture; exit 1 where one fails."""
+
+import json
+
+import pytest
+import trimesh
+from typer.testing import CliRunner
+
+import design.fabrication.check
+from design.fabrication.check import Checked
+from design.fabrication.finding import Finding
+from instobj.cli.app import app
+from instobj.render.findings import marked_parts
+
+
+def finding(check, part, status, place=(1.0, 2.0, 3.0)):
+    return Finding(check, part, 0.38, 0.8, "mm", status, "thicken it", place)
+
+
+FINDINGS = [
+    finding("draft", "shell", "warn"),
+    finding("thinnest wall", "core", "fail", (4.0, -5.0, 6.0)),
+    finding("closed surface", "core", "pass"),
+    finding("clearance", "mould", "warn", None),
+]
+
+
+@pytest.fixture
+def checked(monkeypatch, tmp_path):
+    monkeypatch.setenv("INSTOBJ_STORE", str(tmp_path / "store"))
+    box = trimesh.creation.box((8, 10, 12))
+    found = list(FINDINGS)
+    monkeypatch.setattr(
+        design.fabrication.check,
+        "check_fabrication",
+        lambda spec, progress: Checked(found, {"core": box, "shell": box}),
+    )
+    (tmp_path / "cube.toml").write_text('name = "cube"\n')
+    return tmp_path, found
+
+
+def run(folder, *more):
+    arguments = ["check", str(folder / "cube.toml"), "--fabrication", "--out", str(folder), *more]
+    return CliRunner().invoke(app, arguments)
+
+
+def test_a_failure_ends_with_1_and_is_told_with_its_place(checked):
+    folder, _ = checked
+    done = run(folder, "--json")
+    assert done.exit_code == 1
+    result = json.loads(done.stdout)["fabrication"][0]
+    assert result["status"] == "fail"
+    assert result["findings"][1]["place_mm"] == [4.0, -5.0, 6.0]
+    for name in ("fabrication.json", "fabrication.png"):
+        assert (folder / "cad_out" / "cube" / name).is_file()
+    shown = run(folder).stdout
+    assert "1 of 4 checks pass" in shown
+    assert "4.0, -5.0, 6.0" in shown
+
+
+def test_warnings_alone_end_with_0(checked):
+    folder, found = checked
+    del found[1]
+    assert run(folder).exit_code == 0
+
+
+def test_places_are_drawn_on_their_parts_failures_first():
+    box = trimesh.creation.box((8, 10, 12))
+    marked = marked_parts(FINDINGS, {"core": box, "shell": box})
+    assert list(marked) == ["core", "shell"]
+    assert [f.status for f in marked["core"]] == ["fail"]

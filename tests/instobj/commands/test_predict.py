@@ -1,0 +1,134 @@
+"""`instobj export` and `instobj predict` on files and on a port; training from a start."""
+
+import csv
+import json
+
+import numpy as np
+import pytest
+import torch
+
+from design.errors import InputError
+from design.spec.object import TrainingSpec
+from estimator.frames.dataset import FrameSet, load_frames, save_frames
+from estimator.frames.splits import split_presses
+from estimator.networks.face_model import load_model, predict, save_model
+from estimator.networks.training import FitSettings, fit_estimator
+from instobj.commands.predict import Zeroing, export_models, predict_file, predict_port
+from instobj.commands.run import run_estimator
+from tests.support.dummy_board import CHANNELS, dummy_board
+
+FACE = 3
+SMALL = TrainingSpec(hidden_units=(16,), epochs=2, batch_size=64)
+SETTINGS = ["training.hidden_units=[16]", "training.epochs=2", "seed=1"]
+
+
+def made_frames():
+    """Presses at two places of face 3, seen by its first sensor and by that of face 1."""
+    rng = np.random.default_rng(3)
+    presses, rest, loaded = 24, 4, 10
+    count = presses * (rest + loaded)
+    force = np.tile(np.r_[np.zeros(rest), np.linspace(1, 9, loaded)], presses)
+    press = np.repeat(np.arange(presses), rest + loaded)
+    signal = np.full((count, 5, 1, 3), np.nan)
+    place = press % 2
+    gains = np.array([[40, -25, 60], [-30, 55, 20]])[place]
+    signal[:, 2, 0] = gains * force[:, None] + rng.normal(0, 20, (count, 3))
+    signal[:, 0, 0] = rng.normal(0, 20, (count, 3))
+    touched = force > 0
+    xy = np.where(touched[:, None], np.array([[-3.0, 3.0], [3.0, 0.0]])[place], np.nan)
+    normal = np.where(touched, force, np.nan)
+    return FrameSet(
+        signal_counts=signal,
+        contact_face=np.where(touched, FACE, 0)[:, None],
+        contact_xy_mm=xy[:, None],
+        force_n=np.stack([0 * normal, 0 * normal, normal], axis=1)[:, None],
+        valid=np.ones(count, dtype=bool),
+        press_id=press,
+        place_id=np.where(touched, place, -1),
+        session_id=np.zeros(count, dtype=int),
+        time_s=np.arange(count) / 10.0,
+        faces=np.arange(1, 6),
+        grid_x_mm=np.array([-3.0, 0.0, 3.0]),
+        grid_y_mm=np.array([0.0, 3.0]),
+        noise_counts=np.array([20.0, 20.0, 20.0]),
+        source="recorded",
+        spec_hash="made",
+        seed=1,
+    )
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    target = tmp_path_factory.mktemp("predict")
+    frames = made_frames()
+    save_frames(frames, target / "press.nc")
+    split = split_presses(frames, 1)
+    parts = frames.select(split.train), frames.select(split.validation)
+    threads = torch.get_num_threads()
+    torch.set_num_threads(1)
+    save_model(fit_estimator(*parts, FitSettings(FACE, SMALL)), target / "face_3.safetensors")
+    torch.set_num_threads(threads)
+    export_models([target / "face_3.safetensors"], target / "robot")
+    return target
+
+
+def test_predict_a_data_set(folder, tmp_path):
+    found = predict_file(folder / "robot" / "face_3.onnx", folder / "press.nc", tmp_path)
+    with (tmp_path / "runs" / "press" / "prediction_face_3.csv").open() as file:
+        rows = list(csv.DictReader(file))
+    frames = load_frames(folder / "press.nc")
+    expected = predict(load_model(folder / "face_3.safetensors"), frames).force_n
+    np.testing.assert_allclose([float(row["force_n"]) for row in rows], expected, atol=1e-3)
+    assert float(rows[7]["force_low_n"]) <= float(rows[7]["force_n"])
+    summary = next(iter(found["tables"].values()))[0]
+    assert summary["frames"] == len(frames)
+    with pytest.raises(InputError, match="zeroed press by press; got --zero first"):
+        predict_file(
+            folder / "robot" / "face_3.onnx", folder / "press.nc", tmp_path, Zeroing("first")
+        )
+
+
+def test_predict_a_recording_zeroes_by_its_first_frames(folder, tmp_path):
+    frames = load_frames(folder / "press.nc").select(np.arange(14))
+    raw = 700.0 + frames.signal_counts[:, [2], 0][:, 0]
+    lines = ["time_s,F3-X1,F3-Y1,F3-Z1,cell1_face,cell1_x1_mm,cell1_y1_mm,cell1_force_n"]
+    force = np.nan_to_num(frames.force_n[:, 0, 2])
+    for k, row in enumerate(raw.round(1)):
+        label = "3,-3,3" if force[k] > 0 else ",,"
+        lines.append(f"{k / 10:.1f},{row[0]},{row[1]},{row[2]},{label},{force[k]:.3f}")
+    path = tmp_path / "board.csv"
+    path.write_text("\n".join(lines) + "\n")
+    predict_file(folder / "robot" / "face_3.onnx", path, tmp_path, Zeroing("first", 4))
+    with (tmp_path / "runs" / "board" / "prediction_face_3.csv").open() as file:
+        rows = list(csv.DictReader(file))
+    assert len(rows) == 10
+    with pytest.raises(InputError, match="smaller --zero-frames"):
+        predict_file(folder / "robot" / "face_3.onnx", path, tmp_path, Zeroing("first", 14))
+
+
+def test_predict_live_from_a_board(folder):
+    with dummy_board() as port:
+        lines = list(predict_port(folder / "robot" / "face_3.onnx", port, Zeroing(), 5))
+    assert len(lines) == 5
+    assert set(json.loads(lines[0])) >= {"time_s", "force_n", "x_mm", "contact"}
+    assert "F3-X1" in CHANNELS
+
+
+def test_train_from_a_start(folder, tmp_path, monkeypatch):
+    monkeypatch.setenv("INSTOBJ_STORE", str(tmp_path / "store"))
+    out = tmp_path / "out"
+    out.mkdir()
+    found = run_estimator([folder / "press.nc"], ("networks",), out, SETTINGS, folder)
+    tuned = load_model(out / "runs" / "press" / "face_3.safetensors")
+    anew = run_estimator([folder / "press.nc"], ("networks",), out, SETTINGS)
+    assert found["objects"][0]["stages"] != anew["objects"][0]["stages"]
+    begun = load_model(folder / "face_3.safetensors")
+    before, after = (one.network.members[0].trunk[0].weight for one in (begun, tuned))
+    assert 0 < (before - after).abs().max() < 0.1
+    assert not (tmp_path / "store" / "unfinished").exists() or not any(
+        (tmp_path / "store" / "unfinished").iterdir()
+    )
+    with pytest.raises(InputError, match="holds no face_<n>"):
+        run_estimator([folder / "press.nc"], ("networks",), out, SETTINGS, out)
+    with pytest.raises(InputError, match="--start is for data sets"):
+        run_estimator([folder / "a.toml"], ("networks",), out, [], folder)

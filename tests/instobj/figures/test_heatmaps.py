@@ -1,0 +1,109 @@
+"""Maps tell the truth: places, turns, colours, numbers and limits."""
+
+import numpy as np
+import pytest
+from matplotlib import colormaps
+from matplotlib.figure import Figure
+from matplotlib.image import imread
+from numpy.testing import assert_allclose
+
+from design.errors import InputError
+from design.layout.positions import contact_grid, face_frames
+from design.spec.object import ObjectSpec
+from instobj.figures import heatmaps
+from instobj.figures.map_scale import finite_limits, map_scale
+
+SPEC = ObjectSpec(name="brick", body={"size_mm": (46.0, 44.0, 42.0)})  # pyright: ignore
+VALUES = np.geomspace(0.1, 90.0, 100)
+
+
+def test_net_joins_the_maps_along_the_object_s_edges():
+    """The edge that a side face shares with face 1 lies beside it, point for point."""
+    top = face_frames(SPEC)[0]
+    for frame in face_frames(SPEC)[1:]:
+        side = heatmaps._net_pose(SPEC, frame.number)
+        for share in (-0.8, 0.5):
+            half_x, half_y = frame.half_extents_mm
+            on_edge = np.array([-half_x, share * half_y])
+            in_object = frame.to_object(np.append(on_edge, 0.0))
+            on_top = top.from_object(in_object)
+            assert_allclose(on_top[2], 0, atol=1e-9)
+            apart = side.apply(on_edge) - on_top[:2]
+            assert_allclose(np.linalg.norm(apart), heatmaps._GAP_MM, rtol=1e-9)
+
+
+def test_numbers_stand_on_their_places_and_blanks_are_marked():
+    figure = Figure()
+    axes = figure.add_subplot()
+    values = VALUES.copy()
+    values[37] = np.inf
+    scale = map_scale("mm", 0.1, 90.0, log=True)
+    pose = heatmaps._net_pose(SPEC, 4)
+    heatmaps._draw_face(axes, values, SPEC, 4, scale, pose, 7.0)
+    texts = {text.get_text(): text.get_position() for text in axes.texts}
+    blank = pose.apply(contact_grid(SPEC).xy_mm[37])
+    assert_allclose(texts["∞"], blank)
+    assert_allclose(texts["90"], pose.apply(contact_grid(SPEC).xy_mm[99]))
+    assert_allclose(texts["0.10"], pose.apply(contact_grid(SPEC).xy_mm[0]))
+    # face 4: x of the face points up in the net and y to the left
+    assert texts["90"][0] < texts["0.10"][0]
+    assert texts["90"][1] > texts["0.10"][1]
+
+
+def test_cell_colours_follow_the_values_on_the_saved_picture(tmp_path):
+    path = tmp_path / "face.png"
+    values = np.full(100, 1.0)
+    values[3 * 10 + 8] = 5.0
+    heatmaps.draw_face_heatmap(values, SPEC, 3, "bound", "mm", 1.0, 5.0, path)
+    picture = imread(path)[..., :3]
+    dark = np.asarray(colormaps["magma_r"](1.0)[:3])
+    rows, columns = np.nonzero(np.abs(picture - dark).max(axis=2) < 0.02)
+    pale = np.abs(picture - colormaps["magma_r"](0.0)[:3]).max(axis=2) < 0.02
+    grid_rows, grid_columns = np.nonzero(pale[:, : int(0.8 * pale.shape[1])])
+    inside = columns < 0.8 * picture.shape[1]
+    assert inside.sum() > 300
+    across = (np.median(columns[inside]) - grid_columns.min()) / np.ptp(grid_columns)
+    down = (np.median(rows[inside]) - grid_rows.min()) / np.ptp(grid_rows)
+    assert_allclose([across, down], [0.35, 0.15], atol=0.03)
+
+
+def test_pictures_are_written_whole(tmp_path):
+    values = np.tile(VALUES, (5, 1)) * np.arange(1, 6)[:, None] * 1e15
+    low, high = finite_limits(values)
+    path, faces = tmp_path / "a.png", np.arange(1, 6)
+    heatmaps.draw_overview(values, faces, SPEC, "δ", "counts", low, high, path, note="two\nlines")
+    assert imread(path).shape[0] > 1000
+    assert [file.name for file in tmp_path.iterdir()] == ["a.png"]
+
+
+def test_scale_shows_large_numbers_with_a_power_of_ten():
+    scale = map_scale("counts", 2e14, 3.1e16)
+    assert scale.exponent == 16
+    assert scale.label == "10$^{16}$ counts"
+    assert_allclose([scale.norm.vmin, scale.norm.vmax], [0.02, 3.1])
+    assert map_scale("mm", 0.1, 4.0).label == "mm"
+    assert finite_limits(np.array([np.inf, 2.0, np.nan, 1.0])) == (1.0, 2.0)
+
+
+def test_limits_that_cannot_be_drawn_are_refused():
+    with pytest.raises(InputError, match="no value is finite"):
+        finite_limits(np.array([np.inf, np.nan]))
+    with pytest.raises(InputError, match="0 < vmin"):
+        map_scale("mm", 0.0, 4.0, log=True)
+    with pytest.raises(InputError, match="vmin ≤ vmax"):
+        map_scale("mm", 5.0, 4.0)
+
+
+def test_blind_directions_are_drawn_through_blind_places_only():
+    figure = Figure()
+    axes = figure.add_subplot()
+    blind = np.zeros(100, bool)
+    blind[[4, 37]] = True
+    pose = heatmaps._net_pose(SPEC, 4)
+    heatmaps._draw_directions(axes, SPEC, np.full(100, 30.0), blind, pose)
+    (lines,) = axes.collections
+    drawn = np.array(lines.get_segments())
+    assert_allclose(drawn.mean(axis=1), pose.apply(contact_grid(SPEC).xy_mm[blind]))
+    # face 4's map is turned by 90 degrees in the net
+    along = drawn[:, 1] - drawn[:, 0]
+    assert_allclose(np.rad2deg(np.arctan2(along[:, 1], along[:, 0])), 120.0)

@@ -1,0 +1,125 @@
+"""Bill of materials and assembly sheet: figures by hand, every magnet's pole, every wire."""
+
+import csv
+import re
+
+import numpy as np
+import pytest
+import trimesh
+from numpy.testing import assert_allclose
+
+from design.build.bom import bill_of_materials, silicone_amount, write_bom
+from design.build.manifest import BuildManifest, PartManifest
+from design.spec_io import parse_spec
+from instobj.render.exploded_view import draw_exploded
+from instobj.report.assembly_sheet import assembly_sheet, steps
+
+
+def parsed(**content):
+    return parse_spec({"name": "t", **content}, "test")
+
+
+def manifest_of(*names):
+    box = ((0.0, 0.0, 0.0), (10.0, 20.0, 30.0))
+    parts = [
+        PartManifest(n, 6000.0, box, (5.0, 10.0, 15.0), 6, 1, 6000.0, True, 12, m, c)
+        for n, m, c in names
+    ]
+    return BuildManifest("t", "0" * 64, tuple(parts), {})
+
+
+MANIFEST = manifest_of(
+    ("core", "printed", 1), ("shell", "silicone", 1), ("mould_pin", "printed", 25)
+)
+
+
+def test_silicone_by_hand():
+    amount = silicone_amount(
+        parsed(mould={"silicone_waste": 0.2}, silicone={"mix_ratio": [10.0, 1.0]})
+    )
+    volume = (
+        42**3 - 26 * 26 * 34 - 25 * np.pi * 9 * 1
+    ) / 1e3  # pockets are filled over the magnets
+    assert_allclose(amount.volume_cm3, volume, rtol=1e-12)
+    assert_allclose(amount.mass_g, 1.07 * volume, rtol=1e-12)
+    assert_allclose(sum(amount.parts_g), 1.2 * 1.07 * volume, rtol=1e-12)
+    assert_allclose(amount.parts_g[0] / amount.parts_g[1], 10, rtol=1e-12)
+
+
+def test_the_bill_counts_everything(tmp_path):
+    spec = parsed(magnets={"positions_mm": [[0, 0], [9, 8]], "north": ["outward", "inward"]})
+    write_bom(bill_of_materials(spec, MANIFEST), tmp_path / "bom.csv")
+    with (tmp_path / "bom.csv").open(encoding="utf-8") as stream:
+        rows = {row["item"]: row for row in csv.DictReader(stream)}
+    magnets = rows["disk magnet Ø6 × 1 mm"]
+    assert magnets["count"] == "10"
+    assert "5 with north outward, 5 inward" in magnets["note"]
+    assert rows["Hall sensor TMAG5273A1"]["count"] == "15"
+    assert rows["wire Ø0.4 mm"]["count"] == "60"
+    pins = rows["print mould_pin"]
+    assert (pins["count"], pins["volume_cm3"]) == ("25", "150.000")
+    assert_allclose(float(pins["mass_g"]), 150 * 1.27, rtol=1e-6)
+    assert "print shell" not in rows
+    split = manifest_of(("mould_half_a", "printed", 1))
+    assert any("screw" in item.item for item in bill_of_materials(spec, split))
+
+
+def test_the_sheet_shows_every_pole_and_every_wire(tmp_path):
+    spec = parsed(magnets={"positions_mm": [[0, 0], [9, 8]], "north": ["outward", "inward"]})
+    for name in ("core", "shell", "mould_box", "mould_plug"):
+        trimesh.creation.box((20, 20, 20)).export(tmp_path / f"{name}.stl")
+    picture = draw_exploded(spec, tmp_path, tmp_path / "exploded.png")
+    page = assembly_sheet(spec, MANIFEST, picture)
+    faces = re.findall(r"<figure>.*?</figure>", page)
+    assert len(faces) == 5
+    for face in faces:
+        poles = re.findall(r'cx="([-\d.]+)" cy="([-\d.]+)".*?>([NS])</text>', face)
+        assert poles == [("0", "-0", "N"), ("9", "-8", "S")], "y points up, outward poles"
+    assert len(re.findall(r"<td>\d+ to \d+</td>", page)) == 15
+    assert "57 to 60" in page
+    assert "http" not in page.replace("http-equiv", ""), "nothing is loaded from outside"
+
+
+def test_the_exploded_view_shows_magnets_of_both_poles_and_boards(tmp_path):
+    from matplotlib.image import imread
+
+    for name in ("core", "shell", "mould_box", "mould_plug"):
+        size = 26 if name == "core" else 42
+        trimesh.creation.box((size, size, size)).export(tmp_path / f"{name}.stl")
+    spec = parsed(magnets={"positions_mm": [[-9, 0], [9, 8]], "north": ["outward", "inward"]})
+    picture = imread(draw_exploded(spec, tmp_path, tmp_path / "exploded.png"))[..., :3]
+    red, green, blue = np.moveaxis(picture, -1, 0)
+    seen = {
+        "north": (red > 2 * green) & (red > 2 * blue) & (red > 0.3),
+        "south": (blue > 2 * red) & (blue > 1.5 * green) & (blue > 0.3),
+        "boards": (green > 1.7 * red) & (green > 1.5 * blue),
+    }
+    for what, pixels in seen.items():
+        assert pixels.mean() > 2e-4, what
+    north, south, boards = (np.nonzero(seen[what])[0].mean() for what in seen)
+    assert max(north, south) < boards, "the shell with its magnets stands above the core"
+
+
+@pytest.mark.parametrize(
+    ("content", "told"),
+    [
+        ({}, "pot life 6 min"),
+        (
+            {"silicone": {"name": "mine", "youngs_modulus_mpa": 0.3}},
+            "pot life see the maker's sheet",
+        ),
+        ({"silicone": {"name": "TPU 85A"}}, "Print the shell in TPU 85A"),
+        ({"mould": {"style": "split"}}, "push all pins in"),
+        ({"body": {"open_faces": []}}, "locating pins into the core's wire holes"),
+        ({"body": {"open_faces": []}}, "Stand the mould on the corner"),
+        ({"printer": {"name": "resin"}}, "inhibits platinum silicone"),
+        ({"shell": {"seal_layer_mm": 0.8}}, "the layer of 0.8 mm"),
+        ({"core": {"keys": {"positions_mm": [[11.4, 11.4]]}}}, "keys must snap"),
+        (
+            {"arrangement": "sensors-in-shell", "magnets": {"positions_mm": [[6, 6]]}},
+            "Glue the magnets",
+        ),
+    ],
+)
+def test_steps_follow_the_object(content, told):
+    assert any(told in step for step in steps(parsed(**content)))

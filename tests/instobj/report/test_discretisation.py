@@ -1,0 +1,36 @@
+"""What is said of the discretisation error."""
+
+from instobj.report.discretisation import HEADER, error_note, error_rows, error_text, summary_of
+
+STEPS = [
+    {"depth_mm": 0.5, "force_rms": None, "force_worst": None, "motion_rms": None, "motion_worst": None},
+    {"depth_mm": 2.0, "force_rms": 0.0123, "force_worst": 0.03, "motion_rms": 0.008, "motion_worst": 0.02},
+    {"depth_mm": 3.8, "force_rms": 0.01, "force_worst": 0.02, "motion_rms": 0.03, "motion_worst": 0.05},
+]  # fmt: skip
+CONTENT = {
+    "steps": STEPS,
+    "patch_compliance": 0.0071,
+    "share_of_difference": 0.8,
+    "presses": 125,
+    "unknowns": 200_000,
+    "coarse_unknowns": 70_000,
+}
+
+
+def test_the_headline_is_that_of_half_the_deepest_press():
+    assert error_text(CONTENT) == "force ±1.2 %, motions ±0.8 % at 2 mm"
+    assert summary_of(CONTENT)["estimate"] == error_text(CONTENT)
+
+
+def test_a_missed_contact_is_said_and_shown_as_a_dash():
+    assert "not known at 0.5 mm" in error_text(CONTENT | {"steps": STEPS[:1]})
+    rows = error_rows(CONTENT)
+    assert rows[0] == ["0.5", "–", "–", "–", "–"]
+    assert rows[1] == ["2", "1.2 %", "3.0 %", "0.8 %", "2.0 %"]
+    assert {len(row) for row in rows} == {len(HEADER)}
+
+
+def test_the_note_says_what_was_compared():
+    note = error_note(CONTENT)
+    for part in ("125 presses", "1.5 times", "70000 unknowns", "80 % of the difference", "±0.7 %"):
+        assert part in note

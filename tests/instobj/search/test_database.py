@@ -1,0 +1,140 @@
+"""Several workers on one search in a real PostgreSQL server, which the tests start and stop."""
+
+import os
+import pwd
+import shutil
+import socket
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import pytest
+
+from design.errors import InputError
+from instobj.search.loop import run_search
+from instobj.search.study import open_study
+from tests.support.search_cases import made_up_score, made_up_space
+
+WORKERS = 3
+TRIALS = 90
+HERE = Path(__file__).parent
+
+
+def _programs():
+    """Folder of PostgreSQL's programs, or None."""
+    config = shutil.which("pg_config")
+    if config:
+        folder = subprocess.run([config, "--bindir"], capture_output=True, text=True, check=True)
+        if Path(folder.stdout.strip(), "initdb").exists():
+            return Path(folder.stdout.strip())
+    found = sorted(Path("/usr/lib/postgresql").glob("*/bin/initdb"))
+    return found[-1].parent if found else None
+
+
+def _user():
+    """Whom the server runs as: it refuses root."""
+    if os.getuid() != 0:
+        return None
+    for name in ("postgres", "nobody"):
+        try:
+            return pwd.getpwnam(name)
+        except KeyError:
+            continue
+    pytest.skip("PostgreSQL does not run as root, and there is no other user")
+
+
+def _free_port():
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return probe.getsockname()[1]
+
+
+@pytest.fixture(scope="module")
+def server():
+    """Address of a new server, without the database's name."""
+    programs = _programs()
+    if programs is None:
+        pytest.skip("PostgreSQL is not installed (no pg_config, nothing in /usr/lib/postgresql)")
+    pytest.importorskip("psycopg", reason="the driver comes with instobj[postgresql]")
+    user = _user()
+    identity = (
+        {} if user is None else {"user": user.pw_uid, "group": user.pw_gid, "extra_groups": []}
+    )
+    folder = Path(tempfile.mkdtemp(prefix="instobj-pg-"))
+    if user is not None:
+        os.chown(folder, user.pw_uid, user.pw_gid)
+    data, port = folder / "data", _free_port()
+
+    def call(program, *arguments):
+        command = [str(programs / program), *arguments]
+        subprocess.run(
+            command, check=True, capture_output=True, cwd=folder, timeout=120, **identity
+        )
+
+    try:
+        call("initdb", "-D", str(data), "-U", "search", "--auth=trust", "--no-sync")
+        options = f"-p {port} -k {folder} -c listen_addresses=127.0.0.1 -c fsync=off"
+        call("pg_ctl", "-D", str(data), "-o", options, "-l", str(folder / "log"), "-w", "start")
+        try:
+            yield f"postgresql+psycopg://search:secret@127.0.0.1:{port}"
+        finally:
+            call("pg_ctl", "-D", str(data), "-m", "immediate", "stop")
+    finally:
+        shutil.rmtree(folder)
+
+
+WORK = """
+import sys
+from pathlib import Path
+from tests.support.search_cases import made_up_score, made_up_space
+from instobj.search.loop import run_search
+from instobj.search.study import open_study
+space = made_up_space(engine="random", trials=int(sys.argv[4]), batch=5)
+kept = open_study(space.spec, sys.argv[1], join=True)
+run_search(space, kept, made_up_score, lambda line: None, worker=int(sys.argv[2]))
+"""
+
+
+def _worker(url, number):
+    return subprocess.Popen(
+        [sys.executable, "-c", WORK, url, str(number), str(HERE), str(TRIALS)],
+        cwd=HERE.parents[2], stderr=subprocess.PIPE, text=True,
+    )  # fmt: skip
+
+
+def test_workers_share_one_search(server):
+    url = f"{server}/postgres"
+    space = made_up_space(engine="random", trials=TRIALS, batch=5)
+    kept = open_study(space.spec, url)
+    workers = [_worker(url, number) for number in range(1, WORKERS + 1)]
+    for process in workers:
+        assert process.communicate(timeout=240)[1] == ""
+        assert process.returncode == 0
+    trials = kept.finished()
+    assert TRIALS <= len(trials) < TRIALS + 5 * WORKERS
+    places = {trial.params["magnet1_x_mm"] for trial in trials}
+    assert len(places) == len(trials), "two workers tried the same layouts"
+    resumed = open_study(
+        made_up_space(engine="random", trials=TRIALS + 40, batch=5).spec, url, resume=True
+    )
+    run_search(
+        made_up_space(engine="random", trials=TRIALS + 40, batch=5), resumed, made_up_score, print
+    )
+    assert len(resumed.trials()) >= TRIALS + 40
+    with pytest.raises(InputError, match="another specification"):
+        open_study(made_up_space(engine="random", reach=12.0).spec, url, resume=True)
+
+
+def test_an_unreachable_database_is_one_clear_error_without_its_password():
+    pytest.importorskip("psycopg", reason="the driver comes with instobj[postgresql]")
+    url = f"postgresql+psycopg://search:secret@127.0.0.1:{_free_port()}/postgres"
+    with pytest.raises(InputError, match="cannot reach the database") as error:
+        open_study(made_up_space().spec, url)
+    assert "secret" not in str(error.value)
+
+
+@pytest.mark.parametrize("url", ["nonsense://somewhere/x", "postgresql+nodriver://h/x"])
+def test_a_database_of_no_known_kind_is_one_clear_error(url):
+    with pytest.raises(InputError, match="database"):
+        open_study(made_up_space().spec, url)

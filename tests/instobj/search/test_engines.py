@@ -1,0 +1,232 @@
+"""Every engine finds a known optimum, repeatably; what a search keeps and what it survives."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from design.errors import InputError
+from instobj.search.apart import Apart, GivenUp
+from instobj.search.loop import run_search
+from instobj.search.study import mend_journal, open_study
+from tests.support.search_cases import OBJECTIVES, made_up_score, made_up_scores, made_up_space
+
+ENGINES = ("tpe", "cma-es", "nsga-ii", "nsga-iii", "random")
+OPTIMUM = {"magnet1_x_mm": 5.0, "magnet1_y_mm": -3.0}
+
+
+def quiet(_):
+    pass
+
+
+def searched(path, engine="tpe", score=made_up_score, worker=0, **search):
+    space = made_up_space(engine=engine, **search)
+    kept = open_study(space.spec, path, join=True)
+    run_search(space, kept, score, quiet, worker=worker)
+    return kept
+
+
+def best_of(kept):
+    return min(kept.finished(), key=lambda trial: trial.values[0])
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+def test_every_engine_finds_a_known_optimum(engine, tmp_path):
+    best = best_of(searched(tmp_path / "journal.log", engine, trials=192))
+    assert best.params["magnet_count"] == 1
+    assert best.params["shell_thickness_mm"] == 9.0
+    reach = 4.5 if engine == "random" else 2.0
+    for name, value in OPTIMUM.items():
+        assert abs(best.params[name] - value) < reach
+
+
+def test_an_engine_that_learns_beats_random_search(tmp_path):
+    def mean_of_bests(engine):
+        runs = [
+            searched(tmp_path / f"{engine}{seed}", engine, trials=96, seed=seed) for seed in (1, 2)
+        ]
+        return np.mean([best_of(kept).values[0] for kept in runs])
+
+    assert mean_of_bests("cma-es") < 0.5 * mean_of_bests("random")
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+def test_a_seed_makes_a_search_repeatable(engine, tmp_path):
+    tried = [
+        [t.params for t in searched(tmp_path / str(k), engine, trials=48, seed=seed).trials()]
+        for k, seed in enumerate((4, 4, 5))
+    ]
+    assert tried[0] == tried[1]
+    assert tried[0] != tried[2]
+
+
+@pytest.mark.parametrize("engine", ["tpe", "nsga-ii", "nsga-iii"])
+def test_two_objectives_give_a_front_between_their_optima(engine, tmp_path):
+    kept = searched(
+        tmp_path / "journal.log", engine, made_up_scores, trials=160, objectives=OBJECTIVES
+    )
+    front = np.unique([trial.values for trial in kept.study.best_trials], axis=0)
+    assert len(front) >= 5
+    order = front[np.argsort(front[:, 0])]
+    assert (np.diff(order[:, 1]) < 0).all()
+    assert order[0, 0] < 0.4
+    assert order[-1, 1] < 0.4
+
+
+def test_a_resumed_search_goes_on_from_what_was_kept(tmp_path):
+    path = tmp_path / "journal.log"
+    first = searched(path, trials=40).trials()
+    whole = searched(path, trials=100).trials()
+    assert [t.params for t in whole[:40]] == [t.params for t in first]
+    assert len(whole) == 100
+    assert not any(t.params in [f.params for f in first] for t in whole[40:])
+
+
+def test_a_study_is_neither_overwritten_nor_mixed_up(tmp_path):
+    path = tmp_path / "journal.log"
+    searched(path, trials=32)
+    kept = path.read_bytes()
+    with pytest.raises(InputError, match="--resume"):
+        open_study(made_up_space().spec, path)
+    with pytest.raises(InputError, match="no search of 'other'"):
+        open_study(made_up_space(name="other").spec, path, resume=True)
+    with pytest.raises(InputError, match="another specification"):
+        open_study(made_up_space(reach=13.0).spec, path, resume=True)
+    assert path.read_bytes() == kept
+    assert len(open_study(made_up_space(trials=77).spec, path, resume=True).trials()) == 32
+
+
+def test_a_line_cut_short_costs_that_trial_alone(tmp_path):
+    path = tmp_path / "journal.log"
+    searched(path, trials=32)
+    whole = path.read_bytes()
+    path.write_bytes(whole[:-30])
+    kept = open_study(made_up_space().spec, path, resume=True)
+    assert len(kept.trials()) == 31
+    assert len(searched(path, trials=40).trials()) == 40
+
+
+def test_what_is_no_journal_is_left_alone(tmp_path):
+    path = tmp_path / "notes.txt"
+    path.write_text("not a journal\nat all")
+    with pytest.raises(InputError, match="no journal"):
+        mend_journal(path)
+    assert path.read_text() == "not a journal\nat all"
+
+
+def test_a_full_disk_is_one_clear_error_and_loses_one_batch(tmp_path):
+    path = tmp_path / "journal.log"
+    code = (
+        "import resource, signal, sys; from pathlib import Path\n"
+        "from design.errors import InputError\n"
+        "from tests.instobj.search.test_engines import searched\n"
+        "path = Path(sys.argv[1]); searched(path, trials=32)\n"
+        "signal.signal(signal.SIGXFSZ, signal.SIG_IGN)\n"
+        "room = path.stat().st_size + 3000\n"
+        "resource.setrlimit(resource.RLIMIT_FSIZE, (room, room))\n"
+        "try:\n    searched(path, trials=400)\n"
+        "except InputError as error: print(error)\n"
+    )
+    here = Path(__file__).parent
+    done = subprocess.run(
+        [sys.executable, "-c", code, str(path), str(here)],
+        capture_output=True, text=True, check=True, cwd=here.parents[2],
+    )  # fmt: skip
+    assert "--resume" in done.stdout
+    assert "Traceback" not in done.stderr
+    kept = open_study(made_up_space().spec, path, resume=True)
+    assert 32 <= len(kept.trials()) < 64
+    assert len(searched(path, trials=100).trials()) == 100
+
+
+def test_a_killed_search_loses_no_finished_trial(tmp_path):
+    path = tmp_path / "journal.log"
+    code = (
+        "import sys; from pathlib import Path\n"
+        "from tests.instobj.search.test_engines import searched\n"
+        "searched(Path(sys.argv[1]), 'random', trials=100000, batch=8)\n"
+    )
+    here = Path(__file__).parent
+    process = subprocess.Popen(
+        [sys.executable, "-c", code, str(path), str(here)], cwd=here.parents[2]
+    )
+    deadline = time.monotonic() + 120
+    while _records(path) < 60 and time.monotonic() < deadline:
+        time.sleep(0.05)
+    process.send_signal(signal.SIGKILL)
+    process.wait()
+    trials = open_study(
+        made_up_space(engine="random", trials=100000, batch=8).spec, path, resume=True
+    ).trials()
+    assert len(trials) >= 50
+    assert {t.state.name for t in trials} == {"COMPLETE"}
+
+
+def _records(path):
+    return path.read_bytes().count(b"\n") if path.is_file() else 0
+
+
+def _sleepy(argument):
+    def answer(question):
+        if question == "die":
+            os.kill(os.getpid(), signal.SIGKILL)
+        if question == "fail":
+            raise ZeroDivisionError("by nothing")
+        if question == "refuse":
+            raise InputError("not that")
+        time.sleep(question)
+        return argument
+
+    return answer
+
+
+def test_work_apart_is_given_up_and_starts_again():
+    apart = Apart(_sleepy, "done")
+    assert apart.ask(0, 60) == "done"
+    with pytest.raises(GivenUp, match=r"no result after 0\.2 s"):
+        apart.ask(60, 0.2)
+    with pytest.raises(GivenUp, match="died"):
+        apart.ask("die", 60)
+    with pytest.raises(GivenUp, match="ZeroDivisionError"):
+        apart.ask("fail", 60)
+    with pytest.raises(InputError, match="not that"):
+        apart.ask("refuse", 60)
+    assert apart.ask(0, 60) == "done"
+    apart.close()
+
+
+def _slow_on_thin_shells(trials, seconds):
+    if trials[0]["shell_thickness_mm"] == 8.0:
+        raise GivenUp(f"no result after {seconds:g} s")
+    return made_up_score(trials, seconds)
+
+
+def test_trials_given_up_are_kept_as_failed_and_the_search_goes_on(tmp_path):
+    kept = searched(tmp_path / "journal.log", score=_slow_on_thin_shells, trials=64)
+    failed = [t for t in kept.trials() if t.state.name == "FAIL"]
+    assert failed
+    assert {t.params["shell_thickness_mm"] for t in failed} == {8.0}
+    assert all("no result" in t.user_attrs["failure"] for t in failed)
+    assert {t.params["shell_thickness_mm"] for t in kept.finished()} == {9.0}
+
+
+def test_a_search_without_any_result_is_given_up(tmp_path):
+    def never(trials, seconds):
+        raise GivenUp("no result after 1 s")
+
+    with pytest.raises(InputError, match=r"gave up.*no result after 1 s"):
+        searched(tmp_path / "journal.log", score=never, trials=1000)
+
+
+def test_kept_trials_hold_no_pickled_state(tmp_path):
+    path = tmp_path / "journal.log"
+    searched(path, "cma-es", trials=64)
+    for line in path.read_text().splitlines():
+        record = json.loads(line)
+        assert not any("cma" in key for key in record.get("system_attrs", {}))

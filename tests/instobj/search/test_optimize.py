@@ -1,0 +1,155 @@
+"""`instobj optimize` as a user meets it: impossible searches, and one search up the whole ladder."""
+
+import json
+import tomllib
+
+import pytest
+
+from design.errors import InputError
+from design.spec.object import ObjectSpec
+from design.spec_io import load_spec, parse_spec
+from instobj.search.optimize import optimize, work
+from instobj.search.outcome.write import write_specification
+from instobj.search.possible import require_possible
+from tests.instobj.cli.test_cli import assert_one_clear_error, run
+
+FREE = {"magnet_reach_mm": 15.0, "magnet_depth_mm": [2.0, 5.0], "sensor_reach_mm": 10.5}
+
+
+def specification(**search):
+    return parse_spec({"name": "cube", "search": search}, "made up")
+
+
+def test_a_search_with_room_is_possible():
+    assert len(require_possible(specification(vary=FREE)).variables) == 21
+
+
+IMPOSSIBLE = {
+    "nothing may change": {},
+    "pocket gap": {"vary": {"magnet_reach_mm": 4.5}},
+    "pockets near the edge": {"vary": {"magnet_part": ["D10x3"], "magnet_depth_mm": [5.5, 6.4]}},
+    "board gap": {"vary": FREE, "limits": {"board_gap_mm": 15.0}},
+    "wiring": {"vary": {"magnet_reach_mm": 14.0}, "limits": {"wiring_mm": 20.0}},
+    "count or the cost": {"vary": FREE, "limits": {"parts_per_face": 2}},
+    "the cost of the parts": {"vary": FREE, "limits": {"cost": 1.0}},
+    "1.5 mm from both skins": {"vary": {"magnet_depth_mm": [0.6, 5.0]}},
+}
+
+
+@pytest.mark.parametrize("text", IMPOSSIBLE)
+def test_bounds_that_exclude_every_layout_are_one_clear_error(text):
+    with pytest.raises(InputError, match=text):
+        require_possible(specification(**IMPOSSIBLE[text]))
+
+
+def test_what_only_the_whole_specification_refuses_is_said_too():
+    search = {"vary": {"shell_thickness_mm": [6.0]}}
+    grid = {"count": [4, 4], "pitch_mm": 4.0}
+    spec = parse_spec({"name": "cube", "contact_grid": grid, "search": search}, "made up")
+    with pytest.raises(InputError, match=r"60 % of shell\.thickness_mm"):
+        require_possible(spec)
+
+
+def test_other_arrangements_and_bodies_are_refused():
+    reverse = {"arrangement": "sensors-in-shell", "magnets": {"positions_mm": [[8, 8], [-8, -8]]}}
+    spec = specification(vary=FREE).model_copy(update={"arrangement": reverse["arrangement"]})
+    with pytest.raises(InputError, match="sensors-in-shell"):
+        require_possible(spec)
+    body = spec.body.model_copy(update={"kind": "sphere"})
+    with pytest.raises(InputError, match="takes a box"):
+        require_possible(spec.model_copy(update={"body": body}))
+
+
+def test_a_written_layout_is_read_back(tmp_path):
+    magnets = {
+        "positions_mm": [[0, 1], [9, 8]],
+        "depth_mm": [2.0, 3.1],
+        "north": ["outward", "inward"],
+    }
+    sensors = {"positions_mm": [[0.5, 8.2], [-7.1, -4.2]], "chip": "outward"}
+    content = {"name": "cube", "magnets": magnets, "sensors": sensors, "silicone": {"shore": "A20"}}
+    spec = parse_spec(content, "made up")
+    write_specification(spec, "again", tmp_path / "again.toml", tmp_path)
+    again = load_spec(tmp_path / "again.toml")
+    assert again.name == "again"
+    changed = {
+        name for name in ObjectSpec.model_fields if getattr(again, name) != getattr(spec, name)
+    }
+    assert changed == {"name"}
+
+
+def test_an_impossible_search_ends_with_one_error(tmp_path):
+    path = tmp_path / "cube.toml"
+    path.write_text('name = "cube"\n[search.vary]\nmagnet_reach_mm = 14.0\n')
+    with pytest.raises(InputError, match="pocket gap"):
+        optimize(path, tmp_path, ["search.vary.magnet_reach_mm=4.5"], False, None)
+
+
+def test_an_unreachable_database_ends_with_one_error(tmp_path):
+    pytest.importorskip("psycopg", reason="the driver comes with instobj[postgresql]")
+    path = tmp_path / "cube.toml"
+    path.write_text('name = "cube"\n[search.vary]\nmagnet_reach_mm = 14.0\n')
+    url = "postgresql+psycopg://somebody:secret@127.0.0.1:1/none"
+    with pytest.raises(InputError, match="cannot reach the database") as caught:
+        work(path, tmp_path, [], url, 1)
+    assert "secret" not in str(caught.value)
+
+
+SMALL = """
+name = "small"
+[mesh]
+edge_mm = 8.0
+surface_edge_mm = 3.5
+[contact_grid]
+count = [4, 4]
+pitch_mm = 6.0
+[press]
+depths_mm = [1.0, 2.0, 4.0]
+[search]
+trials = 24
+polish_steps = 20
+batch = 12
+leaders = 3
+finalists = 1
+[search.vary]
+magnet_reach_mm = 15.0
+magnet_depth_mm = [1.6, 5.5]
+sensor_reach_mm = 10.5
+"""
+
+
+@pytest.mark.slow
+def test_a_search_climbs_the_ladder_and_goes_on(tmp_path):
+    (tmp_path / "small.toml").write_text(SMALL)
+    done = run("optimize", "small.toml", "--json", cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    document = json.loads(done.stdout)
+    folder = tmp_path / "runs/small/search"
+    results = json.loads((folder / "search.json").read_text())
+    assert results["better"] == document["better"] == (folder / "best.toml").is_file()
+    ratio = results["ratios"]["worst_position_bound_mm"]
+    assert ratio["low"] <= ratio["high"]
+    last = [one["rungs"].get("3") for one in (results["start"], *results["leaders"])]
+    start, (best,) = last[0], [scores for scores in last[1:] if scores]
+    wanted = start["worst_position_bound_mm"] / best["worst_position_bound_mm"]
+    assert ratio["design"] == pytest.approx(wanted, rel=0.15)
+    finalist = folder / "finalist_1.toml"
+    assert "search" not in tomllib.loads(finalist.read_text())
+    assert run("check", finalist, cwd=tmp_path).returncode == 0
+    assert (folder / "search.html").read_text().count("data:image/png") >= 6
+    _assert_resumed(tmp_path, folder)
+
+
+def _assert_resumed(tmp_path, folder):
+    kept = (folder / "journal.log").read_bytes()
+    refused = run("optimize", "small.toml", cwd=tmp_path)
+    assert_one_clear_error(refused, "--resume")
+    changed = run("optimize", "small.toml", "--resume", "--set", "score.force_n=6", cwd=tmp_path)
+    assert_one_clear_error(changed, "another specification")
+    assert (folder / "journal.log").read_bytes() == kept
+    more = run(
+        "optimize", "small.toml", "--resume", "--set", "search.trials=36", "--json", cwd=tmp_path
+    )
+    assert more.returncode == 0, more.stderr
+    counts = next(iter(json.loads(more.stdout)["tables"].values()))[0]
+    assert counts["trials"] == 36

@@ -1,0 +1,59 @@
+"""What a search's figures are drawn from."""
+
+import numpy as np
+import pytest
+from matplotlib.image import imread
+from numpy.testing import assert_allclose, assert_array_equal
+
+from design.spec_io import parse_spec
+from instobj.search.outcome.figures import (
+    draw_convergence,
+    draw_front,
+    draw_moves,
+    paired,
+    pareto_front,
+)
+from instobj.search.outcome.history import History, best_so_far
+
+
+def test_the_best_so_far_counts_feasible_trials_only():
+    values = np.array([5.0, 1.0, 4.0, 6.0, 3.0])
+    counted = np.array([False, False, True, True, True])
+    nan = np.nan
+    assert_allclose(best_so_far("cost", values, counted), [nan, nan, 4.0, 4.0, 3.0])
+    assert_allclose(best_so_far("sensitivity_ratio", values, counted), [nan, nan, 4.0, 6.0, 6.0])
+
+
+def test_the_front_is_what_no_other_layout_beats():
+    values = np.array([[1.0, 5.0], [2.0, 2.0], [2.0, 3.0], [4.0, 1.0], [5.0, 1.0], [3.0, 3.0]])
+    assert_array_equal(pareto_front(values), [True, True, False, True, False, False])
+
+
+def test_parts_are_paired_by_the_least_way_in_all():
+    before = np.array([[0.0, 0.0], [10.0, 0.0]])
+    after = np.array([[9.0, 0.0], [20.0, 0.0], [-1.0, 1.0]])
+    assert dict(paired(before, after)) == {0: 2, 1: 0}
+
+
+def made_up_history(random=40):
+    rng = np.random.default_rng(1)
+    values = np.exp(rng.normal(size=(60, 2)) - np.linspace(0, 1, 60)[:, None])
+    found = np.exp(rng.normal(size=(random, 2)))
+    names = ("worst_position_bound_mm", "worst_force_bound_n")
+    at = np.sort(rng.integers(1, 2000, random)).astype(float)
+    return History(names, values, rng.random(60) < 0.7, np.array([2.0, 3.0]), found, at, 41)
+
+
+@pytest.mark.parametrize("random", [0, 40])
+def test_figures_are_drawn(tmp_path, random):
+    history = made_up_history(random)
+    draw_convergence(history, tmp_path / "convergence.png")
+    draw_front(history, tmp_path / "front.png")
+    start = parse_spec({"name": "a"}, "made up")
+    moved = {"positions_mm": [[0, 1], [9, 8], [-9, 9]], "north": ["outward", "inward", "outward"]}
+    found = parse_spec(
+        {"name": "b", "magnets": moved | {"tilt_deg": [[5, 9], [0, 0], [0, 8]]}}, "b"
+    )
+    draw_moves(start, found, tmp_path / "moves.png")
+    for name in ("convergence", "front", "moves"):
+        assert np.ptp(imread(tmp_path / f"{name}.png")[..., :3]) > 0.5

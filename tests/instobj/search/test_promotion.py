@@ -1,0 +1,65 @@
+"""What a search's ladder calls better than the start, and why not."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from estimator.layouts.fidelity import LadderScore
+from instobj.search.fidelity import TwinRatio
+from instobj.search.promotion import LAST, Climber, excess, merit, objections
+from tests.support.search_cases import made_up_spec
+
+START = LadderScore(1.5, 0.5, 2.5, 6.0, 0.3, 0.8, 0.6, 0.9, 0.1, 0.8)
+BETTER = replace(START, worst_position_bound_mm=0.6, slip_place_mm=0.5)
+SURE = {"worst_position_bound_mm": TwinRatio(2.5, 1.4, 4.0)}
+
+
+def objected(best, ratios=SURE, factor=1.0, **search):
+    limits = {"times_start": {"cross_face_sigma": factor, "sensitivity_ratio": factor}}
+    spec = made_up_spec(limits=limits, **search)
+    climbers = [Climber("a layout", None, spec, {LAST: score}) for score in (best, START)]
+    return objections(spec.search, *climbers, ratios)
+
+
+def test_a_layout_that_improves_within_all_limits_is_better():
+    assert objected(BETTER) == ()
+    both = ("worst_position_bound_mm", "tolerance_place_mm")
+    assert objected(BETTER, objectives=both) == ()
+
+
+FAULTS = {
+    "mean is not better": replace(START, median_position_bound_mm=0.1),
+    "cross_face_sigma misses its limit by 50 %": replace(BETTER, cross_face_sigma=9.0),
+    "sensitivity_ratio misses its limit by 1e+02 %": replace(BETTER, sensitivity_ratio=0.15),
+    "saturation_margin": replace(BETTER, saturation_margin=0.01),
+}
+
+
+@pytest.mark.parametrize("text", FAULTS)
+def test_each_objection_is_said_alone(text):
+    (said,) = objected(FAULTS[text])
+    assert text in said
+
+
+def test_twins_that_disagree_are_an_objection_of_bounds_alone():
+    unsure = {"worst_position_bound_mm": TwinRatio(2.5, 0.9, 4.0)}
+    (said,) = objected(BETTER, unsure)
+    assert "95 % of pairs" in said
+    assert objected(BETTER, unsure, objectives=["slip_place_mm"]) == ()
+
+
+def test_merit_is_the_mean_logarithm_and_what_is_exceeded():
+    spec = made_up_spec(
+        objectives=["worst_position_bound_mm", "slip_place_mm"],
+        limits={"times_start": {"cross_face_sigma": 1.1}},
+    )
+    worse = replace(BETTER, cross_face_sigma=1.1 * 1.2 * 6.0)
+    start, better, exceeding = (
+        Climber("", None, spec, {LAST: score}) for score in (START, BETTER, worse)
+    )
+    assert merit(spec.search, start, start, LAST) == 0
+    mean = np.mean([np.log(0.6 / 1.5), np.log(0.5 / 0.6)])
+    assert merit(spec.search, better, start, LAST) == pytest.approx(mean)
+    assert excess(spec.search, exceeding, start, LAST) == pytest.approx({"cross_face_sigma": 0.2})
+    assert merit(spec.search, exceeding, start, LAST) == pytest.approx(mean + 2.0)

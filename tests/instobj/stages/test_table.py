@@ -1,0 +1,218 @@
+"""What each stage depends on: the right changes make it anew, all others reuse it."""
+
+import pytest
+
+from design.spec.object import MechanicsSpec, ObjectSpec
+from design.spec_io import parse_spec, with_overrides
+from instobj.stages.table import STAGES, stage_inputs
+from instobj.store.content import content_key
+
+
+def _keys(*overrides: str) -> dict[str, str]:
+    spec = parse_spec(with_overrides({"name": "cube"}, overrides), "test")
+    keys: dict[str, str] = {}
+    for name, stage in STAGES.items():
+        needs = {need: keys[need] for need in stage.needs}
+        keys[name] = content_key({"stage": name, "inputs": stage_inputs(stage, spec, needs, {})})
+    return keys
+
+
+DOWNSTREAM = {
+    "sensors.radius_mm=8.0": {"compliance", "build", "signals", "robustness"},
+    "sensors.noise_counts=[20.0,22.0,11.0]": {"compliance", "build", "signals", "robustness"},
+    "silicone.youngs_modulus_mpa=0.3": {"plain_response", "response", "coarse_response"},
+    "silicone.density_g_per_cm3=1.1": {"report"},
+    "silicone.youngs_modulus_range_mpa=[0.3, 0.5]": {"report"},
+    "silicone.prony=[{fraction = 0.1, time_s = 2.0}]": {
+        "frames",
+        "collection",
+        "pulled_collection",
+    },
+    "silicone.shore=A12": {"plain_response", "response", "coarse_response", "report"},
+    "mechanics.element=p2-p0": {"plain_response", "response", "coarse_response"},
+    "mechanics.magnets=points": {"response", "coarse_response"},
+    "mechanics.interface=frictionless": {"plain_response", "response", "coarse_response"},
+    "mechanics.slip.rim=held": {
+        "plain_response",
+        "response",
+        "coarse_response",
+        "presses",
+        "shear",
+    },
+    "mechanics.slip.shift_mm=[1.0,0.0,0.0]": {"presses", "shear"},
+    "magnets.tilt_deg=[[1,2],[0,0],[0,0],[0,0],[0,0]]": {
+        "compliance",
+        "build",
+        "mesh",
+        "coarse_response",
+        "signals",
+        "robustness",
+    },
+    "magnets.depth_mm=3": {
+        "compliance",
+        "build",
+        "mesh",
+        "coarse_response",
+        "signals",
+        "robustness",
+    },
+    "magnets.remanence_t=1.4": {"compliance", "build", "signals", "robustness"},
+    "magnets.temperature_c=45": {"compliance", "build", "signals", "robustness"},
+    "magnets.grade=N45": {"compliance", "build", "signals", "robustness"},
+    "sensors.averaging=32": {"compliance", "build", "signals", "robustness"},
+    "contact_grid.pitch_mm=2.5": {
+        "plain_presses",
+        "candidates",
+        "presses",
+        "shear",
+        "discretisation",
+    },
+    "press.depths_mm=[1.0,2.0]": {
+        "plain_presses",
+        "candidates",
+        "presses",
+        "shear",
+        "discretisation",
+    },
+    "mesh.edge_mm=5": {"plain_mesh", "mesh", "coarse_response"},
+    "magnets.positions_mm=[[0,0],[9,8]]": {
+        "compliance",
+        "build",
+        "mesh",
+        "coarse_response",
+        "signals",
+        "robustness",
+    },
+    "environment.earth_field_ut=50": {"signals", "robustness"},
+    "magnets.diameter_mm=5": {
+        "compliance",
+        "candidates",
+        "build",
+        "mesh",
+        "coarse_response",
+        "signals",
+        "robustness",
+    },
+    "indenter.radius_mm=4.5": {
+        "build",
+        "presses",
+        "plain_presses",
+        "candidates",
+        "shear",
+        "discretisation",
+    },
+    "shell.thickness_mm=9": {"plain_mesh", "build", "mesh", "coarse_response"},
+    "score.force_n=6": {"candidates", "robustness", "scores", "shear_scores", "identify"},
+    "protocol.presses_per_place=4": {"frames", "collection", "pulled_collection"},
+    "collection.presses=5": {"collection", "pulled_collection"},
+    "tolerances.magnet_tilt_deg=1": {"robustness"},
+    "as_built.magnets=[{face=2, magnet=1, flipped=true}]": {"signals", "robustness"},
+    "training.epochs=5": {"networks"},
+    "limits.position_bound_mm=2": {"report", "identify"},
+    "core.wall_mm=4": {"build"},
+    "mould.style=split": {"build"},
+    "printer.name=resin": {"build"},
+    "export.mesh_tolerance_mm=0.1": {"build"},
+    "shell.seal_layer_mm=0.5": {"build"},
+    "shell.slits.depth_mm=3": {"plain_mesh", "build", "mesh", "coarse_response"},
+    "core.keys.positions_mm=[[11.4,11.4]]": {"plain_mesh", "build", "mesh", "coarse_response"},
+    "seed=2": {"signals", "robustness", "frames", "networks"},
+}
+
+
+PRESSED_ON_THEIR_OWN = (
+    "silicone.youngs_modulus_mpa=0.3",
+    "silicone.shore=A12",
+    "mechanics.element=p2-p0",
+    "mechanics.magnets=points",
+    "mechanics.interface=frictionless",
+    "mechanics.slip.rim=held",
+    "magnets.tilt_deg=[[1,2],[0,0],[0,0],[0,0],[0,0]]",
+    "magnets.depth_mm=3",
+    "magnets.positions_mm=[[0,0],[9,8]]",
+    "magnets.diameter_mm=5",
+    "contact_grid.pitch_mm=2.5",
+    "press.depths_mm=[1.0,2.0]",
+    "indenter.radius_mm=4.5",
+    "mesh.edge_mm=5",
+    "shell.thickness_mm=9",
+    "shell.slits.depth_mm=3",
+    "core.keys.positions_mm=[[11.4,11.4]]",
+)
+"""These also make the presses with large deformation anew."""
+for _override in PRESSED_ON_THEIR_OWN:
+    DOWNSTREAM[_override] = DOWNSTREAM[_override] | {"large_strain"}
+for _override in (
+    "contact_grid.pitch_mm=2.5",
+    "press.depths_mm=[1.0,2.0]",
+    "indenter.radius_mm=4.5",
+):
+    DOWNSTREAM[_override] = DOWNSTREAM[_override] | {"shapes"}
+for _override, _stages in DOWNSTREAM.items():
+    if "build" in _stages or _override.startswith("silicone."):
+        DOWNSTREAM[_override] = _stages | {"fabrication", "sheet"}
+for _override, _stages in DOWNSTREAM.items():
+    trains_on = _override.startswith(("protocol.", "training.", "silicone.prony"))
+    if trains_on or ("robustness" in _stages and not _override.startswith("score.")):
+        DOWNSTREAM[_override] = _stages | {"pretraining"}
+DOWNSTREAM["mechanics.correction=large-strain"] = {"large_strain"}
+
+
+def _with_dependents(changed: set[str]) -> set[str]:
+    grown = set(changed)
+    for name, stage in STAGES.items():
+        if grown & set(stage.needs):
+            grown.add(name)
+    return grown
+
+
+@pytest.mark.parametrize("override", DOWNSTREAM)
+def test_a_change_reruns_what_depends_on_it_and_nothing_else(override):
+    before, after = _keys(), _keys(override)
+    changed = {name for name in STAGES if before[name] != after[name]}
+    assert changed == _with_dependents(DOWNSTREAM[override])
+
+
+def test_stages_come_after_what_they_need():
+    order = list(STAGES)
+    for name, stage in STAGES.items():
+        assert all(order.index(need) < order.index(name) for need in stage.needs)
+
+
+MECHANICS = {"mesh", "response", "presses", "plain_mesh", "plain_response", "candidates"}
+
+
+@pytest.mark.parametrize(
+    "override",
+    [
+        "sensors.radius_mm=8.0",
+        "sensors.noise_counts=[9.0,9.0,9.0]",
+        "score.hull_frames=500",
+        "protocol.presses_per_place=4",
+        "training.epochs=5",
+        "limits.position_bound_mm=2",
+        "seed=2",
+    ],
+)
+def test_sensors_noise_and_estimator_rerun_no_mechanics(override):
+    before, after = _keys(), _keys(override)
+    assert before != after
+    assert all(before[name] == after[name] for name in MECHANICS)
+
+
+def test_another_layout_reruns_nothing_of_the_shell_without_magnets():
+    before, after = _keys(), _keys("magnets.positions_mm=[[0,0],[9,8]]")
+    kept = {"plain_mesh", "plain_response", "plain_presses", "candidates"}
+    assert {name for name in MECHANICS | kept if before[name] == after[name]} == kept
+
+
+def test_every_part_of_the_specification_matters_to_some_stage():
+    used = {part.split(".")[0] for stage in STAGES.values() for part in stage.depends_on}
+    derived = {"shell_bodies", "shell_body_outline"}
+    assert used | {"search"} == set(ObjectSpec.model_fields) | derived
+
+
+def test_every_key_of_mechanics_matters_to_some_stage():
+    named = {part for stage in STAGES.values() for part in stage.depends_on}
+    keys = {f"mechanics.{key}" for key in MechanicsSpec.model_fields}
+    assert keys <= named

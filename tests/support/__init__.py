@@ -1,0 +1,1 @@
+"""Objects, meshes, recordings and oracles that several tests share."""

@@ -1,0 +1,30 @@
+"""A specification of every kind of body, small and off its symmetries where that is possible."""
+
+from design.spec.object import ObjectSpec
+
+ONE = {"magnets": {"positions_mm": [[1.0, -2.0]]}, "sensors": {"positions_mm": [[2.0, 1.0]]}}
+CORE = {"core": {"recess_inner_radius_mm": 2.0, "recess_outer_radius_mm": 5.0}}
+GRID = {"contact_grid": {"count": [2, 2], "pitch_mm": 3.0}, "press": {"depths_mm": [0.5, 1.0]}}
+BODIES = {
+    "pad": {"body": {"kind": "pad", "size_mm": [40, 30, 10]}, "shell": {"thickness_mm": 6}},
+    "cylinder": {"body": {"kind": "cylinder", "size_mm": [40, 40, 50]}},
+    "sleeve": {"body": {"kind": "cylinder", "size_mm": [40, 40, 50], "open_faces": [1, 6]}},
+    "sphere": {"body": {"kind": "sphere", "size_mm": [44, 44, 44], "bore_mm": 8}},
+    "solid_dome": {"body": {"kind": "dome", "size_mm": [24, 24, 16], "inside": "silicone"}},
+    "hollow_dome": {
+        "body": {"kind": "dome", "size_mm": [36, 36, 22], "inside": "air"},
+        "shell": {"thickness_mm": 5},
+    },
+    "dome_on_core": {"body": {"kind": "dome", "size_mm": [40, 40, 24]}},
+    "ellipsoid": {"body": {"kind": "ellipsoid", "size_mm": [60, 50, 44], "open_faces": []}},
+    "two_open": {"body": {"size_mm": [42, 44, 46], "open_faces": [5, 6]}},
+    "closed_box": {"body": {"size_mm": [42, 44, 46], "open_faces": []}},
+}
+
+
+def body_spec(name: str, **changes: dict) -> ObjectSpec:
+    """The case of that name; `changes` are merged into its tables."""
+    content = {"name": name} | GRID | ONE | CORE | BODIES[name]
+    for table, values in changes.items():
+        content[table] = content.get(table, {}) | values
+    return ObjectSpec.model_validate(content)

@@ -1,0 +1,43 @@
+"""A made-up search: two choices and places of up to two magnets, with a known optimum."""
+
+from design.search.space import search_space
+from design.spec_io import parse_spec
+from instobj.search.scored import Scored
+
+OBJECTIVES = ("worst_position_bound_mm", "worst_force_bound_n")
+
+
+def made_up_spec(name="cube", seed=1, reach=14.0, **search):
+    vary = {"magnet_reach_mm": reach, "magnet_count": [1, 2], "shell_thickness_mm": [8.0, 9.0]}
+    content = {"trials": 300, "batch": 16, "polish_steps": 0, "vary": vary} | search
+    return parse_spec({"name": name, "seed": seed, "search": content}, "made up")
+
+
+def made_up_space(**search):
+    return search_space(made_up_spec(**search))
+
+
+def made_up_score(trials, seconds):
+    """Least at one magnet at (5, −3) under 9 mm; the second objective's least is at (−5, 6)."""
+    found = [_scores(trial) for trial in trials]
+    return [
+        Scored(trial, (scores["worst_position_bound_mm"],), scores, 0.0, "")
+        for trial, scores in zip(trials, found, strict=True)
+    ]
+
+
+def made_up_scores(trials, seconds):
+    """Both objectives."""
+    return [
+        Scored(t, tuple(_scores(t)[name] for name in OBJECTIVES), _scores(t), 0.0, "")
+        for t in trials
+    ]
+
+
+def _scores(trial):
+    x, y = trial["magnet1_x_mm"], trial["magnet1_y_mm"]
+    worse = (trial["magnet_count"] == 2) + 0.5 * (trial["shell_thickness_mm"] == 8.0)
+    return {
+        "worst_position_bound_mm": 0.01 + ((x - 5) ** 2 + (y + 3) ** 2) / 100 + worse,
+        "worst_force_bound_n": 0.01 + ((x + 5) ** 2 + (y - 6) ** 2) / 100 + worse,
+    }

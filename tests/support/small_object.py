@@ -1,0 +1,17 @@
+"""A cube with two tilted magnets a face, off the symmetry planes, on a mesh of few elements."""
+
+from design.spec.object import ObjectSpec
+from tests.support.fem_cases import YOUNGS_MODULUS_MPA
+
+
+def small_spec(interface="bonded", magnets="rigid", **slip):
+    return ObjectSpec.model_validate(
+        {
+            "name": "small",
+            "silicone": {"youngs_modulus_mpa": YOUNGS_MODULUS_MPA},
+            "magnets": {"positions_mm": [[2.0, -1.0], [-9.0, 7.0]], "tilt_deg": [[8, -5], [0, 12]]},
+            "mesh": {"surface_edge_mm": 3.5, "edge_mm": 8.0},
+            "mechanics": {"interface": interface, "magnets": magnets, "slip": slip},
+            "press": {"depths_mm": [1.0, 2.0]},
+        }
+    )
