@@ -44,7 +44,7 @@ def load_deployed(path: Path | str) -> DeployedModel:
     path = Path(path)
     if not path.is_file():
         raise InputError(f"no model at {path}. `instobj export` makes one of a trained estimator")
-    session = _session(path)
+    session = open_session(path)
     try:
         described = json.loads(session.get_modelmeta().custom_metadata_map["instobj"])
         names = [output.name for output in session.get_outputs()]
@@ -66,7 +66,14 @@ def load_deployed(path: Path | str) -> DeployedModel:
         ) from None
 
 
-def _session(path: Path) -> Any:
+def open_session(path: Path) -> Any:
+    """An onnxruntime session on one thread.
+
+    Raises
+    ------
+    InputError
+        Not a file that onnxruntime reads.
+    """
     import onnxruntime
 
     options = onnxruntime.SessionOptions()

@@ -197,7 +197,8 @@ def test_spec_hash_does_not_see_whether_a_default_was_written_out():
 
 def test_light_modules_load_no_cad_kernel():
     code = (
-        "import sys, design.manifest, design.tips, design.volumes, instobj.report.parts_figure; "
+        "import sys, design.build.manifest, design.layout.tips, design.layout.volumes; "
+        "import instobj.render.parts; "
         "print([m for m in ('cadquery', 'OCP', 'trimesh', 'matplotlib') if m in sys.modules])"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)

@@ -7,6 +7,7 @@ from numpy.testing import assert_allclose
 from pydantic import ValidationError
 from scipy.spatial.transform import Rotation
 
+import design.layout.pockets
 import design.layout.positions
 from design.layout.pockets import distance_of_axes_mm, shell_pockets, tilted_frame
 from design.layout.positions import face_frames, magnet_layout
@@ -56,7 +57,7 @@ def test_a_wrong_tilt_is_caught(monkeypatch, fault):
         "swapped axes": lambda a, b: tilted_frame(b, a),
         "degrees for radians": lambda a, b: tilted_frame(np.rad2deg(a), np.rad2deg(b)),
     }[fault]
-    monkeypatch.setattr(design.pockets, "tilted_frame", wrong)
+    monkeypatch.setattr(design.layout.pockets, "tilted_frame", wrong)
     with pytest.raises(AssertionError, match="Not equal to tolerance"):
         assert_layout_is_turned()
 

@@ -1,5 +1,6 @@
 """Exported estimators: the same figures as the trained ones, without torch."""
 
+import copy
 import json
 import subprocess
 import sys
@@ -59,6 +60,42 @@ def test_parity_with_the_trained_model(model, frames, path):
         size = np.abs(expected).max()
         assert size > 0
         assert_allclose(getattr(deployed, name), expected, rtol=0, atol=1e-5 * size)
+
+
+@pytest.fixture(scope="module")
+def certain(model):
+    """A model as sure of its pixels as long training makes it: most weights underflow to zero."""
+    sure = copy.deepcopy(model)
+    with torch.no_grad():
+        for member in sure.network.members:
+            member.heads.weight *= 100
+            member.sharpness.fill_(4.0)
+    return sure
+
+
+def test_a_model_that_is_certain_of_its_pixels_exports_without_a_nan(certain, frames, tmp_path):
+    """Fails with `optimize=True`: 0/0 where weights underflow (the first such file: 67 % NaN)."""
+    export_onnx(certain, tmp_path / "certain.onnx")
+    loud = replace(frames, signal_counts=100 * frames.signal_counts)
+    trained = predict(certain, loud)
+    deployed = predict_frames(load_deployed(tmp_path / "certain.onnx"), loud)
+    for name in UNITS:
+        expected = getattr(trained, name)
+        assert np.isfinite(expected).all()
+        assert_allclose(
+            getattr(deployed, name), expected, rtol=0, atol=1e-3 * np.abs(expected).max()
+        )
+
+
+def test_an_export_that_differs_from_the_model_is_not_written(certain, tmp_path, monkeypatch):
+    export = torch.onnx.export
+    monkeypatch.setattr(
+        "torch.onnx.export",
+        lambda *given, **options: export(*given, **{**options, "optimize": True}),
+    )
+    with pytest.raises(InputError, match=r"bad\.onnx is not written: in \d+ % of test frames"):
+        export_onnx(certain, tmp_path / "bad.onnx")
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_planted_fault_in_the_channel_order_breaks_parity(model, frames, path):
@@ -145,8 +182,8 @@ def test_bad_files_give_one_clear_error(path, tmp_path, damage):
 def test_prediction_loads_no_torch(path):
     code = (
         "import sys, pathlib, numpy as np\n"
-        "from estimator.deployed import load_deployed, LiveReader\n"
-        "import instobj.predict\n"
+        "from estimator.deploy.runtime import load_deployed, LiveReader\n"
+        "import instobj.commands.predict\n"
         f"reader = LiveReader(load_deployed(pathlib.Path({str(path)!r})), 'first', 1)\n"
         "reader.feed(np.zeros((5, 3, 3))); found = reader.feed(np.ones((5, 3, 3)))\n"
         "assert found is not None and found.force_n.shape == (1,)\n"
