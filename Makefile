@@ -4,7 +4,7 @@ PIP_ARGS ?=
 BIN := .venv/bin
 INSTALLED := .venv/.installed
 
-.PHONY: demo test test-slow verify lint install clean
+.PHONY: demo test test-slow verify lint docs install clean
 
 demo: $(INSTALLED)
 	$(BIN)/instobj run examples/paper_cube.toml
@@ -27,6 +27,15 @@ lint: $(INSTALLED)
 	$(BIN)/basedpyright
 	$(BIN)/lint-imports
 
+# The site, in docs/_build/html; INSTOBJ_GALLERY=full runs the gallery on objects of full size.
+docs: .venv/.docs
+	OMP_NUM_THREADS=1 MKL_NUM_THREADS=1 $(BIN)/sphinx-build -W --keep-going -q -b html docs docs/_build/html
+	@echo "open docs/_build/html/index.html"
+
+.venv/.docs: $(INSTALLED)
+	$(BIN)/pip install --disable-pip-version-check $(PIP_ARGS) -c constraints.txt -e '.[docs]'
+	@touch $@
+
 install: $(INSTALLED)
 
 $(INSTALLED): pyproject.toml constraints.txt
@@ -37,4 +46,4 @@ $(INSTALLED): pyproject.toml constraints.txt
 	@touch $@
 
 clean:
-	rm -rf .venv .instobj runs cad_out/*/
+	rm -rf .venv .instobj runs cad_out/*/ docs/_build docs/gallery docs/reference/generated

@@ -1,0 +1,77 @@
+"""Pages of the site that are made from the code: the command line, key by key.
+
+`docs/conf.py` calls `write_generated_pages` before every build; the pages are not kept in git.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+GENERATED = Path("reference/generated")
+
+
+def write_generated_pages(folder: Path) -> None:
+    """Write every generated page into a folder."""
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "command_line.md").write_text(command_line_page())
+
+
+@cache
+def commands() -> dict[str, Any]:
+    """Name → command of the `instobj` program, in the order of `instobj --help`."""
+    from typer.main import get_command
+
+    from instobj.cli.app import app
+
+    return dict(get_command(app).commands)  # pyright: ignore[reportAttributeAccessIssue]
+
+
+def option_names(command: Any) -> set[str]:
+    """Every spelling of a command's options, `--help` among them."""
+    spellings = {"--help"}
+    for parameter in command.params:
+        spellings.update(parameter.opts, parameter.secondary_opts)
+    return {name for name in spellings if name.startswith("-")}
+
+
+def command_line_page() -> str:
+    """The page that lists all commands with their arguments and options (MyST)."""
+    blocks = ["# Command line", "As `instobj COMMAND --help` prints it."]
+    for name, command in commands().items():
+        blocks += [f"## {name}", _plain(command.help), *_tables(command)]
+    return "\n\n".join(blocks) + "\n"
+
+
+def _tables(command: Any) -> Iterator[str]:
+    usage = " ".join(_usage(parameter) for parameter in command.params)
+    yield f"```text\ninstobj {command.name} {usage}\n```"
+    rows = [f"| {_spelling(p)} | {_plain(p.help)} | {_default(p)} |" for p in command.params]
+    yield "\n".join(["| | | default |", "|---|---|---|", *rows])
+
+
+def _usage(parameter: Any) -> str:
+    if parameter.param_type_name == "argument":
+        name = parameter.name.upper()
+        return name if parameter.required else f"[{name}]"
+    return f"[{parameter.opts[-1]}{f' {parameter.metavar}' if parameter.metavar else ''}]"
+
+
+def _spelling(parameter: Any) -> str:
+    if parameter.param_type_name == "argument":
+        return f"`{parameter.name.upper()}`"
+    names = [*parameter.opts, *parameter.secondary_opts]
+    return ", ".join(f"`{name}`" for name in names)
+
+
+def _default(parameter: Any) -> str:
+    if parameter.required:
+        return "needed"
+    shown = parameter.default
+    return "" if shown in (None, False, (), "") or callable(shown) else f"`{shown}`"
+
+
+def _plain(text: str | None) -> str:
+    return " ".join((text or "").split()).replace("|", r"\|")
