@@ -12,8 +12,6 @@ import typer
 
 from design.errors import InputError
 from instobj.cli import estimators as cli_estimators
-from instobj.cli import experiments as cli_experiments
-from instobj.cli import frames as cli_frames
 from instobj.cli import hardware as cli_hardware
 from instobj.cli import presses as cli_presses
 from instobj.cli import search as cli_search
@@ -61,7 +59,7 @@ def check(
 
     result = check_specifications(specs, overrides or [])
     if fabrication:
-        from instobj.stages.fabrication import fabrication_of
+        from instobj.commands.run import fabrication_of
 
         result["fabrication"] = fabrication_of(specs, overrides or [], out)
     show(result, as_json)
@@ -145,10 +143,8 @@ def score(
 
 
 app.add_typer(cli_estimators.app)
-app.add_typer(cli_frames.app)
 app.add_typer(cli_presses.app)
 app.add_typer(cli_hardware.app)
-app.add_typer(cli_experiments.app)
 app.add_typer(cli_search.app)
 
 

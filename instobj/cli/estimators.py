@@ -1,4 +1,4 @@
-"""Commands that train, judge, export and use estimators."""
+"""Commands that simulate recordings, and train, judge, export and use estimators."""
 
 from __future__ import annotations
 
@@ -8,7 +8,17 @@ from typing import Annotated, Literal
 import typer
 
 from design.errors import InputError
-from instobj.cli.options import HERE, AsJson, Out, Overrides, Sources, show
+from instobj.cli.options import (
+    HERE,
+    AsBuilt,
+    AsJson,
+    Out,
+    Overrides,
+    Sources,
+    Specs,
+    show,
+    with_as_built,
+)
 
 app = typer.Typer()
 
@@ -24,6 +34,26 @@ Twin = Annotated[
         "presses, adds presses at every place."
     ),
 ]
+
+
+@app.command()
+def frames(
+    specs: Specs,
+    kind: Annotated[
+        str | None,
+        typer.Option(help="paper (143 000 frames a face), grasp or continuous: [collection]."),
+    ] = None,
+    out: Out = HERE,
+    as_json: AsJson = False,
+    overrides: Overrides = None,
+    as_built: AsBuilt = None,
+) -> None:
+    """Simulated recordings as a data set: the paper's collection, grasps, or presses anywhere."""
+    from instobj.commands.run import simulate_recordings
+
+    chosen = [] if kind is None else [f"collection.kind={kind}"]
+    given = [*with_as_built(overrides, as_built), *chosen]
+    show(simulate_recordings(specs, out, given), as_json)
 
 
 @app.command()

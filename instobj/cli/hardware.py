@@ -32,7 +32,7 @@ def recordings(
     as_json: AsJson = False,
 ) -> None:
     """Read recordings, find and correct their faults, and write a data set to train on."""
-    from instobj.commands.recordings import read_recordings
+    from instobj.commands.training import read_recordings
 
     show(read_recordings(files, out, spec), as_json)
 

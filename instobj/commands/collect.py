@@ -16,8 +16,14 @@ from design.errors import InputError
 from estimator.boards.growing import GrowingRecording, finish_recording, growing_recording
 from estimator.boards.lines import Frame, Header, LineDecoder, Load, Message
 from estimator.boards.link import BoardClock, board_messages, serial_chunks
-from instobj.commands.collect_console import TypedLines, stop_on_signals
-from instobj.commands.collect_options import CollectOptions, Place, open_source, parse_place
+from instobj.commands.collect_options import (
+    CollectOptions,
+    Place,
+    TypedLines,
+    open_source,
+    parse_place,
+    stop_on_signals,
+)
 from instobj.store.progress import ProgressLine
 from instobj.store.publish import file_rows
 
@@ -75,7 +81,7 @@ def collect(options: CollectOptions) -> dict[str, Any]:
         Bad options, no board, or a line that broke off; what had come is kept and finished.
     """
     chunks, options = open_source(options)
-    state = _Collection(options, _places(options), zero_left=options.zero_frames)
+    state = _Collection(options, options.first_places, zero_left=options.zero_frames)
     progress, failure = ProgressLine(), None
     growing: GrowingRecording | None = None
     with (
@@ -103,11 +109,6 @@ def collect(options: CollectOptions) -> dict[str, Any]:
     if failure is not None:
         raise InputError(f"{failure} ({growing.rows_added} frames kept in {options.csv_path})")
     return _document(state, growing, frames)
-
-
-def _places(options: CollectOptions) -> list[Place | None]:
-    places = [parse_place(text) for text in options.places]
-    return places + [None] * ((options.cells or 1) - len(places))
 
 
 def _until_header(stream: Iterator[list[Message]], state: _Collection) -> list[Message]:
@@ -243,11 +244,8 @@ def _obey(line: str, state: _Collection, progress: ProgressLine) -> None:
 
 
 def _enough(state: _Collection, growing: GrowingRecording) -> bool:
-    options = state.options
-    if options.frames is not None and growing.rows_added >= options.frames:
-        return True
     lasted_s = state.last_s - state.first_s if state.first_s is not None else 0.0
-    return options.seconds is not None and lasted_s >= options.seconds
+    return state.options.enough(growing.rows_added, lasted_s)
 
 
 def _rate_hz(state: _Collection) -> float:

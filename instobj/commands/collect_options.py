@@ -1,9 +1,14 @@
-"""What `instobj collect` is told: source, places, forces, and when to stop."""
+"""What `instobj collect` is told: options at its start, lines typed while it runs, and Ctrl-C."""
 
 from __future__ import annotations
 
+import os
 import re
-from collections.abc import Generator
+import select
+import signal
+import sys
+from collections.abc import Callable, Generator, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -46,6 +51,18 @@ class CollectOptions:
     def source(self) -> str:
         """Port or file, for messages."""
         return str(self.port or self.replay)
+
+    @property
+    def first_places(self) -> list[Place | None]:
+        """What each load cell presses at first."""
+        places = [parse_place(text) for text in self.places]
+        return places + [None] * ((self.cells or 1) - len(places))
+
+    def enough(self, frames: int, seconds: float) -> bool:
+        """Whether so many frames, or so long, are what was asked for."""
+        return (self.frames is not None and frames >= self.frames) or (
+            self.seconds is not None and seconds >= self.seconds
+        )
 
 
 @dataclass(frozen=True)
@@ -108,3 +125,45 @@ def open_source(options: CollectOptions) -> tuple[Generator[bytes], CollectOptio
             f"more places than --cells {filled.cells} and --tips {filled.tips} allow. Raise them"
         )
     return chunks, filled
+
+
+@dataclass
+class TypedLines:
+    """Lines from standard input (typed or piped), without ever waiting; POSIX systems only."""
+
+    _rest: bytes = b""
+    _open: bool = os.name == "posix"
+
+    def poll(self) -> list[str]:
+        """Lines that were completed since the last time."""
+        if not self._open:
+            return []
+        try:
+            handle = sys.stdin.fileno()
+            if not select.select([handle], [], [], 0)[0]:
+                return []
+            data = os.read(handle, 4096)
+        except (AttributeError, OSError, ValueError):
+            data = b""
+        self._open = bool(data)
+        *lines, self._rest = (self._rest + data).split(b"\n")
+        return [line.decode("utf-8", "replace").strip() for line in lines]
+
+
+@contextmanager
+def stop_on_signals(stop: Callable[[], None]) -> Iterator[None]:
+    """Ctrl-C and SIGTERM call `stop` once; the next one acts as it did before."""
+    numbers = (signal.SIGINT, signal.SIGTERM)
+    before = {number: signal.getsignal(number) for number in numbers}
+
+    def ask(number: int, _: object) -> None:
+        stop()
+        signal.signal(number, before[signal.Signals(number)])
+
+    for number in numbers:
+        signal.signal(number, ask)
+    try:
+        yield
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)

@@ -4,16 +4,18 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from jaxtyping import Float
 
 from design.errors import InputError
+from design.layout.positions import PlaceGrid, sensor_layout
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, spec_hash
 from instobj.commands.places import CheckedPlaces, Place, check_places
+from instobj.figures.loads import Pressed
 from instobj.stages.chain import Chain
 from instobj.store.publish import file_rows, require_writable, run_folder, stage_row
 from instobj.store.stage import write_json
@@ -23,20 +25,6 @@ if TYPE_CHECKING:
     from fem.presses.joint import JointPress
 
 _CURVE_STEPS = 16
-
-
-@dataclass(frozen=True)
-class Pressed:
-    """What loads do together: a row for each, the magnets' motions, and the way there.
-
-    `curve` holds the joint presses on the way, the last one complete; it is empty for patches.
-    `alone` holds each press by itself, empty where superposition means nothing or everything.
-    """
-
-    rows: list[dict[str, Any]]
-    motion: np.ndarray
-    curve: list[JointPress]
-    alone: list[JointPress]
 
 
 def press_loads(
@@ -108,7 +96,6 @@ def loads_document(
     command: str, chain: Chain, pressed: Pressed, refused: Sequence[dict[str, Any]], target: Path
 ) -> dict[str, Any]:
     """Write `loads.json` and `loads.png` into a folder, and tell what a command prints."""
-    from instobj.commands.load_signals import sensor_rows, signal_changes, superposition_row
     from instobj.figures.loads import draw_loads
 
     spec = chain.spec
@@ -140,6 +127,51 @@ def loads_document(
             }
         ],
         "status": "refused" if refused else "converged",
+    }
+
+
+def signal_changes(
+    spec: ObjectSpec, motion: Float[np.ndarray, "load magnet 6"]
+) -> Float[np.ndarray, "load sensor 3"]:
+    """Expected changes against rest, counts, for the magnets' motions under some loads."""
+    from estimator.signals.presses import press_signals
+    from fem.presses.results import MagnetMotions, PressForces
+
+    loads, one = np.arange(1.0, len(motion) + 1), PlaceGrid(np.zeros(1), np.zeros(1))
+    faces, none = np.array([1]), np.zeros((1, 1, len(motion)))
+    forces = PressForces(faces, one, loads, none, none)
+    motions = MagnetMotions(faces, one, loads, motion[None, None])
+    return press_signals(spec, forces, motions).delta_counts[0, 0]
+
+
+def sensor_rows(spec: ObjectSpec, change: Float[np.ndarray, "sensor 3"]) -> list[dict[str, Any]]:
+    """Change of every sensor's three channels, and its size in sigmas of a fresh zero."""
+    sigma = np.hypot(np.asarray(spec.sensors.noise_counts), spec.sensors.zeroing_counts)
+    faces = sensor_layout(spec).face.tolist()
+    rows, number = [], 0
+    for index, (face, counts) in enumerate(zip(faces, change, strict=True)):
+        number = number + 1 if index and face == faces[index - 1] else 1
+        row = {"face": face, "sensor": number}
+        row |= {f"Δ{axis}": round(float(c), 1) for axis, c in zip("XYZ", counts, strict=True)}
+        rows.append(row | {"σ": round(float(np.linalg.norm(counts / sigma)), 1)})
+    return rows
+
+
+def superposition_row(
+    pressed: Pressed, changes: Float[np.ndarray, "load sensor 3"]
+) -> dict[str, float]:
+    """How far single presses to the same depths, summed, are from the joint one, in per cent.
+
+    Force: of the total. Signals: root mean square over all channels against that of the joint
+    press; the first of `changes` is the joint press.
+    """
+    total = float(pressed.curve[-1].force_n.sum())
+    alone = sum(float(press.force_n.sum()) for press in pressed.alone)
+    off = changes[1:].sum(axis=0) - changes[0]
+    return {
+        "force off %": 100 * (alone / total - 1),
+        "signals off %": 100 * float(np.linalg.norm(off) / np.linalg.norm(changes[0])),
+        "largest channel off, counts": float(abs(off).max()),
     }
 
 

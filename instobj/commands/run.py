@@ -74,6 +74,20 @@ def check_specifications(specs: list[Path], overrides: list[str]) -> dict[str, A
     return {"command": "check", "specifications": rows}
 
 
+def fabrication_of(specs: list[Path], overrides: list[str], out: Path) -> list[dict[str, Any]]:
+    """Findings of every specification, published to `cad_out/<name>`."""
+    from instobj.stages.fabrication import FINDINGS
+
+    require_writable(out)
+    found = []
+    for path in specs:
+        spec = load_spec(path, overrides)
+        result = Chain(spec).require("fabrication")
+        content = json.loads((result.folder / FINDINGS).read_text(encoding="utf-8"))
+        found.append(content | {"files": file_rows(publish(spec, result, out))})
+    return found
+
+
 def run_chain(
     specs: list[Path], stages: tuple[str, ...], out: Path, overrides: list[str]
 ) -> dict[str, Any]:
@@ -86,8 +100,6 @@ def run_chain(
         "objects": [_run_one(spec, stages, out) for spec in loaded],
     }
     if "scores" in stages and len(loaded) > 1:
-        from instobj.commands.compare import compare_scores
-
         result["comparison"] = compare_scores(loaded, out)
     return result
 
@@ -136,7 +148,7 @@ def run_estimator(
     On data sets training goes on from the estimators in the folder `start`, if given, and gets
     presses of the calibrated twin of the specification `twin`, if given.
     """
-    from instobj.stages.learning import run_on_data_set
+    from instobj.commands.training import run_on_data_set
 
     require_writable(out)
     objects = []

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -12,10 +13,24 @@ from design.layout.positions import sensor_layout
 from design.spec.object import ObjectSpec
 
 if TYPE_CHECKING:
-    from instobj.commands.loads import Pressed
+    from fem.presses.joint import JointPress
 
 _COLOURS = ("#1b6ca8", "#c8553d", "#6a994e", "#8d6cab", "#b08900", "#3d8f8f")
 _AXES = (("ΔX", "#1b6ca8"), ("ΔY", "#c8553d"), ("ΔZ", "#6a994e"))
+
+
+@dataclass(frozen=True)
+class Pressed:
+    """What loads do together: a row for each, the magnets' motions, and the way there.
+
+    `curve` holds the joint presses on the way, the last one complete; it is empty for patches.
+    `alone` holds each press by itself, empty where superposition means nothing or everything.
+    """
+
+    rows: list[dict[str, Any]]
+    motion: np.ndarray
+    curve: list[JointPress]
+    alone: list[JointPress]
 
 
 def draw_loads(spec: ObjectSpec, pressed: Pressed, change: np.ndarray, path: Path) -> None:

@@ -7,7 +7,7 @@ from typing import Any
 
 from design.spec.object import ObjectSpec
 from instobj.report import elements
-from instobj.stages.deformation import large_strain_content
+from instobj.store.readers import large_strain_content
 
 
 def deformation_section(spec: ObjectSpec, inputs: dict[str, Path], protocol: dict[str, Any]) -> str:

@@ -14,6 +14,24 @@ from design.errors import InputError
 _CLOSING_S = 5.0
 
 
+@dataclass(frozen=True)
+class Scored:
+    """What became of a trial: its polished variables, values to minimise and scores.
+
+    `broken_mm` is 0 where every limit is kept; `misfit` says what else does not fit, or nothing.
+    """
+
+    params: dict[str, Any]
+    values: tuple[float, ...]
+    scores: dict[str, float]
+    broken_mm: float
+    misfit: str
+
+    @property
+    def feasible(self) -> bool:
+        return self.broken_mm == 0 and not self.misfit
+
+
 class GivenUp(Exception):
     """The work took too long, crashed or failed; says which."""
 

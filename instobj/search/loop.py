@@ -13,9 +13,8 @@ from optuna.trial import FrozenTrial, Trial
 from design.errors import InputError
 from design.search.space import SearchSpace, structure_of
 from design.spec.search import SearchSpec
-from instobj.search.apart import GivenUp
+from instobj.search.apart import GivenUp, Scored
 from instobj.search.engines import Sampling, ask, sampling, tell, tell_failed
-from instobj.search.scored import Scored
 from instobj.search.study import KeptStudy
 
 _FAILURES_IN_A_ROW = 3

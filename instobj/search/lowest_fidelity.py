@@ -37,7 +37,7 @@ from estimator.layouts.press_basis import press_basis
 from estimator.layouts.scoring import LayoutScorer, layout_scorer
 from estimator.layouts.vectors import layout_space
 from fem.candidates.motions import load_candidates
-from instobj.search.scored import Scored
+from instobj.search.apart import Scored
 from instobj.stages.chain import Chain
 
 _UNFIT_MM = 0.5

@@ -6,7 +6,7 @@ import time
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from instobj.stages.deformation import stored_correction
+from instobj.store.readers import stored_correction
 from instobj.store.stage import StageContext, write_json
 
 if TYPE_CHECKING:

@@ -10,9 +10,9 @@ import numpy as np
 
 from design.files import atomic_path
 from design.spec.object import ObjectSpec
+from instobj.store.readers import LARGE_STRAIN, stored_correction
 
 if TYPE_CHECKING:
-    from fem.large_strain.correction import StrainCorrection
     from fem.large_strain.results import LargeStrainPress
     from fem.presses.results import MagnetMotions, PressForces
     from instobj.store.stage import StageContext
@@ -20,7 +20,6 @@ if TYPE_CHECKING:
 _SHOWN_DEPTH_MM = 2.0
 _EDGES_PER_TIP_RADIUS = 3.0
 _APART_MM = 1.0
-_FILE = "large_strain.json"
 
 
 def make_shapes(context: StageContext, folder: Path) -> None:
@@ -63,7 +62,7 @@ def make_large_strain(context: StageContext, folder: Path) -> None:
     content: dict[str, Any] = {"correction": None, "presses": []}
     if spec.mechanics.correction == "large-strain":
         content = _presses_and_fit(context)
-    with atomic_path(folder / _FILE) as temporary:
+    with atomic_path(folder / LARGE_STRAIN) as temporary:
         temporary.write_text(json.dumps(content, indent=1), encoding="utf-8")
 
 
@@ -77,26 +76,6 @@ def correct_table(
     if correction is None:
         return forces, motions
     return corrected_table(spec, forces, motions, correction)
-
-
-def stored_correction(folder: Path) -> StrainCorrection | None:
-    """The correction that `make_large_strain` left in its folder; None where none was asked."""
-    from fem.large_strain.correction import StrainCorrection
-
-    content = large_strain_content(folder)["correction"]
-    if content is None:
-        return None
-    return StrainCorrection(
-        content["thickness_mm"],
-        tuple(content["force"]),
-        tuple(content["shift"]),
-        tuple(content["rotation"]),
-    )
-
-
-def large_strain_content(folder: Path) -> dict[str, Any]:
-    """What `make_large_strain` wrote: coefficients, errors, and a row for each press."""
-    return json.loads((folder / _FILE).read_text(encoding="utf-8"))
 
 
 def correction_places_mm(spec: ObjectSpec) -> list[tuple[float, float]]:

@@ -1,10 +1,8 @@
-"""Fabrication as stages of the chain (checks, bill of materials, assembly sheet), and in `check`."""
+"""Makers of the stages of fabrication: checks, bill of materials, assembly sheet."""
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
-from typing import Any
 
 from instobj.store.stage import StageContext, write_json
 
@@ -46,19 +44,3 @@ def make_sheet(context: StageContext, folder: Path) -> None:
     picture = draw_exploded(spec, parts, folder / "exploded.png")
     with atomic_path(folder / "assembly.html") as path:
         path.write_text(assembly_sheet(spec, manifest, picture), encoding="utf-8")
-
-
-def fabrication_of(specs: list[Path], overrides: list[str], out: Path) -> list[dict[str, Any]]:
-    """Findings of every specification, published to `cad_out/<name>`."""
-    from design.spec_io import load_spec
-    from instobj.stages.chain import Chain
-    from instobj.store.publish import file_rows, publish, require_writable
-
-    require_writable(out)
-    found = []
-    for path in specs:
-        spec = load_spec(path, overrides)
-        result = Chain(spec).require("fabrication")
-        content = json.loads((result.folder / FINDINGS).read_text(encoding="utf-8"))
-        found.append(content | {"files": file_rows(publish(spec, result, out))})
-    return found

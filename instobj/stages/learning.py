@@ -8,15 +8,13 @@ from typing import TYPE_CHECKING, Any
 
 from design.errors import InputError
 from design.spec.object import TrainingSpec
-from instobj.store.content import content_key, file_key, store_root, stored
+from instobj.store.content import store_root
 from instobj.store.stage import Step, write_json
 
 if TYPE_CHECKING:
     from estimator.frames.dataset import FrameSet
     from estimator.frames.splits import Split
     from instobj.stages.twin import TwinOfData
-
-_VERSION = 7
 
 
 def train_networks(
@@ -128,94 +126,3 @@ def evaluate_networks(
         rows["ridge_regression"].append(linear_baseline(frames, model.face, split).summary())
         rows["mean_map"].append(mean_map_baseline(frames, model.face, split).summary())
     write_json({"split": "whole presses held out", **rows}, folder / "metrics.json")
-
-
-def run_on_data_set(
-    path: Path,
-    stages: tuple[str, ...],
-    out: Path,
-    overrides: list[str],
-    start: Path | None = None,
-    twin_spec: Path | None = None,
-) -> dict[str, Any]:
-    """Train (and evaluate) on a data set file; results go to `runs/<name>`.
-
-    Training goes on from the estimators in the folder `start`, if given, and gets presses of the
-    calibrated twin of the specification `twin_spec`, if given.
-
-    Raises
-    ------
-    InputError
-        An override that is not `seed` or below `training`, or a bad data set.
-    """
-    from estimator.frames.dataset import load_frames
-    from instobj.report.summary import summarize
-    from instobj.stages.twin import twin_of_data
-    from instobj.store.progress import ProgressLine
-    from instobj.store.publish import file_rows, publish_to, run_folder, stage_row
-
-    training, seed = _settings(overrides)
-    frames = load_frames(path)
-    name = path.parent.name if path.stem == "frames" else path.stem
-    progress = ProgressLine()
-    twin = None if twin_spec is None else twin_of_data(twin_spec, frames, training)
-    inputs = {
-        "data_set": file_key(path),
-        "training": training.model_dump(mode="json"),
-        "seed": seed,
-        "start": None if start is None else _keys_of_models(start),
-        "twin": None if twin is None else [twin.key, twin.spec.model_dump(mode="json")],
-        "version": _VERSION,
-    }
-    unfinished = unfinished_folder(content_key(inputs))
-    results = {}
-    with progress.stage(f"training on {path}"):
-        results["networks"] = stored(
-            store_root(),
-            "networks",
-            inputs,
-            lambda folder: train_networks(
-                path, training, seed, folder, progress.step, unfinished, start, twin
-            ),
-        )
-    if "metrics" in stages:
-        networks = results["networks"].folder
-        with progress.stage("held-out presses"):
-            results["metrics"] = stored(
-                store_root(),
-                "metrics",
-                inputs,
-                lambda folder: evaluate_networks(path, networks, seed, folder, progress.step),
-            )
-    target = run_folder(out, name)
-    files = [file for result in results.values() for file in publish_to(target, result)]
-    return {
-        "name": name,
-        "stages": [stage_row(result) for result in results.values()],
-        "summary": summarize(results),
-        "files": file_rows(files),
-    }
-
-
-def _keys_of_models(folder: Path) -> dict[str, str]:
-    paths = sorted(folder.glob("face_*.safetensors"))
-    if not paths:
-        raise InputError(
-            f"{folder} holds no face_<n>.safetensors to start from. Give the folder that `instobj "
-            "pretrain` or `instobj train` wrote"
-        )
-    return {path.name: file_key(path) for path in paths}
-
-
-def _settings(overrides: list[str]) -> tuple[TrainingSpec, int]:
-    from design.spec_io import parse_spec, with_overrides
-
-    for override in overrides:
-        key = override.partition("=")[0].strip()
-        if key != "seed" and not key.startswith("training."):
-            raise InputError(
-                f"--set {override}: a data set takes only seed and training.* settings. Give the "
-                "specification instead of the data set to change the object"
-            )
-    spec = parse_spec(with_overrides({"name": "data-set"}, overrides), "--set")
-    return spec.training, spec.seed

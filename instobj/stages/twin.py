@@ -10,7 +10,6 @@ import numpy as np
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec, TrainingSpec
-from instobj.stages.chain import Chain
 from instobj.store.stage import Step, write_json
 
 if TYPE_CHECKING:
@@ -75,27 +74,6 @@ class TwinOfData:
         draw_calibration(self.spec, judged, folder / "calibration.png")
 
 
-def twin_of_data(path: Path, frames: FrameSet, training: TrainingSpec) -> TwinOfData:
-    """Simulated presses of a specification, from the store or made.
-
-    Raises
-    ------
-    InputError
-        Another object than the data set's, settings that presses of a twin do not serve, or no face
-        with enough places pressed one by one.
-    """
-    from design.spec_io import load_spec
-    from fem.presses.results import load_presses
-
-    spec = load_spec(path, [])
-    require_settings(training)
-    require_same_object(spec, frames)
-    _require_some_face(spec, frames)
-    result = Chain(spec).require("presses")
-    presses = load_presses(result.folder / "presses.nc")
-    return TwinOfData(spec, presses, result.key, training.twins)
-
-
 def require_settings(training: TrainingSpec) -> None:
     """Draws of a twin are single frames of the face's own channels and of normal force.
 
@@ -119,7 +97,14 @@ def require_settings(training: TrainingSpec) -> None:
         )
 
 
-def _require_some_face(spec: ObjectSpec, frames: FrameSet) -> None:
+def require_some_face(spec: ObjectSpec, frames: FrameSet) -> None:
+    """A face of the data set has enough places pressed one by one.
+
+    Raises
+    ------
+    InputError
+        No face has.
+    """
     from estimator.calibration.pressed_places import pressed_places
     from estimator.frames.heatmap import faces_pressed
 

@@ -2,7 +2,7 @@
 
 from design.search.space import search_space
 from design.spec_io import parse_spec
-from instobj.search.scored import Scored
+from instobj.search.apart import Scored
 
 OBJECTIVES = ("worst_position_bound_mm", "worst_force_bound_n")
 

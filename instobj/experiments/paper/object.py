@@ -92,7 +92,7 @@ def simulated_object(spec: ObjectSpec, quick: bool) -> SimulatedObject:
     from fem.linear.response import load_response
     from fem.presses.results import load_presses
     from instobj.stages.chain import Chain
-    from instobj.stages.deformation import stored_correction
+    from instobj.store.readers import stored_correction
 
     design = changed(spec, _QUICK) if quick else spec
     spec = design

@@ -14,10 +14,9 @@ from design.errors import InputError
 from design.spec.object import IndenterSpec, ObjectSpec
 from fem.presses.joint import JointPress, Tip
 from instobj.commands.grasp import grasp_specification, unbalanced_moment_nmm
-from instobj.commands.load_signals import sensor_rows, superposition_row
-from instobj.commands.loads import Pressed, press_loads
+from instobj.commands.loads import press_loads, sensor_rows, superposition_row
 from instobj.commands.places import Place, check_places, jaw_given, places_given
-from instobj.figures.loads import draw_loads
+from instobj.figures.loads import Pressed, draw_loads
 
 ROOT = Path(__file__).parents[3]
 CUBE = ROOT / "examples" / "paper_cube.toml"

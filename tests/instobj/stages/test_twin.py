@@ -13,13 +13,13 @@ from estimator.frames.press_protocol import simulate_presses
 from estimator.frames.splits import split_presses
 from estimator.networks.face_model import load_model
 from estimator.tolerances.virtual_object import drawn_assembly, twin_signals
+from instobj.commands import training
 from instobj.commands.run import run_estimator
+from instobj.commands.training import twin_of_data
 from instobj.report.summary import summarize
-from instobj.stages import twin as calibrated
 from instobj.stages.twin import (
     TwinOfData,
     require_same_object,
-    twin_of_data,
     verdict,
 )
 from instobj.store.content import StoredResult
@@ -80,7 +80,7 @@ def test_presses_at_every_place_join_both_parts(frames, twin):
 
 def test_the_command_writes_models_and_what_was_calibrated(frames, twin, tmp_path, monkeypatch):
     monkeypatch.setenv("INSTOBJ_STORE", str(tmp_path / "store"))
-    monkeypatch.setattr(calibrated, "twin_of_data", lambda *given: twin)
+    monkeypatch.setattr(training, "twin_of_data", lambda *given: twin)
     save_frames(frames, tmp_path / "cube.nc")
     found = run_estimator(
         [tmp_path / "cube.nc"], ("networks",), tmp_path, SETTINGS, None, tmp_path / "cube.toml"

@@ -1,0 +1,178 @@
+"""What is done with recordings: into one data set, and from a data set to estimators."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from design.errors import InputError
+from design.spec.object import TrainingSpec
+from instobj.store.content import content_key, file_key, store_root, stored
+from instobj.store.progress import ProgressLine
+from instobj.store.publish import file_rows, publish_to, require_writable, run_folder, stage_row
+
+if TYPE_CHECKING:
+    from estimator.frames.dataset import FrameSet
+    from estimator.recordings.reading import Grid
+    from instobj.stages.twin import TwinOfData
+
+_VERSION = 7
+
+
+def read_recordings(files: list[Path], out: Path, spec: Path | None = None) -> dict[str, Any]:
+    """Read recordings into one data set, `runs/<stems>/frames.nc`, and say what was found.
+
+    `spec` gives the contact grid of an object that is not the paper's cube.
+
+    Raises
+    ------
+    InputError
+        A file that is no recording, or is given twice, or an invalid specification.
+    """
+    from estimator.frames.dataset import save_frames
+    from estimator.recordings.combine import combine, jump_between_faults
+    from estimator.recordings.reading import read_recording
+
+    require_writable(out)
+    progress = ProgressLine()
+    grid_mm = None if spec is None else _grid_mm(spec)
+    found = []
+    for path in files:
+        with progress.stage(f"reading {path}"):
+            found.append(read_recording(path, grid_mm))
+    frames = found[0].frames if len(found) == 1 else combine(found)
+    between = jump_between_faults(found)
+    target = run_folder(out, "+".join(path.stem for path in files)) / "frames.nc"
+    save_frames(frames, target)
+    return {
+        "command": "recordings",
+        "reports": [recording.report.as_dict() for recording in found],
+        "between": [vars(fault) for fault in between],
+        "texts": [*(str(recording.report) for recording in found), *map(str, between)],
+        "files": file_rows([target]),
+    }
+
+
+def run_on_data_set(
+    path: Path,
+    stages: tuple[str, ...],
+    out: Path,
+    overrides: list[str],
+    start: Path | None = None,
+    twin_spec: Path | None = None,
+) -> dict[str, Any]:
+    """Train (and evaluate) on a data set file; results go to `runs/<name>`.
+
+    Training goes on from the estimators in the folder `start`, if given, and gets presses of the
+    calibrated twin of the specification `twin_spec`, if given.
+
+    Raises
+    ------
+    InputError
+        An override that is not `seed` or below `training`, or a bad data set.
+    """
+    from estimator.frames.dataset import load_frames
+    from instobj.report.summary import summarize
+    from instobj.stages.learning import evaluate_networks, train_networks, unfinished_folder
+
+    training, seed = _settings(overrides)
+    frames = load_frames(path)
+    name = path.parent.name if path.stem == "frames" else path.stem
+    progress = ProgressLine()
+    twin = None if twin_spec is None else twin_of_data(twin_spec, frames, training)
+    inputs = {
+        "data_set": file_key(path),
+        "training": training.model_dump(mode="json"),
+        "seed": seed,
+        "start": None if start is None else _keys_of_models(start),
+        "twin": None if twin is None else [twin.key, twin.spec.model_dump(mode="json")],
+        "version": _VERSION,
+    }
+    unfinished = unfinished_folder(content_key(inputs))
+    results = {}
+    with progress.stage(f"training on {path}"):
+        results["networks"] = stored(
+            store_root(),
+            "networks",
+            inputs,
+            lambda folder: train_networks(
+                path, training, seed, folder, progress.step, unfinished, start, twin
+            ),
+        )
+    if "metrics" in stages:
+        networks = results["networks"].folder
+        with progress.stage("held-out presses"):
+            results["metrics"] = stored(
+                store_root(),
+                "metrics",
+                inputs,
+                lambda folder: evaluate_networks(path, networks, seed, folder, progress.step),
+            )
+    target = run_folder(out, name)
+    files = [file for result in results.values() for file in publish_to(target, result)]
+    return {
+        "name": name,
+        "stages": [stage_row(result) for result in results.values()],
+        "summary": summarize(results),
+        "files": file_rows(files),
+    }
+
+
+def twin_of_data(path: Path, frames: FrameSet, training: TrainingSpec) -> TwinOfData:
+    """Simulated presses of a specification, from the store or made.
+
+    Raises
+    ------
+    InputError
+        Another object than the data set's, settings that presses of a twin do not serve, or no face
+        with enough places pressed one by one.
+    """
+    from design.spec_io import load_spec
+    from fem.presses.results import load_presses
+    from instobj.stages.chain import Chain
+    from instobj.stages.twin import (
+        TwinOfData,
+        require_same_object,
+        require_settings,
+        require_some_face,
+    )
+
+    spec = load_spec(path, [])
+    require_settings(training)
+    require_same_object(spec, frames)
+    require_some_face(spec, frames)
+    result = Chain(spec).require("presses")
+    presses = load_presses(result.folder / "presses.nc")
+    return TwinOfData(spec, presses, result.key, training.twins)
+
+
+def _grid_mm(spec: Path) -> Grid:
+    from design.layout.positions import contact_grid
+    from design.spec_io import load_spec
+
+    grid = contact_grid(load_spec(spec, []))
+    return grid.x_mm, grid.y_mm
+
+
+def _keys_of_models(folder: Path) -> dict[str, str]:
+    paths = sorted(folder.glob("face_*.safetensors"))
+    if not paths:
+        raise InputError(
+            f"{folder} holds no face_<n>.safetensors to start from. Give the folder that `instobj "
+            "pretrain` or `instobj train` wrote"
+        )
+    return {path.name: file_key(path) for path in paths}
+
+
+def _settings(overrides: list[str]) -> tuple[TrainingSpec, int]:
+    from design.spec_io import parse_spec, with_overrides
+
+    for override in overrides:
+        key = override.partition("=")[0].strip()
+        if key != "seed" and not key.startswith("training."):
+            raise InputError(
+                f"--set {override}: a data set takes only seed and training.* settings. Give the "
+                "specification instead of the data set to change the object"
+            )
+    spec = parse_spec(with_overrides({"name": "data-set"}, overrides), "--set")
+    return spec.training, spec.seed
