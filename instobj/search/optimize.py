@@ -35,8 +35,8 @@ def optimize(
     """
     spec, space = _prepared(path, out, overrides)
     folder = search_folder(out, spec)
-    kept = open_study(spec, storage or folder / "journal.log", resume)
     progress = ProgressLine()
+    kept = open_study(spec, storage or folder / "journal.log", resume, say=progress.step)
     _search(space, kept, progress)
     with progress.stage("ladder"):
         found = climb(space, kept, folder, progress.step)
@@ -59,8 +59,9 @@ def work(path: Path, out: Path, overrides: list[str], storage: str, worker: int)
         As `optimize`.
     """
     spec, space = _prepared(path, out, overrides)
-    kept = open_study(spec, storage, join=True)
-    _search(space, kept, ProgressLine(), worker)
+    progress = ProgressLine()
+    kept = open_study(spec, storage, join=True, say=progress.step)
+    _search(space, kept, progress, worker)
     return {"command": "worker", "tables": {f"search of {spec.name}": [_trial_counts(kept)]}}
 
 

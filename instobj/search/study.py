@@ -7,34 +7,39 @@ cut; it is dropped when the journal is opened again.
 
 from __future__ import annotations
 
+import time
+from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import optuna
-from optuna.storages import BaseStorage, JournalStorage, RDBStorage
+from optuna.storages import BaseStorage, JournalStorage
 from optuna.storages.journal import JournalFileBackend, JournalFileSymlinkLock
 from optuna.study import StudyDirection
 from optuna.trial import FrozenTrial, TrialState
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec
+from instobj.search.database import first_line, open_database, patiently, without_secrets
 from instobj.store.content import content_key
 
 _BUDGET = ("trials", "seconds", "trial_seconds", "batch", "leaders", "finalists", "polish_steps")
 """Of `[search]`: may change while a study goes on."""
-_MATTERS = (
-    *("arrangement", "body", "shell", "silicone", "magnets", "core", "sensors", "contact_grid"),
-    *("indenter", "press", "mesh", "mechanics", "score", "limits", "search"),
-)
+_MATTERS_NOT = ("name", "as_built", "export", "collection")
+"""The study is found by its name; the others change no score on any level."""
 _KEY = "specification"
+_STALE_LOCK_S = 60.0
 
 
 @dataclass(frozen=True)
 class KeptStudy:
-    """A study in its storage; `where` names that for people."""
+    """A study in its storage; `where` names that for people, `say` is told when it does not answer."""
 
     study: optuna.Study
     where: str
+    say: Callable[[str], None] = lambda text: None
 
     def keep(self, trials: list[FrozenTrial]) -> None:
         """Add finished trials.
@@ -44,17 +49,29 @@ class KeptStudy:
         InputError
             The storage cannot be written.
         """
-        try:
-            self.study.add_trials(trials)
-        except _FAULTS as error:
-            raise InputError(
-                f"cannot keep trials in {self.where}: {_first_line(error)}. What was kept before is "
-                "safe: mend that, then go on with --resume"
-            ) from error
+        for trial in trials:
+            self._asked(lambda trial=trial: self.study.add_trial(trial), "keep trials in")
 
     def trials(self) -> list[FrozenTrial]:
-        """All finished trials, in the order in which they were kept."""
-        return self.study.get_trials(deepcopy=False)
+        """All finished trials, in the order in which they were kept.
+
+        Raises
+        ------
+        InputError
+            The storage cannot be read.
+        """
+        return self._asked(lambda: self.study.get_trials(deepcopy=False), "read trials from")
+
+    def _asked(self, action: Callable[[], Any], what: str) -> Any:
+        from sqlalchemy.exc import SQLAlchemyError
+
+        try:
+            return patiently(action, self.say) if "://" in self.where else action()
+        except (*_FAULTS, SQLAlchemyError) as error:
+            raise InputError(
+                f"cannot {what} {self.where}: {first_line(error)}. What was kept before is safe: fix "
+                "that, then go on with --resume"
+            ) from error
 
     def finished(self) -> list[FrozenTrial]:
         """Those that have values."""
@@ -65,7 +82,11 @@ _FAULTS = (OSError, optuna.exceptions.StorageInternalError)
 
 
 def open_study(
-    spec: ObjectSpec, storage: str | Path, resume: bool = False, join: bool = False
+    spec: ObjectSpec,
+    storage: str | Path,
+    resume: bool = False,
+    join: bool = False,
+    say: Callable[[str], None] = lambda text: None,
 ) -> KeptStudy:
     """The study of this specification: a new one, or with `resume` the one that is there.
 
@@ -78,7 +99,7 @@ def open_study(
         is one of another specification.
     """
     optuna.logging.set_verbosity(optuna.logging.WARNING)
-    where = _without_password(str(storage))
+    where = without_secrets(str(storage)) if "://" in str(storage) else str(storage)
     backend = _storage(storage, where)
     known = spec.name in optuna.get_all_study_names(backend)
     if known and not (resume or join):
@@ -92,7 +113,7 @@ def open_study(
         )
     study = _loaded(spec, backend) if known else _created(spec, backend)
     _require_same(study, spec, where)
-    return KeptStudy(study, where)
+    return KeptStudy(study, where, say)
 
 
 def _loaded(spec: ObjectSpec, backend: BaseStorage) -> optuna.Study:
@@ -113,12 +134,12 @@ def _created(spec: ObjectSpec, backend: BaseStorage) -> optuna.Study:
 
 
 def study_key(spec: ObjectSpec) -> str:
-    """SHA-256 of what trials depend on: the budget of the search, training and so on may change."""
+    """SHA-256 of what scores on any level depend on; only the budget of the search may change."""
     alike = ObjectSpec.model_validate(spec.model_dump(mode="json"))  # defaults like what was read
     content = alike.model_dump(mode="json")
     for name in _BUDGET:
         del content["search"][name]
-    return content_key({name: content[name] for name in _MATTERS})
+    return content_key({name: part for name, part in content.items() if name not in _MATTERS_NOT})
 
 
 def mend_journal(path: Path) -> None:
@@ -142,6 +163,19 @@ def mend_journal(path: Path) -> None:
         _drop_cut_line(path)
 
 
+def _drop_dangling_lock(path: Path) -> None:
+    """Remove the lock of a process that was killed, where it points nowhere.
+
+    Optuna waits for a lock as long as the file that it points to keeps changing; the target of a
+    relative link is never found, and its wait never ends.
+    """
+    lock = Path(f"{path}.lock")
+    with suppress(FileNotFoundError):
+        old = time.time() - lock.lstat().st_mtime > _STALE_LOCK_S
+        if lock.is_symlink() and (not lock.exists() and (old or not lock.readlink().is_absolute())):
+            lock.unlink()
+
+
 def _drop_cut_line(path: Path) -> None:
     lock = JournalFileSymlinkLock(str(path))  # another process may just be writing that line
     lock.acquire()
@@ -155,10 +189,11 @@ def _drop_cut_line(path: Path) -> None:
 
 def _storage(storage: str | Path, where: str) -> BaseStorage:
     if "://" in str(storage):
-        return _database(str(storage), where)
-    path = Path(storage)
+        return open_database(str(storage))
+    path = Path(storage).resolve()  # a lock is a link to it, which must hold from any folder
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
+        _drop_dangling_lock(path)
         mend_journal(path)
         return JournalStorage(JournalFileBackend(str(path)))
     except OSError as error:
@@ -169,25 +204,8 @@ def _storage(storage: str | Path, where: str) -> BaseStorage:
         if isinstance(error, InputError):
             raise
         raise InputError(
-            f"{where} cannot be read as a journal: {_first_line(error)}. Restore it from a copy, or "
+            f"{where} cannot be read as a journal: {first_line(error)}. Restore it from a copy, or "
             "move it away to start anew"
-        ) from error
-
-
-def _database(url: str, where: str) -> BaseStorage:
-    import sqlalchemy.exc
-
-    try:
-        return RDBStorage(url, engine_kwargs={"pool_pre_ping": True})
-    except (sqlalchemy.exc.SQLAlchemyError, *_FAULTS) as error:
-        raise InputError(
-            f"cannot reach the database {where}: {_first_line(error)}. Check that it runs, its "
-            "address, user and password"
-        ) from error
-    except ImportError as error:
-        raise InputError(
-            f"the database {where} needs a driver: {_first_line(error)}. `pip install "
-            "instobj[postgresql]` brings that of PostgreSQL"
         ) from error
 
 
@@ -201,16 +219,3 @@ def _require_same(study: optuna.Study, spec: ObjectSpec, where: str) -> None:
             f"({kept[:12]}, now {key[:12]}): its trials cannot be compared. Undo the change (only the "
             "budget of [search] may change), or give the specification another name"
         )
-
-
-def _without_password(url: str) -> str:
-    head, at, tail = url.rpartition("@")
-    if not at or "://" not in head:
-        return url
-    scheme, _, user = head.partition("://")
-    return f"{scheme}://{user.partition(':')[0]}@{tail}"
-
-
-def _first_line(error: BaseException) -> str:
-    cause = error.__cause__ if error.__cause__ is not None else error
-    return str(cause).strip().splitlines()[0] if str(cause).strip() else type(cause).__name__

@@ -1,5 +1,6 @@
 """Several workers on one search in a real PostgreSQL server, which the tests start and stop."""
 
+import itertools
 import os
 import pwd
 import shutil
@@ -7,11 +8,15 @@ import socket
 import subprocess
 import sys
 import tempfile
+import traceback
 from pathlib import Path
 
+import optuna
 import pytest
+import sqlalchemy.exc
 
 from design.errors import InputError
+from instobj.search.database import open_database, patiently, without_secrets
 from instobj.search.loop import run_search
 from instobj.search.study import open_study
 from tests.support.search_cases import made_up_score, made_up_space
@@ -132,6 +137,78 @@ def test_an_unreachable_database_is_one_clear_error_without_its_password():
     with pytest.raises(InputError, match="cannot reach the database") as error:
         open_study(made_up_space().spec, url)
     assert "secret" not in str(error.value)
+
+
+@pytest.mark.parametrize(
+    "url",
+    [
+        "postgresql+psycopg://search@127.0.0.1:1/db?password=secret",
+        "postgresql+psycopg://127.0.0.1:1/db?user=a&sslpassword=secret&sslmode=prefer",
+        "postgresql+psycopg://:secret@/db",
+        "postgresql+psycopg://search:secret@127.0.0.1:port/db",
+        "postgresql+psycopg://search:secret@127.0.0.1:/db",
+        "sqlite:////no/such/folder/x.db?password=secret",
+    ],
+)
+def test_no_password_is_ever_printed(url):
+    pytest.importorskip("psycopg", reason="the driver comes with instobj[postgresql]")
+    assert "secret" not in without_secrets(url)
+    with pytest.raises(InputError, match="cannot reach the database") as error:
+        open_database(url)
+    text = "".join(traceback.format_exception(error.value))
+    assert "secret" not in text
+
+
+def test_workers_that_start_together_all_find_their_tables(monkeypatch):
+    """The one that comes second is told that a table exists already, and tries again."""
+    tried = []
+
+    def tables(url, **options):
+        tried.append(url)
+        if len(tried) < 3:
+            raise sqlalchemy.exc.ProgrammingError(
+                "CREATE TABLE studies", {}, Exception('relation "studies" already exists')
+            )
+        return "tables"
+
+    monkeypatch.setattr("instobj.search.database.RDBStorage", tables)
+    monkeypatch.setattr("time.sleep", lambda seconds: None)
+    assert open_database("sqlite://") == "tables"
+    assert len(tried) == 3
+
+
+def test_a_database_that_goes_away_is_asked_again_for_two_minutes():
+    pauses, said = [], []
+
+    def gone():
+        raise sqlalchemy.exc.OperationalError("SELECT", {}, Exception("server closed"))
+
+    with pytest.raises(sqlalchemy.exc.OperationalError):
+        patiently(gone, said.append, pauses.append)
+    assert 110 < sum(pauses) < 130
+    assert all(a < b for a, b in itertools.pairwise(pauses))
+    answers = iter([optuna.exceptions.StorageInternalError("gone"), 7])
+
+    def back():
+        answer = next(answers)
+        if isinstance(answer, Exception):
+            raise answer
+        return answer
+
+    assert patiently(back, said.append, pauses.append) == 7
+    assert "does not answer" in said[-1]
+
+
+def test_a_database_lost_for_good_ends_a_search_with_one_clear_error(tmp_path, monkeypatch):
+    monkeypatch.setattr("instobj.search.database._PAUSES_S", (0.01,))
+    kept = open_study(made_up_space().spec, f"sqlite:///{tmp_path}/search.db")
+
+    def gone(*given, **options):
+        raise sqlalchemy.exc.OperationalError("SELECT", {}, Exception("server closed"))
+
+    monkeypatch.setattr(kept.study, "get_trials", gone)
+    with pytest.raises(InputError, match="cannot read trials from sqlite"):
+        kept.trials()
 
 
 @pytest.mark.parametrize("url", ["nonsense://somewhere/x", "postgresql+nodriver://h/x"])

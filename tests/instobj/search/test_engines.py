@@ -5,6 +5,7 @@ import os
 import signal
 import subprocess
 import sys
+import threading
 import time
 from pathlib import Path
 
@@ -12,6 +13,7 @@ import numpy as np
 import pytest
 
 from design.errors import InputError
+from design.spec_io import parse_spec
 from instobj.search.apart import Apart, GivenUp
 from instobj.search.loop import run_search
 from instobj.search.study import mend_journal, open_study
@@ -100,6 +102,65 @@ def test_a_study_is_neither_overwritten_nor_mixed_up(tmp_path):
         open_study(made_up_space(reach=13.0).spec, path, resume=True)
     assert path.read_bytes() == kept
     assert len(open_study(made_up_space(trials=77).spec, path, resume=True).trials()) == 32
+
+
+@pytest.mark.parametrize(
+    "changed",
+    [
+        {"tolerances": {"magnet_seat_mm": 0.4}},
+        {"environment": {"earth_field_ut": 61.0}},
+        {"training": {"epochs": 7}},
+        {"protocol": {"frames_per_press": 77}},
+        {"printer": {"clearance_mm": 0.3}},
+        {"seed": 9},
+    ],
+    ids=lambda changed: next(iter(changed)),
+)
+def test_trials_scored_under_another_specification_are_not_mixed_in(changed, tmp_path):
+    """Tolerances, surroundings and training change what the same layout scores on some level."""
+    path = tmp_path / "journal.log"
+    searched(path, trials=16)
+    spec = made_up_space().spec
+    content = spec.model_dump(mode="json")
+    for name, part in changed.items():
+        content[name] = content[name] | part if isinstance(part, dict) else part
+    other = parse_spec(content, "changed")
+    assert other != spec
+    with pytest.raises(InputError, match="another specification"):
+        open_study(other, path, resume=True)
+
+
+@pytest.mark.parametrize("target", ["runs/x/search/journal.log", "/nowhere/journal.log"])
+def test_the_lock_of_a_killed_search_does_not_hold_up_the_next(target, tmp_path):
+    """A relative link, or one to a journal that has gone, made Optuna wait for ever."""
+    path = tmp_path / "journal.log"
+    searched(path, trials=16)
+    lock = Path(f"{path}.lock")
+    lock.symlink_to(target)
+    os.utime(lock, (0, 0), follow_symlinks=False)
+    ended = []
+    going_on = threading.Thread(
+        target=lambda: ended.append(len(searched(path, trials=32).trials())), daemon=True
+    )
+    going_on.start()
+    going_on.join(60)
+    assert ended == [32]
+
+
+def test_locks_hold_from_any_folder(tmp_path, monkeypatch):
+    """`--out .` gives a relative journal; the link that locks it must not dangle."""
+    monkeypatch.chdir(tmp_path)
+    seen, symlink = [], os.symlink
+
+    def watched(target, link, *rest, **more):
+        symlink(target, link, *rest, **more)
+        seen.append(Path(link).exists())
+
+    searched(Path("journal.log"), trials=8)
+    monkeypatch.setattr(os, "symlink", watched)
+    searched(Path("journal.log"), trials=16)
+    assert seen
+    assert all(seen)
 
 
 def test_a_line_cut_short_costs_that_trial_alone(tmp_path):
