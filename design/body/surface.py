@@ -56,10 +56,18 @@ def block_surface(block: Block) -> trimesh.Trimesh:
 
 def support_rings(spec: ObjectSpec) -> list[trimesh.Trimesh]:
     """Closed rings in the cavity's walls, from the end of the core a little towards an open face."""
+    width = min(_SUPPORT_RING_MM, spec.shell.thickness_mm / 3)
+    return [_support_ring(spec, normal, width) for normal, _ in support_ends(spec)]
+
+
+def support_ends(spec: ObjectSpec) -> list[tuple[np.ndarray, float]]:
+    """Planes in which a core with straight walls ends: normal towards the open face, level in mm."""
+    from design.body.kinds import FACE_AXES
+
     if spec.body.kind not in ("box", "cylinder"):
         return []
-    width = min(_SUPPORT_RING_MM, spec.shell.thickness_mm / 3)
-    return [_support_ring(spec, face, width) for face in spec.body.opened]
+    normals = [np.asarray(FACE_AXES[face][0], float) for face in spec.body.opened]
+    return [(normal, float(abs(normal) @ core_half_mm(spec))) for normal in normals]
 
 
 def largest_edge_mm(spec: ObjectSpec, radius_mm: float) -> float:
@@ -185,11 +193,9 @@ def _sampled_cavity(spec: ObjectSpec) -> trimesh.Trimesh:
     return with_bore(spec, sampled_core(spec))
 
 
-def _support_ring(spec: ObjectSpec, face: int, width_mm: float) -> trimesh.Trimesh:
+def _support_ring(spec: ObjectSpec, normal: np.ndarray, width_mm: float) -> trimesh.Trimesh:
     """The slab below the end of the core, as wide as the core and `width_mm`, less the cavity."""
-    from design.body.kinds import FACE_AXES
-
-    normal, half = np.asarray(FACE_AXES[face][0], float), core_half_mm(spec)
+    half = core_half_mm(spec)
     end, grown = normal * half, half + width_mm
     across = np.where(normal == 0, grown, 0)
     corners = np.stack([end - across, end + across + width_mm * normal])

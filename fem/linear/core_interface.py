@@ -23,11 +23,10 @@ from design.body.kinds import core_distance_mm
 from design.spec.object import ObjectSpec
 from fem.linear.elements import DisplacementSpace, MixedOperators
 from fem.linear.sparse import columns_of, rows_of, shape_of
+from fem.mesh.surfaces import surface_tolerance_mm
 
 WALLS = ((0, 1), (0, -1), (1, 1), (1, -1), (2, 1))
 """The core's walls in the cavity: axis and sign of the outward normal."""
-
-ON_SURFACE_MM = 0.1
 
 
 @dataclass(frozen=True)
@@ -103,11 +102,6 @@ def on_rim(nodes_mm: Float[np.ndarray, "node 3"], spec: ObjectSpec) -> Bool[np.n
     """Nodes of the flat ring round the open face."""
     height = nodes_mm[:, 2] + spec.body.size_mm[2] / 2
     return abs(height) < surface_tolerance_mm(spec)
-
-
-def surface_tolerance_mm(spec: ObjectSpec) -> float:
-    """How far a node may lie from the surface that it belongs to."""
-    return max(ON_SURFACE_MM, 2 * spec.mesh.envelope_mm)
 
 
 def rigid_interface_motions(

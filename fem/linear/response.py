@@ -23,7 +23,6 @@ from fem.linear.core_interface import (
     CoreContact,
     held_components,
     prescribed_loads,
-    surface_tolerance_mm,
     wall_openings,
 )
 from fem.linear.elements import (
@@ -38,6 +37,7 @@ from fem.linear.factorization import Compliance, SingularSystemError, compliance
 from fem.linear.magnets import magnet_of_nodes, mean_motion_functionals, rigid_motion_basis
 from fem.linear.material import lame_constants
 from fem.linear.sparse import columns_of, rows_of, shape_of
+from fem.mesh.surfaces import surface_tolerance_mm
 from fem.mesh.tetrahedra import SILICONE, TetMesh
 
 LOCKING_WARNING = (

@@ -18,6 +18,13 @@ from design.spec.object import ObjectSpec
 if TYPE_CHECKING:
     import trimesh
 
+ON_SURFACE_MM = 0.1
+
+
+def surface_tolerance_mm(spec: ObjectSpec) -> float:
+    """How far a node may lie from the surface that it belongs to."""
+    return max(ON_SURFACE_MM, 2 * spec.mesh.envelope_mm)
+
 
 def all_surfaces(spec: ObjectSpec, magnets: bool = True) -> trimesh.Trimesh:
     """Body, magnets (or none) and support rings in one object, each still closed by itself."""

@@ -18,6 +18,7 @@ from design.errors import InputError
 from design.files import atomic_path
 from design.layout.positions import face_frames, shell_body_layout
 from design.spec.object import ObjectSpec
+from fem.mesh.support_line import with_support_lines
 from fem.mesh.surfaces import all_surfaces, in_body
 
 SILICONE = -1
@@ -88,6 +89,7 @@ def tetrahedralize(
                 f"(now {spec.mesh.envelope_mm:g}) or a smaller mesh.edge_mm"
             ) from error
     tets = _positively_oriented(points, tets.astype(np.int64))
+    points, tets = with_support_lines(points, tets, spec)
     if not magnets:
         return TetMesh(points, tets, np.full(len(tets), SILICONE))
     return TetMesh(points, tets, _containing_magnet(spec, points[tets].mean(axis=1)))
