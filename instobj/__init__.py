@@ -1,1 +1,63 @@
-"""The application that chains design, fem and estimator."""
+"""Design, simulate and calibrate instrumented objects: the names to use from Python.
+
+Each name is loaded when it is first used (PEP 562, SPEC 1), so that `import instobj` is quick.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from design.errors import InputError
+    from design.spec.object import ObjectSpec
+    from design.spec_io import load_spec
+    from estimator.frames.dataset import FrameSet, load_frames
+    from estimator.networks.face_model import FaceModel
+    from estimator.recordings.reading import Recording, read_recording
+    from instobj.api import build_parts, evaluate, fit_estimator, magnet_field, predict
+    from instobj.commands.run import check
+    from instobj.stages.run import Run
+
+__all__ = [
+    "FaceModel",
+    "FrameSet",
+    "InputError",
+    "ObjectSpec",
+    "Recording",
+    "Run",
+    "build_parts",
+    "check",
+    "evaluate",
+    "fit_estimator",
+    "load_frames",
+    "load_spec",
+    "magnet_field",
+    "predict",
+    "read_recording",
+]
+
+_HOMES = {
+    "design.errors": ("InputError",),
+    "design.spec.object": ("ObjectSpec",),
+    "design.spec_io": ("load_spec",),
+    "estimator.frames.dataset": ("FrameSet", "load_frames"),
+    "estimator.networks.face_model": ("FaceModel",),
+    "estimator.recordings.reading": ("Recording", "read_recording"),
+    "instobj.api": ("build_parts", "evaluate", "fit_estimator", "magnet_field", "predict"),
+    "instobj.commands.run": ("check",),
+    "instobj.stages.run": ("Run",),
+}
+_HOME_OF = {name: module for module, names in _HOMES.items() for name in names}
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOME_OF:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    value = getattr(import_module(_HOME_OF[name]), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -38,32 +39,77 @@ def new_specification(name: str, out: Path) -> Path:
     return target
 
 
-def check_specifications(specs: list[Path], overrides: list[str]) -> dict[str, Any]:
-    """Validate each specification, and that no sensor saturates or sits in a magnet at rest."""
+@dataclass(frozen=True)
+class SpecCheck:
+    """What `check` found: how many magnets and sensors, and the field where it is largest at rest.
+
+    Attributes
+    ----------
+    largest_field_at_rest_mt, range_mt : on any chip axis, and full scale of the sensors, mT
+    """
+
+    magnets: int
+    sensors: int
+    largest_field_at_rest_mt: float
+    range_mt: float
+
+
+def check(spec: ObjectSpec) -> SpecCheck:
+    """Check that no sensor saturates at rest or sits in a magnet.
+
+    Parameters
+    ----------
+    spec : ObjectSpec
+        Already validated: unknown keys, bounds and whether everything fits are checked when it is
+        made.
+
+    Returns
+    -------
+    SpecCheck
+
+    Raises
+    ------
+    SpecError
+        It says which sensor, by how much, and which key to change.
+
+    Examples
+    --------
+    >>> import instobj
+    >>> found = instobj.check(instobj.ObjectSpec(name="cube"))
+    >>> found.sensors, found.largest_field_at_rest_mt < found.range_mt
+    (15, True)
+    """
     from design.layout.positions import magnet_layout, sensor_layout
     from estimator.field.sources import magnet_source
     from estimator.signals.hall import check_rest, check_sensors_outside_magnets
     from estimator.signals.presses import rest_counts
+
+    sensors, magnets = sensor_layout(spec), magnet_layout(spec)
+    check_sensors_outside_magnets(sensors, magnets, magnet_source(spec.magnets))
+    counts = rest_counts(spec)
+    check_rest(counts, sensors, spec.sensors)
+    largest_mt = float(abs(counts).max()) / spec.sensors.counts_per_mt
+    return SpecCheck(len(magnets.face), len(sensors.face), largest_mt, spec.sensors.range_mt)
+
+
+def check_specifications(specs: list[Path], overrides: list[str]) -> dict[str, Any]:
+    """Validate each specification, and that no sensor saturates or sits in a magnet at rest."""
     from instobj.commands.material import force_spread_text, modulus_text
     from instobj.report.surroundings import surroundings_row
 
     rows = []
     for path in specs:
         spec = load_spec(path, overrides)
-        sensors, magnets = sensor_layout(spec), magnet_layout(spec)
-        check_sensors_outside_magnets(sensors, magnets, magnet_source(spec.magnets))
-        counts = rest_counts(spec)
-        check_rest(counts, sensors, spec.sensors)
-        largest_mt = float(abs(counts).max()) / spec.sensors.counts_per_mt
+        found = check(spec)
         rows.append(
             {
                 "spec": str(path),
                 "name": spec.name,
                 "spec_hash": spec_hash(spec),
-                "magnets": len(magnets.face),
-                "sensors": len(sensors.face),
-                "largest_field_at_rest_mt": round(largest_mt, 3),
-                "range_mt": spec.sensors.range_mt,
+                "magnets": found.magnets,
+                "sensors": found.sensors,
+                "largest_field_at_rest_mt": round(found.largest_field_at_rest_mt, 3),
+                "range_mt": found.range_mt,
                 "youngs_modulus_mpa": spec.silicone.youngs_modulus_mpa,
                 "youngs_modulus_range_mpa": spec.silicone.youngs_modulus_range_mpa,
                 "modulus": modulus_text(spec),

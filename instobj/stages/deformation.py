@@ -62,7 +62,7 @@ def make_large_strain(context: StageContext, folder: Path) -> None:
     content: dict[str, Any] = {"correction": None, "presses": []}
     if spec.mechanics.correction == "large-strain":
         content = _presses_and_fit(context)
-    with atomic_path(folder / LARGE_STRAIN) as temporary:
+    with atomic_path(LARGE_STRAIN.path(folder)) as temporary:
         temporary.write_text(json.dumps(content, indent=1), encoding="utf-8")
 
 

@@ -12,29 +12,7 @@ from design.files import atomic_path
 from design.spec.object import ObjectSpec
 from design.spec_io import spec_hash
 from instobj.store.content import RECORD, StoredResult
-
-_FILES = {
-    "fabrication": ("fabrication.json", "fabrication.png"),
-    "sheet": ("bom.csv", "exploded.png", "assembly.html"),
-    "mesh": ("mesh_quality.json",),
-    "discretisation": ("discretisation.json",),
-    "signals": ("signals.nc",),
-    "scores": ("scores.csv", "cross_face.json", "maps/*.png"),
-    "shear_scores": ("shear_scores.csv", "maps/*.png"),
-    "identify": ("identifiability.csv", "*.png"),
-    "compliance": ("compliance.csv", "maps/*.png"),
-    "shapes": ("shapes/*",),
-    "large_strain": ("large_strain.json",),
-    "robustness": ("robustness.json", "robustness.png"),
-    "frames": ("frames.nc",),
-    "collection": ("frames_*.nc",),
-    "pulled_collection": ("frames_*.nc",),
-    "networks": ("*.safetensors", "calibration.json", "calibration.png"),
-    "pretraining": ("pretrained/*.safetensors",),
-    "metrics": ("metrics.json", "metrics/*.png"),
-    "report": ("report.html",),
-    "press": ("press.json", "press.nc", "force_travel.png", "section.png", "*.vtu"),
-}
+from instobj.store.readers import published_files
 
 _BESIDE_THE_PARTS = ("fabrication", "sheet")
 """Stages whose files go to the parts, not to the results."""
@@ -62,21 +40,20 @@ def require_writable(out: Path) -> None:
 def publish(spec: ObjectSpec, result: StoredResult, out: Path) -> list[Path]:
     """Copy the files of one stage that users read; returns where they are."""
     if result.stage == "build":
-        return _publish_parts(spec, result.folder, cad_folder(out, spec.name))
+        return publish_parts(spec, result.folder, cad_folder(out, spec.name))
     folder = cad_folder if result.stage in _BESIDE_THE_PARTS else run_folder
     return publish_to(folder(out, spec.name), result)
 
 
 def publish_to(target: Path, result: StoredResult) -> list[Path]:
     """Copy a stage's files for users into a folder; returns where they are."""
-    published = []
-    for pattern in _FILES.get(result.stage, ()):
-        for source in sorted(result.folder.glob(pattern)):
-            published.append(_copy(source, target / source.relative_to(result.folder)))
-    return published
+    return [
+        _copy(source, target / source.relative_to(result.folder))
+        for source in published_files(result.stage, result.folder)
+    ]
 
 
-def _publish_parts(spec: ObjectSpec, source: Path, target: Path) -> list[Path]:
+def publish_parts(spec: ObjectSpec, source: Path, target: Path) -> list[Path]:
     """Parts first, the manifest last, with the hash of the whole specification of this run."""
     from design.build.manifest import MANIFEST_NAME, BuildManifest
 

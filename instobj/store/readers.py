@@ -1,22 +1,116 @@
-"""Files of stage results, read into what they hold."""
+"""Files of stage results: their names, which of them users get, and how each is read.
+
+A stage's files are declared here once. Makers write to `path`, everyone else calls `read`.
+"""
 
 from __future__ import annotations
 
+import csv
 import json
+from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 if TYPE_CHECKING:
+    from design.build.manifest import BuildManifest
+    from estimator.frames.dataset import FrameSet
+    from estimator.information.scores import PlaceScores
+    from estimator.networks.face_model import FaceModel
+    from estimator.signals.presses import Signals
+    from estimator.tolerances.result import Robustness
+    from fem.large_strain.correction import StrainCorrection
+    from fem.linear.response import ResponseOperator
+    from fem.mesh.tetrahedra import TetMesh
+    from fem.presses.results import MagnetMotions, PressForces
+    from fem.presses.shear import ShearMotions
+
+Content = TypeVar("Content")
+
+
+@dataclass(frozen=True)
+class ResultFile(Generic[Content]):
+    """A file, or a pattern of files, in the folder of a stage's result.
+
+    Attributes
+    ----------
+    stage : name of the stage that writes it
+    name : in the stage's folder; with `*`, of several files
+    load : reads it from its path
+    published : whether it is copied to `runs/<name>` or `cad_out/<name>`, where users look
+    """
+
+    stage: str
+    name: str
+    load: Callable[[Path], Content]
+    published: bool = False
+
+    def path(self, folder: Path) -> Path:
+        """Where it lies in the stage's folder."""
+        return folder / self.name
+
+    def read(self, folder: Path) -> Content:
+        """What it holds, from the stage's folder."""
+        return self.load(self.path(folder))
+
+
+def published_files(stage: str, folder: Path) -> list[Path]:
+    """Files of a stage's folder that users get, in the order of their declaration."""
+    declared = [file for file in globals().values() if isinstance(file, ResultFile)]
+    names = [file.name for file in declared if file.stage == stage and file.published]
+    return [path for name in names for path in sorted(folder.glob(name))]
+
+
+def face_model_path(folder: Path, face: int) -> Path:
+    """Where the estimator of a face lies in a folder of estimators."""
+    return folder / f"face_{face}.safetensors"
+
+
+def face_model_paths(folder: Path) -> list[Path]:
+    """Estimators in a folder, one per face, in the order of the faces."""
+    return sorted(folder.glob("face_*.safetensors"))
+
+
+def _json(path: Path) -> dict[str, Any]:
+    return json.loads(path.read_text(encoding="utf-8"))
+
+
+def _json_if_there(path: Path) -> dict[str, Any] | None:
+    return _json(path) if path.exists() else None
+
+
+def _rows(path: Path) -> list[dict[str, str]]:
+    with path.open(newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def _path(path: Path) -> Path:
+    return path
+
+
+def _manifest(path: Path) -> BuildManifest:
+    from design.build.manifest import BuildManifest
+
+    return BuildManifest.read(path.parent)
+
+
+def _mesh(path: Path) -> TetMesh:
+    from fem.mesh.tetrahedra import load_mesh
+
+    return load_mesh(path)
+
+
+def _response(path: Path) -> ResponseOperator:
+    from fem.linear.response import load_response
+
+    return load_response(path.parent)
+
+
+def _correction(path: Path) -> StrainCorrection | None:
+    """None where none was asked for."""
     from fem.large_strain.correction import StrainCorrection
 
-LARGE_STRAIN = "large_strain.json"
-
-
-def stored_correction(folder: Path) -> StrainCorrection | None:
-    """The correction in the folder of the stage "large_strain"; None where none was asked for."""
-    from fem.large_strain.correction import StrainCorrection
-
-    content = large_strain_content(folder)["correction"]
+    content = _json(path)["correction"]
     if content is None:
         return None
     return StrainCorrection(
@@ -27,6 +121,118 @@ def stored_correction(folder: Path) -> StrainCorrection | None:
     )
 
 
+def _presses(path: Path) -> tuple[PressForces, MagnetMotions]:
+    from fem.presses.results import load_presses
+
+    return load_presses(path)
+
+
+def _forces(path: Path) -> PressForces:
+    from fem.presses.compliance_map import load_forces
+
+    return load_forces(path)
+
+
+def _shear(path: Path) -> ShearMotions:
+    from fem.presses.shear import load_shear
+
+    return load_shear(path)
+
+
+def _signals(path: Path) -> Signals:
+    from estimator.signals.presses import load_signals
+
+    return load_signals(path)
+
+
+def _scores(path: Path) -> PlaceScores:
+    from estimator.information.scores import load_scores_csv
+
+    return load_scores_csv(path)
+
+
+def _robustness(path: Path) -> Robustness:
+    from estimator.tolerances.result import load_robustness
+
+    return load_robustness(path)
+
+
+def _frames(path: Path) -> FrameSet:
+    from estimator.frames.dataset import load_frames
+
+    return load_frames(path)
+
+
+def _face_models(path: Path) -> dict[int, FaceModel]:
+    """Estimators by face."""
+    from estimator.networks.face_model import load_model
+
+    models = [load_model(one) for one in face_model_paths(path.parent)]
+    return {model.face: model for model in models}
+
+
+MANIFEST = ResultFile("build", "manifest.json", _manifest)
+PARTS_PICTURE = ResultFile("build", "parts.png", _path)
+FINDINGS = ResultFile("fabrication", "fabrication.json", _json, published=True)
+FINDINGS_PICTURE = ResultFile("fabrication", "fabrication.png", _path, published=True)
+BOM = ResultFile("sheet", "bom.csv", _rows, published=True)
+EXPLODED_VIEW = ResultFile("sheet", "exploded.png", _path, published=True)
+ASSEMBLY_SHEET = ResultFile("sheet", "assembly.html", _path, published=True)
+MESH = ResultFile("mesh", "mesh.npz", _mesh)
+MESH_QUALITY = ResultFile("mesh", "mesh_quality.json", _json, published=True)
+RESPONSE = ResultFile("response", "surfaces.npz", _response)
+RESPONSE_SIZE = ResultFile("response", "response.json", _json)
+LARGE_STRAIN = ResultFile("large_strain", "large_strain.json", _json, published=True)
+CORRECTION = ResultFile("large_strain", "large_strain.json", _correction)
+SHAPES = ResultFile("shapes", "shapes/*", _path, published=True)
+PRESSES = ResultFile("presses", "presses.nc", _presses)
+CORE_TENSION = ResultFile("presses", "core_tension.json", _json_if_there)
+PLAIN_MESH = ResultFile("plain_mesh", "mesh.npz", _mesh)
+PLAIN_RESPONSE = ResultFile("plain_response", "surfaces.npz", _response)
+PLAIN_FORCES = ResultFile("plain_presses", "forces.npz", _forces)
+COMPLIANCE = ResultFile("compliance", "compliance.csv", _rows, published=True)
+COMPLIANCE_MAPS = ResultFile("compliance", "maps/*.png", _path, published=True)
+INTERPOLATION_ERROR = ResultFile("candidates", "interpolation_error.json", _json)
+COARSE_RESPONSE = ResultFile("coarse_response", "surfaces.npz", _response)
+DISCRETISATION = ResultFile("discretisation", "discretisation.json", _json, published=True)
+SIGNALS = ResultFile("signals", "lattice_signals.nc", _signals)
+GRID_SIGNALS = ResultFile("signals", "signals.nc", _path, published=True)
+SCORES = ResultFile("scores", "scores.csv", _scores, published=True)
+CROSS_FACE = ResultFile("scores", "cross_face.json", _json, published=True)
+SCORE_MAPS = ResultFile("scores", "maps/*.png", _path, published=True)
+SHEAR = ResultFile("shear", "shear.nc", _shear)
+SHEAR_SCORES = ResultFile("shear_scores", "shear_scores.csv", _rows, published=True)
+SHEAR_MAPS = ResultFile("shear_scores", "maps/*.png", _path, published=True)
+IDENTIFIABILITY = ResultFile("identify", "identifiability.csv", _rows, published=True)
+IDENTIFIABILITY_PICTURES = ResultFile("identify", "*.png", _path, published=True)
+ROBUSTNESS = ResultFile("robustness", "robustness.json", _robustness, published=True)
+ROBUSTNESS_PICTURE = ResultFile("robustness", "robustness.png", _path, published=True)
+FRAMES = ResultFile("frames", "frames.nc", _frames, published=True)
+PROTOCOL = ResultFile("frames", "protocol.json", _json)
+COLLECTION = ResultFile("collection", "frames_*.nc", _path, published=True)
+COLLECTION_SUMMARY = ResultFile("collection", "frames.json", _json)
+PULLED_COLLECTION = ResultFile("pulled_collection", "frames_*.nc", _path, published=True)
+PULLED_SUMMARY = ResultFile("pulled_collection", "frames.json", _json)
+MODELS = ResultFile("networks", "face_*.safetensors", _face_models, published=True)
+CALIBRATION = ResultFile("networks", "calibration.json", _json_if_there, published=True)
+CALIBRATION_PICTURE = ResultFile("networks", "calibration.png", _path, published=True)
+PRETRAINED = ResultFile("pretraining", "pretrained/*.safetensors", _face_models, published=True)
+METRICS = ResultFile("metrics", "metrics.json", _json, published=True)
+METRICS_PICTURES = ResultFile("metrics", "metrics/*.png", _path, published=True)
+REPORT = ResultFile("report", "report.html", _path, published=True)
+PRESS_MESH = ResultFile("press_mesh", "mesh.npz", _mesh)
+PRESS = ResultFile("press", "press.json", _json, published=True)
+PRESS_FIELDS = ResultFile("press", "press.nc", _path, published=True)
+PRESS_CURVE = ResultFile("press", "force_travel.png", _path, published=True)
+PRESS_SECTION = ResultFile("press", "section.png", _path, published=True)
+PRESS_SHAPES = ResultFile("press", "*.vtu", _path, published=True)
+
+
+def stored_correction(folder: Path) -> StrainCorrection | None:
+    """The correction in the folder of the stage "large_strain"; None where none was asked for."""
+    return CORRECTION.read(folder)
+
+
 def large_strain_content(folder: Path) -> dict[str, Any]:
     """What the stage "large_strain" wrote: coefficients, errors, and a row for each press."""
-    return json.loads((folder / LARGE_STRAIN).read_text(encoding="utf-8"))
+    return LARGE_STRAIN.read(folder)

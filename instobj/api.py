@@ -1,0 +1,252 @@
+"""The functions of `import instobj`, apart from those that lower rooms offer as they are."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from design.spec.object import ObjectSpec, TrainingSpec
+
+if TYPE_CHECKING:
+    import xarray as xr
+    from numpy.typing import ArrayLike
+
+    from design.build.manifest import BuildManifest
+    from estimator.frames.dataset import FrameSet
+    from estimator.networks.face_model import FaceModel
+    from estimator.networks.metrics import FaceMetrics
+    from estimator.networks.prediction import Prediction
+    from estimator.recordings.reading import Recording
+
+
+def build_parts(spec: ObjectSpec, out: Path | str = "cad_out") -> BuildManifest:
+    """Build core, shell, mould, probes and jig, and write their files to `out/<name of the object>`.
+
+    Every part is written as STL, STEP and 3MF, the assembly as GLB; `manifest.json` lists them.
+    Parts that the store holds are copied.
+
+    Parameters
+    ----------
+    spec : ObjectSpec
+    out : path
+        Folder that gets a folder named after the object.
+
+    Returns
+    -------
+    BuildManifest
+        Name, volume (mm³), size (mm) and files of every part.
+
+    Raises
+    ------
+    SpecError
+        The dimensions give no valid part.
+    StoreError
+        A folder cannot be written.
+
+    Examples
+    --------
+    >>> import instobj
+    >>> tiny = instobj.ObjectSpec(name="tiny", body={"sensed_faces": [1]})
+    >>> manifest = instobj.build_parts(tiny, "cad_out")
+    >>> [part.name for part in manifest.parts][:2]
+    ['core', 'shell']
+    """
+    from design.build.manifest import BuildManifest
+    from instobj.stages.run import Run
+    from instobj.store.publish import publish_parts
+
+    folder = Path(out) / spec.name
+    publish_parts(spec, Run(spec).require("build").folder, folder)
+    return BuildManifest.read(folder)
+
+
+def magnet_field(spec: ObjectSpec, points_mm: ArrayLike) -> xr.DataArray:
+    """Flux density of all magnets at rest, at any points outside them.
+
+    Exact for uniformly polarized disks, rings and blocks. Earth's field, steel plates and other
+    surroundings are left out: see `[environment]` for what sensors feel of them.
+
+    Parameters
+    ----------
+    spec : ObjectSpec
+    points_mm : array_like (point, 3)
+        Points in the object's frame, mm.
+
+    Returns
+    -------
+    DataArray (point, axis)
+        Flux density, T, along x, y, z of the object's frame.
+
+    Raises
+    ------
+    InputError
+        The points are not of that shape, or not finite.
+
+    Examples
+    --------
+    Above the middle of the top face, whose magnets point inwards and outwards by turns:
+
+    >>> import instobj
+    >>> cube = instobj.ObjectSpec(name="cube")
+    >>> field = instobj.magnet_field(cube, [[0.0, 0.0, 10.0], [0.0, 0.0, 30.0]])
+    >>> field.dims, field.attrs["units"]
+    (('point', 'axis'), 'T')
+    >>> bool(abs(field).max() < 0.1)
+    True
+    """
+    import xarray as xr
+
+    from design.errors import InputError
+    from design.layout.positions import magnet_layout
+    from estimator.field.models import FieldModel, sum_over_magnets
+    from estimator.field.sources import magnet_source
+
+    points = np.asarray(points_mm, dtype=float)
+    if points.ndim != 2 or points.shape[1] != 3 or not np.isfinite(points).all():
+        raise InputError(
+            f"points_mm must be finite numbers of shape (point, 3); got shape {points.shape}. "
+            "Give one row x, y, z in mm per point"
+        )
+    layout = magnet_layout(spec)
+    x, y, z = points.T[:, None]
+    centres, axes, sides = (
+        tuple(given.T[:, :, None]) for given in (layout.centre_mm, layout.axis, layout.side)
+    )
+    model = FieldModel(magnet_source(spec.magnets), "exact")
+    field_t = sum_over_magnets((x, y, z), centres, axes, model, sides, layout.strength[:, None])
+    return xr.DataArray(
+        np.stack(field_t, axis=-1),
+        dims=("point", "axis"),
+        coords={"axis": list("xyz")},
+        attrs={"units": "T"},
+        name="flux_density",
+    )
+
+
+def fit_estimator(
+    data: Recording | FrameSet,
+    face: int,
+    training: TrainingSpec | None = None,
+    seed: int = 1,
+) -> FaceModel:
+    """Train the contact estimator of one face on a recording or a data set.
+
+    Three fifths of the presses train it, a fifth stops the training and calibrates its intervals;
+    the last fifth is left for `evaluate`, which finds it by the same seed.
+
+    Parameters
+    ----------
+    data : Recording or FrameSet
+        What `read_recording` or `load_frames` gives, or `Run.frames`.
+    face : int
+        Number of the face.
+    training : TrainingSpec, optional
+        Settings, as in the table `[training]` of a specification; by default a compact network.
+    seed : int
+        Of the split, the first weights and the order of the frames.
+
+    Returns
+    -------
+    FaceModel
+        The estimator; `estimator.networks.face_model.save_model` writes it.
+
+    Raises
+    ------
+    InputError
+        No contact on the face, or fewer than three presses.
+
+    Examples
+    --------
+    >>> import instobj
+    >>> from design.spec.object import TrainingSpec
+    >>> quick = TrainingSpec(epochs=3, hidden_units=(16, 16))
+    >>> frames = instobj.load_frames("frames.nc")
+    >>> model = instobj.fit_estimator(frames, face=1, training=quick)
+    >>> reading = instobj.predict(model, frames)
+    >>> reading.force_n.shape == (len(frames),)
+    True
+    """
+    from estimator.frames.splits import split_presses
+    from estimator.networks.training import FitSettings
+    from estimator.networks.training import fit_estimator as fit
+
+    frames = _frames(data)
+    split = split_presses(frames, seed)
+    settings = FitSettings(face, training or TrainingSpec(), seed)
+    return fit(frames.select(split.train), frames.select(split.validation), settings)
+
+
+def predict(model: FaceModel, data: Recording | FrameSet) -> Prediction:
+    """Contacts that an estimator reads in every frame.
+
+    Parameters
+    ----------
+    model : FaceModel
+    data : Recording or FrameSet
+        Frames with the channels that the model was trained on.
+
+    Returns
+    -------
+    Prediction
+        Arrays over frames: `heatmap_n` (frame, axis, nx, ny) and `force_n`, N; `xy_mm` (frame, 2) in
+        the face's frame; `contact`, probability; half-widths of intervals, N and mm.
+
+    Raises
+    ------
+    InputError
+        A channel that the model uses is missing.
+
+    Examples
+    --------
+    As of `fit_estimator`.
+    """
+    from estimator.networks.face_model import predict as read
+
+    return read(model, _frames(data))
+
+
+def evaluate(model: FaceModel, data: Recording | FrameSet, seed: int = 1) -> FaceMetrics:
+    """Metrics of an estimator on the presses that `fit_estimator` held out.
+
+    Parameters
+    ----------
+    model : FaceModel
+    data : Recording or FrameSet
+        What the model was trained on.
+    seed : int
+        That of `fit_estimator`.
+
+    Returns
+    -------
+    FaceMetrics
+        Similarity of heatmaps, localisation error (pixels), force error (N, %), accuracy at rest.
+
+    Raises
+    ------
+    InputError
+        The held-out presses hold no usable frame of the face.
+
+    Examples
+    --------
+    >>> import instobj
+    >>> from design.spec.object import TrainingSpec
+    >>> quick = TrainingSpec(epochs=3, hidden_units=(16, 16))
+    >>> frames = instobj.load_frames("frames.nc")
+    >>> model = instobj.fit_estimator(frames, face=1, training=quick)
+    >>> instobj.evaluate(model, frames).contact_frames > 0
+    True
+    """
+    from estimator.evaluation.evaluation import evaluate_face
+    from estimator.frames.splits import split_presses
+
+    frames = _frames(data)
+    held_out = frames.select(split_presses(frames, seed).test)
+    return evaluate_face(model, held_out, dataset=frames)
+
+
+def _frames(data: Recording | FrameSet) -> FrameSet:
+    from estimator.recordings.reading import Recording
+
+    return data.frames if isinstance(data, Recording) else data

@@ -1,0 +1,177 @@
+"""A run: the results of one specification, each made when it is first asked for, then kept."""
+
+from __future__ import annotations
+
+from dataclasses import fields
+from typing import TYPE_CHECKING, TypeVar
+
+import numpy as np
+
+from instobj.stages.chain import Chain
+from instobj.store import readers
+from instobj.store.readers import ResultFile
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from estimator.frames.dataset import FrameSet
+    from estimator.networks.face_model import FaceModel
+    from fem.mesh.tetrahedra import TetMesh
+
+Content = TypeVar("Content")
+_UNITS_BY_ENDING = {"n_per_mm": "N/mm", "mm": "mm", "n": "N", "deg": "deg"}
+_UNITS_BY_NAME = {
+    "delta_raw": "count^d/N",
+    "delta_raw_standard_error": "count^d/N",
+    "delta_scaled": "1/N",
+    "reaches_score_force": "1",
+}
+
+
+class Run(Chain):
+    """The results of one specification: made when first asked for, stored, and reused.
+
+    The store is that of the commands (`INSTOBJ_STORE`, by default `.instobj` in the current
+    folder): what `instobj run` has made is read, and a run that was interrupted goes on from its
+    last complete stage. Progress is written to standard error.
+
+    Parameters
+    ----------
+    spec : ObjectSpec
+        The object. `load_spec` reads one from a file.
+
+    Raises
+    ------
+    SpecError
+        On asking for a result: the object cannot be made or simulated as specified.
+    SolverError
+        On asking for a result: a mesh or a solve failed.
+    StoreError
+        On asking for a result: the store cannot be read or written.
+
+    Examples
+    --------
+    A small object: one sensed face with 3 × 3 contact places, on a coarse mesh.
+
+    >>> import instobj
+    >>> tiny = instobj.ObjectSpec(
+    ...     name="tiny", body={"sensed_faces": [1]},
+    ...     contact_grid={"count": [3, 3], "pitch_mm": 6.0}, press={"depths_mm": [1.0, 2.0]},
+    ...     mesh={"edge_mm": 8.0, "surface_edge_mm": 3.0}, score={"force_n": 2.0},
+    ... )
+    >>> run = instobj.Run(tiny)
+    >>> run.scores.position_bound_mm.dims
+    ('face', 'place')
+    >>> run.scores.position_bound_mm.attrs["units"]
+    'mm'
+    >>> bool(run.scores.position_bound_mm.max() < 5.0)
+    True
+    """
+
+    def read(self, file: ResultFile[Content]) -> Content:
+        """A result file of `instobj.store.readers`, its stage made first where it is not stored."""
+        return file.read(self.require(file.stage).folder)
+
+    @property
+    def mesh(self) -> TetMesh:
+        """Tetrahedra of the sealed body, every magnet resolved; lengths in mm."""
+        return self.read(readers.MESH)
+
+    @property
+    def presses(self) -> xr.Dataset:
+        """Every simulated press: normal force, contact area and motion of every magnet.
+
+        Dimensions: face, place (of the press lattice, with `x_mm`, `y_mm` in the face's frame),
+        step (with `depth_mm`), magnet, component (x, y, z displacement in mm; rotation vector in
+        rad). Variables: `force_n` (N), `contact_area_mm2` (mm²), `motion`.
+        """
+        import xarray as xr
+
+        forces, motions = self.read(readers.PRESSES)
+        per_press = ("face", "place", "step")
+        xy_mm = forces.lattice.xy_mm
+        return xr.Dataset(
+            {
+                "force_n": (per_press, forces.force_n, {"units": "N"}),
+                "contact_area_mm2": (per_press, forces.contact_area_mm2, {"units": "mm2"}),
+                "motion": (
+                    (*per_press, "magnet", "component"),
+                    motions.motion,
+                    {"units": "mm mm mm rad rad rad"},
+                ),
+            },
+            coords={"face": forces.faces, "depth_mm": ("step", forces.depth_mm, {"units": "mm"})}
+            | _places(xy_mm),
+        )
+
+    @property
+    def signals(self) -> xr.Dataset:
+        """What every sensor reads in every press of a contact place.
+
+        Dimensions: face, place (with `x_mm`, `y_mm`), step (with `depth_mm`), sensor (all faces,
+        with `sensor_face`), axis (X, Y, Z of the chip). Variables: `force_n` (N), `delta_counts`,
+        `baseline_counts` and `reading_counts`, a simulated noisy reading (counts).
+        """
+        import xarray as xr
+
+        return xr.load_dataset(
+            self.read(readers.GRID_SIGNALS), engine="h5netcdf", decode_timedelta=False
+        )
+
+    @property
+    def scores(self) -> xr.Dataset:
+        """Cramér–Rao bounds and sensitivity of every contact place.
+
+        Dimensions: face, place (with `x_mm`, `y_mm` in the face's frame). Variables, each freshly
+        tared and as `…_drifted_…` after 15 min: `position_bound_mm` (mm), `force_bound_n` (N),
+        `detectable_force_n` (N); further `delta_raw`, `delta_scaled` (convex-hull sensitivity),
+        `weakest_direction_deg`, `force_at_score_n`, `reaches_score_force`, `depth_at_score_mm`,
+        `stiffness_n_per_mm`. Source: `estimator.information.scores`.
+        """
+        import xarray as xr
+
+        scores = self.read(readers.SCORES)
+        names = [field.name for field in fields(scores)][2:]
+        return xr.Dataset(
+            {
+                name.replace("_fresh", ""): (
+                    ("face", "place"),
+                    getattr(scores, name),
+                    {"units": _unit(name)},
+                )
+                for name in names
+            },
+            coords={"face": scores.faces} | _places(scores.grid.xy_mm),
+        )
+
+    @property
+    def frames(self) -> FrameSet:
+        """Simulated calibration presses as labelled frames, the data that estimators learn from."""
+        return self.read(readers.FRAMES)
+
+    def estimator(self, face: int) -> FaceModel:
+        """The estimator of a face, trained on `frames`.
+
+        Raises
+        ------
+        InputError
+            The face is not sensed.
+        """
+        from design.errors import InputError
+
+        models = self.read(readers.MODELS)
+        if face not in models:
+            raise InputError(
+                f"there is no estimator of face {face}. Give one of the faces {sorted(models)}"
+            )
+        return models[face]
+
+
+def _places(xy_mm: np.ndarray) -> dict[str, tuple[str, np.ndarray, dict[str, str]]]:
+    x, y = xy_mm.T
+    return {"x_mm": ("place", x, {"units": "mm"}), "y_mm": ("place", y, {"units": "mm"})}
+
+
+def _unit(name: str) -> str:
+    endings = (unit for end, unit in _UNITS_BY_ENDING.items() if name.endswith(f"_{end}"))
+    return _UNITS_BY_NAME.get(name) or next(endings)

@@ -1,0 +1,166 @@
+"""`import instobj`: names that load when they are used, their examples, and what they give."""
+
+import ast
+import doctest
+import inspect
+import subprocess
+import sys
+from pathlib import Path
+
+import magpylib
+import numpy as np
+import pytest
+
+import instobj
+from design.errors import InputError
+from design.layout.positions import magnet_layout
+from design.spec.object import ObjectSpec
+from estimator.frames.dataset import save_frames
+
+INIT = Path(instobj.__file__)
+TINY = ObjectSpec.model_validate(
+    {
+        "name": "tiny",
+        "body": {"sensed_faces": [1]},
+        "contact_grid": {"count": [3, 3], "pitch_mm": 6.0},
+        "press": {"depths_mm": [1.0, 2.0]},
+        "mesh": {"edge_mm": 8.0, "surface_edge_mm": 3.0},
+        "score": {"force_n": 2.0},
+    }
+)
+
+
+def test_importing_loads_nothing_heavy():
+    code = "import sys, instobj; print([m for m in ('numpy', 'torch', 'pydantic') if m in sys.modules])"
+    found = subprocess.run(
+        [sys.executable, "-c", code],
+        capture_output=True,
+        text=True,
+        check=True,
+        cwd=INIT.parents[1],
+    )
+    assert found.stdout.strip() == "[]"
+
+
+def test_every_public_name_is_there_and_listed():
+    assert 15 <= len(instobj.__all__) <= 25
+    assert set(instobj.__all__) <= set(dir(instobj))
+    for name in instobj.__all__:
+        assert getattr(instobj, name).__name__ == name
+
+
+def test_type_checkers_and_the_interpreter_find_a_name_in_the_same_module():
+    tree = ast.parse(INIT.read_text(encoding="utf-8"))
+    block = next(node for node in tree.body if isinstance(node, ast.If))
+    seen = {(one.module, alias.name) for one in block.body for alias in one.names}
+    assert seen == {(module, name) for name, module in instobj._HOME_OF.items()}
+    assert sorted(instobj._HOME_OF) == sorted(instobj.__all__)
+
+
+def test_a_name_that_is_not_there_is_an_attribute_error():
+    with pytest.raises(AttributeError, match="has no attribute 'load_specification'"):
+        instobj.load_specification  # noqa: B018
+
+
+@pytest.fixture(scope="module")
+def place(tmp_path_factory):
+    """A working folder with a store, and the data set that the examples read."""
+    folder = tmp_path_factory.mktemp("examples")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(folder)
+        patch.setenv("INSTOBJ_STORE", str(folder / "store"))
+        save_frames(instobj.Run(TINY).frames, "frames.nc")
+        yield folder
+
+
+def documented():
+    for name in instobj.__all__:
+        thing = getattr(instobj, name)
+        if (thing.__module__ or "").startswith("instobj."):
+            yield name
+
+
+@pytest.mark.parametrize("name", documented())
+def test_the_example_of_a_name_gives_what_it_says(name, place):
+    thing = getattr(instobj, name)
+    doc = inspect.getdoc(thing) or ""
+    for heading in ("Parameters", "Raises", "Examples"):
+        assert f"\n{heading}\n---" in doc, f"{name} has no section {heading}"
+    tests = doctest.DocTestFinder(recurse=False).find(thing, name, globs={})
+    runner = doctest.DocTestRunner(optionflags=doctest.NORMALIZE_WHITESPACE)
+    for one in tests:
+        runner.run(one)
+    assert runner.summarize(verbose=False).failed == 0
+
+
+@pytest.mark.parametrize(
+    "magnets",
+    [
+        {"diameter_mm": 5.0, "height_mm": 2.0},
+        {"shape": "block", "size_mm": (5.0, 3.0), "height_mm": 2.0},
+    ],
+    ids=["disk", "block"],
+)
+def test_the_field_of_the_magnets_is_that_of_magpylib(magnets):
+    spec = ObjectSpec.model_validate(
+        {
+            "name": "field",
+            "magnets": magnets
+            | {"positions_mm": [[2.0, -1.0], [-9.0, 7.0]], "tilt_deg": [[8, -5], [0, 12]]},
+        }
+    )
+    points = np.array([[3.0, -2.0, 5.0], [30.0, 4.0, -6.0], [-1.0, 0.5, 28.0]])
+    layout = magnet_layout(spec)
+    expected = np.zeros((3, 3))
+    for centre, axis, side in zip(layout.centre_mm, layout.axis, layout.side, strict=True):
+        turn = np.column_stack([side, np.cross(axis, side), axis])
+        j, height = spec.magnets.remanence_t, 2e-3
+        if spec.magnets.shape == "disk":
+            source = magpylib.magnet.Cylinder(polarization=(0, 0, j), dimension=(5e-3, height))
+        else:
+            source = magpylib.magnet.Cuboid(polarization=(0, 0, j), dimension=(5e-3, 3e-3, height))
+        expected += (turn @ source.getB((points - centre) @ turn * 1e-3).T).T
+    field = instobj.magnet_field(spec, points)
+    assert field.dims == ("point", "axis")
+    assert field.attrs["units"] == "T"
+    np.testing.assert_allclose(field.values, expected, rtol=1e-9, atol=1e-12)
+
+
+@pytest.mark.parametrize("points", [[0.0, 0.0, 1.0], [[0.0, 1.0]], [[0.0, 0.0, np.nan]]])
+def test_points_of_another_shape_are_refused(points):
+    with pytest.raises(InputError, match=r"points_mm must be finite numbers of shape \(point, 3\)"):
+        instobj.magnet_field(ObjectSpec(name="cube"), points)
+
+
+def test_results_have_named_axes_and_units(place):
+    run = instobj.Run(TINY)
+    bound = run.scores.position_bound_mm
+    assert bound.dims == ("face", "place")
+    assert bound.shape == (1, 9)
+    assert bound.attrs["units"] == "mm"
+    at_corner = bound.sel(face=1).where((bound.x_mm == 6.0) & (bound.y_mm == -6.0), drop=True)
+    assert at_corner.size == 1
+    assert run.presses.motion.dims == ("face", "place", "step", "magnet", "component")
+    assert run.presses.sizes["step"] == run.signals.sizes["step"] == 2
+    assert run.signals.delta_counts.attrs["units"] == "count"
+
+
+def test_signals_and_presses_of_a_run_tell_of_the_same_forces(place):
+    run = instobj.Run(TINY)
+    for x, y in ((-6.0, 0.0), (6.0, -6.0)):
+        ours, theirs = (
+            data.force_n.values[0, (data.x_mm.values == x) & (data.y_mm.values == y), -1]
+            for data in (run.signals, run.presses)
+        )
+        np.testing.assert_allclose(ours, theirs, rtol=1e-12)
+
+
+def test_a_face_without_an_estimator_is_told_with_those_that_have_one(place):
+    with pytest.raises(InputError, match=r"no estimator of face 3. Give one of the faces \[1\]"):
+        instobj.Run(TINY.model_copy(update={"training": _quick()})).estimator(face=3)
+
+
+def _quick():
+    from design.spec.object import TrainingSpec
+
+    return TrainingSpec(epochs=2, hidden_units=(8, 8))
