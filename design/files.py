@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import stat
 import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -38,3 +39,27 @@ def atomic_path(target: Path | str) -> Iterator[Path]:
         temporary.replace(target)
     finally:
         temporary.unlink(missing_ok=True)
+
+
+def require_regular_file(path: Path | str, missing: str) -> Path:
+    """The path of a file that can be read to its end: no folder, pipe or device.
+
+    Raises
+    ------
+    InputError
+        With the text `missing` where nothing is there; else with what is there instead.
+    """
+    path = Path(path)
+    try:
+        mode = path.stat().st_mode
+    except (FileNotFoundError, NotADirectoryError):
+        raise InputError(missing) from None
+    except ValueError:  # a null byte
+        raise InputError(f"{str(path)!r} is not a file name. Fix the name") from None
+    except OSError as error:
+        shown = str(path) if len(str(path)) < 120 else f"{str(path)[:120]}…"
+        raise InputError(f"cannot read {shown}: {error.strerror}. Fix the name") from None
+    if not stat.S_ISREG(mode):
+        what = "a folder" if stat.S_ISDIR(mode) else "a pipe, socket or device"
+        raise InputError(f"{path} is {what}, not a file. Give a file")
+    return path

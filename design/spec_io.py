@@ -13,7 +13,10 @@ from typing import Any, get_args
 from pydantic import BaseModel, ValidationError
 
 from design.errors import InputError
+from design.files import require_regular_file
 from design.spec.object import SINGLE_PRESSES, ObjectSpec
+
+_LARGEST_BYTES = 250_000
 
 
 def load_spec(path: Path | str, overrides: Iterable[str] = (), table: bool = True) -> ObjectSpec:
@@ -39,10 +42,16 @@ def load_spec(path: Path | str, overrides: Iterable[str] = (), table: bool = Tru
 
 
 def _read_toml(path: Path, missing: str) -> dict[str, Any]:
+    require_regular_file(path, missing.format(path))
     try:
+        if path.stat().st_size > _LARGEST_BYTES:
+            raise InputError(
+                f"{path} holds {path.stat().st_size} bytes; a specification has a few thousand, "
+                f"{_LARGEST_BYTES} at most. Give the TOML file of an object"
+            )
         return tomllib.loads(path.read_text(encoding="utf-8"))
-    except FileNotFoundError:
-        raise InputError(missing.format(path)) from None
+    except RecursionError:
+        raise InputError(f"{path} nests brackets or tables too deep. Fix that line") from None
     except OSError as error:
         raise InputError(
             f"cannot read {path}: {error.strerror}. Give a readable TOML file"
@@ -50,7 +59,7 @@ def _read_toml(path: Path, missing: str) -> dict[str, Any]:
     except UnicodeDecodeError:
         raise InputError(f"{path} is not a text file. Give a file in TOML") from None
     except tomllib.TOMLDecodeError as error:
-        raise InputError(f"{path} is not valid TOML: {error}. Mend that line") from None
+        raise InputError(f"{path} is not valid TOML: {error}. Fix that line") from None
 
 
 def with_overrides(content: dict[str, Any], overrides: Iterable[str]) -> dict[str, Any]:
@@ -173,6 +182,8 @@ def _toml_value(text: str) -> Any:
         return tomllib.loads(f"value = {text}")["value"]
     except tomllib.TOMLDecodeError:
         return text
+    except RecursionError:
+        raise InputError("--set: the value nests brackets too deep. Give a plainer one") from None
 
 
 def _explain(problem: Any) -> str:

@@ -10,15 +10,15 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from design.body.foreign import read_foreign_surface
 from design.errors import InputError
+from design.files import require_regular_file
 
 if TYPE_CHECKING:
     import trimesh
 
     from design.spec.body import BodySpec
 
-_STEP = (".step", ".stp")
-_TOLERANCE_MM, _ANGLE_RAD = 0.03, 0.2
 _PIERCED_MM = 0.1
 """How far one triangle may stand through another: less is lost in the body's own triangles."""
 
@@ -58,46 +58,28 @@ def _digest(path: Path) -> str:
 
 
 def _surface_in(path: Path) -> trimesh.Trimesh:
-    if not path.is_file():
-        raise InputError(f"no body at {path}. Name an STL or STEP file in mm in body.file")
+    require_regular_file(path, _missing(path))
     return _closed_surface(path.resolve(), _digest(path))
 
 
 @lru_cache(maxsize=4)
 def _closed_surface(path: Path, digest: str) -> trimesh.Trimesh:
     """The file's surface, kept while its content is the same."""
-    surface = _of_step(path) if path.suffix.lower() in _STEP else _of_mesh(path)
-    surface = _repaired(surface, path)
+    surface = _repaired(_as_it_is(path), path)
     surface.apply_translation(-surface.bounds.mean(axis=0))
     _require_simple(surface, path)
     return surface
 
 
-def _of_mesh(path: Path) -> trimesh.Trimesh:
+def _as_it_is(path: Path) -> trimesh.Trimesh:
     import trimesh
 
-    try:
-        surface = trimesh.load_mesh(path)
-    except (ValueError, IndexError, KeyError, OSError, NotImplementedError) as error:
-        raise InputError(f"{path} cannot be read as a surface: {error}. Export it anew") from error
-    if not isinstance(surface, trimesh.Trimesh) or not len(surface.faces):
-        raise InputError(f"{path} holds no triangles. Export a closed surface in mm")
-    return surface
+    found = read_foreign_surface(path, _missing(path))
+    return trimesh.Trimesh(found.vertices_mm, found.triangles)
 
 
-def _of_step(path: Path) -> trimesh.Trimesh:
-    import cadquery as cq
-    import trimesh
-
-    try:
-        shapes: list[Any] = cq.importers.importStep(str(path)).vals()
-        pieces = [shape.tessellate(_TOLERANCE_MM, _ANGLE_RAD) for shape in shapes]
-    except (ValueError, RuntimeError, AttributeError, IndexError) as error:
-        raise InputError(f"{path} cannot be read as STEP: {error}. Export it anew") from error
-    if not any(triangles for _, triangles in pieces):
-        raise InputError(f"{path} holds no solid. Export one closed body in mm")
-    solids = [trimesh.Trimesh([p.toTuple() for p in points], faces) for points, faces in pieces]
-    return sum(solids[1:], start=solids[0])
+def _missing(path: Path) -> str:
+    return f"no body at {path}. Name an STL or STEP file in mm in body.file"
 
 
 def _repaired(surface: trimesh.Trimesh, path: Path) -> trimesh.Trimesh:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from design.body.foreign import read_foreign_surface
 from design.errors import InputError
 
 if TYPE_CHECKING:
@@ -43,16 +44,8 @@ def stl_tip_vertices_mm(path: Path) -> tuple[tuple[float, float, float], ...]:
 
 
 def _read(path: Path) -> Trimesh:
-    import trimesh
+    from trimesh import Trimesh
 
-    try:
-        with path.open("rb") as stream:
-            body = trimesh.load_mesh(stream, file_type="stl")
-    except (OSError, ValueError) as error:
-        raise InputError(
-            f"indenter.file {path} cannot be read as STL ({error}). Give the path from the "
-            "specification's folder"
-        ) from None
-    if not len(body.faces):
-        raise InputError(f"indenter.file {path} holds no triangles. Give the STL of a convex body")
-    return body
+    missing = f"no indenter.file at {path}. Give the path from the specification's folder"
+    found = read_foreign_surface(path, missing)
+    return Trimesh(found.vertices_mm, found.triangles)

@@ -1,0 +1,56 @@
+"""Reader of surface files that others wrote, run as a program: a crash ends it and nothing else.
+
+    python -m design.solids.foreign FILE OUT.npz
+
+Writes vertices (vertex, 3) mm and triangles (triangle, 3) of the file's surface.
+`design.body.foreign` calls it.
+"""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import numpy as np
+
+REFUSED = 3
+"""Exit code where the file was understood to be wrong; the reason stands on standard error."""
+STEP = (".step", ".stp")
+_TOLERANCE_MM, _ANGLE_RAD = 0.03, 0.2
+
+
+def _of_mesh(path: Path) -> tuple[np.ndarray, np.ndarray]:
+    import trimesh
+
+    surface = trimesh.load_mesh(path)
+    if not isinstance(surface, trimesh.Trimesh):
+        return np.empty((0, 3)), np.empty((0, 3), dtype=np.int64)
+    return np.asarray(surface.vertices), np.asarray(surface.faces)
+
+
+def _of_step(path: Path) -> tuple[np.ndarray, np.ndarray]:
+    import cadquery as cq
+
+    vertices, triangles, count = [], [], 0
+    for shape in cq.importers.importStep(str(path)).vals():
+        points, faces = shape.tessellate(_TOLERANCE_MM, _ANGLE_RAD)  # type: ignore[union-attr]
+        vertices += [point.toTuple() for point in points]
+        triangles += [[count + corner for corner in face] for face in faces]
+        count = len(vertices)
+    return np.reshape(vertices, (-1, 3)), np.reshape(triangles, (-1, 3)).astype(np.int64)
+
+
+def main(source: str, target: str) -> int:
+    """Exit code: 0, or `REFUSED` with the reason on standard error."""
+    path = Path(source)
+    try:
+        vertices, triangles = (_of_step if path.suffix.lower() in STEP else _of_mesh)(path)
+    except Exception as error:  # readers raise whatever their parsers meet
+        print(f"{type(error).__name__}: {error}".splitlines()[0][:200], file=sys.stderr)
+        return REFUSED
+    np.savez(target, vertices=vertices.astype(float), triangles=triangles)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))
