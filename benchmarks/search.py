@@ -37,8 +37,7 @@ from estimator.layouts.scoring import LayoutScorer, layout_scorer, score_layouts
 from fem.candidates.motions import CandidateMotions, candidate_lattices
 from fem.candidates.presses import presses_at_forces, simulate_candidates
 from fem.linear.response import build_response
-from fem.mesh.magnet_free import magnet_free_mesh, without_magnets
-from fem.mesh.tetrahedra import tetrahedralize
+from fem.mesh.tetrahedra import magnet_free_mesh, tetrahedralize, without_magnets
 
 FACE = 3
 RATE_TARGET, RATIO_TARGET, ERROR_TARGET, RANK_TARGET = 1e4, 1e3, 0.05, 0.95

@@ -1,10 +1,30 @@
-"""The errors that users see: what was wrong, what was received and how to mend it."""
+"""The family of errors: what was wrong, what was received and how to fix it."""
 
 from typing import Any
 
 
-class InputError(ValueError):
-    """Bad input from the user; the command line prints its message alone and exits with 2."""
+class InstobjError(Exception):
+    """Whatever instobj raises on purpose; the command line prints its message and exits with 2."""
+
+
+class InputError(InstobjError, ValueError):
+    """Bad input from the user: a value out of range, a wrong file, an impossible request."""
+
+
+class SpecError(InputError):
+    """A specification that cannot be read, or an object that does not fit together."""
+
+
+class RecordingError(InputError):
+    """A recording, or a file that describes one, that cannot be read or contradicts itself."""
+
+
+class StoreError(InstobjError, OSError):
+    """A result file that cannot be written, cannot be read back, or is damaged."""
+
+
+class SolverError(InstobjError, ArithmeticError):
+    """A computation on good input that failed: no convergence, or a singular system."""
 
 
 class NotOneSolid(InputError):

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from design.errors import InputError
+from design.errors import StoreError
 
 
 @contextmanager
@@ -18,7 +18,7 @@ def atomic_path(target: Path | str) -> Iterator[Path]:
 
     Raises
     ------
-    InputError
+    StoreError
         The folder cannot be made or written.
     """
     target = Path(target)
@@ -28,7 +28,7 @@ def atomic_path(target: Path | str) -> Iterator[Path]:
             prefix=f".{target.stem}.", suffix=target.suffix, dir=target.parent
         )
     except OSError as error:
-        raise InputError(
+        raise StoreError(
             f"cannot write {target}: {error.strerror}. Choose a writable folder with --out"
         ) from error
     os.close(handle)

@@ -10,7 +10,7 @@ from xml.sax.saxutils import quoteattr
 import numpy as np
 from jaxtyping import Float
 
-from design.errors import InputError
+from design.errors import StoreError
 from design.files import atomic_path
 from design.layout.boards import board_blocks
 from design.layout.positions import MagnetLayout, magnet_layout
@@ -39,7 +39,7 @@ def write_3mf(mesh: trimesh.Trimesh, name: str, target: Path) -> None:
 
     Raises
     ------
-    InputError
+    StoreError
         The folder cannot be written.
     """
     corners = "".join(f'<vertex x="{x:.6g}" y="{y:.6g}" z="{z:.6g}"/>' for x, y, z in mesh.vertices)
@@ -96,7 +96,7 @@ def write_glb(scene: trimesh.Scene, target: Path) -> None:
 
     Raises
     ------
-    InputError
+    StoreError
         The folder cannot be written.
     """
     turned = scene.copy()
@@ -104,8 +104,10 @@ def write_glb(scene: trimesh.Scene, target: Path) -> None:
     try:
         with atomic_path(target) as path:
             turned.export(path, file_type="glb")
+    except StoreError:
+        raise
     except OSError as error:
-        raise InputError(f"cannot write {target}: {error.strerror}. Make room there") from error
+        raise StoreError(f"cannot write {target}: {error.strerror}. Make room there") from error
 
 
 def magnet_halves(

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
-from design.errors import InputError
+from design.errors import InputError, SolverError
 from design.spec.mechanics import LARGEST_EXACT_HULL_FRAMES
 
 DIRECTIONS = 300
@@ -105,7 +105,7 @@ def hull_extents(
             return extent
         leaving = _leaving_corner(corners, directions[open_rows], cloud[entering])
         basis[open_rows, leaving] = entering
-    raise ArithmeticError(
+    raise SolverError(
         f"the hull's surface was not found along {len(open_rows)} directions in {_MAX_PIVOTS} pivots"
     )
 

@@ -16,6 +16,7 @@ from design.files import atomic_path
 from design.layout.as_built import live_channels
 from design.layout.positions import PlaceGrid, contact_grid
 from design.spec.object import ObjectSpec
+from design.spec.search import WantedCompliance
 from estimator.information.fisher import cramer_rao_bounds, detectable_force_n, disturbance_counts
 from estimator.information.sensitivity import (
     channel_noise,
@@ -228,6 +229,24 @@ def summarize_areas(scores: PlaceScores, face: int | None = None) -> tuple[AreaS
         )
         for area in AREAS
     )
+
+
+def compliance_deviation(
+    wanted_mm_per_n: WantedCompliance,
+    grid: PlaceGrid,
+    mm_per_n: Float[np.ndarray, "face place"],
+) -> float:
+    """Root mean square of compliance over the wanted one, less 1, over the places that have one.
+
+    Where nothing is wanted, even softness is: places are compared with their mean.
+    """
+    target = np.full(len(grid), np.nan)
+    for area, value in wanted_mm_per_n.items():
+        target[slice(None) if area == "everywhere" else area_places(grid, area)] = value
+    if not wanted_mm_per_n:
+        target[:] = mm_per_n.mean()
+    counted = np.isfinite(target)
+    return float(np.sqrt(np.mean((mm_per_n[:, counted] / target[counted] - 1) ** 2)))
 
 
 _UNITS = {

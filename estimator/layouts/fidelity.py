@@ -20,9 +20,8 @@ import torch
 from jaxtyping import Float
 
 from design.spec.object import ObjectSpec
-from estimator.information.compliance_score import compliance_deviation
 from estimator.information.cross_face import cross_face_disturbance
-from estimator.information.scores import outermost_places, score_places
+from estimator.information.scores import compliance_deviation, outermost_places, score_places
 from estimator.layouts.batch import layouts_of
 from estimator.layouts.cross_face import CROSS_FACE_FORCE_N, neighbour_disturbance
 from estimator.layouts.robustness import SLIP_MM, slip_places_mm, tolerance_places_mm

@@ -26,8 +26,7 @@ from fem.linear.elements import DisplacementSpace
 from fem.linear.factorization import Factorization
 from fem.linear.response import ElasticSystem, ResponseOperator, elastic_system, face_pressure_loads
 from fem.linear.sparse import rows_of, shape_of
-from fem.mesh.magnet_free import without_magnets
-from fem.mesh.tetrahedra import TetMesh
+from fem.mesh.tetrahedra import TetMesh, without_magnets
 from fem.presses.table import press_places, surface_weights_mm2
 
 FORCE_SHARES = (0.8, 1.2)

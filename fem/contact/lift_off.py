@@ -22,6 +22,7 @@ import numpy as np
 import scipy.linalg
 from jaxtyping import Bool, Float
 
+from design.errors import SolverError
 from design.spec.object import ObjectSpec
 from fem.linear.core_interface import CoreContact, CoreState
 from fem.linear.response import ResponseOperator
@@ -49,7 +50,7 @@ def lift_off(
     ------
     ValueError
         The shell is bonded to its core.
-    ArithmeticError
+    SolverError
         The vertices that let go did not settle.
     """
     core = response.core
@@ -65,7 +66,7 @@ def lift_off(
         if (now == open_).all():
             return pressed, state
         open_ = now
-    raise ArithmeticError(
+    raise SolverError(
         f"where the shell lifts off its core did not settle in {_MAX_STEPS} steps "
         f"({open_.sum()} of {len(open_)} vertices open)"
     )

@@ -14,6 +14,7 @@ import numpy as np
 import scipy.sparse as sp
 from jaxtyping import Float, Int
 
+from design.errors import SolverError
 from fem.large_strain.hyperelastic import (
     Hyperelastic,
     energy_density,
@@ -28,7 +29,7 @@ from fem.linear.sparse import columns_of
 _CHUNK = 2048
 
 
-class InvertedElementError(ArithmeticError):
+class InvertedElementError(SolverError):
     """J ≤ 0 at some quadrature point."""
 
 

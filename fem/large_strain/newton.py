@@ -16,6 +16,7 @@ import scipy.sparse as sp
 from jaxtyping import Bool, Float, Int
 from scipy.spatial.transform import Rotation
 
+from design.errors import SolverError
 from fem.large_strain.elements import (
     FiniteStrainElements,
     InternalForces,
@@ -43,7 +44,7 @@ _TOLERANCE = 1e-6
 _ROUNDING = 1e-10
 
 
-class StepDivergedError(ArithmeticError):
+class StepDivergedError(SolverError):
     """Newton's method found no equilibrium at this depth from this start."""
 
 

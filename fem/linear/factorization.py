@@ -19,6 +19,7 @@ import scipy.sparse as sp
 import scipy.sparse.linalg
 from jaxtyping import Float
 
+from design.errors import SolverError
 from fem.linear.sparse import block_matrix, shape_of, upper_triangle
 
 _SYMMETRIC_INDEFINITE = -2
@@ -27,7 +28,7 @@ _CHUNK = 128
 _LARGEST_RESIDUAL = 1e-6
 
 
-class SingularSystemError(ArithmeticError):
+class SingularSystemError(SolverError):
     """The matrix could not be factored reliably (an unsupported body, or broken mesh)."""
 
 

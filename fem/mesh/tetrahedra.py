@@ -16,7 +16,7 @@ from jaxtyping import Float, Int
 
 from design.errors import InputError
 from design.files import atomic_path
-from design.layout.positions import face_frames, shell_body_layout
+from design.layout.positions import face_frame, face_frames, shell_body_layout
 from design.spec.object import ObjectSpec
 from fem.mesh.support_line import with_support_lines
 from fem.mesh.surfaces import all_surfaces, in_body
@@ -29,6 +29,9 @@ EdgeLength = Callable[[Float[np.ndarray, "point 3"]], Float[np.ndarray, "point"]
 
 _SIZING_STEP_MM = 2.0
 _FINE_LAYER_MM = 0.5
+_FINE_WITHIN_RADII = 1.1
+_COARSE_BEYOND_RADII = 3.0
+_COARSE_EDGE_MM = 6.0
 
 
 @dataclass(frozen=True)
@@ -93,6 +96,50 @@ def tetrahedralize(
     if not magnets:
         return TetMesh(points, tets, np.full(len(tets), SILICONE))
     return TetMesh(points, tets, _containing_magnet(spec, points[tets].mean(axis=1)))
+
+
+def tetrahedralize_for_press(spec: ObjectSpec, face: int, x_mm: float, y_mm: float) -> TetMesh:
+    """Edges of `mesh.surface_edge_mm` around the tip, growing to 6 mm three radii away.
+
+    A quarter of the unknowns of the mesh that serves all presses, with the same resolution of this
+    one's contact.
+
+    Raises
+    ------
+    InputError
+        The mesher fails, or a magnet got no element.
+    """
+    frame = face_frame(spec, face)
+    place = frame.to_object(np.array([x_mm, y_mm, 0.0]))
+    radius = spec.indenter.radius_mm
+    fine, coarse = spec.mesh.surface_edge_mm, max(_COARSE_EDGE_MM, spec.mesh.edge_mm)
+    reach = np.array([_FINE_WITHIN_RADII, _COARSE_BEYOND_RADII]) * radius
+
+    def edge_length(points_mm: np.ndarray) -> np.ndarray:
+        distance = np.linalg.norm(points_mm - place, axis=1)
+        return np.interp(distance, reach, [fine, coarse])
+
+    return tetrahedralize(spec, edge_length)
+
+
+def without_magnets(spec: ObjectSpec) -> ObjectSpec:
+    """The same object for mechanics on a magnet-free mesh: no tie, no stiffness of magnets.
+
+    `fem.linear.response` then gives the surface compliance alone, with no magnet among its loads.
+    """
+    mechanics = spec.mechanics.model_copy(update={"magnets": "points"})
+    return spec.model_copy(update={"mechanics": mechanics})
+
+
+def magnet_free_mesh(spec: ObjectSpec) -> TetMesh:
+    """Tetrahedra of the sealed body without magnets, edges as for the mesh with them.
+
+    Raises
+    ------
+    InputError
+        The mesher fails.
+    """
+    return tetrahedralize(spec, magnets=False)
 
 
 def tet_volumes_mm3(mesh: TetMesh) -> Float[np.ndarray, "tet"]:

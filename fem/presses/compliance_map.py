@@ -17,7 +17,7 @@ from design.files import atomic_path
 from design.layout.positions import PlaceGrid
 from design.spec.object import ObjectSpec
 from fem.linear.response import ResponseOperator
-from fem.mesh.magnet_free import without_magnets
+from fem.mesh.tetrahedra import without_magnets
 from fem.presses.results import PressForces
 from fem.presses.table import Progress, simulate_lattice
 

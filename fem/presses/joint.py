@@ -13,7 +13,7 @@ from itertools import combinations
 import numpy as np
 from jaxtyping import Float, Int
 
-from design.errors import InputError
+from design.errors import InputError, SolverError
 from design.layout.tip_shapes import path_mm, tip_shape, tips_overlap
 from design.spec.object import ObjectSpec
 from fem.contact.complementarity import contact_pressures
@@ -244,7 +244,7 @@ def _solve_depths(
         residual, press = missing(depth)
         change = residual - before - stiffness @ step
         stiffness = stiffness + np.outer(change, step) / (step @ step)
-    raise ArithmeticError(
+    raise SolverError(
         f"the press to {force_n:g} N did not converge: off by {abs(residual).max():.2g} N"
     )
 

@@ -15,7 +15,7 @@ import scipy.linalg
 from jaxtyping import Bool, Float, Int
 from scipy.optimize import brentq
 
-from design.errors import InputError
+from design.errors import InputError, SolverError
 from design.layout.tip_shapes import TipShape, path_mm, tip_heights_mm, tip_places_mm, tip_shape
 from design.spec.object import ObjectSpec
 from fem.contact.indenter import TipCells, moved, tip_cells
@@ -92,7 +92,7 @@ def press_sticking(
 
     Raises
     ------
-    ArithmeticError
+    SolverError
         The set of cells in contact does not settle.
     """
     count = max(_FEWEST_STEPS, int(np.ceil(np.max(depths_mm) / _LARGEST_STEP_MM - 1e-9)))
@@ -157,7 +157,7 @@ def _next(setting: StickingSetting, state: StickingState, depth_mm: np.ndarray) 
         if not (lifting.any() or sinking.any()):
             return StickingState(traction, touching, height, anchor, path)
         touching = (touching & ~lifting) | sinking
-    raise ArithmeticError(
+    raise SolverError(
         f"sticking contact does not settle at {depth_mm.max():.3g} mm: "
         f"{int(lifting.sum() + sinking.sum())} cells still switch. Press less deep or less oblique"
     )

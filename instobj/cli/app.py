@@ -10,7 +10,7 @@ from typing import Annotated
 
 import typer
 
-from design.errors import InputError
+from design.errors import InstobjError
 from instobj.cli import estimators as cli_estimators
 from instobj.cli import hardware as cli_hardware
 from instobj.cli import presses as cli_presses
@@ -171,10 +171,10 @@ def main() -> None:
         sys.exit(2)
     except typer.TyperException as error:
         _fail(str(error), 2)
-    except InputError as error:
-        _fail(str(error), 2)
     except ArithmeticError as error:
         _fail(f"the computation failed: {error}", 2)
+    except InstobjError as error:
+        _fail(str(error), 2)
     except MemoryError as error:
         _fail(f"out of memory: {error}. Use a larger mesh.edge_mm or mesh.surface_edge_mm", 2)
     except (KeyboardInterrupt, typer.Abort, ImportError):

@@ -151,9 +151,8 @@ def _stored_press(
 def _make_mesh(
     spec: ObjectSpec, face: int, xy_mm: tuple[float, float], folder: Path, step: Step
 ) -> None:
-    from fem.mesh.press_mesh import tetrahedralize_for_press
     from fem.mesh.quality import mesh_quality, require_quality
-    from fem.mesh.tetrahedra import save_mesh
+    from fem.mesh.tetrahedra import save_mesh, tetrahedralize_for_press
 
     step("tetrahedra, fine at the press")
     mesh = tetrahedralize_for_press(spec, face, *xy_mm)

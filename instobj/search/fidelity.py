@@ -50,8 +50,7 @@ def plain_shell(spec: ObjectSpec) -> Iterator[PlainShell]:
     """Mesh and response from the store or made, factored once; 1 GB until the context ends."""
     from fem.linear.factorization import Factorization
     from fem.linear.response import elastic_system, load_response
-    from fem.mesh.magnet_free import without_magnets
-    from fem.mesh.tetrahedra import load_mesh
+    from fem.mesh.tetrahedra import load_mesh, without_magnets
 
     chain = Chain(spec)
     mesh = load_mesh(chain.require("plain_mesh").folder / "mesh.npz")

@@ -30,7 +30,7 @@ from design.search.structure import with_structure
 from design.spec.object import ObjectSpec
 from design.spec.search import OBJECTIVES_TO_MAXIMIZE
 from design.spec_io import parse_spec
-from estimator.information.compliance_score import compliance_deviation
+from estimator.information.scores import compliance_deviation
 from estimator.layouts.batch import layouts_of
 from estimator.layouts.polish import DEARER, FirstRung, Judged, batch_scores, judge, polish
 from estimator.layouts.press_basis import press_basis

@@ -126,7 +126,7 @@ def _press(context: StageContext, place: tuple[float, float]) -> LargeStrainPres
     """
     from fem.large_strain.hyperelastic import neo_hookean
     from fem.large_strain.press import press_large_strain
-    from fem.mesh.press_mesh import tetrahedralize_for_press
+    from fem.mesh.tetrahedra import tetrahedralize_for_press
 
     spec = context.spec
     edge = max(spec.mesh.surface_edge_mm, spec.indenter.radius_mm / _EDGES_PER_TIP_RADIUS)

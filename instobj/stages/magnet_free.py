@@ -13,9 +13,8 @@ if TYPE_CHECKING:
 
 def make_plain_mesh(context: StageContext, folder: Path) -> None:
     """Tetrahedra of the sealed body without magnets."""
-    from fem.mesh.magnet_free import magnet_free_mesh
     from fem.mesh.quality import mesh_quality, require_quality
-    from fem.mesh.tetrahedra import save_mesh
+    from fem.mesh.tetrahedra import magnet_free_mesh, save_mesh
 
     context.step("tetrahedra of the sealed body as silicone throughout")
     mesh = magnet_free_mesh(context.spec)
@@ -26,8 +25,7 @@ def make_plain_mesh(context: StageContext, folder: Path) -> None:
 def make_plain_response(context: StageContext, folder: Path) -> None:
     """Surface compliance of the shell without magnets."""
     from fem.linear.response import build_response, save_response
-    from fem.mesh.magnet_free import without_magnets
-    from fem.mesh.tetrahedra import load_mesh
+    from fem.mesh.tetrahedra import load_mesh, without_magnets
 
     context.step("assembling, factoring and condensing")
     mesh = load_mesh(context.inputs["plain_mesh"] / "mesh.npz")

@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from design.errors import InputError
+from design.errors import StoreError
 
 RECORD = "stage.json"
 _TEMPORARY = ".making-"
@@ -57,7 +57,7 @@ def stored(
 
     Raises
     ------
-    InputError
+    StoreError
         The store cannot be written.
     """
     key = content_key({"stage": stage, "inputs": inputs})
@@ -72,8 +72,10 @@ def stored(
         record = {"stage": stage, "key": key, "seconds": round(seconds, 3), "inputs": inputs}
         (temporary / RECORD).write_text(json.dumps(record, indent=1), encoding="utf-8")
         _move_into_place(temporary, folder)
+    except StoreError:
+        raise
     except OSError as error:
-        raise InputError(
+        raise StoreError(
             f"cannot keep results in the store {root}: {error}. Make room, or set INSTOBJ_STORE to "
             "a writable folder"
         ) from error
@@ -94,7 +96,7 @@ def _temporary_folder(root: Path, stage: str, key: str) -> Path:
         _remove_abandoned(root)
         temporary.mkdir()
     except OSError as error:
-        raise InputError(
+        raise StoreError(
             f"cannot write the store {root}: {error.strerror}. Set INSTOBJ_STORE to a writable folder"
         ) from error
     return temporary

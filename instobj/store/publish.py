@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from design.errors import InputError
+from design.errors import StoreError
 from design.files import atomic_path
 from design.spec.object import ObjectSpec
 from design.spec_io import spec_hash
@@ -29,7 +29,7 @@ def cad_folder(out: Path, name: str) -> Path:
 
 
 def require_writable(out: Path) -> None:
-    """Raise InputError before any work is done where results could not be written afterwards."""
+    """Raise StoreError before any work is done where results could not be written afterwards."""
     for folder in (out, out / "runs", out / "cad_out"):
         if folder == out or folder.exists():
             with atomic_path(folder / ".instobj-writable") as probe:
@@ -75,8 +75,10 @@ def _copy(source: Path, target: Path) -> Path:
     try:
         with atomic_path(target) as temporary:
             shutil.copy2(source, temporary)
+    except StoreError:
+        raise
     except OSError as error:
-        raise InputError(
+        raise StoreError(
             f"cannot write {target}: {error.strerror}. Make room or choose --out"
         ) from error
     return target

@@ -8,8 +8,7 @@ import numpy as np
 from design.layout.positions import face_frames
 from fem.linear.elements import DisplacementSpace
 from fem.linear.response import ElasticSystem, ResponseOperator, build_response, elastic_system
-from fem.mesh.magnet_free import magnet_free_mesh, without_magnets
-from fem.mesh.tetrahedra import TetMesh
+from fem.mesh.tetrahedra import TetMesh, magnet_free_mesh, without_magnets
 from tests.support.fem_cases import paper_cube
 
 EDGES_MM = (3.0, 7.0)

@@ -8,8 +8,7 @@ from design.layout.positions import shell_body_layout
 from design.spec.object import MagnetSpec
 from fem.candidates import tied_magnets
 from fem.linear.response import elastic_system, face_pressure_loads
-from fem.mesh.magnet_free import without_magnets
-from fem.mesh.tetrahedra import tetrahedralize
+from fem.mesh.tetrahedra import tetrahedralize, without_magnets
 from fem.presses.table import surface_weights_mm2
 from tests.support.fem_cases import paper_cube, solve_loads
 from tests.support.verification import Check, Curve, Fault, Measured

@@ -15,7 +15,7 @@ from fem.large_strain.results import (
     linearity_limits,
     save_large_strain_press,
 )
-from fem.mesh.press_mesh import tetrahedralize_for_press
+from fem.mesh.tetrahedra import tetrahedralize_for_press
 from fem.presses.shape import DeformedShape, save_deformed_shape
 from fem.presses.table import profile_moments_mm3, surface_weights_mm2
 

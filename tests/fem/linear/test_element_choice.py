@@ -9,7 +9,7 @@ from design.spec.object import ObjectSpec
 from fem.large_strain.single_press import require_press
 from fem.linear.magnets import mean_motion_functionals
 from fem.linear.response import build_response, elastic_system, face_pressure_loads
-from fem.mesh.press_mesh import tetrahedralize_for_press
+from fem.mesh.tetrahedra import tetrahedralize_for_press
 from tests.support.fem_cases import (
     SHELL_COMPLIANCE_MM_PER_N,
     paper_cube,

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from design.errors import InputError
+from design.errors import StoreError
 from instobj.store.content import RECORD, content_key, stored
 
 
@@ -34,7 +34,7 @@ def test_any_other_input_makes_anew(tmp_path, inputs):
     assert not stored(tmp_path, "other", {"a": 1}, _write("z")).reused
 
 
-@pytest.mark.parametrize("error", [KeyboardInterrupt, InputError, RuntimeError])
+@pytest.mark.parametrize("error", [KeyboardInterrupt, StoreError, RuntimeError])
 def test_an_interrupted_stage_leaves_nothing_and_earlier_results(tmp_path, error):
     kept = stored(tmp_path, "first", {}, _write("kept"))
 
@@ -72,5 +72,5 @@ def test_key_ignores_the_order_of_keys_and_nothing_else():
 def test_unwritable_store_is_named(tmp_path):
     blocked = tmp_path / "file"
     blocked.write_text("")
-    with pytest.raises(InputError, match="INSTOBJ_STORE"):
+    with pytest.raises(StoreError, match="INSTOBJ_STORE"):
         stored(blocked / "store", "stage", {}, _write("x"))

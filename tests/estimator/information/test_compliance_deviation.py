@@ -7,7 +7,7 @@ from numpy.testing import assert_allclose
 from design.errors import InputError
 from design.layout.positions import contact_grid
 from design.spec_io import parse_spec
-from estimator.information.compliance_score import compliance_deviation
+from estimator.information.scores import compliance_deviation
 
 GRID = {"count": [6, 5], "pitch_mm": 3.0}
 SPEC = parse_spec({"name": "cube", "contact_grid": GRID}, "made up")
