@@ -13,10 +13,8 @@ from typing import Literal
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
-from design.errors import InputError
-from design.files import atomic_path
+from design.netcdf import FileKind, read_netcdf, write_netcdf
 
-SCHEMA_VERSION = 1
 NO_FACE = 0
 """`contact_face` of an empty contact slot."""
 
@@ -79,42 +77,46 @@ class FrameSet:
 
 
 _PER_FRAME = {
-    "signal_counts": (("frame", "face", "sensor", "axis"), "count"),
-    "contact_face": (("frame", "contact"), "1"),
-    "contact_xy_mm": (("frame", "contact", "plane"), "mm"),
-    "force_n": (("frame", "contact", "space"), "N"),
-    "valid": (("frame",), "1"),
-    "press_id": (("frame",), "1"),
-    "place_id": (("frame",), "1"),
-    "session_id": (("frame",), "1"),
-    "time_s": (("frame",), "s"),
+    "signal_counts": ("frame face sensor axis", "count"),
+    "contact_face": ("frame contact", "1"),
+    "contact_xy_mm": ("frame contact plane", "mm"),
+    "force_n": ("frame contact space", "N"),
+    "valid": ("frame", "1"),
+    "press_id": ("frame", "1"),
+    "place_id": ("frame", "1"),
+    "session_id": ("frame", "1"),
+    "time_s": ("frame", "s"),
 }
 PER_FRAME_FIELDS = tuple(_PER_FRAME)
-"""Names of the arrays that have one row a frame."""
-_FIXED = {
-    "faces": (("face",), "1"),
-    "grid_x_mm": (("grid_x",), "mm"),
-    "grid_y_mm": (("grid_y",), "mm"),
-    "noise_counts": (("axis",), "count"),
-}
-_ATTRIBUTES = ("source", "spec_hash", "seed", "lag_frames")
+"""Names of the arrays that have one row per frame."""
+_FRAMES = FileKind(
+    "labelled frames",
+    {
+        **_PER_FRAME,
+        "faces": ("face", "1"),
+        "grid_x_mm": ("grid_x", "mm"),
+        "grid_y_mm": ("grid_y", "mm"),
+        "noise_counts": ("axis", "count"),
+        "true_force_n": ("frame contact space", "N"),
+    },
+    optional=("true_force_n",),
+    packed=("signal_counts",),
+    attributes=("source", "spec_hash", "seed", "lag_frames"),
+    unit_name="unit",
+    origin="`instobj recordings` or `instobj train SPEC` makes one",
+    remedy="Make it anew with this version of instobj",
+    others={
+        "counts": "a recording, not a data set. Run `instobj recordings` on it first and give the "
+        "frames.nc that this writes"
+    },
+)
 
 
 def save_frames(frames: FrameSet, path: Path | str) -> None:
     """Write a data set (NetCDF4): named dimensions, units, provenance."""
-    import xarray as xr
-
-    variables = {
-        name: (dims, getattr(frames, name), {"unit": unit})
-        for name, (dims, unit) in {**_PER_FRAME, **_FIXED}.items()
-    }
-    if frames.true_force_n is not None:
-        variables["true_force_n"] = (_PER_FRAME["force_n"][0], frames.true_force_n, {"unit": "N"})
-    attributes = {name: getattr(frames, name) for name in _ATTRIBUTES}
-    data = xr.Dataset(variables, attrs={**attributes, "schema_version": SCHEMA_VERSION})
-    encoding = {"signal_counts": {"zlib": True, "complevel": 1, "dtype": "float32"}}
-    with atomic_path(path) as temporary:
-        data.to_netcdf(temporary, engine="h5netcdf", encoding=encoding)
+    values = {name: getattr(frames, name) for name in _FRAMES.arrays}
+    attributes = {name: getattr(frames, name) for name in _FRAMES.attributes}
+    write_netcdf(_FRAMES, path, values, attributes)
 
 
 def load_frames(path: Path | str) -> FrameSet:
@@ -123,41 +125,17 @@ def load_frames(path: Path | str) -> FrameSet:
     Raises
     ------
     InputError
-        No such file, not a data set of instobj, or of another schema version.
+        No such file, or a recording.
+    StoreError
+        Damaged, not a data set of instobj, or of another schema version.
     """
-    import xarray as xr
-
-    path = Path(path)
-    if not path.is_file():
-        raise InputError(
-            f"no data set at {path}. `instobj recordings` or `instobj train SPEC` makes one"
-        )
-    try:
-        with xr.open_dataset(path, engine="h5netcdf", decode_timedelta=False) as data:
-            data = data.load()
-    except (OSError, ValueError, KeyError) as error:
-        raise InputError(f"{path} is not a NetCDF data set ({error}). Make it anew") from None
-    if "counts" in data.variables:
-        raise InputError(
-            f"{path} is a recording, not a data set. Run `instobj recordings {path}` first and give "
-            "the frames.nc that it writes"
-        )
-    missing = [name for name in (*_PER_FRAME, *_FIXED) if name not in data.variables]
-    missing += [name for name in _ATTRIBUTES if name not in data.attrs]
-    if missing or data.attrs.get("schema_version") != SCHEMA_VERSION:
-        raise InputError(
-            f"{path} is not a data set of schema {SCHEMA_VERSION}: missing {missing or 'nothing'}, "
-            f"schema {data.attrs.get('schema_version')}. Make it anew with this version of instobj"
-        )
-    values = {name: data[name].values for name in (*_PER_FRAME, *_FIXED)}
+    values, attributes = read_netcdf(_FRAMES, path)
     values["signal_counts"] = values["signal_counts"].astype(np.float64)
     values["valid"] = values["valid"].astype(bool)
-    attributes = {name: data.attrs[name] for name in _ATTRIBUTES}
     return FrameSet(
         **values,
         source=attributes["source"],
         spec_hash=str(attributes["spec_hash"]),
         seed=int(attributes["seed"]),
         lag_frames=int(attributes["lag_frames"]),
-        true_force_n=data["true_force_n"].values if "true_force_n" in data else None,
     )

@@ -18,7 +18,7 @@ from pathlib import Path
 import numpy as np
 from jaxtyping import Float, Int
 
-from design.errors import InputError
+from design.errors import RecordingError
 from design.files import atomic_path
 from estimator.frames.dataset import NO_FACE
 from estimator.frames.heatmap import label_grid_mm
@@ -52,17 +52,17 @@ def _shear_columns(cells: int) -> list[str]:
     return [f"cell{cell}_shear_{axis}_n" for cell in range(1, cells + 1) for axis in "xy"]
 
 
-def generic_table(path: Path, rows: list[list[str]]) -> RawTable:
+def generic_table(rows: list[list[str]]) -> RawTable:
     """Read the rows of a generic CSV, header first.
 
     Raises
     ------
-    InputError
+    RecordingError
         Missing, unknown or repeated columns, damaged cells, or labels that cannot be.
     """
     header = [cell.strip() for cell in rows[0]]
-    cells, tips = _check_header(path, header)
-    values = numbers(path, rows[1:], header, first_line=2)
+    cells, tips = _check_header(header)
+    values = numbers(rows[1:], header, first_line=2)
     column = {name: values[:, k] for k, name in enumerate(header)}
     frames = len(values)
     labels = [name for cell in range(1, cells + 1) for name in _cell_columns(cell, tips)]
@@ -70,7 +70,7 @@ def generic_table(path: Path, rows: list[list[str]]) -> RawTable:
     by_cell = np.stack([column.get(name, empty) for name in labels], 1).reshape(frames, cells, -1)
     shear = _shear_columns(cells) if any(map(_SHEAR.fullmatch, header)) else []
     needed = ["time_s", *(f"cell{cell}_force_n" for cell in range(1, cells + 1)), *shear]
-    check_complete(path, np.stack([column[name] for name in needed], axis=1), needed)
+    check_complete(np.stack([column[name] for name in needed], axis=1), needed)
     x_mm, y_mm = label_grid_mm()
     counts, force_n, shear_n = _counts(column, frames), by_cell[:, :, 0], None
     if shear:
@@ -80,10 +80,10 @@ def generic_table(path: Path, rows: list[list[str]]) -> RawTable:
         time_s=column["time_s"],
         force_n=force_n,
         counts=counts,
-        face=face_labels(path, by_cell[:, :, 1]),
-        tip_xy_mm=tip_places(path, by_cell[:, :, 1:]),
-        case=_labels(path, column, "session", 1, frames),
-        declared_rest=_labels(path, column, "rest", 0, frames) == 1,
+        face=face_labels(by_cell[:, :, 1]),
+        tip_xy_mm=tip_places(by_cell[:, :, 1:]),
+        case=_labels(column, "session", 1, frames),
+        declared_rest=_labels(column, "rest", 0, frames) == 1,
         grid_x_mm=x_mm,
         grid_y_mm=y_mm,
         duplicate_columns=(),
@@ -105,11 +105,11 @@ def content_digest(
     return found.hexdigest()
 
 
-def _check_header(path: Path, header: list[str]) -> tuple[int, int]:
+def _check_header(header: list[str]) -> tuple[int, int]:
     """Number of load cells and of tips."""
     repeated = sorted({name for name in header if header.count(name) > 1})
     if repeated:
-        raise InputError(f"{path} names {', '.join(repeated[:5])} twice. Name each column once")
+        raise RecordingError(f"it names {', '.join(repeated[:5])} twice. Name each column once")
     cells = max((int(m[1]) for m in map(_FORCE.fullmatch, header) if m), default=0)
     tips = max((int(m[2]) for m in map(_TIP.fullmatch, header) if m), default=0)
     known = {"time_s", "session", "rest"}
@@ -118,8 +118,8 @@ def _check_header(path: Path, header: list[str]) -> tuple[int, int]:
     known |= set(shear)
     unknown = [name for name in header if name not in known and not CHANNEL.fullmatch(name)]
     if unknown:
-        raise InputError(
-            f"{path} has columns that are not known: {', '.join(map(repr, unknown[:5]))}. Units "
+        raise RecordingError(
+            f"it has columns that are not known: {', '.join(map(repr, unknown[:5]))}. Units "
             f"stand in the names (time_s, cell1_force_n, cell1_x1_mm); {FORMATS}"
         )
     needed = [name for cell in range(1, max(cells, 1) + 1) for name in _cell_columns(cell, 1)]
@@ -127,7 +127,7 @@ def _check_header(path: Path, header: list[str]) -> tuple[int, int]:
     if not any(CHANNEL.fullmatch(name) for name in header):
         missing.append("F1-X1 …")
     if missing:
-        raise InputError(f"{path} lacks the columns {', '.join(missing[:6])}. {FORMATS}")
+        raise RecordingError(f"it lacks the columns {', '.join(missing[:6])}. {FORMATS}")
     return cells, tips
 
 
@@ -143,21 +143,21 @@ def _counts(
     return counts
 
 
-def face_labels(path: Path, face: Float[np.ndarray, "frame cell"]) -> Int[np.ndarray, "frame cell"]:
-    """Faces as whole numbers, `NO_FACE` where none is stated; anything else is an InputError."""
+def face_labels(face: Float[np.ndarray, "frame cell"]) -> Int[np.ndarray, "frame cell"]:
+    """Faces as whole numbers, `NO_FACE` where none is stated; anything else is an RecordingError."""
     names = [f"cell{cell + 1}_face" for cell in range(face.shape[1])]
-    number = whole(path, np.nan_to_num(face, nan=NO_FACE), names)
+    number = whole(np.nan_to_num(face, nan=NO_FACE), names)
     wrong = ~np.isin(number, (NO_FACE, *FACES))
     if wrong.any():
-        raise InputError(
-            f"{path}: face labels must be 1…5, or 0 or empty for none; got "
-            f"{np.unique(number[wrong]).tolist()[:5]}. Mend the label column"
+        raise RecordingError(
+            f"face labels must be 1…5, or 0 or empty for none; got "
+            f"{np.unique(number[wrong]).tolist()[:5]}. Fix the label column"
         )
     return number
 
 
 def tip_places(
-    path: Path, face_and_tips: Float[np.ndarray, "frame cell column"]
+    face_and_tips: Float[np.ndarray, "frame cell column"],
 ) -> Float[np.ndarray, "frame cell tip 2"]:
     """Places of tips; a face without a place, or half a place, is an error."""
     frames, cells, columns = face_and_tips.shape
@@ -169,18 +169,18 @@ def tip_places(
     for wrong, what in ((half, "an x without its y"), (lone, "a face without a place, or a place")):
         if wrong.any():
             row, cell = np.argwhere(wrong)[0]
-            raise InputError(
-                f"{path}, data row {row + 1}: load cell {cell + 1} has {what} alone. Give face, x "
+            raise RecordingError(
+                f"data row {row + 1}: load cell {cell + 1} has {what} alone. Give face, x "
                 "and y together, or leave all empty"
             )
     return xy
 
 
 def _labels(
-    path: Path, column: dict[str, Float[np.ndarray, "frame"]], name: str, absent: int, frames: int
+    column: dict[str, Float[np.ndarray, "frame"]], name: str, absent: int, frames: int
 ) -> Int[np.ndarray, "frame"]:
     values = column.get(name, np.full(frames, float(absent)))
-    return whole(path, values[:, None], [name])[:, 0]
+    return whole(values[:, None], [name])[:, 0]
 
 
 def write_generic_csv(table: RawTable, path: Path | str) -> None:

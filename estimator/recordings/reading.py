@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
-from design.errors import InputError
+from design.errors import RecordingError
 from estimator.frames.dataset import NO_FACE, FrameSet
 from estimator.recordings.contacts import (
     Place,
@@ -58,6 +58,7 @@ from estimator.recordings.presses import (
 )
 from estimator.recordings.report import RecordingReport
 from estimator.recordings.table import FACES, RawTable, channel_name
+from estimator.recordings.text import naming
 
 NOMINAL_RATE_HZ = 10.5
 REST_FORCE_N = {"gripper": 0.05, "training": 0.15, "generic": 0.15}
@@ -116,14 +117,15 @@ def read_recording(path: Path | str, grid_mm: Grid | None = None) -> Recording:
 
     Raises
     ------
-    InputError
+    RecordingError
         The file is missing or damaged, or holds no press or no rest.
     """
     table = read_table(path)
     if grid_mm is not None:
         table = replace(table, grid_x_mm=grid_mm[0], grid_y_mm=grid_mm[1])
-    presses = _find_presses(path, table)
-    zero, zeroed_after = _rest_levels(path, table.counts, presses)
+    with naming(path):
+        presses = _find_presses(table)
+        zero, zeroed_after = _rest_levels(table.counts, presses)
     jumping, jumps = jump_faults(zero)
     block, place, places = contact_cases(
         presses.face, presses.tip_xy_mm, presses.force_n >= CONTACT_FORCE_N
@@ -174,7 +176,7 @@ def _report(
     )
 
 
-def _find_presses(path: Path | str, table: RawTable) -> _Presses:
+def _find_presses(table: RawTable) -> _Presses:
     label_face, tip_xy_mm = table.face, table.tip_xy_mm
     no_contact = table.declared_rest | np.all(np.isnan(tip_xy_mm), axis=(1, 2, 3))
     if table.kind == "generic":
@@ -186,8 +188,8 @@ def _find_presses(path: Path | str, table: RawTable) -> _Presses:
     limit_n = REST_FORCE_N[table.kind]
     force_n = tared(table.force_n, no_contact, limit_n, signed=table.kind != "training")
     if force_n.max() < CONTACT_FORCE_N:
-        raise InputError(
-            f"{path} holds no press: the largest force is {force_n.max():.3g} N, a contact needs "
+        raise RecordingError(
+            f"it holds no press: the largest force is {force_n.max():.3g} N, a contact needs "
             f"{CONTACT_FORCE_N} N. Give a recording with presses"
         )
     press = number_presses(force_n, stretch, limit_n)
@@ -213,14 +215,14 @@ def _find_presses(path: Path | str, table: RawTable) -> _Presses:
 
 
 def _rest_levels(
-    path: Path | str, counts: Float[np.ndarray, "frame 5 sensor 3"], presses: _Presses
+    counts: Float[np.ndarray, "frame 5 sensor 3"], presses: _Presses
 ) -> tuple[Float[np.ndarray, "press 5 sensor 3"], int]:
     """Mean counts of up to `ZERO_FRAMES` rest frames before each press, and how many presses had
     too few of them and took the rest that follows instead."""
     rest = np.flatnonzero(presses.rest & ~presses.hidden)
     if len(rest) < LEAST_ZERO_FRAMES:
-        raise InputError(
-            f"{path} holds {len(rest)} frames at rest; at least {LEAST_ZERO_FRAMES} are needed to "
+        raise RecordingError(
+            f"it holds {len(rest)} frames at rest; at least {LEAST_ZERO_FRAMES} are needed to "
             "zero the signals. Record some frames before each press"
         )
     levels, after = [], 0

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
-from design.errors import InputError
+from design.errors import RecordingError
 
 FACES = (1, 2, 3, 4, 5)
 LARGEST_COUNT = 2.0**24
@@ -59,41 +58,40 @@ def channel_name(face: int, sensor: int, axis: int) -> str:
     return f"F{FACES[face]}-{'XYZ'[axis]}{sensor + 1}"
 
 
-def check_plausible(path: Path | str, table: RawTable) -> None:
+def check_plausible(table: RawTable) -> None:
     """Refuse values that can only come from another unit or from damage.
 
     Raises
     ------
-    InputError
+    RecordingError
         Counts beyond 24 bits, forces beyond 1 kN, places beyond 300 mm (or all within 0.1 mm of
         the middle but not in it), or stamps 5 s or more apart.
     """
-    _check_below(path, "counts", table.counts, LARGEST_COUNT, "raw counts of the sensors")
-    _check_below(path, "forces (N)", table.force_n, LARGEST_FORCE_N, "forces in N, not in g or mN")
+    _check_below("counts", table.counts, LARGEST_COUNT, "raw counts of the sensors")
+    _check_below("forces (N)", table.force_n, LARGEST_FORCE_N, "forces in N, not in g or mN")
     if table.shear_n is not None:
-        _check_below(path, "shear forces (N)", table.shear_n, LARGEST_FORCE_N, "forces in N")
-    _check_below(path, "places (mm)", table.tip_xy_mm, LARGEST_PLACE_MM, "places in mm")
+        _check_below("shear forces (N)", table.shear_n, LARGEST_FORCE_N, "forces in N")
+    _check_below("places (mm)", table.tip_xy_mm, LARGEST_PLACE_MM, "places in mm")
     known = np.abs(table.tip_xy_mm[np.isfinite(table.tip_xy_mm)])
     if known.size and 0 < known.max() < 0.1:
-        raise InputError(
-            f"{path}: every place lies within {known.max():g} mm of its face's middle. Give places "
+        raise RecordingError(
+            f"every place lies within {known.max():g} mm of its face's middle. Give places "
             "in mm, not in m"
         )
     if len(table.time_s) and np.abs(table.time_s).max() > 1e11:
-        raise InputError(
-            f"{path}: time stamps reach {np.abs(table.time_s).max():.3g} s. Give seconds, not ms"
+        raise RecordingError(
+            f"time stamps reach {np.abs(table.time_s).max():.3g} s. Give seconds, not ms"
         )
     step_s = float(np.median(np.diff(table.time_s))) if len(table.time_s) > 2 else 0.0
     if step_s >= _SLOWEST_FRAME_S:
-        raise InputError(
-            f"{path}: frames are {step_s:g} s apart (median). Give time stamps in s, not in ms"
+        raise RecordingError(
+            f"frames are {step_s:g} s apart (median). Give time stamps in s, not in ms"
         )
 
 
-def _check_below(path: Path | str, what: str, values: np.ndarray, limit: float, right: str) -> None:
+def _check_below(what: str, values: np.ndarray, limit: float, right: str) -> None:
     largest = np.max(np.abs(values), where=~np.isnan(values), initial=0.0)
     if largest > limit:
-        raise InputError(
-            f"{path}: {what} reach {largest:.4g}, more than {limit:g}. Give {right}, and mend "
-            "damaged cells"
+        raise RecordingError(
+            f"{what} reach {largest:.4g}, more than {limit:g}. Give {right}, and fix damaged cells"
         )

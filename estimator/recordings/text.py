@@ -4,37 +4,47 @@ from __future__ import annotations
 
 import csv
 import hashlib
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import numpy as np
 from jaxtyping import Float, Int
 
-from design.errors import InputError
+from design.errors import RecordingError
 
 FORMATS = "docs/recordings.md describes the formats that are read"
 
 
-def read_rows(path: Path) -> tuple[list[list[str]], str]:
-    """All rows of a CSV file that hold anything, and the file's SHA-256.
+@contextmanager
+def naming(path: Path | str) -> Iterator[None]:
+    """Put the name of the file before the text of a `RecordingError` raised inside."""
+    try:
+        yield
+    except RecordingError as error:
+        raise RecordingError(f"{path}: {error}") from None
+
+
+def csv_rows(content: bytes) -> tuple[list[list[str]], str]:
+    """All rows of a CSV file that hold anything, and the SHA-256 of its content.
 
     Raises
     ------
-    InputError
-        No such file, not text, or fewer than two rows.
+    RecordingError
+        Not text, or fewer than two rows.
     """
-    content = read_bytes(path)
     try:
         text = content.decode("utf-8-sig")
     except UnicodeDecodeError:
-        raise InputError(f"{path} is not a text file. {FORMATS}") from None
+        raise RecordingError(f"it is not a text file. {FORMATS}") from None
     if "\0" in text:
-        raise InputError(f"{path} holds null characters, so it is not a text file. {FORMATS}")
+        raise RecordingError(f"it holds null characters, so it is not a text file. {FORMATS}")
     try:
         rows = [row for row in csv.reader(text.splitlines()) if row]
     except csv.Error as error:
-        raise InputError(f"{path} is not a CSV file ({error}). {FORMATS}") from None
+        raise RecordingError(f"it is not a CSV file ({error}). {FORMATS}") from None
     if len(rows) < 2:
-        raise InputError(f"{path} holds {len(rows)} lines, too few for a recording. {FORMATS}")
+        raise RecordingError(f"it holds {len(rows)} lines, too few for a recording. {FORMATS}")
     return rows, hashlib.sha256(content).hexdigest()
 
 
@@ -43,90 +53,89 @@ def read_bytes(path: Path) -> bytes:
 
     Raises
     ------
-    InputError
+    RecordingError
         It cannot be read, or is empty.
     """
     try:
         content = path.read_bytes()
     except FileNotFoundError:
-        raise InputError(f"no recording at {path}. Give the path of a recording") from None
+        raise RecordingError(f"no recording at {path}. Give the path of a recording") from None
     except OSError as error:
-        raise InputError(f"cannot read {path}: {error.strerror}. Give a readable file") from None
+        raise RecordingError(
+            f"cannot read {path}: {error.strerror}. Give a readable file"
+        ) from None
     if not content.strip():
-        raise InputError(f"{path} is empty. {FORMATS}")
+        raise RecordingError(f"{path} is empty. {FORMATS}")
     return content
 
 
 def numbers(
-    path: Path, rows: list[list[str]], names: list[str], first_line: int
+    rows: list[list[str]], names: list[str], first_line: int
 ) -> Float[np.ndarray, "row column"]:
     """Cells as numbers, NaN where empty.
 
     Raises
     ------
-    InputError
+    RecordingError
         A row of another length, text in a cell, or an infinite value.
     """
     for number, row in enumerate(rows, start=first_line):
         if len(row) != len(names):
-            raise InputError(
-                f"{path}, line {number}: {len(row)} cells where {len(names)} belong. The file is "
+            raise RecordingError(
+                f"line {number}: {len(row)} cells where {len(names)} belong. The file is "
                 "cut off or damaged there: delete the line or copy the file anew"
             )
     try:
         values = np.array([[float(cell or "nan") for cell in row] for row in rows])
     except ValueError:
-        raise _first_bad_cell(path, rows, names, first_line) from None
+        raise _first_bad_cell(rows, names, first_line) from None
     if np.isinf(values).any():
         row, column = np.argwhere(np.isinf(values))[0]
-        raise InputError(
-            f"{path}, line {row + first_line}, column {names[column]}: infinite value. Mend "
-            "that cell"
+        raise RecordingError(
+            f"line {row + first_line}, column {names[column]}: infinite value. Fix that cell"
         )
     return values
 
 
-def _first_bad_cell(
-    path: Path, rows: list[list[str]], names: list[str], first_line: int
-) -> InputError:
+def _first_bad_cell(rows: list[list[str]], names: list[str], first_line: int) -> RecordingError:
     for number, row in enumerate(rows, start=first_line):
         for name, cell in zip(names, row, strict=True):
             if cell and not is_number(cell):
-                return InputError(
-                    f"{path}, line {number}, column {name}: {cell[:40]!r} is not a number. Mend "
+                return RecordingError(
+                    f"line {number}, column {name}: {cell[:40]!r} is not a number. Fix "
                     "that cell or delete the line"
                 )
-    return InputError(f"{path} holds a cell that is not a number. {FORMATS}")
+    return RecordingError(f"it holds a cell that is not a number. {FORMATS}")
 
 
 def whole(
-    path: Path, values: Float[np.ndarray, "row column"], names: list[str]
+    values: Float[np.ndarray, "row column"], names: list[str]
 ) -> Int[np.ndarray, "row column"]:
     """Labels as integers.
 
     Raises
     ------
-    InputError
+    RecordingError
         A large, fractional or empty label.
     """
     good = np.isfinite(values) & (np.abs(values) < 1e6)
     good &= np.where(good, values, 0.5) % 1 == 0
     if not good.all():
         row, column = np.argwhere(~good)[0]
-        raise InputError(
-            f"{path}: label {values[row, column]:g} in column {names[column]} is not a whole "
-            "number. Mend the label column"
+        raise RecordingError(
+            f"label {values[row, column]:g} in column {names[column]} is not a whole "
+            "number. Fix the label column"
         )
     return values.astype(int)
 
 
-def check_complete(path: Path, values: Float[np.ndarray, "row column"], names: list[str]) -> None:
-    """Raise InputError where a cell that every frame needs is empty."""
+def check_complete(values: Float[np.ndarray, "row column"], names: list[str]) -> None:
+    """Raise RecordingError where a cell that every frame needs is empty."""
     if np.isnan(values).any():
         row, column = np.argwhere(np.isnan(values))[0]
-        raise InputError(
-            f"{path}: column {names[column]} is empty in data row {row + 1}. Every frame needs it: "
-            "mend the cell or delete the line"
+        raise RecordingError(
+            f"column {names[column]} is empty in data row {row + 1}. Every frame needs it: "
+            "fix the cell or delete the line"
         )
 
 

@@ -14,8 +14,8 @@ import numpy as np
 from jaxtyping import Float, Int
 
 from design.errors import InputError
-from design.files import atomic_path
 from design.layout.positions import PlaceGrid, contact_grid, grid_places_in_lattice, sensor_layout
+from design.netcdf import FileKind, read_netcdf, write_netcdf
 from design.spec.object import ObjectSpec
 from estimator.field.models import FieldModel, field_model
 from estimator.field.sources import magnet_source
@@ -28,7 +28,38 @@ from estimator.signals.hall import (
 )
 from fem.presses.results import MagnetMotions, PressForces
 
-SCHEMA_VERSION = 1
+_PER_PRESS = "face place step"
+_CHANNEL = f"{_PER_PRESS} sensor axis"
+_SIGNALS = FileKind(
+    "signals",
+    {
+        "force_n": (_PER_PRESS, "N"),
+        "delta_counts": (_CHANNEL, "count"),
+        "baseline_counts": ("sensor axis", "count"),
+        "lattice_x_mm": ("ix", "mm"),
+        "lattice_y_mm": ("iy", "mm"),
+    },
+    coordinates={"face": ("face", ""), "depth_mm": ("step", "mm")},
+)
+_GRID_SIGNALS = FileKind(
+    "signals of contact places",
+    {
+        "force_n": (_PER_PRESS, "N"),
+        "delta_counts": (_CHANNEL, "count"),
+        "baseline_counts": ("sensor axis", "count"),
+        "reading_counts": (_CHANNEL, "count"),
+    },
+    coordinates={
+        "face": ("face", ""),
+        "place": ("place", ""),
+        "x_mm": ("place", "mm"),
+        "y_mm": ("place", "mm"),
+        "depth_mm": ("step", "mm"),
+        "sensor": ("sensor", ""),
+        "sensor_face": ("sensor", ""),
+        "axis": ("axis", ""),
+    },
+)
 Progress = Callable[[str], None]
 """Called with a line about each part that is done."""
 
@@ -130,26 +161,16 @@ def saturation_margin(signals: Signals, spec: ObjectSpec) -> float:
 
 def save_signals(signals: Signals, path: Path | str) -> None:
     """Write the lattice's signals as NetCDF with units (`load_signals` reads them)."""
-    import xarray as xr
-
-    per_press = ("face", "place", "step")
-    data = xr.Dataset(
-        {
-            "force_n": (per_press, signals.force_n, {"units": "N"}),
-            "delta_counts": (
-                (*per_press, "sensor", "axis"),
-                signals.delta_counts,
-                {"units": "count"},
-            ),
-            "baseline_counts": (("sensor", "axis"), signals.baseline_counts, {"units": "count"}),
-            "lattice_x_mm": (("ix",), signals.lattice.x_mm, {"units": "mm"}),
-            "lattice_y_mm": (("iy",), signals.lattice.y_mm, {"units": "mm"}),
-        },
-        coords={"face": signals.faces, "depth_mm": (("step",), signals.depth_mm, {"units": "mm"})},
-        attrs={"schema_version": SCHEMA_VERSION},
-    )
-    with atomic_path(path) as temporary:
-        data.to_netcdf(temporary, engine="h5netcdf")
+    values = {
+        "force_n": signals.force_n,
+        "delta_counts": signals.delta_counts,
+        "baseline_counts": signals.baseline_counts,
+        "lattice_x_mm": signals.lattice.x_mm,
+        "lattice_y_mm": signals.lattice.y_mm,
+        "face": signals.faces,
+        "depth_mm": signals.depth_mm,
+    }
+    write_netcdf(_SIGNALS, path, values)
 
 
 def load_signals(path: Path | str) -> Signals:
@@ -158,28 +179,19 @@ def load_signals(path: Path | str) -> Signals:
     Raises
     ------
     InputError
-        No such file, or not signals of this schema.
+        No such file.
+    StoreError
+        Damaged, or not signals of this schema.
     """
-    import xarray as xr
-
-    if not Path(path).is_file():
-        raise InputError(f"no signals at {path}. Simulate the presses first")
-    try:
-        with xr.open_dataset(path, engine="h5netcdf") as data:
-            if data.attrs.get("schema_version") != SCHEMA_VERSION or "delta_counts" not in data:
-                raise InputError(
-                    f"{path} holds no signals of schema {SCHEMA_VERSION}. Simulate anew"
-                )
-            return Signals(
-                data["face"].values,
-                PlaceGrid(data["lattice_x_mm"].values, data["lattice_y_mm"].values),
-                data["depth_mm"].values,
-                data["force_n"].values,
-                data["delta_counts"].values,
-                data["baseline_counts"].values,
-            )
-    except (OSError, KeyError) as error:
-        raise InputError(f"{path} is not a file of signals ({error}). Simulate anew") from None
+    values, _ = read_netcdf(_SIGNALS, path)
+    return Signals(
+        values["face"],
+        PlaceGrid(values["lattice_x_mm"], values["lattice_y_mm"]),
+        values["depth_mm"],
+        values["force_n"],
+        values["delta_counts"],
+        values["baseline_counts"],
+    )
 
 
 def save_grid_signals(spec: ObjectSpec, signals: Signals, path: Path | str, seed: int) -> None:
@@ -188,37 +200,23 @@ def save_grid_signals(spec: ObjectSpec, signals: Signals, path: Path | str, seed
     `reading_counts` is noisy, rounded and clipped to the sensor's full scale (`hall.read_out`);
     `delta_counts` and `baseline_counts` are the expected counts behind it.
     """
-    import xarray as xr
-
     places, grid = grid_places_in_lattice(spec), contact_grid(spec)
     delta = signals.delta_counts[:, places]
     expected = signals.baseline_counts + delta
     reading = read_out(expected, spec.sensors, np.random.default_rng(seed))
-    per_press = ("face", "place", "step")
-    channel = (*per_press, "sensor", "axis")
-    data = xr.Dataset(
-        {
-            "force_n": (per_press, signals.force_n[:, places], {"units": "N"}),
-            "delta_counts": (channel, delta, {"units": "count"}),
-            "baseline_counts": (("sensor", "axis"), signals.baseline_counts, {"units": "count"}),
-            "reading_counts": (channel, reading.astype(np.int32), {"units": "count"}),
-        },
-        coords={
-            "face": signals.faces,
-            "place": np.arange(len(places)),
-            "x_mm": (("place",), grid.xy_mm[:, 0], {"units": "mm"}),
-            "y_mm": (("place",), grid.xy_mm[:, 1], {"units": "mm"}),
-            "depth_mm": (("step",), signals.depth_mm, {"units": "mm"}),
-            "sensor": np.arange(delta.shape[3]),
-            "sensor_face": (("sensor",), sensor_layout(spec).face),
-            "axis": list("XYZ"),
-        },
-        attrs={
-            "schema_version": SCHEMA_VERSION,
-            "object": spec.name,
-            "seed": seed,
-            "source": "simulated",
-        },
-    )
-    with atomic_path(path) as temporary:
-        data.to_netcdf(temporary, engine="h5netcdf")
+    values = {
+        "force_n": signals.force_n[:, places],
+        "delta_counts": delta,
+        "baseline_counts": signals.baseline_counts,
+        "reading_counts": reading.astype(np.int32),
+        "face": signals.faces,
+        "place": np.arange(len(places)),
+        "x_mm": grid.xy_mm[:, 0],
+        "y_mm": grid.xy_mm[:, 1],
+        "depth_mm": signals.depth_mm,
+        "sensor": np.arange(delta.shape[3]),
+        "sensor_face": sensor_layout(spec).face,
+        "axis": list("XYZ"),
+    }
+    attributes = {"object": spec.name, "seed": seed, "source": "simulated"}
+    write_netcdf(_GRID_SIGNALS, path, values, attributes)

@@ -8,11 +8,23 @@ from pathlib import Path
 import numpy as np
 from jaxtyping import Float
 
-from design.files import atomic_path
+from design.netcdf import FileKind, write_netcdf
 from fem.large_strain.hyperelastic import Hyperelastic
 from fem.presses.shape import DeformedShape
 
-SCHEMA_VERSION = 1
+_MOTION = ("step magnet component", "mm mm mm rad rad rad")
+_PRESS = FileKind(
+    "large-deformation presses",
+    {
+        "force_n": ("step", "N"),
+        "linear_force_n": ("step", "N"),
+        "contact_area_mm2": ("step", "mm2"),
+        "linear_contact_area_mm2": ("step", "mm2"),
+        "motion": _MOTION,
+        "linear_motion": _MOTION,
+    },
+    coordinates={"depth_mm": ("step", "mm")},
+)
 
 
 @dataclass(frozen=True)
@@ -67,34 +79,17 @@ def linearity_limits(press: LargeStrainPress) -> LinearityLimits:
 
 def save_large_strain_press(press: LargeStrainPress, path: Path | str) -> None:
     """Write forces, areas and motions of both models as NetCDF with units (not the shape)."""
-    import xarray as xr
-
     material = press.material
-    variables: dict[str, tuple] = {
-        "force_n": (("step",), press.force_n, {"units": "N"}),
-        "linear_force_n": (("step",), press.linear_force_n, {"units": "N"}),
-        "contact_area_mm2": (("step",), press.contact_area_mm2, {"units": "mm2"}),
-        "linear_contact_area_mm2": (("step",), press.linear_contact_area_mm2, {"units": "mm2"}),
+    attributes = {
+        "face": press.face,
+        "xy_mm": [press.x_mm, press.y_mm],
+        "status": press.status,
+        "material": material.name,
+        "invariant_coefficients_mpa": list(material.invariant_coefficients_mpa),
+        "ogden_moduli_mpa": [mu for mu, _ in material.ogden_terms],
+        "ogden_exponents": [alpha for _, alpha in material.ogden_terms],
     }
-    for name in ("motion", "linear_motion"):
-        axes = ("step", "magnet", "component")
-        variables[name] = (axes, getattr(press, name), {"units": "mm mm mm rad rad rad"})
-    data = xr.Dataset(
-        variables,
-        coords={"depth_mm": (("step",), press.depth_mm, {"units": "mm"})},
-        attrs={
-            "schema_version": SCHEMA_VERSION,
-            "face": press.face,
-            "xy_mm": [press.x_mm, press.y_mm],
-            "status": press.status,
-            "material": material.name,
-            "invariant_coefficients_mpa": list(material.invariant_coefficients_mpa),
-            "ogden_moduli_mpa": [mu for mu, _ in material.ogden_terms],
-            "ogden_exponents": [alpha for _, alpha in material.ogden_terms],
-        },
-    )
-    with atomic_path(path) as temporary:
-        data.to_netcdf(temporary, engine="h5netcdf")
+    write_netcdf(_PRESS, path, {name: getattr(press, name) for name in _PRESS.arrays}, attributes)
 
 
 def _first_crossing(depth: np.ndarray, off: np.ndarray, share: float) -> float | None:

@@ -11,11 +11,24 @@ from pathlib import Path
 import numpy as np
 from jaxtyping import Float, Int
 
-from design.errors import InputError
-from design.files import atomic_path
 from design.layout.positions import PlaceGrid
+from design.netcdf import FileKind, read_netcdf, write_netcdf
 
-SCHEMA_VERSION = 1
+_PER_PRESS = "face place step"
+_MOTION = "mm mm mm rad rad rad"
+_PRESSES = FileKind(
+    "presses",
+    {
+        "force_n": (_PER_PRESS, "N"),
+        "contact_area_mm2": (_PER_PRESS, "mm2"),
+        "motion": (f"{_PER_PRESS} magnet component", _MOTION),
+        "lattice_x_mm": ("ix", "mm"),
+        "lattice_y_mm": ("iy", "mm"),
+        "rest": ("magnet component", _MOTION),
+    },
+    coordinates={"face": ("face", ""), "depth_mm": ("step", "mm")},
+    optional=("rest",),
+)
 
 
 @dataclass(frozen=True)
@@ -49,39 +62,31 @@ class MagnetMotions:
 
 def save_presses(forces: PressForces, motions: MagnetMotions, path: Path | str) -> None:
     """Write both as one NetCDF file with units."""
-    import xarray as xr
-
-    per_press = ("face", "place", "step")
-    data = xr.Dataset(
-        {
-            "force_n": (per_press, forces.force_n, {"units": "N"}),
-            "contact_area_mm2": (per_press, forces.contact_area_mm2, {"units": "mm2"}),
-            "motion": (
-                (*per_press, "magnet", "component"),
-                motions.motion,
-                {"units": "mm mm mm rad rad rad"},
-            ),
-            "lattice_x_mm": (("ix",), forces.lattice.x_mm, {"units": "mm"}),
-            "lattice_y_mm": (("iy",), forces.lattice.y_mm, {"units": "mm"}),
-        },
-        coords={"face": forces.faces, "depth_mm": (("step",), forces.depth_mm, {"units": "mm"})},
-        attrs={"schema_version": SCHEMA_VERSION},
-    )
-    if motions.rest is not None:
-        data["rest"] = (("magnet", "component"), motions.rest, {"units": "mm mm mm rad rad rad"})
-    with atomic_path(path) as temporary:
-        data.to_netcdf(temporary, engine="h5netcdf")
+    values = {
+        "force_n": forces.force_n,
+        "contact_area_mm2": forces.contact_area_mm2,
+        "motion": motions.motion,
+        "lattice_x_mm": forces.lattice.x_mm,
+        "lattice_y_mm": forces.lattice.y_mm,
+        "rest": motions.rest,
+        "face": forces.faces,
+        "depth_mm": forces.depth_mm,
+    }
+    write_netcdf(_PRESSES, path, values)
 
 
 def load_presses(path: Path | str) -> tuple[PressForces, MagnetMotions]:
-    """Read what `save_presses` wrote."""
-    import xarray as xr
+    """Read what `save_presses` wrote.
 
-    with xr.open_dataset(path, engine="h5netcdf") as data:
-        if data.attrs.get("schema_version") != SCHEMA_VERSION:
-            raise InputError(f"{path} holds no presses of schema {SCHEMA_VERSION}. Simulate anew")
-        lattice = PlaceGrid(data["lattice_x_mm"].values, data["lattice_y_mm"].values)
-        shared = (data["face"].values, lattice, data["depth_mm"].values)
-        forces = PressForces(*shared, data["force_n"].values, data["contact_area_mm2"].values)
-        rest = data["rest"].values if "rest" in data else None
-        return forces, MagnetMotions(*shared, data["motion"].values, rest)
+    Raises
+    ------
+    InputError
+        No such file.
+    StoreError
+        Damaged, or of another schema.
+    """
+    values, _ = read_netcdf(_PRESSES, path)
+    lattice = PlaceGrid(values["lattice_x_mm"], values["lattice_y_mm"])
+    shared = (values["face"], lattice, values["depth_mm"])
+    forces = PressForces(*shared, values["force_n"], values["contact_area_mm2"])
+    return forces, MagnetMotions(*shared, values["motion"], values.get("rest"))

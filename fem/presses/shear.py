@@ -18,8 +18,8 @@ import scipy.sparse as sp
 from jaxtyping import Float, Int
 
 from design.errors import InputError
-from design.files import atomic_path
 from design.layout.positions import PlaceGrid, contact_grid, face_frames, shell_body_layout
+from design.netcdf import FileKind, read_netcdf, write_netcdf
 from design.spec.object import ObjectSpec
 from fem.linear.factorization import Factorization
 from fem.linear.magnets import mean_motion_functionals
@@ -28,8 +28,19 @@ from fem.linear.sparse import columns_of, rows_of, shape_of
 from fem.mesh.tetrahedra import TetMesh
 from fem.presses.table import press_places, surface_weights_mm2
 
-SCHEMA_VERSION = 1
 _LEAST_FORCE_N = 1e-9
+_SHEAR = FileKind(
+    "tangential motions",
+    {
+        "motion_per_n": (
+            "face place step tangent magnet component",
+            "mm/N mm/N mm/N rad/N rad/N rad/N",
+        ),
+        "grid_x_mm": ("ix", "mm"),
+        "grid_y_mm": ("iy", "mm"),
+    },
+    coordinates={"face": ("face", ""), "depth_mm": ("step", "mm"), "tangent": ("tangent", "")},
+)
 
 
 @dataclass(frozen=True)
@@ -131,37 +142,27 @@ def _magnet_loads(
 
 def save_shear(shear: ShearMotions, path: Path | str) -> None:
     """Write as NetCDF with units."""
-    import xarray as xr
-
-    data = xr.Dataset(
-        {
-            "motion_per_n": (
-                ("face", "place", "step", "tangent", "magnet", "component"),
-                shear.motion_per_n,
-                {"units": "mm/N mm/N mm/N rad/N rad/N rad/N"},
-            ),
-            "grid_x_mm": (("ix",), shear.grid.x_mm, {"units": "mm"}),
-            "grid_y_mm": (("iy",), shear.grid.y_mm, {"units": "mm"}),
-        },
-        coords={
-            "face": shear.faces,
-            "depth_mm": (("step",), shear.depth_mm, {"units": "mm"}),
-            "tangent": ["x", "y"],
-        },
-        attrs={"schema_version": SCHEMA_VERSION},
-    )
-    with atomic_path(path) as temporary:
-        data.to_netcdf(temporary, engine="h5netcdf")
+    values = {
+        "motion_per_n": shear.motion_per_n,
+        "grid_x_mm": shear.grid.x_mm,
+        "grid_y_mm": shear.grid.y_mm,
+        "face": shear.faces,
+        "depth_mm": shear.depth_mm,
+        "tangent": ["x", "y"],
+    }
+    write_netcdf(_SHEAR, path, values)
 
 
 def load_shear(path: Path | str) -> ShearMotions:
-    """Read what `save_shear` wrote."""
-    import xarray as xr
+    """Read what `save_shear` wrote.
 
-    with xr.open_dataset(path, engine="h5netcdf") as data:
-        if data.attrs.get("schema_version") != SCHEMA_VERSION or "motion_per_n" not in data:
-            raise InputError(f"{path} holds no tangential motions. Simulate anew")
-        grid = PlaceGrid(data["grid_x_mm"].values, data["grid_y_mm"].values)
-        return ShearMotions(
-            data["face"].values, grid, data["depth_mm"].values, data["motion_per_n"].values
-        )
+    Raises
+    ------
+    InputError
+        No such file.
+    StoreError
+        Damaged, or of another schema.
+    """
+    values, _ = read_netcdf(_SHEAR, path)
+    grid = PlaceGrid(values["grid_x_mm"], values["grid_y_mm"])
+    return ShearMotions(values["face"], grid, values["depth_mm"], values["motion_per_n"])

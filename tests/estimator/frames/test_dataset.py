@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_array_equal
 
-from design.errors import InputError
+from design.errors import InputError, StoreError
 from estimator.frames.dataset import PER_FRAME_FIELDS, load_frames, save_frames
 from tests.support.synthetic_frames import synthetic_frames
 
@@ -50,14 +50,14 @@ def test_select_by_mask_and_by_index(frames):
 
 
 def test_missing_file(tmp_path):
-    with pytest.raises(InputError, match="no data set at"):
+    with pytest.raises(InputError, match="no labelled frames at"):
         load_frames(tmp_path / "none.nc")
 
 
 @pytest.mark.parametrize("content", [b"", b"not a data set", b"\x89HDF\r\n\x1a\n" + b"\0" * 200])
 def test_foreign_file(tmp_path, content):
     (tmp_path / "bad.nc").write_bytes(content)
-    with pytest.raises(InputError, match=r"bad\.nc"):
+    with pytest.raises(StoreError, match=r"bad\.nc"):
         load_frames(tmp_path / "bad.nc")
 
 
@@ -65,7 +65,7 @@ def test_truncated_file(frames, tmp_path):
     save_frames(frames, tmp_path / "a.nc")
     content = (tmp_path / "a.nc").read_bytes()
     (tmp_path / "a.nc").write_bytes(content[: len(content) // 2])
-    with pytest.raises(InputError, match="Make it anew"):
+    with pytest.raises(StoreError, match="Make it anew"):
         load_frames(tmp_path / "a.nc")
 
 
@@ -79,10 +79,10 @@ def test_other_schema(frames, tmp_path, change):
             del file["press_id"]
         else:
             del file.attrs["seed"]
-    with pytest.raises(InputError, match="schema 1"):
+    with pytest.raises(StoreError, match="schema 1"):
         load_frames(tmp_path / "a.nc")
 
 
 def test_a_folder_is_not_a_data_set(tmp_path):
-    with pytest.raises(InputError, match="no data set at"):
+    with pytest.raises(InputError, match="no labelled frames at"):
         load_frames(tmp_path)

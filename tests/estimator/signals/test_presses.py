@@ -9,7 +9,7 @@ import xarray as xr
 from numpy.testing import assert_allclose
 from scipy.spatial.transform import Rotation
 
-from design.errors import InputError
+from design.errors import InputError, StoreError
 from design.layout.positions import grid_places_in_lattice, magnet_layout, sensor_layout
 from estimator.field.vectors import rotate
 from estimator.signals.field_setup import min_distance_mm, scene
@@ -153,7 +153,7 @@ def test_signals_survive_their_file(signals, tmp_path):
     with pytest.raises(InputError, match="no signals at"):
         load_signals(tmp_path / "other.nc")
     (tmp_path / "text.nc").write_text("no data")
-    with pytest.raises(InputError, match="not a file of signals"):
+    with pytest.raises(StoreError, match="not a file of signals"):
         load_signals(tmp_path / "text.nc")
 
 

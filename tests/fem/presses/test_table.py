@@ -1,10 +1,12 @@
 """Presses on the real object: contact conditions, growth, the layer's force, frames, symmetry."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from design.errors import InputError
+from design.errors import InputError, StoreError
 from design.layout.positions import magnet_layout, press_lattice
 from fem.contact.complementarity import contact_pressures
 from fem.contact.indenter import moved, tip_cells
@@ -191,9 +193,10 @@ def test_saved_presses_come_back_alike_with_axes_in_order(presses, rigid_spec, t
 def test_presses_of_another_schema_are_refused(presses, tmp_path, monkeypatch):
     from fem.presses import results
 
-    monkeypatch.setattr(results, "SCHEMA_VERSION", 999)
+    other = replace(results._PRESSES, schema=("schema_version", 999))
+    monkeypatch.setattr(results, "_PRESSES", other)
     forces, motions = presses
     save_presses(forces, motions, tmp_path / "presses.nc")
     monkeypatch.undo()
-    with pytest.raises(InputError, match="schema"):
+    with pytest.raises(StoreError, match="schema"):
         load_presses(tmp_path / "presses.nc")

@@ -1,0 +1,179 @@
+"""NetCDF files of results: named axes, units and checksums, by one codec for all of them.
+
+Arrays of numbers carry Fletcher checksums, and the format of HDF5 1.10 one for each piece of
+metadata, so that a damaged byte ends in an error instead of another number.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from contextlib import closing
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from design.errors import InputError, StoreError
+from design.files import atomic_path
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+Axes = Mapping[str, tuple[str, str]]
+"""Axes, with a space between, and unit of each array by name; the unit is empty for labels."""
+
+_HDF5_FORMAT = ("v110", "v110")
+_LARGEST_CHUNK_BYTES = 2**30
+
+
+@dataclass(frozen=True)
+class FileKind:
+    """What files of one kind hold.
+
+    Attributes
+    ----------
+    title : name of the kind in the plural, for messages
+    variables, coordinates : axes and units of the arrays; coordinates label axes
+    optional : variables that a file may lack
+    packed : variables kept as compressed 32-bit floats
+    attributes : names of attributes that a file must have
+    schema : name and value of the attribute that tells the kind and its version
+    unit_name : attribute that holds the unit
+    origin : how to get such a file
+    remedy : what to do about a damaged one
+    others : a sentence for each variable by which a file of another kind is known
+    """
+
+    title: str
+    variables: Axes
+    coordinates: Axes = field(default_factory=dict)
+    optional: tuple[str, ...] = ()
+    packed: tuple[str, ...] = ()
+    attributes: tuple[str, ...] = ()
+    schema: tuple[str, int | str] = ("schema_version", 1)
+    unit_name: str = "units"
+    origin: str = "Simulate the presses first"
+    remedy: str = "Simulate anew"
+    others: Mapping[str, str] = field(default_factory=dict)
+
+    @property
+    def arrays(self) -> Axes:
+        """All arrays, coordinates last."""
+        return {**self.variables, **self.coordinates}
+
+
+def write_netcdf(
+    kind: FileKind,
+    path: Path | str,
+    values: Mapping[str, Any],
+    attributes: Mapping[str, Any] | None = None,
+) -> None:
+    """Write arrays as NetCDF4 with checksums.
+
+    Parameters
+    ----------
+    values : array of each name of the kind; None leaves an optional one out
+
+    Raises
+    ------
+    StoreError
+        The folder cannot be written.
+    """
+    import xarray as xr
+    from xarray.backends import H5NetCDFStore
+
+    def described(axes: Axes) -> dict[str, tuple[tuple[str, ...], Any, dict[str, str]]]:
+        return {
+            name: (tuple(dims.split()), values[name], {kind.unit_name: unit} if unit else {})
+            for name, (dims, unit) in axes.items()
+            if name not in kind.optional or values[name] is not None
+        }
+
+    name, version = kind.schema
+    data = xr.Dataset(
+        described(kind.variables),
+        described(kind.coordinates),
+        {**(attributes or {}), name: version},
+    )
+    encoding = {n: _encoding(data[n], n in kind.packed) for n in data.variables}
+    with atomic_path(path) as temporary:
+        opened = H5NetCDFStore.open(temporary, mode="w", driver_kwds={"libver": _HDF5_FORMAT})
+        with closing(opened) as store:
+            data.dump_to_store(store, encoding=encoding)
+
+
+def _encoding(array: xr.DataArray, packed: bool) -> dict[str, Any]:
+    if array.dtype.kind not in "fiub" or not array.size or not array.ndim:
+        return {}
+    if packed:
+        return {"fletcher32": True, "zlib": True, "complevel": 1, "dtype": "float32"}
+    if array.nbytes > _LARGEST_CHUNK_BYTES:
+        return {"fletcher32": True}
+    return {"fletcher32": True, "chunksizes": array.shape}  # read whole: one chunk, no padding
+
+
+def read_netcdf(kind: FileKind, path: Path | str) -> tuple[dict[str, np.ndarray], dict[str, Any]]:
+    """Arrays and attributes that `write_netcdf` wrote; optional arrays may be missing.
+
+    Raises
+    ------
+    InputError
+        No such file, or one of another kind.
+    StoreError
+        Damaged, or of another schema.
+    """
+    if not Path(path).is_file():
+        raise InputError(f"no {kind.title} at {path}. {kind.origin}")
+    try:
+        data = load_whole(path)
+    except StoreError as error:
+        raise StoreError(
+            f"{path} is not a file of {kind.title}, or is damaged ({error}). {kind.remedy}"
+        ) from None
+    for name, sentence in kind.others.items():
+        if name in data.variables:
+            raise InputError(f"{path} is {sentence}")
+    _check_kind(kind, path, data)
+    present = [name for name in kind.arrays if name in data.variables]
+    return {name: data[name].values for name in present}, dict(data.attrs)
+
+
+def load_whole(path: Path | str) -> xr.Dataset:
+    """Everything that a NetCDF file holds, its checksums verified.
+
+    Raises
+    ------
+    StoreError
+        Not NetCDF, or damaged; the text says what the library found.
+    """
+    import xarray as xr
+
+    try:
+        with xr.open_dataset(path, engine="h5netcdf", decode_timedelta=False) as data:
+            return data.load()
+    except MemoryError:
+        raise
+    except Exception as error:  # a damaged file can fail in any layer of the library
+        raise StoreError(str(error) or type(error).__name__) from None
+
+
+def _check_kind(kind: FileKind, path: Path | str, data: xr.Dataset) -> None:
+    name, version = kind.schema
+    needed = [array for array in kind.arrays if array not in kind.optional]
+    missing = [array for array in needed if array not in data.variables]
+    missing += [attribute for attribute in kind.attributes if attribute not in data.attrs]
+    if missing or data.attrs.get(name) != version:
+        raise StoreError(
+            f"{path} is not a file of {kind.title} of schema {version}: missing "
+            f"{', '.join(missing) or 'nothing'}, schema {data.attrs.get(name)}. {kind.remedy}"
+        )
+    for array, (dims, unit) in kind.arrays.items():
+        if array not in data.variables:
+            continue
+        found = data[array].attrs.get(kind.unit_name, "")
+        if data[array].dims != tuple(dims.split()) or found != unit:
+            raise StoreError(
+                f"{path} is damaged: {array} must lie over ({dims}) in {unit or 'no unit'}; got "
+                f"{data[array].dims} in {found or 'no unit'}. {kind.remedy}"
+            )

@@ -1,0 +1,133 @@
+from dataclasses import replace
+
+import h5py
+import numpy as np
+import pytest
+import xarray as xr
+
+from design.errors import InputError, StoreError
+from design.netcdf import FileKind, read_netcdf, write_netcdf
+
+KIND = FileKind(
+    "trials",
+    {"force_n": ("face step", "N"), "signal": ("step axis", "count"), "extra": ("step", "mm")},
+    coordinates={"face": ("face", ""), "depth_mm": ("step", "mm"), "axis": ("axis", "")},
+    optional=("extra",),
+    packed=("signal",),
+    attributes=("seed",),
+)
+VALUES = {
+    "force_n": np.random.default_rng(0).normal(size=(3, 4)),
+    "signal": np.random.default_rng(1).normal(size=(4, 3)),
+    "extra": None,
+    "face": np.array([1, 3, 5]),
+    "depth_mm": np.array([0.5, 1.0, 1.5, np.nan]),
+    "axis": list("XYZ"),
+}
+
+
+@pytest.fixture
+def path(tmp_path):
+    write_netcdf(KIND, tmp_path / "trials.nc", VALUES, {"seed": 4, "object": "cube"})
+    return tmp_path / "trials.nc"
+
+
+def test_a_file_is_plain_netcdf_with_named_axes_units_and_types(path):
+    wanted = xr.Dataset(
+        {
+            "force_n": (("face", "step"), VALUES["force_n"], {"units": "N"}),
+            "signal": (("step", "axis"), VALUES["signal"].astype(np.float32), {"units": "count"}),
+        },
+        coords={
+            "face": VALUES["face"],
+            "depth_mm": (("step",), VALUES["depth_mm"], {"units": "mm"}),
+            "axis": VALUES["axis"],
+        },
+        attrs={"schema_version": 1, "seed": 4, "object": "cube"},
+    )
+    with xr.open_dataset(path, engine="h5netcdf") as found:
+        xr.testing.assert_identical(found.load(), wanted)
+        assert {n: found[n].dtype for n in wanted} == {n: wanted[n].dtype for n in wanted}
+
+
+def test_what_is_written_comes_back(path):
+    write_netcdf(KIND, path, {**VALUES, "extra": np.arange(4.0)}, {"seed": 4})
+    values, attributes = read_netcdf(KIND, path)
+    assert values.keys() == set(KIND.arrays)
+    np.testing.assert_array_equal(values["force_n"], VALUES["force_n"])
+    np.testing.assert_array_equal(values["extra"], np.arange(4.0))
+    assert attributes == {"schema_version": 1, "seed": 4}
+
+
+@pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")
+def test_a_flipped_bit_anywhere_is_told_or_changes_nothing(path):
+    """Bytes that hold nothing (padding, free space) may change without an error."""
+    rng = np.random.default_rng(2)
+    write_netcdf(
+        KIND,
+        path,
+        {**VALUES, "force_n": rng.normal(size=(3000, 4)), "face": np.arange(3000)},
+        {"seed": 4},
+    )
+    values, attributes = read_netcdf(KIND, path)
+    content, told = path.read_bytes(), 0
+    for place in np.linspace(0, len(content) - 1, 250).astype(int):
+        damaged = bytearray(content)
+        damaged[place] ^= 1 << rng.integers(8)
+        path.write_bytes(damaged)
+        try:
+            found, found_attributes = read_netcdf(KIND, path)
+        except StoreError as error:
+            told += "trials.nc" in str(error) and str(error).endswith("Simulate anew")
+            continue
+        assert found_attributes == attributes
+        for name, array in values.items():
+            np.testing.assert_array_equal(found[name], array)
+    assert told > 200
+
+
+@pytest.mark.parametrize("share", [0.0, 0.3, 0.99])
+def test_a_file_that_was_cut_off_is_damaged(path, share):
+    content = path.read_bytes()
+    path.write_bytes(content[: int(share * len(content))])
+    with pytest.raises(StoreError, match=r"trials\.nc is not a file of trials, or is damaged"):
+        read_netcdf(KIND, path)
+
+
+def test_a_missing_file_says_how_to_get_one(tmp_path):
+    with pytest.raises(InputError, match=r"no trials at .*none\.nc\. Simulate the presses first"):
+        read_netcdf(KIND, tmp_path / "none.nc")
+
+
+def test_another_kind_of_file_is_told_by_what_it_holds(path):
+    kind = replace(KIND, others={"signal": "a table of signals. Give trials"})
+    with pytest.raises(InputError, match=r"trials\.nc is a table of signals\. Give trials"):
+        read_netcdf(kind, path)
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"schema": ("schema_version", 2)}, "schema 2: missing nothing, schema 1"),
+        ({"variables": {**KIND.variables, "gap": ("step", "mm")}}, "missing gap"),
+        ({"attributes": ("seed", "hand")}, "missing hand"),
+        ({"variables": {"force_n": ("step face", "N")}}, "force_n must lie over"),
+        ({"variables": {"force_n": ("face step", "mN")}}, r"in mN; got .* in N"),
+    ],
+)
+def test_arrays_axes_units_attributes_and_schema_must_be_those_of_the_kind(path, change, words):
+    with pytest.raises(StoreError, match=words):
+        read_netcdf(replace(KIND, **change), path)
+
+
+def test_files_without_checksums_are_read_as_before(path):
+    with h5py.File(path) as file:
+        assert file["force_n"].fletcher32
+    with xr.open_dataset(path, engine="h5netcdf") as data:
+        plain = data.load()
+    for variable in plain.variables.values():
+        variable.encoding.clear()
+    plain.to_netcdf(path, engine="h5netcdf")
+    with h5py.File(path) as file:
+        assert not file["force_n"].fletcher32
+    np.testing.assert_array_equal(read_netcdf(KIND, path)[0]["force_n"], VALUES["force_n"])
