@@ -44,7 +44,7 @@ class SiliconeSpec(SpecPart):
     tensile_data: str | None = None
     youngs_modulus_mpa: Positive = 0.414
     youngs_modulus_range_mpa: tuple[Positive, Positive] | None = (0.15, 0.54)
-    poisson_ratio: Annotated[float, Field(ge=0, le=0.5)] = 0.4999
+    poisson_ratio: Annotated[float, Field(ge=0.01, le=0.5)] = 0.4999
     density_g_per_cm3: Positive = 1.07
     prony: tuple[PronyTermSpec, ...] = ()
     cure: Literal["platinum", "tin", "none"] = "platinum"

@@ -7,7 +7,9 @@ from dataclasses import dataclass, field
 from importlib.metadata import version
 from pathlib import Path
 
+from design.errors import InputError
 from design.spec.object import ObjectSpec
+from instobj.stages.resources import require_memory
 from instobj.stages.table import STAGES, stage_inputs
 from instobj.store.content import StoredResult, content_key, store_root, stored
 from instobj.store.progress import ProgressLine
@@ -30,6 +32,7 @@ class Chain:
         if name in self.results:
             return self.results[name]
         stage = STAGES[name]
+        require_memory(name, self.spec)
         needs = {need: self.require(need) for need in stage.needs}
         keys = {need: result.key for need, result in needs.items()}
         inputs = stage_inputs(stage, self.spec, keys, _versions())
@@ -37,7 +40,14 @@ class Chain:
 
         def make(folder: Path) -> None:
             key = content_key({"stage": name, "inputs": inputs})
-            stage.make(StageContext(self.spec, folders, key, self.progress.step), folder)
+            context = StageContext(self.spec, folders, key, self.progress.step)
+            try:
+                stage.make(context, folder)
+            except MemoryError:
+                raise InputError(
+                    f"{stage.title}: the machine has no more memory. End other programs, or make the "
+                    "object's mesh, contact grid or data sets smaller"
+                ) from None
 
         with self.progress.stage(stage.title):
             result = stored(self.root, name, inputs, make)

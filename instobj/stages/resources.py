@@ -1,0 +1,182 @@
+"""Memory that a stage will need, estimated from the specification before any work is done.
+
+Estimates are rough: meshes have 0.5 to 2 times the vertices that are estimated here (tested on the
+paper's cube and on a small box). They are there to refuse what cannot end, an edge of 0.2 mm or 10⁸
+presses, before hours are spent; not to plan the last gigabyte.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import pairwise
+from math import prod
+from pathlib import Path
+
+from design.errors import InputError
+from design.layout.volumes import sealed_volume_mm3
+from design.spec.object import ObjectSpec
+
+_GIB = 2.0**30
+_OVERRIDE = "INSTOBJ_MEMORY_GIB"
+_VERTICES_PER_CELL = 2.2
+"""Vertices of fTetWild's mesh in a volume of edge³; measured on the paper's cube."""
+_VERTICES_PER_BODY = 40
+"""About the outline of a magnet; they dominate coarse meshes."""
+_FINE_LAYER_MM = 0.5
+_MESHER_KB = 6.0
+"""Within fTetWild, for a vertex; the response needs far more."""
+_NODES_PER_VERTEX = {"taylor-hood": 6.8, "p2-p0": 6.8, "p1": 1.0}
+_LOADS_PER_CELL = 1.25
+"""Face pressures for an area of edge²; measured on the paper's cube."""
+_BYTES = 8
+_COPIES = 3
+"""An array, what it is made from, and a copy on the way to its file."""
+_ADAM_COPIES = 4
+"""Weights, gradients and two moments."""
+_LARGEST_SHARE = 0.9
+
+
+@dataclass(frozen=True)
+class Need:
+    """Memory of a stage, and the keys that bring it down."""
+
+    gib: float
+    keys: str
+
+
+def require_memory(stage: str, spec: ObjectSpec, available_gib: float | None = None) -> None:
+    """Refuse a stage that needs more memory than this machine has.
+
+    Raises
+    ------
+    InputError
+        With the estimate and the keys to change.
+    """
+    estimate = _ESTIMATES.get(stage)
+    have = machine_memory_gib() if available_gib is None else available_gib
+    if estimate is None or have is None:
+        return
+    need = estimate(spec)
+    if need.gib > _LARGEST_SHARE * have:
+        raise InputError(
+            f"the stage {stage} of {spec.name} needs about {need.gib:.3g} GiB of memory; this machine "
+            f"has {have:.3g}. Change {need.keys}; or set {_OVERRIDE} to what may be used"
+        )
+
+
+def machine_memory_gib() -> float | None:
+    """Memory that this process may use: `INSTOBJ_MEMORY_GIB`, the machine's, or its container's limit.
+
+    None if unknown.
+
+    Raises
+    ------
+    InputError
+        `INSTOBJ_MEMORY_GIB` is not a positive number.
+    """
+    asked = os.environ.get(_OVERRIDE)
+    if asked is not None:
+        try:
+            gib = float(asked)
+        except ValueError:
+            gib = 0.0
+        if not gib > 0:
+            raise InputError(f"{_OVERRIDE} must be a positive number of GiB; got {asked!r}. Fix it")
+        return gib
+    if not hasattr(os, "sysconf") or "SC_PHYS_PAGES" not in os.sysconf_names:
+        return None
+    found = os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE") / _GIB
+    limit = Path("/sys/fs/cgroup/memory.max")
+    if sys.platform == "linux" and limit.is_file():
+        text = limit.read_text().strip()
+        found = min(found, int(text) / _GIB) if text.isdigit() else found
+    return found
+
+
+def mesh_vertices(spec: ObjectSpec) -> float:
+    """Vertices of the mesh: fine under the skin, coarser to mid-shell, coarse below."""
+    volume = sealed_volume_mm3(spec)
+    fine, coarse = spec.mesh.surface_edge_mm, spec.mesh.edge_mm
+    area, ramp = volume / spec.shell.thickness_mm, spec.shell.thickness_mm / 2
+    graded = ramp * (fine + coarse) / (2 * fine**2 * coarse**2)  # ∫ dz / h(z)³ of a linear h
+    below = max(volume - area * (_FINE_LAYER_MM + ramp), 0.0)
+    cells = area * (_FINE_LAYER_MM / fine**3 + graded) + below / coarse**3
+    bodies = len(spec.magnets.positions_mm) * len(spec.body.sensed)
+    return _VERTICES_PER_CELL * cells + _VERTICES_PER_BODY * bodies
+
+
+def _mesh(spec: ObjectSpec) -> Need:
+    return Need(_MESHER_KB * mesh_vertices(spec) * 1e3 / _GIB, _MESH_KEYS)
+
+
+def _response(spec: ObjectSpec) -> Need:
+    nodes = _NODES_PER_VERTEX[spec.mechanics.element] * mesh_vertices(spec)
+    factor = 0.37 * (nodes / 9261) ** 1.15  # benchmarks/mechanics.py: 9 000 to 301 000 nodes
+    area = sealed_volume_mm3(spec) / spec.shell.thickness_mm
+    loads = _LOADS_PER_CELL * area / spec.mesh.surface_edge_mm**2
+    return Need(factor + 2 * _BYTES * loads**2 / _GIB, _MESH_KEYS)
+
+
+def _signals(spec: ObjectSpec) -> Need:
+    places = prod(2 * count + 1 for count in spec.contact_grid.count)
+    rows = len(spec.body.sensed) * places * len(spec.press.depths_mm)
+    return Need(
+        _COPIES * _BYTES * rows * 6 * len(spec.magnets.positions_mm) * len(spec.body.sensed) / _GIB,
+        "contact_grid.count or press.depths_mm",
+    )
+
+
+def _frames(spec: ObjectSpec) -> Need:
+    protocol = spec.protocol
+    each = protocol.frames_per_press + protocol.rest_frames_per_press
+    presses = len(spec.body.sensed) * prod(spec.contact_grid.count) * protocol.presses_per_place
+    keys = "protocol.presses_per_place, protocol.frames_per_press or protocol.rest_frames_per_press"
+    return Need(_frames_gib(spec, presses * each), keys)
+
+
+def _collection(spec: ObjectSpec) -> Need:
+    asked, protocol = spec.collection, spec.protocol
+    if asked.kind == "continuous":
+        each = protocol.frames_per_press + protocol.rest_frames_per_press
+        frames, keys = asked.presses * each, "collection.presses or protocol.frames_per_press"
+    else:
+        poses = len(asked.dual_poses) + len(asked.triple_poses) + asked.non_contact_cases
+        cases = len(asked.faces) * (prod(spec.contact_grid.count) + poses)
+        frames, keys = cases * asked.frames_per_case, "collection.frames_per_case"
+    return Need(_frames_gib(spec, frames), keys)
+
+
+def _frames_gib(spec: ObjectSpec, frames: float) -> float:
+    channels = 3 * len(spec.body.sensed) * spec.sensors.count_per_face
+    return _COPIES * _BYTES * frames * (channels + 12) / _GIB
+
+
+def _scores(spec: ObjectSpec) -> Need:
+    channels = 3 * spec.sensors.count_per_face
+    return Need(_COPIES * _BYTES * spec.score.hull_frames * channels / _GIB, "score.hull_frames")
+
+
+def _networks(spec: ObjectSpec) -> Need:
+    training = spec.training
+    channels = 2 * 3 * spec.sensors.count_per_face * len(spec.body.sensed)
+    pixels = training.heatmap_axes * prod(spec.contact_grid.count)
+    widths = (channels, *training.hidden_units, pixels)
+    weights = sum(a * b for a, b in pairwise(widths))
+    batch = training.batch_size * sum(widths)
+    gib = _BYTES / 2 * (_ADAM_COPIES * weights + 4 * batch) * training.members / _GIB
+    return Need(gib, "training.hidden_units, training.members or training.batch_size")
+
+
+_MESH_KEYS = "mesh.surface_edge_mm and mesh.edge_mm (larger), or body.size_mm (smaller)"
+_ESTIMATES: dict[str, Callable[[ObjectSpec], Need]] = {
+    **dict.fromkeys(("mesh", "plain_mesh", "large_strain"), _mesh),
+    **dict.fromkeys(("response", "plain_response"), _response),
+    **dict.fromkeys(("presses", "signals"), _signals),
+    **dict.fromkeys(("collection", "pulled_collection"), _collection),
+    "frames": _frames,
+    "scores": _scores,
+    **dict.fromkeys(("networks", "pretraining"), _networks),
+}

@@ -1,0 +1,79 @@
+"""Memory is estimated before work: what cannot end is refused with the number and the keys."""
+
+import pytest
+
+from design.errors import InputError
+from design.spec_io import parse_spec
+from fem.mesh.tetrahedra import tetrahedralize
+from instobj.stages.chain import Chain
+from instobj.stages.resources import machine_memory_gib, mesh_vertices, require_memory
+from instobj.stages.table import STAGES
+from tests.support.small_object import small_spec
+
+
+def spec_with(**parts):
+    return parse_spec({"name": "cube", **parts}, "test")
+
+
+@pytest.mark.parametrize(
+    ("stage", "parts", "key"),
+    [
+        ("response", {"mesh": {"surface_edge_mm": 0.2}}, "mesh.surface_edge_mm"),
+        ("response", {"mesh": {"edge_mm": 0.3, "surface_edge_mm": 0.3}}, "mesh.edge_mm"),
+        (
+            "collection",
+            {"collection": {"kind": "continuous", "presses": 10**8}},
+            "collection.presses",
+        ),
+        ("collection", {"collection": {"frames_per_case": 10**7}}, "collection.frames_per_case"),
+        ("frames", {"protocol": {"frames_per_press": 10**6}}, "protocol.frames_per_press"),
+        ("scores", {"score": {"hull_frames": 10**9}}, "score.hull_frames"),
+        ("networks", {"training": {"hidden_units": [10**6, 10**6]}}, "training.hidden_units"),
+    ],
+)
+def test_what_does_not_fit_into_the_machine_is_refused_before_any_work(
+    stage, parts, key, monkeypatch, tmp_path
+):
+    monkeypatch.setenv("INSTOBJ_MEMORY_GIB", "64")
+    with pytest.raises(InputError, match=rf"needs about .* GiB .*has 64\. Change .*{key}"):
+        Chain(spec_with(**parts), root=tmp_path).require(stage)
+    assert not list(tmp_path.iterdir())
+
+
+def test_the_papers_cube_and_its_estimate(monkeypatch):
+    """Default mesh of the paper's cube: 10 500 vertices, 3.9 GB at most for its response."""
+    spec = spec_with()
+    assert 0.8 * 10_500 < mesh_vertices(spec) < 1.25 * 10_500
+    for stage in STAGES:
+        require_memory(stage, spec, 8.0)
+    with pytest.raises(InputError, match="response"):
+        require_memory("response", spec, 3.0)
+
+
+def test_vertices_are_estimated_within_a_factor_of_two(coarse_vertices):
+    for spec, count in coarse_vertices:
+        assert 0.5 < count / mesh_vertices(spec) < 2
+
+
+@pytest.fixture(scope="module")
+def coarse_vertices():
+    coarse = spec_with(mesh={"edge_mm": 8.0, "surface_edge_mm": 3.0})
+    return [(spec, len(tetrahedralize(spec).points_mm)) for spec in (coarse, small_spec())]
+
+
+@pytest.mark.parametrize("asked", ["much", "-3", "0", "nan"])
+def test_a_wrong_limit_is_told(asked, monkeypatch):
+    monkeypatch.setenv("INSTOBJ_MEMORY_GIB", asked)
+    with pytest.raises(InputError, match="INSTOBJ_MEMORY_GIB"):
+        machine_memory_gib()
+
+
+def test_a_stage_that_runs_out_of_memory_is_named(monkeypatch, tmp_path):
+    def fills(context, folder):
+        raise MemoryError
+
+    monkeypatch.setitem(
+        STAGES, "plain_mesh", type(STAGES["plain_mesh"])("mesh: small", (), ("mesh",), fills)
+    )
+    with pytest.raises(InputError, match="mesh: small: the machine has no more memory"):
+        Chain(spec_with(), root=tmp_path).require("plain_mesh")
