@@ -46,13 +46,6 @@ def label_to_pixel(label: Int[np.ndarray, "*n"]) -> Int[np.ndarray, "*n 2"]:
     return np.stack([x, np.where(x % 2 == 1, ny - 1 - y, y)], axis=-1)
 
 
-def pixel_to_label(pixel: Int[np.ndarray, "*n 2"]) -> Int[np.ndarray, "*n"]:
-    """Snake label of pixels (X, Y): inverse of `label_to_pixel`."""
-    ny = LABEL_GRID[1]
-    x, y = pixel[..., 0], pixel[..., 1]
-    return x * ny + np.where(x % 2 == 1, ny - 1 - y, y) + 1
-
-
 def pixel_to_mm(
     pixel: Int[np.ndarray, "*n 2"],
     grid_x_mm: Float[np.ndarray, "nx"],
@@ -91,11 +84,6 @@ def force_heatmaps(frames: FrameSet, face: int) -> Float[np.ndarray, "frame 3 nx
         force_n = frames.force_n[row, slot, axis]
         np.add.at(heatmaps[:, axis], (row, pixel[:, 0], pixel[:, 1]), force_n)
     return heatmaps
-
-
-def contact_heatmaps(frames: FrameSet, face: int) -> Float[np.ndarray, "frame nx ny"]:
-    """True heatmaps (N) of one face: the normal force of its contacts at their nearest pixels."""
-    return force_heatmaps(frames, face)[:, 2]
 
 
 def faces_pressed(frames: FrameSet) -> tuple[int, ...]:

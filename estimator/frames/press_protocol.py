@@ -113,11 +113,6 @@ def _common_travel_mm(traces: Traces, median_force_n: float) -> float:
     return float(root)
 
 
-def depth_at_peak(spec: ObjectSpec, signals: Signals) -> Float[np.ndarray, "face place"]:
-    """Travel (mm) that each place's nominal peak force takes."""
-    return nominal_peaks(spec, signals).depth_mm
-
-
 def plan_presses(spec: ObjectSpec, signals: Signals) -> PressPlan:
     """Where and how hard each press of `simulate_presses` goes; fixed by `spec.seed`."""
     rng = np.random.default_rng((spec.seed, 1))

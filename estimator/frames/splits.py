@@ -7,7 +7,6 @@ name. Rest frames travel with the press that they belong to.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -122,35 +121,6 @@ def split_paper_random_frames(
     part = np.empty(len(frames), dtype=int)
     part[np.random.default_rng(seed).permutation(len(frames))] = _parts(len(frames), shares)
     return Split(part == 0, part == 1, part == 2)
-
-
-SPLITS: dict[str, Callable[[FrameSet, int], Split]] = {
-    "press": split_presses,
-    "place": split_places,
-    "session": split_sessions,
-    "paper-random-frames": split_paper_random_frames,
-}
-"""Splits by name, from what they hold out."""
-
-
-def split_by(name: str, frames: FrameSet, seed: int) -> Split:
-    """One of `SPLITS` by its name.
-
-    Raises
-    ------
-    InputError
-        Another name, or a data set too small for it.
-    """
-    if name not in SPLITS:
-        raise InputError(f"there is no split by {name!r}. Choose one of {', '.join(SPLITS)}")
-    return SPLITS[name](frames, seed)
-
-
-def shared_presses(frames: FrameSet, split: Split) -> Int[np.ndarray, "press"]:
-    """Presses with frames in more than one part: none, but for the paper's random split."""
-    parts = [np.unique(frames.press_id[part]) for part in vars(split).values()]
-    presses, counts = np.unique(np.concatenate(parts), return_counts=True)
-    return presses[counts > 1]
 
 
 def _press_places(frames: FrameSet) -> tuple[Int[np.ndarray, "press"], Int[np.ndarray, "press"]]:

@@ -128,8 +128,8 @@ def ln_hull_factor(frames: int, channels: int) -> float:
 
     E V = κ_d (2π)^(−d/2) C(N, d+1) (d+1)/√π ∫ exp(−(d+1)x²) Φ(√2 x)^(N−d−1) dx: a Gaussian
     polytope is a projection of the regular simplex (Affentranger, 1991; Baryshnikov and Vitale,
-    1994). It refers to the true covariance; with a sample's own one c is larger by
-    `ln_sample_covariance_factor`.
+    1994). It refers to the true covariance; with a sample's own one c is larger by the mean of
+    1/√det of that (Bartlett).
     """
     from scipy.special import gammaln, log_ndtr, logsumexp
 
@@ -142,14 +142,6 @@ def ln_hull_factor(frames: int, channels: int) -> float:
     ln_simplices = gammaln(frames + 1) - gammaln(d + 2) - gammaln(frames - d)
     constants = np.log(d + 1) - np.log(np.pi) / 2 - d / 2 * np.log(2 * np.pi)
     return float(ln_ball_volume(d) + ln_simplices + constants + ln_integral)
-
-
-def ln_sample_covariance_factor(frames: int, channels: int) -> float:
-    """Mean of −ln √det of the sample covariance of N standard normal points (Bartlett)."""
-    from scipy.special import digamma
-
-    freedom = frames - 1 - np.arange(channels)
-    return float(-0.5 * np.sum(digamma(freedom / 2) + np.log(2 / (frames - 1))))
 
 
 def ln_ball_volume(dimensions: int) -> float:

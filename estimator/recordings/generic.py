@@ -10,19 +10,16 @@ optional `celln_shear_x_n` and `celln_shear_y_n` for every load cell (three-axis
 
 from __future__ import annotations
 
-import csv
 import hashlib
 import re
-from pathlib import Path
 
 import numpy as np
 from jaxtyping import Float, Int
 
 from design.errors import RecordingError
-from design.files import atomic_path
 from estimator.frames.dataset import NO_FACE
 from estimator.frames.heatmap import label_grid_mm
-from estimator.recordings.table import FACES, RawTable, channel_name
+from estimator.recordings.table import FACES, RawTable
 from estimator.recordings.text import FORMATS, check_complete, numbers, whole
 
 CHANNEL = re.compile(r"F([1-5])-([XYZ])([1-9]\d?)")
@@ -181,37 +178,6 @@ def _labels(
 ) -> Int[np.ndarray, "frame"]:
     values = column.get(name, np.full(frames, float(absent)))
     return whole(values[:, None], [name])[:, 0]
-
-
-def write_generic_csv(table: RawTable, path: Path | str) -> None:
-    """Write any recording as a generic CSV; silent channels that no frame has are left out."""
-    cells, tips = table.tip_xy_mm.shape[1:3]
-    channels = [
-        (channel_name(*index), table.counts[(slice(None), *index)])
-        for index in np.ndindex(*table.counts.shape[1:])
-    ]
-    channels = [(name, values) for name, values in channels if np.isfinite(values).any()]
-    names, sheared = [name for name, _ in channels], table.shear_n is not None
-    header = generic_columns(names, cells, tips, sheared)
-    time_s = table.time_s if len(table.time_s) else np.arange(len(table.force_n)) / 10.0
-    face = np.where(np.isfinite(table.tip_xy_mm).any(axis=(2, 3)), table.face, np.nan)
-    labels = [
-        values
-        for cell in range(cells)
-        for values in (
-            table.force_n[:, cell],
-            face[:, cell],
-            *table.tip_xy_mm[:, cell].reshape(len(face), -1).T,
-        )
-    ]
-    if table.shear_n is not None:
-        labels += list(table.shear_n.reshape(len(face), -1).T)
-    columns = [time_s, table.case, table.declared_rest, *(v for _, v in channels), *labels]
-    with atomic_path(path) as temporary, temporary.open("w", newline="") as file:
-        writer = csv.writer(file)
-        writer.writerow(header)
-        for row in zip(*columns, strict=True):
-            writer.writerow([cell_text(float(value)) for value in row])
 
 
 def cell_text(value: float) -> str:

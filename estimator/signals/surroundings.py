@@ -84,18 +84,6 @@ def jaw_change(spec: ObjectSpec, frame: FaceFrame, gap_mm: float) -> Float[np.nd
     return rest_counts(spec.model_copy(update={"environment": beside})) - rest_counts(spec)
 
 
-def turned_counts(
-    spec: ObjectSpec, direction: Float[np.ndarray, "3"]
-) -> Float[np.ndarray, "sensor 3"]:
-    """Change of every resting channel (counts) when Earth's field comes to lie along `direction`.
-
-    Against the specification's own direction; `direction` is in the object's frame.
-    """
-    x, y, z = direction.tolist()
-    turned = spec.environment.model_copy(update={"earth_direction": (x, y, z)})
-    return rest_counts(spec.model_copy(update={"environment": turned})) - rest_counts(spec)
-
-
 def counts_of_states(spec: ObjectSpec) -> Float[np.ndarray, "state sensor 3"]:
     """Resting counts of all sensors with the coils of one face on, face by face; the last state
     has all of them on.

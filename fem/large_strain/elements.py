@@ -17,7 +17,6 @@ from jaxtyping import Float, Int
 from design.errors import SolverError
 from fem.large_strain.hyperelastic import (
     Hyperelastic,
-    energy_density,
     first_piola_stress,
     inverse_transpose,
     tangent_modulus,
@@ -106,28 +105,6 @@ def deformation_gradients(
     if not smallest > 0:
         raise InvertedElementError(f"an element is turned inside out (smallest J {smallest:.2g})")
     return deformation
-
-
-def potential_energy_n_mm(
-    elements: FiniteStrainElements,
-    material: Hyperelastic,
-    inverse_lambda_per_mpa: float,
-    displacement_mm: Float[np.ndarray, "component_node"],
-    pressure_mpa: Float[np.ndarray, "pressure"],
-) -> float:
-    """∫ W − p (J − 1) − p²/(2λ): at equilibrium, the strain energy stored.
-
-    Raises
-    ------
-    InvertedElementError
-        det F ≤ 0 somewhere.
-    """
-    deformation = deformation_gradients(elements, displacement_mm)
-    pressure = pressure_mpa[elements.pressure_nodes] @ elements.hats.T
-    density = energy_density(material, deformation)
-    density -= pressure * (np.linalg.det(deformation) - 1)
-    density -= inverse_lambda_per_mpa * pressure**2 / 2
-    return float((elements.weights_mm3 * density).sum())
 
 
 def internal_forces(

@@ -138,13 +138,6 @@ def motion_basis(problem: PressProblem, rotation: Float[np.ndarray, "magnet 3 3"
     return rigid_motion_basis(nodes, problem.free, problem.owner, problem.magnet_centres_mm)
 
 
-def tangent_matrix(
-    problem: PressProblem, state: PressState, sphere_centre_mm: Float[np.ndarray, "3"]
-) -> sp.csr_matrix:
-    """Symmetric derivative of the residual by (q, p) at fixed contact pressures."""
-    return _tangent(problem, state, _forces(problem, state, sphere_centre_mm))
-
-
 def residual(
     problem: PressProblem, state: PressState, sphere_centre_mm: Float[np.ndarray, "3"]
 ) -> Float[np.ndarray, "unknown"]:

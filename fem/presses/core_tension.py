@@ -48,21 +48,16 @@ class CoreTension:
 
 def largest_core_tension(
     response: ResponseOperator, face_index: int, pressures_mpa: Float[np.ndarray, "press vertex"]
-) -> CoreTension:
-    """Over presses of one face, given by the pressures at its vertices; those without force skipped.
+) -> tuple[CoreTension, int]:
+    """Over presses of one face, given by the pressures at its vertices; and the press that has it.
+
+    Presses without force are skipped.
 
     Raises
     ------
     ValueError
         The shell is bonded to its core, or no press has any force.
     """
-    return _largest(response, face_index, pressures_mpa)[0]
-
-
-def _largest(
-    response: ResponseOperator, face_index: int, pressures_mpa: np.ndarray
-) -> tuple[CoreTension, int]:
-    """And the press that has it."""
     core = response.core
     if core is None:
         raise ValueError("tension at the core is known of a frictionless interface only")
@@ -91,7 +86,7 @@ def core_tension(spec: ObjectSpec, response: ResponseOperator) -> CoreTension:
     found = []
     for index, surface in enumerate(response.surfaces):
         pressures = press_places(spec, response, index, xy, deepest)[:, 0]
-        tension, press = _largest(response, index, pressures)
+        tension, press = largest_core_tension(response, index, pressures)
         x, y = xy[press].tolist()
         found.append(replace(tension, press=(surface.number, x, y)))
     worst = max(found, key=lambda tension: tension.pressure_mpa_per_n)

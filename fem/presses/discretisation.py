@@ -80,10 +80,6 @@ class DiscretisationError:
     unknowns: int
     coarse_unknowns: int
 
-    def at_depth(self, depth_mm: float) -> DepthError:
-        """The errors at the depth nearest to one."""
-        return min(self.steps, key=lambda step: abs(step.depth_mm - depth_mm))
-
     def to_dict(self) -> dict[str, Any]:
         return asdict(self)
 

@@ -208,20 +208,6 @@ def _core_force(press: JointPress) -> np.ndarray:
     return press.core.force_n
 
 
-def _force_groups(
-    spec: ObjectSpec, response: ResponseOperator, groups: Sequence[Sequence[Tip]], force_n: float
-) -> JointPress:
-    press = _presser(spec, response, [tip for group in groups for tip in group])
-    group_of = np.repeat(np.arange(len(groups)), [len(group) for group in groups])
-
-    def missing(depth: np.ndarray) -> tuple[np.ndarray, JointPress]:
-        pressed = press(depth[group_of])
-        return np.bincount(group_of, pressed.force_n) - force_n, pressed
-
-    deepest = min(tip_shape(spec.indenter).height_mm, spec.shell.thickness_mm)
-    return _solve_depths(missing, np.full(len(groups), deepest), force_n)
-
-
 def _solve_depths(
     missing: Callable[[np.ndarray], tuple[np.ndarray, JointPress]],
     deepest_mm: np.ndarray,

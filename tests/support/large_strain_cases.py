@@ -7,8 +7,14 @@ import scipy.sparse as sp
 
 from design.layout.positions import FaceFrame
 from fem.contact.complementarity import contact_pressures
-from fem.large_strain.elements import finite_strain_elements, internal_forces, tangent_blocks
-from fem.large_strain.hyperelastic import neo_hookean, ogden, yeoh
+from fem.large_strain import newton
+from fem.large_strain.elements import (
+    deformation_gradients,
+    finite_strain_elements,
+    internal_forces,
+    tangent_blocks,
+)
+from fem.large_strain.hyperelastic import energy_density, neo_hookean, ogden, yeoh
 from fem.large_strain.newton import PressProblem, equilibrium, motion_basis, undeformed
 from fem.large_strain.sphere_contact import contact_face, contact_state, normal_force_n
 from fem.linear.elements import (
@@ -138,3 +144,20 @@ def stretch(space, material, inverse_lambda, free, prescribed_mm, steps):
             u = u + jump + basis @ step[: basis.shape[1]]
             p, jump = p + step[basis.shape[1] :], 0 * jump
     return u, p, internal_forces(elements, material, inverse_lambda, u, p)
+
+
+def potential_energy_n_mm(
+    elements, material, inverse_lambda_per_mpa, displacement_mm, pressure_mpa
+):
+    """∫ W − p (J − 1) − p²/(2λ): at equilibrium, the strain energy stored."""
+    deformation = deformation_gradients(elements, displacement_mm)
+    pressure = pressure_mpa[elements.pressure_nodes] @ elements.hats.T
+    density = energy_density(material, deformation)
+    density -= pressure * (np.linalg.det(deformation) - 1)
+    density -= inverse_lambda_per_mpa * pressure**2 / 2
+    return float((elements.weights_mm3 * density).sum())
+
+
+def tangent_matrix(problem, state, sphere_centre_mm):
+    """The derivative that Newton's steps use, by (q, p) at fixed contact pressures."""
+    return newton._tangent(problem, state, newton._forces(problem, state, sphere_centre_mm))

@@ -15,7 +15,7 @@ from estimator.field.models import FieldModel
 from estimator.field.sources import BlockMagnet, DiskMagnet, magnet_source
 from estimator.signals.field_setup import at_rest, scene, sensed_field
 from estimator.signals.presses import press_signals, rest_counts
-from estimator.signals.surroundings import jaw_change, surroundings, turned_counts
+from estimator.signals.surroundings import jaw_change, surroundings
 from tests.support.synthetic_presses import coarse_spec, synthetic_presses
 
 NORMAL = np.array([0.36, -0.48, 0.8])
@@ -143,6 +143,13 @@ def test_second_images_between_two_jaws_are_a_twenty_fifth_of_the_change():
     change = dipole_field_at_sensors(spec) - dipole_field_at_sensors(ObjectSpec(name="cube"))
     left_out = abs(np.array(both) - np.array(once)).max() / abs(change).max()
     assert_allclose(left_out, 0.038, atol=0.004)
+
+
+def turned_counts(spec, direction):
+    """Change of every resting channel when Earth's field comes to lie along `direction`."""
+    x, y, z = direction.tolist()
+    turned = spec.environment.model_copy(update={"earth_direction": (x, y, z)})
+    return rest_counts(spec.model_copy(update={"environment": turned})) - rest_counts(spec)
 
 
 def test_earths_field_adds_its_components_and_turning_changes_them_by_known_counts():

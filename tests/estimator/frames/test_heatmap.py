@@ -4,15 +4,20 @@ from numpy.testing import assert_allclose
 
 from design.errors import InputError
 from estimator.frames.heatmap import (
-    contact_heatmaps,
     faces_pressed,
+    force_heatmaps,
     label_grid_mm,
     label_to_pixel,
     mm_to_pixel,
-    pixel_to_label,
     pixel_to_mm,
 )
 from tests.support.synthetic_frames import synthetic_frames
+
+
+def pixel_to_label(pixel):
+    """Snake label of pixels (X, Y): row by row, every second one backwards."""
+    x, y = pixel[..., 0], pixel[..., 1]
+    return 10 * x + np.where(x % 2 == 1, 9 - y, y) + 1
 
 
 @pytest.mark.parametrize(
@@ -51,7 +56,7 @@ def test_nearest_pixel_and_border():
 
 def test_heatmap_holds_the_normal_force_at_the_nearest_pixel():
     frames = synthetic_frames(presses=1)
-    maps = contact_heatmaps(frames, 4)
+    maps = force_heatmaps(frames, 4)[:, 2]
     on_4 = frames.contact_face[:, 0] == 4
     assert_allclose(maps.sum(axis=(1, 2))[on_4], frames.force_n[on_4, 0, 2], rtol=1e-12)
     assert not maps[~on_4].any()
@@ -72,7 +77,9 @@ def test_contacts_on_one_pixel_add_up():
             "force_n": np.repeat(frames.force_n, 2, axis=1),
         }
     )
-    assert_allclose(contact_heatmaps(doubled, 4), 2 * contact_heatmaps(frames, 4), rtol=1e-12)
+    assert_allclose(
+        force_heatmaps(doubled, 4)[:, 2], 2 * force_heatmaps(frames, 4)[:, 2], rtol=1e-12
+    )
 
 
 def test_faces_pressed_skips_invalid_frames():

@@ -10,7 +10,6 @@ from design.errors import InputError
 from design.layout.positions import contact_grid
 from estimator.frames.dataset import load_frames, save_frames
 from estimator.frames.press_protocol import (
-    depth_at_peak,
     nominal_peaks,
     plan_presses,
     simulate_presses,
@@ -64,11 +63,11 @@ def test_common_travel_brings_the_median_place_to_the_middle_of_the_range(signal
     exact = force_n(faces, contact_grid(SPEC).xy_mm[None], peaks.common_travel_mm)
     assert_allclose(np.median(exact), 15.0, rtol=2e-3)
     assert_allclose(peaks.force_n, np.clip(exact, 10, 20), rtol=5e-3)
-    assert_allclose(depth_at_peak(SPEC, signals), peaks.common_travel_mm, rtol=5e-3)
+    assert_allclose(nominal_peaks(SPEC, signals).depth_mm, peaks.common_travel_mm, rtol=5e-3)
     assert not peaks.clamped.any()
     narrow = coarse_spec(protocol={**PROTOCOL, "peak_force_n": (14.0, 15.0)})
     assert nominal_peaks(narrow, signals).force_n.max() == 15.0
-    assert depth_at_peak(narrow, signals).std() > 0.05
+    assert nominal_peaks(narrow, signals).depth_mm.std() > 0.05
 
 
 def test_without_disturbances_frames_are_the_interpolated_signals(signals):

@@ -5,11 +5,6 @@ import pytest
 
 from design.errors import InputError
 from estimator.frames.splits import (
-    SPLITS as BY_NAME,
-)
-from estimator.frames.splits import (
-    shared_presses,
-    split_by,
     split_paper_random_frames,
     split_places,
     split_presses,
@@ -18,6 +13,13 @@ from estimator.frames.splits import (
 from tests.support.synthetic_frames import synthetic_frames
 
 SPLITS = [split_presses, split_places, split_sessions]
+
+
+def shared_presses(frames, split):
+    """Presses with frames in more than one part."""
+    parts = [np.unique(frames.press_id[part]) for part in vars(split).values()]
+    presses, counts = np.unique(np.concatenate(parts), return_counts=True)
+    return presses[counts > 1]
 
 
 @pytest.fixture(scope="module")
@@ -50,13 +52,6 @@ def test_the_paper_random_split_leaks_and_is_caught(frames):
     np.testing.assert_allclose(sizes, [0.6, 0.2, 0.2], atol=2 / len(frames))
     assert np.all(split.train.astype(int) + split.validation + split.test == 1)
     assert len(shared_presses(frames, split)) > 0.9 * len(np.unique(frames.press_id))
-
-
-def test_splits_by_name(frames):
-    assert np.array_equal(split_by("place", frames, 2).test, split_places(frames, 2).test)
-    assert [name for name in BY_NAME if "random" in name] == ["paper-random-frames"]
-    with pytest.raises(InputError, match="press, place, session, paper-random-frames"):
-        split_by("random", frames, 0)
 
 
 def remembered_error_n(frames, split):

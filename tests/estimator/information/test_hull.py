@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 from scipy.optimize import linprog
+from scipy.special import digamma
 
 from design.errors import InputError
 from estimator.information.hull import (
@@ -11,9 +12,14 @@ from estimator.information.hull import (
     hull_extents,
     ln_ball_volume,
     ln_hull_factor,
-    ln_sample_covariance_factor,
     monte_carlo_hull_volume,
 )
+
+
+def ln_sample_covariance_factor(frames, channels):
+    """Mean of −ln √det of the sample covariance of N standard normal points (Bartlett)."""
+    freedom = frames - 1 - np.arange(channels)
+    return float(-0.5 * np.sum(digamma(freedom / 2) + np.log(2 / (frames - 1))))
 
 
 def test_hull_volume_of_a_sheared_box_is_its_determinant():

@@ -13,9 +13,10 @@ from numpy.testing import assert_allclose, assert_array_equal
 from design.errors import InputError
 from estimator.recordings.combine import combine
 from estimator.recordings.files import read_table
-from estimator.recordings.generic import generic_columns, write_generic_csv
+from estimator.recordings.generic import generic_columns
 from estimator.recordings.netcdf import write_generic_netcdf
 from estimator.recordings.reading import read_recording
+from tests.support.generic_csv import write_generic_csv
 from tests.support.made_recordings import gripper_arrays, write_gripper
 
 CASES = ((54, 57), (23, 28))

@@ -7,7 +7,7 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from design.errors import InputError
-from estimator.frames.heatmap import contact_heatmaps
+from estimator.frames.heatmap import force_heatmaps
 from estimator.recordings.combine import combine, jump_between_faults, jumps_between
 from estimator.recordings.reading import read_recording
 from tests.support.made_recordings import PRESS, REST, gripper_arrays, write_gripper, write_training
@@ -102,7 +102,7 @@ def test_contacts_lie_at_the_labelled_places(clean):
     frames = clean.frames
     chosen = frames.select((frames.session_id == 0) & (frames.contact_face[:, 0] == 3))
     assert_allclose(chosen.contact_xy_mm[:, 0], np.tile([1.5, 4.5], (len(chosen), 1)))
-    assert contact_heatmaps(chosen, 3)[:, 5, 6].min() >= 0.3
+    assert force_heatmaps(chosen, 3)[:, 2, 5, 6].min() >= 0.3
 
 
 def test_ambiguous_frames_are_not_valid(clean):
@@ -285,7 +285,7 @@ def test_training_file(tmp_path, sign, offset, rest_case):
     assert np.isnan(frames.signal_counts[:, [0, 2, 3, 4]]).all()
     assert np.isfinite(frames.signal_counts[:, 1]).all()
     chosen = frames.select(frames.session_id == 0)
-    pixel = np.argwhere(contact_heatmaps(chosen, 2).sum(axis=0) > 0)
+    pixel = np.argwhere(force_heatmaps(chosen, 2)[:, 2].sum(axis=0) > 0)
     assert pixel.tolist() == [[3, 6]]
 
 
@@ -293,7 +293,7 @@ def test_training_file(tmp_path, sign, offset, rest_case):
 def test_training_file_of_several_tips(tmp_path, places):
     recording = read_recording(write_training(tmp_path / "t.csv", places))
     assert recording.report.tips == len(places[1])
-    maps = contact_heatmaps(recording.frames, 2)
+    maps = force_heatmaps(recording.frames, 2)[:, 2]
     loaded = recording.frames.valid & (recording.frames.place_id >= 0)
     assert_array_equal(np.sum(maps[loaded] > 0, axis=(1, 2)), len(places[1]))
 

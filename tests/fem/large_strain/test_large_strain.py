@@ -11,7 +11,6 @@ from fem.large_strain.elements import (
     deformation_gradients,
     finite_strain_elements,
     internal_forces,
-    potential_energy_n_mm,
     tangent_blocks,
 )
 from fem.large_strain.hyperelastic import first_piola_stress
@@ -21,14 +20,22 @@ from fem.large_strain.newton import (
     equilibrium,
     motion_basis,
     residual,
-    tangent_matrix,
     undeformed,
 )
 from fem.large_strain.sphere_contact import contact_state, contact_stiffness, normal_force_n
 from fem.linear.elements import assemble, taylor_hood
 from fem.linear.material import lame_constants
 from tests.support.fem_cases import box_mesh
-from tests.support.large_strain_cases import BLOCK_MM, E_MPA, MATERIALS, NU, block, stretch
+from tests.support.large_strain_cases import (
+    BLOCK_MM,
+    E_MPA,
+    MATERIALS,
+    NU,
+    block,
+    potential_energy_n_mm,
+    stretch,
+    tangent_matrix,
+)
 
 LAME = lame_constants(E_MPA, NU)
 NEO_HOOKEAN, YEOH, OGDEN = MATERIALS
