@@ -1,1 +1,1 @@
-"""What the sensors see of a press, and what can be read back from it."""
+"""Signals of presses, and estimators that read contacts back from them."""

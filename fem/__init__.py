@@ -1,1 +1,1 @@
-"""How the object deforms under presses."""
+"""Deformation of the object under presses."""

@@ -1,4 +1,4 @@
-"""A recording that grows line by line and survives Ctrl-C, kill -9 and power cuts.
+"""Recordings that grow line by line and survive Ctrl-C, kill -9 and power cuts.
 
 The CSV (generic format) only ever grows: every frame is one write, forced to disk once a second. A
 line that a power cut left unfinished is cut off when the file is opened again.

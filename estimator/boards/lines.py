@@ -1,4 +1,4 @@
-r"""The lines that a board with Hall sensors, a load cell or a machine sends: text with a checksum.
+r"""Lines of text, with a checksum, that boards with Hall sensors, load cells or machines send.
 
 Each line is `$` body `*` CRC `\n`, where CRC is CRC-16/CCITT-FALSE of the body in four hexadecimal
 digits. Bodies, comma-separated:

@@ -1,1 +1,1 @@
-"""The model against a built object: validation, digital twin, pretraining."""
+"""Models against built objects: validation, digital twin, pretraining."""

@@ -1,4 +1,4 @@
-"""What a calibrated model leaves over in a face's signals, as a Gaussian process of place and force.
+"""Discrepancy of a calibrated model: a Gaussian process of location and force per channel.
 
 u·g₁(x, y) + u²·g₂(x, y) with u = F / 10 N: nothing without force, errors of the small-strain part and
 of large deformation apart. g₁ and g₂ are independent with one Matérn-5/2 kernel, of a size that is a

@@ -1,4 +1,4 @@
-"""Presses of recordings as mean signals under mean forces, and what the model says of them.
+"""Recorded presses as mean signals under mean forces, and the model's signals of them.
 
 A press is the mean over its loaded frames, those in which every contact holds at least half of its
 largest force of that press. The model superposes small-strain motions: contacts of both jaws and

@@ -1,4 +1,4 @@
-"""A slip of the core found in the resting signals, and calibration frames carried over to it.
+"""Recovery from a slip of the core: found at rest, calibration frames carried over to it.
 
 A new zero takes the changed rest away, but sensors that sit elsewhere among the magnets also see
 presses otherwise: 1 mm nearer or farther is 20 % of the force. The change at rest tells where they

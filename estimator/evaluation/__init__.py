@@ -1,1 +1,1 @@
-"""How good an estimator is, beside what is possible at best."""
+"""Quality of estimators, beside what is possible at best."""

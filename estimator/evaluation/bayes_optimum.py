@@ -1,4 +1,4 @@
-"""What no estimator can beat on the same frames: Bayes' optimum with the object's own signals.
+"""Bayes' optimum with the object's own signals: what no estimator can beat on the same frames.
 
 The object's table gives the signal of every contact case at every phase of its press: a dense grid
 of hypotheses with known prior. With Gaussian disturbances (white noise, rounding, the zeroing error

@@ -1,4 +1,4 @@
-"""Whether a face is touched at all: false alarms and misses at a threshold on the largest pixel.
+"""False alarms and misses of contact, at a threshold on the largest pixel.
 
 The threshold of Knopke et al. (RA-L 2024), 0.9 times the data set's smallest contact force, says
 nothing about how noisy an estimator is at rest; one fixed on validation frames does.

@@ -1,4 +1,4 @@
-"""How the flux density of round sources changes as they move and turn, in closed form.
+"""Derivatives of the field of round sources by their position and axis, in closed form.
 
 The multipole series of `estimator.field.models` is B = R r + Q n, r the offset, n the axis, with R and Q
 functions of u = r·r and a = n·r alone, each of whose terms is homogeneous: all derivatives follow

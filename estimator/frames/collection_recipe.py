@@ -1,4 +1,4 @@
-"""How the cases of a simulated recording are driven: which, how far, how often, how long."""
+"""Recipe of a simulated recording: which cases, how far, how often, how long."""
 
 from __future__ import annotations
 

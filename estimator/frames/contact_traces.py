@@ -1,4 +1,4 @@
-"""What contact cases pass through as they are pressed ever deeper: forces of all tips, signals.
+"""Forces of all tips and signals of contact cases that are pressed ever deeper.
 
 Single tips come from the table of presses; several together from contact solved jointly
 (`fem.presses.joint`), at the table's depths.

@@ -1,1 +1,1 @@
-"""What can be known from the signals at best: sensitivity, Fisher information, bounds."""
+"""Information in the signals: sensitivity, Fisher information, bounds."""

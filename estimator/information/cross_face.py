@@ -1,4 +1,4 @@
-"""Cross-face disturbance: what a press on one face does to the channels of another.
+"""Cross-face disturbance: effect of a press on one face on the channels of another.
 
 A face's own estimator takes every signal for a press on its own face. A press elsewhere moves
 magnets near this face's sensors all the same; the paper names it the limit of grasps (its E_f

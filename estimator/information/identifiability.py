@@ -1,4 +1,4 @@
-"""How many contacts can be told apart: rank and condition of the information of k contacts at once.
+"""Number of contacts that can be told apart: rank and condition of their joint information.
 
 k contacts have 3k unknowns (x, y, F each) against 3 channels a sensor. Enough channels make the
 information's rank full; whether places can then be read is a matter of its condition.

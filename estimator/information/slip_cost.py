@@ -1,4 +1,4 @@
-"""What a slip of the core costs: changed baseline and patterns, and false readings.
+"""Cost of a slip of the core: changed baseline and patterns, and false readings.
 
 The estimator is one that was calibrated before the slip: the maximum of the likelihood of
 (x, y, F), linearised about the true contact, from the pressed face's own channels with a fresh

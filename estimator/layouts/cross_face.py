@@ -1,4 +1,4 @@
-"""What presses of one face do to its neighbours' sensors, for many layouts at once.
+"""Effect of presses of one face on its neighbours' sensors, for many layouts at once.
 
 First rung of a layout search, as `estimator.layouts.scoring`, on the same stored presses: magnets of
 the pressed face and of its neighbours move, the opposite face's are left out.

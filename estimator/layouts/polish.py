@@ -1,4 +1,4 @@
-"""First rung of a layout search: what a batch of layouts is worth, and a walk down its gradient.
+"""Lowest fidelity of a layout search: value of a batch of layouts, descent along its gradient.
 
 A layout repeated on all faces is pressed on several of them; its score is that of the worst. Limits
 that a layout breaks make it worth less, smoothly, so that every engine is led back inside.

@@ -1,4 +1,4 @@
-"""What presses of one face do to candidate magnets, compressed for scoring layouts in batches.
+"""Presses of one face at candidate magnets, compressed for scoring layouts in batches.
 
 Presses to one force, and their derivatives in x, y and force, are a table (candidate, 6; place, 4).
 A few singular vectors of its columns carry all of it, so that the many candidates around a magnet

@@ -1,4 +1,4 @@
-"""How far a slipped core and loose tolerances lead an estimator astray, for many layouts at once.
+"""Errors that a slipped core and loose tolerances cause, for many layouts at once.
 
 First rung of a layout search (`tolerances.localisation_bias` does the same on simulated presses): an
 estimator is calibrated on the design, weighted least squares about its signals, and reads another

@@ -1,4 +1,4 @@
-"""Batches of layouts as points of a search space: tensors of places, and what limits they break.
+"""Batches of layouts as points of a search space, and the limits that they break.
 
 One structure (counts, parts, shell) of `design.search.space` at a time; everything continuous has
 gradients. The rules are those that a specification is checked by, as distances by which they are

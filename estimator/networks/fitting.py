@@ -1,4 +1,4 @@
-"""The loop that fits one network: early stopping, resumption from a file, a limit of time.
+"""Fitting of one network: early stopping, resumption from a file, a limit of time.
 
 What an epoch draws is fixed by seed and epoch, so that a fit resumed from its file ends with the
 weights of one that was never interrupted.

@@ -1,4 +1,4 @@
-"""What training makes small: losses of both kinds of network."""
+"""Training losses of both kinds of network."""
 
 from __future__ import annotations
 

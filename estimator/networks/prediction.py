@@ -1,4 +1,4 @@
-"""What an estimator says of frames, as arrays; the same from torch and from an exported file."""
+"""Predictions of an estimator as arrays; the same from torch and from an exported file."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where a recording was interrupted, where its presses are, and by how much the force lags.
+"""Presses in a recording: interruptions, boundaries, and the lag of the force.
 
 The load cells of the public recordings report late: about 8 frames behind the Hall sensors
 (measured: it cuts the variance that a static curve H(F) leaves from about 18 to about 3 %).

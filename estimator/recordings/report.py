@@ -1,4 +1,4 @@
-"""What reading a recording found, measured and mended."""
+"""Report of a recording: what was found, measured and fixed."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a recording's file holds, in this package's order, before any fault is mended."""
+"""Content of a recording's file in this package's order, before any fault is fixed."""
 
 from __future__ import annotations
 

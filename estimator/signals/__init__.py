@@ -1,1 +1,1 @@
-"""What the Hall sensors read at rest and under presses."""
+"""Signals of the Hall sensors at rest and under presses."""

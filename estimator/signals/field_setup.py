@@ -1,4 +1,4 @@
-"""What the sensors of an object feel: its magnets at rest and pressed, and what is around it.
+"""Magnets, sensors and surroundings of an object, and the field that the sensors feel.
 
 In a press either the magnets move with the silicone and the sensors rest in the core, or, in the
 reverse arrangement, the sensors move and the magnets rest. Both are one flow here: every press

@@ -1,4 +1,4 @@
-"""What every sensor sees in every press: expected changes of counts over the press lattice.
+"""Signals of every sensor in every press: expected changes of counts over the press lattice.
 
 Axis order: face pressed, place (of the press lattice or of the contact grid), step (depth),
 sensor (all faces, face by face), chip axis (X, Y, Z).

@@ -1,4 +1,4 @@
-"""What surroundings and switched coils do to the resting signals, in counts.
+"""Effect of surroundings and switched coils on the resting signals, in counts.
 
 A face's own estimator works on changes against a zero taken somewhere else, or a while ago: what
 turning the object, an approaching jaw or another set of coils adds to a channel looks like a press.

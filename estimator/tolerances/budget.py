@@ -1,4 +1,4 @@
-"""What the spread of assembly, material and surroundings does to an object's signals and bounds.
+"""Effect of spread in assembly, material and surroundings on an object's signals and bounds.
 
 Each contribution alone to first order (central differences), and all together by Monte Carlo.
 Mechanics is that of the design. A magnet that sits aside is taken to move as the one in the

@@ -1,4 +1,4 @@
-"""Where an estimator calibrated on the design places contacts of another object, on simulated presses.
+"""Localisation bias of an estimator calibrated on the design, in presses of another object.
 
 Weighted least squares about the design's own signals, each object zeroed as it is: what
 `estimator.layouts.robustness` estimates for many layouts at once. Mechanics is that of the design.

@@ -1,4 +1,4 @@
-"""The robustness budget as a result: what each tolerance does, and its file."""
+"""Robustness budget as a result: the effect of each tolerance, and its file."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How points and small flat bodies in the silicone move, as rows on nodal displacements.
+"""Motions of points and small flat bodies in the silicone, as rows on nodal displacements.
 
 A point moves by u and turns by ½ curl u. A thin rigid disk turns with the material plane that it
 lies in instead (Jeffery, Proc. R. Soc. A 102 (1922) 161, in the limit of a flat spheroid): its

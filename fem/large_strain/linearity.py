@@ -1,4 +1,4 @@
-"""How far small-strain mechanics can be trusted at a depth of indentation."""
+"""Depth of indentation up to which small-strain mechanics can be trusted."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a press with large deformation hands on, and its files."""
+"""Result of a press with large deformation, and its files."""
 
 from __future__ import annotations
 

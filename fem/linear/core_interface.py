@@ -1,4 +1,4 @@
-"""Where the silicone meets the rigid core, and motions prescribed there.
+"""Interface of silicone and rigid core, and motions prescribed there.
 
 Bonded, the silicone follows the core. Frictionless, it slides along each flat wall and only the
 normal displacement is held: two of the three along an edge between walls, all at a corner. Below

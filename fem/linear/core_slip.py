@@ -1,4 +1,4 @@
-"""A core that has slipped against its shell: where shell and magnets rest, and where presses land.
+"""Core that has slipped against its shell: resting shell and magnets, and where presses land.
 
 The core, its sensors and the plate that it stands on stay; the shell follows its bonded interface,
 which moves by the inverse of the slip. The mean of that motion over the shell is rigid and is

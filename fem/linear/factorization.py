@@ -1,4 +1,4 @@
-"""The one seam to the sparse direct solver: symmetric indefinite solve and Schur complement.
+"""Sparse direct solver, the one seam to it: symmetric indefinite solve and Schur complement.
 
 PARDISO (MKL, x86) factors the saddle-point matrix and, bordered by all loads, returns the dense
 compliance Lᵀ A⁻¹ L as a Schur complement within the same factorization: on the paper's cube that

@@ -1,4 +1,4 @@
-"""The response operator: one factorization that answers every press.
+"""Response operator: one factorization that answers every press.
 
 Loads are unit P1 pressures at the vertices of every sensed face, and unit forces and moments on
 every magnet. Their mutual compliance Lᵀ A⁻¹ L holds the surface compliance for contact and, by

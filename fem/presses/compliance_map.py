@@ -1,4 +1,4 @@
-"""How soft the object is where: travel of the indenter per newton at every place of every face.
+"""Compliance map: travel of the indenter per newton at every contact location of every face.
 
 The secant compliance at a depth d is d / F(d), in mm/N: contact grows with depth, so a press twice
 as deep needs more than twice the force.

@@ -1,4 +1,4 @@
-"""Where a frictionless core would let go of the shell: tension at the interface under presses."""
+"""Tension between shell and frictionless core under presses: where the core would let go."""
 
 from __future__ import annotations
 

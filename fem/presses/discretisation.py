@@ -1,4 +1,4 @@
-"""How far the finite mesh puts forces and magnet motions off: the same presses on a coarser mesh.
+"""Discretisation error of forces and magnet motions, from the same presses on a coarser mesh.
 
 Where all edges are longer by a factor r, an error of order q grows by r^q, so that a difference d
 between the two meshes stands for an error of d/(r^q − 1) on the finer one. Here r = 1.5 and q = 2.

@@ -1,4 +1,4 @@
-"""Uniform pressure on disks: how far the surface gives way and how all magnets move."""
+"""Uniform pressure on disks: displacement of the surface and motions of all magnets."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What mechanics hands on: force and magnet motions of every press of the lattice.
+"""Result of mechanics: force and magnet motions of every press of the lattice.
 
 Axis order: face (1…5), place (ix · ny + iy of the press lattice), step (depth), magnet, 6.
 """

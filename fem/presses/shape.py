@@ -1,4 +1,4 @@
-"""The deformed body under one press: displacement, pressure and contact pressure, as VTU."""
+"""Deformed body under one press: displacement, pressure and contact pressure, as VTU."""
 
 from __future__ import annotations
 
