@@ -4,6 +4,9 @@ The law is that of `estimator.field.models`; this module only cuts the pairs int
 processor's cache and puts the results together, so that gradients in magnet position, axis and
 sensor position come from autograd. Where no gradient is wanted on a processor, the pieces are
 worked on as NumPy arrays that share the tensors' memory: its operations start a third quicker.
+
+No command needs it: it is the way to large batches with gradients for those who use the library, and
+the form in which `benchmarks/field.py` measures the law against magpylib.
 """
 
 from __future__ import annotations

@@ -30,12 +30,13 @@ _REFERENCE_ORDER = 61
 class FieldModel:
     """A model of one magnet's field; calling it gives B (T) at an offset (mm) from its centre.
 
-    `order` is that of the multipole series, or the number of charges along a block's edge.
+    `order` is that of the multipole series, `charges` the number of charges along a block's edge.
     """
 
     magnet: Magnet
     name: ModelName
     order: int = 0
+    charges: int = 0
 
     def __call__(self, offset_mm: Vector, axis: Vector, side: Vector | None = None) -> Vector:
         if self.name == "dipole":
@@ -45,7 +46,7 @@ class FieldModel:
         if isinstance(self.magnet, DiskMagnet):
             return cylinder_field(offset_mm, axis, self.magnet)
         if self.name == "charges":
-            return charges_field(offset_mm, axis, self.magnet, self.order, side)
+            return charges_field(offset_mm, axis, self.magnet, self.charges, side)
         return cuboid_field(offset_mm, axis, self.magnet, side)
 
 
@@ -68,7 +69,8 @@ def _candidates(magnet: Magnet) -> list[FieldModel]:
     series = [FieldModel(magnet, "multipole", order) for order in orders]
     if isinstance(magnet, DiskMagnet):
         return series
-    return series[:2] + [FieldModel(magnet, "charges", n) for n in range(2, HIGHEST_CHARGES + 1)]
+    counts = range(2, HIGHEST_CHARGES + 1)
+    return series[:2] + [FieldModel(magnet, "charges", charges=count) for count in counts]
 
 
 def _holds(model: FieldModel, distance_mm: float, tolerance: float) -> bool:
@@ -157,6 +159,8 @@ class _Series:
 
 def _clenshaw(series: _Series, s: Any, st: Any, s_squared: Any) -> Any:
     """The sum, from its highest term down (Clenshaw, Math. Tables Aids Comput. 9, 1955)."""
+    # b_k = w_k + (s t + β_k s) b_{k+1} + γ_{k+1} s² b_{k+2}; the sum is b_0. `here` is b_{k+1} and
+    # `after` b_{k+2}, which is zero at first and then the plain number w_last: neither needs arrays.
     *lower, here = series.weights
     after: Any = 0.0
     for k in reversed(range(len(lower))):
@@ -189,6 +193,8 @@ def _gegenbauer_series(parity: int, strengths: list[float]) -> _Series:
     c C_n = u_n C_{n+1} + d_n C_{n−1} with u_n = (n+1)/(2n+3) and d_n = (n+2)/(2n+3); applied twice
     it links those of one parity. They are scaled to leading coefficient 1 in t.
     """
+    # t C_n = u_n u_{n+1} C_{n+2} + (u_n d_{n+1} + d_n u_{n−1}) C_n + d_n d_{n−1} C_{n−2}. Each leading
+    # coefficient is 1/(u_n u_{n+1}) times the one before; divided by them, C_{n+2} has the factor 1.
     n = np.arange(2 * len(strengths) + 3)
     up, down = (n + 1) / (2 * n + 3), (n + 2) / (2 * n + 3)
     leading, weights, shifts, feedbacks = 1.0 + 2 * parity, [], [], []

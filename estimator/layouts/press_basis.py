@@ -147,6 +147,8 @@ def mixed_rows(
             f"{('x', 'y', 'depth')[axis]} = {float(xyd_mm[magnet, axis]):.4g} mm of a magnet lies "
             f"outside the candidates ({low:g} to {high:g} mm). Keep magnets within them"
         )
+    # The tables hold one more node beyond each end, so that the four neighbours of
+    # a cell along an axis, −1 … 2, are nodes cell … cell + 3 of a table of nodes + 2.
     cell = torch.minimum(place.detach().floor().clamp(min=0), last - 1)
     x, y, z = _kernel(place - cell).unbind(1)
     weight = x[:, :, None, None] * y[:, None, :, None] * z[:, None, None, :]
@@ -155,7 +157,7 @@ def mixed_rows(
     around = torch.arange(4)
     near = ((around[:, None, None] * ny + around[:, None]) * nz + around).reshape(-1)
     index, weight = corner[:, None] + near, weight.reshape(-1, 64)
-    own, other = (
+    own, other = (  # weighted sums of 64 rows each, without a copy of the rows
         embedding_bag(index, table.rows, per_sample_weights=weight, mode="sum")
         for table in (basis.own, basis.other)
     )

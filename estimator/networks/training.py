@@ -224,17 +224,30 @@ def _schedule(settings: FitSettings, number: int, source: str, fine_tuned: bool)
     budget = None if settings.budget_s is None else settings.budget_s / training.members
     if training.model == "paper":
         return Schedule(
-            training.epochs, PAPER_BATCH_FRAMES, PAPER_LEARNING_RATE, PAPER_WEIGHT_DECAY,
-            training.patience_epochs, None, seed, True, budget,
-        )  # fmt: skip
+            epochs=training.epochs,
+            batch_frames=PAPER_BATCH_FRAMES,
+            learning_rate=PAPER_LEARNING_RATE,
+            weight_decay=PAPER_WEIGHT_DECAY,
+            patience_epochs=training.patience_epochs,
+            augmentation=None,
+            seed=seed,
+            constant_rate=True,
+            budget_s=budget,
+        )
     augmentation = settings.augmentation or AUGMENTATION[source]
     if settings.augmentation is None and training.model == "whole-object":
         augmentation = replace(augmentation, other_faces=_OTHER_FACES)
     rate = training.learning_rate * (FINE_TUNING_RATE if fine_tuned else 1.0)
     return Schedule(
-        training.epochs, training.batch_size, rate, _WEIGHT_DECAY,
-        training.patience_epochs, augmentation, seed, False, budget,
-    )  # fmt: skip
+        epochs=training.epochs,
+        batch_frames=training.batch_size,
+        learning_rate=rate,
+        weight_decay=_WEIGHT_DECAY,
+        patience_epochs=training.patience_epochs,
+        augmentation=augmentation,
+        seed=seed,
+        budget_s=budget,
+    )
 
 
 def _fingerprint(schedule: Schedule, counts: torch.Tensor, maps: torch.Tensor, built: dict) -> str:

@@ -7,6 +7,11 @@ One c_1 is the neo-Hookean solid, up to three c_i are Yeoh's (Rubber Chem. Techn
 754), the second sum is Ogden's (Proc. R. Soc. Lond. A 326 (1972) 565 and 328 (1972) 567). The
 terms in ln J leave F = 1 free of stress, make W'' there exactly 2μ ε:ε of small strain, and vanish
 where the volume is kept; resistance to change of volume is added by the mixed element.
+
+Derivatives are written by hand: stretches repeat in every undeformed or uniaxially stretched
+element, and there automatic differentiation of an eigendecomposition divides by zero, while the
+divided differences of `_ogden_modulus` are exact.
+
 Arrays are (..., 3, 3) for F and P = ∂W/∂F, (..., 3, 3, 3, 3) for ∂P/∂F.
 """
 
@@ -93,8 +98,8 @@ def first_piola_stress(
     inverse_transposed = inverse_transpose(deformation)
     stress = np.zeros_like(deformation)
     if material.invariant_coefficients_mpa:
-        slope, _ = _invariant_derivatives(material, deformation)
-        stress += 2 * slope[..., None, None] * (deformation - inverse_transposed)
+        first, _ = _invariant_derivatives(material, deformation)
+        stress += 2 * first[..., None, None] * (deformation - inverse_transposed)
     if material.ogden_terms:
         values, vectors = np.linalg.eigh(_right_cauchy_green(deformation))
         second = sum(mu * values ** (alpha / 2 - 1) for mu, alpha in material.ogden_terms)
@@ -111,11 +116,11 @@ def tangent_modulus(
     inverse_transposed = inverse_transpose(deformation)
     swapped = np.einsum("...il,...kj->...ijkl", inverse_transposed, inverse_transposed)
     if material.invariant_coefficients_mpa:
-        slope, bend = _invariant_derivatives(material, deformation)
+        first, second = _invariant_derivatives(material, deformation)
         direction = 2 * (deformation - inverse_transposed)
-        modulus += 2 * slope[..., None, None, None, None] * (_identity() + swapped)
-        if bend.any():
-            scaled = bend[..., None, None] * direction
+        modulus += 2 * first[..., None, None, None, None] * (_identity() + swapped)
+        if second.any():
+            scaled = second[..., None, None] * direction
             modulus += np.einsum("...ij,...kl->...ijkl", scaled, direction)
     if material.ogden_terms:
         modulus += _ogden_modulus(material, deformation)
@@ -160,12 +165,12 @@ def _invariant_derivatives(
 ) -> tuple[np.ndarray, np.ndarray]:
     """dW/dI and d²W/dI²."""
     invariant = _invariant(deformation, np.linalg.det(deformation))
-    slope, bend = np.zeros_like(invariant), np.zeros_like(invariant)
+    first, second = np.zeros_like(invariant), np.zeros_like(invariant)
     for power, coefficient in enumerate(material.invariant_coefficients_mpa, start=1):
-        slope += power * coefficient * invariant ** (power - 1)
+        first += power * coefficient * invariant ** (power - 1)
         if power > 1 and coefficient:
-            bend += power * (power - 1) * coefficient * invariant ** (power - 2)
-    return slope, bend
+            second += power * (power - 1) * coefficient * invariant ** (power - 2)
+    return first, second
 
 
 def _from_principal(vectors: np.ndarray, values: np.ndarray) -> np.ndarray:
@@ -183,7 +188,9 @@ def _ogden_modulus(material: Hyperelastic, deformation: np.ndarray) -> np.ndarra
     for mu, alpha in material.ogden_terms:
         stress += mu * values ** (alpha / 2 - 1)
         slopes += mu * _divided_differences(values, alpha / 2 - 1)
-    principal = deformation @ vectors  # (i, a): F n_a; then dC_ab = n_aᵀ(dFᵀF + FᵀdF) n_b
+    # dP = dF S + F dS. Second part: with f_a = F n_a, dC_ab = n_aᵀ dFᵀ f_b + f_aᵀ dF n_b, so that
+    # F dS = Σ_ab s[c_a, c_b] dC_ab f_a n_bᵀ is a sum of dyads `left` ⊗ `right`.
+    principal = deformation @ vectors
     modulus = np.zeros((*deformation.shape, 3, 3))
     for a in range(3):
         for b in range(3):
@@ -191,7 +198,7 @@ def _ogden_modulus(material: Hyperelastic, deformation: np.ndarray) -> np.ndarra
             right = left + np.einsum("...k,...l->...kl", principal[..., b], vectors[..., a])
             left *= slopes[..., a, b, None, None]
             modulus += np.einsum("...ij,...kl->...ijkl", left, right)
-    second = _from_principal(vectors, stress)
+    second = _from_principal(vectors, stress)  # first part: ∂(dF S)_ij/∂F_kl = δ_ik S_lj
     return modulus + np.einsum("ik,...jl->...ijkl", np.eye(3), second)
 
 

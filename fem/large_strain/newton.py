@@ -208,6 +208,9 @@ def _misfit(problem: PressProblem, state: PressState, forces: _Forces) -> float:
 
 
 def _newton_step(problem: PressProblem, state: PressState, forces: _Forces) -> PressState:
+    # One factorization answers the forces out of balance (column 0) and a unit pressure at every
+    # candidate of contact (the others). Gaps are then linear in the pressures p: C p + gap, with C
+    # the surface compliance of the tangent, and the complementary p belongs to this very step.
     matrix = _tangent(problem, state, forces)
     motions = shape_of(forces.basis)[1]
     loads = np.zeros((shape_of(matrix)[0], 1 + len(state.contact_mpa)))

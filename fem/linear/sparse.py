@@ -29,15 +29,17 @@ def upper_triangle(matrix: sp.csr_matrix) -> sp.csr_matrix:
     matrix.sum_duplicates()
     size = shape_of(matrix)[0]
     rows = np.repeat(np.arange(size, dtype=matrix.indices.dtype), np.diff(matrix.indptr))
+    # PARDISO wants every diagonal entry, zeros too. Columns are sorted, so a missing one belongs at
+    # the start of its row of the triangle: it is inserted there, and nothing is sorted again.
     keep = (matrix.indices == rows) | ((matrix.indices > rows) & (matrix.data != 0))
     rows, columns = rows[keep], matrix.indices[keep]
     missing = np.ones(size, bool)
     missing[rows[columns == rows]] = False
     start = np.append(0, np.cumsum(np.bincount(rows, minlength=size)))
-    bare = np.flatnonzero(missing)  # the diagonal comes first in its row
+    bare = np.flatnonzero(missing)
     data = np.insert(matrix.data[keep], start[bare], 0.0)
     columns = np.insert(columns, start[bare], bare)
-    start[1:] += np.cumsum(missing)
+    start[1:] += np.cumsum(missing)  # each insertion moves the ends of its and all later rows
     return sp.csr_matrix((data, columns, start), shape=(size, size), copy=False)
 
 

@@ -119,7 +119,7 @@ def test_a_block_turned_about_its_axis_gives_another_field():
     exact = oracle(OBLONG, turn, centre, point)
     assert np.median(relative_error(wrong.T, exact)) > 0.02
     with pytest.raises(ValueError, match="needs the direction of its side"):
-        FieldModel(OBLONG, "charges", 3)(offset, axis)
+        FieldModel(OBLONG, "charges", charges=3)(offset, axis)
 
 
 @settings(max_examples=40, deadline=None, suppress_health_check=[HealthCheck.too_slow])
@@ -143,7 +143,7 @@ def test_the_choice_says_which_model_and_why():
     near, far = field_model(SQUARE, 8.0), field_model(SQUARE, 30.0)
     assert (near.name, far.name) == ("charges", "multipole")
     assert model_error(FieldModel(SQUARE, "multipole", 9), 8.0) > 1e-3 >= model_error(near, 8.0)
-    assert model_error(FieldModel(SQUARE, "charges", near.order - 1), 8.0) > 1e-3
+    assert model_error(FieldModel(SQUARE, "charges", charges=near.charges - 1), 8.0) > 1e-3
 
 
 @pytest.mark.parametrize("source", SOURCES, ids=NAMES)
@@ -159,7 +159,7 @@ def test_far_field_is_the_dipole_of_moment_polarization_times_volume(source):
     "model",
     [
         FieldModel(RING, "multipole", 11),
-        FieldModel(OBLONG, "charges", 5),
+        FieldModel(OBLONG, "charges", charges=5),
         FieldModel(CUBE, "exact"),
     ],
     ids=["multipole", "charges", "exact"],
@@ -185,7 +185,7 @@ def test_no_divergence_and_no_curl_outside(model):
 
 
 @pytest.mark.parametrize(
-    "model", [FieldModel(OBLONG, "charges", 4), FieldModel(RING, "multipole", 9)]
+    "model", [FieldModel(OBLONG, "charges", charges=4), FieldModel(RING, "multipole", 9)]
 )
 @pytest.mark.parametrize("dtype", [torch.float32, torch.float64])
 def test_torch_gives_the_same_field_and_its_gradients(model, dtype):

@@ -236,7 +236,7 @@ def test_block_magnets_that_turn_take_their_sides_along(gap_mm):
     )
     motion = np.zeros((1, 5, 6))
     motion[0, :, 3:] = np.pi / 2 * place.magnets.axis
-    model = FieldModel(magnet_source(spec.magnets), "exact" if gap_mm < 2 else "charges", 6)
+    model = FieldModel(magnet_source(spec.magnets), "exact" if gap_mm < 2 else "charges", charges=6)
     assert_allclose(
         sensed_field(place, motion, model), sensed_field(turned, at_rest(place), model), atol=1e-15
     )
