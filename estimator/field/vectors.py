@@ -1,6 +1,6 @@
 """Vectors as triples of equally broadcastable arrays (x, y, z).
 
-Large sets of pairs so stay in cache-sized, contiguous pieces. Everything here uses operators alone
+This keeps large batches in contiguous, cache-sized chunks. Everything here uses operators alone
 where it can and so takes NumPy arrays and torch tensors alike.
 """
 
@@ -49,7 +49,8 @@ def components(vectors: Float[np.ndarray, "*any 3"]) -> Vector:
 def rotated(vector: Vector, turn: Vector) -> Vector:
     """Rodrigues: v cos θ + w × v sin θ/θ + w (w·v) (1 − cos θ)/θ², component by component.
 
-    `turn` is the rotation vector (rad); exact for finite angles. NumPy only.
+    `turn` is the rotation vector (rad); exact for finite angles. NumPy only. SciPy's `Rotation`
+    takes one list of vectors; here every component stays an array of its own.
     """
     (x, y, z), (wx, wy, wz) = vector, turn
     angle = np.sqrt(wx * wx + wy * wy + wz * wz)

@@ -14,14 +14,17 @@ from dataclasses import replace
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
-from design.layout.as_built import live_channels
-from design.layout.positions import contact_grid
 from design.spec.object import ObjectSpec
 from estimator.frames.collection_recipe import Recipe, anywhere_recipe, periodic_recipe
 from estimator.frames.contact_cases import grasp_cases, paper_cases
 from estimator.frames.contact_traces import ContactTraces, JointMechanics, force_at_travel
 from estimator.frames.dataset import NO_FACE, PER_FRAME_FIELDS, FrameSet
-from estimator.frames.press_protocol import LEAST_FORCE_NOISES, REST_PLACE_ID, disturbed
+from estimator.frames.press_protocol import (
+    LEAST_FORCE_NOISES,
+    REST_PLACE_ID,
+    disturbed,
+    simulated_frames,
+)
 from estimator.frames.tangential import pulled_counts
 from estimator.information.shear import ShearSignals
 from estimator.signals.monotone import monotone_cubic
@@ -177,22 +180,21 @@ def _labelled(
 ) -> FrameSet:
     cases, frames = recipe.turns.shape
     contact = _tip_values(recipe, "face", NO_FACE, int)
-    places, grid = _tip_values(recipe, "xy_mm", np.nan, float), contact_grid(spec)
+    places = _tip_values(recipe, "xy_mm", np.nan, float)
     pressed = (contact != NO_FACE)[:, None] & recipe.moving[:, None]
     true, label, sure = _forces(spec, recipe, felt_n, rng)
     identity = np.full(cases, REST_PLACE_ID)
     identity[: len(recipe.cases)] = [case.place_id for case in recipe.cases]
-    count, shape = cases * frames, (len(spec.body.sensed), spec.sensors.count_per_face, 3)
-    slots = contact.shape[1]
+    count, slots = cases * frames, contact.shape[1]
 
     def in_contact(values: np.ndarray, empty: float | int) -> np.ndarray:
         shown = pressed.reshape(*pressed.shape, *[1] * (values.ndim - 3))
         return np.where(shown, values, empty).reshape(count, *values.shape[2:])
 
-    return FrameSet(
-        signal_counts=np.where(
-            live_channels(spec).reshape(shape), counts.reshape(count, *shape), np.nan
-        ),
+    return simulated_frames(
+        spec,
+        spec_hash,
+        counts,
         contact_face=in_contact(contact[:, None] + np.zeros((1, frames, 1), int), NO_FACE),
         contact_xy_mm=in_contact(places[:, None] + np.zeros((1, frames, 1, 1)), np.nan),
         force_n=in_contact(label, np.nan),
@@ -200,14 +202,6 @@ def _labelled(
         press_id=_press_ids(recipe),
         place_id=np.where(recipe.moving, identity[:, None], REST_PLACE_ID).ravel(),
         session_id=np.repeat(np.arange(cases), frames),
-        time_s=np.arange(count) / spec.sensors.frame_rate_hz,
-        faces=np.array(spec.body.sensed),
-        grid_x_mm=grid.x_mm,
-        grid_y_mm=grid.y_mm,
-        noise_counts=np.asarray(spec.sensors.noise_counts, float),
-        source="simulated",
-        spec_hash=spec_hash,
-        seed=spec.seed,
         true_force_n=in_contact(true, np.nan).reshape(count, slots, 3),
     )
 

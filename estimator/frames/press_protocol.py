@@ -206,10 +206,10 @@ def _labelled(
     zero = np.where(contact, 0.0, np.nan)
     forces = np.stack([zero, zero, np.where(contact, label, np.nan)], axis=-1)
     count = presses * frames
-    shape = (len(spec.body.sensed), spec.sensors.count_per_face, 3)
-    live = live_channels(spec).reshape(shape)
-    return FrameSet(
-        signal_counts=np.where(live, readings.reshape(count, *shape), np.nan),
+    return simulated_frames(
+        spec,
+        spec_hash,
+        readings,
         contact_face=np.where(contact, plan.face[:, None], NO_FACE).reshape(count, 1),
         contact_xy_mm=xy.reshape(count, 1, 2),
         force_n=forces.reshape(count, 1, 3),
@@ -217,7 +217,25 @@ def _labelled(
         press_id=np.repeat(np.arange(presses), frames),
         place_id=np.where(contact, place_id, REST_PLACE_ID).ravel(),
         session_id=np.repeat(plan.repetition, frames),
-        time_s=np.arange(count) / spec.sensors.frame_rate_hz,
+    )
+
+
+def simulated_frames(
+    spec: ObjectSpec,
+    spec_hash: str,
+    readings: Float[np.ndarray, "every frame channel"],
+    **labels: Any,
+) -> FrameSet:
+    """Readings (counts against rest) of every stretch of frames in a row, with their labels.
+
+    Dead channels read NaN; `labels` are the arrays of `FrameSet` that have one row per frame.
+    """
+    shape = (len(spec.body.sensed), spec.sensors.count_per_face, 3)
+    signal = readings.reshape(-1, *shape)
+    grid = contact_grid(spec)
+    return FrameSet(
+        signal_counts=np.where(live_channels(spec).reshape(shape), signal, np.nan),
+        time_s=np.arange(len(signal)) / spec.sensors.frame_rate_hz,
         faces=np.array(spec.body.sensed),
         grid_x_mm=grid.x_mm,
         grid_y_mm=grid.y_mm,
@@ -225,4 +243,5 @@ def _labelled(
         source="simulated",
         spec_hash=spec_hash,
         seed=spec.seed,
+        **labels,
     )

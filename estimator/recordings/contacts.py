@@ -46,6 +46,11 @@ def carried_labels(
     return face, tip_xy_mm
 
 
+def block_numbers(keys: Float[np.ndarray, "frame label"]) -> Int[np.ndarray, "frame"]:
+    """Number of the block of contiguous frames with equal keys that each frame lies in."""
+    return np.concatenate([[0], np.cumsum(np.any(keys[1:] != keys[:-1], axis=1))])
+
+
 def contact_cases(
     face: Int[np.ndarray, "frame cell"],
     tip_xy_mm: Float[np.ndarray, "frame cell tip 2"],
@@ -54,7 +59,7 @@ def contact_cases(
     """Block of each frame (contiguous frames of one contact case), place id (-1 without
     contact), and the contact case of each place id."""
     keys = place_keys(face, tip_xy_mm)
-    block = np.concatenate([[0], np.cumsum(np.any(keys[1:] != keys[:-1], axis=1))])
+    block = block_numbers(keys)
     _, first, index = np.unique(keys, axis=0, return_index=True, return_inverse=True)
     cases = [_place(face[row], tip_xy_mm[row]) for row in first]
     places = tuple(sorted({case for case in cases if case}))

@@ -17,6 +17,7 @@ from design.errors import RecordingError
 from estimator.frames.dataset import NO_FACE, FrameSet
 from estimator.recordings.contacts import (
     Place,
+    block_numbers,
     carried_labels,
     contact_cases,
     contact_slots,
@@ -204,7 +205,7 @@ def _find_presses(table: RawTable) -> _Presses:
         shear_n = shifted_shear(table.shear_n, stretch, lag.frames if lag.corrected else 0, rest)
     noise = rest_noise_counts(table.counts, rest)
     unlabelled, denied = contacts_at_rest(force_n >= CONTACT_FORCE_N, no_contact, press)
-    block = np.concatenate([[0], np.cumsum(np.any(keys[1:] != keys[:-1], axis=1))])
+    block = block_numbers(keys)
     hidden, concealed = hidden_contacts(table.counts, rest, stretch, block, noise)
     silent, quiet = silent_presses(face, force_n, press, responses, noise)
     return _Presses(
