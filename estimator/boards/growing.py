@@ -13,7 +13,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
-from design.errors import InputError
+from design.errors import RecordingError, StoreError
 from estimator.recordings.generic import cell_text, generic_columns
 from estimator.recordings.netcdf import write_generic_netcdf
 
@@ -38,11 +38,13 @@ class GrowingRecording:
 
         Raises
         ------
-        InputError
-            Another number of values than columns, or the disk is full.
+        RecordingError
+            Another number of values than columns.
+        StoreError
+            The disk is full.
         """
         if len(values) != len(self.columns):
-            raise InputError(
+            raise RecordingError(
                 f"{self.path} has {len(self.columns)} columns; got {len(values)} values. Give a "
                 "file of its own to another board"
             )
@@ -53,7 +55,7 @@ class GrowingRecording:
                 os.fsync(self._handle)
                 self._synced_s = time.monotonic()
         except OSError as error:
-            raise InputError(f"cannot write {self.path}: {error.strerror}. Make room") from None
+            raise StoreError(f"cannot write {self.path}: {error.strerror}. Make room") from None
         self.rows_added += 1
 
 
@@ -65,16 +67,18 @@ def growing_recording(
 
     Raises
     ------
-    InputError
-        The file has other columns (another board, other numbers of load cells or tips), is not a
-        recording, or cannot be written.
+    RecordingError
+        The file has other columns (another board, other numbers of load cells or tips), or is not
+        a recording.
+    StoreError
+        It cannot be written.
     """
     columns = generic_columns(list(channels), cells, tips)
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         handle = os.open(path, os.O_RDWR | os.O_CREAT | os.O_APPEND, 0o644)
     except OSError as error:
-        raise InputError(f"cannot write {path}: {error.strerror}. Choose another folder") from None
+        raise StoreError(f"cannot write {path}: {error.strerror}. Choose another folder") from None
     try:
         rows, last, cut = _resume(handle, path, columns)
         yield GrowingRecording(path, columns, rows, session or last, cut, handle)
@@ -94,7 +98,7 @@ def _resume(handle: int, path: Path, columns: list[str]) -> tuple[int, int, int]
         return 0, 1, len(content)
     first, *rows = content[:whole].decode("utf-8", "replace").splitlines() or [""]
     if first != header:
-        raise InputError(
+        raise RecordingError(
             f"{path} is there with other columns ({first[:60]}…; wanted {header[:60]}…). Give "
             "another name, or the same channels, --cells and --tips"
         )
@@ -107,7 +111,7 @@ def _session(path: Path, rows: list[str]) -> int:
         return 1
     cell = rows[-1].split(",")[1]
     if not cell.isdigit():
-        raise InputError(f"{path}: the last row's session is {cell!r}. Mend or remove that row")
+        raise RecordingError(f"{path}: the last row's session is {cell!r}. Fix or remove that row")
     return int(cell)
 
 
@@ -116,7 +120,7 @@ def finish_recording(csv_path: Path, target: Path) -> int:
 
     Raises
     ------
-    InputError
+    RecordingError
         The recording holds no frame, or a damaged one.
     """
     from estimator.recordings.files import read_table

@@ -11,7 +11,7 @@ from typing import Any, Literal
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
-from design.errors import InputError
+from design.errors import InputError, StoreError
 from design.files import atomic_path
 from design.layout.as_built import live_channels
 from design.layout.positions import PlaceGrid, contact_grid
@@ -275,7 +275,7 @@ def load_scores_csv(path: Path | str) -> PlaceScores:
 
     Raises
     ------
-    InputError
+    StoreError
         No such file, or columns or rows are missing.
     """
     try:
@@ -292,7 +292,7 @@ def load_scores_csv(path: Path | str) -> PlaceScores:
         shape = (len(faces), len(x) * len(y))
         columns = {f.name: table[f.name].reshape(shape) for f in fields(PlaceScores)[2:]}
     except (OSError, ValueError, KeyError, IndexError, AttributeError) as error:
-        raise InputError(f"{path} is not a table of scores ({error!r}). Score anew") from None
+        raise StoreError(f"{path} is not a table of scores ({error!r}). Score anew") from None
     reached = columns.pop("reaches_score_force") == "True"
     values = {name: column.astype(float) for name, column in columns.items()}
     return PlaceScores(faces, PlaceGrid(x, y), reaches_score_force=reached, **values)

@@ -13,7 +13,7 @@ import torch
 from jaxtyping import Float
 from torch import Tensor, nn
 
-from design.errors import InputError
+from design.errors import InputError, StoreError
 from design.files import atomic_path
 from estimator.frames.dataset import FrameSet
 from estimator.frames.face_data import HISTORY, Channel, channel_counts, with_history
@@ -144,7 +144,9 @@ def load_model(path: Path | str) -> FaceModel:
     Raises
     ------
     InputError
-        No such file, not a model of instobj, or weights that do not fit the description.
+        No such file.
+    StoreError
+        Damaged, not a model of instobj, or weights that do not fit the description.
     """
     path = Path(path)
     if not path.is_file():
@@ -153,7 +155,7 @@ def load_model(path: Path | str) -> FaceModel:
     try:
         return _assembled(described, weights)
     except (KeyError, TypeError, ValueError, RuntimeError) as error:
-        raise InputError(
+        raise StoreError(
             f"{path}: weights and description do not belong together ({error}). Train the "
             "model anew"
         ) from None
@@ -167,15 +169,15 @@ def _read_safetensors(path: Path) -> tuple[dict[str, Any], dict[str, Tensor]]:
             metadata = file.metadata() or {}
             weights = {name: file.get_tensor(name) for name in file.keys()}  # noqa: SIM118
     except (SafetensorError, OSError) as error:
-        raise InputError(
+        raise StoreError(
             f"{path} is not a safetensors file ({error}). Give a trained model"
         ) from None
     try:
         described = json.loads(metadata["instobj"])
     except (KeyError, json.JSONDecodeError):
-        raise InputError(f"{path} is not a model of instobj. Give a trained model") from None
+        raise StoreError(f"{path} is not a model of instobj. Give a trained model") from None
     if described.get("format") != MODEL_FORMAT:
-        raise InputError(
+        raise StoreError(
             f"{path} has model format {described.get('format')}, this version reads "
             f"{MODEL_FORMAT}. Train the model anew"
         )

@@ -18,7 +18,7 @@ from typing import Any
 import torch
 from torch import Tensor, nn
 
-from design.errors import InputError
+from design.errors import InputError, StoreError
 from design.files import atomic_path
 from estimator.networks.losses import loss_of
 from estimator.networks.training_data import Augmentation, Batch, Disturbances, disturbed
@@ -193,7 +193,7 @@ def _resume(path: Path, network: nn.Module, optimizer: torch.optim.Optimizer, ma
             info = json.loads((file.metadata() or {}).get("instobj", "{}"))
             tensors = {name: file.get_tensor(name) for name in file.keys()}  # noqa: SIM118
     except (SafetensorError, OSError, json.JSONDecodeError) as error:
-        raise InputError(
+        raise StoreError(
             f"{path} is not a training interrupted earlier ({error}). Delete it"
         ) from None
     if info.get("fingerprint") != mark:

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from design.errors import InputError
+from design.errors import InputError, StoreError
 from estimator.boards.growing import GrowingRecording, finish_recording, growing_recording
 from estimator.boards.lines import Frame, Header, LineDecoder, Load, Message
 from estimator.boards.link import BoardClock, board_messages, serial_chunks
@@ -99,7 +99,7 @@ def collect(options: CollectOptions) -> dict[str, Any]:
                 ) as growing,
             ):
                 _run(chain([first], stream), loads, state, growing, progress)
-        except InputError as error:
+        except (InputError, StoreError) as error:
             failure = error
     if growing is None or not growing.rows_before + growing.rows_added:
         raise failure or InputError(

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from design.errors import InputError
+from design.errors import InputError, StoreError
 from design.layout.positions import PlaceGrid, grid_places_in_lattice
 from design.spec.object import ObjectSpec
 from estimator.information.fisher import cramer_rao_bounds, disturbance_counts
@@ -159,9 +159,9 @@ def test_scores_survive_their_table(scores, tmp_path):
     assert len(lines) == 101
     assert "delta_raw [counts^d/N]" in lines[0].split(",")
     (tmp_path / "cut.csv").write_text("\n".join(lines[:-3]))
-    with pytest.raises(InputError, match="not a table of scores"):
+    with pytest.raises(StoreError, match="not a table of scores"):
         load_scores_csv(tmp_path / "cut.csv")
-    with pytest.raises(InputError, match="not a table of scores"):
+    with pytest.raises(StoreError, match="not a table of scores"):
         load_scores_csv(tmp_path / "none.csv")
 
 

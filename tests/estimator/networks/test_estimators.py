@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
-from design.errors import InputError
+from design.errors import InputError, StoreError
 from design.spec.object import TrainingSpec
 from estimator.evaluation.evaluation import evaluate_face, evaluate_intervals
 from estimator.frames.face_data import face_data, with_history
@@ -198,7 +198,7 @@ def test_an_interrupted_training_ends_as_if_it_had_not_been(frames, tmp_path, mo
     with pytest.raises(InputError, match="other data or settings"):
         fitted(frames, training.model_copy(update={"epochs": 7}), checkpoint=tmp_path)
     (tmp_path / "member_0.safetensors").write_text("spoilt")
-    with pytest.raises(InputError, match="Delete it"):
+    with pytest.raises(StoreError, match="Delete it"):
         fitted(frames, training, checkpoint=tmp_path)
 
 

@@ -9,7 +9,7 @@ import torch
 from numpy.testing import assert_allclose, assert_array_equal
 from safetensors.torch import load_file, save_file
 
-from design.errors import InputError
+from design.errors import InputError, StoreError
 from design.spec.object import TrainingSpec
 from estimator.evaluation.evaluation import evaluate_face, linear_baseline, mean_map_baseline
 from estimator.frames.face_data import FaceData, face_data, live_channels
@@ -185,7 +185,7 @@ def test_bad_model_files(model, tmp_path, damage):
     else:
         description = {"format": MODEL_FORMAT, "face": 4, "channels": [[4, 0, 0]], "grid_x_mm": [0]}
         save_file(weights, path, metadata={"instobj": json.dumps(description)})
-    with pytest.raises(InputError, match=r"m\.safetensors"):
+    with pytest.raises(StoreError, match=r"m\.safetensors"):
         load_model(path)
 
 

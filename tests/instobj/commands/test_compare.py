@@ -5,7 +5,7 @@ from dataclasses import fields
 import numpy as np
 import pytest
 
-from design.errors import InputError
+from design.errors import StoreError
 from design.layout.positions import contact_grid
 from design.spec.object import ObjectSpec
 from estimator.information.scores import PlaceScores, save_scores_csv
@@ -45,5 +45,5 @@ def test_objects_are_compared_in_one_table_and_one_figure(tmp_path, capsys):
 
 
 def test_an_object_without_scores_is_named(tmp_path):
-    with pytest.raises(InputError, match=r"near/scores.csv is not a table of scores"):
+    with pytest.raises(StoreError, match=r"near/scores.csv is not a table of scores"):
         compare_scores([ObjectSpec(name="near")], tmp_path)
