@@ -46,7 +46,7 @@ class GrowingRecording:
         if len(values) != len(self.columns):
             raise RecordingError(
                 f"{self.path} has {len(self.columns)} columns; got {len(values)} values. Give a "
-                "file of its own to another board"
+                "separate file to another board"
             )
         line = ",".join(map(cell_text, values)) + "\n"
         try:
@@ -116,7 +116,7 @@ def _session(path: Path, rows: list[str]) -> int:
 
 
 def finish_recording(csv_path: Path, target: Path) -> int:
-    """Write the whole recording as NetCDF under its final name, at once; returns its frames.
+    """Write the whole recording as NetCDF under its final name; returns its frames.
 
     Raises
     ------

@@ -39,7 +39,7 @@ def twin_frames(
 ) -> FrameSet:
     """Presses of every place on each of `twins` objects, fixed by `spec.seed`; a session is a twin.
 
-    Presses are those of `[protocol]`, fewer and shorter: 48 frames a place and twin.
+    Presses are those of `[protocol]`, fewer and shorter: 48 frames per place and twin.
     """
     return _drawn_presses(
         spec,
@@ -81,7 +81,7 @@ def calibrated_frames(
 def _drawn_presses(
     spec: ObjectSpec, count: int, signals_of: Callable[[int], Signals], progress: Progress | None
 ) -> FrameSet:
-    """Presses of `[protocol]`, fewer and shorter, on as many objects, each from a seed of its own."""
+    """Presses of `[protocol]`, fewer and shorter, on as many objects, each with its own seed."""
     shorter = {
         "presses_per_place": PRESSES_PER_PLACE,
         "frames_per_press": FRAMES_PER_PRESS,

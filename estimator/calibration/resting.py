@@ -28,7 +28,7 @@ class Resting:
 
 
 def read_resting(path: Path, spec: ObjectSpec) -> Resting:
-    """Read a recording (its rest before each press), or a CSV with one column a channel.
+    """Read a recording (its rest before each press), or a CSV with one column per channel.
 
     The plain table's header names the channels F1-X1 (face, axis, number of the sensor), in any
     order; its rows are frames at rest. Channels without a reading, stuck at one value over three or
@@ -59,8 +59,8 @@ def _of_recording(path: Path, spec: ObjectSpec) -> Resting:
 
     if spec.sensors.count_per_face != 3:
         raise InputError(
-            f"recordings hold 3 sensors a face; {spec.name} has {spec.sensors.count_per_face}. Give "
-            "a table with one column a channel (F1-X1, …)"
+            f"recordings hold 3 sensors per face; {spec.name} has {spec.sensors.count_per_face}. Give "
+            "a table with one column per channel (F1-X1, …)"
         )
     recording = read_recording(path)
     silent = {
@@ -103,7 +103,7 @@ def _numbers(path: Path, header: list[str]) -> Float[np.ndarray, "row column"]:
     except ValueError as error:
         raise InputError(f"{path}: {error}. Every row needs {len(header)} numbers") from None
     if values.ndim != 2 or values.shape[1] != len(header):
-        raise InputError(f"{path}: every row needs {len(header)} numbers. Mend the cut rows")
+        raise InputError(f"{path}: every row needs {len(header)} numbers. Fix the cut rows")
     return values
 
 

@@ -2,7 +2,7 @@
 
 A new zero takes the changed rest away, but sensors that sit elsewhere among the magnets also see
 presses otherwise: 1 mm nearer or farther is 20 % of the force. The change at rest tells where they
-sit: three numbers a sensor against six unknowns. What it cannot tell apart from the slip is how far
+sit: three numbers per sensor against six unknowns. What it cannot tell apart from the slip is how far
 magnets and sensors were off the design before it.
 """
 

@@ -126,7 +126,7 @@ def chunked_posterior(
     seen_counts: Float[np.ndarray, "frame channel"],
     sigma_counts: Float[np.ndarray, "channel"],
 ) -> Iterator[Float[np.ndarray, "some hypothesis"]]:
-    """Posteriors of frames in turn, so many at a time as memory likes; rest is the last column."""
+    """Posteriors of frames, in batches that fit into memory; rest is the last column."""
     channels = hypotheses.counts.shape[-1]
     white = (hypotheses.counts / sigma_counts).reshape(-1, channels)
     chunk = max(1, int(_CHUNK_BYTES / 8 / len(white)))

@@ -37,7 +37,7 @@ def batched_field(
 ) -> Float[Tensor, "press point 3"]:
     """Flux density (T) of all magnets together, at every point of every press.
 
-    Differentiable in all three tensors; autograd then keeps about 25 numbers a pair. float32 costs
+    Differentiable in all three tensors; autograd then keeps about 25 numbers per pair. float32 costs
     1e-6 of the field beside the model's own error and is about twice as fast as float64 on a
     processor.
 

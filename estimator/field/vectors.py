@@ -50,7 +50,7 @@ def rotated(vector: Vector, turn: Vector) -> Vector:
     """Rodrigues: v cos θ + w × v sin θ/θ + w (w·v) (1 − cos θ)/θ², component by component.
 
     `turn` is the rotation vector (rad); exact for finite angles. NumPy only. SciPy's `Rotation`
-    takes one list of vectors; here every component stays an array of its own.
+    takes one list of vectors; here every component stays its own array.
     """
     (x, y, z), (wx, wy, wz) = vector, turn
     angle = np.sqrt(wx * wx + wy * wy + wz * wz)

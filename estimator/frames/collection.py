@@ -239,7 +239,7 @@ def _forces(
     if recipe.pull is not None:
         along[:, :2] = recipe.pull.share
     true, label = (values[..., None] * along[:, None, None] for values in (true, label))
-    if recipe.pull is not None:  # a cell of three axes shows each with a noise of its own
+    if recipe.pull is not None:  # a cell of three axes shows each with its own noise
         label[..., :2] = true[..., :2] + rng.normal(0, noise, (*shape, 2))
     return true, label, sure
 

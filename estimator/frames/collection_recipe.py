@@ -121,7 +121,7 @@ def _pull(
     shear: ShearSignals | None,
     rng: np.random.Generator,
 ) -> Pull:
-    """Every case in a direction of its own, by a share of its own up to the largest asked for."""
+    """Every case in its own direction, by its own share up to the largest asked for."""
     if shear is None:
         raise InputError(
             "collection.tangential_share needs the signals of tangential forces. Run `instobj "

@@ -135,7 +135,7 @@ def simulate_presses(
     """Frames of the whole protocol: for each press rest frames, then one rise and fall of force.
 
     The force is a raised cosine, sampled at a random phase within the frame interval. With
-    `silicone.prony` that is the force which the modulus at once would give at each travel: signals
+    `silicone.prony` that is the force by the instantaneous modulus at each travel: signals
     follow the travel, the labelled force relaxes and is lower, more so while unloading. The zeroing
     error of a press and its drift since are common to its rest and contact frames. Labels: the
     place's nominal position; the force with the load cell's noise. Repetitions are sessions.

@@ -1,6 +1,6 @@
 """Number of contacts that can be told apart: rank and condition of their joint information.
 
-k contacts have 3k unknowns (x, y, F each) against 3 channels a sensor. Enough channels make the
+k contacts have 3k unknowns (x, y, F each) against 3 channels per sensor. Enough channels make the
 information's rank full; whether places can then be read is a matter of its condition.
 
 Signals of several contacts are taken as the sum of those of each alone. Condition numbers hold for
@@ -55,7 +55,7 @@ class Identifiability:
 
     Attributes
     ----------
-    contacts, sensors, channels : k, Hall sensors a face, and whose channels are read
+    contacts, sensors, channels : k, Hall sensors per face, and whose channels are read
     unknowns, signals : 3k parameters, and the number of channels
     sets : contact sets judged, over all faces
     rank_least : smallest rank of the information over the sets
@@ -95,7 +95,7 @@ def identifiability(
     """Every number of contacts against every number of sensors, own channels and all.
 
     Each contact presses with `score.force_n` (or as far as its deepest press goes), freshly zeroed;
-    tips do not touch each other. By default one to five sensors a face are compared. Other numbers
+    tips do not touch each other. By default one to five sensors per face are compared. Other numbers
     of them than the specification's stand evenly on its ring, whether or not their boards would fit
     there; where sensors sit in the shell their number cannot change without new mechanics.
 
@@ -109,7 +109,7 @@ def identifiability(
     rows = []
     for count in sensor_counts or comparable_sensor_counts(spec):
         if progress:
-            progress(f"{count} sensors a face")
+            progress(f"{count} sensors per face")
         jacobians = whitened_jacobians(spec, forces, motions, places, count)
         for channels in ("own", "all"):
             for k in contact_counts:
@@ -118,7 +118,7 @@ def identifiability(
 
 
 def comparable_sensor_counts(spec: ObjectSpec) -> tuple[int, ...]:
-    """Numbers of sensors a face that the stored mechanics can answer for."""
+    """Numbers of sensors per face that the stored mechanics can answer for."""
     own = spec.sensors.count_per_face
     return (
         (own,) if spec.arrangement == "sensors-in-shell" else tuple(sorted({*_SENSOR_COUNTS, own}))
@@ -169,7 +169,7 @@ def whitened_jacobians(
     places: Int[np.ndarray, "place"],
     sensors: int,
 ) -> tuple[FaceJacobians, ...]:
-    """Derivatives at some contact places for another number of sensors a face."""
+    """Derivatives at some contact places for another number of sensors per face."""
     ring = spec.sensors
     if sensors != ring.count_per_face:
         ring = ring.model_copy(update={"count_per_face": sensors, "positions_mm": None})
@@ -263,7 +263,7 @@ def _judge(
 def _stacked(
     jacobians: tuple[FaceJacobians, ...], sets: Int[np.ndarray, "set contact"], channels: Channels
 ) -> Iterator[Float[np.ndarray, "set channel parameter"]]:
-    """Jacobians of the sets on each face in turn, contacts side by side."""
+    """Jacobians of the sets on each face, face by face, contacts side by side."""
     for face in jacobians:
         used = face.whitened[:, face.own] if channels == "own" else face.whitened
         yield np.concatenate([used[sets[:, k]] for k in range(sets.shape[1])], axis=2)

@@ -121,7 +121,7 @@ def _score_face(spec: ObjectSpec, signals: Signals, grid: PlaceGrid, face: int) 
     own, used = own[live[own]], used[live[used]]
     if not len(own):
         raise InputError(
-            f"face {face} has no live channel: as_built calls all of them dead. Mend a sensor, or "
+            f"face {face} has no live channel: as_built calls all of them dead. Fix a sensor, or "
             "take the entries out"
         )
     where = (np.full(len(grid), face), grid.xy_mm[:, 0], grid.xy_mm[:, 1])

@@ -71,7 +71,7 @@ def jumps_between(recordings: Sequence[Recording]) -> Bool[np.ndarray, "5 sensor
     sensors = sorted({recording.rest_counts.shape[2] for recording in recordings})
     if len(sensors) > 1:
         raise InputError(
-            f"the recordings have up to {' and '.join(map(str, sensors))} sensors a face, so they "
+            f"the recordings have up to {' and '.join(map(str, sensors))} sensors per face, so they "
             "are of different objects. Give recordings of one"
         )
     levels = [np.median(recording.rest_counts, axis=0) for recording in recordings]

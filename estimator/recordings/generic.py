@@ -1,4 +1,4 @@
-"""The generic recording of any object: one row a frame, columns by name, as CSV or NetCDF.
+"""The generic recording of any object: one row per frame, columns by name, as CSV or NetCDF.
 
 CSV columns, in any order: `time_s`; a channel each (F1-X1 … F5-Z3, raw counts; missing channels
 have no reading); for each load cell n from 1: `celln_force_n`, `celln_face`, and for each of its

@@ -12,7 +12,7 @@ from estimator.recordings.presses import LagReport
 
 @dataclass(frozen=True)
 class RecordingReport:
-    """What was read, measured, found and mended; `as_dict` for JSON, `str` for people.
+    """What was read, measured, found and fixed; `as_dict` for JSON, `str` for people.
 
     `places` lists the contact case of each place id, `noise_counts` the white noise at rest by
     channel name. `presses_zeroed_after` counts the presses without enough rest before them,

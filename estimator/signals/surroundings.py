@@ -46,7 +46,7 @@ class Surroundings:
 
 
 def surroundings(spec: ObjectSpec, jaw_gap_mm: tuple[float, ...] = (0.0, 10.0)) -> Surroundings:
-    """Turning in Earth's field, and a steel jaw at each face in turn.
+    """Turning in Earth's field, and a steel jaw at one face after another.
 
     The jaw is a half-space of relative permeability 1000, an upper bound
     (`estimator.field.environment`).

@@ -1,4 +1,4 @@
-"""Signals of one object as it may be assembled: a twin of the design, with errors of its own.
+"""Signals of one object as it may be assembled: a twin of the design, with its own errors.
 
 Poses, remanences, chips and modulus come from an `Assembly` (`estimator.tolerances.assembly`), mechanics from
 any table of presses, the design's or a better one. A magnet that sits aside is moved as if the press

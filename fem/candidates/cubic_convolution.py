@@ -1,4 +1,4 @@
-"""Cubic convolution on a regular axis: third order, once differentiable, four neighbours a value.
+"""Cubic convolution on a regular axis: third order, once differentiable, four neighbours per value.
 
 Keys, IEEE Trans. Acoust. Speech Signal Process. 29 (1981) 1153, with his extrapolation at the ends,
 which keeps parabolas exact up to the border.

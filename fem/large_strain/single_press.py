@@ -1,4 +1,4 @@
-"""One press of the hemisphere on a mesh of its own: what both models share, and small strain."""
+"""One press of the hemisphere on its own mesh: what both models share, and small strain."""
 
 from __future__ import annotations
 

@@ -84,7 +84,7 @@ def solve_symmetric(
 
 
 class Factorization:
-    """A symmetric, possibly indefinite matrix A, factored once and solved as often as wanted.
+    """A symmetric, possibly indefinite matrix A, factored once and solved as often as needed.
 
     Use it as a context: the factor (1 GB for the default mesh) is given back at its end.
     `negative_pivots` is the number of negative eigenvalues of A (−1: unknown).

@@ -1,7 +1,7 @@
 """Magnets in the silicone: rigid bodies tied to it, or ideal points that only follow it.
 
 A rigid magnet's nodes move by u = c + ω × r; its six motions are unknowns of the system. An ideal
-point has no stiffness of its own: its motion is the mean displacement and the mean rotation
+point has no stiffness: its motion is the mean displacement and the mean rotation
 ½ curl u over the volume that the magnet would take.
 """
 

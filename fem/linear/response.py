@@ -71,7 +71,7 @@ class FaceSurface:
 class ResponseOperator:
     """Condensed elastic response of a whole object; `core` where it slides on a frictionless core.
 
-    `compliance` (load, load): first the vertices of every face in turn (conjugate: ∫ φ_i u·(−n) dA,
+    `compliance` (load, load): first the vertices of every face, face by face (conjugate: ∫ φ_i u·(−n) dA,
     mm³ per MPa), then six motions per magnet (mm, rad per MPa of pressure at a vertex).
     """
 

@@ -87,7 +87,7 @@ def load_forces(path: Path | str) -> PressForces:
 def save_compliance_csv(
     with_magnets: ComplianceMap, without_magnets: ComplianceMap, path: Path | str
 ) -> None:
-    """One row a place: face, x and y in its frame (mm), and both compliances in mm/N."""
+    """One row per place: face, x and y in its frame (mm), and both compliances in mm/N."""
     rows = [
         (int(face), f"{x:g}", f"{y:g}", f"{tied:.6g}", f"{free:.6g}")
         for face, tied_row, free_row in zip(

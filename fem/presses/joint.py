@@ -121,7 +121,7 @@ def press_tips(
     tips: Sequence[Tip],
     depths_mm: Float[np.ndarray, "tip"],
 ) -> JointPress:
-    """Press every indenter to its own depth, all at once, without friction.
+    """Press every indenter to its own depth, all together, without friction.
 
     A frictionless core only pushes: the shell lifts off where it would pull (`fem.contact.lift_off`).
 

@@ -37,7 +37,7 @@ def load_patches(
     radius_mm: float,
     pressure_mpa: float,
 ) -> PatchLoad:
-    """Press uniformly on a disk at every place, all at once. Linear: negative pressures pull.
+    """Press uniformly on a disk at every place, all together. Linear: negative pressures pull.
 
     Raises
     ------

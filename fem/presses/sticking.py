@@ -164,7 +164,7 @@ def _next(setting: StickingSetting, state: StickingState, depth_mm: np.ndarray) 
 
 
 def _tractions(setting: StickingSetting, wanted_mm: np.ndarray, touching: np.ndarray) -> np.ndarray:
-    """Tractions on the touching cells that move them as wanted (3, cell)."""
+    """Tractions on the touching cells that give the target displacements (3, cell)."""
     traction = np.zeros_like(wanted_mm)
     if touching.any():
         chosen = setting.response.compliance[:, touching][:, :, :, touching]

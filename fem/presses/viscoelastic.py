@@ -24,7 +24,7 @@ def relaxed_force_n(
     time_s: Float[np.ndarray, "time"],
     terms: Sequence[PronyTermSpec],
 ) -> Float[np.ndarray, "*press time"]:
-    """Force (N) that is felt, of a history of forces that the modulus at once would give.
+    """Force (N) that is felt, from a history of forces computed with the instantaneous modulus.
 
     Exact for forces that are linear between the times (any spacing) and at rest before the first.
     Never below zero: the tip lifts off a surface that lags. While a contact shrinks the integral

@@ -97,4 +97,4 @@ def test_validate_refuses_what_is_no_recording(tmp_path):
     (tmp_path / "rest.csv").write_text("date,temperature\n2024-01-01,20\n2024-01-02,21\n")
     assert_one_clear_error(run("validate", CUBE, "rest.csv", cwd=tmp_path), "rest.csv")
     more = run("validate", CUBE, "rest.csv", "--set", "sensors.count_per_face=4", cwd=tmp_path)
-    assert_one_clear_error(more, "3 sensors a face")
+    assert_one_clear_error(more, "3 sensors per face")
