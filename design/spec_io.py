@@ -12,7 +12,7 @@ from typing import Any, get_args
 
 from pydantic import BaseModel, ValidationError
 
-from design.errors import InputError
+from design.errors import SpecError
 from design.files import require_regular_file
 from design.spec.object import SINGLE_PRESSES, ObjectSpec
 
@@ -28,7 +28,7 @@ def load_spec(path: Path | str, overrides: Iterable[str] = (), table: bool = Tru
 
     Raises
     ------
-    InputError
+    SpecError
         The file is missing or not TOML, or a key, unit or bound is wrong.
     """
     path = Path(path)
@@ -45,21 +45,21 @@ def _read_toml(path: Path, missing: str) -> dict[str, Any]:
     require_regular_file(path, missing.format(path))
     try:
         if path.stat().st_size > _LARGEST_BYTES:
-            raise InputError(
+            raise SpecError(
                 f"{path} holds {path.stat().st_size} bytes; a specification has a few thousand, "
                 f"{_LARGEST_BYTES} at most. Give the TOML file of an object"
             )
         return tomllib.loads(path.read_text(encoding="utf-8"))
     except RecursionError:
-        raise InputError(f"{path} nests brackets or tables too deep. Fix that line") from None
+        raise SpecError(f"{path} nests brackets or tables too deep. Fix that line") from None
     except OSError as error:
-        raise InputError(
+        raise SpecError(
             f"cannot read {path}: {error.strerror}. Give a readable TOML file"
         ) from None
     except UnicodeDecodeError:
-        raise InputError(f"{path} is not a text file. Give a file in TOML") from None
+        raise SpecError(f"{path} is not a text file. Give a file in TOML") from None
     except tomllib.TOMLDecodeError as error:
-        raise InputError(f"{path} is not valid TOML: {error}. Fix that line") from None
+        raise SpecError(f"{path} is not valid TOML: {error}. Fix that line") from None
 
 
 def with_overrides(content: dict[str, Any], overrides: Iterable[str]) -> dict[str, Any]:
@@ -67,7 +67,7 @@ def with_overrides(content: dict[str, Any], overrides: Iterable[str]) -> dict[st
 
     Raises
     ------
-    InputError
+    SpecError
         An override is not of that form, or names a value as if it were a table.
     """
     for override in overrides:
@@ -81,7 +81,7 @@ def parse_spec(content: dict[str, Any], source: str, table: bool = True) -> Obje
         return ObjectSpec.model_validate(content, context=None if table else SINGLE_PRESSES)
     except ValidationError as error:
         problems = "\n".join(f"  - {_explain(problem)}" for problem in error.errors())
-        raise InputError(f"{source} is not a valid specification:\n{problems}") from None
+        raise SpecError(f"{source} is not a valid specification:\n{problems}") from None
 
 
 def spec_hash(spec: ObjectSpec) -> str:
@@ -163,7 +163,7 @@ def _with_imported_body(content: dict[str, Any], folder: Path) -> dict[str, Any]
 def _apply_override(content: dict[str, Any], override: str) -> None:
     key, equals, value = override.partition("=")
     if not equals or not key.strip():
-        raise InputError(
+        raise SpecError(
             f"--set wants key=value, got {override!r}. Example: --set shell.thickness_mm=9"
         )
     *tables, name = key.strip().split(".")
@@ -171,7 +171,7 @@ def _apply_override(content: dict[str, Any], override: str) -> None:
     for part in tables:
         table = table.setdefault(part, {})
         if not isinstance(table, dict):
-            raise InputError(
+            raise SpecError(
                 f"--set {override}: {part!r} is a value, not a table of the specification"
             )
     table[name] = _toml_value(value.strip())
@@ -183,7 +183,7 @@ def _toml_value(text: str) -> Any:
     except tomllib.TOMLDecodeError:
         return text
     except RecursionError:
-        raise InputError("--set: the value nests brackets too deep. Give a plainer one") from None
+        raise SpecError("--set: the value nests brackets too deep. Give a plainer one") from None
 
 
 def _explain(problem: Any) -> str:
