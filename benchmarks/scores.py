@@ -16,9 +16,9 @@ import numpy as np
 from harness import best_seconds, conclude, machine, option_parser
 from scipy.spatial import ConvexHull
 
+from design.body.kinds import face_frames
 from design.layout.positions import (
     contact_grid,
-    face_frames,
     grid_places_in_lattice,
     magnet_layout,
     press_lattice,

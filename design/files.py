@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from design.errors import StoreError
+from design.errors import InputError, StoreError
 
 
 @contextmanager

@@ -14,7 +14,9 @@ from pydantic import BaseModel, ValidationError
 
 from design.errors import SpecError
 from design.files import require_regular_file
-from design.spec.object import SINGLE_PRESSES, ObjectSpec
+from design.fit.everything import require_fit
+from design.spec.base import explained
+from design.spec.object import ObjectSpec
 
 _LARGEST_BYTES = 250_000
 
@@ -76,12 +78,32 @@ def with_overrides(content: dict[str, Any], overrides: Iterable[str]) -> dict[st
 
 
 def parse_spec(content: dict[str, Any], source: str, table: bool = True) -> ObjectSpec:
-    """Validate already parsed TOML; `source` names it in errors, `table` is that of `load_spec`."""
+    """Validate already parsed TOML and `check` it; `source` names it in errors."""
     try:
-        return ObjectSpec.model_validate(content, context=None if table else SINGLE_PRESSES)
+        return check(ObjectSpec.model_validate(content), table)
     except ValidationError as error:
-        problems = "\n".join(f"  - {_explain(problem)}" for problem in error.errors())
-        raise SpecError(f"{source} is not a valid specification:\n{problems}") from None
+        problems = [_explain(problem) for problem in error.errors()]
+    except SpecError as error:
+        problems = [str(error)]
+    listed = "\n".join(f"  - {problem}" for problem in problems)
+    raise SpecError(f"{source} is not a valid specification:\n{listed}")
+
+
+def check(spec: ObjectSpec, table: bool = True) -> ObjectSpec:
+    """Check that core, pockets, sensors, presses and mould fit together; the specification again.
+
+    Without `table`, the indenter need not fit at every contact place: for single presses.
+
+    Raises
+    ------
+    SpecError
+        What does not fit, what was given and how to fix it.
+    """
+    try:
+        require_fit(spec, table)
+    except ValueError as error:
+        raise SpecError(str(error)) from None
+    return spec
 
 
 def spec_hash(spec: ObjectSpec) -> str:
@@ -90,7 +112,7 @@ def spec_hash(spec: ObjectSpec) -> str:
     Defaults are not validated, so an integer default would differ from the same number read from
     a file; one round of validation makes them alike.
     """
-    alike = ObjectSpec.model_validate(spec.model_dump(mode="json"), context=SINGLE_PRESSES)
+    alike = ObjectSpec.model_validate(spec.model_dump(mode="json"))
     canonical = json.dumps(alike.model_dump(mode="json"), sort_keys=True)
     return hashlib.sha256(canonical.encode()).hexdigest()
 
@@ -187,16 +209,9 @@ def _toml_value(text: str) -> Any:
 
 
 def _explain(problem: Any) -> str:
-    where = ".".join(str(part) for part in problem["loc"])
     if problem["type"] == "extra_forbidden":
-        return _explain_unknown_key(problem["loc"], where)
-    message = problem["msg"].removeprefix("Value error, ")
-    if problem["type"] == "value_error":
-        return message
-    if problem["type"] == "missing":
-        return f"{where} is missing. Add it"
-    received = "" if isinstance(problem.get("input"), dict) else f"; got {problem.get('input')!r}"
-    return f"{where}: {message}{received}"
+        return _explain_unknown_key(problem["loc"], ".".join(str(part) for part in problem["loc"]))
+    return explained(problem)
 
 
 def _explain_unknown_key(location: tuple[Any, ...], where: str) -> str:

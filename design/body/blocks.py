@@ -13,9 +13,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 from jaxtyping import Bool, Float
 
-from design.layout.positions import FaceFrame, core_frames, face_frames
+from design.body.kinds import core_frames, face_frames
+from design.body.meshes import manifold_of
+from design.body.surface_chart import FaceFrame
+from design.spec.worked_out import once
 
 if TYPE_CHECKING:
+    from manifold3d import Manifold
+
     from design.spec.object import ObjectSpec
 
 
@@ -39,6 +44,7 @@ class Block:
         return np.all(local <= self.half_mm + margin_mm, axis=1)
 
 
+@once
 def core_keys(spec: ObjectSpec) -> tuple[Block, ...]:
     """Keys of every face of the core, face by face; each begins 0.5 mm below the core's face.
 
@@ -61,6 +67,7 @@ def keys_volume_mm3(spec: ObjectSpec) -> float:
     return per_key * len(keys.positions_mm) * len(core_frames(spec))
 
 
+@once
 def relief_slits(spec: ObjectSpec) -> tuple[Block, ...]:
     """One slit per edge between two sensed faces; each begins outside the body, past its edge.
 
@@ -111,3 +118,12 @@ def _length_in_body_mm(slit: Block, half_body_mm: np.ndarray) -> float:
     middle = float(along @ slit.centre_mm)
     ends = np.clip([middle - slit.half_mm[0], middle + slit.half_mm[0]], -reach, reach)
     return float(ends[1] - ends[0])
+
+
+def block_manifold(block: Block) -> Manifold:
+    """A block as a closed mesh."""
+    import trimesh
+
+    placed = np.eye(4)
+    placed[:3, :3], placed[:3, 3] = block.axes, block.centre_mm
+    return manifold_of(trimesh.creation.box(2 * block.half_mm).apply_transform(placed))

@@ -13,23 +13,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 from jaxtyping import Float
 
-from design.body.surface_chart import Cap, FaceFrame
+from design.body.surface_chart import FACE_AXES, STEEPEST, Cap, FaceFrame
+from design.spec.worked_out import once
 
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
-
-FACE_AXES = {
-    1: ((0, 0, 1), (1, 0, 0), (0, 1, 0)),
-    2: ((0, -1, 0), (0, 0, -1), (1, 0, 0)),
-    3: ((1, 0, 0), (0, 0, -1), (0, 1, 0)),
-    4: ((0, 1, 0), (0, 0, -1), (-1, 0, 0)),
-    5: ((-1, 0, 0), (0, 0, -1), (0, -1, 0)),
-    6: ((0, 0, -1), (1, 0, 0), (0, -1, 0)),
-}
-"""Face number → outward normal n and in-plane x, y (right-handed: x × y = n)."""
-
-STEEPEST = np.tan(np.deg2rad(60))
-"""Slope up to which a patch of a curved surface reaches."""
 
 
 def is_sampled(spec: ObjectSpec) -> bool:
@@ -37,6 +25,7 @@ def is_sampled(spec: ObjectSpec) -> bool:
     return spec.body.kind in ("ellipsoid", "imported")
 
 
+@once
 def face_frames(spec: ObjectSpec) -> tuple[FaceFrame, ...]:
     """The sensed faces of the body, in the order of their numbers."""
     return tuple(_FRAMES[spec.body.kind](spec, number, 0.0) for number in spec.body.sensed)
@@ -47,6 +36,7 @@ def face_frame(spec: ObjectSpec, number: int) -> FaceFrame:
     return {frame.number: frame for frame in face_frames(spec)}[number]
 
 
+@once
 def core_frames(spec: ObjectSpec) -> tuple[FaceFrame, ...]:
     """The sensed faces' frames moved inwards onto the core's faces."""
     inward = spec.shell.thickness_mm

@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 from jaxtyping import Bool, Float
 
-from design.body.blocks import Block
 from design.errors import NotOneSolid
 
 if TYPE_CHECKING:
@@ -241,15 +240,6 @@ def manifold_of(mesh: trimesh.Trimesh) -> Manifold:
 
     vertices = np.ascontiguousarray(mesh.vertices, dtype=np.float64)
     return Manifold(Mesh64(vertices, np.ascontiguousarray(mesh.faces, dtype=np.uint64)))
-
-
-def block_manifold(block: Block) -> Manifold:
-    """A block as a closed mesh."""
-    import trimesh
-
-    placed = np.eye(4)
-    placed[:3, :3], placed[:3, 3] = block.axes, block.centre_mm
-    return manifold_of(trimesh.creation.box(2 * block.half_mm).apply_transform(placed))
 
 
 def _through(solid: Manifold, point: np.ndarray, normal: np.ndarray, reach: float) -> float | None:

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from jaxtyping import Float
 
-from design.body.surface_chart import FaceFrame
+from design.body.surface_chart import FACE_AXES, STEEPEST, FaceFrame
 from design.errors import InputError
 
 if TYPE_CHECKING:
@@ -213,8 +213,6 @@ def _no_core(body: BodySpec, thickness_mm: float) -> str:
 def _frame(body: BodySpec, envelope_mm: float, number: int, inward_mm: float) -> FaceFrame:
     from scipy.interpolate import RectBivariateSpline
 
-    from design.body.kinds import FACE_AXES
-
     field = _field(body, envelope_mm)
 
     normal, x, y = (np.asarray(axis, float) for axis in FACE_AXES[number])
@@ -260,8 +258,6 @@ def _traced(
 
 def _known_share(nodes: list[np.ndarray], height: np.ndarray) -> float:
     """Largest share of the half extents within which heights are known and not too steep."""
-    from design.body.kinds import STEEPEST
-
     with np.errstate(invalid="ignore"):
         steep = np.hypot(*np.gradient(height, *nodes)) > STEEPEST
     u, v = np.meshgrid(*nodes, indexing="ij")

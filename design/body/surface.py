@@ -13,6 +13,7 @@ import numpy as np
 
 from design.body.blocks import Block, core_keys, relief_slits
 from design.body.kinds import base_top_mm, core_half_mm, sphere_centre_mm
+from design.body.surface_chart import FACE_AXES
 
 if TYPE_CHECKING:
     import trimesh
@@ -62,8 +63,6 @@ def support_rings(spec: ObjectSpec) -> list[trimesh.Trimesh]:
 
 def support_ends(spec: ObjectSpec) -> list[tuple[np.ndarray, float]]:
     """Planes in which a core with straight walls ends: normal towards the open face, level in mm."""
-    from design.body.kinds import FACE_AXES
-
     if spec.body.kind not in ("box", "cylinder"):
         return []
     normals = [np.asarray(FACE_AXES[face][0], float) for face in spec.body.opened]
@@ -110,8 +109,6 @@ def ball(spec: ObjectSpec, radius_mm: float, centre_mm: np.ndarray) -> trimesh.T
 
 def open_span_mm(spec: ObjectSpec, overshoot_mm: float) -> tuple[np.ndarray, np.ndarray]:
     """Corners of the core's box, drawn out through the open faces."""
-    from design.body.kinds import FACE_AXES
-
     half = np.asarray(spec.body.size_mm) / 2 + overshoot_mm
     low, high = -core_half_mm(spec), core_half_mm(spec)
     for face in spec.body.opened:

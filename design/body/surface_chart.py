@@ -13,6 +13,19 @@ from typing import Protocol, runtime_checkable
 import numpy as np
 from jaxtyping import Bool, Float
 
+FACE_AXES = {
+    1: ((0, 0, 1), (1, 0, 0), (0, 1, 0)),
+    2: ((0, -1, 0), (0, 0, -1), (1, 0, 0)),
+    3: ((1, 0, 0), (0, 0, -1), (0, 1, 0)),
+    4: ((0, 1, 0), (0, 0, -1), (-1, 0, 0)),
+    5: ((-1, 0, 0), (0, 0, -1), (0, -1, 0)),
+    6: ((0, 0, -1), (1, 0, 0), (0, -1, 0)),
+}
+"""Face number → outward normal n and in-plane x, y (right-handed: x × y = n)."""
+
+STEEPEST = np.tan(np.deg2rad(60))
+"""Slope up to which a patch of a curved surface reaches."""
+
 _MAX_ITERATIONS = 60
 _CONVERGED_MM = 1e-10
 _LARGEST_SQUARE = 0.97

@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, Literal
 
 import cadquery as cq
 
-from design.body.kinds import is_sampled
+from design.body.kinds import face_frames, is_sampled
 from design.layout.mould_frame import mould_frame, mould_style
-from design.layout.positions import face_frames
 from design.mould.halves import make_mould_half
-from design.mould.one_piece import has_mould, make_mould_box, make_seal_mould
+from design.mould.one_piece import make_mould_box, make_seal_mould
 from design.mould.pins import loose_pins, make_pin, pin_kinds
 from design.mould.plug import make_mould_holder, make_mould_plug
+from design.mould.whole import has_mould
 from design.solids.core import make_core
 from design.solids.jig import make_jig
 from design.solids.magnet_template import make_magnet_template, template_faces

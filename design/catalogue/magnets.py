@@ -1,7 +1,8 @@
-"""Magnets as sold: `magnets.part` takes shape, dimensions and grade from here.
+"""Magnets and magnet grades as sold: `magnets.part` and `magnets.grade` take their figures from here.
 
 The catalogued parts stand with their seller's number. Names like D6x1 are sizes in which many
-sellers stock sintered NdFeB and say nothing of the grade.
+sellers stock sintered NdFeB and say nothing of the grade. All figures are typical: a delivered magnet may lie
+anywhere in its grade's range, and makers' ranges differ by 0.01 to 0.02 T among themselves.
 """
 
 from __future__ import annotations
@@ -91,3 +92,63 @@ def magnet_part(name: str) -> MagnetPart:
             "or leave it out and give magnets.shape and its dimensions"
         )
     return MAGNET_PARTS[name]
+
+
+REFERENCE_TEMPERATURE_C = 20.0
+"""At which remanence is stated."""
+NDFEB_REMANENCE_PER_KELVIN = -0.0011
+"""Reversible change of remanence of sintered NdFeB; makers give −0.11 to −0.12 %/K up to 100 °C."""
+
+
+@dataclass(frozen=True)
+class MagnetGrade:
+    """A grade of sintered NdFeB: least, typical and largest remanence at 20 °C."""
+
+    name: str
+    remanence_min_t: float
+    remanence_t: float
+    remanence_max_t: float
+    max_temperature_c: float = 80.0
+
+    def admits(self, remanence_t: float) -> bool:
+        """Whether a magnet of this grade may have that remanence."""
+        return self.remanence_min_t <= remanence_t <= self.remanence_max_t
+
+
+GRADES = {
+    grade.name: grade
+    for grade in (
+        MagnetGrade("N35", 1.17, 1.20, 1.23),
+        MagnetGrade("N38", 1.22, 1.24, 1.26),
+        MagnetGrade("N40", 1.25, 1.27, 1.29),
+        MagnetGrade("N42", 1.28, 1.31, 1.33),
+        MagnetGrade("N45", 1.32, 1.35, 1.38),
+        MagnetGrade("N48", 1.37, 1.40, 1.42),
+        MagnetGrade("N50", 1.40, 1.43, 1.46),
+        MagnetGrade("N52", 1.42, 1.45, 1.48),
+    )
+}
+"""Standard (80 °C) grades. Ranges span the tables of several makers and sellers (Magnet Expert,
+Dura Magnetics, K&J Magnetics, Shanghai Magnet); Dura states 60 °C for N50 and N52."""
+
+
+def magnet_grade(name: str) -> MagnetGrade:
+    """The grade of that name.
+
+    Raises
+    ------
+    InputError
+        No such grade.
+    """
+    if name not in GRADES:
+        raise InputError(
+            f"magnets.grade = {name!r} is not a known grade. Choose one of {', '.join(GRADES)}, or "
+            "leave it out and give magnets.remanence_t"
+        )
+    return GRADES[name]
+
+
+def remanence_at_temperature_t(remanence_t: float, temperature_c: float) -> float:
+    """Remanence (T) of NdFeB at a temperature (°C), from that at 20 °C; linear and reversible."""
+    rise_k = temperature_c - REFERENCE_TEMPERATURE_C
+    return remanence_t * (1 + NDFEB_REMANENCE_PER_KELVIN * rise_k)

@@ -5,12 +5,14 @@ from __future__ import annotations
 from itertools import combinations
 from typing import TYPE_CHECKING
 
-from design.body.meshes import block_manifold, manifold_of
+from design.body.blocks import block_manifold
+from design.body.kinds import face_frames
+from design.body.meshes import manifold_of
+from design.body.surface_chart import FaceFrame
 from design.fabrication.finding import Finding, at_least, place_of
 from design.layout.boards import Mounted, mounted_sensors, wire_bundle_mm
 from design.layout.mould_frame import play_mm
 from design.layout.pockets import Pocket, distance_of_axes_mm, shell_pockets
-from design.layout.positions import FaceFrame, face_frames
 from design.spec.object import ObjectSpec
 
 if TYPE_CHECKING:

@@ -155,7 +155,7 @@ def _pour(spec: ObjectSpec) -> Finding:
 
 def _heads(spec: ObjectSpec) -> list[Finding]:
     """Rims of the loose pins' heads, which rest on the mould."""
-    pins = loose_pins(spec) if mould_style(spec) == "split" else []
+    pins = loose_pins(spec) if mould_style(spec) == "split" else ()
     if not pins:
         return []
     rim, limit = pins[0].rim_mm, least_rim_mm(spec)

@@ -10,7 +10,7 @@ from design.fabrication.finding import Finding, at_least, place_of
 from design.layout.core_hold import locators
 from design.layout.mould_frame import mould_style
 from design.layout.pockets import shell_pockets
-from design.mould.one_piece import has_mould
+from design.mould.whole import has_mould
 from design.spec.object import ObjectSpec
 
 if TYPE_CHECKING:

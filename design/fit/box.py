@@ -1,4 +1,4 @@
-"""Whether everything in a specification fits: the core, pockets, sensors and presses."""
+"""Fit of a box: core, pockets, sensors and presses; and of the tips on any body."""
 
 from __future__ import annotations
 
@@ -7,8 +7,6 @@ from math import cos, sin
 from typing import TYPE_CHECKING
 
 from design.body.kinds import face_frames
-from design.fit.curved import check_body, check_curved_presses
-from design.fit.environment import check_environment
 from design.layout.pockets import (
     Pocket,
     core_pockets,
@@ -21,29 +19,12 @@ if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
 
 
-def require_fit(spec: ObjectSpec, table: bool = True) -> None:
-    """Raise ValueError with what does not fit, what was given and how to mend it.
-
-    Without `table`, whether the indenter can be pressed at every contact place is left open.
-    """
-    from design.fit.mould import check_mould
-    from design.fit.parts import check_parts  # it needs the layouts, and these the specification
-
-    if spec.body.kind == "box":
-        _check_core(spec)
-        _check_wire_passages(spec)
-        _check_pockets(spec)
-        _check_core_contents(spec)
-    else:
-        check_body(spec)
-    _check_tips(spec)
-    if table and spec.body.kind == "box":
-        _check_presses(spec)
-    elif table:
-        check_curved_presses(spec)
-    check_environment(spec)
-    check_parts(spec)
-    check_mould(spec)
+def check_box(spec: ObjectSpec) -> None:
+    """Raise ValueError with what does not fit in a box, what was given and how to mend it."""
+    _check_core(spec)
+    _check_wire_passages(spec)
+    _check_pockets(spec)
+    _check_core_contents(spec)
 
 
 def _smallest_half_extents_mm(spec: ObjectSpec) -> tuple[float, float]:
@@ -244,7 +225,7 @@ def _check_sensor_places(spec: ObjectSpec) -> None:
                 )
 
 
-def _check_presses(spec: ObjectSpec) -> None:
+def check_box_presses(spec: ObjectSpec) -> None:
     _check_indenter(spec)
     deepest = spec.press.depths_mm[-1]
     if deepest > 0.6 * spec.shell.thickness_mm:
@@ -254,10 +235,10 @@ def _check_presses(spec: ObjectSpec) -> None:
         )
 
 
-def _check_tips(spec: ObjectSpec) -> None:
-    from design.layout.tip_shapes import tip_places_mm, tips_overlap
+def check_tips(spec: ObjectSpec) -> None:
+    from design.layout.tips import tip_places_mm, tips_overlap
 
-    one = spec.indenter.model_copy(update={"tip_count": 1})
+    one = spec.indenter.changed(tip_count=1)
     for a, b in combinations(tip_places_mm(spec.indenter), 2):
         if tips_overlap(one, b - a):
             raise ValueError(
@@ -268,7 +249,7 @@ def _check_tips(spec: ObjectSpec) -> None:
 
 def _check_indenter(spec: ObjectSpec) -> None:
     """Every place of the grid, half a pitch of margin and the whole path lie on the faces."""
-    from design.layout.tip_shapes import footprint_mm, path_mm, tip_shape
+    from design.layout.tips import footprint_mm, path_mm, tip_shape
 
     deepest, height = spec.press.depths_mm[-1], tip_shape(spec.indenter).height_mm
     if deepest >= height:

@@ -37,7 +37,7 @@ def silicone_mm(spec: ObjectSpec) -> float:
 
 def check_curved_presses(spec: ObjectSpec) -> None:
     """Raise ValueError where a press of the table would leave its patch or goes too deep."""
-    from design.layout.tip_shapes import tip_heights_mm, tip_places_mm, tip_shape
+    from design.layout.tips import tip_heights_mm, tip_places_mm, tip_shape
 
     deepest, silicone = spec.press.depths_mm[-1], silicone_mm(spec)
     if deepest > _LARGEST_SHARE * silicone:

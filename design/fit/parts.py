@@ -1,4 +1,4 @@
-"""Whether keys, slits, seal layer, channels and bay fit what else is in the object."""
+"""Fit of keys, slits, seal layer, channels, bay and mould with what else is in the object."""
 
 from __future__ import annotations
 
@@ -10,8 +10,9 @@ import numpy as np
 from jaxtyping import Float
 
 from design.body.blocks import Block, relief_slits
+from design.body.kinds import face_frames
+from design.layout.mould_frame import opening_of
 from design.layout.pockets import Pocket, sensor_places, shell_pockets
-from design.layout.positions import face_frames
 
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
@@ -263,3 +264,18 @@ def distance_mm(polygon: Corners, point: Float[np.ndarray, "2"]) -> float:
         return 0.0
     share = np.clip((away * edge).sum(axis=1) / (edge**2).sum(axis=1), 0, 1)
     return float(np.linalg.norm(away - share[:, None] * edge, axis=1).min())
+
+
+def check_mould(spec: ObjectSpec) -> None:
+    """Raise ValueError with what cannot be moulded, what was given and how to mend it."""
+    opening = opening_of(spec)
+    if spec.mould.style == "one-piece" and opening != "open":
+        raise ValueError(
+            f'mould.style = "one-piece" needs a whole side of the body open; this {spec.body.kind} has '
+            f'body.open_faces = {list(spec.body.opened)}. Use "split", or leave the style out'
+        )
+    if spec.shell.seal_layer_mm and opening == "closed":
+        raise ValueError(
+            f"shell.seal_layer_mm = {spec.shell.seal_layer_mm:g} is poured round the shell on its plug, "
+            "and a closed body has none. Leave it out and fill the pockets, or open a face"
+        )

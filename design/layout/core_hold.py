@@ -17,6 +17,7 @@ from design.body.kinds import core_frames, core_half_mm, face_frames, is_sampled
 from design.body.surface_chart import FaceFrame
 from design.layout.mould_frame import opening_of
 from design.layout.pockets import Pocket, shell_pockets
+from design.spec.worked_out import once
 
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
@@ -88,6 +89,7 @@ def wire_hole_diameter_mm(spec: ObjectSpec, face: int) -> float:
     return core.wire_hole_side_diameter_mm
 
 
+@once
 def core_outlet(spec: ObjectSpec) -> Outlet:
     """Of a body that is open through a bore; the wall is at most half of the core."""
     floor = _floor_mm(spec)
@@ -95,6 +97,7 @@ def core_outlet(spec: ObjectSpec) -> Outlet:
     return Outlet(radius, floor, min(spec.core.wall_mm, 0.5 * abs(floor)))
 
 
+@once
 def locators(spec: ObjectSpec) -> tuple[Locator, ...]:
     """Two pins at right angles that hold the core of a closed body, one where there is no second.
 

@@ -15,7 +15,9 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 from jaxtyping import Float
 
-from design.body.kinds import FACE_AXES, base_top_mm, core_half_mm
+from design.body.kinds import base_top_mm, core_half_mm
+from design.body.surface_chart import FACE_AXES
+from design.spec.worked_out import once
 
 if TYPE_CHECKING:
     import trimesh
@@ -101,6 +103,7 @@ def mould_style(spec: ObjectSpec) -> Literal["one-piece", "split"]:
     return "one-piece" if opening_of(spec) == "open" else "split"
 
 
+@once
 def mould_frame(spec: ObjectSpec) -> MouldFrame:
     """Axes and block of the object's mould. Of several open sides the lowest, else the first, is up.
 
@@ -157,6 +160,7 @@ def up(spec: ObjectSpec) -> Float[np.ndarray, "3"]:
     return corner / np.linalg.norm(corner)
 
 
+@once
 def parting(spec: ObjectSpec) -> Parting:
     """The plane that parts the halves; it holds `out`.
 

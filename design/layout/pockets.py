@@ -13,6 +13,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from jaxtyping import Float
 
+from design.spec.worked_out import once
+
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
 
@@ -121,11 +123,13 @@ class Pocket:
         return self.outline.support_mm(direction @ self.body.frame[:, :2])
 
 
+@once
 def shell_bodies(spec: ObjectSpec) -> tuple[tuple[Body, ...], ...]:
     """What moves with the silicone, face by face, heights above the body's face."""
     return magnet_bodies(spec) if spec.arrangement == "sensors-in-core" else sensor_boards(spec)
 
 
+@once
 def shell_pockets(spec: ObjectSpec) -> tuple[tuple[Pocket, ...], ...]:
     """The shell's pockets, face by face."""
     radius = spec.shell.pocket_diameter_mm / 2
@@ -136,6 +140,7 @@ def shell_pockets(spec: ObjectSpec) -> tuple[tuple[Pocket, ...], ...]:
     )
 
 
+@once
 def core_pockets(spec: ObjectSpec) -> tuple[tuple[Pocket, ...], ...]:
     """The core's pockets for magnets, face by face, heights above the core's face."""
     if spec.arrangement == "sensors-in-core":
@@ -143,6 +148,7 @@ def core_pockets(spec: ObjectSpec) -> tuple[tuple[Pocket, ...], ...]:
     return tuple(tuple(Pocket(body, body.outline) for body in face) for face in magnet_bodies(spec))
 
 
+@once
 def magnet_bodies(spec: ObjectSpec) -> tuple[tuple[Body, ...], ...]:
     """Magnets of every face, in the order of `magnets.positions_mm`.
 
@@ -178,6 +184,7 @@ def _seated_depth_mm(spec: ObjectSpec) -> float:
     return magnets.depth_below_core_face_mm + magnets.height_mm / 2
 
 
+@once
 def sensor_places(spec: ObjectSpec) -> tuple[tuple[tuple[float, float, float], ...], ...]:
     """x, y (mm, in the face's frame) and azimuth (rad) of every sensor, sensed face by face."""
     lists, sensed = spec.sensors.places, spec.body.sensed
@@ -186,6 +193,7 @@ def sensor_places(spec: ObjectSpec) -> tuple[tuple[tuple[float, float, float], .
     return tuple(lists[(number - 1) % len(lists)] for number in sensed)
 
 
+@once
 def sensor_boards(spec: ObjectSpec) -> tuple[tuple[Body, ...], ...]:
     """Sensor boards in the shell, seated on the floors of their pockets."""
     width, length, thickness = spec.sensors.package_mm

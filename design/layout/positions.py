@@ -1,7 +1,9 @@
-"""Where faces, contact places, magnets and sensors are, in the object's frame.
+"""Contact places, magnets and sensors in the object's frame, as designed and as built.
 
 Every array that is indexed by magnet or sensor runs face by face, in the order of the
-specification within a face.
+specification within a face. Sensors see the layout as built; mechanics goes on with the design: a
+magnet found 0.3 mm from its seat is carried by the motion of the seat (`estimator.tolerances.budget`
+says how wrong that is).
 """
 
 from __future__ import annotations
@@ -10,16 +12,15 @@ from dataclasses import dataclass, replace
 from typing import TypeVar
 
 import numpy as np
-from jaxtyping import Float, Int
+from jaxtyping import Bool, Float, Int
 
-from design.body.kinds import core_frames, face_frame, face_frames
+from design.body.kinds import core_frames, face_frames
 from design.body.surface_chart import FaceFrame
-from design.layout.as_built import magnets_as_built, sensors_as_built
 from design.layout.pockets import Body, Outline, magnet_bodies, sensor_boards, shell_bodies
+from design.spec.assembly import BuiltMagnet
 from design.spec.mechanics import SlipSpec
 from design.spec.object import ObjectSpec, SensorSpec
-
-__all__ = ["FaceFrame", "core_frames", "face_frame", "face_frames"]
+from design.spec.worked_out import once
 
 
 @dataclass(frozen=True)
@@ -42,6 +43,7 @@ class PlaceGrid:
         return len(self.x_mm) * len(self.y_mm)
 
 
+@once
 def contact_grid(spec: ObjectSpec) -> PlaceGrid:
     """The specification's places (the paper: 10 × 10, pitch 3 mm, ±13.5 about the face centre)."""
     grid = spec.contact_grid
@@ -49,6 +51,7 @@ def contact_grid(spec: ObjectSpec) -> PlaceGrid:
     return PlaceGrid(x, y)
 
 
+@once
 def press_lattice(spec: ObjectSpec) -> PlaceGrid:
     """The contact grid refined by two, with half a pitch of margin: (2n + 1) places an axis.
 
@@ -60,6 +63,7 @@ def press_lattice(spec: ObjectSpec) -> PlaceGrid:
     return PlaceGrid(x, y)
 
 
+@once
 def grid_places_in_lattice(spec: ObjectSpec) -> Int[np.ndarray, "place"]:
     """Lattice place of each contact place, in the order of the contact grid."""
     nx, ny = spec.contact_grid.count
@@ -114,6 +118,7 @@ class ShellBodies:
         return self.outline.area_mm2 * self.height_mm
 
 
+@once
 def shell_body_layout(spec: ObjectSpec) -> ShellBodies:
     """What moves with the silicone, face by face."""
     bodies = shell_bodies(spec)
@@ -121,6 +126,7 @@ def shell_body_layout(spec: ObjectSpec) -> ShellBodies:
     return ShellBodies(*_in_object(face_frames(spec), bodies), first.outline, first.height_mm)
 
 
+@once
 def magnet_layout(spec: ObjectSpec) -> MagnetLayout:
     """All magnets, face by face, as designed or as `as_built` found them; axes point north."""
     in_shell = spec.arrangement == "sensors-in-core"
@@ -131,6 +137,7 @@ def magnet_layout(spec: ObjectSpec) -> MagnetLayout:
     return magnets_as_built(spec, designed, frames)
 
 
+@once
 def sensor_layout(spec: ObjectSpec) -> SensorLayout:
     """All sensors, face by face, as designed or as `as_built` found them; azimuths run
     counter-clockwise from x, seen from outside.
@@ -191,3 +198,72 @@ def slipped(layout: Layout, slip: SlipSpec) -> Layout:
         return replace(layout, position_mm=position, axes=layout.axes @ turn)
     centre = layout.centre_mm @ turn + shift
     return replace(layout, centre_mm=centre, axis=layout.axis @ turn, side=layout.side @ turn)
+
+
+_AXIS_NAMES = "XYZ"
+
+
+def magnets_as_built(
+    spec: ObjectSpec, designed: MagnetLayout, frames: tuple[FaceFrame, ...]
+) -> MagnetLayout:
+    """Magnets where `as_built` found them; `frames` are those of the surfaces that they sit under."""
+    layout = designed
+    of_face = {frame.number: frame for frame in frames}
+    for found in spec.as_built.magnets:
+        row = _row(layout.face, found.face, found.magnet)
+        layout = _with_magnet(spec, layout, row, found, of_face[found.face])
+    return layout
+
+
+def _with_magnet(
+    spec: ObjectSpec, layout: MagnetLayout, row: int, found: BuiltMagnet, frame: FaceFrame
+) -> MagnetLayout:
+    centre, axis, side, strength = (
+        given.copy() for given in (layout.centre_mm, layout.axis, layout.side, layout.strength)
+    )
+    if found.centre_mm is not None:
+        centre[row] = frame.to_object(np.array(found.centre_mm))
+    if found.axis is not None:
+        axis[row] = _unit(frame.axes @ np.array(found.axis))
+        side[row] = _unit(side[row] - (side[row] @ axis[row]) * axis[row])
+    if found.flipped:
+        axis[row] = -axis[row]
+    if found.remanence_t is not None:
+        strength[row] = found.remanence_t / spec.magnets.remanence_t
+    return replace(layout, centre_mm=centre, axis=axis, side=side, strength=strength)
+
+
+def sensors_as_built(
+    spec: ObjectSpec, designed: SensorLayout, frames: tuple[FaceFrame, ...]
+) -> SensorLayout:
+    """Sensors where `as_built` found them; `frames` are those of the surfaces that they sit under."""
+    from scipy.spatial.transform import Rotation
+
+    of_face = {frame.number: frame for frame in frames}
+    position, axes = designed.position_mm.copy(), designed.axes.copy()
+    for found in spec.as_built.sensors:
+        row, frame = _row(designed.face, found.face, found.sensor), of_face[found.face]
+        if found.position_mm is not None:
+            position[row] = frame.to_object(np.array(found.position_mm))
+        turn = Rotation.from_rotvec(frame.axes @ np.deg2rad(found.rotation_deg)).as_matrix()
+        axes[row] = axes[row] @ turn.T
+    return replace(designed, position_mm=position, axes=axes)
+
+
+def live_channels(spec: ObjectSpec) -> Bool[np.ndarray, "sensor 3"]:
+    """Which channels work: the axes that the part measures, but those that `as_built` calls dead."""
+    count, faces = spec.sensors.count_per_face, spec.body.sensed
+    live = np.zeros((len(faces) * count, 3), bool)
+    live[:, [_AXIS_NAMES.index(axis) for axis in spec.sensors.axes]] = True
+    for found in spec.as_built.sensors:
+        row = faces.index(found.face) * count + found.sensor - 1
+        live[row, [_AXIS_NAMES.index(axis) for axis in found.dead]] = False
+    return live
+
+
+def _row(face: Int[np.ndarray, "part"], number: int, count_from_1: int) -> int:
+    return int(np.flatnonzero(face == number)[count_from_1 - 1])
+
+
+def _unit(vector: Float[np.ndarray, "3"]) -> Float[np.ndarray, "3"]:
+    return vector / np.linalg.norm(vector)

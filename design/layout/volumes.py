@@ -5,10 +5,10 @@ from __future__ import annotations
 from math import prod
 
 from design.body.blocks import keys_volume_mm3, slits_volume_mm3
+from design.body.kinds import face_frames
 from design.body.volume import body_volume_mm3
 from design.layout.core_hold import locators
 from design.layout.pockets import shell_pockets
-from design.layout.positions import face_frames
 from design.spec.object import ObjectSpec
 
 

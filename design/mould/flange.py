@@ -13,6 +13,7 @@ from design.layout.mould_frame import MouldFrame, mould_frame, parting, play_mm
 from design.mould.pins import Pin, loose_pins
 from design.mould.plug import CLIP_REACH_MM
 from design.spec.object import ObjectSpec
+from design.spec.worked_out import once
 
 FLANGE_THICKNESS_MM = 4.0
 FLANGE_LENGTH_MM = 26.0
@@ -65,6 +66,7 @@ class Flange:
         )
 
 
+@once
 def flanges(spec: ObjectSpec) -> tuple[Flange, Flange]:
     """Of both ends of the seam, clear of the plug's clips, as long as dowels and bolts need."""
     frame, wide = mould_frame(spec), spec.mould.flange_mm
@@ -92,7 +94,7 @@ def _block_ends_mm(spec: ObjectSpec, frame: MouldFrame) -> tuple[float, float]:
 
 
 def _notches(
-    spec: ObjectSpec, pins: list[Pin], low: float, high: float, bottom: float, top: float
+    spec: ObjectSpec, pins: tuple[Pin, ...], low: float, high: float, bottom: float, top: float
 ) -> tuple[tuple[float, float], ...]:
     """Stretches through which pins are drawn, joined where too little is between or beyond them."""
     found = [_levels(spec, pin, low, high) for pin in pins]

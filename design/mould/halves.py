@@ -15,11 +15,11 @@ import numpy as np
 
 from design.layout.mould_frame import mould_frame, parting, play_mm
 from design.mould.flange import FLANGE_THICKNESS_MM, Flange, flanges
-from design.mould.one_piece import fins_to_walls, walls
 from design.mould.openings import mould_holes
 from design.mould.pins import fixed_bosses, loose_pins, pin_holes
 from design.mould.plug import rod_hole
 from design.mould.room import cast_room
+from design.mould.walls import fins_to_walls, walls
 from design.solids.booleans import Shape, Solid, common, cut, join, one_body
 from design.solids.primitives import OVERSHOOT_MM, box_between, tapered_rod
 from design.spec.object import ObjectSpec

@@ -93,12 +93,14 @@ def air_traps(spec: ObjectSpec, shell: trimesh.Trimesh, holes: tuple[Hole, ...])
 
 def _vents(spec: ObjectSpec, pour: tuple[Hole, ...]) -> list[Hole]:
     shell = sampled_shell(spec)
-    pins = loose_pins(spec) if mould_style(spec) == "split" else []
+    pins = loose_pins(spec) if mould_style(spec) == "split" else ()
     vents = [_vent(spec, shell, pins, trap) for trap in air_traps(spec, shell, pour)]
     return [vent for vent in vents if vent is not None]
 
 
-def _vent(spec: ObjectSpec, shell: trimesh.Trimesh, pins: list[Pin], trap: Trap) -> Hole | None:
+def _vent(
+    spec: ObjectSpec, shell: trimesh.Trimesh, pins: tuple[Pin, ...], trap: Trap
+) -> Hole | None:
     """The first of some directions in which neither silicone nor a pin is in the way; or None."""
     solid, diameter = manifold_of(shell), vent_diameter_mm(spec)
     for outward in (0.0, 0.5, 1.0, 2.0):

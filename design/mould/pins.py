@@ -15,14 +15,16 @@ import cadquery as cq
 import numpy as np
 from jaxtyping import Float
 
+from design.body.kinds import face_frames
+from design.body.surface_chart import FaceFrame
 from design.layout.core_hold import LOCATOR_NOSE_MM, Locator, locators
 from design.layout.mould_frame import mould_frame, parting, play_mm
 from design.layout.pockets import Body, Outline, Pocket, distance_of_segments_mm, shell_pockets
-from design.layout.positions import FaceFrame, face_frames
 from design.mould.room import core_outside
 from design.solids.booleans import Shape, Solid, cut, join, one_body
 from design.solids.primitives import OVERSHOOT_MM, cylinder_on_face, pocket_prism, pocket_solid
 from design.spec.object import ObjectSpec
+from design.spec.worked_out import once
 
 PIN_HEAD_MM = 2.0
 PIN_HEAD_RIM_MM = 1.5
@@ -82,7 +84,8 @@ class Pin:
         return self.frame.to_object(floor + rise * axis)
 
 
-def loose_pins(spec: ObjectSpec) -> list[Pin]:
+@once
+def loose_pins(spec: ObjectSpec) -> tuple[Pin, ...]:
     """Pins of pockets that do not point along the pull, face by face, then locating pins."""
     met = _met(spec)
     pins = [
@@ -92,7 +95,7 @@ def loose_pins(spec: ObjectSpec) -> list[Pin]:
     ]
     pins += [_locating_pin(spec, locator) for locator in locators(spec)]
     rim = _rim_mm(spec, pins)
-    return [replace(pin, rim_mm=rim) for pin in pins]
+    return tuple(replace(pin, rim_mm=rim) for pin in pins)
 
 
 def fixed_bosses(spec: ObjectSpec, side: int) -> list[cq.Solid]:
@@ -107,7 +110,7 @@ def fixed_bosses(spec: ObjectSpec, side: int) -> list[cq.Solid]:
     ]
 
 
-def pin_kinds(pins: list[Pin]) -> list[tuple[str, int, int]]:
+def pin_kinds(pins: tuple[Pin, ...]) -> list[tuple[str, int, int]]:
     """Name of each kind of pin, the index of its first, and how many are alike.
 
     Pins are alike where outline, depth and tilt of their pockets and the lengths of their heads are;

@@ -27,7 +27,7 @@ STRUCTURE = (
 
 
 def with_structure(spec: ObjectSpec, params: Mapping[str, Any]) -> ObjectSpec:
-    """The specification with the layout's choices but the old places: not checked as a whole.
+    """The specification with the layout's choices but the old places: not validated as a whole.
 
     What was measured on the built object goes, as another object is meant.
     """
@@ -36,13 +36,26 @@ def with_structure(spec: ObjectSpec, params: Mapping[str, Any]) -> ObjectSpec:
     if "magnet_part" in chosen:
         update |= _with_part(spec, chosen["magnet_part"])
     if "magnet_count" in chosen:
-        unplaced = {"positions_mm": ((0.0, 0.0),) * chosen["magnet_count"]}
-        update["magnets"] = update.get("magnets", spec.magnets).model_copy(update=unplaced)
+        unplaced = _unplaced(spec, chosen["magnet_count"])
+        update["magnets"] = update.get("magnets", spec.magnets).changed(**unplaced)
     if "silicone" in chosen:
         update["silicone"] = SiliconeSpec(name=chosen["silicone"])
     update |= _with_sizes(spec, update.get("shell", spec.shell), chosen)
     update["sensors"] = _with_sensors(spec, chosen)
-    return spec.model_copy(update=update)
+    fields = spec.model_fields_set | update.keys()
+    return ObjectSpec.model_construct(fields, **(dict(spec) | update))
+
+
+def _unplaced(spec: ObjectSpec, count: int) -> dict[str, Any]:
+    """Magnets of which all that the search varies is still to be given."""
+    vary = spec.search.vary
+    varied = {
+        "depth_mm": (vary.magnet_depth_mm, None),
+        "tilt_deg": (vary.magnet_tilt_deg, ()),
+        "north": (vary.magnet_north or None, ()),
+    }
+    reset = {name: empty for name, (range_, empty) in varied.items() if range_ is not None}
+    return reset | {"positions_mm": ((0.0, 0.0),) * count}
 
 
 def _with_part(spec: ObjectSpec, name: str) -> dict[str, Any]:
@@ -61,7 +74,7 @@ def _with_part(spec: ObjectSpec, name: str) -> dict[str, Any]:
         "pocket_diameter_mm": shell.pocket_diameter_mm + wider,
         "pocket_depth_mm": shell.pocket_depth_mm + taller,
     }
-    return {"magnets": new, "shell": shell.model_copy(update=pocket)}
+    return {"magnets": new, "shell": shell.changed(**pocket)}
 
 
 def _with_sizes(spec: ObjectSpec, shell: Any, chosen: dict[str, Any]) -> dict[str, Any]:
@@ -73,8 +86,8 @@ def _with_sizes(spec: ObjectSpec, shell: Any, chosen: dict[str, Any]) -> dict[st
         edges = (chosen["core_size_mm"],) * 3
     size = tuple(edge + 2 * thickness for edge in edges)
     return {
-        "shell": shell.model_copy(update={"thickness_mm": thickness}),
-        "body": spec.body.model_copy(update={"size_mm": size}),
+        "shell": shell.changed(thickness_mm=thickness),
+        "body": spec.body.changed(size_mm=size),
     }
 
 

@@ -6,10 +6,10 @@ import cadquery as cq
 import numpy as np
 
 from design.body.blocks import core_keys
-from design.body.kinds import FACE_AXES, core_half_mm
+from design.body.kinds import core_frames, core_half_mm
+from design.body.surface_chart import FACE_AXES, FaceFrame
 from design.layout.core_hold import wire_hole_diameter_mm
 from design.layout.pockets import core_pockets, sensor_places
-from design.layout.positions import FaceFrame, core_frames
 from design.solids.body import core_hollow, core_solid
 from design.solids.primitives import (
     OVERSHOOT_MM,

@@ -8,9 +8,9 @@ import cadquery as cq
 import numpy as np
 
 from design.body.blocks import Block
+from design.body.surface_chart import FaceFrame
 from design.errors import NotOneSolid
 from design.layout.pockets import Pocket
-from design.layout.positions import FaceFrame
 
 OVERSHOOT_MM = 0.5
 """Cutters and bosses pass the surface they cross by this much: coplanar faces are never cut."""

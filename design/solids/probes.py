@@ -5,9 +5,9 @@ from __future__ import annotations
 import cadquery as cq
 import numpy as np
 
-from design.layout.tip_shapes import footprint_mm, tip_places_mm
+from design.layout.tips import footprint_mm, tip_places_mm
 from design.solids.primitives import OVERSHOOT_MM, box_between, single_solid
-from design.spec.indenter import IndenterSpec
+from design.spec.mechanics import IndenterSpec
 from design.spec.object import ObjectSpec
 
 SHAFT_LENGTH_MM = 10.0
@@ -31,7 +31,7 @@ def make_probe(spec: ObjectSpec, tips: int) -> cq.Solid:
     """
     indenter = spec.indenter
     if tips != indenter.tip_count:
-        indenter = indenter.model_copy(update={"tip_count": tips, "tip_spacing_mm": None})
+        indenter = indenter.changed(tip_count=tips, tip_spacing_mm=None)
     tip = _hemisphere(indenter) if indenter.kind == "hemisphere" else _body(indenter)
     plate_z = _top_of_tip_mm(indenter, tip) + SHAFT_LENGTH_MM
     shaft = _shaft(indenter, tip, plate_z)
@@ -68,7 +68,7 @@ def _body(indenter: IndenterSpec) -> cq.Shape:
     turns = zip(np.eye(3)[[2, 0, 1]], (indenter.yaw_deg, *indenter.tilt_deg), strict=True)
     for axis, angle in turns:
         solid = solid.rotate(_ORIGIN, cq.Vector(*axis), angle)
-    box, low = solid.BoundingBox(), footprint_mm(indenter.model_copy(update={"tip_count": 1}))
+    box, low = solid.BoundingBox(), footprint_mm(indenter.changed(tip_count=1))
     return solid.translate(cq.Vector(low[0, 0] - box.xmin, low[0, 1] - box.ymin, -box.zmin))
 
 

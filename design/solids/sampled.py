@@ -7,14 +7,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from design.body.blocks import core_keys, relief_slits
-from design.body.kinds import core_half_mm
+from design.body.kinds import core_frames, core_half_mm, face_frames
 from design.body.meshes import one_closed_surface
 from design.body.sampled import sampled_core
 from design.body.surface import block_surface, cavity_surface, outer_surface
+from design.body.surface_chart import FaceFrame
 from design.layout.core_hold import Locator, core_outlet, locators
 from design.layout.mould_frame import cast_corners_mm
 from design.layout.pockets import Pocket, sensor_places, shell_pockets
-from design.layout.positions import FaceFrame, core_frames, face_frames
 
 if TYPE_CHECKING:
     import trimesh
@@ -93,8 +93,8 @@ def _hollow(spec: ObjectSpec) -> trimesh.Trimesh:
     hollow = trimesh.creation.cylinder(outlet.radius_mm, length, sections=_SECTIONS)
     hollow.apply_translation((0, 0, -length / 2))
     if core_half_mm(spec).min() - wall > _LEAST_HOLLOW_MM:
-        shell = spec.shell.model_copy(update={"thickness_mm": spec.shell.thickness_mm + wall})
-        hollow = hollow.union(sampled_core(spec.model_copy(update={"shell": shell})))
+        shell = spec.shell.changed(thickness_mm=spec.shell.thickness_mm + wall)
+        hollow = hollow.union(sampled_core(spec.changed(shell=shell)))
     return hollow.difference(trimesh.creation.box(bounds=outlet.key_mm))
 
 

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from collections.abc import Mapping
+from typing import Annotated, Any, TypeVar
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+
+from design.errors import SpecError
 
 Positive = Annotated[float, Field(gt=0, allow_inf_nan=False)]
 NonNegative = Annotated[float, Field(ge=0, allow_inf_nan=False)]
 Finite = Annotated[float, Field(allow_inf_nan=False)]
+Part = TypeVar("Part", bound="SpecPart")
 Count = Annotated[int, Field(ge=1)]
 
 
@@ -16,3 +20,38 @@ class SpecPart(BaseModel):
     """Frozen; unknown keys are refused."""
 
     model_config = ConfigDict(frozen=True, extra="forbid")
+
+    def changed(self: Part, **fields: Any) -> Part:
+        """A copy with other values of these fields, validated together with all that stay.
+
+        Figures that were once taken from a part or preset stay as they are. Whether everything
+        still fits together is asked of `design.spec_io.check`.
+
+        Raises
+        ------
+        SpecError
+            There is no such field, or the values break a rule.
+        """
+        try:
+            validated = self.model_validate(dict(self) | fields)
+        except ValidationError as error:
+            raise SpecError("\n".join(map(explained, error.errors()))) from None
+        return super().model_copy(update={name: getattr(validated, name) for name in fields})
+
+    def model_copy(
+        self: Part, *, update: Mapping[str, Any] | None = None, deep: bool = False
+    ) -> Part:
+        """As pydantic's, but what is updated is validated (`changed`)."""
+        return self.changed(**update) if update else super().model_copy(deep=deep)
+
+
+def explained(problem: Any) -> str:
+    """One of pydantic's errors in words: where, what is wrong, what was received."""
+    where = ".".join(str(part) for part in problem["loc"])
+    message = problem["msg"].removeprefix("Value error, ")
+    if problem["type"] == "value_error":
+        return message
+    if problem["type"] == "missing":
+        return f"{where} is missing. Add it"
+    received = "" if isinstance(problem.get("input"), dict) else f"; got {problem.get('input')!r}"
+    return f"{where}: {message}{received}"

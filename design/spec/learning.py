@@ -1,4 +1,4 @@
-"""What a specification asks of simulated recordings on the scale of the paper's."""
+"""Learning in a specification: scores, simulated presses and recordings, training, limits."""
 
 from __future__ import annotations
 
@@ -69,3 +69,97 @@ class CollectionSpec(SpecPart):
                 f"{self.kind!r} and {self.contacts}. Set them so, or tangential_share = 0"
             )
         return self
+
+
+HullForm = Literal["covariance", "exact", "monte-carlo"]
+LARGEST_EXACT_HULL_FRAMES = 100
+
+
+class ScoreSpec(SpecPart):
+    """At which force places are judged, from whose channels, and how the convex hull is measured.
+
+    `channels` says whose sensors the bounds read: the pressed face's own, or those of all faces.
+    `hull_frames` is N of the convex-hull sensitivity δ, which is always that of the own channels.
+    """
+
+    force_n: Positive = 8.0
+    channels: Literal["own", "all"] = "own"
+    hull: HullForm = "covariance"
+    hull_frames: Annotated[int, Field(ge=12)] = 1000
+
+    @model_validator(mode="after")
+    def _hull_is_feasible(self) -> ScoreSpec:
+        if self.hull == "exact" and self.hull_frames > LARGEST_EXACT_HULL_FRAMES:
+            raise ValueError(
+                f"score.hull = 'exact' takes at most {LARGEST_EXACT_HULL_FRAMES} frames; got "
+                f"score.hull_frames = {self.hull_frames}. Lower it (seconds a place at 100), or use "
+                "'monte-carlo' or 'covariance'"
+            )
+        return self
+
+
+class ProtocolSpec(SpecPart):
+    """Simulated calibration presses: travel periodic, each press with its own disturbances."""
+
+    presses_per_place: Annotated[int, Field(ge=3)] = 6
+    frames_per_press: Annotated[int, Field(ge=4)] = 40
+    rest_frames_per_press: Annotated[int, Field(ge=2)] = 8
+    peak_force_n: tuple[Positive, Positive] = (10.0, 20.0)
+    peak_force_spread: Annotated[float, Field(ge=0, lt=0.9)] = 0.1
+    lateral_jitter_mm: NonNegative = 0.3
+    force_noise_n: NonNegative = 0.12
+
+    @model_validator(mode="after")
+    def _peak_range(self) -> ProtocolSpec:
+        low, high = self.peak_force_n
+        if low > high:
+            raise ValueError(
+                f"protocol.peak_force_n must be [lowest, highest]; got [{low:g}, {high:g}]. Swap them"
+            )
+        return self
+
+
+class TrainingSpec(SpecPart):
+    """Contact estimator, one a face.
+
+    `model`: "compact" reads the face's own sensors, "whole-object" those of every face, so that it
+    copes with presses on other faces; "paper" is the network and recipe of Knopke et al. (RA-L
+    2024), for which `hidden_units`, `batch_size` and `learning_rate` are its own; "linear" is ridge
+    regression. `output`: a "heatmap" of any number of contacts, or the "position" of one contact,
+    which places that training never saw need (compact and whole-object only). `heatmap_axes`: 1
+    for the normal force, 3 for Fx, Fy, Fz. With `history_frames` the estimator also reads the change
+    over so many frames, which tells loading from unloading (hysteresis of the silicone). `members`:
+    networks that are averaged, each stopped and calibrated by its own fold of the presses. Intervals
+    cover the share `interval_cover`. `twins`: simulated objects that `instobj pretrain` draws within
+    `[tolerances]`, or `--twin` within what labelled presses leave possible.
+    """
+
+    model: Literal["compact", "whole-object", "paper", "linear"] = "compact"
+    output: Literal["heatmap", "position"] = "heatmap"
+    heatmap_axes: Literal[1, 3] = 1
+    history_frames: Annotated[int, Field(ge=0, le=100)] = 0
+    hidden_units: Annotated[tuple[Count, ...], Field(min_length=1)] = (256, 256, 256)
+    epochs: Count = 40
+    batch_size: Count = 512
+    learning_rate: Positive = 3e-3
+    patience_epochs: Count = 15
+    members: Annotated[int, Field(ge=1, le=20)] = 1
+    interval_cover: Annotated[float, Field(gt=0, lt=1)] = 0.9
+    twins: Annotated[int, Field(ge=2, le=1000)] = 10
+
+    @model_validator(mode="after")
+    def _output_of_model(self) -> TrainingSpec:
+        if self.output == "position" and self.model in ("paper", "linear"):
+            raise ValueError(
+                f"training.model = {self.model!r} draws heatmaps only; got training.output = "
+                "'position'. Use model 'compact' or 'whole-object', or output 'heatmap'"
+            )
+        return self
+
+
+class LimitsSpec(SpecPart):
+    """Go or no-go limits of the report."""
+
+    position_bound_mm: Positive = 1.5
+    detectable_force_n: Positive = 1.0
+    saturation_margin: Annotated[float, Field(gt=0, lt=1)] = 0.1

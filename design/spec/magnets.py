@@ -10,12 +10,13 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field, model_validator
 
-from design.catalogue.hall_sensors import (
+from design.catalogue.magnets import (
     REFERENCE_TEMPERATURE_C,
+    MagnetShape,
     magnet_grade,
+    magnet_part,
     remanence_at_temperature_t,
 )
-from design.catalogue.magnets import MagnetShape, magnet_part
 from design.spec.base import Finite, NonNegative, Positive, SpecPart
 
 MU0_T_MM_PER_A = 4e-4 * pi

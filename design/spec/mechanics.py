@@ -1,4 +1,4 @@
-"""What a specification asks of simulation: presses, mesh, mechanics, scores, training, limits."""
+"""Mechanics in a specification: contact locations, indenter, presses, mesh, model, slip."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
-from design.spec.base import Count, NonNegative, Positive, SpecPart
+from design.spec.base import Finite, NonNegative, Positive, SpecPart
 
 Shift = Annotated[float, Field(ge=-3, le=3)]
 Turn = Annotated[float, Field(ge=-10, le=10)]
@@ -105,95 +105,54 @@ class MechanicsSpec(SpecPart):
         return self
 
 
-HullForm = Literal["covariance", "exact", "monte-carlo"]
-LARGEST_EXACT_HULL_FRAMES = 100
+Direction = Annotated[float, Field(ge=-60, le=60)]
+Tilt = Annotated[float, Field(ge=-45, le=45)]
+Vertices = Annotated[tuple[tuple[Finite, Finite, Finite], ...], Field(min_length=4)]
 
 
-class ScoreSpec(SpecPart):
-    """At which force places are judged, from whose channels, and how the convex hull is measured.
+class IndenterSpec(SpecPart):
+    """Rigid indenter pressed into a face; each kind reads its own sizes.
 
-    `channels` says whose sensors the bounds read: the pressed face's own, or those of all faces.
-    `hull_frames` is N of the convex-hull sensitivity δ, which is always that of the own channels.
+    hemisphere: `radius_mm`. flat: a disk of `radius_mm`. cylinder: `radius_mm` and `length_mm`, lying
+    along the face's x. cuboid: `size_mm`. stl: the convex body in `file`, its lowest point down. The
+    edges of flat and cuboid are rounded by `fillet_mm`. `yaw_deg` turns the indenter about the face's
+    normal, then `tilt_deg` about the face's x and y; the place pressed is where its lowest point
+    lands. `direction_deg` is how far its path leans from the inward normal towards x and y: at depth
+    d it has moved sideways by d tan of them. A probe has `tip_count` tips, `tip_spacing_mm` apart
+    (left out: as the paper's, 15 mm for two and 20 mm for three) about the place pressed.
     """
 
-    force_n: Positive = 8.0
-    channels: Literal["own", "all"] = "own"
-    hull: HullForm = "covariance"
-    hull_frames: Annotated[int, Field(ge=12)] = 1000
+    kind: Literal["hemisphere", "flat", "cylinder", "cuboid", "stl"] = "hemisphere"
+    radius_mm: Positive = 5.0
+    length_mm: Positive = 10.0
+    size_mm: tuple[Positive, Positive] = (10.0, 10.0)
+    fillet_mm: NonNegative = 0.0
+    file: str | None = None
+    vertices_mm: Vertices | None = None
+    yaw_deg: Finite = 0.0
+    tilt_deg: tuple[Tilt, Tilt] = (0.0, 0.0)
+    direction_deg: tuple[Direction, Direction] = (0.0, 0.0)
+    friction: Literal["none", "sticking"] = "none"
+    tip_count: Literal[1, 2, 3] = 1
+    tip_spacing_mm: Positive | None = None
 
     @model_validator(mode="after")
-    def _hull_is_feasible(self) -> ScoreSpec:
-        if self.hull == "exact" and self.hull_frames > LARGEST_EXACT_HULL_FRAMES:
+    def _shape_is_whole(self) -> IndenterSpec:
+        if (self.kind == "stl") != (self.vertices_mm is not None):
             raise ValueError(
-                f"score.hull = 'exact' takes at most {LARGEST_EXACT_HULL_FRAMES} frames; got "
-                f"score.hull_frames = {self.hull_frames}. Lower it (seconds a place at 100), or use "
-                "'monte-carlo' or 'covariance'"
+                f"indenter.file goes with indenter.kind = 'stl', and that kind needs it; got kind "
+                f"{self.kind!r} and file {self.file!r}. Give the STL of a convex body in mm, or "
+                "another kind"
+            )
+        if self.kind == "hemisphere" and any(self.tilt_deg):
+            raise ValueError(
+                f"indenter.tilt_deg = {list(self.tilt_deg)} does nothing to a hemisphere. Set it to "
+                "[0, 0], or indenter.direction_deg for an oblique path"
+            )
+        room = {"flat": self.radius_mm, "cuboid": min(self.size_mm) / 2}.get(self.kind, 0.0)
+        if self.fillet_mm and not self.fillet_mm < room:
+            raise ValueError(
+                f"indenter.fillet_mm rounds the edges of flat and cuboid and must be below half their "
+                f"width; got {self.fillet_mm:g} for kind {self.kind!r} ({room:g} mm). Make it smaller"
             )
         return self
-
-
-class ProtocolSpec(SpecPart):
-    """Simulated calibration presses: travel periodic, each press with its own disturbances."""
-
-    presses_per_place: Annotated[int, Field(ge=3)] = 6
-    frames_per_press: Annotated[int, Field(ge=4)] = 40
-    rest_frames_per_press: Annotated[int, Field(ge=2)] = 8
-    peak_force_n: tuple[Positive, Positive] = (10.0, 20.0)
-    peak_force_spread: Annotated[float, Field(ge=0, lt=0.9)] = 0.1
-    lateral_jitter_mm: NonNegative = 0.3
-    force_noise_n: NonNegative = 0.12
-
-    @model_validator(mode="after")
-    def _peak_range(self) -> ProtocolSpec:
-        low, high = self.peak_force_n
-        if low > high:
-            raise ValueError(
-                f"protocol.peak_force_n must be [lowest, highest]; got [{low:g}, {high:g}]. Swap them"
-            )
-        return self
-
-
-class TrainingSpec(SpecPart):
-    """Contact estimator, one a face.
-
-    `model`: "compact" reads the face's own sensors, "whole-object" those of every face, so that it
-    copes with presses on other faces; "paper" is the network and recipe of Knopke et al. (RA-L
-    2024), for which `hidden_units`, `batch_size` and `learning_rate` are its own; "linear" is ridge
-    regression. `output`: a "heatmap" of any number of contacts, or the "position" of one contact,
-    which places that training never saw need (compact and whole-object only). `heatmap_axes`: 1
-    for the normal force, 3 for Fx, Fy, Fz. With `history_frames` the estimator also reads the change
-    over so many frames, which tells loading from unloading (hysteresis of the silicone). `members`:
-    networks that are averaged, each stopped and calibrated by its own fold of the presses. Intervals
-    cover the share `interval_cover`. `twins`: simulated objects that `instobj pretrain` draws within
-    `[tolerances]`, or `--twin` within what labelled presses leave possible.
-    """
-
-    model: Literal["compact", "whole-object", "paper", "linear"] = "compact"
-    output: Literal["heatmap", "position"] = "heatmap"
-    heatmap_axes: Literal[1, 3] = 1
-    history_frames: Annotated[int, Field(ge=0, le=100)] = 0
-    hidden_units: Annotated[tuple[Count, ...], Field(min_length=1)] = (256, 256, 256)
-    epochs: Count = 40
-    batch_size: Count = 512
-    learning_rate: Positive = 3e-3
-    patience_epochs: Count = 15
-    members: Annotated[int, Field(ge=1, le=20)] = 1
-    interval_cover: Annotated[float, Field(gt=0, lt=1)] = 0.9
-    twins: Annotated[int, Field(ge=2, le=1000)] = 10
-
-    @model_validator(mode="after")
-    def _output_of_model(self) -> TrainingSpec:
-        if self.output == "position" and self.model in ("paper", "linear"):
-            raise ValueError(
-                f"training.model = {self.model!r} draws heatmaps only; got training.output = "
-                "'position'. Use model 'compact' or 'whole-object', or output 'heatmap'"
-            )
-        return self
-
-
-class LimitsSpec(SpecPart):
-    """Go or no-go limits of the report."""
-
-    position_bound_mm: Positive = 1.5
-    detectable_force_n: Positive = 1.0
-    saturation_margin: Annotated[float, Field(gt=0, lt=1)] = 0.1

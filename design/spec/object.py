@@ -7,47 +7,33 @@ densities in T (fields of sensors in mT), forces in N. Defaults are the paper's 
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
-from design.fit.box import require_fit
-from design.spec.assembly import AsBuiltSpec
+from design.spec.assembly import AsBuiltSpec, TolerancesSpec
 from design.spec.base import SpecPart
-from design.spec.body import BodySpec
+from design.spec.body import BodySpec, CoreSpec, ShellSpec
 from design.spec.environment import EnvironmentSpec
 from design.spec.fabrication import ExportSpec, MouldSpec, PrinterSpec
-from design.spec.hardware import (
-    CoreSpec,
-    ShellSpec,
-)
-from design.spec.indenter import IndenterSpec
-from design.spec.learning import CollectionSpec
+from design.spec.learning import CollectionSpec, LimitsSpec, ProtocolSpec, ScoreSpec, TrainingSpec
 from design.spec.magnets import MagnetSpec
-from design.spec.mechanics import (
-    ContactGridSpec,
-    LimitsSpec,
-    MechanicsSpec,
-    MeshSpec,
-    PressSpec,
-    ProtocolSpec,
-    ScoreSpec,
-    TrainingSpec,
-)
+from design.spec.mechanics import ContactGridSpec, IndenterSpec, MechanicsSpec, MeshSpec, PressSpec
 from design.spec.search import SearchSpec
 from design.spec.sensors import FACES_OF_A_CUBE, SensorSpec, fastest_frame_rate_hz
 from design.spec.silicone import SiliconeSpec
-from design.spec.tolerances import TolerancesSpec
-
-SINGLE_PRESSES = "single presses"
-"""Context of validation that leaves open whether the indenter fits at every contact place."""
 
 LARGEST_RATIO_WITHOUT_PRESSURE = 0.4999
 """Poisson's ratio beyond which λ = E ν / ((1 + ν)(1 − 2ν)) alone spoils the factorization's digits."""
 
 
 class ObjectSpec(SpecPart):
-    """A whole instrumented object with everything that its simulation needs."""
+    """A whole instrumented object with everything that its simulation needs.
+
+    Every field and what fields say of each other is validated here. Whether core, pockets, sensors,
+    presses and mould fit together needs geometry and is asked of `design.spec_io.check`, which
+    `load_spec` and `parse_spec` do.
+    """
 
     name: Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.-]*$", max_length=80)]
     seed: Annotated[int, Field(ge=0)] = 1
@@ -121,9 +107,4 @@ class ObjectSpec(SpecPart):
     def _as_built_parts_exist(self) -> ObjectSpec:
         magnets, sensors = len(self.magnets.positions_mm), self.sensors.count_per_face
         self.as_built.require_known(magnets, sensors, self.body.sensed)
-        return self
-
-    @model_validator(mode="after")
-    def _everything_fits(self, info: Any) -> ObjectSpec:
-        require_fit(self, table=info.context != SINGLE_PRESSES)
         return self

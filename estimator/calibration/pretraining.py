@@ -87,12 +87,12 @@ def _drawn_presses(
         "frames_per_press": FRAMES_PER_PRESS,
         "rest_frames_per_press": REST_FRAMES_PER_PRESS,
     }
-    protocol, parts = spec.protocol.model_copy(update=shorter), []
+    protocol, parts = spec.protocol.changed(**shorter), []
     for number in range(count):
         seed = spec.seed + _FIRST_SEED + number
         if progress is not None:
             progress(f"presses of twin {number + 1} of {count}")
-        drawn = spec.model_copy(update={"seed": seed, "protocol": protocol})
+        drawn = spec.changed(seed=seed, protocol=protocol)
         frames = simulate_presses(drawn, signals_of(seed), f"twin {number}")
         frames.session_id[:] = 0
         parts.append(frames)

@@ -110,7 +110,7 @@ def _numbers(path: Path, header: list[str]) -> Float[np.ndarray, "row column"]:
 def _with_silent(
     spec: ObjectSpec, counts: Float[np.ndarray, "channel"], frames: int, silent: dict[str, str]
 ) -> Resting:
-    from design.layout.as_built import live_channels
+    from design.layout.positions import live_channels
 
     names, counts = channel_names(spec), counts.copy()
     silent = dict(silent)

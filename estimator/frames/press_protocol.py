@@ -13,8 +13,7 @@ from typing import Any
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
-from design.layout.as_built import live_channels
-from design.layout.positions import contact_grid
+from design.layout.positions import contact_grid, live_channels
 from design.spec.object import ObjectSpec
 from estimator.frames.dataset import NO_FACE, FrameSet
 from estimator.signals.hall import read_out

@@ -13,8 +13,8 @@ from typing import Literal
 import numpy as np
 from jaxtyping import Float, Int
 
-from design.layout.as_built import live_channels
-from design.layout.positions import face_frames, grid_places_in_lattice
+from design.body.kinds import face_frames
+from design.layout.positions import grid_places_in_lattice, live_channels
 from design.spec.object import ObjectSpec
 from estimator.information.fisher import disturbance_counts
 from estimator.information.sensitivity import own_channels

@@ -13,7 +13,7 @@ import numpy as np
 from jaxtyping import Bool, Float, Int
 
 from design.errors import InputError, SolverError
-from design.spec.mechanics import LARGEST_EXACT_HULL_FRAMES
+from design.spec.learning import LARGEST_EXACT_HULL_FRAMES
 
 DIRECTIONS = 300
 """Directions of a Monte Carlo volume: a standard error of 4 to 6 % in nine channels."""

@@ -23,6 +23,7 @@ from design.errors import InputError
 from design.files import atomic_path
 from design.layout.positions import contact_grid
 from design.spec.object import ObjectSpec
+from design.spec.sensors import fastest_frame_rate_hz
 from estimator.information.fisher import disturbance_counts
 from estimator.information.sensitivity import own_channels
 from estimator.signals.interpolation import press_traces, signal_gradient
@@ -172,8 +173,10 @@ def whitened_jacobians(
     """Derivatives at some contact places for another number of sensors per face."""
     ring = spec.sensors
     if sensors != ring.count_per_face:
-        ring = ring.model_copy(update={"count_per_face": sensors, "positions_mm": None})
-    other = spec.model_copy(update={"sensors": ring})
+        ring = ring.changed(count_per_face=sensors, positions_mm=None)
+        fastest = fastest_frame_rate_hz(ring, len(spec.body.sensed))
+        ring = ring.changed(frame_rate_hz=min(ring.frame_rate_hz, fastest))
+    other = spec.changed(sensors=ring)
     signals = press_signals(other, forces, motions)
     sigma = disturbance_counts(ring, "fresh", signals.baseline_counts.size)
     x, y = contact_grid(spec).xy_mm[places].T

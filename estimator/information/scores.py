@@ -13,8 +13,7 @@ from jaxtyping import Bool, Float, Int
 
 from design.errors import InputError, StoreError
 from design.files import atomic_path
-from design.layout.as_built import live_channels
-from design.layout.positions import PlaceGrid, contact_grid
+from design.layout.positions import PlaceGrid, contact_grid, live_channels
 from design.spec.object import ObjectSpec
 from design.spec.search import WantedCompliance
 from estimator.information.fisher import cramer_rao_bounds, detectable_force_n, disturbance_counts

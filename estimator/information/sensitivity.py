@@ -20,7 +20,7 @@ import numpy as np
 from jaxtyping import Float, Int
 
 from design.errors import InputError
-from design.spec.mechanics import HullForm
+from design.spec.learning import HullForm
 from design.spec.object import SensorSpec
 from estimator.information.hull import (
     exact_hull_volume,

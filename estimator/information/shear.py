@@ -15,8 +15,7 @@ import numpy as np
 from jaxtyping import Float, Int
 
 from design.files import atomic_path
-from design.layout.as_built import live_channels
-from design.layout.positions import PlaceGrid, grid_places_in_lattice
+from design.layout.positions import PlaceGrid, grid_places_in_lattice, live_channels
 from design.spec.object import ObjectSpec
 from estimator.field.models import field_model
 from estimator.field.sources import magnet_source

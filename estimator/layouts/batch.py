@@ -48,7 +48,7 @@ def layouts_of(spec: ObjectSpec, face: int, dtype: torch.dtype = torch.float32) 
         np.asarray(spec.magnets.polarities, dtype=float),
         [(x, y) for x, y, _ in places],
     )
-    return Layouts(*(torch.as_tensor(np.asarray(part)[None], dtype=dtype) for part in parts))
+    return Layouts(*(torch.as_tensor(np.array(part)[None], dtype=dtype) for part in parts))
 
 
 def magnet_axes(layouts: Layouts) -> Float[Tensor, "3 layout magnet"]:

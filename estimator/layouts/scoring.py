@@ -18,8 +18,8 @@ from torch import Tensor
 
 from design.errors import InputError
 from design.layout.positions import chip_on_board
+from design.spec.assembly import TolerancesSpec
 from design.spec.object import ObjectSpec
-from design.spec.tolerances import TolerancesSpec
 from estimator.field.gradient import FieldChange, field_change
 from estimator.field.sources import BlockMagnet, Magnet, magnet_source
 from estimator.information.fisher import NoiseState, disturbance_counts

@@ -14,7 +14,7 @@ import torch
 from jaxtyping import Float
 from torch import Tensor
 
-from design.layout.positions import core_frames, face_frames
+from design.body.kinds import core_frames, face_frames
 from design.search.places import PlaceMap, magnet_map, sensor_map
 from design.search.space import SearchSpace
 from design.spec.object import ObjectSpec
@@ -212,7 +212,7 @@ def _boards_mm(spec: ObjectSpec, layouts: Layouts) -> _Boards:
 def _board_gaps(spec: ObjectSpec, boards: _Boards, gap_mm: float) -> Float[Tensor, "layout"]:
     """Wall missing between any two recesses of the core, round its edges too.
 
-    As `design.layout.recess_walls`: the gap of two boxes is the largest along any of their axes and the
+    As `design.layout.boards`: the gap of two boxes is the largest along any of their axes and the
     products of these.
     """
     centre, axes = _recesses(spec, boards)

@@ -11,7 +11,8 @@ from dataclasses import dataclass, fields, replace
 import numpy as np
 from jaxtyping import Float, Int
 
-from design.layout.positions import FaceFrame, face_frames
+from design.body.kinds import face_frames
+from design.body.surface_chart import FaceFrame
 from design.spec.environment import SteelPlateSpec
 from design.spec.object import ObjectSpec
 from estimator.field.models import FieldModel
@@ -80,8 +81,8 @@ def jaw_change(spec: ObjectSpec, frame: FaceFrame, gap_mm: float) -> Float[np.nd
     nx, ny, nz = (-frame.normal).tolist()
     jaw = SteelPlateSpec(position_mm=(x, y, z), normal=(nx, ny, nz))
     plates = (*spec.environment.steel_plates, jaw)
-    beside = spec.environment.model_copy(update={"steel_plates": plates})
-    return rest_counts(spec.model_copy(update={"environment": beside})) - rest_counts(spec)
+    beside = spec.environment.changed(steel_plates=plates)
+    return rest_counts(spec.changed(environment=beside)) - rest_counts(spec)
 
 
 def counts_of_states(spec: ObjectSpec) -> Float[np.ndarray, "state sensor 3"]:

@@ -1,7 +1,7 @@
 """One object as it may be assembled: magnets, sensors and surroundings off the design, and the
 counts that it gives.
 
-Draws are standard normal numbers, one array a contribution, scaled by `design.spec.tolerances`.
+Draws are standard normal numbers, one array a contribution, scaled by `design.spec.assembly`.
 Contributions that are not drawn stay at the design. Mechanics is that of the design throughout
 (`estimator.tolerances.budget` makes up for bodies that sit aside).
 """
@@ -14,11 +14,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 from jaxtyping import Float, Int
 
-from design.catalogue.hall_sensors import NDFEB_REMANENCE_PER_KELVIN, remanence_at_temperature_t
-from design.layout.positions import MagnetLayout, SensorLayout, face_frames, slipped
+from design.body.kinds import face_frames
+from design.catalogue.magnets import NDFEB_REMANENCE_PER_KELVIN, remanence_at_temperature_t
+from design.layout.positions import MagnetLayout, SensorLayout, slipped
+from design.spec.assembly import TolerancesSpec
 from design.spec.mechanics import SlipSpec
 from design.spec.object import ObjectSpec
-from design.spec.tolerances import TolerancesSpec
 from estimator.field.models import FieldModel
 from estimator.field.vectors import rotate
 from estimator.signals.field_setup import Scene, counts, scene, sensed_field

@@ -14,8 +14,7 @@ from typing import Any
 import numpy as np
 from jaxtyping import Bool, Float
 
-from design.layout.as_built import live_channels
-from design.layout.positions import contact_grid
+from design.layout.positions import contact_grid, live_channels
 from design.spec.object import ObjectSpec
 from estimator.field.models import FieldModel, field_model
 from estimator.field.sources import magnet_source

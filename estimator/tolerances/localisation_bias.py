@@ -17,6 +17,8 @@ from estimator.tolerances.budget import Setting, calibrated_estimator, outcome_o
 from fem.presses.results import MagnetMotions, PressForces
 
 OBJECTS = 12
+_SPREAD_MM = 0.5
+"""Of a shift that is then set to any length; within what a specification may say."""
 
 
 def false_places_mm(
@@ -38,9 +40,8 @@ def false_places_mm(
 
 def _slipped(setting: Setting, shift_mm: Float[np.ndarray, "3"]) -> Assembly:
     spec = setting.spec
-    unit = spec.tolerances.model_copy(update={"core_shift_mm": 1.0})
-    loose = spec.model_copy(update={"tolerances": unit})
-    return assembled(loose, setting.design, {"core_shift": shift_mm})
+    loose = spec.changed(tolerances=spec.tolerances.changed(core_shift_mm=_SPREAD_MM))
+    return assembled(loose, setting.design, {"core_shift": shift_mm / _SPREAD_MM})
 
 
 def _false_places(setting: Setting, objects: Iterable[Assembly]) -> Float[np.ndarray, "press"]:

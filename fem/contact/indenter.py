@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from jaxtyping import Float, Int
 
-from design.layout.tip_shapes import TipShape, tip_heights_mm, tip_places_mm, tip_shape
-from design.spec.indenter import IndenterSpec
+from design.layout.tips import TipShape, tip_heights_mm, tip_places_mm, tip_shape
+from design.spec.mechanics import IndenterSpec
 from fem.contact.half_space import Patches
 
 _CELLS = 150

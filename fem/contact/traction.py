@@ -16,8 +16,10 @@ import scipy.sparse as sp
 from jaxtyping import Float
 from scipy.spatial import Delaunay
 
+from design.body.kinds import face_frames
+from design.body.surface_chart import FaceFrame
 from design.errors import InputError
-from design.layout.positions import FaceFrame, face_frames, shell_body_layout
+from design.layout.positions import shell_body_layout
 from design.spec.object import ObjectSpec
 from fem.contact.half_space import Patches, joined, traction_compliance
 from fem.contact.refined import RefinedFace, Spread, hat_narrowing, hat_patches, spread_cells

@@ -10,8 +10,10 @@ import numpy as np
 import scipy.sparse as sp
 from jaxtyping import Float, Int
 
+from design.body.kinds import face_frames
+from design.body.surface_chart import FaceFrame
 from design.errors import InputError
-from design.layout.positions import FaceFrame, face_frames, shell_body_layout
+from design.layout.positions import shell_body_layout
 from design.spec.object import ObjectSpec
 from fem.contact.complementarity import contact_pressures
 from fem.large_strain.elements import finite_strain_elements
@@ -245,5 +247,5 @@ def _lame(spec: ObjectSpec, material: Hyperelastic) -> LameConstants:
 
 def _with_modulus_of(spec: ObjectSpec, material: Hyperelastic) -> ObjectSpec:
     modulus = 2 * (1 + spec.silicone.poisson_ratio) * material.shear_modulus_mpa
-    silicone = spec.silicone.model_copy(update={"youngs_modulus_mpa": modulus})
-    return spec.model_copy(update={"silicone": silicone})
+    silicone = spec.silicone.changed(youngs_modulus_mpa=modulus, youngs_modulus_range_mpa=None)
+    return spec.changed(silicone=silicone)

@@ -17,7 +17,7 @@ import scipy.sparse as sp
 from jaxtyping import Float, Int
 from skfem import ElementTetP1, ElementTetP2, FacetBasis, MeshTet
 
-from design.layout.positions import FaceFrame
+from design.body.surface_chart import FaceFrame
 from fem.linear.sparse import columns_of
 
 _QUADRATURE_ORDER = 6

@@ -16,7 +16,9 @@ import numpy as np
 from jaxtyping import Float
 from scipy.spatial.transform import Rotation
 
-from design.layout.positions import FaceFrame, face_frames, shell_body_layout
+from design.body.kinds import face_frames
+from design.body.surface_chart import FaceFrame
+from design.layout.positions import shell_body_layout
 from design.spec.object import ObjectSpec
 from fem.linear.core_interface import prescribed_loads, rigid_interface_motions
 from fem.linear.factorization import solve_symmetric

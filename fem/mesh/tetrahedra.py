@@ -14,9 +14,10 @@ from pathlib import Path
 import numpy as np
 from jaxtyping import Float, Int
 
+from design.body.kinds import face_frame, face_frames
 from design.errors import InputError
 from design.files import atomic_path
-from design.layout.positions import face_frame, face_frames, shell_body_layout
+from design.layout.positions import shell_body_layout
 from design.spec.object import ObjectSpec
 from fem.mesh.support_line import with_support_lines
 from fem.mesh.surfaces import all_surfaces, in_body
@@ -127,8 +128,8 @@ def without_magnets(spec: ObjectSpec) -> ObjectSpec:
 
     `fem.linear.response` then gives the surface compliance alone, with no magnet among its loads.
     """
-    mechanics = spec.mechanics.model_copy(update={"magnets": "points"})
-    return spec.model_copy(update={"mechanics": mechanics})
+    mechanics = spec.mechanics.changed(magnets="points")
+    return spec.changed(mechanics=mechanics)
 
 
 def magnet_free_mesh(spec: ObjectSpec) -> TetMesh:

@@ -57,9 +57,7 @@ def presses_without_magnets(
         As `simulate_lattice`.
     """
     depth = min(spec.press.depths_mm, key=lambda depth: abs(depth - DEPTH_MM))
-    press = spec.press.model_copy(update={"depths_mm": (depth,)})
-    plain = without_magnets(spec).model_copy(update={"press": press})
-    return simulate_lattice(plain, response, progress)[0]
+    return simulate_lattice(without_magnets(spec), response, progress, depths_mm=(depth,))[0]
 
 
 def save_forces(forces: PressForces, path: Path | str) -> None:

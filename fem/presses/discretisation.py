@@ -122,7 +122,7 @@ def coarser(spec: ObjectSpec) -> ObjectSpec:
         "surface_edge_mm": COARSENING * mesh.surface_edge_mm,
         "envelope_mm": 2 * mesh.envelope_mm,
     }
-    return spec.model_copy(update={"mesh": mesh.model_copy(update=lengths)})
+    return spec.changed(mesh=mesh.changed(**lengths))
 
 
 def sample_presses(spec: ObjectSpec, response: ResponseOperator) -> PressSample:

@@ -14,7 +14,7 @@ import numpy as np
 from jaxtyping import Float, Int
 
 from design.errors import InputError, SolverError
-from design.layout.tip_shapes import path_mm, tip_shape, tips_overlap
+from design.layout.tips import path_mm, tip_shape, tips_overlap
 from design.spec.object import ObjectSpec
 from fem.contact.complementarity import contact_pressures
 from fem.contact.indenter import moved, tip_cells

@@ -9,7 +9,7 @@ import numpy as np
 from jaxtyping import Float
 
 from design.errors import InputError
-from design.spec.indenter import IndenterSpec
+from design.spec.mechanics import IndenterSpec
 from design.spec.object import ObjectSpec
 from fem.contact.indenter import moved, patch_cells
 from fem.contact.refined import joint_compliance, refined_face, spread_cells

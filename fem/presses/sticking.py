@@ -16,7 +16,7 @@ from jaxtyping import Bool, Float, Int
 from scipy.optimize import brentq
 
 from design.errors import InputError, SolverError
-from design.layout.tip_shapes import TipShape, path_mm, tip_heights_mm, tip_places_mm, tip_shape
+from design.layout.tips import TipShape, path_mm, tip_heights_mm, tip_places_mm, tip_shape
 from design.spec.object import ObjectSpec
 from fem.contact.indenter import TipCells, moved, tip_cells
 from fem.contact.traction import TractionResponse, traction_response

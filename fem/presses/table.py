@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,8 +14,8 @@ from threadpoolctl import threadpool_limits
 
 from design.errors import InputError
 from design.layout.positions import press_lattice
-from design.layout.tip_shapes import footprint_mm, path_mm
-from design.spec.indenter import IndenterSpec
+from design.layout.tips import footprint_mm, path_mm
+from design.spec.mechanics import IndenterSpec
 from design.spec.object import ObjectSpec
 from fem.contact.complementarity import contact_pressures
 from fem.contact.indenter import TipCells, hemisphere_profile_mm, moved, tip_cells
@@ -43,8 +43,9 @@ def simulate_lattice(
     response: ResponseOperator,
     progress: Progress | None = None,
     rest: RestingShell | None = None,
+    depths_mm: Sequence[float] = (),
 ) -> tuple[PressForces, MagnetMotions]:
-    """Press every lattice place of every face to every depth of `spec.press.depths_mm`.
+    """Press every lattice place of every face to every depth, by default `spec.press.depths_mm`.
 
     On a core that has slipped (`rest`) places are those of the laboratory, where the core stands:
     the shell lies shifted under the indenter. Depth counts from the first touch.
@@ -68,7 +69,7 @@ def simulate_lattice(
             "`instobj press --material linear`"
         )
     lattice = press_lattice(spec)
-    depths = np.asarray(spec.press.depths_mm)
+    depths = np.asarray(depths_mm or spec.press.depths_mm)
     if rest is not None:
         response = slipped_response(spec, response, rest)
     shape = (len(response.surfaces), len(lattice), len(depths))

@@ -271,10 +271,10 @@ def _with_patch(spec: ObjectSpec, patch: tuple[float, float] | None) -> ObjectSp
     """The specification with a disk in place of the indenter, for checks of where it lands."""
     if patch is None or not patch[0] > 0:
         return spec
-    from design.spec.indenter import IndenterSpec
+    from design.spec.mechanics import IndenterSpec
 
     disk = IndenterSpec(kind="flat", radius_mm=patch[0])
-    return spec.model_copy(update={"indenter": disk})
+    return spec.changed(indenter=disk)
 
 
 def _label(places: Sequence[Place], how: tuple[Any, ...], patch: object) -> str:

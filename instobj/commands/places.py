@@ -109,8 +109,9 @@ def _place_at(text: str, depth_mm: float) -> Place:
 
 
 def _require_place(spec: ObjectSpec, place: Place, to_depth: bool) -> None:
-    from design.layout.positions import face_frames, press_lattice
-    from design.layout.tip_shapes import footprint_mm, path_mm, tip_shape
+    from design.body.kinds import face_frames
+    from design.layout.positions import press_lattice
+    from design.layout.tips import footprint_mm, path_mm, tip_shape
 
     frames = {frame.number: frame for frame in face_frames(spec)}
     if place.face not in frames:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from dataclasses import dataclass
 from pathlib import Path
@@ -11,6 +12,7 @@ from design.errors import InputError
 from design.files import atomic_path
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, spec_hash
+from instobj.commands.compare import compare_scores
 from instobj.stages.chain import Chain
 from instobj.store.publish import file_rows, publish, require_writable, stage_row
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec
+from design.spec_io import check
 from estimator.information.scores import PlaceScores, score_places
 from estimator.signals.presses import Signals, press_signals
 from fem.presses.results import load_presses
@@ -39,7 +40,7 @@ def alternatives(
     for change, update in _CHANGES.items():
         step(f"what to try next: {change}")
         try:
-            other = ObjectSpec.model_validate(update(spec).model_dump())
+            other = check(update(spec))
             scores = score_places(other, _signals(spec, other, signals, presses))
         except ValueError:
             continue
@@ -48,8 +49,8 @@ def alternatives(
 
 
 def _all(spec: ObjectSpec, signals: Signals) -> PlaceScores:
-    score = spec.score.model_copy(update={"channels": "all"})
-    return score_places(spec.model_copy(update={"score": score}), signals)
+    score = spec.score.changed(channels="all")
+    return score_places(spec.changed(score=score), signals)
 
 
 def _quieter(spec: ObjectSpec) -> ObjectSpec:
@@ -69,19 +70,19 @@ def _stronger(spec: ObjectSpec) -> ObjectSpec:
         "remanence_t": 1.2 * spec.magnets.remanence_t,
         "current_a": 1.2 * spec.magnets.current_a,
     }
-    magnets = spec.magnets.model_copy(update=stronger)
-    return spec.model_copy(update={"magnets": magnets})
+    magnets = spec.magnets.changed(**stronger)
+    return spec.changed(magnets=magnets)
 
 
 def _softer(spec: ObjectSpec) -> ObjectSpec:
     modulus = 0.7 * spec.silicone.youngs_modulus_mpa
     softer = {"youngs_modulus_mpa": modulus, "youngs_modulus_range_mpa": None}
-    silicone = spec.silicone.model_copy(update=softer)
-    return spec.model_copy(update={"silicone": silicone})
+    silicone = spec.silicone.changed(**softer)
+    return spec.changed(silicone=silicone)
 
 
 def _with_sensors(spec: ObjectSpec, **update: object) -> ObjectSpec:
-    return spec.model_copy(update={"sensors": spec.sensors.model_copy(update=update)})
+    return spec.changed(sensors=spec.sensors.changed(**update))
 
 
 _CHANGES: dict[str, Callable[[ObjectSpec], ObjectSpec]] = {

@@ -7,12 +7,12 @@ from math import degrees
 from pathlib import Path
 from typing import Any
 
+from design.body.kinds import core_frames, face_frames
 from design.build.bom import bill_of_materials, silicone_amount
 from design.build.manifest import BuildManifest
 from design.layout.boards import wire_bundle_mm
 from design.layout.mould_frame import mould_frame, mould_style, opening_of
 from design.layout.pockets import sensor_places
-from design.layout.positions import core_frames, face_frames
 from design.spec.object import ObjectSpec
 from instobj.report import elements
 

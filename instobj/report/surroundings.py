@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from design.catalogue.hall_sensors import NDFEB_REMANENCE_PER_KELVIN
+from design.catalogue.magnets import NDFEB_REMANENCE_PER_KELVIN
 from design.spec.object import ObjectSpec
 from design.spec.sensors import fastest_frame_rate_hz
 

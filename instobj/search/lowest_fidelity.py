@@ -16,7 +16,7 @@ import numpy as np
 import torch
 
 from design.errors import InputError
-from design.layout.recess_walls import smallest_recess_wall_mm
+from design.layout.boards import smallest_recess_wall_mm
 from design.search.places import polarities
 from design.search.space import (
     SearchSpace,

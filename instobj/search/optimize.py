@@ -72,7 +72,7 @@ def search_folder(out: Path, spec: ObjectSpec) -> Path:
 
 def _prepared(path: Path, out: Path, overrides: list[str]) -> tuple[ObjectSpec, SearchSpace]:
     """Another object is sought: what was measured on the built one goes."""
-    spec = load_spec(path, overrides).model_copy(update={"as_built": AsBuiltSpec()})
+    spec = load_spec(path, overrides).changed(as_built=AsBuiltSpec())
     require_writable(out)
     return spec, require_possible(spec)
 

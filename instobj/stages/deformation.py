@@ -27,7 +27,8 @@ def make_shapes(context: StageContext, folder: Path) -> None:
 
     A shell that slides on its core has none: the stage is then empty.
     """
-    from design.layout.positions import contact_grid, face_frames
+    from design.body.kinds import face_frames
+    from design.layout.positions import contact_grid
     from fem.linear.response import load_response
     from fem.mesh.tetrahedra import load_mesh
     from fem.presses.shape import save_deformed_shape, table_shapes
@@ -130,8 +131,8 @@ def _press(context: StageContext, place: tuple[float, float]) -> LargeStrainPres
 
     spec = context.spec
     edge = max(spec.mesh.surface_edge_mm, spec.indenter.radius_mm / _EDGES_PER_TIP_RADIUS)
-    mesh_spec = spec.mesh.model_copy(update={"surface_edge_mm": edge})
-    coarse = spec.model_copy(update={"mesh": mesh_spec})
+    mesh_spec = spec.mesh.changed(surface_edge_mm=edge)
+    coarse = spec.changed(mesh=mesh_spec)
     face = 1
     where = f"place ({place[0]:g}, {place[1]:g}) mm"
     context.step(f"{where}: mesh")

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from design.layout.recess_walls import smallest_recess_wall_mm
+from design.layout.boards import smallest_recess_wall_mm
 from design.spec_io import load_spec
 from estimator.layouts.fidelity import gains
 from instobj.commands.run import check_specifications

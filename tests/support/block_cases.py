@@ -4,7 +4,7 @@ import numpy as np
 import scipy.sparse as sp
 from skfem import MeshTet
 
-from design.layout.positions import FaceFrame
+from design.body.surface_chart import FaceFrame
 from design.spec.object import IndenterSpec
 from fem.contact.complementarity import contact_pressures
 from fem.contact.indenter import tip_cells

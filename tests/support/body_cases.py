@@ -1,6 +1,7 @@
 """A specification of every kind of body, small and off its symmetries where that is possible."""
 
 from design.spec.object import ObjectSpec
+from design.spec_io import check
 
 ONE = {"magnets": {"positions_mm": [[1.0, -2.0]]}, "sensors": {"positions_mm": [[2.0, 1.0]]}}
 CORE = {"core": {"recess_inner_radius_mm": 2.0, "recess_outer_radius_mm": 5.0}}
@@ -27,4 +28,4 @@ def body_spec(name: str, **changes: dict) -> ObjectSpec:
     content = {"name": name} | GRID | ONE | CORE | BODIES[name]
     for table, values in changes.items():
         content[table] = content.get(table, {}) | values
-    return ObjectSpec.model_validate(content)
+    return check(ObjectSpec.model_validate(content))

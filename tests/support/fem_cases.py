@@ -6,7 +6,9 @@ import numpy as np
 import scipy.sparse as sp
 from skfem import FacetBasis, LinearForm, MeshTet
 
-from design.layout.positions import FaceFrame, face_frames, press_lattice
+from design.body.kinds import face_frames
+from design.body.surface_chart import FaceFrame
+from design.layout.positions import press_lattice
 from design.spec.object import MechanicsSpec, MeshSpec, ObjectSpec, PressSpec, SiliconeSpec
 from fem.contact.complementarity import contact_pressures
 from fem.linear.elements import MixedOperators, assemble, saddle_point_matrix, taylor_hood

@@ -15,10 +15,11 @@ import numpy as np
 import trimesh
 import yaml
 
+from design.body.kinds import face_frames
 from design.build.parts import Part, parts_of
 from design.files import atomic_path
 from design.layout.pockets import shell_pockets
-from design.layout.positions import face_frames, sensor_layout
+from design.layout.positions import sensor_layout
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
 

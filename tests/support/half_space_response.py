@@ -6,7 +6,8 @@ each other except through `between_faces`.
 
 import numpy as np
 
-from design.layout.positions import face_frames, shell_body_layout
+from design.body.kinds import face_frames
+from design.layout.positions import shell_body_layout
 from fem.contact.half_space import normal_compliance
 from fem.contact.refined import hat_patches
 from fem.linear.response import FaceSurface, ResponseOperator

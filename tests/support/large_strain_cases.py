@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 import scipy.sparse as sp
 
-from design.layout.positions import FaceFrame
+from design.body.surface_chart import FaceFrame
 from fem.contact.complementarity import contact_pressures
 from fem.large_strain import newton
 from fem.large_strain.elements import (

@@ -14,10 +14,11 @@ from design.errors import InputError
 from design.fabrication.check import mesh_of
 from design.layout.pockets import shell_pockets
 from design.layout.volumes import shell_volume_mm3
-from design.mould.one_piece import has_mould, inside_of_mould, mould_around
 from design.mould.room import cast_room
+from design.mould.whole import has_mould, inside_of_mould, mould_around
 from design.solids.booleans import Shape, as_triangles, cut, volume_mm3
 from design.spec.object import ObjectSpec
+from design.spec_io import check
 from tests.support.random_objects import with_file
 
 FITTED = ("core", "shell")
@@ -33,7 +34,9 @@ def measure_object(question: dict[str, Any]) -> dict[str, Any]:
     `folder` takes files; with `everything` more than core, shell and moulds of flat faces is built.
     """
     try:
-        spec = ObjectSpec.model_validate(with_file(question["object"], Path(question["folder"])))
+        spec = check(
+            ObjectSpec.model_validate(with_file(question["object"], Path(question["folder"])))
+        )
     except (ValidationError, InputError) as error:
         return {"refused": str(error)}
     everything = question["everything"]

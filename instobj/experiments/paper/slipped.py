@@ -104,7 +104,7 @@ def _presses(recorded: SimulatedObject) -> tuple[PressForces, MagnetMotions]:
 def _calibration(spec: ObjectSpec, signals: Signals, seed: int = 0) -> FrameSet:
     from estimator.frames.press_protocol import simulate_presses
 
-    return simulate_presses(spec.model_copy(update={"seed": spec.seed + seed}), signals, "slip")
+    return simulate_presses(spec.changed(seed=spec.seed + seed), signals, "slip")
 
 
 def _offset(frames: FrameSet, counts: np.ndarray) -> FrameSet:

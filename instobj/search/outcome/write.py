@@ -53,7 +53,7 @@ def write_outcome(
 
 def write_specification(spec: ObjectSpec, name: str, path: Path, beside: Path) -> None:
     """A layout as a specification file of its own, without the search."""
-    content = spec.model_copy(update={"name": name, "search": SearchSpec()}).model_dump(
+    content = spec.changed(name=name, search=SearchSpec()).model_dump(
         mode="json", exclude_none=True
     )
     del content["search"], content["as_built"]

@@ -10,9 +10,10 @@ import trimesh
 from numpy.testing import assert_allclose
 
 from design.body.imported import body_of_file
+from design.body.kinds import core_frames, face_frames
 from design.body.sampled import measured_distance_mm, sampled_core
 from design.errors import InputError
-from design.layout.positions import core_frames, face_frames, magnet_layout
+from design.layout.positions import magnet_layout
 from design.solids.sampled import sampled_core_part, sampled_shell
 from design.spec_io import load_spec, parse_spec
 

@@ -4,14 +4,9 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from design.body.kinds import core_frames, face_frame, face_frames
 from design.body.surface_chart import Cap, FaceFrame
-from design.layout.positions import (
-    core_frames,
-    face_frame,
-    face_frames,
-    magnet_layout,
-    sensor_layout,
-)
+from design.layout.positions import magnet_layout, sensor_layout
 from tests.support.body_cases import body_spec
 
 CURVED = ("cylinder", "sphere", "solid_dome", "ellipsoid")

@@ -12,17 +12,16 @@ import pytest
 import trimesh
 import yaml
 from numpy.testing import assert_allclose
-from pydantic import ValidationError
 
 import design.solids.shell
+from design.body.kinds import face_frames
 from design.build.export import build_object
 from design.build.manifest import BuildManifest
 from design.build.parts import parts_of
 from design.errors import InputError
 from design.layout.pockets import shell_pockets
-from design.layout.positions import face_frames
 from design.spec.object import CoreSpec, MagnetSpec, ObjectSpec, ShellSpec
-from design.spec_io import parse_spec, spec_hash
+from design.spec_io import check, parse_spec, spec_hash
 from tests.support.golden_geometry import REFERENCE
 
 PAPER = ObjectSpec(name="paper")
@@ -152,8 +151,8 @@ def test_a_specification_without_valid_parts_leaves_the_folder_alone(tmp_path):
 
 def test_pockets_that_touch_in_a_line_are_refused(tmp_path):
     touching = MagnetSpec(positions_mm=((0.0, 0.0), (6.0, 0.0)))
-    with pytest.raises(ValidationError, match=r"positions_mm\[1\] = \(6, 0\) touch or overlap"):
-        ObjectSpec(name="touching", magnets=touching)
+    with pytest.raises(InputError, match=r"positions_mm\[1\] = \(6, 0\) touch or overlap"):
+        check(ObjectSpec(name="touching", magnets=touching))
     with pytest.raises(InputError, match="surface of shell is not closed"):
         build_object(PAPER.model_copy(update={"magnets": touching}), tmp_path)
     assert not (tmp_path / "shell.stl").exists()

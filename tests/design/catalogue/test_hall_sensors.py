@@ -3,14 +3,8 @@
 import pytest
 from numpy.testing import assert_allclose
 
-from design.catalogue.hall_sensors import (
-    GRADES,
-    HALL_PARTS,
-    hall_part,
-    magnet_grade,
-    remanence_at_temperature_t,
-    wider_range,
-)
+from design.catalogue.hall_sensors import HALL_PARTS, hall_part, wider_range
+from design.catalogue.magnets import GRADES, magnet_grade, remanence_at_temperature_t
 from design.errors import InputError
 from design.spec.object import MagnetSpec, ObjectSpec, SensorSpec
 from design.spec_io import parse_spec, spec_hash

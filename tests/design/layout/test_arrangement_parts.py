@@ -4,12 +4,13 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from design.body.kinds import face_frames
 from design.catalogue.magnets import MAGNET_PARTS
 from design.errors import InputError
 from design.layout.pockets import core_pockets
-from design.layout.positions import face_frames, magnet_layout, sensor_layout, shell_body_layout
+from design.layout.positions import magnet_layout, sensor_layout, shell_body_layout
 from design.layout.volumes import shell_volume_mm3
-from design.mould.one_piece import cast_cavity
+from design.mould.whole import cast_cavity
 from design.solids.core import make_core
 from design.solids.shell import make_shell
 from design.spec.sensors import fastest_frame_rate_hz

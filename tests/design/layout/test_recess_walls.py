@@ -3,7 +3,7 @@
 import pytest
 from numpy.testing import assert_allclose
 
-from design.layout.recess_walls import sensor_recesses, smallest_recess_wall_mm
+from design.layout.boards import sensor_recesses, smallest_recess_wall_mm
 from design.solids.core import make_core
 from design.spec.object import CoreSpec, ObjectSpec, SensorSpec
 

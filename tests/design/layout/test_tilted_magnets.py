@@ -4,17 +4,20 @@ import cadquery as cq
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
-from pydantic import ValidationError
 from scipy.spatial.transform import Rotation
 
 import design.layout.pockets
 import design.layout.positions
+from design.body.kinds import face_frames
+from design.errors import InputError
 from design.layout.pockets import distance_of_axes_mm, shell_pockets, tilted_frame
-from design.layout.positions import face_frames, magnet_layout
+from design.layout.positions import magnet_layout
 from design.layout.volumes import shell_volume_mm3
-from design.mould.one_piece import cast_cavity, make_mould_box
+from design.mould.one_piece import make_mould_box
+from design.mould.whole import cast_cavity
 from design.solids.shell import make_shell
 from design.spec.object import BodySpec, MagnetSpec, ObjectSpec, ShellSpec
+from design.spec_io import check
 
 TILTED = ObjectSpec(
     name="tilted",
@@ -136,8 +139,8 @@ def test_the_distance_of_axes_is_that_of_many_points_on_them():
     ],
 )
 def test_magnets_that_do_not_fit_are_refused(magnets, message):
-    with pytest.raises(ValidationError, match=message):
-        ObjectSpec(name="bad", magnets=MagnetSpec(**magnets))
+    with pytest.raises(InputError, match=message):
+        check(ObjectSpec(name="bad", magnets=MagnetSpec(**magnets)))
 
 
 def test_one_depth_serves_all_magnets_and_none_seats_them_on_the_floor():

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from design.layout.tip_shapes import footprint_mm, tip_heights_mm, tip_shape
+from design.layout.tips import footprint_mm, tip_heights_mm, tip_shape
 from design.solids.probes import make_probe
 from design.spec.object import ContactGridSpec, IndenterSpec, ObjectSpec
 

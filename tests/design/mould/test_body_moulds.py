@@ -7,22 +7,22 @@ import numpy as np
 import pytest
 import trimesh
 from numpy.testing import assert_allclose
-from pydantic import ValidationError
 
 from design.body.imported import body_of_file
 from design.body.kinds import is_sampled
 from design.body.meshes import high_points
 from design.build.parts import parts_of
+from design.errors import InputError
 from design.fabrication.casting import check_casting
 from design.layout.core_hold import core_outlet, locators, why_no_mould
 from design.layout.mould_frame import least_undercut, mould_frame, mould_style, parting, up
 from design.layout.volumes import shell_volume_mm3
 from design.mould.halves import make_mould_half
-from design.mould.one_piece import inside_of_mould, mould_around
 from design.mould.openings import air_traps, mould_holes, pour_holes
 from design.mould.pins import loose_pins, make_pin
 from design.mould.plug import make_mould_holder
 from design.mould.room import cast_room
+from design.mould.whole import inside_of_mould, mould_around
 from design.solids.booleans import as_triangles, common, cut, volume_mm3
 from design.solids.core import make_core
 from design.solids.sampled import sampled_shell
@@ -184,9 +184,9 @@ def test_draft_widens_pins_outside_the_silicone_alone():
 def test_a_style_that_cannot_be_drawn_is_refused_and_the_other_is_chosen():
     assert mould_style(case("sphere")) == "split"
     assert mould_style(case("pad")) == "one-piece"
-    with pytest.raises(ValidationError, match="needs a whole side of the body open"):
+    with pytest.raises(InputError, match="needs a whole side of the body open"):
         case("sphere", mould={"style": "one-piece"})
-    with pytest.raises(ValidationError, match="a closed body has none"):
+    with pytest.raises(InputError, match="a closed body has none"):
         case("closed_box", shell={"seal_layer_mm": 0.5})
 
 

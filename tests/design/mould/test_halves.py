@@ -5,13 +5,14 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from design.body.kinds import face_frames
 from design.layout.mould_frame import parting
 from design.layout.pockets import shell_pockets
-from design.layout.positions import face_frames
 from design.mould.halves import make_mould_half
-from design.mould.one_piece import cast_cavity, make_mould_box
+from design.mould.one_piece import make_mould_box
 from design.mould.pins import loose_pins, make_pin, pin_kinds
 from design.mould.plug import make_mould_plug
+from design.mould.whole import cast_cavity
 from design.solids.shell import make_shell
 from design.spec_io import parse_spec
 

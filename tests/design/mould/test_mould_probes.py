@@ -8,8 +8,9 @@ from scipy.spatial.distance import pdist
 
 from design.errors import InputError
 from design.layout.tips import tip_positions_mm
-from design.mould.one_piece import cast_cavity, make_mould_box
+from design.mould.one_piece import make_mould_box
 from design.mould.plug import make_mould_plug
+from design.mould.whole import cast_cavity
 from design.solids.probes import make_probe
 from design.solids.shell import envelope, make_shell
 from design.spec.fabrication import MouldSpec

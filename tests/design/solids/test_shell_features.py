@@ -9,7 +9,8 @@ from design.body.blocks import core_keys, relief_slits
 from design.errors import InputError
 from design.fit.parts import distance_mm, overlap
 from design.layout.volumes import sealed_volume_mm3, shell_volume_mm3
-from design.mould.one_piece import cast_cavity, make_seal_mould
+from design.mould.one_piece import make_seal_mould
+from design.mould.whole import cast_cavity
 from design.solids.core import make_core
 from design.solids.shell import envelope, make_shell
 from design.spec_io import parse_spec

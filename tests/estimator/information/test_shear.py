@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from design.layout.positions import contact_grid, face_frames, grid_places_in_lattice, magnet_layout
+from design.body.kinds import face_frames
+from design.layout.positions import contact_grid, grid_places_in_lattice, magnet_layout
 from estimator.information.fisher import cramer_rao_bounds, disturbance_counts
 from estimator.information.shear import (
     contact_jacobian,

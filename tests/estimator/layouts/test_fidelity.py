@@ -7,7 +7,7 @@ import pytest
 import torch
 from numpy.testing import assert_allclose
 
-from design.layout.positions import face_frames
+from design.body.kinds import face_frames
 from estimator.field.models import FieldModel
 from estimator.field.sources import magnet_source
 from estimator.information.cross_face import cross_face_disturbance

@@ -6,7 +6,7 @@ import torch
 from numpy.testing import assert_allclose
 
 from design.errors import InputError
-from design.layout.recess_walls import smallest_recess_wall_mm
+from design.layout.boards import smallest_recess_wall_mm
 from design.search.places import polarities
 from design.search.space import params_at, search_space, with_layout
 from design.search.structure import with_structure
@@ -46,7 +46,7 @@ def batch(seed=0, count=COUNT, sensors="free", magnets="free", **limits):
 
 def unchecked(spec, params, monkeypatch):
     """The layout as a specification, whether it fits or not."""
-    monkeypatch.setattr("design.spec.object.require_fit", lambda spec, table=True: None)
+    monkeypatch.setattr("design.spec_io.require_fit", lambda spec, table=True: None)
     return with_layout(spec, params)
 
 

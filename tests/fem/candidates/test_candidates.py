@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from design.body.kinds import face_frames
 from design.errors import InputError
-from design.layout.positions import contact_grid, face_frames, shell_body_layout
+from design.layout.positions import contact_grid, shell_body_layout
 from design.spec.object import ContactGridSpec, ScoreSpec
 from fem.candidates.cubic_convolution import axis_weights
 from fem.candidates.motions import candidate_lattices, load_candidates

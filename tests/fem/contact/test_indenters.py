@@ -6,13 +6,12 @@ import numpy as np
 import pytest
 import trimesh
 from numpy.testing import assert_allclose
-from pydantic import ValidationError
 from scipy.spatial import ConvexHull
 
 from design.errors import InputError
-from design.layout.tip_shapes import footprint_mm, path_mm, tip_heights_mm, tip_shape, tips_overlap
+from design.layout.tips import footprint_mm, path_mm, tip_heights_mm, tip_shape, tips_overlap
 from design.spec.object import IndenterSpec, ObjectSpec, PressSpec
-from design.spec_io import load_spec
+from design.spec_io import check, load_spec
 from fem.contact import half_space
 from fem.contact.half_space import Patches, normal_compliance, traction_compliance
 from fem.contact.indenter import tip_cells
@@ -272,8 +271,8 @@ def test_a_table_with_sticking_friction_is_refused(rigid_response):
     ],
 )
 def test_indenters_that_do_not_fit_are_refused(indenter, words):
-    with pytest.raises(ValidationError, match=words):
-        ObjectSpec(name="cube", indenter=IndenterSpec(**indenter), press=PressSpec())
+    with pytest.raises(ValueError, match=words):
+        check(ObjectSpec(name="cube", indenter=IndenterSpec(**indenter), press=PressSpec()))
 
 
 def write_spec(folder, body):

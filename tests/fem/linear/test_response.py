@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from design.layout.positions import face_frames, magnet_layout
+from design.body.kinds import face_frames
+from design.layout.positions import magnet_layout
 from fem.linear.magnets import magnet_of_nodes, mean_motion_functionals
 from fem.linear.response import elastic_system, face_pressure_loads, load_response, save_response
 from fem.presses.table import surface_weights_mm2

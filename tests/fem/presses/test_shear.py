@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from design.body.kinds import face_frames
 from design.errors import InputError
-from design.layout.positions import contact_grid, face_frames, magnet_layout
+from design.layout.positions import contact_grid, magnet_layout
 from fem.linear.magnets import magnet_of_nodes
 from fem.linear.response import face_pressure_loads
 from fem.presses.shear import load_shear, motions_under_traction, save_shear, simulate_shear

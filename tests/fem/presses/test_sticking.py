@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from design.layout.tip_shapes import tip_shape
+from design.layout.tips import tip_shape
 from fem.contact.complementarity import contact_pressures
 from fem.contact.half_space import traction_compliance
 from fem.contact.indenter import tip_cells

@@ -6,7 +6,7 @@ import json
 import numpy as np
 import pytest
 
-from design.layout.as_built import live_channels
+from design.layout.positions import live_channels
 from design.spec_io import load_spec
 from estimator.calibration.resting import channel_names, read_resting
 from estimator.signals.presses import rest_counts

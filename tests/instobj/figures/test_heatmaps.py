@@ -7,8 +7,9 @@ from matplotlib.figure import Figure
 from matplotlib.image import imread
 from numpy.testing import assert_allclose
 
+from design.body.kinds import face_frames
 from design.errors import InputError
-from design.layout.positions import contact_grid, face_frames
+from design.layout.positions import contact_grid
 from design.spec.object import ObjectSpec
 from instobj.figures import heatmaps
 from instobj.figures.map_scale import finite_limits, map_scale

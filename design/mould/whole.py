@@ -1,0 +1,41 @@
+"""All parts of a mould together, of either style, and what they cast."""
+
+from __future__ import annotations
+
+from design.layout.core_hold import why_no_mould
+from design.layout.mould_frame import mould_frame, mould_style
+from design.mould.halves import make_mould_half
+from design.mould.one_piece import make_mould_box
+from design.mould.pins import loose_pins, make_pin
+from design.mould.plug import make_mould_holder, make_mould_plug
+from design.mould.room import cast_room, core_outside
+from design.solids.booleans import Shape, Solid, cut
+from design.spec.object import ObjectSpec
+
+
+def cast_cavity(spec: ObjectSpec) -> Shape:
+    """What silicone fills in the closed mould, within the first pour's envelope."""
+    return cut(cast_room(spec), *mould_around(spec), *inside_of_mould(spec))
+
+
+def mould_around(spec: ObjectSpec) -> list[Solid]:
+    """Everything that closes round the shell from outside: the box, or halves and pins."""
+    if mould_style(spec) == "one-piece":
+        return [make_mould_box(spec)]
+    pins = [make_pin(spec, pin) for pin in loose_pins(spec)]
+    return [make_mould_half(spec, 1), make_mould_half(spec, -1), *pins]
+
+
+def inside_of_mould(spec: ObjectSpec) -> list[Shape]:
+    """What keeps the core's room free: the plug, or the core itself and the rod that holds it."""
+    frame = mould_frame(spec)
+    if frame.opening == "closed":
+        return [core_outside(spec)]
+    if frame.opening == "bore":
+        return [core_outside(spec), make_mould_holder(spec)]
+    return [make_mould_plug(spec)] if frame.plugged else []
+
+
+def has_mould(spec: ObjectSpec) -> bool:
+    """Whether a mould can be made for the body."""
+    return why_no_mould(spec) is None

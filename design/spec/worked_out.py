@@ -1,0 +1,61 @@
+"""Geometry of a specification, worked out once.
+
+Frames, pockets, layouts and the mould's frame follow from a specification alone and are asked for
+at more than a hundred places. A function marked `once` keeps its result for as long as the
+specification lives. That is sound because specifications are frozen: a change makes another object
+(`SpecPart.changed`), for which everything is worked out anew. Results are shared, so their arrays are
+made read-only.
+"""
+
+from __future__ import annotations
+
+import weakref
+from collections.abc import Callable
+from dataclasses import fields, is_dataclass
+from functools import wraps
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from design.spec.object import ObjectSpec
+
+Found = TypeVar("Found")
+_KEPT: dict[int, dict[str, Any]] = {}
+"""By the identity of a living specification, then by function; hashing its content costs more than
+most of what is kept here."""
+
+
+def once(work_out: Callable[[ObjectSpec], Found]) -> Callable[[ObjectSpec], Found]:
+    """A function of a specification that is worked out once for each specification object."""
+    name = f"{work_out.__module__}.{work_out.__qualname__}"
+
+    @wraps(work_out)
+    def kept(spec: ObjectSpec) -> Found:
+        results = _results_of(spec)
+        if name not in results:
+            results[name] = _read_only(work_out(spec))
+        return results[name]
+
+    return kept
+
+
+def _results_of(spec: ObjectSpec) -> dict[str, Any]:
+    key = id(spec)
+    if key not in _KEPT:
+        _KEPT[key] = {}
+        weakref.finalize(spec, _KEPT.pop, key, None)
+    return _KEPT[key]
+
+
+def _read_only(found: Any) -> Any:
+    """The result, every array in its tuples and dataclasses locked."""
+    if isinstance(found, np.ndarray):
+        found.flags.writeable = False
+    elif isinstance(found, tuple):
+        for part in found:
+            _read_only(part)
+    elif is_dataclass(found):
+        for field in fields(found):
+            _read_only(getattr(found, field.name))
+    return found
