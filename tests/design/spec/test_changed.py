@@ -1,0 +1,50 @@
+"""Changes of a specification: validated, and checked for fit where that is asked for."""
+
+import pytest
+
+from design.errors import SpecError
+from design.spec.object import ObjectSpec
+from design.spec_io import check, parse_spec
+
+CUBE = ObjectSpec(name="cube")
+
+
+def test_a_change_is_validated_like_a_new_specification():
+    with pytest.raises(SpecError, match="thickness_mm: Input should be greater than 0; got -1"):
+        CUBE.shell.changed(thickness_mm=-1.0)
+    rubber, element = CUBE.silicone.changed(poisson_ratio=0.5), CUBE.mechanics.changed(element="p1")
+    with pytest.raises(SpecError, match=r"takes silicone.poisson_ratio up to 0\.4999; got 0\.5"):
+        CUBE.changed(silicone=rubber, mechanics=element)
+    with pytest.raises(SpecError, match="Extra inputs are not permitted"):
+        CUBE.changed(no_such_field=1)
+
+
+def test_a_copy_cannot_go_past_validation():
+    with pytest.raises(SpecError, match="thickness_mm"):
+        CUBE.shell.model_copy(update={"thickness_mm": "thick"})
+    assert CUBE.model_copy(update={"seed": 7}) == CUBE.changed(seed=7)
+    assert CUBE.changed(seed=7).seed == 7 != CUBE.seed
+
+
+def test_a_change_keeps_what_was_given_and_what_was_left_out():
+    assert CUBE.changed(seed=7).model_fields_set == {"name", "seed"}
+    assert CUBE.sensors.changed(noise_counts=(1.0, 2.0, 3.0)).counts_per_mt == 820.0
+
+
+def test_whether_everything_fits_is_asked_for_by_name():
+    thin = CUBE.changed(shell=CUBE.shell.changed(thickness_mm=2.0))  # pockets are 3 mm deep
+    reason = r"pocket_depth_mm must be below shell.thickness_mm = 2; got 3"
+    with pytest.raises(SpecError, match=reason):
+        check(thin)
+    with pytest.raises(
+        SpecError, match="made up is not a valid specification:\n  - shell." + reason
+    ):
+        parse_spec({"name": "cube", "shell": {"thickness_mm": 2.0}}, "made up")
+    assert check(CUBE) is CUBE
+
+
+def test_single_presses_need_not_fit_at_every_contact_location():
+    wide = CUBE.changed(contact_grid=CUBE.contact_grid.changed(pitch_mm=4.5))
+    with pytest.raises(SpecError, match="fewer places"):
+        check(wide)
+    assert check(wide, table=False) is wide
