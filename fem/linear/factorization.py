@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import ctypes
 import functools
+import importlib.metadata
 import warnings
 from dataclasses import dataclass
 from typing import Any
@@ -155,10 +156,20 @@ def _mkl() -> Any | None:
 
 @functools.cache
 def _mkl_library() -> Any:
-    """Found once: pypardiso looks through the whole environment for it, which takes seconds."""
+    """By the list of files of MKL's own package: pypardiso looks through the whole environment."""
+    for file in _files_of("mkl"):
+        if "mkl_rt" in file.name:
+            return ctypes.CDLL(str(file.locate()))
     from pypardiso import PyPardisoSolver
 
     return PyPardisoSolver().libmkl
+
+
+def _files_of(distribution: str) -> list[importlib.metadata.PackagePath]:
+    try:
+        return importlib.metadata.files(distribution) or []
+    except importlib.metadata.PackageNotFoundError:
+        return []
 
 
 def _warn_without_mkl() -> None:

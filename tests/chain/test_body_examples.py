@@ -8,7 +8,7 @@ import trimesh
 import xarray as xr
 
 from design.spec_io import load_spec
-from tests.instobj.cli.test_cli import run
+from tests.support.cli import run
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 FACES = {

@@ -13,7 +13,7 @@ import trimesh
 import xarray as xr
 from numpy.testing import assert_allclose
 
-from tests.instobj.cli.test_cli import run
+from tests.support.cli import run
 
 TEXT = """
 name = "{name}"

@@ -14,7 +14,7 @@ from design.spec.object import ObjectSpec
 from design.spec.search import PricesSpec, SearchLimitsSpec, VarySpec
 from design.spec_io import load_spec, parse_spec, spec_hash
 from instobj.stages.table import STAGES
-from tests.instobj.cli.test_cli import assert_one_clear_error, run
+from tests.support.cli import assert_one_clear_error, run, run_apart
 
 ROOT = Path(__file__).parents[2]
 SMALL = """
@@ -64,7 +64,7 @@ ON_REQUEST = {
 
 @pytest.fixture(scope="module")
 def first(folder):
-    done = run("run", "small.toml", "--json", cwd=folder)
+    done = run_apart("run", "small.toml", "--json", cwd=folder)
     assert done.returncode == 0, done.stderr
     return done
 

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.instobj.cli.test_cli import run
+from tests.support.cli import run
 
 EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.toml"))
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from tests.instobj.cli.test_cli import run
+from tests.support.cli import run
 
 ROOT = Path(__file__).parents[2]
 COARSE = [

@@ -25,20 +25,17 @@ from design.spec_io import load_spec
 
 ROOT = Path(__file__).parents[2]
 REFERENCE = ROOT / "tests/references/geometry.yaml"
-PRESETS = {"preset": ROOT / "instobj/templates/cube.toml"}
-"""Files that `instobj new` starts from."""
+FILES = {
+    "preset": ROOT / "instobj/templates/cube.toml",
+    **{path.stem: path for path in sorted((ROOT / "examples").glob("*.toml"))},
+}
+"""What `instobj new` starts from and every example, by the name that it has in the reference."""
 
 HEADER = """\
 # Golden geometry of the preset and of every file in examples/: parts (mm, mm³), floors of the shell's
 # pockets and places of the sensors, face by face, in the object's frame (mm). Parts without a count
 # of faces are known by their triangles. Written by `python -m tests.support.golden_geometry`.
 """
-
-
-def specifications() -> dict[str, ObjectSpec]:
-    """Every preset and example by the name that it has in the reference."""
-    files = PRESETS | {path.stem: path for path in sorted((ROOT / "examples").glob("*.toml"))}
-    return {name: load_spec(path) for name, path in files.items()}
 
 
 def measured_part(part: Part) -> dict[str, Any]:
@@ -82,8 +79,9 @@ def _rounded(values: Any) -> Any:
 
 def main() -> None:
     objects = {}
-    for name, spec in specifications().items():
+    for name, path in FILES.items():
         print(f"building {name}")
+        spec = load_spec(path)
         parts = {part.name: measured_part(part) for part in parts_of(spec)}
         objects[name] = {"parts": parts, **measured_places(spec)}
     text = yaml.safe_dump(objects, sort_keys=False, default_flow_style=None, width=100)

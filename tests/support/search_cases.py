@@ -3,6 +3,8 @@
 from design.search.space import search_space
 from design.spec_io import parse_spec
 from instobj.search.apart import Scored
+from instobj.search.loop import run_search
+from instobj.search.study import open_study
 
 OBJECTIVES = ("worst_position_bound_mm", "worst_force_bound_n")
 
@@ -41,3 +43,11 @@ def _scores(trial):
         "worst_position_bound_mm": 0.01 + ((x - 5) ** 2 + (y + 3) ** 2) / 100 + worse,
         "worst_force_bound_n": 0.01 + ((x + 5) ** 2 + (y - 6) ** 2) / 100 + worse,
     }
+
+
+def searched(path, engine="tpe", score=made_up_score, worker=0, **search):
+    """A search that was run to its end, kept in the journal `path`."""
+    space = made_up_space(engine=engine, **search)
+    kept = open_study(space.spec, path, join=True)
+    run_search(space, kept, score, lambda line: None, worker=worker)
+    return kept

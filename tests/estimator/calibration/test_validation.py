@@ -27,8 +27,8 @@ from estimator.field.sources import magnet_source
 from estimator.recordings.reading import read_recording
 from estimator.signals.press_states import rest_motion
 from estimator.tolerances.assembly import designed
-from tests.estimator.recordings.test_public_recordings import FOLDER, NAMES
 from tests.support.made_recordings import gripper_arrays, write_gripper
+from tests.support.public_recordings import FOLDER, NAMES
 from tests.support.synthetic_presses import coarse_spec, synthetic_presses
 
 SPEC = coarse_spec(silicone={"youngs_modulus_mpa": 0.4, "youngs_modulus_range_mpa": (0.2, 0.6)})

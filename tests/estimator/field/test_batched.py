@@ -10,7 +10,7 @@ from design.errors import InputError
 from estimator.field.batched import batched_field
 from estimator.field.models import FieldModel, field_model, model_error, total_field
 from estimator.field.sources import DiskMagnet
-from tests.estimator.field.test_field import DISKS, magpylib_field, random_poses, relative_error
+from tests.support.magnet_poses import DISKS, magpylib_field, random_poses, relative_error
 
 DEVICES = ["cpu", *(["cuda"] if torch.cuda.is_available() else [])]
 TYPES = {torch.float32: 3e-6, torch.float64: 1e-13}

@@ -3,9 +3,6 @@
 They are not part of the project; without them these tests skip.
 """
 
-import os
-from pathlib import Path
-
 import numpy as np
 import pytest
 
@@ -21,12 +18,8 @@ from estimator.frames.splits import split_presses
 from estimator.networks.training import FitSettings, fit_estimator
 from estimator.recordings.combine import combine, jumps_between
 from estimator.recordings.reading import read_recording
+from tests.support.public_recordings import FOLDER, NAMES
 
-FOLDER = Path(
-    os.environ.get("INSTOBJ_DATA")
-    or Path(__file__).parents[3].parent / "shared" / "data" / "inst-obj"
-)
-NAMES = ("1probe.csv", "2probe.csv")
 pytestmark = pytest.mark.skipif(
     not all((FOLDER / name).is_file() for name in NAMES),
     reason=f"public recordings not found in {FOLDER}; set INSTOBJ_DATA to their folder",

@@ -1,17 +1,15 @@
-"""The command line as a user meets it: in a process of its own."""
+"""The command line as a user meets it: help, errors, interruption."""
 
 import json
-import os
 import signal
 import subprocess
 import sys
 import time
-from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).parents[3]
-CUBE = ROOT / "examples" / "paper_cube.toml"
+from tests.support.cli import CUBE, assert_one_clear_error, run, run_apart
+
 BAD_DATA = {
     "empty.csv": "",
     "foreign.csv": "date,temperature\n2024-01-01,20.5\n2024-01-02,21.0\n",
@@ -20,28 +18,9 @@ BAD_DATA = {
 }
 
 
-def run(*arguments: str | Path, cwd: Path, **environment: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [sys.executable, "-m", "instobj", *map(str, arguments)],
-        capture_output=True,
-        text=True,
-        cwd=cwd,
-        env=os.environ | {"COLUMNS": "200"} | environment,
-        check=False,
-    )
-
-
-def assert_one_clear_error(done: subprocess.CompletedProcess[str], *words: str) -> None:
-    assert done.returncode == 2
-    assert "Traceback" not in done.stderr + done.stdout
-    assert done.stderr.count("error:") == 1
-    for word in words:
-        assert word in done.stderr
-
-
 def test_help_names_every_command_and_starts_quickly(tmp_path):
     started = time.perf_counter()
-    done = run("--help", cwd=tmp_path)
+    done = run_apart("--help", cwd=tmp_path)
     assert done.returncode == 0
     for command in [
         "new",
@@ -105,7 +84,7 @@ def test_bad_files_end_with_one_clear_error(tmp_path, content, word):
 
 
 def test_json_errors_are_json(tmp_path):
-    done = run("check", "missing.toml", "--json", cwd=tmp_path)
+    done = run_apart("check", "missing.toml", "--json", cwd=tmp_path)
     assert done.returncode == 2
     assert "missing.toml" in json.loads(done.stdout)["error"]
 
@@ -119,7 +98,7 @@ def test_unwritable_output_is_refused_before_any_work(tmp_path):
 
 
 def test_two_specifications_of_one_name_are_refused(tmp_path):
-    assert_one_clear_error(run("build", CUBE, CUBE, cwd=tmp_path), "both named")
+    assert_one_clear_error(run_apart("build", CUBE, CUBE, cwd=tmp_path), "both named")
 
 
 @pytest.mark.parametrize("name", [*BAD_DATA, "missing.csv"])

@@ -1,10 +1,6 @@
 """Presses with small strain and grasps from the command line: places, refusals, files, figures."""
 
 import json
-import os
-import subprocess
-import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -17,9 +13,9 @@ from instobj.commands.grasp import grasp_specification, unbalanced_moment_nmm
 from instobj.commands.loads import press_loads, sensor_rows, superposition_row
 from instobj.commands.places import Place, check_places, jaw_given, places_given
 from instobj.figures.loads import Pressed, draw_loads
+from tests.support import cli
+from tests.support.cli import CUBE
 
-ROOT = Path(__file__).parents[3]
-CUBE = ROOT / "examples" / "paper_cube.toml"
 SPEC = ObjectSpec(name="cube")
 COARSE = ["--set", "mesh.surface_edge_mm=2", "--set", "mesh.edge_mm=6"]
 
@@ -141,14 +137,7 @@ def test_a_force_and_a_patch_at_once_are_refused(tmp_path):
 
 
 def run(*arguments, cwd):
-    return subprocess.run(
-        [sys.executable, "-m", "instobj", *map(str, arguments), "--json", *COARSE],
-        capture_output=True,
-        text=True,
-        cwd=cwd,
-        env=os.environ | {"COLUMNS": "200"},
-        check=False,
-    )
+    return cli.run(*arguments, "--json", *COARSE, cwd=cwd)
 
 
 def test_large_deformation_says_what_it_cannot(tmp_path):

@@ -1,8 +1,6 @@
 """The command that turns names, hardness and tensile tests into a modulus; the spread in words."""
 
 import json
-import subprocess
-import sys
 
 import numpy as np
 import pytest
@@ -19,6 +17,7 @@ from instobj.commands.material import (
     modulus_text,
     travel_spread,
 )
+from tests.support.cli import run
 
 SPEC = ObjectSpec(name="cube")
 UNKNOWN = ObjectSpec.model_validate({"name": "cube", "silicone": {"youngs_modulus_mpa": 2.0}})
@@ -45,13 +44,8 @@ def test_a_tensile_test_gives_fits_and_a_figure(tmp_path):
     lines += [f"{a},{b}" for a, b in zip(stretch, stress, strict=True)]
     data = tmp_path / "gel.csv"
     data.write_text("\n".join(lines))
-    done = subprocess.run(
-        [sys.executable, "-m", "instobj", "material", str(data), "--json"],
-        capture_output=True,
-        text=True,
-        cwd=tmp_path,
-        check=True,
-    )
+    done = run("material", data, "--json", cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
     (item,) = json.loads(done.stdout)["objects"]
     solids = {row["solid"]: row for row in item["summary"]["solids"]}
     assert solids["yeoh"]["constants"] == "0.05,0.008,-0.0004"

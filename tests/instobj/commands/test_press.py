@@ -1,10 +1,6 @@
 """The command that presses one place with large deformation: materials, depths, errors, files."""
 
 import json
-import os
-import subprocess
-import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -13,21 +9,14 @@ from numpy.testing import assert_allclose
 from design.errors import InputError
 from design.spec.object import ObjectSpec
 from instobj.commands.press import material_of, press_specification
+from tests.support import cli
+from tests.support.cli import CUBE
 
-ROOT = Path(__file__).parents[3]
-CUBE = ROOT / "examples" / "paper_cube.toml"
 SPEC = ObjectSpec(name="cube")
 
 
 def run(*arguments, cwd):
-    return subprocess.run(
-        [sys.executable, "-m", "instobj", "press", str(CUBE), *map(str, arguments)],
-        capture_output=True,
-        text=True,
-        cwd=cwd,
-        env=os.environ | {"COLUMNS": "200"},
-        check=False,
-    )
+    return cli.run("press", CUBE, *arguments, cwd=cwd)
 
 
 def test_materials_by_name_with_their_constants():

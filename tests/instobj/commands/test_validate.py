@@ -10,7 +10,7 @@ from design.layout.positions import live_channels
 from design.spec_io import load_spec
 from estimator.calibration.resting import channel_names, read_resting
 from estimator.signals.presses import rest_counts
-from tests.instobj.cli.test_cli import CUBE, assert_one_clear_error, run
+from tests.support.cli import CUBE, assert_one_clear_error, run
 
 SPEC = load_spec(CUBE)
 NAMES = channel_names(SPEC)

@@ -15,23 +15,17 @@ import pytest
 from design.errors import InputError
 from design.spec_io import parse_spec
 from instobj.search.apart import Apart, GivenUp
-from instobj.search.loop import run_search
 from instobj.search.study import mend_journal, open_study
-from tests.support.search_cases import OBJECTIVES, made_up_score, made_up_scores, made_up_space
+from tests.support.search_cases import (
+    OBJECTIVES,
+    made_up_score,
+    made_up_scores,
+    made_up_space,
+    searched,
+)
 
 ENGINES = ("tpe", "cma-es", "nsga-ii", "nsga-iii", "random")
 OPTIMUM = {"magnet1_x_mm": 5.0, "magnet1_y_mm": -3.0}
-
-
-def quiet(_):
-    pass
-
-
-def searched(path, engine="tpe", score=made_up_score, worker=0, **search):
-    space = made_up_space(engine=engine, **search)
-    kept = open_study(space.spec, path, join=True)
-    run_search(space, kept, score, quiet, worker=worker)
-    return kept
 
 
 def best_of(kept):
@@ -186,7 +180,7 @@ def test_a_full_disk_is_one_clear_error_and_loses_one_batch(tmp_path):
     code = (
         "import resource, signal, sys; from pathlib import Path\n"
         "from design.errors import InputError\n"
-        "from tests.instobj.search.test_engines import searched\n"
+        "from tests.support.search_cases import searched\n"
         "path = Path(sys.argv[1]); searched(path, trials=32)\n"
         "signal.signal(signal.SIGXFSZ, signal.SIG_IGN)\n"
         "room = path.stat().st_size + 3000\n"
@@ -210,7 +204,7 @@ def test_a_killed_search_loses_no_finished_trial(tmp_path):
     path = tmp_path / "journal.log"
     code = (
         "import sys; from pathlib import Path\n"
-        "from tests.instobj.search.test_engines import searched\n"
+        "from tests.support.search_cases import searched\n"
         "searched(Path(sys.argv[1]), 'random', trials=100000, batch=8)\n"
     )
     here = Path(__file__).parent

@@ -11,7 +11,7 @@ from design.spec_io import load_spec, parse_spec
 from instobj.search.optimize import optimize, work
 from instobj.search.outcome.write import write_specification
 from instobj.search.possible import require_possible
-from tests.instobj.cli.test_cli import assert_one_clear_error, run
+from tests.support.cli import assert_one_clear_error, run
 
 FREE = {"magnet_reach_mm": 15.0, "magnet_depth_mm": [2.0, 5.0], "sensor_reach_mm": 10.5}
 
