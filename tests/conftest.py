@@ -4,8 +4,15 @@ from pathlib import Path
 
 import pytest
 from jaxtyping import install_import_hook
+from xdist.scheduler import LoadScopeScheduling
 
 install_import_hook(["design", "fem", "estimator"], "beartype.beartype")
+
+TOGETHER = ("tests/fem/", "tests/estimator/layouts/")
+"""Folders whose files share fixtures of the whole run: one worker takes all of them."""
+
+LONGEST_FIRST = ("tests/fem/", "tests/chain/", "tests/instobj/", "tests/benchmarks/")
+"""So that no worker is left with a long file at the end."""
 
 VERIFICATION_OUTCOMES = pytest.StashKey[list]()
 
@@ -36,3 +43,26 @@ def pytest_sessionfinish(session):
         from tests.support.verification import write_page
 
         write_page(outcomes, folder)
+
+
+class _FilesAndRooms(LoadScopeScheduling):
+    """A worker takes a file at a time, or a whole folder of those that share fixtures."""
+
+    def _split_scope(self, nodeid):
+        folders = (folder for folder in TOGETHER if nodeid.startswith(folder))
+        return next(folders, nodeid.split("::")[0])
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config, log):
+    config.option.loadscopereorder = False
+    return _FilesAndRooms(config, log)
+
+
+def pytest_collection_modifyitems(items):
+    ranks = {folder: rank for rank, folder in enumerate(LONGEST_FIRST)}
+
+    def rank(item):
+        return min((r for f, r in ranks.items() if item.nodeid.startswith(f)), default=len(ranks))
+
+    items.sort(key=rank)

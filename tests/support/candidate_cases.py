@@ -18,6 +18,9 @@ from estimator.signals.interpolation import signal_gradient
 from estimator.signals.presses import Signals
 from fem.candidates.motions import CandidateMotions, InterpolationError, candidate_lattices
 
+FACE = 3
+"""Its x is −z and its y is +y: a mix-up of axes shows."""
+
 SHARES = np.array([0.8, 1.2])
 LINEAR = 1e-3
 """Of real motions, and of real noise: signals are linear in the first, bounds and δ the same."""

@@ -30,33 +30,15 @@ from estimator.signals.hall import counts_of_field, full_scale_counts
 from estimator.signals.presses import press_signals, saturation_margin
 from estimator.tolerances.budget import twin_bounds
 from tests.support.candidate_cases import (
+    FACE,
     layout_scene,
-    made_up_motions,
-    made_up_spec,
     random_layouts,
 )
 from tests.support.synthetic_presses import coarse_spec, synthetic_presses
 
-FACE = 3
-"""Its x is −z and its y is +y: a mix-up of axes shows."""
 COUNT = 3
 DISTURBANCE_TOLERANCE = 0.05
 """Of a layout's median; measured 2 %, from the short series and basis."""
-
-
-@pytest.fixture(scope="module")
-def spec():
-    return made_up_spec()
-
-
-@pytest.fixture(scope="module")
-def motions(spec):
-    return made_up_motions(spec)
-
-
-@pytest.fixture(scope="module")
-def scorer(spec, motions):
-    return layout_scorer(spec, press_basis(spec, motions, FACE))
 
 
 def neighbours_of(spec):

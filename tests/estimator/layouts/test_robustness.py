@@ -12,41 +12,22 @@ from estimator.field.models import FieldModel
 from estimator.field.sources import magnet_source
 from estimator.information.fisher import disturbance_counts
 from estimator.layouts import robustness as layout_robustness
-from estimator.layouts.press_basis import press_basis
 from estimator.layouts.robustness import slip_places_mm, tolerance_places_mm
-from estimator.layouts.scoring import layout_scorer, press_changes
+from estimator.layouts.scoring import press_changes
 from estimator.signals.field_setup import sensed_field
 from estimator.signals.hall import counts_of_field
 from estimator.tolerances.budget import robustness
 from estimator.tolerances.localisation_bias import false_places_mm
 from tests.support.candidate_cases import (
+    FACE,
     layout_scene,
-    made_up_motions,
-    made_up_spec,
     random_layouts,
 )
 from tests.support.synthetic_presses import coarse_spec, synthetic_presses
 
-FACE = 3
-"""Its x is −z and its y is +y: a mix-up of axes shows."""
 COUNT = 4
 TOLERANCE = 0.08
 """Of a layout's median; measured at most 6 % (slip) and 5 % (tolerances), from the short basis."""
-
-
-@pytest.fixture(scope="module")
-def spec():
-    return made_up_spec()
-
-
-@pytest.fixture(scope="module")
-def motions(spec):
-    return made_up_motions(spec)
-
-
-@pytest.fixture(scope="module")
-def scorer(spec, motions):
-    return layout_scorer(spec, press_basis(spec, motions, FACE))
 
 
 def exact_change(spec, motions, one, row):

@@ -13,37 +13,14 @@ from estimator.layouts.batch import Layouts, layouts_of
 from estimator.layouts.press_basis import mixed_rows, press_basis
 from estimator.layouts.scoring import layout_scorer, place_information, score_layouts
 from tests.support.candidate_cases import (
-    made_up_motions,
-    made_up_spec,
+    FACE,
     ordinary_chain,
     random_layouts,
 )
 
-FACE = 3
-"""Its x is −z and its y is +y: a mix-up of axes shows."""
 COUNT = 4
 BOUND_TOLERANCE = 0.03
 """Of a place's bound; measured 1 %, from the other faces' short series and basis."""
-
-
-@pytest.fixture(scope="module")
-def spec():
-    return made_up_spec()
-
-
-@pytest.fixture(scope="module")
-def motions(spec):
-    return made_up_motions(spec)
-
-
-@pytest.fixture(scope="module")
-def presses(spec, motions):
-    return press_basis(spec, motions, FACE)
-
-
-@pytest.fixture(scope="module")
-def scorer(spec, presses):
-    return layout_scorer(spec, presses)
 
 
 @pytest.fixture(scope="module")
