@@ -17,6 +17,9 @@ from instobj.cli import app
 
 ROOT = Path(__file__).parents[2]
 CUBE = ROOT / "examples" / "paper_cube.toml"
+INTERRUPTED = 130
+"""Exit code after Ctrl-C, which ends the tests too."""
+
 Done = subprocess.CompletedProcess[str]
 
 
@@ -34,6 +37,8 @@ def run(*arguments: str | Path | float, cwd: Path) -> Done:
                 app.main()
         finally:
             signal.signal(signal.SIGINT, on_interrupt)
+    if ended.value.code == INTERRUPTED:
+        raise KeyboardInterrupt
     return Done(words, ended.value.code or 0, _text(output), _text(errors))
 
 
