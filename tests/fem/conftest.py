@@ -7,8 +7,8 @@ import pytest
 
 from fem.linear.response import build_response, elastic_system
 from fem.mesh.tetrahedra import TetMesh, tetrahedralize
+from tests.support import small_object
 from tests.support.fem_cases import COARSE_EDGES_MM, paper_cube
-from tests.support.small_object import small_spec
 
 
 @dataclass(frozen=True)
@@ -61,5 +61,15 @@ def rigid_system(coarse_mesh, rigid_spec):
 
 
 @pytest.fixture(scope="session")
+def points_system(coarse_mesh, points_spec):
+    return elastic_system(coarse_mesh, points_spec)
+
+
+@pytest.fixture(scope="session")
 def small_mesh():
-    return tetrahedralize(small_spec())
+    return small_object.small_mesh()
+
+
+@pytest.fixture(scope="session")
+def small_response(small_mesh):
+    return build_response(small_mesh, small_object.small_spec())

@@ -1,6 +1,9 @@
 """A cube with two tilted magnets a face, off the symmetry planes, on a mesh of few elements."""
 
+from functools import cache
+
 from design.spec.object import ObjectSpec
+from fem.mesh.tetrahedra import tetrahedralize
 from tests.support.fem_cases import YOUNGS_MODULUS_MPA
 
 
@@ -15,3 +18,9 @@ def small_spec(interface="bonded", magnets="rigid", **slip):
             "press": {"depths_mm": [1.0, 2.0]},
         }
     )
+
+
+@cache
+def small_mesh():
+    """Of any such specification: the mesh depends on none of the arguments."""
+    return tetrahedralize(small_spec())

@@ -20,16 +20,11 @@ from tests.support.fem_cases import (
     solve_loads,
     with_poisson_ratio,
 )
-from tests.support.small_object import small_spec
+from tests.support.small_object import small_mesh, small_spec
 from tests.support.verification import Check, Curve, Fault, Measured
 
 MOST_NODES = 55_000
 LOADS = (7, 23, 41)
-
-
-@cache
-def small_mesh():
-    return tetrahedralize(small_spec())
 
 
 @cache

@@ -20,7 +20,7 @@ from fem.linear.core_slip import (
     slipped_response,
     superposed,
 )
-from fem.linear.response import build_response, elastic_system, face_pressure_loads
+from fem.linear.response import elastic_system, face_pressure_loads
 from fem.presses.results import load_presses, save_presses
 from fem.presses.table import press_places, simulate_lattice, surface_weights_mm2
 from tests.support.fem_cases import solve_loads
@@ -30,11 +30,6 @@ SLIP = {"shift_mm": [0.9, -0.6, 0.4], "rotation_deg": [3.0, -2.0, 4.0]}
 AMPLITUDES = np.array([0.3, -0.7, 0.5, 0.02, 0.03, -0.05])
 DEPTHS_MM = np.array([1.0, 2.0])
 TIP_RADIUS_MM = 5.0
-
-
-@pytest.fixture(scope="module")
-def small_response(small_mesh):
-    return build_response(small_mesh, small_spec())
 
 
 @pytest.fixture(scope="module")

@@ -9,7 +9,7 @@ from numpy.testing import assert_allclose
 from design.body.kinds import face_frames
 from design.layout.positions import magnet_layout
 from fem.linear.magnets import magnet_of_nodes, mean_motion_functionals
-from fem.linear.response import elastic_system, face_pressure_loads, load_response, save_response
+from fem.linear.response import face_pressure_loads, load_response, save_response
 from fem.presses.table import surface_weights_mm2
 from tests.support.fem_cases import (
     SHELL_COMPLIANCE_MM_PER_N,
@@ -53,11 +53,6 @@ def direct_solve(system, spec):
 @pytest.fixture(scope="module")
 def rigid_solve(rigid_system, rigid_spec):
     return direct_solve(rigid_system, rigid_spec)
-
-
-@pytest.fixture(scope="module")
-def points_system(coarse_mesh, points_spec):
-    return elastic_system(coarse_mesh, points_spec)
 
 
 def fitted_motions(nodes_mm, u_mm, owner, centres_mm):
