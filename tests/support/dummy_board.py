@@ -38,8 +38,11 @@ def board_lines(k, loads=True, place=(3, ((1.5, -4.5),))):
 
 
 @contextmanager
-def dummy_board(lines=board_lines, first=0, header=True, channels=CHANNELS, hang_up_after=None):
-    """Name of a port on which frames come at `RATE_HZ` until the context ends."""
+def dummy_board(lines=board_lines, first=0, header=True, channels=CHANNELS, asked=None):
+    """Name of a port on which frames come at `RATE_HZ` until the context ends.
+
+    The event `asked` is set when a reader asks for the channels.
+    """
     master, slave = os.openpty()
     tty.setraw(slave)
     os.set_blocking(master, False)
@@ -50,11 +53,11 @@ def dummy_board(lines=board_lines, first=0, header=True, channels=CHANNELS, hang
         while not stop.is_set():
             if select.select([master], [], [], 0)[0] and b"?" in os.read(master, 1024) and header:
                 os.write(master, encode_header(channels))
+                if asked is not None:
+                    asked.set()
             with suppress(BlockingIOError):  # nobody reads: a real port loses the line as well
                 os.write(master, lines(k))
             k += 1
-            if hang_up_after is not None and k - first >= hang_up_after:
-                return
             stop.wait(max(0.0, started + (k - first) / RATE_HZ - time.monotonic()))
 
     thread = threading.Thread(target=send)

@@ -4,6 +4,7 @@ import os
 import signal
 import subprocess
 import sys
+import threading
 import time
 from pathlib import Path
 
@@ -239,12 +240,14 @@ def test_a_board_without_force_is_told_so(tmp_path):
     def bare(k):
         return board_lines(k, loads=False)
 
-    with dummy_board(bare, hang_up_after=400) as port:
+    asked = threading.Event()
+    with dummy_board(bare, asked=asked) as port:
         process = subprocess.Popen(
             [sys.executable, "-m", "instobj", "collect", "cube", "--port", port, "--zero", "0"],
             cwd=tmp_path, stdin=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
         )  # fmt: skip
-        time.sleep(3)
+        assert asked.wait(60)
+        time.sleep(1)
         process.send_signal(signal.SIGINT)
         _, err = process.communicate(timeout=30)
     assert process.returncode == 2
