@@ -1,6 +1,6 @@
-"""The command line as a user meets it: `run` in this process, `run_apart` in one of its own.
+"""The command line as a user meets it: `run` in this process, `run_apart` in a separate one.
 
-A process of its own pays several seconds of imports: only tests of the process itself need it.
+A separate process pays several seconds of imports: only tests of the process itself need it.
 """
 
 import io
@@ -48,7 +48,7 @@ def _text(stream: io.TextIOWrapper) -> str:
 
 
 def run_apart(*arguments: str | Path | float, cwd: Path) -> Done:
-    """The same in a process of its own."""
+    """The same in a separate process."""
     return subprocess.run(
         [sys.executable, "-m", "instobj", *map(str, arguments)],
         capture_output=True,
