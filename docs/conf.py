@@ -7,6 +7,7 @@ from pathlib import Path
 DOCS = Path(__file__).parent
 sys.path.insert(0, str(DOCS))
 os.environ.setdefault("MPLBACKEND", "Agg")
+os.environ.setdefault("INSTOBJ_STORE", str(DOCS.parent / ".instobj"))
 
 from site_pages import GENERATED, write_generated_pages  # noqa: E402
 
@@ -24,12 +25,15 @@ source_suffix = {".md": "markdown", ".rst": "restructuredtext"}
 html_theme = "furo"
 html_title = "instobj"
 html_show_sphinx = False
+html_show_copyright = False
 html_copy_source = False
 templates_path = []
 
 myst_heading_anchors = 3
 myst_enable_extensions = ["colon_fence"]
 suppress_warnings = ["myst.strikethrough", "config.cache"]
+
+default_role = "code"
 
 autodoc_typehints = "signature"
 autodoc_member_order = "bysource"

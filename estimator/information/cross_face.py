@@ -79,8 +79,8 @@ def cross_face_disturbance(spec: ObjectSpec, signals: Signals, force_n: float = 
         forces.append(_nearest_force(change, *_own_presses(spec, signals, read_face, own, sigma)))
     return CrossFace(
         force_n,
-        np.array([frames[a].number for a, _ in pairs]),
-        np.array([frames[b].number for _, b in pairs]),
+        np.array([frames[a].number for a, _ in pairs], dtype=int),
+        np.array([frames[b].number for _, b in pairs], dtype=int),
         tuple(relation),
         np.reshape(sizes, (len(pairs), -1)) if pairs else np.zeros((0, len(pressed[0]))),
         np.reshape(forces, (len(pairs), -1)) if pairs else np.zeros((0, len(pressed[0]))),

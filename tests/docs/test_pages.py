@@ -7,6 +7,7 @@ from pathlib import Path
 import pydantic
 import pytest
 
+import instobj
 from design.spec.object import ObjectSpec
 from tests.support.pages import DOCS, ROOT, Link, all_pages, anchors, links, site_pages, snippets
 
@@ -175,3 +176,16 @@ def test_files_and_modules_that_a_page_names_exist(page):
             names.update(dotted)
     assert not [path for path in sorted(paths) if not (ROOT / path).exists()]
     assert not [name for name in sorted(names) if not _is_defined(name)]
+
+
+def test_the_reference_holds_every_public_name():
+    page = (DOCS / "reference" / "python.md").read_text()
+    documented = re.findall(r"^\.\. auto\w+:: instobj\.(\w+)\b.*$", page, flags=re.MULTILINE)
+    assert sorted(documented) == sorted(instobj.__all__)
+
+
+@pytest.mark.parametrize("page", all_pages(), ids=lambda page: str(page.relative_to(ROOT)))
+def test_names_of_the_library_that_a_page_uses_are_public(page):
+    used = set(re.findall(r"(?<![\w./-])instobj\.([A-Za-z_]\w*)", page.read_text()))
+    rooms = {path.name for path in (ROOT / "instobj").iterdir()}
+    assert not used - set(instobj.__all__) - rooms - {"toml"}

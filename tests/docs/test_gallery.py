@@ -1,0 +1,141 @@
+"""The gallery's scripts run in their quick form, and find what their text says."""
+
+import ast
+import runpy
+import sys
+import tomllib
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pytest
+
+from tests.support.pages import ROOT
+
+GALLERY = ROOT / "examples" / "gallery"
+SCRIPTS = sorted(GALLERY.glob("[0-9][0-9]_*.py"))
+LIBRARIES = {"instobj", "numpy", "matplotlib"}
+
+
+@pytest.fixture(scope="module")
+def store(tmp_path_factory):
+    """One store for all scripts: mechanics of the small cube is computed once."""
+    return tmp_path_factory.mktemp("store")
+
+
+@pytest.fixture
+def run_script(store, monkeypatch):
+    """Run a script in its quick form; its variables, once it has drawn something."""
+
+    def run(number: int) -> dict:
+        path = next(path for path in SCRIPTS if path.name.startswith(f"{number:02}_"))
+        monkeypatch.setenv("INSTOBJ_STORE", str(store))
+        monkeypatch.setenv("INSTOBJ_GALLERY", "quick")
+        monkeypatch.chdir(GALLERY)
+        monkeypatch.setattr(sys, "argv", [str(path)])
+        monkeypatch.setattr(plt, "show", lambda: None)
+        plt.close("all")
+        try:
+            variables = runpy.run_path(str(path), run_name="__main__")
+            assert plt.get_fignums()
+        finally:
+            plt.close("all")
+        return variables
+
+    return run
+
+
+def test_there_are_eight_scripts_or_more():
+    assert len(SCRIPTS) >= 8
+
+
+@pytest.mark.parametrize("path", SCRIPTS, ids=lambda path: path.stem)
+def test_a_script_uses_the_public_library_alone(path):
+    tree = ast.parse(path.read_text())
+    imported = set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            imported.update(alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            imported.add(str(node.module))
+    tops = {name.partition(".")[0] for name in imported}
+    assert tops <= LIBRARIES | set(sys.stdlib_module_names)
+    assert not [name for name in imported if name.startswith("instobj.")]
+
+
+def test_the_small_cube_is_small():
+    spec = tomllib.loads((GALLERY / "small_cube.toml").read_text())
+    assert spec["mesh"] == {"edge_mm": 8.0, "surface_edge_mm": 3.0}
+
+
+def test_a_first_object_has_a_bound_at_every_contact_location(run_script):
+    found = run_script(1)
+    assert found["bound_mm"].shape == (1, np.prod(found["cube"].contact_grid.count))
+    assert np.all((found["bound_mm"] > 0) & (found["bound_mm"] < 42))
+
+
+def test_a_fourth_sensor_locates_better(run_script):
+    three, four = run_script(2)["bounds_mm"].values()
+    assert np.median(four) < np.median(three)
+    assert four.max() < three.max()
+
+
+def test_a_deeper_press_takes_more_force_and_changes_more(run_script):
+    found = run_script(3)
+    assert np.all(np.diff(found["force_n"]) > 0)
+    size = np.linalg.norm(found["own"], axis=(1, 2))
+    assert np.all(np.diff(size) > 0)
+
+
+def test_the_bound_by_hand_ranks_contact_locations_as_the_library_does(run_script):
+    """Differences over 3 mm leave a factor at the border; the pattern stays."""
+    found = run_script(4)
+    logarithms = [np.log(found[name].ravel()) for name in ("by_hand_mm", "library_mm")]
+    assert np.corrcoef(logarithms)[0, 1] > 0.75
+    assert 0.6 < np.median(found["ratio"]) < 1.4
+
+
+def test_a_search_scores_every_trial(run_script):
+    found = run_script(5)
+    assert len(found["found_mm"]) == found["TRIALS"] == 2
+    assert np.isfinite(found["found_mm"]).any()
+    assert found["found_mm"][found["best"]] == found["found_mm"].min()
+
+
+def test_a_recording_that_was_written_trains_an_estimator(run_script):
+    found = run_script(6)
+    assert not found["recording"].report.faults
+    assert len(np.unique(found["frames"].place_id)) == 1 + 16
+    assert found["metrics"].total_force_error_percent < 20
+    assert found["metrics"].location_error_px < 2
+
+
+def test_a_body_from_triangles_passes_its_checks(run_script):
+    found = run_script(7)
+    assert (found["found"].magnets, found["found"].sensors) == (12, 12)
+    edges = found["shown"]["body"][:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 6).round(6)
+    assert np.array_equal(np.unique(edges, axis=0), np.unique(np.roll(edges, 3, axis=1), axis=0))
+
+
+def test_the_scanned_magnet_has_the_polarization_that_another_code_fits(run_script):
+    """Magpylib's documentation fits 1126 mT to the whole scan."""
+    found = run_script(8)
+    assert found["numbers"][6] == pytest.approx(1.126, abs=0.002)
+    assert np.sqrt(np.mean(found["left_mt"] ** 2)) < 0.05
+
+
+def test_data_beside_the_scripts_carry_their_licence():
+    licence = (GALLERY / "data" / "LICENSE").read_text()
+    for path in (GALLERY / "data").glob("*.csv"):
+        assert path.name in licence
+
+
+def test_files_beside_the_scripts_are_used():
+    text = "".join(path.read_text() for path in SCRIPTS)
+    beside = [path for path in GALLERY.rglob("*") if path.suffix in (".toml", ".csv")]
+    assert beside
+    assert not [path for path in beside if Path(path).name not in text]
