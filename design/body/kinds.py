@@ -69,16 +69,6 @@ def sphere_centre_mm(spec: ObjectSpec) -> Float[np.ndarray, "3"]:
     return np.array([0.0, 0.0, base_top_mm(spec) if spec.body.kind == "dome" else 0.0])
 
 
-def largest_radius_mm(spec: ObjectSpec) -> float:
-    """Largest radius of curvature of the outer surface; 0 where all of it is flat."""
-    if spec.body.kind in ("box", "pad"):
-        return 0.0
-    half = np.asarray(spec.body.size_mm) / 2
-    if spec.body.kind == "ellipsoid":
-        return float(half.max() ** 2 / half.min())
-    return float(half[0] if spec.body.kind != "imported" else half.max())
-
-
 def _axes(number: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     normal, x, y = (np.asarray(axis, float) for axis in FACE_AXES[number])
     return normal, x, y

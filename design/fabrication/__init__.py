@@ -1,1 +1,1 @@
-"""Whether the parts can be printed, cast and assembled."""
+"""Checks that the parts can be printed, cast and assembled."""

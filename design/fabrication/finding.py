@@ -1,4 +1,4 @@
-"""What a fabrication check found: a value against its limit, at a place, with advice."""
+"""Finding of a fabrication check: a value against its limit, at a place, with advice."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""Whether everything that a specification asks for fits."""
+"""Fit of everything that a specification asks for."""

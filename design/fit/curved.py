@@ -1,4 +1,4 @@
-"""Whether everything fits in bodies other than boxes, and what only boxes can.
+"""Fit of everything in bodies other than boxes, and what only boxes can.
 
 Neighbouring patches of a curved body overlap, so that pockets are compared in the object's frame.
 """

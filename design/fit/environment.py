@@ -1,4 +1,4 @@
-"""Whether what surrounds the object stays outside it."""
+"""Surroundings that stay outside the object."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""Where everything is: contact grids, magnets, sensors, pockets, boards, tips."""
+"""Positions of everything: contact grids, magnets, sensors, pockets, boards, tips."""

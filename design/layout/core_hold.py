@@ -1,4 +1,4 @@
-"""How a core that is cast in is held: by a rod through its bore, or by pins through its wire holes.
+"""Hold of a core that is cast in: by a rod through its bore, or by pins through its wire holes.
 
 Everything here is numbers. A rod has a flat on its nose, and the core's outlet one that meets it, so
 that the core cannot turn. Pins leave holes in the silicone, from the core to the outside (or to the

@@ -1,4 +1,4 @@
-"""Which way a mould opens, how far its block reaches, and where its halves part: numbers alone.
+"""Opening, extents and parting plane of a mould: numbers alone.
 
 A mould stands with `out` upwards when silicone is poured. Where the core's cavity runs out through
 a whole side of the body, that side is open and a plug closes it ("open"). Where it runs out through

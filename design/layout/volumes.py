@@ -44,8 +44,3 @@ def _layer_volume_mm3(spec: ObjectSpec) -> float:
     slits = slits_volume_mm3(spec) - slits_volume_mm3(spec, layer)
     mouths = sum(p.outline.area_mm2 * layer / p.axis[2] for f in shell_pockets(spec) for p in f)
     return prod(spec.body.size_mm) - prod(cast) - slits - float(mouths)
-
-
-def cavity_depth_mm(spec: ObjectSpec) -> float:
-    """Depth of the shell's cavity from the open face, mm: the body's height less the top wall."""
-    return spec.body.size_mm[2] - spec.shell.thickness_mm
