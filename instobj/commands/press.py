@@ -155,7 +155,7 @@ def _make_mesh(
     from fem.mesh.tetrahedra import save_mesh, tetrahedralize_for_press
 
     step("tetrahedra, fine at the press")
-    mesh = tetrahedralize_for_press(spec, face, *xy_mm)
+    mesh = tetrahedralize_for_press(spec, face, *xy_mm, step)
     require_quality(mesh_quality(mesh, spec))
     save_mesh(mesh, folder / "mesh.npz")
 

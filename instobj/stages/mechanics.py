@@ -21,14 +21,15 @@ def make_build(context: StageContext, folder: Path) -> None:
 def make_mesh(context: StageContext, folder: Path) -> None:
     """Tetrahedra of the sealed body and their quality."""
     from fem.mesh.quality import mesh_quality, require_quality
-    from fem.mesh.tetrahedra import save_mesh, tetrahedralize
+    from fem.mesh.tetrahedra import mesh_sha256, save_mesh, tetrahedralize
 
     context.step("tetrahedra of the sealed body, magnets resolved")
-    mesh = tetrahedralize(context.spec)
+    mesh = tetrahedralize(context.spec, progress=context.step)
     quality = mesh_quality(mesh, context.spec)
     require_quality(quality)
     save_mesh(mesh, folder / "mesh.npz")
-    write_json(quality.to_dict(), folder / "mesh_quality.json")
+    content = {**quality.to_dict(), "mesh_sha256": mesh_sha256(mesh)}
+    write_json(content, folder / "mesh_quality.json")
 
 
 def make_response(context: StageContext, folder: Path) -> None:
@@ -59,7 +60,7 @@ def make_coarse_response(context: StageContext, folder: Path) -> None:
 
     context.step("a mesh with edges 1.5 times as long")
     spec = coarser(context.spec)
-    mesh = tetrahedralize(spec)
+    mesh = tetrahedralize(spec, progress=context.step)
     context.step("assembling, factoring and condensing")
     save_response(build_response(mesh, spec), folder)
 

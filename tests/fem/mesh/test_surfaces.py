@@ -7,8 +7,8 @@ from numpy.testing import assert_allclose
 from design.body.surface import sealed_body_surface, support_rings
 from design.layout.positions import magnet_layout, shell_body_layout
 from design.spec.object import BodySpec, MagnetSpec, MeshSpec, ObjectSpec, ShellSpec
+from fem.mesh.edge_lengths import edge_length_field
 from fem.mesh.surfaces import all_surfaces, body_surfaces, in_body
-from fem.mesh.tetrahedra import _edge_length_field
 
 PAPER = ObjectSpec(name="paper")
 SKEWED = ObjectSpec(
@@ -125,7 +125,7 @@ def test_the_share_of_points_in_a_magnet_is_its_volume(spec):
 
 @BOTH
 def test_the_edge_length_field_is_positively_oriented_and_fills_its_box(spec):
-    field = _edge_length_field(spec)
+    field = edge_length_field(spec)
     corner = field.points_mm[field.tets]
     volume = np.linalg.det(corner[:, 1:] - corner[:, :1]) / 6
     assert (volume > 0).all()
@@ -134,7 +134,7 @@ def test_the_edge_length_field_is_positively_oriented_and_fills_its_box(spec):
 
 @BOTH
 def test_edges_are_fine_at_the_pressed_faces_and_coarse_at_the_open_one(spec):
-    field = _edge_length_field(spec)
+    field = edge_length_field(spec)
     half = np.array(spec.body.size_mm) / 2
     sides = (abs(field.points_mm[:, :2]) >= half[:2]).any(axis=1) | (
         field.points_mm[:, 2] >= half[2]

@@ -15,6 +15,7 @@ from fem.mesh.tetrahedra import (
     TetMesh,
     _positively_oriented,
     load_mesh,
+    mesh_sha256,
     save_mesh,
     tet_volumes_mm3,
 )
@@ -79,6 +80,21 @@ def test_a_saved_mesh_comes_back_alike(coarse_mesh, tmp_path):
         assert saved.dtype == read.dtype
         np.testing.assert_array_equal(saved, read)
     assert os.listdir(tmp_path) == ["mesh.npz"]
+
+
+def test_the_hash_of_a_mesh_is_that_of_its_content(tmp_path):
+    points = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1.0]])
+    mesh = TetMesh(points, np.arange(4)[None], np.array([SILICONE]))
+    save_mesh(mesh, tmp_path / "mesh.npz")
+    moved = points.copy()
+    moved[3, 2] = np.nextafter(1, 2)
+    others = [
+        replace(mesh, points_mm=moved),
+        replace(mesh, tets=mesh.tets[:, [1, 2, 0, 3]]),
+        replace(mesh, magnet=np.array([0])),
+    ]
+    assert mesh_sha256(load_mesh(tmp_path / "mesh.npz")) == mesh_sha256(mesh)
+    assert len({mesh_sha256(each) for each in (mesh, *others)}) == 4
 
 
 def test_dihedral_angles_of_two_known_tetrahedra():

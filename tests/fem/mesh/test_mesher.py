@@ -1,0 +1,69 @@
+"""The mesher's process: its mesh, its progress, and one error for each way to fail."""
+
+import os
+import time
+
+import numpy as np
+import pytest
+import trimesh
+from numpy.testing import assert_allclose
+
+from design.errors import InputError
+from fem.mesh import mesher
+
+NOTHING = {"vertices": np.zeros((0, 3))}
+
+
+def child_that_runs(monkeypatch, code):
+    monkeypatch.setattr(mesher, "_CHILD", ("-c", code))
+
+
+def test_a_block_is_filled_and_nothing_is_left_behind(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    block = trimesh.creation.box((2.0, 1.0, 1.0))
+    points, tets = mesher.run_mesher(
+        {
+            "vertices": np.asarray(block.vertices, float),
+            "faces": np.asarray(block.faces, np.int32),
+            "edge_length_abs": np.array(0.7),
+            "epsilon": np.array(1e-3),
+        }
+    )
+    corner = points[tets]
+    volume = abs(np.linalg.det(corner[:, 1:] - corner[:, :1])) / 6
+    assert_allclose(volume.sum(), 2.0, rtol=1e-3)
+    assert os.listdir(tmp_path) == []
+
+
+def test_a_crash_is_one_error_that_names_the_signal(monkeypatch):
+    child_that_runs(monkeypatch, "import os; os.abort()")
+    with pytest.raises(InputError, match=r"it crashed \(SIGABRT\).*mesh\.envelope_mm"):
+        mesher.run_mesher(NOTHING)
+
+
+def test_what_the_mesher_says_last_stands_in_the_error(monkeypatch):
+    child_that_runs(monkeypatch, "import sys; sys.exit('noise\\nno tetrahedra inside')")
+    with pytest.raises(InputError, match="on this body: no tetrahedra inside"):
+        mesher.run_mesher(NOTHING)
+
+
+def test_a_mesher_without_end_is_stopped(monkeypatch, tmp_path):
+    """The child would leave a file after its sleep."""
+    late = tmp_path / "late"
+    child_that_runs(monkeypatch, f"import time; time.sleep(3); open({str(late)!r}, 'w')")
+    start = time.monotonic()
+    with pytest.raises(InputError, match=r"did not finish this body within 0\.2 s"):
+        mesher.run_mesher(NOTHING, seconds=0.2)
+    assert time.monotonic() - start < 2.5
+    time.sleep(3)
+    assert not late.exists()
+
+
+def test_progress_is_told_while_the_mesher_works(monkeypatch):
+    monkeypatch.setattr(mesher, "PROGRESS_EVERY_S", 0.1)
+    child_that_runs(monkeypatch, "import time; time.sleep(1); raise SystemExit('end')")
+    lines = []
+    with pytest.raises(InputError, match="end"):
+        mesher.run_mesher(NOTHING, lines.append)
+    assert len(lines) >= 3
+    assert all(line.startswith("the mesher has worked for ") for line in lines)
