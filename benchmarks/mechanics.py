@@ -155,7 +155,7 @@ def report(result: dict[str, Any]) -> str:
     lines.append(f"  peak memory {done['peak_gb']:.2f} GB")
     for name, way in done["ways"].items():
         lines.append(
-            f"{name}: {way['press_s']:.3g} s a press, {way['table_s']:.4g} s for the table "
+            f"{name}: {way['press_s']:.3g} s per press, {way['table_s']:.4g} s for the table "
             f"(extrapolated from {way['measured_presses']}), {way['ratio']:.3g} times ours; "
             f"differs by {way['largest_difference']:.1e}"
         )

@@ -125,7 +125,7 @@ def _slower_ways(
         ]
         forward = (time.perf_counter() - start) / (len(places) * len(DEPTHS_MM))
     return {
-        "one independent solve a press": {
+        "one independent solve per press": {
             "press_s": float(np.median([seconds for seconds, _ in independent])),
             "measured_presses": len(independent),
             "largest_difference": max(difference for _, difference in independent),

@@ -2,7 +2,7 @@
 
     python benchmarks/search.py [--quick] [--out FOLDER]
 
-Layouts of five magnets and three sensors a face are random; all are scored for presses of one face,
+Layouts of five magnets and three sensors per face are random; all are scored for presses of one face,
 Fisher information included, the other faces' magnets too. The plain way meshes a layout's magnets,
 solves, presses every place and sums exact fields by magpylib; its mechanics is timed for few
 layouts, and what many would take is extrapolated. Agreement is with exact fields of all magnets at
@@ -209,7 +209,7 @@ def report(result: dict[str, Any]) -> str:
         f"batched: {found['layouts_per_s']:.0f} layouts/s, {found['places']} places of one face"
         f" (target {RATE_TARGET:g}); once before: motions {found['candidates_once_s']:.0f} s,"
         f" basis {found['basis_once_s']:.1f} s",
-        f"plain: mechanics {found['plain_mechanics_s']:.1f} s a layout (mean of"
+        f"plain: mechanics {found['plain_mechanics_s']:.1f} s per layout (mean of"
         f" {found['plain_mechanics_layouts_timed']}), magpylib {found['plain_fields_s']:.2f} s",
         f"ratio, extrapolated from these: {found['extrapolated_ratio']:.0f} (target"
         f" {RATIO_TARGET:g}); to the fields alone: {found['ratio_to_fields_alone']:.0f}",

@@ -126,7 +126,7 @@ def _with_as_built(content: dict[str, Any], path: Path) -> dict[str, Any]:
         file = beside
     else:
         return content
-    missing = "no as-built file at {}. Mend the key as_built (or --as-built), or leave it out"
+    missing = "no as-built file at {}. Fix the key as_built (or --as-built), or leave it out"
     return content | {"as_built": _read_toml(file, missing)}
 
 
@@ -156,7 +156,7 @@ def _with_printer(content: dict[str, Any], folder: Path) -> dict[str, Any]:
     named = content.get("printer")
     if not isinstance(named, str):
         return content
-    missing = "no printer profile at {}. Mend the key printer, or give a table [printer]"
+    missing = "no printer profile at {}. Fix the key printer, or give a table [printer]"
     profile = _read_toml(folder / named, missing)
     return content | {"printer": {"name": Path(named).stem} | profile}
 

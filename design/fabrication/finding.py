@@ -13,7 +13,7 @@ Place = tuple[float, float, float]
 class Finding:
     """One check of one part; `place_mm` is in the part's own frame, None where it has none.
 
-    `what` says what was measured and, where it did not pass, how to mend it.
+    `what` says what was measured and, where it did not pass, how to fix it.
     """
 
     check: str

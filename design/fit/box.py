@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 def check_box(spec: ObjectSpec) -> None:
-    """Raise ValueError with what does not fit in a box, what was given and how to mend it."""
+    """Raise ValueError with what does not fit in a box, what was given and how to fix it."""
     _check_core(spec)
     _check_wire_passages(spec)
     _check_pockets(spec)

@@ -21,7 +21,7 @@ _LARGEST_SHARE = 0.6
 
 
 def check_body(spec: ObjectSpec) -> None:
-    """Raise ValueError with what does not fit, what was given and how to mend it."""
+    """Raise ValueError with what does not fit, what was given and how to fix it."""
     _check_what_boxes_can(spec)
     _check_core(spec)
     _check_pockets(spec)

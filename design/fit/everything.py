@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def require_fit(spec: ObjectSpec, table: bool = True) -> None:
-    """Raise ValueError with what does not fit, what was given and how to mend it.
+    """Raise ValueError with what does not fit, what was given and how to fix it.
 
     Without `table`, whether the indenter can be pressed at every contact place is left open.
     """

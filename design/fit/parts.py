@@ -22,7 +22,7 @@ _TOUCHING_MM = 0.01
 
 
 def check_parts(spec: ObjectSpec) -> None:
-    """Raise ValueError with what does not fit, what was given and how to mend it."""
+    """Raise ValueError with what does not fit, what was given and how to fix it."""
     if spec.core.keys.positions_mm:
         _check_keys(spec)
     if spec.shell.slits.depth_mm:
@@ -267,7 +267,7 @@ def distance_mm(polygon: Corners, point: Float[np.ndarray, "2"]) -> float:
 
 
 def check_mould(spec: ObjectSpec) -> None:
-    """Raise ValueError with what cannot be moulded, what was given and how to mend it."""
+    """Raise ValueError with what cannot be moulded, what was given and how to fix it."""
     opening = opening_of(spec)
     if spec.mould.style == "one-piece" and opening != "open":
         raise ValueError(

@@ -27,7 +27,7 @@ def stl_tip_vertices_mm(path: Path) -> tuple[tuple[float, float, float], ...]:
     body = _read(path)
     if not body.is_watertight or body.volume <= 0:
         raise InputError(
-            f"indenter.file {path}: the surface is not closed with its normals outward. Mend the STL"
+            f"indenter.file {path}: the surface is not closed with its normals outward. Fix the STL"
         )
     hull = body.convex_hull
     if hull.volume > (1 + _CONVEX_TO) * body.volume:

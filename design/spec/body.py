@@ -91,7 +91,7 @@ def _check_size(body: BodySpec) -> None:
     holds, wanted = rules.get(body.kind, (lambda: True, ""))
     if not holds():
         raise ValueError(
-            f"body.size_mm of a {body.kind} must be {wanted}; got {list(body.size_mm)}. Mend the "
+            f"body.size_mm of a {body.kind} must be {wanted}; got {list(body.size_mm)}. Fix the "
             "size, or choose another body.kind"
         )
 
@@ -115,7 +115,7 @@ def _check_faces(body: BodySpec) -> None:
     if wrong or body.sensed_faces == ():
         raise ValueError(
             f"body.sensed_faces must name some of the closed faces {closed}; got "
-            f"{list(body.sensed_faces or ())}. Mend it, or leave it out to take them all"
+            f"{list(body.sensed_faces or ())}. Fix it, or leave it out to take them all"
         )
 
 

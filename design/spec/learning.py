@@ -92,7 +92,7 @@ class ScoreSpec(SpecPart):
         if self.hull == "exact" and self.hull_frames > LARGEST_EXACT_HULL_FRAMES:
             raise ValueError(
                 f"score.hull = 'exact' takes at most {LARGEST_EXACT_HULL_FRAMES} frames; got "
-                f"score.hull_frames = {self.hull_frames}. Lower it (seconds a place at 100), or use "
+                f"score.hull_frames = {self.hull_frames}. Lower it (seconds per place at 100), or use "
                 "'monte-carlo' or 'covariance'"
             )
         return self
@@ -120,7 +120,7 @@ class ProtocolSpec(SpecPart):
 
 
 class TrainingSpec(SpecPart):
-    """Contact estimator, one a face.
+    """Contact estimator, one per face.
 
     `model`: "compact" reads the face's own sensors, "whole-object" those of every face, so that it
     copes with presses on other faces; "paper" is the network and recipe of Knopke et al. (RA-L

@@ -98,7 +98,7 @@ class SensorSpec(SpecPart):
         if counts != {self.count_per_face}:
             raise ValueError(
                 f"sensors.positions_mm must hold sensors.count_per_face = {self.count_per_face} places "
-                f"on every face; got {sorted(counts)}. Leave count_per_face out, or mend the lists"
+                f"on every face; got {sorted(counts)}. Leave count_per_face out, or fix the lists"
             )
         return self
 

@@ -68,7 +68,7 @@ class SiliconeSpec(SpecPart):
                 raise ValueError(
                     "silicone.youngs_modulus_range_mpa must be [lowest, highest] around "
                     f"youngs_modulus_mpa = {self.youngs_modulus_mpa:g}; got [{low:g}, {high:g}]. "
-                    "Mend one of them"
+                    "Fix one of them"
                 )
         return self
 

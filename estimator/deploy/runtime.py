@@ -193,7 +193,7 @@ class LiveReader:
             if np.isnan(value):
                 raise InputError(
                     f"channel {channel_label((face % HISTORY, sensor, axis))}, which the model "
-                    "uses, gives no reading. Mend the sensor, or train anew without it"
+                    "uses, gives no reading. Fix the sensor, or train anew without it"
                 )
             values.append(value)
         return np.array(values)

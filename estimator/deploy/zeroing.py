@@ -4,7 +4,7 @@ Signals count as still when they scatter over a few frames no more than from one
 (von Neumann's ratio; it needs no noise level). A still level becomes the zero
 
 - at once, when it reads as less than 15 % of the largest force of a press that ended within the last
-  5 s: silicone hangs back by up to 10 %, and a new mounting shifts the rest;
+  5 s: silicone shows hysteresis of up to 10 %, and a new mounting shifts the rest;
 - at once, when it does not read as a press, but the zero read from it does: then the zero was taken
   while something touched;
 - by at most 1 count/s, when it reads as no contact: drift.

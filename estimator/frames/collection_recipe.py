@@ -37,7 +37,7 @@ class Pull:
     def of(self, part: slice) -> Pull:
         """That of some cases."""
         x, y = (
-            replace(t, force_n=t.force_n[part], counts=t.counts[part], mended=t.mended[part])
+            replace(t, force_n=t.force_n[part], counts=t.counts[part], corrected=t.corrected[part])
             for t in self.slopes
         )
         return Pull(self.share[part], (x, y))

@@ -161,7 +161,7 @@ def require_enough_frames(frames: int, channels: int) -> None:
 
 
 def no_volume_message(rank: int, channels: int) -> str:
-    """Why frames that span fewer dimensions have no volume, and what mends it."""
+    """Why frames that span fewer dimensions have no volume, and what fixes it."""
     return (
         f"the signals span {rank} of {channels} dimensions, so their convex hull has no volume: a "
         "noise-free press traces a curve. Include the sensors' noise (sensors.noise_counts > 0)"

@@ -7,7 +7,7 @@
    5 mm (18 functionals) gave the worst bound of a layout with deep magnets as 1.18 instead of
    0.55 mm.
 3. `score_signals` on the chain's own signals: mesh that resolves the magnets, everything else as on
-   rung two; minutes a layout (`instobj.search.fidelity` runs the stages).
+   rung two; minutes per layout (`instobj.search.fidelity` runs the stages).
 """
 
 from __future__ import annotations

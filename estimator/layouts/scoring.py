@@ -136,7 +136,7 @@ def layout_scorer(
 def score_layouts(scorer: LayoutScorer, layouts: Layouts, chunk: int = _CHUNK) -> LayoutScore:
     """Score every layout; differentiable in all four tensors.
 
-    Memory: at most 0.4 MB a layout of a chunk; with gradients of every layout.
+    Memory: at most 0.4 MB per layout of a chunk; with gradients of every layout.
 
     Raises
     ------

@@ -144,7 +144,7 @@ def press_responses(
     return responses
 
 
-def mend_face_labels(
+def correct_face_labels(
     table: RawTable, press: Int[np.ndarray, "frame"], responses: Float[np.ndarray, "press 5"]
 ) -> tuple[Int[np.ndarray, "frame cell"], list[Fault]]:
     """Face labels of a gripper with both cells on different faces.
@@ -163,10 +163,10 @@ def mend_face_labels(
         frames = np.flatnonzero((press == number) & clash)
         named = int(face[frames[0], 0])
         cell = 0 if usual[0] not in (0, named) else 1
-        mended = usual[cell] or _strongest_other(responses[number], named)
-        face[frames, cell] = mended
+        corrected = usual[cell] or _strongest_other(responses[number], named)
+        face[frames, cell] = corrected
         detail = f"both load cells are said to press face {named}"
-        action = f"cell {cell + 1} set to face {mended}, whose sensors respond"
+        action = f"cell {cell + 1} set to face {corrected}, whose sensors respond"
         faults.append(Fault("wrong face label", rows_text(frames), detail, action))
     return face, faults
 

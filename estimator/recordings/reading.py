@@ -27,10 +27,10 @@ from estimator.recordings.faults import (
     Fault,
     axis_noise_counts,
     channel_faults,
+    correct_face_labels,
     dead_channels,
     doubtful_presses,
     jump_faults,
-    mend_face_labels,
     mirror_faults,
     noisy_channels,
     press_responses,
@@ -195,7 +195,7 @@ def _find_presses(table: RawTable) -> _Presses:
         )
     press = number_presses(force_n, stretch, limit_n)
     responses = press_responses(table.counts, force_n, press)
-    face, mended = mend_face_labels(table, press, responses)
+    face, corrected = correct_face_labels(table, press, responses)
     doubtful, doubts = doubtful_presses(pressed_faces(face, force_n, press), press, responses)
     lag = estimate_lag(table.counts, force_n, face, press)
     aligned_n = shifted_forces(force_n, stretch, lag.frames if lag.corrected else 0)
@@ -211,7 +211,7 @@ def _find_presses(table: RawTable) -> _Presses:
     return _Presses(
         time_s, rate_hz, press, aligned_n, shear_n, rest, hidden, face, tip_xy_mm,
         doubtful | unlabelled | hidden | silent, noise, lag,
-        (*mended, *doubts, *denied, *concealed, *quiet),
+        (*corrected, *doubts, *denied, *concealed, *quiet),
     )  # fmt: skip
 
 

@@ -25,7 +25,7 @@ class RawTable:
     ----------
     kind : "gripper", "training" or "generic"
     time_s : (frame,) stamps as written; empty where the format has none
-    force_n : (frame, cell) one column a load cell
+    force_n : (frame, cell) one column per load cell
     counts : (frame, face, sensor, axis) raw counts, NaN where the file has none
     face : (frame, cell) face that the load cell is said to press, `NO_FACE` where none is said
     tip_xy_mm : (frame, cell, tip, 2) where its tips are said to be, NaN where none is said

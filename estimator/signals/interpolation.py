@@ -10,7 +10,7 @@ at the places themselves: 3 % of the signals' rms, 5 % of the largest signal at 
 rims of the rigid magnets; both simulations' mesh errors of 1 to 2 % of force are part of it.
 
 Where a shallow press found no contact on the mesh its force does not grow: such points are put on
-the chord of their neighbours and marked (`Traces.mended`, `unresolved_presses`).
+the chord of their neighbours and marked (`Traces.corrected`, `unresolved_presses`).
 """
 
 from __future__ import annotations
@@ -35,14 +35,14 @@ class Traces:
     """What presses pass through with growing depth; node 0 is rest.
 
     `depth_mm` (node,), `force_n` (press, node) increasing from 0, `counts` (press, node, channel)
-    change against rest with channel = sensor · 3 + axis. `mended` (press, node) marks points that
+    change against rest with channel = sensor · 3 + axis. `corrected` (press, node) marks points that
     mechanics did not resolve and that lie on the chord of their neighbours.
     """
 
     depth_mm: Float[np.ndarray, "node"]
     force_n: Inexact[np.ndarray, "press node"]
     counts: Inexact[np.ndarray, "press node channel"]
-    mended: Bool[np.ndarray, "press node"]
+    corrected: Bool[np.ndarray, "press node"]
 
     def of_channels(self, channels: Int[np.ndarray, "some"]) -> Traces:
         """The same presses seen by some of the channels."""
@@ -214,7 +214,7 @@ def _traces(
         delta = signals.delta_counts[index].reshape(len(signals.lattice), -1)
         counts[here, 1:] = (weights[here] @ delta).reshape(len(here), nodes - 1, channels)
     depth = np.concatenate([[0.0], signals.depth_mm])
-    return _mended(Traces(depth, force, counts, np.zeros(force.shape, bool)), face)
+    return _corrected(Traces(depth, force, counts, np.zeros(force.shape, bool)), face)
 
 
 def _check_faces(signals: Signals, face: Int[np.ndarray, "press"]) -> None:
@@ -236,7 +236,7 @@ def _grows(force_n: Float[np.ndarray, "*any step"]) -> Bool[np.ndarray, "*any st
     return np.greater(force_n, before + _LEAST_RISE_N)
 
 
-def _mended(traces: Traces, face: Int[np.ndarray, "press"]) -> Traces:
+def _corrected(traces: Traces, face: Int[np.ndarray, "press"]) -> Traces:
     """Put points whose force does not grow on the chord between their neighbours."""
     grows = _grows(np.real(traces.force_n[:, 1:]))
     grows = np.concatenate([np.ones_like(grows[:, :1]), grows], axis=1)
@@ -253,4 +253,4 @@ def _mended(traces: Traces, face: Int[np.ndarray, "press"]) -> Traces:
         chord = np.stack([np.interp(depth, depth[good], unit[good]) for unit in units], axis=1)
         traces.force_n[press] = chord @ traces.force_n[press]
         traces.counts[press] = chord @ traces.counts[press]
-    return replace(traces, mended=~grows)
+    return replace(traces, corrected=~grows)

@@ -99,7 +99,11 @@ for _name, _stages, _purpose in (
         "compliance",
         "Map of travel per newton over all faces, with the magnets and without them.",
     ),
-    ("identify", "identify", "How many contacts can be told apart, and with how many sensors."),
+    (
+        "identify",
+        "identify",
+        "How many simultaneous contacts are identifiable, by number of sensors.",
+    ),
     (
         "robustness",
         "robustness",

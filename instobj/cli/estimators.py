@@ -41,7 +41,7 @@ def frames(
     specs: Specs,
     kind: Annotated[
         str | None,
-        typer.Option(help="paper (143 000 frames a face), grasp or continuous: [collection]."),
+        typer.Option(help="paper (143 000 frames per face), grasp or continuous: [collection]."),
     ] = None,
     out: Out = HERE,
     as_json: AsJson = False,
@@ -108,7 +108,7 @@ def predict(
     zero: Annotated[
         Literal["rest", "first", "none"] | None,
         typer.Option(
-            help="Zero follows rest (default), is that of the first frames, or is there already."
+            help="Baseline: tracked at rest (default), from the first frames, or already subtracted."
         ),
     ] = None,
     zero_frames: Annotated[int, typer.Option(min=5, help="Frames at rest that give the zero.")] = 8,

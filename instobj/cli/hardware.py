@@ -62,7 +62,9 @@ def collect(
     ] = None,
     force: Annotated[
         list[float] | None,
-        typer.Option(metavar="N", help="Force of load cell 1 (2, …) where none speaks: a weight."),
+        typer.Option(
+            metavar="N", help="Constant force (N) if no load cell is connected, e.g. a dead weight."
+        ),
     ] = None,
     zero: Annotated[
         int, typer.Option(min=0, help="Frames at the start with nothing touching.")
@@ -72,11 +74,11 @@ def collect(
     ] = None,
     frames: Annotated[int | None, typer.Option(min=1, help="Stop after so many frames.")] = None,
     session: Annotated[
-        int | None, typer.Option(min=1, help="Number of the session, else the last one goes on.")
+        int | None, typer.Option(min=1, help="Session number (default: continue the last session).")
     ] = None,
     cells: Annotated[int | None, typer.Option(min=1, max=9, help="Load cells.")] = None,
-    tips: Annotated[int | None, typer.Option(min=1, max=9, help="Tips a load cell.")] = None,
-    baud: Annotated[int, typer.Option(min=300, help="Bits a second.")] = 115_200,
+    tips: Annotated[int | None, typer.Option(min=1, max=9, help="Tips per load cell.")] = None,
+    baud: Annotated[int, typer.Option(min=300, help="Bits per second.")] = 115_200,
     speed: Annotated[
         float, typer.Option(min=0, help="Of a replay: 1 as recorded, 0 as fast as possible.")
     ] = 1.0,
@@ -133,7 +135,7 @@ def validate(
     spec: Spec,
     recordings: Recordings,
     exchanges: Annotated[
-        int, typer.Option(min=1, help="Exchanges of places for the null of the calibration.")
+        int, typer.Option(min=1, help="Number of permutations for the null distribution.")
     ] = 19,
     out: Out = HERE,
     as_json: AsJson = False,

@@ -22,9 +22,7 @@ Storage = Annotated[
 @app.command()
 def optimize(
     spec: Spec,
-    resume: Annotated[
-        bool, typer.Option("--resume", help="Go on with the search there is.")
-    ] = False,
+    resume: Annotated[bool, typer.Option("--resume", help="Resume the existing search.")] = False,
     storage: Storage = None,
     out: Out = HERE,
     as_json: AsJson = False,
@@ -40,7 +38,7 @@ def optimize(
 def worker(
     spec: Spec,
     storage: Annotated[str, typer.Option(help="The storage that all workers share.")],
-    number: Annotated[int, typer.Option(help="Of this worker, for its random numbers.")] = 1,
+    number: Annotated[int, typer.Option(help="Worker number; seeds its random generator.")] = 1,
     out: Out = HERE,
     as_json: AsJson = False,
     overrides: Overrides = None,
@@ -58,7 +56,7 @@ def experiment(
     ],
     spec: Spec,
     quick: Annotated[
-        bool, typer.Option("--quick", help="Fewer and coarser cases: a look, no result.")
+        bool, typer.Option("--quick", help="Reduced resolution, for a preview only.")
     ] = False,
     out: Out = HERE,
     as_json: AsJson = False,

@@ -64,7 +64,7 @@ class _Collection:
 
     @property
     def tips(self) -> int:
-        """Tips a load cell."""
+        """Tips per load cell."""
         return self.options.tips or 1
 
     def stop(self) -> None:

@@ -156,7 +156,7 @@ def draw_tensile_fit(fit: TensileFit, path: Path) -> None:
     axes.set(
         xlabel="stretch", ylabel="nominal stress (kPa)", title="Tensile test and fitted solids"
     )
-    rest.set(xlabel="stretch", ylabel="fit less measured (kPa)", title="Misfit")
+    rest.set(xlabel="stretch", ylabel="residual, fit − measured (kPa)", title="Residual")
     for part in (axes, rest):
         part.grid(alpha=0.3)
         part.set_xlim(1)

@@ -102,7 +102,7 @@ def _numbers(text: str) -> list[float]:
             f"--constants must be numbers; got {text!r}. Example: --constants 0.07,-0.002,0.0001"
         ) from None
     if not all(map(math.isfinite, values)):
-        raise InputError(f"--constants must be finite; got {text!r}. Mend them")
+        raise InputError(f"--constants must be finite; got {text!r}. Fix them")
     return values
 
 

@@ -41,7 +41,7 @@ def slip_specification(
     """
     spec = load_spec(path, overrides)
     if not any(shift_mm) and not any(rotation_deg):
-        raise InputError("a slip of nothing costs nothing. Give --shift X Y Z or --rotation X Y Z")
+        raise InputError("no slip given. Give --shift X Y Z or --rotation X Y Z")
     slip = {"shift_mm": shift_mm, "rotation_deg": rotation_deg, "rim": rim}
     _with_slip(spec, slip)
     require_writable(out)
@@ -214,14 +214,14 @@ def _draw_sensors(axes: Any, spec: ObjectSpec, costs: dict[str, SlipCost]) -> No
 
 
 def _draw_shares(axes: Any, costs: dict[str, SlipCost], what: str, label: str) -> None:
-    """Share of all contact places whose reading is at most so wrong, with the old and a new zero."""
+    """Share of contact locations with an error of at most a limit, with the old and a new zero."""
     for model, cost in costs.items():
         for prefix, style, zero in (("rezeroed", "-", "re-zeroed"), ("false", ":", "old zero")):
             wrong = np.sort(getattr(cost, f"{prefix}_{what}").ravel())
             share = 100 * (np.arange(len(wrong)) + 1) / len(wrong)
             axes.plot(wrong, share, style, color=_COLOURS[model], label=f"{model}, {zero}")
     axes.set_xscale("log")
-    axes.set(xlabel=label, ylabel="contact places at most so wrong (%)", ylim=(0, 102))
+    axes.set(xlabel=label, ylabel="contact locations with error ≤ x (%)", ylim=(0, 102))
     axes.set_xlim(left=_SMALLEST_SHOWN)
     axes.grid(alpha=0.3)
     axes.legend(frameon=False, fontsize=8, loc="upper left")

@@ -92,7 +92,7 @@ def validate_on(
     spec = load_spec(path, overrides)
     if spec.sensors.count_per_face != 3:
         raise InputError(
-            f"recordings hold 3 sensors a face; {spec.name} has {spec.sensors.count_per_face}. "
+            f"recordings hold 3 sensors per face; {spec.name} has {spec.sensors.count_per_face}. "
             "Validate the specification of the recorded object"
         )
     require_writable(out)

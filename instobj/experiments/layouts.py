@@ -167,8 +167,8 @@ def _study(name: str, text: str, variants: Variants) -> Study:
 
 
 STUDIES = (
-    _study("sensor-count", "Three against four and five sensors a face.", sensor_counts),
-    _study("magnet-count", "Five against four and nine magnets a face.", magnet_counts),
+    _study("sensor-count", "Three against four and five sensors per face.", sensor_counts),
+    _study("magnet-count", "Five against four and nine magnets per face.", magnet_counts),
     _study("poles", "Poles of the magnets all outward or alternating.", poles),
     _study("arrangement", "Magnets in the core and sensors in the shell.", arrangements),
     _study("shell-thickness", "A thicker shell round the same core.", thicknesses),

@@ -43,7 +43,7 @@ def draw_variants(rows: list[dict[str, Any]], force_n: float, path: Path) -> Non
     axes.set_xticks(ticks)
     axes.set_yticks(range(len(rows)), [_label(row) for row in rows])
     axes.grid(axis="x", alpha=0.3)
-    axes.set_xlabel(f"multiple of the first line's (bounds at {force_n:g} N; less is better)")
+    axes.set_xlabel(f"ratio to the first variant (bounds at {force_n:g} N; lower is better)")
     figure.legend(loc="outside upper center", ncols=4, frameon=False, fontsize=9)
     with atomic_path(path) as temporary:
         figure.savefig(temporary, dpi=130)

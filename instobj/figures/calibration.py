@@ -36,6 +36,8 @@ def draw_calibration(spec: ObjectSpec, rows: list[dict[str, Any]], path: Path) -
             axes.set(xlabel="x (mm)", ylabel="y (mm)", aspect="equal")
             axes.margins(0.12)
     figure.colorbar(dots, ax=panels, label="signal left over beyond noise (%, rms)", shrink=0.8)
-    figure.suptitle(f"{spec.name}: labelled places that the twin was not shown; dark is good")
+    figure.suptitle(
+        f"{spec.name}: held-out locations: residual of the calibrated twin (darker is better)"
+    )
     with atomic_path(path) as temporary:
         figure.savefig(temporary, dpi=120, format="png")

@@ -26,7 +26,7 @@ _ARROW_PER_MM = 9.0
 def draw_identifiability(
     spec: ObjectSpec, rows: Sequence[Identifiability], path: Path | str
 ) -> None:
-    """Position bound of the worst contact of a set against sensors a face (PNG).
+    """Position bound of the worst contact of a set against sensors per face (PNG).
 
     Lines are medians over the sets, bands run from 10 to 90 %; crosses at the top stand where the
     median set is blind.
@@ -45,7 +45,7 @@ def draw_identifiability(
         axes.axhline(limit, color="0.35", ls="--", lw=1)
         axes.text(0.99, limit * 1.06, f"limit {limit:g} mm", ha="right", fontsize=9, color="0.35",
                   transform=axes.get_yaxis_transform())  # fmt: skip
-        axes.set(yscale="log", ylim=(low, high), xlabel="Hall sensors a face", title=title)
+        axes.set(yscale="log", ylim=(low, high), xlabel="Hall sensors per face", title=title)
         axes.set_xticks(sorted({r.sensors for r in rows}))
         axes.yaxis.set_major_formatter(lambda value, _: f"{value:g}")
         axes.grid(alpha=0.3)

@@ -32,7 +32,7 @@ _LINE = 76
 def draw_findings(
     findings: list[Finding], meshes: dict[str, trimesh.Trimesh], title: str, png_path: Path
 ) -> Path:
-    """One panel a part with what did not pass: numbered rings at the places, texts below.
+    """One panel per part with what did not pass: numbered rings at the places, texts below.
 
     Failures come first, and at most six parts are drawn. The ring of a place that lies hidden behind
     the surface seen is dashed.

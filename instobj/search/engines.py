@@ -1,6 +1,6 @@
 """Search engines: Optuna's samplers, asked for batches of layouts and told what they are worth.
 
-A sampler works on a study in memory, which takes it 1 to 30 ms a trial, journals and databases a
+A sampler works on a study in memory, which takes it 1 to 30 ms per trial, journals and databases a
 hundred. A layout that was improved after it was asked is told as what it became.
 """
 

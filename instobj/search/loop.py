@@ -93,7 +93,7 @@ def _count_failed(finished: list[FrozenTrial], before: int) -> int:
     if failed >= _FAILURES_IN_A_ROW:
         raise InputError(
             f"the search gave up: {failed} batches in a row had no result. The last reason: "
-            f"{reasons[-1]}. Mend that, or raise search.trial_seconds, then go on with --resume"
+            f"{reasons[-1]}. Fix that, or raise search.trial_seconds, then go on with --resume"
         )
     return failed
 

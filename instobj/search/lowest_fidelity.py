@@ -180,7 +180,7 @@ def broken_by_structure(spec: ObjectSpec) -> float:
 
 
 def _weights(units: np.ndarray, spec: ObjectSpec) -> torch.Tensor:
-    """Directions towards the front: one a layout, drawn from the layout itself, so repeatable."""
+    """Directions towards the front: one per layout, drawn from the layout itself, so repeatable."""
     count = len(spec.search.objectives)
     if count == 1:
         return torch.ones(len(units), 1)

@@ -120,7 +120,7 @@ def _document(spec: ObjectSpec, kept: KeptStudy, found: Climb, files: list[Path]
 
 
 def estimator_rows(found: Climb) -> list[dict[str, Any]]:
-    """One row a metric, one column a layout."""
+    """One row per metric, one column per layout."""
     names = found.estimators[found.start.label]
     return [
         {"mean of faces": METRIC_LABELS[name]}
@@ -138,7 +138,7 @@ def correlation_rows(found: Climb) -> list[dict[str, Any]]:
 
 
 def _rows(found: Climb, rung: str) -> list[dict[str, Any]]:
-    """One row a score, one column a layout: there are more scores than fit side by side."""
+    """One row per score, one column per layout: there are more scores than fit side by side."""
     climbers: tuple[Climber, ...] = (found.start, *found.leaders)
     columns = {one.label: score_row(one.rungs[rung]) for one in climbers if rung in one.rungs}
     return [

@@ -142,7 +142,7 @@ def study_key(spec: ObjectSpec) -> str:
     return content_key({name: part for name, part in content.items() if name not in _MATTERS_NOT})
 
 
-def mend_journal(path: Path) -> None:
+def repair_journal(path: Path) -> None:
     """Drop a last line that was cut short.
 
     Raises
@@ -194,7 +194,7 @@ def _storage(storage: str | Path, where: str) -> BaseStorage:
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         _drop_dangling_lock(path)
-        mend_journal(path)
+        repair_journal(path)
         return JournalStorage(JournalFileBackend(str(path)))
     except OSError as error:
         raise InputError(

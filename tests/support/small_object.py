@@ -1,4 +1,4 @@
-"""A cube with two tilted magnets a face, off the symmetry planes, on a mesh of few elements."""
+"""A cube with two tilted magnets per face, off the symmetry planes, on a mesh of few elements."""
 
 from functools import cache
 

@@ -79,7 +79,7 @@ def _row(axis: str, true: np.ndarray, found: np.ndarray) -> dict[str, Any]:
         "rms force N": round(float(np.sqrt(np.mean(true**2))), 3),
         "mean error N": round(float(missed.mean()), 4),
         "error % of range": round(float(100 * missed.mean() / np.ptp(true)), 2),
-        "share of the mean's error": round(float(missed.mean() / guessed), 3),
+        "error relative to a constant-mean predictor": round(float(missed.mean() / guessed), 3),
         "correlation": round(float(np.corrcoef(true, found)[0, 1]), 4),
     }
 

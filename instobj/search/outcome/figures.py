@@ -73,7 +73,7 @@ def draw_front(history: History, path: Path) -> None:
     axes.step(*front.T, "o-", where="post", color=_BEST, lw=1.6, ms=6, label="Pareto front")
     axes.plot(*history.start[:2], "X", color=_START, ms=11, label="start")
     axes.set(xlabel=LABELS[pair[0]], ylabel=LABELS[pair[1]], xscale="log", yscale="log")
-    axes.set_title("What one objective costs in the other, first rung")
+    axes.set_title("Pareto front, low-fidelity model")
     _plain(axes.xaxis)
     _plain(axes.yaxis)
     figure.legend(loc="outside lower center", ncols=4, frameon=False, fontsize=9)
@@ -132,7 +132,7 @@ def draw_moves(start: ObjectSpec, found: ObjectSpec, path: Path) -> None:
     _draw_arrows(axes, sensors[0], sensors[1], _SENSOR)
     axes.set(xlim=(-edges[0] - 1, edges[0] + 1), ylim=(-edges[1] - 1, edges[1] + 1), aspect="equal")
     axes.set(xlabel="x of face 1 (mm)", ylabel="y of face 1 (mm)")
-    axes.set_title("What moved on every face (sensors before: face 1's)")
+    axes.set_title("Layout before and after, every face (initial sensors shown for face 1)")
     figure.legend(handles=_move_legend(), loc="outside lower center", ncols=2, frameon=False)
     _save(figure, path)
 

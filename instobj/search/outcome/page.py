@@ -174,7 +174,7 @@ def _other_changes(start: ObjectSpec, found: ObjectSpec) -> list[tuple[str, str,
             f"{size} mm",
         ]
 
-    labels = ("magnets a face", "magnet", "sensors a face", "chips", "range", "shell", "silicone",
+    labels = ("magnets per face", "magnet", "sensors per face", "chips", "range", "shell", "silicone",
               "body")  # fmt: skip
     return list(zip(labels, stated(start), stated(found), strict=True))
 

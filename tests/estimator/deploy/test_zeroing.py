@@ -75,7 +75,7 @@ def test_offsets_and_drift_between_presses_are_followed(fault, monkeypatch):
 
 
 @pytest.mark.parametrize("start", ["rest", "hold"])
-def test_a_start_within_a_press_is_mended_at_its_end(start):
+def test_a_start_within_a_press_is_corrected_at_its_end(start):
     force_n = forces(presses=4)
     begin = 0 if start == "rest" else REST + RISE + 10
     found = followed(stream(force_n)[begin:], RestZero(8, read))

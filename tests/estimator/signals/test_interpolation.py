@@ -139,7 +139,7 @@ def test_unresolved_shallow_press_goes_on_the_chord_and_is_marked(signals):
     assert np.argwhere(unresolved_presses(holed)).tolist() == [[2, 40, 0]]
     x, y = (signals.lattice.xy_mm[40:41, i] for i in (0, 1))
     traces = press_traces(holed, np.array([3]), x, y)
-    assert np.flatnonzero(traces.mended[0]).tolist() == [1]
+    assert np.flatnonzero(traces.corrected[0]).tolist() == [1]
     assert_allclose(traces.force_n[0, 1], signals.force_n[2, 40, 1] / 2, rtol=1e-9)
     assert_allclose(traces.counts[0, 1], signals.delta_counts[2, 40, 1].ravel() / 2, rtol=1e-6)
     force[2, 40, -1] = force[2, 40, -2]

@@ -24,7 +24,7 @@ def cube():
 
 @pytest.fixture(scope="module")
 def spec(cube):
-    """Two magnets a face, tilted and each in its own depth."""
+    """Two magnets per face, tilted and each in its own depth."""
     tilts = ((4.0, -7.0), (0.0, 5.0))
     magnets = MagnetSpec(positions_mm=PLACES_MM, tilt_deg=tilts, depth_mm=(2.4, 3.1))
     shell = cube.spec.shell.model_copy(update={"pocket_diameter_mm": 7.0})

@@ -40,8 +40,8 @@ def test_turned_tetrahedra_are_turned_back(coarse_mesh):
     turned[::3] = turned[::3][:, [1, 0, 2, 3]]
     mesh = replace(coarse_mesh, tets=turned)
     assert (tet_volumes_mm3(mesh) < 0).any()
-    mended = replace(mesh, tets=_positively_oriented(mesh.points_mm, turned.copy()))
-    assert_allclose(tet_volumes_mm3(mended), tet_volumes_mm3(coarse_mesh), rtol=1e-9)
+    corrected = replace(mesh, tets=_positively_oriented(mesh.points_mm, turned.copy()))
+    assert_allclose(tet_volumes_mm3(corrected), tet_volumes_mm3(coarse_mesh), rtol=1e-9)
 
 
 def test_every_magnet_has_elements_of_its_own_volume_and_place(coarse_mesh, rigid_spec):

@@ -15,7 +15,7 @@ import pytest
 from design.errors import InputError
 from design.spec_io import parse_spec
 from instobj.search.apart import Apart, GivenUp
-from instobj.search.study import mend_journal, open_study
+from instobj.search.study import open_study, repair_journal
 from tests.support.search_cases import (
     OBJECTIVES,
     made_up_score,
@@ -171,7 +171,7 @@ def test_what_is_no_journal_is_left_alone(tmp_path):
     path = tmp_path / "notes.txt"
     path.write_text("not a journal\nat all")
     with pytest.raises(InputError, match="no journal"):
-        mend_journal(path)
+        repair_journal(path)
     assert path.read_text() == "not a journal\nat all"
 
 
