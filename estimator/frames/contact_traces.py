@@ -22,7 +22,8 @@ from estimator.tolerances.assembly import Assembly, designed
 from estimator.tolerances.virtual_object import twin_changes
 from fem.large_strain.correction import StrainCorrection, corrected_joint
 from fem.linear.response import ResponseOperator
-from fem.presses.joint import JointPress, Tip, press_path, refined_faces, squeeze_path
+from fem.presses.joint import JointPress, Tip, press_path, refined_faces
+from fem.presses.to_force import squeeze_path
 
 
 @dataclass(frozen=True)

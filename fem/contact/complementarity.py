@@ -80,3 +80,26 @@ def _by_least_squares(compliance: np.ndarray, gap: np.ndarray) -> tuple[np.ndarr
     lower = np.linalg.cholesky(compliance)
     pressure, _ = nnls(lower.T, -scipy.linalg.solve_triangular(lower, gap, lower=True))
     return pressure, pressure > 0
+
+
+def complementary_pressures(
+    compliance: np.ndarray, gap: np.ndarray, active: np.ndarray
+) -> np.ndarray:
+    """p ≥ 0, C p + gap ≥ 0, complementary, by the primal–dual active set.
+
+    Unlike `contact_pressures` this takes an indefinite C: under its contact pressures alone, a body
+    that deforms largely may be unstable where the touching sphere holds it. A set that cycles is
+    left to the next Newton iteration.
+    """
+    pressure = np.zeros(len(gap))
+    for _ in range(_MAX_SWITCHES):
+        pressure[:] = 0
+        if active.any():
+            block = compliance[np.ix_(active, active)]
+            pressure[active] = scipy.linalg.solve(block, -gap[active], assume_a="sym")
+        sunk = compliance @ pressure + gap < -_TOLERANCE * abs(gap).max()
+        switched = (active & (pressure > 0)) | (sunk & ~active)
+        if (switched == active).all():
+            break
+        active = switched
+    return pressure

@@ -11,12 +11,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import scipy.linalg
 import scipy.sparse as sp
 from jaxtyping import Bool, Float, Int
 from scipy.spatial.transform import Rotation
 
 from design.errors import SolverError
+from fem.contact.complementarity import complementary_pressures
 from fem.large_strain.elements import (
     FiniteStrainElements,
     InternalForces,
@@ -39,9 +39,7 @@ from fem.linear.sparse import shape_of
 
 _MAX_ITERATIONS = 12
 _MAX_HALVINGS = 5
-_MAX_SWITCHES = 25
 _TOLERANCE = 1e-6
-_ROUNDING = 1e-10
 
 
 class StepDivergedError(SolverError):
@@ -219,36 +217,13 @@ def _newton_step(problem: PressProblem, state: PressState, forces: _Forces) -> P
     loads[:motions, 1:] = forces.gradient.T.toarray()
     solution = solve_symmetric(matrix, loads)
     moved = forces.gradient @ solution[:motions]
-    contact = _complementary_pressures(
+    contact = complementary_pressures(
         (moved[:, 1:] + moved[:, 1:].T) / 2,
         forces.contact.gap_mm3 + moved[:, 0],
         state.contact_mpa > 0,
     )
     step = solution[:, 0] + solution[:, 1:] @ contact
     return _damped(problem, state, forces.basis, step, contact)
-
-
-def _complementary_pressures(
-    compliance: np.ndarray, gap: np.ndarray, active: np.ndarray
-) -> np.ndarray:
-    """p ≥ 0, C p + gap ≥ 0, complementary, by the primal–dual active set.
-
-    Unlike `contact.complementarity` this takes an indefinite C: under its contact pressures alone, the body
-    may be unstable where the touching sphere holds it. A set that cycles is left to the next
-    Newton iteration.
-    """
-    pressure = np.zeros(len(gap))
-    for _ in range(_MAX_SWITCHES):
-        pressure[:] = 0
-        if active.any():
-            block = compliance[np.ix_(active, active)]
-            pressure[active] = scipy.linalg.solve(block, -gap[active], assume_a="sym")
-        sunk = compliance @ pressure + gap < -_ROUNDING * abs(gap).max()
-        switched = (active & (pressure > 0)) | (sunk & ~active)
-        if (switched == active).all():
-            break
-        active = switched
-    return pressure
 
 
 def _damped(

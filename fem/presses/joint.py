@@ -13,8 +13,8 @@ from itertools import combinations
 import numpy as np
 from jaxtyping import Float, Int
 
-from design.errors import InputError, SolverError
-from design.layout.tips import path_mm, tip_shape, tips_overlap
+from design.errors import InputError
+from design.layout.tips import path_mm, tips_overlap
 from design.spec.object import ObjectSpec
 from fem.contact.complementarity import contact_pressures
 from fem.contact.indenter import moved, tip_cells
@@ -29,9 +29,6 @@ from fem.contact.refined import (
 from fem.linear.core_interface import CoreState
 from fem.linear.response import ResponseOperator
 from fem.presses.table import require_on_face, require_on_patch, resting_gap_mm
-
-_FORCE_TOLERANCE = 1e-6
-_MAX_STEPS = 60
 
 
 @dataclass(frozen=True)
@@ -88,31 +85,8 @@ def press_path(
 
     A frictionless core holds the shell both ways here.
     """
-    press = _presser(spec, response, tips, faces)
+    press = presser(spec, response, tips, faces)
     return tuple(press(depths) for depths in np.asarray(depths_mm, float))
-
-
-def squeeze_path(
-    spec: ObjectSpec,
-    response: ResponseOperator,
-    jaws: tuple[Sequence[Tip], Sequence[Tip]],
-    force_n: Sequence[float],
-    faces: dict[int, RefinedFace] | None = None,
-) -> tuple[JointPress, ...]:
-    """`squeeze` to several forces, at the cost of little more than one.
-
-    A frictionless core holds the shell both ways here.
-    """
-    press = _presser(spec, response, [tip for jaw in jaws for tip in jaw], faces)
-    path: list[JointPress] = []
-    for force in force_n:
-        near = None
-        if path:  # forces grow about as depth to the power 3/2
-            last, first_tips = path[-1], [0, len(jaws[0])]
-            rise = (2 * force / last.force_n.sum()) ** (2 / 3)
-            near = last.depth_mm[first_tips] * rise
-        path.append(_press_to(spec, press, jaws, force, near))
-    return tuple(path)
 
 
 def press_tips(
@@ -131,69 +105,10 @@ def press_tips(
         An indenter on no sensed face, over a face's border, or overlapping another.
     """
     depths = np.asarray(depths_mm, float)
-    return _on_core(spec, response, lambda given: _presser(spec, given, tips)(depths))
+    return on_core(spec, response, lambda given: presser(spec, given, tips)(depths))
 
 
-def press_to_force(
-    spec: ObjectSpec,
-    response: ResponseOperator,
-    groups: Sequence[Sequence[Tip]],
-    force_n: float,
-) -> JointPress:
-    """Press every group of indenters, each group at one depth, until each bears `force_n` in all.
-
-    Solved by a quasi-Newton (Broyden) iteration on the groups' depths, to 1e-6 of the force.
-
-    Raises
-    ------
-    InputError
-        As `press_tips`; or the force is not positive, or not reached within the indenter's height
-        and the shell's thickness.
-    """
-    tips = [tip for group in groups for tip in group]
-
-    def press(given: ResponseOperator) -> JointPress:
-        return _press_to(spec, _presser(spec, given, tips), groups, force_n)
-
-    return _on_core(spec, response, press)
-
-
-def _press_to(
-    spec: ObjectSpec,
-    press: Callable[[np.ndarray], JointPress],
-    groups: Sequence[Sequence[Tip]],
-    force_n: float,
-    near_mm: Float[np.ndarray, "group"] | None = None,
-) -> JointPress:
-    if not (force_n > 0 and np.isfinite(force_n)):
-        raise InputError(
-            f"a press to a force needs a positive one; got {force_n:g} N. Give it in N"
-        )
-    group_of = np.repeat(np.arange(len(groups)), [len(group) for group in groups])
-
-    def missing(depth: np.ndarray) -> tuple[np.ndarray, JointPress]:
-        pressed = press(depth[group_of])
-        return np.bincount(group_of, pressed.force_n) - force_n, pressed
-
-    deepest = min(tip_shape(spec.indenter).height_mm, spec.shell.thickness_mm)
-    return _solve_depths(missing, np.full(len(groups), deepest), force_n, near_mm)
-
-
-def squeeze(
-    spec: ObjectSpec,
-    response: ResponseOperator,
-    jaws: tuple[Sequence[Tip], Sequence[Tip]],
-    force_n: float,
-) -> JointPress:
-    """Squeeze the object between two rigid jaws until each presses with `force_n` in all.
-
-    The object hangs freely between the jaws, so their forces are equal; the tips of one jaw share
-    its depth. Raises as `press_to_force`.
-    """
-    return press_to_force(spec, response, jaws, force_n)
-
-
-def _on_core(
+def on_core(
     spec: ObjectSpec, response: ResponseOperator, press: Callable[[ResponseOperator], JointPress]
 ) -> JointPress:
     """The press as it is on a bonded core; a frictionless one only pushes."""
@@ -208,47 +123,7 @@ def _core_force(press: JointPress) -> np.ndarray:
     return press.core.force_n
 
 
-def _solve_depths(
-    missing: Callable[[np.ndarray], tuple[np.ndarray, JointPress]],
-    deepest_mm: np.ndarray,
-    force_n: float,
-    near_mm: np.ndarray | None = None,
-) -> JointPress:
-    """From `near_mm` where it is given, else from a quarter of the deepest press."""
-    if near_mm is None:
-        _require_reach(missing, deepest_mm, force_n)
-    depth = np.minimum(deepest_mm / 4 if near_mm is None else near_mm, deepest_mm)
-    residual, press = missing(depth)
-    stiffness = np.diag(np.maximum(residual + force_n, 1e-3 * force_n) / depth * 1.5)
-    for _ in range(_MAX_STEPS):
-        if abs(residual).max() <= _FORCE_TOLERANCE * force_n:
-            return press
-        step = -np.linalg.solve(stiffness, residual)
-        step = np.clip(step, -depth / 2, (deepest_mm - depth) / 2)
-        before = residual
-        depth = depth + step
-        residual, press = missing(depth)
-        change = residual - before - stiffness @ step
-        stiffness = stiffness + np.outer(change, step) / (step @ step)
-    raise SolverError(
-        f"the press to {force_n:g} N did not converge: off by {abs(residual).max():.2g} N"
-    )
-
-
-def _require_reach(
-    missing: Callable[[np.ndarray], tuple[np.ndarray, JointPress]],
-    deepest_mm: np.ndarray,
-    force_n: float,
-) -> None:
-    most, _ = missing(deepest_mm)
-    if most.min() < 0:
-        raise InputError(
-            f"{force_n:g} N are not reached within {deepest_mm[0]:g} mm, the lesser of the indenter's "
-            f"height and the shell's thickness (most {most.min() + force_n:.3g} N). Press less hard"
-        )
-
-
-def _presser(
+def presser(
     spec: ObjectSpec,
     response: ResponseOperator,
     tips: Sequence[Tip],

@@ -32,7 +32,8 @@ def grasp_specification(
         A bad specification, not two jaws on opposite faces, a tip that cannot be pressed, sticking
         friction, or a force that is not reached.
     """
-    from fem.presses.joint import press_tips, squeeze
+    from fem.presses.joint import press_tips
+    from fem.presses.to_force import squeeze
 
     spec = load_spec(path, overrides, table=False)
     first, second = _two_jaws(spec, jaws)

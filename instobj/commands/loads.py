@@ -185,7 +185,8 @@ def require_no_slip(spec: ObjectSpec) -> None:
 
 
 def _frictionless(chain: Chain, places: Sequence[Place], force_n: float | None) -> Pressed:
-    from fem.presses.joint import press_tips, press_to_force
+    from fem.presses.joint import press_tips
+    from fem.presses.to_force import press_to_force
 
     spec, response = chain.spec, response_of(chain)
     tips = [place.tip for place in places]
@@ -252,7 +253,7 @@ def _rows(press: JointPress, alone: Sequence[JointPress]) -> list[dict[str, Any]
 
 def _reachable(chain: Chain, checked: CheckedPlaces, force_n: float) -> CheckedPlaces:
     """Without the places that do not reach the force by themselves."""
-    from fem.presses.joint import press_to_force
+    from fem.presses.to_force import press_to_force
 
     good, refused = [], list(checked.refused)
     for place in checked.good:

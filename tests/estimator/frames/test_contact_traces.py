@@ -7,7 +7,8 @@ from numpy.testing import assert_allclose
 from design.body.kinds import face_frames
 from design.layout.positions import shell_body_layout
 from fem.large_strain.correction import StrainCorrection, corrected_joint
-from fem.presses.joint import Tip, press_path, press_tips, refined_faces, squeeze, squeeze_path
+from fem.presses.joint import Tip, press_path, press_tips, refined_faces
+from fem.presses.to_force import squeeze, squeeze_path
 from tests.support.half_space_response import half_space_response
 from tests.support.synthetic_presses import coarse_spec
 

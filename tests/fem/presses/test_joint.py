@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 
 from design.errors import InputError
-from fem.presses.joint import Tip, press_tips, squeeze
+from fem.presses.joint import Tip, press_tips
 from fem.presses.table import press_places, surface_weights_mm2
+from fem.presses.to_force import squeeze
 
 
 def test_a_single_tip_is_the_press_of_the_lattice(rigid_spec, rigid_response):

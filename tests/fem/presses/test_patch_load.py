@@ -5,8 +5,9 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.errors import InputError
-from fem.presses.joint import Tip, press_tips, press_to_force
+from fem.presses.joint import Tip, press_tips
 from fem.presses.patch_load import load_patches
+from fem.presses.to_force import press_to_force
 from tests.support.block_cases import block_response, plane_strain_modulus_mpa, spec_of
 
 
