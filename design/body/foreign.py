@@ -1,4 +1,4 @@
-"""Surfaces in files that others wrote, read in a process of their own.
+"""Surfaces in files that others wrote, read in a separate process.
 
 Parsers of STEP and of meshes crash, hang or fill the memory on damaged files. Here that is one
 error: the reader (`design.solids.foreign`) gets limits of time and, on Linux, of memory.

@@ -1,4 +1,4 @@
-"""What printers can make: limits of the usual processes, as defaults that a laboratory edits.
+"""Printers: limits of the usual processes, as defaults that a laboratory edits.
 
 Figures are those that print services publish for parts of this size (walls and pins that hold
 without support, holes that stay open, play with which printed parts still slide), rounded to the

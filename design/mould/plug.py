@@ -1,4 +1,4 @@
-"""What closes a mould from above: the plug that leaves the core's room, or the rod that holds the core.
+"""Closure of a mould from above: the plug that leaves the core's room, or the rod that holds the core.
 
 Both hang from one flange. For the paper's cube, the dimensions that the specification leaves open are
 fixed by the bounding box and the volume of the authors' public plug (Knopke et al., RA-L 2024),

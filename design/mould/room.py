@@ -1,4 +1,4 @@
-"""What a mould closes round: the room for silicone, and the core where it is cast in."""
+"""Room within a mould: that for silicone, and the core where it is cast in."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where magnets and sensors of a search are: linear in its variables, under a symmetry.
+"""Places of magnets and sensors in a search: linear in its variables, under a symmetry.
 
 Sensors on a ring are linear in radius and azimuth. One map thus serves a single layout and a batch
 with gradients. Symmetry turns and mirrors one magnet's variables about the face's centre.

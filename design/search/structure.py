@@ -1,4 +1,4 @@
-"""What a search's choices make of a specification: other parts, counts and sizes, the old places."""
+"""Structures of a search: specifications with other parts, counts and sizes at the old places."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What surrounds the object in a specification: Earth's field, other magnets, steel.
+"""Surroundings of the object in a specification: Earth's field, other magnets, steel.
 
 All of it stands in the object's frame and stays as it is while places are pressed. By default there
 is nothing.

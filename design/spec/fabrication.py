@@ -1,4 +1,4 @@
-"""How the parts are made, in a specification: mould, printer, files.
+"""Fabrication in a specification: mould, printer, files.
 
 Defaults give the paper's two-part mould (Knopke et al., RA-L 2024); docs/units.md gives the source
 of each figure.

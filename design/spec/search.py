@@ -1,4 +1,4 @@
-"""What a layout search may change, within which limits, and what it is to improve.
+"""Layout search in a specification: what may change, limits, objectives.
 
 Everything that is left out of `[search.vary]` stays as the specification has it. Lists are choices:
 the mechanics of every shell (thickness, core, silicone, magnet's outline) is solved once, in

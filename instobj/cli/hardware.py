@@ -52,7 +52,7 @@ def collect(
         Path | None, typer.Option(help="Recording to replay in place of a board.")
     ] = None,
     load_port: Annotated[
-        str | None, typer.Option(help="Serial port of a load cell or machine of its own.")
+        str | None, typer.Option(help="Separate serial port of a load cell or machine.")
     ] = None,
     place: Annotated[
         list[str] | None,

@@ -1,4 +1,4 @@
-"""What `instobj collect` is told: options at its start, lines typed while it runs, and Ctrl-C."""
+"""Input of `instobj collect`: options at its start, lines typed while it runs, and Ctrl-C."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the commands do, as functions that return one JSON-able document."""
+"""Commands of the chain, as functions that return one JSON-able document."""
 
 from __future__ import annotations
 
@@ -212,7 +212,7 @@ def run_estimator(
             raise InputError(
                 f"{'--twin' if start is None else '--start'} is for data sets (.nc); got the "
                 f"specification {path}. Leave it out, or give the data set of the object that the "
-                "estimators shall be tuned to"
+                "estimators are tuned to"
             )
         else:
             objects.append(_run_one(load_spec(path, overrides), stages, out))

@@ -1,4 +1,4 @@
-"""What a slip of the core costs: the object as calibrated against the slipped one, by both models."""
+"""Cost of a slip of the core: the object as calibrated against the slipped one, by both models."""
 
 from __future__ import annotations
 

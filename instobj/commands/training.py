@@ -1,4 +1,4 @@
-"""What is done with recordings: into one data set, and from a data set to estimators."""
+"""Data sets of recordings, and estimators trained on them."""
 
 from __future__ import annotations
 

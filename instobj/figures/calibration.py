@@ -1,4 +1,4 @@
-"""What a calibrated twin leaves of the signals of places that it was not shown, and the design."""
+"""Residuals of a digital twin at held-out contact locations, beside those of the design."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Work in a process of its own: it can be given up after a time, and its crash is an answer too."""
+"""Work in a separate process: it can be given up after a time, and its crash is an answer too."""
 
 from __future__ import annotations
 

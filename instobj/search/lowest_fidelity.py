@@ -1,6 +1,6 @@
 """First rung of a search: scores trials in batches, structure by structure, and polishes them.
 
-Runs in a process of its own. The mechanics of every shell comes from the store (stage
+Runs in a separate process. The mechanics of every shell comes from the store (stage
 `candidates`): minutes the first time that a thickness, core, silicone or magnet's outline comes up.
 """
 

@@ -1,4 +1,4 @@
-"""Whether a search's bounds and limits leave any layout at all, before anything is solved."""
+"""Feasibility of a search: whether its bounds and limits leave any layout, before anything is solved."""
 
 from __future__ import annotations
 

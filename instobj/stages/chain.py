@@ -1,4 +1,4 @@
-"""Runs stages of the chain for one specification: reuses what the store holds, makes the rest."""
+"""Chain of stages for one specification: reuses what the store holds, makes the rest."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Copies stored results to where a user looks for them: `cad_out/<name>` and `runs/<name>`."""
+"""Published results: copies of stored ones for their users, `cad_out/<name>` and `runs/<name>`."""
 
 from __future__ import annotations
 

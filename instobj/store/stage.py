@@ -1,4 +1,4 @@
-"""What a stage of the chain is, and what it works from."""
+"""Stages of the chain: their contract, and what they work from."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How much data an estimator needs, and spent on which places."""
+"""Amount of data that an estimator needs, and the places that it is best spent on."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a search leaves behind: specifications that `instobj run` takes, its results and a page."""
+"""Files of a search: specifications that `instobj run` takes, its results and a page."""
 
 from __future__ import annotations
 
