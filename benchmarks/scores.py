@@ -16,7 +16,7 @@ import numpy as np
 from harness import best_seconds, conclude, machine, option_parser
 from scipy.spatial import ConvexHull
 
-from design.body.kinds import face_frames
+from design.layout.body import face_frames
 from design.layout.positions import (
     contact_grid,
     grid_places_in_lattice,

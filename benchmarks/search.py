@@ -27,7 +27,7 @@ from scipy.spatial.distance import pdist
 from scipy.spatial.transform import Rotation
 from scipy.stats import spearmanr
 
-from design.body.kinds import core_frames, face_frames
+from design.layout.body import core_frames, face_frames
 from design.layout.pockets import board_frame, tilted_frame
 from design.layout.positions import chip_on_board, contact_grid
 from design.spec.object import ObjectSpec

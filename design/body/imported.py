@@ -17,8 +17,6 @@ from design.files import require_regular_file
 if TYPE_CHECKING:
     import trimesh
 
-    from design.spec.body import BodySpec
-
 _PIERCED_MM = 0.1
 """How far one triangle may stand through another: less is lost in the body's own triangles."""
 
@@ -35,22 +33,22 @@ def body_of_file(path: Path) -> dict[str, Any]:
     return {"file": str(path.resolve()), "size_mm": size}
 
 
-def read_body(body: BodySpec) -> trimesh.Trimesh:
-    """The surface in `body.file`, its box centred on the origin.
+def read_surface(file: str | None) -> trimesh.Trimesh:
+    """The surface in a file, its box centred on the origin.
 
     Raises
     ------
     InputError
-        As `body_of_file`.
+        As `body_of_file`, or no file is given.
     """
-    if body.file is None:
+    if file is None:
         raise InputError("body.kind = 'imported' needs body.file. Name an STL or STEP file in mm")
-    return _surface_in(Path(body.file)).copy()
+    return _surface_in(Path(file)).copy()
 
 
-def file_digest(body: BodySpec) -> str | None:
+def file_digest(file: str | None) -> str | None:
     """SHA-256 (hex) of the file that a body comes from, if any."""
-    return None if body.file is None else _digest(Path(body.file))
+    return None if file is None else _digest(Path(file))
 
 
 def _digest(path: Path) -> str:

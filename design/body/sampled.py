@@ -15,15 +15,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from jaxtyping import Float
 
-from design.body.surface_chart import FACE_AXES, STEEPEST, FaceFrame
+from design.body.surface_chart import STEEPEST, FaceFrame, face_axes
 from design.errors import InputError
 
 if TYPE_CHECKING:
     import trimesh
     from scipy.interpolate import RectBivariateSpline
 
-    from design.spec.body import BodySpec
-    from design.spec.object import ObjectSpec
+    from design.body.kinds.base import BodyKind
 
 _GRID_POINTS = 45_000
 _MARGIN_STEPS = 3
@@ -59,29 +58,28 @@ class SampledRelief:
         return np.asarray(values[0]), np.stack(values[1:], axis=-1)
 
 
-def sampled_outer(spec: ObjectSpec) -> trimesh.Trimesh:
-    """The outer surface, mm, in the object's frame."""
-    return outer_of(spec.body, spec.mesh.envelope_mm).copy()
-
-
 def outer_distance_mm(
-    spec: ObjectSpec, points_mm: Float[np.ndarray, "n 3"]
+    body: BodyKind, points_mm: Float[np.ndarray, "n 3"]
 ) -> Float[np.ndarray, "n"]:
     """Signed distance to the outer surface, negative inside; interpolated, see the module.
 
     Beyond a few millimetres outside the body it is only known to be positive.
     """
-    return _field(spec.body, spec.mesh.envelope_mm).at(points_mm)
+    return _field(body.outside).at(points_mm)
 
 
 def measured_distance_mm(
-    spec: ObjectSpec, points_mm: Float[np.ndarray, "n 3"]
+    surface: trimesh.Trimesh, points_mm: Float[np.ndarray, "n 3"]
 ) -> Float[np.ndarray, "n"]:
     """The same measured to the triangles at every point: exact, and a hundred times slower."""
-    return _measured(outer_of(spec.body, spec.mesh.envelope_mm), points_mm)
+    import pyvista
+
+    polydata = pyvista.PolyData.from_regular_faces(surface.vertices, surface.faces)
+    cloud = pyvista.PolyData(np.ascontiguousarray(points_mm, float))
+    return np.asarray(cloud.compute_implicit_distance(polydata)["implicit_distance"], float)
 
 
-def sampled_core(spec: ObjectSpec) -> trimesh.Trimesh:
+def sampled_core(body: BodyKind) -> trimesh.Trimesh:
     """The core's surface, one shell thickness inside the outer one.
 
     Raises
@@ -89,10 +87,10 @@ def sampled_core(spec: ObjectSpec) -> trimesh.Trimesh:
     InputError
         No room for a core inside walls of that thickness, or it falls into pieces.
     """
-    return _core(spec.body, spec.mesh.envelope_mm, spec.shell.thickness_mm).copy()
+    return _core(body.outside, body.thickness_mm).copy()
 
 
-def sampled_frame(spec: ObjectSpec, number: int, inward_mm: float) -> FaceFrame:
+def sampled_frame(body: BodyKind, number: int, inward_mm: float) -> FaceFrame:
     """The patch about one of the six directions, of the surface `inward_mm` below the outer one.
 
     Raises
@@ -100,24 +98,7 @@ def sampled_frame(spec: ObjectSpec, number: int, inward_mm: float) -> FaceFrame:
     InputError
         The surface is too small or too steep there for a patch.
     """
-    return _frame(spec.body, spec.mesh.envelope_mm, number, inward_mm)
-
-
-@lru_cache(maxsize=8)
-def outer_of(body: BodySpec, envelope_mm: float) -> trimesh.Trimesh:
-    """The outer surface, mm, shared: `sampled_outer` gives a copy."""
-    import trimesh
-
-    if body.kind == "imported":
-        from design.body.imported import read_body
-
-        return read_body(body)
-    half = np.asarray(body.size_mm) / 2
-    edge = np.sqrt(4 * half.min() ** 2 / half.max() * envelope_mm)
-    finest = 1.05 * half.max() / edge
-    sphere = trimesh.creation.icosphere(max(2, round(float(np.log2(finest)))), 1.0)
-    sphere.apply_scale(half * (4 / 3 * np.pi / sphere.volume) ** (1 / 3))
-    return sphere
+    return _frame(body.outside, number, inward_mm)
 
 
 @dataclass(frozen=True)
@@ -136,12 +117,12 @@ class _Field:
 
 
 @lru_cache(maxsize=8)
-def _field(body: BodySpec, envelope_mm: float) -> _Field:
+def _field(body: BodyKind) -> _Field:
     from scipy.ndimage import spline_filter
 
     step = (float(np.prod(body.size_mm)) / _GRID_POINTS) ** (1 / 3)
     points, count = _grid(np.asarray(body.size_mm) / 2, step)
-    distance = _measured(outer_of(body, envelope_mm), points).reshape(count)
+    distance = measured_distance_mm(body.outer_surface(), points).reshape(count)
     return _Field(points[0], step, spline_filter(distance, order=3, mode="nearest"))
 
 
@@ -153,16 +134,8 @@ def _grid(half_mm: np.ndarray, step_mm: float) -> tuple[np.ndarray, tuple[int, .
     return points, tuple(int(n) for n in count)
 
 
-def _measured(surface: trimesh.Trimesh, points_mm: np.ndarray) -> np.ndarray:
-    import pyvista
-
-    polydata = pyvista.PolyData.from_regular_faces(surface.vertices, surface.faces)
-    cloud = pyvista.PolyData(np.ascontiguousarray(points_mm, float))
-    return np.asarray(cloud.compute_implicit_distance(polydata)["implicit_distance"], float)
-
-
 @lru_cache(maxsize=8)
-def _core(body: BodySpec, envelope_mm: float, thickness_mm: float) -> trimesh.Trimesh:
+def _core(body: BodyKind, thickness_mm: float) -> trimesh.Trimesh:
     import pyvista
     import trimesh
 
@@ -172,7 +145,7 @@ def _core(body: BodySpec, envelope_mm: float, thickness_mm: float) -> trimesh.Tr
     step = min(_FINE_STEP_MM, float(half.min()) / 8)
     points, count = _grid(half, step)
     grid = pyvista.ImageData(dimensions=count, spacing=(step,) * 3, origin=tuple(points[0]))
-    distance = _field(body, envelope_mm).at(points).reshape(count)
+    distance = _field(body).at(points).reshape(count)
     grid["distance"] = distance.ravel(order="F")
     found: Any = grid.contour([-thickness_mm], scalars="distance", method="flying_edges")
     if not found.n_points:
@@ -202,7 +175,7 @@ def _without_slivers(surface: trimesh.Trimesh) -> trimesh.Trimesh:
     return trimesh.Trimesh(simple.vert_properties[:, :3], simple.tri_verts.astype(np.int64))
 
 
-def _no_core(body: BodySpec, thickness_mm: float) -> str:
+def _no_core(body: BodyKind, thickness_mm: float) -> str:
     return (
         f"a body of {' × '.join(f'{edge:.4g}' for edge in body.size_mm)} mm has no room for a core "
         f"inside walls of shell.thickness_mm = {thickness_mm:g}. Make the shell thinner or the body larger"
@@ -210,12 +183,12 @@ def _no_core(body: BodySpec, thickness_mm: float) -> str:
 
 
 @lru_cache(maxsize=32)
-def _frame(body: BodySpec, envelope_mm: float, number: int, inward_mm: float) -> FaceFrame:
+def _frame(body: BodyKind, number: int, inward_mm: float) -> FaceFrame:
     from scipy.interpolate import RectBivariateSpline
 
-    field = _field(body, envelope_mm)
+    field = _field(body)
 
-    normal, x, y = (np.asarray(axis, float) for axis in FACE_AXES[number])
+    normal, x, y = face_axes(number)
     half = np.asarray(body.size_mm) / 2
     reach = [_REACH_SHARE * (float(abs(axis) @ half) - inward_mm) for axis in (x, y)]
     nodes = [np.linspace(-r, r, 2 * int(np.ceil(r / _RELIEF_STEP_MM)) + 1) for r in reach]

@@ -28,7 +28,7 @@ STEEPEST = np.tan(np.deg2rad(60))
 
 _MAX_ITERATIONS = 60
 _CONVERGED_MM = 1e-10
-_LARGEST_SQUARE = 0.97
+LARGEST_SQUARE = 0.97
 """Of x²/a² + y²/b²: a cap is known up to a slope of 80°."""
 
 
@@ -57,7 +57,7 @@ class Cap:
     ) -> tuple[Float[np.ndarray, "*n"], Float[np.ndarray, "*n 2"]]:
         across, c = np.asarray(self.semi_axes_mm[:2]), self.semi_axes_mm[2]
         square = np.sum((xy_mm / across) ** 2, axis=-1)
-        root = np.asarray(np.sqrt(1 - np.where(square <= _LARGEST_SQUARE, square, np.nan)))
+        root = np.asarray(np.sqrt(1 - np.where(square <= LARGEST_SQUARE, square, np.nan)))
         return np.asarray(c * (root - 1)), -c * xy_mm / across**2 / root[..., None]
 
 
@@ -154,6 +154,35 @@ class FaceFrame:
         else:
             offset = np.where(abs(step) > _CONVERGED_MM, np.nan, offset)
         return start + offset[:, None] * direction
+
+
+def face_axes(number: int) -> tuple[Float[np.ndarray, "3"], ...]:
+    """Outward normal, x and y of the face of that number."""
+    return tuple(np.asarray(axis, float) for axis in FACE_AXES[number])
+
+
+def flat_frame(number: int, half_mm: Float[np.ndarray, "3"], inward_mm: float = 0.0) -> FaceFrame:
+    """A face of a centred box of those half edges, or of the one `inward_mm` within it."""
+    normal, x, y = face_axes(number)
+    extents = (float(abs(x) @ half_mm) - inward_mm, float(abs(y) @ half_mm) - inward_mm)
+    centre = normal * (abs(normal) @ half_mm) - inward_mm * normal
+    return FaceFrame(number, normal, x, y, centre, extents)
+
+
+def cap_frame(
+    number: int, semi_axes_mm: Float[np.ndarray, "3"], middle_mm: Float[np.ndarray, "3"]
+) -> FaceFrame:
+    """The patch of an ellipsoid, of those semi-axes along x, y, z about its middle, at a face's end."""
+    normal, x, y = face_axes(number)
+    a, b, c = (float(abs(axis) @ semi_axes_mm) for axis in (x, y, normal))
+    extents = (steepest_reach_mm(a, c), steepest_reach_mm(b, c))
+    centre = middle_mm + normal * c
+    return FaceFrame(number, normal, x, y, centre, extents, Cap((a, b, c)), round=True)
+
+
+def steepest_reach_mm(across_mm: float, high_mm: float) -> float:
+    """Where a cap of those semi-axes is as steep as a patch may be."""
+    return across_mm * STEEPEST / float(np.hypot(STEEPEST, high_mm / across_mm))
 
 
 def _normals(slope: Float[np.ndarray, "*n 2"]) -> Float[np.ndarray, "*n 3"]:

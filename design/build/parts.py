@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Literal
 
 import cadquery as cq
 
-from design.body.kinds import face_frames, is_sampled
+from design.layout.body import body_of, face_frames
 from design.layout.mould_frame import mould_frame, mould_style
 from design.mould.halves import make_mould_half
 from design.mould.one_piece import make_mould_box, make_seal_mould
@@ -47,7 +47,7 @@ def parts_of(spec: ObjectSpec) -> tuple[Part, ...]:
     """Core, shell, mould, probes, jig and magnet templates, in the order of the manifest."""
     probes = [Part(f"probe_{tips}", partial(make_probe, spec, tips)) for tips in (1, 2, 3)]
     core, shell = (
-        (sampled_core_part, sampled_shell) if is_sampled(spec) else (make_core, make_shell)
+        (sampled_core_part, sampled_shell) if body_of(spec).sampled else (make_core, make_shell)
     )
     return (
         Part("core", partial(core, spec)),
@@ -61,8 +61,8 @@ def parts_of(spec: ObjectSpec) -> tuple[Part, ...]:
 
 def _jig(spec: ObjectSpec) -> list[Part]:
     """None for a closed box, as the jig's post reaches into the core's cavity, nor for triangles."""
-    closed_box = spec.body.kind == "box" and 6 not in spec.body.opened
-    if closed_box or is_sampled(spec):
+    body = body_of(spec)
+    if body.sampled or (body.cuboid and 6 not in body.opened):
         return []
     return [Part("jig", partial(make_jig, spec))]
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 from itertools import combinations
 from typing import TYPE_CHECKING
 
-from design.body.blocks import block_manifold
-from design.body.kinds import face_frames
 from design.body.meshes import manifold_of
 from design.body.surface_chart import FaceFrame
 from design.fabrication.finding import Finding, at_least, place_of
+from design.layout.blocks import block_manifold
 from design.layout.boards import Mounted, mounted_sensors, wire_bundle_mm
+from design.layout.body import face_frames
 from design.layout.mould_frame import play_mm
 from design.layout.pockets import Pocket, distance_of_axes_mm, shell_pockets
 from design.spec.object import ObjectSpec

@@ -6,7 +6,7 @@ from itertools import combinations
 from math import cos, sin
 from typing import TYPE_CHECKING
 
-from design.body.kinds import face_frames
+from design.layout.body import face_frames
 from design.layout.pockets import (
     Pocket,
     core_pockets,

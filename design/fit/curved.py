@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from design.body.kinds import base_top_mm, core_frames, core_half_mm, face_frames
+from design.layout.body import body_of, core_frames, face_frames
 from design.layout.pockets import Pocket, distance_of_segments_mm, sensor_places, shell_pockets
 
 if TYPE_CHECKING:
@@ -28,18 +28,11 @@ def check_body(spec: ObjectSpec) -> None:
     _check_sensors(spec)
 
 
-def silicone_mm(spec: ObjectSpec) -> float:
-    """Depth of silicone under a patch's centre: the shell's thickness, or all of a solid dome."""
-    if spec.body.inside == "silicone":
-        return spec.body.size_mm[0] / 2
-    return spec.shell.thickness_mm
-
-
 def check_curved_presses(spec: ObjectSpec) -> None:
     """Raise ValueError where a press of the table would leave its patch or goes too deep."""
     from design.layout.tips import tip_heights_mm, tip_places_mm, tip_shape
 
-    deepest, silicone = spec.press.depths_mm[-1], silicone_mm(spec)
+    deepest, silicone = spec.press.depths_mm[-1], body_of(spec).silicone_mm
     if deepest > _LARGEST_SHARE * silicone:
         raise ValueError(
             f"press.depths_mm must stay below {_LARGEST_SHARE:.0%} of the silicone (linear mechanics); "
@@ -95,32 +88,27 @@ def _check_what_boxes_can(spec: ObjectSpec) -> None:
 
 
 def _check_core(spec: ObjectSpec) -> None:
-    body, core = spec.body, spec.core
-    if body.kind in ("pad", "dome"):
-        room, what = base_top_mm(spec) + body.size_mm[2] / 2, "the rigid base"
-    else:
-        room, what = float(core_half_mm(spec).min()), "half the core"
+    body, core = body_of(spec), spec.core
+    room, what = body.room_for_recesses
     if room <= core.recess_depth_mm:
         raise ValueError(
             f"{what} is {room:.4g} mm thick and must be more than core.recess_depth_mm = "
             f"{core.recess_depth_mm:g}. Make body.size_mm larger, or shell.thickness_mm or the recess "
             "smaller"
         )
-    if body.kind == "dome" and body.inside != "silicone":
-        radius = body.size_mm[0] / 2
-        if spec.shell.thickness_mm >= radius:
-            raise ValueError(
-                f"shell.thickness_mm must be below the dome's radius of {radius:g} mm; got "
-                f"{spec.shell.thickness_mm:g}. Make it thinner, or body.inside = 'silicone'"
-            )
-    if body.opened and body.kind not in ("box", "cylinder") and body.bore_mm >= 2 * room:
+    if body.thickness_mm >= body.thickness_below_mm:
+        raise ValueError(
+            f"shell.thickness_mm must be below the {body.name}'s radius of {body.thickness_below_mm:g} mm; "
+            f"got {body.thickness_mm:g}. Make it thinner, or body.inside = 'silicone'"
+        )
+    if body.opening == "bore" and body.bore_mm >= 2 * room:
         raise ValueError(
             f"body.bore_mm must be below the core's width, {2 * room:.4g} mm; got {body.bore_mm:g}"
         )
 
 
 def _check_pockets(spec: ObjectSpec) -> None:
-    shell, silicone = spec.shell, silicone_mm(spec)
+    shell, silicone = spec.shell, body_of(spec).silicone_mm
     frames, placed = face_frames(spec), []
     for frame, pockets in zip(frames, shell_pockets(spec), strict=True):
         for pocket in pockets:

@@ -8,6 +8,7 @@ from design.fit.box import check_box, check_box_presses, check_tips
 from design.fit.curved import check_body, check_curved_presses
 from design.fit.environment import check_environment
 from design.fit.parts import check_mould, check_parts
+from design.layout.body import body_of
 
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
@@ -18,12 +19,13 @@ def require_fit(spec: ObjectSpec, table: bool = True) -> None:
 
     Without `table`, whether the indenter can be pressed at every contact place is left open.
     """
-    if spec.body.kind == "box":
+    cuboid = body_of(spec).cuboid
+    if cuboid:
         check_box(spec)
     else:
         check_body(spec)
     check_tips(spec)
-    if table and spec.body.kind == "box":
+    if table and cuboid:
         check_box_presses(spec)
     elif table:
         check_curved_presses(spec)

@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from jaxtyping import Float
 
-from design.body.blocks import Block, relief_slits
-from design.body.kinds import face_frames
+from design.body.triangles import Block
+from design.layout.blocks import relief_slits
+from design.layout.body import body_of, face_frames
 from design.layout.mould_frame import opening_of
 from design.layout.pockets import Pocket, sensor_places, shell_pockets
 
@@ -37,7 +38,7 @@ def check_parts(spec: ObjectSpec) -> None:
 
 
 def _require_box(spec: ObjectSpec, what: str) -> None:
-    if spec.body.kind != "box":
+    if not body_of(spec).cuboid:
         raise ValueError(
             f"{what} are made for body.kind = 'box' only; got {spec.body.kind!r}. Leave them out"
         )

@@ -9,9 +9,9 @@ from itertools import combinations
 import numpy as np
 from jaxtyping import Float
 
-from design.body.blocks import Block
-from design.body.kinds import core_frames
 from design.body.surface_chart import FaceFrame
+from design.body.triangles import Block
+from design.layout.body import core_frames
 from design.layout.pockets import board_frame, sensor_places
 from design.layout.positions import shell_body_layout
 from design.spec.object import ObjectSpec

@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from jaxtyping import Float
 
-from design.body.kinds import core_frames, core_half_mm, face_frames, is_sampled
 from design.body.surface_chart import FaceFrame
+from design.layout.body import body_of, core_frames, face_frames
 from design.layout.mould_frame import opening_of
 from design.layout.pockets import Pocket, shell_pockets
 from design.spec.worked_out import once
@@ -84,7 +84,7 @@ class Outlet:
 def wire_hole_diameter_mm(spec: ObjectSpec, face: int) -> float:
     """Of the hole in the middle of a face of the core."""
     core = spec.core
-    if face == TOP_FACE and not is_sampled(spec):
+    if face == TOP_FACE and not body_of(spec).sampled:
         return core.wire_hole_top_diameter_mm
     return core.wire_hole_side_diameter_mm
 
@@ -92,7 +92,7 @@ def wire_hole_diameter_mm(spec: ObjectSpec, face: int) -> float:
 @once
 def core_outlet(spec: ObjectSpec) -> Outlet:
     """Of a body that is open through a bore; the wall is at most half of the core."""
-    floor = _floor_mm(spec)
+    floor = body_of(spec).core_floor_mm
     radius = min(spec.body.bore_mm / 2, 0.9 * abs(floor))
     return Outlet(radius, floor, min(spec.core.wall_mm, 0.5 * abs(floor)))
 
@@ -164,14 +164,3 @@ def _common_area_mm2(radius_mm: float, pocket: Pocket) -> float:
     x = (away**2 + r**2 - other**2) / (2 * away)
     sectors = r**2 * np.arccos(x / r) + other**2 * np.arccos((away - x) / other)
     return float(sectors - away * np.sqrt(r**2 - x**2))
-
-
-def _floor_mm(spec: ObjectSpec) -> float:
-    """Level at which the −z axis leaves the core."""
-    if not is_sampled(spec):
-        return -float(core_half_mm(spec)[2])
-    from design.body.sampled import sampled_core
-
-    core = sampled_core(spec)
-    hits, _, _ = core.ray.intersects_location([[0.0, 0.0, 0.0]], [[0.0, 0.0, -1.0]])
-    return float(np.min(hits[:, 2])) if len(hits) else float(core.bounds[0, 2])

@@ -15,17 +15,16 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 from jaxtyping import Float
 
-from design.body.kinds import base_top_mm, core_half_mm
 from design.body.surface_chart import FACE_AXES
+from design.layout.body import body_of
 from design.spec.worked_out import once
 
 if TYPE_CHECKING:
     import trimesh
 
-    from design.spec.body import BodySpec
+    from design.body.kinds.base import BodyKind, Opening
     from design.spec.object import ObjectSpec
 
-Opening = Literal["open", "bore", "closed"]
 _DOWN = 6
 _STEP_DEG = 15.0
 _AS_GOOD = 1e-4
@@ -89,11 +88,7 @@ def play_mm(spec: ObjectSpec) -> float:
 
 def opening_of(spec: ObjectSpec) -> Opening:
     """How the core's cavity runs out of the silicone."""
-    if spec.body.kind in ("pad", "dome"):
-        return "open"
-    if not spec.body.opened:
-        return "closed"
-    return "open" if spec.body.kind in ("box", "cylinder") else "bore"
+    return body_of(spec).opening
 
 
 def mould_style(spec: ObjectSpec) -> Literal["one-piece", "split"]:
@@ -118,18 +113,14 @@ def mould_frame(spec: ObjectSpec) -> MouldFrame:
     ends = np.sort(axes.T @ np.column_stack([low, high]), axis=1)
     above = 0.0 if opening == "open" else wall
     block = ends[:, 0] - wall, ends[:, 1] + [wall, wall, above]
-    return MouldFrame(opening, across, along, out, *block, _plug_mm(spec, axes))
+    return MouldFrame(opening, across, along, out, *block, body_of(spec).passage_mm(axes))
 
 
 def envelope_corners_mm(
     spec: ObjectSpec,
 ) -> tuple[Float[np.ndarray, "3"], Float[np.ndarray, "3"]]:
     """Lowest and highest corner of the silicone's outside."""
-    high = np.asarray(spec.body.size_mm) / 2
-    low = -high
-    if spec.body.kind in ("pad", "dome"):
-        low = np.array([*low[:2], base_top_mm(spec)])
-    return low, high
+    return body_of(spec).corners_mm
 
 
 def cast_corners_mm(
@@ -169,14 +160,9 @@ def parting(spec: ObjectSpec) -> Parting:
     """
     frame, given = mould_frame(spec), spec.mould.parting_azimuth_deg
     half = abs(frame.axes.T) @ np.asarray(spec.body.size_mm) / 2
-    if given is None and spec.body.kind == "imported":
-        return _at_silhouette(spec.body, spec.mesh.envelope_mm)
-    if given is not None:
-        azimuth = np.deg2rad(given)
-    elif spec.body.kind == "ellipsoid" and half[0] != half[1]:
-        azimuth = 0.0 if half[0] < half[1] else np.pi / 2
-    else:
-        azimuth = np.arctan2(half[0], half[1])
+    azimuth = body_of(spec).parting_azimuth(half) if given is None else float(np.deg2rad(given))
+    if azimuth is None:
+        return _at_silhouette(body_of(spec).outside)
     return Parting(np.cos(azimuth) * frame.across + np.sin(azimuth) * frame.along, 0.0)
 
 
@@ -187,31 +173,14 @@ def _out(spec: ObjectSpec) -> np.ndarray:
 
 
 def _open_ends(spec: ObjectSpec, axis: np.ndarray) -> int:
-    if spec.body.kind != "box":
-        return 0
     normals = [np.asarray(FACE_AXES[face][0], float) for face in spec.body.opened]
     return sum(abs(float(normal @ axis)) > 0.5 for normal in normals)
 
 
-def _plug_mm(spec: ObjectSpec, axes: np.ndarray) -> np.ndarray:
-    """Corners, across and along, of what passes through the mould's upper side."""
-    body, opening = spec.body, opening_of(spec)
-    if opening == "closed" or body.kind == "pad" or body.inside == "silicone":
-        return np.zeros((2, 2))
-    if body.kind == "box":
-        from design.body.surface import open_span_mm
-
-        return np.sort(axes.T @ np.column_stack(open_span_mm(spec, 0.0)), axis=1)[:2].T
-    radius = body.bore_mm / 2 if opening == "bore" else float(core_half_mm(spec)[0])
-    return np.array([[-radius, -radius], [radius, radius]])
-
-
 @lru_cache(maxsize=8)
-def _at_silhouette(body: BodySpec, envelope_mm: float) -> Parting:
+def _at_silhouette(body: BodyKind) -> Parting:
     """Of planes about z in steps of 15°, and all their offsets, the one with the least undercut."""
-    from design.body.sampled import outer_of
-
-    surface = outer_of(body, envelope_mm)
+    surface = body.outer_surface()
     best: tuple[float, Parting] | None = None
     for azimuth in np.deg2rad(45.0 + np.arange(0.0, 180.0, _STEP_DEG)):
         normal = np.array([np.cos(azimuth), np.sin(azimuth), 0.0])

@@ -14,8 +14,8 @@ from typing import TypeVar
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
-from design.body.kinds import core_frames, face_frames
 from design.body.surface_chart import FaceFrame
+from design.layout.body import core_frames, face_frames
 from design.layout.pockets import Body, Outline, magnet_bodies, sensor_boards, shell_bodies
 from design.spec.assembly import BuiltMagnet
 from design.spec.mechanics import SlipSpec

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from math import prod
 
-from design.body.blocks import keys_volume_mm3, slits_volume_mm3
-from design.body.kinds import face_frames
-from design.body.volume import body_volume_mm3
+from design.layout.blocks import keys_volume_mm3, slits_volume_mm3
+from design.layout.body import body_of, face_frames
 from design.layout.core_hold import locators
 from design.layout.pockets import shell_pockets
 from design.spec.object import ObjectSpec
@@ -18,7 +17,7 @@ def sealed_volume_mm3(spec: ObjectSpec) -> float:
     The cavity has the core's cross-section and runs from the core's top out of the open face; keys
     of the core add to it, and relief slits are left out.
     """
-    return body_volume_mm3(spec) - keys_volume_mm3(spec) - slits_volume_mm3(spec)
+    return body_of(spec).volume_mm3() - keys_volume_mm3(spec) - slits_volume_mm3(spec)
 
 
 def shell_volume_mm3(spec: ObjectSpec) -> float:

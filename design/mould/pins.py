@@ -15,8 +15,8 @@ import cadquery as cq
 import numpy as np
 from jaxtyping import Float
 
-from design.body.kinds import face_frames
 from design.body.surface_chart import FaceFrame
+from design.layout.body import face_frames
 from design.layout.core_hold import LOCATOR_NOSE_MM, Locator, locators
 from design.layout.mould_frame import mould_frame, parting, play_mm
 from design.layout.pockets import Body, Outline, Pocket, distance_of_segments_mm, shell_pockets

@@ -19,6 +19,7 @@ from __future__ import annotations
 import cadquery as cq
 import numpy as np
 
+from design.layout.body import body_of
 from design.layout.core_hold import core_outlet
 from design.layout.mould_frame import MouldFrame, mould_frame, play_mm
 from design.mould.openings import mould_holes
@@ -48,7 +49,7 @@ def make_mould_plug(spec: ObjectSpec) -> Solid:
         The dimensions do not give one valid solid.
     """
     block, *keys = cavity(spec)
-    inside: Shape = common(block, cast_room(spec)) if spec.body.kind == "dome" else block
+    inside: Shape = common(block, cast_room(spec)) if body_of(spec).on_base else block
     frame = mould_frame(spec)
     whole = join(inside, *keys, *_flange(spec, frame), *_clips(spec, frame))
     return one_body(cut(whole, *(hole.solid() for hole in mould_holes(spec))), "mould_plug")

@@ -1,22 +1,56 @@
-"""Exact solids of the bodies: the outside of the silicone, what the core keeps free, the core."""
+"""Exact solids of the bodies, one entry per kind: outside, cavity, core and the core's own room."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TypeVar, cast
+from dataclasses import dataclass
+from typing import Any, cast
 
 import cadquery as cq
 import numpy as np
 
-from design.body.kinds import base_top_mm, core_half_mm, sphere_centre_mm
-from design.body.surface import open_span_mm
+from design.body.kinds.base import BodyKind
+from design.body.kinds.box import Box
+from design.body.kinds.capsule import Capsule
+from design.body.kinds.cylinder import Cylinder
+from design.body.kinds.dome import Dome
+from design.body.kinds.pad import Pad
+from design.body.kinds.sphere import Sphere
 from design.errors import InputError
+from design.layout.body import body_of
 from design.layout.core_hold import core_outlet
+from design.layout.mould_frame import MouldFrame
+from design.solids.booleans import Shape, join
 from design.solids.primitives import OVERSHOOT_MM, box_between, rod_about_z
 from design.spec.object import ObjectSpec
 
 _Z = cq.Vector(0, 0, 1)
-Solid = TypeVar("Solid", cq.Solid, cq.Solid | None)
+
+
+def _slab_added(body: BodyKind, room: Shape, frame: MouldFrame) -> Shape:
+    """With a slab as wide as the room's box."""
+    assert isinstance(room, cq.Shape)
+    box = room.BoundingBox()
+    corners = np.array([[box.xmin, box.ymin, box.zmin], [box.xmax, box.ymax, box.zmax]])
+    low, high = np.sort(frame.axes.T @ corners.T, axis=1).T
+    low[2], high[2] = frame.rim_mm - OVERSHOOT_MM, frame.rim_mm + OVERSHOOT_MM
+    return join(room, box_between(*frame.corners(low, high)))
+
+
+@dataclass(frozen=True)
+class ExactSolids:
+    """How a kind's solids are made from a body of it (mm)."""
+
+    outer: Callable[[Any], cq.Solid]
+    """The silicone's outside as if it were solid."""
+    core: Callable[[Any], cq.Solid]
+    """The core without recesses, passages and its own cavity."""
+    cavity: Callable[[Any, float], cq.Solid | None] | None = None
+    """What core and passage keep free, so far beyond open faces; by default the core and its bore."""
+    room: Callable[[Any, float], cq.Solid | None] | None = None
+    """The core's own cavity, so far inside its surface; None where that leaves no room."""
+    drawn_out: Callable[[Any, Shape, MouldFrame], Shape] = _slab_added
+    """The room for silicone, drawn out a little past its open side."""
 
 
 def outer_solid(spec: ObjectSpec) -> cq.Solid:
@@ -27,161 +61,191 @@ def outer_solid(spec: ObjectSpec) -> cq.Solid:
     InputError
         A body that is known by its triangles only.
     """
-    return _exact(_OUTER, spec)(spec)
+    return _solids(spec).outer(body_of(spec))
 
 
 def cavity_solid(spec: ObjectSpec, overshoot_mm: float) -> cq.Solid | None:
     """What the core and its passage keep free, so far beyond the open faces; None where nothing."""
-    return _exact(_CAVITIES, spec)(spec, overshoot_mm)
+    body, solids = body_of(spec), _solids(spec)
+    if solids.cavity is not None:
+        return solids.cavity(body, overshoot_mm)
+    core = solids.core(body)
+    if 6 not in body.opened:
+        return core
+    low = -body.size_mm[2] / 2 - overshoot_mm
+    return core.fuse(rod_about_z(body.bore_mm / 2, low, 0.0)).Solids()[0]
 
 
 def core_solid(spec: ObjectSpec) -> cq.Solid:
     """The core without recesses, passages and its own cavity."""
-    return _exact(_CORES, spec)(spec)
+    return _solids(spec).core(body_of(spec))
 
 
 def core_hollow(spec: ObjectSpec) -> list[cq.Solid]:
     """The core's own cavity, one core wall inside it and open towards −z, where there is room.
 
-    A core without an open face 6 is solid, or silicone would run into it. A ball's outlet has a flat
-    on one side, by which the core is held from turning while it is cast in.
+    A core without an open face 6 is solid, or silicone would run into it. The outlet of a core that
+    is cast in has a flat on one side, by which it is held from turning.
     """
-    wall = spec.core.wall_mm
-    if 6 not in spec.body.opened:
+    body, make = body_of(spec), _solids(spec).room
+    if 6 not in body.opened or make is None:
         return []
-    half = core_half_mm(spec) - wall
-    if spec.body.kind == "sphere":
-        return [_ball_hollow(spec, float(half[0]))]
-    if half.min() <= 0:
-        return []
-    if spec.body.kind == "box":
-        bottom = -core_half_mm(spec)[2] - OVERSHOOT_MM
-        return [box_between((-half[0], -half[1], bottom), half)]
-    bottom = -core_half_mm(spec)[2] - OVERSHOOT_MM
-    return [rod_about_z(float(half[0]), float(bottom), float(half[2]))]
+    room = make(body, spec.core.wall_mm)
+    if body.opening == "bore":
+        return [_with_outlet(spec, room)]
+    return [] if room is None else [room]
 
 
-def _ball_hollow(spec: ObjectSpec, radius_mm: float) -> cq.Solid:
-    """A ball with its outlet, which alone is cut where there is no room for the ball."""
-    outlet = core_outlet(spec)
-    bore = rod_about_z(outlet.radius_mm, -spec.body.size_mm[2] / 2, 0.0)
-    hollow = bore if radius_mm <= 0 else _sphere_at(radius_mm, np.zeros(3)).fuse(bore)
-    return hollow.cut(box_between(*outlet.key_mm)).Solids()[0]
+def past_opening(spec: ObjectSpec, room: Shape, frame: MouldFrame) -> Shape:
+    """The room for silicone drawn out a little past its open side."""
+    return _solids(spec).drawn_out(body_of(spec), room, frame)
 
 
-def _exact(kinds: dict[str, Callable[..., Solid]], spec: ObjectSpec) -> Callable[..., Solid]:
-    if spec.body.kind not in kinds:
+def _solids(spec: ObjectSpec) -> ExactSolids:
+    if spec.body.kind not in SOLIDS:
         raise InputError(
             f"a body of kind {spec.body.kind!r} is known by its triangles and has no exact solid. Use "
             "its STL"
         )
-    return kinds[spec.body.kind]
+    return SOLIDS[spec.body.kind]
 
 
-def _sphere_at(radius_mm: float, centre_mm: np.ndarray) -> cq.Solid:
+def _with_outlet(spec: ObjectSpec, room: cq.Solid | None) -> cq.Solid:
+    """A core's cavity with its outlet, which alone is cut where there is no room for the cavity."""
+    outlet = core_outlet(spec)
+    bore = rod_about_z(outlet.radius_mm, -spec.body.size_mm[2] / 2, 0.0)
+    hollow = bore if room is None else room.fuse(bore)
+    return hollow.cut(box_between(*outlet.key_mm)).Solids()[0]
+
+
+def _ball(
+    radius_mm: float, centre_mm: np.ndarray | tuple[float, ...] = (0.0, 0.0, 0.0)
+) -> cq.Solid:
     return cast(cq.Solid, cq.Solid.makeSphere(radius_mm, cq.Vector(*centre_mm), _Z, -90, 90, 360))
 
 
-def _upper_half(spec: ObjectSpec, radius_mm: float) -> cq.Solid:
-    centre = cq.Vector(*sphere_centre_mm(spec))
-    return cast(cq.Solid, cq.Solid.makeSphere(radius_mm, centre, _Z, 0, 90, 360))
-
-
-def _box(spec: ObjectSpec) -> cq.Solid:
-    half = np.asarray(spec.body.size_mm) / 2
-    return box_between(-half, half)
-
-
-def _pad(spec: ObjectSpec) -> cq.Solid:
-    half = np.asarray(spec.body.size_mm) / 2
-    return box_between((-half[0], -half[1], base_top_mm(spec)), half)
-
-
-def _cylinder(spec: ObjectSpec) -> cq.Solid:
-    radius, _, half = np.asarray(spec.body.size_mm) / 2
-    return rod_about_z(float(radius), float(-half), float(half))
-
-
-def _sphere(spec: ObjectSpec) -> cq.Solid:
-    return _sphere_at(spec.body.size_mm[0] / 2, np.zeros(3))
-
-
-def _dome(spec: ObjectSpec) -> cq.Solid:
-    return _upper_half(spec, spec.body.size_mm[0] / 2)
-
-
-def _box_cavity(spec: ObjectSpec, overshoot_mm: float) -> cq.Solid:
-    return box_between(*open_span_mm(spec, overshoot_mm))
-
-
-def _cylinder_cavity(spec: ObjectSpec, overshoot_mm: float) -> cq.Solid:
-    low, high = open_span_mm(spec, overshoot_mm)
-    return rod_about_z(float(core_half_mm(spec)[0]), float(low[2]), float(high[2]))
-
-
-def _sphere_cavity(spec: ObjectSpec, overshoot_mm: float) -> cq.Solid:
-    ball = _sphere_at(float(core_half_mm(spec)[0]), np.zeros(3))
-    if 6 not in spec.body.opened:
-        return ball
-    low = -spec.body.size_mm[2] / 2 - overshoot_mm
-    return ball.fuse(rod_about_z(spec.body.bore_mm / 2, low, 0.0)).Solids()[0]
-
-
-def _dome_cavity(spec: ObjectSpec, overshoot_mm: float) -> cq.Solid | None:
-    """A whole ball: what lies under the base's plane cuts no silicone."""
-    if spec.body.inside == "silicone":
+def _box_room(body: Box, wall_mm: float) -> cq.Solid | None:
+    half = body.core_half_mm - wall_mm
+    if half.min() <= 0:
         return None
-    return _sphere_at(spec.body.size_mm[0] / 2 - spec.shell.thickness_mm, sphere_centre_mm(spec))
+    bottom = -body.core_half_mm[2] - OVERSHOOT_MM
+    return box_between((-half[0], -half[1], bottom), half)
 
 
-def _box_core(spec: ObjectSpec) -> cq.Solid:
-    return box_between(-core_half_mm(spec), core_half_mm(spec))
-
-
-def _pad_core(spec: ObjectSpec) -> cq.Solid:
-    half = np.asarray(spec.body.size_mm) / 2
-    return box_between(-half, (half[0], half[1], base_top_mm(spec)))
-
-
-def _cylinder_core(spec: ObjectSpec) -> cq.Solid:
-    radius, _, half = core_half_mm(spec)
+def _cylinder(body: Cylinder) -> cq.Solid:
+    radius, _, half = body.half_mm
     return rod_about_z(float(radius), float(-half), float(half))
 
 
-def _sphere_core(spec: ObjectSpec) -> cq.Solid:
-    return _sphere_at(float(core_half_mm(spec)[0]), np.zeros(3))
+def _cylinder_cavity(body: Cylinder, overshoot_mm: float) -> cq.Solid:
+    low, high = body.core_span_mm(overshoot_mm)
+    return rod_about_z(float(body.core_half_mm[0]), float(low[2]), float(high[2]))
 
 
-def _dome_core(spec: ObjectSpec) -> cq.Solid:
+def _cylinder_core(body: Cylinder) -> cq.Solid:
+    radius, _, half = body.core_half_mm
+    return rod_about_z(float(radius), float(-half), float(half))
+
+
+def _cylinder_room(body: Cylinder, wall_mm: float) -> cq.Solid | None:
+    half = body.core_half_mm - wall_mm
+    if half.min() <= 0:
+        return None
+    bottom = -body.core_half_mm[2] - OVERSHOOT_MM
+    return rod_about_z(float(half[0]), float(bottom), float(half[2]))
+
+
+def _disk_added(body: Cylinder, room: Shape, frame: MouldFrame) -> Shape:
+    start = (frame.rim_mm - OVERSHOOT_MM) * frame.out
+    radius, out = body.size_mm[0] / 2, cq.Vector(*frame.out)
+    return join(room, cq.Solid.makeCylinder(radius, 2 * OVERSHOOT_MM, cq.Vector(*start), out))
+
+
+def _sphere_room(body: Sphere, wall_mm: float) -> cq.Solid | None:
+    radius = float(body.core_half_mm[0] - wall_mm)
+    return _ball(radius) if radius > 0 else None
+
+
+def _capsule(radius_mm: float, straight_mm: float) -> cq.Solid:
+    """A half profile turned about z."""
+    ends = np.array([-1.0, 1.0]) * (straight_mm + radius_mm)
+    slanting = float(np.sqrt(0.5)) * radius_mm
+    profile = (
+        cq.Workplane("XZ")
+        .moveTo(0, float(ends[0]))
+        .threePointArc((slanting, -straight_mm - slanting), (radius_mm, -straight_mm))
+        .lineTo(radius_mm, straight_mm)
+        .threePointArc((slanting, straight_mm + slanting), (0, float(ends[1])))
+        .close()
+    )
+    return cast(cq.Solid, profile.revolve(360, (0, 0, 0), (0, 1, 0)).val())
+
+
+def _capsule_room(body: Capsule, wall_mm: float) -> cq.Solid | None:
+    radius = float(body.core_half_mm[0] - wall_mm)
+    return _capsule(radius, body.straight_mm) if radius > 0 else None
+
+
+def _pad_core(body: Pad) -> cq.Solid:
+    half = body.half_mm
+    return box_between(-half, (half[0], half[1], body.base_top_mm))
+
+
+def _dome(body: Dome) -> cq.Solid:
+    centre = cq.Vector(*body.centre_mm)
+    return cast(cq.Solid, cq.Solid.makeSphere(body.radius_mm, centre, _Z, 0, 90, 360))
+
+
+def _dome_cavity(body: Dome, overshoot_mm: float) -> cq.Solid | None:
+    """A whole ball: what lies under the base's plane cuts no silicone."""
+    return None if body.inside == "silicone" else _ball(body.inner_radius_mm, body.centre_mm)
+
+
+def _dome_core(body: Dome) -> cq.Solid:
     """The base, and a rigid dome on it where that is inside."""
-    radius, _, half = np.asarray(spec.body.size_mm) / 2
-    base = rod_about_z(float(radius), float(-half), base_top_mm(spec))
-    if spec.body.inside != "core":
+    radius, _, half = body.half_mm
+    base = rod_about_z(float(radius), float(-half), body.base_top_mm)
+    if body.inside != "core":
         return base
-    inner = _sphere_at(float(radius) - spec.shell.thickness_mm, sphere_centre_mm(spec))
-    low = (-radius, -radius, -half)
-    above = box_between(low, (radius, radius, half))
+    inner = _ball(body.inner_radius_mm, body.centre_mm)
+    above = box_between((-radius, -radius, -half), (radius, radius, half))
     return base.fuse(inner.intersect(above).Solids()[0]).clean().Solids()[0]
 
 
-_OUTER: dict[str, Callable[..., cq.Solid]] = {
-    "box": _box,
-    "pad": _pad,
-    "cylinder": _cylinder,
-    "sphere": _sphere,
-    "dome": _dome,
+SOLIDS: dict[str, ExactSolids] = {
+    "box": ExactSolids(
+        outer=lambda body: box_between(-body.half_mm, body.half_mm),
+        core=lambda body: box_between(-body.core_half_mm, body.core_half_mm),
+        cavity=lambda body, overshoot_mm: box_between(*body.core_span_mm(overshoot_mm)),
+        room=_box_room,
+    ),
+    "pad": ExactSolids(
+        outer=lambda body: box_between(*body.corners_mm),
+        core=_pad_core,
+        cavity=lambda body, overshoot_mm: None,
+    ),
+    "cylinder": ExactSolids(
+        outer=_cylinder,
+        core=_cylinder_core,
+        cavity=_cylinder_cavity,
+        room=_cylinder_room,
+        drawn_out=_disk_added,
+    ),
+    "capsule": ExactSolids(
+        outer=lambda body: _capsule(float(body.half_mm[0]), body.straight_mm),
+        core=lambda body: _capsule(float(body.core_half_mm[0]), body.straight_mm),
+        room=_capsule_room,
+    ),
+    "sphere": ExactSolids(
+        outer=lambda body: _ball(float(body.half_mm[0])),
+        core=lambda body: _ball(float(body.core_half_mm[0])),
+        room=_sphere_room,
+    ),
+    "dome": ExactSolids(
+        outer=_dome,
+        core=_dome_core,
+        cavity=_dome_cavity,
+        drawn_out=lambda body, room, frame: _ball(body.radius_mm, body.centre_mm),
+    ),
 }
-_CAVITIES: dict[str, Callable[..., cq.Solid | None]] = {
-    "box": _box_cavity,
-    "pad": lambda spec, overshoot_mm: None,
-    "cylinder": _cylinder_cavity,
-    "sphere": _sphere_cavity,
-    "dome": _dome_cavity,
-}
-_CORES: dict[str, Callable[..., cq.Solid]] = {
-    "box": _box_core,
-    "pad": _pad_core,
-    "cylinder": _cylinder_core,
-    "sphere": _sphere_core,
-    "dome": _dome_core,
-}
+"""By the name of the kind; a kind that is known by its triangles has none."""

@@ -5,9 +5,9 @@ from __future__ import annotations
 import cadquery as cq
 import numpy as np
 
-from design.body.blocks import core_keys
-from design.body.kinds import core_frames, core_half_mm
 from design.body.surface_chart import FACE_AXES, FaceFrame
+from design.layout.blocks import core_keys
+from design.layout.body import body_of, core_frames
 from design.layout.core_hold import wire_hole_diameter_mm
 from design.layout.pockets import core_pockets, sensor_places
 from design.solids.body import core_hollow, core_solid
@@ -59,7 +59,7 @@ def _outlets(spec: ObjectSpec) -> list[cq.Solid]:
     """Of a core without a cavity: from its middle, where the wire holes meet, out of every open face."""
     if core_hollow(spec):
         return []
-    radius, half = spec.core.wire_hole_side_diameter_mm / 2, core_half_mm(spec)
+    radius, half = spec.core.wire_hole_side_diameter_mm / 2, body_of(spec).core_half_mm
     middle, found = cq.Vector(0, 0, 0), []
     for face in spec.body.opened:
         normal = np.asarray(FACE_AXES[face][0], float)
@@ -119,6 +119,6 @@ def _passage_mm(spec: ObjectSpec, frame: FaceFrame) -> float:
     """How deep a wire hole is: through the wall of a hollow core, else to where wires leave."""
     if core_hollow(spec):
         return spec.core.wall_mm
-    if spec.body.kind in ("pad", "dome"):
+    if body_of(spec).on_base:
         return float(frame.centre_mm[2]) + spec.body.size_mm[2] / 2
-    return float(abs(frame.normal) @ core_half_mm(spec))
+    return float(abs(frame.normal) @ body_of(spec).core_half_mm)

@@ -12,6 +12,7 @@ from __future__ import annotations
 import cadquery as cq
 import numpy as np
 
+from design.layout.body import body_of
 from design.layout.mould_frame import play_mm
 from design.solids.body import core_hollow
 from design.solids.primitives import OVERSHOOT_MM, box_between, single_solid
@@ -55,7 +56,7 @@ def _seat_mm(spec: ObjectSpec) -> float:
 
 
 def _on_post(spec: ObjectSpec) -> bool:
-    return spec.body.kind == "box" and spec.body.opened == (6,) and bool(core_hollow(spec))
+    return body_of(spec).cuboid and spec.body.opened == (6,) and bool(core_hollow(spec))
 
 
 def _half_plate_mm(spec: ObjectSpec) -> float:

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 import cadquery as cq
 import numpy as np
 
-from design.body.blocks import Block
 from design.body.surface_chart import FaceFrame
+from design.body.triangles import Block
 from design.errors import NotOneSolid
 from design.layout.pockets import Pocket
 

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from design.body.blocks import core_keys, relief_slits
-from design.body.kinds import core_frames, core_half_mm, face_frames
 from design.body.meshes import one_closed_surface
 from design.body.sampled import sampled_core
-from design.body.surface import block_surface, cavity_surface, outer_surface
 from design.body.surface_chart import FaceFrame
+from design.body.triangles import block_surface
+from design.layout.blocks import core_keys, relief_slits
+from design.layout.body import body_of, core_frames, face_frames
 from design.layout.core_hold import Locator, core_outlet, locators
 from design.layout.mould_frame import cast_corners_mm
 from design.layout.pockets import Pocket, sensor_places, shell_pockets
@@ -44,7 +45,7 @@ def sampled_shell(spec: ObjectSpec) -> trimesh.Trimesh:
     ]
     blocks = [block_surface(block) for block in (*core_keys(spec), *relief_slits(spec))]
     holes = [_locator_hole(locator) for locator in locators(spec)]
-    cavity = cavity_surface(spec)
+    cavity = body_of(spec).cavity_surface()
     removed = [*pockets, *blocks, *holes, *([] if cavity is None else [cavity])]
     return _one(cast_surface(spec), removed, "shell")
 
@@ -54,7 +55,7 @@ def cast_surface(spec: ObjectSpec) -> trimesh.Trimesh:
     import trimesh
 
     if not spec.shell.seal_layer_mm:
-        return outer_surface(spec)
+        return body_of(spec).outer_surface()
     return trimesh.creation.box(bounds=cast_corners_mm(spec))
 
 
@@ -81,7 +82,7 @@ def sampled_core_part(spec: ObjectSpec) -> trimesh.Trimesh:
         removed.append(_wire_hole(spec, frame.centre_mm + _OVERSHOOT_MM * frame.normal))
     if 6 in spec.body.opened:
         removed.append(_hollow(spec))
-    return _one(sampled_core(spec), removed, "core")
+    return _one(sampled_core(body_of(spec)), removed, "core")
 
 
 def _hollow(spec: ObjectSpec) -> trimesh.Trimesh:
@@ -92,9 +93,9 @@ def _hollow(spec: ObjectSpec) -> trimesh.Trimesh:
     length = spec.body.size_mm[2] / 2
     hollow = trimesh.creation.cylinder(outlet.radius_mm, length, sections=_SECTIONS)
     hollow.apply_translation((0, 0, -length / 2))
-    if core_half_mm(spec).min() - wall > _LEAST_HOLLOW_MM:
-        shell = spec.shell.changed(thickness_mm=spec.shell.thickness_mm + wall)
-        hollow = hollow.union(sampled_core(spec.changed(shell=shell)))
+    body = body_of(spec)
+    if body.core_half_mm.min() - wall > _LEAST_HOLLOW_MM:
+        hollow = hollow.union(sampled_core(replace(body, thickness_mm=body.thickness_mm + wall)))
     return hollow.difference(trimesh.creation.box(bounds=outlet.key_mm))
 
 

@@ -9,8 +9,8 @@ from __future__ import annotations
 
 import cadquery as cq
 
-from design.body.blocks import core_keys, relief_slits
-from design.body.kinds import face_frames
+from design.layout.blocks import core_keys, relief_slits
+from design.layout.body import face_frames
 from design.layout.core_hold import Locator, locators
 from design.layout.mould_frame import cast_corners_mm
 from design.layout.pockets import shell_pockets

@@ -5,36 +5,19 @@ Defaults are the paper's cube (Knopke et al., RA-L 2024); docs/units.md gives th
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Literal
 
 from pydantic import Field, model_validator
 
+from design.body.kinds.registry import KINDS
 from design.spec.base import Count, Finite, NonNegative, Positive, SpecPart
 
-BodyKind = Literal["box", "pad", "cylinder", "sphere", "ellipsoid", "dome", "imported"]
+if TYPE_CHECKING:
+    KindName = str
+else:
+    KindName = Literal[tuple(KINDS)]
 FaceNumber = Annotated[int, Field(ge=1, le=6)]
-
-CLOSABLE: dict[BodyKind, tuple[int, ...]] = {
-    "box": (1, 2, 3, 4, 5, 6),
-    "pad": (1,),
-    "cylinder": (1, 2, 3, 4, 5, 6),
-    "sphere": (1, 2, 3, 4, 5, 6),
-    "ellipsoid": (1, 2, 3, 4, 5, 6),
-    "dome": (1,),
-    "imported": (1, 2, 3, 4, 5, 6),
-}
-"""Faces that a body can have: 1 = +z, 2 = −y, 3 = +x, 4 = +y, 5 = −x, 6 = −z."""
-
-_OPENABLE: dict[BodyKind, tuple[int, ...]] = {
-    "box": (1, 2, 3, 4, 5, 6),
-    "cylinder": (1, 6),
-    "sphere": (6,),
-    "ellipsoid": (6,),
-    "imported": (6,),
-}
-
-_OPPOSITE = ((1, 6), (2, 4), (3, 5))
+"""1 = +z, 2 = −y, 3 = +x, 4 = +y, 5 = −x, 6 = −z."""
 
 
 class BodySpec(SpecPart):
@@ -48,7 +31,7 @@ class BodySpec(SpecPart):
     carry magnets and sensors and are pressed.
     """
 
-    kind: BodyKind = "box"
+    kind: KindName = "box"
     size_mm: tuple[Positive, Positive, Positive] = (42.0, 42.0, 42.0)
     open_faces: tuple[FaceNumber, ...] = (6,)
     sensed_faces: tuple[FaceNumber, ...] | None = None
@@ -62,13 +45,13 @@ class BodySpec(SpecPart):
     @property
     def opened(self) -> tuple[int, ...]:
         """`open_faces` where the body has faces that can be open, else none."""
-        openable = _OPENABLE.get(self.kind, ())
+        openable = KINDS[self.kind].openable
         return tuple(sorted(face for face in set(self.open_faces) if face in openable))
 
     @property
     def sensed(self) -> tuple[int, ...]:
         """Numbers of the sensed faces, in order."""
-        closed = tuple(face for face in CLOSABLE[self.kind] if face not in self.opened)
+        closed = tuple(face for face in KINDS[self.kind].faces if face not in self.opened)
         return closed if self.sensed_faces is None else tuple(sorted(self.sensed_faces))
 
     @model_validator(mode="after")
@@ -79,34 +62,26 @@ class BodySpec(SpecPart):
 
 
 def _check_size(body: BodySpec) -> None:
-    x, y, z = body.size_mm
-    rules: dict[str, tuple[Callable[[], bool], str]] = {
-        "cylinder": (lambda: x == y, "x and y alike, the diameter"),
-        "sphere": (lambda: x == y == z, "three times its diameter"),
-        "dome": (
-            lambda: x == y and z > x / 2,
-            "x and y alike, the diameter, and z above half of it",
-        ),
-    }
-    holds, wanted = rules.get(body.kind, (lambda: True, ""))
-    if not holds():
+    kind = KINDS[body.kind]
+    if not kind.takes_size(body.size_mm):
         raise ValueError(
-            f"body.size_mm of a {body.kind} must be {wanted}; got {list(body.size_mm)}. Fix the "
-            "size, or choose another body.kind"
+            f"body.size_mm of a {body.kind} must be {kind.size_rule}; got {list(body.size_mm)}. Fix "
+            "the size, or choose another body.kind"
         )
 
 
 def _check_faces(body: BodySpec) -> None:
-    openable = _OPENABLE.get(body.kind, ())
-    unknown = [face for face in body.open_faces if face not in openable]
-    if openable and unknown:
+    kind = KINDS[body.kind]
+    unknown = [face for face in body.open_faces if face not in kind.openable]
+    if kind.openable and unknown:
         raise ValueError(
-            f"body.open_faces of a {body.kind} may name {list(openable)}; got {unknown}. Leave those out"
+            f"body.open_faces of a {body.kind} may name {list(kind.openable)}; got {unknown}. Leave "
+            "those out"
         )
-    closed = [face for face in CLOSABLE[body.kind] if face not in body.opened]
+    closed = [face for face in kind.faces if face not in body.opened]
     if not closed:
         raise ValueError("body.open_faces leaves no face of silicone. Close one of them")
-    if body.kind == "box" and tuple(closed) in _OPPOSITE:
+    if kind.in_pieces(closed):
         raise ValueError(
             f"body.open_faces leaves two faces {closed} that do not meet: the shell would be in two "
             "pieces. Close another face, or open one of the two"
@@ -120,11 +95,12 @@ def _check_faces(body: BodySpec) -> None:
 
 
 def _check_inside(body: BodySpec) -> None:
-    if body.inside != "core" and body.kind != "dome":
+    kind = KINDS[body.kind]
+    if body.inside not in kind.insides:
         raise ValueError(
             f"body.inside = {body.inside!r} is for a dome; got body.kind = {body.kind!r}. Leave it out"
         )
-    if (body.kind == "imported") != (body.file is not None):
+    if kind.from_file != (body.file is not None):
         raise ValueError(
             f"body.file goes with kind = 'imported'; got kind = {body.kind!r} and file = {body.file!r}. "
             "Give both or neither"

@@ -13,8 +13,8 @@ from itertools import combinations
 import numpy as np
 from jaxtyping import Float, Int
 
-from design.body.kinds import face_frames
 from design.errors import InputError
+from design.layout.body import face_frames
 from design.layout.positions import contact_grid
 from design.layout.tips import tip_positions_mm, tips_overlap
 from design.spec.learning import ProbePose

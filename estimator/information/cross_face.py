@@ -13,7 +13,7 @@ from typing import Literal
 import numpy as np
 from jaxtyping import Float, Int
 
-from design.body.kinds import face_frames
+from design.layout.body import face_frames
 from design.layout.positions import grid_places_in_lattice, live_channels
 from design.spec.object import ObjectSpec
 from estimator.information.fisher import disturbance_counts

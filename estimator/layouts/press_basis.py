@@ -17,9 +17,9 @@ from scipy.interpolate import make_interp_spline
 from torch import Tensor
 from torch.nn.functional import embedding_bag
 
-from design.body.kinds import face_frames
 from design.body.surface_chart import FaceFrame
 from design.errors import InputError
+from design.layout.body import face_frames
 from design.layout.positions import PlaceGrid
 from design.spec.object import ObjectSpec
 from fem.candidates.motions import CandidateMotions

@@ -14,7 +14,7 @@ import torch
 from jaxtyping import Float
 from torch import Tensor
 
-from design.body.kinds import core_frames, face_frames
+from design.layout.body import core_frames, face_frames
 from design.search.places import PlaceMap, magnet_map, sensor_map
 from design.search.space import SearchSpace
 from design.spec.object import ObjectSpec

@@ -11,8 +11,8 @@ from dataclasses import dataclass, fields, replace
 import numpy as np
 from jaxtyping import Float, Int
 
-from design.body.kinds import face_frames
 from design.body.surface_chart import FaceFrame
+from design.layout.body import face_frames
 from design.spec.environment import SteelPlateSpec
 from design.spec.object import ObjectSpec
 from estimator.field.models import FieldModel

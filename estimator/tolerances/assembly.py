@@ -14,8 +14,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from jaxtyping import Float, Int
 
-from design.body.kinds import face_frames
 from design.catalogue.magnets import NDFEB_REMANENCE_PER_KELVIN, remanence_at_temperature_t
+from design.layout.body import face_frames
 from design.layout.positions import MagnetLayout, SensorLayout, slipped
 from design.spec.assembly import TolerancesSpec
 from design.spec.mechanics import SlipSpec

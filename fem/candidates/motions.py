@@ -13,10 +13,10 @@ from pathlib import Path
 import numpy as np
 from jaxtyping import Float, Float32, Int
 
-from design.body.kinds import face_frames
 from design.body.surface_chart import FaceFrame
 from design.errors import InputError
 from design.files import atomic_path
+from design.layout.body import face_frames
 from design.layout.positions import PlaceGrid
 from design.spec.object import ObjectSpec
 from fem.candidates.cubic_convolution import axis_weights

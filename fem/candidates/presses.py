@@ -10,7 +10,7 @@ import numpy as np
 import scipy.sparse as sp
 from jaxtyping import Float
 
-from design.body.kinds import face_frames
+from design.layout.body import face_frames
 from design.layout.pockets import Outline, shell_bodies
 from design.layout.positions import contact_grid
 from design.spec.object import ObjectSpec

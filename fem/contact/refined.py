@@ -21,8 +21,8 @@ import scipy.sparse as sp
 from jaxtyping import Float, Int
 from scipy.spatial import Delaunay
 
-from design.body.kinds import face_frame
 from design.body.surface_chart import FaceFrame
+from design.layout.body import face_frame
 from design.spec.object import ObjectSpec
 from fem.contact.half_space import HAT_OWN, Patches, normal_compliance
 from fem.linear.response import FaceSurface, ResponseOperator

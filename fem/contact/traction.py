@@ -16,9 +16,9 @@ import scipy.sparse as sp
 from jaxtyping import Float
 from scipy.spatial import Delaunay
 
-from design.body.kinds import face_frames
 from design.body.surface_chart import FaceFrame
 from design.errors import InputError
+from design.layout.body import face_frames
 from design.layout.positions import shell_body_layout
 from design.spec.object import ObjectSpec
 from fem.contact.half_space import Patches, joined, traction_compliance

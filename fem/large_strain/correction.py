@@ -21,7 +21,7 @@ from dataclasses import asdict, dataclass, replace
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
-from design.body.kinds import face_frames
+from design.layout.body import face_frames
 from design.layout.positions import shell_body_layout
 from design.spec.object import ObjectSpec
 from fem.large_strain.results import LargeStrainPress

@@ -10,9 +10,9 @@ import numpy as np
 import scipy.sparse as sp
 from jaxtyping import Float, Int
 
-from design.body.kinds import face_frames
 from design.body.surface_chart import FaceFrame
 from design.errors import InputError
+from design.layout.body import face_frames
 from design.layout.positions import shell_body_layout
 from design.spec.object import ObjectSpec
 from fem.contact.complementarity import contact_pressures

@@ -18,8 +18,8 @@ import scipy.sparse as sp
 from jaxtyping import Bool, Float, Int
 from skfem import FacetBasis, LinearForm
 
-from design.body.blocks import core_keys
-from design.body.kinds import core_distance_mm
+from design.layout.blocks import core_keys
+from design.layout.body import body_of
 from design.spec.object import ObjectSpec
 from fem.linear.elements import DisplacementSpace, MixedOperators
 from fem.linear.sparse import columns_of, rows_of, shape_of
@@ -84,7 +84,7 @@ def touches_core(
 ) -> Bool[np.ndarray, "node"]:
     """Nodes where the core and its keys fill the cavity; the walls beyond it are free."""
     near = surface_tolerance_mm(spec)
-    touching = core_distance_mm(spec, nodes_mm) < near
+    touching = body_of(spec).core_distance_mm(nodes_mm) < near
     for key in core_keys(spec):
         touching |= key.holds(nodes_mm, near)
     return touching

@@ -16,9 +16,9 @@ import scipy.sparse as sp
 from jaxtyping import Float, Int
 from skfem import BilinearForm, ElementTetP1, FacetBasis, MeshTet
 
-from design.body.kinds import face_frames
 from design.body.surface_chart import FaceFrame
 from design.files import atomic_path
+from design.layout.body import face_frames
 from design.layout.positions import shell_body_layout
 from design.spec.object import ObjectSpec
 from fem.linear.core_interface import (

@@ -10,7 +10,7 @@ from functools import partial
 import numpy as np
 from jaxtyping import Float, Int
 
-from design.body.kinds import face_frames
+from design.layout.body import face_frames
 from design.spec.object import ObjectSpec
 
 EdgeLength = Callable[[Float[np.ndarray, "point 3"]], Float[np.ndarray, "point"]]

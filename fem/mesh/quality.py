@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 from jaxtyping import Float
 
-from design.body.kinds import face_frames
-from design.body.surface import sealed_body_surface
 from design.errors import InputError
+from design.layout.body import face_frames
 from design.layout.positions import shell_body_layout
+from design.layout.surface import sealed_body_surface
 from design.layout.volumes import sealed_volume_mm3
 from design.spec.object import ObjectSpec
 from fem.mesh.tetrahedra import SILICONE, TetMesh, tet_volumes_mm3

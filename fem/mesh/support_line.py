@@ -10,8 +10,7 @@ import numpy as np
 from jaxtyping import Float, Int
 from skfem import MeshTet
 
-from design.body.kinds import core_distance_mm
-from design.body.surface import support_ends
+from design.layout.body import body_of
 from design.spec.object import ObjectSpec
 from fem.mesh.surfaces import surface_tolerance_mm
 
@@ -30,7 +29,7 @@ def with_support_lines(
     the core holds nodes. Edges on the line end up no longer than `LONGEST_EDGE` × `mesh.edge_mm`.
     """
     near_mm, longest_mm = surface_tolerance_mm(spec), LONGEST_EDGE * spec.mesh.edge_mm
-    for normal, level_mm in support_ends(spec):
+    for normal, level_mm in body_of(spec).support_ends:
         while True:
             edges = _wall_edges(points_mm, tets, spec, normal, level_mm)
             height = points_mm[edges] @ normal - level_mm
@@ -72,7 +71,7 @@ def _wall_edges(
     mesh = MeshTet(points_mm.T, tets.T)
     beyond = np.clip(points_mm @ normal - level_mm, 0, None)
     on_wall = abs(
-        core_distance_mm(spec, points_mm - beyond[:, None] * normal)
+        body_of(spec).core_distance_mm(points_mm - beyond[:, None] * normal)
     ) < surface_tolerance_mm(spec)
     triangles = np.asarray(mesh.facets)[:, mesh.boundary_facets()].T
     triangles = triangles[on_wall[triangles].all(axis=1)]

@@ -9,9 +9,9 @@ from pathlib import Path
 import numpy as np
 from jaxtyping import Float, Int
 
-from design.body.kinds import face_frame
 from design.errors import InputError
 from design.files import atomic_path
+from design.layout.body import face_frame
 from design.layout.positions import shell_body_layout
 from design.spec.object import ObjectSpec
 from fem.mesh.edge_lengths import EdgeLength, edge_length_field

@@ -10,9 +10,9 @@ import numpy as np
 from jaxtyping import Float, Int
 from skfem import Basis
 
-from design.body.kinds import face_frame
 from design.errors import InputError
 from design.files import atomic_path
+from design.layout.body import face_frame
 from design.spec.object import ObjectSpec
 from fem.contact.complementarity import contact_pressures
 from fem.linear.elements import DisplacementSpace

@@ -17,8 +17,8 @@ import numpy as np
 import scipy.sparse as sp
 from jaxtyping import Float, Int
 
-from design.body.kinds import face_frames
 from design.errors import InputError
+from design.layout.body import face_frames
 from design.layout.positions import PlaceGrid, contact_grid, shell_body_layout
 from design.netcdf import FileKind, read_netcdf, write_netcdf
 from design.spec.object import ObjectSpec

@@ -72,7 +72,7 @@ def unbalanced_moment_nmm(spec: ObjectSpec, press: JointPress) -> np.ndarray:
 
     A real object would turn until it vanishes, or friction bears it; here the core is held.
     """
-    from design.body.kinds import face_frames
+    from design.layout.body import face_frames
 
     frames = {frame.number: frame for frame in face_frames(spec)}
     moment = np.zeros(3)
@@ -85,7 +85,7 @@ def unbalanced_moment_nmm(spec: ObjectSpec, press: JointPress) -> np.ndarray:
 
 
 def _two_jaws(spec: ObjectSpec, jaws: list[str]) -> tuple[list[Place], list[Place]]:
-    from design.body.kinds import face_frames
+    from design.layout.body import face_frames
 
     if len(jaws) != 2:
         raise InputError(

@@ -109,7 +109,7 @@ def _place_at(text: str, depth_mm: float) -> Place:
 
 
 def _require_place(spec: ObjectSpec, place: Place, to_depth: bool) -> None:
-    from design.body.kinds import face_frames
+    from design.layout.body import face_frames
     from design.layout.positions import press_lattice
     from design.layout.tips import footprint_mm, path_mm, tip_shape
 

@@ -14,8 +14,8 @@ from typing import Any
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
-from design.body.kinds import face_frame, face_frames
 from design.files import atomic_path
+from design.layout.body import face_frame, face_frames
 from design.layout.pockets import magnet_bodies
 from design.layout.positions import contact_grid, sensor_layout
 from design.spec.object import ObjectSpec

@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from design.body.kinds import face_frame
 from design.files import atomic_path
+from design.layout.body import face_frame
 from design.layout.pockets import sensor_places
 from design.layout.positions import contact_grid
 from design.spec.object import ObjectSpec

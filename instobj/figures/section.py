@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from design.body.kinds import face_frames
 from design.body.surface_chart import FaceFrame
 from design.files import atomic_path
+from design.layout.body import face_frames
 
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec

@@ -7,10 +7,10 @@ from math import degrees
 from pathlib import Path
 from typing import Any
 
-from design.body.kinds import core_frames, face_frames
 from design.build.bom import bill_of_materials, silicone_amount
 from design.build.manifest import BuildManifest
 from design.layout.boards import wire_bundle_mm
+from design.layout.body import core_frames, face_frames
 from design.layout.mould_frame import mould_frame, mould_style, opening_of
 from design.layout.pockets import sensor_places
 from design.spec.object import ObjectSpec

@@ -13,6 +13,7 @@ from jaxtyping import Float
 from torch import Tensor
 
 from design.errors import InputError
+from design.layout.body import body_of
 from design.layout.pockets import magnet_bodies
 from design.search.space import SearchSpace, params_at, search_space, structure_of, unit_of
 from design.search.structure import with_structure
@@ -46,7 +47,7 @@ def require_possible(spec: ObjectSpec) -> SearchSpace:
         Of `search_space`; a body that cannot be searched; or no layout within the limits, with the
         one that is most in the way.
     """
-    if spec.body.kind != "box":
+    if not body_of(spec).cuboid:
         raise InputError(f"a layout search takes a box; got body.kind = {spec.body.kind!r}")
     if spec.arrangement != "sensors-in-core":
         raise InputError(

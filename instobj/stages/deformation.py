@@ -27,7 +27,7 @@ def make_shapes(context: StageContext, folder: Path) -> None:
 
     A shell that slides on its core has none: the stage is then empty.
     """
-    from design.body.kinds import face_frames
+    from design.layout.body import face_frames
     from design.layout.positions import contact_grid
     from fem.linear.response import load_response
     from fem.mesh.tetrahedra import load_mesh

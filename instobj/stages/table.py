@@ -272,7 +272,7 @@ def stage_inputs(
 
     bodies = _shell_bodies(spec)
     content = spec.model_dump(mode="json") | {
-        "body": spec.body.model_dump(mode="json") | {"file": file_digest(spec.body)},
+        "body": spec.body.model_dump(mode="json") | {"file": file_digest(spec.body.file)},
         "shell_bodies": bodies,
         "shell_body_outline": bodies["outline"],
     }

@@ -16,6 +16,7 @@ FACES = {
     "three_axis_dome": (1,),
     "hollow_dome": (1,),
     "handle": (1, 2, 3, 4, 5),
+    "capsule": (1, 2, 3, 4, 5),
     "ball": (1, 2, 3, 4, 5),
     "egg": (1, 2, 3, 4, 5),
     "pear": (2, 3, 4, 5),

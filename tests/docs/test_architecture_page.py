@@ -6,7 +6,7 @@ import sys
 import numpy as np
 import pytest
 
-from design.body.kinds import face_frames
+from design.layout.body import face_frames
 from design.layout.positions import magnet_layout, sensor_layout
 from design.spec.object import ObjectSpec
 from tests.support.pages import DOCS

@@ -10,6 +10,7 @@ BODIES = {
     "pad": {"body": {"kind": "pad", "size_mm": [40, 30, 10]}, "shell": {"thickness_mm": 6}},
     "cylinder": {"body": {"kind": "cylinder", "size_mm": [40, 40, 50]}},
     "sleeve": {"body": {"kind": "cylinder", "size_mm": [40, 40, 50], "open_faces": [1, 6]}},
+    "capsule": {"body": {"kind": "capsule", "size_mm": [40, 40, 64], "bore_mm": 8}},
     "sphere": {"body": {"kind": "sphere", "size_mm": [44, 44, 44], "bore_mm": 8}},
     "solid_dome": {"body": {"kind": "dome", "size_mm": [24, 24, 16], "inside": "silicone"}},
     "hollow_dome": {

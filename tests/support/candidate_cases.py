@@ -3,7 +3,7 @@
 import numpy as np
 import torch
 
-from design.body.kinds import core_frames, face_frames
+from design.layout.body import core_frames, face_frames
 from design.layout.pockets import board_frame, tilted_frame
 from design.layout.positions import MagnetLayout, SensorLayout, chip_on_board, contact_grid
 from design.spec.object import ContactGridSpec, ObjectSpec

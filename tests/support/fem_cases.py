@@ -6,8 +6,8 @@ import numpy as np
 import scipy.sparse as sp
 from skfem import FacetBasis, LinearForm, MeshTet
 
-from design.body.kinds import face_frames
 from design.body.surface_chart import FaceFrame
+from design.layout.body import face_frames
 from design.layout.positions import press_lattice
 from design.spec.object import MechanicsSpec, MeshSpec, ObjectSpec, PressSpec, SiliconeSpec
 from fem.contact.complementarity import contact_pressures

@@ -15,9 +15,9 @@ import numpy as np
 import trimesh
 import yaml
 
-from design.body.kinds import face_frames
 from design.build.parts import Part, parts_of
 from design.files import atomic_path
+from design.layout.body import face_frames
 from design.layout.pockets import shell_pockets
 from design.layout.positions import sensor_layout
 from design.spec.object import ObjectSpec

@@ -6,7 +6,7 @@ each other except through `between_faces`.
 
 import numpy as np
 
-from design.body.kinds import face_frames
+from design.layout.body import face_frames
 from design.layout.positions import shell_body_layout
 from fem.contact.half_space import normal_compliance
 from fem.contact.refined import hat_patches

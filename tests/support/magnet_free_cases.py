@@ -5,7 +5,7 @@ from functools import cache
 
 import numpy as np
 
-from design.body.kinds import face_frames
+from design.layout.body import face_frames
 from fem.linear.elements import DisplacementSpace
 from fem.linear.response import ElasticSystem, ResponseOperator, build_response, elastic_system
 from fem.mesh.tetrahedra import TetMesh, magnet_free_mesh, without_magnets

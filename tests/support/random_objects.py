@@ -9,7 +9,7 @@ import numpy as np
 import trimesh
 from hypothesis import strategies as st
 
-KINDS = ("box", "cylinder", "sphere", "ellipsoid", "pad", "dome", "imported")
+KINDS = ("box", "cylinder", "capsule", "sphere", "ellipsoid", "pad", "dome", "imported")
 BUMPS = 4
 
 
@@ -58,6 +58,15 @@ def _box(draw, thickness: float) -> dict[str, Any]:
 def _cylinder(draw, thickness: float) -> dict[str, Any]:
     across, high = (round(2 * thickness + draw(between(24.0, 40.0)), 2) for _ in range(2))
     return {"size_mm": [across, across, high], "open_faces": draw(_faces((1, 6), 2))}
+
+
+@st.composite
+def _capsule(draw, thickness: float) -> dict[str, Any]:
+    across = round(2 * thickness + draw(between(24.0, 40.0)), 2)
+    return {
+        "size_mm": [across, across, round(across + draw(between(2.0, 30.0)), 2)],
+        **draw(_bored()),
+    }
 
 
 @st.composite
@@ -207,6 +216,7 @@ def _joined(content: dict[str, Any], more: dict[str, dict[str, Any]]) -> dict[st
 _BODIES = {
     "box": _box,
     "cylinder": _cylinder,
+    "capsule": _capsule,
     "sphere": _sphere,
     "ellipsoid": _ellipsoid,
     "pad": _pad,

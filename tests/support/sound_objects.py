@@ -8,10 +8,10 @@ from typing import Any
 import trimesh
 from pydantic import ValidationError
 
-from design.body.volume import body_volume_mm3
 from design.build.parts import Part, parts_of
 from design.errors import InputError
 from design.fabrication.check import mesh_of
+from design.layout.body import body_of
 from design.layout.pockets import shell_pockets
 from design.layout.volumes import shell_volume_mm3
 from design.mould.room import cast_room
@@ -49,7 +49,7 @@ def measure_object(question: dict[str, Any]) -> dict[str, Any]:
     return {
         "parts": {name: _measured(name, shape, spec) for name, shape in solids.items()},
         "shell_mm3": shell_volume_mm3(spec),
-        "pockets_mm3": body_volume_mm3(spec) - shell_volume_mm3(spec),
+        "pockets_mm3": body_of(spec).volume_mm3() - shell_volume_mm3(spec),
         "mould_misses_mm3": missed,
         "pocket_mm3": shell_pockets(spec)[0][0].volume_mm3,
     }

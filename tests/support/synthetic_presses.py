@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from design.body.kinds import face_frames
+from design.layout.body import face_frames
 from design.layout.positions import PlaceGrid, press_lattice, shell_body_layout
 from design.spec.object import ObjectSpec
 from fem.presses.results import MagnetMotions, PressForces

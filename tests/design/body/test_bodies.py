@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from design.body.kinds import core_distance_mm, face_frames
-from design.body.sampled import measured_distance_mm, sampled_core, sampled_outer
-from design.body.surface import sealed_body_surface
+from design.body.sampled import measured_distance_mm, sampled_core
+from design.layout.body import body_of, face_frames
+from design.layout.surface import sealed_body_surface
 from design.layout.volumes import sealed_volume_mm3
 from design.solids.core import make_core
 from design.solids.sampled import sampled_core_part, sampled_shell
@@ -28,6 +28,7 @@ BY_HAND = {
     "pad": 40 * 30 * 6,
     "cylinder": np.pi * (20**2 * 50 - 12**2 * 42),
     "sleeve": np.pi * (20**2 - 12**2) * 50,
+    "capsule": _ball(20) - _ball(12) + np.pi * (20**2 - 12**2) * 24 - _bored(20, 4) + _bored(12, 4),
     "sphere": _ball(22) - _ball(14) - _bored(22, 4) + _bored(14, 4),
     "solid_dome": _ball(12) / 2,
     "hollow_dome": (_ball(18) - _ball(13)) / 2,
@@ -88,16 +89,16 @@ def test_an_ellipsoid_s_core_has_steiner_s_volume():
     area = a * b * c * np.sqrt((n[0] / a) ** 2 + (n[1] / b) ** 2 + (n[2] / c) ** 2) * np.sin(u)
     surface = float(area.sum() * (np.pi / 400) * (2 * np.pi / 400))
     parallel = 4 / 3 * np.pi * a * b * c - t * surface + t**2 * mean_curvature - _ball(t)
-    assert_allclose(sampled_core(spec).volume, parallel, rtol=5e-3)
-    assert_allclose(sampled_outer(spec).volume, 4 / 3 * np.pi * a * b * c, rtol=1e-9)
+    assert_allclose(sampled_core(body_of(spec)).volume, parallel, rtol=5e-3)
+    assert_allclose(body_of(spec).outer_surface().volume, 4 / 3 * np.pi * a * b * c, rtol=1e-9)
 
 
 def test_a_sampled_wall_measures_its_thickness_everywhere():
-    spec = body_spec("ellipsoid")
-    wall = -measured_distance_mm(spec, np.asarray(sampled_core(spec).vertices))
+    body = body_of(body_spec("ellipsoid"))
+    inner = np.asarray(sampled_core(body).vertices)
+    wall = -measured_distance_mm(body.outer_surface(), inner)
     assert 7.95 < wall.min() <= wall.max() < 8.05
-    pushed = np.asarray(sampled_core(spec).vertices) * 1.02
-    assert -measured_distance_mm(spec, pushed).max() < 7.95  # the planted fault
+    assert -measured_distance_mm(body.outer_surface(), 1.02 * inner).max() < 7.95  # planted fault
 
 
 def test_sampled_parts_are_closed_and_fill_the_body_together():
@@ -108,7 +109,9 @@ def test_sampled_parts_are_closed_and_fill_the_body_together():
     assert core.body_count == 1
     assert shell.body_count == 2  # outside and inside of a shell without a bore
     pockets = 6 * np.pi * 3**2 * 3
-    removed = sampled_outer(spec).volume - sampled_core(spec).volume - shell.volume
+    removed = (
+        body_of(spec).outer_surface().volume - sampled_core(body_of(spec)).volume - shell.volume
+    )
     assert 0.9 * pockets < removed < pockets
 
 
@@ -118,7 +121,7 @@ def test_the_core_ends_where_the_inner_surface_is(name):
     spec = body_spec(name)
     for frame in face_frames(spec):
         below = frame.to_object(np.array([[1.0, 2.0, -spec.shell.thickness_mm]]))
-        distance = core_distance_mm(spec, below)
+        distance = body_of(spec).core_distance_mm(below)
         if spec.body.inside == "core":
             assert abs(distance[0]) < 0.03
         else:
@@ -129,6 +132,13 @@ def test_the_core_ends_where_the_inner_surface_is(name):
     ("name", "changes", "wanted"),
     [
         ("cylinder", {"body": {"size_mm": [40, 41, 50]}}, "x and y alike"),
+        ("capsule", {"body": {"size_mm": [40, 40, 40]}}, "alike, the diameter, and z above it"),
+        ("capsule", {"body": {"open_faces": [1]}}, r"may name \[6\]"),
+        (
+            "capsule",
+            {"contact_grid": {"count": [8, 8], "pitch_mm": 6.0}},
+            "leave face 1, an ellipse",
+        ),
         ("sphere", {"body": {"open_faces": [1]}}, r"may name \[6\]"),
         ("sphere", {"body": {"sensed_faces": [6]}}, "closed faces"),
         ("sphere", {"body": {"inside": "air"}}, "is for a dome"),

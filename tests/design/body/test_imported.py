@@ -10,9 +10,9 @@ import trimesh
 from numpy.testing import assert_allclose
 
 from design.body.imported import body_of_file
-from design.body.kinds import core_frames, face_frames
 from design.body.sampled import measured_distance_mm, sampled_core
 from design.errors import InputError
+from design.layout.body import body_of, core_frames, face_frames
 from design.layout.positions import magnet_layout
 from design.solids.sampled import sampled_core_part, sampled_shell
 from design.spec_io import load_spec, parse_spec
@@ -72,7 +72,8 @@ def test_magnets_stand_normal_to_the_sampled_surface(pebble):
 
 
 def test_the_wall_measures_its_thickness_and_the_parts_are_closed(pebble):
-    wall = -measured_distance_mm(pebble, np.asarray(sampled_core(pebble).vertices))
+    body = body_of(pebble)
+    wall = -measured_distance_mm(body.outer_surface(), np.asarray(sampled_core(body).vertices))
     assert 7.9 < wall.min() <= wall.max() < 8.1
     for part in (sampled_shell(pebble), sampled_core_part(pebble)):
         assert part.is_watertight

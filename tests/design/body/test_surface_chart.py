@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from design.body.kinds import core_frames, face_frame, face_frames
 from design.body.surface_chart import Cap, FaceFrame
+from design.layout.body import body_of, core_frames, face_frame, face_frames
 from design.layout.positions import magnet_layout, sensor_layout
 from tests.support.body_cases import body_spec
 
-CURVED = ("cylinder", "sphere", "solid_dome", "ellipsoid")
+CURVED = ("cylinder", "capsule", "sphere", "solid_dome", "ellipsoid")
 PLACES = np.array([[0.0, 0.0], [3.0, -2.0], [-4.0, 1.5], [5.0, 5.0]])
 
 
@@ -29,6 +29,8 @@ def _gradient(name: str, points: np.ndarray) -> np.ndarray:
     half = {"sphere": [22.0] * 3, "solid_dome": [12.0] * 3, "ellipsoid": [30.0, 25.0, 22.0]}
     if name == "cylinder":
         wanted = np.column_stack([points[:, :2], np.zeros(len(points))])
+    elif name == "capsule":
+        wanted = points - np.clip(points[:, 2:], -12, 12) * [0, 0, 1]
     else:
         centre = [0, 0, -4.0] if name == "solid_dome" else [0, 0, 0]
         wanted = (points - centre) / np.square(half[name])
@@ -87,7 +89,7 @@ def test_lines_that_miss_a_patch_are_told():
     assert np.isfinite(frame.onto(beside, frame.normal)).all(axis=1).tolist() == [False, True]
 
 
-@pytest.mark.parametrize("name", ["sphere", "dome_on_core", "cylinder"])
+@pytest.mark.parametrize("name", ["sphere", "dome_on_core", "cylinder", "capsule"])
 def test_the_core_lies_one_thickness_below_every_place(name):
     spec = body_spec(name)
     for outer, inner in zip(face_frames(spec), core_frames(spec), strict=True):
@@ -115,3 +117,19 @@ def test_magnets_and_sensors_stand_normal_to_the_surface():
     radius = 22 - spec.shell.thickness_mm - spec.sensors.depth_below_core_face_mm
     assert_allclose(np.linalg.norm(sensors.position_mm, axis=1), radius, rtol=1e-12)
     assert_allclose(sensors.axes[:, 2] * radius, sensors.position_mm, rtol=0, atol=1e-9)
+
+
+def test_a_capsule_s_side_is_a_cylinder_s_up_to_its_ends_and_a_ball_s_beyond():
+    body = body_of(body_spec("capsule"))
+    side, along = body.frame(3), np.array([[11.0, 4.0], [12.0, -4.0], [19.0, 6.0], [-25.0, 3.0]])
+    beyond = np.array([[0.0, 4.0], [0.0, -4.0], [7.0, 6.0], [-13.0, 3.0]])
+    height, slope = side.relief.at(along)
+    assert_allclose(height, np.sqrt(20**2 - (beyond**2).sum(axis=1)) - 20, rtol=0, atol=1e-12)
+    assert_allclose(slope, -beyond / (20 + height)[:, None], rtol=0, atol=1e-12)
+    points = side.to_object(np.column_stack([along, np.zeros(4)]))
+    assert_allclose(body.core_distance_mm(points), 8, rtol=0, atol=1e-12)
+    steepest = np.tan(np.deg2rad(60))
+    assert_allclose(side.half_extents_mm, [12 + 20 * 3**0.5 / 2, 20 * 3**0.5 / 2], rtol=1e-12)
+    turn = np.linspace(0, 2 * np.pi, 50)
+    rim = side.half_extents_mm * np.column_stack([np.cos(turn), np.sin(turn)])
+    assert np.linalg.norm(side.relief.at(rim)[1], axis=1).max() == pytest.approx(steepest)

@@ -14,11 +14,11 @@ import yaml
 from numpy.testing import assert_allclose
 
 import design.solids.shell
-from design.body.kinds import face_frames
 from design.build.export import build_object
 from design.build.manifest import BuildManifest
 from design.build.parts import parts_of
 from design.errors import InputError
+from design.layout.body import face_frames
 from design.layout.pockets import shell_pockets
 from design.spec.object import CoreSpec, MagnetSpec, ObjectSpec, ShellSpec
 from design.spec_io import check, parse_spec, spec_hash

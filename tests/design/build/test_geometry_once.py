@@ -7,8 +7,8 @@ from collections import Counter
 import numpy as np
 import pytest
 
-from design.body.kinds import core_frames, face_frames
 from design.build.parts import parts_of
+from design.layout.body import core_frames, face_frames
 from design.layout.pockets import shell_pockets
 from design.layout.positions import magnet_layout
 from design.spec import worked_out

@@ -7,8 +7,8 @@ import pytest
 import yaml
 from numpy.testing import assert_allclose
 
-from design.body.kinds import is_sampled
 from design.build.parts import parts_of
+from design.layout.body import body_of
 from design.spec_io import load_spec
 from tests.support.golden_geometry import FILES, REFERENCE, measured_part, measured_places
 
@@ -68,7 +68,7 @@ def test_golden_parts(name, part):
 
 @pytest.mark.parametrize("name", FILES)
 def test_golden_places(name):
-    exact = not is_sampled(specification(name))
+    exact = not body_of(specification(name)).sampled
     places = measured_places(specification(name))
     for key in ("pocket_floors_mm", "sensors_mm"):
         assert places[key].keys() == GOLDEN[name][key].keys()

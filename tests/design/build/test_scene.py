@@ -11,9 +11,9 @@ import pytest
 import trimesh
 from numpy.testing import assert_allclose
 
-from design.body.kinds import core_frames, face_frames
 from design.build.scene import assembly_scene, write_3mf, write_glb
 from design.layout.boards import mounted_sensors, wire_bundle_mm
+from design.layout.body import core_frames, face_frames
 from design.layout.positions import sensor_layout
 from design.solids.core import make_core
 from design.solids.jig import make_jig

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from design.body.kinds import face_frames
 from design.catalogue.magnets import MAGNET_PARTS
 from design.errors import InputError
+from design.layout.body import face_frames
 from design.layout.pockets import core_pockets
 from design.layout.positions import magnet_layout, sensor_layout, shell_body_layout
 from design.layout.volumes import shell_volume_mm3

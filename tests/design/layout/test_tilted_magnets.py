@@ -8,7 +8,7 @@ from scipy.spatial.transform import Rotation
 
 import design.layout.pockets
 import design.layout.positions
-from design.body.kinds import face_frames
+from design.layout.body import face_frames
 from design.layout.pockets import distance_of_axes_mm, shell_pockets, tilted_frame
 from design.layout.positions import magnet_layout
 from design.layout.volumes import shell_volume_mm3

@@ -9,11 +9,11 @@ import trimesh
 from numpy.testing import assert_allclose
 
 from design.body.imported import body_of_file
-from design.body.kinds import is_sampled
 from design.body.meshes import high_points
 from design.build.parts import parts_of
 from design.errors import InputError
 from design.fabrication.casting import check_casting
+from design.layout.body import body_of
 from design.layout.core_hold import core_outlet, locators, why_no_mould
 from design.layout.mould_frame import least_undercut, mould_frame, mould_style, parting, up
 from design.layout.volumes import shell_volume_mm3
@@ -42,6 +42,8 @@ CASES = {
     "two_open": {},
     "closed_box": {},
     "sphere": {},
+    "capsule": {},
+    "closed capsule": {"body": {"open_faces": []}, "magnets": BESIDE},
     "ellipsoid": {"magnets": BESIDE},
     "bored ellipsoid": {"body": {"open_faces": [6], "bore_mm": 9.0}},
     "split pad": {"mould": {"style": "split"}},
@@ -59,8 +61,17 @@ KINDS = {
     "open at the side": "closed_box",
     "slits that meet the pouring hole": "closed_box",
     "closed cylinder": "cylinder",
+    "closed capsule": "capsule",
 }
-LONG = ("sphere", "bored ellipsoid", "split dome", "split cylinder", "closed cylinder")
+LONG = (
+    "sphere",
+    "capsule",
+    "closed capsule",
+    "bored ellipsoid",
+    "split dome",
+    "split cylinder",
+    "closed cylinder",
+)
 """Booleans of many pins with curved faces take the kernel 5 to 15 s."""
 SAMPLING = 2e-4
 """Of the shell's volume: round pockets are cut with 64 sides there, and pins are finer."""
@@ -71,7 +82,7 @@ def case(name, **changes):
 
 
 def shell_of(spec):
-    return sampled_shell(spec) if is_sampled(spec) else make_shell(spec)
+    return sampled_shell(spec) if body_of(spec).sampled else make_shell(spec)
 
 
 def missed_share(spec, parts):
@@ -101,7 +112,7 @@ def marked(*names):
 def test_envelope_less_mould_less_what_is_inside_is_the_shell(name):
     spec = case(name)
     assert missed_share(spec, [*mould_around(spec), *inside_of_mould(spec)]) < (
-        SAMPLING if is_sampled(spec) else 1e-6
+        SAMPLING if body_of(spec).sampled else 1e-6
     )
 
 
@@ -135,7 +146,7 @@ def test_parts_go_together_and_none_is_inside_another(name):
             assert volume_mm3(common(part, other)) < 1e-6
 
 
-@pytest.mark.parametrize("name", marked("sphere", "split cylinder"))
+@pytest.mark.parametrize("name", marked("sphere", "capsule", "split cylinder"))
 def test_halves_and_the_rod_draw_out_without_tearing_the_silicone(name):
     spec = case(name)
     shell, normal = make_shell(spec), parting(spec).normal

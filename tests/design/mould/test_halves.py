@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from design.body.kinds import face_frames
+from design.layout.body import face_frames
 from design.layout.mould_frame import parting
 from design.layout.pockets import shell_pockets
 from design.mould.halves import make_mould_half

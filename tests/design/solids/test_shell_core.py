@@ -9,9 +9,9 @@ from numpy.testing import assert_allclose
 
 import design.solids.core
 import design.solids.shell
-from design.body.kinds import core_frames, face_frames
 from design.body.surface_chart import FACE_AXES
 from design.errors import InputError
+from design.layout.body import core_frames, face_frames
 from design.layout.positions import sensor_layout
 from design.layout.volumes import sealed_volume_mm3, shell_volume_mm3
 from design.solids.core import make_core

@@ -5,9 +5,9 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from design.body.blocks import core_keys, relief_slits
 from design.errors import InputError
 from design.fit.parts import distance_mm, overlap
+from design.layout.blocks import core_keys, relief_slits
 from design.layout.volumes import sealed_volume_mm3, shell_volume_mm3
 from design.mould.one_piece import make_seal_mould
 from design.mould.whole import cast_cavity

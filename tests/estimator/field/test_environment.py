@@ -6,8 +6,8 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.spatial.transform import Rotation
 
-from design.body.kinds import face_frames
 from design.errors import InputError
+from design.layout.body import face_frames
 from design.layout.positions import magnet_layout, sensor_layout
 from design.spec.object import ObjectSpec
 from design.spec_io import parse_spec

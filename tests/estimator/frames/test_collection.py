@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from design.body.kinds import face_frames
 from design.errors import InputError
+from design.layout.body import face_frames
 from design.layout.positions import contact_grid
 from estimator.frames import collection
 from estimator.frames.collection import joined, simulate_collection

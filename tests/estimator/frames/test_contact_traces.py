@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from design.body.kinds import face_frames
+from design.layout.body import face_frames
 from design.layout.positions import shell_body_layout
 from fem.large_strain.correction import StrainCorrection, corrected_joint
 from fem.presses.joint import Tip, press_path, press_tips, refined_faces

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from design.body.kinds import face_frames
+from design.layout.body import face_frames
 from design.layout.positions import contact_grid, grid_places_in_lattice, magnet_layout
 from estimator.information.fisher import cramer_rao_bounds, disturbance_counts
 from estimator.information.shear import (

@@ -7,7 +7,7 @@ import pytest
 import torch
 from numpy.testing import assert_allclose
 
-from design.body.kinds import face_frames
+from design.layout.body import face_frames
 from estimator.field.models import FieldModel
 from estimator.field.sources import magnet_source
 from estimator.information.fisher import disturbance_counts

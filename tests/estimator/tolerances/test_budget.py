@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from design.body.kinds import face_frames
+from design.layout.body import face_frames
 from design.spec.object import ObjectSpec
 from estimator.field.models import FieldModel
 from estimator.field.sources import magnet_source

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from design.body.kinds import face_frames
 from design.errors import InputError
+from design.layout.body import face_frames
 from design.layout.positions import contact_grid, shell_body_layout
 from design.spec.object import ContactGridSpec, ScoreSpec
 from fem.candidates.cubic_convolution import axis_weights

@@ -7,8 +7,8 @@ from scipy.optimize import brentq
 from scipy.spatial import Delaunay
 from scipy.special import ellipe, ellipk
 
-from design.body.kinds import face_frame
 from design.body.surface_chart import Cap, FaceFrame
+from design.layout.body import face_frame
 from design.spec.object import ObjectSpec
 from fem.contact.complementarity import contact_pressures
 from fem.contact.indenter import moved, tip_cells

@@ -8,7 +8,7 @@ import scipy.sparse as sp
 from numpy.testing import assert_allclose
 from pydantic import ValidationError
 
-from design.body.kinds import face_frames
+from design.layout.body import face_frames
 from design.spec.object import ObjectSpec
 from fem.linear.core_interface import (
     WALLS,

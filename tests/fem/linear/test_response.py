@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from design.body.kinds import face_frames
+from design.layout.body import face_frames
 from design.layout.positions import magnet_layout
 from fem.linear.magnets import magnet_of_nodes, mean_motion_functionals
 from fem.linear.response import face_pressure_loads, load_response, save_response

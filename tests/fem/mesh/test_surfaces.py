@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from design.body.surface import sealed_body_surface, support_rings
 from design.layout.positions import magnet_layout, shell_body_layout
+from design.layout.surface import sealed_body_surface, support_rings
 from design.spec.object import BodySpec, MagnetSpec, MeshSpec, ObjectSpec, ShellSpec
 from fem.mesh.edge_lengths import edge_length_field
 from fem.mesh.surfaces import all_surfaces, body_surfaces, in_body

@@ -7,8 +7,8 @@ from numpy.testing import assert_allclose
 from scipy.spatial.transform import Rotation
 from skfem import MeshTet
 
-from design.body.surface import sealed_body_surface
 from design.layout.positions import magnet_layout, shell_body_layout
+from design.layout.surface import sealed_body_surface
 from fem.linear.elements import assemble, saddle_point_matrix, taylor_hood
 from fem.linear.factorization import solve_symmetric
 from fem.linear.magnets import rigid_motion_basis

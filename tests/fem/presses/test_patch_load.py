@@ -74,7 +74,7 @@ def test_the_core_bears_what_the_indenter_presses(rigid_system, rigid_spec, coar
     """Applied force against the reaction where the silicone is held, straight and oblique."""
     from dataclasses import replace
 
-    from design.body.kinds import face_frames
+    from design.layout.body import face_frames
     from fem.contact.half_space import Patches
     from fem.contact.refined import spread_cells
     from fem.contact.traction import _surface, _traction

@@ -5,8 +5,8 @@ import pytest
 from numpy.testing import assert_allclose
 
 import fem.presses.shape
-from design.body.kinds import face_frames
 from design.errors import InputError
+from design.layout.body import face_frames
 from design.layout.positions import magnet_layout
 from fem.linear.core_interface import CoreContact
 from fem.presses.shape import table_shapes

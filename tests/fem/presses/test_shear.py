@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from design.body.kinds import face_frames
 from design.errors import InputError
+from design.layout.body import face_frames
 from design.layout.positions import contact_grid, magnet_layout
 from fem.linear.magnets import magnet_of_nodes
 from fem.linear.response import face_pressure_loads

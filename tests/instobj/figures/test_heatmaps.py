@@ -7,8 +7,8 @@ from matplotlib.figure import Figure
 from matplotlib.image import imread
 from numpy.testing import assert_allclose
 
-from design.body.kinds import face_frames
 from design.errors import InputError
+from design.layout.body import face_frames
 from design.layout.positions import contact_grid
 from design.spec.object import ObjectSpec
 from instobj.figures import heatmaps

@@ -6,42 +6,21 @@ description, and touch no CAD kernel.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from itertools import combinations
 from typing import TYPE_CHECKING
 
 import numpy as np
-from jaxtyping import Bool, Float
 
-from design.body.kinds import core_frames, face_frames
 from design.body.meshes import manifold_of
 from design.body.surface_chart import FaceFrame
+from design.body.triangles import Block, block_surface
+from design.layout.body import core_frames, face_frames
 from design.spec.worked_out import once
 
 if TYPE_CHECKING:
     from manifold3d import Manifold
 
     from design.spec.object import ObjectSpec
-
-
-@dataclass(frozen=True)
-class Block:
-    """A box in the object's frame: centre (mm), orthonormal axes as columns, half edges (mm)."""
-
-    centre_mm: Float[np.ndarray, "3"]
-    axes: Float[np.ndarray, "3 3"]
-    half_mm: Float[np.ndarray, "3"]
-
-    @property
-    def volume_mm3(self) -> float:
-        return float(8 * np.prod(self.half_mm))
-
-    def holds(
-        self, points_mm: Float[np.ndarray, "n 3"], margin_mm: float = 0.0
-    ) -> Bool[np.ndarray, "n"]:
-        """Whether points lie in the block grown by a margin on all sides."""
-        local = abs((points_mm - self.centre_mm) @ self.axes)
-        return np.all(local <= self.half_mm + margin_mm, axis=1)
 
 
 @once
@@ -122,8 +101,4 @@ def _length_in_body_mm(slit: Block, half_body_mm: np.ndarray) -> float:
 
 def block_manifold(block: Block) -> Manifold:
     """A block as a closed mesh."""
-    import trimesh
-
-    placed = np.eye(4)
-    placed[:3, :3], placed[:3, 3] = block.axes, block.centre_mm
-    return manifold_of(trimesh.creation.box(2 * block.half_mm).apply_transform(placed))
+    return manifold_of(block_surface(block))

@@ -1,0 +1,1 @@
+"""Kinds of body: one class in one file, collected by `registry`."""

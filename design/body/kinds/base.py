@@ -1,0 +1,203 @@
+"""The contract of a kind of body: what layout, fit, mould, mesh and mechanics ask it.
+
+A kind knows no specification, only the few measures below; `design.layout.body.body_of` hands them
+over. Its exact solid, where it has one, is an entry in `design/solids/body.py`.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, ClassVar, Literal
+
+import numpy as np
+from jaxtyping import Float
+
+from design.body.surface_chart import FaceFrame, face_axes
+from design.body.triangles import cylinder_between
+
+if TYPE_CHECKING:
+    import trimesh
+
+Opening = Literal["open", "bore", "closed"]
+Inside = Literal["core", "silicone", "air"]
+
+OVERSHOOT_MM = 1.0
+"""How far the cavity's triangles reach beyond an open face."""
+
+ALL_FACES = (1, 2, 3, 4, 5, 6)
+
+
+@dataclass(frozen=True)
+class BodyKind(ABC):
+    """A body in a box of `size_mm` (x, y, z) about the origin, with silicone of `thickness_mm`.
+
+    Of the `opened` faces the core's cavity runs out, through the whole side or through a bore of
+    `bore_mm`. Triangles of curved surfaces keep within `envelope_mm`. `inside` says what holds the
+    silicone, and `file` where an imported surface comes from.
+    """
+
+    size_mm: tuple[float, float, float]
+    thickness_mm: float
+    envelope_mm: float
+    opened: tuple[int, ...] = ()
+    bore_mm: float = 0.0
+    inside: Inside = "core"
+    file: str | None = None
+
+    name: ClassVar[str]
+    """Of the kind, in `body.kind`."""
+    faces: ClassVar[tuple[int, ...]] = ALL_FACES
+    """Faces that such a body can have."""
+    openable: ClassVar[tuple[int, ...]] = (6,)
+    """Faces that may be open."""
+    opens_sides: ClassVar[bool] = False
+    """Whether a whole side opens, else a bore."""
+    on_base: ClassVar[bool] = False
+    """Whether the silicone stands on a rigid base, whose top the mould leaves open."""
+    cuboid: ClassVar[bool] = False
+    """Whether its sides are flat and meet at right angles: only then keys, slits, bay, seal layer, a
+    sliding core, the reverse arrangement and a layout search are known."""
+    sampled: ClassVar[bool] = False
+    """Whether it is known by its triangles, its core an offset of them, and has no exact solid."""
+    insides: ClassVar[tuple[Inside, ...]] = ("core",)
+    """What may hold the silicone."""
+    from_file: ClassVar[bool] = False
+    """Whether its surface is read from `body.file`."""
+    size_rule: ClassVar[str] = ""
+    """What `size_mm` must be, where `takes_size` refuses some."""
+
+    @classmethod
+    def takes_size(cls, size_mm: tuple[float, float, float]) -> bool:
+        """Whether a box of those edges can hold a body of this kind."""
+        return True
+
+    @classmethod
+    def in_pieces(cls, closed: list[int]) -> bool:
+        """Whether silicone on those faces alone would not hang together."""
+        return False
+
+    @property
+    def half_mm(self) -> Float[np.ndarray, "3"]:
+        return np.asarray(self.size_mm) / 2
+
+    @property
+    def core_half_mm(self) -> Float[np.ndarray, "3"]:
+        """Half extents of a core that is centred: the body's less one shell thickness a side."""
+        return self.half_mm - self.thickness_mm
+
+    @property
+    def opening(self) -> Opening:
+        """How the core's cavity runs out of the silicone: through a side, a bore, or nowhere."""
+        if self.on_base:
+            return "open"
+        if not self.opened:
+            return "closed"
+        return "open" if self.opens_sides else "bore"
+
+    @property
+    def corners_mm(self) -> tuple[Float[np.ndarray, "3"], Float[np.ndarray, "3"]]:
+        """Lowest and highest corner of the silicone's outside."""
+        return -self.half_mm, self.half_mm
+
+    @property
+    def silicone_mm(self) -> float:
+        """Depth of silicone under a patch's centre."""
+        return self.thickness_mm
+
+    @property
+    def core_floor_mm(self) -> float:
+        """Level at which the −z axis leaves the core."""
+        return -float(self.core_half_mm[2])
+
+    @property
+    def room_for_recesses(self) -> tuple[float, str]:
+        """What recesses must be less deep than (mm), and its name."""
+        return float(self.core_half_mm.min()), "half the core"
+
+    @property
+    def thickness_below_mm(self) -> float:
+        """What the silicone's thickness must be below, besides what its core needs."""
+        return float("inf")
+
+    def passage_mm(self, axes: Float[np.ndarray, "3 3"]) -> Float[np.ndarray, "2 2"]:
+        """Lowest and highest corner, along the first two axes, of what passes out of the opening.
+
+        Zeros where nothing does.
+        """
+        if self.opening == "closed":
+            return np.zeros((2, 2))
+        radius = self.bore_mm / 2 if self.opening == "bore" else float(self.core_half_mm[0])
+        return np.array([[-radius, -radius], [radius, radius]])
+
+    def parting_azimuth(self, half_mm: Float[np.ndarray, "3"]) -> float | None:
+        """Angle (rad) of a mould's parting plane's normal from `across`; None: least undercut.
+
+        `half_mm` are the body's half extents along the mould's axes. By default the plane goes
+        through two edges of the body's box.
+        """
+        return float(np.arctan2(half_mm[0], half_mm[1]))
+
+    @abstractmethod
+    def frame(self, number: int, inward_mm: float = 0.0) -> FaceFrame:
+        """A face, or the same of the surface `inward_mm` below the outside."""
+
+    def core_frame(self, number: int) -> FaceFrame:
+        """The same on the core's surface."""
+        return self.frame(number, self.thickness_mm)
+
+    @abstractmethod
+    def core_distance_mm(self, points_mm: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n"]:
+        """Below 0 in what holds the silicone from inside; the distance to it close to its surface."""
+
+    @abstractmethod
+    def outer_surface(self) -> trimesh.Trimesh:
+        """The silicone's outside as if it were solid, mm."""
+
+    @abstractmethod
+    def core_surface(self) -> trimesh.Trimesh | None:
+        """The surface of what holds the silicone from inside; None where that is the base alone."""
+
+    def cavity_surface(self) -> trimesh.Trimesh | None:
+        """What the core and its passage out of the open faces keep free, 1 mm beyond them; or None."""
+        core = self.core_surface()
+        return None if core is None else self.with_bore(core)
+
+    def with_bore(self, core: trimesh.Trimesh) -> trimesh.Trimesh:
+        """The core's surface with its bore out of face 6, where that is open."""
+        if 6 not in self.opened:
+            return core
+        bottom = -self.size_mm[2] / 2 - OVERSHOOT_MM
+        inside = float(core.bounds[0, 2]) / 2
+        return core.union(cylinder_between(self.bore_mm / 2, bottom, inside, self.envelope_mm))
+
+    @abstractmethod
+    def volume_mm3(self) -> float:
+        """Volume of the sealed silicone without keys and slits, pockets filled."""
+
+    @property
+    def support_ends(self) -> list[tuple[Float[np.ndarray, "3"], float]]:
+        """Planes in which a core with straight walls ends: normal towards the open face, level in mm."""
+        normals = [face_axes(face)[0] for face in self.opened if self.opens_sides]
+        return [(normal, float(abs(normal) @ self.core_half_mm)) for normal in normals]
+
+    def end_slabs(self, width_mm: float) -> list[trimesh.Trimesh]:
+        """At each open side a slab below the end of the core, that much wider than it, and as high."""
+        return []
+
+    def core_span_mm(
+        self, overshoot_mm: float
+    ) -> tuple[Float[np.ndarray, "3"], Float[np.ndarray, "3"]]:
+        """Corners of the core's box, drawn out through the open faces and beyond."""
+        half = self.half_mm + overshoot_mm
+        low, high = -self.core_half_mm, self.core_half_mm
+        for face in self.opened:
+            normal = face_axes(face)[0]
+            high = np.where(normal > 0, half, high)
+            low = np.where(normal < 0, -half, low)
+        return low, high
+
+    @property
+    def outside(self) -> BodyKind:
+        """The same with nothing that only its inside depends on: one for all cores."""
+        return replace(self, thickness_mm=0.0, opened=(), bore_mm=0.0, inside="core")

@@ -1,0 +1,69 @@
+"""The cylinder about z."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import pi
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from design.body.kinds.base import OVERSHOOT_MM, BodyKind
+from design.body.surface_chart import Cap, FaceFrame, flat_frame, steepest_reach_mm
+from design.body.triangles import cylinder_between
+
+if TYPE_CHECKING:
+    import trimesh
+
+
+class Cylinder(BodyKind):
+    """Flat round ends 1 and 6, which may be open, and four patches round its side."""
+
+    name = "cylinder"
+    openable = (1, 6)
+    opens_sides = True
+    size_rule = "x and y alike, the diameter"
+
+    @classmethod
+    def takes_size(cls, size_mm: tuple[float, float, float]) -> bool:
+        return size_mm[0] == size_mm[1]
+
+    def frame(self, number: int, inward_mm: float = 0.0) -> FaceFrame:
+        frame = flat_frame(number, self.half_mm, inward_mm)
+        if number in (1, 6):
+            return replace(frame, round=True)
+        radius = self.size_mm[0] / 2 - inward_mm
+        extents = (frame.half_extents_mm[0], steepest_reach_mm(radius, radius))
+        return replace(frame, half_extents_mm=extents, relief=Cap((np.inf, radius, radius)))
+
+    def core_distance_mm(self, points_mm: np.ndarray) -> np.ndarray:
+        radius, _, half = self.core_half_mm
+        across = np.hypot(points_mm[:, 0], points_mm[:, 1]) - radius
+        return np.maximum(across, abs(points_mm[:, 2]) - half)
+
+    def outer_surface(self) -> trimesh.Trimesh:
+        return self._about_z(self.half_mm[0], -self.half_mm[2], self.half_mm[2])
+
+    def core_surface(self) -> trimesh.Trimesh:
+        return self._about_z(self.core_half_mm[0], -self.core_half_mm[2], self.core_half_mm[2])
+
+    def cavity_surface(self) -> trimesh.Trimesh:
+        low, high = self.core_span_mm(OVERSHOOT_MM)
+        return self._about_z(self.core_half_mm[0], low[2], high[2])
+
+    def _about_z(self, radius_mm: float, low_mm: float, high_mm: float) -> trimesh.Trimesh:
+        return cylinder_between(float(radius_mm), float(low_mm), float(high_mm), self.envelope_mm)
+
+    def volume_mm3(self) -> float:
+        low, high = self.core_span_mm(0.0)
+        diameter, _, height = self.size_mm
+        return pi * (diameter**2 / 4 * height - float(self.core_half_mm[0] ** 2 * (high - low)[2]))
+
+    def end_slabs(self, width_mm: float) -> list[trimesh.Trimesh]:
+        return [self._end_slab(normal, width_mm) for normal, _ in self.support_ends]
+
+    def _end_slab(self, normal: np.ndarray, width_mm: float) -> trimesh.Trimesh:
+        half = self.core_half_mm
+        end = float((normal * half)[2])
+        low, high = sorted((end, end + width_mm * float(normal[2])))
+        return self._about_z(half[0] + width_mm, low, high)

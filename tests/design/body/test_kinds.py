@@ -1,0 +1,53 @@
+"""The contract of a kind of body: one class, one registry, and nobody else asks for its name."""
+
+import re
+from pathlib import Path
+
+import pytest
+from pydantic import ValidationError
+
+from design.body.kinds.registry import KINDS
+from design.layout.body import body_of
+from design.solids.body import SOLIDS
+from design.spec.object import ObjectSpec
+from tests.support.body_cases import body_spec
+
+ROOT = Path(__file__).parents[3]
+ASKED = re.compile(r"body\.kind (==|!=|in |not in )|\[(spec\.)?body\.kind\]")
+KNOWN_BY_NAME = {"design/layout/body.py", "design/solids/body.py", "design/spec/body.py"}
+
+
+def test_a_kind_s_name_is_looked_up_in_three_files_and_asked_for_nowhere_else():
+    asked = {
+        path.relative_to(ROOT).as_posix()
+        for package in ("design", "fem", "estimator", "instobj")
+        for path in (ROOT / package).rglob("*.py")
+        if ASKED.search(path.read_text(encoding="utf-8"))
+    }
+    assert asked == KNOWN_BY_NAME
+
+
+def test_every_kind_has_exact_solids_or_is_known_by_its_triangles():
+    assert set(SOLIDS) == {name for name, kind in KINDS.items() if not kind.sampled}
+
+
+@pytest.mark.parametrize("name", KINDS)
+def test_every_kind_goes_by_its_own_name_and_opens_faces_that_it_has(name):
+    kind = KINDS[name]
+    assert kind.name == name
+    assert set(kind.openable) <= set(kind.faces)
+    assert not kind.__abstractmethods__
+
+
+def test_an_unknown_kind_is_refused_with_the_names_of_all():
+    with pytest.raises(ValidationError) as refused:
+        ObjectSpec.model_validate({"name": "a", "body": {"kind": "cone"}})
+    for name in KINDS:
+        assert f"'{name}'" in str(refused.value)
+
+
+def test_bodies_that_differ_inside_alone_have_one_outside():
+    thin, thick = (body_of(body_spec("ellipsoid", shell={"thickness_mm": t})) for t in (7.0, 8.0))
+    assert thin != thick
+    assert thin.outside == thick.outside
+    assert thin.outside != body_of(body_spec("sphere")).outside
