@@ -9,8 +9,9 @@ INSTALLED := .venv/.installed
 demo: $(INSTALLED)
 	$(BIN)/instobj run examples/paper_cube.toml
 
-# Two processes, each on one thread: solvers that share threads wait for each other.
-PYTEST := OMP_NUM_THREADS=1 MKL_NUM_THREADS=1 $(BIN)/pytest -q -n 2 --dist loadfile
+# Two processes, each on one thread: solvers that share threads wait for each other. Compiled modules
+# are kept for the next run; tests/conftest.py says which files go to one process together.
+PYTEST := PYTHONDONTWRITEBYTECODE= OMP_NUM_THREADS=1 MKL_NUM_THREADS=1 $(BIN)/pytest -q -n 2 --dist loadfile
 
 test: $(INSTALLED)
 	$(PYTEST)

@@ -7,7 +7,9 @@ import sys
 import time
 
 import pytest
+import tomli_w
 
+from tests.support.body_cases import BODIES, CORE, GRID, ONE
 from tests.support.cli import CUBE, assert_one_clear_error, run, run_apart
 
 BAD_DATA = {
@@ -119,7 +121,9 @@ def test_bad_data_sets_end_with_one_clear_error(tmp_path, command):
 
 
 def test_ctrl_c_keeps_finished_stages_and_the_next_run_goes_on(tmp_path):
-    command = [sys.executable, "-m", "instobj", "build", str(CUBE), "--json"]
+    content = {"name": "pad"} | GRID | ONE | CORE | BODIES["pad"]
+    (tmp_path / "pad.toml").write_text(tomli_w.dumps(content))
+    command = [sys.executable, "-m", "instobj", "build", "pad.toml", "--json"]
     process = subprocess.Popen(
         command, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
     )
@@ -133,6 +137,7 @@ def test_ctrl_c_keeps_finished_stages_and_the_next_run_goes_on(tmp_path):
     assert "Traceback" not in errors
     assert "interrupted" in json.loads(output)["error"]
     assert not list(tmp_path.glob(".instobj/*"))
-    assert not list(tmp_path.glob("cad_out/paper_cube/*"))
-    again = run("build", CUBE, "--json", cwd=tmp_path)
+    assert not list(tmp_path.glob("cad_out/pad/*"))
+    again = run("build", "pad.toml", "--json", cwd=tmp_path)
+    assert again.returncode == 0, again.stderr
     assert json.loads(again.stdout)["objects"][0]["stages"][0]["reused"] is False
