@@ -8,8 +8,12 @@ from xdist.scheduler import LoadScopeScheduling
 
 install_import_hook(["design", "fem", "estimator"], "beartype.beartype")
 
-TOGETHER = ("tests/fem/", "tests/estimator/layouts/")
-"""Folders whose files share fixtures of the whole run: one worker takes all of them."""
+TOGETHER = (
+    ("tests/fem/mesh/", "tests/fem/linear/", "tests/fem/contact/", "tests/fem/presses/"),
+    ("tests/fem/candidates/",),
+    ("tests/estimator/layouts/",),
+)
+"""Folders whose files share meshes and responses of the whole run: one worker takes all of them."""
 
 LONGEST_FIRST = ("tests/fem/", "tests/chain/", "tests/instobj/", "tests/benchmarks/")
 """So that no worker is left with a long file at the end."""
@@ -46,11 +50,11 @@ def pytest_sessionfinish(session):
 
 
 class _FilesAndRooms(LoadScopeScheduling):
-    """A worker takes a file at a time, or a whole folder of those that share fixtures."""
+    """A worker takes a file at a time, or all folders that share fixtures."""
 
     def _split_scope(self, nodeid):
-        folders = (folder for folder in TOGETHER if nodeid.startswith(folder))
-        return next(folders, nodeid.split("::")[0])
+        rooms = (folders[0] for folders in TOGETHER if nodeid.startswith(folders))
+        return next(rooms, nodeid.split("::")[0])
 
 
 @pytest.hookimpl(optionalhook=True)
