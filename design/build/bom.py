@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import csv
-from dataclasses import asdict, dataclass, fields
+from dataclasses import dataclass, fields
 from pathlib import Path
 
 from design.build.manifest import BuildManifest
-from design.files import atomic_path
 from design.layout.positions import magnet_layout, sensor_layout, shell_body_layout
 from design.layout.volumes import sealed_volume_mm3
 from design.spec.object import ObjectSpec
+from design.tables import write_table
 
 BOM_NAME = "bom.csv"
 
@@ -64,15 +63,12 @@ def write_bom(items: list[Item], target: Path) -> None:
     InputError
         The folder cannot be written.
     """
-    names = [field.name for field in fields(Item)]
-    with atomic_path(target) as path, path.open("w", encoding="utf-8", newline="") as stream:
-        writer = csv.DictWriter(stream, names)
-        writer.writeheader()
-        for item in items:
-            row = asdict(item)
-            for key in ("volume_cm3", "mass_g"):
-                row[key] = "" if row[key] is None else f"{row[key]:.3f}"
-            writer.writerow(row)
+
+    def line(item: Item) -> list[str]:
+        amounts = ("" if one is None else f"{one:.3f}" for one in (item.volume_cm3, item.mass_g))
+        return [item.item, str(item.count), *amounts, item.note]
+
+    write_table(target, [field.name for field in fields(Item)], map(line, items))
 
 
 def magnet_name(spec: ObjectSpec) -> str:

@@ -8,6 +8,7 @@ pocket's pin is longer, elsewhere they have heads of their own.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 
@@ -110,8 +111,13 @@ def fixed_bosses(spec: ObjectSpec, side: int) -> list[cq.Solid]:
     ]
 
 
-def pin_kinds(pins: tuple[Pin, ...]) -> list[tuple[str, int, int]]:
-    """Name of each kind of pin, the index of its first, and how many are alike.
+def pin_kinds(pins: Sequence[Pin]) -> list[tuple[str, int, int]]:
+    """Name of each kind of pin, the index of its first, and how many are alike."""
+    return [(name, members[0], len(members)) for name, members in _alike(pins)]
+
+
+def _alike(pins: Sequence[Pin]) -> list[tuple[str, list[int]]]:
+    """Name of each kind of pin, and the indices of its pins.
 
     Pins are alike where outline, depth and tilt of their pockets and the lengths of their heads are;
     locating pins are kinds of their own.
@@ -125,7 +131,44 @@ def pin_kinds(pins: tuple[Pin, ...]) -> list[tuple[str, int, int]]:
     held = [members for members in kinds.values() if pins[members[0]].locator is not None]
     names = ["mould_pin"] if len(plain) == 1 else [f"mould_pin_{n + 1}" for n in range(len(plain))]
     names += [f"mould_locator_{n + 1}" for n in range(len(held))]
-    return [(name, m[0], len(m)) for name, m in zip(names, plain + held, strict=True)]
+    return list(zip(names, plain + held, strict=True))
+
+
+@dataclass(frozen=True)
+class PinKind:
+    """Pins that are alike: their part's name, how many, and the pockets that they form.
+
+    `places` holds face, x and y (mm, in the face's frame) of each pocket.
+    """
+
+    name: str
+    count: int
+    places: tuple[tuple[int, float, float], ...]
+    holds_core: bool
+
+
+def pins_by_kind(spec: ObjectSpec) -> list[PinKind]:
+    """Where every loose pin of a split mould goes, in the order of the parts."""
+    pins = loose_pins(spec)
+    kinds = []
+    for name, members in _alike(pins):
+        places = [
+            (
+                pin.frame.number,
+                _rounded(pocket.body.centre_mm[0]),
+                _rounded(pocket.body.centre_mm[1]),
+            )
+            for pin in (pins[index] for index in members)
+            for pocket in (pin.pockets[1:] if pin.locator and len(pin.pockets) > 1 else pin.pockets)
+        ]
+        held = pins[members[0]].locator is not None
+        kinds.append(PinKind(name, len(members), tuple(places), held))
+    return kinds
+
+
+def _rounded(value_mm: float) -> float:
+    """Without a minus before zero."""
+    return round(float(value_mm), 4) + 0.0
 
 
 def make_pin(spec: ObjectSpec, pin: Pin) -> Solid:
@@ -212,7 +255,7 @@ def _exit_mm(spec: ObjectSpec, start_mm: np.ndarray, way: np.ndarray) -> float:
     return float(np.min((ends - start_mm)[steep] / way[steep]))
 
 
-def _rim_mm(spec: ObjectSpec, pins: list[Pin]) -> float:
+def _rim_mm(spec: ObjectSpec, pins: Sequence[Pin]) -> float:
     """Width of all heads' rims, narrower where pins stand close, and never below 0.
 
     A wall is left between the rooms of two heads; where that would take the rims away the rooms

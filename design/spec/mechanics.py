@@ -69,6 +69,12 @@ class SlipSpec(SpecPart):
         return any(self.shift_mm) or any(self.rotation_deg)
 
 
+LOCKING_WARNING = (
+    'mechanics.element = "p1" locks in nearly incompressible silicone: the shell comes out several '
+    "times too stiff. It is there for teaching; take taylor-hood for figures to rely on"
+)
+
+
 class MechanicsSpec(SpecPart):
     """Finite element, the model of the magnets in the silicone, and its hold on the core.
 

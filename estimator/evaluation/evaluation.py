@@ -15,7 +15,7 @@ from estimator.frames.face_data import FaceData, face_data, with_history
 from estimator.frames.splits import Split
 from estimator.networks.face_model import FaceModel, predict, predict_heatmaps
 from estimator.networks.metrics import FaceMetrics, face_metrics, force_reference
-from estimator.networks.prediction import Prediction
+from estimator.networks.prediction import ContactReadings, Prediction
 from estimator.networks.training import FitSettings, fit_estimator
 from estimator.networks.training_data import with_contacts
 from estimator.recordings.reading import Recording
@@ -88,6 +88,28 @@ def evaluate_intervals(model: FaceModel, frames: FrameSet) -> IntervalReport:
         median_position_radius_mm=float(np.median(found.position_radius_mm)),
         calibration_presses=model.interval_presses,
         tested_presses=len(np.unique(data.frames.press_id)),
+    )
+
+
+def contact_readings(model: FaceModel, frames: FrameSet) -> ContactReadings:
+    """Readings of a model in frames (normally the test part) with contact on its face.
+
+    Raises
+    ------
+    InputError
+        The frames hold no contact on the face.
+    """
+    data = with_contacts(
+        face_data(with_history(frames, model.history_frames), model.face), "tested"
+    )
+    data = data.select(data.contact)
+    found = predict(model, data.frames)
+    return ContactReadings(
+        model.face,
+        data.heatmap_n.sum(axis=(1, 2)),
+        found.force_n,
+        np.linalg.norm(found.xy_mm - data.centre_mm, axis=1),
+        len(np.unique(data.frames.press_id)),
     )
 
 

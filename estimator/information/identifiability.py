@@ -9,7 +9,6 @@ signals in units of a fresh zero's sigma and parameters in mm and N.
 
 from __future__ import annotations
 
-import csv
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import asdict, dataclass
 from itertools import combinations
@@ -20,10 +19,10 @@ import numpy as np
 from jaxtyping import Float, Int
 
 from design.errors import InputError
-from design.files import atomic_path
 from design.layout.positions import contact_grid
 from design.spec.object import ObjectSpec
 from design.spec.sensors import fastest_frame_rate_hz
+from design.tables import write_records
 from estimator.information.fisher import disturbance_counts
 from estimator.information.sensitivity import own_channels
 from estimator.signals.interpolation import press_traces, signal_gradient
@@ -298,8 +297,4 @@ def table_rows(rows: Sequence[Identifiability]) -> list[dict[str, float | int | 
 
 def save_identifiability_csv(rows: Sequence[Identifiability], path: Path | str) -> None:
     """One row for every number of contacts and sensors; the header's names carry the units."""
-    plain = table_rows(rows)
-    with atomic_path(path) as temporary, temporary.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, list(plain[0]), lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(plain)
+    write_records(path, table_rows(rows))

@@ -12,10 +12,10 @@ import numpy as np
 from jaxtyping import Bool, Float, Int
 
 from design.errors import InputError, StoreError
-from design.files import atomic_path
 from design.layout.positions import PlaceGrid, contact_grid, live_channels
 from design.spec.object import ObjectSpec
 from design.spec.search import WantedCompliance
+from design.tables import write_table
 from estimator.information.fisher import cramer_rao_bounds, detectable_force_n, disturbance_counts
 from estimator.information.sensitivity import (
     channel_noise,
@@ -260,13 +260,17 @@ def save_scores_csv(scores: PlaceScores, path: Path | str) -> None:
     names = [f.name for f in fields(scores)][2:]
     header = [f"{name} [{_UNITS[name]}]" if name in _UNITS else name for name in names]
     xy = scores.grid.xy_mm
-    with atomic_path(path) as temporary, temporary.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(["face", "place", "x_mm", "y_mm", *header])
-        for row, face in enumerate(scores.faces):
-            for place in range(len(xy)):
-                values = [getattr(scores, name)[row, place].item() for name in names]
-                writer.writerow([face, place, *xy[place].tolist(), *(repr(v) for v in values)])
+    rows = (
+        [
+            face,
+            place,
+            *xy[place].tolist(),
+            *(repr(getattr(scores, n)[row, place].item()) for n in names),
+        ]
+        for row, face in enumerate(scores.faces)
+        for place in range(len(xy))
+    )
+    write_table(path, ["face", "place", "x_mm", "y_mm", *header], rows)
 
 
 def load_scores_csv(path: Path | str) -> PlaceScores:

@@ -7,16 +7,15 @@ frictionless press (`fem.presses.shear`).
 
 from __future__ import annotations
 
-import csv
 from dataclasses import dataclass, fields
 from pathlib import Path
 
 import numpy as np
 from jaxtyping import Float, Int
 
-from design.files import atomic_path
 from design.layout.positions import PlaceGrid, grid_places_in_lattice, live_channels
 from design.spec.object import ObjectSpec
+from design.tables import write_table
 from estimator.field.models import field_model
 from estimator.field.sources import magnet_source
 from estimator.information.fisher import cramer_rao_bounds, disturbance_counts
@@ -138,10 +137,14 @@ def save_shear_scores_csv(scores: ShearScores, path: Path | str) -> None:
     """One row for every face and place; the header's names carry the units."""
     names = [f.name for f in fields(scores)][2:]
     xy = scores.grid.xy_mm
-    with atomic_path(path) as temporary, temporary.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(["face", "place", "x_mm", "y_mm", *names])
-        for row, face in enumerate(scores.faces.tolist()):
-            for place in range(len(xy)):
-                values = [repr(getattr(scores, name)[row, place].item()) for name in names]
-                writer.writerow([face, place, *xy[place].tolist(), *values])
+    rows = (
+        [
+            face,
+            place,
+            *xy[place].tolist(),
+            *(repr(getattr(scores, n)[row, place].item()) for n in names),
+        ]
+        for row, face in enumerate(scores.faces.tolist())
+        for place in range(len(xy))
+    )
+    write_table(path, ["face", "place", "x_mm", "y_mm", *names], rows)

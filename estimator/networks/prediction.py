@@ -24,6 +24,24 @@ class Prediction:
     position_radius_mm: Float[np.ndarray, "frame"]
 
 
+@dataclass(frozen=True)
+class ContactReadings:
+    """What a model reads in the contact frames of its face, beside what was there.
+
+    Attributes
+    ----------
+    true_force_n, force_n : (frame) total force, N
+    away_mm : (frame) distance of the predicted centre of force from the true one
+    presses : number of presses that the frames come from
+    """
+
+    face: int
+    true_force_n: Float[np.ndarray, "frame"]
+    force_n: Float[np.ndarray, "frame"]
+    away_mm: Float[np.ndarray, "frame"]
+    presses: int
+
+
 UNITS = {
     "heatmap_n": "N",
     "force_n": "N",

@@ -2,7 +2,7 @@
 
 Each contribution alone to first order (central differences), and all together by Monte Carlo.
 Mechanics is that of the design. A magnet that sits aside is taken to move as the one in the
-designed seat does when the press lies as far aside the other way (`SEAT_ERROR` says how well).
+designed seat does when the press lies as far aside the other way (`result.SEAT_ERROR` says how well).
 """
 
 from __future__ import annotations
@@ -35,13 +35,6 @@ from estimator.tolerances.result import BoundRange, Robustness, Spread
 from fem.presses.results import MagnetMotions, PressForces
 
 DRAWS = 200
-SEAT_ERROR = (
-    "Presses are not simulated anew. A magnet that sits aside is moved as if the press lay as far "
-    "aside the other way: what its seat does to a press's signal is then wrong by 30 % (median over "
-    "places; by 73 % if it kept its motion). One that sits too deep keeps its motion: the size of "
-    "what its seat does is right in the median, but wrong by up to a factor of three at single "
-    "places. Measured on the paper's cube against finite elements with point magnets at either seat."
-)
 _STEP = 0.05
 """Of central differences, in standard deviations."""
 _NEARER_MM = 1.0

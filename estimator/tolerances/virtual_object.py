@@ -2,7 +2,7 @@
 
 Poses, remanences, chips and modulus come from an `Assembly` (`estimator.tolerances.assembly`), mechanics from
 any table of presses, the design's or a better one. A magnet that sits aside is moved as if the press
-lay as far aside the other way (`estimator.tolerances.budget.SEAT_ERROR` says how well).
+lay as far aside the other way (`estimator.tolerances.result.SEAT_ERROR` says how well).
 """
 
 from __future__ import annotations

@@ -20,6 +20,7 @@ from design.body.surface_chart import FaceFrame
 from design.files import atomic_path
 from design.layout.body import face_frames
 from design.layout.positions import shell_body_layout
+from design.spec.mechanics import LOCKING_WARNING
 from design.spec.object import ObjectSpec
 from fem.linear.core_interface import (
     CoreContact,
@@ -41,11 +42,6 @@ from fem.linear.material import lame_constants
 from fem.linear.sparse import columns_of, rows_of, shape_of
 from fem.mesh.surfaces import surface_tolerance_mm
 from fem.mesh.tetrahedra import SILICONE, TetMesh
-
-LOCKING_WARNING = (
-    'mechanics.element = "p1" locks in nearly incompressible silicone: the shell comes out several '
-    "times too stiff. It is there for teaching; take taylor-hood for figures to rely on"
-)
 
 
 @dataclass(frozen=True)

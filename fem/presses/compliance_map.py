@@ -6,7 +6,6 @@ as deep needs more than twice the force.
 
 from __future__ import annotations
 
-import csv
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -16,6 +15,7 @@ from jaxtyping import Float, Int
 from design.files import atomic_path
 from design.layout.positions import PlaceGrid
 from design.spec.object import ObjectSpec
+from design.tables import write_table
 from fem.linear.response import ResponseOperator
 from fem.mesh.tetrahedra import without_magnets
 from fem.presses.results import PressForces
@@ -95,5 +95,4 @@ def save_compliance_csv(
     ]
     depth = f"{with_magnets.depth_mm:g}_mm_deep"
     header = ("face", "x_mm", "y_mm", f"mm_per_n_{depth}", f"mm_per_n_without_magnets_{depth}")
-    with atomic_path(path) as temporary, temporary.open("w", newline="", encoding="utf-8") as file:
-        csv.writer(file, lineterminator="\n").writerows([header, *rows])
+    write_table(path, header, rows)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 from rich.box import SIMPLE
@@ -142,15 +143,43 @@ def _widths(columns: list[list[str]], room: int) -> list[int] | None:
     return None
 
 
+_OPENED_FIRST = (
+    "report.html",
+    "search.html",
+    "assembly.html",
+    "parts.png",
+    "fabrication.png",
+    "position_bound_overview.png",
+    "held_out.png",
+    "robustness.png",
+    "calibration.png",
+)
+"""Files that a person opens first, where a command wrote them."""
+_ALL_NAMED = 6
+_SHOWN_FIRST = 4
+
+
 def _print_files(console: Console, files: Any) -> None:
-    if not files:
+    """Each file where they are few; else the folders, and the files to open first."""
+    paths = [Path(row["path"]) for row in files]
+    if len(paths) <= _ALL_NAMED:
+        for row in files:
+            console.print(f"wrote {row['path']} ({_size(row['bytes'])})", soft_wrap=True)
         return
-    table = Table(title="Files written", title_justify="left")
-    table.add_column("file", overflow="fold")
-    table.add_column("size", justify="right")
-    for row in files:
-        table.add_row(row["path"], _size(row["bytes"]))
-    console.print(table)
+    for folder in _folders(paths):
+        inside = [row["bytes"] for row in files if Path(row["path"]).is_relative_to(folder)]
+        console.print(
+            f"wrote {len(inside)} files, {_size(sum(inside))}, to {folder}/", soft_wrap=True
+        )
+    ranked = [path for name in _OPENED_FIRST for path in paths if path.name == name]
+    for path in ranked[:_SHOWN_FIRST]:
+        console.print(f"open  {path}", soft_wrap=True)
+
+
+def _folders(paths: list[Path]) -> list[Path]:
+    """Folders of the paths that lie within no other of them."""
+    parents = {path.parent for path in paths}
+    return sorted(one for one in parents if not any(other in one.parents for other in parents))
 
 
 def _number(value: Any) -> str:

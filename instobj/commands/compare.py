@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from design.files import atomic_path
 from design.spec.object import ObjectSpec
 from estimator.information.scores import PlaceScores, area_places, load_scores_csv, weakest_place
+from instobj.figures.saving import save_figure
 from instobj.store.publish import file_rows, run_folder
 
 
@@ -66,5 +66,4 @@ def draw_comparison(specs: list[ObjectSpec], scores: list[PlaceScores], path: Pa
     axes.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
     axes.grid(alpha=0.3, which="both")
     axes.legend(frameon=False, loc="lower right")
-    with atomic_path(path) as temporary:
-        figure.savefig(temporary, dpi=130)
+    save_figure(figure, path)

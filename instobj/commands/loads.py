@@ -15,7 +15,7 @@ from design.layout.positions import PlaceGrid, sensor_layout
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, spec_hash
 from instobj.commands.places import CheckedPlaces, Place, check_places
-from instobj.figures.loads import Pressed
+from instobj.figures.loads import Pressed, draw_loads
 from instobj.stages.chain import Chain
 from instobj.store.publish import file_rows, require_writable, run_folder, stage_row
 from instobj.store.stage import write_json
@@ -96,7 +96,6 @@ def loads_document(
     command: str, chain: Chain, pressed: Pressed, refused: Sequence[dict[str, Any]], target: Path
 ) -> dict[str, Any]:
     """Write `loads.json` and `loads.png` into a folder, and tell what a command prints."""
-    from instobj.figures.loads import draw_loads
 
     spec = chain.spec
     motions = [pressed.motion, *(press.motion for press in pressed.alone)]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -10,28 +9,13 @@ import numpy as np
 
 from design.catalogue.silicones import SILICONES, ModulusEstimate, modulus_from_shore
 from design.errors import InputError
-from design.files import atomic_path
-from design.spec.object import ObjectSpec
+from instobj.figures.saving import save_figure
 from instobj.store.publish import file_rows, require_writable, run_folder
 
 if TYPE_CHECKING:
     from design.catalogue.tensile import TensileFit
-    from estimator.signals.presses import Signals
 
 _COLOURS = ("#1b6ca8", "#c8553d", "#6a994e")
-
-
-@dataclass(frozen=True)
-class TravelSpread:
-    """Travel (mm) at which the median place reaches a force, at the modulus and at its ends.
-
-    None: not within the deepest simulated press.
-    """
-
-    force_n: float
-    nominal_mm: float | None
-    stiffest_mm: float | None
-    softest_mm: float | None
 
 
 def describe_material(source: str, out: Path) -> dict[str, Any]:
@@ -56,46 +40,6 @@ def describe_material(source: str, out: Path) -> dict[str, Any]:
             "as A10 or 00-30, and no CSV file. Give one of the three"
         ) from None
     return _document(source, {"modulus": _modulus_row(modulus)}, [])
-
-
-def travel_spread(spec: ObjectSpec, signals: Signals) -> TravelSpread | None:
-    """How far the tip travels to the protocol's middle peak force; None where no spread is known.
-
-    At a given travel small-strain forces are proportional to the modulus. Linear interpolation
-    between the simulated depths of the median place's force.
-    """
-    from design.layout.positions import grid_places_in_lattice
-
-    if spec.silicone.relative_spread is None:
-        return None
-    softest, stiffest = spec.silicone.relative_spread
-    wanted = sum(spec.protocol.peak_force_n) / 2
-    places = grid_places_in_lattice(spec)
-    force = np.append(0, np.median(signals.force_n[:, places], axis=(0, 1)))
-    depth = np.append(0, signals.depth_mm)
-
-    def travel(scale: float) -> float | None:
-        return (
-            float(np.interp(wanted / scale, force, depth)) if wanted <= scale * force[-1] else None
-        )
-
-    return TravelSpread(wanted, travel(1.0), travel(stiffest), travel(softest))
-
-
-def modulus_text(spec: ObjectSpec) -> str:
-    """The modulus with its interval and source, for a person."""
-    silicone = spec.silicone
-    spread = silicone.youngs_modulus_range_mpa
-    ends = f"{spread[0]:.3g} to {spread[1]:.3g}" if spread else "spread not known"
-    return f"{silicone.youngs_modulus_mpa:.3g} MPa ({ends}; {silicone.modulus_source})"
-
-
-def force_spread_text(spec: ObjectSpec) -> str:
-    """What the interval of the modulus does to the force at a given travel."""
-    spread = spec.silicone.relative_spread
-    if spread is None:
-        return "scales with the modulus, whose spread is not known"
-    return f"{spread[0]:.2f} to {spread[1]:.2f} times what is shown"
 
 
 def _describe_test(path: Path, out: Path) -> dict[str, Any]:
@@ -162,5 +106,4 @@ def draw_tensile_fit(fit: TensileFit, path: Path) -> None:
         part.set_xlim(1)
         part.legend(frameon=False, fontsize=8)
     axes.set_ylim(0)
-    with atomic_path(path) as temporary:
-        figure.savefig(temporary, dpi=130)
+    save_figure(figure, path)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import json
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -13,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from design.errors import InputError
-from design.files import atomic_path
+from design.tables import write_table
 from estimator.deploy.runtime import DeployedModel, LiveReader, load_deployed, predict_frames
 from estimator.deploy.zeroing import ZERO_FRAMES, ZeroMode
 from estimator.frames.dataset import load_frames
@@ -76,10 +75,7 @@ def predict_file(
     else:
         rows = list(_read_recording(model, path, zeroing))
     target = run_folder(out, path.stem) / f"prediction_face_{model.face}.csv"
-    with atomic_path(target) as temporary, temporary.open("w", newline="") as file:
-        writer = csv.DictWriter(file, list(COLUMNS), lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
+    write_table(target, list(COLUMNS), ([row[name] for name in COLUMNS] for row in rows))
     forces = [row["force_n"] for row in rows]
     summary = {
         "face": model.face,

@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from design.errors import InputError
-from design.files import atomic_path
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, spec_hash
+from instobj.figures.saving import save_figure
 from instobj.store.content import StoredResult, store_root, stored
 from instobj.store.progress import ProgressLine
 from instobj.store.publish import file_rows, publish_to, require_writable, run_folder, stage_row
@@ -256,8 +256,7 @@ def draw_force_travel(press: LargeStrainPress, path: Path) -> None:
     axes.set_xlim(0)
     axes.set_ylim(0)
     axes.legend(frameon=False)
-    with atomic_path(path) as temporary:
-        figure.savefig(temporary, dpi=130)
+    save_figure(figure, path)
 
 
 def _document(spec: ObjectSpec, stages: list[StoredResult], files: list[Path]) -> dict[str, Any]:

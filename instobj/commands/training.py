@@ -105,7 +105,7 @@ def run_on_data_set(
             results["metrics"] = stored(
                 store_root(),
                 "metrics",
-                inputs,
+                inputs | {"pictures": 1},
                 lambda folder: evaluate_networks(path, networks, seed, folder, progress.step),
             )
     target = run_folder(out, name)

@@ -5,7 +5,6 @@ A module of experiments names them in a tuple `STUDIES` and is listed in `_MODUL
 
 from __future__ import annotations
 
-import csv
 from collections.abc import Callable
 from dataclasses import dataclass
 from importlib import import_module
@@ -13,9 +12,9 @@ from pathlib import Path
 from typing import Any
 
 from design.errors import InputError
-from design.files import atomic_path
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
+from design.tables import write_records
 from instobj.store.publish import file_rows, require_writable, run_folder
 from instobj.store.stage import write_json
 
@@ -70,7 +69,7 @@ def run_study(
     folder = run_folder(out, spec.name) / "experiments" / name
     folder.mkdir(parents=True, exist_ok=True)
     found = known[name].run(spec, folder, quick)
-    write_table(found["rows"], folder / f"{name}.csv")
+    write_records(folder / f"{name}.csv", found["rows"])
     write_json(
         {"experiment": name, "spec": spec.name, "quick": quick} | found, folder / f"{name}.json"
     )
@@ -81,11 +80,3 @@ def run_study(
         **{key: value for key, value in found.items() if key != "rows"},
         "files": file_rows(sorted(path for path in folder.iterdir() if path.is_file())),
     }
-
-
-def write_table(rows: list[dict[str, Any]], path: Path) -> None:
-    """Rows with the same keys as CSV, complete or absent."""
-    with atomic_path(path) as temporary, temporary.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from design.files import atomic_path
+from instobj.figures.saving import save_figure
 
 _SCORES = {
     "worst place mm": "position, worst place",
@@ -45,8 +45,7 @@ def draw_variants(rows: list[dict[str, Any]], force_n: float, path: Path) -> Non
     axes.grid(axis="x", alpha=0.3)
     axes.set_xlabel(f"ratio to the first variant (bounds at {force_n:g} N; lower is better)")
     figure.legend(loc="outside upper center", ncols=4, frameon=False, fontsize=9)
-    with atomic_path(path) as temporary:
-        figure.savefig(temporary, dpi=130)
+    save_figure(figure, path)
 
 
 def _label(row: dict[str, Any]) -> str:

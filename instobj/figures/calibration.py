@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from design.files import atomic_path
 from design.spec.object import ObjectSpec
+from instobj.figures.saving import save_figure
 
 _PANELS = {"left by design %": "design", "left %": "calibrated twin"}
 
@@ -39,5 +39,4 @@ def draw_calibration(spec: ObjectSpec, rows: list[dict[str, Any]], path: Path) -
     figure.suptitle(
         f"{spec.name}: held-out locations: residual of the calibrated twin (darker is better)"
     )
-    with atomic_path(path) as temporary:
-        figure.savefig(temporary, dpi=120, format="png")
+    save_figure(figure, path)

@@ -9,7 +9,8 @@ import numpy as np
 from design.layout.positions import grid_places_in_lattice
 from design.spec.object import ObjectSpec
 from fem.presses.compliance_map import ComplianceMap
-from instobj.figures.heatmaps import GAIN_COLOURS, draw_overview, finite_limits
+from instobj.figures.map_scale import GAIN_COLOURS, finite_limits
+from instobj.figures.overview import draw_overview
 
 WITH_MAGNETS = "compliance.png"
 WITHOUT_MAGNETS = "compliance_without_magnets.png"

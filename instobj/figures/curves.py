@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from design.files import atomic_path
 from design.layout.positions import contact_grid
 from design.spec.object import ObjectSpec
 from estimator.information.scores import area_places
+from instobj.figures.saving import save_figure
 
 if TYPE_CHECKING:
     from estimator.signals.presses import Signals
@@ -49,7 +49,7 @@ def draw_press_curves(spec: ObjectSpec, signals: Signals, path: Path) -> None:
         axes.set_xlim(0)
         axes.set_ylim(0)
         axes.legend(frameon=False)
-    _save(figure, path)
+    save_figure(figure, path)
 
 
 def _band(axes: Any, x: np.ndarray, values: np.ndarray, colour: str, label: str) -> None:
@@ -77,8 +77,3 @@ def _grid_places(spec: ObjectSpec) -> np.ndarray:
     from design.layout.positions import grid_places_in_lattice
 
     return grid_places_in_lattice(spec)
-
-
-def _save(figure: Any, path: Path) -> None:
-    with atomic_path(path) as temporary:
-        figure.savefig(temporary, dpi=130)

@@ -1,53 +1,43 @@
 """Maps of a score over the contact places, with the magnets and sensors that cause it.
 
-Each face is seen from outside with its own x to the right and y up; the overview unfolds the
-object about face 1, so that neighbouring edges of two maps are one edge of the object.
+Each face is seen from outside with its own x to the right and y up.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from textwrap import wrap
 from typing import Any
 
 import numpy as np
-from jaxtyping import Bool, Float, Int
+from jaxtyping import Float
 
-from design.files import atomic_path
-from design.layout.body import face_frame, face_frames
+from design.layout.body import face_frame
 from design.layout.pockets import magnet_bodies
 from design.layout.positions import contact_grid, sensor_layout
 from design.spec.object import ObjectSpec
 from instobj.figures.map_scale import (
     BOUND_COLOURS,
-    GAIN_COLOURS,
     MapScale,
-    finite_limits,
     map_scale,
     set_plain_ticks,
 )
+from instobj.figures.saving import save_figure
 
-__all__ = [
-    "BOUND_COLOURS",
-    "GAIN_COLOURS",
-    "draw_face_heatmap",
-    "draw_overview",
-    "finite_limits",
-]
-
-_NET = {1: (0, 0, 0), 2: (-90, 0, -1), 3: (0, 1, 0), 4: (90, 0, 1), 5: (180, -1, 0), 6: (0, 3, 0)}
-"""Face → turn of its map (degrees) and direction of its place in the net about face 1."""
-_OUTWARD = {1: "+z", 2: "−y", 3: "+x", 4: "+y", 5: "−x", 6: "−z"}
-_GAP_MM = 3.0
+OUTWARD = {1: "+z", 2: "−y", 3: "+x", 4: "+y", 5: "−x", 6: "−z"}
 _SENSOR_EDGE_MM = 1.8
-_NOTE_WIDTH = 44
-_INK, _PAPER, _FRAME, _BLANK = "#1a1a1a", "#fdfdfb", "#77736b", "#efece4"
+_FACE_INCHES = 4.6, 4.6
+"""Room for the map in the picture of one face, within what legend and scale leave."""
+_LARGEST_FONT, _SMALLEST_FONT = 8.5, 4.0
+"""Points; numbers that do not fit their cell at the smallest are left out."""
+_DIGIT_EM, _POINT_EM, _USUAL_EM = 0.64, 0.32, 2.24
+"""Widths of a digit, of a decimal point and of a number such as 0.12, in font sizes."""
+INK, PAPER, FRAME, BLANK = "#1a1a1a", "#fdfdfb", "#77736b", "#efece4"
 _MAGNET, _SENSOR = "#1f77d0", "#0a8f5a"
 
 
 @dataclass(frozen=True)
-class _Pose:
+class Pose:
     """Where a face's map lies in the drawing: turned, then moved (mm)."""
 
     turn_deg: float
@@ -84,102 +74,41 @@ def draw_face_heatmap(
     from matplotlib.figure import Figure
 
     scale = map_scale(unit, vmin, vmax, log, colours)
-    figure = Figure(figsize=(7.2, 6.4), dpi=150, facecolor=_PAPER, layout="constrained")
-    axes = figure.add_subplot()
-    pose = _Pose(0.0, (0.0, 0.0))
-    mesh = _draw_face(axes, values, spec, face, scale, pose, font_size=8.5)
     half_x, half_y = face_frame(spec, face).half_extents_mm
+    inches_per_mm = min(_FACE_INCHES[0] / half_x, _FACE_INCHES[1] / half_y) / 2
+    figure = Figure(figsize=(7.2, 6.4), facecolor=PAPER, layout="constrained")
+    axes = figure.add_subplot()
+    pose = Pose(0.0, (0.0, 0.0))
+    mesh = draw_face(axes, values, spec, face, scale, pose, inches_per_mm)
     axes.set(xlim=(-half_x - 0.5, half_x + 0.5), ylim=(-half_y - 0.5, half_y + 0.5), aspect="equal")
     axes.set(xlabel=f"x of face {face} (mm)", ylabel=f"y of face {face} (mm)")
-    axes.set_title(f"{title}\nface {face} ({_OUTWARD[face]}), seen from outside", fontsize=11)
+    axes.set_title(f"{title}\nface {face} ({OUTWARD[face]}), seen from outside", fontsize=11)
     _tidy(axes)
     bar = figure.colorbar(mesh, ax=axes, label=scale.label, shrink=0.9)
     set_plain_ticks(bar, scale)
-    figure.legend(handles=_legend(), loc="outside lower center", ncols=2, frameon=False, fontsize=9)
-    _save(figure, path)
-
-
-def draw_overview(
-    values: Float[np.ndarray, "face place"],
-    faces: Int[np.ndarray, "face"],
-    spec: ObjectSpec,
-    title: str,
-    unit: str,
-    vmin: float,
-    vmax: float,
-    path: Path | str,
-    *,
-    log: bool = True,
-    colours: str = BOUND_COLOURS,
-    note: str = "",
-    direction_deg: Float[np.ndarray, "face place"] | None = None,
-) -> None:
-    """All faces in one picture and on one scale, the object unfolded about face 1 (PNG).
-
-    `note` is printed beside the net, wrapped to the room there; `direction_deg` from each face's x
-    is drawn as a line through places without a finite value. Raises as `map_scale` does.
-    """
-    from matplotlib.figure import Figure
-
-    scale = map_scale(unit, vmin, vmax, log, colours)
-    figure = Figure(figsize=(13.0, 13.4), dpi=120, facecolor=_PAPER)
-    axes = figure.add_axes((0.02, 0.01, 0.96, 0.93))
-    meshes = []
-    for row, number in zip(values, faces, strict=True):
-        half_x, half_y = face_frame(spec, int(number)).half_extents_mm
-        pose = _net_pose(spec, int(number))
-        meshes.append(_draw_face(axes, row, spec, int(number), scale, pose, font_size=7.4))
-        if direction_deg is not None:
-            turns = direction_deg[list(faces).index(number)]
-            _draw_directions(axes, spec, turns, ~np.isfinite(row), pose)
-        name = pose.apply(np.array([0.0, 0.0]))
-        upward = half_y if _NET[int(number)][0] in (0, 180) else half_x
-        axes.text(
-            name[0], name[1] + upward - 1.0, f"face {number}  ({_OUTWARD[int(number)]})",
-            ha="center", va="top", fontsize=12, fontweight="bold", color=_INK,
-        )  # fmt: skip
-        _draw_axes_arrows(axes, pose, half_x, half_y)
-    axes.set_aspect("equal")
-    axes.margins(0.01)
-    axes.autoscale_view()
-    axes.axis("off")
-    figure.suptitle(title, fontsize=19, fontweight="bold", color=_INK, y=0.975)
-    slot = figure.add_axes((0.685, 0.83, 0.28, 0.022))
-    bar = figure.colorbar(meshes[0], cax=slot, orientation="horizontal")
-    set_plain_ticks(bar, scale)
-    slot.set_title(scale.label, fontsize=12, color=_INK)
     figure.legend(
-        handles=_legend(), loc="upper left", bbox_to_anchor=(0.03, 0.88), frameon=False, fontsize=12
+        handles=legend_handles(), loc="outside lower center", ncols=2, frameon=False, fontsize=9
     )
-    lines = [part for line in note.splitlines() for part in wrap(line, _NOTE_WIDTH)]
-    low = 0.27 if len(faces) > 1 else 0.12
-    figure.text(0.675, low, "\n".join(lines), fontsize=11.5, color=_INK, va="top", linespacing=1.6)
-    _save(figure, path)
+    save_figure(figure, path)
 
 
-def _net_pose(spec: ObjectSpec, face: int) -> _Pose:
-    turn, right, up = _NET[face]
-    top, own = face_frames(spec)[0].half_extents_mm, face_frame(spec, face).half_extents_mm
-    distance_x, distance_y = top[0] + own[0] + _GAP_MM, top[1] + own[0] + _GAP_MM
-    return _Pose(turn, (right * distance_x, up * distance_y))
-
-
-def _draw_face(
+def draw_face(
     axes: Any,
     values: Float[np.ndarray, "place"],
     spec: ObjectSpec,
     face: int,
     scale: MapScale,
-    pose: _Pose,
-    font_size: float,
+    pose: Pose,
+    inches_per_mm: float,
 ) -> Any:
+    """Draw one face's map, parts and numbers into axes in mm, and return its coloured mesh."""
     from matplotlib.patches import Ellipse, Rectangle
 
     grid, move, frame = contact_grid(spec), pose.transform(axes), face_frame(spec, face)
     half_x, half_y = frame.half_extents_mm
-    outline = Rectangle((-half_x, -half_y), 2 * half_x, 2 * half_y, fc=_BLANK, ec=_FRAME, lw=1.2)
+    outline = Rectangle((-half_x, -half_y), 2 * half_x, 2 * half_y, fc=BLANK, ec=FRAME, lw=1.2)
     if frame.round:
-        outline = Ellipse((0, 0), 2 * half_x, 2 * half_y, fc=_BLANK, ec=_FRAME, lw=1.2)
+        outline = Ellipse((0, 0), 2 * half_x, 2 * half_y, fc=BLANK, ec=FRAME, lw=1.2)
     axes.add_patch(_placed(outline, move))
     corners = pose.apply(np.array([[-half_x, -half_y], [half_x, half_y]]))
     axes.update_datalim(corners)
@@ -187,30 +116,12 @@ def _draw_face(
     edges = [_cell_edges(axis, spec.contact_grid.pitch_mm) for axis in (grid.x_mm, grid.y_mm)]
     mesh = axes.pcolormesh(
         *edges, shown.T, norm=scale.norm, cmap=scale.colours, transform=move, zorder=2,
-        edgecolors=_PAPER, linewidth=0.6,
+        edgecolors=PAPER, linewidth=0.6,
     )  # fmt: skip
     _draw_parts(axes, spec, face, move)
-    _write_numbers(axes, pose.apply(grid.xy_mm), shown.ravel(), scale, font_size)
+    cell_inches = spec.contact_grid.pitch_mm * inches_per_mm
+    _write_numbers(axes, pose.apply(grid.xy_mm), shown.ravel(), scale, cell_inches)
     return mesh
-
-
-def _draw_directions(
-    axes: Any,
-    spec: ObjectSpec,
-    direction_deg: Float[np.ndarray, "place"],
-    blind: Bool[np.ndarray, "place"],
-    pose: _Pose,
-) -> None:
-    from matplotlib.collections import LineCollection
-    from matplotlib.patheffects import withStroke
-
-    turn = np.deg2rad(direction_deg[blind])
-    half = 0.45 * spec.contact_grid.pitch_mm * np.column_stack([np.cos(turn), np.sin(turn)])
-    centre = contact_grid(spec).xy_mm[blind]
-    ends = np.stack([pose.apply(centre - half), pose.apply(centre + half)], axis=1)
-    lines = LineCollection(list(ends), colors=_INK, linewidths=1.3, zorder=4)
-    lines.set_path_effects([withStroke(linewidth=2.6, foreground=_PAPER)])
-    axes.add_collection(lines)
 
 
 def _draw_parts(axes: Any, spec: ObjectSpec, face: int, move: Any) -> None:
@@ -233,11 +144,12 @@ def _draw_parts(axes: Any, spec: ObjectSpec, face: int, move: Any) -> None:
         for x, y in _sensors_in_plane(spec, face)
     ]
     for patch in patches:
-        patch.set_path_effects([withStroke(linewidth=3.4, foreground=_PAPER)])
+        patch.set_path_effects([withStroke(linewidth=3.4, foreground=PAPER)])
         axes.add_patch(_placed(patch, move, zorder=3))
 
 
 def _placed(patch: Any, transform: Any, zorder: float = 1) -> Any:
+    """The patch, moved by a transform."""
     patch.set(transform=transform, zorder=zorder)
     return patch
 
@@ -253,8 +165,9 @@ def _sensors_in_plane(spec: ObjectSpec, face: int) -> Float[np.ndarray, "sensor 
 
 
 def _write_numbers(
-    axes: Any, xy_mm: Float[np.ndarray, "place 2"], shown: Any, scale: MapScale, font_size: float
+    axes: Any, xy_mm: Float[np.ndarray, "place 2"], shown: Any, scale: MapScale, cell_inches: float
 ) -> None:
+    """Each place's value in its cell, in the size that the longest of them allows."""
     from matplotlib import colormaps
     from matplotlib.patheffects import withStroke
 
@@ -262,14 +175,25 @@ def _write_numbers(
     luminance = np.where(colours <= 0.03928, colours / 12.92, ((colours + 0.055) / 1.055) ** 2.4)
     light = luminance @ [0.2126, 0.7152, 0.0722] > 0.18
     blank = np.ma.getmaskarray(shown)
+    texts = [
+        "∞" if hidden else _number(float(value)) for value, hidden in zip(shown, blank, strict=True)
+    ]
+    font_size = _fitting_font(texts, cell_inches)
+    if font_size < _SMALLEST_FONT:
+        return
     for place, (x, y) in enumerate(xy_mm):
-        text = "∞" if blank[place] else _number(float(shown[place]))
-        ink = _INK if light[place] or blank[place] else "white"
+        ink = INK if light[place] or blank[place] else "white"
         number = axes.text(
-            x, y, text, ha="center", va="center", fontsize=font_size, color=ink, zorder=6
+            x, y, texts[place], ha="center", va="center", fontsize=font_size, color=ink, zorder=6
         )
-        under = _BLANK if blank[place] else colours[place]
+        under = BLANK if blank[place] else colours[place]
         number.set_path_effects([withStroke(linewidth=2.2, foreground=under)])
+
+
+def _fitting_font(texts: list[str], cell_inches: float) -> float:
+    """Size in points at which the longest number takes nine tenths of a cell's width at most."""
+    lengths = [_DIGIT_EM * len(text) - (_DIGIT_EM - _POINT_EM) * text.count(".") for text in texts]
+    return min(_LARGEST_FONT, 0.9 * 72 * cell_inches / max(_USUAL_EM, *lengths))
 
 
 def _number(value: float) -> str:
@@ -277,19 +201,8 @@ def _number(value: float) -> str:
     return f"{value:.{digits}f}"
 
 
-def _draw_axes_arrows(axes: Any, pose: _Pose, half_x: float, half_y: float) -> None:
-    """The face's own x and y, from its corner of smallest x and y."""
-    start = np.array([1.5 - half_x, 1.5 - half_y])
-    for direction, name in (((5.0, 0.0), "x"), ((0.0, 5.0), "y")):
-        tail, tip = pose.apply(start), pose.apply(start + direction)
-        axes.annotate(
-            "", tip, tail, arrowprops={"arrowstyle": "-|>", "color": _FRAME, "lw": 1.2}, zorder=5
-        )
-        at = pose.apply(start + 1.28 * np.array(direction))
-        axes.text(*at, name, ha="center", va="center", fontsize=9, color=_FRAME, style="italic")
-
-
-def _legend() -> list[Any]:
+def legend_handles() -> list[Any]:
+    """Marks of a magnet and of a sensor, for a legend."""
     from matplotlib.lines import Line2D
 
     common: dict[str, Any] = {"ls": "", "mfc": "none"}
@@ -301,11 +214,4 @@ def _legend() -> list[Any]:
 
 def _tidy(axes: Any) -> None:
     axes.spines[["top", "right"]].set_visible(False)
-    axes.set_facecolor(_PAPER)
-
-
-def _save(figure: Any, path: Path | str) -> None:
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-
-    with atomic_path(path) as temporary:
-        FigureCanvasAgg(figure).print_png(temporary, metadata={"Software": None})
+    axes.set_facecolor(PAPER)

@@ -8,12 +8,12 @@ from typing import Any
 
 import numpy as np
 
-from design.files import atomic_path
 from design.layout.body import face_frame
 from design.layout.pockets import sensor_places
 from design.layout.positions import contact_grid
 from design.spec.object import ObjectSpec
 from estimator.information.identifiability import Identifiability
+from instobj.figures.saving import save_figure
 
 _COLOURS = {1: "#1b6ca8", 2: "#c8553d", 3: "#6a994e"}
 _PANELS = {
@@ -54,7 +54,7 @@ def draw_identifiability(
     figure.suptitle(
         f"How well k contacts of {spec.score.force_n:g} N each on one face can be located at once"
     )
-    _save(figure, path)
+    save_figure(figure, path)
 
 
 def _draw_line(axes: Any, rows: Sequence[Identifiability], top_mm: float) -> None:
@@ -90,7 +90,7 @@ def draw_blindest(spec: ObjectSpec, rows: Sequence[Identifiability], path: Path 
         "Blindest sets of contacts: shifts (arrows, nine times larger) and forces whose change together "
         "is seen least"
     )
-    _save(figure, path)
+    save_figure(figure, path)
 
 
 def _draw_set(axes: Any, spec: ObjectSpec, row: Identifiability) -> None:
@@ -117,8 +117,3 @@ def _draw_set(axes: Any, spec: ObjectSpec, row: Identifiability) -> None:
     axes.set(aspect="equal", xlabel=f"x of face {worst.face} (mm)", ylabel="y (mm)")
     axes.set_title(f"{row.contacts} contact{'s' if row.contacts > 1 else ''}: {told}")
     axes.autoscale_view()
-
-
-def _save(figure: Any, path: Path | str) -> None:
-    with atomic_path(path) as temporary:
-        figure.savefig(temporary, dpi=130)

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from design.files import atomic_path
 from design.layout.positions import sensor_layout
 from design.spec.object import ObjectSpec
+from instobj.figures.saving import save_figure
 
 if TYPE_CHECKING:
     from fem.presses.joint import JointPress
@@ -44,8 +44,7 @@ def draw_loads(spec: ObjectSpec, pressed: Pressed, change: np.ndarray, path: Pat
     else:
         _draw_sinks(travel_axes, pressed)
     _draw_signals(signal_axes, spec, change)
-    with atomic_path(path) as temporary:
-        figure.savefig(temporary, dpi=130)
+    save_figure(figure, path)
 
 
 def _draw_travel(axes: Any, pressed: Pressed) -> None:

@@ -1,4 +1,4 @@
-"""The maps that a run writes: one per face and score, on one scale over all faces."""
+"""Maps that a run writes: one per face and score, on one scale over all faces."""
 
 from __future__ import annotations
 
@@ -12,13 +12,9 @@ from design.spec.object import ObjectSpec
 from estimator.information.cross_face import RELATIONS, CrossFace
 from estimator.information.scores import PlaceScores, weakest_place
 from estimator.information.shear import ShearScores
-from instobj.figures.heatmaps import (
-    BOUND_COLOURS,
-    GAIN_COLOURS,
-    draw_face_heatmap,
-    draw_overview,
-    finite_limits,
-)
+from instobj.figures.heatmaps import draw_face_heatmap
+from instobj.figures.map_scale import BOUND_COLOURS, GAIN_COLOURS, finite_limits
+from instobj.figures.overview import draw_overview
 
 OVERVIEW = "position_bound_overview.png"
 

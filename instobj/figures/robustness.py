@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from design.files import atomic_path
 from design.spec.object import ObjectSpec
+from instobj.figures.saving import save_figure
 
 if TYPE_CHECKING:
     from estimator.tolerances.result import Robustness, Spread
@@ -39,8 +39,7 @@ def draw_robustness(spec: ObjectSpec, budget: Robustness, path: Path) -> None:
         f"{spec.name}: what one standard deviation of each tolerance does to a press of "
         f"{budget.force_n:g} N, read by an estimator calibrated on the design"
     )
-    with atomic_path(path) as temporary:
-        figure.savefig(temporary, dpi=120)
+    save_figure(figure, path)
 
 
 def _draw_panel(axes: Any, rows: tuple[Spread, ...], median: str, worst: str, scale: float) -> None:

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from design.body.surface_chart import FaceFrame
-from design.files import atomic_path
 from design.layout.body import face_frames
+from instobj.figures.saving import save_figure
 
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
@@ -57,8 +57,7 @@ def draw_sections(panels: list[SectionPanel], path: Path) -> None:
     axes = figure.subplots(len(panels), 1, squeeze=False)[:, 0]
     images = [_draw(one, panel, largest) for panel, one in zip(panels, axes, strict=True)]
     figure.colorbar(images[0], ax=list(axes), label="displacement (mm)", shrink=0.8)
-    with atomic_path(path) as temporary:
-        figure.savefig(temporary, dpi=130)
+    save_figure(figure, path)
 
 
 def draw_press_sections(spec: ObjectSpec, press: LargeStrainPress, path: Path) -> None:

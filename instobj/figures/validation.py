@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from design.files import atomic_path
 from design.spec.object import ObjectSpec
+from instobj.figures.saving import save_figure
 
 if TYPE_CHECKING:
     from estimator.calibration.recorded_presses import RecordedPresses
@@ -37,8 +37,7 @@ def draw_validation(
         f"{spec.name}: predicted against {len(presses)} recorded presses of "
         f"{len(presses.cases)} sets of places"
     )
-    with atomic_path(path) as temporary:
-        figure.savefig(temporary, dpi=120)
+    save_figure(figure, path)
 
 
 def _draw_scatter(

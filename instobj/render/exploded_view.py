@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 from jaxtyping import Float
 
-from design.files import atomic_path
 from design.spec.object import ObjectSpec
+from instobj.figures.saving import save_figure
 from instobj.render.parts import load_stl
 from instobj.render.pieces import Piece, moved, picture_of
 
@@ -45,8 +45,7 @@ def draw_exploded(spec: ObjectSpec, folder: Path, png_path: Path) -> Path:
             height = (seen[:, 1].min() + seen[:, 1].max()) / 2
             axes.text(right + 2, height, piece.label, va="center", fontsize=12)
     axes.set_axis_off()
-    with atomic_path(png_path) as path:
-        figure.savefig(path, dpi=90, format="png", bbox_inches="tight")
+    save_figure(figure, png_path)
     return png_path
 
 

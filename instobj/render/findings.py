@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from design.fabrication.finding import Finding
-from design.files import atomic_path
+from instobj.figures.saving import save_figure
 from instobj.render.parts import (
     DepthImage,
     PartView,
@@ -50,8 +50,7 @@ def draw_findings(
         places[0].text(0.5, 0.5, "no place to mark: all checks pass", ha="center", fontsize=14)
     for axes, (part, found) in zip(places, marked.items(), strict=False):
         _draw_part(axes, part, meshes[part], found)
-    with atomic_path(png_path) as path:
-        figure.savefig(path, dpi=100, format="png")
+    save_figure(figure, png_path)
     return png_path
 
 

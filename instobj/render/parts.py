@@ -15,7 +15,7 @@ from jaxtyping import Bool, Float, Int
 
 from design.build.manifest import MANIFEST_NAME, BuildManifest, PartManifest
 from design.errors import InputError
-from design.files import atomic_path
+from instobj.figures.saving import save_figure
 
 if TYPE_CHECKING:
     import trimesh
@@ -112,8 +112,7 @@ def draw_parts(folder: Path | str, png_path: Path | str) -> Path:
     for axes, view in zip(places, views, strict=False):
         _draw_view(axes, view, load_stl(folder / f"{view.part}.stl"), manifest.part(view.part))
     target = Path(png_path)
-    with atomic_path(target) as path:
-        figure.savefig(path, dpi=110, format="png")
+    save_figure(figure, target)
     return target
 
 

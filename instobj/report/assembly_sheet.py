@@ -1,12 +1,13 @@
-"""A sheet for the workbench, as one page to print: what goes where, which way round, in what order."""
+"""Assembly sheet for the workbench, one page to print: what goes where, which way round, in what order."""
 
 from __future__ import annotations
 
-import html
+from collections.abc import Collection, Sequence
 from math import degrees
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
+from design.body.surface_chart import FaceFrame
 from design.build.bom import bill_of_materials, silicone_amount
 from design.build.manifest import BuildManifest
 from design.layout.boards import wire_bundle_mm
@@ -14,94 +15,92 @@ from design.layout.body import core_frames, face_frames
 from design.layout.mould_frame import mould_frame, mould_style, opening_of
 from design.layout.pockets import sensor_places
 from design.spec.object import ObjectSpec
-from instobj.report import elements
+from instobj.report.pages import render
 
-_STYLE = """
-body { font: 11pt/1.4 system-ui, sans-serif; color: #111; max-width: 190mm; margin: 8mm auto; }
-h1 { font-size: 18pt; margin: 0 0 2mm; } h2 { font-size: 13pt; margin: 7mm 0 2mm; }
-table { border-collapse: collapse; font-size: 9.5pt; } img { max-width: 100%; max-height: 150mm; }
-td, th { border-bottom: 0.2mm solid #bbb; padding: 0.8mm 2.5mm; text-align: left; }
-.faces { display: flex; flex-wrap: wrap; gap: 4mm; } figure { margin: 0; }
-figcaption { font-size: 9.5pt; text-align: center; } li { margin: 1mm 0; }
-.note { color: #444; font-size: 9.5pt; }
-h2, figure, tr, li { break-inside: avoid; } h2 { break-after: avoid; }
-@page { size: A4; margin: 12mm; }
-"""
+if TYPE_CHECKING:
+    from design.mould.pins import PinKind
+
 _NORTH, _SOUTH = "#c1121f", "#1d4e9e"
 _FACE_MM = 55.0
+_BORDER_MM = 4.0
 
 
-def assembly_sheet(spec: ObjectSpec, manifest: BuildManifest, exploded_png: Path) -> str:
-    """The page as HTML without any file beside it; print it to get a PDF."""
-    body = "".join(
-        (
-            f"<h1>{html.escape(spec.name)}: assembly</h1>",
-            f'<p class="note">Specification {manifest.spec_hash[:16]}. Lengths in mm. z points away '
-            "from the open face, face 1 outwards.</p>",
-            elements.image(exploded_png, "Exploded view"),
-            "<h2>Magnets: poles seen from outside</h2>",
-            _polarity_section(spec),
-            "<h2>Sensors and wires</h2>",
-            _wire_section(spec),
-            "<h2>Steps</h2>",
-            f"<ol>{''.join(f'<li>{html.escape(step)}</li>' for step in steps(spec))}</ol>",
-            "<h2>Materials</h2>",
-            _bom_table(spec, manifest),
-        )
-    )
-    return (
-        '<!DOCTYPE html><html lang="en"><head><meta charset="utf-8">'
-        f"<title>{html.escape(spec.name)}: assembly</title><style>{_STYLE}</style></head>"
-        f"<body>{body}</body></html>\n"
-    )
+def assembly_sheet(
+    spec: ObjectSpec, manifest: BuildManifest, exploded_png: Path, pins: Sequence[PinKind] = ()
+) -> str:
+    """The page as HTML without any file beside it; print it to get a PDF.
 
-
-def _polarity_section(spec: ObjectSpec) -> str:
+    `pins` are the loose pins of a split mould (`design.mould.pins.pins_by_kind`).
+    """
+    parts = [part.name for part in manifest.parts]
     frames = face_frames(spec) if spec.arrangement == "sensors-in-core" else core_frames(spec)
-    figures = "".join(_polarity_figure(spec, frame) for frame in frames)
-    text = (
-        "Lay the magnet template on the face, its lips over the edges at −x and −y. Check every pole "
-        "with a marked magnet before sealing."
+    return render(
+        "assembly.html.j2",
+        spec=spec,
+        hash=manifest.spec_hash[:16],
+        exploded=exploded_png,
+        faces=[_face(spec, frame, pins) for frame in frames],
+        template=has_template(parts),
+        sensors=_sensors(spec),
+        bundle_mm=wire_bundle_mm(spec),
+        pins=_pin_rows(pins),
+        steps=steps(spec, parts),
+        materials=_materials(spec, manifest),
     )
-    return f'<div class="faces">{figures}</div><p class="note">{text}</p>'
 
 
-def _polarity_figure(spec: ObjectSpec, frame: Any) -> str:
+def has_template(parts: Collection[str]) -> bool:
+    """Whether a magnet template is among the names of the parts."""
+    return any(name.startswith("magnet_template") for name in parts)
+
+
+def _face(spec: ObjectSpec, frame: FaceFrame, pins: Sequence[PinKind]) -> dict[str, Any]:
     """One face seen from outside, x to the right and y up, each magnet with its outward pole."""
     half_x, half_y = frame.half_extents_mm
-    radius = (
-        max(spec.magnets.size_mm) / 2
-        if spec.magnets.shape == "block"
-        else spec.magnets.diameter_mm / 2
-    )
-    marks = []
-    for index, ((x, y), way) in enumerate(
-        zip(spec.magnets.positions_mm, spec.magnets.polarities, strict=True), start=1
-    ):
+    block = spec.magnets.shape == "block"
+    radius = max(spec.magnets.size_mm) / 2 if block else spec.magnets.diameter_mm / 2
+    magnets = []
+    for (x, y), way in zip(spec.magnets.positions_mm, spec.magnets.polarities, strict=True):
         pole, colour = ("N", _NORTH) if way > 0 else ("S", _SOUTH)
-        marks.append(
-            f'<circle cx="{x:g}" cy="{-y:g}" r="{radius:g}" fill="{colour}"/>'
-            f'<text x="{x:g}" y="{-y + 1.2:g}" font-size="3.6" fill="#fff" text-anchor="middle">'
-            f"{pole}</text>"
-            f'<text x="{x + radius + 0.6:g}" y="{-y - radius + 1:g}" font-size="3">{index}</text>'
+        pin = _pin_at(pins, frame.number, x, y)
+        magnets.append(
+            {"x": x, "y": y, "radius": radius, "pole": pole, "colour": colour, "pin": pin}
         )
-    border = 4.0
-    view = f"{-half_x - border:g} {-half_y - border:g} {2 * (half_x + border):g} {2 * (half_y + border):g}"
-    axes = (
-        f'<path d="M {-half_x + 1:g} {half_y - 1:g} h 6 m 0 0 l -1.5 -0.9 m 1.5 0.9 l -1.5 0.9 '
-        f'M {-half_x + 1:g} {half_y - 1:g} v -6 m 0 0 l -0.9 1.5 m 0.9 -1.5 l 0.9 1.5" '
-        'stroke="#111" stroke-width="0.35" fill="none"/>'
-        f'<text x="{-half_x + 8:g}" y="{half_y - 0.3:g}" font-size="3">x</text>'
-        f'<text x="{-half_x + 0.2:g}" y="{half_y - 8:g}" font-size="3">y</text>'
-    )
-    axis = _axis_name(frame.normal)
-    return (
-        f'<figure><svg width="{_FACE_MM}mm" viewBox="{view}">'
-        f'<rect x="{-half_x:g}" y="{-half_y:g}" width="{2 * half_x:g}" height="{2 * half_y:g}" '
-        f'fill="#f7f0e0" stroke="#111" stroke-width="0.4"/>{axes}{"".join(marks)}</svg>'
-        f"<figcaption>face {frame.number} ({axis}); x = {_axis_name(frame.x)}, "
-        f"y = {_axis_name(frame.y)}</figcaption></figure>"
-    )
+    low_x, low_y = half_x + _BORDER_MM, half_y + _BORDER_MM
+    return {
+        "number": frame.number,
+        "round": frame.round,
+        "half_x": half_x,
+        "half_y": half_y,
+        "width_mm": _FACE_MM,
+        "view": f"{-low_x:g} {-low_y:g} {2 * low_x:g} {2 * low_y:g}",
+        "arrows": f"M {1 - half_x:g} {half_y - 1:g} h 6 m 0 0 l -1.5 -0.9 m 1.5 0.9 l -1.5 0.9 "
+        f"M {1 - half_x:g} {half_y - 1:g} v -6 m 0 0 l -0.9 1.5 m 0.9 -1.5 l 0.9 1.5",
+        "magnets": magnets,
+        "axis": _axis_name(frame.normal),
+        "x_axis": _axis_name(frame.x),
+        "y_axis": _axis_name(frame.y),
+    }
+
+
+def _pin_at(pins: Sequence[PinKind], face: int, x_mm: float, y_mm: float) -> str:
+    """The number of the pin that forms this pocket; nothing where its boss is fixed."""
+    for number, kind in enumerate(pins, start=1):
+        if any(
+            place[0] == face and abs(place[1] - x_mm) < 1e-6 and abs(place[2] - y_mm) < 1e-6
+            for place in kind.places
+        ):
+            return f"P{number}"
+    return ""
+
+
+def _pin_rows(pins: Sequence[PinKind]) -> list[list[str]]:
+    rows = []
+    for number, kind in enumerate(pins, start=1):
+        places = ", ".join(f"{face} ({x:g}, {y:g})" for face, x, y in kind.places)
+        held = "; also holds the core" if kind.holds_core else ""
+        rows.append([f"P{number}", kind.name, str(kind.count), places + held])
+    return rows
 
 
 def _axis_name(direction: Any) -> str:
@@ -110,7 +109,7 @@ def _axis_name(direction: Any) -> str:
     return ("+" if direction[strongest] > 0 else "−") + "xyz"[strongest]
 
 
-def _wire_section(spec: ObjectSpec) -> str:
+def _sensors(spec: ObjectSpec) -> list[list[str]]:
     wires = spec.core.wires_per_sensor
     rows = []
     number = 0
@@ -120,31 +119,19 @@ def _wire_section(spec: ObjectSpec) -> str:
             turn = f"{degrees(azimuth) % 360:.0f}°"
             number += 1
             at = f"{round(x, 2) + 0.0:.2f}, {round(y, 2) + 0.0:.2f}"
-            cells = (f"{number}", f"{frame.number}", f"{index}", at, turn, ends)
-            rows.append("".join(f"<td>{cell}</td>" for cell in cells))
-    head = "".join(
-        f"<th>{name}</th>"
-        for name in ("sensor", "face", "on it", "x, y", "azimuth from x", "wires no.")
-    )
-    table = "".join(f"<tr>{row}</tr>" for row in rows)
-    text = (
-        f"Chips face {spec.sensors.chip}. {wires} wires a sensor (supply, ground, data, clock where "
-        f"there are four) leave through the hole at the face's middle as a bundle of about "
-        f"{wire_bundle_mm(spec):.1f} mm and through the open face. Sensors of one type share few bus "
-        "addresses: give each its own channel of a multiplexer, in the order of this list."
-    )
-    return f"<table><tr>{head}</tr>{table}</table><p class='note'>{html.escape(text)}</p>"
+            rows.append([f"{number}", f"{frame.number}", f"{index}", at, turn, ends])
+    return rows
 
 
-def steps(spec: ObjectSpec) -> list[str]:
-    """What to do, in order, with the figures of this object."""
+def steps(spec: ObjectSpec, parts: Collection[str]) -> list[str]:
+    """What to do, in order, with the figures of this object and the parts that were built."""
     first = ["Print all parts; remove strings and slivers, and see that the sliding parts move."]
     if spec.printer.process == "resin" and spec.silicone.cure == "platinum":
         first.append(
             "Printed resin inhibits platinum silicone: wash, cure under UV, bake at 60 °C for hours "
             "and coat the mould; try a spoonful on a scrap first."
         )
-    return [*first, *_casting_steps(spec), *_joining_steps(spec)]
+    return [*first, *_casting_steps(spec), *_joining_steps(spec, parts)]
 
 
 def _casting_steps(spec: ObjectSpec) -> list[str]:
@@ -195,9 +182,10 @@ def _closed(spec: ObjectSpec) -> str:
         "closed": " round the core",
     }[opening_of(spec)]
     pins = (
-        "push all pins in to their heads, the locating pins into the core's wire holes"
+        "push all pins in to their heads, each where the table of pins says, the locating pins into the "
+        "core's wire holes"
         if opening_of(spec) == "closed"
-        else "push all pins in to their heads"
+        else "push all pins in to their heads, each where the table of pins says"
     )
     return f"Join the mould's halves on their dowels{core}, bolt the flanges, {pins}."
 
@@ -236,8 +224,9 @@ def _opened(spec: ObjectSpec) -> str:
     )
 
 
-def _joining_steps(spec: ObjectSpec) -> list[str]:
+def _joining_steps(spec: ObjectSpec, parts: Collection[str]) -> list[str]:
     in_shell = "magnets" if spec.arrangement == "sensors-in-core" else "sensor boards"
+    by = "the template and the maps" if has_template(parts) else "the maps"
     layer = spec.shell.seal_layer_mm
     seal = (
         f"Put the shell on its plug into the seal box and pour the layer of {layer:g} mm over all faces."
@@ -257,32 +246,27 @@ def _joining_steps(spec: ObjectSpec) -> list[str]:
     )
     return [
         *([] if held else [_glued(spec)]),
-        f"Set the {in_shell} on the floors of the shell's pockets, by the template and the maps above.",
+        f"Set the {in_shell} on the floors of the shell's pockets, by {by} above.",
         seal,
         *([] if held else [core]),
         *([wires] if opening_of(spec) == "closed" else []),
         "Read all sensors at rest and run `instobj selftest`: it finds flipped magnets and swapped "
         "channels.",
-        "Put the object on its jig, align the jig's grooves with the machine, and calibrate.",
+        "Put the object on its jig, align the jig's grooves with the machine, and calibrate."
+        if "jig" in parts
+        else "Hold the object in the machine so that its axes are known (it has no printed jig), and "
+        "calibrate.",
     ]
 
 
-def _bom_table(spec: ObjectSpec, manifest: BuildManifest) -> str:
-    head = "".join(f"<th>{name}</th>" for name in ("item", "count", "cm³", "g", "note"))
-    rows = "".join(
-        "<tr>"
-        + "".join(
-            f"<td>{html.escape(text)}</td>"
-            for text in (
-                item.item,
-                str(item.count),
-                "" if item.volume_cm3 is None else f"{item.volume_cm3:.2f}",
-                "" if item.mass_g is None else f"{item.mass_g:.1f}",
-                item.note,
-            )
-        )
-        + "</tr>"
+def _materials(spec: ObjectSpec, manifest: BuildManifest) -> list[list[str]]:
+    return [
+        [
+            item.item,
+            str(item.count),
+            "" if item.volume_cm3 is None else f"{item.volume_cm3:.2f}",
+            "" if item.mass_g is None else f"{item.mass_g:.1f}",
+            item.note,
+        ]
         for item in bill_of_materials(spec, manifest)
-    )
-    text = "Prints are counted as solid: with infill they take less."
-    return f"<table><tr>{head}</tr>{rows}</table><p class='note'>{text}</p>"
+    ]

@@ -1,56 +1,89 @@
-"""The report's words on the core: what its slip costs, and where a sliding shell would lift off."""
+"""The core in the report: what its slip costs, and where a sliding shell would lift off."""
 
 from __future__ import annotations
 
-import json
-from html import escape
 from pathlib import Path
+from typing import Any
+
+from markupsafe import Markup
 
 from design.spec.object import ObjectSpec
-from instobj.report import elements
+from instobj.report.pages import render
+from instobj.store import readers
+
+_MODELS = ("fem", "sensors-only")
+_ROWS = {
+    "resting signal, median sensor, counts": "baseline_median_counts",
+    "resting signal, worst sensor, counts": "baseline_largest_counts",
+    "resting signal, median sensor, σ": "baseline_median_sigma",
+    "resting signal, worst sensor, σ": "baseline_largest_sigma",
+    "pattern of a press: cosine, median": "cosine_median",
+    "pattern of a press: cosine, worst place": "cosine_worst",
+    "size of a press's signal, smallest ratio": "size_ratio_smallest",
+    "size of a press's signal, largest ratio": "size_ratio_largest",
+    "false place, mm, median, old zero": "false_place_mm_median",
+    "false place, mm, worst, old zero": "false_place_mm_worst",
+    "false force, N, median, old zero": "false_force_n_median",
+    "false force, N, worst, old zero": "false_force_n_worst",
+    "false place, mm, median, re-zeroed": "rezeroed_place_mm_median",
+    "false place, mm, worst, re-zeroed": "rezeroed_place_mm_worst",
+    "false force, N, median, re-zeroed": "rezeroed_force_n_median",
+    "false force, N, worst, re-zeroed": "rezeroed_force_n_worst",
+}
+
+FIGURES = tuple(_ROWS.values())
+"""Names of the figures of a slip that tables show, of those that the stage stores."""
 
 
-def core_section(spec: ObjectSpec, presses: Path, scratch: Path) -> str:
+def core_section(spec: ObjectSpec, presses: Path, slip: Path) -> Markup:
     """HTML; empty for a bonded core that has not slipped.
 
-    `presses` is the folder of the presses' stage. The slip is measured by both models against the
-    object as calibrated; its simulation is made, or reused from the store, here.
+    `presses` and `slip` are the folders of these stages.
     """
-    tension = presses / "core_tension.json"
-    if tension.exists():
-        return _sliding(json.loads(tension.read_text(encoding="utf-8")))
-    return _slipped(spec, scratch) if spec.mechanics.slip.slipped else ""
-
-
-def _sliding(tension: dict[str, float]) -> str:
-    place = ", ".join(f"{tension[f'{axis}_mm']:.3g}" for axis in "xyz")
-    drop = 100 * tension["force_drop_where_it_lifts_off"]
-    return (
-        "<h2>Sliding core</h2><p>The shell slides on its core; the table of presses takes it never to "
-        f"lift off. It would: tension reaches {tension['largest_tension_kpa_per_n']:.3g} kPa per "
-        f"newton of press force, at ({place}) mm, under a press on face {tension['press_face']:g} at "
-        f"({tension['press_x_mm']:.3g}, {tension['press_y_mm']:.3g}) mm. On a core that only pushes "
-        f"that press takes {drop:.3g} % less force at the deepest travel: so much softer than shown "
-        "is the worst place where the silicone does not stick. <code>instobj press</code> and "
-        "<code>instobj grasp</code> let it lift off.</p>"
-    )
-
-
-def _slipped(spec: ObjectSpec, scratch: Path) -> str:
-    from instobj.commands.slip import comparison_rows, draw_slip, slip_costs, slip_title, summary
-
-    slip = spec.mechanics.slip.model_dump(mode="json")
-    _, costs = slip_costs(spec, slip)
-    figure = scratch / "slip.png"
-    draw_slip(spec, costs, figure, slip_title(slip))
-    rows = comparison_rows({model: summary(cost) for model, cost in costs.items()})
+    tension = readers.CORE_TENSION.read(presses)
+    if tension is not None:
+        return render("core.html.j2", tension=tension)
+    if not spec.mechanics.slip.slipped:
+        return Markup()
+    content = readers.SLIP.read(slip)
+    rows = comparison_rows(content["models"])
     columns = ("fem", "sensors-only", "its error")
-    cells = [[row["what"], *(f"{row[name]:.3g}" for name in columns)] for row in rows]
-    return (
-        f"<h2>Slipped core</h2><p>{escape(slip_title(slip))}. Signals in this report are those of the "
-        f"model {escape(slip['model'])!r}. The table reads them as an estimator calibrated before the "
-        "slip would, linearised, from each face's own channels; the last column is what moving the "
-        "sensors alone gets wrong.</p>"
-        + elements.image(figure, "Cost of the slip")
-        + elements.table(list(rows[0]), cells)
+    return render(
+        "core.html.j2",
+        tension=None,
+        slip=slip_title(content["slip"]),
+        model=spec.mechanics.slip.model,
+        figure=readers.SLIP_PICTURE.path(slip),
+        header=list(rows[0]),
+        rows=[[row["what"], *(f"{row[name]:.3g}" for name in columns)] for row in rows],
     )
+
+
+def comparison_rows(numbers: dict[str, dict[str, float]]) -> list[dict[str, Any]]:
+    """One row a figure, one column a model, and the error of moving the sensors alone."""
+    rows = []
+    for title, key in _ROWS.items():
+        fem, approximate = (numbers[model][key] for model in _MODELS)
+        rows.append(
+            {
+                "what": title,
+                "fem": fem,
+                "sensors-only": approximate,
+                "its error": approximate - fem,
+            }
+        )
+    return rows
+
+
+def slip_title(slip: dict[str, Any]) -> str:
+    """The slip in words."""
+    parts = []
+    if any(slip["shift_mm"]):
+        parts.append("shift " + _vector(slip["shift_mm"]) + " mm")
+    if any(slip["rotation_deg"]):
+        parts.append("rotation " + _vector(slip["rotation_deg"]) + "°")
+    return f"core slipped: {', '.join(parts)}, rim {slip['rim']}"
+
+
+def _vector(values: tuple[float, float, float]) -> str:
+    return "(" + ", ".join(f"{value:g}" for value in values) + ")"

@@ -1,25 +1,35 @@
-"""The report's words on deformation: a section, and how far small strain can be trusted."""
+"""Deformation in the report: compliance, a section, and how far small strain can be trusted."""
 
 from __future__ import annotations
 
 from pathlib import Path
 from typing import Any
 
+from markupsafe import Markup
+
 from design.spec.object import ObjectSpec
-from instobj.report import elements
-from instobj.store.readers import large_strain_content
+from instobj.report.pages import render
+from instobj.store import readers
 
 
-def deformation_section(spec: ObjectSpec, inputs: dict[str, Path], protocol: dict[str, Any]) -> str:
+def deformation_section(
+    spec: ObjectSpec, inputs: dict[str, Path], protocol: dict[str, Any]
+) -> Markup:
     """HTML: section through the deformed shell, error of small strain, its correction."""
-    content = large_strain_content(inputs["large_strain"])
-    parts = ["<h2>Deformation</h2>", _figure(inputs["shapes"] / "shapes" / "section.png")]
-    if content["correction"] is None:
-        parts.append(elements.note(envelope_text(spec, protocol)))
-    else:
-        parts.append(_presses(content))
-        parts.append(elements.note(correction_text(content)))
-    return "".join(parts)
+    content = readers.LARGE_STRAIN.read(inputs["large_strain"])
+    corrected = content["correction"] is not None
+    section = inputs["shapes"] / "shapes" / "section.png"
+    return render(
+        "deformation.html.j2",
+        section=section if section.is_file() else None,
+        presses=_presses(content) if corrected else [],
+        text=correction_text(content) if corrected else envelope_text(spec, protocol),
+    )
+
+
+def compliance_section(folder: Path) -> Markup:
+    """HTML: the map of compliance that the stage `tied_compliance` drew into its folder."""
+    return render("compliance.html.j2", map=readers.TIED_COMPLIANCE_MAP.path(folder))
 
 
 def envelope_text(spec: ObjectSpec, protocol: dict[str, Any]) -> str:
@@ -42,9 +52,9 @@ def envelope_text(spec: ObjectSpec, protocol: dict[str, Any]) -> str:
         + "; ".join(parts)
         + f". Its force is 5 % off at {five:.1f} mm at the worst place, and less than 20 % off down to "
         f"{thickness / 2:g} mm. This is orientation: the largest of six neo-Hookean presses of the R5 "
-        "hemisphere on the paper's cube, scaled by depth over thickness. mechanics.correction = "
-        '"large-strain" presses this object instead and corrects the table; `instobj press` shows both '
-        "models for one press."
+        "hemisphere on a cube of 42 mm with a shell of 8 mm, scaled by depth over thickness. "
+        'mechanics.correction = "large-strain" presses this object instead and corrects the table; '
+        "`instobj press` shows both models for one press."
     )
 
 
@@ -68,14 +78,7 @@ def correction_text(content: dict[str, Any]) -> str:
     )
 
 
-def _presses(content: dict[str, Any]) -> str:
-    header = [
-        "place, mm",
-        "linear 5 % off at",
-        "20 % off at",
-        "deepest",
-        "linear / nonlinear there",
-    ]
+def _presses(content: dict[str, Any]) -> list[list[str]]:
     rows = []
     for row in content["presses"]:
         reached = row["status"] == "converged"
@@ -90,14 +93,8 @@ def _presses(content: dict[str, Any]) -> str:
                 f"{ratio:.2f}",
             ]
         )
-    return elements.table(header, rows)
+    return rows
 
 
 def _depth(value_mm: float | None) -> str:
     return "not reached" if value_mm is None else f"{value_mm:.2f} mm"
-
-
-def _figure(path: Path) -> str:
-    if not path.is_file():
-        return elements.note("No section: the shell slides on its core.")
-    return elements.image(path, "Sections through the deformed shell")

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from design.spec.object import ObjectSpec
-from instobj.report.robustness import robustness_summary
+from instobj.report.uncertainty import robustness_summary
 from instobj.store.content import StoredResult
 
 
@@ -53,7 +53,7 @@ def _json(name: str) -> Any:
 
 
 def _discretisation(result: StoredResult) -> dict[str, Any]:
-    from instobj.report.discretisation import summary_of
+    from instobj.report.uncertainty import summary_of
 
     return summary_of(_json("discretisation.json")(result))
 

@@ -1,55 +1,17 @@
-"""What surroundings, temperature and switched coils do to the channels, as figures and as lines."""
+"""Surroundings, temperature and switched coils in words: what changes channels without a press."""
 
 from __future__ import annotations
 
-from html import escape
 from typing import Any
 
-import numpy as np
+from markupsafe import Markup
 
 from design.catalogue.magnets import NDFEB_REMANENCE_PER_KELVIN
-from design.spec.object import ObjectSpec
-from design.spec.sensors import fastest_frame_rate_hz
-
-_GAPS_MM = (0.0, 10.0)
-
-
-def surroundings_row(spec: ObjectSpec) -> dict[str, Any]:
-    """Changes of resting channels in counts, worst over faces and channels, JSON-able."""
-    from estimator.signals.presses import rest_counts
-    from estimator.signals.surroundings import counts_of_states, surroundings
-
-    found = surroundings(spec, _GAPS_MM)
-    row: dict[str, Any] = {
-        "earth_field_ut": found.earth_field_ut,
-        "turning_largest_counts": round(found.turning_largest_counts, 1),
-        "turning_rms_counts": round(found.turning_rms_counts, 1),
-        "jaw_gap_mm": list(_GAPS_MM),
-        "jaw_own_face_counts": _rounded(found.jaw_counts.max(axis=0)),
-        "jaw_other_faces_counts": _rounded(found.jaw_elsewhere_counts.max(axis=0)),
-        "fastest_frame_rate_hz": round(fastest_frame_rate_hz(spec.sensors), 1),
-    }
-    if spec.magnets.kind == "coil":
-        states = counts_of_states(spec)
-        own = states[scene_faces(spec) - 1, np.arange(states.shape[1])]
-        row["coil_polarization_mt"] = round(1e3 * spec.magnets.winding_polarization_t, 3)
-        row["own_coils_counts"] = round(float(abs(own).max()), 1)
-        row["other_faces_coils_counts"] = round(float(abs(states[-1] - own).max()), 1)
-    else:
-        baseline = float(abs(rest_counts(spec)).max())
-        row["baseline_counts_per_kelvin"] = round(NDFEB_REMANENCE_PER_KELVIN * baseline, 2)
-    return row
-
-
-def scene_faces(spec: ObjectSpec) -> np.ndarray:
-    """The face of every sensor."""
-    from design.layout.positions import sensor_layout
-
-    return sensor_layout(spec).face
+from instobj.report.pages import render
 
 
 def surroundings_lines(row: dict[str, Any]) -> list[str]:
-    """The same for people."""
+    """Lines for people of the figures that the stage `surroundings` stores."""
     (touching, near), (touching_others, near_others) = (
         row[f"jaw_{whose}_counts"] for whose in ("own_face", "other_faces")
     )
@@ -75,16 +37,6 @@ def surroundings_lines(row: dict[str, Any]) -> list[str]:
     return lines
 
 
-def surroundings_section(spec: ObjectSpec) -> str:
+def surroundings_section(row: dict[str, Any]) -> Markup:
     """The report's section: what looks like a press and is none."""
-    items = "".join(
-        f"<li>{escape(line)}</li>" for line in surroundings_lines(surroundings_row(spec))
-    )
-    return (
-        "<h2>Surroundings</h2><p>What changes resting signals after they were zeroed, in counts; a "
-        f"face's own estimator takes it for a press.</p><ul>{items}</ul>"
-    )
-
-
-def _rounded(values: np.ndarray) -> list[float]:
-    return [round(float(value), 1) for value in values]
+    return render("surroundings.html.j2", lines=surroundings_lines(row))

@@ -9,8 +9,9 @@ from pathlib import Path
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec
+from instobj.stages.inputs import stage_inputs
 from instobj.stages.resources import require_memory
-from instobj.stages.table import STAGES, stage_inputs
+from instobj.stages.table import STAGES
 from instobj.store.content import StoredResult, content_key, store_root, stored
 from instobj.store.progress import ProgressLine
 from instobj.store.stage import StageContext
@@ -34,6 +35,8 @@ class Chain:
         stage = STAGES[name]
         require_memory(name, self.spec)
         needs = {need: self.require(need) for need in stage.needs}
+        for need, (other, spec) in stage.of_others(self.spec).items():
+            needs[need] = self._of(spec).require(other)
         keys = {need: result.key for need, result in needs.items()}
         inputs = stage_inputs(stage, self.spec, keys, _versions())
         folders = {need: result.folder for need, result in needs.items()}
@@ -55,6 +58,10 @@ class Chain:
         how = "reused, first made in" if result.reused else "made in"
         self.progress.say(f"{stage.title}: {how} {result.seconds:.1f} s")
         return result
+
+    def _of(self, spec: ObjectSpec) -> Chain:
+        """The chain of another specification, on the same store."""
+        return self if spec == self.spec else Chain(spec, self.progress, self.root)
 
 
 def _versions() -> dict[str, str]:

@@ -34,13 +34,18 @@ def make_sheet(context: StageContext, folder: Path) -> None:
     from design.build.bom import BOM_NAME, bill_of_materials, write_bom
     from design.build.manifest import BuildManifest
     from design.files import atomic_path
+    from design.layout.mould_frame import mould_style
+    from design.mould.pins import pins_by_kind
+    from design.mould.whole import has_mould
     from instobj.render.exploded_view import draw_exploded
     from instobj.report.assembly_sheet import assembly_sheet
 
     spec, parts = context.spec, context.inputs["build"]
     manifest = BuildManifest.read(parts)
     write_bom(bill_of_materials(spec, manifest), folder / BOM_NAME)
+    split = has_mould(spec) and mould_style(spec) == "split"
+    pins = pins_by_kind(spec) if split else []
     context.step("drawing the exploded view")
     picture = draw_exploded(spec, parts, folder / "exploded.png")
     with atomic_path(folder / "assembly.html") as path:
-        path.write_text(assembly_sheet(spec, manifest, picture), encoding="utf-8")
+        path.write_text(assembly_sheet(spec, manifest, picture, pins), encoding="utf-8")

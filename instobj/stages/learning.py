@@ -96,12 +96,14 @@ def evaluate_networks(
 ) -> None:
     """The paper's metrics of every face's network on held-out presses; writes `metrics.json`.
 
-    The split is that of the training: same data set, same seed. Ridge regression and the constant
-    mean map are evaluated beside it on the same presses.
+    `metrics/held_out.png` shows what each network reads there. The split is that of the training: same
+    data set, same seed. Ridge regression and the constant mean map are evaluated beside it on the same
+    presses.
     """
     from dataclasses import asdict
 
     from estimator.evaluation.evaluation import (
+        contact_readings,
         evaluate_face,
         evaluate_intervals,
         linear_baseline,
@@ -110,10 +112,12 @@ def evaluate_networks(
     from estimator.frames.dataset import load_frames
     from estimator.frames.splits import split_presses
     from estimator.networks.face_model import load_model
+    from instobj.figures.predictions import draw_predictions
 
     frames = load_frames(frames_path)
     split = split_presses(frames, seed)
     held_out = frames.select(split.test)
+    readings = []
     rows: dict[str, list[Any]] = {
         name: [] for name in ("faces", "intervals", "ridge_regression", "mean_map")
     }
@@ -121,8 +125,10 @@ def evaluate_networks(
         model = load_model(path)
         step(f"face {model.face}")
         rows["faces"].append(evaluate_face(model, held_out, dataset=frames).summary())
+        readings.append(contact_readings(model, held_out))
         intervals = asdict(evaluate_intervals(model, held_out))
         rows["intervals"].append({"face": model.face, **intervals})
         rows["ridge_regression"].append(linear_baseline(frames, model.face, split).summary())
         rows["mean_map"].append(mean_map_baseline(frames, model.face, split).summary())
     write_json({"split": "whole presses held out", **rows}, folder / "metrics.json")
+    draw_predictions(readings, frames.source, folder / "metrics" / "held_out.png")

@@ -34,7 +34,8 @@ def make_mesh(context: StageContext, folder: Path) -> None:
 
 def make_response(context: StageContext, folder: Path) -> None:
     """The response operator."""
-    from fem.linear.response import LOCKING_WARNING, build_response, save_response
+    from design.spec.mechanics import LOCKING_WARNING
+    from fem.linear.response import build_response, save_response
     from fem.mesh.tetrahedra import load_mesh
 
     if context.spec.mechanics.element == "p1":

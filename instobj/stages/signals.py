@@ -1,4 +1,4 @@
-"""Makers of the stages from signals to the report. Heavy imports stay inside."""
+"""Makers of the stages from signals to metrics. Heavy imports stay inside."""
 
 from __future__ import annotations
 
@@ -129,14 +129,6 @@ def make_metrics(context: StageContext, folder: Path) -> None:
 
     frames = context.inputs["frames"] / "frames.nc"
     evaluate_networks(frames, context.inputs["networks"], context.spec.seed, folder, context.step)
-
-
-def make_report(context: StageContext, folder: Path) -> None:
-    """The report page."""
-    from instobj.report.page import write_report
-
-    context.step("writing the report")
-    write_report(context.spec, context.inputs, folder / "report.html", context.step)
 
 
 def _stored_signals(context: StageContext) -> Any:

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict
-from typing import Any
-
-from design.spec.object import ObjectSpec
+from instobj.stages.alternatives import make_alternatives
 from instobj.stages.collection import make_collection
 from instobj.stages.deformation import make_large_strain, make_shapes
 from instobj.stages.fabrication import make_fabrication, make_sheet
@@ -25,18 +22,24 @@ from instobj.stages.mechanics import (
     make_response,
     make_shear,
 )
+from instobj.stages.report import (
+    make_press_curves,
+    make_report,
+    make_surroundings,
+    make_tied_compliance,
+)
 from instobj.stages.signals import (
     make_frames,
     make_identify,
     make_metrics,
     make_networks,
     make_pretraining,
-    make_report,
     make_robustness,
     make_scores,
     make_shear_scores,
     make_signals,
 )
+from instobj.stages.slip import make_slip, objects_compared
 from instobj.store.stage import Stage
 
 _WHERE_THINGS_ARE = ("body", "shell", "magnets", "arrangement")
@@ -69,7 +72,7 @@ STAGES: dict[str, Stage] = {
         ("build",),
         ("name", *_MAKING, "silicone"),
         make_sheet,
-        version=3,
+        version=4,
     ),
     "fabrication": Stage(
         "design: fabrication checks",
@@ -225,7 +228,41 @@ STAGES: dict[str, Stage] = {
         "estimator: training", ("frames",), ("training", "seed"), make_networks, version=7
     ),
     "metrics": Stage(
-        "estimator: held-out presses", ("frames", "networks"), (), make_metrics, version=2
+        "estimator: held-out presses", ("frames", "networks"), (), make_metrics, version=3
+    ),
+    "surroundings": Stage(
+        "signals: surroundings at rest",
+        (),
+        (*_WHERE_THINGS_ARE, "core", "sensors", "environment", "as_built", "mechanics.slip"),
+        make_surroundings,
+    ),
+    "press_curves": Stage(
+        "signals: curves of presses",
+        ("signals",),
+        ("sensors", "silicone", "protocol.peak_force_n"),
+        make_press_curves,
+    ),
+    "tied_compliance": Stage(
+        "mechanics: compliance map with magnets",
+        ("presses",),
+        ("magnets", "sensors", "arrangement"),
+        make_tied_compliance,
+    ),
+    "alternatives": Stage(
+        "sensitivity: what to try next",
+        ("presses", "signals"),
+        (
+            *(*_MAKING, "silicone", "score", "seed", "mechanics", "contact_grid", "press"),
+            *("environment", "as_built"),
+        ),
+        make_alternatives,
+    ),
+    "slip": Stage(
+        "sensitivity: cost of the core's slip",
+        (),
+        ("name", "mechanics.slip", "score"),
+        make_slip,
+        of_others=objects_compared,
     ),
     "report": Stage(
         "report",
@@ -242,49 +279,15 @@ STAGES: dict[str, Stage] = {
             "frames",
             "robustness",
             "metrics",
+            "surroundings",
+            "press_curves",
+            "tied_compliance",
+            "alternatives",
+            "slip",
         ),
         ("name", "limits", "silicone"),
         make_report,
-        version=9,
+        version=10,
     ),
 }
 """In the order in which a command works through those that it needs."""
-
-
-def _shell_bodies(spec: ObjectSpec) -> dict[str, Any]:
-    """Place and outline of what is cast into the silicone: all that mechanics knows of it."""
-    from design.layout.positions import shell_body_layout
-
-    layout = shell_body_layout(spec)
-    return {
-        "centre_mm": layout.centre_mm.tolist(),
-        "frame": layout.frame.tolist(),
-        "outline": asdict(layout.outline),
-        "height_mm": layout.height_mm,
-    }
-
-
-def stage_inputs(
-    stage: Stage, spec: ObjectSpec, keys_of_needs: dict[str, str], versions: dict[str, str]
-) -> dict[str, Any]:
-    """Everything that a stage's result depends on, JSON-able, for its content key."""
-    from design.body.imported import file_digest
-
-    bodies = _shell_bodies(spec)
-    content = spec.model_dump(mode="json") | {
-        "body": spec.body.model_dump(mode="json") | {"file": file_digest(spec.body.file)},
-        "shell_bodies": bodies,
-        "shell_body_outline": bodies["outline"],
-    }
-    parts: dict[str, Any] = {}
-    for name in stage.depends_on:
-        value: Any = content
-        for part in name.split("."):
-            value = value[part]
-        parts[name] = value
-    return {
-        "spec": parts,
-        "needs": keys_of_needs,
-        "version": stage.version,
-        "libraries": versions,
-    }

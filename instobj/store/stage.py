@@ -24,6 +24,10 @@ class StageContext:
     step: Step
 
 
+def _none(spec: ObjectSpec) -> dict[str, tuple[str, ObjectSpec]]:
+    return {}
+
+
 @dataclass(frozen=True)
 class Stage:
     """A stage of the chain.
@@ -31,7 +35,8 @@ class Stage:
     `depends_on` names parts of the specification (dotted where only one field matters), or
     "shell_bodies", what is cast into the silicone, which follows from several of them (or
     "shell_body_outline", the cross-section of one such body); `version` is raised when the code
-    would give another result from the same inputs.
+    would give another result from the same inputs. `of_others` tells which results of other objects
+    it needs besides, derived from its own: name → stage and specification.
     """
 
     title: str
@@ -39,6 +44,7 @@ class Stage:
     depends_on: tuple[str, ...]
     make: Callable[[StageContext, Path], None]
     version: int = 1
+    of_others: Callable[[ObjectSpec], dict[str, tuple[str, ObjectSpec]]] = _none
 
 
 def write_json(content: dict[str, Any], path: Path) -> None:

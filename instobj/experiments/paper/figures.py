@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from jaxtyping import Float
 
-from design.files import atomic_path
+from instobj.figures.saving import save_figure
 
 if TYPE_CHECKING:
     from estimator.networks.metrics import ContactErrors
@@ -196,5 +196,4 @@ def _few_ticks(axis: Any) -> None:
 
 def save(figure: Any, path: Path) -> None:
     """Write a PNG, complete or absent."""
-    with atomic_path(path) as temporary:
-        figure.savefig(temporary, dpi=130, format="png")
+    save_figure(figure, path)

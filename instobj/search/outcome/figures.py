@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from jaxtyping import Float
 
-from design.files import atomic_path
 from design.layout.pockets import Body, magnet_bodies
 from design.spec.object import ObjectSpec
+from instobj.figures.saving import save_figure
 
 if TYPE_CHECKING:
     from instobj.search.outcome.history import History
@@ -57,7 +57,7 @@ def draw_convergence(history: History, path: Path) -> None:
     axes.set(ylabel=LABELS[name], title="Convergence on the first rung")
     _plain(axes.yaxis)
     figure.legend(loc="outside lower center", ncols=4, frameon=False, fontsize=9)
-    _save(figure, path)
+    save_figure(figure, path)
 
 
 def draw_front(history: History, path: Path) -> None:
@@ -77,7 +77,7 @@ def draw_front(history: History, path: Path) -> None:
     _plain(axes.xaxis)
     _plain(axes.yaxis)
     figure.legend(loc="outside lower center", ncols=4, frameon=False, fontsize=9)
-    _save(figure, path)
+    save_figure(figure, path)
 
 
 def draw_rungs(climb: Climb, name: str, path: Path) -> None:
@@ -100,7 +100,7 @@ def draw_rungs(climb: Climb, name: str, path: Path) -> None:
         axes.set_aspect("equal")
         axes.legend(frameon=False, fontsize=8, loc="upper left")
     figure.suptitle(f"How well one rung predicts the next: {LABELS[name]}", fontsize=11)
-    _save(figure, path)
+    save_figure(figure, path)
 
 
 def draw_moves(start: ObjectSpec, found: ObjectSpec, path: Path) -> None:
@@ -134,7 +134,7 @@ def draw_moves(start: ObjectSpec, found: ObjectSpec, path: Path) -> None:
     axes.set(xlabel="x of face 1 (mm)", ylabel="y of face 1 (mm)")
     axes.set_title("Layout before and after, every face (initial sensors shown for face 1)")
     figure.legend(handles=_move_legend(), loc="outside lower center", ncols=2, frameon=False)
-    _save(figure, path)
+    save_figure(figure, path)
 
 
 def _move_legend() -> list[Any]:
@@ -189,7 +189,7 @@ def pareto_front(values: Float[np.ndarray, "n 2"]) -> np.ndarray:
 def _figure(size: tuple[float, float], columns: int = 1) -> tuple[Any, Any]:
     from matplotlib.figure import Figure
 
-    figure = Figure(figsize=size, dpi=130, facecolor=_PAPER, layout="constrained")
+    figure = Figure(figsize=size, facecolor=_PAPER, layout="constrained")
     axes = figure.subplots(1, columns)
     for one in np.atleast_1d(axes):
         one.spines[["top", "right"]].set_visible(False)
@@ -203,8 +203,3 @@ def _plain(axis: Any) -> None:
     axis.set_major_locator(LogLocator(subs=(1.0, 1.5, 2.0, 3.0, 5.0, 7.0)))
     axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
     axis.set_minor_formatter(FuncFormatter(lambda *_: ""))
-
-
-def _save(figure: Any, path: Path) -> None:
-    with atomic_path(path) as temporary:
-        figure.savefig(temporary, format="png")

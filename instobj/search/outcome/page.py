@@ -1,18 +1,18 @@
-"""The page of a layout search, self-contained: what it found, and how far to trust it."""
+"""Page of a layout search, self-contained: what it found, and how far to trust it."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import asdict
+from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from design.files import atomic_path
 from design.layout.pockets import magnet_bodies
 from design.spec.object import ObjectSpec
-from instobj.report.elements import image, note, page, table, text
+from instobj.report.pages import render
 from instobj.search.fidelity import METRIC_LABELS
 from instobj.search.outcome.figures import (
     LABELS,
@@ -22,7 +22,6 @@ from instobj.search.outcome.figures import (
     draw_rungs,
     paired,
 )
-from instobj.stages.chain import Chain
 
 if TYPE_CHECKING:
     from instobj.search.outcome.history import History
@@ -32,36 +31,52 @@ Say = Callable[[str], None]
 _RUNGS = {"1": "first rung", "2": "second rung", "3": "last rung"}
 
 
+@dataclass(frozen=True)
+class ChainResults:
+    """Folders of the chain's results that the page shows: scores before and after, the parts."""
+
+    scores_before: Path
+    scores_after: Path
+    parts: Path
+
+
 def write_search_page(
-    start: ObjectSpec, found: Climb, history: History, folder: Path, step: Say
+    start: ObjectSpec,
+    found: Climb,
+    history: History,
+    results: ChainResults,
+    folder: Path,
+    step: Say,
 ) -> Path:
     """Write `search.html` with its figures, and return where it is."""
     step("maps before and after, figures and page")
-    sections = [
-        _verdict(found),
-        _maps(found, folder / "figures"),
-        _moves(start, found.best.spec, folder / "figures"),
-        _robustness(found),
-        _estimators(found),
-        _ladder(found, history.names, folder / "figures"),
-        _search(history, folder / "figures"),
-        _parts(found.best.spec),
-    ]
+    figures = folder / "figures"
+    page = render(
+        "search.html.j2",
+        name=start.name,
+        found=found,
+        history=history,
+        last_rung=_last_rung(found),
+        maps=_maps(found, results, figures),
+        ratios=[
+            [_label(name), f"{ratio.design:.2f}", f"{ratio.low:.2f} to {ratio.high:.2f}"]
+            for name, ratio in found.ratios.items()
+        ],
+        parts=_parts(results.parts),
+        parts_picture=results.parts / "parts.png",
+        **_moves(start, found.best.spec, figures),
+        **_estimators(found),
+        **_ladder(found, history.names, figures),
+        **_search(history, figures),
+    )
     path = folder / "search.html"
     with atomic_path(path) as temporary:
-        temporary.write_text(page(f"Layout search of {start.name}", sections), encoding="utf-8")
+        temporary.write_text(page, encoding="utf-8")
     return path
 
 
-def _verdict(found: Climb) -> str:
-    word, style = ("BETTER", "go") if found.better else ("NOT BETTER", "no-go")
-    stated = (
-        "By the last rung, and for 95 % of pairs of objects built within tolerance."
-        if found.better
-        else f"Not confirmed by the last rung: {'; '.join(found.objections)}. The best finalist is shown "
-        "all the same."
-    )
-    rows = [
+def _last_rung(found: Climb) -> list[list[str]]:
+    return [
         [_label(name), f"{before:.4g}", f"{after:.4g}", _change(name, before, after)]
         for (name, before), after in zip(
             asdict(found.start.rungs["3"]).items(),
@@ -69,11 +84,6 @@ def _verdict(found: Climb) -> str:
             strict=True,
         )
     ]
-    return (
-        f"<h1>Layout search <span class='{style}'>{word}</span></h1>"
-        f"<p>{text(found.best.label)} against the start. {text(stated)}</p>"
-        + table(["last rung: the whole chain", "start", "found", "change"], rows)
-    )
 
 
 def _change(name: str, before: float, after: float) -> str:
@@ -86,16 +96,15 @@ def _label(name: str) -> str:
     return LABELS.get(name, "share of the sensors' range left free")
 
 
-def _maps(found: Climb, folder: Path) -> str:
-    """Position bound of every place, both on one scale."""
+def _maps(found: Climb, results: ChainResults, folder: Path) -> list[tuple[str, Path]]:
+    """Pictures of the position bound of every place, both on one scale."""
     from estimator.information.scores import load_scores_csv
-    from instobj.figures.heatmaps import draw_overview, finite_limits
+    from instobj.figures.map_scale import finite_limits
+    from instobj.figures.overview import draw_overview
 
     pair = {"before": found.start.spec, "after": found.best.spec}
-    scores = {
-        when: load_scores_csv(Chain(spec).require("scores").folder / "scores.csv")
-        for when, spec in pair.items()
-    }
+    folders = {"before": results.scores_before, "after": results.scores_after}
+    scores = {when: load_scores_csv(one / "scores.csv") for when, one in folders.items()}
     every = np.concatenate([one.position_bound_fresh_mm.ravel() for one in scores.values()])
     pictures = []
     for when, one in scores.items():
@@ -111,13 +120,11 @@ def _maps(found: Climb, folder: Path) -> str:
             path,
             note=f"Worst place {worst:.2f} mm, median {middle:.2f} mm, freshly zeroed.",
         )
-        pictures.append(image(path, f"Position bound {when}"))
-    return f"<h2>Before and after</h2><div class='grid'>{''.join(pictures)}</div>" + note(
-        "One colour scale for both, from the chain's own scores of all faces."
-    )
+        pictures.append((when, path))
+    return pictures
 
 
-def _moves(start: ObjectSpec, found: ObjectSpec, folder: Path) -> str:
+def _moves(start: ObjectSpec, found: ObjectSpec, folder: Path) -> dict[str, Any]:
     draw_moves(start, found, folder / "moves.png")
     before, after = magnet_bodies(start)[0], magnet_bodies(found)[0]
     old, new = (np.array([b.centre_mm for b in bodies]) for bodies in (before, after))
@@ -145,18 +152,12 @@ def _moves(start: ObjectSpec, found: ObjectSpec, folder: Path) -> str:
         ]
         for i, j in paired(*seen)
     ]
-    header = ["part", "from: x, y, depth, mm", "to", "moved, mm", "tilt about x, y, °", "north"]
     others = [
         f"{label} {old_value} → {new_value}"
         for label, old_value, new_value in _other_changes(start, found)
         if old_value != new_value
     ]
-    return (
-        "<h2>What moved</h2>"
-        + image(folder / "moves.png", "Face before and after")
-        + table(header, rows)
-        + note("Also changed: " + "; ".join(others) if others else "Nothing else changed.")
-    )
+    return {"moves_picture": folder / "moves.png", "moves": rows, "other_changes": others}
 
 
 def _other_changes(start: ObjectSpec, found: ObjectSpec) -> list[tuple[str, str, str]]:
@@ -183,73 +184,41 @@ def _point(values: np.ndarray) -> str:
     return ", ".join(f"{abs(v) if k == 2 else v:.2f}" for k, v in enumerate(values))
 
 
-def _robustness(found: Climb) -> str:
-    rows = [
-        [_label(name), f"{ratio.design:.2f}", f"{ratio.low:.2f} to {ratio.high:.2f}"]
-        for name, ratio in found.ratios.items()
-    ]
-    return (
-        "<h2>Within tolerance</h2>"
-        + table(["start's bound over the found one's", "designs", "95 % of pairs of twins"], rows)
-        + note(
-            "Twins are objects drawn within [tolerances]; each of the start is compared with each of the "
-            "found layout. Above 1 the found layout is better."
-        )
-    )
-
-
-def _estimators(found: Climb) -> str:
+def _estimators(found: Climb) -> dict[str, Any]:
     columns = (found.start.label, *(one.label for one in found.finalists))
     rows = [
         [label, *(_given(found.estimators[column].get(name)) for column in columns)]
         for name, label in METRIC_LABELS.items()
     ]
-    return (
-        "<h2>Estimators</h2>"
-        + table(["mean of faces", *columns], rows)
-        + note(
-            "Trained for each layout on simulated presses of the same protocol, judged on whole presses "
-            "held out; simulated throughout."
-        )
-    )
+    return {"estimator_header": ["mean of faces", *columns], "estimators": rows}
 
 
 def _given(value: float | None) -> str:
     return "–" if value is None else f"{value:.3g}"
 
 
-def _ladder(found: Climb, objectives: tuple[str, ...], folder: Path) -> str:
+def _ladder(found: Climb, objectives: tuple[str, ...], folder: Path) -> dict[str, Any]:
     named = [name for name in objectives if name in found.correlations["1"]]
-    shown = named or ["worst_position_bound_mm"]  # cost is the same on every rung
     everyone = (found.start, *found.leaders)
     counts = {rung: sum(rung in one.rungs for one in everyone) for rung in _RUNGS}
-    pictures = []
-    for name in shown:
+    scores = []
+    for name in named or ["worst_position_bound_mm"]:  # cost is the same on every rung
         draw_rungs(found, name, folder / f"rungs_{name}.png")
         rows = [[one.label, *(_on(one, rung, name) for rung in _RUNGS)] for one in everyone]
-        pictures.append(image(folder / f"rungs_{name}.png", "Scores on one rung against the next"))
-        pictures.append(table([LABELS[name], *_RUNGS.values()], rows))
-    ranks = [
-        [_label(score), *(_rank(found.correlations[rung][score]) for rung in ("1", "2"))]
-        for score in found.correlations["1"]
-    ]
-    header = [
-        "rank correlation (Spearman)",
-        f"first to second, {counts['2']} layouts",
-        f"second to last, {counts['3']} layouts",
-    ]
-    return (
-        "<h2>From rung to rung</h2>"
-        + "".join(pictures)
-        + table(header, ranks)
-        + note(
-            "1 is the same order, 0 none, −1 the reverse; with as few layouts as these one swap of "
-            "two neighbours is worth 0.2 (four layouts) to 0.06 (six). The start is among them. "
-            "First: magnets without stiffness, signals linear in their motions. Second: rigid magnets, "
-            "contact and fields in full. Last: a mesh that resolves the magnets. Correlations are among "
-            "layouts that the rung below had already chosen, where they differ least."
-        )
-    )
+        header = [LABELS[name], *_RUNGS.values()]
+        scores.append({"picture": folder / f"rungs_{name}.png", "header": header, "rows": rows})
+    return {
+        "ladder": scores,
+        "rank_header": [
+            "rank correlation (Spearman)",
+            f"first to second, {counts['2']} layouts",
+            f"second to last, {counts['3']} layouts",
+        ],
+        "ranks": [
+            [_label(score), *(_rank(found.correlations[rung][score]) for rung in ("1", "2"))]
+            for score in found.correlations["1"]
+        ],
+    }
 
 
 def _on(one: Climber, rung: str, name: str) -> str:
@@ -260,34 +229,23 @@ def _rank(value: float) -> str:
     return f"{value:.2f}" if np.isfinite(value) else "–"
 
 
-def _search(history: History, folder: Path) -> str:
+def _search(history: History, folder: Path) -> dict[str, Any]:
     draw_convergence(history, folder / "convergence.png")
-    pictures = image(folder / "convergence.png", "Best so far against layouts scored")
-    if len(history.names) > 1:
-        draw_front(history, folder / "front.png")
-        pictures += image(folder / "front.png", "Pareto front")
-    trials, kept = len(history.values), int(history.feasible.sum())
-    return (
-        "<h2>The search</h2>"
-        + pictures
-        + note(
-            f"{trials} trials, {kept} of them within all limits, {history.scorings_per_trial} layouts "
-            f"scored for each; random search was given as many, 8192 at most, and found "
-            f"{len(history.random)} within all limits."
-        )
-    )
+    front = folder / "front.png" if len(history.names) > 1 else None
+    if front is not None:
+        draw_front(history, front)
+    return {
+        "convergence": folder / "convergence.png",
+        "front": front,
+        "trials": len(history.values),
+        "kept": int(history.feasible.sum()),
+    }
 
 
-def _parts(spec: ObjectSpec) -> str:
+def _parts(folder: Path) -> list[list[str]]:
     from design.build.manifest import BuildManifest
 
-    folder = Chain(spec).require("build").folder
-    rows = [
+    return [
         [part.name, f"{part.volume_mm3:.2f}", "yes" if part.stl_watertight else "NO"]
         for part in BuildManifest.read(folder).parts
     ]
-    return (
-        "<h2>Parts of the found layout</h2>"
-        + image(folder / "parts.png", "Core, shell and mould")
-        + table(["part", "volume, mm³", "STL watertight"], rows)
-    )

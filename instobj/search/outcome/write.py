@@ -15,9 +15,10 @@ from design.search.space import SearchSpace
 from design.spec.object import ObjectSpec
 from design.spec.search import SearchSpec
 from instobj.search.outcome.history import search_history
-from instobj.search.outcome.page import write_search_page
+from instobj.search.outcome.page import ChainResults, write_search_page
 from instobj.search.promotion import Climb, Climber
 from instobj.search.study import KeptStudy
+from instobj.stages.chain import Chain
 from instobj.store.stage import write_json
 
 BEST = "best.toml"
@@ -47,7 +48,13 @@ def write_outcome(
     written.append(folder / "search.json")
     write_json(_results(found), written[-1])
     history = search_history(space, kept)
-    written.append(write_search_page(space.spec, found, history, folder, step))
+    best = Chain(found.best.spec)
+    results = ChainResults(
+        Chain(found.start.spec).require("scores").folder,
+        best.require("scores").folder,
+        best.require("build").folder,
+    )
+    written.append(write_search_page(space.spec, found, history, results, folder, step))
     return written
 
 

@@ -1,4 +1,4 @@
-"""Tables on a terminal of 80 columns: no name and no value is cut, and none is lost."""
+"""Tables on a terminal of 80 columns: nothing is cut or lost; many files are told in a few lines."""
 
 import pytest
 
@@ -60,3 +60,33 @@ def test_what_fits_neither_way_is_folded_and_nothing_is_lost(printed):
     path = "/a/folder" * 12
     shown = printed([{"trials": "64", "kept in": path}])
     assert path in "".join(word for line in shown for word in line)
+
+
+def written(names):
+    return [{"path": name, "bytes": 1000 * k} for k, name in enumerate(names, start=1)]
+
+
+def test_many_files_are_told_as_folders_and_what_to_open_first(monkeypatch, capsys):
+    monkeypatch.setenv("COLUMNS", "80")
+    maps = [f"runs/cube/maps/force_bound_face_{face}.png" for face in range(1, 41)]
+    parts = [f"cad_out/cube/part_{k}.stl" for k in range(8)]
+    first = ["runs/cube/report.html", "runs/cube/metrics/held_out.png", "cad_out/cube/parts.png"]
+    print_result({"files": written([*maps, *parts, *first])})
+    shown = capsys.readouterr().out.splitlines()
+    assert shown == [
+        "wrote 9 files, 0.4 MB, to cad_out/cube/",
+        "wrote 42 files, 0.9 MB, to runs/cube/",
+        "open  runs/cube/report.html",
+        "open  cad_out/cube/parts.png",
+        "open  runs/cube/metrics/held_out.png",
+    ]
+
+
+def test_a_few_files_are_named_one_by_one_and_whole(monkeypatch, capsys):
+    monkeypatch.setenv("COLUMNS", "80")
+    names = ["runs/cube/" + "a_long_folder/" * 8 + "slip.json", "runs/cube/slip.png"]
+    print_result({"files": written(names)})
+    assert capsys.readouterr().out.splitlines() == [
+        f"wrote {names[0]} (1.0 kB)",
+        "wrote runs/cube/slip.png (2.0 kB)",
+    ]

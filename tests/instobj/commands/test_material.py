@@ -1,4 +1,4 @@
-"""The command that turns names, hardness and tensile tests into a modulus; the spread in words."""
+"""The command that turns names, hardness and tensile tests into a modulus."""
 
 import json
 
@@ -7,20 +7,10 @@ import pytest
 
 from design.catalogue.tensile import nominal_stress_mpa
 from design.errors import InputError
-from design.layout.positions import press_lattice
-from design.spec.object import ObjectSpec
-from estimator.signals.presses import Signals
 from instobj.commands.material import (
-    TravelSpread,
     describe_material,
-    force_spread_text,
-    modulus_text,
-    travel_spread,
 )
 from tests.support.cli import run
-
-SPEC = ObjectSpec(name="cube")
-UNKNOWN = ObjectSpec.model_validate({"name": "cube", "silicone": {"youngs_modulus_mpa": 2.0}})
 
 
 def summary(source, out):
@@ -58,24 +48,3 @@ def test_what_is_none_of_the_three_is_refused(tmp_path):
         describe_material("jelly", tmp_path)
     with pytest.raises(InputError, match="cannot read tensile data"):
         describe_material(str(tmp_path / "none.csv"), tmp_path)
-
-
-def test_the_spread_in_words():
-    assert modulus_text(SPEC).startswith("0.414 MPa (0.15 to 0.54; Gent's relation")
-    assert force_spread_text(SPEC) == "0.36 to 1.30 times what is shown"
-    assert modulus_text(UNKNOWN) == "2 MPa (spread not known; given)"
-    assert "not known" in force_spread_text(UNKNOWN)
-
-
-def test_travel_grows_where_the_silicone_is_softer():
-    """Force 6 δ newtons everywhere; 15 N take 2.5 mm at E, 6 δ (0.54 / 0.414) takes 1.917 mm."""
-    lattice, depths = press_lattice(SPEC), np.array([1.0, 2.0, 4.0])
-    force = np.broadcast_to(6 * depths, (5, len(lattice), 3)).copy()
-    empty = np.zeros((5, len(lattice), 3, 15, 3))
-    signals = Signals(np.arange(1, 6), lattice, depths, force, empty, np.zeros((15, 3)))
-    found = travel_spread(SPEC, signals)
-    assert isinstance(found, TravelSpread)
-    assert found.nominal_mm == pytest.approx(2.5)
-    assert found.stiffest_mm == pytest.approx(2.5 * 0.414 / 0.54)
-    assert found.softest_mm is None
-    assert travel_spread(UNKNOWN, signals) is None

@@ -11,7 +11,7 @@ from design.errors import InputError
 from design.layout.body import face_frames
 from design.layout.positions import contact_grid
 from design.spec.object import ObjectSpec
-from instobj.figures import heatmaps
+from instobj.figures import heatmaps, overview
 from instobj.figures.map_scale import finite_limits, map_scale
 
 SPEC = ObjectSpec(name="brick", body={"size_mm": (46.0, 44.0, 42.0)})  # pyright: ignore
@@ -22,7 +22,7 @@ def test_net_joins_the_maps_along_the_object_s_edges():
     """The edge that a side face shares with face 1 lies beside it, point for point."""
     top = face_frames(SPEC)[0]
     for frame in face_frames(SPEC)[1:]:
-        side = heatmaps._net_pose(SPEC, frame.number)
+        side = overview.net_pose(SPEC, frame.number)
         for share in (-0.8, 0.5):
             half_x, half_y = frame.half_extents_mm
             on_edge = np.array([-half_x, share * half_y])
@@ -30,7 +30,7 @@ def test_net_joins_the_maps_along_the_object_s_edges():
             on_top = top.from_object(in_object)
             assert_allclose(on_top[2], 0, atol=1e-9)
             apart = side.apply(on_edge) - on_top[:2]
-            assert_allclose(np.linalg.norm(apart), heatmaps._GAP_MM, rtol=1e-9)
+            assert_allclose(np.linalg.norm(apart), overview._GAP_MM, rtol=1e-9)
 
 
 def test_numbers_stand_on_their_places_and_blanks_are_marked():
@@ -39,8 +39,8 @@ def test_numbers_stand_on_their_places_and_blanks_are_marked():
     values = VALUES.copy()
     values[37] = np.inf
     scale = map_scale("mm", 0.1, 90.0, log=True)
-    pose = heatmaps._net_pose(SPEC, 4)
-    heatmaps._draw_face(axes, values, SPEC, 4, scale, pose, 7.0)
+    pose = overview.net_pose(SPEC, 4)
+    heatmaps.draw_face(axes, values, SPEC, 4, scale, pose, 0.1)
     texts = {text.get_text(): text.get_position() for text in axes.texts}
     blank = pose.apply(contact_grid(SPEC).xy_mm[37])
     assert_allclose(texts["∞"], blank)
@@ -72,7 +72,7 @@ def test_pictures_are_written_whole(tmp_path):
     values = np.tile(VALUES, (5, 1)) * np.arange(1, 6)[:, None] * 1e15
     low, high = finite_limits(values)
     path, faces = tmp_path / "a.png", np.arange(1, 6)
-    heatmaps.draw_overview(values, faces, SPEC, "δ", "counts", low, high, path, note="two\nlines")
+    overview.draw_overview(values, faces, SPEC, "δ", "counts", low, high, path, note="two\nlines")
     assert imread(path).shape[0] > 1000
     assert [file.name for file in tmp_path.iterdir()] == ["a.png"]
 
@@ -100,8 +100,8 @@ def test_blind_directions_are_drawn_through_blind_places_only():
     axes = figure.add_subplot()
     blind = np.zeros(100, bool)
     blind[[4, 37]] = True
-    pose = heatmaps._net_pose(SPEC, 4)
-    heatmaps._draw_directions(axes, SPEC, np.full(100, 30.0), blind, pose)
+    pose = overview.net_pose(SPEC, 4)
+    overview._draw_directions(axes, SPEC, np.full(100, 30.0), blind, pose)
     (lines,) = axes.collections
     drawn = np.array(lines.get_segments())
     assert_allclose(drawn.mean(axis=1), pose.apply(contact_grid(SPEC).xy_mm[blind]))

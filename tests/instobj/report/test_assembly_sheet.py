@@ -2,6 +2,7 @@
 
 import csv
 import re
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -10,7 +11,8 @@ from numpy.testing import assert_allclose
 
 from design.build.bom import bill_of_materials, silicone_amount, write_bom
 from design.build.manifest import BuildManifest, PartManifest
-from design.spec_io import parse_spec
+from design.mould.pins import loose_pins, pins_by_kind
+from design.spec_io import load_spec, parse_spec
 from instobj.render.exploded_view import draw_exploded
 from instobj.report.assembly_sheet import assembly_sheet, steps
 
@@ -28,6 +30,8 @@ def manifest_of(*names):
     return BuildManifest("t", "0" * 64, tuple(parts), {})
 
 
+EVERY_PART = ("core", "shell", "jig", "magnet_template")
+EXAMPLES = Path(__file__).parents[3] / "examples"
 MANIFEST = manifest_of(
     ("core", "printed", 1), ("shell", "silicone", 1), ("mould_pin", "printed", 25)
 )
@@ -70,7 +74,7 @@ def test_the_sheet_shows_every_pole_and_every_wire(tmp_path):
         trimesh.creation.box((20, 20, 20)).export(tmp_path / f"{name}.stl")
     picture = draw_exploded(spec, tmp_path, tmp_path / "exploded.png")
     page = assembly_sheet(spec, MANIFEST, picture)
-    faces = re.findall(r"<figure>.*?</figure>", page)
+    faces = re.findall(r"<figure>.*?</figure>", page, re.S)
     assert len(faces) == 5
     for face in faces:
         poles = re.findall(r'cx="([-\d.]+)" cy="([-\d.]+)".*?>([NS])</text>', face)
@@ -78,6 +82,38 @@ def test_the_sheet_shows_every_pole_and_every_wire(tmp_path):
     assert len(re.findall(r"<td>\d+ to \d+</td>", page)) == 15
     assert "57 to 60" in page
     assert "http" not in page.replace("http-equiv", ""), "nothing is loaded from outside"
+
+
+def test_a_body_without_template_and_jig_is_told_of_neither(tmp_path):
+    """An imported body, closed: a dozen pins of several kinds, each with its places."""
+    spec = load_spec(EXAMPLES / "pear.toml")
+    kinds = pins_by_kind(spec)
+    (tmp_path / "exploded.png").write_bytes(b"picture")
+    page = assembly_sheet(
+        spec, manifest_of(("core", "printed", 1)), tmp_path / "exploded.png", kinds
+    )
+    assert "no magnet template" in page
+    assert "Lay the magnet template" not in page
+    assert "by the maps above" in page
+    assert "on its jig" not in page
+    assert "no printed jig" in page
+    assert sum(kind.count for kind in kinds) == len(loose_pins(spec))
+    rows = dict(re.findall(r"<td>(P\d+)</td><td>(\w+)</td>", page))
+    assert list(rows.values()) == [kind.name for kind in kinds]
+    marks = re.findall(r'fill="#444">(P\d+)</text>', page)
+    assert len(marks) == sum(len(kind.places) for kind in kinds)
+    for number, kind in enumerate(kinds, start=1):
+        assert marks.count(f"P{number}") == len(kind.places)
+
+
+def test_a_built_template_and_jig_are_told(tmp_path):
+    (tmp_path / "exploded.png").write_bytes(b"picture")
+    names = [(name, "printed", 1) for name in EVERY_PART]
+    page = assembly_sheet(parsed(), manifest_of(*names), tmp_path / "exploded.png")
+    assert "Lay the magnet template" in page
+    assert "by the template and the maps above" in page
+    assert "on its jig" in page
+    assert "Pins of the mould" not in page
 
 
 def test_the_exploded_view_shows_magnets_of_both_poles_and_boards(tmp_path):
@@ -122,4 +158,4 @@ def test_the_exploded_view_shows_magnets_of_both_poles_and_boards(tmp_path):
     ],
 )
 def test_steps_follow_the_object(content, told):
-    assert any(told in step for step in steps(parsed(**content)))
+    assert any(told in step for step in steps(parsed(**content), EVERY_PART))

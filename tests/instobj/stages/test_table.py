@@ -4,7 +4,8 @@ import pytest
 
 from design.spec.object import MechanicsSpec, ObjectSpec
 from design.spec_io import parse_spec, with_overrides
-from instobj.stages.table import STAGES, stage_inputs
+from instobj.stages.inputs import stage_inputs
+from instobj.stages.table import STAGES
 from instobj.store.content import content_key
 
 
@@ -156,6 +157,21 @@ for _override, _stages in DOWNSTREAM.items():
     if trains_on or ("robustness" in _stages and not _override.startswith("score.")):
         DOWNSTREAM[_override] = _stages | {"pretraining"}
 DOWNSTREAM["mechanics.correction=large-strain"] = {"large_strain"}
+_LAID_OUT = ("shell.", "magnets.", "core.", "sensors.", "environment.", "as_built.")
+SHOWN_BY_THE_REPORT_ALONE = {
+    "surroundings": (*_LAID_OUT, "mechanics.slip."),
+    "press_curves": ("sensors.", "silicone."),
+    "tied_compliance": ("magnets.", "sensors."),
+    "slip": ("mechanics.slip.", "score."),
+    "alternatives": (
+        *(*_LAID_OUT, "mechanics.", "silicone.", "score.", "seed", "contact_grid.", "press."),
+        *("indenter.", "mould.", "printer.", "export."),
+    ),
+}
+"""Stage → beginnings of the keys that make it anew by themselves."""
+for _override, _stages in DOWNSTREAM.items():
+    _shown = {n for n, keys in SHOWN_BY_THE_REPORT_ALONE.items() if _override.startswith(keys)}
+    DOWNSTREAM[_override] = _stages | _shown
 
 
 def _with_dependents(changed: set[str]) -> set[str]:

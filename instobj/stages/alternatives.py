@@ -1,9 +1,9 @@
-"""What to try next: the stored mechanics scored again with one thing changed at a time."""
+"""Alternatives to try next: the stored mechanics scored again with one thing changed at a time."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -14,6 +14,8 @@ from design.spec_io import check
 from estimator.information.scores import PlaceScores, score_places
 from estimator.signals.presses import Signals, press_signals
 from fem.presses.results import load_presses
+from instobj.store.readers import ALTERNATIVES, PRESSES, SIGNALS
+from instobj.store.stage import StageContext, write_json
 
 
 @dataclass(frozen=True)
@@ -26,6 +28,14 @@ class Alternative:
     worst_detectable_n: float
 
 
+def make_alternatives(context: StageContext, folder: Path) -> None:
+    """Scores after every change, as a table."""
+    signals = SIGNALS.read(context.inputs["signals"])
+    presses = PRESSES.path(context.inputs["presses"])
+    rows = alternatives(context.spec, signals, presses, context.step)
+    write_json({"alternatives": [asdict(row) for row in rows]}, ALTERNATIVES.path(folder))
+
+
 def alternatives(
     spec: ObjectSpec, signals: Signals, presses: Path, step: Callable[[str], None]
 ) -> list[Alternative]:
@@ -35,10 +45,10 @@ def alternatives(
     silicone. Changes that the specification's own checks refuse are left out.
     """
     rows = [_row("as specified", score_places(spec, signals))]
-    step("what to try next: all channels")
+    step("all channels")
     rows.append(_row("estimator reads all channels, not its own face's", _all(spec, signals)))
     for change, update in _CHANGES.items():
-        step(f"what to try next: {change}")
+        step(change)
         try:
             other = check(update(spec))
             scores = score_places(other, _signals(spec, other, signals, presses))
@@ -107,8 +117,6 @@ def _signals(spec: ObjectSpec, other: ObjectSpec, signals: Signals, presses: Pat
 
 
 def _with_forces(signals: Signals, force_n: np.ndarray) -> Signals:
-    from dataclasses import replace
-
     return replace(signals, force_n=force_n)
 
 

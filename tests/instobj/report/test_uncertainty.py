@@ -1,7 +1,19 @@
-"""What is said of the discretisation error."""
+"""Uncertainty in words: discretisation error, modulus, depth at a force."""
 
-from instobj.report.discretisation import HEADER, error_note, error_rows, error_text, summary_of
+from design.spec.object import ObjectSpec
+from instobj.report.uncertainty import (
+    HEADER,
+    error_note,
+    error_rows,
+    error_text,
+    force_spread_text,
+    modulus_text,
+    summary_of,
+    travel_text,
+)
 
+SPEC = ObjectSpec(name="cube")
+UNKNOWN = ObjectSpec.model_validate({"name": "cube", "silicone": {"youngs_modulus_mpa": 2.0}})
 STEPS = [
     {"depth_mm": 0.5, "force_rms": None, "force_worst": None, "motion_rms": None, "motion_worst": None},
     {"depth_mm": 2.0, "force_rms": 0.0123, "force_worst": 0.03, "motion_rms": 0.008, "motion_worst": 0.02},
@@ -34,3 +46,17 @@ def test_the_note_says_what_was_compared():
     note = error_note(CONTENT)
     for part in ("125 presses", "1.5 times", "70000 unknowns", "80 % of the difference", "±0.7 %"):
         assert part in note
+
+
+def test_the_spread_in_words():
+    assert modulus_text(SPEC).startswith("0.414 MPa (0.15 to 0.54; Gent's relation")
+    assert force_spread_text(SPEC) == "0.36 to 1.30 times what is shown"
+    assert modulus_text(UNKNOWN) == "2 MPa (spread not known; given)"
+    assert "not known" in force_spread_text(UNKNOWN)
+
+
+def test_the_depth_at_a_force_in_words():
+    travel = {"force_n": 15.0, "nominal_mm": 2.5, "stiffest_mm": 1.917, "softest_mm": None}
+    told = travel_text({"travel": travel, "deepest_press_mm": 4.0})
+    assert told == "2.50 mm (1.92 mm to more than 4 mm) to 15 N at the median place"
+    assert travel_text({"travel": None, "deepest_press_mm": 4.0}) == "not known"

@@ -1,0 +1,30 @@
+"""Tables as CSV files: one header, one row a line, complete or absent."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from design.files import atomic_path
+
+
+def write_table(path: Path | str, header: Sequence[str], rows: Iterable[Sequence[Any]]) -> None:
+    """Write rows under a header, in UTF-8 with lines that end in a line feed.
+
+    Raises
+    ------
+    StoreError
+        The folder cannot be made or written.
+    """
+    with atomic_path(path) as temporary, temporary.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(header)
+        writer.writerows(rows)
+
+
+def write_records(path: Path | str, records: Sequence[Mapping[str, Any]]) -> None:
+    """Write records with the same keys, which are the header. Raises as `write_table`."""
+    header = list(records[0])
+    write_table(path, header, ([record[name] for name in header] for record in records))

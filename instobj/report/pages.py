@@ -1,0 +1,41 @@
+"""Pages from templates: self-contained HTML with pictures and style within the file."""
+
+from __future__ import annotations
+
+import base64
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+from jinja2 import Environment, FileSystemLoader, StrictUndefined
+from markupsafe import Markup
+
+_TEMPLATES = Path(__file__).parent / "templates"
+
+
+def render(page: str, /, **context: Any) -> Markup:
+    """A template of this room, by its name, filled in; text is escaped, names that are missing are errors."""
+    return Markup(_environment().get_template(page).render(context))
+
+
+def picture(path: Path) -> str:
+    """A PNG as a link that holds it."""
+    return "data:image/png;base64," + base64.b64encode(path.read_bytes()).decode()
+
+
+@lru_cache(maxsize=1)
+def _environment() -> Environment:
+    environment = Environment(
+        loader=FileSystemLoader(_TEMPLATES),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    environment.globals |= {"picture": picture, "style": _style}
+    return environment
+
+
+def _style(name: str) -> Markup:
+    """A style sheet of this room."""
+    return Markup((_TEMPLATES / name).read_text(encoding="utf-8"))

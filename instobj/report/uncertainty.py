@@ -1,0 +1,138 @@
+"""Uncertainty in words and rows: discretisation, modulus, and the budget of tolerances."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from design.spec.object import ObjectSpec
+from instobj.figures.robustness import tolerance_text
+
+if TYPE_CHECKING:
+    from estimator.tolerances.result import Robustness
+
+HEADER = ["depth, mm", "force, rms", "force, largest", "motions, rms", "motions, largest"]
+_FIGURES = ("force_rms", "force_worst", "motion_rms", "motion_worst")
+
+
+def error_text(content: dict[str, Any]) -> str:
+    """E.g. "force ±1.2 %, motions ±0.8 % at 2 mm" (root mean square), at half the deepest press."""
+    steps = content["steps"]
+    middle = steps[-1]["depth_mm"] / 2
+    step = min(steps, key=lambda step: abs(step["depth_mm"] - middle))
+    if step["force_rms"] is None:
+        return f"not known at {step['depth_mm']:g} mm: a coarser mesh misses the contact"
+    return (
+        f"force ±{_percent(step['force_rms'])}, motions ±{_percent(step['motion_rms'])} "
+        f"at {step['depth_mm']:g} mm"
+    )
+
+
+def error_rows(content: dict[str, Any]) -> list[list[str]]:
+    """A row of `HEADER` for every depth."""
+    return [
+        [
+            f"{step['depth_mm']:g}",
+            *("–" if step[n] is None else _percent(step[n]) for n in _FIGURES),
+        ]
+        for step in content["steps"]
+    ]
+
+
+def error_note(content: dict[str, Any]) -> str:
+    """How the figures were obtained."""
+    return (
+        f"Discretisation error, estimated from the same {content['presses']} presses on a mesh with "
+        f"edges 1.5 times as long ({content['coarse_unknowns']} unknowns): "
+        f"{100 * content['share_of_difference']:.0f} % of the difference, as for an error of second "
+        "order. Motions are those of all magnets per newton. A patch load's compliance at a face's "
+        f"centre: ±{_percent(content['patch_compliance'])} at most. A dash: the tip misses the coarser "
+        "mesh's vertices."
+    )
+
+
+def summary_of(content: dict[str, Any]) -> dict[str, Any]:
+    """What the command line prints."""
+    return {
+        "estimate": error_text(content),
+        "patch compliance ±%": 100 * content["patch_compliance"],
+        "coarse unknowns": content["coarse_unknowns"],
+    }
+
+
+def _percent(share: float) -> str:
+    return f"{100 * share:.1f} %"
+
+
+def modulus_text(spec: ObjectSpec) -> str:
+    """The modulus with its interval and source, for a person."""
+    silicone = spec.silicone
+    spread = silicone.youngs_modulus_range_mpa
+    ends = f"{spread[0]:.3g} to {spread[1]:.3g}" if spread else "spread not known"
+    return f"{silicone.youngs_modulus_mpa:.3g} MPa ({ends}; {silicone.modulus_source})"
+
+
+def force_spread_text(spec: ObjectSpec) -> str:
+    """What the interval of the modulus does to the force at a given travel."""
+    spread = spec.silicone.relative_spread
+    if spread is None:
+        return "scales with the modulus, whose spread is not known"
+    return f"{spread[0]:.2f} to {spread[1]:.2f} times what is shown"
+
+
+def travel_text(curves: dict[str, Any]) -> str:
+    """Depth at the middle peak force, of what the stage `press_curves` stores."""
+    spread = curves["travel"]
+    if spread is None:
+        return "not known"
+    deepest = f"more than {curves['deepest_press_mm']:g} mm"
+    at, least, most = (
+        deepest if spread[name] is None else f"{spread[name]:.2f} mm"
+        for name in ("nominal_mm", "stiffest_mm", "softest_mm")
+    )
+    return f"{at} ({least} to {most}) to {spread['force_n']:g} N at the median place"
+
+
+def robustness_summary(spec: ObjectSpec, folder: Path) -> dict[str, list[dict[str, Any]]]:
+    """Title → rows of a stage's `robustness.json`."""
+    from estimator.tolerances.result import load_robustness
+
+    budget = load_robustness(folder / "robustness.json")
+    return {
+        f"what one standard deviation does, {budget.force_n:g} N, median place": budget_rows(
+            spec, budget
+        ),
+        "bounds of objects within tolerance, freshly zeroed": bound_rows(budget),
+    }
+
+
+def budget_rows(spec: ObjectSpec, budget: Robustness) -> list[dict[str, Any]]:
+    """One row a contribution, worst first, then all together both ways."""
+    return [
+        {
+            "tolerance": tolerance_text(spec, row.name),
+            "false place mm": row.false_place_mm,
+            "worst mm": row.false_place_worst_mm,
+            "false force N": row.false_force_n,
+            "worst N": row.false_force_worst_n,
+            "ΔS %": 100 * row.signal,
+            "rest counts": row.baseline_counts,
+            "place bound %": 100 * row.position_bound,
+            "force bound %": 100 * row.force_bound,
+        }
+        for row in (*budget.contributions, budget.together, budget.monte_carlo)
+    ]
+
+
+def bound_rows(budget: Robustness) -> list[dict[str, Any]]:
+    """Bounds of the design, and their 5 and 95 % quantiles over drawn objects."""
+    named = {
+        "place, median place, mm": budget.position_median_mm,
+        "place, worst place, mm": budget.position_worst_mm,
+        "force, median place, N": budget.force_median_n,
+        "force, worst place, N": budget.force_worst_n,
+    }
+    return [
+        {"bound": name, "design": bound.design, "5 %": bound.low, "95 %": bound.high}
+        for name, bound in named.items()
+    ]

@@ -1,0 +1,48 @@
+"""Inputs of a stage: everything that its result depends on, for its content key."""
+
+from __future__ import annotations
+
+from dataclasses import asdict
+from typing import Any
+
+from design.spec.object import ObjectSpec
+from instobj.store.stage import Stage
+
+
+def _shell_bodies(spec: ObjectSpec) -> dict[str, Any]:
+    """Place and outline of what is cast into the silicone: all that mechanics knows of it."""
+    from design.layout.positions import shell_body_layout
+
+    layout = shell_body_layout(spec)
+    return {
+        "centre_mm": layout.centre_mm.tolist(),
+        "frame": layout.frame.tolist(),
+        "outline": asdict(layout.outline),
+        "height_mm": layout.height_mm,
+    }
+
+
+def stage_inputs(
+    stage: Stage, spec: ObjectSpec, keys_of_needs: dict[str, str], versions: dict[str, str]
+) -> dict[str, Any]:
+    """Everything that a stage's result depends on, JSON-able, for its content key."""
+    from design.body.imported import file_digest
+
+    bodies = _shell_bodies(spec)
+    content = spec.model_dump(mode="json") | {
+        "body": spec.body.model_dump(mode="json") | {"file": file_digest(spec.body.file)},
+        "shell_bodies": bodies,
+        "shell_body_outline": bodies["outline"],
+    }
+    parts: dict[str, Any] = {}
+    for name in stage.depends_on:
+        value: Any = content
+        for part in name.split("."):
+            value = value[part]
+        parts[name] = value
+    return {
+        "spec": parts,
+        "needs": keys_of_needs,
+        "version": stage.version,
+        "libraries": versions,
+    }

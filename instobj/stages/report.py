@@ -1,0 +1,101 @@
+"""Makers of the report and of what it alone shows. Heavy imports stay inside."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from design.spec.object import ObjectSpec
+from instobj.store.readers import (
+    PRESS_CURVES,
+    PRESS_CURVES_PICTURE,
+    PRESSES,
+    REPORT,
+    SIGNALS,
+    SURROUNDINGS,
+)
+from instobj.store.stage import StageContext, write_json
+
+if TYPE_CHECKING:
+    from estimator.signals.presses import Signals
+
+
+@dataclass(frozen=True)
+class TravelSpread:
+    """Indentation depth (mm) at which the median place reaches a force, at the modulus and its ends.
+
+    None: not within the deepest simulated press.
+    """
+
+    force_n: float
+    nominal_mm: float | None
+    stiffest_mm: float | None
+    softest_mm: float | None
+
+
+def make_surroundings(context: StageContext, folder: Path) -> None:
+    """Changes of resting signals that are no press."""
+    from instobj.stages.surroundings import surroundings_row
+
+    context.step("Earth's field, a steel jaw, temperature")
+    write_json(surroundings_row(context.spec), SURROUNDINGS.path(folder))
+
+
+def make_press_curves(context: StageContext, folder: Path) -> None:
+    """Curves of force and signal, the free range of the sensors, depth at the middle peak force."""
+    from estimator.signals.presses import saturation_margin
+    from instobj.figures.curves import draw_press_curves
+
+    signals = SIGNALS.read(context.inputs["signals"])
+    spread = travel_spread(context.spec, signals)
+    content: dict[str, Any] = {
+        "saturation_margin": saturation_margin(signals, context.spec),
+        "deepest_press_mm": float(signals.depth_mm[-1]),
+        "travel": None if spread is None else asdict(spread),
+    }
+    write_json(content, PRESS_CURVES.path(folder))
+    draw_press_curves(context.spec, signals, PRESS_CURVES_PICTURE.path(folder))
+
+
+def make_tied_compliance(context: StageContext, folder: Path) -> None:
+    """Map of compliance with the magnets, from the table of presses alone."""
+    from fem.presses.compliance_map import compliance_map
+    from instobj.figures.compliance import draw_compliance
+
+    forces, _ = PRESSES.read(context.inputs["presses"])
+    draw_compliance(context.spec, compliance_map(forces), folder)
+
+
+def make_report(context: StageContext, folder: Path) -> None:
+    """The report page."""
+    from instobj.report.page import write_report
+
+    context.step("writing the report")
+    write_report(context.spec, context.inputs, REPORT.path(folder))
+
+
+def travel_spread(spec: ObjectSpec, signals: Signals) -> TravelSpread | None:
+    """How far the tip travels to the protocol's middle peak force; None where no spread is known.
+
+    At a given depth small-strain forces are proportional to the modulus. Linear interpolation
+    between the simulated depths of the median place's force.
+    """
+    from design.layout.positions import grid_places_in_lattice
+
+    if spec.silicone.relative_spread is None:
+        return None
+    softest, stiffest = spec.silicone.relative_spread
+    target = sum(spec.protocol.peak_force_n) / 2
+    places = grid_places_in_lattice(spec)
+    force = np.append(0, np.median(signals.force_n[:, places], axis=(0, 1)))
+    depth = np.append(0, signals.depth_mm)
+
+    def travel(scale: float) -> float | None:
+        return (
+            float(np.interp(target / scale, force, depth)) if target <= scale * force[-1] else None
+        )
+
+    return TravelSpread(target, travel(1.0), travel(stiffest), travel(softest))

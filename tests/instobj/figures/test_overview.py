@@ -1,0 +1,126 @@
+"""Overview pictures of every body: nothing lies on a map, and numbers keep to their cells."""
+
+from itertools import combinations
+from pathlib import Path
+
+import numpy as np
+import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from numpy.testing import assert_allclose
+
+from design.layout.body import face_frame, face_frames
+from design.layout.positions import contact_grid
+from design.spec_io import load_spec, parse_spec
+from instobj.figures import heatmaps, overview
+
+EXAMPLES = Path(__file__).parents[3] / "examples"
+CAPTION = (
+    "Cramér–Rao bound √(σx² + σy²) from each face's own sensors, freshly zeroed. Weakest: 12.34 mm on "
+    "face 3 at (-10.5, 13.5) mm. ∞: blind, along the line."
+)
+FLAT_BOX = {
+    "name": "box",
+    "body": {"size_mm": [60, 40, 30]},
+    "core": {"recess_inner_radius_mm": 2.5, "recess_outer_radius_mm": 6.5},
+    "sensors": {"positions_mm": [[0, 3]]},
+    "magnets": {"positions_mm": [[0, 0]]},
+    "contact_grid": {"count": [6, 6], "pitch_mm": 3.0},
+}
+
+
+def spec_of(name):
+    if name == "box":
+        return parse_spec(FLAT_BOX, "box")
+    if name == "one face":
+        return parse_spec({"name": "skin", "body": {"sensed_faces": [1]}}, "skin")
+    return load_spec(EXAMPLES / f"{name}.toml")
+
+
+@pytest.fixture(scope="module", params=["paper_cube", "handle", "pear", "box", "one face"])
+def drawn(request, tmp_path_factory):
+    """The specification, and its overview as a figure that was drawn."""
+    kept = []
+    spec = spec_of(request.param)
+    faces = np.array(spec.body.sensed)
+    places = len(contact_grid(spec))
+    values = np.linspace(0.012, 1234.0, len(faces) * places).reshape(len(faces), places)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(overview, "save_figure", lambda figure, path: kept.append(figure))
+        title = "How well a contact of 8 N can be located at best"
+        overview.draw_overview(values, faces, spec, title, "mm", 0.012, 1234.0, "", note=CAPTION)
+    FigureCanvasAgg(kept[0]).draw()
+    return spec, kept[0]
+
+
+def boxes_of(spec, figure):
+    """Name → corners in pixels of every map and of all that stands beside the maps."""
+    net, slot = figure.axes
+    renderer = figure.canvas.get_renderer()
+    maps = {
+        f"map {number}": patch.get_window_extent(renderer)
+        for number, patch in zip(spec.body.sensed, outlines(net), strict=True)
+    }
+    beside = {"scale": slot.get_tightbbox(renderer)}
+    beside["legend"] = figure.legends[0].get_window_extent(renderer)
+    beside |= {text.get_text()[:20]: text.get_window_extent(renderer) for text in figure.texts}
+    names = [text for text in net.texts if text.get_text().startswith("face ")]
+    beside |= {text.get_text(): text.get_window_extent(renderer) for text in names}
+    return maps | beside
+
+
+def outlines(net):
+    return [patch for patch in net.patches if patch.get_zorder() == 1]
+
+
+def test_nothing_lies_on_a_map_and_all_is_within_the_picture(drawn):
+    spec, figure = drawn
+    boxes = boxes_of(spec, figure)
+    assert len(boxes) == 2 * len(spec.body.sensed) + 4
+    for (one, box), (other, second) in combinations(boxes.items(), 2):
+        assert not box.overlaps(second), f"{one} lies on {other}"
+    width, height = figure.get_size_inches() * figure.dpi
+    for name, box in boxes.items():
+        assert min(box.x0, box.y0) >= 0, name
+        assert box.x1 <= width, name
+        assert box.y1 <= height, name
+
+
+def test_numbers_are_narrower_than_their_cells(drawn):
+    spec, figure = drawn
+    net = figure.axes[0]
+    numbers = [text for text in net.texts if text.get_zorder() == 6]
+    assert len(numbers) == len(spec.body.sensed) * len(contact_grid(spec))
+    ends = net.transData.transform([[0.0, 0.0], [spec.contact_grid.pitch_mm, 0.0]])
+    cell = np.ptp(ends[:, 0])
+    widths = [text.get_window_extent(figure.canvas.get_renderer()).width for text in numbers]
+    assert max(widths) < cell
+    assert max(widths) > 0.5 * cell, "as large as they may be"
+
+
+def test_face_6_joins_face_4_point_for_point():
+    spec = parse_spec(FLAT_BOX | {"body": {"size_mm": [60, 40, 30], "open_faces": []}}, "closed")
+    frames = {frame.number: frame for frame in face_frames(spec)}
+    frame, pose = frames[6], overview.net_pose(spec, 6)
+    side, side_pose = frames[4], overview.net_pose(spec, 4)
+    half_x, half_y = frame.half_extents_mm
+    for share in (-0.8, 0.5):
+        on_edge = np.array([share * half_x, -half_y])
+        in_object = frame.to_object(np.append(on_edge, 0.0))
+        on_side = side.from_object(in_object)
+        assert_allclose(on_side[2], 0, atol=1e-9)
+        apart = pose.apply(on_edge) - side_pose.apply(on_side[:2])
+        assert_allclose(apart, [0, overview._GAP_MM], atol=1e-9)
+
+
+def test_a_map_of_one_face_keeps_its_numbers_in_their_cells(tmp_path, monkeypatch):
+    spec, kept = spec_of("box"), []
+    monkeypatch.setattr(heatmaps, "save_figure", lambda figure, path: kept.append(figure))
+    values = np.linspace(1000, 9000, len(contact_grid(spec)))
+    heatmaps.draw_face_heatmap(values, spec, 1, "δ", "counts", 1000, 9000, tmp_path / "a.png")
+    FigureCanvasAgg(kept[0]).draw()
+    axes = kept[0].axes[0]
+    cell = np.ptp(axes.transData.transform([[0, 0], [3.0, 0]])[:, 0])
+    numbers = [text for text in axes.texts if text.get_zorder() == 6]
+    renderer = kept[0].canvas.get_renderer()
+    assert 0 < max(text.get_window_extent(renderer).width for text in numbers) < cell
+    assert face_frame(spec, 1).number == 1

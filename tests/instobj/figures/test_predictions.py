@@ -1,0 +1,28 @@
+"""The picture after an evaluation: every frame at its forces, errors of place as shares."""
+
+import numpy as np
+from numpy.testing import assert_allclose
+
+from estimator.networks.prediction import ContactReadings
+from instobj.figures import predictions
+
+
+def test_each_face_has_its_forces_and_its_shares_of_place_errors(monkeypatch, tmp_path):
+    kept = []
+    monkeypatch.setattr(predictions, "save_figure", lambda figure, path: kept.append(figure))
+    one = ContactReadings(
+        2, np.array([1.0, 4, 9]), np.array([2.0, 4, 8.5]), np.array([3.0, 1, 2]), 2
+    )
+    two = ContactReadings(4, np.array([5.0]), np.array([12.0]), np.array([0.5]), 1)
+    predictions.draw_predictions([one, two], "recorded", tmp_path / "a.png")
+    force, other, place, _ = kept[0].axes
+    assert kept[0].get_suptitle().startswith("Recorded presses held out")
+    assert force.get_title() == "Face 2: median error 0.50 N"
+    assert other.get_title() == "Face 4: median error 7.00 N"
+    equal, dots = force.lines
+    assert_allclose(dots.get_xydata(), [[1, 2], [4, 4], [9, 8.5]])
+    assert_allclose(equal.get_xdata(), equal.get_ydata())
+    assert force.get_xlim() == other.get_ylim(), "one scale for all faces"
+    assert_allclose(place.lines[0].get_xydata(), [[1, 100 / 3], [2, 200 / 3], [3, 100]])
+    assert place.get_title() == "3 frames of 2 presses"
+    assert "50 %: 2.00 mm" in [text.get_text() for text in place.get_legend().get_texts()]

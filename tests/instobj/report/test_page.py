@@ -1,0 +1,92 @@
+"""The report: what is known of the paper's cube is told of no other object; files are linked."""
+
+from pathlib import Path
+
+import pytest
+
+from design.spec_io import load_spec, parse_spec
+from estimator.tolerances.result import SEAT_ERROR
+from instobj.report.deformation_section import envelope_text
+from instobj.report.page import _files, is_papers_cube
+from instobj.report.pages import render
+from instobj.report.verdict import Check, Verdict
+from tests.instobj.search.test_page import read
+
+EXAMPLES = Path(__file__).parents[3] / "examples"
+TABLES = (
+    *(
+        "checks",
+        "alternatives",
+        "maps",
+        "areas",
+        "cross_face",
+        "bounds",
+        "mechanics",
+        "discretisation",
+    ),
+    *("parts", "stages", "area_header", "discretisation_header"),
+)
+TEXTS = (
+    *(
+        "surroundings",
+        "compliance",
+        "deformation",
+        "core",
+        "discretisation_note",
+        "hash",
+        "made_with",
+    ),
+    *("specification", "cross_face_force_n", "draws"),
+)
+PICTURES = ("overview", "robustness_picture", "press_curves", "parts_picture")
+
+
+def page_of(spec, tmp_path, **content):
+    """The report with empty tables, but for what is given."""
+    (tmp_path / "picture.png").write_bytes(b"picture")
+    check = Check("bound", "2 mm", "≤ 1 mm", 2.0, "face 1")
+    context = {name: [] for name in TABLES} | dict.fromkeys(TEXTS, "")
+    context |= dict.fromkeys(PICTURES, tmp_path / "picture.png")
+    row = {"face": 1, "figures": [("0.91", "0.999")] * 5, "frames": "8 + 2"}
+    context |= {"estimators": [row], "held_out": tmp_path / "picture.png"}
+    context |= {"parts_folder": "../../cad_out/a/", "files": []}
+    context |= {"verdict": Verdict((check,), "bound"), "seat_error": SEAT_ERROR}
+    return render(
+        "report.html.j2", spec=spec, papers_cube=is_papers_cube(spec), **context | content
+    )
+
+
+@pytest.mark.parametrize("name", ["handle", "pear", "better_cube"])
+def test_other_objects_are_told_nothing_of_the_paper_s_cube(tmp_path, name):
+    spec = load_spec(EXAMPLES / f"{name}.toml")
+    told = read(page_of(spec, tmp_path))
+    assert "0.91" in told
+    assert "0.999" not in told
+    assert "Knopke" not in told
+    assert "paper" not in told
+    assert "paper" not in envelope_text(spec, {"shallowest_peak_mm": 1.0, "deepest_peak_mm": 2.0})
+
+
+def test_the_paper_s_cube_stands_beside_the_paper_s_table(tmp_path):
+    spec = load_spec(EXAMPLES / "paper_cube.toml")
+    told = read(page_of(spec, tmp_path))
+    assert "0.91 0.999" in told
+    assert "Table I of Knopke" in told
+
+
+def test_names_of_objects_are_text_not_markup(tmp_path):
+    spec = parse_spec({"name": "a"}, "a").model_copy(update={"name": "<script>"})
+    assert "<script>" not in page_of(spec, tmp_path)
+    assert "&lt;script&gt;" in page_of(spec, tmp_path)
+
+
+def test_files_beside_the_page_are_linked(tmp_path):
+    (tmp_path / "maps").mkdir()
+    for name in ("scores.csv", "maps/a #1.png", "kept_in_the_store.bin"):
+        (tmp_path / name).write_bytes(b"")
+    files = _files({"scores": tmp_path})
+    page = page_of(parse_spec({"name": "a"}, "a"), tmp_path, files=files)
+    assert '<a href="scores.csv">scores.csv</a>' in page
+    assert '<a href="maps/a%20%231.png">maps/a #1.png</a>' in page
+    assert "kept_in_the_store" not in page
+    assert '<a href="../../cad_out/a/">' in page

@@ -1,0 +1,97 @@
+"""The search page: what it says stands in what it is given, and it is one file of valid markup."""
+
+from dataclasses import fields
+from html.parser import HTMLParser
+
+import numpy as np
+import pytest
+
+from design.build.manifest import BuildManifest, PartManifest
+from design.layout.positions import contact_grid
+from design.spec_io import parse_spec
+from estimator.information.scores import PlaceScores, save_scores_csv
+from estimator.layouts.fidelity import SCORE_NAMES, LadderScore
+from instobj.search.fidelity import METRIC_LABELS, TwinRatio
+from instobj.search.outcome.page import ChainResults, write_search_page
+from instobj.search.promotion import Climb, Climber
+from tests.instobj.search.test_outcome import made_up_history
+
+VOID = {"meta", "img", "link", "br"}
+
+
+class Balanced(HTMLParser):
+    """Tags that are open, and text."""
+
+    def __init__(self):
+        super().__init__()
+        self.open, self.words = [], []
+
+    def handle_starttag(self, tag, attrs):
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_endtag(self, tag):
+        assert self.open.pop() == tag
+
+    def handle_data(self, data):
+        if self.open[-1:] != ["style"]:
+            self.words += data.split()
+
+
+def read(page):
+    parser = Balanced()
+    parser.feed(page)
+    assert parser.open == []
+    return " ".join(parser.words)
+
+
+def made_up_scores(spec, path):
+    grid = contact_grid(spec)
+    shape = (5, len(grid))
+    values = np.random.default_rng(2).uniform(0.2, 2.0, shape)
+    arrays = {field.name: values for field in fields(PlaceScores)[2:]}
+    arrays["reaches_score_force"] = np.ones(shape, bool)
+    save_scores_csv(PlaceScores(np.arange(1, 6), grid, **arrays), path / "scores.csv")
+
+
+@pytest.fixture
+def results(tmp_path):
+    spec = parse_spec({"name": "start"}, "start")
+    made_up_scores(spec, tmp_path)
+    box = ((0.0, 0.0, 0.0), (1.0, 1.0, 1.0))
+    part = PartManifest("core", 12.345, box, (0.5, 0.5, 0.5), 6, 1, 12.345, False, 12)
+    BuildManifest("found", "0" * 64, (part,), {}).write(tmp_path)
+    (tmp_path / "parts.png").write_bytes(b"picture")
+    return ChainResults(tmp_path, tmp_path, tmp_path)
+
+
+def climb(objections):
+    def climber(label, trial, value, **content):
+        spec = parse_spec({"name": "a", **content}, "a")
+        score = LadderScore(**dict.fromkeys(SCORE_NAMES, value))
+        return Climber(label, trial, spec, dict.fromkeys(("1", "2", "3"), score))
+
+    moved = {"positions_mm": [[0, 0], [9, 8], [-9, 8], [9, -8], [-8, -9]]}
+    start, best = climber("start", None, 2.0), climber("trial 7 <b>", 7, 1.0, magnets=moved)
+    correlations = {rung: dict.fromkeys(SCORE_NAMES, 0.5) for rung in ("1", "2")}
+    ratios = {"worst_position_bound_mm": TwinRatio(2.0, 1.1, 3.0)}
+    estimators = {one.label: dict.fromkeys(METRIC_LABELS, 0.25) for one in (start, best)}
+    return Climb(start, (best,), (best,), correlations, ratios, estimators, objections)
+
+
+@pytest.mark.parametrize("objections", [(), ("the objectives' mean is not better",)])
+def test_the_page_says_what_was_found(tmp_path, results, objections):
+    path = write_search_page(
+        parse_spec({"name": "start"}, "s"), climb(objections), made_up_history(), results, tmp_path, print
+    )  # fmt: skip
+    page = path.read_text(encoding="utf-8")
+    told = read(page)
+    assert ("NOT BETTER" in told) == bool(objections)
+    assert "the objectives' mean is not better" in told or not objections
+    assert "trial 7 <b> against the start." in told, "text is escaped"
+    assert "12.35" in told or "12.34" in told
+    assert 'class="no-go">NO<' in page, "a part that is not watertight stands out"
+    assert "× 0.50" in told
+    assert "1.10 to 3.00" in told
+    assert page.count("<img") == page.count('src="data:image/png;base64,')
+    assert "http" not in page
