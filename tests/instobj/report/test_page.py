@@ -74,10 +74,11 @@ def test_the_paper_s_cube_stands_beside_the_paper_s_table(tmp_path):
     assert "Table I of Knopke" in told
 
 
-def test_names_of_objects_are_text_not_markup(tmp_path):
-    spec = parse_spec({"name": "a"}, "a").model_copy(update={"name": "<script>"})
-    assert "<script>" not in page_of(spec, tmp_path)
-    assert "&lt;script&gt;" in page_of(spec, tmp_path)
+def test_texts_are_text_not_markup(tmp_path):
+    verdict = Verdict((Check("bound", "2 mm", "≤ 1 mm", 2.0, "face 1"),), "<script>")
+    page = page_of(parse_spec({"name": "a"}, "a"), tmp_path, verdict=verdict)
+    assert "<script>" not in page
+    assert "&lt;script&gt;" in page
 
 
 def test_files_beside_the_page_are_linked(tmp_path):
