@@ -176,7 +176,7 @@ def _header(cells: list[str]) -> Header:
     if not cells or cells[0] != str(FORMAT_VERSION):
         raise InputError(
             f"the board speaks line format {cells[:1]}, this is version {FORMAT_VERSION}. See "
-            "docs/recordings.md"
+            "`instobj docs recordings`"
         )
     channels = tuple(cells[1:])
     wrong = [name for name in channels if not CHANNEL.fullmatch(name)]

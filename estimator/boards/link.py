@@ -108,7 +108,7 @@ def board_messages(
             raise InputError(
                 f"{where}: no sound line for {PATIENCE_S:g} s ({received} bytes since the start, "
                 f"{decoder.statistics.damaged_lines} damaged lines). Check the baud rate and the "
-                "line format (docs/recordings.md)"
+                "line format (`instobj docs recordings`)"
             )
         yield found
 

@@ -13,7 +13,7 @@ from jaxtyping import Float, Int
 
 from design.errors import RecordingError
 
-FORMATS = "docs/recordings.md describes the formats that are read"
+FORMATS = "`instobj docs recordings` describes the formats that are read"
 
 
 @contextmanager

@@ -44,6 +44,16 @@ def new(name: Annotated[str, typer.Argument(help="Name of the object.")], out: O
 
 
 @app.command()
+def docs(
+    page: Annotated[str | None, typer.Argument(help="Name of a page.", show_default=False)] = None,
+) -> None:
+    """Print a page of the documentation, or the names of the pages."""
+    from instobj.commands.docs import page_names, page_text
+
+    typer.echo(page_text(page) if page else "\n".join(page_names()))
+
+
+@app.command()
 def check(
     specs: Specs,
     fabrication: Annotated[

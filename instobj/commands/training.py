@@ -9,6 +9,7 @@ from design.errors import InputError
 from design.spec.object import TrainingSpec
 from instobj.store.content import content_key, file_key, store_root, stored
 from instobj.store.progress import ProgressLine
+from instobj.store.readers import FRAMES, MODELS, PRESSES, face_model_paths
 from instobj.store.publish import file_rows, publish_to, require_writable, run_folder, stage_row
 
 if TYPE_CHECKING:
@@ -42,7 +43,7 @@ def read_recordings(files: list[Path], out: Path, spec: Path | None = None) -> d
             found.append(read_recording(path, grid_mm))
     frames = found[0].frames if len(found) == 1 else combine(found)
     between = jump_between_faults(found)
-    target = run_folder(out, "+".join(path.stem for path in files)) / "frames.nc"
+    target = run_folder(out, "+".join(path.stem for path in files)) / FRAMES.name
     save_frames(frames, target)
     return {
         "command": "recordings",
@@ -72,8 +73,14 @@ def run_on_data_set(
         An override that is not `seed` or below `training`, or a bad data set.
     """
     from estimator.frames.dataset import load_frames
+    from estimator.frames.splits import split_presses
     from instobj.report.summary import summarize
-    from instobj.stages.learning import evaluate_networks, train_networks, unfinished_folder
+    from instobj.stages.learning import (
+        Fitting,
+        evaluate_networks,
+        train_networks,
+        unfinished_folder,
+    )
 
     training, seed = _settings(overrides)
     frames = load_frames(path)
@@ -89,25 +96,23 @@ def run_on_data_set(
         "version": _VERSION,
     }
     unfinished = unfinished_folder(content_key(inputs))
+    how = Fitting(training, seed, progress.step, unfinished, start, twin)
+    split = split_presses(frames, seed)
+
+    def train(folder: Path) -> None:
+        train_networks(frames, split, how, folder)
+
+    def evaluate(folder: Path) -> None:
+        models = MODELS.read(results["networks"].folder)
+        evaluate_networks(frames, split, models, folder, progress.step)
+
     results = {}
     with progress.stage(f"training on {path}"):
-        results["networks"] = stored(
-            store_root(),
-            "networks",
-            inputs,
-            lambda folder: train_networks(
-                path, training, seed, folder, progress.step, unfinished, start, twin
-            ),
-        )
+        results["networks"] = stored(store_root(), "networks", inputs, train)
     if "metrics" in stages:
-        networks = results["networks"].folder
         with progress.stage("held-out presses"):
-            results["metrics"] = stored(
-                store_root(),
-                "metrics",
-                inputs | {"pictures": 1},
-                lambda folder: evaluate_networks(path, networks, seed, folder, progress.step),
-            )
+            pictured = inputs | {"pictures": 1}
+            results["metrics"] = stored(store_root(), "metrics", pictured, evaluate)
     target = run_folder(out, name)
     files = [file for result in results.values() for file in publish_to(target, result)]
     return {
@@ -128,8 +133,7 @@ def twin_of_data(path: Path, frames: FrameSet, training: TrainingSpec) -> TwinOf
         with enough places pressed one by one.
     """
     from design.spec_io import load_spec
-    from fem.presses.results import load_presses
-    from instobj.stages.chain import Chain
+    from instobj.stages.run import Run
     from instobj.stages.twin import (
         TwinOfData,
         require_same_object,
@@ -141,9 +145,9 @@ def twin_of_data(path: Path, frames: FrameSet, training: TrainingSpec) -> TwinOf
     require_settings(training)
     require_same_object(spec, frames)
     require_some_face(spec, frames)
-    result = Chain(spec).require("presses")
-    presses = load_presses(result.folder / "presses.nc")
-    return TwinOfData(spec, presses, result.key, training.twins)
+    run = Run(spec)
+    presses = run.read(PRESSES)
+    return TwinOfData(spec, presses, run.results[PRESSES.stage].key, training.twins)
 
 
 def _grid_mm(spec: Path) -> Grid:
@@ -155,7 +159,7 @@ def _grid_mm(spec: Path) -> Grid:
 
 
 def _keys_of_models(folder: Path) -> dict[str, str]:
-    paths = sorted(folder.glob("face_*.safetensors"))
+    paths = face_model_paths(folder)
     if not paths:
         raise InputError(
             f"{folder} holds no face_<n>.safetensors to start from. Give the folder that `instobj "

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+from instobj.store.readers import FRAMES, MODELS, PRESSES, PRETRAINED
 from instobj.store.stage import StageContext, write_json
 
 
@@ -102,33 +103,33 @@ def make_frames(context: StageContext, folder: Path) -> None:
 def make_pretraining(context: StageContext, folder: Path) -> None:
     """A network per face, trained on presses of twins."""
     from estimator.calibration.pretraining import split_twins, twin_frames
-    from fem.presses.results import load_presses
-    from instobj.stages.learning import fit_faces
+    from instobj.stages.learning import Fitting, train_networks
 
     spec = context.spec
-    presses = load_presses(context.inputs["presses"] / "presses.nc")
-    frames = twin_frames(spec, *presses, spec.training.twins, context.step)
-    split, target = split_twins(frames), folder / "pretrained"
-    fit_faces(frames, split, spec.training, spec.seed, target, context.step)
+    frames = twin_frames(spec, *context.read(PRESSES), spec.training.twins, context.step)
+    how = Fitting(spec.training, spec.seed, context.step)
+    train_networks(frames, split_twins(frames), how, PRETRAINED.path(folder).parent)
 
 
 def make_networks(context: StageContext, folder: Path) -> None:
     """A network per face."""
-    from instobj.stages.learning import train_networks, unfinished_folder
+    from estimator.frames.splits import split_presses
+    from instobj.stages.learning import Fitting, train_networks, unfinished_folder
 
-    frames = context.inputs["frames"] / "frames.nc"
+    spec, frames = context.spec, context.read(FRAMES)
     unfinished = unfinished_folder(context.key)
-    train_networks(
-        frames, context.spec.training, context.spec.seed, folder, context.step, unfinished
-    )
+    how = Fitting(spec.training, spec.seed, context.step, unfinished)
+    train_networks(frames, split_presses(frames, spec.seed), how, folder)
 
 
 def make_metrics(context: StageContext, folder: Path) -> None:
     """Held-out presses."""
+    from estimator.frames.splits import split_presses
     from instobj.stages.learning import evaluate_networks
 
-    frames = context.inputs["frames"] / "frames.nc"
-    evaluate_networks(frames, context.inputs["networks"], context.spec.seed, folder, context.step)
+    frames = context.read(FRAMES)
+    split = split_presses(frames, context.spec.seed)
+    evaluate_networks(frames, split, context.read(MODELS), folder, context.step)
 
 
 def _stored_signals(context: StageContext) -> Any:

@@ -10,6 +10,7 @@ from typing import Any
 
 from design.files import atomic_path
 from design.spec.object import ObjectSpec
+from instobj.store.readers import Content, ResultFile
 
 Step = Callable[[str], None]
 
@@ -22,6 +23,10 @@ class StageContext:
     inputs: dict[str, Path]
     key: str
     step: Step
+
+    def read(self, file: ResultFile[Content]) -> Content:
+        """A result file of a stage that this one needs."""
+        return file.read(self.inputs[file.stage])
 
 
 def _none(spec: ObjectSpec) -> dict[str, tuple[str, ObjectSpec]]:

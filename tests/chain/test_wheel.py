@@ -1,0 +1,85 @@
+"""The built wheel, installed away from the checkout: a new object, checked, built and run."""
+
+import os
+import subprocess
+import sys
+import sysconfig
+import venv
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+COARSE = (
+    "body.sensed_faces=[1]",
+    "contact_grid.count=[3, 3]",
+    "contact_grid.pitch_mm=6.0",
+    "press.depths_mm=[1.0, 2.0]",
+    "mesh.edge_mm=8.0",
+    "mesh.surface_edge_mm=3.0",
+    "score.force_n=2.0",
+    "training.epochs=2",
+    "training.hidden_units=[8, 8]",
+)
+
+
+def _run(*command, cwd, **more):
+    """Standard output; the checkout is on no path that Python searches."""
+    hidden = ("PYTHONPATH", "INSTOBJ_STORE", "VIRTUAL_ENV")
+    environment = {name: value for name, value in os.environ.items() if name not in hidden}
+    found = subprocess.run(
+        [*map(str, command)], cwd=cwd, env=environment | more, capture_output=True, text=True
+    )
+    assert found.returncode == 0, found.stderr[-2000:]
+    return found.stdout
+
+
+@pytest.fixture(scope="module")
+def installed(tmp_path_factory):
+    """The `bin` of an environment that holds the wheel, and takes what it needs from this one.
+
+    A path file adds this environment's packages; path files in there, such as that of an editable
+    install, are not read for it.
+    """
+    folder = tmp_path_factory.mktemp("wheel")
+    pip = (sys.executable, "-m", "pip", "--disable-pip-version-check")
+    _run(*pip, "wheel", "-q", "--no-deps", "--no-build-isolation", "-w", folder, ROOT, cwd=folder)
+    (wheel,) = folder.glob("instobj-*.whl")
+    venv.create(folder / "env", with_pip=False)
+    python = folder / "env" / "bin" / "python"
+    _run(*pip, "--python", python, "install", "-q", "--no-deps", "--no-index", wheel, cwd=folder)
+    home = Path(_run(python, "-c", "import sysconfig; print(sysconfig.get_path('purelib'))",
+                     cwd=folder).strip())  # fmt: skip
+    (home / "needs.pth").write_text(sysconfig.get_path("purelib") + "\n", encoding="utf-8")
+    return python.parent
+
+
+def test_the_packages_are_those_of_the_wheel(installed, tmp_path):
+    modules = "design, estimator, fem, instobj"
+    code = f"import {modules}; print(*(m.__file__ for m in ({modules})))"
+    found = _run(installed / "python", "-c", code, cwd=tmp_path).split()
+    assert len(found) == 4
+    assert all(Path(file).is_relative_to(installed.parent) for file in found)
+
+
+def test_an_object_is_made_from_the_wheel_alone(installed, tmp_path):
+    """`run` builds too: its report stands on the parts."""
+    instobj = installed / "instobj"
+    coarse = [part for key in COARSE for part in ("--set", key)]
+    threads = {"OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"}
+    _run(instobj, "new", "tiny", cwd=tmp_path)
+    assert "tiny" in _run(instobj, "check", "tiny.toml", *coarse, cwd=tmp_path)
+    _run(instobj, "build", "tiny.toml", *coarse, cwd=tmp_path, **threads)
+    assert (tmp_path / "cad_out" / "tiny" / "shell.stl").stat().st_size > 10_000
+    assert "<h1>" in (tmp_path / "cad_out" / "tiny" / "assembly.html").read_text(encoding="utf-8")
+    _run(instobj, "run", "tiny.toml", *coarse, cwd=tmp_path, **threads)
+    report = (tmp_path / "runs" / "tiny" / "report.html").read_text(encoding="utf-8")
+    assert "<style>" in report
+    assert (tmp_path / "runs" / "tiny" / "scores.csv").is_file()
+
+
+def test_the_pages_that_messages_name_are_in_the_wheel(installed, tmp_path):
+    names = _run(installed / "instobj", "docs", cwd=tmp_path).split()
+    assert "recordings" in names
+    page = _run(installed / "instobj", "docs", "recordings", cwd=tmp_path)
+    assert page == (ROOT / "docs" / "recordings.md").read_text(encoding="utf-8") + "\n"
