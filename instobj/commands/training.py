@@ -9,8 +9,8 @@ from design.errors import InputError
 from design.spec.object import TrainingSpec
 from instobj.store.content import content_key, file_key, store_root, stored
 from instobj.store.progress import ProgressLine
-from instobj.store.readers import FRAMES, MODELS, PRESSES, face_model_paths
 from instobj.store.publish import file_rows, publish_to, require_writable, run_folder, stage_row
+from instobj.store.readers import FRAMES, MODELS, PRESSES, face_model_paths
 
 if TYPE_CHECKING:
     from estimator.frames.dataset import FrameSet

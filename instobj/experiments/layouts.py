@@ -14,7 +14,7 @@ from typing import Any
 
 from design.spec.object import ObjectSpec
 from design.spec_io import parse_spec
-from instobj.experiments.registry import Study
+from instobj.experiments.registry import Study, StudyResult
 from instobj.experiments.variant_figure import draw_variants
 from instobj.search.fidelity import chain_score, score_row
 
@@ -56,7 +56,7 @@ def changed(spec: ObjectSpec, changes: Changes, source: str = "a variant") -> Ob
 
 def compare_variants(
     variants: Variants, spec: ObjectSpec, folder: Path, quick: bool
-) -> dict[str, Any]:
+) -> StudyResult:
     """Score the variants, the first being what the others are compared with; write the figure."""
     rows = []
     for label, changes in variants(spec).items():
@@ -67,7 +67,7 @@ def compare_variants(
     draw_variants(
         rows, spec.score.force_n if not quick else _QUICK["score.force_n"], folder / "scores.png"
     )
-    return {"rows": rows}
+    return StudyResult(rows)
 
 
 def sensor_counts(spec: ObjectSpec) -> dict[str, Changes]:

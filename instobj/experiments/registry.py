@@ -5,8 +5,8 @@ A module of experiments names them in a tuple `STUDIES` and is listed in `_MODUL
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
 from importlib import import_module
 from pathlib import Path
 from typing import Any
@@ -32,17 +32,36 @@ _MODULES: tuple[str, ...] = (
 
 
 @dataclass(frozen=True)
+class StudyResult:
+    """What an experiment found; JSON-able.
+
+    Attributes
+    ----------
+    rows : the table; every row has the same columns, their names carry the units
+    texts : what it says in words
+    data : further numbers by name, such as the curves of a figure
+    """
+
+    rows: list[dict[str, Any]]
+    texts: Sequence[str] = ()
+    data: dict[str, Any] = field(default_factory=dict)
+
+    def document(self) -> dict[str, Any]:
+        """Texts and data by name, without the table."""
+        return ({"texts": list(self.texts)} if self.texts else {}) | self.data
+
+
+@dataclass(frozen=True)
 class Study:
     """An experiment.
 
-    `run(spec, folder, quick)` writes its figures into the folder and returns a JSON-able document
-    with `rows`, the table; `texts`, what it says in words, and anything else where wanted. `quick`
+    `run(spec, folder, quick)` writes its figures into the folder and returns what it found; `quick`
     asks for the same on fewer and coarser cases, in seconds to a minute.
     """
 
     name: str
     help: str
-    run: Callable[[ObjectSpec, Path, bool], dict[str, Any]]
+    run: Callable[[ObjectSpec, Path, bool], StudyResult]
 
 
 def studies() -> dict[str, Study]:
@@ -69,14 +88,13 @@ def run_study(
     folder = run_folder(out, spec.name) / "experiments" / name
     folder.mkdir(parents=True, exist_ok=True)
     found = known[name].run(spec, folder, quick)
-    write_records(folder / f"{name}.csv", found["rows"])
-    write_json(
-        {"experiment": name, "spec": spec.name, "quick": quick} | found, folder / f"{name}.json"
-    )
+    write_records(folder / f"{name}.csv", found.rows)
+    about = {"experiment": name, "spec": spec.name, "quick": quick, "rows": found.rows}
+    write_json(about | found.document(), folder / f"{name}.json")
     return {
         "command": "experiment",
         "experiment": name,
-        "tables": {f"{name}, {spec.name}": found["rows"]},
-        **{key: value for key, value in found.items() if key != "rows"},
+        "tables": {f"{name}, {spec.name}": found.rows},
+        **found.document(),
         "files": file_rows(sorted(path for path in folder.iterdir() if path.is_file())),
     }

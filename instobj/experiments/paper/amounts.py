@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -20,7 +20,7 @@ from instobj.experiments.paper.object import (
 )
 from instobj.experiments.paper.published import LEAST_TRAINING_FRAMES, TABLE_I
 from instobj.experiments.paper.unseen import seen_places
-from instobj.experiments.registry import Study
+from instobj.experiments.registry import Study, StudyResult
 
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
@@ -31,7 +31,7 @@ _HALVINGS = 10
 _LEAST_FRAMES = 40
 
 
-def run_data_amount(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]:
+def run_data_amount(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
     """The paper's training part halved ten times; the same test part throughout."""
     from estimator.frames.face_data import face_data
     from estimator.networks.metrics import face_metrics, force_reference
@@ -79,10 +79,10 @@ def run_data_amount(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, An
         SIMULATED,
         f"The paper's performance held down to {LEAST_TRAINING_FRAMES} training frames, 1/32 of all.",
     ]
-    return {"rows": rows, "texts": texts}
+    return StudyResult(rows, texts)
 
 
-def run_places(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]:
+def run_places(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
     """One budget of frames spent on few places or on many, tested anywhere on the face."""
     recorded = simulated_object(spec, quick)
     face, protocol = recorded.spec.collection.faces[0], recorded.spec.protocol
@@ -122,10 +122,7 @@ def run_places(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]:
         headline(f"contacts anywhere on face {face}, {budget} labelled frames each", quick),
         folder / "places-against-frames.png",
     )
-    return {
-        "rows": rows,
-        "texts": [SIMULATED, "The paper labels 100 places with 1000 frames each."],
-    }
+    return StudyResult(rows, [SIMULATED, "The paper labels 100 places with 1000 frames each."])
 
 
 def _thinned(frames: FrameSet, count: int, seed: int) -> FrameSet:

@@ -15,7 +15,7 @@ from instobj.experiments.paper.object import (
     fitted_to_split,
     simulated_object,
 )
-from instobj.experiments.registry import Study
+from instobj.experiments.registry import Study, StudyResult
 
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
@@ -26,7 +26,7 @@ SHARE = 0.3
 _AXES = ("Fx", "Fy", "Fz")
 
 
-def run_3d_force(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]:
+def run_3d_force(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
     """Presses anywhere, pulled sideways; the paper names this as open."""
     from estimator.frames.collection import simulate_collection
     from estimator.frames.face_data import face_data
@@ -55,7 +55,7 @@ def run_3d_force(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]:
         "presses held out; what a tangential force adds is that of the design. The paper reads the "
         "normal force alone. Share of the mean's error: over that of always guessing the mean.",
     ]
-    return {"rows": rows, "texts": texts}
+    return StudyResult(rows, texts)
 
 
 def _shear(recorded: SimulatedObject) -> ShearSignals:

@@ -19,7 +19,7 @@ from instobj.experiments.paper.object import (
 )
 from instobj.experiments.paper.published import LINEAR, TABLE_I, beside
 from instobj.experiments.paper.reference import interval_row, judged_frames, reference_row
-from instobj.experiments.registry import Study
+from instobj.experiments.registry import Study, StudyResult
 
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
@@ -29,7 +29,7 @@ _STRONG_N = 4.0
 _PAPER = {"paper E_f %": "paper (real object)"}
 
 
-def run_general(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]:
+def run_general(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
     """Every face, frames split at random as in the paper, beside the bound on the same frames."""
     recorded = simulated_object(spec, quick)
     rows, errors = [], {}
@@ -52,7 +52,7 @@ def run_general(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]:
         "radius, and that of the narrowest intervals with the posterior of the bound, in the same "
         "frames. The bound knows that contacts lie on the grid, so its radius may be 0.",
     ]
-    return {"rows": rows, "texts": texts}
+    return StudyResult(rows, texts)
 
 
 def _face_row(recorded: SimulatedObject, face: int) -> tuple[dict[str, Any], ContactErrors]:
@@ -90,7 +90,7 @@ def _face_row(recorded: SimulatedObject, face: int) -> tuple[dict[str, Any], Con
     return row, errors
 
 
-def run_linear(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]:
+def run_linear(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
     """Linear regression beside the network and chance, on the same frames of face 1."""
     from estimator.evaluation.evaluation import mean_map_baseline
     from estimator.frames.face_data import face_data
@@ -123,7 +123,7 @@ def run_linear(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]:
         headline(f"linear regression and the network, face {face}", quick),
         folder / "linear-baseline.png",
     )
-    return {"rows": rows, "texts": [SIMULATED]}
+    return StudyResult(rows, [SIMULATED])
 
 
 def _pair(found: tuple[np.ndarray, np.ndarray, np.ndarray], span: Any) -> tuple[Any, ...]:

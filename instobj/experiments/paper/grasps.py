@@ -27,7 +27,7 @@ from instobj.experiments.paper.reference import (
     reference_row,
 )
 from instobj.experiments.paper.slipped import SHOWN
-from instobj.experiments.registry import Study
+from instobj.experiments.registry import Study, StudyResult
 
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
@@ -46,7 +46,7 @@ SHARES = np.linspace(0.3, 1.0, 8)
 _TEST_SEED = 100
 
 
-def run_two_face_grasp(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]:
+def run_two_face_grasp(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
     """Estimators of single-face presses, judged in grasps of both faces."""
     recorded = simulated_object(spec, quick)
     rows, sweeps = [], {}
@@ -71,10 +71,10 @@ def run_two_face_grasp(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str,
         f"Aim with all sensors: total force within 8 % ({_reached(worst <= 8)}: {worst:.1f} % on "
         "the worse face), E_loc within 0.5 pixels.",
     ]
-    return {"rows": rows, "texts": texts, "sweep": _as_lists(sweeps)}
+    return StudyResult(rows, texts, {"sweep": _as_lists(sweeps)})
 
 
-def run_swap(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]:
+def run_swap(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
     """Whether a face's own sensors suffice in a grasp once they move with the shell."""
     rows, tested = [], set()
     for title, changes in arrangements(spec).items():
@@ -95,7 +95,7 @@ def run_swap(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]:
         "figure. Fitted to presses of one face at a time, judged in grasps of two faces.",
         *sorted(tested),
     ]
-    return {"rows": rows, "texts": texts}
+    return StudyResult(rows, texts)
 
 
 def _grasps(recorded: SimulatedObject) -> FrameSet:

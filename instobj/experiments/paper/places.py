@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -16,7 +16,7 @@ from instobj.experiments.paper.object import (
     predict_face,
     simulated_object,
 )
-from instobj.experiments.registry import Study
+from instobj.experiments.registry import Study, StudyResult
 
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
@@ -37,7 +37,7 @@ def single_contact_metrics(recorded: SimulatedObject, face: int) -> FaceMetrics:
     return face_metrics(face, predicted, true, span, rest)
 
 
-def run_location_wise(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]:
+def run_location_wise(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
     """Mean errors at every place of the first face, and by area."""
     from design.layout.positions import contact_grid
     from estimator.information.scores import AREAS, area_places
@@ -67,10 +67,10 @@ def run_location_wise(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, 
         SIMULATED,
         f"Face {face}, single contacts. The paper finds its errors at the mid-edges.",
     ]
-    return {"rows": rows, "texts": texts}
+    return StudyResult(rows, texts)
 
 
-def run_sensitivity(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]:
+def run_sensitivity(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
     """δ and the Cramér–Rao bounds of every place beside the errors there, ranks compared."""
     from estimator.information.scores import score_places
 
@@ -104,7 +104,7 @@ def run_sensitivity(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, An
         f"places as the errors do. δ from {recorded.spec.score.hull_frames} frames, form "
         f"{recorded.spec.score.hull}; bounds at {recorded.spec.score.force_n:g} N. Face {face}.",
     ]
-    return {"rows": rows, "texts": texts}
+    return StudyResult(rows, texts)
 
 
 def _draw_sensitivity(

@@ -9,13 +9,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from jaxtyping import Float
 
 from instobj.experiments.paper.object import SIMULATED, SimulatedObject, simulated_object
-from instobj.experiments.registry import Study
+from instobj.experiments.registry import Study, StudyResult
 
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
@@ -191,7 +191,7 @@ def cramer_rao_row(recorded: SimulatedObject, face: int) -> dict[str, float]:
     }
 
 
-def run_reference(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]:
+def run_reference(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
     """Bounds of every face on a fresh recording of the paper's collection."""
     from estimator.frames.face_data import face_data
     from estimator.networks.metrics import force_reference
@@ -204,7 +204,7 @@ def run_reference(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]
         judged = judged_frames(recorded, face, frames)
         row = reference_row(judged, span) | cramer_rao_row(recorded, face)
         rows.append({"face": face} | row)
-    return {"rows": rows, "texts": [SIMULATED, __doc__ or ""]}
+    return StudyResult(rows, [SIMULATED, __doc__ or ""])
 
 
 STUDIES = (

@@ -16,7 +16,7 @@ from instobj.experiments.paper.object import (
     predict_face,
     simulated_object,
 )
-from instobj.experiments.registry import Study
+from instobj.experiments.registry import Study, StudyResult
 
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
@@ -38,7 +38,7 @@ _UNIT_MM = 0.5
 _AIM_PERCENT = 15.0
 
 
-def run_core_slip(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]:
+def run_core_slip(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
     """Estimators calibrated before the slip, with and without slip in pre-training, judged after."""
     recorded = simulated_object(spec, quick)
     presses = _presses(recorded)
@@ -76,7 +76,7 @@ def run_core_slip(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]
         f"({'' if best <= _AIM_PERCENT else 'not '}reached: "
         f"{best:.1f} %).",
     ]
-    return {"rows": rows, "texts": texts}
+    return StudyResult(rows, texts)
 
 
 def slipped_signals(

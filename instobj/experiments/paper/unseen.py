@@ -21,7 +21,7 @@ from instobj.experiments.paper.object import (
 )
 from instobj.experiments.paper.published import TABLE_II, beside
 from instobj.experiments.paper.reference import judged_frames, known_cases, reference_row
-from instobj.experiments.registry import Study
+from instobj.experiments.registry import Study, StudyResult
 
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
@@ -33,7 +33,7 @@ _TWINS = 16
 _STRONG_N = 4.0
 
 
-def run_seen_unseen(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, Any]:
+def run_seen_unseen(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
     """Trained on every second place in x and y; tested there and on all other places."""
     from estimator.frames.contact_cases import DUAL_CASES, paper_cases
     from estimator.frames.face_data import face_data
@@ -90,7 +90,7 @@ def run_seen_unseen(spec: ObjectSpec, folder: Path, quick: bool) -> dict[str, An
         "is calibrated; that of silicone follows it to about 10 %.",
         "The bound knows the object's signals at every place and judges each frame for itself.",
     ]
-    return {"rows": rows, "texts": texts}
+    return StudyResult(rows, texts)
 
 
 def _models(

@@ -76,28 +76,28 @@ def results(run):
 @pytest.mark.parametrize("name", NAMES)
 def test_every_study_writes_a_table_and_a_figure(results, name):
     found, folder = results[name]
-    assert all(row.keys() == found["rows"][0].keys() for row in found["rows"])
-    assert "hidden twin" in found["texts"][0]
+    assert all(row.keys() == found.rows[0].keys() for row in found.rows)
+    assert "hidden twin" in found.texts[0]
     assert (folder / f"{name}.png").stat().st_size > 5000
 
 
 def test_grasps_stand_beside_the_papers(results):
     found = results["two-face-grasp"][0]
-    assert [row["face"] for row in found["rows"]] == [3, 3, 5, 5]
-    assert found["rows"][0]["paper E_f %"] == 38.7
-    assert len(found["sweep"]["face 3, all sensors"]["E_f %"]) == 8
-    assert "56 of the collection's 56 contact cases" in " ".join(found["texts"])
-    for row in found["rows"]:
+    assert [row["face"] for row in found.rows] == [3, 3, 5, 5]
+    assert found.rows[0]["paper E_f %"] == 38.7
+    assert len(found.data["sweep"]["face 3, all sensors"]["E_f %"]) == 8
+    assert "56 of the collection's 56 contact cases" in " ".join(found.texts)
+    for row in found.rows:
         assert 0 < row["best total force %"] < row["total force %"]
         assert 0 < row["best E_f %"] < row["E_f %"]
-    own, every = found["rows"][:2]
+    own, every = found.rows[:2]
     assert every["best total force %"] < own["best total force %"]
 
 
 def test_swapping_magnets_and_sensors_judges_every_arrangement(run):
     found, folder = run("swap-magnets-and-sensors")
     assert (folder / "swap-magnets-and-sensors.png").stat().st_size > 5000
-    rows = found["rows"]
+    rows = found.rows
     assert len(rows) == 3 * 2 * 2
     swapped = [row for row in rows if "sensors in the shell" in row["arrangement"]]
     assert {(row["face"], row["reads"]) for row in swapped} == {
@@ -109,14 +109,14 @@ def test_swapping_magnets_and_sensors_judges_every_arrangement(run):
 
 
 def test_a_new_zero_undoes_most_of_a_slip(results):
-    rows = results["core-slip"][0]["rows"]
+    rows = results["core-slip"][0].rows
     error = {(row["estimator"], row["object"]): row["total force %"] for row in rows}
     assert error["calibrated", "slipped, old zero"] > 3 * error["calibrated", "before the slip"]
     assert error["calibrated", "slipped, new zero"] < 0.5 * error["calibrated", "slipped, old zero"]
 
 
 def test_a_calibration_is_carried_over_to_the_slip_found(results):
-    rows = results["core-slip"][0]["rows"]
+    rows = results["core-slip"][0].rows
     (carried,) = [row for row in rows if row["estimator"] == slipped.CARRIED]
     assert carried["object"] == slipped.NEW_ZERO
     after = {row["estimator"]: row for row in rows if row["object"] == slipped.NEW_ZERO}
@@ -125,6 +125,6 @@ def test_a_calibration_is_carried_over_to_the_slip_found(results):
 
 
 def test_tangential_forces_are_read(results):
-    rows = {row["axis"]: row for row in results["3d-force"][0]["rows"]}
+    rows = {row["axis"]: row for row in results["3d-force"][0].rows}
     assert rows["Fz"]["correlation"] > 0.5
     assert rows["Fx"]["rms force N"] < 0.4 * rows["Fz"]["rms force N"]

@@ -86,7 +86,7 @@ def test_the_figure_takes_any_rows(tmp_path):
 def test_poles_are_compared_on_one_mesh(tmp_path, monkeypatch):
     monkeypatch.setenv("INSTOBJ_STORE", str(tmp_path / "store"))
     found = layouts.compare_variants(layouts.poles, PAPER, tmp_path, True)
-    rows = {row["variant"]: row for row in found["rows"]}
+    rows = {row["variant"]: row for row in found.rows}
     assert len(list((tmp_path / "store" / "mesh").iterdir())) == 1
     assert list(rows) == list(layouts.poles(PAPER))
     assert all(0 < row["worst place mm"] < 10 for row in rows.values())

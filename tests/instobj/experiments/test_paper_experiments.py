@@ -59,16 +59,16 @@ def results(synthetic_object, tmp_path_factory):
 @pytest.mark.parametrize("name", NAMES)
 def test_every_study_writes_a_table_and_says_what_it_is(results, name):
     found, folder = results[name]
-    assert found["rows"]
-    assert all(row.keys() == found["rows"][0].keys() for row in found["rows"])
-    assert "hidden twin" in found["texts"][0]
+    assert found.rows
+    assert all(row.keys() == found.rows[0].keys() for row in found.rows)
+    assert "hidden twin" in found.texts[0]
     figures = list(folder.glob("*.png"))
     assert bool(figures) == (name != "reference-bounds")
     assert all(figure.stat().st_size > 5000 for figure in figures)
 
 
 def test_table_one_stands_beside_the_papers_and_the_bound(results):
-    (row,) = results["general-performance"][0]["rows"]
+    (row,) = results["general-performance"][0].rows
     assert row["paper E_f %"] == 1.82
     assert row["paper E_loc px"] == pytest.approx(15.3e-4)
     assert row["E_f over bound"] == pytest.approx(row["E_f %"] / row["best E_f %"], abs=1e-3)
@@ -78,7 +78,7 @@ def test_table_one_stands_beside_the_papers_and_the_bound(results):
 
 
 def test_intervals_stand_beside_the_narrowest_ones(results):
-    (row,) = results["general-performance"][0]["rows"]
+    (row,) = results["general-performance"][0].rows
     assert 75 < row["force in interval %"] <= 100
     assert 75 < row["place in radius %"] <= 100
     assert row["interval ± N"] > row["best interval ± N"] > 1.6 * 0.12  # the load cell's noise
@@ -88,20 +88,20 @@ def test_intervals_stand_beside_the_narrowest_ones(results):
 
 
 def test_the_network_beats_linear_regression_and_both_beat_chance(results):
-    rows = {row["estimator"]: row for row in results["linear-baseline"][0]["rows"]}
+    rows = {row["estimator"]: row for row in results["linear-baseline"][0].rows}
     assert rows["compact"]["A_sim"] > rows["linear"]["A_sim"] > rows["always the mean map"]["A_sim"]
     assert rows["compact"]["paper E_f %"] is None
 
 
 def test_less_data_does_worse(results):
-    rows = results["data-amount"][0]["rows"]
+    rows = results["data-amount"][0].rows
     assert rows[0]["training frames"] > 10 * rows[-1]["training frames"]
     assert rows[0]["A_sim"] > rows[-1]["A_sim"]
     assert rows[0]["E_f %"] < rows[-1]["E_f %"]
 
 
 def test_unseen_places_are_harder_than_seen_ones(results):
-    rows = results["seen-unseen"][0]["rows"]
+    rows = results["seen-unseen"][0].rows
     for model in ("heatmap", "position"):
         seen, unseen = (
             next(r for r in rows if (r["model"], r["places"]) == (model, place))
@@ -118,7 +118,7 @@ def test_unseen_places_are_harder_than_seen_ones(results):
 
 
 def test_a_calibrated_twin_knows_places_that_nobody_pressed(results):
-    rows = [row for row in results["seen-unseen"][0]["rows"] if row["places"] == "unseen"]
+    rows = [row for row in results["seen-unseen"][0].rows if row["places"] == "unseen"]
     errors = {row["model"]: row for row in rows}
     twin, tuned = errors["calibrated twin"], errors["pre-trained"]
     assert twin["distance px"] < 0.8 * tuned["distance px"]

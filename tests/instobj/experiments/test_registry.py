@@ -7,14 +7,14 @@ import pytest
 
 from design.errors import InputError
 from instobj.experiments import registry
-from instobj.experiments.registry import Study, run_study, studies
+from instobj.experiments.registry import Study, StudyResult, run_study, studies
 
 ROWS = [{"variant": "a", "worst place mm": 1.5}, {"variant": "b", "worst place mm": 0.7}]
 
 
 def made_up(spec, folder, quick):
     (folder / "figure.png").write_bytes(b"\x89PNG")
-    return {"rows": ROWS, "texts": [f"{spec.name}, seed {spec.seed}, quick: {quick}"]}
+    return StudyResult(ROWS, [f"{spec.name}, seed {spec.seed}, quick: {quick}"])
 
 
 @pytest.fixture
