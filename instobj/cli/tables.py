@@ -11,6 +11,7 @@ from rich.console import Console
 from rich.table import Table
 
 from instobj.report.surroundings import surroundings_lines
+from instobj.store import readers
 
 _MOST_COLUMNS = 12
 
@@ -144,15 +145,15 @@ def _widths(columns: list[list[str]], room: int) -> list[int] | None:
 
 
 _OPENED_FIRST = (
-    "report.html",
+    readers.REPORT.name,
     "search.html",
-    "assembly.html",
-    "parts.png",
-    "fabrication.png",
+    readers.ASSEMBLY_SHEET.name,
+    readers.PARTS_PICTURE.name,
+    readers.FINDINGS_PICTURE.name,
     "position_bound_overview.png",
     "held_out.png",
-    "robustness.png",
-    "calibration.png",
+    readers.ROBUSTNESS_PICTURE.name,
+    readers.CALIBRATION_PICTURE.name,
 )
 """Files that a person opens first, where a command wrote them."""
 _ALL_NAMED = 6

@@ -8,14 +8,15 @@ from typing import Any
 import numpy as np
 
 from design.spec.object import ObjectSpec
-from estimator.information.scores import PlaceScores, area_places, load_scores_csv, weakest_place
+from estimator.information.scores import PlaceScores, area_places, weakest_place
 from instobj.figures.saving import save_figure
 from instobj.store.publish import file_rows, run_folder
+from instobj.store.readers import SCORES
 
 
 def compare_scores(specs: list[ObjectSpec], out: Path) -> dict[str, Any]:
     """Rows and a figure from the `scores.csv` that every specification has in `runs/<name>`."""
-    scores = [load_scores_csv(run_folder(out, spec.name) / "scores.csv") for spec in specs]
+    scores = [SCORES.read(run_folder(out, spec.name)) for spec in specs]
     figure = run_folder(out, "+".join(spec.name for spec in specs)) / "comparison.png"
     draw_comparison(specs, scores, figure)
     rows = [_row(spec, places) for spec, places in zip(specs, scores, strict=True)]

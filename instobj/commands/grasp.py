@@ -12,7 +12,7 @@ from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
 from instobj.commands.loads import joint_pressed, loads_document, require_no_slip, response_of
 from instobj.commands.places import Place, check_places, jaw_given
-from instobj.stages.chain import Chain
+from instobj.stages.run import Run
 from instobj.store.publish import require_writable, run_folder
 
 if TYPE_CHECKING:
@@ -47,8 +47,8 @@ def grasp_specification(
             "indenter.direction_deg = [0, 0]"
         )
     require_writable(out)
-    chain = Chain(spec)
-    response = response_of(chain)
+    run = Run(spec)
+    response = response_of(run)
     tips = [place.tip for place in (*first, *second)]
 
     def step(depths: np.ndarray) -> JointPress:
@@ -58,7 +58,7 @@ def grasp_specification(
     final = squeeze(spec, response, jaws_tips, force_n)
     pressed = joint_pressed(spec, response, final, step)
     label = f"grasp_{first[0].face}_{second[0].face}_{force_n:g}N"
-    document = loads_document("grasp", chain, pressed, (), run_folder(out, spec.name) / label)
+    document = loads_document("grasp", run, pressed, (), run_folder(out, spec.name) / label)
     moment = unbalanced_moment_nmm(spec, final)
     document["objects"][0]["summary"]["grasp"] = {
         "force N": force_n,

@@ -16,8 +16,9 @@ from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, spec_hash
 from instobj.commands.places import CheckedPlaces, Place, check_places
 from instobj.figures.loads import Pressed, draw_loads
-from instobj.stages.chain import Chain
+from instobj.stages.run import Run
 from instobj.store.publish import file_rows, require_writable, run_folder, stage_row
+from instobj.store.readers import MESH, RESPONSE
 from instobj.store.stage import write_json
 
 if TYPE_CHECKING:
@@ -52,26 +53,25 @@ def press_loads(
     require_no_slip(spec)
     checked = check_places(_with_patch(spec, patch), places, force_n is None and patch is None)
     require_writable(out)
-    chain = Chain(spec)
+    run = Run(spec)
     if patch is not None:
-        pressed = _patches(chain, checked.good, patch)
+        pressed = _patches(run, checked.good, patch)
     elif spec.indenter.friction == "sticking":
-        pressed = _sticking(chain, checked.good, force_n)
+        pressed = _sticking(run, checked.good, force_n)
     else:
         if force_n is not None:
-            checked = _reachable(chain, checked, force_n)
-        pressed = _frictionless(chain, checked.good, force_n)
+            checked = _reachable(run, checked, force_n)
+        pressed = _frictionless(run, checked.good, force_n)
     label = _label(checked.good, (force_n, patch, spec_hash(spec)), patch)
     return loads_document(
-        "press", chain, pressed, checked.refused, run_folder(out, spec.name) / label
+        "press", run, pressed, checked.refused, run_folder(out, spec.name) / label
     )
 
 
-def response_of(chain: Chain) -> ResponseOperator:
+def response_of(run: Run) -> ResponseOperator:
     """The response operator of the chain's specification."""
-    from fem.linear.response import load_response
 
-    return load_response(chain.require("response").folder)
+    return run.read(RESPONSE)
 
 
 def joint_pressed(
@@ -93,11 +93,11 @@ def joint_pressed(
 
 
 def loads_document(
-    command: str, chain: Chain, pressed: Pressed, refused: Sequence[dict[str, Any]], target: Path
+    command: str, run: Run, pressed: Pressed, refused: Sequence[dict[str, Any]], target: Path
 ) -> dict[str, Any]:
     """Write `loads.json` and `loads.png` into a folder, and tell what a command prints."""
 
-    spec = chain.spec
+    spec = run.spec
     motions = [pressed.motion, *(press.motion for press in pressed.alone)]
     changes = signal_changes(spec, np.stack(motions))
     summary: dict[str, Any] = {"presses": pressed.rows}
@@ -120,7 +120,7 @@ def loads_document(
             {
                 "name": spec.name,
                 "spec_hash": spec_hash(spec),
-                "stages": [stage_row(stage) for stage in chain.results.values()],
+                "stages": [stage_row(stage) for stage in run.results.values()],
                 "summary": summary,
                 "files": file_rows([target / "loads.json", target / "loads.png"]),
             }
@@ -183,11 +183,11 @@ def require_no_slip(spec: ObjectSpec) -> None:
         )
 
 
-def _frictionless(chain: Chain, places: Sequence[Place], force_n: float | None) -> Pressed:
+def _frictionless(run: Run, places: Sequence[Place], force_n: float | None) -> Pressed:
     from fem.presses.joint import press_tips
     from fem.presses.to_force import press_to_force
 
-    spec, response = chain.spec, response_of(chain)
+    spec, response = run.spec, response_of(run)
     tips = [place.tip for place in places]
 
     def step(depths: np.ndarray) -> JointPress:
@@ -200,12 +200,11 @@ def _frictionless(chain: Chain, places: Sequence[Place], force_n: float | None) 
     return joint_pressed(spec, response, final, step)
 
 
-def _sticking(chain: Chain, places: Sequence[Place], force_n: float | None) -> Pressed:
-    from fem.mesh.tetrahedra import load_mesh
+def _sticking(run: Run, places: Sequence[Place], force_n: float | None) -> Pressed:
     from fem.presses.sticking import press_sticking, press_sticking_to_force, sticking_setting
 
-    mesh = load_mesh(chain.require("mesh").folder / "mesh.npz")
-    setting = sticking_setting(chain.spec, mesh, [place.tip for place in places])
+    mesh = run.read(MESH)
+    setting = sticking_setting(run.spec, mesh, [place.tip for place in places])
     if force_n is None:
         curve = press_sticking(setting, np.array([place.depth_mm for place in places]))
     else:
@@ -213,10 +212,10 @@ def _sticking(chain: Chain, places: Sequence[Place], force_n: float | None) -> P
     return Pressed(_rows(curve[-1], []), curve[-1].motion, curve, [])
 
 
-def _patches(chain: Chain, places: Sequence[Place], patch: tuple[float, float]) -> Pressed:
+def _patches(run: Run, places: Sequence[Place], patch: tuple[float, float]) -> Pressed:
     from fem.presses.patch_load import load_patches
 
-    load = load_patches(chain.spec, response_of(chain), [place.tip for place in places], *patch)
+    load = load_patches(run.spec, response_of(run), [place.tip for place in places], *patch)
     rows = [
         {
             "face": place.face,
@@ -250,14 +249,14 @@ def _rows(press: JointPress, alone: Sequence[JointPress]) -> list[dict[str, Any]
     return rows
 
 
-def _reachable(chain: Chain, checked: CheckedPlaces, force_n: float) -> CheckedPlaces:
+def _reachable(run: Run, checked: CheckedPlaces, force_n: float) -> CheckedPlaces:
     """Without the places that do not reach the force by themselves."""
     from fem.presses.to_force import press_to_force
 
     good, refused = [], list(checked.refused)
     for place in checked.good:
         try:
-            press_to_force(chain.spec, response_of(chain), [[place.tip]], force_n)
+            press_to_force(run.spec, response_of(run), [[place.tip]], force_n)
         except InputError as error:
             refused.append({"press": str(place), "error": str(error)})
         else:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 from dataclasses import asdict
 from importlib.metadata import version
@@ -18,6 +17,7 @@ from instobj.figures.saving import save_figure
 from instobj.store.content import StoredResult, store_root, stored
 from instobj.store.progress import ProgressLine
 from instobj.store.publish import file_rows, publish_to, require_writable, run_folder, stage_row
+from instobj.store.readers import PRESS, PRESS_CURVE, PRESS_FIELDS, PRESS_MESH, PRESS_SECTION
 from instobj.store.stage import Step, write_json
 
 if TYPE_CHECKING:
@@ -157,7 +157,7 @@ def _make_mesh(
     step("tetrahedra, fine at the press")
     mesh = tetrahedralize_for_press(spec, face, *xy_mm, step)
     require_quality(mesh_quality(mesh, spec))
-    save_mesh(mesh, folder / "mesh.npz")
+    save_mesh(mesh, PRESS_MESH.path(folder))
 
 
 def _make_press(
@@ -172,19 +172,18 @@ def _make_press(
 ) -> None:
     from fem.large_strain.press import press_large_strain
     from fem.large_strain.results import save_large_strain_press
-    from fem.mesh.tetrahedra import load_mesh
     from fem.presses.shape import save_deformed_shape
     from instobj.figures.section import draw_press_sections
 
-    mesh = load_mesh(mesh_folder / "mesh.npz")
+    mesh = PRESS_MESH.read(mesh_folder)
     press = press_large_strain(spec, mesh, face, *xy_mm, depths_mm, material, step)
-    write_json(_summary(press), folder / "press.json")
-    save_large_strain_press(press, folder / "press.nc")
+    write_json(_summary(press), PRESS.path(folder))
+    save_large_strain_press(press, PRESS_FIELDS.path(folder))
     save_deformed_shape(press.shape, folder / "deformed.vtu", press.motion[-1])
     save_deformed_shape(press.linear_shape, folder / "small_strain.vtu", press.linear_motion[-1])
-    draw_force_travel(press, folder / "force_travel.png")
+    draw_force_travel(press, PRESS_CURVE.path(folder))
     step("section")
-    draw_press_sections(spec, press, folder / "section.png")
+    draw_press_sections(spec, press, PRESS_SECTION.path(folder))
 
 
 def _summary(press: LargeStrainPress) -> dict[str, Any]:
@@ -260,7 +259,7 @@ def draw_force_travel(press: LargeStrainPress, path: Path) -> None:
 
 
 def _document(spec: ObjectSpec, stages: list[StoredResult], files: list[Path]) -> dict[str, Any]:
-    content = json.loads((stages[-1].folder / "press.json").read_text(encoding="utf-8"))
+    content = PRESS.read(stages[-1].folder)
     steps = content.pop("steps")
     return {
         "command": "press",

@@ -13,8 +13,9 @@ from design.files import atomic_path
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, spec_hash
 from instobj.commands.compare import compare_scores
-from instobj.stages.chain import Chain
+from instobj.stages.run import Run
 from instobj.store.publish import file_rows, publish, require_writable, stage_row
+from instobj.store.readers import FINDINGS
 
 _TEMPLATE = Path(__file__).parents[1] / "templates" / "cube.toml"
 
@@ -124,14 +125,12 @@ def check_specifications(specs: list[Path], overrides: list[str]) -> dict[str, A
 
 def fabrication_of(specs: list[Path], overrides: list[str], out: Path) -> list[dict[str, Any]]:
     """Findings of every specification, published to `cad_out/<name>`."""
-    from instobj.stages.fabrication import FINDINGS
-
     require_writable(out)
     found = []
     for path in specs:
         spec = load_spec(path, overrides)
-        result = Chain(spec).require("fabrication")
-        content = json.loads((result.folder / FINDINGS).read_text(encoding="utf-8"))
+        result = Run(spec).require("fabrication")
+        content = FINDINGS.read(result.folder)
         found.append(content | {"files": file_rows(publish(spec, result, out))})
     return found
 
@@ -167,18 +166,18 @@ def simulate_recordings(specs: list[Path], out: Path, overrides: list[str]) -> d
 def _run_one(spec: ObjectSpec, stages: tuple[str, ...], out: Path) -> dict[str, Any]:
     from instobj.report.summary import summarize
 
-    chain = Chain(spec)
+    run = Run(spec)
     files: list[Path] = []
     for name in stages:
-        known = set(chain.results)
-        chain.require(name)
-        for stage in [name, *(s for s in chain.results if s not in known and s != name)]:
-            files += publish(spec, chain.results[stage], out)
+        known = set(run.results)
+        run.require(name)
+        for stage in [name, *(s for s in run.results if s not in known and s != name)]:
+            files += publish(spec, run.results[stage], out)
     return {
         "name": spec.name,
         "spec_hash": spec_hash(spec),
-        "stages": [stage_row(result) for result in chain.results.values()],
-        "summary": summarize(chain.results, spec),
+        "stages": [stage_row(result) for result in run.results.values()],
+        "summary": summarize(run.results, spec),
         "files": file_rows(files),
     }
 

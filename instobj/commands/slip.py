@@ -8,7 +8,7 @@ from typing import Any
 from design.errors import InputError
 from design.spec_io import load_spec, spec_hash
 from instobj.report.core_section import comparison_rows, slip_title
-from instobj.stages.chain import Chain
+from instobj.stages.run import Run
 from instobj.stages.slip import with_slip
 from instobj.store.publish import file_rows, publish_to, require_writable, run_folder, stage_row
 from instobj.store.readers import SLIP
@@ -37,8 +37,8 @@ def slip_specification(
     slip = {"shift_mm": shift_mm, "rotation_deg": rotation_deg, "rim": rim}
     slipped = with_slip(spec, slip)
     require_writable(out)
-    chain = Chain(slipped)
-    result = chain.require("slip")
+    run = Run(slipped)
+    result = run.require("slip")
     content = SLIP.read(result.folder)
     files = publish_to(run_folder(out, spec.name) / _folder(slip), result)
     return {
@@ -47,7 +47,7 @@ def slip_specification(
             {
                 "name": spec.name,
                 "spec_hash": spec_hash(spec),
-                "stages": [stage_row(result) for result in chain.results.values()],
+                "stages": [stage_row(result) for result in run.results.values()],
                 "summary": {
                     slip_title(slip): comparison_rows(content["models"]),
                     "change of the resting signal": content["sensors"],

@@ -12,9 +12,10 @@ import numpy as np
 from design.errors import InputError
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, spec_hash
-from instobj.stages.chain import Chain
+from instobj.stages.run import Run
 from instobj.store.progress import ProgressLine
 from instobj.store.publish import file_rows, require_writable, run_folder, stage_row
+from instobj.store.readers import PRESSES
 from instobj.store.stage import write_json
 
 if TYPE_CHECKING:
@@ -96,21 +97,19 @@ def validate_on(
             "Validate the specification of the recorded object"
         )
     require_writable(out)
-    chain = Chain(spec)
-    with chain.progress.stage("reading recordings"):
+    run = Run(spec)
+    with run.progress.stage("reading recordings"):
         presses = recorded_presses([read_recording(file) for file in recordings])
-    problem, agreements, predictions = _compare(chain, presses)
-    tests = _calibrations(problem, exchanges, chain.progress)
+    problem, agreements, predictions = _compare(run, presses)
+    tests = _calibrations(problem, exchanges, run.progress)
     document = _document(problem, agreements, predictions, tests)
     target = run_folder(out, spec.name)
     target.mkdir(parents=True, exist_ok=True)
     write_json(document, target / "validation.json")
-    return _published(spec, chain, presses, predictions, document, target)
+    return _published(spec, run, presses, predictions, document, target)
 
 
-def _compare(
-    chain: Chain, presses: RecordedPresses
-) -> tuple[Problem, list[Agreement], Predictions]:
+def _compare(run: Run, presses: RecordedPresses) -> tuple[Problem, list[Agreement], Predictions]:
     from estimator.calibration.pose_fit import LARGEST_SHIFT_MM, Problem
     from estimator.calibration.recorded_presses import predicted_motions
     from estimator.calibration.validation import agreement, predict
@@ -119,10 +118,9 @@ def _compare(
     from estimator.signals.field_setup import min_distance_mm
     from estimator.signals.press_states import rest_motion
     from estimator.tolerances.assembly import designed
-    from fem.presses.results import load_presses
 
-    spec = chain.spec
-    forces, motions = load_presses(chain.require("presses").folder / "presses.nc")
+    spec = run.spec
+    forces, motions = run.read(PRESSES)
     design, rest = designed(spec), rest_motion(motions)
     nearest = min_distance_mm(design.scene, motions.motion.reshape(-1, *rest.shape))
     model = field_model(magnet_source(spec.magnets), nearest - LARGEST_SHIFT_MM)
@@ -203,7 +201,7 @@ def _share_beyond(problem: Problem) -> float:
 
 def _published(
     spec: ObjectSpec,
-    chain: Chain,
+    run: Run,
     presses: RecordedPresses,
     predictions: Predictions,
     document: dict[str, Any],
@@ -222,7 +220,7 @@ def _published(
             {
                 "name": spec.name,
                 "spec_hash": spec_hash(spec),
-                "stages": [stage_row(stage) for stage in chain.results.values()],
+                "stages": [stage_row(stage) for stage in run.results.values()],
                 "summary": {
                     "predicted against recorded (null: places exchanged)": agreement_rows(document),
                     "calibrated on some presses, judged on others": calibration_rows(document),

@@ -11,8 +11,9 @@ from design.spec.object import ObjectSpec
 from fem.presses.compliance_map import ComplianceMap
 from instobj.figures.map_scale import GAIN_COLOURS, finite_limits
 from instobj.figures.overview import draw_overview
+from instobj.store.readers import TIED_COMPLIANCE_MAP
 
-WITH_MAGNETS = "compliance.png"
+WITH_MAGNETS = TIED_COMPLIANCE_MAP.name
 WITHOUT_MAGNETS = "compliance_without_magnets.png"
 
 

@@ -18,7 +18,7 @@ def deformation_section(
     """HTML: section through the deformed shell, error of small strain, its correction."""
     content = readers.LARGE_STRAIN.read(inputs["large_strain"])
     corrected = content["correction"] is not None
-    section = inputs["shapes"] / "shapes" / "section.png"
+    section = readers.SECTION.path(inputs["shapes"])
     return render(
         "deformation.html.j2",
         section=section if section.is_file() else None,

@@ -32,7 +32,9 @@ from instobj.report.uncertainty import (
 from instobj.report.verdict import judge
 from instobj.store import readers
 from instobj.store.content import RECORD
-from instobj.store.readers import published_files
+from instobj.store.readers import (
+    published_files,
+)
 
 if TYPE_CHECKING:
     from estimator.information.scores import PlaceScores

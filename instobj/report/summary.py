@@ -2,16 +2,30 @@
 
 from __future__ import annotations
 
-import csv
-import json
 import math
 import statistics
-from pathlib import Path
+from collections.abc import Callable
 from typing import Any
 
 from design.spec.object import ObjectSpec
 from instobj.report.uncertainty import robustness_summary
 from instobj.store.content import StoredResult
+from instobj.store.readers import (
+    CALIBRATION,
+    COLLECTION_SUMMARY,
+    CORE_TENSION,
+    CROSS_FACE,
+    DISCRETISATION,
+    IDENTIFIABILITY,
+    MESH_QUALITY,
+    METRICS,
+    PROTOCOL,
+    PULLED_SUMMARY,
+    RESPONSE_SIZE,
+    SCORES,
+    SHEAR_SCORES,
+    ResultFile,
+)
 
 
 def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) -> dict[str, Any]:
@@ -21,8 +35,8 @@ def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) 
     """
     makers = (
         ("build", "parts", _parts),
-        ("mesh", "mesh", _json("mesh_quality.json")),
-        ("response", "mechanics", _json("response.json")),
+        ("mesh", "mesh", _read(MESH_QUALITY)),
+        ("response", "mechanics", _read(RESPONSE_SIZE)),
         ("presses", "tension at the sliding core, left out of the presses", _core_tension),
         ("discretisation", "discretisation error", _discretisation),
         ("scores", "bounds by area (medians over all faces, fresh zero)", _areas),
@@ -33,9 +47,9 @@ def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) 
             "k contacts at once: medians over sets, worst contact; ok: within limits.position_bound_mm",
             _identify,
         ),
-        ("frames", "simulated presses", _json("protocol.json")),
-        ("collection", "simulated recordings", _json("frames.json")),
-        ("pulled_collection", "simulated recordings", _json("frames.json")),
+        ("frames", "simulated presses", _read(PROTOCOL)),
+        ("collection", "simulated recordings", _read(COLLECTION_SUMMARY)),
+        ("pulled_collection", "simulated recordings", _read(PULLED_SUMMARY)),
         ("networks", "calibrated twin (medians over labelled places)", _calibration),
         ("metrics", "metrics on held-out presses (frames of contact and of rest)", _metrics),
         ("metrics", "intervals on held-out presses (medians of widths; presses)", _intervals),
@@ -48,20 +62,20 @@ def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) 
     return {title: values for title, values in made.items() if values}
 
 
-def _json(name: str) -> Any:
-    return lambda result: json.loads((result.folder / name).read_text(encoding="utf-8"))
+def _read(file: ResultFile[Any]) -> Callable[[StoredResult], Any]:
+    return lambda result: file.read(result.folder)
 
 
 def _discretisation(result: StoredResult) -> dict[str, Any]:
     from instobj.report.uncertainty import summary_of
 
-    return summary_of(_json("discretisation.json")(result))
+    return summary_of(DISCRETISATION.read(result.folder))
 
 
 def _calibration(result: StoredResult) -> list[dict[str, Any]]:
     """Nothing where no twin was calibrated; faces without one have fewer numbers."""
-    path = result.folder / "calibration.json"
-    rows = json.loads(path.read_text(encoding="utf-8"))["faces"] if path.exists() else []
+    content = CALIBRATION.read(result.folder)
+    rows = content["faces"] if content else []
     every = [(name, value) for row in rows for name, value in row.items()]
     names = dict.fromkeys(name for name, value in every if not isinstance(value, list))
     return [{name: row.get(name) for name in names} for row in rows]
@@ -69,8 +83,7 @@ def _calibration(result: StoredResult) -> list[dict[str, Any]]:
 
 def _core_tension(result: StoredResult) -> dict[str, float]:
     """Nothing where the shell is bonded."""
-    path = result.folder / "core_tension.json"
-    return json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
+    return CORE_TENSION.read(result.folder) or {}
 
 
 def _parts(result: StoredResult) -> list[dict[str, Any]]:
@@ -93,9 +106,9 @@ def _rounded(value: float) -> float:
 
 
 def _areas(result: StoredResult) -> list[dict[str, Any]]:
-    from estimator.information.scores import load_scores_csv, summarize_areas
+    from estimator.information.scores import summarize_areas
 
-    scores = load_scores_csv(result.folder / "scores.csv")
+    scores = SCORES.read(result.folder)
     return [
         {
             "area": area.area,
@@ -112,7 +125,7 @@ def _areas(result: StoredResult) -> list[dict[str, Any]]:
 
 
 def _cross_face(result: StoredResult) -> list[dict[str, Any]]:
-    content = json.loads((result.folder / "cross_face.json").read_text(encoding="utf-8"))
+    content = CROSS_FACE.read(result.folder)
     return [
         {
             "pressed": relation,
@@ -127,7 +140,7 @@ def _cross_face(result: StoredResult) -> list[dict[str, Any]]:
 
 
 def _shear(result: StoredResult) -> list[dict[str, Any]]:
-    rows = _csv_rows(result.folder / "shear_scores.csv")
+    rows = SHEAR_SCORES.read(result.folder)
     return [
         {
             "zero": state,
@@ -155,13 +168,8 @@ def _identify(result: StoredResult) -> list[dict[str, Any]]:
             "force N": float(row["force_bound_median_n"]),
             "ok %": round(100 * float(row["share_within_limit"]), 1),
         }
-        for row in _csv_rows(result.folder / "identifiability.csv")
+        for row in IDENTIFIABILITY.read(result.folder)
     ]
-
-
-def _csv_rows(path: Path) -> list[dict[str, str]]:
-    with path.open(newline="", encoding="utf-8") as file:
-        return list(csv.DictReader(file))
 
 
 def _median(rows: list[dict[str, str]], name: str) -> float:
@@ -176,7 +184,7 @@ _ESTIMATORS = {
 
 
 def _metrics(result: StoredResult) -> list[dict[str, Any]]:
-    content = json.loads((result.folder / "metrics.json").read_text(encoding="utf-8"))
+    content = METRICS.read(result.folder)
     rows = [
         {
             "face": face["face"],
@@ -197,7 +205,7 @@ def _metrics(result: StoredResult) -> list[dict[str, Any]]:
 
 
 def _intervals(result: StoredResult) -> list[dict[str, Any]]:
-    content = json.loads((result.folder / "metrics.json").read_text(encoding="utf-8"))
+    content = METRICS.read(result.folder)
     return [
         {
             "face": row["face"],

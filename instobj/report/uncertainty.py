@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from design.spec.object import ObjectSpec
 from instobj.figures.robustness import tolerance_text
+from instobj.store.readers import ROBUSTNESS
 
 if TYPE_CHECKING:
     from estimator.tolerances.result import Robustness
@@ -95,9 +96,8 @@ def travel_text(curves: dict[str, Any]) -> str:
 
 def robustness_summary(spec: ObjectSpec, folder: Path) -> dict[str, list[dict[str, Any]]]:
     """Title → rows of a stage's `robustness.json`."""
-    from estimator.tolerances.result import load_robustness
 
-    budget = load_robustness(folder / "robustness.json")
+    budget = ROBUSTNESS.read(folder)
     return {
         f"what one standard deviation does, {budget.force_n:g} N, median place": budget_rows(
             spec, budget

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -12,7 +11,8 @@ import numpy as np
 from jaxtyping import Bool, Float
 
 from design.spec.object import ObjectSpec
-from instobj.stages.chain import Chain
+from instobj.stages.run import Run
+from instobj.store.readers import METRICS, PLAIN_MESH, PLAIN_RESPONSE, PRESSES, SIGNALS
 
 if TYPE_CHECKING:
     from estimator.layouts.fidelity import LadderScore
@@ -49,12 +49,12 @@ class PlainShell:
 def plain_shell(spec: ObjectSpec) -> Iterator[PlainShell]:
     """Mesh and response from the store or made, factored once; 1 GB until the context ends."""
     from fem.linear.factorization import Factorization
-    from fem.linear.response import elastic_system, load_response
-    from fem.mesh.tetrahedra import load_mesh, without_magnets
+    from fem.linear.response import elastic_system
+    from fem.mesh.tetrahedra import without_magnets
 
-    chain = Chain(spec)
-    mesh = load_mesh(chain.require("plain_mesh").folder / "mesh.npz")
-    response = load_response(chain.require("plain_response").folder)
+    run = Run(spec)
+    mesh = run.read(PLAIN_MESH)
+    response = run.read(PLAIN_RESPONSE)
     system = elastic_system(mesh, without_magnets(spec))
     with Factorization(system.matrix) as factor:
         yield PlainShell(system, factor, response)
@@ -63,14 +63,10 @@ def plain_shell(spec: ObjectSpec) -> Iterator[PlainShell]:
 def chain_score(spec: ObjectSpec) -> LadderScore:
     """Rung three: the score of the chain's own signals, its stages stored and reused."""
     from estimator.layouts.fidelity import score_signals
-    from estimator.signals.presses import load_signals
-    from fem.presses.results import load_presses
 
-    chain = Chain(spec)
-    signals = load_signals(chain.require("signals").folder / "lattice_signals.nc")
-    return score_signals(
-        spec, signals, *load_presses(chain.require("presses").folder / "presses.nc")
-    )
+    run = Run(spec)
+    signals = run.read(SIGNALS)
+    return score_signals(spec, signals, *run.read(PRESSES))
 
 
 def estimator_errors(spec: ObjectSpec) -> dict[str, float]:
@@ -79,8 +75,7 @@ def estimator_errors(spec: ObjectSpec) -> dict[str, float]:
     Means over the pressed faces of `estimator.networks.metrics.FaceMetrics`, undefined ones left out; the
     chain's stages run, or come from the store.
     """
-    folder = Chain(spec).require("metrics").folder
-    faces = json.loads((folder / "metrics.json").read_text(encoding="utf-8"))["faces"]
+    faces = Run(spec).read(METRICS)["faces"]
     values = {
         name: [face[name] for face in faces if face[name] is not None] for name in METRIC_LABELS
     }
@@ -118,9 +113,8 @@ def twin_ratios(start: ObjectSpec, found: ObjectSpec, twins: int = TWINS) -> dic
 def _bounds_of_twins(spec: ObjectSpec, twins: int) -> dict[str, Float[np.ndarray, "object"]]:
     """The design first, then its twins."""
     from estimator.tolerances.budget import twin_bounds
-    from fem.presses.results import load_presses
 
-    presses = load_presses(Chain(spec).require("presses").folder / "presses.nc")
+    presses = Run(spec).read(PRESSES)
     bounds = twin_bounds(spec, *presses, twins)
     position, force = bounds["position_mm"], bounds["force_n"]
     return {

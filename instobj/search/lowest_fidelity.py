@@ -38,7 +38,7 @@ from estimator.layouts.scoring import LayoutScorer, layout_scorer
 from estimator.layouts.vectors import layout_space
 from fem.candidates.motions import load_candidates
 from instobj.search.apart import Scored
-from instobj.stages.chain import Chain
+from instobj.stages.run import Run
 
 _UNFIT_MM = 0.5
 """For what only the specification's own check refuses."""
@@ -90,7 +90,7 @@ def decided_by_structure(spec: ObjectSpec, faces: tuple[LayoutScorer, ...]) -> d
 
 def scorers(spec: ObjectSpec, faces: tuple[int, ...]) -> tuple[LayoutScorer, ...]:
     """A scorer for every pressed face, on the stage `candidates`."""
-    motions = load_candidates(Chain(spec).require("candidates").folder)
+    motions = load_candidates(Run(spec).require("candidates").folder)
     return tuple(layout_scorer(spec, press_basis(spec, motions, face)) for face in faces)
 
 

@@ -18,7 +18,7 @@ from instobj.search.outcome.write import write_outcome
 from instobj.search.possible import require_possible
 from instobj.search.promotion import FIRST, LAST, SECOND, Climb, Climber, climb
 from instobj.search.study import KeptStudy, open_study
-from instobj.stages.chain import Chain
+from instobj.stages.run import Run
 from instobj.store.progress import ProgressLine
 from instobj.store.publish import file_rows, require_writable, run_folder
 
@@ -80,7 +80,7 @@ def _prepared(path: Path, out: Path, overrides: list[str]) -> tuple[ObjectSpec, 
 def _search(space: SearchSpace, kept: KeptStudy, progress: ProgressLine, worker: int = 0) -> None:
     if len(kept.trials()) >= space.spec.search.trials:
         return
-    Chain(space.spec, progress).require("candidates")
+    Run(space.spec, progress).require("candidates")
     scoring = Apart(first_rung, space.spec.model_dump_json())
     try:
         with progress.stage("search"):

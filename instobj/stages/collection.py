@@ -6,7 +6,15 @@ import time
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from instobj.store.readers import stored_correction
+from instobj.store.readers import (
+    COLLECTION_SUMMARY,
+    CORRECTION,
+    PRESSES,
+    RESPONSE,
+    SHEAR,
+    SIGNALS,
+    collection_path,
+)
 from instobj.store.stage import StageContext, write_json
 
 if TYPE_CHECKING:
@@ -19,33 +27,31 @@ def make_collection(context: StageContext, folder: Path) -> None:
     from estimator.frames.collection import simulate_collection
     from estimator.frames.contact_traces import JointMechanics
     from estimator.frames.dataset import save_frames
-    from estimator.signals.presses import load_signals
-    from fem.linear.response import load_response
 
     spec, inputs = context.spec, context.inputs
-    signals = load_signals(inputs["signals"] / "lattice_signals.nc")
+    signals = SIGNALS.read(inputs["signals"])
     shear = _shear(context) if spec.collection.tangential_share else None
     mechanics = JointMechanics(
-        load_response(inputs["response"]), stored_correction(inputs["large_strain"])
+        RESPONSE.read(inputs["response"]), CORRECTION.read(inputs["large_strain"])
     )
     started = time.perf_counter()
     frames = simulate_collection(spec, signals, context.key, mechanics, context.step, shear)
     seconds = time.perf_counter() - started
-    write_json(collection_summary(frames) | {"seconds": round(seconds, 1)}, folder / "frames.json")
+    write_json(
+        collection_summary(frames) | {"seconds": round(seconds, 1)}, COLLECTION_SUMMARY.path(folder)
+    )
     context.step("writing the frames")
-    save_frames(frames, folder / f"frames_{spec.collection.kind}.nc")
+    save_frames(frames, collection_path(folder, spec.collection.kind))
 
 
 def _shear(context: StageContext) -> ShearSignals | None:
     """Signals of tangential forces, where the stage was given their mechanics."""
     from estimator.information.shear import shear_signals
-    from fem.presses.results import load_presses
-    from fem.presses.shear import load_shear
 
     if "shear" not in context.inputs:
         return None
-    _, motions = load_presses(context.inputs["presses"] / "presses.nc")
-    return shear_signals(context.spec, motions, load_shear(context.inputs["shear"] / "shear.nc"))
+    _, motions = context.read(PRESSES)
+    return shear_signals(context.spec, motions, context.read(SHEAR))
 
 
 def collection_summary(frames: FrameSet) -> dict[str, Any]:

@@ -10,7 +10,7 @@ import numpy as np
 
 from design.files import atomic_path
 from design.spec.object import ObjectSpec
-from instobj.store.readers import LARGE_STRAIN, stored_correction
+from instobj.store.readers import CORRECTION, LARGE_STRAIN, MESH, RESPONSE, SECTION
 
 if TYPE_CHECKING:
     from fem.large_strain.results import LargeStrainPress
@@ -29,18 +29,16 @@ def make_shapes(context: StageContext, folder: Path) -> None:
     """
     from design.layout.body import face_frames
     from design.layout.positions import contact_grid
-    from fem.linear.response import load_response
-    from fem.mesh.tetrahedra import load_mesh
     from fem.presses.shape import save_deformed_shape, table_shapes
     from instobj.figures.section import SectionPanel, draw_sections
 
-    spec, response = context.spec, load_response(context.inputs["response"])
+    spec, response = context.spec, context.read(RESPONSE)
     if response.core is not None:
         return
     context.step("shapes under two presses")
     places = [(0.0, 0.0), (float(contact_grid(spec).x_mm[-1]), 0.0)]
     depth = min(_SHOWN_DEPTH_MM, spec.press.depths_mm[-1])
-    mesh = load_mesh(context.inputs["mesh"] / "mesh.npz")
+    mesh = context.read(MESH)
     shapes = table_shapes(spec, mesh, response, 0, np.array(places), depth)
     frame = face_frames(spec)[0]
     panels = []
@@ -50,7 +48,7 @@ def make_shapes(context: StageContext, folder: Path) -> None:
         title = f"Face {frame.number}, ({x:g}, {y:g}) mm, {depth:g} mm deep, small strain"
         tangent = frame.tangent(np.array([x, y]))
         panels.append(SectionPanel(title, shape, tangent, (x, y), depth, tip_radius_mm(spec)))
-    draw_sections(panels, folder / "shapes" / "section.png")
+    draw_sections(panels, SECTION.path(folder))
 
 
 def make_large_strain(context: StageContext, folder: Path) -> None:
@@ -73,7 +71,7 @@ def correct_table(
     """The table corrected by what `make_large_strain` left in its folder; unchanged without."""
     from fem.large_strain.correction import corrected_table
 
-    correction = stored_correction(folder)
+    correction = CORRECTION.read(folder)
     if correction is None:
         return forces, motions
     return corrected_table(spec, forces, motions, correction)

@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from instobj.store.readers import ASSEMBLY_SHEET, BOM, EXPLODED_VIEW, FINDINGS, FINDINGS_PICTURE
 from instobj.store.stage import StageContext, write_json
-
-FINDINGS = "fabrication.json"
-PICTURE = "fabrication.png"
 
 
 def make_fabrication(context: StageContext, folder: Path) -> None:
@@ -18,7 +16,9 @@ def make_fabrication(context: StageContext, folder: Path) -> None:
 
     checked = check_fabrication(context.spec, context.step)
     context.step("drawing the places found")
-    draw_findings(checked.findings, checked.meshes, context.spec.name, folder / PICTURE)
+    draw_findings(
+        checked.findings, checked.meshes, context.spec.name, FINDINGS_PICTURE.path(folder)
+    )
     content = {
         "name": context.spec.name,
         "printer": context.spec.printer.name,
@@ -26,12 +26,12 @@ def make_fabrication(context: StageContext, folder: Path) -> None:
         "status": worst(checked.findings),
         "findings": [finding.as_dict() for finding in checked.findings],
     }
-    write_json(content, folder / FINDINGS)
+    write_json(content, FINDINGS.path(folder))
 
 
 def make_sheet(context: StageContext, folder: Path) -> None:
     """Bill of materials and assembly sheet of a build."""
-    from design.build.bom import BOM_NAME, bill_of_materials, write_bom
+    from design.build.bom import bill_of_materials, write_bom
     from design.build.manifest import BuildManifest
     from design.files import atomic_path
     from design.layout.mould_frame import mould_style
@@ -42,10 +42,10 @@ def make_sheet(context: StageContext, folder: Path) -> None:
 
     spec, parts = context.spec, context.inputs["build"]
     manifest = BuildManifest.read(parts)
-    write_bom(bill_of_materials(spec, manifest), folder / BOM_NAME)
+    write_bom(bill_of_materials(spec, manifest), BOM.path(folder))
     split = has_mould(spec) and mould_style(spec) == "split"
     pins = pins_by_kind(spec) if split else []
     context.step("drawing the exploded view")
-    picture = draw_exploded(spec, parts, folder / "exploded.png")
-    with atomic_path(folder / "assembly.html") as path:
+    picture = draw_exploded(spec, parts, EXPLODED_VIEW.path(folder))
+    with atomic_path(ASSEMBLY_SHEET.path(folder)) as path:
         path.write_text(assembly_sheet(spec, manifest, picture, pins), encoding="utf-8")

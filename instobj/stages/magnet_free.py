@@ -7,6 +7,15 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from instobj.store.readers import (
+    COMPLIANCE,
+    INTERPOLATION_ERROR,
+    PLAIN_FORCES,
+    PLAIN_MESH,
+    PLAIN_RESPONSE,
+    PRESSES,
+)
+
 if TYPE_CHECKING:
     from instobj.store.stage import StageContext
 
@@ -19,39 +28,37 @@ def make_plain_mesh(context: StageContext, folder: Path) -> None:
     context.step("tetrahedra of the sealed body as silicone throughout")
     mesh = magnet_free_mesh(context.spec, context.step)
     require_quality(mesh_quality(mesh, context.spec))
-    save_mesh(mesh, folder / "mesh.npz")
+    save_mesh(mesh, PLAIN_MESH.path(folder))
 
 
 def make_plain_response(context: StageContext, folder: Path) -> None:
     """Surface compliance of the shell without magnets."""
     from fem.linear.response import build_response, save_response
-    from fem.mesh.tetrahedra import load_mesh, without_magnets
+    from fem.mesh.tetrahedra import without_magnets
 
     context.step("assembling, factoring and condensing")
-    mesh = load_mesh(context.inputs["plain_mesh"] / "mesh.npz")
+    mesh = context.read(PLAIN_MESH)
     save_response(build_response(mesh, without_magnets(context.spec)), folder)
 
 
 def make_plain_presses(context: StageContext, folder: Path) -> None:
     """Contact without magnets at the depth of the compliance map."""
-    from fem.linear.response import load_response
     from fem.presses.compliance_map import presses_without_magnets, save_forces
 
-    response = load_response(context.inputs["plain_response"])
+    response = context.read(PLAIN_RESPONSE)
     forces = presses_without_magnets(context.spec, response, context.step)
-    save_forces(forces, folder / "forces.npz")
+    save_forces(forces, PLAIN_FORCES.path(folder))
 
 
 def make_compliance(context: StageContext, folder: Path) -> None:
     """Table and maps of compliance, with magnets and without."""
-    from fem.presses.compliance_map import compliance_map, load_forces, save_compliance_csv
-    from fem.presses.results import load_presses
+    from fem.presses.compliance_map import compliance_map, save_compliance_csv
     from instobj.figures.compliance import draw_compliance
 
-    forces, _ = load_presses(context.inputs["presses"] / "presses.nc")
+    forces, _ = context.read(PRESSES)
     tied = compliance_map(forces)
-    free = compliance_map(load_forces(context.inputs["plain_presses"] / "forces.npz"))
-    save_compliance_csv(tied, free, folder / "compliance.csv")
+    free = compliance_map(context.read(PLAIN_FORCES))
+    save_compliance_csv(tied, free, COMPLIANCE.path(folder))
     context.step("maps of compliance")
     draw_compliance(context.spec, tied, folder / "maps", free)
 
@@ -60,15 +67,13 @@ def make_candidates(context: StageContext, folder: Path) -> None:
     """Motions of every place where a magnet could sit."""
     from fem.candidates.motions import candidate_lattices
     from fem.candidates.presses import simulate_candidates
-    from fem.linear.response import load_response
-    from fem.mesh.tetrahedra import load_mesh
 
-    mesh = load_mesh(context.inputs["plain_mesh"] / "mesh.npz")
-    response = load_response(context.inputs["plain_response"])
+    mesh = context.read(PLAIN_MESH)
+    response = context.read(PLAIN_RESPONSE)
     lattices = candidate_lattices(context.spec)
     context.step("contact at every place, then one factorization for all presses")
     motions = simulate_candidates(
         context.spec, mesh, response, lattices, folder, progress=context.step
     )
     report = json.dumps(asdict(motions.error), indent=2) + "\n"
-    (folder / "interpolation_error.json").write_text(report, encoding="utf-8")
+    (INTERPOLATION_ERROR.path(folder)).write_text(report, encoding="utf-8")

@@ -5,6 +5,17 @@ from __future__ import annotations
 from pathlib import Path
 
 from instobj.stages.deformation import correct_table
+from instobj.store.readers import (
+    CORE_TENSION,
+    DISCRETISATION,
+    MESH,
+    MESH_QUALITY,
+    PARTS_PICTURE,
+    PRESSES,
+    RESPONSE,
+    RESPONSE_SIZE,
+    SHEAR,
+)
 from instobj.store.stage import StageContext, write_json
 
 
@@ -15,7 +26,7 @@ def make_build(context: StageContext, folder: Path) -> None:
 
     build_object(context.spec, folder, context.step)
     context.step("drawing the parts")
-    draw_parts(folder, folder / "parts.png")
+    draw_parts(folder, PARTS_PICTURE.path(folder))
 
 
 def make_mesh(context: StageContext, folder: Path) -> None:
@@ -27,21 +38,20 @@ def make_mesh(context: StageContext, folder: Path) -> None:
     mesh = tetrahedralize(context.spec, progress=context.step)
     quality = mesh_quality(mesh, context.spec)
     require_quality(quality)
-    save_mesh(mesh, folder / "mesh.npz")
+    save_mesh(mesh, MESH.path(folder))
     content = {**quality.to_dict(), "mesh_sha256": mesh_sha256(mesh)}
-    write_json(content, folder / "mesh_quality.json")
+    write_json(content, MESH_QUALITY.path(folder))
 
 
 def make_response(context: StageContext, folder: Path) -> None:
     """The response operator."""
     from design.spec.mechanics import LOCKING_WARNING
     from fem.linear.response import build_response, save_response
-    from fem.mesh.tetrahedra import load_mesh
 
     if context.spec.mechanics.element == "p1":
         context.step(LOCKING_WARNING)
     context.step("assembling, factoring and condensing")
-    response = build_response(load_mesh(context.inputs["mesh"] / "mesh.npz"), context.spec)
+    response = build_response(context.read(MESH), context.spec)
     save_response(response, folder)
     write_json(
         {
@@ -49,7 +59,7 @@ def make_response(context: StageContext, folder: Path) -> None:
             "condensed_unknowns": len(response.compliance),
             "negative_pivots": response.negative_pivots,
         },
-        folder / "response.json",
+        RESPONSE_SIZE.path(folder),
     )
 
 
@@ -74,42 +84,38 @@ def make_discretisation(context: StageContext, folder: Path) -> None:
     context.step("the same presses on both meshes")
     responses = (load_response(context.inputs[name]) for name in ("response", "coarse_response"))
     write_json(
-        discretisation_error(context.spec, *responses).to_dict(), folder / "discretisation.json"
+        discretisation_error(context.spec, *responses).to_dict(), DISCRETISATION.path(folder)
     )
 
 
 def make_presses(context: StageContext, folder: Path) -> None:
     """Every press of the table: forces and motions, at rest and pressed."""
     from fem.linear.core_slip import resting_shell
-    from fem.linear.response import load_response
-    from fem.mesh.tetrahedra import load_mesh
     from fem.presses.core_tension import core_tension
     from fem.presses.results import save_presses
     from fem.presses.table import simulate_lattice
 
-    response, rest = load_response(context.inputs["response"]), None
+    response, rest = context.read(RESPONSE), None
     slip = context.spec.mechanics.slip
     if slip.slipped and slip.model == "fem":
         context.step("the shell at rest on its slipped core")
-        rest = resting_shell(load_mesh(context.inputs["mesh"] / "mesh.npz"), context.spec)
+        rest = resting_shell(context.read(MESH), context.spec)
     forces, motions = simulate_lattice(context.spec, response, context.step, rest)
     forces, motions = correct_table(context.spec, forces, motions, context.inputs["large_strain"])
-    save_presses(forces, motions, folder / "presses.nc")
+    save_presses(forces, motions, PRESSES.path(folder))
     if response.core is not None:
         context.step("where the shell would lift off its core")
         tension = core_tension(context.spec, response)
-        write_json(tension.to_dict(), folder / "core_tension.json")
+        write_json(tension.to_dict(), CORE_TENSION.path(folder))
 
 
 def make_shear(context: StageContext, folder: Path) -> None:
     """Motions under tangential forces of the tip."""
-    from fem.linear.response import load_response
-    from fem.mesh.tetrahedra import load_mesh
     from fem.presses.shear import motions_under_traction, save_shear, simulate_shear
 
     context.step("magnet motions under tractions on every face")
-    mesh = load_mesh(context.inputs["mesh"] / "mesh.npz")
+    mesh = context.read(MESH)
     per_traction = motions_under_traction(mesh, context.spec)
     context.step("tangential forces at every place and depth")
-    response = load_response(context.inputs["response"])
-    save_shear(simulate_shear(context.spec, response, per_traction), folder / "shear.nc")
+    response = context.read(RESPONSE)
+    save_shear(simulate_shear(context.spec, response, per_traction), SHEAR.path(folder))

@@ -2,14 +2,24 @@
 
 from __future__ import annotations
 
-from dataclasses import fields
+import platform
+from dataclasses import dataclass, field, fields
+from importlib.metadata import version
+from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 
-from instobj.stages.chain import Chain
+from design.errors import InputError
+from design.spec.object import ObjectSpec
+from instobj.stages.inputs import stage_inputs
+from instobj.stages.resources import require_memory
+from instobj.stages.table import STAGES
 from instobj.store import readers
+from instobj.store.content import StoredResult, content_key, store_root, stored
+from instobj.store.progress import ProgressLine
 from instobj.store.readers import ResultFile
+from instobj.store.stage import StageContext
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -19,6 +29,7 @@ if TYPE_CHECKING:
     from fem.mesh.tetrahedra import TetMesh
 
 Content = TypeVar("Content")
+_LIBRARIES = ("instobj",)
 _UNITS_BY_ENDING = {"n_per_mm": "N/mm", "mm": "mm", "n": "N", "deg": "deg"}
 _UNITS_BY_NAME = {
     "delta_raw": "count^d/N",
@@ -28,7 +39,8 @@ _UNITS_BY_NAME = {
 }
 
 
-class Run(Chain):
+@dataclass(eq=False)
+class Run:
     """The results of one specification: made when first asked for, stored, and reused.
 
     The store is that of the commands (`INSTOBJ_STORE`, by default `.instobj` in the current
@@ -67,6 +79,46 @@ class Run(Chain):
     >>> bool(run.scores.position_bound_mm.max() < 5.0)
     True
     """
+
+    spec: ObjectSpec
+    progress: ProgressLine = field(default_factory=ProgressLine)
+    root: Path = field(default_factory=store_root)
+    results: dict[str, StoredResult] = field(default_factory=dict)
+
+    def require(self, name: str) -> StoredResult:
+        """The stage's result, after those of every stage that it needs."""
+        if name in self.results:
+            return self.results[name]
+        stage = STAGES[name]
+        require_memory(name, self.spec)
+        needs = {need: self.require(need) for need in stage.needs}
+        for need, (other, spec) in stage.of_others(self.spec).items():
+            needs[need] = self._of(spec).require(other)
+        keys = {need: result.key for need, result in needs.items()}
+        inputs = stage_inputs(stage, self.spec, keys, _versions())
+        folders = {need: result.folder for need, result in needs.items()}
+
+        def make(folder: Path) -> None:
+            key = content_key({"stage": name, "inputs": inputs})
+            context = StageContext(self.spec, folders, key, self.progress.step)
+            try:
+                stage.make(context, folder)
+            except MemoryError:
+                raise InputError(
+                    f"{stage.title}: the machine has no more memory. End other programs, or make the "
+                    "object's mesh, contact grid or data sets smaller"
+                ) from None
+
+        with self.progress.stage(stage.title):
+            result = stored(self.root, name, inputs, make)
+        self.results[name] = result
+        how = "reused, first made in" if result.reused else "made in"
+        self.progress.say(f"{stage.title}: {how} {result.seconds:.1f} s")
+        return result
+
+    def _of(self, spec: ObjectSpec) -> Run:
+        """The chain of another specification, on the same store."""
+        return self if spec == self.spec else Run(spec, self.progress, self.root)
 
     def read(self, file: ResultFile[Content]) -> Content:
         """A result file of `instobj.store.readers`, its stage made first where it is not stored."""
@@ -157,8 +209,6 @@ class Run(Chain):
         InputError
             The face is not sensed.
         """
-        from design.errors import InputError
-
         models = self.read(readers.MODELS)
         if face not in models:
             raise InputError(
@@ -175,3 +225,7 @@ def _places(xy_mm: np.ndarray) -> dict[str, tuple[str, np.ndarray, dict[str, str
 def _unit(name: str) -> str:
     endings = (unit for end, unit in _UNITS_BY_ENDING.items() if name.endswith(f"_{end}"))
     return _UNITS_BY_NAME.get(name) or next(endings)
+
+
+def _versions() -> dict[str, str]:
+    return {name: version(name) for name in _LIBRARIES} | {"machine": platform.machine()}

@@ -5,19 +5,33 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from instobj.store.readers import FRAMES, MODELS, PRESSES, PRETRAINED
+from instobj.store.readers import (
+    CROSS_FACE,
+    FRAMES,
+    GRID_SIGNALS,
+    IDENTIFIABILITY,
+    MODELS,
+    PRESSES,
+    PRETRAINED,
+    PROTOCOL,
+    ROBUSTNESS,
+    ROBUSTNESS_PICTURE,
+    SCORES,
+    SHEAR,
+    SHEAR_SCORES,
+    SIGNALS,
+)
 from instobj.store.stage import StageContext, write_json
 
 
 def make_signals(context: StageContext, folder: Path) -> None:
     """Expected counts of every press."""
     from estimator.signals.presses import press_signals, save_grid_signals, save_signals
-    from fem.presses.results import load_presses
 
-    forces, motions = load_presses(context.inputs["presses"] / "presses.nc")
+    forces, motions = context.read(PRESSES)
     signals = press_signals(context.spec, forces, motions, context.step)
-    save_signals(signals, folder / "lattice_signals.nc")
-    save_grid_signals(context.spec, signals, folder / "signals.nc", context.spec.seed)
+    save_signals(signals, SIGNALS.path(folder))
+    save_grid_signals(context.spec, signals, GRID_SIGNALS.path(folder), context.spec.seed)
 
 
 def make_scores(context: StageContext, folder: Path) -> None:
@@ -27,41 +41,38 @@ def make_scores(context: StageContext, folder: Path) -> None:
     from instobj.figures.maps import draw_cross_face_map, draw_score_maps
 
     context.step("sensitivity and bounds of every place")
-    signals = _stored_signals(context)
+    signals = context.read(SIGNALS)
     scores = score_places(context.spec, signals, context.step)
-    save_scores_csv(scores, folder / "scores.csv")
+    save_scores_csv(scores, SCORES.path(folder))
     draw_score_maps(context.spec, scores, folder / "maps", context.step)
     context.step("presses on other faces")
     cross = cross_face_disturbance(context.spec, signals)
     summaries = {relation: cross.summary(relation) for relation in RELATIONS}
-    write_json({"force_n": cross.force_n} | summaries, folder / "cross_face.json")
+    write_json({"force_n": cross.force_n} | summaries, CROSS_FACE.path(folder))
     draw_cross_face_map(context.spec, cross, folder / "maps")
 
 
 def make_shear_scores(context: StageContext, folder: Path) -> None:
     """Bounds with tangential forces unknown."""
     from estimator.information.shear import save_shear_scores_csv, score_shear, shear_signals
-    from fem.presses.results import load_presses
-    from fem.presses.shear import load_shear
     from instobj.figures.maps import draw_shear_maps
 
-    _, motions = load_presses(context.inputs["presses"] / "presses.nc")
-    shear = load_shear(context.inputs["shear"] / "shear.nc")
+    _, motions = context.read(PRESSES)
+    shear = context.read(SHEAR)
     slopes = shear_signals(context.spec, motions, shear)
-    scores = score_shear(context.spec, _stored_signals(context), slopes)
-    save_shear_scores_csv(scores, folder / "shear_scores.csv")
+    scores = score_shear(context.spec, context.read(SIGNALS), slopes)
+    save_shear_scores_csv(scores, SHEAR_SCORES.path(folder))
     draw_shear_maps(context.spec, scores, folder / "maps")
 
 
 def make_identify(context: StageContext, folder: Path) -> None:
     """Information of several contacts at once."""
     from estimator.information.identifiability import identifiability, save_identifiability_csv
-    from fem.presses.results import load_presses
     from instobj.figures.information import draw_blindest, draw_identifiability
 
-    forces, motions = load_presses(context.inputs["presses"] / "presses.nc")
+    forces, motions = context.read(PRESSES)
     rows = identifiability(context.spec, forces, motions, progress=context.step)
-    save_identifiability_csv(rows, folder / "identifiability.csv")
+    save_identifiability_csv(rows, IDENTIFIABILITY.path(folder))
     draw_identifiability(context.spec, rows, folder / "identifiability.png")
     draw_blindest(context.spec, rows, folder / "blindest_contacts.png")
 
@@ -70,13 +81,12 @@ def make_robustness(context: StageContext, folder: Path) -> None:
     """Budget of tolerances."""
     from estimator.tolerances.budget import robustness
     from estimator.tolerances.result import save_robustness
-    from fem.presses.results import load_presses
     from instobj.figures.robustness import draw_robustness
 
-    presses = load_presses(context.inputs["presses"] / "presses.nc")
+    presses = context.read(PRESSES)
     budget = robustness(context.spec, *presses, context.step)
-    save_robustness(budget, folder / "robustness.json")
-    draw_robustness(context.spec, budget, folder / "robustness.png")
+    save_robustness(budget, ROBUSTNESS.path(folder))
+    draw_robustness(context.spec, budget, ROBUSTNESS_PICTURE.path(folder))
 
 
 def make_frames(context: StageContext, folder: Path) -> None:
@@ -84,7 +94,7 @@ def make_frames(context: StageContext, folder: Path) -> None:
     from estimator.frames.dataset import save_frames
     from estimator.frames.press_protocol import nominal_peaks, plan_presses, simulate_presses
 
-    signals = _stored_signals(context)
+    signals = context.read(SIGNALS)
     frames = simulate_presses(context.spec, signals, context.key, context.step)
     peaks = nominal_peaks(context.spec, signals)
     write_json(
@@ -95,9 +105,9 @@ def make_frames(context: StageContext, folder: Path) -> None:
             "shallowest_peak_mm": float(peaks.depth_mm.min()),
             "clamped_places": int(peaks.clamped.sum()),
         },
-        folder / "protocol.json",
+        PROTOCOL.path(folder),
     )
-    save_frames(frames, folder / "frames.nc")
+    save_frames(frames, FRAMES.path(folder))
 
 
 def make_pretraining(context: StageContext, folder: Path) -> None:
@@ -133,6 +143,5 @@ def make_metrics(context: StageContext, folder: Path) -> None:
 
 
 def _stored_signals(context: StageContext) -> Any:
-    from estimator.signals.presses import load_signals
 
-    return load_signals(context.inputs["signals"] / "lattice_signals.nc")
+    return context.read(SIGNALS)

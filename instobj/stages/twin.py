@@ -10,6 +10,7 @@ import numpy as np
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec, TrainingSpec
+from instobj.store.readers import CALIBRATION, CALIBRATION_PICTURE
 from instobj.store.stage import Step, write_json
 
 if TYPE_CHECKING:
@@ -69,9 +70,9 @@ class TwinOfData:
         """`calibration.json` and a picture of what is left at places left out."""
         from instobj.figures.calibration import draw_calibration
 
-        write_json({"object": self.spec.name, "faces": self.rows}, folder / "calibration.json")
+        write_json({"object": self.spec.name, "faces": self.rows}, CALIBRATION.path(folder))
         judged = [row for row in self.rows if row["places"]]
-        draw_calibration(self.spec, judged, folder / "calibration.png")
+        draw_calibration(self.spec, judged, CALIBRATION_PICTURE.path(folder))
 
 
 def require_settings(training: TrainingSpec) -> None:

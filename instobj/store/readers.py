@@ -71,6 +71,11 @@ def face_model_paths(folder: Path) -> list[Path]:
     return sorted(folder.glob("face_*.safetensors"))
 
 
+def collection_path(folder: Path, kind: str) -> Path:
+    """Where simulated recordings of a kind lie in the folder of their stage."""
+    return folder / f"frames_{kind}.nc"
+
+
 def _json(path: Path) -> dict[str, Any]:
     return json.loads(path.read_text(encoding="utf-8"))
 
@@ -163,6 +168,12 @@ def _frames(path: Path) -> FrameSet:
     return load_frames(path)
 
 
+def _face_model(path: Path) -> FaceModel:
+    from estimator.networks.face_model import load_model
+
+    return load_model(path)
+
+
 def _face_models(path: Path) -> dict[int, FaceModel]:
     """Estimators by face."""
     from estimator.networks.face_model import load_model
@@ -185,6 +196,7 @@ RESPONSE_SIZE = ResultFile("response", "response.json", _json)
 LARGE_STRAIN = ResultFile("large_strain", "large_strain.json", _json, published=True)
 CORRECTION = ResultFile("large_strain", "large_strain.json", _correction)
 SHAPES = ResultFile("shapes", "shapes/*", _path, published=True)
+SECTION = ResultFile("shapes", "shapes/section.png", _path)
 PRESSES = ResultFile("presses", "presses.nc", _presses)
 CORE_TENSION = ResultFile("presses", "core_tension.json", _json_if_there)
 PLAIN_MESH = ResultFile("plain_mesh", "mesh.npz", _mesh)
@@ -232,14 +244,5 @@ PRESS = ResultFile("press", "press.json", _json, published=True)
 PRESS_FIELDS = ResultFile("press", "press.nc", _path, published=True)
 PRESS_CURVE = ResultFile("press", "force_travel.png", _path, published=True)
 PRESS_SECTION = ResultFile("press", "section.png", _path, published=True)
+EXPERIMENT_MODEL = ResultFile("experiment_models", "model.safetensors", _face_model)
 PRESS_SHAPES = ResultFile("press", "*.vtu", _path, published=True)
-
-
-def stored_correction(folder: Path) -> StrainCorrection | None:
-    """The correction in the folder of the stage "large_strain"; None where none was asked for."""
-    return CORRECTION.read(folder)
-
-
-def large_strain_content(folder: Path) -> dict[str, Any]:
-    """What the stage "large_strain" wrote: coefficients, errors, and a row for each press."""
-    return LARGE_STRAIN.read(folder)

@@ -74,10 +74,8 @@ def place(tmp_path_factory):
 
 
 def documented():
-    for name in instobj.__all__:
-        thing = getattr(instobj, name)
-        if (thing.__module__ or "").startswith("instobj."):
-            yield name
+    things = {name: getattr(instobj, name) for name in instobj.__all__}
+    return [name for name, thing in things.items() if thing.__module__.startswith("instobj.")]
 
 
 @pytest.mark.parametrize("name", documented())

@@ -16,6 +16,7 @@ from instobj.experiments.paper.object import (
     simulated_object,
 )
 from instobj.experiments.registry import Study, StudyResult
+from instobj.store.readers import PRESSES, SHEAR
 
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
@@ -60,13 +61,11 @@ def run_3d_force(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
 
 def _shear(recorded: SimulatedObject) -> ShearSignals:
     from estimator.information.shear import shear_signals
-    from fem.presses.results import load_presses
-    from fem.presses.shear import load_shear
-    from instobj.stages.chain import Chain
+    from instobj.stages.run import Run
 
-    chain = Chain(recorded.spec)
-    shear = load_shear(chain.require("shear").folder / "shear.nc")
-    _, motions = load_presses(chain.require("presses").folder / "presses.nc")
+    run = Run(recorded.spec)
+    shear = run.read(SHEAR)
+    _, motions = run.read(PRESSES)
     return shear_signals(recorded.spec, motions, shear)
 
 

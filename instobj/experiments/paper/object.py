@@ -18,6 +18,7 @@ from design.spec.object import ObjectSpec
 from estimator.frames.press_protocol import PLACE_ID_STRIDE
 from instobj.experiments.layouts import changed
 from instobj.store.content import content_key, store_root, stored
+from instobj.store.readers import CORRECTION, EXPERIMENT_MODEL, PRESSES, RESPONSE
 
 if TYPE_CHECKING:
     from estimator.frames.contact_traces import JointMechanics
@@ -89,10 +90,7 @@ def simulated_object(spec: ObjectSpec, quick: bool) -> SimulatedObject:
     """The hidden twin, from the store or made (minutes; quick: seconds, on the twin's coarse mesh)."""
     from estimator.frames.contact_traces import JointMechanics
     from estimator.tolerances.virtual_object import drawn_assembly, twin_signals
-    from fem.linear.response import load_response
-    from fem.presses.results import load_presses
-    from instobj.stages.chain import Chain
-    from instobj.store.readers import stored_correction
+    from instobj.stages.run import Run
 
     design = changed(spec, _QUICK) if quick else spec
     spec = design
@@ -103,19 +101,17 @@ def simulated_object(spec: ObjectSpec, quick: bool) -> SimulatedObject:
             {f"mesh.{name}": edge for name, edge in finer.items()}
             | {"mechanics.correction": "large-strain"},
         )
-    planned, chain = Chain(design), Chain(spec)
-    design_presses = load_presses(planned.require("presses").folder / "presses.nc")
-    presses = load_presses(chain.require("presses").folder / "presses.nc")
+    planned, run = Run(design), Run(spec)
+    design_presses = planned.read(PRESSES)
+    presses = run.read(PRESSES)
     assembly = drawn_assembly(spec, spec.seed + _TWIN)
     mechanics = JointMechanics(
-        load_response(chain.require("response").folder),
-        stored_correction(chain.require("large_strain").folder),
+        run.read(RESPONSE),
+        run.read(CORRECTION),
         assembly,
     )
     signals = twin_signals(spec, assembly, *presses)
-    key = content_key(
-        {"presses": chain.results["presses"].key, "spec": spec.model_dump(mode="json")}
-    )
+    key = content_key({"presses": run.results["presses"].key, "spec": spec.model_dump(mode="json")})
     return SimulatedObject(spec, signals, mechanics, design, design_presses, key)
 
 
@@ -132,7 +128,7 @@ def fitted(
     `label` says, in JSON, which frames these are and what it starts from; `training` overrides the
     specification's table.
     """
-    from estimator.networks.face_model import load_model, save_model
+    from estimator.networks.face_model import save_model
     from estimator.networks.training import FitSettings, fit_estimator
     from estimator.networks.training_data import Augmentation
 
@@ -145,7 +141,7 @@ def fitted(
         many = len(parts[0]) > _MANY_FRAMES and settings.model == "compact"
         little = Augmentation(_LITTLE_OFFSET_COUNTS, _LITTLE_NOISE) if many else None
         fit = FitSettings(face, settings, recorded.spec.seed, little)
-        save_model(fit_estimator(*parts, fit, start), folder / "model.safetensors")
+        save_model(fit_estimator(*parts, fit, start), EXPERIMENT_MODEL.path(folder))
 
     inputs = {
         "object": recorded.key,
@@ -155,9 +151,7 @@ def fitted(
         "seed": recorded.spec.seed,
         "version": _VERSION,
     }
-    return load_model(
-        stored(store_root(), "experiment_models", inputs, make).folder / "model.safetensors"
-    )
+    return EXPERIMENT_MODEL.read(stored(store_root(), EXPERIMENT_MODEL.stage, inputs, make).folder)
 
 
 def pretrained(recorded: SimulatedObject, face: int, twins: int, **training: Any) -> FaceModel:

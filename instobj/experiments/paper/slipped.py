@@ -17,6 +17,7 @@ from instobj.experiments.paper.object import (
     simulated_object,
 )
 from instobj.experiments.registry import Study, StudyResult
+from instobj.store.readers import PRESSES
 
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
@@ -95,10 +96,9 @@ def slipped_signals(
 
 
 def _presses(recorded: SimulatedObject) -> tuple[PressForces, MagnetMotions]:
-    from fem.presses.results import load_presses
-    from instobj.stages.chain import Chain
+    from instobj.stages.run import Run
 
-    return load_presses(Chain(recorded.spec).require("presses").folder / "presses.nc")
+    return Run(recorded.spec).read(PRESSES)
 
 
 def _calibration(spec: ObjectSpec, signals: Signals, seed: int = 0) -> FrameSet:

@@ -22,6 +22,7 @@ from instobj.search.outcome.figures import (
     draw_rungs,
     paired,
 )
+from instobj.store.readers import PARTS_PICTURE, SCORES
 
 if TYPE_CHECKING:
     from instobj.search.outcome.history import History
@@ -63,7 +64,7 @@ def write_search_page(
             for name, ratio in found.ratios.items()
         ],
         parts=_parts(results.parts),
-        parts_picture=results.parts / "parts.png",
+        parts_picture=PARTS_PICTURE.path(results.parts),
         **_moves(start, found.best.spec, figures),
         **_estimators(found),
         **_ladder(found, history.names, figures),
@@ -98,13 +99,12 @@ def _label(name: str) -> str:
 
 def _maps(found: Climb, results: ChainResults, folder: Path) -> list[tuple[str, Path]]:
     """Pictures of the position bound of every place, both on one scale."""
-    from estimator.information.scores import load_scores_csv
     from instobj.figures.map_scale import finite_limits
     from instobj.figures.overview import draw_overview
 
     pair = {"before": found.start.spec, "after": found.best.spec}
     folders = {"before": results.scores_before, "after": results.scores_after}
-    scores = {when: load_scores_csv(one / "scores.csv") for when, one in folders.items()}
+    scores = {when: SCORES.read(one) for when, one in folders.items()}
     every = np.concatenate([one.position_bound_fresh_mm.ravel() for one in scores.values()])
     pictures = []
     for when, one in scores.items():

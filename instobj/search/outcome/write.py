@@ -18,7 +18,7 @@ from instobj.search.outcome.history import search_history
 from instobj.search.outcome.page import ChainResults, write_search_page
 from instobj.search.promotion import Climb, Climber
 from instobj.search.study import KeptStudy
-from instobj.stages.chain import Chain
+from instobj.stages.run import Run
 from instobj.store.stage import write_json
 
 BEST = "best.toml"
@@ -48,9 +48,9 @@ def write_outcome(
     written.append(folder / "search.json")
     write_json(_results(found), written[-1])
     history = search_history(space, kept)
-    best = Chain(found.best.spec)
+    best = Run(found.best.spec)
     results = ChainResults(
-        Chain(found.start.spec).require("scores").folder,
+        Run(found.start.spec).require("scores").folder,
         best.require("scores").folder,
         best.require("build").folder,
     )

@@ -5,8 +5,8 @@ import pytest
 from design.errors import InputError
 from design.spec_io import parse_spec
 from fem.mesh.tetrahedra import tetrahedralize
-from instobj.stages.chain import Chain
 from instobj.stages.resources import machine_memory_gib, mesh_vertices, require_memory
+from instobj.stages.run import Run
 from instobj.stages.table import STAGES
 from tests.support.small_object import small_spec
 
@@ -36,7 +36,7 @@ def test_what_does_not_fit_into_the_machine_is_refused_before_any_work(
 ):
     monkeypatch.setenv("INSTOBJ_MEMORY_GIB", "64")
     with pytest.raises(InputError, match=rf"needs about .* GiB .*has 64\. Change .*{key}"):
-        Chain(spec_with(**parts), root=tmp_path).require(stage)
+        Run(spec_with(**parts), root=tmp_path).require(stage)
     assert not list(tmp_path.iterdir())
 
 
@@ -76,4 +76,4 @@ def test_a_stage_that_runs_out_of_memory_is_named(monkeypatch, tmp_path):
         STAGES, "plain_mesh", type(STAGES["plain_mesh"])("mesh: small", (), ("mesh",), fills)
     )
     with pytest.raises(InputError, match="mesh: small: the machine has no more memory"):
-        Chain(spec_with(), root=tmp_path).require("plain_mesh")
+        Run(spec_with(), root=tmp_path).require("plain_mesh")
