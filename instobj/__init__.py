@@ -9,13 +9,20 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from design.errors import InputError
+    from design.errors import (
+        InputError,
+        InstobjError,
+        RecordingError,
+        SolverError,
+        SpecError,
+        StoreError,
+    )
     from design.spec.object import ObjectSpec
     from design.spec_io import load_spec
     from estimator.frames.dataset import FrameSet, load_frames
     from estimator.networks.face_model import FaceModel
     from estimator.recordings.reading import Recording, read_recording
-    from instobj.api import build_parts, evaluate, fit_estimator, magnet_field, predict
+    from instobj.api import build_parts, compare, evaluate, fit_estimator, magnet_field, predict
     from instobj.commands.run import check
     from instobj.stages.run import Run
 
@@ -23,11 +30,17 @@ __all__ = [
     "FaceModel",
     "FrameSet",
     "InputError",
+    "InstobjError",
     "ObjectSpec",
     "Recording",
+    "RecordingError",
     "Run",
+    "SolverError",
+    "SpecError",
+    "StoreError",
     "build_parts",
     "check",
+    "compare",
     "evaluate",
     "fit_estimator",
     "load_frames",
@@ -38,13 +51,23 @@ __all__ = [
 ]
 
 _HOMES = {
-    "design.errors": ("InputError",),
+    "design.errors": (
+        *("InputError", "InstobjError", "RecordingError"),
+        *("SolverError", "SpecError", "StoreError"),
+    ),
     "design.spec.object": ("ObjectSpec",),
     "design.spec_io": ("load_spec",),
     "estimator.frames.dataset": ("FrameSet", "load_frames"),
     "estimator.networks.face_model": ("FaceModel",),
     "estimator.recordings.reading": ("Recording", "read_recording"),
-    "instobj.api": ("build_parts", "evaluate", "fit_estimator", "magnet_field", "predict"),
+    "instobj.api": (
+        "build_parts",
+        "compare",
+        "evaluate",
+        "fit_estimator",
+        "magnet_field",
+        "predict",
+    ),
     "instobj.commands.run": ("check",),
     "instobj.stages.run": ("Run",),
 }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -122,6 +123,71 @@ def magnet_field(spec: ObjectSpec, points_mm: ArrayLike) -> xr.DataArray:
         coords={"axis": list("xyz")},
         attrs={"units": "T"},
         name="flux_density",
+    )
+
+
+def compare(specs: Sequence[ObjectSpec]) -> xr.Dataset:
+    """Scores of several objects beside each other.
+
+    Each object is simulated as by `Run`, or read from the store.
+
+    Parameters
+    ----------
+    specs : sequence of ObjectSpec
+        Objects with different names.
+
+    Returns
+    -------
+    Dataset (object, statistic)
+        `position_bound_mm` (mm), `force_bound_n` (N) and `detectable_force_n` (N), freshly tared:
+        the median and the largest over all contact places; `share_within_limit` (object): of the
+        places whose position bound is within `limits.position_bound_mm` of the specification.
+
+    Raises
+    ------
+    InputError
+        No object, or two of one name.
+
+    Examples
+    --------
+    >>> import instobj
+    >>> same = {
+    ...     "body": {"sensed_faces": [1]}, "contact_grid": {"count": [3, 3], "pitch_mm": 6.0},
+    ...     "press": {"depths_mm": [1.0, 2.0]}, "score": {"force_n": 2.0},
+    ...     "mesh": {"edge_mm": 8.0, "surface_edge_mm": 3.0},
+    ... }
+    >>> tiny = instobj.ObjectSpec(name="tiny", **same)
+    >>> quiet = instobj.ObjectSpec(name="quiet", sensors={"noise_counts": (1, 1, 1)}, **same)
+    >>> table = instobj.compare([tiny, quiet])
+    >>> before, after = table.force_bound_n.sel(statistic="median").values
+    >>> bool(after < before)
+    True
+    """
+    import xarray as xr
+
+    from design.errors import InputError
+    from instobj.stages.run import Run
+
+    names = [spec.name for spec in specs]
+    if not names or len(set(names)) < len(names):
+        raise InputError(f"objects to compare need a name each; got {names}. Rename them")
+    scores = [Run(spec).scores for spec in specs]
+    columns = {
+        name: (
+            ("object", "statistic"),
+            [[float(one[name].median()), float(one[name].max())] for one in scores],
+            {"units": scores[0][name].attrs["units"]},
+        )
+        for name in ("position_bound_mm", "force_bound_n", "detectable_force_n")
+    }
+    limits = [spec.limits.position_bound_mm for spec in specs]
+    within = [
+        float((one.position_bound_mm <= limit).mean())
+        for one, limit in zip(scores, limits, strict=True)
+    ]
+    return xr.Dataset(
+        columns | {"share_within_limit": ("object", within, {"units": "1"})},
+        coords={"object": names, "statistic": ["median", "largest"]},
     )
 
 

@@ -16,6 +16,7 @@ from design.errors import InputError
 from design.layout.positions import magnet_layout
 from design.spec.object import ObjectSpec
 from estimator.frames.dataset import save_frames
+from instobj.store import readers
 
 INIT = Path(instobj.__file__)
 TINY = ObjectSpec.model_validate(
@@ -156,6 +157,40 @@ def test_signals_and_presses_of_a_run_tell_of_the_same_forces(place):
 def test_a_face_without_an_estimator_is_told_with_those_that_have_one(place):
     with pytest.raises(InputError, match=r"no estimator of face 3. Give one of the faces \[1\]"):
         instobj.Run(TINY.model_copy(update={"training": _quick()})).estimator(face=3)
+
+
+@pytest.mark.parametrize("specs", [[], [TINY, TINY]], ids=["none", "one name twice"])
+def test_objects_to_compare_need_a_name_each(specs):
+    with pytest.raises(InputError, match="need a name each"):
+        instobj.compare(specs)
+
+
+def test_a_caller_can_tell_what_went_wrong():
+    family = (
+        *(instobj.SpecError, instobj.RecordingError, instobj.StoreError, instobj.SolverError),
+        instobj.InputError,
+    )
+    assert all(issubclass(one, instobj.InstobjError) for one in family)
+    with pytest.raises(instobj.SpecError):
+        instobj.load_spec("no_such_file.toml")
+    with pytest.raises(instobj.RecordingError):
+        instobj.read_recording("no_such_file.csv")
+
+
+def test_a_run_leaves_no_file_that_is_not_declared(place):
+    """Those of the response operator are declared by the room that writes them, as one folder."""
+    instobj.Run(TINY).read(readers.SCORES)
+    undeclared = []
+    for path in (place / "store").glob("*/*/**/*"):
+        stage, _, *name = path.relative_to(place / "store").parts
+        files = [file for file in vars(readers).values() if isinstance(file, readers.ResultFile)]
+        patterns = [file.name for file in files if file.stage == stage]
+        if path.is_file() and not any(Path(*name).match(pattern) for pattern in patterns):
+            undeclared.append("/".join((stage, *name)))
+    of_the_store = {path for path in undeclared if path.endswith("/stage.json")}
+    assert set(undeclared) - of_the_store <= {"response/compliance.npy"} | {
+        path for path in undeclared if path.startswith("build/")
+    }
 
 
 def _quick():
