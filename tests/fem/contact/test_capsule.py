@@ -12,8 +12,10 @@ from tests.support.fem_cases import YOUNGS_MODULUS_MPA
 
 DIAMETER_MM = 26.0
 PLACES = np.array([[0.0, 0.0], [5.0, 3.0]])
-SAME = 0.03
-"""Between two meshes; forces of presses all round one cylinder differ by as much."""
+SAME = 0.05
+"""Between two meshes, as all round one cylinder; measured up to 3 % (side) and 2 % (end)."""
+
+pytestmark = pytest.mark.slow
 
 
 def pressed(kind: str, length_mm: float, face: int) -> FacePresses:

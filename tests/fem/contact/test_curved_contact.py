@@ -7,7 +7,8 @@ from scipy.optimize import brentq
 from scipy.spatial import Delaunay
 from scipy.special import ellipe, ellipk
 
-from design.body.surface_chart import Cap, FaceFrame
+from design.body.kinds.capsule import CapsuleSide
+from design.body.surface_chart import Cap, FaceFrame, Relief
 from design.layout.body import face_frame
 from design.spec.object import ObjectSpec
 from fem.contact.complementarity import contact_pressures
@@ -32,7 +33,7 @@ SPEC = ObjectSpec.model_validate(
 )
 
 
-def _half_space_face(relief: Cap) -> RefinedFace:
+def _half_space_face(relief: Relief) -> RefinedFace:
     """A patch whose compliance is a half-space's alone: nothing is left to finite elements."""
     axis = np.linspace(-12, 12, 17)
     xy = np.stack(np.meshgrid(axis, axis, indexing="ij"), axis=-1).reshape(-1, 2)
@@ -84,8 +85,10 @@ def _hertz(radius_x: float, radius_y: float) -> np.ndarray:
         (Cap((20.0, 20.0, 20.0)), (20.0, 20.0)),
         (Cap((np.inf, 14.0, 14.0)), (np.inf, 14.0)),
         (Cap(), (np.inf, np.inf)),
+        (CapsuleSide(14.0, 12.0), (np.inf, 14.0)),
+        (CapsuleSide(20.0, 0.0), (20.0, 20.0)),
     ],
-    ids=["sphere", "cylinder", "plane"],
+    ids=["sphere", "cylinder", "plane", "capsule's side", "capsule's end"],
 )
 def test_hertz_on_curved_patches_wherever_the_tip_lands(relief, radii, place):
     assert_allclose(_forces(_half_space_face(relief), place), _hertz(*radii), rtol=0.03)
