@@ -8,7 +8,13 @@ from numpy.testing import assert_allclose
 from design.layout.body import face_frames
 from design.layout.mould_frame import parting
 from design.layout.pockets import shell_pockets
-from design.mould.halves import make_mould_half
+from design.mould.halves import (
+    DOWEL_DIAMETER_MM,
+    DOWEL_HEIGHT_MM,
+    OVERSHOOT_MM,
+    _dowel,
+    make_mould_half,
+)
 from design.mould.one_piece import make_mould_box
 from design.mould.pins import loose_pins, make_pin, pin_kinds
 from design.mould.plug import make_mould_plug
@@ -99,3 +105,16 @@ def test_halves_fit_each_other_and_the_plug():
 def test_pins_that_are_alike_are_counted_once():
     assert pin_kinds(loose_pins(parsed(**SKEWED))) == [("mould_pin", 0, 10)]
     assert [count for *_, count in pin_kinds(loose_pins(parsed(**TILTED)))] == [5, 5]
+
+
+def test_dowels_taper_by_their_draft():
+    """Volume of a truncated cone of the stated draft on a stem, by formula."""
+    for draft_deg in (5.0, 9.0):
+        spec = parsed(0.0)
+        spec = spec.changed(mould=spec.mould.changed(dowel_draft_deg=draft_deg))
+        dowel = _dowel(spec, 3.0, 4.0, 0.0)
+        root, height = DOWEL_DIAMETER_MM / 2, DOWEL_HEIGHT_MM
+        tip = root - height * np.tan(np.deg2rad(draft_deg))
+        cone = np.pi * height / 3 * (root**2 + root * tip + tip**2)
+        stem = np.pi * root**2 * OVERSHOOT_MM
+        assert_allclose(dowel.Volume(), cone + stem, rtol=1e-6)

@@ -162,3 +162,10 @@ def test_a_press_across_sessions_is_refused(frames):
     torn = replace(frames, session_id=np.arange(len(frames)) // 6)
     with pytest.raises(InputError, match="one session"):
         split_sessions(torn, 0)
+
+
+def test_of_two_presses_the_spare_ones_go_to_validation_and_test_by_their_shares():
+    frames = synthetic_frames(presses=2, faces=(2, 4), rest=1, loaded=3)
+    split = split_presses(frames, 3, (0.5, 0.4, 0.1))
+    counts = [len(np.unique(frames.press_id[part])) for part in (split.validation, split.test)]
+    assert counts == [32, 8]

@@ -8,7 +8,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.errors import InputError, StoreError
-from design.layout.positions import PlaceGrid, grid_places_in_lattice
+from design.layout.positions import PlaceGrid, contact_grid, grid_places_in_lattice
 from design.spec.object import ObjectSpec
 from estimator.information.fisher import cramer_rao_bounds, disturbance_counts
 from estimator.information.scores import (
@@ -20,7 +20,8 @@ from estimator.information.scores import (
     summarize_areas,
     weakest_place,
 )
-from estimator.signals.interpolation import signal_gradient
+from estimator.information.sensitivity import channel_noise, covariance_sensitivity, periodic_press
+from estimator.signals.interpolation import press_traces, signal_gradient
 from estimator.signals.presses import press_signals
 from tests.support.synthetic_presses import coarse_spec, synthetic_presses
 
@@ -173,3 +174,27 @@ def test_500_places_are_scored_within_two_seconds():
     assert time.process_time() - start < 2
     assert scores.delta_raw.shape == (5, 100)
     assert np.isfinite(scores.position_bound_fresh_mm).all()
+
+
+def test_scaled_sensitivity_counts_three_sigma_on_either_side_of_a_channels_range(signals, scores):
+    """Channels are divided by what they read from one end to the other, noise of ±3σ included."""
+    face = 3
+    grid = contact_grid(SPEC)
+    force = scores.force_at_score_n[face - 1]
+    where = (np.full(len(grid), face), grid.xy_mm[:, 0], grid.xy_mm[:, 1])
+    own = press_traces(signals, *where).of_channels(np.arange(18, 27))
+    press = periodic_press(own, force, 64)
+    noise = channel_noise(SPEC.sensors, 45)[18:27]
+    highest = press.max(axis=(0, 1)) + 3 * noise
+    lowest = press.min(axis=(0, 1)) - 3 * noise
+    raw = covariance_sensitivity(press, force, noise, SPEC.score.hull_frames)
+    expected = raw.scaled(highest - lowest).delta
+    assert_allclose(scores.delta_scaled[face - 1], expected, rtol=1e-3)
+
+
+def test_a_place_whose_deepest_press_just_reaches_the_force_reaches_it(signals):
+    largest = signals.force_n[0, grid_places_in_lattice(SPEC)[0], -1]
+    exact = score_places(coarse_spec(score={"force_n": float(largest)}), signals)
+    assert exact.reaches_score_force[0, 0]
+    beyond = score_places(coarse_spec(score={"force_n": float(largest) * 1.001}), signals)
+    assert not beyond.reaches_score_force[0, 0]

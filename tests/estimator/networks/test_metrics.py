@@ -7,7 +7,12 @@ from numpy.testing import assert_allclose
 from design.errors import InputError
 from estimator.networks import cross_correlation as alignment
 from estimator.networks.cross_correlation import align
-from estimator.networks.metrics import ForceReference, face_metrics, force_reference
+from estimator.networks.metrics import (
+    NON_CONTACT_SHARE,
+    ForceReference,
+    face_metrics,
+    force_reference,
+)
 
 
 def maps(shape, *contacts):
@@ -186,3 +191,9 @@ def test_planted_faults_show(fault):
 def test_force_reference_needs_a_contact():
     with pytest.raises(InputError, match="all zero"):
         force_reference(np.zeros((2, 3, 3)))
+
+
+def test_a_frame_exactly_at_the_non_contact_threshold_is_not_quiet():
+    predicted, true, reference = worked_case()
+    predicted[3, 1, 1] = NON_CONTACT_SHARE * reference.smallest_contact_n
+    assert face_metrics(3, predicted, true, reference).non_contact_accuracy == 0.0

@@ -168,3 +168,13 @@ def test_grid_signals_hold_contact_places_and_one_noisy_reading(signals, tmp_pat
         assert_allclose(error.std(("face", "place", "step", "sensor")), [22, 22, 11], rtol=0.05)
         assert data.force_n.attrs["units"] == "N"
         assert data.axis.values.tolist() == ["X", "Y", "Z"]
+
+
+def test_a_press_that_adds_to_the_baseline_counts_with_it(signals):
+    """A channel at 1000 that a press takes by 500 more uses 1500 counts of the scale."""
+    made = replace(
+        signals,
+        baseline_counts=np.full_like(signals.baseline_counts, 1000.0),
+        delta_counts=np.full_like(signals.delta_counts, 500.0),
+    )
+    assert_allclose(saturation_margin(made, SPEC), 1 - 1500 / 32767, rtol=1e-12)

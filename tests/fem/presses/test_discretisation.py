@@ -5,7 +5,9 @@ from dataclasses import replace
 import numpy as np
 from numpy.testing import assert_allclose
 
+from design.layout.positions import contact_grid
 from fem.presses.discretisation import (
+    _ROTATION_ARM_MM,
     COARSENING,
     ORDER,
     PressSample,
@@ -15,6 +17,7 @@ from fem.presses.discretisation import (
     patch_compliance_mm_per_n,
     sample_presses,
 )
+from fem.presses.table import press_face
 from tests.support.fem_cases import patch_compliances
 
 SHARE = 1 / (COARSENING**ORDER - 1)
@@ -87,3 +90,17 @@ def test_the_projected_patch_load_gives_the_direct_solution_s_compliance(
         block = points_response.compliance[rows, rows]
         projected.append(patch_compliance_mm_per_n(surface, block))
     assert_allclose(projected, direct, rtol=0.015)
+
+
+def test_rotations_count_by_their_arm_and_shifts_as_they_are(rigid_spec, rigid_response):
+    """Against the compliance itself, for one place of the first face."""
+    sample = sample_presses(rigid_spec, rigid_response)
+    depths = np.asarray(rigid_spec.press.depths_mm)
+    x, y = contact_grid(rigid_spec).xy_mm[0]
+    presses = press_face(rigid_spec, rigid_response, 0, np.array([[x, y]]), depths)
+    rows = rigid_response.compliance[rigid_response.magnet_loads, rigid_response.face_loads(0)]
+    motion = (presses.vertex_mpa[0] @ rows.T).reshape(len(depths), -1, 2, 3)
+    found = sample.motion_mm[0].reshape(len(depths), -1, 2, 3)
+    assert _ROTATION_ARM_MM not in (0.0, 1.0)
+    assert_allclose(found[:, :, 0], motion[:, :, 0], rtol=1e-6, atol=1e-12)
+    assert_allclose(found[:, :, 1], _ROTATION_ARM_MM * motion[:, :, 1], rtol=1e-6, atol=1e-12)
