@@ -10,6 +10,7 @@ from typing import Any
 from design.errors import InputError
 from design.files import atomic_path
 from design.spec.object import ObjectSpec
+from design.spec_io import check as require_fit
 from design.spec_io import load_spec, spec_hash
 from instobj.commands.compare import compare_scores
 from instobj.stages.run import Run
@@ -57,13 +58,12 @@ class SpecCheck:
 
 
 def check(spec: ObjectSpec) -> SpecCheck:
-    """Check that no sensor saturates at rest or sits in a magnet.
+    """Check that everything fits, and that no sensor saturates at rest or sits in a magnet.
 
     Parameters
     ----------
     spec : ObjectSpec
-        Already validated: unknown keys, bounds and whether everything fits are checked when it is
-        made.
+        Unknown keys and the bounds of each value were checked when it was made.
 
     Returns
     -------
@@ -86,6 +86,7 @@ def check(spec: ObjectSpec) -> SpecCheck:
     from estimator.signals.hall import check_rest, check_sensors_outside_magnets
     from estimator.signals.presses import rest_counts
 
+    require_fit(spec)
     sensors, magnets = sensor_layout(spec), magnet_layout(spec)
     check_sensors_outside_magnets(sensors, magnets, magnet_source(spec.magnets))
     counts = rest_counts(spec)

@@ -12,6 +12,7 @@ import numpy as np
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec
+from design.spec_io import check
 from instobj.stages.inputs import stage_inputs
 from instobj.stages.resources import require_memory
 from instobj.stages.table import STAGES
@@ -55,7 +56,7 @@ class Run:
     Raises
     ------
     SpecError
-        On asking for a result: the object cannot be made or simulated as specified.
+        The parts do not fit together; on asking for a result: it cannot be simulated as specified.
     SolverError
         On asking for a result: a mesh or a solve failed.
     StoreError
@@ -84,6 +85,9 @@ class Run:
     progress: ProgressLine = field(default_factory=ProgressLine)
     root: Path = field(default_factory=store_root)
     results: dict[str, StoredResult] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        check(self.spec, table=False)
 
     def require(self, name: str) -> StoredResult:
         """The stage's result, after those of every stage that it needs."""

@@ -165,6 +165,13 @@ def test_objects_to_compare_need_a_name_each(specs):
         instobj.compare(specs)
 
 
+@pytest.mark.parametrize("ask", [instobj.check, instobj.Run], ids=["check", "Run"])
+def test_an_object_made_in_python_that_does_not_fit_is_refused(ask):
+    thick = ObjectSpec.model_validate({"name": "thick", "shell": {"thickness_mm": 30.0}})
+    with pytest.raises(instobj.SpecError):
+        ask(thick)
+
+
 def test_a_caller_can_tell_what_went_wrong():
     family = (
         *(instobj.SpecError, instobj.RecordingError, instobj.StoreError, instobj.SolverError),
