@@ -172,16 +172,18 @@ def test_an_object_made_in_python_that_does_not_fit_is_refused(ask):
         ask(thick)
 
 
-def test_a_caller_can_tell_what_went_wrong():
+def test_a_caller_can_tell_what_went_wrong(tmp_path):
     family = (
         *(instobj.SpecError, instobj.RecordingError, instobj.StoreError, instobj.SolverError),
         instobj.InputError,
     )
     assert all(issubclass(one, instobj.InstobjError) for one in family)
-    with pytest.raises(instobj.SpecError):
-        instobj.load_spec("no_such_file.toml")
-    with pytest.raises(instobj.RecordingError):
-        instobj.read_recording("no_such_file.csv")
+    (tmp_path / "cube.toml").write_text('name = "cube"\nshel = 3\n')
+    with pytest.raises(instobj.SpecError, match="shel is not a key"):
+        instobj.load_spec(tmp_path / "cube.toml")
+    (tmp_path / "press.csv").write_text("a,b\n1,2\n")
+    with pytest.raises(instobj.RecordingError, match="press.csv"):
+        instobj.read_recording(tmp_path / "press.csv")
 
 
 def test_a_run_leaves_no_file_that_is_not_declared(place):
