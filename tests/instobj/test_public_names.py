@@ -182,7 +182,7 @@ def test_a_caller_can_tell_what_went_wrong(tmp_path):
     with pytest.raises(instobj.SpecError, match="shel is not a key"):
         instobj.load_spec(tmp_path / "cube.toml")
     (tmp_path / "press.csv").write_text("a,b\n1,2\n")
-    with pytest.raises(instobj.RecordingError, match="press.csv"):
+    with pytest.raises(instobj.RecordingError, match=r"press\.csv"):
         instobj.read_recording(tmp_path / "press.csv")
 
 
