@@ -91,7 +91,7 @@ def export(
     as_json: AsJson = False,
 ) -> None:
     """Trained estimators as ONNX files with scaling, units and channel order inside."""
-    from instobj.commands.predict import export_models
+    from instobj.commands.hardware.predict import export_models
 
     show(export_models(models, out), as_json)
 
@@ -119,7 +119,7 @@ def predict(
     as_json: AsJson = False,
 ) -> None:
     """Contacts in a recording, or live from a board (one JSON document a frame)."""
-    from instobj.commands.predict import Zeroing, predict_file, predict_port
+    from instobj.commands.hardware.predict import Zeroing, predict_file, predict_port
 
     if (file is None) == (port is None):
         raise InputError("give either a file or --port, the serial port of a board")

@@ -85,8 +85,8 @@ def collect(
     as_json: AsJson = False,
 ) -> None:
     """Collect labelled frames from a board (or a replay) into a recording to calibrate with."""
-    from instobj.commands.collect import collect as collect_frames
-    from instobj.commands.collect_options import CollectOptions
+    from instobj.commands.hardware.collect import collect as collect_frames
+    from instobj.commands.hardware.collect_options import CollectOptions
 
     options = CollectOptions(
         out, port, replay, load_port, baud, speed, tuple(place or ()), tuple(force or ()),
@@ -122,7 +122,7 @@ def selftest(
     as_built: AsBuilt = None,
 ) -> None:
     """Flipped magnets, swapped or dead channels, from the resting signals of a built object."""
-    from instobj.commands.validate import self_test_of
+    from instobj.commands.hardware.validate import self_test_of
 
     result = self_test_of(spec, resting, with_as_built(overrides, as_built))
     show(result, as_json)
@@ -143,7 +143,7 @@ def validate(
     as_built: AsBuilt = None,
 ) -> None:
     """Predicted against recorded presses, every figure beside its permutation null."""
-    from instobj.commands.validate import validate_on
+    from instobj.commands.hardware.validate import validate_on
 
     given = with_as_built(overrides, as_built)
     show(validate_on(spec, recordings, exchanges, out, given), as_json)

@@ -46,14 +46,14 @@ def press(
     overrides: Overrides = None,
 ) -> None:
     """Chosen presses: one with large deformation, or several with --material linear."""
-    from instobj.commands.places import places_given
+    from instobj.commands.presses.places import places_given
 
     given = [*(overrides or [])]
     if direction is not None:
         given.append(f"indenter.direction_deg=[{direction[0]}, {direction[1]}]")
     places = places_given(face, xy, at or [], depth)
     if material == "linear":
-        from instobj.commands.loads import press_loads
+        from instobj.commands.presses.loads import press_loads
 
         _show_loads(press_loads(spec, places, force, patch, out, given), as_json)
         return
@@ -62,7 +62,7 @@ def press(
             "--at, --force and --patch are for small strain: add --material linear, or give one "
             "place with --xy and --depth"
         )
-    from instobj.commands.press import press_specification
+    from instobj.commands.presses.press import press_specification
 
     result = press_specification(spec, face, xy, depth, material, constants, out, given)
     show(result, as_json)
@@ -84,7 +84,7 @@ def grasp(
     overrides: Overrides = None,
 ) -> None:
     """A parallel-jaw grasp: forces, travel, what all sensors see, and the error of superposition."""
-    from instobj.commands.grasp import grasp_specification
+    from instobj.commands.presses.grasp import grasp_specification
 
     show(grasp_specification(spec, jaw, force, out, overrides or []), as_json)
 
@@ -104,7 +104,7 @@ def slip(
     overrides: Overrides = None,
 ) -> None:
     """What a core that slipped after calibration costs: resting signals, false places and forces."""
-    from instobj.commands.slip import slip_specification
+    from instobj.commands.presses.slip import slip_specification
 
     show(slip_specification(spec, shift, rotation, rim, out, overrides or []), as_json)
 

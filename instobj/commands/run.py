@@ -98,7 +98,7 @@ def check(spec: ObjectSpec) -> SpecCheck:
 def check_specifications(specs: list[Path], overrides: list[str]) -> dict[str, Any]:
     """Validate each specification, and that no sensor saturates or sits in a magnet at rest."""
     from instobj.report.uncertainty import force_spread_text, modulus_text
-    from instobj.stages.surroundings import surroundings_row
+    from instobj.stages.makers.surroundings import surroundings_row
 
     rows = []
     for path in specs:

@@ -15,7 +15,7 @@ from instobj.store.readers import FRAMES, MODELS, PRESSES, face_model_paths
 if TYPE_CHECKING:
     from estimator.frames.dataset import FrameSet
     from estimator.recordings.reading import Grid
-    from instobj.stages.twin import TwinOfData
+    from instobj.stages.makers.twin import TwinOfData
 
 _VERSION = 7
 
@@ -75,7 +75,7 @@ def run_on_data_set(
     from estimator.frames.dataset import load_frames
     from estimator.frames.splits import split_presses
     from instobj.report.summary import summarize
-    from instobj.stages.learning import (
+    from instobj.stages.makers.learning import (
         Fitting,
         evaluate_networks,
         train_networks,
@@ -133,13 +133,13 @@ def twin_of_data(path: Path, frames: FrameSet, training: TrainingSpec) -> TwinOf
         with enough places pressed one by one.
     """
     from design.spec_io import load_spec
-    from instobj.stages.run import Run
-    from instobj.stages.twin import (
+    from instobj.stages.makers.twin import (
         TwinOfData,
         require_same_object,
         require_settings,
         require_some_face,
     )
+    from instobj.stages.run import Run
 
     spec = load_spec(path, [])
     require_settings(training)

@@ -14,7 +14,7 @@ from design.files import atomic_path
 from design.spec.mechanics import LOCKING_WARNING
 from design.spec.object import ObjectSpec
 from design.spec_io import spec_hash
-from instobj.figures.maps import OVERVIEW, SCORE_MAPS, unit_of
+from instobj.figures.maps.files import OVERVIEW, SCORE_MAPS, unit_of
 from instobj.report.core_section import core_section
 from instobj.report.deformation_section import compliance_section, deformation_section
 from instobj.report.pages import render

@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from instobj.stages.alternatives import make_alternatives
-from instobj.stages.collection import make_collection
-from instobj.stages.deformation import make_large_strain, make_shapes
-from instobj.stages.fabrication import make_fabrication, make_sheet
-from instobj.stages.magnet_free import (
+from instobj.stages.makers.alternatives import make_alternatives
+from instobj.stages.makers.collection import make_collection
+from instobj.stages.makers.deformation import make_large_strain, make_shapes
+from instobj.stages.makers.fabrication import make_fabrication, make_sheet
+from instobj.stages.makers.magnet_free import (
     make_candidates,
     make_compliance,
     make_plain_mesh,
     make_plain_presses,
     make_plain_response,
 )
-from instobj.stages.mechanics import (
+from instobj.stages.makers.mechanics import (
     make_build,
     make_coarse_response,
     make_discretisation,
@@ -22,13 +22,13 @@ from instobj.stages.mechanics import (
     make_response,
     make_shear,
 )
-from instobj.stages.report import (
+from instobj.stages.makers.report import (
     make_press_curves,
     make_report,
     make_surroundings,
     make_tied_compliance,
 )
-from instobj.stages.signals import (
+from instobj.stages.makers.signals import (
     make_frames,
     make_identify,
     make_metrics,
@@ -39,7 +39,7 @@ from instobj.stages.signals import (
     make_shear_scores,
     make_signals,
 )
-from instobj.stages.slip import make_slip, objects_compared
+from instobj.stages.makers.slip import make_slip, objects_compared
 from instobj.store.stage import Stage
 
 _WHERE_THINGS_ARE = ("body", "shell", "magnets", "arrangement")

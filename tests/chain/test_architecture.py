@@ -22,9 +22,9 @@ LIGHT = (
     "estimator.signals.presses",
     "estimator.frames.dataset",
     "estimator.deploy.runtime",
-    "instobj.commands.predict",
+    "instobj.commands.hardware.predict",
     "estimator.boards.link",
-    "instobj.commands.collect",
+    "instobj.commands.hardware.collect",
     "fem.presses.results",
 )
 ARRAYS = "estimator.information.scores"

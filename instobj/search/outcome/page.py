@@ -99,8 +99,8 @@ def _label(name: str) -> str:
 
 def _maps(found: Climb, results: ChainResults, folder: Path) -> list[tuple[str, Path]]:
     """Pictures of the position bound of every place, both on one scale."""
-    from instobj.figures.map_scale import finite_limits
-    from instobj.figures.overview import draw_overview
+    from instobj.figures.maps.overview import draw_overview
+    from instobj.figures.maps.scale import finite_limits
 
     pair = {"before": found.start.spec, "after": found.best.spec}
     folders = {"before": results.scores_before, "after": results.scores_after}

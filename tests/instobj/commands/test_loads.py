@@ -9,9 +9,9 @@ from numpy.testing import assert_allclose
 from design.errors import InputError
 from design.spec.object import IndenterSpec, ObjectSpec
 from fem.presses.joint import JointPress, Tip
-from instobj.commands.grasp import grasp_specification, unbalanced_moment_nmm
-from instobj.commands.loads import press_loads, sensor_rows, superposition_row
-from instobj.commands.places import Place, check_places, jaw_given, places_given
+from instobj.commands.presses.grasp import grasp_specification, unbalanced_moment_nmm
+from instobj.commands.presses.loads import press_loads, sensor_rows, superposition_row
+from instobj.commands.presses.places import Place, check_places, jaw_given, places_given
 from instobj.figures.loads import Pressed, draw_loads
 from tests.support import cli
 from tests.support.cli import CUBE

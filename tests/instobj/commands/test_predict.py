@@ -13,7 +13,7 @@ from estimator.frames.dataset import FrameSet, load_frames, save_frames
 from estimator.frames.splits import split_presses
 from estimator.networks.face_model import load_model, predict, save_model
 from estimator.networks.training import FitSettings, fit_estimator
-from instobj.commands.predict import Zeroing, export_models, predict_file, predict_port
+from instobj.commands.hardware.predict import Zeroing, export_models, predict_file, predict_port
 from instobj.commands.run import run_estimator
 from tests.support.dummy_board import CHANNELS, dummy_board
 

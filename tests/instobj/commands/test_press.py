@@ -8,7 +8,7 @@ from numpy.testing import assert_allclose
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec
-from instobj.commands.press import material_of, press_specification
+from instobj.commands.presses.press import material_of, press_specification
 from tests.support import cli
 from tests.support.cli import CUBE
 

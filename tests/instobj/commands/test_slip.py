@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from design.errors import InputError
-from instobj.commands.slip import slip_specification
+from instobj.commands.presses.slip import slip_specification
 
 CUBE = Path(__file__).parents[3] / "examples" / "paper_cube.toml"
 COARSE = [

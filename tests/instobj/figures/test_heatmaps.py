@@ -11,8 +11,8 @@ from design.errors import InputError
 from design.layout.body import face_frames
 from design.layout.positions import contact_grid
 from design.spec.object import ObjectSpec
-from instobj.figures import heatmaps, overview
-from instobj.figures.map_scale import finite_limits, map_scale
+from instobj.figures.maps import heatmaps, overview
+from instobj.figures.maps.scale import finite_limits, map_scale
 
 SPEC = ObjectSpec(name="brick", body={"size_mm": (46.0, 44.0, 42.0)})  # pyright: ignore
 VALUES = np.geomspace(0.1, 90.0, 100)

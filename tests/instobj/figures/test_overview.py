@@ -11,7 +11,7 @@ from numpy.testing import assert_allclose
 from design.layout.body import face_frame, face_frames
 from design.layout.positions import contact_grid
 from design.spec_io import load_spec, parse_spec
-from instobj.figures import heatmaps, overview
+from instobj.figures.maps import heatmaps, overview
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 CAPTION = (

@@ -3,7 +3,7 @@
 import pytest
 
 from design.spec_io import parse_spec
-from instobj.stages.alternatives import _CHANGES
+from instobj.stages.makers.alternatives import _CHANGES
 
 
 @pytest.mark.parametrize("change", _CHANGES)

@@ -17,8 +17,8 @@ from instobj.report.deformation_section import (
     deformation_section,
     envelope_text,
 )
-from instobj.stages import deformation as deformation_stages
-from instobj.stages.deformation import correct_table, correction_places_mm, make_large_strain
+from instobj.stages.makers import deformation as deformation_stages
+from instobj.stages.makers.deformation import correct_table, correction_places_mm, make_large_strain
 from instobj.store.stage import StageContext
 
 SPEC = ObjectSpec(name="cube")

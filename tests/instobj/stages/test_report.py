@@ -6,7 +6,7 @@ import pytest
 from design.layout.positions import press_lattice
 from design.spec.object import ObjectSpec
 from estimator.signals.presses import Signals
-from instobj.stages.report import TravelSpread, travel_spread
+from instobj.stages.makers.report import TravelSpread, travel_spread
 
 SPEC = ObjectSpec(name="cube")
 UNKNOWN = ObjectSpec.model_validate({"name": "cube", "silicone": {"youngs_modulus_mpa": 2.0}})

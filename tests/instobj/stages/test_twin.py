@@ -17,7 +17,7 @@ from instobj.commands import training
 from instobj.commands.run import run_estimator
 from instobj.commands.training import twin_of_data
 from instobj.report.summary import summarize
-from instobj.stages.twin import (
+from instobj.stages.makers.twin import (
     TwinOfData,
     require_same_object,
     verdict,

@@ -9,8 +9,8 @@ import numpy as np
 from design.layout.positions import grid_places_in_lattice
 from design.spec.object import ObjectSpec
 from fem.presses.compliance_map import ComplianceMap
-from instobj.figures.map_scale import GAIN_COLOURS, finite_limits
-from instobj.figures.overview import draw_overview
+from instobj.figures.maps.overview import draw_overview
+from instobj.figures.maps.scale import GAIN_COLOURS, finite_limits
 from instobj.store.readers import TIED_COMPLIANCE_MAP
 
 WITH_MAGNETS = TIED_COMPLIANCE_MAP.name

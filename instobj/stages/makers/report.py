@@ -38,7 +38,7 @@ class TravelSpread:
 
 def make_surroundings(context: StageContext, folder: Path) -> None:
     """Changes of resting signals that are no press."""
-    from instobj.stages.surroundings import surroundings_row
+    from instobj.stages.makers.surroundings import surroundings_row
 
     context.step("Earth's field, a steel jaw, temperature")
     write_json(surroundings_row(context.spec), SURROUNDINGS.path(folder))
@@ -63,7 +63,7 @@ def make_press_curves(context: StageContext, folder: Path) -> None:
 def make_tied_compliance(context: StageContext, folder: Path) -> None:
     """Map of compliance with the magnets, from the table of presses alone."""
     from fem.presses.compliance_map import compliance_map
-    from instobj.figures.compliance import draw_compliance
+    from instobj.figures.maps.compliance import draw_compliance
 
     forces, _ = PRESSES.read(context.inputs["presses"])
     draw_compliance(context.spec, compliance_map(forces), folder)

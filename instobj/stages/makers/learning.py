@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from estimator.frames.dataset import FrameSet
     from estimator.frames.splits import Split
     from estimator.networks.face_model import FaceModel
-    from instobj.stages.twin import TwinOfData
+    from instobj.stages.makers.twin import TwinOfData
 
 
 @dataclass(frozen=True)

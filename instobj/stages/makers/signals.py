@@ -38,7 +38,7 @@ def make_scores(context: StageContext, folder: Path) -> None:
     """Sensitivity, bounds, maps and cross-face disturbance."""
     from estimator.information.cross_face import RELATIONS, cross_face_disturbance
     from estimator.information.scores import save_scores_csv, score_places
-    from instobj.figures.maps import draw_cross_face_map, draw_score_maps
+    from instobj.figures.maps.files import draw_cross_face_map, draw_score_maps
 
     context.step("sensitivity and bounds of every place")
     signals = context.read(SIGNALS)
@@ -55,7 +55,7 @@ def make_scores(context: StageContext, folder: Path) -> None:
 def make_shear_scores(context: StageContext, folder: Path) -> None:
     """Bounds with tangential forces unknown."""
     from estimator.information.shear import save_shear_scores_csv, score_shear, shear_signals
-    from instobj.figures.maps import draw_shear_maps
+    from instobj.figures.maps.files import draw_shear_maps
 
     _, motions = context.read(PRESSES)
     shear = context.read(SHEAR)
@@ -113,7 +113,7 @@ def make_frames(context: StageContext, folder: Path) -> None:
 def make_pretraining(context: StageContext, folder: Path) -> None:
     """A network per face, trained on presses of twins."""
     from estimator.calibration.pretraining import split_twins, twin_frames
-    from instobj.stages.learning import Fitting, train_networks
+    from instobj.stages.makers.learning import Fitting, train_networks
 
     spec = context.spec
     frames = twin_frames(spec, *context.read(PRESSES), spec.training.twins, context.step)
@@ -124,7 +124,7 @@ def make_pretraining(context: StageContext, folder: Path) -> None:
 def make_networks(context: StageContext, folder: Path) -> None:
     """A network per face."""
     from estimator.frames.splits import split_presses
-    from instobj.stages.learning import Fitting, train_networks, unfinished_folder
+    from instobj.stages.makers.learning import Fitting, train_networks, unfinished_folder
 
     spec, frames = context.spec, context.read(FRAMES)
     unfinished = unfinished_folder(context.key)
@@ -135,7 +135,7 @@ def make_networks(context: StageContext, folder: Path) -> None:
 def make_metrics(context: StageContext, folder: Path) -> None:
     """Held-out presses."""
     from estimator.frames.splits import split_presses
-    from instobj.stages.learning import evaluate_networks
+    from instobj.stages.makers.learning import evaluate_networks
 
     frames = context.read(FRAMES)
     split = split_presses(frames, context.spec.seed)

@@ -17,7 +17,7 @@ from jaxtyping import Bool, Float, Int
 from design.layout.body import face_frame, face_frames
 from design.layout.positions import contact_grid
 from design.spec.object import ObjectSpec
-from instobj.figures.heatmaps import (
+from instobj.figures.maps.heatmaps import (
     FRAME,
     INK,
     OUTWARD,
@@ -26,7 +26,7 @@ from instobj.figures.heatmaps import (
     draw_face,
     legend_handles,
 )
-from instobj.figures.map_scale import BOUND_COLOURS, MapScale, map_scale, set_plain_ticks
+from instobj.figures.maps.scale import BOUND_COLOURS, MapScale, map_scale, set_plain_ticks
 from instobj.figures.saving import save_figure
 
 _NET = {1: (0, 0, 0), 2: (-90, 0, -1), 3: (0, 1, 0), 4: (90, 0, 1), 5: (180, -1, 0), 6: (0, 0, 2)}

@@ -14,7 +14,7 @@ from design.errors import InputError
 from design.layout.positions import PlaceGrid, sensor_layout
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, spec_hash
-from instobj.commands.places import CheckedPlaces, Place, check_places
+from instobj.commands.presses.places import CheckedPlaces, Place, check_places
 from instobj.figures.loads import Pressed, draw_loads
 from instobj.stages.run import Run
 from instobj.store.publish import file_rows, require_writable, run_folder, stage_row

@@ -16,7 +16,7 @@ from design.errors import InputError, StoreError
 from estimator.boards.growing import GrowingRecording, finish_recording, growing_recording
 from estimator.boards.lines import Frame, Header, LineDecoder, Load, Message
 from estimator.boards.link import BoardClock, board_messages, serial_chunks
-from instobj.commands.collect_options import (
+from instobj.commands.hardware.collect_options import (
     CollectOptions,
     Place,
     TypedLines,

@@ -53,7 +53,7 @@ def make_plain_presses(context: StageContext, folder: Path) -> None:
 def make_compliance(context: StageContext, folder: Path) -> None:
     """Table and maps of compliance, with magnets and without."""
     from fem.presses.compliance_map import compliance_map, save_compliance_csv
-    from instobj.figures.compliance import draw_compliance
+    from instobj.figures.maps.compliance import draw_compliance
 
     forces, _ = context.read(PRESSES)
     tied = compliance_map(forces)

@@ -8,8 +8,8 @@ from typing import Any
 from design.errors import InputError
 from design.spec_io import load_spec, spec_hash
 from instobj.report.core_section import comparison_rows, slip_title
+from instobj.stages.makers.slip import with_slip
 from instobj.stages.run import Run
-from instobj.stages.slip import with_slip
 from instobj.store.publish import file_rows, publish_to, require_writable, run_folder, stage_row
 from instobj.store.readers import SLIP
 

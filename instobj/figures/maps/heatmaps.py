@@ -16,7 +16,7 @@ from design.layout.body import face_frame
 from design.layout.pockets import magnet_bodies
 from design.layout.positions import contact_grid, sensor_layout
 from design.spec.object import ObjectSpec
-from instobj.figures.map_scale import (
+from instobj.figures.maps.scale import (
     BOUND_COLOURS,
     MapScale,
     map_scale,

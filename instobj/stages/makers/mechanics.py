@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from instobj.stages.deformation import correct_table
+from instobj.stages.makers.deformation import correct_table
 from instobj.store.readers import (
     CORE_TENSION,
     DISCRETISATION,

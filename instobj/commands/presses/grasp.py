@@ -10,8 +10,13 @@ import numpy as np
 from design.errors import InputError
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
-from instobj.commands.loads import joint_pressed, loads_document, require_no_slip, response_of
-from instobj.commands.places import Place, check_places, jaw_given
+from instobj.commands.presses.loads import (
+    joint_pressed,
+    loads_document,
+    require_no_slip,
+    response_of,
+)
+from instobj.commands.presses.places import Place, check_places, jaw_given
 from instobj.stages.run import Run
 from instobj.store.publish import require_writable, run_folder
 

@@ -12,9 +12,9 @@ from design.spec.object import ObjectSpec
 from estimator.information.cross_face import RELATIONS, CrossFace
 from estimator.information.scores import PlaceScores, weakest_place
 from estimator.information.shear import ShearScores
-from instobj.figures.heatmaps import draw_face_heatmap
-from instobj.figures.map_scale import BOUND_COLOURS, GAIN_COLOURS, finite_limits
-from instobj.figures.overview import draw_overview
+from instobj.figures.maps.heatmaps import draw_face_heatmap
+from instobj.figures.maps.overview import draw_overview
+from instobj.figures.maps.scale import BOUND_COLOURS, GAIN_COLOURS, finite_limits
 
 OVERVIEW = "position_bound_overview.png"
 

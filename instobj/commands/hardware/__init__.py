@@ -1,0 +1,1 @@
+"""Commands that meet boards, recordings and built objects."""

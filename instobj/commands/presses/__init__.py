@@ -1,0 +1,1 @@
+"""Commands that press chosen places of one object."""

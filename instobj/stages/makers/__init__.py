@@ -1,0 +1,1 @@
+"""Makers of the stages: from a specification and earlier results to files."""
