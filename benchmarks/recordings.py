@@ -43,8 +43,8 @@ _COLUMNS = (
 
 
 def training(quick: bool, **changes: object) -> TrainingSpec:
-    """The specification's defaults with five members; quick: one small network."""
-    small = {"members": 1, "epochs": 3, "hidden_units": (16,)} if quick else {"members": 5}
+    """The specification's defaults with an ensemble of five; quick: one small network."""
+    small = {"ensemble": 1, "epochs": 3, "hidden_units": (16,)} if quick else {"ensemble": 5}
     return TrainingSpec.model_validate(small | changes)
 
 
@@ -54,7 +54,7 @@ def chosen_history(frames: FrameSet, face: int, seed: int, quick: bool) -> int:
     known = frames.select(split.train | split.validation)
     errors = []
     for history in HISTORIES[:2] if quick else HISTORIES:
-        wanted = training(quick, history_frames=history, members=1)
+        wanted = training(quick, history_frames=history, ensemble=1)
         found = []
         for inner_seed in range(1 if quick else 2):
             inner = split_presses(known, inner_seed)
@@ -82,7 +82,7 @@ def unseen_place(frames: FrameSet, face: int, seed: int, wanted: TrainingSpec) -
     """Metrics at whole places held out, with heatmap and with position output."""
     split, found = split_places(frames, seed), {}
     for output in ("heatmap", "position"):
-        changes = wanted.model_dump() | {"output": output, "members": 1}
+        changes = wanted.model_dump() | {"output": output, "ensemble": 1}
         model = _fitted(frames, split, face, TrainingSpec.model_validate(changes), seed)
         metrics = evaluate_face(model, frames.select(split.test), frames).summary()
         found[output] = {name: metrics[name] for name in _COLUMNS}

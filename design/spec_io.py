@@ -17,6 +17,7 @@ from design.files import require_regular_file
 from design.fit.everything import require_fit
 from design.spec.base import explained
 from design.spec.object import ObjectSpec
+from design.spec.renamed import RENAMED, name_now, under_names_now
 
 _LARGEST_BYTES = 250_000
 
@@ -67,11 +68,15 @@ def _read_toml(path: Path, missing: str) -> dict[str, Any]:
 def with_overrides(content: dict[str, Any], overrides: Iterable[str]) -> dict[str, Any]:
     """Apply `key=value` overrides (dotted keys, TOML values) to parsed TOML, in place.
 
+    Keys under an older name are renamed first, so that an override meets them under either.
+
     Raises
     ------
     SpecError
         An override is not of that form, or names a value as if it were a table.
     """
+    for table in RENAMED.keys() & content.keys():
+        content[table] = under_names_now(table, content[table])
     for override in overrides:
         _apply_override(content, override)
     return content
@@ -196,7 +201,7 @@ def _apply_override(content: dict[str, Any], override: str) -> None:
             raise SpecError(
                 f"--set {override}: {part!r} is a value, not a table of the specification"
             )
-    table[name] = _toml_value(value.strip())
+    table[name_now(".".join(tables), name)] = _toml_value(value.strip())
 
 
 def _toml_value(text: str) -> Any:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 from pydantic import Field, model_validator
 
 from design.spec.base import Count, NonNegative, Positive, SpecPart
+from design.spec.renamed import under_names_now
 
 Coordinate = Annotated[float, Field(ge=-500, le=500)]
 ProbePose = tuple[Coordinate, Coordinate, Annotated[float, Field(ge=-360, le=360)]]
@@ -126,11 +127,11 @@ class TrainingSpec(SpecPart):
     copes with presses on other faces; "paper" is the network and recipe of Knopke et al. (RA-L
     2024), for which `hidden_units`, `batch_size` and `learning_rate` are its own; "linear" is ridge
     regression. `output`: a "heatmap" of any number of contacts, or the "position" of one contact,
-    which places that training never saw need (compact and whole-object only). `heatmap_axes`: 1
+    which contact locations that training never saw need (compact and whole-object only). `heatmap_axes`: 1
     for the normal force, 3 for Fx, Fy, Fz. With `history_frames` the estimator also reads the change
-    over so many frames, which tells loading from unloading (hysteresis of the silicone). `members`:
-    networks that are averaged, each stopped and calibrated by its own fold of the presses. Intervals
-    cover the share `interval_cover`. `twins`: simulated objects that `instobj pretrain` draws within
+    over so many frames, which tells loading from unloading (hysteresis of the silicone). `ensemble`:
+    networks that are averaged, each stopped and calibrated by its own fold of the presses.
+    `coverage`: share of frames whose intervals hold the true value. `twins`: simulated objects that `instobj pretrain` draws within
     `[tolerances]`, or `--twin` within what labelled presses leave possible.
     """
 
@@ -143,9 +144,14 @@ class TrainingSpec(SpecPart):
     batch_size: Count = 512
     learning_rate: Positive = 3e-3
     patience_epochs: Count = 15
-    members: Annotated[int, Field(ge=1, le=20)] = 1
-    interval_cover: Annotated[float, Field(gt=0, lt=1)] = 0.9
+    ensemble: Annotated[int, Field(ge=1, le=20)] = 1
+    coverage: Annotated[float, Field(gt=0, lt=1)] = 0.9
     twins: Annotated[int, Field(ge=2, le=1000)] = 10
+
+    @model_validator(mode="before")
+    @classmethod
+    def _names_now(cls, given: Any) -> Any:
+        return under_names_now("training", given)
 
     @model_validator(mode="after")
     def _output_of_model(self) -> TrainingSpec:

@@ -126,7 +126,7 @@ def fit_estimator(
         scores.append(_scores(member, held_out, channels))
     network = ContactEstimator(members)
     force, position, press = (np.concatenate(column) for column in zip(*scores, strict=True))
-    cover, pooled = training.interval_cover, training.members > 1
+    cover, pooled = training.coverage, training.ensemble > 1
     network.force_quantile.fill_(conformal_quantile(force, press, cover, pooled))
     network.position_quantile.fill_(conformal_quantile(position, press, cover, pooled))
     return FaceModel(
@@ -137,7 +137,7 @@ def fit_estimator(
         grid_y_mm=train_frames.grid_y_mm,
         architecture=architecture_of(training),
         history_frames=training.history_frames,
-        interval_cover=training.interval_cover,
+        interval_cover=training.coverage,
         interval_presses=len(np.unique(press)),
         network=network.to(settings.device),
     )
@@ -150,7 +150,7 @@ def _prepared(frames: FrameSet, part: str, settings: FitSettings) -> FaceData:
 
 def _folds(parts: list[FaceData], settings: FitSettings) -> list[tuple[FaceData, FaceData]]:
     """What each member is fitted to, and what stops and calibrates it."""
-    members = settings.training.members
+    members = settings.training.ensemble
     if members == 1:
         return [(parts[0], parts[1])]
     pooled = joined(*parts)
@@ -221,7 +221,7 @@ def _fit_member(
 
 def _schedule(settings: FitSettings, number: int, source: str, fine_tuned: bool) -> Schedule:
     training, seed = settings.training, settings.seed + _NEXT_SEED * number
-    budget = None if settings.budget_s is None else settings.budget_s / training.members
+    budget = None if settings.budget_s is None else settings.budget_s / training.ensemble
     if training.model == "paper":
         return Schedule(
             epochs=training.epochs,

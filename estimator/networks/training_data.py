@@ -173,8 +173,8 @@ def press_folds(data: FaceData, folds: int, seed: int) -> Int[np.ndarray, "frame
     touched = np.unique(data.frames.press_id[data.contact])
     if len(touched) < folds:
         raise InputError(
-            f"training.members = {folds} needs as many presses on face {data.face}; got "
-            f"{len(touched)}. Record more presses, or train fewer members"
+            f"training.ensemble = {folds} needs as many presses on face {data.face}; got "
+            f"{len(touched)}. Record more presses, or train a smaller ensemble"
         )
     case = np.full(len(presses), -1)
     for index, press in enumerate(presses):

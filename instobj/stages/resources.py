@@ -166,8 +166,8 @@ def _networks(spec: ObjectSpec) -> Need:
     widths = (channels, *training.hidden_units, pixels)
     weights = sum(a * b for a, b in pairwise(widths))
     batch = training.batch_size * sum(widths)
-    gib = _BYTES / 2 * (_ADAM_COPIES * weights + 4 * batch) * training.members / _GIB
-    return Need(gib, "training.hidden_units, training.members or training.batch_size")
+    gib = _BYTES / 2 * (_ADAM_COPIES * weights + 4 * batch) * training.ensemble / _GIB
+    return Need(gib, "training.hidden_units, training.ensemble or training.batch_size")
 
 
 _MESH_KEYS = "mesh.surface_edge_mm and mesh.edge_mm (larger), or body.size_mm (smaller)"

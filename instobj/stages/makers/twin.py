@@ -83,7 +83,7 @@ def require_settings(training: TrainingSpec) -> None:
     InputError
         Settings that need more.
     """
-    wanted = {"model": "compact", "history_frames": 0, "heatmap_axes": 1, "members": 1}
+    wanted = {"model": "compact", "history_frames": 0, "heatmap_axes": 1, "ensemble": 1}
     asked = {
         name: getattr(training, name)
         for name, value in wanted.items()

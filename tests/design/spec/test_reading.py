@@ -2,11 +2,13 @@
 
 import os
 import time
+import warnings
 
 import pytest
 
 from design.errors import InputError
-from design.spec_io import load_spec, with_overrides
+from design.spec.learning import TrainingSpec
+from design.spec_io import load_spec, parse_spec, spec_hash, with_overrides
 
 FILES = {
     "deep": ("x = " + "[" * 500 + "]" * 500, "nests brackets or tables too deep"),
@@ -49,3 +51,44 @@ def test_poissons_ratio_that_no_element_takes_is_refused(ratio, tmp_path):
     path.write_text(f'name = "x"\n[silicone]\npoisson_ratio = {ratio}')
     with pytest.raises(InputError, match=r"silicone\.poisson_ratio"):
         load_spec(path)
+
+
+OLDER_NAMES = {"members": ("ensemble", 3), "interval_cover": ("coverage", 0.8)}
+
+
+@pytest.mark.parametrize(("older", "now"), OLDER_NAMES.items(), ids=OLDER_NAMES)
+def test_an_older_key_reads_as_its_name_now_with_one_warning(older, now, tmp_path):
+    name, value = now
+    path, same = tmp_path / "x.toml", tmp_path / "y.toml"
+    path.write_text(f'name = "x"\n[training]\n{older} = {value}')
+    same.write_text(f'name = "x"\n[training]\n{name} = {value}')
+    with pytest.warns(FutureWarning, match=rf"training\.{name}") as warned:
+        spec = load_spec(path)
+    assert len(warned) == 1, [str(one.message) for one in warned]
+    assert getattr(spec.training, name) == value
+    with warnings.catch_warnings(action="error"):
+        assert spec_hash(spec) == spec_hash(load_spec(same))
+
+
+@pytest.mark.parametrize("in_file", ["ensemble = 2", "members = 2"])
+@pytest.mark.parametrize("override", ["ensemble", "members"])
+@pytest.mark.filterwarnings("ignore:training.members:FutureWarning")
+def test_an_override_goes_before_the_file_under_either_name(in_file, override, tmp_path):
+    path = tmp_path / "x.toml"
+    path.write_text(f'name = "x"\n[training]\n{in_file}')
+    assert load_spec(path, [f"training.{override}=4"]).training.ensemble == 4
+
+
+def test_a_key_under_both_names_is_refused(tmp_path):
+    path = tmp_path / "x.toml"
+    path.write_text('name = "x"\n[training]\nensemble = 2\nmembers = 3')
+    with pytest.raises(InputError, match=r"got both, 3 and 2\. Keep training\.ensemble"):
+        load_spec(path)
+    with pytest.raises(ValueError, match="got both"):
+        TrainingSpec(ensemble=2, members=3)
+
+
+def test_an_override_under_an_older_name_warns_once():
+    with pytest.warns(FutureWarning, match=r"training\.coverage") as warned:
+        spec = parse_spec(with_overrides({"name": "x"}, ["training.interval_cover=0.7"]), "test")
+    assert (len(warned), spec.training.coverage) == (1, 0.7)

@@ -24,7 +24,7 @@ from tests.support.synthetic_frames import synthetic_frames
 
 FACE = 4
 SMALL = TrainingSpec(
-    hidden_units=(24,), epochs=2, batch_size=128, members=2, history_frames=2, heatmap_axes=3
+    hidden_units=(24,), epochs=2, batch_size=128, ensemble=2, history_frames=2, heatmap_axes=3
 )
 
 

@@ -40,7 +40,7 @@ def compact(frames):
 
 
 def test_members_are_calibrated_on_folds_and_cover(frames):
-    model, test = fitted(frames, QUICK.model_copy(update={"members": 3, "epochs": 12}))
+    model, test = fitted(frames, QUICK.model_copy(update={"ensemble": 3, "epochs": 12}))
     report = evaluate_intervals(model, test)
     assert 0.8 < report.force_cover < 0.99
     assert 0.8 < report.position_cover < 0.99
@@ -178,7 +178,7 @@ class _Interruption(Exception):
 
 def test_an_interrupted_training_ends_as_if_it_had_not_been(frames, tmp_path, monkeypatch):
     monkeypatch.setattr("estimator.networks.fitting._SAVE_EVERY_S", 0.0)
-    training = QUICK.model_copy(update={"epochs": 6, "members": 2})
+    training = QUICK.model_copy(update={"epochs": 6, "ensemble": 2})
     whole, test = fitted(frames, training)
     calls = []
 
@@ -210,7 +210,7 @@ def test_a_budget_ends_training(frames):
 
 
 def test_members_survive_the_file(frames, tmp_path):
-    training = QUICK.model_copy(update={"members": 2, "epochs": 2, "history_frames": 2})
+    training = QUICK.model_copy(update={"ensemble": 2, "epochs": 2, "history_frames": 2})
     model, test = fitted(frames, training)
     save_model(model, tmp_path / "face.safetensors")
     loaded = load_model(tmp_path / "face.safetensors")
@@ -225,7 +225,7 @@ def test_folds_never_divide_a_press(frames):
         assert len(set(fold[data.frames.press_id == press])) == 1
     sizes = np.bincount(fold[data.contact])
     assert sizes.max() < 1.2 * sizes.min()
-    with pytest.raises(InputError, match=r"training\.members = 2 needs"):
+    with pytest.raises(InputError, match=r"training\.ensemble = 2 needs"):
         press_folds(
             data.select(data.frames.press_id == data.frames.press_id[data.contact][0]), 2, 0
         )
