@@ -131,8 +131,9 @@ class TrainingSpec(SpecPart):
     for the normal force, 3 for Fx, Fy, Fz. With `history_frames` the estimator also reads the change
     over so many frames, which tells loading from unloading (hysteresis of the silicone). `ensemble`:
     networks that are averaged, each stopped and calibrated by its own fold of the presses.
-    `coverage`: share of frames whose intervals hold the true value. `twins`: simulated objects that `instobj pretrain` draws within
-    `[tolerances]`, or `--twin` within what labelled presses leave possible.
+    `coverage`: share of frames whose intervals hold the true value. `twins`: simulated objects that
+    `instobj pretrain` draws within `[tolerances]`, or `--twin` within what labelled presses leave
+    possible.
     """
 
     model: Literal["compact", "whole-object", "paper", "linear"] = "compact"
