@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Annotated, Any, TypeVar
+from typing import Annotated, Any, Self
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
@@ -12,7 +12,6 @@ from design.errors import SpecError
 Positive = Annotated[float, Field(gt=0, allow_inf_nan=False)]
 NonNegative = Annotated[float, Field(ge=0, allow_inf_nan=False)]
 Finite = Annotated[float, Field(allow_inf_nan=False)]
-Part = TypeVar("Part", bound="SpecPart")
 Count = Annotated[int, Field(ge=1)]
 
 
@@ -21,7 +20,7 @@ class SpecPart(BaseModel):
 
     model_config = ConfigDict(frozen=True, extra="forbid")
 
-    def changed(self: Part, **fields: Any) -> Part:
+    def changed(self, **fields: Any) -> Self:
         """A copy with other values of these fields, validated together with all that stay.
 
         Figures that were once taken from a part or preset stay as they are. Whether everything
@@ -38,9 +37,7 @@ class SpecPart(BaseModel):
             raise SpecError("\n".join(map(explained, error.errors()))) from None
         return super().model_copy(update={name: getattr(validated, name) for name in fields})
 
-    def model_copy(
-        self: Part, *, update: Mapping[str, Any] | None = None, deep: bool = False
-    ) -> Part:
+    def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
         """As pydantic's, but what is updated is validated (`changed`)."""
         return self.changed(**update) if update else super().model_copy(deep=deep)
 

@@ -75,7 +75,8 @@ class Dome(BodyKind):
         if self.inside == "core":
             return self.frame(number, self.thickness_mm)
         extents = (self.radius_mm, self.radius_mm)
-        return FaceFrame(number, *face_axes(number), self.centre_mm, extents, round=True)
+        normal, x, y = face_axes(number)
+        return FaceFrame(number, normal, x, y, self.centre_mm, extents, round=True)
 
     def core_distance_mm(self, points_mm: np.ndarray) -> np.ndarray:
         base = points_mm[:, 2] - self.base_top_mm
