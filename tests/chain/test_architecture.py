@@ -1,5 +1,6 @@
 """The rules of the house that a test can hold."""
 
+import ast
 import json
 import os
 import shutil
@@ -7,6 +8,11 @@ import subprocess
 import sys
 import tomllib
 from pathlib import Path
+
+import grimp
+import numpy as np
+import scipy.sparse
+from scipy.sparse.csgraph import connected_components
 
 ROOT = Path(__file__).parents[2]
 PACKAGES = ("design", "fem", "estimator", "instobj")
@@ -51,10 +57,22 @@ def test_light_modules_import_nothing_heavy():
     assert found == {module: [] for module in LIGHT}
 
 
-def test_package_init_files_import_nothing():
+def test_rooms_init_files_hold_one_question_and_import_nothing():
+    """`instobj` alone hands on names, each when it is first used."""
     for package in PACKAGES:
-        lines = (ROOT / package / "__init__.py").read_text().splitlines()
-        assert not [line for line in lines if line.startswith(("import", "from"))]
+        for path in (ROOT / package).rglob("__init__.py"):
+            body = ast.parse(path.read_text(encoding="utf-8")).body
+            assert isinstance(body[0], ast.Expr), f"{path} says no question"
+            if path != ROOT / "instobj" / "__init__.py":
+                assert len(body) == 1, path
+
+
+def test_the_public_package_loads_nothing_until_it_is_asked():
+    code = (
+        "import sys, instobj; print(sorted(m for m in sys.modules if m in ('numpy', 'pydantic')))"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "[]"
 
 
 def test_imports_flow_one_way():
@@ -94,3 +112,26 @@ def test_a_planted_back_arrow_breaks_the_contract_of_design(tmp_path):
     broken = lint()
     assert broken.returncode == 1
     assert "design.spec is not allowed to import design.fit" in broken.stdout
+
+
+def test_there_is_no_import_circle_anywhere():
+    """Type-only imports counted, inside rooms too: strongly connected modules of the whole graph."""
+    graph = grimp.build_graph("design", "fem", "estimator", "instobj")
+    modules = sorted(graph.modules)
+    number = {module: k for k, module in enumerate(modules)}
+    arrows = [
+        (number[module], number[imported])
+        for module in modules
+        for imported in graph.find_modules_directly_imported_by(module)
+    ]
+    assert _circles(len(modules), [*arrows]) == []
+    back = [(b, a) for a, b in arrows[:1]]
+    assert len(_circles(len(modules), arrows + back)) == 1, "a planted back-arrow is seen"
+
+
+def _circles(count, arrows):
+    rows, columns = zip(*arrows, strict=True)
+    matrix = scipy.sparse.csr_matrix((np.ones(len(rows)), (rows, columns)), shape=(count, count))
+    _, label = connected_components(matrix, connection="strong")
+    found, sizes = np.unique(label, return_counts=True)
+    return found[sizes > 1].tolist()
