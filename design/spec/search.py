@@ -83,7 +83,7 @@ class SearchLimitsSpec(SpecPart):
     face's sensors to its centre; `parts_per_face` counts magnets and sensors; `cost` is that of all
     faces, in the unit of the prices. `times_start` says how many times the starting specification's
     value a score may have at most (`sensitivity_ratio`: at least). Channels at rest may
-    take `resting_share` of the range; on the upper rungs, pressed, they must leave
+    take `resting_share` of the range; at the higher fidelity levels, pressed, they must leave
     `limits.saturation_margin` free.
     """
 
@@ -107,9 +107,9 @@ class SearchSpec(SpecPart):
     """A layout search: what may change, limits, objectives, engine and budget.
 
     With several objectives the result is a Pareto front; the first names the layouts that the next
-    rungs get. Every trial's continuous variables are improved by `polish_steps` steps down the
+    levels get. Every trial's continuous variables are improved by `polish_steps` steps down the
     gradient. `trials` and `seconds` end the search, whichever is first; a trial beyond
-    `trial_seconds` is given up. `leaders` go to the second rung (rigid magnets), `finalists` to the
+    `trial_seconds` is given up. `leaders` go to the second fidelity level (rigid magnets), `finalists` to the
     last. `compliance_mm_per_n` is travel over force at `score.force_n` that `compliance_deviation`
     is taken from, by area (later ones over earlier ones; "edge" without corners); none: even.
     """
@@ -156,10 +156,10 @@ class SearchSpec(SpecPart):
         free = any(getattr(self.vary, name) is not None for name in _SOFTENS)
         if "compliance_deviation" in self.objectives and not free:
             raise ValueError(
-                'search.objectives has "compliance_deviation", which the first rung takes of the shell '
-                f"without magnets: places of magnets and sensors do not change it. Free one of "
+                'search.objectives has "compliance_deviation", which the lowest fidelity level takes of the '
+                f"shell without magnets: places of magnets and sensors do not change it. Free one of "
                 f"{', '.join(f'search.vary.{name}' for name in _SOFTENS)}; how magnets stiffen the "
-                "shell is scored on the second rung, whatever the objectives"
+                "shell is scored at the second fidelity level, whatever the objectives"
             )
 
     def _check_symmetry(self) -> None:

@@ -1,7 +1,7 @@
 """Effect of presses of one face on its neighbours' sensors, for many layouts at once.
 
-First rung of a layout search, as `estimator.layouts.scoring`, on the same stored presses: magnets of
-the pressed face and of its neighbours move, the opposite face's are left out.
+Lowest fidelity level of a layout search, as `estimator.layouts.scoring`, on the same stored
+presses: magnets of the pressed face and of its neighbours move, the opposite face's are left out.
 """
 
 from __future__ import annotations

@@ -1,13 +1,13 @@
-"""One score of a layout on three rungs of fidelity, and how well one rung predicts the next.
+"""One score of a layout on three fidelity levels, and how well one level predicts the next.
 
-1. `rung_one`: magnets without stiffness on stored presses, signals linear in their motions; a
-   fraction of a millisecond a layout in batches (`estimator.layouts.scoring`).
-2. `rung_two`: rigid magnets tied to the magnet-free mesh through its one factorization, contact and
-   fields in full; about a minute of one core a layout. It wants the default mesh: ties on edges of
+1. `lowest_fidelity_score`: magnets without stiffness on stored presses, signals linear in their motions;
+   a fraction of a millisecond a layout in batches (`estimator.layouts.scoring`).
+2. `second_fidelity_score`: rigid magnets tied to the magnet-free mesh through its one factorization, contact
+   and fields in full; about a minute of one core a layout. It wants the default mesh: ties on edges of
    5 mm (18 functionals) gave the worst bound of a layout with deep magnets as 1.18 instead of
    0.55 mm.
 3. `score_signals` on the chain's own signals: mesh that resolves the magnets, everything else as on
-   rung two; minutes per layout (`instobj.search.fidelity` runs the stages).
+   the second fidelity level; minutes per layout (`instobj.search.fidelity` runs the stages).
 """
 
 from __future__ import annotations
@@ -37,8 +37,8 @@ from fem.presses.table import simulate_lattice
 
 
 @dataclass(frozen=True)
-class LadderScore:
-    """What a layout is judged by, on every rung the same.
+class FidelityScore:
+    """What a layout is judged by, at every level the same.
 
     Attributes
     ----------
@@ -51,8 +51,8 @@ class LadderScore:
     slip_place_mm, tolerance_place_mm : place error (rms) of an estimator calibrated on the design
         where the core has slipped by 1 mm, and over objects within tolerance; median over places
     compliance_deviation : of travel over force at `score.force_n` from what `search` wants, relative
-        (rms); rung one: of the shell without magnets
-    saturation_margin : share of the sensors' range that stays free (rung one: at rest)
+        (rms); the lowest fidelity level: of the shell without magnets
+    saturation_margin : share of the sensors' range that stays free (the lowest fidelity level: at rest)
     """
 
     worst_position_bound_mm: float
@@ -67,16 +67,16 @@ class LadderScore:
     saturation_margin: float
 
 
-SCORE_NAMES = tuple(field.name for field in fields(LadderScore))
+SCORE_NAMES = tuple(field.name for field in fields(FidelityScore))
 LARGER_IS_BETTER = ("sensitivity_ratio", "saturation_margin")
 
 
-def rung_one(spec: ObjectSpec, scorers: Sequence[LayoutScorer]) -> LadderScore:
+def lowest_fidelity_score(spec: ObjectSpec, scorers: Sequence[LayoutScorer]) -> FidelityScore:
     """Score on stored presses, with a scorer for each face that counts.
 
     `estimator.layouts.scoring` says what is left out. On the paper's cube position bounds come out
     15 to 20 % below the chain's and the worst force bound 24 % above; layouts that were improved on
-    this rung, with deep magnets near the chips, have 1.3 to 3 times the bounds on the chain.
+    this level, with deep magnets near the chips, have 1.3 to 3 times the bounds on the chain.
     """
     parts: list[dict[str, np.ndarray]] = []
     for scorer in scorers:
@@ -85,7 +85,7 @@ def rung_one(spec: ObjectSpec, scorers: Sequence[LayoutScorer]) -> LadderScore:
     pooled = {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
     low, middle = np.percentile(pooled["sensitivity"], [5.0, 50.0])
     compliance = np.stack([scorer.presses.mm_per_n for scorer in scorers])
-    return LadderScore(
+    return FidelityScore(
         worst_position_bound_mm=float(pooled["position"].max()),
         median_position_bound_mm=float(np.median(pooled["position"])),
         worst_force_bound_n=float(pooled["force"].max()),
@@ -119,13 +119,13 @@ def _face_on_stored_presses(spec: ObjectSpec, scorer: LayoutScorer) -> dict[str,
     return {name: values.double().numpy().ravel() for name, values in found.items()}
 
 
-def rung_two(
+def second_fidelity_score(
     spec: ObjectSpec,
     system: ElasticSystem,
     factor: Factorization,
     plain: ResponseOperator,
     degree: int = DEGREE,
-) -> LadderScore:
+) -> FidelityScore:
     """Score with rigid magnets tied to the magnet-free mesh; arguments as `rigid_magnet_response`.
 
     Raises
@@ -140,8 +140,8 @@ def rung_two(
 
 def score_signals(
     spec: ObjectSpec, signals: Signals, forces: PressForces, motions: MagnetMotions
-) -> LadderScore:
-    """Score simulated signals and the presses behind them: those of rung two, or the chain's.
+) -> FidelityScore:
+    """Score simulated signals and the presses behind them: of the second fidelity level or the chain.
 
     Raises
     ------
@@ -153,7 +153,7 @@ def score_signals(
     false = false_places_mm(spec, forces, motions, SLIP_MM)
     bound, delta = scores.position_bound_fresh_mm, scores.delta_raw
     low, middle = np.percentile(delta, [5.0, 50.0])
-    return LadderScore(
+    return FidelityScore(
         worst_position_bound_mm=float(bound.max()),
         median_position_bound_mm=float(np.median(bound)),
         worst_force_bound_n=float(scores.force_bound_fresh_n.max()),
@@ -169,7 +169,7 @@ def score_signals(
     )
 
 
-def gains(start: LadderScore, found: LadderScore) -> dict[str, float]:
+def gains(start: FidelityScore, found: FidelityScore) -> dict[str, float]:
     """How many times better each score is than the start's: above 1 is better.
 
     Of `saturation_margin` the difference, as it may be negative.
@@ -183,11 +183,11 @@ def gains(start: LadderScore, found: LadderScore) -> dict[str, float]:
 
 
 def rank_correlations(
-    lower: Sequence[LadderScore], upper: Sequence[LadderScore]
+    lower: Sequence[FidelityScore], upper: Sequence[FidelityScore]
 ) -> dict[str, float]:
-    """Spearman's rank correlation of every score between two rungs, over the same layouts.
+    """Spearman's rank correlation of every score between two levels, over the same layouts.
 
-    NaN where one of the rungs gives all layouts the same value, or with fewer than three layouts.
+    NaN where one of the levels gives all layouts the same value, or with fewer than three layouts.
     """
     found = {}
     for name in SCORE_NAMES:

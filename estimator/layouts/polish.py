@@ -41,7 +41,7 @@ Judge = Callable[[Float[Tensor, "layout variable"]], "Judged"]
 class Judged:
     """What layouts are worth: every objective as something to minimise, above 0.
 
-    `broken_mm` is 0 where all limits are kept; `scores` are those of the first rung, with the
+    `broken_mm` is 0 where all limits are kept; `scores` are those of the lowest fidelity level, with the
     objectives that the structure alone decides.
     """
 
@@ -56,7 +56,7 @@ class Judged:
 
 
 @dataclass(frozen=True)
-class FirstRung:
+class LowestFidelity:
     """Scorers of the pressed faces for one structure, and what the structure itself decides.
 
     `constants` are scores that all its layouts share; `at_most` bounds scores (`sensitivity_ratio`
@@ -71,28 +71,28 @@ class FirstRung:
 
 
 def judge(
-    rung: FirstRung,
+    lowest: LowestFidelity,
     unit: Float[Tensor, "layout variable"],
     polarity: Float[Tensor, "layout magnet"],
     objectives: tuple[str, ...],
 ) -> Judged:
     """Score layouts at points of the unit cube; differentiable."""
-    layouts = [layouts_at(rung.space, unit, polarity, s.presses.face) for s in rung.scorers]
-    named = {*objectives, *rung.at_most}
+    layouts = [layouts_at(lowest.space, unit, polarity, s.presses.face) for s in lowest.scorers]
+    named = {*objectives, *lowest.at_most}
     scores = batch_scores(
-        rung.scorers,
-        [within_candidates(*pair) for pair in zip(rung.scorers, layouts, strict=True)],
+        lowest.scorers,
+        [within_candidates(*pair) for pair in zip(lowest.scorers, layouts, strict=True)],
         named,
     )
-    for name, value in rung.constants.items():
+    for name, value in lowest.constants.items():
         scores[name] = torch.full_like(scores["worst_position_bound_mm"], value)
-    alike = rung.space.sensors is not None  # sensors that move have one layout on every face
+    alike = lowest.space.sensors is not None  # sensors that move have one layout on every face
     checked = layouts[:1] if alike else layouts
-    broken = torch.stack([broken_limits_mm(rung.space, one).sum(dim=1) for one in checked])
-    excess = _saturation(rung.space.structured, scores["largest_resting_counts"])
-    for name, most in rung.at_most.items():
+    broken = torch.stack([broken_limits_mm(lowest.space, one).sum(dim=1) for one in checked])
+    excess = _saturation(lowest.space.structured, scores["largest_resting_counts"])
+    for name, most in lowest.at_most.items():
         excess = excess + torch.relu(_to_minimize(name, scores) / most - 1)
-    broken = broken.amax(dim=0) + rung.broken_mm + _MM_PER_EXCESS * excess
+    broken = broken.amax(dim=0) + lowest.broken_mm + _MM_PER_EXCESS * excess
     columns = [_to_minimize(name, scores) for name in objectives]
     return Judged(torch.stack(columns, dim=1).clamp(min=1e-9), broken, scores)
 

@@ -1,8 +1,8 @@
 """Errors that a slipped core and loose tolerances cause, for many layouts at once.
 
-First rung of a layout search (`tolerances.localisation_bias` does the same on simulated presses): an
-estimator is calibrated on the design, weighted least squares about its signals, and reads another
-object, zeroed as it is. Signals are linear in the magnets' motions, as in
+Lowest fidelity level of a layout search (`tolerances.localisation_bias` does the same on simulated
+presses): an estimator is calibrated on the design, weighted least squares about its signals, and reads
+another object, zeroed as it is. Signals are linear in the magnets' motions, as in
 `estimator.layouts.scoring`; what is off about one face's magnets is off about all faces' alike.
 Everything is differentiable. Medians over places are within 6 % of exact fields for the same
 motions of magnets.

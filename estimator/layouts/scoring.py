@@ -1,6 +1,6 @@
 """Scores of many layouts at once on stored motions of candidate magnets, with gradients.
 
-First rung of a layout search. A layout is one face's magnets and sensors, repeated on every face;
+Lowest fidelity level of a layout search. A layout is one face's magnets and sensors, repeated on every face;
 magnets are ideal here, without stiffness. Counts are linearised in the magnets' motions about rest,
 J = ∂S/∂(motion) · ∂(motion)/∂(x, y, F), with the field's derivatives in closed form and the
 motions' compressed (`estimator.layouts.press_basis`). The other faces' magnets count too, by a lower order

@@ -1,4 +1,4 @@
-"""The upper rungs of a layout search on the chain's stages: what they need, run and stored."""
+"""The higher fidelity levels of a layout search on the chain's stages: what they need, run and stored."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from instobj.stages.run import Run
 from instobj.store.readers import METRICS, PLAIN_MESH, PLAIN_RESPONSE, PRESSES, SIGNALS
 
 if TYPE_CHECKING:
-    from estimator.layouts.fidelity import LadderScore
+    from estimator.layouts.fidelity import FidelityScore
     from fem.linear.factorization import Factorization
     from fem.linear.response import ElasticSystem, ResponseOperator
 
@@ -32,17 +32,17 @@ METRIC_LABELS = {
 
 @dataclass(frozen=True)
 class PlainShell:
-    """The magnet-free shell, factored: what rung two scores any number of its layouts with."""
+    """The magnet-free shell, factored: all that the second fidelity level needs to score layouts."""
 
     system: ElasticSystem
     factor: Factorization
     response: ResponseOperator
 
-    def score(self, spec: ObjectSpec) -> LadderScore:
-        """Rung two: `estimator.layouts.fidelity.rung_two`."""
-        from estimator.layouts.fidelity import rung_two
+    def score(self, spec: ObjectSpec) -> FidelityScore:
+        """Second fidelity level: `estimator.layouts.fidelity.second_fidelity_score`."""
+        from estimator.layouts.fidelity import second_fidelity_score
 
-        return rung_two(spec, self.system, self.factor, self.response)
+        return second_fidelity_score(spec, self.system, self.factor, self.response)
 
 
 @contextmanager
@@ -60,8 +60,8 @@ def plain_shell(spec: ObjectSpec) -> Iterator[PlainShell]:
         yield PlainShell(system, factor, response)
 
 
-def chain_score(spec: ObjectSpec) -> LadderScore:
-    """Rung three: the score of the chain's own signals, its stages stored and reused."""
+def chain_score(spec: ObjectSpec) -> FidelityScore:
+    """Highest fidelity level: the score of the chain's own signals, its stages stored and reused."""
     from estimator.layouts.fidelity import score_signals
 
     run = Run(spec)
@@ -137,7 +137,7 @@ def _interval(before: np.ndarray, after: np.ndarray) -> tuple[float, float]:
     return float(low), float(high)
 
 
-def score_row(score: LadderScore) -> dict[str, Any]:
+def score_row(score: FidelityScore) -> dict[str, Any]:
     """A score with the names and units that tables show."""
     return {
         "worst place mm": score.worst_position_bound_mm,

@@ -1,4 +1,4 @@
-"""First rung of a search: scores trials in batches, structure by structure, and polishes them.
+"""Lowest fidelity level of a search: scores trials in batches, structure by structure, and polishes them.
 
 Runs in a separate process. The mechanics of every shell comes from the store (stage
 `candidates`): minutes the first time that a thickness, core, silicone or magnet's outline comes up.
@@ -32,7 +32,7 @@ from design.spec.search import OBJECTIVES_TO_MAXIMIZE
 from design.spec_io import parse_spec
 from estimator.information.scores import compliance_deviation
 from estimator.layouts.batch import layouts_of
-from estimator.layouts.polish import DEARER, FirstRung, Judged, batch_scores, judge, polish
+from estimator.layouts.polish import DEARER, Judged, LowestFidelity, batch_scores, judge, polish
 from estimator.layouts.press_basis import press_basis
 from estimator.layouts.scoring import LayoutScorer, layout_scorer
 from estimator.layouts.vectors import layout_space
@@ -47,25 +47,25 @@ _UNFIT_MM = 0.5
 Evaluate = Callable[[list[dict[str, Any]]], list[Scored]]
 
 
-def first_rung(spec_json: str) -> Evaluate:
+def lowest_fidelity(spec_json: str) -> Evaluate:
     """The function that scores trials of one structure; takes and gives what pipes can carry."""
     torch.set_num_threads(1)
     space = search_space(parse_spec(json.loads(spec_json), "the specification"))
     start = start_scores(space.spec)
-    rungs: dict[Any, FirstRung] = {}
+    by_structure: dict[Any, LowestFidelity] = {}
 
     def evaluate(trials: list[dict[str, Any]]) -> list[Scored]:
         structure = structure_of(space, trials[0])
-        if structure not in rungs:
-            rungs[structure] = structure_rung(space, trials[0], start)
-        return score_trials(space, rungs[structure], trials)
+        if structure not in by_structure:
+            by_structure[structure] = structure_fidelity(space, trials[0], start)
+        return score_trials(space, by_structure[structure], trials)
 
     return evaluate
 
 
-def structure_rung(
+def structure_fidelity(
     space: SearchSpace, params: dict[str, Any], start: dict[str, float]
-) -> FirstRung:
+) -> LowestFidelity:
     """Scorers of a structure, from stored mechanics or after it."""
     structured = with_structure(space.spec, params)
     every = scorers(structured, pressed_faces(structured))
@@ -75,11 +75,11 @@ def structure_rung(
         name: 1 / (factor * start[name]) if name in OBJECTIVES_TO_MAXIMIZE else factor * start[name]
         for name, factor in limits.items()
     }
-    return FirstRung(layout_space(space, structured), every, constants, at_most, broken)
+    return LowestFidelity(layout_space(space, structured), every, constants, at_most, broken)
 
 
 def decided_by_structure(spec: ObjectSpec, faces: tuple[LayoutScorer, ...]) -> dict[str, float]:
-    """Scores that all layouts of a structure share on the first rung."""
+    """Scores that all layouts of a structure share at the lowest fidelity level."""
     compliance = np.stack([scorer.presses.mm_per_n for scorer in faces])
     wanted, grid = spec.search.compliance_mm_per_n, faces[0].presses.places
     return {
@@ -101,7 +101,7 @@ def pressed_faces(spec: ObjectSpec) -> tuple[int, ...]:
 
 
 def start_scores(spec: ObjectSpec) -> dict[str, float]:
-    """First-rung scores of the specification as it is."""
+    """Lowest-fidelity scores of the specification as it is."""
     faces = (1, 2, 3, 4, 5)
     found = scorers(spec, faces)
     with torch.no_grad():
@@ -110,13 +110,15 @@ def start_scores(spec: ObjectSpec) -> dict[str, float]:
     return own | decided_by_structure(spec, found)
 
 
-def score_trials(space: SearchSpace, rung: FirstRung, trials: list[dict[str, Any]]) -> list[Scored]:
+def score_trials(
+    space: SearchSpace, lowest: LowestFidelity, trials: list[dict[str, Any]]
+) -> list[Scored]:
     """Polish and score trials of one structure; deterministic."""
-    spec, structured = space.spec, rung.space.structured
+    spec, structured = space.spec, lowest.space.structured
     flags = [not v.choices for v in space.variables]
     units = np.array([unit_of(space, trial) for trial in trials])
     poles = torch.tensor([polarities(structured, trial) for trial in trials])
-    judge_at = partial(judge, rung, polarity=poles, objectives=spec.search.objectives)
+    judge_at = partial(judge, lowest, polarity=poles, objectives=spec.search.objectives)
     point = torch.as_tensor(units[:, flags], dtype=torch.float32)
     if spec.search.polish_steps and any(flags):
         point = polish(judge_at, point, spec.search.polish_steps, _weights(units, spec))

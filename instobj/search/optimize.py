@@ -1,4 +1,4 @@
-"""The commands `optimize` and `worker`: search, climb the ladder, write what came of it."""
+"""The commands `optimize` and `worker`: search, promotion of the leaders, results."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from design.spec_io import load_spec, spec_hash
 from instobj.search.apart import Apart
 from instobj.search.fidelity import METRIC_LABELS, score_row
 from instobj.search.loop import is_feasible, run_search
-from instobj.search.lowest_fidelity import first_rung
+from instobj.search.lowest_fidelity import lowest_fidelity
 from instobj.search.outcome.write import write_outcome
 from instobj.search.possible import require_possible
-from instobj.search.promotion import FIRST, LAST, SECOND, Climb, Climber, climb
+from instobj.search.promotion import FIRST, LAST, SECOND, Promoted, Promotion, promote
 from instobj.search.study import KeptStudy, open_study
 from instobj.stages.run import Run
 from instobj.store.progress import ProgressLine
@@ -26,7 +26,7 @@ from instobj.store.publish import file_rows, require_writable, run_folder
 def optimize(
     path: Path, out: Path, overrides: list[str], resume: bool, storage: str | None
 ) -> dict[str, Any]:
-    """Search, then take the leaders up the ladder; files in `runs/<name>/search`.
+    """Search, then promote the leaders; files in `runs/<name>/search`.
 
     Raises
     ------
@@ -38,8 +38,8 @@ def optimize(
     progress = ProgressLine()
     kept = open_study(spec, storage or folder / "journal.log", resume, say=progress.step)
     _search(space, kept, progress)
-    with progress.stage("ladder"):
-        found = climb(space, kept, folder, progress.step)
+    with progress.stage("promotion"):
+        found = promote(space, kept, folder, progress.step)
     if found is None:
         raise InputError(
             f"none of {len(kept.trials())} trials keeps every limit. Raise search.trials and go on with "
@@ -81,7 +81,7 @@ def _search(space: SearchSpace, kept: KeptStudy, progress: ProgressLine, worker:
     if len(kept.trials()) >= space.spec.search.trials:
         return
     Run(space.spec, progress).require("candidates")
-    scoring = Apart(first_rung, space.spec.model_dump_json())
+    scoring = Apart(lowest_fidelity, space.spec.model_dump_json())
     try:
         with progress.stage("search"):
             run_search(space, kept, scoring.ask, progress.step, start_params(space), worker)
@@ -89,12 +89,14 @@ def _search(space: SearchSpace, kept: KeptStudy, progress: ProgressLine, worker:
         scoring.close()
 
 
-def _document(spec: ObjectSpec, kept: KeptStudy, found: Climb, files: list[Path]) -> dict[str, Any]:
+def _document(
+    spec: ObjectSpec, kept: KeptStudy, found: Promotion, files: list[Path]
+) -> dict[str, Any]:
     verdict = (
-        f"{found.best.label} is better than the start, by the last rung"
+        f"{found.best.label} is better than the start, at the highest fidelity level"
         if found.better
-        else f"no layout is better than the start by the last rung ({'; '.join(found.objections)}); "
-        "best.toml is not written"
+        else f"no layout is better than the start at the highest fidelity level "
+        f"({'; '.join(found.objections)}); best.toml is not written"
     )
     ratios = [
         {"score": name, "start / best": ratio.design, "95 % from": ratio.low, "to": ratio.high}
@@ -108,18 +110,20 @@ def _document(spec: ObjectSpec, kept: KeptStudy, found: Climb, files: list[Path]
         "verdict": verdict,
         "tables": {
             f"search of {spec.name}: {verdict}": [_trial_counts(kept)],
-            "first rung: magnets without stiffness, linear signals": _rows(found, FIRST),
-            "second rung: rigid magnets, contact and fields in full": _rows(found, SECOND),
-            "last rung: the chain": _rows(found, LAST),
-            "last rung, between objects within tolerance": ratios,
+            "lowest fidelity level: magnets without stiffness, linear signals": _rows(found, FIRST),
+            "second fidelity level: rigid magnets, contact and fields in full": _rows(
+                found, SECOND
+            ),
+            "highest fidelity level: the chain": _rows(found, LAST),
+            "highest fidelity level, between objects within tolerance": ratios,
             "estimators trained for a layout, simulated presses held out": estimator_rows(found),
-            "how well a rung ranks the next (Spearman)": correlation_rows(found),
+            "how well a fidelity level ranks the next (Spearman)": correlation_rows(found),
         },
         "files": file_rows(files),
     }
 
 
-def estimator_rows(found: Climb) -> list[dict[str, Any]]:
+def estimator_rows(found: Promotion) -> list[dict[str, Any]]:
     """One row per metric, one column per layout."""
     names = found.estimators[found.start.label]
     return [
@@ -129,18 +133,18 @@ def estimator_rows(found: Climb) -> list[dict[str, Any]]:
     ]
 
 
-def correlation_rows(found: Climb) -> list[dict[str, Any]]:
-    """Rank correlations of every score, from a rung to the next."""
+def correlation_rows(found: Promotion) -> list[dict[str, Any]]:
+    """Rank correlations of every score, from a level to the next."""
     return [
         {"score": name, "1 to 2": found.correlations[FIRST][name], "2 to 3": second}
         for name, second in found.correlations[SECOND].items()
     ]
 
 
-def _rows(found: Climb, rung: str) -> list[dict[str, Any]]:
+def _rows(found: Promotion, level: str) -> list[dict[str, Any]]:
     """One row per score, one column per layout: there are more scores than fit side by side."""
-    climbers: tuple[Climber, ...] = (found.start, *found.leaders)
-    columns = {one.label: score_row(one.rungs[rung]) for one in climbers if rung in one.rungs}
+    layouts: tuple[Promoted, ...] = (found.start, *found.leaders)
+    columns = {one.label: score_row(one.levels[level]) for one in layouts if level in one.levels}
     return [
         {"score": score} | {label: values[score] for label, values in columns.items()}
         for score in columns["start"]

@@ -1,6 +1,6 @@
-"""From the first rung to the last: leaders re-ranked with rigid magnets, finalists by the chain.
+"""Promotion through the fidelity levels: leaders scored with rigid magnets, finalists by the chain.
 
-What a rung said is kept in a file beside the trials, layout by layout, so that a broken search goes
+What a level said is kept in a file beside the trials, layout by layout, so that a broken search goes
 on from there.
 """
 
@@ -23,7 +23,12 @@ from design.search.structure import structure_choices
 from design.spec.object import ObjectSpec
 from design.spec.search import OBJECTIVES_TO_MAXIMIZE, SearchSpec
 from design.spec_io import spec_hash
-from estimator.layouts.fidelity import SCORE_NAMES, LadderScore, rank_correlations, rung_one
+from estimator.layouts.fidelity import (
+    SCORE_NAMES,
+    FidelityScore,
+    lowest_fidelity_score,
+    rank_correlations,
+)
 from estimator.layouts.scoring import LayoutScorer
 from instobj.search.fidelity import (
     PlainShell,
@@ -47,29 +52,29 @@ Say = Callable[[str], None]
 
 
 @dataclass(frozen=True)
-class Climber:
-    """A layout on its way up: its trial's number (None: the start) and its score on each rung."""
+class Promoted:
+    """A promoted layout: its trial's number (None: the start) and its score at each level."""
 
     label: str
     trial: int | None
     spec: ObjectSpec
-    rungs: dict[str, LadderScore]
+    levels: dict[str, FidelityScore]
 
 
 @dataclass(frozen=True)
-class Climb:
-    """What the ladder found.
+class Promotion:
+    """Result of a promotion.
 
-    `correlations` are rank correlations of every score between a rung and the next, by its number;
-    `ratios` of the best against the start on the last rung, with 95 % intervals between toleranced
-    twins. `estimators` holds what estimators trained for the start and for each finalist achieve on
-    simulated presses held out (`instobj.search.fidelity.estimator_errors`). `objections` say why the
-    last rung does not call the best one better than the start.
+    `correlations` are rank correlations of every score between a level and the next, by its number;
+    `ratios` of the best against the start at the highest fidelity level, with 95 % intervals between
+    toleranced twins. `estimators` holds what estimators trained for the start and for each finalist
+    achieve on simulated presses held out (`instobj.search.fidelity.estimator_errors`). `objections`
+    say why the highest fidelity level does not call the best one better than the start.
     """
 
-    start: Climber
-    leaders: tuple[Climber, ...]
-    finalists: tuple[Climber, ...]
+    start: Promoted
+    leaders: tuple[Promoted, ...]
+    finalists: tuple[Promoted, ...]
     correlations: dict[str, dict[str, float]]
     ratios: dict[str, TwinRatio]
     estimators: dict[str, dict[str, float]]
@@ -77,37 +82,37 @@ class Climb:
 
     @property
     def better(self) -> bool:
-        """Whether the last rung says so: of the objectives' mean, all limits and 95 % of the twins."""
+        """Verdict of the highest fidelity level: objectives' mean, all limits and 95 % of the twins."""
         return not self.objections
 
     @property
-    def best(self) -> Climber:
-        """The finalist that the last rung puts first."""
+    def best(self) -> Promoted:
+        """The finalist that the highest fidelity level puts first."""
         return self.finalists[0]
 
 
-def climb(space: SearchSpace, kept: KeptStudy, folder: Path, say: Say) -> Climb | None:
-    """Take the search's leaders up all rungs; None where no trial keeps every limit."""
+def promote(space: SearchSpace, kept: KeptStudy, folder: Path, say: Say) -> Promotion | None:
+    """The search's leaders taken through all fidelity levels; None where no trial keeps every limit."""
     search, memo = space.spec.search, folder / "rungs.json"
     chosen = leaders(space, kept, search.leaders)
     if not chosen:
         return None
-    start = Climber("start", None, space.spec, {})
+    start = Promoted("start", None, space.spec, {})
     named = [
-        Climber(f"trial {trial.number}", trial.number, with_layout(space.spec, trial.params), {})
+        Promoted(f"trial {trial.number}", trial.number, with_layout(space.spec, trial.params), {})
         for trial in chosen
     ]
-    everyone = _score([start, *named], FIRST, _first_rung, memo, say)
-    everyone = _score(everyone, SECOND, _second_rung, memo, say)
+    everyone = _score([start, *named], FIRST, _lowest, memo, say)
+    everyone = _score(everyone, SECOND, _second, memo, say)
     ranked = sorted(everyone[1:], key=lambda one: merit(search, one, start, SECOND))
-    finalists: list[Climber] = []
+    finalists: list[Promoted] = []
     for one in ranked:
         if len(finalists) < search.finalists:
-            finalists += _score([start, one], LAST, _last_rung, memo, say)[1:]
+            finalists += _score([start, one], LAST, _highest, memo, say)[1:]
     if not finalists:
         raise InputError(
-            "no leader could be scored on the upper rungs: see the reasons above. Raise search.leaders and "
-            "go on with --resume"
+            "no leader could be scored at the higher fidelity levels: see the reasons above. Raise "
+            "search.leaders and go on with --resume"
         )
     finalists.sort(key=lambda one: merit(search, one, start, LAST))
     correlations = {
@@ -121,7 +126,9 @@ def climb(space: SearchSpace, kept: KeptStudy, folder: Path, say: Say) -> Climb 
         say(f"estimators of {one.label}")
         estimators[one.label] = estimator_errors(one.spec)
     against = objections(search, finalists[0], start, ratios)
-    return Climb(start, tuple(ranked), tuple(finalists), correlations, ratios, estimators, against)
+    return Promotion(
+        start, tuple(ranked), tuple(finalists), correlations, ratios, estimators, against
+    )
 
 
 def leaders(space: SearchSpace, kept: KeptStudy, count: int) -> list[FrozenTrial]:
@@ -143,27 +150,27 @@ def leaders(space: SearchSpace, kept: KeptStudy, count: int) -> list[FrozenTrial
     return found
 
 
-def merit(search: SearchSpec, one: Climber, start: Climber, rung: str) -> float:
+def merit(search: SearchSpec, one: Promoted, start: Promoted, level: str) -> float:
     """Mean logarithm of the objectives over the start's, with what limits are exceeded: less is
     better, the start has 0."""
-    exceeded = sum(excess(search, one, start, rung).values())
-    return _mean_log(search, one, start, rung) + _EXCESS_WEIGHT * exceeded
+    exceeded = sum(excess(search, one, start, level).values())
+    return _mean_log(search, one, start, level) + _EXCESS_WEIGHT * exceeded
 
 
-def excess(search: SearchSpec, one: Climber, start: Climber, rung: str) -> dict[str, float]:
+def excess(search: SearchSpec, one: Promoted, start: Promoted, level: str) -> dict[str, float]:
     """Shares by which limits of `times_start` are exceeded and by which range is lacking."""
-    lacking = one.spec.limits.saturation_margin - one.rungs[rung].saturation_margin
+    lacking = one.spec.limits.saturation_margin - one.levels[level].saturation_margin
     found = {"saturation_margin": lacking}
     for name, factor in search.limits.times_start.items():
         most = 1 / factor if name in OBJECTIVES_TO_MAXIMIZE else factor
-        found[name] = _over_start(name, one, start, rung) / most - 1
+        found[name] = _over_start(name, one, start, level) / most - 1
     return {name: share for name, share in found.items() if share > 0}
 
 
 def objections(
-    search: SearchSpec, best: Climber, start: Climber, ratios: dict[str, TwinRatio]
+    search: SearchSpec, best: Promoted, start: Promoted, ratios: dict[str, TwinRatio]
 ) -> tuple[str, ...]:
-    """What keeps a layout from being better on the last rung, in words."""
+    """What keeps a layout from being better at the highest fidelity level, in words."""
     found = []
     if _mean_log(search, best, start, LAST) >= 0:
         found.append("the objectives' mean is not better")
@@ -175,48 +182,48 @@ def objections(
     return tuple(found)
 
 
-def _mean_log(search: SearchSpec, one: Climber, start: Climber, rung: str) -> float:
-    logs = [np.log(_over_start(name, one, start, rung)) for name in search.objectives]
+def _mean_log(search: SearchSpec, one: Promoted, start: Promoted, level: str) -> float:
+    logs = [np.log(_over_start(name, one, start, level)) for name in search.objectives]
     return float(np.mean(logs))
 
 
-def _over_start(name: str, one: Climber, start: Climber, rung: str) -> float:
+def _over_start(name: str, one: Promoted, start: Promoted, level: str) -> float:
     """A score over the start's, as something to minimise."""
     if name == "cost":
         return max(cost(one.spec), 1e-9) / max(cost(start.spec), 1e-9)
-    before, after = (max(getattr(who.rungs[rung], name), 1e-9) for who in (start, one))
+    before, after = (max(getattr(who.levels[level], name), 1e-9) for who in (start, one))
     value = after / before
     return 1 / value if name in OBJECTIVES_TO_MAXIMIZE else value
 
 
-def _correlations(climbers: list[Climber], lower: str, upper: str) -> dict[str, float]:
-    return rank_correlations(*([one.rungs[rung] for one in climbers] for rung in (lower, upper)))
+def _correlations(layouts: list[Promoted], lower: str, upper: str) -> dict[str, float]:
+    return rank_correlations(*([one.levels[level] for one in layouts] for level in (lower, upper)))
 
 
-Scoring = Callable[[], AbstractContextManager[Callable[[ObjectSpec], LadderScore]]]
+Scoring = Callable[[], AbstractContextManager[Callable[[ObjectSpec], FidelityScore]]]
 
 
 def _score(
-    climbers: list[Climber], rung: str, scoring: Scoring, memo: Path, say: Say
-) -> list[Climber]:
-    """Fill in a rung, from the file or anew; layouts that cannot be scored fall out, with a reason."""
+    layouts: list[Promoted], level: str, scoring: Scoring, memo: Path, say: Say
+) -> list[Promoted]:
+    """Fill in a level, from the file or anew; layouts that cannot be scored fall out, with a reason."""
     known = json.loads(memo.read_text(encoding="utf-8")) if memo.is_file() else {}
-    left: list[Climber] = []
+    left: list[Promoted] = []
     with scoring() as score:
-        for one in climbers:
-            key = f"{rung} {spec_hash(one.spec)}"
+        for one in layouts:
+            key = f"{level} {spec_hash(one.spec)}"
             if known.get(key, {}).keys() != set(SCORE_NAMES):
-                say(f"rung {rung}: {one.label} of {len(climbers) - 1}")
+                say(f"fidelity level {level}: {one.label} of {len(layouts) - 1}")
                 try:
                     known[key] = asdict(score(one.spec))
                 except (ValueError, ArithmeticError) as error:
                     if one.trial is None:
                         raise
-                    say(f"rung {rung}: {one.label} falls out: {error}")
+                    say(f"fidelity level {level}: {one.label} falls out: {error}")
                     continue
                 with atomic_path(memo) as temporary:
                     temporary.write_text(json.dumps(known, indent=1), encoding="utf-8")
-            one.rungs[rung] = LadderScore(**{name: known[key][name] for name in SCORE_NAMES})
+            one.levels[level] = FidelityScore(**{name: known[key][name] for name in SCORE_NAMES})
             left.append(one)
     return left
 
@@ -232,25 +239,25 @@ def _alike(spec: ObjectSpec, names: tuple[str, ...]) -> tuple[Any, ...]:
 
 
 @contextmanager
-def _first_rung() -> Iterator[Callable[[ObjectSpec], LadderScore]]:
+def _lowest() -> Iterator[Callable[[ObjectSpec], FidelityScore]]:
     found: dict[tuple[Any, ...], tuple[LayoutScorer, ...]] = {}
 
-    def score(spec: ObjectSpec) -> LadderScore:
+    def score(spec: ObjectSpec) -> FidelityScore:
         key = _alike(spec, _SCORER + _SHELL)
         if key not in found:
             found[key] = scorers(spec, _FACES)
-        return rung_one(spec, found[key])
+        return lowest_fidelity_score(spec, found[key])
 
     yield score
 
 
 @contextmanager
-def _second_rung() -> Iterator[Callable[[ObjectSpec], LadderScore]]:
+def _second() -> Iterator[Callable[[ObjectSpec], FidelityScore]]:
     """One factorization for all layouts of a shell that follow each other."""
     with ExitStack() as stack:
         held: dict[tuple[Any, ...], PlainShell] = {}
 
-        def score(spec: ObjectSpec) -> LadderScore:
+        def score(spec: ObjectSpec) -> FidelityScore:
             key = _alike(spec, _SHELL)
             if key not in held:
                 stack.close()
@@ -262,5 +269,5 @@ def _second_rung() -> Iterator[Callable[[ObjectSpec], LadderScore]]:
 
 
 @contextmanager
-def _last_rung() -> Iterator[Callable[[ObjectSpec], LadderScore]]:
+def _highest() -> Iterator[Callable[[ObjectSpec], FidelityScore]]:
     yield chain_score

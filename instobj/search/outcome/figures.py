@@ -1,4 +1,4 @@
-"""Figures of a layout search: how it converged, its front, what moved, how rungs agree."""
+"""Figures of a layout search: how it converged, its front, what moved, how fidelity levels agree."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from instobj.figures.saving import save_figure
 
 if TYPE_CHECKING:
     from instobj.search.outcome.history import History
-    from instobj.search.promotion import Climb
+    from instobj.search.promotion import Promotion
 
 _INK, _PAPER, _GREY = "#1a1a1a", "#fdfdfb", "#9a968d"
 _BEST, _RANDOM, _START = "#1f77d0", "#c46a1b", "#77736b"
@@ -53,8 +53,8 @@ def draw_convergence(history: History, path: Path) -> None:
     else:
         axes.plot([], [], color=_RANDOM, lw=2.2, label="random search: none within all limits")
     axes.axhline(history.start[0], color=_START, ls="--", lw=1.4, label="start")
-    axes.set(xscale="log", yscale="log", xlabel="layouts scored on the first rung")
-    axes.set(ylabel=LABELS[name], title="Convergence on the first rung")
+    axes.set(xscale="log", yscale="log", xlabel="layouts scored at the lowest fidelity level")
+    axes.set(ylabel=LABELS[name], title="Convergence at the lowest fidelity level")
     _plain(axes.yaxis)
     figure.legend(loc="outside lower center", ncols=4, frameon=False, fontsize=9)
     save_figure(figure, path)
@@ -80,26 +80,32 @@ def draw_front(history: History, path: Path) -> None:
     save_figure(figure, path)
 
 
-def draw_rungs(climb: Climb, name: str, path: Path) -> None:
-    """One score of every layout on a rung against the next (PNG)."""
+def draw_levels(promotion: Promotion, name: str, path: Path) -> None:
+    """One score of every layout at a level against the next (PNG)."""
     figure, rows = _figure((9.6, 4.6), 2)
     for axes, (lower, upper) in zip(rows, (("1", "2"), ("2", "3")), strict=True):
-        climbers = [one for one in (climb.start, *climb.leaders) if upper in one.rungs]
+        layouts = [one for one in (promotion.start, *promotion.leaders) if upper in one.levels]
         pairs = np.array(
-            [[getattr(one.rungs[r], name) for r in (lower, upper)] for one in climbers]
+            [[getattr(one.levels[r], name) for r in (lower, upper)] for one in layouts]
         )
         colours = [_START] + [_BEST] * (len(pairs) - 1)
         axes.scatter(*pairs.T, c=colours, s=46, zorder=3)
-        for one, (x, y) in zip(climbers, pairs, strict=True):
+        for one, (x, y) in zip(layouts, pairs, strict=True):
             axes.annotate(one.label, (x, y), xytext=(6, 5), textcoords="offset points", fontsize=8)
         ends = [0.0, 1.12 * pairs.max()]
         axes.plot(ends, ends, color=_GREY, lw=1, ls=":", label="equal")
-        found = climb.correlations[lower][name]
+        found = promotion.correlations[lower][name]
         stated = f"rank correlation {found:.2f}" if np.isfinite(found) else "too few to rank"
-        axes.set(xlim=ends, ylim=ends, xlabel=f"rung {lower}", ylabel=f"rung {upper}", title=stated)
+        axes.set(
+            xlim=ends,
+            ylim=ends,
+            xlabel=f"fidelity level {lower}",
+            ylabel=f"fidelity level {upper}",
+            title=stated,
+        )
         axes.set_aspect("equal")
         axes.legend(frameon=False, fontsize=8, loc="upper left")
-    figure.suptitle(f"How well one rung predicts the next: {LABELS[name]}", fontsize=11)
+    figure.suptitle(f"How well one fidelity level predicts the next: {LABELS[name]}", fontsize=11)
     save_figure(figure, path)
 
 

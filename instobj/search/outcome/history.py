@@ -12,9 +12,9 @@ from jaxtyping import Bool, Float
 from design.search.places import polarities
 from design.search.space import SearchSpace, params_at, structure_of
 from design.spec.search import OBJECTIVES_TO_MAXIMIZE
-from estimator.layouts.polish import FirstRung, judge
+from estimator.layouts.polish import LowestFidelity, judge
 from instobj.search.loop import is_feasible
-from instobj.search.lowest_fidelity import start_scores, structure_rung
+from instobj.search.lowest_fidelity import start_scores, structure_fidelity
 from instobj.search.study import KeptStudy
 
 _MOST_RANDOM = 8192
@@ -23,7 +23,7 @@ _CHUNK = 512
 
 @dataclass(frozen=True)
 class History:
-    """First-rung objectives of finished trials, in the order in which they were kept.
+    """Lowest-fidelity objectives of finished trials, in the order in which they were kept.
 
     Attributes
     ----------
@@ -77,7 +77,7 @@ def _random_search(
     """Scores of the feasible ones of `count` random layouts, of one structure a chunk."""
     rng, names = np.random.default_rng(space.spec.seed), space.spec.search.objectives
     flags = np.array([not v.choices for v in space.variables])
-    rungs: dict[Any, FirstRung] = {}
+    by_structure: dict[Any, LowestFidelity] = {}
     found: list[np.ndarray] = [np.zeros((0, len(names)))]
     at: list[np.ndarray] = [np.zeros(0)]
     for first in range(0, count, _CHUNK):
@@ -85,14 +85,14 @@ def _random_search(
         units = rng.random((size, len(space.variables)))
         params = [params_at(space, unit) for unit in units]
         structure = structure_of(space, params[0])
-        if structure not in rungs:
-            rungs[structure] = structure_rung(space, params[0], start)
-        rung = rungs[structure]
+        if structure not in by_structure:
+            by_structure[structure] = structure_fidelity(space, params[0], start)
+        lowest = by_structure[structure]
         fixed = dict(structure)
-        poles = [polarities(rung.space.structured, one | fixed) for one in params]
+        poles = [polarities(lowest.space.structured, one | fixed) for one in params]
         with torch.no_grad():
             point = torch.as_tensor(units[:, flags], dtype=torch.float32)
-            judged = judge(rung, point, torch.tensor(poles), names)
+            judged = judge(lowest, point, torch.tensor(poles), names)
         kept = (judged.broken_mm == 0).numpy()
         found.append(
             np.stack([judged.scores[name].double().numpy()[kept] for name in names], axis=1)

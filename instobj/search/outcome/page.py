@@ -18,18 +18,22 @@ from instobj.search.outcome.figures import (
     LABELS,
     draw_convergence,
     draw_front,
+    draw_levels,
     draw_moves,
-    draw_rungs,
     paired,
 )
 from instobj.store.readers import PARTS_PICTURE, SCORES
 
 if TYPE_CHECKING:
     from instobj.search.outcome.history import History
-    from instobj.search.promotion import Climb, Climber
+    from instobj.search.promotion import Promoted, Promotion
 
 Say = Callable[[str], None]
-_RUNGS = {"1": "first rung", "2": "second rung", "3": "last rung"}
+_LEVELS = {
+    "1": "lowest fidelity level",
+    "2": "second fidelity level",
+    "3": "highest fidelity level",
+}
 
 
 @dataclass(frozen=True)
@@ -43,7 +47,7 @@ class ChainResults:
 
 def write_search_page(
     start: ObjectSpec,
-    found: Climb,
+    found: Promotion,
     history: History,
     results: ChainResults,
     folder: Path,
@@ -57,7 +61,7 @@ def write_search_page(
         name=start.name,
         found=found,
         history=history,
-        last_rung=_last_rung(found),
+        highest=_highest(found),
         maps=_maps(found, results, figures),
         ratios=[
             [_label(name), f"{ratio.design:.2f}", f"{ratio.low:.2f} to {ratio.high:.2f}"]
@@ -67,7 +71,7 @@ def write_search_page(
         parts_picture=PARTS_PICTURE.path(results.parts),
         **_moves(start, found.best.spec, figures),
         **_estimators(found),
-        **_ladder(found, history.names, figures),
+        **_levels(found, history.names, figures),
         **_search(history, figures),
     )
     path = folder / "search.html"
@@ -76,12 +80,12 @@ def write_search_page(
     return path
 
 
-def _last_rung(found: Climb) -> list[list[str]]:
+def _highest(found: Promotion) -> list[list[str]]:
     return [
         [_label(name), f"{before:.4g}", f"{after:.4g}", _change(name, before, after)]
         for (name, before), after in zip(
-            asdict(found.start.rungs["3"]).items(),
-            asdict(found.best.rungs["3"]).values(),
+            asdict(found.start.levels["3"]).items(),
+            asdict(found.best.levels["3"]).values(),
             strict=True,
         )
     ]
@@ -97,7 +101,7 @@ def _label(name: str) -> str:
     return LABELS.get(name, "share of the sensors' range left free")
 
 
-def _maps(found: Climb, results: ChainResults, folder: Path) -> list[tuple[str, Path]]:
+def _maps(found: Promotion, results: ChainResults, folder: Path) -> list[tuple[str, Path]]:
     """Pictures of the position bound of every place, both on one scale."""
     from instobj.figures.maps.overview import draw_overview
     from instobj.figures.maps.scale import finite_limits
@@ -184,7 +188,7 @@ def _point(values: np.ndarray) -> str:
     return ", ".join(f"{abs(v) if k == 2 else v:.2f}" for k, v in enumerate(values))
 
 
-def _estimators(found: Climb) -> dict[str, Any]:
+def _estimators(found: Promotion) -> dict[str, Any]:
     columns = (found.start.label, *(one.label for one in found.finalists))
     rows = [
         [label, *(_given(found.estimators[column].get(name)) for column in columns)]
@@ -197,32 +201,32 @@ def _given(value: float | None) -> str:
     return "–" if value is None else f"{value:.3g}"
 
 
-def _ladder(found: Climb, objectives: tuple[str, ...], folder: Path) -> dict[str, Any]:
+def _levels(found: Promotion, objectives: tuple[str, ...], folder: Path) -> dict[str, Any]:
     named = [name for name in objectives if name in found.correlations["1"]]
     everyone = (found.start, *found.leaders)
-    counts = {rung: sum(rung in one.rungs for one in everyone) for rung in _RUNGS}
+    counts = {level: sum(level in one.levels for one in everyone) for level in _LEVELS}
     scores = []
-    for name in named or ["worst_position_bound_mm"]:  # cost is the same on every rung
-        draw_rungs(found, name, folder / f"rungs_{name}.png")
-        rows = [[one.label, *(_on(one, rung, name) for rung in _RUNGS)] for one in everyone]
-        header = [LABELS[name], *_RUNGS.values()]
+    for name in named or ["worst_position_bound_mm"]:  # cost is the same at every level
+        draw_levels(found, name, folder / f"rungs_{name}.png")
+        rows = [[one.label, *(_on(one, level, name) for level in _LEVELS)] for one in everyone]
+        header = [LABELS[name], *_LEVELS.values()]
         scores.append({"picture": folder / f"rungs_{name}.png", "header": header, "rows": rows})
     return {
-        "ladder": scores,
+        "levels": scores,
         "rank_header": [
             "rank correlation (Spearman)",
-            f"first to second, {counts['2']} layouts",
-            f"second to last, {counts['3']} layouts",
+            f"lowest to second, {counts['2']} layouts",
+            f"second to highest, {counts['3']} layouts",
         ],
         "ranks": [
-            [_label(score), *(_rank(found.correlations[rung][score]) for rung in ("1", "2"))]
+            [_label(score), *(_rank(found.correlations[level][score]) for level in ("1", "2"))]
             for score in found.correlations["1"]
         ],
     }
 
 
-def _on(one: Climber, rung: str, name: str) -> str:
-    return f"{getattr(one.rungs[rung], name):.3g}" if rung in one.rungs else "–"
+def _on(one: Promoted, level: str, name: str) -> str:
+    return f"{getattr(one.levels[level], name):.3g}" if level in one.levels else "–"
 
 
 def _rank(value: float) -> str:

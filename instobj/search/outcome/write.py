@@ -16,7 +16,7 @@ from design.spec.object import ObjectSpec
 from design.spec.search import SearchSpec
 from instobj.search.outcome.history import search_history
 from instobj.search.outcome.page import ChainResults, write_search_page
-from instobj.search.promotion import Climb, Climber
+from instobj.search.promotion import Promoted, Promotion
 from instobj.search.study import KeptStudy
 from instobj.stages.run import Run
 from instobj.store.stage import write_json
@@ -27,7 +27,7 @@ BEST = "best.toml"
 def write_outcome(
     space: SearchSpace,
     kept: KeptStudy,
-    found: Climb,
+    found: Promotion,
     folder: Path,
     beside: Path,
     step: Callable[[str], None],
@@ -71,18 +71,18 @@ def write_specification(spec: ObjectSpec, name: str, path: Path, beside: Path) -
         temporary.write_bytes(tomli_w.dumps(content).encode())
 
 
-def _results(found: Climb) -> dict[str, Any]:
-    def climber(one: Climber) -> dict[str, Any]:
-        rungs = {rung: asdict(score) for rung, score in one.rungs.items()}
-        return {"layout": one.label, "trial": one.trial, "rungs": rungs}
+def _results(found: Promotion) -> dict[str, Any]:
+    def promoted(one: Promoted) -> dict[str, Any]:
+        levels = {level: asdict(score) for level, score in one.levels.items()}
+        return {"layout": one.label, "trial": one.trial, "rungs": levels}
 
     return json.loads(
         json.dumps(
             {
                 "better": found.better,
                 "objections": found.objections,
-                "start": climber(found.start),
-                "leaders": [climber(one) for one in found.leaders],
+                "start": promoted(found.start),
+                "leaders": [promoted(one) for one in found.leaders],
                 "finalists": [one.label for one in found.finalists],
                 "rank_correlations": found.correlations,
                 "estimators": found.estimators,

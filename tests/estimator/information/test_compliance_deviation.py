@@ -37,9 +37,9 @@ def test_nothing_wanted_is_even_softness():
     assert compliance_deviation({}, PLACES, np.full((5, 30), 0.3)) == pytest.approx(0, abs=1e-12)
 
 
-def test_an_objective_that_the_first_rung_cannot_move_is_refused():
+def test_an_objective_that_the_lowest_fidelity_cannot_move_is_refused():
     search = {"objectives": ["compliance_deviation"], "vary": {"magnet_reach_mm": 14.0}}
-    with pytest.raises(InputError, match="second rung"):
+    with pytest.raises(InputError, match="second fidelity level"):
         parse_spec({"name": "cube", "search": search}, "made up")
     search["vary"]["shell_thickness_mm"] = [8.0, 9.0]
     assert parse_spec({"name": "cube", "search": search}, "made up").search.objectives

@@ -1,4 +1,4 @@
-"""Rungs of a layout search: cross-face disturbance in batches, one score, twins within tolerance."""
+"""Fidelity levels of a layout search: cross-face disturbance in batches, one score, toleranced twins."""
 
 from dataclasses import replace
 
@@ -17,10 +17,10 @@ from estimator.layouts.batch import layouts_of
 from estimator.layouts.cross_face import CROSS_FACE_FORCE_N, neighbour_disturbance
 from estimator.layouts.fidelity import (
     SCORE_NAMES,
-    LadderScore,
+    FidelityScore,
     gains,
+    lowest_fidelity_score,
     rank_correlations,
-    rung_one,
     score_signals,
 )
 from estimator.layouts.press_basis import press_basis
@@ -114,9 +114,9 @@ def test_disturbance_has_gradients(scorer):
     assert_allclose(float(place.grad[0, 2, 1]), slope, rtol=0.05)
 
 
-def test_rung_one_pools_the_places_of_all_faces(spec, motions, scorer):
+def test_lowest_fidelity_score_pools_the_places_of_all_faces(spec, motions, scorer):
     other = layout_scorer(spec, press_basis(spec, motions, 1))
-    found = rung_one(spec, (scorer, other))
+    found = lowest_fidelity_score(spec, (scorer, other))
     places = [place_information(s, layouts_of(spec, s.presses.face)) for s in (scorer, other)]
     position = torch.cat([p.position_bound_mm.flatten() for p in places]).double().numpy()
     delta = torch.cat([p.sensitivity.flatten() for p in places]).double().numpy()
@@ -149,22 +149,22 @@ def test_a_score_of_signals_is_that_of_its_parts():
 
 
 def test_gains_are_above_one_where_a_layout_is_better():
-    start = LadderScore(1.5, 0.5, 2.5, 6.0, 0.3, 1.8, 2.0, 0.4, 0.1, 0.8)
-    found = gains(start, LadderScore(0.5, 0.4, 5.0, 3.0, 0.6, 0.9, 4.0, 0.1, 0.2, 0.7))
+    start = FidelityScore(1.5, 0.5, 2.5, 6.0, 0.3, 1.8, 2.0, 0.4, 0.1, 0.8)
+    found = gains(start, FidelityScore(0.5, 0.4, 5.0, 3.0, 0.6, 0.9, 4.0, 0.1, 0.2, 0.7))
     wanted = [3, 1.25, 0.5, 2, 2, 2, 0.5, 4, 0.5, -0.1]
     assert_allclose([found[name] for name in SCORE_NAMES], wanted)
 
 
 def test_rank_correlation_counts_order_alone():
-    def rung(values):
-        return [LadderScore(v, v, -v, 1.0, v**3, v, v, v, v, 0.5) for v in values]
+    def level(values):
+        return [FidelityScore(v, v, -v, 1.0, v**3, v, v, v, v, 0.5) for v in values]
 
-    found = rank_correlations(rung([1.0, 2.0, 5.0]), rung([10.0, 11.0, 90.0]))
+    found = rank_correlations(level([1.0, 2.0, 5.0]), level([10.0, 11.0, 90.0]))
     assert found["worst_position_bound_mm"] == found["sensitivity_ratio"] == pytest.approx(1)
     assert np.isnan(found["cross_face_sigma"])
-    turned = rank_correlations(rung([1.0, 2.0, 5.0]), rung([3.0, 2.0, 1.0]))
+    turned = rank_correlations(level([1.0, 2.0, 5.0]), level([3.0, 2.0, 1.0]))
     assert turned["worst_force_bound_n"] == pytest.approx(-1)
-    assert np.isnan(rank_correlations(rung([1.0, 2.0]), rung([1.0, 2.0]))["worst_force_bound_n"])
+    assert np.isnan(rank_correlations(level([1.0, 2.0]), level([1.0, 2.0]))["worst_force_bound_n"])
 
 
 def test_twins_are_the_design_first_then_seeded_draws_of_its_tolerances():

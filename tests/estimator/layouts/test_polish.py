@@ -1,4 +1,4 @@
-"""First rung of a search: pooled scores, limits over the start's, and the walk down the gradient."""
+"""Lowest fidelity level of a search: pooled scores, limits over the start's, and gradient descent."""
 
 from dataclasses import replace
 
@@ -11,8 +11,8 @@ from design.search.space import search_space
 from design.search.structure import with_structure
 from design.spec.search import SearchSpec
 from estimator.layouts.batch import layouts_of
-from estimator.layouts.fidelity import rung_one
-from estimator.layouts.polish import DEARER, FirstRung, batch_scores, judge, polish
+from estimator.layouts.fidelity import lowest_fidelity_score
+from estimator.layouts.polish import DEARER, LowestFidelity, batch_scores, judge, polish
 from estimator.layouts.press_basis import press_basis
 from estimator.layouts.scoring import layout_scorer
 from estimator.layouts.vectors import layout_space
@@ -24,7 +24,7 @@ COUNT = 12
 
 
 @pytest.fixture(scope="module")
-def rung():
+def lowest():
     vary = {"magnet_reach_mm": 14.0, "magnet_depth_mm": [2.0, 5.0], "sensor_reach_mm": 10.0}
     search = SearchSpec.model_validate({"vary": vary, "sensor_symmetry": "ring"})
     spec = made_up_spec().model_copy(update={"search": search})
@@ -32,33 +32,33 @@ def rung():
     scorers = tuple(layout_scorer(spec, press_basis(spec, motions, face)) for face in FACES)
     space = search_space(spec)
     tensors = layout_space(space, with_structure(spec, {}))
-    return FirstRung(tensors, scorers, {"cost": 50.0}, {})
+    return LowestFidelity(tensors, scorers, {"cost": 50.0}, {})
 
 
 @pytest.fixture(scope="module")
-def units(rung):
-    return torch.as_tensor(np.random.default_rng(2).random((COUNT, len(rung.space.low)))).float()
+def units(lowest):
+    return torch.as_tensor(np.random.default_rng(2).random((COUNT, len(lowest.space.low)))).float()
 
 
 POLES = torch.ones(COUNT, 5)
 
 
-def judged(rung, units, objectives=OBJECTIVES):
+def judged(lowest, units, objectives=OBJECTIVES):
     with torch.no_grad():
-        return judge(rung, units, POLES, objectives)
+        return judge(lowest, units, POLES, objectives)
 
 
-def polished(rung, units, steps=25):
+def polished(lowest, units, steps=25):
     weights = torch.ones(len(units), 1)
-    return polish(lambda point: judge(rung, point, POLES, OBJECTIVES), units, steps, weights)
+    return polish(lambda point: judge(lowest, point, POLES, OBJECTIVES), units, steps, weights)
 
 
-def test_scores_are_pooled_as_on_the_ladder(rung):
-    spec = rung.space.structured
+def test_scores_are_pooled_as_on_the_levels(lowest):
+    spec = lowest.space.structured
     layouts = [layouts_of(spec, face) for face in FACES]
     with torch.no_grad():
-        found = batch_scores(rung.scorers, layouts, DEARER)
-    wanted = rung_one(spec, rung.scorers)
+        found = batch_scores(lowest.scorers, layouts, DEARER)
+    wanted = lowest_fidelity_score(spec, lowest.scorers)
     for name in (
         *OBJECTIVES,
         "median_position_bound_mm",
@@ -72,35 +72,35 @@ def test_scores_are_pooled_as_on_the_ladder(rung):
     assert_allclose(float(found["cross_face_sigma"][0]), wanted.cross_face_sigma, rtol=0.02)
 
 
-def test_polish_improves_every_layout_and_mends_what_is_broken(rung, units):
-    before, after = judged(rung, units), judged(rung, polished(rung, units))
+def test_polish_improves_every_layout_and_fixes_what_is_broken(lowest, units):
+    before, after = judged(lowest, units), judged(lowest, polished(lowest, units))
     assert (after.penalized <= before.penalized * 1.0001).all()
     assert float((after.penalized / before.penalized).log().mean()) < -1
     assert int((after.broken_mm == 0).sum()) > int((before.broken_mm == 0).sum())
 
 
-def test_a_limit_over_the_start_is_a_broken_limit(rung, units):
-    free = judged(rung, units)
+def test_a_limit_over_the_start_is_a_broken_limit(lowest, units):
+    free = judged(lowest, units)
     median = free.scores["median_position_bound_mm"]
     most = float(median.median())
-    tight = judged(replace(rung, at_most={"median_position_bound_mm": most}), units)
+    tight = judged(replace(lowest, at_most={"median_position_bound_mm": most}), units)
     extra = 10 * torch.relu(median / most - 1)
     assert_allclose(tight.broken_mm - free.broken_mm, extra, rtol=1e-3, atol=1e-4)
     ratio = free.scores["sensitivity_ratio"]
     least = float(ratio.median())
-    tight = judged(replace(rung, at_most={"sensitivity_ratio": 1 / least}), units)
+    tight = judged(replace(lowest, at_most={"sensitivity_ratio": 1 / least}), units)
     assert ((tight.broken_mm > free.broken_mm) == (ratio < least * 0.9999)).all()
 
 
-def test_objectives_to_maximize_are_turned_over_and_constants_are_objectives_too(rung, units):
-    found = judged(rung, units, ("sensitivity_ratio", "cost"))
+def test_objectives_to_maximize_are_turned_over_and_constants_are_objectives_too(lowest, units):
+    found = judged(lowest, units, ("sensitivity_ratio", "cost"))
     assert_allclose(found.objectives[:, 0], 1 / found.scores["sensitivity_ratio"], rtol=1e-6)
     assert (found.objectives[:, 1] == 50.0).all()
 
 
-def test_saturated_channels_break_a_limit(rung, units):
-    structured = rung.space.structured
+def test_saturated_channels_break_a_limit(lowest, units):
+    structured = lowest.space.structured
     sensors = structured.sensors.model_copy(update={"range_mt": 0.5})
     small = structured.model_copy(update={"sensors": sensors})
-    narrow = replace(rung, space=replace(rung.space, structured=small))
-    assert (judged(narrow, units).broken_mm > judged(rung, units).broken_mm + 1).all()
+    narrow = replace(lowest, space=replace(lowest.space, structured=small))
+    assert (judged(narrow, units).broken_mm > judged(lowest, units).broken_mm + 1).all()

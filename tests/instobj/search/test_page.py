@@ -10,10 +10,10 @@ from design.build.manifest import BuildManifest, PartManifest
 from design.layout.positions import contact_grid
 from design.spec_io import parse_spec
 from estimator.information.scores import PlaceScores, save_scores_csv
-from estimator.layouts.fidelity import SCORE_NAMES, LadderScore
+from estimator.layouts.fidelity import SCORE_NAMES, FidelityScore
 from instobj.search.fidelity import METRIC_LABELS, TwinRatio
 from instobj.search.outcome.page import ChainResults, write_search_page
-from instobj.search.promotion import Climb, Climber
+from instobj.search.promotion import Promoted, Promotion
 from tests.instobj.search.test_outcome import made_up_history
 
 VOID = {"meta", "img", "link", "br"}
@@ -65,24 +65,24 @@ def results(tmp_path):
     return ChainResults(tmp_path, tmp_path, tmp_path)
 
 
-def climb(objections):
-    def climber(label, trial, value, **content):
+def promote(objections):
+    def promoted(label, trial, value, **content):
         spec = parse_spec({"name": "a", **content}, "a")
-        score = LadderScore(**dict.fromkeys(SCORE_NAMES, value))
-        return Climber(label, trial, spec, dict.fromkeys(("1", "2", "3"), score))
+        score = FidelityScore(**dict.fromkeys(SCORE_NAMES, value))
+        return Promoted(label, trial, spec, dict.fromkeys(("1", "2", "3"), score))
 
     moved = {"positions_mm": [[0, 0], [9, 8], [-9, 8], [9, -8], [-8, -9]]}
-    start, best = climber("start", None, 2.0), climber("trial 7 <b>", 7, 1.0, magnets=moved)
-    correlations = {rung: dict.fromkeys(SCORE_NAMES, 0.5) for rung in ("1", "2")}
+    start, best = promoted("start", None, 2.0), promoted("trial 7 <b>", 7, 1.0, magnets=moved)
+    correlations = {level: dict.fromkeys(SCORE_NAMES, 0.5) for level in ("1", "2")}
     ratios = {"worst_position_bound_mm": TwinRatio(2.0, 1.1, 3.0)}
     estimators = {one.label: dict.fromkeys(METRIC_LABELS, 0.25) for one in (start, best)}
-    return Climb(start, (best,), (best,), correlations, ratios, estimators, objections)
+    return Promotion(start, (best,), (best,), correlations, ratios, estimators, objections)
 
 
 @pytest.mark.parametrize("objections", [(), ("the objectives' mean is not better",)])
 def test_the_page_says_what_was_found(tmp_path, results, objections):
     path = write_search_page(
-        parse_spec({"name": "start"}, "s"), climb(objections), made_up_history(), results, tmp_path, print
+        parse_spec({"name": "start"}, "s"), promote(objections), made_up_history(), results, tmp_path, print
     )  # fmt: skip
     page = path.read_text(encoding="utf-8")
     told = read(page)

@@ -1,16 +1,16 @@
-"""What a search's ladder calls better than the start, and why not."""
+"""Verdicts of a search: better than the start, and why not."""
 
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from estimator.layouts.fidelity import LadderScore
+from estimator.layouts.fidelity import FidelityScore
 from instobj.search.fidelity import TwinRatio
-from instobj.search.promotion import LAST, Climber, excess, merit, objections
+from instobj.search.promotion import LAST, Promoted, excess, merit, objections
 from tests.support.search_cases import made_up_spec
 
-START = LadderScore(1.5, 0.5, 2.5, 6.0, 0.3, 0.8, 0.6, 0.9, 0.1, 0.8)
+START = FidelityScore(1.5, 0.5, 2.5, 6.0, 0.3, 0.8, 0.6, 0.9, 0.1, 0.8)
 BETTER = replace(START, worst_position_bound_mm=0.6, slip_place_mm=0.5)
 SURE = {"worst_position_bound_mm": TwinRatio(2.5, 1.4, 4.0)}
 
@@ -18,8 +18,8 @@ SURE = {"worst_position_bound_mm": TwinRatio(2.5, 1.4, 4.0)}
 def objected(best, ratios=SURE, factor=1.0, **search):
     limits = {"times_start": {"cross_face_sigma": factor, "sensitivity_ratio": factor}}
     spec = made_up_spec(limits=limits, **search)
-    climbers = [Climber("a layout", None, spec, {LAST: score}) for score in (best, START)]
-    return objections(spec.search, *climbers, ratios)
+    layouts = [Promoted("a layout", None, spec, {LAST: score}) for score in (best, START)]
+    return objections(spec.search, *layouts, ratios)
 
 
 def test_a_layout_that_improves_within_all_limits_is_better():
@@ -56,7 +56,7 @@ def test_merit_is_the_mean_logarithm_and_what_is_exceeded():
     )
     worse = replace(BETTER, cross_face_sigma=1.1 * 1.2 * 6.0)
     start, better, exceeding = (
-        Climber("", None, spec, {LAST: score}) for score in (START, BETTER, worse)
+        Promoted("", None, spec, {LAST: score}) for score in (START, BETTER, worse)
     )
     assert merit(spec.search, start, start, LAST) == 0
     mean = np.mean([np.log(0.6 / 1.5), np.log(0.5 / 0.6)])
