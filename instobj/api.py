@@ -262,15 +262,19 @@ def predict(model: FaceModel, data: Recording | FrameSet) -> Prediction:
     Raises
     ------
     InputError
-        A channel that the model uses is missing.
+        A channel that the model uses is missing, or data of another object.
 
     Examples
     --------
     As of `fit_estimator`.
     """
+    from estimator.frames.same_object import require_same_object
     from estimator.networks.face_model import predict as read
 
-    return read(model, _frames(data))
+    frames = _frames(data)
+    grid_mm = model.grid_x_mm, model.grid_y_mm
+    require_same_object(model.channels, grid_mm, frames, "the data")
+    return read(model, frames)
 
 
 def evaluate(model: FaceModel, data: Recording | FrameSet, seed: int = 1) -> FaceMetrics:

@@ -59,15 +59,17 @@ class BoardClock:
         return self._base_s
 
 
-def board_readings(port: str, baud: int = BAUD) -> Iterator[Reading]:
-    """Readings of a board as they come, without end.
+def board_readings(
+    port: str, baud: int = BAUD, decoder: LineDecoder | None = None
+) -> Iterator[Reading]:
+    """Readings of a board as they come, without end; `decoder` keeps the statistics of the line.
 
     Raises
     ------
     InputError
         No such port, no sound frame for `PATIENCE_S`, or the board was unplugged.
     """
-    decoder, clock, channels = LineDecoder(), BoardClock(), ()
+    decoder, clock, channels = decoder or LineDecoder(), BoardClock(), ()
     for messages in board_messages(serial_chunks(port, baud), decoder, port):
         for message in messages:
             if isinstance(message, Header):

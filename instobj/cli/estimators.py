@@ -115,6 +115,7 @@ def predict(
     frames: Annotated[
         int | None, typer.Option(min=1, help="With --port: stop after so many frames.")
     ] = None,
+    baud: Annotated[int, typer.Option(min=300, help="With --port: bits per second.")] = 115_200,
     out: Out = HERE,
     as_json: AsJson = False,
 ) -> None:
@@ -126,7 +127,7 @@ def predict(
     if file is not None:
         show(predict_file(model, file, out, Zeroing(zero, zero_frames)), as_json)
     elif port is not None:
-        for line in predict_port(model, port, Zeroing(zero, zero_frames), frames):
+        for line in predict_port(model, port, Zeroing(zero, zero_frames), frames, baud):
             typer.echo(line)
 
 

@@ -9,7 +9,14 @@ from design.errors import InputError
 from design.spec.object import TrainingSpec
 from instobj.store.content import content_key, file_key, store_root, stored
 from instobj.store.progress import ProgressLine
-from instobj.store.publish import file_rows, publish_to, require_writable, run_folder, stage_row
+from instobj.store.publish import (
+    file_rows,
+    publish_to,
+    require_writable,
+    run_folder,
+    run_name,
+    stage_row,
+)
 from instobj.store.readers import FRAMES, MODELS, PRESSES, face_model_paths
 
 if TYPE_CHECKING:
@@ -84,7 +91,7 @@ def run_on_data_set(
 
     training, seed = _settings(overrides)
     frames = load_frames(path)
-    name = path.parent.name if path.stem == "frames" else path.stem
+    name = run_name(path)
     progress = ProgressLine()
     twin = None if twin_spec is None else twin_of_data(twin_spec, frames, training)
     inputs = {

@@ -23,6 +23,11 @@ def run_folder(out: Path, name: str) -> Path:
     return out / "runs" / name
 
 
+def run_name(data_set: Path) -> str:
+    """Name of the results on a data set or recording: that of the file, of `frames.nc` its folder's."""
+    return data_set.absolute().parent.name if data_set.stem == "frames" else data_set.stem
+
+
 def cad_folder(out: Path, name: str) -> Path:
     """`cad_out/<name>` below the output folder."""
     return out / "cad_out" / name

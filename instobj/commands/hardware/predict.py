@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import islice
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -16,8 +16,14 @@ from design.tables import write_table
 from estimator.deploy.runtime import DeployedModel, LiveReader, load_deployed, predict_frames
 from estimator.deploy.zeroing import ZERO_FRAMES, ZeroMode
 from estimator.frames.dataset import load_frames
+from estimator.frames.same_object import require_same_object, require_same_sensors
 from estimator.networks.prediction import Prediction
-from instobj.store.publish import file_rows, require_writable, run_folder
+from estimator.recordings.table import FACES
+from instobj.store.publish import file_rows, require_writable, run_folder, run_name
+
+if TYPE_CHECKING:
+    from estimator.boards.lines import LineStatistics
+    from estimator.boards.link import Reading
 
 COLUMNS: tuple[str, ...] = (
     "time_s",
@@ -51,7 +57,7 @@ _FOLLOW_REST = Zeroing()
 def predict_file(
     model_path: Path, path: Path, out: Path, zeroing: Zeroing = _FOLLOW_REST
 ) -> dict[str, Any]:
-    """Read every frame of a file; writes `runs/<file>/prediction_face_<n>.csv`.
+    """Read every frame of a file; writes `runs/<name>/prediction_face_<n>.csv`, named as `run_name` says.
 
     Data sets of instobj are changes against rest already. Recordings of any other format are zeroed
     like a board's readings, by default by following rest; frames before the first zero are left out.
@@ -59,8 +65,8 @@ def predict_file(
     Raises
     ------
     InputError
-        A bad model or file, channels that the model uses without readings, no zero in the whole
-        file, or a data set to be zeroed again.
+        A bad model or file, a model of another object, channels that the model uses without
+        readings, no zero in the whole file, or a data set to be zeroed again.
     """
     model = load_deployed(model_path)
     require_writable(out)
@@ -71,10 +77,12 @@ def predict_file(
                 "--zero out"
             )
         frames = load_frames(path)
+        grid_mm = model.grid_x_mm, model.grid_y_mm
+        require_same_object(model.channels, grid_mm, frames, str(path))
         rows = _rows(frames.time_s, predict_frames(model, frames))
     else:
         rows = list(_read_recording(model, path, zeroing))
-    target = run_folder(out, path.stem) / f"prediction_face_{model.face}.csv"
+    target = run_folder(out, run_name(path)) / f"prediction_face_{model.face}.csv"
     write_table(target, list(COLUMNS), ([row[name] for name in COLUMNS] for row in rows))
     forces = [row["force_n"] for row in rows]
     summary = {
@@ -91,25 +99,38 @@ def predict_file(
     }
 
 
-def predict_port(model_path: Path, port: str, zeroing: Zeroing, count: int | None) -> Iterator[str]:
-    """One JSON document a frame from a board, `count` of them or without end.
+def predict_port(
+    model_path: Path, port: str, zeroing: Zeroing, count: int | None, baud: int = 115_200
+) -> Iterator[str]:
+    """One JSON document per frame from a board, `count` of them or without end.
+
+    Each also tells how many lines came damaged and how many frames were lost since the start.
 
     Raises
     ------
     InputError
-        A bad model or port, or a channel that the model uses without readings.
+        A bad model or port, a model of another object, or a channel that the model uses without
+        readings.
     """
+    from estimator.boards.lines import LineDecoder
     from estimator.boards.link import board_readings
 
-    reader = zeroing.reader(load_deployed(model_path))
-    return islice(_live(reader, board_readings(port)), count)
+    reader, decoder = zeroing.reader(load_deployed(model_path)), LineDecoder()
+    readings = board_readings(port, baud, decoder)
+    return islice(_live(reader, readings, decoder.statistics, port), count)
 
 
-def _live(reader: LiveReader, readings: Iterator[Any]) -> Iterator[str]:
-    for reading in readings:
+def _live(
+    reader: LiveReader, readings: Iterator[Reading], line: LineStatistics, port: str
+) -> Iterator[str]:
+    for number, reading in enumerate(readings):
+        if number == 0:
+            require_same_sensors(reader.model.channels, reading.counts[None], np.array(FACES), port)
         found = reader.feed(reading.counts, reading.time_s)
         if found is not None:
-            yield json.dumps(_rows(np.array([reading.time_s]), found)[0])
+            row = _rows(np.array([reading.time_s]), found)[0]
+            told = {"damaged_lines": line.damaged_lines, "lost_frames": line.lost_frames}
+            yield json.dumps(row | told)
 
 
 def _is_data_set(path: Path) -> bool:
@@ -127,6 +148,7 @@ def _read_recording(
     from estimator.recordings.files import read_table
 
     table = read_table(path)
+    require_same_sensors(model.channels, table.counts, np.array(FACES), str(path))
     reader, read = zeroing.reader(model), 0
     time_s = table.time_s if len(table.time_s) else np.full(len(table.counts), np.nan)
     for now_s, counts in zip(time_s.tolist(), table.counts, strict=True):

@@ -2,10 +2,12 @@
 
 import csv
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
 import torch
+from typer.testing import CliRunner
 
 from design.errors import InputError
 from design.spec.object import TrainingSpec
@@ -13,9 +15,10 @@ from estimator.frames.dataset import FrameSet, load_frames, save_frames
 from estimator.frames.splits import split_presses
 from estimator.networks.face_model import load_model, predict, save_model
 from estimator.networks.training import FitSettings, fit_estimator
+from instobj.cli.app import app
 from instobj.commands.hardware.predict import Zeroing, export_models, predict_file, predict_port
 from instobj.commands.run import run_estimator
-from tests.support.dummy_board import CHANNELS, dummy_board
+from tests.support.dummy_board import CHANNELS, board_lines, dummy_board
 
 FACE = 3
 SMALL = TrainingSpec(hidden_units=(16,), epochs=2, batch_size=64)
@@ -88,6 +91,42 @@ def test_predict_a_data_set(folder, tmp_path):
         )
 
 
+def test_two_data_sets_give_two_files(folder, tmp_path):
+    for name in ("one", "two"):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "frames.nc").write_bytes((folder / "press.nc").read_bytes())
+        predict_file(
+            folder / "robot" / "face_3.onnx", tmp_path / name / "frames.nc", tmp_path / "out"
+        )
+    written = sorted((tmp_path / "out").rglob("*.csv"))
+    assert [path.parent.name for path in written] == ["one", "two"]
+
+
+def another_object(frames, **changes):
+    """The same frames with a second sensor on face 3, or on another grid."""
+    if "sensors" in changes:
+        second = np.full_like(frames.signal_counts, np.nan)
+        second[:, 2] = 5.0
+        return replace(frames, signal_counts=np.concatenate([frames.signal_counts, second], axis=2))
+    return replace(frames, **changes)
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"sensors": 2}, "also has readings of F3-S2, so it is of another object"),
+        ({"grid_x_mm": np.array([-4.0, 0.0, 4.0])}, "grid is 3 places from -3 to 3 mm"),
+        ({"grid_y_mm": np.array([0.0, 3.0, 6.0])}, "that of .* 3 places from 0 to 6 mm"),
+    ],
+)
+def test_a_model_of_another_object_is_refused(folder, tmp_path, changes, words):
+    path = tmp_path / "other.nc"
+    save_frames(another_object(load_frames(folder / "press.nc"), **changes), path)
+    with pytest.raises(InputError, match=words):
+        predict_file(folder / "robot" / "face_3.onnx", path, tmp_path)
+    assert not (tmp_path / "runs").exists()
+
+
 def test_predict_a_recording_zeroes_by_its_first_frames(folder, tmp_path):
     frames = load_frames(folder / "press.nc").select(np.arange(14))
     raw = 700.0 + frames.signal_counts[:, [2], 0][:, 0]
@@ -112,6 +151,34 @@ def test_predict_live_from_a_board(folder):
     assert len(lines) == 5
     assert set(json.loads(lines[0])) >= {"time_s", "force_n", "x_mm", "contact"}
     assert "F3-X1" in CHANNELS
+
+
+def lossy_lines(k):
+    """Every tenth frame is lost, and every eighth arrives with a changed digit."""
+    line = board_lines(k, loads=False)
+    return b"" if k % 10 == 5 else line.replace(b",", b";", 1) if k % 8 == 1 else line
+
+
+def test_a_live_reading_tells_lost_frames_and_damaged_lines(folder):
+    with dummy_board(lines=lossy_lines) as port:
+        lines = list(predict_port(folder / "robot" / "face_3.onnx", port, Zeroing("none"), 60))
+    first, last = json.loads(lines[0]), json.loads(lines[-1])
+    assert 5 <= last["damaged_lines"] - first["damaged_lines"] <= 12
+    assert 10 <= last["lost_frames"] - first["lost_frames"] <= 20
+
+
+def test_the_live_baud_rate_reaches_the_port(folder, monkeypatch):
+    asked = []
+
+    def refused(port, baud, **_):
+        asked.append((port, baud))
+        raise ValueError("no such rate")
+
+    monkeypatch.setattr("serial.Serial", refused)
+    given = ["predict", str(folder / "robot" / "face_3.onnx"), "--port", "none", "--baud", "57600"]
+    result = CliRunner().invoke(app, given)
+    assert "no such rate" in str(result.exception)
+    assert asked == [("none", 57600)]
 
 
 def test_train_from_a_start(folder, tmp_path, monkeypatch):

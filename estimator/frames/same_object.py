@@ -1,0 +1,79 @@
+"""Refusal of readings that are of another object than an estimator's."""
+
+from __future__ import annotations
+
+import numpy as np
+from jaxtyping import Float, Int
+
+from design.errors import InputError
+from estimator.frames.dataset import FrameSet
+from estimator.frames.face_data import HISTORY, Channel
+
+Grid = tuple[Float[np.ndarray, "nx"], Float[np.ndarray, "ny"]]
+_SAME_PLACE_MM = 1e-3
+
+
+def require_same_object(
+    channels: tuple[Channel, ...], grid_mm: Grid, frames: FrameSet, source: str
+) -> None:
+    """Refuse a data set of other sensors or on another contact grid than the estimator's.
+
+    `source` names the data set in the message.
+
+    Raises
+    ------
+    InputError
+        Sensors that the estimator does not know on a face that it reads, or another grid.
+    """
+    require_same_sensors(channels, frames.signal_counts, frames.faces, source)
+    grids = grid_mm, (frames.grid_x_mm, frames.grid_y_mm)
+    if all(_same_places(*axes) for axes in zip(*grids, strict=True)):
+        return
+    own, other = (" by ".join(_grid_text(axis) for axis in grid) for grid in grids)
+    raise InputError(
+        f"the model's contact grid is {own}; that of {source} is {other}, so it is of another object "
+        "or was read without its specification. Use the model of the object that was recorded, or "
+        "read the recording with `instobj recordings --spec`"
+    )
+
+
+def require_same_sensors(
+    channels: tuple[Channel, ...],
+    counts: Float[np.ndarray, "frame face sensor 3"],
+    faces: Int[np.ndarray, "face"],
+    source: str,
+) -> None:
+    """Refuse readings of sensors that the estimator does not know, on the faces that it reads.
+
+    A single channel that was dead in training may be alive in the readings; a whole sensor more is
+    another object.
+
+    Raises
+    ------
+    InputError
+        Such a sensor.
+    """
+    known = {(face % HISTORY, sensor) for face, sensor, _ in channels}
+    read = {face for face, _ in known}
+    numbers = faces.tolist()
+    found = np.argwhere(np.isfinite(counts).any(axis=(0, 3)))
+    live = {(numbers[row], int(sensor)) for row, sensor in found}
+    unknown = {(face, sensor) for face, sensor in live - known if face in read}
+    if unknown:
+        raise InputError(
+            f"the model reads {len(channels)} channels, of the sensors {_sensor_names(known)}; "
+            f"{source} also has readings of {_sensor_names(unknown)}, so it is of another object. "
+            "Use the model of the object that was recorded, or train one on its recordings"
+        )
+
+
+def _sensor_names(sensors: set[tuple[int, int]]) -> str:
+    return ", ".join(f"F{face}-S{sensor + 1}" for face, sensor in sorted(sensors))
+
+
+def _same_places(one_mm: Float[np.ndarray, "n"], other_mm: Float[np.ndarray, "m"]) -> bool:
+    return len(one_mm) == len(other_mm) and np.allclose(one_mm, other_mm, atol=_SAME_PLACE_MM)
+
+
+def _grid_text(places_mm: Float[np.ndarray, "n"]) -> str:
+    return f"{len(places_mm)} places from {places_mm[0]:g} to {places_mm[-1]:g} mm"
