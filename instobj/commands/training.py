@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 from design.errors import InputError
 from design.spec.object import TrainingSpec
-from instobj.store.content import content_key, file_key, store_root, stored
+from instobj.store.content import store_root, stored
+from instobj.store.keys import content_key, file_key
 from instobj.store.progress import ProgressLine
 from instobj.store.publish import (
     file_rows,
@@ -115,11 +116,11 @@ def run_on_data_set(
 
     results = {}
     with progress.stage(f"training on {path}"):
-        results["networks"] = stored(store_root(), "networks", inputs, train)
+        results["networks"] = stored(store_root(), "networks", inputs, train, progress.say)
     if "metrics" in stages:
         with progress.stage("held-out presses"):
             pictured = inputs | {"pictures": 1}
-            results["metrics"] = stored(store_root(), "metrics", pictured, evaluate)
+            results["metrics"] = stored(store_root(), "metrics", pictured, evaluate, progress.say)
     target = run_folder(out, name)
     files = [file for result in results.values() for file in publish_to(target, result)]
     return {
@@ -154,7 +155,7 @@ def twin_of_data(path: Path, frames: FrameSet, training: TrainingSpec) -> TwinOf
     require_some_face(spec, frames)
     run = Run(spec)
     presses = run.read(PRESSES)
-    return TwinOfData(spec, presses, run.results[PRESSES.stage].key, training.twins)
+    return TwinOfData(spec, presses, run.results[PRESSES.stage].origin, training.twins)
 
 
 def _grid_mm(spec: Path) -> Grid:

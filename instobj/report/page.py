@@ -31,10 +31,10 @@ from instobj.report.uncertainty import (
 )
 from instobj.report.verdict import judge
 from instobj.store import readers
-from instobj.store.content import RECORD
 from instobj.store.readers import (
     published_files,
 )
+from instobj.store.record import RECORD
 
 if TYPE_CHECKING:
     from estimator.information.scores import PlaceScores

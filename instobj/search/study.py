@@ -23,7 +23,7 @@ from optuna.trial import FrozenTrial, TrialState
 from design.errors import InputError
 from design.spec.object import ObjectSpec
 from instobj.search.database import first_line, open_database, patiently, without_secrets
-from instobj.store.content import content_key
+from instobj.store.keys import content_key
 
 _BUDGET = ("trials", "seconds", "trial_seconds", "batch", "leaders", "finalists", "polish_steps")
 """Of `[search]`: may change while a study goes on."""

@@ -23,9 +23,13 @@ def _shell_bodies(spec: ObjectSpec) -> dict[str, Any]:
 
 
 def stage_inputs(
-    stage: Stage, spec: ObjectSpec, keys_of_needs: dict[str, str], versions: dict[str, str]
+    stage: Stage, spec: ObjectSpec, origins: dict[str, str], versions: dict[str, str]
 ) -> dict[str, Any]:
-    """Everything that a stage's result depends on, JSON-able, for its content key."""
+    """Everything that a stage's result depends on, JSON-able, for its content key.
+
+    `origins` holds key and content of the results that it is made from: the mesher, for one, gives
+    another mesh from the same specification.
+    """
     from design.body.imported import file_digest
 
     bodies = _shell_bodies(spec)
@@ -42,7 +46,7 @@ def stage_inputs(
         parts[name] = value
     return {
         "spec": parts,
-        "needs": keys_of_needs,
+        "needs": origins,
         "version": stage.version,
         "libraries": versions,
     }

@@ -17,7 +17,8 @@ from instobj.stages.inputs import stage_inputs
 from instobj.stages.resources import require_memory
 from instobj.stages.table import STAGES
 from instobj.store import readers
-from instobj.store.content import StoredResult, content_key, store_root, stored
+from instobj.store.content import StoredResult, store_root, stored
+from instobj.store.keys import stage_key
 from instobj.store.progress import ProgressLine
 from instobj.store.readers import ResultFile
 from instobj.store.stage import StageContext
@@ -98,13 +99,12 @@ class Run:
         needs = {need: self.require(need) for need in stage.needs}
         for need, (other, spec) in stage.of_others(self.spec).items():
             needs[need] = self._of(spec).require(other)
-        keys = {need: result.key for need, result in needs.items()}
-        inputs = stage_inputs(stage, self.spec, keys, _versions())
+        origins = {need: result.origin for need, result in needs.items()}
+        inputs = stage_inputs(stage, self.spec, origins, _versions())
         folders = {need: result.folder for need, result in needs.items()}
 
         def make(folder: Path) -> None:
-            key = content_key({"stage": name, "inputs": inputs})
-            context = StageContext(self.spec, folders, key, self.progress.step)
+            context = StageContext(self.spec, folders, stage_key(name, inputs), self.progress.step)
             try:
                 stage.make(context, folder)
             except MemoryError:
@@ -114,7 +114,7 @@ class Run:
                 ) from None
 
         with self.progress.stage(stage.title):
-            result = stored(self.root, name, inputs, make)
+            result = stored(self.root, name, inputs, make, self.progress.say)
         self.results[name] = result
         how = "reused, first made in" if result.reused else "made in"
         self.progress.say(f"{stage.title}: {how} {result.seconds:.1f} s")

@@ -1,37 +1,66 @@
 """Content-addressed store of stage results: a folder per stage and key, complete or absent.
 
-The key is the SHA-256 of the stage's name, its version and everything that it depends on. A
-stage writes into a temporary folder that is renamed when it is complete, so an interrupted run
-leaves whole results only and the next run goes on from them.
+The key is the SHA-256 of the stage's name, its version and everything that it depends on, the
+content of the results that it is made from included. A stage writes into a temporary folder that is
+on the disk before it is renamed, so an interrupted run leaves whole results only and the next run
+goes on from them. A result is verified when it is found; a damaged one is set aside and made again.
 """
 
 from __future__ import annotations
 
-import hashlib
-import json
+import errno
 import os
 import shutil
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from design.errors import StoreError
+from instobj.store.keys import stage_key
+from instobj.store.lease import hold_lease, remove_abandoned
+from instobj.store.progress import ProgressLine
+from instobj.store.record import (
+    RECORD,
+    DamagedResult,
+    content_of,
+    flush_to_disk,
+    read_record,
+    verify,
+    verify_by_hash,
+    write_record,
+)
 
-RECORD = "stage.json"
-_TEMPORARY = ".making-"
+Say = Callable[[str], None]
+SET_ASIDE = ".damaged-"
 
 
 @dataclass(frozen=True)
 class StoredResult:
-    """A complete stage result: where it lies, whether it was already there, and what it took."""
+    """A complete stage result.
+
+    Attributes
+    ----------
+    stage, key : what it is, and the hash of everything that it depends on
+    folder : where its files lie
+    reused : whether it was already there
+    seconds : what it took to make
+    content : SHA-256 of its files
+    """
 
     stage: str
     key: str
     folder: Path
     reused: bool
     seconds: float
+    content: str
+
+    @property
+    def origin(self) -> str:
+        """Key and content, on which every result that is made from this one depends."""
+        return f"{self.key}-{self.content}"
 
 
 def store_root() -> Path:
@@ -39,39 +68,87 @@ def store_root() -> Path:
     return Path(os.environ.get("INSTOBJ_STORE", ".instobj")).absolute()
 
 
-def content_key(content: Any) -> str:
-    """SHA-256 of JSON-able content, independent of the order of keys."""
-    return hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()
-
-
-def file_key(path: Path) -> str:
-    """SHA-256 of a file's bytes."""
-    with path.open("rb") as stream:
-        return hashlib.file_digest(stream, "sha256").hexdigest()
+def _say(message: str) -> None:
+    ProgressLine().say(message)
 
 
 def stored(
-    root: Path, stage: str, inputs: dict[str, Any], make: Callable[[Path], None]
+    root: Path, stage: str, inputs: dict[str, Any], make: Callable[[Path], None], say: Say = _say
 ) -> StoredResult:
     """The result of `make(folder)` for these inputs: found in the store, or made and kept.
+
+    `say` gets a line where a damaged result is made again.
 
     Raises
     ------
     StoreError
-        The store cannot be written.
+        The store cannot be written, or a file in it cannot be read for lack of permission.
     """
-    key = content_key({"stage": stage, "inputs": inputs})
-    folder = root / stage / key[:24]
-    if (folder / RECORD).is_file():
-        return _found(stage, key, folder)
-    temporary = _temporary_folder(root, stage, key)
-    started = time.perf_counter()
-    try:
+    key = stage_key(stage, inputs)
+    found = _found(root, stage, key, say)
+    if found is not None:
+        return found
+    with _temporary_folder(root, stage, key) as temporary:
+        started = time.perf_counter()
         make(temporary)
         seconds = time.perf_counter() - started
-        record = {"stage": stage, "key": key, "seconds": round(seconds, 3), "inputs": inputs}
-        (temporary / RECORD).write_text(json.dumps(record, indent=1), encoding="utf-8")
-        _move_into_place(temporary, folder)
+        content = write_record(temporary, stage, key, seconds, inputs)
+        made = StoredResult(stage, key, _folder(root, stage, key), False, seconds, content)
+        return _moved_into_place(temporary, made, root, say)
+
+
+def _folder(root: Path, stage: str, key: str) -> Path:
+    return root / stage / key[:24]
+
+
+def _found(root: Path, stage: str, key: str, say: Say) -> StoredResult | None:
+    """The verified result, if it is there; a damaged one is set aside."""
+    folder, by_hash = _folder(root, stage, key), verify_by_hash()
+    if not folder.exists():
+        return None
+    try:
+        with suppress(OSError):  # a store that can be read only, or a folder without a record
+            hold_lease(root)
+            os.utime(folder / RECORD)  # when it was last used
+        record = read_record(folder)
+        if record["key"] != key:
+            raise DamagedResult(f"{RECORD} is of another result")
+        verify(folder, record, by_hash)
+    except DamagedResult as damage:
+        _set_aside(folder, damage, say)
+        return None
+    return StoredResult(stage, key, folder, True, record["seconds"], content_of(record))
+
+
+def _set_aside(folder: Path, damage: DamagedResult, say: Say) -> None:
+    number = 1
+    while (aside := folder.with_name(f"{folder.name}{SET_ASIDE}{number}")).exists():
+        number += 1
+    try:
+        folder.rename(aside)
+    except FileNotFoundError:  # another process has set it aside
+        return
+    except OSError as error:
+        raise StoreError(
+            f"{folder} is damaged ({damage}) and cannot be set aside: {error.strerror}. Make the "
+            "store writable, or set INSTOBJ_STORE to another folder"
+        ) from error
+    say(f"{folder.parent.name}: the stored result was damaged ({damage}); kept as {aside.name}")
+
+
+@contextmanager
+def _temporary_folder(root: Path, stage: str, key: str) -> Iterator[Path]:
+    """A folder to make a result in, removed afterwards."""
+    try:
+        lease = hold_lease(root)
+        remove_abandoned(root, lease.now())
+        temporary = lease.temporary(root, f"{stage}-{key[:12]}")
+    except OSError as error:
+        raise StoreError(
+            f"cannot write the store {root}: {error.strerror}. Set INSTOBJ_STORE to a writable folder"
+        ) from error
+    try:
+        yield temporary
     except StoreError:
         raise
     except OSError as error:
@@ -81,51 +158,20 @@ def stored(
         ) from error
     finally:
         shutil.rmtree(temporary, ignore_errors=True)
-    return StoredResult(stage, key, folder, False, seconds)
 
 
-def _found(stage: str, key: str, folder: Path) -> StoredResult:
-    record = json.loads((folder / RECORD).read_text(encoding="utf-8"))
-    return StoredResult(stage, key, folder, True, record["seconds"])
-
-
-def _temporary_folder(root: Path, stage: str, key: str) -> Path:
-    temporary = root / f"{_TEMPORARY}{stage}-{key[:12]}-{os.getpid()}"
-    try:
-        root.mkdir(parents=True, exist_ok=True)
-        _remove_abandoned(root)
-        temporary.mkdir()
-    except OSError as error:
-        raise StoreError(
-            f"cannot write the store {root}: {error.strerror}. Set INSTOBJ_STORE to a writable folder"
-        ) from error
-    return temporary
-
-
-def _remove_abandoned(root: Path) -> None:
-    """Temporary folders of processes that no longer run (killed, or out of power)."""
-    for folder in root.glob(f"{_TEMPORARY}*"):
-        pid = folder.name.rsplit("-", 1)[-1]
-        if pid.isdigit() and (int(pid) == os.getpid() or not _runs(int(pid))):
-            shutil.rmtree(folder, ignore_errors=True)
-
-
-def _runs(pid: int) -> bool:
-    try:
-        os.kill(pid, 0)
-    except ProcessLookupError:
-        return False
-    except PermissionError:
-        return True
-    return True
-
-
-def _move_into_place(temporary: Path, folder: Path) -> None:
-    folder.parent.mkdir(parents=True, exist_ok=True)
-    if folder.exists() and not (folder / RECORD).is_file():
-        shutil.rmtree(folder)
-    try:
-        temporary.rename(folder)
-    except OSError:
-        if not (folder / RECORD).is_file():  # another process may have finished the same result
-            raise
+def _moved_into_place(temporary: Path, made: StoredResult, root: Path, say: Say) -> StoredResult:
+    """The result where it belongs; another process's where that has made the same meanwhile."""
+    made.folder.parent.mkdir(parents=True, exist_ok=True)
+    while True:
+        try:
+            temporary.rename(made.folder)
+        except OSError as error:
+            if error.errno not in (errno.ENOTEMPTY, errno.EEXIST):
+                raise
+            if (other := _found(root, made.stage, made.key, say)) is not None:
+                return other
+        else:
+            flush_to_disk(made.folder.parent)
+            flush_to_disk(root)
+            return made

@@ -11,8 +11,9 @@ from design.errors import StoreError
 from design.files import atomic_path
 from design.spec.object import ObjectSpec
 from design.spec_io import spec_hash
-from instobj.store.content import RECORD, StoredResult
+from instobj.store.content import StoredResult
 from instobj.store.readers import published_files
+from instobj.store.record import RECORD
 
 _BESIDE_THE_PARTS = ("fabrication", "sheet")
 """Stages whose files go to the parts, not to the results."""

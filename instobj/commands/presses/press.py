@@ -133,9 +133,10 @@ def _stored_press(
             "press_mesh",
             where | body | versions,
             lambda folder: _make_mesh(spec, face, xy_mm, folder, progress.step),
+            progress.say,
         )
     how = {"silicone": content["silicone"], "mechanics": content["mechanics"]}
-    how |= {"depths_mm": depths_mm, "material": asdict(material), "mesh": mesh.key}
+    how |= {"depths_mm": depths_mm, "material": asdict(material), "mesh": mesh.origin}
     with progress.stage("press with large deformation"):
         press = stored(
             store_root(),
@@ -144,6 +145,7 @@ def _stored_press(
             lambda folder: _make_press(
                 spec, mesh.folder, face, xy_mm, depths_mm, material, folder, progress.step
             ),
+            progress.say,
         )
     return mesh, press
 

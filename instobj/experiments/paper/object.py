@@ -17,7 +17,8 @@ import numpy as np
 from design.spec.object import ObjectSpec
 from estimator.frames.press_protocol import PLACE_ID_STRIDE
 from instobj.experiments.layouts import changed
-from instobj.store.content import content_key, store_root, stored
+from instobj.store.content import store_root, stored
+from instobj.store.keys import content_key
 from instobj.store.readers import CORRECTION, EXPERIMENT_MODEL, PRESSES, RESPONSE
 
 if TYPE_CHECKING:
@@ -111,7 +112,9 @@ def simulated_object(spec: ObjectSpec, quick: bool) -> SimulatedObject:
         assembly,
     )
     signals = twin_signals(spec, assembly, *presses)
-    key = content_key({"presses": run.results["presses"].key, "spec": spec.model_dump(mode="json")})
+    key = content_key(
+        {"presses": run.results["presses"].origin, "spec": spec.model_dump(mode="json")}
+    )
     return SimulatedObject(spec, signals, mechanics, design, design_presses, key)
 
 

@@ -14,7 +14,7 @@ from instobj.experiments.paper import force_vectors, grasps, slipped
 from instobj.experiments.paper import object as paper_object
 from instobj.experiments.paper.object import SimulatedObject
 from instobj.experiments.registry import studies
-from instobj.store.content import content_key
+from instobj.store.keys import content_key
 from tests.support.half_space_response import half_space_response
 from tests.support.synthetic_presses import synthetic_presses
 

@@ -6,7 +6,7 @@ from design.spec.object import MechanicsSpec, ObjectSpec
 from design.spec_io import parse_spec, with_overrides
 from instobj.stages.inputs import stage_inputs
 from instobj.stages.table import STAGES
-from instobj.store.content import content_key
+from instobj.store.keys import stage_key
 
 
 def _keys(*overrides: str) -> dict[str, str]:
@@ -14,7 +14,7 @@ def _keys(*overrides: str) -> dict[str, str]:
     keys: dict[str, str] = {}
     for name, stage in STAGES.items():
         needs = {need: keys[need] for need in stage.needs}
-        keys[name] = content_key({"stage": name, "inputs": stage_inputs(stage, spec, needs, {})})
+        keys[name] = stage_key(name, stage_inputs(stage, spec, needs, {}))
     return keys
 
 

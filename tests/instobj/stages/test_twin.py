@@ -107,7 +107,7 @@ def test_a_face_without_a_twin_stands_in_the_table(twin, frames, tmp_path):
     twin.extended((few, few), FACE, lambda text: None)
     twin.extended(parts, FACE, lambda text: None)
     twin.write(tmp_path)
-    rows = summarize({"networks": StoredResult("networks", "", tmp_path, True, 0.0)})
+    rows = summarize({"networks": StoredResult("networks", "", tmp_path, True, 0.0, "")})
     without, calibrated = rows["calibrated twin (medians over labelled places)"]
     assert without.keys() == calibrated.keys()
     assert (without["places"], without["signals left %, design"]) == (0, None)

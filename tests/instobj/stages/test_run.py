@@ -1,0 +1,87 @@
+"""A run on made-up stages: damage is repaired by itself, and another mesh is another result."""
+
+import itertools
+import os
+
+import pytest
+
+from design.spec.object import ObjectSpec
+from instobj.stages import run as run_module
+from instobj.stages.run import Run
+from instobj.store.publish import publish
+from instobj.store.readers import GRID_SIGNALS, MESH
+from instobj.store.stage import Stage
+
+
+@pytest.fixture
+def made(monkeypatch):
+    """What the stages made, in order; the mesher gives another mesh each time."""
+    made: list[str] = []
+    number = itertools.count(1)
+
+    def mesh(context, folder):
+        made.append("mesh")
+        MESH.path(folder).write_text(f"mesh {next(number)}")
+
+    def signals(context, folder):
+        made.append("signals")
+        content = MESH.path(context.inputs["mesh"]).read_text()
+        GRID_SIGNALS.path(folder).write_text(f"signals of {content}")
+
+    stages = {
+        "mesh": Stage("mesh", (), ("mesh",), mesh),
+        "signals": Stage("signals", ("mesh",), ("sensors",), signals),
+    }
+    monkeypatch.setattr(run_module, "STAGES", stages)
+    return made
+
+
+SPEC = ObjectSpec(name="made_up")
+
+
+def _signals(root):
+    """Of a new process: its run knows nothing yet."""
+    return Run(SPEC, root=root).require("signals")
+
+
+def test_a_repeated_run_makes_nothing(tmp_path, made):
+    first = _signals(tmp_path)
+    again = _signals(tmp_path)
+    assert made == ["mesh", "signals"]
+    assert (again.reused, again.folder) == (True, first.folder)
+
+
+def test_another_mesh_from_the_same_specification_makes_later_stages_anew(tmp_path, made):
+    first = _signals(tmp_path)
+    (folder,) = (tmp_path / "mesh").iterdir()
+    for path in folder.iterdir():
+        path.unlink()
+    folder.rmdir()
+    again = _signals(tmp_path)
+    assert made == ["mesh", "signals"] * 2
+    assert again.folder != first.folder
+    assert GRID_SIGNALS.path(again.folder).read_text() == "signals of mesh 2"
+
+
+def test_a_damaged_mesh_is_made_again_with_what_follows_from_it(tmp_path, made):
+    _signals(tmp_path)
+    (folder,) = (tmp_path / "mesh").iterdir()
+    os.truncate(MESH.path(folder), 3)
+    assert GRID_SIGNALS.path(_signals(tmp_path).folder).read_text() == "signals of mesh 2"
+    assert made == ["mesh", "signals"] * 2
+
+
+def test_a_damaged_later_stage_is_made_again_from_the_same_mesh(tmp_path, made):
+    first = _signals(tmp_path)
+    GRID_SIGNALS.path(first.folder).unlink()
+    again = _signals(tmp_path)
+    assert made == ["mesh", "signals", "signals"]
+    assert (again.folder, again.content) == (first.folder, first.content)
+
+
+def test_what_is_published_comes_from_a_verified_result(tmp_path, made):
+    store, out = tmp_path / "store", tmp_path / "out"
+    first = _signals(store)
+    os.truncate(GRID_SIGNALS.path(first.folder), 5)
+    publish(SPEC, _signals(store), out)
+    assert (out / "runs/made_up/signals.nc").read_text() == "signals of mesh 1"
