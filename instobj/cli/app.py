@@ -58,7 +58,9 @@ def check(
     specs: Specs,
     fabrication: Annotated[
         bool,
-        typer.Option("--fabrication", help="Also whether the parts print, cast and go together."),
+        typer.Option(
+            "--fabrication", help="Check also that the parts can be printed, cast and assembled."
+        ),
     ] = False,
     out: Out = HERE,
     as_json: AsJson = False,
@@ -107,7 +109,7 @@ for _name, _stages, _purpose in (
     (
         "compliance",
         "compliance",
-        "Map of travel per newton over all faces, with the magnets and without them.",
+        "Compliance map: indentation depth per newton on all faces, with and without magnets.",
     ),
     (
         "identify",
@@ -117,12 +119,12 @@ for _name, _stages, _purpose in (
     (
         "robustness",
         "robustness",
-        "What the spread of assembly, material and surroundings does, ranked.",
+        "Effect of the tolerances of assembly, material and surroundings, ranked.",
     ),
     (
         "pretrain",
         "pretraining",
-        "Estimators trained on simulated twins, from which `train --start` goes on.",
+        "Estimators trained on simulated virtual objects, to start `train --start` from.",
     ),
     (
         "report",
@@ -149,7 +151,7 @@ def score(
     overrides: Overrides = None,
     as_built: AsBuilt = None,
 ) -> None:
-    """Sensitivity, Cramér–Rao bounds and maps of every contact place."""
+    """Sensitivity, Cramér–Rao bounds and maps of every contact location."""
     chosen = {"score.hull": hull, "score.hull_frames": hull_frames}
     more = [f"{key}={value}" for key, value in chosen.items() if value is not None]
     stages = ("scores", *(("shear_scores",) if shear else ()), "discretisation")

@@ -24,14 +24,14 @@ app = typer.Typer()
 
 Start = Annotated[
     Path | None,
-    typer.Option(help="Folder of face_<n>.safetensors to go on from, e.g. pre-trained ones."),
+    typer.Option(help="Folder of face_<n>.safetensors to start from, e.g. pre-trained ones."),
 ]
 
 Twin = Annotated[
     Path | None,
     typer.Option(
-        help="Specification of the object in a data set: its twin, calibrated on the training "
-        "presses, adds presses at every place."
+        help="Specification of the object in a data set: its digital twin, calibrated on the "
+        "training presses, adds presses at every contact location."
     ),
 ]
 
@@ -87,7 +87,9 @@ def export(
     models: Annotated[
         list[Path], typer.Argument(help="Trained estimators (face_<n>.safetensors).")
     ],
-    out: Annotated[Path, typer.Option(help="Folder of the files; left out: beside each.")] = HERE,
+    out: Annotated[
+        Path, typer.Option(help="Folder of the files (default: beside each model).")
+    ] = HERE,
     as_json: AsJson = False,
 ) -> None:
     """Trained estimators as ONNX files with scaling, units and channel order inside."""
@@ -111,15 +113,17 @@ def predict(
             help="Baseline: tracked at rest (default), from the first frames, or already subtracted."
         ),
     ] = None,
-    zero_frames: Annotated[int, typer.Option(min=5, help="Frames at rest that give the zero.")] = 8,
+    zero_frames: Annotated[
+        int, typer.Option(min=5, help="Frames at rest that give the baseline.")
+    ] = 8,
     frames: Annotated[
-        int | None, typer.Option(min=1, help="With --port: stop after so many frames.")
+        int | None, typer.Option(min=1, help="With --port: stop after this many frames.")
     ] = None,
     baud: Annotated[int, typer.Option(min=300, help="With --port: bits per second.")] = 115_200,
     out: Out = HERE,
     as_json: AsJson = False,
 ) -> None:
-    """Contacts in a recording, or live from a board (one JSON document a frame)."""
+    """Contacts in a recording, or live from a board (one JSON document per frame)."""
     from instobj.commands.hardware.predict import Zeroing, predict_file, predict_port
 
     if (file is None) == (port is None):

@@ -57,7 +57,8 @@ def collect(
     place: Annotated[
         list[str] | None,
         typer.Option(
-            metavar="FACE:X,Y", help="What load cell 1 (2, …) presses, mm; :X,Y for each more tip."
+            metavar="FACE:X,Y",
+            help="Contact location of load cell 1 (2, …), mm; :X,Y for each further tip.",
         ),
     ] = None,
     force: Annotated[
@@ -67,12 +68,12 @@ def collect(
         ),
     ] = None,
     zero: Annotated[
-        int, typer.Option(min=0, help="Frames at the start with nothing touching.")
+        int, typer.Option(min=0, help="Frames at the start, nothing touching, for the baseline.")
     ] = 20,
     seconds: Annotated[
-        float | None, typer.Option(min=0, help="Stop after so many seconds.")
+        float | None, typer.Option(min=0, help="Stop after this many seconds.")
     ] = None,
-    frames: Annotated[int | None, typer.Option(min=1, help="Stop after so many frames.")] = None,
+    frames: Annotated[int | None, typer.Option(min=1, help="Stop after this many frames.")] = None,
     session: Annotated[
         int | None, typer.Option(min=1, help="Session number (default: continue the last session).")
     ] = None,
@@ -80,7 +81,7 @@ def collect(
     tips: Annotated[int | None, typer.Option(min=1, max=9, help="Tips per load cell.")] = None,
     baud: Annotated[int, typer.Option(min=300, help="Bits per second.")] = 115_200,
     speed: Annotated[
-        float, typer.Option(min=0, help="Of a replay: 1 as recorded, 0 as fast as possible.")
+        float, typer.Option(min=0, help="Speed of a replay: 1 as recorded, 0 as fast as possible.")
     ] = 1.0,
     as_json: AsJson = False,
 ) -> None:
@@ -104,7 +105,7 @@ def material(
     out: Out = HERE,
     as_json: AsJson = False,
 ) -> None:
-    """Young's modulus of a silicone with its spread; solids fitted to a tensile test."""
+    """Young's modulus of a silicone with its uncertainty; models fitted to a tensile test."""
     from instobj.commands.material import describe_material
 
     show(describe_material(source, out), as_json)

@@ -1,4 +1,4 @@
-"""Commands that press chosen places of one object."""
+"""Commands that press one object at chosen contact locations."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ app = typer.Typer()
 def press(
     spec: Spec,
     xy: Annotated[
-        tuple[float, float] | None, typer.Option(help="Place in the face's frame, mm.")
+        tuple[float, float] | None, typer.Option(help="Contact location in the face's frame, mm.")
     ] = None,
     face: Annotated[int, typer.Option(help="Sensed face, 1 to 5.")] = 1,
-    depth: Annotated[float, typer.Option(help="Depth of the press, mm.")] = 2.0,
+    depth: Annotated[float, typer.Option(help="Indentation depth, mm.")] = 2.0,
     material: Annotated[
         str, typer.Option(help="neo-hookean, yeoh, ogden, or linear: small strain, any indenter.")
     ] = "neo-hookean",
@@ -28,11 +28,11 @@ def press(
     ] = "",
     at: Annotated[
         list[str] | None,
-        typer.Option(metavar="FACE:X,Y[,DEPTH]", help="linear: one more place; repeat it."),
+        typer.Option(
+            metavar="FACE:X,Y[,DEPTH]", help="linear: a further contact location; can be repeated."
+        ),
     ] = None,
-    force: Annotated[
-        float | None, typer.Option(help="linear: press each to this force, N.")
-    ] = None,
+    force: Annotated[float | None, typer.Option(help="linear: force of every press, N.")] = None,
     direction: Annotated[
         tuple[float, float] | None,
         typer.Option(help="linear: path leans towards the face's x and y, degrees."),
@@ -60,7 +60,7 @@ def press(
     if xy is None or at or force is not None or patch is not None:
         raise InputError(
             "--at, --force and --patch are for small strain: add --material linear, or give one "
-            "place with --xy and --depth"
+            "contact location with --xy and --depth"
         )
     from instobj.commands.presses.press import press_specification
 
@@ -76,14 +76,14 @@ def grasp(
     spec: Spec,
     jaw: Annotated[
         list[str],
-        typer.Option(metavar="FACE:X,Y[;X,Y]", help="Tips of one jaw; give it twice."),
+        typer.Option(metavar="FACE:X,Y[;X,Y]", help="Tips of one jaw; give the option twice."),
     ],
     force: Annotated[float, typer.Option(help="Force of each jaw, N.")],
     out: Out = HERE,
     as_json: AsJson = False,
     overrides: Overrides = None,
 ) -> None:
-    """A parallel-jaw grasp: forces, travel, what all sensors see, and the error of superposition."""
+    """A parallel-jaw grasp: forces, depths, signals of all sensors, error of superposition."""
     from instobj.commands.presses.grasp import grasp_specification
 
     show(grasp_specification(spec, jaw, force, out, overrides or []), as_json)
@@ -93,7 +93,7 @@ def grasp(
 def slip(
     spec: Spec,
     shift: Annotated[
-        tuple[float, float, float], typer.Option(help="Of the core in the shell, x y z, mm.")
+        tuple[float, float, float], typer.Option(help="Shift of the core in the shell, x y z, mm.")
     ] = (0.0, 0.0, 0.0),
     rotation: Annotated[
         tuple[float, float, float], typer.Option(help="Rotation vector about x y z, degrees.")
@@ -103,7 +103,7 @@ def slip(
     as_json: AsJson = False,
     overrides: Overrides = None,
 ) -> None:
-    """What a core that slipped after calibration costs: resting signals, false places and forces."""
+    """Cost of a core slip after calibration: baseline changes, localisation and force errors."""
     from instobj.commands.presses.slip import slip_specification
 
     show(slip_specification(spec, shift, rotation, rim, out, overrides or []), as_json)

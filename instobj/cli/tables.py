@@ -25,7 +25,7 @@ def print_result(result: dict[str, Any]) -> None:
             f"field at rest {row['largest_field_at_rest_mt']:g} of ±{row['range_mt']:g} mT"
         )
         console.print(
-            f"  modulus {row['modulus']}; force at a given travel: {row['force_at_a_travel']}"
+            f"  modulus {row['modulus']}; force at a given depth: {row['force_at_a_travel']}"
         )
         for line in surroundings_lines(row["surroundings"]):
             console.print(f"  {line}")
@@ -39,7 +39,7 @@ def print_result(result: dict[str, Any]) -> None:
         _print_files(console, item["files"])
     if "comparison" in result:
         console.rule("comparison")
-        title = "medians over all places, freshly zeroed unless said"
+        title = "medians over all contact locations, fresh baseline unless stated"
         _print_rows(console, title, _turned(result["comparison"]["rows"]))
         _print_files(console, result["comparison"]["files"])
     for title, rows in result.get("tables", {}).items():

@@ -46,7 +46,7 @@ def _row(spec: ObjectSpec, scores: PlaceScores) -> dict[str, Any]:
 
 
 def draw_comparison(specs: list[ObjectSpec], scores: list[PlaceScores], path: Path) -> None:
-    """Share of the places whose position bound stays below a value, one line an object (PNG)."""
+    """Share of contact locations whose position bound is below a value, one line per object (PNG)."""
     from matplotlib import colormaps
     from matplotlib.figure import Figure
 
@@ -60,7 +60,7 @@ def draw_comparison(specs: list[ObjectSpec], scores: list[PlaceScores], path: Pa
             label = spec.name if state == "fresh" else None
             axes.plot(bound, share, color=colour, ls=style, label=label)
     axes.set(xscale="log", ylim=(0, 100), xlabel="position bound (mm)")
-    axes.set_ylabel("places within the bound (%)")
+    axes.set_ylabel("contact locations with bound ≤ x (%)")
     axes.set_title(
         "How well contacts can be located: freshly zeroed (solid), after 15 min (dotted)"
     )

@@ -10,9 +10,9 @@ import numpy as np
 from instobj.figures.saving import save_figure
 
 _SCORES = {
-    "worst place mm": "position, worst place",
-    "median place mm": "position, median place",
-    "worst force N": "force, worst place",
+    "worst place mm": "position, worst location",
+    "median place mm": "position, median location",
+    "worst force N": "force, worst location",
     "next face σ": "presses of the next face",
 }
 

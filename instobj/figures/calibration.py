@@ -14,7 +14,7 @@ _PANELS = {"left by design %": "design", "left %": "calibrated twin"}
 
 
 def draw_calibration(spec: ObjectSpec, rows: list[dict[str, Any]], path: Path) -> None:
-    """A row of panels a face, one colour scale for all (PNG); nothing without a face."""
+    """A row of panels per face, one colour scale for all (PNG); nothing without a face."""
     if not rows:
         return
     from matplotlib.figure import Figure
@@ -35,7 +35,7 @@ def draw_calibration(spec: ObjectSpec, rows: list[dict[str, Any]], path: Path) -
             axes.set(title=f"face {row['face']}, {title}: median {np.median(left):.2g} %")
             axes.set(xlabel="x (mm)", ylabel="y (mm)", aspect="equal")
             axes.margins(0.12)
-    figure.colorbar(dots, ax=panels, label="signal left over beyond noise (%, rms)", shrink=0.8)
+    figure.colorbar(dots, ax=panels, label="residual signal beyond noise (%, rms)", shrink=0.8)
     figure.suptitle(
         f"{spec.name}: held-out locations: residual of the calibrated twin (darker is better)"
     )

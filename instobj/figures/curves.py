@@ -1,4 +1,4 @@
-"""Curves of the report: force against travel, and signal against force, at telling places."""
+"""Curves of the report: force against depth, and signal against force, by area."""
 
 from __future__ import annotations
 
@@ -38,10 +38,10 @@ def draw_press_curves(spec: ObjectSpec, signals: Signals, path: Path) -> None:
         _band(force_axes, signals.depth_mm, force[:, inside], colour, label)
         mean_force = np.median(force[:, inside], axis=(0, 1))
         _band(signal_axes, mean_force, size[:, inside], colour, label)
-    force_axes.set(xlabel="travel (mm)", ylabel="force (N)", title="Force and travel")
+    force_axes.set(xlabel="indentation depth (mm)", ylabel="force (N)", title="Force and depth")
     signal_axes.set(
         xlabel="force (N, median of the area)",
-        ylabel="signal change (σ of a fresh zero)",
+        ylabel="signal change (σ of a fresh baseline)",
         title="Signal of the face's own sensors",
     )
     for axes in (force_axes, signal_axes):
@@ -61,7 +61,7 @@ def _band(axes: Any, x: np.ndarray, values: np.ndarray, colour: str, label: str)
 
 
 def _whitened_size(spec: ObjectSpec, signals: Signals) -> np.ndarray:
-    """Length of each face's own signal change in units of a fresh zero's sigma."""
+    """Length of each face's own signal change in standard deviations of a fresh baseline."""
     from design.layout.positions import sensor_layout
 
     sigma = np.hypot(np.asarray(spec.sensors.noise_counts), spec.sensors.zeroing_counts)

@@ -1,4 +1,4 @@
-"""Figure of loads: force against travel of every press, and what every sensor sees."""
+"""Figure of loads: force against depth of every press, and the signals of all sensors."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ def _draw_travel(axes: Any, pressed: Pressed) -> None:
             axes.plot(alone.depth_mm, alone.force_n, "x", color=colour, ms=7)
     if pressed.alone:
         axes.plot([], [], "x", color="#555555", label="the same press alone")
-    axes.set(xlabel="travel (mm)", ylabel="force (N)", title="Force and travel")
+    axes.set(xlabel="indentation depth (mm)", ylabel="force (N)", title="Force and depth")
     axes.set_xlim(0)
     axes.set_ylim(0)
     axes.grid(alpha=0.3)
@@ -96,6 +96,6 @@ def _draw_signals(axes: Any, spec: ObjectSpec, change: np.ndarray) -> None:
     axes.set_xticks(place, [f"S{number}" for number in numbers], fontsize=8)
     axes.axhline(0, color="black", lw=0.6)
     axes.set(ylabel="change of signal (counts)")
-    axes.set_title("What the sensors see", pad=18)
+    axes.set_title("Signals of the sensors", pad=18)
     axes.grid(axis="y", alpha=0.3)
     axes.legend(frameon=False, ncols=3, fontsize=8)

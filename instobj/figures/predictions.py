@@ -1,4 +1,4 @@
-"""Readings of trained estimators on presses held out: force against the true one, place errors."""
+"""Readings of trained estimators on presses held out: force against the true one, localisation errors."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _BLUE, _RED, _GREY = "#1b6ca8", "#c8553d", "#777777"
 def draw_predictions(
     readings: Sequence[ContactReadings], source: Literal["simulated", "recorded"], path: Path
 ) -> None:
-    """One column per face: predicted against true force above, share of place errors below (PNG)."""
+    """One column per face: predicted against true force above, share of localisation errors below (PNG)."""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(max(3.3 * len(readings), 5.2), 7.2), layout="constrained")
@@ -29,8 +29,8 @@ def draw_predictions(
         _draw_forces(force_axes, one, 1.05 * float(largest))
         _draw_place_errors(place_axes, one)
     panels[0, 0].set_ylabel("predicted total force (N)")
-    panels[1, 0].set_ylabel("contact frames at most so far off (%)")
-    figure.suptitle(f"{source.capitalize()} presses held out of training: each frame with contact")
+    panels[1, 0].set_ylabel("contact frames with error ≤ x (%)")
+    figure.suptitle(f"{source.capitalize()} held-out presses: every frame with contact")
     save_figure(figure, path)
 
 
@@ -50,7 +50,7 @@ def _draw_place_errors(axes: Any, one: ContactReadings) -> None:
     for level, style in ((50, "--"), (90, ":")):
         at = float(np.percentile(away, level))
         axes.axvline(at, color=_RED, ls=style, lw=1, label=f"{level} %: {at:.2f} mm")
-    axes.set(xlabel="distance of the predicted place (mm)", ylim=(0, 102))
+    axes.set(xlabel="localisation error (mm)", ylim=(0, 102))
     axes.set_xlim(left=0)
     axes.set_title(f"{len(away)} frames of {one.presses} presses", fontsize=10)
     axes.grid(alpha=0.3)

@@ -1,4 +1,4 @@
-"""Ranked bars of the robustness budget: what hurts most, for the specification at hand."""
+"""Ranked bars of the robustness budget: the largest contributions of one specification."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 _ALONE, _ALL, _WORST = "#1b6ca8", "#5b5b5b", "#c8553d"
 _PANELS = (
-    ("false_place_mm", "false_place_worst_mm", 1.0, "false place (mm)"),
+    ("false_place_mm", "false_place_worst_mm", 1.0, "localisation error (mm)"),
     ("false_force_n", "false_force_worst_n", 1.0, "false force (N)"),
     ("signal", "signal_worst", 100.0, "signal change (%)"),
     ("baseline_counts", "baseline_worst_counts", 1.0, "resting level (counts)"),
@@ -36,7 +36,7 @@ def draw_robustness(spec: ObjectSpec, budget: Robustness, path: Path) -> None:
     title = "figures: typical / worst"
     figure.legend(handles, labels, loc="outside lower center", ncols=2, frameon=False, title=title)
     figure.suptitle(
-        f"{spec.name}: what one standard deviation of each tolerance does to a press of "
+        f"{spec.name}: effect of one standard deviation of each tolerance on a press of "
         f"{budget.force_n:g} N, read by an estimator calibrated on the design"
     )
     save_figure(figure, path)
@@ -51,7 +51,7 @@ def _draw_panel(axes: Any, rows: tuple[Spread, ...], median: str, worst: str, sc
         values,
         color=colours,
         height=0.7,
-        label="median place (resting level: rms of channels)",
+        label="median location (baseline: rms of channels)",
     )
     axes.plot(
         largest,
@@ -59,7 +59,7 @@ def _draw_panel(axes: Any, rows: tuple[Spread, ...], median: str, worst: str, sc
         "|",
         color=_WORST,
         markersize=11,
-        label="worst place (worst channel)",
+        label="worst location (worst channel)",
     )
     for index, (value, worst_value) in enumerate(zip(values, largest, strict=True)):
         axes.annotate(
@@ -102,5 +102,5 @@ def tolerance_text(spec: ObjectSpec, name: str) -> str:
         "temperature": f"{t.temperature_k:g} K",
         "earth_field": f"{t.earth_field_ut:g} µT, turned",
     }
-    whole = {"monte_carlo": "all at once (Monte Carlo)", "together": "root sum of squares"}
+    whole = {"monte_carlo": "all together (Monte Carlo)", "together": "root sum of squares"}
     return whole.get(name) or f"{CONTRIBUTIONS[name][1]} {sizes[name]}"

@@ -1,4 +1,4 @@
-"""Cost of a slipped core: resting signals of the sensors, and shares of wrong readings."""
+"""Cost of a slipped core: baseline changes of the sensors, and shares of errors."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ _COLOURS = {"fem": "#1b6ca8", "sensors-only": "#c8553d"}
 
 
 def draw_slip(spec: ObjectSpec, costs: dict[str, SlipCost], path: Path, title: str) -> None:
-    """Resting signal of every sensor, and how many places are read how wrongly (PNG)."""
+    """Resting signal of every sensor, and shares of localisation and force errors (PNG)."""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(11, 7), layout="constrained")
     grid = figure.add_gridspec(2, 2)
     _draw_sensors(figure.add_subplot(grid[0, :]), spec, costs)
-    _draw_shares(figure.add_subplot(grid[1, 0]), costs, "place_mm", "false place (mm)")
-    _draw_shares(figure.add_subplot(grid[1, 1]), costs, "force_n", "false force (N)")
+    _draw_shares(figure.add_subplot(grid[1, 0]), costs, "place_mm", "localisation error (mm)")
+    _draw_shares(figure.add_subplot(grid[1, 1]), costs, "force_n", "force error (N)")
     figure.suptitle(f"{spec.name}: {title}", fontsize=13)
     save_figure(figure, path)
 
@@ -41,15 +41,18 @@ def _draw_sensors(axes: Any, spec: ObjectSpec, costs: dict[str, SlipCost]) -> No
     axes.set_xticks(
         place, [f"{f}·{index % spec.sensors.count_per_face + 1}" for index, f in enumerate(face)]
     )
-    axes.set(xlabel="face · sensor", ylabel="change at rest (σ of white noise)")
+    axes.set(xlabel="face · sensor", ylabel="change of baseline (σ of white noise)")
     axes.legend(frameon=False, ncols=2)
     axes.spines[["top", "right"]].set_visible(False)
 
 
 def _draw_shares(axes: Any, costs: dict[str, SlipCost], what: str, label: str) -> None:
-    """Share of contact locations with an error of at most a limit, with the old and a new zero."""
+    """Share of contact locations with an error of at most a limit, with the old and a new baseline."""
     for model, cost in costs.items():
-        for prefix, style, zero in (("rezeroed", "-", "re-zeroed"), ("false", ":", "old zero")):
+        for prefix, style, zero in (
+            ("rezeroed", "-", "new baseline"),
+            ("false", ":", "old baseline"),
+        ):
             wrong = np.sort(getattr(cost, f"{prefix}_{what}").ravel())
             share = 100 * (np.arange(len(wrong)) + 1) / len(wrong)
             axes.plot(wrong, share, style, color=_COLOURS[model], label=f"{model}, {zero}")

@@ -76,7 +76,7 @@ def _draw_scatter(
         loc="upper center",
         bbox_to_anchor=(0.5, -0.16),
         ncols=2,
-        title="places pressed, x, y (mm)",
+        title="contact locations x, y (mm)",
         title_fontsize=7,
     )
 
@@ -106,5 +106,5 @@ def _draw_nulls(axes: Any, document: dict[str, Any]) -> None:
         axes.text(1.03, index, f"{row['value']:.2f}, p {row['p']:.2g}", va="center", fontsize=7.5)
     axes.set_yticks(range(len(rows)), [name for name, _ in rows], fontsize=7.5)
     axes.invert_yaxis()
-    axes.set(xlim=(0, 1), title="Blue: better than chance\nblack: places exchanged (null)")
+    axes.set(xlim=(0, 1), title="Blue: better than chance\nblack: permuted locations (null)")
     axes.spines[["top", "right"]].set_visible(False)

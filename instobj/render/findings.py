@@ -1,4 +1,4 @@
-"""Picture of the parts that fabrication checks found fault with, each failing place marked."""
+"""Findings of the fabrication checks as a picture: parts with each failing location marked."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def draw_findings(
     for axes in places:
         axes.set_axis_off()
     if not marked:
-        places[0].text(0.5, 0.5, "no place to mark: all checks pass", ha="center", fontsize=14)
+        places[0].text(0.5, 0.5, "nothing to mark: all checks pass", ha="center", fontsize=14)
     for axes, (part, found) in zip(places, marked.items(), strict=False):
         _draw_part(axes, part, meshes[part], found)
     save_figure(figure, png_path)

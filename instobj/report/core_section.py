@@ -13,22 +13,22 @@ from instobj.store import readers
 
 _MODELS = ("fem", "sensors-only")
 _ROWS = {
-    "resting signal, median sensor, counts": "baseline_median_counts",
-    "resting signal, worst sensor, counts": "baseline_largest_counts",
-    "resting signal, median sensor, σ": "baseline_median_sigma",
-    "resting signal, worst sensor, σ": "baseline_largest_sigma",
+    "baseline change, median sensor, counts": "baseline_median_counts",
+    "baseline change, worst sensor, counts": "baseline_largest_counts",
+    "baseline change, median sensor, σ": "baseline_median_sigma",
+    "baseline change, worst sensor, σ": "baseline_largest_sigma",
     "pattern of a press: cosine, median": "cosine_median",
-    "pattern of a press: cosine, worst place": "cosine_worst",
+    "pattern of a press: cosine, worst location": "cosine_worst",
     "size of a press's signal, smallest ratio": "size_ratio_smallest",
     "size of a press's signal, largest ratio": "size_ratio_largest",
-    "false place, mm, median, old zero": "false_place_mm_median",
-    "false place, mm, worst, old zero": "false_place_mm_worst",
-    "false force, N, median, old zero": "false_force_n_median",
-    "false force, N, worst, old zero": "false_force_n_worst",
-    "false place, mm, median, re-zeroed": "rezeroed_place_mm_median",
-    "false place, mm, worst, re-zeroed": "rezeroed_place_mm_worst",
-    "false force, N, median, re-zeroed": "rezeroed_force_n_median",
-    "false force, N, worst, re-zeroed": "rezeroed_force_n_worst",
+    "localisation error, mm, median, old baseline": "false_place_mm_median",
+    "localisation error, mm, worst, old baseline": "false_place_mm_worst",
+    "force error, N, median, old baseline": "false_force_n_median",
+    "force error, N, worst, old baseline": "false_force_n_worst",
+    "localisation error, mm, median, new baseline": "rezeroed_place_mm_median",
+    "localisation error, mm, worst, new baseline": "rezeroed_place_mm_worst",
+    "force error, N, median, new baseline": "rezeroed_force_n_median",
+    "force error, N, worst, new baseline": "rezeroed_force_n_worst",
 }
 
 FIGURES = tuple(_ROWS.values())

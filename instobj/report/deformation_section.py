@@ -50,7 +50,7 @@ def envelope_text(spec: ObjectSpec, protocol: dict[str, Any]) -> str:
     return (
         "Small-strain mechanics is off at the protocol's peaks: "
         + "; ".join(parts)
-        + f". Its force is 5 % off at {five:.1f} mm at the worst place, and less than 20 % off down to "
+        + f". Its force is 5 % off at {five:.1f} mm at the worst location, and less than 20 % off down to "
         f"{thickness / 2:g} mm. This is orientation: the largest of six neo-Hookean presses of the R5 "
         "hemisphere on a cube of 42 mm with a shell of 8 mm, scaled by depth over thickness. "
         'mechanics.correction = "large-strain" presses this object instead and corrects the table; '
@@ -59,7 +59,7 @@ def envelope_text(spec: ObjectSpec, protocol: dict[str, Any]) -> str:
 
 
 def correction_text(content: dict[str, Any]) -> str:
-    """What the correction gains, every place predicted from the others."""
+    """Gain of the correction, every location predicted from the others."""
     gains = []
     for name, title in (("force", "force"), ("shift", "shifts"), ("rotation", "rotations")):
         error = content["error"][name]
@@ -71,7 +71,7 @@ def correction_text(content: dict[str, Any]) -> str:
         )
     return (
         "All presses are corrected for large deformation by a fit to these (neo-Hookean, first face, "
-        "taken to hold on all). Error without and with the correction, each place predicted from the "
+        "taken to hold on all). Error without and with the correction, each location predicted from the "
         "others, root mean square over depths: "
         + "; ".join(gains)
         + ". Force as a share of itself; motions of the worst magnet as a share of the press's largest."

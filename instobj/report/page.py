@@ -162,7 +162,7 @@ def _areas(scores: PlaceScores) -> dict[str, Any]:
         ]
         for area in summarize_areas(scores)
     ]
-    header = ["area", "places per face", *columns.values(), "bound / centre's", "δ / centre's"]
+    header = ["area", "locations per face", *columns.values(), "bound / centre's", "δ / centre's"]
     return {"area_header": header, "areas": rows}
 
 
@@ -207,12 +207,12 @@ def _mechanics(
         ["model", f"{spec.mechanics.element}, magnets {spec.mechanics.magnets}, small strain, "
          f"correction: {spec.mechanics.correction}"],
         ["Young's modulus", modulus_text(spec)],
-        ["force at a given travel, for that spread", force_spread_text(spec)],
-        ["travel to the middle peak force, for that spread", travel_text(curves)],
+        ["force at a given depth, over that uncertainty range", force_spread_text(spec)],
+        ["depth at the middle peak force, over that range", travel_text(curves)],
         ["Poisson's ratio", f"{spec.silicone.poisson_ratio:g}"],
         ["depth at the protocol's peak forces", f"{protocol['shallowest_peak_mm']:.2f} to "
          f"{protocol['deepest_peak_mm']:.2f} mm"],
-        ["places whose peak is clamped to the deepest press", str(protocol["clamped_places"])],
+        ["locations whose peak is clamped to the deepest press", str(protocol["clamped_places"])],
     ]  # fmt: skip
 
 

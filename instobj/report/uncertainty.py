@@ -69,15 +69,15 @@ def modulus_text(spec: ObjectSpec) -> str:
     """The modulus with its interval and source, for a person."""
     silicone = spec.silicone
     spread = silicone.youngs_modulus_range_mpa
-    ends = f"{spread[0]:.3g} to {spread[1]:.3g}" if spread else "spread not known"
+    ends = f"{spread[0]:.3g} to {spread[1]:.3g}" if spread else "uncertainty not known"
     return f"{silicone.youngs_modulus_mpa:.3g} MPa ({ends}; {silicone.modulus_source})"
 
 
 def force_spread_text(spec: ObjectSpec) -> str:
-    """What the interval of the modulus does to the force at a given travel."""
+    """Effect of the modulus interval on the force at a given depth."""
     spread = spec.silicone.relative_spread
     if spread is None:
-        return "scales with the modulus, whose spread is not known"
+        return "scales with the modulus, whose uncertainty is not known"
     return f"{spread[0]:.2f} to {spread[1]:.2f} times what is shown"
 
 
@@ -91,7 +91,7 @@ def travel_text(curves: dict[str, Any]) -> str:
         deepest if spread[name] is None else f"{spread[name]:.2f} mm"
         for name in ("nominal_mm", "stiffest_mm", "softest_mm")
     )
-    return f"{at} ({least} to {most}) to {spread['force_n']:g} N at the median place"
+    return f"{at} ({least} to {most}) to {spread['force_n']:g} N at the median location"
 
 
 def robustness_summary(spec: ObjectSpec, folder: Path) -> dict[str, list[dict[str, Any]]]:
@@ -127,10 +127,10 @@ def budget_rows(spec: ObjectSpec, budget: Robustness) -> list[dict[str, Any]]:
 def bound_rows(budget: Robustness) -> list[dict[str, Any]]:
     """Bounds of the design, and their 5 and 95 % quantiles over drawn objects."""
     named = {
-        "place, median place, mm": budget.position_median_mm,
-        "place, worst place, mm": budget.position_worst_mm,
-        "force, median place, N": budget.force_median_n,
-        "force, worst place, N": budget.force_worst_n,
+        "position, median location, mm": budget.position_median_mm,
+        "position, worst location, mm": budget.position_worst_mm,
+        "force, median location, N": budget.force_median_n,
+        "force, worst location, N": budget.force_worst_n,
     }
     return [
         {"bound": name, "design": bound.design, "5 %": bound.low, "95 %": bound.high}

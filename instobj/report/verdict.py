@@ -55,7 +55,7 @@ def _position(spec: ObjectSpec, scores: PlaceScores) -> Check:
     weakest = weakest_place(scores)
     limit = spec.limits.position_bound_mm
     return Check(
-        f"Position bound at the weakest place, {spec.score.force_n:g} N, fresh zero",
+        f"Position bound at the weakest contact location, {spec.score.force_n:g} N, fresh baseline",
         f"{weakest.position_bound_mm:.2f} mm",
         f"≤ {limit:g} mm",
         weakest.position_bound_mm / limit,
@@ -70,11 +70,11 @@ def _detection(spec: ObjectSpec, scores: PlaceScores) -> Check:
     x, y = scores.grid.xy_mm[place]
     limit = spec.limits.detectable_force_n
     return Check(
-        "Smallest force detectable everywhere (five sigma off rest)",
+        "Smallest force detectable everywhere (five sigma from the baseline)",
         f"{force.max():.2f} N",
         f"≤ {limit:g} N",
         float(force.max() / limit),
-        f"face {scores.faces[face]} at ({x:g}, {y:g}) mm; median place {np.median(force):.2f} N",
+        f"face {scores.faces[face]} at ({x:g}, {y:g}) mm; median location {np.median(force):.2f} N",
     )
 
 
@@ -94,6 +94,6 @@ def _edge_weakness(scores: PlaceScores) -> str:
     ratio = areas["mid_edge"].ratio_to_centre["position_bound_fresh_mm"]
     corner = areas["corner"].ratio_to_centre["position_bound_fresh_mm"]
     return (
-        f"Mid-edge places know their position {ratio:.1f} times worse than the centre, corners "
+        f"The position bound is {ratio:.1f} times the centre's at mid-edge locations, in corners "
         f"{corner:.1f} times"
     )

@@ -104,7 +104,7 @@ STAGES: dict[str, Stage] = {
         make_shapes,
     ),
     "presses": Stage(
-        "mechanics: contact at every place and depth",
+        "mechanics: contact at every location and depth",
         ("mesh", "response", "large_strain"),
         ("contact_grid", "indenter", "press", "mechanics.slip"),
         make_presses,
@@ -181,7 +181,7 @@ STAGES: dict[str, Stage] = {
         make_shear_scores,
     ),
     "identify": Stage(
-        "sensitivity: several contacts at once",
+        "sensitivity: several simultaneous contacts",
         ("presses", "signals"),
         ("score", "limits.position_bound_mm"),
         make_identify,
@@ -215,7 +215,7 @@ STAGES: dict[str, Stage] = {
         make_collection,
     ),
     "pretraining": Stage(
-        "estimator: pre-training on twins",
+        "estimator: pre-training on virtual objects",
         ("presses",),
         (
             *("magnets", "sensors", "arrangement", "environment", "as_built", "tolerances"),

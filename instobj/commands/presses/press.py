@@ -226,7 +226,7 @@ def _largest_shift_mm(motion: np.ndarray) -> float:
 
 
 def draw_force_travel(press: LargeStrainPress, path: Path) -> None:
-    """Force against travel of both models (PNG)."""
+    """Force against depth of both models (PNG)."""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(5.2, 3.6), layout="constrained")
@@ -249,7 +249,7 @@ def draw_force_travel(press: LargeStrainPress, path: Path) -> None:
         label="linear, small strain",
     )
     axes.set(
-        xlabel="travel (mm)",
+        xlabel="indentation depth (mm)",
         ylabel="force (N)",
         title=f"Face {press.face}, ({press.x_mm:g}, {press.y_mm:g}) mm",
     )

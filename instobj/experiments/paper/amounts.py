@@ -116,7 +116,7 @@ def run_places(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
         rows,
         "labelled",
         {
-            "distance of the estimated place (mm)": {"mean distance mm": "mean"},
+            "localisation error (mm)": {"mean distance mm": "mean"},
             "total force error (% of the mean force)": {"total force %": "mean"},
         },
         headline(f"contacts anywhere on face {face}, {budget} labelled frames each", quick),

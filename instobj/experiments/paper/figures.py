@@ -21,7 +21,9 @@ _BOUND_COLOUR = "#9ab8cf"
 
 def headline(what: str, quick: bool) -> str:
     """A figure's title: that all but the paper's figures is simulated, and whether it is a look."""
-    return f"Simulated: {what}" + (" (quick form: a look, no result)" if quick else "")
+    return f"Simulated: {what}" + (
+        " (quick form: reduced resolution, for a preview only)" if quick else ""
+    )
 
 
 def draw_bars(
@@ -85,10 +87,10 @@ def draw_histograms(errors: dict[str, ContactErrors], title: str, path: Path) ->
             finite = np.sort(values[np.isfinite(values)])[::-1]
             share = (np.arange(len(finite)) + 1) / len(finite)
             axes.step(finite, share, where="post", color=colour, label=name)
-    left.set(xlabel="force error E_f (% of the place's range)", xscale="log", xlim=(0.05, 200))
-    left.set_ylabel("share of contacts with at least this error")
-    right.set(xlabel="location error E_loc (pixels)", xlim=(-0.2, None))
-    right.set_ylabel("share of frames with at least this error")
+    left.set(xlabel="force error E_f (% of the location's range)", xscale="log", xlim=(0.05, 200))
+    left.set_ylabel("share of contacts with error ≥ x")
+    right.set(xlabel="localisation error E_loc (pixels)", xlim=(-0.2, None))
+    right.set_ylabel("share of frames with error ≥ x")
     for axes in (left, right):
         axes.set(yscale="log", ylim=(1e-4, 1.3))
         axes.grid(alpha=0.3)
@@ -114,7 +116,7 @@ def draw_maps(
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(3.5 * len(maps), 3.6), layout="constrained")
-    figure.suptitle(title + "; dark is good", fontsize=10)
+    figure.suptitle(title + "; darker is better", fontsize=10)
     every = np.concatenate([values.ravel() for values in maps.values()])
     limits = {"vmin": float(np.nanmin(every)), "vmax": float(np.nanmax(every))} if alike else {}
     for axes, (name, values) in zip(
@@ -168,7 +170,7 @@ def draw_lines(
 def draw_scatter(
     panels: list[tuple[str, str, np.ndarray, np.ndarray, float]], title: str, path: Path
 ) -> None:
-    """Panels (x label, y label, x, y, rank correlation) on logarithmic axes, a point a place."""
+    """Panels (x label, y label, x, y, rank correlation) on logarithmic axes, one point per location."""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(4.2 * len(panels), 3.7), layout="constrained")

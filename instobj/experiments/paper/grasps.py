@@ -205,8 +205,8 @@ def _draw_sweep(sweeps: dict[str, dict[str, np.ndarray]], title: str, path: Path
             axes.axhline(TABLE_III[face][key], color=PAPER_COLOUR, ls=style, lw=1, label=label)
         axes.set(xlabel="force on the other face over its largest", ylim=(0, None))
         axes.grid(alpha=0.3)
-    panels[0].set(ylabel="force error E_f (% of the place's range)")
-    panels[1].set(ylabel="location error E_loc (pixels)")
+    panels[0].set(ylabel="force error E_f (% of the location's range)")
+    panels[1].set(ylabel="localisation error E_loc (pixels)")
     handles = panels[0].get_legend_handles_labels()
     figure.legend(*handles, loc="outside lower center", ncols=3, fontsize=8, frameon=False)
     figure.suptitle(title, fontsize=10)
@@ -219,7 +219,7 @@ def _draw_swap(rows: list[dict[str, Any]], title: str, path: Path) -> None:
     for row in rows:
         name = f"{row['arrangement']}, face {row['face']}"
         groups.setdefault(name, {"": name})[row["reads"]] = row["total force %"]
-    panels = {"total force error (% of the place's range)": {r: r for r in MODELS.values()}}
+    panels = {"total force error (% of the location's range)": {r: r for r in MODELS.values()}}
     draw_bars(list(groups.values()), "", panels, title, path)
 
 

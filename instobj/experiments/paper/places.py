@@ -134,7 +134,7 @@ def _draw_sensitivity(
         )
         for a, b in pairs
     ]
-    draw_scatter(panels, title + ", a point a place", folder / "correlation.png")
+    draw_scatter(panels, title + ", one point per location", folder / "correlation.png")
 
 
 def rank_correlation(a: np.ndarray, b: np.ndarray) -> float:
@@ -149,7 +149,7 @@ def rank_correlation(a: np.ndarray, b: np.ndarray) -> float:
 
 
 STUDIES = (
-    Study("location-wise", "Errors at every contact place of a face.", run_location_wise),
+    Study("location-wise", "Errors at every contact location of one face.", run_location_wise),
     Study(
         "force-sensitivity",
         "Maps of δ and the bounds, and how they rank the errors.",

@@ -1,4 +1,4 @@
-"""A core that slips in the shell after calibration: old zero, new zero, slip among the training."""
+"""A core slip after calibration: old baseline, new baseline, slips in the training data."""
 
 from __future__ import annotations
 
@@ -197,7 +197,7 @@ def _draw(rows: list[dict[str, Any]], objects: list[str], title: str, path: Path
         axes.bar_label(bars, fmt="%.3g", fontsize=8)
     axes.axhline(_AIM_PERCENT, color="0.4", lw=1, ls=":")
     axes.annotate("aim", (0.5, _AIM_PERCENT), color="0.4", va="bottom", ha="center")
-    axes.set(ylabel="total force error (% of the place's range)")
+    axes.set(ylabel="total force error (% of the location's range)")
     axes.set_xticks(range(len(objects)), objects)
     axes.margins(y=0.12)
     axes.legend(title="estimator", fontsize=8, loc="upper right")
@@ -206,5 +206,9 @@ def _draw(rows: list[dict[str, Any]], objects: list[str], title: str, path: Path
 
 
 STUDIES = (
-    Study("core-slip", "Total force after the core slipped, zeroed anew or not.", run_core_slip),
+    Study(
+        "core-slip",
+        "Total force after the core slipped, with and without a new baseline.",
+        run_core_slip,
+    ),
 )

@@ -63,20 +63,20 @@ def run_seen_unseen(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
             rows.append({"model": name, "places": places} | found)
             if places == "unseen":
                 maps[name] = errors
-    away = headline("distance of the estimated place at places never trained on (px)", quick)
+    away = headline("localisation error at locations without training presses (px)", quick)
     draw_maps(maps, away, folder / "unseen-places.png", alike=True)
     draw_bars(
         [row | {"test": f"{row['places']}, {row['model']}"} for row in rows],
         "test",
         {
-            "force error (% of the place's range)": {
+            "force error (% of the location's range)": {
                 "E_f %": "E_f",
                 "best E_f %": "its bound",
                 "total force %": "total force",
                 "paper E_f %": "E_f, paper (real object)",
             }
         },
-        headline("places trained on, and others", quick),
+        headline("locations with and without training presses", quick),
         folder / "seen-unseen.png",
     )
     texts = [
@@ -155,4 +155,8 @@ def place_distance_px(
     return away / pitch_mm, mm_to_pixel(data.centre_mm, frames.grid_x_mm, frames.grid_y_mm)
 
 
-STUDIES = (Study("seen-unseen", "The paper's Table II: places never trained on.", run_seen_unseen),)
+STUDIES = (
+    Study(
+        "seen-unseen", "The paper's Table II: locations without training presses.", run_seen_unseen
+    ),
+)

@@ -32,7 +32,7 @@ def draw_compliance(
     for name, values in shown.items():
         rigid = spec.mechanics.magnets == "rigid"
         what = "magnets rigid" if rigid else "magnets as ideal points"
-        title = f"How soft it is {with_magnets.depth_mm:g} mm deep: travel per newton"
+        title = f"Compliance {with_magnets.depth_mm:g} mm deep: indentation depth per newton"
         if name == WITHOUT_MAGNETS:
             what, title = "magnets left out (drawn where they would be)", f"{title}, no magnets"
         softest, stiffest = np.nanmax(values), np.nanmin(values)

@@ -40,7 +40,14 @@ SCORE_MAPS = (
         "detectable_force_fresh_n", "detectable", "Detectable force", "N", True, BOUND_COLOURS
     ),
     ScoreMap("delta_raw", "delta", "Convex-hull sensitivity δ", "", True, GAIN_COLOURS),
-    ScoreMap("stiffness_n_per_mm", "stiffness", "Force per travel", "N/mm", False, GAIN_COLOURS),
+    ScoreMap(
+        "stiffness_n_per_mm",
+        "stiffness",
+        "Force per indentation depth",
+        "N/mm",
+        False,
+        GAIN_COLOURS,
+    ),
 )
 
 
@@ -82,14 +89,14 @@ def _draw_overview(spec: ObjectSpec, scores: PlaceScores, path: Path) -> None:
         values,
         scores.faces,
         spec,
-        f"How well a contact of {spec.score.force_n:g} N can be located at best",
+        f"Position bound of a contact of {spec.score.force_n:g} N",
         "mm",
         *finite_limits(values),
         path,
         colours=BOUND_COLOURS,
         direction_deg=scores.weakest_direction_deg,
         note=(
-            f"Cramér–Rao bound √(σx² + σy²) from {whose} sensors, freshly zeroed. Weakest: "
+            f"Cramér–Rao bound √(σx² + σy²) from {whose} sensors, fresh baseline. Weakest: "
             f"{weakest.position_bound_mm:.2f} mm on face {weakest.face} at "
             f"({weakest.x_mm:g}, {weakest.y_mm:g}) mm."
             + (" ∞: blind, along the line." if not np.isfinite(values).all() else "")
@@ -98,17 +105,17 @@ def _draw_overview(spec: ObjectSpec, scores: PlaceScores, path: Path) -> None:
 
 
 def draw_shear_maps(spec: ObjectSpec, scores: ShearScores, folder: Path) -> None:
-    """Overviews of the place's and of the tangential force's bound where both are unknown."""
-    asked = f"place, normal and tangential force all unknown, {spec.score.force_n:g} N"
+    """Overviews of the position and tangential-force bounds where both are unknown."""
+    asked = f"location, normal and tangential force all unknown, {spec.score.force_n:g} N"
     draw_overview(
         scores.position_bound_fresh_mm,
         scores.faces,
         spec,
-        "Position bound where the tip may also pull along the surface",
+        "Position bound with tangential force",
         "mm",
         *finite_limits(scores.position_bound_fresh_mm),
         folder / "position_bound_sheared_overview.png",
-        note=f"Cramér–Rao bound √(σx² + σy²), freshly zeroed: {asked}.",
+        note=f"Cramér–Rao bound √(σx² + σy²), fresh baseline: {asked}.",
     )
     draw_overview(
         scores.tangential_force_bound_fresh_n,
@@ -118,12 +125,12 @@ def draw_shear_maps(spec: ObjectSpec, scores: ShearScores, folder: Path) -> None
         "N",
         *finite_limits(scores.tangential_force_bound_fresh_n),
         folder / "tangential_force_bound_overview.png",
-        note=f"Cramér–Rao bound √(σFx² + σFy²), freshly zeroed: {asked}.",
+        note=f"Cramér–Rao bound √(σFx² + σFy²), fresh baseline: {asked}.",
     )
 
 
 def draw_cross_face_map(spec: ObjectSpec, cross: CrossFace, folder: Path) -> None:
-    """Overview of what a press at each place does to the other face that it disturbs most.
+    """Overview of the disturbance by a press at each location of the most affected other face.
 
     None is drawn of an object with one sensed face.
     """
@@ -142,12 +149,12 @@ def draw_cross_face_map(spec: ObjectSpec, cross: CrossFace, folder: Path) -> Non
         largest,
         faces,
         spec,
-        f"What a press of {cross.force_n:g} N does to the worst disturbed other face",
-        "σ of a fresh zero",
+        f"Disturbance of the most affected other face by a press of {cross.force_n:g} N",
+        "σ of a fresh baseline",
         *finite_limits(largest),
         folder / "cross_face_overview.png",
         note=(
-            "Length of the signal change in the other face's own channels. Median over all places, "
+            "Length of the signal change in the other face's own channels. Median over all locations, "
             f"{told}."
         ),
     )

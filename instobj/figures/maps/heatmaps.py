@@ -1,4 +1,4 @@
-"""Maps of a score over the contact places, with the magnets and sensors that cause it.
+"""Maps of a score over the contact locations, with the magnets and sensors that cause it.
 
 Each face is seen from outside with its own x to the right and y up.
 """

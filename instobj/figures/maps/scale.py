@@ -11,7 +11,7 @@ from jaxtyping import Float
 from design.errors import InputError
 
 BOUND_COLOURS = "magma_r"
-"""Perceptually uniform; dark is a large bound, that is a weak place."""
+"""Perceptually uniform; dark is a large bound, that is a weak location."""
 GAIN_COLOURS = "viridis"
 """Perceptually uniform; dark is a low value."""
 
@@ -40,7 +40,9 @@ def finite_limits(values: Float[np.ndarray, "*any"]) -> tuple[float, float]:
     """
     finite = values[np.isfinite(values)]
     if not finite.size:
-        raise InputError("nothing to draw: no value is finite. Check the scores for blind places")
+        raise InputError(
+            "nothing to draw: no value is finite. Check the scores for blind locations"
+        )
     return float(finite.min()), float(finite.max())
 
 

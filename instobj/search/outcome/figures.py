@@ -21,14 +21,14 @@ _BEST, _RANDOM, _START = "#1f77d0", "#c46a1b", "#77736b"
 _SENSOR = "#0a8f5a"
 _FACE = 1
 LABELS = {
-    "worst_position_bound_mm": "worst place, position bound (mm)",
-    "median_position_bound_mm": "median place, position bound (mm)",
-    "worst_force_bound_n": "worst place, force bound (N)",
+    "worst_position_bound_mm": "worst location, position bound (mm)",
+    "median_position_bound_mm": "median location, position bound (mm)",
+    "worst_force_bound_n": "worst location, force bound (N)",
     "cross_face_sigma": "disturbance of the next face (σ)",
     "sensitivity_ratio": "δ, 5th over 50th percentile",
-    "edge_position_bound_mm": "outermost places, mean position bound (mm)",
-    "slip_place_mm": "place error by a core slip of 1 mm (mm)",
-    "tolerance_place_mm": "place error within tolerance (mm)",
+    "edge_position_bound_mm": "outermost locations, mean position bound (mm)",
+    "slip_place_mm": "localisation error by a core slip of 1 mm (mm)",
+    "tolerance_place_mm": "localisation error within tolerance (mm)",
     "compliance_deviation": "deviation from the wanted compliance (relative)",
     "cost": "cost of the parts",
 }

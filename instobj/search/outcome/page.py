@@ -122,7 +122,7 @@ def _maps(found: Promotion, results: ChainResults, folder: Path) -> list[tuple[s
             "mm",
             *finite_limits(every),
             path,
-            note=f"Worst place {worst:.2f} mm, median {middle:.2f} mm, freshly zeroed.",
+            note=f"Worst location {worst:.2f} mm, median {middle:.2f} mm, fresh baseline.",
         )
         pictures.append((when, path))
     return pictures

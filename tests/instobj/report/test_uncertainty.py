@@ -51,12 +51,12 @@ def test_the_note_says_what_was_compared():
 def test_the_spread_in_words():
     assert modulus_text(SPEC).startswith("0.414 MPa (0.15 to 0.54; Gent's relation")
     assert force_spread_text(SPEC) == "0.36 to 1.30 times what is shown"
-    assert modulus_text(UNKNOWN) == "2 MPa (spread not known; given)"
+    assert modulus_text(UNKNOWN) == "2 MPa (uncertainty not known; given)"
     assert "not known" in force_spread_text(UNKNOWN)
 
 
 def test_the_depth_at_a_force_in_words():
     travel = {"force_n": 15.0, "nominal_mm": 2.5, "stiffest_mm": 1.917, "softest_mm": None}
     told = travel_text({"travel": travel, "deepest_press_mm": 4.0})
-    assert told == "2.50 mm (1.92 mm to more than 4 mm) to 15 N at the median place"
+    assert told == "2.50 mm (1.92 mm to more than 4 mm) to 15 N at the median location"
     assert travel_text({"travel": None, "deepest_press_mm": 4.0}) == "not known"
