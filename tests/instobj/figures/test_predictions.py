@@ -1,4 +1,4 @@
-"""The picture after an evaluation: every frame at its forces, errors of place as shares."""
+"""The picture after an evaluation: every frame at its forces, localisation errors as shares."""
 
 import numpy as np
 from numpy.testing import assert_allclose
@@ -7,7 +7,7 @@ from estimator.networks.prediction import ContactReadings
 from instobj.figures import predictions
 
 
-def test_each_face_has_its_forces_and_its_shares_of_place_errors(monkeypatch, tmp_path):
+def test_each_face_has_its_forces_and_its_shares_of_localisation_errors(monkeypatch, tmp_path):
     kept = []
     monkeypatch.setattr(predictions, "save_figure", lambda figure, path: kept.append(figure))
     one = ContactReadings(
@@ -16,7 +16,7 @@ def test_each_face_has_its_forces_and_its_shares_of_place_errors(monkeypatch, tm
     two = ContactReadings(4, np.array([5.0]), np.array([12.0]), np.array([0.5]), 1)
     predictions.draw_predictions([one, two], "recorded", tmp_path / "a.png")
     force, other, place, _ = kept[0].axes
-    assert kept[0].get_suptitle().startswith("Recorded presses held out")
+    assert kept[0].get_suptitle().startswith("Recorded held-out presses")
     assert force.get_title() == "Face 2: median error 0.50 N"
     assert other.get_title() == "Face 4: median error 7.00 N"
     equal, dots = force.lines
