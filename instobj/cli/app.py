@@ -158,6 +158,31 @@ def score(
     _chain(specs, stages, out, as_json, [*with_as_built(overrides, as_built), *more])
 
 
+@app.command()
+def store(
+    verify: Annotated[
+        bool, typer.Option("--verify", help="Read all files and compare them with their hashes.")
+    ] = False,
+    free: Annotated[
+        str | None,
+        typer.Option(metavar="SIZE", help="Remove this much, least recently used first: 5GB."),
+    ] = None,
+    older_than: Annotated[
+        str | None,
+        typer.Option(metavar="AGE", help="Remove only what was not used for so long: 30d."),
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
+    """List stored results, verify them, free space; what a running process uses stays."""
+    from instobj.commands.stored import look_after_store
+    from instobj.store.content import store_root
+
+    result = look_after_store(store_root(), verify, free, older_than)
+    show(result, as_json)
+    if result["damaged"]:
+        raise typer.Exit(1)
+
+
 app.add_typer(cli_estimators.app)
 app.add_typer(cli_presses.app)
 app.add_typer(cli_hardware.app)

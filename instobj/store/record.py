@@ -19,6 +19,10 @@ class DamagedResult(StoreError):
     """A stored result that is not what was stored; the text says what is wrong with it."""
 
 
+class UnhashedResult(DamagedResult):
+    """A result of an earlier version, whose record holds no hashes."""
+
+
 def write_record(folder: Path, stage: str, key: str, seconds: float, inputs: dict[str, Any]) -> str:
     """Record the files of a folder, all of it on the disk when this returns.
 
@@ -53,14 +57,16 @@ def read_record(folder: Path) -> dict[str, Any]:
     try:
         record = json.loads((folder / RECORD).read_text(encoding="utf-8"))
         rest = {name: value for name, value in record.items() if name != "digest"}
-        intact = record["digest"] == content_key(rest)
+        digest = record.get("digest")
     except (FileNotFoundError, NotADirectoryError):
         raise DamagedResult(f"{RECORD} is missing") from None
     except PermissionError:
         raise _unreadable(folder / RECORD) from None
-    except (OSError, ValueError, KeyError, AttributeError, RecursionError):
+    except (OSError, ValueError, AttributeError, RecursionError):
         raise DamagedResult(f"{RECORD} cannot be read") from None
-    if not intact:
+    if digest is None:
+        raise UnhashedResult(f"{RECORD} holds no hashes")
+    if digest != content_key(rest):
         raise DamagedResult(f"{RECORD} was changed")
     return record
 
