@@ -63,7 +63,7 @@ def made_up_presses(spec: ObjectSpec) -> tuple[PressForces, MagnetMotions]:
 def on_the_contact_grid(
     presses: tuple[PressForces, MagnetMotions], spec: ObjectSpec
 ) -> tuple[PressForces, MagnetMotions]:
-    """Presses at the 100 contact places of every face alone."""
+    """Presses at the 100 contact locations of every face alone."""
     (forces, motions), places = presses, grid_places_in_lattice(spec)
     shared = (forces.faces, contact_grid(spec), forces.depth_mm)
     force = forces.force_n[:, places]

@@ -25,7 +25,7 @@ _LARGEST_BYTES = 250_000
 def load_spec(path: Path | str, overrides: Iterable[str] = (), table: bool = True) -> ObjectSpec:
     """Read a specification and apply `key=value` overrides (dotted keys, TOML values).
 
-    Without `table`, the indenter need not fit at every contact place: for single presses.
+    Without `table`, the indenter need not fit at every contact location: for single presses.
 
     What was measured on the built object, `<specification>.as_built.toml` beside it, is read too.
 
@@ -97,7 +97,7 @@ def parse_spec(content: dict[str, Any], source: str, table: bool = True) -> Obje
 def check(spec: ObjectSpec, table: bool = True) -> ObjectSpec:
     """Check that core, pockets, sensors, presses and mould fit together; the specification again.
 
-    Without `table`, the indenter need not fit at every contact place: for single presses.
+    Without `table`, the indenter need not fit at every contact location: for single presses.
 
     Raises
     ------

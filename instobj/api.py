@@ -140,7 +140,7 @@ def compare(specs: Sequence[ObjectSpec]) -> xr.Dataset:
     -------
     Dataset (object, statistic)
         `position_bound_mm` (mm), `force_bound_n` (N) and `detectable_force_n` (N), freshly tared:
-        the median and the largest over all contact places; `share_within_limit` (object): of the
+        the median and the largest over all contact locations; `share_within_limit` (object): of the
         places whose position bound is within `limits.position_bound_mm` of the specification.
 
     Raises

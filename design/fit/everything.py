@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 def require_fit(spec: ObjectSpec, table: bool = True) -> None:
     """Raise ValueError with what does not fit, what was given and how to fix it.
 
-    Without `table`, whether the indenter can be pressed at every contact place is left open.
+    Without `table`, whether the indenter can be pressed at every contact location is left open.
     """
     cuboid = body_of(spec).cuboid
     if cuboid:

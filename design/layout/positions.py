@@ -1,4 +1,4 @@
-"""Contact places, magnets and sensors in the object's frame, as designed and as built.
+"""Contact locations, magnets and sensors in the object's frame, as designed and as built.
 
 Every array that is indexed by magnet or sensor runs face by face, in the order of the
 specification within a face. Sensors see the layout as built; mechanics goes on with the design: a
@@ -25,7 +25,7 @@ from design.spec.worked_out import once
 
 @dataclass(frozen=True)
 class PlaceGrid:
-    """A rectangular grid of contact places on a face; place index = ix · len(y_mm) + iy."""
+    """A rectangular grid of contact locations on a face; place index = ix · len(y_mm) + iy."""
 
     x_mm: Float[np.ndarray, "nx"]
     y_mm: Float[np.ndarray, "ny"]
@@ -55,7 +55,7 @@ def contact_grid(spec: ObjectSpec) -> PlaceGrid:
 def press_lattice(spec: ObjectSpec) -> PlaceGrid:
     """The contact grid refined by two, with half a pitch of margin: (2n + 1) places an axis.
 
-    Contact place (X, Y) is lattice place (2X + 1, 2Y + 1). Signals between places are
+    Contact location (X, Y) is lattice place (2X + 1, 2Y + 1). Signals between places are
     interpolated on this lattice, and derivatives in x and y are taken on it.
     """
     grid = spec.contact_grid
@@ -65,7 +65,7 @@ def press_lattice(spec: ObjectSpec) -> PlaceGrid:
 
 @once
 def grid_places_in_lattice(spec: ObjectSpec) -> Int[np.ndarray, "place"]:
-    """Lattice place of each contact place, in the order of the contact grid."""
+    """Lattice place of each contact location, in the order of the contact grid."""
     nx, ny = spec.contact_grid.count
     ix, iy = np.meshgrid(2 * np.arange(nx) + 1, 2 * np.arange(ny) + 1, indexing="ij")
     return (ix * (2 * ny + 1) + iy).ravel()

@@ -28,7 +28,7 @@ _TRIANGLES: tuple[ProbePose, ...] = (
 class CollectionSpec(SpecPart):
     """Simulated recordings, `instobj frames`.
 
-    "paper": on each of `faces` every contact place, the probes of two and three tips at
+    "paper": on each of `faces` every contact location, the probes of two and three tips at
     `dual_poses` and `triple_poses`, and `non_contact_cases`; `frames_per_case` frames each, at one
     periodic travel for all (Knopke et al., RA-L 2024). The poses spread rows and columns near the
     borders and in the middle. "grasp": probes of one, two and three tips on both of `grasp_faces`,

@@ -49,7 +49,7 @@ class ContactCase:
 
 
 def paper_cases(spec: ObjectSpec, face: int) -> list[ContactCase]:
-    """Every contact place on its own, then the poses of the probes of two and three tips."""
+    """Every contact location on its own, then the poses of the probes of two and three tips."""
     ids = 1000 * face
     cases = [
         _probe(face, xy[None], ids + place) for place, xy in enumerate(contact_grid(spec).xy_mm)

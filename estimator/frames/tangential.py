@@ -1,7 +1,7 @@
 """Tangential forces in simulated frames: signals per newton along the face, at any place and force.
 
-They come from the contact places alone (`estimator.information.shear`), a grid twice as coarse as that of the
-presses, by the same interpolation.
+They come from the contact locations alone (`estimator.information.shear`), a grid twice as coarse as that
+of the presses, by the same interpolation.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ def slope_traces(
     Raises
     ------
     InputError
-        A place beyond the outermost contact places.
+        A place beyond the outermost contact locations.
     """
     force = signals.force_n[:, grid_places_in_lattice(spec)]
     found = []

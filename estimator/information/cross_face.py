@@ -59,7 +59,7 @@ class CrossFace:
 
 
 def cross_face_disturbance(spec: ObjectSpec, signals: Signals, force_n: float = 10.0) -> CrossFace:
-    """Every sensed face read while every other is pressed at each contact place.
+    """Every sensed face read while every other is pressed at each contact location.
 
     Places that do not reach `force_n` within the deepest press are pressed to that depth.
     """

@@ -1,4 +1,4 @@
-"""Cramér–Rao bounds of contact place and force, and the smallest force that can be detected.
+"""Cramér–Rao bounds of contact location and force, and the smallest force that can be detected.
 
 Signals S(x, y, F), or S(x, y, F, Fx, Fy) with tangential forces, with Gaussian disturbances of
 covariance Σ carry the Fisher information I = Jᵀ Σ⁻¹ J, J the derivatives of S by the parameters; no

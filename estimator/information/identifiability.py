@@ -126,7 +126,7 @@ def comparable_sensor_counts(spec: ObjectSpec) -> tuple[int, ...]:
 
 
 def spread_places(spec: ObjectSpec) -> Int[np.ndarray, "place"]:
-    """Contact places spread evenly over the face, five an axis at most."""
+    """Contact locations spread evenly over the face, five an axis at most."""
     nx, ny = spec.contact_grid.count
     ix, iy = (
         np.unique(np.linspace(0, n - 1, _PLACES_AN_AXIS).round()).astype(int) for n in (nx, ny)
@@ -169,7 +169,7 @@ def whitened_jacobians(
     places: Int[np.ndarray, "place"],
     sensors: int,
 ) -> tuple[FaceJacobians, ...]:
-    """Derivatives at some contact places for another number of sensors per face."""
+    """Derivatives at some contact locations for another number of sensors per face."""
     ring = spec.sensors
     if sensors != ring.count_per_face:
         ring = ring.changed(count_per_face=sensors, positions_mm=None)

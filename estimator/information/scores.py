@@ -1,4 +1,4 @@
-"""Scores of the contact places: sensitivity δ, Cramér–Rao bounds and detectable forces."""
+"""Scores of the contact locations: sensitivity δ, Cramér–Rao bounds and detectable forces."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ _COVARIANCE_SAMPLES = 64
 
 @dataclass(frozen=True)
 class PlaceScores:
-    """Scores of every contact place; arrays are (face, place) of the contact grid.
+    """Scores of every contact location; arrays are (face, place) of the contact grid.
 
     Attributes
     ----------
@@ -95,7 +95,7 @@ class AreaSummary:
 def score_places(
     spec: ObjectSpec, signals: Signals, progress: Callable[[str], None] | None = None
 ) -> PlaceScores:
-    """Score every contact place; bounds and detectable forces from `score.channels`.
+    """Score every contact location; bounds and detectable forces from `score.channels`.
 
     Raises
     ------
@@ -172,7 +172,7 @@ def _sensitivities(
 
 
 def weakest_place(scores: PlaceScores) -> WeakestPlace:
-    """Where the freshly zeroed object knows the contact place least."""
+    """Where the freshly zeroed object knows the contact location least."""
     bound = scores.position_bound_fresh_mm
     face, place = (int(i) for i in np.unravel_index(np.argmax(bound), bound.shape))
     x, y = scores.grid.xy_mm[place]

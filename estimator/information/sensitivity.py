@@ -1,4 +1,4 @@
-"""Convex-hull sensitivity δ of contact places (Knopke et al., RA-L 2024).
+"""Convex-hull sensitivity δ of contact locations (Knopke et al., RA-L 2024).
 
 δ = ConvexHullVolume(S ∈ R^(N×d)) / range(F), with S the signals of the face's own d channels in N
 frames of one place. The volume exists only because of noise: a noise-free press traces a curve.

@@ -33,7 +33,7 @@ _STEP_N = 0.2
 
 @dataclass(frozen=True)
 class ShearSignals:
-    """Change of counts per newton along the face's x and y, at every contact place and depth.
+    """Change of counts per newton along the face's x and y, at every contact location and depth.
 
     `counts_per_n` (face, place, step, tangent, sensor, axis); `depth_mm` (step,).
     """
@@ -111,7 +111,7 @@ def carry_over_missing(per_n: Float[np.ndarray, "place node value"]) -> None:
 
 
 def score_shear(spec: ObjectSpec, signals: Signals, shear: ShearSignals) -> ShearScores:
-    """Bounds of all five parameters at every contact place, from `score.channels`."""
+    """Bounds of all five parameters at every contact location, from `score.channels`."""
     rows, live = [], live_channels(spec).ravel()
     for face in signals.faces.tolist():
         jacobian = contact_jacobian(spec, signals, shear, face)

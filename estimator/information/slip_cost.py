@@ -55,7 +55,7 @@ class SlipCost:
 
 
 def slip_cost(spec: ObjectSpec, calibrated: Signals, slipped: Signals) -> SlipCost:
-    """Compare at every contact place at `score.force_n`, or what both presses reach.
+    """Compare at every contact location at `score.force_n`, or what both presses reach.
 
     `calibrated` and `slipped` are of one object, press lattice and set of depths.
     """

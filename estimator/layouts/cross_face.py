@@ -36,7 +36,7 @@ def neighbour_disturbance(
 ) -> Float[Tensor, "layout neighbour place"]:
     """Length of the change of each neighbour's own signals, in units of a fresh zero.
 
-    Presses of `CROSS_FACE_FORCE_N` at every contact place, in proportion to the stored ones;
+    Presses of `CROSS_FACE_FORCE_N` at every contact location, in proportion to the stored ones;
     differentiable. On the paper's cube the median over neighbours and places is 5 % off the full
     chain's.
     """

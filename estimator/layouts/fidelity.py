@@ -43,7 +43,7 @@ class FidelityScore:
     Attributes
     ----------
     worst_position_bound_mm, median_position_bound_mm, worst_force_bound_n : Cramér–Rao bounds over
-        the contact places of all faces at `score.force_n`, freshly zeroed
+        the contact locations of all faces at `score.force_n`, freshly zeroed
     cross_face_sigma : what presses of 10 N on an adjacent face do to a face's own channels, in
         units of a fresh zero; median over pairs of faces and places
     sensitivity_ratio : 5th over 50th percentile of δ over the places of all faces

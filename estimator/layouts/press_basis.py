@@ -77,7 +77,7 @@ def press_basis(
 
     Between and beyond the stored forces motions go on straight, so that places that the presses
     could not load to `score.force_n` count as if they could. Derivatives in x and y are those of
-    cubic splines through the contact places, at constant force.
+    cubic splines through the contact locations, at constant force.
 
     Parameters
     ----------

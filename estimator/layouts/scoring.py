@@ -42,7 +42,7 @@ class LayoutScore:
     Attributes
     ----------
     worst_position_bound_mm, median_position_bound_mm, worst_force_bound_n : Cramér–Rao bounds over
-        the contact places, at the basis's force
+        the contact locations, at the basis's force
     sensitivity_ratio : 5th over 50th percentile of δ (covariance form, white noise) over the places
     largest_resting_counts : largest magnitude of any own channel at rest, counts
     """
@@ -56,7 +56,7 @@ class LayoutScore:
 
 @dataclass(frozen=True)
 class PlaceInformation:
-    """Bounds and δ (up to a factor that is the same everywhere) of every contact place."""
+    """Bounds and δ (up to a factor that is the same everywhere) of every contact location."""
 
     position_bound_mm: Float[Tensor, "layout place"]
     force_bound_n: Float[Tensor, "layout place"]
@@ -153,7 +153,7 @@ def score_layouts(scorer: LayoutScorer, layouts: Layouts, chunk: int = _CHUNK) -
 
 
 def place_information(scorer: LayoutScorer, layouts: Layouts) -> PlaceInformation:
-    """Bounds and δ at every contact place, all layouts at once."""
+    """Bounds and δ at every contact location, all layouts at once."""
     changes = press_changes(scorer, layouts)
     by_parameter = changes.by_parameter
     position, force = _bounds(by_parameter[:, :, :3])

@@ -42,7 +42,7 @@ _SIGNALS = FileKind(
     coordinates={"face": ("face", ""), "depth_mm": ("step", "mm")},
 )
 _GRID_SIGNALS = FileKind(
-    "signals of contact places",
+    "signals of contact locations",
     {
         "force_n": (_PER_PRESS, "N"),
         "delta_counts": (_CHANNEL, "count"),
@@ -195,7 +195,7 @@ def load_signals(path: Path | str) -> Signals:
 
 
 def save_grid_signals(spec: ObjectSpec, signals: Signals, path: Path | str, seed: int) -> None:
-    """Write the signals of the contact places alone, with one simulated reading of each press.
+    """Write the signals of the contact locations alone, with one simulated reading of each press.
 
     `reading_counts` is noisy, rounded and clipped to the sensor's full scale (`hall.read_out`);
     `delta_counts` and `baseline_counts` are the expected counts behind it.

@@ -56,7 +56,7 @@ def simulate_candidates(
     force_shares: Sequence[float] = FORCE_SHARES,
     progress: Progress | None = None,
 ) -> CandidateMotions:
-    """Press every contact place on a magnet-free mesh, record every candidate, write the folder.
+    """Press every contact location on a magnet-free mesh, record every candidate, write the folder.
 
     Presses go to `force_shares` of `spec.score.force_n`, or of less where the deepest simulated
     press does not reach the largest of them. Between simulated depths pressures are interpolated
@@ -94,7 +94,7 @@ def simulate_candidates(
 def presses_at_forces(
     spec: ObjectSpec, response: ResponseOperator, face_index: int, force_shares: Sequence[float]
 ) -> PressesAtForce:
-    """Contact at shares of the score's force at every contact place of one face.
+    """Contact at shares of the score's force at every contact location of one face.
 
     Raises
     ------

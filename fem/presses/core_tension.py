@@ -72,7 +72,7 @@ def largest_core_tension(
 
 
 def core_tension(spec: ObjectSpec, response: ResponseOperator) -> CoreTension:
-    """The largest over all contact places of all faces, each pressed to the deepest depth.
+    """The largest over all contact locations of all faces, each pressed to the deepest depth.
 
     The press that has it is repeated on a core that only pushes.
 

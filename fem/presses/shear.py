@@ -46,7 +46,7 @@ _SHEAR = FileKind(
 
 @dataclass(frozen=True)
 class ShearMotions:
-    """Motion of every magnet per newton of tangential force at every contact place and depth.
+    """Motion of every magnet per newton of tangential force at every contact location and depth.
 
     `motion_per_n` (face, place, step, tangent, magnet, 6): mm and rad per N along the face's x and
     y, in the object's frame; zero where the press found no contact.
@@ -63,7 +63,7 @@ def simulate_shear(
     response: ResponseOperator,
     per_traction: Float[np.ndarray, "vertex 2 component"],
 ) -> ShearMotions:
-    """Tangential forces at the contact places, at the pressures of frictionless presses.
+    """Tangential forces at the contact locations, at the pressures of frictionless presses.
 
     `per_traction` comes from `motions_under_traction`.
 

@@ -246,7 +246,7 @@ def require_on_face(
         raise InputError(
             f"the {indenter.kind} pressed at ({x:g}, {y:g}) mm hangs over the border of face "
             f"{number} (±{high[0]:.3g}, ±{high[1]:.3g} mm). Move the press inwards, or use "
-            "fewer contact places or a smaller indenter"
+            "fewer contact locations or a smaller indenter"
         )
 
 

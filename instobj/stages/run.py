@@ -65,7 +65,7 @@ class Run:
 
     Examples
     --------
-    A small object: one sensed face with 3 × 3 contact places, on a coarse mesh.
+    A small object: one sensed face with 3 × 3 contact locations, on a coarse mesh.
 
     >>> import instobj
     >>> tiny = instobj.ObjectSpec(
@@ -162,7 +162,7 @@ class Run:
 
     @property
     def signals(self) -> xr.Dataset:
-        """What every sensor reads in every press of a contact place.
+        """What every sensor reads in every press of a contact location.
 
         Dimensions: face, place (with `x_mm`, `y_mm`), step (with `depth_mm`), sensor (all faces,
         with `sensor_face`), axis (X, Y, Z of the chip). Variables: `force_n` (N), `delta_counts`,
@@ -176,7 +176,7 @@ class Run:
 
     @property
     def scores(self) -> xr.Dataset:
-        """Cramér–Rao bounds and sensitivity of every contact place.
+        """Cramér–Rao bounds and sensitivity of every contact location.
 
         Dimensions: face, place (with `x_mm`, `y_mm` in the face's frame). Variables, each freshly
         tared and as `…_drifted_…` after 15 min: `position_bound_mm` (mm), `force_bound_n` (N),

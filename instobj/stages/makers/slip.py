@@ -80,7 +80,7 @@ def slip_costs(context: StageContext) -> dict[str, SlipCost]:
 
 
 def summary(cost: SlipCost) -> dict[str, float]:
-    """Medians and worst values over sensors, or over the contact places of all faces."""
+    """Medians and worst values over sensors, or over the contact locations of all faces."""
     counts = np.linalg.norm(cost.baseline_counts, axis=1)
     return {
         "baseline_median_counts": float(np.median(counts)),

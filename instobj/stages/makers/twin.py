@@ -146,7 +146,7 @@ def require_same_object(spec: ObjectSpec, frames: FrameSet) -> None:
 
 def _described(x_mm: np.ndarray, y_mm: np.ndarray, faces: np.ndarray, sensors: int) -> str:
     return (
-        f"{len(x_mm)} × {len(y_mm)} contact places from ({x_mm[0]:g}, {y_mm[0]:g}) to ({x_mm[-1]:g}, "
+        f"{len(x_mm)} × {len(y_mm)} contact locations from ({x_mm[0]:g}, {y_mm[0]:g}) to ({x_mm[-1]:g}, "
         f"{y_mm[-1]:g}) mm on faces {faces.tolist()} and {sensors} sensors per face"
     )
 

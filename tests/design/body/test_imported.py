@@ -266,7 +266,7 @@ def test_a_missing_file_and_a_missing_name_are_told(tmp_path):
         pytest.param(
             0.7, {"sensors.positions_mm": "[[12, 0]]"}, "outside the core's patch", id="sensors"
         ),
-        pytest.param(0.7, {"contact_grid.pitch_mm": "9.0"}, "leave face", id="contact places"),
+        pytest.param(0.7, {"contact_grid.pitch_mm": "9.0"}, "leave face", id="contact locations"),
         pytest.param(0.7, {"body.bore_mm": "60.0"}, "below the core's width", id="bore"),
     ],
 )

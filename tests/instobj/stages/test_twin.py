@@ -148,7 +148,7 @@ def test_a_foreign_object_is_not_explained(frames, twin):
 
 def test_what_a_twin_does_not_serve_is_told_before_anything_is_simulated(frames, twin, tmp_path):
     other = coarse_spec(contact_grid={"count": (5, 4), "pitch_mm": 5.0})
-    with pytest.raises(InputError, match=r"4 × 4 contact places .* 5 × 4"):
+    with pytest.raises(InputError, match=r"4 × 4 contact locations .* 5 × 4"):
         require_same_object(other, frames)
     few = frames.select(frames.place_id % 1000 < 2)
     assert twin.extended((few, few), FACE, lambda text: None) == (few, few)
