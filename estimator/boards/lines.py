@@ -164,6 +164,8 @@ def _body(line: bytes) -> str | None:
 
 def _parsed(body: str) -> Message | None:
     kind, *cells = body.split(",")
+    if "_" in body:  # Python takes 1_0 for a number
+        return None
     if kind == "H":
         return _header(cells)
     try:

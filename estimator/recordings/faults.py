@@ -45,6 +45,13 @@ def rest_noise_counts(
     return np.where(number > 0, np.sqrt(mean_square.sum(0) / np.maximum(number, 1) / 2), np.nan)
 
 
+def known_mean(counts: Float[np.ndarray, "frame 5 sensor 3"]) -> Float[np.ndarray, "5 sensor 3"]:
+    """Mean of the readings that are there; NaN where there is none."""
+    known = np.isfinite(counts)
+    number = known.sum(axis=0)
+    return np.where(number > 0, np.where(known, counts, 0.0).sum(0) / np.maximum(number, 1), np.nan)
+
+
 def dead_channels(counts: Float[np.ndarray, "frame 5 sensor 3"]) -> Bool[np.ndarray, "5 sensor 3"]:
     """Channels without any reading, or stuck at one value, on faces that have readings at all."""
     known = np.isfinite(counts)

@@ -174,7 +174,7 @@ def place_label_faults(
     judged.
     """
     wrong = np.zeros(len(frames), dtype=bool)
-    press, place, pattern = _patterns(frames)
+    press, place, pattern = press_patterns(frames)
     pressed, index, count = np.unique(place, return_inverse=True, return_counts=True)
     mean = np.array([pattern[index == number].mean(axis=0) for number in range(len(pressed))])
     likeness: dict[int, int] = {}
@@ -204,7 +204,7 @@ def place_label_faults(
     return wrong, faults
 
 
-def _patterns(
+def press_patterns(
     frames: FrameSet,
 ) -> tuple[Int[np.ndarray, "press"], Int[np.ndarray, "press"], Float[np.ndarray, "press channel"]]:
     """Press id, place id and unit pattern of every press with loaded, usable frames."""

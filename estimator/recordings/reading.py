@@ -31,6 +31,7 @@ from estimator.recordings.faults import (
     dead_channels,
     doubtful_presses,
     jump_faults,
+    known_mean,
     mirror_faults,
     noisy_channels,
     press_responses,
@@ -45,6 +46,7 @@ from estimator.recordings.labels import (
     pressed_faces,
     silent_presses,
 )
+from estimator.recordings.limits import Limits, places_off_the_body, usual_limits, within_range
 from estimator.recordings.presses import (
     CONTACT_FORCE_N,
     LagReport,
@@ -57,9 +59,10 @@ from estimator.recordings.presses import (
     stretches,
     tared,
 )
-from estimator.recordings.report import RecordingReport
-from estimator.recordings.table import FACES, RawTable, channel_name
+from estimator.recordings.report import RecordingReport, noise_by_name
+from estimator.recordings.table import FACES, RawTable
 from estimator.recordings.text import naming
+from estimator.recordings.turned import turned_channels, turned_forces
 
 NOMINAL_RATE_HZ = 10.5
 REST_FORCE_N = {"gripper": 0.05, "training": 0.15, "generic": 0.15}
@@ -110,11 +113,13 @@ class _Presses:
     faults: tuple[Fault, ...]
 
 
-def read_recording(path: Path | str, grid_mm: Grid | None = None) -> Recording:
+def read_recording(
+    path: Path | str, grid_mm: Grid | None = None, limits: Limits | None = None
+) -> Recording:
     """Read a recording of any format, find and correct its faults.
 
     `grid_mm` is the contact grid (x, y) on which heatmaps will be drawn, by default that of the
-    file or 10 × 10 places 3 mm apart.
+    file or 10 × 10 places 3 mm apart. `limits` are those of the object, else `usual_limits`.
 
     Raises
     ------
@@ -124,7 +129,9 @@ def read_recording(path: Path | str, grid_mm: Grid | None = None) -> Recording:
     table = read_table(path)
     if grid_mm is not None:
         table = replace(table, grid_x_mm=grid_mm[0], grid_y_mm=grid_mm[1])
+    limits = limits or usual_limits(table)
     with naming(path):
+        table, unreachable = within_range(table, limits)
         presses = _find_presses(table)
         zero, zeroed_after = _rest_levels(table.counts, presses)
     jumping, jumps = jump_faults(zero)
@@ -133,13 +140,19 @@ def read_recording(path: Path | str, grid_mm: Grid | None = None) -> Recording:
     )
     session = np.unique(table.case, return_inverse=True)[1] if table.kind == "generic" else block
     frames = _frames(table, presses, zero, jumping, session, place)
+    turned, turns = turned_channels(frames)
+    frames.signal_counts[:, turned] = np.nan
+    off, off_faults = places_off_the_body(presses.tip_xy_mm, limits)
     wrong, place_faults = place_label_faults(frames, places)
-    frames = replace(frames, valid=frames.valid & ~wrong)
+    frames = replace(frames, valid=frames.valid & ~wrong & ~off)
     faults = (
         *stamp_faults(table),
+        *unreachable,
         *channel_faults(table.counts, presses.noise_counts),
         *jumps,
+        *turns,
         *presses.faults,
+        *off_faults,
         *place_faults,
         *(mirror_faults(presses.face, presses.tip_xy_mm, block) if table.kind == "gripper" else ()),
     )
@@ -171,7 +184,7 @@ def _report(
         frame_rate_hz=presses.rate_hz,
         units=_UNITS[table.kind],
         lag=presses.lag,
-        noise_counts=_by_name(presses.noise_counts),
+        noise_counts=noise_by_name(presses.noise_counts),
         presses_zeroed_after=zeroed_after,
         faults=faults,
     )
@@ -187,7 +200,11 @@ def _find_presses(table: RawTable) -> _Presses:
     stretch = stretches(table.time_s, keys)
     time_s, rate_hz = frame_times_s(table.time_s, stretch, NOMINAL_RATE_HZ)
     limit_n = REST_FORCE_N[table.kind]
-    force_n = tared(table.force_n, no_contact, limit_n, signed=table.kind != "training")
+    block = block_numbers(keys)
+    measured_n, turns = table.force_n, []
+    if table.kind != "training":
+        measured_n, turns = turned_forces(measured_n, table.counts, label_face, block, limit_n)
+    force_n = tared(measured_n, no_contact, limit_n, signed=table.kind != "training")
     if force_n.max() < CONTACT_FORCE_N:
         raise RecordingError(
             f"it holds no press: the largest force is {force_n.max():.3g} N, a contact needs "
@@ -205,13 +222,12 @@ def _find_presses(table: RawTable) -> _Presses:
         shear_n = shifted_shear(table.shear_n, stretch, lag.frames if lag.corrected else 0, rest)
     noise = rest_noise_counts(table.counts, rest)
     unlabelled, denied = contacts_at_rest(force_n >= CONTACT_FORCE_N, no_contact, press)
-    block = block_numbers(keys)
     hidden, concealed = hidden_contacts(table.counts, rest, stretch, block, noise)
     silent, quiet = silent_presses(face, force_n, press, responses, noise)
     return _Presses(
         time_s, rate_hz, press, aligned_n, shear_n, rest, hidden, face, tip_xy_mm,
         doubtful | unlabelled | hidden | silent, noise, lag,
-        (*corrected, *doubts, *denied, *concealed, *quiet),
+        (*turns, *corrected, *doubts, *denied, *concealed, *quiet),
     )  # fmt: skip
 
 
@@ -237,7 +253,7 @@ def _rest_levels(
             chosen, after = rest[split : split + ZERO_FRAMES], after + 1
         if len(chosen) < LEAST_ZERO_FRAMES:
             chosen = rest[-ZERO_FRAMES:]
-        levels.append(counts[chosen].mean(axis=0))
+        levels.append(known_mean(counts[chosen]))
     return np.array(levels), after
 
 
@@ -284,10 +300,3 @@ def _frames(
 def _recorded(counts: Float[np.ndarray, "frame 5 sensor 3"]) -> Bool[np.ndarray, "frame 5 1 1"]:
     """Which faces have readings in each frame: a training frame has those of one face."""
     return np.any(np.isfinite(counts), axis=(2, 3), keepdims=True)
-
-
-def _by_name(noise: Float[np.ndarray, "5 sensor 3"]) -> dict[str, float | None]:
-    return {
-        channel_name(*index): None if np.isnan(value) else round(float(value), 2)
-        for index, value in np.ndenumerate(noise)
-    }

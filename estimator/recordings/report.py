@@ -5,9 +5,13 @@ from __future__ import annotations
 from dataclasses import asdict, dataclass
 from typing import Any
 
+import numpy as np
+from jaxtyping import Float
+
 from estimator.recordings.contacts import Place
 from estimator.recordings.faults import Fault
 from estimator.recordings.presses import LagReport
+from estimator.recordings.table import channel_name
 
 
 @dataclass(frozen=True)
@@ -55,3 +59,11 @@ class RecordingReport:
             *(f"  {fault}" for fault in self.faults),
         ]
         return "\n".join(lines)
+
+
+def noise_by_name(noise_counts: Float[np.ndarray, "5 sensor 3"]) -> dict[str, float | None]:
+    """White noise of every channel at rest, by the channel's name."""
+    return {
+        channel_name(*index): None if np.isnan(value) else round(float(value), 2)
+        for index, value in np.ndenumerate(noise_counts)
+    }

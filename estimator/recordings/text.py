@@ -86,7 +86,7 @@ def numbers(
                 "cut off or damaged there: delete the line or copy the file anew"
             )
     try:
-        values = np.array([[float(cell or "nan") for cell in row] for row in rows])
+        values = np.array([[as_number(cell) for cell in row] for row in rows])
     except ValueError:
         raise _first_bad_cell(rows, names, first_line) from None
     if np.isinf(values).any():
@@ -139,10 +139,23 @@ def check_complete(values: Float[np.ndarray, "row column"], names: list[str]) ->
         )
 
 
+def as_number(cell: str) -> float:
+    """A cell as a number, NaN where empty; what only Python takes for one (1_0, １０) is none.
+
+    Raises
+    ------
+    ValueError
+        Not a number.
+    """
+    if "_" in cell or not cell.isascii():
+        raise ValueError(f"{cell!r} is not a number")
+    return float(cell or "nan")
+
+
 def is_number(cell: str) -> bool:
-    """Whether Python reads it as a number."""
+    """Whether a cell that is not empty is a number."""
     try:
-        float(cell)
+        as_number(cell or "empty")
     except ValueError:
         return False
     return True

@@ -22,6 +22,7 @@ from instobj.store.readers import FRAMES, MODELS, PRESSES, face_model_paths
 
 if TYPE_CHECKING:
     from estimator.frames.dataset import FrameSet
+    from estimator.recordings.limits import Limits
     from estimator.recordings.reading import Grid
     from instobj.stages.makers.twin import TwinOfData
 
@@ -31,7 +32,8 @@ _VERSION = 7
 def read_recordings(files: list[Path], out: Path, spec: Path | None = None) -> dict[str, Any]:
     """Read recordings into one data set, `runs/<stems>/frames.nc`, and say what was found.
 
-    `spec` gives the contact grid of an object that is not the paper's cube.
+    `spec` gives the contact grid, the chip's range and the size of an object that is not the
+    paper's cube.
 
     Raises
     ------
@@ -44,11 +46,11 @@ def read_recordings(files: list[Path], out: Path, spec: Path | None = None) -> d
 
     require_writable(out)
     progress = ProgressLine()
-    grid_mm = None if spec is None else _grid_mm(spec)
+    grid_mm, limits = (None, None) if spec is None else _grid_and_limits(spec)
     found = []
     for path in files:
         with progress.stage(f"reading {path}"):
-            found.append(read_recording(path, grid_mm))
+            found.append(read_recording(path, grid_mm, limits))
     frames = found[0].frames if len(found) == 1 else combine(found)
     between = jump_between_faults(found)
     target = run_folder(out, "+".join(path.stem for path in files)) / FRAMES.name
@@ -158,12 +160,16 @@ def twin_of_data(path: Path, frames: FrameSet, training: TrainingSpec) -> TwinOf
     return TwinOfData(spec, presses, run.results[PRESSES.stage].origin, training.twins)
 
 
-def _grid_mm(spec: Path) -> Grid:
+def _grid_and_limits(path: Path) -> tuple[Grid, Limits]:
     from design.layout.positions import contact_grid
     from design.spec_io import load_spec
+    from estimator.recordings.limits import Limits
+    from estimator.signals.hall import full_scale_counts
 
-    grid = contact_grid(load_spec(spec, []))
-    return grid.x_mm, grid.y_mm
+    spec = load_spec(path, [])
+    grid = contact_grid(spec)
+    limits = Limits(full_scale_counts(spec.sensors) + 1, max(spec.body.size_mm) / 2)
+    return (grid.x_mm, grid.y_mm), limits
 
 
 def _keys_of_models(folder: Path) -> dict[str, str]:

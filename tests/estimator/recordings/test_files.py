@@ -79,6 +79,8 @@ def test_truncated_line(tmp_path, good_text):
     ("line", "column", "value", "words"),
     [
         (4, 9, "abc", "line 5, column F5-X3: 'abc' is not a number"),
+        (4, 9, "1_0", "line 5, column F5-X3: '1_0' is not a number"),
+        (4, 9, "１２", "line 5, column F5-X3: '１２' is not a number"),
         (4, 1, "", "column Left is empty in data row 4"),
         (4, 48, "7", "face labels must be 1…5; got [7]"),
         (4, 49, "102", "position labels must be 0…101; got [102]"),

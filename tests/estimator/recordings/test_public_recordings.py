@@ -68,6 +68,8 @@ def test_no_label_of_a_place_is_accused(recordings):
     assert "labels not opposite" in kinds
     accusing = {"wrong place label", "force without signal", "contact while labelled rest"}
     assert not kinds & (accusing | {"jumping channel", "shell moved"})
+    turned = {"force turned", "channel turned", "channels exchanged"}
+    assert not kinds & (turned | {"place off the body", "count beyond the chip's range"})
 
 
 def test_the_channel_that_jumped_between_the_files(recordings):

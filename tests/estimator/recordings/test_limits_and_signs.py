@@ -1,0 +1,132 @@
+"""Readings, signs and places that cannot be: each is planted in a sound recording and found there."""
+
+import numpy as np
+import pytest
+
+from design.errors import InputError
+from estimator.recordings.limits import Limits
+from estimator.recordings.reading import read_recording
+from estimator.recordings.text import as_number
+from tests.support.made_recordings import PRESS, REST, RISE, gripper_arrays, write_gripper
+
+CASES = ((54, 57), (23, 28), (75, 76))
+HELD = REST + RISE + 10
+
+
+@pytest.fixture(scope="module")
+def arrays():
+    return gripper_arrays(CASES, presses=4, lag=0)
+
+
+@pytest.fixture
+def read(tmp_path):
+    def read_arrays(arrays, **given):
+        return read_recording(write_gripper(tmp_path / "a.csv", arrays, CASES), **given)
+
+    return read_arrays
+
+
+def copies(arrays):
+    return [array.copy() for array in arrays]
+
+
+def found(recording, kind):
+    return [fault for fault in recording.report.faults if fault.kind == kind]
+
+
+@pytest.mark.parametrize("row", [PRESS + HELD, PRESS + 3])
+def test_one_count_that_the_chip_cannot_give_costs_one_frame(read, arrays, row):
+    """Under load, and in the rest from which the press is zeroed."""
+    planted = copies(arrays)
+    planted[2][row, 2, 4] = 123_456
+    recording, sound = read(planted), read(arrays)
+    (fault,) = found(recording, "count beyond the chip's range")
+    assert fault.where == f"F3-Y2, rows {row}–{row}"
+    assert "123456" in fault.detail
+    lost = np.flatnonzero(sound.frames.valid & ~recording.frames.valid)
+    assert set(lost) <= {row}
+    used = recording.frames.valid
+    np.testing.assert_allclose(
+        recording.frames.signal_counts[used], sound.frames.signal_counts[used], atol=20
+    )
+
+
+def test_a_specification_narrows_the_range(read, arrays):
+    planted = copies(arrays)
+    planted[2][PRESS + HELD, 2, 4] = 9_000
+    assert not found(read(planted), "count beyond the chip's range")
+    narrow = Limits(largest_count=8_000, farthest_mm=21.0)
+    assert found(read(planted, limits=narrow), "count beyond the chip's range")
+
+
+def test_a_channel_mostly_beyond_the_range_is_an_error(read, arrays):
+    planted = copies(arrays)
+    planted[2][:, 2, 4] += 40_000
+    with pytest.raises(InputError, match=r"F3-Y2 reaches 4\d{4} counts, beyond ±32768"):
+        read(planted)
+
+
+@pytest.mark.parametrize("cell", [0, 1])
+def test_forces_turned_in_some_rows_are_turned_back(read, arrays, cell):
+    planted = copies(arrays)
+    planted[1][PRESS + HELD : 3 * PRESS, cell] *= -1
+    recording, sound = read(planted), read(arrays)
+    faults = found(recording, "force turned")
+    assert len(faults) == 2
+    assert faults[0].where.startswith(f"rows {PRESS + HELD}–")
+    np.testing.assert_allclose(recording.frames.force_n, sound.frames.force_n, atol=0.02)
+    np.testing.assert_array_equal(recording.frames.valid, sound.frames.valid)
+
+
+def test_a_long_hold_is_no_turned_force(read):
+    """More frames at one force than at rest: the level at which the cell dwells is not rest."""
+    held = gripper_arrays(CASES, presses=4, lag=0)
+    level = np.minimum(held[1], 12.0)
+    assert (level == 12.0).mean() > (level < 0.1).mean()
+    assert not found(read((held[0], level, *held[2:])), "force turned")
+
+
+def test_a_channel_whose_sign_turns_between_presses_is_left_out(read, arrays):
+    planted = copies(arrays)
+    middle = np.median(planted[2][:, 4, 6])
+    planted[2][2 * PRESS :, 4, 6] = 2 * middle - planted[2][2 * PRESS :, 4, 6]
+    recording = read(planted)
+    (fault,) = found(recording, "channel turned")
+    assert fault.where == f"F5-X3, rows {2 * PRESS - 1}–{2 * PRESS}"
+    assert np.isnan(recording.frames.signal_counts[:, 4, 2, 0]).all()
+    assert not found(recording, "wrong place label")
+
+
+def test_two_channels_exchanged_between_presses_are_left_out(read, arrays):
+    planted = copies(arrays)
+    level = np.median(planted[2][:REST], axis=0)
+    one, two = planted[2][:, 2, 1] - level[2, 1], planted[2][:, 2, 5] - level[2, 5]
+    later = np.arange(len(one)) >= 2 * PRESS
+    planted[2][:, 2, 1] = np.where(later, two, one)
+    planted[2][:, 2, 5] = np.where(later, one, two)
+    (fault,) = found(read(planted), "channels exchanged")
+    assert fault.where == f"F3-Y1 and F3-Z2, rows {2 * PRESS - 1}–{2 * PRESS}"
+
+
+def test_a_sound_recording_has_none_of_them(read, arrays):
+    kinds = {fault.kind for fault in read(arrays).report.faults}
+    assert not kinds & {"force turned", "channel turned", "channels exchanged"}
+    assert not kinds & {"place off the body", "count beyond the chip's range"}
+
+
+def test_a_press_off_the_body_is_not_used(read, arrays):
+    """The outermost place of this recording lies at 10.5 mm."""
+    small = Limits(largest_count=32_768, farthest_mm=9.0)
+    recording = read(arrays, limits=small)
+    faults = found(recording, "place off the body")
+    assert {fault.where for fault in faults} == {f"rows {8 * PRESS}–{12 * PRESS - 1}"}
+    assert not recording.frames.valid[8 * PRESS :].any()
+    assert recording.frames.valid[: 8 * PRESS].any()
+
+
+@pytest.mark.parametrize("cell", ["1_0", "１２", "٣", "0x1", "ten"])
+def test_what_only_python_takes_for_a_number_is_none(cell):
+    with pytest.raises(ValueError, match=r"number|convert"):
+        as_number(cell)
+    assert as_number("-1.5e3") == -1500.0
+    assert np.isnan(as_number(""))
