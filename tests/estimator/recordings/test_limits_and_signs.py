@@ -55,7 +55,7 @@ def test_a_specification_narrows_the_range(read, arrays):
     planted = copies(arrays)
     planted[2][PRESS + HELD, 2, 4] = 9_000
     assert not found(read(planted), "count beyond the chip's range")
-    narrow = Limits(largest_count=8_000, farthest_mm=21.0)
+    narrow = Limits(largest_count=8_000.0, farthest_mm=21.0)
     assert found(read(planted, limits=narrow), "count beyond the chip's range")
 
 
@@ -116,7 +116,7 @@ def test_a_sound_recording_has_none_of_them(read, arrays):
 
 def test_a_press_off_the_body_is_not_used(read, arrays):
     """The outermost place of this recording lies at 10.5 mm."""
-    small = Limits(largest_count=32_768, farthest_mm=9.0)
+    small = Limits(largest_count=32_768.0, farthest_mm=9.0)
     recording = read(arrays, limits=small)
     faults = found(recording, "place off the body")
     assert {fault.where for fault in faults} == {f"rows {8 * PRESS}–{12 * PRESS - 1}"}
