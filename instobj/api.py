@@ -154,7 +154,7 @@ def compare(specs: Sequence[ObjectSpec]) -> xr.Dataset:
     >>> same = {
     ...     "body": {"sensed_faces": [1]}, "contact_grid": {"count": [3, 3], "pitch_mm": 6.0},
     ...     "press": {"depths_mm": [1.0, 2.0]}, "score": {"force_n": 2.0},
-    ...     "mesh": {"edge_mm": 8.0, "surface_edge_mm": 3.0},
+    ...     "mesh": {"edge_mm": 8.0, "surface_edge_mm": 3.0, "envelope_mm": 0.1},
     ... }
     >>> tiny = instobj.ObjectSpec(name="tiny", **same)
     >>> quiet = instobj.ObjectSpec(name="quiet", sensors={"noise_counts": (1, 1, 1)}, **same)

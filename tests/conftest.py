@@ -40,6 +40,13 @@ def verification_outcomes(request):
     return request.config.stash[VERIFICATION_OUTCOMES]
 
 
+@pytest.fixture(scope="session")
+def shared_mechanics(tmp_path_factory, request):
+    """A folder that all workers of this run share, for `tests.support.tiny_cube`."""
+    folder = tmp_path_factory.getbasetemp()
+    return (folder.parent if hasattr(request.config, "workerinput") else folder) / "mechanics"
+
+
 def pytest_sessionfinish(session):
     folder = session.config.getoption("--verification-page")
     outcomes = session.config.stash[VERIFICATION_OUTCOMES]

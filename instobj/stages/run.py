@@ -71,7 +71,8 @@ class Run:
     >>> tiny = instobj.ObjectSpec(
     ...     name="tiny", body={"sensed_faces": [1]},
     ...     contact_grid={"count": [3, 3], "pitch_mm": 6.0}, press={"depths_mm": [1.0, 2.0]},
-    ...     mesh={"edge_mm": 8.0, "surface_edge_mm": 3.0}, score={"force_n": 2.0},
+    ...     mesh={"edge_mm": 8.0, "surface_edge_mm": 3.0, "envelope_mm": 0.1},
+    ...     score={"force_n": 2.0},
     ... )
     >>> run = instobj.Run(tiny)
     >>> run.scores.position_bound_mm.dims

@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 
 from tests.support.pages import ROOT
+from tests.support.tiny_cube import lend_mechanics
 
 GALLERY = ROOT / "examples" / "gallery"
 SCRIPTS = sorted(GALLERY.glob("[0-9][0-9]_*.py"))
@@ -22,9 +23,11 @@ LIBRARIES = {"instobj", "numpy", "matplotlib"}
 
 
 @pytest.fixture(scope="module")
-def store(tmp_path_factory):
-    """One store for all scripts: mechanics of the small cube is computed once."""
-    return tmp_path_factory.mktemp("store")
+def store(tmp_path_factory, shared_mechanics):
+    """One store for all scripts, with the small cube's mechanics."""
+    folder = tmp_path_factory.mktemp("store")
+    lend_mechanics(folder, shared_mechanics)
+    return folder
 
 
 @pytest.fixture
@@ -69,7 +72,7 @@ def test_a_script_uses_the_public_library_alone(path):
 
 def test_the_small_cube_is_small():
     spec = tomllib.loads((GALLERY / "small_cube.toml").read_text())
-    assert spec["mesh"] == {"edge_mm": 8.0, "surface_edge_mm": 3.0}
+    assert spec["mesh"] == {"edge_mm": 8.0, "surface_edge_mm": 3.0, "envelope_mm": 0.1}
 
 
 def test_a_first_object_has_a_bound_at_every_contact_location(run_script):

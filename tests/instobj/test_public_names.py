@@ -17,18 +17,10 @@ from design.layout.positions import magnet_layout
 from design.spec.object import ObjectSpec
 from estimator.frames.dataset import save_frames
 from instobj.store import readers
+from tests.support.tiny_cube import lend_mechanics, tiny_cube
 
 INIT = Path(instobj.__file__)
-TINY = ObjectSpec.model_validate(
-    {
-        "name": "tiny",
-        "body": {"sensed_faces": [1]},
-        "contact_grid": {"count": [3, 3], "pitch_mm": 6.0},
-        "press": {"depths_mm": [1.0, 2.0]},
-        "mesh": {"edge_mm": 8.0, "surface_edge_mm": 3.0},
-        "score": {"force_n": 2.0},
-    }
-)
+TINY = tiny_cube()
 
 
 def test_importing_loads_nothing_heavy():
@@ -64,12 +56,13 @@ def test_a_name_that_is_not_there_is_an_attribute_error():
 
 
 @pytest.fixture(scope="module")
-def place(tmp_path_factory):
+def place(tmp_path_factory, shared_mechanics):
     """A working folder with a store, and the data set that the examples read."""
     folder = tmp_path_factory.mktemp("examples")
     with pytest.MonkeyPatch.context() as patch:
         patch.chdir(folder)
         patch.setenv("INSTOBJ_STORE", str(folder / "store"))
+        lend_mechanics(folder / "store", shared_mechanics)
         save_frames(instobj.Run(TINY).frames, "frames.nc")
         yield folder
 
@@ -156,7 +149,7 @@ def test_signals_and_presses_of_a_run_tell_of_the_same_forces(place):
 
 def test_a_face_without_an_estimator_is_told_with_those_that_have_one(place):
     with pytest.raises(InputError, match=r"no estimator of face 3. Give one of the faces \[1\]"):
-        instobj.Run(TINY.model_copy(update={"training": _quick()})).estimator(face=3)
+        instobj.Run(TINY).estimator(face=3)
 
 
 @pytest.mark.parametrize("specs", [[], [TINY, TINY]], ids=["none", "one name twice"])
@@ -197,12 +190,7 @@ def test_a_run_leaves_no_file_that_is_not_declared(place):
         if path.is_file() and not any(Path(*name).match(pattern) for pattern in patterns):
             undeclared.append("/".join((stage, *name)))
     of_the_store = {path for path in undeclared if path.endswith("/stage.json")}
-    assert set(undeclared) - of_the_store <= {"response/compliance.npy"} | {
-        path for path in undeclared if path.startswith("build/")
-    }
-
-
-def _quick():
-    from design.spec.object import TrainingSpec
-
-    return TrainingSpec(epochs=2, hidden_units=(8, 8))
+    assert set(undeclared) - of_the_store <= {
+        "response/compliance.npy",
+        "coarse_response/compliance.npy",
+    } | {path for path in undeclared if path.startswith("build/")}
