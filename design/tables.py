@@ -1,4 +1,4 @@
-"""Tables as CSV files: one header, one row a line, complete or absent."""
+"""Tables as CSV files: one header, one line per row, complete or absent."""
 
 from __future__ import annotations
 

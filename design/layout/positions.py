@@ -53,7 +53,7 @@ def contact_grid(spec: ObjectSpec) -> PlaceGrid:
 
 @once
 def press_lattice(spec: ObjectSpec) -> PlaceGrid:
-    """The contact grid refined by two, with half a pitch of margin: (2n + 1) places an axis.
+    """The contact grid refined by two, with half a pitch of margin: (2n + 1) locations per axis.
 
     Contact location (X, Y) is lattice place (2X + 1, 2Y + 1). Signals between places are
     interpolated on this lattice, and derivatives in x and y are taken on it.

@@ -1,4 +1,4 @@
-"""The layouts that a search may try: named variables ↔ a vector in [0, 1]ⁿ ↔ a specification."""
+"""Space of layouts that a search may try: named variables ↔ a vector in [0, 1]ⁿ ↔ a specification."""
 
 from __future__ import annotations
 

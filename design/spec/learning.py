@@ -30,7 +30,7 @@ class CollectionSpec(SpecPart):
 
     "paper": on each of `faces` every contact location, the probes of two and three tips at
     `dual_poses` and `triple_poses`, and `non_contact_cases`; `frames_per_case` frames each, at one
-    periodic travel for all (Knopke et al., RA-L 2024). The poses spread rows and columns near the
+    periodic depth for all (Knopke et al., RA-L 2024). The poses spread rows and columns near the
     borders and in the middle. "grasp": probes of one, two and three tips on both of `grasp_faces`,
     squeezed periodically to `grasp_force_n`. "continuous": `presses` short presses of `contacts`
     tips at once anywhere on `faces`, with peaks and rest frames as `protocol` has them; with
@@ -100,7 +100,7 @@ class ScoreSpec(SpecPart):
 
 
 class ProtocolSpec(SpecPart):
-    """Simulated calibration presses: travel periodic, each press with its own disturbances."""
+    """Simulated calibration presses: periodic indentation depth, disturbances of each press."""
 
     presses_per_place: Annotated[int, Field(ge=3)] = 6
     frames_per_press: Annotated[int, Field(ge=4)] = 40

@@ -110,7 +110,7 @@ class SearchSpec(SpecPart):
     levels get. Every trial's continuous variables are improved by `polish_steps` steps down the
     gradient. `trials` and `seconds` end the search, whichever is first; a trial beyond
     `trial_seconds` is given up. `leaders` go to the second fidelity level (rigid magnets), `finalists` to the
-    last. `compliance_mm_per_n` is travel over force at `score.force_n` that `compliance_deviation`
+    last. `compliance_mm_per_n` is indentation depth over force at `score.force_n` that `compliance_deviation`
     is taken from, by area (later ones over earlier ones; "edge" without corners); none: even.
     """
 

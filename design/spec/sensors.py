@@ -108,7 +108,7 @@ _READ_BITS = 9 * 9 + 3
 
 
 def fastest_frame_rate_hz(sensors: SensorSpec, faces: int = FACES_OF_A_CUBE) -> float:
-    """Frames per second: all sensors convert at once, then are read in turn over one I²C bus.
+    """Frames per second: all sensors convert simultaneously, then are read one by one over one I²C bus.
 
     A part without a conversion time in the catalogue is limited by the bus alone. Firmware and
     multiplexers come on top: the paper's object ran at 10.5 Hz.

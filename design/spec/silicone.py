@@ -17,7 +17,7 @@ from design.spec.base import NonNegative, Positive, SpecPart
 
 
 class PronyTermSpec(SpecPart):
-    """One term of the relaxation: the modulus loses `fraction` of its value at once with `time_s`."""
+    """One term of the relaxation: the instantaneous modulus loses `fraction` of its value with `time_s`."""
 
     fraction: Annotated[float, Field(gt=0, lt=1)]
     time_s: Positive
@@ -36,7 +36,7 @@ class SiliconeSpec(SpecPart):
     preset nor specification gives them. Walls below `thinnest_wall_mm` tear; it may be stretched by
     `peel_share` of its elongation at break when it is peeled out of a mould.
 
-    With `prony` terms the modulus is the one at once, E(t) = E (1 − Σ fraction (1 − exp(−t/time))).
+    With `prony` terms the modulus is the instantaneous one, E(t) = E (1 − Σ fraction (1 − exp(−t/time))).
     """
 
     name: str = "Platsil Gel-10"

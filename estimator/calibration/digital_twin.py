@@ -1,4 +1,4 @@
-"""The digital twin of one object, calibrated on labelled presses of some places of a face.
+"""The digital twin of one object, calibrated on labelled presses of some locations of one face.
 
 Signals at places never pressed come from the design's mechanics with what differs in the object put
 in: poses and strengths of the face's magnets, poses and gains of its sensors, the core's pose, the
@@ -12,7 +12,7 @@ Stat. Soc. B 63, 2001); size and length of the process have the largest marginal
 On a hidden twin of the paper's cube (finer mesh, large deformation) 25 places leave 2 % of the
 signals at the 75 others, where the design leaves 16 to 22 %. Its large deformation has the form of
 these coefficients, which that of silicone follows to about 10 % (`fem.large_strain.correction`). Labelled
-places count as exact: errors of 0.3 mm a press are 1 % of the signals over six presses, and the
+places count as exact: errors of 0.3 mm per press are 1 % of the signals over six presses, and the
 process takes them for its own.
 """
 

@@ -1,7 +1,7 @@
 """Flux density of magnets: point dipole, multipole series, pole charges, exact bodies.
 
 Vectors are triples of equally broadcastable arrays (`estimator.field.vectors`), so that large sets of
-pairs stay in cache-sized, contiguous pieces. Dipole, series and charges take NumPy arrays and torch
+pairs stay in contiguous chunks of cache size. Dipole, series and charges take NumPy arrays and torch
 tensors alike (`estimator.field.batched` has the latter in batches). Lengths are in mm, polarization
 and flux density in T: a magnet written with its polarization needs no conversion.
 """

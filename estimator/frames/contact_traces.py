@@ -120,7 +120,7 @@ def _joint_presses(
     """Travel (step,), forces (step, tip) and changes of counts (step, channel) of every case."""
     if mechanics is None or spec.mechanics.slip.slipped or spec.indenter.tip_count > 1:
         raise InputError(
-            "several tips at once need the response operator, a shell that has not slipped and "
+            "several simultaneous tips need the response operator, a shell that has not slipped and "
             "indenter.tip_count = 1. Simulate single contacts, or set mechanics.slip and tip_count so"
         )
     faces, pressed = refined_faces(spec, mechanics.response), []
@@ -143,7 +143,7 @@ def _joint_presses(
         travel, force, motion = _corrected(spec, case, path, mechanics.correction)
         pressed.append((travel, force * assembly.modulus_ratio, motion))
         if progress is not None and number % 10 == 0:
-            progress(f"several tips at once: {number} of {len(cases)} cases")
+            progress(f"several simultaneous tips: {number} of {len(cases)} cases")
     motions = np.concatenate([motion for _, _, motion in pressed])
     parts = twin_changes(spec, assembly, motions).reshape(len(cases), len(signals.depth_mm), -1)
     return [(t, f, seen) for (t, f, _), seen in zip(pressed, parts, strict=True)]

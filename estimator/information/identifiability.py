@@ -1,4 +1,4 @@
-"""Number of contacts that can be told apart: rank and condition of their joint information.
+"""Number of identifiable contacts: rank and condition of their joint information.
 
 k contacts have 3k unknowns (x, y, F each) against 3 channels per sensor. Enough channels make the
 information's rank full; whether places can then be read is a matter of its condition.

@@ -49,7 +49,7 @@ class PlaceScores:
     weakest_direction_deg : direction of the largest position bound, 0 to 180° from x
     force_at_score_n : `score.force_n`, or the force of the deepest press where that is less
     reaches_score_force : whether `score.force_n` is reached
-    depth_at_score_mm, stiffness_n_per_mm : travel at that force, and force over travel
+    depth_at_score_mm, stiffness_n_per_mm : indentation depth at that force, and force over depth
     """
 
     faces: Int[np.ndarray, "face"]

@@ -50,7 +50,7 @@ class FidelityScore:
     edge_position_bound_mm : mean position bound over the outermost ring of places, corners included
     slip_place_mm, tolerance_place_mm : place error (rms) of an estimator calibrated on the design
         where the core has slipped by 1 mm, and over objects within tolerance; median over places
-    compliance_deviation : of travel over force at `score.force_n` from what `search` wants, relative
+    compliance_deviation : of depth over force at `score.force_n` from what `search` wants, relative
         (rms); the lowest fidelity level: of the shell without magnets
     saturation_margin : share of the sensors' range that stays free (the lowest fidelity level: at rest)
     """

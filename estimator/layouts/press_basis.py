@@ -49,7 +49,7 @@ class PressBasis:
     `first_mm`, `step_mm`, `nodes`: the candidates' lattice in (x, y, depth), ghosts left out.
     `turn`, `shift_mm` take the other faces' frames to this one's. The opposite face comes last and
     has no rows: what motions of magnets that far away add does not show in the bounds. `mm_per_n` is
-    travel over force at every place, of the shell without magnets.
+    indentation depth over force at every location, of the shell without magnets.
     """
 
     face: int
@@ -87,7 +87,7 @@ def press_basis(
     Raises
     ------
     InputError
-        A face that was not pressed, fewer than two forces or four places an axis, or faces of
+        A face that was not pressed, fewer than two forces or four locations per axis, or faces of
         different sizes: one layout then does not fit all of them.
     """
     _check(motions, face)
@@ -198,7 +198,7 @@ def _check(motions: CandidateMotions, face: int) -> None:
         raise InputError(f"face {face} was not pressed. Choose one of {motions.faces.tolist()}")
     if motions.force_n.shape[2] < 2 or min(motions.places.shape) < 4:
         raise InputError(
-            "derivatives of presses need two forces and four places an axis; got "
+            "derivatives of presses need two forces and four locations per axis; got "
             f"{motions.force_n.shape[2]} forces and {motions.places.shape} places. Simulate more"
         )
     first = motions.candidates[0].xyd_mm

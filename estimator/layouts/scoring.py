@@ -1,4 +1,4 @@
-"""Scores of many layouts at once on stored motions of candidate magnets, with gradients.
+"""Scores of many layouts in batches on stored motions of candidate magnets, with gradients.
 
 Lowest fidelity level of a layout search. A layout is one face's magnets and sensors, repeated on every face;
 magnets are ideal here, without stiffness. Counts are linearised in the magnets' motions about rest,

@@ -1,4 +1,4 @@
-"""Compliance map: travel of the indenter per newton at every contact location of every face.
+"""Compliance map: indentation depth per newton at every contact location of every face.
 
 The secant compliance at a depth d is d / F(d), in mm/N: contact grows with depth, so a press twice
 as deep needs more than twice the force.

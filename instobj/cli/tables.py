@@ -77,7 +77,7 @@ def _place(place_mm: list[float]) -> str:
 
 
 def _turned(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
-    """One row a key, one column a row, headed by what stands first in each."""
+    """One row per key, one column per row, headed by the first value of each."""
     first, *others = rows[0]
     heads = [str(row[first]) for row in rows]
     if len(set(heads)) < len(heads):
@@ -108,7 +108,7 @@ def _print_rows(console: Console, title: str, rows: list[dict[str, Any]]) -> Non
 
 
 def _laid_out(rows: list[dict[str, Any]], room: int) -> tuple[list[list[str]], list[int] | None]:
-    """Columns and their widths, turned (a row a column) where they are many or their words do not fit.
+    """Columns and their widths, transposed where they are many or their words do not fit.
 
     No widths where the words fit neither way.
     """

@@ -24,7 +24,7 @@ def draw_validation(
     document: dict[str, Any],
     path: Path,
 ) -> None:
-    """One scatter a face pressed (own channels), and the figures of merit beside their nulls (PNG)."""
+    """One scatter plot per pressed face (own channels), and the figures of merit beside their nulls (PNG)."""
     from matplotlib.figure import Figure
 
     faces = [face for face in range(1, 6) if presses.face_of_case(face).any()]
@@ -47,7 +47,7 @@ def _draw_scatter(
     predictions: Predictions,
     face: int,
 ) -> None:
-    """One point a channel and case: means over its presses."""
+    """One point per channel and case: means over its presses."""
     count = 3 * spec.sensors.count_per_face
     own = slice((face - 1) * count, face * count)
     largest = 0.0

@@ -60,7 +60,7 @@ def core_section(spec: ObjectSpec, presses: Path, slip: Path) -> Markup:
 
 
 def comparison_rows(numbers: dict[str, dict[str, float]]) -> list[dict[str, Any]]:
-    """One row a figure, one column a model, and the error of moving the sensors alone."""
+    """One row per figure, one column per model, and the error of moving the sensors alone."""
     rows = []
     for title, key in _ROWS.items():
         fem, approximate = (numbers[model][key] for model in _MODELS)

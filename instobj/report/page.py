@@ -54,7 +54,7 @@ _PAPER_PARTS = ("arrangement", "body", "shell", "core", "magnets", "sensors", "s
 
 @dataclass(frozen=True)
 class MapsOfFaces:
-    """Pictures of one score, a face each."""
+    """Pictures of one score, one per face."""
 
     title: str
     unit: str

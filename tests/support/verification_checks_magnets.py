@@ -91,7 +91,7 @@ def tied_against_resolved():
         Curve("rotation of the magnet", places, turn),
     )
     words = (
-        "One magnet a face; patches of 1 N over it and 3.6 to 4.5 mm beside it. Edges of 1 mm at "
+        "One magnet per face; patches of 1 N over it and 3.6 to 4.5 mm beside it. Edges of 1 mm at "
         "the magnet that is tied, of 0.5 mm at the one that is resolved."
     )
     return Measured(float(max(stiff.max(), shift.max(), turn.max())), words, curves)

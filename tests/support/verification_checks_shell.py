@@ -77,9 +77,7 @@ def force_balance():
         )
     force, moment = np.array(off).T
     faces = np.arange(1, 6)
-    words = (
-        "Cube with two tilted rigid magnets per face, pressed at one vertex of each face in turn."
-    )
+    words = "Cube with two tilted rigid magnets per face, pressed at one vertex of every face, one at a time."
     curves = (Curve("force", faces, force), Curve("moment over 21 mm", faces, moment))
     return Measured(float(max(force.max(), moment.max())), words, curves)
 

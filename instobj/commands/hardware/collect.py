@@ -30,7 +30,7 @@ from instobj.store.publish import file_rows
 STALE_S = 1.0
 """A load cell's last line labels frames for so long."""
 _PAUSE_S = 1.0
-_KEYS = "z zeroes, q ends, FACE:X,Y is the place pressed from now on, - is none, Enter goes on"
+_KEYS = "z takes the baseline, q ends, FACE:X,Y sets the contact location, - none, Enter continues"
 
 
 @dataclass
@@ -193,7 +193,7 @@ def _take_frame(frame: Frame, state: _Collection, growing: GrowingRecording) -> 
 
 
 def _label(cell: int, time_s: float, zeroing: bool, state: _Collection) -> list[float] | None:
-    """Force, face and places of a load cell; None where no force is known."""
+    """Force, face and contact locations of a load cell; None where no force is known."""
     heard_s, load = state.loads.get(cell, (-np.inf, None))
     place = state.places[cell - 1]
     if load is not None and load.face is not None:
@@ -225,7 +225,7 @@ def _obey(line: str, state: _Collection, progress: ProgressLine) -> None:
         state.stopped = True
     elif line == "z":
         state.zero_left, state.zero_counts = max(1, state.options.zero_frames or 20), []
-        progress.say(f"zeroing: {state.zero_left} frames, touch nothing")
+        progress.say(f"baseline: {state.zero_left} frames, touch nothing")
         state.waiting = False
     elif not line:
         state.waiting = False
@@ -236,11 +236,13 @@ def _obey(line: str, state: _Collection, progress: ProgressLine) -> None:
             progress.say(f"{error}; {_KEYS}")
             return
         if len(places) > state.cells or any(p and len(p.tips_mm) > state.tips for p in places):
-            progress.say(f"more places than {state.cells} load cells and {state.tips} tips")
+            progress.say(
+                f"more contact locations than {state.cells} load cells and {state.tips} tips"
+            )
             return
         state.places[: len(places)] = places
         state.waiting = False
-        progress.say(f"place from now on: {line}")
+        progress.say(f"contact location from now on: {line}")
 
 
 def _enough(state: _Collection, growing: GrowingRecording) -> bool:
@@ -249,7 +251,7 @@ def _enough(state: _Collection, growing: GrowingRecording) -> bool:
 
 
 def _rate_hz(state: _Collection) -> float:
-    """Frames a second over the last 500 steps that were no pauses."""
+    """Frames per second over the last 500 steps without pauses."""
     steps_s = [step for step in state.steps_s if 0 < step < _PAUSE_S]
     return len(steps_s) / sum(steps_s) if steps_s else float("nan")
 

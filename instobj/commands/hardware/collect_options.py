@@ -86,8 +86,8 @@ def parse_place(text: str) -> Place | None:
     match = _PLACE.fullmatch(text)
     if match is None:
         raise InputError(
-            f"{text!r} is not a place. Give FACE:X,Y in mm, such as 3:1.5,-4.5, with :X,Y for each "
-            "further tip, or - where nothing is pressed"
+            f"{text!r} is not a contact location. Give FACE:X,Y in mm, such as 3:1.5,-4.5, with :X,Y "
+            "for each further tip, or - where nothing is pressed"
         )
     pairs = [pair.split(",") for pair in match[2][1:].split(":")]
     return Place(int(match[1]), tuple((float(x), float(y)) for x, y in pairs))
@@ -122,7 +122,7 @@ def open_source(options: CollectOptions) -> tuple[Generator[bytes], CollectOptio
         p and len(p.tips_mm) > (filled.tips or 0) for p in places
     ):
         raise InputError(
-            f"more places than --cells {filled.cells} and --tips {filled.tips} allow. Raise them"
+            f"more contact locations than --cells {filled.cells} and --tips {filled.tips} allow. Raise them"
         )
     return chunks, filled
 

@@ -1,4 +1,4 @@
-"""Presses with small strain, all at once: any indenter to depths or to a force, patches, grasps."""
+"""Presses with small strain, all together: any indenter to depths or to a force, patches, grasps."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Places to press, as given on the command line: read, and checked one by one."""
+"""Contact locations to press, as given on the command line: read, and checked one by one."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _EXAMPLE = "Example: --at 3:5,-4 or, with its own depth, --at 3:5,-4,1.5"
 
 @dataclass(frozen=True)
 class Place:
-    """A place on a face (mm in the face's frame) and the depth of its press."""
+    """A contact location on a face (mm in the face's frame) and the depth of its press."""
 
     face: int
     x_mm: float
@@ -56,7 +56,9 @@ def places_given(
     places = [] if xy_mm is None else [Place(face, *xy_mm, depth_mm)]
     places += [_place_at(text, depth_mm) for text in at]
     if not places:
-        raise InputError(f"no place to press. Give --face N --xy X Y, or --at. {_EXAMPLE}")
+        raise InputError(
+            f"no contact location to press. Give --face N --xy X Y, or --at. {_EXAMPLE}"
+        )
     return places
 
 
@@ -105,7 +107,7 @@ def _place_at(text: str, depth_mm: float) -> Place:
             raise ValueError
         return Place(int(face), x, y, depth)
     except ValueError:
-        raise InputError(f"{text!r} is no place FACE:X,Y in mm. {_EXAMPLE}") from None
+        raise InputError(f"{text!r} is no contact location FACE:X,Y in mm. {_EXAMPLE}") from None
 
 
 def _require_place(spec: ObjectSpec, place: Place, to_depth: bool) -> None:

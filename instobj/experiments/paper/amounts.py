@@ -1,4 +1,4 @@
-"""Amount of data that an estimator needs, and the places that it is best spent on."""
+"""Amount of training data, and its distribution over contact locations."""
 
 from __future__ import annotations
 
@@ -122,7 +122,7 @@ def run_places(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
         headline(f"contacts anywhere on face {face}, {budget} labelled frames each", quick),
         folder / "places-against-frames.png",
     )
-    return StudyResult(rows, [SIMULATED, "The paper labels 100 places with 1000 frames each."])
+    return StudyResult(rows, [SIMULATED, "The paper labels 100 locations with 1000 frames each."])
 
 
 def _thinned(frames: FrameSet, count: int, seed: int) -> FrameSet:
@@ -155,5 +155,7 @@ def _anywhere_row(
 
 STUDIES: Sequence[Study] = (
     Study("data-amount", "Training frames halved ten times.", run_data_amount),
-    Study("places-against-frames", "The same number of frames at few places or many.", run_places),
+    Study(
+        "places-against-frames", "The same number of frames at few locations or many.", run_places
+    ),
 )

@@ -1,4 +1,4 @@
-"""Grasps that press two faces at once: the paper's Table III, and magnets and sensors swapped."""
+"""Grasps that press two faces: the paper's Table III, and magnets and sensors swapped."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Errors place by place, and how far sensitivity explains them."""
+"""Errors per contact location, and their correlation with sensitivity."""
 
 from __future__ import annotations
 

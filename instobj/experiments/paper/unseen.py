@@ -1,4 +1,4 @@
-"""Places that no labelled press has: with networks alone, and with twins of the object."""
+"""Locations without labelled presses: networks alone, and with a digital twin."""
 
 from __future__ import annotations
 
@@ -82,13 +82,13 @@ def run_seen_unseen(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
     texts = [
         SIMULATED,
         "E_f is read at the true pixel alone: a force shared with the next pixel counts as lost. The "
-        "total force and the distance of the estimated place do not depend on pixels.",
-        "heatmap, position: outputs of the compact network, trained on the labelled places alone; "
-        "pre-trained: position, after presses of other twins of the design at all places; calibrated "
-        "twin: heatmap, trained on the labelled places and on presses that the design's twin, "
+        "total force and the localisation error do not depend on pixels.",
+        "heatmap, position: outputs of the compact network, trained on the labelled locations alone; "
+        "pre-trained: position, after presses of other virtual objects at all locations; calibrated "
+        "twin: heatmap, trained on the labelled locations and on presses that the design's twin, "
         "calibrated on them, simulates at all. The hidden twin's large deformation has the form that "
         "is calibrated; that of silicone follows it to about 10 %.",
-        "The bound knows the object's signals at every place and judges each frame for itself.",
+        "The bound knows the object's signals at every location and judges each frame for itself.",
     ]
     return StudyResult(rows, texts)
 

@@ -132,7 +132,7 @@ def _press(context: StageContext, place: tuple[float, float]) -> LargeStrainPres
     mesh_spec = spec.mesh.changed(surface_edge_mm=edge)
     coarse = spec.changed(mesh=mesh_spec)
     face = 1
-    where = f"place ({place[0]:g}, {place[1]:g}) mm"
+    where = f"location ({place[0]:g}, {place[1]:g}) mm"
     context.step(f"{where}: mesh")
     mesh = tetrahedralize_for_press(coarse, face, *place)
     silicone = spec.silicone

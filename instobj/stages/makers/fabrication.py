@@ -15,7 +15,7 @@ def make_fabrication(context: StageContext, folder: Path) -> None:
     from instobj.render.findings import draw_findings
 
     checked = check_fabrication(context.spec, context.step)
-    context.step("drawing the places found")
+    context.step("drawing the findings")
     draw_findings(
         checked.findings, checked.meshes, context.spec.name, FINDINGS_PICTURE.path(folder)
     )

@@ -71,7 +71,7 @@ def make_candidates(context: StageContext, folder: Path) -> None:
     mesh = context.read(PLAIN_MESH)
     response = context.read(PLAIN_RESPONSE)
     lattices = candidate_lattices(context.spec)
-    context.step("contact at every place, then one factorization for all presses")
+    context.step("contact at every location, then one factorization for all presses")
     motions = simulate_candidates(
         context.spec, mesh, response, lattices, folder, progress=context.step
     )

@@ -116,6 +116,6 @@ def make_shear(context: StageContext, folder: Path) -> None:
     context.step("magnet motions under tractions on every face")
     mesh = context.read(MESH)
     per_traction = motions_under_traction(mesh, context.spec)
-    context.step("tangential forces at every place and depth")
+    context.step("tangential forces at every location and depth")
     response = context.read(RESPONSE)
     save_shear(simulate_shear(context.spec, response, per_traction), SHEAR.path(folder))

@@ -40,7 +40,7 @@ def make_scores(context: StageContext, folder: Path) -> None:
     from estimator.information.scores import save_scores_csv, score_places
     from instobj.figures.maps.files import draw_cross_face_map, draw_score_maps
 
-    context.step("sensitivity and bounds of every place")
+    context.step("sensitivity and bounds of every location")
     signals = context.read(SIGNALS)
     scores = score_places(context.spec, signals, context.step)
     save_scores_csv(scores, SCORES.path(folder))
@@ -66,7 +66,7 @@ def make_shear_scores(context: StageContext, folder: Path) -> None:
 
 
 def make_identify(context: StageContext, folder: Path) -> None:
-    """Information of several contacts at once."""
+    """Information of several simultaneous contacts."""
     from estimator.information.identifiability import identifiability, save_identifiability_csv
     from instobj.figures.information import draw_blindest, draw_identifiability
 

@@ -55,7 +55,7 @@ class TwinOfData:
         except InputError as error:
             self.rows.append({"face": face, "places": 0, "helps": f"not used: {error}"})
             return parts
-        step(f"face {face}: calibrating the twin on {len(seen)} places")
+        step(f"face {face}: calibrating the twin on {len(seen)} locations")
         twin = calibrate(self.spec, *self.presses, seen)
         left = places_left_out(
             self.spec, *self.presses, seen, lambda text: step(f"face {face}: {text}")
@@ -67,7 +67,7 @@ class TwinOfData:
         return train, parts[1]
 
     def write(self, folder: Path) -> None:
-        """`calibration.json` and a picture of what is left at places left out."""
+        """`calibration.json` and a picture of the residuals at held-out locations."""
         from instobj.figures.calibration import draw_calibration
 
         write_json({"object": self.spec.name, "faces": self.rows}, CALIBRATION.path(folder))
@@ -163,14 +163,14 @@ def verdict(left_percent: float, design_percent: float, strained: int) -> str:
             f"no: {strained} numbers at their limits; is it this object, are its tolerances true?"
         )
     if left_percent > max(_EXACT_PERCENT, min(_TRUSTED_PERCENT, design_percent / 2)):
-        return "no: train without --twin, or press more places"
+        return "no: train without --twin, or press more locations"
     return "yes"
 
 
 def _row(
     twin: CalibratedTwin, seen: PressedPlaces, calibrated: np.ndarray, planned: np.ndarray
 ) -> dict[str, Any]:
-    """What was found, and what is left of the signals of places left out in turn."""
+    """What was found, and residual signals at held-out locations."""
     from estimator.calibration.digital_twin import FARTHEST
 
     found = twin.unknowns

@@ -213,7 +213,7 @@ def test_a_replay_is_the_recording_again(tmp_path, collected):
         ({}, "--port or --replay"),
         ({"port": "/dev/none"}, "cannot open /dev/none.*Ports found"),
         ({"replay": Path("none.csv")}, "no recording at"),
-        ({"port": "x", "places": ("7:0,0",)}, "'7:0,0' is not a place"),
+        ({"port": "x", "places": ("7:0,0",)}, "'7:0,0' is not a contact location"),
         ({"port": "x", "places": ("3:0,0:1,1",), "tips": 1}, "--tips 1"),
     ],
 )
