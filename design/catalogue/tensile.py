@@ -98,6 +98,18 @@ def read_tensile_test(path: Path) -> TensileTest:
     return test
 
 
+def left_out(test: TensileTest) -> str:
+    """What of a test is not fitted, and why; empty where all of it is."""
+    count = int((test.stretch > FIT_TO_STRETCH).sum())
+    if not count:
+        return ""
+    return (
+        f"{count} of {len(test.stretch)} points lie beyond a stretch of {FIT_TO_STRETCH:g} (up to "
+        f"{test.stretch[-1]:g}) and are not fitted: presses do not stretch the silicone that far, and "
+        "such points pull the modulus at small strain away"
+    )
+
+
 def fit_tensile(test: TensileTest, name: str) -> TensileFit:
     """Least squares of three solids, and E at small strain from those that fit.
 

@@ -32,7 +32,7 @@ def check_pockets(spec: ObjectSpec) -> list[Finding]:
     )
     limit, thickness = spec.silicone.thinnest_wall_mm, spec.shell.thickness_mm
     left = thickness + deepest.lowest_mm
-    text = "silicone under the deepest pocket. Below the limit: seat the magnet higher"
+    text = "silicone under the deepest pocket. Below 1.25 times the limit: seat the magnet higher"
     place = place_of(frame.to_object(deepest.axis_ends_mm[0]))
     found.append(_silicone("breakthrough", left, limit, text, place))
     return [*min_by_value(found), _seal(spec, faces)]
@@ -59,8 +59,8 @@ def _spacing(spec: ObjectSpec, frame: FaceFrame, pockets: tuple[Pocket, ...]) ->
         "pocket spacing",
         gap((a, b)),
         spec.silicone.thinnest_wall_mm,
-        f"silicone between the pockets of {a.body.label} and {b.body.label}. Below the limit: move "
-        "them apart",
+        f"silicone between the pockets of {a.body.label} and {b.body.label}. Below 1.25 times the limit: "
+        "move them apart",
         place_of(frame.to_object(middle)),
     )
 
@@ -76,7 +76,8 @@ def _seal(spec: ObjectSpec, faces: list[tuple[FaceFrame, tuple[Pocket, ...]]]) -
         "seal over the magnets",
         cover((frame, thinnest)),
         spec.silicone.thinnest_wall_mm,
-        "silicone over the highest magnet or board. Below the limit it tears off: seat it deeper",
+        "silicone over the highest magnet or board. Below 1.25 times the limit it may tear off: seat "
+        "it deeper",
         place_of(frame.to_object(thinnest.body.centre_mm)),
     )
 

@@ -36,8 +36,8 @@ def check_walls(part: Part, mesh: trimesh.Trimesh, spec: ObjectSpec) -> list[Fin
             limit,
             "mm",
             at_least(wall.thickness_mm, limit, _TIGHT),
-            f"thinnest {'silicone' if cast else 'printed'} wall, measured by rays. Below the limit: "
-            f"{advice}",
+            f"thinnest {'silicone' if cast else 'printed'} wall, measured by rays. Below "
+            f"{_TIGHT:g} times the limit: {advice}",
             place_of(wall.place_mm),
         )
     ]

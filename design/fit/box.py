@@ -145,8 +145,9 @@ def _check_pockets_across_edges(
         if (pocket.reach_mm >= (half_x, half_y)).any():
             raise ValueError(
                 f"{pocket.body.label} reaches into the {deepest:.4g} mm zone of the neighbouring "
-                f"face's pockets in the {part}: pockets of two faces could overlap. Move it inwards: "
-                f"its pocket must stay within ±{half_x:.4g}, ±{half_y:.4g} mm"
+                f"face's pockets in the {part}: pockets of two faces could overlap. Its pocket reaches "
+                f"{pocket.reach_mm[0]:.4g}, {pocket.reach_mm[1]:.4g} mm from the middle, less than "
+                f"{half_x:.4g}, {half_y:.4g} mm is needed. Move it inwards"
             )
 
 
@@ -221,7 +222,8 @@ def _check_sensor_places(spec: ObjectSpec) -> None:
             if reach[0] >= limits[0] or reach[1] >= limits[1]:
                 raise ValueError(
                     f"sensors.positions_mm: sensor {index + 1} of face {face} at ({x:g}, {y:g}) puts its "
-                    f"recess outside the core's face (±{limits[0]:g}, ±{limits[1]:g} mm). Move it inwards"
+                    f"recess outside the core's face: it reaches {reach[0]:.4g}, {reach[1]:.4g} mm from "
+                    f"the middle, less than {limits[0]:.4g}, {limits[1]:.4g} mm is needed. Move it inwards"
                 )
 
 

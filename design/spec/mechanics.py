@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import Field, model_validator
+from pydantic import Field, field_validator, model_validator
 
 from design.spec.base import Finite, NonNegative, Positive, SpecPart
 
@@ -89,6 +89,18 @@ class MechanicsSpec(SpecPart):
     interface: Literal["bonded", "frictionless"] = "bonded"
     slip: SlipSpec = SlipSpec()
     correction: Literal["none", "large-strain"] = "none"
+
+    @field_validator("element", mode="before")
+    @classmethod
+    def _plain_p2_is_not_needed(cls, given: Any) -> Any:
+        if given == "p2":
+            raise ValueError(
+                "mechanics.element: 'p2' (quadratic displacements alone) is not offered. "
+                "'taylor-hood' has the same displacements and adds a pressure, p = −λ div u, which "
+                "holds for compressible bodies too: at every Poisson ratio it converges as fast as "
+                "p2, and does not lock near 0.5. Use mechanics.element = 'taylor-hood'"
+            )
+        return given
 
     @model_validator(mode="after")
     def _correction_knows_the_model(self) -> MechanicsSpec:

@@ -143,10 +143,14 @@ def require_finite(signals: Signals) -> None:
     per_channel = np.sum(~np.isfinite(signals.delta_counts), axis=(0, 1, 2))
     bad = np.argwhere((per_channel > 0) | ~np.isfinite(signals.baseline_counts))
     if bad.size:
-        named = ", ".join(f"sensor {sensor + 1} {'XYZ'[axis]}" for sensor, axis in bad[:4])
+        per_face = len(signals.baseline_counts) // len(signals.faces)
+        named = ", ".join(
+            f"F{signals.faces[sensor // per_face]}-{'XYZ'[axis]}{sensor % per_face + 1}"
+            for sensor, axis in bad[:4]
+        )
         more = f" and {len(bad) - 4} more" if len(bad) > 4 else ""
         raise InputError(
-            f"signals are not finite on {named}{more} (sensors counted over all faces; "
+            f"signals are not finite on {named}{more} ("
             f"{int(per_channel.max())} presses on the worst). Leave the sensor out of the layout, or "
             "simulate anew"
         )

@@ -274,13 +274,13 @@ def _quadratic_forms(
 
 
 def sensor_names(face: Int[np.ndarray, "sensor"]) -> list[str]:
-    """As people and recordings call them: F3-2 is the second sensor of face 3."""
+    """As people call them: F3-S2 is the second sensor of face 3."""
     numbers = _numbers_within_face(face)
-    return [f"F{f}-{n}" for f, n in zip(face.tolist(), numbers, strict=True)]
+    return [f"F{f}-S{n}" for f, n in zip(face.tolist(), numbers, strict=True)]
 
 
 def _channel(names: list[str], channel: int) -> str:
-    face, sensor = names[channel // 3].split("-")
+    face, sensor = names[channel // 3].split("-S")
     return f"{face}-{'XYZ'[channel % 3]}{sensor}"
 
 

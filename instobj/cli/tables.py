@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Callable
+from math import isnan
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +17,10 @@ from instobj.report.surroundings import surroundings_lines
 from instobj.store import readers
 
 _MOST_COLUMNS = 12
+_NOTHING = 1e-10
+"""Magnitude below which a figure is a rounding error of what was added up."""
+_NUMBER = re.compile(r"^[^A-Za-z/_]*\d[^A-Za-z/_]*([eE][-+]?\d+)?[^A-Za-z/_]*$")
+"""A word that is one number, with its sign, unit sign or brackets."""
 
 
 def print_result(result: dict[str, Any]) -> None:
@@ -98,7 +105,14 @@ def _print_summary(console: Console, summary: dict[str, Any]) -> None:
 
 
 def _print_rows(console: Console, title: str, rows: list[dict[str, Any]]) -> None:
+    """A table; two or more where its numbers would not fit the width unbroken."""
     columns, widths = _laid_out(rows, console.width)
+    names = list(rows[0])
+    if widths is None and len(names) > 2:
+        half = (len(names) + 1) // 2
+        for part in (names[:half], [names[0], *names[half:]]):
+            _print_rows(console, title, [{name: row[name] for name in part} for row in rows])
+        return
     table = Table(title=title, title_justify="left", box=SIMPLE, padding=(0, 0, 0, 1))
     for (name, *_), width in zip(columns, widths or [None] * len(columns), strict=True):
         table.add_column(name, justify="right", width=width, overflow="fold")
@@ -110,18 +124,21 @@ def _print_rows(console: Console, title: str, rows: list[dict[str, Any]]) -> Non
 def _laid_out(rows: list[dict[str, Any]], room: int) -> tuple[list[list[str]], list[int] | None]:
     """Columns and their widths, transposed where they are many or their words do not fit.
 
-    No widths where the words fit neither way.
+    Where the words fit neither way long words are broken, numbers never: no widths where those fit
+    neither way.
     """
     columns = _columns(rows)
-    widths = _widths(columns, room)
+    widths = _widths(columns, room, _parts)
     many = len(columns) > _MOST_COLUMNS and len(rows) < len(columns)
     if len(columns) == 1 or (widths and not many):
         return columns, widths
     turned = _columns(_turned(rows))
-    turned_widths = _widths(turned, room)
-    if turned_widths or (many and not widths):
+    turned_widths = _widths(turned, room, _parts)
+    if turned_widths:
         return turned, turned_widths
-    return columns, widths
+    broken = [(shown, _widths(shown, room, _numbers)) for shown in (columns, turned)]
+    fitting = [pair for pair in broken if pair[1]]
+    return fitting[-1 if many else 0] if fitting else (columns, None)
 
 
 def _columns(rows: list[dict[str, Any]]) -> list[list[str]]:
@@ -129,19 +146,31 @@ def _columns(rows: list[dict[str, Any]]) -> list[list[str]]:
     return [[name, *(_number(row[name]) for row in rows)] for name in rows[0]]
 
 
-def _widths(columns: list[list[str]], room: int) -> list[int] | None:
-    """Characters for every column, broken at spaces alone; None where that does not fit the room.
+def _widths(
+    columns: list[list[str]], room: int, whole: Callable[[list[str]], list[str]]
+) -> list[int] | None:
+    """Characters for every column, broken between its `whole` parts; None where they do not fit.
 
-    The widest columns are narrowed first, none below its longest word.
+    The widest columns are narrowed first, none below its longest whole part.
     """
     room -= 2 * len(columns) + 1
     full = [max(map(cell_len, column)) for column in columns]
-    words = [max(map(cell_len, " ".join(column).split()), default=0) for column in columns]
+    least = [max(map(cell_len, whole(column)), default=1) for column in columns]
     for most in range(max(full), 0, -1):
-        widths = [max(word, min(most, width)) for word, width in zip(words, full, strict=True)]
+        widths = [max(part, min(most, width)) for part, width in zip(least, full, strict=True)]
         if sum(widths) <= room:
             return widths
     return None
+
+
+def _parts(column: list[str]) -> list[str]:
+    """Words of a column."""
+    return " ".join(column).split()
+
+
+def _numbers(column: list[str]) -> list[str]:
+    """Words that hold a number, and marks as short; at least four characters of any other."""
+    return [word if _NUMBER.search(word) else word[:4] for word in _parts(column)]
 
 
 _OPENED_FIRST = (
@@ -188,6 +217,10 @@ def _number(value: Any) -> str:
         return "–"
     if not isinstance(value, float):
         return str(value)
+    if isnan(value):
+        return "–"
+    if abs(value) < _NOTHING:
+        return "0"
     return f"{value:.1f}" if 1e3 <= abs(value) < 1e7 else f"{value:.3g}"
 
 

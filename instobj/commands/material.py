@@ -43,7 +43,7 @@ def describe_material(source: str, out: Path) -> dict[str, Any]:
 
 
 def _describe_test(path: Path, out: Path) -> dict[str, Any]:
-    from design.catalogue.tensile import fit_tensile, read_tensile_test
+    from design.catalogue.tensile import fit_tensile, left_out, read_tensile_test
 
     fit = fit_tensile(read_tensile_test(path), path.name)
     require_writable(out)
@@ -59,7 +59,9 @@ def _describe_test(path: Path, out: Path) -> dict[str, Any]:
         }
         for solid in fit.solids
     ]
-    return _document(path.stem, {"modulus": _modulus_row(fit.modulus), "solids": rows}, [figure])
+    summary = {"modulus": _modulus_row(fit.modulus), "solids": rows}
+    told = left_out(fit.test)
+    return ({"texts": [told]} if told else {}) | _document(path.stem, summary, [figure])
 
 
 def _modulus_row(modulus: ModulusEstimate) -> dict[str, Any]:

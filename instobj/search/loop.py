@@ -114,10 +114,15 @@ def _identity(trial: FrozenTrial) -> tuple[Any, ...]:
 def _standing(kept: KeptStudy, search: SearchSpec, seen: int) -> str:
     feasible = [t for t in kept.finished() if is_feasible(t)]
     if not feasible:
-        return f"{seen} of {search.trials} trials, none within the limits yet"
+        return f"{_share(seen, search.trials)}, none within the limits yet"
     best = min(feasible, key=lambda t: t.values[0])
     name = search.objectives[0]
-    return f"{seen} of {search.trials} trials, {name} {best.user_attrs['scores'][name]:.4g}"
+    return f"{_share(seen, search.trials)}, {name} {best.user_attrs['scores'][name]:.4g}"
+
+
+def _share(seen: int, asked: int) -> str:
+    """How far a search is; a resumed one may hold more trials than are asked for now."""
+    return f"{seen} of {asked} trials" if seen <= asked else f"{seen} trials ({asked} asked for)"
 
 
 def is_feasible(trial: FrozenTrial) -> bool:

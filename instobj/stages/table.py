@@ -262,6 +262,7 @@ STAGES: dict[str, Stage] = {
         (),
         ("name", "mechanics.slip", "score"),
         make_slip,
+        version=2,
         of_others=objects_compared,
     ),
     "report": Stage(

@@ -110,12 +110,13 @@ def sensor_rows(spec: ObjectSpec, costs: dict[str, SlipCost]) -> list[dict[str, 
 
     exact, approximate = costs["fem"], costs["sensors-only"]
     rows = []
-    for index, face in enumerate(sensor_layout(spec).face.tolist()):
+    faces = sensor_layout(spec).face.tolist()
+    for index, face in enumerate(faces):
         x, y, z = (round(float(value)) for value in exact.baseline_counts[index])
         rows.append(
             {
                 "face": face,
-                "sensor": index + 1,
+                "sensor": faces[: index + 1].count(face),
                 "ΔX": x,
                 "ΔY": y,
                 "ΔZ": z,

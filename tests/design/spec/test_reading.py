@@ -53,6 +53,15 @@ def test_poissons_ratio_that_no_element_takes_is_refused(ratio, tmp_path):
         load_spec(path)
 
 
+def test_p2_is_refused_with_the_element_that_does_what_it_would(tmp_path):
+    path = tmp_path / "x.toml"
+    path.write_text('name = "x"\n[mechanics]\nelement = "p2"')
+    with pytest.raises(
+        InputError, match=r"compressible bodies too.*mechanics\.element = 'taylor-hood'"
+    ):
+        load_spec(path)
+
+
 OLDER_NAMES = {"members": ("ensemble", 3), "interval_cover": ("coverage", 0.8)}
 
 

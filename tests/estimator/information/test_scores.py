@@ -91,7 +91,7 @@ def spec_of_frames(frames):
 def test_channels_that_are_not_finite_are_named(signals):
     delta = signals.delta_counts.copy()
     delta[2, 5:8, 1, 4, 1] = np.nan
-    with pytest.raises(InputError, match=r"not finite on sensor 5 Y .*3 presses"):
+    with pytest.raises(InputError, match=r"not finite on F2-Y2 .*3 presses"):
         score_places(SPEC, replace(signals, delta_counts=delta))
     force = signals.force_n.copy()
     force[0, 0, 0] = np.inf

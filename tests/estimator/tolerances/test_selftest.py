@@ -69,7 +69,7 @@ def test_a_wrong_model_of_flips_names_none(model):
 
 def test_two_faults_are_named(model):
     flipped = next(f for f in model.faults if f.where == "magnet 2 of face 4")
-    swapped = next(f for f in model.faults if f.where == "F1-2 and F3-1")
+    swapped = next(f for f in model.faults if f.where == "F1-S2 and F3-S1")
     counts = planted(planted(healthy(3), flipped, RNG), swapped, RNG)
     best = self_test(SPEC, model, counts, healthy_objects=2).best
     assert {str(f) for f in best.faults} == {str(flipped), str(swapped)}

@@ -62,6 +62,26 @@ def test_what_fits_neither_way_is_folded_and_nothing_is_lost(printed):
     assert path in "".join(word for line in shown for word in line)
 
 
+ROBUST = ("tolerance", "spread mm", "spread N", "share %", "largest", "place", "worst mm")
+
+
+@pytest.mark.parametrize("count", [2, 12, 40])
+def test_numbers_are_never_broken_whatever_else_is(printed, count):
+    """As of `robustness`: long names beside numbers with exponents, in 80 columns."""
+    values = [1.47e-7 * (k + 1) for k in range(count)]
+    rows = [
+        {f"{name}_of_the_whole_object": value for name in (*ROBUST, *(f"{n}_2" for n in ROBUST))}
+        for value in values
+    ]
+    shown = {word for line in printed(rows) for word in line}
+    assert {f"{value:.3g}" for value in values} <= shown
+
+
+def test_rounding_errors_are_zero_and_what_is_not_known_a_dash(printed):
+    shown = printed([{"a": -9.09e-13, "b": float("nan"), "c": 1.47e-7, "d": -0.0, "e": None}])
+    assert shown[-1] == ["0", "–", "1.47e-07", "0", "–"]
+
+
 def written(names):
     return [{"path": name, "bytes": 1000 * k} for k, name in enumerate(names, start=1)]
 

@@ -43,6 +43,24 @@ def test_a_tensile_test_gives_fits_and_a_figure(tmp_path):
     assert (tmp_path / "runs" / "material_gel" / "fit.png").stat().st_size > 10_000
 
 
+def pull_to(largest, folder):
+    stretch = np.linspace(1.05, largest, 15)
+    stress = nominal_stress_mpa("yeoh", (0.05, 0.008, -0.0004), stretch)
+    lines = [f"{a},{b}" for a, b in zip(stretch, stress, strict=True)]
+    data = folder / "gel.csv"
+    data.write_text("\n".join(["stretch,nominal_stress_mpa", *lines]))
+    return describe_material(str(data), folder), int((stretch > 2).sum())
+
+
+def test_points_that_are_not_fitted_are_told(tmp_path):
+    found, beyond = pull_to(3.0, tmp_path)
+    assert beyond > 3
+    assert found["texts"][0].startswith(
+        f"{beyond} of 15 points lie beyond a stretch of 2 (up to 3)"
+    )
+    assert "texts" not in pull_to(1.9, tmp_path)[0]
+
+
 def test_what_is_none_of_the_three_is_refused(tmp_path):
     with pytest.raises(InputError, match=r"'jelly' is no silicone .*no hardness .*no CSV"):
         describe_material("jelly", tmp_path)
