@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import signal
 import sys
+import warnings
 from pathlib import Path
 from typing import Annotated
 
@@ -204,6 +205,7 @@ def _chain(
 def main() -> None:
     """Entry point: bad input ends with one error message and exit code 2, without a traceback."""
     interrupted = _note_interrupts()
+    warnings.formatwarning = _warning_line
     code = 0
     try:
         code = app(standalone_mode=False)
@@ -224,6 +226,19 @@ def main() -> None:
     if interrupted:
         _fail("interrupted. Finished stages are kept: the same command goes on from there", 130)
     sys.exit(code)
+
+
+def _warning_line(
+    message: Warning | str,
+    category: type[Warning],
+    filename: str,
+    lineno: int,
+    line: str | None = None,
+) -> str:
+    """What users are warned of in one line; other warnings with the line of code."""
+    if category in (UserWarning, FutureWarning):
+        return f"warning: {message}\n"
+    return f"{filename}:{lineno}: {category.__name__}: {message}\n"
 
 
 def _note_interrupts() -> list[int]:

@@ -1,4 +1,4 @@
-"""Arguments and options that the commands share, and how their results are shown."""
+"""Arguments and options that the commands share, and the output of their results."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ Overrides = Annotated[
 ]
 AsBuilt = Annotated[
     Path | None,
-    typer.Option(help="What was measured on the built object, else SPEC.as_built.toml."),
+    typer.Option(help="Measurements of the built object (default: SPEC.as_built.toml)."),
 ]
 HERE = Path()
 

@@ -1,4 +1,4 @@
-"""Figures of identifiability: bounds against the number of sensors, and the blindest contact sets."""
+"""Figures of identifiability: bounds by number of sensors, and the contact sets with the worst bounds."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def draw_identifiability(
     panels[0].set_ylabel("position bound of the worst contact (mm)")
     panels[0].legend(frameon=False, loc="lower left")
     figure.suptitle(
-        f"How well k contacts of {spec.score.force_n:g} N each on one face can be located at once"
+        f"Position bound of k simultaneous contacts of {spec.score.force_n:g} N each on one face"
     )
     save_figure(figure, path)
 
@@ -77,7 +77,7 @@ def _draw_line(axes: Any, rows: Sequence[Identifiability], top_mm: float) -> Non
 
 
 def draw_blindest(spec: ObjectSpec, rows: Sequence[Identifiability], path: Path | str) -> None:
-    """The contact sets that are told worst from own channels, and which change goes unseen (PNG)."""
+    """Contact sets with the worst bounds from own channels, and the change that signals hide (PNG)."""
     from matplotlib.figure import Figure
 
     count = spec.sensors.count_per_face
@@ -87,8 +87,8 @@ def draw_blindest(spec: ObjectSpec, rows: Sequence[Identifiability], path: Path 
     for axes, row in zip(panels, some, strict=True):
         _draw_set(axes, spec, row)
     figure.suptitle(
-        "Blindest sets of contacts: shifts (arrows, nine times larger) and forces whose change together "
-        "is seen least"
+        "Contact sets with the worst bounds: joint change of location (arrows, nine times larger) "
+        "and force that changes the signals least"
     )
     save_figure(figure, path)
 

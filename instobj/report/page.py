@@ -109,7 +109,7 @@ def write_report(spec: ObjectSpec, inputs: Inputs, path: Path) -> None:
 
 
 def is_papers_cube(spec: ObjectSpec) -> bool:
-    """Whether the object is the paper's: what is known of that cube is told of no other."""
+    """Whether the object is the paper's cube, of which more is known."""
     default = ObjectSpec(name="default")
     return all(getattr(spec, part) == getattr(default, part) for part in _PAPER_PARTS)
 

@@ -8,6 +8,7 @@ import os
 import signal
 import subprocess
 import sys
+import warnings
 from contextlib import redirect_stderr, redirect_stdout
 from pathlib import Path
 
@@ -32,6 +33,7 @@ def run(*arguments: str | Path | float, cwd: Path) -> Done:
         patch.chdir(cwd)
         patch.setenv("COLUMNS", "200")
         patch.setattr(sys, "argv", words)
+        patch.setattr(warnings, "formatwarning", warnings.formatwarning)  # put back at the end
         try:
             with pytest.raises(SystemExit) as ended:
                 app.main()
