@@ -16,7 +16,7 @@ from jaxtyping import Float, Int
 
 from design.errors import RecordingError
 from estimator.frames.heatmap import NO_CONTACT_LABELS, label_grid_mm, label_to_pixel, pixel_to_mm
-from estimator.recordings.generic import generic_table, is_generic_header
+from estimator.recordings.generic import generic_table, is_generic_header, missing_marker
 from estimator.recordings.netcdf import read_generic_netcdf
 from estimator.recordings.table import FACES, RawTable, check_plausible
 from estimator.recordings.text import (
@@ -56,7 +56,11 @@ def read_table(path: Path | str) -> RawTable:
 
 def _csv_table(content: bytes) -> RawTable:
     rows, digest = csv_rows(content)
+    missing = missing_marker(rows)
+    rows = rows if missing is None else rows[1:]
     header = [cell.strip() for cell in rows[0]]
+    if missing is not None:
+        return generic_table(rows, missing)
     if is_number(header[0]):
         return _training_table(rows, digest, first_line=1)
     if header[0] == _HEAD[0]:

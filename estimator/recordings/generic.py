@@ -5,6 +5,8 @@ have no reading); for each load cell n from 1: `celln_force_n`, `celln_face`, an
 tips k from 1 `celln_xk_mm`, `celln_yk_mm` (face and places empty where nothing is pressed);
 optional `celln_shear_x_n` and `celln_shear_y_n` for every load cell (three-axis cells), `session`
 (whole number, 1 throughout if absent) and `rest` (1: nothing touches).
+`celln_force_g` in place of `celln_force_n` gives grams-force. A first line `# missing = -1` says that
+this number in a channel or a face is no reading.
 `estimator.recordings.netcdf` holds the same with named dimensions and units.
 """
 
@@ -20,10 +22,14 @@ from design.errors import RecordingError
 from estimator.frames.dataset import NO_FACE
 from estimator.frames.heatmap import label_grid_mm
 from estimator.recordings.table import FACES, RawTable
-from estimator.recordings.text import FORMATS, check_complete, numbers, whole
+from estimator.recordings.text import FORMATS, as_number, check_complete, is_number, numbers, whole
 
 CHANNEL = re.compile(r"F([1-5])-([XYZ])([1-9]\d?)")
+_GRAMS = re.compile(r"cell[1-9]_force_g")
+_NEWTON_PER_GRAM = 9.80665e-3
+_MISSING = re.compile(r"#\s*missing\s*=\s*(\S+)\s*")
 _FORCE = re.compile(r"cell([1-9])_force_n")
+_FACE = re.compile(r"cell([1-9])_face")
 _TIP = re.compile(r"cell([1-9])_x([1-9])_mm")
 _SHEAR = re.compile(r"cell[1-9]_shear_[xy]_n")
 
@@ -49,8 +55,28 @@ def _shear_columns(cells: int) -> list[str]:
     return [f"cell{cell}_shear_{axis}_n" for cell in range(1, cells + 1) for axis in "xy"]
 
 
-def generic_table(rows: list[list[str]]) -> RawTable:
-    """Read the rows of a generic CSV, header first.
+def missing_marker(rows: list[list[str]]) -> float | None:
+    """The number that stands for no reading, if the first line is a remark that names it.
+
+    Raises
+    ------
+    RecordingError
+        The remark names no number, or is another one.
+    """
+    if not rows[0][0].lstrip().startswith("#"):
+        return None
+    remark = ",".join(rows[0])
+    match = _MISSING.fullmatch(remark.strip())
+    if match is None or not is_number(match[1]):
+        raise RecordingError(
+            f"its first line is {remark[:40]!r}. Before the header only `# missing = NUMBER` may "
+            f"stand, such as `# missing = -1`; {FORMATS}"
+        )
+    return as_number(match[1])
+
+
+def generic_table(rows: list[list[str]], missing: float | None = None) -> RawTable:
+    """Read the rows of a generic CSV, header first; `missing` stands for no reading.
 
     Raises
     ------
@@ -58,8 +84,13 @@ def generic_table(rows: list[list[str]]) -> RawTable:
         Missing, unknown or repeated columns, damaged cells, or labels that cannot be.
     """
     header = [cell.strip() for cell in rows[0]]
+    grams = [bool(_GRAMS.fullmatch(name)) for name in header]
+    header = [name[:-1] + "n" if gram else name for name, gram in zip(header, grams, strict=True)]
     cells, tips = _check_header(header)
-    values = numbers(rows[1:], header, first_line=2)
+    values = numbers(rows[1:], header, first_line=2 if missing is None else 3)
+    values *= np.where(grams, _NEWTON_PER_GRAM, 1.0)
+    if missing is not None:
+        values = _without_marker(values, header, missing)
     column = {name: values[:, k] for k, name in enumerate(header)}
     frames = len(values)
     labels = [name for cell in range(1, cells + 1) for name in _cell_columns(cell, tips)]
@@ -87,6 +118,22 @@ def generic_table(rows: list[list[str]]) -> RawTable:
         digest=content_digest(column["time_s"], force_n, counts, shear_n),
         shear_n=shear_n,
     )
+
+
+def _without_marker(
+    values: Float[np.ndarray, "frame column"], header: list[str], missing: float
+) -> Float[np.ndarray, "frame column"]:
+    """NaN in place of the marker in channels and faces, and in the places beside such a face."""
+    values = values.copy()
+    for k, name in enumerate(header):
+        if CHANNEL.fullmatch(name):
+            values[values[:, k] == missing, k] = np.nan
+        elif match := _FACE.fullmatch(name):
+            absent = values[:, k] == missing
+            tips = re.compile(rf"cell{match[1]}_[xy]\d_mm")
+            places = [j for j, other in enumerate(header) if tips.fullmatch(other)]
+            values[np.ix_(absent, [k, *places])] = np.nan
+    return values
 
 
 def content_digest(

@@ -162,7 +162,7 @@ def edited(tmp_path, text, old, new, count=1):
     ("old", "new", "words"),
     [
         ("time_s", "time_ms", "'time_ms'"),
-        ("cell1_force_n", "cell1_force_g", "'cell1_force_g'"),
+        ("cell1_force_n", "cell1_force_kg", "'cell1_force_kg'"),
         ("cell2_x1_mm", "cell2_x1_cm", "'cell2_x1_cm'"),
         ("cell2_x1_mm,", "cell2_y1_mm,", "twice"),
         ("F1-X1", "F7-X1", "'F7-X1'"),
@@ -183,6 +183,53 @@ def scaled(tmp_path, good, names, factor):
     with (tmp_path / "scaled.csv").open("w", newline="") as file:
         csv.writer(file).writerows(rows)
     return tmp_path / "scaled.csv"
+
+
+def test_forces_in_grams_are_read_as_newtons(tmp_path, good):
+    names = ["cell1_force_n", "cell2_force_n"]
+    path = scaled(tmp_path, good, names, 1 / 9.80665e-3)
+    path.write_text(path.read_text().replace("_force_n", "_force_g"))
+    frames, expected = read_recording(path).frames, read_table_of(tmp_path, good)
+    assert_allclose(frames.force_n, expected.force_n, atol=2e-5)
+
+
+def read_table_of(tmp_path, text):
+    path = tmp_path / "as_it_is.csv"
+    path.write_text(text)
+    return read_recording(path).frames
+
+
+def test_a_named_number_stands_for_no_reading(tmp_path, good):
+    rows = list(csv.reader(good.splitlines()))
+    column = {name: k for k, name in enumerate(rows[0])}
+    rows[40][column["F3-Y1"]], empty = "-1", [list(row) for row in rows]
+    empty[40][column["F3-Y1"]] = ""
+    rows[40][column["cell1_x1_mm"]] = empty[40][column["cell1_x1_mm"]] = "-1"
+    for name in ("cell2_face", "cell2_x1_mm", "cell2_y1_mm"):
+        rows[50][column[name]], empty[50][column[name]] = "-1", ""
+    for row in empty[1:]:  # readings that are −1 by chance are taken for the marker, too
+        row[:] = [
+            "" if cell == "-1" and name.startswith("F") else cell
+            for name, cell in zip(empty[0], row, strict=True)
+        ]
+    text = "\n".join(map(",".join, rows))
+    marked, plain = tmp_path / "marked.csv", tmp_path / "plain.csv"
+    marked.write_text(f"# missing = -1\n{text}")
+    plain.write_text("\n".join(map(",".join, empty)))
+    found, expected = read_table(marked), read_table(plain)
+    assert_array_equal(found.counts, expected.counts)
+    assert_array_equal(found.tip_xy_mm, expected.tip_xy_mm)
+    assert_array_equal(found.face, expected.face)
+    assert np.isnan(found.counts[39, 2, 0, 1])
+    assert found.tip_xy_mm[39, 0, 0, 0] == -1.0
+
+
+@pytest.mark.parametrize("remark", ["# missing = none", "# made by hand", "# missing = 1_0"])
+def test_another_remark_before_the_header_is_refused(tmp_path, good, remark):
+    path = tmp_path / "remark.csv"
+    path.write_text(f"{remark}\n{good}")
+    with pytest.raises(InputError, match="only `# missing = NUMBER` may"):
+        read_recording(path)
 
 
 PLACES = [f"cell{c}_{a}1_mm" for c in (1, 2) for a in "xy"]
