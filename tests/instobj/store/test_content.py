@@ -4,13 +4,15 @@ import errno
 import json
 import os
 import shutil
+import subprocess
+import sys
 import time
 from pathlib import Path
 
 import pytest
 
 from design.errors import InputError, StoreError
-from instobj.store import record
+from instobj.store import lease, record
 from instobj.store.content import stored
 from instobj.store.keys import content_key
 from instobj.store.record import RECORD
@@ -250,5 +252,45 @@ def test_work_of_a_locked_lease_is_left_alone_though_its_heart_stood_still(tmp_p
         fcntl.flock(file, fcntl.LOCK_EX)
         stored(tmp_path, "stage", {}, _write("x"))
         assert work.exists()
+    stored(tmp_path, "other", {}, _write("x"))
+    assert not work.exists()
+
+
+def test_young_work_is_left_alone_where_its_lease_is_not_seen_yet(tmp_path):
+    """A network folder may show a host's work before its lease."""
+    work = _unfinished_elsewhere(tmp_path, seconds_ago=30)
+    (tmp_path / ".leases" / "0123abcd").unlink()
+    stored(tmp_path, "stage", {}, _write("x"))
+    assert work.exists()
+    os.utime(work, (time.time() - 90,) * 2)
+    stored(tmp_path, "other", {}, _write("x"))
+    assert not work.exists()
+
+
+def test_a_process_that_works_touches_its_lease(tmp_path, monkeypatch):
+    monkeypatch.setattr(lease, "BEAT_S", 0.01)
+    path = lease.hold_lease(tmp_path).path
+    os.utime(path, (1.0, 1.0))
+    began = time.monotonic()
+    while path.stat().st_mtime < 2.0:
+        assert time.monotonic() < began + 30.0
+        time.sleep(0.01)
+    path.unlink()  # which ends its thread
+
+
+def test_a_killed_process_leaves_its_result_to_the_next(tmp_path):
+    """Nothing of it is read; a minute later nothing of it is left."""
+    script = (
+        "import os, sys\nfrom pathlib import Path\nfrom instobj.store.content import stored\n"
+        "def make(folder):\n    (folder / 'half.txt').write_text('half')\n"
+        "    os.kill(os.getpid(), 9)\nstored(Path(sys.argv[1]), 'stage', {}, make)"
+    )
+    done = subprocess.run([sys.executable, "-c", script, tmp_path], check=False)
+    assert done.returncode == -9
+    (work,) = tmp_path.glob(".making-*")
+    assert not stored(tmp_path, "stage", {}, _write("whole")).reused
+    assert work.exists()
+    for path in (work, *(tmp_path / ".leases").glob(work.name.rsplit(".", 1)[-1])):
+        os.utime(path, (time.time() - 90,) * 2)
     stored(tmp_path, "other", {}, _write("x"))
     assert not work.exists()

@@ -136,3 +136,16 @@ def test_results_of_an_earlier_version_are_named_and_go_first(tmp_path):
     }
     (removed,) = free(tmp_path, lambda entry: True, least_bytes=1)
     assert removed.folder == earlier
+
+
+def test_what_another_process_begins_to_use_while_space_is_freed_is_put_back(tmp_path):
+    folder = _aged(tmp_path, "stage", 30)
+    _end_this_process(tmp_path)
+
+    def used_now(entry) -> bool:
+        os.utime(entry.folder / RECORD)
+        return True
+
+    assert free(tmp_path, used_now, None) == []
+    assert (folder / "table.nc").stat().st_size == 1000
+    assert stored(tmp_path, "stage", {"days": 30}, _make(1)).reused
