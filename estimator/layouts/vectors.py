@@ -15,6 +15,7 @@ from jaxtyping import Float
 from torch import Tensor
 
 from design.layout.body import core_frames, face_frames
+from design.layout.pockets import sensor_places
 from design.search.places import PlaceMap, magnet_map, sensor_map
 from design.search.space import SearchSpace
 from design.spec.object import ObjectSpec
@@ -73,7 +74,8 @@ def layouts_at(
     values = space.low + unit * space.span
     magnets = _places(space.magnets, values)
     if space.sensors is None:
-        fixed = [(x, y) for x, y, _ in space.structured.sensors.places[face - 1]]
+        placed = sensor_places(space.structured)[space.structured.body.sensed.index(face)]
+        fixed = [(x, y) for x, y, _ in placed]
         sensors = torch.as_tensor(fixed, dtype=unit.dtype).expand(len(unit), -1, -1)
     else:
         sensors = _places(space.sensors, values)
@@ -249,7 +251,7 @@ def _recesses(
     centres, axes = [], []
     for frame in core_frames(spec):
         turn = torch.as_tensor(frame.axes.T.copy(), dtype=radial.dtype)
-        centres.append(local @ turn + torch.as_tensor(frame.centre_mm, dtype=radial.dtype))
+        centres.append(local @ turn + torch.tensor(frame.centre_mm, dtype=radial.dtype))
         axes.append(box @ turn)
     return torch.cat(centres, dim=1), torch.cat(axes, dim=1)
 

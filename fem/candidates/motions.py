@@ -129,7 +129,8 @@ def candidate_lattices(
     """Regular places up to a pocket's radius from the borders, depths `margin_mm` off both skins.
 
     `pitch_mm` and `depth_step_mm` are the largest distances wanted. The paper's cube: 19 × 19
-    places, depths 1.5 to 6.5 mm, on each of five faces.
+    places, depths 1.5 to 6.5 mm, on each of five faces. Where faces differ in size all get the
+    lattice of the smallest, since one layout serves all of them.
 
     Raises
     ------
@@ -139,9 +140,10 @@ def candidate_lattices(
     thickness = spec.shell.thickness_mm
     deepest = thickness - margin_mm
     lattices = []
+    smallest = np.min([frame.half_extents_mm for frame in face_frames(spec)], axis=0)
     for frame in face_frames(spec):
         _require_flat(frame)
-        reach = [half - spec.shell.pocket_diameter_mm / 2 for half in frame.half_extents_mm]
+        reach = [half - spec.shell.pocket_diameter_mm / 2 for half in smallest.tolist()]
         if min(*reach, deepest - margin_mm) <= 0:
             raise InputError(
                 f"face {frame.number} has no room for candidates: reach {min(reach):g} mm, depths "

@@ -97,12 +97,12 @@ def scorers(spec: ObjectSpec, faces: tuple[int, ...]) -> tuple[LayoutScorer, ...
 def pressed_faces(spec: ObjectSpec) -> tuple[int, ...]:
     """Faces that stand for all: on a cube whose sensors move, the side faces are alike."""
     alike = len(set(spec.body.size_mm)) == 1 and spec.search.vary.sensor_reach_mm is not None
-    return (1, 3) if alike else (1, 2, 3, 4, 5)
+    return (1, 3) if alike and {1, 3} <= {*spec.body.sensed} else spec.body.sensed
 
 
 def start_scores(spec: ObjectSpec) -> dict[str, float]:
     """Lowest-fidelity scores of the specification as it is."""
-    faces = (1, 2, 3, 4, 5)
+    faces = spec.body.sensed
     found = scorers(spec, faces)
     with torch.no_grad():
         scores = batch_scores(found, [layouts_of(spec, face) for face in faces], DEARER)

@@ -54,6 +54,12 @@ def require_possible(spec: ObjectSpec) -> SearchSpace:
             "a layout search takes magnets in the shell; got arrangement = "
             f"{spec.arrangement!r}. Compare such layouts by `instobj score A.toml B.toml`"
         )
+    if spec.search.vary.core_size_mm is not None and len(set(spec.core_size_mm)) > 1:
+        edges = " × ".join(f"{edge:g}" for edge in spec.core_size_mm)
+        raise InputError(
+            f"search.vary.core_size_mm is the edge of a cube; the core here is {edges} mm. Leave it out, "
+            "or vary shell_thickness_mm"
+        )
     space = search_space(spec)
     with _one_thread():
         return _possible(space)
@@ -114,7 +120,7 @@ def _nearest(
     poles = torch.ones(len(units), len(tensors.magnets.constant))
 
     def broken(point: Tensor) -> Tensor:
-        return broken_limits_mm(tensors, layouts_at(tensors, point, poles, 1))
+        return broken_limits_mm(tensors, layouts_at(tensors, point, poles, structured.body.sensed[0]))
 
     point = torch.as_tensor(units[:, flags], dtype=torch.float32)
     rules = broken(point)

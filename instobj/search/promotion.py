@@ -44,7 +44,6 @@ from instobj.search.study import KeptStudy
 
 _APART = 0.05
 """Of the unit cube: leaders differ by at least that much in some variable."""
-_FACES = (1, 2, 3, 4, 5)
 _EXCESS_WEIGHT = 10.0
 FIRST, SECOND, LAST = "1", "2", "3"
 
@@ -245,7 +244,7 @@ def _lowest() -> Iterator[Callable[[ObjectSpec], FidelityScore]]:
     def score(spec: ObjectSpec) -> FidelityScore:
         key = _alike(spec, _SCORER + _SHELL)
         if key not in found:
-            found[key] = scorers(spec, _FACES)
+            found[key] = scorers(spec, spec.body.sensed)
         return lowest_fidelity_score(spec, found[key])
 
     yield score
