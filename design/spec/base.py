@@ -35,7 +35,9 @@ class SpecPart(BaseModel):
             There is no such field, or the values break a rule.
         """
         try:
-            validated = self.model_validate(dict(self) | fields)
+            validated = self.model_validate(
+                self.__dict__ | fields
+            )  # dict(self) calls a field `keys`
         except ValidationError as error:
             raise SpecError("\n".join(map(explained, error.errors()))) from None
         return super().model_copy(update={name: getattr(validated, name) for name in fields})

@@ -78,10 +78,10 @@ def resting_shell(mesh: TetMesh, spec: ObjectSpec) -> RestingShell:
         [_linear_rigid(amplitudes, centre), np.tile(turn.as_rotvec(), (len(centre), 1))]
     )
     deviation = solution.magnet_motion - linear
-    finite = np.hstack([turn.apply(centre) + shift - centre, linear[:, 3:]])
+    finite = np.hstack([turn.apply(np.array(centre)) + shift - centre, linear[:, 3:]])
     nodes = system.space.nodes_mm
     moved = solution.displacement_mm.T - _linear_rigid(amplitudes, nodes)
-    moved += turn.apply(nodes) + shift - nodes
+    moved += turn.apply(np.array(nodes)) + shift - nodes
     return RestingShell(finite + deviation, deviation, _at_faces(system, spec, moved))
 
 

@@ -120,7 +120,9 @@ def _nearest(
     poles = torch.ones(len(units), len(tensors.magnets.constant))
 
     def broken(point: Tensor) -> Tensor:
-        return broken_limits_mm(tensors, layouts_at(tensors, point, poles, structured.body.sensed[0]))
+        return broken_limits_mm(
+            tensors, layouts_at(tensors, point, poles, structured.body.sensed[0])
+        )
 
     point = torch.as_tensor(units[:, flags], dtype=torch.float32)
     rules = broken(point)

@@ -48,3 +48,10 @@ def test_single_presses_need_not_fit_at_every_contact_location():
     with pytest.raises(SpecError, match="fewer places"):
         check(wide)
     assert check(wide, table=False) is wide
+
+
+def test_a_part_with_a_field_named_keys_is_changed_too():
+    """`dict(part)` would call that field."""
+    core = parse_spec({"name": "cube"}, "test").core
+    assert core.changed(hub_radius_mm=1.7).hub_radius_mm == 1.7
+    assert core.changed(hub_radius_mm=1.7).keys == core.keys
