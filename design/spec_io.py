@@ -5,6 +5,7 @@ from __future__ import annotations
 import difflib
 import hashlib
 import json
+import re
 import tomllib
 from collections.abc import Iterable
 from pathlib import Path
@@ -19,6 +20,8 @@ from design.spec.base import explained
 from design.spec.object import ObjectSpec
 from design.spec.renamed import RENAMED, name_now, under_names_now
 
+_DEEP_KEY = re.compile(r"(?:\.[\w-]{1,80}){100}")
+"""A key of more than a hundred tables."""
 _LARGEST_BYTES = 250_000
 
 
@@ -52,7 +55,10 @@ def _read_toml(path: Path, missing: str) -> dict[str, Any]:
                 f"{path} holds {path.stat().st_size} bytes; a specification has a few thousand, "
                 f"{_LARGEST_BYTES} at most. Give the TOML file of an object"
             )
-        return tomllib.loads(path.read_text(encoding="utf-8"))
+        text = path.read_text(encoding="utf-8")
+        if _DEEP_KEY.search(text):  # tomllib takes minutes over it
+            raise RecursionError
+        return tomllib.loads(text)
     except RecursionError:
         raise SpecError(f"{path} nests brackets or tables too deep. Fix that line") from None
     except OSError as error:

@@ -19,6 +19,7 @@ from jaxtyping import Float
 
 from design.catalogue.silicones import ModulusEstimate
 from design.errors import InputError
+from design.files import require_regular_file
 
 LEAST_POINTS = 6
 _LEAST_STRETCH = 1.1
@@ -79,6 +80,8 @@ def read_tensile_test(path: Path) -> TensileTest:
         An unreadable file, missing columns, too few points, or points that are not numbers, not
         sorted, compressive, or of negative stress.
     """
+    missing = f"cannot read tensile data from {path}: no such file. Give the path of a CSV file"
+    require_regular_file(path, missing)
     try:
         with path.open(encoding="utf-8-sig", newline="") as stream:
             rows = list(csv.DictReader(stream))

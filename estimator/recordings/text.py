@@ -11,7 +11,8 @@ from pathlib import Path
 import numpy as np
 from jaxtyping import Float, Int
 
-from design.errors import RecordingError
+from design.errors import InputError, RecordingError
+from design.files import require_regular_file
 
 FORMATS = "`instobj docs recordings` describes the formats that are read"
 
@@ -54,12 +55,16 @@ def read_bytes(path: Path) -> bytes:
     Raises
     ------
     RecordingError
-        It cannot be read, or is empty.
+        It is no file that can be read to its end, or is empty.
     """
     try:
-        content = path.read_bytes()
-    except FileNotFoundError:
-        raise RecordingError(f"no recording at {path}. Give the path of a recording") from None
+        missing = f"no recording at {path}. Give the path of a recording"
+        content = require_regular_file(path, missing).read_bytes()
+    except InputError as error:
+        told = str(error)
+        raise RecordingError(
+            told if told.startswith("no ") else f"cannot read it: {told}"
+        ) from None
     except OSError as error:
         raise RecordingError(
             f"cannot read {path}: {error.strerror}. Give a readable file"

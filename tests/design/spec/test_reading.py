@@ -53,6 +53,14 @@ def test_poissons_ratio_that_no_element_takes_is_refused(ratio, tmp_path):
         load_spec(path)
 
 
+def test_a_key_of_a_hundred_thousand_tables_is_one_error(tmp_path):
+    """tomllib alone works on it for minutes."""
+    path = tmp_path / "x.toml"
+    path.write_text('name = "x"\n' + ".".join(["a"] * 100_000) + " = 1")
+    with pytest.raises(InputError, match="too deep"):
+        load_spec(path)
+
+
 def test_p2_is_refused_with_the_element_that_does_what_it_would(tmp_path):
     path = tmp_path / "x.toml"
     path.write_text('name = "x"\n[mechanics]\nelement = "p2"')

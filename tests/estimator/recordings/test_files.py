@@ -1,5 +1,7 @@
 """Damaged, foreign and truncated recordings: one InputError each, never another exception."""
 
+import os
+
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
@@ -39,6 +41,13 @@ def test_order_of_faces_and_units(tmp_path):
     np.testing.assert_allclose(table.force_n, arrays[1], atol=0.01)
     assert table.face[0].tolist() == [3, 5]
     assert table.tip_xy_mm[0].tolist() == [[[1.5, 4.5]], [[1.5, -4.5]]]
+
+
+def test_a_pipe_and_a_name_that_is_none(tmp_path):
+    """A pipe without a writer was read for ever."""
+    os.mkfifo(tmp_path / "pipe.csv")
+    assert "a pipe, socket or device" in message(tmp_path / "pipe.csv")
+    assert "not a file name" in message(tmp_path / "a\0b.csv")
 
 
 def test_missing_and_folder(tmp_path):

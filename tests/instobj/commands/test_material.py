@@ -1,6 +1,7 @@
 """The command that turns names, hardness and tensile tests into a modulus."""
 
 import json
+import os
 
 import numpy as np
 import pytest
@@ -59,6 +60,12 @@ def test_points_that_are_not_fitted_are_told(tmp_path):
         f"{beyond} of 15 points lie beyond a stretch of 2 (up to 3)"
     )
     assert "texts" not in pull_to(1.9, tmp_path)[0]
+
+
+def test_a_pipe_is_no_tensile_test(tmp_path):
+    os.mkfifo(tmp_path / "pipe.csv")
+    with pytest.raises(InputError, match="a pipe, socket or device"):
+        describe_material(str(tmp_path / "pipe.csv"), tmp_path)
 
 
 def test_what_is_none_of_the_three_is_refused(tmp_path):
