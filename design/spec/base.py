@@ -46,7 +46,9 @@ class SpecPart(BaseModel):
         self: Part, *, update: Mapping[str, Any] | None = None, deep: bool = False
     ) -> Part:
         """As pydantic's, but what is updated is validated (`changed`)."""
-        return self.changed(**update) if update else super().model_copy(deep=deep)
+        if update:
+            return self.changed(**update)
+        return BaseModel.model_copy(self, deep=deep)
 
 
 def explained(problem: Any) -> str:
