@@ -174,7 +174,8 @@ def test_files_and_modules_that_a_page_names_exist(page):
         if "/" not in snippet:
             dotted = re.findall(r"(?<![\w.])(?:design|fem|estimator|instobj)(?:\.\w+)+", snippet)
             names.update(dotted)
-    assert not [path for path in sorted(paths) if not (ROOT / path).exists()]
+    kept = {path for path in paths if not path.startswith("docs/_build")}  # `make docs` makes it
+    assert not [path for path in sorted(kept) if not (ROOT / path).exists()]
     assert not [name for name in sorted(names) if not _is_defined(name)]
 
 

@@ -221,7 +221,7 @@ def test_wires_leave_through_the_open_faces(kind, open_faces):
     body = BodySpec(kind=kind, size_mm=size, open_faces=open_faces)
     # no specification has it; recesses of sensors would stand in the passages' way
     unsensed = BaseModel.model_copy(body, update={"sensed_faces": ()})
-    spec = ObjectSpec(name="open").model_copy(update={"body": unsensed})
+    spec = BaseModel.model_copy(ObjectSpec(name="open"), update={"body": unsensed})
     core = make_core(spec)
     for face, (normal, _, _) in FACE_AXES.items():
         out = np.array(normal) * (np.array(size) / 2 - 8)
