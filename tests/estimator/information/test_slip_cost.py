@@ -26,7 +26,7 @@ def rigid_rest(spec):
     turn, shift = shell_motion(spec)
     centre = magnet_layout(spec).centre_mm
     rotation = np.tile(turn.as_rotvec(), (len(centre), 1))
-    return np.hstack([turn.apply(centre) + shift - centre, rotation])
+    return np.hstack([turn.apply(np.array(centre)) + shift - centre, rotation])
 
 
 @pytest.fixture(scope="module")
