@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 import torch
 from numpy.testing import assert_allclose
+from pydantic import BaseModel
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec
@@ -178,12 +179,12 @@ def test_magnets_beyond_the_candidates_are_refused(scorer, layouts, place, what)
 
 
 def test_what_cannot_be_scored_is_refused(spec, motions, presses):
-    blocks = spec.magnets.model_copy(update={"shape": "block"})
+    blocks = BaseModel.model_copy(spec.magnets, update={"shape": "block"})  # unvalidated
     with pytest.raises(InputError, match="round magnets in the shell"):
-        layout_scorer(spec.model_copy(update={"magnets": blocks}), presses)
-    silent = spec.sensors.model_copy(update={"noise_counts": (1.0, 0.0, 1.0)})
+        layout_scorer(BaseModel.model_copy(spec, update={"magnets": blocks}), presses)
+    silent = BaseModel.model_copy(spec.sensors, update={"noise_counts": (1.0, 0.0, 1.0)})
     with pytest.raises(InputError, match="white noise on every axis"):
-        layout_scorer(spec.model_copy(update={"sensors": silent}), presses)
+        layout_scorer(BaseModel.model_copy(spec, update={"sensors": silent}), presses)
     with pytest.raises(InputError, match="face 6 was not pressed"):
         press_basis(spec, motions, 6)
     once = replace(
