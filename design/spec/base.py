@@ -48,7 +48,7 @@ class SpecPart(BaseModel):
         """As pydantic's, but what is updated is validated (`changed`)."""
         if update:
             return self.changed(**update)
-        return BaseModel.model_copy(self, deep=deep)
+        return BaseModel.model_copy(self, deep=deep)  # pyright: ignore
 
 
 def explained(problem: Any) -> str:

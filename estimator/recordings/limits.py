@@ -78,4 +78,4 @@ def places_off_the_body(
                 "frames not used; --spec gives the object's size",
             )
         )
-    return far.any(axis=(1, 2)), faults
+    return far.any(axis=(1, 2)), faults  # pyright: ignore
