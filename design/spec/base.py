@@ -35,9 +35,8 @@ class SpecPart(BaseModel):
             There is no such field, or the values break a rule.
         """
         try:
-            validated = self.model_validate(
-                self.__dict__ | fields
-            )  # dict(self) calls a field `keys`
+            # not dict(self), which calls a field named `keys`
+            validated = self.model_validate(self.__dict__ | fields)
         except ValidationError as error:
             raise SpecError("\n".join(map(explained, error.errors()))) from None
         return super().model_copy(update={name: getattr(validated, name) for name in fields})
@@ -48,7 +47,7 @@ class SpecPart(BaseModel):
         """As pydantic's, but what is updated is validated (`changed`)."""
         if update:
             return self.changed(**update)
-        return BaseModel.model_copy(self, deep=deep)  # pyright: ignore
+        return super().model_copy(deep=deep)  # pyright: ignore[reportReturnType]
 
 
 def explained(problem: Any) -> str:

@@ -65,7 +65,7 @@ def places_off_the_body(
 ) -> tuple[Bool[np.ndarray, "frame"], list[Fault]]:
     """Frames labelled with a place that lies on no face, one fault per place."""
     with np.errstate(invalid="ignore"):
-        far = (np.abs(tip_xy_mm) > limits.farthest_mm).any(axis=3)
+        far = np.asarray((np.abs(tip_xy_mm) > limits.farthest_mm).any(axis=3))
     faults = []
     for x, y in np.unique(tip_xy_mm[far], axis=0):
         rows = np.flatnonzero((tip_xy_mm == [x, y]).all(axis=3).any(axis=(1, 2)))
@@ -78,4 +78,4 @@ def places_off_the_body(
                 "frames not used; --spec gives the object's size",
             )
         )
-    return far.any(axis=(1, 2)), faults  # pyright: ignore
+    return far.reshape(len(far), -1).any(axis=1), faults

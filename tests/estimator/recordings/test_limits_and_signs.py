@@ -114,10 +114,12 @@ def test_a_sound_recording_has_none_of_them(read, arrays):
     assert not kinds & {"place off the body", "count beyond the chip's range"}
 
 
-def test_a_press_off_the_body_is_not_used(read, arrays):
-    """The outermost place of this recording lies at 10.5 mm."""
+def test_a_press_off_the_body_is_not_used(tmp_path):
+    """The outermost place of this recording, of its third case, lies at 10.5 mm."""
+    cases = (*CASES[:2], (85, 86))
+    path = write_gripper(tmp_path / "a.csv", gripper_arrays(cases, presses=4, lag=0), cases)
     small = Limits(largest_count=32_768.0, farthest_mm=9.0)
-    recording = read(arrays, limits=small)
+    recording = read_recording(path, limits=small)
     faults = found(recording, "place off the body")
     assert {fault.where for fault in faults} == {f"rows {8 * PRESS}–{12 * PRESS - 1}"}
     assert not recording.frames.valid[8 * PRESS :].any()
