@@ -78,4 +78,4 @@ def places_off_the_body(
                 "frames not used; --spec gives the object's size",
             )
         )
-    return far.reshape(len(far), -1).any(axis=1), faults
+    return np.asarray(far.any(axis=(1, 2))), faults
