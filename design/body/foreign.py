@@ -1,16 +1,11 @@
-"""Surfaces in files that others wrote, read in a separate process.
+"""Surfaces in files that others wrote, read in a separate process (`design.solids.foreign`).
 
-Parsers of STEP and of meshes crash, hang or fill the memory on damaged files. Here that is one
-error: the reader (`design.solids.foreign`) gets limits of time and, on Linux, of memory.
+Parsers of STEP and of meshes crash, hang or fill the memory on damaged files.
 """
 
 from __future__ import annotations
 
-import signal
-import subprocess
-import sys
 import tempfile
-from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
 
@@ -19,11 +14,11 @@ from jaxtyping import Float, Int
 
 from design.errors import InputError
 from design.files import require_regular_file
+from design.processes import ChildFailed, ChildTooSlow, run_child
 
 FORMATS = (".stl", ".obj", ".ply", ".off", ".step", ".stp")
 SECONDS = 180.0
-MEMORY_GIB = 8
-_REFUSED = 3
+MEMORY_GIB = 8.0
 _READER = "design.solids.foreign"
 
 
@@ -57,46 +52,17 @@ def read_foreign_surface(path: Path, missing: str, seconds: float = SECONDS) -> 
         )
     with tempfile.TemporaryDirectory() as folder:
         target = Path(folder) / "surface.npz"
-        command = [sys.executable, "-P", "-m", _READER, str(path.resolve()), str(target)]
+        command = ("-P", "-m", _READER, str(path.resolve()), str(target))
         try:
-            done = subprocess.run(
-                command,
-                capture_output=True,
-                text=True,
-                errors="replace",
-                timeout=seconds,
-                preexec_fn=_memory_limit(),
-                check=False,
-            )
-        except subprocess.TimeoutExpired:
+            run_child(command, Path(folder), seconds, MEMORY_GIB)
+        except ChildTooSlow:
             raise InputError(
                 f"{path} was not read within {seconds:g} s. Export it coarser, or repair it"
             ) from None
-        if done.returncode != 0:
-            raise InputError(f"{path} cannot be read: {_reason(done)}. Export it anew")
+        except ChildFailed as failure:
+            raise InputError(f"{path} cannot be read: {failure}. Export it anew") from None
         with np.load(target, allow_pickle=False) as content:
             found = ForeignSurface(content["vertices"], content["triangles"])
     if not len(found.triangles):
         raise InputError(f"{path} holds no solid and no triangles. Export one closed body in mm")
     return found
-
-
-def _reason(done: subprocess.CompletedProcess[str]) -> str:
-    if done.returncode < 0:
-        return f"its reader crashed ({signal.Signals(-done.returncode).name}); the file is damaged"
-    lines = done.stderr.strip().splitlines()
-    if done.returncode == _REFUSED and lines:
-        return lines[-1]
-    if "MemoryError" in done.stderr or "bad_alloc" in done.stderr:
-        return f"it needs more than {MEMORY_GIB} GiB of memory"
-    return lines[-1] if lines else f"its reader ended with code {done.returncode}"
-
-
-def _memory_limit() -> Callable[[], None] | None:
-    """Sets the limit in the child; other systems than Linux do not keep it."""
-    if sys.platform != "linux":
-        return None
-    import resource
-
-    most = MEMORY_GIB * 2**30
-    return lambda: resource.setrlimit(resource.RLIMIT_AS, (most, most))

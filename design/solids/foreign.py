@@ -13,9 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
-REFUSED = 3
-"""Exit code where the file was understood to be wrong; the reason stands on standard error."""
-STEP = (".step", ".stp")
+_STEP = (".step", ".stp")
 _TOLERANCE_MM, _ANGLE_RAD = 0.03, 0.2
 
 
@@ -41,13 +39,13 @@ def _of_step(path: Path) -> tuple[np.ndarray, np.ndarray]:
 
 
 def main(source: str, target: str) -> int:
-    """Exit code: 0, or `REFUSED` with the reason on standard error."""
+    """Exit code: 0, or 1 with the reason on standard error."""
     path = Path(source)
     try:
-        vertices, triangles = (_of_step if path.suffix.lower() in STEP else _of_mesh)(path)
+        vertices, triangles = (_of_step if path.suffix.lower() in _STEP else _of_mesh)(path)
     except Exception as error:  # readers raise whatever their parsers meet
         print(f"{type(error).__name__}: {error}".splitlines()[0][:200], file=sys.stderr)
-        return REFUSED
+        return 1
     np.savez(target, vertices=vertices.astype(float), triangles=triangles)
     return 0
 

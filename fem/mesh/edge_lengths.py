@@ -17,7 +17,7 @@ EdgeLength = Callable[[Float[np.ndarray, "point 3"]], Float[np.ndarray, "point"]
 """Wanted edge lengths (mm) at points of the object's frame (mm)."""
 
 _SIZING_STEP_MM = 2.0
-_FINE_LAYER_MM = 0.5
+FINE_LAYER_MM = 0.5
 
 
 @dataclass(frozen=True)
@@ -48,7 +48,7 @@ def _fine_under_all_faces(spec: ObjectSpec, points_mm: np.ndarray) -> np.ndarray
         local = frame.from_object(points_mm)
         under = frame.flat | frame.covers(local[:, :2])
         below = np.minimum(below, np.where(under, -local[:, 2], np.inf))
-    below = np.clip(below - _FINE_LAYER_MM, 0, None) / (spec.shell.thickness_mm / 2)
+    below = np.clip(below - FINE_LAYER_MM, 0, None) / (spec.shell.thickness_mm / 2)
     fine, coarse = spec.mesh.surface_edge_mm, spec.mesh.edge_mm
     return fine + (coarse - fine) * np.clip(below, 0, 1)
 

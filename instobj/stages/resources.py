@@ -7,25 +7,22 @@ presses, before hours are spent; not to plan the last gigabyte.
 
 from __future__ import annotations
 
-import os
-import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise
 from math import prod
-from pathlib import Path
 
 from design.errors import InputError
 from design.layout.volumes import sealed_volume_mm3
+from design.processes import MEMORY_SWITCH, machine_memory_gib
 from design.spec.object import ObjectSpec
+from fem.mesh.edge_lengths import FINE_LAYER_MM
 
 _GIB = 2.0**30
-_OVERRIDE = "INSTOBJ_MEMORY_GIB"
 _VERTICES_PER_CELL = 2.2
 """Vertices of fTetWild's mesh in a volume of edge³; measured on the paper's cube."""
 _VERTICES_PER_BODY = 40
 """About the outline of a magnet; they dominate coarse meshes."""
-_FINE_LAYER_MM = 0.5
 _MESHER_KB = 6.0
 """Within fTetWild, for a vertex; the response needs far more."""
 _NODES_PER_VERTEX = {"taylor-hood": 6.8, "p2-p0": 6.8, "p1": 1.0}
@@ -63,37 +60,8 @@ def require_memory(stage: str, spec: ObjectSpec, available_gib: float | None = N
     if need.gib > _LARGEST_SHARE * have:
         raise InputError(
             f"the stage {stage} of {spec.name} needs about {need.gib:.3g} GiB of memory; this machine "
-            f"has {have:.3g}. Change {need.keys}; or set {_OVERRIDE} to what may be used"
+            f"has {have:.3g}. Change {need.keys}; or set {MEMORY_SWITCH} to what may be used"
         )
-
-
-def machine_memory_gib() -> float | None:
-    """Memory that this process may use: `INSTOBJ_MEMORY_GIB`, the machine's, or its container's limit.
-
-    None if unknown.
-
-    Raises
-    ------
-    InputError
-        `INSTOBJ_MEMORY_GIB` is not a positive number.
-    """
-    asked = os.environ.get(_OVERRIDE)
-    if asked is not None:
-        try:
-            gib = float(asked)
-        except ValueError:
-            gib = 0.0
-        if not gib > 0:
-            raise InputError(f"{_OVERRIDE} must be a positive number of GiB; got {asked!r}. Fix it")
-        return gib
-    if not hasattr(os, "sysconf") or "SC_PHYS_PAGES" not in os.sysconf_names:
-        return None
-    found = os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE") / _GIB
-    limit = Path("/sys/fs/cgroup/memory.max")
-    if sys.platform == "linux" and limit.is_file():
-        text = limit.read_text().strip()
-        found = min(found, int(text) / _GIB) if text.isdigit() else found
-    return found
 
 
 def mesh_vertices(spec: ObjectSpec) -> float:
@@ -102,8 +70,8 @@ def mesh_vertices(spec: ObjectSpec) -> float:
     fine, coarse = spec.mesh.surface_edge_mm, spec.mesh.edge_mm
     area, ramp = volume / spec.shell.thickness_mm, spec.shell.thickness_mm / 2
     graded = ramp * (fine + coarse) / (2 * fine**2 * coarse**2)  # ∫ dz / h(z)³ of a linear h
-    below = max(volume - area * (_FINE_LAYER_MM + ramp), 0.0)
-    cells = area * (_FINE_LAYER_MM / fine**3 + graded) + below / coarse**3
+    below = max(volume - area * (FINE_LAYER_MM + ramp), 0.0)
+    cells = area * (FINE_LAYER_MM / fine**3 + graded) + below / coarse**3
     bodies = len(spec.magnets.positions_mm) * len(spec.body.sensed)
     return _VERTICES_PER_CELL * cells + _VERTICES_PER_BODY * bodies
 

@@ -3,9 +3,10 @@
 import pytest
 
 from design.errors import InputError
+from design.processes import machine_memory_gib
 from design.spec_io import parse_spec
 from fem.mesh.tetrahedra import tetrahedralize
-from instobj.stages.resources import machine_memory_gib, mesh_vertices, require_memory
+from instobj.stages.resources import mesh_vertices, require_memory
 from instobj.stages.run import Run
 from instobj.stages.table import STAGES
 from tests.support.small_object import small_spec

@@ -1,0 +1,132 @@
+"""Limits of this machine, and Python programs in separate processes that keep to them.
+
+Code that may crash, hang or fill the memory (readers of foreign files, the mesher) runs apart: there,
+each of these is one error.
+"""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+from design.errors import InputError
+
+MEMORY_SWITCH = "INSTOBJ_MEMORY_GIB"
+_GIB = 2.0**30
+
+
+class ChildFailed(Exception):
+    """A separate process that did not do its work; the text says why."""
+
+
+class ChildTooSlow(ChildFailed):
+    """One that was ended when its time was over."""
+
+
+def run_child(
+    arguments: Sequence[str],
+    folder: Path,
+    seconds: float,
+    memory_gib: float | None = None,
+    waited: Callable[[float], None] | None = None,
+    every_s: float = 15.0,
+) -> None:
+    """Run Python with these arguments in a folder, at most so long and in so much memory.
+
+    A program that fails says why in the last line of its standard error. `waited` is told every
+    `every_s` how long it has worked (s). The limit of memory holds on Linux alone.
+
+    Raises
+    ------
+    ChildTooSlow
+        It did not end in time.
+    ChildFailed
+        It crashed, ran out of memory, or ended with another code than 0.
+    """
+    with tempfile.TemporaryFile("w+", errors="replace") as said:
+        child = subprocess.Popen(
+            [sys.executable, *arguments], cwd=folder, stdout=subprocess.DEVNULL, stderr=said
+        )
+        try:
+            _limit_memory(child.pid, memory_gib)
+            _wait(child, seconds, waited, every_s)
+        finally:
+            child.kill()
+            child.wait()
+        said.seek(0)
+        if child.returncode != 0:
+            raise ChildFailed(_reason(child.returncode, said.read(), memory_gib))
+
+
+def machine_memory_gib() -> float | None:
+    """Memory that this process may use: `INSTOBJ_MEMORY_GIB`, the machine's, or its container's limit.
+
+    None if unknown.
+
+    Raises
+    ------
+    InputError
+        `INSTOBJ_MEMORY_GIB` is not a positive number.
+    """
+    asked = os.environ.get(MEMORY_SWITCH)
+    if asked is not None:
+        try:
+            gib = float(asked)
+        except ValueError:
+            gib = 0.0
+        if not gib > 0:
+            raise InputError(
+                f"{MEMORY_SWITCH} must be a positive number of GiB; got {asked!r}. Fix it"
+            )
+        return gib
+    if not hasattr(os, "sysconf") or "SC_PHYS_PAGES" not in os.sysconf_names:
+        return None
+    found = os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE") / _GIB
+    limit = Path("/sys/fs/cgroup/memory.max")
+    text = limit.read_text().strip() if limit.is_file() else ""
+    return min(found, int(text) / _GIB) if text.isdigit() else found
+
+
+def _limit_memory(pid: int, gib: float | None) -> None:
+    if gib is None or sys.platform != "linux":
+        return
+    import resource
+
+    most = int(gib * _GIB)
+    try:
+        resource.prlimit(pid, resource.RLIMIT_AS, (most, most))
+    except (ProcessLookupError, ValueError):  # it has ended, or may not have so much anyway
+        return
+
+
+def _wait(
+    child: subprocess.Popen[bytes],
+    seconds: float,
+    waited: Callable[[float], None] | None,
+    every_s: float,
+) -> None:
+    start = time.monotonic()
+    while child.poll() is None:
+        elapsed = time.monotonic() - start
+        if elapsed >= seconds:
+            raise ChildTooSlow(f"it did not end within {seconds:g} s")
+        try:
+            child.wait(min(every_s, seconds - elapsed))
+        except subprocess.TimeoutExpired:
+            if waited:
+                waited(time.monotonic() - start)
+
+
+def _reason(code: int, said: str, memory_gib: float | None) -> str:
+    if memory_gib is not None and ("MemoryError" in said or "bad_alloc" in said):
+        return f"it needs more than {memory_gib:.3g} GiB of memory"
+    if code < 0:
+        return f"it crashed ({signal.Signals(-code).name})"
+    lines = said.strip().splitlines()
+    return lines[-1] if lines else f"it ended with code {code}"
