@@ -10,6 +10,8 @@ from estimator.frames.dataset import FrameSet
 from estimator.frames.face_data import HISTORY, Channel
 
 Grid = tuple[Float[np.ndarray, "nx"], Float[np.ndarray, "ny"]]
+AnyGrid = tuple[Float[np.ndarray, "_"], Float[np.ndarray, "_"]]
+"""Two of them may differ in length."""
 _SAME_PLACE_MM = 1e-3
 
 
@@ -27,13 +29,21 @@ def require_same_object(
     """
     require_same_sensors(channels, frames.signal_counts, frames.faces, source)
     grids = grid_mm, (frames.grid_x_mm, frames.grid_y_mm)
-    if all(_same_places(*axes) for axes in zip(*grids, strict=True)):
+    if same_grid(*grids):
         return
     own, other = (" by ".join(_grid_text(axis) for axis in grid) for grid in grids)
     raise InputError(
         f"the model's contact grid is {own}; that of {source} is {other}, so it is of another object "
         "or was read without its specification. Use the model of the object that was recorded, or "
         "read the recording with `instobj recordings --spec`"
+    )
+
+
+def same_grid(one_mm: AnyGrid, other_mm: AnyGrid) -> bool:
+    """Whether two contact grids have the same places along both axes, to 1 µm."""
+    return all(
+        len(a) == len(b) and np.allclose(a, b, atol=_SAME_PLACE_MM)
+        for a, b in zip(one_mm, other_mm, strict=True)
     )
 
 
@@ -69,10 +79,6 @@ def require_same_sensors(
 
 def _sensor_names(sensors: set[tuple[int, int]]) -> str:
     return ", ".join(f"F{face}-S{sensor + 1}" for face, sensor in sorted(sensors))
-
-
-def _same_places(one_mm: Float[np.ndarray, "n"], other_mm: Float[np.ndarray, "m"]) -> bool:
-    return len(one_mm) == len(other_mm) and np.allclose(one_mm, other_mm, atol=_SAME_PLACE_MM)
 
 
 def _grid_text(places_mm: Float[np.ndarray, "n"]) -> str:

@@ -26,8 +26,6 @@ if TYPE_CHECKING:
     from estimator.recordings.reading import Grid
     from instobj.stages.makers.twin import TwinOfData
 
-_VERSION = 7
-
 
 def read_recordings(files: list[Path], out: Path, spec: Path | None = None) -> dict[str, Any]:
     """Read recordings into one data set, `runs/<stems>/frames.nc`, and say what was found.
@@ -91,6 +89,7 @@ def run_on_data_set(
         train_networks,
         unfinished_folder,
     )
+    from instobj.stages.table import STAGES
 
     training, seed = _settings(overrides)
     frames = load_frames(path)
@@ -103,9 +102,12 @@ def run_on_data_set(
         "seed": seed,
         "start": None if start is None else _keys_of_models(start),
         "twin": None if twin is None else [twin.key, twin.spec.model_dump(mode="json")],
-        "version": _VERSION,
     }
-    unfinished = unfinished_folder(content_key(inputs))
+
+    def of(stage: str) -> dict[str, Any]:
+        return inputs | {"version": STAGES[stage].version}
+
+    unfinished = unfinished_folder(content_key(of("networks")))
     how = Fitting(training, seed, progress.step, unfinished, start, twin)
     split = split_presses(frames, seed)
 
@@ -118,11 +120,12 @@ def run_on_data_set(
 
     results = {}
     with progress.stage(f"training on {path}"):
-        results["networks"] = stored(store_root(), "networks", inputs, train, progress.say)
+        results["networks"] = stored(store_root(), "networks", of("networks"), train, progress.say)
     if "metrics" in stages:
         with progress.stage("held-out presses"):
-            pictured = inputs | {"pictures": 1}
-            results["metrics"] = stored(store_root(), "metrics", pictured, evaluate, progress.say)
+            results["metrics"] = stored(
+                store_root(), "metrics", of("metrics"), evaluate, progress.say
+            )
     target = run_folder(out, name)
     files = [file for result in results.values() for file in publish_to(target, result)]
     return {

@@ -8,8 +8,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from urllib.parse import quote
 
-import numpy as np
-
 from design.files import atomic_path
 from design.spec.mechanics import LOCKING_WARNING
 from design.spec.object import ObjectSpec
@@ -17,7 +15,7 @@ from design.spec_io import spec_hash
 from instobj.figures.maps.files import OVERVIEW, SCORE_MAPS, unit_of
 from instobj.report.core_section import core_section
 from instobj.report.deformation_section import compliance_section, deformation_section
-from instobj.report.pages import render
+from instobj.report.pages import render, shown
 from instobj.report.surroundings import surroundings_section
 from instobj.report.uncertainty import (
     HEADER,
@@ -31,10 +29,8 @@ from instobj.report.uncertainty import (
 )
 from instobj.report.verdict import judge
 from instobj.store import readers
-from instobj.store.readers import (
-    published_files,
-)
-from instobj.store.record import RECORD
+from instobj.store.readers import published_files
+from instobj.store.record import read_record
 
 if TYPE_CHECKING:
     from estimator.information.scores import PlaceScores
@@ -92,7 +88,7 @@ def write_report(spec: ObjectSpec, inputs: Inputs, path: Path) -> None:
         deformation=deformation_section(spec, inputs, protocol),
         core=core_section(spec, inputs["presses"], inputs["slip"]),
         estimators=_estimators(inputs),
-        held_out=next(iter(published_pictures(inputs["metrics"])), None),
+        held_out=readers.HELD_OUT_PICTURE.path(inputs["metrics"]),
         parts=_parts(inputs),
         parts_picture=readers.PARTS_PICTURE.path(inputs["build"]),
         parts_folder=f"../../cad_out/{quote(spec.name)}/",
@@ -112,11 +108,6 @@ def is_papers_cube(spec: ObjectSpec) -> bool:
     """Whether the object is the paper's cube, of which more is known."""
     default = ObjectSpec(name="default")
     return all(getattr(spec, part) == getattr(default, part) for part in _PAPER_PARTS)
-
-
-def published_pictures(metrics: Path) -> list[Path]:
-    """Pictures of the presses held out, of the folder of the stage `metrics`."""
-    return [path for path in published_files("metrics", metrics) if path.suffix == ".png"]
 
 
 def _alternatives(inputs: Inputs) -> list[list[str]]:
@@ -184,7 +175,7 @@ def _robustness(inputs: Inputs) -> dict[str, Any]:
     return {
         "robustness_picture": readers.ROBUSTNESS_PICTURE.path(inputs["robustness"]),
         "bounds": [
-            [str(row["bound"]), *(_figure(row[key]) for key in list(row)[1:])]
+            [str(row["bound"]), *(shown(row[key]) for key in list(row)[1:])]
             for row in bound_rows(budget)
         ],
         "draws": budget.draws,
@@ -233,9 +224,7 @@ def _estimators(inputs: Inputs) -> list[dict[str, Any]]:
     for face in readers.METRICS.read(inputs["metrics"])["faces"]:
         paper = PAPER_TABLE_1.get(face["face"], (None,) * 5)
         ours = [*(face[key] for key in keys), face["non_contact_accuracy"]]
-        figures = [
-            (_figure(mine), _figure(theirs)) for mine, theirs in zip(ours, paper, strict=True)
-        ]
+        figures = [(shown(mine), shown(theirs)) for mine, theirs in zip(ours, paper, strict=True)]
         counts = f"{face['contact_frames']} + {face['rest_frames']}"
         rows.append({"face": face["face"], "figures": figures, "frames": counts})
     return rows
@@ -265,10 +254,7 @@ def _files(inputs: Inputs) -> list[tuple[str, list[Link]]]:
 
 
 def _provenance(spec: ObjectSpec, inputs: Inputs) -> dict[str, Any]:
-    records = {
-        name: json.loads((folder / RECORD).read_text(encoding="utf-8"))
-        for name, folder in inputs.items()
-    }
+    records = {name: read_record(folder) for name, folder in inputs.items()}
     rows = [
         [
             name,
@@ -285,9 +271,3 @@ def _provenance(spec: ObjectSpec, inputs: Inputs) -> dict[str, Any]:
         "made_with": ", ".join(f"{name} {version}" for name, version in versions.items()),
         "specification": json.dumps(spec.model_dump(mode="json"), indent=1),
     }
-
-
-def _figure(value: float | None) -> str:
-    if value is None or not np.isfinite(value):
-        return "–"
-    return f"{value:.3g}"

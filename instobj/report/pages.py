@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 from functools import lru_cache
+from math import isfinite
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +17,11 @@ _TEMPLATES = Path(__file__).parent / "templates"
 def render(page: str, /, **context: Any) -> Markup:
     """A template of this room, by its name, filled in; text is escaped, names that are missing are errors."""
     return Markup(_environment().get_template(page).render(context))
+
+
+def shown(value: float | None) -> str:
+    """A number to three digits, or a dash where there is none."""
+    return "–" if value is None or not isfinite(value) else f"{value:.3g}"
 
 
 def picture(path: Path) -> str:

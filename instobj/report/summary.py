@@ -17,6 +17,7 @@ from instobj.store.readers import (
     CROSS_FACE,
     DISCRETISATION,
     IDENTIFIABILITY,
+    MANIFEST,
     MESH_QUALITY,
     METRICS,
     PROTOCOL,
@@ -87,8 +88,6 @@ def _core_tension(result: StoredResult) -> dict[str, float]:
 
 
 def _parts(result: StoredResult) -> list[dict[str, Any]]:
-    from design.build.manifest import BuildManifest
-
     return [
         {
             "part": part.name,
@@ -97,7 +96,7 @@ def _parts(result: StoredResult) -> list[dict[str, Any]]:
             "STL volume error %": round(100 * (part.stl_volume_mm3 / part.volume_mm3 - 1), 4),
             "watertight": part.stl_watertight,
         }
-        for part in BuildManifest.read(result.folder).parts
+        for part in MANIFEST.read(result.folder).parts
     ]
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any, TypeVar
 
 import optuna
@@ -34,23 +34,22 @@ def open_database(url: str) -> RDBStorage:
         Not an address, no driver for it, or nobody answers there.
     """
     where = without_secrets(url)
-    for pause in (*_OPENING_PAUSES_S, None):
-        try:
-            return RDBStorage(url, engine_kwargs={"pool_pre_ping": True})
-        except ImportError as error:
-            raise InputError(
-                f"the database {where} needs a driver: {first_line(error)}. `pip install "
-                "'instobj[postgresql]'` brings that of PostgreSQL"
-            ) from None
-        except Exception as error:  # drivers raise errors that share no base class
-            text = _scrubbed(first_line(error), url)
-            if pause is None or not any(known in str(error) for known in _MADE_MEANWHILE):
-                raise InputError(
-                    f"cannot reach the database {where}: {text}. Check that it runs, its address, "
-                    "user and password"
-                ) from None
-            time.sleep(pause)
-    raise AssertionError("the last pause is None")
+    try:
+        return again_after(
+            _OPENING_PAUSES_S,
+            lambda: RDBStorage(url, engine_kwargs={"pool_pre_ping": True}),
+            lambda error: any(known in str(error) for known in _MADE_MEANWHILE),
+        )
+    except ImportError as error:
+        raise InputError(
+            f"the database {where} needs a driver: {first_line(error)}. `pip install "
+            "'instobj[postgresql]'` brings that of PostgreSQL"
+        ) from None
+    except Exception as error:  # drivers raise errors that share no base class
+        raise InputError(
+            f"cannot reach the database {where}: {_scrubbed(first_line(error), url)}. Check that it "
+            "runs, its address, user and password"
+        ) from None
 
 
 def patiently(
@@ -65,12 +64,28 @@ def patiently(
     """
     from sqlalchemy.exc import SQLAlchemyError
 
-    for pause in _PAUSES_S:
+    def told(pause_s: float) -> None:
+        say(f"the database does not answer; again in {pause_s:g} s")
+        sleep(pause_s)
+
+    lost = (optuna.exceptions.StorageInternalError, SQLAlchemyError)
+    return again_after(_PAUSES_S, action, lambda error: isinstance(error, lost), told)
+
+
+def again_after(
+    pauses_s: Iterable[float],
+    action: Callable[[], Answer],
+    passes: Callable[[Exception], bool],
+    sleep: Callable[[float], Any] | None = None,
+) -> Answer:
+    """What `action` returns, tried again after each pause where its error is one that passes."""
+    for pause_s in pauses_s:
         try:
             return action()
-        except (optuna.exceptions.StorageInternalError, SQLAlchemyError) as error:
-            say(f"the database does not answer ({first_line(error)[:80]}); again in {pause:g} s")
-            sleep(pause)
+        except Exception as error:
+            if not passes(error):
+                raise
+            (sleep or time.sleep)(pause_s)
     return action()
 
 

@@ -7,9 +7,7 @@ cut; it is dropped when the journal is opened again.
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable
-from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -30,7 +28,6 @@ _BUDGET = ("trials", "seconds", "trial_seconds", "batch", "leaders", "finalists"
 _MATTERS_NOT = ("name", "as_built", "export", "collection")
 """The study is found by its name; the others change no score on any level."""
 _KEY = "specification"
-_STALE_LOCK_S = 60.0
 
 
 @dataclass(frozen=True)
@@ -164,16 +161,14 @@ def repair_journal(path: Path) -> None:
 
 
 def _drop_dangling_lock(path: Path) -> None:
-    """Remove the lock of a process that was killed, where it points nowhere.
+    """Remove a lock that points nowhere: its process was killed in another folder, or long ago.
 
-    Optuna waits for a lock as long as the file that it points to keeps changing; the target of a
-    relative link is never found, and its wait never ends.
+    Optuna gives a lock up once the file that it points to has not changed for a while; where there
+    is none, it waits for ever. A lock of today points to the journal itself.
     """
     lock = Path(f"{path}.lock")
-    with suppress(FileNotFoundError):
-        old = time.time() - lock.lstat().st_mtime > _STALE_LOCK_S
-        if lock.is_symlink() and (not lock.exists() and (old or not lock.readlink().is_absolute())):
-            lock.unlink()
+    if lock.is_symlink() and not lock.exists():
+        lock.unlink(missing_ok=True)
 
 
 def _drop_cut_line(path: Path) -> None:

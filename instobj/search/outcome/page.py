@@ -12,7 +12,7 @@ import numpy as np
 from design.files import atomic_path
 from design.layout.pockets import magnet_bodies
 from design.spec.object import ObjectSpec
-from instobj.report.pages import render
+from instobj.report.pages import render, shown
 from instobj.search.fidelity import METRIC_LABELS
 from instobj.search.outcome.figures import (
     LABELS,
@@ -22,7 +22,7 @@ from instobj.search.outcome.figures import (
     draw_moves,
     paired,
 )
-from instobj.store.readers import PARTS_PICTURE, SCORES
+from instobj.store.readers import MANIFEST, PARTS_PICTURE, SCORES
 
 if TYPE_CHECKING:
     from instobj.search.outcome.history import History
@@ -191,14 +191,10 @@ def _point(values: np.ndarray) -> str:
 def _estimators(found: Promotion) -> dict[str, Any]:
     columns = (found.start.label, *(one.label for one in found.finalists))
     rows = [
-        [label, *(_given(found.estimators[column].get(name)) for column in columns)]
+        [label, *(shown(found.estimators[column].get(name)) for column in columns)]
         for name, label in METRIC_LABELS.items()
     ]
     return {"estimator_header": ["mean of faces", *columns], "estimators": rows}
-
-
-def _given(value: float | None) -> str:
-    return "–" if value is None else f"{value:.3g}"
 
 
 def _levels(found: Promotion, objectives: tuple[str, ...], folder: Path) -> dict[str, Any]:
@@ -226,7 +222,7 @@ def _levels(found: Promotion, objectives: tuple[str, ...], folder: Path) -> dict
 
 
 def _on(one: Promoted, level: str, name: str) -> str:
-    return f"{getattr(one.levels[level], name):.3g}" if level in one.levels else "–"
+    return shown(getattr(one.levels[level], name) if level in one.levels else None)
 
 
 def _rank(value: float) -> str:
@@ -247,9 +243,7 @@ def _search(history: History, folder: Path) -> dict[str, Any]:
 
 
 def _parts(folder: Path) -> list[list[str]]:
-    from design.build.manifest import BuildManifest
-
     return [
         [part.name, f"{part.volume_mm3:.2f}", "yes" if part.stl_watertight else "NO"]
-        for part in BuildManifest.read(folder).parts
+        for part in MANIFEST.read(folder).parts
     ]

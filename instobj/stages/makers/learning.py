@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from design.errors import InputError
 from design.spec.object import TrainingSpec
 from instobj.store.content import store_root
-from instobj.store.readers import METRICS, face_model_path
+from instobj.store.readers import HELD_OUT_PICTURE, METRICS, face_model_path
 from instobj.store.stage import Step, write_json
 
 if TYPE_CHECKING:
@@ -91,7 +91,7 @@ def evaluate_networks(
 ) -> None:
     """The paper's metrics of every face's estimator on the held-out presses of its split.
 
-    `metrics/held_out.png` shows what each network reads there. Ridge regression and the constant mean
+    `HELD_OUT_PICTURE` shows what each network reads there. Ridge regression and the constant mean
     map are evaluated beside it on the same presses.
     """
     from dataclasses import asdict
@@ -119,4 +119,4 @@ def evaluate_networks(
         rows["ridge_regression"].append(linear_baseline(frames, model.face, split).summary())
         rows["mean_map"].append(mean_map_baseline(frames, model.face, split).summary())
     write_json({"split": "whole presses held out", **rows}, METRICS.path(folder))
-    draw_predictions(readings, frames.source, folder / "metrics" / "held_out.png")
+    draw_predictions(readings, frames.source, HELD_OUT_PICTURE.path(folder))

@@ -129,25 +129,24 @@ def require_same_object(spec: ObjectSpec, frames: FrameSet) -> None:
         It has others.
     """
     from design.layout.positions import contact_grid
+    from estimator.frames.same_object import same_grid
 
     grid = contact_grid(spec)
-    wanted = (grid.x_mm, grid.y_mm, np.array(spec.body.sensed))
-    got = (frames.grid_x_mm, frames.grid_y_mm, frames.faces)
+    wanted = (grid.x_mm, grid.y_mm), spec.body.sensed, spec.sensors.count_per_face
     sensors = frames.signal_counts.shape[2]
-    pairs = zip(wanted, got, strict=True)
-    alike = all(a.shape == b.shape and np.allclose(a, b, atol=1e-6) for a, b in pairs)
-    if not alike or sensors != spec.sensors.count_per_face:
+    got = (frames.grid_x_mm, frames.grid_y_mm), tuple(frames.faces.tolist()), sensors
+    if wanted[1:] != got[1:] or not same_grid(wanted[0], got[0]):
         raise InputError(
-            f"the data set has {_described(*got, sensors)}; {spec.name} has "
-            f"{_described(*wanted, spec.sensors.count_per_face)}. Give the specification of the object "
-            "that was recorded"
+            f"the data set has {_described(*got)}; {spec.name} has {_described(*wanted)}. Give the "
+            "specification of the object that was recorded"
         )
 
 
-def _described(x_mm: np.ndarray, y_mm: np.ndarray, faces: np.ndarray, sensors: int) -> str:
+def _described(grid_mm: tuple[np.ndarray, np.ndarray], faces: tuple[int, ...], sensors: int) -> str:
+    x_mm, y_mm = grid_mm
     return (
         f"{len(x_mm)} × {len(y_mm)} contact locations from ({x_mm[0]:g}, {y_mm[0]:g}) to ({x_mm[-1]:g}, "
-        f"{y_mm[-1]:g}) mm on faces {faces.tolist()} and {sensors} sensors per face"
+        f"{y_mm[-1]:g}) mm on faces {list(faces)} and {sensors} sensors per face"
     )
 
 
