@@ -180,7 +180,7 @@ _OPENED_FIRST = (
     readers.PARTS_PICTURE.name,
     readers.FINDINGS_PICTURE.name,
     "position_bound_overview.png",
-    "held_out.png",
+    readers.HELD_OUT_PICTURE.name,
     readers.ROBUSTNESS_PICTURE.name,
     readers.CALIBRATION_PICTURE.name,
 )

@@ -89,7 +89,7 @@ def test_only_relative_motion_counts():
     back = replace(
         magnets,
         centre_mm=turn.inv().apply(magnets.centre_mm - pivot - shift) + pivot,
-        axis=turn.inv().apply(magnets.axis),
+        axis=turn.inv().apply(np.array(magnets.axis)),
     )
     moved_magnets = replace(place, magnets=back)
     assert_allclose(
