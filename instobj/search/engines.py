@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Iterable, Sequence
+from copy import copy
 from dataclasses import dataclass
 
 import optuna
@@ -27,7 +28,8 @@ from design.search.space import Params, Variable
 from design.spec.search import Engine
 
 _SAMPLER_STATE = "cma"
-"""Optuna pickles this sampler's state into its trials' attributes; it never leaves the memory."""
+"""Optuna pickles this sampler's state into its trials' attributes. It never leaves the memory, and is
+never read from stored trials: whoever writes in a shared study could run code here."""
 
 
 @dataclass(frozen=True)
@@ -48,7 +50,7 @@ def sampling(
 ) -> Sampling:
     """An engine that knows the past trials of its study."""
     optuna.logging.set_verbosity(optuna.logging.WARNING)
-    past = list(past)
+    past = [_without_sampler_state(trial) for trial in past]
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", optuna.exceptions.ExperimentalWarning)
         sampler = _sampler(engine, seed, batch, past)
@@ -80,14 +82,7 @@ def tell(
     )
     engine.study.tell(trial, state=TrialState.FAIL)
     engine.study.add_trial(became)
-    plain = {key: value for key, value in system.items() if not key.startswith(_SAMPLER_STATE)}
-    return create_trial(
-        params=dict(params),
-        distributions=engine.distributions,
-        values=list(values),
-        user_attrs=user_attrs,
-        system_attrs=plain,
-    )
+    return _without_sampler_state(became)
 
 
 def tell_failed(engine: Sampling, trial: Trial, reason: str) -> FrozenTrial:
@@ -99,6 +94,16 @@ def tell_failed(engine: Sampling, trial: Trial, reason: str) -> FrozenTrial:
         distributions=engine.distributions,
         user_attrs={"failure": reason},
     )
+
+
+def _without_sampler_state(trial: FrozenTrial) -> FrozenTrial:
+    kept = copy(trial)
+    kept.system_attrs = {
+        key: value
+        for key, value in trial.system_attrs.items()
+        if not key.startswith(_SAMPLER_STATE)
+    }
+    return kept
 
 
 def _sampler(engine: Engine, seed: int, batch: int, past: list[FrozenTrial]) -> BaseSampler:
@@ -114,9 +119,21 @@ def _sampler(engine: Engine, seed: int, batch: int, past: list[FrozenTrial]) -> 
             seed=seed,
             independent_sampler=RandomSampler(seed=seed),
             warn_independent_sampling=False,
-            source_trials=complete or None,
+            source_trials=[_lengths_only(trial) for trial in complete] or None,
         )
     return TPESampler(seed=seed, constant_liar=True, n_startup_trials=max(batch, 20))
+
+
+def _lengths_only(trial: FrozenTrial) -> FrozenTrial:
+    """What CMA-ES samples of a trial; it starts from no trial that has more."""
+    kept = {
+        name: one
+        for name, one in trial.distributions.items()
+        if isinstance(one, FloatDistribution) and not one.single()
+    }
+    return create_trial(
+        params={name: trial.params[name] for name in kept}, distributions=kept, values=trial.values
+    )
 
 
 def _distribution(variable: Variable) -> BaseDistribution:

@@ -2,11 +2,14 @@
 
 import json
 import os
+import pickle
 import signal
 import subprocess
 import sys
 import threading
 import time
+from contextlib import suppress
+from copy import copy
 from pathlib import Path
 
 import numpy as np
@@ -15,6 +18,7 @@ import pytest
 from design.errors import InputError
 from design.spec_io import parse_spec
 from instobj.search.apart import Apart, GivenUp
+from instobj.search.engines import ask, sampling
 from instobj.search.study import open_study, repair_journal
 from tests.support.search_cases import (
     OBJECTIVES,
@@ -40,6 +44,33 @@ def test_every_engine_finds_a_known_optimum(engine, tmp_path):
     reach = 4.5 if engine == "random" else 2.0
     for name, value in OPTIMUM.items():
         assert abs(best.params[name] - value) < reach
+
+
+class _Planted:
+    """What a writer of a shared study could leave there: unpickling it creates a file."""
+
+    def __init__(self, path):
+        self.path = str(path)
+
+    def __reduce__(self):
+        return open, (self.path, "w")
+
+
+@pytest.mark.parametrize("again", [False, True])
+def test_a_planted_state_of_a_sampler_is_not_read(tmp_path, again):
+    space = made_up_space(engine="cma-es")
+    kept = searched(tmp_path / "journal.log", "cma-es", trials=32)
+    planted = copy(kept.finished()[-1])
+    code = pickle.dumps(_Planted(tmp_path / "ran")).hex()
+    planted.system_attrs = {"cma:optimizer:0": code, "cma:generation": 1}
+    engine = sampling("cma-es", space.variables, 1, 1, 16, [*kept.finished(), planted])
+    if again:  # the fault: with the stored state, the sampler runs it
+        engine.study.add_trial(planted)
+        with suppress(Exception):
+            ask(engine, 16)
+    else:
+        assert len(ask(engine, 16)) == 16
+    assert (tmp_path / "ran").exists() == again
 
 
 def test_an_engine_that_learns_beats_random_search(tmp_path):
@@ -75,13 +106,15 @@ def test_two_objectives_give_a_front_between_their_optima(engine, tmp_path):
     assert order[-1, 1] < 0.4
 
 
-def test_a_resumed_search_goes_on_from_what_was_kept(tmp_path):
+@pytest.mark.parametrize("engine", ENGINES)
+def test_a_resumed_search_goes_on_from_what_was_kept(engine, tmp_path):
     path = tmp_path / "journal.log"
-    first = searched(path, trials=40).trials()
-    whole = searched(path, trials=100).trials()
+    first = searched(path, engine, trials=40).trials()
+    whole = searched(path, engine, trials=100).trials()
     assert [t.params for t in whole[:40]] == [t.params for t in first]
     assert len(whole) == 100
-    assert not any(t.params in [f.params for f in first] for t in whole[40:])
+    repeated = sum(t.params in [f.params for f in first] for t in whole[40:])
+    assert repeated <= (12 if "nsga" in engine else 0)  # a child may equal a parent
 
 
 def test_a_study_is_neither_overwritten_nor_mixed_up(tmp_path):
