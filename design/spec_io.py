@@ -17,6 +17,7 @@ from design.errors import SpecError
 from design.files import require_regular_file
 from design.fit.everything import require_fit
 from design.spec.base import explained
+from design.spec.body import BodySpec
 from design.spec.object import ObjectSpec
 from design.spec.renamed import RENAMED, name_now, under_names_now
 
@@ -190,7 +191,11 @@ def _with_imported_body(content: dict[str, Any], folder: Path) -> dict[str, Any]
         return content
     from design.body.imported import body_of_file
 
-    return content | {"body": body | body_of_file(folder / body["file"])}
+    try:
+        measured = BodySpec.model_validate({k: body[k] for k in ("unit", "scale") if k in body})
+    except ValidationError:
+        return content  # told with all other problems of the specification
+    return content | {"body": body | body_of_file(folder / body["file"], measured.mm_per_unit)}
 
 
 def _apply_override(content: dict[str, Any], override: str) -> None:

@@ -21,19 +21,21 @@ _PIERCED_MM = 0.1
 """How far one triangle may stand through another: less is lost in the body's own triangles."""
 
 
-def body_of_file(path: Path) -> dict[str, Any]:
+def body_of_file(path: Path, mm_per_unit: float = 1.0) -> dict[str, Any]:
     """What `[body]` takes from a file: its path and the size of its box.
+
+    A unit of the file is `mm_per_unit` long; STEP files are read in mm whatever they are drawn in.
 
     Raises
     ------
     InputError
         A file that is missing, not a solid, open, in several pieces or crossing itself.
     """
-    size = [round(float(edge), 6) for edge in _surface_in(path).extents]
+    size = [round(float(edge), 6) for edge in _surface_in(path, mm_per_unit).extents]
     return {"file": str(path.resolve()), "size_mm": size}
 
 
-def read_surface(file: str | None) -> trimesh.Trimesh:
+def read_surface(file: str | None, mm_per_unit: float = 1.0) -> trimesh.Trimesh:
     """The surface in a file, its box centred on the origin.
 
     Raises
@@ -42,8 +44,8 @@ def read_surface(file: str | None) -> trimesh.Trimesh:
         As `body_of_file`, or no file is given.
     """
     if file is None:
-        raise InputError("body.kind = 'imported' needs body.file. Name an STL or STEP file in mm")
-    return _surface_in(Path(file)).copy()
+        raise InputError("body.kind = 'imported' needs body.file. Name an STL or STEP file")
+    return _surface_in(Path(file), mm_per_unit).copy()
 
 
 def file_digest(file: str | None) -> str | None:
@@ -55,15 +57,17 @@ def _digest(path: Path) -> str:
     return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
-def _surface_in(path: Path) -> trimesh.Trimesh:
+def _surface_in(path: Path, mm_per_unit: float) -> trimesh.Trimesh:
     require_regular_file(path, _missing(path))
-    return _closed_surface(path.resolve(), _digest(path))
+    return _closed_surface(path.resolve(), _digest(path), mm_per_unit)
 
 
 @lru_cache(maxsize=4)
-def _closed_surface(path: Path, digest: str) -> trimesh.Trimesh:
+def _closed_surface(path: Path, digest: str, mm_per_unit: float) -> trimesh.Trimesh:
     """The file's surface, kept while its content is the same."""
-    surface = _repaired(_as_it_is(path), path)
+    surface = _as_it_is(path)
+    surface.apply_scale(mm_per_unit)
+    surface = _repaired(surface, path)
     surface.apply_translation(-surface.bounds.mean(axis=0))
     _require_simple(surface, path)
     return surface
@@ -77,7 +81,7 @@ def _as_it_is(path: Path) -> trimesh.Trimesh:
 
 
 def _missing(path: Path) -> str:
-    return f"no body at {path}. Name an STL or STEP file in mm in body.file"
+    return f"no body at {path}. Name an STL or STEP file in body.file"
 
 
 def _repaired(surface: trimesh.Trimesh, path: Path) -> trimesh.Trimesh:

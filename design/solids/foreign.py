@@ -15,6 +15,8 @@ import numpy as np
 
 _STEP = (".step", ".stp")
 _TOLERANCE_MM, _ANGLE_RAD = 0.03, 0.2
+_LARGEST_MM = 2000.0
+"""Of a STEP solid: at that tolerance, larger ones take millions of triangles."""
 
 
 def _of_mesh(path: Path) -> tuple[np.ndarray, np.ndarray]:
@@ -31,6 +33,11 @@ def _of_step(path: Path) -> tuple[np.ndarray, np.ndarray]:
 
     vertices, triangles, count = [], [], 0
     for shape in cq.importers.importStep(str(path)).vals():
+        length_mm = shape.BoundingBox().DiagonalLength  # type: ignore[union-attr]
+        if length_mm > _LARGEST_MM:
+            raise ValueError(
+                f"it is {length_mm / 1e3:.3g} m long, more than {_LARGEST_MM / 1e3:g} m"
+            )
         points, faces = shape.tessellate(_TOLERANCE_MM, _ANGLE_RAD)  # type: ignore[union-attr]
         vertices += [point.toTuple() for point in points]
         triangles += [[count + corner for corner in face] for face in faces]

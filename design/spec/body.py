@@ -20,6 +20,12 @@ FaceNumber = Annotated[int, Field(ge=1, le=6)]
 """1 = +z, 2 = −y, 3 = +x, 4 = +y, 5 = −x, 6 = −z."""
 
 
+Unit = Literal["mm", "cm", "m", "in"]
+MM: dict[Unit, float] = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4}
+LONGEST_EDGE_MM = (5.0, 1000.0)
+"""Of a body: from a fingertip to a person's arms."""
+
+
 class BodySpec(SpecPart):
     """Outer shape of the object, silicone and what is inside it, in a box of `size_mm` (x, y, z).
 
@@ -27,7 +33,8 @@ class BodySpec(SpecPart):
     on a rigid plate; "dome", a hemisphere on a rigid base, with `inside` of it a rigid core,
     silicone or air; "imported", the closed surface in `file` (STL, STEP and others), moved so that
     its box is centred. `open_faces` have no silicone: there the core's cavity runs out, of a ball
-    or an imported body through a bore of `bore_mm`. `sensed_faces`, by default all that are closed,
+    or an imported body through a bore of `bore_mm`. Triangles in `file` are in `unit` (STEP files know
+    theirs); `scale` makes the body larger or smaller. `sensed_faces`, by default all that are closed,
     carry magnets and sensors and are pressed.
     """
 
@@ -38,6 +45,8 @@ class BodySpec(SpecPart):
     inside: Literal["core", "silicone", "air"] = "core"
     bore_mm: Positive = 10.0
     file: str | None = None
+    unit: Unit = "mm"
+    scale: Positive = 1.0
 
     def __hash__(self) -> int:
         return hash(self.model_dump_json())
@@ -47,6 +56,11 @@ class BodySpec(SpecPart):
         """`open_faces` where the body has faces that can be open, else none."""
         openable = KINDS[self.kind].openable
         return tuple(sorted(face for face in set(self.open_faces) if face in openable))
+
+    @property
+    def mm_per_unit(self) -> float:
+        """Length of a unit of `file` in mm, scaled."""
+        return MM[self.unit] * self.scale
 
     @property
     def sensed(self) -> tuple[int, ...]:
@@ -63,6 +77,18 @@ class BodySpec(SpecPart):
 
 def _check_size(body: BodySpec) -> None:
     kind = KINDS[body.kind]
+    least, most = LONGEST_EDGE_MM
+    if not least <= max(body.size_mm) <= most:
+        fix = "Fix body.size_mm, which is in mm"
+        if kind.from_file:
+            fix = (
+                "Say in body.unit what its file is drawn in (mm, cm, m, in), or make it larger or "
+                "smaller with body.scale"
+            )
+        size = " × ".join(f"{edge:g}" for edge in body.size_mm)
+        raise ValueError(
+            f"the longest edge of a body must measure {least:g} to {most:g} mm; got {size} mm. {fix}"
+        )
     if not kind.takes_size(body.size_mm):
         raise ValueError(
             f"body.size_mm of a {body.kind} must be {kind.size_rule}; got {list(body.size_mm)}. Fix "

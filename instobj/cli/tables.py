@@ -201,7 +201,12 @@ def _print_files(console: Console, files: Any) -> None:
         console.print(
             f"wrote {len(inside)} files, {_size(sum(inside))}, to {folder}/", soft_wrap=True
         )
-    ranked = [path for name in _OPENED_FIRST for path in paths if path.name == name]
+    ranked = [
+        path
+        for name in _OPENED_FIRST
+        for path in paths
+        if f"/{path.as_posix()}".endswith(f"/{name}")
+    ]
     for path in ranked[:_SHOWN_FIRST]:
         console.print(f"open  {path}", soft_wrap=True)
 

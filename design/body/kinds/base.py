@@ -44,6 +44,7 @@ class BodyKind(ABC):
     bore_mm: float = 0.0
     inside: Inside = "core"
     file: str | None = None
+    mm_per_unit: float = 1.0
 
     name: ClassVar[str]
     """Of the kind, in `body.kind`."""

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class Imported(OffsetBody):
-    """STL, STEP and others in mm, moved so that its box is centred."""
+    """STL, STEP and others, moved so that its box is centred."""
 
     name = "imported"
     from_file = True
@@ -24,4 +24,4 @@ class Imported(OffsetBody):
         return None
 
     def outer_surface(self) -> trimesh.Trimesh:
-        return read_surface(self.file)
+        return read_surface(self.file, self.mm_per_unit)

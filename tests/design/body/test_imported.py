@@ -255,11 +255,30 @@ def test_a_missing_file_and_a_missing_name_are_told(tmp_path):
 
 
 @pytest.mark.parametrize(
+    ("factor", "overrides"),
+    [
+        (0.001, {"body.unit": '"m"'}),
+        (1 / 25.4, {"body.unit": '"in"'}),
+        (2.0, {"body.scale": "0.5"}),
+    ],
+)
+def test_a_body_in_another_unit_is_the_same_body(tmp_path, factor, overrides):
+    scaled = _pebble()
+    scaled.apply_scale(factor)
+    scaled.export(tmp_path / "scaled.stl")
+    spec = _load(tmp_path, "scaled.stl", **overrides)
+    assert_allclose(spec.body.size_mm, SIZE, rtol=1e-3)
+    assert_allclose(body_of(spec).outer_surface().extents, SIZE, rtol=1e-3)
+
+
+@pytest.mark.parametrize(
     ("scale", "overrides", "reason"),
     [
         pytest.param(0.25, {}, "half the core|no room for a core", id="smaller than two walls"),
         pytest.param(0.42, {}, r"half the core is .* thick and must be more", id="no recesses"),
-        pytest.param(0.001, {}, "no room for a core|half the core", id="in metres"),
+        pytest.param(0.001, {}, r"5 to 1000 mm; got 0\.05\d* .* Say in body\.unit", id="in metres"),
+        pytest.param(0.001, {"body.unit": '"ell"'}, r"body\.unit", id="no unit"),
+        pytest.param(1.0, {"body.scale": "1e5"}, r"body\.scale", id="large"),
         pytest.param(
             0.7, {"magnets.positions_mm": "[[14, 0]]"}, "pocket outside face", id="pocket"
         ),
