@@ -1,5 +1,8 @@
 """Shapes and types of every annotated public function are enforced while the tests run."""
 
+import os
+import shutil
+import tempfile
 from pathlib import Path
 
 import pytest
@@ -32,19 +35,16 @@ def pytest_addoption(parser):
 
 def pytest_configure(config):
     config.stash[VERIFICATION_OUTCOMES] = []
+    if not hasattr(config, "workerinput"):
+        shared = tempfile.mkdtemp(prefix="instobj_tests_")
+        os.environ["INSTOBJ_TESTS_SHARED"] = shared  # for `tests.support.shared`, in all workers
+        config.add_cleanup(lambda: shutil.rmtree(shared, ignore_errors=True))
 
 
 @pytest.fixture
 def verification_outcomes(request):
     """Outcomes of checks, written as a page when the run ends."""
     return request.config.stash[VERIFICATION_OUTCOMES]
-
-
-@pytest.fixture(scope="session")
-def shared_mechanics(tmp_path_factory, request):
-    """A folder that all workers of this run share, for `tests.support.tiny_cube`."""
-    folder = tmp_path_factory.getbasetemp()
-    return (folder.parent if hasattr(request.config, "workerinput") else folder) / "mechanics"
 
 
 def pytest_sessionfinish(session):

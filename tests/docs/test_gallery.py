@@ -23,10 +23,10 @@ LIBRARIES = {"instobj", "numpy", "matplotlib"}
 
 
 @pytest.fixture(scope="module")
-def store(tmp_path_factory, shared_mechanics):
+def store(tmp_path_factory):
     """One store for all scripts, with the small cube's mechanics."""
     folder = tmp_path_factory.mktemp("store")
-    lend_mechanics(folder, shared_mechanics)
+    lend_mechanics(folder)
     return folder
 
 

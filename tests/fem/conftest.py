@@ -1,22 +1,11 @@
 """One coarse mesh of the paper's cube and its response, built once for all tests of mechanics."""
 
-import os
-from dataclasses import dataclass
-
 import pytest
 
-from fem.linear.response import build_response, elastic_system
-from fem.mesh.tetrahedra import TetMesh, tetrahedralize
+from fem.linear.response import elastic_system
 from tests.support import small_object
 from tests.support.fem_cases import COARSE_EDGES_MM, paper_cube
-
-
-@dataclass(frozen=True)
-class MeshRun:
-    """A mesh, and the names of all files found afterwards in the folder that it was made in."""
-
-    mesh: TetMesh
-    left_behind: tuple[str, ...]
+from tests.support.shared import shared_mesh, shared_response
 
 
 @pytest.fixture(scope="session")
@@ -30,29 +19,18 @@ def points_spec():
 
 
 @pytest.fixture(scope="session")
-def coarse_run(rigid_spec, tmp_path_factory):
-    folder, before = tmp_path_factory.mktemp("mesher"), os.getcwd()
-    os.chdir(folder)
-    try:
-        mesh = tetrahedralize(rigid_spec)
-    finally:
-        os.chdir(before)
-    return MeshRun(mesh, tuple(os.listdir(folder)))
-
-
-@pytest.fixture(scope="session")
-def coarse_mesh(coarse_run):
-    return coarse_run.mesh
+def coarse_mesh(rigid_spec):
+    return shared_mesh(rigid_spec)
 
 
 @pytest.fixture(scope="session")
 def rigid_response(coarse_mesh, rigid_spec):
-    return build_response(coarse_mesh, rigid_spec)
+    return shared_response(coarse_mesh, rigid_spec)
 
 
 @pytest.fixture(scope="session")
 def points_response(coarse_mesh, points_spec):
-    return build_response(coarse_mesh, points_spec)
+    return shared_response(coarse_mesh, points_spec)
 
 
 @pytest.fixture(scope="session")
@@ -72,4 +50,4 @@ def small_mesh():
 
 @pytest.fixture(scope="session")
 def small_response(small_mesh):
-    return build_response(small_mesh, small_object.small_spec())
+    return shared_response(small_mesh, small_object.small_spec())

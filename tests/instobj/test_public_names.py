@@ -56,13 +56,13 @@ def test_a_name_that_is_not_there_is_an_attribute_error():
 
 
 @pytest.fixture(scope="module")
-def place(tmp_path_factory, shared_mechanics):
+def place(tmp_path_factory):
     """A working folder with a store, and the data set that the examples read."""
     folder = tmp_path_factory.mktemp("examples")
     with pytest.MonkeyPatch.context() as patch:
         patch.chdir(folder)
         patch.setenv("INSTOBJ_STORE", str(folder / "store"))
-        lend_mechanics(folder / "store", shared_mechanics)
+        lend_mechanics(folder / "store")
         save_frames(instobj.Run(TINY).frames, "frames.nc")
         yield folder
 

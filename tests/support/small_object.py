@@ -3,8 +3,8 @@
 from functools import cache
 
 from design.spec.object import ObjectSpec
-from fem.mesh.tetrahedra import tetrahedralize
 from tests.support.fem_cases import YOUNGS_MODULUS_MPA
+from tests.support.shared import shared_mesh
 
 
 def small_spec(interface="bonded", magnets="rigid", **slip):
@@ -13,7 +13,7 @@ def small_spec(interface="bonded", magnets="rigid", **slip):
             "name": "small",
             "silicone": {"youngs_modulus_mpa": YOUNGS_MODULUS_MPA},
             "magnets": {"positions_mm": [[2.0, -1.0], [-9.0, 7.0]], "tilt_deg": [[8, -5], [0, 12]]},
-            "mesh": {"surface_edge_mm": 3.5, "edge_mm": 8.0},
+            "mesh": {"surface_edge_mm": 3.5, "edge_mm": 8.0, "envelope_mm": 0.1},
             "mechanics": {"interface": interface, "magnets": magnets, "slip": slip},
             "press": {"depths_mm": [1.0, 2.0]},
         }
@@ -23,4 +23,4 @@ def small_spec(interface="bonded", magnets="rigid", **slip):
 @cache
 def small_mesh():
     """Of any such specification: the mesh depends on none of the arguments."""
-    return tetrahedralize(small_spec())
+    return shared_mesh(small_spec())

@@ -4,13 +4,13 @@ Meshes take most of the time of a small object, and depend neither on contact lo
 anything that is trained: objects that differ in those alone share them.
 """
 
-import fcntl
 import shutil
 from pathlib import Path
 
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
 from instobj.stages.run import Run
+from tests.support.shared import only_one
 
 SMALL_CUBE = Path(__file__).parents[2] / "examples" / "gallery" / "small_cube.toml"
 MESHED = (
@@ -36,11 +36,9 @@ def tiny_cube() -> ObjectSpec:
     return load_spec(SMALL_CUBE, ['name="tiny"', *CHANGES])
 
 
-def lend_mechanics(store: Path, shared: Path) -> None:
-    """Copy mesh and responses into a store; processes that share a folder make them once."""
-    shared.mkdir(parents=True, exist_ok=True)
-    with (shared / "lock").open("w") as lock:
-        fcntl.flock(lock, fcntl.LOCK_EX)
+def lend_mechanics(store: Path) -> None:
+    """Copy mesh and responses into a store; all processes of the tests make them once."""
+    with only_one("mechanics") as shared:
         run = Run(tiny_cube(), root=shared)
         made = [run.require(name) for name in MECHANICS]
     for result in made:

@@ -8,7 +8,6 @@ import scipy.sparse as sp
 from design.layout.positions import press_lattice, shell_body_layout
 from fem.linear import response
 from fem.linear.response import build_response, elastic_system, face_pressure_loads
-from fem.mesh.tetrahedra import tetrahedralize
 from fem.presses import table as presses
 from fem.presses.table import press_face
 from tests.support.fem_cases import (
@@ -20,6 +19,7 @@ from tests.support.fem_cases import (
     solve_loads,
     with_poisson_ratio,
 )
+from tests.support.shared import shared_mesh, shared_response
 from tests.support.small_object import small_mesh, small_spec
 from tests.support.verification import Check, Curve, Fault, Measured
 
@@ -29,7 +29,7 @@ LOADS = (7, 23, 41)
 
 @cache
 def cube_mesh():
-    return tetrahedralize(paper_cube("points", COARSE_EDGES_MM))
+    return shared_mesh(paper_cube("rigid", COARSE_EDGES_MM))
 
 
 @cache
@@ -39,14 +39,14 @@ def cube_system():
 
 @cache
 def cube_response():
-    return build_response(cube_mesh(), paper_cube("rigid", COARSE_EDGES_MM))
+    return shared_response(cube_mesh(), paper_cube("rigid", COARSE_EDGES_MM))
 
 
 @cache
 def other_cube_response():
     """The same cube on another mesh of nearly the same edges."""
     spec = paper_cube("rigid", tuple(1.01 * edge for edge in COARSE_EDGES_MM))
-    return build_response(tetrahedralize(spec), spec)
+    return shared_response(shared_mesh(spec), spec)
 
 
 def force_balance():

@@ -17,10 +17,10 @@ from fem.candidates.quadrature import outline_quadrature
 from fem.linear.factorization import Factorization
 from fem.linear.magnets import mean_motion_functionals
 from fem.linear.response import elastic_system, face_pressure_loads
-from fem.mesh.tetrahedra import tetrahedralize
 from fem.presses.table import surface_weights_mm2
 from tests.support.fem_cases import paper_cube
 from tests.support.magnet_free_cases import EDGES_MM, magnet_free_cube
+from tests.support.shared import shared_mesh
 
 FACE = 3
 """Its x is −z and its y is +y: a mix-up of axes shows."""
@@ -210,7 +210,7 @@ def test_cubic_convolution_is_smooth_across_nodes_and_of_third_order():
 def test_motions_at_magnets_places_against_ideal_points_resolved_by_the_mesh():
     """Means over the disk's mid-plane here, over the volume of the meshed prism there."""
     spec = paper_cube("points", EDGES_MM)
-    mesh = tetrahedralize(spec)
+    mesh = shared_mesh(spec)
     system, layout = elastic_system(mesh, spec), shell_body_layout(spec)
     surfaces, loads = face_pressure_loads(system.space, spec)
     first = sum(len(surface.xy_mm) for surface in surfaces[: FACE - 1])

@@ -29,30 +29,34 @@ error is below 0.1 %, by two meshes of a pad."""
 EDGES_MM = (MeshSpec().surface_edge_mm, MeshSpec().edge_mm)
 
 
+def default_cube(magnets, poisson_ratio=0.4999):
+    return paper_cube(magnets, EDGES_MM, poisson_ratio, MeshSpec().envelope_mm)
+
+
 @pytest.fixture(scope="module")
 def default_mesh():
-    spec = paper_cube("points", EDGES_MM)
+    spec = default_cube("points")
     mesh = tetrahedralize(spec)
     require_quality(mesh_quality(mesh, spec))
     return mesh
 
 
 def test_shell_compliance_within_one_percent(default_mesh):
-    spec = paper_cube("points", EDGES_MM)
+    spec = default_cube("points")
     compliance, _ = patch_compliances(elastic_system(default_mesh, spec), spec)
     assert_allclose(compliance, SHELL_COMPLIANCE_MM_PER_N[0.4999], rtol=0.01)
 
 
 def test_layer_force_without_magnets_within_three_percent(default_mesh):
     """Random places within ±4 mm of the face centres; Dimitriadis et al. up to 1 mm."""
-    spec = paper_cube("points", EDGES_MM, 0.5)
+    spec = default_cube("points", 0.5)
     mean = forces_near_the_centre(spec, build_response(default_mesh, spec), 60).mean(axis=(0, 1))
     assert_allclose(mean[1:], [1.69, 5.5], rtol=0.03)
     assert_allclose(mean[0], dimitriadis_force_n(0.5, 5.0, 8.0), rtol=0.02)
 
 
 def test_mirrored_presses_agree_and_every_press_is_in_contact(default_mesh):
-    spec = paper_cube("rigid", EDGES_MM)
+    spec = default_cube("rigid")
     forces, _ = simulate_lattice(spec, build_response(default_mesh, spec))
     difference = relative_mirror_difference(forces.force_n[0], spec)
     assert (forces.force_n > 0).all()
@@ -60,7 +64,7 @@ def test_mirrored_presses_agree_and_every_press_is_in_contact(default_mesh):
 
 
 def test_the_magnet_under_a_central_load_moves_as_in_another_code():
-    spec = paper_cube("rigid", EDGES_MM)
+    spec = default_cube("rigid")
     spec = spec.changed(body=spec.body.changed(sensed_faces=(1,)))
     mesh = tetrahedralize(spec)
     system = elastic_system(mesh, spec)

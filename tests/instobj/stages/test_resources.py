@@ -58,7 +58,7 @@ def test_vertices_are_estimated_within_a_factor_of_two(coarse_vertices):
 
 @pytest.fixture(scope="module")
 def coarse_vertices():
-    coarse = spec_with(mesh={"edge_mm": 8.0, "surface_edge_mm": 3.0})
+    coarse = spec_with(mesh={"edge_mm": 8.0, "surface_edge_mm": 3.0, "envelope_mm": 0.1})
     return [(spec, len(tetrahedralize(spec).points_mm)) for spec in (coarse, small_spec())]
 
 
