@@ -67,9 +67,9 @@ def _halfwidths(
     noise_n: float,
 ) -> Float[np.ndarray, "frame"]:
     """Smallest h with P(|F + noise − median| ≤ h) ≥ cover, by halving; forces ascend."""
-    from scipy.stats import norm
+    from scipy.special import ndtri
 
-    noise = noise_n * norm.ppf((np.arange(_NOISE_NODES) + 0.5) / _NOISE_NODES)
+    noise = noise_n * ndtri((np.arange(_NOISE_NODES) + 0.5) / _NOISE_NODES)
     padded = np.concatenate([np.zeros((len(median_n), 1)), cumulative], axis=1)
 
     def below(limit: np.ndarray, side: str) -> np.ndarray:

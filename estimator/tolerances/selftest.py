@@ -15,8 +15,8 @@ from itertools import combinations
 from typing import Literal
 
 import numpy as np
-from jaxtyping import Float, Int
-from scipy.stats import chi2
+from jaxtyping import Bool, Float, Int
+from scipy.special import chdtrc
 
 from design.spec.object import ObjectSpec
 from estimator.field.models import FieldModel, field_model
@@ -208,7 +208,7 @@ def false_alarm_rate(spec: ObjectSpec, model: RestModel, objects: int) -> float:
     """Share of objects drawn within tolerance for which some single fault is preferred."""
     rng = np.random.default_rng((spec.seed, 7))
     design, field = _design(spec)
-    hypotheses = [(), *((fault,) for fault in model.faults)]
+    hypotheses = Claims.of([(), *((fault,) for fault in model.faults)], len(model.mean))
     alarms = 0
     for _ in range(objects):
         counts = _rest(spec, draw(spec, design, rng), field)
@@ -220,42 +220,60 @@ def false_alarm_rate(spec: ObjectSpec, model: RestModel, objects: int) -> float:
 def rank(
     model: RestModel,
     counts: Float[np.ndarray, "channel"],
-    hypotheses: Iterable[tuple[Fault, ...]],
+    hypotheses: Iterable[tuple[Fault, ...]] | Claims,
 ) -> list[Hypothesis]:
     """Hypotheses by their log posterior over that of "as specified", largest first."""
-    every = [(), *hypotheses]
-    residual = np.stack([_residual(model, counts, faults) for faults in every])
-    silent = [_silent(row, faults) for row, faults in zip(residual, every, strict=True)]
-    distance, log_volume = _quadratic_forms(model, np.nan_to_num(residual), silent)
-    freedom = len(counts) - np.array([len(channels) for channels in silent])
-    claimed = np.array([len({c for f in faults for c in f.silent}) for faults in every])
+    given = hypotheses if isinstance(hypotheses, Claims) else Claims.of(hypotheses, len(counts))
+    residual = counts[given.order] - model.mean - given.shift
+    silent = given.silent | np.isnan(residual)
+    distance, log_volume = _quadratic_forms(model, np.where(silent, 0.0, residual), silent)
+    freedom = len(counts) - silent.sum(axis=1)
     value = -0.5 * (distance + log_volume + freedom * np.log(2 * np.pi))
-    value -= claimed * np.log(2 * model.full_scale_counts)
-    value += np.array([len(faults) for faults in every]) * np.log(PRIOR_PROBABILITY)
-    fit = chi2.sf(distance, freedom)
+    value -= given.silent.sum(axis=1) * np.log(2 * model.full_scale_counts)
+    value += given.number * np.log(PRIOR_PROBABILITY)
+    fit = chdtrc(freedom, distance)
     order = 1 + np.argsort(value[0] - value[1:], kind="stable")
-    return [Hypothesis(every[k], float(value[k] - value[0]), float(fit[k])) for k in order]
+    return [Hypothesis(given.faults[k], float(value[k] - value[0]), float(fit[k])) for k in order]
 
 
-def _residual(
-    model: RestModel, counts: Float[np.ndarray, "channel"], faults: tuple[Fault, ...]
-) -> Float[np.ndarray, "channel"]:
-    for fault in faults:
-        if fault.order is not None:
-            counts = counts[fault.order]
-    return counts - model.mean - sum(f.shift for f in faults if f.shift is not None)
+@dataclass(frozen=True)
+class Claims:
+    """What hypotheses say, as arrays; the first one is "as specified".
 
+    Attributes
+    ----------
+    faults : the faults of each hypothesis
+    order : from which channel each reading comes
+    shift : of the mean, counts
+    silent : whether a channel is said to say nothing
+    number : of faults
+    """
 
-def _silent(residual: Float[np.ndarray, "channel"], faults: tuple[Fault, ...]) -> list[int]:
-    """Channels without a reading, and those that the faults call silent."""
-    missing = set(np.flatnonzero(np.isnan(residual)).tolist())
-    return sorted(missing.union(*(fault.silent for fault in faults)))
+    faults: list[tuple[Fault, ...]]
+    order: Int[np.ndarray, "hypothesis channel"]
+    shift: Float[np.ndarray, "hypothesis channel"]
+    silent: Bool[np.ndarray, "hypothesis channel"]
+    number: Int[np.ndarray, "hypothesis"]
+
+    @staticmethod
+    def of(hypotheses: Iterable[tuple[Fault, ...]], channels: int) -> Claims:
+        every = [(), *hypotheses]
+        order = np.tile(np.arange(channels), (len(every), 1))
+        shift, silent = np.zeros(order.shape), np.zeros(order.shape, dtype=bool)
+        for row, faults in enumerate(every):
+            for fault in faults:
+                if fault.order is not None:
+                    order[row] = order[row, fault.order]
+                if fault.shift is not None:
+                    shift[row] += fault.shift
+                silent[row, list(fault.silent)] = True
+        return Claims(every, order, shift, silent, np.array([len(faults) for faults in every]))
 
 
 def _quadratic_forms(
     model: RestModel,
     residual: Float[np.ndarray, "hypothesis channel"],
-    silent: list[list[int]],
+    silent: Bool[np.ndarray, "hypothesis channel"],
 ) -> tuple[Float[np.ndarray, "hypothesis"], Float[np.ndarray, "hypothesis"]]:
     """rᵀC⁻¹r and ln det C (that of all channels taken as 0), silent channels marginalised.
 
@@ -265,11 +283,11 @@ def _quadratic_forms(
     weighted = residual @ precision
     distance = np.einsum("hc,hc->h", residual, weighted)
     log_volume = np.zeros(len(residual))
-    for row, channels in enumerate(silent):
-        if channels:
-            block, part = precision[np.ix_(channels, channels)], weighted[row, channels]
-            distance[row] -= part @ np.linalg.solve(block, part)
-            log_volume[row] = np.linalg.slogdet(block)[1]
+    for row in np.flatnonzero(silent.any(axis=1)):
+        channels = np.flatnonzero(silent[row])
+        block, part = precision[np.ix_(channels, channels)], weighted[row, channels]
+        distance[row] -= part @ np.linalg.solve(block, part)
+        log_volume[row] = np.linalg.slogdet(block)[1]
     return distance, log_volume
 
 
