@@ -1,4 +1,4 @@
-"""Shapes and types of every annotated public function are enforced while the tests run."""
+"""Types, what the processes of a run share, and which files go to one process together."""
 
 import os
 import shutil
@@ -6,10 +6,11 @@ import tempfile
 from pathlib import Path
 
 import pytest
-from jaxtyping import install_import_hook
 from xdist.scheduler import LoadScopeScheduling
 
-install_import_hook(["design", "fem", "estimator"], "beartype.beartype")
+from tests.support import typechecks
+
+typechecks.install(["design", "fem", "estimator"])
 
 TOGETHER = (
     ("tests/fem/mesh/", "tests/fem/linear/", "tests/fem/contact/", "tests/fem/presses/"),
@@ -22,6 +23,10 @@ LONGEST_FIRST = ("tests/fem/", "tests/chain/", "tests/instobj/", "tests/benchmar
 """So that no worker is left with a long file at the end."""
 
 VERIFICATION_OUTCOMES = pytest.StashKey[list]()
+
+
+def pytest_runtest_setup():
+    typechecks.next_test()
 
 
 def pytest_addoption(parser):

@@ -1,6 +1,9 @@
 """The benchmark of building runs, and its figures hang together."""
 
+import pytest
 
+
+@pytest.mark.slow
 def test_quick_run_builds_the_cube_and_a_coarse_fruit(quick_run):
     result, printed = quick_run("building", 1, ["building.json"])
     cube, fruit = result["cube"], result["fruit"]

@@ -9,6 +9,7 @@ import pytest
 BENCHMARKS = Path(__file__).parents[2] / "benchmarks"
 
 
+@pytest.mark.slow
 def test_quick_run_compares_both_recipes_in_the_same_time(quick_run):
     result, printed = quick_run("estimators", 1, ["estimators.json", "estimators.png"])
     ours, paper = (result["recipes"][name] for name in ("compact", "paper"))

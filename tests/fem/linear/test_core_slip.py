@@ -79,7 +79,9 @@ def test_with_a_free_outside_the_slip_moves_the_shell_rigidly(small_mesh, magnet
     spec = small_spec(magnets=magnets, **SLIP)
     rest = resting_shell(small_mesh, spec)
     shift = np.zeros((len(rest.deviation), 3))
-    if magnets == "points":  # the mean over elements, whose centroid is not quite the magnet's centre
+    if (
+        magnets == "points"
+    ):  # the mean over elements, whose centroid is not quite the magnet's centre
         off = centroids_mm(small_mesh) - shell_body_layout(spec).centre_mm
         shift = np.cross(rest.magnet_motion[:, 3:], off)
         assert abs(shift).max() > 1e-5

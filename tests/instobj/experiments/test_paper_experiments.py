@@ -40,20 +40,29 @@ def synthetic_object():
     return SimulatedObject(spec, signals, mechanics, spec, presses, "synthetic")
 
 
+class Results(dict):
+    """What a study returned and its folder, by its name; run when it is first asked for."""
+
+    def __init__(self, spec, folder):
+        super().__init__()
+        self.spec, self.folder = spec, folder
+
+    def __missing__(self, name):
+        target = self.folder / name
+        target.mkdir()
+        self[name] = studies()[name].run(self.spec, target, True), target
+        return self[name]
+
+
 @pytest.fixture(scope="module")
 def results(synthetic_object, tmp_path_factory):
-    """What every study returned, and its folder; one store for all, so that fits are shared."""
+    """One store for all studies, so that fits are shared."""
     folder = tmp_path_factory.mktemp("experiments")
-    found = {}
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("INSTOBJ_STORE", str(folder / "store"))
         for module in (general, places, amounts, unseen, reference):
             patch.setattr(module, "simulated_object", lambda spec, quick: synthetic_object)
-        for name in NAMES:
-            target = folder / name
-            target.mkdir()
-            found[name] = studies()[name].run(synthetic_object.spec, target, True), target
-    return found
+        yield Results(synthetic_object.spec, folder)
 
 
 @pytest.mark.parametrize("name", NAMES)
