@@ -13,6 +13,7 @@ from design.layout.boards import Mounted, mounted_sensors, wire_bundle_mm
 from design.layout.body import face_frames
 from design.layout.mould_frame import play_mm
 from design.layout.pockets import Pocket, distance_of_axes_mm, shell_pockets
+from design.layout.positions import cover_mm
 from design.spec.object import ObjectSpec
 
 if TYPE_CHECKING:
@@ -67,9 +68,7 @@ def _spacing(spec: ObjectSpec, frame: FaceFrame, pockets: tuple[Pocket, ...]) ->
 
 def _seal(spec: ObjectSpec, faces: list[tuple[FaceFrame, tuple[Pocket, ...]]]) -> Finding:
     def cover(pair: tuple[FaceFrame, Pocket]) -> float:
-        body = pair[1].body
-        tilt = body.outline.support_mm(body.frame[2, :2])
-        return float(-body.centre_mm[2] - body.frame[2, 2] * body.height_mm / 2 - tilt)
+        return cover_mm(pair[0], pair[1].body)
 
     frame, thinnest = min(((f, p) for f, face in faces for p in face), key=cover)
     return _silicone(

@@ -9,6 +9,7 @@ drawn first, a closed mould leaves none.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from itertools import combinations
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -25,8 +26,9 @@ from design.fabrication.finding import Finding, at_least, place_of
 from design.layout.core_hold import why_no_mould
 from design.layout.mould_frame import mould_frame, mould_style, parting, up
 from design.mould.openings import Hole, air_traps, mould_holes
-from design.mould.pins import least_rim_mm, loose_pins, pin_kinds
+from design.mould.pins import least_rim_mm, loose_pins, make_pin, pin_kinds
 from design.mould.plug import pour_width_mm
+from design.solids.booleans import as_triangles
 from design.spec.object import ObjectSpec
 
 if TYPE_CHECKING:
@@ -39,6 +41,8 @@ YIELD_SHARE = 0.02
 NEAR_MM = 0.15
 """Of the silicone's surface, within which a face touches it: triangles of both leave theirs by less."""
 OPEN_MM3 = 1e-3
+MATING_MM3 = 1.0
+"""Common volume of two parts that touch: their triangles leave curved surfaces by 5 µm."""
 CLOSING = ("mould_box", "mould_half_a", "mould_half_b", "mould_plug", "mould_holder")
 """Parts in the object's frame of which a mould has one each."""
 
@@ -65,7 +69,32 @@ def check_casting(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> list[
     for draw in draws(spec):
         if draw.part in meshes:
             found += _draw(spec, draw, meshes[draw.part], meshes["shell"])
-    return [*found, *_air(spec, meshes)]
+    return [*found, *_closing(spec, meshes), *_air(spec, meshes)]
+
+
+def _closing(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> list[Finding]:
+    """Largest common volume of two parts of the closed mould, or of one and the core in it."""
+    placed = [(name, mesh) for name, mesh in meshes.items() if name in CLOSING]
+    if mould_style(spec) == "split":
+        pins = loose_pins(spec)
+        placed += [(f"pin {k}", as_triangles(make_pin(spec, p))) for k, p in enumerate(pins, 1)]
+    if mould_frame(spec).opening in ("closed", "bore") and "core" in meshes:
+        placed.append(("core", meshes["core"]))
+    solids = [(name, manifold_of(mesh), mesh.bounds) for name, mesh in placed]
+    worst, names, place = 0.0, "", None
+    for (a, one, bounds), (b, other, others) in combinations(solids, 2):
+        if (bounds[0] > others[1]).any() or (others[0] > bounds[1]).any():
+            continue
+        common = one ^ other
+        if common.volume() > worst:
+            worst, names = common.volume(), f" ({a} and {b})"
+            place = place_of(np.reshape(common.bounding_box(), (2, 3)).mean(axis=0))
+    text = (
+        f"largest common volume of two parts of the closed mould, or of one and the core{names}. Above the "
+        "limit the mould does not close: move pockets apart, or choose another mould.style"
+    )
+    status = "pass" if worst <= MATING_MM3 else "fail"
+    return [Finding("mould closes", "mould", worst, MATING_MM3, "mm³", status, text, place)]
 
 
 def draws(spec: ObjectSpec) -> list[Draw]:

@@ -12,6 +12,7 @@ import numpy as np
 
 from design.layout.body import body_of, core_frames, face_frames
 from design.layout.pockets import Pocket, distance_of_segments_mm, sensor_places, shell_pockets
+from design.layout.positions import board_sinks_mm, cover_mm
 
 if TYPE_CHECKING:
     from design.body.surface_chart import FaceFrame
@@ -96,6 +97,13 @@ def _check_core(spec: ObjectSpec) -> None:
             f"{core.recess_depth_mm:g}. Make body.size_mm larger, or shell.thickness_mm or the recess "
             "smaller"
         )
+    widest = min(float(np.hypot(*frame.half_extents_mm)) for frame in core_frames(spec))
+    if not core.recess_inner_radius_mm < core.recess_outer_radius_mm < widest:
+        raise ValueError(
+            "core recesses must satisfy recess_inner_radius_mm < recess_outer_radius_mm < the reach "
+            f"of the core's smallest patch, {widest:.4g} mm; got {core.recess_inner_radius_mm:g} and "
+            f"{core.recess_outer_radius_mm:g}. Move the recess inwards"
+        )
     if body.thickness_mm >= body.thickness_below_mm:
         raise ValueError(
             f"shell.thickness_mm must be below the {body.name}'s radius of {body.thickness_below_mm:g} mm; "
@@ -114,11 +122,17 @@ def _check_pockets(spec: ObjectSpec) -> None:
         for pocket in pockets:
             body = pocket.body
             tall = body.height_mm >= shell.pocket_depth_mm and spec.magnets.depth_mm is None
-            if -pocket.lowest_mm >= silicone or tall or body.centre_mm[2] + body.height_mm / 2 >= 0:
+            if -pocket.lowest_mm >= silicone or tall:
                 raise ValueError(
                     f"{body.label}: a magnet {body.height_mm:g} mm high in a pocket "
                     f"{-pocket.lowest_mm:.4g} mm deep does not lie within the {silicone:g} mm of silicone. "
                     "Change shell.pocket_depth_mm, magnets.depth_mm or the magnet"
+                )
+            cover = cover_mm(frame, body)
+            if cover <= 0:
+                raise ValueError(
+                    f"{body.label} stands {-cover:.3g} mm out of the curved face {frame.number}. Deepen "
+                    "shell.pocket_depth_mm or magnets.depth_mm by more than that, or take a smaller magnet"
                 )
             reach = pocket.reach_mm
             if not frame.covers(reach):
@@ -152,11 +166,36 @@ def _check_sensors(spec: ObjectSpec) -> None:
             f"sensors.depth_below_core_face_mm must not exceed core.recess_depth_mm = "
             f"{core.recess_depth_mm:g}; got {sensors.depth_below_core_face_mm:g}. Deepen the recess"
         )
-    for frame, places in zip(core_frames(spec), sensor_places(spec), strict=True):
-        for index, (x, y, _) in enumerate(places):
+    room, what = body_of(spec).room_for_recesses
+    hollow = body_of(spec).opening != "closed" and not body_of(spec).on_base
+    if hollow and core.wall_mm < room:
+        room, what = core.wall_mm, "core.wall_mm"
+    for frame, places, sinks in zip(
+        core_frames(spec), sensor_places(spec), board_sinks_mm(spec), strict=True
+    ):
+        for index, ((x, y, _), sink) in enumerate(zip(places, sinks, strict=True)):
             if not frame.covers(np.array([x, y])):
                 raise ValueError(
                     f"sensor {index + 1} of face {frame.number} at ({x:.4g}, {y:.4g}) lies outside the "
                     f"core's patch (±{frame.half_extents_mm[0]:.4g}, ±{frame.half_extents_mm[1]:.4g} mm). "
                     "Use a smaller sensors.radius_mm, or sensors.positions_mm"
                 )
+            if not core.recess_depth_mm + sink < room:
+                raise ValueError(_too_deep(spec, frame.number, index + 1, sink, room, what))
+
+
+def _too_deep(
+    spec: ObjectSpec, face: int, sensor: int, sink_mm: float, room_mm: float, what: str
+) -> str:
+    if not np.isfinite(sink_mm):
+        return (
+            f"the board of sensor {sensor} of face {face}, {spec.sensors.package_mm[0]:g} × "
+            f"{spec.sensors.package_mm[1]:g} mm, reaches beyond the core's patch. Use a smaller "
+            "sensors.radius_mm or sensors.package_mm"
+        )
+    return (
+        f"the recess of sensor {sensor} of face {face} is {spec.core.recess_depth_mm + sink_mm:.4g} mm deep: "
+        f"core.recess_depth_mm = {spec.core.recess_depth_mm:g}, and {sink_mm:.3g} mm until no corner of "
+        f"the board stands out of the curved core; {what} is {room_mm:.4g} mm. Make core.wall_mm larger, "
+        "the recess less deep, or the board (sensors.package_mm) smaller"
+    )

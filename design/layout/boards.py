@@ -3,6 +3,7 @@ that are left between recesses."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import combinations
 
@@ -13,9 +14,11 @@ from design.body.surface_chart import FaceFrame
 from design.body.triangles import Block
 from design.layout.body import core_frames
 from design.layout.pockets import board_frame, sensor_places
-from design.layout.positions import shell_body_layout
+from design.layout.positions import board_sinks_mm, mounted_stack, shell_body_layout
 from design.spec.object import ObjectSpec
 from design.spec.worked_out import once
+
+Places = tuple[tuple[float, float, float], ...]
 
 PACKING = 0.7
 """Share of a round hole that loose wires fill, at most (densest packing of equal circles: 0.91)."""
@@ -38,15 +41,15 @@ class Mounted:
 def mounted_sensors(spec: ObjectSpec) -> list[Mounted]:
     """Boards in the core's recesses, face by face; empty where the sensors sit in the shell.
 
-    Each board lies in the middle of its recess. A chip that faces inward hangs under a board that is
-    flush with the core's face; one that faces outward stands on a board on the recess's floor.
+    Each board lies in the middle of its recess, as `mounted_stack` says; on a curved core deeper, by
+    `board_sinks_mm`.
     """
     if spec.arrangement == "sensors-in-shell":
         return []
     return [
-        _mounted(spec, frame.tangent(np.array(place[:2])), number, place)
-        for frame, places in zip(core_frames(spec), sensor_places(spec), strict=True)
-        for number, place in enumerate(places, start=1)
+        _mounted(spec, frame.tangent(np.array(place[:2])), number, place, sink)
+        for frame, places, sinks in _placed(spec)
+        for number, (place, sink) in enumerate(zip(places, sinks, strict=True), start=1)
     ]
 
 
@@ -59,25 +62,29 @@ def board_blocks(spec: ObjectSpec) -> list[Block]:
 
 
 def _mounted(
-    spec: ObjectSpec, frame: FaceFrame, number: int, place: tuple[float, float, float]
+    spec: ObjectSpec,
+    frame: FaceFrame,
+    number: int,
+    place: tuple[float, float, float],
+    sink_mm: float,
 ) -> Mounted:
-    core, sensors, (x, y, azimuth) = spec.core, spec.sensors, place
-    axes = frame.axes @ board_frame(azimuth)
-    radial = np.array([np.cos(azimuth), np.sin(azimuth)])
-    middle = (core.recess_inner_radius_mm + core.recess_outer_radius_mm) / 2
-    board_xy = np.array([x, y]) + (middle - sensors.radius_mm) * radial
-    thick, high = sensors.package_mm[2], sensors.chip_mm[2]
-    inward = sensors.chip == "inward"
-    board_top = 0.0 if inward else -core.recess_depth_mm + thick
-    chip_top = board_top - thick if inward else board_top + high
-    board = frame.to_object(np.array([*board_xy, board_top - thick / 2]))
-    chip = frame.to_object(np.array([x, y, chip_top - high / 2]))
+    sensors, stack = spec.sensors, mounted_stack(spec, place)
+    axes = frame.axes @ board_frame(place[2])
+    board_z = stack.board_top_mm - sink_mm - sensors.package_mm[2] / 2
+    chip_z = stack.chip_top_mm - sink_mm - sensors.chip_mm[2] / 2
+    board = frame.to_object(np.append(stack.board_xy_mm, board_z))
+    chip = frame.to_object(np.array([*place[:2], chip_z]))
     return Mounted(
         frame.number,
         number,
         Block(board, axes, np.asarray(sensors.package_mm) / 2),
         Block(chip, axes, np.asarray(sensors.chip_mm) / 2),
     )
+
+
+def _placed(spec: ObjectSpec) -> Iterator[tuple[FaceFrame, Places, tuple[float, ...]]]:
+    """Frame of the core, places and sinks of the boards, sensed face by face."""
+    return zip(core_frames(spec), sensor_places(spec), board_sinks_mm(spec), strict=True)
 
 
 def wire_bundle_mm(spec: ObjectSpec) -> float:
@@ -101,14 +108,15 @@ def sensor_recesses(spec: ObjectSpec) -> tuple[Recess, ...]:
     """Every recess of the core, face by face, in the object's frame (sensors in the core)."""
     core = spec.core
     length = core.recess_outer_radius_mm - core.recess_inner_radius_mm
-    half = np.array([length, core.recess_width_mm, core.recess_depth_mm]) / 2
     found = []
-    for frame, places in zip(core_frames(spec), sensor_places(spec), strict=True):
-        for x, y, azimuth in places:
+    for frame, places, sinks in _placed(spec):
+        for (x, y, azimuth), sink in zip(places, sinks, strict=True):
+            depth = core.recess_depth_mm + sink
+            half = np.array([length, core.recess_width_mm, depth]) / 2
             cosine, sine = np.cos(azimuth), np.sin(azimuth)
             turn = np.array([[cosine, -sine, 0.0], [sine, cosine, 0.0], [0.0, 0.0, 1.0]])
             aside = core.recess_inner_radius_mm + length / 2 - spec.sensors.radius_mm
-            local = np.array([x + aside * cosine, y + aside * sine, -core.recess_depth_mm / 2])
+            local = np.array([x + aside * cosine, y + aside * sine, -depth / 2])
             found.append(
                 Recess(frame.number, np.asarray(frame.to_object(local)), frame.axes @ turn, half)
             )

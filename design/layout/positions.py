@@ -16,7 +16,15 @@ from jaxtyping import Bool, Float, Int
 
 from design.body.surface_chart import FaceFrame
 from design.layout.body import core_frames, face_frames
-from design.layout.pockets import Body, Outline, magnet_bodies, sensor_boards, shell_bodies
+from design.layout.pockets import (
+    Body,
+    Outline,
+    board_frame,
+    magnet_bodies,
+    sensor_boards,
+    sensor_places,
+    shell_bodies,
+)
 from design.spec.assembly import BuiltMagnet
 from design.spec.mechanics import SlipSpec
 from design.spec.object import ObjectSpec, SensorSpec
@@ -126,6 +134,21 @@ def shell_body_layout(spec: ObjectSpec) -> ShellBodies:
     return ShellBodies(*_in_object(face_frames(spec), bodies), first.outline, first.height_mm)
 
 
+def cover_mm(frame: FaceFrame, body: Body) -> float:
+    """Silicone over a rigid body of a face, where it is thinnest; negative where the body stands out.
+
+    Measured from the rims of both its ends along the surface's normals; NaN beside the patch.
+    """
+    outline = body.outline
+    turn = np.linspace(0, 2 * np.pi, _RIM_POINTS, endpoint=False)
+    circle = outline.half_mm[0] * np.column_stack([np.cos(turn), np.sin(turn)])
+    rim = circle if outline.round else outline.corners_mm(4)
+    ends = [np.column_stack([rim, [end * body.height_mm / 2] * len(rim)]) for end in (-1, 1)]
+    axes = frame.axes_at(body.centre_mm[:2]) @ body.frame
+    points = frame.to_object(body.centre_mm) + np.concatenate(ends) @ axes.T
+    return -float(frame.from_object(points)[:, 2].max())
+
+
 @once
 def magnet_layout(spec: ObjectSpec) -> MagnetLayout:
     """All magnets, face by face, as designed or as `as_built` found them; axes point north."""
@@ -135,6 +158,11 @@ def magnet_layout(spec: ObjectSpec) -> MagnetLayout:
     north = np.tile(spec.magnets.polarities, len(frames))[:, None] * frame[:, :, 2]
     designed = MagnetLayout(centre, north, face, frame[:, :, 0], np.ones(len(face)))
     return magnets_as_built(spec, designed, frames)
+
+
+_RIM_POINTS = 48
+_FLUSH_MM = 1e-6
+_SINKING_STEPS = 20
 
 
 @once
@@ -157,9 +185,68 @@ def sensor_layout(spec: ObjectSpec) -> SensorLayout:
 def _sensors_in_core(spec: ObjectSpec) -> tuple[tuple[Body, ...], ...]:
     depth = spec.sensors.depth_below_core_face_mm
     return tuple(
-        tuple(replace(board, centre_mm=np.append(board.centre_mm[:2], -depth)) for board in face)
-        for face in sensor_boards(spec)
+        tuple(
+            replace(board, centre_mm=np.append(board.centre_mm[:2], -depth - sink))
+            for board, sink in zip(face, sinks, strict=True)
+        )
+        for face, sinks in zip(sensor_boards(spec), board_sinks_mm(spec), strict=True)
     )
+
+
+@once
+def board_sinks_mm(spec: ObjectSpec) -> tuple[tuple[float, ...], ...]:
+    """By how much every board lies deeper than on a flat core, sensed face by face (mm).
+
+    Under a flat board a curved core falls away: the board, its chip and the recess's floor go down
+    until no corner stands out of the core into the silicone. 0 on flat faces; NaN where a board
+    reaches beyond its patch.
+    """
+    return tuple(
+        tuple(0.0 if frame.flat else _sink_mm(spec, frame, place) for place in places)
+        for frame, places in zip(core_frames(spec), sensor_places(spec), strict=True)
+    )
+
+
+@dataclass(frozen=True)
+class MountedStack:
+    """Board and chip in a recess: (x, y) of the board's middle in the face's frame, levels (mm)."""
+
+    board_xy_mm: Float[np.ndarray, "2"]
+    board_top_mm: float
+    chip_top_mm: float
+
+
+def mounted_stack(spec: ObjectSpec, place: tuple[float, float, float]) -> MountedStack:
+    """As on a flat core: a chip that faces inward hangs under a board that is flush with the face,
+    one that faces outward stands on a board on the recess's floor."""
+    core, sensors, (x, y, azimuth) = spec.core, spec.sensors, place
+    middle = (core.recess_inner_radius_mm + core.recess_outer_radius_mm) / 2
+    radial = np.array([np.cos(azimuth), np.sin(azimuth)])
+    board_xy = np.array([x, y]) + (middle - sensors.radius_mm) * radial
+    thick, high = sensors.package_mm[2], sensors.chip_mm[2]
+    if sensors.chip == "inward":
+        return MountedStack(board_xy, 0.0, -thick)
+    return MountedStack(board_xy, thick - core.recess_depth_mm, thick + high - core.recess_depth_mm)
+
+
+def _sink_mm(spec: ObjectSpec, frame: FaceFrame, place: tuple[float, float, float]) -> float:
+    stack, axes = mounted_stack(spec, place), board_frame(place[2])[:2, :2]
+    tops = (
+        (stack.board_xy_mm, spec.sensors.package_mm, stack.board_top_mm),
+        (np.array(place[:2]), spec.sensors.chip_mm, stack.chip_top_mm),
+    )
+    signs = np.array([[1, 1], [-1, 1], [-1, -1], [1, -1]]) / 2
+    corners = np.concatenate(
+        [np.column_stack([xy + (signs * size[:2]) @ axes.T, [top] * 4]) for xy, size, top in tops]
+    )
+    tangent, sink = frame.tangent(np.array(place[:2])), 0.0
+    for _ in range(_SINKING_STEPS):
+        lowered = tangent.to_object(corners - [0.0, 0.0, sink])
+        above = float(frame.from_object(lowered)[:, 2].max())
+        if not above > _FLUSH_MM:
+            return sink if above <= _FLUSH_MM else np.nan
+        sink += above
+    return sink
 
 
 def chip_on_board(sensors: SensorSpec) -> Float[np.ndarray, "3 3"]:

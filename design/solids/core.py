@@ -10,6 +10,7 @@ from design.layout.blocks import core_keys
 from design.layout.body import body_of, core_frames
 from design.layout.core_hold import wire_hole_diameter_mm
 from design.layout.pockets import core_pockets, sensor_places
+from design.layout.positions import board_sinks_mm
 from design.solids.body import core_hollow, core_solid
 from design.solids.primitives import (
     OVERSHOOT_MM,
@@ -22,6 +23,8 @@ from design.solids.primitives import (
 )
 from design.spec.object import ObjectSpec
 
+_AT_THE_HOLE_MM = 1e-3
+
 
 def make_core(spec: ObjectSpec) -> cq.Solid:
     """Core in the object's frame (mm), its cavity open towards −z.
@@ -33,9 +36,12 @@ def make_core(spec: ObjectSpec) -> cq.Solid:
     """
     cutters = [*_cavity(spec), *_outlets(spec)]
     frames = core_frames(spec)
-    for frame, places in zip(frames, sensor_places(spec), strict=True):
+    for frame, places, sinks in zip(frames, sensor_places(spec), board_sinks_mm(spec), strict=True):
         if spec.arrangement == "sensors-in-core":
-            cutters += [_sensor_recess(spec, frame, place) for place in places]
+            cutters += [
+                _sensor_recess(spec, frame, place, sink)
+                for place, sink in zip(places, sinks, strict=True)
+            ]
             cutters += _wire_channels(spec, frame, places)
         cutters += _wire_passage(spec, frame)
     for frame, pockets in zip(frames, core_pockets(spec), strict=True):
@@ -69,7 +75,7 @@ def _outlets(spec: ObjectSpec) -> list[cq.Solid]:
 
 
 def _sensor_recess(
-    spec: ObjectSpec, frame: FaceFrame, place: tuple[float, float, float]
+    spec: ObjectSpec, frame: FaceFrame, place: tuple[float, float, float], sink_mm: float
 ) -> cq.Solid:
     """Box of the recess's width and radial extent about the sensor, turned to its azimuth."""
     core, (x, y, azimuth) = spec.core, place
@@ -79,7 +85,7 @@ def _sensor_recess(
         float(np.rad2deg(azimuth)),
         core.recess_width_mm,
         (core.recess_inner_radius_mm + offset, core.recess_outer_radius_mm + offset),
-        (-core.recess_depth_mm, OVERSHOOT_MM),
+        (-core.recess_depth_mm - sink_mm, OVERSHOOT_MM),
     )
 
 
@@ -100,6 +106,7 @@ def _wire_channels(
             heights,
         )
         for x, y, _ in places
+        if np.hypot(x, y) > _AT_THE_HOLE_MM  # a recess over the wire hole needs none
     ]
 
 

@@ -16,6 +16,7 @@ from design.layout.body import body_of, core_frames, face_frames
 from design.layout.core_hold import Locator, core_outlet, locators
 from design.layout.mould_frame import cast_corners_mm
 from design.layout.pockets import Pocket, sensor_places, shell_pockets
+from design.layout.positions import board_sinks_mm
 
 if TYPE_CHECKING:
     import trimesh
@@ -77,8 +78,12 @@ def sampled_core_part(spec: ObjectSpec) -> trimesh.Trimesh:
         An InputError: the dimensions do not give one closed surface.
     """
     removed = []
-    for frame, places in zip(core_frames(spec), sensor_places(spec), strict=True):
-        removed += [_recess(spec, frame, place) for place in places]
+    for frame, places, sinks in zip(
+        core_frames(spec), sensor_places(spec), board_sinks_mm(spec), strict=True
+    ):
+        removed += [
+            _recess(spec, frame, place, sink) for place, sink in zip(places, sinks, strict=True)
+        ]
         removed.append(_wire_hole(spec, frame.centre_mm + _OVERSHOOT_MM * frame.normal))
     if 6 in spec.body.opened:
         removed.append(_hollow(spec))
@@ -115,7 +120,7 @@ def _pocket(frame: FaceFrame, pocket: Pocket) -> trimesh.Trimesh:
 
 
 def _recess(
-    spec: ObjectSpec, frame: FaceFrame, place: tuple[float, float, float]
+    spec: ObjectSpec, frame: FaceFrame, place: tuple[float, float, float], sink_mm: float
 ) -> trimesh.Trimesh:
     import trimesh
 
@@ -124,10 +129,11 @@ def _recess(
     middle = (
         core.recess_outer_radius_mm + core.recess_inner_radius_mm
     ) / 2 - spec.sensors.radius_mm
-    height = core.recess_depth_mm + _OVERSHOOT_MM
+    depth = core.recess_depth_mm + sink_mm
+    height = depth + _OVERSHOOT_MM
     radial = np.array([np.cos(azimuth), np.sin(azimuth), 0.0])
     turn = np.column_stack([radial, np.cross([0, 0, 1.0], radial), [0, 0, 1.0]])
-    centre = np.array([x, y, height / 2 - core.recess_depth_mm]) + middle * radial
+    centre = np.array([x, y, height / 2 - depth]) + middle * radial
     tangent = frame.tangent(np.array([x, y]))
     box = trimesh.creation.box((length, core.recess_width_mm, height))
     box.apply_transform(_placed(tangent.axes @ turn, tangent.to_object(centre)))

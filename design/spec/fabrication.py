@@ -14,6 +14,11 @@ from pydantic import Field, model_validator
 from design.catalogue.printers import Process, printer_preset
 from design.spec.base import Finite, Positive, SpecPart
 
+Gap = Annotated[float, Field(gt=0, le=2)]
+"""Between printed parts (mm)."""
+Thickness = Annotated[float, Field(gt=0, le=100)]
+"""Of walls and features of printed parts (mm)."""
+
 
 class MouldSpec(SpecPart):
     """The mould that the shell is cast in.
@@ -30,14 +35,14 @@ class MouldSpec(SpecPart):
     """
 
     style: Literal["one-piece", "split"] | None = None
-    wall_mm: Positive = 1.5
-    play_mm: Positive | None = None
+    wall_mm: Thickness = 1.5
+    play_mm: Gap | None = None
     parting_azimuth_deg: Finite | None = None
-    flange_mm: Positive = 8.0
+    flange_mm: Thickness = 8.0
     dowel_draft_deg: Annotated[float, Field(ge=0, le=30)] = 10.0
     draft_deg: Annotated[float, Field(ge=0, le=10)] = 0.0
-    pour_mm: Positive = 6.0
-    vent_mm: Positive | None = None
+    pour_mm: Thickness = 6.0
+    vent_mm: Thickness | None = None
     silicone_waste: Annotated[float, Field(ge=0, le=2)] = 0.15
 
 
@@ -52,10 +57,10 @@ class PrinterSpec(SpecPart):
     name: str = "fdm-0.4"
     process: Process = "fdm"
     bed_mm: tuple[Positive, Positive, Positive] = (220.0, 220.0, 240.0)
-    wall_mm: Positive = 0.8
-    feature_mm: Positive = 0.8
-    hole_mm: Positive = 1.0
-    clearance_mm: Positive = 0.1
+    wall_mm: Thickness = 0.8
+    feature_mm: Thickness = 0.8
+    hole_mm: Thickness = 1.0
+    clearance_mm: Gap = 0.1
     aspect: Positive = 4.0
     draft_deg: Annotated[float, Field(ge=0, lt=45)] = 1.0
     density_g_per_cm3: Positive = 1.27
@@ -73,5 +78,5 @@ class PrinterSpec(SpecPart):
 class ExportSpec(SpecPart):
     """How far the triangles of STL, 3MF and GLB files may leave the solids, and turn at a step."""
 
-    mesh_tolerance_mm: Positive = 0.05
+    mesh_tolerance_mm: Annotated[float, Field(ge=1e-3, le=5)] = 0.05
     mesh_angle_rad: Annotated[float, Field(gt=0, le=1)] = 0.2

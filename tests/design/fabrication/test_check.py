@@ -12,7 +12,7 @@ from numpy.testing import assert_allclose
 from design.build.parts import Part
 from design.errors import InputError, NotOneSolid
 from design.fabrication.assembly import check_electronics, check_pockets
-from design.fabrication.casting import check_casting, draws
+from design.fabrication.casting import _closing, check_casting, draws
 from design.fabrication.check import check_fabrication, check_solid, mesh_of
 from design.fabrication.finding import at_least
 from design.fabrication.printing import (
@@ -26,8 +26,10 @@ from design.layout.mould_frame import mould_style
 from design.mould.halves import make_mould_half
 from design.mould.one_piece import make_mould_box
 from design.mould.plug import make_mould_plug
+from design.solids.booleans import as_triangles
 from design.solids.core import make_core
 from design.solids.primitives import box_between
+from design.solids.sampled import sampled_core_part
 from design.solids.shell import make_shell
 from design.spec_io import load_spec, parse_spec
 from tests.support.body_cases import body_spec
@@ -280,3 +282,28 @@ def test_the_papers_object_passes_with_the_warnings_it_deserves():
     assert not [f for f in checked.findings if f.status == "fail"]
     warned = {f.check for f in checked.findings if f.status == "warn"}
     assert warned == {"draft", "flat ceilings"}
+
+
+@pytest.mark.parametrize(
+    ("aside_mm", "status", "shared_mm3"), [(14.0, "fail", 13.2), (9.0, "pass", 0.0)]
+)
+def test_pins_that_meet_the_plug_keep_the_mould_from_closing(aside_mm, status, shared_mm3):
+    """Heads of pins beside the plug's clips: 13.19 mm³ by an independent boolean."""
+    text = {
+        "mould": {"style": "split"},
+        "magnets": {"positions_mm": [[aside_mm, 0], [-aside_mm, 0]]},
+    }
+    spec = parse_spec({"name": "cube", **text}, "test")
+    (closes,) = _closing(spec, {"mould_plug": as_triangles(make_mould_plug(spec))})
+    assert closes.status == status
+    assert_allclose(closes.value, shared_mm3, atol=0.1)
+
+
+@pytest.mark.slow
+def test_locating_pins_that_meet_the_core_keep_the_mould_from_closing():
+    """A closed pear with magnets at its patches' sides: 51.5 mm³ by an independent boolean."""
+    changes = ["body.open_faces=[]", "magnets.positions_mm=[[9,0],[-9,0]]"]
+    spec = load_spec(EXAMPLES / "pear.toml", changes)
+    (closes,) = _closing(spec, {"core": sampled_core_part(spec)})
+    assert closes.status == "fail"
+    assert_allclose(closes.value, 51.4, atol=0.5)

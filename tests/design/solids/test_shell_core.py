@@ -19,7 +19,7 @@ from design.solids.core import make_core
 from design.solids.primitives import single_solid
 from design.solids.shell import make_shell
 from design.spec.object import BodySpec, CoreSpec, MagnetSpec, ObjectSpec, SensorSpec, ShellSpec
-from design.spec_io import check
+from design.spec_io import check, parse_spec
 
 PAPER = ObjectSpec(name="paper")
 SKEWED = ObjectSpec(
@@ -239,3 +239,17 @@ def test_two_pieces_are_no_part():
     )
     with pytest.raises(InputError, match=r"core must be one valid solid; .* give 2 \(valid\)"):
         single_solid(apart, "core")
+
+
+def test_a_sensor_over_the_wire_hole_needs_no_channel():
+    """A channel of no length ended the build with a traceback."""
+    spec = parse_spec(
+        {
+            "name": "one",
+            "sensors": {"count_per_face": 1, "positions_mm": [[0, 0]]},
+            "core": {"wire_channel_width_mm": 0.8},
+        },
+        "one",
+    )
+    plain = spec.changed(core=spec.core.changed(wire_channel_width_mm=0.0))
+    assert make_core(spec).Volume() == pytest.approx(make_core(plain).Volume(), rel=1e-9)

@@ -1,5 +1,7 @@
 """Sticking friction: Spence's punch, the incompressible half-space, shear of oblique paths."""
 
+from functools import cache
+
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
@@ -76,12 +78,14 @@ def cube(coarse_mesh, rigid_spec):
         "oblique": {"direction_deg": (0.0, 30.0)},
         "flat": {"kind": "flat", "radius_mm": 4.0},
     }
-    settings = {}
-    for name, change in changes.items():
-        indenter = rigid_spec.indenter.model_copy(update={"friction": "sticking", **change})
+
+    @cache
+    def setting(name):
+        indenter = rigid_spec.indenter.model_copy(update={"friction": "sticking", **changes[name]})
         spec = rigid_spec.model_copy(update={"indenter": indenter})
-        settings[name] = sticking_setting(spec, coarse_mesh, [PLACE])
-    return settings
+        return sticking_setting(spec, coarse_mesh, [PLACE])
+
+    return setting
 
 
 def sticking_over_frictionless(setting, depth_mm, spec, response):
@@ -96,7 +100,7 @@ def sticking_over_frictionless(setting, depth_mm, spec, response):
 
 def test_a_flat_punch_that_sticks_is_stiffer(cube, rigid_spec, rigid_response):
     """With one and the same contact friction only takes freedom away."""
-    ratio = sticking_over_frictionless(cube["flat"], 1.0, rigid_spec, rigid_response)
+    ratio = sticking_over_frictionless(cube("flat"), 1.0, rigid_spec, rigid_response)
     assert 1.005 < ratio < 1.2
 
 
@@ -105,13 +109,13 @@ def test_a_sphere_s_force_hardly_changes_and_not_at_the_first_touch(
 ):
     """Deep presses come out some per cent softer: what is touched late has been pressed outwards."""
     args = (rigid_spec, rigid_response)
-    assert_allclose(sticking_over_frictionless(cube["straight"], 0.2, *args), 1, rtol=0.003)
-    assert_allclose(sticking_over_frictionless(cube["straight"], 2.0, *args), 1, rtol=0.05)
+    assert_allclose(sticking_over_frictionless(cube("straight"), 0.2, *args), 1, rtol=0.003)
+    assert_allclose(sticking_over_frictionless(cube("straight"), 2.0, *args), 1, rtol=0.05)
 
 
 def test_pressures_alone_act_as_in_the_response_operator(cube, rigid_spec, rigid_response):
     """Normal tractions, condensed beside tangential ones, move the magnets as the operator says."""
-    setting = cube["straight"]
+    setting = cube("straight")
     area = setting.cells.patches.area_mm2
     compliance = setting.response.compliance[0, :, 0]
     pressure = contact_pressures(compliance, setting.cells.height_mm * area, area, np.array([1.5]))[
@@ -125,8 +129,8 @@ def test_pressures_alone_act_as_in_the_response_operator(cube, rigid_spec, rigid
 
 def test_an_oblique_path_drags_the_magnets_along(cube):
     """Face 3's y is the object's +y: the shear acts, and the magnet below moves, that way."""
-    straight = press_sticking(cube["straight"], np.array([1.0]))[-1]
-    oblique = press_sticking(cube["oblique"], np.array([1.0]))[-1]
+    straight = press_sticking(cube("straight"), np.array([1.0]))[-1]
+    oblique = press_sticking(cube("oblique"), np.array([1.0]))[-1]
     assert oblique.shear_n[0, 1] > 0.2 * oblique.force_n[0]
     assert abs(oblique.shear_n[0, 0]) < 0.15 * oblique.shear_n[0, 1]
     below = 10  # the centre magnet of face 3

@@ -33,8 +33,14 @@ RADIUS = 5.0
 
 
 @pytest.fixture(scope="module")
-def presses(rigid_spec, rigid_response):
-    return simulate_lattice(rigid_spec, rigid_response)
+def told():
+    """Progress lines of the presses."""
+    return []
+
+
+@pytest.fixture(scope="module")
+def presses(rigid_spec, rigid_response, told):
+    return simulate_lattice(rigid_spec, rigid_response, told.append)
 
 
 def nearest_place(spec, x, y):
@@ -171,9 +177,7 @@ def test_mirrored_presses_agree_within_the_mesh_s_own_scatter(rigid_spec, presse
     assert (difference < 0.03).all()
 
 
-def test_progress_is_told_face_by_face(rigid_spec, rigid_response):
-    told = []
-    simulate_lattice(rigid_spec, rigid_response, told.append)
+def test_progress_is_told_face_by_face(presses, told):
     assert [line.split(":")[0] for line in told] == [f"face {n}" for n in range(1, 6)]
 
 

@@ -1,15 +1,21 @@
 """Memory is estimated before work: what cannot end is refused with the number and the keys."""
 
+from pathlib import Path
+
 import pytest
 
 from design.errors import InputError
 from design.processes import machine_memory_gib
-from design.spec_io import parse_spec
+from design.spec_io import load_spec, parse_spec
 from fem.mesh.tetrahedra import tetrahedralize
 from instobj.stages.resources import mesh_vertices, require_memory
 from instobj.stages.run import Run
 from instobj.stages.table import STAGES
+from tests.support.fem_cases import COARSE_EDGES_MM, paper_cube
+from tests.support.shared import shared_mesh
 from tests.support.small_object import small_spec
+
+EXAMPLES = Path(__file__).parents[3] / "examples"
 
 
 def spec_with(**parts):
@@ -51,15 +57,17 @@ def test_the_papers_cube_and_its_estimate(monkeypatch):
         require_memory("response", spec, 3.0)
 
 
-def test_vertices_are_estimated_within_a_factor_of_two(coarse_vertices):
-    for spec, count in coarse_vertices:
-        assert 0.5 < count / mesh_vertices(spec) < 2
+@pytest.mark.parametrize("spec", [small_spec(), paper_cube("rigid", COARSE_EDGES_MM)])
+def test_vertices_are_estimated_within_a_factor_of_two(spec):
+    assert 0.5 < len(shared_mesh(spec).points_mm) / mesh_vertices(spec) < 2
 
 
-@pytest.fixture(scope="module")
-def coarse_vertices():
-    coarse = spec_with(mesh={"edge_mm": 8.0, "surface_edge_mm": 3.0, "envelope_mm": 0.1})
-    return [(spec, len(tetrahedralize(spec).points_mm)) for spec in (coarse, small_spec())]
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["ball", "handle", "egg", "pear", "hall_skin", "hollow_dome"])
+def test_vertices_of_other_bodies_are_estimated_within_a_factor_of_two(name):
+    coarse = ["mesh.surface_edge_mm=3.0", "mesh.edge_mm=7.0", "mesh.envelope_mm=0.1"]
+    spec = load_spec(EXAMPLES / f"{name}.toml", coarse)
+    assert 0.5 < len(tetrahedralize(spec).points_mm) / mesh_vertices(spec) < 2
 
 
 @pytest.mark.parametrize("asked", ["much", "-3", "0", "nan"])

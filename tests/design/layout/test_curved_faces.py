@@ -1,0 +1,90 @@
+"""Boards and magnets on curved faces: what is flat stays within what is round."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import design.layout.boards
+from design.errors import InputError
+from design.layout.boards import mounted_sensors
+from design.layout.body import body_of, face_frames
+from design.layout.pockets import magnet_bodies
+from design.layout.positions import board_sinks_mm, cover_mm, sensor_layout
+from design.solids.core import make_core
+from design.solids.primitives import block_solid
+from design.spec_io import load_spec
+
+EXAMPLES = Path(__file__).parents[3] / "examples"
+CURVED = ("ball", "egg", "handle", "pear", "capsule")
+SIGNS = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
+
+
+def highest_mm(spec):
+    """How far the highest corner of any board or chip stands out of the core."""
+    blocks = [block for one in mounted_sensors(spec) for block in (one.board, one.chip)]
+    corners = [block.centre_mm + (SIGNS * block.half_mm) @ block.axes.T for block in blocks]
+    return float(body_of(spec).core_distance_mm(np.concatenate(corners)).max())
+
+
+@pytest.mark.parametrize("name", CURVED)
+def test_the_highest_corner_is_flush_with_the_core(name, monkeypatch):
+    spec = load_spec(EXAMPLES / f"{name}.toml")
+    assert abs(highest_mm(spec)) < 1e-3
+    flat = tuple(tuple(0.0 for _ in face) for face in board_sinks_mm(spec))
+    monkeypatch.setattr(design.layout.boards, "board_sinks_mm", lambda spec: flat)
+    assert highest_mm(spec) > 0.4, "the fault: boards as on a flat core"
+
+
+def test_boards_on_flat_faces_stay_where_they_are():
+    assert not np.any(board_sinks_mm(load_spec(EXAMPLES / "paper_cube.toml")))
+    handle = load_spec(EXAMPLES / "handle.toml")
+    ends, *sides = board_sinks_mm(handle)
+    assert not any(ends)
+    assert all(min(side) > 0.3 for side in sides)
+
+
+def test_chips_go_down_with_their_boards():
+    ball = load_spec(EXAMPLES / "ball.toml")
+    depth = -body_of(ball).core_distance_mm(sensor_layout(ball).position_mm)
+    sinks = np.concatenate(board_sinks_mm(ball))
+    np.testing.assert_allclose(depth, ball.sensors.depth_below_core_face_mm + sinks, atol=1e-6)
+
+
+def test_the_recess_takes_the_whole_board():
+    ball = load_spec(EXAMPLES / "ball.toml")
+    core = make_core(ball)
+    for sensor in mounted_sensors(ball)[:2]:
+        for block in (sensor.board, sensor.chip):
+            inside = block_solid(block).intersect(core)
+            assert inside.Volume() < 1e-6
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        (["core.wall_mm=3.5"], r"4\.044 mm deep.*core\.wall_mm is 3\.5 mm"),
+        (["core.recess_outer_radius_mm=1e-9"], "recess_inner_radius_mm < recess_outer_radius_mm"),
+        (["core.recess_inner_radius_mm=380"], "Move the recess inwards"),
+    ],
+)
+def test_recesses_that_the_core_cannot_hold_are_refused(changes, said):
+    with pytest.raises(InputError, match=said):
+        load_spec(EXAMPLES / "ball.toml", changes)
+
+
+def test_silicone_over_a_magnet_is_thinnest_over_its_rim():
+    ball = load_spec(EXAMPLES / "ball.toml")
+    radius, magnets = ball.body.size_mm[0] / 2, ball.magnets
+    for frame, bodies in zip(face_frames(ball), magnet_bodies(ball), strict=True):
+        for body in bodies:
+            top = radius + body.centre_mm[2] + magnets.height_mm / 2
+            rim = np.hypot(top, magnets.diameter_mm / 2)
+            assert cover_mm(frame, body) == pytest.approx(radius - rim, abs=1e-6)
+            assert cover_mm(frame, body) < radius - top - 0.1, "on the axis there is more"
+
+
+def test_a_magnet_that_stands_out_of_a_curved_face_is_refused():
+    wide = ["magnets.diameter_mm=12", "shell.pocket_diameter_mm=12", "shell.pocket_depth_mm=1.5"]
+    with pytest.raises(InputError, match=r"stands 0\.36 mm out of the curved face 2"):
+        load_spec(EXAMPLES / "handle.toml", wide)
