@@ -126,7 +126,7 @@ def _sampler(engine: Engine, seed: int, batch: int, past: list[FrozenTrial]) -> 
 
 def _lengths_only(trial: FrozenTrial) -> FrozenTrial:
     """What CMA-ES samples of a trial; it starts from no trial that has more."""
-    kept = {
+    kept: dict[str, BaseDistribution] = {
         name: one
         for name, one in trial.distributions.items()
         if isinstance(one, FloatDistribution) and not one.single()
