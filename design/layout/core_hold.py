@@ -29,6 +29,8 @@ NOSE_MM = 4.0
 LOCATOR_NOSE_MM = 6.0
 LOCATOR_GAP_MM = 0.8
 """Between a locating pin and a pocket that it does not go through, at least."""
+LEAST_FLOOR = 0.3
+"""Share of a pocket's floor that a locating pin leaves for the magnet to rest on, at least."""
 TOP_FACE = 1
 
 
@@ -102,7 +104,7 @@ def locators(spec: ObjectSpec) -> tuple[Locator, ...]:
     """Two pins at right angles that hold the core of a closed body, one where there is no second.
 
     Wide holes go before narrow ones. A pocket that the pin meets must have its direction, and be
-    round or hold all of it; else the face is left out.
+    round or hold all of it, and keep `LEAST_FLOOR` of its floor; else the face is left out.
     """
     if opening_of(spec) != "closed":
         return ()
@@ -143,6 +145,8 @@ def _locator(
         parallel = pocket.axis[2] == 1 and (frame.flat or away == 0)
         within = away + radius <= min(pocket.outline.half_mm)
         if not parallel or not (pocket.outline.round or within):
+            return None
+        if _common_area_mm2(radius, pocket) > (1 - LEAST_FLOOR) * pocket.outline.area_mm2:
             return None
         met.append(pocket)
     return Locator(frame, radius, depth, tuple(met))

@@ -27,6 +27,7 @@ from design.solids.booleans import as_triangles, common, cut, volume_mm3
 from design.solids.core import make_core
 from design.solids.sampled import sampled_shell
 from design.solids.shell import make_shell
+from design.spec_io import parse_spec
 from tests.support.body_cases import body_spec
 
 BESIDE = {"positions_mm": [[7.0, -1.0]]}
@@ -317,3 +318,16 @@ _CORNERS = (
     (slice(1, None), slice(1, None)),
     (slice(0, -1), slice(1, None)),
 )
+
+
+def test_a_locating_pin_leaves_the_magnet_a_floor():
+    """A hole of Ø4 through a pocket of Ø3 left nothing for the magnet to rest on."""
+    narrow = {"magnets": {"diameter_mm": 3.0}, "shell": {"pocket_diameter_mm": 3.0}}
+    box = {"body": {"open_faces": []}}
+    middles = {"positions_mm": [[0.0, 0.0], [9.0, 0.0]]}
+    wide = parse_spec({"name": "wide", "magnets": middles, **box}, "test")
+    assert [len(locator.pockets) for locator in locators(wide)] == [1, 1]
+    swallowed = parse_spec(
+        {"name": "narrow", **box, **narrow, "magnets": narrow["magnets"] | middles}, "test"
+    )
+    assert [locator.radius_mm for locator in locators(swallowed)] == [1.0], "the top's hole alone"
