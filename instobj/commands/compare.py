@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from design.layout.coverage import covered_share
 from design.spec.object import ObjectSpec
 from estimator.information.scores import PlaceScores, area_places, weakest_place
 from instobj.figures.saving import save_figure
@@ -29,6 +30,7 @@ def _row(spec: ObjectSpec, scores: PlaceScores) -> dict[str, Any]:
     return {
         "object": spec.name,
         "press N": spec.score.force_n,
+        "surface covered %": round(100 * covered_share(spec)),
         "bounds read": spec.score.channels,
         "place mm": float(np.median(bound)),
         "place at mid-edge mm": float(np.median(mid_edge)),

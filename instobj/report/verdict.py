@@ -6,8 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from design.layout.coverage import covered_share
 from design.spec.object import ObjectSpec
 from estimator.information.scores import PlaceScores, summarize_areas, weakest_place
+
+ENOUGH_COVERED = 0.8
 
 
 @dataclass(frozen=True)
@@ -27,14 +30,23 @@ class Check:
 
 @dataclass(frozen=True)
 class Verdict:
-    """All checks; `go` where every one passes; `limited_by` says what comes first."""
+    """All checks; `go` where every one passes; `limited_by` says what comes first.
+
+    `covered` is the share of the sensed surface that the contact locations stand for.
+    """
 
     checks: tuple[Check, ...]
     limited_by: str
+    covered: float = 1.0
 
     @property
     def go(self) -> bool:
         return all(check.passed for check in self.checks)
+
+    @property
+    def says_enough(self) -> bool:
+        """Whether little of the surface is left out."""
+        return self.covered >= ENOUGH_COVERED
 
 
 def judge(spec: ObjectSpec, scores: PlaceScores, saturation_margin: float) -> Verdict:
@@ -48,7 +60,7 @@ def judge(spec: ObjectSpec, scores: PlaceScores, saturation_margin: float) -> Ve
     reason = f"{tightest.what}: {tightest.value} ({tightest.where}), limit {tightest.limit}"
     if tightest is checks[0]:
         reason += f". {_edge_weakness(scores)}"
-    return Verdict(checks, reason)
+    return Verdict(checks, reason, covered_share(spec))
 
 
 def _position(spec: ObjectSpec, scores: PlaceScores) -> Check:
@@ -70,7 +82,7 @@ def _detection(spec: ObjectSpec, scores: PlaceScores) -> Check:
     x, y = scores.grid.xy_mm[place]
     limit = spec.limits.detectable_force_n
     return Check(
-        "Smallest force detectable everywhere (five sigma from the baseline)",
+        "Smallest force detectable at every contact location (five sigma from the baseline)",
         f"{force.max():.2f} N",
         f"≤ {limit:g} N",
         float(force.max() / limit),

@@ -33,6 +33,7 @@ _LARGEST_FONT, _SMALLEST_FONT = 8.5, 4.0
 _DIGIT_EM, _POINT_EM, _USUAL_EM = 0.64, 0.32, 2.24
 """Widths of a digit, of a decimal point and of a number such as 0.12, in font sizes."""
 INK, PAPER, FRAME, BLANK = "#1a1a1a", "#fdfdfb", "#77736b", "#efece4"
+_NOT_COVERED, _HATCH = "////", "#aab2bd"
 _MAGNET, _SENSOR = "#1f77d0", "#0a8f5a"
 
 
@@ -109,7 +110,11 @@ def draw_face(
     outline = Rectangle((-half_x, -half_y), 2 * half_x, 2 * half_y, fc=BLANK, ec=FRAME, lw=1.2)
     if frame.round:
         outline = Ellipse((0, 0), 2 * half_x, 2 * half_y, fc=BLANK, ec=FRAME, lw=1.2)
+    outline.set(hatch=_NOT_COVERED, hatchcolor=_HATCH, hatch_linewidth=0.6)
     axes.add_patch(_placed(outline, move))
+    reach_x, reach_y = np.array(grid.shape) * spec.contact_grid.pitch_mm / 2
+    covered = Rectangle((-reach_x, -reach_y), 2 * reach_x, 2 * reach_y, fc=BLANK, ec="none")
+    axes.add_patch(_placed(covered, move, zorder=1.5))
     corners = pose.apply(np.array([[-half_x, -half_y], [half_x, half_y]]))
     axes.update_datalim(corners)
     shown = np.ma.masked_invalid(values.reshape(grid.shape) / 10.0**scale.exponent)
@@ -204,11 +209,15 @@ def _number(value: float) -> str:
 def legend_handles() -> list[Any]:
     """Marks of a magnet and of a sensor, for a legend."""
     from matplotlib.lines import Line2D
+    from matplotlib.patches import Patch
 
     common: dict[str, Any] = {"ls": "", "mfc": "none"}
     return [
         Line2D([], [], marker="o", ms=13, mec=_MAGNET, mew=1.6, label="magnet", **common),
         Line2D([], [], marker="s", ms=8, mec=_SENSOR, mew=2.0, label="Hall sensor", **common),
+        Patch(
+            fc=BLANK, ec=FRAME, hatch=_NOT_COVERED, hatchcolor=_HATCH, label="no contact location"
+        ),
     ]
 
 

@@ -153,7 +153,7 @@ def test_the_core_ends_where_the_inner_surface_is(name):
         ("closed_box", {"body": {"open_faces": [2, 3, 4, 5]}}, "in two pieces"),
         (
             "pad",
-            {"core": {"recess_inner_radius_mm": 8.349, "recess_outer_radius_mm": 12.0}},
+            {"core": {"recess_inner_radius_mm": 3.264, "recess_outer_radius_mm": 6.9}},
             r"begins 2 mm .* where core.hub_radius_mm = 2 ends: they would touch in a line",
         ),
     ],

@@ -62,7 +62,7 @@ def test_step_files_with_wrong_references_never_end_the_program(tmp_path):
     lines = whole.read_text().splitlines()
     starts = [k for k, line in enumerate(lines) if line.startswith("#")]
     rng, answers = np.random.default_rng(5), []
-    for mutant in range(3):
+    for mutant in range(2):
         changed = list(lines)
         for k in rng.choice(starts, 40, replace=False):
             head, equals, body = changed[k].partition("=")
@@ -76,7 +76,7 @@ def test_step_files_with_wrong_references_never_end_the_program(tmp_path):
         path = tmp_path / f"mutant{mutant}.step"
         path.write_text("\n".join(changed))
         answers.append(_answer(path))
-    assert len(answers) == 3
+    assert len(answers) == 2
     assert all("Export" in answer or answer.isdigit() for answer in answers)
 
 

@@ -27,9 +27,11 @@ sensed_faces = [1, 3]
 positions_mm = [[0, 0]]
 [sensors]
 positions_mm = [[0, 0]]
+radius_mm = 4.0
 [core]
+wall_mm = 5.5
 recess_inner_radius_mm = 1.0
-recess_outer_radius_mm = 4.0
+recess_outer_radius_mm = 7.0
 [contact_grid]
 count = [3, 3]
 pitch_mm = 3.0

@@ -6,7 +6,7 @@ from numpy.testing import assert_allclose
 
 from design.body.surface_chart import Cap, FaceFrame
 from design.layout.body import body_of, core_frames, face_frame, face_frames
-from design.layout.positions import magnet_layout, sensor_layout
+from design.layout.positions import board_sinks_mm, magnet_layout, sensor_layout
 from tests.support.body_cases import body_spec
 
 CURVED = ("cylinder", "capsule", "sphere", "solid_dome", "ellipsoid")
@@ -114,9 +114,10 @@ def test_magnets_and_sensors_stand_normal_to_the_surface():
     assert_allclose(np.linalg.norm(magnets.centre_mm, axis=1), 22 - depth, rtol=1e-12)
     outward = magnets.centre_mm / np.linalg.norm(magnets.centre_mm, axis=1, keepdims=True)
     assert_allclose(magnets.axis, outward, rtol=0, atol=1e-12)
-    radius = 22 - spec.shell.thickness_mm - spec.sensors.depth_below_core_face_mm
+    sink = np.concatenate(board_sinks_mm(spec))
+    radius = 22 - spec.shell.thickness_mm - spec.sensors.depth_below_core_face_mm - sink
     assert_allclose(np.linalg.norm(sensors.position_mm, axis=1), radius, rtol=1e-12)
-    assert_allclose(sensors.axes[:, 2] * radius, sensors.position_mm, rtol=0, atol=1e-9)
+    assert_allclose(sensors.axes[:, 2] * radius[:, None], sensors.position_mm, rtol=0, atol=1e-9)
 
 
 def test_a_capsule_s_side_is_a_cylinder_s_up_to_its_ends_and_a_ball_s_beyond():

@@ -73,7 +73,7 @@ def assert_built(builder, content, everything):
     assert_sound(measured, content["body"]["kind"])
 
 
-@settings(max_examples=10, **RANDOM)
+@settings(max_examples=5, **RANDOM)
 @given(content=objects())
 def test_random_objects_build_and_their_mould_casts_their_shell(builder, content):
     assert_built(builder, content, everything=False)

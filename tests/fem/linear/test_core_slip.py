@@ -202,7 +202,7 @@ def test_a_tilted_face_is_touched_first_on_its_high_side(small_mesh, small_respo
     surface = slipped.surfaces[0]
     slope = np.polyfit(surface.xy_mm[:, 0], surface.height_mm, 1)[0]
     assert_allclose(slope, -np.tan(np.deg2rad(4)), rtol=1e-6)
-    ticks = np.linspace(-6, 6, 5)
+    ticks = np.linspace(-9, 9, 17)  # over many elements: single ones are 3.5 mm long
     places = np.stack(np.meshgrid(ticks, ticks), axis=-1).reshape(-1, 2)
     shift = mean_contact_shift_mm(spec, slipped, places)
     shift -= mean_contact_shift_mm(small_spec(), small_response, places)

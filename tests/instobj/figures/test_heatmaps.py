@@ -61,7 +61,8 @@ def test_cell_colours_follow_the_values_on_the_saved_picture(tmp_path):
     rows, columns = np.nonzero(np.abs(picture - dark).max(axis=2) < 0.02)
     pale = np.abs(picture - colormaps["magma_r"](0.0)[:3]).max(axis=2) < 0.02
     grid_rows, grid_columns = np.nonzero(pale[:, : int(0.8 * pale.shape[1])])
-    inside = columns < 0.8 * picture.shape[1]
+    inside = (columns >= grid_columns.min()) & (columns <= grid_columns.max())
+    inside &= (rows >= grid_rows.min()) & (rows <= grid_rows.max())
     assert inside.sum() > 300
     across = (np.median(columns[inside]) - grid_columns.min()) / np.ptp(grid_columns)
     down = (np.median(rows[inside]) - grid_rows.min()) / np.ptp(grid_rows)
@@ -108,3 +109,16 @@ def test_blind_directions_are_drawn_through_blind_places_only():
     # face 4's map is turned by 90 degrees in the net
     along = drawn[:, 1] - drawn[:, 0]
     assert_allclose(np.rad2deg(np.arctan2(along[:, 1], along[:, 0])), 120.0)
+
+
+def test_what_no_contact_location_covers_is_hatched(tmp_path):
+    path = tmp_path / "face.png"
+    heatmaps.draw_face_heatmap(np.full(100, 1.0), SPEC, 3, "bound", "mm", 1.0, 5.0, path)
+    picture = imread(path)[..., :3]
+    pale = np.abs(picture - colormaps["magma_r"](0.0)[:3]).max(axis=2) < 0.02
+    rows, columns = np.nonzero(pale[:, : int(0.8 * pale.shape[1])])
+    pitch = np.ptp(columns) / 10
+    beside = slice(int(columns.min() - 1.5 * pitch), int(columns.min() - 0.5 * pitch))
+    strip = picture[rows.min() : rows.max(), beside].mean(axis=2)
+    lines = (strip < strip.max() - 0.1).mean()
+    assert 0.05 < lines < 0.5
