@@ -22,6 +22,15 @@ def _shell_bodies(spec: ObjectSpec) -> dict[str, Any]:
     }
 
 
+def _sensors(spec: ObjectSpec) -> dict[str, Any]:
+    """Their table, and by how much a curved core's recesses set them deeper."""
+    from design.layout.positions import board_sinks_mm
+
+    table, sinks = spec.sensors.model_dump(mode="json"), board_sinks_mm(spec)
+    in_core = spec.arrangement == "sensors-in-core"
+    return table | {"sinks_mm": sinks} if in_core and any(map(any, sinks)) else table
+
+
 def stage_inputs(
     stage: Stage, spec: ObjectSpec, origins: dict[str, str], versions: dict[str, str]
 ) -> dict[str, Any]:
@@ -35,6 +44,7 @@ def stage_inputs(
     bodies = _shell_bodies(spec)
     content = spec.model_dump(mode="json") | {
         "body": spec.body.model_dump(mode="json") | {"file": file_digest(spec.body.file)},
+        "sensors": _sensors(spec),
         "shell_bodies": bodies,
         "shell_body_outline": bodies["outline"],
     }

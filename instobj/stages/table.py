@@ -65,7 +65,7 @@ STAGES: dict[str, Stage] = {
         (),
         ("name", *_MAKING),
         make_build,
-        version=3,
+        version=4,
     ),
     "sheet": Stage(
         "design: bill of materials and assembly sheet",
@@ -79,7 +79,7 @@ STAGES: dict[str, Stage] = {
         (),
         ("name", *_MAKING, "silicone"),
         make_fabrication,
-        version=2,
+        version=3,
     ),
     "mesh": Stage("mesh: tetrahedra", (), _WHAT_IS_MESHED, make_mesh),
     "response": Stage("mechanics: response operator", ("mesh",), _ELASTIC, make_response),
@@ -165,7 +165,7 @@ STAGES: dict[str, Stage] = {
         version=2,
     ),
     "scores": Stage(
-        "sensitivity: bounds and maps", ("signals",), ("score", "seed"), make_scores, version=4
+        "sensitivity: bounds and maps", ("signals",), ("score", "seed"), make_scores, version=5
     ),
     "shear": Stage(
         "mechanics: tangential forces",
@@ -288,7 +288,7 @@ STAGES: dict[str, Stage] = {
         ),
         ("name", "limits", "silicone"),
         make_report,
-        version=10,
+        version=11,
     ),
 }
 """In the order in which a command works through those that it needs."""

@@ -1,16 +1,20 @@
 """What each stage depends on: the right changes make it anew, all others reuse it."""
 
+from pathlib import Path
+
 import pytest
 
 from design.spec.object import MechanicsSpec, ObjectSpec
-from design.spec_io import parse_spec, with_overrides
+from design.spec_io import load_spec, parse_spec, with_overrides
 from instobj.stages.inputs import stage_inputs
 from instobj.stages.table import STAGES
 from instobj.store.keys import stage_key
 
 
-def _keys(*overrides: str) -> dict[str, str]:
+def _keys(*overrides: str, example: str = "") -> dict[str, str]:
     spec = parse_spec(with_overrides({"name": "cube"}, overrides), "test")
+    if example:
+        spec = load_spec(EXAMPLES / f"{example}.toml", overrides)
     keys: dict[str, str] = {}
     for name, stage in STAGES.items():
         needs = {need: keys[need] for need in stage.needs}
@@ -18,6 +22,7 @@ def _keys(*overrides: str) -> dict[str, str]:
     return keys
 
 
+EXAMPLES = Path(__file__).parents[3] / "examples"
 DOWNSTREAM = {
     "sensors.radius_mm=8.0": {"compliance", "build", "signals", "robustness"},
     "sensors.noise_counts=[20.0,22.0,11.0]": {"compliance", "build", "signals", "robustness"},
@@ -187,6 +192,16 @@ def test_a_change_reruns_what_depends_on_it_and_nothing_else(override):
     before, after = _keys(), _keys(override)
     changed = {name for name in STAGES if before[name] != after[name]}
     assert changed == _with_dependents(DOWNSTREAM[override])
+
+
+@pytest.mark.parametrize(("example", "moves"), [("ball", True), ("paper_cube", False)])
+def test_recesses_of_a_curved_core_move_its_sensors(example, moves):
+    """On a flat one they are holes alone."""
+    deeper = "core.recess_outer_radius_mm=11.3"
+    before, after = _keys(example=example), _keys(deeper, example=example)
+    assert before["build"] != after["build"]
+    assert (before["signals"] != after["signals"]) == moves
+    assert before["presses"] == after["presses"]
 
 
 def test_stages_come_after_what_they_need():
