@@ -91,3 +91,12 @@ def test_files_beside_the_page_are_linked(tmp_path):
     assert '<a href="maps/a%20%231.png">maps/a #1.png</a>' in page
     assert "kept_in_the_store" not in page
     assert '<a href="../../cad_out/a/">' in page
+
+
+@pytest.mark.parametrize(("covered", "warned"), [(0.44, True), (0.93, False)])
+def test_the_page_begins_with_the_share_of_the_surface_that_it_judges(tmp_path, covered, warned):
+    verdict = Verdict((Check("bound", "2 mm", "≤ 1 mm", 2.0, "face 1"),), "bound", covered)
+    told = read(page_of(parse_spec({"name": "a"}, "a"), tmp_path, verdict=verdict))
+    first = told.split("Limiting figure")[0]
+    assert f"{100 * covered:.0f} % of the sensed surface" in first
+    assert ("Nothing is said about the rest" in first) == warned
