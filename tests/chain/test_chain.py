@@ -1,5 +1,6 @@
 """The whole chain on a small object, through the command that a user runs."""
 
+import csv
 import json
 import re
 import tomllib
@@ -13,6 +14,8 @@ import xarray as xr
 from design.spec.object import ObjectSpec
 from design.spec.search import PricesSpec, SearchLimitsSpec, VarySpec
 from design.spec_io import load_spec, parse_spec, spec_hash
+from estimator.information.scores import score_places
+from estimator.signals.presses import load_signals
 from instobj.stages.table import STAGES
 from tests.support.cli import assert_one_clear_error, run, run_apart
 
@@ -97,6 +100,17 @@ def test_run_writes_the_files_of_the_contract(folder, first):
     assert expected <= written
     for path in written:
         assert (folder / path).stat().st_size > 0
+
+
+def test_the_published_signals_give_the_published_bounds(folder, first):
+    """Those at the contact locations alone cannot: borders came out 0.70 to 2.1 times as large."""
+    run = folder / "runs/small"
+    scores = score_places(
+        load_spec(folder / "small.toml"), load_signals(run / "lattice_signals.nc")
+    )
+    with (run / "scores.csv").open() as file:
+        published = [float(row["position_bound_fresh_mm"]) for row in csv.DictReader(file)]
+    np.testing.assert_allclose(scores.position_bound_fresh_mm.ravel(), published, rtol=1e-4)
 
 
 def test_the_shell_stl_has_the_closed_form_volume(folder, first):
