@@ -31,15 +31,25 @@ _SIGN_SIGMAS = 3.0
 
 @dataclass(frozen=True)
 class Figure:
-    """One figure of merit, the median of its null and the p of being no better than that."""
+    """One figure of merit, the median of its null, the p of being no better than that, and of how many
+    exchanges of places the null is made."""
 
     value: float
     null: float
     p: float
+    exchanges: int
 
     @property
     def significant(self) -> bool:
         return self.p <= SIGNIFICANCE
+
+    @property
+    def judgement(self) -> str:
+        """Few exchanges allow no small p, whatever the recordings say."""
+        least = 1 / self.exchanges
+        if least > SIGNIFICANCE:
+            return f"undecided ({self.exchanges} exchanges of places allow no p below {least:.2g})"
+        return "supported" if self.significant else "not supported"
 
 
 @dataclass(frozen=True)
@@ -210,7 +220,8 @@ def _mean_figure(
 ) -> Figure:
     """Mean over presses; larger is better."""
     means = _permuted_means(values, case, order)
-    return Figure(float(means[0]), float(np.median(means)), _share(means >= means[0] - 1e-12))
+    p = _share(means >= means[0] - 1e-12)
+    return Figure(float(means[0]), float(np.median(means)), p, len(order))
 
 
 def _spread_figure(
@@ -220,7 +231,8 @@ def _spread_figure(
     mean = _permuted_means(logarithms, case, order)
     square = _permuted_means(logarithms**2, case, order)
     spread = np.exp(np.sqrt(np.maximum(square - mean**2, 0)))
-    return Figure(float(spread[0]), float(np.median(spread)), _share(spread <= spread[0] + 1e-12))
+    p = _share(spread <= spread[0] + 1e-12)
+    return Figure(float(spread[0]), float(np.median(spread)), p, len(order))
 
 
 def _permuted_means(
@@ -259,17 +271,16 @@ def channel_rows(
 
 def verdict(spec: ObjectSpec, found: Agreement) -> str:
     """In words: what the recordings support of the model, and what not."""
-    pattern = "supported" if found.cosine.significant else "not supported"
     low, high = spec.silicone.youngs_modulus_range_mpa or (spec.silicone.youngs_modulus_mpa,) * 2
     inside = low <= found.modulus_mpa <= high
     near = 1 / SIZE_BAND <= found.size_ratio <= SIZE_BAND
-    sized = found.size_spread.significant and near
+    sized = found.size_spread.judgement if near else "not supported"
     scatter = "no smaller" if not found.modulus_spread.significant else "smaller"
     return (
-        f"{found.what}: pattern {pattern} (cosine {found.cosine.value:.2f}, null "
+        f"{found.what}: pattern {found.cosine.judgement} (cosine {found.cosine.value:.2f}, null "
         f"{found.cosine.null:.2f}, p {found.cosine.p:.3g}); signs right in "
         f"{100 * found.signs.value:.0f} % (null {100 * found.signs.null:.0f} %, p "
-        f"{found.signs.p:.3g}); absolute size {'supported' if sized else 'not supported'} (recorded "
+        f"{found.signs.p:.3g}); absolute size {sized} (recorded "
         f"{found.size_ratio:.2f} of predicted, scatter ×/÷ {found.size_spread.value:.2f}, null "
         f"{found.size_spread.null:.2f}); effective modulus {found.modulus_mpa:.2f} MPa ×/÷ "
         f"{found.modulus_spread.value:.2f}, {'inside' if inside else 'outside'} "

@@ -21,7 +21,7 @@ from estimator.calibration.recorded_presses import (
     predicted_motions,
     recorded_presses,
 )
-from estimator.calibration.validation import agreement, channel_rows, predict, verdict
+from estimator.calibration.validation import Figure, agreement, channel_rows, predict, verdict
 from estimator.field.models import FieldModel
 from estimator.field.sources import magnet_source
 from estimator.recordings.reading import read_recording
@@ -79,6 +79,18 @@ def test_the_true_object_agrees_beyond_its_null(problem):
     assert_allclose(result.size_ratio, 1, atol=0.03)
     assert result.size_spread.value < 1.06 < result.size_spread.null
     assert "pattern supported" in verdict(SPEC, result)
+
+
+@pytest.mark.parametrize(
+    ("p", "exchanges", "said"),
+    [
+        (0.5, 2, "undecided (2 exchanges of places allow no p below 0.5)"),
+        (0.3, 120, "not supported"),
+        (1 / 120, 120, "supported"),
+    ],
+)
+def test_too_few_exchanges_decide_nothing(p, exchanges, said):
+    assert Figure(0.99, 0.5, p, exchanges).judgement == said
 
 
 def _mirrored(signals):
