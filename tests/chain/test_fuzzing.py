@@ -147,32 +147,37 @@ def _solid(path):
     return path
 
 
-def report(faults, folder):
-    lines = [f"{path.name}: {said}" for path, said in faults]
-    assert not faults, f"{len(faults)} files, kept in {folder}:\n" + "\n".join(lines[:20])
+def assert_no_faults(folder, damaged):
+    """Of files given as (name, content); those that are faults stay in the folder."""
+    faults = []
+    for name, content in damaged:
+        path = folder / name
+        path.write_bytes(content)
+        said = fault_of(path)
+        if said:
+            faults.append(f"{name}: {said}")
+        else:
+            path.unlink()
+    assert not faults, f"{len(faults)} files, kept in {folder}:\n" + "\n".join(faults[:20])
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("way", ["tables", "text", "bytes"])
 def test_damaged_specifications(way, tmp_path):
-    rng, faults = np.random.default_rng([SEED, len(way)]), []
-    sound = sound_specifications()
-    for case in range(CASES):
+    rng, sound = np.random.default_rng([SEED, len(way)]), sound_specifications()
+
+    def damaged(case):
         source = sound[rng.integers(len(sound))]
-        path = tmp_path / f"{source.stem}_{case}.toml"
+        text = source.read_text("utf-8")
         if way == "tables":
-            content = damaged_tables(tomllib.loads(source.read_text("utf-8")), rng)
-            path.write_text(tomli_w.dumps(content), "utf-8")
+            content = tomli_w.dumps(damaged_tables(tomllib.loads(text), rng)).encode()
         elif way == "text":
-            path.write_text(damaged_text(source.read_text("utf-8"), rng), "utf-8")
+            content = damaged_text(text, rng).encode()
         else:
-            path.write_bytes(damaged_bytes(source.read_bytes(), rng))
-        said = fault_of(path)
-        if said:
-            faults.append((path, said))
-        else:
-            path.unlink()
-    report(faults, tmp_path)
+            content = damaged_bytes(source.read_bytes(), rng)
+        return f"{source.stem}_{case}.toml", content
+
+    assert_no_faults(tmp_path, map(damaged, range(CASES)))
 
 
 @pytest.mark.slow
@@ -181,10 +186,11 @@ def test_damaged_specifications(way, tmp_path):
 )
 def test_damaged_files(suffix, share, tmp_path):
     """`share`: one case in so many, where each takes a process of its own."""
-    rng, faults = np.random.default_rng([SEED, ord(suffix[2])]), []
+    rng = np.random.default_rng([SEED, ord(suffix[2])])
     contents = [path.read_bytes() for path in sound_files(tmp_path, suffix)]
     as_text = suffix not in (".nc", ".stl")
-    for case in range(CASES // share):
+
+    def damaged(case):
         content = contents[rng.integers(len(contents))]
         if as_text and rng.random() < 0.5:
             content = damaged_text(content.decode(), rng).encode()
@@ -192,14 +198,9 @@ def test_damaged_files(suffix, share, tmp_path):
             content = damaged_bytes(content, rng)
         if suffix == ".board" and rng.random() < 0.7:
             content = with_checksums(content)
-        path = tmp_path / f"damaged_{case}{suffix}"
-        path.write_bytes(content)
-        said = fault_of(path)
-        if said:
-            faults.append((path, said))
-        else:
-            path.unlink()
-    report(faults, tmp_path)
+        return f"damaged_{case}{suffix}", content
+
+    assert_no_faults(tmp_path, map(damaged, range(CASES // share)))
 
 
 @pytest.mark.slow
