@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from design.layout.body import body_of, core_frames, face_frames
-from design.layout.pockets import Pocket, distance_of_segments_mm, sensor_places, shell_pockets
-from design.layout.positions import board_sinks_mm, cover_mm
+from design.layout.pockets import Pocket, distance_of_segments_mm, shell_pockets
+from design.layout.positions import board_places, cover_mm
 
 if TYPE_CHECKING:
     from design.body.surface_chart import FaceFrame
@@ -170,10 +170,8 @@ def _check_sensors(spec: ObjectSpec) -> None:
     hollow = body_of(spec).opening != "closed" and not body_of(spec).on_base
     if hollow and core.wall_mm < room:
         room, what = core.wall_mm, "core.wall_mm"
-    for frame, places, sinks in zip(
-        core_frames(spec), sensor_places(spec), board_sinks_mm(spec), strict=True
-    ):
-        for index, ((x, y, _), sink) in enumerate(zip(places, sinks, strict=True)):
+    for frame, places in board_places(spec):
+        for index, ((x, y, _), sink) in enumerate(places):
             if not frame.covers(np.array([x, y])):
                 raise ValueError(
                     f"sensor {index + 1} of face {frame.number} at ({x:.4g}, {y:.4g}) lies outside the "
@@ -190,8 +188,8 @@ def _too_deep(
     if not np.isfinite(sink_mm):
         return (
             f"the board of sensor {sensor} of face {face}, {spec.sensors.package_mm[0]:g} × "
-            f"{spec.sensors.package_mm[1]:g} mm, reaches beyond the core's patch. Use a smaller "
-            "sensors.radius_mm or sensors.package_mm"
+            f"{spec.sensors.package_mm[1]:g} mm, reaches beyond the core's patch, or finds no room in "
+            "it. Use a smaller sensors.radius_mm or sensors.package_mm"
         )
     return (
         f"the recess of sensor {sensor} of face {face} is {spec.core.recess_depth_mm + sink_mm:.4g} mm deep: "

@@ -3,7 +3,6 @@ that are left between recesses."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import combinations
 
@@ -12,13 +11,10 @@ from jaxtyping import Float
 
 from design.body.surface_chart import FaceFrame
 from design.body.triangles import Block
-from design.layout.body import core_frames
-from design.layout.pockets import board_frame, sensor_places
-from design.layout.positions import board_sinks_mm, mounted_stack, shell_body_layout
+from design.layout.pockets import board_frame
+from design.layout.positions import board_places, mounted_stack, shell_body_layout
 from design.spec.object import ObjectSpec
 from design.spec.worked_out import once
-
-Places = tuple[tuple[float, float, float], ...]
 
 PACKING = 0.7
 """Share of a round hole that loose wires fill, at most (densest packing of equal circles: 0.91)."""
@@ -48,8 +44,8 @@ def mounted_sensors(spec: ObjectSpec) -> list[Mounted]:
         return []
     return [
         _mounted(spec, frame.tangent(np.array(place[:2])), number, place, sink)
-        for frame, places, sinks in _placed(spec)
-        for number, (place, sink) in enumerate(zip(places, sinks, strict=True), start=1)
+        for frame, places in board_places(spec)
+        for number, (place, sink) in enumerate(places, start=1)
     ]
 
 
@@ -82,11 +78,6 @@ def _mounted(
     )
 
 
-def _placed(spec: ObjectSpec) -> Iterator[tuple[FaceFrame, Places, tuple[float, ...]]]:
-    """Frame of the core, places and sinks of the boards, sensed face by face."""
-    return zip(core_frames(spec), sensor_places(spec), board_sinks_mm(spec), strict=True)
-
-
 def wire_bundle_mm(spec: ObjectSpec) -> float:
     """Diameter of the bundle of one face's wires, loosely packed."""
     wires = spec.core.wires_per_sensor * spec.sensors.count_per_face
@@ -109,8 +100,8 @@ def sensor_recesses(spec: ObjectSpec) -> tuple[Recess, ...]:
     core = spec.core
     length = core.recess_outer_radius_mm - core.recess_inner_radius_mm
     found = []
-    for frame, places, sinks in _placed(spec):
-        for (x, y, azimuth), sink in zip(places, sinks, strict=True):
+    for frame, places in board_places(spec):
+        for (x, y, azimuth), sink in places:
             depth = core.recess_depth_mm + sink
             half = np.array([length, core.recess_width_mm, depth]) / 2
             cosine, sine = np.cos(azimuth), np.sin(azimuth)

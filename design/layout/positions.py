@@ -193,13 +193,23 @@ def _sensors_in_core(spec: ObjectSpec) -> tuple[tuple[Body, ...], ...]:
     )
 
 
+BoardPlace = tuple[tuple[float, float, float], float]
+"""(x, y, azimuth) of a sensor on the core, and by how much its board lies deeper (mm)."""
+
+
+def board_places(spec: ObjectSpec) -> list[tuple[FaceFrame, list[BoardPlace]]]:
+    """Frame of the core and places of its sensors, sensed face by face."""
+    faces = zip(core_frames(spec), sensor_places(spec), board_sinks_mm(spec), strict=True)
+    return [(frame, list(zip(places, sinks, strict=True))) for frame, places, sinks in faces]
+
+
 @once
 def board_sinks_mm(spec: ObjectSpec) -> tuple[tuple[float, ...], ...]:
     """By how much every board lies deeper than on a flat core, sensed face by face (mm).
 
     Under a flat board a curved core falls away: the board, its chip and the recess's floor go down
     until no corner stands out of the core into the silicone. 0 on flat faces; NaN where a board
-    reaches beyond its patch.
+    reaches beyond its patch, or no depth makes it flush.
     """
     return tuple(
         tuple(0.0 if frame.flat else _sink_mm(spec, frame, place) for place in places)
@@ -246,7 +256,7 @@ def _sink_mm(spec: ObjectSpec, frame: FaceFrame, place: tuple[float, float, floa
         if not above > _FLUSH_MM:
             return sink if above <= _FLUSH_MM else np.nan
         sink += above
-    return sink
+    return np.nan
 
 
 def chip_on_board(sensors: SensorSpec) -> Float[np.ndarray, "3 3"]:

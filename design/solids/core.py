@@ -9,8 +9,8 @@ from design.body.surface_chart import FACE_AXES, FaceFrame
 from design.layout.blocks import core_keys
 from design.layout.body import body_of, core_frames
 from design.layout.core_hold import wire_hole_diameter_mm
-from design.layout.pockets import core_pockets, sensor_places
-from design.layout.positions import board_sinks_mm
+from design.layout.pockets import core_pockets
+from design.layout.positions import board_places
 from design.solids.body import core_hollow, core_solid
 from design.solids.primitives import (
     OVERSHOOT_MM,
@@ -36,13 +36,10 @@ def make_core(spec: ObjectSpec) -> cq.Solid:
     """
     cutters = [*_cavity(spec), *_outlets(spec)]
     frames = core_frames(spec)
-    for frame, places, sinks in zip(frames, sensor_places(spec), board_sinks_mm(spec), strict=True):
+    for frame, places in board_places(spec):
         if spec.arrangement == "sensors-in-core":
-            cutters += [
-                _sensor_recess(spec, frame, place, sink)
-                for place, sink in zip(places, sinks, strict=True)
-            ]
-            cutters += _wire_channels(spec, frame, places)
+            cutters += [_sensor_recess(spec, frame, place, sink) for place, sink in places]
+            cutters += _wire_channels(spec, frame, tuple(place for place, _ in places))
         cutters += _wire_passage(spec, frame)
     for frame, pockets in zip(frames, core_pockets(spec), strict=True):
         cutters += [pocket_solid(frame, pocket) for pocket in pockets]

@@ -12,11 +12,11 @@ from design.body.sampled import sampled_core
 from design.body.surface_chart import FaceFrame
 from design.body.triangles import block_surface
 from design.layout.blocks import core_keys, relief_slits
-from design.layout.body import body_of, core_frames, face_frames
+from design.layout.body import body_of, face_frames
 from design.layout.core_hold import Locator, core_outlet, locators
 from design.layout.mould_frame import cast_corners_mm
-from design.layout.pockets import Pocket, sensor_places, shell_pockets
-from design.layout.positions import board_sinks_mm
+from design.layout.pockets import Pocket, shell_pockets
+from design.layout.positions import board_places
 
 if TYPE_CHECKING:
     import trimesh
@@ -78,12 +78,8 @@ def sampled_core_part(spec: ObjectSpec) -> trimesh.Trimesh:
         An InputError: the dimensions do not give one closed surface.
     """
     removed = []
-    for frame, places, sinks in zip(
-        core_frames(spec), sensor_places(spec), board_sinks_mm(spec), strict=True
-    ):
-        removed += [
-            _recess(spec, frame, place, sink) for place, sink in zip(places, sinks, strict=True)
-        ]
+    for frame, places in board_places(spec):
+        removed += [_recess(spec, frame, place, sink) for place, sink in places]
         removed.append(_wire_hole(spec, frame.centre_mm + _OVERSHOOT_MM * frame.normal))
     if 6 in spec.body.opened:
         removed.append(_hollow(spec))

@@ -12,8 +12,8 @@ import design.solids.core
 import design.solids.shell
 from design.body.surface_chart import FACE_AXES
 from design.errors import InputError
-from design.layout.body import core_frames, face_frames
-from design.layout.positions import sensor_layout
+from design.layout.body import face_frames
+from design.layout.positions import board_places, sensor_layout
 from design.layout.volumes import sealed_volume_mm3, shell_volume_mm3
 from design.solids.core import make_core
 from design.solids.primitives import single_solid
@@ -168,8 +168,8 @@ def test_recesses_mirrored_or_turned_bury_the_sensors(monkeypatch):
     assert buried_sensors(PAPER, make_core(PAPER.model_copy(update={"sensors": turned}))) == 15
     monkeypatch.setattr(
         design.solids.core,
-        "core_frames",
-        lambda spec: tuple(replace(frame, x=-frame.x) for frame in core_frames(spec)),
+        "board_places",
+        lambda spec: [(replace(frame, x=-frame.x), places) for frame, places in board_places(spec)],
     )
     assert buried_sensors(SKEWED, make_core(SKEWED)) == 15
 
