@@ -5,6 +5,7 @@ Defaults are the paper's cube (Knopke et al., RA-L 2024); docs/units.md gives th
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
 
 from pydantic import Field, model_validator
@@ -22,6 +23,7 @@ FaceNumber = Annotated[int, Field(ge=1, le=6)]
 
 Unit = Literal["mm", "cm", "m", "in"]
 MM: dict[Unit, float] = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4}
+STEP = (".step", ".stp")
 LONGEST_EDGE_MM = (5.0, 1000.0)
 """Of a body: from a fingertip to a person's arms."""
 
@@ -70,7 +72,7 @@ class BodySpec(SpecPart):
 
     @model_validator(mode="after")
     def _agrees(self) -> BodySpec:
-        for check in (_check_size, _check_faces, _check_inside):
+        for check in (_check_unit, _check_size, _check_faces, _check_inside):
             check(self)
         return self
 
@@ -93,6 +95,14 @@ def _check_size(body: BodySpec) -> None:
         raise ValueError(
             f"body.size_mm of a {body.kind} must be {kind.size_rule}; got {list(body.size_mm)}. Fix "
             "the size, or choose another body.kind"
+        )
+
+
+def _check_unit(body: BodySpec) -> None:
+    if body.unit != "mm" and body.file and Path(body.file).suffix.lower() in STEP:
+        raise ValueError(
+            f"body.unit = {body.unit!r} is for triangles; a STEP file says its own unit. Leave body.unit "
+            "out, or use body.scale"
         )
 
 

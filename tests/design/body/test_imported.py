@@ -273,6 +273,13 @@ def test_a_body_in_another_unit_is_the_same_body(tmp_path, factor, overrides):
     assert_allclose(body_of(spec).outer_surface().extents, SIZE, rtol=1e-3)
 
 
+def test_a_step_file_says_its_own_unit(tmp_path):
+    """Its reader gives mm already: 4 cm would have become 40."""
+    cq.exporters.export(cq.Workplane().box(40, 40, 40), str(tmp_path / "box.step"))
+    with pytest.raises(InputError, match="a STEP file says its own unit"):
+        _load(tmp_path, "box.step", **{"body.unit": '"cm"'})
+
+
 @pytest.mark.parametrize(
     ("scale", "overrides", "reason"),
     [
