@@ -37,7 +37,7 @@ class Verdict:
 
     checks: tuple[Check, ...]
     limited_by: str
-    covered: float = 1.0
+    covered: float
 
     @property
     def go(self) -> bool:

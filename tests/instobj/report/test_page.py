@@ -50,7 +50,7 @@ def page_of(spec, tmp_path, **content):
     row = {"face": 1, "figures": [("0.91", "0.999")] * 5, "frames": "8 + 2"}
     context |= {"estimators": [row], "held_out": tmp_path / "picture.png"}
     context |= {"parts_folder": "../../cad_out/a/", "files": []}
-    context |= {"verdict": Verdict((check,), "bound"), "seat_error": SEAT_ERROR}
+    context |= {"verdict": Verdict((check,), "bound", 0.5), "seat_error": SEAT_ERROR}
     return render(
         "report.html.j2", spec=spec, papers_cube=is_papers_cube(spec), **context | content
     )
@@ -75,7 +75,7 @@ def test_the_paper_s_cube_stands_beside_the_paper_s_table(tmp_path):
 
 
 def test_texts_are_text_not_markup(tmp_path):
-    verdict = Verdict((Check("bound", "2 mm", "≤ 1 mm", 2.0, "face 1"),), "<script>")
+    verdict = Verdict((Check("bound", "2 mm", "≤ 1 mm", 2.0, "face 1"),), "<script>", 0.5)
     page = page_of(parse_spec({"name": "a"}, "a"), tmp_path, verdict=verdict)
     assert "<script>" not in page
     assert "&lt;script&gt;" in page
