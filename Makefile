@@ -17,10 +17,10 @@ test: $(INSTALLED)
 	$(PYTEST)
 
 test-slow: $(INSTALLED)
-	$(PYTEST) -m slow
+	INSTOBJ_TESTS_MESHES=anew $(PYTEST) -m slow
 
 verify: $(INSTALLED)
-	$(BIN)/pytest -q -m "slow or not slow" tests/fem/verification/test_verification.py --verification-page docs/verification
+	INSTOBJ_TESTS_MESHES=anew $(BIN)/pytest -q -m "slow or not slow" tests/fem/verification/test_verification.py --verification-page docs/verification
 
 lint: $(INSTALLED)
 	$(BIN)/ruff check .

@@ -8,9 +8,10 @@ from pathlib import Path
 import pytest
 from xdist.scheduler import LoadScopeScheduling
 
-from tests.support import typechecks
+from tests.support import recorded_meshes, typechecks
 
 typechecks.install(["design", "fem", "estimator"])
+recorded_meshes.install()
 
 TOGETHER = (
     ("tests/fem/mesh/", "tests/fem/linear/", "tests/fem/contact/", "tests/fem/presses/"),

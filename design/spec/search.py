@@ -108,8 +108,8 @@ class SearchSpec(SpecPart):
 
     With several objectives the result is a Pareto front; the first names the layouts that the next
     levels get. Every trial's continuous variables are improved by `polish_steps` steps down the
-    gradient. `trials` and `seconds` end the search, whichever is first; a trial beyond
-    `trial_seconds` is given up. `leaders` go to the second fidelity level (rigid magnets), `finalists` to the
+    gradient. `seconds` are those of a whole call, mechanics and all fidelity levels: trials end at
+    `trials` or after 40 % of the time, whichever is first. A trial beyond `trial_seconds` is given up. `leaders` go to the second fidelity level (rigid magnets), `finalists` to the
     last. `compliance_mm_per_n` is indentation depth over force at `score.force_n` that `compliance_deviation`
     is taken from, by area (later ones over earlier ones; "edge" without corners); none: even.
     """
@@ -120,7 +120,7 @@ class SearchSpec(SpecPart):
     engine: Engine = "tpe"
     polish_steps: Annotated[int, Field(ge=0, le=1000)] = 40
     trials: Count = 500
-    seconds: Positive = 900.0
+    seconds: Positive = 2700.0
     trial_seconds: Positive = 900.0
     batch: Annotated[int, Field(ge=1, le=1024)] = 32
     leaders: Count = 6

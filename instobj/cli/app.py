@@ -224,7 +224,8 @@ def main() -> None:
         if not interrupted:  # an import that Ctrl-C breaks off may raise ImportError instead
             raise
     if interrupted:
-        _fail("interrupted. Finished stages are kept: the same command goes on from there", 130)
+        again = "the same command goes on from there (optimize: with --resume)"
+        _fail(f"interrupted. Finished stages are kept: {again}", 130)
     sys.exit(code)
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from collections import defaultdict
 from collections.abc import Callable
 from typing import Any
@@ -32,8 +31,9 @@ def run_search(
     say: Say,
     first: dict[str, Any] | None = None,
     worker: int = 0,
+    over: Callable[[], bool] = lambda: False,
 ) -> None:
-    """Work on the study until its trials or this call's seconds are spent.
+    """Work on the study until its trials are done, or the time is `over` after a batch.
 
     Trials that others keep meanwhile are learned from. `first` is tried first in a new study.
 
@@ -42,7 +42,7 @@ def run_search(
     InputError
         Trials cannot be kept, or nothing but failures comes back.
     """
-    search, started = space.spec.search, time.monotonic()
+    search = space.spec.search
     past = kept.trials()
     seed = _seed(space.spec.seed, len(past), worker)
     engine = sampling(
@@ -51,13 +51,15 @@ def run_search(
     if first is not None and not past:
         engine.study.enqueue_trial(first)
     seen, failed = len(past), 0
-    while seen < search.trials and time.monotonic() - started < search.seconds:
+    while seen < search.trials:
         asked = ask(engine, min(search.batch, search.trials - seen))
         finished = _scored_batch(space, engine, asked, score)
         kept.keep(finished)
         failed = _count_failed(finished, failed)
         seen = _learn_from_others(engine, kept, seen, len(finished))
         say(_standing(kept, search, seen))
+        if over():
+            return
 
 
 def _scored_batch(

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 from design.errors import InputError
+from design.layout.coverage import covered_share
 from design.search.space import SearchSpace, start_params
 from design.spec.assembly import AsBuiltSpec
 from design.spec.object import ObjectSpec
@@ -18,6 +20,7 @@ from instobj.search.outcome.write import write_outcome
 from instobj.search.possible import require_possible
 from instobj.search.promotion import FIRST, LAST, SECOND, Promoted, Promotion, promote
 from instobj.search.study import KeptStudy, open_study
+from instobj.search.time_limit import TRIALS_SHARE, TimeLimit
 from instobj.stages.run import Run
 from instobj.store.progress import ProgressLine
 from instobj.store.publish import file_rows, require_writable, run_folder
@@ -31,15 +34,18 @@ def optimize(
     Raises
     ------
     InputError
-        Of `require_possible` and `open_study`; trials cannot be kept; or none keeps every limit.
+        Of `require_possible` and `open_study`; trials cannot be kept; the time is spent before there
+        is a result; or no trial keeps every limit.
     """
     spec, space = _prepared(path, out, overrides)
     folder = search_folder(out, spec)
     progress = ProgressLine()
     kept = open_study(spec, storage or folder / "journal.log", resume, say=progress.step)
-    _search(space, kept, progress)
-    with progress.stage("promotion"):
-        found = promote(space, kept, folder, progress.step)
+    limit = TimeLimit(spec.search.seconds)
+    with limit.enforced():
+        _search(space, kept, progress, lambda: limit.over(TRIALS_SHARE))
+        with progress.stage("promotion"):
+            found = promote(space, kept, folder, progress.step, limit)
     if found is None:
         raise InputError(
             f"none of {len(kept.trials())} trials keeps every limit. Raise search.trials and go on with "
@@ -61,7 +67,8 @@ def work(path: Path, out: Path, overrides: list[str], storage: str, worker: int)
     spec, space = _prepared(path, out, overrides)
     progress = ProgressLine()
     kept = open_study(spec, storage, join=True, say=progress.step)
-    _search(space, kept, progress, worker)
+    limit = TimeLimit(spec.search.seconds)
+    _search(space, kept, progress, limit.over, worker)
     return {"command": "worker", "tables": {f"search of {spec.name}": [_trial_counts(kept)]}}
 
 
@@ -77,14 +84,21 @@ def _prepared(path: Path, out: Path, overrides: list[str]) -> tuple[ObjectSpec, 
     return spec, require_possible(spec)
 
 
-def _search(space: SearchSpace, kept: KeptStudy, progress: ProgressLine, worker: int = 0) -> None:
+def _search(
+    space: SearchSpace,
+    kept: KeptStudy,
+    progress: ProgressLine,
+    over: Callable[[], bool],
+    worker: int = 0,
+) -> None:
     if len(kept.trials()) >= space.spec.search.trials:
         return
     Run(space.spec, progress).require("candidates")
     scoring = Apart(lowest_fidelity, space.spec.model_dump_json())
     try:
         with progress.stage("search"):
-            run_search(space, kept, scoring.ask, progress.step, start_params(space), worker)
+            first = start_params(space)
+            run_search(space, kept, scoring.ask, progress.step, first, worker, over)
     finally:
         scoring.close()
 
@@ -98,6 +112,10 @@ def _document(
         else f"no layout is better than the start at the highest fidelity level "
         f"({'; '.join(found.objections)}); best.toml is not written"
     )
+    covered = f"{100 * covered_share(found.best.spec):.0f} % of the sensed surface"
+    verdict += f". Judged at contact locations that cover {covered}"
+    if found.shortened:
+        verdict += f". Of what was asked for, {found.shortened}"
     ratios = [
         {"score": name, "start / best": ratio.design, "95 % from": ratio.low, "to": ratio.high}
         for name, ratio in found.ratios.items()

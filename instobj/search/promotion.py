@@ -7,7 +7,7 @@ on from there.
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import AbstractContextManager, ExitStack, contextmanager
 from dataclasses import asdict, dataclass
 from pathlib import Path
@@ -41,6 +41,7 @@ from instobj.search.fidelity import (
 from instobj.search.loop import is_feasible
 from instobj.search.lowest_fidelity import cost, scorers
 from instobj.search.study import KeptStudy
+from instobj.search.time_limit import LEADERS_SHARE, TimeLimit
 
 _APART = 0.05
 """Of the unit cube: leaders differ by at least that much in some variable."""
@@ -68,7 +69,8 @@ class Promotion:
     `ratios` of the best against the start at the highest fidelity level, with 95 % intervals between
     toleranced twins. `estimators` holds what estimators trained for the start and for each finalist
     achieve on simulated presses held out (`instobj.search.fidelity.estimator_errors`). `objections`
-    say why the highest fidelity level does not call the best one better than the start.
+    say why the highest fidelity level does not call the best one better than the start. `shortened`
+    says how many were scored where that is fewer than asked for.
     """
 
     start: Promoted
@@ -78,6 +80,7 @@ class Promotion:
     ratios: dict[str, TwinRatio]
     estimators: dict[str, dict[str, float]]
     objections: tuple[str, ...]
+    shortened: str = ""
 
     @property
     def better(self) -> bool:
@@ -90,8 +93,13 @@ class Promotion:
         return self.finalists[0]
 
 
-def promote(space: SearchSpace, kept: KeptStudy, folder: Path, say: Say) -> Promotion | None:
-    """The search's leaders taken through all fidelity levels; None where no trial keeps every limit."""
+def promote(
+    space: SearchSpace, kept: KeptStudy, folder: Path, say: Say, limit: TimeLimit
+) -> Promotion | None:
+    """The search's leaders taken through all fidelity levels; None where no trial keeps every limit.
+
+    Where time runs short, fewer leaders and fewer finalists, at least one of each.
+    """
     search, memo = space.spec.search, folder / "rungs.json"
     chosen = leaders(space, kept, search.leaders)
     if not chosen:
@@ -102,12 +110,9 @@ def promote(space: SearchSpace, kept: KeptStudy, folder: Path, say: Say) -> Prom
         for trial in chosen
     ]
     everyone = _score([start, *named], FIRST, _lowest, memo, say)
-    everyone = _score(everyone, SECOND, _second, memo, say)
+    everyone = _score(everyone, SECOND, _second, memo, say, lambda: limit.over(LEADERS_SHARE))
     ranked = sorted(everyone[1:], key=lambda one: merit(search, one, start, SECOND))
-    finalists: list[Promoted] = []
-    for one in ranked:
-        if len(finalists) < search.finalists:
-            finalists += _score([start, one], LAST, _highest, memo, say)[1:]
+    finalists = _finalists(start, ranked, search.finalists, memo, say, limit)
     if not finalists:
         raise InputError(
             "no leader could be scored at the higher fidelity levels: see the reasons above. Raise "
@@ -125,9 +130,37 @@ def promote(space: SearchSpace, kept: KeptStudy, folder: Path, say: Say) -> Prom
         say(f"estimators of {one.label}")
         estimators[one.label] = estimator_errors(one.spec)
     against = objections(search, finalists[0], start, ratios)
+    cut = f"{len(ranked)} of {len(named)} leaders and {len(finalists)} finalists were scored"
+    short = len(ranked) < len(named) or len(finalists) < min(search.finalists, len(named))
     return Promotion(
-        start, tuple(ranked), tuple(finalists), correlations, ratios, estimators, against
+        start,
+        tuple(ranked),
+        tuple(finalists),
+        correlations,
+        ratios,
+        estimators,
+        against,
+        cut if short else "",
     )
+
+
+def _finalists(
+    start: Promoted,
+    ranked: Sequence[Promoted],
+    count: int,
+    memo: Path,
+    say: Say,
+    limit: TimeLimit,
+) -> list[Promoted]:
+    """The first leaders that the highest level can score; one, where the next may take too long."""
+    finalists: list[Promoted] = []
+    for one in ranked:
+        began = limit.left_s
+        finalists += _score([start, one], LAST, _highest, memo, say)[1:]
+        took = began - limit.left_s
+        if len(finalists) == count or (finalists and took > limit.left_s / 2):
+            break
+    return finalists
 
 
 def leaders(space: SearchSpace, kept: KeptStudy, count: int) -> list[FrozenTrial]:
@@ -203,15 +236,26 @@ Scoring = Callable[[], AbstractContextManager[Callable[[ObjectSpec], FidelitySco
 
 
 def _score(
-    layouts: list[Promoted], level: str, scoring: Scoring, memo: Path, say: Say
+    layouts: list[Promoted],
+    level: str,
+    scoring: Scoring,
+    memo: Path,
+    say: Say,
+    enough: Callable[[], bool] = lambda: False,
 ) -> list[Promoted]:
-    """Fill in a level, from the file or anew; layouts that cannot be scored fall out, with a reason."""
+    """Fill in a level, from the file or anew; layouts that cannot be scored fall out, with a reason.
+
+    Once `enough`, what is neither on file nor the start or the first layout falls out too.
+    """
     known = json.loads(memo.read_text(encoding="utf-8")) if memo.is_file() else {}
     left: list[Promoted] = []
     with scoring() as score:
         for one in layouts:
             key = f"{level} {spec_hash(one.spec)}"
             if known.get(key, {}).keys() != set(SCORE_NAMES):
+                if len(left) > 1 and enough():
+                    say(f"fidelity level {level}: {one.label} falls out: time runs short")
+                    continue
                 say(f"fidelity level {level}: {one.label} of {len(layouts) - 1}")
                 try:
                     known[key] = asdict(score(one.spec))

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from design.files import atomic_path
+from design.layout.coverage import covered_share
 from design.layout.pockets import magnet_bodies
 from design.spec.object import ObjectSpec
 from instobj.report.pages import render, shown
@@ -60,6 +61,7 @@ def write_search_page(
         "search.html.j2",
         name=start.name,
         found=found,
+        covered=covered_share(found.best.spec),
         history=history,
         highest=_highest(found),
         maps=_maps(found, results, figures),

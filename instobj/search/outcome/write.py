@@ -11,6 +11,7 @@ from typing import Any
 import tomli_w
 
 from design.files import atomic_path
+from design.layout.coverage import covered_share
 from design.search.space import SearchSpace
 from design.spec.object import ObjectSpec
 from design.spec.search import SearchSpec
@@ -81,6 +82,8 @@ def _results(found: Promotion) -> dict[str, Any]:
             {
                 "better": found.better,
                 "objections": found.objections,
+                "shortened": found.shortened,
+                "covered_share": covered_share(found.best.spec),
                 "start": promoted(found.start),
                 "leaders": [promoted(one) for one in found.leaders],
                 "finalists": [one.label for one in found.finalists],

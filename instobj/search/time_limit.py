@@ -1,0 +1,71 @@
+"""Time limit of a whole search: mechanics, trials and all fidelity levels of one call."""
+
+from __future__ import annotations
+
+import signal
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from types import FrameType
+
+from design.errors import InputError
+
+TRIALS_SHARE = 0.4
+"""Of the time, for mechanics and trials: measured, leaders and finalists took 15 of 25 minutes."""
+LEADERS_SHARE = 0.6
+"""Of the time, after which the second fidelity level leaves the rest to the highest."""
+_SHORTEST_S = 1e-3
+
+
+class _Alarm(BaseException):
+    """Beyond the reach of handlers of errors, as an interrupt by the user is."""
+
+
+@dataclass(frozen=True)
+class TimeLimit:
+    """`seconds` from now on."""
+
+    seconds: float
+    started: float = field(default_factory=lambda: time.monotonic())
+
+    @property
+    def left_s(self) -> float:
+        return self.started + self.seconds - time.monotonic()
+
+    def over(self, share: float = 1.0) -> bool:
+        """Whether this share of the time is spent."""
+        return self.left_s <= (1 - share) * self.seconds
+
+    @contextmanager
+    def enforced(self) -> Iterator[None]:
+        """Break off what runs in here when the time is spent.
+
+        Work in compiled code ends first: a factorization of the default mesh takes seconds. On
+        systems without interval timers (Windows) nothing is broken off.
+
+        Raises
+        ------
+        InputError
+            The time was spent.
+        """
+        if not hasattr(signal, "setitimer"):
+            yield
+            return
+        before = signal.signal(signal.SIGALRM, _raise_alarm)
+        try:
+            signal.setitimer(signal.ITIMER_REAL, max(self.left_s, _SHORTEST_S))
+            yield
+        except _Alarm:
+            raise InputError(
+                f"the time of this search, search.seconds = {self.seconds:g}, was spent before there "
+                "was a result. Trials, finished stages and scored layouts are kept: go on with "
+                "--resume, and with more search.seconds"
+            ) from None
+        finally:
+            signal.setitimer(signal.ITIMER_REAL, 0)
+            signal.signal(signal.SIGALRM, before)
+
+
+def _raise_alarm(number: int, frame: FrameType | None) -> None:
+    raise _Alarm

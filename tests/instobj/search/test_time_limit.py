@@ -1,0 +1,140 @@
+"""A search ends in its time: breaking off, fewer leaders, fewer finalists, said in words."""
+
+import signal
+import time
+from contextlib import contextmanager, suppress
+
+import pytest
+
+from design.errors import InputError
+from estimator.layouts.fidelity import SCORE_NAMES, FidelityScore
+from instobj.search import promotion
+from instobj.search.fidelity import TwinRatio
+from instobj.search.loop import run_search
+from instobj.search.study import open_study
+from instobj.search.time_limit import TimeLimit
+from tests.support.search_cases import made_up_score, made_up_space, searched
+
+
+class Clock:
+    """Time that passes only where a test says so."""
+
+    def __init__(self, monkeypatch):
+        self.now_s = 100.0
+        monkeypatch.setattr("instobj.search.time_limit.time.monotonic", lambda: self.now_s)
+
+
+@pytest.fixture
+def clock(monkeypatch):
+    return Clock(monkeypatch)
+
+
+@TimeLimit(0.2).enforced()
+def work_that_catches_errors(until):
+    while time.monotonic() < until:
+        with suppress(Exception):
+            time.sleep(5)
+
+
+def test_work_is_broken_off_whatever_errors_it_catches():
+    handler = signal.getsignal(signal.SIGALRM)
+    began = time.monotonic()
+    with pytest.raises(InputError, match=r"search\.seconds = 0\.2.*--resume"):
+        work_that_catches_errors(until=began + 20)
+    assert time.monotonic() - began < 4
+    assert signal.getsignal(signal.SIGALRM) is handler
+    assert signal.getitimer(signal.ITIMER_REAL) == (0.0, 0.0)
+
+
+def test_work_within_its_time_is_left_alone():
+    with TimeLimit(0.2).enforced():
+        done = sum(range(1000))
+    time.sleep(0.3)
+    assert done == 499_500
+
+
+def test_time_spent_before_is_counted(clock):
+    limit = TimeLimit(1000)
+    clock.now_s += 1001
+    with pytest.raises(InputError, match="--resume"), limit.enforced():
+        signal.pause()
+
+
+def test_shares_of_the_time(clock):
+    limit = TimeLimit(1000)
+    clock.now_s += 399
+    assert not limit.over(0.4)
+    clock.now_s += 2
+    assert limit.over(0.4)
+    assert not limit.over()
+    assert limit.left_s == pytest.approx(599)
+
+
+def test_trials_end_with_the_batch_in_which_their_time_ends(tmp_path, clock):
+    space = made_up_space(engine="random", trials=100, batch=10)
+    limit = TimeLimit(30)
+
+    def slow(trials, seconds):
+        clock.now_s += 2 * len(trials)  # a call takes those of one structure
+        return made_up_score(trials, seconds)
+
+    kept = open_study(space.spec, tmp_path / "journal.log", join=True)
+    run_search(space, kept, slow, lambda line: None, over=limit.over)
+    assert len(kept.trials()) == 20
+    run_search(space, kept, slow, lambda line: None, over=limit.over)
+    assert len(kept.trials()) == 30, "a call does at least one batch"
+
+
+@pytest.fixture
+def promoted(tmp_path, monkeypatch, clock):
+    """Promotes a made-up search with so many seconds per layout at the second and highest level."""
+    kept = searched(tmp_path / "journal.log", "random", trials=60)
+    space = made_up_space(engine="random", trials=60, leaders=5, finalists=3)
+
+    def level(seconds):
+        @contextmanager
+        def scoring():
+            def score(spec):
+                clock.now_s += seconds
+                worth = 1.0 + 0.01 * len(spec.magnets.positions_mm)
+                return FidelityScore(**dict.fromkeys(SCORE_NAMES, worth))
+
+            yield score
+
+        return scoring
+
+    ratios = {"worst_position_bound_mm": TwinRatio(2.0, 1.1, 3.0)}
+    monkeypatch.setattr(promotion, "twin_ratios", lambda start, found: ratios)
+    monkeypatch.setattr(promotion, "estimator_errors", lambda spec: {"similarity": 0.5})
+
+    def run(seconds, second_s, highest_s):
+        for name, took in (("_lowest", 0), ("_second", second_s), ("_highest", highest_s)):
+            monkeypatch.setattr(promotion, name, level(took))
+        said = []
+        found = promotion.promote(space, kept, tmp_path, said.append, TimeLimit(seconds))
+        return found, said
+
+    return run
+
+
+def test_with_time_enough_everyone_asked_for_is_scored(promoted):
+    found, _ = promoted(seconds=1000, second_s=10, highest_s=10)
+    assert (len(found.leaders), len(found.finalists), found.shortened) == (5, 3, "")
+
+
+def test_short_of_time_fewer_leaders_and_finalists_are_scored_and_said(promoted):
+    found, said = promoted(seconds=100, second_s=25, highest_s=10)
+    assert (len(found.leaders), len(found.finalists)) == (2, 1)
+    assert found.shortened == "2 of 5 leaders and 1 finalists were scored"
+    assert sum("time runs short" in line for line in said) == 3
+
+
+def test_one_leader_and_one_finalist_are_always_scored(promoted):
+    found, _ = promoted(seconds=100, second_s=90, highest_s=90)
+    assert (len(found.leaders), len(found.finalists)) == (1, 1)
+
+
+def test_what_was_scored_before_costs_no_time_in_the_next_call(promoted):
+    promoted(seconds=100, second_s=25, highest_s=10)
+    found, _ = promoted(seconds=100, second_s=25, highest_s=10)
+    assert len(found.leaders) > 2
