@@ -11,6 +11,7 @@ from __future__ import annotations
 import ctypes
 import functools
 import importlib.metadata
+import importlib.util
 import warnings
 from dataclasses import dataclass
 from typing import Any
@@ -146,17 +147,20 @@ def pardiso_available() -> bool:
 
 
 def _mkl() -> Any | None:
+    if importlib.util.find_spec("pypardiso") is None:
+        return None
     try:
-        import pypardiso  # noqa: F401
-
         return _mkl_library()
-    except ImportError:
+    except (ImportError, OSError):
         return None
 
 
 @functools.cache
 def _mkl_library() -> Any:
-    """By the list of files of MKL's own package: pypardiso looks through the whole environment."""
+    """By the list of files of MKL's own package.
+
+    Importing pypardiso costs 3 s: it looks through the whole environment.
+    """
     for file in _files_of("mkl"):
         if "mkl_rt" in file.name:
             return ctypes.CDLL(str(file.locate()))

@@ -30,7 +30,7 @@ EDGES_MM = (MeshSpec().surface_edge_mm, MeshSpec().edge_mm)
 
 
 def default_cube(magnets, poisson_ratio=0.4999):
-    return paper_cube(magnets, EDGES_MM, poisson_ratio, MeshSpec().envelope_mm)
+    return paper_cube(magnets, EDGES_MM, poisson_ratio)
 
 
 @pytest.fixture(scope="module")
