@@ -8,9 +8,12 @@ from pathlib import Path
 import pytest
 from xdist.scheduler import LoadScopeScheduling
 
-from tests.support import recorded_meshes, typechecks
+from tests.support import typechecks
 
 typechecks.install(["design", "fem", "estimator"])
+
+from tests.support import recorded_meshes  # noqa: E402  types are checked in what it imports too
+
 recorded_meshes.install()
 
 TOGETHER = (

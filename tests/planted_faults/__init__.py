@@ -1,0 +1,1 @@
+"""Planted faults: which share of small random changes of the code the usual tests notice."""
