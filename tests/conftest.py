@@ -12,9 +12,13 @@ from tests.support import typechecks
 
 typechecks.install(["design", "fem", "estimator"])
 
-from tests.support import recorded_meshes  # noqa: E402  types are checked in what it imports too
+from instobj.figures import saving  # noqa: E402  types are checked in what is imported from here
+from instobj.render import parts  # noqa: E402
+from tests.support import recorded_meshes  # noqa: E402
 
 recorded_meshes.install()
+saving.DPI = 60  # pictures in full take a minute of a run
+parts.PIXELS = 400
 
 TOGETHER = (
     ("tests/fem/mesh/", "tests/fem/linear/", "tests/fem/contact/", "tests/fem/presses/"),

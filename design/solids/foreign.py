@@ -6,10 +6,12 @@ Writes vertices (vertex, 3) mm and triangles (triangle, 3) of the file's surface
 `design.body.foreign` calls it.
 """
 
+# pyright: reportAttributeAccessIssue=false
 from __future__ import annotations
 
 import sys
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -29,20 +31,68 @@ def _of_mesh(path: Path) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _of_step(path: Path) -> tuple[np.ndarray, np.ndarray]:
-    import cadquery as cq
+    """By the kernel itself: CadQuery's import costs another 2 s."""
+    from OCP.BRepMesh import BRepMesh_IncrementalMesh
+    from OCP.IFSelect import IFSelect_RetDone
+    from OCP.Interface import Interface_Static
+    from OCP.STEPControl import STEPControl_Reader
+    from OCP.TopAbs import TopAbs_FACE
+    from OCP.TopExp import TopExp_Explorer
+    from OCP.TopoDS import TopoDS
 
-    vertices, triangles, count = [], [], 0
-    for shape in cq.importers.importStep(str(path)).vals():
-        length_mm = shape.BoundingBox().DiagonalLength  # type: ignore[union-attr]
-        if length_mm > _LARGEST_MM:
-            raise ValueError(
-                f"it is {length_mm / 1e3:.3g} m long, more than {_LARGEST_MM / 1e3:g} m"
-            )
-        points, faces = shape.tessellate(_TOLERANCE_MM, _ANGLE_RAD)  # type: ignore[union-attr]
-        vertices += [point.toTuple() for point in points]
-        triangles += [[count + corner for corner in face] for face in faces]
-        count = len(vertices)
-    return np.reshape(vertices, (-1, 3)), np.reshape(triangles, (-1, 3)).astype(np.int64)
+    Interface_Static.SetCVal_s("xstep.cascade.unit", "MM")
+    reader = STEPControl_Reader()
+    if reader.ReadFile(str(path)) != IFSelect_RetDone:
+        raise ValueError("STEP File could not be loaded")
+    for root in range(1, reader.NbRootsForTransfer() + 1):
+        reader.TransferRoot(root)
+    vertices: list[np.ndarray] = []
+    triangles: list[np.ndarray] = []
+    count = 0
+    for number in range(1, reader.NbShapes() + 1):
+        shape = reader.Shape(number)
+        _require_length(shape)
+        BRepMesh_IncrementalMesh(shape, _TOLERANCE_MM, True, _ANGLE_RAD).Perform()
+        faces = TopExp_Explorer(shape, TopAbs_FACE)
+        while faces.More():
+            points, corners = _of_face(TopoDS.Face_s(faces.Current()))
+            vertices.append(points)
+            triangles.append(corners + count)
+            count += len(points)
+            faces.Next()
+    if not vertices:
+        return np.empty((0, 3)), np.empty((0, 3), np.int64)
+    return np.concatenate(vertices), np.concatenate(triangles)
+
+
+def _require_length(shape: Any) -> None:
+    from OCP.Bnd import Bnd_Box
+    from OCP.BRepBndLib import BRepBndLib
+
+    box = Bnd_Box()
+    BRepBndLib.AddOptimal_s(shape, box)
+    length_mm = 0.0 if box.IsVoid() else box.SquareExtent() ** 0.5
+    if length_mm > _LARGEST_MM:
+        raise ValueError(f"it is {length_mm / 1e3:.3g} m long, more than {_LARGEST_MM / 1e3:g} m")
+
+
+def _of_face(face: Any) -> tuple[np.ndarray, np.ndarray]:
+    """Vertices (vertex, 3) and triangles (triangle, 3) of a meshed face, turned outwards."""
+    from OCP.BRep import BRep_Tool
+    from OCP.TopAbs import TopAbs_REVERSED
+    from OCP.TopLoc import TopLoc_Location
+
+    location = TopLoc_Location()
+    mesh = BRep_Tool.Triangulation_s(face, location)
+    if mesh is None:
+        return np.empty((0, 3)), np.empty((0, 3), np.int64)
+    placed = location.Transformation()
+    points = [mesh.Node(i).Transformed(placed) for i in range(1, mesh.NbNodes() + 1)]
+    vertices = np.array([(p.X(), p.Y(), p.Z()) for p in points])
+    corners = np.array([[t.Value(1), t.Value(2), t.Value(3)] for t in mesh.Triangles()]) - 1
+    if face.Orientation() == TopAbs_REVERSED:
+        corners = corners[:, [0, 2, 1]]
+    return vertices, corners
 
 
 def main(source: str, target: str) -> int:

@@ -109,9 +109,11 @@ class SearchSpec(SpecPart):
     With several objectives the result is a Pareto front; the first names the layouts that the next
     levels get. Every trial's continuous variables are improved by `polish_steps` steps down the
     gradient. `seconds` are those of a whole call, mechanics and all fidelity levels: trials end at
-    `trials` or after 40 % of the time, whichever is first. A trial beyond `trial_seconds` is given up. `leaders` go to the second fidelity level (rigid magnets), `finalists` to the
-    last. `compliance_mm_per_n` is indentation depth over force at `score.force_n` that `compliance_deviation`
-    is taken from, by area (later ones over earlier ones; "edge" without corners); none: even.
+    `trials` or after 40 % of the time, whichever is first. A trial beyond `trial_seconds` is given
+    up. `leaders` go to the second fidelity level (rigid magnets), `finalists` to the last.
+    `compliance_mm_per_n` is indentation depth over force at `score.force_n` that
+    `compliance_deviation` is taken from, by area (later ones over earlier ones; "edge" without
+    corners); none: even.
     """
 
     objectives: Annotated[tuple[Objective, ...], Field(min_length=1, max_length=4)] = (

@@ -17,7 +17,7 @@ from design.spec_io import load_spec, parse_spec, spec_hash
 from estimator.information.scores import score_places
 from estimator.signals.presses import load_signals
 from instobj.stages.table import STAGES
-from tests.support.cli import assert_one_clear_error, run, run_apart
+from tests.support.cli import assert_one_clear_error, run
 
 ROOT = Path(__file__).parents[2]
 SMALL = """
@@ -71,7 +71,7 @@ ON_REQUEST = {
 
 @pytest.fixture(scope="module")
 def first(folder):
-    done = run_apart("run", "small.toml", "--json", cwd=folder)
+    done = run("run", "small.toml", "--json", cwd=folder)
     assert done.returncode == 0, done.stderr
     return done
 

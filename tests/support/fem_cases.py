@@ -18,7 +18,7 @@ from fem.linear.response import face_surface
 from fem.presses.table import press_places, profile_moments_mm3, surface_weights_mm2
 
 YOUNGS_MODULUS_MPA = 0.3
-COARSE_EDGES_MM = (1.7, 5.0)
+COARSE_EDGES_MM = (2.1, 6.0)
 PATCH_RADIUS_MM = 5.0
 DEPTHS_MM = np.array([0.5, 1.0, 2.0])
 SHELL_COMPLIANCE_MM_PER_N = {0.49: 0.23170, 0.4999: 0.22621, 0.5: 0.22615}
