@@ -1,9 +1,9 @@
 """Meshes on record: what the mesher once made of the same surfaces, in place of 5 to 20 s each.
 
 A record is found by what the mesher is given, so that a changed body is meshed anew, here as there.
-Real meshing is tested in `tests/fem/mesh`, by commands in a process of their own (`tests/chain`) and
-by every slow test. `INSTOBJ_TESTS_MESHES=record make test` writes what is missing (and
-touches what is used), `INSTOBJ_TESTS_MESHES=anew make test` uses no record.
+Real meshing is tested in `tests/fem/mesh`, by commands in a process of their own, by the wheel's test
+in CI and by every slow test. `INSTOBJ_TESTS_MESHES=record make test` writes what is missing and
+touches what is used; `INSTOBJ_TESTS_MESHES=anew make test` uses no record.
 """
 
 import hashlib
