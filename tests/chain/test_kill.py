@@ -1,20 +1,32 @@
-"""A run that is killed at any moment loses no stored result, and the next run gives the same."""
+"""Runs and searches that are killed at any moment, full disks, two hosts: nothing stored is lost.
 
+Slow. `INSTOBJ_KILLS` sets how often (100).
+"""
+
+import multiprocessing
 import os
 import random
 import shutil
 import subprocess
 import sys
 import time
+from collections.abc import Callable
+from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
+from typing import Any
 
 import pytest
 
+from design.errors import InstobjError
 from design.spec.object import ObjectSpec
+from instobj.search.study import open_study
 from instobj.stages.run import Run
 from instobj.store.space import entries
+from tests.support.search_cases import made_up_score, made_up_space, searched
 
-KILLS = 20
+pytestmark = pytest.mark.slow
+
+KILLS = int(os.environ.get("INSTOBJ_KILLS", "100"))
 SPEC = ObjectSpec.model_validate(
     {
         "name": "tiny",
@@ -25,36 +37,22 @@ SPEC = ObjectSpec.model_validate(
         "score": {"force_n": 2.0},
     }
 )
-SCRIPT = """
-import sys
-from design.spec.object import ObjectSpec
-from instobj.stages.run import Run
-run = Run(ObjectSpec.model_validate_json(sys.argv[1]))
-print("begins", flush=True)
-run.require("scores")
-"""
 BEGIN = ("mesh", "large_strain")
 """Kept from the first run: the mesher gives another mesh each time, and all later results with it."""
+DISKS_KIB = (0, 32, 128, 256, 512)
+SEARCH = {"engine": "random", "trials": 1_000_000, "batch": 8}
+
+CHILDREN = multiprocessing.get_context("forkserver")
+"""Children begin with everything imported, in a few milliseconds."""
+CHILDREN.set_forkserver_preload([__name__])
 
 
-def _started(store: Path) -> subprocess.Popen[str]:
-    """A process that runs the chain, past its imports."""
-    process = subprocess.Popen(
-        [sys.executable, "-c", SCRIPT, SPEC.model_dump_json()],
-        env=os.environ | {"INSTOBJ_STORE": str(store)},
-        stdout=subprocess.PIPE,
-        stderr=subprocess.DEVNULL,
-        text=True,
-    )
-    assert process.stdout is not None
-    assert process.stdout.readline() == "begins\n"
-    return process
+def _run_chain(store: Path) -> None:
+    Run(SPEC, root=store).require("scores")
 
 
-def _begun(first: Path, store: Path) -> Path:
-    for stage in BEGIN:
-        shutil.copytree(first / stage, store / stage)
-    return store
+def _run_search(journal: Path) -> None:
+    searched(journal, **SEARCH)
 
 
 def _contents(store: Path) -> dict[str, str]:
@@ -63,24 +61,142 @@ def _contents(store: Path) -> dict[str, str]:
     return {stage: result.content for stage, result in run.results.items()}
 
 
-@pytest.mark.slow
-def test_twenty_killed_runs_lose_nothing_and_the_next_run_gives_the_same(tmp_path):
-    first = tmp_path / "first"
-    expected = _contents(first)
-    timed = _started(_begun(first, tmp_path / "timed"))
+def _in_child(work: Callable[..., Any], *arguments: Any) -> Any:
+    """As a user's process does it: without what the tests change in theirs."""
+    with ProcessPoolExecutor(1, CHILDREN) as pool:
+        return pool.submit(work, *arguments).result()
+
+
+def _begun(first: Path, store: Path) -> Path:
+    for stage in BEGIN:
+        shutil.copytree(first / stage, store / stage)
+    return store
+
+
+@pytest.fixture(scope="module")
+def first(tmp_path_factory):
+    """A store with a whole run, and the content of its results."""
+    store = tmp_path_factory.mktemp("first") / "store"
+    return store, _in_child(_contents, store)
+
+
+def assert_nothing_is_lost(store: Path, expected: dict[str, str]) -> None:
+    """What is stored is whole, and the next run keeps it and gives the same."""
+    kept = entries(store, by_hash=True)
+    assert {entry.state for entry in kept} <= {"result"}
+    assert _in_child(_contents, store) == expected
+    assert {entry.folder for entry in kept} <= {entry.folder for entry in entries(store)}
+
+
+def test_killed_runs_lose_nothing_and_the_next_run_gives_the_same(first, tmp_path):
+    begun, expected = first
+    timed = CHILDREN.Process(target=_run_chain, args=(_begun(begun, tmp_path / "timed"),))
     began = time.perf_counter()
-    assert timed.wait() == 0
+    timed.start()
+    timed.join()
     whole_s = time.perf_counter() - began
-    moments, broken_off = random.Random(1), 0
+    assert timed.exitcode == 0
+    moments, broken_off, held = random.Random(1), 0, set()
     for number in range(KILLS):
-        store = _begun(first, tmp_path / f"store_{number}")
-        process = _started(store)
-        time.sleep(moments.uniform(0.0, 0.8 * whole_s))
+        store = _begun(begun, tmp_path / f"store_{number}")
+        process = CHILDREN.Process(target=_run_chain, args=(store,))
+        process.start()
+        time.sleep(moments.uniform(0.0, whole_s))
         process.kill()
-        broken_off += process.wait() != 0
-        kept = entries(store, by_hash=True)
-        assert {entry.state for entry in kept} == {"result"}
-        assert _contents(store) == expected
-        assert {entry.folder for entry in kept} <= {entry.folder for entry in entries(store)}
+        process.join()
+        broken_off += process.exitcode != 0
+        held.add(len(entries(store)))
+        assert_nothing_is_lost(store, expected)
         shutil.rmtree(store)
-    assert broken_off >= KILLS // 4  # else too little was killed to show anything
+    print(f"{broken_off} of {KILLS} runs were broken off, with {sorted(held)} results kept")
+    assert broken_off >= KILLS // 2  # else too little was killed to show anything
+    assert len(held) > 2
+
+
+def test_killed_searches_lose_no_kept_trial_and_go_on(tmp_path):
+    moments, kept_in_all = random.Random(2), 0
+    for number in range(KILLS):
+        journal = tmp_path / f"search_{number}" / "journal.log"
+        journal.parent.mkdir()
+        process = CHILDREN.Process(target=_run_search, args=(journal,))
+        process.start()
+        while not _records(journal):
+            time.sleep(0.001)
+        time.sleep(moments.uniform(0.0, 0.5))
+        before = _records(journal)
+        process.kill()
+        process.join()
+        trials = open_study(made_up_space(**SEARCH).spec, journal, resume=True).trials()
+        assert len(trials) >= before - _HEAD_RECORDS
+        assert {trial.state.name for trial in trials} <= {"COMPLETE"}
+        for trial in trials:
+            (made_up,) = made_up_score([trial.params], 0)
+            assert trial.values == list(made_up.values)
+        wanted = len(trials) + 8
+        again = searched(journal, **(SEARCH | {"trials": wanted})).trials()
+        assert len(again) == wanted
+        assert [t.params for t in again[: len(trials)]] == [t.params for t in trials]
+        kept_in_all += len(trials)
+    print(f"{KILLS} searches killed with {kept_in_all} trials kept, none lost")
+    assert kept_in_all > KILLS
+
+
+_HEAD_RECORDS = 8
+"""Records of a journal that hold no trial: study, directions, attributes; a generous bound."""
+
+
+def _records(journal: Path) -> int:
+    return journal.read_bytes().count(b"\n") if journal.is_file() else 0
+
+
+@pytest.mark.skipif(
+    sys.platform != "linux" or os.geteuid() != 0, reason="mounts a small disk: root on Linux"
+)
+@pytest.mark.parametrize("kib", DISKS_KIB)
+def test_a_full_disk_is_one_clear_error_and_with_room_the_run_goes_on(first, tmp_path, kib):
+    begun, expected = first
+    size = sum(f.stat().st_size for stage in BEGIN for f in (begun / stage).rglob("*"))
+    disk = tmp_path / "disk"
+    disk.mkdir()
+    options = f"size={size // 1024 + 64 + kib}k"
+    subprocess.run(["mount", "-t", "tmpfs", "-o", options, "tmpfs", disk], check=True)
+    try:
+        store = _begun(begun, disk / "store")
+        with pytest.raises(InstobjError, match="room"):
+            _in_child(_contents, store)
+        subprocess.run(["mount", "-o", "remount,size=1g", disk], check=True)
+        assert_nothing_is_lost(store, expected)
+    finally:
+        subprocess.run(["umount", disk], check=True)
+
+
+APART = ("unshare", "--pid", "--uts", "--fork", "--mount-proc")
+HOST = """
+import socket, sys
+from pathlib import Path
+from tests.chain.test_kill import _contents
+socket.sethostname(sys.argv[2])
+print(sorted(_contents(Path(sys.argv[1])).items()))
+"""
+
+
+@pytest.mark.skipif(
+    sys.platform != "linux" or os.geteuid() != 0, reason="makes namespaces: root on Linux"
+)
+def test_two_hosts_share_a_store(first, tmp_path):
+    """Own process numbers and host names: both finish, with the same content, and nothing is left."""
+    begun, expected = first
+    store = _begun(begun, tmp_path / "shared")
+    hosts = [
+        subprocess.Popen(
+            [*APART, sys.executable, "-c", HOST, str(store), name],
+            stdout=subprocess.PIPE,
+            text=True,
+            cwd=Path(__file__).parents[2],
+        )
+        for name in ("first", "second")
+    ]
+    said = [host.communicate()[0] for host in hosts]
+    assert [host.returncode for host in hosts] == [0, 0]
+    assert said == [f"{sorted(expected.items())}\n"] * 2
+    assert {entry.state for entry in entries(store, by_hash=True)} == {"result"}
