@@ -167,7 +167,7 @@ def test_a_full_disk_is_one_clear_error_and_with_room_the_run_goes_on(first, tmp
         subprocess.run(["mount", "-o", "remount,size=1g", disk], check=True)
         assert_nothing_is_lost(store, expected)
     finally:
-        subprocess.run(["umount", disk], check=True)
+        subprocess.run(["umount", "--lazy", disk], check=True)
 
 
 APART = ("unshare", "--pid", "--uts", "--fork", "--mount-proc")

@@ -9,6 +9,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 from design.errors import InputError
 from estimator.frames.heatmap import force_heatmaps
 from estimator.recordings.combine import combine, jump_between_faults, jumps_between
+from estimator.recordings.faults import mirror_faults
 from estimator.recordings.reading import read_recording
 from tests.support.made_recordings import PRESS, REST, gripper_arrays, write_gripper, write_training
 
@@ -203,6 +204,15 @@ def test_labels_that_are_not_opposite(tmp_path, case, opposite):
     cases = (case, (23, 28))
     recording = read_recording(write_gripper(tmp_path / "a.csv", gripper_arrays(cases), cases))
     assert ("labels not opposite" in kinds(recording)) != opposite
+
+
+def test_probes_of_three_tips_are_opposite_by_their_centres():
+    """A triangle mirrored and turned by 180° lies 8.7 mm off tip by tip, and about one centre."""
+    triangle = 5.0 * np.array([[0.0, 1.0], [-np.sqrt(0.75), -0.5], [np.sqrt(0.75), -0.5]])
+    face, block = np.array([[3, 5]]), np.array([0])
+    for away_mm, kept in ((0.0, True), (5.0, True), (7.0, False)):
+        tips = np.stack([triangle + [2.0, 3.0], -triangle + [2.0 + away_mm, -3.0]])
+        assert (mirror_faults(face, tips[None], block) == []) == kept
 
 
 def test_two_tips_share_the_force(tmp_path):

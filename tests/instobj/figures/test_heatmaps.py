@@ -69,7 +69,8 @@ def test_cell_colours_follow_the_values_on_the_saved_picture(tmp_path):
     assert_allclose([across, down], [0.35, 0.15], atol=0.03)
 
 
-def test_pictures_are_written_whole(tmp_path):
+def test_pictures_are_written_whole(tmp_path, monkeypatch):
+    monkeypatch.setattr("instobj.figures.saving.DPI", 120)
     values = np.tile(VALUES, (5, 1)) * np.arange(1, 6)[:, None] * 1e15
     low, high = finite_limits(values)
     path, faces = tmp_path / "a.png", np.arange(1, 6)

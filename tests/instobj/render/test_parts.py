@@ -56,7 +56,8 @@ def test_the_camera_is_right_handed_and_upright():
     assert camera[0, 0] > 0
 
 
-def test_a_figure_is_drawn_and_shows_all_six_parts(tmp_path):
+def test_a_figure_is_drawn_and_shows_all_six_parts(tmp_path, monkeypatch):
+    monkeypatch.setattr("instobj.figures.saving.DPI", 120)
     from matplotlib.image import imread
 
     write_build(tmp_path)
