@@ -208,5 +208,5 @@ def run_reference(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
 
 
 STUDIES = (
-    Study("reference-bounds", "Bayes' optimum for single frames among the recorded places, metric by metric.", run_reference),
+    Study("reference-bounds", "Bayes' optimum for single frames, metric by metric.", run_reference),
 )

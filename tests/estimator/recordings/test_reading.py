@@ -211,7 +211,7 @@ def test_probes_of_three_tips_are_opposite_by_their_centres():
     triangle = 5.0 * np.array([[0.0, 1.0], [-np.sqrt(0.75), -0.5], [np.sqrt(0.75), -0.5]])
     face, block = np.array([[3, 5]]), np.array([0])
     for away_mm, kept in ((0.0, True), (5.0, True), (7.0, False)):
-        tips = np.stack([triangle + [2.0, 3.0], -triangle + [2.0 + away_mm, -3.0]])
+        tips = np.stack([triangle + (2.0, 3.0), -triangle + (2.0 + away_mm, -3.0)])
         assert (mirror_faults(face, tips[None], block) == []) == kept
 
 
