@@ -209,9 +209,10 @@ def test_labels_that_are_not_opposite(tmp_path, case, opposite):
 def test_probes_of_three_tips_are_opposite_by_their_centres():
     """A triangle mirrored and turned by 180° lies 8.7 mm off tip by tip, and about one centre."""
     triangle = 5.0 * np.array([[0.0, 1.0], [-np.sqrt(0.75), -0.5], [np.sqrt(0.75), -0.5]])
-    face, block = np.array([[3, 5]]), np.array([0])
+    face, block, middle = np.array([[3, 5]]), np.array([0]), np.array([2.0, 3.0])
     for away_mm, kept in ((0.0, True), (5.0, True), (7.0, False)):
-        tips = np.stack([triangle + (2.0, 3.0), -triangle + (2.0 + away_mm, -3.0)])
+        there = middle * (1, -1) + np.array([away_mm, 0.0])
+        tips = np.stack([triangle + middle, there - triangle])
         assert (mirror_faults(face, tips[None], block) == []) == kept
 
 
