@@ -1,5 +1,7 @@
 """Bodies from files: STL and STEP, repaired with a warning or refused with the reason."""
 
+import contextlib
+import io
 import warnings
 from pathlib import Path
 
@@ -14,6 +16,8 @@ from design.body.sampled import measured_distance_mm, sampled_core
 from design.errors import InputError
 from design.layout.body import body_of, core_frames, face_frames
 from design.layout.positions import magnet_layout
+from design.processes import ChildFailed
+from design.solids import foreign
 from design.solids.sampled import sampled_core_part, sampled_shell
 from design.spec_io import load_spec, parse_spec
 
@@ -50,6 +54,21 @@ def _pebble(subdivisions: int = 4) -> trimesh.Trimesh:
 def _load(folder: Path, name: str, **overrides: str):
     (folder / "pebble.toml").write_text(TEXT.format(file=name))
     return load_spec(folder / "pebble.toml", [f"{k}={v}" for k, v in overrides.items()])
+
+
+def _read_here(arguments, *limits):
+    """The reader without its process, which costs 2 s and has tests of its own (test_foreign.py)."""
+    with contextlib.redirect_stderr(io.StringIO()) as said:
+        code = foreign.main(*arguments[-2:])
+    if code:
+        raise ChildFailed(said.getvalue().strip())
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _no_process():
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("design.body.foreign.run_child", _read_here)
+        yield
 
 
 @pytest.fixture(scope="module")
