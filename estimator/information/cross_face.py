@@ -42,7 +42,8 @@ class CrossFace:
     false_force_n: Float[np.ndarray, "pair place"]
 
     def summary(self, relation: Relation) -> dict[str, float]:
-        """Median and largest disturbance (σ) and false force (N) over all pairs and places.
+        """Median, 95th percentile and largest disturbance (σ) and false force (N), over all pairs
+        and places.
 
         Empty where no two sensed faces lie so to each other.
         """
@@ -52,8 +53,10 @@ class CrossFace:
         size, force = self.size_sigma[rows], self.false_force_n[rows]
         return {
             "median_sigma": float(np.median(size)),
+            "percentile_95_sigma": float(np.percentile(size, 95)),
             "largest_sigma": float(size.max()),
             "median_false_force_n": float(np.median(force)),
+            "percentile_95_false_force_n": float(np.percentile(force, 95)),
             "largest_false_force_n": float(force.max()),
         }
 

@@ -129,8 +129,10 @@ def _cross_face(result: StoredResult) -> list[dict[str, Any]]:
         {
             "pressed": relation,
             "median σ": content[relation]["median_sigma"],
+            "95 % below": content[relation]["percentile_95_sigma"],
             "largest σ": content[relation]["largest_sigma"],
             "false force N": content[relation]["median_false_force_n"],
+            "95 % below, N": content[relation]["percentile_95_false_force_n"],
             "largest N": content[relation]["largest_false_force_n"],
         }
         for relation in ("adjacent", "opposite")

@@ -165,7 +165,7 @@ STAGES: dict[str, Stage] = {
         version=2,
     ),
     "scores": Stage(
-        "sensitivity: bounds and maps", ("signals",), ("score", "seed"), make_scores, version=5
+        "sensitivity: bounds and maps", ("signals",), ("score", "seed"), make_scores, version=6
     ),
     "shear": Stage(
         "mechanics: tangential forces",

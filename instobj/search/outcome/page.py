@@ -23,7 +23,7 @@ from instobj.search.outcome.figures import (
     draw_moves,
     paired,
 )
-from instobj.store.readers import MANIFEST, PARTS_PICTURE, SCORES
+from instobj.store.readers import CROSS_FACE, MANIFEST, PARTS_PICTURE, SCORES
 
 if TYPE_CHECKING:
     from instobj.search.outcome.history import History
@@ -34,6 +34,14 @@ _LEVELS = {
     "1": "lowest fidelity level",
     "2": "second fidelity level",
     "3": "highest fidelity level",
+}
+
+
+_CROSS_FACE_TAILS = {
+    "percentile_95_sigma": "disturbance of the next face (σ), 95th percentile",
+    "median_false_force_n": "false force by the next face (N), median",
+    "percentile_95_false_force_n": "false force by the next face (N), 95th percentile",
+    "largest_false_force_n": "false force by the next face (N), largest",
 }
 
 
@@ -63,7 +71,7 @@ def write_search_page(
         found=found,
         covered=covered_share(found.best.spec),
         history=history,
-        highest=_highest(found),
+        highest=_highest(found) + _cross_face(results),
         maps=_maps(found, results, figures),
         ratios=[
             [_label(name), f"{ratio.design:.2f}", f"{ratio.low:.2f} to {ratio.high:.2f}"]
@@ -90,6 +98,17 @@ def _highest(found: Promotion) -> list[list[str]]:
             asdict(found.best.levels["3"]).values(),
             strict=True,
         )
+    ]
+
+
+def _cross_face(results: ChainResults) -> list[list[str]]:
+    """Tails of what presses on adjacent faces do: the score above is a median."""
+    folders = (results.scores_before, results.scores_after)
+    before, after = (CROSS_FACE.read(folder)["adjacent"] for folder in folders)
+    return [
+        [label, f"{before[name]:.4g}", f"{after[name]:.4g}", f"× {after[name] / before[name]:.2f}"]
+        for name, label in _CROSS_FACE_TAILS.items()
+        if before and after and before[name] > 0
     ]
 
 

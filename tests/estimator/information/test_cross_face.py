@@ -44,6 +44,20 @@ def test_a_copied_own_press_is_read_as_its_own_force(spec, signals):
     np.testing.assert_allclose(cross.false_force_n[row], 6.0, rtol=0.03)
 
 
+def test_the_summary_tells_the_tails_beside_the_median(spec, signals):
+    cross = cross_face_disturbance(spec, signals)
+    rows = [relation == "adjacent" for relation in cross.relation]
+    size, force = (
+        np.sort(cross.size_sigma[rows].ravel()),
+        np.sort(cross.false_force_n[rows].ravel()),
+    )
+    found = cross.summary("adjacent")
+    below = int(np.ceil(0.95 * (len(size) - 1)))
+    assert size[below - 1] <= found["percentile_95_sigma"] <= size[below]
+    assert force[below - 1] <= found["percentile_95_false_force_n"] <= force[below]
+    assert found["median_sigma"] < found["percentile_95_sigma"] < found["largest_sigma"]
+
+
 def test_no_change_elsewhere_is_no_false_force(spec, signals):
     delta = signals.delta_counts.copy()
     for face in range(1, 6):

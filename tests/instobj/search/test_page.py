@@ -1,5 +1,6 @@
 """The search page: what it says stands in what it is given, and it is one file of valid markup."""
 
+import json
 from dataclasses import fields
 from html.parser import HTMLParser
 
@@ -14,6 +15,7 @@ from estimator.layouts.fidelity import SCORE_NAMES, FidelityScore
 from instobj.search.fidelity import METRIC_LABELS, TwinRatio
 from instobj.search.outcome.page import ChainResults, write_search_page
 from instobj.search.promotion import Promoted, Promotion
+from instobj.store.readers import CROSS_FACE
 from tests.instobj.search.test_outcome import made_up_history
 
 VOID = {"meta", "img", "link", "br"}
@@ -62,7 +64,14 @@ def results(tmp_path):
     part = PartManifest("core", 12.345, box, (0.5, 0.5, 0.5), 6, 1, 12.345, False, 12)
     BuildManifest("found", "0" * 64, (part,), {}).write(tmp_path)
     (tmp_path / "parts.png").write_bytes(b"picture")
-    return ChainResults(tmp_path, tmp_path, tmp_path)
+    after = tmp_path / "after"
+    after.mkdir()
+    made_up_scores(spec, after)
+    for folder, sigma in ((tmp_path, 20.0), (after, 30.0)):
+        names = ("percentile_95_sigma", "median_false_force_n", "percentile_95_false_force_n")
+        adjacent = dict.fromkeys((*names, "largest_false_force_n"), 0.5) | {names[0]: sigma}
+        CROSS_FACE.path(folder).write_text(json.dumps({"adjacent": adjacent}))
+    return ChainResults(tmp_path, after, tmp_path)
 
 
 def promote(objections):
@@ -92,6 +101,7 @@ def test_the_page_says_what_was_found(tmp_path, results, objections):
     assert "12.35" in told or "12.34" in told
     assert 'class="no-go">NO<' in page, "a part that is not watertight stands out"
     assert "× 0.50" in told
+    assert "disturbance of the next face (σ), 95th percentile 20 30 × 1.50" in told
     assert "1.10 to 3.00" in told
     assert page.count("<img") == page.count('src="data:image/png;base64,')
     assert "http" not in page
