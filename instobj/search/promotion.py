@@ -256,7 +256,7 @@ def _score(
                 if len(left) > 1 and enough():
                     say(f"fidelity level {level}: {one.label} falls out: time runs short")
                     continue
-                say(f"fidelity level {level}: {one.label} of {len(layouts) - 1}")
+                say(f"fidelity level {level}: {one.label}")
                 try:
                     known[key] = asdict(score(one.spec))
                 except (ValueError, ArithmeticError) as error:
