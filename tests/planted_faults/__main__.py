@@ -4,8 +4,8 @@
 
 Lines that no usual test reaches get no faults. Each fault is planted in a copy of the checkout, and
 the test files that reach its line run there, nearest first, until one fails, at most 150 s of them.
-Two copies work at a time. Faults that no test notices are listed at the end. A second call goes on where the first
-stopped. Needs `pip install -e '.[faults]'`; 200 faults take hours.
+Two copies work at a time. Faults that no test notices are listed at the end. A second call goes on
+where the first stopped. Needs `pip install -e '.[faults]'`; 200 faults take hours.
 """
 
 from __future__ import annotations
