@@ -197,3 +197,10 @@ def test_a_frame_exactly_at_the_non_contact_threshold_is_not_quiet():
     predicted, true, reference = worked_case()
     predicted[3, 1, 1] = NON_CONTACT_SHARE * reference.smallest_contact_n
     assert face_metrics(3, predicted, true, reference).non_contact_accuracy == 0.0
+
+
+def test_a_map_with_pixels_at_its_mean_is_aligned_too():
+    ramp = np.tile(np.array([1.0, 2.0, 3.0]), (1, 3, 1))
+    found = align(ramp, ramp)
+    assert_allclose(found.similarity, 1)
+    assert_allclose(found.displacement_px, 0)
