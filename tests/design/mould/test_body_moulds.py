@@ -12,7 +12,7 @@ from design.body.imported import body_of_file
 from design.body.meshes import high_points
 from design.build.parts import parts_of
 from design.errors import InputError
-from design.fabrication.casting import check_casting
+from design.fabrication.casting import OPEN_MM3, check_casting
 from design.layout.body import body_of
 from design.layout.core_hold import core_outlet, locators, why_no_mould
 from design.layout.mould_frame import least_undercut, mould_frame, mould_style, parting, up
@@ -277,7 +277,9 @@ def test_vents_stand_on_high_points_and_are_open(peanut):
     assert found(findings, "holes are open").status == "pass"
     plugged = trimesh.creation.cylinder(0.5, segment=[vents[0].start_mm, vents[0].end_mm])
     meshes["mould_half_a"] = meshes["mould_half_a"].union(plugged)
-    assert found(check_casting(peanut, meshes), "holes are open").status == "fail"
+    blocked = found(check_casting(peanut, meshes), "holes are open")
+    assert blocked.status == "fail"
+    assert_allclose(blocked.limit, OPEN_MM3 + 0.01 * np.pi * 1.5**2 / 4)
 
 
 def test_a_closed_mould_is_poured_at_its_upper_corner():

@@ -133,7 +133,7 @@ def test_model_is_chosen_by_the_nearest_distance():
 def test_inside_of_a_tilted_disk():
     axis = (0.6, 0.0, 0.8)
     along, across = np.array(axis), np.array([0.8, 0.0, -0.6])
-    inside = 0.49 * along + 2.9 * across
+    inside = 0.49 * along + 2.99 * across
     for point, expected in (
         (inside, True),
         (0.51 * along, False),

@@ -11,7 +11,7 @@ from pydantic import BaseModel
 from design.errors import InputError
 from design.spec.object import ObjectSpec
 from estimator.layouts.batch import Layouts, layouts_of
-from estimator.layouts.press_basis import mixed_rows, press_basis
+from estimator.layouts.press_basis import _compliance, mixed_rows, press_basis
 from estimator.layouts.scoring import layout_scorer, place_information, score_layouts
 from tests.support.candidate_cases import (
     FACE,
@@ -176,6 +176,13 @@ def test_magnets_beyond_the_candidates_are_refused(scorer, layouts, place, what)
     magnet_mm[2, 1] = torch.tensor(place)
     with pytest.raises(InputError, match=what):
         score_layouts(scorer, replace(layouts, magnet_mm=magnet_mm))
+
+
+def test_compliance_is_the_depth_over_the_force_on_the_straight_line_between_stored_forces(motions):
+    straight = replace(motions, depth_mm=0.2 + 0.3 * motions.force_n)
+    for force_n in (5.0, 9.0):
+        found = _compliance(straight, FACE, force_n)
+        np.testing.assert_allclose(found, (0.2 + 0.3 * force_n) / force_n, rtol=1e-5)
 
 
 def test_what_cannot_be_scored_is_refused(spec, motions, presses):
