@@ -79,6 +79,8 @@ def test_answers_by_hand():
     assert_allclose(found.median_map_n[0, 0], [0.0, 5.0])
     assert_allclose(found.case_map_n[0, 0], [0.0, 5.0])
     assert_allclose(found.total_n, [5.0])
+    late = best_answers(hypotheses, np.array([[5.8]]), np.array([0.5]))
+    assert_allclose(late.case_map_n[0, 0], [0.0, 8.0])
 
 
 def test_no_other_answer_does_better_on_a_small_cube():
