@@ -109,6 +109,13 @@ def test_data_that_make_no_sense_are_refused(header, rows, words, tmp_path):
         read_tensile_test(written(tmp_path, header, rows))
 
 
+def test_six_points_are_enough_and_five_are_not(tmp_path):
+    header = "stretch,nominal_stress_mpa"
+    assert len(read_tensile_test(written(tmp_path, header, GOOD[:6])).stretch) == 6
+    with pytest.raises(InputError, match="5 points"):
+        read_tensile_test(written(tmp_path, header, GOOD[:5]))
+
+
 def test_a_falling_curve_fits_no_solid():
     falling = TensileTest(STRETCH, 0.1 / STRETCH**4)
     with pytest.raises(InputError, match=r"no solid fits pull\.csv to 10 %"):

@@ -21,7 +21,14 @@ from estimator.calibration.recorded_presses import (
     predicted_motions,
     recorded_presses,
 )
-from estimator.calibration.validation import Figure, agreement, channel_rows, predict, verdict
+from estimator.calibration.validation import (
+    Figure,
+    agreement,
+    case_permutations,
+    channel_rows,
+    predict,
+    verdict,
+)
 from estimator.field.models import FieldModel
 from estimator.field.sources import magnet_source
 from estimator.recordings.reading import read_recording
@@ -162,6 +169,15 @@ def motions_of(case, force_n):
     force[:, [2, 4]] = force_n
     presses = replace(presses_of(), face_force_n=force, cases=(case, *CASES[1:]))
     return predicted_motions(SPEC, forces, motions, presses).at(np.zeros(20, int), 1.0)[0]
+
+
+def test_cases_are_exchanged_only_where_every_press_is_predicted_in_every_channel():
+    predicted, case = np.ones((3, 3, 4)), np.arange(3)
+    assert len(case_permutations(predicted, case, 1)) == 6
+    predicted[0, 1, 2] = np.nan
+    found = case_permutations(predicted, case, 1)
+    assert len(found) == 4
+    assert (found[:, 0] != 1).all()
 
 
 def test_motions_superpose_over_tips_and_faces():

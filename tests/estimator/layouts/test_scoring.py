@@ -143,6 +143,19 @@ def test_a_mirrored_layout_has_mirrored_bounds(spec, scorer, layouts):
         assert abs(there / here - 1).max() > 0.1
 
 
+def test_stored_forces_between_the_least_and_the_largest_change_nothing(spec, motions):
+    """Motions count as straight between those two."""
+    between = {
+        "force_n": np.insert(motions.force_n, 1, motions.force_n.mean(axis=2), axis=2),
+        "depth_mm": np.insert(motions.depth_mm, 1, 7.0, axis=2),
+        "by_candidate": np.insert(motions.by_candidate, 1, 7.0, axis=3),
+    }
+    found, wanted = (press_basis(spec, m, FACE) for m in (replace(motions, **between), motions))
+    torch.testing.assert_close(found.own.rows, wanted.own.rows)
+    torch.testing.assert_close(found.own.basis, wanted.own.basis)
+    torch.testing.assert_close(found.mm_per_n, wanted.mm_per_n)
+
+
 def test_rows_are_the_motions_of_the_table(spec, motions, layouts):
     """Unfolded again, in the pressed face's frame, up to the border of the candidates."""
     presses = press_basis(spec, motions, FACE)
