@@ -5,11 +5,14 @@ import time
 import warnings
 
 import pytest
+from pydantic import ValidationError
 
 from design.errors import InputError
 from design.spec.learning import TrainingSpec
+from design.spec.object import MeshSpec, ScoreSpec
 from design.spec_io import load_spec, parse_spec, spec_hash, with_overrides
 
+SPEC_PARTS = {"mesh": MeshSpec, "score": ScoreSpec}
 FILES = {
     "deep": ("x = " + "[" * 500 + "]" * 500, "nests brackets or tables too deep"),
     "many keys": ("\n".join(f"a{k}.b.c = 1" for k in range(100_000)), "250000 at most"),
@@ -51,6 +54,14 @@ def test_poissons_ratio_that_no_element_takes_is_refused(ratio, tmp_path):
     path.write_text(f'name = "x"\n[silicone]\npoisson_ratio = {ratio}')
     with pytest.raises(InputError, match=r"silicone\.poisson_ratio"):
         load_spec(path)
+
+
+@pytest.mark.parametrize("key", ["mesh.edge_mm", "score.force_n"])
+def test_numbers_end_at_a_hundred_million(key):
+    table, name = key.split(".")
+    SPEC_PARTS[table].model_validate({name: 1e8})
+    with pytest.raises(ValidationError, match="less than or equal to 100000000"):
+        SPEC_PARTS[table].model_validate({name: 1.01e8})
 
 
 def test_a_key_of_a_hundred_thousand_tables_is_one_error(tmp_path):

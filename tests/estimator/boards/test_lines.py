@@ -49,6 +49,7 @@ def test_messages_round_trip():
         Load(12, 2, 7.25, 3, ((1.5, -4.5), (0.0, 13.5))),
         Load(13, 1, -0.02, None, ()),
         Load(14, 1, 0.0, 0, ()),
+        Load(15, 9, 1.0, None, ()),
     ]
     sent = encode_header(CHANNELS) + encode_frame(65537, 2**32 + 5, [3, -2, 8.125])
     sent += b"".join(encode_load(load) for load in loads)
@@ -57,6 +58,13 @@ def test_messages_round_trip():
         Frame(1, 5, (3.0, -2.0, 8.125)),
         *loads,
     ]
+
+
+@pytest.mark.parametrize("cell", [0, 10])
+def test_load_cells_are_numbered_from_1_to_9(cell):
+    decoder = started()
+    assert decoder.feed(encode_load(Load(1, cell, 1.0, None, ()))) == []
+    assert decoder.statistics.damaged_lines == 1
 
 
 def test_a_silent_sensor_is_an_empty_cell():
