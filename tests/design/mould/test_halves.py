@@ -8,6 +8,7 @@ from numpy.testing import assert_allclose
 from design.layout.body import face_frames
 from design.layout.mould_frame import parting
 from design.layout.pockets import shell_pockets
+from design.mould.flange import EDGE_MM, LEAST_GAP_MM, PLACES, Flange
 from design.mould.halves import (
     DOWEL_DIAMETER_MM,
     DOWEL_HEIGHT_MM,
@@ -118,3 +119,18 @@ def test_dowels_taper_by_their_draft():
         cone = np.pi * height / 3 * (root**2 + root * tip + tip**2)
         stem = np.pi * root**2 * OVERSHOOT_MM
         assert_allclose(dowel.Volume(), cone + stem, rtol=1e-6)
+
+
+@pytest.mark.parametrize("notches", [(), ((5.0, 9.0),)])
+def test_dowels_and_bolts_stand_at_their_shares_or_beside_a_notch(notches):
+    flange = Flange(0.0, 8.0, -10.0, 30.0, notches)
+    across, levels = np.array(flange.places_mm).T
+    assert_allclose(across, 4)
+    shares = -10 + 40 * np.array(PLACES)
+    assert len(levels) == len(shares)
+    blocked = [any(low - EDGE_MM < s < high + EDGE_MM for low, high in notches) for s in shares]
+    assert_allclose(levels[~np.array(blocked)], shares[~np.array(blocked)])
+    assert sum(blocked) == len(notches)
+    assert np.diff(np.sort(levels)).min() >= LEAST_GAP_MM
+    for low, high in notches:
+        assert ((levels <= low - EDGE_MM) | (levels >= high + EDGE_MM)).all()
