@@ -66,23 +66,17 @@ def test_every_file_beside_the_modules_is_in_the_wheel(installed):
     assert not [path for path in files if not (home / path).is_file()]
 
 
-def test_an_object_is_made_checked_and_built_from_the_wheel(installed, tmp_path):
+def test_an_object_is_made_checked_run_and_built_from_the_wheel(installed, tmp_path):
     instobj = installed / "instobj"
     _run(instobj, "new", "tiny", cwd=tmp_path)
     assert "tiny" in _run(instobj, "check", "tiny.toml", *COARSE, cwd=tmp_path)
-    _run(instobj, "build", "tiny.toml", *COARSE, cwd=tmp_path, **THREADS)
-    assert (tmp_path / "cad_out" / "tiny" / "shell.stl").stat().st_size > 10_000
-    assert "<h1>" in (tmp_path / "cad_out" / "tiny" / "assembly.html").read_text(encoding="utf-8")
-
-
-@pytest.mark.slow
-def test_the_chain_runs_from_the_wheel_alone(installed, tmp_path):
-    instobj = installed / "instobj"
-    _run(instobj, "new", "tiny", cwd=tmp_path)
     _run(instobj, "run", "tiny.toml", *COARSE, cwd=tmp_path, **THREADS)
     report = (tmp_path / "runs" / "tiny" / "report.html").read_text(encoding="utf-8")
     assert "<style>" in report
     assert (tmp_path / "runs" / "tiny" / "scores.csv").is_file()
+    assert (tmp_path / "cad_out" / "tiny" / "shell.stl").stat().st_size > 10_000
+    _run(instobj, "build", "tiny.toml", *COARSE, cwd=tmp_path, **THREADS)
+    assert "<h1>" in (tmp_path / "cad_out" / "tiny" / "assembly.html").read_text(encoding="utf-8")
 
 
 def test_the_pages_that_messages_name_are_in_the_wheel(installed, tmp_path):
