@@ -1,5 +1,6 @@
 """Meshes, loads and closed forms that several tests of mechanics share."""
 
+import hashlib
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -12,7 +13,7 @@ from design.layout.positions import press_lattice
 from design.spec.object import MechanicsSpec, MeshSpec, ObjectSpec, PressSpec, SiliconeSpec
 from fem.contact.complementarity import contact_pressures
 from fem.linear.elements import MixedOperators, assemble, saddle_point_matrix, taylor_hood
-from fem.linear.factorization import compliance_of_loads, solve_symmetric
+from fem.linear.factorization import Factorization, compliance_of_loads, solve_symmetric
 from fem.linear.material import lame_constants
 from fem.linear.response import face_surface
 from fem.presses.table import press_places, profile_moments_mm3, surface_weights_mm2
@@ -60,6 +61,22 @@ def component_basis(free):
             )
         )
     return sp.csr_matrix(sp.block_diag(selections))
+
+
+_FACTORS: dict[str, Factorization] = {}
+
+
+def solve_with_kept_factor(matrix, right_sides):
+    """`solve_symmetric`, the last two matrices' factors kept: many tests solve with the same one."""
+    digest = hashlib.sha256()
+    for array in (matrix.data, matrix.indices, matrix.indptr):
+        digest.update(np.ascontiguousarray(array).tobytes())
+    key = digest.hexdigest()
+    factor = _FACTORS.pop(key, None) or Factorization(matrix)
+    _FACTORS[key] = factor
+    if len(_FACTORS) > 2:
+        _FACTORS.pop(next(iter(_FACTORS))).release()
+    return factor.solve(right_sides)
 
 
 @dataclass(frozen=True)
@@ -135,7 +152,7 @@ def solve_loads(system, nodal_forces):
     """Unknowns (q, p) of an `ElasticSystem` under nodal forces (3·node, load)."""
     motions = system.motion_basis.T @ nodal_forces
     pressures = np.zeros((system.matrix.shape[0] - len(motions), motions.shape[1]))
-    return solve_symmetric(system.matrix, np.vstack([motions, pressures]))
+    return solve_with_kept_factor(system.matrix, np.vstack([motions, pressures]))
 
 
 def graded_axis(cell, uniform_cells, growth, length):
