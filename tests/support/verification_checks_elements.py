@@ -111,7 +111,7 @@ def lame_sphere():
 @cache
 def blunt_press(material):
     """Block under a tip of 2000 mm, so blunt that strains stay small, and its linear forces."""
-    setup = block(radius_mm=2000.0, material=material)
+    setup = block((6, 5, 4), radius_mm=2000.0, material=material)
     depths = np.array([0.004, 0.008])
     own = lame_constants(E_MPA, NU).shear_modulus_mpa
     scale = own / material.shear_modulus_mpa
