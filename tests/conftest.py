@@ -1,4 +1,4 @@
-"""Types, what the processes of a run share, and which files go to one process together."""
+"""Types, what the processes of a run share, and how tests go to them."""
 
 import os
 import shutil
@@ -6,9 +6,8 @@ import tempfile
 from pathlib import Path
 
 import pytest
-from xdist.scheduler import LoadScopeScheduling
 
-from tests.support import typechecks
+from tests.support import scheduling, typechecks
 
 typechecks.install(["design", "fem", "estimator"])
 
@@ -19,16 +18,6 @@ from tests.support import recorded_meshes  # noqa: E402
 recorded_meshes.install()
 saving.DPI = 60  # pictures in full take a minute of a run
 parts.PIXELS = 400
-
-TOGETHER = (
-    ("tests/fem/mesh/", "tests/fem/linear/", "tests/fem/contact/", "tests/fem/presses/"),
-    ("tests/fem/candidates/",),
-    ("tests/estimator/layouts/",),
-)
-"""Folders whose files share meshes and responses of the whole run: one worker takes all of them."""
-
-LONGEST_FIRST = ("tests/fem/", "tests/chain/", "tests/instobj/", "tests/benchmarks/")
-"""So that no worker is left with a long file at the end."""
 
 VERIFICATION_OUTCOMES = pytest.StashKey[list]()
 
@@ -69,24 +58,11 @@ def pytest_sessionfinish(session):
         write_page(outcomes, folder)
 
 
-class _FilesAndRooms(LoadScopeScheduling):
-    """A worker takes a file at a time, or all folders that share fixtures."""
-
-    def _split_scope(self, nodeid):
-        rooms = (folders[0] for folders in TOGETHER if nodeid.startswith(folders))
-        return next(rooms, nodeid.split("::")[0])
-
-
 @pytest.hookimpl(optionalhook=True)
 def pytest_xdist_make_scheduler(config, log):
     config.option.loadscopereorder = False
-    return _FilesAndRooms(config, log)
+    return scheduling.FilesAndRooms(config, log)
 
 
 def pytest_collection_modifyitems(items):
-    ranks = {folder: rank for rank, folder in enumerate(LONGEST_FIRST)}
-
-    def rank(item):
-        return min((r for f, r in ranks.items() if item.nodeid.startswith(f)), default=len(ranks))
-
-    items.sort(key=rank)
+    items.sort(key=lambda item: scheduling.longest_first(item.nodeid))

@@ -23,7 +23,12 @@ from design.spec.object import ObjectSpec
 from instobj.search.study import open_study
 from instobj.stages.run import Run
 from instobj.store.space import entries
-from tests.support.search_cases import made_up_score, made_up_space, searched
+from tests.support.search_cases import (
+    journal_records,
+    made_up_score,
+    made_up_space,
+    searched,
+)
 
 pytestmark = pytest.mark.slow
 
@@ -41,6 +46,8 @@ SPEC = ObjectSpec.model_validate(
 BEGIN = ("mesh", "large_strain")
 """Kept from the first run: the mesher gives another mesh each time, and all later results with it."""
 DISKS_KIB = (0, 32, 128, 256, 512)
+HEAD_RECORDS = 2
+"""Of a journal, before its first trial."""
 SEARCH = {"engine": "random", "trials": 1_000_000, "batch": 8}
 
 CHILDREN = multiprocessing.get_context("forkserver")
@@ -115,7 +122,7 @@ def test_killed_runs_lose_nothing_and_the_next_run_gives_the_same(first, tmp_pat
 
 
 def test_killed_searches_lose_no_kept_trial_and_go_on(tmp_path, monkeypatch):
-    # Optuna waits 30 s for a lock whose owner was killed, as about half of these are
+    # Optuna waits 30 s for a lock whose owner was killed
     monkeypatch.setattr(JournalFileSymlinkLock.__init__, "__defaults__", (3,))
     moments, kept_in_all = random.Random(2), 0
     for number in range(KILLS):
@@ -123,14 +130,14 @@ def test_killed_searches_lose_no_kept_trial_and_go_on(tmp_path, monkeypatch):
         journal.parent.mkdir()
         process = CHILDREN.Process(target=_run_search, args=(journal,))
         process.start()
-        while not _records(journal):
+        while not journal_records(journal):
             time.sleep(0.001)
         time.sleep(moments.uniform(0.0, 0.5))
-        before = _records(journal)
+        before = journal_records(journal)
         process.kill()
         process.join()
         trials = open_study(made_up_space(**SEARCH).spec, journal, resume=True).trials()
-        assert len(trials) >= before - _HEAD_RECORDS
+        assert len(trials) >= before - HEAD_RECORDS
         assert {trial.state.name for trial in trials} <= {"COMPLETE"}
         for trial in trials:
             (made_up,) = made_up_score([trial.params], 0)
@@ -142,14 +149,6 @@ def test_killed_searches_lose_no_kept_trial_and_go_on(tmp_path, monkeypatch):
         kept_in_all += len(trials)
     print(f"{KILLS} searches killed with {kept_in_all} trials kept, none lost")
     assert kept_in_all > KILLS
-
-
-_HEAD_RECORDS = 8
-"""Records of a journal that hold no trial: study, directions, attributes; a generous bound."""
-
-
-def _records(journal: Path) -> int:
-    return journal.read_bytes().count(b"\n") if journal.is_file() else 0
 
 
 @pytest.mark.skipif(

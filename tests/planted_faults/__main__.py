@@ -25,7 +25,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
-import numpy as np
+from scipy.stats import binomtest
 
 from tests.planted_faults.reach import Reach, reach
 from tests.planted_faults.sites import Fault, faults_in, packages_files
@@ -185,18 +185,11 @@ def summary(outcomes: list[dict[str, Any]]) -> str:
     for package in [*packages, ""]:
         mine = [one for one in outcomes if one["path"].startswith(package)]
         noticed = sum(one["outcome"] in NOTICED for one in mine)
-        low, high = _wilson(noticed, len(mine))
+        low, high = binomtest(noticed, len(mine)).proportion_ci(method="wilson")
         share = f"{100 * noticed / len(mine):.1f} % ({100 * low:.1f} to {100 * high:.1f})"
         lines.append(f"{package or 'all':10} {len(mine):7} {noticed:8}  {share}")
     missed = [_said(one) for one in outcomes if one["outcome"] not in NOTICED]
     return "\n".join([*lines, "", *missed])
-
-
-def _wilson(successes: int, count: int, z: float = 1.96) -> tuple[float, float]:
-    share = successes / count
-    centre = (share + z**2 / (2 * count)) / (1 + z**2 / count)
-    half = z * np.sqrt(share * (1 - share) / count + z**2 / (4 * count**2)) / (1 + z**2 / count)
-    return centre - half, centre + half
 
 
 def main() -> None:
@@ -204,8 +197,11 @@ def main() -> None:
     parser.add_argument("--folder", type=Path, required=True, help="for copies and results")
     parser.add_argument("--faults", type=int, default=200)
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--packages", nargs="+", default=list(PACKAGES))
+    everything = (*PACKAGES, "instobj")
+    parser.add_argument("--packages", nargs="+", default=list(PACKAGES), choices=everything)
     options = parser.parse_args()
+    if options.faults < 1:
+        parser.error(f"--faults must be 1 or more; got {options.faults}")
     folder = options.folder.absolute()
     folder.mkdir(parents=True, exist_ok=True)
     found = reach(ROOT, folder)

@@ -12,9 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from design.files import atomic_path
-
-TOGETHER = ("tests/fem/mesh", "tests/fem/linear", "tests/fem/contact", "tests/fem/presses")
-"""Share fixtures of the whole run: lines run in one of these count for the first file alone."""
+from tests.support.scheduling import room_of
 
 
 @dataclass(frozen=True)
@@ -32,16 +30,16 @@ class Reach:
         """
         module = self.lines.get(path, {})
         direct = set(module.get(line, ()))
-        near = str(Path("tests", path).parent)
-        rooms = TOGETHER if near in TOGETHER else (near,)
+        near = f"{Path('tests', path).parent}/"
+        rooms = room_of(near) or (near,)
         anyone = set().union(*module.values()) if module else set()
-        found = direct | {test for test in anyone if str(Path(test).parent) in rooms}
+        found = direct | {test for test in anyone if f"{Path(test).parent}/" in rooms}
         if not direct:
             found = anyone
         own = f"test_{Path(path).stem}.py"
 
         def rank(test: str) -> tuple[bool, bool, float]:
-            away = str(Path(test).parent) != near
+            away = f"{Path(test).parent}/" != near
             return Path(test).name != own or away, away, self.seconds.get(test, 0.0)
 
         return sorted(found, key=rank)
@@ -57,7 +55,8 @@ def reach(root: Path, folder: Path) -> Reach:
         command += [f"--cov={package}" for package in ("design", "fem", "estimator", "instobj")]
         command += ["--cov-context=test", "--cov-report=", f"--junitxml={times}", "tests"]
         threads = {"OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1", "COVERAGE_FILE": str(data)}
-        subprocess.run(command, cwd=root, env=os.environ | threads, check=True)
+        if subprocess.run(command, cwd=root, env=os.environ | threads).returncode:
+            sys.exit("error: the usual tests fail without a fault (see above). Fix them first")
         found = Reach(_lines(root, data), _seconds(times))
         content = {
             "lines": {

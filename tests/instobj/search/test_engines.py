@@ -22,6 +22,7 @@ from instobj.search.engines import ask, sampling
 from instobj.search.study import open_study, repair_journal
 from tests.support.search_cases import (
     OBJECTIVES,
+    journal_records,
     made_up_score,
     made_up_scores,
     made_up_space,
@@ -245,7 +246,7 @@ def test_a_killed_search_loses_no_finished_trial(tmp_path):
         [sys.executable, "-c", code, str(path), str(here)], cwd=here.parents[2]
     )
     deadline = time.monotonic() + 120
-    while _records(path) < 60 and time.monotonic() < deadline:
+    while journal_records(path) < 60 and time.monotonic() < deadline:
         time.sleep(0.05)
     process.send_signal(signal.SIGKILL)
     process.wait()
@@ -254,10 +255,6 @@ def test_a_killed_search_loses_no_finished_trial(tmp_path):
     ).trials()
     assert len(trials) >= 50
     assert {t.state.name for t in trials} == {"COMPLETE"}
-
-
-def _records(path):
-    return path.read_bytes().count(b"\n") if path.is_file() else 0
 
 
 def _sleepy(argument):

@@ -1,0 +1,32 @@
+"""Which test files go to one process together, and in what order."""
+
+from xdist.scheduler import LoadScopeScheduling
+
+TOGETHER = (
+    ("tests/fem/mesh/", "tests/fem/linear/", "tests/fem/contact/", "tests/fem/presses/"),
+    ("tests/fem/candidates/",),
+    ("tests/estimator/layouts/",),
+)
+"""Folders whose files share meshes and responses of the whole run: one worker takes all of them."""
+
+LONGEST_FIRST = ("tests/fem/", "tests/chain/", "tests/instobj/", "tests/benchmarks/")
+"""So that no worker is left with a long file at the end."""
+
+
+def room_of(path):
+    """The folders that go together with that of a test file, or of a test by its name."""
+    return next((folders for folders in TOGETHER if path.startswith(folders)), None)
+
+
+class FilesAndRooms(LoadScopeScheduling):
+    """A worker takes a file at a time, or all folders that share fixtures."""
+
+    def _split_scope(self, nodeid):
+        folders = room_of(nodeid)
+        return folders[0] if folders else nodeid.split("::")[0]
+
+
+def longest_first(nodeid):
+    """Rank of a test: less goes first."""
+    ranks = (rank for rank, folder in enumerate(LONGEST_FIRST) if nodeid.startswith(folder))
+    return min(ranks, default=len(LONGEST_FIRST))
