@@ -16,7 +16,8 @@ from design.errors import InputError
 from design.files import require_regular_file
 from design.processes import ChildFailed, ChildTooSlow, run_child
 
-FORMATS = (".stl", ".obj", ".ply", ".off", ".step", ".stp")
+STEP = (".step", ".stp")
+FORMATS = (".stl", ".obj", ".ply", ".off", *STEP)
 SECONDS = 180.0
 MEMORY_GIB = 8.0
 _READER = "design.solids.foreign"

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 from pydantic import Field, model_validator
 
+from design.body.foreign import STEP
 from design.body.kinds.registry import KINDS
 from design.spec.base import Count, Finite, NonNegative, Positive, SpecPart
 
@@ -23,7 +24,6 @@ FaceNumber = Annotated[int, Field(ge=1, le=6)]
 
 Unit = Literal["mm", "cm", "m", "in"]
 MM: dict[Unit, float] = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4}
-STEP = (".step", ".stp")
 LONGEST_EDGE_MM = (5.0, 1000.0)
 """Of a body: from a fingertip to a person's arms."""
 

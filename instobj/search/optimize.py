@@ -115,7 +115,7 @@ def _document(
     covered = f"{100 * covered_share(found.best.spec):.0f} % of the sensed surface"
     verdict += f". Judged at contact locations that cover {covered}"
     if found.shortened:
-        verdict += f". Of what was asked for, {found.shortened}"
+        verdict += f". {found.shortened}"
     ratios = [
         {"score": name, "start / best": ratio.design, "95 % from": ratio.low, "to": ratio.high}
         for name, ratio in found.ratios.items()

@@ -69,8 +69,8 @@ class Promotion:
     `ratios` of the best against the start at the highest fidelity level, with 95 % intervals between
     toleranced twins. `estimators` holds what estimators trained for the start and for each finalist
     achieve on simulated presses held out (`instobj.search.fidelity.estimator_errors`). `objections`
-    say why the highest fidelity level does not call the best one better than the start. `shortened`
-    says how many were scored where that is fewer than asked for.
+    say why the highest fidelity level does not call the best one better than the start. `asked` are
+    the numbers of leaders and finalists that should have been scored.
     """
 
     start: Promoted
@@ -80,7 +80,18 @@ class Promotion:
     ratios: dict[str, TwinRatio]
     estimators: dict[str, dict[str, float]]
     objections: tuple[str, ...]
-    shortened: str = ""
+    asked: tuple[int, int]
+
+    @property
+    def shortened(self) -> str:
+        """How many were scored, in words, where that is fewer than asked for."""
+        scored = len(self.leaders), len(self.finalists)
+        if scored == self.asked:
+            return ""
+        return (
+            f"{scored[0]} of {self.asked[0]} leaders and {scored[1]} of {self.asked[1]} finalists were "
+            "scored: the others fell out for want of time, or could not be scored"
+        )
 
     @property
     def better(self) -> bool:
@@ -130,8 +141,6 @@ def promote(
         say(f"estimators of {one.label}")
         estimators[one.label] = estimator_errors(one.spec)
     against = objections(search, finalists[0], start, ratios)
-    cut = f"{len(ranked)} of {len(named)} leaders and {len(finalists)} finalists were scored"
-    short = len(ranked) < len(named) or len(finalists) < min(search.finalists, len(named))
     return Promotion(
         start,
         tuple(ranked),
@@ -140,7 +149,7 @@ def promote(
         ratios,
         estimators,
         against,
-        cut if short else "",
+        (len(named), min(search.finalists, len(named))),
     )
 
 

@@ -56,6 +56,7 @@ class TimeLimit:
         try:
             signal.setitimer(signal.ITIMER_REAL, max(self.left_s, _SHORTEST_S))
             yield
+            signal.setitimer(signal.ITIMER_REAL, 0)
         except _Alarm:
             raise InputError(
                 f"the time of this search, search.seconds = {self.seconds:g}, was spent before there "

@@ -105,10 +105,13 @@ def _cross_face(results: ChainResults) -> list[list[str]]:
     """Tails of what presses on adjacent faces do: the score above is a median."""
     folders = (results.scores_before, results.scores_after)
     before, after = (CROSS_FACE.read(folder)["adjacent"] for folder in folders)
+    if not before:
+        return []
+    rows = [(n, label, before[n], after[n]) for n, label in _CROSS_FACE_TAILS.items()]
     return [
-        [label, f"{before[name]:.4g}", f"{after[name]:.4g}", f"× {after[name] / before[name]:.2f}"]
-        for name, label in _CROSS_FACE_TAILS.items()
-        if before and after and before[name] > 0
+        [label, f"{old:.4g}", f"{new:.4g}", _change(name, old, new)]
+        for name, label, old, new in rows
+        if old > 0
     ]
 
 

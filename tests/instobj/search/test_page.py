@@ -85,7 +85,7 @@ def promote(objections):
     correlations = {level: dict.fromkeys(SCORE_NAMES, 0.5) for level in ("1", "2")}
     ratios = {"worst_position_bound_mm": TwinRatio(2.0, 1.1, 3.0)}
     estimators = {one.label: dict.fromkeys(METRIC_LABELS, 0.25) for one in (start, best)}
-    return Promotion(start, (best,), (best,), correlations, ratios, estimators, objections)
+    return Promotion(start, (best,), (best,), correlations, ratios, estimators, objections, (1, 1))
 
 
 @pytest.mark.parametrize("objections", [(), ("the objectives' mean is not better",)])
