@@ -56,9 +56,10 @@ class Environment:
     plates: tuple[Plate, ...]
 
     def field_at(self, points_mm: Vector) -> Vector:
-        """B (T) without the object's own magnets and their images."""
+        """B (T) without the object's own magnets and their images, at points of any one shape."""
         total = _vector(self.uniform_t)
-        for model, centre, axis in self.strays:
+        for model, *place in self.strays:
+            centre, axis = (_before(given, points_mm) for given in place)
             total = _plus(total, with_images(points_mm, centre, axis, model, self.plates))
         return total
 
@@ -127,6 +128,13 @@ def _vector(array: Float[np.ndarray, "3"]) -> Vector:
 def _column(array: Float[np.ndarray, "3"]) -> Vector:
     """Components with a first dimension of one magnet."""
     x, y, z = array[:, None]
+    return x, y, z
+
+
+def _before(magnet: Vector, points_mm: Vector) -> Vector:
+    """Components of one magnet, in a dimension before those of the points."""
+    dimensions = max(np.ndim(part) for part in points_mm)
+    x, y, z = (part.reshape(-1, *[1] * dimensions) for part in magnet)
     return x, y, z
 
 

@@ -244,3 +244,28 @@ def test_block_magnets_that_turn_take_their_sides_along(gap_mm):
         abs(sensed_field(place, motion, model) - sensed_field(place, at_rest(place), model)).max()
         > 1e-5
     )
+
+
+def test_a_moving_sensor_feels_a_stray_magnet_where_it_is():
+    stray = {"position_mm": [60, -10, 20], "diameter_mm": 12, "height_mm": 6, "remanence_t": 1.3}
+    spec = REVERSE.changed(environment=REVERSE.environment.changed(magnets=[stray]))
+    place, bare = scene(spec), scene(REVERSE)
+    model = FieldModel(magnet_source(spec.magnets), "exact")
+    motion = np.zeros((4, place.bodies, 6))
+    motion[1:, :, 2] = [[0.3], [-0.5], [1.0]]
+    added = sensed_field(place, motion, model) - sensed_field(bare, motion, model)
+    magnet = magpylib.magnet.Cylinder(
+        polarization=(0, 0, 1.3), dimension=(12e-3, 6e-3), position=(60e-3, -10e-3, 20e-3)
+    )
+    points = place.sensors.position_mm + motion[:, :, :3]
+    assert_allclose(added, magnet.getB(points / 1e3), rtol=1e-6, atol=1e-12)
+
+
+def test_few_presses_read_as_many():
+    spec = coarse_spec(environment={"magnets": [{"position_mm": [60, 0, 0]}], **AROUND})
+    place, model = scene(spec), FieldModel(magnet_source(spec.magnets), "multipole", 9)
+    scale = [0.3, 0.3, 0.3, 0.05, 0.05, 0.05]
+    motion = np.random.default_rng(3).normal(size=(200, place.bodies, 6)) * scale
+    many = sensed_field(place, motion, model)
+    few = np.concatenate([sensed_field(place, part, model) for part in np.split(motion, 20)])
+    assert_allclose(few, many, rtol=1e-12)
