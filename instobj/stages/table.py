@@ -162,7 +162,7 @@ STAGES: dict[str, Stage] = {
         ("presses",),
         ("magnets", "sensors", "arrangement", "environment", "as_built", "seed"),
         make_signals,
-        version=2,
+        version=3,
     ),
     "scores": Stage(
         "sensitivity: bounds and maps", ("signals",), ("score", "seed"), make_scores, version=6
