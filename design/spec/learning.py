@@ -120,13 +120,33 @@ class ProtocolSpec(SpecPart):
         return self
 
 
+class InversionSpec(SpecPart):
+    """Contacts read by inverting the forward model, with `training.model = "inversion"`.
+
+    Up to `contacts` at once, each of at least `least_force_n`, anywhere on the sensed faces.
+    `probes`: "free" contacts stand and bear anyhow; "known" are the paper's probes, at most one a
+    face, of one tip, two 15 mm or three 20 mm apart (farther for tips of more than 5 mm radius), which
+    bear alike within 30 %. `model_error` is the error of the forward model relative to the signals;
+    left out, it is what `[tolerances]` make of the design, or what a calibrated twin leaves over.
+    `drift_counts` is the drift since the last zero.
+    """
+
+    contacts: Annotated[int, Field(ge=1, le=8)] = 6
+    least_force_n: Annotated[Positive, Field(le=100)] = 0.2
+    probes: Literal["free", "known"] = "free"
+    model_error: Annotated[float, Field(ge=0, lt=1)] | None = None
+    drift_counts: NonNegative = 0.0
+
+
 class TrainingSpec(SpecPart):
     """Contact estimator, one per face.
 
     `model`: "compact" reads the face's own sensors, "whole-object" those of every face, so that it
     copes with presses on other faces; "paper" is the network and recipe of Knopke et al. (RA-L
     2024), for which `hidden_units`, `batch_size` and `learning_rate` are its own; "linear" is ridge
-    regression. `output`: a "heatmap" of any number of contacts, or the "position" of one contact,
+    regression; "inversion" is no network but the most probable contacts of the forward model
+    (`[inversion]`), for which nothing else here counts. `output`: a "heatmap" of any number of contacts,
+    or the "position" of one contact,
     which contact locations that training never saw need (compact and whole-object only). `heatmap_axes`: 1
     for the normal force, 3 for Fx, Fy, Fz. With `history_frames` the estimator also reads the change
     over so many frames, which tells loading from unloading (hysteresis of the silicone). `ensemble`:
@@ -136,7 +156,7 @@ class TrainingSpec(SpecPart):
     possible.
     """
 
-    model: Literal["compact", "whole-object", "paper", "linear"] = "compact"
+    model: Literal["compact", "whole-object", "paper", "linear", "inversion"] = "compact"
     output: Literal["heatmap", "position"] = "heatmap"
     heatmap_axes: Literal[1, 3] = 1
     history_frames: Annotated[int, Field(ge=0, le=100)] = 0

@@ -16,7 +16,14 @@ from design.spec.base import SpecPart
 from design.spec.body import BodySpec, CoreSpec, ShellSpec
 from design.spec.environment import EnvironmentSpec
 from design.spec.fabrication import ExportSpec, MouldSpec, PrinterSpec
-from design.spec.learning import CollectionSpec, LimitsSpec, ProtocolSpec, ScoreSpec, TrainingSpec
+from design.spec.learning import (
+    CollectionSpec,
+    InversionSpec,
+    LimitsSpec,
+    ProtocolSpec,
+    ScoreSpec,
+    TrainingSpec,
+)
 from design.spec.magnets import MagnetSpec
 from design.spec.mechanics import ContactGridSpec, IndenterSpec, MechanicsSpec, MeshSpec, PressSpec
 from design.spec.search import SearchSpec
@@ -54,6 +61,7 @@ class ObjectSpec(SpecPart):
     protocol: ProtocolSpec = ProtocolSpec()
     collection: CollectionSpec = CollectionSpec()
     training: TrainingSpec = TrainingSpec()
+    inversion: InversionSpec = InversionSpec()
     limits: LimitsSpec = LimitsSpec()
     tolerances: TolerancesSpec = TolerancesSpec()
     as_built: AsBuiltSpec = AsBuiltSpec()

@@ -192,6 +192,18 @@ class CalibratedTwin:
     left: Float[np.ndarray, "row channel"]
     jacobian: Float[np.ndarray, "row channel number"]
 
+    @property
+    def modulus_error(self) -> float:
+        """Standard deviation of the modulus, relative, that the labelled presses leave."""
+        draws = (
+            self.numbers
+            + (
+                self.factor @ np.random.default_rng(0).standard_normal((len(self.numbers), _DRAWS))
+            ).T
+        )
+        found = [self.unknowns.assembly(numbers).modulus_ratio for numbers in draws]
+        return float(np.std(found) / np.mean(found))
+
     def signals(self, rng: np.random.Generator | None = None) -> Signals:
         """Signals of every press of the face's lattice: the most probable ones, or a draw of what
         the labelled presses leave possible.

@@ -65,7 +65,10 @@ def train(
     as_json: AsJson = False,
     overrides: Overrides = None,
 ) -> None:
-    """Train a contact estimator per face, on simulated presses or on a data set."""
+    """Train a contact estimator per face, on simulated presses or on a data set.
+
+    With --set training.model=inversion: tables of the forward model, for contacts on all faces at once.
+    """
     _estimate(sources, ("networks",), start, twin, out, as_json, overrides)
 
 
@@ -100,7 +103,7 @@ def export(
 
 @app.command()
 def predict(
-    model: Annotated[Path, typer.Argument(help="Exported estimator (.onnx).")],
+    model: Annotated[Path, typer.Argument(help="Exported estimator (.onnx), or contacts.nc.")],
     file: Annotated[
         Path | None, typer.Argument(help="Recording or data set.", show_default=False)
     ] = None,
@@ -124,14 +127,19 @@ def predict(
     as_json: AsJson = False,
 ) -> None:
     """Contacts in a recording, or live from a board (one JSON document per frame)."""
+    from estimator.inversion.storage import is_inversion
+    from instobj.commands.hardware.contacts import contacts_in_file, contacts_on_port
     from instobj.commands.hardware.predict import Zeroing, predict_file, predict_port
 
+    in_file, on_port = predict_file, predict_port
+    if is_inversion(model):
+        in_file, on_port = contacts_in_file, contacts_on_port
     if (file is None) == (port is None):
         raise InputError("give either a file or --port, the serial port of a board")
     if file is not None:
-        show(predict_file(model, file, out, Zeroing(zero, zero_frames)), as_json)
+        show(in_file(model, file, out, Zeroing(zero, zero_frames)), as_json)
     elif port is not None:
-        for line in predict_port(model, port, Zeroing(zero, zero_frames), frames, baud):
+        for line in on_port(model, port, Zeroing(zero, zero_frames), frames, baud):
             typer.echo(line)
 
 

@@ -195,7 +195,8 @@ def run_estimator(
     On data sets training goes on from the estimators in the folder `start`, if given, and gets
     presses of the calibrated twin of the specification `twin`, if given.
     """
-    from instobj.commands.training import run_on_data_set
+    from instobj.commands.inversion import invert_on_data_set
+    from instobj.commands.training import run_on_data_set, settings_of
 
     require_writable(out)
     objects = []
@@ -205,7 +206,9 @@ def run_estimator(
                 f"{path} is a recording, not a data set. Run `instobj recordings {path}` first and "
                 "give the frames.nc that it writes"
             )
-        if path.suffix == ".nc":
+        if path.suffix == ".nc" and settings_of(overrides)[0].model == "inversion":
+            objects.append(invert_on_data_set(path, stages, out, overrides, twin))
+        elif path.suffix == ".nc":
             objects.append(run_on_data_set(path, stages, out, overrides, start, twin))
         elif start is not None or twin is not None:
             raise InputError(
@@ -214,8 +217,15 @@ def run_estimator(
                 "estimators are tuned to"
             )
         else:
-            objects.append(_run_one(load_spec(path, overrides), stages, out))
+            spec = load_spec(path, overrides)
+            chosen = tuple(_INVERTING.get(stage, stage) for stage in stages)
+            inverts = spec.training.model == "inversion"
+            objects.append(_run_one(spec, chosen if inverts else stages, out))
     return {"command": "estimator", "objects": objects}
+
+
+_INVERTING = {"networks": "inversion", "metrics": "contact_metrics"}
+"""Stages that stand for those of networks where the forward model is inverted."""
 
 
 def _require_distinct_names(loaded: list[ObjectSpec], paths: list[Path]) -> None:

@@ -91,7 +91,7 @@ def run_on_data_set(
     )
     from instobj.stages.table import STAGES
 
-    training, seed = _settings(overrides)
+    training, seed = settings_of(overrides)
     frames = load_frames(path)
     name = run_name(path)
     progress = ProgressLine()
@@ -185,15 +185,22 @@ def _keys_of_models(folder: Path) -> dict[str, str]:
     return {path.name: file_key(path) for path in paths}
 
 
-def _settings(overrides: list[str]) -> tuple[TrainingSpec, int]:
+def settings_of(overrides: list[str]) -> tuple[TrainingSpec, int]:
+    """Training and seed that a data set is given on the command line.
+
+    Raises
+    ------
+    InputError
+        Overrides of the object, which only its specification has.
+    """
     from design.spec_io import parse_spec, with_overrides
 
     for override in overrides:
         key = override.partition("=")[0].strip()
-        if key != "seed" and not key.startswith("training."):
+        if key != "seed" and not key.startswith(("training.", "inversion.")):
             raise InputError(
-                f"--set {override}: a data set takes only seed and training.* settings. Give the "
-                "specification instead of the data set to change the object"
+                f"--set {override}: a data set takes only seed, training.* and inversion.* settings. "
+                "Give the specification instead of the data set to change the object"
             )
     spec = parse_spec(with_overrides({"name": "data-set"}, overrides), "--set")
     return spec.training, spec.seed

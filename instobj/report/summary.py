@@ -13,10 +13,12 @@ from instobj.store.content import StoredResult
 from instobj.store.readers import (
     CALIBRATION,
     COLLECTION_SUMMARY,
+    CONTACT_METRICS,
     CORE_TENSION,
     CROSS_FACE,
     DISCRETISATION,
     IDENTIFIABILITY,
+    INVERTED_TWIN,
     MANIFEST,
     MESH_QUALITY,
     METRICS,
@@ -54,6 +56,9 @@ def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) 
         ("networks", "calibrated twin (medians over labelled places)", _calibration),
         ("metrics", "metrics on held-out presses (frames of contact and of rest)", _metrics),
         ("metrics", "intervals on held-out presses (medians of widths; presses)", _intervals),
+        ("inversion", "calibrated twin (medians over labelled places)", _inverted_twin),
+        ("contact_metrics", "frames read by inversion", _judged_frames),
+        ("contact_metrics", "contacts found by inversion, means over frames", _contacts),
     )
     made = {
         title: _finite(make(results[stage])) for stage, title, make in makers if stage in results
@@ -75,7 +80,24 @@ def _discretisation(result: StoredResult) -> dict[str, Any]:
 
 def _calibration(result: StoredResult) -> list[dict[str, Any]]:
     """Nothing where no twin was calibrated; faces without one have fewer numbers."""
-    content = CALIBRATION.read(result.folder)
+    return _calibrated_faces(CALIBRATION.read(result.folder))
+
+
+def _inverted_twin(result: StoredResult) -> list[dict[str, Any]]:
+    """As `_calibration`."""
+    return _calibrated_faces(INVERTED_TWIN.read(result.folder))
+
+
+def _judged_frames(result: StoredResult) -> dict[str, Any]:
+    content = CONTACT_METRICS.read(result.folder)
+    return {name: value for name, value in content.items() if name != "contacts"}
+
+
+def _contacts(result: StoredResult) -> list[dict[str, Any]]:
+    return CONTACT_METRICS.read(result.folder)["contacts"]
+
+
+def _calibrated_faces(content: dict[str, Any] | None) -> list[dict[str, Any]]:
     rows = content["faces"] if content else []
     every = [(name, value) for row in rows for name, value in row.items()]
     names = dict.fromkeys(name for name, value in every if not isinstance(value, list))

@@ -6,6 +6,7 @@ from instobj.stages.makers.alternatives import make_alternatives
 from instobj.stages.makers.collection import make_collection
 from instobj.stages.makers.deformation import make_large_strain, make_shapes
 from instobj.stages.makers.fabrication import make_fabrication, make_sheet
+from instobj.stages.makers.inversion import make_contact_metrics, make_inversion
 from instobj.stages.makers.magnet_free import (
     make_candidates,
     make_compliance,
@@ -229,6 +230,21 @@ STAGES: dict[str, Stage] = {
     ),
     "metrics": Stage(
         "estimator: held-out presses", ("frames", "networks"), (), make_metrics, version=3
+    ),
+    "inversion": Stage(
+        "estimator: tables of the forward model",
+        ("presses", "signals"),
+        (
+            *(*_WHERE_THINGS_ARE, "core", "sensors", "environment", "as_built", "mechanics"),
+            *("indenter", "inversion", "tolerances", "seed"),
+        ),
+        make_inversion,
+    ),
+    "contact_metrics": Stage(
+        "estimator: contacts of a virtual object",
+        ("response", "large_strain", "presses", "inversion"),
+        ("collection", "protocol", "silicone.prony", "tolerances", "seed"),
+        make_contact_metrics,
     ),
     "surroundings": Stage(
         "signals: surroundings at rest",

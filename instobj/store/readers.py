@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from design.build.manifest import BuildManifest
     from estimator.frames.dataset import FrameSet
     from estimator.information.scores import PlaceScores
+    from estimator.inversion.inversion import Inversion
     from estimator.networks.face_model import FaceModel
     from estimator.signals.presses import Signals
     from estimator.tolerances.result import Robustness
@@ -182,6 +183,12 @@ def _face_models(path: Path) -> dict[int, FaceModel]:
     return {model.face: model for model in models}
 
 
+def _inversion(path: Path) -> Inversion:
+    from estimator.inversion.storage import load_inversion
+
+    return load_inversion(path)
+
+
 MANIFEST = ResultFile("build", "manifest.json", _manifest)
 PARTS_PICTURE = ResultFile("build", "parts.png", _path)
 FINDINGS = ResultFile("fabrication", "fabrication.json", _json, published=True)
@@ -231,6 +238,11 @@ CALIBRATION_PICTURE = ResultFile("networks", "calibration.png", _path, published
 PRETRAINED = ResultFile("pretraining", "pretrained/*.safetensors", _face_models, published=True)
 METRICS = ResultFile("metrics", "metrics.json", _json, published=True)
 HELD_OUT_PICTURE = ResultFile("metrics", "metrics/held_out.png", _path, published=True)
+INVERSION = ResultFile("inversion", "contacts.nc", _inversion, published=True)
+INVERTED_TWIN = ResultFile("inversion", "calibration.json", _json_if_there, published=True)
+INVERTED_TWIN_PICTURE = ResultFile("inversion", "calibration.png", _path, published=True)
+CONTACT_METRICS = ResultFile("contact_metrics", "contact_metrics.json", _json, published=True)
+CONTACT_PICTURE = ResultFile("contact_metrics", "metrics/contacts.png", _path, published=True)
 SURROUNDINGS = ResultFile("surroundings", "surroundings.json", _json)
 PRESS_CURVES = ResultFile("press_curves", "press_curves.json", _json)
 PRESS_CURVES_PICTURE = ResultFile("press_curves", "press_curves.png", _path)

@@ -70,7 +70,7 @@ def predict_file(
     """
     model = load_deployed(model_path)
     require_writable(out)
-    if _is_data_set(path):
+    if is_data_set(path):
         if zeroing.mode not in (None, "none"):
             raise InputError(
                 f"{path} is a data set, zeroed press by press; got --zero {zeroing.mode}. Leave "
@@ -133,7 +133,8 @@ def _live(
             yield json.dumps(row | told)
 
 
-def _is_data_set(path: Path) -> bool:
+def is_data_set(path: Path) -> bool:
+    """Whether a file is a data set of instobj, by what it holds."""
     import h5py
 
     if path.suffix != ".nc" or not path.is_file() or not h5py.is_hdf5(path):
@@ -180,13 +181,31 @@ def _rows(time_s: np.ndarray, found: Prediction) -> list[dict[str, float]]:
 
 
 def export_models(models: list[Path], out: Path) -> dict[str, Any]:
-    """Write an ONNX file for each trained estimator, in `out` or beside it."""
+    """Write an ONNX file for each trained estimator, in `out` or beside it.
+
+    One that inverts the forward model is what the robot reads already: it is read once, and copied to
+    `out`.
+    """
     from estimator.deploy.export import export_onnx
+    from estimator.inversion.storage import is_inversion
     from estimator.networks.face_model import load_model
 
     written = []
     for path in models:
+        if is_inversion(path):
+            written.append(_checked_inversion(path, out))
+            continue
         target = (path.parent if out == Path() else out) / f"{path.stem}.onnx"
         export_onnx(load_model(path), target)
         written.append(target)
     return {"command": "export", "files": file_rows(written)}
+
+
+def _checked_inversion(path: Path, out: Path) -> Path:
+    from estimator.inversion.storage import load_inversion, save_inversion
+
+    model = load_inversion(path)
+    if out == Path() or out.resolve() == path.parent.resolve():
+        return path
+    save_inversion(model, out / path.name)
+    return out / path.name

@@ -60,7 +60,7 @@ class TwinOfData:
         left = places_left_out(
             self.spec, *self.presses, seen, lambda text: step(f"face {face}: {text}")
         )
-        self.rows.append(_row(twin, seen, *left))
+        self.rows.append(calibration_row(twin, seen, *left))
         train = with_calibrated_presses(
             twin, parts, self.draws, lambda text: step(f"face {face}: {text}")
         )
@@ -73,6 +73,12 @@ class TwinOfData:
         write_json({"object": self.spec.name, "faces": self.rows}, CALIBRATION.path(folder))
         judged = [row for row in self.rows if row["places"]]
         draw_calibration(self.spec, judged, CALIBRATION_PICTURE.path(folder))
+
+
+def rms_left(share: np.ndarray) -> float:
+    """Of the signals, over places that the twin had not seen, and what meshes of one design differ by
+    at least."""
+    return float(max(np.sqrt(np.mean(share**2)), _EXACT_PERCENT / 200))
 
 
 def require_settings(training: TrainingSpec) -> None:
@@ -166,7 +172,7 @@ def verdict(left_percent: float, design_percent: float, strained: int) -> str:
     return "yes"
 
 
-def _row(
+def calibration_row(
     twin: CalibratedTwin, seen: PressedPlaces, calibrated: np.ndarray, planned: np.ndarray
 ) -> dict[str, Any]:
     """What was found, and residual signals at held-out locations."""

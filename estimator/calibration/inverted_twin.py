@@ -1,0 +1,63 @@
+"""The estimator that inverts calibrated twins: one twin for each face with labelled presses."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import numpy as np
+from jaxtyping import Float
+
+from design.layout.positions import sensor_layout
+from design.spec.object import ObjectSpec
+from estimator.calibration.digital_twin import CalibratedTwin
+from estimator.inversion.inversion import Inversion, inversion
+from estimator.inversion.noise import design_error
+from estimator.signals.presses import Signals, press_signals
+from fem.presses.results import MagnetMotions, PressForces
+
+
+def inverted_twin(
+    spec: ObjectSpec,
+    forces: PressForces,
+    motions: MagnetMotions,
+    twins: Mapping[int, CalibratedTwin],
+    left: Mapping[int, float],
+) -> Inversion:
+    """An estimator of the object that labelled presses show, and of the design on other faces.
+
+    `left` is the share of the signals that each face's twin leaves at places that it has not seen.
+    What a press shows on other faces' sensors is the design's, with the twin's core and modulus.
+
+    Raises
+    ------
+    InputError
+        Labelled presses that fit no object of the specification.
+    """
+    design = press_signals(spec, forces, motions)
+    signals = design
+    for face, twin in twins.items():
+        signals = _with_face(signals, twin.signals(), face)
+    errors = _errors(spec, design_error(spec, forces, motions, design), left)
+    return inversion(spec, forces, motions, signals, errors, _force_error(spec, twins))
+
+
+def _with_face(whole: Signals, one: Signals, face: int) -> Signals:
+    row = int(np.flatnonzero(whole.faces == face)[0])
+    force, delta = whole.force_n.copy(), whole.delta_counts.copy()
+    force[row], delta[row] = one.force_n[0], one.delta_counts[0]
+    return replace(whole, force_n=force, delta_counts=delta)
+
+
+def _errors(
+    spec: ObjectSpec, of_design: float, left: Mapping[int, float]
+) -> Float[np.ndarray, "sensor 1"]:
+    of_face = [left.get(face, of_design) for face in sensor_layout(spec).face.tolist()]
+    return np.array(of_face)[:, None]
+
+
+def _force_error(spec: ObjectSpec, twins: Mapping[int, CalibratedTwin]) -> float:
+    """That of the modulus: of the worst face's labels, or of the design where a face has none."""
+    if set(twins) != set(spec.body.sensed):
+        return spec.tolerances.modulus_relative
+    return max(twin.modulus_error for twin in twins.values())

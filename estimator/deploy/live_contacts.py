@@ -1,0 +1,98 @@
+"""Readings of a board, zeroed and read as contacts of the whole object, frame by frame (no torch)."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from jaxtyping import Float
+
+from design.errors import InputError
+from estimator.deploy.zeroing import ZERO_FRAMES, RestZero, ZeroMode
+from estimator.inversion.inversion import Inversion
+from estimator.inversion.noise import BLIND
+from estimator.inversion.readings import ContactSets
+from estimator.inversion.tracking import Tracker
+
+
+@dataclass
+class LiveContacts:
+    """Contacts in raw counts, tracked; zeroed as `estimator.deploy.runtime.LiveReader` does.
+
+    Attributes
+    ----------
+    zero, zero_frames : as there
+    """
+
+    inversion: Inversion
+    zero: ZeroMode = "rest"
+    zero_frames: int = ZERO_FRAMES
+    _rest: RestZero | None = None
+    _resting: list[np.ndarray] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        self.rezero()
+
+    def rezero(self) -> None:
+        """Take the zero anew from the frames that follow, with nothing pressed."""
+        self._tracker, self._still = Tracker(self.inversion), Tracker(_of_one(self.inversion))
+        follows = self.zero == "rest"
+        self._rest = RestZero(self.zero_frames, self._read_still) if follows else None
+        self._resting = []
+
+    def feed(
+        self, raw_counts: Float[np.ndarray, "face sensor 3"], time_s: float = math.nan
+    ) -> ContactSets | None:
+        """Read one frame, faces in order from 1; None while there is no zero.
+
+        Raises
+        ------
+        InputError
+            Another number of faces or sensors than the estimator's, or a missing reading.
+        """
+        now = self._channels_of(raw_counts)
+        zero = self._zero_after(now, time_s)
+        return None if zero is None else self._tracker.feed(now - zero)
+
+    def _zero_after(self, now: np.ndarray, time_s: float) -> np.ndarray | None:
+        if self.zero == "none":
+            return np.zeros(len(now))
+        if self._rest is not None:
+            self._rest.update(now, time_s)
+            return self._rest.level
+        if len(self._resting) < self.zero_frames:
+            self._resting.append(now)
+            return None
+        return np.mean(self._resting, axis=0)
+
+    def _read_still(self, change: Float[np.ndarray, "channel"]) -> tuple[float, float]:
+        found = self._still.feed(change)
+        pressed = found.number[0] > 0
+        share = found.odds[0] if pressed else 1 - found.odds[0]
+        return float(share), float(np.nansum(found.force_n[0]))
+
+    def _channels_of(self, raw: Float[np.ndarray, "face sensor 3"]) -> Float[np.ndarray, "channel"]:
+        faces = self.inversion.model.signals.faces
+        sensors = self.inversion.model.channels // (3 * len(faces))
+        if raw.shape[0] < faces.max() or raw.shape[1] < sensors:
+            raise InputError(
+                f"the estimator reads {sensors} sensors on faces {faces.tolist()}; got readings of "
+                f"{raw.shape[1]} sensors on {raw.shape[0]} faces. Use the estimator of the object "
+                "that is read"
+            )
+        values = raw[faces - 1, :sensors].reshape(-1)
+        missing = np.isnan(values) & (self.inversion.disturbances.noise_counts < BLIND)
+        if missing.any():
+            channel = int(np.argmax(missing))
+            name = f"F{faces[channel // (3 * sensors)]}-{'XYZ'[channel % 3]}{channel // 3 % sensors + 1}"
+            raise InputError(
+                f"channel {name} gives no reading. Fix the sensor, or name it dead under "
+                "as_built.sensors and train anew"
+            )
+        return np.nan_to_num(values)
+
+
+def _of_one(inversion: Inversion) -> Inversion:
+    """That knows at most one contact: quick, and enough to tell a press from rest."""
+    return replace(inversion, priors=replace(inversion.priors, number=(0.5, 0.5)))

@@ -1,0 +1,131 @@
+"""The estimator of a whole object that inverts its forward model."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from jaxtyping import Float
+
+from design.layout.tips import footprint_mm, tip_positions_mm
+from design.spec.object import ObjectSpec
+from estimator.inversion.forward import ContactModel, contact_model
+from estimator.inversion.noise import Disturbances, disturbances
+from estimator.inversion.posterior import Observed, Priors
+from estimator.inversion.readings import ContactSets, best_and_next
+from estimator.inversion.search import Search
+from estimator.signals.presses import Signals
+from fem.presses.results import MagnetMotions, PressForces
+
+_FRAMES_AT_ONCE = 100
+KNOWN_FORCE_SPREAD = 0.3
+
+
+@dataclass(frozen=True)
+class Inversion:
+    """Reads contacts anywhere on an object, from one frame or the mean of a hold, with no training.
+
+    Attributes
+    ----------
+    model : what contacts do to the signals
+    disturbances : what else does
+    priors : what is believed of contacts
+    """
+
+    model: ContactModel
+    disturbances: Disturbances
+    priors: Priors
+
+    @cached_property
+    def search(self) -> Search:
+        """From scratch."""
+        return Search(self.model, self.priors)
+
+    def read(
+        self,
+        counts: Float[np.ndarray, "frame channel"],
+        averaged: int = 1,
+        progress: Callable[[int], None] | None = None,
+    ) -> tuple[ContactSets, ContactSets]:
+        """The most probable contacts of every frame by itself, and the next best answer.
+
+        Parameters
+        ----------
+        counts : changes against rest; NaN where a channel has no reading
+        averaged : how many frames of a hold each is the mean of
+        progress : is told how many frames are done
+        """
+        parts = []
+        for start in range(0, len(counts), _FRAMES_AT_ONCE):
+            seen = self.disturbances.observed(counts[start : start + _FRAMES_AT_ONCE], averaged)
+            parts.append(self._told(seen))
+            if progress is not None:
+                progress(min(start + _FRAMES_AT_ONCE, len(counts)))
+        best, second = zip(*parts, strict=True)
+        return joined(best), joined(second)
+
+    def _told(self, seen: Observed) -> tuple[ContactSets, ContactSets]:
+        best, second = best_and_next(self.model, seen, self.search.contacts(seen))
+        error = self.disturbances.force_error
+        return best.with_force_error(error), second.with_force_error(error)
+
+
+def joined(parts: tuple[ContactSets, ...]) -> ContactSets:
+    """Frames one after the other."""
+    return ContactSets(
+        *(
+            np.concatenate([getattr(part, name) for part in parts])
+            for name in ContactSets.__dataclass_fields__
+        )
+    )
+
+
+def inversion(
+    spec: ObjectSpec,
+    forces: PressForces,
+    motions: MagnetMotions,
+    signals: Signals,
+    model_error: float | Float[np.ndarray, "sensor 1"],
+    force_error: float,
+) -> Inversion:
+    """The estimator of an object whose single presses give `signals` on the design's mechanics.
+
+    `model_error` counts where `inversion.model_error` is left out; `force_error` is that of the
+    modulus. Both are relative.
+
+    Raises
+    ------
+    InputError
+        A force that does not grow with depth, or known probes that do not fit on the faces.
+    """
+    model = contact_model(spec, forces, motions, signals)
+    error = model_error if spec.inversion.model_error is None else spec.inversion.model_error
+    return Inversion(model, disturbances(spec, error, force_error), contact_priors(model))
+
+
+def contact_priors(model: ContactModel) -> Priors:
+    """As `[inversion]` has them: any number of contacts is as likely as any other, every place in the
+    table, and every force up to the table's largest; tips of the specification's indenter stand apart."""
+    asked, (low, high) = model.spec.inversion, model.bounds
+    faces, radius = (
+        len(model.signals.faces),
+        float(np.ptp(footprint_mm(model.spec.indenter), axis=0).min()),
+    )
+    known = asked.probes == "known"
+    return Priors(
+        tuple(np.full(asked.contacts + 1, 1 / (asked.contacts + 1)).tolist()),
+        faces,
+        float(faces * np.prod(high[:2] - low[:2])),
+        (asked.least_force_n, float(high[2])),
+        radius,
+        KNOWN_FORCE_SPREAD if known else None,
+        probe_spacing_mm(radius / 2) if known else (),
+    )
+
+
+def probe_spacing_mm(tip_radius_mm: float) -> tuple[float, ...]:
+    """Between the tips of the paper's probes of two and three."""
+    places = (tip_positions_mm(tips, tip_radius_mm) for tips in (2, 3))
+    return tuple(float(np.linalg.norm(xy[1] - xy[0])) for xy in places)

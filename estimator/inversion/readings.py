@@ -1,0 +1,131 @@
+"""What is told of a frame: contacts with their uncertainty, their odds, and whether they explain it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from jaxtyping import Float, Int
+
+from estimator.inversion.forward import NONE, ContactModel
+from estimator.inversion.posterior import Observed, Problems
+from estimator.inversion.search import Hypotheses
+
+COVERAGE = 0.9
+NO_FACE = 0
+
+
+@dataclass(frozen=True)
+class ContactSets:
+    """A set of contacts for every frame; empty slots have `face` 0 and NaN elsewhere.
+
+    Attributes
+    ----------
+    face : (frame, contact) face numbers
+    xy_mm, force_n : (frame, contact, 2), (frame, contact), in the face's frame, and normal force
+    covariance : (frame, contact, 3, 3) of x, y (mm) and force (N) of each contact, the others'
+        uncertainty included
+    odds : (frame,) posterior probability of the set among all that were found
+    p_value : (frame,) chance of a misfit as large if the set were true; a frame far below 0.001 is
+        explained by no contact that the model knows
+    """
+
+    face: Int[np.ndarray, "frame contact"]
+    xy_mm: Float[np.ndarray, "frame contact 2"]
+    force_n: Float[np.ndarray, "frame contact"]
+    covariance: Float[np.ndarray, "frame contact 3 3"]
+    odds: Float[np.ndarray, "frame"]
+    p_value: Float[np.ndarray, "frame"]
+
+    def __len__(self) -> int:
+        return len(self.face)
+
+    def select(self, rows: Int[np.ndarray, "n"]) -> ContactSets:
+        """Some of the frames."""
+        return ContactSets(
+            *(getattr(self, name)[rows] for name in ContactSets.__dataclass_fields__)
+        )
+
+    def with_force_error(self, relative: float) -> ContactSets:
+        """The same with forces also wrong by so much, all together."""
+        covariance = self.covariance.copy()
+        covariance[..., 2, 2] += (relative * self.force_n) ** 2
+        return replace(self, covariance=covariance)
+
+    @property
+    def number(self) -> Int[np.ndarray, "frame"]:
+        """Of contacts."""
+        return np.sum(self.face != NO_FACE, axis=1)
+
+    @property
+    def position_radius_mm(self) -> Float[np.ndarray, "frame contact"]:
+        """Of the circle that holds the place with a probability of 90 %.
+
+        Of a normal error with the larger standard deviation σ1 and the smaller σ2; between the line
+        (σ2 = 0: 1.645 σ1) and the circle (2.146 σ1) within 1 %.
+        """
+        from scipy.stats import chi2, norm
+
+        variance = np.linalg.eigvalsh(np.nan_to_num(self.covariance[..., :2, :2]))
+        large = np.sqrt(np.maximum(variance[..., 1], 0.0))
+        ratio = np.divide(
+            variance[..., 0], variance[..., 1], out=np.zeros_like(large), where=large > 0
+        )
+        line, circle = norm.ppf(0.5 + COVERAGE / 2), np.sqrt(chi2.ppf(COVERAGE, 2))
+        radius = large * np.sqrt(line**2 + (circle**2 - line**2) * np.clip(ratio, 0.0, 1.0))
+        return np.where(self.face != NO_FACE, radius, np.nan)
+
+    @property
+    def force_halfwidth_n(self) -> Float[np.ndarray, "frame contact"]:
+        """Half the interval that holds the normal force with a probability of 90 %."""
+        from scipy.stats import norm
+
+        return norm.ppf(0.5 + COVERAGE / 2) * np.sqrt(self.covariance[..., 2, 2])
+
+
+def contact_sets(
+    model: ContactModel, seen: Observed, problems: Problems, odds: Float[np.ndarray, "frame"]
+) -> ContactSets:
+    """Contacts of one problem per frame, in the order of the problems."""
+    from scipy.special import chdtrc
+
+    there = problems.face != NONE
+    slots = problems.face.shape[1]
+    every = np.linalg.inv(problems.curvature).reshape(len(problems), slots, 3, slots, 3)
+    own = np.moveaxis(np.diagonal(every, axis1=1, axis2=3), -1, 1)
+    used = np.sum(seen.sigma[problems.frame] < 1e6, axis=1)
+    freedom = np.maximum(used - 3 * problems.number, 1)
+    return ContactSets(
+        np.where(there, model.signals.faces[problems.face], NO_FACE),
+        np.where(there[..., None], problems.contact[..., :2], np.nan),
+        np.where(there, problems.contact[..., 2], np.nan),
+        np.where(there[..., None, None], own, np.nan),
+        odds,
+        chdtrc(freedom, 2 * problems.misfit),
+    )
+
+
+def best_and_next(
+    model: ContactModel, seen: Observed, found: Hypotheses
+) -> tuple[ContactSets, ContactSets]:
+    """The most probable set of every frame and the next that differs, each with its odds.
+
+    Where nothing else was found the second is empty with odds 0.
+    """
+    frames = len(seen.counts)
+    best, odds = found.most_probable(frames)
+    problems, evidence = found.problems, found.log_evidence
+    top = np.empty(frames)
+    top[problems.frame[best]] = evidence[best]
+    others = np.ones(len(problems), bool)
+    others[best] = False
+    second = best.copy()
+    share = np.zeros(frames)
+    for row in np.flatnonzero(others)[np.argsort(evidence[others])]:
+        frame = problems.frame[row]
+        second[frame] = row
+        share[frame] = odds[frame] * np.exp(evidence[row] - top[frame])
+    return (
+        contact_sets(model, seen, problems.select(best), odds),
+        contact_sets(model, seen, problems.select(second), share),
+    )

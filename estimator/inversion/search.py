@@ -1,0 +1,203 @@
+"""Contacts of frames from scratch: one after the other, all refitted, as many as the evidence bears.
+
+The next contact (or probe, where probes are known) comes from a coarse dictionary, or by halving one
+that is there. The best few sets of each number go on; at last every contact of the best set is taken
+away and looked for anew.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import product
+
+import numpy as np
+from jaxtyping import Float, Int
+
+from estimator.inversion.dictionary import Dictionary, dictionary
+from estimator.inversion.forward import NONE, ContactModel
+from estimator.inversion.posterior import (
+    Observed,
+    Priors,
+    Problems,
+    empty,
+    joined,
+    log_evidence,
+    most_probable,
+)
+
+_KEPT = 3
+_ROUGH_STEPS = 2
+_QUIET, _HOPELESS = 0.75, 10.0
+"""Sets go on while their misfit exceeds the first times what noise gives by more than the second,
+which is what the evidence asks of a further contact."""
+_EQUAL = 0.05
+"""Of misfits and log evidences: sets that differ by less are the same."""
+_HALF_MM = 6.0
+_DIRECTIONS = np.array([(1, 0), (0, 1), (1, 1), (1, -1)]) / np.sqrt([[1], [1], [2], [2]])
+
+
+@dataclass(frozen=True)
+class Hypotheses:
+    """Sets of contacts of frames, and the log of each one's evidence but for the frame's constant."""
+
+    problems: Problems
+    log_evidence: Float[np.ndarray, "problem"]
+
+    def distinct(self) -> Hypotheses:
+        """Sets reached twice, told by number and evidence, once."""
+        number, frame = self.problems.number, self.problems.frame
+        order = np.lexsort((self.log_evidence, number, frame))
+        again = (
+            (np.diff(frame[order]) == 0)
+            & (np.diff(number[order]) == 0)
+            & (np.diff(self.log_evidence[order]) < _EQUAL)
+        )
+        kept = np.sort(order[np.concatenate([[True], ~again])])
+        return Hypotheses(self.problems.select(kept), self.log_evidence[kept])
+
+    def most_probable(self, frames: int) -> tuple[Int[np.ndarray, "frame"], Float[np.ndarray, "n"]]:
+        """Row of each frame's best set, and the odds of it among all found."""
+        best = _first_of_frame(self.problems.frame, -self.log_evidence)
+        top = np.empty(frames)
+        top[self.problems.frame[best]] = self.log_evidence[best]
+        weight = np.exp(self.log_evidence - top[self.problems.frame])
+        return best, 1 / np.bincount(self.problems.frame, weight, minlength=frames)
+
+
+@dataclass(frozen=True)
+class Search:
+    """Contacts of any frames of an object under priors."""
+
+    model: ContactModel
+    priors: Priors
+
+    @cached_property
+    def dictionary(self) -> Dictionary:
+        """What a contact begins as."""
+        return dictionary(self.model, self.priors)
+
+    @property
+    def probes(self) -> bool:
+        """Whether contacts come as known probes, one a face."""
+        return bool(self.priors.spacing_mm)
+
+    def contacts(self, seen: Observed) -> Hypotheses:
+        """Every frame's sets of contacts with their evidence."""
+        level = empty(seen, np.arange(len(seen.counts)), self.priors.most)
+        found = [self.judged(level)]
+        best = found[0].log_evidence.copy()
+        while len(level):
+            judged = self.judged(self._grown(seen, level))
+            found.append(judged)
+            np.maximum.at(best, judged.problems.frame, judged.log_evidence)
+            level = judged.problems.select(self.hopeful(judged, best))
+        every = together(found)
+        return together([every, *self._revisited(seen, every)]).distinct()
+
+    def grown(self, seen: Observed, sets: Problems) -> Hypotheses:
+        """The best sets of one contact more."""
+        return self.judged(self._grown(seen, sets))
+
+    def fewer(self, seen: Observed, sets: Problems) -> Hypotheses:
+        """Each set without each of its contacts (or probes)."""
+        parts = []
+        groups = range(self.priors.faces) if self.probes else range(self.priors.most)
+        for group in groups:
+            gone = np.zeros(sets.face.shape, bool)
+            if self.probes:
+                gone = sets.face == group
+            else:
+                gone[:, group] = sets.face[:, group] != NONE
+            (rows,) = np.nonzero(gone.any(axis=1))
+            face, contact = _packed(np.where(gone, NONE, sets.face)[rows], sets.contact[rows])
+            parts.append((sets.frame[rows], face, contact))
+        frame, face, contact = (np.concatenate(column) for column in zip(*parts, strict=True))
+        return self.judged(most_probable(self.model, self.priors, seen, frame, face, contact))
+
+    def judged(self, problems: Problems) -> Hypotheses:
+        """Sets with their evidence under these priors."""
+        return Hypotheses(problems, log_evidence(problems, self.priors))
+
+    def _revisited(self, seen: Observed, found: Hypotheses) -> list[Hypotheses]:
+        best, _ = found.most_probable(len(seen.counts))
+        sets = found.problems.select(best[found.problems.number[best] > 1])
+        fewer = self.fewer(seen, sets)
+        return [fewer, self.grown(seen, fewer.problems)]
+
+    def _grown(self, seen: Observed, level: Problems) -> Problems:
+        rows, face, contact = self.dictionary.added(self.model, seen, level, self.probes)
+        frame, extra = level.frame[rows], level.extra[rows]
+        if not self.probes:
+            halved = _halves(level.select(_best_of_frame(level, 1)))
+            frame, face, contact, extra = (
+                np.concatenate(pair)
+                for pair in zip((frame, face, contact, extra), halved, strict=True)
+            )
+        if not len(frame):
+            return empty(seen, frame, self.priors.most)
+        rough = most_probable(
+            self.model, self.priors, seen, frame, face, contact, extra, 1, _ROUGH_STEPS
+        )
+        kept = rough.select(_best_of_frame(rough, 2 * _KEPT))
+        found = most_probable(
+            self.model, self.priors, seen, kept.frame, kept.face, kept.contact, kept.extra
+        )
+        return found.select(_best_of_frame(found, _KEPT))
+
+    def hopeful(self, judged: Hypotheses, best: np.ndarray) -> np.ndarray:
+        """Sets that a further contact may still bring beyond the best so far."""
+        problems = judged.problems
+        possible = problems.misfit - _QUIET * 0.5 * (self.model.channels - 3 * problems.number)
+        better = judged.log_evidence + possible > best[problems.frame]
+        return better & (possible > _HOPELESS) & (problems.number < self.priors.most)
+
+
+def together(parts: list[Hypotheses]) -> Hypotheses:
+    """All sets of several finds."""
+    evidence = np.concatenate([part.log_evidence for part in parts])
+    return Hypotheses(joined([part.problems for part in parts]), evidence)
+
+
+def _halves(level: Problems) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """Every contact split in two, four ways: frame, face, contact, extra."""
+    parts = []
+    slots = level.face.shape[1]
+    for slot, direction in product(range(slots), _DIRECTIONS):
+        (rows,) = np.nonzero((level.face[:, slot] != NONE) & (level.number < slots))
+        face, contact = level.face[rows].copy(), level.contact[rows].copy()
+        each, new = np.arange(len(rows)), level.number[rows]
+        contact[:, slot, 2] /= 2
+        face[each, new], contact[each, new] = face[:, slot], contact[:, slot]
+        contact[:, slot, :2] += _HALF_MM * direction
+        contact[each, new, :2] -= _HALF_MM * direction
+        parts.append((level.frame[rows], face, contact, level.extra[rows]))
+    frame, face, contact, extra = (np.concatenate(column) for column in zip(*parts, strict=True))
+    return frame, face, contact, extra
+
+
+def _first_of_frame(frame: np.ndarray, cost: np.ndarray) -> Int[np.ndarray, "n"]:
+    order = np.lexsort((cost, frame))
+    return order[np.unique(frame[order], return_index=True)[1]]
+
+
+def _best_of_frame(problems: Problems, kept: int) -> Int[np.ndarray, "n"]:
+    """Rows of the sets of least misfit of each frame, of one number of contacts each, equal ones once."""
+    number = problems.number
+    order = np.lexsort((problems.misfit, number, problems.frame))
+    chosen: list[int] = []
+    group, of_group = (-1, -1), []
+    for row in order.tolist():
+        if (problems.frame[row], number[row]) != group:
+            group, of_group = (problems.frame[row], number[row]), []
+        misfit = problems.misfit[row]
+        if len(of_group) < kept and not any(abs(misfit - other) < _EQUAL for other in of_group):
+            of_group.append(misfit)
+            chosen.append(row)
+    return np.array(chosen, int)
+
+
+def _packed(face: np.ndarray, contact: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Filled slots first."""
+    order = np.argsort(face == NONE, axis=1, kind="stable")
+    return np.take_along_axis(face, order, 1), np.take_along_axis(contact, order[..., None], 1)

@@ -1,0 +1,121 @@
+"""File of an estimator that inverts the forward model: all that a robot needs, without torch."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from design.errors import StoreError
+from design.netcdf import FileKind, read_netcdf, write_netcdf
+from design.spec.object import ObjectSpec
+from estimator.inversion.forward import ContactModel
+from estimator.inversion.inversion import Inversion
+from estimator.inversion.noise import Disturbances
+from estimator.inversion.posterior import Priors
+from estimator.inversion.spline import cubic_axis
+from estimator.inversion.table import PressTable
+
+_KIND = FileKind(
+    "estimators that invert the forward model",
+    {
+        "signals": ("face nx ny nf channel", "count"),
+        "motions": ("face nx ny nf component", "mm or rad"),
+        "x_mm": ("nx", "mm"),
+        "y_mm": ("ny", "mm"),
+        "root_n": ("nf", "N^0.5"),
+        "faces": ("face", "1"),
+        "reach_n": ("face", "N"),
+        "rest": ("body six", "mm or rad"),
+        "noise_counts": ("channel", "count"),
+        "offset_counts": ("channel", "count"),
+        "model_error": ("channel", "1"),
+    },
+    attributes=("specification", "priors", "force_error", "nearest_mm"),
+    schema=("inversion_schema", 1),
+    origin="`instobj train SPEC --set training.model=inversion` makes one",
+    remedy="Train it anew",
+    others={
+        "signal_counts": "a data set, not an estimator. Give the contacts.nc that `instobj train "
+        "--set training.model=inversion` wrote"
+    },
+)
+
+
+def save_inversion(inversion: Inversion, path: Path | str) -> None:
+    """Write an estimator as NetCDF with checksums; `load_inversion` reads it."""
+    model, table = inversion.model, inversion.model.signals
+    values = {
+        "signals": table.coefficients,
+        "motions": model.motions.coefficients,
+        "x_mm": table.x.nodes,
+        "y_mm": table.y.nodes,
+        "root_n": table.root.nodes,
+        "faces": table.faces,
+        "reach_n": table.reach_n,
+        "rest": model.rest,
+        "noise_counts": inversion.disturbances.noise_counts,
+        "offset_counts": inversion.disturbances.offset_counts,
+        "model_error": inversion.disturbances.model_error,
+    }
+    attributes = {
+        "specification": json.dumps(model.spec.model_dump(mode="json")),
+        "priors": json.dumps(asdict(inversion.priors)),
+        "force_error": inversion.disturbances.force_error,
+        "nearest_mm": model.nearest_mm,
+    }
+    write_netcdf(_KIND, path, values, attributes)
+
+
+def load_inversion(path: Path | str) -> Inversion:
+    """Read what `save_inversion` wrote.
+
+    Raises
+    ------
+    InputError
+        No such file, or a data set.
+    StoreError
+        Damaged, or not such an estimator.
+    """
+    values, attributes = read_netcdf(_KIND, path)
+    try:
+        return _assembled(values, attributes)
+    except (KeyError, TypeError, ValueError) as error:
+        raise StoreError(
+            f"{path}: tables and description do not belong together ({error}). Train it anew"
+        ) from None
+
+
+def is_inversion(path: Path | str) -> bool:
+    """Whether a file is such an estimator, by what it holds."""
+    import h5py
+
+    if not Path(path).is_file() or not h5py.is_hdf5(path):
+        return False
+    with h5py.File(path) as file:
+        return _KIND.schema[0] in file.attrs
+
+
+def _assembled(values: dict[str, np.ndarray], attributes: dict[str, Any]) -> Inversion:
+    spec = ObjectSpec.model_validate(json.loads(attributes["specification"]))
+    x, y, root = (cubic_axis(values[name]) for name in ("x_mm", "y_mm", "root_n"))
+    signals, motions = (
+        PressTable(values["faces"], x, y, root, values[name].astype(np.float32), values["reach_n"])
+        for name in ("signals", "motions")
+    )
+    described = json.loads(attributes["priors"])
+    for name in ("number", "force_n", "spacing_mm"):
+        described[name] = tuple(described[name])
+    return Inversion(
+        ContactModel(spec, signals, motions, values["rest"], float(attributes["nearest_mm"])),
+        Disturbances(
+            values["noise_counts"],
+            values["offset_counts"],
+            values["model_error"],
+            float(attributes["force_error"]),
+        ),
+        Priors(**described),
+    )

@@ -1,0 +1,150 @@
+"""Table of single presses: signals and motions of the shell's bodies by face, place and force.
+
+Splines through the presses of `estimator.signals.interpolation`, resampled at constant force.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from jaxtyping import Float, Int
+
+from estimator.inversion.spline import CubicAxis, cubic_axis, spline_coefficients
+from estimator.signals.interpolation import Traces, press_traces
+from estimator.signals.monotone import monotone_cubic
+from estimator.signals.press_states import motions_as_signals
+from estimator.signals.presses import Signals
+from fem.presses.results import MagnetMotions, PressForces
+
+FORCE_NODES = 14
+"""Along the force of a press; 14 leave 0.1 % of the signals' rms of the paper's cube."""
+_NEAR_ZERO_N = 0.5
+"""Nodes stand evenly in the root of the force beyond this."""
+_CHUNK = 128
+"""Contacts at a time, whose coefficients fit a second-level cache."""
+_STEP_X, _STEP_Y = (step.ravel() for step in np.meshgrid(range(4), range(4), indexing="ij"))
+
+
+@dataclass(frozen=True)
+class PressTable:
+    """Splines over the presses of every face.
+
+    Attributes
+    ----------
+    faces : (face,) numbers of the faces, in the order of the first axis of `coefficients`
+    coefficients : (face, x, y, force, channel)
+    reach_n : (face,) largest force that presses reach everywhere on the face; beyond it the
+        splines go on by the last polynomial
+    """
+
+    faces: Int[np.ndarray, "face"]
+    x: CubicAxis
+    y: CubicAxis
+    root: CubicAxis
+    coefficients: Float[np.ndarray, "face nx ny nf channel"]
+    reach_n: Float[np.ndarray, "face"]
+
+    @property
+    def largest_force_n(self) -> float:
+        """Last node of the splines."""
+        first = np.sqrt(_NEAR_ZERO_N)
+        return float((self.root.breaks[-1] + first) ** 2 - _NEAR_ZERO_N)
+
+    def values(
+        self, face: Int[np.ndarray, "n"], contact: Float[np.ndarray, "n 3"]
+    ) -> Float[np.ndarray, "n 4 channel"]:
+        """Channels of contacts (x, y in mm and force in N), and their derivatives by these three.
+
+        `face` counts faces from 0, in the order of `faces`.
+        """
+        values = np.empty((len(face), 4, self.coefficients.shape[-1]))
+        for start in range(0, len(face), _CHUNK):
+            rows = slice(start, start + _CHUNK)
+            first, weights = self._weights(face[rows], contact[rows])
+            values[rows] = weights @ self._blocks(*first)
+        return values
+
+    def _weights(
+        self, face: np.ndarray, contact: np.ndarray
+    ) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
+        """Where each contact's 64 coefficients begin, and their weights for value and derivatives."""
+        shifted = np.maximum(contact[:, 2], 0.0) + _NEAR_ZERO_N
+        shifted_root = np.sqrt(shifted)
+        ix, wx, dx = self.x.weights(contact[:, 0])
+        iy, wy, dy = self.y.weights(contact[:, 1])
+        jf, wf, df = self.root.weights(shifted_root - np.sqrt(_NEAR_ZERO_N))
+        df = df / (2 * shifted_root)[:, None]
+        in_x = np.stack([wx, dx, wx, wx], axis=1)[:, :, :, None, None]
+        in_y = np.stack([wy, wy, dy, wy], axis=1)[:, :, None, :, None]
+        in_f = np.stack([wf, wf, wf, df], axis=1)[:, :, None, None, :]
+        weights = (in_x * in_y * in_f).reshape(len(face), 4, 64)
+        return (face, ix, iy, jf), weights.astype(np.float32)
+
+    def _blocks(
+        self, face: np.ndarray, ix: np.ndarray, iy: np.ndarray, jf: np.ndarray
+    ) -> Float[np.ndarray, "n 64 channel"]:
+        _, nx, ny, _, channels = self.coefficients.shape
+        places = (face[:, None] * nx + ix[:, None] + _STEP_X) * ny + iy[:, None] + _STEP_Y
+        return self._runs[places, jf[:, None]].reshape(len(face), 64, channels)
+
+    @cached_property
+    def _runs(self) -> Float[np.ndarray, "place start run"]:
+        """Overlapping views of four force nodes each: a contact is sixteen contiguous runs."""
+        faces, nx, ny, nf, channels = self.coefficients.shape
+        flat = np.ascontiguousarray(self.coefficients).reshape(faces * nx * ny, nf * channels)
+        runs = np.lib.stride_tricks.sliding_window_view(flat, 4 * channels, axis=1)
+        return runs[:, ::channels]
+
+
+def signal_table(signals: Signals) -> PressTable:
+    """Changes of counts (channel = sensor · 3 + axis) of every press of the lattice."""
+    nodes = _force_nodes(signals)
+    values, reach = [], []
+    for face in signals.faces.tolist():
+        x, y = signals.lattice.xy_mm.T
+        traces = press_traces(signals, np.full(len(x), face), x, y)
+        values.append(_at_forces(traces, nodes))
+        reach.append(traces.force_n[:, -1].min())
+    return _table(signals, nodes, np.stack(values), np.array(reach))
+
+
+def motion_table(forces: PressForces, motions: MagnetMotions) -> PressTable:
+    """Motions of all bodies (six channels each, mm and rad) beyond those at rest."""
+    moving = motions_as_signals(forces, motions)
+    return signal_table(moving)
+
+
+def _force_nodes(signals: Signals) -> Float[np.ndarray, "node"]:
+    """From 0 to the force that the hardest place needs at most, evenly in its root."""
+    largest = float(signals.force_n[..., -1].max())
+    first = np.sqrt(_NEAR_ZERO_N)
+    return (np.linspace(first, np.sqrt(largest + _NEAR_ZERO_N), FORCE_NODES)) ** 2 - _NEAR_ZERO_N
+
+
+def _at_forces(
+    traces: Traces, force_n: Float[np.ndarray, "node"]
+) -> Float[np.ndarray, "press node channel"]:
+    """Channels at the given forces, beyond the deepest press along its last slope."""
+    reach = traces.force_n[:, -1:]
+    wanted = np.broadcast_to(force_n, (len(reach), len(force_n)))
+    inside = monotone_cubic(traces.force_n, traces.counts, np.minimum(wanted, reach))
+    before = monotone_cubic(traces.force_n, traces.counts, 0.98 * reach)
+    last = traces.counts[:, -1:]
+    slope = (last - before) / (0.02 * reach)[..., None]
+    return inside + np.maximum(wanted - reach, 0.0)[..., None] * slope
+
+
+def _table(
+    signals: Signals, force_n: np.ndarray, values: np.ndarray, reach_n: np.ndarray
+) -> PressTable:
+    lattice = signals.lattice
+    grid = values.reshape(
+        len(signals.faces), len(lattice.x_mm), len(lattice.y_mm), len(force_n), -1
+    )
+    root = np.sqrt(force_n + _NEAR_ZERO_N) - np.sqrt(_NEAR_ZERO_N)
+    nodes = (lattice.x_mm, lattice.y_mm, root)
+    coefficients = np.stack([spline_coefficients(nodes, face) for face in grid])
+    x, y, root = (cubic_axis(at) for at in nodes)
+    return PressTable(signals.faces, x, y, root, coefficients.astype(np.float32), reach_n)

@@ -1,0 +1,209 @@
+"""Contacts of the whole object in a file or on a board's port, by inversion of the forward model."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from itertools import islice
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from design.errors import InputError
+from design.tables import write_table
+from estimator.deploy.live_contacts import LiveContacts
+from estimator.deploy.zeroing import ZERO_FRAMES
+from estimator.inversion.inversion import Inversion, joined
+from estimator.inversion.readings import ContactSets
+from instobj.store.progress import ProgressLine
+from instobj.store.publish import file_rows, require_writable, run_folder, run_name
+
+if TYPE_CHECKING:
+    from estimator.frames.dataset import FrameSet
+    from instobj.commands.hardware.predict import Zeroing
+
+COLUMNS: tuple[str, ...] = (
+    *("frame", "time_s", "contacts", "odds", "next_contacts", "next_odds", "p_value", "explained"),
+    *("contact", "face", "x_mm", "y_mm", "position_radius_mm", "force_n", "force_halfwidth_n"),
+)
+UNEXPLAINED = 1e-3
+"""p value below which no contact that the model knows explains a frame."""
+
+
+def contacts_in_file(model_path: Path, path: Path, out: Path, zeroing: Zeroing) -> dict[str, Any]:
+    """Read every frame of a file; writes `runs/<name>/contacts.csv`, one row a contact.
+
+    Frames of a data set are read one by one, with the next best answer; those of a recording are
+    zeroed and tracked like a board's. A data set with labels is judged too.
+
+    Raises
+    ------
+    InputError
+        A bad model or file, readings of another object, or no zero in the whole file.
+    """
+    from estimator.inversion.storage import load_inversion
+    from instobj.commands.hardware.predict import is_data_set
+
+    inversion = load_inversion(model_path)
+    require_writable(out)
+    judged: list[dict[str, Any]] = []
+    if is_data_set(path):
+        number, time_s, best, second, judged = _in_data_set(inversion, path, zeroing)
+    else:
+        number, time_s, best = _in_recording(inversion, path, zeroing)
+        second = None
+    target = run_folder(out, run_name(path)) / "contacts.csv"
+    rows = _rows(number, time_s, best, second)
+    write_table(target, list(COLUMNS), ([row[name] for name in COLUMNS] for row in rows))
+    summary = {
+        "frames": len(best),
+        "frames with contact": int((best.number > 0).sum()),
+        "most contacts": int(best.number.max(initial=0)),
+        "largest total force N": round(float(np.nansum(best.force_n, axis=1).max(initial=0)), 3),
+        "frames that no contact explains": int((best.p_value < UNEXPLAINED).sum()),
+    }
+    tables = {f"{path.name}, {model_path.name}": [summary]}
+    if judged:
+        tables["against the labels, means over frames"] = judged
+    return {"command": "predict", "tables": tables, "files": file_rows([target])}
+
+
+def contacts_on_port(
+    model_path: Path, port: str, zeroing: Zeroing, count: int | None, baud: int = 115_200
+) -> Iterator[str]:
+    """One JSON document per frame from a board, `count` of them or without end.
+
+    Raises
+    ------
+    InputError
+        A bad model or port, or readings of another object.
+    """
+    from estimator.boards.lines import LineDecoder
+    from estimator.boards.link import board_readings
+    from estimator.inversion.storage import load_inversion
+
+    inversion, decoder = load_inversion(model_path), LineDecoder()
+    reader = LiveContacts(inversion, zeroing.mode or "rest", zeroing.frames)
+
+    def documents() -> Iterator[str]:
+        for number, reading in enumerate(board_readings(port, baud, decoder)):
+            found = reader.feed(reading.counts, reading.time_s)
+            if found is not None:
+                line = decoder.statistics
+                told = {"damaged_lines": line.damaged_lines, "lost_frames": line.lost_frames}
+                yield json.dumps(_document(number, reading.time_s, found) | told)
+
+    return islice(documents(), count)
+
+
+def _in_data_set(
+    inversion: Inversion, path: Path, zeroing: Zeroing
+) -> tuple[np.ndarray, np.ndarray, ContactSets, ContactSets, list[dict[str, Any]]]:
+    from estimator.frames.dataset import load_frames
+    from estimator.inversion.matching import all_counts
+
+    if zeroing.mode not in (None, "none"):
+        raise InputError(
+            f"{path} is a data set, zeroed press by press; got --zero {zeroing.mode}. Leave --zero out"
+        )
+    frames = load_frames(path)
+    _require_same_object(inversion, frames, path)
+    progress = ProgressLine()
+    with progress.stage(f"contacts in {path}"):
+        best, second = inversion.read(
+            all_counts(frames),
+            progress=lambda done: progress.step(f"frame {done} of {len(frames)}"),
+        )
+    return np.arange(len(frames)), frames.time_s, best, second, _judged(inversion, frames, best)
+
+
+def _judged(inversion: Inversion, frames: FrameSet, best: ContactSets) -> list[dict[str, Any]]:
+    """Against the labels of valid frames."""
+    from estimator.inversion.matching import (
+        contact_rows,
+        matched_contacts,
+        possible_distance_mm,
+    )
+
+    if not np.any(frames.contact_face[frames.valid] > 0):
+        return []
+    valid = np.flatnonzero(frames.valid)
+    labelled = frames.select(valid)
+    matched = matched_contacts(labelled, best.select(valid))
+    return contact_rows(matched, possible_distance_mm(inversion, labelled))
+
+
+def _require_same_object(inversion: Inversion, frames: FrameSet, path: Path) -> None:
+    faces = inversion.model.signals.faces.tolist()
+    sensors = inversion.model.channels // (3 * len(faces))
+    got = frames.faces.tolist(), frames.signal_counts.shape[2]
+    if got != (faces, sensors):
+        raise InputError(
+            f"{path} has {got[1]} sensors on faces {got[0]}; the estimator reads {sensors} on faces "
+            f"{faces}. Give the data set of the object that it was made for"
+        )
+
+
+def _in_recording(
+    inversion: Inversion, path: Path, zeroing: Zeroing
+) -> tuple[np.ndarray, np.ndarray, ContactSets]:
+    from estimator.recordings.files import read_table
+
+    table = read_table(path)
+    reader = LiveContacts(inversion, zeroing.mode or "rest", zeroing.frames)
+    time_s = table.time_s if len(table.time_s) else np.full(len(table.counts), np.nan)
+    numbers, found, progress = [], [], ProgressLine()
+    with progress.stage(f"contacts in {path}"):
+        for number, (now_s, counts) in enumerate(zip(time_s.tolist(), table.counts, strict=True)):
+            one = reader.feed(counts, now_s)
+            if one is not None:
+                numbers.append(number)
+                found.append(one)
+            if (number + 1) % 500 == 0:
+                progress.step(f"frame {number + 1} of {len(table.counts)}")
+    if not found:
+        raise InputError(
+            f"{path} holds {len(table.counts)} frames, none of them after {zeroing.frames or ZERO_FRAMES} "
+            "that give a zero. Give a longer recording, a smaller --zero-frames or, for signals that "
+            "are changes already, --zero none"
+        )
+    return np.array(numbers), time_s[numbers], joined(tuple(found))
+
+
+def _rows(
+    number: np.ndarray, time_s: np.ndarray, best: ContactSets, second: ContactSets | None
+) -> Iterator[dict[str, Any]]:
+    """One row a contact; a frame without contact has one row with empty cells."""
+    radius, halfwidth = best.position_radius_mm, best.force_halfwidth_n
+    for row in range(len(best)):
+        shared = {
+            "frame": int(number[row]),
+            "time_s": round(float(time_s[row]), 6),
+            "contacts": int(best.number[row]),
+            "odds": round(float(best.odds[row]), 4),
+            "next_contacts": "" if second is None else int(second.number[row]),
+            "next_odds": "" if second is None else round(float(second.odds[row]), 4),
+            "p_value": float(f"{best.p_value[row]:.3g}"),
+            "explained": int(best.p_value[row] >= UNEXPLAINED),
+        }
+        if not best.number[row]:
+            yield shared | dict.fromkeys(COLUMNS[8:], "")
+        for slot in np.flatnonzero(best.face[row]).tolist():
+            values = {
+                "x_mm": best.xy_mm[row, slot, 0],
+                "y_mm": best.xy_mm[row, slot, 1],
+                "position_radius_mm": radius[row, slot],
+                "force_n": best.force_n[row, slot],
+                "force_halfwidth_n": halfwidth[row, slot],
+            }
+            own = {name: round(float(value), 3) for name, value in values.items()}
+            yield shared | {"contact": slot + 1, "face": int(best.face[row, slot])} | own
+
+
+def _document(number: int, time_s: float, found: ContactSets) -> dict[str, Any]:
+    rows = list(_rows(np.array([number]), np.array([time_s]), found, None))
+    told = ("frame", "time_s", "odds", "p_value")
+    contacts = [{name: row[name] for name in COLUMNS[9:]} for row in rows if row["contacts"]]
+    explained = {"explained": bool(rows[0]["explained"])}
+    return {name: rows[0][name] for name in told} | explained | {"contacts": contacts}

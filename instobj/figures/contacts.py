@@ -1,0 +1,83 @@
+"""Contacts found against true ones: distances, numbers and forces."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from instobj.figures.saving import save_figure
+
+if TYPE_CHECKING:
+    from estimator.frames.dataset import FrameSet
+    from estimator.inversion.matching import MatchedContacts
+    from estimator.inversion.readings import ContactSets
+
+_COLOURS = ("#777777", "#1b6ca8", "#c8553d", "#2a9d8f", "#8e6bbf")
+
+
+def draw_contacts(
+    frames: FrameSet, found: ContactSets, matched: MatchedContacts, path: Path
+) -> None:
+    """Share of contacts within a distance; numbers found against true; total force (PNG)."""
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(11.5, 4.0), layout="constrained")
+    distance, number, force = figure.subplots(1, 3)
+    _draw_distances(distance, matched)
+    _draw_numbers(number, matched)
+    _draw_forces(force, found, matched)
+    figure.suptitle(
+        f"Contacts read by inversion in {len(frames)} {frames.source} frames", fontsize=11
+    )
+    save_figure(figure, path)
+
+
+def _draw_distances(axes: Any, matched: MatchedContacts) -> None:
+    tips = matched.tips[matched.frame]
+    for number in np.unique(tips).tolist():
+        away = np.sort(matched.distance_mm[tips == number])
+        share = 100 * np.arange(1, len(away) + 1) / len(away)
+        label = f"{number} a face: median {np.median(away):.2f} mm"
+        axes.plot(away, share, color=_COLOURS[number % len(_COLOURS)], label=label)
+    axes.set(xscale="log", xlabel="distance to the true contact (mm)", ylim=(0, 102))
+    axes.set_ylabel("contacts with distance ≤ x (%)")
+    axes.grid(alpha=0.3)
+    if len(tips):
+        axes.legend(frameon=False, fontsize=8, loc="upper left")
+
+
+def _draw_numbers(axes: Any, matched: MatchedContacts) -> None:
+    most = int(max(matched.true_number.max(), matched.found_number.max())) + 1
+    counted = np.zeros((most, most))
+    np.add.at(counted, (matched.true_number, matched.found_number), 1)
+    share = 100 * counted / np.maximum(counted.sum(axis=1, keepdims=True), 1)
+    axes.imshow(share.T, origin="lower", cmap="Blues", vmin=0, vmax=100)
+    for true, mine in np.argwhere(counted > 0):
+        colour = "white" if share[true, mine] > 60 else "black"
+        axes.text(
+            true,
+            mine,
+            f"{share[true, mine]:.0f}",
+            ha="center",
+            va="center",
+            color=colour,
+            fontsize=9,
+        )
+    ticks = range(most)
+    axes.set(xticks=ticks, yticks=ticks, xlabel="true number of contacts", ylabel="number found")
+    axes.set_title("% of the frames of each true number", fontsize=9)
+
+
+def _draw_forces(axes: Any, found: ContactSets, matched: MatchedContacts) -> None:
+    total = np.nansum(found.force_n, axis=1)
+    true = total - matched.total_error_n
+    end = 1.05 * float(max(true.max(), total.max(), 1.0))
+    axes.plot([0, end], [0, end], color=_COLOURS[0], lw=0.9, label="equal")
+    right = matched.right
+    axes.plot(true[right], total[right], ".", color=_COLOURS[1], ms=4, label="number right")
+    axes.plot(true[~right], total[~right], ".", color=_COLOURS[2], ms=4, label="number wrong")
+    axes.set(xlim=(0, end), ylim=(0, end), aspect="equal")
+    axes.set(xlabel="true total force (N)", ylabel="total force found (N)")
+    axes.legend(frameon=False, fontsize=8, loc="upper left")

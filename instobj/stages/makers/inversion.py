@@ -1,0 +1,111 @@
+"""Estimators that invert the forward model, and how well they read contacts."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from instobj.store.readers import (
+    CONTACT_METRICS,
+    CONTACT_PICTURE,
+    CORRECTION,
+    INVERSION,
+    PRESSES,
+    RESPONSE,
+    SIGNALS,
+)
+from instobj.store.stage import StageContext, Step, write_json
+
+if TYPE_CHECKING:
+    from design.spec.object import ObjectSpec
+    from estimator.frames.dataset import FrameSet
+    from estimator.inversion.inversion import Inversion
+
+MOST_FRAMES = 400
+"""Judged at most, drawn at random: a frame takes some tens of milliseconds."""
+_OBJECT_SEED = 1000
+_PRESSES = 40
+_FRAMES_A_PRESS = 8
+
+
+def make_inversion(context: StageContext, folder: Path) -> None:
+    """The estimator of the design, as wrong as `[tolerances]` make it."""
+    from estimator.inversion.inversion import inversion
+    from estimator.inversion.noise import design_error
+    from estimator.inversion.storage import save_inversion
+
+    forces, motions = context.read(PRESSES)
+    signals = context.read(SIGNALS)
+    context.step("error of the design within its tolerances")
+    error = design_error(context.spec, forces, motions, signals)
+    modulus = context.spec.tolerances.modulus_relative
+    context.step("tables of presses")
+    save_inversion(
+        inversion(context.spec, forces, motions, signals, error, modulus), INVERSION.path(folder)
+    )
+
+
+def make_contact_metrics(context: StageContext, folder: Path) -> None:
+    """How it reads one, two and three contacts anywhere on an object that it has never seen."""
+    from estimator.frames.contact_traces import JointMechanics
+    from estimator.tolerances.virtual_object import drawn_assembly, twin_signals
+
+    spec = context.spec
+    assembly = drawn_assembly(spec, spec.seed + _OBJECT_SEED)
+    signals = twin_signals(spec, assembly, *context.read(PRESSES))
+    mechanics = JointMechanics(context.read(RESPONSE), context.read(CORRECTION), assembly)
+    frames = _presses_anywhere(spec, signals, mechanics, context)
+    judged = "one to three contacts anywhere on a virtual object within the tolerances"
+    write_contact_metrics(context.read(INVERSION), frames, judged, folder, context.step)
+
+
+def _presses_anywhere(
+    spec: ObjectSpec, signals: Any, mechanics: Any, context: StageContext
+) -> FrameSet:
+    from estimator.frames.collection import joined, simulate_collection
+
+    parts = []
+    for contacts in (1, 2, 3):
+        context.step(f"presses of {contacts} tips at once")
+        asked = spec.collection.changed(
+            kind="continuous", presses=_PRESSES, contacts=contacts, faces=spec.body.sensed,
+            tangential_share=0.0,
+        )  # fmt: skip
+        protocol = spec.protocol.changed(frames_per_press=_FRAMES_A_PRESS, rest_frames_per_press=2)
+        wanted = spec.changed(
+            collection=asked, protocol=protocol, seed=spec.seed + _OBJECT_SEED + contacts
+        )
+        parts.append(simulate_collection(wanted, signals, context.key, mechanics))
+    return joined(parts)
+
+
+def write_contact_metrics(
+    inversion: Inversion, frames: FrameSet, judged: str, folder: Path, step: Step
+) -> None:
+    """`CONTACT_METRICS` and its picture: contacts found in at most 400 of the frames, beside the
+    Cramér–Rao bound of the places."""
+    from estimator.inversion.matching import (
+        all_counts,
+        chosen_frames,
+        contact_rows,
+        matched_contacts,
+        possible_distance_mm,
+    )
+    from instobj.figures.contacts import draw_contacts
+
+    frames = chosen_frames(frames, MOST_FRAMES)
+    best, second = inversion.read(
+        all_counts(frames), progress=lambda done: step(f"frame {done} of {len(frames)}")
+    )
+    matched = matched_contacts(frames, best)
+    rows = contact_rows(matched, possible_distance_mm(inversion, frames))
+    unexplained = float((best.p_value < 1e-3).mean())
+    content = {
+        "judged": judged,
+        "frames": len(frames),
+        "unexplained frames %": round(100 * unexplained, 2),
+        "frames with a second answer above 10 %": int((second.odds > 0.1).sum()),
+        "contacts": rows,
+    }
+    write_json(content, CONTACT_METRICS.path(folder))
+    draw_contacts(frames, best, matched, CONTACT_PICTURE.path(folder))

@@ -1,0 +1,84 @@
+"""Tables of single presses, and several contacts together."""
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+from scipy.interpolate import make_interp_spline
+
+from estimator.inversion.spline import cubic_axis, spline_coefficients
+from estimator.signals.field_setup import counts, sensed_field
+from estimator.signals.interpolation import counts_at_force, press_traces, signal_gradient
+from estimator.signals.press_states import press_states
+from tests.support.inverted import SPEC, contacts, expected_counts, inverted, presses
+
+
+def test_splines_are_those_of_scipy_with_their_derivatives():
+    nodes = np.array([0.0, 0.4, 1.0, 1.7, 3.0, 3.5, 4.1])
+    values = np.random.default_rng(1).normal(size=(7, 3))
+    at = np.linspace(0, 4.1, 40)
+    first, weights, slopes = cubic_axis(nodes).weights(at)
+    coefficients = spline_coefficients((nodes,), values)
+    near = coefficients[first[:, None] + np.arange(4)]
+    oracle = make_interp_spline(nodes, values, k=3)
+    assert_allclose(np.einsum("nb,nbc->nc", weights, near), oracle(at), atol=1e-12)
+    assert_allclose(np.einsum("nb,nbc->nc", slopes, near), oracle(at, nu=1), atol=1e-11)
+
+
+@pytest.fixture(scope="module")
+def places():
+    rng = np.random.default_rng(2)
+    forces, _, signals = presses()
+    face, xy = rng.integers(0, 5, 60), rng.uniform(-13, 13, (60, 2))
+    traces = press_traces(signals, forces.faces[face], *xy.T)
+    force = rng.uniform(0.1, 0.95, 60) * traces.force_n[:, -1]
+    return face, xy, force, traces
+
+
+def test_the_table_is_the_interpolation_of_presses_at_constant_force(places):
+    face, xy, force, traces = places
+    oracle = counts_at_force(traces, force[:, None]).counts[:, 0]
+    found = inverted().model.signals.values(face, np.column_stack([xy, force]))
+    assert np.sqrt(np.mean((found[:, 0] - oracle) ** 2) / np.mean(oracle**2)) < 2e-3
+    _, _, signals = presses()
+    slopes = signal_gradient(signals, signals.faces[face], *xy.T, force).jacobian
+    for parameter in range(3):
+        wrong = found[:, 1 + parameter] - slopes[..., parameter]
+        assert np.sqrt(np.mean(wrong**2) / np.mean(slopes[..., parameter] ** 2)) < 0.02
+
+
+def test_beyond_the_deepest_press_the_table_goes_on_along_its_slope(places):
+    face, xy, _, traces = places
+    reach = traces.force_n[:, -1]
+    at, beyond = (
+        inverted().model.signals.values(face, np.column_stack([xy, scale * reach]))
+        for scale in (0.99, 1.05)
+    )
+    line = at[:, 0] + 0.06 * reach[:, None] * at[:, 3]
+    assert np.sqrt(np.mean((beyond[:, 0] - line) ** 2) / np.mean(line**2)) < 0.02
+
+
+def test_several_contacts_feel_the_field_of_their_summed_motions():
+    forces, motions, _ = presses()
+    model = inverted().model
+    rng = np.random.default_rng(4)
+    face, contact = contacts(rng, 8, 3, (2.0, 6.0))
+    each = [
+        press_states(forces, motions, forces.faces[face[:, k]], contact[:, k, :2], contact[:, k, 2])
+        for k in range(3)
+    ]
+    moved = sum(one.motion(1.0)[0] for one in each)
+    place = model.scene
+    states = np.concatenate([np.zeros((1, *moved.shape[1:])), moved])
+    seen = counts(place, sensed_field(place, states, model.field), SPEC).reshape(9, -1)
+    exact = seen[1:] - seen[0]
+    size = np.sqrt(np.mean(exact**2))
+    found = expected_counts(model, face, contact)
+    summed = model.singles(face, contact)[:, :, 0].sum(axis=1)
+    assert np.sqrt(np.mean((found - exact) ** 2)) < 3e-3 * size
+    assert np.sqrt(np.mean((summed - exact) ** 2)) > 6e-3 * size
+
+
+def test_one_contact_alone_has_no_interaction():
+    model = inverted().model
+    face, contact = contacts(np.random.default_rng(5), 6, 1)
+    assert not model.interaction(face, contact).any()

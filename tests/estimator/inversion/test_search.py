@@ -1,0 +1,137 @@
+"""Contacts from scratch, and what is told of them."""
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+from scipy.stats import kstest
+
+from estimator.inversion.dictionary import probe_tips_mm
+from estimator.inversion.matching import possible_distance_mm
+from estimator.inversion.readings import ContactSets
+from tests.support.inverted import (
+    contacts,
+    expected_counts,
+    inverted,
+    labelled_frames,
+    noisy_counts,
+)
+
+FREE = inverted()
+
+
+def paired_mm(found, face, contact, faces):
+    """Distance of every true contact to the nearest found one on its face."""
+    away = []
+    for row, slot in np.argwhere(face >= 0):
+        mine = found.face[row] == faces[face[row, slot]]
+        gap = np.linalg.norm(found.xy_mm[row, mine] - contact[row, slot, :2], axis=1)
+        away.append(gap.min(initial=99.0))
+    return np.array(away)
+
+
+def possible_mm(estimator, face, contact):
+    """What the Cramér–Rao bound leaves in each frame."""
+    number = np.where(face >= 0, estimator.model.signals.faces[face], 0)
+    place = np.where((face >= 0)[..., None], contact, np.nan)
+    frames = labelled_frames(number, place[..., :2], place[..., 2])
+    return possible_distance_mm(estimator, frames)
+
+
+@pytest.fixture(scope="module")
+def read():
+    """Frames of none to two contacts of 2 to 8 N, and what is found in them."""
+    rng = np.random.default_rng(1)
+    parts = [contacts(rng, frames, number) for number, frames in ((0, 60), (1, 60), (2, 40))]
+    face, contact = (np.concatenate(column) for column in zip(*parts, strict=True))
+    best, second = FREE.read(noisy_counts(FREE, face, contact, rng))
+    return face, contact, best, second
+
+
+def test_as_many_contacts_are_found_as_there_are(read):
+    face, _, best, _ = read
+    true = (face >= 0).sum(axis=1)
+    assert np.all(best.number[true == 0] == 0)
+    assert np.mean(best.number[true == 1] == 1) >= 0.95
+    assert np.mean(best.number[true == 2] == 2) >= 0.85
+
+
+def test_they_are_where_they_are_within_the_region_told(read):
+    face, contact, best, _ = read
+    faces = FREE.model.signals.faces
+    right = best.number == (face >= 0).sum(axis=1)
+    away = paired_mm(best.select(np.flatnonzero(right)), face[right], contact[right], faces)
+    radius = best.position_radius_mm[right]
+    assert away.mean() < 1.15 * np.nanmean(possible_mm(FREE, face[right], contact[right]))
+    assert 0.8 < np.mean(away <= radius[np.isfinite(radius)]) < 0.97
+
+
+def test_odds_are_those_of_being_right(read):
+    face, _, best, second = read
+    right = best.number == (face >= 0).sum(axis=1)
+    assert abs(best.odds.mean() - right.mean()) < 0.08
+    assert np.all(best.odds + second.odds <= 1 + 1e-9)
+    assert np.all(second.odds <= best.odds + 1e-9)
+
+
+def test_p_values_are_even_where_the_contacts_are_right(read):
+    face, _, best, _ = read
+    right = best.number == (face >= 0).sum(axis=1)
+    assert kstest(best.p_value[right], "uniform").pvalue > 1e-3
+
+
+def test_what_no_contact_explains_is_told():
+    rng = np.random.default_rng(3)
+    face, contact = contacts(rng, 12, 1)
+    counts = noisy_counts(FREE, face, contact, rng)
+    fine, _ = FREE.read(counts)
+    broken = counts.copy()
+    broken[:, 7] += 2000  # a channel gone wrong
+    near_magnet = counts + rng.normal(0, 800, (12, 15)).repeat(3, axis=1)
+    assert np.all(fine.p_value > 1e-4)
+    assert np.mean(FREE.read(broken)[0].p_value < 1e-3) >= 0.9
+    assert np.all(FREE.read(near_magnet)[0].p_value < 1e-3)
+
+
+def test_a_channel_without_a_reading_says_nothing():
+    rng = np.random.default_rng(4)
+    face, contact = contacts(rng, 10, 1, (5.0, 8.0))
+    counts = noisy_counts(FREE, face, contact, rng)
+    counts[:, 4] = np.nan
+    best, _ = FREE.read(counts)
+    assert np.mean(best.number == 1) >= 0.9
+
+
+def test_the_mean_of_a_hold_says_more_than_a_frame():
+    rng = np.random.default_rng(5)
+    face, contact = contacts(rng, 15, 1, (1.0, 3.0))
+    one, _ = FREE.read(expected_counts(FREE.model, face, contact))
+    many, _ = FREE.read(expected_counts(FREE.model, face, contact), averaged=100)
+    both = (one.number == 1) & (many.number == 1)
+    assert np.all(many.position_radius_mm[both, 0] < one.position_radius_mm[both, 0])
+
+
+def test_known_probes_are_found_whole():
+    known = inverted("known")
+    rng = np.random.default_rng(6)
+    face, contact = np.full((12, 6), -1), np.zeros((12, 6, 3))
+    for row in range(12):
+        tips = 2 + row % 2
+        xy = rng.uniform(-1, 1, 2) + probe_tips_mm(tips, rng.uniform(0, 6), known.priors)
+        face[row, :tips], contact[row, :tips, :2] = row % 5, xy
+        contact[row, :tips, 2] = rng.uniform(4, 6)
+    best, _ = known.read(noisy_counts(known, face, contact, rng))
+    assert np.mean(best.number == (face >= 0).sum(axis=1)) >= 0.9
+    away = paired_mm(best, face, contact, known.model.signals.faces)
+    assert away.mean() < np.nanmean(possible_mm(known, face, contact))
+
+
+@pytest.mark.parametrize("ratio", [0.0, 0.2, 0.6, 1.0])
+def test_the_radius_holds_nine_of_ten_places(ratio):
+    draws = np.random.default_rng(7).standard_normal((400_000, 2)) * [2.0, 2.0 * ratio]
+    covariance = np.zeros((1, 1, 3, 3))
+    covariance[0, 0, 0, 0], covariance[0, 0, 1, 1] = 4.0, (2.0 * ratio) ** 2
+    one = np.ones((1, 1))
+    found = ContactSets(one.astype(int), np.zeros((1, 1, 2)), one, covariance, one[0], one[0])
+    assert_allclose(
+        np.mean(np.linalg.norm(draws, axis=1) <= found.position_radius_mm[0, 0]), 0.9, atol=0.012
+    )

@@ -1,0 +1,112 @@
+"""Contacts followed from frame to frame, and the file and the noise of the estimator."""
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from design.errors import InputError, StoreError
+from estimator.deploy.live_contacts import LiveContacts
+from estimator.inversion.noise import BLIND, MESH_ERROR, SUM_ERROR, design_error, disturbances
+from estimator.inversion.storage import is_inversion, load_inversion, save_inversion
+from estimator.inversion.tracking import Tracker
+from tests.support.inverted import SPEC, inverted, noisy_counts, presses
+
+FREE = inverted()
+
+
+def press_over_time():
+    """Rest, a press that grows and slides, a second on another face, then only that, then rest."""
+    frames = 60
+    face, contact = np.full((frames, 6), -1), np.zeros((frames, 6, 3))
+    for row in range(frames):
+        if 8 <= row < 44:
+            face[row, 0] = 2
+            contact[row, 0] = [-4 + 0.2 * (row - 8), 3.0, min(6.0, 0.8 * (row - 7))]
+        if 24 <= row < 52:
+            slot = 1 if row < 44 else 0
+            face[row, slot], contact[row, slot] = 4, [5.0, -2.0, 6.0]
+    return face, contact
+
+
+@pytest.fixture(scope="module")
+def followed():
+    face, contact = press_over_time()
+    counts = noisy_counts(FREE, face, contact, np.random.default_rng(1))
+    tracker = Tracker(FREE)
+    return face, contact, counts, [tracker.feed(frame) for frame in counts], tracker
+
+
+def test_contacts_appear_slide_and_vanish(followed):
+    face, contact, _, found, _ = followed
+    true = (face >= 0).sum(axis=1)
+    number = np.array([one.number[0] for one in found])
+    steady = np.ones(len(true), bool)
+    steady[8:11] = False  # below 2.5 N the first may go unseen
+    assert np.mean(number[steady] == true[steady]) >= 0.95
+    slid = [
+        one.xy_mm[0, one.face[0] == 3][0] - contact[row, 0, :2]
+        for row, one in enumerate(found[14:44], start=14)
+        if 3 in one.face[0]
+    ]
+    assert np.median(np.linalg.norm(slid, axis=1)) < 0.5
+
+
+def test_tracking_rarely_starts_anew(followed):
+    *_, tracker = followed
+    assert tracker.seen_anew <= 6
+
+
+def test_the_zero_is_taken_from_rest(followed):
+    _, _, counts, _, _ = followed
+    raw = np.random.default_rng(2).integers(-500, 500, 45) + counts
+    reader = LiveContacts(FREE, "first", 8)
+    read = [reader.feed(frame.reshape(5, 3, 3), row / 10) for row, frame in enumerate(raw)]
+    assert all(one is None for one in read[:8])
+    told = read[40]
+    assert told.number[0] == 2
+    own = np.flatnonzero(told.face[0] == 5)[0]
+    assert np.linalg.norm(told.xy_mm[0, own] - [5, -2]) < 2.0
+    following = LiveContacts(FREE, "rest", 8)
+    last = [following.feed(frame.reshape(5, 3, 3), row / 10) for row, frame in enumerate(raw)]
+    assert last[40].number[0] == 2
+    assert last[-1].number[0] == 0
+
+
+def test_readings_of_another_object_are_refused():
+    with pytest.raises(InputError, match="reads 3 sensors on faces"):
+        LiveContacts(FREE, "none").feed(np.zeros((5, 2, 3)))
+    missing = np.zeros((5, 3, 3))
+    missing[2, 1, 0] = np.nan
+    with pytest.raises(InputError, match="F3-X2 gives no reading"):
+        LiveContacts(FREE, "none").feed(missing)
+
+
+def test_a_file_gives_the_same_readings(tmp_path, followed):
+    _, _, counts, _, _ = followed
+    path = tmp_path / "contacts.nc"
+    save_inversion(FREE, path)
+    again = load_inversion(path)
+    some = counts[[3, 20, 30]]
+    for one, other in zip(FREE.read(some)[0].xy_mm, again.read(some)[0].xy_mm, strict=True):
+        assert_allclose(one, other, atol=1e-5)
+    assert is_inversion(path)
+    assert not is_inversion(tmp_path / "no.nc")
+    damaged = bytearray(path.read_bytes())
+    damaged[len(damaged) // 2] ^= 0xFF
+    path.write_bytes(damaged)
+    with pytest.raises(StoreError, match="damaged"):
+        load_inversion(path)
+
+
+def test_axes_that_are_not_measured_say_nothing():
+    only_z = SPEC.changed(sensors=SPEC.sensors.changed(axes=["Z"]))
+    told = disturbances(only_z, 0.1, 0.0)
+    assert np.all(told.noise_counts.reshape(-1, 3)[:, :2] == BLIND)
+    assert_allclose(told.model_error, np.hypot(0.1, SUM_ERROR))
+
+
+def test_the_error_of_a_design_is_that_of_its_tolerances():
+    forces, motions, signals = presses()
+    exact = SPEC.changed(tolerances=dict.fromkeys(SPEC.tolerances.model_dump(), 0.0))
+    assert_allclose(design_error(exact, forces, motions, signals), MESH_ERROR, rtol=1e-6)
+    assert 0.05 < design_error(SPEC, forces, motions, signals) < 0.5
