@@ -228,7 +228,7 @@ STAGES: dict[str, Stage] = {
         "estimator: training", ("frames",), ("training", "seed"), make_networks, version=7
     ),
     "metrics": Stage(
-        "estimator: held-out presses", ("frames", "networks"), (), make_metrics, version=3
+        "estimator: held-out presses", ("frames", "networks"), (), make_metrics, version=4
     ),
     "surroundings": Stage(
         "signals: surroundings at rest",

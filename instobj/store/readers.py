@@ -231,6 +231,7 @@ CALIBRATION_PICTURE = ResultFile("networks", "calibration.png", _path, published
 PRETRAINED = ResultFile("pretraining", "pretrained/*.safetensors", _face_models, published=True)
 METRICS = ResultFile("metrics", "metrics.json", _json, published=True)
 HELD_OUT_PICTURE = ResultFile("metrics", "metrics/held_out.png", _path, published=True)
+OVER_TIME_PICTURE = ResultFile("metrics", "metrics/over_time.png", _path, published=True)
 SURROUNDINGS = ResultFile("surroundings", "surroundings.json", _json)
 PRESS_CURVES = ResultFile("press_curves", "press_curves.json", _json)
 PRESS_CURVES_PICTURE = ResultFile("press_curves", "press_curves.png", _path)
