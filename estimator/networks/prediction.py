@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from jaxtyping import Float, Int
+from jaxtyping import Bool, Float, Int
 
 
 @dataclass(frozen=True)
@@ -22,6 +22,12 @@ class Prediction:
     contact: Float[np.ndarray, "frame"]
     force_halfwidth_n: Float[np.ndarray, "frame"]
     position_radius_mm: Float[np.ndarray, "frame"]
+    novelty: Float[np.ndarray, "frame"]
+
+    @property
+    def novel(self) -> Bool[np.ndarray, "frame"]:
+        """Frames whose signals lie beyond what training covers; their intervals are wider."""
+        return self.novelty > NOVEL_FROM
 
 
 @dataclass(frozen=True)
@@ -85,4 +91,7 @@ UNITS = {
     "contact": "1",
     "force_halfwidth_n": "N",
     "position_radius_mm": "mm",
+    "novelty": "1",
 }
+NOVEL_FROM = 1.0
+"""Above this novelty, a frame is novel."""

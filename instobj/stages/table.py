@@ -225,7 +225,7 @@ STAGES: dict[str, Stage] = {
         version=3,
     ),
     "networks": Stage(
-        "estimator: training", ("frames",), ("training", "seed"), make_networks, version=7
+        "estimator: training", ("frames",), ("training", "seed"), make_networks, version=8
     ),
     "metrics": Stage(
         "estimator: held-out presses", ("frames", "networks"), (), make_metrics, version=4

@@ -67,6 +67,7 @@ def train_networks(frames: FrameSet, split: Split, how: Fitting, folder: Path) -
 
 
 def _fitted(face: int, parts: tuple[FrameSet, FrameSet], how: Fitting) -> FaceModel:
+    from estimator.networks.defaults import filled
     from estimator.networks.face_model import load_model
     from estimator.networks.training import FitSettings, fit_estimator
 
@@ -75,7 +76,8 @@ def _fitted(face: int, parts: tuple[FrameSet, FrameSet], how: Fitting) -> FaceMo
             how.step(f"face {face}, epoch {epoch} of {of}: validation loss {score:.3f}")
 
     checkpoint = None if how.unfinished is None else how.unfinished / f"face_{face}"
-    settings = FitSettings(face, how.training, how.seed, checkpoint=checkpoint)
+    training = how.training if how.twin is None else filled(how.training)
+    settings = FitSettings(face, training, how.seed, checkpoint=checkpoint)
     start = None if how.start is None else load_model(face_model_path(how.start, face))
     shown = parts if how.twin is None else how.twin.extended(parts, face, how.step)
     return fit_estimator(*shown, settings, start, progress)
