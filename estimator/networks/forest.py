@@ -17,6 +17,8 @@ from torch import Tensor, nn
 from estimator.frames.face_data import Channel, FaceData, channel_counts
 
 LEAST_FRAMES_OF_LEAF = 2
+MOST_LEVELS = 14
+"""Each level of a tree is a step of the exported graph."""
 
 
 class ForestShape(NamedTuple):
@@ -78,7 +80,10 @@ def fit_forest(data: FaceData, channels: tuple[Channel, ...], trees: int, seed: 
     grown: list[Any] = []
     for inputs, target in targets:
         regressor = ExtraTreesRegressor(
-            trees, min_samples_leaf=LEAST_FRAMES_OF_LEAF, random_state=seed
+            trees,
+            min_samples_leaf=LEAST_FRAMES_OF_LEAF,
+            max_depth=MOST_LEVELS,
+            random_state=seed,
         )
         answer = target if target.shape[1] == 2 else target[:, 0]
         grown += [one.tree_ for one in regressor.fit(inputs, answer).estimators_]
