@@ -8,6 +8,7 @@ of a press's errors counts once, and the scatter is that of presses drawn anew (
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from typing import Any
@@ -211,6 +212,7 @@ def _extra_trees(counts: np.ndarray, target: np.ndarray) -> Any:
 
 def _gaussian_process(counts: np.ndarray, target: np.ndarray) -> Any:
     """Squared-exponential kernel and noise of greatest likelihood on a part of the frames."""
+    from sklearn.exceptions import ConvergenceWarning
     from sklearn.gaussian_process import GaussianProcessRegressor
     from sklearn.gaussian_process.kernels import RBF, ConstantKernel, WhiteKernel
 
@@ -218,7 +220,9 @@ def _gaussian_process(counts: np.ndarray, target: np.ndarray) -> Any:
         np.sqrt(counts.shape[1]), (1e-1, 1e3)
     ) + WhiteKernel(1e-2, (1e-6, 1e1))
     part = np.random.default_rng(0).permutation(len(counts))[:_FRAMES_OF_KERNEL]
-    rough = GaussianProcessRegressor(kernel, normalize_y=True).fit(counts[part], target[part])
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ConvergenceWarning)  # noise at its bound is an answer
+        rough = GaussianProcessRegressor(kernel, normalize_y=True).fit(counts[part], target[part])
     exact = GaussianProcessRegressor(
         rough.kernel_,
         optimizer=None,  # pyright: ignore[reportArgumentType]

@@ -31,6 +31,10 @@ FAINT = (0.05, 0.2, 0.4)
 STEPS_OF_SHARES = 4
 """Shares are multiples of one over this."""
 
+LEAST_RADIUS_PITCHES = 0.1
+"""Least median radius, in pitches of the grid. Where training knows few places, most answers are
+one of them to a micrometre, and the quantile of errors is next to nothing."""
+
 
 @dataclass(frozen=True)
 class Fold:
@@ -98,6 +102,8 @@ def assembled(
     ):
         wanted = conformal_quantile(score, held_out.press_id, cover, len(folds) > 1)
         quantile.fill_(max(wanted, 0.0))
+    least_mm = LEAST_RADIUS_PITCHES * _pitch_mm(everything)
+    network.position_quantile.clamp_(min=least_mm / float(np.median(held_out.spread_mm)))
     return network, len(np.unique(held_out.press_id))
 
 
@@ -147,6 +153,11 @@ def _answers(
         spread_mm=network.position_radius_mm,
         distance=distance.double().numpy(),
     )
+
+
+def _pitch_mm(data: FaceData) -> float:
+    steps = np.concatenate([np.diff(data.frames.grid_x_mm), np.diff(data.frames.grid_y_mm)])
+    return float(steps.min()) if len(steps) else 1.0
 
 
 def _centre_mm(found: Prediction, data: FaceData) -> Float[np.ndarray, "frame 2"]:
