@@ -1,10 +1,13 @@
-"""The estimator on recordings of a real object, presses and places held out, over several seeds.
+"""The estimator on recordings of a real object: presses, places and a recording held out.
 
-    python benchmarks/recordings.py RECORDING [--seeds 5] [--quick] [--out FOLDER]
+    python benchmarks/recordings.py RECORDING [--other RECORDING] [--seeds 5] [--quick] [--out FOLDER]
 
 Each press is zeroed from the frames before it; a face's own channels are read. The change over time
 that is read (`training.history_frames`) is chosen among 0, 3, 6 and 9 frames by cross-validation
-within the training presses of the first seed. Writes `recordings.json`.
+within the training presses of the first seed; ensemble and trees are the defaults for so few
+presses. Beside it stand the simple regressions of `estimator.evaluation.baselines`, and the coverage
+of intervals at held-out presses, places and, with `--other`, the other recording. Writes
+`recordings.json`.
 """
 
 from __future__ import annotations
@@ -18,6 +21,7 @@ import torch
 from harness import Result, conclude, machine, option_parser
 
 from design.spec.object import TrainingSpec
+from estimator.evaluation.baselines import baseline_reports, held_out_answers
 from estimator.evaluation.evaluation import (
     evaluate_face,
     evaluate_intervals,
@@ -43,8 +47,8 @@ _COLUMNS = (
 
 
 def training(quick: bool, **changes: object) -> TrainingSpec:
-    """The specification's defaults with an ensemble of five; quick: one small network."""
-    small = {"ensemble": 1, "epochs": 3, "hidden_units": (16,)} if quick else {"ensemble": 5}
+    """The specification's defaults; quick: one small network."""
+    small = {"ensemble": 1, "trees": 5, "epochs": 3, "hidden_units": (16,)} if quick else {}
     return TrainingSpec.model_validate(small | changes)
 
 
@@ -54,7 +58,7 @@ def chosen_history(frames: FrameSet, face: int, seed: int, quick: bool) -> int:
     known = frames.select(split.train | split.validation)
     errors = []
     for history in HISTORIES[:2] if quick else HISTORIES:
-        wanted = training(quick, history_frames=history, ensemble=1)
+        wanted = training(quick, history_frames=history, ensemble=1, trees=0)
         found = []
         for inner_seed in range(1 if quick else 2):
             inner = split_presses(known, inner_seed)
@@ -75,23 +79,40 @@ def one_seed(frames: FrameSet, face: int, seed: int, wanted: TrainingSpec) -> Re
     model = _fitted(frames, split, face, wanted, seed)
     test = frames.select(split.test)
     metrics = evaluate_face(model, test, frames).summary()
-    return {name: metrics[name] for name in _COLUMNS} | asdict(evaluate_intervals(model, test))
+    rows = baseline_reports(held_out_answers(model, frames, split))
+    return (
+        {name: metrics[name] for name in _COLUMNS}
+        | asdict(evaluate_intervals(model, test))
+        | {"baselines": [row.summary() for row in rows]}
+    )
 
 
 def unseen_place(frames: FrameSet, face: int, seed: int, wanted: TrainingSpec) -> Result:
     """Metrics at whole places held out, with heatmap and with position output."""
     split, found = split_places(frames, seed), {}
     for output in ("heatmap", "position"):
-        changes = wanted.model_dump() | {"output": output, "ensemble": 1}
+        changes = wanted.model_dump() | {"output": output}
         model = _fitted(frames, split, face, TrainingSpec.model_validate(changes), seed)
-        metrics = evaluate_face(model, frames.select(split.test), frames).summary()
+        test = frames.select(split.test)
+        metrics = evaluate_face(model, test, frames).summary()
         found[output] = {name: metrics[name] for name in _COLUMNS}
+        found[output] |= asdict(evaluate_intervals(model, test))
     return found
 
 
-def measured(path: Path, seeds: int, quick: bool) -> Result:
+def other_recording(frames: FrameSet, other: FrameSet, face: int, wanted: TrainingSpec) -> Result:
+    """Metrics and intervals on a recording of the same object that gave no training press."""
+    split = split_presses(frames, 0)
+    known = Split(split.train | split.test, split.validation, np.zeros(len(frames), dtype=bool))
+    model = _fitted(frames, known, face, wanted, 0)
+    metrics = evaluate_face(model, other, other).summary()
+    return {name: metrics[name] for name in _COLUMNS} | asdict(evaluate_intervals(model, other))
+
+
+def measured(path: Path, other: Path | None, seeds: int, quick: bool) -> Result:
     """All faces that the recording presses."""
     recording = read_recording(path)
+    elsewhere = None if other is None else read_recording(other).frames
     frames = recording.frames
     rest_offset = rest_offset_baseline([recording], seed=1)
     result: Result = {
@@ -107,10 +128,31 @@ def measured(path: Path, seeds: int, quick: bool) -> Result:
             "history_frames": history,
             "seeds": [one_seed(frames, face, seed, wanted) for seed in range(seeds)],
             "unseen_places": [unseen_place(frames, face, seed, wanted) for seed in range(seeds)],
+            "other_recording": None
+            if elsewhere is None
+            else other_recording(frames, elsewhere, face, wanted),
             "linear": linear_baseline(frames, face, split).summary(),
             "mean_map": mean_map_baseline(frames, face, split).summary(),
         }
     return result
+
+
+def _covers(rows: list[Result]) -> str:
+    force, place = (
+        np.mean([row[f"{what}_cover"] for row in rows]) for what in ("force", "position")
+    )
+    return f"cover {force:.3f} of forces and {place:.3f} of places"
+
+
+def _baseline_lines(seeds: list[Result]) -> list[str]:
+    """Means over the seeds."""
+    lines = []
+    for rows in zip(*(seed["baselines"] for seed in seeds), strict=True):
+        percent, away = (
+            np.mean([row[name] for row in rows]) for name in ("total_force_percent", "place_mm")
+        )
+        lines.append(f"    {rows[0]['name']}: total force {percent:.2f} %, place {away:.2f} mm")
+    return lines
 
 
 def report(result: Result) -> str:
@@ -136,8 +178,14 @@ def report(result: Result) -> str:
                 for name in ("location_error_px", "total_force_error_percent")
             )
             lines.append(
-                f"    places held out, {output}: E_loc {away:.2f} px, total force {total:.1f} %"
+                f"    places held out, {output}: E_loc {away:.2f} px, total force {total:.1f} %; 90 % "
+                f"intervals {_covers(rows)}"
             )
+        if found["other_recording"]:
+            lines.append(
+                f"    other recording: 90 % intervals {_covers([found['other_recording']])}"
+            )
+        lines += _baseline_lines(found["seeds"])
         lines.append(
             f"    linear {found['linear']['force_error_percent']:.1f} %, always the mean map "
             f"{found['mean_map']['force_error_percent']:.1f} % and "
@@ -155,11 +203,12 @@ def main(arguments: list[str]) -> None:
     """Measure, write, report."""
     parser = option_parser("The estimator on recordings of a real object")
     parser.add_argument("recording", type=Path)
+    parser.add_argument("--other", type=Path, help="recording of the same object to test on")
     parser.add_argument("--seeds", type=int, default=5)
     options = parser.parse_args(arguments)
     torch.set_num_threads(1)
     result = {"machine": machine(1, ("torch",))}
-    result |= measured(options.recording, options.seeds, options.quick)
+    result |= measured(options.recording, options.other, options.seeds, options.quick)
     conclude("recordings", options, result, report)
 
 

@@ -150,7 +150,9 @@ class TrainingSpec(SpecPart):
     which contact locations that training never saw need (compact and whole-object only). `heatmap_axes`: 1
     for the normal force, 3 for Fx, Fy, Fz. With `history_frames` the estimator also reads the change
     over so many frames, which tells loading from unloading (hysteresis of the silicone). `ensemble`:
-    networks that are averaged, each stopped and calibrated by its own fold of the presses.
+    networks that are averaged, each stopped and calibrated by its own fold of the presses. `trees`:
+    extremely randomised trees beside each network, whose answers are weighed in (compact and
+    whole-object only). Left out, these three follow from the data (`estimator.networks.defaults`).
     `coverage`: share of frames whose intervals hold the true value. `twins`: simulated objects that
     `instobj pretrain` draws within `[tolerances]`, or `--twin` within what labelled presses leave
     possible.
@@ -159,15 +161,25 @@ class TrainingSpec(SpecPart):
     model: Literal["compact", "whole-object", "paper", "linear", "inversion"] = "compact"
     output: Literal["heatmap", "position"] = "heatmap"
     heatmap_axes: Literal[1, 3] = 1
-    history_frames: Annotated[int, Field(ge=0, le=100)] = 0
+    history_frames: Annotated[int, Field(ge=0, le=100)] | None = None
     hidden_units: Annotated[tuple[Count, ...], Field(min_length=1)] = (256, 256, 256)
     epochs: Count = 40
     batch_size: Count = 512
     learning_rate: Positive = 3e-3
     patience_epochs: Count = 15
-    ensemble: Annotated[int, Field(ge=1, le=20)] = 1
+    ensemble: Annotated[int, Field(ge=1, le=20)] | None = None
+    trees: Annotated[int, Field(ge=0, le=500)] | None = None
     coverage: Annotated[float, Field(gt=0, lt=1)] = 0.9
     twins: Annotated[int, Field(ge=2, le=1000)] = 10
+
+    @model_validator(mode="after")
+    def _trees_stand_beside_heads(self) -> TrainingSpec:
+        if self.trees and self.model in ("paper", "linear"):
+            raise ValueError(
+                f"training.trees works with training.model = 'compact' or 'whole-object'; got "
+                f"{self.trees} and {self.model!r}. Set trees = 0, or another model"
+            )
+        return self
 
     @model_validator(mode="before")
     @classmethod

@@ -66,7 +66,7 @@ def fit_ridge(
 
 def architecture_of(training: TrainingSpec) -> Architecture:
     """Architecture of `training.model`."""
-    axes, members = training.heatmap_axes, training.ensemble
+    axes, members = training.heatmap_axes, training.ensemble or 1
     if training.model == "paper":
         return Architecture("heatmap", PAPER_HIDDEN_UNITS, axes, members=members)
     if training.model == "linear":

@@ -17,22 +17,30 @@ from design.errors import InputError, StoreError
 from design.files import atomic_path
 from estimator.frames.dataset import FrameSet
 from estimator.frames.face_data import HISTORY, Channel, channel_counts, with_history
+from estimator.networks.coverage import Coverage
+from estimator.networks.forest import Forest, ForestShape
 from estimator.networks.network import ContactEstimator, HeadsNetwork, HeatmapNetwork
 from estimator.networks.prediction import Prediction
 
-MODEL_FORMAT = 3
+MODEL_FORMAT = 4
 _BATCH_FRAMES = 8192
 
 
 @dataclass(frozen=True)
 class Architecture:
-    """What a member network is built of, besides the numbers among its weights."""
+    """What an estimator is built of, besides the numbers among its weights.
+
+    `forest` is the shape of the trees beside the networks, `references` how many training frames
+    novelty is measured from.
+    """
 
     kind: Literal["heads", "heatmap"]
     hidden_units: tuple[int, ...]
     axes: int = 1
     continuous: bool = False
     members: int = 1
+    forest: ForestShape | None = None
+    references: int = 0
 
 
 @dataclass(frozen=True)
@@ -79,10 +87,8 @@ def predict_heatmaps(model: FaceModel, frames: FrameSet) -> Float[np.ndarray, "f
     return predict(model, frames).heatmap_n[:, -1]
 
 
-def read_counts(
-    network: ContactEstimator, counts: Float[np.ndarray, "frame channel"]
-) -> Prediction:
-    """Readings of counts in batches, on the network's own device."""
+def read_counts(network: nn.Module, counts: Float[np.ndarray, "frame channel"]) -> Prediction:
+    """Readings of an estimator, or of a member of it, in batches on its own device."""
     device = next(network.parameters()).device
     network.eval()
     with torch.inference_mode():
@@ -110,7 +116,9 @@ def empty_network(
             return HeadsNetwork(ones, *grids, units, 1.0, axes, architecture.continuous)
         return HeatmapNetwork(ones, ones, *grids, units, 1.0, 1.0, axes)
 
-    return ContactEstimator([member() for _ in range(architecture.members)])
+    forest = None if architecture.forest is None else Forest(architecture.forest)
+    coverage = Coverage(channels, architecture.references)
+    return ContactEstimator([member() for _ in range(architecture.members)], coverage, forest)
 
 
 def description(model: FaceModel) -> dict[str, Any]:
@@ -189,6 +197,8 @@ def _assembled(described: dict[str, Any], weights: dict[str, Tensor]) -> FaceMod
     grid_x, grid_y = (np.array(described[f"grid_{axis}_mm"], dtype=float) for axis in "xy")
     built = dict(described["architecture"])
     built["hidden_units"] = _whole_numbers(built["hidden_units"])
+    if built["forest"] is not None:
+        built["forest"] = ForestShape(*_whole_numbers(built["forest"]))
     architecture = Architecture(**built)
     network = empty_network(architecture, len(channels), grid_x, grid_y)
     network.load_state_dict(weights)

@@ -23,6 +23,9 @@ import torch
 from jaxtyping import Float
 from torch import Tensor, nn
 
+from estimator.networks.coverage import Coverage, growth
+from estimator.networks.forest import Forest
+
 SIGMA_SPAN = 3.0
 LINEAR_SIGMA_SPAN = 30.0
 DOUBT_POWER = 2
@@ -36,6 +39,7 @@ SPLAT_PITCHES = 0.3
 """Standard deviation, in pitches of the grid, of the spot that a continuous position draws."""
 _LEAST_SPREAD = 1e-3
 _LEAST_WEIGHT = 1e-12
+_LEAST_FORCE_N = 1e-6
 
 
 class Reading(NamedTuple):
@@ -50,6 +54,8 @@ class Reading(NamedTuple):
         smallest contact force seen in training, at most 1)
     force_halfwidth_n : (frame,) the interval is `force_n` ± this; NaN before calibration
     position_radius_mm : (frame,) the true centre lies within this radius of `xy_mm`; likewise
+    novelty : (frame,) distance from what training covers; above 1 the frame is novel
+        (`estimator.networks.coverage`). Of single members 0
     """
 
     heatmap_n: Float[Tensor, "frame axis nx ny"]
@@ -58,6 +64,7 @@ class Reading(NamedTuple):
     contact: Float[Tensor, "frame"]
     force_halfwidth_n: Float[Tensor, "frame"]
     position_radius_mm: Float[Tensor, "frame"]
+    novelty: Float[Tensor, "frame"]
 
 
 class Heads(NamedTuple):
@@ -156,9 +163,8 @@ class HeadsNetwork(nn.Module):
         force_n = self.force_scale_n * heads.force * (contact**DOUBT_POWER)[:, None]
         heatmap = (force_n[:, :, None] * share[:, None]).unflatten(2, self.shape)
         halfwidth = self.force_scale_n * heads.force_spread
-        return Reading(
-            heatmap, force_n[:, -1], heads.xy_mm, contact, halfwidth, heads.position_spread_mm
-        )
+        radius, none = heads.position_spread_mm, torch.zeros_like(contact)
+        return Reading(heatmap, force_n[:, -1], heads.xy_mm, contact, halfwidth, radius, none)
 
 
 class HeatmapNetwork(nn.Module):
@@ -209,33 +215,76 @@ class HeatmapNetwork(nn.Module):
         xy = (weight @ self.grid_mm) / weight.sum(dim=1, keepdim=True)
         contact = (largest / self.smallest_contact_n).clamp(0.0, 1.0)
         even = torch.ones_like(largest)
-        return Reading(heatmap.unflatten(2, self.shape), normal.sum(dim=1), xy, contact, even, even)
+        return Reading(
+            heatmap.unflatten(2, self.shape), normal.sum(dim=1), xy, contact, even, even, 0 * even
+        )
 
 
 class ContactEstimator(nn.Module):
-    """One network or the mean of several, with calibrated intervals.
+    """Networks, averaged, and trees beside them where there are any, with calibrated intervals.
 
-    The members' spreads times `force_quantile` and `position_quantile` are the intervals'
-    half-widths (`estimator.networks.conformal`).
+    The total force is that of the networks and that of the trees, whose share is `force_share`; the
+    centre is weighed by `place_shares` from the networks' own, that of their heatmap, and the
+    trees'. The members' spreads times `force_quantile` and `position_quantile`
+    (`estimator.networks.conformal`) and what novelty adds (`estimator.networks.coverage`) are the
+    intervals' half-widths.
     """
 
     force_quantile: Tensor
     position_quantile: Tensor
+    force_share: Tensor
+    place_shares: Tensor
 
-    def __init__(self, members: Sequence[nn.Module]) -> None:
+    def __init__(
+        self, members: Sequence[nn.Module], coverage: Coverage, forest: Forest | None = None
+    ) -> None:
         super().__init__()
         self.members = nn.ModuleList(members)
-        _buffer(self, "force_quantile", float("nan"))
-        _buffer(self, "position_quantile", float("nan"))
+        self.coverage, self.forest = coverage, forest
+        for name in ("force_quantile", "position_quantile"):
+            _buffer(self, name, float("nan"))
+        _buffer(self, "force_share", 0.0)
+        _buffer(self, "place_shares", np.array([1.0, 0.0, 0.0]))
 
     def forward(self, counts: Float[Tensor, "frame channel"]) -> Reading:
         readings = [member(counts) for member in self.members]
         columns = zip(*readings, strict=True)
         mean = Reading(*(torch.stack(column).mean(dim=0) for column in columns))
+        places = [mean.xy_mm, self._centre_of(mean.heatmap_n[:, -1])]
+        if self.forest is not None:
+            force_n, xy_mm = self.forest(counts)
+            mean = self._with_force(mean, force_n)
+            places.append(xy_mm)
+        xy = sum(share * place for share, place in zip(self.place_shares, places, strict=False))
+        novelty = self.coverage(counts)
+        grown = growth(novelty)
         return mean._replace(
-            force_halfwidth_n=mean.force_halfwidth_n * self.force_quantile,
-            position_radius_mm=mean.position_radius_mm * self.position_quantile,
+            xy_mm=xy,
+            force_halfwidth_n=mean.force_halfwidth_n * self.force_quantile
+            + self.coverage.force_slope_n * grown,
+            position_radius_mm=mean.position_radius_mm * self.position_quantile
+            + self.coverage.place_slope_mm * grown,
+            novelty=novelty,
         )
+
+    def _with_force(self, mean: Reading, force_n: Tensor) -> Reading:
+        """Heatmaps keep the networks' shares."""
+        trusted_n = force_n * mean.contact**DOUBT_POWER
+        blended_n = torch.lerp(mean.force_n, trusted_n, self.force_share)
+        ratio = (blended_n / mean.force_n.clamp(min=_LEAST_FORCE_N))[:, None, None, None]
+        heatmap = torch.cat([mean.heatmap_n[:, :-1], mean.heatmap_n[:, -1:] * ratio], dim=1)
+        return mean._replace(heatmap_n=heatmap, force_n=blended_n)
+
+    def _centre_of(self, heatmap_n: Float[Tensor, "frame nx ny"]) -> Float[Tensor, "frame 2"]:
+        return heatmap_centre_mm(heatmap_n, self.members[0].get_buffer("grid_mm"))
+
+
+def heatmap_centre_mm(
+    heatmap_n: Float[Tensor, "frame nx ny"], grid_mm: Float[Tensor, "pixel 2"]
+) -> Float[Tensor, "frame 2"]:
+    """Centre of the positive forces of heatmaps; the grid's origin where they are all but zero."""
+    weight = torch.relu(heatmap_n).flatten(1)
+    return weight @ grid_mm / weight.sum(dim=1, keepdim=True).clamp(min=_LEAST_FORCE_N)
 
 
 def _pitch_mm(grid_mm: Float[np.ndarray, "n"]) -> float:

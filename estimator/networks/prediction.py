@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from jaxtyping import Float
+from jaxtyping import Bool, Float, Int
 
 
 @dataclass(frozen=True)
@@ -22,6 +22,12 @@ class Prediction:
     contact: Float[np.ndarray, "frame"]
     force_halfwidth_n: Float[np.ndarray, "frame"]
     position_radius_mm: Float[np.ndarray, "frame"]
+    novelty: Float[np.ndarray, "frame"]
+
+    @property
+    def novel(self) -> Bool[np.ndarray, "frame"]:
+        """Frames whose signals lie beyond what training covers; their intervals are wider."""
+        return self.novelty > NOVEL_FROM
 
 
 @dataclass(frozen=True)
@@ -42,6 +48,42 @@ class ContactReadings:
     presses: int
 
 
+@dataclass(frozen=True)
+class ContactAnswers:
+    """What one estimator says in the contact frames of the test: total force (N) and centre (mm)."""
+
+    name: str
+    force_n: Float[np.ndarray, "frame"]
+    xy_mm: Float[np.ndarray, "frame 2"]
+
+
+@dataclass(frozen=True)
+class HeldOutAnswers:
+    """Answers of the model (first) and of all baselines, beside what was labelled.
+
+    Attributes
+    ----------
+    true_force_n, true_xy_mm : (frame,), (frame, 2); N, mm
+    span_n : (frame,) summed ranges of force of the pressed pixels, of which errors are per cent
+    press_id, time_s : (frame,)
+    grid_x_mm, grid_y_mm : contact grid of the face
+    force_halfwidth_n : (frame,) of the model's interval
+    fitted_frames : training frames of each baseline
+    """
+
+    face: int
+    true_force_n: Float[np.ndarray, "frame"]
+    true_xy_mm: Float[np.ndarray, "frame 2"]
+    span_n: Float[np.ndarray, "frame"]
+    press_id: Int[np.ndarray, "frame"]
+    time_s: Float[np.ndarray, "frame"]
+    grid_x_mm: Float[np.ndarray, "nx"]
+    grid_y_mm: Float[np.ndarray, "ny"]
+    force_halfwidth_n: Float[np.ndarray, "frame"]
+    answers: tuple[ContactAnswers, ...]
+    fitted_frames: dict[str, int]
+
+
 UNITS = {
     "heatmap_n": "N",
     "force_n": "N",
@@ -49,4 +91,7 @@ UNITS = {
     "contact": "1",
     "force_halfwidth_n": "N",
     "position_radius_mm": "mm",
+    "novelty": "1",
 }
+NOVEL_FROM = 1.0
+"""Above this novelty, a frame is novel."""

@@ -12,7 +12,6 @@ from __future__ import annotations
 import copy
 import hashlib
 from dataclasses import asdict, dataclass, field, replace
-from itertools import product
 from pathlib import Path
 
 import numpy as np
@@ -26,17 +25,17 @@ from estimator.frames.face_data import (
     HISTORY,
     Channel,
     FaceData,
-    channel_counts,
     face_data,
     live_channels,
     with_history,
 )
-from estimator.networks.conformal import conformal_quantile
+from estimator.networks.defaults import PLAIN, filled, filled_for
 from estimator.networks.ensemble import architecture_of, fit_ridge, new_member, sigma_counts
-from estimator.networks.face_model import FaceModel, read_counts
+from estimator.networks.face_model import FaceModel
 from estimator.networks.fitting import Progress, Schedule, fit
-from estimator.networks.metrics import face_metrics, force_reference
-from estimator.networks.network import ContactEstimator, HeadsNetwork, HeatmapNetwork
+from estimator.networks.forest import fit_forest
+from estimator.networks.held_out import Fold, assembled, sharpened
+from estimator.networks.network import ContactEstimator, HeatmapNetwork
 from estimator.networks.training_data import (
     AUGMENTATION,
     Augmentation,
@@ -49,8 +48,6 @@ from estimator.networks.training_data import (
     with_contacts,
 )
 
-SHARPNESS = (1.0, 2.0, 4.0, 8.0, 16.0)
-FAINT = (0.05, 0.2, 0.4)
 PAPER_BATCH_FRAMES = 2000
 PAPER_LEARNING_RATE = 1e-3
 PAPER_WEIGHT_DECAY = 1e-4
@@ -105,6 +102,11 @@ def fit_estimator(
     InputError
         No contact on the face in either part, no live channel, a start of another face or model.
     """
+    if start is None:
+        shown = train_frames, validation_frames
+        settings = replace(settings, training=filled_for(settings.training, shown, settings.face))
+    else:
+        settings = replace(settings, training=_as_started(settings.training, start))
     training, seed = settings.training, settings.seed
     parts = [
         _prepared(frames, name, settings)
@@ -113,7 +115,7 @@ def fit_estimator(
     if start is not None:
         _require_same_kind(start, settings, train_frames)
     channels = start.channels if start else _common_channels(parts, training)
-    members, scores = [], []
+    folds = []
     for number, (fitted, held_out) in enumerate(_folds(parts, settings)):
         if start is None:
             member = new_member(fitted, channels, training, seed + _NEXT_SEED * number)
@@ -122,35 +124,67 @@ def fit_estimator(
         _fit_member(
             member, number, fitted, held_out, channels, settings, start is not None, progress
         )
-        members.append(_sharpened(member, held_out, channels))
-        scores.append(_scores(member, held_out, channels))
-    network = ContactEstimator(members)
-    force, position, press = (np.concatenate(column) for column in zip(*scores, strict=True))
-    cover, pooled = training.coverage, training.ensemble > 1
-    network.force_quantile.fill_(conformal_quantile(force, press, cover, pooled))
-    network.position_quantile.fill_(conformal_quantile(position, press, cover, pooled))
+        trees = training.trees or 0
+        forest = fit_forest(fitted, channels, trees, seed + number) if trees else None
+        folds.append(Fold(sharpened(member, held_out, channels), forest, fitted, held_out))
+    everything, trees = joined(*parts), training.trees or 0
+    network, presses = assembled(
+        [replace(fold, member=fold.member.cpu()) for fold in folds],
+        everything,
+        fit_forest(everything, channels, len(folds) * trees, seed) if trees else None,
+        channels,
+        training.coverage,
+        seed,
+    )
+    return _described(network, presses, channels, settings, train_frames)
+
+
+def _described(
+    network: ContactEstimator,
+    presses: int,
+    channels: tuple[Channel, ...],
+    settings: FitSettings,
+    frames: FrameSet,
+) -> FaceModel:
+    """The network with all that is needed to use it."""
+    training = settings.training
+    architecture = replace(
+        architecture_of(training),
+        forest=None if network.forest is None else network.forest.shape,
+        references=len(network.coverage.reference),
+    )
     return FaceModel(
         name=training.model,
         face=settings.face,
         channels=channels,
-        grid_x_mm=train_frames.grid_x_mm,
-        grid_y_mm=train_frames.grid_y_mm,
-        architecture=architecture_of(training),
-        history_frames=training.history_frames,
+        grid_x_mm=frames.grid_x_mm,
+        grid_y_mm=frames.grid_y_mm,
+        architecture=architecture,
+        history_frames=training.history_frames or 0,
         interval_cover=training.coverage,
-        interval_presses=len(np.unique(press)),
+        interval_presses=presses,
         network=network.to(settings.device),
     )
 
 
+def _as_started(training: TrainingSpec, start: FaceModel) -> TrainingSpec:
+    """Networks that go on from others have no trees: those cannot go on."""
+    if training.trees:
+        raise InputError(
+            f"training.trees = {training.trees} does not go with a start: trees are grown, not gone on "
+            "from. Set training.trees = 0, or train without --start"
+        )
+    return filled(training, PLAIN._replace(history_frames=start.history_frames))
+
+
 def _prepared(frames: FrameSet, part: str, settings: FitSettings) -> FaceData:
-    whole = with_history(frames, settings.training.history_frames)
+    whole = with_history(frames, settings.training.history_frames or 0)
     return thinned(with_contacts(face_data(whole, settings.face), part), settings.seed)
 
 
 def _folds(parts: list[FaceData], settings: FitSettings) -> list[tuple[FaceData, FaceData]]:
     """What each member is fitted to, and what stops and calibrates it."""
-    members = settings.training.ensemble
+    members = settings.training.ensemble or 1
     if members == 1:
         return [(parts[0], parts[1])]
     pooled = joined(*parts)
@@ -159,7 +193,12 @@ def _folds(parts: list[FaceData], settings: FitSettings) -> list[tuple[FaceData,
 
 
 def _require_same_kind(start: FaceModel, settings: FitSettings, frames: FrameSet) -> None:
-    wanted = replace(architecture_of(settings.training), members=start.architecture.members)
+    wanted = replace(
+        architecture_of(settings.training),
+        members=start.architecture.members,
+        forest=start.architecture.forest,
+        references=start.architecture.references,
+    )
     same_grid = all(
         mine.shape == theirs.shape and np.allclose(mine, theirs, rtol=0, atol=1e-6)
         for mine, theirs in (
@@ -221,7 +260,7 @@ def _fit_member(
 
 def _schedule(settings: FitSettings, number: int, source: str, fine_tuned: bool) -> Schedule:
     training, seed = settings.training, settings.seed + _NEXT_SEED * number
-    budget = None if settings.budget_s is None else settings.budget_s / training.ensemble
+    budget = None if settings.budget_s is None else settings.budget_s / (training.ensemble or 1)
     if training.model == "paper":
         return Schedule(
             epochs=training.epochs,
@@ -255,40 +294,3 @@ def _fingerprint(schedule: Schedule, counts: torch.Tensor, maps: torch.Tensor, b
     for tensor in (counts, maps):
         digest.update(tensor.cpu().numpy().tobytes())
     return digest.hexdigest()
-
-
-def _sharpened(member: nn.Module, held_out: FaceData, channels: tuple[Channel, ...]) -> nn.Module:
-    """The member with the sharpness and the limit of faint shares that do best on held-out contacts:
-    dissimilarity plus relative error of force."""
-    if not isinstance(member, HeadsNetwork) or member.continuous:
-        return member
-    data = held_out.select(held_out.contact)
-    reference = force_reference(data.heatmap_n)
-    counts, scale = channel_counts(data.frames, channels), float(member.force_scale_n)
-    costs = {}
-    for sharpness, faint in product(SHARPNESS, FAINT):
-        member.sharpness.fill_(sharpness)
-        member.faint.fill_(faint)
-        maps = read_counts(ContactEstimator([member]), counts).heatmap_n[:, -1]
-        result = face_metrics(data.face, maps, data.heatmap_n, reference)
-        costs[sharpness, faint] = 1 - result.similarity + result.force_error_n / scale
-    sharpness, faint = min(costs, key=lambda choice: costs[choice])
-    member.sharpness.fill_(sharpness)
-    member.faint.fill_(faint)
-    return member
-
-
-def _scores(
-    member: nn.Module, held_out: FaceData, channels: tuple[Channel, ...]
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Errors of force and centre over their spreads, and the press, in held-out contact frames."""
-    data = held_out.select(held_out.contact)
-    estimator = ContactEstimator([member])
-    estimator.force_quantile.fill_(1.0)
-    estimator.position_quantile.fill_(1.0)
-    counts = channel_counts(data.frames, channels)
-    found = read_counts(estimator, counts)
-    missed_n = np.abs(found.force_n - data.heatmap_n.sum(axis=(1, 2)))
-    away_mm = np.linalg.norm(found.xy_mm - data.centre_mm, axis=1)
-    scores = missed_n / found.force_halfwidth_n, away_mm / found.position_radius_mm
-    return *scores, data.frames.press_id

@@ -181,6 +181,7 @@ _OPENED_FIRST = (
     readers.FINDINGS_PICTURE.name,
     "position_bound_overview.png",
     readers.HELD_OUT_PICTURE.name,
+    readers.OVER_TIME_PICTURE.name,
     readers.ROBUSTNESS_PICTURE.name,
     readers.CALIBRATION_PICTURE.name,
 )

@@ -11,9 +11,11 @@ import numpy as np
 from instobj.figures.saving import save_figure
 
 if TYPE_CHECKING:
-    from estimator.networks.prediction import ContactReadings
+    from estimator.networks.prediction import ContactAnswers, ContactReadings, HeldOutAnswers
 
-_BLUE, _RED, _GREY = "#1b6ca8", "#c8553d", "#777777"
+_BLUE, _RED, _GREY, _BLACK = "#1b6ca8", "#c8553d", "#777777", "#222222"
+_MOST_PRESSES = 12
+"""Presses drawn over time; all are drawn on the face."""
 
 
 def draw_predictions(
@@ -55,3 +57,61 @@ def _draw_place_errors(axes: Any, one: ContactReadings) -> None:
     axes.set_title(f"{len(away)} frames of {one.presses} presses", fontsize=10)
     axes.grid(alpha=0.3)
     axes.legend(frameon=False, fontsize=8, loc="lower right")
+
+
+def draw_over_time(held_out: Sequence[HeldOutAnswers], path: Path) -> None:
+    """Labelled and read force over time, and labelled and read places on the face, of held-out
+    presses (PNG): one row per face, the model and the baseline of the least force error."""
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(12, 3.4 * len(held_out)), layout="constrained")
+    panels = figure.subplots(
+        len(held_out), 2, squeeze=False, gridspec_kw={"width_ratios": (2.6, 1)}
+    )
+    for one, (time_axes, face_axes) in zip(held_out, panels, strict=True):
+        model, *baselines = one.answers
+        best = min(baselines, key=lambda it: np.abs(it.force_n - one.true_force_n).mean())
+        _draw_force_over_time(time_axes, one, model, best)
+        _draw_places(face_axes, one, model, best)
+    figure.suptitle("Held-out presses, contact frames: model and best baseline")
+    save_figure(figure, path)
+
+
+def _draw_force_over_time(
+    axes: Any, one: HeldOutAnswers, model: ContactAnswers, best: ContactAnswers
+) -> None:
+    """Presses one after another: what lies between them is left out."""
+    presses = np.unique(one.press_id)[:_MOST_PRESSES]
+    shown = np.flatnonzero(np.isin(one.press_id, presses))
+    frame = np.arange(len(shown))
+    low = np.maximum(model.force_n - one.force_halfwidth_n, 0)[shown]
+    high = (model.force_n + one.force_halfwidth_n)[shown]
+    for start in np.flatnonzero(np.diff(one.press_id[shown])) + 1:
+        axes.axvline(start - 0.5, color=_GREY, lw=0.6, ls=":")
+    axes.fill_between(frame, low, high, color=_BLUE, alpha=0.18, lw=0, label="model's interval")
+    axes.plot(frame, one.true_force_n[shown], color=_BLACK, lw=1.6, label="labelled")
+    axes.plot(frame, best.force_n[shown], color=_RED, lw=0.9, label=best.name)
+    axes.plot(frame, model.force_n[shown], color=_BLUE, lw=0.9, label="model")
+    axes.set(xlabel="contact frame of the held-out presses", ylabel="total force (N)")
+    axes.set_xlim(0, max(1, len(shown) - 1))
+    axes.set_ylim(0, 1.2 * float(high.max()))
+    axes.set_title(
+        f"Face {one.face}: {len(presses)} of {len(np.unique(one.press_id))} held-out presses",
+        fontsize=10,
+    )
+    axes.legend(frameon=False, fontsize=8, ncols=4, loc="upper right")
+
+
+def _draw_places(
+    axes: Any, one: HeldOutAnswers, model: ContactAnswers, best: ContactAnswers
+) -> None:
+    grid = np.meshgrid(one.grid_x_mm, one.grid_y_mm, indexing="ij")
+    axes.plot(*(axis.ravel() for axis in grid), ".", color=_GREY, ms=1.5, alpha=0.6)
+    axes.plot(*best.xy_mm.T, ".", color=_RED, ms=2.5, alpha=0.4, label=best.name)
+    axes.plot(*model.xy_mm.T, ".", color=_BLUE, ms=2.5, alpha=0.4, label="model")
+    axes.plot(
+        *one.true_xy_mm.T, "o", mfc="none", mec=_BLACK, ms=9, mew=1.2, ls="none", label="labelled"
+    )
+    axes.set(xlabel="x (mm)", ylabel="y (mm)", aspect="equal")
+    axes.set_title("Centre of force on the face", fontsize=10)
+    axes.legend(frameon=False, fontsize=8, loc="center left", bbox_to_anchor=(1.02, 0.5))

@@ -55,6 +55,12 @@ def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) 
         ("pulled_collection", "simulated recordings", _read(PULLED_SUMMARY)),
         ("networks", "calibrated twin (medians over labelled places)", _calibration),
         ("metrics", "metrics on held-out presses (frames of contact and of rest)", _metrics),
+        (
+            "metrics",
+            "total force and place beside simple regressions, held-out presses (Δ: less the model's, mean "
+            "over presses, ± half of its 90 % range; below 0: better than the model)",
+            _baselines,
+        ),
         ("metrics", "intervals on held-out presses (medians of widths; presses)", _intervals),
         ("inversion", "calibrated twin (medians over labelled places)", _inverted_twin),
         ("contact_metrics", "frames read by inversion", _judged_frames),
@@ -225,6 +231,31 @@ def _metrics(result: StoredResult) -> list[dict[str, Any]]:
         for face in content[key]
     ]
     return sorted(rows, key=lambda row: row["face"])
+
+
+def _baselines(result: StoredResult) -> list[dict[str, Any]]:
+    return [
+        {
+            "face": row["face"],
+            "estimator": row["name"],
+            "force %": row["total_force_percent"],
+            "force N": row["total_force_n"],
+            **_difference(row, "force_n_less_model", "N"),
+            "place mm": row["place_mm"],
+            **_difference(row, "place_mm_less_model", "mm"),
+        }
+        for row in METRICS.read(result.folder)["baselines"]
+    ]
+
+
+def _difference(row: dict[str, Any], name: str, unit: str) -> dict[str, str]:
+    """Mean difference over presses and half of its 90 % range."""
+    found, is_model = row[name], row["name"] == "model"
+    half = (found["high"] - found["low"]) / 2
+    return {
+        f"Δ {unit}": "–" if is_model else f"{found['mean']:+.2f}",
+        f"± {unit}": "–" if is_model else f"{half:.2f}",
+    }
 
 
 def _intervals(result: StoredResult) -> list[dict[str, Any]]:

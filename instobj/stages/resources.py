@@ -134,7 +134,7 @@ def _networks(spec: ObjectSpec) -> Need:
     widths = (channels, *training.hidden_units, pixels)
     weights = sum(a * b for a, b in pairwise(widths))
     batch = training.batch_size * sum(widths)
-    gib = _BYTES / 2 * (_ADAM_COPIES * weights + 4 * batch) * training.ensemble / _GIB
+    gib = _BYTES / 2 * (_ADAM_COPIES * weights + 4 * batch) * (training.ensemble or 1) / _GIB
     return Need(gib, "training.hidden_units, training.ensemble or training.batch_size")
 
 

@@ -226,10 +226,10 @@ STAGES: dict[str, Stage] = {
         version=3,
     ),
     "networks": Stage(
-        "estimator: training", ("frames",), ("training", "seed"), make_networks, version=7
+        "estimator: training", ("frames",), ("training", "seed"), make_networks, version=8
     ),
     "metrics": Stage(
-        "estimator: held-out presses", ("frames", "networks"), (), make_metrics, version=3
+        "estimator: held-out presses", ("frames", "networks"), (), make_metrics, version=4
     ),
     "inversion": Stage(
         "estimator: tables of the forward model",

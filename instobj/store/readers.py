@@ -243,6 +243,7 @@ INVERTED_TWIN = ResultFile("inversion", "calibration.json", _json_if_there, publ
 INVERTED_TWIN_PICTURE = ResultFile("inversion", "calibration.png", _path, published=True)
 CONTACT_METRICS = ResultFile("contact_metrics", "contact_metrics.json", _json, published=True)
 CONTACT_PICTURE = ResultFile("contact_metrics", "metrics/contacts.png", _path, published=True)
+OVER_TIME_PICTURE = ResultFile("metrics", "metrics/over_time.png", _path, published=True)
 SURROUNDINGS = ResultFile("surroundings", "surroundings.json", _json)
 PRESS_CURVES = ResultFile("press_curves", "press_curves.json", _json)
 PRESS_CURVES_PICTURE = ResultFile("press_curves", "press_curves.png", _path)

@@ -17,7 +17,7 @@ from estimator.deploy.runtime import DeployedModel, LiveReader, load_deployed, p
 from estimator.deploy.zeroing import ZERO_FRAMES, ZeroMode
 from estimator.frames.dataset import load_frames
 from estimator.frames.same_object import require_same_object, require_same_sensors
-from estimator.networks.prediction import Prediction
+from estimator.networks.prediction import NOVEL_FROM, Prediction
 from estimator.recordings.table import FACES
 from instobj.store.publish import file_rows, require_writable, run_folder, run_name
 
@@ -34,6 +34,7 @@ COLUMNS: tuple[str, ...] = (
     "x_mm",
     "y_mm",
     "position_radius_mm",
+    "novelty",
 )
 _DIGITS = {"time_s": 3, "contact": 4}
 
@@ -89,6 +90,7 @@ def predict_file(
         "face": model.face,
         "frames": len(rows),
         "frames with contact": sum(row["contact"] > 0.5 for row in rows),
+        "novel frames": sum(row["novelty"] > NOVEL_FROM for row in rows),
         "largest force N": max(forces, default=0.0),
         "interval cover": model.interval_cover,
     }
@@ -129,7 +131,8 @@ def _live(
         found = reader.feed(reading.counts, reading.time_s)
         if found is not None:
             row = _rows(np.array([reading.time_s]), found)[0]
-            told = {"damaged_lines": line.damaged_lines, "lost_frames": line.lost_frames}
+            told = {"novel": bool(found.novel[0])}
+            told |= {"damaged_lines": line.damaged_lines, "lost_frames": line.lost_frames}
             yield json.dumps(row | told)
 
 
@@ -175,6 +178,7 @@ def _rows(time_s: np.ndarray, found: Prediction) -> list[dict[str, float]]:
         "x_mm": found.xy_mm[:, 0],
         "y_mm": found.xy_mm[:, 1],
         "position_radius_mm": found.position_radius_mm,
+        "novelty": found.novelty,
     }
     rounded = [np.round(columns[name], _DIGITS.get(name, 3)).tolist() for name in COLUMNS]
     return [dict(zip(COLUMNS, values, strict=True)) for values in zip(*rounded, strict=True)]

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from design.errors import InputError
 from design.spec.object import TrainingSpec
 from instobj.store.content import store_root
-from instobj.store.readers import HELD_OUT_PICTURE, METRICS, face_model_path
+from instobj.store.readers import HELD_OUT_PICTURE, METRICS, OVER_TIME_PICTURE, face_model_path
 from instobj.store.stage import Step, write_json
 
 if TYPE_CHECKING:
@@ -67,6 +67,7 @@ def train_networks(frames: FrameSet, split: Split, how: Fitting, folder: Path) -
 
 
 def _fitted(face: int, parts: tuple[FrameSet, FrameSet], how: Fitting) -> FaceModel:
+    from estimator.networks.defaults import filled
     from estimator.networks.face_model import load_model
     from estimator.networks.training import FitSettings, fit_estimator
 
@@ -75,7 +76,8 @@ def _fitted(face: int, parts: tuple[FrameSet, FrameSet], how: Fitting) -> FaceMo
             how.step(f"face {face}, epoch {epoch} of {of}: validation loss {score:.3f}")
 
     checkpoint = None if how.unfinished is None else how.unfinished / f"face_{face}"
-    settings = FitSettings(face, how.training, how.seed, checkpoint=checkpoint)
+    training = how.training if how.twin is None else filled(how.training)
+    settings = FitSettings(face, training, how.seed, checkpoint=checkpoint)
     start = None if how.start is None else load_model(face_model_path(how.start, face))
     shown = parts if how.twin is None else how.twin.extended(parts, face, how.step)
     return fit_estimator(*shown, settings, start, progress)
@@ -91,11 +93,13 @@ def evaluate_networks(
 ) -> None:
     """The paper's metrics of every face's estimator on the held-out presses of its split.
 
-    `HELD_OUT_PICTURE` shows what each network reads there. Ridge regression and the constant mean
-    map are evaluated beside it on the same presses.
+    `HELD_OUT_PICTURE` and `OVER_TIME_PICTURE` show what each network reads there. The constant mean
+    map, ridge regression to heatmaps, and the regressions of `estimator.evaluation.baselines` are
+    evaluated beside it on the same presses.
     """
     from dataclasses import asdict
 
+    from estimator.evaluation.baselines import baseline_reports, held_out_answers
     from estimator.evaluation.evaluation import (
         contact_readings,
         evaluate_face,
@@ -103,12 +107,12 @@ def evaluate_networks(
         linear_baseline,
         mean_map_baseline,
     )
-    from instobj.figures.predictions import draw_predictions
+    from instobj.figures.predictions import draw_over_time, draw_predictions
 
     held_out = frames.select(split.test)
-    readings = []
+    readings, answers = [], []
     rows: dict[str, list[Any]] = {
-        name: [] for name in ("faces", "intervals", "ridge_regression", "mean_map")
+        name: [] for name in ("faces", "intervals", "ridge_regression", "mean_map", "baselines")
     }
     for model in models.values():
         step(f"face {model.face}")
@@ -118,5 +122,8 @@ def evaluate_networks(
         rows["intervals"].append({"face": model.face, **intervals})
         rows["ridge_regression"].append(linear_baseline(frames, model.face, split).summary())
         rows["mean_map"].append(mean_map_baseline(frames, model.face, split).summary())
+        answers.append(held_out_answers(model, frames, split))
+        rows["baselines"] += [report.summary() for report in baseline_reports(answers[-1])]
     write_json({"split": "whole presses held out", **rows}, METRICS.path(folder))
     draw_predictions(readings, frames.source, HELD_OUT_PICTURE.path(folder))
+    draw_over_time(answers, OVER_TIME_PICTURE.path(folder))

@@ -89,18 +89,20 @@ def require_settings(training: TrainingSpec) -> None:
     InputError
         Settings that need more.
     """
-    wanted = {"model": "compact", "history_frames": 0, "heatmap_axes": 1, "ensemble": 1}
+    from estimator.networks.defaults import PLAIN
+
+    wanted = {"model": "compact", "heatmap_axes": 1} | PLAIN._asdict()
     asked = {
         name: getattr(training, name)
         for name, value in wanted.items()
-        if getattr(training, name) != value
+        if getattr(training, name) not in (value, None)
         and (name != "model" or training.model == "whole-object")
     }
     if asked:
         texts = ", ".join(f"training.{name} = {value!r}" for name, value in asked.items())
         raise InputError(
             f"--twin serves estimators that read single frames of the face's own sensors as normal "
-            f"force, one network each; got {texts}. Leave these settings or --twin out"
+            f"force, one network each without trees; got {texts}. Leave these settings or --twin out"
         )
 
 

@@ -98,6 +98,26 @@ def test_an_export_that_differs_from_the_model_is_not_written(certain, tmp_path,
     assert list(tmp_path.iterdir()) == []
 
 
+def test_trees_and_novelty_are_in_the_file(frames, tmp_path):
+    """Each tree's path, not only its mean: readings on changes that training never saw agree too."""
+    split = split_presses(frames, 1)
+    parts = frames.select(split.train), frames.select(split.validation)
+    training = TrainingSpec(hidden_units=(16,), epochs=2, ensemble=2, trees=4)
+    model = fit_estimator(*parts, FitSettings(FACE, training))
+    export_onnx(model, tmp_path / "trees.onnx")
+    deployed = load_deployed(tmp_path / "trees.onnx")
+    for factor in (1.0, 3.0):
+        louder = replace(frames, signal_counts=factor * frames.signal_counts)
+        trained, found = predict(model, louder), predict_frames(deployed, louder)
+        for name in UNITS:
+            expected = getattr(trained, name)
+            assert_allclose(
+                getattr(found, name), expected, rtol=0, atol=1e-5 * np.abs(expected).max()
+            )
+        assert np.array_equal(found.novel, found.novelty > 1)
+    assert found.novel.mean() > 0.3 > predict(model, frames).novel.mean()
+
+
 def test_planted_fault_in_the_channel_order_breaks_parity(model, frames, path):
     deployed = load_deployed(path)
     swapped = replace(deployed, channels=deployed.channels[::-1])

@@ -21,8 +21,11 @@ from instobj.commands.run import run_estimator
 from tests.support.dummy_board import CHANNELS, board_lines, dummy_board
 
 FACE = 3
-SMALL = TrainingSpec(hidden_units=(16,), epochs=2, batch_size=64)
-SETTINGS = ["training.hidden_units=[16]", "training.epochs=2", "seed=1"]
+ONE = {"history_frames": 0, "ensemble": 1, "trees": 0}
+SMALL = TrainingSpec(hidden_units=(16,), epochs=2, batch_size=64, **ONE)
+SETTINGS = ["training.hidden_units=[16]", "training.epochs=2", "seed=1"] + [
+    f"training.{name}={value}" for name, value in ONE.items()
+]
 
 
 def made_frames():

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.testing import assert_allclose
 
-from estimator.networks.prediction import ContactReadings
+from estimator.networks.prediction import ContactAnswers, ContactReadings, HeldOutAnswers
 from instobj.figures import predictions
 
 
@@ -26,3 +26,35 @@ def test_each_face_has_its_forces_and_its_shares_of_localisation_errors(monkeypa
     assert_allclose(place.lines[0].get_xydata(), [[1, 100 / 3], [2, 200 / 3], [3, 100]])
     assert place.get_title() == "3 frames of 2 presses"
     assert "50 %: 2.00 mm" in [text.get_text() for text in place.get_legend().get_texts()]
+
+
+def test_forces_over_time_beside_the_best_baseline_and_places_on_the_face(monkeypatch, tmp_path):
+    kept = []
+    monkeypatch.setattr(predictions, "save_figure", lambda figure, path: kept.append(figure))
+    force, place = np.array([1.0, 4.0, 2.0, 6.0]), np.zeros((4, 2))
+    held_out = HeldOutAnswers(
+        face=3,
+        true_force_n=force,
+        true_xy_mm=place,
+        span_n=np.full(4, 6.0),
+        press_id=np.array([2, 2, 7, 7]),
+        time_s=np.arange(4.0),
+        grid_x_mm=np.arange(3.0),
+        grid_y_mm=np.arange(2.0),
+        force_halfwidth_n=np.full(4, 1.5),
+        answers=(
+            ContactAnswers("model", force + 0.5, place),
+            ContactAnswers("ridge", force + 3, place + 1),
+            ContactAnswers("extra trees", force - 1, place + 2),
+        ),
+        fitted_frames={"ridge": 9, "extra trees": 9},
+    )
+    predictions.draw_over_time([held_out], tmp_path / "a.png")
+    over_time, face = kept[0].axes
+    named = {line.get_label(): line.get_ydata() for line in over_time.lines}
+    assert_allclose(named["labelled"], force)
+    assert_allclose(named["model"], force + 0.5)
+    assert_allclose(named["extra trees"], force - 1)
+    assert "ridge" not in named, "the best baseline alone"
+    assert over_time.get_title() == "Face 3: 2 of 2 held-out presses"
+    assert {"extra trees", "model", "labelled"} <= {line.get_label() for line in face.lines}

@@ -1,0 +1,85 @@
+"""Simple regressions beside a model: what they are fitted to, their errors, differences by press."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from design.errors import InputError
+from design.spec.object import TrainingSpec
+from estimator.evaluation.baselines import (
+    REGRESSORS,
+    baseline_reports,
+    held_out_answers,
+    paired_difference,
+)
+from estimator.frames.splits import split_presses
+from estimator.networks.training import FitSettings, fit_estimator
+from tests.support.synthetic_frames import synthetic_frames
+
+FACE = 4
+
+
+@pytest.fixture(scope="module")
+def frames():
+    return synthetic_frames(faces=(FACE,), presses=4, loaded=12, places=range(0, 20, 4))
+
+
+@pytest.fixture(scope="module")
+def held_out(frames):
+    split = split_presses(frames, 1)
+    training = TrainingSpec(hidden_units=(32,), epochs=4, history_frames=2, ensemble=1)
+    model = fit_estimator(
+        frames.select(split.train), frames.select(split.validation), FitSettings(FACE, training, 1)
+    )
+    return held_out_answers(model, frames, split)
+
+
+def test_every_baseline_learns_force_and_place_from_the_training_presses(held_out):
+    rows = {row.name: row for row in baseline_reports(held_out)}
+    assert list(rows) == ["model", *REGRESSORS]
+    always_the_mean_n = np.abs(held_out.true_force_n - held_out.true_force_n.mean()).mean()
+    for name in REGRESSORS:
+        assert rows[name].total_force_n < 0.5 * always_the_mean_n, name
+        assert rows[name].place_mm < 3.0, name
+        assert rows[name].fitted_frames > len(held_out.true_force_n)
+    assert rows["extra trees"].presses == len(np.unique(held_out.press_id)) > 1
+
+
+def test_what_the_test_says_is_not_learned(frames, held_out):
+    """Labels of the test presses that are all wrong leave every answer as it is."""
+    split = split_presses(frames, 1)
+    wrong = frames.force_n.copy()
+    wrong[split.test] *= 3
+    training = TrainingSpec(hidden_units=(32,), epochs=1, history_frames=2, ensemble=1)
+    model = fit_estimator(
+        frames.select(split.train), frames.select(split.validation), FitSettings(FACE, training, 1)
+    )
+    other = held_out_answers(model, replace(frames, force_n=wrong), split)
+    for mine, theirs in zip(held_out.answers[1:], other.answers[1:], strict=True):
+        assert_allclose(mine.force_n, theirs.force_n)
+    assert_allclose(other.true_force_n, 3 * held_out.true_force_n)
+
+
+def test_presses_weigh_alike_however_long():
+    """Two presses with differences 1 and 3: mean 2, whatever their lengths; bootstrap within."""
+    press = np.array([5] * 30 + [8])
+    error = np.where(press == 5, 2.0, 4.0)
+    found = paired_difference(error, np.ones(31), press)
+    assert found.mean == pytest.approx(2.0)
+    assert (found.low, found.high) == (1.0, 3.0)
+    alike = paired_difference(error, error, press)
+    assert (alike.mean, alike.low, alike.high) == (0, 0, 0)
+
+
+def test_a_test_part_without_contact_is_refused(frames, held_out):
+    split = split_presses(frames, 1)
+    rest = np.isnan(frames.contact_xy_mm[:, 0, 0])
+    silent = replace(split, train=split.train | (split.test & ~rest), test=split.test & rest)
+    training = TrainingSpec(hidden_units=(16,), epochs=1, ensemble=1)
+    model = fit_estimator(
+        frames.select(split.train), frames.select(split.validation), FitSettings(FACE, training, 1)
+    )
+    with pytest.raises(InputError, match="no contact in the tested part"):
+        held_out_answers(model, frames, silent)

@@ -1,0 +1,74 @@
+"""Novelty and the widths of intervals at places that training never saw."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import torch
+
+from design.spec.object import TrainingSpec
+from estimator.evaluation.evaluation import evaluate_intervals
+from estimator.frames.face_data import face_data
+from estimator.frames.splits import split_presses
+from estimator.networks.coverage import growth
+from estimator.networks.face_model import predict
+from estimator.networks.training import FitSettings, fit_estimator
+from tests.support.synthetic_frames import synthetic_frames
+
+FACE = 4
+TRAINING = TrainingSpec(hidden_units=(48,), epochs=20, batch_size=64, ensemble=2, trees=10)
+PLACES = (0, 2, 4, 5, 7, 9)
+"""On one half of the face; the other half is new."""
+
+
+@pytest.fixture(scope="module")
+def frames():
+    return synthetic_frames(faces=(FACE,), presses=5, loaded=14, places=PLACES)
+
+
+@pytest.fixture(scope="module")
+def model(frames):
+    split = split_presses(frames, 1)
+    parts = frames.select(split.train), frames.select(split.validation)
+    return fit_estimator(*parts, FitSettings(FACE, TRAINING, 1))
+
+
+@pytest.fixture(scope="module")
+def elsewhere():
+    """Presses on the other half, 6 mm and more away."""
+    return synthetic_frames(faces=(FACE,), presses=2, loaded=14, places=range(15, 20), seed=4)
+
+
+def test_new_places_are_novel_and_new_presses_of_known_places_are_not(model, frames, elsewhere):
+    test = frames.select(split_presses(frames, 1).test)
+    known, new = (predict(model, face_data(part, FACE).frames).novel for part in (test, elsewhere))
+    assert known.mean() < 0.15
+    pressed = face_data(elsewhere, FACE).heatmap_n.sum(axis=(1, 2)) > 3
+    assert new[pressed].mean() > 0.8
+
+
+def test_intervals_hold_at_new_places_because_they_are_wider(model, frames, elsewhere):
+    report = evaluate_intervals(model, elsewhere)
+    assert report.force_cover > 0.85
+    assert report.position_cover > 0.85
+    known = evaluate_intervals(model, frames.select(split_presses(frames, 1).test))
+    assert report.median_position_radius_mm > 2 * known.median_position_radius_mm
+    network = model.network.coverage
+    kept = network.place_slope_mm.clone()
+    network.place_slope_mm.fill_(0.0)
+    without = evaluate_intervals(model, elsewhere)
+    network.place_slope_mm.copy_(kept)
+    assert without.position_cover < 0.6, "planted fault: radii that do not grow"
+
+
+def test_widths_grow_with_distance(model, frames):
+    found = []
+    for factor in (1.0, 2.0, 4.0, 8.0):
+        louder = replace(frames, signal_counts=factor * frames.signal_counts)
+        pressed = face_data(louder, FACE).heatmap_n.sum(axis=(1, 2)) > 5
+        said = predict(model, face_data(louder, FACE).frames)
+        found.append((np.median(said.novelty[pressed]), np.median(said.force_halfwidth_n[pressed])))
+    novelty, halfwidth = np.array(found).T
+    assert (np.diff(novelty) > 0).all()
+    assert (np.diff(halfwidth) > 0).all()
+    assert growth(torch.tensor([0.2, 1.0, 2.0, 5.0])).tolist() == [0.0, 0.0, 1.0, 2.0]
