@@ -296,7 +296,7 @@ def evaluate(model: FaceModel, data: Recording | FrameSet, seed: int = 1) -> Fac
     Raises
     ------
     InputError
-        The held-out presses hold no usable frame of the face.
+        The held-out presses hold no usable frame of the face, or data of another object.
 
     Examples
     --------
@@ -309,9 +309,11 @@ def evaluate(model: FaceModel, data: Recording | FrameSet, seed: int = 1) -> Fac
     True
     """
     from estimator.evaluation.evaluation import evaluate_face
+    from estimator.frames.same_object import require_same_object
     from estimator.frames.splits import split_presses
 
     frames = _frames(data)
+    require_same_object(model.channels, (model.grid_x_mm, model.grid_y_mm), frames, "the data")
     held_out = frames.select(split_presses(frames, seed).test)
     return evaluate_face(model, held_out, dataset=frames)
 

@@ -7,7 +7,7 @@ default), and so do the figures here; walls between parallel planes come out exa
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from jaxtyping import Bool, Float
@@ -26,6 +26,9 @@ EDGE_MM = 0.2
 
 SLIVER_MM = 0.01
 """Nor do triangles that are less high."""
+
+CRUMB_MM3 = 1.0
+"""Smaller pieces that cuts leave beside a part are left out: they would come loose in the print."""
 
 _FACING = -np.cos(np.deg2rad(15))
 _START_MM = 1e-4
@@ -64,7 +67,7 @@ class Trap:
 
 
 def one_closed_surface(mesh: trimesh.Trimesh, part: str) -> trimesh.Trimesh:
-    """The mesh itself where it closes round one body, which may have voids.
+    """The mesh where it closes round one body, which may have voids; crumbs beside it are left out.
 
     Raises
     ------
@@ -72,6 +75,9 @@ def one_closed_surface(mesh: trimesh.Trimesh, part: str) -> trimesh.Trimesh:
         An InputError: several pieces, none, or a surface that is not closed.
     """
     outsides = sum(piece.volume > 0 for piece in mesh.split(only_watertight=False))
+    if outsides > 1 and mesh.is_watertight:
+        mesh = _without_crumbs(mesh)
+        outsides = sum(piece.volume > 0 for piece in mesh.split(only_watertight=False))
     if outsides != 1 or not mesh.is_watertight:
         state = "closed" if mesh.is_watertight else "not closed"
         raise NotOneSolid(
@@ -80,6 +86,25 @@ def one_closed_surface(mesh: trimesh.Trimesh, part: str) -> trimesh.Trimesh:
             mesh,
         )
     return mesh
+
+
+def _without_crumbs(mesh: trimesh.Trimesh) -> trimesh.Trimesh:
+    """Without pieces below `CRUMB_MM3`, and what they enclose; voids of other pieces stay."""
+    import trimesh
+
+    pieces = mesh.split(only_watertight=False)
+    crumbs = [piece for piece in pieces if 0 < piece.volume < CRUMB_MM3]
+    kept = [
+        piece
+        for piece in pieces
+        if not any(
+            (piece.bounds[0] >= crumb.bounds[0]).all()
+            and (piece.bounds[1] <= crumb.bounds[1]).all()
+            for crumb in crumbs
+        )
+    ]
+    joined: Any = trimesh.util.concatenate(kept) if kept else mesh
+    return joined
 
 
 def thinnest_wall(mesh: trimesh.Trimesh) -> ThinnestWall | None:

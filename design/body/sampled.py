@@ -27,6 +27,9 @@ if TYPE_CHECKING:
 _GRID_POINTS = 45_000
 _MARGIN_STEPS = 3
 _FINE_STEP_MM = 1.0
+_MOST_STEPS = 64
+"""From the middle of a body to its side, of the core's grid and of a patch's: on larger bodies than
+128 mm the steps grow, or time and memory would, with the cube and the square of the size."""
 _MAX_TRACES = 80
 _TRACED_MM = 1e-5
 _RELIEF_STEP_MM = 1.0
@@ -142,7 +145,7 @@ def _core(body: BodyKind, thickness_mm: float) -> trimesh.Trimesh:
     half = np.asarray(body.size_mm) / 2 - thickness_mm
     if half.min() <= 0:
         raise InputError(_no_core(body, thickness_mm))
-    step = min(_FINE_STEP_MM, float(half.min()) / 8)
+    step = max(min(_FINE_STEP_MM, float(half.min()) / 8), float(half.max()) / _MOST_STEPS)
     points, count = _grid(half, step)
     grid = pyvista.ImageData(dimensions=count, spacing=(step,) * 3, origin=tuple(points[0]))
     distance = _field(body).at(points).reshape(count)
@@ -191,7 +194,7 @@ def _frame(body: BodyKind, number: int, inward_mm: float) -> FaceFrame:
     normal, x, y = face_axes(number)
     half = np.asarray(body.size_mm) / 2
     reach = [_REACH_SHARE * (float(abs(axis) @ half) - inward_mm) for axis in (x, y)]
-    nodes = [np.linspace(-r, r, 2 * int(np.ceil(r / _RELIEF_STEP_MM)) + 1) for r in reach]
+    nodes = [np.linspace(-r, r, 2 * _steps(r) + 1) for r in reach]
     u, v = np.meshgrid(*nodes, indexing="ij")
     top = float(abs(normal) @ half)
     start = u[..., None] * x + v[..., None] * y + top * normal
@@ -210,6 +213,11 @@ def _frame(body: BodyKind, number: int, inward_mm: float) -> FaceFrame:
     return FaceFrame(
         number, normal, x, y, centre, extents, SampledRelief(spline, extents), round=True
     )
+
+
+def _steps(reach_mm: float) -> int:
+    """Of a patch's grid, from its middle to its side."""
+    return min(int(np.ceil(reach_mm / _RELIEF_STEP_MM)), _MOST_STEPS)
 
 
 def _traced(

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from design.layout.mould_frame import MouldFrame, mould_frame, parting, play_mm
+from design.mould.openings import mould_holes
 from design.mould.pins import Pin, loose_pins
 from design.mould.plug import CLIP_REACH_MM
 from design.spec.object import ObjectSpec
@@ -35,7 +36,8 @@ _STEP_MM = 0.5
 class Flange:
     """A strip beside the block, from `low_mm` to `high_mm` across and `bottom_mm` to `top_mm`.
 
-    `notches` are the stretches along it that are cut away for pins, in rising order.
+    `notches` are the stretches along it that are cut away for pins, in rising order; above
+    `pierced_mm` a hole for pouring or for air goes through it, and may cut off what is beyond.
     """
 
     low_mm: float
@@ -43,6 +45,7 @@ class Flange:
     bottom_mm: float
     top_mm: float
     notches: tuple[tuple[float, float], ...]
+    pierced_mm: float = float("inf")
 
     @property
     def places_mm(self) -> list[tuple[float, float]]:
@@ -60,7 +63,7 @@ class Flange:
 
     def _is_clear(self, level: float, taken: list[float]) -> bool:
         return (
-            self.bottom_mm + EDGE_MM <= level <= self.top_mm - EDGE_MM
+            self.bottom_mm + EDGE_MM <= level <= min(self.top_mm, self.pierced_mm) - EDGE_MM
             and all(abs(level - other) >= LEAST_GAP_MM for other in taken)
             and not any(low - EDGE_MM < level < high + EDGE_MM for low, high in self.notches)
         )
@@ -75,9 +78,13 @@ def flanges(spec: ObjectSpec) -> tuple[Flange, Flange]:
     top = frame.rim_mm - clips
     bottom = min(float(frame.low_mm[2]), top - FLANGE_LENGTH_MM)
     ends, pins = ((left - wide, left), (right, right + wide)), loose_pins(spec)
+    pierced = [_pierced_mm(spec, *end) for end in ends]
     for longer in (*LONGER_MM, 0.0):
         low = bottom - longer
-        found = [Flange(*end, low, top, _notches(spec, pins, *end, low, top)) for end in ends]
+        found = [
+            Flange(*end, low, top, _notches(spec, pins, *end, low, top), level)
+            for end, level in zip(ends, pierced, strict=True)
+        ]
         if all(len(flange.places_mm) == len(PLACES) for flange in found):
             break
     return found[0], found[1]
@@ -110,12 +117,30 @@ def _notches(
     return tuple(merged)
 
 
+def _pierced_mm(spec: ObjectSpec, low: float, high: float) -> float:
+    """From which level on a hole for pouring or for air is in a flange; inf: none is."""
+    found = [
+        _levels_of_path(
+            spec, hole.top_mm, hole.end_mm - hole.top_mm, hole.diameter_mm / 2, low, high
+        )
+        for hole in mould_holes(spec)
+    ]
+    return min((levels[0] for levels in found if levels is not None), default=np.inf)
+
+
 def _levels(spec: ObjectSpec, pin: Pin, low: float, high: float) -> tuple[float, float] | None:
     """Between which levels a pin's head is drawn through a flange; None where it passes by."""
-    frame, plane = mould_frame(spec), parting(spec)
     radius = pin.radius_mm + pin.rim_mm + play_mm(spec)
+    return _levels_of_path(spec, pin.head_axis_mm[0], pin.way, radius, low, high)
+
+
+def _levels_of_path(
+    spec: ObjectSpec, start_mm: np.ndarray, way: np.ndarray, radius: float, low: float, high: float
+) -> tuple[float, float] | None:
+    """Between which levels something round meets a flange on its way; None where it passes by."""
+    frame, plane = mould_frame(spec), parting(spec)
     steps = np.arange(0.0, 2 * max(spec.body.size_mm), _STEP_MM)
-    path = steps[:, None] * pin.way + pin.head_axis_mm[0]
+    path = steps[:, None] * way / np.linalg.norm(way) + start_mm
     across = path @ np.cross(frame.out, plane.normal)
     aside = abs(path @ plane.normal - plane.offset_mm)
     near = (aside < FLANGE_THICKNESS_MM + radius) & (across > low) & (across < high)

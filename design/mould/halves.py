@@ -19,8 +19,8 @@ from design.mould.openings import mould_holes
 from design.mould.pins import fixed_bosses, loose_pins, pin_holes
 from design.mould.plug import rod_hole
 from design.mould.room import cast_room
-from design.mould.walls import fins_to_walls, walls
-from design.solids.booleans import Shape, Solid, common, cut, join, one_body
+from design.mould.walls import block, fins_to_walls, walls
+from design.solids.booleans import Shape, Solid, common, cut, join, one_body, pieces_that_meet
 from design.solids.primitives import OVERSHOOT_MM, box_between, tapered_rod
 from design.spec.object import ObjectSpec
 
@@ -41,6 +41,7 @@ def make_mould_half(spec: ObjectSpec, side: int) -> Solid:
     outer = join(walls(spec, room), cut(_flange(spec, *ends), room))
     half_space, fins = _half_space(spec, side), fins_to_walls(spec)
     half = cut(common(outer, half_space), *_holes(spec), *_bolt_holes(spec, *ends))
+    half = pieces_that_meet(half, block(spec))  # holes may cut off an end of a flange
     half = join(half, *(common(fin, half_space) for fin in fins))  # whole: vents may meet them
     bossed, grown = join(half, *fixed_bosses(spec, side)), 0.0 if side > 0 else play_mm(spec)
     dowels = [_dowel(spec, *place, grown) for end in ends for place in end.places_mm[::2]]

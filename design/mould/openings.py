@@ -7,7 +7,7 @@ but mould lies above it, else out along the surface's normal, or between the two
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Literal
 
 import cadquery as cq
@@ -20,6 +20,7 @@ from design.layout.pockets import distance_of_segments_mm
 from design.mould.pins import Pin, loose_pins
 from design.solids.sampled import cast_surface, sampled_shell
 from design.spec.object import ObjectSpec
+from design.spec.worked_out import once
 
 if TYPE_CHECKING:
     import trimesh
@@ -32,12 +33,19 @@ _LEAST_TRAP_MM = 0.1
 
 @dataclass(frozen=True)
 class Hole:
-    """A straight round hole from within the silicone to outside the mould."""
+    """A straight round hole from within the silicone, where `top_mm` is on its surface, to outside the
+    mould."""
 
     use: Literal["pour", "vent"]
     start_mm: Float[np.ndarray, "3"]
+    top_mm: Float[np.ndarray, "3"]
     end_mm: Float[np.ndarray, "3"]
     diameter_mm: float
+
+    @property
+    def outside(self) -> Hole:
+        """The part of it that begins at the silicone's surface."""
+        return replace(self, start_mm=self.top_mm)
 
     def solid(self) -> cq.Solid:
         way = self.end_mm - self.start_mm
@@ -58,6 +66,7 @@ def vent_diameter_mm(spec: ObjectSpec) -> float:
     return spec.printer.hole_mm if given is None else given
 
 
+@once
 def mould_holes(spec: ObjectSpec) -> tuple[Hole, ...]:
     """Pouring holes, then vents."""
     pour = pour_holes(spec)
@@ -129,7 +138,7 @@ def _hole(
     diameter: float,
 ) -> Hole:
     """From below a point of the surface, so that all of its rim is open, to far outside."""
-    return Hole(use, top_mm - diameter * way, top_mm + _far_mm(spec) * way, diameter)
+    return Hole(use, top_mm - diameter * way, top_mm, top_mm + _far_mm(spec) * way, diameter)
 
 
 def _far_mm(spec: ObjectSpec) -> float:

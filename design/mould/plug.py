@@ -58,6 +58,8 @@ def make_mould_plug(spec: ObjectSpec) -> Solid:
 def make_mould_holder(spec: ObjectSpec) -> Solid:
     """The rod through the bore with its nose, flange, clips and grip, in the object's frame (mm).
 
+    Air that rises to the rim of the bore leaves by vents along the rod and through the flange.
+
     Raises
     ------
     InputError
@@ -73,7 +75,8 @@ def make_mould_holder(spec: ObjectSpec) -> Solid:
         (outlet.flat_mm - play, -past, outlet.floor_mm - 2.0), (past, past, outlet.nose_mm + 1.0)
     )
     outside = join(cut(rod, core_outside(spec)), *_flange(spec, frame), *_clips(spec, frame))
-    return one_body(join(outside, cut(nose, flat)), "mould_holder")
+    vents = [hole.outside.solid() for hole in mould_holes(spec) if hole.use == "vent"]
+    return one_body(join(cut(outside, *vents), cut(nose, flat)), "mould_holder")
 
 
 def tabs(spec: ObjectSpec) -> list[cq.Solid]:

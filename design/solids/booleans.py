@@ -59,7 +59,7 @@ def volume_mm3(body: Shape) -> float:
 
 
 def one_body(shape: Shape, part: str) -> Solid:
-    """The one closed body that a shape is made of.
+    """The one closed body that a shape is made of, voids within it filled.
 
     Raises
     ------
@@ -67,8 +67,25 @@ def one_body(shape: Shape, part: str) -> Solid:
         An InputError: several pieces, or a surface that is not closed.
     """
     if isinstance(shape, cq.Shape):
-        return single_solid(shape, part)
-    return one_closed_surface(shape, part)
+        solid = single_solid(shape, part)
+        return cq.Solid.makeSolid(solid.outerShell()) if solid.innerShells() else solid
+    surface = one_closed_surface(shape, part)
+    pieces = surface.split(only_watertight=False)
+    return surface if len(pieces) == 1 else next(piece for piece in pieces if piece.volume > 0)
+
+
+def pieces_that_meet(shape: Shape, other: Shape) -> Shape:
+    """Of a shape's separate pieces those that share volume with another shape."""
+    if isinstance(shape, cq.Shape):
+        solids = shape.Solids()
+        kept = [solid for solid in solids if volume_mm3(common(solid, other)) > 0]
+        return shape if len(kept) == len(solids) else cq.Compound.makeCompound(kept)
+    pieces = shape.split(only_watertight=False)
+    kept = [piece for piece in pieces if piece.volume < 0 or volume_mm3(common(piece, other)) > 0]
+    if len(kept) == len(pieces):
+        return shape
+    joined: Any = trimesh.util.concatenate(kept)
+    return joined
 
 
 def as_triangles(shape: Shape) -> trimesh.Trimesh:

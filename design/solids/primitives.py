@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import cadquery as cq
 import numpy as np
 
+from design.body.meshes import CRUMB_MM3
 from design.body.surface_chart import FaceFrame
 from design.body.triangles import Block
 from design.errors import NotOneSolid
@@ -148,7 +149,8 @@ def _prism(
 def single_solid(shape: cq.Shape, part: str) -> cq.Solid:
     """The one valid solid that `shape` is made of, with split faces merged where that leaves it valid.
 
-    The kernel's merging may spoil a sound solid, such as one in which many passages meet.
+    Crumbs beside it are left out. The kernel's merging may spoil a sound solid, such as one in which
+    many passages meet.
 
     Raises
     ------
@@ -159,7 +161,9 @@ def single_solid(shape: cq.Shape, part: str) -> cq.Solid:
     if not merged.isValid() and shape.isValid():
         merged = shape
     solids = merged.Solids()
-    if len(solids) != 1 or not merged.isValid():
+    if len(solids) > 1:
+        solids = [solid for solid in solids if solid.Volume() >= CRUMB_MM3] or solids
+    if len(solids) != 1 or not solids[0].isValid():
         state = "valid" if merged.isValid() else "invalid"
         raise NotOneSolid(
             f"{part} must be one valid solid; these dimensions give {len(solids)} ({state}). "

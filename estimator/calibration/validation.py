@@ -46,10 +46,17 @@ class Figure:
     @property
     def judgement(self) -> str:
         """Few exchanges allow no small p, whatever the recordings say."""
-        least = 1 / self.exchanges
-        if least > SIGNIFICANCE:
-            return f"undecided ({self.exchanges} exchanges of places allow no p below {least:.2g})"
+        if untold := cannot_be_told(self.exchanges):
+            return untold
         return "supported" if self.significant else "not supported"
+
+
+def cannot_be_told(exchanges: int) -> str:
+    """Why a null of so few orders of the places (the true one among them) decides nothing, "" where
+    it can: the smallest possible p is above `SIGNIFICANCE`."""
+    if 1 / exchanges <= SIGNIFICANCE:
+        return ""
+    return f"cannot be told ({exchanges} exchanges of places allow no p below {1 / exchanges:.2g})"
 
 
 @dataclass(frozen=True)
@@ -209,10 +216,18 @@ def case_permutations(
     if factorial(count) <= factorial(_LARGEST_ENUMERATED):
         every = np.array(list(permutations(range(count))))
     else:
-        rng = np.random.default_rng((seed, 8))
-        drawn = [rng.permutation(count) for _ in range(_SAMPLED_PERMUTATIONS)]
-        every = np.vstack([np.arange(count), *drawn])
+        every = _sampled(np.unique(allowed, axis=0, return_inverse=True)[1].ravel(), seed)
     return every[allowed[np.arange(count), every].all(axis=1)]
+
+
+def _sampled(group: Int[np.ndarray, "case"], seed: int) -> Int[np.ndarray, "permutation case"]:
+    """The true order, then random exchanges within groups of cases that the same presses predict."""
+    rng = np.random.default_rng((seed, 8))
+    every = np.tile(np.arange(len(group)), (1 + _SAMPLED_PERMUTATIONS, 1))
+    for number in range(group.max() + 1):
+        same = np.flatnonzero(group == number)
+        every[1:, same] = rng.permuted(every[1:, same], axis=1)
+    return every
 
 
 def _mean_figure(
@@ -275,7 +290,7 @@ def verdict(spec: ObjectSpec, found: Agreement) -> str:
     inside = low <= found.modulus_mpa <= high
     near = 1 / SIZE_BAND <= found.size_ratio <= SIZE_BAND
     sized = found.size_spread.judgement if near else "not supported"
-    scatter = "no smaller" if not found.modulus_spread.significant else "smaller"
+    scatter = _scatter_text(found.modulus_spread)
     return (
         f"{found.what}: pattern {found.cosine.judgement} (cosine {found.cosine.value:.2f}, null "
         f"{found.cosine.null:.2f}, p {found.cosine.p:.3g}); signs right in "
@@ -284,6 +299,12 @@ def verdict(spec: ObjectSpec, found: Agreement) -> str:
         f"{found.size_ratio:.2f} of predicted, scatter ×/÷ {found.size_spread.value:.2f}, null "
         f"{found.size_spread.null:.2f}); effective modulus {found.modulus_mpa:.2f} MPa ×/÷ "
         f"{found.modulus_spread.value:.2f}, {'inside' if inside else 'outside'} "
-        f"{low:g} to {high:g} MPa, its scatter {scatter} than that of places exchanged (p "
-        f"{found.modulus_spread.p:.3g})"
+        f"{low:g} to {high:g} MPa, {scatter}"
     )
+
+
+def _scatter_text(found: Figure) -> str:
+    if untold := cannot_be_told(found.exchanges):
+        return f"whether its scatter is smaller than that of places exchanged {untold}"
+    how = "smaller" if found.significant else "no smaller"
+    return f"its scatter {how} than that of places exchanged (p {found.p:.3g})"

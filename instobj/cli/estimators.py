@@ -123,7 +123,12 @@ def predict(
         int | None, typer.Option(min=1, help="With --port: stop after this many frames.")
     ] = None,
     baud: Annotated[int, typer.Option(min=300, help="With --port: bits per second.")] = 115_200,
-    out: Out = HERE,
+    out: Annotated[
+        Path | None,
+        typer.Option(
+            help="Folder that gets runs/<name>/ with the predictions (default: beside the file)."
+        ),
+    ] = None,
     as_json: AsJson = False,
 ) -> None:
     """Contacts in a recording, or live from a board (one JSON document per frame)."""

@@ -38,9 +38,14 @@ def require_writable(out: Path) -> None:
     """Raise StoreError before any work is done where results could not be written afterwards."""
     for folder in (out, out / "runs", out / "cad_out"):
         if folder == out or folder.exists():
-            with atomic_path(folder / ".instobj-writable") as probe:
-                probe.write_text("")
-            (folder / ".instobj-writable").unlink(missing_ok=True)
+            require_writable_folder(folder)
+
+
+def require_writable_folder(folder: Path) -> None:
+    """Raise StoreError where a file cannot be written in this one folder."""
+    with atomic_path(folder / ".instobj-writable") as probe:
+        probe.write_text("")
+    (folder / ".instobj-writable").unlink(missing_ok=True)
 
 
 def publish(spec: ObjectSpec, result: StoredResult, out: Path) -> list[Path]:

@@ -17,7 +17,7 @@ from estimator.deploy.zeroing import ZERO_FRAMES
 from estimator.inversion.inversion import Inversion, joined
 from estimator.inversion.readings import ContactSets
 from instobj.store.progress import ProgressLine
-from instobj.store.publish import file_rows, require_writable, run_folder, run_name
+from instobj.store.publish import file_rows
 
 if TYPE_CHECKING:
     from estimator.frames.dataset import FrameSet
@@ -31,8 +31,12 @@ UNEXPLAINED = 1e-3
 """p value below which no contact that the model knows explains a frame."""
 
 
-def contacts_in_file(model_path: Path, path: Path, out: Path, zeroing: Zeroing) -> dict[str, Any]:
-    """Read every frame of a file; writes `runs/<name>/contacts.csv`, one row a contact.
+def contacts_in_file(
+    model_path: Path, path: Path, out: Path | None, zeroing: Zeroing
+) -> dict[str, Any]:
+    """Read every frame of a file; writes `<stem>.contacts.csv` beside it, one row a contact.
+
+    With a folder `out` it is `out/runs/<name>/contacts.csv`, named as `run_name` says.
 
     Frames of a data set are read one by one, with the next best answer; those of a recording are
     zeroed and tracked like a board's. A data set with labels is judged too.
@@ -43,17 +47,16 @@ def contacts_in_file(model_path: Path, path: Path, out: Path, zeroing: Zeroing) 
         A bad model or file, readings of another object, or no zero in the whole file.
     """
     from estimator.inversion.storage import load_inversion
-    from instobj.commands.hardware.predict import is_data_set
+    from instobj.commands.hardware.predict import is_data_set, prediction_path
 
     inversion = load_inversion(model_path)
-    require_writable(out)
+    target = prediction_path("contacts.csv", path, out)
     judged: list[dict[str, Any]] = []
     if is_data_set(path):
         number, time_s, best, second, judged = _in_data_set(inversion, path, zeroing)
     else:
         number, time_s, best = _in_recording(inversion, path, zeroing)
         second = None
-    target = run_folder(out, run_name(path)) / "contacts.csv"
     rows = _rows(number, time_s, best, second)
     write_table(target, list(COLUMNS), ([row[name] for name in COLUMNS] for row in rows))
     summary = {

@@ -19,13 +19,20 @@ from estimator.frames.dataset import load_frames
 from estimator.frames.same_object import require_same_object, require_same_sensors
 from estimator.networks.prediction import NOVEL_FROM, Prediction
 from estimator.recordings.table import FACES
-from instobj.store.publish import file_rows, require_writable, run_folder, run_name
+from instobj.store.publish import (
+    file_rows,
+    require_writable,
+    require_writable_folder,
+    run_folder,
+    run_name,
+)
 
 if TYPE_CHECKING:
     from estimator.boards.lines import LineStatistics
     from estimator.boards.link import Reading
 
 COLUMNS: tuple[str, ...] = (
+    "frame",
     "time_s",
     "contact",
     "force_n",
@@ -36,7 +43,8 @@ COLUMNS: tuple[str, ...] = (
     "position_radius_mm",
     "novelty",
 )
-_DIGITS = {"time_s": 3, "contact": 4}
+"""`frame` counts the readings of the file (or port) from 0, those without a prediction included."""
+_DIGITS = {"frame": 0, "time_s": 6, "contact": 4}
 
 
 @dataclass(frozen=True)
@@ -56,9 +64,12 @@ _FOLLOW_REST = Zeroing()
 
 
 def predict_file(
-    model_path: Path, path: Path, out: Path, zeroing: Zeroing = _FOLLOW_REST
+    model_path: Path, path: Path, out: Path | None = None, zeroing: Zeroing = _FOLLOW_REST
 ) -> dict[str, Any]:
-    """Read every frame of a file; writes `runs/<name>/prediction_face_<n>.csv`, named as `run_name` says.
+    """Read every frame of a file; writes `<stem>.prediction_face_<n>.csv` beside it.
+
+    With a folder `out` it is `out/runs/<name>/prediction_face_<n>.csv`, named as `run_name` says.
+    Every row tells the number of its frame in the file and its time stamp, as the file has it to 1 µs.
 
     Data sets of instobj are changes against rest already. Recordings of any other format are zeroed
     like a board's readings, by default by following rest; frames before the first zero are left out.
@@ -68,9 +79,11 @@ def predict_file(
     InputError
         A bad model or file, a model of another object, channels that the model uses without
         readings, no zero in the whole file, or a data set to be zeroed again.
+    StoreError
+        A folder that cannot be written to.
     """
     model = load_deployed(model_path)
-    require_writable(out)
+    target = prediction_path(f"prediction_face_{model.face}.csv", path, out)
     if is_data_set(path):
         if zeroing.mode not in (None, "none"):
             raise InputError(
@@ -80,10 +93,9 @@ def predict_file(
         frames = load_frames(path)
         grid_mm = model.grid_x_mm, model.grid_y_mm
         require_same_object(model.channels, grid_mm, frames, str(path))
-        rows = _rows(frames.time_s, predict_frames(model, frames))
+        rows = _rows(np.arange(len(frames)), frames.time_s, predict_frames(model, frames))
     else:
         rows = list(_read_recording(model, path, zeroing))
-    target = run_folder(out, run_name(path)) / f"prediction_face_{model.face}.csv"
     write_table(target, list(COLUMNS), ([row[name] for name in COLUMNS] for row in rows))
     forces = [row["force_n"] for row in rows]
     summary = {
@@ -99,6 +111,16 @@ def predict_file(
         "tables": {f"{path.name}, {model_path.name}": [summary]},
         "files": file_rows([target]),
     }
+
+
+def prediction_path(name: str, path: Path, out: Path | None) -> Path:
+    """Where predictions of a file go; refused before any work where nothing can be written there."""
+    if out is not None:
+        require_writable(out)
+        return run_folder(out, run_name(path)) / name
+    if path.parent.is_dir():
+        require_writable_folder(path.parent)
+    return path.with_name(f"{path.stem}.{name}")
 
 
 def predict_port(
@@ -130,7 +152,7 @@ def _live(
             require_same_sensors(reader.model.channels, reading.counts[None], np.array(FACES), port)
         found = reader.feed(reading.counts, reading.time_s)
         if found is not None:
-            row = _rows(np.array([reading.time_s]), found)[0]
+            row = _rows(np.array([number]), np.array([reading.time_s]), found)[0]
             told = {"novel": bool(found.novel[0])}
             told |= {"damaged_lines": line.damaged_lines, "lost_frames": line.lost_frames}
             yield json.dumps(row | told)
@@ -155,11 +177,11 @@ def _read_recording(
     require_same_sensors(model.channels, table.counts, np.array(FACES), str(path))
     reader, read = zeroing.reader(model), 0
     time_s = table.time_s if len(table.time_s) else np.full(len(table.counts), np.nan)
-    for now_s, counts in zip(time_s.tolist(), table.counts, strict=True):
+    for number, (now_s, counts) in enumerate(zip(time_s.tolist(), table.counts, strict=True)):
         found = reader.feed(counts, now_s)
         if found is not None:
             read += 1
-            yield _rows(np.array([now_s]), found)[0]
+            yield _rows(np.array([number]), np.array([now_s]), found)[0]
     if not read:
         raise InputError(
             f"{path} holds {len(table.counts)} frames, none of them after {zeroing.frames} that give "
@@ -168,8 +190,9 @@ def _read_recording(
         )
 
 
-def _rows(time_s: np.ndarray, found: Prediction) -> list[dict[str, float]]:
+def _rows(number: np.ndarray, time_s: np.ndarray, found: Prediction) -> list[dict[str, float]]:
     columns = {
+        "frame": number,
         "time_s": time_s,
         "contact": found.contact,
         "force_n": found.force_n,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import asdict
+from math import factorial, prod
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -26,6 +27,8 @@ if TYPE_CHECKING:
 
 
 _WORTHWHILE_GAIN = 0.05
+_LEAST_CASES = 3
+"""With fewer, no place is left to calibrate on beside the unseen one and one to exchange it with."""
 
 
 def self_test_of(path: Path, resting: Path, overrides: list[str]) -> dict[str, Any]:
@@ -137,10 +140,10 @@ def _calibrations(
     from estimator.calibration.pose_fit import calibration_test, folds_by_case, folds_by_press
 
     presses = problem.presses
-    if len(presses.cases) < 3:
-        return []
     rng = np.random.default_rng((problem.spec.seed, 9))
     order = exchanged_cases(presses, exchanges, rng)
+    if len(presses.cases) < _LEAST_CASES or not len(order):
+        return []
     named = {
         "other places": folds_by_case(presses),
         "other presses of the same places": folds_by_press(presses),
@@ -153,14 +156,22 @@ def _calibrations(
 
 
 def exchanged_cases(presses: RecordedPresses, count: int, rng: np.random.Generator) -> np.ndarray:
-    """Random exchanges of the cases that press the same faces, (exchange, case)."""
+    """Random exchanges of the cases that press the same faces, (exchange, case).
+
+    All of them differ, and from the true order; fewer than `count` where there are no more.
+    """
     faces = [tuple(sorted({contact[0] for contact in case})) for case in presses.cases]
-    orders = np.tile(np.arange(len(faces)), (count, 1))
-    for group in set(faces):
-        same = np.array([index for index, own in enumerate(faces) if own == group])
-        for row in orders:
-            row[same] = rng.permutation(same)
-    return orders
+    groups = [[k for k, own in enumerate(faces) if own == group] for group in sorted(set(faces))]
+    true = tuple(range(len(faces)))
+    possible = prod(factorial(len(group)) for group in groups) - 1
+    found: set[tuple[int, ...]] = set()
+    while len(found) < min(count, possible):
+        order = np.arange(len(faces))
+        for group in groups:
+            order[group] = rng.permutation(group)
+        found.add(tuple(order.tolist()))
+        found.discard(true)
+    return np.array(sorted(found), dtype=int).reshape(-1, len(faces))
 
 
 def _document(
@@ -213,8 +224,7 @@ def _published(
     draw_validation(spec, presses, predictions, document, figure)
     return {
         "command": "validate",
-        "texts": document["verdicts"]
-        + [calibration_text(t) for t in document["calibration_tests"]],
+        "texts": document["verdicts"] + calibration_texts(document),
         "validation": json.loads(json.dumps(document)),
         "objects": [
             {
@@ -272,15 +282,28 @@ def calibration_rows(document: dict[str, Any]) -> list[dict[str, Any]]:
     return rows
 
 
-def calibration_text(test: dict[str, Any]) -> str:
+def calibration_texts(document: dict[str, Any]) -> list[str]:
     """In words: what calibration is worth on presses that it has not seen."""
-    from estimator.calibration.validation import SIGNIFICANCE
+    cases = len(document["cases"])
+    if not document["calibration_tests"]:
+        return [
+            f"what calibration is worth cannot be told: {cases} sets of places pressed, of which none "
+            f"or too few can be exchanged. Record {_LEAST_CASES} or more on the same faces"
+        ]
+    return [calibration_text(test) for test in document["calibration_tests"]]
+
+
+def calibration_text(test: dict[str, Any]) -> str:
+    """One kind of unseen presses."""
+    from estimator.calibration.validation import SIGNIFICANCE, cannot_be_told
 
     before, after, null = (test[key]["own_cosine"] for key in ("before", "after", "null"))
     helps = after - before >= _WORTHWHILE_GAIN and test["p_own_cosine"] <= SIGNIFICANCE
-    worth = "helps" if helps else "is worth little"
+    worth = "it helps there" if helps else "it is worth little there"
+    if untold := cannot_be_told(1 + test["permutations"]):
+        worth = f"whether it helps there {untold}"
     return (
         f"calibration judged on {test['unseen']}: own-face cosine {before:.2f} → {after:.2f} (null of the "
         f"same fit {null:.2f}, p {test['p_own_cosine']:.2g}), share of the change left "
-        f"{test['before']['left']:.2f} → {test['after']['left']:.2f}: it {worth} there"
+        f"{test['before']['left']:.2f} → {test['after']['left']:.2f}: {worth}"
     )

@@ -67,6 +67,7 @@ def train_networks(frames: FrameSet, split: Split, how: Fitting, folder: Path) -
 
 
 def _fitted(face: int, parts: tuple[FrameSet, FrameSet], how: Fitting) -> FaceModel:
+    from estimator.frames.same_object import require_same_object
     from estimator.networks.defaults import filled
     from estimator.networks.face_model import load_model
     from estimator.networks.training import FitSettings, fit_estimator
@@ -78,7 +79,12 @@ def _fitted(face: int, parts: tuple[FrameSet, FrameSet], how: Fitting) -> FaceMo
     checkpoint = None if how.unfinished is None else how.unfinished / f"face_{face}"
     training = how.training if how.twin is None else filled(how.training)
     settings = FitSettings(face, training, how.seed, checkpoint=checkpoint)
-    start = None if how.start is None else load_model(face_model_path(how.start, face))
+    start = None
+    if how.start is not None:
+        path = face_model_path(how.start, face)
+        start = load_model(path)
+        grid_mm = start.grid_x_mm, start.grid_y_mm
+        require_same_object(start.channels, grid_mm, parts[0], "the data set")
     shown = parts if how.twin is None else how.twin.extended(parts, face, how.step)
     return fit_estimator(*shown, settings, start, progress)
 

@@ -11,6 +11,7 @@ import pytest
 import trimesh
 from numpy.testing import assert_allclose
 
+from design.body import sampled
 from design.body.imported import body_of_file
 from design.body.sampled import measured_distance_mm, sampled_core
 from design.errors import InputError
@@ -323,3 +324,20 @@ def test_bodies_too_small_for_their_parts_are_refused(tmp_path, scale, overrides
     small.export(tmp_path / "small.stl")
     with pytest.raises(InputError, match=reason):
         _load(tmp_path, "small.stl", **overrides)
+
+
+@pytest.mark.parametrize("size_mm", [120.0, 800.0])
+def test_large_bodies_take_no_finer_grids_than_small_ones(tmp_path, monkeypatch, size_mm):
+    """Work grew with the cube of the size; from 1 m on it did not end."""
+    egg = trimesh.creation.icosphere(5, 0.5)
+    egg.apply_scale((size_mm, 0.8 * size_mm, 0.7 * size_mm))
+    egg.export(tmp_path / "pebble.stl")
+    grids, grid = [], sampled._grid
+    monkeypatch.setattr(sampled, "_grid", lambda *given: grids.append(grid(*given)) or grids[-1])
+    spec = _load(tmp_path, "pebble.stl", **{"body.sensed_faces": "[1]"})
+    body = body_of(spec)
+    wall = -measured_distance_mm(body.outer_surface(), sampled_core(body).vertices)
+    assert_allclose(wall, 8, rtol=0, atol=max(0.03, 2e-4 * size_mm))
+    assert max(len(points) for points, _ in grids) < 140**3
+    (frame,) = face_frames(spec)
+    assert frame.relief.spline.get_coeffs().size <= 140**2

@@ -17,6 +17,7 @@ from design.layout.body import body_of
 from design.layout.core_hold import core_outlet, locators, why_no_mould
 from design.layout.mould_frame import least_undercut, mould_frame, mould_style, parting, up
 from design.layout.volumes import shell_volume_mm3
+from design.mould import plug
 from design.mould.halves import make_mould_half
 from design.mould.openings import air_traps, mould_holes, pour_holes
 from design.mould.pins import loose_pins, make_pin
@@ -29,6 +30,7 @@ from design.solids.sampled import sampled_shell
 from design.solids.shell import make_shell
 from design.spec_io import parse_spec
 from tests.support.body_cases import body_spec
+from tests.support.random_objects import made_surface
 
 BESIDE = {"positions_mm": [[7.0, -1.0]]}
 """Clear of the wire holes in the middles of the faces, of which some are along a pull."""
@@ -280,6 +282,45 @@ def test_vents_stand_on_high_points_and_are_open(peanut):
     blocked = found(check_casting(peanut, meshes), "holes are open")
     assert blocked.status == "fail"
     assert_allclose(blocked.limit, OPEN_MM3 + 0.01 * np.pi * 1.5**2 / 4)
+
+
+BUMPY = {
+    "size_mm": [44.0, 44.0, 44.0],
+    "waves": [{"along": [0.7, -1.2, -0.3], "phase": 3.2, "height": 0.03}],
+}
+"""A ball whose bore's rim is highest beside the rod, between the pouring holes."""
+
+
+def bumpy(tmp_path, made=BUMPY):
+    path = tmp_path / "bumpy.stl"
+    made_surface(made).export(path)
+    body = {"kind": "imported", "bore_mm": 8.0, "sensed_faces": [1], **body_of_file(path)}
+    return body_spec("sphere", body=body | {"open_faces": [6]})
+
+
+def test_vents_under_the_holder_lead_through_it(tmp_path):
+    """Air at the rim of a bore rises along the rod and through the flange."""
+    spec = bumpy(tmp_path)
+    vents = [hole for hole in mould_holes(spec) if hole.use == "vent"]
+    aside = [np.hypot(*vent.top_mm[:2]) - spec.body.bore_mm / 2 for vent in vents]
+    assert min(abs(away) for away in aside) < vents[0].diameter_mm / 2, "one stands half in the rod"
+    inside = {part.name: part for part in parts_of(spec)}
+    meshes = {name: as_triangles(inside[name].make()) for name in ("shell", "core", "mould_holder")}
+    findings = check_casting(spec, meshes)
+    assert found(findings, "holes are open").status == "pass"
+    assert found(findings, "mould closes").status == "pass"
+    whole = as_triangles(holder_without_vents(spec))
+    removed = cut(whole, meshes["mould_holder"])
+    assert volume_mm3(removed) > 5
+    assert volume_mm3(common(removed, cast_room(spec))) < 0.01, "silicone sees the same rod"
+    blocked = found(check_casting(spec, meshes | {"mould_holder": whole}), "holes are open")
+    assert (blocked.status, blocked.part) == ("fail", "mould_holder")
+
+
+def holder_without_vents(spec):
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(plug, "mould_holes", lambda _: ())
+        return make_mould_holder(spec)
 
 
 def test_a_closed_mould_is_poured_at_its_upper_corner():

@@ -91,13 +91,40 @@ def test_the_true_object_agrees_beyond_its_null(problem):
 @pytest.mark.parametrize(
     ("p", "exchanges", "said"),
     [
-        (0.5, 2, "undecided (2 exchanges of places allow no p below 0.5)"),
+        (0.5, 2, "cannot be told (2 exchanges of places allow no p below 0.5)"),
         (0.3, 120, "not supported"),
         (1 / 120, 120, "supported"),
     ],
 )
 def test_too_few_exchanges_decide_nothing(p, exchanges, said):
     assert Figure(0.99, 0.5, p, exchanges).judgement == said
+
+
+def test_two_places_tell_nothing_of_pattern_size_and_scatter(problem):
+    """However well predictions agree: p cannot fall below 0.5."""
+    presses = problem.presses
+    two = presses.case < 2
+    few = replace(
+        problem,
+        presses=replace(presses, case=np.where(two, presses.case, presses.case % 2)),
+    )
+    said = verdict(SPEC, found(few, TRUE.applied(designed(SPEC)), presses=few.presses))
+    untold = "cannot be told (2 exchanges of places allow no p below 0.5)"
+    assert f"pattern {untold}" in said
+    assert f"than that of places exchanged {untold}" in said
+    assert "no smaller" not in said
+
+
+def test_places_of_different_faces_are_exchanged_in_their_groups():
+    """Six places on each of two faces: one exchange of all twelve in 924 keeps the faces."""
+    count, half = 12, 6
+    predicted = np.ones((count, count, 1))
+    predicted[:half, half:] = predicted[half:, :half] = np.nan
+    order = case_permutations(predicted, np.arange(count), 1)
+    assert len(order) > 1000
+    assert (np.sort(order[:, :half]) == np.arange(half)).all()
+    assert (order[0] == np.arange(count)).all()
+    assert len(np.unique(order, axis=0)) > 1000
 
 
 def _mirrored(signals):

@@ -1,13 +1,17 @@
 """The zero that follows rest: drift, offsets between presses, a start within a press, long holds."""
 
 import math
+import re
+from typing import get_args
 
 import numpy as np
 import pytest
 
 from design.errors import InputError
 from estimator.deploy import zeroing
+from estimator.deploy.runtime import LiveReader
 from estimator.deploy.zeroing import RestZero, is_still
+from tests.support.pages import DOCS
 
 GAIN = np.array([60.0, -35.0, 90.0, 20.0, -15.0, 40.0])
 """Counts per newton of a press; noise below is 20 counts."""
@@ -124,3 +128,18 @@ def test_a_window_does_not_span_a_pause():
 def test_too_few_frames_are_refused():
     with pytest.raises(InputError, match="5 frames or more; got 2"):
         RestZero(2, read)
+
+
+def test_the_guide_to_built_objects_tells_every_baseline_and_its_numbers():
+    page = (DOCS / "calibrate.md").read_text().partition("## 5. Use")[2]
+    rows = re.findall(r"^\| `(\w+)`( \(default\))? \|", page, re.MULTILINE)
+    assert [row[0] for row in rows] == list(get_args(zeroing.ZeroMode))
+    assert [row[0] for row in rows if row[1]] == [LiveReader.__dataclass_fields__["zero"].default]
+    told = (
+        f"({zeroing.ZERO_FRAMES}; {zeroing._LEAST_FRAMES} or more)",
+        f"less than {zeroing.RETURN_SHARE:.0%} of".replace("%", " %"),
+        f"within the last {zeroing.SETTLE_S:g} s",
+        f"at most {zeroing.DRIFT_COUNTS_PER_S:g} count per second",
+        f"above {zeroing.PRESS_FORCE_N:g} N",
+    )
+    assert [words for words in told if words not in page] == []

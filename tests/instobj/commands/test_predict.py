@@ -9,7 +9,8 @@ import pytest
 import torch
 from typer.testing import CliRunner
 
-from design.errors import InputError
+import instobj
+from design.errors import InputError, StoreError
 from design.spec.object import TrainingSpec
 from estimator.frames.dataset import FrameSet, load_frames, save_frames
 from estimator.frames.splits import split_presses
@@ -105,6 +106,43 @@ def test_two_data_sets_give_two_files(folder, tmp_path):
     assert [path.parent.name for path in written] == ["one", "two"]
 
 
+def test_predictions_lie_beside_their_data_set(folder, tmp_path, monkeypatch):
+    """Two folders of one name, read from a third: neither overwrites the other."""
+    files = [tmp_path / name / "same" / "frames.nc" for name in ("a", "b")]
+    (tmp_path / "here").mkdir()
+    monkeypatch.chdir(tmp_path / "here")
+    for path in files:
+        path.parent.mkdir(parents=True)
+        path.write_bytes((folder / "press.nc").read_bytes())
+        given = ["predict", str(folder / "robot" / "face_3.onnx"), str(path)]
+        assert CliRunner().invoke(app, given).exit_code == 0
+    written = sorted(tmp_path.rglob("*.csv"))
+    assert written == [path.with_name("frames.prediction_face_3.csv") for path in files]
+
+
+def test_predictions_carry_frame_numbers_and_stamps(folder, tmp_path):
+    """The 14 frames of a recording, four of which give the zero; a data set's from the first on."""
+    path = board_recording(folder, tmp_path / "board.csv")
+    predict_file(folder / "robot" / "face_3.onnx", path, None, Zeroing("first", 4))
+    with (tmp_path / "board.prediction_face_3.csv").open() as file:
+        rows = list(csv.DictReader(file))
+    assert [int(row["frame"]) for row in rows] == list(range(4, 14))
+    assert [float(row["time_s"]) for row in rows] == [1.7e9 + k / 10 for k in range(4, 14)]
+    predict_file(folder / "robot" / "face_3.onnx", folder / "press.nc", tmp_path)
+    with (tmp_path / "runs" / "press" / "prediction_face_3.csv").open() as file:
+        rows = list(csv.DictReader(file))
+    frames = load_frames(folder / "press.nc")
+    assert [int(row["frame"]) for row in rows] == list(range(len(frames)))
+    np.testing.assert_array_equal([float(row["time_s"]) for row in rows], frames.time_s)
+
+
+def test_a_folder_that_cannot_be_written_is_told_before_any_work(folder, tmp_path):
+    """A file where the folder of results would be made."""
+    (tmp_path / "out").write_text("")
+    with pytest.raises(StoreError, match="--out"):
+        predict_file(folder / "robot" / "face_3.onnx", folder / "press.nc", tmp_path / "out")
+
+
 def another_object(frames, **changes):
     """The same frames with a second sensor on face 3, or on another grid."""
     if "sensors" in changes:
@@ -130,16 +168,35 @@ def test_a_model_of_another_object_is_refused(folder, tmp_path, changes, words):
     assert not (tmp_path / "runs").exists()
 
 
-def test_predict_a_recording_zeroes_by_its_first_frames(folder, tmp_path):
+@pytest.mark.parametrize("changes", [{"sensors": 2}, {"grid_x_mm": np.array([-4.0, 0.0, 4.0])}])
+def test_evaluate_refuses_a_model_of_another_object(folder, tmp_path, monkeypatch, changes):
+    """In the library, and where the command goes on from models of another object."""
+    monkeypatch.setenv("INSTOBJ_STORE", str(tmp_path / "store"))
+    other = another_object(load_frames(folder / "press.nc"), **changes)
+    with pytest.raises(InputError, match="so it is of another object"):
+        instobj.evaluate(load_model(folder / "face_3.safetensors"), other)
+    path = tmp_path / "other.nc"
+    save_frames(other, path)
+    with pytest.raises(InputError, match="so it is of another object"):
+        run_estimator([path], ("networks", "metrics"), tmp_path, SETTINGS, folder)
+    assert not (tmp_path / "runs").exists()
+
+
+def board_recording(folder, path):
+    """The first press as raw counts in the generic format, stamped in seconds since 1970."""
     frames = load_frames(folder / "press.nc").select(np.arange(14))
     raw = 700.0 + frames.signal_counts[:, [2], 0][:, 0]
     lines = ["time_s,F3-X1,F3-Y1,F3-Z1,cell1_face,cell1_x1_mm,cell1_y1_mm,cell1_force_n"]
     force = np.nan_to_num(frames.force_n[:, 0, 2])
     for k, row in enumerate(raw.round(1)):
         label = "3,-3,3" if force[k] > 0 else ",,"
-        lines.append(f"{k / 10:.1f},{row[0]},{row[1]},{row[2]},{label},{force[k]:.3f}")
-    path = tmp_path / "board.csv"
+        lines.append(f"{1.7e9 + k / 10:.1f},{row[0]},{row[1]},{row[2]},{label},{force[k]:.3f}")
     path.write_text("\n".join(lines) + "\n")
+    return path
+
+
+def test_predict_a_recording_zeroes_by_its_first_frames(folder, tmp_path):
+    path = board_recording(folder, tmp_path / "board.csv")
     predict_file(folder / "robot" / "face_3.onnx", path, tmp_path, Zeroing("first", 4))
     with (tmp_path / "runs" / "board" / "prediction_face_3.csv").open() as file:
         rows = list(csv.DictReader(file))

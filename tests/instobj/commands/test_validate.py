@@ -8,8 +8,10 @@ import pytest
 
 from design.layout.positions import live_channels
 from design.spec_io import load_spec
+from estimator.calibration.recorded_presses import RecordedPresses
 from estimator.calibration.resting import channel_names, read_resting
 from estimator.signals.presses import rest_counts
+from instobj.commands.hardware.validate import calibration_texts, exchanged_cases
 from tests.support.cli import CUBE, assert_one_clear_error, run
 
 SPEC = load_spec(CUBE)
@@ -91,6 +93,72 @@ def test_dead_channels_of_the_file_beside_the_specification(tmp_path):
     assert done.returncode == 0
     missing = run("robustness", "cube.toml", "--as-built", "none.toml", cwd=tmp_path)
     assert_one_clear_error(missing, "no as-built file")
+
+
+def pressed(*faces_of_cases):
+    """Presses of one case each, on the given faces."""
+    cases = tuple(
+        tuple((face, 0.0, float(k)) for face in faces) for k, faces in enumerate(faces_of_cases)
+    )
+    count = len(cases)
+    return RecordedPresses(
+        np.zeros((count, 45)),
+        np.zeros((count, 5)),
+        np.arange(count),
+        np.zeros(count, int),
+        np.ones(count, int),
+        cases,
+        np.ones(3),
+    )
+
+
+@pytest.mark.parametrize(
+    ("faces", "possible"),
+    [
+        ([(3,)] * 3, 5),
+        ([(3,), (3,), (5,), (5,)], 3),
+        ([(3, 5)] * 4, 23),
+        ([(1,), (2,), (3,)], 0),
+        ([(3,)] * 9, 362879),
+    ],
+)
+def test_exchanges_of_places_differ_and_keep_the_faces(faces, possible):
+    found = exchanged_cases(pressed(*faces), 19, np.random.default_rng(0))
+    assert len(found) == min(19, possible)
+    assert len({tuple(order) for order in found.tolist()} - {tuple(range(len(faces)))}) == len(
+        found
+    )
+    assert all(faces[new] == faces[old] for order in found for old, new in enumerate(order))
+
+
+def calibrated(permutations):
+    """A calibration that helps, and beats every exchange of places."""
+    before, after = {"own_cosine": 0.5, "left": 0.9}, {"own_cosine": 0.95, "left": 0.2}
+    return {
+        "unseen": "other places",
+        "before": before,
+        "after": after,
+        "null": before,
+        "p_own_cosine": 1 / (1 + permutations),
+        "permutations": permutations,
+    }
+
+
+@pytest.mark.parametrize(
+    ("permutations", "said"),
+    [
+        (19, "it helps there"),
+        (5, "cannot be told (6 exchanges of places allow no p below 0.17)"),
+    ],
+)
+def test_calibration_on_few_places_cannot_be_told(permutations, said):
+    document = {"cases": [[]] * 3, "calibration_tests": [calibrated(permutations)]}
+    assert calibration_texts(document)[0].endswith(said)
+
+
+def test_calibration_without_exchanges_is_told():
+    document = {"cases": [[]] * 2, "calibration_tests": []}
+    assert "cannot be told: 2 sets of places" in calibration_texts(document)[0]
 
 
 def test_validate_refuses_what_is_no_recording(tmp_path):
