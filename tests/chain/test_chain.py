@@ -65,6 +65,8 @@ ON_REQUEST = {
     "pretraining",
     "fabrication",
     "sheet",
+    "inversion",
+    "contact_metrics",
 }
 """Stages of commands beside `run`, which the report does without."""
 
@@ -179,6 +181,28 @@ def test_a_data_set_of_the_run_trains_like_a_recorded_one(folder, first):
     title, rows = next(iter(_document(done)["summary"].items()))
     assert "held-out" in title
     assert {row["face"] for row in rows} == set(FACES)
+
+
+def test_contacts_of_the_whole_object_are_found_by_inversion(folder, first):
+    inverts = ("--set", "training.model=inversion", "--json")
+    done = run("evaluate", "small.toml", *inverts, cwd=folder)
+    assert done.returncode == 0, done.stderr
+    rows = json.loads((folder / "runs/small/contact_metrics.json").read_text())["contacts"]
+    pressed = [row for row in rows if row["force"] == "from 4 N" and row["tips a face"] == 1]
+    assert pressed[0]["number right %"] > 90
+    assert pressed[0]["distance mm"] < 2.0
+    assert rows[-1]["number right %"] > 98
+    (folder / "pressed").mkdir()
+    data = folder / "pressed" / "frames.nc"
+    data.write_bytes((folder / "runs/small/frames.nc").read_bytes())
+    done = run("evaluate", "pressed/frames.nc", "--twin", "small.toml", *inverts, cwd=folder)
+    assert done.returncode == 0, done.stderr
+    twin = json.loads((folder / "runs/pressed/calibration.json").read_text())
+    assert {row["face"] for row in twin["faces"]} == set(FACES)
+    done = run("predict", "runs/pressed/contacts.nc", "pressed/frames.nc", "--json", cwd=folder)
+    judged = json.loads(done.stdout)["tables"]["against the labels, means over frames"]
+    held = next(row for row in judged if row["force"] == "from 4 N")
+    assert held["distance mm"] < 0.5
 
 
 def test_an_error_in_a_later_stage_keeps_earlier_results(folder, first):

@@ -1,0 +1,132 @@
+"""`instobj predict` and `export` with an estimator that inverts the forward model."""
+
+import csv
+import json
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+from design.errors import InputError
+from estimator.boards.lines import encode_frame
+from estimator.frames.dataset import save_frames
+from estimator.inversion.storage import load_inversion, save_inversion
+from instobj.cli.app import app
+from instobj.commands.hardware.predict import export_models
+from instobj.commands.run import run_estimator
+from tests.support.dummy_board import dummy_board
+from tests.support.inverted import SPEC, inverted, labelled_frames, noisy_counts
+
+CHANNELS = tuple(
+    f"F{face}-{axis}{chip}" for face in range(1, 6) for chip in (1, 2, 3) for axis in "XYZ"
+)
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """The estimator, and frames of rest and of two contacts."""
+    target = tmp_path_factory.mktemp("contacts")
+    estimator, rng = inverted(), np.random.default_rng(1)
+    save_inversion(estimator, target / "contacts.nc")
+    face, contact = np.full((16, 6), -1), np.zeros((16, 6, 3))
+    face[10:, :2], contact[10:, :2] = [2, 4], [[4.0, 4.0, 6.0], [-5.0, 3.0, 7.0]]
+    counts = noisy_counts(estimator, face, contact, rng)
+    there = (face >= 0)[..., None]
+    number = np.where(face >= 0, estimator.model.signals.faces[face], 0)
+    placed = np.where(there, contact, np.nan)
+    frames = labelled_frames(number, placed[..., :2], placed[..., 2])
+    save_frames(replace(frames, signal_counts=counts.reshape(16, 5, 3, 3)), target / "grasp.nc")
+    cell = ["cell1_force_n", "cell1_face", "cell1_x1_mm", "cell1_y1_mm"]
+    lines = [",".join(["time_s", *CHANNELS, *cell])]
+    for row, values in enumerate(np.round(counts + 300)):
+        lines.append(",".join([f"{row / 10}", *(f"{value:.0f}" for value in values), "0,,,"]))
+    (target / "grasp.csv").write_text("\n".join(lines) + "\n")
+    return target
+
+
+def told(arguments):
+    done = CliRunner().invoke(app, [*map(str, arguments), "--json"])
+    assert done.exit_code == 0, done.output
+    return json.loads(done.stdout)
+
+
+def test_a_labelled_data_set_is_read_and_judged(folder):
+    document = told(["predict", folder / "contacts.nc", folder / "grasp.nc"])
+    summary, judged = document["tables"].values()
+    assert (summary[0]["frames"], summary[0]["frames with contact"]) == (16, 6)
+    assert [row["force"] for row in judged][-1] == "rest"
+    assert judged[-1]["number right %"] == 100
+    with (folder / "grasp.contacts.csv").open() as file:
+        rows = list(csv.DictReader(file))
+    assert [row["contacts"] for row in rows[:10]] == ["0"] * 10
+    assert rows[0]["face"] == ""
+    pressed = [row for row in rows if int(row["frame"]) >= 10]
+    assert sum(row["contacts"] == "2" for row in pressed) >= 10
+    assert all(float(row["force_n"]) > 0 and row["explained"] == "1" for row in pressed)
+
+
+def test_a_recording_is_zeroed_and_tracked(folder, tmp_path):
+    arguments = ["predict", folder / "contacts.nc", folder / "grasp.csv", "--zero", "first"]
+    told([*arguments, "--out", tmp_path])
+    with (tmp_path / "runs" / "grasp" / "contacts.csv").open() as file:
+        rows = list(csv.DictReader(file))
+    assert rows[0]["frame"] == "8"
+    assert {row["contacts"] for row in rows if int(row["frame"]) < 10} == {"0"}
+    assert sum(row["contacts"] == "2" for row in rows if int(row["frame"]) >= 10) >= 8
+
+
+def test_a_board_is_read_live(folder):
+    rng = np.random.default_rng(2)
+    face, contact = np.full((1, 6), -1), np.zeros((1, 6, 3))
+    face[0, 0], contact[0, 0] = 2, [3.0, -2.0, 7.0]
+    held = noisy_counts(inverted(), face, contact, rng)[0]
+
+    def lines(number):
+        counts = (held if number % 60 >= 30 else 0 * held) + rng.normal(0, 5, 45)
+        return encode_frame(number, 10 * number, [float(round(value)) for value in counts])
+
+    arguments = ["predict", folder / "contacts.nc", "--zero", "none", "--frames", "45"]
+    with dummy_board(lines, channels=CHANNELS) as port:
+        done = CliRunner().invoke(app, [*map(str, arguments), "--port", port])
+    assert done.exit_code == 0, done.output
+    documents = [json.loads(line) for line in done.stdout.splitlines()]
+    pressed = [one for one in documents if one["contacts"]]
+    assert 5 <= len(pressed) <= 40
+    assert {contact["face"] for one in pressed for contact in one["contacts"]} == {3}
+    assert all(one["explained"] and one["lost_frames"] == 0 for one in documents)
+
+
+def test_export_reads_it_once_and_copies_it(folder, tmp_path):
+    export_models([folder / "contacts.nc"], tmp_path)
+    assert load_inversion(tmp_path / "contacts.nc").priors == inverted().priors
+    damaged = tmp_path / "damaged.nc"
+    content = bytearray((folder / "contacts.nc").read_bytes())
+    content[len(content) // 2] ^= 0xFF
+    damaged.write_bytes(content)
+    done = CliRunner().invoke(app, ["export", str(damaged)])
+    assert done.exit_code != 0
+    assert "damaged" in str(done.exception)
+
+
+def test_readings_of_another_object_are_refused(folder, tmp_path):
+    nothing = np.full((2, 1), 0)
+    frames = labelled_frames(nothing, np.full((2, 1, 2), np.nan), np.full((2, 1), np.nan))
+    save_frames(replace(frames, signal_counts=np.zeros((2, 5, 2, 3))), tmp_path / "other.nc")
+    done = CliRunner().invoke(
+        app, ["predict", str(folder / "contacts.nc"), str(tmp_path / "other.nc")]
+    )
+    assert isinstance(done.exception, InputError)
+    assert "2 sensors on faces" in str(done.exception)
+
+
+def test_a_data_set_needs_the_objects_specification(folder, tmp_path):
+    with pytest.raises(InputError, match="--twin SPEC"):
+        run_estimator([folder / "grasp.nc"], ("networks",), tmp_path, ["training.model=inversion"])
+
+
+def test_keys_of_the_inversion_are_checked():
+    with pytest.raises(ValueError, match="contacts"):
+        SPEC.inversion.changed(contacts=9)
+    with pytest.raises(ValueError, match="model_error"):
+        SPEC.inversion.changed(model_error=1.2)
