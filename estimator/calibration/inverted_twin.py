@@ -4,24 +4,34 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from typing import Protocol, runtime_checkable
 
 import numpy as np
 from jaxtyping import Float
 
 from design.layout.positions import sensor_layout
 from design.spec.object import ObjectSpec
-from estimator.calibration.digital_twin import CalibratedTwin
 from estimator.inversion.inversion import Inversion, inversion
 from estimator.inversion.noise import design_error
 from estimator.signals.presses import Signals, press_signals
 from fem.presses.results import MagnetMotions, PressForces
 
 
+@runtime_checkable
+class FaceTwin(Protocol):
+    """What is known of one face, as `estimator.calibration.digital_twin.CalibratedTwin` has it."""
+
+    @property
+    def modulus_error(self) -> float: ...
+
+    def signals(self) -> Signals: ...
+
+
 def inverted_twin(
     spec: ObjectSpec,
     forces: PressForces,
     motions: MagnetMotions,
-    twins: Mapping[int, CalibratedTwin],
+    twins: Mapping[int, FaceTwin],
     left: Mapping[int, float],
 ) -> Inversion:
     """An estimator of the object that labelled presses show, and of the design on other faces.
@@ -56,7 +66,7 @@ def _errors(
     return np.array(of_face)[:, None]
 
 
-def _force_error(spec: ObjectSpec, twins: Mapping[int, CalibratedTwin]) -> float:
+def _force_error(spec: ObjectSpec, twins: Mapping[int, FaceTwin]) -> float:
     """That of the modulus: of the worst face's labels, or of the design where a face has none."""
     if set(twins) != set(spec.body.sensed):
         return spec.tolerances.modulus_relative

@@ -25,6 +25,7 @@ _MODULES: tuple[str, ...] = (
     "instobj.experiments.paper.unseen",
     "instobj.experiments.paper.reference",
     "instobj.experiments.paper.grasps",
+    "instobj.experiments.paper.grasp_contacts",
     "instobj.experiments.paper.slipped",
     "instobj.experiments.paper.force_vectors",
     "instobj.experiments.layouts",

@@ -50,7 +50,7 @@ def run_two_face_grasp(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResu
     """Estimators of single-face presses, judged in grasps of both faces."""
     recorded = simulated_object(spec, quick)
     rows, sweeps = [], {}
-    grasps, frames = _grasps(recorded), _one_face_at_a_time(recorded)
+    grasps, frames = grasps_of(recorded), _one_face_at_a_time(recorded)
     known = _known_grasps(recorded)
     for face in recorded.spec.collection.grasp_faces:
         for name, reads in MODELS.items():
@@ -79,7 +79,7 @@ def run_swap(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
     rows, tested = [], set()
     for title, changes in arrangements(spec).items():
         recorded = simulated_object(changed(spec, changes), quick)
-        grasps, frames = _grasps(recorded), _one_face_at_a_time(recorded)
+        grasps, frames = grasps_of(recorded), _one_face_at_a_time(recorded)
         tested.add(_tested(recorded, frames, grasps))
         for face in recorded.spec.collection.grasp_faces:
             for name, reads in MODELS.items():
@@ -98,7 +98,7 @@ def run_swap(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
     return StudyResult(rows, texts)
 
 
-def _grasps(recorded: SimulatedObject) -> FrameSet:
+def grasps_of(recorded: SimulatedObject) -> FrameSet:
     """Squeezed to the specified force, or as far as presses of single faces went."""
     return recorded.collect(seed=_TEST_SEED, kind="grasp", grasp_force_n=_grasp_force_n(recorded))
 

@@ -10,7 +10,7 @@ from estimator.frames.contact_traces import JointMechanics
 from estimator.information.shear import ShearSignals
 from estimator.tolerances.virtual_object import drawn_assembly, twin_signals
 from instobj.experiments.layouts import changed
-from instobj.experiments.paper import force_vectors, grasps, slipped
+from instobj.experiments.paper import force_vectors, grasp_contacts, grasps, slipped
 from instobj.experiments.paper import object as paper_object
 from instobj.experiments.paper.object import SimulatedObject
 from instobj.experiments.registry import studies
@@ -25,7 +25,7 @@ SHORTER = {
     "protocol.frames_per_press": 12,
     "protocol.rest_frames_per_press": 4,
 }
-NAMES = ("two-face-grasp", "core-slip", "3d-force")
+NAMES = ("two-face-grasp", "grasp-contacts", "core-slip", "3d-force")
 FEWER_GRASPS = (((0.0, 0.0, 0.0), (7.5, -7.5, 0.0)), ((0.0, -9.0, 0.0),))
 
 
@@ -61,7 +61,7 @@ def run(tmp_path_factory):
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("INSTOBJ_STORE", str(folder / "store"))
         patch.setattr(contact_cases, "GRASP_POSES", FEWER_GRASPS)
-        for module in (grasps, slipped, force_vectors):
+        for module in (grasps, grasp_contacts, slipped, force_vectors):
             patch.setattr(module, "simulated_object", lambda spec, quick: made_object(spec))
         patch.setattr(slipped, "_presses", lambda recorded: recorded.design_presses)
         patch.setattr(force_vectors, "_shear", lambda recorded: made_shear(spec))
@@ -128,3 +128,18 @@ def test_tangential_forces_are_read(results):
     rows = {row["axis"]: row for row in results["3d-force"][0].rows}
     assert rows["Fz"]["correlation"] > 0.5
     assert rows["Fx"]["rms force N"] < 0.4 * rows["Fz"]["rms force N"]
+
+
+def test_contacts_of_grasps_are_judged_by_number_of_tips_for_every_model(results):
+    rows = results["grasp-contacts"][0].rows
+    judged = {}
+    for row in rows:
+        judged.setdefault(row["model"], []).append(
+            (row["tips a face"], row["force"], row["frames"])
+        )
+    assert list(judged) == ["design", "calibrated twin", "calibrated twin, probes known"]
+    assert len({tuple(frames) for frames in judged.values()}) == 1
+    pressed = [row for row in rows if row["tips a face"]]
+    assert all(row["possible mm"] > 0 for row in pressed)
+    single = [row for row in pressed if (row["tips a face"], row["force"]) == (1, "from 4 N")]
+    assert all(row["distance mm"] < 3 for row in single)

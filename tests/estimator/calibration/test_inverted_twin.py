@@ -1,0 +1,80 @@
+"""The estimator that inverts calibrated twins, on an object off the design."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from estimator.calibration.inverted_twin import inverted_twin
+from estimator.inversion.noise import SUM_ERROR, design_error
+from estimator.signals.presses import Signals
+from estimator.tolerances.virtual_object import drawn_assembly, twin_signals
+from tests.support.inverted import SPEC, presses
+
+FACE, ROW = 3, 2
+
+
+@dataclass(frozen=True)
+class Known:
+    """A twin whose signals are known, as `CalibratedTwin` gives those of one face."""
+
+    every: Signals
+    modulus_error: float = 0.02
+
+    def signals(self) -> Signals:
+        one = slice(ROW, ROW + 1)
+        return replace(
+            self.every,
+            faces=self.every.faces[one],
+            force_n=self.every.force_n[one],
+            delta_counts=self.every.delta_counts[one],
+        )
+
+
+@pytest.fixture(scope="module")
+def built():
+    forces, motions, _ = presses()
+    return twin_signals(SPEC, drawn_assembly(SPEC, 4), forces, motions)
+
+
+@pytest.fixture(scope="module")
+def estimator(built):
+    forces, motions, _ = presses()
+    return inverted_twin(SPEC, forces, motions, {FACE: Known(built)}, {FACE: 0.03})
+
+
+def read(estimator, signals, row):
+    """Distances (mm) to presses of one face's lattice, undisturbed, at the deepest step but one."""
+    inner = np.flatnonzero(np.all(abs(signals.lattice.xy_mm) < 9, axis=1))[::7]
+    counts = signals.delta_counts[row, inner, -2].reshape(len(inner), -1)
+    found, _ = estimator.read(counts)
+    on_face = (found.face == signals.faces[row]) & (found.number == 1)[:, None]
+    away = found.xy_mm - signals.lattice.xy_mm[inner][:, None]
+    return np.where(on_face, np.linalg.norm(away, axis=2), np.nan)
+
+
+def test_the_twins_face_is_read_as_it_was_built(estimator, built):
+    assert np.nanmax(read(estimator, built, ROW)) < 0.1
+    _, _, design = presses()
+    assert np.nanmedian(read(estimator, design, ROW)) > 0.15
+
+
+def test_other_faces_stay_those_of_the_design(estimator):
+    _, _, design = presses()
+    assert np.nanmax(read(estimator, design, 0)) < 0.1
+
+
+def test_errors_are_the_twins_on_its_face_and_the_designs_on_others(estimator):
+    of_design = design_error(SPEC, *presses())
+    error = estimator.disturbances.model_error.reshape(5, -1)
+    assert_allclose(error[ROW], np.hypot(0.03, SUM_ERROR))
+    assert_allclose(error[0], np.hypot(of_design, SUM_ERROR))
+
+
+def test_without_a_twin_of_every_face_forces_are_as_uncertain_as_the_modulus(estimator, built):
+    assert estimator.disturbances.force_error == SPEC.tolerances.modulus_relative
+    forces, motions, _ = presses()
+    known = dict.fromkeys(range(1, 6), Known(built))
+    every = inverted_twin(SPEC, forces, motions, known, dict.fromkeys(range(1, 6), 0.03))
+    assert every.disturbances.force_error == 0.02
