@@ -122,6 +122,7 @@ DOWNSTREAM = {
     "shell.seal_layer_mm=0.5": {"build"},
     "shell.slits.depth_mm=3": {"plain_mesh", "build", "mesh", "coarse_response"},
     "core.keys.positions_mm=[[11.4,11.4]]": {"plain_mesh", "build", "mesh", "coarse_response"},
+    "inversion.contacts=3": set(),
     "seed=2": {"signals", "robustness", "frames", "networks"},
 }
 
@@ -173,9 +174,14 @@ SHOWN_BY_THE_REPORT_ALONE = {
         *("indenter.", "mould.", "printer.", "export."),
     ),
 }
+CONTACTS_BY_INVERSION = {
+    "inversion": (*_LAID_OUT, "mechanics.", "indenter.", "inversion.", "tolerances.", "seed"),
+    "contact_metrics": ("collection.", "protocol.", "silicone.prony", "tolerances.", "seed"),
+}
 """Stage → beginnings of the keys that make it anew by themselves."""
 for _override, _stages in DOWNSTREAM.items():
-    _shown = {n for n, keys in SHOWN_BY_THE_REPORT_ALONE.items() if _override.startswith(keys)}
+    _by_key = SHOWN_BY_THE_REPORT_ALONE | CONTACTS_BY_INVERSION
+    _shown = {name for name, keys in _by_key.items() if _override.startswith(keys)}
     DOWNSTREAM[_override] = _stages | _shown
 
 
