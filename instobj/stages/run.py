@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
     from estimator.frames.dataset import FrameSet
+    from estimator.inversion.inversion import Inversion
     from estimator.networks.face_model import FaceModel
     from fem.mesh.tetrahedra import TetMesh
 
@@ -205,6 +206,11 @@ class Run:
     def frames(self) -> FrameSet:
         """Simulated calibration presses as labelled frames, the data that estimators learn from."""
         return self.read(readers.FRAMES)
+
+    @property
+    def inversion(self) -> Inversion:
+        """The estimator that inverts the design's forward model: contacts on all faces at once."""
+        return self.read(readers.INVERSION)
 
     def estimator(self, face: int) -> FaceModel:
         """The estimator of a face, trained on `frames`.

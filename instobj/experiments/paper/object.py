@@ -205,13 +205,17 @@ def fitted_to_split(
 
 
 def metric_row(metrics: FaceMetrics) -> dict[str, float | None]:
-    """The paper's four metrics and the total force, as columns of a table; None where undefined."""
+    """The paper's four metrics, E_f read both ways, and the total force, as columns of a table.
+
+    None where undefined.
+    """
     columns = {
         "A_sim": metrics.similarity,
         "E_loc px": metrics.location_error_px,
         "E_loc x px": metrics.location_error_x_px,
         "E_loc y px": metrics.location_error_y_px,
         "E_f %": metrics.force_error_percent,
+        "displaced E_f %": metrics.displaced_force_error_percent,
         "E_f N": metrics.force_error_n,
         "total force %": metrics.total_force_error_percent,
         "A_non": metrics.non_contact_accuracy,

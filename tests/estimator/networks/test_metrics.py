@@ -204,3 +204,26 @@ def test_a_map_with_pixels_at_its_mean_is_aligned_too():
     found = align(ramp, ramp)
     assert_allclose(found.similarity, 1)
     assert_allclose(found.displacement_px, 0)
+
+
+def test_the_displaced_force_error_forgives_a_force_at_the_wrong_place():
+    true = np.concatenate([maps((5, 5), (2, 2, 4.0)), maps((5, 5), (0, 0, 2.0))])
+    shifted = np.concatenate([maps((5, 5), (3, 1, 3.5)), maps((5, 5), (0, 0, 2.0))])
+    reference = ForceReference(2.0, np.full((5, 5), 2.0))
+    found = face_metrics(1, shifted, true, reference)
+    assert_allclose(found.force_error_percent, 100 * (4.0 / 2 + 0) / 2)
+    assert_allclose(found.displaced_force_error_percent, 100 * (0.5 / 2 + 0) / 2)
+
+
+def test_the_displaced_force_error_leaves_out_maps_that_are_unlike():
+    true = maps((5, 5), (2, 2, 4.0))
+    unlike = np.full((1, 5, 5), 1.0)
+    unlike[0, 0, 0] = 1.1
+    unlike[0, 4, 4] = 0.5
+    unlike[0, 4, 0] = 0.5
+    unlike[0, 0, 4] = 0.5
+    reference = ForceReference(2.0, np.full((5, 5), 2.0))
+    found = face_metrics(1, unlike, true, reference)
+    assert found.similarity < 0.3
+    assert np.isnan(found.displaced_force_error_percent)
+    assert np.isfinite(found.force_error_percent)
