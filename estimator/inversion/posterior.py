@@ -24,6 +24,8 @@ _SETTLED = 1e-3
 """Of half χ²: no step that gains less is worth taking."""
 _LONGEST = np.array([4.0, 4.0, 6.0])
 """Of one step, mm, mm and N."""
+_SAME_SIGMA = 0.02
+"""Of the noise: an interaction that changes by less is the same."""
 _OVERLAP_MM, SPACING_SIGMA_MM = 0.5, 0.2
 """Standard deviations of how far tips may seem to overlap, and of distances within a known probe."""
 
@@ -129,16 +131,38 @@ def most_probable(
 
     `extra` is a first guess of the interaction, which each of the rounds works out anew.
     """
-    contact = _held(model, priors, contact)
+    slots, used = face.shape[1], _used_slots(face)
+    face, contact = face[:, :used], _held(model, priors, contact[:, :used])
     extra = model.interaction(face, contact) if extra is None else extra
     for number in range(rounds):
         contact, at = _descend(model, priors, seen, frame, face, contact, extra, steps)
         if number == rounds - 1 or not np.any((face != NONE).sum(axis=1) > 1):
             break
         before, extra = extra, model.interaction(face, contact)
-        if np.max(np.abs(extra - before) / seen.sigma[frame], initial=0.0) < 0.02:
+        if np.max(np.abs(extra - before) / seen.sigma[frame], initial=0.0) < _SAME_SIGMA:
             break
-    return Problems(frame, face, contact, extra, at.misfit, at.curvature)
+    return _widened(Problems(frame, face, contact, extra, at.misfit, at.curvature), slots)
+
+
+def _used_slots(face: np.ndarray) -> int:
+    (used,) = np.nonzero(np.any(face != NONE, axis=0))
+    return int(used[-1]) + 1 if len(used) else 1
+
+
+def _widened(problems: Problems, slots: int) -> Problems:
+    """Empty contact slots added."""
+    used = problems.face.shape[1]
+    more = slots - used
+    if not more:
+        return problems
+    curvature = np.broadcast_to(np.eye(3 * slots), (len(problems), 3 * slots, 3 * slots)).copy()
+    curvature[:, : 3 * used, : 3 * used] = problems.curvature
+    return replace(
+        problems,
+        face=np.pad(problems.face, ((0, 0), (0, more)), constant_values=NONE),
+        contact=np.pad(problems.contact, ((0, 0), (0, more), (0, 0))),
+        curvature=curvature,
+    )
 
 
 def _held(model: ContactModel, priors: Priors, contact: np.ndarray) -> np.ndarray:

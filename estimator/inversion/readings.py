@@ -8,6 +8,7 @@ import numpy as np
 from jaxtyping import Float, Int
 
 from estimator.inversion.forward import NONE, ContactModel
+from estimator.inversion.noise import BLIND
 from estimator.inversion.posterior import Observed, Problems
 from estimator.inversion.search import Hypotheses
 
@@ -87,22 +88,26 @@ def contact_sets(
     model: ContactModel, seen: Observed, problems: Problems, odds: Float[np.ndarray, "frame"]
 ) -> ContactSets:
     """Contacts of one problem per frame, in the order of the problems."""
-    from scipy.special import chdtrc
-
     there = problems.face != NONE
     slots = problems.face.shape[1]
     every = np.linalg.inv(problems.curvature).reshape(len(problems), slots, 3, slots, 3)
     own = np.moveaxis(np.diagonal(every, axis1=1, axis2=3), -1, 1)
-    used = np.sum(seen.sigma[problems.frame] < 1e6, axis=1)
-    freedom = np.maximum(used - 3 * problems.number, 1)
     return ContactSets(
         np.where(there, model.signals.faces[problems.face], NO_FACE),
         np.where(there[..., None], problems.contact[..., :2], np.nan),
         np.where(there, problems.contact[..., 2], np.nan),
         np.where(there[..., None, None], own, np.nan),
         odds,
-        chdtrc(freedom, 2 * problems.misfit),
+        p_values(seen, problems),
     )
+
+
+def p_values(seen: Observed, problems: Problems) -> Float[np.ndarray, "problem"]:
+    """Chance of a misfit as large if a problem's contacts were true."""
+    from scipy.special import chdtrc
+
+    told = np.sum(seen.sigma[problems.frame] < BLIND / 2, axis=1)
+    return chdtrc(np.maximum(told - 3 * problems.number, 1), 2 * problems.misfit)
 
 
 def best_and_next(

@@ -7,7 +7,7 @@ from jaxtyping import Float
 
 from estimator.inversion.inversion import Inversion
 from estimator.inversion.posterior import Observed, Problems, empty, most_probable
-from estimator.inversion.readings import ContactSets, contact_sets
+from estimator.inversion.readings import ContactSets, contact_sets, p_values
 from estimator.inversion.search import Hypotheses, together
 
 _STEPS = 3
@@ -15,6 +15,9 @@ _CHANGE = np.log(0.02)
 """Log prior odds that a frame has another number of contacts than the last."""
 _FAINT = 3.0
 """Contacts below so many standard deviations of their force may have gone."""
+_LONGEST_PAUSE = 8
+_WORSE = 0.1
+"""A p value that falls by more than this ends the wait."""
 _STRAINED, _UNEXPLAINED = 0.02, 1e-3
 """p values below which one more contact is tried, and all are looked for anew."""
 
@@ -23,59 +26,63 @@ class Tracker:
     """Reads frame after frame from where the last contacts were.
 
     A number of contacts that changes costs evidence, so that noise does not make it flicker. Where
-    the contacts of the last frame no longer explain what is seen, all are looked for anew. `seen_anew`
-    counts these frames.
+    the contacts of the last frame no longer explain what is seen, one more is tried, then all are
+    looked for anew; after a vain try only every second frame, every fourth, every eighth, unless the
+    misfit grows. `seen_anew` counts the frames in which all were looked for.
     """
 
     def __init__(self, inversion: Inversion) -> None:
         self.inversion = inversion
         self.seen_anew = 0
         self._last: Problems | None = None
+        self._wait, self._pause, self._tried_p = 0, 1, 1.0
 
     def feed(self, counts: Float[np.ndarray, "channel"], averaged: int = 1) -> ContactSets:
         """The contacts of the next frame (changes of counts against rest)."""
         seen = self.inversion.disturbances.observed(counts[None], averaged)
-        found, odds = self._followed(seen)
-        sets = contact_sets(self.inversion.model, seen, found, odds)
-        if sets.p_value[0] < _UNEXPLAINED:
-            self.seen_anew += 1
-            every = self.inversion.search.contacts(seen)
-            best, odds = every.most_probable(1)
-            anew = every.problems.select(best)
-            if anew.misfit[0] < found.misfit[0]:
-                found = anew
-                sets = contact_sets(self.inversion.model, seen, found, odds)
+        found, odds = self._same(seen), np.ones(1)
+        p_value = float(p_values(seen, found)[0])
+        if p_value >= _STRAINED and not self._faint(found):
+            self._wait, self._pause = 0, 1
+        elif self._wait and p_value > _WORSE * self._tried_p:
+            self._wait -= 1
+        else:
+            before, self._tried_p = found.number[0], p_value
+            found, odds = self._changed(seen, found)
+            if found.number[0] == before:
+                self._pause = min(2 * self._pause, _LONGEST_PAUSE)
+                self._wait = self._pause - 1
         self._last = found
+        sets = contact_sets(self.inversion.model, seen, found, odds)
         return sets.with_force_error(self.inversion.disturbances.force_error)
 
-    def _followed(self, seen: Observed) -> tuple[Problems, Float[np.ndarray, "1"]]:
-        """The last contacts refitted, with one more or one less where the frame says so."""
+    def _same(self, seen: Observed) -> Problems:
+        """The last contacts refitted."""
         search, last = self.inversion.search, self._last
-        if last is None:
-            last = empty(seen, np.zeros(1, int), search.priors.most)
-        if last.number[0]:
-            extra = search.model.interaction(last.face, last.contact)
-            same = most_probable(
-                search.model,
-                search.priors,
-                seen,
-                last.frame,
-                last.face,
-                last.contact,
-                extra,
-                1,
-                _STEPS,
-            )
-        else:
-            same = empty(seen, np.zeros(1, int), search.priors.most)
+        if last is None or not last.number[0]:
+            return empty(seen, np.zeros(1, int), search.priors.most)
+        extra = search.model.interaction(last.face, last.contact)
+        start = last.frame, last.face, last.contact
+        return most_probable(search.model, search.priors, seen, *start, extra, 1, _STEPS)
+
+    def _changed(self, seen: Observed, same: Problems) -> tuple[Problems, Float[np.ndarray, "1"]]:
+        """One contact more or less, or all anew, where the evidence is for it."""
+        search = self.inversion.search
         every = [search.judged(same)]
-        if contact_sets(search.model, seen, same, np.ones(1)).p_value[0] < _STRAINED:
-            every.append(_changed(search.grown(seen, same)))
+        if p_values(seen, same)[0] < _STRAINED:
+            every.append(_at_a_price(search.grown(seen, same)))
         if self._faint(same):
-            every.append(_changed(search.fewer(seen, same)))
-        judged = every[0] if len(every) == 1 else together(every)
+            every.append(_at_a_price(search.fewer(seen, same)))
+        judged = together(every)
         best, odds = judged.most_probable(1)
-        return judged.problems.select(best), odds
+        found = judged.problems.select(best)
+        if p_values(seen, found)[0] >= _UNEXPLAINED:
+            return found, odds
+        self.seen_anew += 1
+        anew = search.contacts(seen)
+        best, odds_anew = anew.most_probable(1)
+        other = anew.problems.select(best)
+        return (other, odds_anew) if other.misfit[0] < found.misfit[0] else (found, odds)
 
     def _faint(self, same: Problems) -> bool:
         number = int(same.number[0])
@@ -86,5 +93,5 @@ class Tracker:
         return bool(np.any(same.contact[0, :number, 2] < _FAINT * sigma))
 
 
-def _changed(judged: Hypotheses) -> Hypotheses:
+def _at_a_price(judged: Hypotheses) -> Hypotheses:
     return Hypotheses(judged.problems, judged.log_evidence + _CHANGE)
