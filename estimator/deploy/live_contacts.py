@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 from jaxtyping import Float
 
 from design.errors import InputError
-from estimator.deploy.zeroing import ZERO_FRAMES, RestZero, ZeroMode
+from estimator.deploy.zeroing import ZERO_FRAMES, StreamZero, ZeroMode
 from estimator.inversion.inversion import Inversion
 from estimator.inversion.noise import BLIND
 from estimator.inversion.readings import ContactSets
@@ -28,8 +28,6 @@ class LiveContacts:
     inversion: Inversion
     zero: ZeroMode = "rest"
     zero_frames: int = ZERO_FRAMES
-    _rest: RestZero | None = None
-    _resting: list[np.ndarray] = field(default_factory=list)
 
     def __post_init__(self) -> None:
         self.rezero()
@@ -37,9 +35,7 @@ class LiveContacts:
     def rezero(self) -> None:
         """Take the zero anew from the frames that follow, with nothing pressed."""
         self._tracker, self._still = Tracker(self.inversion), Tracker(_of_one(self.inversion))
-        follows = self.zero == "rest"
-        self._rest = RestZero(self.zero_frames, self._read_still) if follows else None
-        self._resting = []
+        self._level = StreamZero(self.zero, self.zero_frames, self._read_still)
 
     def feed(
         self, raw_counts: Float[np.ndarray, "face sensor 3"], time_s: float = math.nan
@@ -52,19 +48,8 @@ class LiveContacts:
             Another number of faces or sensors than the estimator's, or a missing reading.
         """
         now = self._channels_of(raw_counts)
-        zero = self._zero_after(now, time_s)
+        zero = self._level.after(now, time_s)
         return None if zero is None else self._tracker.feed(now - zero)
-
-    def _zero_after(self, now: np.ndarray, time_s: float) -> np.ndarray | None:
-        if self.zero == "none":
-            return np.zeros(len(now))
-        if self._rest is not None:
-            self._rest.update(now, time_s)
-            return self._rest.level
-        if len(self._resting) < self.zero_frames:
-            self._resting.append(now)
-            return None
-        return np.mean(self._resting, axis=0)
 
     def _read_still(self, change: Float[np.ndarray, "channel"]) -> tuple[float, float]:
         found = self._still.feed(change)

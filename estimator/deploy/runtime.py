@@ -14,7 +14,7 @@ import numpy as np
 from jaxtyping import Bool, Float
 
 from design.errors import InputError
-from estimator.deploy.zeroing import ZERO_FRAMES, RestZero, ZeroMode, is_pause
+from estimator.deploy.zeroing import ZERO_FRAMES, StreamZero, ZeroMode, is_pause
 from estimator.frames.dataset import FrameSet
 from estimator.frames.face_data import HISTORY, Channel, channel_counts, channel_label, with_history
 from estimator.networks.prediction import UNITS, Prediction
@@ -124,8 +124,6 @@ class LiveReader:
     model: DeployedModel
     zero: ZeroMode = "rest"
     zero_frames: int = ZERO_FRAMES
-    _rest: RestZero | None = None
-    _resting: list[np.ndarray] = field(default_factory=list)
     _recent: deque[np.ndarray] = field(default_factory=deque)
     _last_s: float = math.nan
 
@@ -149,7 +147,7 @@ class LiveReader:
         self._recent.append(now)
         if len(self._recent) > self.model.history_frames + 1:
             self._recent.popleft()
-        zero = self._zero_after(now, time_s)
+        zero = self._level.after(now, time_s)
         if zero is None:
             return None
         counts = np.where(self._past, now - self._recent[0], now - zero)
@@ -157,27 +155,12 @@ class LiveReader:
 
     def rezero(self) -> None:
         """Take the zero anew from the frames that follow, with nothing pressed."""
-        follows = self.zero == "rest"
-        self._rest = RestZero(self.zero_frames, self._read_still) if follows else None
-        self._resting = []
+        self._level = StreamZero(self.zero, self.zero_frames, self._read_still)
         self._recent.clear()
 
     @cached_property
     def _past(self) -> Bool[np.ndarray, "channel"]:
         return np.array([face >= HISTORY for face, _, _ in self.model.channels])
-
-    def _zero_after(
-        self, now: Float[np.ndarray, "channel"], time_s: float
-    ) -> Float[np.ndarray, "channel"] | None:
-        if self.zero == "none":
-            return np.zeros(len(now))
-        if self._rest is not None:
-            self._rest.update(now, time_s)
-            return self._rest.level
-        if len(self._resting) < self.zero_frames:
-            self._resting.append(now)
-            return None
-        return np.mean(self._resting, axis=0)
 
     def _read_still(self, change: Float[np.ndarray, "channel"]) -> tuple[float, float]:
         found = run_model(self.model, np.where(self._past, 0.0, change)[None])

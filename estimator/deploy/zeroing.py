@@ -125,3 +125,32 @@ class RestZero:
         elif contact < 0.5 or force_n < LEAST_FORCE_N:
             step = DRIFT_COUNTS_PER_S * min(elapsed_s, SETTLE_S)
             self.level = self.level + np.clip(change, -step, step)
+
+
+@dataclass
+class StreamZero:
+    """The zero of a stream in any mode: following rest, the mean of the first frames, or none."""
+
+    mode: ZeroMode
+    frames: int
+    read: ReadStill
+    _rest: RestZero | None = None
+    _resting: list[np.ndarray] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        if self.mode == "rest":
+            self._rest = RestZero(self.frames, self.read)
+
+    def after(
+        self, raw: Float[np.ndarray, "channel"], time_s: float
+    ) -> Float[np.ndarray, "channel"] | None:
+        """The zero once a frame of raw counts has come; None while there is none."""
+        if self.mode == "none":
+            return np.zeros(len(raw))
+        if self._rest is not None:
+            self._rest.update(raw, time_s)
+            return self._rest.level
+        if len(self._resting) < self.frames:
+            self._resting.append(raw)
+            return None
+        return np.mean(self._resting, axis=0)

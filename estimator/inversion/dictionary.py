@@ -10,7 +10,8 @@ import numpy as np
 from jaxtyping import Bool, Float, Int
 
 from estimator.inversion.forward import NONE, ContactModel
-from estimator.inversion.posterior import Observed, Priors, Problems
+from estimator.inversion.posterior import Observed, Problems
+from estimator.inversion.priors import Priors
 
 _PITCH_MM = 3.0
 _FORCES_N = (0.7, 3.0, 10.0)

@@ -9,11 +9,13 @@ from functools import cached_property
 import numpy as np
 from jaxtyping import Float
 
+from design.errors import InputError
 from design.layout.tips import footprint_mm, tip_positions_mm
 from design.spec.object import ObjectSpec
 from estimator.inversion.forward import ContactModel, contact_model
 from estimator.inversion.noise import Disturbances, disturbances
-from estimator.inversion.posterior import Observed, Priors
+from estimator.inversion.posterior import Observed
+from estimator.inversion.priors import Priors
 from estimator.inversion.readings import ContactSets, best_and_next
 from estimator.inversion.search import Search
 from estimator.signals.presses import Signals
@@ -56,7 +58,14 @@ class Inversion:
         counts : changes against rest; NaN where a channel has no reading
         averaged : how many frames of a hold each is the mean of
         progress : is told how many frames are done
+
+        Raises
+        ------
+        InputError
+            No frame.
         """
+        if not len(counts):
+            raise InputError("there is no frame to read contacts in. Give a file that holds frames")
         parts = []
         for start in range(0, len(counts), _FRAMES_AT_ONCE):
             seen = self.disturbances.observed(counts[start : start + _FRAMES_AT_ONCE], averaged)

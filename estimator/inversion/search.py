@@ -18,13 +18,13 @@ from estimator.inversion.dictionary import Dictionary, dictionary
 from estimator.inversion.forward import NONE, ContactModel
 from estimator.inversion.posterior import (
     Observed,
-    Priors,
     Problems,
     empty,
     joined,
     log_evidence,
     most_probable,
 )
+from estimator.inversion.priors import Priors
 
 _KEPT = 3
 _ROUGH_STEPS = 2

@@ -15,7 +15,7 @@ from design.spec.object import ObjectSpec
 from estimator.inversion.forward import ContactModel
 from estimator.inversion.inversion import Inversion
 from estimator.inversion.noise import Disturbances
-from estimator.inversion.posterior import Priors
+from estimator.inversion.priors import Priors
 from estimator.inversion.spline import cubic_axis
 from estimator.inversion.table import PressTable
 

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from estimator.frames.dataset import FrameSet
     from estimator.inversion.inversion import Inversion
 
-_MOST_FRAMES, _QUICK_FRAMES = 800, 60
+_MOST_FRAMES, _QUICK_FRAMES = 800, 30
 _EVERY_PLACE = 4
 """Of the contact locations one in so many is labelled."""
 _CALIBRATION_SEED = 200
@@ -37,12 +37,12 @@ def run_grasp_contacts(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResu
     _draw(
         shown, headline("contacts in grasps, from 4 N a face", quick), folder / "grasp-contacts.png"
     )
-    labelled = "every contact location" if quick else f"one contact location in {_EVERY_PLACE}"
     texts = [
         SIMULATED,
         f"{len(frames)} frames of grasps with one, two and three tips a jaw, each read by itself; all "
-        "contacts anywhere are possible. The calibrated twin has seen labelled single presses at "
-        f"{labelled} of both faces and no grasp; the design nothing of the object.",
+        "contacts anywhere are possible. The calibrated twin has seen labelled single presses at one "
+        f"contact location in {_EVERY_PLACE} of both faces and no grasp; the design nothing of the "
+        "object.",
         "possible: mean distance that the Cramér–Rao bound leaves an unbiased estimator that knows the "
         "number of contacts and nothing of their places. Known faces, borders and probes can do "
         "better. probes known: tips of a face are one of the paper's probes and bear alike within 30 %.",
@@ -86,8 +86,7 @@ def _calibrated(recorded: SimulatedObject) -> Inversion:
     twins, left = {}, {}
     for face in recorded.spec.collection.grasp_faces:
         places = np.unique(frames.place_id[(frames.contact_face == face).any(axis=1)])
-        few = places if len(places) < 10 * _EVERY_PLACE else places[::_EVERY_PLACE]
-        labelled = frames.select(np.isin(frames.place_id, few))
+        labelled = frames.select(np.isin(frames.place_id, places[::_EVERY_PLACE]))
         seen = pressed_places(design, within_reach(labelled, presses[0], face), face)
         twins[face] = calibrate(design, *presses, seen)
         left[face] = rms_left(places_left_out(design, *presses, seen)[0])

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 MOST_FRAMES = 400
 """Judged at most, drawn at random: a frame takes some tens of milliseconds."""
 _OBJECT_SEED = 1000
-_PRESSES = 40
+_PRESSES = 24
 _FRAMES_A_PRESS = 8
 
 

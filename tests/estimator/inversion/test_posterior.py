@@ -6,13 +6,8 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from estimator.inversion.posterior import (
-    SPACING_SIGMA_MM,
-    Observed,
-    empty,
-    log_evidence,
-    most_probable,
-)
+from estimator.inversion.posterior import Observed, empty, log_evidence, most_probable
+from estimator.inversion.priors import SPACING_SIGMA_MM
 from tests.support.inverted import contacts, expected_counts, inverted, noisy_counts
 
 FREE = inverted()

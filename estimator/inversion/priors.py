@@ -1,0 +1,170 @@
+"""What is believed of contacts before a frame is seen: how many, where, how hard, and known probes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from itertools import combinations
+
+import numpy as np
+from jaxtyping import Float, Int
+
+from estimator.inversion.forward import NONE
+
+_OVERLAP_MM, SPACING_SIGMA_MM = 0.5, 0.2
+"""Standard deviations of how far tips may seem to overlap, and of distances within a known probe."""
+_ROOT = np.sqrt(2 * np.pi)
+
+
+@dataclass(frozen=True)
+class Priors:
+    """What is believed of contacts before a frame is seen.
+
+    Attributes
+    ----------
+    number : probabilities of 0, 1, 2, … contacts
+    faces, area_mm2 : number and whole area of the sensed faces; contacts are equally likely
+        everywhere on them
+    force_n : least and largest, forces between are equally likely
+    apart_mm : least distance of two contacts on a face (twice the tip's radius); 0 for none
+    force_spread : relative standard deviation of the forces of a face's contacts, where they are
+        tips of one probe that bear alike; None where nothing is known of that
+    spacing_mm : of probes, where they are known: distance between the tips of the probe of two, of
+        three, … of which a face meets one; empty where contacts are free
+    """
+
+    number: tuple[float, ...]
+    faces: int
+    area_mm2: float
+    force_n: tuple[float, float]
+    apart_mm: float = 0.0
+    force_spread: float | None = None
+    spacing_mm: tuple[float, ...] = ()
+
+    @property
+    def free(self) -> Priors:
+        """Without what is known of probes."""
+        return replace(self, force_spread=None, spacing_mm=())
+
+    @property
+    def most(self) -> int:
+        """Largest number of contacts."""
+        return len(self.number) - 1
+
+
+@dataclass
+class Quadratic:
+    """Misfit, its slope and curvature at the contacts of some problems."""
+
+    misfit: np.ndarray
+    slope: np.ndarray
+    curvature: np.ndarray
+
+
+def add_priors(found: Quadratic, priors: Priors, face: np.ndarray, contact: np.ndarray) -> None:
+    """Tips that do not overlap, stand as their probe has them, and bear alike where they are known to."""
+    alike = np.sum(face[:, :, None] == face[:, None, :], axis=2)
+    for a, b in combinations(range(face.shape[1]), 2):
+        both = (face[:, a] == face[:, b]) & (face[:, a] != NONE)
+        if not both.any():
+            continue
+        pair = _Pair(found, contact, a, b, alike[:, a])
+        if priors.spacing_mm:
+            pair.stand(np.flatnonzero(both), priors.spacing_mm)
+        elif priors.apart_mm:
+            pair.keep_apart(np.flatnonzero(both), priors.apart_mm)
+        if priors.force_spread is not None:
+            pair.bear_alike(np.flatnonzero(both), priors.force_spread)
+
+
+@dataclass(frozen=True)
+class _Pair:
+    """Contacts `a` and `b` of all problems; `alike` counts those of their face."""
+
+    found: Quadratic
+    contact: np.ndarray
+    a: int
+    b: int
+    alike: np.ndarray
+
+    def keep_apart(self, rows: np.ndarray, apart_mm: float) -> None:
+        distance = self._between(rows)[1]
+        self._hold(rows[distance < apart_mm], apart_mm, _OVERLAP_MM)
+
+    def stand(self, rows: np.ndarray, spacing_mm: tuple[float, ...]) -> None:
+        wanted = np.array([0.0, 0.0, *spacing_mm])
+        known = self.alike[rows] < len(wanted)
+        self._hold(rows[known], wanted[self.alike[rows[known]]], SPACING_SIGMA_MM)
+
+    def bear_alike(self, rows: np.ndarray, spread: float) -> None:
+        first, second = self.contact[rows, self.a, 2], self.contact[rows, self.b, 2]
+        scale = 1 / (spread * np.sqrt(self.alike[rows]))
+        row = np.zeros((len(rows), self.found.slope.shape[1]))
+        row[:, 3 * self.a + 2], row[:, 3 * self.b + 2] = scale / first, -scale / second
+        _add_row(self.found, rows, scale * np.log(first / second), row)
+
+    def _between(self, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        between = self.contact[rows, self.a, :2] - self.contact[rows, self.b, :2]
+        return between, np.maximum(np.linalg.norm(between, axis=1), 1e-6)
+
+    def _hold(self, rows: np.ndarray, wanted_mm: np.ndarray | float, sigma_mm: float) -> None:
+        between, distance = self._between(rows)
+        unit = between / distance[:, None] / sigma_mm
+        row = np.zeros((len(rows), self.found.slope.shape[1]))
+        row[:, 3 * self.a : 3 * self.a + 2], row[:, 3 * self.b : 3 * self.b + 2] = unit, -unit
+        _add_row(self.found, rows, (distance - wanted_mm) / sigma_mm, row)
+
+
+def _add_row(found: Quadratic, rows: np.ndarray, left: np.ndarray, row: np.ndarray) -> None:
+    found.misfit[rows] += 0.5 * left**2
+    found.slope[rows] += left[:, None] * row
+    found.curvature[rows] += row[:, :, None] * row[:, None, :]
+
+
+def log_density(
+    priors: Priors,
+    face: Int[np.ndarray, "problem contact"],
+    contact: Float[np.ndarray, "problem contact 3"],
+) -> Float[np.ndarray, "problem"]:
+    """Log prior density of sets of contacts, whatever the order of their contacts."""
+    number = np.sum(face != NONE, axis=1)
+    each = -np.log(priors.area_mm2 * np.ptp(priors.force_n))
+    counted = np.log(np.maximum(np.asarray(priors.number), 1e-300))[number]
+    orders = np.array([np.sum(np.log(np.arange(1, n + 1))) for n in range(priors.most + 1)])
+    return number * each + counted + orders[number] + _probe_density(priors, face, contact)
+
+
+def _probe_density(
+    priors: Priors, face: np.ndarray, contact: np.ndarray
+) -> Float[np.ndarray, "problem"]:
+    """Log of how much denser the prior is where probes and equal forces are known.
+
+    Of a face's n contacts one stands anywhere; the second then stands on a ring, the third at one
+    of two points. Forces but one follow the first.
+    """
+    gained = np.zeros(len(face))
+    for one in range(priors.faces):
+        here = face == one
+        number = here.sum(axis=1)
+        more = np.maximum(number - 1, 0)
+        if priors.force_spread is not None:
+            force = np.where(here, contact[..., 2], 0.0).sum(axis=1)
+            width = _ROOT * priors.force_spread * np.maximum(force, 1e-9) / np.maximum(number, 1)
+            gained += np.where(more > 0, more * np.log(np.ptp(priors.force_n) / width), 0.0)
+        if priors.spacing_mm:
+            gained += _standing(priors)[np.minimum(number, len(priors.spacing_mm) + 2)]
+    return gained
+
+
+def _standing(priors: Priors) -> Float[np.ndarray, "number"]:
+    """Log density of the places of n tips of a known probe over that of n contacts anywhere."""
+    ring = 2 * np.pi * np.asarray(priors.spacing_mm) * _ROOT * SPACING_SIGMA_MM
+    point = 2 * (_ROOT * SPACING_SIGMA_MM) ** 2
+    extra = np.arange(len(priors.spacing_mm))
+    gained = np.log(priors.area_mm2 / ring) + extra * np.log(priors.area_mm2 / point)
+    return np.concatenate([[0.0, 0.0], gained, [-np.inf]])
+
+
+def widths(priors: Priors) -> Float[np.ndarray, "3"]:
+    """Of the priors of x, y and force on one face: no posterior is wider."""
+    side = np.sqrt(priors.area_mm2 / priors.faces)
+    return np.array([side, side, np.ptp(priors.force_n)])
