@@ -184,7 +184,7 @@ def test_a_data_set_of_the_run_trains_like_a_recorded_one(folder, first):
 
 
 def test_contacts_of_the_whole_object_are_found_by_inversion(folder, first):
-    inverts = ("--set", "training.model=inversion", "--json")
+    inverts = ("--set", "training.model=inversion", "--set", "inversion.contacts=3", "--json")
     done = run("evaluate", "small.toml", *inverts, cwd=folder)
     assert done.returncode == 0, done.stderr
     rows = json.loads((folder / "runs/small/contact_metrics.json").read_text())["contacts"]
@@ -201,8 +201,9 @@ def test_contacts_of_the_whole_object_are_found_by_inversion(folder, first):
     assert {row["face"] for row in twin["faces"]} == set(FACES)
     judged = json.loads((folder / "runs/pressed/contact_metrics.json").read_text())["contacts"]
     held = next(row for row in judged if row["force"] == "from 4 N")
+    jitter_mm = np.sqrt(np.pi / 2) * 0.3  # mean distance of the presses from their labels
     assert held["number right %"] > 98
-    assert held["distance mm"] < 0.5
+    assert held["distance mm"] < 1.3 * np.hypot(held["possible mm"], jitter_mm)
 
 
 def test_an_error_in_a_later_stage_keeps_earlier_results(folder, first):
