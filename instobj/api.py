@@ -16,8 +16,8 @@ if TYPE_CHECKING:
 
     from design.build.manifest import BuildManifest
     from estimator.frames.dataset import FrameSet
+    from estimator.metrics.heatmaps import FaceMetrics
     from estimator.networks.face_model import FaceModel
-    from estimator.networks.metrics import FaceMetrics
     from estimator.networks.prediction import Prediction
     from estimator.recordings.reading import Recording
 

@@ -19,8 +19,8 @@ from jaxtyping import Bool, Float, Int
 from estimator.frames.dataset import FrameSet
 from estimator.frames.face_data import FaceData, channel_counts, face_data, with_history
 from estimator.frames.splits import Split
+from estimator.metrics.heatmaps import force_reference
 from estimator.networks.face_model import FaceModel, predict
-from estimator.networks.metrics import force_reference
 from estimator.networks.prediction import ContactAnswers, HeldOutAnswers
 from estimator.networks.training_data import thinned, with_contacts
 

@@ -13,8 +13,8 @@ from design.spec.object import TrainingSpec
 from estimator.frames.dataset import FrameSet
 from estimator.frames.face_data import FaceData, face_data, with_history
 from estimator.frames.splits import Split
+from estimator.metrics.heatmaps import FaceMetrics, face_metrics, force_reference
 from estimator.networks.face_model import FaceModel, predict, predict_heatmaps
-from estimator.networks.metrics import FaceMetrics, face_metrics, force_reference
 from estimator.networks.prediction import ContactReadings, Prediction
 from estimator.networks.training import FitSettings, fit_estimator
 from estimator.networks.training_data import with_contacts

@@ -1,6 +1,6 @@
 """Contacts found against contacts true, one by one: distances in mm, numbers, forces, coverage.
 
-What the metrics of heatmaps (`estimator.networks.metrics`) cannot see: pixels of 3 mm hide errors of
+What the metrics of heatmaps (`estimator.metrics.heatmaps`) cannot see: pixels of 3 mm hide errors of
 tenths of a millimetre, and maps have no number of contacts. On every face true and found contacts
 are paired so that the distances add up to the least (Kuhn, Nav. Res. Logist. Q. 2, 1955).
 """

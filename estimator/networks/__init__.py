@@ -1,1 +1,1 @@
-"""The contact estimator: networks, training, metrics (torch)."""
+"""The contact estimator: networks and trees, training, intervals (torch)."""

@@ -12,12 +12,12 @@ from jaxtyping import Float
 from torch import nn
 
 from estimator.frames.face_data import Channel, FaceData, channel_counts
+from estimator.metrics.heatmaps import face_metrics, force_reference
 from estimator.networks.conformal import conformal_quantile
 from estimator.networks.coverage import known_distance, reference_of, slopes_at_places_left_out
 from estimator.networks.ensemble import sigma_counts
 from estimator.networks.face_model import read_counts
 from estimator.networks.forest import Forest
-from estimator.networks.metrics import face_metrics, force_reference
 from estimator.networks.network import (
     DOUBT_POWER,
     ContactEstimator,

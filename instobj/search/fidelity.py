@@ -72,7 +72,7 @@ def chain_score(spec: ObjectSpec) -> FidelityScore:
 def estimator_errors(spec: ObjectSpec) -> dict[str, float]:
     """Metrics of estimators trained on a layout's own simulated presses, on whole presses held out.
 
-    Means over the pressed faces of `estimator.networks.metrics.FaceMetrics`, undefined ones left out; the
+    Means over the pressed faces of `estimator.metrics.heatmaps.FaceMetrics`, undefined ones left out; the
     chain's stages run, or come from the store.
     """
     faces = Run(spec).read(METRICS)["faces"]

@@ -34,7 +34,7 @@ _LEAST_FRAMES = 40
 def run_data_amount(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
     """The paper's training part halved ten times; the same test part throughout."""
     from estimator.frames.face_data import face_data
-    from estimator.networks.metrics import face_metrics, force_reference
+    from estimator.metrics.heatmaps import face_metrics, force_reference
 
     recorded = simulated_object(spec, quick)
     face = recorded.spec.collection.faces[0]

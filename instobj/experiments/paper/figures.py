@@ -12,7 +12,7 @@ from jaxtyping import Float
 from instobj.figures.saving import save_figure
 
 if TYPE_CHECKING:
-    from estimator.networks.metrics import ContactErrors
+    from estimator.metrics.heatmaps import ContactErrors
 
 _COLOURS = ("#1b6ca8", "#6a994e", "#b08900", "#7a5195", "#9ab8cf")
 PAPER_COLOUR = "#c8553d"

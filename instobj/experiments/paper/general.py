@@ -23,7 +23,7 @@ from instobj.experiments.registry import Study, StudyResult
 
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
-    from estimator.networks.metrics import ContactErrors, FaceMetrics
+    from estimator.metrics.heatmaps import ContactErrors, FaceMetrics
 
 _STRONG_N = 4.0
 _PAPER = {"paper E_f %": "paper (real object)"}
@@ -58,7 +58,7 @@ def run_general(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
 def _face_row(recorded: SimulatedObject, face: int) -> tuple[dict[str, Any], ContactErrors]:
     from estimator.evaluation.false_alarms import false_alarms, fixed_threshold_n
     from estimator.frames.face_data import face_data
-    from estimator.networks.metrics import contact_errors, face_metrics, force_reference
+    from estimator.metrics.heatmaps import contact_errors, face_metrics, force_reference
 
     label = {"collection": "paper", "faces": [face]}
     frames = recorded.collect(faces=[face])
@@ -94,7 +94,7 @@ def run_linear(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
     """Linear regression beside the network and chance, on the same frames of face 1."""
     from estimator.evaluation.evaluation import mean_map_baseline
     from estimator.frames.face_data import face_data
-    from estimator.networks.metrics import face_metrics, force_reference
+    from estimator.metrics.heatmaps import face_metrics, force_reference
 
     recorded = simulated_object(spec, quick)
     face = recorded.spec.collection.faces[0]

@@ -32,8 +32,8 @@ from instobj.experiments.registry import Study, StudyResult
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
     from estimator.frames.dataset import FrameSet
+    from estimator.metrics.heatmaps import ForceReference
     from estimator.networks.face_model import FaceModel
-    from estimator.networks.metrics import ForceReference
 
 MODELS = {
     "compact": "own face's sensors",
@@ -149,7 +149,7 @@ def _fitted(
 ) -> tuple[FaceModel, ForceReference]:
     from estimator.frames.face_data import face_data
     from estimator.frames.splits import split_presses
-    from estimator.networks.metrics import force_reference
+    from estimator.metrics.heatmaps import force_reference
 
     label = {"collection": "paper"} | _collected(recorded)
     model, _, _ = fitted_to_split(recorded, frames, split_presses, face, label, model=name)
@@ -159,7 +159,7 @@ def _fitted(
 def _judged(
     model: FaceModel, grasps: FrameSet, reference: ForceReference
 ) -> dict[str, float | None]:
-    from estimator.networks.metrics import face_metrics
+    from estimator.metrics.heatmaps import face_metrics
 
     predicted, true, rest = predict_face(model, grasps)
     return metric_row(face_metrics(model.face, predicted, true, reference, rest))
@@ -168,7 +168,7 @@ def _judged(
 def _sweep(model: FaceModel, grasps: FrameSet, reference: ForceReference) -> dict[str, np.ndarray]:
     """Errors in the frames in which the other face bears each share of its largest force."""
     from estimator.frames.face_data import face_data
-    from estimator.networks.metrics import face_metrics
+    from estimator.metrics.heatmaps import face_metrics
 
     data = face_data(grasps, model.face)
     other = (data.frames.contact_face != model.face) & (data.frames.contact_face > 0)

@@ -25,8 +25,8 @@ if TYPE_CHECKING:
     from estimator.frames.contact_traces import JointMechanics
     from estimator.frames.dataset import FrameSet
     from estimator.frames.splits import Split
+    from estimator.metrics.heatmaps import FaceMetrics
     from estimator.networks.face_model import FaceModel
-    from estimator.networks.metrics import FaceMetrics
     from estimator.signals.presses import Signals
     from fem.presses.results import MagnetMotions, PressForces
 

@@ -20,14 +20,14 @@ from instobj.experiments.registry import Study, StudyResult
 
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
-    from estimator.networks.metrics import FaceMetrics
+    from estimator.metrics.heatmaps import FaceMetrics
 
 
 def single_contact_metrics(recorded: SimulatedObject, face: int) -> FaceMetrics:
     """The model of `general-performance`, judged on its single-contact test frames alone."""
     from estimator.frames.contact_cases import DUAL_CASES
     from estimator.frames.face_data import face_data
-    from estimator.networks.metrics import face_metrics, force_reference
+    from estimator.metrics.heatmaps import face_metrics, force_reference
 
     frames = recorded.collect(faces=[face])
     label = {"collection": "paper", "faces": [face]}

@@ -24,8 +24,8 @@ if TYPE_CHECKING:
     from estimator.frames.contact_traces import ContactTraces
     from estimator.frames.dataset import FrameSet
     from estimator.frames.face_data import FaceData
+    from estimator.metrics.heatmaps import ForceReference
     from estimator.networks.face_model import FaceModel
-    from estimator.networks.metrics import ForceReference
 
 _MOST_FRAMES = 4000
 
@@ -108,7 +108,7 @@ def known_cases(
 def reference_row(judged: Judged, span: ForceReference) -> dict[str, float]:
     """Metrics of the best possible answers."""
     from estimator.evaluation.bayes_optimum import best_answers
-    from estimator.networks.metrics import contact_errors
+    from estimator.metrics.heatmaps import contact_errors
 
     found = best_answers(judged.hypotheses, judged.seen_counts, judged.sigma_counts)
     true, contact = judged.data.heatmap_n, judged.data.contact
@@ -194,7 +194,7 @@ def cramer_rao_row(recorded: SimulatedObject, face: int) -> dict[str, float]:
 def run_reference(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
     """Bounds of every face on a fresh recording of the paper's collection."""
     from estimator.frames.face_data import face_data
-    from estimator.networks.metrics import force_reference
+    from estimator.metrics.heatmaps import force_reference
 
     recorded = simulated_object(spec, quick)
     rows = []

@@ -23,8 +23,8 @@ if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
     from estimator.calibration.slip_recovery import FoundSlip
     from estimator.frames.dataset import FrameSet
+    from estimator.metrics.heatmaps import ForceReference
     from estimator.networks.face_model import FaceModel
-    from estimator.networks.metrics import ForceReference
     from estimator.signals.presses import Signals
     from fem.presses.results import MagnetMotions, PressForces
 
@@ -137,7 +137,7 @@ def _calibrated(
     """Fitted to the training presses of one object, and the span of its forces."""
     from estimator.frames.face_data import face_data
     from estimator.frames.splits import split_presses
-    from estimator.networks.metrics import force_reference
+    from estimator.metrics.heatmaps import force_reference
     from estimator.networks.training import FitSettings, fit_estimator
 
     split = split_presses(frames, spec.seed)
@@ -174,7 +174,7 @@ def _models(
 def _judged(
     model: FaceModel, frames: FrameSet, reference: ForceReference
 ) -> dict[str, float | None]:
-    from estimator.networks.metrics import face_metrics
+    from estimator.metrics.heatmaps import face_metrics
 
     predicted, true, rest = predict_face(model, frames)
     row = metric_row(face_metrics(model.face, predicted, true, reference, rest))

@@ -26,8 +26,8 @@ from instobj.experiments.registry import Study, StudyResult
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
     from estimator.frames.dataset import FrameSet
+    from estimator.metrics.heatmaps import ForceReference
     from estimator.networks.face_model import FaceModel
-    from estimator.networks.metrics import ForceReference
 
 _TWINS = 16
 _STRONG_N = 4.0
@@ -37,7 +37,7 @@ def run_seen_unseen(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
     """Trained on every second place in x and y; tested there and on all other places."""
     from estimator.frames.contact_cases import DUAL_CASES, paper_cases
     from estimator.frames.face_data import face_data
-    from estimator.networks.metrics import force_reference
+    from estimator.metrics.heatmaps import force_reference
 
     recorded = simulated_object(spec, quick)
     face = recorded.spec.collection.faces[0]
@@ -123,7 +123,7 @@ def _place_row(
     model: FaceModel, tested: FrameSet, span: ForceReference, recorded: SimulatedObject
 ) -> tuple[dict[str, float | None], np.ndarray]:
     """Metrics with the estimated place's distance, and that distance as a map (px)."""
-    from estimator.networks.metrics import contact_errors, face_metrics
+    from estimator.metrics.heatmaps import contact_errors, face_metrics
 
     predicted, true, rest = predict_face(model, tested)
     metrics = face_metrics(model.face, predicted, true, span, rest)

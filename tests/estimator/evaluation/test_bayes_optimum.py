@@ -13,7 +13,7 @@ from estimator.evaluation.bayes_optimum import (
 from estimator.evaluation.narrowest_intervals import best_intervals
 from estimator.frames.contact_cases import paper_cases
 from estimator.frames.contact_traces import contact_traces
-from estimator.networks.metrics import contact_errors, force_reference
+from estimator.metrics.heatmaps import contact_errors, force_reference
 from estimator.signals.presses import press_signals
 from tests.support.synthetic_presses import coarse_spec, synthetic_presses
 

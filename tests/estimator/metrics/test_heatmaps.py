@@ -5,9 +5,9 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.errors import InputError
-from estimator.networks import cross_correlation as alignment
-from estimator.networks.cross_correlation import align
-from estimator.networks.metrics import (
+from estimator.metrics import cross_correlation as alignment
+from estimator.metrics.cross_correlation import align
+from estimator.metrics.heatmaps import (
     NON_CONTACT_SHARE,
     ForceReference,
     face_metrics,

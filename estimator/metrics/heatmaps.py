@@ -1,7 +1,7 @@
 """The four metrics of Knopke et al. (RA-L 2024) on heatmaps, and the error of the total force.
 
 - A_sim, `similarity`: the maximum over all displacements of the zero-normalised cross-correlation
-  between predicted and true map (`estimator.networks.cross_correlation`), in contact frames;
+  between predicted and true map (`estimator.metrics.cross_correlation`), in contact frames;
 - E_loc, `location_error_px`: the displacement of that maximum;
 - E_f, `force_error_n`: |P − T| at the true contact pixels, also in per cent of the range of
   force that the data set holds at that pixel; the total force likewise, over all pixels, in per
@@ -21,7 +21,7 @@ import numpy as np
 from jaxtyping import Bool, Float, Int
 
 from design.errors import InputError
-from estimator.networks.cross_correlation import Alignment, align
+from estimator.metrics.cross_correlation import Alignment, align
 
 NON_CONTACT_SHARE = 0.9
 LEAST_SIMILARITY = 0.3

@@ -1,0 +1,1 @@
+"""Distance of what an estimator reads from what is true."""
