@@ -9,9 +9,9 @@ import numpy as np
 from jaxtyping import Float
 
 from design.errors import InputError
+from estimator.deploy.runtime import channel_readings
 from estimator.deploy.zeroing import ZERO_FRAMES, StreamZero, ZeroMode
 from estimator.inversion.inversion import Inversion
-from estimator.inversion.noise import BLIND
 from estimator.inversion.readings import ContactSets
 from estimator.inversion.tracking import Tracker
 
@@ -45,19 +45,15 @@ class LiveContacts:
         Raises
         ------
         InputError
-            Another number of faces or sensors than the estimator's, or a missing reading.
+            Too few sensors, or a channel that the estimator uses misses its reading.
         """
-        now = self._channels_of(raw_counts)
+        self._require_its_sensors(raw_counts)
+        now = np.zeros(self.inversion.model.channels)
+        now[self.inversion.told] = channel_readings(raw_counts, self.inversion.channels)
         zero = self._level.after(now, time_s)
         return None if zero is None else self._tracker.feed(now - zero)
 
-    def _read_still(self, change: Float[np.ndarray, "channel"]) -> tuple[float, float]:
-        found = self._still.feed(change)
-        pressed = found.number[0] > 0
-        share = found.odds[0] if pressed else 1 - found.odds[0]
-        return float(share), float(np.nansum(found.force_n[0]))
-
-    def _channels_of(self, raw: Float[np.ndarray, "face sensor 3"]) -> Float[np.ndarray, "channel"]:
+    def _require_its_sensors(self, raw: Float[np.ndarray, "face sensor 3"]) -> None:
         faces = self.inversion.model.signals.faces
         sensors = self.inversion.model.channels // (3 * len(faces))
         if raw.shape[0] < faces.max() or raw.shape[1] < sensors:
@@ -66,16 +62,12 @@ class LiveContacts:
                 f"{raw.shape[1]} sensors on {raw.shape[0]} faces. Use the estimator of the object "
                 "that is read"
             )
-        values = raw[faces - 1, :sensors].reshape(-1)
-        missing = np.isnan(values) & (self.inversion.disturbances.noise_counts < BLIND)
-        if missing.any():
-            channel = int(np.argmax(missing))
-            name = f"F{faces[channel // (3 * sensors)]}-{'XYZ'[channel % 3]}{channel // 3 % sensors + 1}"
-            raise InputError(
-                f"channel {name} gives no reading. Fix the sensor, or name it dead under "
-                "as_built.sensors and train anew"
-            )
-        return np.nan_to_num(values)
+
+    def _read_still(self, change: Float[np.ndarray, "channel"]) -> tuple[float, float]:
+        found = self._still.feed(change)
+        pressed = found.number[0] > 0
+        share = found.odds[0] if pressed else 1 - found.odds[0]
+        return float(share), float(np.nansum(found.force_n[0]))
 
 
 def _of_one(inversion: Inversion) -> Inversion:

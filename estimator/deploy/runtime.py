@@ -140,7 +140,7 @@ class LiveReader:
         InputError
             A channel that the model uses does not exist or misses its reading.
         """
-        now = self._channels_of(raw_counts)
+        now = channel_readings(raw_counts, self.model.channels)
         if is_pause(time_s - self._last_s):
             self._recent.clear()
         self._last_s = time_s
@@ -166,17 +166,26 @@ class LiveReader:
         found = run_model(self.model, np.where(self._past, 0.0, change)[None])
         return float(found.contact[0]), float(found.force_n[0])
 
-    def _channels_of(self, raw: Float[np.ndarray, "face sensor 3"]) -> Float[np.ndarray, "channel"]:
-        values = []
-        for channel in self.model.channels:
-            face, sensor, axis = channel
-            index = (face % HISTORY - 1, sensor, axis)
-            inside = index[0] < raw.shape[0] and sensor < raw.shape[1]
-            value = raw[index] if inside else np.nan
-            if np.isnan(value):
-                raise InputError(
-                    f"channel {channel_label((face % HISTORY, sensor, axis))}, which the model "
-                    "uses, gives no reading. Fix the sensor, or train anew without it"
-                )
-            values.append(value)
-        return np.array(values)
+
+def channel_readings(
+    raw_counts: Float[np.ndarray, "face sensor 3"], channels: tuple[Channel, ...]
+) -> Float[np.ndarray, "channel"]:
+    """Counts of the given channels in one frame, faces in order from 1.
+
+    Raises
+    ------
+    InputError
+        A channel does not exist or misses its reading.
+    """
+    values = []
+    for face, sensor, axis in channels:
+        index = (face % HISTORY - 1, sensor, axis)
+        inside = index[0] < raw_counts.shape[0] and sensor < raw_counts.shape[1]
+        value = raw_counts[index] if inside else np.nan
+        if np.isnan(value):
+            raise InputError(
+                f"channel {channel_label((face % HISTORY, sensor, axis))}, which the model "
+                "uses, gives no reading. Fix the sensor, or train anew without it"
+            )
+        values.append(value)
+    return np.array(values)

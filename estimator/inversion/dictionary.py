@@ -9,6 +9,7 @@ from itertools import product
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
+from design.layout.tips import tip_positions_mm
 from estimator.inversion.forward import NONE, ContactModel
 from estimator.inversion.posterior import Observed, Problems
 from estimator.inversion.priors import Priors
@@ -128,7 +129,7 @@ class Dictionary:
 
 def dictionary(model: ContactModel, priors: Priors) -> Dictionary:
     """Presses on a grid of 3 mm, of one tip, or of every known probe at several angles."""
-    (low, high), table = model.bounds, model.signals
+    low, high = (bound[:2] for bound in model.bounds)
     grids = [
         np.linspace(a, b, max(3, round((b - a) / _PITCH_MM) + 1))
         for a, b in zip(low, high, strict=True)
@@ -136,13 +137,13 @@ def dictionary(model: ContactModel, priors: Priors) -> Dictionary:
     most = 1 + len(priors.spacing_mm)
     faces, tips, contacts = [], [], []
     forces = _PROBE_FORCES_N if priors.spacing_mm else _FORCES_N
+    centres = list(product(range(len(model.signals.faces)), *grids))
     for number, angle in _probes(priors):
         offsets = np.zeros((most, 2))
         offsets[:number] = probe_tips_mm(number, angle, priors)
-        for face, *centre in product(range(len(table.faces)), *grids[:2]):
+        for face, *centre in centres:
             tips_mm = offsets + np.array(centre)
-            place = tips_mm[:number]
-            if np.any((place < low[:2] - 1e-6) | (place > high[:2] + 1e-6)):
+            if np.any((tips_mm < low - 1e-6) | (tips_mm > high + 1e-6)):
                 continue
             for force in forces:
                 faces.append(face)
@@ -151,7 +152,7 @@ def dictionary(model: ContactModel, priors: Priors) -> Dictionary:
     face, number, contact = np.array(faces), np.array(tips), np.array(contacts)
     there = np.arange(most) < number[:, None]
     singles = np.zeros((*there.shape, model.channels))
-    singles[there] = table.values(np.repeat(face, number), contact[there])[:, 0]
+    singles[there] = model.signals.values(np.repeat(face, number), contact[there])[:, 0]
     return Dictionary(face, number, contact, singles.sum(axis=1).astype(np.float32))
 
 
@@ -162,9 +163,7 @@ def _probes(priors: Priors) -> list[tuple[int, float]]:
 
 
 def probe_tips_mm(tips: int, angle: float, priors: Priors) -> Float[np.ndarray, "tip 2"]:
-    """Tips on a circle, neighbours as far apart as the probe has them."""
-    if tips == 1:
-        return np.zeros((1, 2))
-    radius = priors.spacing_mm[tips - 2] / (2 * np.sin(np.pi / tips))
-    turn = angle + 2 * np.pi * np.arange(tips) / tips
-    return radius * np.column_stack([np.cos(turn), np.sin(turn)])
+    """Tips of a known probe about its middle, turned by an angle (rad)."""
+    spacing_mm = None if tips == 1 else priors.spacing_mm[tips - 2]
+    c, s = np.cos(angle), np.sin(angle)
+    return tip_positions_mm(tips, spacing_mm=spacing_mm) @ np.array([[c, s], [-s, c]])

@@ -20,9 +20,10 @@ from design.spec.object import ObjectSpec
 from estimator.field.models import FieldModel, field_model
 from estimator.field.sources import magnet_source
 from estimator.inversion.table import PressTable, motion_table, signal_table
-from estimator.signals.field_setup import Scene, counts, min_distance_mm, scene, sensed_field
+from estimator.signals.field_setup import Scene, counts, min_distance_mm, sensed_field
 from estimator.signals.press_states import rest_motion
 from estimator.signals.presses import Signals
+from estimator.tolerances.assembly import designed
 from fem.presses.results import MagnetMotions, PressForces
 
 NONE = -1
@@ -54,7 +55,7 @@ class ContactModel:
     @cached_property
     def scene(self) -> Scene:
         """Magnets and sensors of the design."""
-        return scene(self.spec, core_slipped=self.spec.mechanics.slip.model == "sensors-only")
+        return designed(self.spec).scene
 
     @cached_property
     def field(self) -> FieldModel:
@@ -124,7 +125,7 @@ def contact_model(
     `signals` are those of the table itself (`estimator.signals.presses.press_signals`) or of a twin
     calibrated on labelled presses; the interaction of contacts stays the design's.
     """
-    place = scene(spec)
+    place = designed(spec).scene
     nearest = min_distance_mm(place, motions.motion.reshape(-1, place.bodies, 6))
     return ContactModel(
         spec, signal_table(signals), motion_table(forces, motions), rest_motion(motions), nearest

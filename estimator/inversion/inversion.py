@@ -5,18 +5,20 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import product
 
 import numpy as np
-from jaxtyping import Float
+from jaxtyping import Float, Int
 
 from design.errors import InputError
 from design.layout.tips import footprint_mm, tip_positions_mm
 from design.spec.object import ObjectSpec
+from estimator.frames.face_data import Channel
 from estimator.inversion.forward import ContactModel, contact_model
-from estimator.inversion.noise import Disturbances, disturbances
-from estimator.inversion.posterior import Observed
+from estimator.inversion.noise import BLIND, Disturbances, disturbances
+from estimator.inversion.posterior import Observed, Problems
 from estimator.inversion.priors import Priors
-from estimator.inversion.readings import ContactSets, best_and_next
+from estimator.inversion.readings import ContactSets, contact_sets
 from estimator.inversion.search import Search
 from estimator.signals.presses import Signals
 from fem.presses.results import MagnetMotions, PressForces
@@ -41,6 +43,19 @@ class Inversion:
     priors: Priors
 
     @cached_property
+    def channels(self) -> tuple[Channel, ...]:
+        """Those that say something: face number, sensor and axis counted from 0."""
+        faces = self.model.signals.faces.tolist()
+        sensors = self.model.channels // (3 * len(faces))
+        every = list(product(faces, range(sensors), range(3)))
+        return tuple(every[channel] for channel in self.told)
+
+    @cached_property
+    def told(self) -> Int[np.ndarray, "told"]:
+        """Rows of `channels` among all channels of the object."""
+        return np.flatnonzero(self.disturbances.noise_counts < BLIND)
+
+    @cached_property
     def search(self) -> Search:
         """From scratch."""
         return Search(self.model, self.priors)
@@ -51,7 +66,8 @@ class Inversion:
         averaged: int = 1,
         progress: Callable[[int], None] | None = None,
     ) -> tuple[ContactSets, ContactSets]:
-        """The most probable contacts of every frame by itself, and the next best answer.
+        """The most probable contacts of every frame by itself, and the next best answer, of odds 0 where
+        there is none.
 
         Parameters
         ----------
@@ -69,26 +85,28 @@ class Inversion:
         parts = []
         for start in range(0, len(counts), _FRAMES_AT_ONCE):
             seen = self.disturbances.observed(counts[start : start + _FRAMES_AT_ONCE], averaged)
-            parts.append(self._told(seen))
+            parts.append(self._read(seen))
             if progress is not None:
                 progress(min(start + _FRAMES_AT_ONCE, len(counts)))
         best, second = zip(*parts, strict=True)
-        return joined(best), joined(second)
+        return ContactSets.joined(best), ContactSets.joined(second)
 
-    def _told(self, seen: Observed) -> tuple[ContactSets, ContactSets]:
-        best, second = best_and_next(self.model, seen, self.search.contacts(seen))
-        error = self.disturbances.force_error
-        return best.with_force_error(error), second.with_force_error(error)
-
-
-def joined(parts: tuple[ContactSets, ...]) -> ContactSets:
-    """Frames one after the other."""
-    return ContactSets(
-        *(
-            np.concatenate([getattr(part, name) for part in parts])
-            for name in ContactSets.__dataclass_fields__
+    def _read(self, seen: Observed) -> tuple[ContactSets, ContactSets]:
+        found = self.search.contacts(seen)
+        best = found.best()
+        second = found.second(best)
+        odds_of_second = np.where(second == best, 0.0, found.odds[second])
+        return (
+            self.reading(seen, found.problems.select(best), found.odds[best]),
+            self.reading(seen, found.problems.select(second), odds_of_second),
         )
-    )
+
+    def reading(
+        self, seen: Observed, problems: Problems, odds: Float[np.ndarray, "frame"]
+    ) -> ContactSets:
+        """Contacts with all that is uncertain of them."""
+        sets = contact_sets(self.model, self.priors, seen, problems, odds)
+        return sets.with_force_error(self.disturbances.force_error)
 
 
 def inversion(

@@ -108,6 +108,14 @@ def _of_face(there: np.ndarray, force_n: np.ndarray) -> Float[np.ndarray, "frame
     return np.where(there, force_n, 0.0).sum(axis=1)
 
 
+def rows_beside_bound(
+    inversion: Inversion, frames: FrameSet, found: ContactSets
+) -> list[dict[str, float | int | str | None]]:
+    """`contact_rows` of what an estimator found in labelled frames, with the distances possible."""
+    possible_mm = possible_distance_mm(inversion, frames)
+    return contact_rows(matched_contacts(frames, found), possible_mm)
+
+
 def contact_rows(
     matched: MatchedContacts, possible_mm: Float[np.ndarray, "frame"] | None = None
 ) -> list[dict[str, float | int | str | None]]:

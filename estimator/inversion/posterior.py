@@ -9,12 +9,12 @@ changes them by a few percent, which costs steps, not accuracy.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from jaxtyping import Bool, Float, Int
+from jaxtyping import Float, Int
 
+from estimator.inversion.columns import Columns
 from estimator.inversion.forward import NONE, ContactModel
 from estimator.inversion.priors import Priors, Quadratic, add_priors, log_density, widths
 
@@ -29,7 +29,7 @@ _SAME_SIGMA = 0.02
 
 
 @dataclass(frozen=True)
-class Problems:
+class Problems(Columns):
     """Contacts on given faces in frames, and how well they explain them.
 
     Attributes
@@ -48,17 +48,10 @@ class Problems:
     misfit: Float[np.ndarray, "problem"]
     curvature: Float[np.ndarray, "problem parameter parameter"]
 
-    def __len__(self) -> int:
-        return len(self.frame)
-
     @property
     def number(self) -> Int[np.ndarray, "problem"]:
         """How many contacts."""
         return np.sum(self.face != NONE, axis=1)
-
-    def select(self, rows: Int[np.ndarray, "n"] | Bool[np.ndarray, "problem"]) -> Problems:
-        """Some of the problems."""
-        return Problems(*(getattr(self, name)[rows] for name in Problems.__dataclass_fields__))
 
 
 @dataclass(frozen=True)
@@ -201,12 +194,26 @@ def curvature_at(
 
 def log_evidence(problems: Problems, priors: Priors) -> Float[np.ndarray, "problem"]:
     """Log of the posterior mass about each peak, priors included, but for the frame's constant."""
-    filled = np.repeat(problems.face != NONE, 3, axis=1)
-    flat = np.tile(12 / np.square(widths(priors)), problems.face.shape[1])
-    bounded = problems.curvature + (filled * flat)[:, :, None] * np.eye(len(flat))
-    _, log_volume = np.linalg.slogdet(bounded)
+    _, log_volume = np.linalg.slogdet(_bounded(problems, priors))
     mass = 0.5 * (3 * problems.number * np.log(2 * np.pi) - log_volume)
     return mass - problems.misfit + log_density(priors, problems.face, problems.contact)
+
+
+def covariances(problems: Problems, priors: Priors) -> Float[np.ndarray, "problem contact 3 3"]:
+    """Of x, y (mm) and force (N) of each contact, with the uncertainty of the others; no wider than
+    the priors. Of empty slots the identity."""
+    slots = problems.face.shape[1]
+    every = np.linalg.inv(_bounded(problems, priors)).reshape(-1, slots, 3, slots, 3)
+    return np.moveaxis(np.diagonal(every, axis1=1, axis2=3), -1, 1)
+
+
+def _bounded(
+    problems: Problems, priors: Priors
+) -> Float[np.ndarray, "problem parameter parameter"]:
+    """Curvature with that of normal priors as wide as the even ones: it has an inverse."""
+    filled = np.repeat(problems.face != NONE, 3, axis=1)
+    flat = np.tile(12 / np.square(widths(priors)), problems.face.shape[1])
+    return problems.curvature + (filled * flat)[:, :, None] * np.eye(len(flat))
 
 
 def empty(seen: Observed, frame: Int[np.ndarray, "problem"], slots: int) -> Problems:
@@ -219,14 +226,4 @@ def empty(seen: Observed, frame: Int[np.ndarray, "problem"], slots: int) -> Prob
         np.zeros((problems, seen.counts.shape[1])),
         0.5 * np.sum((seen.counts[frame] / seen.sigma[frame]) ** 2, axis=1),
         np.broadcast_to(np.eye(3 * slots), (problems, 3 * slots, 3 * slots)).copy(),
-    )
-
-
-def joined(parts: Sequence[Problems]) -> Problems:
-    """Problems one after the other."""
-    return Problems(
-        *(
-            np.concatenate([getattr(part, name) for part in parts])
-            for name in Problems.__dataclass_fields__
-        )
     )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import combinations
 
 import numpy as np
@@ -39,11 +39,6 @@ class Priors:
     apart_mm: float = 0.0
     force_spread: float | None = None
     spacing_mm: tuple[float, ...] = ()
-
-    @property
-    def free(self) -> Priors:
-        """Without what is known of probes."""
-        return replace(self, force_spread=None, spacing_mm=())
 
     @property
     def most(self) -> int:

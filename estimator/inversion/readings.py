@@ -5,19 +5,22 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from jaxtyping import Float, Int
+from jaxtyping import Bool, Float, Int
 
+from estimator.frames.dataset import NO_FACE
+from estimator.inversion.columns import Columns
 from estimator.inversion.forward import NONE, ContactModel
 from estimator.inversion.noise import BLIND
-from estimator.inversion.posterior import Observed, Problems
-from estimator.inversion.search import Hypotheses
+from estimator.inversion.posterior import Observed, Problems, covariances
+from estimator.inversion.priors import Priors
 
 COVERAGE = 0.9
-NO_FACE = 0
+UNEXPLAINED = 1e-3
+"""p value below which no contact that the model knows explains a frame."""
 
 
 @dataclass(frozen=True)
-class ContactSets:
+class ContactSets(Columns):
     """A set of contacts for every frame; empty slots have `face` 0 and NaN elsewhere.
 
     Attributes
@@ -38,20 +41,16 @@ class ContactSets:
     odds: Float[np.ndarray, "frame"]
     p_value: Float[np.ndarray, "frame"]
 
-    def __len__(self) -> int:
-        return len(self.face)
-
-    def select(self, rows: Int[np.ndarray, "n"]) -> ContactSets:
-        """Some of the frames."""
-        return ContactSets(
-            *(getattr(self, name)[rows] for name in ContactSets.__dataclass_fields__)
-        )
-
     def with_force_error(self, relative: float) -> ContactSets:
         """The same with forces also wrong by so much, all together."""
         covariance = self.covariance.copy()
         covariance[..., 2, 2] += (relative * self.force_n) ** 2
         return replace(self, covariance=covariance)
+
+    @property
+    def explained(self) -> Bool[np.ndarray, "frame"]:
+        """Frames whose signals the contacts can give."""
+        return self.p_value >= UNEXPLAINED
 
     @property
     def number(self) -> Int[np.ndarray, "frame"]:
@@ -85,13 +84,15 @@ class ContactSets:
 
 
 def contact_sets(
-    model: ContactModel, seen: Observed, problems: Problems, odds: Float[np.ndarray, "frame"]
+    model: ContactModel,
+    priors: Priors,
+    seen: Observed,
+    problems: Problems,
+    odds: Float[np.ndarray, "frame"],
 ) -> ContactSets:
     """Contacts of one problem per frame, in the order of the problems."""
     there = problems.face != NONE
-    slots = problems.face.shape[1]
-    every = np.linalg.inv(problems.curvature).reshape(len(problems), slots, 3, slots, 3)
-    own = np.moveaxis(np.diagonal(every, axis1=1, axis2=3), -1, 1)
+    own = covariances(problems, priors)
     return ContactSets(
         np.where(there, model.signals.faces[problems.face], NO_FACE),
         np.where(there[..., None], problems.contact[..., :2], np.nan),
@@ -108,29 +109,3 @@ def p_values(seen: Observed, problems: Problems) -> Float[np.ndarray, "problem"]
 
     told = np.sum(seen.sigma[problems.frame] < BLIND / 2, axis=1)
     return chdtrc(np.maximum(told - 3 * problems.number, 1), 2 * problems.misfit)
-
-
-def best_and_next(
-    model: ContactModel, seen: Observed, found: Hypotheses
-) -> tuple[ContactSets, ContactSets]:
-    """The most probable set of every frame and the next that differs, each with its odds.
-
-    Where nothing else was found the second is empty with odds 0.
-    """
-    frames = len(seen.counts)
-    best, odds = found.most_probable(frames)
-    problems, evidence = found.problems, found.log_evidence
-    top = np.empty(frames)
-    top[problems.frame[best]] = evidence[best]
-    others = np.ones(len(problems), bool)
-    others[best] = False
-    second = best.copy()
-    share = np.zeros(frames)
-    for row in np.flatnonzero(others)[np.argsort(evidence[others])]:
-        frame = problems.frame[row]
-        second[frame] = row
-        share[frame] = odds[frame] * np.exp(evidence[row] - top[frame])
-    return (
-        contact_sets(model, seen, problems.select(best), odds),
-        contact_sets(model, seen, problems.select(second), share),
-    )

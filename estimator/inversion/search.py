@@ -20,7 +20,6 @@ from estimator.inversion.posterior import (
     Observed,
     Problems,
     empty,
-    joined,
     log_evidence,
     most_probable,
 )
@@ -56,13 +55,26 @@ class Hypotheses:
         kept = np.sort(order[np.concatenate([[True], ~again])])
         return Hypotheses(self.problems.select(kept), self.log_evidence[kept])
 
-    def most_probable(self, frames: int) -> tuple[Int[np.ndarray, "frame"], Float[np.ndarray, "n"]]:
-        """Row of each frame's best set, and the odds of it among all found."""
-        best = _first_of_frame(self.problems.frame, -self.log_evidence)
-        top = np.empty(frames)
-        top[self.problems.frame[best]] = self.log_evidence[best]
-        weight = np.exp(self.log_evidence - top[self.problems.frame])
-        return best, 1 / np.bincount(self.problems.frame, weight, minlength=frames)
+    @cached_property
+    def odds(self) -> Float[np.ndarray, "problem"]:
+        """Posterior probability of each set among all those found for its frame."""
+        frame = self.problems.frame
+        top = np.full(frame.max(initial=-1) + 1, -np.inf)
+        np.maximum.at(top, frame, self.log_evidence)
+        weight = np.exp(self.log_evidence - top[frame])
+        return weight / np.bincount(frame, weight)[frame]
+
+    def best(self) -> Int[np.ndarray, "frame"]:
+        """Row of each frame's most probable set."""
+        return _first_of_frame(self.problems.frame, -self.log_evidence)
+
+    def second(self, best: Int[np.ndarray, "frame"]) -> Int[np.ndarray, "frame"]:
+        """Row of each frame's next set; that of the best where nothing else was found."""
+        left = np.delete(np.arange(len(self.problems)), best)
+        rows = left[_first_of_frame(self.problems.frame[left], -self.log_evidence[left])]
+        found = best.copy()
+        found[self.problems.frame[rows]] = rows
+        return found
 
 
 @dataclass(frozen=True)
@@ -91,7 +103,7 @@ class Search:
             judged = self.judged(self._grown(seen, level))
             found.append(judged)
             np.maximum.at(best, judged.problems.frame, judged.log_evidence)
-            level = judged.problems.select(self.hopeful(judged, best))
+            level = judged.problems.select(self._hopeful(judged, best))
         every = together(found)
         return together([every, *self._revisited(seen, every)]).distinct()
 
@@ -120,7 +132,7 @@ class Search:
         return Hypotheses(problems, log_evidence(problems, self.priors))
 
     def _revisited(self, seen: Observed, found: Hypotheses) -> list[Hypotheses]:
-        best, _ = found.most_probable(len(seen.counts))
+        best = found.best()
         sets = found.problems.select(best[found.problems.number[best] > 1])
         fewer = self.fewer(seen, sets)
         return [fewer, self.grown(seen, fewer.problems)]
@@ -145,7 +157,7 @@ class Search:
         )
         return found.select(_best_of_frame(found, _KEPT))
 
-    def hopeful(self, judged: Hypotheses, best: np.ndarray) -> np.ndarray:
+    def _hopeful(self, judged: Hypotheses, best: np.ndarray) -> np.ndarray:
         """Sets that a further contact may still bring beyond the best so far."""
         problems = judged.problems
         possible = problems.misfit - _QUIET * 0.5 * (self.model.channels - 3 * problems.number)
@@ -156,7 +168,7 @@ class Search:
 def together(parts: list[Hypotheses]) -> Hypotheses:
     """All sets of several finds."""
     evidence = np.concatenate([part.log_evidence for part in parts])
-    return Hypotheses(joined([part.problems for part in parts]), evidence)
+    return Hypotheses(Problems.joined([part.problems for part in parts]), evidence)
 
 
 def _halves(level: Problems) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:

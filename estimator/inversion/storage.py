@@ -28,7 +28,6 @@ _KIND = FileKind(
         "y_mm": ("ny", "mm"),
         "root_n": ("nf", "N^0.5"),
         "faces": ("face", "1"),
-        "reach_n": ("face", "N"),
         "rest": ("body six", "mm or rad"),
         "noise_counts": ("channel", "count"),
         "offset_counts": ("channel", "count"),
@@ -55,7 +54,6 @@ def save_inversion(inversion: Inversion, path: Path | str) -> None:
         "y_mm": table.y.nodes,
         "root_n": table.root.nodes,
         "faces": table.faces,
-        "reach_n": table.reach_n,
         "rest": model.rest,
         "noise_counts": inversion.disturbances.noise_counts,
         "offset_counts": inversion.disturbances.offset_counts,
@@ -103,7 +101,7 @@ def _assembled(values: dict[str, np.ndarray], attributes: dict[str, Any]) -> Inv
     spec = ObjectSpec.model_validate(json.loads(attributes["specification"]))
     x, y, root = (cubic_axis(values[name]) for name in ("x_mm", "y_mm", "root_n"))
     signals, motions = (
-        PressTable(values["faces"], x, y, root, values[name].astype(np.float32), values["reach_n"])
+        PressTable(values["faces"], x, y, root, values[name].astype(np.float32))
         for name in ("signals", "motions")
     )
     described = json.loads(attributes["priors"])

@@ -35,8 +35,6 @@ class PressTable:
     ----------
     faces : (face,) numbers of the faces, in the order of the first axis of `coefficients`
     coefficients : (face, x, y, force, channel)
-    reach_n : (face,) largest force that presses reach everywhere on the face; beyond it the
-        splines go on by the last polynomial
     """
 
     faces: Int[np.ndarray, "face"]
@@ -44,7 +42,6 @@ class PressTable:
     y: CubicAxis
     root: CubicAxis
     coefficients: Float[np.ndarray, "face nx ny nf channel"]
-    reach_n: Float[np.ndarray, "face"]
 
     @property
     def largest_force_n(self) -> float:
@@ -101,19 +98,17 @@ class PressTable:
 def signal_table(signals: Signals) -> PressTable:
     """Changes of counts (channel = sensor · 3 + axis) of every press of the lattice."""
     nodes = _force_nodes(signals)
-    values, reach = [], []
+    values = []
     for face in signals.faces.tolist():
         x, y = signals.lattice.xy_mm.T
         traces = press_traces(signals, np.full(len(x), face), x, y)
         values.append(_at_forces(traces, nodes))
-        reach.append(traces.force_n[:, -1].min())
-    return _table(signals, nodes, np.stack(values), np.array(reach))
+    return _table(signals, nodes, np.stack(values))
 
 
 def motion_table(forces: PressForces, motions: MagnetMotions) -> PressTable:
     """Motions of all bodies (six channels each, mm and rad) beyond those at rest."""
-    moving = motions_as_signals(forces, motions)
-    return signal_table(moving)
+    return signal_table(motions_as_signals(forces, motions))
 
 
 def _force_nodes(signals: Signals) -> Float[np.ndarray, "node"]:
@@ -136,9 +131,7 @@ def _at_forces(
     return inside + np.maximum(wanted - reach, 0.0)[..., None] * slope
 
 
-def _table(
-    signals: Signals, force_n: np.ndarray, values: np.ndarray, reach_n: np.ndarray
-) -> PressTable:
+def _table(signals: Signals, force_n: np.ndarray, values: np.ndarray) -> PressTable:
     lattice = signals.lattice
     grid = values.reshape(
         len(signals.faces), len(lattice.x_mm), len(lattice.y_mm), len(force_n), -1
@@ -147,4 +140,4 @@ def _table(
     nodes = (lattice.x_mm, lattice.y_mm, root)
     coefficients = np.stack([spline_coefficients(nodes, face) for face in grid])
     x, y, root = (cubic_axis(at) for at in nodes)
-    return PressTable(signals.faces, x, y, root, coefficients.astype(np.float32), reach_n)
+    return PressTable(signals.faces, x, y, root, coefficients.astype(np.float32))

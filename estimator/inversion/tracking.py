@@ -6,8 +6,14 @@ import numpy as np
 from jaxtyping import Float
 
 from estimator.inversion.inversion import Inversion
-from estimator.inversion.posterior import Observed, Problems, empty, most_probable
-from estimator.inversion.readings import ContactSets, contact_sets, p_values
+from estimator.inversion.posterior import (
+    Observed,
+    Problems,
+    covariances,
+    empty,
+    most_probable,
+)
+from estimator.inversion.readings import UNEXPLAINED, ContactSets, p_values
 from estimator.inversion.search import Hypotheses, together
 
 _STEPS = 3
@@ -18,8 +24,8 @@ _FAINT = 3.0
 _LONGEST_PAUSE = 8
 _WORSE = 0.1
 """A p value that falls by more than this ends the wait."""
-_STRAINED, _UNEXPLAINED = 0.02, 1e-3
-"""p values below which one more contact is tried, and all are looked for anew."""
+_STRAINED = 0.02
+"""p value below which one more contact is tried."""
 
 
 class Tracker:
@@ -53,8 +59,7 @@ class Tracker:
                 self._pause = min(2 * self._pause, _LONGEST_PAUSE)
                 self._wait = self._pause - 1
         self._last = found
-        sets = contact_sets(self.inversion.model, seen, found, odds)
-        return sets.with_force_error(self.inversion.disturbances.force_error)
+        return self.inversion.reading(seen, found, odds)
 
     def _same(self, seen: Observed) -> Problems:
         """The last contacts refitted."""
@@ -74,22 +79,22 @@ class Tracker:
         if self._faint(same):
             every.append(_at_a_price(search.fewer(seen, same)))
         judged = together(every)
-        best, odds = judged.most_probable(1)
-        found = judged.problems.select(best)
-        if p_values(seen, found)[0] >= _UNEXPLAINED:
-            return found, odds
+        best = judged.best()
+        found = judged.problems.select(best), judged.odds[best]
+        if p_values(seen, found[0])[0] >= UNEXPLAINED:
+            return found
         self.seen_anew += 1
-        anew = search.contacts(seen)
-        best, odds_anew = anew.most_probable(1)
-        other = anew.problems.select(best)
-        return (other, odds_anew) if other.misfit[0] < found.misfit[0] else (found, odds)
+        judged = search.contacts(seen)
+        best = judged.best()
+        anew = judged.problems.select(best), judged.odds[best]
+        return min(found, anew, key=lambda one: one[0].misfit[0])
 
     def _faint(self, same: Problems) -> bool:
         number = int(same.number[0])
         if not number:
             return False
-        covariance = np.linalg.inv(same.curvature[0])
-        sigma = np.sqrt(np.diagonal(covariance)[2 : 3 * number : 3])
+        own = covariances(same, self.inversion.priors)[0, :number]
+        sigma = np.sqrt(own[:, 2, 2])
         return bool(np.any(same.contact[0, :number, 2] < _FAINT * sigma))
 
 

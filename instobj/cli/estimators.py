@@ -133,12 +133,14 @@ def predict(
 ) -> None:
     """Contacts in a recording, or live from a board (one JSON document per frame)."""
     from estimator.inversion.storage import is_inversion
-    from instobj.commands.hardware.contacts import contacts_in_file, contacts_on_port
-    from instobj.commands.hardware.predict import Zeroing, predict_file, predict_port
+    from instobj.commands.hardware.readings import Zeroing
 
-    in_file, on_port = predict_file, predict_port
     if is_inversion(model):
-        in_file, on_port = contacts_in_file, contacts_on_port
+        from instobj.commands.hardware.contacts import contacts_in_file as in_file
+        from instobj.commands.hardware.contacts import contacts_on_port as on_port
+    else:
+        from instobj.commands.hardware.predict import predict_file as in_file
+        from instobj.commands.hardware.predict import predict_port as on_port
     if (file is None) == (port is None):
         raise InputError("give either a file or --port, the serial port of a board")
     if file is not None:

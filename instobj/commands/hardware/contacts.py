@@ -6,29 +6,32 @@ import json
 from collections.abc import Iterator
 from itertools import islice
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from design.errors import InputError
 from design.tables import write_table
 from estimator.deploy.live_contacts import LiveContacts
-from estimator.deploy.zeroing import ZERO_FRAMES
-from estimator.inversion.inversion import Inversion, joined
+from estimator.frames.dataset import FrameSet
+from estimator.inversion.inversion import Inversion
 from estimator.inversion.readings import ContactSets
+from estimator.inversion.storage import load_inversion
+from instobj.commands.hardware.readings import (
+    Zeroing,
+    is_data_set,
+    live_frames,
+    prediction_path,
+    recorded_frames,
+    zeroed_data_set,
+)
 from instobj.store.progress import ProgressLine
 from instobj.store.publish import file_rows
-
-if TYPE_CHECKING:
-    from estimator.frames.dataset import FrameSet
-    from instobj.commands.hardware.predict import Zeroing
 
 COLUMNS: tuple[str, ...] = (
     *("frame", "time_s", "contacts", "odds", "next_contacts", "next_odds", "p_value", "explained"),
     *("contact", "face", "x_mm", "y_mm", "position_radius_mm", "force_n", "force_halfwidth_n"),
 )
-UNEXPLAINED = 1e-3
-"""p value below which no contact that the model knows explains a frame."""
 
 
 def contacts_in_file(
@@ -46,9 +49,6 @@ def contacts_in_file(
     InputError
         A bad model or file, readings of another object, or no zero in the whole file.
     """
-    from estimator.inversion.storage import load_inversion
-    from instobj.commands.hardware.predict import is_data_set, prediction_path
-
     inversion = load_inversion(model_path)
     target = prediction_path("contacts.csv", path, out)
     judged: list[dict[str, Any]] = []
@@ -64,7 +64,7 @@ def contacts_in_file(
         "frames with contact": int((best.number > 0).sum()),
         "most contacts": int(best.number.max(initial=0)),
         "largest total force N": round(float(np.nansum(best.force_n, axis=1).max(initial=0)), 3),
-        "frames that no contact explains": int((best.p_value < UNEXPLAINED).sum()),
+        "frames that no contact explains": int((~best.explained).sum()),
     }
     tables = {f"{path.name}, {model_path.name}": [summary]}
     if judged:
@@ -82,35 +82,21 @@ def contacts_on_port(
     InputError
         A bad model or port, or readings of another object.
     """
-    from estimator.boards.lines import LineDecoder
-    from estimator.boards.link import board_readings
-    from estimator.inversion.storage import load_inversion
-
-    inversion, decoder = load_inversion(model_path), LineDecoder()
-    reader = LiveContacts(inversion, zeroing.mode or "rest", zeroing.frames)
-
-    def documents() -> Iterator[str]:
-        for number, reading in enumerate(board_readings(port, baud, decoder)):
-            found = reader.feed(reading.counts, reading.time_s)
-            if found is not None:
-                line = decoder.statistics
-                told = {"damaged_lines": line.damaged_lines, "lost_frames": line.lost_frames}
-                yield json.dumps(_document(number, reading.time_s, found) | told)
-
-    return islice(documents(), count)
+    inversion = load_inversion(model_path)
+    reader = LiveContacts(inversion, *zeroing.of_raw)
+    frames = islice(live_frames(reader, inversion.channels, port, baud), count)
+    return (
+        json.dumps(_document(frame.number, frame.time_s, frame.found) | frame.line)
+        for frame in frames
+    )
 
 
 def _in_data_set(
     inversion: Inversion, path: Path, zeroing: Zeroing
 ) -> tuple[np.ndarray, np.ndarray, ContactSets, ContactSets, list[dict[str, Any]]]:
-    from estimator.frames.dataset import load_frames
     from estimator.inversion.matching import all_counts
 
-    if zeroing.mode not in (None, "none"):
-        raise InputError(
-            f"{path} is a data set, zeroed press by press; got --zero {zeroing.mode}. Leave --zero out"
-        )
-    frames = load_frames(path)
+    frames = zeroed_data_set(path, zeroing)
     _require_same_object(inversion, frames, path)
     progress = ProgressLine()
     with progress.stage(f"contacts in {path}"):
@@ -123,18 +109,12 @@ def _in_data_set(
 
 def _judged(inversion: Inversion, frames: FrameSet, best: ContactSets) -> list[dict[str, Any]]:
     """Against the labels of valid frames."""
-    from estimator.inversion.matching import (
-        contact_rows,
-        matched_contacts,
-        possible_distance_mm,
-    )
+    from estimator.inversion.matching import rows_beside_bound
 
     if not np.any(frames.contact_face[frames.valid] > 0):
         return []
     valid = np.flatnonzero(frames.valid)
-    labelled = frames.select(valid)
-    matched = matched_contacts(labelled, best.select(valid))
-    return contact_rows(matched, possible_distance_mm(inversion, labelled))
+    return rows_beside_bound(inversion, frames.select(valid), best.select(valid))
 
 
 def _require_same_object(inversion: Inversion, frames: FrameSet, path: Path) -> None:
@@ -151,27 +131,15 @@ def _require_same_object(inversion: Inversion, frames: FrameSet, path: Path) -> 
 def _in_recording(
     inversion: Inversion, path: Path, zeroing: Zeroing
 ) -> tuple[np.ndarray, np.ndarray, ContactSets]:
-    from estimator.recordings.files import read_table
-
-    table = read_table(path)
-    reader = LiveContacts(inversion, zeroing.mode or "rest", zeroing.frames)
-    time_s = table.time_s if len(table.time_s) else np.full(len(table.counts), np.nan)
-    numbers, found, progress = [], [], ProgressLine()
+    reader, progress = LiveContacts(inversion, *zeroing.of_raw), ProgressLine()
+    read = []
     with progress.stage(f"contacts in {path}"):
-        for number, (now_s, counts) in enumerate(zip(time_s.tolist(), table.counts, strict=True)):
-            one = reader.feed(counts, now_s)
-            if one is not None:
-                numbers.append(number)
-                found.append(one)
-            if (number + 1) % 500 == 0:
-                progress.step(f"frame {number + 1} of {len(table.counts)}")
-    if not found:
-        raise InputError(
-            f"{path} holds {len(table.counts)} frames, none of them after {zeroing.frames or ZERO_FRAMES} "
-            "that give a zero. Give a longer recording, a smaller --zero-frames or, for signals that "
-            "are changes already, --zero none"
-        )
-    return np.array(numbers), time_s[numbers], joined(tuple(found))
+        for one in recorded_frames(reader, inversion.channels, path, zeroing):
+            read.append(one)
+            if len(read) % 500 == 0:
+                progress.step(f"{len(read)} frames")
+    numbers, time_s, found = zip(*read, strict=True)
+    return np.array(numbers), np.array(time_s), ContactSets.joined(found)
 
 
 def _rows(
@@ -188,7 +156,7 @@ def _rows(
             "next_contacts": "" if second is None else int(second.number[row]),
             "next_odds": "" if second is None else round(float(second.odds[row]), 4),
             "p_value": float(f"{best.p_value[row]:.3g}"),
-            "explained": int(best.p_value[row] >= UNEXPLAINED),
+            "explained": int(best.explained[row]),
         }
         if not best.number[row]:
             yield shared | dict.fromkeys(COLUMNS[8:], "")

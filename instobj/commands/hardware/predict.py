@@ -4,32 +4,27 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator
-from dataclasses import dataclass
 from itertools import islice
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
-from design.errors import InputError
 from design.tables import write_table
-from estimator.deploy.runtime import DeployedModel, LiveReader, load_deployed, predict_frames
-from estimator.deploy.zeroing import ZERO_FRAMES, ZeroMode
-from estimator.frames.dataset import load_frames
-from estimator.frames.same_object import require_same_object, require_same_sensors
+from estimator.deploy.runtime import LiveReader, load_deployed, predict_frames
+from estimator.frames.same_object import require_same_object
 from estimator.networks.prediction import NOVEL_FROM, Prediction
-from estimator.recordings.table import FACES
-from instobj.store.publish import (
-    file_rows,
-    require_writable,
-    require_writable_folder,
-    run_folder,
-    run_name,
+from instobj.commands.hardware.readings import (
+    FOLLOW_REST,
+    LiveFrame,
+    Zeroing,
+    is_data_set,
+    live_frames,
+    prediction_path,
+    recorded_frames,
+    zeroed_data_set,
 )
-
-if TYPE_CHECKING:
-    from estimator.boards.lines import LineStatistics
-    from estimator.boards.link import Reading
+from instobj.store.publish import file_rows
 
 COLUMNS: tuple[str, ...] = (
     "frame",
@@ -47,24 +42,8 @@ COLUMNS: tuple[str, ...] = (
 _DIGITS = {"frame": 0, "time_s": 6, "contact": 4}
 
 
-@dataclass(frozen=True)
-class Zeroing:
-    """How raw counts become changes against rest (`estimator.deploy.zeroing`); by default they follow
-    rest, except those of data sets."""
-
-    mode: ZeroMode | None = None
-    frames: int = ZERO_FRAMES
-
-    def reader(self, model: DeployedModel) -> LiveReader:
-        """A reader of raw counts."""
-        return LiveReader(model, self.mode or "rest", self.frames)
-
-
-_FOLLOW_REST = Zeroing()
-
-
 def predict_file(
-    model_path: Path, path: Path, out: Path | None = None, zeroing: Zeroing = _FOLLOW_REST
+    model_path: Path, path: Path, out: Path | None = None, zeroing: Zeroing = FOLLOW_REST
 ) -> dict[str, Any]:
     """Read every frame of a file; writes `<stem>.prediction_face_<n>.csv` beside it.
 
@@ -85,17 +64,14 @@ def predict_file(
     model = load_deployed(model_path)
     target = prediction_path(f"prediction_face_{model.face}.csv", path, out)
     if is_data_set(path):
-        if zeroing.mode not in (None, "none"):
-            raise InputError(
-                f"{path} is a data set, zeroed press by press; got --zero {zeroing.mode}. Leave "
-                "--zero out"
-            )
-        frames = load_frames(path)
+        frames = zeroed_data_set(path, zeroing)
         grid_mm = model.grid_x_mm, model.grid_y_mm
         require_same_object(model.channels, grid_mm, frames, str(path))
         rows = _rows(np.arange(len(frames)), frames.time_s, predict_frames(model, frames))
     else:
-        rows = list(_read_recording(model, path, zeroing))
+        reader = LiveReader(model, *zeroing.of_raw)
+        read = recorded_frames(reader, model.channels, path, zeroing)
+        rows = [_row(number, time_s, found) for number, time_s, found in read]
     write_table(target, list(COLUMNS), ([row[name] for name in COLUMNS] for row in rows))
     forces = [row["force_n"] for row in rows]
     summary = {
@@ -113,16 +89,6 @@ def predict_file(
     }
 
 
-def prediction_path(name: str, path: Path, out: Path | None) -> Path:
-    """Where predictions of a file go; refused before any work where nothing can be written there."""
-    if out is not None:
-        require_writable(out)
-        return run_folder(out, run_name(path)) / name
-    if path.parent.is_dir():
-        require_writable_folder(path.parent)
-    return path.with_name(f"{path.stem}.{name}")
-
-
 def predict_port(
     model_path: Path, port: str, zeroing: Zeroing, count: int | None, baud: int = 115_200
 ) -> Iterator[str]:
@@ -136,58 +102,19 @@ def predict_port(
         A bad model or port, a model of another object, or a channel that the model uses without
         readings.
     """
-    from estimator.boards.lines import LineDecoder
-    from estimator.boards.link import board_readings
-
-    reader, decoder = zeroing.reader(load_deployed(model_path)), LineDecoder()
-    readings = board_readings(port, baud, decoder)
-    return islice(_live(reader, readings, decoder.statistics, port), count)
+    model = load_deployed(model_path)
+    reader = LiveReader(model, *zeroing.of_raw)
+    frames = islice(live_frames(reader, model.channels, port, baud), count)
+    return (_document(frame) for frame in frames)
 
 
-def _live(
-    reader: LiveReader, readings: Iterator[Reading], line: LineStatistics, port: str
-) -> Iterator[str]:
-    for number, reading in enumerate(readings):
-        if number == 0:
-            require_same_sensors(reader.model.channels, reading.counts[None], np.array(FACES), port)
-        found = reader.feed(reading.counts, reading.time_s)
-        if found is not None:
-            row = _rows(np.array([number]), np.array([reading.time_s]), found)[0]
-            told = {"novel": bool(found.novel[0])}
-            told |= {"damaged_lines": line.damaged_lines, "lost_frames": line.lost_frames}
-            yield json.dumps(row | told)
+def _document(frame: LiveFrame) -> str:
+    novel = {"novel": bool(frame.found.novel[0])}
+    return json.dumps(_row(frame.number, frame.time_s, frame.found) | novel | frame.line)
 
 
-def is_data_set(path: Path) -> bool:
-    """Whether a file is a data set of instobj, by what it holds."""
-    import h5py
-
-    if path.suffix != ".nc" or not path.is_file() or not h5py.is_hdf5(path):
-        return False
-    with h5py.File(path) as file:
-        return "press_id" in file
-
-
-def _read_recording(
-    model: DeployedModel, path: Path, zeroing: Zeroing
-) -> Iterator[dict[str, float]]:
-    from estimator.recordings.files import read_table
-
-    table = read_table(path)
-    require_same_sensors(model.channels, table.counts, np.array(FACES), str(path))
-    reader, read = zeroing.reader(model), 0
-    time_s = table.time_s if len(table.time_s) else np.full(len(table.counts), np.nan)
-    for number, (now_s, counts) in enumerate(zip(time_s.tolist(), table.counts, strict=True)):
-        found = reader.feed(counts, now_s)
-        if found is not None:
-            read += 1
-            yield _rows(np.array([number]), np.array([now_s]), found)[0]
-    if not read:
-        raise InputError(
-            f"{path} holds {len(table.counts)} frames, none of them after {zeroing.frames} that give "
-            "a zero. Give a longer recording, a smaller --zero-frames or, for signals that are "
-            "changes already, --zero none"
-        )
+def _row(number: int, time_s: float, found: Prediction) -> dict[str, float]:
+    return _rows(np.array([number]), np.array([time_s]), found)[0]
 
 
 def _rows(number: np.ndarray, time_s: np.ndarray, found: Prediction) -> list[dict[str, float]]:

@@ -87,7 +87,7 @@ def test_known_probes_stand_as_far_apart_as_they_are():
     face[0, :2], contact[0, :2] = 1, [[-6.0, 1.0, 5.0], [6.0, 0.0, 5.0]]
     seen = seen_of(known, face, contact, seed=11)
     found = most_probable(known.model, known.priors, seen, np.zeros(1, int), face, contact)
-    free = most_probable(known.model, known.priors.free, seen, np.zeros(1, int), face, contact)
+    free = most_probable(known.model, FREE.priors, seen, np.zeros(1, int), face, contact)
     apart = [np.linalg.norm(np.diff(one.contact[0, :2, :2], axis=0)) for one in (found, free)]
     assert abs(apart[0] - 15) < 3 * SPACING_SIGMA_MM < abs(apart[1] - 15)
 

@@ -77,7 +77,7 @@ def test_readings_of_another_object_are_refused():
         LiveContacts(FREE, "none").feed(np.zeros((5, 2, 3)))
     missing = np.zeros((5, 3, 3))
     missing[2, 1, 0] = np.nan
-    with pytest.raises(InputError, match="F3-X2 gives no reading"):
+    with pytest.raises(InputError, match="F3-X2, which the model uses, gives no reading"):
         LiveContacts(FREE, "none").feed(missing)
 
 

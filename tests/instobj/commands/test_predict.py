@@ -17,7 +17,8 @@ from estimator.frames.splits import split_presses
 from estimator.networks.face_model import load_model, predict, save_model
 from estimator.networks.training import FitSettings, fit_estimator
 from instobj.cli.app import app
-from instobj.commands.hardware.predict import Zeroing, export_models, predict_file, predict_port
+from instobj.commands.hardware.predict import export_models, predict_file, predict_port
+from instobj.commands.hardware.readings import Zeroing
 from instobj.commands.run import run_estimator
 from tests.support.dummy_board import CHANNELS, board_lines, dummy_board
 

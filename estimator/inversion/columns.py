@@ -1,0 +1,31 @@
+"""Rows of several arrays together: chosen, and put one after the other."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import fields
+from typing import Any, TypeVar
+
+import numpy as np
+from jaxtyping import Bool, Int
+
+Kind = TypeVar("Kind", bound="Columns")
+
+
+class Columns:
+    """Base of frozen dataclasses all of whose fields are arrays with one row an item."""
+
+    def __len__(self) -> int:
+        return len(self._columns()[0])
+
+    def select(self: Kind, rows: Int[np.ndarray, "n"] | Bool[np.ndarray, "all"]) -> Kind:
+        """The given rows, in order."""
+        return type(self)(*(column[rows] for column in self._columns()))
+
+    @classmethod
+    def joined(cls: type[Kind], parts: Sequence[Kind]) -> Kind:
+        """Parts one after the other."""
+        return cls(*map(np.concatenate, zip(*(part._columns() for part in parts), strict=True)))
+
+    def _columns(self) -> list[Any]:
+        return [getattr(self, field.name) for field in fields(self)]  # pyright: ignore[reportArgumentType]
