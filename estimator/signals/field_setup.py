@@ -87,20 +87,20 @@ def sensed_field(
 
     A sensor that turns feels the field turned back: the result is in the directions that it has at
     rest, so that `SensorLayout.axes` serve all presses. Presses run along the last dimension, one
-    sensor at a time: long contiguous rows.
+    sensor at a time: long contiguous rows; of few presses several sensors at a time.
     """
     chunk = max(1, _PAIRS_PER_CHUNK // len(scene.magnets.face))
-    field = np.empty((len(motion), len(scene.sensors.face), 3))
+    sensors = len(scene.sensors.face)
+    field = np.empty((len(motion), sensors, 3))
     for start in range(0, len(motion), chunk):
         rows = slice(start, start + chunk)
         moved = motion[rows].transpose(2, 1, 0).copy()
         magnets = _magnets(scene, moved, model)
-        if _serves_all_at_once(scene, moved.shape[-1], model):
-            field[rows] = _at_every_sensor(scene, magnets, model)
-            continue
-        for sensor in range(len(scene.sensors.face)):
-            parts = _at_sensor(scene, sensor, moved, magnets, model)
-            field[rows, sensor] = np.stack(np.broadcast_arrays(*parts), axis=-1)
+        group = 1 if scene.face_by_face else max(1, chunk // moved.shape[2])
+        for first in range(0, sensors, group):
+            some = slice(first, first + group)
+            parts = _at_sensors(scene, some, moved, magnets, model)
+            field[rows, some] = np.stack(parts, axis=-1).swapaxes(0, 1)
     return field
 
 
@@ -137,50 +137,39 @@ def _magnets(scene: Scene, moved: Float[np.ndarray, "6 body press"], model: Fiel
     return shifted, rotated(axis, turn), side
 
 
-def _at_sensor(
+def _at_sensors(
     scene: Scene,
-    sensor: int,
+    some: slice,
     moved: Float[np.ndarray, "6 body press"],
     magnets: _Magnets,
     model: FieldModel,
-) -> Vector:
-    """Field of all sources at one sensor, in the directions that it has at rest."""
-    x, y, z = scene.sensors.position_mm[sensor].tolist()
-    own = moved[:, sensor] if scene.sensors_move else None
-    point = (x, y, z) if own is None else (x + own[0], y + own[1], z + own[2])
-    on = scene.on_for(int(scene.sensors.face[sensor]))
+) -> list[Float[np.ndarray, "sensor press"]]:
+    """Field of all sources at some sensors, in the directions that they have at rest.
+
+    Magnets run along a dimension before those of sensors and presses.
+    """
+    shape = len(scene.sensors.face[some]), moved.shape[2]
+    point = components(scene.sensors.position_mm[some, None])
+    own = moved[:, some] if scene.sensors_move else None
+    if own is not None:
+        point = (point[0] + own[0], point[1] + own[1], point[2] + own[2])
+    on = scene.on_for(int(scene.sensors.face[some][0]))
     centres, axes, sides = (_chosen(given, on) for given in magnets)
     if model.name == "exact":
         _check_sensor_clear(point, centres, axes, sides, model)
-    strength = scene.magnets.strength[on, None]
+    strength = scene.magnets.strength[on, None, None]
     field = with_images(point, centres, axes, model, scene.environment.plates, sides, strength)
     around = scene.environment.field_at(point)
     field = (field[0] + around[0], field[1] + around[1], field[2] + around[2])
-    return field if own is None else rotated(field, (-own[3], -own[4], -own[5]))
-
-
-def _serves_all_at_once(scene: Scene, presses: int, model: FieldModel) -> bool:
-    """Few presses of magnets that all sensors feel alike: one pass instead of one a sensor."""
-    pairs = presses * len(scene.magnets.face) * len(scene.sensors.face)
-    plain = not (scene.sensors_move or scene.face_by_face)
-    return plain and model.name != "exact" and pairs <= _PAIRS_PER_CHUNK
-
-
-def _at_every_sensor(
-    scene: Scene, magnets: _Magnets, model: FieldModel
-) -> Float[np.ndarray, "press sensor 3"]:
-    points = components(scene.sensors.position_mm[:, None])
-    centres, axes, sides = (tuple(part[:, None] for part in given) for given in magnets)
-    strength = scene.magnets.strength[:, None, None]
-    field = with_images(points, centres, axes, model, scene.environment.plates, sides, strength)
-    around = scene.environment.field_at(points)
-    parts = np.broadcast_arrays(*(own + more for own, more in zip(field, around, strict=True)))
-    return np.stack(parts, axis=-1).transpose(1, 0, 2)
+    if own is not None:
+        field = rotated(field, (-own[3], -own[4], -own[5]))
+    return [np.broadcast_to(part, shape) for part in field]
 
 
 def _chosen(vector: Vector, on: slice) -> Vector:
+    """Those that are on, with a dimension for sensors."""
     x, y, z = vector
-    return x[on], y[on], z[on]
+    return x[on, None], y[on, None], z[on, None]
 
 
 def _check_sensor_clear(
