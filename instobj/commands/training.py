@@ -7,17 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 from design.errors import InputError
 from design.spec.object import TrainingSpec
-from instobj.store.content import store_root, stored
-from instobj.store.keys import content_key, file_key
+from instobj.commands.data_set import DataStage, Results, stage_key, work_through
+from instobj.store.keys import file_key
 from instobj.store.progress import ProgressLine
-from instobj.store.publish import (
-    file_rows,
-    publish_to,
-    require_writable,
-    run_folder,
-    run_name,
-    stage_row,
-)
+from instobj.store.publish import file_rows, require_writable, run_folder
 from instobj.store.readers import FRAMES, MODELS, PRESSES, face_model_paths
 
 if TYPE_CHECKING:
@@ -82,58 +75,41 @@ def run_on_data_set(
     """
     from estimator.frames.dataset import load_frames
     from estimator.frames.splits import split_presses
-    from instobj.report.summary import summarize
     from instobj.stages.makers.learning import (
         Fitting,
         evaluate_networks,
         train_networks,
         unfinished_folder,
     )
-    from instobj.stages.table import STAGES
 
     training, seed = settings_of(overrides)
-    frames = load_frames(path)
-    name = run_name(path)
-    progress = ProgressLine()
+    frames, progress = load_frames(path), ProgressLine()
     twin = None if twin_spec is None else twin_of_data(twin_spec, frames, training)
     inputs = {
         "data_set": file_key(path),
         "training": training.model_dump(mode="json"),
         "seed": seed,
         "start": None if start is None else _keys_of_models(start),
-        "twin": None if twin is None else [twin.key, twin.spec.model_dump(mode="json")],
+        "twin": None if twin is None else twin.inputs,
     }
-
-    def of(stage: str) -> dict[str, Any]:
-        return inputs | {"version": STAGES[stage].version}
-
-    unfinished = unfinished_folder(content_key(of("networks")))
+    unfinished = unfinished_folder(stage_key("networks", inputs))
     how = Fitting(training, seed, progress.step, unfinished, start, twin)
     split = split_presses(frames, seed)
 
-    def train(folder: Path) -> None:
+    def train(folder: Path, _: Results) -> None:
         train_networks(frames, split, how, folder)
 
-    def evaluate(folder: Path) -> None:
-        models = MODELS.read(results["networks"].folder)
-        evaluate_networks(frames, split, models, folder, progress.step)
+    def evaluate(folder: Path, made: Results) -> None:
+        evaluate_networks(
+            frames, split, MODELS.read(made["networks"].folder), folder, progress.step
+        )
 
-    results = {}
-    with progress.stage(f"training on {path}"):
-        results["networks"] = stored(store_root(), "networks", of("networks"), train, progress.say)
-    if "metrics" in stages:
-        with progress.stage("held-out presses"):
-            results["metrics"] = stored(
-                store_root(), "metrics", of("metrics"), evaluate, progress.say
-            )
-    target = run_folder(out, name)
-    files = [file for result in results.values() for file in publish_to(target, result)]
-    return {
-        "name": name,
-        "stages": [stage_row(result) for result in results.values()],
-        "summary": summarize(results),
-        "files": file_rows(files),
-    }
+    every = (
+        DataStage("networks", f"training on {path}", train),
+        DataStage("metrics", "held-out presses", evaluate),
+    )
+    asked = [stage for stage in every if stage.name in (*stages, "networks")]
+    return work_through(path, out, inputs, asked, progress)
 
 
 def twin_of_data(path: Path, frames: FrameSet, training: TrainingSpec) -> TwinOfData:
@@ -145,22 +121,26 @@ def twin_of_data(path: Path, frames: FrameSet, training: TrainingSpec) -> TwinOf
         Another object than the data set's, settings that presses of a twin do not serve, or no face
         with enough places pressed one by one.
     """
+    from instobj.stages.makers.twin import require_settings
+
+    require_settings(training)
+    return simulated_twin(path, [], frames, training.twins)
+
+
+def simulated_twin(
+    path: Path, overrides: list[str], frames: FrameSet, draws: int = 0
+) -> TwinOfData:
+    """Simulated presses of the specification of a data set's object; raises as `twin_of_data`."""
     from design.spec_io import load_spec
-    from instobj.stages.makers.twin import (
-        TwinOfData,
-        require_same_object,
-        require_settings,
-        require_some_face,
-    )
+    from instobj.stages.makers.twin import TwinOfData, require_same_object, require_some_face
     from instobj.stages.run import Run
 
-    spec = load_spec(path, [])
-    require_settings(training)
+    spec = load_spec(path, overrides)
     require_same_object(spec, frames)
     require_some_face(spec, frames)
     run = Run(spec)
     presses = run.read(PRESSES)
-    return TwinOfData(spec, presses, run.results[PRESSES.stage].origin, training.twins)
+    return TwinOfData(spec, presses, run.results[PRESSES.stage].origin, draws)
 
 
 def _grid_and_limits(path: Path) -> tuple[Grid, Limits]:

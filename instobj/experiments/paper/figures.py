@@ -14,7 +14,7 @@ from instobj.figures.saving import save_figure
 if TYPE_CHECKING:
     from estimator.metrics.heatmaps import ContactErrors
 
-_COLOURS = ("#1b6ca8", "#6a994e", "#b08900", "#7a5195", "#9ab8cf")
+_COLOURS = ("#1b6ca8", "#6a994e", "#b08900", "#7a5195", "#4f4f4f", "#c78fb4", "#57a0a0")
 PAPER_COLOUR = "#c8553d"
 _BOUND_COLOUR = "#9ab8cf"
 
@@ -24,6 +24,10 @@ def headline(what: str, quick: bool) -> str:
     return f"Simulated: {what}" + (
         " (quick form: reduced resolution, for a preview only)" if quick else ""
     )
+
+
+_MOST_BARS = 12
+"""Of panels that stand side by side."""
 
 
 def draw_bars(
@@ -36,9 +40,10 @@ def draw_bars(
     """Groups of bars with their values, a panel an axis label; its bars are columns by legend."""
     from matplotlib.figure import Figure
 
-    across = 1 if len(rows) > 4 else len(panels)
+    bars = len(rows) * max(map(len, panels.values()))
+    across = 1 if len(rows) > 4 or bars > _MOST_BARS else len(panels)
     down = len(panels) // across
-    width = max(5.5, 1.2 + 1.6 * len(rows))
+    width = max(5.5, 1.2 + 1.6 * len(rows), 0.55 * bars)
     figure = Figure(figsize=(width * across, 4.2 * down), layout="constrained")
     figure.suptitle(textwrap.fill(title, int(11 * width * across)), fontsize=10)
     every = figure.subplots(down, across, squeeze=False).ravel()
@@ -52,7 +57,7 @@ def draw_bars(
         axes.set_axisbelow(True)
         if len(series) > 1:
             axes.legend(
-                loc="upper center", bbox_to_anchor=(0.5, -0.22), ncols=len(series), frameon=False,
+                loc="upper center", bbox_to_anchor=(0.5, -0.22), ncols=min(len(series), 4), frameon=False,
                 fontsize=9,
             )  # fmt: skip
     save(figure, path)
@@ -71,8 +76,8 @@ def _group_bars(axes: Any, rows: list[dict[str, Any]], series: dict[str, str]) -
 
 def _colour(column: str, index: int) -> str:
     """The paper and bounds keep their colours from figure to figure."""
-    fixed = {"paper": PAPER_COLOUR, "best": _BOUND_COLOUR}
-    return fixed.get(column.split()[0], _COLOURS[index])
+    fixed = {"paper": PAPER_COLOUR, "best": _BOUND_COLOUR, "possible": _BOUND_COLOUR}
+    return fixed.get(column.split()[0], _COLOURS[index % len(_COLOURS)])
 
 
 def draw_histograms(errors: dict[str, ContactErrors], title: str, path: Path) -> None:

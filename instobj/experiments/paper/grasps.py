@@ -50,11 +50,11 @@ def run_two_face_grasp(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResu
     """Estimators of single-face presses, judged in grasps of both faces."""
     recorded = simulated_object(spec, quick)
     rows, sweeps = [], {}
-    grasps, frames = grasps_of(recorded), _one_face_at_a_time(recorded)
+    grasps, frames = grasps_of(recorded), one_face_at_a_time(recorded)
     known = _known_grasps(recorded)
     for face in recorded.spec.collection.grasp_faces:
         for name, reads in MODELS.items():
-            model, reference = _fitted(recorded, frames, face, name)
+            model, reference = fitted_to_single_faces(recorded, frames, face, name)
             row = beside(_judged(model, grasps, reference), TABLE_III.get(face, {}))
             judged = judged_frames(recorded, face, grasps, known, name == "whole-object")
             rows.append({"face": face, "reads": reads} | row | reference_row(judged, reference))
@@ -79,11 +79,11 @@ def run_swap(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
     rows, tested = [], set()
     for title, changes in arrangements(spec).items():
         recorded = simulated_object(changed(spec, changes), quick)
-        grasps, frames = grasps_of(recorded), _one_face_at_a_time(recorded)
+        grasps, frames = grasps_of(recorded), one_face_at_a_time(recorded)
         tested.add(_tested(recorded, frames, grasps))
         for face in recorded.spec.collection.grasp_faces:
             for name, reads in MODELS.items():
-                model, reference = _fitted(recorded, frames, face, name)
+                model, reference = fitted_to_single_faces(recorded, frames, face, name)
                 label = {"arrangement": title, "face": face, "reads": reads}
                 judged = _judged(model, grasps, reference)
                 rows.append(label | {name: judged[name] for name in SHOWN})
@@ -115,7 +115,7 @@ def _grasp_force_n(recorded: SimulatedObject) -> float:
     return min(recorded.spec.collection.grasp_force_n, recorded.spec.protocol.peak_force_n[1])
 
 
-def _one_face_at_a_time(recorded: SimulatedObject) -> FrameSet:
+def one_face_at_a_time(recorded: SimulatedObject) -> FrameSet:
     """The collection that estimators are fitted to."""
     return recorded.collect(**_collected(recorded))
 
@@ -144,7 +144,7 @@ def _tested(recorded: SimulatedObject, frames: FrameSet, grasps: FrameSet) -> st
     )
 
 
-def _fitted(
+def fitted_to_single_faces(
     recorded: SimulatedObject, frames: FrameSet, face: int, name: str
 ) -> tuple[FaceModel, ForceReference]:
     from estimator.frames.face_data import face_data

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from estimator.calibration.digital_twin import CalibratedTwin
     from estimator.calibration.pressed_places import PressedPlaces
     from estimator.frames.dataset import FrameSet
+    from estimator.inversion.inversion import Inversion
     from fem.presses.results import MagnetMotions, PressForces
 
 _TRUSTED_PERCENT = 10.0
@@ -40,31 +41,59 @@ class TwinOfData:
     draws: int
     rows: list[dict[str, Any]] = field(default_factory=list)
 
+    @property
+    def inputs(self) -> list[Any]:
+        """What results made with it depend on, JSON-able."""
+        return [self.key, self.spec.model_dump(mode="json")]
+
     def extended(self, parts: Parts, face: int, step: Step) -> Parts:
         """Training frames with presses at every place of the face added; validation frames as given.
 
         The twin sees training frames alone; how well it predicts is judged on training places left
         out in turn. A face with too few places stays as it is, and its row says so.
         """
-        from estimator.calibration.digital_twin import calibrate, places_left_out
-        from estimator.calibration.pressed_places import pressed_places, within_reach
         from estimator.calibration.pretraining import with_calibrated_presses
 
+        found = self.calibrated(parts[0], face, step)
+        if found is None:
+            return parts
+        train = with_calibrated_presses(
+            found[0], parts, self.draws, lambda text: step(f"face {face}: {text}")
+        )
+        return train, parts[1]
+
+    def inverted(self, frames: FrameSet, step: Step) -> Inversion:
+        """The estimator that inverts the twins of all faces with enough places in these frames."""
+        from estimator.calibration.inverted_twin import inverted_twin
+        from estimator.frames.heatmap import faces_pressed
+
+        found = {face: self.calibrated(frames, face, step) for face in faces_pressed(frames)}
+        known = {face: one for face, one in found.items() if one is not None}
+        twins = {face: twin for face, (twin, _) in known.items()}
+        left = {face: share for face, (_, share) in known.items()}
+        step("tables of presses")
+        return inverted_twin(self.spec, *self.presses, twins, left)
+
+    def calibrated(
+        self, frames: FrameSet, face: int, step: Step
+    ) -> tuple[CalibratedTwin, float] | None:
+        """A face's twin, and what it leaves of the signals at places left out in turn (rms share, at
+        least what meshes of one design differ by); None, and a row that says so, with too few places."""
+        from estimator.calibration.digital_twin import calibrate, places_left_out
+        from estimator.calibration.pressed_places import pressed_places, within_reach
+
         try:
-            seen = pressed_places(self.spec, within_reach(parts[0], self.presses[0], face), face)
+            seen = pressed_places(self.spec, within_reach(frames, self.presses[0], face), face)
         except InputError as error:
             self.rows.append({"face": face, "places": 0, "helps": f"not used: {error}"})
-            return parts
+            return None
         step(f"face {face}: calibrating the twin on {len(seen)} locations")
         twin = calibrate(self.spec, *self.presses, seen)
         left = places_left_out(
             self.spec, *self.presses, seen, lambda text: step(f"face {face}: {text}")
         )
-        self.rows.append(calibration_row(twin, seen, *left))
-        train = with_calibrated_presses(
-            twin, parts, self.draws, lambda text: step(f"face {face}: {text}")
-        )
-        return train, parts[1]
+        self.rows.append(_row(twin, seen, *left))
+        return twin, float(max(np.sqrt(np.mean(left[0] ** 2)), _EXACT_PERCENT / 200))
 
     def write(self, folder: Path) -> None:
         """`calibration.json` and a picture of the residuals at held-out locations."""
@@ -73,12 +102,6 @@ class TwinOfData:
         write_json({"object": self.spec.name, "faces": self.rows}, CALIBRATION.path(folder))
         judged = [row for row in self.rows if row["places"]]
         draw_calibration(self.spec, judged, CALIBRATION_PICTURE.path(folder))
-
-
-def rms_left(share: np.ndarray) -> float:
-    """Of the signals, over places that the twin had not seen, and what meshes of one design differ by
-    at least."""
-    return float(max(np.sqrt(np.mean(share**2)), _EXACT_PERCENT / 200))
 
 
 def require_settings(training: TrainingSpec) -> None:
@@ -174,7 +197,7 @@ def verdict(left_percent: float, design_percent: float, strained: int) -> str:
     return "yes"
 
 
-def calibration_row(
+def _row(
     twin: CalibratedTwin, seen: PressedPlaces, calibrated: np.ndarray, planned: np.ndarray
 ) -> dict[str, Any]:
     """What was found, and residual signals at held-out locations."""
