@@ -32,7 +32,8 @@ class CollectionSpec(SpecPart):
     `dual_poses` and `triple_poses`, and `non_contact_cases`; `frames_per_case` frames each, at one
     periodic depth for all (Knopke et al., RA-L 2024). The poses spread rows and columns near the
     borders and in the middle. "grasp": probes of one, two and three tips on both of `grasp_faces`,
-    squeezed periodically to `grasp_force_n`. "continuous": `presses` short presses of `contacts`
+    squeezed periodically to `grasp_force_n`, at ten poses or, of each number of tips, at
+    `random_grasps` poses drawn by `seed`. "continuous": `presses` short presses of `contacts`
     tips at once anywhere on `faces`, with peaks and rest frames as `protocol` has them; with
     `tangential_share` above 0 each is also pulled sideways, by up to that share of its force.
     `hysteresis` is the loop's width at half force over the peak, without rate.
@@ -48,6 +49,7 @@ class CollectionSpec(SpecPart):
     )
     grasp_faces: tuple[SensedFace, SensedFace] = (3, 5)
     grasp_force_n: Positive = 17.0
+    random_grasps: Annotated[int, Field(ge=0)] = 0
     presses: Count = 2000
     contacts: Annotated[int, Field(ge=1, le=5)] = 1
     tangential_share: Annotated[float, Field(ge=0, le=2)] = 0.0
@@ -128,7 +130,8 @@ class InversionSpec(SpecPart):
     face, of one tip, two 15 mm or three 20 mm apart (farther for tips of more than 5 mm radius), which
     bear alike within 30 %. `model_error` is the error of the forward model relative to the signals;
     left out, it is what `[tolerances]` make of the design, or what a calibrated twin leaves over.
-    `drift_counts` is the drift since the last zero.
+    `drift_counts` is the drift since the last zero. A frame is read together with those before it,
+    `window_frames` in all, as the mean of a hold; 1 reads every frame by itself.
     """
 
     contacts: Annotated[int, Field(ge=1, le=8)] = 6
@@ -136,6 +139,7 @@ class InversionSpec(SpecPart):
     probes: Literal["free", "known"] = "free"
     model_error: Annotated[float, Field(ge=0, lt=1)] | None = None
     drift_counts: NonNegative = 0.0
+    window_frames: Count = 1
 
 
 class TrainingSpec(SpecPart):

@@ -62,19 +62,41 @@ def paper_cases(spec: ObjectSpec, face: int) -> list[ContactCase]:
 
 
 def grasp_cases(spec: ObjectSpec) -> list[ContactCase]:
-    """Five places of one tip, three of two and two of three, each opposite its like.
+    """Five places of one tip, three of two and two of three, each opposite its like; or
+    `collection.random_grasps` of each, anywhere within the contact grid and turned at random.
 
     Raises
     ------
     InputError
-        `collection.grasp_faces` are not opposite each other.
+        `collection.grasp_faces` are not opposite each other, or no room for a probe.
     """
+    wanted, rng = spec.collection.random_grasps, np.random.default_rng((spec.seed, 6))
+    if wanted:
+        return opposed(
+            spec, [_random_tips_mm(spec, rng, tips) for tips in (1, 2, 3) for _ in range(wanted)]
+        )
     places = [
         probe_tips_mm(spec, tips, pose)
         for tips, poses in enumerate(GRASP_POSES, start=1)
         for pose in poses
     ]
     return opposed(spec, places)
+
+
+def _random_tips_mm(
+    spec: ObjectSpec, rng: np.random.Generator, tips: int
+) -> Float[np.ndarray, "tip 2"]:
+    grid = contact_grid(spec).xy_mm
+    low, high = grid.min(axis=0), grid.max(axis=0)
+    for _ in range(1000):
+        x, y, turn = rng.uniform([*low, 0.0], [*high, 360.0])
+        places = probe_tips_mm(spec, tips, (x, y, turn))
+        if np.all((places >= low) & (places <= high)):
+            return places
+    raise InputError(
+        f"a probe of {tips} tips does not find room within the contact grid, {low} to {high} mm. "
+        "Widen contact_grid, or set collection.random_grasps = 0"
+    )
 
 
 def opposed(spec: ObjectSpec, places_mm: Sequence[Float[np.ndarray, "_ 2"]]) -> list[ContactCase]:

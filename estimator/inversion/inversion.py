@@ -55,6 +55,11 @@ class Inversion:
         """Rows of `channels` among all channels of the object."""
         return np.flatnonzero(self.disturbances.noise_counts < BLIND)
 
+    @property
+    def window_frames(self) -> int:
+        """How many frames are read as the mean of a hold."""
+        return self.model.spec.inversion.window_frames
+
     @cached_property
     def search(self) -> Search:
         """From scratch."""
@@ -63,7 +68,7 @@ class Inversion:
     def read(
         self,
         counts: Float[np.ndarray, "frame channel"],
-        averaged: int = 1,
+        averaged: Int[np.ndarray, "frame"] | None = None,
         progress: Callable[[int], None] | None = None,
     ) -> tuple[ContactSets, ContactSets]:
         """The most probable contacts of every frame by itself, and the next best answer, of odds 0 where
@@ -72,7 +77,7 @@ class Inversion:
         Parameters
         ----------
         counts : changes against rest; NaN where a channel has no reading
-        averaged : how many frames of a hold each is the mean of
+        averaged : how many frames of a hold each is the mean of; one, if left out
         progress : is told how many frames are done
 
         Raises
@@ -84,8 +89,9 @@ class Inversion:
             raise InputError("there is no frame to read contacts in. Give a file that holds frames")
         parts = []
         for start in range(0, len(counts), _FRAMES_AT_ONCE):
-            seen = self.disturbances.observed(counts[start : start + _FRAMES_AT_ONCE], averaged)
-            parts.append(self._read(seen))
+            part = slice(start, start + _FRAMES_AT_ONCE)
+            means_of = None if averaged is None else averaged[part]
+            parts.append(self._read(self.disturbances.observed(counts[part], means_of)))
             if progress is not None:
                 progress(min(start + _FRAMES_AT_ONCE, len(counts)))
         best, second = zip(*parts, strict=True)

@@ -109,10 +109,14 @@ def _of_face(there: np.ndarray, force_n: np.ndarray) -> Float[np.ndarray, "frame
 
 
 def rows_beside_bound(
-    inversion: Inversion, frames: FrameSet, found: ContactSets
+    inversion: Inversion,
+    frames: FrameSet,
+    found: ContactSets,
+    averaged: Int[np.ndarray, "frame"] | None = None,
 ) -> list[dict[str, float | int | str | None]]:
-    """`contact_rows` of what an estimator found in labelled frames, with the distances possible."""
-    possible_mm = possible_distance_mm(inversion, frames)
+    """`contact_rows` of what an estimator found in labelled frames, or in the means of so many, with
+    the distances possible."""
+    possible_mm = possible_distance_mm(inversion, frames, averaged)
     return contact_rows(matched_contacts(frames, found), possible_mm)
 
 
@@ -171,7 +175,9 @@ def _rounded(value: float, digits: int) -> float | None:
     return round(float(value), digits) if np.isfinite(value) else None
 
 
-def possible_distance_mm(inversion: Inversion, frames: FrameSet) -> Float[np.ndarray, "frame"]:
+def possible_distance_mm(
+    inversion: Inversion, frames: FrameSet, averaged: Int[np.ndarray, "frame"] | None = None
+) -> Float[np.ndarray, "frame"]:
     """Mean distance between true and found places that the Cramér–Rao bound leaves an unbiased
     estimator that knows how many contacts there are, and nothing of where: mean over the contacts of
     each frame, NaN at rest.
@@ -188,7 +194,7 @@ def possible_distance_mm(inversion: Inversion, frames: FrameSet) -> Float[np.nda
     face = np.vectorize(index.__getitem__, otypes=[int])(frames.contact_face)
     contact = np.concatenate([frames.contact_xy_mm, true_n[..., 2:]], axis=2)
     contact = np.where((face != NONE)[..., None], contact, 0.0)
-    seen = inversion.disturbances.observed(all_counts(frames))
+    seen = inversion.disturbances.observed(all_counts(frames), averaged)
     curvature = curvature_at(model, seen, np.arange(len(frames)), face, contact)
     blocks = np.linalg.pinv(curvature, hermitian=True).reshape(
         len(frames), *face.shape[1:], 3, -1, 3
@@ -208,9 +214,29 @@ def all_counts(frames: FrameSet) -> Float[np.ndarray, "frame channel"]:
     return frames.signal_counts.reshape(len(frames), -1)
 
 
-def chosen_frames(frames: FrameSet, most: int, seed: int = 0) -> FrameSet:
+def window_means(
+    frames: FrameSet, window_frames: int
+) -> tuple[Float[np.ndarray, "frame channel"], Int[np.ndarray, "frame"]]:
+    """Mean of every frame and those before it in its press, so many in all, and how many there were.
+
+    A channel that misses one of these readings has none.
+    """
+    counts = all_counts(frames)
+    rows = np.arange(len(counts))
+    begins = np.concatenate([[True], np.diff(frames.press_id) != 0])
+    number = np.minimum(rows - np.maximum.accumulate(rows * begins) + 1, window_frames)
+
+    def over_window(values: np.ndarray) -> np.ndarray:
+        summed = np.vstack([np.zeros(values.shape[1]), np.cumsum(values, axis=0)])
+        return summed[rows + 1] - summed[rows + 1 - number]
+
+    means = over_window(np.nan_to_num(counts)) / number[:, None]
+    return np.where(over_window(np.isnan(counts).astype(float)) > 0, np.nan, means), number
+
+
+def chosen_rows(frames: FrameSet, most: int, seed: int = 0) -> Int[np.ndarray, "chosen"]:
     """At most so many valid frames, at random but in order."""
     (valid,) = np.nonzero(frames.valid)
-    if len(valid) > most:
-        valid = np.sort(np.random.default_rng(seed).choice(valid, most, replace=False))
-    return frames.select(valid)
+    if len(valid) <= most:
+        return valid
+    return np.sort(np.random.default_rng(seed).choice(valid, most, replace=False))

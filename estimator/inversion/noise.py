@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from jaxtyping import Float
+from jaxtyping import Float, Int
 
 from design.layout.positions import live_channels
 from design.spec.object import ObjectSpec
@@ -40,13 +40,18 @@ class Disturbances:
     model_error: Float[np.ndarray, "channel"]
     force_error: float = 0.0
 
-    def observed(self, counts: Float[np.ndarray, "frame channel"], averaged: int = 1) -> Observed:
-        """Frames, each the mean of so many readings, with their standard deviations.
+    def observed(
+        self,
+        counts: Float[np.ndarray, "frame channel"],
+        averaged: Int[np.ndarray, "frame"] | None = None,
+    ) -> Observed:
+        """Frames, each the mean of so many readings (or one), with their standard deviations.
 
         A channel without a reading (NaN) says nothing.
         """
         white = self.noise_counts**2 + _ROUNDING**2
-        own = np.sqrt(white / averaged + self.offset_counts**2)
+        readings = np.ones(len(counts)) if averaged is None else averaged
+        own = np.sqrt(white / readings[:, None] + self.offset_counts**2)
         missing = np.isnan(counts)
         counts = np.where(missing, 0.0, counts)
         change = np.linalg.norm(counts.reshape(len(counts), -1, 3), axis=2) / np.sqrt(3)

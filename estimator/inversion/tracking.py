@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections import deque
+
 import numpy as np
 from jaxtyping import Float
 
@@ -40,12 +42,17 @@ class Tracker:
     def __init__(self, inversion: Inversion) -> None:
         self.inversion = inversion
         self.seen_anew = 0
+        self._window = deque(maxlen=inversion.window_frames)
         self._last: Problems | None = None
         self._wait, self._pause, self._tried_p = 0, 1, 1.0
 
-    def feed(self, counts: Float[np.ndarray, "channel"], averaged: int = 1) -> ContactSets:
-        """The contacts of the next frame (changes of counts against rest)."""
-        seen = self.inversion.disturbances.observed(counts[None], averaged)
+    def feed(self, counts: Float[np.ndarray, "channel"]) -> ContactSets:
+        """The contacts of the next frame (changes of counts against rest), or of the mean of the last
+        `window_frames`."""
+        self._window.append(counts)
+        seen = self.inversion.disturbances.observed(
+            np.mean(self._window, axis=0)[None], np.array([len(self._window)])
+        )
         found, odds = self._same(seen), np.ones(1)
         p_value = float(p_values(seen, found)[0])
         if p_value >= _STRAINED and not self._faint(found):

@@ -94,27 +94,24 @@ def contacts_on_port(
 def _in_data_set(
     inversion: Inversion, path: Path, zeroing: Zeroing
 ) -> tuple[np.ndarray, np.ndarray, ContactSets, ContactSets, list[dict[str, Any]]]:
-    from estimator.inversion.matching import all_counts
+    from estimator.inversion.matching import rows_beside_bound, window_means
 
     frames = zeroed_data_set(path, zeroing)
     _require_same_object(inversion, frames, path)
     progress = ProgressLine()
+    means, averaged = window_means(frames, inversion.window_frames)
     with progress.stage(f"contacts in {path}"):
         best, second = inversion.read(
-            all_counts(frames),
+            means,
+            averaged,
             progress=lambda done: progress.step(f"frame {done} of {len(frames)}"),
         )
-    return np.arange(len(frames)), frames.time_s, best, second, _judged(inversion, frames, best)
-
-
-def _judged(inversion: Inversion, frames: FrameSet, best: ContactSets) -> list[dict[str, Any]]:
-    """Against the labels of valid frames."""
-    from estimator.inversion.matching import rows_beside_bound
-
-    if not np.any(frames.contact_face[frames.valid] > 0):
-        return []
-    valid = np.flatnonzero(frames.valid)
-    return rows_beside_bound(inversion, frames.select(valid), best.select(valid))
+    judged, valid = [], np.flatnonzero(frames.valid)
+    if np.any(frames.contact_face[valid] > 0):
+        judged = rows_beside_bound(
+            inversion, frames.select(valid), best.select(valid), averaged[valid]
+        )
+    return np.arange(len(frames)), frames.time_s, best, second, judged
 
 
 def _require_same_object(inversion: Inversion, frames: FrameSet, path: Path) -> None:

@@ -100,18 +100,19 @@ def run_swap(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
 
 def grasps_of(recorded: SimulatedObject) -> FrameSet:
     """Squeezed to the specified force, or as far as presses of single faces went."""
-    return recorded.collect(seed=_TEST_SEED, kind="grasp", grasp_force_n=_grasp_force_n(recorded))
+    return recorded.collect(seed=_TEST_SEED, kind="grasp", grasp_force_n=grasp_force_n(recorded))
 
 
 def _known_grasps(recorded: SimulatedObject) -> KnownCases:
     """The grasps tested, and grasps in every pose of a face's collection."""
-    spec = changed(recorded.spec, {"collection.grasp_force_n": _grasp_force_n(recorded)})
+    spec = changed(recorded.spec, {"collection.grasp_force_n": grasp_force_n(recorded)})
     first = spec.collection.grasp_faces[0]
     others = opposed(spec, [case.xy_mm for case in paper_cases(spec, first)])
     return known_cases(replace(recorded, spec=spec), first, [*grasp_cases(spec), *others])
 
 
-def _grasp_force_n(recorded: SimulatedObject) -> float:
+def grasp_force_n(recorded: SimulatedObject) -> float:
+    """As specified, or as far as presses of single faces went."""
     return min(recorded.spec.collection.grasp_force_n, recorded.spec.protocol.peak_force_n[1])
 
 
@@ -139,7 +140,7 @@ def _tested(recorded: SimulatedObject, frames: FrameSet, grasps: FrameSet) -> st
     )
     return (
         f"{trained} of the collection's {known} contact cases are in training presses; tested are "
-        f"{tested} grasps of up to {_grasp_force_n(recorded):g} N, whose probes stand at places of "
+        f"{tested} grasps of up to {grasp_force_n(recorded):g} N, whose probes stand at places of "
         "their own."
     )
 

@@ -85,27 +85,29 @@ def write_contact_metrics(
     """`CONTACT_METRICS` and its picture: contacts found in at most 400 of the frames, beside the
     Cramér–Rao bound of the places."""
     from estimator.inversion.matching import (
-        all_counts,
-        chosen_frames,
+        chosen_rows,
         contact_rows,
         matched_contacts,
         possible_distance_mm,
+        window_means,
     )
     from instobj.figures.contacts import draw_contacts
 
-    frames = chosen_frames(frames, MOST_FRAMES)
+    means, averaged = window_means(frames, inversion.window_frames)
+    rows = chosen_rows(frames, MOST_FRAMES)
+    frames, averaged = frames.select(rows), averaged[rows]
     best, second = inversion.read(
-        all_counts(frames), progress=lambda done: step(f"frame {done} of {len(frames)}")
+        means[rows], averaged, progress=lambda done: step(f"frame {done} of {len(frames)}")
     )
     matched = matched_contacts(frames, best)
-    rows = contact_rows(matched, possible_distance_mm(inversion, frames))
+    table = contact_rows(matched, possible_distance_mm(inversion, frames, averaged))
     unexplained = float((best.p_value < 1e-3).mean())
     content = {
         "judged": judged,
         "frames": len(frames),
         "unexplained frames %": round(100 * unexplained, 2),
         "frames with a second answer above 10 %": int((second.odds > 0.1).sum()),
-        "contacts": rows,
+        "contacts": table,
     }
     write_json(content, CONTACT_METRICS.path(folder))
     draw_contacts(frames, best, matched, CONTACT_PICTURE.path(folder))
