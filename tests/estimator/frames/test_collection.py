@@ -3,10 +3,14 @@
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
+from scipy.spatial.distance import pdist
 
 from design.errors import InputError
 from design.layout.body import face_frames
 from design.layout.positions import contact_grid
+from design.layout.tips import tip_positions_mm
+from design.spec.learning import CollectionSpec
+from design.spec.object import ObjectSpec
 from estimator.frames import collection
 from estimator.frames.collection import joined, simulate_collection
 from estimator.frames.contact_cases import (
@@ -148,6 +152,23 @@ def test_neighbouring_tips_feel_each_other(signals, mechanics, solved):
     expected = 1 - (1 - sunk / depth) ** 1.5
     assert expected.min() > 0.05
     assert np.allclose(lost, expected, rtol=0.15) == (solved == "jointly")
+
+
+def test_grasps_at_random_poses_keep_the_probes_and_the_grid():
+    spec = ObjectSpec(
+        name="cube", collection=CollectionSpec(kind="grasp", grasp_faces=(3, 5), random_grasps=30)
+    )
+    cases, grid = grasp_cases(spec), contact_grid(spec).xy_mm
+    assert [len(case.face) for case in cases] == [2] * 30 + [4] * 30 + [6] * 30
+    for case in cases:
+        here = case.xy_mm[case.face == 3]
+        assert np.all((here >= grid.min(axis=0)) & (here <= grid.max(axis=0)))
+        probe = tip_positions_mm(len(here), spec.indenter.radius_mm)
+        assert_allclose(pdist(here), pdist(probe), atol=1e-9)
+    turns = [np.arctan2(*np.diff(case.xy_mm[:2], axis=0)[0]) for case in cases[30:60]]
+    assert np.ptp(turns) > 3
+    again = grasp_cases(spec.changed(seed=spec.seed + 1))
+    assert not np.allclose(again[0].xy_mm, cases[0].xy_mm)
 
 
 def test_jaws_press_opposite_places_with_equal_forces(signals, mechanics):
@@ -336,6 +357,8 @@ def test_what_cannot_be_simulated_is_refused(signals, mechanics):
         simulate_collection(spec_of(), signals, "hash")
     with pytest.raises(InputError, match="not opposite"):
         grasp_cases(spec_of(kind="grasp", grasp_faces=(2, 3)))
+    with pytest.raises(InputError, match="does not find room"):
+        grasp_cases(spec_of(kind="grasp", grasp_faces=(3, 5), random_grasps=1))
     crowded = spec_of(kind="continuous", faces=(1,), contacts=5)
     with pytest.raises(InputError, match="do not find room"):
         random_case(crowded, np.random.default_rng(0), 0, 5)

@@ -1,14 +1,17 @@
 """Found contacts against true ones."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
 from estimator.inversion.matching import (
-    chosen_frames,
+    chosen_rows,
     contact_rows,
     matched_contacts,
     possible_distance_mm,
+    window_means,
 )
 from estimator.inversion.posterior import curvature_at
 from estimator.inversion.readings import ContactSets
@@ -80,9 +83,21 @@ def test_the_possible_distance_is_the_mean_of_a_normal_error_of_the_bound():
     assert_allclose(possible_distance_mm(estimator, frames), mean, rtol=0.03)
 
 
-def test_frames_are_chosen_in_order_and_valid(judged):
+def test_rows_are_chosen_in_order_and_valid(judged):
     frames, _, _ = judged
     frames.valid[1] = False
-    assert chosen_frames(frames, 10).time_s.tolist() == [0.0, 0.2, 0.3]
-    assert len(chosen_frames(frames, 2)) == 2
+    assert chosen_rows(frames, 10).tolist() == [0, 2, 3]
+    assert len(chosen_rows(frames, 2)) == 2
     frames.valid[1] = True
+
+
+def test_windows_are_means_within_a_press():
+    frames = labelled_frames(np.ones((7, 1), int), np.zeros((7, 1, 2)), np.ones((7, 1)))
+    counts = np.random.default_rng(3).normal(size=frames.signal_counts.shape)
+    counts[5, 0, 0, 0] = np.nan
+    frames = replace(frames, signal_counts=counts, press_id=np.array([0, 0, 0, 0, 1, 1, 1]))
+    means, number = window_means(frames, 3)
+    assert number.tolist() == [1, 2, 3, 3, 1, 2, 3]
+    flat = counts.reshape(7, -1)
+    for row, first in enumerate([0, 0, 0, 1, 4, 4, 4]):
+        assert_allclose(means[row], flat[first : row + 1].mean(axis=0), atol=1e-12)

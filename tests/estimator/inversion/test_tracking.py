@@ -1,5 +1,7 @@
 """Contacts followed from frame to frame, and the file and the noise of the estimator."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
@@ -54,6 +56,19 @@ def test_contacts_appear_slide_and_vanish(followed):
 def test_tracking_rarely_starts_anew(followed):
     *_, tracker = followed
     assert tracker.seen_anew <= 6
+
+
+def test_a_tracker_reads_the_mean_of_its_window():
+    face, contact = np.full((1, 6), -1), np.zeros((1, 6, 3))
+    face[0, 0], contact[0, 0] = 1, [2.0, -4.0, 5.0]
+    counts = noisy_counts(FREE, face.repeat(12, 0), contact.repeat(12, 0), np.random.default_rng(2))
+    window = FREE.model.spec.inversion.changed(window_frames=12)
+    model = replace(FREE.model, spec=FREE.model.spec.changed(inversion=window))
+    tracker = Tracker(replace(FREE, model=model))
+    found = [tracker.feed(frame) for frame in counts][-1]
+    (whole,), _ = zip(FREE.read(counts.mean(axis=0)[None], np.array([12])), strict=True)
+    assert_allclose(found.xy_mm[0, 0], whole.xy_mm[0, 0], atol=0.02)
+    assert_allclose(found.position_radius_mm[0, 0], whole.position_radius_mm[0, 0], rtol=0.02)
 
 
 def test_the_zero_is_taken_from_rest(followed):
