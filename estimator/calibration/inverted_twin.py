@@ -11,6 +11,7 @@ from jaxtyping import Float
 
 from design.layout.positions import sensor_layout
 from design.spec.object import ObjectSpec
+from estimator.information.shear import ShearSignals
 from estimator.inversion.inversion import Inversion, inversion
 from estimator.inversion.noise import design_error
 from estimator.signals.presses import Signals, press_signals
@@ -33,23 +34,26 @@ def inverted_twin(
     motions: MagnetMotions,
     twins: Mapping[int, FaceTwin],
     left: Mapping[int, float],
+    shear: ShearSignals | None = None,
 ) -> Inversion:
     """An estimator of the object that labelled presses show, and of the design on other faces.
 
     `left` is the share of the signals that each face's twin leaves at places that it has not seen.
-    What a press shows on other faces' sensors is the design's, with the twin's core and modulus.
+    What a press shows on other faces' sensors is the design's, with the twin's core and modulus;
+    `shear`, what tangential forces add, is the design's.
 
     Raises
     ------
     InputError
-        Labelled presses that fit no object of the specification.
+        Labelled presses that fit no object of the specification, or tangential forces without
+        `shear`.
     """
     design = press_signals(spec, forces, motions)
     signals = design
     for face, twin in twins.items():
         signals = _with_face(signals, twin.signals(), face)
     errors = _errors(spec, design_error(spec, forces, motions, design), left)
-    return inversion(spec, forces, motions, signals, errors, _force_error(spec, twins))
+    return inversion(spec, forces, motions, signals, errors, _force_error(spec, twins), shear)
 
 
 def _with_face(whole: Signals, one: Signals, face: int) -> Signals:

@@ -16,10 +16,12 @@ from functools import cached_property
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
+from design.errors import InputError
 from design.spec.object import ObjectSpec
 from estimator.field.models import FieldModel, field_model
 from estimator.field.sources import magnet_source
-from estimator.inversion.table import PressTable, motion_table, signal_table
+from estimator.information.shear import ShearSignals
+from estimator.inversion.table import PressTable, motion_table, shear_table, signal_table
 from estimator.signals.field_setup import Scene, counts, min_distance_mm, sensed_field
 from estimator.signals.press_states import rest_motion
 from estimator.signals.presses import Signals
@@ -44,6 +46,7 @@ class ContactModel:
     signals, motions : tables of single presses
     rest : (body, 6) motion that is there without a press
     nearest_mm : between magnet and sensor in single presses
+    shear : what tangential forces add, 2 · channels; None where contacts are frictionless
     """
 
     spec: ObjectSpec
@@ -51,6 +54,7 @@ class ContactModel:
     motions: PressTable
     rest: Float[np.ndarray, "body 6"]
     nearest_mm: float
+    shear: PressTable | None = None
 
     @cached_property
     def scene(self) -> Scene:
@@ -83,6 +87,25 @@ class ContactModel:
         values = np.zeros((*face.shape, 4, self.channels))
         values[there] = self.signals.values(face[there], contact[there])
         return values
+
+    def pulls(
+        self,
+        face: Int[np.ndarray, "problem contact"],
+        contact: Float[np.ndarray, "problem contact 3"],
+    ) -> Float[np.ndarray, "problem contact 2 channel"]:
+        """Counts that a tangential force along x and along y gives, each of its standard deviation
+        (`pull_sigma_n`); 0 where empty or frictionless."""
+        values = np.zeros((*face.shape, 2, self.channels))
+        there = face != NONE
+        if self.shear is not None:
+            per_n = self.shear.values(face[there], contact[there])[:, 0]
+            sigma = self.pull_sigma_n(contact[there])[:, None, None]
+            values[there] = sigma * per_n.reshape(-1, 2, self.channels)
+        return values
+
+    def pull_sigma_n(self, contact: Float[np.ndarray, "*n 3"]) -> Float[np.ndarray, "*n"]:
+        """Standard deviation of a contact's tangential force along each axis before a frame is seen."""
+        return 0.5 * self.spec.inversion.tangential_share * contact[..., 2]
 
     def interaction(
         self,
@@ -118,15 +141,36 @@ class ContactModel:
 
 
 def contact_model(
-    spec: ObjectSpec, forces: PressForces, motions: MagnetMotions, signals: Signals
+    spec: ObjectSpec,
+    forces: PressForces,
+    motions: MagnetMotions,
+    signals: Signals,
+    shear: ShearSignals | None = None,
 ) -> ContactModel:
     """The model of an object whose single presses give `signals`, on the design's mechanics.
 
     `signals` are those of the table itself (`estimator.signals.presses.press_signals`) or of a twin
-    calibrated on labelled presses; the interaction of contacts stays the design's.
+    calibrated on labelled presses; the interaction of contacts stays the design's. `shear` is needed
+    where contacts may pull sideways.
+
+    Raises
+    ------
+    InputError
+        `inversion.tangential_share` without `shear`.
     """
+    share = spec.inversion.tangential_share
+    if share and shear is None:
+        raise InputError(
+            f"inversion.tangential_share = {share:g} needs the signals of tangential forces; got none. "
+            "Simulate them (stage shear), or set it to 0"
+        )
     place = designed(spec).scene
     nearest = min_distance_mm(place, motions.motion.reshape(-1, place.bodies, 6))
     return ContactModel(
-        spec, signal_table(signals), motion_table(forces, motions), rest_motion(motions), nearest
+        spec,
+        signal_table(signals),
+        motion_table(forces, motions),
+        rest_motion(motions),
+        nearest,
+        shear_table(spec, signals, shear) if share and shear is not None else None,
     )

@@ -14,6 +14,7 @@ from design.errors import InputError
 from design.layout.tips import footprint_mm, tip_positions_mm
 from design.spec.object import ObjectSpec
 from estimator.frames.face_data import Channel
+from estimator.information.shear import ShearSignals
 from estimator.inversion.forward import ContactModel, contact_model
 from estimator.inversion.noise import BLIND, Disturbances, disturbances
 from estimator.inversion.posterior import Observed, Problems
@@ -122,18 +123,20 @@ def inversion(
     signals: Signals,
     model_error: float | Float[np.ndarray, "sensor 1"],
     force_error: float,
+    shear: ShearSignals | None = None,
 ) -> Inversion:
     """The estimator of an object whose single presses give `signals` on the design's mechanics.
 
     `model_error` counts where `inversion.model_error` is left out; `force_error` is that of the
-    modulus. Both are relative.
+    modulus. Both are relative. `shear` is what tangential forces add.
 
     Raises
     ------
     InputError
-        A force that does not grow with depth, or known probes that do not fit on the faces.
+        A force that does not grow with depth, known probes that do not fit on the faces, or
+        tangential forces without `shear`.
     """
-    model = contact_model(spec, forces, motions, signals)
+    model = contact_model(spec, forces, motions, signals, shear)
     error = model_error if spec.inversion.model_error is None else spec.inversion.model_error
     return Inversion(model, disturbances(spec, error, force_error), contact_priors(model))
 

@@ -36,6 +36,7 @@ class MatchedContacts:
     total_error_n : (frame,) found minus true normal force of all contacts
     tips : (frame,) true contacts of the face that has most
     frame, distance_mm, force_error_n : (pair,)
+    pull_error_n, pull_n : (pair,) of the tangential force, NaN where none is read, and its true size
     place_covered, force_covered : (pair,) the true value lies in the 90 % region
     """
 
@@ -48,6 +49,8 @@ class MatchedContacts:
     frame: Int[np.ndarray, "pair"]
     distance_mm: Float[np.ndarray, "pair"]
     force_error_n: Float[np.ndarray, "pair"]
+    pull_error_n: Float[np.ndarray, "pair"]
+    pull_n: Float[np.ndarray, "pair"]
     place_covered: Bool[np.ndarray, "pair"]
     force_covered: Bool[np.ndarray, "pair"]
 
@@ -69,8 +72,11 @@ def matched_contacts(frames: FrameSet, found: ContactSets) -> MatchedContacts:
             ):
                 missed = found.force_n[row, m] - force[row, t]
                 covered = distance <= radius[row, m], abs(missed) <= halfwidth[row, m]
-                pairs.append((row, distance, missed, *covered))
-    columns = np.array(pairs, float).reshape(-1, 5).T
+                pull = np.nan_to_num(true_n[row, t, :2])
+                pull_error = np.linalg.norm(found.tangential_n[row, m] - pull)
+                pulled = pull_error, np.linalg.norm(pull)
+                pairs.append((row, distance, missed, *pulled, *covered))
+    columns = np.array(pairs, float).reshape(-1, 7).T
     per_face = np.stack([_of_face(frames.contact_face == f, force) for f in faces], axis=1)
     tips = np.stack([np.sum(frames.contact_face == f, axis=1) for f in faces], axis=1)
     found_tips = np.stack([np.sum(found.face == f, axis=1) for f in faces], axis=1)
@@ -83,9 +89,8 @@ def matched_contacts(frames: FrameSet, found: ContactSets) -> MatchedContacts:
         tips.max(axis=1),
         columns[0].astype(int),
         columns[1],
-        columns[2],
-        columns[3].astype(bool),
-        columns[4].astype(bool),
+        *columns[2:5],
+        *columns[5:].astype(bool),
     )
 
 
@@ -151,6 +156,13 @@ def _row(
     missed = matched.true_number[chosen] - paired
     ghosts = matched.found_number[chosen] - paired
     frames = int(chosen.sum())
+    pulled = {}
+    if np.isfinite(matched.pull_error_n).any():
+        error, size = matched.pull_error_n[pairs], matched.pull_n[pairs]
+        pulled = {
+            "tangential error N": _rounded(_mean(error), 3),
+            "tangential force N": _rounded(_mean(size), 3),
+        }
     return {
         "frames": frames,
         "number right %": _rounded(100 * matched.right[chosen].mean(), 1),
@@ -163,6 +175,7 @@ def _row(
         "each force N": _rounded(_mean(np.abs(matched.force_error_n[pairs])), 3),
         "place in 90 % region %": _rounded(100 * _mean(matched.place_covered[pairs]), 1),
         "force in 90 % interval %": _rounded(100 * _mean(matched.force_covered[pairs]), 1),
+        **pulled,
     }
 
 

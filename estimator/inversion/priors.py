@@ -48,11 +48,12 @@ class Priors:
 
 @dataclass
 class Quadratic:
-    """Misfit, its slope and curvature at the contacts of some problems."""
+    """Misfit, its slope and curvature at the contacts of some problems; `Problems.log_spread`."""
 
     misfit: np.ndarray
     slope: np.ndarray
     curvature: np.ndarray
+    log_spread: np.ndarray
 
 
 def add_priors(found: Quadratic, priors: Priors, face: np.ndarray, contact: np.ndarray) -> None:

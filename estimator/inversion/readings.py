@@ -11,7 +11,7 @@ from estimator.frames.dataset import NO_FACE
 from estimator.inversion.columns import Columns
 from estimator.inversion.forward import NONE, ContactModel
 from estimator.inversion.noise import BLIND
-from estimator.inversion.posterior import Observed, Problems, covariances
+from estimator.inversion.posterior import Observed, Problems, covariances, tangential_forces
 from estimator.inversion.priors import Priors
 
 COVERAGE = 0.9
@@ -29,6 +29,8 @@ class ContactSets(Columns):
     xy_mm, force_n : (frame, contact, 2), (frame, contact), in the face's frame, and normal force
     covariance : (frame, contact, 3, 3) of x, y (mm) and force (N) of each contact, the others'
         uncertainty included
+    tangential_n, tangential_sigma_n : (frame, contact, 2), along x and y of the face, and their
+        standard deviations; NaN where contacts are taken for frictionless
     odds : (frame,) posterior probability of the set among all that were found
     p_value : (frame,) chance of a misfit as large if the set were true; a frame far below 0.001 is
         explained by no contact that the model knows
@@ -38,6 +40,8 @@ class ContactSets(Columns):
     xy_mm: Float[np.ndarray, "frame contact 2"]
     force_n: Float[np.ndarray, "frame contact"]
     covariance: Float[np.ndarray, "frame contact 3 3"]
+    tangential_n: Float[np.ndarray, "frame contact 2"]
+    tangential_sigma_n: Float[np.ndarray, "frame contact 2"]
     odds: Float[np.ndarray, "frame"]
     p_value: Float[np.ndarray, "frame"]
 
@@ -93,11 +97,17 @@ def contact_sets(
     """Contacts of one problem per frame, in the order of the problems."""
     there = problems.face != NONE
     own = covariances(problems, priors)
+    pulls = np.full((2, *there.shape, 2), np.nan)
+    if model.shear is not None:
+        found = np.stack(tangential_forces(model, priors, seen, problems))
+        pulls = np.where(there[..., None], found, np.nan)
     return ContactSets(
         np.where(there, model.signals.faces[problems.face], NO_FACE),
         np.where(there[..., None], problems.contact[..., :2], np.nan),
         np.where(there, problems.contact[..., 2], np.nan),
         np.where(there[..., None, None], own, np.nan),
+        pulls[0],
+        pulls[1],
         odds,
         p_values(seen, problems),
     )

@@ -24,6 +24,9 @@ _KIND = FileKind(
     {
         "signals": ("face nx ny nf channel", "count"),
         "motions": ("face nx ny nf component", "mm or rad"),
+        "shear": ("shear_face shear_nx shear_ny nf pull", "count/N"),
+        "shear_x_mm": ("shear_nx", "mm"),
+        "shear_y_mm": ("shear_ny", "mm"),
         "x_mm": ("nx", "mm"),
         "y_mm": ("ny", "mm"),
         "root_n": ("nf", "N^0.5"),
@@ -34,7 +37,7 @@ _KIND = FileKind(
         "model_error": ("channel", "1"),
     },
     attributes=("specification", "priors", "force_error", "nearest_mm"),
-    schema=("inversion_schema", 1),
+    schema=("inversion_schema", 2),
     origin="`instobj train SPEC --set training.model=inversion` makes one",
     remedy="Train it anew",
     others={
@@ -47,7 +50,12 @@ _KIND = FileKind(
 def save_inversion(inversion: Inversion, path: Path | str) -> None:
     """Write an estimator as NetCDF with checksums; `load_inversion` reads it."""
     model, table = inversion.model, inversion.model.signals
+    none = np.zeros((0, 0, 0, len(table.root.nodes), 0))
+    shear = model.shear
     values = {
+        "shear": none if shear is None else shear.coefficients,
+        "shear_x_mm": np.zeros(0) if shear is None else shear.x.nodes,
+        "shear_y_mm": np.zeros(0) if shear is None else shear.y.nodes,
         "signals": table.coefficients,
         "motions": model.motions.coefficients,
         "x_mm": table.x.nodes,
@@ -104,11 +112,17 @@ def _assembled(values: dict[str, np.ndarray], attributes: dict[str, Any]) -> Inv
         PressTable(values["faces"], x, y, root, values[name].astype(np.float32))
         for name in ("signals", "motions")
     )
+    shear = None
+    if values["shear"].size:
+        sides = (cubic_axis(values[name]) for name in ("shear_x_mm", "shear_y_mm"))
+        shear = PressTable(values["faces"], *sides, root, values["shear"].astype(np.float32))
     described = json.loads(attributes["priors"])
     for name in ("number", "force_n", "spacing_mm"):
         described[name] = tuple(described[name])
     return Inversion(
-        ContactModel(spec, signals, motions, values["rest"], float(attributes["nearest_mm"])),
+        ContactModel(
+            spec, signals, motions, values["rest"], float(attributes["nearest_mm"]), shear
+        ),
         Disturbances(
             values["noise_counts"],
             values["offset_counts"],

@@ -11,6 +11,10 @@ from functools import cached_property
 import numpy as np
 from jaxtyping import Float, Int
 
+from design.layout.positions import PlaceGrid
+from design.spec.object import ObjectSpec
+from estimator.frames.tangential import slope_traces
+from estimator.information.shear import ShearSignals
 from estimator.inversion.spline import CubicAxis, cubic_axis, spline_coefficients
 from estimator.signals.interpolation import Traces, press_traces
 from estimator.signals.monotone import monotone_cubic
@@ -103,12 +107,22 @@ def signal_table(signals: Signals) -> PressTable:
         x, y = signals.lattice.xy_mm.T
         traces = press_traces(signals, np.full(len(x), face), x, y)
         values.append(_at_forces(traces, nodes))
-    return _table(signals, nodes, np.stack(values))
+    return _table(signals.faces, signals.lattice, nodes, np.stack(values))
 
 
 def motion_table(forces: PressForces, motions: MagnetMotions) -> PressTable:
     """Motions of all bodies (six channels each, mm and rad) beyond those at rest."""
     return signal_table(motions_as_signals(forces, motions))
+
+
+def shear_table(spec: ObjectSpec, signals: Signals, shear: ShearSignals) -> PressTable:
+    """Change of counts per newton along x, then along y (2 · channels), at the contact locations."""
+    nodes, x, y = _force_nodes(signals), *shear.grid.xy_mm.T
+    values = []
+    for face in shear.faces.tolist():
+        slopes = slope_traces(spec, signals, shear, np.full(len(x), face), np.column_stack([x, y]))
+        values.append(np.concatenate([_at_forces(one, nodes) for one in slopes], axis=2))
+    return _table(shear.faces, shear.grid, nodes, np.stack(values))
 
 
 def _force_nodes(signals: Signals) -> Float[np.ndarray, "node"]:
@@ -131,13 +145,12 @@ def _at_forces(
     return inside + np.maximum(wanted - reach, 0.0)[..., None] * slope
 
 
-def _table(signals: Signals, force_n: np.ndarray, values: np.ndarray) -> PressTable:
-    lattice = signals.lattice
-    grid = values.reshape(
-        len(signals.faces), len(lattice.x_mm), len(lattice.y_mm), len(force_n), -1
-    )
+def _table(
+    faces: np.ndarray, lattice: PlaceGrid, force_n: np.ndarray, values: np.ndarray
+) -> PressTable:
+    grid = values.reshape(len(faces), len(lattice.x_mm), len(lattice.y_mm), len(force_n), -1)
     root = np.sqrt(force_n + _NEAR_ZERO_N) - np.sqrt(_NEAR_ZERO_N)
     nodes = (lattice.x_mm, lattice.y_mm, root)
     coefficients = np.stack([spline_coefficients(nodes, face) for face in grid])
     x, y, root = (cubic_axis(at) for at in nodes)
-    return PressTable(signals.faces, x, y, root, coefficients.astype(np.float32))
+    return PressTable(faces, x, y, root, coefficients.astype(np.float32))

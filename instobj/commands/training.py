@@ -11,7 +11,7 @@ from instobj.commands.data_set import DataStage, Results, stage_key, work_throug
 from instobj.store.keys import file_key
 from instobj.store.progress import ProgressLine
 from instobj.store.publish import file_rows, require_writable, run_folder
-from instobj.store.readers import FRAMES, MODELS, PRESSES, face_model_paths
+from instobj.store.readers import FRAMES, MODELS, PRESSES, SHEAR, face_model_paths
 
 if TYPE_CHECKING:
     from estimator.frames.dataset import FrameSet
@@ -132,6 +132,7 @@ def simulated_twin(
 ) -> TwinOfData:
     """Simulated presses of the specification of a data set's object; raises as `twin_of_data`."""
     from design.spec_io import load_spec
+    from estimator.information.shear import shear_signals
     from instobj.stages.makers.twin import TwinOfData, require_same_object, require_some_face
     from instobj.stages.run import Run
 
@@ -139,8 +140,10 @@ def simulated_twin(
     require_same_object(spec, frames)
     require_some_face(spec, frames)
     run = Run(spec)
-    presses = run.read(PRESSES)
-    return TwinOfData(spec, presses, run.results[PRESSES.stage].origin, draws)
+    presses, shear = run.read(PRESSES), None
+    if spec.inversion.tangential_share:
+        shear = shear_signals(spec, presses[1], run.read(SHEAR))
+    return TwinOfData(spec, presses, run.results[PRESSES.stage].origin, draws, shear)
 
 
 def _grid_and_limits(path: Path) -> tuple[Grid, Limits]:

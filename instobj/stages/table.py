@@ -6,7 +6,11 @@ from instobj.stages.makers.alternatives import make_alternatives
 from instobj.stages.makers.collection import make_collection
 from instobj.stages.makers.deformation import make_large_strain, make_shapes
 from instobj.stages.makers.fabrication import make_fabrication, make_sheet
-from instobj.stages.makers.inversion import make_contact_metrics, make_inversion
+from instobj.stages.makers.inversion import (
+    make_contact_metrics,
+    make_inversion,
+    tangential_mechanics,
+)
 from instobj.stages.makers.magnet_free import (
     make_candidates,
     make_compliance,
@@ -239,12 +243,15 @@ STAGES: dict[str, Stage] = {
             *("indenter", "inversion", "tolerances", "seed"),
         ),
         make_inversion,
+        version=2,
+        of_others=tangential_mechanics,
     ),
     "contact_metrics": Stage(
         "estimator: contacts of a virtual object",
         ("response", "large_strain", "presses", "inversion"),
         ("collection", "protocol", "silicone.prony", "tolerances", "seed"),
         make_contact_metrics,
+        of_others=tangential_mechanics,
     ),
     "surroundings": Stage(
         "signals: surroundings at rest",

@@ -31,6 +31,7 @@ from instobj.store.publish import file_rows
 COLUMNS: tuple[str, ...] = (
     *("frame", "time_s", "contacts", "odds", "next_contacts", "next_odds", "p_value", "explained"),
     *("contact", "face", "x_mm", "y_mm", "position_radius_mm", "force_n", "force_halfwidth_n"),
+    *("tangential_x_n", "tangential_y_n", "tangential_sigma_n"),
 )
 
 
@@ -164,14 +165,24 @@ def _rows(
                 "position_radius_mm": radius[row, slot],
                 "force_n": best.force_n[row, slot],
                 "force_halfwidth_n": halfwidth[row, slot],
+                "tangential_x_n": best.tangential_n[row, slot, 0],
+                "tangential_y_n": best.tangential_n[row, slot, 1],
+                "tangential_sigma_n": best.tangential_sigma_n[row, slot].max(),
             }
-            own = {name: round(float(value), 3) for name, value in values.items()}
+            own = {
+                name: "" if np.isnan(value) else round(float(value), 3)
+                for name, value in values.items()
+            }
             yield shared | {"contact": slot + 1, "face": int(best.face[row, slot])} | own
 
 
 def _document(number: int, time_s: float, found: ContactSets) -> dict[str, Any]:
     rows = list(_rows(np.array([number]), np.array([time_s]), found, None))
     told = ("frame", "time_s", "odds", "p_value")
-    contacts = [{name: row[name] for name in COLUMNS[9:]} for row in rows if row["contacts"]]
+    contacts = [
+        {name: row[name] for name in COLUMNS[9:] if row[name] != ""}
+        for row in rows
+        if row["contacts"]
+    ]
     explained = {"explained": bool(rows[0]["explained"])}
     return {name: rows[0][name] for name in told} | explained | {"contacts": contacts}

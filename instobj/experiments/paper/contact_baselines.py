@@ -87,5 +87,5 @@ def _sets(every: list[Found]) -> ContactSets:
         row[: len(found)] = np.array(found).reshape(-1, 4)
     face = np.nan_to_num(values[..., 0]).astype(int)
     unknown = np.full((*face.shape, 3, 3), np.nan)
-    ones = np.ones(len(every))
-    return ContactSets(face, values[..., 1:3], values[..., 3], unknown, ones, ones)
+    pulls, ones = np.full((*face.shape, 2), np.nan), np.ones(len(every))
+    return ContactSets(face, values[..., 1:3], values[..., 3], unknown, pulls, pulls, ones, ones)

@@ -77,7 +77,7 @@ def _group_bars(axes: Any, rows: list[dict[str, Any]], series: dict[str, str]) -
 def _colour(column: str, index: int) -> str:
     """The paper and bounds keep their colours from figure to figure."""
     fixed = {"paper": PAPER_COLOUR, "best": _BOUND_COLOUR, "possible": _BOUND_COLOUR}
-    return fixed.get(column.split()[0], _COLOURS[index % len(_COLOURS)])
+    return fixed.get(column.split()[0].strip(","), _COLOURS[index % len(_COLOURS)])
 
 
 def draw_histograms(errors: dict[str, ContactErrors], title: str, path: Path) -> None:

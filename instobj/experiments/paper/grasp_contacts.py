@@ -31,7 +31,7 @@ _EVERY_PLACE = 4
 _CALIBRATION_SEED = 200
 _REGIONS = ("place in 90 % region %", "force in 90 % interval %")
 """Columns that readings without uncertainty have not."""
-_ONE, _HOLD = "one", f"mean of {_HOLD_FRAMES}"
+_ONE, _HOLD = "one", f"mean of {_HOLD_FRAMES} frames"
 
 
 def run_grasp_contacts(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
@@ -43,7 +43,9 @@ def run_grasp_contacts(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResu
     rows += _baselines(recorded, readers["calibrated twin"], frames)
     shown = [row for row in rows if row["force"] == "from 4 N"]
     _draw(
-        shown, headline("contacts in grasps, from 4 N a face", quick), folder / "grasp-contacts.png"
+        shown,
+        headline("contacts in grasps, from 4 N per face", quick),
+        folder / "grasp-contacts.png",
     )
     holds = len(frames) // _HOLD_FRAMES
     texts = [
@@ -151,7 +153,8 @@ def _draw(rows: list[dict[str, Any]], title: str, path: Path) -> None:
     distance, number = "distance to the true contact (mm)", "frames with every number right (%)"
     groups: dict[str, dict[str, Any]] = {}
     for row in rows:
-        label = f"{row['tips a face']} a face, {row['frames read']}"
+        tips, read = row["tips a face"], row["frames read"]
+        label = f"{tips} tip{'s' * (tips > 1)} per face, {'one frame' if read == _ONE else read}"
         group = groups.setdefault(label, {"": label})
         group[f"{row['model']}, mm"] = row["distance mm"]
         group[f"{row['model']}, %"] = row["number right %"]

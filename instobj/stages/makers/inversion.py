@@ -12,6 +12,7 @@ from instobj.store.readers import (
     INVERSION,
     PRESSES,
     RESPONSE,
+    SHEAR,
     SIGNALS,
 )
 from instobj.store.stage import StageContext, Step, write_json
@@ -19,6 +20,7 @@ from instobj.store.stage import StageContext, Step, write_json
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
     from estimator.frames.dataset import FrameSet
+    from estimator.information.shear import ShearSignals
     from estimator.inversion.inversion import Inversion
 
 MOST_FRAMES = 400
@@ -26,6 +28,11 @@ MOST_FRAMES = 400
 _OBJECT_SEED = 1000
 _PRESSES = 24
 _FRAMES_A_PRESS = 8
+
+
+def tangential_mechanics(spec: ObjectSpec) -> dict[str, tuple[str, ObjectSpec]]:
+    """The stage of tangential forces, where contacts may pull sideways."""
+    return {"shear": ("shear", spec)} if spec.inversion.tangential_share else {}
 
 
 def make_inversion(context: StageContext, folder: Path) -> None:
@@ -39,14 +46,26 @@ def make_inversion(context: StageContext, folder: Path) -> None:
     context.step("error of the design within its tolerances")
     error = design_error(context.spec, forces, motions, signals)
     modulus = context.spec.tolerances.modulus_relative
+    shear = _shear(context)
     context.step("tables of presses")
     save_inversion(
-        inversion(context.spec, forces, motions, signals, error, modulus), INVERSION.path(folder)
+        inversion(context.spec, forces, motions, signals, error, modulus, shear),
+        INVERSION.path(folder),
     )
 
 
+def _shear(context: StageContext) -> ShearSignals | None:
+    from estimator.information.shear import shear_signals
+
+    if not context.spec.inversion.tangential_share:
+        return None
+    _, motions = context.read(PRESSES)
+    return shear_signals(context.spec, motions, context.read(SHEAR))
+
+
 def make_contact_metrics(context: StageContext, folder: Path) -> None:
-    """How it reads one, two and three contacts anywhere on an object that it has never seen."""
+    """How it reads one, two and three contacts anywhere on an object that it has never seen; single
+    ones pull sideways where it expects that."""
     from estimator.frames.contact_traces import JointMechanics
     from estimator.tolerances.virtual_object import drawn_assembly, twin_signals
 
@@ -64,18 +83,18 @@ def _presses_anywhere(
 ) -> FrameSet:
     from estimator.frames.collection import joined, simulate_collection
 
-    parts = []
+    shear, parts = _shear(context), []
     for contacts in (1, 2, 3):
         context.step(f"presses of {contacts} tips at once")
         asked = spec.collection.changed(
             kind="continuous", presses=_PRESSES, contacts=contacts, faces=spec.body.sensed,
-            tangential_share=0.0,
+            tangential_share=spec.inversion.tangential_share if contacts == 1 else 0.0,
         )  # fmt: skip
         protocol = spec.protocol.changed(frames_per_press=_FRAMES_A_PRESS, rest_frames_per_press=2)
         wanted = spec.changed(
             collection=asked, protocol=protocol, seed=spec.seed + _OBJECT_SEED + contacts
         )
-        parts.append(simulate_collection(wanted, signals, context.key, mechanics))
+        parts.append(simulate_collection(wanted, signals, context.key, mechanics, shear=shear))
     return joined(parts)
 
 

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from estimator.calibration.digital_twin import CalibratedTwin
     from estimator.calibration.pressed_places import PressedPlaces
     from estimator.frames.dataset import FrameSet
+    from estimator.information.shear import ShearSignals
     from estimator.inversion.inversion import Inversion
     from fem.presses.results import MagnetMotions, PressForces
 
@@ -32,13 +33,14 @@ class TwinOfData:
     """The specification of a data set's object, its simulated presses, and what was calibrated.
 
     `key` names the presses in the store; `draws` objects are drawn from what is left possible; `rows`
-    gets one row per face.
+    gets one row per face. `shear` is what tangential forces add, where the inversion is to read them.
     """
 
     spec: ObjectSpec
     presses: tuple[PressForces, MagnetMotions]
     key: str
     draws: int
+    shear: ShearSignals | None = None
     rows: list[dict[str, Any]] = field(default_factory=list)
 
     @property
@@ -72,7 +74,7 @@ class TwinOfData:
         twins = {face: twin for face, (twin, _) in known.items()}
         left = {face: share for face, (_, share) in known.items()}
         step("tables of presses")
-        return inverted_twin(self.spec, *self.presses, twins, left)
+        return inverted_twin(self.spec, *self.presses, twins, left, self.shear)
 
     def calibrated(
         self, frames: FrameSet, face: int, step: Step

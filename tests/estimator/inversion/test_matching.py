@@ -21,7 +21,8 @@ from tests.support.inverted import contacts, inverted, labelled_frames
 def sets_of(face, xy, force):
     shape = face.shape
     covariance = np.broadcast_to(np.diag([0.04, 0.04, 0.25]), (*shape, 3, 3)).copy()
-    return ContactSets(face, xy, force, covariance, np.ones(len(face)), np.ones(len(face)))
+    pulls, ones = np.full((*shape, 2), np.nan), np.ones(len(face))
+    return ContactSets(face, xy, force, covariance, pulls, pulls, ones, ones)
 
 
 @pytest.fixture(scope="module")

@@ -130,8 +130,8 @@ def test_the_radius_holds_nine_of_ten_places(ratio):
     draws = np.random.default_rng(7).standard_normal((400_000, 2)) * [2.0, 2.0 * ratio]
     covariance = np.zeros((1, 1, 3, 3))
     covariance[0, 0, 0, 0], covariance[0, 0, 1, 1] = 4.0, (2.0 * ratio) ** 2
-    one = np.ones((1, 1))
-    found = ContactSets(one.astype(int), np.zeros((1, 1, 2)), one, covariance, one[0], one[0])
+    one, zero = np.ones((1, 1)), np.zeros((1, 1, 2))
+    found = ContactSets(one.astype(int), zero, one, covariance, zero, zero, one[0], one[0])
     assert_allclose(
         np.mean(np.linalg.norm(draws, axis=1) <= found.position_radius_mm[0, 0]), 0.9, atol=0.012
     )

@@ -146,7 +146,7 @@ def test_contacts_of_grasps_are_judged_by_number_of_tips_for_every_model(results
         )
     inverted = ["design", "calibrated twin", "calibrated twin, probes known"]
     baselines = ["matching pursuit, calibrated twin", "whole-object networks"]
-    one, hold = "one", "mean of 10"
+    one, hold = "one", "mean of 10 frames"
     assert list(judged) == [
         *((name, read) for name in inverted for read in (one, hold)),
         *((name, one) for name in baselines),
