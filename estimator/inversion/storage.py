@@ -36,8 +36,9 @@ _KIND = FileKind(
         "offset_counts": ("channel", "count"),
         "model_error": ("channel", "1"),
     },
+    optional=("shear", "shear_x_mm", "shear_y_mm"),
     attributes=("specification", "priors", "force_error", "nearest_mm"),
-    schema=("inversion_schema", 2),
+    schema=("inversion_schema", 1),
     origin="`instobj train SPEC --set training.model=inversion` makes one",
     remedy="Train it anew",
     others={
@@ -50,12 +51,11 @@ _KIND = FileKind(
 def save_inversion(inversion: Inversion, path: Path | str) -> None:
     """Write an estimator as NetCDF with checksums; `load_inversion` reads it."""
     model, table = inversion.model, inversion.model.signals
-    none = np.zeros((0, 0, 0, len(table.root.nodes), 0))
     shear = model.shear
     values = {
-        "shear": none if shear is None else shear.coefficients,
-        "shear_x_mm": np.zeros(0) if shear is None else shear.x.nodes,
-        "shear_y_mm": np.zeros(0) if shear is None else shear.y.nodes,
+        "shear": None if shear is None else shear.coefficients,
+        "shear_x_mm": None if shear is None else shear.x.nodes,
+        "shear_y_mm": None if shear is None else shear.y.nodes,
         "signals": table.coefficients,
         "motions": model.motions.coefficients,
         "x_mm": table.x.nodes,
@@ -113,7 +113,7 @@ def _assembled(values: dict[str, np.ndarray], attributes: dict[str, Any]) -> Inv
         for name in ("signals", "motions")
     )
     shear = None
-    if values["shear"].size:
+    if "shear" in values:
         sides = (cubic_axis(values[name]) for name in ("shear_x_mm", "shear_y_mm"))
         shear = PressTable(values["faces"], *sides, root, values["shear"].astype(np.float32))
     described = json.loads(attributes["priors"])
