@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from itertools import combinations
+from typing import Any
 
 import numpy as np
 from jaxtyping import Float, Int
@@ -58,62 +58,82 @@ class Quadratic:
 
 def add_priors(found: Quadratic, priors: Priors, face: np.ndarray, contact: np.ndarray) -> None:
     """Tips that do not overlap, stand as their probe has them, and bear alike where they are known to."""
-    alike = np.sum(face[:, :, None] == face[:, None, :], axis=2)
-    for a, b in combinations(range(face.shape[1]), 2):
-        both = (face[:, a] == face[:, b]) & (face[:, a] != NONE)
-        if not both.any():
-            continue
-        pair = _Pair(found, contact, a, b, alike[:, a])
-        if priors.spacing_mm:
-            pair.stand(np.flatnonzero(both), priors.spacing_mm)
-        elif priors.apart_mm:
-            pair.keep_apart(np.flatnonzero(both), priors.apart_mm)
-        if priors.force_spread is not None:
-            pair.bear_alike(np.flatnonzero(both), priors.force_spread)
+    first, second = np.triu_indices(face.shape[1], 1)
+    both = (face[:, first] == face[:, second]) & (face[:, first] != NONE)
+    (rows,) = np.nonzero(both.any(axis=1))
+    if not len(rows):
+        return
+    alike = np.sum(face[rows, :, None] == face[rows, None, :], axis=2)[:, first]
+    pairs = _Pairs(found, rows, contact[rows], first, second, both[rows], alike)
+    if priors.spacing_mm:
+        pairs.stand(priors.spacing_mm)
+    elif priors.apart_mm:
+        pairs.keep_apart(priors.apart_mm)
+    if priors.force_spread is not None:
+        pairs.bear_alike(priors.force_spread)
 
 
 @dataclass(frozen=True)
-class _Pair:
-    """Contacts `a` and `b` of all problems; `alike` counts those of their face."""
+class _Pairs:
+    """Pairs of contacts in some problems (`rows` of `found`), those that share a face (`both`).
+
+    `alike` (problem, pair) counts the contacts of the first one's face.
+    """
 
     found: Quadratic
+    rows: np.ndarray
     contact: np.ndarray
-    a: int
-    b: int
+    first: np.ndarray
+    second: np.ndarray
+    both: np.ndarray
     alike: np.ndarray
 
-    def keep_apart(self, rows: np.ndarray, apart_mm: float) -> None:
-        distance = self._between(rows)[1]
-        self._hold(rows[distance < apart_mm], apart_mm, _OVERLAP_MM)
+    def keep_apart(self, apart_mm: float) -> None:
+        between, distance = self._between()
+        self._hold(between, distance, apart_mm, _OVERLAP_MM, self.both & (distance < apart_mm))
 
-    def stand(self, rows: np.ndarray, spacing_mm: tuple[float, ...]) -> None:
+    def stand(self, spacing_mm: tuple[float, ...]) -> None:
         wanted = np.array([0.0, 0.0, *spacing_mm])
-        known = self.alike[rows] < len(wanted)
-        self._hold(rows[known], wanted[self.alike[rows[known]]], SPACING_SIGMA_MM)
+        known = self.both & (self.alike < len(wanted))
+        target = wanted[np.minimum(self.alike, len(wanted) - 1)]
+        self._hold(*self._between(), target, SPACING_SIGMA_MM, known)
 
-    def bear_alike(self, rows: np.ndarray, spread: float) -> None:
-        first, second = self.contact[rows, self.a, 2], self.contact[rows, self.b, 2]
-        scale = 1 / (spread * np.sqrt(self.alike[rows]))
-        row = np.zeros((len(rows), self.found.slope.shape[1]))
-        row[:, 3 * self.a + 2], row[:, 3 * self.b + 2] = scale / first, -scale / second
-        _add_row(self.found, rows, scale * np.log(first / second), row)
+    def bear_alike(self, spread: float) -> None:
+        one, other = (
+            np.where(self.both, self.contact[:, slots, 2], 1.0)
+            for slots in (self.first, self.second)
+        )
+        scale = self.both / (spread * np.sqrt(np.maximum(self.alike, 1)))
+        self._add(scale * np.log(one / other), [2], [scale / one], [scale / other])
 
-    def _between(self, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        between = self.contact[rows, self.a, :2] - self.contact[rows, self.b, :2]
-        return between, np.maximum(np.linalg.norm(between, axis=1), 1e-6)
+    def _between(self) -> tuple[np.ndarray, np.ndarray]:
+        between = self.contact[:, self.first, :2] - self.contact[:, self.second, :2]
+        return between, np.maximum(np.sqrt(np.sum(between**2, axis=2)), 1e-6)
 
-    def _hold(self, rows: np.ndarray, wanted_mm: np.ndarray | float, sigma_mm: float) -> None:
-        between, distance = self._between(rows)
-        unit = between / distance[:, None] / sigma_mm
-        row = np.zeros((len(rows), self.found.slope.shape[1]))
-        row[:, 3 * self.a : 3 * self.a + 2], row[:, 3 * self.b : 3 * self.b + 2] = unit, -unit
-        _add_row(self.found, rows, (distance - wanted_mm) / sigma_mm, row)
+    def _hold(
+        self,
+        between: np.ndarray,
+        distance: np.ndarray,
+        wanted_mm: np.ndarray | float,
+        sigma_mm: float,
+        held: np.ndarray,
+    ) -> None:
+        scale = held / sigma_mm
+        along = (between * (scale / distance)[..., None]).transpose(2, 0, 1)
+        self._add(scale * (distance - wanted_mm), [0, 1], along, along)
 
-
-def _add_row(found: Quadratic, rows: np.ndarray, left: np.ndarray, row: np.ndarray) -> None:
-    found.misfit[rows] += 0.5 * left**2
-    found.slope[rows] += left[:, None] * row
-    found.curvature[rows] += row[:, :, None] * row[:, None, :]
+    def _add(self, left: np.ndarray, parameters: list[int], one: Any, other: Any) -> None:
+        """One more term ½ left² for every pair: its slope by these parameters of the first contact,
+        and less that by the second's."""
+        rows = np.zeros((*left.shape, self.found.slope.shape[1]))
+        pair = np.arange(len(self.first))
+        for parameter, by_first, by_second in zip(parameters, one, other, strict=True):
+            rows[:, pair, 3 * self.first + parameter] = by_first
+            rows[:, pair, 3 * self.second + parameter] = -by_second
+        turned = rows.transpose(0, 2, 1)
+        self.found.misfit[self.rows] += 0.5 * np.sum(left**2, axis=1)
+        self.found.slope[self.rows] += (turned @ left[..., None])[..., 0]
+        self.found.curvature[self.rows] += turned @ rows
 
 
 def log_density(

@@ -7,6 +7,7 @@ microseconds where `estimator.signals.interpolation` takes milliseconds.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from jaxtyping import Float, Int
@@ -30,20 +31,47 @@ class CubicAxis:
     breaks: Float[np.ndarray, "break"]
     power: Float[np.ndarray, "interval 4 4"]
 
-    def weights(
-        self, at: Float[np.ndarray, "n"]
-    ) -> tuple[Int[np.ndarray, "n"], Float[np.ndarray, "n 4"], Float[np.ndarray, "n 4"]]:
-        """First of the four coefficients that count, their weights, and the weights' derivatives.
+    def interval(self, at: Float[np.ndarray, "n"]) -> Int[np.ndarray, "n"]:
+        """In which interval points lie; beyond the ends the last polynomial goes on."""
+        return np.clip(np.searchsorted(self.breaks, at, "right") - 1, 0, len(self.power) - 1)
 
-        Beyond the ends the last polynomial goes on.
-        """
-        first = np.clip(np.searchsorted(self.breaks, at, "right") - 1, 0, len(self.power) - 1)
-        u = at - self.breaks[first]
-        one = np.ones_like(u)
-        powers = np.stack([one, u, u * u, u * u * u], axis=1)
-        slopes = np.stack([0 * u, one, 2 * u, 3 * u * u], axis=1)
-        basis = self.power[first]
-        return first, np.einsum("nbp,np->nb", basis, powers), np.einsum("nbp,np->nb", basis, slopes)
+
+@dataclass(frozen=True)
+class CubicAxes:
+    """Several axes at once: few contacts cost calls of NumPy, not arithmetic."""
+
+    axes: tuple[CubicAxis, ...]
+
+    def weights(
+        self, at: tuple[Float[np.ndarray, "n"], ...]
+    ) -> tuple[Int[np.ndarray, "axis n"], Float[np.ndarray, "axis n 4 2"]]:
+        """Of points on every axis: first of the four coefficients that count, their weights and the
+        weights' derivatives."""
+        first = np.array([axis.interval(one) for axis, one in zip(self.axes, at, strict=True)])
+        rows = first + self._begin
+        u = np.array(at) - self._lower[rows]
+        powers = np.zeros((*u.shape, 4, 2))
+        powers[..., 0, 0] = powers[..., 1, 1] = 1.0
+        powers[..., 1, 0] = u
+        powers[..., 2, 1] = 2 * u
+        square = u * u
+        powers[..., 2, 0] = square
+        powers[..., 3, 0] = square * u
+        powers[..., 3, 1] = 3 * square
+        return first, self._power[rows] @ powers
+
+    @cached_property
+    def _begin(self) -> Int[np.ndarray, "axis 1"]:
+        intervals = [len(axis.power) for axis in self.axes]
+        return np.concatenate([[0], np.cumsum(intervals)[:-1]])[:, None]
+
+    @cached_property
+    def _lower(self) -> Float[np.ndarray, "row"]:
+        return np.concatenate([axis.breaks[:-1] for axis in self.axes])
+
+    @cached_property
+    def _power(self) -> Float[np.ndarray, "row 4 4"]:
+        return np.concatenate([axis.power for axis in self.axes])
 
 
 def cubic_axis(nodes: Float[np.ndarray, "node"]) -> CubicAxis:

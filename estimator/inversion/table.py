@@ -15,7 +15,7 @@ from design.layout.positions import PlaceGrid
 from design.spec.object import ObjectSpec
 from estimator.frames.tangential import slope_traces
 from estimator.information.shear import ShearSignals
-from estimator.inversion.spline import CubicAxis, cubic_axis, spline_coefficients
+from estimator.inversion.spline import CubicAxes, CubicAxis, cubic_axis, spline_coefficients
 from estimator.signals.interpolation import Traces, press_traces
 from estimator.signals.monotone import monotone_cubic
 from estimator.signals.press_states import motions_as_signals
@@ -26,6 +26,9 @@ FORCE_NODES = 14
 """Along the force of a press; 14 leave 0.1 % of the signals' rms of the paper's cube."""
 _NEAR_ZERO_N = 0.5
 """Nodes stand evenly in the root of the force beyond this."""
+_FIRST_ROOT = np.sqrt(_NEAR_ZERO_N)
+_DERIVED = [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]
+"""Whether value and derivatives by x, y and force take an axis's weights or their derivatives."""
 _CHUNK = 128
 """Contacts at a time, whose coefficients fit a second-level cache."""
 _STEP_X, _STEP_Y = (step.ravel() for step in np.meshgrid(range(4), range(4), indexing="ij"))
@@ -50,8 +53,7 @@ class PressTable:
     @property
     def largest_force_n(self) -> float:
         """Last node of the splines."""
-        first = np.sqrt(_NEAR_ZERO_N)
-        return float((self.root.breaks[-1] + first) ** 2 - _NEAR_ZERO_N)
+        return float((self.root.breaks[-1] + _FIRST_ROOT) ** 2 - _NEAR_ZERO_N)
 
     def values(
         self, face: Int[np.ndarray, "n"], contact: Float[np.ndarray, "n 3"]
@@ -73,15 +75,18 @@ class PressTable:
         """Where each contact's 64 coefficients begin, and their weights for value and derivatives."""
         shifted = np.maximum(contact[:, 2], 0.0) + _NEAR_ZERO_N
         shifted_root = np.sqrt(shifted)
-        ix, wx, dx = self.x.weights(contact[:, 0])
-        iy, wy, dy = self.y.weights(contact[:, 1])
-        jf, wf, df = self.root.weights(shifted_root - np.sqrt(_NEAR_ZERO_N))
-        df = df / (2 * shifted_root)[:, None]
-        in_x = np.stack([wx, dx, wx, wx], axis=1)[:, :, :, None, None]
-        in_y = np.stack([wy, wy, dy, wy], axis=1)[:, :, None, :, None]
-        in_f = np.stack([wf, wf, wf, df], axis=1)[:, :, None, None, :]
-        weights = (in_x * in_y * in_f).reshape(len(face), 4, 64)
-        return (face, ix, iy, jf), weights.astype(np.float32)
+        root = shifted_root - _FIRST_ROOT
+        first, along = self._axes.weights((contact[:, 0], contact[:, 1], root))
+        along[2, :, :, 1] /= (2 * shifted_root)[:, None]
+        in_x, in_y, in_f = (
+            one[:, :, by].swapaxes(1, 2) for one, by in zip(along, _DERIVED, strict=True)
+        )
+        weights = in_x[:, :, :, None, None] * in_y[:, :, None, :, None] * in_f[:, :, None, None, :]
+        return (face, *first), weights.reshape(len(face), 4, 64).astype(np.float32)
+
+    @cached_property
+    def _axes(self) -> CubicAxes:
+        return CubicAxes((self.x, self.y, self.root))
 
     def _blocks(
         self, face: np.ndarray, ix: np.ndarray, iy: np.ndarray, jf: np.ndarray
@@ -128,8 +133,8 @@ def shear_table(spec: ObjectSpec, signals: Signals, shear: ShearSignals) -> Pres
 def _force_nodes(signals: Signals) -> Float[np.ndarray, "node"]:
     """From 0 to the force that the hardest place needs at most, evenly in its root."""
     largest = float(signals.force_n[..., -1].max())
-    first = np.sqrt(_NEAR_ZERO_N)
-    return (np.linspace(first, np.sqrt(largest + _NEAR_ZERO_N), FORCE_NODES)) ** 2 - _NEAR_ZERO_N
+    last = np.sqrt(largest + _NEAR_ZERO_N)
+    return np.linspace(_FIRST_ROOT, last, FORCE_NODES) ** 2 - _NEAR_ZERO_N
 
 
 def _at_forces(
@@ -149,7 +154,7 @@ def _table(
     faces: np.ndarray, lattice: PlaceGrid, force_n: np.ndarray, values: np.ndarray
 ) -> PressTable:
     grid = values.reshape(len(faces), len(lattice.x_mm), len(lattice.y_mm), len(force_n), -1)
-    root = np.sqrt(force_n + _NEAR_ZERO_N) - np.sqrt(_NEAR_ZERO_N)
+    root = np.sqrt(force_n + _NEAR_ZERO_N) - _FIRST_ROOT
     nodes = (lattice.x_mm, lattice.y_mm, root)
     coefficients = np.stack([spline_coefficients(nodes, face) for face in grid])
     x, y, root = (cubic_axis(at) for at in nodes)

@@ -5,7 +5,7 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.interpolate import make_interp_spline
 
-from estimator.inversion.spline import cubic_axis, spline_coefficients
+from estimator.inversion.spline import CubicAxes, cubic_axis, spline_coefficients
 from estimator.signals.field_setup import counts, sensed_field
 from estimator.signals.interpolation import counts_at_force, press_traces, signal_gradient
 from estimator.signals.press_states import press_states
@@ -16,7 +16,9 @@ def test_splines_are_those_of_scipy_with_their_derivatives():
     nodes = np.array([0.0, 0.4, 1.0, 1.7, 3.0, 3.5, 4.1])
     values = np.random.default_rng(1).normal(size=(7, 3))
     at = np.linspace(0, 4.1, 40)
-    first, weights, slopes = cubic_axis(nodes).weights(at)
+    axes = CubicAxes((cubic_axis(nodes + 1.0), cubic_axis(nodes)))
+    (_, first), (_, along) = axes.weights((at[::-1], at))
+    weights, slopes = along[..., 0], along[..., 1]
     coefficients = spline_coefficients((nodes,), values)
     near = coefficients[first[:, None] + np.arange(4)]
     oracle = make_interp_spline(nodes, values, k=3)
