@@ -114,8 +114,9 @@ def _assembled(values: dict[str, np.ndarray], attributes: dict[str, Any]) -> Inv
     )
     shear = None
     if "shear" in values:
-        sides = (cubic_axis(values[name]) for name in ("shear_x_mm", "shear_y_mm"))
-        shear = PressTable(values["faces"], *sides, root, values["shear"].astype(np.float32))
+        along_x, along_y = (cubic_axis(values[name]) for name in ("shear_x_mm", "shear_y_mm"))
+        per_n = values["shear"].astype(np.float32)
+        shear = PressTable(values["faces"], along_x, along_y, root, per_n)
     described = json.loads(attributes["priors"])
     for name in ("number", "force_n", "spacing_mm"):
         described[name] = tuple(described[name])
