@@ -11,28 +11,24 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import asdict, dataclass
-from itertools import combinations
-from pathlib import Path
 from typing import Literal
 
 import numpy as np
 from jaxtyping import Float, Int
 
-from design.errors import InputError
 from design.layout.positions import contact_grid
 from design.spec.object import ObjectSpec
 from design.spec.sensors import fastest_frame_rate_hz
-from design.tables import write_records
+from estimator.information.contact_sets import contact_sets, spread_places
 from estimator.information.fisher import disturbance_counts
 from estimator.information.sensitivity import own_channels
 from estimator.signals.interpolation import press_traces, signal_gradient
-from estimator.signals.presses import press_signals
+from estimator.signals.presses import Signals, press_signals
 from fem.presses.results import MagnetMotions, PressForces
 
 Channels = Literal["own", "all"]
 _SENSOR_COUNTS = (1, 2, 3, 4, 5)
 CONTACT_COUNTS = (1, 2, 3)
-_PLACES_AN_AXIS = 5
 _RANK_TOLERANCE = 1e-9
 
 
@@ -62,7 +58,7 @@ class Identifiability:
     told_median : median number of directions known to better than 1 mm or 1 N
     condition_median : median condition number of the whitened Jacobian (∞ where rank is short)
     bound_10_mm, bound_median_mm, bound_90_mm : position bound of a set's worst contact, quantiles
-    share_within_limit : sets whose every contact is bounded within `limits.position_bound_mm`
+    bound_share_within_limit : sets whose every contact is bounded within `limits.position_bound_mm`
     force_bound_median_n : force bound of a set's worst contact
     worst : the set of largest condition
     """
@@ -79,7 +75,7 @@ class Identifiability:
     bound_10_mm: float
     bound_median_mm: float
     bound_90_mm: float
-    share_within_limit: float
+    bound_share_within_limit: float
     force_bound_median_n: float
     worst: WorstSet
 
@@ -125,34 +121,6 @@ def comparable_sensor_counts(spec: ObjectSpec) -> tuple[int, ...]:
     )
 
 
-def spread_places(spec: ObjectSpec) -> Int[np.ndarray, "place"]:
-    """Contact locations spread evenly over the face, five an axis at most."""
-    nx, ny = spec.contact_grid.count
-    ix, iy = (
-        np.unique(np.linspace(0, n - 1, _PLACES_AN_AXIS).round()).astype(int) for n in (nx, ny)
-    )
-    return (ix[:, None] * ny + iy).ravel()
-
-
-def contact_sets(
-    spec: ObjectSpec, places: Int[np.ndarray, "place"], contacts: int
-) -> Int[np.ndarray, "set contact"]:
-    """All sets of so many of the places (as rows into `places`) whose tips do not touch."""
-    xy = contact_grid(spec).xy_mm[places]
-    apart = np.linalg.norm(xy[:, None] - xy, axis=2) >= 2 * spec.indenter.radius_mm
-    sets = [c for c in combinations(range(len(places)), contacts) if _all_apart(apart, c)]
-    if not sets:
-        raise InputError(
-            f"{contacts} tips of radius {spec.indenter.radius_mm:g} mm do not fit on the contact "
-            "grid. Take fewer contacts, a smaller indenter or a larger grid"
-        )
-    return np.array(sets)
-
-
-def _all_apart(apart: np.ndarray, some: tuple[int, ...]) -> bool:
-    return all(apart[a, b] for a, b in combinations(some, 2))
-
-
 @dataclass(frozen=True)
 class FaceJacobians:
     """∂S/∂(x, y, F) of single presses in sigmas; `own` are the rows of the face's own channels."""
@@ -170,23 +138,42 @@ def whitened_jacobians(
     sensors: int,
 ) -> tuple[FaceJacobians, ...]:
     """Derivatives at some contact locations for another number of sensors per face."""
+    other = with_sensor_count(spec, sensors)
+    return jacobians_of(other, press_signals(other, forces, motions), places)
+
+
+def with_sensor_count(spec: ObjectSpec, sensors: int) -> ObjectSpec:
+    """Another number of sensors per face, evenly on the ring."""
     ring = spec.sensors
-    if sensors != ring.count_per_face:
-        ring = ring.changed(count_per_face=sensors, positions_mm=None)
-        fastest = fastest_frame_rate_hz(ring, len(spec.body.sensed))
-        ring = ring.changed(frame_rate_hz=min(ring.frame_rate_hz, fastest))
-    other = spec.changed(sensors=ring)
-    signals = press_signals(other, forces, motions)
-    sigma = disturbance_counts(ring, "fresh", signals.baseline_counts.size)
+    if sensors == ring.count_per_face:
+        return spec
+    ring = ring.changed(count_per_face=sensors, positions_mm=None)
+    fastest = fastest_frame_rate_hz(ring, len(spec.body.sensed))
+    return spec.changed(sensors=ring.changed(frame_rate_hz=min(ring.frame_rate_hz, fastest)))
+
+
+def jacobians_of(
+    spec: ObjectSpec, signals: Signals, places: Int[np.ndarray, "place"]
+) -> tuple[FaceJacobians, ...]:
+    """Derivatives of an object's own signals at some contact locations, face by face."""
+    sigma = disturbance_counts(spec.sensors, "fresh", signals.baseline_counts.size)
     x, y = contact_grid(spec).xy_mm[places].T
     found = []
     for face in signals.faces.tolist():
-        where = (np.full(len(x), face), x, y)
-        force = np.minimum(spec.score.force_n, press_traces(signals, *where).force_n[:, -1])
-        jacobian = signal_gradient(signals, *where, force).jacobian
-        own = own_channels(signals, ring, face)
+        force = score_forces_n(spec, signals, face, places)
+        jacobian = signal_gradient(signals, np.full(len(x), face), x, y, force).jacobian
+        own = own_channels(signals, spec.sensors, face)
         found.append(FaceJacobians(face, jacobian / sigma[:, None], own))
     return tuple(found)
+
+
+def score_forces_n(
+    spec: ObjectSpec, signals: Signals, face: int, places: Int[np.ndarray, "place"]
+) -> Float[np.ndarray, "place"]:
+    """`score.force_n`, or what the deepest press reaches where that is less."""
+    x, y = contact_grid(spec).xy_mm[places].T
+    traces = press_traces(signals, np.full(len(x), face), x, y)
+    return np.minimum(spec.score.force_n, traces.force_n[:, -1])
 
 
 @dataclass(frozen=True)
@@ -290,11 +277,6 @@ def _middle(values: Float[np.ndarray, "n"]) -> float:
     return float(np.quantile(values, 0.5, method="inverted_cdf"))
 
 
-def table_rows(rows: Sequence[Identifiability]) -> list[dict[str, float | int | str]]:
-    """Plain rows without the worst set."""
-    return [{k: v for k, v in asdict(row).items() if k != "worst"} for row in rows]
-
-
-def save_identifiability_csv(rows: Sequence[Identifiability], path: Path | str) -> None:
-    """One row for every number of contacts and sensors; the header's names carry the units."""
-    write_records(path, table_rows(rows))
+def table_row(row: Identifiability) -> dict[str, float | int | str]:
+    """Plain values without the worst set."""
+    return {name: value for name, value in asdict(row).items() if name != "worst"}

@@ -10,7 +10,7 @@ the table is of, the design's presses or those of a calibrated twin.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -55,6 +55,12 @@ class ContactModel:
     rest: Float[np.ndarray, "body 6"]
     nearest_mm: float
     shear: PressTable | None = None
+
+    def of_face(self, index: int) -> ContactModel:
+        """The same object pressed on one face only, which then is face 0."""
+        return replace(
+            self, signals=self.signals.of_face(index), motions=self.motions.of_face(index)
+        )
 
     @cached_property
     def scene(self) -> Scene:

@@ -107,6 +107,16 @@ class Search:
         every = together(found)
         return together([every, *self._revisited(seen, every)]).distinct()
 
+    def of_number(self, seen: Observed, number: int) -> Problems:
+        """The most probable set of so many contacts of every frame that has one."""
+        sets = empty(seen, np.arange(len(seen.counts)), self.priors.most)
+        for _ in range(number):
+            sets = self._grown(seen, sets)
+        if number > 1:
+            fewer = self.fewer(seen, sets.select(_best_of_frame(sets, 1))).problems
+            sets = Problems.joined([sets, self._grown(seen, fewer)])
+        return sets.select(_first_of_frame(sets.frame, sets.misfit))
+
     def grown(self, seen: Observed, sets: Problems) -> Hypotheses:
         """The best sets of one contact more."""
         return self.judged(self._grown(seen, sets))

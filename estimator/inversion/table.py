@@ -5,7 +5,7 @@ Splines through the presses of `estimator.signals.interpolation`, resampled at c
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -49,6 +49,11 @@ class PressTable:
     y: CubicAxis
     root: CubicAxis
     coefficients: Float[np.ndarray, "face nx ny nf channel"]
+
+    def of_face(self, index: int) -> PressTable:
+        """Presses of one face, which then is face 0."""
+        only = slice(index, index + 1)
+        return replace(self, faces=self.faces[only], coefficients=self.coefficients[only])
 
     @property
     def largest_force_n(self) -> float:

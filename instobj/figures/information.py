@@ -13,6 +13,7 @@ from design.layout.pockets import sensor_places
 from design.layout.positions import contact_grid
 from design.spec.object import ObjectSpec
 from estimator.information.identifiability import Identifiability
+from estimator.inversion.blind_start import BlindStart
 from instobj.figures.saving import save_figure
 
 _COLOURS = {1: "#1b6ca8", 2: "#c8553d", 3: "#6a994e"}
@@ -24,12 +25,16 @@ _ARROW_PER_MM = 9.0
 
 
 def draw_identifiability(
-    spec: ObjectSpec, rows: Sequence[Identifiability], path: Path | str
+    spec: ObjectSpec,
+    rows: Sequence[Identifiability],
+    blind: Sequence[BlindStart],
+    path: Path | str,
 ) -> None:
-    """Position bound of the worst contact of a set against sensors per face (PNG).
+    """Position bound of the worst contact of a set, and its distance from a blind start, against
+    sensors per face (PNG).
 
-    Lines are medians over the sets, bands run from 10 to 90 %; crosses at the top stand where the
-    median set is blind.
+    Lines are medians of the bound over the sets, bands run from 10 to 90 %; crosses at the top stand
+    where the median set is blind. Squares are medians over the frames, bars their 90 % ranges.
     """
     from matplotlib.figure import Figure
 
@@ -41,6 +46,8 @@ def draw_identifiability(
         for contacts in sorted({r.contacts for r in rows}):
             some = [r for r in rows if (r.channels, r.contacts) == (channels, contacts)]
             _draw_line(axes, some, high)
+            read = [b for b in blind if (b.channels, b.contacts) == (channels, contacts)]
+            _draw_blind_start(axes, read, high)
         limit = spec.limits.position_bound_mm
         axes.axhline(limit, color="0.35", ls="--", lw=1)
         axes.text(0.99, limit * 1.06, f"limit {limit:g} mm", ha="right", fontsize=9, color="0.35",
@@ -49,10 +56,11 @@ def draw_identifiability(
         axes.set_xticks(sorted({r.sensors for r in rows}))
         axes.yaxis.set_major_formatter(lambda value, _: f"{value:g}")
         axes.grid(alpha=0.3)
-    panels[0].set_ylabel("position bound of the worst contact (mm)")
+    panels[0].set_ylabel("worst contact: bound, distance (mm)")
     panels[0].legend(frameon=False, loc="lower left")
     figure.suptitle(
-        f"Position bound of k simultaneous contacts of {spec.score.force_n:g} N each on one face"
+        f"k simultaneous contacts of {spec.score.force_n:g} N each on one face: position bound (lines), "
+        "maximum likelihood from a blind start (squares)"
     )
     save_figure(figure, path)
 
@@ -74,6 +82,19 @@ def _draw_line(axes: Any, rows: Sequence[Identifiability], top_mm: float) -> Non
     axes.plot(blind, np.full(len(blind), top_mm / 1.25), color=colour, marker="x", ls="", mew=2)
     if len(blind) and contacts == max(_COLOURS):
         axes.text(blind.max() + 0.12, top_mm / 1.25, "blind", va="center", fontsize=9, color="0.35")
+
+
+def _draw_blind_start(axes: Any, rows: Sequence[BlindStart], top_mm: float) -> None:
+    if not rows:
+        return
+    offset = 0.06 * (rows[0].contacts - 2)
+    low, middle, high = (
+        np.minimum([getattr(r, f"blind_median_{part}mm") for r in rows], top_mm)
+        for part in ("low_", "", "high_")
+    )
+    axes.errorbar(np.array([r.sensors for r in rows]) + offset, middle,
+                  yerr=[middle - low, high - middle], color=_COLOURS.get(rows[0].contacts, "#555555"),
+                  marker="s", mfc="white", ls="", capsize=2)  # fmt: skip
 
 
 def draw_blindest(spec: ObjectSpec, rows: Sequence[Identifiability], path: Path | str) -> None:

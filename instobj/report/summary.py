@@ -47,7 +47,8 @@ def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) 
         ("shear_scores", "bounds with tangential forces (medians over all places)", _shear),
         (
             "identify",
-            "k contacts at once: medians over sets, worst contact; ok: within limits.position_bound_mm",
+            "k contacts at once: medians over sets, worst contact. blind: maximum likelihood from a blind "
+            "start on simulated frames, ± half of its 90 % range; ok: found within limits.position_bound_mm",
             _identify,
         ),
         ("frames", "simulated presses", _read(PROTOCOL)),
@@ -192,13 +193,20 @@ def _identify(result: StoredResult) -> list[dict[str, Any]]:
             "reads": row["channels"],
             "rank": f"{row['rank_least']} of {row['unknowns']}",
             "cond.": float(row["condition_median"]),
-            "place mm": float(row["bound_median_mm"]),
+            "bound mm": float(row["bound_median_mm"]),
             "90 % mm": float(row["bound_90_mm"]),
-            "force N": float(row["force_bound_median_n"]),
-            "ok %": round(100 * float(row["share_within_limit"]), 1),
+            "bound N": float(row["force_bound_median_n"]),
+            "blind mm": float(row["blind_median_mm"]),
+            "± mm": _half_range(row, "blind_median_low_mm", "blind_median_high_mm"),
+            "ok %": round(100 * float(row["blind_share_within_limit"]), 1),
+            "± %": round(100 * _half_range(row, "blind_share_low", "blind_share_high"), 1),
         }
         for row in IDENTIFIABILITY.read(result.folder)
     ]
+
+
+def _half_range(row: dict[str, str], low: str, high: str) -> float:
+    return (float(row[high]) - float(row[low])) / 2
 
 
 def _median(rows: list[dict[str, str]], name: str) -> float:

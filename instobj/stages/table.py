@@ -188,8 +188,9 @@ STAGES: dict[str, Stage] = {
     "identify": Stage(
         "sensitivity: several simultaneous contacts",
         ("presses", "signals"),
-        ("score", "limits.position_bound_mm"),
+        ("score", "limits.position_bound_mm", "seed"),
         make_identify,
+        version=2,
     ),
     "robustness": Stage(
         "robustness: tolerances",

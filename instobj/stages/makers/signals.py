@@ -66,14 +66,16 @@ def make_shear_scores(context: StageContext, folder: Path) -> None:
 
 
 def make_identify(context: StageContext, folder: Path) -> None:
-    """Information of several simultaneous contacts."""
-    from estimator.information.identifiability import identifiability, save_identifiability_csv
+    """Information of several simultaneous contacts, and what a blind start makes of it."""
+    from estimator.information.identifiability import identifiability
+    from estimator.inversion.blind_start import blind_starts, save_identifiability
     from instobj.figures.information import draw_blindest, draw_identifiability
 
-    forces, motions = context.read(PRESSES)
-    rows = identifiability(context.spec, forces, motions, progress=context.step)
-    save_identifiability_csv(rows, IDENTIFIABILITY.path(folder))
-    draw_identifiability(context.spec, rows, folder / "identifiability.png")
+    presses = context.read(PRESSES)
+    rows = identifiability(context.spec, *presses, progress=context.step)
+    blind = blind_starts(context.spec, *presses, progress=context.step)
+    save_identifiability(rows, blind, IDENTIFIABILITY.path(folder))
+    draw_identifiability(context.spec, rows, blind, folder / "identifiability.png")
     draw_blindest(context.spec, rows, folder / "blindest_contacts.png")
 
 

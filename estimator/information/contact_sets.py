@@ -1,0 +1,42 @@
+"""Sets of contact locations that several tips press at once."""
+
+from __future__ import annotations
+
+from itertools import combinations
+
+import numpy as np
+from jaxtyping import Int
+
+from design.errors import InputError
+from design.layout.positions import contact_grid
+from design.spec.object import ObjectSpec
+
+_PLACES_AN_AXIS = 5
+
+
+def spread_places(spec: ObjectSpec) -> Int[np.ndarray, "place"]:
+    """Contact locations spread evenly over the face, five an axis at most."""
+    nx, ny = spec.contact_grid.count
+    ix, iy = (
+        np.unique(np.linspace(0, n - 1, _PLACES_AN_AXIS).round()).astype(int) for n in (nx, ny)
+    )
+    return (ix[:, None] * ny + iy).ravel()
+
+
+def contact_sets(
+    spec: ObjectSpec, places: Int[np.ndarray, "place"], contacts: int
+) -> Int[np.ndarray, "set contact"]:
+    """All sets of so many of the places (as rows into `places`) whose tips do not touch."""
+    xy = contact_grid(spec).xy_mm[places]
+    apart = np.linalg.norm(xy[:, None] - xy, axis=2) >= 2 * spec.indenter.radius_mm
+    sets = [c for c in combinations(range(len(places)), contacts) if _all_apart(apart, c)]
+    if not sets:
+        raise InputError(
+            f"{contacts} tips of radius {spec.indenter.radius_mm:g} mm do not fit on the contact "
+            "grid. Take fewer contacts, a smaller indenter or a larger grid"
+        )
+    return np.array(sets)
+
+
+def _all_apart(apart: np.ndarray, some: tuple[int, ...]) -> bool:
+    return all(apart[a, b] for a, b in combinations(some, 2))

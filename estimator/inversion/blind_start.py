@@ -1,0 +1,233 @@
+"""Contacts as maximum likelihood reads them from a blind start, beside their Cramér–Rao bound.
+
+The bound holds near the truth; an estimator that starts blind also meets places far away that give
+nearly the same signals, and faces end, which the bound does not know. Frames are simulated from the
+forward model with a fresh zero's disturbances; the estimator knows that model, the face and the
+number of contacts, and nothing of where they are or how hard they press.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import asdict, dataclass
+from itertools import permutations
+from pathlib import Path
+
+import numpy as np
+from jaxtyping import Float, Int
+
+from design.layout.positions import contact_grid, live_channels
+from design.spec.object import ObjectSpec
+from design.tables import write_records
+from estimator.information.contact_sets import contact_sets, spread_places
+from estimator.information.fisher import disturbance_counts
+from estimator.information.identifiability import (
+    CONTACT_COUNTS,
+    Channels,
+    Identifiability,
+    comparable_sensor_counts,
+    score_forces_n,
+    table_row,
+    with_sensor_count,
+)
+from estimator.information.sensitivity import own_channels
+from estimator.inversion.forward import ContactModel, contact_model
+from estimator.inversion.noise import BLIND
+from estimator.inversion.posterior import Observed
+from estimator.inversion.priors import Priors
+from estimator.inversion.search import Search
+from estimator.signals.presses import Signals, press_signals
+from fem.presses.results import MagnetMotions, PressForces
+
+FRAMES = 100
+_LEAST_FORCE_N = 0.1
+_RESAMPLED = 1000
+
+
+@dataclass(frozen=True)
+class BlindStart:
+    """What maximum likelihood from a blind start reads of k contacts on one face.
+
+    Attributes
+    ----------
+    contacts, sensors, channels : as of `Identifiability`
+    blind_frames : simulated, spread over the faces and over sets of places
+    blind_median_mm, blind_90_mm : distance of a frame's worst contact, quantiles; infinite where no
+        contacts are found
+    blind_median_low_mm, blind_median_high_mm : 90 % of the median's bootstrap over frames
+    blind_share_within_limit : frames whose every contact is found within `limits.position_bound_mm`
+    blind_share_low, blind_share_high : 90 % of its bootstrap
+    """
+
+    contacts: int
+    sensors: int
+    channels: Channels
+    blind_frames: int
+    blind_median_mm: float
+    blind_median_low_mm: float
+    blind_median_high_mm: float
+    blind_90_mm: float
+    blind_share_within_limit: float
+    blind_share_low: float
+    blind_share_high: float
+
+
+@dataclass(frozen=True)
+class _Object:
+    """An object with its forward model and the presses of single contacts behind it."""
+
+    spec: ObjectSpec
+    signals: Signals
+    model: ContactModel
+
+
+def blind_starts(
+    spec: ObjectSpec,
+    forces: PressForces,
+    motions: MagnetMotions,
+    sensor_counts: Sequence[int] | None = None,
+    contact_counts: Sequence[int] = CONTACT_COUNTS,
+    frames: int = FRAMES,
+    progress: Callable[[str], None] | None = None,
+) -> tuple[BlindStart, ...]:
+    """One row for every row of `identifiability`, of frames at the same sets of places.
+
+    Raises
+    ------
+    InputError
+        As `identifiability`.
+    """
+    places = spread_places(spec)
+    rows = []
+    for count in sensor_counts or comparable_sensor_counts(spec):
+        other = with_sensor_count(spec, count)
+        signals = press_signals(other, forces, motions)
+        built = _Object(other, signals, contact_model(other, forces, motions, signals))
+        for channels in ("own", "all"):
+            for k in contact_counts:
+                if progress:
+                    progress(f"blind start: {count} sensors per face, {channels} channels, k = {k}")
+                distance = _worst_distances_mm(built, places, k, channels, frames)
+                rows.append(_summary(spec, distance, k, count, channels))
+    return tuple(rows)
+
+
+def _worst_distances_mm(
+    built: _Object,
+    places: Int[np.ndarray, "place"],
+    contacts: int,
+    channels: Channels,
+    frames: int,
+) -> Float[np.ndarray, "frame"]:
+    """Distance of each frame's worst contact; the same places, whatever sensors there are."""
+    spec = built.spec
+    rng = np.random.default_rng([spec.seed, contacts])
+    sets = contact_sets(spec, places, contacts)
+    face = np.arange(frames) % len(built.signals.faces)
+    chosen = places[sets[rng.integers(len(sets), size=frames)]]
+    noise = np.random.default_rng([spec.seed, contacts, spec.sensors.count_per_face])
+    distance = np.full(frames, np.inf)
+    for index in np.unique(face).tolist():
+        rows = np.flatnonzero(face == index)
+        true = _contacts(built, index, chosen[rows])
+        distance[rows] = _of_face(built, index, true, channels, noise)
+    return distance
+
+
+def _contacts(
+    built: _Object, index: int, places: Int[np.ndarray, "frame contact"]
+) -> Float[np.ndarray, "frame contact 3"]:
+    number = int(built.signals.faces[index])
+    force = score_forces_n(built.spec, built.signals, number, places.ravel())
+    xy = contact_grid(built.spec).xy_mm[places]
+    return np.concatenate([xy, force.reshape(*places.shape, 1)], axis=2)
+
+
+def _of_face(
+    built: _Object,
+    index: int,
+    true: Float[np.ndarray, "frame contact 3"],
+    channels: Channels,
+    rng: np.random.Generator,
+) -> Float[np.ndarray, "frame"]:
+    """Distances in noisy frames of contacts on one face."""
+    frames, contacts = true.shape[:2]
+    model, face = built.model.of_face(index), np.zeros((frames, contacts), int)
+    sigma = disturbance_counts(built.spec.sensors, "fresh", model.channels)
+    counts = model.singles(face, true)[:, :, 0].sum(axis=1) + model.interaction(face, true)
+    counts = counts + sigma * rng.standard_normal(counts.shape)
+    read = _read_channels(built, index, channels)
+    told = np.where(read, sigma, BLIND)
+    seen = Observed(counts, np.broadcast_to(told, counts.shape))
+    found = Search(model, _known_number(built.spec, model, contacts)).of_number(seen, contacts)
+    distance = np.full(frames, np.inf)
+    distance[found.frame] = _worst_mm(found.contact[..., :2], true[found.frame, :, :2])
+    return distance
+
+
+def _read_channels(built: _Object, index: int, channels: Channels) -> np.ndarray:
+    read = live_channels(built.spec).ravel().copy()
+    if channels == "own":
+        number = int(built.signals.faces[index])
+        own = own_channels(built.signals, built.spec.sensors, number)
+        read &= np.isin(np.arange(len(read)), own)
+    return read
+
+
+def _known_number(spec: ObjectSpec, model: ContactModel, contacts: int) -> Priors:
+    """So many contacts anywhere on one face, tips apart; forces from 0.1 N to the table's largest."""
+    low, high = model.bounds
+    return Priors(
+        (*np.zeros(contacts).tolist(), 1.0),
+        1,
+        float(np.prod(high[:2] - low[:2])),
+        (_LEAST_FORCE_N, float(high[2])),
+        2 * spec.indenter.radius_mm,
+    )
+
+
+def _worst_mm(
+    found_mm: Float[np.ndarray, "frame contact 2"], true_mm: Float[np.ndarray, "frame contact 2"]
+) -> Float[np.ndarray, "frame"]:
+    """Largest distance of the pairs whose distances add up to the least."""
+    orders = [list(order) for order in permutations(range(true_mm.shape[1]))]
+    away = np.stack([np.linalg.norm(found_mm[:, order] - true_mm, axis=2) for order in orders])
+    best = away.sum(axis=2).argmin(axis=0)
+    return away[best, np.arange(len(true_mm))].max(axis=1)
+
+
+def _summary(
+    spec: ObjectSpec,
+    distance_mm: Float[np.ndarray, "frame"],
+    contacts: int,
+    sensors: int,
+    channels: Channels,
+) -> BlindStart:
+    rng = np.random.default_rng(spec.seed)
+    drawn = distance_mm[rng.integers(len(distance_mm), size=(_RESAMPLED, len(distance_mm)))]
+    within = drawn <= spec.limits.position_bound_mm
+    median = np.quantile(drawn, 0.5, axis=1, method="inverted_cdf")
+    low, high = np.quantile(median, (0.05, 0.95), method="inverted_cdf")
+    share_low, share_high = np.quantile(within.mean(axis=1), (0.05, 0.95))
+    middle, most = np.quantile(distance_mm, (0.5, 0.9), method="inverted_cdf")
+    return BlindStart(
+        contacts,
+        sensors,
+        channels,
+        len(distance_mm),
+        float(middle),
+        float(low),
+        float(high),
+        float(most),
+        float(np.mean(distance_mm <= spec.limits.position_bound_mm)),
+        float(share_low),
+        float(share_high),
+    )
+
+
+def save_identifiability(
+    bounds: Sequence[Identifiability], blind: Sequence[BlindStart], path: Path | str
+) -> None:
+    """Bounds and blind starts of each number of contacts and sensors (CSV); the header has the units."""
+    rows = [table_row(row) | asdict(start) for row, start in zip(bounds, blind, strict=True)]
+    write_records(path, rows)
