@@ -100,7 +100,7 @@ def blind_starts(
     places = spread_places(spec)
     rows = []
     for count in sensor_counts or comparable_sensor_counts(spec):
-        other = with_sensor_count(spec, count)
+        other = _frictionless(with_sensor_count(spec, count))
         signals = press_signals(other, forces, motions)
         built = _Object(other, signals, contact_model(other, forces, motions, signals))
         for channels in ("own", "all"):
@@ -110,6 +110,11 @@ def blind_starts(
                 distance = _worst_distances_mm(built, places, k, channels, frames)
                 rows.append(_summary(spec, distance, k, count, channels))
     return tuple(rows)
+
+
+def _frictionless(spec: ObjectSpec) -> ObjectSpec:
+    """Contacts that push straight down only, as those of the bound."""
+    return spec.changed(inversion=spec.inversion.changed(tangential_share=0.0))
 
 
 def _worst_distances_mm(

@@ -58,8 +58,12 @@ class ContactModel:
 
     def of_face(self, index: int) -> ContactModel:
         """The same object pressed on one face only, which then is face 0."""
+        shear = None if self.shear is None else self.shear.of_face(index)
         return replace(
-            self, signals=self.signals.of_face(index), motions=self.motions.of_face(index)
+            self,
+            signals=self.signals.of_face(index),
+            motions=self.motions.of_face(index),
+            shear=shear,
         )
 
     @cached_property
