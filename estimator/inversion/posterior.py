@@ -40,7 +40,7 @@ class Problems(Columns):
     misfit : (problem,) half χ² of signals and priors
     curvature : (problem, 3k, 3k) of the misfit, empty slots as ones on the diagonal
     log_spread : (problem,) half the log determinant of the covariance of the signals over that of the
-        noise: tangential forces widen it
+        noise: tangential forces widen it; of no contact below 0, as it has no error of the model
     """
 
     frame: Int[np.ndarray, "problem"]
@@ -59,10 +59,28 @@ class Problems(Columns):
 
 @dataclass(frozen=True)
 class Observed:
-    """Frames to be explained: changes of counts and their standard deviations."""
+    """Frames to be explained.
+
+    Attributes
+    ----------
+    counts : changes of counts
+    sigma : their standard deviations around contacts
+    still : the same without the error of the forward model, which nothing pressed has not
+    strict : the same as `sigma` with no more of that error than a model may have that explains a frame
+    """
 
     counts: Float[np.ndarray, "frame channel"]
     sigma: Float[np.ndarray, "frame channel"]
+    still: Float[np.ndarray, "frame channel"]
+    strict: Float[np.ndarray, "frame channel"]
+
+    def resting(
+        self, frame: Int[np.ndarray, "problem"]
+    ) -> tuple[Float[np.ndarray, "problem"], Float[np.ndarray, "problem"]]:
+        """Misfit and log spread of frames in which nothing is pressed."""
+        still = self.still[frame]
+        misfit = 0.5 * np.sum((self.counts[frame] / still) ** 2, axis=1)
+        return misfit, np.sum(np.log(still / self.sigma[frame]), axis=1)
 
 
 def most_probable(
@@ -180,6 +198,8 @@ def _linear(
         pulls = model.pulls(face, contact).reshape(problems, 2 * slots, model.channels)
         pulls = pulls / sigma[:, None]
         _loosen(found, left, jacobian, pulls)
+    nothing = np.all(face == NONE, axis=1)
+    found.misfit[nothing], found.log_spread[nothing] = seen.resting(frame[nothing])
     add_priors(found, priors, face, contact)
     rows = np.repeat(face == NONE, 3, axis=1)
     diagonal = np.arange(3 * slots)
@@ -271,13 +291,22 @@ def _bounded(
 
 def empty(seen: Observed, frame: Int[np.ndarray, "problem"], slots: int) -> Problems:
     """Frames explained by nothing."""
-    problems = len(frame)
+    problems, (misfit, log_spread) = len(frame), seen.resting(frame)
     return Problems(
         frame,
         np.full((problems, slots), NONE),
         np.zeros((problems, slots, 3)),
         np.zeros((problems, seen.counts.shape[1])),
-        0.5 * np.sum((seen.counts[frame] / seen.sigma[frame]) ** 2, axis=1),
+        misfit,
         np.broadcast_to(np.eye(3 * slots), (problems, 3 * slots, 3 * slots)).copy(),
-        np.zeros(problems),
+        log_spread,
     )
+
+
+def strict_misfit(
+    model: ContactModel, priors: Priors, seen: Observed, problems: Problems
+) -> Float[np.ndarray, "problem"]:
+    """Misfit of problems around the strict deviations instead of the true ones."""
+    strict = replace(seen, sigma=seen.strict)
+    given = problems.frame, problems.face, problems.contact, problems.extra
+    return _linear(model, priors, strict, *given).misfit

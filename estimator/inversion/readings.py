@@ -11,7 +11,13 @@ from estimator.frames.dataset import NO_FACE
 from estimator.inversion.columns import Columns
 from estimator.inversion.forward import NONE, ContactModel
 from estimator.inversion.noise import BLIND
-from estimator.inversion.posterior import Observed, Problems, covariances, tangential_forces
+from estimator.inversion.posterior import (
+    Observed,
+    Problems,
+    covariances,
+    strict_misfit,
+    tangential_forces,
+)
 from estimator.inversion.priors import Priors
 
 COVERAGE = 0.9
@@ -109,13 +115,29 @@ def contact_sets(
         pulls[0],
         pulls[1],
         odds,
-        p_values(seen, problems),
+        strict_p_values(model, priors, seen, problems),
     )
 
 
 def p_values(seen: Observed, problems: Problems) -> Float[np.ndarray, "problem"]:
     """Chance of a misfit as large if a problem's contacts were true."""
+    return _chance(seen, problems, problems.misfit)
+
+
+def strict_p_values(
+    model: ContactModel, priors: Priors, seen: Observed, problems: Problems
+) -> Float[np.ndarray, "problem"]:
+    """The same were the model wrong by no more than one that explains something (`MOST_ERROR`): one
+    that is known to be worse would else explain any frame."""
+    if np.array_equal(seen.strict, seen.sigma):
+        return p_values(seen, problems)
+    return _chance(seen, problems, strict_misfit(model, priors, seen, problems))
+
+
+def _chance(
+    seen: Observed, problems: Problems, misfit: Float[np.ndarray, "problem"]
+) -> Float[np.ndarray, "problem"]:
     from scipy.special import chdtrc
 
     told = np.sum(seen.sigma[problems.frame] < BLIND / 2, axis=1)
-    return chdtrc(np.maximum(told - 3 * problems.number, 1), 2 * problems.misfit)
+    return chdtrc(np.maximum(told - 3 * problems.number, 1), 2 * misfit)

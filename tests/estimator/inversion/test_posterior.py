@@ -71,7 +71,7 @@ def test_two_contacts_count_once_whatever_their_order():
 
 def test_a_contact_that_nothing_tells_costs_evidence():
     face, contact = np.full((1, 6), -1), np.zeros((1, 6, 3))
-    seen = Observed(np.zeros((1, 45)), np.full((1, 45), 1e6))
+    seen = Observed(np.zeros((1, 45)), *[np.full((1, 45), 1e6)] * 3)
     face[0, 0], contact[0, 0] = 0, [0.0, 0.0, 3.0]
     found = most_probable(FREE.model, FREE.priors, seen, np.zeros(1, int), face, contact)
     nothing = log_evidence(empty(seen, np.zeros(1, int), 6), FREE.priors)
@@ -106,7 +106,8 @@ def test_tips_that_bear_alike_share_their_force():
     priors = replace(FREE.priors, force_spread=0.05)
     face, contact = np.full((1, 6), -1), np.zeros((1, 6, 3))
     face[0, :2], contact[0, :2] = 3, [[-9.0, -9.0, 2.0], [9.0, 9.0, 4.0]]
-    seen = Observed(expected_counts(FREE.model, face, contact), np.full((1, 45), 200.0))
+    sigma = np.full((1, 45), 200.0)
+    seen = Observed(expected_counts(FREE.model, face, contact), sigma, sigma, sigma)
     loose, tied = (
         most_probable(FREE.model, given, seen, np.zeros(1, int), face, contact).contact[0, :2, 2]
         for given in (FREE.priors, priors)

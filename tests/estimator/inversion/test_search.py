@@ -1,5 +1,7 @@
 """Contacts from scratch, and what is told of them."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
@@ -90,6 +92,29 @@ def test_what_no_contact_explains_is_told():
     assert np.all(fine.p_value > 1e-4)
     assert np.mean(FREE.read(broken)[0].p_value < 1e-3) >= 0.9
     assert np.all(FREE.read(near_magnet)[0].p_value < 1e-3)
+
+
+def with_model_error(error):
+    told = replace(FREE.disturbances, model_error=np.full(45, error))
+    return replace(FREE, disturbances=told)
+
+
+def test_an_object_that_is_not_the_drawing_is_neither_at_rest_nor_explained():
+    rng = np.random.default_rng(8)
+    face, contact = contacts(rng, 10, 2, (6.0, 9.0))
+    counts = noisy_counts(FREE, face, contact, rng)
+    other = counts.reshape(10, 15, 3)[:, rng.permutation(15), ::-1].reshape(10, 45)
+    found, _ = with_model_error(1.0).read(other)
+    assert not found.explained.any()
+    assert np.all(found.number >= 1)
+    assert np.nanmedian(found.position_radius_mm) > 3.0
+
+
+def test_a_model_as_wrong_as_tolerances_make_it_explains_its_own_presses():
+    rng = np.random.default_rng(9)
+    face, contact = contacts(rng, 10, 1, (4.0, 8.0))
+    counts = noisy_counts(FREE, face, contact, rng) * rng.normal(1, 0.1, (10, 45))
+    assert with_model_error(0.17).read(counts)[0].explained.all()
 
 
 def test_a_channel_without_a_reading_says_nothing():
