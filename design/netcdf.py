@@ -147,15 +147,36 @@ def load_whole(path: Path | str) -> xr.Dataset:
     StoreError
         Not NetCDF, or damaged; the text says what the library found.
     """
+    import h5py
     import xarray as xr
 
     try:
+        with h5py.File(path) as file:
+            dict(
+                file.attrs
+            )  # where these are damaged, h5netcdf prints a traceback as it is deleted
         with xr.open_dataset(path, engine="h5netcdf", decode_timedelta=False) as data:
             return data.load()
     except MemoryError:
         raise
     except Exception as error:  # a damaged file can fail in any layer of the library
         raise StoreError(str(error) or type(error).__name__) from None
+
+
+def holds(path: Path | str, name: str) -> bool:
+    """Whether a file is NetCDF with a variable or an attribute of this name.
+
+    False also for a damaged one: whoever reads it says so.
+    """
+    import h5py
+
+    if not Path(path).is_file():
+        return False
+    try:
+        with h5py.File(path) as file:
+            return name in file or name in file.attrs
+    except Exception:  # a damaged file can fail in any layer of the library
+        return False
 
 
 def _check_kind(kind: FileKind, path: Path | str, data: xr.Dataset) -> None:

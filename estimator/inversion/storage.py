@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from design.errors import StoreError
-from design.netcdf import FileKind, read_netcdf, write_netcdf
+from design.netcdf import FileKind, holds, read_netcdf, write_netcdf
 from design.spec.object import ObjectSpec
 from estimator.inversion.forward import ContactModel
 from estimator.inversion.inversion import Inversion
@@ -97,12 +97,7 @@ def load_inversion(path: Path | str) -> Inversion:
 
 def is_inversion(path: Path | str) -> bool:
     """Whether a file is such an estimator, by what it holds."""
-    import h5py
-
-    if not Path(path).is_file() or not h5py.is_hdf5(path):
-        return False
-    with h5py.File(path) as file:
-        return _KIND.schema[0] in file.attrs
+    return holds(path, _KIND.schema[0])
 
 
 def _assembled(values: dict[str, np.ndarray], attributes: dict[str, Any]) -> Inversion:

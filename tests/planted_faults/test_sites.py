@@ -6,7 +6,6 @@ from pathlib import Path
 
 import pytest
 
-from tests.planted_faults.reach import Reach
 from tests.planted_faults.sites import faults_in, packages_files
 
 ROOT = Path(__file__).parents[2]
@@ -51,19 +50,3 @@ def test_every_fault_of_our_code_leaves_a_file_that_can_be_read():
     assert len(found) > 10_000
     for fault in random.Random(1).sample(found, 100):
         ast.parse(fault.planted_in((ROOT / fault.path).read_text(encoding="utf-8")))
-
-
-def test_the_test_of_the_same_name_is_asked_first_then_the_room_then_the_quick():
-    lines = {
-        "fem/linear/a.py": {
-            1: frozenset({"tests/instobj/test_b.py", "tests/fem/linear/test_a.py"}),
-            2: frozenset({"tests/fem/mesh/test_c.py", "tests/instobj/test_d.py"}),
-        }
-    }
-    seconds = {"tests/instobj/test_b.py": 2.0, "tests/fem/linear/test_a.py": 9.0}
-    asked = Reach(lines, seconds).tests_of("fem/linear/a.py", 1)
-    assert asked == [
-        "tests/fem/linear/test_a.py",
-        "tests/fem/mesh/test_c.py",  # shares fixtures
-        "tests/instobj/test_b.py",
-    ]

@@ -18,11 +18,18 @@ def room_of(path):
     return next((folders for folders in TOGETHER if path.startswith(folders)), None)
 
 
+MANY_WORKERS = 8
+
+
 class FilesAndRooms(LoadScopeScheduling):
-    """A worker takes a file at a time, or all folders that share fixtures."""
+    """A worker takes a file at a time, or all folders that share fixtures.
+
+    Of many workers, one would be left with the largest of these rooms: they share by the folder of
+    `tests.support.shared` alone.
+    """
 
     def _split_scope(self, nodeid):
-        folders = room_of(nodeid)
+        folders = room_of(nodeid) if self.numnodes < MANY_WORKERS else None
         return folders[0] if folders else nodeid.split("::")[0]
 
 

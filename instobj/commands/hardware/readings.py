@@ -10,6 +10,7 @@ from typing import Any, NamedTuple, Protocol, runtime_checkable
 import numpy as np
 
 from design.errors import InputError
+from design.netcdf import holds
 from estimator.deploy.zeroing import ZERO_FRAMES, ZeroMode
 from estimator.frames.dataset import FrameSet, load_frames
 from estimator.frames.face_data import Channel
@@ -132,9 +133,4 @@ def prediction_path(name: str, path: Path, out: Path | None) -> Path:
 
 def is_data_set(path: Path) -> bool:
     """Whether a file is a data set of instobj, by what it holds."""
-    import h5py
-
-    if path.suffix != ".nc" or not path.is_file() or not h5py.is_hdf5(path):
-        return False
-    with h5py.File(path) as file:
-        return "press_id" in file
+    return path.suffix == ".nc" and holds(path, "press_id")
