@@ -1,10 +1,13 @@
 """The types that the tests enforce: a wrong shape is noticed, in every test anew."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
+from beartype.roar import BeartypeCallHintParamViolation
 from jaxtyping import TypeCheckError
 
-from fem.mesh.tetrahedra import TetMesh, tet_volumes_mm3
+from fem.mesh.tetrahedra import TetMesh, mesh_sha256, tet_volumes_mm3
 from tests.support import typechecks
 
 MESH = TetMesh(np.eye(4, 3), np.array([[0, 1, 2, 3]]), np.array([-1]))
@@ -12,10 +15,23 @@ WRONG = np.zeros((2, 2))
 
 
 @pytest.mark.parametrize("again", range(2))
-def test_a_wrong_shape_is_noticed_in_the_first_calls_of_a_test(again):
-    with pytest.raises(TypeCheckError):
-        tet_volumes_mm3(WRONG)
+@pytest.mark.parametrize(
+    ("function", "error"),
+    [(tet_volumes_mm3, TypeCheckError), (mesh_sha256, BeartypeCallHintParamViolation)],
+)
+def test_a_wrong_shape_or_type_is_noticed_in_the_first_calls_of_a_test(function, error, again):
+    with pytest.raises(error):
+        function(WRONG)
     for _ in range(typechecks.CALLS):
-        tet_volumes_mm3(MESH)
+        function(MESH)
     with pytest.raises(AttributeError):
-        tet_volumes_mm3(WRONG)
+        function(WRONG)
+
+
+@pytest.mark.parametrize("again", range(2))
+def test_a_wrong_field_is_noticed_in_the_first_objects_of_a_test(again):
+    with pytest.raises(TypeCheckError):
+        replace(MESH, points_mm=WRONG)
+    for _ in range(typechecks.CALLS):
+        replace(MESH)
+    assert replace(MESH, points_mm=WRONG).points_mm is WRONG
