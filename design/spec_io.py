@@ -82,8 +82,8 @@ def with_overrides(content: dict[str, Any], overrides: Iterable[str]) -> dict[st
     SpecError
         An override is not of that form, or names a value as if it were a table.
     """
-    for table in RENAMED.keys() & content.keys():
-        content[table] = under_names_now(table, content[table])
+    for table in RENAMED:
+        _rename(content, table)
     for override in overrides:
         _apply_override(content, override)
     return content
@@ -196,6 +196,16 @@ def _with_imported_body(content: dict[str, Any], folder: Path) -> dict[str, Any]
     except ValidationError:
         return content  # told with all other problems of the specification
     return content | {"body": body | body_of_file(folder / body["file"], measured.mm_per_unit)}
+
+
+def _rename(content: dict[str, Any], table: str) -> None:
+    """Keys of a table, where there is one, under their names now, in place."""
+    *above, name = table.split(".")
+    holder: Any = content
+    for part in above:
+        holder = holder.get(part) if isinstance(holder, dict) else None
+    if isinstance(holder, dict) and name in holder:
+        holder[name] = under_names_now(table, holder[name])
 
 
 def _apply_override(content: dict[str, Any], override: str) -> None:

@@ -7,8 +7,13 @@ from typing import Any
 
 from design.errors import SpecError
 
-RENAMED = {"training": {"members": "ensemble", "interval_cover": "coverage"}}
-"""Table → older key → its name now."""
+_OBJECTIVES = {"cross_face_sigma": "median_false_force_n"}
+RENAMED = {
+    "training": {"members": "ensemble", "interval_cover": "coverage"},
+    "search.objectives": _OBJECTIVES,
+    "search.limits.times_start": _OBJECTIVES,
+}
+"""Table (or list) → older key → its name now; tables after those that hold them."""
 
 
 def name_now(table: str, key: str) -> str:
@@ -25,13 +30,15 @@ def name_now(table: str, key: str) -> str:
 
 
 def under_names_now(table: str, given: Any) -> Any:
-    """The table `given` with every key under its name now; anything but a dict comes back as it is.
+    """The table (or list) `given` with every key under its name now; anything else comes back as it is.
 
     Raises
     ------
     SpecError
         A key is given under both names.
     """
+    if isinstance(given, list | tuple):
+        return [name_now(table, one) if isinstance(one, str) else one for one in given]
     if not isinstance(given, dict):
         return given
     for older, now in RENAMED[table].items():

@@ -7,20 +7,25 @@ minutes, and a shell that came up before costs nothing. Ranges are continuous.
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import Field, model_validator
+from pydantic import Field, field_validator, model_validator
 
 from design.spec.base import Count, Finite, NonNegative, Positive, SpecPart
+from design.spec.renamed import under_names_now
 
 Engine = Literal["tpe", "cma-es", "nsga-ii", "nsga-iii", "random"]
 Objective = Literal[
     "worst_position_bound_mm",
     "median_position_bound_mm",
     "worst_force_bound_n",
-    "cross_face_sigma",
+    "median_false_force_n",
+    "percentile_95_false_force_n",
     "sensitivity_ratio",
     "edge_position_bound_mm",
+    "pair_own_position_bound_mm",
+    "pair_all_position_bound_mm",
+    "grasp_position_bound_mm",
     "slip_place_mm",
     "tolerance_place_mm",
     "compliance_deviation",
@@ -95,6 +100,11 @@ class SearchLimitsSpec(SpecPart):
     cost: Positive | None = None
     times_start: dict[Objective, Positive] = Field(default_factory=dict)
 
+    @field_validator("times_start", mode="before")
+    @classmethod
+    def _names_now(cls, given: Any) -> Any:
+        return under_names_now("search.limits.times_start", given)
+
 
 class PricesSpec(SpecPart):
     """Of one part, in any currency; sensors with their board."""
@@ -133,6 +143,16 @@ class SearchSpec(SpecPart):
     vary: VarySpec = VarySpec()
     limits: SearchLimitsSpec = SearchLimitsSpec()
     prices: PricesSpec = PricesSpec()
+
+    @property
+    def named(self) -> set[str]:
+        """Scores that are objectives or limited."""
+        return {*self.objectives, *self.limits.times_start}
+
+    @field_validator("objectives", mode="before")
+    @classmethod
+    def _names_now(cls, given: Any) -> Any:
+        return under_names_now("search.objectives", given)
 
     @model_validator(mode="after")
     def _agrees(self) -> SearchSpec:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import combinations
 
 import numpy as np
-from jaxtyping import Int
+from jaxtyping import Bool, Int
 
 from design.errors import InputError
 from design.layout.positions import contact_grid
@@ -23,12 +23,23 @@ def spread_places(spec: ObjectSpec) -> Int[np.ndarray, "place"]:
     return (ix[:, None] * ny + iy).ravel()
 
 
+def spread_pairs(spec: ObjectSpec) -> Int[np.ndarray, "pair 2"]:
+    """All pairs of the spread places (as rows into them) whose tips do not touch; may be none."""
+    apart = _apart(spec, spread_places(spec))
+    return np.stack(np.nonzero(np.triu(apart, 1)), axis=1)
+
+
 def contact_sets(
     spec: ObjectSpec, places: Int[np.ndarray, "place"], contacts: int
 ) -> Int[np.ndarray, "set contact"]:
-    """All sets of so many of the places (as rows into `places`) whose tips do not touch."""
-    xy = contact_grid(spec).xy_mm[places]
-    apart = np.linalg.norm(xy[:, None] - xy, axis=2) >= 2 * spec.indenter.radius_mm
+    """All sets of so many of the places (as rows into `places`) whose tips do not touch.
+
+    Raises
+    ------
+    InputError
+        The grid is too small for them.
+    """
+    apart = _apart(spec, places)
     sets = [c for c in combinations(range(len(places)), contacts) if _all_apart(apart, c)]
     if not sets:
         raise InputError(
@@ -36,6 +47,11 @@ def contact_sets(
             "grid. Take fewer contacts, a smaller indenter or a larger grid"
         )
     return np.array(sets)
+
+
+def _apart(spec: ObjectSpec, places: Int[np.ndarray, "place"]) -> Bool[np.ndarray, "place place"]:
+    xy = contact_grid(spec).xy_mm[places]
+    return np.linalg.norm(xy[:, None] - xy, axis=2) >= 2 * spec.indenter.radius_mm
 
 
 def _all_apart(apart: np.ndarray, some: tuple[int, ...]) -> bool:

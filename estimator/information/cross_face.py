@@ -22,6 +22,8 @@ from estimator.signals.interpolation import counts_at_force, press_traces
 from estimator.signals.presses import Signals
 
 Relation = Literal["adjacent", "opposite"]
+LEAST_FALSE_FORCE_N = 0.01
+"""Less is no gain of a layout: no sensor shows it."""
 RELATIONS: tuple[Relation, ...] = ("adjacent", "opposite")
 
 

@@ -9,16 +9,18 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import torch
-from jaxtyping import Float
+from jaxtyping import Float, Int
 from torch import Tensor
 
 from estimator.field.gradient import field_change
 from estimator.layouts.batch import Layouts, chip_axes, magnet_axes
 from estimator.layouts.press_basis import mixed_rows
-from estimator.layouts.scoring import OTHER_ORDER, OWN_ORDER, LayoutScorer
+from estimator.layouts.scoring import OTHER_ORDER, OWN_ORDER, LayoutScorer, press_changes
 
 CROSS_FACE_FORCE_N = 10.0
 """Of the presses whose disturbance is scored, as in `estimator.information.cross_face`."""
+_MOST_SHARE = 2.0
+"""Of the score's force, that a false force may reach."""
 
 
 @dataclass(frozen=True)
@@ -28,25 +30,47 @@ class _MovingFace:
     centre_mm: Float[Tensor, "3 layout magnet"]
     axis: Float[Tensor, "3 layout magnet"]
     rows: Float[Tensor, "layout magnet 6 rank"]
-    basis: Float[Tensor, "rank place"]
+    basis: Float[Tensor, "rank column"]
 
 
-def neighbour_disturbance(
+def false_forces_n(
     scorer: LayoutScorer, layouts: Layouts
 ) -> Float[Tensor, "layout neighbour place"]:
-    """Length of the change of each neighbour's own signals, in units of a fresh zero.
+    """Force that each neighbour reads on itself from presses of `CROSS_FACE_FORCE_N` on this face.
 
-    Presses of `CROSS_FACE_FORCE_N` at every contact location, in proportion to the stored ones;
-    differentiable. On the paper's cube the median over neighbours and places is 5 % off the full
-    chain's.
+    Its own press, at the contact location and force whose signals are nearest; signals grow with the
+    force here, and own presses are those of this face. Differentiable but for the choice of location.
+    """
+    presses, places = scorer.presses, len(scorer.presses.places)
+    motion = torch.arange(3 * places, 4 * places)
+    share = CROSS_FACE_FORCE_N / presses.force_n
+    change = share * neighbour_changes(scorer, layouts, motion).transpose(2, 3)
+    own = press_changes(scorer, layouts).by_parameter[:, :, 3].permute(1, 2, 0)
+    with torch.no_grad():
+        along = torch.einsum("lnpc,lqc->lnpq", change, own)
+        squared = own.square().sum(-1)[:, None, None] + 1e-20
+        part = (along / squared).clamp(0.0, _MOST_SHARE)
+        nearest = (part * (part * squared - 2 * along)).argmin(dim=-1)
+    each = torch.arange(len(own))[:, None, None]
+    chosen = own[each, nearest]
+    part = (change * chosen).sum(-1) / (chosen.square().sum(-1) + 1e-20)
+    return presses.force_n * part.clamp(0.0, _MOST_SHARE)
+
+
+def neighbour_changes(
+    scorer: LayoutScorer, layouts: Layouts, columns: Int[Tensor, "column"]
+) -> Float[Tensor, "layout neighbour channel column"]:
+    """Whitened changes of each neighbour's own channels along columns of the bases; differentiable.
+
+    On the paper's cube the median change over neighbours and places is 5 % off the full chain's.
     """
     presses = scorer.presses
-    moving = _moving_faces(scorer, layouts)
+    moving = _moving_faces(scorer, layouts, columns)
     depth = torch.full_like(layouts.sensor_mm[..., :1], -scorer.sensor_depth_mm)
     local = torch.cat([layouts.sensor_mm, depth], dim=-1)
     chips = chip_axes(layouts.sensor_mm, scorer.chip)
     whitened = chips * (scorer.counts_per_t / scorer.sigma_counts)[:, None]
-    sizes = []
+    found = []
     for number, (turn, shift) in enumerate(
         zip(presses.turn[: len(moving) - 1], presses.shift_mm, strict=False), start=1
     ):
@@ -55,25 +79,26 @@ def neighbour_disturbance(
             _signals(scorer, layouts, sensor, face, OWN_ORDER if index == number else OTHER_ORDER)
             for index, face in enumerate(moving)
         )
-        sizes.append((whitened @ turn.T @ change).square().sum((1, 2)).sqrt())
-    return torch.stack(sizes, dim=1) * (CROSS_FACE_FORCE_N / presses.force_n)
+        found.append((whitened @ turn.T @ change).flatten(1, 2))
+    return torch.stack(found, dim=1)
 
 
-def _moving_faces(scorer: LayoutScorer, layouts: Layouts) -> list[_MovingFace]:
+def _moving_faces(
+    scorer: LayoutScorer, layouts: Layouts, columns: Int[Tensor, "column"]
+) -> list[_MovingFace]:
     """The pressed face, then its neighbours."""
     presses, shape = scorer.presses, layouts.magnet_mm.shape[:2]
     own, other = mixed_rows(presses, layouts.magnet_mm.reshape(-1, 3))
-    places = len(presses.places)
     centre = layouts.magnet_mm * torch.tensor([1.0, 1.0, -1.0], dtype=own.dtype)
     centre, axis = centre.permute(2, 0, 1), magnet_axes(layouts)
-    pressed = _MovingFace(centre, axis, own.reshape(*shape, 6, -1), presses.own.basis[:, -places:])
+    pressed = _MovingFace(centre, axis, own.reshape(*shape, 6, -1), presses.own.basis[:, columns])
     rows = other.reshape(*shape, -1, 6, len(presses.other.basis)).unbind(2)
     return [pressed] + [
         _MovingFace(
             torch.einsum("ij,jlm->ilm", turn, centre) + shift[:, None, None],
             torch.einsum("ij,jlm->ilm", turn, axis),
             row,
-            presses.other.basis[:, -places:],
+            presses.other.basis[:, columns],
         )
         for row, turn, shift in zip(rows, presses.turn, presses.shift_mm, strict=False)
     ]
@@ -85,7 +110,7 @@ def _signals(
     sensor: Float[Tensor, "3 layout sensor"],
     face: _MovingFace,
     order: int,
-) -> Float[Tensor, "layout sensor 3 place"]:
+) -> Float[Tensor, "layout sensor 3 column"]:
     """Change of the field (T) at sensors by one face's magnets, in the pressed face's frame."""
     offset, axis = torch.broadcast_tensors(
         sensor[..., None] - face.centre_mm[:, :, None], face.axis[:, :, None]

@@ -20,12 +20,14 @@ import torch
 from jaxtyping import Float
 
 from design.spec.object import ObjectSpec
-from estimator.information.cross_face import cross_face_disturbance
+from estimator.information.cross_face import LEAST_FALSE_FORCE_N, cross_face_disturbance
 from estimator.information.scores import compliance_deviation, outermost_places, score_places
+from estimator.information.two_contacts import PERCENT, two_contact_bounds_mm
 from estimator.layouts.batch import layouts_of
-from estimator.layouts.cross_face import CROSS_FACE_FORCE_N, neighbour_disturbance
-from estimator.layouts.robustness import SLIP_MM, slip_places_mm, tolerance_places_mm
-from estimator.layouts.scoring import LayoutScorer, place_information
+from estimator.layouts.batch_scores import DEARER, batch_scores
+from estimator.layouts.cross_face import CROSS_FACE_FORCE_N
+from estimator.layouts.robustness import SLIP_MM
+from estimator.layouts.scoring import LayoutScorer
 from estimator.signals.hall import full_scale_counts
 from estimator.signals.presses import Signals, press_signals, saturation_margin
 from estimator.tolerances.localisation_bias import false_places_mm
@@ -44,10 +46,16 @@ class FidelityScore:
     ----------
     worst_position_bound_mm, median_position_bound_mm, worst_force_bound_n : Cramér–Rao bounds over
         the contact locations of all faces at `score.force_n`, freshly zeroed
-    cross_face_sigma : what presses of 10 N on an adjacent face do to a face's own channels, in
-        units of a fresh zero; median over pairs of faces and places
+    median_false_force_n, percentile_95_false_force_n : force that a face reads on itself, by its own
+        channels alone, from presses of 10 N on an adjacent face; over pairs of faces and places, at
+        least `LEAST_FALSE_FORCE_N`
     sensitivity_ratio : 5th over 50th percentile of δ over the places of all faces
     edge_position_bound_mm : mean position bound over the outermost ring of places, corners included
+    pair_own_position_bound_mm, pair_all_position_bound_mm : 95th percentile of the position bound of
+        the worse of two contacts on one face, over pairs of places, from the face's own channels and
+        from those of all faces; NaN where two tips do not fit
+    grasp_position_bound_mm : the same of one contact on each of two opposite faces, from all
+        channels; NaN where no two sensed faces are opposite
     slip_place_mm, tolerance_place_mm : place error (rms) of an estimator calibrated on the design
         where the core has slipped by 1 mm, and over objects within tolerance; median over places
     compliance_deviation : of depth over force at `score.force_n` from what `search` wants, relative
@@ -58,9 +66,13 @@ class FidelityScore:
     worst_position_bound_mm: float
     median_position_bound_mm: float
     worst_force_bound_n: float
-    cross_face_sigma: float
+    median_false_force_n: float
+    percentile_95_false_force_n: float
     sensitivity_ratio: float
     edge_position_bound_mm: float
+    pair_own_position_bound_mm: float
+    pair_all_position_bound_mm: float
+    grasp_position_bound_mm: float
     slip_place_mm: float
     tolerance_place_mm: float
     compliance_deviation: float
@@ -78,45 +90,19 @@ def lowest_fidelity_score(spec: ObjectSpec, scorers: Sequence[LayoutScorer]) -> 
     15 to 20 % below the chain's and the worst force bound 24 % above; layouts that were improved on
     this level, with deep magnets near the chips, have 1.3 to 3 times the bounds on the chain.
     """
-    parts: list[dict[str, np.ndarray]] = []
-    for scorer in scorers:
-        with torch.no_grad():
-            parts.append(_face_on_stored_presses(spec, scorer))
-    pooled = {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
-    low, middle = np.percentile(pooled["sensitivity"], [5.0, 50.0])
+    layouts = [layouts_of(spec, one.presses.face, one.presses.first_mm.dtype) for one in scorers]
+    with torch.no_grad():
+        scores = batch_scores(scorers, layouts, DEARER)
+    found = {name: float(values) for name, values in scores.items()}
+    rest = found.pop("largest_resting_counts")
     compliance = np.stack([scorer.presses.mm_per_n for scorer in scorers])
     return FidelityScore(
-        worst_position_bound_mm=float(pooled["position"].max()),
-        median_position_bound_mm=float(np.median(pooled["position"])),
-        worst_force_bound_n=float(pooled["force"].max()),
-        cross_face_sigma=float(np.median(pooled["cross"])),
-        sensitivity_ratio=float(low / middle),
-        edge_position_bound_mm=float(pooled["edge"].mean()),
-        slip_place_mm=float(np.median(pooled["slip"])),
-        tolerance_place_mm=float(np.median(pooled["tolerance"])),
+        **found,
         compliance_deviation=compliance_deviation(
             spec.search.compliance_mm_per_n, scorers[0].presses.places, compliance
         ),
-        saturation_margin=float(1 - pooled["rest"].max() / full_scale_counts(spec.sensors)),
+        saturation_margin=1 - rest / full_scale_counts(spec.sensors),
     )
-
-
-def _face_on_stored_presses(spec: ObjectSpec, scorer: LayoutScorer) -> dict[str, np.ndarray]:
-    layout = layouts_of(spec, scorer.presses.face, scorer.presses.first_mm.dtype)
-    places = place_information(scorer, layout)
-    found = {
-        "position": places.position_bound_mm,
-        "force": places.force_bound_n,
-        "sensitivity": places.sensitivity,
-        "edge": places.position_bound_mm[
-            :, torch.as_tensor(outermost_places(scorer.presses.places))
-        ],
-        "cross": neighbour_disturbance(scorer, layout),
-        "slip": slip_places_mm(scorer, layout),
-        "tolerance": tolerance_places_mm(scorer, layout),
-        "rest": abs(places.resting_counts),
-    }
-    return {name: values.double().numpy().ravel() for name, values in found.items()}
 
 
 def second_fidelity_score(
@@ -149,7 +135,6 @@ def score_signals(
         Signals that cannot be scored (`score_places`).
     """
     scores = score_places(spec, signals)
-    cross = cross_face_disturbance(spec, signals, CROSS_FACE_FORCE_N).summary("adjacent")
     false = false_places_mm(spec, forces, motions, SLIP_MM)
     bound, delta = scores.position_bound_fresh_mm, scores.delta_raw
     low, middle = np.percentile(delta, [5.0, 50.0])
@@ -157,7 +142,8 @@ def score_signals(
         worst_position_bound_mm=float(bound.max()),
         median_position_bound_mm=float(np.median(bound)),
         worst_force_bound_n=float(scores.force_bound_fresh_n.max()),
-        cross_face_sigma=cross["median_sigma"],
+        **_false_forces(spec, signals),
+        **_two_contacts(spec, signals),
         sensitivity_ratio=float(low / middle),
         edge_position_bound_mm=float(bound[:, outermost_places(scores.grid)].mean()),
         slip_place_mm=float(np.median(false["slip"])),
@@ -167,6 +153,21 @@ def score_signals(
         ),
         saturation_margin=saturation_margin(signals, spec),
     )
+
+
+def _false_forces(spec: ObjectSpec, signals: Signals) -> dict[str, float]:
+    cross = cross_face_disturbance(spec, signals, CROSS_FACE_FORCE_N).summary("adjacent")
+    names = ("median_false_force_n", "percentile_95_false_force_n")
+    return {name: max(cross.get(name, np.nan), LEAST_FALSE_FORCE_N) for name in names}
+
+
+def _two_contacts(spec: ObjectSpec, signals: Signals) -> dict[str, float]:
+    found = {}
+    for name, bounds in two_contact_bounds_mm(spec, signals).items():
+        part = name if name == "grasp" else f"pair_{name}"
+        score = np.percentile(bounds, PERCENT, method="inverted_cdf") if len(bounds) else np.nan
+        found[f"{part}_position_bound_mm"] = float(score)
+    return found
 
 
 def gains(start: FidelityScore, found: FidelityScore) -> dict[str, float]:
@@ -187,7 +188,8 @@ def rank_correlations(
 ) -> dict[str, float]:
     """Spearman's rank correlation of every score between two levels, over the same layouts.
 
-    NaN where one of the levels gives all layouts the same value, or with fewer than three layouts.
+    NaN where one of the levels gives all layouts the same value or one that is not finite, or with
+    fewer than three layouts.
     """
     found = {}
     for name in SCORE_NAMES:
@@ -201,6 +203,6 @@ def rank_correlations(
 def _spearman(pairs: Float[np.ndarray, "layout 2"]) -> float:
     from scipy.stats import spearmanr
 
-    if len(pairs) < 3 or (np.ptp(pairs, axis=0) == 0).any():
+    if len(pairs) < 3 or not np.isfinite(pairs).all() or (np.ptp(pairs, axis=0) == 0).any():
         return float("nan")
     return float(spearmanr(*pairs.T).statistic)  # pyright: ignore[reportAttributeAccessIssue]

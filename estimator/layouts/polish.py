@@ -6,7 +6,7 @@ that a layout breaks make it worth less, smoothly, so that every engine is led b
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 import torch
@@ -15,16 +15,8 @@ from torch import Tensor
 
 from design.spec.object import ObjectSpec
 from design.spec.search import OBJECTIVES_TO_MAXIMIZE
-from estimator.information.scores import outermost_places
-from estimator.layouts.batch import Layouts
-from estimator.layouts.cross_face import neighbour_disturbance
-from estimator.layouts.robustness import slip_places_mm, tolerance_places_mm
-from estimator.layouts.scoring import (
-    LayoutScorer,
-    percentile,
-    place_information,
-    within_candidates,
-)
+from estimator.layouts.batch_scores import batch_scores
+from estimator.layouts.scoring import LayoutScorer, within_candidates
 from estimator.layouts.vectors import LayoutSpace, broken_limits_mm, layouts_at
 
 PENALTY_PER_MM = 10.0
@@ -95,53 +87,6 @@ def judge(
     broken = broken.amax(dim=0) + lowest.broken_mm + _MM_PER_EXCESS * excess
     columns = [_to_minimize(name, scores) for name in objectives]
     return Judged(torch.stack(columns, dim=1).clamp(min=1e-9), broken, scores)
-
-
-def batch_scores(
-    scorers: Sequence[LayoutScorer], layouts: Sequence[Layouts], named: Collection[str]
-) -> dict[str, Float[Tensor, "layout"]]:
-    """Scores over the places of all pressed faces, as `estimator.layouts.fidelity` pools them.
-
-    Those that cost more than all others together are worked out only where they are named.
-    """
-    places = [place_information(*pair) for pair in zip(scorers, layouts, strict=True)]
-    position, force, sensitivity = (
-        torch.cat([getattr(face, name) for face in places], dim=1)
-        for name in ("position_bound_mm", "force_bound_n", "sensitivity")
-    )
-    ordered = sensitivity.sort(dim=1).values
-    rest = torch.stack([face.resting_counts.abs().flatten(1).amax(dim=1) for face in places])
-    found = {
-        "worst_position_bound_mm": position.amax(dim=1),
-        "median_position_bound_mm": percentile(position.sort(dim=1).values, 50.0),
-        "worst_force_bound_n": force.amax(dim=1),
-        "sensitivity_ratio": percentile(ordered, 5.0) / percentile(ordered, 50.0),
-        "edge_position_bound_mm": _edge_mean(scorers, [face.position_bound_mm for face in places]),
-        "largest_resting_counts": rest.amax(dim=0),
-    }
-    for name in DEARER.keys() & set(named):
-        sizes = [DEARER[name](*pair) for pair in zip(scorers, layouts, strict=True)]
-        pooled = torch.cat([size.flatten(1) for size in sizes], dim=1).sort(dim=1).values
-        found[name] = percentile(pooled, 50.0)
-    return found
-
-
-DEARER: dict[str, Callable[[LayoutScorer, Layouts], Tensor]] = {
-    "cross_face_sigma": neighbour_disturbance,
-    "slip_place_mm": slip_places_mm,
-    "tolerance_place_mm": tolerance_places_mm,
-}
-"""Scores that are the median of something over places, by name."""
-
-
-def _edge_mean(
-    scorers: Sequence[LayoutScorer], bounds_mm: Sequence[Float[Tensor, "layout _"]]
-) -> Float[Tensor, "layout"]:
-    found = [
-        bound[:, torch.as_tensor(outermost_places(scorer.presses.places))]
-        for scorer, bound in zip(scorers, bounds_mm, strict=True)
-    ]
-    return torch.cat(found, dim=1).mean(dim=1)
 
 
 def _to_minimize(name: str, scores: dict[str, Tensor]) -> Float[Tensor, "layout"]:

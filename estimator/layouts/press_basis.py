@@ -47,12 +47,15 @@ class PressBasis:
     """Presses of one face to `force_n` (N), as motions in the face's own frame (z outward).
 
     `first_mm`, `step_mm`, `nodes`: the candidates' lattice in (x, y, depth), ghosts left out.
-    `turn`, `shift_mm` take the other faces' frames to this one's. The opposite face comes last and
+    `turn`, `shift_mm` take the other faces' frames to this one's: first those of `neighbours`
+    (numbers of the adjacent faces), last that of `opposite`, where it is sensed. The opposite face
     has no rows: what motions of magnets that far away add does not show in the bounds. `mm_per_n` is
     indentation depth over force at every location, of the shell without magnets.
     """
 
     face: int
+    neighbours: tuple[int, ...]
+    opposite: int | None
     force_n: float
     places: PlaceGrid
     first_mm: Float[Tensor, "3"]
@@ -111,8 +114,11 @@ def press_basis(
         rows, basis = _compressed(parts, scale, rank)
         return RowTable(tensor(_with_ghosts(rows, lattice.shape)), tensor(basis))
 
+    opposite = [frame.number for frame in others if _opposite(frame, here)]
     return PressBasis(
         face,
+        tuple(adjacent),
+        opposite[0] if opposite else None,
         spec.score.force_n,
         motions.places,
         tensor(ends[:, 0]),

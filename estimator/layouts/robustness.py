@@ -64,7 +64,11 @@ def _slipped(layouts: Layouts) -> Iterator[_Object]:
 
 
 def _toleranced(scorer: LayoutScorer, layouts: Layouts) -> Iterator[_Object]:
-    rng, sizes, dtype = np.random.default_rng(_SEED), scorer.tolerances, layouts.sensor_mm.dtype
+    rng, sizes, dtype = (
+        np.random.default_rng(_SEED),
+        scorer.spec.tolerances,
+        layouts.sensor_mm.dtype,
+    )
     magnets, sensors = layouts.magnet_mm.shape[1], layouts.sensor_mm.shape[1]
 
     def drawn(*shape: int) -> Tensor:

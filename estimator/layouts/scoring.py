@@ -18,7 +18,6 @@ from torch import Tensor
 
 from design.errors import InputError
 from design.layout.positions import chip_on_board
-from design.spec.assembly import TolerancesSpec
 from design.spec.object import ObjectSpec
 from estimator.field.gradient import FieldChange, field_change
 from estimator.field.sources import BlockMagnet, Magnet, magnet_source
@@ -81,6 +80,7 @@ class LayoutScorer:
     `white_share` one sigma of an axis over that of the white noise.
     """
 
+    spec: ObjectSpec
     presses: PressBasis
     magnet: Magnet
     sensor_depth_mm: float
@@ -88,7 +88,6 @@ class LayoutScorer:
     counts_per_t: float
     sigma_counts: Float[Tensor, "3"]
     white_share: Float[Tensor, "3"]
-    tolerances: TolerancesSpec
 
 
 def layout_scorer(
@@ -122,6 +121,7 @@ def layout_scorer(
     if not white.all():
         raise InputError("δ needs white noise on every axis. Set sensors.noise_counts above 0")
     return LayoutScorer(
+        spec,
         presses,
         magnet,
         spec.shell.thickness_mm + spec.sensors.depth_below_core_face_mm,
@@ -129,7 +129,6 @@ def layout_scorer(
         1e3 * spec.sensors.counts_per_mt,
         torch.as_tensor(sigma, dtype=like.dtype),
         torch.as_tensor(sigma / white, dtype=like.dtype),
-        spec.tolerances,
     )
 
 

@@ -13,7 +13,7 @@ _SCORES = {
     "worst place mm": "position, worst location",
     "median place mm": "position, median location",
     "worst force N": "force, worst location",
-    "next face σ": "presses of the next face",
+    "false N": "false force by the next face",
 }
 
 

@@ -32,7 +32,8 @@ from design.spec.search import OBJECTIVES_TO_MAXIMIZE
 from design.spec_io import parse_spec
 from estimator.information.scores import compliance_deviation
 from estimator.layouts.batch import layouts_of
-from estimator.layouts.polish import DEARER, Judged, LowestFidelity, batch_scores, judge, polish
+from estimator.layouts.batch_scores import DEARER, batch_scores
+from estimator.layouts.polish import Judged, LowestFidelity, judge, polish
 from estimator.layouts.press_basis import press_basis
 from estimator.layouts.scoring import LayoutScorer, layout_scorer
 from estimator.layouts.vectors import layout_space
@@ -95,9 +96,13 @@ def scorers(spec: ObjectSpec, faces: tuple[int, ...]) -> tuple[LayoutScorer, ...
 
 
 def pressed_faces(spec: ObjectSpec) -> tuple[int, ...]:
-    """Faces that stand for all: on a cube whose sensors move, the side faces are alike."""
+    """Faces that stand for all: on a cube whose sensors move, the side faces are alike.
+
+    A grasp takes two opposite ones.
+    """
     alike = len(set(spec.body.size_mm)) == 1 and spec.search.vary.sensor_reach_mm is not None
-    return (1, 3) if alike and {1, 3} <= {*spec.body.sensed} else spec.body.sensed
+    few = (1, 3, 5) if "grasp_position_bound_mm" in spec.search.named else (1, 3)
+    return few if alike and {*few} <= {*spec.body.sensed} else spec.body.sensed
 
 
 def start_scores(spec: ObjectSpec) -> dict[str, float]:

@@ -18,11 +18,15 @@ from design.layout.pockets import magnet_bodies
 from design.search.space import SearchSpace, params_at, search_space, structure_of, unit_of
 from design.search.structure import with_structure
 from design.spec.object import ObjectSpec
+from estimator.information.contact_sets import spread_pairs
+from estimator.information.two_contacts import opposite_faces
 from estimator.layouts.polish import descend
 from estimator.layouts.vectors import RULES, broken_limits_mm, layout_space, layouts_at
 from fem.candidates.motions import candidate_lattices
 from instobj.search.lowest_fidelity import broken_by_structure, misfit_of
 
+_UNKNOWNS = 6
+"""Of two contacts: place and force of each."""
 _STARTS = 24
 _STEPS, _WALKS = 30, 5
 _STRUCTURES = 24
@@ -44,8 +48,8 @@ def require_possible(spec: ObjectSpec) -> SearchSpace:
     Raises
     ------
     InputError
-        Of `search_space`; a body that cannot be searched; or no layout within the limits, with the
-        one that is most in the way.
+        Of `search_space`; a body that cannot be searched; an objective or limited score that this
+        object has none of; or no layout within the limits, with the one that is most in the way.
     """
     if not body_of(spec).cuboid:
         raise InputError(f"a layout search takes a box; got body.kind = {spec.body.kind!r}")
@@ -60,9 +64,44 @@ def require_possible(spec: ObjectSpec) -> SearchSpace:
             f"search.vary.core_size_mm is the edge of a cube; the core here is {edges} mm. Leave it out, "
             "or vary shell_thickness_mm"
         )
+    _require_scores(spec)
     space = search_space(spec)
     with _one_thread():
         return _possible(space)
+
+
+def _require_scores(spec: ObjectSpec) -> None:
+    for name, lacking in _lacking(spec).items():
+        if name in spec.search.named:
+            raise InputError(
+                f"the search names {name}, which this object cannot be scored by: {lacking}. Leave it "
+                "out of search.objectives and search.limits.times_start, or change that"
+            )
+
+
+def _lacking(spec: ObjectSpec) -> dict[str, str]:
+    """Scores that do not exist for the specification, and why."""
+    found = {}
+    faces, opposite = len(spec.body.sensed), len(opposite_faces(spec))
+    sensed = f"body.sensed_faces = {list(spec.body.sensed)}"
+    if faces * (faces - 1) // 2 == opposite:
+        for name in ("median_false_force_n", "percentile_95_false_force_n"):
+            found[name] = f"{sensed} has no two adjacent faces"
+    if not opposite:
+        found["grasp_position_bound_mm"] = f"{sensed} has no two opposite faces"
+    sensors = min(spec.search.vary.sensor_count or (spec.sensors.count_per_face,))
+    channels = sensors * len(spec.sensors.axes)
+    if channels < _UNKNOWNS:
+        found["pair_own_position_bound_mm"] = (
+            f"two contacts have {_UNKNOWNS} unknowns, and {sensors} sensors per face {channels} channels"
+        )
+    if not len(spread_pairs(spec)):
+        for name in ("pair_own_position_bound_mm", "pair_all_position_bound_mm"):
+            found[name] = (
+                f"two tips of indenter.radius_mm = {spec.indenter.radius_mm:g} do not fit on the "
+                f"contact grid of {spec.contact_grid.count} locations"
+            )
+    return found
 
 
 def _possible(space: SearchSpace) -> SearchSpace:

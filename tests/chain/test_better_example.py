@@ -50,4 +50,4 @@ def test_it_is_better_on_a_coarse_mesh_too(tmp_path, monkeypatch):
     assert gain["worst_position_bound_mm"] > 2
     assert gain["median_position_bound_mm"] > 1
     assert gain["worst_force_bound_n"] > 1
-    assert gain["cross_face_sigma"] > 1 / 1.1
+    assert gain["median_false_force_n"] > 1 / 1.1

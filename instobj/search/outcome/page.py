@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import asdict, dataclass
+from math import isnan
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -37,12 +38,7 @@ _LEVELS = {
 }
 
 
-_CROSS_FACE_TAILS = {
-    "percentile_95_sigma": "disturbance of the next face (σ), 95th percentile",
-    "median_false_force_n": "false force by the next face (N), median",
-    "percentile_95_false_force_n": "false force by the next face (N), 95th percentile",
-    "largest_false_force_n": "false force by the next face (N), largest",
-}
+_LARGEST = "largest_false_force_n"
 
 
 @dataclass(frozen=True)
@@ -98,21 +94,18 @@ def _highest(found: Promotion) -> list[list[str]]:
             asdict(found.best.levels["3"]).values(),
             strict=True,
         )
+        if not isnan(before)  # what this object has none of
     ]
 
 
 def _cross_face(results: ChainResults) -> list[list[str]]:
-    """Tails of what presses on adjacent faces do: the score above is a median."""
+    """The largest false force by an adjacent face: the scores above are percentiles."""
     folders = (results.scores_before, results.scores_after)
-    before, after = (CROSS_FACE.read(folder)["adjacent"] for folder in folders)
+    before, after = (CROSS_FACE.read(folder)["adjacent"].get(_LARGEST, 0.0) for folder in folders)
     if not before:
         return []
-    rows = [(n, label, before[n], after[n]) for n, label in _CROSS_FACE_TAILS.items()]
-    return [
-        [label, f"{old:.4g}", f"{new:.4g}", _change(name, old, new)]
-        for name, label, old, new in rows
-        if old > 0
-    ]
+    label = "false force by the next face (N), largest"
+    return [[label, f"{before:.4g}", f"{after:.4g}", _change(_LARGEST, before, after)]]
 
 
 def _change(name: str, before: float, after: float) -> str:

@@ -116,6 +116,33 @@ def test_a_key_under_both_names_is_refused(tmp_path):
         TrainingSpec(ensemble=2, members=3)
 
 
+OLDER_SEARCH = '[search]\nobjectives = ["cross_face_sigma"]'
+OLDER_LIMIT = "[search.limits]\ntimes_start = { cross_face_sigma = 1.1 }"
+
+
+@pytest.mark.parametrize("older", [OLDER_SEARCH, OLDER_LIMIT], ids=["objective", "limit"])
+def test_an_objective_in_sigma_reads_as_one_in_newtons_with_one_warning(older, tmp_path):
+    path = tmp_path / "x.toml"
+    path.write_text(f'name = "x"\n{older}')
+    with pytest.warns(FutureWarning, match="median_false_force_n") as warned:
+        spec = load_spec(path)
+    assert len(warned) == 1, [str(one.message) for one in warned]
+    assert "median_false_force_n" in spec.search.named
+
+
+@pytest.mark.filterwarnings("ignore:search:FutureWarning")
+def test_a_limit_under_its_older_name_is_overridden_under_either(tmp_path):
+    path = tmp_path / "x.toml"
+    path.write_text(f'name = "x"\n{OLDER_LIMIT}')
+    for name in ("cross_face_sigma", "median_false_force_n"):
+        spec = load_spec(path, [f"search.limits.times_start.{name}=1.3"])
+        assert spec.search.limits.times_start == {"median_false_force_n": 1.3}
+    wrong = f'name = "x"\n{OLDER_SEARCH.replace("cross_face_sigma", "cross_face_sigmas")}'
+    path.write_text(wrong)
+    with pytest.raises(InputError, match=r"search\.objectives"):
+        load_spec(path)
+
+
 def test_an_override_under_an_older_name_warns_once():
     with pytest.warns(FutureWarning, match=r"training\.coverage") as warned:
         spec = parse_spec(with_overrides({"name": "x"}, ["training.interval_cover=0.7"]), "test")

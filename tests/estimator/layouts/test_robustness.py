@@ -100,9 +100,14 @@ def test_boards_that_turn_with_a_shift_are_caught(spec, motions, scorer, case, m
     assert worst_median_error(case, spec, motions, scorer, scorer) > 2 * TOLERANCE
 
 
+def within(scorer, tolerances):
+    """The same scorer for other tolerances."""
+    return replace(scorer, spec=scorer.spec.model_copy(update={"tolerances": tolerances}))
+
+
 @pytest.mark.parametrize("size", ["magnet_seat_mm", "sensor_rotation_deg", "core_shift_mm"])
 def test_a_tolerance_left_out_is_caught(spec, motions, scorer, size):
-    left = replace(scorer, tolerances=scorer.tolerances.model_copy(update={size: 0.0}))
+    left = within(scorer, scorer.spec.tolerances.model_copy(update={size: 0.0}))
     assert worst_median_error("tolerance", spec, motions, left, scorer) > 1.5 * TOLERANCE
 
 
@@ -111,7 +116,7 @@ def test_softness_alone_shifts_forces_not_places(spec, scorer):
     stiff = spec.tolerances.model_copy(update=none | {"modulus_relative": 0.2})
     layouts = random_layouts(COUNT, seed=4)
     with_all = tolerance_places_mm(scorer, layouts)
-    alone = tolerance_places_mm(replace(scorer, tolerances=stiff), layouts)
+    alone = tolerance_places_mm(within(scorer, stiff), layouts)
     assert float(alone.median()) < 0.02 * float(with_all.median())
 
 
@@ -121,7 +126,7 @@ def test_errors_grow_as_the_tolerance_that_makes_them(spec, scorer):
 
     def errors(gain):
         sizes = spec.tolerances.model_copy(update=none | {"sensor_gain_relative": gain})
-        return tolerance_places_mm(replace(scorer, tolerances=sizes), layouts)
+        return tolerance_places_mm(within(scorer, sizes), layouts)
 
     assert_allclose(errors(0.02), 2 * errors(0.01), rtol=1e-2)
 

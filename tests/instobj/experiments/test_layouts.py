@@ -74,7 +74,7 @@ def test_a_variant_that_does_not_fit_is_named(tmp_path):
 
 
 def test_the_figure_takes_any_rows(tmp_path):
-    names = ("worst place mm", "median place mm", "worst force N", "next face σ")
+    names = ("worst place mm", "median place mm", "worst force N", "false N")
     rows = [
         {"variant": label} | dict.fromkeys(names, 0.3 * (k + 1)) for k, label in enumerate("abc")
     ]

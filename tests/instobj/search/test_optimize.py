@@ -8,6 +8,7 @@ import pytest
 from design.errors import InputError
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, parse_spec
+from instobj.search.lowest_fidelity import pressed_faces
 from instobj.search.optimize import optimize, work
 from instobj.search.outcome.write import write_specification
 from instobj.search.possible import require_possible
@@ -40,6 +41,39 @@ IMPOSSIBLE = {
 def test_bounds_that_exclude_every_layout_are_one_clear_error(text):
     with pytest.raises(InputError, match=text):
         require_possible(specification(**IMPOSSIBLE[text]))
+
+
+LACKING = {
+    "no two opposite faces": ("grasp_position_bound_mm", {"body": {"sensed_faces": [1, 2, 3]}}),
+    "no two adjacent faces": ("median_false_force_n", {"body": {"sensed_faces": [3, 5]}}),
+    r"6 unknowns, and 1 sensors per face 3 channels": (
+        "pair_own_position_bound_mm",
+        {"sensors": {"count_per_face": 1}},
+    ),
+    "do not fit on the contact grid": (
+        "pair_all_position_bound_mm",
+        {"contact_grid": {"count": [4, 4], "pitch_mm": 2.0}},
+    ),
+}
+
+
+@pytest.mark.parametrize("limited", [False, True], ids=["objective", "limit"])
+@pytest.mark.parametrize("text", LACKING)
+def test_scores_that_the_object_has_none_of_are_refused_before_any_mechanics(text, limited):
+    name, content = LACKING[text]
+    search = {"limits": {"times_start": {name: 1.0}}} if limited else {"objectives": [name]}
+    content = {"name": "cube", "search": {"vary": FREE} | search} | content
+    with pytest.raises(InputError, match=rf"(?s){name}.*{text}"):
+        require_possible(parse_spec(content, "made up"))
+
+
+def test_a_grasp_is_scored_on_two_opposite_faces():
+    few = pressed_faces(specification(vary=FREE))
+    grasp = specification(vary=FREE, objectives=["grasp_position_bound_mm"])
+    assert few == (1, 3)
+    assert {3, 5} < {*pressed_faces(grasp)}
+    fixed = {"magnet_reach_mm": 15.0}
+    assert pressed_faces(specification(vary=fixed)) == (1, 2, 3, 4, 5)
 
 
 def test_what_only_the_whole_specification_refuses_is_said_too():

@@ -67,9 +67,8 @@ def results(tmp_path):
     after = tmp_path / "after"
     after.mkdir()
     made_up_scores(spec, after)
-    for folder, sigma in ((tmp_path, 20.0), (after, 30.0)):
-        names = ("percentile_95_sigma", "median_false_force_n", "percentile_95_false_force_n")
-        adjacent = dict.fromkeys((*names, "largest_false_force_n"), 0.5) | {names[0]: sigma}
+    for folder, force_n in ((tmp_path, 20.0), (after, 30.0)):
+        adjacent = {"largest_false_force_n": force_n}
         CROSS_FACE.path(folder).write_text(json.dumps({"adjacent": adjacent}))
     return ChainResults(tmp_path, after, tmp_path)
 
@@ -101,7 +100,7 @@ def test_the_page_says_what_was_found(tmp_path, results, objections):
     assert "12.35" in told or "12.34" in told
     assert 'class="no-go">NO<' in page, "a part that is not watertight stands out"
     assert "× 0.50" in told
-    assert "disturbance of the next face (σ), 95th percentile 20 30 × 1.50" in told
+    assert "false force by the next face (N), largest 20 30 × 1.50" in told
     assert "1.10 to 3.00" in told
     assert page.count("<img") == page.count('src="data:image/png;base64,')
     assert "http" not in page

@@ -10,13 +10,28 @@ from instobj.search.fidelity import TwinRatio
 from instobj.search.promotion import LAST, Promoted, excess, merit, objections
 from tests.support.search_cases import made_up_spec
 
-START = FidelityScore(1.5, 0.5, 2.5, 6.0, 0.3, 0.8, 0.6, 0.9, 0.1, 0.8)
+START = FidelityScore(
+    worst_position_bound_mm=1.5,
+    median_position_bound_mm=0.5,
+    worst_force_bound_n=2.5,
+    median_false_force_n=1.2,
+    percentile_95_false_force_n=3.0,
+    sensitivity_ratio=0.3,
+    edge_position_bound_mm=0.8,
+    pair_own_position_bound_mm=4.0,
+    pair_all_position_bound_mm=2.0,
+    grasp_position_bound_mm=1.0,
+    slip_place_mm=0.6,
+    tolerance_place_mm=0.9,
+    compliance_deviation=0.1,
+    saturation_margin=0.8,
+)
 BETTER = replace(START, worst_position_bound_mm=0.6, slip_place_mm=0.5)
 SURE = {"worst_position_bound_mm": TwinRatio(2.5, 1.4, 4.0)}
 
 
 def objected(best, ratios=SURE, factor=1.0, **search):
-    limits = {"times_start": {"cross_face_sigma": factor, "sensitivity_ratio": factor}}
+    limits = {"times_start": {"median_false_force_n": factor, "sensitivity_ratio": factor}}
     spec = made_up_spec(limits=limits, **search)
     layouts = [Promoted("a layout", None, spec, {LAST: score}) for score in (best, START)]
     return objections(spec.search, *layouts, ratios)
@@ -30,7 +45,7 @@ def test_a_layout_that_improves_within_all_limits_is_better():
 
 FAULTS = {
     "mean is not better": replace(START, median_position_bound_mm=0.1),
-    "cross_face_sigma misses its limit by 50 %": replace(BETTER, cross_face_sigma=9.0),
+    "median_false_force_n misses its limit by 50 %": replace(BETTER, median_false_force_n=1.8),
     "sensitivity_ratio misses its limit by 1e+02 %": replace(BETTER, sensitivity_ratio=0.15),
     "saturation_margin": replace(BETTER, saturation_margin=0.01),
 }
@@ -52,14 +67,16 @@ def test_twins_that_disagree_are_an_objection_of_bounds_alone():
 def test_merit_is_the_mean_logarithm_and_what_is_exceeded():
     spec = made_up_spec(
         objectives=["worst_position_bound_mm", "slip_place_mm"],
-        limits={"times_start": {"cross_face_sigma": 1.1}},
+        limits={"times_start": {"median_false_force_n": 1.1}},
     )
-    worse = replace(BETTER, cross_face_sigma=1.1 * 1.2 * 6.0)
+    worse = replace(BETTER, median_false_force_n=1.1 * 1.2 * 1.2)
     start, better, exceeding = (
         Promoted("", None, spec, {LAST: score}) for score in (START, BETTER, worse)
     )
     assert merit(spec.search, start, start, LAST) == 0
     mean = np.mean([np.log(0.6 / 1.5), np.log(0.5 / 0.6)])
     assert merit(spec.search, better, start, LAST) == pytest.approx(mean)
-    assert excess(spec.search, exceeding, start, LAST) == pytest.approx({"cross_face_sigma": 0.2})
+    assert excess(spec.search, exceeding, start, LAST) == pytest.approx(
+        {"median_false_force_n": 0.2}
+    )
     assert merit(spec.search, exceeding, start, LAST) == pytest.approx(mean + 2.0)
