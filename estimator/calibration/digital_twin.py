@@ -20,7 +20,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from functools import cached_property
 from itertools import product
 
 import numpy as np
@@ -30,84 +29,27 @@ from design.errors import InputError
 from design.spec.object import ObjectSpec
 from estimator.calibration.discrepancy import Discrepancy, Prior
 from estimator.calibration.pressed_places import PressedPlaces
-from estimator.signals.interpolation import press_traces, unresolved_presses
+from estimator.calibration.traced_presses import traced_presses
+from estimator.calibration.unknowns import FARTHEST, Unknowns, most_probable, normal_equations
+from estimator.signals.interpolation import unresolved_presses
 from estimator.signals.monotone import monotone_cubic
-from estimator.signals.press_states import ASIDE_MM, motions_as_signals, rest_motion
+from estimator.signals.press_states import motions_as_signals
 from estimator.signals.presses import Signals
 from estimator.tolerances.assembly import (
-    Assembly,
-    assembled,
-    contribution_sizes,
     counts_of,
-    designed,
 )
 from estimator.tolerances.virtual_object import twin_model, twin_signals
 from fem.large_strain.correction import (
-    StrainCorrection,
-    corrected_presses,
     corrected_table,
-    own_bodies,
 )
 from fem.presses.results import MagnetMotions, PressForces
 
-FACE_PARTS = (
-    "magnet_seat", "magnet_depth", "magnet_tilt", "remanence",
-    "sensor_seat", "sensor_rotation", "sensor_gain",
-)  # fmt: skip
-"""Contributions (`estimator.tolerances.assembly`) of which the face's own magnets and sensors count."""
-WHOLE = ("core_shift", "core_yaw", "modulus")
-STIFFENING = (0.7, 0.7, 0.5, 1.0, 0.5)
-"""Standard deviations beforehand of the coefficients a to e of `fem.large_strain.correction`."""
 SIZES = (0.02, 0.05, 0.1, 0.2)
 """Of the process; meshes of one design differ by the least of them."""
 LENGTHS_MM = (6.0, 10.0, 16.0)
 _FIRST = Prior(0.02, 10.0)
-_ITERATIONS = 12
-_STEP = 0.05
-FARTHEST = 5.0
-"""Standard deviations that a number may go either way."""
 _DRAWS = 20
-_SETTLED = 0.05
 _FOLDS = 5
-
-
-@dataclass(frozen=True)
-class Unknowns:
-    """What is unknown of an object, as standard normal numbers one after the other."""
-
-    spec: ObjectSpec
-    face: int
-
-    @cached_property
-    def design(self) -> Assembly:
-        return designed(self.spec)
-
-    @cached_property
-    def free(self) -> dict[str, Bool[np.ndarray, "number"]]:
-        """Which numbers of each contribution concern the face."""
-        place, sizes = self.design.scene, contribution_sizes(self.design)
-        free = {}
-        for name in FACE_PARTS:
-            owner = (place.sensors if name.startswith("sensor") else place.magnets).face
-            free[name] = np.repeat(owner == self.face, sizes[name] // len(owner))
-        return free | {name: np.ones(sizes[name], bool) for name in WHOLE}
-
-    def __len__(self) -> int:
-        return sum(int(mask.sum()) for mask in self.free.values()) + len(STIFFENING)
-
-    def assembly(self, numbers: Float[np.ndarray, "number"]) -> Assembly:
-        """The object of these numbers."""
-        draws, start = {}, 0
-        for name, mask in self.free.items():
-            draws[name] = np.zeros(len(mask))
-            draws[name][mask] = numbers[start : start + mask.sum()]
-            start += int(mask.sum())
-        return assembled(self.spec, self.design, draws)
-
-    def correction(self, numbers: Float[np.ndarray, "number"]) -> StrainCorrection:
-        """Its departure from small strain."""
-        a, b, c, d, e = (numbers[-len(STIFFENING) :] * STIFFENING).tolist()
-        return StrainCorrection(self.spec.shell.thickness_mm, (a, b), (c, d), (e,))
 
 
 class _Mechanics:
@@ -117,17 +59,9 @@ class _Mechanics:
         self, unknowns: Unknowns, forces: PressForces, motions: MagnetMotions, seen: PressedPlaces
     ) -> None:
         self.unknowns, self.seen = unknowns, seen
-        self.depth_mm, self.rest = forces.depth_mm, rest_motion(motions)
-        self.own, self.normal = own_bodies(unknowns.spec, seen.face)
         self.shape = seen.force_n.size, len(seen.channels)
-        moving, face = motions_as_signals(forces, motions), np.full(len(seen), seen.face)
-        sides = ASIDE_MM * np.array([(0, 0), (1, 0), (-1, 0), (0, 1), (0, -1)])
-        traces = [press_traces(moving, face, *(seen.xy_mm + side).T) for side in sides]
-        shape = (len(sides), len(seen), len(self.depth_mm), *self.rest.shape)
-        self.force_n = np.real([trace.force_n[:, 1:] for trace in traces])
-        motion = np.real([trace.counts[:, 1:] for trace in traces])
-        self.motion = self.rest + motion.reshape(shape)
-        if (seen.force_n > self.force_n[0][:, -1:]).any():
+        self.presses = traced_presses(unknowns.spec, forces, motions, seen.face, seen.xy_mm)
+        if (seen.force_n > self.presses.force_n[0][:, -1:]).any():
             raise InputError(
                 f"labelled forces on face {seen.face} reach {seen.force_n.max():.3g} N, beyond the "
                 "deepest simulated press. Add to press.depths_mm, or leave them out (`within_reach`)"
@@ -137,41 +71,21 @@ class _Mechanics:
         """Changes of counts of all means, at their labelled forces; NaN where forces would not grow
         with depth."""
         spec, seen = self.unknowns.spec, self.seen
-        assembly, correction = self.unknowns.assembly(numbers), self.unknowns.correction(numbers)
-        forces, motions = corrected_presses(
-            correction, self.depth_mm, self.force_n, self.motion, self.own, self.normal
-        )
-        place, force, motion = assembly.scene, forces[0], motions[0]
-        slopes = (motions[1::2] - motions[2::2])[..., self.own, :] / (2 * ASIDE_MM)
-        aside = assembly.aside_mm[self.own]
-        motion[..., self.own, :] -= np.einsum("ba,apsbk->psbk", aside, slopes)
-        motion = motion.reshape(-1, *self.rest.shape)
+        assembly, rest = self.unknowns.assembly(numbers), self.presses.rest
+        force, motion = self.presses.of(assembly, self.unknowns.correction(numbers))
+        place, motion = assembly.scene, motion.reshape(-1, *rest.shape)
         model = twin_model(spec, assembly, motion)
-        still = counts_of(spec, place, self.rest[None], model, seen.face)
+        still = counts_of(spec, place, rest[None], model, seen.face)
         change = counts_of(spec, place, motion, model, seen.face) - still
         change = change.reshape(*force.shape, -1)[..., seen.channels]
         force, change = (
             np.concatenate([np.zeros_like(values[:, :1]), values], axis=1)
-            for values in (force * assembly.modulus_ratio, change)
+            for values in (force, change)
         )
         if np.diff(force, axis=1).min() <= 0:  # no object: a step that goes there is too long
             return np.full(self.shape, np.nan)
         held = np.minimum(seen.force_n, force[:, -1:])
         return monotone_cubic(force, change, held).reshape(self.shape)
-
-    def jacobian(
-        self, numbers: Float[np.ndarray, "number"], here: Float[np.ndarray, "row channel"]
-    ) -> Float[np.ndarray, "row channel number"]:
-        """By differences of a twentieth of each number's standard deviation, forward where that is
-        possible; 0 where neither way is."""
-        columns = []
-        for step in np.diag(np.where(numbers < FARTHEST - _STEP, _STEP, -_STEP)):
-            there = self.expected(numbers + step)
-            if not np.isfinite(there).all():
-                step = -step
-                there = self.expected(numbers + step)
-            columns.append((there - here) / step.sum())
-        return np.nan_to_num(np.stack(columns, axis=-1))  # hemmed in both ways: it stays
 
 
 @dataclass(frozen=True)
@@ -227,7 +141,7 @@ class CalibratedTwin:
                 signals = twin_signals(spec, self.unknowns.assembly(numbers), *table)
                 return self._with_discrepancy(signals, numbers, rng)
         raise InputError(
-            f"the labelled presses of face {self.unknowns.face} fit no object of "
+            f"the labelled presses of face {self.discrepancy.seen.face} fit no object of "
             f"{self.unknowns.spec.name!r}: its forces would fall with depth. Give the specification "
             "of the object that was pressed, with true tolerances"
         )
@@ -244,7 +158,7 @@ class CalibratedTwin:
         added = self.discrepancy.mean(left, xy, force)
         if rng is not None:
             added = added + self.discrepancy.doubt(xy, force, rng)
-        on_face = self.unknowns.design.scene.sensors.face == self.unknowns.face
+        on_face = self.unknowns.design.scene.sensors.face == self.discrepancy.seen.face
         own = np.flatnonzero(np.repeat(on_face, 3))[self.discrepancy.seen.channels]
         delta = signals.delta_counts.reshape(*signals.force_n.shape, -1).copy()
         delta[0][..., own] += added
@@ -266,74 +180,29 @@ def calibrate(
             "a twin is calibrated on the shell as it was cast; mechanics.slip says that the core "
             'slipped. Set it to 0, or model = "sensors-only"'
         )
-    unknowns = Unknowns(spec, seen.face)
+    unknowns = Unknowns(spec, (seen.face,))
     mechanics = _Mechanics(unknowns, forces, motions, seen)
     counts = seen.counts.reshape(-1, len(seen.channels))
     first = Discrepancy(spec, _FIRST, seen)
-    numbers, here, jacobian = _most_probable(mechanics, first, counts, np.zeros(len(unknowns)))
+    numbers, here, jacobian = most_probable(mechanics, first, counts, np.zeros(len(unknowns)))
     right = counts - here + jacobian @ numbers
     choices = (
         Discrepancy(spec, Prior(size, length), seen) for size, length in product(SIZES, LENGTHS_MM)
     )
     chosen = max(choices, key=lambda one: _log_evidence(one, jacobian, right))
-    numbers, here, jacobian = _most_probable(mechanics, chosen, counts, numbers)
-    precision, _ = _normal_equations(chosen, jacobian, counts - here)
+    numbers, here, jacobian = most_probable(mechanics, chosen, counts, numbers)
+    precision, _ = normal_equations(chosen, jacobian, counts - here)
     factor = np.linalg.inv(np.linalg.cholesky(precision)).T
     left = counts - here
     table = _of_face(forces, motions, seen.face)
     return CalibratedTwin(unknowns, *table, numbers, factor, chosen, left, jacobian)
 
 
-def _most_probable(
-    mechanics: _Mechanics,
-    discrepancy: Discrepancy,
-    counts: Float[np.ndarray, "row channel"],
-    numbers: Float[np.ndarray, "number"],
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Numbers of the largest posterior, what they predict, and its Jacobian.
-
-    Steps are halved until the posterior grows.
-    """
-
-    def cost(left: np.ndarray, at: np.ndarray) -> float:
-        if not np.isfinite(left).all():
-            return np.inf
-        return float(np.sum(left * discrepancy.weighed(left)) + at @ at)
-
-    here = mechanics.expected(numbers)
-    for _ in range(_ITERATIONS):
-        jacobian = mechanics.jacobian(numbers, here)
-        precision, pull = _normal_equations(discrepancy, jacobian, counts - here)
-        step = np.linalg.solve(precision, pull - numbers)
-        before = cost(counts - here, numbers)
-        for _ in range(6):
-            trial = np.clip(numbers + step, -FARTHEST, FARTHEST)
-            there = mechanics.expected(trial)
-            if cost(counts - there, trial) <= before:
-                break
-            step = step / 2
-        else:
-            return numbers, here, jacobian
-        numbers, here = trial, there
-        if np.abs(step).max() < _SETTLED:
-            break
-    return numbers, here, mechanics.jacobian(numbers, here)
-
-
-def _normal_equations(
-    discrepancy: Discrepancy, jacobian: np.ndarray, left: np.ndarray
-) -> tuple[Float[np.ndarray, "number number"], Float[np.ndarray, "number"]]:
-    """Precision of the numbers, their prior included, and the pull of what is left over."""
-    weighed = discrepancy.weighed(jacobian)
-    precision = np.eye(jacobian.shape[-1]) + np.einsum("rcn,rcm->nm", jacobian, weighed)
-    return precision, np.einsum("rcn,rc->n", weighed, left)
-
-
 def _log_evidence(
     discrepancy: Discrepancy, jacobian: np.ndarray, right: Float[np.ndarray, "row channel"]
 ) -> float:
     """Of `right` under linear numbers and the process, but for a constant."""
-    precision, pull = _normal_equations(discrepancy, jacobian, right)
+    precision, pull = normal_equations(discrepancy, jacobian, right)
     fitted = np.sum(right * discrepancy.weighed(right)) - pull @ np.linalg.solve(precision, pull)
     determinant = discrepancy.log_determinant + np.linalg.slogdet(precision)[1]
     return float(-0.5 * (fitted + determinant))

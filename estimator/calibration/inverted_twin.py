@@ -1,4 +1,4 @@
-"""The estimator that inverts calibrated twins: one twin for each face with labelled presses."""
+"""The estimator that inverts calibrated twins: of faces with single presses, or of a whole object."""
 
 from __future__ import annotations
 
@@ -11,9 +11,13 @@ from jaxtyping import Float
 
 from design.layout.positions import sensor_layout
 from design.spec.object import ObjectSpec
+from estimator.calibration.grasp_twin import GraspTwin, sensor_errors
+from estimator.calibration.pressed_cases import PressedCases
+from estimator.frames.dataset import NO_FACE
 from estimator.information.shear import ShearSignals
+from estimator.inversion.forward import NONE
 from estimator.inversion.inversion import Inversion, inversion
-from estimator.inversion.noise import design_error
+from estimator.inversion.noise import MESH_ERROR, design_error
 from estimator.signals.presses import Signals, press_signals
 from fem.presses.results import MagnetMotions, PressForces
 
@@ -54,6 +58,53 @@ def inverted_twin(
         signals = _with_face(signals, twin.signals(), face)
     errors = _errors(spec, design_error(spec, forces, motions, design), left)
     return inversion(spec, forces, motions, signals, errors, _force_error(spec, twins), shear)
+
+
+def inverted_grasps(
+    spec: ObjectSpec,
+    presses: tuple[PressForces, MagnetMotions],
+    twin: GraspTwin,
+    seen: PressedCases,
+    shear: ShearSignals | None = None,
+) -> Inversion:
+    """An estimator of the object that presses of several contacts together show.
+
+    It is as wrong at each sensor as it was in cases left out, and at all of them so much more as makes
+    its regions hold the labelled contacts: errors of sensors that go together (a label beside its
+    place, a core beside its seat) move contacts further than independent ones would.
+
+    Raises
+    ------
+    InputError
+        Labelled presses that fit no object of the specification.
+    """
+    sensors = len(sensor_layout(spec).face)
+    errors = np.maximum(sensor_errors(seen, twin.left, sensors), MESH_ERROR)
+    found = inversion(spec, *presses, twin.signals(*presses), errors, twin.modulus_error, shear)
+    wider = max(1.0, _beyond_regions(found, twin, seen))
+    told = found.disturbances
+    return replace(found, disturbances=replace(told, model_error=told.model_error * wider))
+
+
+def _beyond_regions(inversion: Inversion, twin: GraspTwin, seen: PressedCases) -> float:
+    """How many times further than the regions say cases left out move the labelled contacts: rms over
+    all of them, in standard deviations (Gauss–Newton step of the labelled contacts)."""
+    model = inversion.model
+    index = {int(face): row for row, face in enumerate(model.signals.faces)} | {NO_FACE: NONE}
+    cases, levels, contacts = seen.force_n.shape
+    face = np.vectorize(index.__getitem__, otypes=[int])(seen.face).repeat(levels, axis=0)
+    xy = seen.xy_mm.repeat(levels, axis=0)
+    contact = np.concatenate([xy, seen.force_n.reshape(-1, contacts, 1)], axis=2)
+    counts, left = np.full((2, cases * levels, model.channels), np.nan)
+    counts[:, seen.channels] = seen.counts.reshape(cases * levels, -1)
+    left[:, seen.channels] = twin.left.reshape(cases * levels, -1)
+    sigma = inversion.disturbances.observed(counts).sigma
+    slopes = model.singles(face, contact)[:, :, 1:].reshape(len(face), -1, model.channels)
+    slopes = slopes / sigma[:, None]
+    pull = np.einsum("rpc,rc->rp", slopes, np.nan_to_num(left) / sigma)
+    inverse = np.linalg.pinv(slopes @ slopes.transpose(0, 2, 1), rcond=1e-9, hermitian=True)
+    square = np.einsum("rp,rpq,rq->r", pull, inverse, pull)
+    return float(np.sqrt(np.mean(square / (3 * np.sum(face != NONE, axis=1)))))
 
 
 def _with_face(whole: Signals, one: Signals, face: int) -> Signals:

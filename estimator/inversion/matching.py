@@ -35,6 +35,7 @@ class MatchedContacts:
     face_force_n : (frame,) largest true force of a face
     total_error_n : (frame,) found minus true normal force of all contacts
     tips : (frame,) true contacts of the face that has most
+    explained : (frame,) the signals are those of contacts that the model knows
     frame, distance_mm, force_error_n : (pair,)
     pull_error_n, pull_n : (pair,) of the tangential force, NaN where none is read, and its true size
     place_covered, force_covered : (pair,) the true value lies in the 90 % region
@@ -46,6 +47,7 @@ class MatchedContacts:
     face_force_n: Float[np.ndarray, "frame"]
     total_error_n: Float[np.ndarray, "frame"]
     tips: Int[np.ndarray, "frame"]
+    explained: Bool[np.ndarray, "frame"]
     frame: Int[np.ndarray, "pair"]
     distance_mm: Float[np.ndarray, "pair"]
     force_error_n: Float[np.ndarray, "pair"]
@@ -87,6 +89,7 @@ def matched_contacts(frames: FrameSet, found: ContactSets) -> MatchedContacts:
         per_face.max(axis=1),
         np.nansum(found.force_n, axis=1) - per_face.sum(axis=1),
         tips.max(axis=1),
+        found.explained,
         columns[0].astype(int),
         columns[1],
         *columns[2:5],
@@ -175,6 +178,7 @@ def _row(
         "each force N": _rounded(_mean(np.abs(matched.force_error_n[pairs])), 3),
         "place in 90 % region %": _rounded(100 * _mean(matched.place_covered[pairs]), 1),
         "force in 90 % interval %": _rounded(100 * _mean(matched.force_covered[pairs]), 1),
+        "not explained %": _rounded(100 * np.mean(~matched.explained[chosen]), 1),
         **pulled,
     }
 

@@ -77,12 +77,19 @@ def evaluate(
     sources: Sources,
     start: Start = None,
     twin: Twin = None,
+    on: Annotated[
+        Path | None,
+        typer.Option(
+            help="Data set of the same object to judge contacts by inversion on, instead of held-out "
+            "presses."
+        ),
+    ] = None,
     out: Out = HERE,
     as_json: AsJson = False,
     overrides: Overrides = None,
 ) -> None:
     """The paper's four metrics on held-out presses (trains first where nothing is stored)."""
-    _estimate(sources, ("networks", "metrics"), start, twin, out, as_json, overrides)
+    _estimate(sources, ("networks", "metrics"), start, twin, out, as_json, overrides, on)
 
 
 @app.command()
@@ -158,7 +165,8 @@ def _estimate(
     out: Path,
     as_json: bool,
     overrides: list[str] | None,
+    on: Path | None = None,
 ) -> None:
     from instobj.commands.run import run_estimator
 
-    show(run_estimator(sources, stages, out, overrides or [], start, twin), as_json)
+    show(run_estimator(sources, stages, out, overrides or [], start, twin, on), as_json)

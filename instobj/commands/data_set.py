@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from instobj.store.content import StoredResult, store_root, stored
@@ -15,16 +16,25 @@ Results = dict[str, StoredResult]
 
 
 class DataStage(NamedTuple):
-    """A stage, what is said of it meanwhile, and what makes it from the results before it."""
+    """A stage, what is said of it meanwhile, what makes it from the results before it, and what it alone
+    depends on."""
 
     name: str
     title: str
     make: Callable[[Path, Results], None]
+    inputs: Mapping[str, Any] = MappingProxyType({})
 
 
 def stage_key(stage: str, inputs: dict[str, Any]) -> str:
     """Key of a stage's result."""
     return content_key(_of(stage, inputs))
+
+
+def made_or_stored(
+    stage: str, inputs: dict[str, Any], make: Callable[[Path], None], progress: ProgressLine
+) -> StoredResult:
+    """A stage's result, made where it is not stored."""
+    return stored(store_root(), stage, _of(stage, inputs), make, progress.say)
 
 
 def work_through(
@@ -44,8 +54,8 @@ def work_through(
             make(folder, results)
 
         with progress.stage(stage.title):
-            results[stage.name] = stored(
-                store_root(), stage.name, _of(stage.name, inputs), make, progress.say
+            results[stage.name] = made_or_stored(
+                stage.name, inputs | dict(stage.inputs), make, progress
             )
     name = run_name(path)
     target = run_folder(out, name)

@@ -189,11 +189,13 @@ def run_estimator(
     overrides: list[str],
     start: Path | None = None,
     twin: Path | None = None,
+    on: Path | None = None,
 ) -> dict[str, Any]:
     """Train or evaluate on specifications (simulated presses) and on data sets (.nc) alike.
 
     On data sets training goes on from the estimators in the folder `start`, if given, and gets
-    presses of the calibrated twin of the specification `twin`, if given.
+    presses of the calibrated twin of the specification `twin`, if given. Contacts by inversion are
+    judged on the data set `on`, if given.
     """
     from instobj.commands.inversion import invert_on_data_set
     from instobj.commands.training import run_on_data_set, settings_of
@@ -206,8 +208,14 @@ def run_estimator(
                 f"{path} is a recording, not a data set. Run `instobj recordings {path}` first and "
                 "give the frames.nc that it writes"
             )
-        if path.suffix == ".nc" and settings_of(overrides)[0].model == "inversion":
-            objects.append(invert_on_data_set(path, stages, out, overrides, twin))
+        inverts = path.suffix == ".nc" and settings_of(overrides)[0].model == "inversion"
+        if on is not None and not inverts:
+            raise InputError(
+                f"--on judges contacts that inversion reads in another data set; got {path}. Add "
+                "--set training.model=inversion and --twin SPEC to a data set (.nc), or leave --on out"
+            )
+        if inverts:
+            objects.append(invert_on_data_set(path, stages, out, overrides, twin, on))
         elif path.suffix == ".nc":
             objects.append(run_on_data_set(path, stages, out, overrides, start, twin))
         elif start is not None or twin is not None:

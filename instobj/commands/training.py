@@ -5,9 +5,17 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from design.errors import InputError
 from design.spec.object import TrainingSpec
-from instobj.commands.data_set import DataStage, Results, stage_key, work_through
+from instobj.commands.data_set import (
+    DataStage,
+    Results,
+    made_or_stored,
+    stage_key,
+    work_through,
+)
 from instobj.store.keys import file_key
 from instobj.store.progress import ProgressLine
 from instobj.store.publish import file_rows, require_writable, run_folder
@@ -15,6 +23,7 @@ from instobj.store.readers import FRAMES, MODELS, PRESSES, SHEAR, face_model_pat
 
 if TYPE_CHECKING:
     from estimator.frames.dataset import FrameSet
+    from estimator.networks.face_model import FaceModel
     from estimator.recordings.limits import Limits
     from estimator.recordings.reading import Grid
     from instobj.stages.makers.twin import TwinOfData
@@ -85,10 +94,7 @@ def run_on_data_set(
     training, seed = settings_of(overrides)
     frames, progress = load_frames(path), ProgressLine()
     twin = None if twin_spec is None else twin_of_data(twin_spec, frames, training)
-    inputs = {
-        "data_set": file_key(path),
-        "training": training.model_dump(mode="json"),
-        "seed": seed,
+    inputs = _network_inputs(path, training, seed) | {
         "start": None if start is None else _keys_of_models(start),
         "twin": None if twin is None else twin.inputs,
     }
@@ -112,6 +118,36 @@ def run_on_data_set(
     return work_through(path, out, inputs, asked, progress)
 
 
+def trained_networks(
+    path: Path, overrides: list[str], progress: ProgressLine
+) -> dict[int, FaceModel]:
+    """The networks that `instobj train` makes of a data set, from the store or made."""
+    from estimator.frames.dataset import load_frames
+    from estimator.frames.splits import split_presses
+    from instobj.stages.makers.learning import Fitting, train_networks, unfinished_folder
+
+    training, seed = settings_of(overrides)
+    inputs = _network_inputs(path, training, seed)
+    how = Fitting(training, seed, progress.step, unfinished_folder(stage_key("networks", inputs)))
+    frames = load_frames(path)
+
+    def train(folder: Path) -> None:
+        train_networks(frames, split_presses(frames, seed), how, folder)
+
+    with progress.stage(f"training networks on {path}"):
+        return MODELS.read(made_or_stored("networks", inputs, train, progress).folder)
+
+
+def _network_inputs(path: Path, training: TrainingSpec, seed: int) -> dict[str, Any]:
+    return {
+        "data_set": file_key(path),
+        "training": training.model_dump(mode="json"),
+        "seed": seed,
+        "start": None,
+        "twin": None,
+    }
+
+
 def twin_of_data(path: Path, frames: FrameSet, training: TrainingSpec) -> TwinOfData:
     """Simulated presses of a specification, from the store or made.
 
@@ -130,7 +166,8 @@ def twin_of_data(path: Path, frames: FrameSet, training: TrainingSpec) -> TwinOf
 def simulated_twin(
     path: Path, overrides: list[str], frames: FrameSet, draws: int = 0
 ) -> TwinOfData:
-    """Simulated presses of the specification of a data set's object; raises as `twin_of_data`."""
+    """Simulated presses of the specification of a data set's object; raises as `twin_of_data`, but for
+    data of several contacts that press together where no objects are drawn."""
     from design.spec_io import load_spec
     from estimator.information.shear import shear_signals
     from instobj.stages.makers.twin import TwinOfData, require_same_object, require_some_face
@@ -138,7 +175,8 @@ def simulated_twin(
 
     spec = load_spec(path, overrides)
     require_same_object(spec, frames)
-    require_some_face(spec, frames)
+    if draws or not np.any(np.sum(frames.contact_face > 0, axis=1) > 1):
+        require_some_face(spec, frames)
     run = Run(spec)
     presses, shear = run.read(PRESSES), None
     if spec.inversion.tangential_share:

@@ -66,6 +66,7 @@ def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) 
         ("inversion", "calibrated twin (medians over labelled places)", _inverted_twin),
         ("contact_metrics", "frames read by inversion", _judged_frames),
         ("contact_metrics", "contacts found by inversion, means over frames", _contacts),
+        ("contact_metrics", "contacts found by simple readings", _simple_contacts),
     )
     made = {
         title: _finite(make(results[stage])) for stage, title, make in makers if stage in results
@@ -97,11 +98,16 @@ def _inverted_twin(result: StoredResult) -> list[dict[str, Any]]:
 
 def _judged_frames(result: StoredResult) -> dict[str, Any]:
     content = CONTACT_METRICS.read(result.folder)
-    return {name: value for name, value in content.items() if name != "contacts"}
+    return {name: value for name, value in content.items() if not isinstance(value, list)}
 
 
 def _contacts(result: StoredResult) -> list[dict[str, Any]]:
     return CONTACT_METRICS.read(result.folder)["contacts"]
+
+
+def _simple_contacts(result: StoredResult) -> list[dict[str, Any]]:
+    """Nothing where none was asked for."""
+    return CONTACT_METRICS.read(result.folder).get("baselines", [])
 
 
 def _calibrated_faces(content: dict[str, Any] | None) -> list[dict[str, Any]]:

@@ -9,16 +9,22 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from instobj.experiments.layouts import changed
-from instobj.experiments.paper.contact_baselines import of_networks, pursued
 from instobj.experiments.paper.figures import draw_bars, headline
-from instobj.experiments.paper.grasps import grasp_force_n
+from instobj.experiments.paper.grasps import (
+    fitted_to_single_faces,
+    grasp_force_n,
+    one_face_at_a_time,
+)
 from instobj.experiments.paper.object import SIMULATED, SimulatedObject, simulated_object
 from instobj.experiments.registry import Study, StudyResult
+from instobj.stages.makers.contact_baselines import patches, pursued
+from instobj.stages.makers.inversion import UNCERTAINTIES
 
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
     from estimator.frames.dataset import FrameSet
     from estimator.inversion.inversion import Inversion
+    from estimator.inversion.readings import ContactSets
 
 _HOLD_FRAMES = 10
 _GRASPS, _QUICK_GRASPS = 40, 2
@@ -29,8 +35,6 @@ _TEST_SEED = 100
 _EVERY_PLACE = 4
 """Of the contact locations one in so many is labelled."""
 _CALIBRATION_SEED = 200
-_REGIONS = ("place in 90 % region %", "force in 90 % interval %")
-"""Columns that readings without uncertainty have not."""
 _ONE, _HOLD = "one", f"mean of {_HOLD_FRAMES} frames"
 
 
@@ -142,10 +146,22 @@ def _baselines(
         "whole-object networks": of_networks(recorded, frames),
     }
     return [
-        {"model": name, "frames read": _ONE} | row | dict.fromkeys(_REGIONS)
+        {"model": name, "frames read": _ONE} | row | dict.fromkeys(UNCERTAINTIES)
         for name, sets in found.items()
         for row in rows_beside_bound(twin, frames, sets)
     ]
+
+
+def of_networks(recorded: SimulatedObject, frames: FrameSet) -> ContactSets:
+    """Patches in the heatmaps of whole-object networks of both faces, fitted to the paper's collection of
+    the object itself, single faces pressed."""
+    single = one_face_at_a_time(recorded)
+    fitted = [
+        fitted_to_single_faces(recorded, single, face, "whole-object")
+        for face in recorded.spec.collection.grasp_faces
+    ]
+    models = [(model, reference.smallest_contact_n) for model, reference in fitted]
+    return patches(models, frames, np.arange(len(frames)))
 
 
 def _draw(rows: list[dict[str, Any]], title: str, path: Path) -> None:

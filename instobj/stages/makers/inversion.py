@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from pathlib import Path
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
+
+import numpy as np
 
 from instobj.store.readers import (
     CONTACT_METRICS,
@@ -22,7 +26,12 @@ if TYPE_CHECKING:
     from estimator.frames.dataset import FrameSet
     from estimator.information.shear import ShearSignals
     from estimator.inversion.inversion import Inversion
+    from estimator.inversion.readings import ContactSets
 
+Baselines = Mapping[str, Callable[[np.ndarray], "ContactSets"]]
+"""Readings without uncertainty of the given rows of frames."""
+UNCERTAINTIES = ("place in 90 % region %", "force in 90 % interval %", "not explained %")
+"""Columns that such readings have not."""
 MOST_FRAMES = 400
 """Judged at most, drawn at random: a frame takes some tens of milliseconds."""
 _OBJECT_SEED = 1000
@@ -99,10 +108,15 @@ def _presses_anywhere(
 
 
 def write_contact_metrics(
-    inversion: Inversion, frames: FrameSet, judged: str, folder: Path, step: Step
+    inversion: Inversion,
+    frames: FrameSet,
+    judged: str,
+    folder: Path,
+    step: Step,
+    baselines: Baselines = MappingProxyType({}),
 ) -> None:
     """`CONTACT_METRICS` and its picture: contacts found in at most 400 of the frames, beside the
-    Cramér–Rao bound of the places."""
+    Cramér–Rao bound of the places and beside what `baselines` read in the same frames, by name."""
     from estimator.inversion.matching import (
         chosen_rows,
         contact_rows,
@@ -114,19 +128,24 @@ def write_contact_metrics(
 
     means, averaged = window_means(frames, inversion.window_frames)
     rows = chosen_rows(frames, MOST_FRAMES)
-    frames, averaged = frames.select(rows), averaged[rows]
+    chosen, averaged = frames.select(rows), averaged[rows]
     best, second = inversion.read(
-        means[rows], averaged, progress=lambda done: step(f"frame {done} of {len(frames)}")
+        means[rows], averaged, progress=lambda done: step(f"frame {done} of {len(chosen)}")
     )
-    matched = matched_contacts(frames, best)
-    table = contact_rows(matched, possible_distance_mm(inversion, frames, averaged))
-    unexplained = float((best.p_value < 1e-3).mean())
+    matched = matched_contacts(chosen, best)
+    table = contact_rows(matched, possible_distance_mm(inversion, chosen, averaged))
     content = {
         "judged": judged,
-        "frames": len(frames),
-        "unexplained frames %": round(100 * unexplained, 2),
+        "frames": len(chosen),
+        "unexplained frames %": round(100 * float(np.mean(~best.explained)), 2),
         "frames with a second answer above 10 %": int((second.odds > 0.1).sum()),
         "contacts": table,
     }
+    if baselines:
+        content["baselines"] = []
+    for name, reading in baselines.items():
+        step(name)
+        for row in contact_rows(matched_contacts(chosen, reading(rows))):
+            content["baselines"].append({"model": name} | row | dict.fromkeys(UNCERTAINTIES))
     write_json(content, CONTACT_METRICS.path(folder))
-    draw_contacts(frames, best, matched, CONTACT_PICTURE.path(folder))
+    draw_contacts(chosen, best, matched, CONTACT_PICTURE.path(folder))

@@ -15,6 +15,8 @@ from instobj.store.stage import Step, write_json
 
 if TYPE_CHECKING:
     from estimator.calibration.digital_twin import CalibratedTwin
+    from estimator.calibration.grasp_twin import GraspTwin
+    from estimator.calibration.pressed_cases import PressedCases
     from estimator.calibration.pressed_places import PressedPlaces
     from estimator.frames.dataset import FrameSet
     from estimator.information.shear import ShearSignals
@@ -65,16 +67,31 @@ class TwinOfData:
         return train, parts[1]
 
     def inverted(self, frames: FrameSet, step: Step) -> Inversion:
-        """The estimator that inverts the twins of all faces with enough places in these frames."""
+        """The estimator that inverts the twins of all faces with enough single places in these frames, or,
+        where none has, the twin of the whole object that presses of several contacts show."""
         from estimator.calibration.inverted_twin import inverted_twin
         from estimator.frames.heatmap import faces_pressed
 
         found = {face: self.calibrated(frames, face, step) for face in faces_pressed(frames)}
         known = {face: one for face, one in found.items() if one is not None}
+        if not known:
+            self.rows.clear()
+            return self._inverted_grasps(frames, step)
         twins = {face: twin for face, (twin, _) in known.items()}
         left = {face: share for face, (_, share) in known.items()}
         step("tables of presses")
         return inverted_twin(self.spec, *self.presses, twins, left, self.shear)
+
+    def _inverted_grasps(self, frames: FrameSet, step: Step) -> Inversion:
+        from estimator.calibration.grasp_twin import calibrate_on_cases
+        from estimator.calibration.inverted_twin import inverted_grasps
+        from estimator.calibration.pressed_cases import pressed_cases
+
+        seen = pressed_cases(self.spec, frames, self.presses[0])
+        twin = calibrate_on_cases(self.spec, *self.presses, seen, step)
+        self.rows.append(_row_of_cases(twin, seen))
+        step("tables of presses")
+        return inverted_grasps(self.spec, self.presses, twin, seen, self.shear)
 
     def calibrated(
         self, frames: FrameSet, face: int, step: Step
@@ -102,7 +119,7 @@ class TwinOfData:
         from instobj.figures.calibration import draw_calibration
 
         write_json({"object": self.spec.name, "faces": self.rows}, CALIBRATION.path(folder))
-        judged = [row for row in self.rows if row["places"]]
+        judged = [row for row in self.rows if row.get("places")]
         draw_calibration(self.spec, judged, CALIBRATION_PICTURE.path(folder))
 
 
@@ -199,11 +216,29 @@ def verdict(left_percent: float, design_percent: float, strained: int) -> str:
     return "yes"
 
 
+def _row_of_cases(twin: GraspTwin, seen: PressedCases) -> dict[str, Any]:
+    """As `_row`, of presses of several contacts."""
+    left, design = (100 * share for share in (twin.left_share, twin.design_share))
+    most = (float(np.quantile(one, _SHARE)) for one in (left, design))
+    return {
+        "faces together": ", ".join(map(str, seen.faces)),
+        "cases": len(seen),
+        "contacts a case": int(np.sum(seen.face > 0, axis=1).max()),
+        "signals left %, cases left out": round(float(np.median(left)), 2),
+        "signals left %, design": round(float(np.median(design)), 2),
+        "helps": verdict(*most, twin.strained),
+        "modulus over design": round(twin.unknowns.assembly(twin.numbers).modulus_ratio, 4),
+        "numbers at their limits": twin.strained,
+        "left % of each case": np.round(left, 1).tolist(),
+        "left % of each case by design": np.round(design, 1).tolist(),
+    }
+
+
 def _row(
     twin: CalibratedTwin, seen: PressedPlaces, calibrated: np.ndarray, planned: np.ndarray
 ) -> dict[str, Any]:
     """What was found, and residual signals at held-out locations."""
-    from estimator.calibration.digital_twin import FARTHEST
+    from estimator.calibration.unknowns import FARTHEST
 
     found = twin.unknowns
     correction = found.correction(twin.numbers)
@@ -211,7 +246,7 @@ def _row(
     most, most_by_design = (100 * float(np.quantile(one, _SHARE)) for one in (calibrated, planned))
     strained = int(np.sum(abs(twin.numbers) >= FARTHEST - 1e-6))
     return {
-        "face": found.face,
+        "face": seen.face,
         "places": len(seen),
         "signals left %, places left out": left,
         "signals left %, design": by_design,

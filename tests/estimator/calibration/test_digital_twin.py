@@ -10,7 +10,8 @@ from scipy.linalg import block_diag
 from design.errors import InputError
 from design.layout.positions import contact_grid
 from estimator.calibration import digital_twin as calibrated_twin
-from estimator.calibration.digital_twin import Unknowns, calibrate, places_left_out
+from estimator.calibration import unknowns
+from estimator.calibration.digital_twin import calibrate, places_left_out
 from estimator.calibration.discrepancy import Discrepancy, Prior
 from estimator.calibration.pressed_places import PressedPlaces, pressed_places, within_reach
 from estimator.calibration.pretraining import calibrated_frames
@@ -91,7 +92,7 @@ def left_over(signals, truth, seen):
 
 
 def test_places_never_pressed_are_predicted(presses, truth, seen, twin):
-    design = twin_signals(SPEC, Unknowns(SPEC, FACE).design, *presses)
+    design = twin_signals(SPEC, unknowns.Unknowns(SPEC, (FACE,)).design, *presses)
     planned, calibrated = (left_over(one, truth, seen) for one in (design, twin.signals()))
     assert planned > 0.08
     assert calibrated < 0.25 * planned
@@ -105,7 +106,7 @@ def test_exchanged_places_do_not_help(presses, truth, seen):
 
 def test_without_large_deformation_it_does_worse(monkeypatch, presses, truth, seen, twin):
     with_it = left_over(twin.signals(), truth, seen)
-    monkeypatch.setattr(calibrated_twin, "STIFFENING", (1e-9,) * 5)
+    monkeypatch.setattr(unknowns, "STIFFENING", (1e-9,) * 5)
     small = calibrate(SPEC, *presses, seen)
     assert left_over(small.signals(), truth, seen) > 1.5 * with_it
 

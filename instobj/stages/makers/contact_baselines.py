@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
-
-from instobj.experiments.paper.grasps import fitted_to_single_faces, one_face_at_a_time
-from instobj.experiments.paper.object import SimulatedObject
+from jaxtyping import Int
 
 if TYPE_CHECKING:
     from estimator.frames.dataset import FrameSet
     from estimator.inversion.inversion import Inversion
     from estimator.inversion.readings import ContactSets
+    from estimator.networks.face_model import FaceModel
 
 Found = list[tuple[int, float, float, float]]
 """Face, x, y (mm) and force (N) of the contacts of a frame."""
@@ -51,30 +51,42 @@ def pursued(inversion: Inversion, frames: FrameSet) -> ContactSets:
     return _sets(every)
 
 
-def of_networks(recorded: SimulatedObject, frames: FrameSet) -> ContactSets:
-    """The whole-object networks of both faces, fitted to the paper's collection of the object itself,
-    single faces pressed: every patch of pixels above 0.9 times the smallest contact force is one
-    contact at its centre of force."""
+def patches(
+    models: Sequence[tuple[FaceModel, float]], frames: FrameSet, rows: Int[np.ndarray, "chosen"]
+) -> ContactSets:
+    """Heatmaps of networks, each with the smallest force of a contact: every patch of pixels above 0.9
+    times that is one contact at its centre of force. The networks see all frames, those before each too;
+    read are the given rows."""
     from scipy.ndimage import center_of_mass, label
 
     from estimator.metrics.heatmaps import NON_CONTACT_SHARE
     from estimator.networks.face_model import predict_heatmaps
 
-    single = one_face_at_a_time(recorded)
-    every: list[Found] = [[] for _ in range(len(frames))]
-    for face in recorded.spec.collection.grasp_faces:
-        model, reference = fitted_to_single_faces(recorded, single, face, "whole-object")
-        limit = NON_CONTACT_SHARE * reference.smallest_contact_n
-        for found, heatmap in zip(every, predict_heatmaps(model, frames), strict=True):
-            patches, count = label(heatmap >= limit, np.ones((3, 3)))  # pyright: ignore[reportGeneralTypeIssues]
+    every: list[Found] = [[] for _ in rows]
+    for model, smallest_n in models:
+        limit = NON_CONTACT_SHARE * smallest_n
+        for found, heatmap in zip(every, predict_heatmaps(model, frames)[rows], strict=True):
+            patch, count = label(heatmap >= limit, np.ones((3, 3)))  # pyright: ignore[reportGeneralTypeIssues]
             for number in range(1, count + 1):
-                i, j = center_of_mass(heatmap, patches, number)
+                i, j = center_of_mass(heatmap, patch, number)
                 x, y = (
                     float(np.interp(at, np.arange(len(grid)), grid))
                     for at, grid in ((i, model.grid_x_mm), (j, model.grid_y_mm))
                 )
-                found.append((face, x, y, float(heatmap[patches == number].sum())))
+                found.append((model.face, x, y, float(heatmap[patch == number].sum())))
     return _sets(every)
+
+
+def training_mean(trained: FrameSet, frames: int) -> ContactSets:
+    """One contact on every face that training presses, at the mean of its places with the mean of its
+    forces, whatever a frame shows."""
+    mean: Found = []
+    for face in np.unique(trained.contact_face[trained.contact_face > 0]).tolist():
+        here = (trained.contact_face == face) & trained.valid[:, None]
+        x, y = trained.contact_xy_mm[here].mean(axis=0)
+        force = np.where(here, trained.force_n[..., 2], 0.0).sum(axis=1)
+        mean.append((int(face), float(x), float(y), float(force[here.any(axis=1)].mean())))
+    return _sets([mean] * frames)
 
 
 def _sets(every: list[Found]) -> ContactSets:

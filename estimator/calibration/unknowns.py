@@ -1,0 +1,148 @@
+"""What is unknown of a built object, and its most probable values given what labelled presses show."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Protocol, runtime_checkable
+
+import numpy as np
+from jaxtyping import Bool, Float
+
+from design.spec.object import ObjectSpec
+from estimator.tolerances.assembly import Assembly, assembled, contribution_sizes, designed
+from fem.large_strain.correction import StrainCorrection
+
+FACE_PARTS = (
+    "magnet_seat", "magnet_depth", "magnet_tilt", "remanence",
+    "sensor_seat", "sensor_rotation", "sensor_gain",
+)  # fmt: skip
+"""Contributions (`estimator.tolerances.assembly`) of which the face's own magnets and sensors count."""
+WHOLE = ("core_shift", "core_yaw", "modulus")
+STIFFENING = (0.7, 0.7, 0.5, 1.0, 0.5)
+"""Standard deviations beforehand of the coefficients a to e of `fem.large_strain.correction`."""
+_ITERATIONS = 12
+_STEP, _SETTLED = 0.05, 0.05
+FARTHEST = 5.0
+"""Standard deviations that a number may go either way."""
+
+
+@dataclass(frozen=True)
+class Unknowns:
+    """What is unknown of an object, as standard normal numbers one after the other."""
+
+    spec: ObjectSpec
+    faces: tuple[int, ...]
+
+    @cached_property
+    def design(self) -> Assembly:
+        return designed(self.spec)
+
+    @cached_property
+    def free(self) -> dict[str, Bool[np.ndarray, "number"]]:
+        """Which numbers of each contribution concern the faces, or the whole object."""
+        place, sizes = self.design.scene, contribution_sizes(self.design)
+        free = {}
+        for name in FACE_PARTS:
+            owner = (place.sensors if name.startswith("sensor") else place.magnets).face
+            free[name] = np.repeat(np.isin(owner, self.faces), sizes[name] // len(owner))
+        return free | {name: np.ones(sizes[name], bool) for name in WHOLE}
+
+    def __len__(self) -> int:
+        return sum(int(mask.sum()) for mask in self.free.values()) + len(STIFFENING)
+
+    def assembly(self, numbers: Float[np.ndarray, "number"]) -> Assembly:
+        """The object of these numbers."""
+        draws, start = {}, 0
+        for name, mask in self.free.items():
+            draws[name] = np.zeros(len(mask))
+            draws[name][mask] = numbers[start : start + mask.sum()]
+            start += int(mask.sum())
+        return assembled(self.spec, self.design, draws)
+
+    def correction(self, numbers: Float[np.ndarray, "number"]) -> StrainCorrection:
+        """Its departure from small strain."""
+        a, b, c, d, e = (numbers[-len(STIFFENING) :] * STIFFENING).tolist()
+        return StrainCorrection(self.spec.shell.thickness_mm, (a, b), (c, d), (e,))
+
+
+@runtime_checkable
+class Mechanics(Protocol):
+    """What an object of given numbers would show in labelled presses."""
+
+    def expected(self, numbers: Float[np.ndarray, "number"]) -> Float[np.ndarray, "row channel"]:
+        """NaN where there is no such object."""
+        ...
+
+
+@runtime_checkable
+class LeftOver(Protocol):
+    """Covariance of what no numbers explain."""
+
+    def weighed(
+        self, left: Float[np.ndarray, "row channel *any"]
+    ) -> Float[np.ndarray, "row channel *any"]:
+        """Its inverse times values."""
+        ...
+
+
+def most_probable(
+    mechanics: Mechanics,
+    left_over: LeftOver,
+    counts: Float[np.ndarray, "row channel"],
+    numbers: Float[np.ndarray, "number"],
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Numbers of the largest posterior, what they predict, and its Jacobian.
+
+    Steps are halved until the posterior grows.
+    """
+
+    def cost(left: np.ndarray, at: np.ndarray) -> float:
+        if not np.isfinite(left).all():
+            return np.inf
+        return float(np.sum(left * left_over.weighed(left)) + at @ at)
+
+    here = mechanics.expected(numbers)
+    for _ in range(_ITERATIONS):
+        jacobian = jacobian_of(mechanics, numbers, here)
+        precision, pull = normal_equations(left_over, jacobian, counts - here)
+        step = np.linalg.solve(precision, pull - numbers)
+        before = cost(counts - here, numbers)
+        for _ in range(6):
+            trial = np.clip(numbers + step, -FARTHEST, FARTHEST)
+            there = mechanics.expected(trial)
+            if cost(counts - there, trial) <= before:
+                break
+            step = step / 2
+        else:
+            return numbers, here, jacobian
+        numbers, here = trial, there
+        if np.abs(step).max() < _SETTLED:
+            break
+    return numbers, here, jacobian_of(mechanics, numbers, here)
+
+
+def normal_equations(
+    left_over: LeftOver, jacobian: np.ndarray, left: np.ndarray
+) -> tuple[Float[np.ndarray, "number number"], Float[np.ndarray, "number"]]:
+    """Precision of the numbers, their prior included, and the pull of what is left over."""
+    weighed = left_over.weighed(jacobian)
+    precision = np.eye(jacobian.shape[-1]) + np.einsum("rcn,rcm->nm", jacobian, weighed)
+    return precision, np.einsum("rcn,rc->n", weighed, left)
+
+
+def jacobian_of(
+    mechanics: Mechanics,
+    numbers: Float[np.ndarray, "number"],
+    here: Float[np.ndarray, "row channel"],
+) -> Float[np.ndarray, "row channel number"]:
+    """By differences of a twentieth of each number's standard deviation, forward where that is
+    possible; 0 where neither way is."""
+    columns = []
+    for step in np.diag(np.where(numbers < FARTHEST - _STEP, _STEP, -_STEP)):
+        there = mechanics.expected(numbers + step)
+        if not np.isfinite(there).all():
+            step = -step
+            there = mechanics.expected(numbers + step)
+        columns.append((there - here) / step.sum())
+    return np.nan_to_num(np.stack(columns, axis=-1))  # hemmed in both ways: it stays

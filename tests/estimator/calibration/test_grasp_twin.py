@@ -1,0 +1,114 @@
+"""A whole object calibrated on presses of several tips together, and what it reads of others."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from design.errors import InputError
+from estimator.calibration import unknowns
+from estimator.calibration.grasp_twin import calibrate_on_cases, left_share, sensor_errors
+from estimator.calibration.inverted_twin import inverted_grasps
+from estimator.calibration.pressed_cases import pressed_cases
+from estimator.inversion.matching import all_counts, contact_rows, matched_contacts
+from tests.support.inverted import SPEC, presses
+from tests.support.made_grasps import both, built_object, grasps
+
+
+@pytest.fixture(scope="module")
+def built():
+    return built_object()
+
+
+@pytest.fixture(scope="module")
+def trained(built):
+    """Recordings of one tip and of two tips a jaw."""
+    return both(grasps(built, 1, cases=5), grasps(built, 2, cases=4))
+
+
+@pytest.fixture(scope="module")
+def seen(trained):
+    return pressed_cases(SPEC, trained, presses()[0])
+
+
+@pytest.fixture(scope="module")
+def twin(seen):
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(unknowns, "_ITERATIONS", 1)
+        return calibrate_on_cases(SPEC, *presses()[:2], seen)
+
+
+@pytest.fixture(scope="module")
+def estimator(twin, seen):
+    return inverted_grasps(SPEC, presses()[:2], twin, seen)
+
+
+def held_out(built):
+    """Frames of three tips a jaw at 10 N a face and more."""
+    frames = grasps(built, 3, cases=4)
+    return frames.select(np.flatnonzero(np.nansum(frames.force_n[..., 2], axis=1) > 20)[::6])
+
+
+def test_cases_are_means_over_frames_of_like_force(trained, seen):
+    assert len(seen) == 9
+    assert np.all(np.diff(seen.force_n.sum(axis=2), axis=1) > 0)
+    rows = np.flatnonzero(trained.place_id == 0)
+    order = np.argsort(np.nansum(trained.force_n[rows, :, 2], axis=1), kind="stable")
+    hardest = rows[order][-len(rows) // 4 + 1 :]
+    counts = trained.signal_counts[hardest].reshape(len(hardest), -1).mean(axis=0)
+    assert_allclose(seen.counts[0, -1], counts[seen.channels], rtol=0.05, atol=20)
+
+
+def test_cases_left_out_are_predicted_better_than_by_the_design(twin):
+    assert twin.helps
+    assert not twin.strained
+    assert np.median(twin.left_share) < 0.5 * np.median(twin.design_share)
+
+
+def test_three_tips_that_it_never_saw_are_read(built, estimator):
+    frames = held_out(built)
+    found, _ = estimator.read(all_counts(frames))
+    row = contact_rows(matched_contacts(frames, found))[0]
+    assert row["tips a face"] == 3
+    assert row["number right %"] >= 60
+    assert row["distance mm"] < 3
+    assert row["total force N"] < 3
+    assert row["not explained %"] <= 10
+
+
+def test_an_object_that_is_not_the_drawing_is_told(built, trained, twin):
+    chips = np.random.default_rng(1).permutation(15)
+
+    def otherwise(frames):
+        counts = frames.signal_counts.reshape(-1, 15, 3)[:, chips, ::-1]
+        return replace(frames, signal_counts=counts.reshape(-1, 5, 3, 3))
+
+    other = otherwise(trained)
+    seen = pressed_cases(SPEC, other, presses()[0])
+    design = replace(twin, numbers=0 * twin.numbers, left=seen.counts - predicted(seen, twin))
+    assert left_share(seen, design.left.reshape(-1, len(seen.channels))).min() > 0.7
+    frames = otherwise(held_out(built))
+    found, _ = inverted_grasps(SPEC, presses()[:2], design, seen).read(all_counts(frames))
+    assert not found.explained.any()
+    assert np.nanmedian(found.position_radius_mm) > 4
+
+
+def predicted(seen, twin):
+    """Of the design."""
+    from estimator.calibration.grasp_twin import _Mechanics
+
+    mechanics = _Mechanics(twin.unknowns, *presses()[:2], seen)
+    return mechanics.expected(np.zeros(len(twin.unknowns))).reshape(seen.counts.shape)
+
+
+def test_errors_of_sensors_are_what_is_left_over(seen):
+    rng = np.random.default_rng(2)
+    wrong = 0.3 * seen.chip_counts * rng.standard_normal(seen.counts.shape)
+    noise = np.sqrt(seen.noise_counts2) * rng.standard_normal(seen.counts.shape)
+    assert_allclose(sensor_errors(seen, wrong + noise, 15), 0.3, rtol=0.35)
+
+
+def test_two_cases_are_too_few(built):
+    with pytest.raises(InputError, match="got 2 such cases"):
+        pressed_cases(SPEC, grasps(built, 2, cases=2), presses()[0])
