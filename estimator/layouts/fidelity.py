@@ -158,7 +158,8 @@ def score_signals(
 def _false_forces(spec: ObjectSpec, signals: Signals) -> dict[str, float]:
     cross = cross_face_disturbance(spec, signals, CROSS_FACE_FORCE_N).summary("adjacent")
     names = ("median_false_force_n", "percentile_95_false_force_n")
-    return {name: max(cross.get(name, np.nan), LEAST_FALSE_FORCE_N) for name in names}
+    found = {name: np.maximum(cross.get(name, np.nan), LEAST_FALSE_FORCE_N) for name in names}
+    return {name: float(force_n) for name, force_n in found.items()}
 
 
 def _two_contacts(spec: ObjectSpec, signals: Signals) -> dict[str, float]:
