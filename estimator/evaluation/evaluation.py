@@ -9,14 +9,13 @@ import numpy as np
 from jaxtyping import Float, Int
 
 from design.errors import InputError
-from design.spec.object import TrainingSpec
 from estimator.frames.dataset import FrameSet
-from estimator.frames.face_data import FaceData, face_data, with_history
+from estimator.frames.face_data import FaceData, channel_counts, face_data, with_history
 from estimator.frames.splits import Split
 from estimator.metrics.heatmaps import FaceMetrics, face_metrics, force_reference
-from estimator.networks.face_model import FaceModel, predict, predict_heatmaps
+from estimator.networks.face_model import FaceModel, predict, predict_heatmaps, read_counts
+from estimator.networks.linear import fit_linear
 from estimator.networks.prediction import ContactReadings, Prediction
-from estimator.networks.training import FitSettings, fit_estimator
 from estimator.networks.training_data import with_contacts
 from estimator.recordings.reading import Recording
 
@@ -124,9 +123,10 @@ def interval_errors(
 
 def linear_baseline(frames: FrameSet, face: int, split: Split) -> FaceMetrics:
     """Linear (ridge) regression from signals in units of σ to the heatmap."""
-    settings = FitSettings(face, TrainingSpec(model="linear"))
-    model = fit_estimator(frames.select(split.train), frames.select(split.validation), settings)
-    return evaluate_face(model, frames.select(split.test), frames)
+    member, channels = fit_linear(frames.select(split.train), frames.select(split.validation), face)
+    data = face_data(frames.select(split.test), face)
+    found = read_counts(member, channel_counts(data.frames, channels))
+    return _metrics(data, found.heatmap_n[:, -1], frames)
 
 
 def mean_map_baseline(frames: FrameSet, face: int, split: Split) -> FaceMetrics:

@@ -109,12 +109,12 @@ def fit_estimator(
         settings = replace(settings, training=_as_started(settings.training, start))
     training, seed = settings.training, settings.seed
     parts = [
-        _prepared(frames, name, settings)
+        prepared(frames, name, settings)
         for frames, name in ((train_frames, "training"), (validation_frames, "validation"))
     ]
     if start is not None:
         _require_same_kind(start, settings, train_frames)
-    channels = start.channels if start else _common_channels(parts, training)
+    channels = start.channels if start else common_channels(parts, training)
     folds = []
     for number, (fitted, held_out) in enumerate(_folds(parts, settings)):
         if start is None:
@@ -177,7 +177,8 @@ def _as_started(training: TrainingSpec, start: FaceModel) -> TrainingSpec:
     return filled(training, PLAIN._replace(history_frames=start.history_frames))
 
 
-def _prepared(frames: FrameSet, part: str, settings: FitSettings) -> FaceData:
+def prepared(frames: FrameSet, part: str, settings: FitSettings) -> FaceData:
+    """Frames of one part that can be learned from, with changes over time where those are asked for."""
     whole = with_history(frames, settings.training.history_frames or 0)
     return thinned(with_contacts(face_data(whole, settings.face), part), settings.seed)
 
@@ -215,7 +216,8 @@ def _require_same_kind(start: FaceModel, settings: FitSettings, frames: FrameSet
         )
 
 
-def _common_channels(parts: list[FaceData], training: TrainingSpec) -> tuple[Channel, ...]:
+def common_channels(parts: list[FaceData], training: TrainingSpec) -> tuple[Channel, ...]:
+    """Channels that are live in all parts."""
     every = training.model == "whole-object"
     alive = set(live_channels(parts[1], every))
     channels = tuple(channel for channel in live_channels(parts[0], every) if channel in alive)

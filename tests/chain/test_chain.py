@@ -183,19 +183,24 @@ def test_a_data_set_of_the_run_trains_like_a_recorded_one(folder, first):
     assert {row["face"] for row in rows} == set(FACES)
 
 
+INVERTS = ("--set", "training.model=inversion", "--set", "inversion.contacts=3", "--json")
+
+
 def test_contacts_of_the_whole_object_are_found_by_inversion(folder, first):
-    inverts = ("--set", "training.model=inversion", "--set", "inversion.contacts=3", "--json")
-    done = run("evaluate", "small.toml", *inverts, cwd=folder)
+    done = run("evaluate", "small.toml", *INVERTS, cwd=folder)
     assert done.returncode == 0, done.stderr
     rows = json.loads((folder / "runs/small/contact_metrics.json").read_text())["contacts"]
     pressed = [row for row in rows if row["force"] == "from 4 N" and row["tips a face"] == 1]
     assert pressed[0]["number right %"] > 90
     assert pressed[0]["distance mm"] < 2.0
     assert rows[-1]["number right %"] > 98
+
+
+def test_contacts_of_a_data_set_are_found_by_inverting_its_twin(folder, first):
     (folder / "pressed").mkdir()
     data = folder / "pressed" / "frames.nc"
     data.write_bytes((folder / "runs/small/frames.nc").read_bytes())
-    done = run("evaluate", "pressed/frames.nc", "--twin", "small.toml", *inverts, cwd=folder)
+    done = run("evaluate", "pressed/frames.nc", "--twin", "small.toml", *INVERTS, cwd=folder)
     assert done.returncode == 0, done.stderr
     twin = json.loads((folder / "runs/pressed/calibration.json").read_text())
     assert {row["face"] for row in twin["faces"]} == set(FACES)
