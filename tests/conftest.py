@@ -1,5 +1,6 @@
 """Types, what the processes of a run share, and how tests go to them."""
 
+import gc
 import os
 import shutil
 import tempfile
@@ -18,6 +19,7 @@ from tests.support import recorded_meshes  # noqa: E402
 recorded_meshes.install()
 saving.DPI = 60  # pictures in full take a minute of a run
 parts.PIXELS = 400
+os.fsync = lambda descriptor: None  # searches wait for the disk at every trial
 
 VERIFICATION_OUTCOMES = pytest.StashKey[list]()
 
@@ -41,6 +43,11 @@ def pytest_configure(config):
         shared = tempfile.mkdtemp(prefix="instobj_tests_")
         os.environ["INSTOBJ_TESTS_SHARED"] = shared  # for `tests.support.shared`, in all workers
         config.add_cleanup(lambda: shutil.rmtree(shared, ignore_errors=True))
+
+
+def pytest_collection_finish():
+    gc.collect()
+    gc.freeze()  # modules stay: no search for garbage among them
 
 
 @pytest.fixture
