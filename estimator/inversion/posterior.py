@@ -220,33 +220,6 @@ def _loosen(found: Quadratic, left: np.ndarray, jacobian: np.ndarray, pulls: np.
     found.log_spread += 0.5 * np.linalg.slogdet(spread)[1]
 
 
-def tangential_forces(
-    model: ContactModel, priors: Priors, seen: Observed, problems: Problems
-) -> tuple[Float[np.ndarray, "problem contact 2"], Float[np.ndarray, "problem contact 2"]]:
-    """Along x and y of each contact's face, N, and their standard deviations.
-
-    Those of the posterior mean at the contacts found, with what is uncertain of the contacts; errors
-    of simulated presses are 1.15 times the deviations (rms; 300 presses of a synthetic object).
-    """
-    slots = problems.face.shape[1]
-    face, contact, sigma = problems.face, problems.contact, seen.sigma[problems.frame]
-    singles = model.singles(face, contact) / sigma[:, None, None]
-    pulls = model.pulls(face, contact).reshape(len(face), 2 * slots, model.channels)
-    pulls = pulls / sigma[:, None]
-    left = seen.counts[problems.frame] - problems.extra
-    left = left / sigma - singles[:, :, 0].sum(axis=1)
-    jacobian = singles[:, :, 1:].reshape(len(face), 3 * slots, model.channels)
-    own = np.linalg.inv(np.eye(2 * slots) + pulls @ pulls.transpose(0, 2, 1))
-    mean = (own @ (pulls @ left[..., None]))[..., 0]
-    carried = own @ pulls @ jacobian.transpose(0, 2, 1)
-    contacts = np.linalg.inv(_bounded(problems, priors))
-    covariance = own + carried @ contacts @ carried.transpose(0, 2, 1)
-    deviation = np.sqrt(np.diagonal(covariance, axis1=1, axis2=2))
-    scale = model.pull_sigma_n(contact)[..., None]
-    shape = (*face.shape, 2)
-    return scale * mean.reshape(shape), scale * deviation.reshape(shape)
-
-
 def curvature_at(
     model: ContactModel,
     seen: Observed,
@@ -262,7 +235,7 @@ def curvature_at(
 
 def log_evidence(problems: Problems, priors: Priors) -> Float[np.ndarray, "problem"]:
     """Log of the posterior mass about each peak, priors included, but for the frame's constant."""
-    _, log_volume = np.linalg.slogdet(_bounded(problems, priors))
+    _, log_volume = np.linalg.slogdet(bounded_curvature(problems, priors))
     mass = 0.5 * (3 * problems.number * np.log(2 * np.pi) - log_volume)
     return (
         mass
@@ -276,14 +249,14 @@ def covariances(problems: Problems, priors: Priors) -> Float[np.ndarray, "proble
     """Of x, y (mm) and force (N) of each contact, with the uncertainty of the others; no wider than
     the priors. Of empty slots the identity."""
     slots = problems.face.shape[1]
-    every = np.linalg.inv(_bounded(problems, priors)).reshape(-1, slots, 3, slots, 3)
+    every = np.linalg.inv(bounded_curvature(problems, priors)).reshape(-1, slots, 3, slots, 3)
     return np.moveaxis(np.diagonal(every, axis1=1, axis2=3), -1, 1)
 
 
-def _bounded(
+def bounded_curvature(
     problems: Problems, priors: Priors
 ) -> Float[np.ndarray, "problem parameter parameter"]:
-    """Curvature with that of normal priors as wide as the even ones: it has an inverse."""
+    """With that of normal priors as wide as the even ones: it has an inverse."""
     filled = np.repeat(problems.face != NONE, 3, axis=1)
     flat = np.tile(12 / np.square(widths(priors)), problems.face.shape[1])
     return problems.curvature + (filled * flat)[:, :, None] * np.eye(len(flat))

@@ -14,9 +14,9 @@ from estimator.inversion.noise import BLIND
 from estimator.inversion.posterior import (
     Observed,
     Problems,
+    bounded_curvature,
     covariances,
     strict_misfit,
-    tangential_forces,
 )
 from estimator.inversion.priors import Priors
 
@@ -117,6 +117,33 @@ def contact_sets(
         odds,
         strict_p_values(model, priors, seen, problems),
     )
+
+
+def tangential_forces(
+    model: ContactModel, priors: Priors, seen: Observed, problems: Problems
+) -> tuple[Float[np.ndarray, "problem contact 2"], Float[np.ndarray, "problem contact 2"]]:
+    """Along x and y of each contact's face, N, and their standard deviations.
+
+    Those of the posterior mean at the contacts found, with what is uncertain of the contacts; errors
+    of simulated presses are 1.15 times the deviations (rms; 300 presses of a synthetic object).
+    """
+    slots = problems.face.shape[1]
+    face, contact, sigma = problems.face, problems.contact, seen.sigma[problems.frame]
+    singles = model.singles(face, contact) / sigma[:, None, None]
+    pulls = model.pulls(face, contact).reshape(len(face), 2 * slots, model.channels)
+    pulls = pulls / sigma[:, None]
+    left = seen.counts[problems.frame] - problems.extra
+    left = left / sigma - singles[:, :, 0].sum(axis=1)
+    jacobian = singles[:, :, 1:].reshape(len(face), 3 * slots, model.channels)
+    own = np.linalg.inv(np.eye(2 * slots) + pulls @ pulls.transpose(0, 2, 1))
+    mean = (own @ (pulls @ left[..., None]))[..., 0]
+    carried = own @ pulls @ jacobian.transpose(0, 2, 1)
+    contacts = np.linalg.inv(bounded_curvature(problems, priors))
+    covariance = own + carried @ contacts @ carried.transpose(0, 2, 1)
+    deviation = np.sqrt(np.diagonal(covariance, axis1=1, axis2=2))
+    scale = model.pull_sigma_n(contact)[..., None]
+    shape = (*face.shape, 2)
+    return scale * mean.reshape(shape), scale * deviation.reshape(shape)
 
 
 def p_values(seen: Observed, problems: Problems) -> Float[np.ndarray, "problem"]:

@@ -10,7 +10,8 @@ from design.errors import InputError
 from design.layout.positions import contact_grid
 from estimator.information.shear import ShearSignals
 from estimator.inversion.inversion import inversion
-from estimator.inversion.posterior import most_probable, tangential_forces
+from estimator.inversion.posterior import most_probable
+from estimator.inversion.readings import tangential_forces
 from estimator.inversion.storage import load_inversion, save_inversion
 from tests.support.inverted import SPEC, contacts, inverted, noisy_counts, presses
 
