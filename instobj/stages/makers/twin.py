@@ -27,6 +27,8 @@ _TRUSTED_PERCENT = 10.0
 _EXACT_PERCENT = 4.0
 """Twice what meshes of one design differ by in the mean."""
 _SHARE = 0.8
+_LESS = "train without --twin, or press more locations"
+_UNEXPLAINED = "frames will be called not explained; train networks, or measure what was built"
 Parts = tuple["FrameSet", "FrameSet"]
 
 
@@ -200,7 +202,7 @@ def _described(grid_mm: tuple[np.ndarray, np.ndarray], faces: tuple[int, ...], s
     )
 
 
-def verdict(left_percent: float, design_percent: float, strained: int) -> str:
+def verdict(left_percent: float, design_percent: float, strained: int, instead: str = _LESS) -> str:
     """Whether presses of the twin help, from what it and the design leave of signals at four of five
     places at most.
 
@@ -212,7 +214,7 @@ def verdict(left_percent: float, design_percent: float, strained: int) -> str:
             f"no: {strained} numbers at their limits; is it this object, are its tolerances true?"
         )
     if left_percent > max(_EXACT_PERCENT, min(_TRUSTED_PERCENT, design_percent / 2)):
-        return "no: train without --twin, or press more locations"
+        return f"no: {instead}"
     return "yes"
 
 
@@ -226,7 +228,7 @@ def _row_of_cases(twin: GraspTwin, seen: PressedCases) -> dict[str, Any]:
         "contacts a case": int(np.sum(seen.face > 0, axis=1).max()),
         "signals left %, cases left out": round(float(np.median(left)), 2),
         "signals left %, design": round(float(np.median(design)), 2),
-        "helps": verdict(*most, twin.strained),
+        "helps": verdict(*most, twin.strained, _UNEXPLAINED),
         "modulus over design": round(twin.unknowns.assembly(twin.numbers).modulus_ratio, 4),
         "numbers at their limits": twin.strained,
         "left % of each case": np.round(left, 1).tolist(),

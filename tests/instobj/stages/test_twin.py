@@ -17,12 +17,14 @@ from instobj.commands import training
 from instobj.commands.run import run_estimator
 from instobj.commands.training import twin_of_data
 from instobj.report.summary import summarize
+from instobj.stages.makers import learning
 from instobj.stages.makers.twin import (
     TwinOfData,
     require_same_object,
     verdict,
 )
 from instobj.store.content import StoredResult
+from instobj.store.progress import ProgressLine
 from instobj.store.publish import run_folder
 from tests.support.synthetic_presses import coarse_spec, synthetic_presses
 
@@ -97,6 +99,9 @@ def test_the_command_writes_models_and_what_was_calibrated(frames, twin, tmp_pat
     alone = load_model(target / "face_3.safetensors").network.state_dict()
     assert not all(wider[name].equal(alone[name]) for name in wider)
     assert "calibrated twin (medians over labelled places)" not in plain["objects"][0]["summary"]
+    monkeypatch.setattr(learning, "train_networks", None)
+    again = training.trained_networks(tmp_path / "cube.nc", SETTINGS, ProgressLine())
+    assert again[FACE].network.state_dict().keys() == alone.keys()
 
 
 def test_a_face_without_a_twin_stands_in_the_table(twin, frames, tmp_path):
