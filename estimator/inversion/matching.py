@@ -178,7 +178,7 @@ def _row(
         "each force N": _rounded(_mean(np.abs(matched.force_error_n[pairs])), 3),
         "place in 90 % region %": _rounded(100 * _mean(matched.place_covered[pairs]), 1),
         "force in 90 % interval %": _rounded(100 * _mean(matched.force_covered[pairs]), 1),
-        "not explained %": _rounded(100 * np.mean(~matched.explained[chosen]), 1),
+        "not explained %": _rounded(100 * _mean(~matched.explained[chosen]), 1),
         **pulled,
     }
 

@@ -221,14 +221,14 @@ def verdict(left_percent: float, design_percent: float, strained: int, instead: 
 def _row_of_cases(twin: GraspTwin, seen: PressedCases) -> dict[str, Any]:
     """As `_row`, of presses of several contacts."""
     left, design = (100 * share for share in (twin.left_share, twin.design_share))
-    most = (float(np.quantile(one, _SHARE)) for one in (left, design))
+    most, most_by_design = (float(np.quantile(one, _SHARE)) for one in (left, design))
     return {
         "faces together": ", ".join(map(str, seen.faces)),
         "cases": len(seen),
         "contacts a case": int(np.sum(seen.face > 0, axis=1).max()),
         "signals left %, cases left out": round(float(np.median(left)), 2),
         "signals left %, design": round(float(np.median(design)), 2),
-        "helps": verdict(*most, twin.strained, _UNEXPLAINED),
+        "helps": verdict(most, most_by_design, twin.strained, _UNEXPLAINED),
         "modulus over design": round(twin.unknowns.assembly(twin.numbers).modulus_ratio, 4),
         "numbers at their limits": twin.strained,
         "left % of each case": np.round(left, 1).tolist(),
