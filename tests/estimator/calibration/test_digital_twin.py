@@ -22,6 +22,7 @@ from estimator.tolerances.virtual_object import drawn_assembly, twin_signals
 from fem.large_strain.correction import StrainCorrection, corrected_table
 from tests.support.synthetic_presses import coarse_spec, synthetic_presses
 
+pytestmark = pytest.mark.usefixtures("statistics_in_full")
 FACE = 3
 SPEC = coarse_spec(
     seed=5,

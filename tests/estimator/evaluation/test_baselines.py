@@ -18,6 +18,7 @@ from estimator.frames.splits import split_presses
 from estimator.networks.training import FitSettings, fit_estimator
 from tests.support.synthetic_frames import synthetic_frames
 
+pytestmark = pytest.mark.usefixtures("statistics_in_full")
 FACE = 4
 
 

@@ -15,6 +15,7 @@ from estimator.networks.face_model import predict
 from estimator.networks.training import FitSettings, fit_estimator
 from tests.support.synthetic_frames import synthetic_frames
 
+pytestmark = pytest.mark.usefixtures("statistics_in_full")
 FACE = 4
 TRAINING = TrainingSpec(hidden_units=(48,), epochs=20, batch_size=64, ensemble=2, trees=10)
 PLACES = (0, 2, 4, 5, 7, 9)

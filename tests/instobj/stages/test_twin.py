@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 
 from design.errors import InputError
-from estimator.calibration import digital_twin as calibrated_twin
 from estimator.frames.dataset import save_frames
 from estimator.frames.press_protocol import simulate_presses
 from estimator.frames.splits import split_presses
@@ -58,8 +57,7 @@ def frames(presses):
 
 
 @pytest.fixture
-def twin(presses, monkeypatch):
-    monkeypatch.setattr(calibrated_twin, "_FOLDS", 2)
+def twin(presses):
     return TwinOfData(SPEC, presses, "synthetic", 5)
 
 

@@ -1,0 +1,34 @@
+"""Smaller statistics for tests that do not ask how good they are; their own tests have them in full."""
+
+from contextlib import contextmanager
+
+from estimator.calibration import digital_twin
+from estimator.evaluation import baselines
+from estimator.networks import coverage
+
+SMALLER = {
+    (coverage, "_PLACE_TREES"): 8,
+    (baselines, "_TREES"): 20,
+    (baselines, "_BOOSTS"): 30,
+    (digital_twin, "_FOLDS"): 2,
+}
+"""Trees at places left out took more of a small network's training than the network."""
+FULL = {(module, name): getattr(module, name) for module, name in SMALLER}
+
+
+def install():
+    """From now on."""
+    _set(SMALLER)
+
+
+@contextmanager
+def in_full():
+    """As users have them."""
+    _set(FULL)
+    yield
+    _set(SMALLER)
+
+
+def _set(values):
+    for (module, name), value in values.items():
+        setattr(module, name, value)
