@@ -1,11 +1,16 @@
 """NetCDF files of results: named axes, units and checksums, by one codec for all of them.
 
-Arrays of numbers carry Fletcher checksums, and the format of HDF5 1.10 one for each piece of
-metadata, so that a damaged byte ends in an error instead of another number.
+A SHA-256 of the whole file stands behind its content, where HDF5 ignores it; programs that edit the
+file cut it off. Without it (older, foreign or edited files) a separate process reads the file first:
+HDF5 keeps texts without a checksum, and a damaged byte there can make its library run forever, out
+of the reach of Python's signals. Also, arrays of numbers carry Fletcher checksums, and the format of
+HDF5 1.10 one for each piece of metadata.
 """
 
 from __future__ import annotations
 
+import hashlib
+import sys
 from collections.abc import Mapping
 from contextlib import closing
 from dataclasses import dataclass, field
@@ -16,6 +21,7 @@ import numpy as np
 
 from design.errors import InputError, StoreError
 from design.files import atomic_path
+from design.processes import ChildFailed, run_child
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -25,6 +31,10 @@ Axes = Mapping[str, tuple[str, str]]
 
 _HDF5_FORMAT = ("v110", "v110")
 _LARGEST_CHUNK_BYTES = 2**30
+_SEAL = b"instobj sha256: "
+_SEAL_BYTES = len(_SEAL) + hashlib.sha256().digest_size
+FIRST_READING_S, _FIRST_READING_BYTES_PER_S = 30.0, 2e7
+"""Limit of time of the separate process that reads a file without a digest first."""
 
 
 @dataclass(frozen=True)
@@ -101,6 +111,9 @@ def write_netcdf(
         opened = H5NetCDFStore.open(temporary, mode="w", driver_kwds={"libver": _HDF5_FORMAT})
         with closing(opened) as store:
             data.dump_to_store(store, encoding=encoding)
+        seal = _seal(np.memmap(temporary, np.uint8, "r"))
+        with temporary.open("ab") as file:
+            file.write(seal)
 
 
 def _encoding(array: xr.DataArray, packed: bool) -> dict[str, Any]:
@@ -147,14 +160,10 @@ def load_whole(path: Path | str) -> xr.Dataset:
     StoreError
         Not NetCDF, or damaged; the text says what the library found.
     """
-    import h5py
     import xarray as xr
 
     try:
-        with h5py.File(path) as file:
-            dict(
-                file.attrs
-            )  # where these are damaged, h5netcdf prints a traceback as it is deleted
+        _require_whole(Path(path))
         with xr.open_dataset(path, engine="h5netcdf", decode_timedelta=False) as data:
             return data.load()
     except MemoryError:
@@ -164,7 +173,7 @@ def load_whole(path: Path | str) -> xr.Dataset:
 
 
 def holds(path: Path | str, name: str) -> bool:
-    """Whether a file is NetCDF with a variable or an attribute of this name.
+    """Whether a file is NetCDF with a variable or an attribute of this name; no text is read.
 
     False also for a damaged one: whoever reads it says so.
     """
@@ -177,6 +186,52 @@ def holds(path: Path | str, name: str) -> bool:
             return name in file or name in file.attrs
     except Exception:  # a damaged file can fail in any layer of the library
         return False
+
+
+def _require_whole(path: Path) -> None:
+    """Refuse a file that is not what its digest says, or without one cannot be read to its end.
+
+    Raises
+    ------
+    StoreError
+        Another digest, or the separate process failed or did not end in time.
+    """
+    content = np.memmap(path, np.uint8, "r")
+    seal = content[-_SEAL_BYTES:].tobytes()
+    if not seal.startswith(_SEAL):
+        _read_apart(path, content.size)
+    elif seal != _seal(content[:-_SEAL_BYTES]):
+        raise StoreError("its bytes have changed since they were written")
+
+
+def _seal(content: np.ndarray) -> bytes:
+    return _SEAL + hashlib.sha256(content).digest()
+
+
+def _read_apart(path: Path, size: int) -> None:
+    import h5py
+
+    if not h5py.is_hdf5(path):
+        raise StoreError("it is not HDF5")
+    seconds = FIRST_READING_S + size // _FIRST_READING_BYTES_PER_S
+    try:
+        run_child(("-P", "-m", "design.netcdf", str(path.resolve())), Path.cwd(), seconds)
+    except ChildFailed as failure:
+        raise StoreError(f"read in a separate process, {failure}") from None
+
+
+def _read_everything(path: str) -> None:
+    """All texts and arrays, by HDF5 alone: importing xarray too would take four times as long."""
+    import h5py
+
+    def read(_: str, item: Any) -> None:
+        dict(item.attrs)
+        if isinstance(item, h5py.Dataset):
+            item[()]
+
+    with h5py.File(path) as file:
+        read("/", file)
+        file.visititems(read)
 
 
 def _check_kind(kind: FileKind, path: Path | str, data: xr.Dataset) -> None:
@@ -198,3 +253,7 @@ def _check_kind(kind: FileKind, path: Path | str, data: xr.Dataset) -> None:
                 f"{path} is damaged: {array} must lie over ({dims}) in {unit or 'no unit'}; got "
                 f"{data[array].dims} in {found or 'no unit'}. {kind.remedy}"
             )
+
+
+if __name__ == "__main__":
+    _read_everything(sys.argv[1])
