@@ -9,12 +9,10 @@ from jaxtyping import Bool, Float
 
 from design.spec.object import ObjectSpec
 from estimator.signals.interpolation import press_traces
-from estimator.signals.press_states import ASIDE_MM, motions_as_signals, rest_motion
+from estimator.signals.press_states import ASIDE_MM, SIDES_MM, motions_as_signals, rest_motion
 from estimator.tolerances.assembly import Assembly
 from fem.large_strain.correction import StrainCorrection, corrected_presses, own_bodies
 from fem.presses.results import MagnetMotions, PressForces
-
-_SIDES = ASIDE_MM * np.array([(0, 0), (1, 0), (-1, 0), (0, 1), (0, -1)])
 
 
 @dataclass(frozen=True)
@@ -68,12 +66,12 @@ def traced_presses(
         np.full(len(xy_mm), face),
         rest_motion(motions),
     )
-    traces = [press_traces(moving, faces, *(xy_mm + side).T) for side in _SIDES]
+    traces = [press_traces(moving, faces, *(xy_mm + side).T) for side in SIDES_MM]
     motion = np.real([trace.counts[:, 1:] for trace in traces])
     return TracedPresses(
         forces.depth_mm,
         *own_bodies(spec, face),
         rest,
         np.real([trace.force_n[:, 1:] for trace in traces]),
-        rest + motion.reshape(len(_SIDES), len(xy_mm), len(forces.depth_mm), *rest.shape),
+        rest + motion.reshape(len(SIDES_MM), len(xy_mm), len(forces.depth_mm), *rest.shape),
     )

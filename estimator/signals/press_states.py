@@ -18,7 +18,7 @@ from fem.presses.results import MagnetMotions, PressForces
 
 ASIDE_MM = 0.1
 _FORCE_STEP = 0.01
-_SIDES = ((0.0, 0.0), (1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0))
+SIDES_MM = ASIDE_MM * np.array([(0, 0), (1, 0), (-1, 0), (0, 1), (0, -1)])
 
 
 @dataclass(frozen=True)
@@ -89,10 +89,7 @@ def press_states(
         A place within `ASIDE_MM` of the lattice's border, or beyond it.
     """
     moving = motions_as_signals(forces, motions)
-    traces = tuple(
-        press_traces(moving, face, xy_mm[:, 0] + ASIDE_MM * dx, xy_mm[:, 1] + ASIDE_MM * dy)
-        for dx, dy in _SIDES
-    )
+    traces = tuple(press_traces(moving, face, *(xy_mm + side).T) for side in SIDES_MM)
     return PressStates(traces, force_n, rest_motion(motions))
 
 

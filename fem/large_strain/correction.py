@@ -102,9 +102,10 @@ def fit_correction(pairs: Sequence[PressPair], thickness_mm: float) -> StrainCor
     """
     fitted = _fit(pairs, thickness_mm)
     error = leave_one_out(pairs, thickness_mm)
+    nothing = StrainCorrection(thickness_mm)
     unhelpful = {
-        name: zeros
-        for name, zeros in (("force", (0.0, 0.0)), ("shift", (0.0, 0.0)), ("rotation", (0.0,)))
+        name: getattr(nothing, name)
+        for name in ("force", "shift", "rotation")
         if not getattr(error, name).helps
     }
     return replace(fitted, **unhelpful)

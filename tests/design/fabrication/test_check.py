@@ -116,6 +116,15 @@ def test_boards_that_overlap_and_wires_too_thick_are_found():
     assert found(findings, "wires in their hole").status == "fail"
 
 
+def test_boards_in_the_same_place_share_their_overlap():
+    """Two boards of 6.6 × 6.2 × 1.6 mm, turned alike, 1.5 mm apart along their width or length."""
+    sensors = PAPER.sensors.changed(positions_mm=[[[2.0, 0.0], [3.5, 0.0]]] * 5, count_per_face=2)
+    findings = check_electronics(PAPER.changed(sensors=sensors), mesh_of(make_core(PAPER), PAPER))
+    shared = found(findings, "boards clear of each other")
+    assert shared.status == "fail"
+    assert_allclose(shared.value, 6.6 * (6.2 - 1.5) * 1.6, rtol=1e-6)
+
+
 def test_thin_silicone_is_found_where_it_is():
     close = parsed(magnets={"positions_mm": [[0, 0], [6.6, 0], [-9, 4]]})
     findings = check_pockets(close)
@@ -239,6 +248,9 @@ def test_knife_edges_are_warned_of():
     (edge,) = check_edges(part("wedge", wedge), mesh_of(wedge, PAPER))
     assert edge.status == "warn"
     assert_allclose(edge.value, np.degrees(np.arctan2(4, 10)), rtol=1e-6)
+    ridge = [(0, 0), (10, 0), (10, 5), (5.002, 5), (5, 5.004), (4.998, 5), (0, 5)]  # 53°, no part's
+    extruded = cq.Workplane().polyline(ridge).close().extrude(10).val()
+    assert check_edges(part("ridge", extruded), mesh_of(extruded, PAPER))[0].value > 89.9
     box = box_between((0.0, 0.0, 0.0), (1.0, 2.0, 3.0))
     assert check_edges(part("box", box), mesh_of(box, PAPER))[0].value == pytest.approx(90)
 

@@ -36,6 +36,13 @@ def test_the_solid_s_underside_is_the_profile(kind):
         assert not probe.isInside(cq.Vector(x, y, z - 0.02))
 
 
+def test_the_rim_belongs_to_the_tip():
+    square = tip_shape(IndenterSpec(kind="cuboid", size_mm=(9.0, 5.0)))
+    rim = np.array([(x, y) for x in (-4.5, 0.0, 4.5) for y in (-2.5, 2.5)])
+    assert_allclose(tip_heights_mm(square, rim), 0, rtol=0, atol=1e-9)
+    assert np.isinf(tip_heights_mm(square, 1.001 * rim)).all()
+
+
 def test_three_cuboids_stand_where_the_paper_s_tips_stand():
     indenter = IndenterSpec(kind="cuboid", size_mm=(4.0, 2.0), tip_count=3, tip_spacing_mm=11.0)
     spec = ObjectSpec(name="probe", indenter=indenter, contact_grid=ContactGridSpec(count=(6, 6)))

@@ -15,7 +15,7 @@ from estimator.frames.contact_cases import paper_cases
 from estimator.frames.contact_traces import contact_traces
 from estimator.metrics.heatmaps import contact_errors, force_reference
 from estimator.signals.presses import press_signals
-from tests.support.synthetic_presses import coarse_spec, synthetic_presses
+from tests.support.synthetic_presses import coarse_spec, force_n, synthetic_presses
 
 SIGMA = np.array([2.0, 1.0, 3.0, 1.5])
 PHASES = 800
@@ -81,6 +81,20 @@ def test_answers_by_hand():
     assert_allclose(found.total_n, [5.0])
     late = best_answers(hypotheses, np.array([[5.8]]), np.array([0.5]))
     assert_allclose(late.case_map_n[0, 0], [0.0, 8.0])
+
+
+def test_hypotheses_are_presses_on_their_way_to_the_peak_and_back():
+    spec = coarse_spec(collection={"dual_poses": (), "triple_poses": ()})
+    signals = press_signals(spec, *synthetic_presses(spec))
+    cases = paper_cases(spec, 3)
+    found = press_hypotheses(
+        spec, cases, contact_traces(spec, signals, cases), np.full(20, 2.5), 3, 0.0, phases=4
+    )
+    turned = np.deg2rad([22.5, 67.5, 112.5, 157.5])  # the way in; the way out is the same
+    travel = 2.5 * np.sin(turned / 2) ** 2
+    place = np.array([case.xy_mm[0] for case in cases])
+    expected = force_n(3, place[:, None], travel)
+    assert_allclose(found.map_n.sum(axis=(2, 3)), expected, rtol=0.02, atol=0.02)
 
 
 def test_no_other_answer_does_better_on_a_small_cube():

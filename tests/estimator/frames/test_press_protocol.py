@@ -70,6 +70,17 @@ def test_common_travel_brings_the_median_place_to_the_middle_of_the_range(signal
     assert nominal_peaks(narrow, signals).depth_mm.std() > 0.05
 
 
+@pytest.mark.parametrize("beyond_n", [-0.5, 0.5])
+def test_the_common_travel_ends_at_the_deepest_press(signals, beyond_n):
+    """The median place bears the middle of the range in depth, or all the depth that there is."""
+    faces, xy, deepest = np.arange(1, 6)[:, None], contact_grid(SPEC).xy_mm[None], 4.0
+    most = float(np.median(force_n(faces, xy, deepest)))
+    wanted = (most + beyond_n - 1, most + beyond_n + 1)
+    spec = coarse_spec(protocol={**PROTOCOL, "peak_force_n": wanted})
+    travel = nominal_peaks(spec, signals).common_travel_mm
+    assert_allclose(np.median(force_n(faces, xy, travel)), most + min(beyond_n, 0.0), rtol=2e-3)
+
+
 def test_without_disturbances_frames_are_the_interpolated_signals(signals):
     still = coarse_spec(
         protocol={**PROTOCOL, "lateral_jitter_mm": 0, "force_noise_n": 0}, sensors=QUIET_SENSORS

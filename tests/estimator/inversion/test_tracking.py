@@ -87,6 +87,20 @@ def test_the_zero_is_taken_from_rest(followed):
     assert last[-1].number[0] == 0
 
 
+def test_at_rest_a_contact_is_unlikely():
+    """The share that the zero follows: near 0 at rest, near 1 under a press, between them always."""
+    face, contact = np.full((8, 6), -1), np.zeros((8, 6, 3))
+    face[4:, 0], contact[4:, 0] = 1, [2.0, -4.0, 5.0]
+    counts = noisy_counts(FREE, face, contact, np.random.default_rng(2))
+    reader = LiveContacts(FREE, "none")
+    share, force = np.transpose([reader._read_still(frame) for frame in counts])
+    assert (share[:4] < 0.5).all()
+    assert (share[4:] > 0.5).all()
+    assert ((share >= 0) & (share <= 1)).all()
+    assert_allclose(force[:4], 0)
+    assert_allclose(force[4:], 5.0, rtol=0.3)
+
+
 def test_readings_of_another_object_are_refused():
     with pytest.raises(InputError, match="reads 3 sensors on faces"):
         LiveContacts(FREE, "none").feed(np.zeros((5, 2, 3)))

@@ -92,6 +92,13 @@ def test_what_does_not_help_is_left_out():
     found = fit_correction(random, THICKNESS_MM)
     assert found.force == (0.0, 0.0)
     assert_allclose(found.shift, TRUE.shift, rtol=1e-9)
+    turned = [
+        replace(pair, motion=pair.linear_motion * (1 + 0.1 * sign * rng.uniform(0.5, 1)))
+        for pair, sign in zip(PAIRS, (1, -1, 1, -1, 1), strict=True)
+    ]
+    found = fit_correction(turned, THICKNESS_MM)
+    assert (found.shift, found.rotation) == ((0.0, 0.0), (0.0,))
+    assert_allclose(found.force, TRUE.force, rtol=1e-9)
 
 
 def test_noise_in_few_presses_moves_the_error_and_not_the_verdict():

@@ -54,7 +54,13 @@ def test_spence_s_punch(poisson_ratio):
     assert abs(stiffening(nu, "coupling", kind="flat", radius_mm=3.0) / exact - 1) > 0.01
 
 
-@pytest.mark.parametrize("indenter", [{}, {"kind": "cuboid", "size_mm": (5.0, 3.0)}])
+PYRAMID = ((0.0, 0.0, 0.0), *((x, y, 3.0) for x in (-4.0, 4.0) for y in (-4.0, 4.0)))
+
+
+@pytest.mark.parametrize(
+    "indenter",
+    [{}, {"kind": "cuboid", "size_mm": (5.0, 3.0)}, {"kind": "stl", "vertices_mm": PYRAMID}],
+)
 def test_friction_changes_nothing_on_an_incompressible_half_space(indenter):
     assert_allclose(stiffening(0.5, **indenter), 1, rtol=1e-9)
 

@@ -91,6 +91,13 @@ def test_the_tip_s_profile_is_integrated_against_the_hats(rigid_response):
     assert np.linalg.norm(surface.xy_mm[np.argmin(moments)] - centre) < 1.5
 
 
+def test_a_tip_just_touches_a_face_that_lies_higher_just_so(rigid_response):
+    surface, centre = rigid_response.surfaces[1], np.array([[3.3, -4.7]])
+    lifted = replace(surface, height_mm=np.full(len(surface.xy_mm), 0.7))
+    moments = profile_moments_mm3(lifted, centre, RADIUS)
+    assert_allclose(moments, profile_moments_mm3(surface, centre, RADIUS), rtol=1e-9, atol=1e-12)
+
+
 def test_force_rises_faster_than_depth(presses):
     """Every doubling of the depth more than doubles the force, at every place."""
     forces, _ = presses
