@@ -10,6 +10,8 @@ SMALLER = {
     (coverage, "_PLACE_TREES"): 8,
     (baselines, "_TREES"): 20,
     (baselines, "_BOOSTS"): 30,
+    (baselines, "_FRAMES_OF_KERNEL"): 100,
+    (baselines, "MOST_FRAMES_OF_PROCESS"): 400,
     (digital_twin, "_FOLDS"): 2,
 }
 """Trees at places left out took more of a small network's training than the network."""
