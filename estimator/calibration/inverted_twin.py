@@ -17,7 +17,7 @@ from estimator.frames.dataset import NO_FACE
 from estimator.information.shear import ShearSignals
 from estimator.inversion.forward import NONE
 from estimator.inversion.inversion import Inversion, inversion
-from estimator.inversion.noise import MESH_ERROR, design_error
+from estimator.inversion.noise import BLIND, MESH_ERROR, design_error
 from estimator.signals.presses import Signals, press_signals
 from fem.presses.results import MagnetMotions, PressForces
 
@@ -71,7 +71,8 @@ def inverted_grasps(
 
     It is as wrong at each sensor as it was in cases left out, and at all of them so much more as makes
     its regions hold the labelled contacts: errors of sensors that go together (a label beside its
-    place, a core beside its seat) move contacts further than independent ones would.
+    place, a core beside its seat) move contacts further than independent ones would. Channels with gaps in
+    the labelled presses are not read.
 
     Raises
     ------
@@ -83,7 +84,10 @@ def inverted_grasps(
     found = inversion(spec, *presses, twin.signals(*presses), errors, twin.modulus_error, shear)
     wider = max(1.0, _beyond_regions(found, twin, seen))
     told = found.disturbances
-    return replace(found, disturbances=replace(told, model_error=told.model_error * wider))
+    blind = np.full(len(told.noise_counts), BLIND)
+    blind[seen.channels] = told.noise_counts[seen.channels]
+    told = replace(told, noise_counts=blind, model_error=told.model_error * wider)
+    return replace(found, disturbances=told)
 
 
 def _beyond_regions(inversion: Inversion, twin: GraspTwin, seen: PressedCases) -> float:

@@ -252,6 +252,7 @@ STAGES: dict[str, Stage] = {
         ("response", "large_strain", "presses", "inversion"),
         ("collection", "protocol", "silicone.prony", "tolerances", "seed"),
         make_contact_metrics,
+        version=2,
         of_others=tangential_mechanics,
     ),
     "surroundings": Stage(

@@ -102,6 +102,17 @@ def predicted(seen, twin):
     return mechanics.expected(np.zeros(len(twin.unknowns))).reshape(seen.counts.shape)
 
 
+def test_a_channel_that_was_dead_in_training_is_not_read(seen, twin):
+    kept = np.arange(1, len(seen.channels))
+    part = {
+        name: getattr(seen, name)[..., kept] for name in ("counts", "noise_counts2", "chip_counts")
+    }
+    without = replace(seen, channels=seen.channels[kept], **part)
+    found = inverted_grasps(SPEC, presses()[:2], replace(twin, left=twin.left[..., kept]), without)
+    assert (1, 0, 0) not in found.channels
+    assert len(found.channels) == 44
+
+
 def test_errors_of_sensors_are_what_is_left_over(seen):
     rng = np.random.default_rng(2)
     wrong = 0.3 * seen.chip_counts * rng.standard_normal(seen.counts.shape)
