@@ -205,7 +205,7 @@ def _require_whole(path: Path) -> None:
 
 
 def _seal(content: np.ndarray) -> bytes:
-    return _SEAL + hashlib.sha256(content).digest()
+    return _SEAL + hashlib.sha256(content.data).digest()
 
 
 def _read_apart(path: Path, size: int) -> None:
