@@ -43,9 +43,9 @@ class MeshSpec(SpecPart):
     """Target edge lengths: `edge_mm` in the bulk, `surface_edge_mm` under the pressed faces."""
 
     edge_mm: Positive = 4.0
-    surface_edge_mm: Positive = 1.6
+    surface_edge_mm: Positive = 1.2
     envelope_mm: Positive = 0.03
-    magnet_sides: Annotated[int, Field(ge=6, le=64)] = 16
+    magnet_sides: Annotated[int, Field(ge=6, le=64)] = 8
 
 
 class SlipSpec(SpecPart):

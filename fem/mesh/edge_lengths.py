@@ -11,19 +11,13 @@ import numpy as np
 from jaxtyping import Float, Int
 
 from design.layout.body import face_frames
-from design.layout.positions import ShellBodies, shell_body_layout
 from design.spec.object import ObjectSpec
 
 EdgeLength = Callable[[Float[np.ndarray, "point 3"]], Float[np.ndarray, "point"]]
 """Wanted edge lengths (mm) at points of the object's frame (mm)."""
 
-_FINEST_STEP_MM, _COARSEST_STEP_MM = 1.0, 2.0
-_GRID_POINTS = 250_000
-FINE_LAYER_MM = 0.2
-FINEST_EDGE = 0.4
-"""Edges at the rims of rigid bodies and under the tip of a single press, in `surface_edge_mm`."""
-_RIM_GROWTH = 0.8
-"""Growth of the edges (mm per mm) away from there."""
+_SIZING_STEP_MM = 2.0
+FINE_LAYER_MM = 0.5
 
 
 @dataclass(frozen=True)
@@ -35,48 +29,16 @@ class EdgeLengths:
     length_mm: Float[np.ndarray, "point"]
 
 
-def edge_length_field(
-    spec: ObjectSpec, edge_length: EdgeLength | None = None, magnets: bool = True
-) -> EdgeLengths:
-    """Background mesh of target edge lengths, by default with fine rims where magnets are meshed."""
+def edge_length_field(spec: ObjectSpec, edge_length: EdgeLength | None = None) -> EdgeLengths:
+    """Background mesh of target edge lengths."""
     half = np.asarray(spec.body.size_mm) / 2
-    step = np.clip(
-        (np.prod(2 * half + 2) / _GRID_POINTS) ** (1 / 3), _FINEST_STEP_MM, _COARSEST_STEP_MM
-    )
-    axes = [np.linspace(-h - 1, h + 1, int(np.ceil(2 * (h + 1) / step)) + 1) for h in half]
+    axes = [
+        np.linspace(-h - 1, h + 1, int(np.ceil(2 * (h + 1) / _SIZING_STEP_MM)) + 1) for h in half
+    ]
     points = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, 3)
     tets = _split_bricks(tuple(len(axis) for axis in axes)).astype(np.int32)
-    if edge_length is None:
-        edge_length = partial(_fine_at_rims if magnets else _fine_under_all_faces, spec)
+    edge_length = edge_length or partial(_fine_under_all_faces, spec)
     return EdgeLengths(points, tets, edge_length(points))
-
-
-def _fine_at_rims(spec: ObjectSpec, points_mm: np.ndarray) -> np.ndarray:
-    """Fine under the sensed faces, finer at the rims of rigid bodies, where stress is singular.
-
-    P2 elements of size h leave an error of order h^1.2 there, several times that of all others: a
-    right angle of something rigid in incompressible silicone has displacements like r^0.6.
-    """
-    rim = FINEST_EDGE * spec.mesh.surface_edge_mm
-    from_wall = _wall_distance_mm(shell_body_layout(spec), points_mm)
-    return np.minimum(_fine_under_all_faces(spec, points_mm), rim + _RIM_GROWTH * from_wall)
-
-
-def _wall_distance_mm(layout: ShellBodies, points_mm: np.ndarray) -> np.ndarray:
-    """Distance of points to the nearest side wall of a rigid body."""
-    distance = np.full(len(points_mm), np.inf)
-    half_mm = np.asarray(layout.outline.half_mm)
-    for centre, frame in zip(layout.centre_mm, layout.frame, strict=True):
-        local = abs((points_mm - centre) @ frame)
-        if layout.outline.round:
-            across = np.hypot(local[:, 0], local[:, 1]) - half_mm[0]
-        else:
-            beyond = local[:, :2] - half_mm
-            outside = np.linalg.norm(np.clip(beyond, 0, None), axis=1)
-            across = outside + np.clip(beyond.max(axis=1), None, 0)
-        along = np.clip(local[:, 2] - layout.height_mm / 2, 0, None)
-        distance = np.minimum(distance, np.hypot(across, along))
-    return distance
 
 
 def _fine_under_all_faces(spec: ObjectSpec, points_mm: np.ndarray) -> np.ndarray:

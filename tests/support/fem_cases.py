@@ -103,24 +103,13 @@ def solve_mixed(space, material, free, forces_n, prescribed_mm):
 
 def patch_loads(system, spec):
     """Nodal forces (3·node, face) of p = (1 − r²/25)² MPa at each face's centre, and totals (N)."""
-    return _central_loads(
-        system, spec, lambda r2: np.clip(1 - r2 / PATCH_RADIUS_MM**2, 0, None) ** 2
-    )
-
-
-def hertz_loads(system, spec):
-    """The same for p = √(1 − r²/9) MPa, Hertz's pressure of radius 3 mm."""
-    return _central_loads(system, spec, lambda r2: np.sqrt(np.clip(1 - r2 / 9, 0, None)))
-
-
-def _central_loads(system, spec, pressure_mpa):
     mesh = system.mesh
     boundary = mesh.boundary_facets()
     centre = mesh.p[:, mesh.facets[:, boundary]].mean(axis=1).T
     forces, totals = [], []
     for frame in face_frames(spec):
         facets = boundary[abs(frame.from_object(centre)[:, 2]) < 0.1]
-        nodal = _pressure_form(frame, pressure_mpa).assemble(
+        nodal = _patch_form(frame).assemble(
             FacetBasis(mesh, system.space.displacement.elem, facets=facets, intorder=8)
         )
         totals.append(nodal.sum())
@@ -128,11 +117,11 @@ def _central_loads(system, spec, pressure_mpa):
     return np.array(forces).T, np.array(totals)
 
 
-def _pressure_form(frame, pressure_mpa):
+def _patch_form(frame):
     @LinearForm
     def form(v, w):
         r2 = sum(np.einsum("i,i...->...", axis, w.x) ** 2 for axis in (frame.x, frame.y))
-        return v * pressure_mpa(r2)
+        return v * np.clip(1 - r2 / PATCH_RADIUS_MM**2, 0, None) ** 2
 
     return form
 
