@@ -33,3 +33,14 @@ class NotOneSolid(InputError):
     def __init__(self, message: str, shape: Any) -> None:
         super().__init__(message)
         self.shape = shape
+
+
+DAMAGED_CONTENT = (
+    ArithmeticError,
+    AttributeError,
+    LookupError,
+    RuntimeError,
+    TypeError,
+    ValueError,
+)
+"""What building an object from a file's content raises where that is not what instobj wrote."""

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from design.errors import StoreError
+from design.errors import DAMAGED_CONTENT, StoreError
 from design.netcdf import FileKind, holds, read_netcdf, write_netcdf
 from design.spec.object import ObjectSpec
 from estimator.inversion.forward import ContactModel
@@ -89,7 +89,7 @@ def load_inversion(path: Path | str) -> Inversion:
     values, attributes = read_netcdf(_KIND, path)
     try:
         return _assembled(values, attributes)
-    except (KeyError, TypeError, ValueError) as error:
+    except DAMAGED_CONTENT as error:
         raise StoreError(
             f"{path}: tables and description do not belong together ({error}). Train it anew"
         ) from None

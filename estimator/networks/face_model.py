@@ -13,7 +13,7 @@ import torch
 from jaxtyping import Float
 from torch import Tensor, nn
 
-from design.errors import InputError, StoreError
+from design.errors import DAMAGED_CONTENT, InputError, StoreError
 from design.files import atomic_path
 from estimator.frames.dataset import FrameSet
 from estimator.frames.face_data import HISTORY, Channel, channel_counts, with_history
@@ -24,6 +24,8 @@ from estimator.networks.prediction import Prediction
 
 MODEL_FORMAT = 4
 _BATCH_FRAMES = 8192
+_LONGEST_HISTORY = 100
+"""Frames, as specifications allow."""
 
 
 @dataclass(frozen=True)
@@ -162,7 +164,7 @@ def load_model(path: Path | str) -> FaceModel:
     described, weights = _read_safetensors(path)
     try:
         return _assembled(described, weights)
-    except (KeyError, TypeError, ValueError, RuntimeError) as error:
+    except DAMAGED_CONTENT as error:
         raise StoreError(
             f"{path}: weights and description do not belong together ({error}). Train the "
             "model anew"
@@ -182,11 +184,12 @@ def _read_safetensors(path: Path) -> tuple[dict[str, Any], dict[str, Tensor]]:
         ) from None
     try:
         described = json.loads(metadata["instobj"])
-    except (KeyError, json.JSONDecodeError):
+        found = described.get("format")
+    except (AttributeError, KeyError, RecursionError, ValueError):
         raise StoreError(f"{path} is not a model of instobj. Give a trained model") from None
-    if described.get("format") != MODEL_FORMAT:
+    if found != MODEL_FORMAT:
         raise StoreError(
-            f"{path} has model format {described.get('format')}, this version reads "
+            f"{path} has model format {found}, this version reads "
             f"{MODEL_FORMAT}. Train the model anew"
         )
     return described, weights
@@ -200,6 +203,9 @@ def _assembled(described: dict[str, Any], weights: dict[str, Tensor]) -> FaceMod
     if built["forest"] is not None:
         built["forest"] = ForestShape(*_whole_numbers(built["forest"]))
     architecture = Architecture(**built)
+    history_frames = int(described["history_frames"])
+    if not 0 <= history_frames <= _LONGEST_HISTORY or architecture.members > len(weights):
+        raise ValueError(f"{history_frames} frames of history, {architecture.members} members")
     network = empty_network(architecture, len(channels), grid_x, grid_y)
     network.load_state_dict(weights)
     return FaceModel(
@@ -209,7 +215,7 @@ def _assembled(described: dict[str, Any], weights: dict[str, Tensor]) -> FaceMod
         grid_x_mm=grid_x,
         grid_y_mm=grid_y,
         architecture=architecture,
-        history_frames=int(described["history_frames"]),
+        history_frames=history_frames,
         interval_cover=float(described["interval_cover"]),
         interval_presses=int(described["interval_presses"]),
         network=network,

@@ -14,7 +14,13 @@ from design.spec.object import TrainingSpec
 from estimator.evaluation.evaluation import evaluate_face, linear_baseline, mean_map_baseline
 from estimator.frames.face_data import FaceData, face_data, live_channels
 from estimator.frames.splits import split_places, split_presses
-from estimator.networks.face_model import MODEL_FORMAT, load_model, predict_heatmaps, save_model
+from estimator.networks.face_model import (
+    MODEL_FORMAT,
+    description,
+    load_model,
+    predict_heatmaps,
+    save_model,
+)
 from estimator.networks.network import HeadsNetwork
 from estimator.networks.training import FitSettings, fit_estimator
 from tests.support.synthetic_frames import synthetic_frames
@@ -186,6 +192,34 @@ def test_bad_model_files(model, tmp_path, damage):
         description = {"format": MODEL_FORMAT, "face": 4, "channels": [[4, 0, 0]], "grid_x_mm": [0]}
         save_file(weights, path, metadata={"instobj": json.dumps(description)})
     with pytest.raises(StoreError, match=r"m\.safetensors"):
+        load_model(path)
+
+
+@pytest.mark.parametrize(
+    ("key", "value"),
+    [
+        (None, [1, 2]),
+        (None, "text"),
+        ("history_frames", 10**30),
+        ("history_frames", float("inf")),
+        ("channels", [[4, 0, float("inf")]]),
+        ("architecture", []),
+        ("hidden_units", []),
+        ("members", 10**12),
+    ],
+)
+def test_a_description_of_other_types_or_sizes_is_one_error(model, tmp_path, key, value):
+    path = tmp_path / "m.safetensors"
+    save_model(model, path)
+    described = description(model)
+    if key is None:
+        described = value
+    elif key in described:
+        described[key] = value
+    else:
+        described["architecture"][key] = value
+    save_file(load_file(path), path, metadata={"instobj": json.dumps(described)})
+    with pytest.raises(StoreError, match=r"m\.safetensors.*(Give a trained|Train the) model"):
         load_model(path)
 
 
