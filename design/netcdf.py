@@ -33,7 +33,7 @@ _HDF5_FORMAT = ("v110", "v110")
 _LARGEST_CHUNK_BYTES = 2**30
 _SEAL = b"instobj sha256: "
 _SEAL_BYTES = len(_SEAL) + hashlib.sha256().digest_size
-FIRST_READING_S, _FIRST_READING_BYTES_PER_S = 30.0, 2e7
+FIRST_READING_S, _FIRST_READING_BYTES_PER_S = 120.0, 2e7
 """Limit of time of the separate process that reads a file without a digest first."""
 
 
