@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+import h5py
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
@@ -139,3 +140,16 @@ def test_the_error_of_a_design_is_that_of_its_tolerances():
     exact = SPEC.changed(tolerances=dict.fromkeys(SPEC.tolerances.model_dump(), 0.0))
     assert_allclose(design_error(exact, forces, motions, signals), MESH_ERROR, rtol=1e-6)
     assert 0.05 < design_error(SPEC, forces, motions, signals) < 0.5
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [("specification", "[" * 5000), ("priors", "[1]"), ("priors", "{}"), ("nearest_mm", "near")],
+)
+def test_a_file_whose_description_is_another_is_one_error(tmp_path, name, value):
+    path = tmp_path / "contacts.nc"
+    save_inversion(FREE, path)
+    with h5py.File(path, "a") as file:
+        file.attrs[name] = value
+    with pytest.raises(StoreError, match=r"contacts\.nc: tables and description.*Train it anew"):
+        load_inversion(path)
