@@ -82,10 +82,10 @@ def _judged_elsewhere(
 ) -> DataStage:
     """Contacts of another data set, beside the networks of the same training presses, matching pursuit
     and the mean of the labels."""
+    from estimator.evaluation.contact_baselines import patches, pursued, training_mean
     from estimator.frames.dataset import load_frames
     from estimator.frames.face_data import face_data
     from estimator.metrics.heatmaps import force_reference
-    from instobj.stages.makers.contact_baselines import patches, pursued, training_mean
     from instobj.stages.makers.inversion import write_contact_metrics
     from instobj.stages.makers.twin import require_same_object
 

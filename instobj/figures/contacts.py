@@ -11,8 +11,8 @@ from instobj.figures.saving import save_figure
 
 if TYPE_CHECKING:
     from estimator.frames.dataset import FrameSet
-    from estimator.inversion.matching import MatchedContacts
     from estimator.inversion.readings import ContactSets
+    from estimator.metrics.contacts import MatchedContacts
 
 _COLOURS = ("#777777", "#1b6ca8", "#c8553d", "#2a9d8f", "#8e6bbf")
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from estimator.evaluation.contact_baselines import patches, pursued
 from instobj.experiments.layouts import changed
 from instobj.experiments.paper.figures import draw_bars, headline
 from instobj.experiments.paper.grasps import (
@@ -17,7 +18,6 @@ from instobj.experiments.paper.grasps import (
 )
 from instobj.experiments.paper.object import SIMULATED, SimulatedObject, simulated_object
 from instobj.experiments.registry import Study, StudyResult
-from instobj.stages.makers.contact_baselines import patches, pursued
 from instobj.stages.makers.inversion import UNCERTAINTIES
 
 if TYPE_CHECKING:
@@ -122,7 +122,7 @@ def _calibrated(recorded: SimulatedObject) -> Inversion:
 
 def _judged(name: str, inversion: Inversion, frames: FrameSet) -> list[dict[str, Any]]:
     """Read frame by frame and hold by hold."""
-    from estimator.inversion.matching import rows_beside_bound, window_means
+    from estimator.metrics.contacts import rows_beside_bound, window_means
 
     rows = []
     held = np.arange(_HOLD_FRAMES - 1, len(frames), _HOLD_FRAMES)
@@ -138,7 +138,7 @@ def _judged(name: str, inversion: Inversion, frames: FrameSet) -> list[dict[str,
 def _baselines(
     recorded: SimulatedObject, twin: Inversion, frames: FrameSet
 ) -> list[dict[str, Any]]:
-    from estimator.inversion.matching import rows_beside_bound
+    from estimator.metrics.contacts import rows_beside_bound
 
     frames = frames.select(frames.valid)
     found = {

@@ -117,7 +117,7 @@ def write_contact_metrics(
 ) -> None:
     """`CONTACT_METRICS` and its picture: contacts found in at most 400 of the frames, beside the
     Cramér–Rao bound of the places and beside what `baselines` read in the same frames, by name."""
-    from estimator.inversion.matching import (
+    from estimator.metrics.contacts import (
         chosen_rows,
         contact_rows,
         matched_contacts,
