@@ -1,11 +1,21 @@
-"""Any recording written as a generic CSV, for tests that read it back."""
+"""Any recording written as a generic CSV, for tests that read it back, and what they change in it."""
 
 import csv
+from dataclasses import replace
 
 import numpy as np
 
 from estimator.recordings.generic import cell_text, generic_columns
 from estimator.recordings.table import channel_name
+
+SHEAR_SHARE = np.array([[0.3, -0.2], [-0.1, 0.25]])
+SHEAR_REST_N = np.array([[1.5, 0.0], [0.0, -0.7]])
+
+
+def with_shear(table, late_frames=0):
+    """Cells of three axes that are pulled in proportion, each with a resting level of its own."""
+    force = np.roll(table.force_n, late_frames, axis=0)[..., None]
+    return replace(table, shear_n=force * SHEAR_SHARE + SHEAR_REST_N)
 
 
 def write_generic_csv(table, path):
@@ -37,3 +47,11 @@ def write_generic_csv(table, path):
         writer.writerow(header)
         for row in zip(*columns, strict=True):
             writer.writerow([cell_text(float(value)) for value in row])
+
+
+def edited(tmp_path, text, old, new, count=1):
+    """A file of the text with one thing changed."""
+    assert old in text
+    path = tmp_path / "edited.csv"
+    path.write_text(text.replace(old, new, count))
+    return path

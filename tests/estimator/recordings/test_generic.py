@@ -1,13 +1,10 @@
-"""The generic recording: the same presses as CSV and NetCDF, in any order, damaged in any way."""
+"""The generic recording: the same presses as CSV and NetCDF, in any order and other units."""
 
 import csv
 from dataclasses import replace
 
-import h5py
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
-from hypothesis import strategies as st
 from numpy.testing import assert_allclose, assert_array_equal
 
 from design.errors import InputError
@@ -16,28 +13,7 @@ from estimator.recordings.files import read_table
 from estimator.recordings.generic import generic_columns
 from estimator.recordings.netcdf import write_generic_netcdf
 from estimator.recordings.reading import read_recording
-from tests.support.generic_csv import write_generic_csv
-from tests.support.made_recordings import gripper_arrays, write_gripper
-
-CASES = ((54, 57), (23, 28))
-
-
-@pytest.fixture(scope="module")
-def gripper(tmp_path_factory):
-    return write_gripper(tmp_path_factory.mktemp("g") / "g.csv", gripper_arrays(CASES), CASES)
-
-
-@pytest.fixture(scope="module")
-def table(gripper):
-    return read_table(gripper)
-
-
-@pytest.fixture(scope="module")
-def good(table, tmp_path_factory):
-    """A short CSV of two load cells, one tip each."""
-    path = tmp_path_factory.mktemp("c") / "good.csv"
-    write_generic_csv(table, path)
-    return path.read_text()
+from tests.support.generic_csv import edited, write_generic_csv
 
 
 def test_both_forms_hold_what_the_gripper_file_holds(table, tmp_path):
@@ -151,13 +127,6 @@ def test_recordings_of_different_objects_are_not_combined(tmp_path, gripper):
         combine([own, louder])
 
 
-def edited(tmp_path, text, old, new, count=1):
-    assert old in text
-    path = tmp_path / "edited.csv"
-    path.write_text(text.replace(old, new, count))
-    return path
-
-
 @pytest.mark.parametrize(
     ("old", "new", "words"),
     [
@@ -261,182 +230,3 @@ def test_half_a_label_is_an_error(tmp_path, good):
             csv.writer(file).writerows(damaged)
         with pytest.raises(InputError, match=words):
             read_recording(tmp_path / "a.csv")
-
-
-SHEAR_SHARE = np.array([[0.3, -0.2], [-0.1, 0.25]])
-SHEAR_REST_N = np.array([[1.5, 0.0], [0.0, -0.7]])
-
-
-def with_shear(table, late_frames=0):
-    """Cells of three axes that are pulled in proportion, each with a resting level of its own."""
-    force = np.roll(table.force_n, late_frames, axis=0)[..., None]
-    return replace(table, shear_n=force * SHEAR_SHARE + SHEAR_REST_N)
-
-
-@pytest.fixture(scope="module")
-def sheared(table, tmp_path_factory):
-    """The short CSV with tangential forces."""
-    path = tmp_path_factory.mktemp("s") / "sheared.csv"
-    write_generic_csv(with_shear(table), path)
-    return path.read_text()
-
-
-def test_tangential_forces_survive_both_forms(table, sheared, tmp_path):
-    (tmp_path / "a.csv").write_text(sheared)
-    as_csv = read_table(tmp_path / "a.csv")
-    assert_allclose(as_csv.shear_n, with_shear(table).shear_n, atol=2e-6)
-    write_generic_netcdf(as_csv, tmp_path / "a.nc")
-    as_netcdf = read_table(tmp_path / "a.nc")
-    assert_array_equal(as_netcdf.shear_n, as_csv.shear_n)
-    assert as_netcdf.digest == as_csv.digest
-    write_generic_csv(as_netcdf, tmp_path / "b.csv")
-    assert (tmp_path / "b.csv").read_text() == sheared
-    write_generic_netcdf(replace(as_csv, shear_n=-as_csv.shear_n), tmp_path / "c.nc")
-    assert read_table(tmp_path / "c.nc").digest != as_csv.digest
-    write_generic_netcdf(table, tmp_path / "plain.nc")
-    assert read_table(tmp_path / "plain.nc").shear_n is None
-
-
-@pytest.mark.parametrize("late_frames", [0, 4])
-def test_tangential_labels_stand_beside_the_normal_ones(table, tmp_path, late_frames):
-    """Rest level off, lag corrected; planted fault: tangential forces 4 frames later than those."""
-    write_generic_netcdf(with_shear(table, late_frames), tmp_path / "a.nc")
-    frames = read_recording(tmp_path / "a.nc").frames
-    error_n = []
-    for cell in range(2):
-        force = frames.force_n[frames.valid & (frames.contact_face[:, cell] > 0), cell]
-        assert force[:, 2].max() > 10
-        error_n.append(np.abs(force[:, :2] - force[:, 2:] * SHEAR_SHARE[cell]).max())
-    assert (max(error_n) < 0.05) == (late_frames == 0)
-    assert np.isnan(frames.force_n[frames.contact_face == 0]).all()
-
-
-@pytest.mark.parametrize(
-    ("old", "new", "words"),
-    [
-        ("cell1_shear_x_n", "cell1_shear_x_mn", "'cell1_shear_x_mn'"),
-        ("cell1_shear_x_n", "cell3_shear_x_n", "'cell3_shear_x_n'"),
-        ("cell2_shear_y_n", "cell2_shear_x_n", "twice"),
-        (",cell2_shear_y_n", "", "lacks the columns cell2_shear_y_n"),
-    ],
-)
-def test_headers_with_a_mistake_in_tangential_forces(tmp_path, sheared, old, new, words):
-    with pytest.raises(InputError, match=words):
-        read_recording(edited(tmp_path, sheared, old, new))
-
-
-@pytest.mark.parametrize(
-    ("value", "words"),
-    [("", "cell1_shear_y_n is empty"), ("much", "not a number"), ("4e3", "shear forces")],
-)
-def test_impossible_tangential_forces(tmp_path, sheared, value, words):
-    rows = list(csv.reader(sheared.splitlines()))
-    rows[9][rows[0].index("cell1_shear_y_n")] = value
-    with (tmp_path / "a.csv").open("w", newline="") as file:
-        csv.writer(file).writerows(rows)
-    with pytest.raises(InputError, match=words):
-        read_recording(tmp_path / "a.csv")
-
-
-def outcome(path):
-    """Whether the file read well, or failed with one message that names it."""
-    try:
-        recording = read_recording(path)
-    except InputError as error:
-        return path.name in str(error) and len(str(error)) < 700
-    return len(recording.frames) > 0 and bool(np.isfinite(recording.frames.time_s).all())
-
-
-@settings(
-    max_examples=80, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
-)
-@given(data=st.data())
-def test_fuzzed_csv_gives_one_clear_error(tmp_path, good, sheared, data):
-    """Truncated, reordered, text in numbers, empty, NaN, huge or binary."""
-    lines = data.draw(st.sampled_from([good, sheared])).splitlines()[:260]
-    for _ in range(data.draw(st.integers(1, 3))):
-        kind = data.draw(st.sampled_from(["cell", "cut", "swap", "drop", "bytes"]))
-        row = data.draw(st.integers(0, len(lines) - 1))
-        if kind == "cell":
-            cells = lines[row].split(",")
-            column = data.draw(st.integers(0, len(cells) - 1))
-            odd = ["", "abc", "nan", "inf", "-1e308", "9e99", "1,2", "0x1F", "½", "1e-400", "-0"]
-            cells[column] = data.draw(st.sampled_from(odd) | st.text(max_size=8))
-            lines[row] = ",".join(cells)
-        elif kind == "cut":
-            lines = [*lines[:row], lines[row][: data.draw(st.integers(0, len(lines[row])))]]
-        elif kind == "swap":
-            other = data.draw(st.integers(0, len(lines) - 1))
-            lines[row], lines[other] = lines[other], lines[row]
-        elif kind == "drop":
-            del lines[row]
-        else:
-            lines[row] = data.draw(st.binary(max_size=60)).decode("latin-1")
-        lines = lines or [""]
-    path = tmp_path / "fuzzed.csv"
-    path.write_bytes("\n".join(lines).encode("utf-8", "surrogatepass"))
-    assert outcome(path)
-
-
-@settings(
-    max_examples=40, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
-)
-@given(content=st.binary(max_size=400))
-def test_any_bytes_at_all(tmp_path, content):
-    for name in ("any.csv", "any.nc"):
-        (tmp_path / name).write_bytes(content)
-        with pytest.raises(InputError, match=name):
-            read_recording(tmp_path / name)
-
-
-@pytest.mark.parametrize("missing", ["counts", "cell_face", "time_s", "schema"])
-def test_netcdf_without_something(tmp_path, table, missing):
-    write_generic_netcdf(table, tmp_path / "a.nc")
-    with h5py.File(tmp_path / "a.nc", "a") as file:
-        if missing == "schema":
-            del file.attrs["schema"]
-        else:
-            del file[missing]
-    with pytest.raises(InputError, match=rf"a\.nc.*{'schema' if missing == 'schema' else missing}"):
-        read_recording(tmp_path / "a.nc")
-
-
-@pytest.mark.parametrize(
-    ("name", "value", "words"),
-    [
-        ("face", 3.5, "whole number"),
-        ("time_s", np.nan, "time_s is empty"),
-        ("force_n", np.inf, "forces"),
-        ("counts", np.inf, "counts"),
-    ],
-)
-def test_netcdf_with_impossible_values(tmp_path, table, name, value, words):
-    write_generic_netcdf(table, tmp_path / "a.nc")
-    file_name = {"face": "cell_face", "force_n": "cell_force_n"}.get(name, name)
-    with h5py.File(tmp_path / "a.nc", "a") as file:
-        values = file[file_name][:].astype(float)
-        values[7] = value
-        del file[file_name]
-        file[file_name] = values
-        for axis, dim in enumerate(("frame", "face", "sensor", "axis") if values.ndim == 4 else
-                                   ("frame", "cell")[: values.ndim]):  # fmt: skip
-            file[file_name].dims[axis].attach_scale(file[dim])
-    with pytest.raises(InputError, match=words):
-        read_recording(tmp_path / "a.nc")
-
-
-def test_truncated_netcdf(tmp_path, table):
-    write_generic_netcdf(table, tmp_path / "a.nc")
-    content = (tmp_path / "a.nc").read_bytes()
-    for size in (10, len(content) // 3, len(content) - 4000):
-        (tmp_path / "b.nc").write_bytes(content[:size])
-        with pytest.raises(InputError, match=r"b\.nc"):
-            read_recording(tmp_path / "b.nc")
-
-
-def test_a_data_set_is_told_from_a_recording(tmp_path, gripper):
-    from estimator.frames.dataset import save_frames
-
-    save_frames(read_recording(gripper).frames, tmp_path / "frames.nc")
-    with pytest.raises(InputError, match="instobj train"):
-        read_recording(tmp_path / "frames.nc")
