@@ -23,7 +23,7 @@ def pursued(inversion: Inversion, frames: FrameSet) -> ContactSets:
     added and all forces refitted, as long as half χ² falls by more than 3/2 ln(channels) (BIC)."""
     from scipy.optimize import nnls
 
-    from estimator.metrics.contacts import all_counts
+    from estimator.frames.windows import all_counts
 
     presses, faces = inversion.search.dictionary, inversion.model.signals.faces
     seen = inversion.disturbances.observed(all_counts(frames))

@@ -13,6 +13,7 @@ import numpy as np
 from jaxtyping import Bool, Float, Int
 
 from estimator.frames.dataset import NO_FACE, FrameSet
+from estimator.frames.windows import all_counts
 from estimator.inversion.forward import NONE
 from estimator.inversion.inversion import Inversion
 from estimator.inversion.posterior import curvature_at
@@ -224,36 +225,3 @@ def possible_distance_mm(
     found = np.full(len(frames), np.nan)
     found[there] = np.nanmean(distance[there], axis=1)
     return found
-
-
-def all_counts(frames: FrameSet) -> Float[np.ndarray, "frame channel"]:
-    """Channels of all faces side by side, as `ContactModel` has them."""
-    return frames.signal_counts.reshape(len(frames), -1)
-
-
-def window_means(
-    frames: FrameSet, window_frames: int
-) -> tuple[Float[np.ndarray, "frame channel"], Int[np.ndarray, "frame"]]:
-    """Mean of every frame and those before it in its press, so many in all, and how many there were.
-
-    A channel that misses one of these readings has none.
-    """
-    counts = all_counts(frames)
-    rows = np.arange(len(counts))
-    begins = np.concatenate([[True], np.diff(frames.press_id) != 0])
-    number = np.minimum(rows - np.maximum.accumulate(rows * begins) + 1, window_frames)
-
-    def over_window(values: np.ndarray) -> np.ndarray:
-        summed = np.vstack([np.zeros(values.shape[1]), np.cumsum(values, axis=0)])
-        return summed[rows + 1] - summed[rows + 1 - number]
-
-    means = over_window(np.nan_to_num(counts)) / number[:, None]
-    return np.where(over_window(np.isnan(counts).astype(float)) > 0, np.nan, means), number
-
-
-def chosen_rows(frames: FrameSet, most: int, seed: int = 0) -> Int[np.ndarray, "chosen"]:
-    """At most so many valid frames, at random but in order."""
-    (valid,) = np.nonzero(frames.valid)
-    if len(valid) <= most:
-        return valid
-    return np.sort(np.random.default_rng(seed).choice(valid, most, replace=False))

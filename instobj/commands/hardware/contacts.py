@@ -95,7 +95,8 @@ def contacts_on_port(
 def _in_data_set(
     inversion: Inversion, path: Path, zeroing: Zeroing
 ) -> tuple[np.ndarray, np.ndarray, ContactSets, ContactSets, list[dict[str, Any]]]:
-    from estimator.metrics.contacts import rows_beside_bound, window_means
+    from estimator.frames.windows import window_means
+    from estimator.metrics.contacts import rows_beside_bound
 
     frames = zeroed_data_set(path, zeroing)
     _require_same_object(inversion, frames, path)

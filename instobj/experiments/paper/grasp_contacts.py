@@ -122,7 +122,8 @@ def _calibrated(recorded: SimulatedObject) -> Inversion:
 
 def _judged(name: str, inversion: Inversion, frames: FrameSet) -> list[dict[str, Any]]:
     """Read frame by frame and hold by hold."""
-    from estimator.metrics.contacts import rows_beside_bound, window_means
+    from estimator.frames.windows import window_means
+    from estimator.metrics.contacts import rows_beside_bound
 
     rows = []
     held = np.arange(_HOLD_FRAMES - 1, len(frames), _HOLD_FRAMES)

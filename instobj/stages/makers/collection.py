@@ -30,7 +30,7 @@ def make_collection(context: StageContext, folder: Path) -> None:
 
     spec, inputs = context.spec, context.inputs
     signals = SIGNALS.read(inputs["signals"])
-    shear = _shear(context) if spec.collection.tangential_share else None
+    shear = stored_shear(context) if spec.collection.tangential_share else None
     mechanics = JointMechanics(
         RESPONSE.read(inputs["response"]), CORRECTION.read(inputs["large_strain"])
     )
@@ -44,7 +44,7 @@ def make_collection(context: StageContext, folder: Path) -> None:
     save_frames(frames, collection_path(folder, spec.collection.kind))
 
 
-def _shear(context: StageContext) -> ShearSignals | None:
+def stored_shear(context: StageContext) -> ShearSignals | None:
     """Signals of tangential forces, where the stage was given their mechanics."""
     from estimator.information.shear import shear_signals
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from instobj.stages.makers.collection import stored_shear
 from instobj.store.readers import (
     CONTACT_METRICS,
     CONTACT_PICTURE,
@@ -16,7 +17,6 @@ from instobj.store.readers import (
     INVERSION,
     PRESSES,
     RESPONSE,
-    SHEAR,
     SIGNALS,
 )
 from instobj.store.stage import StageContext, Step, write_json
@@ -24,7 +24,6 @@ from instobj.store.stage import StageContext, Step, write_json
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
     from estimator.frames.dataset import FrameSet
-    from estimator.information.shear import ShearSignals
     from estimator.inversion.inversion import Inversion
     from estimator.inversion.readings import ContactSets
 
@@ -55,21 +54,12 @@ def make_inversion(context: StageContext, folder: Path) -> None:
     context.step("error of the design within its tolerances")
     error = design_error(context.spec, forces, motions, signals)
     modulus = context.spec.tolerances.modulus_relative
-    shear = _shear(context)
+    shear = stored_shear(context)
     context.step("tables of presses")
     save_inversion(
         inversion(context.spec, forces, motions, signals, error, modulus, shear),
         INVERSION.path(folder),
     )
-
-
-def _shear(context: StageContext) -> ShearSignals | None:
-    from estimator.information.shear import shear_signals
-
-    if not context.spec.inversion.tangential_share:
-        return None
-    _, motions = context.read(PRESSES)
-    return shear_signals(context.spec, motions, context.read(SHEAR))
 
 
 def make_contact_metrics(context: StageContext, folder: Path) -> None:
@@ -92,7 +82,7 @@ def _presses_anywhere(
 ) -> FrameSet:
     from estimator.frames.collection import joined, simulate_collection
 
-    shear, parts = _shear(context), []
+    shear, parts = stored_shear(context), []
     for contacts in (1, 2, 3):
         context.step(f"presses of {contacts} tips at once")
         asked = spec.collection.changed(
@@ -117,13 +107,8 @@ def write_contact_metrics(
 ) -> None:
     """`CONTACT_METRICS` and its picture: contacts found in at most 400 of the frames, beside the
     Cramér–Rao bound of the places and beside what `baselines` read in the same frames, by name."""
-    from estimator.metrics.contacts import (
-        chosen_rows,
-        contact_rows,
-        matched_contacts,
-        possible_distance_mm,
-        window_means,
-    )
+    from estimator.frames.windows import chosen_rows, window_means
+    from estimator.metrics.contacts import contact_rows, matched_contacts, possible_distance_mm
     from instobj.figures.contacts import draw_contacts
 
     means, averaged = window_means(frames, inversion.window_frames)

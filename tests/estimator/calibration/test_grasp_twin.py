@@ -11,7 +11,8 @@ from estimator.calibration import unknowns
 from estimator.calibration.grasp_twin import calibrate_on_cases, left_share, sensor_errors
 from estimator.calibration.inverted_twin import inverted_grasps
 from estimator.calibration.pressed_cases import pressed_cases
-from estimator.metrics.contacts import all_counts, contact_rows, matched_contacts
+from estimator.frames.windows import all_counts
+from estimator.metrics.contacts import contact_rows, matched_contacts
 from tests.support.inverted import SPEC, presses
 from tests.support.made_grasps import both, built_object, grasps
 

@@ -8,7 +8,7 @@ from estimator.calibration import unknowns
 from estimator.calibration.grasp_twin import calibrate_on_cases
 from estimator.calibration.inverted_twin import inverted_grasps
 from estimator.calibration.pressed_cases import pressed_cases
-from estimator.metrics.contacts import all_counts
+from estimator.frames.windows import all_counts
 from estimator.recordings.reading import read_recording
 from tests.support.public_recordings import FOLDER, NAMES
 from tests.support.synthetic_presses import coarse_spec, synthetic_presses

@@ -6,15 +6,10 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from estimator.frames.windows import chosen_rows, window_means
 from estimator.inversion.posterior import curvature_at
 from estimator.inversion.readings import ContactSets
-from estimator.metrics.contacts import (
-    chosen_rows,
-    contact_rows,
-    matched_contacts,
-    possible_distance_mm,
-    window_means,
-)
+from estimator.metrics.contacts import contact_rows, matched_contacts, possible_distance_mm
 from tests.support.inverted import contacts, inverted, labelled_frames
 
 
