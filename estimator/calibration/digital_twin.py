@@ -23,7 +23,7 @@ from dataclasses import dataclass, replace
 from itertools import product
 
 import numpy as np
-from jaxtyping import Bool, Float
+from jaxtyping import Float
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec
@@ -31,17 +31,10 @@ from estimator.calibration.discrepancy import Discrepancy, Prior
 from estimator.calibration.pressed_places import PressedPlaces
 from estimator.calibration.traced_presses import traced_presses
 from estimator.calibration.unknowns import FARTHEST, Unknowns, most_probable, normal_equations
-from estimator.signals.interpolation import unresolved_presses
 from estimator.signals.monotone import monotone_cubic
-from estimator.signals.press_states import motions_as_signals
 from estimator.signals.presses import Signals
-from estimator.tolerances.assembly import (
-    counts_of,
-)
-from estimator.tolerances.virtual_object import twin_model, twin_signals
-from fem.large_strain.correction import (
-    corrected_table,
-)
+from estimator.tolerances.assembly import counts_of
+from estimator.tolerances.virtual_object import twin_model
 from fem.presses.results import MagnetMotions, PressForces
 
 SIZES = (0.02, 0.05, 0.1, 0.2)
@@ -129,22 +122,15 @@ class CalibratedTwin:
         InputError
             Forces that fall with depth, in the most probable object or in twenty draws.
         """
-        spec, unresolved = self.unknowns.spec, _unresolved(self.forces, self.motions)
         for _ in range(1 if rng is None else _DRAWS):
             numbers = self.numbers
             if rng is not None:
                 numbers = numbers + self.factor @ rng.standard_normal(len(numbers))
                 numbers = np.clip(numbers, -FARTHEST, FARTHEST)
-            correction = self.unknowns.correction(numbers)
-            table = corrected_table(spec, self.forces, self.motions, correction)
-            if (unresolved | ~_unresolved(*table)).all():
-                signals = twin_signals(spec, self.unknowns.assembly(numbers), *table)
+            signals = self.unknowns.signals(numbers, self.forces, self.motions)
+            if signals is not None:
                 return self._with_discrepancy(signals, numbers, rng)
-        raise InputError(
-            f"the labelled presses of face {self.discrepancy.seen.face} fit no object of "
-            f"{self.unknowns.spec.name!r}: its forces would fall with depth. Give the specification "
-            "of the object that was pressed, with true tolerances"
-        )
+        raise self.unknowns.no_object(f"the labelled presses of face {self.discrepancy.seen.face}")
 
     def _with_discrepancy(
         self,
@@ -247,10 +233,6 @@ def _left_share(
         for values in (seen.counts - predicted, seen.counts)
     )
     return np.sqrt(np.maximum(wrong, 0.0) / np.maximum(size, noise))
-
-
-def _unresolved(forces: PressForces, motions: MagnetMotions) -> Bool[np.ndarray, "face place step"]:
-    return unresolved_presses(motions_as_signals(forces, motions))
 
 
 def _of_face(

@@ -17,7 +17,6 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Float
 
-from design.errors import InputError
 from design.spec.object import ObjectSpec
 from estimator.calibration.pressed_cases import PressedCases
 from estimator.calibration.traced_presses import TracedPresses, traced_presses
@@ -25,16 +24,15 @@ from estimator.calibration.unknowns import (
     FARTHEST,
     STIFFENING,
     Unknowns,
+    at_limits,
     most_probable,
     normal_equations,
 )
-from estimator.signals.interpolation import unresolved_presses
 from estimator.signals.monotone import monotone_cubic
-from estimator.signals.press_states import motions_as_signals, rest_motion
+from estimator.signals.press_states import rest_motion
 from estimator.signals.presses import Signals
 from estimator.tolerances.assembly import counts_of
-from estimator.tolerances.virtual_object import twin_model, twin_signals
-from fem.large_strain.correction import corrected_table
+from estimator.tolerances.virtual_object import twin_model
 from fem.presses.results import MagnetMotions, PressForces
 
 SIZES = (0.02, 0.05, 0.1, 0.2, 0.5, 1.0)
@@ -70,8 +68,8 @@ class GraspTwin:
 
     @property
     def strained(self) -> int:
-        """Numbers at their limits."""
-        return int(np.sum(abs(self.numbers) >= FARTHEST - 1e-6))
+        """How many numbers are at their limits."""
+        return at_limits(self.numbers)
 
     def signals(self, forces: PressForces, motions: MagnetMotions) -> Signals:
         """Of every press of the design's table, done by this object.
@@ -81,17 +79,10 @@ class GraspTwin:
         InputError
             Forces that would fall with depth.
         """
-        spec, correction = self.unknowns.spec, self.unknowns.correction(self.numbers)
-        table = corrected_table(spec, forces, motions, correction)
-        before, after = (
-            unresolved_presses(motions_as_signals(*one)) for one in ((forces, motions), table)
-        )
-        if np.any(after & ~before):
-            raise InputError(
-                f"the labelled presses fit no object of {spec.name!r}: its forces would fall with "
-                "depth. Give the specification of the object that was pressed, with true tolerances"
-            )
-        return twin_signals(spec, self.unknowns.assembly(self.numbers), *table)
+        found = self.unknowns.signals(self.numbers, forces, motions)
+        if found is None:
+            raise self.unknowns.no_object("the labelled presses")
+        return found
 
 
 class _Mechanics:

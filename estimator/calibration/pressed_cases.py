@@ -8,12 +8,11 @@ import numpy as np
 from jaxtyping import Float, Int
 
 from design.errors import InputError
-from design.layout.positions import press_lattice
 from design.spec.object import ObjectSpec
-from estimator.calibration.pressed_places import LEAST_FRAMES, within_reach
+from estimator.calibration.pressed_places import LEAST_FRAMES, traced_reach_mm, within_reach
 from estimator.frames.dataset import NO_FACE, FrameSet
 from estimator.frames.heatmap import faces_pressed
-from estimator.signals.press_states import ASIDE_MM
+from estimator.frames.windows import all_counts
 from fem.presses.results import PressForces
 
 LEAST_CASES = 3
@@ -62,7 +61,7 @@ def pressed_cases(spec: ObjectSpec, frames: FrameSet, forces: PressForces) -> Pr
     """
     for face in faces_pressed(frames):
         frames = within_reach(frames, forces, face)
-    reach_mm = -press_lattice(spec).xy_mm.min(axis=0) - ASIDE_MM
+    reach_mm = traced_reach_mm(spec)
     touched = frames.contact_face != NO_FACE
     inside = np.all((abs(frames.contact_xy_mm) <= reach_mm).all(axis=2) | ~touched, axis=1)
     usable = frames.valid & touched.any(axis=1) & inside & (frames.place_id >= 0)
@@ -70,7 +69,7 @@ def pressed_cases(spec: ObjectSpec, frames: FrameSet, forces: PressForces) -> Pr
         _whole_case(frames, usable, case) for case in np.unique(frames.place_id[usable]).tolist()
     ]
     cases = [rows for rows in cases if len(rows) >= LEAST_FRAMES]
-    counts = frames.signal_counts.reshape(len(frames), -1)
+    counts = all_counts(frames)
     used = np.concatenate(cases) if cases else np.arange(0)
     channels = np.flatnonzero(np.isfinite(counts[used]).all(axis=0)) if cases else used
     if len(cases) < LEAST_CASES or not len(channels):

@@ -68,6 +68,11 @@ class PressedPlaces:
         return (white**2 + (force_noise * slope) ** 2) / self.frames[..., None]
 
 
+def traced_reach_mm(spec: ObjectSpec) -> Float[np.ndarray, "2"]:
+    """How far from a face's middle presses, and those a little beside them, lie within the table."""
+    return -press_lattice(spec).xy_mm.min(axis=0) - ASIDE_MM
+
+
 def within_reach(frames: FrameSet, forces: PressForces, face: int) -> FrameSet:
     """The frames, of which those are invalid that press the face harder than 0.8 of the deepest
     simulated press there: an object may be so much softer than its design."""
@@ -98,9 +103,10 @@ def pressed_places(spec: ObjectSpec, frames: FrameSet, face: int) -> PressedPlac
     own = frames.signal_counts[:, np.flatnonzero(frames.faces == face)]
     own = own.reshape(len(frames), 3 * spec.sensors.count_per_face)
     straight = np.hypot(force[:, 0], force[:, 1]) <= _STRAIGHT_NOISES * spec.protocol.force_noise_n
-    reach = -press_lattice(spec).xy_mm.min(axis=0) - ASIDE_MM
     alone = frames.valid & (touched.sum(axis=1) == 1) & (frames.contact_face[every, slot] == face)
-    alone &= straight & np.isfinite(own).any(axis=1) & (abs(xy) <= reach).all(axis=1)
+    alone &= (
+        straight & np.isfinite(own).any(axis=1) & (abs(xy) <= traced_reach_mm(spec)).all(axis=1)
+    )
     force, xy, own = force[alone, 2], xy[alone], own[alone]
     zeroed = (frames.press_id if frames.source == "recorded" else frames.session_id)[alone]
     channels = np.flatnonzero(np.isfinite(own).all(axis=0)) if len(own) else np.arange(0)

@@ -9,9 +9,15 @@ from typing import Protocol, runtime_checkable
 import numpy as np
 from jaxtyping import Bool, Float
 
+from design.errors import InputError
 from design.spec.object import ObjectSpec
+from estimator.signals.interpolation import unresolved_presses
+from estimator.signals.press_states import motions_as_signals
+from estimator.signals.presses import Signals
 from estimator.tolerances.assembly import Assembly, assembled, contribution_sizes, designed
-from fem.large_strain.correction import StrainCorrection
+from estimator.tolerances.virtual_object import twin_signals
+from fem.large_strain.correction import StrainCorrection, corrected_table
+from fem.presses.results import MagnetMotions, PressForces
 
 FACE_PARTS = (
     "magnet_seat", "magnet_depth", "magnet_tilt", "remanence",
@@ -64,6 +70,31 @@ class Unknowns:
         """Its departure from small strain."""
         a, b, c, d, e = (numbers[-len(STIFFENING) :] * STIFFENING).tolist()
         return StrainCorrection(self.spec.shell.thickness_mm, (a, b), (c, d), (e,))
+
+    def signals(
+        self, numbers: Float[np.ndarray, "number"], forces: PressForces, motions: MagnetMotions
+    ) -> Signals | None:
+        """Of every press of a table of the design, done by the object of these numbers; None where
+        its forces would fall with depth and the design's do not."""
+        table = corrected_table(self.spec, forces, motions, self.correction(numbers))
+        before, after = (
+            unresolved_presses(motions_as_signals(*one)) for one in ((forces, motions), table)
+        )
+        if np.any(after & ~before):
+            return None
+        return twin_signals(self.spec, self.assembly(numbers), *table)
+
+    def no_object(self, presses: str) -> InputError:
+        """What to say where `signals` are None."""
+        return InputError(
+            f"{presses} fit no object of {self.spec.name!r}: its forces would fall with depth. Give "
+            "the specification of the object that was pressed, with true tolerances"
+        )
+
+
+def at_limits(numbers: Float[np.ndarray, "number"]) -> int:
+    """How many numbers went as far as they may."""
+    return int(np.sum(abs(numbers) >= FARTHEST - 1e-6))
 
 
 @runtime_checkable

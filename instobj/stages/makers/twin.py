@@ -240,13 +240,13 @@ def _row(
     twin: CalibratedTwin, seen: PressedPlaces, calibrated: np.ndarray, planned: np.ndarray
 ) -> dict[str, Any]:
     """What was found, and residual signals at held-out locations."""
-    from estimator.calibration.unknowns import FARTHEST
+    from estimator.calibration.unknowns import at_limits
 
     found = twin.unknowns
     correction = found.correction(twin.numbers)
     left, by_design = (round(100 * float(np.median(one)), 2) for one in (calibrated, planned))
     most, most_by_design = (100 * float(np.quantile(one, _SHARE)) for one in (calibrated, planned))
-    strained = int(np.sum(abs(twin.numbers) >= FARTHEST - 1e-6))
+    strained = at_limits(twin.numbers)
     return {
         "face": seen.face,
         "places": len(seen),
