@@ -96,7 +96,7 @@ def parse_spec(content: dict[str, Any], source: str, table: bool = True) -> Obje
     except ValidationError as error:
         problems = [_explain(problem) for problem in error.errors()]
     except SpecError as error:
-        problems = [str(error)]
+        problems = str(error).split("\n")
     listed = "\n".join(f"  - {problem}" for problem in problems)
     raise SpecError(f"{source} is not a valid specification:\n{listed}")
 
@@ -109,7 +109,7 @@ def check(spec: ObjectSpec, table: bool = True) -> ObjectSpec:
     Raises
     ------
     SpecError
-        What does not fit, what was given and how to fix it.
+        All that does not fit, a line each: what was given and how to fix it.
     """
     try:
         require_fit(spec, table)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from itertools import combinations
 from math import cos, sin
 from typing import TYPE_CHECKING
@@ -19,12 +20,12 @@ if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
 
 
-def check_box(spec: ObjectSpec) -> None:
-    """Raise ValueError with what does not fit in a box, what was given and how to fix it."""
-    _check_core(spec)
-    _check_wire_passages(spec)
-    _check_pockets(spec)
-    _check_core_contents(spec)
+def check_box(spec: ObjectSpec) -> Iterator[str]:
+    """What does not fit in a box that has room for its core."""
+    yield from _check_recesses(spec)
+    yield from _check_wire_passages(spec)
+    yield from _check_pockets(spec)
+    yield from _check_core_contents(spec)
 
 
 def _smallest_half_extents_mm(spec: ObjectSpec) -> tuple[float, float]:
@@ -33,30 +34,37 @@ def _smallest_half_extents_mm(spec: ObjectSpec) -> tuple[float, float]:
     return min(half_x), min(half_y)
 
 
-def _check_core(spec: ObjectSpec) -> None:
+def check_box_core(spec: ObjectSpec) -> Iterator[str]:
+    """Whether there is room for a core."""
     smallest = min(spec.core_size_mm)
     if smallest <= 2 * spec.core.wall_mm:
-        raise ValueError(
+        yield (
             f"the core must be larger than two core walls ({2 * spec.core.wall_mm:g} mm); got a core "
-            f"of {smallest:g} mm. Make the body larger, or shell.thickness_mm or core.wall_mm smaller"
+            f"of {smallest:g} mm. Make the body larger than "
+            f"{2 * (spec.shell.thickness_mm + spec.core.wall_mm):g} mm, or shell.thickness_mm or "
+            "core.wall_mm smaller"
         )
+
+
+def _check_recesses(spec: ObjectSpec) -> Iterator[str]:
+    smallest = min(spec.core_size_mm)
     if spec.core.recess_depth_mm >= spec.core.wall_mm:
-        raise ValueError(
+        yield (
             f"core.recess_depth_mm must be below core.wall_mm = {spec.core.wall_mm:g}; got "
             f"{spec.core.recess_depth_mm:g}. Make the recess shallower or the wall thicker"
         )
     if not spec.core.recess_inner_radius_mm < spec.core.recess_outer_radius_mm < smallest / 2:
-        raise ValueError(
+        yield (
             "core recesses must satisfy recess_inner_radius_mm < recess_outer_radius_mm < half the "
             f"core ({smallest / 2:g} mm); got {spec.core.recess_inner_radius_mm:g} and "
             f"{spec.core.recess_outer_radius_mm:g}. Move the recess inwards"
         )
 
 
-def _check_wire_passages(spec: ObjectSpec) -> None:
+def _check_wire_passages(spec: ObjectSpec) -> Iterator[str]:
     core, smallest = spec.core, min(spec.core_size_mm)
     if core.hub_depth_mm >= core.wall_mm:
-        raise ValueError(
+        yield (
             f"core.hub_depth_mm must be below core.wall_mm = {core.wall_mm:g}; got "
             f"{core.hub_depth_mm:g}. Make the hub recess shallower or the wall thicker"
         )
@@ -64,58 +72,60 @@ def _check_wire_passages(spec: ObjectSpec) -> None:
     room = smallest - 2 * core.wall_mm
     widest = max(core.wire_hole_top_diameter_mm, core.wire_hole_side_diameter_mm)
     if widest >= room:
-        raise ValueError(
+        yield (
             f"core.wire_hole_*_diameter_mm must be below the core's cavity, {room:g} mm wide; got "
             f"{widest:g}. Use a smaller hole or thinner core walls"
         )
     if 2 * core.hub_radius_mm >= smallest:
-        raise ValueError(
+        yield (
             f"core.hub_radius_mm must be below half the core ({smallest / 2:g} mm); "
             f"got {core.hub_radius_mm:g}. Use a smaller hub recess"
         )
 
 
-def _check_pockets(spec: ObjectSpec) -> None:
+def _check_pockets(spec: ObjectSpec) -> Iterator[str]:
     shell = spec.shell
     if shell.pocket_depth_mm >= shell.thickness_mm:
-        raise ValueError(
+        yield (
             f"shell.pocket_depth_mm must be below shell.thickness_mm = {shell.thickness_mm:g}; got "
             f"{shell.pocket_depth_mm:g}. Make the pocket shallower or the shell thicker"
         )
     half = _smallest_half_extents_mm(spec)
     for face in shell_pockets(spec):
         for index, pocket in enumerate(face):
-            _check_body_in_pocket(spec, pocket)
-            _check_sealed(spec, index, pocket)
+            yield from _check_body_in_pocket(spec, pocket)
+            yield from _check_sealed(spec, index, pocket)
             if (pocket.reach_mm >= half).any():
-                raise ValueError(
+                at_most = [h - r + abs(c) for h, r, c in _columns(half, pocket)]
+                yield (
                     f"{pocket.body.label} puts its pocket of radius {pocket.outline.radius_mm:g} mm "
-                    f"outside the shell's face (±{half[0]:g}, ±{half[1]:g} mm). Move it inwards"
+                    f"outside the shell's face (±{half[0]:g}, ±{half[1]:g} mm). Move it inwards, to "
+                    f"|x| below {at_most[0]:.4g}, |y| below {at_most[1]:.4g} mm"
                 )
-        _check_pockets_apart(face)
-    _check_pockets_across_edges(shell_pockets(spec), half, "shell")
+        yield from _check_pockets_apart(face)
+    yield from _check_pockets_across_edges(shell_pockets(spec), half, "shell")
 
 
-def _check_body_in_pocket(spec: ObjectSpec, pocket: Pocket) -> None:
+def _check_body_in_pocket(spec: ObjectSpec, pocket: Pocket) -> Iterator[str]:
     body, depth = pocket.body, spec.shell.pocket_depth_mm
     wide, tall = 2 * body.outline.half_mm[0], body.height_mm
     if tall >= depth or wide > 2 * pocket.outline.half_mm[0]:
         what = "a magnet" if spec.arrangement == "sensors-in-core" else "a sensor board"
-        raise ValueError(
+        yield (
             f"{what} of {wide:g} × {tall:g} mm must fit below the seal in a pocket of "
             f"{2 * pocket.outline.half_mm[0]:g} × {depth:g} mm; it does not. Choose a smaller one or a "
             "larger pocket"
         )
 
 
-def _check_sealed(spec: ObjectSpec, index: int, pocket: Pocket) -> None:
+def _check_sealed(spec: ObjectSpec, index: int, pocket: Pocket) -> Iterator[str]:
     """Silicone must be left between the body and the face, and between the pocket and the core."""
     thickness, body = spec.shell.thickness_mm, pocket.body
     upwards = body.outline.support_mm(body.frame[2, :2]) + pocket.axis[2] * body.height_mm / 2
     depth = -body.centre_mm[2]
     if depth <= upwards or -pocket.lowest_mm >= thickness:
         low, high = upwards, thickness + depth + pocket.lowest_mm
-        raise ValueError(
+        yield (
             f"magnets.depth_mm[{index}] = {depth:g} does not seal the magnet within the "
             f"{thickness:g} mm of silicone: at this tilt its mid-plane must lie deeper than {low:.4g} "
             f"and its pocket's floor above the core, less deep than {high:.4g} mm. Change depth_mm or "
@@ -123,45 +133,52 @@ def _check_sealed(spec: ObjectSpec, index: int, pocket: Pocket) -> None:
         )
 
 
-def _check_pockets_apart(pockets: tuple[Pocket, ...]) -> None:
+def _check_pockets_apart(pockets: tuple[Pocket, ...]) -> Iterator[str]:
     for a, b in combinations(pockets, 2):
         distance = distance_of_axes_mm(a, b)
         needed = a.outline.radius_mm + b.outline.radius_mm
         if distance <= needed:
-            raise ValueError(
+            yield (
                 f"the pockets of {a.body.label} and {b.body.label} touch or overlap: axes "
-                f"{distance:.3g} mm apart, more than {needed:.4g} mm needed. Move one of them"
+                f"{distance:.3g} mm apart, more than {needed:.4g} mm needed. Move one of them away by "
+                f"more than {needed - distance:.3g} mm"
             )
 
 
 def _check_pockets_across_edges(
     faces: tuple[tuple[Pocket, ...], ...], half_mm: tuple[float, float], part: str
-) -> None:
+) -> Iterator[str]:
     """The boxes round the pockets of neighbouring faces must not meet at an edge."""
     every = [pocket for face in faces for pocket in face]
     deepest = max(-pocket.lowest_mm for pocket in every)
     half_x, half_y = (half - deepest for half in half_mm)
     for pocket in every:
         if (pocket.reach_mm >= (half_x, half_y)).any():
-            raise ValueError(
+            at_most = [h - r + abs(c) for h, r, c in _columns((half_x, half_y), pocket)]
+            yield (
                 f"{pocket.body.label} reaches into the {deepest:.4g} mm zone of the neighbouring "
                 f"face's pockets in the {part}: pockets of two faces could overlap. Its pocket reaches "
                 f"{pocket.reach_mm[0]:.4g}, {pocket.reach_mm[1]:.4g} mm from the middle, less than "
-                f"{half_x:.4g}, {half_y:.4g} mm is needed. Move it inwards"
+                f"{half_x:.4g}, {half_y:.4g} mm is needed. Move it inwards, to |x| below {at_most[0]:.4g}, "
+                f"|y| below {at_most[1]:.4g} mm"
             )
 
 
-def _check_core_contents(spec: ObjectSpec) -> None:
+def _columns(half_mm: tuple[float, float], pocket: Pocket) -> list[tuple[float, float, float]]:
+    """Half extent, the pocket's reach and its body's place, along x and along y (mm)."""
+    return list(zip(half_mm, pocket.reach_mm, pocket.body.centre_mm[:2], strict=True))
+
+
+def _check_core_contents(spec: ObjectSpec) -> Iterator[str]:
     if spec.arrangement == "sensors-in-core":
-        _check_sensors(spec)
-    else:
-        _check_magnets_in_core(spec)
+        return _check_sensors(spec)
+    return _check_magnets_in_core(spec)
 
 
-def _check_magnets_in_core(spec: ObjectSpec) -> None:
+def _check_magnets_in_core(spec: ObjectSpec) -> Iterator[str]:
     core, (pockets, *_) = spec.core, core_pockets(spec)
     if spec.magnets.depth_mm is not None:
-        raise ValueError(
+        yield (
             "magnets.depth_mm is that of magnets in the shell; with arrangement = 'sensors-in-shell' "
             "they sit in the core. Give magnets.depth_below_core_face_mm instead"
         )
@@ -169,46 +186,46 @@ def _check_magnets_in_core(spec: ObjectSpec) -> None:
     middle = max(core.hub_radius_mm, *holes)
     for pocket in pockets:
         if -pocket.lowest_mm >= core.wall_mm:
-            raise ValueError(
+            yield (
                 f"{pocket.body.label} needs a pocket {-pocket.lowest_mm:.4g} mm deep in a core wall of "
                 f"core.wall_mm = {core.wall_mm:g}. Use a flatter magnet or a thicker wall"
             )
         clear = float((pocket.body.centre_mm[:2] ** 2).sum() ** 0.5) - pocket.outline.radius_mm
         if clear <= middle:
-            raise ValueError(
+            yield (
                 f"{pocket.body.label} meets the hub or wire hole of radius {middle:g} mm at the middle "
                 f"of the core's face. Move it outwards by more than {middle - clear:.3g} mm"
             )
-    _check_pockets_apart(pockets)
+    yield from _check_pockets_apart(pockets)
     half_x, half_y = _smallest_half_extents_mm(spec)
     inward = spec.shell.thickness_mm
-    _check_pockets_across_edges((pockets,), (half_x - inward, half_y - inward), "core")
+    yield from _check_pockets_across_edges((pockets,), (half_x - inward, half_y - inward), "core")
 
 
-def _check_sensors(spec: ObjectSpec) -> None:
+def _check_sensors(spec: ObjectSpec) -> Iterator[str]:
     sensors, core = spec.sensors, spec.core
     half = min(spec.core_size_mm) / 2
     if sensors.depth_below_core_face_mm > core.recess_depth_mm:
-        raise ValueError(
+        yield (
             f"sensors.depth_below_core_face_mm must not exceed core.recess_depth_mm = "
             f"{core.recess_depth_mm:g}; got {sensors.depth_below_core_face_mm:g}. Deepen the recess"
         )
     if sensors.positions_mm is not None:
-        _check_sensor_places(spec)
+        yield from _check_sensor_places(spec)
         return
     if sensors.radius_mm >= half:
-        raise ValueError(
+        yield (
             f"sensors.radius_mm puts the sensors outside the core: it must be below {half:g} (half "
             f"the core's edge); got {sensors.radius_mm:g}. Choose a smaller radius"
         )
     if not core.recess_inner_radius_mm <= sensors.radius_mm <= core.recess_outer_radius_mm:
-        raise ValueError(
+        yield (
             f"sensors.radius_mm must lie in the core's recess ({core.recess_inner_radius_mm:g} to "
             f"{core.recess_outer_radius_mm:g} mm); got {sensors.radius_mm:g}. Move the sensor or the recess"
         )
 
 
-def _check_sensor_places(spec: ObjectSpec) -> None:
+def _check_sensor_places(spec: ObjectSpec) -> Iterator[str]:
     """Explicit places: each recess, moved along with its sensor, must stay on the core's face."""
     core, inward = spec.core, spec.shell.thickness_mm
     limits = [half - inward for half in _smallest_half_extents_mm(spec)]
@@ -220,42 +237,42 @@ def _check_sensor_places(spec: ObjectSpec) -> None:
                 abs(y + beyond * sin(azimuth)) + core.recess_width_mm / 2 * abs(cos(azimuth)),
             )
             if reach[0] >= limits[0] or reach[1] >= limits[1]:
-                raise ValueError(
+                yield (
                     f"sensors.positions_mm: sensor {index + 1} of face {face} at ({x:g}, {y:g}) puts its "
                     f"recess outside the core's face: it reaches {reach[0]:.4g}, {reach[1]:.4g} mm from "
                     f"the middle, less than {limits[0]:.4g}, {limits[1]:.4g} mm is needed. Move it inwards"
                 )
 
 
-def check_box_presses(spec: ObjectSpec) -> None:
-    _check_indenter(spec)
+def check_box_presses(spec: ObjectSpec) -> Iterator[str]:
+    yield from _check_indenter(spec)
     deepest = spec.press.depths_mm[-1]
     if deepest > 0.6 * spec.shell.thickness_mm:
-        raise ValueError(
+        yield (
             f"press.depths_mm must stay below 60 % of shell.thickness_mm (linear mechanics); got "
             f"{deepest:g} of {spec.shell.thickness_mm:g} mm. Press less deep or thicken the shell"
         )
 
 
-def check_tips(spec: ObjectSpec) -> None:
+def check_tips(spec: ObjectSpec) -> Iterator[str]:
     from design.layout.tips import tip_places_mm, tips_overlap
 
     one = spec.indenter.changed(tip_count=1)
     for a, b in combinations(tip_places_mm(spec.indenter), 2):
         if tips_overlap(one, b - a):
-            raise ValueError(
+            yield (
                 f"indenter.tip_spacing_mm = {spec.indenter.tip_spacing_mm} makes the tips overlap. Space "
                 "them by more than their width, or leave it out"
             )
 
 
-def _check_indenter(spec: ObjectSpec) -> None:
+def _check_indenter(spec: ObjectSpec) -> Iterator[str]:
     """Every place of the grid, half a pitch of margin and the whole path lie on the faces."""
     from design.layout.tips import footprint_mm, path_mm, tip_shape
 
     deepest, height = spec.press.depths_mm[-1], tip_shape(spec.indenter).height_mm
     if deepest >= height:
-        raise ValueError(
+        yield (
             f"press.depths_mm must stay below the indenter's height, {height:g} mm (a hemisphere's "
             f"radius); got {deepest:g}. Press less deep or use a larger indenter"
         )
@@ -266,13 +283,13 @@ def _check_indenter(spec: ObjectSpec) -> None:
     grid = spec.contact_grid
     for axis, limit in enumerate(_smallest_half_extents_mm(spec)):
         if size[axis] > 2 * limit:
-            raise ValueError(
+            yield (
                 f"the indenter is {size[axis]:.4g} mm wide, larger than the face of {2 * limit:g} mm. "
                 "Use a smaller indenter"
             )
         needed = grid.count[axis] * grid.pitch_mm / 2 + reach[axis]
         if needed > limit:
-            raise ValueError(
+            yield (
                 f"contact_grid.count[{axis}] × pitch_mm, half a pitch of margin and the indenter need "
                 f"{2 * needed:.4g} mm on a face of {2 * limit:g} mm. Use fewer places, a smaller pitch "
                 "or a smaller indenter"

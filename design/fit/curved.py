@@ -5,6 +5,7 @@ Neighbouring patches of a curved body overlap, so that pockets are compared in t
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from itertools import combinations
 from typing import TYPE_CHECKING
 
@@ -21,21 +22,20 @@ if TYPE_CHECKING:
 _LARGEST_SHARE = 0.6
 
 
-def check_body(spec: ObjectSpec) -> None:
-    """Raise ValueError with what does not fit, what was given and how to fix it."""
-    _check_what_boxes_can(spec)
-    _check_core(spec)
-    _check_pockets(spec)
-    _check_sensors(spec)
+def check_body(spec: ObjectSpec) -> Iterator[str]:
+    """What does not fit in a body that has room for its core."""
+    yield from _check_recesses(spec)
+    yield from _check_pockets(spec)
+    yield from _check_sensors(spec)
 
 
-def check_curved_presses(spec: ObjectSpec) -> None:
-    """Raise ValueError where a press of the table would leave its patch or goes too deep."""
+def check_curved_presses(spec: ObjectSpec) -> Iterator[str]:
+    """Where a press of the table would leave its patch or goes too deep."""
     from design.layout.tips import tip_heights_mm, tip_places_mm, tip_shape
 
     deepest, silicone = spec.press.depths_mm[-1], body_of(spec).silicone_mm
     if deepest > _LARGEST_SHARE * silicone:
-        raise ValueError(
+        yield (
             f"press.depths_mm must stay below {_LARGEST_SHARE:.0%} of the silicone (linear mechanics); "
             f"got {deepest:g} of {silicone:g} mm. Press less deep or thicken the shell"
         )
@@ -48,7 +48,7 @@ def check_curved_presses(spec: ObjectSpec) -> None:
     for frame in face_frames(spec):
         if not _covered(frame, corner, reach):
             half = frame.half_extents_mm
-            raise ValueError(
+            yield (
                 f"contact_grid.count × pitch_mm / 2 = ({corner[0]:g}, {corner[1]:g}) mm, and {reach:.3g} mm "
                 f"round the tip, leave face {frame.number}, {'an ellipse' if frame.round else 'a rectangle'} "
                 f"of ±{half[0]:.4g}, ±{half[1]:.4g} mm. Use fewer places, a smaller pitch, a smaller "
@@ -67,7 +67,7 @@ def _covered(frame: FaceFrame, place_mm: np.ndarray, reach_mm: float) -> bool:
     return bool(np.all(frame.covers(np.where(np.isfinite(rim), rim, np.inf)[:, :2])))
 
 
-def _check_what_boxes_can(spec: ObjectSpec) -> None:
+def _check_what_boxes_can(spec: ObjectSpec) -> Iterator[str]:
     kind, mechanics = spec.body.kind, spec.mechanics
     wants = {
         "mechanics.interface": mechanics.interface != "bonded",
@@ -82,40 +82,49 @@ def _check_what_boxes_can(spec: ObjectSpec) -> None:
         "shell.seal_layer_mm": spec.shell.seal_layer_mm > 0,
     }
     for key in (key for key, wanted in wants.items() if wanted):
-        raise ValueError(
+        yield (
             f"{key} is known for boxes only, with its default otherwise; body.kind is {kind!r}. Leave "
             f"{key} out"
         )
 
 
-def _check_core(spec: ObjectSpec) -> None:
+def check_body_core(spec: ObjectSpec) -> Iterator[str]:
+    """What other bodies than boxes cannot have; else whether there is room for a core."""
+    return iter([*_check_what_boxes_can(spec)] or [*_check_core(spec)])
+
+
+def _check_core(spec: ObjectSpec) -> Iterator[str]:
     body, core = body_of(spec), spec.core
     room, what = body.room_for_recesses
     if room <= core.recess_depth_mm:
-        raise ValueError(
+        yield (
             f"{what} is {room:.4g} mm thick and must be more than core.recess_depth_mm = "
             f"{core.recess_depth_mm:g}. Make body.size_mm larger, or shell.thickness_mm or the recess "
             "smaller"
         )
-    widest = min(float(np.hypot(*frame.half_extents_mm)) for frame in core_frames(spec))
-    if not core.recess_inner_radius_mm < core.recess_outer_radius_mm < widest:
-        raise ValueError(
-            "core recesses must satisfy recess_inner_radius_mm < recess_outer_radius_mm < the reach "
-            f"of the core's smallest patch, {widest:.4g} mm; got {core.recess_inner_radius_mm:g} and "
-            f"{core.recess_outer_radius_mm:g}. Move the recess inwards"
-        )
     if body.thickness_mm >= body.thickness_below_mm:
-        raise ValueError(
+        yield (
             f"shell.thickness_mm must be below the {body.name}'s radius of {body.thickness_below_mm:g} mm; "
             f"got {body.thickness_mm:g}. Make it thinner, or body.inside = 'silicone'"
         )
     if body.opening == "bore" and body.bore_mm >= 2 * room:
-        raise ValueError(
+        yield (
             f"body.bore_mm must be below the core's width, {2 * room:.4g} mm; got {body.bore_mm:g}"
         )
 
 
-def _check_pockets(spec: ObjectSpec) -> None:
+def _check_recesses(spec: ObjectSpec) -> Iterator[str]:
+    core = spec.core
+    widest = min(float(np.hypot(*frame.half_extents_mm)) for frame in core_frames(spec))
+    if not core.recess_inner_radius_mm < core.recess_outer_radius_mm < widest:
+        yield (
+            "core recesses must satisfy recess_inner_radius_mm < recess_outer_radius_mm < the reach "
+            f"of the core's smallest patch, {widest:.4g} mm; got {core.recess_inner_radius_mm:g} and "
+            f"{core.recess_outer_radius_mm:g}. Move the recess inwards"
+        )
+
+
+def _check_pockets(spec: ObjectSpec) -> Iterator[str]:
     shell, silicone = spec.shell, body_of(spec).silicone_mm
     frames, placed = face_frames(spec), []
     for frame, pockets in zip(frames, shell_pockets(spec), strict=True):
@@ -123,46 +132,57 @@ def _check_pockets(spec: ObjectSpec) -> None:
             body = pocket.body
             tall = body.height_mm >= shell.pocket_depth_mm and spec.magnets.depth_mm is None
             if -pocket.lowest_mm >= silicone or tall:
-                raise ValueError(
+                yield (
                     f"{body.label}: a magnet {body.height_mm:g} mm high in a pocket "
                     f"{-pocket.lowest_mm:.4g} mm deep does not lie within the {silicone:g} mm of silicone. "
                     "Change shell.pocket_depth_mm, magnets.depth_mm or the magnet"
                 )
             cover = cover_mm(frame, body)
             if cover <= 0:
-                raise ValueError(
+                yield (
                     f"{body.label} stands {-cover:.3g} mm out of the curved face {frame.number}. Deepen "
                     "shell.pocket_depth_mm or magnets.depth_mm by more than that, or take a smaller magnet"
                 )
             reach = pocket.reach_mm
             if not frame.covers(reach):
-                raise ValueError(
+                yield (
                     f"{body.label} puts its pocket outside face {frame.number} (±"
-                    f"{frame.half_extents_mm[0]:.4g}, ±{frame.half_extents_mm[1]:.4g} mm). Move it inwards"
+                    f"{frame.half_extents_mm[0]:.4g}, ±{frame.half_extents_mm[1]:.4g} mm). Move it "
+                    + _inwards(frame, body.centre_mm[:2], reach - abs(body.centre_mm[:2]))
                 )
             tangent = frame.tangent(body.centre_mm[:2])
             placed.append((frame.number, pocket, tangent.to_object(pocket.axis_ends_mm)))
     for (face, a, ends), (other, b, ends_b) in combinations(placed, 2):
-        _require_apart(face, a, ends, other, b, ends_b)
+        yield from _require_apart(face, a, ends, other, b, ends_b)
+
+
+def _inwards(frame: FaceFrame, xy_mm: np.ndarray, beside_mm: np.ndarray | float = 0.0) -> str:
+    """Where on its way to the middle a place, and what reaches beside it, lies on the patch."""
+    shares = np.linspace(1, 0, 101)[:, None]
+    inside = frame.covers(shares * abs(xy_mm) + beside_mm)
+    if not inside.any():
+        return "to a larger face: it does not fit in the middle either"
+    x, y = shares[np.argmax(inside)] * xy_mm
+    return f"inwards, as to ({x:.4g}, {y:.4g})"
 
 
 def _require_apart(
     face: int, a: Pocket, ends: np.ndarray, other: int, b: Pocket, ends_b: np.ndarray
-) -> None:
+) -> Iterator[str]:
     distance = distance_of_segments_mm(ends, ends_b)
     needed = a.outline.radius_mm + b.outline.radius_mm
     if distance <= needed:
-        raise ValueError(
+        yield (
             f"the pockets of {a.body.label} of face {face} and {b.body.label} of face {other} touch or "
             f"overlap: axes {distance:.3g} mm apart, more than {needed:.4g} mm needed. Move one of "
-            "them, or leave a face out with body.sensed_faces"
+            f"them away by more than {needed - distance:.3g} mm, or leave a face out with body.sensed_faces"
         )
 
 
-def _check_sensors(spec: ObjectSpec) -> None:
+def _check_sensors(spec: ObjectSpec) -> Iterator[str]:
     sensors, core = spec.sensors, spec.core
     if sensors.depth_below_core_face_mm > core.recess_depth_mm:
-        raise ValueError(
+        yield (
             f"sensors.depth_below_core_face_mm must not exceed core.recess_depth_mm = "
             f"{core.recess_depth_mm:g}; got {sensors.depth_below_core_face_mm:g}. Deepen the recess"
         )
@@ -173,13 +193,14 @@ def _check_sensors(spec: ObjectSpec) -> None:
     for frame, places in board_places(spec):
         for index, ((x, y, _), sink) in enumerate(places):
             if not frame.covers(np.array([x, y])):
-                raise ValueError(
+                yield (
                     f"sensor {index + 1} of face {frame.number} at ({x:.4g}, {y:.4g}) lies outside the "
                     f"core's patch (±{frame.half_extents_mm[0]:.4g}, ±{frame.half_extents_mm[1]:.4g} mm). "
-                    "Use a smaller sensors.radius_mm, or sensors.positions_mm"
+                    f"Move it {_inwards(frame, np.array([x, y]))} (sensors.radius_mm or "
+                    "sensors.positions_mm)"
                 )
             if not core.recess_depth_mm + sink < room:
-                raise ValueError(_too_deep(spec, frame.number, index + 1, sink, room, what))
+                yield _too_deep(spec, frame.number, index + 1, sink, room, what)
 
 
 def _too_deep(

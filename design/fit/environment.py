@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -10,13 +10,13 @@ if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
 
 
-def check_environment(spec: ObjectSpec) -> None:
-    """Raise ValueError where steel or a stray magnet reaches into the object, or one the other."""
+def check_environment(spec: ObjectSpec) -> Iterator[str]:
+    """Where steel or a stray magnet reaches into the object, or one the other."""
     half = [edge / 2 for edge in spec.body.size_mm]
     for index, stray in enumerate(spec.environment.magnets):
         outside = [max(abs(p) - h, 0.0) for p, h in zip(stray.position_mm, half, strict=True)]
         if _dot(outside, outside) <= _reach_mm(stray) ** 2:
-            raise ValueError(
+            yield (
                 f"environment.magnets[{index}] at {list(stray.position_mm)} may reach into the object: "
                 f"its centre must be more than {_reach_mm(stray):.4g} mm from the body. Move it away"
             )
@@ -30,7 +30,7 @@ def check_environment(spec: ObjectSpec) -> None:
         for what, height in nearest:
             depth = _dot(normal, plate.position_mm) - height
             if depth > 1e-9:
-                raise ValueError(
+                yield (
                     f"environment.steel_plates[{index}]: {what} reaches {depth:.4g} mm into the steel. "
                     "Move position_mm back, or turn normal round (it points out of the steel)"
                 )

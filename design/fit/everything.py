@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from design.fit.box import check_box, check_box_presses, check_tips
-from design.fit.curved import check_body, check_curved_presses
+from design.fit.box import check_box, check_box_core, check_box_presses, check_tips
+from design.fit.curved import check_body, check_body_core, check_curved_presses
 from design.fit.environment import check_environment
 from design.fit.parts import check_mould, check_parts
 from design.layout.body import body_of
@@ -14,21 +15,36 @@ if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
 
 
-def require_fit(spec: ObjectSpec, table: bool = True) -> None:
-    """Raise ValueError with what does not fit, what was given and how to fix it.
+def problems_of(spec: ObjectSpec, table: bool = True) -> list[str]:
+    """All that does not fit, each with what was given and how to fix it; empty where everything fits.
 
-    Without `table`, whether the indenter can be pressed at every contact location is left open.
+    Without room for a core nothing else can be judged. Without `table`, whether the indenter can be
+    pressed at every contact location is left open.
     """
+    found: list[str] = []
+    checks = (check_box_core if body_of(spec).cuboid else check_body_core)(spec)
+    try:
+        found += checks
+        if not found:
+            found += _all_checks(spec, table)
+    except ValueError as error:  # no core lies that deep within the file's surface
+        found.append(str(error))
+    return list(dict.fromkeys(found))
+
+
+def _all_checks(spec: ObjectSpec, table: bool) -> Iterator[str]:
     cuboid = body_of(spec).cuboid
-    if cuboid:
-        check_box(spec)
-    else:
-        check_body(spec)
-    check_tips(spec)
-    if table and cuboid:
-        check_box_presses(spec)
-    elif table:
-        check_curved_presses(spec)
-    check_environment(spec)
-    check_parts(spec)
-    check_mould(spec)
+    yield from check_box(spec) if cuboid else check_body(spec)
+    yield from check_tips(spec)
+    if table:
+        yield from check_box_presses(spec) if cuboid else check_curved_presses(spec)
+    yield from check_environment(spec)
+    yield from check_parts(spec)
+    yield from check_mould(spec)
+
+
+def require_fit(spec: ObjectSpec, table: bool = True) -> None:
+    """Raise ValueError with all that `problems_of` finds, a line each."""
+    found = problems_of(spec, table)
+    if found:
+        raise ValueError("\n".join(found))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from itertools import product
 from math import atan2, cos, hypot, sin, sqrt
 from typing import TYPE_CHECKING
@@ -11,7 +12,7 @@ from jaxtyping import Float
 
 from design.body.triangles import Block
 from design.layout.blocks import relief_slits
-from design.layout.body import body_of, face_frames
+from design.layout.body import face_frames
 from design.layout.mould_frame import opening_of
 from design.layout.pockets import Pocket, sensor_places, shell_pockets
 
@@ -22,33 +23,25 @@ Corners = Float[np.ndarray, "corner 2"]
 _TOUCHING_MM = 0.01
 
 
-def check_parts(spec: ObjectSpec) -> None:
-    """Raise ValueError with what does not fit, what was given and how to fix it."""
+def check_parts(spec: ObjectSpec) -> Iterator[str]:
+    """What of these does not fit."""
     if spec.core.keys.positions_mm:
-        _check_keys(spec)
+        yield from _check_keys(spec)
     if spec.shell.slits.depth_mm:
-        _check_slits(spec)
+        yield from _check_slits(spec)
     if spec.shell.seal_layer_mm:
-        _check_seal_layer(spec)
-    _check_channels(spec)
+        yield from _check_seal_layer(spec)
+    yield from _check_channels(spec)
     if spec.arrangement == "sensors-in-core":
-        _check_recesses_off_passages(spec)
+        yield from _check_recesses_off_passages(spec)
     if spec.core.bay_mm is not None:
-        _check_bay(spec)
+        yield from _check_bay(spec)
 
 
-def _require_box(spec: ObjectSpec, what: str) -> None:
-    if not body_of(spec).cuboid:
-        raise ValueError(
-            f"{what} are made for body.kind = 'box' only; got {spec.body.kind!r}. Leave them out"
-        )
-
-
-def _check_keys(spec: ObjectSpec) -> None:
-    _require_box(spec, "core.keys")
+def _check_keys(spec: ObjectSpec) -> Iterator[str]:
     keys = spec.core.keys
     if spec.mechanics.interface != "bonded":
-        raise ValueError(
+        yield (
             "core.keys lock the shell, so that it cannot slide on a frictionless core. Set "
             'mechanics.interface = "bonded", or leave the keys out'
         )
@@ -57,20 +50,20 @@ def _check_keys(spec: ObjectSpec) -> None:
         where = f"core.keys.positions_mm[{index}] = ({x:g}, {y:g})"
         width, length = keys.size_mm
         if abs(x) + width / 2 > half[0] or abs(y) + length / 2 > half[1]:
-            raise ValueError(
+            yield (
                 f"{where} reaches past the core's face (±{half[0]:g}, ±{half[1]:g} mm). Move it "
                 "inwards or make core.keys.size_mm smaller"
             )
         key = _rectangle((x, y), (width / 2, length / 2), 0.0)
-        _check_key_clear_of_core(spec, where, key)
-        _check_key_below_pockets(spec, where, key)
+        yield from _check_key_clear_of_core(spec, where, key)
+        yield from _check_key_below_pockets(spec, where, key)
 
 
-def _check_key_clear_of_core(spec: ObjectSpec, where: str, key: Corners) -> None:
+def _check_key_clear_of_core(spec: ObjectSpec, where: str, key: Corners) -> Iterator[str]:
     for face, openings in zip(spec.body.sensed, _core_openings(spec), strict=True):
         for name, corners in openings:
             if overlap(key, corners):
-                raise ValueError(
+                yield (
                     f"{where} stands over {name} of face {face}. Move it, or make "
                     "core.keys.size_mm smaller"
                 )
@@ -78,7 +71,7 @@ def _check_key_clear_of_core(spec: ObjectSpec, where: str, key: Corners) -> None
         _rectangle(p, _half(spec.core.keys.size_mm), 0.0) for p in spec.core.keys.positions_mm
     ]
     if sum(overlap(key, other) for other in others) > 1:
-        raise ValueError(f"{where} meets another key. Move one of them")
+        yield f"{where} meets another key. Move one of them"
 
 
 def _core_openings(spec: ObjectSpec) -> list[list[tuple[str, Corners]]]:
@@ -100,47 +93,46 @@ def _core_openings(spec: ObjectSpec) -> list[list[tuple[str, Corners]]]:
     return faces
 
 
-def _check_key_below_pockets(spec: ObjectSpec, where: str, key: Corners) -> None:
+def _check_key_below_pockets(spec: ObjectSpec, where: str, key: Corners) -> Iterator[str]:
     room = spec.shell.thickness_mm - spec.core.keys.height_mm
     for face in shell_pockets(spec):
         for pocket in face:
             below = [end[:2] for end in pocket.axis_ends_mm]
             near = any(distance_mm(key, xy) < pocket.outline.radius_mm for xy in below)
             if -pocket.lowest_mm >= (room if near else spec.shell.thickness_mm):
-                raise ValueError(
+                yield (
                     f"{where} reaches {spec.core.keys.height_mm:g} mm up, into the pocket of "
                     f"{pocket.body.label}. Lower core.keys.height_mm, or move the key"
                 )
     if room <= 0:
-        raise ValueError(
+        yield (
             f"core.keys.height_mm must be below shell.thickness_mm = {spec.shell.thickness_mm:g}; got "
             f"{spec.core.keys.height_mm:g}. Lower it"
         )
 
 
-def _check_slits(spec: ObjectSpec) -> None:
-    _require_box(spec, "shell.slits")
+def _check_slits(spec: ObjectSpec) -> Iterator[str]:
     slits, thickness = spec.shell.slits, spec.shell.thickness_mm
     if slits.depth_mm + slits.width_mm / 2 >= sqrt(2) * thickness:
-        raise ValueError(
+        yield (
             f"shell.slits.depth_mm = {slits.depth_mm:g} reaches the core, {sqrt(2) * thickness:.3g} mm "
             "below the edge. Make the slits shallower or the shell thicker"
         )
     needed = slits.depth_mm / sqrt(2) + slits.width_mm
     if slits.end_mm < needed:
-        raise ValueError(
+        yield (
             f"shell.slits.end_mm must be at least {needed:.3g}, so that slits do not meet at the "
             f"corners; got {slits.end_mm:g}. Raise it"
         )
     if 2 * slits.end_mm >= min(spec.body.size_mm):
-        raise ValueError(
+        yield (
             f"shell.slits.end_mm must be below half the shortest edge of the body "
             f"({min(spec.body.size_mm) / 2:g} mm); got {slits.end_mm:g}. Lower it"
         )
     for frame, face in zip(face_frames(spec), shell_pockets(spec), strict=True):
         for pocket, slit in product(face, relief_slits(spec)):
             if _slit_meets(slit, np.asarray(frame.to_object(_along(pocket))), pocket):
-                raise ValueError(
+                yield (
                     f"the pocket of {pocket.body.label} meets a relief slit. Move the magnet inwards "
                     "or make shell.slits.depth_mm smaller"
                 )
@@ -157,8 +149,7 @@ def _slit_meets(slit: Block, axis_mm: np.ndarray, pocket: Pocket) -> bool:
     return bool((np.linalg.norm(local.clip(min=0), axis=1) <= pocket.outline.radius_mm).any())
 
 
-def _check_seal_layer(spec: ObjectSpec) -> None:
-    _require_box(spec, "seal layers (shell.seal_layer_mm)")
+def _check_seal_layer(spec: ObjectSpec) -> Iterator[str]:
     layer = spec.shell.seal_layer_mm
     room = min(
         -(p.body.centre_mm[2] + p.axis[2] * p.body.height_mm / 2)
@@ -167,22 +158,22 @@ def _check_seal_layer(spec: ObjectSpec) -> None:
         for p in face
     )
     if layer > room:
-        raise ValueError(
+        yield (
             f"shell.seal_layer_mm = {layer:g} would leave magnets sticking out of the first pour: at "
             f"most {room:.3g} mm of silicone lie over them. Lower it or seat them deeper"
         )
 
 
-def _check_channels(spec: ObjectSpec) -> None:
+def _check_channels(spec: ObjectSpec) -> Iterator[str]:
     core = spec.core
     if core.wire_channel_width_mm and core.wire_channel_depth_mm >= core.wall_mm:
-        raise ValueError(
+        yield (
             f"core.wire_channel_depth_mm must be below core.wall_mm = {core.wall_mm:g}; got "
             f"{core.wire_channel_depth_mm:g}. Make the channels shallower or the wall thicker"
         )
 
 
-def _check_recesses_off_passages(spec: ObjectSpec) -> None:
+def _check_recesses_off_passages(spec: ObjectSpec) -> Iterator[str]:
     """A recess may run into the hub or the wire hole, or stay clear of it, but not touch it in a line."""
     core, beside = spec.core, np.zeros(2)
     passages = {
@@ -195,7 +186,7 @@ def _check_recesses_off_passages(spec: ObjectSpec) -> None:
             near = distance_mm(_recess(spec, x, y, azimuth), beside)
             for name, radius in passages.items():
                 if abs(near - radius) < _TOUCHING_MM:
-                    raise ValueError(
+                    yield (
                         f"a sensor's recess begins {near:.4g} mm from the middle of the core's face, just "
                         f"where {name} = {radius:g} ends: they would touch in a line. Move "
                         f"core.recess_inner_radius_mm, or that radius, by {_TOUCHING_MM:g} mm or more"
@@ -209,14 +200,14 @@ def _recess(spec: ObjectSpec, x: float, y: float, azimuth: float) -> Corners:
     return _radial(azimuth, radii, core.recess_width_mm)
 
 
-def _check_bay(spec: ObjectSpec) -> None:
+def _check_bay(spec: ObjectSpec) -> Iterator[str]:
     core, size = spec.core, spec.core_size_mm
     assert core.bay_mm is not None
     deepest = core.recess_depth_mm
     limits = (size[0] - 2 * deepest, size[1] - 2 * deepest, size[2] - deepest)
     for axis, edge, limit in zip("xyz", core.bay_mm, limits, strict=True):
         if edge >= limit:
-            raise ValueError(
+            yield (
                 f"core.bay_mm is {edge:g} mm in {axis}; the core leaves less than {limit:g} mm behind "
                 "its recesses. Make the bay smaller or the body larger"
             )
@@ -267,16 +258,16 @@ def distance_mm(polygon: Corners, point: Float[np.ndarray, "2"]) -> float:
     return float(np.linalg.norm(away - share[:, None] * edge, axis=1).min())
 
 
-def check_mould(spec: ObjectSpec) -> None:
-    """Raise ValueError with what cannot be moulded, what was given and how to fix it."""
+def check_mould(spec: ObjectSpec) -> Iterator[str]:
+    """What cannot be moulded, what was given and how to fix it."""
     opening = opening_of(spec)
     if spec.mould.style == "one-piece" and opening != "open":
-        raise ValueError(
+        yield (
             f'mould.style = "one-piece" needs a whole side of the body open; this {spec.body.kind} has '
             f'body.open_faces = {list(spec.body.opened)}. Use "split", or leave the style out'
         )
     if spec.shell.seal_layer_mm and opening == "closed":
-        raise ValueError(
+        yield (
             f"shell.seal_layer_mm = {spec.shell.seal_layer_mm:g} is poured round the shell on its plug, "
             "and a closed body has none. Leave it out and fill the pockets, or open a face"
         )
