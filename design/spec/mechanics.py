@@ -40,12 +40,22 @@ class PressSpec(SpecPart):
 
 
 class MeshSpec(SpecPart):
-    """Target edge lengths: `edge_mm` in the bulk, `surface_edge_mm` under the pressed faces."""
+    """Target edge lengths: `edge_mm` in the bulk, `surface_edge_mm` under the pressed faces.
+
+    At the rims of rigid bodies, and under the tip of a single press, they are `rim_edge_ratio`
+    times those under the faces.
+    """
 
     edge_mm: Positive = 4.0
-    surface_edge_mm: Positive = 1.2
+    surface_edge_mm: Positive = 1.7
+    rim_edge_ratio: Annotated[float, Field(ge=0.1, le=1)] = 0.4
     envelope_mm: Positive = 0.03
-    magnet_sides: Annotated[int, Field(ge=6, le=64)] = 8
+    magnet_sides: Annotated[int, Field(ge=6, le=64)] = 16
+
+    @property
+    def finest_edge_mm(self) -> float:
+        """Edges at the rims of rigid bodies, and under the tip of a single press."""
+        return self.rim_edge_ratio * self.surface_edge_mm
 
 
 class SlipSpec(SpecPart):

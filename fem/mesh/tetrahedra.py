@@ -22,8 +22,9 @@ from fem.mesh.surfaces import all_surfaces, in_body
 SILICONE = -1
 """Value of `TetMesh.magnet` in elements of silicone."""
 
-_FINE_WITHIN_RADII = 1.1
-_COARSE_BEYOND_RADII = 3.0
+_NEAR_EDGE = 0.75
+"""Edges `_NEAR_RADII` away from a press's contact, in `mesh.surface_edge_mm`."""
+_CONTACT_RADII, _NEAR_RADII, _FAR_RADII = 0.75, 0.6, 2.5
 _COARSE_EDGE_MM = 6.0
 
 
@@ -48,8 +49,9 @@ def tetrahedralize(
     """Mesh the sealed body, magnets conforming, or as if it were silicone throughout.
 
     `edge_length` gives the wanted edge length (mm) at points (n, 3); by default edges are fine
-    under all sensed faces. The mesher is not deterministic: store the mesh, never compare counts;
-    `mesh_sha256` tells two meshes apart. Surfaces are followed to within `mesh.envelope_mm`.
+    under all sensed faces and at the rims of magnets. The mesher is not deterministic: store the
+    mesh, never compare counts; `mesh_sha256` tells two meshes apart. Surfaces are followed to
+    within `mesh.envelope_mm`.
 
     Raises
     ------
@@ -57,7 +59,7 @@ def tetrahedralize(
         The mesher fails or takes too long, or a magnet got no element.
     """
     surface = all_surfaces(spec, magnets)
-    background = edge_length_field(spec, edge_length)
+    background = edge_length_field(spec, edge_length, magnets)
     content = {
         "vertices": np.asarray(surface.vertices, dtype=np.float64),
         "faces": np.asarray(surface.faces, dtype=np.int32),
@@ -78,10 +80,10 @@ def tetrahedralize(
 def tetrahedralize_for_press(
     spec: ObjectSpec, face: int, x_mm: float, y_mm: float, progress: Progress | None = None
 ) -> TetMesh:
-    """Edges of `mesh.surface_edge_mm` around the tip, growing to 6 mm three radii away.
+    """Edges as fine at the contact as at the rims of magnets, growing to 6 mm.
 
-    A quarter of the unknowns of the mesh that serves all presses, with the same resolution of this
-    one's contact.
+    The force of pressures on hats of size h under a contact of radius a is off by a multiple of
+    (h/a)² that changes with the depth, as vertices come into contact one after the other.
 
     Raises
     ------
@@ -89,14 +91,16 @@ def tetrahedralize_for_press(
         The mesher fails, or a magnet got no element.
     """
     frame = face_frame(spec, face)
-    place = frame.to_object(np.array([x_mm, y_mm, 0.0]))
     radius = spec.indenter.radius_mm
-    fine, coarse = spec.mesh.surface_edge_mm, max(_COARSE_EDGE_MM, spec.mesh.edge_mm)
-    reach = np.array([_FINE_WITHIN_RADII, _COARSE_BEYOND_RADII]) * radius
+    finest = spec.mesh.finest_edge_mm
+    near = max(finest, _NEAR_EDGE * spec.mesh.surface_edge_mm)
+    reach = np.array([0.0, _NEAR_RADII, _FAR_RADII]) * radius
+    edges = [finest, near, max(_COARSE_EDGE_MM, spec.mesh.edge_mm)]
 
     def edge_length(points_mm: np.ndarray) -> np.ndarray:
-        distance = np.linalg.norm(points_mm - place, axis=1)
-        return np.interp(distance, reach, [fine, coarse])
+        local = frame.from_object(points_mm)
+        across = np.hypot(local[:, 0] - x_mm, local[:, 1] - y_mm) - _CONTACT_RADII * radius
+        return np.interp(np.hypot(np.clip(across, 0, None), local[:, 2]), reach, edges)
 
     return tetrahedralize(spec, edge_length, progress=progress)
 

@@ -10,9 +10,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise
-from math import prod
+from math import pi, prod, sqrt
 
 from design.errors import InputError
+from design.layout.positions import shell_body_layout
 from design.layout.volumes import sealed_volume_mm3
 from design.processes import MEMORY_SWITCH, machine_memory_gib
 from design.spec.object import ObjectSpec
@@ -21,8 +22,8 @@ from fem.mesh.edge_lengths import FINE_LAYER_MM
 _GIB = 2.0**30
 _VERTICES_PER_CELL = 2.2
 """Vertices of fTetWild's mesh in a volume of edge³; measured on the paper's cube."""
-_VERTICES_PER_BODY = 40
-"""About the outline of a magnet; they dominate coarse meshes."""
+_VERTICES_PER_RIM_EDGE = 8
+"""About a magnet, for each edge along its outline; they dominate coarse meshes."""
 _MESHER_KB = 6.0
 """Within fTetWild, for a vertex; the response needs far more."""
 _NODES_PER_VERTEX = {"taylor-hood": 6.8, "p2-p0": 6.8, "p1": 1.0}
@@ -72,8 +73,11 @@ def mesh_vertices(spec: ObjectSpec) -> float:
     graded = ramp * (fine + coarse) / (2 * fine**2 * coarse**2)  # ∫ dz / h(z)³ of a linear h
     below = max(volume - area * (FINE_LAYER_MM + ramp), 0.0)
     cells = area * (FINE_LAYER_MM / fine**3 + graded) + below / coarse**3
-    bodies = len(spec.magnets.positions_mm) * len(spec.body.sensed)
-    return _VERTICES_PER_CELL * cells + _VERTICES_PER_BODY * bodies
+    layout = shell_body_layout(spec)
+    outlines_mm = len(layout.face) * 2 * sqrt(pi * layout.outline.area_mm2)
+    return (
+        _VERTICES_PER_CELL * cells + _VERTICES_PER_RIM_EDGE * outlines_mm / spec.mesh.finest_edge_mm
+    )
 
 
 def _mesh(spec: ObjectSpec) -> Need:

@@ -86,7 +86,7 @@ STAGES: dict[str, Stage] = {
         make_fabrication,
         version=3,
     ),
-    "mesh": Stage("mesh: tetrahedra", (), _WHAT_IS_MESHED, make_mesh),
+    "mesh": Stage("mesh: tetrahedra", (), _WHAT_IS_MESHED, make_mesh, version=2),
     "response": Stage("mechanics: response operator", ("mesh",), _ELASTIC, make_response),
     "large_strain": Stage(
         "mechanics: presses with large deformation",
@@ -101,6 +101,7 @@ STAGES: dict[str, Stage] = {
             "mechanics.correction",
         ),
         make_large_strain,
+        version=2,
     ),
     "shapes": Stage(
         "mechanics: shapes of presses",
@@ -115,7 +116,7 @@ STAGES: dict[str, Stage] = {
         make_presses,
         version=3,
     ),
-    "plain_mesh": Stage("mesh: without magnets", (), (*_SHAPE, "mesh"), make_plain_mesh),
+    "plain_mesh": Stage("mesh: without magnets", (), (*_SHAPE, "mesh"), make_plain_mesh, version=2),
     "plain_response": Stage(
         "mechanics: response without magnets",
         ("plain_mesh",),
@@ -154,6 +155,7 @@ STAGES: dict[str, Stage] = {
         (),
         (*_WHAT_IS_MESHED, *_ELASTIC),
         make_coarse_response,
+        version=2,
     ),
     "discretisation": Stage(
         "mechanics: discretisation error",

@@ -15,6 +15,8 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 BETTER, PAPER = EXAMPLES / "better_cube.toml", EXAMPLES / "paper_cube.toml"
 COARSE = {
     "mesh.surface_edge_mm": 3.0,
+    "mesh.rim_edge_ratio": 1.0,
+    "mesh.magnet_sides": 8,
     "mesh.edge_mm": 7.0,
     "contact_grid.count": [7, 7],
     "contact_grid.pitch_mm": 4.5,

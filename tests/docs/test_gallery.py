@@ -72,7 +72,8 @@ def test_a_script_uses_the_public_library_alone(path):
 
 def test_the_small_cube_is_small():
     spec = tomllib.loads((GALLERY / "small_cube.toml").read_text())
-    assert spec["mesh"] == {"edge_mm": 8.0, "surface_edge_mm": 3.0, "envelope_mm": 0.1}
+    assert spec["mesh"]["edge_mm"] == 8.0
+    assert spec["mesh"]["surface_edge_mm"] == 3.0
 
 
 def test_a_first_object_has_a_bound_at_every_contact_location(run_script):

@@ -27,11 +27,16 @@ SHELL_COMPLIANCE_MM_PER_N = {0.49: 0.23170, 0.4999: 0.22621, 0.5: 0.22615}
 
 
 def paper_cube(magnets, edges_mm, poisson_ratio=0.4999):
-    """The paper's cube in silicone of 0.3 MPa; `edges_mm` at the surface and in the bulk."""
+    """The paper's cube in silicone of 0.3 MPa; `edges_mm` at the surface and in the bulk.
+
+    Rims of magnets are as coarse as the silicone around them, which saves half of the unknowns.
+    """
     return ObjectSpec(
         name="cube",
         silicone=SiliconeSpec(youngs_modulus_mpa=YOUNGS_MODULUS_MPA, poisson_ratio=poisson_ratio),
-        mesh=MeshSpec(surface_edge_mm=edges_mm[0], edge_mm=edges_mm[1]),
+        mesh=MeshSpec(
+            surface_edge_mm=edges_mm[0], edge_mm=edges_mm[1], rim_edge_ratio=1.0, magnet_sides=8
+        ),
         mechanics=MechanicsSpec(magnets=magnets),
         press=PressSpec(depths_mm=tuple(DEPTHS_MM.tolist())),
     )
@@ -103,13 +108,24 @@ def solve_mixed(space, material, free, forces_n, prescribed_mm):
 
 def patch_loads(system, spec):
     """Nodal forces (3·node, face) of p = (1 − r²/25)² MPa at each face's centre, and totals (N)."""
+    return _central_loads(
+        system, spec, lambda r2: np.clip(1 - r2 / PATCH_RADIUS_MM**2, 0, None) ** 2
+    )
+
+
+def hertz_loads(system, spec):
+    """The same for p = √(1 − r²/9) MPa, Hertz's pressure of radius 3 mm."""
+    return _central_loads(system, spec, lambda r2: np.sqrt(np.clip(1 - r2 / 9, 0, None)))
+
+
+def _central_loads(system, spec, pressure_mpa):
     mesh = system.mesh
     boundary = mesh.boundary_facets()
     centre = mesh.p[:, mesh.facets[:, boundary]].mean(axis=1).T
     forces, totals = [], []
     for frame in face_frames(spec):
         facets = boundary[abs(frame.from_object(centre)[:, 2]) < 0.1]
-        nodal = _patch_form(frame).assemble(
+        nodal = _pressure_form(frame, pressure_mpa).assemble(
             FacetBasis(mesh, system.space.displacement.elem, facets=facets, intorder=8)
         )
         totals.append(nodal.sum())
@@ -117,11 +133,11 @@ def patch_loads(system, spec):
     return np.array(forces).T, np.array(totals)
 
 
-def _patch_form(frame):
+def _pressure_form(frame, pressure_mpa):
     @LinearForm
     def form(v, w):
         r2 = sum(np.einsum("i,i...->...", axis, w.x) ** 2 for axis in (frame.x, frame.y))
-        return v * np.clip(1 - r2 / PATCH_RADIUS_MM**2, 0, None) ** 2
+        return v * pressure_mpa(r2)
 
     return form
 

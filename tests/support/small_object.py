@@ -13,7 +13,12 @@ def small_spec(interface="bonded", magnets="rigid", **slip):
             "name": "small",
             "silicone": {"youngs_modulus_mpa": YOUNGS_MODULUS_MPA},
             "magnets": {"positions_mm": [[2.0, -1.0], [-9.0, 7.0]], "tilt_deg": [[8, -5], [0, 12]]},
-            "mesh": {"surface_edge_mm": 3.5, "edge_mm": 8.0},
+            "mesh": {
+                "surface_edge_mm": 3.5,
+                "edge_mm": 8.0,
+                "rim_edge_ratio": 1.0,
+                "magnet_sides": 8,
+            },
             "mechanics": {"interface": interface, "magnets": magnets, "slip": slip},
             "press": {"depths_mm": [1.0, 2.0]},
         }

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 MATERIALS = ("neo-hookean", "yeoh", "ogden")
 _STEP_MM = 0.25
-_VERSION = 2
+_VERSION = 3
 _SHAPE_OF_BODY = ("arrangement", "body", "shell", "magnets", "sensors", "mesh")
 
 

@@ -39,6 +39,8 @@ _TWIN = 1_000
 _FINER = 0.85
 _QUICK: dict[str, Any] = {
     "mesh.surface_edge_mm": 3.5,
+    "mesh.rim_edge_ratio": 1.0,
+    "mesh.magnet_sides": 8,
     "mesh.edge_mm": 8.0,
     "contact_grid.count": [5, 5],
     "contact_grid.pitch_mm": 6.0,

@@ -32,7 +32,13 @@ def pressed(kind: str, length_mm: float, face: int) -> FacePresses:
         "indenter": {"radius_mm": 4.0},
         "contact_grid": {"count": [2, 2], "pitch_mm": 2.0},
         "press": {"depths_mm": [0.5, 1.0]},
-        "mesh": {"edge_mm": 7.0, "surface_edge_mm": 2.2, "envelope_mm": 0.08},
+        "mesh": {
+            "edge_mm": 7.0,
+            "surface_edge_mm": 2.2,
+            "envelope_mm": 0.08,
+            "rim_edge_ratio": 1.0,
+            "magnet_sides": 8,
+        },
         "mechanics": {"magnets": "points"},
     }
     spec = ObjectSpec.model_validate(content)

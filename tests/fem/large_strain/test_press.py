@@ -5,6 +5,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.errors import InputError
+from design.spec.object import MeshSpec
 from fem.contact.complementarity import contact_pressures
 from fem.large_strain import press as large_strain
 from fem.large_strain.hyperelastic import neo_hookean, yeoh
@@ -15,9 +16,12 @@ from fem.large_strain.results import (
     linearity_limits,
     save_large_strain_press,
 )
+from fem.large_strain.single_press import linear_press, press_setting
+from fem.linear.response import build_response
 from fem.mesh.tetrahedra import tetrahedralize_for_press
 from fem.presses.shape import DeformedShape, save_deformed_shape
-from fem.presses.table import profile_moments_mm3, surface_weights_mm2
+from fem.presses.table import press_face, profile_moments_mm3, surface_weights_mm2
+from tests.support.fem_cases import paper_cube
 
 SOFT = neo_hookean(0.3, 0.4999)
 
@@ -126,6 +130,19 @@ def test_the_mesh_of_a_press_is_fine_where_the_press_is(rigid_spec):
     elsewhere = [(5, 21, -6), (-5, 21, -6), (5, 21, 6)]
     assert vertices_near((-5, 21, 6)) > 2 * max(map(vertices_near, elsewhere))
     assert mesh.magnet.max() == 24
+
+
+@pytest.mark.slow
+def test_vertices_that_come_into_contact_hardly_show_in_the_force_of_a_single_press():
+    """Against contact finer than the mesh, on the same mesh; face 1's centre, every 0.25 mm."""
+    cube, place, depths = paper_cube("rigid", (1.7, 4.0)), np.zeros(2), np.arange(1, 4.1, 0.25)
+    spec = cube.changed(mesh=MeshSpec(), body=cube.body.changed(sensed_faces=(1,)))
+    mesh = tetrahedralize_for_press(spec, 1, *place)
+    rows = linear_press(press_setting(spec, mesh, 1, place, SOFT), depths).rows
+    finer = press_face(spec, build_response(mesh, spec), 0, place[None], depths)
+    error = np.array([row.force_n for row in rows]) / finer.force_n[0] - 1
+    assert np.sqrt(np.mean(error**2)) < 0.008
+    assert abs(error).max() < 0.02
 
 
 @pytest.fixture(scope="module")

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from design.layout.body import face_frames
 from design.spec.object import MeshSpec
 from fem.linear.response import build_response, elastic_system
 from fem.mesh.quality import mesh_quality, require_quality
@@ -13,6 +14,7 @@ from tests.support.fem_cases import (
     SHELL_COMPLIANCE_MM_PER_N,
     dimitriadis_force_n,
     forces_near_the_centre,
+    hertz_loads,
     paper_cube,
     patch_compliances,
     patch_loads,
@@ -21,16 +23,18 @@ from tests.support.fem_cases import (
 )
 
 pytestmark = pytest.mark.slow
-MAGNET_MM_PER_N = 0.10269
-"""Central magnet under the patch load at the centre of face 1, whose five magnets are the only ones.
+MAGNET_MM_PER_N = {"patch": 0.10273, "hertz": 0.11330}
+"""Magnet at the middle of face 1 under two loads there, (1 − r²/25)² and √(1 − r²/9) (r in mm).
 
-NGSolve 6.2.2608: Taylor–Hood P3/P2, curved elements, true cylinders, a quarter by symmetry. Its own
-error is below 0.1 %, by two meshes of a pad."""
+NGSolve 6.2.2608: Taylor–Hood P3/P2 (172 000 unknowns), curved elements, true cylinders with edges of
+0.4 mm at their rims, a quarter by symmetry. An earlier mesh of the same kind gave 0.10269."""
+MOST_UNKNOWNS = 1.1 * 212_044
+"""A tenth more than with the mesh before rims were refined, whose bias was −2.6 and −3.3 %."""
 EDGES_MM = (MeshSpec().surface_edge_mm, MeshSpec().edge_mm)
 
 
 def default_cube(magnets, poisson_ratio=0.4999):
-    return paper_cube(magnets, EDGES_MM, poisson_ratio)
+    return paper_cube(magnets, EDGES_MM, poisson_ratio).changed(mesh=MeshSpec())
 
 
 @pytest.fixture(scope="module")
@@ -63,13 +67,16 @@ def test_mirrored_presses_agree_and_every_press_is_in_contact(default_mesh):
     assert (difference < [0.012, 0.01, 0.008]).all()
 
 
-def test_the_magnet_under_a_central_load_moves_as_in_another_code():
+def test_magnets_under_central_loads_move_as_in_another_code(default_mesh):
+    """Mean of five faces: the four others differ from face 1 by less than meshes scatter."""
     spec = default_cube("rigid")
-    spec = spec.changed(body=spec.body.changed(sensed_faces=(1,)))
-    mesh = tetrahedralize(spec)
-    system = elastic_system(mesh, spec)
-    forces, totals = patch_loads(system, spec)
-    motions = solve_loads(system, forces)[: system.motion_basis.shape[1], 0]
-    central = motions[-30:].reshape(5, 6)[0, :3] / totals[0]
-    assert_allclose(-central[2], MAGNET_MM_PER_N, rtol=0.03)
-    assert np.linalg.norm(central[:2]) < 0.02 * MAGNET_MM_PER_N
+    system = elastic_system(default_mesh, spec)
+    for name, load in (("patch", patch_loads), ("hertz", hertz_loads)):
+        forces, totals = load(system, spec)
+        motions = solve_loads(system, forces)[: system.motion_basis.shape[1]]
+        below = motions[-6 * 25 :].reshape(5, 5, 6, 5)[range(5), 0, :3, range(5)]
+        inward = -np.sum(below * [frame.normal for frame in face_frames(spec)], axis=1) / totals
+        bias = inward / MAGNET_MM_PER_N[name] - 1
+        assert abs(bias.mean()) < 0.0125
+        assert (abs(bias) < 0.02).all()
+    assert system.matrix.shape[0] < MOST_UNKNOWNS

@@ -44,7 +44,14 @@ def test_slits_keep_a_press_off_the_neighbouring_face():
     """
     shares = []
     for depth in (0.0, 5.0):
-        content = {"mesh": {"edge_mm": 6.0, "surface_edge_mm": 3.0}}
+        content = {
+            "mesh": {
+                "edge_mm": 6.0,
+                "surface_edge_mm": 3.0,
+                "rim_edge_ratio": 1.0,
+                "magnet_sides": 8,
+            }
+        }
         spec = parsed(content | {"shell": {"slits": {"depth_mm": depth}}})
         mesh = tetrahedralize(spec)
         require_quality(mesh_quality(mesh, spec))

@@ -2,7 +2,8 @@
 
 import numpy as np
 import pytest
-from numpy.testing import assert_allclose
+from numpy.testing import assert_allclose, assert_array_equal
+from scipy.spatial import KDTree
 
 from design.layout.positions import magnet_layout, shell_body_layout
 from design.layout.surface import sealed_body_surface, support_rings
@@ -134,7 +135,7 @@ def test_the_edge_length_field_is_positively_oriented_and_fills_its_box(spec):
 
 @BOTH
 def test_edges_are_fine_at_the_pressed_faces_and_coarse_at_the_open_one(spec):
-    field = edge_length_field(spec)
+    field = edge_length_field(spec, magnets=False)
     half = np.array(spec.body.size_mm) / 2
     sides = (abs(field.points_mm[:, :2]) >= half[:2]).any(axis=1) | (
         field.points_mm[:, 2] >= half[2]
@@ -144,3 +145,24 @@ def test_edges_are_fine_at_the_pressed_faces_and_coarse_at_the_open_one(spec):
     open_face &= field.points_mm[:, 2] < -half[2] + 2
     assert open_face.any()
     assert_allclose(field.length_mm[open_face], spec.mesh.edge_mm, rtol=1e-12)
+
+
+@pytest.mark.parametrize("spec", [PAPER, SKEWED, *OTHER_BODIES], ids=lambda spec: spec.name)
+def test_edges_are_finest_at_the_rims_of_rigid_bodies(spec):
+    """Against the nearest of many points on the rims; the background grid is 1 mm wide."""
+    field, plain = edge_length_field(spec), edge_length_field(spec, magnets=False)
+    layout = shell_body_layout(spec)
+    corner = layout.outline.corners_mm(spec.mesh.magnet_sides)
+    share = np.linspace(0, 1, 20)[:, None, None]
+    outline = (corner + share * (np.roll(corner, -1, axis=0) - corner)).reshape(-1, 2)
+    heights = np.linspace(-0.5, 0.5, 5) * layout.height_mm
+    wall = np.concatenate([np.column_stack([outline, np.full(len(outline), h)]) for h in heights])
+    rims = np.concatenate(
+        [c + wall @ f.T for c, f in zip(layout.centre_mm, layout.frame, strict=True)]
+    )
+    distance = KDTree(rims).query(field.points_mm)[0]
+    near, far = distance < 0.5, distance > 6
+    assert near.sum() > 50
+    assert (field.length_mm[near] < 0.7 * spec.mesh.surface_edge_mm).all()
+    assert_array_equal(field.length_mm[far], plain.length_mm[far])
+    assert (field.length_mm <= plain.length_mm).all()

@@ -11,6 +11,8 @@ from instobj.commands.presses.slip import slip_specification
 CUBE = Path(__file__).parents[3] / "examples" / "paper_cube.toml"
 COARSE = [
     "mesh.surface_edge_mm=3",
+    "mesh.rim_edge_ratio=1",
+    "mesh.magnet_sides=8",
     "mesh.edge_mm=8",
     "contact_grid.count=[3,4]",
     "press.depths_mm=[1.0,2.0,3.0]",
