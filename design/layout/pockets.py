@@ -8,7 +8,7 @@ face that the pocket opens to, so that everything here is below 0.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 from jaxtyping import Float
@@ -17,6 +17,9 @@ from design.spec.worked_out import once
 
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
+
+
+PerFace = TypeVar("PerFace")
 
 
 @dataclass(frozen=True)
@@ -187,7 +190,12 @@ def _seated_depth_mm(spec: ObjectSpec) -> float:
 @once
 def sensor_places(spec: ObjectSpec) -> tuple[tuple[tuple[float, float, float], ...], ...]:
     """x, y (mm, in the face's frame) and azimuth (rad) of every sensor, sensed face by face."""
-    lists, sensed = spec.sensors.places, spec.body.sensed
+    return by_sensed_face(spec, spec.sensors.places)
+
+
+def by_sensed_face(spec: ObjectSpec, lists: tuple[PerFace, ...]) -> tuple[PerFace, ...]:
+    """The sensed faces' own: lists for faces 1, 2, …, over again where there are more faces."""
+    sensed = spec.body.sensed
     if len(lists) == len(sensed):
         return lists
     return tuple(lists[(number - 1) % len(lists)] for number in sensed)

@@ -20,6 +20,7 @@ from design.layout.pockets import (
     Body,
     Outline,
     board_frame,
+    by_sensed_face,
     magnet_bodies,
     sensor_boards,
     sensor_places,
@@ -178,8 +179,25 @@ def sensor_layout(spec: ObjectSpec) -> SensorLayout:
     else:
         frames, bodies = face_frames(spec), sensor_boards(spec)
     centre, frame, face = _in_object(frames, bodies)
-    axes = (frame @ chip_on_board(spec.sensors)).transpose(0, 2, 1)
+    if spec.sensors.rotations_deg is None:
+        axes = (frame @ chip_on_board(spec.sensors)).transpose(0, 2, 1)
+    else:
+        axes = _turned_chips(spec, frames, bodies)
     return sensors_as_built(spec, SensorLayout(centre, axes, face), frames)
+
+
+def _turned_chips(
+    spec: ObjectSpec, frames: tuple[FaceFrame, ...], bodies: tuple[tuple[Body, ...], ...]
+) -> Float[np.ndarray, "sensor 3 3"]:
+    """Chip axes as rows by `sensors.rotations_deg`, from the axes of the face where each chip is."""
+    lists = by_sensed_face(spec, spec.sensors.rotations_deg or ())
+    return np.stack(
+        [
+            (frame.axes_at(body.centre_mm[:2]) @ rotation_matrix(vector)).T
+            for frame, face, vectors in zip(frames, bodies, lists, strict=True)
+            for body, vector in zip(face, vectors, strict=True)
+        ]
+    )
 
 
 def _sensors_in_core(spec: ObjectSpec) -> tuple[tuple[Body, ...], ...]:
@@ -261,13 +279,18 @@ def _sink_mm(spec: ObjectSpec, frame: FaceFrame, place: tuple[float, float, floa
 
 def chip_on_board(sensors: SensorSpec) -> Float[np.ndarray, "3 3"]:
     """The chip's axes as columns, in the board's (−tangential, radial, normal)."""
-    turn = np.deg2rad(sensors.mount_rotation_deg)
+    rotation = rotation_matrix(sensors.mount_rotation_deg)
+    outward = np.diag([-1.0, 1.0, -1.0])
+    return outward @ rotation if sensors.chip == "outward" else rotation
+
+
+def rotation_matrix(vector_deg: tuple[float, float, float]) -> Float[np.ndarray, "3 3"]:
+    """Rotation by a rotation vector, turned axes as columns."""
+    turn = np.deg2rad(vector_deg)
     angle = float(np.linalg.norm(turn))
     across = np.cross(np.eye(3), turn)
     rotation = np.eye(3) + np.sinc(angle / np.pi) * across
-    rotation += 0.5 * np.sinc(angle / (2 * np.pi)) ** 2 * across @ across
-    outward = np.diag([-1.0, 1.0, -1.0])
-    return outward @ rotation if sensors.chip == "outward" else rotation
+    return rotation + 0.5 * np.sinc(angle / (2 * np.pi)) ** 2 * across @ across
 
 
 def _in_object(

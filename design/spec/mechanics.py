@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
-from pydantic import Field, field_validator, model_validator
+from pydantic import Field, model_validator
 
 from design.spec.base import Finite, NonNegative, Positive, SpecPart
 
@@ -88,29 +88,18 @@ LOCKING_WARNING = (
 class MechanicsSpec(SpecPart):
     """Finite element, the model of the magnets in the silicone, and its hold on the core.
 
-    "taylor-hood" takes every Poisson ratio up to 0.5; "p2-p0" (symmetric positive definite, a
-    little too soft) up to 0.4999; "p1" locks and is for teaching. On a "frictionless" core the
+    "taylor-hood" takes Poisson ratios from 0.01 to 0.5; "p2" is for foams and lattices, −0.3 to 0.45;
+    "p2-p0" (symmetric positive definite, a little too soft) up to 0.4999; "p1" locks and is for
+    teaching. On a "frictionless" core the
     shell slides but does not lift off. The correction "large-strain" presses a few places with
     large deformation and corrects all presses by a fit to them (minutes, once).
     """
 
-    element: Literal["taylor-hood", "p2-p0", "p1"] = "taylor-hood"
+    element: Literal["taylor-hood", "p2-p0", "p2", "p1"] = "taylor-hood"
     magnets: Literal["rigid", "points"] = "rigid"
     interface: Literal["bonded", "frictionless"] = "bonded"
     slip: SlipSpec = SlipSpec()
     correction: Literal["none", "large-strain"] = "none"
-
-    @field_validator("element", mode="before")
-    @classmethod
-    def _plain_p2_is_not_needed(cls, given: Any) -> Any:
-        if given == "p2":
-            raise ValueError(
-                "mechanics.element: 'p2' (quadratic displacements alone) is not offered. "
-                "'taylor-hood' has the same displacements and adds a pressure, p = −λ div u, which "
-                "holds for compressible bodies too: at every Poisson ratio it converges as fast as "
-                "p2, and does not lock near 0.5. Use mechanics.element = 'taylor-hood'"
-            )
-        return given
 
     @model_validator(mode="after")
     def _correction_knows_the_model(self) -> MechanicsSpec:

@@ -32,6 +32,8 @@ from design.spec.silicone import SiliconeSpec
 
 LARGEST_RATIO_WITHOUT_PRESSURE = 0.4999
 """Poisson's ratio beyond which λ = E ν / ((1 + ν)(1 − 2ν)) alone spoils the factorization's digits."""
+LEAST_RATIO_WITH_PRESSURE, LARGEST_RATIO_OF_P2 = 0.01, 0.45
+"""1/λ of the mixed form has no value at ν = 0; quadratic displacements alone lock near 0.5."""
 
 
 class ObjectSpec(SpecPart):
@@ -80,6 +82,18 @@ class ObjectSpec(SpecPart):
     @model_validator(mode="after")
     def _element_takes_the_material(self) -> ObjectSpec:
         nu, element = self.silicone.poisson_ratio, self.mechanics.element
+        if element == "taylor-hood" and nu < LEAST_RATIO_WITH_PRESSURE:
+            raise ValueError(
+                'mechanics.element = "taylor-hood" has a pressure, −λ div u, and takes '
+                f"silicone.poisson_ratio from {LEAST_RATIO_WITH_PRESSURE:g}; got {nu:g}. Use "
+                'mechanics.element = "p2", which is for foams and lattices'
+            )
+        if element == "p2" and nu > LARGEST_RATIO_OF_P2:
+            raise ValueError(
+                'mechanics.element = "p2" locks in nearly incompressible bodies and takes '
+                f"silicone.poisson_ratio up to {LARGEST_RATIO_OF_P2:g}; got {nu:g}. Use "
+                'mechanics.element = "taylor-hood"'
+            )
         if element != "taylor-hood" and nu > LARGEST_RATIO_WITHOUT_PRESSURE:
             raise ValueError(
                 f'mechanics.element = "{element}" has no pressure unknowns and takes '
@@ -103,12 +117,14 @@ class ObjectSpec(SpecPart):
 
     @model_validator(mode="after")
     def _sensors_for_every_face(self) -> ObjectSpec:
-        given, faces = self.sensors.positions_mm, self.body.sensed
-        if given is not None and len(given) not in (FACES_OF_A_CUBE, len(faces)):
-            raise ValueError(
-                f"sensors.positions_mm holds {len(given)} lists of places; the body's sensed faces are "
-                f"{list(faces)}. Give one list for all of them, or one for each"
-            )
+        faces = self.body.sensed
+        for key in ("positions_mm", "rotations_deg"):
+            given = getattr(self.sensors, key)
+            if given is not None and len(given) not in (FACES_OF_A_CUBE, len(faces)):
+                raise ValueError(
+                    f"sensors.{key} holds {len(given)} lists; the body's sensed faces are "
+                    f"{list(faces)}. Give one list for all of them, or one for each"
+                )
         return self
 
     @model_validator(mode="after")

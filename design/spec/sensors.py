@@ -15,6 +15,7 @@ from design.spec.base import Finite, NonNegative, Positive, SpecPart
 
 Averaging = Literal[1, 2, 4, 8, 16, 32]
 Places = Annotated[tuple[tuple[Finite, Finite], ...], Field(min_length=1, max_length=12)]
+Turns = Annotated[tuple[tuple[Finite, Finite, Finite], ...], Field(min_length=1, max_length=12)]
 Axis = Literal["X", "Y", "Z"]
 FACES_OF_A_CUBE = 5
 """Sensed faces of the default body, for which lists of places are filled up."""
@@ -28,7 +29,9 @@ class SensorSpec(SpecPart):
     sensors elsewhere: x, y in the face's frame, one list for every face or one for each, of equal
     length. Chip axes: X = −tangential, Y = radial outward, Z = the face's outward normal, with the
     chip facing inward; "outward" turns it about Y, and `mount_rotation_deg` then turns it by that
-    rotation vector about its own X, Y, Z. `range_mt`, `counts_per_mt` and
+    rotation vector about its own X, Y, Z. `rotations_deg` takes the place of all three on boards with
+    chips turned any way: one rotation vector for each sensor, one list for every face or one for
+    each; it turns X, Y, Z from the face's x, y, n. `range_mt`, `counts_per_mt` and
     `noise_counts` are those of `part` where they are left out; the default part's noise, gain and
     drift were measured on the recordings (16× averaging, ±40 mT). `averaging` is the number of
     conversions in a reading. With tolerances (rms) above 0, simulated chips are drawn with the
@@ -56,6 +59,7 @@ class SensorSpec(SpecPart):
     chip_mm: tuple[Positive, Positive, Positive] = (2.9, 2.8, 1.25)
     chip: Literal["inward", "outward"] = "inward"
     mount_rotation_deg: tuple[Finite, Finite, Finite] = (0.0, 0.0, 0.0)
+    rotations_deg: tuple[Turns, ...] | None = None
     counts_per_mt: Positive = 820.0
     range_mt: Positive = 40.0
     noise_counts: tuple[Positive, Positive, Positive] = (22.0, 22.0, 11.0)
@@ -90,7 +94,9 @@ class SensorSpec(SpecPart):
     def _what_is_left_out(cls, given: Any) -> Any:
         if not isinstance(given, dict):
             return given
-        return {**_part_figures(given), **given, **_explicit_places(given)}
+        turns = _lists_of_faces(given.get("rotations_deg"))
+        turned = {} if turns is None else {"rotations_deg": turns}
+        return {**_part_figures(given), **given, **_explicit_places(given), **turned}
 
     @model_validator(mode="after")
     def _as_many_on_every_face(self) -> SensorSpec:
@@ -99,6 +105,25 @@ class SensorSpec(SpecPart):
             raise ValueError(
                 f"sensors.positions_mm must hold sensors.count_per_face = {self.count_per_face} places "
                 f"on every face; got {sorted(counts)}. Leave count_per_face out, or fix the lists"
+            )
+        return self
+
+    @model_validator(mode="after")
+    def _a_rotation_for_every_sensor(self) -> SensorSpec:
+        if self.rotations_deg is None:
+            return self
+        counts = {len(face) for face in self.rotations_deg}
+        if counts != {self.count_per_face}:
+            raise ValueError(
+                f"sensors.rotations_deg must hold one rotation vector for each of the "
+                f"{self.count_per_face} sensors of a face; got lists of {sorted(counts)}. Fix the "
+                "lists, or leave rotations_deg out"
+            )
+        if self.chip != "inward" or any(self.mount_rotation_deg):
+            raise ValueError(
+                "sensors.rotations_deg says how every chip is turned; sensors.chip = "
+                f"{self.chip!r} and mount_rotation_deg = {list(self.mount_rotation_deg)} turn them "
+                "too. Give rotations_deg alone"
             )
         return self
 
@@ -124,11 +149,18 @@ def _explicit_places(given: dict[str, Any]) -> dict[str, Any]:
     places = given.get("positions_mm")
     if not isinstance(places, list | tuple) or not places:
         return {}
-    numbers = all(isinstance(p, list | tuple) and all(_is_number(n) for n in p) for p in places)
-    faces = (places,) * FACES_OF_A_CUBE if numbers else places
+    faces = _lists_of_faces(places)
     first = faces[0]
     counted = isinstance(first, list | tuple) and "count_per_face" not in given
     return {"positions_mm": faces, **({"count_per_face": len(first)} if counted else {})}
+
+
+def _lists_of_faces(given: Any) -> Any:
+    """One list for each of five faces where a single list of number lists was given, else as given."""
+    if not isinstance(given, list | tuple):
+        return given
+    numbers = all(isinstance(p, list | tuple) and all(_is_number(n) for n in p) for p in given)
+    return (given,) * FACES_OF_A_CUBE if given and numbers else given
 
 
 def _is_number(value: Any) -> bool:

@@ -24,7 +24,10 @@ class PronyTermSpec(SpecPart):
 
 
 class SiliconeSpec(SpecPart):
-    """Elastic constants and density of the cured silicone.
+    """Elastic constants and density of the cured silicone, or of what the soft body is made of.
+
+    A printed lattice or a foam is described by the constants of a homogeneous body that yields as
+    it does: its own modulus, far below that of its struts, and its own Poisson's ratio.
 
     Figures that are left out are those of the preset `name`, the modulus that of `tensile_data` or
     `shore` where one is given; an explicit modulus goes before all. `youngs_modulus_range_mpa` is
@@ -44,7 +47,7 @@ class SiliconeSpec(SpecPart):
     tensile_data: str | None = None
     youngs_modulus_mpa: Positive = 0.414
     youngs_modulus_range_mpa: tuple[Positive, Positive] | None = (0.15, 0.54)
-    poisson_ratio: Annotated[float, Field(ge=0.01, le=0.5)] = 0.4999
+    poisson_ratio: Annotated[float, Field(ge=-0.3, le=0.5)] = 0.4999
     density_g_per_cm3: Positive = 1.07
     prony: tuple[PronyTermSpec, ...] = ()
     cure: Literal["platinum", "tin", "none"] = "platinum"

@@ -115,6 +115,11 @@ def layout_scorer(
             'layouts are scored in batches with all magnets on; got magnets.switching = "'
             f'{spec.magnets.switching}". Use the full chain'
         )
+    if spec.sensors.rotations_deg is not None:
+        raise InputError(
+            "layouts are scored in batches with chips turned by the azimuth of their place; got "
+            "sensors.rotations_deg. Use the full chain"
+        )
     like = presses.first_mm
     sigma = disturbance_counts(spec.sensors, state, 3)
     white = np.asarray(spec.sensors.noise_counts, dtype=float)

@@ -116,15 +116,20 @@ def elastic_blocks(
     shapes: ReferenceShapes,
     shear_modulus_mpa: float,
     lambda_mpa: float = 0.0,
+    mean_divergence: bool = True,
 ) -> Float[np.ndarray, "6 tet pair"]:
     """Element matrices of ∫ 2μ ε(u):ε(v) + λ Σ_e |e| mean(div u) mean(div v), by component block.
+
+    Without `mean_divergence` the last term is λ ∫ div u div v.
 
     Block (i, j) tests component i with φ_p and takes component j along φ_q:
     μ ∫ ∂_j φ_p ∂_i φ_q, for i = j also μ ∫ ∇φ_p·∇φ_q, and λ |e| mean(∂_i φ_p) mean(∂_j φ_q).
     """
     count = len(elements.volumes_mm3)
-    mean_product = np.einsum("kp,lq->klpq", shapes.slope, shapes.slope)
-    coupled = shear_modulus_mpa * shapes.slope_slope.swapaxes(0, 1) + lambda_mpa * mean_product
+    product = shapes.slope_slope
+    if mean_divergence:
+        product = np.einsum("kp,lq->klpq", shapes.slope, shapes.slope)
+    coupled = shear_modulus_mpa * shapes.slope_slope.swapaxes(0, 1) + lambda_mpa * product
     coupled = coupled.reshape(9, -1)
     squares = (shear_modulus_mpa * shapes.slope_slope).reshape(9, -1)
     weight = np.einsum("eki,elj,e->ijekl", elements.slopes, elements.slopes, elements.volumes_mm3)

@@ -1,4 +1,4 @@
-"""Linear elasticity of nearly incompressible solids on tetrahedra: three elements, one form.
+"""Linear elasticity on tetrahedra, nearly incompressible or not: four elements, one form.
 
 Taylor–Hood (P2 displacement, P1 pressure): find u, p with, for all v, q,
     ∫ 2μ ε(u):ε(v) − ∫ p div v = ∫ f·v,      −∫ q div u − (1/λ) ∫ p q = 0,
@@ -8,14 +8,15 @@ P2/P0 takes a constant pressure in each element, which leaves the equations at o
     ∫ 2μ ε(u):ε(v) + λ Σ_e |e| mean(div u) mean(div v) = ∫ f·v,
 symmetric positive definite, a little too soft. P1 is the same form on linear tetrahedra, whose
 divergence is constant anyway: the plain linear element, which locks (−49 % compliance at ν = 0.49
-on the paper's shell) and is there for teaching.
+on the paper's shell) and is there for teaching. P2 takes λ ∫ div u div v as it is: for foams and
+lattices, down to ν = −1, where 1/λ of the mixed form has no value (ν = 0) or the wrong sign.
 
 Displacement unknowns are ordered by component: all u_x, then all u_y, then all u_z.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal, cast
 
 import numpy as np
@@ -35,14 +36,18 @@ from fem.linear.assembly import (
 from fem.linear.material import LameConstants
 from fem.linear.sparse import block_matrix, columns_of
 
-ElementName = Literal["taylor-hood", "p2-p0", "p1"]
+ElementName = Literal["taylor-hood", "p2-p0", "p2", "p1"]
 
 
 @dataclass(frozen=True)
 class DisplacementSpace:
-    """Scalar Lagrange basis of a displacement component on the silicone; no pressure unknowns."""
+    """Scalar Lagrange basis of a displacement component on the silicone; no pressure unknowns.
+
+    With `mean_divergence` an element resists the mean of its divergence alone.
+    """
 
     displacement: Basis
+    mean_divergence: bool = field(default=True, kw_only=True)
 
     @property
     def mesh(self) -> MeshTet:
@@ -100,8 +105,9 @@ def element_space(
     """The space of a named element on the given elements (all by default)."""
     if name == "taylor-hood":
         return taylor_hood(mesh, elements)
-    shape = ElementTetP2() if name == "p2-p0" else ElementTetP1()
-    return DisplacementSpace(Basis(mesh, shape, elements=elements, intorder=2))
+    shape = ElementTetP1() if name == "p1" else ElementTetP2()
+    basis = Basis(mesh, shape, elements=elements, intorder=2)
+    return DisplacementSpace(basis, mean_divergence=name != "p2")
 
 
 def taylor_hood(mesh: MeshTet, elements: Int[np.ndarray, "tet"] | None = None) -> TaylorHood:
@@ -127,7 +133,7 @@ def assemble(space: DisplacementSpace, material: LameConstants) -> MixedOperator
         return MixedOperators(
             stiffness, _divergence(space, elements), kappa * _mass(space, elements)
         )
-    if kappa <= 0:
+    if kappa == 0:
         raise ValueError(
             "an element without pressure unknowns cannot be incompressible (1/λ = 0). Take "
             "Taylor–Hood, or a Poisson ratio of at most 0.4999"
@@ -167,7 +173,8 @@ def _stiffness(
     space: DisplacementSpace, elements: AffineElements, shear_modulus: float, lame_lambda: float
 ) -> sp.csr_matrix:
     basis = space.displacement
-    blocks = elastic_blocks(elements, reference_shapes(basis.elem), shear_modulus, lame_lambda)
+    shapes, mean = reference_shapes(basis.elem), space.mean_divergence
+    blocks = elastic_blocks(elements, shapes, shear_modulus, lame_lambda, mean)
     return vector_matrix(node_pattern(basis.element_dofs.T, space.node_count), blocks)
 
 

@@ -27,6 +27,8 @@ def _sensors(spec: ObjectSpec) -> dict[str, Any]:
     from design.layout.positions import board_sinks_mm
 
     table, sinks = spec.sensors.model_dump(mode="json"), board_sinks_mm(spec)
+    if table["rotations_deg"] is None:  # results of specifications without the key stay
+        del table["rotations_deg"]
     in_core = spec.arrangement == "sensors-in-core"
     return table | {"sinks_mm": sinks} if in_core and any(map(any, sinks)) else table
 

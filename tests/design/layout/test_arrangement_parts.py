@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
+from scipy.spatial.transform import Rotation
 
 from design.catalogue.magnets import MAGNET_PARTS
 from design.errors import InputError
@@ -143,6 +144,44 @@ def test_chips_are_turned_about_their_own_axes(turned, matrix):
     nominal, found = sensor_layout(parsed()).axes, sensor_layout(parsed(sensors=turned)).axes
     assert_allclose(found, np.asarray(matrix) @ nominal, atol=1e-12)
     assert_allclose(np.linalg.det(found), 1)
+
+
+BOARD = {
+    "positions_mm": [[0, 0], [-7, 0], [0, -7]],
+    "rotations_deg": [[0, 0, 0], [0, 0, 270], [180, 0, 90]],
+}
+
+
+def test_every_chip_of_a_board_turns_from_the_axes_of_its_face():
+    """Against rotations by SciPy; the last one lies on its back."""
+    spec = parsed(sensors=BOARD, core={"recess_inner_radius_mm": 1.0})
+    axes = sensor_layout(spec).axes.reshape(5, 3, 3, 3)
+    for frame, chips in zip(face_frames(spec), axes, strict=True):
+        for found, vector in zip(chips, BOARD["rotations_deg"], strict=True):
+            turned = Rotation.from_rotvec(vector, degrees=True).as_matrix()
+            assert_allclose(found.T, frame.axes @ turned, atol=1e-12)
+
+
+def test_rotations_as_azimuths_would_turn_the_chips_change_nothing():
+    ring = parsed()
+    turns = [[[0, 0, np.rad2deg(a) - 90] for *_, a in face] for face in ring.sensors.places]
+    places = [[[x, y] for x, y, _ in face] for face in ring.sensors.places]
+    same = parsed(sensors={"positions_mm": places, "rotations_deg": turns})
+    assert_allclose(sensor_layout(same).axes, sensor_layout(ring).axes, atol=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("wrong", "message"),
+    [
+        ({"rotations_deg": [[0, 0, 0]]}, r"each of the 3 sensors of a face; got lists of \[1\]"),
+        ({"rotations_deg": [BOARD["rotations_deg"]] * 2}, "holds 2 lists"),
+        ({"chip": "outward"}, "Give rotations_deg alone"),
+        ({"mount_rotation_deg": [0, 0, 90]}, "Give rotations_deg alone"),
+    ],
+)
+def test_rotations_that_do_not_fit_are_refused(wrong, message):
+    with pytest.raises(InputError, match=message):
+        parsed(sensors={**BOARD, **wrong})
 
 
 def test_the_bus_and_the_averaging_limit_the_frame_rate():

@@ -19,6 +19,7 @@ from tests.support.fem_cases import (
 from tests.support.small_object import small_spec
 
 WITHOUT_PRESSURE = ("p2-p0", "p1")
+"""Those that take ratios up to 0.4999."""
 locking = pytest.mark.filterwarnings("ignore:mechanics.element:UserWarning")
 
 

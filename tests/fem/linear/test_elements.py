@@ -68,6 +68,7 @@ RATES = {
     ("p2-p0", 0.3): ([2, 1], 0.22, [1.8e-3, 0.1]),
     ("p2-p0", 0.4999): ([2, 1], 0.33, [2.6e-3, 0.12]),
     ("p1", 0.3): ([2, 1], 0.15, [1.5e-2, 0.33]),
+    ("p2", -0.2): ([3, 2], 0.1, [2e-4, 0.011]),
 }
 """Orders for u in L2 and its gradient; how far off they may be; bounds on 8³ bricks.
 
@@ -86,6 +87,17 @@ def test_errors_fall_at_the_rates_of_the_element(element, poisson_ratio):
 
 def test_lame_s_hollow_sphere_with_constant_pressures():
     assert_allclose(octant_displacement(0.4999, 5, 4, "p2-p0"), 1, rtol=5e-3)
+
+
+@pytest.mark.parametrize("poisson_ratio", [-0.2, 0.0])
+def test_lame_s_hollow_sphere_of_a_foam(poisson_ratio):
+    """What is left is the facets' (0.5 % on facets half as long)."""
+    assert_allclose(octant_displacement(poisson_ratio, 4, 4, "p2"), 1, rtol=0.02)
+
+
+def test_mixed_and_plain_quadratic_elements_agree_where_both_are_right():
+    mixed, plain = (octant_displacement(0.05, 4, 4, name) for name in ("taylor-hood", "p2"))
+    assert_allclose(mixed, plain, rtol=1e-3)
 
 
 def test_plain_linear_tetrahedra_lock():
