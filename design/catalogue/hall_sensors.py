@@ -85,22 +85,26 @@ _TMAG5273_MEASURED = NoiseFigure(
 )
 _TMAG5273_CONVERSION_US = (25.0, 75.0)
 
+
+def _tmag5273(letter: str, version: int) -> HallPart:
+    """Version 1 is the sensitive one; the letter names the I²C address. Only the A1 was measured."""
+    if version == 1:
+        measured = _TMAG5273_MEASURED if letter == "A" else None
+        ranges = (SensorRange(40.0, 820.0), SensorRange(80.0, 410.0))
+        noise_ut = (125.0, 125.0, 68.0)
+    else:
+        measured = None
+        ranges = (SensorRange(133.0, 250.0), SensorRange(266.0, 125.0))
+        noise_ut = (147.0, 147.0, 89.0)
+    name = f"TMAG5273{letter}{version}"
+    return HallPart(name, ranges, noise_ut, measured, _TMAG5273_CONVERSION_US)
+
+
 HALL_PARTS = {
     part.name: part
     for part in (
-        HallPart(
-            "TMAG5273A1",
-            (SensorRange(40.0, 820.0), SensorRange(80.0, 410.0)),
-            datasheet_noise_ut=(125.0, 125.0, 68.0),
-            measured_noise=_TMAG5273_MEASURED,
-            conversion_us=_TMAG5273_CONVERSION_US,
-        ),
-        HallPart(
-            "TMAG5273A2",
-            (SensorRange(133.0, 250.0), SensorRange(266.0, 125.0)),
-            datasheet_noise_ut=(147.0, 147.0, 89.0),
-            conversion_us=_TMAG5273_CONVERSION_US,
-        ),
+        _tmag5273("A", 1),
+        _tmag5273("A", 2),
         HallPart(
             "MLX90393",
             (
@@ -110,6 +114,7 @@ HALL_PARTS = {
                 SensorRange(49.2, 1e3 / 1.502),
             ),
         ),
+        *(_tmag5273(letter, version) for letter in "BCD" for version in (1, 2)),
         HallPart(GENERIC_PART),
     )
 }

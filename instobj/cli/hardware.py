@@ -97,6 +97,27 @@ def collect(
 
 
 @app.command()
+def firmware(
+    spec: Spec,
+    board: Annotated[str, typer.Option(help="Board that reads the sensors: mega2560 or pico.")],
+    way: Annotated[
+        str | None,
+        typer.Option(help="How chips are told apart, e.g. multiplexers (default: the cheapest)."),
+    ] = None,
+    lead: Annotated[
+        float, typer.Option(min=0, max=5000, help="Wires from the object to the board, mm.")
+    ] = 200.0,
+    out: Out = HERE,
+    as_json: AsJson = False,
+    overrides: Overrides = None,
+) -> None:
+    """Plan the sensors' buses on a board and write its firmware."""
+    from instobj.commands.hardware.firmware import write_firmware
+
+    show(write_firmware(spec, board, way, lead, out, overrides or []), as_json)
+
+
+@app.command()
 def material(
     source: Annotated[
         str,

@@ -38,6 +38,7 @@ def test_help_names_every_command_and_starts_quickly(tmp_path):
         "run",
         "recordings",
         "collect",
+        "firmware",
     ]:
         assert command in done.stdout
     assert time.perf_counter() - started < 5

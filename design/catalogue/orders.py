@@ -1,0 +1,74 @@
+"""Order numbers and guide prices of parts that are bought: maker's number, pack, price range, date.
+
+Prices are what one piece (or the smallest pack) costs at distributors and shops in Europe without
+shipping, from experience and not asked for again at `PRICED`: they rank plans and size a budget.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+PRICED = "2025-11"
+
+
+@dataclass(frozen=True)
+class Order:
+    """A part as it is ordered: number of its maker, pieces in a pack, prices of a pack (EUR)."""
+
+    title: str
+    maker: str
+    number: str
+    price_eur: tuple[float, float]
+    pieces: int = 1
+    note: str = ""
+
+    @property
+    def middle_eur(self) -> float:
+        """Middle of the price range, a piece."""
+        return sum(self.price_eur) / 2 / self.pieces
+
+    def packs(self, pieces: int) -> int:
+        """Packs that hold so many pieces."""
+        return -(-pieces // self.pieces)
+
+
+def _tmag(letter: str, version: int) -> Order:
+    name = f"TMAG5273{letter}{version}"
+    return Order(f"Hall sensor {name}", "Texas Instruments", f"{name}QDBVR", (0.9, 2.2))
+
+
+MUX, SHIFTER, BUFFER, RESISTOR, WIRE, STRIP = (
+    "multiplexer board",
+    "level shifter",
+    "supply buffer",
+    "pull-up resistor",
+    "wire",
+    "stripboard",
+)
+
+ORDERS = {
+    **{f"TMAG5273{letter}{v}": _tmag(letter, v) for letter in "ABCD" for v in (1, 2)},
+    "MLX90393": Order("Hall sensor MLX90393", "Melexis", "MLX90393SLW-ABA-011-RE", (2.0, 4.5)),
+    "100 nF": Order("capacitor 100 nF, 0402", "Murata", "GRM155R71C104KA88D", (0.02, 0.1)),
+    "mega2560": Order("Arduino Mega 2560 Rev3", "Arduino", "A000067", (38.0, 50.0)),
+    "pico": Order("Raspberry Pi Pico H", "Raspberry Pi", "SC0917", (4.5, 7.0)),
+    MUX: Order("TCA9548A on a board", "Adafruit", "2717", (6.0, 9.0)),
+    SHIFTER: Order("level shifter, 4 channels, BSS138", "Adafruit", "757", (3.0, 5.0)),
+    BUFFER: Order("hex buffer CD74HC4050E, DIP-16", "Texas Instruments", "CD74HC4050E", (0.5, 1.2)),
+    RESISTOR: Order("resistor, 1 %, 0.6 W, axial", "Vishay", "MRS25 series", (0.05, 0.2)),
+    WIRE: Order("stranded wire AWG 30, PTFE, 10 m", "various", "AWG 30 (7/38) PTFE", (4.0, 12.0)),
+    STRIP: Order("stripboard, 100 × 50 mm", "various", "RM 2.54", (1.5, 4.0)),
+    "Platsil Gel-10": Order("PlatSil Gel-10, 0.91 kg kit", "Polytek", "PlatSil Gel-10", (35.0, 60.0)),
+    "Ecoflex 00-30": Order("Ecoflex 00-30, 0.9 kg kit", "Smooth-On", "Ecoflex 00-30", (35.0, 55.0)),
+    "Dragon Skin 10": Order("Dragon Skin 10, 0.9 kg kit", "Smooth-On", "Dragon Skin 10", (35.0, 55.0)),
+    "Dragon Skin 20": Order("Dragon Skin 20, 0.9 kg kit", "Smooth-On", "Dragon Skin 20", (35.0, 55.0)),
+    "Dragon Skin 30": Order("Dragon Skin 30, 0.9 kg kit", "Smooth-On", "Dragon Skin 30", (35.0, 55.0)),
+    "filament": Order("PETG filament 1.75 mm, 1 kg", "various", "PETG 1.75 mm", (15.0, 28.0)),
+    "M3 x 16": Order("M3 × 16 screw with nut, 20 pieces", "various", "ISO 4762 / ISO 4032", (2.0, 5.0), 20),
+}  # fmt: skip
+"""Parts that many makers sell alike have the standard or the trade name in place of a number."""
+
+
+def order_of(name: str) -> Order | None:
+    """How a part is ordered; None where the catalogue has no number for it."""
+    return ORDERS.get(name)

@@ -1,0 +1,1 @@
+"""Which sensor sits on which bus of which board, and every wire between them."""

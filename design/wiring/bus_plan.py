@@ -1,0 +1,238 @@
+"""Plan of the I²C buses of an object on a board: which chip at which bus, channel, address and pin.
+
+Every way of `dealing` is tried on as few buses as it needs; the cheapest that works is taken.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from design.catalogue.bus_parts import (
+    BOARDS,
+    PIN_PF,
+    WIRE_PF_PER_MM,
+    Board,
+    BusChip,
+    bus_chip,
+)
+from design.catalogue.orders import BUFFER, MUX, ORDERS, RESISTOR, SHIFTER
+from design.errors import InputError
+from design.spec.object import ObjectSpec
+from design.wiring.bus_limits import (
+    FAST_KHZ,
+    STANDARD_KHZ,
+    FrameTime,
+    frame_time,
+    largest_capacitance_pf,
+    pullup_kohm,
+)
+from design.wiring.dealing import WAYS, CannotError, ChipOnBus, bare_chips, dealt
+from design.wiring.lengths import LEAD_MM
+
+_CHIP_V = 3.3
+_BUFFERS_A_PACKAGE = 6
+
+
+@dataclass(frozen=True)
+class BusPlan:
+    """A plan that works: chips in the order of the frame's channels, and its figures.
+
+    `capacitance_pf` is that of the largest line as the board sees it with one channel switched on;
+    `reset` the output that resets the multiplexers.
+    """
+
+    board: Board
+    way: str
+    chips: tuple[ChipOnBus, ...]
+    khz: float
+    baud: int
+    capacitance_pf: float
+    pullup_kohm: float
+    time: FrameTime
+    reset: str | None
+    extras: tuple[tuple[str, int], ...]
+
+    @property
+    def buses(self) -> tuple[int, ...]:
+        """Numbers of the board's buses that are used."""
+        return tuple(sorted({chip.bus for chip in self.chips}))
+
+    @property
+    def multiplexers(self) -> tuple[tuple[int, int], ...]:
+        """Bus and address of every multiplexer."""
+        found = {(c.bus, c.multiplexer) for c in self.chips if c.multiplexer is not None}
+        return tuple(sorted(found))
+
+    @property
+    def pins(self) -> int:
+        """Pins of the board besides supply and ground."""
+        supplies = sum(chip.supply is not None for chip in self.chips)
+        return 2 * len(self.buses) + supplies + (self.reset is not None)
+
+    @property
+    def wires(self) -> int:
+        """Four for each sensor, and those from boards and buses to the board's pins."""
+        return 4 * len(self.chips) + 4 * len(self.multiplexers) + self.pins + 2
+
+    @property
+    def cost_eur(self) -> float:
+        """Of what the plan needs beyond board and sensors, at the middle of the guide prices."""
+        return sum(ORDERS[name].middle_eur * count for name, count in self.extras)
+
+
+@dataclass(frozen=True)
+class Choice:
+    """All plans that work, cheapest first, and why the others do not."""
+
+    plans: tuple[BusPlan, ...]
+    refused: tuple[tuple[str, str], ...]
+
+
+def choose_plan(
+    spec: ObjectSpec, board: Board, lead_mm: float = LEAD_MM, way: str | None = None
+) -> tuple[BusPlan, Choice]:
+    """The cheapest plan that can (fewest wires among equals), or that of one way.
+
+    Raises
+    ------
+    InputError
+        No plan works: every reason, and what the other boards can do.
+    """
+    choice = all_plans(spec, board, lead_mm)
+    found = [plan for plan in choice.plans if way in (None, plan.way)]
+    if found:
+        return found[0], choice
+    reasons = "; ".join(f"{name}: {why}" for name, why in choice.refused if way in (None, name))
+    raise InputError(
+        f"no bus plan{f' ({way})' if way else ''} reads {spec.name} with {board.title}: {reasons}. "
+        f"{_what_can(spec, board, lead_mm, choice)}"
+    )
+
+
+def all_plans(spec: ObjectSpec, board: Board, lead_mm: float = LEAD_MM) -> Choice:
+    """Every way on as few of the board's buses as it needs.
+
+    Raises
+    ------
+    InputError
+        A part without an I²C interface, or more faces than a recording has.
+    """
+    bus_chip(spec.sensors.part)
+    if max(spec.body.sensed) > 5:
+        raise InputError(
+            f"recordings have faces 1 to 5; this object senses {list(spec.body.sensed)}. Leave face 6 "
+            "open, or give body.sensed_faces without it"
+        )
+    plans, refused = [], []
+    for way in WAYS:
+        for buses in range(1, len(board.buses) + 1):
+            try:
+                plans.append(_plan(spec, board, lead_mm, way, buses))
+                break
+            except CannotError as error:
+                reason = str(error)
+        else:
+            refused.append((way, reason))
+    plans.sort(key=lambda plan: (plan.cost_eur, plan.wires))
+    return Choice(tuple(plans), tuple(refused))
+
+
+def _what_can(spec: ObjectSpec, board: Board, lead_mm: float, choice: Choice) -> str:
+    """Plans that work, here or on another board."""
+    named = [(board, plan) for plan in choice.plans[:1]]
+    others = (other for other in BOARDS.values() if other is not board)
+    named += [(o, plan) for o in others for plan in all_plans(spec, o, lead_mm).plans[:1]]
+    if not named:
+        return (
+            "No other board can: lower sensors.frame_rate_hz, have fewer sensors or shorter leads"
+        )
+    able = "; ".join(
+        f"--board {b.name} can, by {p.way} ({p.pins} pins, {p.cost_eur:.0f} EUR of parts, up to "
+        f"{p.time.fastest_hz:.0f} Hz)"
+        for b, p in named
+    )
+    return f"The cheapest that can: {able}"
+
+
+def _plan(spec: ObjectSpec, board: Board, lead_mm: float, way: str, buses: int) -> BusPlan:
+    chip = bus_chip(spec.sensors.part)
+    chips = dealt(way, bare_chips(spec, lead_mm), board, buses)
+    _require_current(chips, chip, board)
+    reset = board.outputs[0] if chips[0].multiplexer is not None else None
+    khz, capacitance, pullup = _clock(spec, board, chips)
+    time, baud = _rate(spec, board, chip, chips, khz)
+    extras = _extras(board, chips)
+    return BusPlan(board, way, chips, khz, baud, capacitance, pullup, time, reset, extras)
+
+
+def _require_current(chips: Sequence[ChipOnBus], family: BusChip, board: Board) -> None:
+    needed_ma = len(chips) * family.supply_ma
+    from_outputs = chips[0].supply is not None and board.logic_v == _CHIP_V
+    given_ma = board.outputs_ma if from_outputs else board.rail_ma
+    if needed_ma > given_ma:
+        source = "outputs give" if from_outputs else "3.3 V pin gives"
+        raise CannotError(
+            f"{len(chips)} chips draw {needed_ma:.0f} mA, the board's {source} {given_ma:.0f} mA"
+        )
+
+
+def _clock(
+    spec: ObjectSpec, board: Board, chips: Sequence[ChipOnBus]
+) -> tuple[float, float, float]:
+    """Bus clock (kHz), capacitance (pF) and pull-up (kΩ): the specified clock, else 100 kHz."""
+    pulled_v = board.logic_v if chips[0].multiplexer is not None else _CHIP_V
+    capacitance = largest_line_pf(chips)
+    asked = min(spec.sensors.i2c_khz, FAST_KHZ)
+    for khz in sorted({asked, min(asked, STANDARD_KHZ)}, reverse=True):
+        pullup = pullup_kohm(khz, pulled_v, capacitance)
+        if pullup is not None and capacitance <= largest_capacitance_pf(khz, pulled_v):
+            return khz, capacitance, pullup
+    slowest = min(asked, STANDARD_KHZ)
+    raise CannotError(
+        f"a line of the bus has {capacitance:.0f} pF, and may have "
+        f"{largest_capacitance_pf(slowest, pulled_v):.0f} pF even at {slowest:g} kHz"
+    )
+
+
+def largest_line_pf(chips: Sequence[ChipOnBus]) -> float:
+    """Capacitance of the largest line: board, multiplexers, and the channel that is switched on."""
+    loads = Counter[tuple[int, int | None, int | None]]()
+    for chip in chips:
+        loads[chip.bus, chip.multiplexer, chip.channel] += PIN_PF + WIRE_PF_PER_MM * chip.wire_mm
+    muxes = Counter(bus for bus, mux in {(c.bus, c.multiplexer) for c in chips} if mux is not None)
+    return max(PIN_PF * (1 + 2 * muxes[bus]) + load for (bus, _, _), load in loads.items())
+
+
+def _rate(
+    spec: ObjectSpec, board: Board, family: BusChip, chips: Sequence[ChipOnBus], khz: float
+) -> tuple[FrameTime, int]:
+    """Times of a frame, and the slowest baud rate that keeps the specified frame rate."""
+    routes = [(c.bus, c.multiplexer, c.channel) for c in chips if c.multiplexer is not None]
+    selects = len(set(routes))
+    axes = len(spec.sensors.axes)
+    wanted = spec.sensors.frame_rate_hz
+    for baud in board.bauds:
+        time = frame_time(
+            board, family, spec.sensors.averaging, khz, baud, len(chips), selects, axes
+        )
+        if time.fastest_hz >= wanted:
+            return time, baud
+    raise CannotError(
+        f"{time.fastest_hz:.1f} frames per second at most ({time.reading_ms:.1f} ms to read at "
+        f"{khz:g} kHz, {time.line_ms:.1f} ms to send, {time.conversion_ms:.1f} ms to convert), "
+        f"sensors.frame_rate_hz = {wanted:g}"
+    )
+
+
+def _extras(board: Board, chips: Sequence[ChipOnBus]) -> tuple[tuple[str, int], ...]:
+    """Parts beyond board and sensors: 3.3 V chips at a 5 V board need their levels changed."""
+    muxes = len({(c.bus, c.multiplexer) for c in chips if c.multiplexer is not None})
+    buses = len({c.bus for c in chips})
+    lines = 2 * (buses + len({(c.bus, c.multiplexer, c.channel) for c in chips if muxes}))
+    found = {RESISTOR: lines, MUX: muxes}
+    if board.logic_v > _CHIP_V and not muxes:
+        found[SHIFTER] = buses
+        found[BUFFER] = -(-sum(c.supply is not None for c in chips) // _BUFFERS_A_PACKAGE)
+    return tuple((name, count) for name, count in found.items() if count)

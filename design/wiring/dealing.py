@@ -1,0 +1,169 @@
+"""Ways to keep chips of one part apart on I²C buses: which chip at which bus, channel, address, pin.
+
+Chips that differ in their factory addresses; chips powered one after another that are given other
+addresses at every start, as the paper's object does; multiplexers with one chip per channel;
+multiplexers with chips of different addresses on each channel.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+
+from design.catalogue.bus_parts import MUX_ADDRESSES, MUX_CHANNELS, Board, BusChip, bus_chip
+from design.spec.object import ObjectSpec
+from design.wiring.lengths import wire_lengths_mm
+
+FACTORY, STARTED, MULTIPLEXED, MIXED = (
+    "factory-addresses",
+    "one-by-one",
+    "multiplexers",
+    "mixed-multiplexers",
+)
+WAYS = (FACTORY, STARTED, MULTIPLEXED, MIXED)
+_FIRST_ADDRESS = 0x10
+
+
+class CannotError(Exception):
+    """Why a way does not work."""
+
+
+@dataclass(frozen=True)
+class ChipOnBus:
+    """One sensor: its face and number there, part, and how it is reached.
+
+    `factory` is the address after power-up, `address` the one at which it is read; `multiplexer` is
+    that chip's address and `supply` the output that powers the sensor (None: always powered).
+    """
+
+    face: int
+    number: int
+    part: str
+    set_by: str
+    factory: int
+    address: int
+    bus: int
+    wire_mm: float
+    multiplexer: int | None = None
+    channel: int | None = None
+    supply: str | None = None
+
+    @property
+    def label(self) -> str:
+        """F1-S2: sensor 2 of face 1."""
+        return f"F{self.face}-S{self.number}"
+
+
+def bare_chips(spec: ObjectSpec, lead_mm: float) -> list[ChipOnBus]:
+    """Chips in the order of the frame's channels, all at the address of the specified part."""
+    sensors, chip = spec.sensors, bus_chip(spec.sensors.part)
+    set_by, address = _specified_address(sensors.part, chip)
+    lengths = iter(wire_lengths_mm(spec, lead_mm))
+    return [
+        ChipOnBus(face, number, sensors.part, set_by, address, address, 0, next(lengths))
+        for face in spec.body.sensed
+        for number in range(1, sensors.count_per_face + 1)
+    ]
+
+
+def _specified_address(part: str, chip: BusChip) -> tuple[str, int]:
+    letter = part[len(chip.family) : -1]
+    return next((pair for pair in chip.addresses if pair[0] == letter), chip.addresses[0])
+
+
+def _with_address(chip: ChipOnBus, family: BusChip, index: int) -> ChipOnBus:
+    """The chip in its variant of that address: another order code, or other address pins."""
+    set_by, address = family.addresses[index]
+    by_code = family.set_by == "order code"
+    part = f"{family.family}{set_by}{chip.part[-1]}" if by_code else chip.part
+    return replace(chip, part=part, set_by=set_by, factory=address, address=address)
+
+
+def _on_buses(chips: Sequence[ChipOnBus], buses: int) -> Iterator[list[ChipOnBus]]:
+    """The chips of each bus, split as evenly as possible in their order."""
+    edges = [round(len(chips) * k / buses) for k in range(buses + 1)]
+    for bus, (first, last) in enumerate(pairwise(edges)):
+        yield [replace(chip, bus=bus) for chip in chips[first:last]]
+
+
+def _deal_factory(
+    chips: list[ChipOnBus], family: BusChip, board: Board, buses: int
+) -> tuple[ChipOnBus, ...]:
+    room = len(family.addresses)
+    if len(chips) > room * buses:
+        raise CannotError(
+            f"{len(chips)} chips, but {family.family} has {room} addresses by {family.set_by} and the "
+            f"board {buses} {'bus' if buses == 1 else 'buses'}"
+        )
+    return tuple(
+        _with_address(chip, family, k)
+        for dealt in _on_buses(chips, buses)
+        for k, chip in enumerate(dealt)
+    )
+
+
+def _deal_started(
+    chips: list[ChipOnBus], family: BusChip, board: Board, buses: int
+) -> tuple[ChipOnBus, ...]:
+    if not family.movable:
+        raise CannotError(f"the address of {family.family} cannot be changed while it runs")
+    outputs = board.outputs
+    if len(chips) > len(outputs):
+        raise CannotError(
+            f"{len(chips)} chips need a supply pin each, the board has {len(outputs)}"
+        )
+    taken = {address for _, address in family.addresses}
+    free = [a for a in range(_FIRST_ADDRESS, 0x70) if a not in taken]
+    pins = iter(outputs)
+    return tuple(
+        replace(chip, address=free[k], supply=next(pins))
+        for dealt in _on_buses(chips, buses)
+        for k, chip in enumerate(dealt)
+    )
+
+
+def _deal_multiplexed(
+    chips: list[ChipOnBus], family: BusChip, board: Board, buses: int
+) -> tuple[ChipOnBus, ...]:
+    return _behind_multiplexers(chips, family, buses, 1)
+
+
+def _deal_mixed(
+    chips: list[ChipOnBus], family: BusChip, board: Board, buses: int
+) -> tuple[ChipOnBus, ...]:
+    return _behind_multiplexers(chips, family, buses, len(family.addresses))
+
+
+_DEALT: dict[str, Callable[..., tuple[ChipOnBus, ...]]] = {
+    FACTORY: _deal_factory,
+    STARTED: _deal_started,
+    MULTIPLEXED: _deal_multiplexed,
+    MIXED: _deal_mixed,
+}
+
+
+def _behind_multiplexers(
+    chips: list[ChipOnBus], family: BusChip, buses: int, per_channel: int
+) -> tuple[ChipOnBus, ...]:
+    room = len(MUX_ADDRESSES) * MUX_CHANNELS * per_channel
+    found = []
+    for dealt in _on_buses(chips, buses):
+        if len(dealt) > room:
+            raise CannotError(f"{len(dealt)} chips on a bus, eight multiplexers take {room}")
+        for k, chip in enumerate(dealt):
+            number, channel = divmod(k // per_channel, MUX_CHANNELS)
+            placed = _with_address(chip, family, k % per_channel) if per_channel > 1 else chip
+            found.append(replace(placed, multiplexer=MUX_ADDRESSES[number], channel=channel))
+    return tuple(found)
+
+
+def dealt(way: str, chips: list[ChipOnBus], board: Board, buses: int) -> tuple[ChipOnBus, ...]:
+    """The chips on so many of the board's buses, one way.
+
+    Raises
+    ------
+    CannotError
+        Too many chips for the addresses or pins, or chips that cannot be told apart that way.
+    """
+    return _DEALT[way](chips, bus_chip(chips[0].part), board, buses)

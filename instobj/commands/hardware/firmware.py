@@ -1,0 +1,90 @@
+"""`instobj firmware`: a bus plan for an object on a board."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from design.catalogue.bus_parts import board_named
+from design.errors import InputError
+from design.spec_io import load_spec
+from design.wiring.bus_plan import BusPlan, Choice, choose_plan
+from design.wiring.dealing import WAYS
+
+
+def write_firmware(
+    spec_path: Path, board: str, way: str | None, lead_mm: float, out: Path, overrides: list[str]
+) -> dict[str, Any]:
+    """Choose the bus plan of a specification on a board.
+
+    Raises
+    ------
+    InputError
+        A bad specification, no such board or way, or no plan that works.
+    """
+    if way is not None and way not in WAYS:
+        raise InputError(f"--way {way!r} is not known. Choose one of {', '.join(WAYS)}")
+    spec = load_spec(spec_path, overrides)
+    plan, choice = choose_plan(spec, board_named(board), lead_mm, way)
+    return {
+        "command": "firmware",
+        "board": plan.board.name,
+        "way": plan.way,
+        "texts": plan_texts(plan, spec.sensors.i2c_khz),
+        "tables": {"sensors": chip_rows(plan), "ways": way_rows(choice)},
+    }
+
+
+def plan_texts(plan: BusPlan, asked_khz: float) -> list[str]:
+    """The plan in words."""
+    time = plan.time
+    texts = [
+        f"{plan.board.title}: {len(plan.chips)} sensors by {plan.way}; {plan.pins} pins, "
+        f"{plan.wires} wires, {plan.cost_eur:.2f} EUR of parts beside board and sensors",
+        f"bus {plan.khz:g} kHz, {plan.capacitance_pf:.0f} pF on the largest line, pull-ups "
+        f"{plan.pullup_kohm:g} kΩ",
+        f"up to {time.fastest_hz:.1f} frames per second: {time.reading_ms:.1f} ms to read, "
+        f"{time.line_ms:.1f} ms to send, {time.conversion_ms:.1f} ms to convert",
+    ]
+    if plan.khz < asked_khz:
+        texts.append(
+            f"the bus runs at {plan.khz:g} kHz, not at sensors.i2c_khz = {asked_khz:g}: that much "
+            "capacitance rises too slowly for it"
+        )
+    if len(plan.board.bauds) > 1:
+        texts.append(f"read it with `instobj collect --baud {plan.baud}`")
+    return texts
+
+
+def chip_rows(plan: BusPlan) -> list[dict[str, Any]]:
+    """One row per sensor: how it is reached."""
+    return [
+        {
+            "sensor": chip.label,
+            "part": chip.part,
+            "bus": plan.board.buses[chip.bus].name,
+            "multiplexer": "" if chip.multiplexer is None else f"0x{chip.multiplexer:02X}",
+            "channel": "" if chip.channel is None else str(chip.channel),
+            "address": f"0x{chip.address:02X}",
+            "from": "" if chip.address == chip.factory else f"0x{chip.factory:02X}",
+            "supply": chip.supply or "3.3 V",
+        }
+        for chip in plan.chips
+    ]
+
+
+def way_rows(choice: Choice) -> list[dict[str, Any]]:
+    """Every way with its cost, or the reason why it does not work."""
+    rows = [
+        {
+            "way": plan.way,
+            "pins": str(plan.pins),
+            "wires": str(plan.wires),
+            "parts, EUR": f"{plan.cost_eur:.2f}",
+            "Hz": f"{plan.time.fastest_hz:.0f}",
+            "why not": "",
+        }
+        for plan in choice.plans
+    ]
+    no = {"pins": "", "wires": "", "parts, EUR": "", "Hz": ""}
+    return rows + [{"way": way, **no, "why not": why} for way, why in choice.refused]

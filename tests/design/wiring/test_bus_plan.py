@@ -1,0 +1,120 @@
+"""Bus plans: every chip is reached alone, limits of the bus hold, and what cannot be done is refused."""
+
+import numpy as np
+import pytest
+
+from design.catalogue.bus_parts import BOARDS, MEGA2560, PICO, bus_chip
+from design.errors import InputError
+from design.spec.object import ObjectSpec
+from design.wiring.bus_limits import largest_capacitance_pf, pullup_kohm
+from design.wiring.bus_plan import all_plans, choose_plan
+from design.wiring.dealing import FACTORY, MIXED, MULTIPLEXED, STARTED
+from design.wiring.lengths import wire_lengths_mm
+
+MLX = {"part": "MLX90393", "range_mt": 49.2, "noise_counts": [5.0, 5.0, 5.0]}
+
+
+def object_of(**sensors):
+    return ObjectSpec.model_validate({"name": "planned", "sensors": sensors})
+
+
+def answering(plan, asked, moved=True):
+    """Chips that answer when `asked` is read: same bus, channel open, powered, same address."""
+    return [
+        chip
+        for chip in plan.chips
+        if chip.bus == asked.bus
+        and (chip.multiplexer, chip.channel) == (asked.multiplexer, asked.channel)
+        and (chip.address if moved else chip.factory) == asked.address
+    ]
+
+
+@pytest.mark.parametrize("board", BOARDS.values(), ids=BOARDS)
+@pytest.mark.parametrize("sensors", [{}, {"count_per_face": 1}, {"count_per_face": 2}, MLX])
+def test_every_chip_is_reached_alone(board, sensors):
+    choice = all_plans(object_of(**sensors), board)
+    assert choice.plans
+    for plan in choice.plans:
+        for chip in plan.chips:
+            assert answering(plan, chip) == [chip]
+            factory = dict(bus_chip(chip.part).addresses).values()
+            assert chip.factory in factory
+            assert chip.address not in range(0x70, 0x78)
+        outputs = [chip.supply for chip in plan.chips if chip.supply] + [plan.reset] * bool(
+            plan.reset
+        )
+        assert len(set(outputs)) == len(outputs)
+        assert set(outputs) <= set(board.outputs)
+
+
+def test_without_new_addresses_chips_of_one_part_would_answer_together():
+    """The planted fault: the same plan read at the factory's address."""
+    plan, _ = choose_plan(object_of(), PICO, way=STARTED)
+    assert len(answering(plan, plan.chips[0], moved=False)) == 0
+    assert len({chip.factory for chip in plan.chips}) == 1
+
+
+def test_the_papers_plan_is_the_cheapest_of_its_board():
+    """Arduino Mega, 15 supply wires, SDA, SCL: as the paper's object, at 10.5 frames per second."""
+    plan, _ = choose_plan(object_of(), MEGA2560)
+    assert (plan.way, plan.pins, len(plan.chips)) == (STARTED, 17, 15)
+    assert plan.time.fastest_hz > 10.5
+    assert plan.khz == 100
+    assert dict(plan.extras)["supply buffer"] == 3
+
+
+def test_capacitance_is_that_of_all_wires_and_pins():
+    plan, _ = choose_plan(object_of(), PICO, way=STARTED)
+    by_hand = 10.0 + sum(10.0 + 0.06 * length for length in wire_lengths_mm(object_of()))
+    assert plan.capacitance_pf == pytest.approx(by_hand)
+
+
+def test_the_pull_up_lets_the_line_rise_in_time():
+    """Simulated step of an RC line, 30 to 70 % of the supply, against fast mode's 300 ns."""
+    kohm = pullup_kohm(400.0, 3.3, 150.0)
+    t_ns = np.linspace(0, 3000, 300_001)
+    share = 1 - np.exp(-t_ns / (kohm * 150.0))
+    rise_ns = t_ns[np.searchsorted(share, 0.7)] - t_ns[np.searchsorted(share, 0.3)]
+    assert 0.75 * 300 < rise_ns <= 300
+    assert pullup_kohm(400.0, 3.3, 1.01 * largest_capacitance_pf(400.0, 3.3)) is None
+
+
+def test_wires_are_as_long_as_their_path():
+    """On face 3 of the cube: 7.75 in the recess, 4.5 of wall, and to the middle of the open face."""
+    lengths = wire_lengths_mm(object_of(), lead_mm=100.0)
+    assert lengths[0] == pytest.approx(100 + 7.75 + 4.5 + (13 - 4.5) + 21, abs=0.2)
+    assert lengths[6] == pytest.approx(100 + 7.75 + 4.5 + np.hypot(8.5, 21), abs=0.2)
+
+
+def test_longer_leads_need_multiplexers():
+    plan, choice = choose_plan(object_of(), MEGA2560, lead_mm=900.0)
+    assert plan.way == MIXED
+    assert "pF" in dict(choice.refused)[STARTED]
+
+
+@pytest.mark.parametrize(
+    ("sensors", "board", "way", "words"),
+    [
+        ({}, MEGA2560, FACTORY, "15 chips, but TMAG5273 has 4 addresses"),
+        (MLX, PICO, STARTED, "cannot be changed while it runs"),
+        ({"frame_rate_hz": 150, "averaging": 4}, MEGA2560, None, "frames per second at most"),
+        ({"count_per_face": 5}, PICO, STARTED, "25 chips need a supply pin each"),
+        ({"count_per_face": 5}, MEGA2560, MULTIPLEXED, "draw 57 mA"),
+    ],
+)
+def test_what_cannot_be_done_is_refused_with_the_reason_and_what_can(sensors, board, way, words):
+    with pytest.raises(InputError, match=words) as refused:
+        choose_plan(object_of(**sensors), board, way=way)
+    assert "--board" in str(refused.value) or "lower sensors" in str(refused.value)
+
+
+def test_parts_without_a_bus_are_refused():
+    generic = {"part": "generic", "range_mt": 40, "counts_per_mt": 820, "noise_counts": [1, 1, 1]}
+    with pytest.raises(InputError, match="no I²C bus"):
+        choose_plan(object_of(**generic), PICO)
+
+
+def test_faster_frames_take_a_faster_line():
+    slow, _ = choose_plan(object_of(), MEGA2560)
+    fast, _ = choose_plan(object_of(frame_rate_hz=40, averaging=8), MEGA2560)
+    assert (slow.baud, fast.baud > slow.baud) == (115_200, True)
