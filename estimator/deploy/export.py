@@ -16,6 +16,7 @@ import numpy as np
 
 from design.errors import InputError
 from design.files import atomic_path
+from design.seal import SEAL, seal_file
 from estimator.deploy.runtime import open_session
 from estimator.frames.face_data import channel_label
 from estimator.networks.face_model import FaceModel, description
@@ -52,6 +53,7 @@ def export_onnx(model: FaceModel, path: Path | str) -> None:
     onnx.checker.check_model(graph)
     with atomic_path(path) as temporary:
         onnx.save(graph, temporary)
+        seal_file(temporary)
         _require_parity(model, temporary, path)
 
 
@@ -115,4 +117,4 @@ def _properties(model: FaceModel) -> dict[str, str]:
         "units": UNITS,
         "axes": "the face's x, y and inward normal; heatmaps hold the normal alone or all three",
     }
-    return {"instobj": json.dumps(described)}
+    return {"instobj": json.dumps(described), "seal": SEAL}

@@ -14,10 +14,13 @@ import numpy as np
 from jaxtyping import Bool, Float
 
 from design.errors import InputError
+from design.seal import sealed_content
 from estimator.deploy.zeroing import ZERO_FRAMES, StreamZero, ZeroMode, is_pause
 from estimator.frames.dataset import FrameSet
 from estimator.frames.face_data import HISTORY, Channel, channel_counts, channel_label, with_history
 from estimator.networks.prediction import UNITS, Prediction
+
+_ADVICE = "Give a file that `instobj export` wrote"
 
 
 @dataclass(frozen=True)
@@ -40,6 +43,8 @@ def load_deployed(path: Path | str) -> DeployedModel:
     ------
     InputError
         No such file, not an ONNX file, or not an estimator of instobj.
+    StoreError
+        Damaged, or exported by an earlier version.
     """
     path = Path(path)
     if not path.is_file():
@@ -50,7 +55,7 @@ def load_deployed(path: Path | str) -> DeployedModel:
         names = [output.name for output in session.get_outputs()]
         if names != list(UNITS):
             raise ValueError(f"its outputs are {names}")
-        return DeployedModel(
+        model = DeployedModel(
             face=int(described["face"]),
             channels=tuple((int(f), int(s), int(a)) for f, s, a in described["channels"]),
             grid_x_mm=np.array(described["grid_x_mm"], dtype=float),
@@ -61,9 +66,10 @@ def load_deployed(path: Path | str) -> DeployedModel:
         )
     except (KeyError, TypeError, ValueError) as error:
         raise InputError(
-            f"{path} is an ONNX file, but no estimator of instobj ({error}). Give a file that "
-            "`instobj export` wrote"
+            f"{path} is an ONNX file, but no estimator of instobj ({error}). {_ADVICE}"
         ) from None
+    sealed_content(path, _ADVICE)
+    return model
 
 
 def open_session(path: Path) -> Any:
@@ -87,8 +93,7 @@ def open_session(path: Path) -> Any:
     except Exception as error:  # onnxruntime's errors share no base class of their own
         reason = str(error).splitlines()[0][:120]
         raise InputError(
-            f"{path} is not an ONNX file that onnxruntime reads ({reason}). Give a file that "
-            "`instobj export` wrote"
+            f"{path} is not an ONNX file that onnxruntime reads ({reason}). {_ADVICE}"
         ) from None
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
@@ -14,13 +13,13 @@ from jaxtyping import Float
 from torch import Tensor, nn
 
 from design.errors import DAMAGED_CONTENT, InputError, StoreError
-from design.files import atomic_path
 from estimator.frames.dataset import FrameSet
 from estimator.frames.face_data import HISTORY, Channel, channel_counts, with_history
 from estimator.networks.coverage import Coverage
 from estimator.networks.forest import Forest, ForestShape
 from estimator.networks.network import ContactEstimator, HeadsNetwork, HeatmapNetwork
 from estimator.networks.prediction import Prediction
+from estimator.networks.tensor_file import load_tensors, save_tensors
 
 MODEL_FORMAT = 4
 _BATCH_FRAMES = 8192
@@ -141,11 +140,7 @@ def description(model: FaceModel) -> dict[str, Any]:
 
 def save_model(model: FaceModel, path: Path | str) -> None:
     """Write weights and description as one safetensors file."""
-    from safetensors.torch import save_file
-
-    weights = {name: value.cpu().contiguous() for name, value in model.network.state_dict().items()}
-    with atomic_path(path) as temporary:
-        save_file(weights, temporary, metadata={"instobj": json.dumps(description(model))})
+    save_tensors(model.network.state_dict(), description(model), path)
 
 
 def load_model(path: Path | str) -> FaceModel:
@@ -161,7 +156,7 @@ def load_model(path: Path | str) -> FaceModel:
     path = Path(path)
     if not path.is_file():
         raise InputError(f"no model at {path}. `instobj train SPEC` makes one")
-    described, weights = _read_safetensors(path)
+    described, weights = _described(path)
     try:
         return _assembled(described, weights)
     except DAMAGED_CONTENT as error:
@@ -171,22 +166,9 @@ def load_model(path: Path | str) -> FaceModel:
         ) from None
 
 
-def _read_safetensors(path: Path) -> tuple[dict[str, Any], dict[str, Tensor]]:
-    from safetensors import SafetensorError, safe_open
-
-    try:
-        with safe_open(path, framework="pt") as file:
-            metadata = file.metadata() or {}
-            weights = {name: file.get_tensor(name) for name in file.keys()}  # noqa: SIM118
-    except (SafetensorError, OSError) as error:
-        raise StoreError(
-            f"{path} is not a safetensors file ({error}). Give a trained model"
-        ) from None
-    try:
-        described = json.loads(metadata["instobj"])
-        found = described.get("format")
-    except (AttributeError, KeyError, RecursionError, ValueError):
-        raise StoreError(f"{path} is not a model of instobj. Give a trained model") from None
+def _described(path: Path) -> tuple[dict[str, Any], dict[str, Tensor]]:
+    described, weights = load_tensors(path, "Give a trained model")
+    found = described.get("format") if isinstance(described, dict) else None
     if found != MODEL_FORMAT:
         raise StoreError(
             f"{path} has model format {found}, this version reads "

@@ -7,7 +7,6 @@ weights of one that was never interrupted.
 from __future__ import annotations
 
 import copy
-import json
 import math
 import time
 from collections.abc import Callable
@@ -18,9 +17,9 @@ from typing import Any
 import torch
 from torch import Tensor, nn
 
-from design.errors import InputError, StoreError
-from design.files import atomic_path
+from design.errors import InputError
 from estimator.networks.losses import loss_of
+from estimator.networks.tensor_file import load_tensors, save_tensors
 from estimator.networks.training_data import Augmentation, Batch, Disturbances, disturbed
 
 Progress = Callable[[int, int, float], None]
@@ -168,34 +167,21 @@ def _rate_factor(epoch: float, schedule: Schedule) -> float:
 def _save(
     path: Path, network: nn.Module, optimizer: torch.optim.Optimizer, state: _State, mark: str
 ) -> None:
-    from safetensors.torch import save_file
-
     tensors = {f"now.{name}": value for name, value in network.state_dict().items()}
     tensors |= {f"best.{name}": value for name, value in state.best.items()}
     for index, moments in optimizer.state_dict()["state"].items():
         tensors |= {f"adam.{index}.{name}": value for name, value in moments.items()}
-    tensors = {name: value.detach().cpu().clone() for name, value in tensors.items()}
     info = {
         "fingerprint": mark,
         "epoch": state.epoch,
         "best_epoch": state.best_epoch,
         "best_loss": state.best_loss,
     }
-    with atomic_path(path) as temporary:
-        save_file(tensors, temporary, metadata={"instobj": json.dumps(info)})
+    save_tensors(tensors, info, path)
 
 
 def _resume(path: Path, network: nn.Module, optimizer: torch.optim.Optimizer, mark: str) -> _State:
-    from safetensors import SafetensorError, safe_open
-
-    try:
-        with safe_open(path, framework="pt") as file:
-            info = json.loads((file.metadata() or {}).get("instobj", "{}"))
-            tensors = {name: file.get_tensor(name) for name in file.keys()}  # noqa: SIM118
-    except (SafetensorError, OSError, json.JSONDecodeError) as error:
-        raise StoreError(
-            f"{path} is not a training interrupted earlier ({error}). Delete it"
-        ) from None
+    info, tensors = load_tensors(path, "Delete it: it belongs to an interrupted training")
     if info.get("fingerprint") != mark:
         raise InputError(
             f"{path} belongs to a training on other data or settings. Delete it, or resume with "

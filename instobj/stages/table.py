@@ -230,10 +230,10 @@ STAGES: dict[str, Stage] = {
             *("protocol", "silicone.prony", "training", "seed"),
         ),
         make_pretraining,
-        version=3,
+        version=4,
     ),
     "networks": Stage(
-        "estimator: training", ("frames",), ("training", "seed"), make_networks, version=8
+        "estimator: training", ("frames",), ("training", "seed"), make_networks, version=9
     ),
     "metrics": Stage(
         "estimator: held-out presses", ("frames", "networks"), (), make_metrics, version=4

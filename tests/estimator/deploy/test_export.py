@@ -12,7 +12,7 @@ import pytest
 import torch
 from numpy.testing import assert_allclose
 
-from design.errors import InputError
+from design.errors import InputError, InstobjError
 from design.spec.object import TrainingSpec
 from estimator.deploy.export import export_onnx
 from estimator.deploy.runtime import LiveReader, load_deployed, predict_frames
@@ -197,6 +197,14 @@ def test_bad_files_give_one_clear_error(path, tmp_path, damage):
     with pytest.raises(InputError, match=r"bad\.onnx") as raised:
         load_deployed(bad)
     assert len(str(raised.value)) < 400
+
+
+def test_a_changed_byte_anywhere_in_an_exported_file_is_one_error(path, tmp_path):
+    bad, whole = tmp_path / "bad.onnx", path.read_bytes()
+    for at in np.random.default_rng(5).integers(len(whole), size=25).tolist():
+        bad.write_bytes(whole[:at] + bytes([whole[at] ^ 4]) + whole[at + 1 :])
+        with pytest.raises(InstobjError, match=r"bad\.onnx"):
+            load_deployed(bad)
 
 
 def test_prediction_loads_no_torch(path):

@@ -1,6 +1,5 @@
 """Estimators trained on a small synthetic data set whose truth is known."""
 
-import json
 from dataclasses import replace
 
 import numpy as np
@@ -22,6 +21,7 @@ from estimator.networks.face_model import (
     save_model,
 )
 from estimator.networks.network import HeadsNetwork
+from estimator.networks.tensor_file import save_tensors
 from estimator.networks.training import FitSettings, fit_estimator
 from tests.support.synthetic_frames import synthetic_frames
 
@@ -175,6 +175,16 @@ def test_save_and_load(model, frames, tmp_path):
     assert (loaded.face, loaded.architecture.hidden_units) == (FACE, (96, 96))
 
 
+def test_a_changed_byte_anywhere_in_a_model_is_one_error(model, tmp_path):
+    path = tmp_path / "m.safetensors"
+    save_model(model, path)
+    whole = path.read_bytes()
+    for at in np.random.default_rng(5).integers(len(whole), size=60).tolist():
+        path.write_bytes(whole[:at] + bytes([whole[at] ^ 4]) + whole[at + 1 :])
+        with pytest.raises(StoreError, match=r"m\.safetensors"):
+            load_model(path)
+
+
 @pytest.mark.parametrize("damage", ["foreign", "cut", "no description", "format", "weights"])
 def test_bad_model_files(model, tmp_path, damage):
     path = tmp_path / "m.safetensors"
@@ -187,10 +197,10 @@ def test_bad_model_files(model, tmp_path, damage):
     elif damage == "no description":
         save_file(weights, path)
     elif damage == "format":
-        save_file(weights, path, metadata={"instobj": json.dumps({"format": 9})})
+        save_tensors(weights, {"format": 9}, path)
     else:
         description = {"format": MODEL_FORMAT, "face": 4, "channels": [[4, 0, 0]], "grid_x_mm": [0]}
-        save_file(weights, path, metadata={"instobj": json.dumps(description)})
+        save_tensors(weights, description, path)
     with pytest.raises(StoreError, match=r"m\.safetensors"):
         load_model(path)
 
@@ -218,7 +228,7 @@ def test_a_description_of_other_types_or_sizes_is_one_error(model, tmp_path, key
         described[key] = value
     else:
         described["architecture"][key] = value
-    save_file(load_file(path), path, metadata={"instobj": json.dumps(described)})
+    save_tensors(load_file(path), described, path)
     with pytest.raises(StoreError, match=r"m\.safetensors.*(Give a trained|Train the) model"):
         load_model(path)
 
