@@ -113,10 +113,10 @@ def fixed_bosses(spec: ObjectSpec, side: int) -> list[cq.Solid]:
 
 def pin_kinds(pins: Sequence[Pin]) -> list[tuple[str, int, int]]:
     """Name of each kind of pin, the index of its first, and how many are alike."""
-    return [(name, members[0], len(members)) for name, members in _alike(pins)]
+    return [(name, members[0], len(members)) for name, members in pins_of_kinds(pins)]
 
 
-def _alike(pins: Sequence[Pin]) -> list[tuple[str, list[int]]]:
+def pins_of_kinds(pins: Sequence[Pin]) -> list[tuple[str, list[int]]]:
     """Name of each kind of pin, and the indices of its pins.
 
     Pins are alike where outline, depth and tilt of their pockets and the lengths of their heads are;
@@ -151,7 +151,7 @@ def pins_by_kind(spec: ObjectSpec) -> list[PinKind]:
     """Where every loose pin of a split mould goes, in the order of the parts."""
     pins = loose_pins(spec)
     kinds = []
-    for name, members in _alike(pins):
+    for name, members in pins_of_kinds(pins):
         places = [
             (
                 pin.frame.number,

@@ -34,6 +34,7 @@ class Bounds:
     Attributes
     ----------
     position_mm : √(σx² + σy²)
+    position_mm2 : covariance of x and y, mm²; NaN where the signals cannot tell them
     force_n : σF of the normal force
     tangential_force_n : √(σFx² + σFy²); NaN where tangential forces are not asked
     weakest_direction : unit vector in the face's plane along which the place is least certain
@@ -43,6 +44,7 @@ class Bounds:
     """
 
     position_mm: Float[np.ndarray, "press"]
+    position_mm2: Float[np.ndarray, "press 2 2"]
     force_n: Float[np.ndarray, "press"]
     tangential_force_n: Float[np.ndarray, "press"]
     weakest_direction: Float[np.ndarray, "press 2"]
@@ -86,9 +88,12 @@ def cramer_rao_bounds(
     covariance = np.einsum("pk,pki,pkj->pij", inverse, right, right)
     covariance = covariance / (scale[:, :, None] * scale[:, None, :])
     variance = np.diagonal(covariance, axis1=1, axis2=2).copy()
-    variance[_touched_by_blindness(right, seen)] = np.inf
+    blind = _touched_by_blindness(right, seen)
+    variance[blind] = np.inf
+    known = ~blind[:, :2].any(axis=1)[:, None, None]
     return Bounds(
         np.sqrt(variance[:, 0] + variance[:, 1]),
+        np.where(known, covariance[:, :2, :2], np.nan),
         np.sqrt(variance[:, 2]),
         _tangential_bound(variance),
         _weakest_direction(covariance, right / scale[:, None], seen),

@@ -129,7 +129,7 @@ def load_stl(path: Path) -> trimesh.Trimesh:
 
 def _draw_view(axes: Axes, view: PartView, mesh: trimesh.Trimesh, part: PartManifest) -> None:
     if view.cut_open:
-        mesh = _without_quarter(mesh)
+        mesh = without_quarter(mesh)
     camera = camera_axes(view.towards_viewer, view.up)
     image = depth_image(np.asarray(mesh.triangles) @ camera.T)
     axes.imshow(
@@ -141,7 +141,7 @@ def _draw_view(axes: Axes, view: PartView, mesh: trimesh.Trimesh, part: PartMani
     draw_axes_and_scale(axes, camera, image.extent_mm)
 
 
-def _without_quarter(mesh: trimesh.Trimesh) -> trimesh.Trimesh:
+def without_quarter(mesh: trimesh.Trimesh) -> trimesh.Trimesh:
     """The mesh without its quarter x > 0, y < 0."""
     import trimesh
 

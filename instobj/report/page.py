@@ -75,6 +75,8 @@ def write_report(spec: ObjectSpec, inputs: Inputs, path: Path) -> None:
         "report.html.j2",
         spec=spec,
         papers_cube=is_papers_cube(spec),
+        still=readers.STILL.path(inputs["scene"]),
+        scene=readers.SCENE.path(inputs["scene"]),
         verdict=verdict,
         checks=[
             [check.what, check.value, check.limit, "pass" if check.passed else "FAIL", check.where]

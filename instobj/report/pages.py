@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import hashlib
 from functools import lru_cache
 from math import isfinite
 from pathlib import Path
@@ -10,6 +11,8 @@ from typing import Any
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
+
+from instobj.viewer.bundling import program
 
 _TEMPLATES = Path(__file__).parent / "templates"
 
@@ -26,7 +29,19 @@ def shown(value: float | None) -> str:
 
 def picture(path: Path) -> str:
     """A PNG as a link that holds it."""
-    return "data:image/png;base64," + base64.b64encode(path.read_bytes()).decode()
+    return "data:image/png;base64," + embedded(path)
+
+
+def embedded(path: Path) -> str:
+    """A file's bytes as base64."""
+    return base64.b64encode(path.read_bytes()).decode()
+
+
+def policy() -> str:
+    """What a page with the viewer may do: run that program, show its own pictures, ask no network."""
+    digest = base64.b64encode(hashlib.sha256(program().encode()).digest()).decode()
+    own = "img-src data:; style-src 'unsafe-inline'"
+    return f"default-src 'none'; {own}; script-src 'sha256-{digest}'"
 
 
 @lru_cache(maxsize=1)
@@ -38,7 +53,8 @@ def _environment() -> Environment:
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    environment.globals |= {"picture": picture, "style": _style}
+    environment.globals |= {"picture": picture, "style": _style, "embedded": embedded}
+    environment.globals |= {"policy": policy, "program": lambda: Markup(program())}
     return environment
 
 

@@ -33,6 +33,7 @@ from instobj.stages.makers.report import (
     make_surroundings,
     make_tied_compliance,
 )
+from instobj.stages.makers.scene import make_scene
 from instobj.stages.makers.signals import (
     make_frames,
     make_identify,
@@ -292,6 +293,12 @@ STAGES: dict[str, Stage] = {
         version=2,
         of_others=objects_compared,
     ),
+    "scene": Stage(
+        "report: the object in three dimensions",
+        ("build", "mesh", "response", "presses", "signals", "scores", "discretisation"),
+        ("name", *_MAKING, "contact_grid", "press", "score", "as_built"),
+        make_scene,
+    ),
     "report": Stage(
         "report",
         (
@@ -312,10 +319,11 @@ STAGES: dict[str, Stage] = {
             "tied_compliance",
             "alternatives",
             "slip",
+            "scene",
         ),
         ("name", "limits", "silicone"),
         make_report,
-        version=11,
+        version=12,
     ),
 }
 """In the order in which a command works through those that it needs."""

@@ -18,7 +18,7 @@ from instobj.search.promotion import Promoted, Promotion
 from instobj.store.readers import CROSS_FACE
 from tests.instobj.search.test_outcome import made_up_history
 
-VOID = {"meta", "img", "link", "br"}
+VOID = {"meta", "img", "link", "br", "input"}
 
 
 class Balanced(HTMLParser):
@@ -36,7 +36,7 @@ class Balanced(HTMLParser):
         assert self.open.pop() == tag
 
     def handle_data(self, data):
-        if self.open[-1:] != ["style"]:
+        if self.open[-1:] not in (["style"], ["script"]):
             self.words += data.split()
 
 

@@ -1,0 +1,37 @@
+"""Ellipses of the position bound: which way a contact location is uncertain, and how far."""
+
+from __future__ import annotations
+
+import numpy as np
+from jaxtyping import Float
+
+from design.layout.positions import contact_grid, live_channels
+from design.spec.object import ObjectSpec
+from estimator.information.fisher import cramer_rao_bounds, disturbance_counts
+from estimator.information.scores import PlaceScores
+from estimator.information.sensitivity import own_channels
+from estimator.signals.interpolation import signal_gradient
+from estimator.signals.presses import Signals
+
+
+def position_covariances_mm2(
+    spec: ObjectSpec, signals: Signals, scores: PlaceScores
+) -> Float[np.ndarray, "face place 2 2"]:
+    """Smallest covariance of (x, y) at every contact location, with a fresh baseline, in mm².
+
+    At the forces of the scores and from their channels: its trace is the square of
+    `position_bound_fresh_mm`. NaN where the signals cannot tell the place.
+    """
+    grid = contact_grid(spec)
+    live = live_channels(spec).ravel()
+    sigma = disturbance_counts(spec.sensors, "fresh", live.size)
+    found = np.full((len(scores.faces), len(grid), 2, 2), np.nan)
+    for row, face in enumerate(scores.faces.tolist()):
+        own = own_channels(signals, spec.sensors, face)
+        used = own if spec.score.channels == "own" else np.arange(live.size)
+        used = used[live[used]]
+        told = np.isfinite(scores.position_bound_fresh_mm[row])
+        where = (np.full(told.sum(), face), *grid.xy_mm[told].T)
+        jacobian = signal_gradient(signals, *where, scores.force_at_score_n[row, told]).jacobian
+        found[row, told] = cramer_rao_bounds(jacobian[:, used], sigma[used]).position_mm2
+    return found

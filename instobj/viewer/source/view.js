@@ -1,0 +1,114 @@
+// Camera, light, axes and a grid of 10 mm; drawn only when something changes.
+import {
+  AmbientLight, Color, DirectionalLight, GridHelper, Group, PerspectiveCamera, Quaternion, Scene, Sprite,
+  SpriteMaterial, CanvasTexture, Vector3, WebGLRenderer,
+} from "three";
+import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { arrow } from "./arrow.js";
+
+const BACKGROUND = 0xf7f7f4;
+const KEY_TURN = 0.12;
+
+export function label(text, size, colour = "#1c1c1c") {
+  const canvas = document.createElement("canvas");
+  canvas.width = canvas.height = 64;
+  const pen = canvas.getContext("2d");
+  pen.font = "600 44px system-ui, sans-serif";
+  pen.textAlign = "center";
+  pen.textBaseline = "middle";
+  pen.lineWidth = 8;
+  pen.strokeStyle = "rgba(255,255,255,.85)";
+  pen.strokeText(text, 32, 34);
+  pen.fillStyle = colour;
+  pen.fillText(text, 32, 34);
+  const material = new SpriteMaterial({ map: new CanvasTexture(canvas), depthTest: false });
+  const sprite = new Sprite(material);
+  sprite.scale.setScalar(size);
+  sprite.renderOrder = 10;
+  return sprite;
+}
+
+function axes(size, corner) {
+  const group = new Group();
+  const colours = [0xb3261e, 0x2e7d32, 0x1652b8];
+  ["x", "y", "z"].forEach((name, index) => {
+    const way = new Vector3().setComponent(index, 1);
+    const one = arrow(colours[index], size / 90);
+    one.point(corner, way, size / 4);
+    group.add(one.object);
+    const text = label(name, size / 9, `#${new Color(colours[index]).getHexString()}`);
+    text.position.copy(corner).addScaledVector(way, size / 3.4);
+    group.add(text);
+  });
+  return group;
+}
+
+export function makeView(canvas, sizeMm) {
+  const renderer = new WebGLRenderer({ canvas, antialias: true });
+  renderer.setClearColor(BACKGROUND);
+  renderer.localClippingEnabled = true;
+  const scene = new Scene();
+  const size = Math.max(...sizeMm);
+  const camera = new PerspectiveCamera(30, 1, size / 50, size * 30);
+  camera.up.set(0, 0, 1);
+  const controls = new OrbitControls(camera, canvas);
+  const sun = new DirectionalLight(0xffffff, 2.1);
+  sun.position.set(-0.5, 0.65, 0.8);
+  camera.add(sun, sun.target);
+  sun.target.position.set(0, 0, -1);
+  scene.add(camera, new AmbientLight(0xffffff, 1.5));
+  const floor = new GridHelper(Math.ceil((3 * size) / 20) * 20, Math.ceil((3 * size) / 20) * 2, 0xb9b9b2, 0xe0e0da);
+  floor.rotation.x = Math.PI / 2;
+  floor.position.z = -sizeMm[2] / 2 - size * 0.02;
+  scene.add(floor, axes(size, new Vector3(-0.95 * size, -0.95 * size, floor.position.z)));
+
+  const before = [];
+  let asked = false;
+  function draw() {
+    asked = false;
+    before.forEach((act) => act(camera));
+    renderer.render(scene, camera);
+  }
+  function redraw() {
+    if (!asked) requestAnimationFrame(draw);
+    asked = true;
+  }
+  function look(distance = 4.3, lift = 0) {
+    camera.position.set(0.57 * size, -0.68 * size, 0.46 * size).multiplyScalar(distance);
+    controls.target.set(0, 0, lift * size);
+    controls.update();
+    redraw();
+  }
+  function resize() {
+    const { clientWidth: wide, clientHeight: high } = canvas;
+    if (!wide || !high) return;
+    renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    renderer.setSize(wide, high, false);
+    camera.aspect = wide / high;
+    camera.updateProjectionMatrix();
+    redraw();
+  }
+  controls.addEventListener("change", redraw);
+  new ResizeObserver(resize).observe(canvas);
+  canvas.addEventListener("keydown", (event) => turnByKey(event, camera, controls, redraw));
+  resize();
+  look();
+  return { scene, camera, controls, size, redraw, look, before };
+}
+
+function turnByKey(event, camera, controls, redraw) {
+  const across = new Vector3().crossVectors(camera.position, camera.up).normalize();
+  const turns = {
+    ArrowLeft: [camera.up, -KEY_TURN], ArrowRight: [camera.up, KEY_TURN],
+    ArrowUp: [across, -KEY_TURN], ArrowDown: [across, KEY_TURN],
+  };
+  const zoom = { "+": 0.9, "=": 0.9, "-": 1 / 0.9 }[event.key];
+  const offset = camera.position.clone().sub(controls.target);
+  if (turns[event.key]) offset.applyQuaternion(new Quaternion().setFromAxisAngle(...turns[event.key]));
+  else if (zoom) offset.multiplyScalar(zoom);
+  else return;
+  event.preventDefault();
+  camera.position.copy(controls.target).add(offset);
+  controls.update();
+  redraw();
+}
