@@ -31,6 +31,7 @@ from design.layout.body import core_frames, face_frames
 from design.layout.pockets import board_frame, tilted_frame
 from design.layout.positions import chip_on_board, contact_grid
 from design.spec.object import ObjectSpec
+from estimator.field.sources import magnet_source
 from estimator.information.fisher import cramer_rao_bounds, disturbance_counts
 from estimator.layouts.batch import Layouts
 from estimator.layouts.press_basis import press_basis
@@ -116,6 +117,7 @@ def _signals(
         for name in ("magnet_mm", "turn_rad", "polarity", "sensor_mm")
     )
     core, disk = core_frames(spec)[FACE - 1], spec.magnets
+    polarization_t = magnet_source(disk).polarization_t
     depth = np.full((len(sensor_mm), 1), -spec.sensors.depth_below_core_face_mm)
     points = core.to_object(np.concatenate([sensor_mm, depth], axis=1)) / 1e3
     field = np.zeros(())
@@ -127,7 +129,7 @@ def _signals(
         for k, tilt in enumerate(np.rad2deg(turn)):
             still = Rotation.from_matrix(frame.axes @ tilted_frame(*tilt))
             magnet = magpylib.magnet.Cylinder(
-                polarization=(0, 0, polarity[k] * disk.working_remanence_t),
+                polarization=(0, 0, polarity[k] * polarization_t),
                 dimension=(disk.diameter_mm / 1e3, disk.height_mm / 1e3),
                 position=(centres[k] + motion[:, k, :3]) / 1e3,
                 orientation=Rotation.from_rotvec(motion[:, k, 3:]) * still,

@@ -98,6 +98,8 @@ REFERENCE_TEMPERATURE_C = 20.0
 """At which remanence is stated."""
 NDFEB_REMANENCE_PER_KELVIN = -0.0011
 """Reversible change of remanence of sintered NdFeB; makers give −0.11 to −0.12 %/K up to 100 °C."""
+NDFEB_RECOIL_PERMEABILITY = 1.05
+"""Slope of the recoil line over μ0: makers of sintered NdFeB state 1.05 for all grades, 1.02 to 1.10."""
 
 
 @dataclass(frozen=True)

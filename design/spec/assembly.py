@@ -99,7 +99,7 @@ class TolerancesSpec(SpecPart):
     magnet_seat_mm: NonNegative = 0.1
     magnet_seat_depth_mm: NonNegative = 0.1
     magnet_tilt_deg: NonNegative = 2.0
-    remanence_relative: NonNegative = 0.01
+    remanence_relative: NonNegative = 0.02
     sensor_seat_mm: NonNegative = 0.1
     sensor_rotation_deg: NonNegative = 2.0
     sensor_gain_relative: NonNegative = 0.02

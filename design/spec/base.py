@@ -14,6 +14,8 @@ LARGEST = 1e8
 Positive = Annotated[float, Field(gt=0, le=LARGEST, allow_inf_nan=False)]
 NonNegative = Annotated[float, Field(ge=0, le=LARGEST, allow_inf_nan=False)]
 Finite = Annotated[float, Field(ge=-LARGEST, le=LARGEST, allow_inf_nan=False)]
+RecoilPermeability = Annotated[float, Field(ge=1, le=2)]
+"""Relative; 1 takes a magnet's remanence as its polarization."""
 Count = Annotated[int, Field(ge=1)]
 
 

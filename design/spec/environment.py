@@ -10,7 +10,8 @@ from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
-from design.spec.base import Finite, Positive, SpecPart
+from design.catalogue.magnets import NDFEB_RECOIL_PERMEABILITY
+from design.spec.base import Finite, Positive, RecoilPermeability, SpecPart
 
 Triple = tuple[Finite, Finite, Finite]
 
@@ -23,6 +24,7 @@ class StrayMagnetSpec(SpecPart):
     diameter_mm: Positive = 10.0
     height_mm: Positive = 5.0
     remanence_t: Positive = 1.3
+    recoil_permeability: RecoilPermeability = NDFEB_RECOIL_PERMEABILITY
 
     @model_validator(mode="after")
     def _axis_points_somewhere(self) -> StrayMagnetSpec:

@@ -11,13 +11,14 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, model_validator
 
 from design.catalogue.magnets import (
+    NDFEB_RECOIL_PERMEABILITY,
     REFERENCE_TEMPERATURE_C,
     MagnetShape,
     magnet_grade,
     magnet_part,
     remanence_at_temperature_t,
 )
-from design.spec.base import Finite, NonNegative, Positive, SpecPart
+from design.spec.base import Finite, NonNegative, Positive, RecoilPermeability, SpecPart
 
 MU0_T_MM_PER_A = 4e-4 * pi
 """Permeability of vacuum, T·mm/A."""
@@ -32,11 +33,13 @@ class MagnetSpec(SpecPart):
 
     `part` gives shape and dimensions (and grade) of a catalogued magnet. A ring has an
     `inner_diameter_mm`; a block has edges `size_mm` along the face's x and y. `remanence_t` is that
-    at 20 °C; left out, it is the typical one of `grade`. `kind = "coil"` puts air-core coils of the
-    same outline in the magnets' place, wound from the inner to the outer diameter with `turns` of
-    `current_a`; only they can be switched on face by face, each face while its own sensors are
-    read. Where magnets sit in the core (`arrangement`), their outer pole lies
-    `depth_below_core_face_mm` below the core's face.
+    at 20 °C; left out, it is the typical one of `grade`. `recoil_permeability` makes the polarization
+    smaller than the remanence (docs/field.md); 1 takes the two as equal.
+
+    `kind = "coil"` puts air-core coils of the same outline in the magnets' place, wound from the
+    inner to the outer diameter with `turns` of `current_a`; only they can be switched on face by
+    face, each face while its own sensors are read. Where magnets sit in the core (`arrangement`),
+    their outer pole lies `depth_below_core_face_mm` below the core's face.
 
     `depth_mm` is that of the mid-plane's centre below the face, one for all magnets or one each;
     left out, magnets lie on the floor of pockets of `shell.pocket_depth_mm`. `tilt_deg` turns each
@@ -53,6 +56,7 @@ class MagnetSpec(SpecPart):
     height_mm: Positive = 1.0
     grade: str | None = None
     remanence_t: Positive = 1.43
+    recoil_permeability: RecoilPermeability = NDFEB_RECOIL_PERMEABILITY
     temperature_c: Annotated[float, Field(ge=-40, le=150)] = REFERENCE_TEMPERATURE_C
     turns: Annotated[int, Field(ge=1)] = 50
     current_a: Finite = 0.2

@@ -21,7 +21,7 @@ from jaxtyping import Float
 
 from design.spec.object import ObjectSpec
 from estimator.field.models import FieldModel, sum_over_magnets
-from estimator.field.sources import DiskMagnet
+from estimator.field.sources import DiskMagnet, at_working_point
 from estimator.field.vectors import Vector, dot
 
 
@@ -69,7 +69,8 @@ def environment(spec: ObjectSpec) -> Environment:
     around = spec.environment
     strays = []
     for stray in around.magnets:
-        body = DiskMagnet(stray.diameter_mm, stray.height_mm, stray.remanence_t)
+        outline = DiskMagnet(stray.diameter_mm, stray.height_mm, 1.0)
+        body = at_working_point(outline, stray.remanence_t, stray.recoil_permeability)
         place, axis = np.asarray(stray.position_mm), _unit(stray.axis)
         strays.append((FieldModel(body, "exact"), _column(place), _column(axis)))
     plates = tuple(

@@ -6,14 +6,15 @@ body's surface current), a thick winding that of many such cylinders one in anot
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from jaxtyping import Float
 
 from design.spec.object import MagnetSpec
+from estimator.field.demagnetisation import of_block, of_cylinders
 from estimator.field.vectors import Vector, cross, dot, plus_product
 
 _WINDING_SHEETS = 8
@@ -59,6 +60,10 @@ class DiskMagnet:
         return float(np.hypot(self.diameter_mm, self.height_mm) / 2)
 
     @property
+    def demagnetising_factor(self) -> float:
+        return of_cylinders(self.cylinders, self.height_mm)
+
+    @property
     def description(self) -> str:
         hole = f"/{self.inner_diameter_mm:g}" if self.inner_diameter_mm else ""
         kind = "coil" if self.wound else "ring" if hole else "disk"
@@ -96,6 +101,10 @@ class BlockMagnet:
         return float(np.linalg.norm((*self.size_mm, self.height_mm)) / 2)
 
     @property
+    def demagnetising_factor(self) -> float:
+        return of_block(*self.size_mm, self.height_mm)
+
+    @property
     def description(self) -> str:
         x, y = self.size_mm
         return f"a block of {x:g} × {y:g} × {self.height_mm:g} mm"
@@ -117,21 +126,33 @@ class BlockMagnet:
 
 
 Magnet = DiskMagnet | BlockMagnet
+_Body = TypeVar("_Body", DiskMagnet, BlockMagnet)
 
 
 def magnet_source(magnets: MagnetSpec) -> Magnet:
-    """The magnet or coil that a specification describes, at its temperature.
-
-    A magnet's remanence is taken as its polarization.
-    """
+    """The magnet or coil that a specification describes, at its temperature and working point."""
+    hole, height = magnets.inner_diameter_mm, magnets.height_mm
     if magnets.kind == "coil":
-        polarization, wound = magnets.winding_polarization_t, True
-    else:
-        polarization, wound = magnets.working_remanence_t, False
+        winding_t = magnets.winding_polarization_t
+        return DiskMagnet(magnets.diameter_mm, height, winding_t, hole, wound=True)
+    remanence_t, permeability = magnets.working_remanence_t, magnets.recoil_permeability
     if magnets.shape == "block":
-        return BlockMagnet(magnets.size_mm, magnets.height_mm, polarization)
-    hole = magnets.inner_diameter_mm
-    return DiskMagnet(magnets.diameter_mm, magnets.height_mm, polarization, hole, wound)
+        return at_working_point(
+            BlockMagnet(magnets.size_mm, height, 1.0), remanence_t, permeability
+        )
+    disk = DiskMagnet(magnets.diameter_mm, height, 1.0, hole)
+    return at_working_point(disk, remanence_t, permeability)
+
+
+def at_working_point(outline: _Body, remanence_t: float, recoil_permeability: float) -> _Body:
+    """A magnet that demagnetises itself: its mean polarization in place of the outline's.
+
+    On the recoil line J = B_r + (μ_r − 1) μ0 H, and the mean of μ0 H inside a magnet that is alone
+    is −N J; hence J = B_r / (1 + N (μ_r − 1)). J is taken as uniform, which is exact to first
+    order in μ_r − 1. docs/field.md says how wrong that is, and what other magnets and steel add.
+    """
+    opposed = outline.demagnetising_factor * (recoil_permeability - 1)
+    return replace(outline, polarization_t=remanence_t / (1 + opposed))
 
 
 def local_coordinates(offset_mm: Vector, axis: Vector, side: Vector | None) -> Vector:

@@ -170,7 +170,7 @@ STAGES: dict[str, Stage] = {
         ("presses",),
         ("magnets", "sensors", "arrangement", "environment", "as_built", "seed"),
         make_signals,
-        version=3,
+        version=4,
     ),
     "scores": Stage(
         "sensitivity: bounds and maps", ("signals",), ("score", "seed"), make_scores, version=6
@@ -203,6 +203,7 @@ STAGES: dict[str, Stage] = {
             *("score.force_n", "score.channels", "tolerances", "seed"),
         ),
         make_robustness,
+        version=2,
     ),
     "frames": Stage(
         "estimator: simulated presses",
@@ -247,7 +248,7 @@ STAGES: dict[str, Stage] = {
             *("indenter", "inversion", "tolerances", "seed"),
         ),
         make_inversion,
-        version=2,
+        version=3,
         of_others=tangential_mechanics,
     ),
     "contact_metrics": Stage(
@@ -263,6 +264,7 @@ STAGES: dict[str, Stage] = {
         (),
         (*_WHERE_THINGS_ARE, "core", "sensors", "environment", "as_built", "mechanics.slip"),
         make_surroundings,
+        version=2,
     ),
     "press_curves": Stage(
         "signals: curves of presses",

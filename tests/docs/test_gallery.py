@@ -130,6 +130,28 @@ def test_the_scanned_magnet_has_the_polarization_that_another_code_fits(run_scri
     found = run_script(8)
     assert found["numbers"][6] == pytest.approx(1.126, abs=0.002)
     assert np.sqrt(np.mean(found["left_mt"] ** 2)) < 0.05
+    assert found["spread_t"] < 0.02
+
+
+def test_the_scanned_magnet_is_as_strong_as_a_weak_one_of_its_grade(run_script):
+    """Weaker than the guaranteed remanence, and within 1 % of what such a magnet is to have."""
+    found = run_script(8)
+    weakest, nominal = found["predicted_mt"][1.05]
+    assert weakest == pytest.approx(1170 / (1 + 0.05 * 0.634568), rel=1e-6)
+    assert nominal / weakest == pytest.approx(1220 / 1170, rel=1e-9)
+    polarization_mt = 1e3 * found["numbers"][6]
+    assert abs(polarization_mt / weakest - 1) < 0.01
+    assert polarization_mt < 0.965 * 1170, (
+        "without its own field the magnet would be out of its grade"
+    )
+
+
+def test_the_scan_beside_the_script_is_the_published_one():
+    published = ROOT.parent / "shared" / "data" / "magnet-scan" / "Bomatec_LD025_scan0.npy"
+    if not published.exists():
+        pytest.skip(f"{published} is not here")
+    copied = np.loadtxt(GALLERY / "data" / "magnet_scan.csv", delimiter=",", skiprows=1)
+    np.testing.assert_allclose(copied[:, 1:], np.load(published)[::2], atol=5e-5)
 
 
 def test_data_beside_the_scripts_carry_their_licence():

@@ -98,6 +98,7 @@ def test_the_field_of_the_magnets_is_that_of_magpylib(magnets):
         {
             "name": "field",
             "magnets": magnets
+            | {"recoil_permeability": 1.0}
             | {"positions_mm": [[2.0, -1.0], [-9.0, 7.0]], "tilt_deg": [[8, -5], [0, 12]]},
         }
     )

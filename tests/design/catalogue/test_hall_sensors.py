@@ -17,7 +17,7 @@ def parsed(**parts):
 
 def test_defaults_are_the_paper_cube_to_the_last_digit():
     spec = ObjectSpec(name="cube")
-    assert (spec.magnets.remanence_t, magnet_source(spec.magnets).polarization_t) == (1.43, 1.43)
+    assert (spec.magnets.remanence_t, spec.magnets.recoil_permeability) == (1.43, 1.05)
     sensors = spec.sensors
     assert (sensors.counts_per_mt, sensors.range_mt) == (820.0, 40.0)
     assert sensors.noise_counts == (22.0, 22.0, 11.0)
@@ -62,7 +62,9 @@ def test_remanence_falls_by_0_11_percent_per_kelvin():
     assert remanence_at_temperature_t(1.3, 20.0) == 1.3
     assert_allclose(remanence_at_temperature_t(1.3, 60.0), 1.3 * 0.956, rtol=1e-12)
     assert_allclose(remanence_at_temperature_t(1.3, 0.0), 1.3 * 1.022, rtol=1e-12)
-    warm = parsed(magnets={"remanence_t": 1.2, "temperature_c": 70.0}).magnets
+    warm = parsed(
+        magnets={"remanence_t": 1.2, "temperature_c": 70.0, "recoil_permeability": 1.0}
+    ).magnets
     assert warm.remanence_t == 1.2
     assert_allclose(magnet_source(warm).polarization_t, 1.2 * 0.945, rtol=1e-12)
 

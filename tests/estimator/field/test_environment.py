@@ -181,6 +181,7 @@ def test_a_random_orientation_is_that_of_the_seed():
 
 def test_a_stray_magnet_matches_magpylib_at_every_sensor():
     stray = {"position_mm": [45, -10, 20], "axis": [1, 2, -2], "diameter_mm": 12, "height_mm": 6}
+    stray["recoil_permeability"] = 1.0
     spec = ObjectSpec.model_validate({"name": "c", "environment": {"magnets": [stray]}})
     added = rest_counts(spec) - rest_counts(ObjectSpec(name="c"))
     magnet = magpylib.magnet.Cylinder(polarization=(0, 0, 1.3), dimension=(12e-3, 6e-3))
