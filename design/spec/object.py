@@ -79,6 +79,11 @@ class ObjectSpec(SpecPart):
         t = 2 * self.shell.thickness_mm
         return (x - t, y - t, z - t)
 
+    @property
+    def judged_forces_n(self) -> tuple[float, ...]:
+        """Forces at which a search judges layouts: `search.forces_n`, or `score.force_n` alone."""
+        return self.search.forces_n or (self.score.force_n,)
+
     @model_validator(mode="after")
     def _element_takes_the_material(self) -> ObjectSpec:
         nu, element = self.silicone.poisson_ratio, self.mechanics.element

@@ -7,6 +7,7 @@ minutes, and a shell that came up before costs nothing. Ranges are continuous.
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Annotated, Any, Literal
 
 from pydantic import Field, field_validator, model_validator
@@ -17,6 +18,8 @@ from design.spec.renamed import under_names_now
 Engine = Literal["tpe", "cma-es", "nsga-ii", "nsga-iii", "random"]
 Objective = Literal[
     "worst_position_bound_mm",
+    "percentile_99_position_bound_mm",
+    "percentile_95_position_bound_mm",
     "median_position_bound_mm",
     "worst_force_bound_n",
     "median_false_force_n",
@@ -87,7 +90,8 @@ class SearchLimitsSpec(SpecPart):
     between the recesses of two sensor boards; `wiring_mm` is the length of straight wires from a
     face's sensors to its centre; `parts_per_face` counts magnets and sensors; `cost` is that of all
     faces, in the unit of the prices. `times_start` says how many times the starting specification's
-    value a score may have at most (`sensitivity_ratio`: at least). Channels at rest may
+    value a score may have at most (`sensitivity_ratio`: at least); `places_worse` is the share of
+    (force, contact location) whose position bound may be larger than the start's. Channels at rest may
     take `resting_share` of the range; at the higher fidelity levels, pressed, they must leave
     `limits.saturation_margin` free.
     """
@@ -98,6 +102,7 @@ class SearchLimitsSpec(SpecPart):
     wiring_mm: Positive | None = None
     parts_per_face: Count | None = None
     cost: Positive | None = None
+    places_worse: Annotated[float, Field(ge=0, le=1)] = 0.02
     times_start: dict[Objective, Positive] = Field(default_factory=dict)
 
     @field_validator("times_start", mode="before")
@@ -129,6 +134,7 @@ class SearchSpec(SpecPart):
     objectives: Annotated[tuple[Objective, ...], Field(min_length=1, max_length=4)] = (
         "worst_position_bound_mm",
     )
+    forces_n: Annotated[tuple[Positive, ...], Field(max_length=8)] = ()
     engine: Engine = "tpe"
     polish_steps: Annotated[int, Field(ge=0, le=1000)] = 40
     trials: Count = 500
@@ -156,6 +162,11 @@ class SearchSpec(SpecPart):
 
     @model_validator(mode="after")
     def _agrees(self) -> SearchSpec:
+        if any(b <= a for a, b in pairwise(self.forces_n)):
+            raise ValueError(
+                f"search.forces_n must increase strictly; got {list(self.forces_n)}. Sort the forces "
+                "and remove repeats"
+            )
         if len(set(self.objectives)) < len(self.objectives):
             raise ValueError(
                 f"search.objectives names one twice: {list(self.objectives)}. Leave one out"

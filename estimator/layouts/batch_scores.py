@@ -5,17 +5,24 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 
+import numpy as np
 import torch
 from jaxtyping import Float
 from torch import Tensor
 
+from design.spec.object import ObjectSpec
 from estimator.information.cross_face import LEAST_FALSE_FORCE_N
-from estimator.information.scores import outermost_places
+from estimator.information.scores import compliance_deviation, outermost_places
 from estimator.information.two_contacts import PERCENT
 from estimator.layouts.batch import Layouts
-from estimator.layouts.cross_face import false_forces_n
+from estimator.layouts.cross_face import CROSS_FACE_FORCE_N, false_forces_n
 from estimator.layouts.robustness import slip_places_mm, tolerance_places_mm
-from estimator.layouts.scoring import LayoutScorer, percentile, place_information
+from estimator.layouts.scoring import (
+    LayoutScorer,
+    PlaceInformation,
+    percentile,
+    place_information,
+)
 from estimator.layouts.two_contacts import grasps_mm, pairs_all_mm, pairs_own_mm
 
 _OfFaces = Callable[[Sequence[LayoutScorer], Sequence[Layouts]], Tensor]
@@ -58,28 +65,94 @@ _DEARER = {
     "slip_place_mm": _Pooled(_each_face(slip_places_mm), 50.0),
     "tolerance_place_mm": _Pooled(_each_face(tolerance_places_mm), 50.0),
 }
+_CROSS_FACE = ("median_false_force_n", "percentile_95_false_force_n")
+OVER_START = "position_bound_over_start"
 DEARER = tuple(_DEARER)
 """Scores that are worked out only where they are named: they cost as much as all others or more."""
 
 
+@dataclass(frozen=True)
+class PlaceBounds:
+    """Position bounds (mm) of another layout at the places of each scorer, in the scorers' order.
+
+    A batch is told how far it exceeds them at all places but a share `but`.
+    """
+
+    position_mm: tuple[Float[Tensor, "1 place"], ...]
+    but: float
+
+
 def batch_scores(
-    scorers: Sequence[LayoutScorer], layouts: Sequence[Layouts], named: Collection[str]
+    scorers: Sequence[LayoutScorer],
+    layouts: Sequence[Layouts],
+    named: Collection[str],
+    start: PlaceBounds | None = None,
 ) -> dict[str, Float[Tensor, "layout"]]:
     """Scores over the places of all pressed faces, those of `DEARER` only where they are named.
 
+    Scorers of several forces: the geometric mean over them of the scores at each, so that every
+    force counts alike; false forces from presses nearest to `CROSS_FACE_FORCE_N`. With `start`, also
+    `OVER_START`: the position bound over the start's that all places and forces but its share keep.
     NaN where a score does not exist: pairs of tips that do not fit on a face, grasps without two
     opposite faces among those pressed.
     """
     places = [place_information(*pair) for pair in zip(scorers, layouts, strict=True)]
+    forces = sorted({scorer.presses.force_n for scorer in scorers})
+    of_cross_face = min(forces, key=lambda force: abs(force - CROSS_FACE_FORCE_N))
+    each: list[dict[str, Tensor]] = []
+    for force in forces:
+        here = [k for k, scorer in enumerate(scorers) if scorer.presses.force_n == force]
+        asked = {name for name in named if name not in _CROSS_FACE or force == of_cross_face}
+        each.append(
+            _scores_at_one_force(
+                [scorers[k] for k in here],
+                [layouts[k] for k in here],
+                [places[k] for k in here],
+                asked,
+            )
+        )
+    found = {}
+    for name in each[forces.index(of_cross_face)]:
+        values = torch.stack([scores[name] for scores in each if name in scores])
+        found[name] = values[0] if len(values) == 1 else values.log().mean(dim=0).exp()
+    found["largest_resting_counts"] = each[0]["largest_resting_counts"]
+    if start is not None:
+        found[OVER_START] = _over_start([face.position_bound_mm for face in places], start)
+    return found
+
+
+def position_bounds(
+    scorers: Sequence[LayoutScorer], layouts: Sequence[Layouts]
+) -> list[Float[Tensor, "layout _"]]:
+    """Position bounds (mm) at the places of each scorer."""
+    pairs = zip(scorers, layouts, strict=True)
+    return [place_information(*pair).position_bound_mm for pair in pairs]
+
+
+def _over_start(
+    bounds_mm: Sequence[Float[Tensor, "layout _"]], start: PlaceBounds
+) -> Float[Tensor, "layout"]:
+    over = [bound / before for bound, before in zip(bounds_mm, start.position_mm, strict=True)]
+    return percentile(torch.cat(over, dim=1).sort(dim=1).values, 100 * (1 - start.but))
+
+
+def _scores_at_one_force(
+    scorers: Sequence[LayoutScorer],
+    layouts: Sequence[Layouts],
+    places: Sequence[PlaceInformation],
+    named: Collection[str],
+) -> dict[str, Float[Tensor, "layout"]]:
     position, force, sensitivity = (
         torch.cat([getattr(face, name) for face in places], dim=1)
         for name in ("position_bound_mm", "force_bound_n", "sensitivity")
     )
-    ordered = sensitivity.sort(dim=1).values
+    ordered, sorted_mm = sensitivity.sort(dim=1).values, position.sort(dim=1).values
     rest = torch.stack([face.resting_counts.abs().flatten(1).amax(dim=1) for face in places])
     found = {
-        "worst_position_bound_mm": position.amax(dim=1),
-        "median_position_bound_mm": percentile(position.sort(dim=1).values, 50.0),
+        "worst_position_bound_mm": sorted_mm[:, -1],
+        "percentile_99_position_bound_mm": percentile(sorted_mm, 99.0),
+        "percentile_95_position_bound_mm": percentile(sorted_mm, 95.0),
+        "median_position_bound_mm": percentile(sorted_mm, 50.0),
         "worst_force_bound_n": force.amax(dim=1),
         "sensitivity_ratio": percentile(ordered, 5.0) / percentile(ordered, 50.0),
         "edge_position_bound_mm": _edge_mean(scorers, [face.position_bound_mm for face in places]),
@@ -98,3 +171,12 @@ def _edge_mean(
         for scorer, bound in zip(scorers, bounds_mm, strict=True)
     ]
     return torch.cat(found, dim=1).mean(dim=1)
+
+
+def unevenness(spec: ObjectSpec, scorers: Sequence[LayoutScorer]) -> float:
+    """Deviation of compliance from what the search wants, at the force nearest to `score.force_n`."""
+    forces = {scorer.presses.force_n for scorer in scorers}
+    nearest = min(forces, key=lambda force: abs(force - spec.score.force_n))
+    at_it = [scorer.presses for scorer in scorers if scorer.presses.force_n == nearest]
+    compliance = np.stack([presses.mm_per_n for presses in at_it])
+    return compliance_deviation(spec.search.compliance_mm_per_n, at_it[0].places, compliance)

@@ -12,8 +12,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, fields
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field, fields
+from typing import Any
 
 import numpy as np
 import torch
@@ -24,7 +25,7 @@ from estimator.information.cross_face import LEAST_FALSE_FORCE_N, cross_face_dis
 from estimator.information.scores import compliance_deviation, outermost_places, score_places
 from estimator.information.two_contacts import PERCENT, two_contact_bounds_mm
 from estimator.layouts.batch import layouts_of
-from estimator.layouts.batch_scores import DEARER, batch_scores
+from estimator.layouts.batch_scores import DEARER, batch_scores, position_bounds, unevenness
 from estimator.layouts.cross_face import CROSS_FACE_FORCE_N
 from estimator.layouts.robustness import SLIP_MM
 from estimator.layouts.scoring import LayoutScorer
@@ -44,8 +45,10 @@ class FidelityScore:
 
     Attributes
     ----------
-    worst_position_bound_mm, median_position_bound_mm, worst_force_bound_n : Cramér–Rao bounds over
-        the contact locations of all faces at `score.force_n`, freshly zeroed
+    worst_position_bound_mm, percentile_99_position_bound_mm, percentile_95_position_bound_mm,
+    median_position_bound_mm, worst_force_bound_n : Cramér–Rao bounds over the contact locations of
+        all faces, freshly zeroed; at every one of `spec.judged_forces_n`, then the geometric mean of
+        these, so that every force counts alike
     median_false_force_n, percentile_95_false_force_n : force that a face reads on itself, by its own
         channels alone, from presses of 10 N on an adjacent face; over pairs of faces and places, at
         least `LEAST_FALSE_FORCE_N`
@@ -61,9 +64,16 @@ class FidelityScore:
     compliance_deviation : of depth over force at `score.force_n` from what `search` wants, relative
         (rms); the lowest fidelity level: of the shell without magnets
     saturation_margin : share of the sensors' range that stays free (the lowest fidelity level: at rest)
+    position_bounds_mm : position bound of every force, face and location, in this order
+
+    Other scores of presses are geometric means over the forces like the bounds; false forces are of
+    10 N whatever the forces, compliance of the force nearest to
+    `score.force_n`.
     """
 
     worst_position_bound_mm: float
+    percentile_99_position_bound_mm: float
+    percentile_95_position_bound_mm: float
     median_position_bound_mm: float
     worst_force_bound_n: float
     median_false_force_n: float
@@ -77,9 +87,10 @@ class FidelityScore:
     tolerance_place_mm: float
     compliance_deviation: float
     saturation_margin: float
+    position_bounds_mm: tuple[float, ...] = field(repr=False)
 
 
-SCORE_NAMES = tuple(field.name for field in fields(FidelityScore))
+SCORE_NAMES = tuple(f.name for f in fields(FidelityScore) if f.name != "position_bounds_mm")
 LARGER_IS_BETTER = ("sensitivity_ratio", "saturation_margin")
 
 
@@ -95,12 +106,10 @@ def lowest_fidelity_score(spec: ObjectSpec, scorers: Sequence[LayoutScorer]) -> 
         scores = batch_scores(scorers, layouts, DEARER)
     found = {name: float(values) for name, values in scores.items()}
     rest = found.pop("largest_resting_counts")
-    compliance = np.stack([scorer.presses.mm_per_n for scorer in scorers])
     return FidelityScore(
         **found,
-        compliance_deviation=compliance_deviation(
-            spec.search.compliance_mm_per_n, scorers[0].presses.places, compliance
-        ),
+        position_bounds_mm=_flat(position_bounds(scorers, layouts)),
+        compliance_deviation=unevenness(spec, scorers),
         saturation_margin=1 - rest / full_scale_counts(spec.sensors),
     )
 
@@ -134,25 +143,66 @@ def score_signals(
     InputError
         Signals that cannot be scored (`score_places`).
     """
-    scores = score_places(spec, signals)
-    false = false_places_mm(spec, forces, motions, SLIP_MM)
-    bound, delta = scores.position_bound_fresh_mm, scores.delta_raw
-    low, middle = np.percentile(delta, [5.0, 50.0])
+    each = [
+        _at_force(spec.changed(score=spec.score.changed(force_n=force)), signals, forces, motions)
+        for force in spec.judged_forces_n
+    ]
+    places = [scores.pop("places") for scores in each]
+    near = min(places, key=lambda one: abs(float(one.force_at_score_n.max()) - spec.score.force_n))
+    means = {
+        name: float(np.exp(np.mean([np.log(scores[name]) for scores in each]))) for name in each[0]
+    }
     return FidelityScore(
-        worst_position_bound_mm=float(bound.max()),
-        median_position_bound_mm=float(np.median(bound)),
-        worst_force_bound_n=float(scores.force_bound_fresh_n.max()),
+        **means,
         **_false_forces(spec, signals),
-        **_two_contacts(spec, signals),
-        sensitivity_ratio=float(low / middle),
-        edge_position_bound_mm=float(bound[:, outermost_places(scores.grid)].mean()),
-        slip_place_mm=float(np.median(false["slip"])),
-        tolerance_place_mm=float(np.median(false["tolerance"])),
         compliance_deviation=compliance_deviation(
-            spec.search.compliance_mm_per_n, scores.grid, 1 / scores.stiffness_n_per_mm
+            spec.search.compliance_mm_per_n, near.grid, 1 / near.stiffness_n_per_mm
         ),
         saturation_margin=saturation_margin(signals, spec),
+        position_bounds_mm=_flat(one.position_bound_fresh_mm for one in places),
     )
+
+
+def _at_force(
+    spec: ObjectSpec, signals: Signals, forces: PressForces, motions: MagnetMotions
+) -> dict[str, Any]:
+    """Scores of presses to `score.force_n`."""
+    scores = score_places(spec, signals)
+    false = false_places_mm(spec, forces, motions, SLIP_MM)
+    bound = scores.position_bound_fresh_mm
+    low, middle = np.percentile(scores.delta_raw, [5.0, 50.0])
+    return {
+        "worst_position_bound_mm": float(bound.max()),
+        "percentile_99_position_bound_mm": float(np.percentile(bound, 99.0)),
+        "percentile_95_position_bound_mm": float(np.percentile(bound, 95.0)),
+        "median_position_bound_mm": float(np.median(bound)),
+        "worst_force_bound_n": float(scores.force_bound_fresh_n.max()),
+        **_two_contacts(spec, signals),
+        "sensitivity_ratio": float(low / middle),
+        "edge_position_bound_mm": float(bound[:, outermost_places(scores.grid)].mean()),
+        "slip_place_mm": float(np.median(false["slip"])),
+        "tolerance_place_mm": float(np.median(false["tolerance"])),
+        "places": scores,
+    }
+
+
+def worse_share(start: FidelityScore, found: FidelityScore) -> float:
+    """Share of (force, face, location) whose position bound is larger than the start's."""
+    return float(np.mean(_over(start, found) > 1))
+
+
+def over_start(start: FidelityScore, found: FidelityScore, but: float) -> float:
+    """Position bound over the start's that all (force, face, location) but a share keep."""
+    return float(np.percentile(_over(start, found), 100 * (1 - but)))
+
+
+def _over(start: FidelityScore, found: FidelityScore) -> Float[np.ndarray, "press"]:
+    return np.array(found.position_bounds_mm) / np.array(start.position_bounds_mm)
+
+
+def _flat(bounds_mm: Iterable[Any]) -> tuple[float, ...]:
+    """Arrays of one force after the other, as one list of numbers that JSON keeps."""
+    return tuple(np.concatenate([np.ravel(one) for one in bounds_mm]).tolist())
 
 
 def _false_forces(spec: ObjectSpec, signals: Signals) -> dict[str, float]:

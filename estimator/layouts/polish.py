@@ -15,7 +15,7 @@ from torch import Tensor
 
 from design.spec.object import ObjectSpec
 from design.spec.search import OBJECTIVES_TO_MAXIMIZE
-from estimator.layouts.batch_scores import batch_scores
+from estimator.layouts.batch_scores import OVER_START, PlaceBounds, batch_scores
 from estimator.layouts.scoring import LayoutScorer, within_candidates
 from estimator.layouts.vectors import LayoutSpace, broken_limits_mm, layouts_at
 
@@ -52,7 +52,8 @@ class LowestFidelity:
     """Scorers of the pressed faces for one structure, and what the structure itself decides.
 
     `constants` are scores that all its layouts share; `at_most` bounds scores (`sensitivity_ratio`
-    from below); `broken_mm` is what the structure breaks, in the currency of mm.
+    from below); `broken_mm` is what the structure breaks, in the currency of mm; `start` are the
+    bounds that no more than a share of places may exceed.
     """
 
     space: LayoutSpace
@@ -60,6 +61,7 @@ class LowestFidelity:
     constants: Mapping[str, float]
     at_most: Mapping[str, float]
     broken_mm: float = 0.0
+    start: PlaceBounds | None = None
 
 
 def judge(
@@ -75,6 +77,7 @@ def judge(
         lowest.scorers,
         [within_candidates(*pair) for pair in zip(lowest.scorers, layouts, strict=True)],
         named,
+        lowest.start,
     )
     for name, value in lowest.constants.items():
         scores[name] = torch.full_like(scores["worst_position_bound_mm"], value)
@@ -84,6 +87,8 @@ def judge(
     excess = _saturation(lowest.space.structured, scores["largest_resting_counts"])
     for name, most in lowest.at_most.items():
         excess = excess + torch.relu(_to_minimize(name, scores) / most - 1)
+    if lowest.start is not None:
+        excess = excess + torch.relu(scores[OVER_START] - 1)
     broken = broken.amax(dim=0) + lowest.broken_mm + _MM_PER_EXCESS * excess
     columns = [_to_minimize(name, scores) for name in objectives]
     return Judged(torch.stack(columns, dim=1).clamp(min=1e-9), broken, scores)

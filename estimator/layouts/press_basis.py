@@ -72,14 +72,15 @@ def press_basis(
     spec: ObjectSpec,
     motions: CandidateMotions,
     face: int,
+    force_n: float | None = None,
     own_rank: int | None = None,
     other_rank: int = OTHER_RANK,
     dtype: torch.dtype = torch.float32,
 ) -> PressBasis:
-    """Compress the presses of one face to the score's force.
+    """Compress the presses of one face to `force_n` (`score.force_n` by default).
 
-    Between and beyond the stored forces motions go on straight, so that places that the presses
-    could not load to `score.force_n` count as if they could. Derivatives in x and y are those of
+    Between and beyond the two stored forces that belong to it motions go on straight, so that places
+    that the presses could not load to it count as if they could. Derivatives in x and y are those of
     cubic splines through the contact locations, at constant force.
 
     Parameters
@@ -94,13 +95,13 @@ def press_basis(
         different sizes: one layout then does not fit all of them.
     """
     _check(motions, face)
+    force_n = force_n or spec.score.force_n
     frames = {frame.number: frame for frame in face_frames(spec)}
     here = frames.pop(face)
     others = sorted(frames.values(), key=lambda frame: _opposite(frame, here))
     adjacent = [frame.number for frame in others if not _opposite(frame, here)]
     own, *moving = (
-        _derivatives(motions, face, number, here.axes, spec.score.force_n)
-        for number in (face, *adjacent)
+        _derivatives(motions, face, number, here.axes, force_n) for number in (face, *adjacent)
     )
     scale = np.sqrt(np.mean(own**2, axis=(0, 1, 3)))
     scale = np.repeat(np.where(scale > 0, scale, 1.0), len(motions.places))
@@ -119,7 +120,7 @@ def press_basis(
         face,
         tuple(adjacent),
         opposite[0] if opposite else None,
-        spec.score.force_n,
+        force_n,
         motions.places,
         tensor(ends[:, 0]),
         tensor(ends[:, 1] - ends[:, 0]),
@@ -128,7 +129,7 @@ def press_basis(
         table(moving, other_rank),
         tensor([here.axes.T @ frame.axes for frame in others]),
         tensor([here.from_object(frame.centre_mm) for frame in others]),
-        _compliance(motions, face, spec.score.force_n),
+        _compliance(motions, face, force_n),
     )
 
 
@@ -190,9 +191,10 @@ def _compliance(
 ) -> Float[np.ndarray, "place"]:
     """Secant, straight between and beyond the stored forces."""
     row = motions.faces.tolist().index(pressed)
-    force, depth = motions.force_n[row], motions.depth_mm[row]
-    share = (force_n - force[:, 0]) / (force[:, -1] - force[:, 0])
-    return (depth[:, 0] + share * (depth[:, -1] - depth[:, 0])) / force_n
+    steps = motions.steps_around(force_n)
+    (low, high), depth = motions.force_n[row][:, steps].T, motions.depth_mm[row][:, steps]
+    share = (force_n - low) / (high - low)
+    return (depth[:, 0] + share * (depth[:, 1] - depth[:, 0])) / force_n
 
 
 def _opposite(a: FaceFrame, b: FaceFrame) -> bool:
@@ -229,10 +231,11 @@ def _derivatives(
     number = [lattice.face for lattice in motions.candidates].index(face)
     first = sum(len(lattice) for lattice in motions.candidates[:number])
     chosen = slice(first, first + len(motions.candidates[number]))
-    stored = np.asarray(motions.by_candidate[chosen, row, :, [0, -1]], dtype=float)
+    steps = motions.steps_around(force_n)
+    stored = np.asarray(motions.by_candidate[chosen, row, :, steps], dtype=float)
     low, high = stored.reshape(2, -1, *motions.places.shape, 2, 3) @ axes
-    force = motions.force_n[row].reshape(*motions.places.shape, -1, 1, 1)
-    per_n = (high - low) / (force[:, :, -1] - force[:, :, 0])
+    force = motions.force_n[row][:, steps].reshape(*motions.places.shape, 2, 1, 1)
+    per_n = (high - low) / (force[:, :, 1] - force[:, :, 0])
     motion = low + per_n * (force_n - force[:, :, 0])
     along_x, along_y = (
         make_interp_spline(nodes, np.eye(len(nodes)), k=3)(nodes, nu=1)

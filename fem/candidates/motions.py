@@ -74,7 +74,7 @@ class CandidateMotions:
     `by_candidate` (candidate, face, place, step, 6): displacement (mm) and rotation (rad) in the
     object's frame; candidates run face by face as in `candidates`; memory-mapped where it was
     loaded. A layout gathers few candidates of all presses, hence the order. Steps are presses to
-    `force_n` (N), at `depth_mm`, of places in `places`.
+    `force_n` (N), at `depth_mm`, of places in `places`: two for each judged force.
     """
 
     faces: Int[np.ndarray, "face"]
@@ -89,6 +89,17 @@ class CandidateMotions:
     def motion(self) -> Float32[np.ndarray, "face place step candidate 6"]:
         """The same numbers in the order of `MagnetMotions` (a view)."""
         return np.moveaxis(self.by_candidate, 0, 3)
+
+    def steps_around(self, force_n: float) -> list[int]:
+        """The pair of steps of the judged force nearest to `force_n`; one force has all steps.
+
+        A place that cannot be loaded so far counts with the places that can.
+        """
+        if self.force_n.shape[2] < 4:
+            return [0, self.force_n.shape[2] - 1]
+        middle = self.force_n.max(axis=(0, 1)).reshape(-1, 2).mean(axis=1)
+        nearest = int(abs(middle - force_n).argmin())
+        return [2 * nearest, 2 * nearest + 1]
 
     def at(
         self,

@@ -58,8 +58,8 @@ def simulate_candidates(
 ) -> CandidateMotions:
     """Press every contact location on a magnet-free mesh, record every candidate, write the folder.
 
-    Presses go to `force_shares` of `spec.score.force_n`, or of less where the deepest simulated
-    press does not reach the largest of them. Between simulated depths pressures are interpolated
+    Presses go to `force_shares` of every one of `spec.judged_forces_n`, or of less where the deepest
+    simulated press does not reach the largest share. Between simulated depths pressures are interpolated
     linearly: forces and equilibrium stay exact. A slip of the core is left out.
 
     Raises
@@ -94,7 +94,9 @@ def simulate_candidates(
 def presses_at_forces(
     spec: ObjectSpec, response: ResponseOperator, face_index: int, force_shares: Sequence[float]
 ) -> PressesAtForce:
-    """Contact at shares of the score's force at every contact location of one face.
+    """Contact at shares of every judged force at every contact location of one face.
+
+    Steps are the shares of the first force, then of the second, and so on.
 
     Raises
     ------
@@ -107,7 +109,8 @@ def presses_at_forces(
     pressed = np.concatenate([np.zeros_like(pressed[:, :1]), pressed], axis=1)
     reached = pressed @ surface_weights_mm2(response.surfaces[face_index])
     shares = np.asarray(force_shares)
-    force = shares * np.minimum(spec.score.force_n, reached[:, -1:] / shares.max())
+    most = np.minimum(np.array(spec.judged_forces_n), reached[:, -1:] / shares.max())
+    force = (shares * most[:, :, None]).reshape(len(places), -1)
     after = np.argmax(reached[:, None] >= force[:, :, None] * (1 - 1e-12), axis=2)
     place = np.arange(len(places))[:, None]
     low, high = reached[place, after - 1], reached[place, after]

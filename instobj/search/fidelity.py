@@ -95,11 +95,11 @@ class TwinRatio:
 
 
 def twin_ratios(start: ObjectSpec, found: ObjectSpec, twins: int = TWINS) -> dict[str, TwinRatio]:
-    """Bounds of toleranced twins of the start over those of a layout: worst, median, edge.
+    """Bounds of toleranced twins of the start over those of a layout.
 
     Twins share their design's mechanics; `tolerances` of each specification sizes their errors.
-    Places that reach `score.force_n` only near the deepest press are judged at less force, of
-    both alike (`estimator.tolerances.budget`).
+    Geometric means over the judged forces. Places that reach a force only near the deepest press are
+    judged at less force, of both alike (`estimator.tolerances.budget`).
     """
     before, after = (_bounds_of_twins(spec, twins) for spec in (start, found))
     return {
@@ -114,15 +114,22 @@ def _bounds_of_twins(spec: ObjectSpec, twins: int) -> dict[str, Float[np.ndarray
     """The design first, then its twins."""
     from estimator.tolerances.budget import twin_bounds
 
-    presses = Run(spec).read(PRESSES)
-    bounds = twin_bounds(spec, *presses, twins)
-    position, force = bounds["position_mm"], bounds["force_n"]
-    return {
-        "worst_position_bound_mm": np.nanmax(position, axis=1),
-        "median_position_bound_mm": np.nanmedian(position, axis=1),
-        "edge_position_bound_mm": np.nanmean(position[:, _at_edges(spec)], axis=1),
-        "worst_force_bound_n": np.nanmax(force, axis=1),
-    }
+    presses, each = Run(spec).read(PRESSES), []
+    for force_n in spec.judged_forces_n:
+        at_force = spec.changed(score=spec.score.changed(force_n=force_n))
+        bounds = twin_bounds(at_force, *presses, twins)
+        position, force = bounds["position_mm"], bounds["force_n"]
+        each.append(
+            {
+                "worst_position_bound_mm": np.nanmax(position, axis=1),
+                "percentile_99_position_bound_mm": np.nanpercentile(position, 99, axis=1),
+                "percentile_95_position_bound_mm": np.nanpercentile(position, 95, axis=1),
+                "median_position_bound_mm": np.nanmedian(position, axis=1),
+                "edge_position_bound_mm": np.nanmean(position[:, _at_edges(spec)], axis=1),
+                "worst_force_bound_n": np.nanmax(force, axis=1),
+            }
+        )
+    return {name: np.exp(np.mean([np.log(one[name]) for one in each], axis=0)) for name in each[0]}
 
 
 def _at_edges(spec: ObjectSpec) -> Bool[np.ndarray, "press"]:
@@ -141,6 +148,8 @@ def score_row(score: FidelityScore) -> dict[str, Any]:
     """A score with the names and units that tables show."""
     return {
         "worst place mm": score.worst_position_bound_mm,
+        "99 % place mm": score.percentile_99_position_bound_mm,
+        "95 % place mm": score.percentile_95_position_bound_mm,
         "median place mm": score.median_position_bound_mm,
         "worst force N": score.worst_force_bound_n,
         "false N": score.median_false_force_n,

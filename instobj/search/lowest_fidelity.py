@@ -9,6 +9,7 @@ from __future__ import annotations
 import json
 import zlib
 from collections.abc import Callable
+from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
@@ -30,9 +31,14 @@ from design.search.structure import with_structure
 from design.spec.object import ObjectSpec
 from design.spec.search import OBJECTIVES_TO_MAXIMIZE
 from design.spec_io import parse_spec
-from estimator.information.scores import compliance_deviation
 from estimator.layouts.batch import layouts_of
-from estimator.layouts.batch_scores import DEARER, batch_scores
+from estimator.layouts.batch_scores import (
+    DEARER,
+    PlaceBounds,
+    batch_scores,
+    position_bounds,
+    unevenness,
+)
 from estimator.layouts.polish import Judged, LowestFidelity, judge, polish
 from estimator.layouts.press_basis import press_basis
 from estimator.layouts.scoring import LayoutScorer, layout_scorer
@@ -46,6 +52,14 @@ _UNFIT_MM = 0.5
 
 
 Evaluate = Callable[[list[dict[str, Any]]], list[Scored]]
+
+
+@dataclass(frozen=True)
+class StartScores:
+    """The specification as it is at the lowest level; `position_mm` (1, place) by force and face."""
+
+    scores: dict[str, float]
+    position_mm: dict[tuple[float, int], torch.Tensor]
 
 
 def lowest_fidelity(spec_json: str) -> Evaluate:
@@ -65,34 +79,44 @@ def lowest_fidelity(spec_json: str) -> Evaluate:
 
 
 def structure_fidelity(
-    space: SearchSpace, params: dict[str, Any], start: dict[str, float]
+    space: SearchSpace, params: dict[str, Any], start: StartScores
 ) -> LowestFidelity:
     """Scorers of a structure, from stored mechanics or after it."""
     structured = with_structure(space.spec, params)
     every = scorers(structured, pressed_faces(structured))
+    share = structured.search.limits.places_worse
+    before = PlaceBounds(tuple(start.position_mm[_pressed(one)] for one in every), share)
     constants, broken = decided_by_structure(structured, every), broken_by_structure(structured)
     limits = structured.search.limits.times_start
     at_most = {
-        name: 1 / (factor * start[name]) if name in OBJECTIVES_TO_MAXIMIZE else factor * start[name]
+        name: 1 / (factor * start.scores[name])
+        if name in OBJECTIVES_TO_MAXIMIZE
+        else factor * start.scores[name]
         for name, factor in limits.items()
     }
-    return LowestFidelity(layout_space(space, structured), every, constants, at_most, broken)
+    return LowestFidelity(
+        layout_space(space, structured),
+        every,
+        constants,
+        at_most,
+        broken,
+        None if share == 1 else before,
+    )
 
 
 def decided_by_structure(spec: ObjectSpec, faces: tuple[LayoutScorer, ...]) -> dict[str, float]:
     """Scores that all layouts of a structure share at the lowest fidelity level."""
-    compliance = np.stack([scorer.presses.mm_per_n for scorer in faces])
-    wanted, grid = spec.search.compliance_mm_per_n, faces[0].presses.places
-    return {
-        "cost": cost(spec),
-        "compliance_deviation": compliance_deviation(wanted, grid, compliance),
-    }
+    return {"cost": cost(spec), "compliance_deviation": unevenness(spec, faces)}
 
 
 def scorers(spec: ObjectSpec, faces: tuple[int, ...]) -> tuple[LayoutScorer, ...]:
-    """A scorer for every pressed face, on the stage `candidates`."""
+    """A scorer for every judged force and pressed face, on the stage `candidates`."""
     motions = load_candidates(Run(spec).require("candidates").folder)
-    return tuple(layout_scorer(spec, press_basis(spec, motions, face)) for face in faces)
+    return tuple(
+        layout_scorer(spec, press_basis(spec, motions, face, force))
+        for force in spec.judged_forces_n
+        for face in faces
+    )
 
 
 def pressed_faces(spec: ObjectSpec) -> tuple[int, ...]:
@@ -105,14 +129,20 @@ def pressed_faces(spec: ObjectSpec) -> tuple[int, ...]:
     return few if alike and {*few} <= {*spec.body.sensed} else spec.body.sensed
 
 
-def start_scores(spec: ObjectSpec) -> dict[str, float]:
-    """Lowest-fidelity scores of the specification as it is."""
-    faces = spec.body.sensed
-    found = scorers(spec, faces)
+def start_scores(spec: ObjectSpec) -> StartScores:
+    """Lowest-fidelity scores of the specification as it is, and its position bounds place by place."""
+    found = scorers(spec, spec.body.sensed)
+    layouts = [layouts_of(spec, one.presses.face) for one in found]
     with torch.no_grad():
-        scores = batch_scores(found, [layouts_of(spec, face) for face in faces], DEARER)
+        scores = batch_scores(found, layouts, DEARER)
+        bounds = position_bounds(found, layouts)
     own = {name: float(value) for name, value in scores.items()}
-    return own | decided_by_structure(spec, found)
+    by_press = {_pressed(one): bound for one, bound in zip(found, bounds, strict=True)}
+    return StartScores(own | decided_by_structure(spec, found), by_press)
+
+
+def _pressed(scorer: LayoutScorer) -> tuple[float, int]:
+    return scorer.presses.force_n, scorer.presses.face
 
 
 def score_trials(

@@ -9,7 +9,7 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import AbstractContextManager, ExitStack, contextmanager
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, fields
 from pathlib import Path
 from typing import Any
 
@@ -27,7 +27,9 @@ from estimator.layouts.fidelity import (
     SCORE_NAMES,
     FidelityScore,
     lowest_fidelity_score,
+    over_start,
     rank_correlations,
+    worse_share,
 )
 from estimator.layouts.scoring import LayoutScorer
 from instobj.search.fidelity import (
@@ -47,6 +49,8 @@ _APART = 0.05
 """Of the unit cube: leaders differ by at least that much in some variable."""
 _EXCESS_WEIGHT = 10.0
 FIRST, SECOND, LAST = "1", "2", "3"
+
+_KEPT = {field.name for field in fields(FidelityScore)}
 
 Say = Callable[[str], None]
 
@@ -199,9 +203,12 @@ def merit(search: SearchSpec, one: Promoted, start: Promoted, level: str) -> flo
 
 
 def excess(search: SearchSpec, one: Promoted, start: Promoted, level: str) -> dict[str, float]:
-    """Shares by which limits of `times_start` are exceeded and by which range is lacking."""
+    """Shares by which limits are exceeded, those on places worse than the start's included."""
     lacking = one.spec.limits.saturation_margin - one.levels[level].saturation_margin
     found = {"saturation_margin": lacking}
+    if search.limits.places_worse < 1:
+        pair = start.levels[level], one.levels[level]
+        found["places_worse"] = over_start(*pair, search.limits.places_worse) - 1
     for name, factor in search.limits.times_start.items():
         most = 1 / factor if name in OBJECTIVES_TO_MAXIMIZE else factor
         found[name] = _over_start(name, one, start, level) / most - 1
@@ -216,7 +223,14 @@ def objections(
     if _mean_log(search, best, start, LAST) >= 0:
         found.append("the objectives' mean is not better")
     for name, share in excess(search, best, start, LAST).items():
-        found.append(f"{name} misses its limit by {100 * share:.2g} %")
+        if name == "places_worse":
+            worse = worse_share(start.levels[LAST], best.levels[LAST])
+            found.append(
+                f"the position bound is larger than the start's at {100 * worse:.2g} % of contact "
+                f"locations and forces, more than places_worse = {search.limits.places_worse:g}"
+            )
+        else:
+            found.append(f"{name} misses its limit by {100 * share:.2g} %")
     first = search.objectives[0]
     if first in ratios and ratios[first].low <= 1:
         found.append(f"{first} is not better in 95 % of pairs of twins")
@@ -261,7 +275,7 @@ def _score(
     with scoring() as score:
         for one in layouts:
             key = f"{level} {spec_hash(one.spec)}"
-            if known.get(key, {}).keys() != set(SCORE_NAMES):
+            if known.get(key, {}).keys() != _KEPT:
                 if len(left) > 1 and enough():
                     say(f"fidelity level {level}: {one.label} falls out: time runs short")
                     continue
@@ -275,9 +289,15 @@ def _score(
                     continue
                 with atomic_path(memo) as temporary:
                     temporary.write_text(json.dumps(known, indent=1), encoding="utf-8")
-            one.levels[level] = FidelityScore(**{name: known[key][name] for name in SCORE_NAMES})
+            one.levels[level] = _score_of(known[key])
             left.append(one)
     return left
+
+
+def _score_of(kept: dict[str, Any]) -> FidelityScore:
+    """A score that JSON kept."""
+    bounds_mm = tuple(kept["position_bounds_mm"])
+    return FidelityScore(**{name: kept[name] for name in SCORE_NAMES}, position_bounds_mm=bounds_mm)
 
 
 _SCORER = ("magnet_part", "sensor_chip", "sensor_turn_deg", "sensor_range_mt")

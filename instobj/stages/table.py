@@ -144,7 +144,7 @@ STAGES: dict[str, Stage] = {
             "contact_grid",
             "indenter",
             "press",
-            "score.force_n",
+            *("score.force_n", "search.forces_n"),
             "shell.pocket_diameter_mm",
             "shell_body_outline",
         ),

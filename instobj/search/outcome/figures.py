@@ -22,6 +22,8 @@ _SENSOR = "#0a8f5a"
 _FACE = 1
 LABELS = {
     "worst_position_bound_mm": "worst location, position bound (mm)",
+    "percentile_99_position_bound_mm": "99th percentile of locations, position bound (mm)",
+    "percentile_95_position_bound_mm": "95th percentile of locations, position bound (mm)",
     "median_position_bound_mm": "median location, position bound (mm)",
     "worst_force_bound_n": "worst location, force bound (N)",
     "median_false_force_n": "false force by the next face (N), median",

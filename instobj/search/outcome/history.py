@@ -14,7 +14,7 @@ from design.search.space import SearchSpace, params_at, structure_of
 from design.spec.search import OBJECTIVES_TO_MAXIMIZE
 from estimator.layouts.polish import LowestFidelity, judge
 from instobj.search.loop import is_feasible
-from instobj.search.lowest_fidelity import start_scores, structure_fidelity
+from instobj.search.lowest_fidelity import StartScores, start_scores, structure_fidelity
 from instobj.search.study import KeptStudy
 
 _MOST_RANDOM = 8192
@@ -54,7 +54,7 @@ def search_history(space: SearchSpace, kept: KeptStudy) -> History:
         names,
         np.array([[trial.user_attrs["scores"][name] for name in names] for trial in finished]),
         np.array([is_feasible(trial) for trial in finished]),
-        np.array([start[name] for name in names]),
+        np.array([start.scores[name] for name in names]),
         found,
         at,
         scorings,
@@ -72,7 +72,7 @@ def best_so_far(
 
 
 def _random_search(
-    space: SearchSpace, start: dict[str, float], count: int
+    space: SearchSpace, start: StartScores, count: int
 ) -> tuple[Float[np.ndarray, "found objective"], Float[np.ndarray, "found"]]:
     """Scores of the feasible ones of `count` random layouts, of one structure a chunk."""
     rng, names = np.random.default_rng(space.spec.seed), space.spec.search.objectives

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from math import isnan
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -14,6 +14,7 @@ from design.files import atomic_path
 from design.layout.coverage import covered_share
 from design.layout.pockets import magnet_bodies
 from design.spec.object import ObjectSpec
+from estimator.layouts.fidelity import SCORE_NAMES
 from instobj.report.pages import render, shown
 from instobj.search.fidelity import METRIC_LABELS
 from instobj.search.outcome.figures import (
@@ -79,6 +80,7 @@ def write_search_page(
         **_estimators(found),
         **_levels(found, history.names, figures),
         **_search(history, figures),
+        **_forces(found, figures),
     )
     path = folder / "search.html"
     with atomic_path(path) as temporary:
@@ -89,11 +91,8 @@ def write_search_page(
 def _highest(found: Promotion) -> list[list[str]]:
     return [
         [_label(name), f"{before:.4g}", f"{after:.4g}", _change(name, before, after)]
-        for (name, before), after in zip(
-            asdict(found.start.levels["3"]).items(),
-            asdict(found.best.levels["3"]).values(),
-            strict=True,
-        )
+        for name in SCORE_NAMES
+        for before, after in [[getattr(one.levels["3"], name) for one in (found.start, found.best)]]
         if not isnan(before)  # what this object has none of
     ]
 
@@ -106,6 +105,42 @@ def _cross_face(results: ChainResults) -> list[list[str]]:
         return []
     label = "false force by the next face (N), largest"
     return [[label, f"{before:.4g}", f"{after:.4g}", _change(_LARGEST, before, after)]]
+
+
+def _forces(found: Promotion, folder: Path) -> dict[str, Any]:
+    """Bounds force by force, and where a location is worse than it was."""
+    from instobj.figures.maps.overview import draw_overview
+    from instobj.figures.maps.scale import finite_limits
+
+    spec, faces = found.best.spec, found.best.spec.body.sensed
+    forces = spec.judged_forces_n
+    before, after = (
+        np.array(one.levels["3"].position_bounds_mm).reshape(len(forces), len(faces), -1)
+        for one in (found.start, found.best)
+    )
+    ratio = after / before
+    rows = []
+    for force, old, new, over in zip(forces, before, after, ratio, strict=True):
+        row = [f"{force:g}"]
+        for percent in (100, 99, 50):
+            pair = [float(np.percentile(bounds, percent)) for bounds in (old, new)]
+            row += [f"{pair[0]:.3g} → {pair[1]:.3g}", f"{pair[0] / pair[1]:.2f}"]
+        rows.append([*row, f"{100 * np.mean(over > 1):.1f} %"])
+    path, largest = folder / "position_bound_over_start.png", ratio.max(axis=0)
+    every = ", ".join(f"{force:g}" for force in forces)
+    draw_overview(
+        largest,
+        np.array(faces),
+        spec,
+        f"Position bound after the search over before, largest of {every} N",
+        "times",
+        *finite_limits(largest.ravel()),
+        path,
+        note=f"Above 1 a location got worse: {100 * np.mean(ratio > 1):.1f} % of locations and forces.",
+    )
+    header = ["N", "worst, mm", "times better", "99 %, mm", "times better", "median, mm"]
+    header += ["times better", "locations worse"]
+    return {"force_header": header, "forces": rows, "over_start": path}
 
 
 def _change(name: str, before: float, after: float) -> str:

@@ -15,6 +15,7 @@ from design.layout.coverage import covered_share
 from design.search.space import SearchSpace
 from design.spec.object import ObjectSpec
 from design.spec.search import SearchSpec
+from estimator.layouts.fidelity import SCORE_NAMES
 from instobj.search.outcome.history import search_history
 from instobj.search.outcome.page import ChainResults, write_search_page
 from instobj.search.promotion import Promoted, Promotion
@@ -74,7 +75,10 @@ def write_specification(spec: ObjectSpec, name: str, path: Path, beside: Path) -
 
 def _results(found: Promotion) -> dict[str, Any]:
     def promoted(one: Promoted) -> dict[str, Any]:
-        levels = {level: asdict(score) for level, score in one.levels.items()}
+        levels = {
+            level: {name: getattr(score, name) for name in SCORE_NAMES}
+            for level, score in one.levels.items()
+        }
         return {"layout": one.label, "trial": one.trial, "rungs": levels}
 
     return json.loads(

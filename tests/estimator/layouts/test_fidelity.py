@@ -8,6 +8,7 @@ import torch
 from numpy.testing import assert_allclose
 
 from design.layout.body import face_frames
+from design.spec.object import ScoreSpec
 from estimator.field.models import FieldModel
 from estimator.field.sources import magnet_source
 from estimator.information.cross_face import LEAST_FALSE_FORCE_N, cross_face_disturbance
@@ -21,8 +22,10 @@ from estimator.layouts.fidelity import (
     FidelityScore,
     gains,
     lowest_fidelity_score,
+    over_start,
     rank_correlations,
     score_signals,
+    worse_share,
 )
 from estimator.layouts.press_basis import press_basis
 from estimator.layouts.scoring import layout_scorer, place_information, press_changes
@@ -200,8 +203,27 @@ def test_a_score_of_signals_is_that_of_its_parts():
     assert_allclose(found.compliance_deviation, travel.std() / travel.mean(), rtol=1e-9)
 
 
+def test_a_range_of_forces_is_judged_by_geometric_means():
+    forces = (1.0, 2.5)
+    spec = coarse_spec(search={"forces_n": forces})
+    presses = synthetic_presses(spec)
+    signals = press_signals(spec, *presses)
+    found = score_signals(spec, signals, *presses)
+    each = [score_places(spec.changed(score=ScoreSpec(force_n=n)), signals) for n in forces]
+    bounds = np.array([one.position_bound_fresh_mm for one in each])
+    assert_allclose(found.position_bounds_mm, bounds.ravel(), rtol=1e-12)
+    wanted = np.prod([np.percentile(one, 99) for one in bounds]) ** 0.5
+    assert_allclose(found.percentile_99_position_bound_mm, wanted, rtol=1e-12)
+    assert_allclose(found.worst_position_bound_mm, np.prod(bounds.max((1, 2))) ** 0.5, rtol=1e-12)
+    better = replace(found, position_bounds_mm=tuple((0.5 * bounds.ravel()).tolist()))
+    assert worse_share(better, found) == 1
+    assert over_start(better, found, 0.02) == pytest.approx(2)
+
+
 START = FidelityScore(
     worst_position_bound_mm=1.5,
+    percentile_99_position_bound_mm=1.2,
+    percentile_95_position_bound_mm=1.0,
     median_position_bound_mm=0.5,
     worst_force_bound_n=2.5,
     median_false_force_n=1.2,
@@ -215,6 +237,7 @@ START = FidelityScore(
     tolerance_place_mm=0.4,
     compliance_deviation=0.1,
     saturation_margin=0.8,
+    position_bounds_mm=tuple(np.linspace(0.3, 1.5, 200).tolist()),
 )
 
 

@@ -9,9 +9,16 @@ from numpy.testing import assert_allclose
 
 from design.search.space import search_space
 from design.search.structure import with_structure
+from design.spec.object import ScoreSpec
 from design.spec.search import SearchSpec
 from estimator.layouts.batch import layouts_of
-from estimator.layouts.batch_scores import DEARER, batch_scores
+from estimator.layouts.batch_scores import (
+    DEARER,
+    OVER_START,
+    PlaceBounds,
+    batch_scores,
+    position_bounds,
+)
 from estimator.layouts.cross_face import false_forces_n
 from estimator.layouts.fidelity import lowest_fidelity_score
 from estimator.layouts.polish import LowestFidelity, judge, polish
@@ -20,7 +27,7 @@ from estimator.layouts.robustness import slip_places_mm
 from estimator.layouts.scoring import layout_scorer
 from estimator.layouts.two_contacts import pairs_all_mm, pairs_own_mm
 from estimator.layouts.vectors import layout_space
-from tests.support.candidate_cases import made_up_motions, made_up_spec
+from tests.support.candidate_cases import made_up_motions, made_up_spec, random_layouts
 
 FACES = (1, 3)
 OBJECTIVES = ("worst_position_bound_mm",)
@@ -72,6 +79,54 @@ def test_scores_are_pooled_over_the_places_of_all_faces(lowest):
         wanted = np.percentile(torch.cat(pooled).numpy(), percent)
         assert_allclose(float(found[name][0]), wanted, rtol=1e-4)
     assert found["grasp_position_bound_mm"].isnan().all(), "no two of the faces are opposite"
+
+
+def test_every_force_counts_alike_and_places_are_held_against_the_start(lowest):
+    """Steps of two forces by hand: geometric means of the scores at each."""
+    spec, forces = lowest.space.structured, (3.0, 8.0)
+    low, high = (made_up_motions(spec.changed(score=ScoreSpec(force_n=n))) for n in forces)
+    low.by_candidate[..., :3] *= 0.5
+    both = replace(
+        low,
+        force_n=np.concatenate([low.force_n, high.force_n], axis=2),
+        depth_mm=np.concatenate([low.depth_mm, high.depth_mm], axis=2),
+        by_candidate=np.concatenate([low.by_candidate, high.by_candidate], axis=3),
+    )
+    pooled = [
+        layout_scorer(spec, press_basis(spec, both, face, n)) for n in forces for face in FACES
+    ]
+    alone = [
+        [layout_scorer(spec, press_basis(spec, motions, face, n)) for face in FACES]
+        for motions, n in zip((low, high), forces, strict=True)
+    ]
+    layouts = [random_layouts(4, seed=face) for face in FACES]
+    found = batch_scores(pooled, layouts * 2, DEARER)
+    each = [batch_scores(scorers, layouts, DEARER) for scorers in alone]
+    for name in (
+        "percentile_99_position_bound_mm",
+        "worst_force_bound_n",
+        "pair_own_position_bound_mm",
+    ):
+        a, b = (scores[name] for scores in each)
+        assert abs(a / b - 1).mean() > 0.1
+        assert_allclose(found[name], (a * b).sqrt(), rtol=1e-4)
+    assert_allclose(found["median_false_force_n"], each[1]["median_false_force_n"], rtol=1e-4)
+    bounds = position_bounds(pooled, layouts * 2)
+    before = PlaceBounds(tuple(bound[:1] for bound in bounds), 0.02)
+    over = batch_scores(pooled, layouts * 2, [], before)[OVER_START]
+    ratio = torch.cat(bounds, dim=1) / torch.cat(bounds, dim=1)[:1]
+    assert_allclose(over, np.percentile(ratio, 98, axis=1), rtol=1e-5)
+    assert_allclose(over[0], 1, rtol=1e-6)
+
+
+def test_a_layout_that_is_worse_in_too_many_places_breaks_a_limit(lowest, units):
+    layouts = [layouts_of(lowest.space.structured, face) for face in FACES]
+    bounds = position_bounds(lowest.scorers, layouts)
+    kinder = replace(lowest, start=PlaceBounds(tuple(100 * bound for bound in bounds), 0.02))
+    harder = replace(lowest, start=PlaceBounds(tuple(bound / 100 for bound in bounds), 0.02))
+    free, kept, broken = (judged(one, units).broken_mm for one in (lowest, kinder, harder))
+    assert_allclose(kept, free)
+    assert (broken > free + 1).all()
 
 
 def test_dear_scores_are_worked_out_only_where_they_are_named(lowest):

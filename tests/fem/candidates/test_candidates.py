@@ -120,6 +120,14 @@ def test_forces_are_those_asked_for_or_shares_of_the_reachable(cube, spec, table
     assert_allclose(press.force_n[:, 0], press.force_n[:, 1] / 2, rtol=1e-12)
 
 
+def test_a_force_out_of_reach_leaves_the_others_as_they_are(cube, spec):
+    search = spec.search.changed(forces_n=(0.5, 1.0, 500.0))
+    press = presses_at_forces(spec.changed(search=search), cube.response, 0, (0.8, 1.2))
+    assert_allclose(press.force_n[:, :4], np.tile([0.4, 0.6, 0.8, 1.2], (len(press.force_n), 1)))
+    assert_allclose(press.depth_mm[:, 5], spec.press.depths_mm[-1], rtol=1e-12)
+    assert_allclose(press.force_n[:, 4], press.force_n[:, 5] / 1.5, rtol=1e-12)
+
+
 def test_at_a_candidate_interpolation_gives_its_own_motion(table):
     lattice = table.candidates[FACE - 1]
     index = np.array([0, 17, len(lattice) - 1])

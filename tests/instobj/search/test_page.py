@@ -76,7 +76,9 @@ def results(tmp_path):
 def promote(objections):
     def promoted(label, trial, value, **content):
         spec = parse_spec({"name": "a", **content}, "a")
-        score = FidelityScore(**dict.fromkeys(SCORE_NAMES, value))
+        score = FidelityScore(
+            **dict.fromkeys(SCORE_NAMES, value), position_bounds_mm=(value,) * 500
+        )
         return Promoted(label, trial, spec, dict.fromkeys(("1", "2", "3"), score))
 
     moved = {"positions_mm": [[0, 0], [9, 8], [-9, 8], [9, -8], [-8, -9]]}

@@ -12,6 +12,8 @@ from tests.support.search_cases import made_up_spec
 
 START = FidelityScore(
     worst_position_bound_mm=1.5,
+    percentile_99_position_bound_mm=1.2,
+    percentile_95_position_bound_mm=1.0,
     median_position_bound_mm=0.5,
     worst_force_bound_n=2.5,
     median_false_force_n=1.2,
@@ -25,13 +27,17 @@ START = FidelityScore(
     tolerance_place_mm=0.9,
     compliance_deviation=0.1,
     saturation_margin=0.8,
+    position_bounds_mm=tuple(np.linspace(0.3, 1.5, 200).tolist()),
 )
 BETTER = replace(START, worst_position_bound_mm=0.6, slip_place_mm=0.5)
+_HERE_AND_THERE = np.where(np.arange(200) % 40 == 7, 1.3, 0.9)
+"""Of the start's bounds: worse at 2.5 % of the locations."""
 SURE = {"worst_position_bound_mm": TwinRatio(2.5, 1.4, 4.0)}
 
 
-def objected(best, ratios=SURE, factor=1.0, **search):
-    limits = {"times_start": {"median_false_force_n": factor, "sensitivity_ratio": factor}}
+def objected(best, ratios=SURE, factor=1.0, places_worse=0.02, **search):
+    times_start = {"median_false_force_n": factor, "sensitivity_ratio": factor}
+    limits = {"times_start": times_start, "places_worse": places_worse}
     spec = made_up_spec(limits=limits, **search)
     layouts = [Promoted("a layout", None, spec, {LAST: score}) for score in (best, START)]
     return objections(spec.search, *layouts, ratios)
@@ -48,7 +54,18 @@ FAULTS = {
     "median_false_force_n misses its limit by 50 %": replace(BETTER, median_false_force_n=1.8),
     "sensitivity_ratio misses its limit by 1e+02 %": replace(BETTER, sensitivity_ratio=0.15),
     "saturation_margin": replace(BETTER, saturation_margin=0.01),
+    "larger than the start's at 2.5 % of contact locations and forces, more than places_worse = 0.02": (
+        replace(
+            BETTER, position_bounds_mm=tuple(np.multiply(START.position_bounds_mm, _HERE_AND_THERE))
+        )
+    ),
 }
+
+
+def test_more_worse_locations_are_a_matter_of_what_the_user_allows():
+    worse = next(fault for text, fault in FAULTS.items() if text.startswith("larger than"))
+    assert objected(worse, places_worse=0.03) == ()
+    assert objected(replace(worse, position_bounds_mm=(9.0,) * 200), places_worse=1.0) == ()
 
 
 @pytest.mark.parametrize("text", FAULTS)

@@ -97,7 +97,9 @@ def promoted(tmp_path, monkeypatch, clock):
             def score(spec):
                 clock.now_s += seconds
                 worth = 1.0 + 0.01 * len(spec.magnets.positions_mm)
-                return FidelityScore(**dict.fromkeys(SCORE_NAMES, worth))
+                return FidelityScore(
+                    **dict.fromkeys(SCORE_NAMES, worth), position_bounds_mm=(worth,)
+                )
 
             yield score
 
