@@ -33,8 +33,10 @@ Judge = Callable[[Float[Tensor, "layout variable"]], "Judged"]
 class Judged:
     """What layouts are worth: every objective as something to minimise, above 0.
 
-    `broken_mm` is 0 where all limits are kept; `scores` are those of the lowest fidelity level, with the
-    objectives that the structure alone decides.
+    A layout with a larger position bound than the start's in too many places is worth less by that
+    ratio; it breaks no limit here, as this level's bounds of single places are too rough for it.
+    `broken_mm` is 0 where all limits are kept; `scores` are those of the lowest fidelity level, with
+    the objectives that the structure alone decides.
     """
 
     objectives: Float[Tensor, "layout objective"]
@@ -53,7 +55,7 @@ class LowestFidelity:
 
     `constants` are scores that all its layouts share; `at_most` bounds scores (`sensitivity_ratio`
     from below); `broken_mm` is what the structure breaks, in the currency of mm; `start` are the
-    bounds that no more than a share of places may exceed.
+    bounds that no more than a share of places should exceed.
     """
 
     space: LayoutSpace
@@ -87,11 +89,11 @@ def judge(
     excess = _saturation(lowest.space.structured, scores["largest_resting_counts"])
     for name, most in lowest.at_most.items():
         excess = excess + torch.relu(_to_minimize(name, scores) / most - 1)
-    if lowest.start is not None:
-        excess = excess + torch.relu(scores[OVER_START] - 1)
     broken = broken.amax(dim=0) + lowest.broken_mm + _MM_PER_EXCESS * excess
-    columns = [_to_minimize(name, scores) for name in objectives]
-    return Judged(torch.stack(columns, dim=1).clamp(min=1e-9), broken, scores)
+    worth = torch.stack([_to_minimize(name, scores) for name in objectives], dim=1)
+    if lowest.start is not None:
+        worth = worth * scores[OVER_START].clamp(min=1)[:, None]
+    return Judged(worth.clamp(min=1e-9), broken, scores)
 
 
 def _to_minimize(name: str, scores: dict[str, Tensor]) -> Float[Tensor, "layout"]:

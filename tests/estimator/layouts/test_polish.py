@@ -119,14 +119,16 @@ def test_every_force_counts_alike_and_places_are_held_against_the_start(lowest):
     assert_allclose(over[0], 1, rtol=1e-6)
 
 
-def test_a_layout_that_is_worse_in_too_many_places_breaks_a_limit(lowest, units):
+def test_a_layout_that_is_worse_in_too_many_places_is_worth_less_by_that_ratio(lowest, units):
     layouts = [layouts_of(lowest.space.structured, face) for face in FACES]
     bounds = position_bounds(lowest.scorers, layouts)
     kinder = replace(lowest, start=PlaceBounds(tuple(100 * bound for bound in bounds), 0.02))
     harder = replace(lowest, start=PlaceBounds(tuple(bound / 100 for bound in bounds), 0.02))
-    free, kept, broken = (judged(one, units).broken_mm for one in (lowest, kinder, harder))
-    assert_allclose(kept, free)
-    assert (broken > free + 1).all()
+    free, kept, worse = (judged(one, units) for one in (lowest, kinder, harder))
+    assert_allclose(kept.penalized, free.penalized)
+    ratio = worse.scores[OVER_START][:, None]
+    assert (ratio > 20).all()
+    assert_allclose(worse.penalized, ratio * free.penalized, rtol=1e-5)
 
 
 def test_dear_scores_are_worked_out_only_where_they_are_named(lowest):
