@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Annotated
 
 import typer
@@ -47,6 +48,22 @@ def worker(
     from instobj.search.optimize import work
 
     show(work(spec, out, overrides or [], storage, number), as_json)
+
+
+@app.command()
+def sweep(
+    study: Annotated[Path, typer.Argument(help="Study (TOML).", show_default=False)],
+    workers: Annotated[int, typer.Option(min=1, help="Processes on this machine.")] = 1,
+    scheduler: Annotated[
+        str | None, typer.Option(help="Address of a Dask scheduler, such as tcp://host:8786.")
+    ] = None,
+    out: Out = HERE,
+    as_json: AsJson = False,
+) -> None:
+    """Score many specifications: a grid, a Latin hypercube, or files."""
+    from instobj.sweep.sweep import sweep as run
+
+    show(run(study, out, workers, scheduler), as_json)
 
 
 @app.command()

@@ -20,11 +20,12 @@ def compare_scores(specs: list[ObjectSpec], out: Path) -> dict[str, Any]:
     scores = [SCORES.read(run_folder(out, spec.name)) for spec in specs]
     figure = run_folder(out, "+".join(spec.name for spec in specs)) / "comparison.png"
     draw_comparison(specs, scores, figure)
-    rows = [_row(spec, places) for spec, places in zip(specs, scores, strict=True)]
+    rows = [comparison_row(spec, places) for spec, places in zip(specs, scores, strict=True)]
     return {"rows": rows, "files": file_rows([figure])}
 
 
-def _row(spec: ObjectSpec, scores: PlaceScores) -> dict[str, Any]:
+def comparison_row(spec: ObjectSpec, scores: PlaceScores) -> dict[str, Any]:
+    """Scores of one object as tables show them."""
     bound, weakest = scores.position_bound_fresh_mm, weakest_place(scores)
     mid_edge = bound[:, area_places(scores.grid, "mid_edge")]
     return {

@@ -65,6 +65,12 @@ def require_memory(stage: str, spec: ObjectSpec, available_gib: float | None = N
         )
 
 
+def needed_gib(stage: str, spec: ObjectSpec) -> float:
+    """Estimated memory of a stage, 0 where it is small."""
+    estimate = _ESTIMATES.get(stage)
+    return estimate(spec).gib if estimate else 0.0
+
+
 def mesh_vertices(spec: ObjectSpec) -> float:
     """Vertices of the mesh: fine under the skin, coarser to mid-shell, coarse below."""
     volume = sealed_volume_mm3(spec)

@@ -102,7 +102,7 @@ class Run:
         for need, (other, spec) in stage.of_others(self.spec).items():
             needs[need] = self._of(spec).require(other)
         origins = {need: result.origin for need, result in needs.items()}
-        inputs = stage_inputs(stage, self.spec, origins, _versions())
+        inputs = stage_inputs(stage, self.spec, origins, versions())
         folders = {need: result.folder for need, result in needs.items()}
 
         def make(folder: Path) -> None:
@@ -238,5 +238,6 @@ def _unit(name: str) -> str:
     return _UNITS_BY_NAME.get(name) or next(endings)
 
 
-def _versions() -> dict[str, str]:
+def versions() -> dict[str, str]:
+    """Of what a result depends on besides its specification."""
     return {name: version(name) for name in _LIBRARIES} | {"machine": platform.machine()}

@@ -1,0 +1,1 @@
+"""Sweeps: many specifications through the chain, on one machine or on many."""

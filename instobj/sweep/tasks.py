@@ -1,0 +1,76 @@
+"""Stages of many specifications as tasks: each stage once, whoever asks for it."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from rich.console import Console
+
+from design.errors import InstobjError
+from design.spec.object import ObjectSpec
+from instobj.stages.inputs import stage_inputs
+from instobj.stages.resources import needed_gib
+from instobj.stages.run import Run, versions
+from instobj.stages.table import STAGES
+from instobj.store.keys import content_key
+from instobj.store.progress import ProgressLine
+
+LAST_STAGE = "scores"
+
+
+@dataclass(frozen=True)
+class StageTask:
+    """A stage of a specification; `key` is that of all that is alike, also what it needs.
+
+    `needs` are keys of other tasks, `gib` the memory that the stage takes.
+    """
+
+    key: str
+    stage: str
+    spec: ObjectSpec
+    needs: tuple[str, ...]
+    gib: float
+
+    @property
+    def content(self) -> dict[str, Any]:
+        """What `work` takes."""
+        return {"stage": self.stage, "spec": self.spec.model_dump(mode="json")}
+
+
+def tasks_of(specs: Iterable[ObjectSpec]) -> tuple[dict[str, StageTask], list[str]]:
+    """All tasks, those that are needed first, and the key of every specification's last one."""
+    tasks: dict[str, StageTask] = {}
+    return tasks, [_add(tasks, LAST_STAGE, spec) for spec in specs]
+
+
+def _add(tasks: dict[str, StageTask], name: str, spec: ObjectSpec) -> str:
+    stage = STAGES[name]
+    needs = {need: _add(tasks, need, spec) for need in stage.needs}
+    for need, (other, changed) in stage.of_others(spec).items():
+        needs[need] = _add(tasks, other, changed)
+    key = content_key({"stage": name} | stage_inputs(stage, spec, needs, versions()))
+    if key not in tasks:
+        tasks[key] = StageTask(key, name, spec, tuple(needs.values()), needed_gib(name, spec))
+    return key
+
+
+def work(task: dict[str, Any], before: list[dict[str, Any]], root: str) -> dict[str, Any]:
+    """Make a task's stage in the store at `root`, or read it there; in any process, on any machine.
+
+    Takes and gives plain content: schedulers carry no code of instobj. Where something that it
+    needs failed, so has this, for the same reason.
+    """
+    failed = next((done["error"] for done in before if done["error"]), "")
+    if failed:
+        return {"folder": "", "error": failed}
+    spec, stage = ObjectSpec.model_validate(task["spec"]), task["stage"]
+    quiet = ProgressLine(Console(file=io.StringIO()))
+    try:
+        folder = Run(spec, quiet, Path(root)).require(stage).folder
+    except (InstobjError, MemoryError) as error:
+        return {"folder": "", "error": f"{STAGES[stage].title}: {error}"}
+    return {"folder": str(folder), "error": ""}

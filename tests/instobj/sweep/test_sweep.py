@@ -1,0 +1,110 @@
+"""Sweeps of small objects: stages made once, the same on several workers, failures told."""
+
+import csv
+
+import pytest
+
+from design.errors import InputError
+from design.spec_io import load_spec
+from instobj.stages.run import Run
+from instobj.sweep import scheduling
+from instobj.sweep.scheduling import run_on_dask
+from instobj.sweep.sweep import sweep
+from instobj.sweep.tasks import tasks_of
+from tests.support.tiny_cube import CHANGES, SMALL_CUBE, lend_mechanics
+
+
+def write_study(folder, text):
+    values = "\n".join(f'"{key}" = {value}' for key, value in (c.split("=", 1) for c in CHANGES))
+    path = folder / "study.toml"
+    path.write_text(f'name = "s"\nspecification = "{SMALL_CUBE}"\n[set]\n{values}\n{text}')
+    return path
+
+
+NOISE = '[grid]\n"sensors.averaging" = [1, 32]\n"shell.thickness_mm" = [8.0, 30.0]\n'
+
+
+def test_stages_that_specifications_share_are_one_task():
+    quiet, loud, thin = (
+        load_spec(SMALL_CUBE, [*CHANGES, change])
+        for change in ("sensors.averaging=32", "sensors.averaging=1", "shell.thickness_mm=7.5")
+    )
+    tasks, last = tasks_of([quiet, loud, thin])
+    assert len(set(last)) == 3
+    count = {
+        name: sum(task.stage == name for task in tasks.values()) for name in ("mesh", "presses")
+    }
+    assert count == {"mesh": 2, "presses": 2}
+    order = list(tasks)
+    for key, task in tasks.items():
+        assert all(order.index(need) < order.index(key) for need in task.needs)
+
+
+def test_a_sweep_writes_what_single_runs_find_and_goes_on_where_it_was(
+    tmp_path, monkeypatch, capfd
+):
+    lend_mechanics(tmp_path / "store")
+    monkeypatch.setenv("INSTOBJ_STORE", str(tmp_path / "store"))
+    path = write_study(tmp_path, NOISE)
+    found = sweep(path, tmp_path)
+    assert "left out" in capfd.readouterr().err
+    with (tmp_path / "runs/s/sweep/sweep.csv").open(encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    assert [bool(row["error"]) for row in rows] == [False, True, False, True]
+    loud, quiet = (float(row["place mm"]) for row in rows[::2])
+    assert loud > 1.5 * quiet
+    alone = Run(
+        load_spec(SMALL_CUBE, [*CHANGES, "sensors.averaging=32"])
+    ).scores.position_bound_mm.median()
+    assert quiet == pytest.approx(float(alone), rel=1e-12)
+    page = (tmp_path / "runs/s/sweep/sweep.html").read_text(encoding="utf-8")
+    assert "2 of 4 objects scored" in " ".join(page.split())
+    assert "data:image/png" in page
+    before = {file.stat().st_mtime_ns for file in (tmp_path / "store").rglob("*.npz")}
+    again = sweep(path, tmp_path)
+    assert again["rows"] == found["rows"]
+    assert {file.stat().st_mtime_ns for file in (tmp_path / "store").rglob("*.npz")} == before
+
+
+def test_without_anything_to_score_there_is_one_error(tmp_path, monkeypatch):
+    lend_mechanics(tmp_path / "store")
+    monkeypatch.setenv("INSTOBJ_STORE", str(tmp_path / "store"))
+    path = write_study(tmp_path, '[grid]\n"press.depths_mm" = [[0.01, 0.02]]')
+    with pytest.raises(InputError, match="no specification"):
+        sweep(path, tmp_path)
+
+
+def test_a_scheduler_that_does_not_answer_is_one_error(tmp_path, monkeypatch):
+    pytest.importorskip("distributed")
+    monkeypatch.setattr(scheduling, "_ANSWER_S", 0.5)
+    with pytest.raises(InputError, match="no Dask scheduler answers"):
+        run_on_dask({}, tmp_path, print, 1, "tcp://127.0.0.1:1")
+
+
+@pytest.mark.slow
+def test_two_workers_find_what_one_process_finds_though_one_is_killed(tmp_path, monkeypatch):
+    pytest.importorskip("distributed")
+    import psutil
+
+    path = write_study(tmp_path, '[grid]\n"shell.thickness_mm" = [8.0, 7.5]\n')
+    monkeypatch.setenv("INSTOBJ_STORE", str(tmp_path / "store"))
+    monkeypatch.setattr(scheduling, "_MOST_SILENT_S", 0.0)
+    killed, made = [], []
+
+    def finished(self, task, outcome):
+        made.append(task.key)
+        if not killed:
+            workers = [
+                p for p in psutil.Process().children() if "spawn_main" in " ".join(p.cmdline())
+            ]
+            killed.append(workers[0].pid)
+            workers[0].kill()
+
+    monkeypatch.setattr(scheduling._Progress, "finished", finished)
+    two = sweep(path, tmp_path, workers=2)
+    assert killed
+    assert all("error" not in row for row in two["rows"])
+    assert len(made) == len(set(made)) == 12
+    monkeypatch.undo()
+    monkeypatch.setenv("INSTOBJ_STORE", str(tmp_path / "store"))
+    assert sweep(path, tmp_path)["rows"] == two["rows"]
