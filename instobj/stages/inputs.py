@@ -33,6 +33,19 @@ def _sensors(spec: ObjectSpec) -> dict[str, Any]:
     return table | {"sinks_mm": sinks} if in_core and any(map(any, sinks)) else table
 
 
+def _shell(spec: ObjectSpec) -> dict[str, Any]:
+    """Its table; without dents as before there was a key for them, so that stored results stay."""
+    table = spec.shell.model_dump(mode="json")
+    return table if table["dent_mm"] else {k: v for k, v in table.items() if k != "dent_mm"}
+
+
+def _dents(spec: ObjectSpec) -> list[list[float]] | None:
+    from design.layout.dents import dents_mm
+
+    depth = dents_mm(spec)
+    return depth.tolist() if depth.any() else None
+
+
 def stage_inputs(
     stage: Stage, spec: ObjectSpec, origins: dict[str, str], versions: dict[str, str]
 ) -> dict[str, Any]:
@@ -47,6 +60,8 @@ def stage_inputs(
     content = spec.model_dump(mode="json") | {
         "body": spec.body.model_dump(mode="json") | {"file": file_digest(spec.body.file)},
         "sensors": _sensors(spec),
+        "shell": _shell(spec),
+        "dents": _dents(spec),
         "shell_bodies": bodies,
         "shell_body_outline": bodies["outline"],
     }
@@ -55,7 +70,8 @@ def stage_inputs(
         value: Any = content
         for part in name.split("."):
             value = value[part]
-        parts[name] = value
+        if name != "dents" or value is not None:
+            parts[name] = value
     return {
         "spec": parts,
         "needs": origins,

@@ -63,6 +63,7 @@ _ELASTIC = (
     "mechanics.interface",
     "mechanics.slip.rim",
 )
+_PRESSED = ("contact_grid", "indenter", "press", "dents")
 _ELASTIC_WITHOUT_MAGNETS = tuple(name for name in _ELASTIC if name != "mechanics.magnets")
 
 STAGES: dict[str, Stage] = {
@@ -107,13 +108,13 @@ STAGES: dict[str, Stage] = {
     "shapes": Stage(
         "mechanics: shapes of presses",
         ("mesh", "response"),
-        ("contact_grid", "indenter", "press"),
+        _PRESSED,
         make_shapes,
     ),
     "presses": Stage(
         "mechanics: contact at every location and depth",
         ("mesh", "response", "large_strain"),
-        ("contact_grid", "indenter", "press", "mechanics.slip"),
+        (*_PRESSED, "mechanics.slip"),
         make_presses,
         version=3,
     ),
@@ -161,7 +162,7 @@ STAGES: dict[str, Stage] = {
     "discretisation": Stage(
         "mechanics: discretisation error",
         ("response", "coarse_response"),
-        ("contact_grid", "indenter", "press"),
+        _PRESSED,
         make_discretisation,
         version=2,
     ),
@@ -178,7 +179,7 @@ STAGES: dict[str, Stage] = {
     "shear": Stage(
         "mechanics: tangential forces",
         ("mesh", "response"),
-        ("contact_grid", "indenter", "press", "mechanics.slip"),
+        (*_PRESSED, "mechanics.slip"),
         make_shear,
         version=2,
     ),
