@@ -175,20 +175,26 @@ def compare(specs: Sequence[ObjectSpec]) -> xr.Dataset:
     columns = {
         name: (
             ("object", "statistic"),
-            [[float(one[name].median()), float(one[name].max())] for one in scores],
+            [_median_and_largest(one[name]) for one in scores],
             {"units": scores[0][name].attrs["units"]},
         )
         for name in ("position_bound_mm", "force_bound_n", "detectable_force_n")
     }
     limits = [spec.limits.position_bound_mm for spec in specs]
     within = [
-        float((one.position_bound_mm <= limit).mean())
+        float(np.mean(one.position_bound_mm.values[one.on_face.values] <= limit))
         for one, limit in zip(scores, limits, strict=True)
     ]
     return xr.Dataset(
         columns | {"share_within_limit": ("object", within, {"units": "1"})},
         coords={"object": names, "statistic": ["median", "largest"]},
     )
+
+
+def _median_and_largest(score: xr.DataArray) -> list[float]:
+    """Over the contact locations that the faces have."""
+    there = score.values[score.on_face.values]
+    return [float(np.median(there)), float(there.max())]
 
 
 def fit_estimator(

@@ -134,7 +134,9 @@ class FaceFrame:
         return replace(self, normal=normal, x=x, y=y, centre_mm=origin, relief=Cap())
 
     def onto(
-        self, points_mm: Float[np.ndarray, "n 3"], along: Float[np.ndarray, "3"]
+        self,
+        points_mm: Float[np.ndarray, "n 3"],
+        along: Float[np.ndarray, "3"] | Float[np.ndarray, "n 3"],
     ) -> Float[np.ndarray, "n 3"]:
         """Where lines through points along a direction (out of the surface) meet the surface.
 
@@ -146,7 +148,11 @@ class FaceFrame:
         for _ in range(_MAX_ITERATIONS):
             point = start + offset[:, None] * direction
             height, slope = self.relief.at(point[:, :2])
-            rise = direction[2] - slope @ direction[:2]
+            rise = direction[..., 2] - (
+                slope @ direction[:2]
+                if direction.ndim == 1
+                else np.sum(slope * direction[:, :2], axis=1)
+            )
             step = (point[:, 2] - height) / np.where(rise > 0, rise, np.nan)
             offset = offset - step
             if not np.any(abs(step) > _CONVERGED_MM):

@@ -8,6 +8,7 @@ from math import cos, sin
 from typing import TYPE_CHECKING
 
 from design.layout.body import face_frames
+from design.layout.contact_places import place_problems
 from design.layout.pockets import (
     Pocket,
     core_pockets,
@@ -281,12 +282,15 @@ def _check_indenter(spec: ObjectSpec) -> Iterator[str]:
     farthest = abs(footprint + path_mm(spec.indenter, spec.press.depths_mm)[-1]).max(axis=0)
     reach = [max(pair) for pair in zip(farthest, abs(footprint).max(axis=0), strict=True)]
     grid = spec.contact_grid
+    yield from place_problems(spec)
     for axis, limit in enumerate(_smallest_half_extents_mm(spec)):
         if size[axis] > 2 * limit:
             yield (
                 f"the indenter is {size[axis]:.4g} mm wide, larger than the face of {2 * limit:g} mm. "
                 "Use a smaller indenter"
             )
+        if grid.count == "fill":
+            continue
         needed = grid.count[axis] * grid.pitch_mm / 2 + reach[axis]
         if needed > limit:
             yield (

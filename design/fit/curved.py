@@ -12,11 +12,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from design.layout.body import body_of, core_frames, face_frames
+from design.layout.contact_places import place_problems, stays_on_patch, touched_reach_mm
 from design.layout.pockets import Pocket, distance_of_segments_mm, shell_pockets
 from design.layout.positions import board_places, cover_mm
 
 if TYPE_CHECKING:
-    from design.body.surface_chart import FaceFrame
     from design.spec.object import ObjectSpec
 
 _LARGEST_SHARE = 0.6
@@ -31,22 +31,19 @@ def check_body(spec: ObjectSpec) -> Iterator[str]:
 
 def check_curved_presses(spec: ObjectSpec) -> Iterator[str]:
     """Where a press of the table would leave its patch or goes too deep."""
-    from design.layout.tips import tip_heights_mm, tip_places_mm, tip_shape
-
     deepest, silicone = spec.press.depths_mm[-1], body_of(spec).silicone_mm
     if deepest > _LARGEST_SHARE * silicone:
         yield (
             f"press.depths_mm must stay below {_LARGEST_SHARE:.0%} of the silicone (linear mechanics); "
             f"got {deepest:g} of {silicone:g} mm. Press less deep or thicken the shell"
         )
-    shape = tip_shape(spec.indenter)
-    radii = np.linspace(0, np.linalg.norm(shape.corners_mm, axis=1).max(), 200)
-    heights = tip_heights_mm(shape, np.column_stack([radii, 0 * radii]))
-    reach = float(radii[heights <= deepest].max()) if shape.sphere_radius_mm else float(radii[-1])
-    reach += float(np.linalg.norm(tip_places_mm(spec.indenter), axis=1).max())
+    yield from place_problems(spec)
+    if spec.contact_grid.count == "fill":
+        return
+    reach = touched_reach_mm(spec)
     corner = np.asarray(spec.contact_grid.count) * spec.contact_grid.pitch_mm / 2
     for frame in face_frames(spec):
-        if not _covered(frame, corner, reach):
+        if not stays_on_patch(frame, corner[None], reach)[0]:
             half = frame.half_extents_mm
             yield (
                 f"contact_grid.count × pitch_mm / 2 = ({corner[0]:g}, {corner[1]:g}) mm, and {reach:.3g} mm "
@@ -54,17 +51,6 @@ def check_curved_presses(spec: ObjectSpec) -> Iterator[str]:
                 f"of ±{half[0]:.4g}, ±{half[1]:.4g} mm. Use fewer places, a smaller pitch, a smaller "
                 "tip or lesser depths"
             )
-
-
-def _covered(frame: FaceFrame, place_mm: np.ndarray, reach_mm: float) -> bool:
-    """Whether a disk that touches the surface at a place stays on the patch all round."""
-    if not frame.covers(place_mm):
-        return False
-    turn = np.linspace(0, 2 * np.pi, 24)
-    tangent = frame.tangent(place_mm)
-    ring = np.column_stack([reach_mm * np.cos(turn), reach_mm * np.sin(turn), 0 * turn])
-    rim = frame.onto(tangent.to_object(ring + np.append(place_mm, 0.0)), tangent.normal)
-    return bool(np.all(frame.covers(np.where(np.isfinite(rim), rim, np.inf)[:, :2])))
 
 
 def _check_what_boxes_can(spec: ObjectSpec) -> Iterator[str]:

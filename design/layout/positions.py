@@ -16,6 +16,7 @@ from jaxtyping import Bool, Float, Int
 
 from design.body.surface_chart import FaceFrame
 from design.layout.body import core_frames, face_frames
+from design.layout.contact_places import grid_count
 from design.layout.pockets import (
     Body,
     Outline,
@@ -54,9 +55,12 @@ class PlaceGrid:
 
 @once
 def contact_grid(spec: ObjectSpec) -> PlaceGrid:
-    """The specification's places (the paper: 10 × 10, pitch 3 mm, ±13.5 about the face centre)."""
-    grid = spec.contact_grid
-    x, y = ((np.arange(n) - (n - 1) / 2) * grid.pitch_mm for n in grid.count)
+    """The specification's places (the paper: 10 × 10, pitch 3 mm, ±13.5 about the face centre).
+
+    Which of them a face has says `design.layout.contact_places.contact_places`.
+    """
+    pitch = spec.contact_grid.pitch_mm
+    x, y = ((np.arange(n) - (n - 1) / 2) * pitch for n in grid_count(spec))
     return PlaceGrid(x, y)
 
 
@@ -67,15 +71,15 @@ def press_lattice(spec: ObjectSpec) -> PlaceGrid:
     Contact location (X, Y) is lattice place (2X + 1, 2Y + 1). Signals between places are
     interpolated on this lattice, and derivatives in x and y are taken on it.
     """
-    grid = spec.contact_grid
-    x, y = ((np.arange(2 * n + 1) - n) * grid.pitch_mm / 2 for n in grid.count)
+    pitch = spec.contact_grid.pitch_mm
+    x, y = ((np.arange(2 * n + 1) - n) * pitch / 2 for n in grid_count(spec))
     return PlaceGrid(x, y)
 
 
 @once
 def grid_places_in_lattice(spec: ObjectSpec) -> Int[np.ndarray, "place"]:
     """Lattice place of each contact location, in the order of the contact grid."""
-    nx, ny = spec.contact_grid.count
+    nx, ny = grid_count(spec)
     ix, iy = np.meshgrid(2 * np.arange(nx) + 1, 2 * np.arange(ny) + 1, indexing="ij")
     return (ix * (2 * ny + 1) + iy).ravel()
 

@@ -13,12 +13,16 @@ Turn = Annotated[float, Field(ge=-10, le=10)]
 
 
 class ContactGridSpec(SpecPart):
-    """Contact places on each face, centred on it; place = X·count_y + Y, counted from 0."""
+    """Contact places on each face, centred on it; place = X·count_y + Y, counted from 0.
 
-    count: tuple[Annotated[int, Field(ge=2, le=100)], Annotated[int, Field(ge=2, le=100)]] = (
-        10,
-        10,
-    )
+    "fill" gives each face as many as fit (`design.layout.contact_places`), a pair of counts the
+    same ones to all.
+    """
+
+    count: (
+        Literal["fill"]
+        | tuple[Annotated[int, Field(ge=2, le=100)], Annotated[int, Field(ge=2, le=100)]]
+    ) = "fill"
     pitch_mm: Positive = 3.0
 
 

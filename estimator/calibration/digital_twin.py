@@ -139,7 +139,8 @@ class CalibratedTwin:
         rng: np.random.Generator | None,
     ) -> Signals:
         """What these numbers leave over, spread over the lattice, with a draw of the doubt."""
-        xy, force = signals.lattice.xy_mm, signals.force_n[0]
+        there = signals.pressed[0]
+        xy, force = signals.lattice.xy_mm[there], signals.force_n[0, there]
         left = self.left - self.jacobian @ (numbers - self.numbers)
         added = self.discrepancy.mean(left, xy, force)
         if rng is not None:
@@ -147,7 +148,9 @@ class CalibratedTwin:
         on_face = self.unknowns.design.scene.sensors.face == self.discrepancy.seen.face
         own = np.flatnonzero(np.repeat(on_face, 3))[self.discrepancy.seen.channels]
         delta = signals.delta_counts.reshape(*signals.force_n.shape, -1).copy()
-        delta[0][..., own] += added
+        pressed = delta[0, there]
+        pressed[..., own] += added
+        delta[0, there] = pressed
         return replace(signals, delta_counts=delta.reshape(signals.delta_counts.shape))
 
 

@@ -9,7 +9,7 @@ from jaxtyping import Float, Int
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec
-from estimator.calibration.pressed_places import LEAST_FRAMES, traced_reach_mm, within_reach
+from estimator.calibration.pressed_places import LEAST_FRAMES, within_reach, within_table
 from estimator.frames.dataset import NO_FACE, FrameSet
 from estimator.frames.heatmap import faces_pressed
 from estimator.frames.windows import all_counts
@@ -59,12 +59,13 @@ def pressed_cases(spec: ObjectSpec, frames: FrameSet, forces: PressForces) -> Pr
     InputError
         Fewer than three cases with twelve such frames each, or no channel without gaps.
     """
+    touched = frames.contact_face != NO_FACE
+    inside = ~touched
     for face in faces_pressed(frames):
         frames = within_reach(frames, forces, face)
-    reach_mm = traced_reach_mm(spec)
-    touched = frames.contact_face != NO_FACE
-    inside = np.all((abs(frames.contact_xy_mm) <= reach_mm).all(axis=2) | ~touched, axis=1)
-    usable = frames.valid & touched.any(axis=1) & inside & (frames.place_id >= 0)
+        here = frames.contact_face == face
+        inside[here] = within_table(spec, face, frames.contact_xy_mm[here])
+    usable = frames.valid & touched.any(axis=1) & inside.all(axis=1) & (frames.place_id >= 0)
     cases = [
         _whole_case(frames, usable, case) for case in np.unique(frames.place_id[usable]).tolist()
     ]

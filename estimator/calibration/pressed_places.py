@@ -8,11 +8,14 @@ import numpy as np
 from jaxtyping import Bool, Float, Int
 
 from design.errors import InputError
+from design.layout.contact_places import pressed_nodes
 from design.layout.positions import press_lattice
 from design.spec.object import ObjectSpec
 from estimator.frames.dataset import NO_FACE, FrameSet
 from estimator.frames.press_protocol import DRIFT_TIME_S
-from estimator.signals.press_states import ASIDE_MM
+from estimator.signals.continuation import continued
+from estimator.signals.interpolation import among_pressed
+from estimator.signals.press_states import ASIDE_MM, SIDES_MM
 from fem.presses.results import PressForces
 
 LEVELS = 16
@@ -68,9 +71,15 @@ class PressedPlaces:
         return (white**2 + (force_noise * slope) ** 2) / self.frames[..., None]
 
 
-def traced_reach_mm(spec: ObjectSpec) -> Float[np.ndarray, "2"]:
-    """How far from a face's middle presses, and those a little beside them, lie within the table."""
-    return -press_lattice(spec).xy_mm.min(axis=0) - ASIDE_MM
+def within_table(
+    spec: ObjectSpec, face: int, xy_mm: Float[np.ndarray, "press 2"]
+) -> Bool[np.ndarray, "press"]:
+    """Which presses of a face, and those a little beside them, lie within the table."""
+    lattice, pressed = press_lattice(spec), pressed_nodes(spec)[spec.body.sensed.index(face)]
+    within = (abs(xy_mm) <= -lattice.xy_mm.min(axis=0) - ASIDE_MM).all(axis=1)
+    for side in SIDES_MM:
+        within &= among_pressed(lattice, pressed, *(np.nan_to_num(xy_mm) + side).T)
+    return within
 
 
 def within_reach(frames: FrameSet, forces: PressForces, face: int) -> FrameSet:
@@ -79,7 +88,9 @@ def within_reach(frames: FrameSet, forces: PressForces, face: int) -> FrameSet:
     from scipy.interpolate import RegularGridInterpolator
 
     lattice, deepest = forces.lattice, forces.force_n[forces.faces == face][0, :, -1]
-    shape = len(lattice.x_mm), len(lattice.y_mm)
+    shape, pressed = lattice.shape, ~np.isnan(deepest)
+    if not pressed.all():
+        deepest = continued(deepest, pressed, shape)
     reach_n = RegularGridInterpolator(
         (lattice.x_mm, lattice.y_mm), deepest.reshape(shape), bounds_error=False, fill_value=0.0
     )
@@ -104,9 +115,7 @@ def pressed_places(spec: ObjectSpec, frames: FrameSet, face: int) -> PressedPlac
     own = own.reshape(len(frames), 3 * spec.sensors.count_per_face)
     straight = np.hypot(force[:, 0], force[:, 1]) <= _STRAIGHT_NOISES * spec.protocol.force_noise_n
     alone = frames.valid & (touched.sum(axis=1) == 1) & (frames.contact_face[every, slot] == face)
-    alone &= (
-        straight & np.isfinite(own).any(axis=1) & (abs(xy) <= traced_reach_mm(spec)).all(axis=1)
-    )
+    alone &= straight & np.isfinite(own).any(axis=1) & within_table(spec, face, xy)
     force, xy, own = force[alone, 2], xy[alone], own[alone]
     zeroed = (frames.press_id if frames.source == "recorded" else frames.session_id)[alone]
     channels = np.flatnonzero(np.isfinite(own).all(axis=0)) if len(own) else np.arange(0)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 from itertools import combinations
 
 import numpy as np
@@ -15,10 +16,12 @@ from jaxtyping import Float, Int
 
 from design.errors import InputError
 from design.layout.body import face_frames
+from design.layout.contact_places import contact_places
 from design.layout.positions import contact_grid
 from design.layout.tips import tip_positions_mm, tips_overlap
 from design.spec.learning import ProbePose
 from design.spec.object import ObjectSpec
+from estimator.signals.interpolation import among_pressed
 
 DUAL_CASES, TRIPLE_CASES, GRASP_CASES = 100_000, 200_000, 300_000
 """Added to `place_id` = 1000 · face + number, so that every case has its own."""
@@ -51,8 +54,10 @@ class ContactCase:
 def paper_cases(spec: ObjectSpec, face: int) -> list[ContactCase]:
     """Every contact location on its own, then the poses of the probes of two and three tips."""
     ids = 1000 * face
+    there = contact_places(spec)[spec.body.sensed.index(face)]
     cases = [
-        _probe(face, xy[None], ids + place) for place, xy in enumerate(contact_grid(spec).xy_mm)
+        _probe(face, contact_grid(spec).xy_mm[[place]], ids + place)
+        for place in np.flatnonzero(there).tolist()
     ]
     poses = ((2, spec.collection.dual_poses), (3, spec.collection.triple_poses))
     for (tips, given), first in zip(poses, (DUAL_CASES, TRIPLE_CASES), strict=True):
@@ -86,12 +91,12 @@ def grasp_cases(spec: ObjectSpec) -> list[ContactCase]:
 def _random_tips_mm(
     spec: ObjectSpec, rng: np.random.Generator, tips: int
 ) -> Float[np.ndarray, "tip 2"]:
-    grid = contact_grid(spec).xy_mm
+    grid, first = contact_grid(spec).xy_mm, spec.collection.grasp_faces[0]
     low, high = grid.min(axis=0), grid.max(axis=0)
     for _ in range(1000):
         x, y, turn = rng.uniform([*low, 0.0], [*high, 360.0])
         places = probe_tips_mm(spec, tips, (x, y, turn))
-        if np.all((places >= low) & (places <= high)):
+        if np.all((places >= low) & (places <= high)) and _among_places(spec, first, places):
             return places
     raise InputError(
         f"a probe of {tips} tips does not find room within the contact grid, {low} to {high} mm. "
@@ -140,13 +145,21 @@ def random_case(
     low, high = grid.xy_mm.min(axis=0), grid.xy_mm.max(axis=0)
     for _ in range(1000):
         face, xy = rng.choice(faces, contacts), rng.uniform(low, high, (contacts, 2))
-        if _apart(spec, face, xy):
+        if _apart(spec, face, xy) and all(
+            map(partial(_among_places, spec), face.tolist(), xy[:, None])
+        ):
             share = np.concatenate([[1.0], rng.uniform(0.5, 1.0, contacts - 1)])
             return ContactCase(face, xy, np.arange(contacts), share, place_id)
     raise InputError(
         f"{contacts} tips of this indenter do not find room on faces "
         f"{faces.tolist()}. Lower collection.contacts or name more faces"
     )
+
+
+def _among_places(spec: ObjectSpec, face: int, xy_mm: Float[np.ndarray, "tip 2"]) -> bool:
+    """Whether tips land between contact locations that the face has."""
+    there = contact_places(spec)[spec.body.sensed.index(face)]
+    return bool(among_pressed(contact_grid(spec), there, *xy_mm.T).all())
 
 
 def _apart(spec: ObjectSpec, face: np.ndarray, xy_mm: np.ndarray) -> bool:

@@ -13,9 +13,11 @@ from typing import Any
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
+from design.layout.contact_places import contact_places, face_rows
 from design.layout.positions import contact_grid, live_channels
 from design.spec.object import ObjectSpec
 from estimator.frames.dataset import NO_FACE, FrameSet
+from estimator.information.scores import on_places
 from estimator.signals.hall import read_out
 from estimator.signals.interpolation import (
     Traces,
@@ -46,6 +48,8 @@ class NominalPeaks:
     force_n : (face, place) force there, clipped into `peak_force_n` and to what is reachable
     depth_mm : (face, place) travel that the peak takes
     clamped : (face, place) whether the deepest simulated press stays below the wanted peak
+
+    NaN, and not clamped, at places that a face has not.
     """
 
     common_travel_mm: float
@@ -82,21 +86,16 @@ class PressPlan:
 
 def nominal_peaks(spec: ObjectSpec, signals: Signals) -> NominalPeaks:
     """The protocol's peak forces over the contact grid."""
-    grid = contact_grid(spec)
-    face = np.repeat(signals.faces, len(grid))
-    x, y = np.tile(grid.xy_mm, (len(signals.faces), 1)).T
-    traces = press_traces(signals, face, x, y)
+    places = contact_places(spec)[face_rows(spec, signals.faces)]
+    face_index, place = np.nonzero(places)
+    x, y = contact_grid(spec).xy_mm[place].T
+    traces = press_traces(signals, signals.faces[face_index], x, y)
     low, high = spec.protocol.peak_force_n
     travel = _common_travel_mm(traces, (low + high) / 2)
     wanted = np.clip(force_at_depth(traces, travel), low, high)
     force = np.minimum(wanted, traces.force_n[:, -1])
-    shape = (len(signals.faces), len(grid))
-    return NominalPeaks(
-        travel,
-        force.reshape(shape),
-        depth_at_force(traces, force[:, None]).reshape(shape),
-        (wanted > force).reshape(shape),
-    )
+    values = force, depth_at_force(traces, force[:, None])[:, 0], wanted > force
+    return NominalPeaks(travel, *(on_places(places, [one]) for one in values))
 
 
 def _common_travel_mm(traces: Traces, median_force_n: float) -> float:
@@ -117,7 +116,8 @@ def plan_presses(spec: ObjectSpec, signals: Signals) -> PressPlan:
     rng = np.random.default_rng((spec.seed, 1))
     protocol, peaks, grid = spec.protocol, nominal_peaks(spec, signals), contact_grid(spec)
     shape = (protocol.presses_per_place, *peaks.force_n.shape)
-    repetition, face_index, place = (index.ravel() for index in np.indices(shape))
+    places = contact_places(spec)[face_rows(spec, signals.faces)]
+    repetition, face_index, place = np.nonzero(np.broadcast_to(places, shape))
     face = signals.faces[face_index]
     jitter = rng.uniform(-1, 1, (len(face), 2)) * protocol.lateral_jitter_mm
     x, y = (grid.xy_mm[place] + jitter).T

@@ -8,6 +8,7 @@ import numpy as np
 from jaxtyping import Bool, Int
 
 from design.errors import InputError
+from design.layout.contact_places import contact_places, grid_count
 from design.layout.positions import contact_grid
 from design.spec.object import ObjectSpec
 
@@ -15,12 +16,14 @@ _PLACES_AN_AXIS = 5
 
 
 def spread_places(spec: ObjectSpec) -> Int[np.ndarray, "place"]:
-    """Contact locations spread evenly over the face, five an axis at most."""
-    nx, ny = spec.contact_grid.count
-    ix, iy = (
-        np.unique(np.linspace(0, n - 1, _PLACES_AN_AXIS).round()).astype(int) for n in (nx, ny)
-    )
-    return (ix[:, None] * ny + iy).ravel()
+    """Contact locations spread evenly over what all faces have in common, five an axis at most."""
+    shared = contact_places(spec).all(axis=0).reshape(grid_count(spec))
+    chosen = []
+    for other in (1, 0):
+        used = np.flatnonzero(shared.any(axis=other))
+        some = np.unique(np.linspace(0, len(used) - 1, _PLACES_AN_AXIS).round()).astype(int)
+        chosen.append(np.isin(np.arange(shared.shape[1 - other]), used[some] if len(used) else []))
+    return np.flatnonzero(np.outer(*chosen) & shared)
 
 
 def spread_pairs(spec: ObjectSpec) -> Int[np.ndarray, "pair 2"]:

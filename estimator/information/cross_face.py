@@ -11,12 +11,14 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from jaxtyping import Float, Int
+from jaxtyping import Bool, Float, Int
 
 from design.layout.body import face_frames
+from design.layout.contact_places import contact_places
 from design.layout.positions import grid_places_in_lattice, live_channels
 from design.spec.object import ObjectSpec
 from estimator.information.fisher import disturbance_counts
+from estimator.information.scores import on_places
 from estimator.information.sensitivity import own_channels
 from estimator.signals.interpolation import counts_at_force, press_traces
 from estimator.signals.presses import Signals
@@ -33,7 +35,8 @@ class CrossFace:
 
     `pressed`, `read` (pair,) are face numbers and `relation` how they lie to each other. Per pair
     and place of the pressed face: `size_sigma`, length of the signal change in units of a fresh
-    zero; `false_force_n`, force of the own-face press (or rest) whose signal is nearest.
+    zero; `false_force_n`, force of the own-face press (or rest) whose signal is nearest; NaN at
+    places that the pressed face has not.
     """
 
     force_n: float
@@ -42,6 +45,7 @@ class CrossFace:
     relation: tuple[Relation, ...]
     size_sigma: Float[np.ndarray, "pair place"]
     false_force_n: Float[np.ndarray, "pair place"]
+    places: Bool[np.ndarray, "pair place"]
 
     def summary(self, relation: Relation) -> dict[str, float]:
         """Median, 95th percentile and largest disturbance (σ) and false force (N), over all pairs
@@ -49,10 +53,11 @@ class CrossFace:
 
         Empty where no two sensed faces lie so to each other.
         """
-        rows = [r == relation for r in self.relation]
-        if not any(rows):
+        rows = np.array([r == relation for r in self.relation], bool)
+        if not rows.any():
             return {}
-        size, force = self.size_sigma[rows], self.false_force_n[rows]
+        there = rows[:, None] & self.places
+        size, force = self.size_sigma[there], self.false_force_n[there]
         return {
             "median_sigma": float(np.median(size)),
             "percentile_95_sigma": float(np.percentile(size, 95)),
@@ -73,8 +78,12 @@ def cross_face_disturbance(spec: ObjectSpec, signals: Signals, force_n: float = 
     relation: list[Relation] = [
         "opposite" if frames[a].normal @ frames[b].normal < -0.5 else "adjacent" for a, b in pairs
     ]
-    pressed = [_pressed_counts(spec, signals, face.number, force_n) for face in frames]
-    sizes, forces, live = [], [], live_channels(spec).ravel()
+    places, live = contact_places(spec), live_channels(spec).ravel()
+    pressed = [
+        _pressed_counts(spec, signals, face.number, there, force_n)
+        for face, there in zip(frames, places, strict=True)
+    ]
+    sizes, forces = [], []
     for pressed_face, read_face in pairs:
         own = own_channels(signals, spec.sensors, frames[read_face].number)
         own = own[live[own]]
@@ -82,20 +91,26 @@ def cross_face_disturbance(spec: ObjectSpec, signals: Signals, force_n: float = 
         change = pressed[pressed_face][:, own] / sigma
         sizes.append(np.linalg.norm(change, axis=1))
         forces.append(_nearest_force(change, *_own_presses(spec, signals, read_face, own, sigma)))
+    there = places[[a for a, _ in pairs]] if pairs else places[:0]
     return CrossFace(
         force_n,
         np.array([frames[a].number for a, _ in pairs], dtype=int),
         np.array([frames[b].number for _, b in pairs], dtype=int),
         tuple(relation),
-        np.reshape(sizes, (len(pairs), -1)) if pairs else np.zeros((0, len(pressed[0]))),
-        np.reshape(forces, (len(pairs), -1)) if pairs else np.zeros((0, len(pressed[0]))),
+        on_places(there, sizes) if pairs else np.zeros(there.shape),
+        on_places(there, forces) if pairs else np.zeros(there.shape),
+        there,
     )
 
 
 def _pressed_counts(
-    spec: ObjectSpec, signals: Signals, face: int, force_n: float
+    spec: ObjectSpec,
+    signals: Signals,
+    face: int,
+    there: Bool[np.ndarray, "every"],
+    force_n: float,
 ) -> Float[np.ndarray, "place channel"]:
-    xy = signals.lattice.xy_mm[grid_places_in_lattice(spec)]
+    xy = signals.lattice.xy_mm[grid_places_in_lattice(spec)[there]]
     traces = press_traces(signals, np.full(len(xy), face), xy[:, 0], xy[:, 1])
     return counts_at_force(traces, np.full((len(xy), 1), force_n), beyond="clamp").counts[:, 0]
 
@@ -108,7 +123,7 @@ def _own_presses(
     sigma: Float[np.ndarray, "channel"],
 ) -> tuple[Float[np.ndarray, "place knot channel"], Float[np.ndarray, "place knot"]]:
     """Whitened signals of the face's own presses from rest on, and their forces."""
-    places = grid_places_in_lattice(spec)
+    places = grid_places_in_lattice(spec)[contact_places(spec)[face_index]]
     counts = signals.delta_counts[face_index, places].reshape(
         len(places), len(signals.depth_mm), -1
     )

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import csv
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any, Literal
 
 import numpy as np
-from jaxtyping import Bool, Float, Int
+from jaxtyping import Bool, Float, Int, Shaped
 
 from design.errors import InputError, StoreError
+from design.layout.contact_places import contact_places, face_rows
 from design.layout.positions import PlaceGrid, contact_grid, live_channels
 from design.spec.object import ObjectSpec
 from design.spec.search import WantedCompliance
@@ -34,7 +35,8 @@ _COVARIANCE_SAMPLES = 64
 
 @dataclass(frozen=True)
 class PlaceScores:
-    """Scores of every contact location; arrays are (face, place) of the contact grid.
+    """Scores of every contact location; arrays are (face, place) of the contact grid, NaN (and not
+    `reaches_score_force`) at places that a face has not.
 
     Attributes
     ----------
@@ -69,6 +71,11 @@ class PlaceScores:
     depth_at_score_mm: Float[np.ndarray, "face place"]
     stiffness_n_per_mm: Float[np.ndarray, "face place"]
 
+    @property
+    def places(self) -> Bool[np.ndarray, "face place"]:
+        """Which places of the grid each face has."""
+        return ~np.isnan(self.force_at_score_n)
+
 
 @dataclass(frozen=True)
 class WeakestPlace:
@@ -84,12 +91,21 @@ class WeakestPlace:
 
 @dataclass(frozen=True)
 class AreaSummary:
-    """Medians of scores over one kind of place, and their ratios to the centre's."""
+    """Medians of scores over one kind of place, and their ratios to the centre's.
+
+    `places_per_face` (face,) counts them; medians are NaN where no face has any.
+    """
 
     area: Area
-    places: int
+    places_per_face: tuple[int, ...]
     medians: dict[str, float]
     ratio_to_centre: dict[str, float]
+
+    @property
+    def places(self) -> int | str:
+        """Their number on each face, or its range."""
+        least, most = min(self.places_per_face), max(self.places_per_face)
+        return most if least == most else f"{least} to {most}"
 
 
 def score_places(
@@ -102,18 +118,30 @@ def score_places(
     InputError
         Signals that are not finite, forces that do not grow with depth, or no hull volume.
     """
-    require_finite(signals)
-    grid = contact_grid(spec)
-    rows = []
-    for face in signals.faces.tolist():
+    require_finite(spec, signals)
+    grid, rows = contact_grid(spec), []
+    places = contact_places(spec)[face_rows(spec, signals.faces)]
+    for face, there in zip(signals.faces.tolist(), places, strict=True):
         if progress:
-            progress(f"face {face}: {len(grid)} places, hull form {spec.score.hull}")
-        rows.append(_score_face(spec, signals, grid, face))
-    columns = {name: np.stack([row[name] for row in rows]) for name in rows[0]}
+            progress(f"face {face}: {there.sum()} places, hull form {spec.score.hull}")
+        rows.append(_score_face(spec, signals, grid.xy_mm[there], face))
+    columns = {name: on_places(places, [row[name] for row in rows]) for name in rows[0]}
     return PlaceScores(signals.faces, grid, **columns)
 
 
-def _score_face(spec: ObjectSpec, signals: Signals, grid: PlaceGrid, face: int) -> dict[str, Any]:
+def on_places(
+    places: Bool[np.ndarray, "face place"], values: Sequence[Shaped[np.ndarray, "_ *rest"]]
+) -> Shaped[np.ndarray, "face place *rest"]:
+    """Values of the places that each face has, in the grid's order; NaN (or False) elsewhere."""
+    kind, rest = values[0].dtype, values[0].shape[1:]
+    found = np.full((*places.shape, *rest), np.nan if kind.kind == "f" else False, kind)
+    found[places] = np.concatenate(values)
+    return found
+
+
+def _score_face(
+    spec: ObjectSpec, signals: Signals, xy_mm: Float[np.ndarray, "place 2"], face: int
+) -> dict[str, Any]:
     live = live_channels(spec).ravel()
     own = own_channels(signals, spec.sensors, face)
     used = own if spec.score.channels == "own" else np.arange(live.size)
@@ -123,7 +151,7 @@ def _score_face(spec: ObjectSpec, signals: Signals, grid: PlaceGrid, face: int) 
             f"face {face} has no live channel: as_built calls all of them dead. Fix a sensor, or "
             "take the entries out"
         )
-    where = (np.full(len(grid), face), grid.xy_mm[:, 0], grid.xy_mm[:, 1])
+    where = (np.full(len(xy_mm), face), xy_mm[:, 0], xy_mm[:, 1])
     every = press_traces(signals, *where)
     traces = every.of_channels(used)
     reach = traces.force_n[:, -1]
@@ -174,7 +202,8 @@ def _sensitivities(
 def weakest_place(scores: PlaceScores) -> WeakestPlace:
     """Where the freshly zeroed object knows the contact location least."""
     bound = scores.position_bound_fresh_mm
-    face, place = (int(i) for i in np.unravel_index(np.argmax(bound), bound.shape))
+    worst = np.argmax(np.where(scores.places, bound, -np.inf))
+    face, place = (int(i) for i in np.unravel_index(worst, bound.shape))
     x, y = scores.grid.xy_mm[place]
     return WeakestPlace(
         int(scores.faces[face]),
@@ -186,25 +215,44 @@ def weakest_place(scores: PlaceScores) -> WeakestPlace:
     )
 
 
-def area_places(grid: PlaceGrid, area: Area) -> Bool[np.ndarray, "place"]:
-    """Places of an area: corners; edge, the outermost ring without corners; mid_edge, the middle
-    third of each side; centre, the inner 4 × 4."""
-    nx, ny = grid.shape
-    x, y = np.meshgrid(np.arange(nx), np.arange(ny), indexing="ij")
-    on_x, on_y = (x == 0) | (x == nx - 1), (y == 0) | (y == ny - 1)
-    from_x, from_y = abs(x - (nx - 1) / 2), abs(y - (ny - 1) / 2)
+def area_places(
+    grid: PlaceGrid, area: Area, places: Bool[np.ndarray, "place"] | None = None
+) -> Bool[np.ndarray, "place"]:
+    """Places of an area of one face: corners; edge, the outermost ring without corners; mid_edge, the
+    middle third of each side; centre, the inner 4 × 4.
+
+    `places` are those that the face has, by default all. Where they are no rectangle, a border of
+    steps has no corners: all of it is edge.
+    """
+    whole = np.ones(len(grid), bool) if places is None else places
+    there = whole.reshape(grid.shape)
+    columns, rows = (np.flatnonzero(there.any(axis=other)) for other in (1, 0))
+    x, y = np.meshgrid(*map(np.arange, grid.shape), indexing="ij")
+    from_x, from_y = (abs(at - (used[0] + used[-1]) / 2) for at, used in ((x, columns), (y, rows)))
+    on_x, on_y = (_ends(there, axis) for axis in (0, 1))
+    corner = on_x & on_y
+    if there.sum() < len(columns) * len(rows):
+        corner = np.zeros_like(there)
     masks = {
-        "corner": on_x & on_y,
-        "edge": on_x ^ on_y,
-        "mid_edge": (on_x & (from_y <= ny / 6)) | (on_y & (from_x <= nx / 6)),
+        "corner": corner,
+        "edge": (on_x | on_y) & ~corner,
+        "mid_edge": (on_x & (from_y <= len(rows) / 6)) | (on_y & (from_x <= len(columns) / 6)),
         "centre": (from_x < 2) & (from_y < 2),
     }
-    return masks[area].ravel()
+    return (masks[area] & there).ravel()
 
 
-def outermost_places(grid: PlaceGrid) -> Bool[np.ndarray, "place"]:
-    """The outermost ring, corners included."""
-    return area_places(grid, "corner") | area_places(grid, "edge")
+def _ends(there: Bool[np.ndarray, "nx ny"], axis: int) -> Bool[np.ndarray, "nx ny"]:
+    """Places that have no neighbour on one side or the other along an axis."""
+    padded = np.pad(np.moveaxis(there, axis, 0), ((1, 1), (0, 0)))
+    return np.moveaxis(padded[1:-1] & ~(padded[:-2] & padded[2:]), 0, axis)
+
+
+def outermost_places(
+    grid: PlaceGrid, places: Bool[np.ndarray, "place"] | None = None
+) -> Bool[np.ndarray, "place"]:
+    """The outermost ring of a face, corners included."""
+    return area_places(grid, "corner", places) | area_places(grid, "edge", places)
 
 
 def summarize_areas(scores: PlaceScores, face: int | None = None) -> tuple[AreaSummary, ...]:
@@ -213,16 +261,18 @@ def summarize_areas(scores: PlaceScores, face: int | None = None) -> tuple[AreaS
     names = [f.name for f in fields(scores) if f.name.startswith(("delta", "position", "force_b"))]
     names.remove("delta_raw_standard_error")
     names += ["detectable_force_fresh_n", "detectable_force_drifted_n", "stiffness_n_per_mm"]
-    medians = {}
+    medians, counts = {}, {}
     for area in AREAS:
-        places = area_places(scores.grid, area)
+        there = np.stack([area_places(scores.grid, area, own) for own in scores.places[rows]])
+        counts[area] = tuple(there.sum(axis=1).tolist())
         medians[area] = {
-            name: float(np.median(getattr(scores, name)[rows][:, places])) for name in names
+            name: float(np.median(getattr(scores, name)[rows][there])) if there.any() else np.nan
+            for name in names
         }
     return tuple(
         AreaSummary(
             area,
-            int(area_places(scores.grid, area).sum()),
+            counts[area],
             medians[area],
             {name: medians[area][name] / medians["centre"][name] for name in names},
         )
@@ -256,7 +306,7 @@ _UNITS = {
 
 
 def save_scores_csv(scores: PlaceScores, path: Path | str) -> None:
-    """One row for every face and place; the header's names carry the units."""
+    """One row for every face and place, nan where a face has not the place; names carry the units."""
     names = [f.name for f in fields(scores)][2:]
     header = [f"{name} [{_UNITS[name]}]" if name in _UNITS else name for name in names]
     xy = scores.grid.xy_mm

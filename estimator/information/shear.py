@@ -13,12 +13,14 @@ from pathlib import Path
 import numpy as np
 from jaxtyping import Float, Int
 
+from design.layout.contact_places import contact_places, face_rows
 from design.layout.positions import PlaceGrid, grid_places_in_lattice, live_channels
 from design.spec.object import ObjectSpec
 from design.tables import write_table
 from estimator.field.models import field_model
 from estimator.field.sources import magnet_source
 from estimator.information.fisher import cramer_rao_bounds, disturbance_counts
+from estimator.information.scores import on_places
 from estimator.information.sensitivity import own_channels
 from estimator.signals.field_setup import counts, min_distance_mm, scene, sensed_field
 from estimator.signals.interpolation import press_traces, signal_gradient
@@ -54,6 +56,8 @@ class ShearScores:
     normal_force_bound_*_n : σF
     tangential_force_bound_*_n : √(σFx² + σFy²)
     condition : of the whitened Jacobian in mm and N, freshly zeroed
+
+    NaN at places that a face has not.
     """
 
     faces: Int[np.ndarray, "face"]
@@ -70,32 +74,37 @@ class ShearScores:
 def shear_signals(spec: ObjectSpec, motions: MagnetMotions, shear: ShearMotions) -> ShearSignals:
     """Derivative of every channel by the tangential forces, by central differences."""
     place = scene(spec)
-    pressed = motions.motion[:, grid_places_in_lattice(spec)]
+    there = contact_places(spec)[face_rows(spec, motions.faces)]
+    pressed = motions.motion[:, grid_places_in_lattice(spec)][there]
     nearest = min_distance_mm(place, pressed.reshape(-1, place.bodies, 6))
     model = field_model(magnet_source(spec.magnets), nearest - 0.1)
-    change = _STEP_N * shear.motion_per_n
+    change = _STEP_N * shear.motion_per_n[there]
     field_t = [
         sensed_field(
-            place, (pressed[:, :, :, None] + side * change).reshape(-1, place.bodies, 6), model
+            place, (pressed[:, :, None] + side * change).reshape(-1, place.bodies, 6), model
         )
         for side in (1, -1)
     ]
     sides = [counts(place, field, spec) for field in field_t]
     slope = (sides[0] - sides[1]) / (2 * _STEP_N)
-    shape = (*shear.motion_per_n.shape[:4], *slope.shape[1:])
-    return ShearSignals(shear.faces, shear.grid, shear.depth_mm, slope.reshape(shape))
+    slope = on_places(there, [slope.reshape(*change.shape[:3], *slope.shape[1:])])
+    return ShearSignals(shear.faces, shear.grid, shear.depth_mm, slope)
 
 
 def contact_jacobian(
     spec: ObjectSpec, signals: Signals, shear: ShearSignals, face: int
 ) -> Float[np.ndarray, "place channel 5"]:
-    """∂(counts)/∂(x, y, F, Fx, Fy) at `score.force_n`, or at the deepest press where that is less."""
-    xy = shear.grid.xy_mm
+    """∂(counts)/∂(x, y, F, Fx, Fy) at `score.force_n`, or at the deepest press where that is less.
+
+    At the places that the face has.
+    """
+    there = contact_places(spec)[spec.body.sensed.index(face)]
+    xy = shear.grid.xy_mm[there]
     where = (np.full(len(xy), face), xy[:, 0], xy[:, 1])
     traces = press_traces(signals, *where)
     force = np.minimum(spec.score.force_n, traces.force_n[:, -1])
     normal = signal_gradient(signals, *where, force).jacobian
-    per_n = shear.counts_per_n[list(shear.faces).index(face)]
+    per_n = shear.counts_per_n[list(shear.faces).index(face), there]
     rest_first = np.concatenate([per_n[:, :1], per_n], axis=1).reshape(*traces.force_n.shape, -1)
     carry_over_missing(rest_first)
     tangential = monotone_cubic(traces.force_n, rest_first, force[:, None])[:, 0]
@@ -129,7 +138,8 @@ def score_shear(spec: ObjectSpec, signals: Signals, shear: ShearSignals) -> Shea
             if state == "fresh":
                 row["condition"] = np.linalg.cond(jacobian / sigma[:, None])
         rows.append(row)
-    columns = {name: np.stack([row[name] for row in rows]) for name in rows[0]}
+    places = contact_places(spec)[face_rows(spec, signals.faces)]
+    columns = {name: on_places(places, [row[name] for row in rows]) for name in rows[0]}
     return ShearScores(signals.faces, shear.grid, **columns)
 
 

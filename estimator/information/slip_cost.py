@@ -14,11 +14,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from jaxtyping import Float, Int
+from jaxtyping import Bool, Float, Int
 
+from design.layout.contact_places import contact_places, face_rows
 from design.layout.positions import contact_grid
 from design.spec.object import ObjectSpec
 from estimator.information.fisher import disturbance_counts
+from estimator.information.scores import on_places
 from estimator.information.sensitivity import channel_noise, own_channels
 from estimator.signals.interpolation import counts_at_force, press_traces, signal_gradient
 from estimator.signals.presses import Signals
@@ -40,6 +42,8 @@ class SlipCost:
         channel in units of its white noise, and the ratio of their lengths
     false_place_mm, false_force_n : (face, place) before re-zeroing
     rezeroed_place_mm, rezeroed_force_n : (face, place) after it
+
+    NaN at places that a face has not.
     """
 
     faces: Int[np.ndarray, "face"]
@@ -53,6 +57,11 @@ class SlipCost:
     rezeroed_place_mm: Float[np.ndarray, "face place"]
     rezeroed_force_n: Float[np.ndarray, "face place"]
 
+    @property
+    def places(self) -> Bool[np.ndarray, "face place"]:
+        """Which places of the grid each face has."""
+        return ~np.isnan(self.force_n)
+
 
 def slip_cost(spec: ObjectSpec, calibrated: Signals, slipped: Signals) -> SlipCost:
     """Compare at every contact location at `score.force_n`, or what both presses reach.
@@ -62,7 +71,8 @@ def slip_cost(spec: ObjectSpec, calibrated: Signals, slipped: Signals) -> SlipCo
     baseline = slipped.baseline_counts - calibrated.baseline_counts
     noise = np.asarray(spec.sensors.noise_counts, float)
     rows = [_face_cost(spec, calibrated, slipped, int(face)) for face in calibrated.faces]
-    columns = {name: np.stack([row[name] for row in rows]) for name in rows[0]}
+    places = contact_places(spec)[face_rows(spec, calibrated.faces)]
+    columns = {name: on_places(places, [row[name] for row in rows]) for name in rows[0]}
     sigma = np.linalg.norm(baseline / noise, axis=1)
     return SlipCost(calibrated.faces, columns.pop("force_n"), baseline, sigma, **columns)
 
@@ -70,9 +80,9 @@ def slip_cost(spec: ObjectSpec, calibrated: Signals, slipped: Signals) -> SlipCo
 def _face_cost(
     spec: ObjectSpec, calibrated: Signals, slipped: Signals, face: int
 ) -> dict[str, np.ndarray]:
-    grid = contact_grid(spec)
+    xy = contact_grid(spec).xy_mm[contact_places(spec)[spec.body.sensed.index(face)]]
     own = own_channels(calibrated, spec.sensors, face)
-    where = (np.full(len(grid), face), grid.xy_mm[:, 0], grid.xy_mm[:, 1])
+    where = (np.full(len(xy), face), xy[:, 0], xy[:, 1])
     before, after = (
         press_traces(signals, *where).of_channels(own) for signals in (calibrated, slipped)
     )

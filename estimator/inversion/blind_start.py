@@ -181,11 +181,11 @@ def _read_channels(built: _Object, index: int, channels: Channels) -> np.ndarray
 
 def _known_number(spec: ObjectSpec, model: ContactModel, contacts: int) -> Priors:
     """So many contacts anywhere on one face, tips apart; forces from 0.1 N to the table's largest."""
-    low, high = model.bounds
+    _, high = model.bounds
     return Priors(
         (*np.zeros(contacts).tolist(), 1.0),
         1,
-        float(np.prod(high[:2] - low[:2])),
+        model.area_mm2,
         (_LEAST_FORCE_N, float(high[2])),
         2 * spec.indenter.radius_mm,
     )

@@ -145,6 +145,8 @@ def dictionary(model: ContactModel, priors: Priors) -> Dictionary:
             tips_mm = offsets + np.array(centre)
             if np.any((tips_mm < low - 1e-6) | (tips_mm > high + 1e-6)):
                 continue
+            if not _on_face(model, face, tips_mm[:number]):
+                continue
             for force in forces:
                 faces.append(face)
                 tips.append(number)
@@ -154,6 +156,12 @@ def dictionary(model: ContactModel, priors: Priors) -> Dictionary:
     singles = np.zeros((*there.shape, model.channels))
     singles[there] = model.signals.values(np.repeat(face, number), contact[there])[:, 0]
     return Dictionary(face, number, contact, singles.sum(axis=1).astype(np.float32))
+
+
+def _on_face(model: ContactModel, face: int, tips_mm: Float[np.ndarray, "tip 2"]) -> bool:
+    contact = np.column_stack([tips_mm, np.zeros(len(tips_mm))])[None]
+    stays = model.on_faces(np.full((1, len(tips_mm)), face), contact)
+    return bool(np.allclose(stays, contact, atol=1e-6))
 
 
 def _probes(priors: Priors) -> list[tuple[int, float]]:

@@ -17,12 +17,15 @@ import numpy as np
 from jaxtyping import Bool, Float, Int
 
 from design.errors import InputError
+from design.layout.contact_places import face_rows, pressed_nodes
+from design.layout.positions import PlaceGrid, press_lattice
 from design.spec.object import ObjectSpec
 from estimator.field.models import FieldModel, field_model
 from estimator.field.sources import magnet_source
 from estimator.information.shear import ShearSignals
 from estimator.inversion.table import PressTable, motion_table, shear_table, signal_table
 from estimator.signals.field_setup import Scene, counts, min_distance_mm, sensed_field
+from estimator.signals.interpolation import among_pressed
 from estimator.signals.press_states import rest_motion
 from estimator.signals.presses import Signals
 from estimator.tolerances.assembly import designed
@@ -86,6 +89,47 @@ class ContactModel:
         """Least and largest x, y (mm) and force (N) of a contact that the tables know."""
         x, y, root = self.signals.x.breaks, self.signals.y.breaks, self.signals.largest_force_n
         return np.array([x[0], y[0], 0.0]), np.array([x[-1], y[-1], root])
+
+    @cached_property
+    def cells(self) -> tuple[Float[np.ndarray, "_ 2"], ...]:
+        """Middles of the lattice's cells between presses of each face, mm."""
+        lattice = press_lattice(self.spec)
+        pressed = pressed_nodes(self.spec)[face_rows(self.spec, self.signals.faces)]
+        x, y = ((nodes[1:] + nodes[:-1]) / 2 for nodes in (lattice.x_mm, lattice.y_mm))
+        middles = PlaceGrid(x, y).xy_mm
+        return tuple(middles[among_pressed(lattice, there, *middles.T)] for there in pressed)
+
+    @property
+    def whole(self) -> bool:
+        """Whether every face has all places of the lattice."""
+        return bool(pressed_nodes(self.spec).all())
+
+    @property
+    def area_mm2(self) -> float:
+        """Of all faces, where a contact may be."""
+        (low, high), faces = self.bounds, len(self.signals.faces)
+        rectangles = float(faces * np.prod(high[:2] - low[:2]))
+        if self.whole:
+            return rectangles
+        nx, ny = press_lattice(self.spec).shape
+        return rectangles * sum(map(len, self.cells)) / (faces * (nx - 1) * (ny - 1))
+
+    def on_faces(
+        self,
+        face: Int[np.ndarray, "problem contact"],
+        contact: Float[np.ndarray, "problem contact 3"],
+    ) -> Float[np.ndarray, "problem contact 3"]:
+        """Contacts beside what their face has moved to its border."""
+        if self.whole:
+            return contact
+        from scipy.spatial import KDTree
+
+        moved, half = contact.copy(), self.spec.contact_grid.pitch_mm / 4
+        for index, middles in enumerate(self.cells):
+            here = face == index
+            nearest = middles[KDTree(middles).query(contact[here, :2])[1]]
+            moved[here, :2] = np.clip(contact[here, :2], nearest - half, nearest + half)
+        return moved
 
     def singles(
         self,
@@ -175,7 +219,7 @@ def contact_model(
             "Simulate them (stage shear), or set it to 0"
         )
     place = designed(spec).scene
-    nearest = min_distance_mm(place, motions.motion.reshape(-1, place.bodies, 6))
+    nearest = min_distance_mm(place, motions.every)
     return ContactModel(
         spec,
         signal_table(signals),

@@ -144,7 +144,7 @@ def inversion(
 def contact_priors(model: ContactModel) -> Priors:
     """As `[inversion]` has them: any number of contacts is as likely as any other, every place in the
     table, and every force up to the table's largest; tips of the specification's indenter stand apart."""
-    asked, (low, high) = model.spec.inversion, model.bounds
+    asked, (_, high) = model.spec.inversion, model.bounds
     faces, radius = (
         len(model.signals.faces),
         float(np.ptp(footprint_mm(model.spec.indenter), axis=0).min()),
@@ -153,7 +153,7 @@ def contact_priors(model: ContactModel) -> Priors:
     return Priors(
         tuple(np.full(asked.contacts + 1, 1 / (asked.contacts + 1)).tolist()),
         faces,
-        float(faces * np.prod(high[:2] - low[:2])),
+        model.area_mm2,
         (asked.least_force_n, float(high[2])),
         radius,
         KNOWN_FORCE_SPREAD if known else None,

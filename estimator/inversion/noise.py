@@ -88,10 +88,14 @@ def design_error(
     Root mean square over the presses of three virtual objects at equal travel, with what meshes of
     one design differ by.
     """
-    size = np.mean(signals.delta_counts**2)
+    there = signals.pressed
+    size = np.mean(signals.delta_counts[there] ** 2)
     drawn = (
         twin_signals(spec, drawn_assembly(spec, spec.seed + number), forces, motions)
         for number in range(_OBJECTS)
     )
-    differ = [np.mean((one.delta_counts - signals.delta_counts) ** 2) / size for one in drawn]
+    differ = [
+        np.mean((one.delta_counts[there] - signals.delta_counts[there]) ** 2) / size
+        for one in drawn
+    ]
     return float(np.sqrt(np.mean(differ) + MESH_ERROR**2))

@@ -99,7 +99,7 @@ def most_probable(
     `extra` is a first guess of the interaction, which each of the rounds works out anew.
     """
     slots, used = face.shape[1], _used_slots(face)
-    face, contact = face[:, :used], _held(model, priors, contact[:, :used])
+    face, contact = face[:, :used], _held(model, priors, face[:, :used], contact[:, :used])
     extra = model.interaction(face, contact) if extra is None else extra
     for number in range(rounds):
         contact, at = _descend(model, priors, seen, frame, face, contact, extra, steps)
@@ -133,9 +133,10 @@ def _widened(problems: Problems, slots: int) -> Problems:
     )
 
 
-def _held(model: ContactModel, priors: Priors, contact: np.ndarray) -> np.ndarray:
+def _held(model: ContactModel, priors: Priors, face: np.ndarray, contact: np.ndarray) -> np.ndarray:
     (low, high), (least, most) = model.bounds, priors.force_n
-    return np.clip(contact, [*low[:2], least], [*high[:2], min(most, high[2])])
+    held = np.clip(contact, [*low[:2], least], [*high[:2], min(most, high[2])])
+    return model.on_faces(face, held)
 
 
 def _descend(
@@ -157,7 +158,7 @@ def _descend(
             break
         step = _step(at.slope[active], at.curvature[active], damping[active])
         trial = contact[active] + np.clip(step.reshape(-1, *contact.shape[1:]), -_LONGEST, _LONGEST)
-        trial = _held(model, priors, trial)
+        trial = _held(model, priors, face[active], trial)
         there = _linear(model, priors, seen, frame[active], face[active], trial, extra[active])
         gain = at.misfit[active] - there.misfit
         better = gain > 0

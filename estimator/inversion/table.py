@@ -9,13 +9,15 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
-from jaxtyping import Float, Int
+from jaxtyping import Bool, Float, Int
 
+from design.layout.contact_places import contact_places, face_rows
 from design.layout.positions import PlaceGrid
 from design.spec.object import ObjectSpec
 from estimator.frames.tangential import slope_traces
 from estimator.information.shear import ShearSignals
 from estimator.inversion.spline import CubicAxes, CubicAxis, cubic_axis, spline_coefficients
+from estimator.signals.continuation import continued
 from estimator.signals.interpolation import Traces, press_traces
 from estimator.signals.monotone import monotone_cubic
 from estimator.signals.press_states import motions_as_signals
@@ -113,11 +115,24 @@ def signal_table(signals: Signals) -> PressTable:
     """Changes of counts (channel = sensor · 3 + axis) of every press of the lattice."""
     nodes = _force_nodes(signals)
     values = []
-    for face in signals.faces.tolist():
-        x, y = signals.lattice.xy_mm.T
+    for face, there in zip(signals.faces.tolist(), signals.pressed, strict=True):
+        x, y = signals.lattice.xy_mm[there].T
         traces = press_traces(signals, np.full(len(x), face), x, y)
-        values.append(_at_forces(traces, nodes))
+        values.append(_on_lattice(_at_forces(traces, nodes), there, signals.lattice))
     return _table(signals.faces, signals.lattice, nodes, np.stack(values))
+
+
+def _on_lattice(
+    values: Float[np.ndarray, "place node channel"],
+    there: Bool[np.ndarray, "every"],
+    lattice: PlaceGrid,
+) -> Float[np.ndarray, "every node channel"]:
+    """Values of the places that a face has, continued smoothly to those that it has not."""
+    if there.all():
+        return values
+    every = np.full((len(there), *values.shape[1:]), np.nan)
+    every[there] = values
+    return continued(every, there, lattice.shape)
 
 
 def motion_table(forces: PressForces, motions: MagnetMotions) -> PressTable:
@@ -127,17 +142,19 @@ def motion_table(forces: PressForces, motions: MagnetMotions) -> PressTable:
 
 def shear_table(spec: ObjectSpec, signals: Signals, shear: ShearSignals) -> PressTable:
     """Change of counts per newton along x, then along y (2 · channels), at the contact locations."""
-    nodes, x, y = _force_nodes(signals), *shear.grid.xy_mm.T
-    values = []
-    for face in shear.faces.tolist():
-        slopes = slope_traces(spec, signals, shear, np.full(len(x), face), np.column_stack([x, y]))
-        values.append(np.concatenate([_at_forces(one, nodes) for one in slopes], axis=2))
+    nodes, values = _force_nodes(signals), []
+    places = contact_places(spec)[face_rows(spec, shear.faces)]
+    for face, there in zip(shear.faces.tolist(), places, strict=True):
+        xy = shear.grid.xy_mm[there]
+        slopes = slope_traces(spec, signals, shear, np.full(len(xy), face), xy)
+        found = np.concatenate([_at_forces(one, nodes) for one in slopes], axis=2)
+        values.append(_on_lattice(found, there, shear.grid))
     return _table(shear.faces, shear.grid, nodes, np.stack(values))
 
 
 def _force_nodes(signals: Signals) -> Float[np.ndarray, "node"]:
     """From 0 to the force that the hardest place needs at most, evenly in its root."""
-    largest = float(signals.force_n[..., -1].max())
+    largest = float(signals.force_n[signals.pressed, -1].max())
     last = np.sqrt(largest + _NEAR_ZERO_N)
     return np.linspace(_FIRST_ROOT, last, FORCE_NODES) ** 2 - _NEAR_ZERO_N
 

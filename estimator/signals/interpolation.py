@@ -16,18 +16,21 @@ the chord of their neighbours and marked (`Traces.corrected`, `unresolved_presse
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from itertools import product
 from typing import Literal
 
 import numpy as np
 from jaxtyping import Bool, Float, Inexact, Int
 
 from design.errors import InputError
+from design.layout.positions import PlaceGrid
 from estimator.signals.monotone import monotone_cubic
 from estimator.signals.presses import Signals
 
 _STEP = 1e-30
 """Imaginary step of complex-step differentiation: exact to rounding, no cancellation."""
 _LEAST_RISE_N = 1e-6
+_ON_EDGE_MM = 1e-6
 
 
 @dataclass(frozen=True)
@@ -94,9 +97,10 @@ def press_traces(
     Raises
     ------
     InputError
-        A place outside the lattice, an unknown face, or a force that does not grow with depth.
+        A place outside the lattice or half a pitch from all that the face has, an unknown face, or a
+        force that does not grow with depth.
     """
-    _check_faces(signals, face)
+    _require_pressed(signals, face, x_mm, y_mm)
     weights = _lattice_weights(signals, x_mm, y_mm)
     return _traces(signals, face, weights[0] + 0.0)
 
@@ -158,7 +162,7 @@ def signal_gradient(
     They are the exact derivatives of the interpolant, by complex-step differentiation. Raises as
     `press_traces` and `counts_at_force` do.
     """
-    _check_faces(signals, face)
+    _require_pressed(signals, face, x_mm, y_mm)
     value, along_x, along_y = _lattice_weights(signals, x_mm, y_mm)
     force = force_n[:, None]
     base = _traces(signals, face, value + 0.0)
@@ -208,26 +212,63 @@ def _traces(
     channels = signals.baseline_counts.size
     force = np.zeros((len(face), nodes), weights.dtype)
     counts = np.zeros((len(face), nodes, channels), weights.dtype)
+    whole = signals.whole
     for index, number in enumerate(signals.faces):
         here = np.flatnonzero(face == number)
-        force[here, 1:] = weights[here] @ signals.force_n[index]
-        delta = signals.delta_counts[index].reshape(len(signals.lattice), -1)
+        force[here, 1:] = weights[here] @ whole.force_n[index]
+        delta = whole.delta_counts[index].reshape(len(signals.lattice), -1)
         counts[here, 1:] = (weights[here] @ delta).reshape(len(here), nodes - 1, channels)
     depth = np.concatenate([[0.0], signals.depth_mm])
     return _corrected(Traces(depth, force, counts, np.zeros(force.shape, bool)), face)
 
 
-def _check_faces(signals: Signals, face: Int[np.ndarray, "press"]) -> None:
+def _require_pressed(
+    signals: Signals,
+    face: Int[np.ndarray, "press"],
+    x_mm: Float[np.ndarray, "press"],
+    y_mm: Float[np.ndarray, "press"],
+) -> None:
+    """Raise InputError for a face, or a place of it, that was not pressed."""
     unknown = np.setdiff1d(face, signals.faces)
     if unknown.size:
         raise InputError(
             f"face {unknown[0]} was not pressed; signals cover faces {signals.faces.tolist()}"
         )
+    if signals.pressed.all():
+        return
+    for number, pressed in zip(signals.faces.tolist(), signals.pressed, strict=True):
+        here = np.flatnonzero(face == number)
+        beyond = here[~among_pressed(signals.lattice, pressed, x_mm[here], y_mm[here])]
+        if len(beyond):
+            x, y = x_mm[beyond[0]], y_mm[beyond[0]]
+            raise InputError(
+                f"({x:.4g}, {y:.4g}) mm on face {number} lies beside the contact locations that the face "
+                "has, and half a pitch round them. Press nearer to one of them"
+            )
+
+
+def among_pressed(
+    lattice: PlaceGrid,
+    pressed: Bool[np.ndarray, "node"],
+    x_mm: Float[np.ndarray, "press"],
+    y_mm: Float[np.ndarray, "press"],
+) -> Bool[np.ndarray, "press"]:
+    """Whether places of one face lie in a cell of the lattice whose corners are all pressed."""
+    at = pressed.reshape(lattice.shape)
+    cells = at[:-1, :-1] & at[1:, :-1] & at[:-1, 1:] & at[1:, 1:]
+    within = np.zeros(len(x_mm), bool)
+    for aside_x, aside_y in product((-_ON_EDGE_MM, _ON_EDGE_MM), repeat=2):
+        rows, columns = (
+            np.clip(np.searchsorted(nodes, values) - 1, 0, len(nodes) - 2)
+            for nodes, values in ((lattice.x_mm, x_mm + aside_x), (lattice.y_mm, y_mm + aside_y))
+        )
+        within |= cells[rows, columns]
+    return within
 
 
 def unresolved_presses(signals: Signals) -> Bool[np.ndarray, "face place step"]:
     """Presses of the lattice whose force does not exceed that of all shallower ones."""
-    return ~_grows(signals.force_n)
+    return ~_grows(signals.force_n) & signals.pressed[..., None]
 
 
 def _grows(force_n: Float[np.ndarray, "*any step"]) -> Bool[np.ndarray, "*any step"]:

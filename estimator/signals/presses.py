@@ -7,18 +7,21 @@ sensor (all faces, face by face), chip axis (X, Y, Z).
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import cached_property
 from pathlib import Path
 
 import numpy as np
-from jaxtyping import Float, Int
+from jaxtyping import Bool, Float, Int
 
 from design.errors import InputError
+from design.layout.contact_places import contact_places, face_rows, pressed_nodes
 from design.layout.positions import PlaceGrid, contact_grid, grid_places_in_lattice, sensor_layout
 from design.netcdf import FileKind, read_netcdf, write_netcdf
 from design.spec.object import ObjectSpec
 from estimator.field.models import FieldModel, field_model
 from estimator.field.sources import magnet_source
+from estimator.signals.continuation import continued
 from estimator.signals.field_setup import at_rest, counts, min_distance_mm, scene, sensed_field
 from estimator.signals.hall import (
     check_rest,
@@ -60,6 +63,8 @@ _GRID_SIGNALS = FileKind(
         "axis": ("axis", ""),
     },
 )
+NOT_READ = np.iinfo(np.int32).min
+"""Of `reading_counts` at places that a face has not."""
 Progress = Callable[[str], None]
 """Called with a line about each part that is done."""
 
@@ -76,6 +81,8 @@ class Signals:
     force_n : (face, place, step) normal force, N, compressive positive
     delta_counts : (face, place, step, sensor, axis) expected change against rest, counts
     baseline_counts : (sensor, axis) expected counts at rest
+
+    Forces and changes are NaN at places that a face has not.
     """
 
     faces: Int[np.ndarray, "face"]
@@ -84,6 +91,22 @@ class Signals:
     force_n: Float[np.ndarray, "face place step"]
     delta_counts: Float[np.ndarray, "face place step sensor 3"]
     baseline_counts: Float[np.ndarray, "sensor 3"]
+
+    @cached_property
+    def pressed(self) -> Bool[np.ndarray, "face place"]:
+        """Which places of the lattice each face has."""
+        return ~np.isnan(self.force_n).all(axis=2)
+
+    @cached_property
+    def whole(self) -> Signals:
+        """Continued smoothly to all places of the lattice, for splines: never to be read there."""
+        if self.pressed.all():
+            return self
+        force, delta = self.force_n.copy(), self.delta_counts.copy()
+        for index, pressed in enumerate(self.pressed):
+            for values in (force, delta):
+                values[index] = continued(values[index], pressed, self.lattice.shape)
+        return replace(self, force_n=force, delta_counts=delta)
 
 
 def press_signals(
@@ -107,16 +130,15 @@ def press_signals(
     place = scene(spec, core_slipped=spec.mechanics.slip.model == "sensors-only")
     magnet = magnet_source(spec.magnets)
     check_sensors_outside_magnets(place.sensors, place.magnets, magnet)
-    model = field_model(magnet, min_distance_mm(place, motions.motion.reshape(-1, place.bodies, 6)))
+    model = field_model(magnet, min_distance_mm(place, motions.every))
     still = at_rest(place) if motions.rest is None else motions.rest[None]
     baseline = counts(place, sensed_field(place, still, model)[0], spec)
     check_rest(baseline, place.sensors, spec.sensors)
-    per_face = motions.motion.shape[1:3]
-    delta = np.empty((len(motions.faces), *per_face, *baseline.shape))
-    for index, face in enumerate(motions.faces):
-        motion = motions.motion[index].reshape(-1, place.bodies, 6)
+    delta = np.full((*motions.motion.shape[:3], *baseline.shape), np.nan)
+    for index, (face, here) in enumerate(zip(motions.faces, motions.pressed, strict=True)):
+        motion = motions.motion[index, here].reshape(-1, place.bodies, 6)
         pressed = counts(place, sensed_field(place, motion, model), spec)
-        delta[index] = pressed.reshape(*per_face, *baseline.shape) - baseline
+        delta[index, here] = pressed.reshape(-1, *delta.shape[2:]) - baseline
         if progress is not None:
             progress(f"face {face}: field of {motion.shape[0]} presses at {len(baseline)} sensors")
     return Signals(
@@ -135,12 +157,21 @@ def rest_counts(spec: ObjectSpec, model: FieldModel | None = None) -> Float[np.n
     return counts(place, sensed_field(place, at_rest(place), model)[0], spec)
 
 
-def require_finite(signals: Signals) -> None:
-    """Raise InputError that names the channel where forces or signals are not finite."""
-    if not np.isfinite(signals.force_n).all():
-        count = int(np.sum(~np.isfinite(signals.force_n)))
+def require_finite(spec: ObjectSpec, signals: Signals) -> None:
+    """Raise InputError that names the channel where forces or signals are not finite.
+
+    They must be at every place that a face has, and there alone.
+    """
+    pressed = pressed_nodes(spec)[face_rows(spec, signals.faces)]
+    missing = ~np.isfinite(signals.force_n)
+    if missing[pressed].any():
+        count = int(missing[pressed].sum())
         raise InputError(f"the force of {count} presses is not finite. Simulate the presses anew")
-    per_channel = np.sum(~np.isfinite(signals.delta_counts), axis=(0, 1, 2))
+    if not missing[~pressed].all():
+        raise InputError(
+            "the signals hold presses at places that contact_grid leaves out. Simulate them anew"
+        )
+    per_channel = np.sum(~np.isfinite(signals.delta_counts[pressed]), axis=(0, 1))
     bad = np.argwhere((per_channel > 0) | ~np.isfinite(signals.baseline_counts))
     if bad.size:
         per_face = len(signals.baseline_counts) // len(signals.faces)
@@ -158,7 +189,9 @@ def require_finite(signals: Signals) -> None:
 
 def saturation_margin(signals: Signals, spec: ObjectSpec) -> float:
     """1 − (largest |expected counts| in any press or at rest) / full scale; negative if clipped."""
-    pressed = np.abs(signals.baseline_counts + signals.delta_counts).max()
+    delta = signals.delta_counts
+    delta = delta if signals.pressed.all() else delta[signals.pressed]
+    pressed = np.abs(signals.baseline_counts + delta).max()
     largest = max(float(pressed), float(np.abs(signals.baseline_counts).max()))
     return 1 - largest / full_scale_counts(spec.sensors)
 
@@ -202,17 +235,20 @@ def save_grid_signals(spec: ObjectSpec, signals: Signals, path: Path | str, seed
     """Write the signals of the contact locations alone, with one simulated reading of each press.
 
     `reading_counts` is noisy, rounded and clipped to the sensor's full scale (`hall.read_out`);
-    `delta_counts` and `baseline_counts` are the expected counts behind it.
+    `delta_counts` and `baseline_counts` are the expected counts behind it. Places that a face has not
+    are NaN, `NOT_READ` among the readings.
     """
     places, grid = grid_places_in_lattice(spec), contact_grid(spec)
     delta = signals.delta_counts[:, places]
     expected = signals.baseline_counts + delta
-    reading = read_out(expected, spec.sensors, np.random.default_rng(seed))
+    there, rng = contact_places(spec), np.random.default_rng(seed)
+    reading = np.full(expected.shape, NOT_READ, np.int32)
+    reading[there] = read_out(expected[there], spec.sensors, rng).astype(np.int32)
     values = {
         "force_n": signals.force_n[:, places],
         "delta_counts": delta,
         "baseline_counts": signals.baseline_counts,
-        "reading_counts": reading.astype(np.int32),
+        "reading_counts": reading,
         "face": signals.faces,
         "place": np.arange(len(places)),
         "x_mm": grid.xy_mm[:, 0],

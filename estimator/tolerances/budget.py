@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from jaxtyping import Bool, Float
 
+from design.layout.contact_places import contact_places, face_rows
 from design.layout.positions import contact_grid, live_channels
 from design.spec.object import ObjectSpec
 from estimator.field.models import FieldModel, field_model
@@ -49,8 +50,8 @@ class Outcome:
     derivatives in x, y, F, of live channels; the bounds of all presses."""
 
     baseline: Float[np.ndarray, "sensor 3"]
-    delta: tuple[Float[np.ndarray, "place _"], ...]
-    jacobian: tuple[Float[np.ndarray, "place _ 3"], ...]
+    delta: tuple[Float[np.ndarray, "_ _"], ...]
+    jacobian: tuple[Float[np.ndarray, "_ _ 3"], ...]
     position_mm: Float[np.ndarray, "press"]
     force_n: Float[np.ndarray, "press"]
 
@@ -60,7 +61,7 @@ class _Deviation:
     """One independent deviation of an outcome; of bounds in their logarithms."""
 
     baseline: Float[np.ndarray, "sensor 3"]
-    delta: tuple[Float[np.ndarray, "place _"], ...]
+    delta: tuple[Float[np.ndarray, "_ _"], ...]
     position: Float[np.ndarray, "press"]
     force: Float[np.ndarray, "press"]
 
@@ -135,14 +136,16 @@ def setting_of(spec: ObjectSpec, forces: PressForces, motions: MagnetMotions) ->
     design, grid, working = designed(spec), contact_grid(spec), live_channels(spec)
     moving = motions_as_signals(forces, motions)
     states, live = [], []
-    for face in motions.faces.tolist():
-        where = np.full(len(grid), face)
-        reach = press_traces(moving, where, *grid.xy_mm.T).force_n[:, -1]
+    places = contact_places(spec)[face_rows(spec, motions.faces)]
+    for face, there in zip(motions.faces.tolist(), places, strict=True):
+        xy = grid.xy_mm[there]
+        where = np.full(len(xy), face)
+        reach = press_traces(moving, where, *xy.T).force_n[:, -1]
         force = np.minimum(spec.score.force_n, _REACH_SHARE * reach)
-        states.append(press_states(forces, motions, where, grid.xy_mm, force))
+        states.append(press_states(forces, motions, where, xy, force))
         own = design.scene.sensors.face == face
         live.append((working[own] if spec.score.channels == "own" else working).ravel())
-    nearest = min_distance_mm(design.scene, motions.motion.reshape(-1, design.scene.bodies, 6))
+    nearest = min_distance_mm(design.scene, motions.every)
     model = field_model(magnet_source(spec.magnets), nearest - _NEARER_MM)
     return Setting(spec, design, tuple(motions.faces.tolist()), tuple(states), tuple(live), model)
 

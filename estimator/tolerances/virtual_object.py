@@ -13,6 +13,7 @@ from jaxtyping import Float
 from design.spec.object import ObjectSpec
 from estimator.field.models import FieldModel, field_model
 from estimator.field.sources import magnet_source
+from estimator.signals.continuation import continued
 from estimator.signals.field_setup import min_distance_mm
 from estimator.signals.press_states import rest_motion
 from estimator.signals.presses import Progress, Signals
@@ -40,14 +41,13 @@ def twin_signals(
     Forces scale with its modulus. The object is not turned between zeroing and the press, so that
     Earth's field does not show.
     """
-    model, rest = twin_model(spec, assembly, motions.motion), rest_motion(motions)
+    model, rest = twin_model(spec, assembly, motions.every), rest_motion(motions)
     baseline = counts_of(spec, assembly.scene, rest[None], model)[0]
-    lattice = motions.motion.shape[1:3]
-    delta = np.empty((*motions.motion.shape[:3], *baseline.shape))
-    for index, face in enumerate(motions.faces.tolist()):
-        moved = _moved_aside(assembly, motions, index)
+    delta = np.full((*motions.motion.shape[:3], *baseline.shape), np.nan)
+    for index, (face, here) in enumerate(zip(motions.faces.tolist(), motions.pressed, strict=True)):
+        moved = _moved_aside(assembly, motions, index)[here]
         counts = counts_of(spec, assembly.scene, moved.reshape(-1, *rest.shape), model)
-        delta[index] = counts.reshape(*lattice, *baseline.shape) - baseline
+        delta[index, here] = counts.reshape(-1, *delta.shape[2:]) - baseline
         if progress is not None:
             progress(f"face {face}: {len(counts)} presses of the twin")
     return Signals(
@@ -86,9 +86,10 @@ def _moved_aside(
     own = (place.sensors if place.sensors_move else place.magnets).face == motions.faces[index]
     if not assembly.aside_mm[own].any():
         return motion
-    lattice = motions.lattice
-    shape = (len(lattice.x_mm), len(lattice.y_mm), *motion.shape[1:])
-    moved = motion.copy()
+    lattice, pressed = motions.lattice, motions.pressed[index]
+    shape = (*lattice.shape, *motion.shape[1:])
+    moved = motion.copy() if pressed.all() else continued(motion, pressed, lattice.shape)
+    motion = moved.copy()
     for axis, nodes in enumerate((lattice.x_mm, lattice.y_mm)):
         slope = _slope(motion.reshape(shape)[..., own, :], nodes, axis).reshape(
             len(motion), shape[2], -1, 6

@@ -131,13 +131,13 @@ def corrected_table(
     spec: ObjectSpec, forces: PressForces, motions: MagnetMotions, correction: StrainCorrection
 ) -> tuple[PressForces, MagnetMotions]:
     """The table with every press corrected; fitted on one face, taken to hold on all."""
-    force, motion = np.empty_like(forces.force_n), np.empty_like(motions.motion)
-    for index, face in enumerate(forces.faces.tolist()):
-        force[index], motion[index] = corrected_presses(
+    force, motion = forces.force_n.copy(), motions.motion.copy()
+    for index, (face, here) in enumerate(zip(forces.faces.tolist(), motions.pressed, strict=True)):
+        force[index, here], motion[index, here] = corrected_presses(
             correction,
             forces.depth_mm,
-            forces.force_n[index],
-            motions.motion[index],
+            forces.force_n[index, here],
+            motions.motion[index, here],
             *own_bodies(spec, face),
         )
     return replace(forces, force_n=force), replace(motions, motion=motion)

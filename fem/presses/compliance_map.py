@@ -29,7 +29,7 @@ DEPTH_MM = 1.0
 class ComplianceMap:
     """Secant compliance (face, place) in mm/N at `depth_mm`, over the lattice of presses.
 
-    Infinite where the press found no contact.
+    Infinite where the press found no contact, NaN at places that a face has not.
     """
 
     faces: Int[np.ndarray, "face"]
@@ -85,13 +85,14 @@ def load_forces(path: Path | str) -> PressForces:
 def save_compliance_csv(
     with_magnets: ComplianceMap, without_magnets: ComplianceMap, path: Path | str
 ) -> None:
-    """One row per place: face, x and y in its frame (mm), and both compliances in mm/N."""
+    """One row per place that a face has: face, x and y in its frame (mm), and both compliances in mm/N."""
     rows = [
         (int(face), f"{x:g}", f"{y:g}", f"{tied:.6g}", f"{free:.6g}")
         for face, tied_row, free_row in zip(
             with_magnets.faces, with_magnets.mm_per_n, without_magnets.mm_per_n, strict=True
         )
         for (x, y), tied, free in zip(with_magnets.lattice.xy_mm, tied_row, free_row, strict=True)
+        if not np.isnan(tied)
     ]
     depth = f"{with_magnets.depth_mm:g}_mm_deep"
     header = ("face", "x_mm", "y_mm", f"mm_per_n_{depth}", f"mm_per_n_without_magnets_{depth}")

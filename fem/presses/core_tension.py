@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from jaxtyping import Float
 
+from design.layout.contact_places import contact_places
 from design.layout.positions import contact_grid
 from design.spec.object import ObjectSpec
 from fem.linear.response import ResponseOperator
@@ -82,9 +83,11 @@ def core_tension(spec: ObjectSpec, response: ResponseOperator) -> CoreTension:
         The shell is bonded to its core.
     """
     deepest = np.array(spec.press.depths_mm[-1:])
-    xy = contact_grid(spec).xy_mm
     found = []
-    for index, surface in enumerate(response.surfaces):
+    for index, (surface, there) in enumerate(
+        zip(response.surfaces, contact_places(spec), strict=True)
+    ):
+        xy = contact_grid(spec).xy_mm[there]
         pressures = press_places(spec, response, index, xy, deepest)[:, 0]
         tension, press = largest_core_tension(response, index, pressures)
         x, y = xy[press].tolist()

@@ -11,10 +11,11 @@ from typing import Any
 
 import numpy as np
 import scipy.sparse.linalg
-from jaxtyping import Float
+from jaxtyping import Bool, Float
 from skfem import Basis, ElementTriP1, LinearForm, MeshTri
 from skfem.models.poisson import mass
 
+from design.layout.contact_places import contact_places
 from design.layout.positions import contact_grid
 from design.spec.object import ObjectSpec
 from fem.linear.response import FaceSurface, ResponseOperator
@@ -128,12 +129,11 @@ def coarser(spec: ObjectSpec) -> ObjectSpec:
 def sample_presses(spec: ObjectSpec, response: ResponseOperator) -> PressSample:
     """Press up to 25 places of each face to the depths of the specification."""
     grid, depths = contact_grid(spec), np.asarray(spec.press.depths_mm)
-    x, y = (_spread(axis) for axis in (grid.x_mm, grid.y_mm))
-    xy = np.stack(np.meshgrid(x, y, indexing="ij"), axis=-1).reshape(-1, 2)
     count = len(response.compliance) - response.magnet_loads.start
     arm = np.tile(np.repeat([1.0, _ROTATION_ARM_MM], 3), count // 6)
     forces, motions = [], []
-    for face in range(len(response.surfaces)):
+    for face, there in enumerate(contact_places(spec)):
+        xy = grid.xy_mm[there & _spread(there.reshape(grid.shape))]
         presses = press_face(spec, response, face, xy, depths)
         rows = response.compliance[response.magnet_loads, response.face_loads(face)]
         forces.append(presses.force_n)
@@ -198,11 +198,14 @@ def _largest(values: np.ndarray) -> float:
     return float(abs(values).max())
 
 
-def _spread(axis_mm: np.ndarray) -> np.ndarray:
-    """Up to five values of a grid's axis, its ends among them."""
-    return axis_mm[
-        np.unique(np.linspace(0, len(axis_mm) - 1, _PLACES_PER_AXIS).round().astype(int))
-    ]
+def _spread(there: Bool[np.ndarray, "nx ny"]) -> Bool[np.ndarray, "place"]:
+    """Up to five rows and columns of the locations that a face has, the first and last among them."""
+    chosen = []
+    for other in (1, 0):
+        used = np.flatnonzero(there.any(axis=other))
+        some = used[np.unique(np.linspace(0, len(used) - 1, _PLACES_PER_AXIS).round().astype(int))]
+        chosen.append(np.isin(np.arange(there.shape[1 - other]), some))
+    return np.outer(*chosen).ravel()
 
 
 def _quotient(numerator: np.ndarray, denominator: np.ndarray, where: np.ndarray) -> np.ndarray:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from jaxtyping import Float, Int
+from jaxtyping import Bool, Float, Int
 
 from design.layout.positions import PlaceGrid
 from design.netcdf import FileKind, read_netcdf, write_netcdf
@@ -33,7 +33,10 @@ _PRESSES = FileKind(
 
 @dataclass(frozen=True)
 class PressForces:
-    """Normal force (N, compressive positive) and contact area (mm²) at each depth (mm)."""
+    """Normal force (N, compressive positive) and contact area (mm²) at each depth (mm).
+
+    NaN at places that a face has not.
+    """
 
     faces: Int[np.ndarray, "face"]
     lattice: PlaceGrid
@@ -50,7 +53,8 @@ class MagnetMotions:
 
     `motion` (face, place, step, magnet, 6): displacement of the magnet's centre (mm), then its
     rotation vector (rad), in the object's frame, from where the layout puts it. `rest` (magnet, 6)
-    is the part of it that is there without a press, on a core that slipped; None for none.
+    is the part of it that is there without a press, on a core that slipped; None for none. `motion`
+    is NaN at places that a face has not.
     """
 
     faces: Int[np.ndarray, "face"]
@@ -58,6 +62,18 @@ class MagnetMotions:
     depth_mm: Float[np.ndarray, "step"]
     motion: Float[np.ndarray, "face place step magnet 6"]
     rest: Float[np.ndarray, "magnet 6"] | None = None
+
+    @property
+    def pressed(self) -> Bool[np.ndarray, "face place"]:
+        """Which places of the lattice each face has."""
+        return ~np.isnan(self.motion).all(axis=(2, 3, 4))
+
+    @property
+    def every(self) -> Float[np.ndarray, "press magnet 6"]:
+        """The motions in all presses that were made."""
+        pressed = self.pressed
+        motion = self.motion if pressed.all() else self.motion[pressed]
+        return motion.reshape(-1, *motion.shape[-2:])
 
 
 def save_presses(forces: PressForces, motions: MagnetMotions, path: Path | str) -> None:

@@ -19,6 +19,7 @@ from jaxtyping import Float, Int
 
 from design.errors import InputError
 from design.layout.body import face_frames
+from design.layout.contact_places import contact_places
 from design.layout.positions import PlaceGrid, contact_grid, shell_body_layout
 from design.netcdf import FileKind, read_netcdf, write_netcdf
 from design.spec.object import ObjectSpec
@@ -49,7 +50,8 @@ class ShearMotions:
     """Motion of every magnet per newton of tangential force at every contact location and depth.
 
     `motion_per_n` (face, place, step, tangent, magnet, 6): mm and rad per N along the face's x and
-    y, in the object's frame; zero where the press found no contact.
+    y, in the object's frame; zero where the press found no contact, NaN at places that a face has
+    not.
     """
 
     faces: Int[np.ndarray, "face"]
@@ -85,13 +87,15 @@ def simulate_shear(
         )
     grid, depths = contact_grid(spec), np.asarray(spec.press.depths_mm)
     faces = []
-    for index, surface in enumerate(response.surfaces):
-        pressures = press_places(spec, response, index, grid.xy_mm, depths)
+    for index, there in enumerate(contact_places(spec)):
+        pressures = press_places(spec, response, index, grid.xy_mm[there], depths)
         force = pressures @ surface_weights_mm2(surface)
         share = pressures / np.maximum(force, _LEAST_FORCE_N)[..., None]
         here = per_traction[response.face_loads(index)]
         motion = share.reshape(-1, here.shape[0]) @ here.reshape(here.shape[0], -1)
-        faces.append(motion.reshape(len(grid), len(depths), 2, -1, 6))
+        motion = motion.reshape(len(pressures), len(depths), 2, -1, 6)
+        faces.append(np.full((len(grid), *motion.shape[1:]), np.nan))
+        faces[-1][there] = motion
     numbers = np.array([surface.number for surface in response.surfaces])
     return ShearMotions(numbers, grid, depths, np.stack(faces))
 

@@ -13,6 +13,7 @@ from skfem.refdom import RefTri
 from threadpoolctl import threadpool_limits
 
 from design.errors import InputError
+from design.layout.contact_places import pressed_nodes
 from design.layout.positions import press_lattice
 from design.layout.tips import footprint_mm, path_mm
 from design.spec.mechanics import IndenterSpec
@@ -47,6 +48,8 @@ def simulate_lattice(
 ) -> tuple[PressForces, MagnetMotions]:
     """Press every lattice place of every face to every depth, by default `spec.press.depths_mm`.
 
+    Results are NaN at places of the lattice that a face has not (`contact_places.pressed_nodes`).
+
     On a core that has slipped (`rest`) places are those of the laboratory, where the core stands:
     the shell lies shifted under the indenter. Depth counts from the first touch.
 
@@ -73,21 +76,21 @@ def simulate_lattice(
     if rest is not None:
         response = slipped_response(spec, response, rest)
     shape = (len(response.surfaces), len(lattice), len(depths))
-    force, area = np.zeros(shape), np.zeros(shape)
+    force, area = np.full(shape, np.nan), np.full(shape, np.nan)
     magnets = (len(response.compliance) - response.magnet_loads.start) // 6
-    motion = np.zeros((*shape, magnets, 6))
-    for index, surface in enumerate(response.surfaces):
-        presses = press_face(spec, response, index, lattice.xy_mm, depths)
-        force[index], area[index] = presses.force_n, presses.contact_area_mm2
+    motion, pressed = np.full((*shape, magnets, 6), np.nan), pressed_nodes(spec)
+    for index, (surface, here) in enumerate(zip(response.surfaces, pressed, strict=True)):
+        presses = press_face(spec, response, index, lattice.xy_mm[here], depths)
+        force[index, here], area[index, here] = presses.force_n, presses.contact_area_mm2
         rows = response.compliance[response.magnet_loads, response.face_loads(index)]
-        motion[index] = (presses.vertex_mpa @ rows.T).reshape(*shape[1:], magnets, 6)
+        motion[index, here] = (presses.vertex_mpa @ rows.T).reshape(-1, len(depths), magnets, 6)
         if progress:
-            progress(f"face {surface.number}: {len(lattice)} places × {len(depths)} depths")
+            progress(f"face {surface.number}: {here.sum()} places × {len(depths)} depths")
     faces = np.array([surface.number for surface in response.surfaces])
     at_rest = None
     if rest is not None:
         at_rest = rest.magnet_motion
-        motion = superposed(at_rest, motion)
+        motion[pressed] = superposed(at_rest, motion[pressed])
     return (
         PressForces(faces, lattice, depths, force, area),
         MagnetMotions(faces, lattice, depths, motion, at_rest),

@@ -26,25 +26,27 @@ def compare_scores(specs: list[ObjectSpec], out: Path) -> dict[str, Any]:
 
 def comparison_row(spec: ObjectSpec, scores: PlaceScores) -> dict[str, Any]:
     """Scores of one object as tables show them."""
-    bound, weakest = scores.position_bound_fresh_mm, weakest_place(scores)
-    mid_edge = bound[:, area_places(scores.grid, "mid_edge")]
+    there, weakest = scores.places, weakest_place(scores)
+    bound = scores.position_bound_fresh_mm[there]
+    mid_edge = np.stack([area_places(scores.grid, "mid_edge", own) for own in there])
+    at_mid_edge = scores.position_bound_fresh_mm[mid_edge]
     return {
         "object": spec.name,
         "press N": spec.score.force_n,
         "surface covered %": round(100 * covered_share(spec)),
         "bounds read": spec.score.channels,
         "place mm": float(np.median(bound)),
-        "place at mid-edge mm": float(np.median(mid_edge)),
+        "place at mid-edge mm": float(np.median(at_mid_edge)),
         "weakest place mm": weakest.position_bound_mm,
         "on face": weakest.face,
         "places within limit %": round(
             100 * float(np.mean(bound <= spec.limits.position_bound_mm)), 1
         ),
-        "place after 15 min mm": float(np.median(scores.position_bound_drifted_mm)),
-        "force N": float(np.median(scores.force_bound_fresh_n)),
-        "detect N": float(np.median(scores.detectable_force_fresh_n)),
+        "place after 15 min mm": float(np.median(scores.position_bound_drifted_mm[there])),
+        "force N": float(np.median(scores.force_bound_fresh_n[there])),
+        "detect N": float(np.median(scores.detectable_force_fresh_n[there])),
         "own channels": 3 * spec.sensors.count_per_face,
-        "δ, counts^channels/N": float(np.median(scores.delta_raw)),
+        "δ, counts^channels/N": float(np.median(scores.delta_raw[there])),
     }
 
 
@@ -58,7 +60,7 @@ def draw_comparison(specs: list[ObjectSpec], scores: list[PlaceScores], path: Pa
     colours = colormaps["viridis"](np.linspace(0.05, 0.85, len(specs)))
     for spec, places, colour in zip(specs, scores, colours, strict=True):
         for state, style in (("fresh", "-"), ("drifted", ":")):
-            bound = np.sort(getattr(places, f"position_bound_{state}_mm").ravel())
+            bound = np.sort(getattr(places, f"position_bound_{state}_mm")[places.places])
             share = 100 * np.arange(1, bound.size + 1) / bound.size
             label = spec.name if state == "fresh" else None
             axes.plot(bound, share, color=colour, ls=style, label=label)

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from design.layout.positions import contact_grid
+from design.layout.contact_places import contact_places
+from design.layout.positions import contact_grid, grid_places_in_lattice
 from design.spec.object import ObjectSpec
 from estimator.information.scores import area_places
 from instobj.figures.saving import save_figure
@@ -29,15 +30,17 @@ def draw_press_curves(spec: ObjectSpec, signals: Signals, path: Path) -> None:
 
     figure = Figure(figsize=(9, 3.6), layout="constrained")
     force_axes, signal_axes = figure.subplots(1, 2)
-    places = _grid_places(spec)
-    force = signals.force_n[:, places]
-    size = _whitened_size(spec, signals)[:, places]
+    grid, lattice_places = contact_grid(spec), grid_places_in_lattice(spec)
+    force = signals.force_n[:, lattice_places]
+    size = _whitened_size(spec, signals)[:, lattice_places]
     for area, colour in _AREA_COLOURS.items():
-        inside = area_places(contact_grid(spec), area)  # type: ignore[arg-type]
+        inside = np.stack([area_places(grid, area, own) for own in contact_places(spec)])  # type: ignore[arg-type]
+        if not inside.any():
+            continue
         label = area.replace("_", "-")
-        _band(force_axes, signals.depth_mm, force[:, inside], colour, label)
-        mean_force = np.median(force[:, inside], axis=(0, 1))
-        _band(signal_axes, mean_force, size[:, inside], colour, label)
+        _band(force_axes, signals.depth_mm, force[inside], colour, label)
+        mean_force = np.median(force[inside], axis=0)
+        _band(signal_axes, mean_force, size[inside], colour, label)
     force_axes.set(xlabel="indentation depth (mm)", ylabel="force (N)", title="Force and depth")
     signal_axes.set(
         xlabel="force (N, median of the area)",
@@ -52,8 +55,7 @@ def draw_press_curves(spec: ObjectSpec, signals: Signals, path: Path) -> None:
     save_figure(figure, path)
 
 
-def _band(axes: Any, x: np.ndarray, values: np.ndarray, colour: str, label: str) -> None:
-    flat = values.reshape(-1, values.shape[-1])
+def _band(axes: Any, x: np.ndarray, flat: np.ndarray, colour: str, label: str) -> None:
     x = np.append(0, x)
     low, middle, high = (np.append(0, q) for q in np.quantile(flat, (0, 0.5, 1), axis=0))
     axes.plot(x, middle, color=colour, label=label)
@@ -71,9 +73,3 @@ def _whitened_size(spec: ObjectSpec, signals: Signals) -> np.ndarray:
         own = signals.delta_counts[index][:, :, owner == face] / sigma
         sizes.append(np.sqrt((own**2).sum(axis=(-2, -1))))
     return np.stack(sizes)
-
-
-def _grid_places(spec: ObjectSpec) -> np.ndarray:
-    from design.layout.positions import grid_places_in_lattice
-
-    return grid_places_in_lattice(spec)

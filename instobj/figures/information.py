@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from design.layout.body import face_frame
+from design.layout.contact_places import contact_places
 from design.layout.pockets import sensor_places
 from design.layout.positions import contact_grid
 from design.spec.object import ObjectSpec
@@ -124,7 +125,7 @@ def _draw_set(axes: Any, spec: ObjectSpec, row: Identifiability) -> None:
         axes.add_patch(Circle((x, y), spec.magnets.diameter_mm / 2, fill=False, ec="#1f77d0"))
     for x, y, _ in sensor_places(spec)[spec.body.sensed.index(worst.face)]:
         axes.plot(x, y, marker="s", color="#0a8f5a", mfc="none", ms=7, ls="")
-    grid = contact_grid(spec).xy_mm
+    grid = contact_grid(spec).xy_mm[contact_places(spec)[spec.body.sensed.index(worst.face)]]
     axes.plot(*grid.T, ls="", marker=".", ms=2, color="0.7")
     for xy, change in zip(worst.xy_mm, worst.direction, strict=True):
         axes.plot(*xy, marker="o", color="#c8553d", ms=9)

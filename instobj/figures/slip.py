@@ -53,7 +53,7 @@ def _draw_shares(axes: Any, costs: dict[str, SlipCost], what: str, label: str) -
             ("rezeroed", "-", "new baseline"),
             ("false", ":", "old baseline"),
         ):
-            wrong = np.sort(getattr(cost, f"{prefix}_{what}").ravel())
+            wrong = np.sort(getattr(cost, f"{prefix}_{what}")[cost.places])
             share = 100 * (np.arange(len(wrong)) + 1) / len(wrong)
             axes.plot(wrong, share, style, color=_COLOURS[model], label=f"{model}, {zero}")
     axes.set_xscale("log")

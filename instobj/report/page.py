@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any
 from urllib.parse import quote
 
 from design.files import atomic_path
+from design.layout.contact_places import contact_places, grid_count
+from design.layout.coverage import covered_shares
 from design.spec.mechanics import LOCKING_WARNING
 from design.spec.object import ObjectSpec
 from design.spec_io import spec_hash
@@ -78,6 +80,8 @@ def write_report(spec: ObjectSpec, inputs: Inputs, path: Path) -> None:
         still=readers.STILL.path(inputs["scene"]),
         scene=readers.SCENE.path(inputs["scene"]),
         verdict=verdict,
+        locations=_locations(spec),
+        covered_by_face=_covered_by_face(spec),
         checks=[
             [check.what, check.value, check.limit, "pass" if check.passed else "FAIL", check.where]
             for check in verdict.checks
@@ -104,6 +108,24 @@ def write_report(spec: ObjectSpec, inputs: Inputs, path: Path) -> None:
     )
     with atomic_path(path) as temporary:
         temporary.write_text(page, encoding="utf-8")
+
+
+def _locations(spec: ObjectSpec) -> str:
+    """Counts along x and y, or how many each face has where faces differ."""
+    places = contact_places(spec)
+    if places.all():
+        return "{} × {}".format(*grid_count(spec))
+    least, most = places.sum(axis=1).min(), places.sum(axis=1).max()
+    return f"{least}" if least == most else f"{least} to {most}"
+
+
+def _covered_by_face(spec: ObjectSpec) -> str:
+    """Shares of single faces, where they differ."""
+    shares = [f"{100 * share:.0f} %" for share in covered_shares(spec)]
+    if len(set(shares)) == 1:
+        return ""
+    named = (f"face {face}: {share}" for face, share in zip(spec.body.sensed, shares, strict=True))
+    return f" ({', '.join(named)})"
 
 
 def is_papers_cube(spec: ObjectSpec) -> bool:

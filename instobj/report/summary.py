@@ -176,7 +176,8 @@ def _cross_face(result: StoredResult) -> list[dict[str, Any]]:
 
 
 def _shear(result: StoredResult) -> list[dict[str, Any]]:
-    rows = SHEAR_SCORES.read(result.folder)
+    every = SHEAR_SCORES.read(result.folder)
+    rows = [row for row in every if not math.isnan(float(row["position_bound_fresh_mm"]))]
     return [
         {
             "zero": state,

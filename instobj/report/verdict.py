@@ -77,8 +77,9 @@ def _position(spec: ObjectSpec, scores: PlaceScores) -> Check:
 
 
 def _detection(spec: ObjectSpec, scores: PlaceScores) -> Check:
-    force = scores.detectable_force_fresh_n
-    face, place = np.unravel_index(np.argmax(force), force.shape)
+    every = np.where(scores.places, scores.detectable_force_fresh_n, -np.inf)
+    face, place = np.unravel_index(np.argmax(every), every.shape)
+    force = every[scores.places]
     x, y = scores.grid.xy_mm[place]
     limit = spec.limits.detectable_force_n
     return Check(
@@ -103,6 +104,11 @@ def _saturation(spec: ObjectSpec, margin: float) -> Check:
 
 def _edge_weakness(scores: PlaceScores) -> str:
     areas = {area.area: area for area in summarize_areas(scores)}
+    if not any(areas["corner"].places_per_face):
+        at_border = areas["edge"].ratio_to_centre["position_bound_fresh_mm"]
+        return (
+            f"The position bound is {at_border:.1f} times the centre's at the outermost locations"
+        )
     ratio = areas["mid_edge"].ratio_to_centre["position_bound_fresh_mm"]
     corner = areas["corner"].ratio_to_centre["position_bound_fresh_mm"]
     return (

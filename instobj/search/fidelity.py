@@ -133,10 +133,12 @@ def _bounds_of_twins(spec: ObjectSpec, twins: int) -> dict[str, Float[np.ndarray
 
 
 def _at_edges(spec: ObjectSpec) -> Bool[np.ndarray, "press"]:
+    from design.layout.contact_places import contact_places
     from design.layout.positions import contact_grid
     from estimator.information.scores import outermost_places
 
-    return np.tile(outermost_places(contact_grid(spec)), len(spec.body.sensed))
+    grid = contact_grid(spec)
+    return np.concatenate([outermost_places(grid, own)[own] for own in contact_places(spec)])
 
 
 def _interval(before: np.ndarray, after: np.ndarray) -> tuple[float, float]:

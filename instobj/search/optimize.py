@@ -7,6 +7,8 @@ from pathlib import Path
 from typing import Any
 
 from design.errors import InputError
+from design.layout.body import body_of
+from design.layout.contact_places import shared_counts
 from design.layout.coverage import covered_share
 from design.search.space import SearchSpace, start_params
 from design.spec.assembly import AsBuiltSpec
@@ -78,9 +80,12 @@ def search_folder(out: Path, spec: ObjectSpec) -> Path:
 
 
 def _prepared(path: Path, out: Path, overrides: list[str]) -> tuple[ObjectSpec, SearchSpace]:
-    """Another object is sought: what was measured on the built one goes."""
+    """Another object is sought: what was measured on the built one goes. One layout serves all faces:
+    it is judged at the contact locations that they share."""
     spec = load_spec(path, overrides).changed(as_built=AsBuiltSpec())
     require_writable(out)
+    if spec.contact_grid.count == "fill" and body_of(spec).cuboid:
+        spec = spec.changed(contact_grid=spec.contact_grid.changed(count=shared_counts(spec)))
     return spec, require_possible(spec)
 
 

@@ -33,17 +33,15 @@ def _sensors(spec: ObjectSpec) -> dict[str, Any]:
     return table | {"sinks_mm": sinks} if in_core and any(map(any, sinks)) else table
 
 
-def _shell(spec: ObjectSpec) -> dict[str, Any]:
-    """Its table; without dents as before there was a key for them, so that stored results stay."""
-    table = spec.shell.model_dump(mode="json")
-    return table if table["dent_mm"] else {k: v for k, v in table.items() if k != "dent_mm"}
+def _contact_grid(spec: ObjectSpec) -> dict[str, Any]:
+    """What is pressed, however it was asked for: a filled grid that all faces share is its counts."""
+    from design.layout.contact_places import contact_places, grid_count
 
-
-def _dents(spec: ObjectSpec) -> list[list[float]] | None:
-    from design.layout.dents import dents_mm
-
-    depth = dents_mm(spec)
-    return depth.tolist() if depth.any() else None
+    grid = {"count": list(grid_count(spec)), "pitch_mm": spec.contact_grid.pitch_mm}
+    places = contact_places(spec)
+    if places.all():
+        return grid
+    return grid | {"places": ["".join("01"[there] for there in face) for face in places.tolist()]}
 
 
 def stage_inputs(
@@ -60,8 +58,7 @@ def stage_inputs(
     content = spec.model_dump(mode="json") | {
         "body": spec.body.model_dump(mode="json") | {"file": file_digest(spec.body.file)},
         "sensors": _sensors(spec),
-        "shell": _shell(spec),
-        "dents": _dents(spec),
+        "contact_grid": _contact_grid(spec),
         "shell_bodies": bodies,
         "shell_body_outline": bodies["outline"],
     }
@@ -70,8 +67,7 @@ def stage_inputs(
         value: Any = content
         for part in name.split("."):
             value = value[part]
-        if name != "dents" or value is not None:
-            parts[name] = value
+        parts[name] = value
     return {
         "spec": parts,
         "needs": origins,

@@ -13,6 +13,7 @@ from itertools import pairwise
 from math import pi, prod, sqrt
 
 from design.errors import InputError
+from design.layout.contact_places import contact_places, grid_count
 from design.layout.positions import shell_body_layout
 from design.layout.volumes import sealed_volume_mm3
 from design.processes import MEMORY_SWITCH, machine_memory_gib
@@ -99,18 +100,18 @@ def _response(spec: ObjectSpec) -> Need:
 
 
 def _signals(spec: ObjectSpec) -> Need:
-    places = prod(2 * count + 1 for count in spec.contact_grid.count)
+    places = prod(2 * count + 1 for count in grid_count(spec))
     rows = len(spec.body.sensed) * places * len(spec.press.depths_mm)
     return Need(
         _COPIES * _BYTES * rows * 6 * len(spec.magnets.positions_mm) * len(spec.body.sensed) / _GIB,
-        "contact_grid.count or press.depths_mm",
+        "contact_grid.count, contact_grid.pitch_mm or press.depths_mm",
     )
 
 
 def _frames(spec: ObjectSpec) -> Need:
     protocol = spec.protocol
     each = protocol.frames_per_press + protocol.rest_frames_per_press
-    presses = len(spec.body.sensed) * prod(spec.contact_grid.count) * protocol.presses_per_place
+    presses = int(contact_places(spec).sum()) * protocol.presses_per_place
     keys = "protocol.presses_per_place, protocol.frames_per_press or protocol.rest_frames_per_press"
     return Need(_frames_gib(spec, presses * each), keys)
 
@@ -122,7 +123,7 @@ def _collection(spec: ObjectSpec) -> Need:
         frames, keys = asked.presses * each, "collection.presses or protocol.frames_per_press"
     else:
         poses = len(asked.dual_poses) + len(asked.triple_poses) + asked.non_contact_cases
-        cases = len(asked.faces) * (prod(spec.contact_grid.count) + poses)
+        cases = len(asked.faces) * (prod(grid_count(spec)) + poses)
         frames, keys = cases * asked.frames_per_case, "collection.frames_per_case"
     return Need(_frames_gib(spec, frames), keys)
 
@@ -140,7 +141,7 @@ def _scores(spec: ObjectSpec) -> Need:
 def _networks(spec: ObjectSpec) -> Need:
     training = spec.training
     channels = 2 * 3 * spec.sensors.count_per_face * len(spec.body.sensed)
-    pixels = training.heatmap_axes * prod(spec.contact_grid.count)
+    pixels = training.heatmap_axes * prod(grid_count(spec))
     widths = (channels, *training.hidden_units, pixels)
     weights = sum(a * b for a, b in pairwise(widths))
     batch = training.batch_size * sum(widths)

@@ -141,7 +141,8 @@ class Run:
 
         Dimensions: face, place (of the press lattice, with `x_mm`, `y_mm` in the face's frame),
         step (with `depth_mm`), magnet, component (x, y, z displacement in mm; rotation vector in
-        rad). Variables: `force_n` (N), `contact_area_mm2` (mm²), `motion`.
+        rad). Variables: `force_n` (N), `contact_area_mm2` (mm²), `motion`; NaN at places that a
+        face has not.
         """
         import xarray as xr
 
@@ -168,7 +169,8 @@ class Run:
 
         Dimensions: face, place (with `x_mm`, `y_mm`), step (with `depth_mm`), sensor (all faces,
         with `sensor_face`), axis (X, Y, Z of the chip). Variables: `force_n` (N), `delta_counts`,
-        `baseline_counts` and `reading_counts`, a simulated noisy reading (counts).
+        `baseline_counts` and `reading_counts`, a simulated noisy reading (counts). Places that a
+        face has not are NaN, −2147483648 among the readings.
         """
         import xarray as xr
 
@@ -184,7 +186,8 @@ class Run:
         tared and as `…_drifted_…` after 15 min: `position_bound_mm` (mm), `force_bound_n` (N),
         `detectable_force_n` (N); further `delta_raw`, `delta_scaled` (convex-hull sensitivity),
         `weakest_direction_deg`, `force_at_score_n`, `reaches_score_force`, `depth_at_score_mm`,
-        `stiffness_n_per_mm`. Source: `estimator.information.scores`.
+        `stiffness_n_per_mm`. The coordinate `on_face` (face, place) tells which places of the grid a
+        face has; variables are NaN at the others. Source: `estimator.information.scores`.
         """
         import xarray as xr
 
@@ -199,7 +202,8 @@ class Run:
                 )
                 for name in names
             },
-            coords={"face": scores.faces} | _places(scores.grid.xy_mm),
+            coords={"face": scores.faces, "on_face": (("face", "place"), scores.places)}
+            | _places(scores.grid.xy_mm),
         )
 
     @property

@@ -63,7 +63,6 @@ _ELASTIC = (
     "mechanics.interface",
     "mechanics.slip.rim",
 )
-_PRESSED = ("contact_grid", "indenter", "press", "dents")
 _ELASTIC_WITHOUT_MAGNETS = tuple(name for name in _ELASTIC if name != "mechanics.magnets")
 
 STAGES: dict[str, Stage] = {
@@ -108,13 +107,13 @@ STAGES: dict[str, Stage] = {
     "shapes": Stage(
         "mechanics: shapes of presses",
         ("mesh", "response"),
-        _PRESSED,
+        ("contact_grid", "indenter", "press"),
         make_shapes,
     ),
     "presses": Stage(
         "mechanics: contact at every location and depth",
         ("mesh", "response", "large_strain"),
-        (*_PRESSED, "mechanics.slip"),
+        ("contact_grid", "indenter", "press", "mechanics.slip"),
         make_presses,
         version=3,
     ),
@@ -162,7 +161,7 @@ STAGES: dict[str, Stage] = {
     "discretisation": Stage(
         "mechanics: discretisation error",
         ("response", "coarse_response"),
-        _PRESSED,
+        ("contact_grid", "indenter", "press"),
         make_discretisation,
         version=2,
     ),
@@ -179,7 +178,7 @@ STAGES: dict[str, Stage] = {
     "shear": Stage(
         "mechanics: tangential forces",
         ("mesh", "response"),
-        (*_PRESSED, "mechanics.slip"),
+        ("contact_grid", "indenter", "press", "mechanics.slip"),
         make_shear,
         version=2,
     ),

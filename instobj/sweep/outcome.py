@@ -21,7 +21,7 @@ SHOWN = ("weakest place mm", "place mm", "detect N")
 
 
 def variant_row(variant: Variant, outcome: dict[str, Any]) -> dict[str, Any]:
-    """What was changed, and the scores by which `instobj score` compares objects, or an error."""
+    """What was changed and what came of it: the scores of `instobj compare`, or an error."""
     row: dict[str, Any] = {"object": variant.label, **variant.changes}
     if outcome["error"] or variant.spec is None:
         return row | {"error": outcome["error"] or variant.refused}

@@ -6,6 +6,8 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from design.errors import InputError
 from design.spec.object import ObjectSpec
 
@@ -112,8 +114,10 @@ def _place_at(text: str, depth_mm: float) -> Place:
 
 def _require_place(spec: ObjectSpec, place: Place, to_depth: bool) -> None:
     from design.layout.body import face_frames
+    from design.layout.contact_places import pressed_nodes
     from design.layout.positions import press_lattice
     from design.layout.tips import footprint_mm, path_mm, tip_shape
+    from estimator.signals.interpolation import among_pressed
 
     frames = {frame.number: frame for frame in face_frames(spec)}
     if place.face not in frames:
@@ -148,3 +152,10 @@ def _require_place(spec: ObjectSpec, place: Place, to_depth: bool) -> None:
                 f"{place} lies outside the contact grid (|{name}| up to {grid[axis]:g} mm, half a "
                 "pitch of margin included). Move the press inwards or enlarge contact_grid"
             )
+    pressed = pressed_nodes(spec)[spec.body.sensed.index(place.face)]
+    x, y = np.array([[place.x_mm], [place.y_mm]])
+    if not among_pressed(lattice, pressed, x, y).all():
+        raise InputError(
+            f"{place} lies beside the contact locations that the face has, and half a pitch round them. "
+            "Move the press inwards"
+        )

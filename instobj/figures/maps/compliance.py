@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
+from design.layout.contact_places import contact_places
 from design.layout.positions import grid_places_in_lattice
 from design.spec.object import ObjectSpec
 from fem.presses.compliance_map import ComplianceMap
@@ -28,6 +29,7 @@ def draw_compliance(
     if without_magnets is not None:
         maps[WITHOUT_MAGNETS] = without_magnets
     shown = {name: one.mm_per_n[:, grid_places_in_lattice(spec)] for name, one in maps.items()}
+    there = contact_places(spec)
     low, high = finite_limits(np.stack(list(shown.values())))
     for name, values in shown.items():
         rigid = spec.mechanics.magnets == "rigid"
@@ -35,7 +37,7 @@ def draw_compliance(
         title = f"Compliance {with_magnets.depth_mm:g} mm deep: indentation depth per newton"
         if name == WITHOUT_MAGNETS:
             what, title = "magnets left out (drawn where they would be)", f"{title}, no magnets"
-        softest, stiffest = np.nanmax(values), np.nanmin(values)
+        softest, stiffest = values[there].max(), values[there].min()
         both = " One scale with and without magnets." if without_magnets is not None else ""
         draw_overview(
             values,

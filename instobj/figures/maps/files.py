@@ -99,7 +99,7 @@ def _draw_overview(spec: ObjectSpec, scores: PlaceScores, path: Path) -> None:
             f"Cramér–Rao bound √(σx² + σy²) from {whose} sensors, fresh baseline. Weakest: "
             f"{weakest.position_bound_mm:.2f} mm on face {weakest.face} at "
             f"({weakest.x_mm:g}, {weakest.y_mm:g}) mm."
-            + (" ∞: blind, along the line." if not np.isfinite(values).all() else "")
+            + (" ∞: blind, along the line." if np.isinf(values).any() else "")
         ),
     )
 

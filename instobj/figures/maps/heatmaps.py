@@ -10,9 +10,11 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from jaxtyping import Float
+from jaxtyping import Bool, Float
 
 from design.layout.body import face_frame
+from design.layout.contact_places import contact_places
+from design.layout.coverage import covered_shares
 from design.layout.pockets import magnet_bodies
 from design.layout.positions import contact_grid, sensor_layout
 from design.spec.object import ObjectSpec
@@ -83,7 +85,11 @@ def draw_face_heatmap(
     mesh = draw_face(axes, values, spec, face, scale, pose, inches_per_mm)
     axes.set(xlim=(-half_x - 0.5, half_x + 0.5), ylim=(-half_y - 0.5, half_y + 0.5), aspect="equal")
     axes.set(xlabel=f"x of face {face} (mm)", ylabel=f"y of face {face} (mm)")
-    axes.set_title(f"{title}\nface {face} ({OUTWARD[face]}), seen from outside", fontsize=11)
+    covered = 100 * covered_shares(spec)[spec.body.sensed.index(face)]
+    axes.set_title(
+        f"{title}\nface {face} ({OUTWARD[face]}), seen from outside; {covered:.0f} % covered",
+        fontsize=11,
+    )
     _tidy(axes)
     bar = figure.colorbar(mesh, ax=axes, label=scale.label, shrink=0.9)
     set_plain_ticks(bar, scale)
@@ -112,9 +118,9 @@ def draw_face(
         outline = Ellipse((0, 0), 2 * half_x, 2 * half_y, fc=BLANK, ec=FRAME, lw=1.2)
     outline.set(hatch=_NOT_COVERED, hatchcolor=_HATCH, hatch_linewidth=0.6)
     axes.add_patch(_placed(outline, move))
-    reach_x, reach_y = np.array(grid.shape) * spec.contact_grid.pitch_mm / 2
-    covered = Rectangle((-reach_x, -reach_y), 2 * reach_x, 2 * reach_y, fc=BLANK, ec="none")
-    axes.add_patch(_placed(covered, move, zorder=1.5))
+    there = contact_places(spec)[spec.body.sensed.index(face)]
+    for covered in _covered_rectangles(spec, there):
+        axes.add_patch(_placed(covered, move, zorder=1.5))
     corners = pose.apply(np.array([[-half_x, -half_y], [half_x, half_y]]))
     axes.update_datalim(corners)
     shown = np.ma.masked_invalid(values.reshape(grid.shape) / 10.0**scale.exponent)
@@ -125,8 +131,26 @@ def draw_face(
     )  # fmt: skip
     _draw_parts(axes, spec, face, move)
     cell_inches = spec.contact_grid.pitch_mm * inches_per_mm
-    _write_numbers(axes, pose.apply(grid.xy_mm), shown.ravel(), scale, cell_inches)
+    _write_numbers(axes, pose.apply(grid.xy_mm[there]), shown.ravel()[there], scale, cell_inches)
     return mesh
+
+
+def _covered_rectangles(spec: ObjectSpec, there: Bool[np.ndarray, "place"]) -> list[Any]:
+    """Cells of a face's contact locations: runs along y, equal neighbours joined along x."""
+    from matplotlib.patches import Rectangle
+
+    grid, pitch = contact_grid(spec), spec.contact_grid.pitch_mm
+    rectangles, columns = [], there.reshape(grid.shape)
+    for x, column in zip(grid.x_mm, columns, strict=True):
+        (used,) = np.nonzero(column)
+        for run in np.split(used, np.flatnonzero(np.diff(used) > 1) + 1) if len(used) else ():
+            corner, high = (x - pitch / 2, grid.y_mm[run[0]] - pitch / 2), len(run) * pitch
+            before = rectangles[-1] if rectangles else None
+            if before and before.get_y() == corner[1] and before.get_height() == high:
+                before.set_width(before.get_width() + pitch)
+            else:
+                rectangles.append(Rectangle(corner, pitch, high, fc=BLANK, ec="none"))
+    return rectangles
 
 
 def _draw_parts(axes: Any, spec: ObjectSpec, face: int, move: Any) -> None:

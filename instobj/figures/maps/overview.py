@@ -15,6 +15,8 @@ import numpy as np
 from jaxtyping import Bool, Float, Int
 
 from design.layout.body import face_frame, face_frames
+from design.layout.contact_places import contact_places
+from design.layout.coverage import covered_share
 from design.layout.positions import contact_grid
 from design.spec.object import ObjectSpec
 from instobj.figures.maps.heatmaps import (
@@ -83,14 +85,17 @@ def draw_overview(
     line through places without a finite value. Raises as `map_scale` does.
     """
     scale = map_scale(unit, vmin, vmax, log, colours)
-    caption = [part for line in note.splitlines() for part in wrap(line, _CAPTION_WIDTH)]
+    covered = f"Contact locations cover {100 * covered_share(spec):.0f} % of the sensed surface."
+    lines = [*note.splitlines(), covered]
+    caption = [part for line in lines for part in wrap(line, _CAPTION_WIDTH)]
     page = _page(spec, faces, title, len(caption))
     meshes = []
     for index, (row, number) in enumerate(zip(values, faces.tolist(), strict=True)):
         pose = net_pose(spec, number, _gap_mm(page.inches_per_mm))
         meshes.append(draw_face(page.axes, row, spec, number, scale, pose, page.inches_per_mm))
         if direction_deg is not None:
-            _draw_directions(page.axes, spec, direction_deg[index], ~np.isfinite(row), pose)
+            blind = contact_places(spec)[spec.body.sensed.index(number)] & ~np.isfinite(row)
+            _draw_directions(page.axes, spec, direction_deg[index], blind, pose)
         _name(page.axes, spec, number, pose)
         _draw_axes_arrows(page, spec, number, pose)
     _fill_column(page, meshes[0], scale, caption)

@@ -121,9 +121,10 @@ def _with_forces(signals: Signals, force_n: np.ndarray) -> Signals:
 
 
 def _row(change: str, scores: PlaceScores) -> Alternative:
+    bound, there = scores.position_bound_fresh_mm, scores.places
     return Alternative(
         change,
-        float(scores.position_bound_fresh_mm.max()),
-        float(np.median(scores.position_bound_fresh_mm)),
-        float(scores.detectable_force_fresh_n.max()),
+        float(bound[there].max()),
+        float(np.median(bound[there])),
+        float(scores.detectable_force_fresh_n[there].max()),
     )

@@ -27,7 +27,7 @@ def make_shapes(context: StageContext, folder: Path) -> None:
     A shell that slides on its core has none: the stage is then empty.
     """
     from design.layout.body import face_frames
-    from design.layout.positions import contact_grid
+    from design.layout.contact_places import outermost_mm
     from fem.presses.shape import save_deformed_shape, table_shapes
     from instobj.figures.section import SectionPanel, draw_sections
 
@@ -35,7 +35,7 @@ def make_shapes(context: StageContext, folder: Path) -> None:
     if response.core is not None:
         return
     context.step("shapes under two presses")
-    places = [(0.0, 0.0), (float(contact_grid(spec).x_mm[-1]), 0.0)]
+    places = [(0.0, 0.0), (float(outermost_mm(spec)[0]), 0.0)]
     depth = min(_SHOWN_DEPTH_MM, spec.press.depths_mm[-1])
     mesh = context.read(MESH)
     shapes = table_shapes(spec, mesh, response, 0, np.array(places), depth)
@@ -81,10 +81,9 @@ def correction_places_mm(spec: ObjectSpec) -> list[tuple[float, float]]:
 
     All within the contact grid; places less than 1 mm from an earlier one are left out.
     """
-    from design.layout.positions import contact_grid
+    from design.layout.contact_places import outermost_mm
 
-    grid = contact_grid(spec)
-    reach = np.array([grid.x_mm[-1], grid.y_mm[-1]])
+    reach = outermost_mm(spec)
     outer = max(spec.magnets.positions_mm, key=lambda place: float(np.hypot(*place)))
     magnet = np.clip(outer, -reach, reach)
     wanted = (0 * reach, reach * [1, 0], reach, magnet, magnet / 2, reach * [0.4, 0])

@@ -83,6 +83,7 @@ def travel_spread(spec: ObjectSpec, signals: Signals) -> TravelSpread | None:
     At a given depth small-strain forces are proportional to the modulus. Linear interpolation
     between the simulated depths of the median place's force.
     """
+    from design.layout.contact_places import contact_places
     from design.layout.positions import grid_places_in_lattice
 
     if spec.silicone.relative_spread is None:
@@ -90,7 +91,8 @@ def travel_spread(spec: ObjectSpec, signals: Signals) -> TravelSpread | None:
     softest, stiffest = spec.silicone.relative_spread
     target = sum(spec.protocol.peak_force_n) / 2
     places = grid_places_in_lattice(spec)
-    force = np.append(0, np.median(signals.force_n[:, places], axis=(0, 1)))
+    pressed = signals.force_n[:, places][contact_places(spec)]
+    force = np.append(0, np.median(pressed, axis=0))
     depth = np.append(0, signals.depth_mm)
 
     def travel(scale: float) -> float | None:

@@ -63,7 +63,7 @@ def shown_steps(depth_mm: Float[np.ndarray, "step"]) -> list[int]:
 
 
 def _places_mm(spec: ObjectSpec) -> Float[np.ndarray, "place 2"]:
-    """Contact locations, the same on every face."""
+    """Contact locations of the grid; a face may have some of them only."""
     from design.layout.positions import contact_grid
 
     return contact_grid(spec).xy_mm
@@ -79,6 +79,7 @@ def _add_silicone(
     `shape` (face, step, vertex of the faces, place); `link` says which vertex of the picture moves
     with which vertex of the faces, and along which vector per millimetre.
     """
+    from design.layout.contact_places import contact_places
     from fem.presses.surface_motion import inward_motion_mm, mesh_vertices
     from instobj.viewer.archive import stepped
     from instobj.viewer.scene import add_surface
@@ -92,10 +93,14 @@ def _add_silicone(
     arrays["link_vertex"] = links.picture.astype("<u4")
     arrays["link_source"] = links.face.astype("<u4")
     arrays["link_mm"] = stepped(links.vector, "i1")
-    shapes = []
-    for index, face in enumerate(response.surfaces):
+    shapes, xy = [], _places_mm(spec)
+    of_faces = sum(len(face.xy_mm) for face in response.surfaces)
+    for index, (face, there) in enumerate(
+        zip(response.surfaces, contact_places(spec), strict=True)
+    ):
         context.step(f"shapes of presses on face {face.number}")
-        motion = inward_motion_mm(spec, response, index, _places_mm(spec), depths_mm)
+        motion = np.full((len(xy), len(depths_mm), of_faces), np.nan)
+        motion[there] = inward_motion_mm(spec, response, index, xy[there], depths_mm)
         shapes.append(np.moveaxis(motion / depths_mm[:, None], 0, 2))
     arrays["shape"] = stepped(np.stack(shapes), "i1")
     return [len(face.xy_mm) for face in response.surfaces]

@@ -93,18 +93,20 @@ def make_robustness(context: StageContext, folder: Path) -> None:
 
 def make_frames(context: StageContext, folder: Path) -> None:
     """Simulated calibration presses."""
+    from design.layout.contact_places import contact_places
     from estimator.frames.dataset import save_frames
     from estimator.frames.press_protocol import nominal_peaks, plan_presses, simulate_presses
 
     signals = context.read(SIGNALS)
     frames = simulate_presses(context.spec, signals, context.key, context.step)
     peaks = nominal_peaks(context.spec, signals)
+    depth = peaks.depth_mm[contact_places(context.spec)]
     write_json(
         plan_presses(context.spec, signals).summary()
         | {
             "common_travel_mm": peaks.common_travel_mm,
-            "deepest_peak_mm": float(peaks.depth_mm.max()),
-            "shallowest_peak_mm": float(peaks.depth_mm.min()),
+            "deepest_peak_mm": float(depth.max()),
+            "shallowest_peak_mm": float(depth.min()),
             "clamped_places": int(peaks.clamped.sum()),
         },
         PROTOCOL.path(folder),

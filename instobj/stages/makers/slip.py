@@ -81,19 +81,19 @@ def slip_costs(context: StageContext) -> dict[str, SlipCost]:
 
 def summary(cost: SlipCost) -> dict[str, float]:
     """Medians and worst values over sensors, or over the contact locations of all faces."""
-    counts = np.linalg.norm(cost.baseline_counts, axis=1)
+    counts, there = np.linalg.norm(cost.baseline_counts, axis=1), cost.places
     return {
         "baseline_median_counts": float(np.median(counts)),
         "baseline_largest_counts": float(counts.max()),
         "baseline_median_sigma": float(np.median(cost.baseline_sigma)),
         "baseline_largest_sigma": float(cost.baseline_sigma.max()),
-        "cosine_median": float(np.median(cost.cosine)),
-        "cosine_worst": float(cost.cosine.min()),
-        "size_ratio_smallest": float(cost.size_ratio.min()),
-        "size_ratio_largest": float(cost.size_ratio.max()),
-        "force_smallest_n": float(cost.force_n.min()),
+        "cosine_median": float(np.median(cost.cosine[there])),
+        "cosine_worst": float(cost.cosine[there].min()),
+        "size_ratio_smallest": float(cost.size_ratio[there].min()),
+        "size_ratio_largest": float(cost.size_ratio[there].max()),
+        "force_smallest_n": float(cost.force_n[there].min()),
     } | {
-        f"{name}_{how}": float(function(getattr(cost, name)))
+        f"{name}_{how}": float(function(getattr(cost, name)[there]))
         for name in (
             "false_place_mm",
             "false_force_n",

@@ -1,0 +1,193 @@
+"""Contact locations that each sensed face has, out of one lattice that all of them share.
+
+Faces differ in size and shape; tables of presses do not. So all faces take their locations from one
+centred lattice, as large as the largest face needs, and each has a mask of those that lie on it.
+With `contact_grid.count = "fill"` these are all at which the tip and half a pitch round it stay
+on the face, with a pair of counts all of the lattice on every face.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import product
+from typing import TYPE_CHECKING
+
+import numpy as np
+from jaxtyping import Bool, Float, Int
+
+from design.errors import SpecError
+from design.layout.body import face_frames
+from design.layout.tips import footprint_mm, path_mm, tip_heights_mm, tip_places_mm, tip_shape
+from design.spec.worked_out import once
+
+if TYPE_CHECKING:
+    from design.body.surface_chart import FaceFrame
+    from design.spec.object import ObjectSpec
+
+LEAST_COUNT, MOST_COUNT = 2, 100
+"""Contact locations along an axis of a face."""
+_ROUND_MARGIN_MM = 0.1
+"""By which a flat round face's mesh, of straight edges, may fall short of its circle."""
+_RING_POINTS = 24
+
+
+@dataclass(frozen=True)
+class _Lattice:
+    """Locations along x and y of the lattice, and which of them each sensed face has."""
+
+    count: tuple[int, int]
+    places: Bool[np.ndarray, "face nx ny"]
+
+
+def grid_count(spec: ObjectSpec) -> tuple[int, int]:
+    """Locations along x and y of the lattice that all faces share."""
+    return _lattice(spec).count
+
+
+@once
+def contact_places(spec: ObjectSpec) -> Bool[np.ndarray, "face place"]:
+    """Which places of the contact grid each sensed face has."""
+    places = _lattice(spec).places
+    return places.reshape(len(places), -1)
+
+
+def shared_counts(spec: ObjectSpec) -> tuple[int, int]:
+    """Counts of the largest grid that all faces have, where each has a rectangle of locations."""
+    shared = _lattice(spec).places.all(axis=0)
+    return int(shared.any(axis=1).sum()), int(shared.any(axis=0).sum())
+
+
+def outermost_mm(spec: ObjectSpec) -> Float[np.ndarray, "2"]:
+    """Largest x and y of the first face's contact locations."""
+    there = _lattice(spec).places[0]
+    last = [np.flatnonzero(there.any(axis=other))[-1] for other in (1, 0)]
+    return (np.array(last) - (np.array(there.shape) - 1) / 2) * spec.contact_grid.pitch_mm
+
+
+def face_rows(spec: ObjectSpec, faces: Int[np.ndarray, "face"]) -> Int[np.ndarray, "face"]:
+    """Rows of `contact_places` and `pressed_nodes` that hold these faces."""
+    return np.array([spec.body.sensed.index(face) for face in faces.tolist()], int)
+
+
+@once
+def pressed_nodes(spec: ObjectSpec) -> Bool[np.ndarray, "face node"]:
+    """Which places of the press lattice are pressed: each contact location and its eight neighbours.
+
+    These are what interpolation within half a pitch of a contact location stands on.
+    """
+    places = _lattice(spec).places
+    faces, nx, ny = places.shape
+    nodes = np.zeros((faces, 2 * nx + 1, 2 * ny + 1), bool)
+    for right, up in product(range(3), repeat=2):
+        nodes[:, right : right + 2 * nx : 2, up : up + 2 * ny : 2] |= places
+    return nodes.reshape(faces, -1)
+
+
+def place_problems(spec: ObjectSpec) -> Iterator[str]:
+    """What is wrong with faces on which no two by two contact locations find room."""
+    for frame, places in zip(face_frames(spec), _lattice(spec).places, strict=True):
+        along = places.any(axis=1).sum(), places.any(axis=0).sum()
+        if min(along) < LEAST_COUNT:
+            half = frame.half_extents_mm
+            yield (
+                f'contact_grid.count = "fill" finds room for {along[0]} × {along[1]} locations on face '
+                f"{frame.number} (±{half[0]:.4g}, ±{half[1]:.4g} mm), {spec.contact_grid.pitch_mm:g} mm "
+                "apart; 2 × 2 are needed. Use a smaller contact_grid.pitch_mm, a smaller indenter or "
+                "lesser press.depths_mm, or leave the face out of body.sensed_faces"
+            )
+
+
+@once
+def _lattice(spec: ObjectSpec) -> _Lattice:
+    given = spec.contact_grid.count
+    if given == "fill":
+        return _filled(spec)
+    return _Lattice(given, np.ones((len(face_frames(spec)), *given), bool))
+
+
+def _filled(spec: ObjectSpec) -> _Lattice:
+    """Even or odd counts along each axis, whichever gives more locations on all faces together."""
+    step = spec.contact_grid.pitch_mm / 2
+    half = np.max([frame.half_extents_mm for frame in face_frames(spec)], axis=0)
+    most = np.floor(half / step).astype(int)
+    if max(most) >= MOST_COUNT + 2:
+        raise SpecError(
+            f"contact_grid.pitch_mm = {2 * step:g} would fill a face of {2 * max(half):.4g} mm with more "
+            f"than {MOST_COUNT} locations along an axis. Use a larger pitch"
+        )
+    x, y = (np.arange(-n, n + 1) * step for n in most)
+    nodes = np.stack(np.meshgrid(x, y, indexing="ij"), axis=-1).reshape(-1, 2)
+    free = np.stack([_tip_stays(spec, frame, nodes) for frame in face_frames(spec)])
+    free = _all_around(free.reshape(len(free), len(x), len(y)))
+    choices = [_of_parity(free, odd) for odd in product((False, True), repeat=2)]
+    return max(choices, key=lambda lattice: lattice.places.sum())
+
+
+def _all_around(free: Bool[np.ndarray, "face i j"]) -> Bool[np.ndarray, "face i j"]:
+    """Nodes that are free with their eight neighbours."""
+    padded = np.pad(free, ((0, 0), (1, 1), (1, 1)))
+    _, rows, columns = free.shape
+    around = [padded[:, i : i + rows, j : j + columns] for i, j in product(range(3), repeat=2)]
+    return np.logical_and.reduce(around)
+
+
+def _of_parity(free: Bool[np.ndarray, "face i j"], odd: tuple[bool, bool]) -> _Lattice:
+    """Every second node of the half-pitch lattice, cut to what any face uses."""
+    middle = np.array(free.shape[1:]) // 2
+    slices = [slice((m + (not is_odd)) % 2, None, 2) for m, is_odd in zip(middle, odd, strict=True)]
+    places = free[:, slices[0], slices[1]]
+    for axis in (1, 2):
+        used = np.flatnonzero(places.any(axis=(0, 3 - axis)))
+        least = min(LEAST_COUNT + odd[axis - 1], places.shape[axis])
+        spare = (places.shape[axis] - least) // 2
+        ends = min(used[0], spare) if len(used) else spare
+        places = np.moveaxis(
+            np.moveaxis(places, axis, 0)[ends : places.shape[axis] - ends], 0, axis
+        )
+    return _Lattice(places.shape[1:], places)  # pyright: ignore[reportArgumentType]
+
+
+def _tip_stays(
+    spec: ObjectSpec, frame: FaceFrame, xy_mm: Float[np.ndarray, "node 2"]
+) -> Bool[np.ndarray, "node"]:
+    """Whether the tip, pressed at places down to the deepest step, stays on the face."""
+    footprint = footprint_mm(spec.indenter)
+    path = path_mm(spec.indenter, spec.press.depths_mm)[-1]
+    reach = np.maximum(abs(footprint + path), abs(footprint)).max(axis=0)
+    if frame.flat and not frame.round:
+        return np.all(abs(xy_mm) + reach <= np.array(frame.half_extents_mm) + 1e-9, axis=1)
+    stays = stays_on_patch(frame, xy_mm, touched_reach_mm(spec))
+    if frame.flat:
+        radius = min(frame.half_extents_mm) - _ROUND_MARGIN_MM
+        stays &= np.linalg.norm(xy_mm, axis=1) + np.linalg.norm(reach) / np.sqrt(2) <= radius
+    return stays
+
+
+def touched_reach_mm(spec: ObjectSpec) -> float:
+    """How far from the place pressed the tips touch at the deepest press, on a flat face."""
+    deepest, shape = spec.press.depths_mm[-1], tip_shape(spec.indenter)
+    radii = np.linspace(0, np.linalg.norm(shape.corners_mm, axis=1).max(), 200)
+    heights = tip_heights_mm(shape, np.column_stack([radii, 0 * radii]))
+    reach = float(radii[heights <= deepest].max()) if shape.sphere_radius_mm else float(radii[-1])
+    return reach + float(np.linalg.norm(tip_places_mm(spec.indenter), axis=1).max())
+
+
+def stays_on_patch(
+    frame: FaceFrame, xy_mm: Float[np.ndarray, "node 2"], reach_mm: float
+) -> Bool[np.ndarray, "node"]:
+    """Whether disks that touch the surface at places stay on the patch all round."""
+    stays = frame.covers(xy_mm)
+    if not stays.any():
+        return stays
+    turn = np.linspace(0, 2 * np.pi, _RING_POINTS)
+    ring = reach_mm * np.stack([np.cos(turn), np.sin(turn), 0 * turn], axis=-1)
+    places = xy_mm[stays]
+    axes = frame.axes_at(places)
+    touching = frame.to_object(np.column_stack([places, np.zeros(len(places))]))
+    points = touching[:, None] + np.einsum("pij,rj->pri", axes, ring)
+    along = np.repeat(axes[:, :, 2], len(ring), axis=0)
+    rim = frame.onto(points.reshape(-1, 3), along)
+    on_patch = frame.covers(np.where(np.isfinite(rim), rim, np.inf)[:, :2])
+    stays[stays] = on_patch.reshape(len(places), -1).all(axis=1)
+    return stays

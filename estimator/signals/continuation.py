@@ -1,0 +1,65 @@
+"""Smooth continuation of tables of presses beyond the places that a face has.
+
+Splines of the press lattice need all of it. Where a face has not all places, the values of the others
+are those that make third differences along x and y least (in the mean square), with the pressed
+places as they are: parabolas go on as parabolas. No place beyond the pressed ones is ever read; a
+spline's weights there fall by a factor of 3.7 with every node.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+import numpy as np
+import scipy.sparse as sp
+from jaxtyping import Bool, Float
+from scipy.sparse.linalg import splu
+
+_THIRD_DIFFERENCE = (-1.0, 3.0, -3.0, 1.0)
+_REACH = 6
+"""Nodes beyond the pressed ones that are continued; those further off repeat the nearest."""
+
+
+def continued(
+    values: Float[np.ndarray, "node *rest"],
+    pressed: Bool[np.ndarray, "node"],
+    shape: tuple[int, int],
+) -> Float[np.ndarray, "node *rest"]:
+    """The table of one face with all places of the lattice; values of pressed ones stay."""
+    matrix = _continuation(pressed.tobytes(), shape)
+    whole = values.copy()
+    known = values[pressed].reshape(int(pressed.sum()), -1)
+    whole[~pressed] = (matrix @ known).reshape(-1, *values.shape[1:])
+    return whole
+
+
+@lru_cache(maxsize=32)
+def _continuation(pressed_bytes: bytes, shape: tuple[int, int]) -> np.ndarray:
+    """Values of the other nodes, as sums over the pressed ones."""
+    from scipy.ndimage import distance_transform_cdt
+
+    pressed = np.frombuffer(pressed_bytes, bool)
+    away, nearest = distance_transform_cdt(
+        ~pressed.reshape(shape), metric="chessboard", return_indices=True
+    )
+    near = (away.ravel() > 0) & (away.ravel() <= _REACH)
+    rows = sp.vstack([_differences(shape, axis) for axis in (0, 1)]).tocsc()
+    used = np.asarray(abs(rows[:, away.ravel() > _REACH]).sum(axis=1)).ravel() == 0
+    rows = rows[used]
+    unknown, known = rows[:, near], rows[:, pressed]
+    solved = splu((unknown.T @ unknown).tocsc()).solve(-(unknown.T @ known).toarray())
+    every = np.zeros((pressed.size, int(pressed.sum())))
+    every[pressed] = np.eye(int(pressed.sum()))
+    every[near] = solved
+    flat = np.ravel_multi_index(tuple(nearest), shape).ravel()
+    every[away.ravel() > _REACH] = every[flat[away.ravel() > _REACH]]
+    return every[~pressed]
+
+
+def _differences(shape: tuple[int, int], axis: int) -> sp.csr_matrix:
+    """Third differences along an axis, everywhere on the lattice."""
+    along = [
+        sp.diags(_THIRD_DIFFERENCE, range(4), (max(n - 3, 0), n)) if k == axis else sp.identity(n)
+        for k, n in enumerate(shape)
+    ]
+    return sp.csr_matrix(sp.kron(*along))

@@ -1,0 +1,109 @@
+"""Contact locations that each face has: filled, given, and what is pressed round them."""
+
+import numpy as np
+import pytest
+
+from design.errors import SpecError
+from design.layout.body import face_frames
+from design.layout.contact_places import (
+    contact_places,
+    grid_count,
+    pressed_nodes,
+    shared_counts,
+    stays_on_patch,
+    touched_reach_mm,
+)
+from design.layout.coverage import covered_share, covered_shares
+from design.layout.positions import contact_grid, press_lattice
+from design.spec.object import ObjectSpec
+from design.spec_io import load_spec, parse_spec
+from tests.support.body_cases import body_spec
+
+BOX = ObjectSpec(name="box", body={"size_mm": (60.0, 40.0, 30.0)})  # pyright: ignore
+
+
+def test_a_face_of_a_box_has_all_locations_whose_tip_and_margin_stay_on_it():
+    grid, tip = contact_grid(BOX).xy_mm, 5.0
+    for frame, there in zip(face_frames(BOX), contact_places(BOX), strict=True):
+        room = np.array(frame.half_extents_mm) - tip
+        fits = (abs(grid) + 1.5 <= room + 1e-9).all(axis=1)
+        np.testing.assert_array_equal(there, fits)
+        along = [len(np.unique(axis)) for axis in grid[there].T]
+        assert along == [2 * int(half / 3) for half in room]
+    assert grid_count(BOX) == (16, 16)
+    assert shared_counts(BOX) == (6, 10)
+
+
+def test_filling_the_papers_cube_gives_its_own_ten_by_ten():
+    cube, filled = load_spec("examples/paper_cube.toml"), ObjectSpec(name="cube")
+    assert filled.contact_grid.count == "fill"
+    assert grid_count(filled) == grid_count(cube) == (10, 10)
+    assert contact_places(filled).all()
+    assert covered_share(filled) == covered_share(cube)
+
+
+def _old_rule(frame, place, reach):
+    """A disk on the tangent plane, its rim dropped onto the surface along the normal, by itself."""
+    if not frame.covers(place):
+        return False
+    turn = np.linspace(0, 2 * np.pi, 24)
+    tangent = frame.tangent(place)
+    ring = np.column_stack([reach * np.cos(turn), reach * np.sin(turn), 0 * turn])
+    rim = frame.onto(tangent.to_object(ring + np.append(place, 0.0)), tangent.normal)
+    return bool(np.all(frame.covers(np.where(np.isfinite(rim), rim, np.inf)[:, :2])))
+
+
+@pytest.mark.parametrize("name", ["sphere", "capsule", "ellipsoid", "hollow_dome"])
+def test_tips_stay_on_curved_faces_all_round(name):
+    spec = body_spec(name, contact_grid={"count": "fill", "pitch_mm": 2.5})
+    reach, nodes = touched_reach_mm(spec), press_lattice(spec).xy_mm
+    for frame, pressed in zip(face_frames(spec), pressed_nodes(spec), strict=True):
+        found = stays_on_patch(frame, nodes, reach)
+        some = np.random.default_rng(frame.number).integers(len(nodes), size=12)
+        assert found[some].tolist() == [_old_rule(frame, node, reach) for node in nodes[some]]
+        assert found[pressed].all()
+    assert not contact_places(spec).all()
+
+
+@pytest.mark.parametrize("spec", [BOX, body_spec("sphere", contact_grid={"count": "fill"})])
+def test_each_location_is_pressed_with_its_eight_neighbours_and_nothing_else_is(spec):
+    lattice, places = press_lattice(spec).xy_mm, contact_grid(spec).xy_mm
+    for there, pressed in zip(contact_places(spec), pressed_nodes(spec), strict=True):
+        steps = abs(lattice[:, None] - places[there]).max(axis=2)
+        np.testing.assert_array_equal(pressed, (steps < 0.51 * spec.contact_grid.pitch_mm).any(1))
+
+
+def test_given_counts_are_the_same_on_all_faces():
+    spec = body_spec("cylinder")
+    assert contact_places(spec).all()
+    assert pressed_nodes(spec).all()
+    assert grid_count(spec) == (2, 2)
+
+
+def test_a_face_without_room_is_told_with_what_would_help():
+    with pytest.raises(SpecError, match=r"room for 1 × 1 locations on face 1.*pitch_mm"):
+        parse_spec({"name": "cube", "contact_grid": {"pitch_mm": 20.0}}, "cube")
+
+
+def test_a_pitch_that_would_take_hundreds_of_locations_is_refused():
+    fine = BOX.changed(contact_grid=BOX.contact_grid.changed(pitch_mm=0.01))
+    with pytest.raises(SpecError, match="larger pitch"):
+        contact_places(fine)
+
+
+@pytest.mark.parametrize("spec", [BOX, body_spec("sphere", contact_grid={"count": "fill"})])
+def test_covered_shares_agree_with_points_strewn_over_the_surface(spec):
+    """Points of equal density on the surface: those within half a pitch of a location, face by face."""
+    rng, pitch = np.random.default_rng(4), spec.contact_grid.pitch_mm
+    places, found, areas = contact_grid(spec).xy_mm, [], []
+    for frame, there in zip(face_frames(spec), contact_places(spec), strict=True):
+        half = np.array(frame.half_extents_mm)
+        xy = rng.uniform(-half, half, (6000, 2))
+        xy = xy[frame.covers(xy)]
+        _, slope = frame.relief.at(xy)
+        weight = np.hypot(1, np.linalg.norm(slope, axis=1))
+        cells = abs(xy[:, None] - places[there]).max(axis=2) <= pitch / 2
+        found.append(weight[cells.any(axis=1)].sum() / weight.sum())
+        areas.append(weight.sum() * half.prod())
+    np.testing.assert_allclose(covered_shares(spec), found, atol=0.03)
+    assert covered_share(spec) == pytest.approx(np.average(found, weights=areas), abs=0.015)
