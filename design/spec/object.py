@@ -108,6 +108,22 @@ class ObjectSpec(SpecPart):
         return self
 
     @model_validator(mode="after")
+    def _layers_fit(self) -> ObjectSpec:
+        layers, thickness = self.silicone.layers, self.shell.thickness_mm
+        if layers and self.mechanics.element == "taylor-hood":
+            raise ValueError(
+                "silicone.layers need an element whose pressure may jump between them; got "
+                'mechanics.element = "taylor-hood". Use "p2-p0", or "p2" for foams and lattices'
+            )
+        total = sum(layer.thickness_mm for layer in layers)
+        if layers and total >= thickness:
+            raise ValueError(
+                f"silicone.layers are {total:g} mm thick together; shell.thickness_mm is "
+                f"{thickness:g}. Make them thinner: the body itself is what they leave"
+            )
+        return self
+
+    @model_validator(mode="after")
     def _frames_can_be_read(self) -> ObjectSpec:
         sensors, faces = self.sensors, len(self.body.sensed)
         fastest = fastest_frame_rate_hz(sensors, faces)

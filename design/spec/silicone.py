@@ -23,6 +23,13 @@ class PronyTermSpec(SpecPart):
     time_s: Positive
 
 
+class LayerSpec(SpecPart):
+    """A layer under the outer surface, its Young's modulus over the body's; Poisson's ratio is the same."""
+
+    thickness_mm: Positive
+    modulus_ratio: Annotated[float, Field(ge=1e-3, le=1e3)]
+
+
 class SiliconeSpec(SpecPart):
     """Elastic constants and density of the cured silicone, or of what the soft body is made of.
 
@@ -39,6 +46,9 @@ class SiliconeSpec(SpecPart):
     preset nor specification gives them. Walls below `thinnest_wall_mm` tear; it may be stretched by
     `peel_share` of its elongation at break when it is peeled out of a mould.
 
+    `layers` are others of its kind over the body, from the outer surface inwards: the closed skin of
+    a printed lattice, a harder pour. They end at equal distances from the core.
+
     With `prony` terms the modulus is the instantaneous one, E(t) = E (1 − Σ fraction (1 − exp(−t/time))).
     """
 
@@ -49,6 +59,7 @@ class SiliconeSpec(SpecPart):
     youngs_modulus_range_mpa: tuple[Positive, Positive] | None = (0.15, 0.54)
     poisson_ratio: Annotated[float, Field(ge=-0.3, le=0.5)] = 0.4999
     density_g_per_cm3: Positive = 1.07
+    layers: tuple[LayerSpec, ...] = ()
     prony: tuple[PronyTermSpec, ...] = ()
     cure: Literal["platinum", "tin", "none"] = "platinum"
     mix_ratio: tuple[Positive, NonNegative] = (1.0, 1.0)
@@ -84,6 +95,11 @@ class SiliconeSpec(SpecPart):
                 "what the modulus relaxes to"
             )
         return self
+
+    @property
+    def surface_modulus_mpa(self) -> float:
+        """Young's modulus right under the outer surface."""
+        return self.youngs_modulus_mpa * (self.layers[0].modulus_ratio if self.layers else 1.0)
 
     @property
     def modulus_source(self) -> str:

@@ -125,8 +125,8 @@ def place_compliance(
 
 
 def cells_compliance(patches: Patches, spec: ObjectSpec) -> Float[np.ndarray, "cell cell"]:
-    """H of the cells: on a half-space of the specification's silicone."""
-    constants = (spec.silicone.youngs_modulus_mpa, spec.silicone.poisson_ratio)
+    """H of the cells: on a half-space of what lies under the surface."""
+    constants = (spec.silicone.surface_modulus_mpa, spec.silicone.poisson_ratio)
     return normal_compliance(patches, patches, *constants)
 
 
@@ -134,7 +134,7 @@ def joint_compliance(
     response: ResponseOperator, spreads: Sequence[Spread], spec: ObjectSpec
 ) -> Float[np.ndarray, "cell cell"]:
     """Compliance between all cells of several indenters, on one face or on several."""
-    constants = (spec.silicone.youngs_modulus_mpa, spec.silicone.poisson_ratio)
+    constants = (spec.silicone.surface_modulus_mpa, spec.silicone.poisson_ratio)
     rows = []
     for a in spreads:
         row = []

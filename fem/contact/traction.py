@@ -136,7 +136,7 @@ def _half_space(spec: ObjectSpec, faces: Sequence[int], groups: Sequence[Patches
     face = np.repeat(faces, [len(group.area_mm2) for group in groups])
     together, silicone = joined(groups), spec.silicone
     compliance = traction_compliance(
-        together, together, silicone.youngs_modulus_mpa, silicone.poisson_ratio
+        together, together, silicone.surface_modulus_mpa, silicone.poisson_ratio
     )
     compliance *= (face[:, None] == face)[None, :, None, :]
     return compliance.reshape(3 * len(face), 3 * len(face))

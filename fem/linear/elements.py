@@ -16,7 +16,7 @@ Displacement unknowns are ordered by component: all u_x, then all u_y, then all 
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Literal, cast
 
 import numpy as np
@@ -118,16 +118,29 @@ def taylor_hood(mesh: MeshTet, elements: Int[np.ndarray, "tet"] | None = None) -
     )
 
 
-def assemble(space: DisplacementSpace, material: LameConstants) -> MixedOperators:
-    """Assemble the three operators.
+def assemble(
+    space: DisplacementSpace,
+    material: LameConstants,
+    stiffness_ratio: Float[np.ndarray, "tet"] | None = None,
+) -> MixedOperators:
+    """Assemble the three operators; `stiffness_ratio` multiplies the constants of every element.
 
     Raises
     ------
     ValueError
-        An incompressible material (1/λ = 0) on an element without pressure unknowns.
+        An element without pressure unknowns and an incompressible material (1/λ = 0), or one with
+        them and a ratio.
     """
     mu, kappa = material.shear_modulus_mpa, material.inverse_lambda_per_mpa
     elements = affine_elements(space.displacement)
+    if stiffness_ratio is not None:
+        if isinstance(space, TaylorHood):
+            raise ValueError(
+                "a continuous pressure cannot jump between materials. Take P2/P0 or P2"
+            )
+        # integrals of stress are linear in both constants: an element of r times the modulus weighs
+        # as one of r times the volume
+        elements = replace(elements, volumes_mm3=stiffness_ratio * elements.volumes_mm3)
     if isinstance(space, TaylorHood):
         stiffness = _stiffness(space, elements, mu, 0.0)
         return MixedOperators(

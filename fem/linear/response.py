@@ -37,6 +37,7 @@ from fem.linear.elements import (
     saddle_point_matrix,
 )
 from fem.linear.factorization import Compliance, SingularSystemError, compliance_of_loads
+from fem.linear.layers import layer_stiffness
 from fem.linear.magnets import magnet_of_nodes, mean_motion_functionals, rigid_motion_basis
 from fem.linear.material import lame_constants
 from fem.linear.sparse import columns_of, rows_of, shape_of
@@ -114,7 +115,9 @@ def elastic_system(mesh: TetMesh, spec: ObjectSpec) -> ElasticSystem:
     elements = np.flatnonzero(mesh.magnet == SILICONE) if rigid else None
     space = element_space(skfem_mesh, spec.mechanics.element, elements)
     silicone = spec.silicone
-    operators = assemble(space, lame_constants(silicone.youngs_modulus_mpa, silicone.poisson_ratio))
+    constants = lame_constants(silicone.youngs_modulus_mpa, silicone.poisson_ratio)
+    chosen = slice(None) if elements is None else elements
+    operators = assemble(space, constants, layer_stiffness(mesh.points_mm[mesh.tets[chosen]], spec))
     motion = _motion_basis(mesh, space, spec)
     matrix = saddle_point_matrix(operators, motion, space.pressure_nodes)
     return ElasticSystem(skfem_mesh, space, operators, motion, matrix)

@@ -27,7 +27,7 @@ def _sensors(spec: ObjectSpec) -> dict[str, Any]:
     from design.layout.positions import board_sinks_mm
 
     table, sinks = spec.sensors.model_dump(mode="json"), board_sinks_mm(spec)
-    if table["rotations_deg"] is None:  # results of specifications without the key stay
+    if table["rotations_deg"] is None:
         del table["rotations_deg"]
     in_core = spec.arrangement == "sensors-in-core"
     return table | {"sinks_mm": sinks} if in_core and any(map(any, sinks)) else table
@@ -54,9 +54,12 @@ def stage_inputs(
     """
     from design.body.imported import file_digest
 
-    bodies = _shell_bodies(spec)
+    bodies, silicone = _shell_bodies(spec), spec.silicone.model_dump(mode="json")
+    if not silicone["layers"]:  # results of specifications without newer keys stay
+        del silicone["layers"]
     content = spec.model_dump(mode="json") | {
         "body": spec.body.model_dump(mode="json") | {"file": file_digest(spec.body.file)},
+        "silicone": silicone,
         "sensors": _sensors(spec),
         "contact_grid": _contact_grid(spec),
         "shell_bodies": bodies,
@@ -64,6 +67,8 @@ def stage_inputs(
     }
     parts: dict[str, Any] = {}
     for name in stage.depends_on:
+        if name == "silicone.layers" and "layers" not in silicone:
+            continue
         value: Any = content
         for part in name.split("."):
             value = value[part]

@@ -58,6 +58,7 @@ _WHAT_IS_MESHED = (*_SHAPE, "shell_bodies", "mesh")
 _ELASTIC = (
     "silicone.youngs_modulus_mpa",
     "silicone.poisson_ratio",
+    "silicone.layers",
     "mechanics.element",
     "mechanics.magnets",
     "mechanics.interface",

@@ -92,7 +92,16 @@ def validate_on(
     """
     from estimator.calibration.recorded_presses import recorded_presses
     from estimator.recordings.reading import read_recording
+    from estimator.recordings.travel import is_travel_recording
+    from instobj.commands.hardware.validate_travel import validate_on_travel
 
+    if any(is_travel_recording(file) for file in recordings):
+        if len(recordings) > 1:
+            raise InputError(
+                f"one folder of presses of known travel is validated at a time; got "
+                f"{len(recordings)} recordings. Give one"
+            )
+        return validate_on_travel(path, recordings[0], exchanges, out, overrides)
     spec = load_spec(path, overrides)
     if spec.sensors.count_per_face != 3:
         raise InputError(

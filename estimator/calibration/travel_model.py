@@ -1,0 +1,153 @@
+"""Field at every chip in presses of known travel, for an object that stands somewhere under a machine.
+
+The machine's place and travel become the object's by a pose of four numbers: where the object's
+centre is, how it is turned, and the height of the first contact. The machine's axes need not be
+right-handed (many have x or z mirrored), so that a pose has one of eight symmetries of the square.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from itertools import product
+
+import numpy as np
+from jaxtyping import Float
+from scipy.ndimage import map_coordinates, spline_filter
+
+from design.errors import InputError
+from design.spec.object import ObjectSpec
+from estimator.field.models import FieldModel, field_model
+from estimator.field.sources import magnet_source
+from estimator.signals.field_setup import Scene, at_rest, min_distance_mm, scene, sensed_field
+from fem.presses.results import MagnetMotions
+
+SYMMETRIES = tuple(
+    np.array([[x, 0.0], [0.0, y]])[list(order)]
+    for order in ((0, 1), (1, 0))
+    for x, y in product((1.0, -1.0), repeat=2)
+)
+"""Axes of the machine in the object's, as rows: right-handed and mirrored ones."""
+_PLAY_MM = 3.0
+"""By which magnets may be found nearer to the chips than in the design."""
+
+
+@dataclass(frozen=True)
+class Pose:
+    """Of the object under the machine; `symmetry` is one of `SYMMETRIES`."""
+
+    shift_mm: Float[np.ndarray, "2"]
+    turn_rad: float
+    contact_mm: float
+    symmetry: int
+
+    def in_object(
+        self, tip_mm: Float[np.ndarray, "press 3"]
+    ) -> tuple[Float[np.ndarray, "press 2"], Float[np.ndarray, "press"]]:
+        """Place in the face's frame and travel beyond the first contact, mm."""
+        cosine, sine = np.cos(self.turn_rad), np.sin(self.turn_rad)
+        turned = (tip_mm[:, :2] - self.shift_mm) @ np.array([[cosine, -sine], [sine, cosine]])
+        return turned @ SYMMETRIES[self.symmetry], self.contact_mm - tip_mm[:, 2]
+
+
+@dataclass(frozen=True)
+class Twin:
+    """What is registered or calibrated: pose, and how far each magnet is off the design.
+
+    `strength` multiplies the polarization of all magnets.
+    """
+
+    pose: Pose
+    magnet_mm: Float[np.ndarray, "magnet 3"]
+    tilt_rad: Float[np.ndarray, "magnet 2"]
+    strength: float = 1.0
+
+
+@dataclass(frozen=True)
+class TravelModel:
+    """Motions of the magnets over places and travels of one face, as cubic splines, and their field.
+
+    `coefficients` (component, ix, iy, step) start at no travel.
+    """
+
+    scene: Scene
+    field: FieldModel
+    x_mm: Float[np.ndarray, "nx"]
+    y_mm: Float[np.ndarray, "ny"]
+    travel_mm: Float[np.ndarray, "step"]
+    coefficients: Float[np.ndarray, "component nx ny step"]
+
+    def as_designed(self, pose: Pose) -> Twin:
+        """The object of the drawing."""
+        count = len(self.scene.magnets.face)
+        return Twin(pose, np.zeros((count, 3)), np.zeros((count, 2)))
+
+    def motion(
+        self, xy_mm: Float[np.ndarray, "press 2"], travel_mm: Float[np.ndarray, "press"]
+    ) -> Float[np.ndarray, "press magnet 6"]:
+        """Motions of the magnets; places and travels beyond the table count as its border."""
+        nodes = (self.x_mm, self.y_mm, self.travel_mm)
+        given = (*xy_mm.T, travel_mm)
+        index = [
+            np.interp(v, node, np.arange(len(node))) for v, node in zip(given, nodes, strict=True)
+        ]
+        found = [map_coordinates(c, index, order=3, prefilter=False) for c in self.coefficients]
+        return np.stack(found, axis=-1).reshape(len(travel_mm), -1, 6)
+
+    def change(
+        self, twin: Twin, motion: Float[np.ndarray, "press magnet 6"]
+    ) -> Float[np.ndarray, "press sensor 3"]:
+        """Change of the flux density (mT) along the chips' axes with the magnets moved."""
+        placed = _placed(self.scene, twin)
+        still = sensed_field(placed, at_rest(placed), self.field)
+        return self._along_chips(sensed_field(placed, motion, self.field) - still)
+
+    def resting(self, twin: Twin) -> Float[np.ndarray, "sensor 3"]:
+        """Flux density (mT) along the chips' axes without a press."""
+        placed = _placed(self.scene, twin)
+        return self._along_chips(sensed_field(placed, at_rest(placed), self.field))[0]
+
+    def pressed(
+        self, twin: Twin, tip_mm: Float[np.ndarray, "press 3"]
+    ) -> Float[np.ndarray, "press sensor 3"]:
+        """Change (mT) in presses at the machine's places and heights."""
+        return self.change(twin, self.motion(*twin.pose.in_object(tip_mm)))
+
+    def _along_chips(self, field_t: np.ndarray) -> np.ndarray:
+        return 1e3 * np.einsum("sij,nsj->nsi", self.scene.sensors.axes, field_t)
+
+
+def travel_model(spec: ObjectSpec, motions: MagnetMotions) -> TravelModel:
+    """The model of the presses of an object's one face.
+
+    Raises
+    ------
+    InputError
+        Several sensed faces, or sensors in the shell.
+    """
+    if len(motions.faces) != 1 or spec.arrangement != "sensors-in-core":
+        raise InputError(
+            f"presses of known travel are compared on one sensed face with sensors in the core; got "
+            f"{len(motions.faces)} faces and arrangement {spec.arrangement!r}. Set body.sensed_faces"
+        )
+    place, lattice = scene(spec), motions.lattice
+    flat = motions.motion[0].reshape(*lattice.shape, len(motions.depth_mm), -1)
+    whole = np.concatenate([np.zeros_like(flat[:, :, :1]), flat], axis=2)
+    splines = [spline_filter(part, order=3) for part in np.moveaxis(whole, -1, 0)]
+    nearest = min_distance_mm(place, motions.motion.reshape(-1, place.bodies, 6))
+    model = field_model(magnet_source(spec.magnets), nearest - _PLAY_MM)
+    travel = np.append(0.0, motions.depth_mm)
+    return TravelModel(place, model, lattice.x_mm, lattice.y_mm, travel, np.stack(splines))
+
+
+def _placed(designed: Scene, twin: Twin) -> Scene:
+    magnets = designed.magnets
+    tilt = np.column_stack([twin.tilt_rad, np.zeros(len(twin.tilt_rad))])
+    axis = magnets.axis + np.cross(tilt, magnets.axis)
+    axis = axis / np.linalg.norm(axis, axis=1, keepdims=True)
+    found = replace(
+        magnets,
+        centre_mm=magnets.centre_mm + twin.magnet_mm,
+        axis=axis,
+        strength=magnets.strength * twin.strength,
+    )
+    return replace(designed, magnets=found)

@@ -1,0 +1,153 @@
+"""`instobj validate` on presses of known travel: predicted against recorded field over a whole pad."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from design.errors import InputError
+from design.spec.object import ObjectSpec
+from design.spec_io import load_spec, spec_hash
+from instobj.stages.run import Run
+from instobj.store.publish import file_rows, require_writable, run_folder, stage_row
+from instobj.store.readers import PRESSES
+from instobj.store.stage import write_json
+
+if TYPE_CHECKING:
+    from estimator.calibration.travel_agreement import TravelAgreement
+    from estimator.calibration.travel_fit import Fitted
+
+REGISTERED_SHARE, CALIBRATED_SHARE = 0.05, 0.1
+"""Of the places; all others are judged."""
+
+
+def validate_on_travel(
+    path: Path, folder: Path, exchanges: int, out: Path, overrides: list[str]
+) -> dict[str, Any]:
+    """Registered on 5 % and calibrated on 10 % of the places, judged on all others.
+
+    Results go to `runs/<name>/travel.{json,png}`.
+    """
+    from estimator.calibration.travel_agreement import travel_agreement
+    from estimator.calibration.travel_fit import calibrate, drawn_places, register
+    from estimator.calibration.travel_model import travel_model
+    from estimator.recordings.travel import read_travel
+    from instobj.figures.travel import draw_travel
+
+    spec = load_spec(path, overrides)
+    require_writable(out)
+    run = Run(spec)
+    with run.progress.stage("reading the recording"):
+        recording = read_travel(folder)
+    sensors = recording.field_mt.shape[1]
+    if sensors != spec.sensors.count_per_face:
+        raise InputError(
+            f"{folder} holds {sensors} chips; {spec.name} has {spec.sensors.count_per_face} on its "
+            "face. Validate the specification of the recorded object"
+        )
+    _, motions = run.read(PRESSES)
+    model = travel_model(spec, motions)
+    agreements: dict[str, TravelAgreement] = {}
+    fits: dict[str, Fitted] = {}
+    with run.progress.stage("registration, calibration, nulls"):
+        for name, share in (("registered", REGISTERED_SHARE), ("calibrated", CALIBRATED_SHARE)):
+            run.progress.step(f"{name} on {100 * share:g} % of the places")
+            shown = drawn_places(recording, share, spec.seed)
+            part = recording.select(shown)
+            fitted = register(model, part)
+            if name == "calibrated":
+                fitted = calibrate(model, part, fitted.twin)
+            fits[name] = fitted
+            agreements[name] = travel_agreement(
+                model, fitted, part, recording.select(~shown), exchanges, seed=spec.seed
+            )
+    document = _document(spec, folder, agreements, fits)
+    target = run_folder(out, spec.name)
+    target.mkdir(parents=True, exist_ok=True)
+    write_json(document, target / "travel.json")
+    draw_travel(spec, model, fits["registered"], recording, document, target / "travel.png")
+    return _published(spec, run, document, target)
+
+
+def _document(
+    spec: ObjectSpec,
+    folder: Path,
+    agreements: dict[str, TravelAgreement],
+    fits: dict[str, Fitted],
+) -> dict[str, Any]:
+    return {
+        "object": spec.name,
+        "spec_hash": spec_hash(spec),
+        "recording": folder.name,
+        "fits": {
+            name: {
+                "twin": {
+                    "shift_mm": fitted.twin.pose.shift_mm.tolist(),
+                    "turn_rad": fitted.twin.pose.turn_rad,
+                    "contact_mm": fitted.twin.pose.contact_mm,
+                    "symmetry": fitted.twin.pose.symmetry,
+                    "magnet_mm": fitted.twin.magnet_mm.tolist(),
+                    "tilt_rad": fitted.twin.tilt_rad.tolist(),
+                    "strength": fitted.twin.strength,
+                },
+                "resting_mt": fitted.resting_mt.tolist(),
+                "left_mt": fitted.left_mt,
+            }
+            for name, fitted in fits.items()
+        },
+        "agreement": {name: found.summary() for name, found in agreements.items()},
+    }
+
+
+def _published(
+    spec: ObjectSpec, run: Run, document: dict[str, Any], target: Path
+) -> dict[str, Any]:
+    agreement = document["agreement"]
+    return {
+        "command": "validate",
+        "texts": [_text(name, found) for name, found in agreement.items()],
+        "validation": json.loads(json.dumps(document)),
+        "objects": [
+            {
+                "name": spec.name,
+                "spec_hash": spec_hash(spec),
+                "stages": [stage_row(stage) for stage in run.results.values()],
+                "summary": {
+                    f"{name}, judged on all other places": agreement_rows(found)
+                    for name, found in agreement.items()
+                },
+                "files": file_rows([target / "travel.json", target / "travel.png"]),
+            }
+        ],
+    }
+
+
+def _text(name: str, found: dict[str, Any]) -> str:
+    null = found["nulls, median and best"]["places exchanged"]
+    every = found["all"]
+    return (
+        f"{name}: median cosine {every['cosine']:.3f} (places exchanged {null['cosine'][0]:.3f}), "
+        f"{100 * every['explained']:.0f} % of the change explained ({100 * null['explained'][0]:.0f} %), "
+        f"{100 * every['between']:.0f} % of what differs between presses "
+        f"({100 * null['between'][0]:.0f} %); order of chips number {found['order of chips']}"
+    )
+
+
+def agreement_rows(found: dict[str, Any]) -> list[dict[str, Any]]:
+    """One row a group of presses, rival or null."""
+    beyond = next(key for key in found if key.startswith("beyond"))
+    rows = [{"presses of": "all", **found["all"]}, {"presses of": beyond, **found[beyond]}]
+    rows += [{"presses of": name, **one} for name, one in found["by travel"].items()]
+    rows += [{"presses of": name, **one} for name, one in found["rivals"].items()]
+    for name, null in found["nulls, median and best"].items():
+        for place, which in enumerate(("median", "best")):
+            rows.append(
+                {
+                    "presses of": f"{name} ({which})",
+                    "presses": found["all"]["presses"],
+                    **{figure: values[place] for figure, values in null.items()},
+                    "size": None,
+                }
+            )
+    return rows

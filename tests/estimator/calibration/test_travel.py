@@ -1,0 +1,172 @@
+"""Presses of known travel: pose found from a few places, judged on others, every figure beside nulls."""
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from design.errors import InputError, RecordingError
+from estimator.calibration.travel_agreement import figures, travel_agreement
+from estimator.calibration.travel_fit import calibrate, drawn_places, left_over, register
+from estimator.calibration.travel_model import SYMMETRIES, Pose
+from estimator.recordings.travel import is_travel_recording, read_travel
+from tests.support.travel_cases import (
+    POSE,
+    RESTING_MT,
+    pad_model,
+    pressed_places,
+    recorded,
+    write_recording,
+)
+
+
+@pytest.fixture(scope="module")
+def model():
+    return pad_model()
+
+
+@pytest.fixture(scope="module")
+def recording(model, tmp_path_factory):
+    tip = pressed_places()
+    folder = tmp_path_factory.mktemp("recordings") / "pad"
+    return read_travel(write_recording(folder, tip, recorded(model, tip)))
+
+
+def test_a_recording_gives_back_what_was_written(recording, model):
+    tip = pressed_places()
+    assert len(recording) == len(tip) == 2 * recording.places
+    assert_allclose(recording.tip_mm, tip, atol=1e-6)
+    assert_allclose(recording.field_mt, recorded(model, tip), atol=1e-9)
+
+
+def test_symmetries_are_the_eight_of_a_square():
+    corner = np.array([2.0, 1.0])
+    assert len({tuple(matrix @ corner) for matrix in SYMMETRIES}) == 8
+    assert_allclose([abs(np.linalg.det(matrix)) for matrix in SYMMETRIES], 1)
+
+
+SWAPPED = next(k for k, matrix in enumerate(SYMMETRIES) if np.array_equal(matrix, [[0, 1], [1, 0]]))
+
+
+def test_a_pose_takes_the_machine_s_places_to_the_object_s():
+    """Against the machine's axes drawn by hand: x along the object's y, y along its x."""
+    pose = Pose(np.array([10.0, 20.0]), 0.0, 30.0, SWAPPED)
+    xy, travel = pose.in_object(np.array([[11.0, 20.0, 28.5], [10.0, 23.0, 30.0]]))
+    assert_allclose(xy, [[0, 1], [3, 0]], atol=1e-12)
+    assert_allclose(travel, [1.5, 0.0])
+
+
+def test_a_tenth_of_the_places_tells_pose_and_resting_level(model, recording):
+    shown = drawn_places(recording, 0.1, 0)
+    assert len(np.unique(recording.place_id[shown])) == 8
+    fitted = register(model, recording.select(shown))
+    pose = fitted.twin.pose
+    assert_allclose(pose.shift_mm, POSE.shift_mm, atol=0.1)
+    assert_allclose(pose.turn_rad, POSE.turn_rad, atol=0.02)
+    assert_allclose(pose.contact_mm, POSE.contact_mm, atol=0.1)
+    assert pose.symmetry == POSE.symmetry
+    assert_allclose(fitted.resting_mt, RESTING_MT, atol=0.02)
+    judged = recording.select(~shown)
+    found = travel_agreement(model, fitted, recording.select(shown), judged, 5)
+    assert found.all.cosine > 0.99
+    assert found.all.explained > 0.99
+    assert found.order_of_chips == 1
+    assert max(null.explained for null in found.places_exchanged) < 0.7
+    assert max(rival.between for rival in found.rivals.values()) < 0.5
+
+
+def test_calibration_takes_up_magnets_off_their_seats(model):
+    """Explains more of the presses that it has not seen than the designed object."""
+    rng = np.random.default_rng(1)
+    tip = pressed_places(7, 2)
+    seats = 0.6 * rng.standard_normal((4, 3))
+    field = recorded(model, tip, magnet_mm=seats)
+    twin = model.as_designed(POSE)
+    field += model.resting(type(twin)(POSE, seats, twin.tilt_rad)) - RESTING_MT
+    rows = travel_of(tip, field)
+    shown = drawn_places(rows, 0.2, 0)
+    plain = register(model, rows.select(shown))
+    better = calibrate(model, rows.select(shown), plain.twin)
+    left = [
+        np.sqrt(np.mean(left_over(model, one, rows.select(~shown)) ** 2)) for one in (plain, better)
+    ]
+    assert left[1] < 0.7 * left[0]
+
+
+def travel_of(tip_mm, field_mt):
+    from estimator.recordings.travel import TravelRecording
+
+    _, place = np.unique(tip_mm[:, :2], axis=0, return_inverse=True)
+    return TravelRecording(np.arange(len(tip_mm), dtype=float), tip_mm, field_mt, place.ravel())
+
+
+def test_figures_of_changes_worked_out_by_hand():
+    recorded_mt = np.array([[[1.0, 0.0, 0.0]], [[0.0, 2.0, 0.0]]])
+    predicted = np.array([[[2.0, 0.0, 0.0]], [[0.0, -1.0, 0.0]]])
+    found = figures(predicted, recorded_mt)
+    assert found.cosine == 0.0
+    assert_allclose(found.explained, 1 - (1 + 9) / 5)
+    assert_allclose(found.between, 1 - (1 + 9) / 2.5)
+    assert found.signs == 0.5
+    assert_allclose(found.size, (2 - 2) / 5)
+
+
+DAMAGE = {
+    "a file is missing": (lambda f: (f / "states.csv").unlink(), "states.csv"),
+    "a row is missing": (lambda f: edit(f / "sensor.csv", lambda rows: rows[:-1]), "161 rows.*162"),
+    "rows are shifted": (
+        lambda f: edit(f / "states.csv", lambda rows: [*rows[1:], rows[0]]),
+        "do not belong together",
+    ),
+    "a cell is text": (
+        lambda f: edit(f / "sensor.csv", replaced("nine")),
+        "'nine' is not a number",
+    ),
+    "a cell is empty": (lambda f: edit(f / "sensor.csv", replaced("")), "empty in data row 4"),
+    "a cell is lost": (
+        lambda f: edit(f / "states.csv", lambda rows: [*rows[:3], "1,2", *rows[4:]]),
+        "line 4: 2 cells where 4 belong",
+    ),
+    "a reading too few": (
+        lambda f: edit(f / "sensor.csv", lambda rows: [row.rsplit(",", 1)[0] for row in rows]),
+        "three readings for every chip",
+    ),
+    "a place far away": (
+        lambda f: edit(f / "states.csv", replaced("1e30")),
+        "line 4: a value beyond",
+    ),
+    "bytes that are no text": (lambda f: (f / "sensor.csv").write_bytes(b"\xff\xfe\x00"), "text"),
+}
+
+
+def edit(path, change):
+    path.write_text("\n".join(change(path.read_text().splitlines())) + "\n")
+
+
+def replaced(cell):
+    def change(rows):
+        cells = rows[3].split(",")
+        return [*rows[:3], ",".join([*cells[:2], cell, *cells[3:]]), *rows[4:]]
+
+    return change
+
+
+@pytest.mark.parametrize("damage", DAMAGE)
+def test_damage_is_one_error_that_says_where(damage, tmp_path):
+    tip = pressed_places()
+    folder = write_recording(tmp_path / "pad", tip, np.ones((len(tip), 5, 3)))
+    read_travel(folder)
+    spoil, message = DAMAGE[damage]
+    spoil(folder)
+    assert is_travel_recording(folder)
+    with pytest.raises(RecordingError, match=message):
+        read_travel(folder)
+
+
+def test_an_object_of_several_faces_is_refused(model):
+    from design.spec.object import ObjectSpec
+    from estimator.calibration.travel_model import travel_model
+    from tests.support.synthetic_presses import synthetic_presses
+
+    cube = ObjectSpec(name="cube")
+    with pytest.raises(InputError, match="one sensed face"):
+        travel_model(cube, synthetic_presses(cube)[1])
