@@ -12,7 +12,8 @@ from jaxtyping import Float
 
 from design.body.triangles import Block
 from design.layout.blocks import relief_slits
-from design.layout.body import face_frames
+from design.layout.boards import mounted_sensors, sensor_recesses
+from design.layout.body import body_of, face_frames
 from design.layout.mould_frame import opening_of
 from design.layout.pockets import Pocket, sensor_places, shell_pockets
 
@@ -21,6 +22,8 @@ if TYPE_CHECKING:
 
 Corners = Float[np.ndarray, "corner 2"]
 _TOUCHING_MM = 0.01
+_FLUSH_MM = 0.05
+"""By which a board may stand above the core: offsets of triangles are known to that."""
 
 
 def check_parts(spec: ObjectSpec) -> Iterator[str]:
@@ -34,6 +37,7 @@ def check_parts(spec: ObjectSpec) -> Iterator[str]:
     yield from _check_channels(spec)
     if spec.arrangement == "sensors-in-core":
         yield from _check_recesses_off_passages(spec)
+        yield from _check_boards_in_core(spec)
     if spec.core.bay_mm is not None:
         yield from _check_bay(spec)
 
@@ -191,6 +195,41 @@ def _check_recesses_off_passages(spec: ObjectSpec) -> Iterator[str]:
                         f"where {name} = {radius:g} ends: they would touch in a line. Move "
                         f"core.recess_inner_radius_mm, or that radius, by {_TOUCHING_MM:g} mm or more"
                     )
+
+
+def _check_boards_in_core(spec: ObjectSpec) -> Iterator[str]:
+    """Boards and chips wholly in the core, floors of recesses below its surface."""
+    recesses = (
+        ("the recess", Block(r.centre_mm, r.axes, r.half_mm)) for r in sensor_recesses(spec)
+    )
+    for mounted, recess in zip(mounted_sensors(spec), recesses, strict=True):
+        for what, block in (("the board", mounted.board), ("the chip", mounted.chip), recess):
+            corners = _corners_mm(block)[:4] if what == "the recess" else _corners_mm(block)
+            if not np.isfinite(corners).all():
+                break  # beyond its patch, which is told with the sinking of boards
+            beyond = _beyond_core_mm(spec, corners)
+            worst = int(np.argmax(beyond))
+            if beyond[worst] > _FLUSH_MM:
+                place = ", ".join(f"{float(p):.3g}" for p in corners[worst])
+                yield (
+                    f"{what} of {mounted.label} reaches {float(beyond[worst]):.3g} mm out of the core at "
+                    f"({place}). Move the sensor inwards by more than that (sensors.radius_mm, "
+                    "sensors.positions_mm), or take a smaller board or recess"
+                )
+                break
+
+
+def _beyond_core_mm(spec: ObjectSpec, points_mm: np.ndarray) -> np.ndarray:
+    """How far points lie outside the core, or the base with its border (mm)."""
+    body = body_of(spec)
+    beside = np.max(abs(points_mm) - body.half_mm, axis=1)
+    return np.maximum(body.core_distance_mm(points_mm), beside)
+
+
+def _corners_mm(block: Block) -> Float[np.ndarray, "8 3"]:
+    """Corners of a block, those of its lower side first."""
+    signs = np.array([[x, y, z] for z in (-1, 1) for x in (-1, 1) for y in (-1, 1)])
+    return block.centre_mm + (signs * block.half_mm) @ block.axes.T
 
 
 def _recess(spec: ObjectSpec, x: float, y: float, azimuth: float) -> Corners:

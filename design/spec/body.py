@@ -8,6 +8,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
 
+import numpy as np
 from pydantic import Field, model_validator
 
 from design.body.foreign import STEP
@@ -81,12 +82,7 @@ def _check_size(body: BodySpec) -> None:
     kind = KINDS[body.kind]
     least, most = LONGEST_EDGE_MM
     if not least <= max(body.size_mm) <= most:
-        fix = "Fix body.size_mm, which is in mm"
-        if kind.from_file:
-            fix = (
-                "Say in body.unit what its file is drawn in (mm, cm, m, in), or make it larger or "
-                "smaller with body.scale"
-            )
+        fix = _question(body) if kind.from_file else "Fix body.size_mm, which is in mm"
         size = " × ".join(f"{edge:g}" for edge in body.size_mm)
         raise ValueError(
             f"the longest edge of a body must measure {least:g} to {most:g} mm; got {size} mm. {fix}"
@@ -96,6 +92,21 @@ def _check_size(body: BodySpec) -> None:
             f"body.size_mm of a {body.kind} must be {kind.size_rule}; got {list(body.size_mm)}. Fix "
             "the size, or choose another body.kind"
         )
+
+
+def _question(body: BodySpec) -> str:
+    """In which unit a file may be drawn whose surface is too small or too large for a body."""
+    least, most = LONGEST_EDGE_MM
+    drawn = max(body.size_mm) / body.mm_per_unit
+    step = Path(body.file or "").suffix.lower() in STEP
+    likely = [] if step else [u for u, mm in MM.items() if least <= drawn * mm * body.scale <= most]
+    asked = [
+        f'body.unit = "{unit}" makes it {drawn * MM[unit] * body.scale:.4g} mm' for unit in likely
+    ]
+    if not asked:
+        power = 10.0 ** -round(float(np.log10(max(body.size_mm) / 50)))
+        asked = [f"body.scale = {body.scale * power:g} makes it {max(body.size_mm) * power:.4g} mm"]
+    return f"In which unit is its file drawn? {', '.join(asked)}"
 
 
 def _check_unit(body: BodySpec) -> None:

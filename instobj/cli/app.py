@@ -37,11 +37,33 @@ app = typer.Typer(
 
 
 @app.command()
-def new(name: Annotated[str, typer.Argument(help="Name of the object.")], out: Out = HERE) -> None:
-    """Write a commented specification to start from: NAME.toml."""
-    from instobj.commands.run import new_specification
+def new(
+    name: Annotated[str, typer.Argument(help="Name of the object.")],
+    kind: Annotated[
+        str | None, typer.Option(help="Kind of body: `instobj docs bodies`.", show_default=False)
+    ] = None,
+    size: Annotated[
+        tuple[float, float, float] | None,
+        typer.Option(metavar="X Y Z", help="Box round the body, mm.", show_default=False),
+    ] = None,
+    sensors: Annotated[int, typer.Option(min=1, max=12, help="Sensors per face.")] = 3,
+    magnets: Annotated[
+        int | None,
+        typer.Option(min=1, max=12, help="Magnets per face (default: what fits, up to 5)."),
+    ] = None,
+    file: Annotated[
+        Path | None,
+        typer.Option("--from", metavar="FILE", help="Closed surface of an imported body."),
+    ] = None,
+    unit: Annotated[str, typer.Option(help="That the file is drawn in: mm, cm, m, in.")] = "mm",
+    scale: Annotated[float, typer.Option(help="Makes what is in the file larger.")] = 1.0,
+    out: Out = HERE,
+) -> None:
+    """Write a commented specification to start from, NAME.toml, with everything placed to fit."""
+    from instobj.commands.new import new_specification, request_of
 
-    typer.echo(f"wrote {new_specification(name, out)}")
+    request = request_of(kind, size, sensors, magnets, file, unit, scale)
+    typer.echo(f"wrote {new_specification(name, out, request)}")
 
 
 @app.command()

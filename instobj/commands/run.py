@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from design.errors import InputError
-from design.files import atomic_path
 from design.spec.object import ObjectSpec
 from design.spec_io import check as require_fit
 from design.spec_io import load_spec, spec_hash
@@ -16,30 +14,6 @@ from instobj.commands.compare import compare_scores
 from instobj.stages.run import Run
 from instobj.store.publish import file_rows, publish, require_writable, stage_row
 from instobj.store.readers import FINDINGS
-
-_TEMPLATE = Path(__file__).parents[1] / "templates" / "cube.toml"
-
-
-def new_specification(name: str, out: Path) -> Path:
-    """Write `NAME.toml`, the paper's cube with every field commented.
-
-    Raises
-    ------
-    InputError
-        The name cannot be a folder's name, or the file is already there.
-    """
-    target = out / f"{name}.toml"
-    if not re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9_.-]{0,79}", name):
-        raise InputError(
-            f"{name!r} cannot name an object: start with a letter or digit, then letters, digits, "
-            "'_', '.', '-' (80 at most)"
-        )
-    if target.exists():
-        raise InputError(f"{target} is already there. Choose another name, or move it away")
-    text = _TEMPLATE.read_text(encoding="utf-8").replace('name = "NAME"', f'name = "{name}"')
-    with atomic_path(target) as temporary:
-        temporary.write_text(text, encoding="utf-8")
-    return target
 
 
 @dataclass(frozen=True)

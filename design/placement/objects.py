@@ -1,0 +1,263 @@
+"""Placement of magnets, sensors and contact locations on a body, from its own faces.
+
+Shell, magnets and core are tried from generous to tight, sensors and magnets from far out to the
+middle, and the first that fits is taken: what fits is said by `design.fit` and, for gaps that can be
+cast and printed, by `design.placement.room`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from itertools import product
+from typing import Any
+
+import numpy as np
+from pydantic import ValidationError
+
+from design.body.kinds.registry import KINDS
+from design.errors import SpecError
+from design.fit.everything import problems_of
+from design.layout.boards import wire_bundle_mm
+from design.layout.body import core_frames, face_frames
+from design.layout.positions import board_sinks_mm
+from design.placement.patterns import Shares, magnet_patterns, sensor_patterns
+from design.placement.room import tight_core, tight_middle, tight_shell
+from design.spec.base import explained
+from design.spec.object import ObjectSpec
+
+Tables = dict[str, dict[str, Any]]
+"""Tables of a specification, with what differs from the paper's cube."""
+
+_SHARES = tuple(np.arange(0.66, 0.2, -0.04).round(2).tolist())
+"""Of a face's half extents: how far out parts are tried."""
+_COARSE = _SHARES[::3]
+"""Fewer of them, while a size that works is looked for."""
+_COUNTS = (5, 4, 3, 2, 1)
+"""Of magnets, where none is asked for."""
+_SIDE_HOLE_MM = 3.0
+_FLOOR_MM = 1.0
+"""Of a core's wall behind a recess: more than the printer's thinnest by a quarter."""
+_GROWTH, _LARGEST_GROWTH, _HALVINGS = 1.25, 8.0, 3
+"""Steps in which a larger size is looked for, how far, and how often the last step is halved."""
+_HALF_RECESS_MM = 3.25
+"""Of a recess along the board, a little longer than the board."""
+
+
+@dataclass(frozen=True)
+class Trim:
+    """A shell and its magnets, disks 1 mm high that fill their pockets (mm)."""
+
+    thickness_mm: float
+    pocket_diameter_mm: float
+    pocket_depth_mm: float
+
+
+_TRIMS = (
+    Trim(8.0, 6.0, 3.0),
+    Trim(7.0, 5.0, 3.0),
+    Trim(6.0, 4.0, 3.0),
+    Trim(5.0, 4.0, 2.5),
+)
+_TIP_RADII_MM = (5.0, 4.0, 3.0, 2.0)
+_PITCHES_MM = (3.0, 2.5, 2.0, 1.5, 1.0)
+
+
+@dataclass(frozen=True)
+class Request:
+    """What a user asks for: kind of body, its box (mm), sensors and magnets per face.
+
+    Without a number of magnets, as many as fit, five at most. An imported body has `size_mm` of its
+    file, and the keys of `[body]` that read it in `file`.
+    """
+
+    kind: str
+    size_mm: tuple[float, float, float]
+    sensors: int = 3
+    magnets: int | None = None
+    file: tuple[tuple[str, Any], ...] = ()
+
+
+def placed(request: Request) -> Tables:
+    """Tables of a specification in which everything fits and can be made.
+
+    Raises
+    ------
+    SpecError
+        The kind takes no such size, or it is too small; with the smallest that works.
+    """
+    found = _placed(request)
+    if found is None:
+        raise SpecError(_too_small(request))
+    return found
+
+
+def _placed(request: Request, shares: tuple[float, ...] = _SHARES) -> Tables | None:
+    for trim in _TRIMS:
+        tables = _with_sensors(request, trim, shares)
+        tables = tables and _with_magnets(request, tables)
+        tables = tables and _with_contacts(tables)
+        if tables:
+            return tables
+    return None
+
+
+def spec_of(tables: Tables) -> ObjectSpec:
+    """The specification of these tables, not yet checked for fit."""
+    return ObjectSpec.model_validate({"name": "placed", **tables})
+
+
+def _body(request: Request, trim: Trim) -> Tables:
+    kind = KINDS[request.kind]
+    body: dict[str, Any] = {"kind": request.kind, **dict(request.file)}
+    body["size_mm"] = list(request.size_mm)
+    if kind.openable and not kind.opens_sides:
+        room = min(request.size_mm) - 2 * trim.thickness_mm
+        body["bore_mm"] = float(np.clip(np.floor(room / 2), 4.0, 10.0))
+    shell = {
+        "thickness_mm": trim.thickness_mm,
+        "pocket_diameter_mm": trim.pocket_diameter_mm,
+        "pocket_depth_mm": trim.pocket_depth_mm,
+    }
+    # one tiny magnet and few places, until there are sensors
+    return {
+        "body": body,
+        "shell": shell,
+        "magnets": {"diameter_mm": 0.5, "height_mm": 0.5, "positions_mm": [[0.0, 0.0]]},
+        "contact_grid": {"count": [2, 2], "pitch_mm": 0.5},
+        "indenter": {"radius_mm": _TIP_RADII_MM[-1]},
+        "press": {"depths_mm": list(_DEPTHS_MM[:2])},
+    }
+
+
+_DEPTHS_MM = (0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0)
+
+
+def _with_sensors(request: Request, trim: Trim, shares: tuple[float, ...]) -> Tables | None:
+    body = _body(request, trim)
+    try:
+        start = spec_of(body)
+        halves = [np.array(frame.half_extents_mm) for frame in core_frames(start)]
+    except ValidationError as error:
+        raise SpecError("\n".join(map(explained, error.errors()))) from None
+    except SpecError:
+        return None
+    if min(min(half) for half in halves) <= 0:
+        return None
+    for share, pattern in product(shares, sensor_patterns(request.sensors)):
+        tables = body | _electronics(request, [share * half * pattern for half in halves])
+        spec = spec_of(tables)
+        if tight_middle(spec):
+            continue
+        wall = _wall_mm(spec)
+        if wall is None:
+            continue
+        tables["core"]["wall_mm"] = wall
+        spec = spec_of(tables)
+        if not problems_of(spec) and not tight_core(spec):
+            return tables
+    return None
+
+
+def _electronics(request: Request, faces: list[Shares]) -> Tables:
+    """Recesses about the boards' middles, sensors in them, and holes for their wires (mm)."""
+    places = [_rounded(face) for face in faces]
+    alike = all(face == places[0] for face in places)
+    radius = round(max(3.5, min(float(np.hypot(*xy)) for face in places for xy in face)), 2)
+    hole = _hole_mm(request.sensors)
+    core = {
+        "recess_inner_radius_mm": round(radius - _HALF_RECESS_MM, 2),
+        "recess_outer_radius_mm": round(radius + _HALF_RECESS_MM, 2),
+        "wire_hole_top_diameter_mm": hole,
+        "wire_hole_side_diameter_mm": max(_SIDE_HOLE_MM, hole),
+        "hub_radius_mm": max(_SIDE_HOLE_MM, hole) / 2,
+    }
+    sensors = {
+        "count_per_face": request.sensors,
+        "radius_mm": radius,
+        "positions_mm": places[0] if alike else places,
+    }
+    return {"core": core, "sensors": sensors}
+
+
+def _hole_mm(sensors: int) -> float:
+    bundle = wire_bundle_mm(spec_of({"sensors": {"count_per_face": sensors}}))
+    return max(2.0, float(np.ceil(2.2 * bundle)) / 2)
+
+
+def _wall_mm(spec: ObjectSpec) -> float | None:
+    """Core wall that leaves a floor behind the deepest recess; None where a board finds no room."""
+    sink = max(max(sinks) for sinks in board_sinks_mm(spec))
+    if not np.isfinite(sink):
+        return None
+    needed = spec.core.recess_depth_mm + sink + _FLOOR_MM
+    return max(4.0, float(np.ceil(2 * needed)) / 2)
+
+
+def _with_magnets(request: Request, tables: Tables) -> Tables | None:
+    diameter = tables["shell"]["pocket_diameter_mm"]
+    counts = _COUNTS if request.magnets is None else (request.magnets,)
+    half = np.min([frame.half_extents_mm for frame in face_frames(spec_of(tables))], axis=0)
+    for count, share in product(counts, _SHARES):
+        for pattern in magnet_patterns(count):
+            places = _rounded(share * half * pattern)
+            magnets = {"diameter_mm": diameter, "positions_mm": places}
+            spec = spec_of(tables | {"magnets": magnets})
+            if not problems_of(spec) and not tight_shell(spec):
+                return tables | {"magnets": magnets}
+    return None
+
+
+def _with_contacts(tables: Tables) -> Tables | None:
+    """The widest tip and the largest square grid, of the coarsest pitch, that has five places a side."""
+    deepest = tables["shell"]["thickness_mm"] / 2
+    for radius, pitch in product(_TIP_RADII_MM, _PITCHES_MM):
+        found = None
+        for count in _counts_up():
+            more = {
+                "indenter": {"radius_mm": radius},
+                "contact_grid": {"count": [count, count], "pitch_mm": pitch},
+                "press": {"depths_mm": [d for d in _DEPTHS_MM if d <= deepest and d < radius]},
+            }
+            if problems_of(spec_of(tables | more)):
+                break
+            found = tables | more
+        if found and found["contact_grid"]["count"][0] >= 5:
+            return found
+    return None
+
+
+def _counts_up() -> Iterator[int]:
+    yield from range(4, 21)
+
+
+def _rounded(places_mm: Shares) -> list[list[float]]:
+    return [[round(float(x), 2) + 0.0 for x in xy] for xy in places_mm]
+
+
+def _too_small(request: Request) -> str:
+    size = " × ".join(f"{edge:g}" for edge in request.size_mm)
+    what = (
+        f"{request.sensors} sensors and {request.magnets or 'at least one of the'} magnets per face"
+    )
+    message = f"a {request.kind} of {size} mm is too small for {what}. "
+    low, high = 1.0, _GROWTH
+    while _placed(_grown(request, high), _COARSE) is None:
+        low, high = high, high * _GROWTH
+        if high > _LARGEST_GROWTH:
+            return f"{message}Ask for fewer"
+    for _ in range(_HALVINGS):
+        middle = (low + high) / 2
+        low, high = (low, middle) if _placed(_grown(request, middle), _COARSE) else (middle, high)
+    larger = _grown(request, high)
+    size = " × ".join(f"{edge:g}" for edge in larger.size_mm)
+    scale = f" (scale = {dict(larger.file)['scale']:.4g})" if request.file else ""
+    return f"{message}The smallest of that shape that works is about {size} mm{scale}"
+
+
+def _grown(request: Request, growth: float) -> Request:
+    x, y, z = (float(np.ceil(2 * growth * edge)) / 2 for edge in request.size_mm)
+    file = {**dict(request.file)}
+    if file:
+        file["scale"] = file.get("scale", 1.0) * growth
+    return replace(request, size_mm=(x, y, z), file=tuple(file.items()))

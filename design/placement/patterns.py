@@ -1,0 +1,40 @@
+"""Patterns of parts on a face, as shares of its half extents along x and y."""
+
+from __future__ import annotations
+
+import numpy as np
+from jaxtyping import Float
+
+Shares = Float[np.ndarray, "part 2"]
+_CORNERS_DEG = 45.0
+
+
+def sensor_patterns(count: int) -> list[Shares]:
+    """Patterns of sensors, evenest first: rings, then rows."""
+    if count == 1:
+        return [np.zeros((1, 2))]
+    rings = [_ring(count, first) for first in (90.0, 0.0, 45.0, 75.0)]
+    tee = np.concatenate([_row(count - 1), [[0.0, 1.0]]])
+    return [*rings, tee, tee[:, ::-1], _row(count), _row(count)[:, ::-1]]
+
+
+def magnet_patterns(count: int) -> list[Shares]:
+    """Patterns of magnets, one in the middle where the count is odd; rows last."""
+    rows = [_row(count), _row(count)[:, ::-1]]
+    if count < 4:
+        return rows
+    middle = np.zeros((count % 2, 2))
+    around = count - count % 2
+    first = _CORNERS_DEG if around == 4 else 0.0
+    corners = np.sqrt(2.0) if around == 4 else 1.0
+    return [np.concatenate([middle, corners * _ring(around, first)]), *rows]
+
+
+def _ring(count: int, first_deg: float) -> Shares:
+    angles = np.deg2rad(first_deg + 360 * np.arange(count) / count)
+    return np.column_stack([np.cos(angles), np.sin(angles)])
+
+
+def _row(count: int) -> Shares:
+    along = np.linspace(-1, 1, count) if count > 1 else np.zeros(1)
+    return np.column_stack([along, np.zeros(count)])

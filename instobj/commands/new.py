@@ -1,0 +1,167 @@
+"""A specification to start from: the template with its comments, and what was placed in it."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from design.body.imported import body_of_file
+from design.body.kinds.base import BodyKind
+from design.body.kinds.registry import KINDS
+from design.errors import InputError
+from design.files import atomic_path
+from design.placement.objects import Request, Tables, placed
+from design.spec.body import MM
+
+_TEMPLATE = Path(__file__).parents[1] / "templates" / "cube.toml"
+_HEADING = re.compile(r"\[([\w.]+)\]")
+_LINE = re.compile(r"(?:# )?(\w+) = ")
+_COMMENT = re.compile(r"\s+# .*$")
+_DEFAULTS = re.compile(r"^# Every value below is the default.*$", re.MULTILINE)
+_COLUMN = 28
+_NAME = '"NAME"'
+
+BOX_ONLY = (
+    ".arrangement",
+    "shell.seal_layer_mm",
+    "shell.slits",
+    "core.keys",
+    "core.bay_mm",
+    "magnets.depth_below_core_face_mm",
+    "mechanics.interface",
+    "mechanics.correction",
+    "mechanics.slip",
+)
+"""Keys and tables of the template that other bodies do not take."""
+
+
+def new_specification(name: str, out: Path, request: Request | None = None) -> Path:
+    """Write `NAME.toml`: the paper's cube, or what is requested, with every field commented.
+
+    Raises
+    ------
+    InputError
+        The name cannot be a folder's name, the file is already there, or the size does not work.
+    """
+    target = out / f"{name}.toml"
+    if not re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9_.-]{0,79}", name):
+        raise InputError(
+            f"{name!r} cannot name an object: start with a letter or digit, then letters, digits, "
+            "'_', '.', '-' (80 at most)"
+        )
+    if target.exists():
+        raise InputError(f"{target} is already there. Choose another name, or move it away")
+    text, named = _TEMPLATE.read_text(encoding="utf-8"), f'name = "{name}"'
+    text = text.replace(f"{'name = ' + _NAME:<{_COLUMN}}", f"{named:<{_COLUMN}}")
+    if request is not None:
+        text = _filled(text, placed(request), KINDS[request.kind], out)
+    with atomic_path(target) as temporary:
+        temporary.write_text(text, encoding="utf-8")
+    return target
+
+
+def request_of(
+    kind: str | None,
+    size_mm: tuple[float, float, float] | None,
+    sensors: int,
+    magnets: int | None,
+    file: Path | None,
+    unit: str,
+    scale: float,
+) -> Request | None:
+    """What the options of `instobj new` ask for; None where none is given.
+
+    Raises
+    ------
+    InputError
+        Options that do not go together, or a file that holds no closed body.
+    """
+    kind = "imported" if kind is None and file is not None else kind
+    if kind is None and size_mm is None:
+        return None
+    kind = kind or "box"
+    if kind not in KINDS:
+        raise InputError(f"--kind {kind} is not known. Choose one of {', '.join(KINDS)}")
+    if unit not in MM:
+        raise InputError(f"--unit {unit} is not known. Choose one of {', '.join(MM)}")
+    if KINDS[kind].from_file != (file is not None):
+        raise InputError("--from FILE goes with --kind imported. Give both, or neither")
+    if (size_mm is None) == (file is None):
+        raise InputError(
+            f"--size X Y Z (mm) is given for every kind but an imported body, whose file has it; got "
+            f"--kind {kind}{'' if size_mm is None else ' and --size'}. "
+            + ("Add --size" if size_mm is None else "Leave it out, or use --scale")
+        )
+    request = Request(kind, size_mm or (0.0, 0.0, 0.0), sensors, magnets)
+    if file is None:
+        return request
+    read = body_of_file(file, MM[unit] * scale)
+    keys = {"file": read["file"], "unit": unit, "scale": scale}
+    return replace(request, size_mm=tuple(read["size_mm"]), file=tuple(keys.items()))
+
+
+def _filled(text: str, tables: Tables, kind: type[BodyKind], out: Path) -> str:
+    """The template with what was placed, without what the kind does not take."""
+    values = {f"{t}.{k}": value for t, keys in tables.items() for k, value in keys.items()}
+    if kind.from_file:
+        del values["body.size_mm"]
+        values["body.file"] = _from(out, values["body.file"])
+    where, lines = "", []
+    for line in text.splitlines():
+        heading, key = _HEADING.match(line), _LINE.match(line)
+        where = heading[1] if heading else where
+        name = f"{where}.{key[1]}" if key else where
+        if _left_out(name, kind) or (name == "sensors.first_azimuth_deg"):
+            continue
+        lines.append(_with_value(line, key[1], values.pop(name)) if name in values else line)
+    if values:
+        raise AssertionError(f"the template has no lines for {sorted(values)}")
+    whole = re.sub(r"\n{3,}", "\n\n", "\n".join(lines) + "\n")
+    return _DEFAULTS.sub(_about(kind), whole)
+
+
+def _about(kind: type[BodyKind]) -> str:
+    return (
+        f"# Magnets, sensors, core and contact locations of this {kind.name} were placed by `instobj new`;\n"
+        "# every other value is that of the cube of Knopke et al., RA-L 2024, and may be left out."
+    )
+
+
+def _left_out(name: str, kind: type[BodyKind]) -> bool:
+    """Whether a kind does not take a key, or a table with all that is in it."""
+    bored = bool(kind.openable) and not kind.opens_sides
+    keys = {
+        "body.inside": len(kind.insides) > 1,
+        "body.open_faces": bool(kind.openable),
+        "body.bore_mm": bored,
+        "body.file": kind.from_file,
+        "body.unit": kind.from_file,
+        "body.scale": kind.from_file,
+        "body.size_mm": not kind.from_file,
+        "sensors.first_azimuth_deg": False,
+    } | dict.fromkeys(BOX_ONLY, kind.cuboid)
+    return any(
+        not takes and (name == key or name.startswith(f"{key}.")) for key, takes in keys.items()
+    )
+
+
+def _with_value(line: str, key: str, value: Any) -> str:
+    comment = _COMMENT.search(line)
+    written = f"{key} = {_toml(value)}"
+    past = "" if len(written) < _COLUMN else "    "
+    return f"{written:<{_COLUMN}}{past}{comment[0].strip()}" if comment else written
+
+
+def _toml(value: Any) -> str:
+    if isinstance(value, list | tuple):
+        return f"[{', '.join(map(_toml, value))}]"
+    return f'"{value}"' if isinstance(value, str) else repr(value)
+
+
+def _from(out: Path, file: str) -> str:
+    """A file as the specification in `out` names it."""
+    import os
+
+    return Path(os.path.relpath(file, out)).as_posix()

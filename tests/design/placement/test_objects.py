@@ -1,0 +1,66 @@
+"""Objects placed from kind and size: everything fits, and refusals name a size that works."""
+
+import re
+
+import numpy as np
+import pytest
+
+from design.errors import SpecError
+from design.fit.everything import problems_of
+from design.layout.boards import mounted_sensors
+from design.layout.positions import magnet_layout
+from design.placement.objects import Request, placed, spec_of
+
+QUICK = {
+    "brick": Request("box", (60.0, 40.0, 30.0), 2, 5),
+    "pad": Request("pad", (60.0, 42.0, 11.0), 4),
+    "handle": Request("cylinder", (42.0, 42.0, 60.0), 3),
+    "dome": Request("dome", (40.0, 40.0, 26.0), 1, 3),
+}
+
+
+@pytest.fixture(scope="module")
+def made():
+    return {name: spec_of(placed(request)) for name, request in QUICK.items()}
+
+
+@pytest.mark.parametrize("name", QUICK)
+def test_what_is_placed_fits_and_is_what_was_asked_for(name, made):
+    spec, request = made[name], QUICK[name]
+    assert problems_of(spec) == []
+    assert (spec.body.kind, spec.body.size_mm) == (request.kind, request.size_mm)
+    assert spec.sensors.count_per_face == request.sensors
+    assert len(spec.magnets.positions_mm) == (request.magnets or 5)
+    assert min(spec.contact_grid.count) >= 5
+
+
+def test_boards_and_magnets_of_a_brick_lie_in_core_and_silicone_by_hand(made):
+    """In the box's own coordinates, without frames or distances of the design's."""
+    spec = made["brick"]
+    outer = np.array(spec.body.size_mm) / 2
+    core = outer - spec.shell.thickness_mm
+    for sensor in mounted_sensors(spec):
+        for block in (sensor.board, sensor.chip):
+            reach = abs(block.centre_mm) + abs(block.axes) @ block.half_mm
+            assert (reach <= core + 1e-9).all(), sensor.label
+    centres = magnet_layout(spec).centre_mm
+    assert (abs(centres) < outer).all()
+    assert ((abs(centres) > core).sum(axis=1) >= 1).all(), "a magnet lies in the core"
+    apart = np.linalg.norm(centres[:, None] - centres[None], axis=-1)
+    assert apart[~np.eye(len(centres), dtype=bool)].min() > spec.magnets.diameter_mm + 1
+
+
+def test_a_pad_that_is_too_small_is_refused_with_a_size_that_works():
+    with pytest.raises(SpecError, match="too small for 4 sensors") as told:
+        placed(Request("pad", (20.0, 14.0, 8.0), 4))
+    named = re.findall(r"works is about ([\d.]+) × ([\d.]+) × ([\d.]+) mm", str(told.value))
+    size = tuple(float(edge) for edge in named[0])
+    assert problems_of(spec_of(placed(Request("pad", size, 4)))) == []
+    smaller = tuple(0.8 * edge for edge in size)
+    with pytest.raises(SpecError, match="too small"):
+        placed(Request("pad", smaller, 4))
+
+
+def test_a_size_that_the_kind_does_not_take_is_refused_with_its_rule():
+    with pytest.raises(SpecError, match="three times its diameter"):
+        placed(Request("sphere", (50.0, 50.0, 40.0)))

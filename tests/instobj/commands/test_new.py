@@ -1,0 +1,118 @@
+"""`instobj new`: the template's comments with what was placed, for every kind of body."""
+
+import json
+import tomllib
+from pathlib import Path
+
+import pytest
+
+from design.body.kinds.registry import KINDS
+from design.errors import InputError
+from design.fabrication.check import check_fabrication
+from design.fabrication.finding import worst
+from design.placement.objects import Request
+from design.spec.object import ObjectSpec
+from design.spec_io import load_spec
+from instobj.commands.new import new_specification, request_of
+from instobj.commands.run import check
+
+ROOT = Path(__file__).parents[3]
+PEAR = ROOT / "examples" / "bodies" / "pear.stl"
+SIZES = {
+    "box": (60.0, 40.0, 30.0),
+    "pad": (60.0, 42.0, 11.0),
+    "cylinder": (42.0, 42.0, 60.0),
+    "capsule": (44.0, 44.0, 76.0),
+    "sphere": (50.0, 50.0, 50.0),
+    "ellipsoid": (60.0, 48.0, 48.0),
+    "dome": (40.0, 40.0, 26.0),
+}
+
+
+def placed_tables(kind):
+    """One magnet and one sensor in the middle, as tables that name every key that is placed."""
+    tables = {
+        "body": {"kind": kind, "size_mm": [1.0, 2.0, 3.0]},
+        "shell": {"thickness_mm": 1.0, "pocket_diameter_mm": 2.0, "pocket_depth_mm": 0.5},
+        "magnets": {"diameter_mm": 3.0, "positions_mm": [[0.0, 0.0], [1.0, -2.5]]},
+        "contact_grid": {"count": [5, 5], "pitch_mm": 1.5},
+        "indenter": {"radius_mm": 3.0},
+        "press": {"depths_mm": [0.25, 0.5]},
+        "core": {"wall_mm": 5.0, "hub_radius_mm": 1.5, "recess_inner_radius_mm": 0.25},
+        "sensors": {"radius_mm": 3.5, "positions_mm": [[0.0, 0.0]], "count_per_face": 1},
+    }
+    if kind == "imported":
+        tables["body"] |= {"file": str(PEAR), "unit": "cm", "scale": 2.0}
+    return tables
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_every_kind_gets_its_own_lines_with_what_was_placed(kind, tmp_path, monkeypatch):
+    tables = placed_tables(kind)
+    monkeypatch.setattr("instobj.commands.new.placed", lambda request: tables)
+    path = new_specification("mine", tmp_path, Request(kind, (1.0, 2.0, 3.0)))
+    text = path.read_text()
+    read = tomllib.loads(text)
+    assert read.pop("name") == "mine"
+    named = {f"{t}.{k}": v for t, keys in tables.items() for k, v in keys.items()}
+    if kind == "imported":
+        del named["body.size_mm"]
+        named["body.file"] = read["body"]["file"]
+        assert (tmp_path / named["body.file"]).resolve() == PEAR
+    for where, value in named.items():
+        table, key = where.split(".")
+        assert read[table].pop(key) == value, where
+    default = json.loads(ObjectSpec(name="x").model_dump_json())
+    for table, keys in read.items():
+        for key, value in keys.items() if isinstance(keys, dict) else ():
+            if not isinstance(value, dict):
+                assert default[table][key] == value, f"{table}.{key} was changed"
+    assert ("slits" in text) is ("bay_mm" in text) is KINDS[kind].cuboid
+    assert ("bore_mm" in text) is (kind in ("sphere", "ellipsoid", "capsule", "imported"))
+    assert ("unit = " in text) is (kind == "imported")
+
+
+def test_without_options_the_cube_of_the_paper_is_written(tmp_path):
+    assert request_of(None, None, 3, None, None, "mm", 1.0) is None
+    path = new_specification("mine", tmp_path)
+    assert load_spec(path).changed(name="x") == ObjectSpec(name="x")
+    with pytest.raises(InputError, match="already there"):
+        new_specification("mine", tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        (("ball", (1.0, 1.0, 1.0), 3, None, None, "mm", 1.0), "Choose one of box, pad"),
+        (("box", None, 3, None, None, "mm", 1.0), "Add --size"),
+        (("imported", None, 3, None, None, "mm", 1.0), "--from FILE goes with"),
+        ((None, (1.0, 1.0, 1.0), 3, None, PEAR, "mm", 1.0), "Leave it out, or use --scale"),
+        ((None, None, 3, None, PEAR, "ft", 1.0), "mm, cm, m, in"),
+    ],
+)
+def test_options_that_do_not_go_together_are_refused(options, said):
+    with pytest.raises(InputError, match=said):
+        request_of(*options)
+
+
+@pytest.mark.parametrize(
+    ("edge_mm", "asked"),
+    [(0.05, r'body\.unit = "m" makes it 50 mm'), (45e3, r"body\.scale = 0\.001 makes it 45 mm")],
+)
+def test_a_file_in_metres_is_answered_with_a_question(edge_mm, asked):
+    body = {"kind": "imported", "file": "fruit.stl", "size_mm": [edge_mm] * 3}
+    with pytest.raises(ValueError, match=f"In which unit is its file drawn.*{asked}"):
+        ObjectSpec.model_validate({"name": "x", "body": body})
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", KINDS)
+def test_what_is_placed_can_be_printed_cast_and_assembled(kind, tmp_path):
+    file = PEAR if kind == "imported" else None
+    path = new_specification(
+        "mine", tmp_path, request_of(kind, SIZES.get(kind), 3, None, file, "mm", 1.0)
+    )
+    spec = load_spec(path)
+    check(spec)
+    findings = check_fabrication(spec).findings
+    assert worst(findings) != "fail", [f for f in findings if f.status == "fail"]
