@@ -1,6 +1,5 @@
 """`instobj new`: the template's comments with what was placed, for every kind of body."""
 
-import json
 import tomllib
 from pathlib import Path
 
@@ -17,6 +16,7 @@ from instobj.commands.new import new_specification, request_of
 from instobj.commands.run import check
 
 ROOT = Path(__file__).parents[3]
+TEMPLATE = ROOT / "instobj" / "templates" / "cube.toml"
 PEAR = ROOT / "examples" / "bodies" / "pear.stl"
 SIZES = {
     "box": (60.0, 40.0, 30.0),
@@ -62,11 +62,11 @@ def test_every_kind_gets_its_own_lines_with_what_was_placed(kind, tmp_path, monk
     for where, value in named.items():
         table, key = where.split(".")
         assert read[table].pop(key) == value, where
-    default = json.loads(ObjectSpec(name="x").model_dump_json())
+    cube = tomllib.loads(TEMPLATE.read_text())
     for table, keys in read.items():
         for key, value in keys.items() if isinstance(keys, dict) else ():
             if not isinstance(value, dict):
-                assert default[table][key] == value, f"{table}.{key} was changed"
+                assert cube[table][key] == value, f"{table}.{key} was changed"
     assert ("slits" in text) is ("bay_mm" in text) is KINDS[kind].cuboid
     assert ("bore_mm" in text) is (kind in ("sphere", "ellipsoid", "capsule", "imported"))
     assert ("unit = " in text) is (kind == "imported")
@@ -75,7 +75,8 @@ def test_every_kind_gets_its_own_lines_with_what_was_placed(kind, tmp_path, monk
 def test_without_options_the_cube_of_the_paper_is_written(tmp_path):
     assert request_of(None, None, 3, None, None, "mm", 1.0) is None
     path = new_specification("mine", tmp_path)
-    assert load_spec(path).changed(name="x") == ObjectSpec(name="x")
+    cube = load_spec(ROOT / "examples" / "paper_cube.toml")
+    assert load_spec(path).changed(name="x") == cube.changed(name="x")
     with pytest.raises(InputError, match="already there"):
         new_specification("mine", tmp_path)
 
