@@ -4,12 +4,14 @@ import csv
 import json
 import re
 import tomllib
+from io import BytesIO
 from pathlib import Path
 
 import numpy as np
 import pytest
 import trimesh
 import xarray as xr
+from PIL import Image
 
 from design.spec.object import ObjectSpec
 from design.spec.search import PricesSpec, SearchLimitsSpec, VarySpec
@@ -17,6 +19,7 @@ from design.spec_io import load_spec, parse_spec, spec_hash
 from estimator.information.scores import score_places
 from estimator.signals.presses import load_signals
 from instobj.stages.table import STAGES
+from tests.support.browser import Browser, chromium
 from tests.support.cli import assert_one_clear_error, run
 
 ROOT = Path(__file__).parents[2]
@@ -160,6 +163,84 @@ def test_the_report_opens_with_the_verdict_and_stands_alone(folder, first):
     assert not re.findall(r"""src=["'](?!data:)|<link|<script src|@import""", page)
     for link in re.findall(r"""href=["']([^"'#]+)""", page):
         assert (folder / "runs/small" / link).exists(), link
+
+
+@pytest.fixture(scope="module")
+def page(folder, first):
+    """The report in a browser, once its view in three dimensions stands."""
+    if chromium() is None:
+        pytest.skip("no Chromium on this machine")
+    with Browser() as browser:
+        ready = 'document.getElementById("viewer")?.dataset.ready === "yes"'
+        browser.open(folder / "runs/small/report.html", ready)
+        yield browser
+
+
+NAMED = "document.querySelector('[data-name=\"{}\"]')"
+
+
+def _shown(page, name):
+    return page.ask(NAMED.format(name) + ".textContent")
+
+
+def _canvas(page):
+    """Left, top, right, lower end of the view in the window, scrolled to its middle."""
+    canvas = NAMED.format("canvas")
+    page.ask(f"{canvas}.scrollIntoView({{block: 'center'}})")
+    box = f"(({{left, top, right, bottom}}) => [left, top, right, bottom])({canvas}.getBoundingClientRect())"
+    left, top, right, bottom = page.ask(box)
+    assert right - left > 300
+    assert bottom - top > 300
+    return left, top, right, bottom
+
+
+def _body_after(page, key):
+    """Pixels of the view once a key has moved the depth's slider."""
+    page.ask(NAMED.format("depth") + ".focus()")
+    page.press(key)
+    page.ask("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
+    box = _canvas(page)
+    return np.asarray(Image.open(BytesIO(page.picture())).convert("RGB").crop(box), int)
+
+
+def test_the_view_loads_without_a_complaint_or_a_request(page, folder):
+    assert page.problems() == []
+    assert page.requests() == [(folder / "runs/small/report.html").as_uri()]
+
+
+def test_a_click_on_the_body_tells_the_numbers_of_the_table(page, folder):
+    before = _shown(page, "place")
+    left, top, right, bottom = _canvas(page)
+    page.click(left + 0.62 * (right - left), top + 0.58 * (bottom - top))
+    place = _shown(page, "place")
+    assert place != before
+    face, x, y = map(float, re.fullmatch(r"face (\d) \((.*), (.*)\) mm", place).groups())
+    assert face == 3
+    signals = load_signals(folder / "runs/small/lattice_signals.nc")
+    xy = signals.lattice.xy_mm
+    (at,) = np.flatnonzero((xy == (x, y)).all(axis=1))
+    _body_after(page, "End")
+    assert _shown(page, "travel") == "3.00 mm"
+    assert _shown(page, "force") == f"{signals.force_n[1, at, -1]:.2f} N"
+    rows = page.ask(f"Array.from({NAMED.format('counts')}.rows, (r) => "
+                    "Array.from(r.cells, (c) => Number(c.textContent)))")  # fmt: skip
+    assert [row[:2] for row in rows] == [[f, k] for f in FACES for k in (1, 2, 3)]
+    np.testing.assert_allclose(
+        [row[2:] for row in rows], signals.delta_counts[1, at, -1], rtol=0, atol=0.6
+    )
+
+
+def test_the_slider_bends_the_silicone(page):
+    """Pixels that are silicone before and after, and are lit otherwise: neither tip nor arrows."""
+    page.ask(f"{NAMED.format('opacity')}.value = 100;"
+             f"{NAMED.format('opacity')}.dispatchEvent(new Event('input'))")  # fmt: skip
+    rest, pressed = _body_after(page, "Home"), _body_after(page, "End")
+    silicone = [
+        (one[..., 0] > one[..., 2] + 25) & (one[..., 1] > one[..., 2]) for one in (rest, pressed)
+    ]
+    changed = silicone[0] & silicone[1] & (abs(rest - pressed).max(axis=2) > 8)
+    assert silicone[0].mean() > 0.05
+    assert 0.002 < changed.sum() / silicone[0].sum() < 0.6
 
 
 def test_a_second_run_reuses_everything(folder, first):

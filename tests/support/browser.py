@@ -19,7 +19,11 @@ FLAGS = (
     *("--disable-extensions", "--disable-default-apps", "--disable-dev-shm-usage"),
     "--remote-debugging-pipe",
 )
-_LIMIT_S = 60.0
+_LIMIT_S = 120.0
+_KEYS = {
+    name: {"windowsVirtualKeyCode": code}
+    for name, code in {"End": 35, "Home": 36, "ArrowRight": 39}.items()
+}
 
 
 def chromium():
@@ -107,10 +111,14 @@ class Browser:
         for kind in ("mousePressed", "mouseReleased"):
             self.send("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1)
 
-    def picture(self, **clip):
-        """PNG of the page, or of a part of it (x, y, width, height in CSS pixels)."""
-        part = {"clip": {**clip, "scale": 1}, "captureBeyondViewport": True} if clip else {}
-        return base64.b64decode(self.send("Page.captureScreenshot", format="png", **part)["data"])
+    def press(self, key):
+        """A key in the element that has the focus."""
+        for kind in ("keyDown", "keyUp"):
+            self.send("Input.dispatchKeyEvent", type=kind, key=key, code=key, **_KEYS[key])
+
+    def picture(self):
+        """PNG of what the window shows."""
+        return base64.b64decode(self.send("Page.captureScreenshot", format="png")["data"])
 
     def problems(self):
         """What the page complained about: exceptions, errors and warnings of the console and the log."""

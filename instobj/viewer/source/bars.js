@@ -22,7 +22,7 @@ function along(count, noise) {
 export function drawBars(svg, signals) {
   svg.replaceChildren();
   const row = 3 * HIGH + GAP;
-  const high = signals.length * row + 26;
+  const high = signals.length * row + GAP + 20;
   svg.setAttribute("viewBox", `0 0 ${WIDE} ${high}`);
   const noise = Math.min(...signals[0].noise);
   for (const count of [-1e4, -1e3, -100, 0, 100, 1e3, 1e4]) {
@@ -32,7 +32,7 @@ export function drawBars(svg, signals) {
     add(svg, "text", { x, y: high - 6, "font-size": 9, "text-anchor": "middle", fill: "#555" }, text.replace("-", "−"));
   }
   signals.forEach(({ face, counts, live, noise: sigma, number }, index) => {
-    const y = index * row;
+    const y = index * row + GAP;
     add(svg, "text", { x: 0, y: y + 12, "font-size": 10, fill: "#333" }, `face ${face}, ${number}`);
     counts.forEach((count, axis) => {
       if (!live[axis]) return;

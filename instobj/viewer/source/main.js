@@ -56,9 +56,7 @@ async function start() {
   host.dataset.ready = "yes";
   const middle = nearestPlace(content, press, scene, 0, 0, 0);
   choose(0, middle, Math.ceil(press.depths.length / 2));
-  find("map").value = content.maps[0].stem;
-  drawLegend(find("legend"), maps.show(content.maps[0].stem));
-  tell();
+  object.fade(Number(find("opacity").value) / 100);
 }
 
 function numberedSensors(signals) {
@@ -79,7 +77,7 @@ function fillControls(find, content, press) {
 function joinControls(find, { object, mould, maps, press, choose, tell, view, content }) {
   const on = (name, event, act) => find(name).addEventListener(event, act);
   const number = (name) => Number(find(name).value);
-  on("explode", "input", () => { object.explode(number("explode") / 100); press.follow(); view.look(4.3 + number("explode") / 45, number("explode") / 220); });
+  on("explode", "input", () => { object.explode(number("explode") / 100); press.follow(); view.look(4.3 + number("explode") / 45, number("explode") / 220, true); });
   on("opacity", "input", () => object.fade(number("opacity") / 100));
   const clip = () => object.clip(find("clip-axis").value, number("clip") / 100);
   on("clip-axis", "change", clip);
@@ -87,6 +85,8 @@ function joinControls(find, { object, mould, maps, press, choose, tell, view, co
   on("map", "change", () => {
     const found = maps.show(find("map").value);
     drawLegend(find("legend"), found);
+    if (found) find("opacity").value = "100";
+    object.fade(number("opacity") / 100);
     tell();
   });
   for (const name of ["face", "x", "y"]) {
@@ -101,6 +101,7 @@ function joinControls(find, { object, mould, maps, press, choose, tell, view, co
       mould.root.visible = which === "mould";
       find("object-controls").hidden = which !== "object";
       find("mould-controls").hidden = which !== "mould";
+      view.ground.visible = which === "object";
       press.follow();
       view.look(which === "mould" ? 8 : 4.3);
     });

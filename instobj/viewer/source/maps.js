@@ -1,14 +1,11 @@
 // Scores as colours on the body: one scale, dark is weak, numbers in the legend.
-import { Color } from "three";
+import { BufferAttribute, Color, DataTexture, LinearFilter, SRGBColorSpace, Vector3 } from "three";
 import { numbers } from "./archive.js";
-import { COLOURS } from "./object.js";
 
 // viridis (Smith and van der Walt, CC0): perceptually uniform, also without red or green.
 const VIRIDIS = [
   "440154", "482475", "414487", "355f8d", "2a788e", "21918c", "22a884", "44bf70", "7ad151", "bddf26", "fde725",
 ].map((hex) => new Color(`#${hex}`));
-const NO_DATA = new Color(0xc9c9c4);
-const PLAIN = new Color(COLOURS.silicone);
 
 function viridis(share, into) {
   const at = Math.min(0.9999, Math.max(0, share)) * (VIRIDIS.length - 1);
@@ -42,68 +39,90 @@ export function placeOn(face, x, y, z) {
   return [face.x, face.y].map((a) => dx * a[0] + dy * a[1] + dz * a[2]);
 }
 
-// A score between the contact locations: bilinear over those that have one, NaN beyond half a pitch.
-function between(values, first, grid, [x, y]) {
-  const [a, b] = [along(grid.x_mm, x), along(grid.y_mm, y)];
-  if (!a || !b) return NaN;
-  let [sum, weights] = [0, 0];
-  for (const [i, wi] of a) {
-    for (const [j, wj] of b) {
-      const value = values[first + i * grid.y_mm.length + j];
-      if (Number.isFinite(value)) [sum, weights] = [sum + wi * wj * value, weights + wi * wj];
-    }
-  }
-  return weights > 0.2 ? sum / weights : NaN;
-}
-
-function along(nodes, at) {
-  const pitch = nodes.length > 1 ? nodes[1] - nodes[0] : 1;
-  const place = (at - nodes[0]) / pitch;
-  if (place < -0.51 || place > nodes.length - 0.49) return null;
-  const held = Math.min(nodes.length - 1, Math.max(0, place));
-  const low = Math.min(Math.floor(held), Math.max(0, nodes.length - 2));
-  return [[low, 1 - (held - low)], [Math.min(low + 1, nodes.length - 1), held - low]];
-}
-
 export function shownNumber(value) {
   if (!Number.isFinite(value)) return "–";
   const size = Math.abs(value);
   return size >= 1e4 || (size < 1e-3 && size > 0) ? value.toExponential(1) : value.toPrecision(3);
 }
 
+// Place of every vertex on its face, in steps of the grid, and the face; −1 where it has none.
+function charts({ content, arrays }, owner) {
+  const rest = numbers(arrays.silicone_mm);
+  const chart = new Float32Array(rest.length).fill(-1);
+  const pitch = (nodes) => (nodes.length > 1 ? nodes[1] - nodes[0] : 1);
+  const { x_mm: xs, y_mm: ys } = content.grid;
+  owner.forEach((index, vertex) => {
+    if (index < 0) return;
+    const [x, y] = placeOn(content.faces[index], ...rest.subarray(3 * vertex, 3 * vertex + 3));
+    chart.set([(x - xs[0]) / pitch(xs), (y - ys[0]) / pitch(ys), index], 3 * vertex);
+  });
+  return chart;
+}
+
+const VERTEX = "attribute vec3 chart; varying vec3 onFace;\n";
+const FRAGMENT = `varying vec3 onFace; uniform sampler2D score; uniform vec3 grid; uniform float mapped;
+vec3 mapColour(vec3 plain) {
+  if (mapped < 0.5) return plain;
+  float face = floor(onFace.z + 0.5);
+  vec2 last = grid.xy - 1.0;
+  bool judged = face >= 0.0 && abs(onFace.z - face) < 0.01
+    && all(greaterThan(onFace.xy, vec2(-0.5))) && all(lessThan(onFace.xy, last + 0.5));
+  vec2 at = clamp(onFace.xy, vec2(0.0), last) + 0.5;
+  vec4 found = texture2D(score, vec2(at.x, face * grid.y + at.y) / vec2(grid.x, grid.y * grid.z));
+  return judged && found.a > 0.5 ? found.rgb / found.a : vec3(0.58);
+}
+`;
+
+// The material shows the map between the contact locations; triangles between two faces stay grey.
+function paint(material, uniforms) {
+  material.onBeforeCompile = (shader) => {
+    Object.assign(shader.uniforms, uniforms);
+    shader.vertexShader = VERTEX + shader.vertexShader.replace("#include <begin_vertex>", "#include <begin_vertex>\nonFace = chart;");
+    shader.fragmentShader = FRAGMENT + shader.fragmentShader.replace("#include <color_fragment>", "diffuseColor.rgb = mapColour(diffuseColor.rgb);");
+  };
+  material.needsUpdate = true;
+}
+
 export function makeMaps(scene, object, view) {
   const { content, arrays } = scene;
   const owner = facesOfVertices(scene);
-  const rest = numbers(arrays.silicone_mm);
-  const places = content.grid.x_mm.length * content.grid.y_mm.length;
-  const colours = object.silicone.front.geometry.attributes.color;
+  const [wide, high, faces] = [content.grid.x_mm.length, content.grid.y_mm.length, content.faces.length];
+  const places = wide * high;
+  const texture = new DataTexture(new Uint8Array(4 * places * faces), wide, high * faces);
+  texture.magFilter = texture.minFilter = LinearFilter;
+  texture.colorSpace = SRGBColorSpace;
+  const uniforms = { score: { value: texture }, grid: { value: new Vector3(wide, high, faces) }, mapped: { value: 0 } };
+  object.silicone.front.geometry.setAttribute("chart", new BufferAttribute(charts(scene, owner), 3));
+  paint(object.silicone.front.material, uniforms);
   let shown = null;
 
   function scaleOf(map) {
     const values = Array.from(arrays[`map_${map.stem}`].data).filter((v) => Number.isFinite(v) && (!map.log || v > 0));
     const ends = [Math.min(...values), Math.max(...values)];
-    const [low, high] = map.log ? ends.map(Math.log) : ends;
-    const share = (value) => ((map.log ? Math.log(value) : value) - low) / (high - low || 1);
-    const at = (part) => { const v = low + part * (high - low); return map.log ? Math.exp(v) : v; };
+    const [low, high_] = map.log ? ends.map(Math.log) : ends;
+    const share = (value) => ((map.log ? Math.log(value) : value) - low) / (high_ - low || 1);
+    const at = (part) => { const v = low + part * (high_ - low); return map.log ? Math.exp(v) : v; };
     return { share: (value) => (map.weak === "high" ? 1 - share(value) : share(value)), at };
   }
   function show(stem) {
     shown = content.maps.find((map) => map.stem === stem) ?? null;
-    const scale = shown && scaleOf(shown);
-    const values = shown && arrays[`map_${shown.stem}`].data;
-    const colour = new Color();
-    for (let vertex = 0; vertex < owner.length; vertex++) {
-      let chosen = PLAIN;
-      if (shown && owner[vertex] >= 0) {
-        const face = content.faces[owner[vertex]];
-        const value = between(values, owner[vertex] * places, content.grid, placeOn(face, ...rest.subarray(3 * vertex, 3 * vertex + 3)));
-        chosen = Number.isFinite(value) ? viridis(scale.share(value), colour) : NO_DATA;
-      }
-      colours.setXYZ(vertex, chosen.r, chosen.g, chosen.b);
-    }
-    colours.needsUpdate = true;
+    uniforms.mapped.value = shown ? 1 : 0;
+    if (shown) fill(scaleOf(shown), arrays[`map_${stem}`].data);
     view.redraw();
-    return shown && { map: shown, at: scale.at };
+    return shown && { map: shown, at: scaleOf(shown).at };
+  }
+  function fill(scale, values) {
+    const colour = new Color();
+    const bytes = {};
+    values.forEach((value, index) => {
+      const [face, place] = [Math.floor(index / places), index % places];
+      const pixel = 4 * ((face * high + (place % high)) * wide + Math.floor(place / high));
+      texture.image.data.fill(0, pixel, pixel + 4);
+      if (!Number.isFinite(value)) return;
+      viridis(scale.share(value), colour).getRGB(bytes, SRGBColorSpace);
+      texture.image.data.set([bytes.r, bytes.g, bytes.b, 1].map((v) => 255 * v), pixel);
+    });
+    texture.needsUpdate = true;
   }
   const valueAt = (face, place) => shown && arrays[`map_${shown.stem}`].data[face * places + place];
   return { owner, show, valueAt, shown: () => shown };

@@ -74,11 +74,12 @@ export function buildObject({ content, arrays }, view) {
   const root = new Group();
   const size = view.size;
   const away = new Vector3(...content.away);
+  const height = content.size_mm.reduce((sum, edge, axis) => sum + edge * Math.abs(content.away[axis]), 0);
   const normals = Object.fromEntries(content.faces.map((f) => [f.number, new Vector3(...f.normal)]));
   const plane = new Plane(new Vector3(0, 1, 0), 0);
   const planes = [];
 
-  const skin = new MeshLambertMaterial({ vertexColors: true, transparent: true });
+  const skin = new MeshLambertMaterial({ color: COLOURS.silicone, transparent: true });
   const silicone = solid(geometryOf(arrays, "silicone"), skin, planes);
   silicone.front.renderOrder = 2;
   const core = solid(geometryOf(arrays, "core"), new MeshLambertMaterial({ color: COLOURS.core }), planes, 0x5f7ea3);
@@ -89,7 +90,7 @@ export function buildObject({ content, arrays }, view) {
   root.add(silicone.group, core.group, ...bars, ...boards, ...chips);
 
   const faces = content.faces.map((face) => {
-    const sprite = label(String(face.number), size / 6);
+    const sprite = label(String(face.number), size / 8);
     const normal = normals[face.number];
     sprite.position.set(...face.centre_mm).addScaledVector(normal, size * 0.09);
     sprite.userData = { normal, rest: sprite.position.clone() };
@@ -115,7 +116,7 @@ export function buildObject({ content, arrays }, view) {
   let exploded = 0;
   function explode(share) {
     exploded = share;
-    const lift = away.clone().multiplyScalar(0.95 * size * share);
+    const lift = away.clone().multiplyScalar(0.95 * height * share);
     silicone.group.position.copy(lift);
     faces.forEach((s) => s.position.copy(s.userData.rest).add(lift).addScaledVector(s.userData.normal, 0.2 * size * share));
     for (const part of inShell) part.position.copy(restOf(part)).add(lift).addScaledVector(faceOf(part), 0.2 * size * share);
@@ -140,9 +141,6 @@ export function buildObject({ content, arrays }, view) {
     skin.depthWrite = opacity > 0.95;
     view.redraw();
   }
-  const geometry = silicone.front.geometry;
-  const colours = new Float32Array(geometry.attributes.position.array.length);
-  geometry.setAttribute("color", new BufferAttribute(colours, 3));
   clip("", 0);
   return {
     root, silicone, core, faces, movers: inShell, explode, clip, fade,

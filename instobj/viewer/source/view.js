@@ -48,7 +48,7 @@ export function makeView(canvas, sizeMm) {
   renderer.setClearColor(BACKGROUND);
   renderer.localClippingEnabled = true;
   const scene = new Scene();
-  const size = Math.max(...sizeMm);
+  const size = 0.58 * Math.hypot(...sizeMm); // 42 mm for a cube of 42 mm
   const camera = new PerspectiveCamera(30, 1, size / 50, size * 30);
   camera.up.set(0, 0, 1);
   const controls = new OrbitControls(camera, canvas);
@@ -60,7 +60,9 @@ export function makeView(canvas, sizeMm) {
   const floor = new GridHelper(Math.ceil((3 * size) / 20) * 20, Math.ceil((3 * size) / 20) * 2, 0xb9b9b2, 0xe0e0da);
   floor.rotation.x = Math.PI / 2;
   floor.position.z = -sizeMm[2] / 2 - size * 0.02;
-  scene.add(floor, axes(size, new Vector3(-0.95 * size, -0.95 * size, floor.position.z)));
+  const ground = new Group();
+  ground.add(floor, axes(size, new Vector3(-0.8 * size, -0.8 * size, floor.position.z)));
+  scene.add(ground);
 
   const before = [];
   let asked = false;
@@ -73,9 +75,12 @@ export function makeView(canvas, sizeMm) {
     if (!asked) requestAnimationFrame(draw);
     asked = true;
   }
-  function look(distance = 4.3, lift = 0) {
-    camera.position.set(0.57 * size, -0.68 * size, 0.46 * size).multiplyScalar(distance);
+  // From the front corner; or, keeping the direction, from another distance.
+  function look(distance = 4.3, lift = 0, keep = false) {
+    const way = keep ? camera.position.clone().sub(controls.target) : new Vector3(0.57, -0.68, 0.46);
+    const narrow = Math.max(1, 1.25 / camera.aspect);
     controls.target.set(0, 0, lift * size);
+    camera.position.copy(controls.target).addScaledVector(way.normalize(), distance * size * narrow);
     controls.update();
     redraw();
   }
@@ -93,7 +98,7 @@ export function makeView(canvas, sizeMm) {
   canvas.addEventListener("keydown", (event) => turnByKey(event, camera, controls, redraw));
   resize();
   look();
-  return { scene, camera, controls, size, redraw, look, before };
+  return { scene, camera, controls, size, redraw, look, before, ground };
 }
 
 function turnByKey(event, camera, controls, redraw) {

@@ -15,6 +15,7 @@ from design.mould.pins import loose_pins, pins_by_kind
 from design.spec_io import load_spec, parse_spec
 from instobj.render.exploded_view import draw_exploded
 from instobj.report.assembly_sheet import assembly_sheet, steps
+from tests.support.pictures import save_dot
 
 
 def parsed(**content):
@@ -88,7 +89,7 @@ def test_a_body_without_template_and_jig_is_told_of_neither(tmp_path):
     """An imported body, closed: a dozen pins of several kinds, each with its places."""
     spec = load_spec(EXAMPLES / "pear.toml")
     kinds = pins_by_kind(spec)
-    (tmp_path / "exploded.png").write_bytes(b"picture")
+    save_dot(tmp_path / "exploded.png")
     page = assembly_sheet(
         spec, manifest_of(("core", "printed", 1)), tmp_path / "exploded.png", kinds
     )
@@ -107,7 +108,7 @@ def test_a_body_without_template_and_jig_is_told_of_neither(tmp_path):
 
 
 def test_a_built_template_and_jig_are_told(tmp_path):
-    (tmp_path / "exploded.png").write_bytes(b"picture")
+    save_dot(tmp_path / "exploded.png")
     names = [(name, "printed", 1) for name in EVERY_PART]
     page = assembly_sheet(parsed(), manifest_of(*names), tmp_path / "exploded.png")
     assert "Lay the magnet template" in page

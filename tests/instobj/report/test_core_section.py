@@ -6,6 +6,7 @@ import pytest
 
 from design.spec.object import ObjectSpec
 from instobj.report.core_section import FIGURES, core_section
+from tests.support.pictures import save_dot
 
 
 def test_a_bonded_core_in_its_place_is_not_mentioned(tmp_path):
@@ -36,7 +37,7 @@ def test_a_slip_shows_the_error_of_moving_the_sensors_alone(tmp_path, model):
     }
     content = {"slip": slip, "models": models, "sensors": []}
     (tmp_path / "slip.json").write_text(json.dumps(content))
-    (tmp_path / "slip.png").write_bytes(b"figure")
+    save_dot(tmp_path / "slip.png")
     text = " ".join(core_section(spec, tmp_path, tmp_path).split())
     assert "shift (1, 0, -0.5) mm" in text
     assert f"model '{model}'" in text

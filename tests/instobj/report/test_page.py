@@ -11,6 +11,7 @@ from instobj.report.page import _files, is_papers_cube
 from instobj.report.pages import render
 from instobj.report.verdict import Check, Verdict
 from tests.instobj.search.test_page import read
+from tests.support.pictures import save_dot
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 TABLES = (
@@ -43,7 +44,7 @@ PICTURES = ("overview", "robustness_picture", "press_curves", "parts_picture", "
 
 def page_of(spec, tmp_path, **content):
     """The report with empty tables, but for what is given."""
-    (tmp_path / "picture.png").write_bytes(b"picture")
+    save_dot(tmp_path / "picture.png")
     check = Check("bound", "2 mm", "≤ 1 mm", 2.0, "face 1")
     context = {name: [] for name in TABLES} | dict.fromkeys(TEXTS, "")
     context |= dict.fromkeys(PICTURES, tmp_path / "picture.png")

@@ -17,6 +17,7 @@ from instobj.search.outcome.page import ChainResults, write_search_page
 from instobj.search.promotion import Promoted, Promotion
 from instobj.store.readers import CROSS_FACE
 from tests.instobj.search.test_outcome import made_up_history
+from tests.support.pictures import save_dot
 
 VOID = {"meta", "img", "link", "br", "input"}
 
@@ -63,7 +64,7 @@ def results(tmp_path):
     box = ((0.0, 0.0, 0.0), (1.0, 1.0, 1.0))
     part = PartManifest("core", 12.345, box, (0.5, 0.5, 0.5), 6, 1, 12.345, False, 12)
     BuildManifest("found", "0" * 64, (part,), {}).write(tmp_path)
-    (tmp_path / "parts.png").write_bytes(b"picture")
+    save_dot(tmp_path / "parts.png")
     after = tmp_path / "after"
     after.mkdir()
     made_up_scores(spec, after)
