@@ -152,7 +152,8 @@ def _with_tensile_data(content: dict[str, Any], folder: Path) -> dict[str, Any]:
         return content
     if "youngs_modulus_mpa" in silicone:
         return content | {"silicone": silicone | {"tensile_data": None}}
-    from design.catalogue.tensile import fit_tensile, read_tensile_test
+    from design.catalogue.tensile import fit_tensile
+    from design.catalogue.tensile_files import read_tensile_test
 
     file = folder / silicone["tensile_data"]
     modulus = fit_tensile(read_tensile_test(file), file.name).modulus

@@ -1,4 +1,4 @@
-"""Tensile tests: a CSV of stretch and nominal stress, and the hyperelastic solids that fit it.
+"""Hyperelastic solids that fit a tensile test, and the modulus at small strain.
 
 Incompressible uniaxial tension, nominal stress P at stretch λ (forms as in `fem.large_strain.hyperelastic`):
 
@@ -8,40 +8,23 @@ Incompressible uniaxial tension, nominal stress P at stretch λ (forms as in `fe
 
 from __future__ import annotations
 
-import csv
 from collections.abc import Callable
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from jaxtyping import Float
 
 from design.catalogue.silicones import ModulusEstimate
+from design.catalogue.tensile_files import FIT_TO_STRETCH, LEAST_POINTS, TensileTest
 from design.errors import InputError
-from design.files import require_regular_file
 
-LEAST_POINTS = 6
-_LEAST_STRETCH = 1.1
-_STRETCH_COLUMNS: dict[str, Callable[[np.ndarray], np.ndarray]] = {
-    "stretch": lambda value: value,
-    "strain": lambda value: 1 + value,
-    "strain_percent": lambda value: 1 + value / 100,
-}
-_STRESS_COLUMNS = {"nominal_stress_mpa": 1.0, "nominal_stress_kpa": 1e-3}
-FIT_TO_STRETCH = 2.0
-"""Points beyond it are not fitted."""
 _STABLE_FROM_STRETCH = 0.5
 _LARGEST_RESIDUAL_PERCENT = 10.0
 _EXPONENTS = (0.1, 12.0)
-
-
-@dataclass(frozen=True)
-class TensileTest:
-    """Stretch (1 at rest, increasing) and nominal stress (force over undeformed area, MPa)."""
-
-    stretch: Float[np.ndarray, "point"]
-    nominal_stress_mpa: Float[np.ndarray, "point"]
+_RANGES_TO_STRETCH = (1.25, 1.5, 2.0, 3.0)
+_NORMAL_90 = 1.645
+_LARGEST_CORRELATION = 0.95
 
 
 @dataclass(frozen=True)
@@ -62,43 +45,27 @@ class SolidFit:
 
 
 @dataclass(frozen=True)
+class RangeFit:
+    """One solid fitted to the points up to a stretch, with the 90 % interval of its modulus.
+
+    The interval is that of the fit alone, neighbouring residuals being alike; how much the moduli of
+    solids and ranges differ says more.
+    """
+
+    to_stretch: float
+    points: int
+    fit: SolidFit
+    low_mpa: float
+    high_mpa: float
+
+
+@dataclass(frozen=True)
 class TensileFit:
     """All solids fitted to the points up to a stretch of 2, and the modulus with its spread."""
 
     test: TensileTest
     solids: tuple[SolidFit, ...]
     modulus: ModulusEstimate
-
-
-def read_tensile_test(path: Path) -> TensileTest:
-    """Read a CSV with a column `stretch`, `strain` or `strain_percent`, and one
-    `nominal_stress_mpa` or `nominal_stress_kpa`.
-
-    Raises
-    ------
-    InputError
-        An unreadable file, missing columns, too few points, or points that are not numbers, not
-        sorted, compressive, or of negative stress.
-    """
-    missing = f"cannot read tensile data from {path}: no such file. Give the path of a CSV file"
-    require_regular_file(path, missing)
-    try:
-        with path.open(encoding="utf-8-sig", newline="") as stream:
-            rows = list(csv.DictReader(stream))
-    except (OSError, UnicodeDecodeError, csv.Error) as error:
-        raise InputError(f"cannot read tensile data from {path}: {error}") from None
-    columns = list(rows[0]) if rows else []
-    strain = next((name for name in _STRETCH_COLUMNS if name in columns), None)
-    stress = next((name for name in _STRESS_COLUMNS if name in columns), None)
-    if strain is None or stress is None:
-        raise InputError(
-            f"{path} has the columns {columns}; tensile data need one of {list(_STRETCH_COLUMNS)} and "
-            f"one of {list(_STRESS_COLUMNS)}. Name them in the first line, separated by commas"
-        )
-    stretch = _STRETCH_COLUMNS[strain](_numbers(rows, strain, path))
-    test = TensileTest(stretch, _numbers(rows, stress, path) * _STRESS_COLUMNS[stress])
-    _require_sound(test, path)
-    return test
 
 
 def left_out(test: TensileTest) -> str:
@@ -128,7 +95,7 @@ def fit_tensile(test: TensileTest, name: str) -> TensileFit:
     """
     kept = test.stretch <= FIT_TO_STRETCH
     part = TensileTest(test.stretch[kept], test.nominal_stress_mpa[kept])
-    solids = (_polynomial(part, "neo-hookean", 1), _polynomial(part, "yeoh", 3), _ogden(part))
+    solids = _solids(part)
     sound = [s for s in solids if s.stable and s.residual_percent < _LARGEST_RESIDUAL_PERCENT]
     if not sound:
         raise InputError(
@@ -144,6 +111,46 @@ def fit_tensile(test: TensileTest, name: str) -> TensileFit:
     )
 
 
+def fits_by_range(test: TensileTest) -> tuple[RangeFit, ...]:
+    """Every solid fitted to the points up to stretches of 1.25, 1.5, 2 and 3, where the test reaches.
+
+    A range needs six points, twice as many as Yeoh's solid has constants.
+    """
+    found = []
+    for stretch in _RANGES_TO_STRETCH:
+        kept = test.stretch <= stretch
+        if kept.sum() < LEAST_POINTS or test.stretch[-1] < stretch:
+            continue
+        part = TensileTest(test.stretch[kept], test.nominal_stress_mpa[kept])
+        for fit in _solids(part):
+            half = _NORMAL_90 * _standard_error_mpa(part, fit)
+            modulus = fit.youngs_modulus_mpa
+            found.append(RangeFit(stretch, int(kept.sum()), fit, modulus - half, modulus + half))
+    return tuple(found)
+
+
+def _standard_error_mpa(test: TensileTest, fit: SolidFit) -> float:
+    """Of the modulus: linear in the constants, residuals of a first-order autoregression."""
+    constants = np.array(fit.constants)
+    steps = np.diag(1e-4 * np.maximum(abs(constants), 1e-6))
+
+    def slope(value: Callable[[tuple[float, ...]], Any]) -> np.ndarray:
+        sides = [
+            (value(tuple(constants + step)) - value(tuple(constants - step))) / (2 * step.sum())
+            for step in steps
+        ]
+        return np.stack(sides, axis=-1)
+
+    jacobian = slope(lambda c: nominal_stress_mpa(fit.solid, c, test.stretch))
+    gradient = slope(lambda c: np.asarray(_modulus_mpa(fit.solid, c)))
+    left = nominal_stress_mpa(fit.solid, fit.constants, test.stretch) - test.nominal_stress_mpa
+    alike = float(left[1:] @ left[:-1] / max(left @ left, 1e-30))
+    alike = float(np.clip(alike, 0, _LARGEST_CORRELATION))
+    covariance = np.linalg.pinv(jacobian.T @ jacobian, rcond=1e-12)
+    variance = gradient @ covariance @ gradient * (1 + alike) / (1 - alike)
+    return fit.residual_mpa * float(np.sqrt(max(variance, 0.0)))
+
+
 def nominal_stress_mpa(
     solid: str, constants: tuple[float, ...], stretch: Float[np.ndarray, "point"]
 ) -> Float[np.ndarray, "point"]:
@@ -154,37 +161,15 @@ def nominal_stress_mpa(
     return _polynomial_terms(stretch, len(constants)) @ np.array(constants)
 
 
-def _numbers(rows: list[dict[str, str]], column: str, path: Path) -> np.ndarray:
-    try:
-        return np.array([float(row[column]) for row in rows])
-    except (TypeError, ValueError) as error:
-        raise InputError(
-            f"{path}, column {column}: {error}. Every line needs a number with a decimal point"
-        ) from None
+def _solids(test: TensileTest) -> tuple[SolidFit, ...]:
+    return _polynomial(test, "neo-hookean", 1), _polynomial(test, "yeoh", 3), _ogden(test)
 
 
-def _require_sound(test: TensileTest, path: Path) -> None:
-    stretch, stress = test.stretch, test.nominal_stress_mpa
-    if not (np.isfinite(stretch).all() and np.isfinite(stress).all()):
-        raise InputError(f"{path} holds values that are not finite. Remove those lines")
-    if stretch.min() < 1 or stress.min() < 0:
-        line = int(np.argmax((stretch < 1) | (stress < 0))) + 2
-        raise InputError(
-            f"{path}, line {line}: stretch {stretch[line - 2]:g}, stress {stress[line - 2]:g} MPa. "
-            "Tension is needed: stretch ≥ 1 and stress ≥ 0. Zero the load cell, drop those lines"
-        )
-    if (np.diff(stretch) <= 0).any():
-        line = int(np.argmax(np.diff(stretch) <= 0)) + 3
-        raise InputError(
-            f"{path}, line {line}: the stretch {stretch[line - 2]:g} does not exceed the one before. "
-            "Give one pull, sorted by stretch; leave unloading out"
-        )
-    usable = int((stretch <= FIT_TO_STRETCH).sum())
-    if usable < LEAST_POINTS or stretch[-1] < _LEAST_STRETCH:
-        raise InputError(
-            f"{path} has {usable} points up to a stretch of {min(stretch[-1], FIT_TO_STRETCH):g}; at "
-            f"least {LEAST_POINTS} that reach {_LEAST_STRETCH:g} are needed. Pull further or keep more"
-        )
+def _modulus_mpa(solid: str, constants: tuple[float, ...]) -> float:
+    """E at small strain."""
+    if solid == "ogden":
+        return 1.5 * constants[0] * constants[1]
+    return 6 * constants[0]
 
 
 def _polynomial_terms(stretch: np.ndarray, count: int) -> np.ndarray:
@@ -196,7 +181,7 @@ def _polynomial_terms(stretch: np.ndarray, count: int) -> np.ndarray:
 def _polynomial(test: TensileTest, solid: str, count: int) -> SolidFit:
     terms = _polynomial_terms(test.stretch, count)
     constants, *_ = np.linalg.lstsq(terms, test.nominal_stress_mpa)
-    return _fit(test, solid, tuple(float(c) for c in constants), 6 * float(constants[0]))
+    return _fit(test, solid, tuple(float(c) for c in constants))
 
 
 def _ogden_pull(stretch: np.ndarray, exponent: float) -> np.ndarray:
@@ -222,13 +207,11 @@ def _ogden(test: TensileTest) -> SolidFit:
     bounds = (max(start - 0.2, _EXPONENTS[0]), start + 0.2)
     found: Any = minimize_scalar(misfit, bounds=bounds, options={"xatol": 1e-10})
     exponent = float(found.x)
-    mu = modulus(exponent)
-    return _fit(test, "ogden", (mu, exponent), 1.5 * mu * exponent)
+    return _fit(test, "ogden", (modulus(exponent), exponent))
 
 
-def _fit(
-    test: TensileTest, solid: str, constants: tuple[float, ...], youngs_modulus_mpa: float
-) -> SolidFit:
+def _fit(test: TensileTest, solid: str, constants: tuple[float, ...]) -> SolidFit:
+    youngs_modulus_mpa = _modulus_mpa(solid, constants)
     misfit = nominal_stress_mpa(solid, constants, test.stretch) - test.nominal_stress_mpa
     residual = float(np.sqrt(misfit @ misfit / (len(misfit) - len(constants))))
     range_ = np.linspace(_STABLE_FROM_STRETCH, test.stretch[-1], 400)

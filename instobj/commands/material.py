@@ -7,13 +7,19 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from design.catalogue.silicones import SILICONES, ModulusEstimate, modulus_from_shore
+from design.catalogue.silicones import (
+    SILICONES,
+    ModulusEstimate,
+    Silicone,
+    modulus_from_shore,
+)
 from design.errors import InputError
 from instobj.figures.saving import save_figure
 from instobj.store.publish import file_rows, require_writable, run_folder
 
 if TYPE_CHECKING:
     from design.catalogue.tensile import TensileFit
+    from design.catalogue.tensile_files import TensileTest
 
 _COLOURS = ("#1b6ca8", "#c8553d", "#6a994e")
 
@@ -43,7 +49,8 @@ def describe_material(source: str, out: Path) -> dict[str, Any]:
 
 
 def _describe_test(path: Path, out: Path) -> dict[str, Any]:
-    from design.catalogue.tensile import fit_tensile, left_out, read_tensile_test
+    from design.catalogue.tensile import fit_tensile, fits_by_range, left_out
+    from design.catalogue.tensile_files import read_tensile_test
 
     fit = fit_tensile(read_tensile_test(path), path.name)
     require_writable(out)
@@ -59,9 +66,45 @@ def _describe_test(path: Path, out: Path) -> dict[str, Any]:
         }
         for solid in fit.solids
     ]
-    summary = {"modulus": _modulus_row(fit.modulus), "solids": rows}
-    told = left_out(fit.test)
-    return ({"texts": [told]} if told else {}) | _document(path.stem, summary, [figure])
+    summary: dict[str, Any] = {"modulus": _modulus_row(fit.modulus), "solids": rows}
+    summary["ranges"] = [
+        {
+            "to stretch": one.to_stretch,
+            "points": one.points,
+            "solid": one.fit.solid,
+            "E MPa": one.fit.youngs_modulus_mpa,
+            "from": one.low_mpa,
+            "to": one.high_mpa,
+            "rms %": one.fit.residual_percent,
+            "stable": one.fit.stable,
+        }
+        for one in fits_by_range(fit.test)
+    ]
+    known = _in_catalogue(fit.test.details.get("Material", ""))
+    if known is not None:
+        summary["catalogue"] = _modulus_row(known.modulus)
+    told = [text for text in (left_out(fit.test), _by_crosshead(fit.test)) if text]
+    return ({"texts": told} if told else {}) | _document(path.stem, summary, [figure])
+
+
+def _in_catalogue(material: str) -> Silicone | None:
+    """By its name as published files write it: without spaces, Ecoflex 00-30 as EcoFlex30."""
+
+    def plain(name: str) -> str:
+        return "".join(letter for letter in name.lower() if letter.isalnum()).replace("00", "")
+
+    found = [silicone for name, silicone in SILICONES.items() if plain(name) == plain(material)]
+    return found[0] if found else None
+
+
+def _by_crosshead(test: TensileTest) -> str:
+    """What a strain that is not measured on the specimen does to the modulus; empty where it is."""
+    if "crosshead" not in test.details.get("Strain calculation", "").lower():
+        return ""
+    return (
+        "the strain is that of the machine's crosshead, not of the specimen: it counts what gives at the "
+        "grips and the specimen's wide ends, so that moduli read too small"
+    )
 
 
 def _modulus_row(modulus: ModulusEstimate) -> dict[str, Any]:
@@ -84,7 +127,8 @@ def draw_tensile_fit(fit: TensileFit, path: Path) -> None:
     """Measured points and the fitted solids, and their misfit (PNG)."""
     from matplotlib.figure import Figure
 
-    from design.catalogue.tensile import FIT_TO_STRETCH, nominal_stress_mpa
+    from design.catalogue.tensile import nominal_stress_mpa
+    from design.catalogue.tensile_files import FIT_TO_STRETCH
 
     stretch, stress = fit.test.stretch, fit.test.nominal_stress_mpa
     kept = stretch <= FIT_TO_STRETCH

@@ -1,14 +1,18 @@
 """Tensile tests: solids found again from their own curves, and data that are refused."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from design.catalogue.tensile import TensileTest, fit_tensile, nominal_stress_mpa, read_tensile_test
+from design.catalogue.tensile import fit_tensile, fits_by_range, nominal_stress_mpa
+from design.catalogue.tensile_files import TensileTest, read_tensile_test
 from design.errors import InputError
 from design.spec_io import load_spec
 from fem.large_strain.hyperelastic import first_piola_stress, ogden, yeoh
 
+RNG = np.random.default_rng
 STRETCH = np.linspace(1.05, 1.9, 18)
 SOLIDS = {
     "neo-hookean": (0.045,),
@@ -136,3 +140,94 @@ def test_a_specification_takes_its_modulus_from_a_file_beside_it(tmp_path):
     assert (given.youngs_modulus_mpa, given.modulus_source) == (0.3, "given")
     with pytest.raises(InputError, match="cannot read tensile data"):
         load_spec(spec, ["silicone.tensile_data=none.csv"])
+
+
+def intervals_hold(noise_of):
+    """Share of 90 % intervals that hold the modulus, for a Yeoh curve with many draws of noise."""
+    stretch = np.linspace(1.02, 2.0, 60)
+    clean, rng, held = nominal_stress_mpa("yeoh", SOLIDS["yeoh"], stretch), RNG(5), []
+    for _ in range(60):
+        test = TensileTest(stretch, clean + 0.002 * noise_of(rng, len(stretch)))
+        fit = next(
+            one for one in fits_by_range(test) if (one.to_stretch, one.fit.solid) == (2.0, "yeoh")
+        )
+        held.append(fit.low_mpa < 6 * SOLIDS["yeoh"][0] < fit.high_mpa)
+    return float(np.mean(held))
+
+
+def drifting(rng, count):
+    """Noise whose neighbours are alike (correlation 0.8), of variance 1."""
+    noise = np.zeros(count)
+    noise[0] = rng.standard_normal()
+    for k in range(1, count):
+        noise[k] = 0.8 * noise[k - 1] + 0.6 * rng.standard_normal()
+    return noise
+
+
+def test_nine_of_ten_intervals_hold_the_modulus_with_independent_noise():
+    assert 0.8 <= intervals_hold(lambda rng, count: rng.standard_normal(count)) <= 0.98
+
+
+def test_intervals_grow_where_neighbouring_residuals_are_alike():
+    """A fit takes up some of a drift: 75 % hold the modulus, and 30 % if residuals counted as independent."""
+    assert 0.6 <= intervals_hold(drifting) <= 0.98
+
+
+def test_ranges_that_the_test_does_not_reach_are_left_out():
+    found = fits_by_range(curve("ogden"))
+    assert [one.to_stretch for one in found] == [1.5] * 3
+    assert [one.points for one in found] == [10] * 3
+
+
+PUBLISHED = """PARAMETER;INFO;URL;;
+Strain Measurement;Global;;;
+Strain calculation;Derived from the machine crosshead displacement readings;;;
+Material;EcoFlex30;;;
+;;;;
+Time (s);True Strain;True Stress (MPa);Engineering Strain;Engineering Stress (MPa)
+"""
+
+
+def test_published_files_are_read_as_they_are(tmp_path):
+    """Semicolons, details above, true values beside, one more column, blank lines."""
+    test = curve("yeoh")
+    rows = [
+        f"{0.1 * k};{np.log(a)};{a * p};{a - 1};{p};;"
+        for k, (a, p) in enumerate(zip(STRETCH, test.nominal_stress_mpa, strict=True))
+    ]
+    path = tmp_path / "published.csv"
+    path.write_text(PUBLISHED + "\n".join([*rows[:4], ";;;;", *rows[4:], "", ";;;;"]))
+    read = read_tensile_test(path)
+    assert_allclose(read.stretch, STRETCH, rtol=1e-12)
+    assert_allclose(read.nominal_stress_mpa, test.nominal_stress_mpa, rtol=1e-12)
+    assert read.details["Material"] == "EcoFlex30"
+    path.write_text(PUBLISHED + "\n".join([*rows[:8], rows[7], *rows[8:]]))
+    with pytest.raises(InputError, match=r"line 15: .*does not exceed"):
+        read_tensile_test(path)
+
+
+INITIAL_MODULI_MPA = {
+    "PlatSil_Gel_10": (0.14, 0.16),
+    "Ecoflex_00-30": (0.040, 0.045),
+    "Dragon_Skin_10_MEDIUM": (0.11, 0.13),
+    "Dragon_Skin_30": (0.49, 0.53),
+    "Mold_Star_16_FAST": (0.23, 0.25),
+}
+"""Yeoh and Ogden, stretches up to 1.5 and 2: docs/validation.md."""
+
+
+@pytest.mark.parametrize("name", INITIAL_MODULI_MPA)
+def test_every_public_tensile_test_is_read_and_fitted(name):
+    path = Path(__file__).parents[3].parent / f"shared/data/silicone-tensile/{name}.csv"
+    if not path.exists():
+        pytest.skip(f"{path} is not here")
+    test = read_tensile_test(path)
+    assert test.stretch[-1] > 8
+    low, high = INITIAL_MODULI_MPA[name]
+    moduli = [
+        one.fit.youngs_modulus_mpa
+        for one in fits_by_range(test)
+        if one.to_stretch in (1.5, 2.0) and one.fit.solid != "neo-hookean"
+    ]
+    assert len(moduli) == 4
+    assert low < min(moduli) < max(moduli) < high

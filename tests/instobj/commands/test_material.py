@@ -6,6 +6,7 @@ import os
 import numpy as np
 import pytest
 
+from design.catalogue.silicones import SILICONES
 from design.catalogue.tensile import nominal_stress_mpa
 from design.errors import InputError
 from instobj.commands.material import (
@@ -42,6 +43,30 @@ def test_a_tensile_test_gives_fits_and_a_figure(tmp_path):
     assert solids["yeoh"]["constants"] == "0.05,0.008,-0.0004"
     assert item["summary"]["modulus"]["E MPa"] == pytest.approx(0.3, rel=1e-6)
     assert (tmp_path / "runs" / "material_gel" / "fit.png").stat().st_size > 10_000
+
+
+def test_a_published_test_stands_beside_the_catalogue_and_tells_whose_strain_it_is(tmp_path):
+    stretch = np.linspace(1.05, 2.1, 22)
+    stress = nominal_stress_mpa("yeoh", (0.008, 0.0006, -0.0001), stretch)
+    data = tmp_path / "gel.csv"
+    head = [
+        "Strain calculation;Derived from the machine crosshead displacement readings",
+        "Material;EcoFlex30",
+        "Engineering Strain;Engineering Stress (MPa)",
+    ]
+    rows = [f"{a - 1};{p}" for a, p in zip(stretch, stress, strict=True)]
+    data.write_text("\n".join([*head, *rows]))
+    found = describe_material(str(data), tmp_path)
+    (item,) = found["objects"]
+    assert (
+        item["summary"]["catalogue"]["E MPa"]
+        == SILICONES["Ecoflex 00-30"].modulus.youngs_modulus_mpa
+    )
+    assert any("crosshead" in text for text in found["texts"])
+    to_2 = [row for row in item["summary"]["ranges"] if row["to stretch"] == 2.0]
+    yeoh = next(row for row in to_2 if row["solid"] == "yeoh")
+    assert yeoh["from"] <= yeoh["E MPa"] <= yeoh["to"]
+    assert yeoh["E MPa"] == pytest.approx(0.048, rel=1e-6)
 
 
 def pull_to(largest, folder):
