@@ -106,7 +106,7 @@ class Board:
     `outputs` are pins that can switch chips on; `logic_v` is their level. `rail_ma` is what its 3.3 V
     pin gives, `outputs_ma` all outputs together. `bauds` of the serial line, slowest first; one entry
     where the line is USB and takes any. `call_us` is the time around each bus transfer and `byte_us`
-    to write a character, both of our firmware.
+    to write a character, both of our firmware (Mega: simulated, tests/instobj/firmware).
     """
 
     name: str
@@ -132,8 +132,8 @@ MEGA2560 = Board(
     outputs_ma=200.0,
     bauds=(115_200, 250_000, 500_000, 1_000_000),
     usb=False,
-    call_us=60.0,
-    byte_us=12.0,
+    call_us=170.0,
+    byte_us=16.0,
 )
 PICO = Board(
     "pico",

@@ -8,6 +8,11 @@ digits. Bodies, comma-separated:
   the sequence counts frames modulo 65536, ms is the board's clock modulo 2³²
 - `L,ms,cell,force_n,face,x1_mm,y1_mm,…`  load cell (1…9), its normal force in N, and where it
   presses: face and places of its tips, or nothing after the force where nobody knows
+- `S,ms,supply_mv,supply_errors,bus_errors,bus_recoveries,start,t1,t2,…`  how the board is: its supply
+  (empty where it is not measured), how often a sensor saw too low a supply, transfers that failed,
+  times that a hung bus was freed, why the board started last (power, reset, brownout, watchdog), and the
+  temperature of every sensor in °C (in the header's order, empty where it is silent). Boards need not
+  send it; readers that do not know it count it as damaged
 
 Everything else on the line is skipped and counted: after garbage the next `$` starts anew.
 """
@@ -56,7 +61,23 @@ class Load:
     tips_mm: tuple[tuple[float, float], ...]
 
 
-Message = Header | Frame | Load
+@dataclass(frozen=True)
+class Status:
+    """How the board is: supply (None: not measured), counts since its start, why it started, and the
+    temperature of every sensor (°C, NaN where it is silent)."""
+
+    board_ms: int
+    supply_mv: int | None
+    supply_errors: int
+    bus_errors: int
+    bus_recoveries: int
+    start: str
+    sensors_c: tuple[float, ...]
+
+
+Message = Header | Frame | Load | Status
+STARTS = ("power", "reset", "brownout", "watchdog")
+_LARGEST_MV, _LARGEST_C = 60_000, 300.0
 
 
 @dataclass
@@ -76,6 +97,7 @@ class LineDecoder:
     statistics: LineStatistics = field(default_factory=LineStatistics)
     _rest: bytes = b""
     _channels: int | None = None
+    _sensors: int | None = None
     _sequence: int | None = None
 
     def feed(self, data: bytes) -> list[Message]:
@@ -100,10 +122,13 @@ class LineDecoder:
         message = None if body is None else _parsed(body)
         if isinstance(message, Header):
             self._channels = len(message.channels)
+            self._sensors = len({(name[1], name[4:]) for name in message.channels})
         elif isinstance(message, Frame):
             if self._channels is None:
                 return None
             message = message if len(message.counts) == self._channels else None
+        elif isinstance(message, Status) and len(message.sensors_c) != (self._sensors or 0):
+            message = None
         if message is None:
             self.statistics.damaged_lines += 1
         elif isinstance(message, Frame):
@@ -142,6 +167,15 @@ def encode_load(load: Load) -> bytes:
     return _line(f"L,{','.join(cells)}")
 
 
+def encode_status(status: Status) -> bytes:
+    """Line of a board's state; NaN becomes an empty cell."""
+    supply = "" if status.supply_mv is None else str(status.supply_mv)
+    counts = (status.supply_errors, status.bus_errors, status.bus_recoveries)
+    celsius = ["" if value != value else f"{value:.1f}" for value in status.sensors_c]
+    cells = [str(status.board_ms % 2**32), supply, *map(str, counts), status.start, *celsius]
+    return _line(f"S,{','.join(cells)}")
+
+
 def checksum(body: bytes) -> str:
     """CRC-16/CCITT-FALSE (polynomial 0x1021, start 0xFFFF) in four hexadecimal digits."""
     return f"{crc_hqx(body, 0xFFFF):04X}"
@@ -169,8 +203,8 @@ def _parsed(body: str) -> Message | None:
     if kind == "H":
         return _header(cells)
     try:
-        return _frame(cells) if kind == "F" else _load(cells) if kind == "L" else None
-    except (ValueError, IndexError):
+        return _PARSERS[kind](cells)
+    except (KeyError, ValueError, IndexError):
         return None
 
 
@@ -208,3 +242,16 @@ def _load(cells: list[str]) -> Load | None:
     if face not in range(6) or len(values) % 2 or not sound or (face > 0) != bool(values):
         return None
     return Load(ms, cell, force_n, face, tuple(zip(values[::2], values[1::2], strict=True)))
+
+
+def _status(cells: list[str]) -> Status | None:
+    supply = int(cells[1]) if cells[1] else None
+    counts = [int(cell) for cell in cells[2:5]]
+    celsius = tuple(float(cell) if cell else float("nan") for cell in cells[6:])
+    sound = all(abs(value) <= _LARGEST_C for value in celsius if value == value)
+    if cells[5] not in STARTS or not 0 <= (supply or 0) <= _LARGEST_MV or min(counts) < 0:
+        return None
+    return Status(int(cells[0]), supply, *counts, cells[5], celsius) if sound else None
+
+
+_PARSERS = {"F": _frame, "L": _load, "S": _status}

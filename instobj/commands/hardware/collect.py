@@ -14,8 +14,9 @@ import numpy as np
 
 from design.errors import InputError, StoreError
 from estimator.boards.growing import GrowingRecording, finish_recording, growing_recording
-from estimator.boards.lines import Frame, Header, LineDecoder, Load, Message
+from estimator.boards.lines import Frame, Header, LineDecoder, Load, Message, Status
 from estimator.boards.link import BoardClock, board_messages, serial_chunks
+from instobj.commands.hardware.board_state import status_row, status_text
 from instobj.commands.hardware.collect_options import (
     CollectOptions,
     Place,
@@ -56,6 +57,7 @@ class _Collection:
     unlabelled: int = 0
     waiting: bool = False
     stopped: bool = False
+    status: Status | None = None
 
     @property
     def cells(self) -> int:
@@ -145,6 +147,8 @@ def _run(
                 _take_load(message, state, state.clock)
             elif isinstance(message, Frame) and not _enough(state, growing):
                 _take_frame(message, state, growing)
+            elif isinstance(message, Status):
+                state.status = message
             elif isinstance(message, Header) and message.channels != state.channels:
                 raise InputError("the board names other channels than before. Was it exchanged?")
         if time.monotonic() - shown_s > every_s:
@@ -283,6 +287,8 @@ def _document(state: _Collection, growing: GrowingRecording, frames: int) -> dic
     csv_path, target = state.options.csv_path, state.options.target
     found = state.decoder.statistics
     texts = [_counts_text(state), f"{growing.rows_added} frames added, {frames} in the recording"]
+    if state.status is not None:
+        texts.append(status_text(state.status))
     if growing.cut_bytes:
         texts.append(f"an unfinished last line of {growing.cut_bytes} bytes was cut off")
     texts.append(f"next: instobj recordings {target}")
@@ -296,6 +302,7 @@ def _document(state: _Collection, growing: GrowingRecording, frames: int) -> dic
         "damaged_lines": found.damaged_lines,
         "restarts": found.restarts,
         "frames_without_force": state.unlabelled,
+        "board": None if state.status is None else status_row(state.status),
         "texts": texts,
         "files": file_rows([csv_path, target]),
     }

@@ -1,4 +1,4 @@
-"""`instobj firmware`: a bus plan for an object on a board."""
+"""`instobj firmware`: a bus plan for an object on a board, and the firmware that reads it."""
 
 from __future__ import annotations
 
@@ -10,28 +10,35 @@ from design.errors import InputError
 from design.spec_io import load_spec
 from design.wiring.bus_plan import BusPlan, Choice, choose_plan
 from design.wiring.dealing import WAYS
+from instobj.firmware.project import project_files, write_project
+from instobj.store.publish import file_rows, require_writable, run_folder
 
 
 def write_firmware(
     spec_path: Path, board: str, way: str | None, lead_mm: float, out: Path, overrides: list[str]
 ) -> dict[str, Any]:
-    """Choose the bus plan of a specification on a board.
+    """Choose the bus plan of a specification on a board and write its project, `runs/NAME/firmware_BOARD`.
 
     Raises
     ------
     InputError
-        A bad specification, no such board or way, or no plan that works.
+        A bad specification, no such board or way, no plan that works, or a setting that the chip
+        cannot take.
     """
     if way is not None and way not in WAYS:
         raise InputError(f"--way {way!r} is not known. Choose one of {', '.join(WAYS)}")
     spec = load_spec(spec_path, overrides)
     plan, choice = choose_plan(spec, board_named(board), lead_mm, way)
+    files = project_files(spec, plan)
+    require_writable(out)
+    written = write_project(files, run_folder(out, spec.name) / f"firmware_{board}")
     return {
         "command": "firmware",
         "board": plan.board.name,
         "way": plan.way,
         "texts": plan_texts(plan, spec.sensors.i2c_khz),
         "tables": {"sensors": chip_rows(plan), "ways": way_rows(choice)},
+        "files": file_rows(written),
     }
 
 

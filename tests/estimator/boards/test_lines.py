@@ -14,9 +14,11 @@ from estimator.boards.lines import (
     Header,
     LineDecoder,
     Load,
+    Status,
     checksum,
     encode_header,
     encode_load,
+    encode_status,
 )
 from estimator.boards.lines import encode_frame as encode_floats
 from estimator.boards.link import BoardClock, counts_of
@@ -58,6 +60,21 @@ def test_messages_round_trip():
         Frame(1, 5, (3.0, -2.0, 8.125)),
         *loads,
     ]
+
+
+def test_a_status_round_trips_with_a_silent_sensor():
+    sent = Status(2**32 + 7, None, 1, 2, 3, "watchdog", (24.5, float("nan"), -3.0))
+    (found,) = started().feed(encode_status(sent))
+    assert found.sensors_c[::2] == (24.5, -3.0)
+    assert np.isnan(found.sensors_c[1])
+    assert (found.board_ms, found.supply_mv, found.start) == (7, None, "watchdog")
+    assert (found.supply_errors, found.bus_errors, found.bus_recoveries) == (1, 2, 3)
+
+
+def test_a_status_needs_as_many_temperatures_as_the_header_has_sensors():
+    decoder = started()
+    assert decoder.feed(encode_status(Status(0, 5000, 0, 0, 0, "power", (20.0, 21.0)))) == []
+    assert decoder.statistics.damaged_lines == 1
 
 
 @pytest.mark.parametrize("cell", [0, 10])
@@ -137,7 +154,8 @@ def test_lost_frames_and_restarts_are_counted():
     "body",
     ["F,1", "F,1,2,3,4", "F,1,2,3,4,5,6", "F,a,2,3,4,5", "F,1,2,3,4,1e30", "F,1,2,inf,4,5",
      "L,1,0,3", "L,1,1,nan", "L,1,1,2,7,0,0", "L,1,1,2,3", "L,1,1,2,3,4", "L,1,1,2,0,1,1",
-     "L,1,1,99999", "Q,1", ""],
+     "L,1,1,99999", "Q,1", "", "S,1", "S,1,,0,0,0,luck,1,2,3", "S,1,,0,-1,0,power,1,2,3",
+     "S,1,,0,0,0,power,1,2,1e9", "S,1,9e9,0,0,0,power,1,2,3"],
 )  # fmt: skip
 def test_sound_lines_that_make_no_sense_are_damaged(body):
     decoder = started()

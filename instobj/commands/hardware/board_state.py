@@ -1,0 +1,27 @@
+"""What a board says of itself, in words and as figures."""
+
+from __future__ import annotations
+
+from dataclasses import asdict
+from typing import Any
+
+from estimator.boards.lines import Status
+
+
+def status_text(status: Status) -> str:
+    """The board's own report: chips, supply and bus."""
+    known = [value for value in status.sensors_c if value == value]
+    chips = f"sensors {min(known):.1f} to {max(known):.1f} °C" if known else "no sensor answers"
+    silent = len(status.sensors_c) - len(known)
+    supply = "" if status.supply_mv is None else f", supply {status.supply_mv / 1e3:.2f} V"
+    return (
+        f"board: {chips}, {silent} silent{supply}; {status.supply_errors} times too low a supply at a "
+        f"sensor, {status.bus_errors} failed transfers, {status.bus_recoveries} times the bus hung; "
+        f"last start by {status.start}"
+    )
+
+
+def status_row(status: Status) -> dict[str, Any]:
+    """The same as figures; None for silent sensors."""
+    celsius = [value if value == value else None for value in status.sensors_c]
+    return {**asdict(status), "sensors_c": celsius}

@@ -1,0 +1,1 @@
+"""Firmware projects that read an object's sensors, and their wiring."""

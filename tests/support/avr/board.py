@@ -1,0 +1,95 @@
+"""An Arduino Mega in simavr: firmware built by avr-gcc, with simulated sensors, on a serial port."""
+
+import shutil
+import subprocess
+import threading
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+
+from design.catalogue.bus_parts import MEGA2560
+from design.wiring.bus_plan import choose_plan
+from instobj.firmware.mega2560_plan import port_of
+from instobj.firmware.project import project_files, write_project
+from tests.support.shared import only_one
+
+_SOURCE = Path(__file__).with_name("rig.c")
+_SIMAVR = Path("/usr/include/simavr/sim_avr.h")
+needs_simulator = pytest.mark.skipif(
+    not (
+        shutil.which("avr-gcc")
+        and shutil.which("gcc")
+        and shutil.which("make")
+        and _SIMAVR.exists()
+    ),
+    reason="needs the Debian packages gcc, make, gcc-avr, avr-libc and libsimavr-dev",
+)
+
+
+def field_mt(number):
+    """Field (mT) of the simulated sensor of that number, from 0."""
+    return (number + 1.0, -number - 1.5, 0.5 * number)
+
+
+def celsius(number):
+    return 20.0 + number
+
+
+def built(spec, folder, **choice):
+    """Plan and ELF file of a specification's firmware."""
+    plan, _ = choose_plan(spec, MEGA2560, **choice)
+    write_project(project_files(spec, plan), folder)
+    subprocess.run(["make", "-s", "-C", folder], check=True)
+    return plan, folder / "firmware.elf"
+
+
+def world(plan, faults=(), fields=None, end_ms=2000):
+    """What the simulator is told: sensors as the plan wires them, faults (kind, sensor, from, until)."""
+    lines = []
+    for number, chip in enumerate(plan.chips):
+        port, bit = ("-", 0) if chip.supply is None else port_of(chip.supply)
+        route = (chip.multiplexer or 0, 0 if chip.channel is None else 1 << chip.channel)
+        field = (fields or {}).get(number, field_mt(number))
+        lines.append(
+            f"chip {chip.part[0]} {chip.factory:x} {route[0]:x} {route[1]:x} {port} {bit} "
+            f"{field[0]} {field[1]} {field[2]} {celsius(number)}"
+        )
+    lines += [
+        f"mux {address:x} {' '.join(map(str, port_of(plan.reset)))}"
+        for _, address in plan.multiplexers
+    ]
+    lines += [f"fault {kind} {sensor} {first} {last}" for kind, sensor, first, last in faults]
+    return "\n".join([*lines, f"end {end_ms}", ""])
+
+
+@contextmanager
+def running(elf, text):
+    """Name of the simulated board's serial port, and an event that is set when its time is over.
+
+    It starts when it is asked for its channels.
+    """
+    world_file = elf.with_name("world.txt")
+    world_file.write_text(text)
+    process = subprocess.Popen(
+        [_rig(), elf, world_file], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+    )
+    try:
+        port = next(line.strip() for line in process.stdout if line.startswith("/dev/"))
+        over = threading.Event()
+        threading.Thread(
+            target=lambda: (process.stdout.readline(), over.set()), daemon=True
+        ).start()
+        yield port, over
+    finally:
+        process.kill()
+        process.wait()
+
+
+def _rig():
+    """The simulator, compiled once for all tests."""
+    with only_one("avr_rig") as rig:
+        if not rig.exists():
+            command = ["gcc", "-O2", "-o", rig, _SOURCE, "-lsimavr", "-lutil", "-lm"]
+            subprocess.run(command, check=True)
+        return rig
