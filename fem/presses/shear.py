@@ -87,7 +87,9 @@ def simulate_shear(
         )
     grid, depths = contact_grid(spec), np.asarray(spec.press.depths_mm)
     faces = []
-    for index, there in enumerate(contact_places(spec)):
+    for index, (surface, there) in enumerate(
+        zip(response.surfaces, contact_places(spec), strict=True)
+    ):
         pressures = press_places(spec, response, index, grid.xy_mm[there], depths)
         force = pressures @ surface_weights_mm2(surface)
         share = pressures / np.maximum(force, _LEAST_FORCE_N)[..., None]
