@@ -22,7 +22,7 @@ class ContactGridSpec(SpecPart):
     count: (
         Literal["fill"]
         | tuple[Annotated[int, Field(ge=2, le=100)], Annotated[int, Field(ge=2, le=100)]]
-    ) = "fill"
+    ) = (10, 10)
     pitch_mm: Positive = 3.0
 
 

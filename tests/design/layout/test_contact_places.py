@@ -19,7 +19,8 @@ from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, parse_spec
 from tests.support.body_cases import body_spec
 
-BOX = ObjectSpec(name="box", body={"size_mm": (60.0, 40.0, 30.0)})  # pyright: ignore
+FILL = {"contact_grid": {"count": "fill"}}
+BOX = ObjectSpec.model_validate({"name": "box", "body": {"size_mm": (60.0, 40.0, 30.0)}} | FILL)
 
 
 def test_a_face_of_a_box_has_all_locations_whose_tip_and_margin_stay_on_it():
@@ -35,8 +36,10 @@ def test_a_face_of_a_box_has_all_locations_whose_tip_and_margin_stay_on_it():
 
 
 def test_filling_the_papers_cube_gives_its_own_ten_by_ten():
-    cube, filled = load_spec("examples/paper_cube.toml"), ObjectSpec(name="cube")
-    assert filled.contact_grid.count == "fill"
+    cube, filled = (
+        load_spec("examples/paper_cube.toml"),
+        ObjectSpec.model_validate({"name": "cube"} | FILL),
+    )
     assert grid_count(filled) == grid_count(cube) == (10, 10)
     assert contact_places(filled).all()
     assert covered_share(filled) == covered_share(cube)
@@ -82,7 +85,7 @@ def test_given_counts_are_the_same_on_all_faces():
 
 def test_a_face_without_room_is_told_with_what_would_help():
     with pytest.raises(SpecError, match=r"room for 1 × 1 locations on face 1.*pitch_mm"):
-        parse_spec({"name": "cube", "contact_grid": {"pitch_mm": 20.0}}, "cube")
+        parse_spec({"name": "cube", "contact_grid": {"count": "fill", "pitch_mm": 20.0}}, "cube")
 
 
 def test_a_pitch_that_would_take_hundreds_of_locations_is_refused():

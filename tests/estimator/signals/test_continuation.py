@@ -31,7 +31,7 @@ BOX = ObjectSpec.model_validate(
     {
         "name": "box",
         "body": {"size_mm": (60.0, 40.0, 36.0)},
-        "contact_grid": {"pitch_mm": 4.0},
+        "contact_grid": {"count": "fill", "pitch_mm": 4.0},
         "press": {"depths_mm": (0.5, 1.0, 2.0, 3.0)},
         "score": {"force_n": 5.0},
         "protocol": {"presses_per_place": 3, "frames_per_press": 6},
