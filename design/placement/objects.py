@@ -7,7 +7,6 @@ cast and printed, by `design.placement.room`.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from itertools import product
 from typing import Any
@@ -20,6 +19,7 @@ from design.errors import SpecError
 from design.fit.everything import problems_of
 from design.layout.boards import wire_bundle_mm
 from design.layout.body import core_frames, face_frames
+from design.layout.contact_places import contact_places
 from design.layout.positions import board_sinks_mm
 from design.placement.patterns import Shares, magnet_patterns, sensor_patterns
 from design.placement.room import tight_core, tight_middle, tight_shell
@@ -61,6 +61,8 @@ _TRIMS = (
 )
 _TIP_RADII_MM = (5.0, 4.0, 3.0, 2.0)
 _PITCHES_MM = (3.0, 2.5, 2.0, 1.5, 1.0)
+_LEAST_PLACES = 16
+"""Contact locations of every face."""
 
 
 @dataclass(frozen=True)
@@ -86,13 +88,14 @@ def placed(request: Request) -> Tables:
     SpecError
         The kind takes no such size, or it is too small; with the smallest that works.
     """
-    found = _placed(request)
+    found = first_fit(request)
     if found is None:
         raise SpecError(_too_small(request))
     return found
 
 
-def _placed(request: Request, shares: tuple[float, ...] = _SHARES) -> Tables | None:
+def first_fit(request: Request, shares: tuple[float, ...] = _SHARES) -> Tables | None:
+    """The same, or None where nothing fits that is tried at these shares of the faces' half extents."""
     for trim in _TRIMS:
         tables = _with_sensors(request, trim, shares)
         tables = tables and _with_magnets(request, tables)
@@ -209,26 +212,18 @@ def _with_magnets(request: Request, tables: Tables) -> Tables | None:
 
 
 def _with_contacts(tables: Tables) -> Tables | None:
-    """The widest tip and the largest square grid, of the coarsest pitch, that has five places a side."""
+    """The widest tip, and the coarsest pitch that leaves every face a few contact locations."""
     deepest = tables["shell"]["thickness_mm"] / 2
     for radius, pitch in product(_TIP_RADII_MM, _PITCHES_MM):
-        found = None
-        for count in _counts_up():
-            more = {
-                "indenter": {"radius_mm": radius},
-                "contact_grid": {"count": [count, count], "pitch_mm": pitch},
-                "press": {"depths_mm": [d for d in _DEPTHS_MM if d <= deepest and d < radius]},
-            }
-            if problems_of(spec_of(tables | more)):
-                break
-            found = tables | more
-        if found and found["contact_grid"]["count"][0] >= 5:
-            return found
+        more = {
+            "indenter": {"radius_mm": radius},
+            "contact_grid": {"count": "fill", "pitch_mm": pitch},
+            "press": {"depths_mm": [d for d in _DEPTHS_MM if d <= deepest and d < radius]},
+        }
+        spec = spec_of(tables | more)
+        if not problems_of(spec) and contact_places(spec).sum(axis=1).min() >= _LEAST_PLACES:
+            return tables | more
     return None
-
-
-def _counts_up() -> Iterator[int]:
-    yield from range(4, 21)
 
 
 def _rounded(places_mm: Shares) -> list[list[float]]:
@@ -242,13 +237,13 @@ def _too_small(request: Request) -> str:
     )
     message = f"a {request.kind} of {size} mm is too small for {what}. "
     low, high = 1.0, _GROWTH
-    while _placed(_grown(request, high), _COARSE) is None:
+    while first_fit(_grown(request, high), _COARSE) is None:
         low, high = high, high * _GROWTH
         if high > _LARGEST_GROWTH:
             return f"{message}Ask for fewer"
     for _ in range(_HALVINGS):
         middle = (low + high) / 2
-        low, high = (low, middle) if _placed(_grown(request, middle), _COARSE) else (middle, high)
+        low, high = (low, middle) if first_fit(_grown(request, middle), _COARSE) else (middle, high)
     larger = _grown(request, high)
     size = " × ".join(f"{edge:g}" for edge in larger.size_mm)
     scale = f" (scale = {dict(larger.file)['scale']:.4g})" if request.file else ""

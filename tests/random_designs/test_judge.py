@@ -1,0 +1,65 @@
+"""The judge of random designs: sound parts pass, and each planted fault is told."""
+
+import pytest
+
+from design.build.parts import parts_of
+from design.solids.booleans import as_triangles
+from design.spec.object import ObjectSpec
+from tests.random_designs.draw import EDITS, KINDS, drawn
+from tests.random_designs.judge import violations
+
+PAD = {
+    "name": "pad",
+    "body": {"kind": "pad", "size_mm": [40.0, 30.0, 12.0]},
+    "shell": {"thickness_mm": 7.0},
+    "magnets": {"positions_mm": [[-8.0, 0.0], [8.0, 0.0]]},
+    "sensors": {"positions_mm": [[0.0, 9.0]]},
+}
+
+
+@pytest.fixture(scope="module")
+def pad():
+    spec = ObjectSpec.model_validate(PAD)
+    made = {part.name: part for part in parts_of(spec) if part.name in ("core", "shell")}
+    return spec, {name: as_triangles(part.make()) for name, part in made.items()}
+
+
+def test_a_sound_pad_is_sound(pad):
+    assert violations(*pad) == []
+
+
+@pytest.mark.parametrize(
+    ("table", "fault", "told"),
+    [
+        ("magnets", {"positions_mm": [[-8.0, 0.0], [9.0, 0.0]]}, "magnet 2 and shell share"),
+        (
+            "magnets",
+            {"positions_mm": [[-8.0, 0.0], [8.0, 14.5]]},
+            "magnet 2 stands out of the body",
+        ),
+        (
+            "sensors",
+            {"positions_mm": [[0.0, -9.0]]},
+            "the board of sensor 1 of face 1 and core share",
+        ),
+        ("shell", {"thickness_mm": 6.0}, "the board of sensor 1 of face 1 and shell share"),
+    ],
+)
+def test_parts_of_another_specification_are_told(pad, table, fault, told):
+    """The parts of one pad are judged by the numbers of another."""
+    spec = ObjectSpec.model_validate(PAD | {table: PAD[table] | fault})
+    assert any(text.startswith(told) for text in violations(spec, pad[1]))
+
+
+def test_shells_that_meet_the_core_and_open_parts_are_told(pad):
+    spec, parts = pad
+    sunk = parts["shell"].copy().apply_translation([0.0, 0.0, -0.5])
+    assert any("core and shell share" in text for text in violations(spec, parts | {"shell": sunk}))
+    torn = parts["core"].copy()
+    torn.update_faces([False, *[True] * (len(torn.faces) - 1)])
+    assert "core is open or in pieces" in violations(spec, parts | {"core": torn})
+
+
+def test_a_seed_is_one_specification_and_kinds_have_their_edits(tmp_path):
+    assert drawn(0, tmp_path) == drawn(0, tmp_path)
+    assert all(sum(kind in kinds for _, kinds in EDITS) >= 15 for kind in KINDS)
