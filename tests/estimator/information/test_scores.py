@@ -10,6 +10,7 @@ from numpy.testing import assert_allclose
 from design.errors import InputError, StoreError
 from design.layout.positions import PlaceGrid, contact_grid, grid_places_in_lattice
 from design.spec.object import ObjectSpec
+from estimator.information.ellipses import position_covariances_mm2
 from estimator.information.fisher import cramer_rao_bounds, disturbance_counts
 from estimator.information.scores import (
     AREAS,
@@ -51,6 +52,16 @@ def test_bounds_are_those_of_the_own_channels_at_the_score_force(signals, scores
     assert_allclose(scores.force_bound_drifted_n[face - 1, place], own.force_n[0])
     neighbour = cramer_rao_bounds(jacobian[:, 18:27], sigma)
     assert neighbour.position_mm[0] > 1.5 * own.position_mm[0]
+
+
+def test_the_ellipse_of_a_place_has_its_bound_and_its_weakest_direction(signals, scores):
+    covariance = position_covariances_mm2(SPEC, signals, scores)
+    bound = np.sqrt(np.trace(covariance, axis1=2, axis2=3))
+    assert_allclose(bound, scores.position_bound_fresh_mm)
+    weakest = np.linalg.eigh(covariance)[1][..., 1]
+    angle = np.deg2rad(scores.weakest_direction_deg)
+    told = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+    assert_allclose(abs((weakest * told).sum(axis=-1)), 1, atol=1e-6)
 
 
 def test_drift_and_fewer_channels_make_bounds_worse(signals, scores):
