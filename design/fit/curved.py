@@ -198,9 +198,14 @@ def _too_deep(
             f"{spec.sensors.package_mm[1]:g} mm, reaches beyond the core's patch, or finds no room in "
             "it. Use a smaller sensors.radius_mm or sensors.package_mm"
         )
+    deep = spec.core.recess_depth_mm + sink_mm
+    grow = f"core.wall_mm larger than {deep:.4g}"
+    if what != "core.wall_mm":
+        walls = 1 if body_of(spec).on_base else 2
+        grow = f"body.size_mm larger by more than {walls * (deep - room_mm):.3g} mm"
     return (
-        f"the recess of sensor {sensor} of face {face} is {spec.core.recess_depth_mm + sink_mm:.4g} mm deep: "
+        f"the recess of sensor {sensor} of face {face} is {deep:.4g} mm deep: "
         f"core.recess_depth_mm = {spec.core.recess_depth_mm:g}, and {sink_mm:.3g} mm until no corner of "
-        f"the board stands out of the curved core; {what} is {room_mm:.4g} mm. Make core.wall_mm larger, "
+        f"the board stands out of the curved core; {what} is {room_mm:.4g} mm. Make {grow}, "
         "the recess less deep, or the board (sensors.package_mm) smaller"
     )
