@@ -14,8 +14,10 @@ from design.body.triangles import Block
 from design.layout.blocks import relief_slits
 from design.layout.boards import mounted_sensors, sensor_recesses
 from design.layout.body import body_of, face_frames
+from design.layout.dents import dents_mm
 from design.layout.mould_frame import opening_of
 from design.layout.pockets import Pocket, sensor_places, shell_pockets
+from design.layout.positions import cover_mm
 
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
@@ -34,6 +36,7 @@ def check_parts(spec: ObjectSpec) -> Iterator[str]:
         yield from _check_slits(spec)
     if spec.shell.seal_layer_mm:
         yield from _check_seal_layer(spec)
+    yield from _check_dents(spec)
     yield from _check_channels(spec)
     if spec.arrangement == "sensors-in-core":
         yield from _check_recesses_off_passages(spec)
@@ -61,6 +64,37 @@ def _check_keys(spec: ObjectSpec) -> Iterator[str]:
         key = _rectangle((x, y), (width / 2, length / 2), 0.0)
         yield from _check_key_clear_of_core(spec, where, key)
         yield from _check_key_below_pockets(spec, where, key)
+
+
+def _check_dents(spec: ObjectSpec) -> Iterator[str]:
+    measured = [found for found in spec.as_built.magnets if found.dent_mm is not None]
+    if measured and spec.arrangement == "sensors-in-shell":
+        yield (
+            "as_built gives dent_mm of a magnet, but the magnets lie in the core. Leave it out; "
+            "shell.dent_mm is for the seals over the sensor boards"
+        )
+        return
+    depth = dents_mm(spec)
+    not_with = {
+        "mechanics.correction": (spec.mechanics.correction, "none"),
+        "mechanics.slip": (spec.mechanics.slip.slipped, False),
+        "indenter.friction": (spec.indenter.friction, "none"),
+    }
+    for key, (given, needed) in not_with.items():
+        if depth.any() and given != needed:
+            yield (
+                f"dents of the seals (shell.dent_mm, as_built) are not known with {key}; got "
+                f"{given!r}. Leave one of the two out"
+            )
+    for frame, pockets, dents in zip(face_frames(spec), shell_pockets(spec), depth, strict=True):
+        for pocket, dent in zip(pockets, dents, strict=True):
+            cover = cover_mm(frame, pocket.body)
+            if dent and dent >= cover:
+                yield (
+                    f"a dent of {dent:g} mm on face {frame.number} reaches {pocket.body.label}, over "
+                    f"which there are {cover:.3g} mm of silicone. Make shell.dent_mm (as_built: "
+                    "dent_mm) smaller"
+                )
 
 
 def _check_key_clear_of_core(spec: ObjectSpec, where: str, key: Corners) -> Iterator[str]:

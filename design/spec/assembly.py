@@ -22,7 +22,10 @@ Axis = Literal["X", "Y", "Z"]
 
 
 class BuiltMagnet(SpecPart):
-    """One magnet as found: what is left out is as designed. `axis` points north, of any length."""
+    """One magnet as found: what is left out is as designed. `axis` points north, of any length.
+
+    `dent_mm` is how far the seal over its pocket has sunk.
+    """
 
     face: FaceNumber
     magnet: Count
@@ -30,6 +33,7 @@ class BuiltMagnet(SpecPart):
     axis: Triple | None = None
     flipped: bool = False
     remanence_t: Positive | None = None
+    dent_mm: NonNegative | None = None
 
     @model_validator(mode="after")
     def _has_a_direction(self) -> BuiltMagnet:

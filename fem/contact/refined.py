@@ -23,6 +23,7 @@ from scipy.spatial import Delaunay
 
 from design.body.surface_chart import FaceFrame
 from design.layout.body import face_frame
+from design.layout.dents import sunk_mm
 from design.spec.object import ObjectSpec
 from fem.contact.half_space import HAT_OWN, Patches, normal_compliance
 from fem.linear.response import FaceSurface, ResponseOperator
@@ -63,11 +64,24 @@ class Spread:
 
 def refined_face(response: ResponseOperator, index: int, spec: ObjectSpec) -> RefinedFace:
     """Prepare the index-th face of a response."""
-    surface, loads = response.surfaces[index], response.face_loads(index)
+    surface, loads = with_dents(spec, response, index), response.face_loads(index)
     hats = hat_patches(surface)
     wide = np.asarray(response.compliance[loads, loads]) - cells_compliance(hats, spec)
     frame, around = face_frame(spec, surface.number), Delaunay(surface.xy_mm)
     return RefinedFace(frame, surface, index, hats, wide, hat_narrowing(surface), around)
+
+
+def with_dents(spec: ObjectSpec, response: ResponseOperator, index: int) -> FaceSurface:
+    """The index-th face, lower where seals have sunk; a shell without magnets has no seals.
+
+    To first order in the dents: the indenter meets the dented surface, whose compliance is still
+    that of the flat one. docs/robustness.md says how wrong that is.
+    """
+    surface = response.surfaces[index]
+    if response.magnet_loads.start == len(response.compliance):
+        return surface
+    sunk = sunk_mm(spec, surface.number, surface.xy_mm)
+    return replace(surface, height_mm=-sunk) if sunk.any() else surface
 
 
 def spread_cells(face: RefinedFace, patches: Patches, place_mm: Float[np.ndarray, "2"]) -> Spread:

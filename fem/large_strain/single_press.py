@@ -13,6 +13,7 @@ from jaxtyping import Float, Int
 from design.body.surface_chart import FaceFrame
 from design.errors import InputError
 from design.layout.body import face_frames
+from design.layout.dents import dents_mm
 from design.layout.positions import shell_body_layout
 from design.spec.object import ObjectSpec
 from fem.contact.complementarity import contact_pressures
@@ -173,6 +174,11 @@ def require_press(
             f'"{spec.mechanics.element}". Set mechanics.element = "taylor-hood"'
         )
     _require_bonded(spec)
+    if dents_mm(spec).any():
+        raise InputError(
+            "dents of the seals (shell.dent_mm, as_built) are known at small strain only. Press with "
+            "small strain: `instobj press --material linear`, or set them to 0"
+        )
     frames = {frame.number: frame for frame in face_frames(spec)}
     if face not in frames:
         raise InputError(f"face {face} is not sensed. Choose one of {sorted(frames)}")

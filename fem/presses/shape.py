@@ -15,6 +15,7 @@ from design.files import atomic_path
 from design.layout.body import face_frame
 from design.spec.object import ObjectSpec
 from fem.contact.complementarity import contact_pressures
+from fem.contact.refined import with_dents
 from fem.linear.elements import DisplacementSpace
 from fem.linear.factorization import solve_symmetric
 from fem.linear.response import (
@@ -151,7 +152,7 @@ def _pressures(
     frame = face_frame(spec, response.surfaces[face_index].number)
     if spec.indenter.kind != "hemisphere" or not frame.flat:
         return press_places(spec, response, face_index, xy_mm, depth)[:, 0]
-    surface, loads = response.surfaces[face_index], response.face_loads(face_index)
+    surface, loads = with_dents(spec, response, face_index), response.face_loads(face_index)
     radius, weights = spec.indenter.radius_mm, surface_weights_mm2(surface)
     moments = profile_moments_mm3(surface, xy_mm, radius)
     pressures = np.zeros(moments.shape)

@@ -44,6 +44,19 @@ def _contact_grid(spec: ObjectSpec) -> dict[str, Any]:
     return grid | {"places": ["".join("01"[there] for there in face) for face in places.tolist()]}
 
 
+def _shell(spec: ObjectSpec) -> dict[str, Any]:
+    """Its table; without dents as before there was a key for them, so that stored results stay."""
+    table = spec.shell.model_dump(mode="json")
+    return table if table["dent_mm"] else {k: v for k, v in table.items() if k != "dent_mm"}
+
+
+def _dents(spec: ObjectSpec) -> list[list[float]] | None:
+    from design.layout.dents import dents_mm
+
+    depth = dents_mm(spec)
+    return depth.tolist() if depth.any() else None
+
+
 def stage_inputs(
     stage: Stage, spec: ObjectSpec, origins: dict[str, str], versions: dict[str, str]
 ) -> dict[str, Any]:
@@ -62,6 +75,8 @@ def stage_inputs(
         "silicone": silicone,
         "sensors": _sensors(spec),
         "contact_grid": _contact_grid(spec),
+        "shell": _shell(spec),
+        "dents": _dents(spec),
         "shell_bodies": bodies,
         "shell_body_outline": bodies["outline"],
     }
@@ -72,7 +87,8 @@ def stage_inputs(
         value: Any = content
         for part in name.split("."):
             value = value[part]
-        parts[name] = value
+        if name != "dents" or value is not None:
+            parts[name] = value
     return {
         "spec": parts,
         "needs": origins,

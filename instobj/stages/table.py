@@ -64,6 +64,7 @@ _ELASTIC = (
     "mechanics.interface",
     "mechanics.slip.rim",
 )
+_PRESSED = ("contact_grid", "indenter", "press", "dents")
 _ELASTIC_WITHOUT_MAGNETS = tuple(name for name in _ELASTIC if name != "mechanics.magnets")
 
 STAGES: dict[str, Stage] = {
@@ -108,13 +109,13 @@ STAGES: dict[str, Stage] = {
     "shapes": Stage(
         "mechanics: shapes of presses",
         ("mesh", "response"),
-        ("contact_grid", "indenter", "press"),
+        _PRESSED,
         make_shapes,
     ),
     "presses": Stage(
         "mechanics: contact at every location and depth",
         ("mesh", "response", "large_strain"),
-        ("contact_grid", "indenter", "press", "mechanics.slip"),
+        (*_PRESSED, "mechanics.slip"),
         make_presses,
         version=3,
     ),
@@ -162,7 +163,7 @@ STAGES: dict[str, Stage] = {
     "discretisation": Stage(
         "mechanics: discretisation error",
         ("response", "coarse_response"),
-        ("contact_grid", "indenter", "press"),
+        _PRESSED,
         make_discretisation,
         version=2,
     ),
@@ -179,7 +180,7 @@ STAGES: dict[str, Stage] = {
     "shear": Stage(
         "mechanics: tangential forces",
         ("mesh", "response"),
-        ("contact_grid", "indenter", "press", "mechanics.slip"),
+        (*_PRESSED, "mechanics.slip"),
         make_shear,
         version=2,
     ),

@@ -120,6 +120,10 @@ DOWNSTREAM = {
     "printer.name=resin": {"build"},
     "export.mesh_tolerance_mm=0.1": {"build"},
     "shell.seal_layer_mm=0.5": {"build"},
+    "shell.dent_mm=0.5": {"build", "presses", "shapes", "shear", "discretisation"},
+    "as_built.magnets=[{face=2, magnet=1, dent_mm=0.5}]": {
+        *("signals", "robustness", "presses", "shapes", "shear", "discretisation"),
+    },
     "shell.slits.depth_mm=3": {"plain_mesh", "build", "mesh", "coarse_response"},
     "core.keys.positions_mm=[[11.4,11.4]]": {"plain_mesh", "build", "mesh", "coarse_response"},
     "inversion.contacts=3": set(),
@@ -245,7 +249,7 @@ def test_another_layout_reruns_nothing_of_the_shell_without_magnets():
 
 def test_every_part_of_the_specification_matters_to_some_stage():
     used = {part.split(".")[0] for stage in STAGES.values() for part in stage.depends_on}
-    derived = {"shell_bodies", "shell_body_outline"}
+    derived = {"shell_bodies", "shell_body_outline", "dents"}
     assert used | {"search"} == set(ObjectSpec.model_fields) | derived
 
 
@@ -253,3 +257,12 @@ def test_every_key_of_mechanics_matters_to_some_stage():
     named = {part for stage in STAGES.values() for part in stage.depends_on}
     keys = {f"mechanics.{key}" for key in MechanicsSpec.model_fields}
     assert keys <= named
+
+
+def test_results_of_a_specification_without_dents_stay():
+    """The key came later: what it changes names it only where there are dents."""
+    spec = ObjectSpec(name="cube")
+    inputs = [stage_inputs(stage, spec, {}, {})["spec"] for stage in STAGES.values()]
+    assert not any("dents" in one or "dent_mm" in one.get("shell", {}) for one in inputs)
+    sunk = spec.changed(shell=spec.shell.changed(dent_mm=0.5))
+    assert stage_inputs(STAGES["presses"], sunk, {}, {})["spec"]["dents"] == [[0.5] * 5] * 5

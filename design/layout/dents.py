@@ -1,0 +1,48 @@
+"""Seals that have sunk: dents of the surface over the bodies that lie in the silicone.
+
+A dent is a paraboloid over its pocket's mouth, deepest in the middle, flush at the rim (over a
+rectangular pocket a parabola along each edge).
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from jaxtyping import Float
+
+from design.layout.pockets import Pocket, shell_pockets
+from design.spec.worked_out import once
+
+if TYPE_CHECKING:
+    from design.spec.object import ObjectSpec
+
+
+@once
+def dents_mm(spec: ObjectSpec) -> Float[np.ndarray, "face body"]:
+    """Depth of every dent in its middle, sensed face by face: `shell.dent_mm`, or as found."""
+    count = len(shell_pockets(spec)[0])
+    depth = np.full((len(spec.body.sensed), count), spec.shell.dent_mm)
+    for found in spec.as_built.magnets:
+        if found.dent_mm is not None:
+            depth[spec.body.sensed.index(found.face), found.magnet - 1] = found.dent_mm
+    return depth
+
+
+def sunk_mm(
+    spec: ObjectSpec, face: int, xy_mm: Float[np.ndarray, "point 2"]
+) -> Float[np.ndarray, "point"]:
+    """How far the surface lies below the face as designed, at places of the face (its number)."""
+    index = spec.body.sensed.index(face)
+    pockets, depths = shell_pockets(spec)[index], dents_mm(spec)[index]
+    dishes = [d * _dish(pocket, xy_mm) for pocket, d in zip(pockets, depths, strict=True)]
+    return np.max(dishes, axis=0)
+
+
+def _dish(pocket: Pocket, xy_mm: Float[np.ndarray, "point 2"]) -> Float[np.ndarray, "point"]:
+    """1 in the middle of the mouth, 0 at its rim and beyond."""
+    mouth = pocket.body.centre_mm[:2] + pocket.mouth_mm * pocket.axis[:2]
+    along = (xy_mm - mouth) @ pocket.body.frame[:2, :2] / np.asarray(pocket.outline.half_mm)
+    if pocket.outline.round:
+        return np.clip(1 - np.sum(along**2, axis=1), 0, None)
+    return np.prod(np.clip(1 - along**2, 0, None), axis=1)
