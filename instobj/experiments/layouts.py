@@ -25,6 +25,7 @@ _MESH: Changes = {
     "mesh.surface_edge_mm": 2.2,
     "mesh.edge_mm": 6.0,
     "press.depths_mm": [0.5, 1.0, 1.5, 2.0, 2.75, 3.5],
+    "search.forces_n": [],
 }
 _QUICK: Changes = {
     "mesh.surface_edge_mm": 3.5,
@@ -35,6 +36,7 @@ _QUICK: Changes = {
     "contact_grid.pitch_mm": 6.0,
     "press.depths_mm": [1.0, 2.0, 3.0],
     "score.force_n": 4.0,
+    "search.forces_n": [],
 }
 
 

@@ -15,6 +15,7 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 BETTER, PAPER = EXAMPLES / "better_cube.toml", EXAMPLES / "paper_cube.toml"
 COARSE = {
     "mesh.surface_edge_mm": 3.0,
+    "search.forces_n": [],
     "mesh.rim_edge_ratio": 1.0,
     "mesh.magnet_sides": 8,
     "mesh.edge_mm": 7.0,

@@ -58,6 +58,7 @@ def coarse_spec(**changes) -> ObjectSpec:
         "name": "synthetic",
         "contact_grid": {"count": (4, 5), "pitch_mm": 3.0},
         "press": {"depths_mm": (0.5, 1.0, 1.5, 2.0, 3.0, 4.0)},
+        "search": {"forces_n": ()},
         **changes,
     }
     return ObjectSpec.model_validate(content)

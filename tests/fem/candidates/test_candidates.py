@@ -34,7 +34,8 @@ def cube():
 @pytest.fixture(scope="module")
 def spec(cube):
     grid = ContactGridSpec(count=(3, 2), pitch_mm=7.0)
-    return cube.spec.model_copy(update={"contact_grid": grid, "score": ScoreSpec(force_n=1.0)})
+    search = cube.spec.search.changed(forces_n=())
+    return cube.spec.changed(contact_grid=grid, score=ScoreSpec(force_n=1.0), search=search)
 
 
 @pytest.fixture(scope="module")

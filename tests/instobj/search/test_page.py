@@ -78,7 +78,7 @@ def promote(objections):
     def promoted(label, trial, value, **content):
         spec = parse_spec({"name": "a", **content}, "a")
         score = FidelityScore(
-            **dict.fromkeys(SCORE_NAMES, value), position_bounds_mm=(value,) * 500
+            **dict.fromkeys(SCORE_NAMES, value), position_bounds_mm=(value,) * 1500
         )
         return Promoted(label, trial, spec, dict.fromkeys(("1", "2", "3"), score))
 
