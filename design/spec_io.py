@@ -16,6 +16,7 @@ from pydantic import BaseModel, ValidationError
 from design.errors import SpecError
 from design.files import require_regular_file
 from design.fit.everything import require_fit
+from design.layout.fractions import with_places_in_mm
 from design.spec.base import explained
 from design.spec.body import BodySpec
 from design.spec.object import ObjectSpec
@@ -92,7 +93,7 @@ def with_overrides(content: dict[str, Any], overrides: Iterable[str]) -> dict[st
 def parse_spec(content: dict[str, Any], source: str, table: bool = True) -> ObjectSpec:
     """Validate already parsed TOML and `check` it; `source` names it in errors."""
     try:
-        return check(ObjectSpec.model_validate(content), table)
+        return check(ObjectSpec.model_validate(with_places_in_mm(content)), table)
     except ValidationError as error:
         problems = [_explain(problem) for problem in error.errors()]
     except SpecError as error:

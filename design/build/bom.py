@@ -91,7 +91,7 @@ def _magnets(spec: ObjectSpec) -> Item:
         note = f"{spec.magnets.turns} turns, {spec.magnets.current_a:g} A"
     else:
         outward = sum(way > 0 for way in spec.magnets.polarities)
-        faces = count // len(spec.magnets.positions_mm)
+        faces = count // spec.magnets.count
         note = (
             f"remanence {spec.magnets.remanence_t:g} T; {outward * faces} with north outward, "
             f"{count - outward * faces} inward"

@@ -7,7 +7,7 @@ from itertools import combinations
 from math import cos, sin
 from typing import TYPE_CHECKING
 
-from design.layout.body import face_frames
+from design.layout.body import core_frames, face_frames
 from design.layout.contact_places import place_problems
 from design.layout.pockets import (
     Pocket,
@@ -91,8 +91,8 @@ def _check_pockets(spec: ObjectSpec) -> Iterator[str]:
             f"shell.pocket_depth_mm must be below shell.thickness_mm = {shell.thickness_mm:g}; got "
             f"{shell.pocket_depth_mm:g}. Make the pocket shallower or the shell thicker"
         )
-    half = _smallest_half_extents_mm(spec)
-    for face in shell_pockets(spec):
+    for frame, face in zip(face_frames(spec), shell_pockets(spec), strict=True):
+        half = frame.half_extents_mm
         for index, pocket in enumerate(face):
             yield from _check_body_in_pocket(spec, pocket)
             yield from _check_sealed(spec, index, pocket)
@@ -104,7 +104,8 @@ def _check_pockets(spec: ObjectSpec) -> Iterator[str]:
                     f"|x| below {at_most[0]:.4g}, |y| below {at_most[1]:.4g} mm"
                 )
         yield from _check_pockets_apart(face)
-    yield from _check_pockets_across_edges(shell_pockets(spec), half, "shell")
+    halves = [frame.half_extents_mm for frame in face_frames(spec)]
+    yield from _check_pockets_across_edges(shell_pockets(spec), halves, "shell")
 
 
 def _check_body_in_pocket(spec: ObjectSpec, pocket: Pocket) -> Iterator[str]:
@@ -147,13 +148,13 @@ def _check_pockets_apart(pockets: tuple[Pocket, ...]) -> Iterator[str]:
 
 
 def _check_pockets_across_edges(
-    faces: tuple[tuple[Pocket, ...], ...], half_mm: tuple[float, float], part: str
+    faces: tuple[tuple[Pocket, ...], ...], halves_mm: list[tuple[float, float]], part: str
 ) -> Iterator[str]:
     """The boxes round the pockets of neighbouring faces must not meet at an edge."""
-    every = [pocket for face in faces for pocket in face]
-    deepest = max(-pocket.lowest_mm for pocket in every)
-    half_x, half_y = (half - deepest for half in half_mm)
-    for pocket in every:
+    every = [(p, half) for face, half in zip(faces, halves_mm, strict=True) for p in face]
+    deepest = max(-pocket.lowest_mm for pocket, _ in every)
+    for pocket, half in every:
+        half_x, half_y = (edge - deepest for edge in half)
         if (pocket.reach_mm >= (half_x, half_y)).any():
             at_most = [h - r + abs(c) for h, r, c in _columns((half_x, half_y), pocket)]
             yield (
@@ -177,7 +178,7 @@ def _check_core_contents(spec: ObjectSpec) -> Iterator[str]:
 
 
 def _check_magnets_in_core(spec: ObjectSpec) -> Iterator[str]:
-    core, (pockets, *_) = spec.core, core_pockets(spec)
+    core = spec.core
     if spec.magnets.depth_mm is not None:
         yield (
             "magnets.depth_mm is that of magnets in the shell; with arrangement = 'sensors-in-shell' "
@@ -185,7 +186,7 @@ def _check_magnets_in_core(spec: ObjectSpec) -> Iterator[str]:
         )
     holes = (core.wire_hole_top_diameter_mm / 2, core.wire_hole_side_diameter_mm / 2)
     middle = max(core.hub_radius_mm, *holes)
-    for pocket in pockets:
+    for pocket in (pocket for face in core_pockets(spec) for pocket in face):
         if -pocket.lowest_mm >= core.wall_mm:
             yield (
                 f"{pocket.body.label} needs a pocket {-pocket.lowest_mm:.4g} mm deep in a core wall of "
@@ -197,10 +198,10 @@ def _check_magnets_in_core(spec: ObjectSpec) -> Iterator[str]:
                 f"{pocket.body.label} meets the hub or wire hole of radius {middle:g} mm at the middle "
                 f"of the core's face. Move it outwards by more than {middle - clear:.3g} mm"
             )
-    yield from _check_pockets_apart(pockets)
-    half_x, half_y = _smallest_half_extents_mm(spec)
-    inward = spec.shell.thickness_mm
-    yield from _check_pockets_across_edges((pockets,), (half_x - inward, half_y - inward), "core")
+    for pockets in core_pockets(spec):
+        yield from _check_pockets_apart(pockets)
+    halves = [frame.half_extents_mm for frame in core_frames(spec)]
+    yield from _check_pockets_across_edges(core_pockets(spec), halves, "core")
 
 
 def _check_sensors(spec: ObjectSpec) -> Iterator[str]:
@@ -228,10 +229,10 @@ def _check_sensors(spec: ObjectSpec) -> Iterator[str]:
 
 def _check_sensor_places(spec: ObjectSpec) -> Iterator[str]:
     """Explicit places: each recess, moved along with its sensor, must stay on the core's face."""
-    core, inward = spec.core, spec.shell.thickness_mm
-    limits = [half - inward for half in _smallest_half_extents_mm(spec)]
+    core = spec.core
     beyond = core.recess_outer_radius_mm - spec.sensors.radius_mm
-    for face, places in zip(spec.body.sensed, sensor_places(spec), strict=True):
+    for frame, places in zip(core_frames(spec), sensor_places(spec), strict=True):
+        face, limits = frame.number, frame.half_extents_mm
         for index, (x, y, azimuth) in enumerate(places):
             reach = (
                 abs(x + beyond * cos(azimuth)) + core.recess_width_mm / 2 * abs(sin(azimuth)),

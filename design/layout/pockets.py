@@ -16,6 +16,7 @@ from jaxtyping import Float
 from design.spec.worked_out import once
 
 if TYPE_CHECKING:
+    from design.spec.magnets import Places
     from design.spec.object import ObjectSpec
 
 
@@ -153,7 +154,7 @@ def core_pockets(spec: ObjectSpec) -> tuple[tuple[Pocket, ...], ...]:
 
 @once
 def magnet_bodies(spec: ObjectSpec) -> tuple[tuple[Body, ...], ...]:
-    """Magnets of every face, in the order of `magnets.positions_mm`.
+    """Magnets of every face, in the order of `magnets.positions_mm`; of one list all faces share them.
 
     A ring is the body of its outline: its hole is full of the glue that holds it.
     """
@@ -161,22 +162,34 @@ def magnet_bodies(spec: ObjectSpec) -> tuple[tuple[Body, ...], ...]:
     x, y = magnets.size_mm
     block = magnets.shape == "block"
     outline = Outline((x / 2, y / 2), False) if block else Outline((half, half), True)
-    tilts = magnets.tilt_deg or ((0.0, 0.0),) * len(magnets.positions_mm)
-    depths = magnets.depths_mm or (_seated_depth_mm(spec),) * len(magnets.positions_mm)
-    one_face = tuple(
-        Body(
-            np.array([x, y, -depth]),
-            tilted_frame(*tilt),
-            outline,
-            magnets.height_mm,
-            f"magnets.positions_mm[{index}] = ({x:g}, {y:g})"
-            + (f" with tilt_deg {list(tilt)}" if magnets.tilt_deg else ""),
+    tilts = magnets.tilt_deg or ((0.0, 0.0),) * magnets.count
+    depths = magnets.depths_mm or (_seated_depth_mm(spec),) * magnets.count
+
+    def on_face(key: str, places: Places) -> tuple[Body, ...]:
+        return tuple(
+            Body(
+                np.array([x, y, -depth]),
+                tilted_frame(*tilt),
+                outline,
+                magnets.height_mm,
+                f"{key}[{index}] = ({x:g}, {y:g})"
+                + (f" with tilt_deg {list(tilt)}" if magnets.tilt_deg else ""),
+            )
+            for index, ((x, y), depth, tilt) in enumerate(zip(places, depths, tilts, strict=True))
         )
-        for index, ((x, y), depth, tilt) in enumerate(
-            zip(magnets.positions_mm, depths, tilts, strict=True)
-        )
+
+    if len(magnets.lists) == 1:
+        return (on_face("magnets.positions_mm", magnets.lists[0]),) * len(spec.body.sensed)
+    return tuple(
+        on_face(f"face {face}: magnets.positions_mm", places)
+        for face, places in zip(spec.body.sensed, magnet_places(spec), strict=True)
     )
-    return (one_face,) * len(spec.body.sensed)
+
+
+def magnet_places(spec: ObjectSpec) -> tuple[Places, ...]:
+    """x, y (mm, in the face's frame) of every magnet, sensed face by face."""
+    lists = spec.magnets.lists
+    return by_sensed_face(spec, lists * len(spec.body.sensed) if len(lists) == 1 else lists)
 
 
 def _seated_depth_mm(spec: ObjectSpec) -> float:

@@ -79,7 +79,7 @@ def polarities(structured: ObjectSpec, params: Mapping[str, Any]) -> list[float]
     """1 for every magnet with its north outward, −1 for the others."""
     if not structured.search.vary.magnet_north:
         return [float(p) for p in structured.magnets.polarities]
-    seats = seats_of(structured.search.magnet_symmetry, len(structured.magnets.positions_mm))
+    seats = seats_of(structured.search.magnet_symmetry, structured.magnets.count)
     return [1.0 if params[f"magnet{s.label}_north"] == "outward" else -1.0 for s in seats]
 
 

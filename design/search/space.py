@@ -104,7 +104,7 @@ def start_params(space: SearchSpace) -> dict[str, Any] | None:
     """The specification's own layout as variables; None where the space does not hold it."""
     spec = space.spec
     found: dict[str, Any] = structure_choices(spec)
-    tilts = spec.magnets.tilt_deg or ((0.0, 0.0),) * len(spec.magnets.positions_mm)
+    tilts = spec.magnets.tilt_deg or ((0.0, 0.0),) * spec.magnets.count
     norths = spec.magnets.north or ("outward",) * len(tilts)
     for k, (body, tilt) in enumerate(zip(magnet_bodies(spec)[0], tilts, strict=True), start=1):
         x, y, z = body.centre_mm.tolist()
@@ -172,7 +172,7 @@ def with_layout(spec: ObjectSpec, params: Params) -> ObjectSpec:
 
 def _magnet_variables(spec: ObjectSpec) -> list[Variable]:
     vary, symmetry = spec.search.vary, spec.search.magnet_symmetry
-    counts = vary.magnet_count or (len(spec.magnets.positions_mm),)
+    counts = vary.magnet_count or (spec.magnets.count,)
     found: list[Variable] = []
     for seat in generators(symmetry, counts):
         name = f"magnet{seat.label}"
@@ -211,7 +211,7 @@ def _pair(name: str, axes: tuple[str, str], reach: float | None, matrix: Any) ->
 def _check(spec: ObjectSpec) -> None:
     vary: VarySpec = spec.search.vary
     if spec.search.magnet_symmetry == "four-fold":
-        counts = vary.magnet_count or (len(spec.magnets.positions_mm),)
+        counts = vary.magnet_count or (spec.magnets.count,)
         wrong = [count for count in counts if count % 4 > 1]
         if wrong:
             raise InputError(

@@ -119,7 +119,7 @@ def structure_choices(spec: ObjectSpec) -> dict[str, Any]:
     figures["inner_diameter_mm"] = magnets.inner_diameter_mm
     part = next((n for n, p in MAGNET_PARTS.items() if p.figures() == figures), magnets.part)
     return {
-        "magnet_count": len(magnets.positions_mm),
+        "magnet_count": magnets.count,
         "magnet_part": magnets.part or part,
         "sensor_count": sensors.count_per_face,
         "sensor_chip": sensors.chip,

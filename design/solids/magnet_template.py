@@ -27,10 +27,11 @@ CORNER_MM = 4.0
 
 
 def template_faces(spec: ObjectSpec) -> dict[int, tuple[int, ...]]:
-    """First face → the faces of its size, which one template serves."""
+    """First face → the faces of its size and layout, which one template serves."""
     groups: dict[tuple[float, ...], list[int]] = {}
-    for frame, _ in _pockets_by_face(spec):
-        groups.setdefault(tuple(np.round(frame.half_extents_mm, 6)), []).append(frame.number)
+    for frame, pockets in _pockets_by_face(spec):
+        alike = [frame.half_extents_mm, *(pocket.body.centre_mm for pocket in pockets)]
+        groups.setdefault(tuple(np.concatenate(alike).round(6)), []).append(frame.number)
     return {numbers[0]: tuple(numbers) for numbers in groups.values()}
 
 

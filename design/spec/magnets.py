@@ -8,7 +8,7 @@ from __future__ import annotations
 from math import pi
 from typing import Annotated, Any, Literal
 
-from pydantic import Field, model_validator
+from pydantic import Discriminator, Field, Tag, model_validator
 
 from design.catalogue.magnets import (
     NDFEB_RECOIL_PERMEABILITY,
@@ -26,8 +26,29 @@ MU0_T_MM_PER_A = 4e-4 * pi
 Tilt = Annotated[float, Field(ge=-30, le=30)]
 
 
+Places = Annotated[tuple[tuple[Finite, Finite], ...], Field(min_length=1)]
+
+
+def _depth_of_lists(given: Any) -> str:
+    """Whether places are given for each face of its own, or one list for all."""
+    try:
+        return "each face" if isinstance(given[0][0], list | tuple) else "all faces"
+    except (IndexError, KeyError, TypeError):
+        return "all faces"
+
+
+PlacesOfFaces = Annotated[
+    Annotated[Places, Tag("all faces")]
+    | Annotated[tuple[Places, ...], Field(min_length=1), Tag("each face")],
+    Discriminator(_depth_of_lists),
+]
+
+
 class MagnetSpec(SpecPart):
-    """Axially magnetised bodies, one layout repeated on every sensed face.
+    """Axially magnetised bodies: one layout repeated on every sensed face, or one for each.
+
+    `positions_mm` is a list of places (x, y), or one such list for each sensed face, all equally
+    long; what else is given of each magnet holds for that of its number on every face.
 
     `north` says of each magnet which way its north pole points; left out, all point outward.
 
@@ -62,7 +83,7 @@ class MagnetSpec(SpecPart):
     current_a: Finite = 0.2
     switching: Literal["all-on", "face-by-face"] = "all-on"
     depth_below_core_face_mm: NonNegative = 0.0
-    positions_mm: Annotated[tuple[tuple[Finite, Finite], ...], Field(min_length=1)] = (
+    positions_mm: PlacesOfFaces = (
         (0.0, 0.0),
         (10.0, 10.0),
         (-10.0, 10.0),
@@ -74,11 +95,22 @@ class MagnetSpec(SpecPart):
     north: tuple[Literal["outward", "inward"], ...] = ()
 
     @property
+    def lists(self) -> tuple[Places, ...]:
+        """Places on each face, or one list for all faces; `design.layout.pockets.magnet_places` gives
+        the faces' own."""
+        each = isinstance(self.positions_mm[0][0], tuple)
+        return self.positions_mm if each else (self.positions_mm,)  # pyright: ignore[reportReturnType]
+
+    @property
+    def count(self) -> int:
+        """Magnets on a face."""
+        return len(self.lists[0])
+
+    @property
     def polarities(self) -> tuple[int, ...]:
         """1 for every magnet with its north outward, −1 for the others."""
         return tuple(
-            1 if way == "outward" else -1
-            for way in self.north or ("outward",) * len(self.positions_mm)
+            1 if way == "outward" else -1 for way in self.north or ("outward",) * self.count
         )
 
     @property
@@ -88,7 +120,7 @@ class MagnetSpec(SpecPart):
             return ()
         if isinstance(self.depth_mm, tuple):
             return self.depth_mm
-        return (self.depth_mm,) * len(self.positions_mm)
+        return (self.depth_mm,) * self.count
 
     @property
     def working_remanence_t(self) -> float:
@@ -122,7 +154,12 @@ class MagnetSpec(SpecPart):
         return self
 
     def _check_one_for_each(self) -> None:
-        count = len(self.positions_mm)
+        count, counts = self.count, sorted({len(places) for places in self.lists})
+        if len(counts) > 1:
+            raise ValueError(
+                f"magnets.positions_mm must hold as many places on every face; got {counts}. Add or take "
+                "out places"
+            )
         listed = (("depth_mm", self.depths_mm), ("tilt_deg", self.tilt_deg), ("north", self.north))
         for key, values in listed:
             if len(values) not in (0, count):

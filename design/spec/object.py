@@ -137,19 +137,23 @@ class ObjectSpec(SpecPart):
         return self
 
     @model_validator(mode="after")
-    def _sensors_for_every_face(self) -> ObjectSpec:
-        faces = self.body.sensed
-        for key in ("positions_mm", "rotations_deg"):
-            given = getattr(self.sensors, key)
+    def _lists_for_every_face(self) -> ObjectSpec:
+        faces, magnets = self.body.sensed, self.magnets.lists
+        lists = {
+            f"sensors.{key}": getattr(self.sensors, key)
+            for key in ("positions_mm", "rotations_deg")
+        }
+        lists["magnets.positions_mm"] = magnets if len(magnets) > 1 else None
+        for key, given in lists.items():
             if given is not None and len(given) not in (FACES_OF_A_CUBE, len(faces)):
                 raise ValueError(
-                    f"sensors.{key} holds {len(given)} lists; the body's sensed faces are "
+                    f"{key} holds {len(given)} lists; the body's sensed faces are "
                     f"{list(faces)}. Give one list for all of them, or one for each"
                 )
         return self
 
     @model_validator(mode="after")
     def _as_built_parts_exist(self) -> ObjectSpec:
-        magnets, sensors = len(self.magnets.positions_mm), self.sensors.count_per_face
+        magnets, sensors = self.magnets.count, self.sensors.count_per_face
         self.as_built.require_known(magnets, sensors, self.body.sensed)
         return self

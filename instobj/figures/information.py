@@ -10,7 +10,7 @@ import numpy as np
 
 from design.layout.body import face_frame
 from design.layout.contact_places import contact_places
-from design.layout.pockets import sensor_places
+from design.layout.pockets import magnet_places, sensor_places
 from design.layout.positions import contact_grid
 from design.spec.object import ObjectSpec
 from estimator.information.identifiability import Identifiability
@@ -121,7 +121,7 @@ def _draw_set(axes: Any, spec: ObjectSpec, row: Identifiability) -> None:
     worst = row.worst
     half_x, half_y = face_frame(spec, worst.face).half_extents_mm
     axes.add_patch(Rectangle((-half_x, -half_y), 2 * half_x, 2 * half_y, fc="#f7f4ec", ec="0.5"))
-    for x, y in spec.magnets.positions_mm:
+    for x, y in magnet_places(spec)[spec.body.sensed.index(worst.face)]:
         axes.add_patch(Circle((x, y), spec.magnets.diameter_mm / 2, fill=False, ec="#1f77d0"))
     for x, y, _ in sensor_places(spec)[spec.body.sensed.index(worst.face)]:
         axes.plot(x, y, marker="s", color="#0a8f5a", mfc="none", ms=7, ls="")

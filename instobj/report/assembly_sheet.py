@@ -13,7 +13,7 @@ from design.build.manifest import BuildManifest
 from design.layout.boards import wire_bundle_mm
 from design.layout.body import core_frames, face_frames
 from design.layout.mould_frame import mould_frame, mould_style, opening_of
-from design.layout.pockets import sensor_places
+from design.layout.pockets import magnet_places, sensor_places
 from design.spec.object import ObjectSpec
 from instobj.report.pages import render
 
@@ -59,8 +59,8 @@ def _face(spec: ObjectSpec, frame: FaceFrame, pins: Sequence[PinKind]) -> dict[s
     half_x, half_y = frame.half_extents_mm
     block = spec.magnets.shape == "block"
     radius = max(spec.magnets.size_mm) / 2 if block else spec.magnets.diameter_mm / 2
-    magnets = []
-    for (x, y), way in zip(spec.magnets.positions_mm, spec.magnets.polarities, strict=True):
+    magnets, places = [], magnet_places(spec)[spec.body.sensed.index(frame.number)]
+    for (x, y), way in zip(places, spec.magnets.polarities, strict=True):
         pole, colour = ("N", _NORTH) if way > 0 else ("S", _SOUTH)
         pin = _pin_at(pins, frame.number, x, y)
         magnets.append(

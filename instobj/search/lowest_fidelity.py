@@ -194,7 +194,7 @@ def misfit_of(spec: ObjectSpec, params: dict[str, Any]) -> str:
 def cost(spec: ObjectSpec) -> float:
     """Of the magnets and sensors of all faces."""
     prices, faces = spec.search.prices, len(magnets_of_faces(spec))
-    each = len(spec.magnets.positions_mm) * prices.magnet
+    each = spec.magnets.count * prices.magnet
     return faces * (each + spec.sensors.count_per_face * prices.sensor)
 
 
@@ -208,7 +208,7 @@ def magnets_of_faces(spec: ObjectSpec) -> tuple[Any, ...]:
 def broken_by_structure(spec: ObjectSpec) -> float:
     """What counts and cost exceed, one part or the whole cost as 10 mm."""
     limits, broken = spec.search.limits, 0.0
-    parts = len(spec.magnets.positions_mm) + spec.sensors.count_per_face
+    parts = spec.magnets.count + spec.sensors.count_per_face
     if limits.parts_per_face is not None:
         broken += 10.0 * max(parts - limits.parts_per_face, 0)
     if limits.cost is not None:

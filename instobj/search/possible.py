@@ -53,6 +53,11 @@ def require_possible(spec: ObjectSpec) -> SearchSpace:
     """
     if not body_of(spec).cuboid:
         raise InputError(f"a layout search takes a box; got body.kind = {spec.body.kind!r}")
+    if len(spec.magnets.lists) > 1:
+        raise InputError(
+            "a layout search moves one layout that all faces repeat; magnets.positions_mm holds a list for "
+            "each. Give one list, or compare such layouts by `instobj score A.toml B.toml`"
+        )
     if spec.arrangement != "sensors-in-core":
         raise InputError(
             "a layout search takes magnets in the shell; got arrangement = "

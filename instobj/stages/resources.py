@@ -103,7 +103,7 @@ def _signals(spec: ObjectSpec) -> Need:
     places = prod(2 * count + 1 for count in grid_count(spec))
     rows = len(spec.body.sensed) * places * len(spec.press.depths_mm)
     return Need(
-        _COPIES * _BYTES * rows * 6 * len(spec.magnets.positions_mm) * len(spec.body.sensed) / _GIB,
+        _COPIES * _BYTES * rows * 6 * spec.magnets.count * len(spec.body.sensed) / _GIB,
         "contact_grid.count, contact_grid.pitch_mm or press.depths_mm",
     )
 

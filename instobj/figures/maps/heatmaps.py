@@ -125,9 +125,10 @@ def draw_face(
     axes.update_datalim(corners)
     shown = np.ma.masked_invalid(values.reshape(grid.shape) / 10.0**scale.exponent)
     edges = [_cell_edges(axis, spec.contact_grid.pitch_mm) for axis in (grid.x_mm, grid.y_mm)]
+    outlines = [PAPER if own else "none" for own in there.reshape(grid.shape).T.ravel()]
     mesh = axes.pcolormesh(
         *edges, shown.T, norm=scale.norm, cmap=scale.colours, transform=move, zorder=2,
-        edgecolors=PAPER, linewidth=0.6,
+        edgecolors=PAPER if there.all() else outlines, linewidth=0.6,
     )  # fmt: skip
     _draw_parts(axes, spec, face, move)
     cell_inches = spec.contact_grid.pitch_mm * inches_per_mm

@@ -221,7 +221,7 @@ def _other_changes(start: ObjectSpec, found: ObjectSpec) -> list[tuple[str, str,
         size = " × ".join(f"{edge:g}" for edge in spec.body.size_mm)
         magnets, sensors = spec.magnets, spec.sensors
         return [
-            str(len(magnets.positions_mm)),
+            str(magnets.count),
             f"Ø{magnets.diameter_mm:g} × {magnets.height_mm:g} mm",
             str(sensors.count_per_face),
             f"{sensors.chip}, turned {sensors.mount_rotation_deg[2]:g}°",

@@ -82,9 +82,10 @@ def correction_places_mm(spec: ObjectSpec) -> list[tuple[float, float]]:
     All within the contact grid; places less than 1 mm from an earlier one are left out.
     """
     from design.layout.contact_places import outermost_mm
+    from design.layout.pockets import magnet_places
 
     reach = outermost_mm(spec)
-    outer = max(spec.magnets.positions_mm, key=lambda place: float(np.hypot(*place)))
+    outer = max(magnet_places(spec)[0], key=lambda place: float(np.hypot(*place)))
     magnet = np.clip(outer, -reach, reach)
     wanted = (0 * reach, reach * [1, 0], reach, magnet, magnet / 2, reach * [0.4, 0])
     places: list[np.ndarray] = []
