@@ -310,7 +310,7 @@ def test_the_example_is_the_template_and_the_defaults():
     assert spec_hash(load_spec(example)) == spec_hash(ObjectSpec(name="paper_cube"))
     switched_on = tomllib.loads(re.sub(r"^# (?=\w+ = )", "", template, flags=re.MULTILINE))
     chosen = [("magnets", key) for key in ("grade", "part", "depth_mm", "tilt_deg", "north")]
-    chosen += [("sensors", "positions_mm"), ("core", "bay_mm")]
+    chosen += [("sensors", "positions_mm"), ("sensors", "rotations_deg"), ("core", "bay_mm")]
     chosen += [("body", "sensed_faces"), ("body", "file")]
     chosen += [("mould", k) for k in ("style", "play_mm", "parting_azimuth_deg", "vent_mm")]
     chosen += [("indenter", key) for key in ("file", "vertices_mm", "tip_spacing_mm")]
