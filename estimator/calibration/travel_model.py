@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from itertools import product
 
 import numpy as np
-from jaxtyping import Float
+from jaxtyping import Bool, Float
 from scipy.ndimage import map_coordinates, spline_filter
 
 from design.errors import InputError
@@ -27,6 +27,7 @@ SYMMETRIES = tuple(
     for x, y in product((1.0, -1.0), repeat=2)
 )
 """Axes of the machine in the object's, as rows: right-handed and mirrored ones."""
+_MARGIN_MM = 0.2
 _PLAY_MM = 3.0
 """By which magnets may be found nearer to the chips than in the design."""
 
@@ -80,6 +81,11 @@ class TravelModel:
         """The object of the drawing."""
         count = len(self.scene.magnets.face)
         return Twin(pose, np.zeros((count, 3)), np.zeros((count, 2)))
+
+    def covers(self, xy_mm: Float[np.ndarray, "place 2"]) -> Bool[np.ndarray, "place"]:
+        """Which places lie within the table by a margin for slopes."""
+        low, high = (np.array([end(self.x_mm), end(self.y_mm)]) for end in (np.min, np.max))
+        return np.all((xy_mm > low + _MARGIN_MM) & (xy_mm < high - _MARGIN_MM), axis=1)
 
     def motion(
         self, xy_mm: Float[np.ndarray, "press 2"], travel_mm: Float[np.ndarray, "press"]

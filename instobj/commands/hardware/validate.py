@@ -96,12 +96,12 @@ def validate_on(
     from instobj.commands.hardware.validate_travel import validate_on_travel
 
     if any(is_travel_recording(file) for file in recordings):
-        if len(recordings) > 1:
+        if len(recordings) > 2:
             raise InputError(
-                f"one folder of presses of known travel is validated at a time; got "
-                f"{len(recordings)} recordings. Give one"
+                "of presses of known travel one recording is validated, and a second one of repeats "
+                f"read beside it; got {len(recordings)} recordings. Give one or two folders"
             )
-        return validate_on_travel(path, recordings[0], exchanges, out, overrides)
+        return validate_on_travel(path, recordings, exchanges, out, overrides)
     spec = load_spec(path, overrides)
     if spec.sensors.count_per_face != 3:
         raise InputError(

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import json
+from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
+
+import numpy as np
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec
@@ -17,39 +20,37 @@ from instobj.store.stage import write_json
 if TYPE_CHECKING:
     from estimator.calibration.travel_agreement import TravelAgreement
     from estimator.calibration.travel_fit import Fitted
+    from estimator.calibration.travel_model import TravelModel
+    from estimator.recordings.travel import TravelRecording
 
 REGISTERED_SHARE, CALIBRATED_SHARE = 0.05, 0.1
 """Of the places; all others are judged."""
 
 
 def validate_on_travel(
-    path: Path, folder: Path, exchanges: int, out: Path, overrides: list[str]
+    path: Path, folders: list[Path], exchanges: int, out: Path, overrides: list[str]
 ) -> dict[str, Any]:
     """Registered on 5 % and calibrated on 10 % of the places, judged on all others.
 
-    Results go to `runs/<name>/travel.{json,png}`.
+    A second folder of repeated presses, recorded on the same machine, also tests the bound of the
+    place. Results go to `runs/<name>/travel.{json,png}`.
     """
     from estimator.calibration.travel_agreement import travel_agreement
     from estimator.calibration.travel_fit import calibrate, drawn_places, register
     from estimator.calibration.travel_model import travel_model
-    from estimator.recordings.travel import read_travel
+    from estimator.calibration.travel_places import readers
     from instobj.figures.travel import draw_travel
 
     spec = load_spec(path, overrides)
     require_writable(out)
     run = Run(spec)
-    with run.progress.stage("reading the recording"):
-        recording = read_travel(folder)
-    sensors = recording.field_mt.shape[1]
-    if sensors != spec.sensors.count_per_face:
-        raise InputError(
-            f"{folder} holds {sensors} chips; {spec.name} has {spec.sensors.count_per_face} on its "
-            "face. Validate the specification of the recorded object"
-        )
+    with run.progress.stage("reading the recordings"):
+        recording, *repeats = [_recording(spec, folder) for folder in folders]
     _, motions = run.read(PRESSES)
     model = travel_model(spec, motions)
     agreements: dict[str, TravelAgreement] = {}
     fits: dict[str, Fitted] = {}
+    places: dict[str, Any] = {}
     with run.progress.stage("registration, calibration, nulls"):
         for name, share in (("registered", REGISTERED_SHARE), ("calibrated", CALIBRATED_SHARE)):
             run.progress.step(f"{name} on {100 * share:g} % of the places")
@@ -62,12 +63,50 @@ def validate_on_travel(
             agreements[name] = travel_agreement(
                 model, fitted, part, recording.select(~shown), exchanges, seed=spec.seed
             )
-    document = _document(spec, folder, agreements, fits)
+            found = readers(model, fitted, part, recording.select(~shown), spec.seed)
+            places[name] = {reader: asdict(errors) for reader, errors in found.items()}
+    document = _document(spec, folders[0], agreements, fits) | {"places": places}
+    if repeats:
+        document["bound"] = _bound(model, fits, repeats[0])
     target = run_folder(out, spec.name)
     target.mkdir(parents=True, exist_ok=True)
     write_json(document, target / "travel.json")
     draw_travel(spec, model, fits["registered"], recording, document, target / "travel.png")
     return _published(spec, run, document, target)
+
+
+def _recording(spec: ObjectSpec, folder: Path) -> TravelRecording:
+    from estimator.recordings.travel import read_travel
+
+    recording = read_travel(folder)
+    sensors = recording.field_mt.shape[1]
+    if sensors != spec.sensors.count_per_face:
+        raise InputError(
+            f"{folder} holds {sensors} chips; {spec.name} has {spec.sensors.count_per_face} on its "
+            "face. Validate the specification of the recorded object"
+        )
+    return recording
+
+
+def _bound(
+    model: TravelModel, fits: dict[str, Fitted], repeats: TravelRecording
+) -> dict[str, dict[str, float | int]]:
+    from estimator.calibration.travel_bound import bound_test
+
+    tests = {name: bound_test(model, fitted, repeats) for name, fitted in fits.items()}
+    return {
+        name: {
+            "places": len(test.bound_mm),
+            "median bound mm": float(np.median(test.bound_mm)),
+            "median scatter mm": float(np.median(test.scatter_mm)),
+            "scatter over bound": test.size_ratio,
+            "its spread ×/÷": test.size_spread,
+            "rank correlation": test.rank_correlation,
+            "null of places exchanged, 95 %": test.null,
+            "attainable with these repeats": test.attainable,
+        }
+        for name, test in tests.items()
+    }
 
 
 def _document(
@@ -113,14 +152,27 @@ def _published(
                 "name": spec.name,
                 "spec_hash": spec_hash(spec),
                 "stages": [stage_row(stage) for stage in run.results.values()],
-                "summary": {
-                    f"{name}, judged on all other places": agreement_rows(found)
-                    for name, found in agreement.items()
-                },
+                "summary": _tables(document),
                 "files": file_rows([target / "travel.json", target / "travel.png"]),
             }
         ],
     }
+
+
+def _tables(document: dict[str, Any]) -> dict[str, list[dict[str, Any]]]:
+    tables = {
+        f"{name}, judged on all other places": agreement_rows(found)
+        for name, found in document["agreement"].items()
+    }
+    for name, found in document["places"].items():
+        tables[f"places read, learnt where {name}"] = [
+            {"reader": reader, **errors} for reader, errors in found.items()
+        ]
+    if "bound" in document:
+        tables["bound of the place against the scatter of repeats"] = [
+            {"object": name, **found} for name, found in document["bound"].items()
+        ]
+    return tables
 
 
 def _text(name: str, found: dict[str, Any]) -> str:

@@ -1,13 +1,23 @@
 """Presses of known travel: pose found from a few places, judged on others, every figure beside nulls."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
 from design.errors import InputError, RecordingError
 from estimator.calibration.travel_agreement import figures, travel_agreement
-from estimator.calibration.travel_fit import calibrate, drawn_places, left_over, register
+from estimator.calibration.travel_bound import bound_test
+from estimator.calibration.travel_fit import (
+    Fitted,
+    calibrate,
+    drawn_places,
+    left_over,
+    register,
+)
 from estimator.calibration.travel_model import SYMMETRIES, Pose
+from estimator.calibration.travel_places import readers
 from estimator.recordings.travel import is_travel_recording, read_travel
 from tests.support.travel_cases import (
     POSE,
@@ -170,3 +180,32 @@ def test_an_object_of_several_faces_is_refused(model):
     cube = ObjectSpec(name="cube")
     with pytest.raises(InputError, match="one sensed face"):
         travel_model(cube, synthetic_presses(cube)[1])
+
+
+def test_the_bound_of_a_right_model_is_the_scatter_of_repeats(model):
+    """Five repeats at one travel, white noise: size within sampling, order as far as can be told."""
+    tip = np.repeat(pressed_places(15, 1), 5, axis=0)
+    tip[:, 2] = 143.0
+    repeats = travel_of(tip, recorded(model, tip, noise_mt=0.01))
+    right = Fitted(model.as_designed(POSE), RESTING_MT, 0.0)
+    found = bound_test(model, right, repeats)
+    assert len(found.bound_mm) > 100
+    assert 0.9 < found.size_ratio < 1.15
+    assert found.rank_correlation > found.attainable - 0.15
+    assert found.slopes_rank_correlation > 0.9
+    assert found.null < 0.3
+    aside = replace(POSE, shift_mm=POSE.shift_mm + 12.0)
+    wrong = bound_test(model, Fitted(model.as_designed(aside), RESTING_MT, 0.0), repeats)
+    assert wrong.rank_correlation < found.rank_correlation - 0.2
+
+
+def test_a_twin_helps_to_read_places_that_nobody_pressed(model, recording):
+    shown = drawn_places(recording, 0.25, 0)
+    right = Fitted(model.as_designed(POSE), RESTING_MT, 0.0)
+    found = readers(model, right, recording.select(shown), recording.select(~shown), 0)
+    alone, process, both = (
+        found[name].place_rms_mm
+        for name in ("twin alone", "Gaussian process", "twin and Gaussian process")
+    )
+    assert both < 1.1 * alone
+    assert both < 0.7 * process < found["middle of the labelled places"].place_rms_mm
