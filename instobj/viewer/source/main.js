@@ -51,10 +51,10 @@ async function start() {
     tell();
   }
   fillControls(find, content, press);
-  joinControls(find, { object, mould, maps, press, choose, tell, view, content });
+  joinControls(find, { scene, object, mould, maps, press, choose, tell, view, content });
   joinPointer(find, { scene, view, object, maps, press, choose });
   host.dataset.ready = "yes";
-  const middle = nearestPlace(content, press, scene, 0, 0, 0);
+  const middle = nearestPlace(press, scene, 0, 0, 0);
   choose(0, middle, Math.ceil(press.depths.length / 2));
   object.fade(Number(find("opacity").value) / 100);
 }
@@ -74,7 +74,7 @@ function fillControls(find, content, press) {
   find("mould-choice").hidden = !content.mould.length;
 }
 
-function joinControls(find, { object, mould, maps, press, choose, tell, view, content }) {
+function joinControls(find, { scene, object, mould, maps, press, choose, tell, view, content }) {
   const on = (name, event, act) => find(name).addEventListener(event, act);
   const number = (name) => Number(find(name).value);
   on("explode", "input", () => { object.explode(number("explode") / 100); press.follow(); view.look(4.3 + number("explode") / 45, number("explode") / 220, true); });
@@ -90,7 +90,10 @@ function joinControls(find, { object, mould, maps, press, choose, tell, view, co
     tell();
   });
   for (const name of ["face", "x", "y"]) {
-    on(name, "change", () => choose(number("face"), number("x") * content.grid.y_mm.length + number("y"), press.state.step));
+    on(name, "change", () => {
+      const [x, y] = [content.grid.x_mm[number("x")], content.grid.y_mm[number("y")]];
+      choose(number("face"), nearestPlace(press, scene, number("face"), x, y), press.state.step);
+    });
   }
   on("depth", "input", () => choose(press.state.face, press.state.place, number("depth")));
   on("home", "click", () => view.look(4.3));
@@ -122,7 +125,8 @@ function playOpening(find, mould) {
   requestAnimationFrame(go);
 }
 
-function nearestPlace(content, press, { arrays }, face, x, y) {
+// Of the contact locations that the face has.
+function nearestPlace(press, { arrays }, face, x, y) {
   let [best, least] = [0, Infinity];
   const { data } = arrays.place_xy_mm;
   for (let place = 0; place < press.places; place++) {
@@ -150,7 +154,7 @@ function joinPointer(find, { scene, view, object, maps, press, choose }) {
     if (face < 0) return null;
     const local = hit.point.clone().sub(object.offset());
     const [x, y] = placeOn(content.faces[face], local.x, local.y, local.z);
-    return { face, x, y, place: nearestPlace(content, press, scene, face, x, y) };
+    return { face, x, y, place: nearestPlace(press, scene, face, x, y) };
   }
   let down = null;
   canvas.addEventListener("pointerdown", (event) => (down = [event.clientX, event.clientY]));
