@@ -63,6 +63,8 @@ ORDERS = {
     "Dragon Skin 10": Order("Dragon Skin 10, 0.9 kg kit", "Smooth-On", "Dragon Skin 10", (35.0, 55.0)),
     "Dragon Skin 20": Order("Dragon Skin 20, 0.9 kg kit", "Smooth-On", "Dragon Skin 20", (35.0, 55.0)),
     "Dragon Skin 30": Order("Dragon Skin 30, 0.9 kg kit", "Smooth-On", "Dragon Skin 30", (35.0, 55.0)),
+    "magnet": Order("magnet, by size and grade", "various", "see the specification", (0.1, 0.5)),
+    "sensor board": Order("printed circuit board of a sensor", "any board house", "own drawing", (0.5, 3.0)),
     "filament": Order("PETG filament 1.75 mm, 1 kg", "various", "PETG 1.75 mm", (15.0, 28.0)),
     "M3 x 16": Order("M3 × 16 screw with nut, 20 pieces", "various", "ISO 4762 / ISO 4032", (2.0, 5.0), 20),
 }  # fmt: skip

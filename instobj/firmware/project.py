@@ -2,18 +2,26 @@
 
 from __future__ import annotations
 
+import csv
+from collections.abc import Iterable, Sequence
+from dataclasses import astuple
+from io import StringIO
 from pathlib import Path
 
-from design.catalogue.bus_parts import MEGA2560, TMAG5273
+from design.catalogue.bus_parts import MEGA2560, MLX90393, TMAG5273
 from design.files import atomic_path
 from design.spec.object import ObjectSpec
 from design.wiring.bus_plan import BusPlan
 from design.wiring.dealing import ChipOnBus
+from design.wiring.order_list import order_list
+from design.wiring.wires import wires_of
+from instobj.firmware.drawing import wiring_svg
 from instobj.firmware.mega2560_plan import plan_header
+from instobj.firmware.pico_plan import plan_module
 from instobj.firmware.settings import family_of
 
 _SOURCES = Path(__file__).parent
-_DRIVERS = ("tmag5273.c", "mlx90393.c")
+_DRIVERS = {TMAG5273: "tmag5273", MLX90393: "mlx90393"}
 
 
 def project_files(spec: ObjectSpec, plan: BusPlan) -> dict[str, str]:
@@ -24,19 +32,46 @@ def project_files(spec: ObjectSpec, plan: BusPlan) -> dict[str, str]:
     InputError
         Settings that the chip cannot take.
     """
-    if plan.board is not MEGA2560:
-        return {}  # sources for other boards follow
+    driver = _DRIVERS[family_of(plan)]
     files = {
         path.name: path.read_text(encoding="utf-8")
         for path in sorted((_SOURCES / plan.board.name).iterdir())
-        if path.is_file()
+        if path.is_file() and (path.stem == driver or path.stem not in _DRIVERS.values())
     }
-    other = _DRIVERS[1] if family_of(plan) is TMAG5273 else _DRIVERS[0]
-    files.pop(other, None)
-    return {**files, "plan.h": plan_header(spec, plan), "README.md": _readme(spec, plan)}
+    if plan.board is MEGA2560:
+        files["plan.h"] = plan_header(spec, plan)
+    else:
+        files["chip.py"] = files.pop(f"{driver}.py")
+        files["plan.py"] = plan_module(spec, plan)
+    return {**files, "README.md": _readme(spec, plan), **_bench_files(spec, plan)}
+
+
+def _bench_files(spec: ObjectSpec, plan: BusPlan) -> dict[str, str]:
+    """What lies beside the soldering iron: drawing, wires in order, parts to buy."""
+    title = f"Wiring of {spec.name} on the {plan.board.title}, seen from the pads"
+    wires = [astuple(wire) for wire in wires_of(plan)]
+    orders = [
+        (o.title, o.maker, o.number, o.pieces, o.packs, *o.price_eur, o.priced)
+        for o in order_list(spec, plan)
+    ]
+    return {
+        "wiring.svg": wiring_svg(plan, title),
+        "wiring.csv": _csv(("wire", "from", "to", "signal", "colour", "length_mm"), wires),
+        "orders.csv": _csv(
+            ("part", "maker", "number", "pieces", "packs", "low_eur", "high_eur", "priced"), orders
+        ),
+    }
+
+
+def _csv(header: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
+    text = StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerows([header, *rows])
+    return text.getvalue()
 
 
 def _readme(spec: ObjectSpec, plan: BusPlan) -> str:
+    mega = plan.board is MEGA2560
     return _README.format(
         name=spec.name,
         board=plan.board.title,
@@ -45,6 +80,8 @@ def _readme(spec: ObjectSpec, plan: BusPlan) -> str:
         rate=spec.sensors.frame_rate_hz,
         baud=plan.baud,
         pullup=plan.pullup_kohm,
+        install=_INSTALL_MEGA if mega else _INSTALL_PICO,
+        plan="plan.h" if mega else "plan.py",
         rows="\n".join(_row(chip) for chip in plan.chips),
     )
 
@@ -55,15 +92,24 @@ def _row(chip: ChipOnBus) -> str:
     return f"| {' | '.join(cells)} |"
 
 
+_INSTALL_MEGA = """\
+    sudo apt install gcc-avr avr-libc binutils-avr make avrdude
+    make
+    make flash PORT=/dev/ttyACM0"""
+_INSTALL_PICO = """\
+    # MicroPython 1.22 or newer on the board: micropython.org/download/RPI_PICO
+    pip install mpremote
+    mpremote cp *.py : + reset"""
 _README = """\
 # Firmware of {name} for the {board}
 {count} sensors by {way}, {rate:g} frames per second, {baud} baud; pull-ups {pullup:g} kΩ on every bus line.
-Written by `instobj firmware`; `plan.h` holds all that belongs to this object.
+Written by `instobj firmware`; `{plan}` holds all that belongs to this object.
 
-    sudo apt install gcc-avr avr-libc binutils-avr make avrdude
-    make
-    make flash PORT=/dev/ttyACM0
+{install}
     instobj collect FIRST --port /dev/ttyACM0 --baud {baud}
+
+`wiring.svg` is the drawing; `wiring.csv` has every wire with colour and length in the order of soldering,
+`orders.csv` every part to buy.
 
 | sensor | part | multiplexer | address | supply |
 |---|---|---|---|---|
@@ -78,7 +124,7 @@ Written by `instobj firmware`; `plan.h` holds all that belongs to this object.
 
 
 def write_project(files: dict[str, str], folder: Path) -> list[Path]:
-    """Write a project; files of an earlier one that it does not have are removed.
+    """Write a project; drivers of an earlier one that it does not have are removed.
 
     Raises
     ------
@@ -86,9 +132,8 @@ def write_project(files: dict[str, str], folder: Path) -> list[Path]:
         The folder cannot be written.
     """
     folder.mkdir(parents=True, exist_ok=True)
-    for name in _DRIVERS:
-        if name not in files:
-            (folder / name).unlink(missing_ok=True)
+    for name in {f"{driver}.c" for driver in _DRIVERS.values()} - files.keys():
+        (folder / name).unlink(missing_ok=True)
     for name, text in files.items():
         with atomic_path(folder / name) as path:
             path.write_text(text, encoding="utf-8")

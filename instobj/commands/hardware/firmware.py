@@ -10,6 +10,7 @@ from design.errors import InputError
 from design.spec_io import load_spec
 from design.wiring.bus_plan import BusPlan, Choice, choose_plan
 from design.wiring.dealing import WAYS
+from design.wiring.order_list import OrderLine, order_list
 from instobj.firmware.project import project_files, write_project
 from instobj.store.publish import file_rows, require_writable, run_folder
 
@@ -36,10 +37,18 @@ def write_firmware(
         "command": "firmware",
         "board": plan.board.name,
         "way": plan.way,
-        "texts": plan_texts(plan, spec.sensors.i2c_khz),
+        "texts": [*plan_texts(plan, spec.sensors.i2c_khz), _cost_text(order_list(spec, plan))],
         "tables": {"sensors": chip_rows(plan), "ways": way_rows(choice)},
         "files": file_rows(written),
     }
+
+
+def _cost_text(lines: list[OrderLine]) -> str:
+    low, high = (sum(line.price_eur[k] for line in lines) for k in (0, 1))
+    return (
+        f"orders.csv: {len(lines)} parts to buy for {low:.0f} to {high:.0f} EUR (guide prices of "
+        f"{lines[0].priced}, without shipping)"
+    )
 
 
 def plan_texts(plan: BusPlan, asked_khz: float) -> list[str]:

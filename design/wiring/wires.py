@@ -1,0 +1,103 @@
+"""Every wire from a sensor board's pad to the reading board: colour, length and order of soldering."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from design.catalogue.bus_parts import MUX_NAME
+from design.wiring.bus_plan import BusPlan
+from design.wiring.dealing import ChipOnBus
+
+COLOURS = {"VCC": "red", "GND": "black", "SDA": "blue", "SCL": "yellow"}
+_STRIP_MM = 60.0
+"""Of a wire between the strip, where the sensors' wires end, and a pin of the board."""
+
+
+@dataclass(frozen=True)
+class Wire:
+    """One wire: number in the order of soldering, both ends, colour, and length to cut (mm)."""
+
+    number: int
+    start: str
+    end: str
+    signal: str
+    colour: str
+    length_mm: int
+
+
+def wires_of(plan: BusPlan) -> tuple[Wire, ...]:
+    """Wires in the order of soldering: at the sensors first, then from the strip to the board.
+
+    Sensors' wires end on rows of a strip (bus 0 SDA, 3V3, …), which joins what belongs together;
+    lengths are rounded up to 5 mm.
+    """
+    ends = [
+        (f"{chip.label} {pad}", _end(plan, chip, pad), pad, chip.wire_mm)
+        for chip in plan.chips
+        for pad in COLOURS
+    ]
+    ends += [(start, end, signal, _STRIP_MM) for start, end, signal in _board_ends(plan)]
+    return tuple(
+        Wire(k, start, end, signal, COLOURS[signal], int(-(-length // 5) * 5))
+        for k, (start, end, signal, length) in enumerate(ends, start=1)
+    )
+
+
+def _end(plan: BusPlan, chip: ChipOnBus, pad: str) -> str:
+    """Where the wire of a sensor's pad ends."""
+    if pad == "GND":
+        return "strip GND"
+    if pad == "VCC":
+        return f"strip {_switched(plan, chip.supply)}" if chip.supply else "strip 3V3"
+    if chip.multiplexer is None:
+        return f"strip bus {chip.bus} {pad}"
+    line = {"SDA": "SD", "SCL": "SC"}[pad]
+    return f"{_mux(chip.bus, chip.multiplexer)} {line}{chip.channel}"
+
+
+def _mux(bus: int, address: int) -> str:
+    return f"{MUX_NAME} 0x{address:02X} (bus {bus})"
+
+
+def _switched(plan: BusPlan, supply: str) -> str:
+    """A supply pin by itself, or behind a buffer on 3.3 V where the board has 5 V."""
+    return supply if plan.board.logic_v < 4 else f"{supply} buffered"
+
+
+def _board_ends(plan: BusPlan) -> list[tuple[str, str, str]]:
+    """Start, end and signal of the wires between strip, multiplexers and board."""
+    board, found = (
+        plan.board,
+        [("strip GND", "board GND", "GND"), ("strip 3V3", "board 3V3", "VCC")],
+    )
+    for bus in plan.buses:
+        pins = board.buses[bus]
+        shifted = " by level shifter" if board.logic_v > 4 and not plan.multiplexers else ""
+        found += [
+            (f"strip bus {bus} SDA", f"board {pins.sda}{shifted}", "SDA"),
+            (f"strip bus {bus} SCL", f"board {pins.scl}{shifted}", "SCL"),
+        ]
+    for bus, address in plan.multiplexers:
+        name = _mux(bus, address)
+        found += [
+            (f"{name} VIN", "strip 3V3", "VCC"),
+            (f"{name} GND", "strip GND", "GND"),
+            (f"{name} SDA", f"strip bus {bus} SDA", "SDA"),
+            (f"{name} SCL", f"strip bus {bus} SCL", "SCL"),
+            (f"{name} RST", f"board {plan.reset}", "VCC"),
+        ]
+    found += [
+        (f"strip {_switched(plan, chip.supply)}", f"board {_by_buffer(plan, chip.supply)}", "VCC")
+        for chip in plan.chips
+        if chip.supply
+    ]
+    return found
+
+
+def _by_buffer(plan: BusPlan, supply: str) -> str:
+    return supply if plan.board.logic_v < 4 else f"{supply} by CD74HC4050E on 3V3"
+
+
+def wire_length_m(plan: BusPlan) -> float:
+    """Wire to buy, m."""
+    return sum(wire.length_mm for wire in wires_of(plan)) / 1e3

@@ -1,0 +1,109 @@
+"""Wiring drawing as SVG: sensors on the left, strip and multiplexers between, the board on the right."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from xml.sax.saxutils import escape
+
+from design.wiring.bus_plan import BusPlan
+from design.wiring.wires import Wire, wires_of
+
+_STROKES = {"red": "#c1121f", "black": "#222222", "blue": "#1d4e9e", "yellow": "#c99700"}
+_LINE, _BOX, _GAP, _TOP = 3.2, 46.0, 62.0, 14.0
+"""mm: height of a pin's row, width of a box, room for wires between boxes, and above all."""
+
+
+def wiring_svg(plan: BusPlan, title: str) -> str:
+    """A drawing to print at its size in mm; every wire carries its number of the table."""
+    wires = wires_of(plan)
+    columns = [_pins(wires, kind) for kind in ("F", "strip", "board")]
+    height = _TOP + _LINE * (max(_rows(column) for column in columns) + 2)
+    width = 3 * _BOX + 2 * _GAP + 8
+    places: dict[tuple[str, str], float] = {}
+    shapes = []
+    for number, column in enumerate(columns):
+        shapes += _column(column, 4 + number * (_BOX + _GAP), height, places)
+    lines = [_wire(wire, places, lane) for wire, lane in zip(wires, _lanes(wires), strict=True)]
+    head = f'<text x="4" y="7" font-size="4.2">{escape(title)}</text>'
+    return (
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:g}mm" height="{height:g}mm" '
+        f'viewBox="0 0 {width:g} {height:g}" font-family="sans-serif" font-size="2.2">'
+        f'<rect width="100%" height="100%" fill="white"/>{head}{"".join(lines + shapes)}</svg>\n'
+    )
+
+
+def _box_of(end: str) -> tuple[str, str]:
+    """Box and pin of a wire's end: F1-S1 VCC, strip GND, board D20, TCA9548A 0x70 (bus 0) SD0."""
+    for box in ("strip", "board"):
+        if end.startswith(f"{box} "):
+            return box, end.removeprefix(f"{box} ")
+    box, _, pin = end.rpartition(" ")
+    return box, pin
+
+
+def _side(box: str) -> str:
+    return "board" if box == "board" else "F" if box.startswith("F") else "strip"
+
+
+def _pins(wires: Sequence[Wire], side: str) -> dict[str, list[str]]:
+    """Boxes of a column with their pins, in the order of the wires."""
+    found: dict[str, list[str]] = {}
+    for wire in wires:
+        for box, pin in (_box_of(wire.start), _box_of(wire.end)):
+            if _side(box) == side and pin not in found.setdefault(box, []):
+                found[box].append(pin)
+    return {box: pins for box, pins in found.items() if pins}
+
+
+def _rows(column: dict[str, list[str]]) -> int:
+    return sum(len(pins) + 1 for pins in column.values())
+
+
+def _column(
+    column: dict[str, list[str]], left: float, height: float, places: dict[tuple[str, str], float]
+) -> list[str]:
+    """Boxes under each other, spread over the height; notes where each pin lies."""
+    spare = (height - _TOP - _LINE * _rows(column)) / max(1, len(column))
+    y, shapes = _TOP, []
+    for box, pins in column.items():
+        tall = _LINE * (len(pins) + 0.7)
+        shapes.append(
+            f'<rect x="{left:g}" y="{y:g}" width="{_BOX:g}" height="{tall:g}" rx="1" fill="#f3f3f0" '
+            f'stroke="#444" stroke-width="0.25"/><text x="{left + _BOX / 2:g}" y="{y - 0.6:g}" '
+            f'text-anchor="middle" font-weight="bold">{escape(box)}</text>'
+        )
+        for k, pin in enumerate(pins):
+            row = y + _LINE * (k + 0.85)
+            places[box, pin] = row
+            shapes.append(
+                f'<text x="{left + _BOX / 2:g}" y="{row + 0.8:g}" text-anchor="middle">{escape(pin)}</text>'
+            )
+        y += tall + 0.3 * _LINE + spare
+    return shapes
+
+
+def _lanes(wires: Sequence[Wire]) -> list[float]:
+    """Where each wire turns between two columns (0 to 1), so that wires do not lie on each other."""
+    return [(0.12 + 0.76 * (k * 7 % len(wires)) / len(wires)) for k in range(len(wires))]
+
+
+def _wire(wire: Wire, places: dict[tuple[str, str], float], lane: float) -> str:
+    start, end = sorted((_box_of(wire.start), _box_of(wire.end)), key=lambda e: _order(e[0]))
+    y1, y2 = places[start], places[end]
+    x1 = 4 + _order(start[0]) * (_BOX + _GAP) + _BOX
+    x2 = 4 + _order(end[0]) * (_BOX + _GAP)
+    if _order(start[0]) == _order(end[0]):  # between strip and multiplexer: round on the left
+        x1 = x2
+        turn = x2 - 3 - 8 * lane
+    else:
+        turn = x1 + (x2 - x1) * lane
+    return (
+        f'<path d="M {x1:g} {y1:g} H {turn:.2f} V {y2:g} H {x2:g}" fill="none" '
+        f'stroke="{_STROKES[wire.colour]}" stroke-width="0.3"/>'
+        f'<text x="{x1 + (0.6 if turn >= x1 else -0.6):g}" y="{y1 - 0.4:g}" font-size="1.6" '
+        f'text-anchor="{"start" if turn >= x1 else "end"}">{wire.number}</text>'
+    )
+
+
+def _order(box: str) -> int:
+    return ("F", "strip", "board").index(_side(box))

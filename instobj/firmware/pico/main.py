@@ -1,0 +1,105 @@
+"""Frames of all sensors at a fixed rate, a status line a second, the channels on ? (see README.md)."""
+
+import gc
+import select
+import sys
+import time
+
+import machine
+import micropython
+import plan
+from bus import Bus
+from chip import celsius
+from sensors import Sensors
+
+STATUS_MS = 1000
+STATUS_A_HEADER = 8
+WATCHDOG_MS = 2000
+
+
+@micropython.viper
+def crc16(data: ptr8, count: int) -> int:
+    """CRC-16/CCITT-FALSE, a byte at a time without a table."""
+    crc = 0xFFFF
+    for k in range(count):
+        x = (crc >> 8) ^ data[k]
+        x ^= x >> 4
+        crc = ((crc << 8) ^ (x << 12) ^ (x << 5) ^ x) & 0xFFFF
+    return crc
+
+
+def send(cells):
+    body = ",".join(cells)
+    data = body.encode()
+    sys.stdout.write(f"${body}*{crc16(data, len(data)):04X}\n")
+
+
+def send_header():
+    send(("H", "1", plan.CHANNELS))
+
+
+def frame_cells(sensors, sequence, values):
+    """Cells of a frame; all sensors are read before, into `values`."""
+    cells = ["F", str(sequence), str(time.ticks_ms())]
+    for number in range(len(values)):
+        values[number] = sensors.read(number)
+    for found in values:
+        for axis in plan.AXES:
+            cells.append("" if found is None else str(found[axis]))
+    return cells
+
+
+def status_cells(sensors, cause, values):
+    cells = ["S", str(time.ticks_ms()), ""]
+    for count in (sensors.supply_errors, Bus.errors, Bus.recoveries):
+        cells.append(str(count))
+    cells.append(cause)
+    for found in values:
+        cells.append("" if found is None else "%.1f" % celsius(found[0]))
+    return cells
+
+
+def asked(poll):
+    """Whether a ? came."""
+    found = False
+    while poll.poll(0):
+        character = sys.stdin.read(1)
+        if not character:  # nobody is there
+            break
+        found = character == "?" or found
+    return found
+
+
+def wait_until(due_us, poll):
+    while time.ticks_diff(due_us, time.ticks_us()) > 0:
+        if asked(poll):
+            send_header()
+        time.sleep_us(min(1000, max(0, time.ticks_diff(due_us, time.ticks_us()))))
+
+
+def run():
+    cause = "watchdog" if machine.reset_cause() == machine.WDT_RESET else "power"
+    poll = select.poll()
+    poll.register(sys.stdin, select.POLLIN)
+    watchdog = machine.WDT(timeout=WATCHDOG_MS)
+    sensors = Sensors()
+    values = [None] * len(plan.PLACES)
+    send_header()
+    due_us, status_ms, sequence, statuses = time.ticks_us(), time.ticks_ms(), 0, 0
+    while True:
+        watchdog.feed()
+        wait_until(due_us, poll)
+        send(frame_cells(sensors, sequence, values))
+        sequence = (sequence + 1) % 65536
+        due_us = time.ticks_add(due_us, plan.FRAME_US)
+        if time.ticks_diff(time.ticks_ms(), status_ms) >= STATUS_MS:
+            status_ms = time.ticks_add(status_ms, STATUS_MS)
+            send(status_cells(sensors, cause, values))
+            sensors.watch()
+            statuses += 1
+            if statuses % STATUS_A_HEADER == 0:
+                send_header()
+        gc.collect()
+
+
+run()

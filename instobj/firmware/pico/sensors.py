@@ -1,0 +1,101 @@
+"""Sensors of the object: started, read, and started anew where one was lost."""
+
+import time
+
+import plan
+from bus import Bus
+from chip import RESULTS, move, read, setup, undervoltage
+from machine import Pin
+
+ATTEMPTS = 2
+
+
+class Sensors:
+    def __init__(self):
+        self.supply_errors = 0
+        self.alive = [False] * len(plan.PLACES)
+        self.pins = [None if p[5] is None else Pin(p[5], Pin.OUT, value=0) for p in plan.PLACES]
+        self.reset = None if plan.RESET is None else Pin(plan.RESET, Pin.OUT, value=1)
+        self.open_route = {}
+        self.buses = [Bus(*bus, plan.HERTZ, self.after_recovery) for bus in plan.BUSES]
+        self.buffer = bytearray(RESULTS)
+        self.reset_multiplexers()
+        time.sleep_ms(20)  # supplies fall, so that every chip has its factory address again
+        for number in range(len(self.alive)):
+            self.revive(number)
+        time.sleep_ms(plan.CONVERSION_MS)
+
+    def reset_multiplexers(self):
+        self.open_route = {}
+        if self.reset is not None:
+            self.reset.value(0)
+            time.sleep_us(2)
+            self.reset.value(1)
+
+    def after_recovery(self, stuck):
+        self.reset_multiplexers()
+        for number, pin in enumerate(self.pins):
+            if stuck and pin is not None:
+                self.lose(number)
+
+    def reach(self, place):
+        """Open the channel of the sensor's multiplexer, and close the one open before."""
+        number, multiplexer, channel = place[0], place[3], place[4]
+        if multiplexer is None:
+            return True
+        bus, before = self.buses[number], self.open_route.get(number)
+        if before == (multiplexer, channel):
+            return True
+        if before is not None and before[0] != multiplexer and not bus.transfer(before[0], b"\x00"):
+            return False
+        self.open_route.pop(number, None)
+        if not bus.transfer(multiplexer, bytes((1 << channel,))):
+            return False
+        self.open_route[number] = (multiplexer, channel)
+        return True
+
+    def power(self, number, on):
+        if self.pins[number] is not None:
+            self.pins[number].value(on)
+
+    def lose(self, number):
+        """A chip that is not read any more keeps neither supply nor its factory address."""
+        self.alive[number] = False
+        self.power(number, 0)
+
+    def revive(self, number):
+        place = plan.PLACES[number]
+        bus, factory, address = self.buses[place[0]], place[1], place[2]
+        self.power(number, 1)
+        time.sleep_ms(plan.POWER_UP_MS)
+        self.alive[number] = (
+            self.reach(place)
+            and (factory == address or move(bus, factory, address))
+            and setup(bus, address)
+        )
+        if not self.alive[number]:
+            self.power(number, 0)
+
+    def read(self, number):
+        """Temperature, X, Y, Z in counts; None where the sensor is silent."""
+        if not self.alive[number]:
+            return None
+        place = plan.PLACES[number]
+        for _ in range(ATTEMPTS):
+            values = self.reach(place) and read(self.buses[place[0]], place[2], self.buffer)
+            if values:
+                return values
+        self.lose(number)
+        return None
+
+    def watch(self):
+        """Once a second: undervoltage of the sensors that answer, and another start of the others."""
+        revived = False
+        for number, place in enumerate(plan.PLACES):
+            if not self.alive[number]:
+                self.revive(number)
+                revived = True
+            elif self.reach(place) and undervoltage(self.buses[place[0]], place[2]):
+                self.supply_errors += 1
+        if revived:
+            time.sleep_ms(plan.CONVERSION_MS)

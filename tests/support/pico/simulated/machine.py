@@ -1,0 +1,79 @@
+"""The parts of MicroPython's `machine` that the firmware uses, on the simulated world."""
+
+import world
+
+WDT_RESET, PWRON_RESET = 3, 1
+_EIO, _ETIMEDOUT = 5, 110
+_lines = {}
+
+
+def reset_cause():
+    return PWRON_RESET
+
+
+class WDT:
+    """Ends the program where it is not fed in time."""
+
+    def __init__(self, timeout):
+        self.timeout_us, self.fed_us = 1000 * timeout, world.now_us()
+
+    def feed(self):
+        if world.now_us() - self.fed_us > self.timeout_us:
+            raise SystemExit(3)
+        self.fed_us = world.now_us()
+
+
+class Pin:
+    OUT, IN, OPEN_DRAIN = 1, 0, 2
+
+    def __init__(self, number, mode=None, value=None):
+        self.number, self.mode = number, mode
+        if value is not None:
+            self.value(value)
+
+    def value(self, new=None):
+        if new is None:
+            held = self.number in _lines and _lines[self.number][1] == "sda" and world.holder[0]
+            return int(not (held and held.bus == _lines[self.number][0]))
+        if self.mode == Pin.OUT:
+            world.set_pin(self.number, new)
+        elif new and _lines[self.number][1] == "scl":
+            world.clocked(_lines[self.number][0])
+
+
+class I2C:
+    def __init__(self, number, sda, scl, freq, timeout):
+        self.number, self.bit_us, self.timeout_us = number, 1e6 / freq, timeout
+        _lines[sda.number], _lines[scl.number] = (number, "sda"), (number, "scl")
+
+    def _begin(self, address, count):
+        if world.holder[0] is not None and world.holder[0].bus == self.number:
+            world.advance(self.timeout_us)
+            raise OSError(_ETIMEDOUT)
+        world.advance(int(9 * (1 + count) * self.bit_us) + 1)
+        found = [placed for placed in world.chips if placed.answers(self.number, address)]
+        if not found and (self.number, address) not in world.channels:
+            raise OSError(_EIO)
+        return found
+
+    def writeto(self, address, data, stop=True):
+        found = self._begin(address, len(data))
+        for placed in found:
+            placed.chip.write(data)
+        if (self.number, address) in world.channels:
+            world.channels[self.number, address] = data[0]
+
+    def readfrom_into(self, address, buffer):
+        found = self._begin(address, len(buffer))
+        for k in range(len(buffer)):
+            buffer[k] = 0xFF
+        for placed in found:
+            for k, value in enumerate(placed.chip.read(len(buffer))):
+                buffer[k] &= value
+            long = len(buffer) > 4
+            if long and (
+                world.faulty("stuck", placed.number) or world.happens("hang", placed.number)
+            ):
+                world.hold(placed, -1 if world.faulty("stuck", placed.number) else 5)
+                world.advance(self.timeout_us)
+                raise OSError(_ETIMEDOUT)

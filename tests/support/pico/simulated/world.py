@@ -1,0 +1,179 @@
+"""Hall sensors on the simulated board's buses, as their data sheets describe them.
+
+`scene.py` beside it says what there is: CHIPS (family, bus, factory address, multiplexer, channel,
+supply pin, field in mT, °C), MULTIPLEXERS (bus, address), RESET, FAULTS (kind, chip, from, until in ms),
+END_MS. Kinds of faults as in tests/support/avr/rig.c.
+"""
+
+import scene
+
+_clock = [0]
+
+
+def now_us():
+    return _clock[0]
+
+
+def advance(us):
+    _clock[0] += us
+    if _clock[0] > 1000 * scene.END_MS:
+        raise SystemExit
+
+
+def saturated(counts):
+    return max(-32768, min(32767, round(counts)))
+
+
+def put(memory, at, value):
+    memory[at], memory[at + 1] = value >> 8 & 0xFF, value & 0xFF
+
+
+def faulty(kind, number):
+    now = now_us() / 1000
+    return any(k == kind and n == number and a <= now < b for k, n, a, b in scene.FAULTS)
+
+
+_happened = set()
+
+
+def happens(kind, number):
+    """Whether a fault that happens once is due; not again afterwards."""
+    if (kind, number) in _happened or not faulty(kind, number):
+        return False
+    _happened.add((kind, number))
+    return True
+
+
+class Tmag:
+    start_us = 270
+
+    def __init__(self, factory, field, celsius):
+        self.factory, self.field, self.celsius = factory, field, celsius
+        self.reset()
+
+    def reset(self):
+        self.address, self.pointer, self.ready_us = self.factory, 0, None
+        self.memory = bytearray(32)
+        self.memory[0x0E:0x10] = b"IT"
+        self.memory[0x18] = 0x10
+
+    def write(self, data):
+        self.pointer = data[0]
+        for offset, value in enumerate(data[1:]):
+            self._set(data[0] + offset, value)
+
+    def _set(self, register, value):
+        if register == 0x0C:
+            self.address = value >> 1 if value & 1 else self.address
+        elif register in (0x18, 0x1C):
+            self.memory[register] &= ~value & 0xFF
+        elif register < 0x0C:
+            self.memory[register] = value
+            axes = sum(self.memory[2] >> k & 1 for k in (4, 5, 6)) + (self.memory[7] & 1)
+            if register == 1 and value & 3 == 2:
+                self.ready_us = now_us() + 25 + 25 * axes * (1 << (self.memory[0] >> 2 & 7))
+
+    def read(self, count):
+        memory = self.memory
+        if self.ready_us is not None and now_us() >= self.ready_us:
+            for k in range(3):
+                range_mt = 80 if memory[3] & (1 if k == 2 else 2) else 40
+                value = (
+                    saturated(self.field[k] / range_mt * 32768) if memory[2] >> (4 + k) & 1 else 0
+                )
+                put(memory, 0x12 + 2 * k, value)
+            put(memory, 0x10, saturated(17508 + 60.1 * (self.celsius - 25)) if memory[7] & 1 else 0)
+            memory[0x18] |= 1
+        return memory[self.pointer : self.pointer + count]
+
+
+class Mlx:
+    start_us = 1000
+
+    def __init__(self, factory, field, celsius):
+        self.factory, self.field, self.celsius = factory, field, celsius
+        self.reset()
+
+    def reset(self):
+        self.address, self.ready_us = self.factory, None
+        self.registers, self.code = [0] * 64, 0
+
+    def write(self, data):
+        self.code = data[0]
+        if data[0] == 0xF0:
+            self.ready_us = None
+        elif data[0] & 0xF0 == 0x10:
+            self.ready_us = now_us() + 14_800
+        elif data[0] == 0x60:
+            self.registers[data[3] >> 2] = data[1] << 8 | data[2]
+
+    def read(self, count):
+        answer = bytearray(9)
+        if self.code & 0xF0 != 0x40:
+            return answer[:count]
+        if self.ready_us is None or now_us() < self.ready_us:
+            answer[0] = 0x10
+            return answer[:count]
+        steps_ut = (0.751, 0.601, 0.451, 0.376, 0.300, 0.250, 0.200, 0.150)
+        step = steps_ut[self.registers[0] >> 4 & 7] * (1 << (self.registers[2] >> 5 & 3)) / 1e3
+        put(answer, 1, round(46244 + 45.2 * (self.celsius - 35)))
+        for k in range(3):
+            put(answer, 3 + 2 * k, saturated(self.field[k] / step / (1.613 if k == 2 else 1)))
+        return answer[:count]
+
+
+class Placed:
+    """A chip, where it is, and since when it has power."""
+
+    def __init__(self, number, family, bus, factory, multiplexer, channel, supply, field, celsius):
+        self.number, self.bus, self.supply = number, bus, supply
+        self.multiplexer, self.channel = multiplexer, channel
+        self.chip = (Tmag if family == "T" else Mlx)(factory, field, celsius)
+        self.powered_us = 0 if supply is None else None
+
+    def power(self, on):
+        if on and self.powered_us is None:
+            self.chip.reset()
+            self.powered_us = now_us()
+        elif not on:
+            self.powered_us = None
+            if holder[0] is self:
+                holder[0] = None
+
+    def answers(self, bus, address):
+        powered = self.powered_us is not None and now_us() >= self.powered_us + self.chip.start_us
+        if not powered or self.bus != bus or faulty("dead", self.number):
+            return False
+        if happens("brownout", self.number):
+            self.chip.reset()
+        if happens("low", self.number):
+            self.chip.memory[0x1C] |= 1
+        open_now = self.multiplexer is None or channels[bus, self.multiplexer] >> self.channel & 1
+        return bool(open_now) and self.chip.address == address
+
+
+chips = [Placed(number, *what) for number, what in enumerate(scene.CHIPS)]
+channels = dict.fromkeys(scene.MULTIPLEXERS, 0)
+holder, clocks_left = [None], [0]
+
+
+def hold(placed, clocks):
+    holder[0], clocks_left[0] = placed, clocks
+
+
+def clocked(bus):
+    if holder[0] is not None and holder[0].bus == bus:
+        clocks_left[0] -= 1
+        if clocks_left[0] == 0:
+            holder[0] = None
+
+
+def set_pin(pin, value):
+    for placed in chips:
+        if placed.supply == pin:
+            placed.power(value)
+    if pin == scene.RESET and not value:
+        for place in channels:
+            channels[place] = 0
+        if holder[0] is not None and holder[0].multiplexer is not None:
+            holder[0] = None
