@@ -73,8 +73,9 @@ class BusPlan:
 
     @property
     def wires(self) -> int:
-        """Four for each sensor, and those from boards and buses to the board's pins."""
-        return 4 * len(self.chips) + 4 * len(self.multiplexers) + self.pins + 2
+        """Four for each sensor, five for each multiplexer, and those to the board's pins."""
+        to_board = self.pins - (self.reset is not None) + 2
+        return 4 * len(self.chips) + 5 * len(self.multiplexers) + to_board
 
     @property
     def cost_eur(self) -> float:

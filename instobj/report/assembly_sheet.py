@@ -3,18 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from math import degrees
+from math import ceil, degrees
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from design.body.surface_chart import FaceFrame
 from design.build.bom import bill_of_materials, silicone_amount
 from design.build.manifest import BuildManifest
+from design.catalogue.bus_parts import MEGA2560
+from design.errors import InputError
 from design.layout.boards import wire_bundle_mm
 from design.layout.body import core_frames, face_frames
 from design.layout.mould_frame import mould_frame, mould_style, opening_of
 from design.layout.pockets import magnet_places, sensor_places
 from design.spec.object import ObjectSpec
+from design.wiring.bus_plan import choose_plan
+from design.wiring.dealing import ChipOnBus
+from design.wiring.lengths import wire_lengths_mm
 from instobj.report.pages import render
 
 if TYPE_CHECKING:
@@ -113,14 +118,33 @@ def _sensors(spec: ObjectSpec) -> list[list[str]]:
     wires = spec.core.wires_per_sensor
     rows = []
     number = 0
+    lengths, routes = wire_lengths_mm(spec), _routes(spec)
     for frame, places in zip(core_frames(spec), sensor_places(spec), strict=True):
         for index, (x, y, azimuth) in enumerate(places, start=1):
             ends = f"{number * wires + 1} to {(number + 1) * wires}"
             turn = f"{degrees(azimuth) % 360:.0f}°"
+            length = f"{5 * ceil(lengths[number] / 5)}"
             number += 1
             at = f"{round(x, 2) + 0.0:.2f}, {round(y, 2) + 0.0:.2f}"
-            rows.append([f"{number}", f"{frame.number}", f"{index}", at, turn, ends])
+            route = routes.get((frame.number, index), "")
+            rows.append([f"{number}", f"{frame.number}", f"{index}", at, turn, ends, length, route])
     return rows
+
+
+def _routes(spec: ObjectSpec) -> dict[tuple[int, int], str]:
+    """Supply and bus of every sensor (face, number there) on the paper's board; none without a plan."""
+    try:
+        plan, _ = choose_plan(spec, MEGA2560)
+    except InputError:
+        return {}
+    return {(chip.face, chip.number): _route(chip) for chip in plan.chips}
+
+
+def _route(chip: ChipOnBus) -> str:
+    supply = f"{chip.supply} buffered" if chip.supply else "3V3"
+    if chip.multiplexer is None:
+        return f"{chip.part}, {supply}, read at 0x{chip.address:02X}"
+    return f"{chip.part}, 0x{chip.multiplexer:02X} channel {chip.channel}"
 
 
 def steps(spec: ObjectSpec, parts: Collection[str]) -> list[str]:

@@ -80,7 +80,7 @@ STAGES: dict[str, Stage] = {
         ("build",),
         ("name", *_MAKING, "silicone"),
         make_sheet,
-        version=4,
+        version=5,
     ),
     "fabrication": Stage(
         "design: fabrication checks",

@@ -82,6 +82,8 @@ def test_the_sheet_shows_every_pole_and_every_wire(tmp_path):
         assert poles == [("0", "-0", "N"), ("9", "-8", "S")], "y points up, outward poles"
     assert len(re.findall(r"<td>\d+ to \d+</td>", page)) == 15
     assert "57 to 60" in page
+    assert page.count(" buffered, read at 0x") == 15
+    assert "<td>245</td>" in page, "face 1: 200 of lead, 7.75, 4.5 of wall, 29.5 to the opening"
     assert "http" not in page.replace("http-equiv", ""), "nothing is loaded from outside"
 
 
