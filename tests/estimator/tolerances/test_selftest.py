@@ -77,7 +77,7 @@ def test_two_faults_are_named(model):
 
 
 def test_healthy_objects_raise_no_alarm(model):
-    assert false_alarm_rate(SPEC, model, 20) <= 0.05
+    assert false_alarm_rate(SPEC, model, 300) <= 0.05
     result = self_test(SPEC, model, healthy(11), healthy_objects=2)
     assert result.best.name == "as specified"
     assert result.believed
