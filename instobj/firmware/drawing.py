@@ -69,22 +69,24 @@ def _column(
         tall = _LINE * (len(pins) + 0.7)
         shapes.append(
             f'<rect x="{left:g}" y="{y:g}" width="{_BOX:g}" height="{tall:g}" rx="1" fill="#f3f3f0" '
-            f'stroke="#444" stroke-width="0.25"/><text x="{left + _BOX / 2:g}" y="{y - 0.6:g}" '
-            f'text-anchor="middle" font-weight="bold">{escape(box)}</text>'
+            f'stroke="#444" stroke-width="0.25"/><text x="{left + 1:g}" y="{y + 2.6:g}" '
+            f'font-weight="bold">{escape(box)}</text>'
         )
         for k, pin in enumerate(pins):
             row = y + _LINE * (k + 0.85)
             places[box, pin] = row
             shapes.append(
-                f'<text x="{left + _BOX / 2:g}" y="{row + 0.8:g}" text-anchor="middle">{escape(pin)}</text>'
+                f'<text x="{left + _BOX - 1:g}" y="{row + 0.8:g}" text-anchor="end">{escape(pin)}</text>'
             )
         y += tall + 0.3 * _LINE + spare
     return shapes
 
 
 def _lanes(wires: Sequence[Wire]) -> list[float]:
-    """Where each wire turns between two columns (0 to 1), so that wires do not lie on each other."""
-    return [(0.12 + 0.76 * (k * 7 % len(wires)) / len(wires)) for k in range(len(wires))]
+    """Where each wire turns between two columns (0 to 1): wires to one pin turn together, others apart."""
+    ends = list(dict.fromkeys((_side(_box_of(wire.start)[0]), wire.end) for wire in wires))
+    lanes = {end: 0.1 + 0.8 * (k + 0.5) / len(ends) for k, end in enumerate(ends)}
+    return [lanes[_side(_box_of(wire.start)[0]), wire.end] for wire in wires]
 
 
 def _wire(wire: Wire, places: dict[tuple[str, str], float], lane: float) -> str:
