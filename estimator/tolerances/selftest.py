@@ -112,21 +112,22 @@ class RestModel:
 
 
 def rest_model(spec: ObjectSpec, noise_counts: float = 0.0) -> RestModel:
-    """Mean and covariance from the specification and its tolerances.
+    """Mean and covariance from the specification and its tolerances, to second order in each.
 
     `noise_counts` is the standard deviation of a mean resting level beside that of the tolerances
     (readings averaged, drift); `sensors.zeroing_counts` is always included.
     """
     design, model = _design(spec)
     mean = _rest(spec, design, model)
-    columns = [
-        (_rest(spec, up, model) - _rest(spec, down, model)) / (2 * _STEP)
-        for up, down in _steps(spec, design)
-    ]
-    spread = np.stack(columns, axis=1)
+    moved = np.array(
+        [[_rest(spec, one, model) for one in pair] for pair in _steps(spec, design)]
+    ).reshape(-1, 2, len(mean))
+    spread = (moved[:, 0] - moved[:, 1]) / (2 * _STEP)
+    bend = (moved.sum(axis=1) - 2 * mean) / (2 * _STEP**2)  # counts x + b x², x normal
     noise = np.hypot(noise_counts, spec.sensors.zeroing_counts) ** 2
-    covariance = spread @ spread.T + noise * np.eye(len(mean))
+    covariance = spread.T @ spread + 2 * bend.T @ bend + noise * np.eye(len(mean))
     faults = tuple(_faults(spec, design, model))
+    mean = mean + bend.sum(axis=0)
     return RestModel(mean, covariance, faults, full_scale_counts(spec.sensors))
 
 
