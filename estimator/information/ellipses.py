@@ -31,7 +31,7 @@ def position_covariances_mm2(
         used = own if spec.score.channels == "own" else np.arange(live.size)
         used = used[live[used]]
         told = np.isfinite(scores.position_bound_fresh_mm[row])
-        where = (np.full(told.sum(), face), *grid.xy_mm[told].T)
+        where = (np.full(told.sum(), face), grid.xy_mm[told, 0], grid.xy_mm[told, 1])
         jacobian = signal_gradient(signals, *where, scores.force_at_score_n[row, told]).jacobian
         found[row, told] = cramer_rao_bounds(jacobian[:, used], sigma[used]).position_mm2
     return found

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 from jaxtyping import Float, Int
-from scipy.spatial import cKDTree
+from scipy.spatial import KDTree
 from threadpoolctl import threadpool_limits
 
 from design.errors import StoreError
@@ -53,7 +53,7 @@ def mesh_vertices(
     StoreError
         The response belongs to another mesh.
     """
-    tree, found, normals = cKDTree(points_mm), [], []
+    tree, found, normals = KDTree(points_mm), [], []
     for surface in response.surfaces:
         frame = face_frame(spec, surface.number)
         at = frame.centre_mm + surface.points_mm @ frame.axes.T

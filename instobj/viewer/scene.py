@@ -80,8 +80,9 @@ def _add_magnets(spec: ObjectSpec, arrays: Arrays) -> None:
     from design.build.scene import magnet_halves
 
     layout = magnet_layout(spec)
-    first = MagnetLayout(*(getattr(layout, n)[:1] for n in ("centre_mm", "axis", "face", "side")),
-                         layout.strength[:1])  # fmt: skip
+    first = MagnetLayout(
+        layout.centre_mm[:1], layout.axis[:1], layout.face[:1], layout.side[:1], layout.strength[:1]
+    )
     ((north, _),) = magnet_halves(spec, first)
     turn = _frames(first)[0]
     north.apply_translation(-first.centre_mm[0])
