@@ -199,9 +199,10 @@ def _clock(
 
 def largest_line_pf(chips: Sequence[ChipOnBus]) -> float:
     """Capacitance of the largest line: board, multiplexers, and the channel that is switched on."""
-    loads = Counter[tuple[int, int | None, int | None]]()
+    loads: dict[tuple[int, int | None, int | None], float] = {}
     for chip in chips:
-        loads[chip.bus, chip.multiplexer, chip.channel] += PIN_PF + WIRE_PF_PER_MM * chip.wire_mm
+        line = (chip.bus, chip.multiplexer, chip.channel)
+        loads[line] = loads.get(line, 0.0) + PIN_PF + WIRE_PF_PER_MM * chip.wire_mm
     muxes = Counter(bus for bus, mux in {(c.bus, c.multiplexer) for c in chips} if mux is not None)
     return max(PIN_PF * (1 + 2 * muxes[bus]) + load for (bus, _, _), load in loads.items())
 
