@@ -57,7 +57,7 @@ def mesh_vertices(
     for surface in response.surfaces:
         frame = face_frame(spec, surface.number)
         at = frame.centre_mm + surface.points_mm @ frame.axes.T
-        distance, index = tree.query(at)
+        distance, index = map(np.asarray, tree.query(at))
         if distance.max() > surface_tolerance_mm(spec) or len(set(index)) < len(index):
             raise StoreError(
                 f"the stored response of face {surface.number} belongs to another mesh. Delete the "
