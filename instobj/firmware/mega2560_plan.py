@@ -73,7 +73,7 @@ def _row(chip: ChipOnBus) -> str:
     supply = "0, 0" if chip.supply is None else f"&PORT{port}, 0x{1 << bit:02X}"
     mux = (
         "0, 0"
-        if chip.multiplexer is None
+        if chip.multiplexer is None or chip.channel is None
         else f"0x{chip.multiplexer:02X}, 0x{1 << chip.channel:02X}"
     )
     return f"{{0x{chip.factory:02X}, 0x{chip.address:02X}, {mux}, {supply}}}, /* {chip.label} */"
