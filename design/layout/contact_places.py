@@ -54,7 +54,7 @@ def contact_places(spec: ObjectSpec) -> Bool[np.ndarray, "face place"]:
 
 def shared_counts(spec: ObjectSpec) -> tuple[int, int]:
     """Counts of the largest grid that all faces have, where each has a rectangle of locations."""
-    shared = _lattice(spec).places.all(axis=0)
+    shared = np.asarray(_lattice(spec).places.all(axis=0))
     return int(shared.any(axis=1).sum()), int(shared.any(axis=0).sum())
 
 
@@ -120,7 +120,7 @@ def _filled(spec: ObjectSpec) -> _Lattice:
     nodes = np.stack(np.meshgrid(x, y, indexing="ij"), axis=-1).reshape(-1, 2)
     free = np.stack([_tip_stays(spec, frame, nodes) for frame in face_frames(spec)])
     free = _all_around(free.reshape(len(free), len(x), len(y)))
-    choices = [_of_parity(free, odd) for odd in product((False, True), repeat=2)]
+    choices = [_of_parity(free, (a, b)) for a, b in product((False, True), repeat=2)]
     return max(choices, key=lambda lattice: lattice.places.sum())
 
 

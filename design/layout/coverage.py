@@ -49,7 +49,7 @@ def _covered_and_whole_mm2(spec: ObjectSpec) -> Float[np.ndarray, "2 face"]:
         xy = xy[frame.covers(xy)]
         _, slope = frame.relief.at(xy)
         weight = np.sqrt(1 + np.sum(slope**2, axis=-1)) * 4 * half_x * half_y / _SAMPLES**2
-        within = (abs(xy) <= reach).all(axis=1)
+        within = np.asarray((abs(xy) <= reach).all(axis=1))
         cell = np.floor((xy[within] + reach) / pitch).astype(int)
         x, y = np.clip(cell, 0, np.array(grid.shape) - 1).T
         within[within] = places.reshape(grid.shape)[x, y]

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from itertools import product
+from math import hypot
 from typing import Any
 
 import numpy as np
@@ -166,7 +167,7 @@ def _electronics(request: Request, faces: list[Shares]) -> Tables:
     """Recesses about the boards' middles, sensors in them, and holes for their wires (mm)."""
     places = [_rounded(face) for face in faces]
     alike = all(face == places[0] for face in places)
-    radius = round(max(3.5, min(float(np.hypot(*xy)) for face in places for xy in face)), 2)
+    radius = round(max(3.5, min(hypot(*xy) for face in places for xy in face)), 2)
     hole = _hole_mm(request.sensors)
     core = {
         "recess_inner_radius_mm": round(radius - _HALF_RECESS_MM, 2),

@@ -99,7 +99,9 @@ def _question(body: BodySpec) -> str:
     least, most = LONGEST_EDGE_MM
     drawn = max(body.size_mm) / body.mm_per_unit
     step = Path(body.file or "").suffix.lower() in STEP
-    likely = [] if step else [u for u, mm in MM.items() if least <= drawn * mm * body.scale <= most]
+    likely: list[Unit] = (
+        [] if step else [u for u, mm in MM.items() if least <= drawn * mm * body.scale <= most]
+    )
     asked = [
         f'body.unit = "{unit}" makes it {drawn * MM[unit] * body.scale:.4g} mm' for unit in likely
     ]

@@ -246,12 +246,15 @@ def _load(cells: list[str]) -> Load | None:
 
 def _status(cells: list[str]) -> Status | None:
     supply = int(cells[1]) if cells[1] else None
-    counts = [int(cell) for cell in cells[2:5]]
+    supply_errors, bus_errors, recoveries = (int(cell) for cell in cells[2:5])
     celsius = tuple(float(cell) if cell else float("nan") for cell in cells[6:])
     sound = all(abs(value) <= _LARGEST_C for value in celsius if value == value)
-    if cells[5] not in STARTS or not 0 <= (supply or 0) <= _LARGEST_MV or min(counts) < 0:
+    least = min(supply_errors, bus_errors, recoveries)
+    if cells[5] not in STARTS or not 0 <= (supply or 0) <= _LARGEST_MV or least < 0:
         return None
-    return Status(int(cells[0]), supply, *counts, cells[5], celsius) if sound else None
+    if not sound:
+        return None
+    return Status(int(cells[0]), supply, supply_errors, bus_errors, recoveries, cells[5], celsius)
 
 
 _PARSERS = {"F": _frame, "L": _load, "S": _status}

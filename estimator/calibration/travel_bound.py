@@ -63,7 +63,7 @@ def bound_test(
     recorded = recorded_slopes(xy, level)
     predicted = _predicted_slopes(model, fitted, xy, travel)
     recorded[~model.covers(xy)] = np.nan
-    inside = np.isfinite(recorded).all(axis=(1, 2))
+    inside = np.asarray(np.isfinite(recorded).all(axis=(1, 2)))
     predicted[~inside] = np.nan
     bound, of_slopes = (_bound_mm(slopes, precision) for slopes in (predicted, recorded))
     scatter = np.array(
@@ -72,14 +72,14 @@ def bound_test(
     bound, of_slopes, scatter = bound[inside], of_slopes[inside], scatter[inside]
     ratio = np.log(scatter / bound)
     rng = np.random.default_rng((seed, 6))
-    nulls = [spearmanr(rng.permutation(bound), scatter).statistic for _ in range(_NULLS)]
+    nulls = [_rank_correlation(rng.permutation(bound), scatter) for _ in range(_NULLS)]
     return BoundTest(
         xy[inside],
         bound,
         scatter,
         of_slopes,
-        float(spearmanr(bound, scatter).statistic),
-        float(spearmanr(bound, of_slopes).statistic),
+        _rank_correlation(bound, scatter),
+        _rank_correlation(bound, of_slopes),
         float(np.exp(np.median(ratio))),
         float(np.exp(np.std(ratio))),
         float(np.quantile(np.abs(nulls), 0.95)),
@@ -104,7 +104,7 @@ def _attainable(
             np.var(rng.standard_normal((count, 2)) @ one.T, axis=0, ddof=1).sum()
             for count, one in zip(repeats, root, strict=True)
         ]
-        found.append(spearmanr(bound, drawn).statistic)
+        found.append(_rank_correlation(bound, np.array(drawn)))
     return float(np.median(found))
 
 
@@ -168,3 +168,8 @@ def _scatter_mm(slope: np.ndarray, precision: np.ndarray, left: np.ndarray) -> f
         return np.nan
     reading = np.linalg.solve(slope.T @ precision @ slope, slope.T @ precision @ left.T)
     return float(np.sqrt(np.sum(reading**2) / (left.shape[0] - 1)))
+
+
+def _rank_correlation(one: Float[np.ndarray, "place"], other: Float[np.ndarray, "place"]) -> float:
+    """Spearman's."""
+    return float(spearmanr(one, other).statistic)  # pyright: ignore[reportAttributeAccessIssue]

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from jaxtyping import Float
-from scipy.spatial import cKDTree
+from scipy.spatial import KDTree
 
 from estimator.calibration.travel_fit import Fitted, left_over
 from estimator.calibration.travel_model import TravelModel
@@ -79,13 +79,13 @@ def _by_twin(
     nodes = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, 3)
     predicted = (fitted.resting_mt + model.pressed(fitted.twin, nodes)).reshape(len(nodes), -1)
     table, readings = predicted @ root, asked.field_mt.reshape(len(asked), -1) @ root
-    distance, index = cKDTree(table).query(readings, k=_NEIGHBOURS)
+    distance, index = KDTree(table).query(readings, k=_NEIGHBOURS)
     weight = np.exp(-(distance**2 - distance[:, :1] ** 2) / 2)
     return np.einsum("pk,pkd->pd", weight / weight.sum(axis=1, keepdims=True), nodes[index])
 
 
 def _nearest(shown: np.ndarray, asked: np.ndarray) -> np.ndarray:
-    return cKDTree(shown).query(asked)[1]
+    return np.asarray(KDTree(shown).query(asked)[1])
 
 
 def _process(
@@ -106,7 +106,7 @@ def _process(
         warnings.simplefilter("ignore", ConvergenceWarning)
         process = GaussianProcessRegressor(kernel, random_state=seed).fit(x[chosen], y[chosen])
     if len(chosen) < len(x):
-        process = GaussianProcessRegressor(process.kernel_, optimizer=None).fit(x, y)
+        process = GaussianProcessRegressor(process.kernel_, optimizer=None).fit(x, y)  # pyright: ignore[reportArgumentType]
     return np.asarray(process.predict(query)) * size + offset
 
 

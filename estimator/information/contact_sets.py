@@ -17,7 +17,7 @@ _PLACES_AN_AXIS = 5
 
 def spread_places(spec: ObjectSpec) -> Int[np.ndarray, "place"]:
     """Contact locations spread evenly over what all faces have in common, five an axis at most."""
-    shared = contact_places(spec).all(axis=0).reshape(grid_count(spec))
+    shared = np.asarray(contact_places(spec).all(axis=0)).reshape(grid_count(spec))
     chosen = []
     for other in (1, 0):
         used = np.flatnonzero(shared.any(axis=other))

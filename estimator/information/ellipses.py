@@ -31,7 +31,9 @@ def position_covariances_mm2(
         used = own if spec.score.channels == "own" else np.arange(live.size)
         used = used[live[used]]
         told = np.isfinite(scores.position_bound_fresh_mm[row])
-        where = (np.full(told.sum(), face), grid.xy_mm[told, 0], grid.xy_mm[told, 1])
-        jacobian = signal_gradient(signals, *where, scores.force_at_score_n[row, told]).jacobian
+        x_mm, y_mm = grid.xy_mm[told].T
+        force_n = scores.force_at_score_n[row, told]
+        faces = np.full(len(x_mm), face)
+        jacobian = signal_gradient(signals, faces, x_mm, y_mm, force_n).jacobian
         found[row, told] = cramer_rao_bounds(jacobian[:, used], sigma[used]).position_mm2
     return found

@@ -90,7 +90,7 @@ def cramer_rao_bounds(
     variance = np.diagonal(covariance, axis1=1, axis2=2).copy()
     blind = _touched_by_blindness(right, seen)
     variance[blind] = np.inf
-    known = ~blind[:, :2].any(axis=1)[:, None, None]
+    known = np.asarray(~blind[:, :2].any(axis=1))[:, None, None]
     return Bounds(
         np.sqrt(variance[:, 0] + variance[:, 1]),
         np.where(known, covariance[:, :2, :2], np.nan),
@@ -124,7 +124,7 @@ def _touched_by_blindness(
 ) -> Bool[np.ndarray, "press parameter"]:
     """Parameters with a share in a direction that is not seen: they have no finite bound."""
     share = np.where(seen[:, :, None], 0.0, right**2).sum(axis=1)
-    return share > 1e-10
+    return np.asarray(share > 1e-10)
 
 
 def _blind_direction(

@@ -39,7 +39,7 @@ def _continuation(pressed_bytes: bytes, shape: tuple[int, int]) -> np.ndarray:
     from scipy.ndimage import distance_transform_cdt
 
     pressed = np.frombuffer(pressed_bytes, bool)
-    away, nearest = distance_transform_cdt(
+    away, nearest = distance_transform_cdt(  # pyright: ignore[reportGeneralTypeIssues]
         ~pressed.reshape(shape), metric="chessboard", return_indices=True
     )
     near = (away.ravel() > 0) & (away.ravel() <= _REACH)
@@ -59,7 +59,9 @@ def _continuation(pressed_bytes: bytes, shape: tuple[int, int]) -> np.ndarray:
 def _differences(shape: tuple[int, int], axis: int) -> sp.csr_matrix:
     """Third differences along an axis, everywhere on the lattice."""
     along = [
-        sp.diags(_THIRD_DIFFERENCE, range(4), (max(n - 3, 0), n)) if k == axis else sp.identity(n)
+        sp.diags_array(_THIRD_DIFFERENCE, offsets=range(4), shape=(max(n - 3, 0), n))
+        if k == axis
+        else sp.identity(n)
         for k, n in enumerate(shape)
     ]
     return sp.csr_matrix(sp.kron(*along))

@@ -66,7 +66,7 @@ class MagnetMotions:
     @property
     def pressed(self) -> Bool[np.ndarray, "face place"]:
         """Which places of the lattice each face has."""
-        return ~np.isnan(self.motion).all(axis=(2, 3, 4))
+        return np.asarray(~np.isnan(self.motion).all(axis=(2, 3, 4)))
 
     @property
     def every(self) -> Float[np.ndarray, "press magnet 6"]:

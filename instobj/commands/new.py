@@ -115,7 +115,9 @@ def _filled(text: str, tables: Tables, kind: type[BodyKind], out: Path) -> str:
         name = f"{where}.{key[1]}" if key else where
         if _left_out(name, kind) or (name == "sensors.first_azimuth_deg"):
             continue
-        lines.append(_with_value(line, key[1], values.pop(name)) if name in values else line)
+        if key and name in values:
+            line = _with_value(line, key[1], values.pop(name))
+        lines.append(line)
     if values:
         raise AssertionError(f"the template has no lines for {sorted(values)}")
     whole = re.sub(r"\n{3,}", "\n\n", "\n".join(lines) + "\n")

@@ -145,7 +145,8 @@ def _covered_rectangles(spec: ObjectSpec, there: Bool[np.ndarray, "place"]) -> l
     for x, column in zip(grid.x_mm, columns, strict=True):
         (used,) = np.nonzero(column)
         for run in np.split(used, np.flatnonzero(np.diff(used) > 1) + 1) if len(used) else ():
-            corner, high = (x - pitch / 2, grid.y_mm[run[0]] - pitch / 2), len(run) * pitch
+            corner = (float(x) - pitch / 2, float(grid.y_mm[run[0]]) - pitch / 2)
+            high = len(run) * pitch
             before = rectangles[-1] if rectangles else None
             if before and before.get_y() == corner[1] and before.get_height() == high:
                 before.set_width(before.get_width() + pitch)
