@@ -59,7 +59,7 @@ def _continuation(pressed_bytes: bytes, shape: tuple[int, int]) -> np.ndarray:
 def _differences(shape: tuple[int, int], axis: int) -> sp.csr_matrix:
     """Third differences along an axis, everywhere on the lattice."""
     along = [
-        sp.diags_array(_THIRD_DIFFERENCE, offsets=range(4), shape=(max(n - 3, 0), n))
+        sp.diags_array(_THIRD_DIFFERENCE, offsets=range(4), shape=(max(n - 3, 0), n))  # pyright: ignore[reportArgumentType]
         if k == axis
         else sp.identity(n)
         for k, n in enumerate(shape)
