@@ -153,8 +153,8 @@ def _doubled_mass(patch):
 def _transposed_shear(patch):
     right = elasticity.elastic_blocks
 
-    def without_the_transpose(elements, shapes, mu, lame_lambda=0.0):
-        both, halved = (right(elements, shapes, m, lame_lambda) for m in (mu, 0.5 * mu))
+    def without_the_transpose(elements, shapes, mu, *others):
+        both, halved = (right(elements, shapes, m, *others) for m in (mu, 0.5 * mu))
         crossed = [1, 2, 4]
         both[crossed] = halved[crossed]
         return both
