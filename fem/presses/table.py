@@ -83,7 +83,8 @@ def simulate_lattice(
         presses = press_face(spec, response, index, lattice.xy_mm[here], depths)
         force[index, here], area[index, here] = presses.force_n, presses.contact_area_mm2
         rows = response.compliance[response.magnet_loads, response.face_loads(index)]
-        motion[index, here] = (presses.vertex_mpa @ rows.T).reshape(-1, len(depths), magnets, 6)
+        moved = presses.vertex_mpa @ rows.T
+        motion[index, here] = moved.reshape(*presses.force_n.shape, magnets, 6)
         if progress:
             progress(f"face {surface.number}: {here.sum()} places × {len(depths)} depths")
     faces = np.array([surface.number for surface in response.surfaces])
