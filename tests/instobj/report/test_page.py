@@ -37,7 +37,7 @@ TEXTS = (
         "hash",
         "made_with",
     ),
-    *("specification", "cross_face_force_n", "draws"),
+    *("specification", "cross_face_force_n", "draws", "locations", "covered_by_face"),
 )
 PICTURES = ("overview", "robustness_picture", "press_curves", "parts_picture", "still", "scene")
 
