@@ -187,7 +187,9 @@ def cap_frame(
 
 
 def steepest_reach_mm(across_mm: float, high_mm: float) -> float:
-    """Where a cap of those semi-axes is as steep as a patch may be."""
+    """Where a cap of those semi-axes is as steep as a patch may be; 0 where there is no cap."""
+    if across_mm <= 0:
+        return 0.0
     return across_mm * STEEPEST / float(np.hypot(STEEPEST, high_mm / across_mm))
 
 

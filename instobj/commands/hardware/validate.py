@@ -102,6 +102,12 @@ def validate_on(
                 f"read beside it; got {len(recordings)} recordings. Give one or two folders"
             )
         return validate_on_travel(path, recordings, exchanges, out, overrides)
+    folder = next((file for file in recordings if file.is_dir()), None)
+    if folder is not None:
+        raise InputError(
+            f"{folder} is a folder without sensor.csv and states.csv. Give a recording's file, or a "
+            "folder that holds both (presses of known travel)"
+        )
     spec = load_spec(path, overrides)
     if spec.sensors.count_per_face != 3:
         raise InputError(

@@ -5,6 +5,7 @@ import re
 import numpy as np
 import pytest
 
+from design.body.surface_chart import steepest_reach_mm
 from design.errors import SpecError
 from design.fit.everything import problems_of
 from design.layout.boards import mounted_sensors
@@ -60,6 +61,12 @@ def test_a_pad_that_is_too_small_is_refused_with_a_size_that_works():
     smaller = tuple(0.8 * edge for edge in size)
     with pytest.raises(SpecError, match="too small"):
         placed(Request("pad", smaller, 4))
+
+
+def test_a_core_of_no_size_has_faces_of_no_size():
+    """A sphere of 12 mm with the shell's 6 mm: told to be too small, not divided by."""
+    assert steepest_reach_mm(0.0, 0.0) == steepest_reach_mm(-1.0, -1.0) == 0
+    assert steepest_reach_mm(20.0, 20.0) > 15
 
 
 def test_a_size_that_the_kind_does_not_take_is_refused_with_its_rule():

@@ -166,3 +166,5 @@ def test_validate_refuses_what_is_no_recording(tmp_path):
     assert_one_clear_error(run("validate", CUBE, "rest.csv", cwd=tmp_path), "rest.csv")
     more = run("validate", CUBE, "rest.csv", "--set", "sensors.count_per_face=4", cwd=tmp_path)
     assert_one_clear_error(more, "3 sensors per face")
+    folder = run("validate", CUBE, tmp_path, cwd=tmp_path)
+    assert_one_clear_error(folder, "without sensor.csv and states.csv")
