@@ -22,7 +22,7 @@ from jaxtyping import Float
 
 from design.spec.object import ObjectSpec
 from estimator.information.cross_face import LEAST_FALSE_FORCE_N, cross_face_disturbance
-from estimator.information.scores import compliance_deviation, outermost_places, score_places
+from estimator.information.scores import compliance_deviation, outermost_of_faces, score_places
 from estimator.information.two_contacts import PERCENT, two_contact_bounds_mm
 from estimator.layouts.batch import layouts_of
 from estimator.layouts.batch_scores import DEARER, batch_scores, position_bounds, unevenness
@@ -64,7 +64,8 @@ class FidelityScore:
     compliance_deviation : of depth over force at `score.force_n` from what `search` wants, relative
         (rms); the lowest fidelity level: of the shell without magnets
     saturation_margin : share of the sensors' range that stays free (the lowest fidelity level: at rest)
-    position_bounds_mm : position bound of every force, face and location, in this order
+    position_bounds_mm : position bound of every force, face and location that the face has, in
+        this order
 
     Other scores of presses are geometric means over the forces like the bounds; false forces are of
     10 N whatever the forces, compliance of the force nearest to
@@ -156,10 +157,10 @@ def score_signals(
         **means,
         **_false_forces(spec, signals),
         compliance_deviation=compliance_deviation(
-            spec.search.compliance_mm_per_n, near.grid, 1 / near.stiffness_n_per_mm
+            spec.search.compliance_mm_per_n, near.grid, 1 / near.stiffness_n_per_mm, near.places
         ),
         saturation_margin=saturation_margin(signals, spec),
-        position_bounds_mm=_flat(one.position_bound_fresh_mm for one in places),
+        position_bounds_mm=_flat(one.position_bound_fresh_mm[one.places] for one in places),
     )
 
 
@@ -169,17 +170,18 @@ def _at_force(
     """Scores of presses to `score.force_n`."""
     scores = score_places(spec, signals)
     false = false_places_mm(spec, forces, motions, SLIP_MM)
-    bound = scores.position_bound_fresh_mm
-    low, middle = np.percentile(scores.delta_raw, [5.0, 50.0])
+    there = scores.places
+    bound, at_edge = scores.position_bound_fresh_mm[there], outermost_of_faces(scores)
+    low, middle = np.percentile(scores.delta_raw[there], [5.0, 50.0])
     return {
         "worst_position_bound_mm": float(bound.max()),
         "percentile_99_position_bound_mm": float(np.percentile(bound, 99.0)),
         "percentile_95_position_bound_mm": float(np.percentile(bound, 95.0)),
         "median_position_bound_mm": float(np.median(bound)),
-        "worst_force_bound_n": float(scores.force_bound_fresh_n.max()),
+        "worst_force_bound_n": float(scores.force_bound_fresh_n[there].max()),
         **_two_contacts(spec, signals),
         "sensitivity_ratio": float(low / middle),
-        "edge_position_bound_mm": float(bound[:, outermost_places(scores.grid)].mean()),
+        "edge_position_bound_mm": float(scores.position_bound_fresh_mm[at_edge].mean()),
         "slip_place_mm": float(np.median(false["slip"])),
         "tolerance_place_mm": float(np.median(false["tolerance"])),
         "places": scores,

@@ -87,11 +87,15 @@ class Variant:
 
 @dataclass(frozen=True)
 class Study:
-    """A study's name, the keys that it changes, and its specifications."""
+    """A study's name and its specifications."""
 
     name: str
-    keys: tuple[str, ...]
     variants: tuple[Variant, ...]
+
+    @property
+    def keys(self) -> tuple[str, ...]:
+        """Those that the study changes."""
+        return tuple({key: None for variant in self.variants for key in variant.changes})
 
 
 def load_study(path: Path) -> Study:
@@ -116,8 +120,7 @@ def load_study(path: Path) -> Study:
     )
     if all(variant.spec is None for variant in variants):
         raise SpecError(f"{path}: no specification can be made: {variants[0].refused}")
-    keys = tuple({key: None for variant in variants for key in variant.changes})
-    return Study(found.name, keys, variants)
+    return Study(found.name, variants)
 
 
 def _changes(study: StudySpec) -> Iterator[tuple[str, str, dict[str, Value]]]:

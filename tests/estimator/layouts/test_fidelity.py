@@ -8,6 +8,7 @@ import torch
 from numpy.testing import assert_allclose
 
 from design.layout.body import face_frames
+from design.layout.contact_places import contact_places, pressed_nodes
 from design.spec.object import ScoreSpec
 from estimator.field.models import FieldModel
 from estimator.field.sources import magnet_source
@@ -302,3 +303,23 @@ def test_a_twin_too_soft_for_the_simulated_depths_is_left_out_there():
     assert not left_out[1:].all()
     assert np.isfinite(found["force_n"][~left_out]).all()
     assert (np.isnan(found["position_mm"]) == left_out).all()
+
+
+def test_locations_that_a_face_has_not_are_in_no_score():
+    """A box whose faces are filled: the scores are those of the locations that are there."""
+    box = {"size_mm": (60.0, 40.0, 36.0)}
+    fill = {"count": "fill", "pitch_mm": 4.0}
+    spec = coarse_spec(body=box, contact_grid=fill, press={"depths_mm": (0.5, 1.0, 2.0, 3.0)})
+    forces, motions = synthetic_presses(spec)
+    there = pressed_nodes(spec)
+    for values in (forces.force_n, forces.contact_area_mm2, motions.motion):
+        values[~there] = np.nan
+    signals = press_signals(spec, forces, motions)
+    found, scores = score_signals(spec, signals, forces, motions), score_places(spec, signals)
+    own = contact_places(spec)
+    assert not own.all()
+    assert all(np.isfinite(getattr(found, name)) for name in SCORE_NAMES)
+    assert found.position_bounds_mm == tuple(scores.position_bound_fresh_mm[own].tolist())
+    assert found.worst_position_bound_mm == pytest.approx(scores.position_bound_fresh_mm[own].max())
+    travel = (scores.depth_at_score_mm / scores.force_at_score_n)[own]
+    assert found.compliance_deviation == pytest.approx(travel.std() / travel.mean())
