@@ -7,7 +7,7 @@ import numpy as np
 
 from design.layout.positions import PlaceGrid, magnet_layout
 from design.spec_io import load_spec
-from estimator.calibration.travel_model import Pose, travel_model
+from estimator.known_travel.model import Pose, travel_model
 from fem.presses.results import MagnetMotions
 
 PAD = Path(__file__).parents[2] / "examples" / "eflesh_pad.toml"

@@ -7,17 +7,17 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.errors import InputError, RecordingError
-from estimator.calibration.travel_agreement import figures, travel_agreement
-from estimator.calibration.travel_bound import bound_test
-from estimator.calibration.travel_fit import (
+from estimator.known_travel.agreement import figures, travel_agreement
+from estimator.known_travel.bound import bound_test
+from estimator.known_travel.fit import (
     Fitted,
     calibrate,
     drawn_places,
     left_over,
     register,
 )
-from estimator.calibration.travel_model import SYMMETRIES, Pose
-from estimator.calibration.travel_places import readers
+from estimator.known_travel.model import SYMMETRIES, Pose
+from estimator.known_travel.places import readers
 from estimator.recordings.travel import is_travel_recording, read_travel
 from tests.support.travel_cases import (
     POSE,
@@ -174,7 +174,7 @@ def test_damage_is_one_error_that_says_where(damage, tmp_path):
 
 def test_an_object_of_several_faces_is_refused(model):
     from design.spec.object import ObjectSpec
-    from estimator.calibration.travel_model import travel_model
+    from estimator.known_travel.model import travel_model
     from tests.support.synthetic_presses import synthetic_presses
 
     cube = ObjectSpec(name="cube")
