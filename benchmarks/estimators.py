@@ -32,7 +32,7 @@ from estimator.frames.dataset import FrameSet
 from estimator.frames.press_protocol import simulate_presses
 from estimator.frames.splits import Split, split_presses
 from estimator.networks.face_model import FaceModel, load_model, save_model
-from estimator.networks.training import FitSettings, fit_estimator
+from estimator.networks.training.face import FitSettings, fit_estimator
 from estimator.signals.presses import press_signals
 
 FACE, SEED = 3, 1

@@ -23,7 +23,7 @@ from harness import best_seconds, conclude, machine, option_parser
 from scipy.spatial.transform import Rotation
 
 from design.files import atomic_path
-from design.layout.positions import contact_grid, magnet_layout
+from design.layout.places.positions import contact_grid, magnet_layout
 from design.spec.object import ObjectSpec
 from estimator.field.batched import batched_field
 from estimator.field.models import FieldModel, field_model

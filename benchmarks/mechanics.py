@@ -185,7 +185,7 @@ def main(arguments: list[str] | None = None) -> None:
     if options.block or options.table:
         print(json.dumps(block_of(options.block) if options.block else table(options.quick)))
         return
-    solver = "PARDISO (MKL)" if pardiso_available() else "SuperLU: no MKL on this machine"
+    solver = "PARDISO (MKL)" if pardiso_available() else "own multifrontal: no MKL on this machine"
     packages = ("numpy", "scipy", "scikit-fem", "mkl", "ngsolve")
     quick = ["--quick"] if options.quick else []
     result = {

@@ -32,7 +32,7 @@ from estimator.evaluation.evaluation import (
 from estimator.frames.dataset import FrameSet
 from estimator.frames.heatmap import faces_pressed
 from estimator.frames.splits import Split, split_places, split_presses
-from estimator.networks.training import FitSettings, fit_estimator
+from estimator.networks.training.face import FitSettings, fit_estimator
 from estimator.recordings.reading import read_recording
 
 HISTORIES = (0, 3, 6, 9)

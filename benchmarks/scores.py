@@ -17,7 +17,7 @@ from harness import best_seconds, conclude, machine, option_parser
 from scipy.spatial import ConvexHull
 
 from design.layout.body import face_frames
-from design.layout.positions import (
+from design.layout.places.positions import (
     contact_grid,
     grid_places_in_lattice,
     magnet_layout,

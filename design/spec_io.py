@@ -16,7 +16,7 @@ from pydantic import BaseModel, ValidationError
 from design.errors import SpecError
 from design.files import require_regular_file
 from design.fit.everything import require_fit
-from design.layout.fractions import with_places_in_mm
+from design.layout.places.fractions import with_places_in_mm
 from design.spec.base import explained
 from design.spec.body import BodySpec
 from design.spec.object import ObjectSpec

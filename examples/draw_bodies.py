@@ -13,7 +13,7 @@ import trimesh
 
 from design.build.parts import parts_of
 from design.build.scene import magnet_halves
-from design.layout.positions import magnet_layout
+from design.layout.places.positions import magnet_layout
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
 from instobj.render.parts import camera_axes, depth_image

@@ -20,10 +20,9 @@ from design.mould.room import core_outside
 from design.solids.booleans import Shape, as_triangles
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
+from instobj.render.parts import COLOURS
 from instobj.render.pieces import Piece, moved, picture_of
 
-HALF, OTHER_HALF, ROD = (0.66, 0.77, 0.62), (0.58, 0.70, 0.56), (0.76, 0.70, 0.84)
-CORE, PIN = (0.55, 0.66, 0.78), (0.80, 0.45, 0.30)
 APART = 0.75
 """How far the halves are drawn, of the body's largest edge."""
 
@@ -34,17 +33,17 @@ def pieces(spec: ObjectSpec, apart_mm: float) -> list[Piece]:
     core = {part.name: part for part in parts_of(spec)}["core"]
     inside = core.make() if frame.opening != "closed" else core_outside(spec)
     shown = [
-        piece(make_mould_half(spec, 1), HALF, apart_mm * normal),
-        piece(make_mould_half(spec, -1), OTHER_HALF, -apart_mm * normal),
-        piece(inside, CORE, np.zeros(3)),
+        piece(make_mould_half(spec, 1), COLOURS["mould_half_a"], apart_mm * normal),
+        piece(make_mould_half(spec, -1), COLOURS["mould_half_b"], -apart_mm * normal),
+        piece(inside, COLOURS["core"], np.zeros(3)),
     ]
     if frame.plugged:
         made = make_mould_holder(spec) if frame.opening == "bore" else make_mould_plug(spec)
-        shown.append(piece(made, ROD, np.zeros(3)))
+        shown.append(piece(made, COLOURS["mould_holder"], np.zeros(3)))
     for pin in loose_pins(spec):
         side = float(np.sign(np.round(pin.axis_mm[1] @ normal, 6)))
         drawn_mm = side * apart_mm * normal + 16.0 * pin.way
-        shown.append(piece(make_pin(spec, pin), PIN, drawn_mm))
+        shown.append(piece(make_pin(spec, pin), COLOURS["pin"], drawn_mm))
     return shown
 
 

@@ -100,7 +100,7 @@ def magnet_field(spec: ObjectSpec, points_mm: ArrayLike) -> xr.DataArray:
     import xarray as xr
 
     from design.errors import InputError
-    from design.layout.positions import magnet_layout
+    from design.layout.places.positions import magnet_layout
     from estimator.field.models import FieldModel, sum_over_magnets
     from estimator.field.sources import magnet_source
 
@@ -241,8 +241,8 @@ def fit_estimator(
     True
     """
     from estimator.frames.splits import split_presses
-    from estimator.networks.training import FitSettings
-    from estimator.networks.training import fit_estimator as fit
+    from estimator.networks.training.face import FitSettings
+    from estimator.networks.training.face import fit_estimator as fit
 
     frames = _frames(data)
     split = split_presses(frames, seed)

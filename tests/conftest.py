@@ -60,7 +60,7 @@ def pytest_sessionfinish(session):
     folder = session.config.getoption("--verification-page")
     outcomes = session.config.stash[VERIFICATION_OUTCOMES]
     if folder and outcomes:
-        from tests.support.verification import write_page
+        from tests.support.verification.proof import write_page
 
         write_page(outcomes, folder)
 

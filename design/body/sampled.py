@@ -194,6 +194,8 @@ def _frame(body: BodyKind, number: int, inward_mm: float) -> FaceFrame:
     normal, x, y = face_axes(number)
     half = np.asarray(body.size_mm) / 2
     reach = [_REACH_SHARE * (float(abs(axis) @ half) - inward_mm) for axis in (x, y)]
+    if min(reach) <= 0:
+        raise _no_patch(number)
     nodes = [np.linspace(-r, r, 2 * _steps(r) + 1) for r in reach]
     u, v = np.meshgrid(*nodes, indexing="ij")
     top = float(abs(normal) @ half)
@@ -201,10 +203,7 @@ def _frame(body: BodyKind, number: int, inward_mm: float) -> FaceFrame:
     height = _traced(field, inward_mm, start.reshape(-1, 3), normal).reshape(u.shape)
     share = _known_share(nodes, height)
     if share < 0.2:
-        raise InputError(
-            f"the surface about face {number} is too steep or too small for a patch. Leave the face out "
-            "with body.sensed_faces, or turn the body"
-        )
+        raise _no_patch(number)
     middle = height[len(nodes[0]) // 2, len(nodes[1]) // 2]
     filled = _filled(height)
     spline = RectBivariateSpline(nodes[0], nodes[1], filled - middle, s=0)
@@ -212,6 +211,13 @@ def _frame(body: BodyKind, number: int, inward_mm: float) -> FaceFrame:
     centre = (top + middle) * normal
     return FaceFrame(
         number, normal, x, y, centre, extents, SampledRelief(spline, extents), round=True
+    )
+
+
+def _no_patch(number: int) -> InputError:
+    return InputError(
+        f"the surface about face {number} is too steep or too small for a patch. Leave the face out "
+        "with body.sensed_faces, or turn the body"
     )
 
 

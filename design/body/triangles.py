@@ -31,6 +31,12 @@ class Block:
     def volume_mm3(self) -> float:
         return float(8 * np.prod(self.half_mm))
 
+    @property
+    def corners_mm(self) -> Float[np.ndarray, "8 3"]:
+        """Corners in the object's frame, those of the lower side first."""
+        signs = np.array([[x, y, z] for z in (-1, 1) for x in (-1, 1) for y in (-1, 1)])
+        return self.centre_mm + (signs * self.half_mm) @ self.axes.T
+
     def holds(
         self, points_mm: Float[np.ndarray, "n 3"], margin_mm: float = 0.0
     ) -> Bool[np.ndarray, "n"]:

@@ -6,12 +6,13 @@ from dataclasses import dataclass, fields
 from pathlib import Path
 
 from design.build.manifest import BuildManifest
-from design.layout.positions import magnet_layout, sensor_layout, shell_body_layout
+from design.layout.places.positions import magnet_layout, sensor_layout, shell_body_layout
 from design.layout.volumes import sealed_volume_mm3
 from design.spec.object import ObjectSpec
 from design.tables import write_table
 
-BOM_NAME = "bom.csv"
+SCREWS = 4
+"""Through the flanges of a mould's halves."""
 
 
 @dataclass(frozen=True)
@@ -143,4 +144,6 @@ def _prints(spec: ObjectSpec, manifest: BuildManifest) -> list[Item]:
 def _screws(spec: ObjectSpec, manifest: BuildManifest) -> list[Item]:
     if "mould_half_a" not in {part.name for part in manifest.parts}:
         return []
-    return [Item("M3 × 16 screw with nut", 4, note="through the flanges of the mould's halves")]
+    return [
+        Item("M3 × 16 screw with nut", SCREWS, note="through the flanges of the mould's halves")
+    ]

@@ -12,7 +12,9 @@ import numpy as np
 
 from design.build.manifest import BuildManifest, PartManifest, remove_manifest
 from design.build.parts import Part, parts_of
-from design.build.scene import ASSEMBLY_NAME, assembly_scene, write_3mf, write_glb
+from design.build.print_settings import PrintSettings, print_settings
+from design.build.scene import ASSEMBLY_NAME, assembly_scene, write_glb
+from design.build.slicer_file import write_3mf
 from design.errors import InputError
 from design.files import atomic_path
 from design.spec.fabrication import ExportSpec
@@ -49,7 +51,7 @@ def build_object(
     written, meshes = [], {}
     for part in parts:
         progress(f"writing {part.name}")
-        manifest, meshes[part.name] = write_part(part, solids[part.name], Path(folder), spec.export)
+        manifest, meshes[part.name] = write_part(part, solids[part.name], Path(folder), spec)
         written.append(manifest)
     progress("writing the assembly")
     write_glb(assembly_scene(spec, meshes), Path(folder) / ASSEMBLY_NAME)
@@ -61,7 +63,7 @@ def build_object(
 
 
 def write_part(
-    part: Part, solid: cq.Solid | trimesh.Trimesh, folder: Path, export: ExportSpec
+    part: Part, solid: cq.Solid | trimesh.Trimesh, folder: Path, spec: ObjectSpec
 ) -> tuple[PartManifest, trimesh.Trimesh]:
     """Write one part as STEP, STL and 3MF; measure both the solid and the STL as read back.
 
@@ -73,11 +75,11 @@ def write_part(
         The folder cannot be written, or the part touches itself so that its surface is not closed.
     """
     if not isinstance(solid, cq.Shape):
-        return _write_triangles(part, solid, folder)
+        return _write_triangles(part, solid, folder, spec)
     # The bounding box is read first: a triangulated shape would be measured by its triangles.
     box, centre = solid.BoundingBox(), solid.Center()
-    mesh = _write_stl(solid, folder / f"{part.name}.stl", export)
-    write_3mf(mesh, part.name, folder / f"{part.name}.3mf")
+    mesh = _write_stl(solid, folder / f"{part.name}.stl", spec.export)
+    printing = _write_3mf(part, mesh, folder, spec)
     _write_step(solid, folder / f"{part.name}.step")
     manifest = PartManifest(
         name=part.name,
@@ -91,17 +93,18 @@ def write_part(
         stl_triangles=len(mesh.faces),
         material=part.material,
         count=part.count,
+        printing=printing,
     )
     return manifest, mesh
 
 
 def _write_triangles(
-    part: Part, surface: trimesh.Trimesh, folder: Path
+    part: Part, surface: trimesh.Trimesh, folder: Path, spec: ObjectSpec
 ) -> tuple[PartManifest, trimesh.Trimesh]:
     with atomic_path(folder / f"{part.name}.stl") as path:
         surface.export(path)
         written = _closed(path, part.name)
-    write_3mf(surface, part.name, folder / f"{part.name}.3mf")
+    printing = _write_3mf(part, surface, folder, spec)
     (x0, y0, z0), (x1, y1, z1) = surface.bounds.tolist()
     cx, cy, cz = surface.center_mass.tolist()
     manifest = PartManifest(
@@ -116,8 +119,17 @@ def _write_triangles(
         stl_triangles=len(written.faces),
         material=part.material,
         count=part.count,
+        printing=printing,
     )
     return manifest, written
+
+
+def _write_3mf(
+    part: Part, mesh: trimesh.Trimesh, folder: Path, spec: ObjectSpec
+) -> PrintSettings | None:
+    settings = print_settings(spec, part.name, mesh, part.material == "printed")
+    write_3mf(mesh, part.name, folder / f"{part.name}.3mf", settings, spec.printer.bed_mm[:2])
+    return settings
 
 
 def _write_step(solid: cq.Solid, target: Path) -> None:

@@ -6,6 +6,7 @@ import json
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
+from design.build.print_settings import PrintSettings
 from design.errors import InputError
 from design.files import atomic_path
 
@@ -18,7 +19,8 @@ Vector = tuple[float, float, float]
 class PartManifest:
     """One part: figures of the exact solid, and of the STL that was written from it.
 
-    `material` is "printed" or "silicone"; `count` pieces of it are needed.
+    `material` is "printed" or "silicone"; `count` pieces of it are needed. `printing` are the settings
+    in its 3MF, None where no printer by filament makes it.
     """
 
     name: str
@@ -32,6 +34,7 @@ class PartManifest:
     stl_triangles: int
     material: str = "printed"
     count: int = 1
+    printing: PrintSettings | None = None
 
     @property
     def size_mm(self) -> Vector:
@@ -121,7 +124,13 @@ def remove_manifest(folder: Path | str) -> None:
 def _part_from(content: dict[str, object]) -> PartManifest:
     low, high = content.pop("bounding_box_mm")  # type: ignore[misc]
     centre = content.pop("centre_of_mass_mm")
+    printing = content.pop("printing", None)
+    if isinstance(printing, dict):
+        settings = PrintSettings(**{**printing, "down": _vector(printing["down"])})
+    else:
+        settings = None
     return PartManifest(
+        printing=settings,
         bounding_box_mm=(_vector(low), _vector(high)),
         centre_of_mass_mm=_vector(centre),
         **content,  # type: ignore[arg-type]

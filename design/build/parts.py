@@ -17,6 +17,7 @@ from design.mould.pins import loose_pins, make_pin, pin_kinds
 from design.mould.plug import make_mould_holder, make_mould_plug
 from design.mould.whole import has_mould
 from design.solids.core import make_core
+from design.solids.curved_template import curved_template_faces, make_curved_template
 from design.solids.jig import make_jig
 from design.solids.magnet_template import make_magnet_template, template_faces
 from design.solids.probes import make_probe
@@ -98,13 +99,19 @@ def _pins(spec: ObjectSpec) -> list[Part]:
 
 
 def _templates(spec: ObjectSpec) -> list[Part]:
-    if not all(frame.flat for frame in face_frames(spec)):
+    """Of all faces where they are flat; of curved ones where the specification asks for it."""
+    flat = all(frame.flat for frame in face_frames(spec))
+    if not (flat or spec.mould.magnet_templates == "all"):
         return []
-    groups = template_faces(spec)
+    groups, make = (
+        (template_faces(spec), make_magnet_template)
+        if flat
+        else (curved_template_faces(spec), make_curved_template)
+    )
     return [
         Part(
             "magnet_template" if len(groups) == 1 else f"magnet_template_face_{first}",
-            partial(make_magnet_template, spec, first),
+            partial(make, spec, first),
         )
         for first in groups
     ]

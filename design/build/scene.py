@@ -1,11 +1,9 @@
-"""Meshes for other programs: 3MF of a part for the slicer, GLB of the assembled object to look at."""
+"""Scene of the assembled object, and its GLB to look at."""
 
 from __future__ import annotations
 
-import zipfile
 from pathlib import Path
 from typing import TYPE_CHECKING
-from xml.sax.saxutils import quoteattr
 
 import numpy as np
 from jaxtyping import Float
@@ -13,7 +11,7 @@ from jaxtyping import Float
 from design.errors import StoreError
 from design.files import atomic_path
 from design.layout.boards import board_blocks
-from design.layout.positions import MagnetLayout, magnet_layout
+from design.layout.places.positions import MagnetLayout, magnet_layout
 from design.spec.object import ObjectSpec
 
 if TYPE_CHECKING:
@@ -27,50 +25,6 @@ _SOUTH = (0.16, 0.32, 0.72, 1.0)
 _BOARD = (0.10, 0.45, 0.22, 1.0)
 _GLTF_FRAME = np.array([[1e-3, 0, 0, 0], [0, 0, 1e-3, 0], [0, -1e-3, 0, 0], [0, 0, 0, 1.0]])
 """Millimetres with z up to glTF's metres with y up."""
-
-_MODEL = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02"
-_PACKAGE = "http://schemas.openxmlformats.org/package/2006"
-_MODEL_TYPE = "application/vnd.ms-package.3dmanufacturing-3dmodel+xml"
-_FIRST_DATE = (1980, 1, 1, 0, 0, 0)
-
-
-def write_3mf(mesh: trimesh.Trimesh, name: str, target: Path) -> None:
-    """One object in millimetres, by the 3MF core specification; equal meshes give equal files.
-
-    Raises
-    ------
-    StoreError
-        The folder cannot be written.
-    """
-    corners = "".join(f'<vertex x="{x:.6g}" y="{y:.6g}" z="{z:.6g}"/>' for x, y, z in mesh.vertices)
-    triangles = "".join(f'<triangle v1="{a}" v2="{b}" v3="{c}"/>' for a, b, c in mesh.faces)
-    model = (
-        f'<?xml version="1.0" encoding="UTF-8"?><model unit="millimeter" xmlns="{_MODEL}"><resources>'
-        f'<object id="1" name={quoteattr(name)} type="model"><mesh><vertices>{corners}</vertices>'
-        f"<triangles>{triangles}</triangles></mesh></object></resources>"
-        '<build><item objectid="1"/></build></model>'
-    )
-    types = (
-        f'<?xml version="1.0" encoding="UTF-8"?><Types xmlns="{_PACKAGE}/content-types">'
-        '<Default Extension="rels" '
-        'ContentType="application/vnd.openxmlformats-package.relationships+xml"/>'
-        f'<Default Extension="model" ContentType="{_MODEL_TYPE}"/></Types>'
-    )
-    relations = (
-        f'<?xml version="1.0" encoding="UTF-8"?><Relationships xmlns="{_PACKAGE}/relationships">'
-        '<Relationship Id="rel0" Target="/3D/3dmodel.model" '
-        'Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>'
-    )
-    contents = {
-        "[Content_Types].xml": types,
-        "_rels/.rels": relations,
-        "3D/3dmodel.model": model,
-    }
-    with atomic_path(target) as path, zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
-        for inside, text in contents.items():
-            entry = zipfile.ZipInfo(inside, _FIRST_DATE)
-            entry.compress_type = zipfile.ZIP_DEFLATED
-            archive.writestr(entry, text)
 
 
 def assembly_scene(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> trimesh.Scene:
@@ -125,11 +79,9 @@ def magnet_halves(
     else:
         body = trimesh.creation.cylinder(magnets.diameter_mm / 2, 2 * quarter, sections=48)
     halves = []
-    for centre, axis, side in zip(layout.centre_mm, layout.axis, layout.side, strict=True):
-        frame = np.column_stack([side, np.cross(axis, side), axis])
-        halves.append(
-            tuple(_moved(body, frame, centre + sign * quarter * axis) for sign in (1, -1))
-        )
+    for centre, frame in zip(layout.centre_mm, layout.frames, strict=True):
+        up = quarter * frame[:, 2]
+        halves.append(tuple(_moved(body, frame, centre + sign * up) for sign in (1, -1)))
     return halves
 
 

@@ -40,7 +40,7 @@ class MagnetPart:
         return known
 
 
-_STOCK = "stock size of many sellers"
+STOCK = "stock size of many sellers"
 _DISKS = {
     3.0: (1.0, 1.5, 2.0, 3.0),
     4.0: (1.0, 1.5, 2.0, 3.0),
@@ -54,16 +54,16 @@ MAGNET_PARTS = {
     part.name: part
     for part in (
         *(
-            MagnetPart(f"D{diameter:g}x{height:g}", "disk", (diameter,), height, None, _STOCK)
+            MagnetPart(f"D{diameter:g}x{height:g}", "disk", (diameter,), height, None, STOCK)
             for diameter, heights in _DISKS.items()
             for height in heights
         ),
         *(
-            MagnetPart(f"R{outer:g}x{inner:g}x{height:g}", "ring", (outer, inner), height, None, _STOCK)
+            MagnetPart(f"R{outer:g}x{inner:g}x{height:g}", "ring", (outer, inner), height, None, STOCK)
             for outer, inner, height in ((6.0, 2.0, 2.0), (8.0, 4.0, 2.0), (10.0, 4.0, 2.0))
         ),
         *(
-            MagnetPart(f"B{x:g}x{y:g}x{height:g}", "block", (x, y), height, None, _STOCK)
+            MagnetPart(f"B{x:g}x{y:g}x{height:g}", "block", (x, y), height, None, STOCK)
             for x, y, height in ((5.0, 5.0, 1.0), (5.0, 5.0, 2.0), (5.0, 5.0, 5.0), (8.0, 4.0, 2.0))
         ),
         MagnetPart("MP 12x5x2 / N38", "ring", (12.0, 5.0), 2.0, "N38", "Dhit, catalogue no. 030498"),

@@ -1,7 +1,8 @@
 """Order numbers and guide prices of parts that are bought: maker's number, pack, price range, date.
 
 Prices are what one piece (or the smallest pack) costs at distributors and shops in Europe without
-shipping, from experience and not asked for again at `PRICED`: they rank plans and size a budget.
+shipping, from experience and not asked for again at `PRICED`: they rank plans and size a budget. Check
+number, price and stock before you order.
 """
 
 from __future__ import annotations
@@ -37,14 +38,21 @@ def _tmag(letter: str, version: int) -> Order:
     return Order(f"Hall sensor {name}", "Texas Instruments", f"{name}QDBVR", (0.9, 2.2))
 
 
-MUX, SHIFTER, BUFFER, RESISTOR, WIRE, STRIP = (
+MUX, SHIFTER, BUFFER, RESISTOR, WIRE, STRIP, SCREW, GLUE, PRIMER, ADHESIVE, RELEASE = (
     "multiplexer board",
     "level shifter",
     "supply buffer",
     "pull-up resistor",
     "wire",
     "stripboard",
+    "M3 x 16",
+    "instant adhesive",
+    "primer",
+    "silicone adhesive",
+    "release agent",
 )
+SILICONE_KIT_G = 900.0
+"""Of both parts together, in the kits below."""
 
 ORDERS = {
     **{f"TMAG5273{letter}{v}": _tmag(letter, v) for letter in "ABCD" for v in (1, 2)},
@@ -65,12 +73,31 @@ ORDERS = {
     "Dragon Skin 30": Order("Dragon Skin 30, 0.9 kg kit", "Smooth-On", "Dragon Skin 30", (35.0, 55.0)),
     "magnet": Order("magnet, by size and grade", "various", "see the specification", (0.1, 0.5)),
     "sensor board": Order("printed circuit board of a sensor", "any board house", "own drawing", (0.5, 3.0)),
-    "filament": Order("PETG filament 1.75 mm, 1 kg", "various", "PETG 1.75 mm", (15.0, 28.0)),
-    "M3 x 16": Order("M3 × 16 screw with nut, 20 pieces", "various", "ISO 4762 / ISO 4032", (2.0, 5.0), 20),
+    "TPU 85A": Order("TPU filament 85A 1.75 mm, 0.5 kg", "NinjaTek", "NinjaFlex 85A", (40.0, 65.0)),
+    "fdm": Order("PETG filament 1.75 mm, 1 kg", "various", "PETG 1.75 mm", (15.0, 28.0)),
+    "resin": Order("resin for the printer, 1 kg", "various", "as the printer's maker says", (25.0, 60.0)),
+    "sls": Order("PA12 prints of a service", "various", "the parts' 3MF files", (40.0, 150.0)),
+    "USB mega2560": Order("USB cable A to B", "various", "USB 2.0 A–B", (3.0, 7.0)),
+    "USB pico": Order("USB cable A to micro-B", "various", "USB 2.0 A–micro-B", (3.0, 7.0)),
+    SCREW: Order(
+        "M3 × 16 screw with nut, 20 pieces", "various", "ISO 4762 / ISO 4032", (2.0, 5.0),
+        20, "flanges of the mould's halves",
+    ),
+    GLUE: Order(
+        "instant adhesive, 20 g", "Henkel", "Loctite 401", (9.0, 20.0),
+        note="boards or magnets into the core",
+    ),
+    PRIMER: Order(
+        "primer for addition-cure silicone, 310 ml", "Dow", "DOWSIL 92-023", (60.0, 120.0),
+        note="on the core; or what the silicone's maker names",
+    ),
+    ADHESIVE: Order(
+        "silicone adhesive, 85 g", "Smooth-On", "Sil-Poxy", (22.0, 40.0),
+        note="between core and shell",
+    ),
+    RELEASE: Order(
+        "release agent, 400 ml", "Mann", "Ease Release 200", (18.0, 35.0),
+        note="on the mould, never on the core",
+    ),
 }  # fmt: skip
 """Parts that many makers sell alike have the standard or the trade name in place of a number."""
-
-
-def order_of(name: str) -> Order | None:
-    """How a part is ordered; None where the catalogue has no number for it."""
-    return ORDERS.get(name)

@@ -12,8 +12,8 @@ from design.layout.blocks import block_manifold
 from design.layout.boards import Mounted, mounted_sensors, wire_bundle_mm
 from design.layout.body import face_frames
 from design.layout.mould_frame import play_mm
+from design.layout.places.positions import cover_mm
 from design.layout.pockets import Pocket, distance_of_axes_mm, shell_pockets
-from design.layout.positions import cover_mm
 from design.spec.object import ObjectSpec
 
 if TYPE_CHECKING:

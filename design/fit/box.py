@@ -8,7 +8,7 @@ from math import cos, sin
 from typing import TYPE_CHECKING
 
 from design.layout.body import core_frames, face_frames
-from design.layout.contact_places import place_problems
+from design.layout.places.contact_places import place_problems
 from design.layout.pockets import (
     Pocket,
     core_pockets,

@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from design.layout.body import body_of, core_frames, face_frames
-from design.layout.contact_places import place_problems, stays_on_patch, touched_reach_mm
+from design.layout.places.contact_places import place_problems, stays_on_patch, touched_reach_mm
+from design.layout.places.positions import board_places, cover_mm
 from design.layout.pockets import Pocket, distance_of_segments_mm, shell_pockets
-from design.layout.positions import board_places, cover_mm
 
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec

@@ -21,15 +21,20 @@ def problems_of(spec: ObjectSpec, table: bool = True) -> list[str]:
     Without room for a core nothing else can be judged. Without `table`, whether the indenter can be
     pressed at every contact location is left open.
     """
-    found: list[str] = []
-    checks = (check_box_core if body_of(spec).cuboid else check_body_core)(spec)
+    return list(dict.fromkeys(_problems(spec, table)))
+
+
+def fits(spec: ObjectSpec, table: bool = True) -> bool:
+    """Whether `problems_of` would find nothing; quicker where it would, as the first one decides."""
+    return next(_problems(spec, table), None) is None
+
+
+def _problems(spec: ObjectSpec, table: bool) -> Iterator[str]:
     try:
-        found += checks
-        if not found:
-            found += _all_checks(spec, table)
+        core = [*(check_box_core if body_of(spec).cuboid else check_body_core)(spec)]
+        yield from core or _all_checks(spec, table)
     except ValueError as error:  # no core lies that deep within the file's surface
-        found.append(str(error))
-    return list(dict.fromkeys(found))
+        yield str(error)
 
 
 def _all_checks(spec: ObjectSpec, table: bool) -> Iterator[str]:

@@ -12,12 +12,12 @@ from jaxtyping import Float
 
 from design.body.triangles import Block
 from design.layout.blocks import relief_slits
-from design.layout.boards import mounted_sensors, sensor_recesses
-from design.layout.body import body_of, face_frames
+from design.layout.boards import channel_heights_mm, mounted_sensors, sensor_recesses
+from design.layout.body import body_of, core_frames, face_frames
 from design.layout.dents import dents_mm
 from design.layout.mould_frame import opening_of
+from design.layout.places.positions import cover_mm
 from design.layout.pockets import Pocket, sensor_places, shell_pockets
-from design.layout.positions import cover_mm
 
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
@@ -204,10 +204,20 @@ def _check_seal_layer(spec: ObjectSpec) -> Iterator[str]:
 
 def _check_channels(spec: ObjectSpec) -> Iterator[str]:
     core = spec.core
-    if core.wire_channel_width_mm and core.wire_channel_depth_mm >= core.wall_mm:
+    if not core.wire_channel_width_mm:
+        return
+    deepest = max(
+        -channel_heights_mm(spec, frame, np.array([x, y]), 0.0)[0]
+        for frame, places in zip(core_frames(spec), sensor_places(spec), strict=True)
+        for x, y, _ in places
+    )
+    if deepest >= core.wall_mm:
+        fall = deepest - core.wire_channel_depth_mm
+        curved = f" and {fall:.3g} mm of the curved core's fall" if fall > 0 else ""
         yield (
-            f"core.wire_channel_depth_mm must be below core.wall_mm = {core.wall_mm:g}; got "
-            f"{core.wire_channel_depth_mm:g}. Make the channels shallower or the wall thicker"
+            f"core.wire_channel_depth_mm{curved} must be below core.wall_mm = {core.wall_mm:g}; got "
+            f"{core.wire_channel_depth_mm:g}. Make the channels shallower, the wall thicker, or move the "
+            "sensors inwards"
         )
 
 
@@ -233,15 +243,15 @@ def _check_recesses_off_passages(spec: ObjectSpec) -> Iterator[str]:
 
 def _check_boards_in_core(spec: ObjectSpec) -> Iterator[str]:
     """Boards and chips wholly in the core, floors of recesses below its surface."""
-    recesses = (
-        ("the recess", Block(r.centre_mm, r.axes, r.half_mm)) for r in sensor_recesses(spec)
-    )
-    for mounted, recess in zip(mounted_sensors(spec), recesses, strict=True):
-        for what, block in (("the board", mounted.board), ("the chip", mounted.chip), recess):
-            corners = _corners_mm(block)[:4] if what == "the recess" else _corners_mm(block)
+    for mounted, recess in zip(mounted_sensors(spec), sensor_recesses(spec), strict=True):
+        for what, corners in (
+            ("the board", mounted.board.corners_mm),
+            ("the chip", mounted.chip.corners_mm),
+            ("the recess", recess.corners_mm[:4]),
+        ):
             if not np.isfinite(corners).all():
                 break  # beyond its patch, which is told with the sinking of boards
-            beyond = _beyond_core_mm(spec, corners)
+            beyond = beyond_core_mm(spec, corners)
             worst = int(np.argmax(beyond))
             if beyond[worst] > _FLUSH_MM:
                 place = ", ".join(f"{float(p):.3g}" for p in corners[worst])
@@ -253,17 +263,11 @@ def _check_boards_in_core(spec: ObjectSpec) -> Iterator[str]:
                 break
 
 
-def _beyond_core_mm(spec: ObjectSpec, points_mm: np.ndarray) -> np.ndarray:
+def beyond_core_mm(spec: ObjectSpec, points_mm: np.ndarray) -> np.ndarray:
     """How far points lie outside the core, or the base with its border (mm)."""
     body = body_of(spec)
     beside = np.max(abs(points_mm) - body.half_mm, axis=1)
     return np.maximum(body.core_distance_mm(points_mm), beside)
-
-
-def _corners_mm(block: Block) -> Float[np.ndarray, "8 3"]:
-    """Corners of a block, those of its lower side first."""
-    signs = np.array([[x, y, z] for z in (-1, 1) for x in (-1, 1) for y in (-1, 1)])
-    return block.centre_mm + (signs * block.half_mm) @ block.axes.T
 
 
 def _recess(spec: ObjectSpec, x: float, y: float, azimuth: float) -> Corners:

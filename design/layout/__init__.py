@@ -1,1 +1,1 @@
-"""Positions of everything: contact grids, magnets, sensors, pockets, boards, tips."""
+"""Room that parts take: boards, pockets, tips, moulds, and the bodies that hold them."""

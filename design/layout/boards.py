@@ -3,6 +3,7 @@ that are left between recesses."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import combinations
 
@@ -11,13 +12,20 @@ from jaxtyping import Float
 
 from design.body.surface_chart import FaceFrame
 from design.body.triangles import Block
-from design.layout.pockets import board_frame
-from design.layout.positions import board_places, mounted_stack, shell_body_layout
+from design.layout.body import core_frames
+from design.layout.places.positions import (
+    board_places,
+    board_sinks_mm,
+    mounted_stack,
+    shell_body_layout,
+)
+from design.layout.pockets import board_frame, sensor_places
 from design.spec.object import ObjectSpec
 from design.spec.worked_out import once
 
 PACKING = 0.7
 """Share of a round hole that loose wires fill, at most (densest packing of equal circles: 0.91)."""
+_AT_THE_HOLE_MM = 1e-3
 
 
 @dataclass(frozen=True)
@@ -85,46 +93,49 @@ def wire_bundle_mm(spec: ObjectSpec) -> float:
 
 
 @dataclass(frozen=True)
-class Recess:
-    """The box of one sensor's recess: centre (mm), axes as columns, half edges (mm)."""
+class Recess(Block):
+    """The box of one sensor's recess, and the face that it is in."""
 
     face: int
-    centre_mm: Float[np.ndarray, "3"]
-    axes: Float[np.ndarray, "3 3"]
-    half_mm: Float[np.ndarray, "3"]
 
 
 @once
 def sensor_recesses(spec: ObjectSpec) -> tuple[Recess, ...]:
     """Every recess of the core, face by face, in the object's frame (sensors in the core)."""
+    return _recesses(spec, board_sinks_mm(spec))
+
+
+def _recesses(spec: ObjectSpec, sinks_mm: tuple[tuple[float, ...], ...]) -> tuple[Recess, ...]:
     core = spec.core
     length = core.recess_outer_radius_mm - core.recess_inner_radius_mm
     found = []
-    for frame, places in board_places(spec):
-        for (x, y, azimuth), sink in places:
+    for frame, places, sinks in zip(core_frames(spec), sensor_places(spec), sinks_mm, strict=True):
+        for (x, y, azimuth), sink in zip(places, sinks, strict=True):
             depth = core.recess_depth_mm + sink
             half = np.array([length, core.recess_width_mm, depth]) / 2
             cosine, sine = np.cos(azimuth), np.sin(azimuth)
             turn = np.array([[cosine, -sine, 0.0], [sine, cosine, 0.0], [0.0, 0.0, 1.0]])
             aside = core.recess_inner_radius_mm + length / 2 - spec.sensors.radius_mm
             local = np.array([x + aside * cosine, y + aside * sine, -depth / 2])
-            found.append(
-                Recess(frame.number, np.asarray(frame.to_object(local)), frame.axes @ turn, half)
-            )
+            centre = np.asarray(frame.to_object(local))
+            found.append(Recess(centre, frame.axes @ turn, half, frame.number))
     return tuple(found)
 
 
-def smallest_recess_wall_mm(spec: ObjectSpec) -> float:
+def smallest_recess_wall_mm(spec: ObjectSpec, sunk: bool = True) -> float:
     """Largest gap that a plane between two recesses has, for the two that are nearest.
+
+    Without `sunk`, of recesses as deep as on a flat core, which lie within the true ones.
 
     Negative where recesses meet, by how far one must move. Not above the true distance of two
     boxes, and less than it where they face each other with two edges or corners.
     """
-    pairs = combinations(sensor_recesses(spec), 2)
-    return min(_gap_mm(a, b) for a, b in pairs)
+    flat = tuple((0.0,) * len(places) for places in sensor_places(spec))
+    recesses = sensor_recesses(spec) if sunk else _recesses(spec, flat)
+    return min(_gap_mm(a, b) for a, b in combinations(recesses, 2))
 
 
-def _gap_mm(a: Recess, b: Recess) -> float:
+def _gap_mm(a: Block, b: Block) -> float:
     """Of the separating-axis theorem: the largest gap along any normal or product of edges."""
     crossed = np.cross(a.axes.T[:, None], b.axes.T[None]).reshape(-1, 3)
     directions = np.concatenate([a.axes.T, b.axes.T, crossed])
@@ -133,3 +144,41 @@ def _gap_mm(a: Recess, b: Recess) -> float:
     apart = abs(directions @ (b.centre_mm - a.centre_mm))
     reach = abs(directions @ a.axes) @ a.half_mm + abs(directions @ b.axes) @ b.half_mm
     return float((apart - reach).max())
+
+
+def wire_channels(
+    spec: ObjectSpec, frame: FaceFrame, places: Sequence[tuple[float, float, float]], over_mm: float
+) -> list[Block]:
+    """Channels from the wire hole in the middle of a core's face to the recesses at these places.
+
+    Their floors are level, and `core.wire_channel_depth_mm` or more below the surface all the way; they
+    end so far above it. A recess over the hole needs none.
+    """
+    width, away = spec.core.wire_channel_width_mm, [np.array(place[:2]) for place in places]
+    if not width:
+        return []
+    return [_channel(spec, frame, xy, over_mm) for xy in away if np.hypot(*xy) > _AT_THE_HOLE_MM]
+
+
+def _channel(
+    spec: ObjectSpec, frame: FaceFrame, xy_mm: Float[np.ndarray, "2"], over_mm: float
+) -> Block:
+    low, high = channel_heights_mm(spec, frame, xy_mm, over_mm)
+    length = float(np.hypot(*xy_mm))
+    (cosine, sine), width = xy_mm / length, spec.core.wire_channel_width_mm
+    turned = np.array([[cosine, -sine, 0], [sine, cosine, 0], [0, 0, 1.0]])
+    centre = frame.centre_mm + frame.axes @ np.append(xy_mm / 2, (low + high) / 2)
+    return Block(centre, frame.axes @ turned, np.array([length, width, high - low]) / 2)
+
+
+def channel_heights_mm(
+    spec: ObjectSpec, frame: FaceFrame, xy_mm: Float[np.ndarray, "2"], over_mm: float
+) -> tuple[float, float]:
+    """Floor and top of a wire channel over the plane that touches the core in the middle of a face.
+
+    The floor is level, and `core.wire_channel_depth_mm` or more below the surface all the way from the
+    wire hole to a place; the top is so far above it.
+    """
+    way = np.linspace(0.0, 1.0, 17)[:, None] * np.asarray(xy_mm, float)
+    heights = frame.relief.at(way)[0]
+    return float(heights.min()) - spec.core.wire_channel_depth_mm, float(heights.max()) + over_mm

@@ -7,13 +7,13 @@ floor of the pocket in the face's middle), through which the wires come out; the
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 from jaxtyping import Float
 
-from design.body.surface_chart import FaceFrame
+from design.body.surface_chart import Cap, FaceFrame
 from design.layout.body import body_of, core_frames, face_frames
 from design.layout.mould_frame import opening_of
 from design.layout.pockets import Pocket, shell_pockets
@@ -29,6 +29,8 @@ NOSE_MM = 4.0
 LOCATOR_NOSE_MM = 6.0
 LOCATOR_GAP_MM = 0.8
 """Between a locating pin and a pocket that it does not go through, at least."""
+_LEVEL = 0.02
+"""Lean of the surface in the middle of a face (rad) below which a pin and a pocket there are one."""
 LEAST_FLOOR = 0.3
 """Share of a pocket's floor that a locating pin leaves for the magnet to rest on, at least."""
 TOP_FACE = 1
@@ -38,8 +40,9 @@ TOP_FACE = 1
 class Locator:
     """A pin through the silicone into the core's wire hole in the middle of a face.
 
-    `depth_mm` is that of the core below the face; `pockets` are those that it meets, and with whose
-    pins it is one.
+    `frame` is flat: its normal is the line through the middles of the face and of the core's, also where
+    the surface leans there. `depth_mm` is that of the core below the face; `pockets` are those that
+    the pin meets, and with whose pins it is one.
     """
 
     frame: FaceFrame
@@ -127,7 +130,7 @@ def why_no_mould(spec: ObjectSpec) -> str | None:
         return (
             "no side of the body is open and pockets are in the way of every wire hole, so that nothing "
             "can hold the core in the mould. Move a face's pockets away from its middle, or exactly onto "
-            "it, or open face 6"
+            "it where the surface does not lean there, or open face 6"
         )
     return None
 
@@ -137,19 +140,20 @@ def _locator(
 ) -> Locator | None:
     radius = wire_hole_diameter_mm(spec, frame.number) / 2
     depth = float((frame.centre_mm - core.centre_mm) @ frame.normal)
-    met = []
+    lean = float(np.linalg.norm(frame.axes_at(np.zeros(2))[:, 2] - frame.normal))
+    clear, met = radius + LOCATOR_GAP_MM + lean * depth, []
     for pocket in pockets:
         away = _away_mm(pocket)
-        if pocket.axis[2] == 1 and away > radius + pocket.outline.radius_mm + LOCATOR_GAP_MM:
+        if pocket.axis[2] == 1 and away > clear + pocket.outline.radius_mm:
             continue
-        parallel = pocket.axis[2] == 1 and (frame.flat or away == 0)
+        parallel = pocket.axis[2] == 1 and (frame.flat or (away == 0 and lean < _LEVEL))
         within = away + radius <= min(pocket.outline.half_mm)
         if not parallel or not (pocket.outline.round or within):
             return None
         if _common_area_mm2(radius, pocket) > (1 - LEAST_FLOOR) * pocket.outline.area_mm2:
             return None
         met.append(pocket)
-    return Locator(frame, radius, depth, tuple(met))
+    return Locator(replace(frame, relief=Cap()), radius, depth, tuple(met))
 
 
 def _away_mm(pocket: Pocket) -> float:

@@ -16,14 +16,14 @@ import numpy as np
 from pydantic import ValidationError
 
 from design.body.kinds.registry import KINDS
-from design.errors import SpecError
-from design.fit.everything import problems_of
+from design.errors import InputError, SpecError
+from design.fit.everything import fits
 from design.layout.boards import wire_bundle_mm
-from design.layout.body import core_frames, face_frames
-from design.layout.contact_places import contact_places
-from design.layout.positions import board_sinks_mm
+from design.layout.body import body_of, core_frames, face_frames
+from design.layout.places.contact_places import contact_places
+from design.layout.places.positions import board_sinks_mm
 from design.placement.patterns import Shares, magnet_patterns, sensor_patterns
-from design.placement.room import tight_core, tight_middle, tight_shell
+from design.placement.room import tight_core, tight_middle, tight_rim, tight_shell
 from design.spec.base import explained
 from design.spec.object import ObjectSpec
 
@@ -95,11 +95,13 @@ def placed(request: Request) -> Tables:
     return found
 
 
-def first_fit(request: Request, shares: tuple[float, ...] = _SHARES) -> Tables | None:
-    """The same, or None where nothing fits that is tried at these shares of the faces' half extents."""
-    for trim in _TRIMS:
+def first_fit(
+    request: Request, trims: tuple[Trim, ...] = _TRIMS, shares: tuple[float, ...] = _SHARES
+) -> Tables | None:
+    """The same, or None where nothing fits of these trims and shares of the faces' half extents."""
+    for trim in trims:
         tables = _with_sensors(request, trim, shares)
-        tables = tables and _with_magnets(request, tables)
+        tables = tables and _with_magnets(request, tables, shares)
         tables = tables and _with_contacts(tables)
         if tables:
             return tables
@@ -144,21 +146,21 @@ def _with_sensors(request: Request, trim: Trim, shares: tuple[float, ...]) -> Ta
         halves = [np.array(frame.half_extents_mm) for frame in core_frames(start)]
     except ValidationError as error:
         raise SpecError("\n".join(map(explained, error.errors()))) from None
-    except SpecError:
+    except InputError:  # no core lies that deep, or a face of it has no patch
         return None
-    if min(min(half) for half in halves) <= 0:
+    room, _ = body_of(start).room_for_recesses
+    if min(min(half) for half in halves) <= 0 or room <= start.core.recess_depth_mm:
         return None
     for share, pattern in product(shares, sensor_patterns(request.sensors)):
         tables = body | _electronics(request, [share * half * pattern for half in halves])
         spec = spec_of(tables)
-        if tight_middle(spec):
+        if tight_middle(spec) or tight_core(spec, sunk=False):
             continue
         wall = _wall_mm(spec)
-        if wall is None:
+        if wall is None or tight_core(spec) or tight_rim(spec):
             continue
         tables["core"]["wall_mm"] = wall
-        spec = spec_of(tables)
-        if not problems_of(spec) and not tight_core(spec):
+        if fits(spec_of(tables)):
             return tables
     return None
 
@@ -191,23 +193,23 @@ def _hole_mm(sensors: int) -> float:
 
 def _wall_mm(spec: ObjectSpec) -> float | None:
     """Core wall that leaves a floor behind the deepest recess; None where a board finds no room."""
-    sink = max(max(sinks) for sinks in board_sinks_mm(spec))
-    if not np.isfinite(sink):
+    room, _ = body_of(spec).room_for_recesses
+    deepest = spec.core.recess_depth_mm + float(np.max(board_sinks_mm(spec)))
+    if not deepest < room:
         return None
-    needed = spec.core.recess_depth_mm + sink + _FLOOR_MM
-    return max(4.0, float(np.ceil(2 * needed)) / 2)
+    return max(4.0, float(np.ceil(2 * (deepest + _FLOOR_MM))) / 2)
 
 
-def _with_magnets(request: Request, tables: Tables) -> Tables | None:
+def _with_magnets(request: Request, tables: Tables, shares: tuple[float, ...]) -> Tables | None:
     diameter = tables["shell"]["pocket_diameter_mm"]
     counts = _COUNTS if request.magnets is None else (request.magnets,)
     half = np.min([frame.half_extents_mm for frame in face_frames(spec_of(tables))], axis=0)
-    for count, share in product(counts, _SHARES):
+    for count, share in product(counts, shares):
         for pattern in magnet_patterns(count):
             places = _rounded(share * half * pattern)
             magnets = {"diameter_mm": diameter, "positions_mm": places}
             spec = spec_of(tables | {"magnets": magnets})
-            if not problems_of(spec) and not tight_shell(spec):
+            if fits(spec) and not tight_shell(spec):
                 return tables | {"magnets": magnets}
     return None
 
@@ -222,7 +224,7 @@ def _with_contacts(tables: Tables) -> Tables | None:
             "press": {"depths_mm": [d for d in _DEPTHS_MM if d <= deepest and d < radius]},
         }
         spec = spec_of(tables | more)
-        if not problems_of(spec) and contact_places(spec).sum(axis=1).min() >= _LEAST_PLACES:
+        if fits(spec) and contact_places(spec).sum(axis=1).min() >= _LEAST_PLACES:
             return tables | more
     return None
 
@@ -238,17 +240,23 @@ def _too_small(request: Request) -> str:
     )
     message = f"a {request.kind} of {size} mm is too small for {what}. "
     low, high = 1.0, _GROWTH
-    while first_fit(_grown(request, high), _COARSE) is None:
+    while not _fits_roughly(_grown(request, high)):
         low, high = high, high * _GROWTH
         if high > _LARGEST_GROWTH:
             return f"{message}Ask for fewer"
     for _ in range(_HALVINGS):
         middle = (low + high) / 2
-        low, high = (low, middle) if first_fit(_grown(request, middle), _COARSE) else (middle, high)
+        works = _fits_roughly(_grown(request, middle))
+        low, high = (low, middle) if works else (middle, high)
     larger = _grown(request, high)
     size = " × ".join(f"{edge:g}" for edge in larger.size_mm)
     scale = f" (scale = {dict(larger.file)['scale']:.4g})" if request.file else ""
     return f"{message}The smallest of that shape that works is about {size} mm{scale}"
+
+
+def _fits_roughly(request: Request) -> bool:
+    """Whether the thinnest shell takes everything: it leaves the most room, and trying all is slow."""
+    return first_fit(request, _TRIMS[-1:], _COARSE) is not None
 
 
 def _grown(request: Request, growth: float) -> Request:

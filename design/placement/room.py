@@ -6,20 +6,31 @@ from itertools import combinations
 
 import numpy as np
 
-from design.layout.boards import smallest_recess_wall_mm
+from design.fit.parts import beyond_core_mm
+from design.layout.boards import sensor_recesses, smallest_recess_wall_mm
 from design.layout.body import body_of, face_frames
+from design.layout.places.positions import cover_mm
 from design.layout.pockets import distance_of_segments_mm, sensor_places, shell_pockets
-from design.layout.positions import cover_mm
 from design.spec.object import ObjectSpec
 
 _ROOMY = 1.25
 """Times the least that can be made, below which the checks of fabrication warn."""
 
 
-def tight_core(spec: ObjectSpec) -> bool:
-    """Whether a wall between two recesses is too thin to print."""
+def tight_core(spec: ObjectSpec, sunk: bool = True) -> bool:
+    """Whether a wall between two recesses is too thin to print.
+
+    Not `sunk`: as deep as on a flat core, which is quicker and never tighter.
+    """
     sensors = sum(len(places) for places in sensor_places(spec))
-    return sensors > 1 and smallest_recess_wall_mm(spec) < spec.printer.wall_mm
+    return sensors > 1 and smallest_recess_wall_mm(spec, sunk) < spec.printer.wall_mm
+
+
+def tight_rim(spec: ObjectSpec) -> bool:
+    """Whether a recess ends so near another side of the core that the wall there is too thin to print."""
+    floors = [recess.corners_mm[:4] for recess in sensor_recesses(spec)]
+    beyond = beyond_core_mm(spec, np.concatenate(floors))
+    return bool(beyond.max() > -_ROOMY * spec.printer.wall_mm)
 
 
 def tight_middle(spec: ObjectSpec) -> bool:

@@ -7,10 +7,11 @@ import numpy as np
 
 from design.body.surface_chart import FACE_AXES, FaceFrame
 from design.layout.blocks import core_keys
+from design.layout.boards import wire_channels
 from design.layout.body import body_of, core_frames
 from design.layout.core_hold import wire_hole_diameter_mm
+from design.layout.places.positions import board_places
 from design.layout.pockets import core_pockets
-from design.layout.positions import board_places
 from design.solids.body import core_hollow, core_solid
 from design.solids.primitives import (
     OVERSHOOT_MM,
@@ -22,8 +23,6 @@ from design.solids.primitives import (
     single_solid,
 )
 from design.spec.object import ObjectSpec
-
-_AT_THE_HOLE_MM = 1e-3
 
 
 def make_core(spec: ObjectSpec) -> cq.Solid:
@@ -39,7 +38,8 @@ def make_core(spec: ObjectSpec) -> cq.Solid:
     for frame, places in board_places(spec):
         if spec.arrangement == "sensors-in-core":
             cutters += [_sensor_recess(spec, frame, place, sink) for place, sink in places]
-            cutters += _wire_channels(spec, frame, tuple(place for place, _ in places))
+            channels = wire_channels(spec, frame, [place for place, _ in places], OVERSHOOT_MM)
+            cutters += [block_solid(channel) for channel in channels]
         cutters += _wire_passage(spec, frame)
     for frame, pockets in zip(frames, core_pockets(spec), strict=True):
         cutters += [pocket_solid(frame, pocket) for pocket in pockets]
@@ -84,27 +84,6 @@ def _sensor_recess(
         (core.recess_inner_radius_mm + offset, core.recess_outer_radius_mm + offset),
         (-core.recess_depth_mm - sink_mm, OVERSHOOT_MM),
     )
-
-
-def _wire_channels(
-    spec: ObjectSpec, frame: FaceFrame, places: tuple[tuple[float, float, float], ...]
-) -> list[cq.Solid]:
-    """Channels from the wire hole at the face's centre into every recess."""
-    core = spec.core
-    if not core.wire_channel_width_mm:
-        return []
-    heights = (-core.wire_channel_depth_mm, OVERSHOOT_MM)
-    return [
-        radial_box_on_face(
-            frame,
-            float(np.rad2deg(np.arctan2(y, x))),
-            core.wire_channel_width_mm,
-            (0.0, float(np.hypot(x, y))),
-            heights,
-        )
-        for x, y, _ in places
-        if np.hypot(x, y) > _AT_THE_HOLE_MM  # a recess over the wire hole needs none
-    ]
 
 
 def _wire_passage(spec: ObjectSpec, frame: FaceFrame) -> list[cq.Solid]:

@@ -29,7 +29,7 @@ CORNER_MM = 4.0
 def template_faces(spec: ObjectSpec) -> dict[int, tuple[int, ...]]:
     """First face → the faces of its size and layout, which one template serves."""
     groups: dict[tuple[float, ...], list[int]] = {}
-    for frame, pockets in _pockets_by_face(spec):
+    for frame, pockets in pockets_by_face(spec):
         alike = [frame.half_extents_mm, *(pocket.body.centre_mm for pocket in pockets)]
         groups.setdefault(tuple(np.concatenate(alike).round(6)), []).append(frame.number)
     return {numbers[0]: tuple(numbers) for numbers in groups.values()}
@@ -43,7 +43,7 @@ def make_magnet_template(spec: ObjectSpec, face: int) -> cq.Solid:
     InputError
         The dimensions do not give one valid solid.
     """
-    frame, pockets = next(pair for pair in _pockets_by_face(spec) if pair[0].number == face)
+    frame, pockets = next(pair for pair in pockets_by_face(spec) if pair[0].number == face)
     half = frame.half_extents_mm
     lip, drop, play = *LIP_MM, play_mm(spec)
     body = box_between((-half[0] - play - lip, -half[1] - play - lip, 0.0), (*half, PLATE_MM))
@@ -55,12 +55,13 @@ def make_magnet_template(spec: ObjectSpec, face: int) -> cq.Solid:
     marks = [
         bar
         for index, polarity in enumerate(spec.magnets.polarities)
-        for bar in _mark(_mark_place(pockets, index, half), polarity)
+        for bar in _mark(mark_place(pockets, index, half), polarity)
     ]
     return single_solid(body.fuse(*lips).cut(*holes, *marks, _corner(half)), "magnet_template")
 
 
-def _pockets_by_face(spec: ObjectSpec) -> list[tuple[FaceFrame, tuple[Pocket, ...]]]:
+def pockets_by_face(spec: ObjectSpec) -> list[tuple[FaceFrame, tuple[Pocket, ...]]]:
+    """Each face that magnets are set on, and their pockets."""
     in_shell = spec.arrangement == "sensors-in-core"
     frames = face_frames(spec) if in_shell else core_frames(spec)
     pockets = shell_pockets(spec) if in_shell else core_pockets(spec)
@@ -87,7 +88,7 @@ def _hole(pocket: Pocket, play: float) -> cq.Solid:
     return box_between(low, (x + half[0], y + half[1], height - OVERSHOOT_MM))
 
 
-def _mark_place(pockets: tuple[Pocket, ...], index: int, half: tuple[float, float]) -> np.ndarray:
+def mark_place(pockets: tuple[Pocket, ...], index: int, half: tuple[float, float]) -> np.ndarray:
     """Beside the hole, in the direction with most room to the other holes and the plate's edge."""
     centres = np.stack([_centre(pocket) for pocket in pockets])
     radii = np.array([pocket.outline.radius_mm for pocket in pockets])

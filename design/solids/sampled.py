@@ -12,11 +12,12 @@ from design.body.sampled import sampled_core
 from design.body.surface_chart import FaceFrame
 from design.body.triangles import block_surface
 from design.layout.blocks import core_keys, relief_slits
+from design.layout.boards import wire_channels
 from design.layout.body import body_of, face_frames
 from design.layout.core_hold import Locator, core_outlet, locators
 from design.layout.mould_frame import cast_corners_mm
+from design.layout.places.positions import board_places
 from design.layout.pockets import Pocket, shell_pockets
-from design.layout.positions import board_places
 
 if TYPE_CHECKING:
     import trimesh
@@ -80,6 +81,8 @@ def sampled_core_part(spec: ObjectSpec) -> trimesh.Trimesh:
     removed = []
     for frame, places in board_places(spec):
         removed += [_recess(spec, frame, place, sink) for place, sink in places]
+        channels = wire_channels(spec, frame, [place for place, _ in places], _OVERSHOOT_MM)
+        removed += [block_surface(channel) for channel in channels]
         removed.append(_wire_hole(spec, frame.centre_mm + _OVERSHOOT_MM * frame.normal))
     if 6 in spec.body.opened:
         removed.append(_hollow(spec))

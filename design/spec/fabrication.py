@@ -32,6 +32,7 @@ class MouldSpec(SpecPart):
     hole of `pour_mm`; vents of `vent_mm` (left out: the printer's narrowest hole) stand where air
     would be caught. `draft_deg` widens pins and rods from where they leave the silicone, dowels
     have `dowel_draft_deg`; walls that shape silicone have the draft of the object's own.
+    `magnet_templates` are printed of flat faces; with "all", sheets that hug curved ones too.
     """
 
     style: Literal["one-piece", "split"] | None = None
@@ -44,6 +45,7 @@ class MouldSpec(SpecPart):
     pour_mm: Thickness = 6.0
     vent_mm: Thickness | None = None
     silicone_waste: Annotated[float, Field(ge=0, le=2)] = 0.15
+    magnet_templates: Literal["flat", "all"] = "flat"
 
 
 class PrinterSpec(SpecPart):

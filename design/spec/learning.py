@@ -203,9 +203,29 @@ class TrainingSpec(SpecPart):
         return self
 
 
-class LimitsSpec(SpecPart):
-    """Go or no-go limits of the report."""
+Use = Literal["grasp", "touch", "presence"]
+LIMITS_OF_USE: dict[str, dict[str, float]] = {
+    "grasp": {"position_bound_mm": 1.5, "detectable_force_n": 5.0},
+    "touch": {"position_bound_mm": 1.0, "detectable_force_n": 1.0},
+    "presence": {"position_bound_mm": 5.0, "detectable_force_n": 5.0},
+}
 
+
+class LimitsSpec(SpecPart):
+    """Go or no-go limits of the report; those left out are the `use`'s.
+
+    A grasp: where each finger of a hand presses and how hard. A touch: light ones too, placed within
+    a millimetre. Presence: whether the object is held, and about where.
+    """
+
+    use: Use = "grasp"
     position_bound_mm: Positive = 1.5
-    detectable_force_n: Positive = 1.0
+    detectable_force_n: Positive = 5.0
     saturation_margin: Annotated[float, Field(gt=0, lt=1)] = 0.1
+
+    @model_validator(mode="before")
+    @classmethod
+    def _figures_left_out(cls, given: Any) -> Any:
+        if not isinstance(given, dict):
+            return given
+        return {**LIMITS_OF_USE.get(str(given.get("use", "grasp")), {}), **given}

@@ -15,7 +15,7 @@ Turn = Annotated[float, Field(ge=-10, le=10)]
 class ContactGridSpec(SpecPart):
     """Contact places on each face, centred on it; place = X·count_y + Y, counted from 0.
 
-    "fill" gives each face as many as fit (`design.layout.contact_places`), a pair of counts the
+    "fill" gives each face as many as fit (`design.layout.places.contact_places`), a pair of counts the
     same ones to all.
     """
 

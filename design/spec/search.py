@@ -21,6 +21,7 @@ Objective = Literal[
     "percentile_99_position_bound_mm",
     "percentile_95_position_bound_mm",
     "median_position_bound_mm",
+    "position_bound_over_start",
     "worst_force_bound_n",
     "median_false_force_n",
     "percentile_95_false_force_n",
@@ -180,6 +181,12 @@ class SearchSpec(SpecPart):
             raise ValueError(
                 f"search.finalists = {self.finalists} come from search.leaders = {self.leaders}. Give "
                 "more leaders"
+            )
+        if "position_bound_over_start" in self.named and self.limits.places_worse == 1:
+            raise ValueError(
+                "position_bound_over_start leaves out the share search.limits.places_worse of the contact "
+                "locations; got places_worse = 1, which leaves out all of them. Give a share below 1, "
+                "such as 0.02"
             )
         self._check_symmetry()
         self._check_compliance()

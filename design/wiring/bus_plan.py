@@ -112,6 +112,14 @@ def choose_plan(
     )
 
 
+def plan_or_none(spec: ObjectSpec, board: Board) -> BusPlan | None:
+    """The cheapest plan that can, None where no plan works."""
+    try:
+        return choose_plan(spec, board)[0]
+    except InputError:
+        return None
+
+
 def all_plans(spec: ObjectSpec, board: Board, lead_mm: float = LEAD_MM) -> Choice:
     """Every way on as few of the board's buses as it needs.
 

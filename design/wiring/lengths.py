@@ -7,7 +7,7 @@ import numpy as np
 from design.body.surface_chart import FACE_AXES
 from design.layout.boards import mounted_sensors
 from design.layout.body import core_frames
-from design.layout.positions import sensor_layout
+from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
 
 LEAD_MM = 200.0

@@ -14,21 +14,25 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from design.errors import RecordingError, StoreError
-from estimator.recordings.generic import cell_text, generic_columns
-from estimator.recordings.netcdf import write_generic_netcdf
+from estimator.recordings.formats.generic import cell_text, generic_columns
+from estimator.recordings.formats.netcdf import write_generic_netcdf
 
 _SYNC_S = 1.0
 
 
 @dataclass
 class GrowingRecording:
-    """An open CSV: rows it had and got, the session that goes on, and bytes cut off at its end."""
+    """An open CSV: rows it had and got, the session that goes on, and bytes cut off at its end.
+
+    `last_s` is the time of the last row that it had, 0 without one.
+    """
 
     path: Path
     columns: list[str]
     rows_before: int
     session: int
     cut_bytes: int
+    last_s: float
     _handle: int
     rows_added: int = 0
     _synced_s: float = 0.0
@@ -61,9 +65,15 @@ class GrowingRecording:
 
 @contextmanager
 def growing_recording(
-    path: Path, channels: Sequence[str], cells: int, tips: int, session: int | None
+    path: Path,
+    channels: Sequence[str],
+    cells: int,
+    tips: int,
+    session: int | None,
+    travel: bool = False,
 ) -> Iterator[GrowingRecording]:
-    """Open a recording to append to; its last session goes on unless another is given.
+    """Open a recording to append to; its last session goes on unless another is given. `travel` adds
+    the column of a machine's travel.
 
     Raises
     ------
@@ -73,29 +83,29 @@ def growing_recording(
     StoreError
         It cannot be written.
     """
-    columns = generic_columns(list(channels), cells, tips)
+    columns = generic_columns(list(channels), cells, tips, travel=travel)
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         handle = os.open(path, os.O_RDWR | os.O_CREAT | os.O_APPEND, 0o644)
     except OSError as error:
         raise StoreError(f"cannot write {path}: {error.strerror}. Choose another folder") from None
     try:
-        rows, last, cut = _resume(handle, path, columns)
-        yield GrowingRecording(path, columns, rows, session or last, cut, handle)
+        rows, last, last_s, cut = _resume(handle, path, columns)
+        yield GrowingRecording(path, columns, rows, session or last, cut, last_s, handle)
         os.fsync(handle)
     finally:
         os.close(handle)
 
 
-def _resume(handle: int, path: Path, columns: list[str]) -> tuple[int, int, int]:
-    """Rows and last session of what is there, and the bytes of an unfinished line now cut off."""
+def _resume(handle: int, path: Path, columns: list[str]) -> tuple[int, int, float, int]:
+    """Rows, last session and last time of what is there, and bytes of an unfinished line, now cut off."""
     content = path.read_bytes()
     whole = content.rfind(b"\n") + 1
     header = ",".join(columns)
     if whole == 0 and header.encode().startswith(content):
         os.ftruncate(handle, 0)
         os.write(handle, f"{header}\n".encode())
-        return 0, 1, len(content)
+        return 0, 1, 0.0, len(content)
     first, *rows = content[:whole].decode("utf-8", "replace").splitlines() or [""]
     if first != header:
         raise RecordingError(
@@ -103,16 +113,22 @@ def _resume(handle: int, path: Path, columns: list[str]) -> tuple[int, int, int]
             "another name, or the same channels, --cells and --tips"
         )
     os.ftruncate(handle, whole)
-    return len(rows), _session(path, rows), len(content) - whole
+    return len(rows), *_last(path, rows), len(content) - whole
 
 
-def _session(path: Path, rows: list[str]) -> int:
+def _last(path: Path, rows: list[str]) -> tuple[int, float]:
+    """Session and time of the last row."""
     if not rows:
-        return 1
-    cell = rows[-1].split(",")[1]
+        return 1, 0.0
+    time_s, cell = rows[-1].split(",")[:2]
     if not cell.isdigit():
         raise RecordingError(f"{path}: the last row's session is {cell!r}. Fix or remove that row")
-    return int(cell)
+    try:
+        return int(cell), float(time_s)
+    except ValueError:
+        raise RecordingError(
+            f"{path}: the last row's time is {time_s!r}. Fix or remove that row"
+        ) from None
 
 
 def finish_recording(csv_path: Path, target: Path) -> int:
@@ -123,7 +139,7 @@ def finish_recording(csv_path: Path, target: Path) -> int:
     RecordingError
         The recording holds no frame, or a damaged one.
     """
-    from estimator.recordings.files import read_table
+    from estimator.recordings.formats.files import read_table
 
     table = read_table(csv_path)
     write_generic_netcdf(table, target)

@@ -24,7 +24,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from design.errors import InputError
-from estimator.recordings.generic import CHANNEL, cell_text
+from estimator.recordings.formats.generic import CHANNEL, cell_text
 from estimator.recordings.table import LARGEST_COUNT, LARGEST_FORCE_N, LARGEST_PLACE_MM
 
 FORMAT_VERSION = 1

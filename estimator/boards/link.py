@@ -20,7 +20,7 @@ from estimator.boards.lines import (
     encode_header,
     encode_load,
 )
-from estimator.recordings.generic import CHANNEL
+from estimator.recordings.formats.generic import CHANNEL
 from estimator.recordings.presses import frame_times_s, stretches
 from estimator.recordings.table import RawTable, channel_name
 
@@ -41,16 +41,21 @@ class Reading:
 
 @dataclass
 class BoardClock:
-    """A board's milliseconds as seconds since 1970: set at its first line and after restarts."""
+    """A board's milliseconds as seconds since 1970: set at its first line and after restarts.
 
+    Never before `not_before_s`: boards' clocks and this machine's differ, and what is added to a
+    recording comes after what it holds.
+    """
+
+    not_before_s: float = 0.0
     _base_s: float = 0.0
     _last_ms: int | None = None
 
     def time_s(self, board_ms: int, now_s: float) -> float:
         """Time of a line that arrived at `now_s`; lines up to 1 s out of order keep their times."""
         if self._last_ms is None:
-            self._base_s, self._last_ms = now_s, board_ms
-            return now_s
+            self._base_s, self._last_ms = max(now_s, self.not_before_s), board_ms
+            return self._base_s
         step_ms = (board_ms - self._last_ms + _CLOCK // 2) % _CLOCK - _CLOCK // 2
         if -_DISORDER_MS <= step_ms < 0:
             return self._base_s + step_ms / 1000

@@ -14,10 +14,15 @@ from typing import Any
 import numpy as np
 from jaxtyping import Float, Int
 
-from design.layout.positions import slipped
+from design.layout.places.positions import slipped
 from design.spec.mechanics import SlipSpec
 from design.spec.object import ObjectSpec
-from estimator.calibration.recorded_presses import PredictedMotions, RecordedPresses
+from estimator.calibration.recorded_presses import (
+    PredictedMotions,
+    RecordedPresses,
+    own_channels,
+    pressed_faces,
+)
 from estimator.field.models import FieldModel
 from estimator.tolerances.assembly import Assembly, counts_of
 
@@ -216,11 +221,11 @@ def _own_cosine(
     predicted: Float[np.ndarray, "press channel"],
 ) -> float:
     """Mean over presses and the faces that they press, own channels."""
-    count, values = 3 * problem.spec.sensors.count_per_face, []
-    for face in range(1, 6):
+    values = []
+    for face in pressed_faces(problem.presses):
         rows = problem.presses.face_of_case(face)[problem.presses.case]
-        own = slice((face - 1) * count, face * count)
-        values.append(_cosines(recorded[rows, own], predicted[rows, own]))
+        own = own_channels(problem.spec, face)
+        values.append(_cosines(recorded[rows][:, own], predicted[rows][:, own]))
     return float(np.mean(np.concatenate(values)))
 
 

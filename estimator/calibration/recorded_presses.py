@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
+from design.body.surface_chart import FACE_AXES
 from design.errors import InputError
 from design.spec.object import ObjectSpec
 from estimator.frames.dataset import NO_FACE, FrameSet
@@ -38,7 +39,7 @@ class RecordedPresses:
     Attributes
     ----------
     signal_counts : (press, channel) mean change against rest; NaN where a channel is dead
-    face_force_n : (press, 5) mean force on each face, N
+    face_force_n : (press, 6) mean force on the face of each number, N
     case : (press,) which of `cases` each is: the contacts (face, x, y) that are pressed together
     recording : (press,) number of the file
     frames : (press,) frames in the mean
@@ -46,7 +47,7 @@ class RecordedPresses:
     """
 
     signal_counts: Float[np.ndarray, "press channel"]
-    face_force_n: Float[np.ndarray, "press 5"]
+    face_force_n: Float[np.ndarray, "press side"]
     case: Int[np.ndarray, "press"]
     recording: Int[np.ndarray, "press"]
     frames: Int[np.ndarray, "press"]
@@ -59,6 +60,35 @@ class RecordedPresses:
     def face_of_case(self, face: int) -> Bool[np.ndarray, "case"]:
         """Which cases press a face."""
         return np.array([any(contact[0] == face for contact in case) for case in self.cases])
+
+
+def require_presses_of(spec: ObjectSpec, presses: RecordedPresses) -> None:
+    """Raise InputError where recordings have other channels, or press other faces, than the object has."""
+    recorded, faces = presses.signal_counts.shape[1], spec.body.sensed
+    channels = 3 * spec.sensors.count_per_face * len(faces)
+    if recorded != channels:
+        raise InputError(
+            f"the recordings hold {recorded} channels; {spec.name} has {channels}: "
+            f"{spec.sensors.count_per_face} sensors on each of {len(faces)} faces. Give the specification "
+            "of the recorded object"
+        )
+    beyond = set(pressed_faces(presses)) - set(faces)
+    if beyond:
+        raise InputError(
+            f"the recordings press face {min(beyond)}; {spec.name} senses {list(faces)}. Give the "
+            "specification of the recorded object (body.sensed_faces)"
+        )
+
+
+def own_channels(spec: ObjectSpec, face: int) -> Int[np.ndarray, "channel"]:
+    """Those of the sensed face of that number, among all channels."""
+    count = 3 * spec.sensors.count_per_face
+    return spec.body.sensed.index(face) * count + np.arange(count)
+
+
+def pressed_faces(presses: RecordedPresses) -> list[int]:
+    """Numbers of the faces that are pressed in some case."""
+    return sorted({contact[0] for case in presses.cases for contact in case})
 
 
 def recorded_presses(recordings: Sequence[Recording]) -> RecordedPresses:
@@ -116,9 +146,9 @@ def _presses(frames: FrameSet) -> list[tuple[np.ndarray, np.ndarray, tuple[Conta
     return found
 
 
-def _face_force(part: FrameSet) -> Float[np.ndarray, "5"]:
+def _face_force(part: FrameSet) -> Float[np.ndarray, "6"]:
     newton = np.nan_to_num(part.force_n[:, :, 2])
-    per_face = [(newton * (part.contact_face == face)).sum(axis=1).mean() for face in range(1, 6)]
+    per_face = [(newton * (part.contact_face == face)).sum(axis=1).mean() for face in FACE_AXES]
     return np.array(per_face)
 
 
@@ -174,7 +204,7 @@ def predicted_motions(
             part = (reached.counts * np.where(newton > 0, extended, 0.0)[..., None])[0]
             total[:, number] += part.reshape(len(presses), len(MODULUS_RATIOS), *rest.shape)
             beyond[:, number] |= reached.clamped.reshape(shape[0], -1)
-        pressed = np.zeros(5, bool)
+        pressed = np.zeros(presses.face_force_n.shape[1], bool)
         pressed[np.array(faces) - 1] = True
         other = np.any((presses.face_force_n > 0) != pressed, axis=1)
         total[other, number] = np.nan

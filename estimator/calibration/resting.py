@@ -12,7 +12,7 @@ from jaxtyping import Float
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec
-from estimator.recordings.text import as_number
+from estimator.recordings.formats.text import as_number
 from estimator.signals.hall import full_scale_counts
 
 _CHANNEL = re.compile(r"F([1-6])-([XYZ])(\d+)")
@@ -111,7 +111,7 @@ def _numbers(path: Path, header: list[str]) -> Float[np.ndarray, "row column"]:
 def _with_silent(
     spec: ObjectSpec, counts: Float[np.ndarray, "channel"], frames: int, silent: dict[str, str]
 ) -> Resting:
-    from design.layout.positions import live_channels
+    from design.layout.places.positions import live_channels
 
     names, counts = channel_names(spec), counts.copy()
     silent = dict(silent)

@@ -17,7 +17,12 @@ import numpy as np
 from jaxtyping import Bool, Float, Int
 
 from design.spec.object import ObjectSpec
-from estimator.calibration.recorded_presses import MODULUS_RATIOS, PredictedMotions, RecordedPresses
+from estimator.calibration.recorded_presses import (
+    MODULUS_RATIOS,
+    PredictedMotions,
+    RecordedPresses,
+    own_channels,
+)
 from estimator.field.models import FieldModel
 from estimator.tolerances.assembly import Assembly, counts_of
 
@@ -164,9 +169,7 @@ def _chosen(
 ) -> tuple[Int[np.ndarray, "some"], Int[np.ndarray, "channel"]]:
     if face is None:
         return np.arange(len(presses)), np.arange(presses.signal_counts.shape[1])
-    count = 3 * spec.sensors.count_per_face
-    rows = np.flatnonzero(presses.face_of_case(face)[presses.case])
-    return rows, (face - 1) * count + np.arange(count)
+    return np.flatnonzero(presses.face_of_case(face)[presses.case]), own_channels(spec, face)
 
 
 def _clear(

@@ -22,7 +22,7 @@ from estimator.frames.splits import Split
 from estimator.metrics.heatmaps import force_reference
 from estimator.networks.face_model import FaceModel, predict
 from estimator.networks.prediction import ContactAnswers, HeldOutAnswers
-from estimator.networks.training_data import thinned, with_contacts
+from estimator.networks.training.data import thinned, with_contacts
 
 MOST_FRAMES = 6000
 """Training frames that a baseline is fitted to at most, drawn from all training presses."""

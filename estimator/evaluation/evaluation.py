@@ -16,7 +16,7 @@ from estimator.metrics.heatmaps import FaceMetrics, face_metrics, force_referenc
 from estimator.networks.face_model import FaceModel, predict, predict_heatmaps, read_counts
 from estimator.networks.linear import fit_linear
 from estimator.networks.prediction import ContactReadings, Prediction
-from estimator.networks.training_data import with_contacts
+from estimator.networks.training.data import with_contacts
 from estimator.recordings.reading import Recording
 
 

@@ -16,7 +16,7 @@ from jaxtyping import Bool, Float, Int
 
 from design.spec.object import ObjectSpec
 from estimator.frames.collection_recipe import Recipe, anywhere_recipe, periodic_recipe
-from estimator.frames.contact_cases import grasp_cases, paper_cases
+from estimator.frames.contact_cases import contact_groups
 from estimator.frames.contact_traces import ContactTraces, JointMechanics, force_at_travel
 from estimator.frames.dataset import NO_FACE, PER_FRAME_FIELDS, FrameSet
 from estimator.frames.press_protocol import (
@@ -52,18 +52,15 @@ def simulate_collection(
     Raises
     ------
     InputError
-        As `contact_traces` and `grasp_cases`; tangential forces without `shear`.
+        As `contact_traces` and `contact_groups`; tangential forces without `shear`.
     """
     rng = np.random.default_rng((spec.seed, 3))
     kind = spec.collection.kind
     if kind == "continuous":
         recipe = anywhere_recipe(spec, signals, mechanics, rng, progress, shear)
         return _recorded(spec, signals, recipe, rng, spec_hash)
-    groups = [grasp_cases(spec)]
-    if kind == "paper":
-        groups = [paper_cases(spec, face) for face in spec.collection.faces]
     parts = []
-    for cases in groups:
+    for cases in contact_groups(spec):
         recipe = periodic_recipe(spec, signals, cases, mechanics, rng, progress)
         parts.append(_recorded(spec, signals, recipe, rng, spec_hash))
         if progress is not None:

@@ -16,10 +16,10 @@ from jaxtyping import Float, Int
 
 from design.errors import InputError
 from design.layout.body import face_frames
-from design.layout.contact_places import contact_places
-from design.layout.positions import contact_grid
-from design.layout.tips import tip_positions_mm, tips_overlap
-from design.spec.learning import ProbePose
+from design.layout.places.contact_places import contact_places
+from design.layout.places.positions import contact_grid
+from design.layout.tips import footprint_mm, tip_positions_mm, tips_overlap
+from design.spec.learning import CollectionSpec, ProbePose
 from design.spec.object import ObjectSpec
 from estimator.signals.interpolation import among_pressed
 
@@ -31,6 +31,9 @@ GRASP_POSES: tuple[tuple[ProbePose, ...], ...] = (
     ((0.0, -3.0, 0.0), (0.0, 3.0, 180.0)),
 )
 """Where the paper's grasps pressed is said in words only: evenly over both faces."""
+
+_BORDER_MM = 0.01
+"""By which a tip may reach beside a flat face."""
 
 
 @dataclass(frozen=True)
@@ -49,6 +52,59 @@ class ContactCase:
     share: Float[np.ndarray, "tip"]
     place_id: int
     squeezed: bool = False
+
+
+def contact_groups(spec: ObjectSpec) -> list[list[ContactCase]]:
+    """Cases of a collection that are recorded together; none of presses anywhere, drawn one by one.
+
+    Raises
+    ------
+    InputError
+        As `recorded_faces` and `grasp_cases`; a probe's pose with a tip beside its face.
+    """
+    if spec.collection.kind == "grasp":
+        return [grasp_cases(spec)]
+    faces = recorded_faces(spec)
+    if spec.collection.kind == "continuous":
+        return []
+    groups = [paper_cases(spec, face) for face in faces]
+    for case in (case for group in groups for case in group if len(case.face) > 1):
+        _require_on_face(spec, case)
+    return groups
+
+
+def recorded_faces(spec: ObjectSpec) -> list[int]:
+    """Those of `collection.faces` that are sensed; each that is named must be, but for the default.
+
+    Raises
+    ------
+    InputError
+        None of them is sensed, or not all that are named.
+    """
+    asked, sensed = spec.collection.faces, spec.body.sensed
+    found = [face for face in asked if face in sensed]
+    named = asked != CollectionSpec().faces
+    if not found or (named and len(found) < len(asked)):
+        raise InputError(
+            f"collection.faces = {list(asked)} names faces without sensors; sensed are {list(sensed)}. "
+            "Name only those"
+        )
+    return found
+
+
+def _require_on_face(spec: ObjectSpec, case: ContactCase) -> None:
+    frames = {frame.number: frame for frame in face_frames(spec)}
+    face = int(case.face[0])
+    beside = abs(footprint_mm(spec.indenter)).max(axis=0) - _BORDER_MM
+    if frames[face].covers(abs(case.xy_mm) + (beside if frames[face].flat else 0.0)).all():
+        return
+    half, tips = frames[face].half_extents_mm, len(case.face)
+    x, y = case.xy_mm.mean(axis=0)
+    name = {2: "dual_poses", 3: "triple_poses"}[tips]
+    raise InputError(
+        f"collection.{name}: the probe of {tips} tips about ({x:.3g}, {y:.3g}) mm reaches beside face "
+        f"{face} (±{half[0]:.4g}, ±{half[1]:.4g} mm). Give poses that fit this object, or none: []"
+    )
 
 
 def paper_cases(spec: ObjectSpec, face: int) -> list[ContactCase]:
@@ -109,6 +165,11 @@ def opposed(spec: ObjectSpec, places_mm: Sequence[Float[np.ndarray, "_ 2"]]) -> 
     like; raises as `grasp_cases`."""
     first, second = spec.collection.grasp_faces
     frames = {frame.number: frame for frame in face_frames(spec)}
+    if not {first, second} <= set(frames):
+        raise InputError(
+            f"collection.grasp_faces = [{first}, {second}] are not both sensed; sensed are "
+            f"{list(spec.body.sensed)}. Name two opposite ones of these"
+        )
     if frames[first].normal @ frames[second].normal > -0.5:
         raise InputError(
             f"faces {first} and {second} are not opposite each other: jaws cannot squeeze them. Set "
@@ -141,7 +202,7 @@ def random_case(
 
     The first goes deepest, the others between a half and all of its travel.
     """
-    grid, faces = contact_grid(spec), np.asarray(spec.collection.faces)
+    grid, faces = contact_grid(spec), np.asarray(recorded_faces(spec))
     low, high = grid.xy_mm.min(axis=0), grid.xy_mm.max(axis=0)
     for _ in range(1000):
         face, xy = rng.choice(faces, contacts), rng.uniform(low, high, (contacts, 2))

@@ -6,7 +6,7 @@ import numpy as np
 from jaxtyping import Float, Int
 
 from design.layout.body import face_frames
-from design.layout.positions import live_channels
+from design.layout.places.positions import live_channels
 from design.spec.object import ObjectSpec
 from estimator.information.contact_sets import spread_pairs, spread_places
 from estimator.information.identifiability import jacobians_of, set_information

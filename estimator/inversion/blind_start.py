@@ -16,7 +16,7 @@ from pathlib import Path
 import numpy as np
 from jaxtyping import Float, Int
 
-from design.layout.positions import contact_grid, live_channels
+from design.layout.places.positions import contact_grid, live_channels
 from design.spec.object import ObjectSpec
 from design.tables import write_records
 from estimator.information.contact_sets import contact_sets, spread_places
@@ -31,8 +31,8 @@ from estimator.information.identifiability import (
     with_sensor_count,
 )
 from estimator.information.sensitivity import own_channels
-from estimator.inversion.forward import ContactModel, contact_model
-from estimator.inversion.noise import BLIND
+from estimator.inversion.model.forward import ContactModel, contact_model
+from estimator.inversion.model.noise import BLIND
 from estimator.inversion.posterior import Observed
 from estimator.inversion.priors import Priors
 from estimator.inversion.search import Search

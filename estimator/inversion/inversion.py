@@ -15,8 +15,8 @@ from design.layout.tips import footprint_mm, tip_positions_mm
 from design.spec.object import ObjectSpec
 from estimator.frames.face_data import Channel
 from estimator.information.shear import ShearSignals
-from estimator.inversion.forward import ContactModel, contact_model
-from estimator.inversion.noise import BLIND, Disturbances, disturbances
+from estimator.inversion.model.forward import ContactModel, contact_model
+from estimator.inversion.model.noise import BLIND, Disturbances, disturbances
 from estimator.inversion.posterior import Observed, Problems
 from estimator.inversion.priors import Priors
 from estimator.inversion.readings import ContactSets, contact_sets

@@ -14,8 +14,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from jaxtyping import Float, Int
 
-from estimator.inversion.columns import Columns
-from estimator.inversion.forward import NONE, ContactModel
+from estimator.inversion.model.columns import Columns
+from estimator.inversion.model.forward import NONE, ContactModel
 from estimator.inversion.priors import Priors, Quadratic, add_priors, log_density, widths
 
 _ROUNDS = 3

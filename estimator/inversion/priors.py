@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from jaxtyping import Float, Int
 
-from estimator.inversion.forward import NONE
+from estimator.inversion.model.forward import NONE
 
 _OVERLAP_MM, SPACING_SIGMA_MM = 0.5, 0.2
 """Standard deviations of how far tips may seem to overlap, and of distances within a known probe."""

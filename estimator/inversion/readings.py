@@ -8,9 +8,9 @@ import numpy as np
 from jaxtyping import Bool, Float, Int
 
 from estimator.frames.dataset import NO_FACE
-from estimator.inversion.columns import Columns
-from estimator.inversion.forward import NONE, ContactModel
-from estimator.inversion.noise import BLIND
+from estimator.inversion.model.columns import Columns
+from estimator.inversion.model.forward import NONE, ContactModel
+from estimator.inversion.model.noise import BLIND
 from estimator.inversion.posterior import (
     Observed,
     Problems,

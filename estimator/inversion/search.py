@@ -14,8 +14,8 @@ from itertools import product
 import numpy as np
 from jaxtyping import Float, Int
 
-from estimator.inversion.dictionary import Dictionary, dictionary
-from estimator.inversion.forward import NONE, ContactModel
+from estimator.inversion.model.dictionary import Dictionary, dictionary
+from estimator.inversion.model.forward import NONE, ContactModel
 from estimator.inversion.posterior import (
     Observed,
     Problems,

@@ -12,12 +12,12 @@ import numpy as np
 from design.errors import DAMAGED_CONTENT, StoreError
 from design.netcdf import FileKind, holds, read_netcdf, write_netcdf
 from design.spec.object import ObjectSpec
-from estimator.inversion.forward import ContactModel
 from estimator.inversion.inversion import Inversion
-from estimator.inversion.noise import Disturbances
+from estimator.inversion.model.forward import ContactModel
+from estimator.inversion.model.noise import Disturbances
+from estimator.inversion.model.spline import cubic_axis
+from estimator.inversion.model.table import PressTable
 from estimator.inversion.priors import Priors
-from estimator.inversion.spline import cubic_axis
-from estimator.inversion.table import PressTable
 
 _KIND = FileKind(
     "estimators that invert the forward model",

@@ -12,7 +12,7 @@ from jaxtyping import Float
 
 from estimator.known_travel.fit import Fitted
 from estimator.known_travel.model import TravelModel
-from estimator.recordings.travel import TravelRecording
+from estimator.recordings.formats.travel import TravelRecording
 
 SMALLEST_MT = 0.03
 """Recorded changes below have no sign: about four times the noise of a reading."""

@@ -16,7 +16,7 @@ from scipy.stats import spearmanr
 
 from estimator.known_travel.fit import Fitted
 from estimator.known_travel.model import TravelModel
-from estimator.recordings.travel import TravelRecording
+from estimator.recordings.formats.travel import TravelRecording
 
 NEIGHBOURS_MM = 4.5
 """Places so near give the slopes, by a quadratic surface: 30 or so on a checkerboard of 1.4 mm."""

@@ -15,7 +15,7 @@ from jaxtyping import Bool, Float
 from scipy.optimize import least_squares
 
 from estimator.known_travel.model import SYMMETRIES, Pose, TravelModel, Twin
-from estimator.recordings.travel import TravelRecording
+from estimator.recordings.formats.travel import TravelRecording
 
 MODEL_ERROR_MT = 0.05
 """Of a change, rms: what registered presses leave on the eFlesh recordings."""

@@ -16,7 +16,7 @@ from scipy.spatial import KDTree
 
 from estimator.known_travel.fit import Fitted, left_over
 from estimator.known_travel.model import TravelModel
-from estimator.recordings.travel import TravelRecording
+from estimator.recordings.formats.travel import TravelRecording
 
 TABLE_MM = (1.0, 0.5)
 """Steps of the twin's table in place and travel."""

@@ -46,10 +46,19 @@ class _Pooled:
 
 def _each_face(values: Callable[[LayoutScorer, Layouts], Tensor]) -> _OfFaces:
     def pooled(scorers: Sequence[LayoutScorer], layouts: Sequence[Layouts]) -> Tensor:
-        faces = [values(*pair).flatten(1) for pair in zip(scorers, layouts, strict=True)]
-        return torch.cat(faces, dim=1)
+        pairs = zip(scorers, layouts, strict=True)
+        return _all_faces(scorers, [values(*pair).flatten(1) for pair in pairs])
 
     return pooled
+
+
+def _all_faces(
+    scorers: Sequence[LayoutScorer], values: Sequence[Float[Tensor, "layout _"]]
+) -> Float[Tensor, "layout press"]:
+    """Values of the pressed faces, as often as there are faces that they stand for."""
+    return torch.cat(
+        [v.repeat(1, one.faces) for one, v in zip(scorers, values, strict=True)], dim=1
+    )
 
 
 def _false_forces_n(scorer: LayoutScorer, layouts: Layouts) -> Tensor:
@@ -73,12 +82,12 @@ DEARER = tuple(_DEARER)
 
 @dataclass(frozen=True)
 class PlaceBounds:
-    """Position bounds (mm) of another layout at the places of each scorer, in the scorers' order.
+    """Position bounds (mm) of another layout, of each scorer at the places of all its faces.
 
-    A batch is told how far it exceeds them at all places but a share `but`.
+    A batch is told by how much it exceeds them where it does so most (`worst_ratio` of `but`).
     """
 
-    position_mm: tuple[Float[Tensor, "1 place"], ...]
+    position_mm: tuple[Float[Tensor, "_ _"], ...]
     but: float
 
 
@@ -92,7 +101,7 @@ def batch_scores(
 
     Scorers of several forces: the geometric mean over them of the scores at each, so that every
     force counts alike; false forces from presses nearest to `CROSS_FACE_FORCE_N`. With `start`, also
-    `OVER_START`: the position bound over the start's that all places and forces but its share keep.
+    `OVER_START`: the position bound over the start's, by `worst_ratio`.
     NaN where a score does not exist: pairs of tips that do not fit on a face, grasps without two
     opposite faces among those pressed.
     """
@@ -132,8 +141,19 @@ def position_bounds(
 def _over_start(
     bounds_mm: Sequence[Float[Tensor, "layout _"]], start: PlaceBounds
 ) -> Float[Tensor, "layout"]:
-    over = [bound / before for bound, before in zip(bounds_mm, start.position_mm, strict=True)]
-    return percentile(torch.cat(over, dim=1).sort(dim=1).values, 100 * (1 - start.but))
+    pairs = zip(bounds_mm, start.position_mm, strict=True)
+    over = [(bound[:, None] / before).flatten(1) for bound, before in pairs]
+    return worst_ratio(torch.cat(over, dim=1), start.but)
+
+
+def worst_ratio(over_start: Float[Tensor, "layout press"], but: float) -> Float[Tensor, "layout"]:
+    """Geometric mean over the worst presses, twice the share `but` of all, at least one.
+
+    In their middle lies the ratio that all but that share keep. A mean has a smoother slope than
+    one press that stands for all, and where the tail is long it is the stricter.
+    """
+    count = max(1, round(2 * but * over_start.shape[1]))
+    return over_start.log().topk(min(count, over_start.shape[1]), dim=1).values.mean(dim=1).exp()
 
 
 def _scores_at_one_force(
@@ -143,7 +163,7 @@ def _scores_at_one_force(
     named: Collection[str],
 ) -> dict[str, Float[Tensor, "layout"]]:
     position, force, sensitivity = (
-        torch.cat([getattr(face, name) for face in places], dim=1)
+        _all_faces(scorers, [getattr(face, name) for face in places])
         for name in ("position_bound_mm", "force_bound_n", "sensitivity")
     )
     ordered, sorted_mm = sensitivity.sort(dim=1).values, position.sort(dim=1).values
@@ -170,7 +190,7 @@ def _edge_mean(
         bound[:, torch.as_tensor(outermost_places(scorer.presses.places))]
         for scorer, bound in zip(scorers, bounds_mm, strict=True)
     ]
-    return torch.cat(found, dim=1).mean(dim=1)
+    return _all_faces(scorers, found).mean(dim=1)
 
 
 def unevenness(spec: ObjectSpec, scorers: Sequence[LayoutScorer]) -> float:

@@ -13,7 +13,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from typing import Any
 
 import numpy as np
@@ -25,7 +25,13 @@ from estimator.information.cross_face import LEAST_FALSE_FORCE_N, cross_face_dis
 from estimator.information.scores import compliance_deviation, outermost_of_faces, score_places
 from estimator.information.two_contacts import PERCENT, two_contact_bounds_mm
 from estimator.layouts.batch import layouts_of
-from estimator.layouts.batch_scores import DEARER, batch_scores, position_bounds, unevenness
+from estimator.layouts.batch_scores import (
+    DEARER,
+    batch_scores,
+    position_bounds,
+    unevenness,
+    worst_ratio,
+)
 from estimator.layouts.cross_face import CROSS_FACE_FORCE_N
 from estimator.layouts.robustness import SLIP_MM
 from estimator.layouts.scoring import LayoutScorer
@@ -64,6 +70,8 @@ class FidelityScore:
     compliance_deviation : of depth over force at `score.force_n` from what `search` wants, relative
         (rms); the lowest fidelity level: of the shell without magnets
     saturation_margin : share of the sensors' range that stays free (the lowest fidelity level: at rest)
+    position_bound_over_start : position bound over the start's at the same force and location, where
+        it grew most (`against_start`); 1 against itself
     position_bounds_mm : position bound of every force, face and location that the face has, in
         this order
 
@@ -89,6 +97,7 @@ class FidelityScore:
     compliance_deviation: float
     saturation_margin: float
     position_bounds_mm: tuple[float, ...] = field(repr=False)
+    position_bound_over_start: float = 1.0
 
 
 SCORE_NAMES = tuple(f.name for f in fields(FidelityScore) if f.name != "position_bounds_mm")
@@ -193,9 +202,10 @@ def worse_share(start: FidelityScore, found: FidelityScore) -> float:
     return float(np.mean(_over(start, found) > 1))
 
 
-def over_start(start: FidelityScore, found: FidelityScore, but: float) -> float:
-    """Position bound over the start's that all (force, face, location) but a share keep."""
-    return float(np.percentile(_over(start, found), 100 * (1 - but)))
+def against_start(start: FidelityScore, found: FidelityScore, but: float) -> FidelityScore:
+    """The score with its position bound over the start's (`estimator.layouts.batch_scores.worst_ratio`)."""
+    ratio = torch.as_tensor(_over(start, found))[None]
+    return replace(found, position_bound_over_start=float(worst_ratio(ratio, but)))
 
 
 def _over(start: FidelityScore, found: FidelityScore) -> Float[np.ndarray, "press"]:

@@ -17,7 +17,7 @@ from jaxtyping import Float
 from torch import Tensor
 
 from design.errors import InputError
-from design.layout.positions import chip_on_board
+from design.layout.places.positions import chip_on_board
 from design.spec.object import ObjectSpec
 from estimator.field.gradient import FieldChange, field_change
 from estimator.field.sources import BlockMagnet, Magnet, magnet_source
@@ -77,7 +77,8 @@ class LayoutScorer:
     """All that stays the same between layouts; `layout_scorer` makes it.
 
     `chip` are the chip's axes as columns on its board, `counts_per_t` counts per T,
-    `white_share` one sigma of an axis over that of the white noise.
+    `white_share` one sigma of an axis over that of the white noise. The pressed face stands for
+    `faces` sensed ones.
     """
 
     spec: ObjectSpec
@@ -88,10 +89,11 @@ class LayoutScorer:
     counts_per_t: float
     sigma_counts: Float[Tensor, "3"]
     white_share: Float[Tensor, "3"]
+    faces: int = 1
 
 
 def layout_scorer(
-    spec: ObjectSpec, presses: PressBasis, state: NoiseState = "fresh"
+    spec: ObjectSpec, presses: PressBasis, state: NoiseState = "fresh", faces: int = 1
 ) -> LayoutScorer:
     """Set up scoring of layouts of this specification's magnets and chips.
 
@@ -101,7 +103,33 @@ def layout_scorer(
     Raises
     ------
     InputError
-        Sensors in the shell, blocks, or coils switched face by face.
+        Of `require_scorable`.
+    """
+    require_scorable(spec)
+    like = presses.first_mm
+    sigma = disturbance_counts(spec.sensors, state, 3)
+    white = np.asarray(spec.sensors.noise_counts, dtype=float)
+    return LayoutScorer(
+        spec,
+        presses,
+        magnet_source(spec.magnets),
+        spec.shell.thickness_mm + spec.sensors.depth_below_core_face_mm,
+        torch.as_tensor(chip_on_board(spec.sensors), dtype=like.dtype),
+        1e3 * spec.sensors.counts_per_mt,
+        torch.as_tensor(sigma, dtype=like.dtype),
+        torch.as_tensor(sigma / white, dtype=like.dtype),
+        faces,
+    )
+
+
+def require_scorable(spec: ObjectSpec) -> None:
+    """Layouts of this specification can be scored in batches.
+
+    Raises
+    ------
+    InputError
+        Sensors in the shell, blocks, coils switched face by face, chips turned one by one, or an axis
+        without noise.
     """
     magnet = magnet_source(spec.magnets)
     if spec.arrangement != "sensors-in-core" or isinstance(magnet, BlockMagnet):
@@ -120,21 +148,8 @@ def layout_scorer(
             "layouts are scored in batches with chips turned by the azimuth of their place; got "
             "sensors.rotations_deg. Use the full chain"
         )
-    like = presses.first_mm
-    sigma = disturbance_counts(spec.sensors, state, 3)
-    white = np.asarray(spec.sensors.noise_counts, dtype=float)
-    if not white.all():
+    if not all(np.ravel(spec.sensors.noise_counts)):
         raise InputError("δ needs white noise on every axis. Set sensors.noise_counts above 0")
-    return LayoutScorer(
-        spec,
-        presses,
-        magnet,
-        spec.shell.thickness_mm + spec.sensors.depth_below_core_face_mm,
-        torch.as_tensor(chip_on_board(spec.sensors), dtype=like.dtype),
-        1e3 * spec.sensors.counts_per_mt,
-        torch.as_tensor(sigma, dtype=like.dtype),
-        torch.as_tensor(sigma / white, dtype=like.dtype),
-    )
 
 
 def score_layouts(scorer: LayoutScorer, layouts: Layouts, chunk: int = _CHUNK) -> LayoutScore:

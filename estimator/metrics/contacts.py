@@ -14,8 +14,8 @@ from jaxtyping import Bool, Float, Int
 
 from estimator.frames.dataset import NO_FACE, FrameSet
 from estimator.frames.windows import all_counts
-from estimator.inversion.forward import NONE
 from estimator.inversion.inversion import Inversion
+from estimator.inversion.model.forward import NONE
 from estimator.inversion.posterior import curvature_at
 from estimator.inversion.readings import ContactSets
 

@@ -15,8 +15,8 @@ from torch import Tensor, nn
 from design.errors import DAMAGED_CONTENT, InputError, StoreError
 from estimator.frames.dataset import FrameSet
 from estimator.frames.face_data import HISTORY, Channel, channel_counts, with_history
-from estimator.networks.coverage import Coverage
 from estimator.networks.forest import Forest, ForestShape
+from estimator.networks.intervals.coverage import Coverage
 from estimator.networks.network import ContactEstimator, HeadsNetwork, HeatmapNetwork
 from estimator.networks.prediction import Prediction
 from estimator.networks.tensor_file import load_tensors, save_tensors

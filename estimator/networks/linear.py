@@ -8,8 +8,8 @@ from estimator.frames.face_data import Channel
 from estimator.networks.defaults import filled
 from estimator.networks.ensemble import fit_ridge, new_member
 from estimator.networks.network import HeatmapNetwork
-from estimator.networks.training import FitSettings, common_channels, prepared
-from estimator.networks.training_data import batch_of
+from estimator.networks.training.data import batch_of
+from estimator.networks.training.face import FitSettings, common_channels, prepared
 
 
 def fit_linear(

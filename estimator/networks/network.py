@@ -23,8 +23,8 @@ import torch
 from jaxtyping import Float
 from torch import Tensor, nn
 
-from estimator.networks.coverage import Coverage, growth
 from estimator.networks.forest import Forest
+from estimator.networks.intervals.coverage import Coverage, growth
 
 SIGMA_SPAN = 3.0
 LINEAR_SIGMA_SPAN = 30.0
@@ -55,7 +55,7 @@ class Reading(NamedTuple):
     force_halfwidth_n : (frame,) the interval is `force_n` ± this; NaN before calibration
     position_radius_mm : (frame,) the true centre lies within this radius of `xy_mm`; likewise
     novelty : (frame,) distance from what training covers; above 1 the frame is novel
-        (`estimator.networks.coverage`). Of single members 0
+        (`estimator.networks.intervals.coverage`). Of single members 0
     """
 
     heatmap_n: Float[Tensor, "frame axis nx ny"]
@@ -226,8 +226,8 @@ class ContactEstimator(nn.Module):
     The total force is that of the networks and that of the trees, whose share is `force_share`; the
     centre is weighed by `place_shares` from the networks' own, that of their heatmap, and the
     trees'. The members' spreads times `force_quantile` and `position_quantile`
-    (`estimator.networks.conformal`) and what novelty adds (`estimator.networks.coverage`) are the
-    intervals' half-widths.
+    (`estimator.networks.intervals.conformal`) and what novelty adds
+    (`estimator.networks.intervals.coverage`) are the intervals' half-widths.
     """
 
     force_quantile: Tensor

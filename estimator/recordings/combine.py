@@ -10,8 +10,8 @@ from jaxtyping import Bool
 
 from design.errors import InputError
 from estimator.frames.dataset import NO_FACE, PER_FRAME_FIELDS, FrameSet
+from estimator.recordings.checks.faults import Fault, jumped_channels
 from estimator.recordings.contacts import Place
-from estimator.recordings.faults import Fault, jumped_channels
 from estimator.recordings.reading import Recording
 from estimator.recordings.table import channel_name
 

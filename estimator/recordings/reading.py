@@ -1,7 +1,7 @@
 """Recordings of the real object as data sets: faults found, lag corrected, presses zeroed.
 
-Formats: `estimator.recordings.files`; faults: `estimator.recordings.faults` (channels, faces, stamps)
-and `estimator.recordings.labels` (contacts and places). Every correction
+Formats: `estimator.recordings.formats.files`; faults: `estimator.recordings.checks.faults`
+(channels, faces, stamps) and `estimator.recordings.checks.labels` (contacts and places). Every correction
 is stated in the report; nothing is keyed to a file's name.
 """
 
@@ -15,15 +15,7 @@ from jaxtyping import Bool, Float, Int
 
 from design.errors import RecordingError
 from estimator.frames.dataset import NO_FACE, FrameSet
-from estimator.recordings.contacts import (
-    Place,
-    block_numbers,
-    carried_labels,
-    contact_cases,
-    contact_slots,
-    place_keys,
-)
-from estimator.recordings.faults import (
+from estimator.recordings.checks.faults import (
     Fault,
     axis_noise_counts,
     channel_faults,
@@ -38,15 +30,30 @@ from estimator.recordings.faults import (
     rest_noise_counts,
     stamp_faults,
 )
-from estimator.recordings.files import read_table
-from estimator.recordings.labels import (
+from estimator.recordings.checks.labels import (
     contacts_at_rest,
     hidden_contacts,
     place_label_faults,
     pressed_faces,
     silent_presses,
 )
-from estimator.recordings.limits import Limits, places_off_the_body, usual_limits, within_range
+from estimator.recordings.checks.limits import (
+    Limits,
+    places_off_the_body,
+    usual_limits,
+    within_range,
+)
+from estimator.recordings.checks.turned import turned_channels, turned_forces
+from estimator.recordings.contacts import (
+    Place,
+    block_numbers,
+    carried_labels,
+    contact_cases,
+    contact_slots,
+    place_keys,
+)
+from estimator.recordings.formats.files import read_table
+from estimator.recordings.formats.text import naming
 from estimator.recordings.presses import (
     CONTACT_FORCE_N,
     LagReport,
@@ -61,8 +68,6 @@ from estimator.recordings.presses import (
 )
 from estimator.recordings.report import RecordingReport, noise_by_name
 from estimator.recordings.table import FACES, RawTable
-from estimator.recordings.text import naming
-from estimator.recordings.turned import turned_channels, turned_forces
 
 NOMINAL_RATE_HZ = 10.5
 REST_FORCE_N = {"gripper": 0.05, "training": 0.15, "generic": 0.15}

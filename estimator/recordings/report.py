@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 from jaxtyping import Float
 
+from estimator.recordings.checks.faults import Fault
 from estimator.recordings.contacts import Place
-from estimator.recordings.faults import Fault
 from estimator.recordings.presses import LagReport
 from estimator.recordings.table import channel_name
 

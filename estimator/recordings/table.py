@@ -36,6 +36,8 @@ class RawTable:
     digest : SHA-256 of the file, of a generic one that of its content
     shear_n : (frame, cell, 2) tangential force along the x and y of the face that is pressed, N;
         None where the file has none
+    travel_mm : (frame,) how far a machine has its tip below the height of first touch, NaN where that
+        is not known; None where the file has none
     """
 
     kind: str
@@ -51,6 +53,7 @@ class RawTable:
     duplicate_columns: tuple[str, ...]
     digest: str
     shear_n: Float[np.ndarray, "frame cell 2"] | None = None
+    travel_mm: Float[np.ndarray, "frame"] | None = None
 
 
 def channel_name(face: int, sensor: int, axis: int) -> str:

@@ -13,7 +13,7 @@ import numpy as np
 from jaxtyping import Float
 
 from design.errors import InputError
-from design.layout.positions import (
+from design.layout.places.positions import (
     MagnetLayout,
     SensorLayout,
     magnet_layout,

@@ -13,7 +13,7 @@ from jaxtyping import Bool, Float
 
 from design.catalogue.hall_sensors import wider_range
 from design.errors import InputError
-from design.layout.positions import MagnetLayout, SensorLayout
+from design.layout.places.positions import MagnetLayout, SensorLayout
 from design.spec.object import SensorSpec
 from estimator.field.sources import Magnet
 
@@ -36,8 +36,8 @@ def counts_of_field(
 ) -> Float[np.ndarray, "*any sensor 3"]:
     """Expected counts of the chip axes X, Y, Z for fields (mT) in the object's frame.
 
-    `axes` holds the chip axes as rows (`design.layout.positions.SensorLayout.axes`). No noise, no rounding,
-    no limit: `read_out` adds them.
+    `axes` holds the chip axes as rows (`design.layout.places.positions.SensorLayout.axes`). No noise,
+    no rounding, no limit: `read_out` adds them.
     """
     return sensors.counts_per_mt * np.einsum("sac,...sc->...sa", axes, field_mt)
 

@@ -16,7 +16,7 @@ from jaxtyping import Float, Int
 
 from design.catalogue.magnets import NDFEB_REMANENCE_PER_KELVIN, remanence_at_temperature_t
 from design.layout.body import face_frames
-from design.layout.positions import MagnetLayout, SensorLayout, slipped
+from design.layout.places.positions import MagnetLayout, SensorLayout, slipped
 from design.spec.assembly import TolerancesSpec
 from design.spec.mechanics import SlipSpec
 from design.spec.object import ObjectSpec

@@ -37,7 +37,7 @@ import scipy.sparse as sp
 from jaxtyping import Float
 
 from design.errors import InputError
-from design.layout.positions import shell_body_layout
+from design.layout.places.positions import shell_body_layout
 from design.spec.object import ObjectSpec
 from fem.candidates.point_motions import containing_tets, interpolate_at
 from fem.candidates.quadrature import skin_quadrature

@@ -19,7 +19,7 @@ from scipy.spatial import Delaunay
 from design.body.surface_chart import FaceFrame
 from design.errors import InputError
 from design.layout.body import face_frames
-from design.layout.positions import shell_body_layout
+from design.layout.places.positions import shell_body_layout
 from design.spec.object import ObjectSpec
 from fem.contact.half_space import Patches, joined, traction_compliance
 from fem.contact.refined import RefinedFace, Spread, hat_narrowing, hat_patches, spread_cells

@@ -22,7 +22,7 @@ import numpy as np
 from jaxtyping import Bool, Float, Int
 
 from design.layout.body import face_frames
-from design.layout.positions import shell_body_layout
+from design.layout.places.positions import shell_body_layout
 from design.spec.object import ObjectSpec
 from fem.large_strain.results import LargeStrainPress
 from fem.presses.results import MagnetMotions, PressForces

@@ -14,7 +14,7 @@ from design.body.surface_chart import FaceFrame
 from design.errors import InputError
 from design.layout.body import face_frames
 from design.layout.dents import dents_mm
-from design.layout.positions import shell_body_layout
+from design.layout.places.positions import shell_body_layout
 from design.spec.object import ObjectSpec
 from fem.contact.complementarity import contact_pressures
 from fem.large_strain.elements import finite_strain_elements

@@ -18,7 +18,7 @@ from scipy.spatial.transform import Rotation
 
 from design.body.surface_chart import FaceFrame
 from design.layout.body import face_frames
-from design.layout.positions import shell_body_layout
+from design.layout.places.positions import shell_body_layout
 from design.spec.object import ObjectSpec
 from fem.linear.core_interface import prescribed_loads, rigid_interface_motions
 from fem.linear.factorization import solve_symmetric

@@ -19,7 +19,7 @@ from skfem import BilinearForm, ElementTetP1, FacetBasis, MeshTet
 from design.body.surface_chart import FaceFrame
 from design.files import atomic_path
 from design.layout.body import face_frames
-from design.layout.positions import shell_body_layout
+from design.layout.places.positions import shell_body_layout
 from design.spec.mechanics import LOCKING_WARNING
 from design.spec.object import ObjectSpec
 from fem.linear.core_interface import (
@@ -132,6 +132,21 @@ def build_response(mesh: TetMesh, spec: ObjectSpec) -> ResponseOperator:
         The factored matrix has not one negative pivot per pressure unknown (none without).
     """
     system = elastic_system(mesh, spec)
+    surfaces, loads = system_loads(mesh, system, spec)
+    if spec.mechanics.interface == "bonded":
+        condensed, core = compliance_of_loads(system.matrix, loads), None
+    else:
+        condensed, core = _condense_with_core(system, spec, loads)
+    unknowns, motions = shape_of(system.matrix)[0], shape_of(system.motion_basis)[1]
+    _require_inertia(condensed.negative_pivots, unknowns - motions)
+    return ResponseOperator(surfaces, condensed.matrix, unknowns, condensed.negative_pivots, core)
+
+
+def system_loads(
+    mesh: TetMesh, system: ElasticSystem, spec: ObjectSpec
+) -> tuple[tuple[FaceSurface, ...], sp.csr_matrix]:
+    """Surfaces of the sensed faces, and loads (unknown, load): a pressure per vertex of theirs, then
+    the magnets' motions."""
     surfaces, tractions = face_pressure_loads(system.space, spec)
     unknowns, motions = shape_of(system.matrix)[0], shape_of(system.motion_basis)[1]
     if spec.mechanics.magnets == "rigid":
@@ -140,13 +155,7 @@ def build_response(mesh: TetMesh, spec: ObjectSpec) -> ResponseOperator:
         magnets = system.motion_basis.T @ mean_motion_functionals(mesh, system.space).T
     loads = columns_of([system.motion_basis.T @ tractions, magnets])
     no_pressure = sp.csr_matrix((unknowns - motions, shape_of(loads)[1]))
-    loads = rows_of([loads, no_pressure])
-    if spec.mechanics.interface == "bonded":
-        condensed, core = compliance_of_loads(system.matrix, loads), None
-    else:
-        condensed, core = _condense_with_core(system, spec, loads)
-    _require_inertia(condensed.negative_pivots, unknowns - motions)
-    return ResponseOperator(surfaces, condensed.matrix, unknowns, condensed.negative_pivots, core)
+    return surfaces, rows_of([loads, no_pressure])
 
 
 def _condense_with_core(
@@ -298,7 +307,7 @@ def _weighted_product(pressure, displacement, w):
 
 
 def _require_inertia(negative_pivots: int, pressures: int) -> None:
-    if negative_pivots not in (-1, pressures):
+    if negative_pivots != pressures:
         raise SingularSystemError(
             f"the factored matrix has {negative_pivots} negative pivots instead of {pressures}, "
             "one per pressure unknown: the mesh or the support is broken. Remesh with other edge "

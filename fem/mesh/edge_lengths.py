@@ -11,7 +11,7 @@ import numpy as np
 from jaxtyping import Float, Int
 
 from design.layout.body import face_frames
-from design.layout.positions import ShellBodies, shell_body_layout
+from design.layout.places.positions import ShellBodies, shell_body_layout
 from design.spec.object import ObjectSpec
 
 EdgeLength = Callable[[Float[np.ndarray, "point 3"]], Float[np.ndarray, "point"]]

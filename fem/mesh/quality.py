@@ -10,7 +10,7 @@ from jaxtyping import Float
 
 from design.errors import InputError
 from design.layout.body import face_frames
-from design.layout.positions import shell_body_layout
+from design.layout.places.positions import shell_body_layout
 from design.layout.surface import sealed_body_surface
 from design.layout.volumes import sealed_volume_mm3
 from design.spec.object import ObjectSpec

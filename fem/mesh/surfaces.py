@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from jaxtyping import Bool, Float
 
-from design.layout.positions import ShellBodies, shell_body_layout
+from design.layout.places.positions import ShellBodies, shell_body_layout
 from design.layout.surface import sealed_body_surface, support_rings
 from design.spec.object import ObjectSpec
 

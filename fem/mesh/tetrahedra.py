@@ -12,7 +12,7 @@ from jaxtyping import Float, Int
 from design.errors import InputError
 from design.files import atomic_path
 from design.layout.body import face_frame
-from design.layout.positions import shell_body_layout
+from design.layout.places.positions import shell_body_layout
 from design.spec.object import ObjectSpec
 from fem.mesh.edge_lengths import EdgeLength, edge_length_field
 from fem.mesh.mesher import Progress, run_mesher

@@ -15,6 +15,7 @@ from design.errors import InstobjError
 from instobj.cli import estimators as cli_estimators
 from instobj.cli import hardware as cli_hardware
 from instobj.cli import presses as cli_presses
+from instobj.cli import rig as cli_rig
 from instobj.cli import search as cli_search
 from instobj.cli.options import (
     HERE,
@@ -182,6 +183,19 @@ def score(
 
 
 @app.command()
+def compare(
+    specs: Specs,
+    out: Out = HERE,
+    as_json: AsJson = False,
+    overrides: Overrides = None,
+) -> None:
+    """Two to four designs side by side: scores, and a page where one press goes to all of them."""
+    from instobj.commands.comparison import compare_designs
+
+    show(compare_designs(specs, out, overrides or []), as_json)
+
+
+@app.command()
 def store(
     verify: Annotated[
         bool, typer.Option("--verify", help="Read all files and compare them with their hashes.")
@@ -209,6 +223,7 @@ def store(
 app.add_typer(cli_estimators.app)
 app.add_typer(cli_presses.app)
 app.add_typer(cli_hardware.app)
+app.add_typer(cli_rig.app)
 app.add_typer(cli_search.app)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated
 
 import typer
 
@@ -12,10 +12,14 @@ from instobj.cli.options import (
     HERE,
     AsBuilt,
     AsJson,
+    Baud,
     Out,
     Overrides,
+    Port,
     Sources,
     Specs,
+    ZeroFrames,
+    ZeroMode,
     show,
     with_as_built,
 )
@@ -114,22 +118,13 @@ def predict(
     file: Annotated[
         Path | None, typer.Argument(help="Recording or data set.", show_default=False)
     ] = None,
-    port: Annotated[
-        str | None, typer.Option(help="Serial port of the board, e.g. /dev/ttyACM0.")
-    ] = None,
-    zero: Annotated[
-        Literal["rest", "first", "none"] | None,
-        typer.Option(
-            help="Baseline: tracked at rest (default), from the first frames, or already subtracted."
-        ),
-    ] = None,
-    zero_frames: Annotated[
-        int, typer.Option(min=5, help="Frames at rest that give the baseline.")
-    ] = 8,
+    port: Port = None,
+    zero: ZeroMode = None,
+    zero_frames: ZeroFrames = 8,
     frames: Annotated[
         int | None, typer.Option(min=1, help="With --port: stop after this many frames.")
     ] = None,
-    baud: Annotated[int, typer.Option(min=300, help="With --port: bits per second.")] = 115_200,
+    baud: Baud = 115_200,
     out: Annotated[
         Path | None,
         typer.Option(

@@ -11,10 +11,19 @@ from instobj.cli.options import (
     HERE,
     AsBuilt,
     AsJson,
+    Baud,
+    Forces,
+    LoadPort,
     Out,
     Overrides,
+    Places,
+    Port,
     Recordings,
+    ReplaySpeed,
+    Seconds,
     Spec,
+    ZeroFrames,
+    ZeroMode,
     show,
     with_as_built,
 )
@@ -45,44 +54,25 @@ def collect(
             metavar="OUT", help="Recording: OUT.csv grows, OUT.nc is written at the end."
         ),
     ],
-    port: Annotated[
-        str | None, typer.Option(help="Serial port of the board, e.g. /dev/ttyACM0.")
-    ] = None,
+    port: Port = None,
     replay: Annotated[
         Path | None, typer.Option(help="Recording to replay in place of a board.")
     ] = None,
-    load_port: Annotated[
-        str | None, typer.Option(help="Separate serial port of a load cell or machine.")
-    ] = None,
-    place: Annotated[
-        list[str] | None,
-        typer.Option(
-            metavar="FACE:X,Y",
-            help="Contact location of load cell 1 (2, …), mm; :X,Y for each further tip.",
-        ),
-    ] = None,
-    force: Annotated[
-        list[float] | None,
-        typer.Option(
-            metavar="N", help="Constant force (N) if no load cell is connected, e.g. a dead weight."
-        ),
-    ] = None,
+    load_port: LoadPort = None,
+    place: Places = None,
+    force: Forces = None,
     zero: Annotated[
         int, typer.Option(min=0, help="Frames at the start, nothing touching, for the baseline.")
     ] = 20,
-    seconds: Annotated[
-        float | None, typer.Option(min=0, help="Stop after this many seconds.")
-    ] = None,
+    seconds: Seconds = None,
     frames: Annotated[int | None, typer.Option(min=1, help="Stop after this many frames.")] = None,
     session: Annotated[
         int | None, typer.Option(min=1, help="Session number (default: continue the last session).")
     ] = None,
     cells: Annotated[int | None, typer.Option(min=1, max=9, help="Load cells.")] = None,
     tips: Annotated[int | None, typer.Option(min=1, max=9, help="Tips per load cell.")] = None,
-    baud: Annotated[int, typer.Option(min=300, help="Bits per second.")] = 115_200,
-    speed: Annotated[
-        float, typer.Option(min=0, help="Speed of a replay: 1 as recorded, 0 as fast as possible.")
-    ] = 1.0,
+    baud: Baud = 115_200,
+    speed: ReplaySpeed = 1.0,
     as_json: AsJson = False,
 ) -> None:
     """Collect labelled frames from a board (or a replay) into a recording to calibrate with."""
@@ -115,6 +105,109 @@ def firmware(
     from instobj.commands.hardware.firmware import write_firmware
 
     show(write_firmware(spec, board, way, lead, out, overrides or []), as_json)
+
+
+@app.command()
+def live(
+    spec: Annotated[
+        Path | None,
+        typer.Argument(help="Specification (TOML); --demo brings one.", show_default=False),
+    ] = None,
+    model: Annotated[
+        list[Path] | None,
+        typer.Option(
+            help="contacts.nc, or one exported face_<n>.onnx per face (repeat the option); without: "
+            "channels alone."
+        ),
+    ] = None,
+    port: Port = None,
+    replay: Annotated[
+        Path | None, typer.Option(help="Recording or data set to replay in place of a board.")
+    ] = None,
+    demo: Annotated[
+        bool, typer.Option("--demo", help="A simulated object in a hand; needs nothing else.")
+    ] = False,
+    record: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="OUT",
+            help="Record from the start, as collect does: OUT.csv grows, OUT.nc is written at the end "
+            "(default: <name>_live, once the page's button is pressed).",
+        ),
+    ] = None,
+    load_port: LoadPort = None,
+    place: Places = None,
+    force: Forces = None,
+    zero: ZeroMode = None,
+    zero_frames: ZeroFrames = 20,
+    page_port: Annotated[
+        int, typer.Option(min=0, max=65535, help="Port of the page; 0 takes a free one.")
+    ] = 8765,
+    address: Annotated[str, typer.Option(help="Address of the page.")] = "127.0.0.1",
+    remote: Annotated[
+        bool, typer.Option("--remote", help="Serve other machines; a token is made and printed.")
+    ] = False,
+    seconds: Seconds = None,
+    baud: Baud = 115_200,
+    speed: ReplaySpeed = 1.0,
+    as_json: AsJson = False,
+    overrides: Overrides = None,
+    as_built: AsBuilt = None,
+) -> None:
+    """Contacts, channels and their health on a page in the browser, while a board is read."""
+    from instobj.commands.hardware.collect_options import CollectOptions
+    from instobj.commands.hardware.live import live as show_live
+    from instobj.commands.hardware.live_source import LiveOptions
+    from instobj.commands.hardware.readings import Zeroing
+
+    readings = CollectOptions(
+        record or Path(f"{spec.stem if spec else 'demo'}_live"), port, replay, load_port, baud,
+        speed, tuple(place or ()), tuple(force or ()), zero_frames=zero_frames,
+    )  # fmt: skip
+    options = LiveOptions(
+        spec, readings, tuple(model or ()), demo, Zeroing(zero, zero_frames),
+        tuple(with_as_built(overrides, as_built)), address, page_port, remote,
+        record is not None, seconds,
+    )  # fmt: skip
+    show(show_live(options), as_json)
+
+
+@app.command()
+def bringup(
+    spec: Spec,
+    port: Port = None,
+    replay: Annotated[
+        Path | None, typer.Option(help="bringup.csv of an earlier bring-up, in place of a board.")
+    ] = None,
+    simulated: Annotated[
+        bool, typer.Option("--simulated", help="A simulated object in place of a board.")
+    ] = False,
+    fault: Annotated[
+        list[str] | None,
+        typer.Option(help="Planted into the simulated object, e.g. swap=F1-S2,F3-S1."),
+    ] = None,
+    seed: Annotated[int, typer.Option(min=0, help="Of the simulated object.")] = 1,
+    again: Annotated[
+        list[str] | None,
+        typer.Option(help="Step or recording to take once more, e.g. held or 'held F1-S2'."),
+    ] = None,
+    baud: Baud = 115_200,
+    out: Out = HERE,
+    as_json: AsJson = False,
+    overrides: Overrides = None,
+) -> None:
+    """Bring a newly soldered object up, question by question, and write how it was built."""
+    from instobj.commands.bringup.command import BringupOptions, bring_up
+
+    result = bring_up(
+        BringupOptions(
+            spec, out, port, replay, simulated, tuple(fault or ()), seed, tuple(again or ()),
+            baud, tuple(overrides or ()),
+        )
+    )  # fmt: skip
+    show(result, as_json)
+    if not result["passed"]:
+        raise typer.Exit(1)
 
 
 @app.command()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 import typer
 
@@ -29,6 +29,38 @@ AsBuilt = Annotated[
     Path | None,
     typer.Option(help="Measurements of the built object (default: SPEC.as_built.toml)."),
 ]
+Port = Annotated[str | None, typer.Option(help="Serial port of the board, e.g. /dev/ttyACM0.")]
+LoadPort = Annotated[
+    str | None, typer.Option(help="Separate serial port of a load cell or machine.")
+]
+Baud = Annotated[int, typer.Option(min=300, help="Bits per second.")]
+ReplaySpeed = Annotated[
+    float, typer.Option(min=0, help="Speed of a replay: 1 as recorded, 0 as fast as possible.")
+]
+Places = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--place",
+        metavar="FACE:X,Y",
+        help="Contact location of load cell 1 (2, …), mm; :X,Y for each further tip.",
+    ),
+]
+Forces = Annotated[
+    list[float] | None,
+    typer.Option(
+        "--force",
+        metavar="N",
+        help="Constant force (N) if no load cell is connected, e.g. a dead weight.",
+    ),
+]
+Seconds = Annotated[float | None, typer.Option(min=0, help="Stop after this many seconds.")]
+ZeroMode = Annotated[
+    Literal["rest", "first", "none"] | None,
+    typer.Option(
+        help="Baseline: tracked at rest (default), from the first frames, or already subtracted."
+    ),
+]
+ZeroFrames = Annotated[int, typer.Option(min=5, help="Frames at rest that give the baseline.")]
 HERE = Path()
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from itertools import islice
 from math import isnan
 from pathlib import Path
 from typing import Any
@@ -19,6 +20,7 @@ from instobj.store import readers
 _MOST_COLUMNS = 12
 _NOTHING = 1e-10
 """Magnitude below which a figure is a rounding error of what was added up."""
+_LONGEST_WORD = 16
 _NUMBER = re.compile(r"^[^A-Za-z/_]*\d[^A-Za-z/_]*([eE][-+]?\d+)?[^A-Za-z/_]*$")
 """A word that is one number, with its sign, unit sign or brackets."""
 
@@ -99,15 +101,21 @@ def _print_summary(console: Console, summary: dict[str, Any]) -> None:
     for title, values in summary.items():
         if isinstance(values, list):
             _print_rows(console, title, values)
+        elif all(isinstance(value, str) for value in values.values()):
+            console.print(f"[bold]{title}[/bold]")
+            for name, value in values.items():
+                console.print(f"  {name}: {_number(value)}")
         else:
             line = ", ".join(f"{name} {_number(value)}" for name, value in values.items())
             console.print(f"[bold]{title}[/bold]: {line}")
 
 
 def _print_rows(console: Console, title: str, rows: list[dict[str, Any]]) -> None:
-    """A table; two or more where its numbers would not fit the width unbroken."""
-    columns, widths = _laid_out(rows, console.width)
+    """A table; two or more where its words and numbers would not fit the width unbroken."""
     names = list(rows[0])
+    columns, widths = _laid_out(rows, console.width, _words)
+    if widths is None and len(names) <= 2:
+        columns, widths = _laid_out(rows, console.width, _numbers)
     if widths is None and len(names) > 2:
         half = (len(names) + 1) // 2
         for part in (names[:half], [names[0], *names[half:]]):
@@ -121,11 +129,12 @@ def _print_rows(console: Console, title: str, rows: list[dict[str, Any]]) -> Non
     console.print(table)
 
 
-def _laid_out(rows: list[dict[str, Any]], room: int) -> tuple[list[list[str]], list[int] | None]:
+def _laid_out(
+    rows: list[dict[str, Any]], room: int, kept: Callable[[list[str]], list[str]]
+) -> tuple[list[list[str]], list[int] | None]:
     """Columns and their widths, transposed where they are many or their words do not fit.
 
-    Where the words fit neither way long words are broken, numbers never: no widths where those fit
-    neither way.
+    Where the words fit neither way only those `kept` stay whole: no widths where they fit neither way.
     """
     columns = _columns(rows)
     widths = _widths(columns, room, _parts)
@@ -136,7 +145,7 @@ def _laid_out(rows: list[dict[str, Any]], room: int) -> tuple[list[list[str]], l
     turned_widths = _widths(turned, room, _parts)
     if turned_widths:
         return turned, turned_widths
-    broken = [(shown, _widths(shown, room, _numbers)) for shown in (columns, turned)]
+    broken = [(shown, _widths(shown, room, kept)) for shown in (columns, turned)]
     fitting = [pair for pair in broken if pair[1]]
     return fitting[-1 if many else 0] if fitting else (columns, None)
 
@@ -168,6 +177,11 @@ def _parts(column: list[str]) -> list[str]:
     return " ".join(column).split()
 
 
+def _words(column: list[str]) -> list[str]:
+    """Words of a usual length and all that hold a number; the beginnings of others (paths, hashes)."""
+    return [word if _NUMBER.search(word) else word[:_LONGEST_WORD] for word in _parts(column)]
+
+
 def _numbers(column: list[str]) -> list[str]:
     """Words that hold a number, and marks as short; at least four characters of any other."""
     return [word if _NUMBER.search(word) else word[:4] for word in _parts(column)]
@@ -187,29 +201,27 @@ _OPENED_FIRST = (
 )
 """Files that a person opens first, where a command wrote them."""
 _ALL_NAMED = 6
-_SHOWN_FIRST = 4
 
 
 def _print_files(console: Console, files: Any) -> None:
-    """Each file where they are few; else the folders, and the files to open first."""
+    """Each file where they are few, else the folders; last the one to open first."""
     paths = [Path(row["path"]) for row in files]
-    if len(paths) <= _ALL_NAMED:
-        for row in files:
-            console.print(f"wrote {row['path']} ({_size(row['bytes'])})", soft_wrap=True)
-        return
-    for folder in _folders(paths):
-        inside = [row["bytes"] for row in files if Path(row["path"]).is_relative_to(folder)]
-        console.print(
-            f"wrote {len(inside)} files, {_size(sum(inside))}, to {folder}/", soft_wrap=True
-        )
-    ranked = [
+    lines = [f"wrote {row['path']} ({_size(row['bytes'])})" for row in files]
+    if len(paths) > _ALL_NAMED:
+        lines = [_in_folder(folder, files) for folder in _folders(paths)]
+    ranked = (
         path
         for name in _OPENED_FIRST
         for path in paths
         if f"/{path.as_posix()}".endswith(f"/{name}")
-    ]
-    for path in ranked[:_SHOWN_FIRST]:
-        console.print(f"open  {path}", soft_wrap=True)
+    )
+    for line in (*lines, *(f"open  {path}" for path in islice(ranked, 1))):
+        console.print(line, soft_wrap=True)
+
+
+def _in_folder(folder: Path, files: Any) -> str:
+    inside = [row["bytes"] for row in files if Path(row["path"]).is_relative_to(folder)]
+    return f"wrote {len(inside)} files, {_size(sum(inside))}, to {folder}/"
 
 
 def _folders(paths: list[Path]) -> list[Path]:

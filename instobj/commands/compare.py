@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from design.layout.coverage import covered_share
+from design.layout.places.coverage import covered_share
 from design.spec.object import ObjectSpec
 from estimator.information.scores import PlaceScores, area_places, weakest_place
 from instobj.figures.saving import save_figure
@@ -18,10 +18,15 @@ from instobj.store.readers import SCORES
 def compare_scores(specs: list[ObjectSpec], out: Path) -> dict[str, Any]:
     """Rows and a figure from the `scores.csv` that every specification has in `runs/<name>`."""
     scores = [SCORES.read(run_folder(out, spec.name)) for spec in specs]
-    figure = run_folder(out, "+".join(spec.name for spec in specs)) / "comparison.png"
+    figure = comparison_picture(specs, out)
     draw_comparison(specs, scores, figure)
     rows = [comparison_row(spec, places) for spec, places in zip(specs, scores, strict=True)]
     return {"rows": rows, "files": file_rows([figure])}
+
+
+def comparison_picture(specs: list[ObjectSpec], out: Path) -> Path:
+    """Where the figure of a comparison lies, and all else that is written of it."""
+    return run_folder(out, "+".join(spec.name for spec in specs)) / "comparison.png"
 
 
 def comparison_row(spec: ObjectSpec, scores: PlaceScores) -> dict[str, Any]:

@@ -55,7 +55,7 @@ def check(spec: ObjectSpec) -> SpecCheck:
     >>> found.sensors, found.largest_field_at_rest_mt < found.range_mt
     (15, True)
     """
-    from design.layout.positions import magnet_layout, sensor_layout
+    from design.layout.places.positions import magnet_layout, sensor_layout
     from estimator.field.sources import magnet_source
     from estimator.signals.hall import check_rest, check_sensors_outside_magnets
     from estimator.signals.presses import rest_counts
@@ -127,9 +127,13 @@ def run_chain(
 
 def simulate_recordings(specs: list[Path], out: Path, overrides: list[str]) -> dict[str, Any]:
     """Recordings as `[collection]` asks for them, with tangential forces where it does."""
+    from estimator.frames.contact_cases import contact_groups
+
     loaded = [load_spec(path, overrides) for path in specs]
     _require_distinct_names(loaded, specs)
     require_writable(out)
+    for spec in loaded:  # told before the minutes of mechanics
+        contact_groups(spec)
     objects = []
     for spec in loaded:
         pulled = spec.collection.tangential_share > 0

@@ -24,7 +24,7 @@ from instobj.store.readers import FRAMES, MODELS, PRESSES, SHEAR, face_model_pat
 if TYPE_CHECKING:
     from estimator.frames.dataset import FrameSet
     from estimator.networks.face_model import FaceModel
-    from estimator.recordings.limits import Limits
+    from estimator.recordings.checks.limits import Limits
     from estimator.recordings.reading import Grid
     from instobj.stages.makers.twin import TwinOfData
 
@@ -185,9 +185,9 @@ def simulated_twin(
 
 
 def _grid_and_limits(path: Path) -> tuple[Grid, Limits]:
-    from design.layout.positions import contact_grid
+    from design.layout.places.positions import contact_grid
     from design.spec_io import load_spec
-    from estimator.recordings.limits import Limits
+    from estimator.recordings.checks.limits import Limits
     from estimator.signals.hall import full_scale_counts
 
     spec = load_spec(path, [])

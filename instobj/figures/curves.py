@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from design.layout.contact_places import contact_places
-from design.layout.positions import contact_grid, grid_places_in_lattice
+from design.layout.places.contact_places import contact_places
+from design.layout.places.positions import contact_grid, grid_places_in_lattice
 from design.spec.object import ObjectSpec
 from estimator.information.scores import area_places
 from instobj.figures.saving import save_figure
@@ -64,7 +64,7 @@ def _band(axes: Any, x: np.ndarray, flat: np.ndarray, colour: str, label: str) -
 
 def _whitened_size(spec: ObjectSpec, signals: Signals) -> np.ndarray:
     """Length of each face's own signal change in standard deviations of a fresh baseline."""
-    from design.layout.positions import sensor_layout
+    from design.layout.places.positions import sensor_layout
 
     sigma = np.hypot(np.asarray(spec.sensors.noise_counts), spec.sensors.zeroing_counts)
     owner = sensor_layout(spec).face

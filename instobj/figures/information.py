@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 
 from design.layout.body import face_frame
-from design.layout.contact_places import contact_places
+from design.layout.places.contact_places import contact_places
+from design.layout.places.positions import contact_grid
 from design.layout.pockets import magnet_places, sensor_places
-from design.layout.positions import contact_grid
 from design.spec.object import ObjectSpec
 from estimator.information.identifiability import Identifiability
 from estimator.inversion.blind_start import BlindStart
@@ -116,11 +116,15 @@ def draw_blindest(spec: ObjectSpec, rows: Sequence[Identifiability], path: Path 
 
 
 def _draw_set(axes: Any, spec: ObjectSpec, row: Identifiability) -> None:
-    from matplotlib.patches import Circle, Rectangle
+    from matplotlib.patches import Circle, Ellipse, Rectangle
 
     worst = row.worst
-    half_x, half_y = face_frame(spec, worst.face).half_extents_mm
-    axes.add_patch(Rectangle((-half_x, -half_y), 2 * half_x, 2 * half_y, fc="#f7f4ec", ec="0.5"))
+    frame = face_frame(spec, worst.face)
+    half_x, half_y = frame.half_extents_mm
+    outline = Rectangle((-half_x, -half_y), 2 * half_x, 2 * half_y, fc="#f7f4ec", ec="0.5")
+    if frame.round:
+        outline = Ellipse((0, 0), 2 * half_x, 2 * half_y, fc="#f7f4ec", ec="0.5")
+    axes.add_patch(outline)
     for x, y in magnet_places(spec)[spec.body.sensed.index(worst.face)]:
         axes.add_patch(Circle((x, y), spec.magnets.diameter_mm / 2, fill=False, ec="#1f77d0"))
     for x, y, _ in sensor_places(spec)[spec.body.sensed.index(worst.face)]:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from design.layout.positions import sensor_layout
+from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
 from instobj.figures.saving import save_figure
 

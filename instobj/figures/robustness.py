@@ -9,7 +9,7 @@ from design.spec.object import ObjectSpec
 from instobj.figures.saving import save_figure
 
 if TYPE_CHECKING:
-    from estimator.tolerances.result import Robustness, Spread
+    from estimator.tolerances.result import Robustness
 
 _ALONE, _ALL, _WORST = "#1b6ca8", "#5b5b5b", "#c8553d"
 _PANELS = (
@@ -18,6 +18,9 @@ _PANELS = (
     ("signal", "signal_worst", 100.0, "signal change (%)"),
     ("baseline_counts", "baseline_worst_counts", 1.0, "resting level (counts)"),
 )
+
+_SHORT_BAR = 0.05
+"""Of the axis: where the longest bar is shorter, the axis is logarithmic."""
 
 
 def draw_robustness(spec: ObjectSpec, budget: Robustness, path: Path) -> None:
@@ -28,7 +31,8 @@ def draw_robustness(spec: ObjectSpec, budget: Robustness, path: Path) -> None:
     figure = Figure(figsize=(13, 0.34 * len(rows) + 2.2), layout="constrained")
     panels = figure.subplots(1, len(_PANELS), sharey=True)
     for axes, (median, worst, scale, label) in zip(panels, _PANELS, strict=True):
-        _draw_panel(axes, rows, median, worst, scale)
+        values, largest = ([scale * getattr(row, name) for row in rows] for name in (median, worst))
+        _draw_panel(axes, values, largest)
         axes.set_xlabel(label)
     panels[0].set_yticks(range(len(rows)), [tolerance_text(spec, row.name) for row in rows])
     panels[0].invert_yaxis()
@@ -42,12 +46,12 @@ def draw_robustness(spec: ObjectSpec, budget: Robustness, path: Path) -> None:
     save_figure(figure, path)
 
 
-def _draw_panel(axes: Any, rows: tuple[Spread, ...], median: str, worst: str, scale: float) -> None:
-    values = [scale * getattr(row, median) for row in rows]
-    largest = [scale * getattr(row, worst) for row in rows]
-    colours = [_ALONE] * (len(rows) - 1) + [_ALL]
+def _draw_panel(axes: Any, values: list[float], largest: list[float]) -> None:
+    """Linear, but where the worst locations would leave bars of no length."""
+    rows = len(values)
+    colours = [_ALONE] * (rows - 1) + [_ALL]
     axes.barh(
-        range(len(rows)),
+        range(rows),
         values,
         color=colours,
         height=0.7,
@@ -55,7 +59,7 @@ def _draw_panel(axes: Any, rows: tuple[Spread, ...], median: str, worst: str, sc
     )
     axes.plot(
         largest,
-        range(len(rows)),
+        range(rows),
         "|",
         color=_WORST,
         markersize=11,
@@ -71,9 +75,13 @@ def _draw_panel(axes: Any, rows: tuple[Spread, ...], median: str, worst: str, sc
             fontsize=8,
             color="#333333",
         )
-    axes.axhline(len(rows) - 1.5, color="#999999", linewidth=0.8)
+    axes.axhline(rows - 1.5, color="#999999", linewidth=0.8)
     axes.spines[["top", "right"]].set_visible(False)
-    axes.set_xlim(0, 1.3 * max(largest))
+    if 0 < max(values) < _SHORT_BAR * max(largest):
+        axes.set_xscale("log")
+        axes.set_xlim(min(max(values) / 30, 1.0), 6 * max(largest))
+    else:
+        axes.set_xlim(0, 1.3 * max(largest))
 
 
 def _short(value: float) -> str:

@@ -31,7 +31,7 @@ def draw_slip(spec: ObjectSpec, costs: dict[str, SlipCost], path: Path, title: s
 
 
 def _draw_sensors(axes: Any, spec: ObjectSpec, costs: dict[str, SlipCost]) -> None:
-    from design.layout.positions import sensor_layout
+    from design.layout.places.positions import sensor_layout
 
     face = sensor_layout(spec).face
     place = np.arange(len(face)) + 0.6 * face

@@ -27,7 +27,9 @@ def draw_validation(
     """One scatter plot per pressed face (own channels), and the figures of merit beside their nulls (PNG)."""
     from matplotlib.figure import Figure
 
-    faces = [face for face in range(1, 6) if presses.face_of_case(face).any()]
+    from estimator.calibration.recorded_presses import pressed_faces
+
+    faces = pressed_faces(presses)
     figure = Figure(figsize=(4.4 * (len(faces) + 1), 5.6), layout="constrained")
     *panels, last = figure.subplots(1, len(faces) + 1)
     for face, axes in zip(faces, panels, strict=True):
@@ -48,13 +50,14 @@ def _draw_scatter(
     face: int,
 ) -> None:
     """One point per channel and case: means over its presses."""
-    count = 3 * spec.sensors.count_per_face
-    own = slice((face - 1) * count, face * count)
+    from estimator.calibration.recorded_presses import own_channels
+
+    own = own_channels(spec, face)
     largest = 0.0
     for case in np.flatnonzero(presses.face_of_case(face)):
         rows = np.flatnonzero(presses.case == case)
-        recorded = presses.signal_counts[rows, own].mean(axis=0)
-        predicted = predictions.counts[rows, case, own].mean(axis=0)
+        recorded = presses.signal_counts[rows][:, own].mean(axis=0)
+        predicted = predictions.counts[rows, case][:, own].mean(axis=0)
         places = "; ".join(f"({x:g}, {y:g})" for f, x, y in presses.cases[case] if f == face)
         axes.plot(predicted, recorded, "o", markersize=4, alpha=0.8, label=places)
         largest = max(largest, np.nanmax(abs(recorded)), np.nanmax(abs(predicted)))

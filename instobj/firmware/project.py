@@ -8,17 +8,18 @@ from dataclasses import astuple
 from io import StringIO
 from pathlib import Path
 
+from design.build.order_list import ORDER_COLUMNS, order_list, order_row
 from design.catalogue.bus_parts import MEGA2560, MLX90393, TMAG5273
 from design.files import atomic_path
 from design.spec.object import ObjectSpec
 from design.wiring.bus_plan import BusPlan
 from design.wiring.dealing import ChipOnBus
-from design.wiring.order_list import order_list
 from design.wiring.wires import wires_of
 from instobj.firmware.drawing import wiring_svg
 from instobj.firmware.mega2560_plan import plan_header
 from instobj.firmware.pico_plan import plan_module
 from instobj.firmware.settings import family_of
+from instobj.store.readers import ORDERS
 
 _SOURCES = Path(__file__).parent
 _DRIVERS = {TMAG5273: "tmag5273", MLX90393: "mlx90393"}
@@ -50,16 +51,10 @@ def _bench_files(spec: ObjectSpec, plan: BusPlan) -> dict[str, str]:
     """What lies beside the soldering iron: drawing, wires in order, parts to buy."""
     title = f"Wiring of {spec.name} on the {plan.board.title}, seen from the pads"
     wires = [astuple(wire) for wire in wires_of(plan)]
-    orders = [
-        (o.title, o.maker, o.number, o.pieces, o.packs, *o.price_eur, o.priced)
-        for o in order_list(spec, plan)
-    ]
     return {
         "wiring.svg": wiring_svg(plan, title),
         "wiring.csv": _csv(("wire", "from", "to", "signal", "colour", "length_mm"), wires),
-        "orders.csv": _csv(
-            ("part", "maker", "number", "pieces", "packs", "low_eur", "high_eur", "priced"), orders
-        ),
+        ORDERS.name: _csv(ORDER_COLUMNS, map(order_row, order_list(spec, plan))),
     }
 
 

@@ -9,24 +9,14 @@ from jaxtyping import Float
 
 from design.spec.object import ObjectSpec
 from instobj.figures.saving import save_figure
-from instobj.render.parts import load_stl
+from instobj.render.parts import COLOURS, load_stl
 from instobj.render.pieces import Piece, moved, picture_of
 
 _TOWARDS = (1.0, -1.25, 0.6)
 _UP = (0.0, 0.0, 1.0)
 _GAP_MM = 24.0
 _OUT_MM = 7.0
-_BOARD = (0.10, 0.45, 0.22)
 _NORTH, _SOUTH = (0.80, 0.16, 0.14), (0.16, 0.32, 0.72)
-_PRINTED = {
-    "core": (0.55, 0.66, 0.78),
-    "shell": (0.93, 0.84, 0.68),
-    "mould_box": (0.66, 0.77, 0.62),
-    "mould_half_a": (0.66, 0.77, 0.62),
-    "mould_half_b": (0.58, 0.70, 0.56),
-    "mould_plug": (0.76, 0.70, 0.84),
-    "mould_holder": (0.76, 0.70, 0.84),
-}
 
 
 def draw_exploded(spec: ObjectSpec, folder: Path, png_path: Path) -> Path:
@@ -51,9 +41,7 @@ def draw_exploded(spec: ObjectSpec, folder: Path, png_path: Path) -> Path:
 
 def _pieces(spec: ObjectSpec, folder: Path) -> list[Piece]:
     """From the top: mould, shell with magnets drawn out, core with boards drawn out, plug."""
-    parts = {
-        name: load_stl(path) for name in _PRINTED if (path := folder / f"{name}.stl").is_file()
-    }
+    parts = {name: load_stl(path) for name in COLOURS if (path := folder / f"{name}.stl").is_file()}
     level, pieces = 0.0, []
     for label, names in (
         ("mould box", ("mould_box",)),
@@ -74,7 +62,7 @@ def _pieces(spec: ObjectSpec, folder: Path) -> list[Piece]:
         for name in present:
             text = label if name == present[0] else ""
             pieces.append(
-                Piece(moved(parts[name], _aside(spec, name) + shift), _PRINTED[name], text)
+                Piece(moved(parts[name], _aside(spec, name) + shift), COLOURS[name], text)
             )
         pieces += [Piece(moved(piece.mesh, shift), piece.colour) for piece in extra]
         level -= high - low + 2 * reach + _GAP_MM
@@ -92,9 +80,10 @@ def _aside(spec: ObjectSpec, name: str) -> Float[np.ndarray, "3"]:
 
 def _around(spec: ObjectSpec, name: str) -> list[Piece]:
     """Magnets or boards of a part, drawn out along their axes."""
+    from design.body.triangles import block_surface
     from design.build.scene import magnet_halves
     from design.layout.boards import board_blocks
-    from design.layout.positions import magnet_layout
+    from design.layout.places.positions import magnet_layout
 
     in_shell = spec.arrangement == "sensors-in-core"
     if name == ("shell" if in_shell else "core"):
@@ -106,18 +95,13 @@ def _around(spec: ObjectSpec, name: str) -> list[Piece]:
             for half, colour in zip(halves, (_NORTH, _SOUTH), strict=True)
         ]
     if name == ("core" if in_shell else "shell"):
-        import trimesh
-
         blocks = board_blocks(spec)
         centres = np.stack([block.centre_mm for block in blocks])
         out = _outward(centres, np.stack([block.axes[:, 2] for block in blocks])) * _OUT_MM
-        boards = []
-        for block, way in zip(blocks, out, strict=True):
-            placed = np.eye(4)
-            placed[:3, :3], placed[:3, 3] = block.axes, block.centre_mm + way
-            box = trimesh.creation.box(2 * block.half_mm)
-            boards.append(Piece(box.apply_transform(placed), _BOARD))
-        return boards
+        return [
+            Piece(moved(block_surface(block), way), COLOURS["board"])
+            for block, way in zip(blocks, out, strict=True)
+        ]
     return []
 
 

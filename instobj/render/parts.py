@@ -28,6 +28,18 @@ STEEPEST_PIXELS = 5.0
 """Surfaces that fall by less than so many pixels in one are drawn without lines."""
 _ARROW = {"arrowstyle": "->", "shrinkA": 0, "shrinkB": 0}
 CUT_COLOUR = (0.80, 0.36, 0.25)
+COLOURS = {
+    "core": (0.55, 0.66, 0.78),
+    "shell": (0.93, 0.84, 0.68),
+    "mould_box": (0.66, 0.77, 0.62),
+    "mould_half_a": (0.66, 0.77, 0.62),
+    "mould_half_b": (0.58, 0.70, 0.56),
+    "mould_plug": (0.76, 0.70, 0.84),
+    "mould_holder": (0.76, 0.70, 0.84),
+    "pin": (0.80, 0.45, 0.30),
+    "board": (0.10, 0.45, 0.22),
+}
+"""Of parts by their name, in every picture; pins and boards have several names."""
 
 
 @dataclass(frozen=True)
@@ -48,21 +60,25 @@ class PartView:
 VIEWS = {
     view.part: view
     for view in (
-        PartView("core", "Core, faces 1, 2 and 3", (1, -1.25, 1), (0, 0, 1), (0.55, 0.66, 0.78)),
-        PartView("shell", "Shell, cut open", (1, -1.25, 0.9), (0, 0, 1), (0.93, 0.84, 0.68), True),
+        PartView("core", "Core, faces 1, 2 and 3", (1, -1.25, 1), (0, 0, 1), COLOURS["core"]),
+        PartView("shell", "Shell, cut open", (1, -1.25, 0.9), (0, 0, 1), COLOURS["shell"], True),
         PartView(
-            "mould_box", "Mould box, open side up", (0.7, -1, -1.6), (0, 0, -1), (0.66, 0.77, 0.62)
+            "mould_box",
+            "Mould box, open side up",
+            (0.7, -1, -1.6),
+            (0, 0, -1),
+            COLOURS["mould_box"],
         ),
         PartView(
             "mould_half_a",
             "Mould half, from its seam",
             (-1, -0.8, 0.7),
             (0, 0, 1),
-            (0.66, 0.77, 0.62),
+            COLOURS["mould_half_a"],
         ),
-        PartView("mould_plug", "Mould plug", (1.2, -0.9, 0.7), (0, 0, 1), (0.76, 0.70, 0.84)),
+        PartView("mould_plug", "Mould plug", (1.2, -0.9, 0.7), (0, 0, 1), COLOURS["mould_plug"]),
         PartView(
-            "mould_holder", "Rod for the core", (1.2, -0.9, 0.7), (0, 0, 1), (0.76, 0.70, 0.84)
+            "mould_holder", "Rod for the core", (1.2, -0.9, 0.7), (0, 0, 1), COLOURS["mould_holder"]
         ),
         PartView("jig", "Jig", (0.7, -1, 1), (0, 0, 1), (0.70, 0.70, 0.70)),
         PartView(

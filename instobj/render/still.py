@@ -4,15 +4,12 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import numpy as np
-
 from design.spec.object import ObjectSpec
 from instobj.figures.saving import save_figure
-from instobj.render.parts import draw_axes_and_scale, load_stl, without_quarter
+from instobj.render.parts import COLOURS, draw_axes_and_scale, load_stl, without_quarter
 from instobj.render.pieces import Piece, picture_of
 
 _TOWARDS, _UP = (1.0, -1.25, 0.9), (0.0, 0.0, 1.0)
-_CORE, _SHELL, _BOARD = (0.55, 0.66, 0.78), (0.93, 0.84, 0.68), (0.10, 0.45, 0.22)
 _NORTH, _SOUTH = (0.80, 0.16, 0.14), (0.16, 0.32, 0.72)
 
 
@@ -31,18 +28,16 @@ def draw_still(spec: ObjectSpec, build: Path, png_path: Path) -> Path:
 
 
 def _pieces(spec: ObjectSpec, build: Path) -> list[Piece]:
-    import trimesh
-
+    from design.body.triangles import block_surface
     from design.build.scene import magnet_halves
     from design.layout.boards import board_blocks
-    from design.layout.positions import magnet_layout
+    from design.layout.places.positions import magnet_layout
 
     shell = without_quarter(load_stl(build / "shell.stl"))
-    pieces = [Piece(load_stl(build / "core.stl"), _CORE), Piece(shell, _SHELL)]
+    pieces = [Piece(load_stl(build / "core.stl"), COLOURS["core"]), Piece(shell, COLOURS["shell"])]
     for halves in magnet_halves(spec, magnet_layout(spec)):
         pieces += [Piece(half, c) for half, c in zip(halves, (_NORTH, _SOUTH), strict=True)]
-    for block in board_blocks(spec):
-        placed = np.eye(4)
-        placed[:3, :3], placed[:3, 3] = block.axes, block.centre_mm
-        pieces.append(Piece(trimesh.creation.box(2 * block.half_mm, placed), _BOARD))
-    return pieces
+    return [
+        *pieces,
+        *(Piece(block_surface(block), COLOURS["board"]) for block in board_blocks(spec)),
+    ]

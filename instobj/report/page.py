@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 from urllib.parse import quote
 
 from design.files import atomic_path
-from design.layout.contact_places import contact_places, grid_count
-from design.layout.coverage import covered_shares
+from design.layout.places.contact_places import contact_places, grid_count
+from design.layout.places.coverage import covered_shares
 from design.spec.mechanics import LOCKING_WARNING
 from design.spec.object import ObjectSpec
 from design.spec_io import spec_hash
@@ -18,6 +18,7 @@ from instobj.figures.maps.files import OVERVIEW, SCORE_MAPS, unit_of
 from instobj.report.core_section import core_section
 from instobj.report.deformation_section import compliance_section, deformation_section
 from instobj.report.pages import render, shown
+from instobj.report.remedies import remedies_section
 from instobj.report.surroundings import surroundings_section
 from instobj.report.uncertainty import (
     HEADER,
@@ -86,7 +87,7 @@ def write_report(spec: ObjectSpec, inputs: Inputs, path: Path) -> None:
             [check.what, check.value, check.limit, "pass" if check.passed else "FAIL", check.where]
             for check in verdict.checks
         ],
-        alternatives=_alternatives(inputs),
+        **remedies_section(spec, readers.ALTERNATIVES.read(inputs["alternatives"]), verdict.go),
         surroundings=surroundings_section(readers.SURROUNDINGS.read(inputs["surroundings"])),
         press_curves=readers.PRESS_CURVES_PICTURE.path(inputs["press_curves"]),
         mechanics=_mechanics(spec, curves, inputs, protocol),
@@ -134,26 +135,18 @@ def is_papers_cube(spec: ObjectSpec) -> bool:
     return all(getattr(spec, part) == getattr(default, part) for part in _PAPER_PARTS)
 
 
-def _alternatives(inputs: Inputs) -> list[list[str]]:
-    figures = ("weakest_bound_mm", "median_bound_mm", "worst_detectable_n")
-    content = readers.ALTERNATIVES.read(inputs["alternatives"])
-    return [
-        [row["change"], *(f"{row[name]:.2f}" for name in figures)]
-        for row in content["alternatives"]
-    ]
-
-
 def _maps(spec: ObjectSpec, inputs: Inputs) -> dict[str, Any]:
     folder = inputs["scores"] / "maps"
-    maps = [
-        MapsOfFaces(
+    maps = {
+        score_map.field: MapsOfFaces(
             score_map.title,
             unit_of(score_map, spec),
             sorted(folder.glob(f"{score_map.stem}_face_*.png")),
         )
         for score_map in SCORE_MAPS
-    ]
-    return {"overview": folder / OVERVIEW, "maps": maps}
+    }
+    delta = maps.pop("delta_raw")
+    return {"overview": folder / OVERVIEW, "maps": [*maps.values()], "delta_maps": [delta]}
 
 
 def _areas(scores: PlaceScores) -> dict[str, Any]:
@@ -164,21 +157,28 @@ def _areas(scores: PlaceScores) -> dict[str, Any]:
         "position_bound_drifted_mm": "after 15 min of drift, mm",
         "force_bound_fresh_n": "force bound, N",
         "detectable_force_fresh_n": "detectable force, N",
-        "delta_raw": "δ raw, counts^d/N",
         "stiffness_n_per_mm": "N/mm",
     }
+    areas = summarize_areas(scores)
     rows = [
         [
             area.area.replace("_", "-"),
             str(area.places),
-            *(f"{area.medians[name]:.3g}" for name in columns),
-            f"{area.ratio_to_centre['position_bound_fresh_mm']:.2f}",
-            f"{area.ratio_to_centre['delta_raw']:.2f}",
+            *(shown(area.medians[name]) for name in columns),
+            shown(area.ratio_to_centre["position_bound_fresh_mm"]),
         ]
-        for area in summarize_areas(scores)
+        for area in areas
     ]
-    header = ["area", "locations per face", *columns.values(), "bound / centre's", "δ / centre's"]
-    return {"area_header": header, "areas": rows}
+    deltas = [
+        [
+            area.area.replace("_", "-"),
+            shown(area.medians["delta_raw"]),
+            shown(area.ratio_to_centre["delta_raw"]),
+        ]
+        for area in areas
+    ]
+    header = ["area", "locations per face", *columns.values(), "bound / centre's"]
+    return {"area_header": header, "areas": rows, "deltas": deltas}
 
 
 def _cross_face(inputs: Inputs) -> dict[str, Any]:

@@ -65,11 +65,11 @@ def _environment() -> Environment:
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    environment.globals |= {"picture": picture, "style": _style, "embedded": embedded}
+    environment.globals |= {"picture": picture, "style": style, "embedded": embedded}
     environment.globals |= {"policy": policy, "program": lambda: Markup(program())}
     return environment
 
 
-def _style(name: str) -> Markup:
+def style(name: str) -> Markup:
     """A style sheet of this room."""
     return Markup((_TEMPLATES / name).read_text(encoding="utf-8"))

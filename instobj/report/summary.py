@@ -8,6 +8,7 @@ from collections.abc import Callable
 from typing import Any
 
 from design.spec.object import ObjectSpec
+from instobj.report.remedies import verdict_summary
 from instobj.report.uncertainty import robustness_summary
 from instobj.store.content import StoredResult
 from instobj.store.readers import (
@@ -73,6 +74,8 @@ def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) 
     }
     if spec and "robustness" in results:
         made |= _finite(robustness_summary(spec, results["robustness"].folder))
+    if spec and "report" in results:
+        made = {"verdict": verdict_summary(spec, results)} | made
     return {title: values for title, values in made.items() if values}
 
 
@@ -220,11 +223,7 @@ def _median(rows: list[dict[str, str]], name: str) -> float:
     return statistics.median(float(row[name]) for row in rows)
 
 
-_ESTIMATORS = {
-    "faces": "network",
-    "ridge_regression": "ridge",
-    "mean_map": "chance",
-}
+_ESTIMATORS = {"faces": "network", "ridge_regression": "ridge", "mean_map": "chance"}
 
 
 def _metrics(result: StoredResult) -> list[dict[str, Any]]:

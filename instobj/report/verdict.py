@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from design.layout.coverage import covered_share
+from design.layout.places.coverage import covered_share
+from design.spec.learning import LimitsSpec
 from design.spec.object import ObjectSpec
 from estimator.information.scores import PlaceScores, summarize_areas, weakest_place
 
@@ -49,6 +50,17 @@ class Verdict:
         return self.covered >= ENOUGH_COVERED
 
 
+def worst_ratio(
+    limits: LimitsSpec, position_bound_mm: float, detectable_force_n: float, margin: float
+) -> float:
+    """The largest of an object's weakest figures over its limit; 1 and below passes."""
+    return max(
+        position_bound_mm / limits.position_bound_mm,
+        detectable_force_n / limits.detectable_force_n,
+        (1 - margin) / (1 - limits.saturation_margin),
+    )
+
+
 def judge(spec: ObjectSpec, scores: PlaceScores, saturation_margin: float) -> Verdict:
     """Judge an object from its scores and the share of the sensors' range that stays free."""
     checks = (
@@ -67,8 +79,9 @@ def _position(spec: ObjectSpec, scores: PlaceScores) -> Check:
     weakest = weakest_place(scores)
     limit = spec.limits.position_bound_mm
     return Check(
-        f"Position bound at the weakest contact location, {spec.score.force_n:g} N, fresh baseline",
-        f"{weakest.position_bound_mm:.2f} mm",
+        f"Where: position bound of a press of {spec.score.force_n:g} N at the weakest contact location, "
+        "fresh baseline",
+        _shown(weakest.position_bound_mm, "mm", "blind"),
         f"≤ {limit:g} mm",
         weakest.position_bound_mm / limit,
         f"face {weakest.face} at ({weakest.x_mm:g}, {weakest.y_mm:g}) mm, worst along "
@@ -83,18 +96,23 @@ def _detection(spec: ObjectSpec, scores: PlaceScores) -> Check:
     x, y = scores.grid.xy_mm[place]
     limit = spec.limits.detectable_force_n
     return Check(
-        "Smallest force detectable at every contact location (five sigma from the baseline)",
-        f"{force.max():.2f} N",
+        "How light: smallest force detectable at every contact location (five sigma from the baseline)",
+        _shown(float(force.max()), "N", "none up to the deepest press"),
         f"≤ {limit:g} N",
         float(force.max() / limit),
-        f"face {scores.faces[face]} at ({x:g}, {y:g}) mm; median location {np.median(force):.2f} N",
+        f"face {scores.faces[face]} at ({x:g}, {y:g}) mm; median location "
+        + _shown(float(np.median(force)), "N", "none"),
     )
+
+
+def _shown(value: float, unit: str, unknown: str) -> str:
+    return f"{value:.2f} {unit}" if np.isfinite(value) else unknown
 
 
 def _saturation(spec: ObjectSpec, margin: float) -> Check:
     limit = spec.limits.saturation_margin
     return Check(
-        "Sensor range left free in the strongest press",
+        "How strong: sensor range left free in the deepest press",
         f"{100 * margin:.0f} %",
         f"≥ {100 * limit:g} %",
         (1 - margin) / (1 - limit),

@@ -8,9 +8,11 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import torch
 from jaxtyping import Bool, Float
 
 from design.spec.object import ObjectSpec
+from estimator.layouts.batch_scores import OVER_START, worst_ratio
 from instobj.stages.run import Run
 from instobj.store.readers import METRICS, PLAIN_MESH, PLAIN_RESPONSE, PRESSES, SIGNALS
 
@@ -94,6 +96,9 @@ class TwinRatio:
     high: float
 
 
+_Bounds = dict[str, Float[np.ndarray, "object press"]]
+
+
 def twin_ratios(start: ObjectSpec, found: ObjectSpec, twins: int = TWINS) -> dict[str, TwinRatio]:
     """Bounds of toleranced twins of the start over those of a layout.
 
@@ -101,24 +106,47 @@ def twin_ratios(start: ObjectSpec, found: ObjectSpec, twins: int = TWINS) -> dic
     Geometric means over the judged forces. Places that reach a force only near the deepest press are
     judged at less force, of both alike (`estimator.tolerances.budget`).
     """
-    before, after = (_bounds_of_twins(spec, twins) for spec in (start, found))
-    return {
+    bounds = [_bounds_of_twins(spec, twins) for spec in (start, found)]
+    old, new = bounds
+    before, after = (_summaries(start, one) for one in bounds)
+    ratios = {
         name: TwinRatio(
-            float(before[name][0] / after[name][0]), *_interval(before[name][1:], after[name][1:])
+            float(before[name][0] / after[name][0]),
+            *_interval(before[name][1:, None] / after[name][1:]),
         )
         for name in before
     }
+    but = start.search.limits.places_worse
+    return ratios if but == 1 else ratios | {OVER_START: _place_by_place(old, new, but)}
 
 
-def _bounds_of_twins(spec: ObjectSpec, twins: int) -> dict[str, Float[np.ndarray, "object"]]:
-    """The design first, then its twins."""
+def _bounds_of_twins(spec: ObjectSpec, twins: int) -> list[_Bounds]:
+    """Bounds of the design, then of its twins, at each judged force."""
     from estimator.tolerances.budget import twin_bounds
 
-    presses, each = Run(spec).read(PRESSES), []
-    for force_n in spec.judged_forces_n:
-        at_force = spec.changed(score=spec.score.changed(force_n=force_n))
-        bounds = twin_bounds(at_force, *presses, twins)
-        position, force = bounds["position_mm"], bounds["force_n"]
+    presses = Run(spec).read(PRESSES)
+    return [
+        twin_bounds(spec.changed(score=spec.score.changed(force_n=force_n)), *presses, twins)
+        for force_n in spec.judged_forces_n
+    ]
+
+
+def _place_by_place(before: list[_Bounds], after: list[_Bounds], but: float) -> TwinRatio:
+    """Bounds of every pair of objects at the same force and location, where they grow most."""
+    old, new = (
+        torch.as_tensor(np.concatenate([one["position_mm"] for one in bounds], axis=1))
+        for bounds in (before, after)
+    )
+    there = (old.isfinite() & new.isfinite()).all(dim=0)
+    over = torch.stack([worst_ratio(new[:, there] / one, but) for one in old[:, there]])
+    better = 1 / over.numpy()
+    return TwinRatio(float(better[0, 0]), *_interval(better[1:, 1:]))
+
+
+def _summaries(spec: ObjectSpec, bounds: list[_Bounds]) -> dict[str, Float[np.ndarray, "object"]]:
+    each = []
+    for at_force in bounds:
+        position, force = at_force["position_mm"], at_force["force_n"]
         each.append(
             {
                 "worst_position_bound_mm": np.nanmax(position, axis=1),
@@ -133,16 +161,16 @@ def _bounds_of_twins(spec: ObjectSpec, twins: int) -> dict[str, Float[np.ndarray
 
 
 def _at_edges(spec: ObjectSpec) -> Bool[np.ndarray, "press"]:
-    from design.layout.contact_places import contact_places
-    from design.layout.positions import contact_grid
+    from design.layout.places.contact_places import contact_places
+    from design.layout.places.positions import contact_grid
     from estimator.information.scores import outermost_places
 
     grid = contact_grid(spec)
     return np.concatenate([outermost_places(grid, own)[own] for own in contact_places(spec)])
 
 
-def _interval(before: np.ndarray, after: np.ndarray) -> tuple[float, float]:
-    low, high = np.quantile(before[:, None] / after, [0.025, 0.975])
+def _interval(ratios: Float[np.ndarray, "before after"]) -> tuple[float, float]:
+    low, high = np.quantile(ratios, [0.025, 0.975])
     return float(low), float(high)
 
 
@@ -153,6 +181,7 @@ def score_row(score: FidelityScore) -> dict[str, Any]:
         "99 % place mm": score.percentile_99_position_bound_mm,
         "95 % place mm": score.percentile_95_position_bound_mm,
         "median place mm": score.median_position_bound_mm,
+        "place over start": score.position_bound_over_start,
         "worst force N": score.worst_force_bound_n,
         "false N": score.median_false_force_n,
         "false N, 95 %": score.percentile_95_false_force_n,

@@ -8,9 +8,8 @@ from __future__ import annotations
 
 import json
 import zlib
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -34,6 +33,7 @@ from design.spec_io import parse_spec
 from estimator.layouts.batch import layouts_of
 from estimator.layouts.batch_scores import (
     DEARER,
+    OVER_START,
     PlaceBounds,
     batch_scores,
     position_bounds,
@@ -83,9 +83,13 @@ def structure_fidelity(
 ) -> LowestFidelity:
     """Scorers of a structure, from stored mechanics or after it."""
     structured = with_structure(space.spec, params)
-    every = scorers(structured, pressed_faces(structured))
+    pressed = pressed_faces(structured)
+    every = scorers(structured, pressed)
     share = structured.search.limits.places_worse
-    before = PlaceBounds(tuple(start.position_mm[_pressed(one)] for one in every), share)
+    before = tuple(
+        torch.cat([start.position_mm[force, face] for face in pressed[number]])
+        for force, number in map(_pressed, every)
+    )
     constants, broken = decided_by_structure(structured, every), broken_by_structure(structured)
     limits = structured.search.limits.times_start
     at_most = {
@@ -100,7 +104,7 @@ def structure_fidelity(
         constants,
         at_most,
         broken,
-        None if share == 1 else before,
+        None if share == 1 else PlaceBounds(before, share),
     )
 
 
@@ -109,36 +113,44 @@ def decided_by_structure(spec: ObjectSpec, faces: tuple[LayoutScorer, ...]) -> d
     return {"cost": cost(spec), "compliance_deviation": unevenness(spec, faces)}
 
 
-def scorers(spec: ObjectSpec, faces: tuple[int, ...]) -> tuple[LayoutScorer, ...]:
+def scorers(spec: ObjectSpec, faces: Mapping[int, tuple[int, ...]]) -> tuple[LayoutScorer, ...]:
     """A scorer for every judged force and pressed face, on the stage `candidates`."""
     motions = load_candidates(Run(spec).require("candidates").folder)
     return tuple(
-        layout_scorer(spec, press_basis(spec, motions, face, force))
+        layout_scorer(spec, press_basis(spec, motions, face, force), faces=len(alike))
         for force in spec.judged_forces_n
-        for face in faces
+        for face, alike in faces.items()
     )
 
 
-def pressed_faces(spec: ObjectSpec) -> tuple[int, ...]:
-    """Faces that stand for all: on a cube whose sensors move, the side faces are alike.
+def pressed_faces(spec: ObjectSpec) -> dict[int, tuple[int, ...]]:
+    """Faces that are pressed, and those that each stands for, itself included.
 
-    A grasp takes two opposite ones.
+    On a cube whose sensors move, the side faces are alike. A grasp takes two opposite ones.
     """
+    sensed = spec.body.sensed
     alike = len(set(spec.body.size_mm)) == 1 and spec.search.vary.sensor_reach_mm is not None
     few = (1, 3, 5) if "grasp_position_bound_mm" in spec.search.named else (1, 3)
-    return few if alike and {*few} <= {*spec.body.sensed} else spec.body.sensed
+    if not alike or 6 in sensed or not {*few} <= {*sensed}:
+        return each_alone(sensed)
+    return each_alone(few) | {3: tuple(face for face in sensed if face == 3 or face not in few)}
+
+
+def each_alone(faces: tuple[int, ...]) -> dict[int, tuple[int, ...]]:
+    """Faces that stand for themselves."""
+    return {face: (face,) for face in faces}
 
 
 def start_scores(spec: ObjectSpec) -> StartScores:
     """Lowest-fidelity scores of the specification as it is, and its position bounds place by place."""
-    found = scorers(spec, spec.body.sensed)
+    found = scorers(spec, each_alone(spec.body.sensed))
     layouts = [layouts_of(spec, one.presses.face) for one in found]
     with torch.no_grad():
         scores = batch_scores(found, layouts, DEARER)
         bounds = position_bounds(found, layouts)
     own = {name: float(value) for name, value in scores.items()}
     by_press = {_pressed(one): bound for one, bound in zip(found, bounds, strict=True)}
-    return StartScores(own | decided_by_structure(spec, found), by_press)
+    return StartScores(own | decided_by_structure(spec, found) | {OVER_START: 1.0}, by_press)
 
 
 def _pressed(scorer: LayoutScorer) -> tuple[float, int]:
@@ -153,12 +165,15 @@ def score_trials(
     flags = [not v.choices for v in space.variables]
     units = np.array([unit_of(space, trial) for trial in trials])
     poles = torch.tensor([polarities(structured, trial) for trial in trials])
-    judge_at = partial(judge, lowest, polarity=poles, objectives=spec.search.objectives)
+
+    def judge_at(point: torch.Tensor, rows: torch.Tensor) -> Judged:
+        return judge(lowest, point, poles[rows], spec.search.objectives)
+
     point = torch.as_tensor(units[:, flags], dtype=torch.float32)
     if spec.search.polish_steps and any(flags):
         point = polish(judge_at, point, spec.search.polish_steps, _weights(units, spec))
     with torch.no_grad():
-        judged = judge_at(point)
+        judged = judge_at(point, torch.arange(len(point)))
     units[:, flags] = point.numpy()
     found = []
     for row, (unit, trial) in enumerate(zip(units, trials, strict=True)):

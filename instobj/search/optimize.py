@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 from design.errors import InputError
 from design.layout.body import body_of
-from design.layout.contact_places import shared_counts
-from design.layout.coverage import covered_share
+from design.layout.places.contact_places import shared_counts
+from design.layout.places.coverage import covered_share
 from design.search.space import SearchSpace, start_params
 from design.spec.assembly import AsBuiltSpec
 from design.spec.object import ObjectSpec
@@ -20,9 +21,10 @@ from instobj.search.loop import is_feasible, run_search
 from instobj.search.lowest_fidelity import lowest_fidelity
 from instobj.search.outcome.write import write_outcome
 from instobj.search.possible import require_possible
-from instobj.search.promotion import FIRST, LAST, SECOND, Promoted, Promotion, promote
+from instobj.search.promotion import Promotion, promote
 from instobj.search.study import KeptStudy, open_study
 from instobj.search.time_limit import TRIALS_SHARE, TimeLimit
+from instobj.search.verdict import FIRST, LAST, SECOND, Promoted
 from instobj.stages.run import Run
 from instobj.store.progress import ProgressLine
 from instobj.store.publish import file_rows, require_writable, run_folder
@@ -44,10 +46,15 @@ def optimize(
     progress = ProgressLine()
     kept = open_study(spec, storage or folder / "journal.log", resume, say=progress.step)
     limit = TimeLimit(spec.search.seconds)
-    with limit.enforced():
-        _search(space, kept, progress, lambda: limit.over(TRIALS_SHARE))
+    progress.say(limit.plan)
+
+    def say(text: str) -> None:
+        progress.step(f"{text}; {limit.left}")
+
+    with _kept_on_interrupt(kept, progress), limit.enforced():
+        _search(space, kept, progress, say, lambda: limit.over(TRIALS_SHARE))
         with progress.stage("promotion"):
-            found = promote(space, kept, folder, progress.step, limit)
+            found = promote(space, kept, folder, say, limit)
     if found is None:
         raise InputError(
             f"none of {len(kept.trials())} trials keeps every limit. Raise search.trials and go on with "
@@ -70,8 +77,21 @@ def work(path: Path, out: Path, overrides: list[str], storage: str, worker: int)
     progress = ProgressLine()
     kept = open_study(spec, storage, join=True, say=progress.step)
     limit = TimeLimit(spec.search.seconds)
-    _search(space, kept, progress, limit.over, worker)
+    _search(space, kept, progress, progress.step, limit.over, worker)
     return {"command": "worker", "tables": {f"search of {spec.name}": [_trial_counts(kept)]}}
+
+
+@contextmanager
+def _kept_on_interrupt(kept: KeptStudy, progress: ProgressLine) -> Iterator[None]:
+    """Say what an interrupt leaves behind."""
+    try:
+        yield
+    except KeyboardInterrupt:
+        progress.say(
+            f"kept: {len(kept.trials())} trials in {kept.where}, and every layout that a higher fidelity "
+            "level has scored. Go on with --resume"
+        )
+        raise
 
 
 def search_folder(out: Path, spec: ObjectSpec) -> Path:
@@ -93,6 +113,7 @@ def _search(
     space: SearchSpace,
     kept: KeptStudy,
     progress: ProgressLine,
+    say: Callable[[str], None],
     over: Callable[[], bool],
     worker: int = 0,
 ) -> None:
@@ -103,7 +124,7 @@ def _search(
     try:
         with progress.stage("search"):
             first = start_params(space)
-            run_search(space, kept, scoring.ask, progress.step, first, worker, over)
+            run_search(space, kept, scoring.ask, say, first, worker, over)
     finally:
         scoring.close()
 

@@ -14,6 +14,7 @@ from torch import Tensor
 
 from design.errors import InputError
 from design.layout.body import body_of
+from design.layout.places.positions import contact_grid
 from design.layout.pockets import magnet_bodies
 from design.search.space import SearchSpace, params_at, search_space, structure_of, unit_of
 from design.search.structure import with_structure
@@ -21,10 +22,13 @@ from design.spec.object import ObjectSpec
 from estimator.information.contact_sets import spread_pairs
 from estimator.information.two_contacts import opposite_faces
 from estimator.layouts.polish import descend
+from estimator.layouts.scoring import require_scorable
 from estimator.layouts.vectors import RULES, broken_limits_mm, layout_space, layouts_at
 from fem.candidates.motions import candidate_lattices
 from instobj.search.lowest_fidelity import broken_by_structure, misfit_of
 
+_FEWEST_IN_A_ROW = 4
+"""Of a cubic spline."""
 _UNKNOWNS = 6
 """Of two contacts: place and force of each."""
 _STARTS = 24
@@ -49,7 +53,8 @@ def require_possible(spec: ObjectSpec) -> SearchSpace:
     ------
     InputError
         Of `search_space`; a body that cannot be searched; an objective or limited score that this
-        object has none of; or no layout within the limits, with the one that is most in the way.
+        object has none of; mechanics that a fidelity level lacks; or no layout within the limits,
+        with the one that is most in the way.
     """
     if not body_of(spec).cuboid:
         raise InputError(f"a layout search takes a box; got body.kind = {spec.body.kind!r}")
@@ -69,10 +74,32 @@ def require_possible(spec: ObjectSpec) -> SearchSpace:
             f"search.vary.core_size_mm is the edge of a cube; the core here is {edges} mm. Leave it out, "
             "or vary shell_thickness_mm"
         )
+    require_scorable(spec)
+    _require_mechanics(spec)
     _require_scores(spec)
     space = search_space(spec)
     with _one_thread():
         return _possible(space)
+
+
+def _require_mechanics(spec: ObjectSpec) -> None:
+    """What the fidelity levels cannot press, said before the minutes that the lower ones take."""
+    fewest = min(contact_grid(spec).shape)
+    if fewest < _FEWEST_IN_A_ROW:
+        raise InputError(
+            f"a layout search takes {_FEWEST_IN_A_ROW} contact locations in a row, for slopes along the "
+            f"face; got {fewest}. Raise contact_grid.count"
+        )
+    if spec.mechanics.interface == "frictionless":
+        raise InputError(
+            "a layout search takes a bonded core, which the second fidelity level needs; got "
+            'mechanics.interface = "frictionless". Compare such layouts by `instobj score A.toml B.toml`'
+        )
+    if spec.indenter.friction != "none":
+        raise InputError(
+            "a layout search presses without friction; got indenter.friction = "
+            f'{spec.indenter.friction!r}. Set it to "none"'
+        )
 
 
 def _require_scores(spec: ObjectSpec) -> None:

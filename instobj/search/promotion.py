@@ -21,15 +21,13 @@ from design.files import atomic_path
 from design.search.space import SearchSpace, unit_of, with_layout
 from design.search.structure import structure_choices
 from design.spec.object import ObjectSpec
-from design.spec.search import OBJECTIVES_TO_MAXIMIZE, SearchSpec
 from design.spec_io import spec_hash
 from estimator.layouts.fidelity import (
     SCORE_NAMES,
     FidelityScore,
+    against_start,
     lowest_fidelity_score,
-    over_start,
     rank_correlations,
-    worse_share,
 )
 from estimator.layouts.scoring import LayoutScorer
 from instobj.search.fidelity import (
@@ -41,28 +39,16 @@ from instobj.search.fidelity import (
     twin_ratios,
 )
 from instobj.search.loop import is_feasible
-from instobj.search.lowest_fidelity import cost, scorers
+from instobj.search.lowest_fidelity import each_alone, scorers
 from instobj.search.study import KeptStudy
 from instobj.search.time_limit import LEADERS_SHARE, TimeLimit
+from instobj.search.verdict import FIRST, LAST, SECOND, Promoted, merit, objections
 
 _APART = 0.05
 """Of the unit cube: leaders differ by at least that much in some variable."""
-_EXCESS_WEIGHT = 10.0
-FIRST, SECOND, LAST = "1", "2", "3"
-
 _KEPT = {field.name for field in fields(FidelityScore)}
 
 Say = Callable[[str], None]
-
-
-@dataclass(frozen=True)
-class Promoted:
-    """A promoted layout: its trial's number (None: the start) and its score at each level."""
-
-    label: str
-    trial: int | None
-    spec: ObjectSpec
-    levels: dict[str, FidelityScore]
 
 
 @dataclass(frozen=True)
@@ -195,62 +181,6 @@ def leaders(space: SearchSpace, kept: KeptStudy, count: int) -> list[FrozenTrial
     return found
 
 
-def merit(search: SearchSpec, one: Promoted, start: Promoted, level: str) -> float:
-    """Mean logarithm of the objectives over the start's, with what limits are exceeded: less is
-    better, the start has 0."""
-    exceeded = sum(excess(search, one, start, level).values())
-    return _mean_log(search, one, start, level) + _EXCESS_WEIGHT * exceeded
-
-
-def excess(search: SearchSpec, one: Promoted, start: Promoted, level: str) -> dict[str, float]:
-    """Shares by which limits are exceeded, those on places worse than the start's included."""
-    lacking = one.spec.limits.saturation_margin - one.levels[level].saturation_margin
-    found = {"saturation_margin": lacking}
-    if search.limits.places_worse < 1:
-        pair = start.levels[level], one.levels[level]
-        found["places_worse"] = over_start(*pair, search.limits.places_worse) - 1
-    for name, factor in search.limits.times_start.items():
-        most = 1 / factor if name in OBJECTIVES_TO_MAXIMIZE else factor
-        found[name] = _over_start(name, one, start, level) / most - 1
-    return {name: share for name, share in found.items() if share > 0}
-
-
-def objections(
-    search: SearchSpec, best: Promoted, start: Promoted, ratios: dict[str, TwinRatio]
-) -> tuple[str, ...]:
-    """What keeps a layout from being better at the highest fidelity level, in words."""
-    found = []
-    if _mean_log(search, best, start, LAST) >= 0:
-        found.append("the objectives' mean is not better")
-    for name, share in excess(search, best, start, LAST).items():
-        if name == "places_worse":
-            worse = worse_share(start.levels[LAST], best.levels[LAST])
-            found.append(
-                f"the position bound is larger than the start's at {100 * worse:.2g} % of contact "
-                f"locations and forces, more than places_worse = {search.limits.places_worse:g}"
-            )
-        else:
-            found.append(f"{name} misses its limit by {100 * share:.2g} %")
-    first = search.objectives[0]
-    if first in ratios and ratios[first].low <= 1:
-        found.append(f"{first} is not better in 95 % of pairs of twins")
-    return tuple(found)
-
-
-def _mean_log(search: SearchSpec, one: Promoted, start: Promoted, level: str) -> float:
-    logs = [np.log(_over_start(name, one, start, level)) for name in search.objectives]
-    return float(np.mean(logs))
-
-
-def _over_start(name: str, one: Promoted, start: Promoted, level: str) -> float:
-    """A score over the start's, as something to minimise."""
-    if name == "cost":
-        return max(cost(one.spec), 1e-9) / max(cost(start.spec), 1e-9)
-    before, after = (max(getattr(who.levels[level], name), 1e-9) for who in (start, one))
-    value = after / before
-    return 1 / value if name in OBJECTIVES_TO_MAXIMIZE else value
-
-
 def _correlations(layouts: list[Promoted], lower: str, upper: str) -> dict[str, float]:
     return rank_correlations(*([one.levels[level] for one in layouts] for level in (lower, upper)))
 
@@ -289,15 +219,19 @@ def _score(
                     continue
                 with atomic_path(memo) as temporary:
                     temporary.write_text(json.dumps(known, indent=1), encoding="utf-8")
-            one.levels[level] = _score_of(known[key])
+            one.levels[level] = _score_of(known[key], layouts[0], level)
             left.append(one)
     return left
 
 
-def _score_of(kept: dict[str, Any]) -> FidelityScore:
-    """A score that JSON kept."""
+def _score_of(kept: dict[str, Any], start: Promoted, level: str) -> FidelityScore:
+    """A score that JSON kept, against the start's once that is there."""
     bounds_mm = tuple(kept["position_bounds_mm"])
-    return FidelityScore(**{name: kept[name] for name in SCORE_NAMES}, position_bounds_mm=bounds_mm)
+    score = FidelityScore(
+        **{name: kept[name] for name in SCORE_NAMES}, position_bounds_mm=bounds_mm
+    )
+    but = start.spec.search.limits.places_worse
+    return score if but == 1 else against_start(start.levels.get(level, score), score, but)
 
 
 _SCORER = ("magnet_part", "sensor_chip", "sensor_turn_deg", "sensor_range_mt")
@@ -317,7 +251,7 @@ def _lowest() -> Iterator[Callable[[ObjectSpec], FidelityScore]]:
     def score(spec: ObjectSpec) -> FidelityScore:
         key = _alike(spec, _SCORER + _SHELL)
         if key not in found:
-            found[key] = scorers(spec, spec.body.sensed)
+            found[key] = scorers(spec, each_alone(spec.body.sensed))
         return lowest_fidelity_score(spec, found[key])
 
     yield score

@@ -136,6 +136,7 @@ def study_key(spec: ObjectSpec) -> str:
     content = alike.model_dump(mode="json")
     for name in _BUDGET:
         del content["search"][name]
+    del content["limits"]["use"]  # its figures stand beside it
     return content_key({name: part for name, part in content.items() if name not in _MATTERS_NOT})
 
 

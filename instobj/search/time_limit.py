@@ -37,6 +37,19 @@ class TimeLimit:
         """Whether this share of the time is spent."""
         return self.left_s <= (1 - share) * self.seconds
 
+    @property
+    def left(self) -> str:
+        return f"{max(self.left_s, 0):.0f} of {self.seconds:.0f} s left"
+
+    @property
+    def plan(self) -> str:
+        """How the time is shared out, in words."""
+        trials, leaders = (round(share * self.seconds) for share in (TRIALS_SHARE, LEADERS_SHARE))
+        return (
+            f"search.seconds = {self.seconds:g}: mechanics and trials until {trials} s, leaders until "
+            f"{leaders} s, then finalists and their estimators"
+        )
+
     @contextmanager
     def enforced(self) -> Iterator[None]:
         """Break off what runs in here when the time is spent.

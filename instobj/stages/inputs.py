@@ -11,7 +11,7 @@ from instobj.store.stage import Stage
 
 def _shell_bodies(spec: ObjectSpec) -> dict[str, Any]:
     """Place and outline of what is cast into the silicone: all that mechanics knows of it."""
-    from design.layout.positions import shell_body_layout
+    from design.layout.places.positions import shell_body_layout
 
     layout = shell_body_layout(spec)
     return {
@@ -24,7 +24,7 @@ def _shell_bodies(spec: ObjectSpec) -> dict[str, Any]:
 
 def _sensors(spec: ObjectSpec) -> dict[str, Any]:
     """Their table, and by how much a curved core's recesses set them deeper."""
-    from design.layout.positions import board_sinks_mm
+    from design.layout.places.positions import board_sinks_mm
 
     table, sinks = spec.sensors.model_dump(mode="json"), board_sinks_mm(spec)
     if table["rotations_deg"] is None:
@@ -35,7 +35,7 @@ def _sensors(spec: ObjectSpec) -> dict[str, Any]:
 
 def _contact_grid(spec: ObjectSpec) -> dict[str, Any]:
     """What is pressed, however it was asked for: a filled grid that all faces share is its counts."""
-    from design.layout.contact_places import contact_places, grid_count
+    from design.layout.places.contact_places import contact_places, grid_count
 
     grid = {"count": list(grid_count(spec)), "pitch_mm": spec.contact_grid.pitch_mm}
     places = contact_places(spec)
@@ -48,6 +48,14 @@ def _shell(spec: ObjectSpec) -> dict[str, Any]:
     """Its table; without dents as before there was a key for them, so that stored results stay."""
     table = spec.shell.model_dump(mode="json")
     return table if table["dent_mm"] else {k: v for k, v in table.items() if k != "dent_mm"}
+
+
+def _mould(spec: ObjectSpec) -> dict[str, Any]:
+    """Its table; templates of flat faces alone as before there was a key for them."""
+    table = spec.mould.model_dump(mode="json")
+    if table["magnet_templates"] == "flat":
+        del table["magnet_templates"]
+    return table
 
 
 def _dents(spec: ObjectSpec) -> list[list[float]] | None:
@@ -76,6 +84,7 @@ def stage_inputs(
         "sensors": _sensors(spec),
         "contact_grid": _contact_grid(spec),
         "shell": _shell(spec),
+        "mould": _mould(spec),
         "dents": _dents(spec),
         "shell_bodies": bodies,
         "shell_body_outline": bodies["outline"],

@@ -13,8 +13,8 @@ from itertools import pairwise
 from math import pi, prod, sqrt
 
 from design.errors import InputError
-from design.layout.contact_places import contact_places, grid_count
-from design.layout.positions import shell_body_layout
+from design.layout.places.contact_places import contact_places, grid_count
+from design.layout.places.positions import shell_body_layout
 from design.layout.volumes import sealed_volume_mm3
 from design.processes import MEMORY_SWITCH, machine_memory_gib
 from design.spec.object import ObjectSpec

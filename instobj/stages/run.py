@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from estimator.inversion.inversion import Inversion
     from estimator.networks.face_model import FaceModel
     from fem.mesh.tetrahedra import TetMesh
+    from instobj.report.widget import ObjectView
 
 Content = TypeVar("Content")
 _LIBRARIES = ("instobj",)
@@ -230,6 +231,26 @@ class Run:
                 f"there is no estimator of face {face}. Give one of the faces {sorted(models)}"
             )
         return models[face]
+
+    def view(self) -> ObjectView:
+        """The object in three dimensions, as in the report: a widget for a notebook.
+
+        Press, slide and turn it there; numbers are those of `signals` and `scores`. Needs the extra
+        `notebook`.
+
+        Raises
+        ------
+        InputError
+            anywidget is not installed.
+        """
+        try:
+            from instobj.report.widget import object_view
+        except ModuleNotFoundError as error:
+            raise InputError(
+                f"the view in a notebook needs {error.name}, which is not installed. Run "
+                "pip install 'instobj[notebook]', or open report.html of `instobj run`"
+            ) from error
+        return object_view(self.spec.name, self.read(readers.SCENE).read_bytes())
 
 
 def _places(xy_mm: np.ndarray) -> dict[str, tuple[str, np.ndarray, dict[str, str]]]:

@@ -18,7 +18,10 @@ from design.files import atomic_path
 ROOM = Path(__file__).parent
 BUNDLE = ROOM / "bundle.js"
 _LICENSES = ROOM / "LICENSES.txt"
-_ESBUILD = ("--bundle", "--minify", "--format=iife", "--target=es2022", "--legal-comments=none")
+_ESBUILD = (
+    *("--bundle", "--minify", "--format=iife", "--global-name=instobjViewer"),
+    *("--target=es2022", "--legal-comments=none"),
+)
 
 
 def digest_of_sources() -> str:
@@ -63,15 +66,20 @@ def bundled(folder: Path) -> str:
     return f"// made from {digest_of_sources()}\n{made.stdout}"
 
 
+def _used(modules: Path) -> list[tuple[str, Path]]:
+    """Packages that are in the bundle, and where they lie."""
+    return [("three.js", modules / "three"), ("uPlot", modules / "uplot")]
+
+
 def main() -> None:
     """Write the bundle and the licences of what is in it."""
     with tempfile.TemporaryDirectory() as folder:
         content = bundled(Path(folder))
-        license_of_three = (Path(folder) / "node_modules/three/LICENSE").read_text(encoding="utf-8")
-    for path, text in (
-        (BUNDLE, content),
-        (_LICENSES, f"three.js, in bundle.js:\n\n{license_of_three}"),
-    ):
+        licenses = [
+            f"{name}, in bundle.js:\n\n{(modules / 'LICENSE').read_text(encoding='utf-8')}"
+            for name, modules in _used(Path(folder) / "node_modules")
+        ]
+    for path, text in ((BUNDLE, content), (_LICENSES, "\n".join(licenses))):
         with atomic_path(path) as temporary:
             temporary.write_text(text, encoding="utf-8")
 

@@ -9,13 +9,12 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from jaxtyping import Float
 
 from design.body.triangles import Block
 from design.layout.boards import board_blocks, mounted_sensors
 from design.layout.body import face_frames
 from design.layout.mould_frame import mould_frame
-from design.layout.positions import MagnetLayout, magnet_layout, sensor_layout
+from design.layout.places.positions import MagnetLayout, magnet_layout, sensor_layout
 from design.spec.object import ObjectSpec
 from instobj.render.parts import load_stl
 from instobj.viewer.archive import Stepped, stepped
@@ -84,18 +83,13 @@ def _add_magnets(spec: ObjectSpec, arrays: Arrays) -> None:
         layout.centre_mm[:1], layout.axis[:1], layout.face[:1], layout.side[:1], layout.strength[:1]
     )
     ((north, _),) = magnet_halves(spec, first)
-    turn = _frames(first)[0]
+    turn = first.frames[0]
     north.apply_translation(-first.centre_mm[0])
     north.vertices = np.asarray(north.vertices) @ turn
     add_surface(arrays, "magnet_half", shaded_part(north))
     arrays["magnet_mm"] = stepped(layout.centre_mm, "i2", _POSITION_STEP_MM)
-    arrays["magnet_axes"] = stepped(_frames(layout), "i2")
+    arrays["magnet_axes"] = stepped(layout.frames, "i2")
     arrays["magnet_face"] = layout.face.astype("<u1")
-
-
-def _frames(layout: MagnetLayout) -> Float[np.ndarray, "magnet 3 3"]:
-    """Axes as columns: side, across, north."""
-    return np.stack([layout.side, np.cross(layout.axis, layout.side), layout.axis], axis=-1)
 
 
 def _blocks(name: str, blocks: list[Block]) -> Arrays:

@@ -1,6 +1,9 @@
 """The benchmark of the field runs, and its figures hang together."""
 
+import pytest
 
+
+@pytest.mark.slow
 def test_quick_run_writes_rates_errors_and_a_plot(quick_run):
     result, printed = quick_run("field", 1, ["field.json", "field.png"])
     rows = {(row["nearest_mm"], row["model"], row["type"]): row for row in result["models"]}

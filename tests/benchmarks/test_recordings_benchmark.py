@@ -2,11 +2,12 @@
 
 import pytest
 
-from tests.support.made_recordings import gripper_arrays, write_gripper
+from tests.support.recordings.made_recordings import gripper_arrays, write_gripper
 
 CASES = ((54, 57), (23, 28), (71, 80))
 
 
+@pytest.mark.slow
 def test_quick_run_on_a_made_up_recording(quick_run, tmp_path):
     path = write_gripper(tmp_path / "made.csv", gripper_arrays(CASES, presses=4), CASES)
     result, printed = quick_run(

@@ -21,7 +21,7 @@ HEAVY = ("torch", "cadquery", "matplotlib", "xarray", "magpylib", "skfem", "pyvi
 
 LIGHT = (
     "design.spec.object",
-    "design.layout.positions",
+    "design.layout.places.positions",
     "instobj.cli.app",
     "instobj.commands.run",
     "estimator.field.models",

@@ -171,7 +171,7 @@ def page(folder, first):
     if chromium() is None:
         pytest.skip("no Chromium on this machine")
     with Browser() as browser:
-        ready = 'document.getElementById("viewer")?.dataset.ready === "yes"'
+        ready = 'document.querySelector(".viewer")?.dataset.ready === "yes"'
         browser.open(folder / "runs/small/report.html", ready)
         yield browser
 
@@ -279,6 +279,7 @@ def test_contacts_of_the_whole_object_are_found_by_inversion(folder, first):
     assert rows[-1]["number right %"] > 98
 
 
+@pytest.mark.slow
 def test_contacts_of_a_data_set_are_found_by_inverting_its_twin(folder, first):
     (folder / "pressed").mkdir()
     data = folder / "pressed" / "frames.nc"

@@ -34,15 +34,15 @@ from estimator.boards.lines import (
     encode_load,
 )
 from estimator.frames.dataset import FrameSet, load_frames, save_frames
-from estimator.recordings.files import read_table
-from estimator.recordings.netcdf import write_generic_netcdf
+from estimator.recordings.formats.files import read_table
+from estimator.recordings.formats.netcdf import write_generic_netcdf
 from estimator.recordings.table import LARGEST_FORCE_N
 from instobj.commands.hardware.readings import is_data_set
 from instobj.store.content import stored
 from tests.support.forked_reader import forking, said_in_fork
-from tests.support.generic_csv import write_generic_csv
-from tests.support.made_recordings import gripper_arrays, write_gripper, write_training
 from tests.support.mutations import damaged_bytes, damaged_tables, damaged_text
+from tests.support.recordings.generic_csv import write_generic_csv
+from tests.support.recordings.made_recordings import gripper_arrays, write_gripper, write_training
 
 CASES = int(os.environ.get("INSTOBJ_FUZZ_CASES", "200"))
 SEED = int(os.environ.get("INSTOBJ_FUZZ_SEED", "1"))

@@ -23,7 +23,7 @@ from design.spec.object import ObjectSpec
 from instobj.search.study import open_study
 from instobj.stages.run import Run
 from instobj.store.space import entries
-from tests.support.search_cases import (
+from tests.support.objects.search_cases import (
     journal_records,
     made_up_score,
     made_up_space,

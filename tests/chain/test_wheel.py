@@ -1,5 +1,6 @@
 """The built wheel, installed away from the checkout: a new object, checked, built and run."""
 
+import json
 import os
 import subprocess
 import sys
@@ -9,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.support.tiny_cube import CHANGES, MESHED
+from tests.support.objects.tiny_cube import CHANGES, MECHANICS, MESHED, lend_mechanics
 
 ROOT = Path(__file__).parents[2]
 COARSE = [part for key in (*MESHED, *CHANGES) for part in ("--set", key)]
@@ -66,17 +67,31 @@ def test_every_file_beside_the_modules_is_in_the_wheel(installed):
     assert not [path for path in files if not (home / path).is_file()]
 
 
-def test_an_object_is_made_checked_run_and_built_from_the_wheel(installed, tmp_path):
+@pytest.fixture(scope="module")
+def tiny(installed, tmp_path_factory):
+    """Folder of a new object whose mesh and responses are those that other tests made."""
+    folder = tmp_path_factory.mktemp("tiny")
+    lend_mechanics(folder / ".instobj")
+    _run(installed / "instobj", "new", "tiny", cwd=folder)
+    return folder
+
+
+def test_a_new_object_is_checked_and_built_from_the_wheel(installed, tiny):
     instobj = installed / "instobj"
-    _run(instobj, "new", "tiny", cwd=tmp_path)
-    assert "tiny" in _run(instobj, "check", "tiny.toml", *COARSE, cwd=tmp_path)
-    _run(instobj, "run", "tiny.toml", *COARSE, cwd=tmp_path, **THREADS)
-    report = (tmp_path / "runs" / "tiny" / "report.html").read_text(encoding="utf-8")
+    assert "tiny" in _run(instobj, "check", "tiny.toml", *COARSE, cwd=tiny)
+    _run(instobj, "build", "tiny.toml", *COARSE, cwd=tiny, **THREADS)
+    assert (tiny / "cad_out" / "tiny" / "shell.stl").stat().st_size > 10_000
+    assert "<h1>" in (tiny / "cad_out" / "tiny" / "assembly.html").read_text(encoding="utf-8")
+
+
+def test_a_new_object_is_run_from_the_wheel(installed, tiny):
+    told = _run(installed / "instobj", "run", "tiny.toml", *COARSE, "--json", cwd=tiny, **THREADS)
+    (document,) = json.loads(told)["objects"]
+    reused = {row["stage"] for row in document["stages"] if row["reused"]}
+    assert reused <= {*MECHANICS, "build"}
+    report = (tiny / "runs" / "tiny" / "report.html").read_text(encoding="utf-8")
     assert "<style>" in report
-    assert (tmp_path / "runs" / "tiny" / "scores.csv").is_file()
-    assert (tmp_path / "cad_out" / "tiny" / "shell.stl").stat().st_size > 10_000
-    _run(instobj, "build", "tiny.toml", *COARSE, cwd=tmp_path, **THREADS)
-    assert "<h1>" in (tmp_path / "cad_out" / "tiny" / "assembly.html").read_text(encoding="utf-8")
+    assert (tiny / "runs" / "tiny" / "scores.csv").is_file()
 
 
 def test_the_pages_that_messages_name_are_in_the_wheel(installed, tmp_path):

@@ -8,7 +8,7 @@ from design.errors import InputError, RecordingError, SolverError, SpecError, St
 from design.files import atomic_path
 from design.spec_io import load_spec
 from estimator.frames.dataset import load_frames
-from estimator.recordings.files import read_table
+from estimator.recordings.formats.files import read_table
 from fem.linear.factorization import solve_symmetric
 
 

@@ -77,7 +77,8 @@ def test_a_flipped_bit_anywhere_is_told_or_changes_nothing(path, digest, monkeyp
     content, told = path.read_bytes(), 0
     if digest == "cut off":
         content = content[:-DIGEST_BYTES]
-    for place in np.linspace(0, len(content) - 1, 250).astype(int):
+    count = 250 if digest == "kept" else 60
+    for place in np.linspace(0, len(content) - 1, count).astype(int):
         damaged = bytearray(content)
         damaged[place] ^= 1 << rng.integers(8)
         path.write_bytes(damaged)
@@ -89,7 +90,7 @@ def test_a_flipped_bit_anywhere_is_told_or_changes_nothing(path, digest, monkeyp
         assert found_attributes == attributes
         for name, array in values.items():
             np.testing.assert_array_equal(found[name], array)
-    assert told > 200
+    assert told > 0.8 * count
 
 
 @pytest.mark.parametrize("text", [b"cube", b"count"])

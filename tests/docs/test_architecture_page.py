@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from design.layout.body import face_frames
-from design.layout.positions import magnet_layout, sensor_layout
+from design.layout.places.positions import magnet_layout, sensor_layout
 from design.spec.object import ObjectSpec
 from tests.support.pages import DOCS
 

@@ -14,8 +14,8 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 
+from tests.support.objects.tiny_cube import lend_mechanics
 from tests.support.pages import ROOT
-from tests.support.tiny_cube import lend_mechanics
 
 GALLERY = ROOT / "examples" / "gallery"
 SCRIPTS = sorted(GALLERY.glob("[0-9][0-9]_*.py"))

@@ -8,7 +8,7 @@ import pydantic
 import pytest
 
 import instobj
-from design.layout import fractions
+from design.layout.places import fractions
 from design.spec.object import ObjectSpec
 from tests.support.pages import DOCS, ROOT, Link, all_pages, anchors, links, site_pages, snippets
 
@@ -163,9 +163,9 @@ def _is_defined(name: str) -> bool:
 
 
 def test_an_unknown_name_of_the_code_is_noticed():
-    assert _is_defined("estimator.networks.training.fit_estimator")
+    assert _is_defined("estimator.networks.training.face.fit_estimator")
     assert not _is_defined("estimator.training")
-    assert not _is_defined("estimator.networks.training.no_such_function")
+    assert not _is_defined("estimator.networks.training.face.no_such_function")
 
 
 @pytest.mark.parametrize("page", all_pages(), ids=lambda page: str(page.relative_to(ROOT)))

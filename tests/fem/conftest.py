@@ -3,8 +3,8 @@
 import pytest
 
 from fem.linear.response import elastic_system
-from tests.support import small_object
-from tests.support.fem_cases import COARSE_EDGES_MM, paper_cube
+from tests.support.mechanics.fem_cases import COARSE_EDGES_MM, paper_cube
+from tests.support.objects import small_object
 from tests.support.shared import shared_mesh, shared_response
 
 

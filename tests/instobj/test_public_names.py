@@ -13,11 +13,11 @@ import pytest
 
 import instobj
 from design.errors import InputError
-from design.layout.positions import magnet_layout
+from design.layout.places.positions import magnet_layout
 from design.spec.object import ObjectSpec
 from estimator.frames.dataset import save_frames
 from instobj.store import readers
-from tests.support.tiny_cube import lend_mechanics, tiny_cube
+from tests.support.objects.tiny_cube import lend_mechanics, tiny_cube
 
 INIT = Path(instobj.__file__)
 TINY = tiny_cube()

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from design.placement.objects import Request, Tables, first_fit
-from tests.support.random_objects import made_surface
+from tests.support.objects.random_objects import made_surface
 
 KINDS = ("box", "pad", "cylinder", "capsule", "sphere", "ellipsoid", "dome", "imported")
 Edit = Callable[[np.random.Generator, Tables], None]

@@ -6,6 +6,7 @@ parts are those of the build; nothing of the checks of fit or fabrication is ask
 
 from __future__ import annotations
 
+import resource
 import time
 import traceback
 from itertools import combinations
@@ -23,13 +24,15 @@ from design.errors import InputError
 from design.fabrication.check import check_fabrication
 from design.layout.boards import mounted_sensors
 from design.layout.body import body_of
-from design.layout.positions import magnet_layout
+from design.layout.places.positions import magnet_layout
 from design.solids.booleans import as_triangles
 from design.spec.object import ObjectSpec
 from design.spec_io import check
 from tests.random_designs.draw import drawn
 
 LONGEST_S = 60.0
+MOST_S = 5 * LONGEST_S
+"""Processor time after which a seed is given up: its process ends by SIGXCPU."""
 SKIN_MM = 0.02
 """Triangles leave curved surfaces by so much: of common volume, that times the smaller's area is none."""
 _MEETING = [("core", f"mould_{part}") for part in ("plug", "box", "half_a", "half_b")]
@@ -43,6 +46,8 @@ def judged(question: dict[str, Any]) -> dict[str, Any]:
     "violates", "told by fabrication" (its checks tell what is violated), "slow" or "sound".
     """
     started = time.process_time()
+    _, hard = resource.getrlimit(resource.RLIMIT_CPU)
+    resource.setrlimit(resource.RLIMIT_CPU, (int(started + MOST_S) + 1, hard))
     try:
         outcome, why = _outcome(question["seed"], Path(question["folder"]))
     except Exception:

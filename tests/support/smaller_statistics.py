@@ -2,9 +2,9 @@
 
 from contextlib import contextmanager
 
-from estimator.calibration import digital_twin
+from estimator.calibration.twin import digital_twin
 from estimator.evaluation import baselines
-from estimator.networks import coverage
+from estimator.networks.intervals import coverage
 
 SMALLER = {
     (coverage, "_PLACE_TREES"): 8,

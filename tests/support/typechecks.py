@@ -26,6 +26,11 @@ def next_test():
     _test += 1
 
 
+def called():
+    """Module and name of each function that was called."""
+    return {name for name, (_, count) in _called.items() if count}
+
+
 def install(packages):
     """Check the functions of packages that are imported from now on."""
     jaxtyping.jaxtyped = _first_calls(jaxtyping.jaxtyped)

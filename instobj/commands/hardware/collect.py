@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import time
-from collections import deque
-from collections.abc import Generator, Iterator
+from collections.abc import Iterator
 from contextlib import closing
-from dataclasses import dataclass, field
 from itertools import chain
 from typing import Any
 
@@ -14,64 +12,27 @@ import numpy as np
 
 from design.errors import InputError, StoreError
 from estimator.boards.growing import GrowingRecording, finish_recording, growing_recording
-from estimator.boards.lines import Frame, Header, LineDecoder, Load, Message, Status
-from estimator.boards.link import BoardClock, board_messages, serial_chunks
+from estimator.boards.lines import Frame, Header, Load, Message, Status
+from estimator.boards.link import board_messages
 from instobj.commands.hardware.board_state import status_row, status_text
 from instobj.commands.hardware.collect_options import (
     CollectOptions,
-    Place,
     TypedLines,
     open_source,
     parse_place,
     stop_on_signals,
 )
+from instobj.commands.hardware.labelled_frames import (
+    PAUSE_S,
+    Collection,
+    load_lines,
+    take_frame,
+    take_load,
+)
 from instobj.store.progress import ProgressLine
 from instobj.store.publish import file_rows
 
-STALE_S = 1.0
-"""A load cell's last line labels frames for so long."""
-_PAUSE_S = 1.0
 _KEYS = "z takes the baseline, q ends, FACE:X,Y sets the contact location, - none, Enter continues"
-
-
-@dataclass
-class _Collection:
-    """State between two lines.
-
-    With forces given by hand, `waiting` is from the zero until the user says that the weight lies.
-    """
-
-    options: CollectOptions
-    places: list[Place | None]
-    decoder: LineDecoder = field(default_factory=LineDecoder)
-    clock: BoardClock = field(default_factory=BoardClock)
-    load_clock: BoardClock = field(default_factory=BoardClock)
-    channels: tuple[str, ...] = ()
-    loads: dict[int, tuple[float, Load]] = field(default_factory=dict)
-    zero_left: int = 0
-    zero_counts: list[tuple[float, ...]] = field(default_factory=list)
-    last_counts: tuple[float, ...] = ()
-    steps_s: deque[float] = field(default_factory=lambda: deque(maxlen=500))
-    first_s: float | None = None
-    last_s: float = 0.0
-    unlabelled: int = 0
-    waiting: bool = False
-    stopped: bool = False
-    status: Status | None = None
-
-    @property
-    def cells(self) -> int:
-        """Load cells of the recording."""
-        return self.options.cells or 1
-
-    @property
-    def tips(self) -> int:
-        """Tips per load cell."""
-        return self.options.tips or 1
-
-    def stop(self) -> None:
-        """End after the line at hand."""
-        self.stopped = True
 
 
 def collect(options: CollectOptions) -> dict[str, Any]:
@@ -83,7 +44,7 @@ def collect(options: CollectOptions) -> dict[str, Any]:
         Bad options, no board, or a line that broke off; what had come is kept and finished.
     """
     chunks, options = open_source(options)
-    state = _Collection(options, options.first_places, zero_left=options.zero_frames)
+    state = Collection(options, options.first_places, zero_left=options.zero_frames)
     progress, failure = ProgressLine(), None
     growing: GrowingRecording | None = None
     with (
@@ -95,7 +56,7 @@ def collect(options: CollectOptions) -> dict[str, Any]:
             stream = board_messages(chunks, state.decoder, options.source)
             first = _until_header(stream, state)
             with (
-                closing(_load_messages(state)) as loads,
+                closing(load_lines(options)) as loads,
                 growing_recording(
                     options.csv_path, state.channels, state.cells, state.tips, options.session
                 ) as growing,
@@ -113,7 +74,7 @@ def collect(options: CollectOptions) -> dict[str, Any]:
     return _document(state, growing, frames)
 
 
-def _until_header(stream: Iterator[list[Message]], state: _Collection) -> list[Message]:
+def _until_header(stream: Iterator[list[Message]], state: Collection) -> list[Message]:
     """The messages among which the board names its channels."""
     for messages in stream:
         headers = [message for message in messages if isinstance(message, Header)]
@@ -128,7 +89,7 @@ def _until_header(stream: Iterator[list[Message]], state: _Collection) -> list[M
 def _run(
     stream: Iterator[list[Message]],
     loads: Iterator[list[Load]],
-    state: _Collection,
+    state: Collection,
     growing: GrowingRecording,
     progress: ProgressLine,
 ) -> None:
@@ -139,14 +100,15 @@ def _run(
         progress.say(_KEYS)
     for messages in stream:
         for message in next(loads):
-            _take_load(message, state, state.load_clock)
+            take_load(message, state, state.load_clock)
         for line in typed.poll():
             _obey(line, state, progress)
         for message in messages:
             if isinstance(message, Load):
-                _take_load(message, state, state.clock)
+                take_load(message, state, state.clock)
             elif isinstance(message, Frame) and not _enough(state, growing):
-                _take_frame(message, state, growing)
+                time_s = state.clock.time_s(message.board_ms, time.time())
+                take_frame(message, time_s, state, growing)
             elif isinstance(message, Status):
                 state.status = message
             elif isinstance(message, Header) and message.channels != state.channels:
@@ -158,72 +120,7 @@ def _run(
             return
 
 
-def _load_messages(state: _Collection) -> Generator[list[Load]]:
-    """What the second port has said since the last time."""
-    if state.options.load_port is None:
-        while True:
-            yield []
-    decoder = LineDecoder()
-    for chunk in serial_chunks(state.options.load_port, state.options.baud, timeout_s=0.0):
-        yield [message for message in decoder.feed(chunk) if isinstance(message, Load)]
-
-
-def _take_load(load: Load, state: _Collection, clock: BoardClock) -> None:
-    if load.cell > state.cells or len(load.tips_mm) > state.tips:
-        raise InputError(
-            f"a line came from load cell {load.cell} with {len(load.tips_mm)} tips; this recording "
-            f"holds {state.cells} cells and {state.tips} tips. Give --cells and --tips"
-        )
-    state.loads[load.cell] = (clock.time_s(load.board_ms, time.time()), load)
-
-
-def _take_frame(frame: Frame, state: _Collection, growing: GrowingRecording) -> None:
-    time_s = state.clock.time_s(frame.board_ms, time.time())
-    zeroing = state.zero_left > 0
-    labels = [_label(cell, time_s, zeroing, state) for cell in range(1, state.cells + 1)]
-    known = [label for label in labels if label is not None]
-    if len(known) < state.cells or (state.waiting and not zeroing):
-        state.unlabelled += 1
-        return
-    flat = [value for label in known for value in label]
-    growing.append([time_s, float(growing.session), float(zeroing), *frame.counts, *flat])
-    state.steps_s.append(min(max(time_s - state.last_s, 0.0), _PAUSE_S))
-    state.first_s = time_s if state.first_s is None else state.first_s
-    state.last_s, state.last_counts = time_s, frame.counts
-    if zeroing:
-        state.zero_left -= 1
-        state.zero_counts.append(frame.counts)
-        state.waiting = bool(state.options.forces_n)
-
-
-def _label(cell: int, time_s: float, zeroing: bool, state: _Collection) -> list[float] | None:
-    """Force, face and contact locations of a load cell; None where no force is known."""
-    heard_s, load = state.loads.get(cell, (-np.inf, None))
-    place = state.places[cell - 1]
-    if load is not None and load.face is not None:
-        place = Place(load.face, load.tips_mm) if load.face else None
-    place = None if zeroing else place
-    force_n = _force_n(cell, place, load if time_s - heard_s <= STALE_S else None, state)
-    if force_n is None:
-        return None
-    tips = [] if place is None else [value for tip in place.tips_mm for value in tip]
-    face = float("nan") if place is None else float(place.face)
-    return [force_n, face, *tips, *[float("nan")] * (2 * state.tips - len(tips))]
-
-
-def _force_n(cell: int, place: Place | None, load: Load | None, state: _Collection) -> float | None:
-    """What the load cell says now; else, where none ever spoke, what the command line says."""
-    if load is not None:
-        return load.force_n
-    if cell in state.loads or state.options.load_port is not None:
-        return None
-    given = state.options.forces_n[cell - 1 : cell]
-    if place is None:
-        return 0.0 if given or state.zero_left else None
-    return given[0] if given else None
-
-
-def _obey(line: str, state: _Collection, progress: ProgressLine) -> None:
+def _obey(line: str, state: Collection, progress: ProgressLine) -> None:
     """One typed line."""
     if line == "q":
         state.stopped = True
@@ -249,18 +146,18 @@ def _obey(line: str, state: _Collection, progress: ProgressLine) -> None:
         progress.say(f"contact location from now on: {line}")
 
 
-def _enough(state: _Collection, growing: GrowingRecording) -> bool:
+def _enough(state: Collection, growing: GrowingRecording) -> bool:
     lasted_s = state.last_s - state.first_s if state.first_s is not None else 0.0
     return state.options.enough(growing.rows_added, lasted_s)
 
 
-def _rate_hz(state: _Collection) -> float:
+def _rate_hz(state: Collection) -> float:
     """Frames per second over the last 500 steps without pauses."""
-    steps_s = [step for step in state.steps_s if 0 < step < _PAUSE_S]
+    steps_s = [step for step in state.steps_s if 0 < step < PAUSE_S]
     return len(steps_s) / sum(steps_s) if steps_s else float("nan")
 
 
-def _counts_text(state: _Collection) -> str:
+def _counts_text(state: Collection) -> str:
     found = state.decoder.statistics
     return (
         f"{found.frames} frames at {_rate_hz(state):.1f}/s, {found.lost_frames} lost, "
@@ -269,7 +166,7 @@ def _counts_text(state: _Collection) -> str:
     )
 
 
-def _change_text(state: _Collection) -> str:
+def _change_text(state: Collection) -> str:
     """Largest change against the zero, and the forces."""
     if not state.zero_counts or not state.last_counts:
         return "not zeroed"
@@ -283,7 +180,7 @@ def _change_text(state: _Collection) -> str:
     )
 
 
-def _document(state: _Collection, growing: GrowingRecording, frames: int) -> dict[str, Any]:
+def _document(state: Collection, growing: GrowingRecording, frames: int) -> dict[str, Any]:
     csv_path, target = state.options.csv_path, state.options.target
     found = state.decoder.statistics
     texts = [_counts_text(state), f"{growing.rows_added} frames added, {frames} in the recording"]

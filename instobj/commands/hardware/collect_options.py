@@ -107,7 +107,7 @@ def open_source(options: CollectOptions) -> tuple[Generator[bytes], CollectOptio
     cells = max(1, len(places), len(options.forces_n))
     tips = max([1, *(len(place.tips_mm) for place in places if place)])
     if options.replay is not None:
-        from estimator.recordings.files import read_table
+        from estimator.recordings.formats.files import read_table
 
         outputs = (options.csv_path.resolve(), options.target.resolve())
         if options.replay.resolve() in outputs:
@@ -133,6 +133,11 @@ class TypedLines:
 
     _rest: bytes = b""
     _open: bool = os.name == "posix"
+
+    @property
+    def ended(self) -> bool:
+        """Whether no line can come any more."""
+        return not self._open
 
     def poll(self) -> list[str]:
         """Lines that were completed since the last time."""

@@ -5,12 +5,12 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+from design.build.order_list import OrderLine, cost_eur, order_list
 from design.catalogue.bus_parts import board_named
 from design.errors import InputError
 from design.spec_io import load_spec
 from design.wiring.bus_plan import BusPlan, Choice, choose_plan
 from design.wiring.dealing import WAYS
-from design.wiring.order_list import OrderLine, order_list
 from instobj.firmware.project import project_files, write_project
 from instobj.store.publish import file_rows, require_writable, run_folder
 
@@ -44,10 +44,10 @@ def write_firmware(
 
 
 def _cost_text(lines: list[OrderLine]) -> str:
-    low, high = (sum(line.price_eur[k] for line in lines) for k in (0, 1))
+    low, high = cost_eur(lines)
     return (
         f"orders.csv: {len(lines)} parts to buy for {low:.0f} to {high:.0f} EUR (guide prices of "
-        f"{lines[0].priced}, without shipping)"
+        f"{lines[0].priced}, without shipping; check before ordering)"
     )
 
 

@@ -78,7 +78,7 @@ def recorded_frames(
     InputError
         A bad file, readings of another object, or no zero in the whole file.
     """
-    from estimator.recordings.files import read_table
+    from estimator.recordings.formats.files import read_table
 
     table = read_table(path)
     require_same_sensors(channels, table.counts, np.array(FACES), str(path))

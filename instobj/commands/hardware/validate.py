@@ -90,9 +90,9 @@ def validate_on(
 
     Results go to `runs/<name>/validation.{json,png}`.
     """
-    from estimator.calibration.recorded_presses import recorded_presses
+    from estimator.calibration.recorded_presses import recorded_presses, require_presses_of
+    from estimator.recordings.formats.travel import is_travel_recording
     from estimator.recordings.reading import read_recording
-    from estimator.recordings.travel import is_travel_recording
     from instobj.commands.hardware.validate_travel import validate_on_travel
 
     if any(is_travel_recording(file) for file in recordings):
@@ -109,15 +109,11 @@ def validate_on(
             "folder that holds both (presses of known travel)"
         )
     spec = load_spec(path, overrides)
-    if spec.sensors.count_per_face != 3:
-        raise InputError(
-            f"recordings hold 3 sensors per face; {spec.name} has {spec.sensors.count_per_face}. "
-            "Validate the specification of the recorded object"
-        )
     require_writable(out)
     run = Run(spec)
     with run.progress.stage("reading recordings"):
         presses = recorded_presses([read_recording(file) for file in recordings])
+    require_presses_of(spec, presses)
     problem, agreements, predictions = _compare(run, presses)
     tests = _calibrations(problem, exchanges, run.progress)
     document = _document(problem, agreements, predictions, tests)
@@ -129,7 +125,7 @@ def validate_on(
 
 def _compare(run: Run, presses: RecordedPresses) -> tuple[Problem, list[Agreement], Predictions]:
     from estimator.calibration.pose_fit import LARGEST_SHIFT_MM, Problem
-    from estimator.calibration.recorded_presses import predicted_motions
+    from estimator.calibration.recorded_presses import predicted_motions, pressed_faces
     from estimator.calibration.validation import agreement, predict
     from estimator.field.models import field_model
     from estimator.field.sources import magnet_source
@@ -144,7 +140,7 @@ def _compare(run: Run, presses: RecordedPresses) -> tuple[Problem, list[Agreemen
     model = field_model(magnet_source(spec.magnets), nearest - LARGEST_SHIFT_MM)
     moving = predicted_motions(spec, forces, motions, presses)
     predictions = predict(spec, design, moving, rest, model)
-    faces = [face for face in range(1, 6) if presses.face_of_case(face).any()]
+    faces = pressed_faces(presses)
     agreements = [agreement(spec, presses, predictions, face, spec.seed) for face in (*faces, None)]
     return Problem(spec, design, presses, moving, rest, model), agreements, predictions
 

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from estimator.known_travel.agreement import TravelAgreement
     from estimator.known_travel.fit import Fitted
     from estimator.known_travel.model import TravelModel
-    from estimator.recordings.travel import TravelRecording
+    from estimator.recordings.formats.travel import TravelRecording
 
 REGISTERED_SHARE, CALIBRATED_SHARE = 0.05, 0.1
 """Of the places; all others are judged."""
@@ -76,7 +76,7 @@ def validate_on_travel(
 
 
 def _recording(spec: ObjectSpec, folder: Path) -> TravelRecording:
-    from estimator.recordings.travel import read_travel
+    from estimator.recordings.formats.travel import read_travel
 
     recording = read_travel(folder)
     sensors = recording.field_mt.shape[1]

@@ -85,7 +85,7 @@ def _holds(recorded: SimulatedObject, grasps: int) -> FrameSet:
 
 def _readers(recorded: SimulatedObject) -> dict[str, Inversion]:
     from estimator.inversion.inversion import KNOWN_FORCE_SPREAD, inversion, probe_spacing_mm
-    from estimator.inversion.noise import design_error
+    from estimator.inversion.model.noise import design_error
     from estimator.signals.presses import press_signals
 
     design, presses = recorded.design, recorded.design_presses

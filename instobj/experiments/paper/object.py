@@ -134,8 +134,8 @@ def fitted(
     specification's table.
     """
     from estimator.networks.face_model import save_model
-    from estimator.networks.training import FitSettings, fit_estimator
-    from estimator.networks.training_data import Augmentation
+    from estimator.networks.training.data import Augmentation
+    from estimator.networks.training.face import FitSettings, fit_estimator
 
     settings = recorded.spec.training.model_validate(recorded.spec.training.model_dump() | training)
 
@@ -161,7 +161,7 @@ def fitted(
 
 def pretrained(recorded: SimulatedObject, face: int, twins: int, **training: Any) -> FaceModel:
     """An estimator that has seen presses of `twins` objects of the design, none of this one."""
-    from estimator.calibration.pretraining import split_twins, twin_frames
+    from estimator.calibration.twin.pretraining import split_twins, twin_frames
 
     frames = twin_frames(recorded.design, *recorded.design_presses, twins)
     on_face = np.unique(frames.press_id[frames.place_id // PLACE_ID_STRIDE == face])
@@ -178,9 +178,9 @@ def calibrated_parts(
 
     The twin is calibrated on the training frames alone.
     """
-    from estimator.calibration.digital_twin import calibrate
-    from estimator.calibration.pressed_places import pressed_places, within_reach
-    from estimator.calibration.pretraining import with_calibrated_presses
+    from estimator.calibration.twin.digital_twin import calibrate
+    from estimator.calibration.twin.pressed_places import pressed_places, within_reach
+    from estimator.calibration.twin.pretraining import with_calibrated_presses
 
     reached = within_reach(parts[0], recorded.design_presses[0], face)
     seen = pressed_places(recorded.design, reached, face)

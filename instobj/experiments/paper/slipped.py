@@ -138,7 +138,7 @@ def _calibrated(
     from estimator.frames.face_data import face_data
     from estimator.frames.splits import split_presses
     from estimator.metrics.heatmaps import force_reference
-    from estimator.networks.training import FitSettings, fit_estimator
+    from estimator.networks.training.face import FitSettings, fit_estimator
 
     split = split_presses(frames, spec.seed)
     parts = frames.select(split.train), frames.select(split.validation)
@@ -152,8 +152,8 @@ def _models(
     """Fitted to the object's calibration alone, and after pre-training on slipping twins."""
     import torch
 
-    from estimator.calibration.pretraining import split_twins, twin_frames
-    from estimator.networks.training import FitSettings, fit_estimator
+    from estimator.calibration.twin.pretraining import split_twins, twin_frames
+    from estimator.networks.training.face import FitSettings, fit_estimator
 
     spec = recorded.spec
     torch.set_num_threads(1)  # a second thread gains nothing on networks this small

@@ -65,7 +65,7 @@ def draw_score_maps(
         values = getattr(scores, score_map.field)
         low, high = finite_limits(values)
         for row, face in zip(values, scores.faces.tolist(), strict=True):
-            title = f"{score_map.title}, face {face}, {spec.score.force_n:g} N"
+            title = f"{score_map.title}, {spec.score.force_n:g} N"
             draw_face_heatmap(
                 row,
                 spec,

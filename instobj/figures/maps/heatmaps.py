@@ -13,10 +13,10 @@ import numpy as np
 from jaxtyping import Bool, Float
 
 from design.layout.body import face_frame
-from design.layout.contact_places import contact_places
-from design.layout.coverage import covered_shares
+from design.layout.places.contact_places import contact_places
+from design.layout.places.coverage import covered_shares
+from design.layout.places.positions import contact_grid, sensor_layout
 from design.layout.pockets import magnet_bodies
-from design.layout.positions import contact_grid, sensor_layout
 from design.spec.object import ObjectSpec
 from instobj.figures.maps.scale import (
     BOUND_COLOURS,
@@ -93,9 +93,10 @@ def draw_face_heatmap(
     _tidy(axes)
     bar = figure.colorbar(mesh, ax=axes, label=scale.label, shrink=0.9)
     set_plain_ticks(bar, scale)
-    figure.legend(
-        handles=legend_handles(), loc="outside lower center", ncols=2, frameon=False, fontsize=9
-    )
+    handles = legend_handles()
+    if np.isinf(values).any():
+        handles.append(_no_value_handle())
+    figure.legend(handles=handles, loc="outside lower center", ncols=2, frameon=False, fontsize=9)
     save_figure(figure, path)
 
 
@@ -245,6 +246,13 @@ def legend_handles() -> list[Any]:
             fc=BLANK, ec=FRAME, hatch=_NOT_COVERED, hatchcolor=_HATCH, label="no contact location"
         ),
     ]
+
+
+def _no_value_handle() -> Any:
+    from matplotlib.lines import Line2D
+
+    marks: dict[str, Any] = {"marker": "$\\infty$", "mfc": INK, "mec": "none", "ms": 11}
+    return Line2D([], [], ls="", label="beyond the deepest press, or blind", **marks)
 
 
 def _tidy(axes: Any) -> None:

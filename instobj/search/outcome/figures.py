@@ -25,6 +25,7 @@ LABELS = {
     "percentile_99_position_bound_mm": "99th percentile of locations, position bound (mm)",
     "percentile_95_position_bound_mm": "95th percentile of locations, position bound (mm)",
     "median_position_bound_mm": "median location, position bound (mm)",
+    "position_bound_over_start": "position bound over the start's, where it grew most",
     "worst_force_bound_n": "worst location, force bound (N)",
     "median_false_force_n": "false force by the next face (N), median",
     "percentile_95_false_force_n": "false force by the next face (N), 95th percentile",

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import base64
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from math import isnan
 from pathlib import Path
@@ -11,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from design.files import atomic_path
-from design.layout.coverage import covered_share
+from design.layout.places.coverage import covered_share
 from design.layout.pockets import magnet_bodies
 from design.spec.object import ObjectSpec
 from estimator.layouts.fidelity import SCORE_NAMES
@@ -25,11 +26,13 @@ from instobj.search.outcome.figures import (
     draw_moves,
     paired,
 )
+from instobj.search.outcome.layouts import ShownLayout, layouts_scene
 from instobj.store.readers import CROSS_FACE, MANIFEST, PARTS_PICTURE, SCORES
 
 if TYPE_CHECKING:
     from instobj.search.outcome.history import History
-    from instobj.search.promotion import Promoted, Promotion
+    from instobj.search.promotion import Promotion
+    from instobj.search.verdict import Promoted
 
 Say = Callable[[str], None]
 _LEVELS = {
@@ -55,6 +58,7 @@ def write_search_page(
     start: ObjectSpec,
     found: Promotion,
     history: History,
+    layouts: Sequence[ShownLayout],
     results: ChainResults,
     folder: Path,
     step: Say,
@@ -68,6 +72,8 @@ def write_search_page(
         found=found,
         covered=covered_share(found.best.spec),
         history=history,
+        objectives=len(history.names),
+        scene=base64.b64encode(layouts_scene(layouts, history)).decode(),
         highest=_highest(found) + _cross_face(results),
         maps=_maps(found, results, figures),
         ratios=[

@@ -11,15 +11,17 @@ from typing import Any
 import tomli_w
 
 from design.files import atomic_path
-from design.layout.coverage import covered_share
+from design.layout.places.coverage import covered_share
 from design.search.space import SearchSpace
 from design.spec.object import ObjectSpec
 from design.spec.search import SearchSpec
 from estimator.layouts.fidelity import SCORE_NAMES
 from instobj.search.outcome.history import search_history
+from instobj.search.outcome.layouts import shown_layouts
 from instobj.search.outcome.page import ChainResults, write_search_page
-from instobj.search.promotion import Promoted, Promotion
+from instobj.search.promotion import Promotion
 from instobj.search.study import KeptStudy
+from instobj.search.verdict import Promoted
 from instobj.stages.run import Run
 from instobj.store.stage import write_json
 
@@ -56,7 +58,8 @@ def write_outcome(
         best.require("scores").folder,
         best.require("build").folder,
     )
-    written.append(write_search_page(space.spec, found, history, results, folder, step))
+    layouts = shown_layouts(space, kept, found, history)
+    written.append(write_search_page(space.spec, found, history, layouts, results, folder, step))
     return written
 
 

@@ -1,35 +1,47 @@
-"""Alternatives to try next: the stored mechanics scored again with one thing changed at a time."""
+"""Alternatives to try next: the stored mechanics scored again after one change, and after two."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import asdict, dataclass, replace
+from itertools import combinations
 from pathlib import Path
 
 import numpy as np
 
 from design.errors import InputError
+from design.layout.body import core_frames, face_frames
+from design.layout.pockets import by_sensed_face
+from design.placement.patterns import sensor_patterns
 from design.spec.object import ObjectSpec
 from design.spec_io import check
 from estimator.information.scores import PlaceScores, score_places
-from estimator.signals.presses import Signals, press_signals
+from estimator.signals.presses import Signals, press_signals, saturation_margin
 from fem.presses.results import load_presses
 from instobj.store.readers import ALTERNATIVES, PRESSES, SIGNALS
 from instobj.store.stage import StageContext, write_json
 
+Change = Callable[[ObjectSpec], ObjectSpec]
+_OUT_FROM_THE_MIDDLE = 0.4
+"""Of a face's half extents: where a second sensor goes beside one in the middle, and it too."""
+
 
 @dataclass(frozen=True)
 class Alternative:
-    """Weakest and median position bound (mm) and worst detectable force (N) after one change."""
+    """Figures after no change, one or two: position bounds (mm), worst detectable force (N), share of the
+    sensors' range that stays free; magnets and sensors of the whole object."""
 
-    change: str
+    changes: tuple[str, ...]
     weakest_bound_mm: float
     median_bound_mm: float
     worst_detectable_n: float
+    saturation_margin: float
+    magnets: int
+    sensors: int
 
 
 def make_alternatives(context: StageContext, folder: Path) -> None:
-    """Scores after every change, as a table."""
+    """Scores after every change and every pair of them, as a table."""
     signals = SIGNALS.read(context.inputs["signals"])
     presses = PRESSES.path(context.inputs["presses"])
     rows = alternatives(context.spec, signals, presses, context.step)
@@ -39,28 +51,43 @@ def make_alternatives(context: StageContext, folder: Path) -> None:
 def alternatives(
     spec: ObjectSpec, signals: Signals, presses: Path, step: Callable[[str], None]
 ) -> list[Alternative]:
-    """Score changes that leave the stored mechanics valid, best first; as specified comes first.
+    """Score changes, single and in pairs, that leave the stored mechanics valid; none comes first.
 
     A softer silicone scales every force by its modulus; more sensors and stronger magnets move no
-    silicone. Changes that the specification's own checks refuse are left out.
+    silicone. What the specification's own checks refuse is left out.
     """
-    rows = [_row("as specified", score_places(spec, signals))]
-    step("all channels")
-    rows.append(_row("estimator reads all channels, not its own face's", _all(spec, signals)))
-    for change, update in _CHANGES.items():
-        step(change)
+    known = {_source(spec): signals}
+    tried = [(), *combinations(CHANGES, 1), *combinations(CHANGES, 2)]
+    rows = []
+    for changes in tried:
+        step(", ".join(changes) or "as specified")
         try:
-            other = check(update(spec))
-            scores = score_places(other, _signals(spec, other, signals, presses))
+            other = check(_changed(spec, changes))
+            source = _source(other)
+            if source not in known:
+                known[source] = press_signals(other, *load_presses(presses))
+            rows.append(_row(changes, other, _with_forces(spec, other, known[source])))
         except ValueError:
-            continue
-        rows.append(_row(change, scores))
-    return rows[:1] + sorted(rows[1:], key=lambda row: row.weakest_bound_mm)
+            if not changes:
+                raise
+    return rows
 
 
-def _all(spec: ObjectSpec, signals: Signals) -> PlaceScores:
-    score = spec.score.changed(channels="all")
-    return score_places(spec.changed(score=score), signals)
+def _changed(spec: ObjectSpec, changes: tuple[str, ...]) -> ObjectSpec:
+    for change in changes:
+        spec = CHANGES[change](spec)
+    return spec
+
+
+def _source(spec: ObjectSpec) -> str:
+    """What signals of given mechanics depend on, of all that is changed here."""
+    return f"{spec.magnets.model_dump_json()} {spec.sensors.positions_mm} {spec.sensors.count_per_face}"
+
+
+def _all_channels(spec: ObjectSpec) -> ObjectSpec:
+    if spec.score.channels == "all":
+        raise InputError("all channels are read already")
+    return spec.changed(score=spec.score.changed(channels="all"))
 
 
 def _quieter(spec: ObjectSpec) -> ObjectSpec:
@@ -69,9 +96,25 @@ def _quieter(spec: ObjectSpec) -> ObjectSpec:
 
 
 def _one_more_sensor(spec: ObjectSpec) -> ObjectSpec:
-    if spec.sensors.positions_mm is not None:
-        raise InputError("sensors.positions_mm says where each sensor is. Add one by hand")
-    return _with_sensors(spec, count_per_face=spec.sensors.count_per_face + 1)
+    """On the same ring; where each sensor has a place, on a pattern of as many that fits."""
+    sensors, count = spec.sensors, spec.sensors.count_per_face + 1
+    if sensors.positions_mm is None:
+        return _with_sensors(spec, count_per_face=count)
+    in_core = spec.arrangement == "sensors-in-core"
+    frames = core_frames(spec) if in_core else face_frames(spec)
+    halves = [np.array(frame.half_extents_mm) for frame in frames]
+    faces = zip(by_sensed_face(spec, sensors.positions_mm), halves, strict=True)
+    out = [float(np.hypot(*(np.array(places) / half).T).mean()) for places, half in faces]
+    for pattern in sensor_patterns(count):
+        places = tuple(
+            tuple((float(x), float(y)) for x, y in (share or _OUT_FROM_THE_MIDDLE) * half * pattern)
+            for share, half in zip(out, halves, strict=True)
+        )
+        try:
+            return check(_with_sensors(spec, count_per_face=count, positions_mm=places))
+        except ValueError:
+            continue
+    raise InputError("no pattern of one more sensor fits")
 
 
 def _stronger(spec: ObjectSpec) -> ObjectSpec:
@@ -95,36 +138,37 @@ def _with_sensors(spec: ObjectSpec, **update: object) -> ObjectSpec:
     return spec.changed(sensors=spec.sensors.changed(**update))
 
 
-_CHANGES: dict[str, Callable[[ObjectSpec], ObjectSpec]] = {
+CHANGES: dict[str, Change] = {
+    "estimator reads all channels, not its own face's": _all_channels,
     "four times the averaging (half the white noise)": _quieter,
     "one more sensor on every face": _one_more_sensor,
-    "20 % more remanence (coils: current)": _stronger,
+    "magnets 20 % stronger (grade; coils: current)": _stronger,
     "silicone 30 % softer (deeper presses)": _softer,
 }
+"""Told as users read them."""
 
 
-def _signals(spec: ObjectSpec, other: ObjectSpec, signals: Signals, presses: Path) -> Signals:
+def _with_forces(spec: ObjectSpec, other: ObjectSpec, signals: Signals) -> Signals:
     """Signals of `other`, whose mechanics differ from `spec`'s by the modulus at most."""
     ratio = other.silicone.youngs_modulus_mpa / spec.silicone.youngs_modulus_mpa
-    if (
-        other.magnets == spec.magnets
-        and other.sensors.count_per_face == spec.sensors.count_per_face
-    ):
-        changed = signals
-    else:
-        changed = press_signals(other, *load_presses(presses))
-    return _with_forces(changed, changed.force_n * ratio)
+    return replace(signals, force_n=signals.force_n * ratio)
 
 
-def _with_forces(signals: Signals, force_n: np.ndarray) -> Signals:
-    return replace(signals, force_n=force_n)
-
-
-def _row(change: str, scores: PlaceScores) -> Alternative:
+def _row(changes: tuple[str, ...], spec: ObjectSpec, signals: Signals) -> Alternative:
+    scores = _scores(spec, signals)
     bound, there = scores.position_bound_fresh_mm, scores.places
+    faces = len(spec.body.sensed)
     return Alternative(
-        change,
+        changes,
         float(bound[there].max()),
         float(np.median(bound[there])),
         float(scores.detectable_force_fresh_n[there].max()),
+        saturation_margin(signals, spec),
+        faces * spec.magnets.count,
+        faces * spec.sensors.count_per_face,
     )
+
+
+def _scores(spec: ObjectSpec, signals: Signals) -> PlaceScores:
+    """With the quickest form of δ, which no figure here is made of."""
+    return score_places(spec.changed(score=spec.score.changed(hull="covariance")), signals)

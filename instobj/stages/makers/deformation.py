@@ -27,7 +27,7 @@ def make_shapes(context: StageContext, folder: Path) -> None:
     A shell that slides on its core has none: the stage is then empty.
     """
     from design.layout.body import face_frames
-    from design.layout.contact_places import outermost_mm
+    from design.layout.places.contact_places import outermost_mm
     from fem.presses.shape import save_deformed_shape, table_shapes
     from instobj.figures.section import SectionPanel, draw_sections
 
@@ -81,7 +81,7 @@ def correction_places_mm(spec: ObjectSpec) -> list[tuple[float, float]]:
 
     All within the contact grid; places less than 1 mm from an earlier one are left out.
     """
-    from design.layout.contact_places import outermost_mm
+    from design.layout.places.contact_places import outermost_mm
     from design.layout.pockets import magnet_places
 
     reach = outermost_mm(spec)

@@ -4,7 +4,15 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from instobj.store.readers import ASSEMBLY_SHEET, BOM, EXPLODED_VIEW, FINDINGS, FINDINGS_PICTURE
+from instobj.store.readers import (
+    ASSEMBLY_SHEET,
+    BOM,
+    DEMOULDING,
+    EXPLODED_VIEW,
+    FINDINGS,
+    FINDINGS_PICTURE,
+    ORDERS,
+)
 from instobj.store.stage import StageContext, write_json
 
 
@@ -30,22 +38,35 @@ def make_fabrication(context: StageContext, folder: Path) -> None:
 
 
 def make_sheet(context: StageContext, folder: Path) -> None:
-    """Bill of materials and assembly sheet of a build."""
+    """Bill of materials, parts to order and assembly sheet of a build."""
     from design.build.bom import bill_of_materials, write_bom
     from design.build.manifest import BuildManifest
+    from design.build.order_list import order_list, write_orders
+    from design.catalogue.bus_parts import MEGA2560
     from design.files import atomic_path
     from design.layout.mould_frame import mould_style
-    from design.mould.pins import pins_by_kind
+    from design.mould.pins import loose_pins, pins_by_kind
     from design.mould.whole import has_mould
+    from design.wiring.bus_plan import plan_or_none
+    from instobj.render.demoulding import draw_demoulding
     from instobj.render.exploded_view import draw_exploded
     from instobj.report.assembly_sheet import assembly_sheet
 
     spec, parts = context.spec, context.inputs["build"]
     manifest = BuildManifest.read(parts)
     write_bom(bill_of_materials(spec, manifest), BOM.path(folder))
+    plan = plan_or_none(spec, MEGA2560)
+    orders = order_list(spec, plan)
+    write_orders(orders, ORDERS.path(folder))
     split = has_mould(spec) and mould_style(spec) == "split"
     pins = pins_by_kind(spec) if split else []
     context.step("drawing the exploded view")
     picture = draw_exploded(spec, parts, EXPLODED_VIEW.path(folder))
+    opening = None
+    if has_mould(spec) and spec.silicone.cure != "none":
+        context.step("drawing the order of demoulding")
+        loose = loose_pins(spec) if split else ()
+        opening = draw_demoulding(spec, parts, loose, DEMOULDING.path(folder))
     with atomic_path(ASSEMBLY_SHEET.path(folder)) as path:
-        path.write_text(assembly_sheet(spec, manifest, picture, pins), encoding="utf-8")
+        page = assembly_sheet(spec, manifest, picture, pins, plan, orders, opening)
+        path.write_text(page, encoding="utf-8")

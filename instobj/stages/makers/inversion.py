@@ -46,7 +46,7 @@ def tangential_mechanics(spec: ObjectSpec) -> dict[str, tuple[str, ObjectSpec]]:
 def make_inversion(context: StageContext, folder: Path) -> None:
     """The estimator of the design, as wrong as `[tolerances]` make it."""
     from estimator.inversion.inversion import inversion
-    from estimator.inversion.noise import design_error
+    from estimator.inversion.model.noise import design_error
     from estimator.inversion.storage import save_inversion
 
     forces, motions = context.read(PRESSES)

@@ -70,7 +70,7 @@ def _fitted(face: int, parts: tuple[FrameSet, FrameSet], how: Fitting) -> FaceMo
     from estimator.frames.same_object import require_same_object
     from estimator.networks.defaults import filled
     from estimator.networks.face_model import load_model
-    from estimator.networks.training import FitSettings, fit_estimator
+    from estimator.networks.training.face import FitSettings, fit_estimator
 
     def progress(epoch: int, of: int, score: float) -> None:
         if epoch % 10 == 0 or epoch == of:

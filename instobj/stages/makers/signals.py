@@ -93,7 +93,7 @@ def make_robustness(context: StageContext, folder: Path) -> None:
 
 def make_frames(context: StageContext, folder: Path) -> None:
     """Simulated calibration presses."""
-    from design.layout.contact_places import contact_places
+    from design.layout.places.contact_places import contact_places
     from estimator.frames.dataset import save_frames
     from estimator.frames.press_protocol import nominal_peaks, plan_presses, simulate_presses
 
@@ -116,7 +116,7 @@ def make_frames(context: StageContext, folder: Path) -> None:
 
 def make_pretraining(context: StageContext, folder: Path) -> None:
     """A network per face, trained on presses of twins."""
-    from estimator.calibration.pretraining import split_twins, twin_frames
+    from estimator.calibration.twin.pretraining import split_twins, twin_frames
     from instobj.stages.makers.learning import Fitting, train_networks
 
     spec = context.spec

@@ -106,7 +106,7 @@ def summary(cost: SlipCost) -> dict[str, float]:
 
 def sensor_rows(spec: ObjectSpec, costs: dict[str, SlipCost]) -> list[dict[str, Any]]:
     """Change of every sensor's resting counts (X, Y, Z) and its size in σ, by both models."""
-    from design.layout.positions import sensor_layout
+    from design.layout.places.positions import sensor_layout
 
     exact, approximate = costs["fem"], costs["sensors-only"]
     rows = []

@@ -42,7 +42,7 @@ def surroundings_row(spec: ObjectSpec) -> dict[str, Any]:
 
 def scene_faces(spec: ObjectSpec) -> np.ndarray:
     """The face of every sensor."""
-    from design.layout.positions import sensor_layout
+    from design.layout.places.positions import sensor_layout
 
     return sensor_layout(spec).face
 

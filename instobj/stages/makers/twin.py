@@ -14,10 +14,10 @@ from instobj.store.readers import CALIBRATION, CALIBRATION_PICTURE
 from instobj.store.stage import Step, write_json
 
 if TYPE_CHECKING:
-    from estimator.calibration.digital_twin import CalibratedTwin
-    from estimator.calibration.grasp_twin import GraspTwin
-    from estimator.calibration.pressed_cases import PressedCases
-    from estimator.calibration.pressed_places import PressedPlaces
+    from estimator.calibration.twin.digital_twin import CalibratedTwin
+    from estimator.calibration.twin.grasp_twin import GraspTwin
+    from estimator.calibration.twin.pressed_cases import PressedCases
+    from estimator.calibration.twin.pressed_places import PressedPlaces
     from estimator.frames.dataset import FrameSet
     from estimator.information.shear import ShearSignals
     from estimator.inversion.inversion import Inversion
@@ -58,7 +58,7 @@ class TwinOfData:
         The twin sees training frames alone; how well it predicts is judged on training places left
         out in turn. A face with too few places stays as it is, and its row says so.
         """
-        from estimator.calibration.pretraining import with_calibrated_presses
+        from estimator.calibration.twin.pretraining import with_calibrated_presses
 
         found = self.calibrated(parts[0], face, step)
         if found is None:
@@ -71,7 +71,7 @@ class TwinOfData:
     def inverted(self, frames: FrameSet, step: Step) -> Inversion:
         """The estimator that inverts the twins of all faces with enough single places in these frames, or,
         where none has, the twin of the whole object that presses of several contacts show."""
-        from estimator.calibration.inverted_twin import inverted_twin
+        from estimator.calibration.twin.inverted_twin import inverted_twin
         from estimator.frames.heatmap import faces_pressed
 
         found = {face: self.calibrated(frames, face, step) for face in faces_pressed(frames)}
@@ -85,9 +85,9 @@ class TwinOfData:
         return inverted_twin(self.spec, *self.presses, twins, left, self.shear)
 
     def _inverted_grasps(self, frames: FrameSet, step: Step) -> Inversion:
-        from estimator.calibration.grasp_twin import calibrate_on_cases
-        from estimator.calibration.inverted_twin import inverted_grasps
-        from estimator.calibration.pressed_cases import pressed_cases
+        from estimator.calibration.twin.grasp_twin import calibrate_on_cases
+        from estimator.calibration.twin.inverted_twin import inverted_grasps
+        from estimator.calibration.twin.pressed_cases import pressed_cases
 
         seen = pressed_cases(self.spec, frames, self.presses[0])
         twin = calibrate_on_cases(self.spec, *self.presses, seen, step)
@@ -100,8 +100,8 @@ class TwinOfData:
     ) -> tuple[CalibratedTwin, float] | None:
         """A face's twin, and what it leaves of the signals at places left out in turn (rms share, at
         least what meshes of one design differ by); None, and a row that says so, with too few places."""
-        from estimator.calibration.digital_twin import calibrate, places_left_out
-        from estimator.calibration.pressed_places import pressed_places, within_reach
+        from estimator.calibration.twin.digital_twin import calibrate, places_left_out
+        from estimator.calibration.twin.pressed_places import pressed_places, within_reach
 
         try:
             seen = pressed_places(self.spec, within_reach(frames, self.presses[0], face), face)
@@ -158,7 +158,7 @@ def require_some_face(spec: ObjectSpec, frames: FrameSet) -> None:
     InputError
         No face has.
     """
-    from estimator.calibration.pressed_places import pressed_places
+    from estimator.calibration.twin.pressed_places import pressed_places
     from estimator.frames.heatmap import faces_pressed
 
     errors = []
@@ -180,7 +180,7 @@ def require_same_object(spec: ObjectSpec, frames: FrameSet) -> None:
     InputError
         It has others.
     """
-    from design.layout.positions import contact_grid
+    from design.layout.places.positions import contact_grid
     from estimator.frames.same_object import same_grid
 
     grid = contact_grid(spec)
@@ -240,7 +240,7 @@ def _row(
     twin: CalibratedTwin, seen: PressedPlaces, calibrated: np.ndarray, planned: np.ndarray
 ) -> dict[str, Any]:
     """What was found, and residual signals at held-out locations."""
-    from estimator.calibration.unknowns import at_limits
+    from estimator.calibration.twin.unknowns import at_limits
 
     found = twin.unknowns
     correction = found.correction(twin.numbers)

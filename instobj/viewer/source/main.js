@@ -1,182 +1,40 @@
-// The page: reads the archive, builds the object, and joins controls, pointer and numbers.
-import { Raycaster, Vector2 } from "three";
-import { readArchive } from "./archive.js";
-import { drawBars, fillTable } from "./bars.js";
-import { drawLegend, makeMaps, placeOn, shownNumber } from "./maps.js";
-import { buildMould, buildObject } from "./object.js";
-import { makePress } from "./press.js";
-import { makeView } from "./view.js";
+// What a page starts once it is painted, and what a notebook's widget renders.
+import { bytesOf, readArchive } from "./archive.js";
+import { mountLayouts } from "./layouts.js";
+import { linkViews } from "./linked.js";
+import { mountObject } from "./viewer.js";
+import "./live.js";
 
-const MOVED_PX = 5;
-const OPENING_MS = 3000;
+const KINDS = { object: mountObject, layouts: mountLayouts };
 
-async function start() {
-  const host = document.getElementById("viewer");
-  const find = (name) => host.querySelector(`[data-name="${name}"]`);
-  const scene = await readArchive(document.getElementById("scene").textContent);
-  const { content } = scene;
-  host.hidden = false;
-  const view = makeView(find("canvas"), content.size_mm);
-  const object = buildObject(scene, view);
-  const mould = buildMould(scene, view);
-  view.scene.add(object.root, mould.root);
-  const maps = makeMaps(scene, object, view);
-  const press = makePress(scene, object, view);
-  const numberOf = numberedSensors(press.signals());
-
-  function tell() {
-    const { face, place, step } = press.state;
-    const { x_mm: x, y_mm: y } = content.grid;
-    const ny = y.length;
-    const depth = step ? press.depths[step - 1] : 0;
-    const error = step ? content.press.force_error[step - 1] : null;
-    const { most, least } = press.circle(face, place);
-    find("place").textContent = `face ${content.faces[face].number} (${x[Math.floor(place / ny)]}, ${y[place % ny]}) mm`;
-    find("travel").textContent = `${depth.toFixed(2)} mm`;
-    find("force").textContent = `${press.force().toFixed(2)} N`;
-    find("error").textContent = error === null ? "" : `± ${(100 * error).toFixed(1)} % by the mesh (rms)`;
-    find("bound").textContent = `${shownNumber(most)} × ${shownNumber(least)} mm`;
-    find("score").textContent = maps.shown() ? `${shownNumber(maps.valueAt(face, place))} ${maps.shown().unit}` : "–";
-    const signals = press.signals().map((one) => ({ ...one, number: numberOf[one.sensor] }));
-    drawBars(find("bars"), signals);
-    fillTable(find("counts"), signals);
-    find("depth").setAttribute("aria-valuetext", `${depth} mm deep`);
+async function mount(host, packed) {
+  try {
+    return KINDS[host.dataset.kind](host, await readArchive(packed));
+  } catch (error) {
+    host.hidden = true;
+    host.parentElement.querySelector(".no-viewer").textContent = `No view in three dimensions: ${error.message}.`;
+    console.warn(error);
+    return null;
   }
-  function choose(face, place, step) {
-    press.set(face, place, step);
-    find("face").value = String(face);
-    find("x").value = String(Math.floor(place / content.grid.y_mm.length));
-    find("y").value = String(place % content.grid.y_mm.length);
-    find("depth").value = String(step);
-    tell();
-  }
-  fillControls(find, content, press);
-  joinControls(find, { scene, object, mould, maps, press, choose, tell, view, content });
-  joinPointer(find, { scene, view, object, maps, press, choose });
-  host.dataset.ready = "yes";
-  const middle = nearestPlace(press, scene, 0, 0, 0);
-  choose(0, middle, Math.ceil(press.depths.length / 2));
-  object.fade(Number(find("opacity").value) / 100);
 }
 
-function numberedSensors(signals) {
-  const seen = {};
-  return signals.map(({ face }) => (seen[face] = (seen[face] ?? 0) + 1));
+async function startPage() {
+  const hosts = [...document.querySelectorAll(".viewer[data-scene]")];
+  const archive = (host) => bytesOf(document.getElementById(host.dataset.scene).textContent);
+  const views = await Promise.all(hosts.map((host) => mount(host, archive(host))));
+  const objects = views.filter((one) => one?.press);
+  if (objects.length > 1) linkViews(objects);
+  hosts.forEach((host) => !host.hidden && (host.dataset.ready = "yes"));
 }
 
-function fillControls(find, content, press) {
-  const option = (value, text) => new Option(text, value);
-  find("face").append(...content.faces.map((face, index) => option(index, face.number)));
-  find("x").append(...content.grid.x_mm.map((x, index) => option(index, `${x} mm`)));
-  find("y").append(...content.grid.y_mm.map((y, index) => option(index, `${y} mm`)));
-  find("map").append(...content.maps.map(({ stem, title }) => option(stem, title)));
-  find("depth").max = String(press.depths.length);
-  find("mould-choice").hidden = !content.mould.length;
+// anywidget: the markup and the scene are traits of the model.
+export async function render({ model, el }) {
+  el.innerHTML = model.get("markup");
+  const scene = model.get("scene");
+  const packed = new Uint8Array(scene.buffer, scene.byteOffset, scene.byteLength);
+  const found = await mount(el.querySelector(".viewer"), packed);
+  if (found) found.host.dataset.ready = "yes";
 }
 
-function joinControls(find, { scene, object, mould, maps, press, choose, tell, view, content }) {
-  const on = (name, event, act) => find(name).addEventListener(event, act);
-  const number = (name) => Number(find(name).value);
-  on("explode", "input", () => { object.explode(number("explode") / 100); press.follow(); view.look(4.3 + number("explode") / 45, number("explode") / 220, true); });
-  on("opacity", "input", () => object.fade(number("opacity") / 100));
-  const clip = () => object.clip(find("clip-axis").value, number("clip") / 100);
-  on("clip-axis", "change", clip);
-  on("clip", "input", clip);
-  on("map", "change", () => {
-    const found = maps.show(find("map").value);
-    drawLegend(find("legend"), found);
-    if (found) find("opacity").value = "100";
-    object.fade(number("opacity") / 100);
-    tell();
-  });
-  for (const name of ["face", "x", "y"]) {
-    on(name, "change", () => {
-      const [x, y] = [content.grid.x_mm[number("x")], content.grid.y_mm[number("y")]];
-      choose(number("face"), nearestPlace(press, scene, number("face"), x, y), press.state.step);
-    });
-  }
-  on("depth", "input", () => choose(press.state.face, press.state.place, number("depth")));
-  on("home", "click", () => view.look(4.3));
-  for (const radio of find("scenes").querySelectorAll("input")) {
-    radio.addEventListener("change", () => {
-      const which = find("scenes").querySelector("input:checked").value;
-      object.root.visible = which === "object";
-      mould.root.visible = which === "mould";
-      find("object-controls").hidden = which !== "object";
-      find("mould-controls").hidden = which !== "mould";
-      view.ground.visible = which === "object";
-      press.follow();
-      view.look(which === "mould" ? 8 : 4.3);
-    });
-  }
-  on("opening", "input", () => mould.open(number("opening") / 100));
-  on("open", "click", () => playOpening(find, mould));
-}
-
-function playOpening(find, mould) {
-  const from = performance.now();
-  const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
-  function go(now) {
-    const share = still ? 1 : Math.min(1, (now - from) / OPENING_MS);
-    find("opening").value = String(100 * share);
-    mould.open(share);
-    if (share < 1) requestAnimationFrame(go);
-  }
-  requestAnimationFrame(go);
-}
-
-// Of the contact locations that the face has.
-function nearestPlace(press, { arrays }, face, x, y) {
-  let [best, least] = [0, Infinity];
-  const { data } = arrays.place_xy_mm;
-  for (let place = 0; place < press.places; place++) {
-    const far = Math.hypot(data[2 * place] - x, data[2 * place + 1] - y);
-    if (far < least && Number.isFinite(arrays.force_n.data[(face * press.places + place) * press.depths.length])) [best, least] = [place, far];
-  }
-  return best;
-}
-
-function joinPointer(find, { scene, view, object, maps, press, choose }) {
-  const canvas = find("canvas");
-  const caster = new Raycaster();
-  const { content } = scene;
-  const front = object.silicone.front;
-  // Face and contact location under the pointer, by the silicone at rest.
-  function under(event) {
-    if (!object.root.visible) return null;
-    const box = canvas.getBoundingClientRect();
-    const at = new Vector2(((event.clientX - box.left) / box.width) * 2 - 1, 1 - ((event.clientY - box.top) / box.height) * 2);
-    caster.setFromCamera(at, view.camera);
-    const hit = caster.intersectObject(front, false).find(({ point }) => front.material.clippingPlanes.every((p) => p.distanceToPoint(point) >= 0));
-    if (!hit) return null;
-    const corners = [hit.face.a, hit.face.b, hit.face.c];
-    const face = Math.max(...corners.map((v) => maps.owner[v]));
-    if (face < 0) return null;
-    const local = hit.point.clone().sub(object.offset());
-    const [x, y] = placeOn(content.faces[face], local.x, local.y, local.z);
-    return { face, x, y, place: nearestPlace(press, scene, face, x, y) };
-  }
-  let down = null;
-  canvas.addEventListener("pointerdown", (event) => (down = [event.clientX, event.clientY]));
-  canvas.addEventListener("pointerup", (event) => {
-    const still = down && Math.hypot(event.clientX - down[0], event.clientY - down[1]) < MOVED_PX;
-    down = null;
-    const found = still && under(event);
-    if (found) choose(found.face, found.place, press.state.step || press.depths.length);
-  });
-  canvas.addEventListener("pointermove", (event) => {
-    if (event.buttons) return;
-    const found = under(event);
-    if (!found) return void (find("under").textContent = "");
-    const { most, least } = press.circle(found.face, found.place);
-    const value = maps.shown() ? `${maps.shown().title} ${shownNumber(maps.valueAt(found.face, found.place))} ${maps.shown().unit}; ` : "";
-    find("under").textContent = `face ${content.faces[found.face].number} (${found.x.toFixed(1)}, ${found.y.toFixed(1)}) mm: ${value}σ ${shownNumber(most)} × ${shownNumber(least)} mm`;
-  });
-}
-
-start().catch((error) => {
-  const host = document.getElementById("viewer");
-  host.hidden = true;
-  document.getElementById("no-viewer").textContent = `No view in three dimensions: ${error.message}.`;
-  console.warn(error);
-});
+// After two frames what stands above the view is on the screen.
+if (document.querySelector(".viewer[data-scene]")) requestAnimationFrame(() => setTimeout(startPage));

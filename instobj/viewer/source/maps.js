@@ -59,13 +59,13 @@ function charts({ content, arrays }, owner) {
   return chart;
 }
 
-const VERTEX = "attribute vec3 chart; varying vec3 onFace;\n";
-const FRAGMENT = `varying vec3 onFace; uniform sampler2D score; uniform vec3 grid; uniform float mapped;
+const VERTEX = "attribute vec3 chart; varying vec4 onFace;\n";
+const FRAGMENT = `varying vec4 onFace; uniform sampler2D score; uniform vec3 grid; uniform float mapped;
 vec3 mapColour(vec3 plain) {
   if (mapped < 0.5) return plain;
   float face = floor(onFace.z + 0.5);
   vec2 last = grid.xy - 1.0;
-  bool judged = face >= 0.0 && abs(onFace.z - face) < 0.01
+  bool judged = face >= 0.0 && abs(onFace.z - face) < 0.01 && abs(onFace.w - onFace.z * onFace.z) < 0.01
     && all(greaterThan(onFace.xy, vec2(-0.5))) && all(lessThan(onFace.xy, last + 0.5));
   vec2 at = clamp(onFace.xy, vec2(0.0), last) + 0.5;
   vec4 found = texture2D(score, vec2(at.x, face * grid.y + at.y) / vec2(grid.x, grid.y * grid.z));
@@ -73,11 +73,12 @@ vec3 mapColour(vec3 plain) {
 }
 `;
 
-// The material shows the map between the contact locations; triangles between two faces stay grey.
+// The material shows the map between the contact locations; triangles between two faces stay grey: there
+// the mean of the squared numbers of the faces is not the square of their mean.
 function paint(material, uniforms) {
   material.onBeforeCompile = (shader) => {
     Object.assign(shader.uniforms, uniforms);
-    shader.vertexShader = VERTEX + shader.vertexShader.replace("#include <begin_vertex>", "#include <begin_vertex>\nonFace = chart;");
+    shader.vertexShader = VERTEX + shader.vertexShader.replace("#include <begin_vertex>", "#include <begin_vertex>\nonFace = vec4(chart, chart.z * chart.z);");
     shader.fragmentShader = FRAGMENT + shader.fragmentShader.replace("#include <color_fragment>", "diffuseColor.rgb = mapColour(diffuseColor.rgb);");
   };
   material.needsUpdate = true;
@@ -96,9 +97,15 @@ export function makeMaps(scene, object, view) {
   paint(object.silicone.front.material, uniforms);
   let shown = null;
 
-  function scaleOf(map) {
+  const fixed = {};
+  // Smallest and largest value of a map, or the ends that it was given.
+  function endsOf(map) {
+    if (fixed[map.stem]) return fixed[map.stem];
     const values = Array.from(arrays[`map_${map.stem}`].data).filter((v) => Number.isFinite(v) && (!map.log || v > 0));
-    const ends = [Math.min(...values), Math.max(...values)];
+    return [Math.min(...values), Math.max(...values)];
+  }
+  function scaleOf(map) {
+    const ends = endsOf(map);
     const [low, high_] = map.log ? ends.map(Math.log) : ends;
     const share = (value) => ((map.log ? Math.log(value) : value) - low) / (high_ - low || 1);
     const at = (part) => { const v = low + part * (high_ - low); return map.log ? Math.exp(v) : v; };
@@ -125,7 +132,8 @@ export function makeMaps(scene, object, view) {
     texture.needsUpdate = true;
   }
   const valueAt = (face, place) => shown && arrays[`map_${shown.stem}`].data[face * places + place];
-  return { owner, show, valueAt, shown: () => shown };
+  const fix = (stem, ends) => (fixed[stem] = ends);
+  return { owner, show, valueAt, shown: () => shown, endsOf, fix };
 }
 
 export function drawLegend(box, found) {

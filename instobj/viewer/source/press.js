@@ -1,12 +1,8 @@
 // A press: the silicone follows the stored shapes and the tip, magnets move, chips show their change.
-import {
-  BufferGeometry, Group, Line, LineBasicMaterial, Mesh, MeshLambertMaterial, CylinderGeometry, Quaternion,
-  SphereGeometry, Float32BufferAttribute, Vector3,
-} from "three";
+import { CylinderGeometry, Group, Mesh, MeshLambertMaterial, Quaternion, SphereGeometry, Vector3 } from "three";
 import { arrow } from "./arrow.js";
 import { numbers, row } from "./archive.js";
-
-const SIGMAS_95 = Math.sqrt(-2 * Math.log(0.05));
+import { makeEllipse } from "./ellipse.js";
 
 export function makePress(scene, object, view) {
   const { content, arrays } = scene;
@@ -19,12 +15,11 @@ export function makePress(scene, object, view) {
   const inward = new Float32Array(arrays.shape.shape[2]);
   const tip = makeTip(content.tip, view.size);
   const arrows = Array.from({ length: sensors }, () => arrow(0xd81b9a, view.size / 130, true));
-  const ring = new Line(new BufferGeometry(), new LineBasicMaterial({ color: 0xd81b9a, depthTest: false }));
-  ring.renderOrder = 6;
+  const [ring, hovered] = [0xd81b9a, 0x1c1c1c].map((colour) => makeEllipse(scene, object, circle, view, colour));
   const group = new Group();
   const atChips = new Group();
   atChips.add(...arrows.map((one) => one.object));
-  group.add(tip, ring);
+  group.add(tip, ring.line, hovered.line);
   view.scene.add(group, atChips);
   const sensorAt = Array.from({ length: sensors }, (_, s) => new Vector3(...row(arrays.sensor_mm, s, 3)));
   const chipAxes = Array.from({ length: sensors }, (_, s) => row(arrays.sensor_axes, s, 9));
@@ -134,27 +129,14 @@ export function makePress(scene, object, view) {
     const apart = Math.hypot((xx - yy) / 2, xy);
     return { most: Math.sqrt(half + apart), least: Math.sqrt(Math.max(0, half - apart)), turn: Math.atan2(2 * xy, xx - yy) / 2 };
   }
-  function drawRing() {
-    const { most, least, turn } = circle(state.face, state.place);
-    ring.visible = Number.isFinite(most);
-    const { origin, axes } = placeFrame();
-    const points = [];
-    for (let k = 0; k <= 64; k++) {
-      const [u, v] = [SIGMAS_95 * most * Math.cos((k * Math.PI) / 32), SIGMAS_95 * least * Math.sin((k * Math.PI) / 32)];
-      const [x, y] = [u * Math.cos(turn) - v * Math.sin(turn), u * Math.sin(turn) + v * Math.cos(turn)];
-      const at = origin.clone().addScaledVector(axes[0], x).addScaledVector(axes[1], y).addScaledVector(axes[2], 0.15);
-      points.push(...at.toArray());
-    }
-    ring.geometry.setAttribute("position", new Float32BufferAttribute(points, 3));
-    ring.geometry.computeBoundingSphere();
-  }
   function set(face, place, step) {
     Object.assign(state, { face, place, step });
     const mix = blend(step);
     bend(mix);
     moveParts(mix);
     point();
-    drawRing();
+    ring.draw(face, place);
+    hovered.hide();
     const { origin, axes } = placeFrame();
     tip.position.copy(origin).addScaledVector(axes[2], -(step ? depths[step - 1] : 0));
     tip.quaternion.setFromUnitVectors(new Vector3(0, 0, 1), axes[2]);
@@ -167,7 +149,14 @@ export function makePress(scene, object, view) {
     atChips.visible = object.root.visible && object.offset().lengthSq() < 1e-6;
     view.redraw();
   }
-  return { state, set, signals, circle, force: () => force(state.step), depths, group, places, follow };
+  // The ellipse at the contact location under the pointer.
+  function hover(found) {
+    if (found) hovered.draw(found.face, found.place);
+    else hovered.hide();
+    view.redraw();
+  }
+  const xy = (place) => Array.from(arrays.place_xy_mm.data.subarray(2 * place, 2 * place + 2));
+  return { state, set, hover, xy, ringScale: ring.scale, signals, circle, force: () => force(state.step), depths, group, places, follow };
 }
 
 // The tip's lowest point in its origin, its axis along z.

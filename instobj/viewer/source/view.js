@@ -43,8 +43,8 @@ function axes(size, corner) {
   return group;
 }
 
-export function makeView(canvas, sizeMm) {
-  const renderer = new WebGLRenderer({ canvas, antialias: true });
+export function makeView(canvas, sizeMm, antialias = true) {
+  const renderer = new WebGLRenderer({ canvas, antialias });
   renderer.setClearColor(BACKGROUND);
   renderer.localClippingEnabled = true;
   const scene = new Scene();
@@ -98,7 +98,7 @@ export function makeView(canvas, sizeMm) {
   canvas.addEventListener("keydown", (event) => turnByKey(event, camera, controls, redraw));
   resize();
   look();
-  return { scene, camera, controls, size, redraw, look, before, ground };
+  return { renderer, scene, camera, controls, size, draw, redraw, look, before, ground };
 }
 
 function turnByKey(event, camera, controls, redraw) {

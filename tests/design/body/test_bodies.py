@@ -11,7 +11,7 @@ from design.layout.volumes import sealed_volume_mm3
 from design.solids.core import make_core
 from design.solids.sampled import sampled_core_part, sampled_shell
 from design.solids.shell import cavity, envelope, make_shell
-from tests.support.body_cases import BODIES, body_spec
+from tests.support.objects.body_cases import BODIES, body_spec
 
 EXACT = [name for name in BODIES if name != "ellipsoid"]
 

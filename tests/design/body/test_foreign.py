@@ -17,7 +17,10 @@ from design.layout.stl_tip import stl_tip_vertices_mm
 MISSING = "nothing there"
 
 
-@pytest.mark.parametrize("suffix", ["stl", "ply", "obj", "off", "step"])
+LIKE_STL = [pytest.param(suffix, marks=pytest.mark.slow) for suffix in ("ply", "obj", "off")]
+
+
+@pytest.mark.parametrize("suffix", ["stl", "step", *LIKE_STL])
 def test_the_surface_is_the_one_in_the_file(suffix, tmp_path):
     path = tmp_path / f"brick.{suffix}"
     if suffix == "step":

@@ -16,7 +16,7 @@ from design.body.imported import body_of_file
 from design.body.sampled import measured_distance_mm, sampled_core
 from design.errors import InputError
 from design.layout.body import body_of, core_frames, face_frames
-from design.layout.positions import magnet_layout
+from design.layout.places.positions import magnet_layout
 from design.processes import ChildFailed
 from design.solids import foreign
 from design.solids.sampled import sampled_core_part, sampled_shell
@@ -280,7 +280,7 @@ def test_a_missing_file_and_a_missing_name_are_told(tmp_path):
     ("factor", "overrides"),
     [
         (0.001, {"body.unit": '"m"'}),
-        (1 / 25.4, {"body.unit": '"in"'}),
+        pytest.param(1 / 25.4, {"body.unit": '"in"'}, marks=pytest.mark.slow),
         (2.0, {"body.scale": "0.5"}),
     ],
 )
@@ -331,7 +331,7 @@ def test_bodies_too_small_for_their_parts_are_refused(tmp_path, scale, overrides
         _load(tmp_path, "small.stl", **overrides)
 
 
-@pytest.mark.parametrize("size_mm", [120.0, 800.0])
+@pytest.mark.parametrize("size_mm", [pytest.param(120.0, marks=pytest.mark.slow), 800.0])
 def test_large_bodies_take_no_finer_grids_than_small_ones(tmp_path, monkeypatch, size_mm):
     """Work grew with the cube of the size; from 1 m on it did not end."""
     egg = trimesh.creation.icosphere(5, 0.5)

@@ -10,7 +10,7 @@ from design.body.kinds.registry import KINDS
 from design.layout.body import body_of
 from design.solids.body import SOLIDS
 from design.spec.object import ObjectSpec
-from tests.support.body_cases import body_spec
+from tests.support.objects.body_cases import body_spec
 
 ROOT = Path(__file__).parents[3]
 ASKED = re.compile(r"body\.kind (==|!=|in |not in )|\[(spec\.)?body\.kind\]")

@@ -6,8 +6,8 @@ from numpy.testing import assert_allclose
 
 from design.body.surface_chart import Cap, FaceFrame
 from design.layout.body import body_of, core_frames, face_frame, face_frames
-from design.layout.positions import board_sinks_mm, magnet_layout, sensor_layout
-from tests.support.body_cases import body_spec
+from design.layout.places.positions import board_sinks_mm, magnet_layout, sensor_layout
+from tests.support.objects.body_cases import body_spec
 
 CURVED = ("cylinder", "capsule", "sphere", "solid_dome", "ellipsoid")
 PLACES = np.array([[0.0, 0.0], [3.0, -2.0], [-4.0, 1.5], [5.0, 5.0]])

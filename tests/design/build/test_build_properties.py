@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 
 from tests.support.building_apart import Apart, misbehave
-from tests.support.random_objects import KINDS, objects
-from tests.support.sound_objects import measure_object
+from tests.support.objects.random_objects import KINDS, objects
+from tests.support.objects.sound_objects import measure_object
 
 TIMEOUT_S = 120
 """For one object; on a quiet core it takes 0.5 to 10 s."""
@@ -73,7 +73,7 @@ def assert_built(builder, content, everything):
     assert_sound(measured, content["body"]["kind"])
 
 
-@settings(max_examples=5, **RANDOM)
+@settings(max_examples=2, **RANDOM)
 @given(content=objects())
 def test_random_objects_build_and_their_mould_casts_their_shell(builder, content):
     assert_built(builder, content, everything=False)

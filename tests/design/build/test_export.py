@@ -22,7 +22,7 @@ from design.layout.body import face_frames
 from design.layout.pockets import shell_pockets
 from design.spec.object import CoreSpec, MagnetSpec, ObjectSpec, ShellSpec
 from design.spec_io import check, parse_spec, spec_hash
-from tests.support.golden_geometry import REFERENCE
+from tests.support.objects.golden_geometry import REFERENCE
 
 PAPER = ObjectSpec(name="paper")
 PART_NAMES = [part.name for part in parts_of(PAPER)]

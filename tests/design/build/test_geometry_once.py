@@ -9,11 +9,11 @@ import pytest
 
 from design.build.parts import parts_of
 from design.layout.body import core_frames, face_frames
+from design.layout.places.positions import magnet_layout
 from design.layout.pockets import shell_pockets
-from design.layout.positions import magnet_layout
 from design.spec import worked_out
 from design.spec.object import ObjectSpec
-from tests.support.body_cases import body_spec
+from tests.support.objects.body_cases import body_spec
 
 WATCHED = {
     "face_frames", "core_frames", "shell_pockets", "core_pockets", "magnet_bodies", "sensor_places",

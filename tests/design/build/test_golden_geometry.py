@@ -11,13 +11,13 @@ from design.build.parts import parts_of
 from design.layout.body import body_of
 from design.solids.core import make_core
 from design.spec_io import load_spec
-from tests.support.golden_geometry import FILES, REFERENCE, measured_part, measured_places
+from tests.support.objects.golden_geometry import FILES, REFERENCE, measured_part, measured_places
 
 GOLDEN = yaml.safe_load(REFERENCE.read_text(encoding="utf-8"))
 PARTS = [(name, part) for name, golden in GOLDEN.items() for part in golden["parts"]]
-SLOW = ("preset", "paper_cube", "search_cube", "better_cube", "reverse_cube")
-"""The paper's cube, whose parts test_export builds and compares with the same reference, and what
-differs from it by places alone."""
+SLOW = ("preset", "paper_cube", "search_cube", "better_cube", "reverse_cube", "pear", "egg")
+"""The paper's cube, whose parts test_export builds and compares with the same reference, what differs
+from it by places alone, and two sampled bodies beside the ball."""
 
 AUTHORS = {
     "core": (9034.89, [26.0, 26.0, 26.0], 0.02),
@@ -50,7 +50,7 @@ def parts(name):
 
 
 def test_every_object_has_a_reference_and_the_other_way_round():
-    """Where this fails after a deliberate change: python -m tests.support.golden_geometry."""
+    """Where this fails after a deliberate change: python -m tests.support.objects.golden_geometry."""
     assert set(GOLDEN) == set(FILES)
 
 

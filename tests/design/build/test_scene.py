@@ -11,10 +11,11 @@ import pytest
 import trimesh
 from numpy.testing import assert_allclose
 
-from design.build.scene import assembly_scene, write_3mf, write_glb
+from design.build.scene import assembly_scene, write_glb
+from design.build.slicer_file import write_3mf
 from design.layout.boards import mounted_sensors, wire_bundle_mm
 from design.layout.body import core_frames, face_frames
-from design.layout.positions import sensor_layout
+from design.layout.places.positions import sensor_layout
 from design.solids.core import make_core
 from design.solids.jig import make_jig
 from design.solids.magnet_template import make_magnet_template, template_faces

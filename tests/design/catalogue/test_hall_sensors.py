@@ -105,6 +105,12 @@ def test_a_part_fills_in_what_is_left_out(given, range_mt, counts_per_mt, noise_
     assert SensorSpec.model_validate(sensors.model_dump()) == sensors
 
 
+def test_every_range_of_a_part_fills_the_same_counts():
+    for part in HALL_PARTS.values():
+        full = [each.range_mt * each.counts_per_mt for each in part.ranges]
+        assert_allclose(full, full[:1] * len(full), rtol=0.01)
+
+
 def test_measured_noise_is_near_the_datasheets():
     part = HALL_PARTS["TMAG5273A1"]
     assert part.noise is part.measured_noise

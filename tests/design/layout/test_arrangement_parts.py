@@ -8,8 +8,8 @@ from scipy.spatial.transform import Rotation
 from design.catalogue.magnets import MAGNET_PARTS
 from design.errors import InputError
 from design.layout.body import face_frames
+from design.layout.places.positions import magnet_layout, sensor_layout, shell_body_layout
 from design.layout.pockets import core_pockets
-from design.layout.positions import magnet_layout, sensor_layout, shell_body_layout
 from design.layout.volumes import shell_volume_mm3
 from design.mould.whole import cast_cavity
 from design.solids.core import make_core

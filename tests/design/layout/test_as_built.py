@@ -6,7 +6,12 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from design.errors import InputError
 from design.layout.body import face_frames
-from design.layout.positions import live_channels, magnet_layout, sensor_layout, shell_body_layout
+from design.layout.places.positions import (
+    live_channels,
+    magnet_layout,
+    sensor_layout,
+    shell_body_layout,
+)
 from design.spec_io import load_spec, parse_spec
 
 FOUND = """

@@ -5,7 +5,7 @@ import pytest
 
 from design.errors import SpecError
 from design.layout.body import face_frames
-from design.layout.contact_places import (
+from design.layout.places.contact_places import (
     contact_places,
     grid_count,
     pressed_nodes,
@@ -13,11 +13,11 @@ from design.layout.contact_places import (
     stays_on_patch,
     touched_reach_mm,
 )
-from design.layout.coverage import covered_share, covered_shares
-from design.layout.positions import contact_grid, press_lattice
+from design.layout.places.coverage import covered_share, covered_shares
+from design.layout.places.positions import contact_grid, press_lattice
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, parse_spec
-from tests.support.body_cases import body_spec
+from tests.support.objects.body_cases import body_spec
 
 FILL = {"contact_grid": {"count": "fill"}}
 BOX = ObjectSpec.model_validate({"name": "box", "body": {"size_mm": (60.0, 40.0, 30.0)}} | FILL)

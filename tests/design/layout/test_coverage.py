@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from design.layout.body import face_frames
-from design.layout.coverage import covered_share
+from design.layout.places.coverage import covered_share
 from design.spec_io import load_spec, parse_spec
 
 EXAMPLES = Path(__file__).parents[3] / "examples"

@@ -5,12 +5,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-import design.layout.positions
+import design.layout.places.positions
 from design.errors import InputError
 from design.layout.boards import mounted_sensors
 from design.layout.body import body_of, face_frames
+from design.layout.places.positions import board_sinks_mm, cover_mm, sensor_layout
 from design.layout.pockets import magnet_bodies
-from design.layout.positions import board_sinks_mm, cover_mm, sensor_layout
 from design.solids.core import make_core
 from design.solids.primitives import block_solid
 from design.spec_io import load_spec
@@ -32,7 +32,7 @@ def test_the_highest_corner_is_flush_with_the_core(name, monkeypatch):
     spec = load_spec(EXAMPLES / f"{name}.toml")
     assert abs(highest_mm(spec)) < 1e-3
     flat = tuple(tuple(0.0 for _ in face) for face in board_sinks_mm(spec))
-    monkeypatch.setattr(design.layout.positions, "board_sinks_mm", lambda spec: flat)
+    monkeypatch.setattr(design.layout.places.positions, "board_sinks_mm", lambda spec: flat)
     assert highest_mm(spec) > 0.4, "the fault: boards as on a flat core"
 
 

@@ -5,8 +5,8 @@ import pytest
 
 from design.errors import SpecError
 from design.layout.body import core_frames, face_frames
+from design.layout.places.positions import magnet_layout
 from design.layout.pockets import magnet_places, sensor_places
-from design.layout.positions import magnet_layout
 from design.solids.magnet_template import template_faces
 from design.spec_io import parse_spec
 

@@ -5,7 +5,7 @@ import pytest
 from numpy.testing import assert_allclose
 from pydantic import ValidationError
 
-from design.layout.positions import magnet_layout
+from design.layout.places.positions import magnet_layout
 from design.spec.assembly import AsBuiltSpec, BuiltMagnet
 from design.spec.object import MagnetSpec, ObjectSpec
 from estimator.layouts.batch import layouts_of, magnet_axes

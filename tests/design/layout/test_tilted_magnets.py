@@ -6,11 +6,11 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.spatial.transform import Rotation
 
+import design.layout.places.positions
 import design.layout.pockets
-import design.layout.positions
 from design.layout.body import face_frames
+from design.layout.places.positions import magnet_layout
 from design.layout.pockets import distance_of_axes_mm, shell_pockets, tilted_frame
-from design.layout.positions import magnet_layout
 from design.layout.volumes import shell_volume_mm3
 from design.mould.one_piece import make_mould_box
 from design.mould.whole import cast_cavity

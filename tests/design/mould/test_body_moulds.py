@@ -29,8 +29,8 @@ from design.solids.core import make_core
 from design.solids.sampled import sampled_shell
 from design.solids.shell import make_shell
 from design.spec_io import parse_spec
-from tests.support.body_cases import body_spec
-from tests.support.random_objects import made_surface
+from tests.support.objects.body_cases import body_spec
+from tests.support.objects.random_objects import made_surface
 
 BESIDE = {"positions_mm": [[7.0, -1.0]]}
 """Clear of the wire holes in the middles of the faces, of which some are along a pull."""
@@ -67,6 +67,8 @@ KINDS = {
     "closed capsule": "capsule",
 }
 LONG = (
+    "slits that meet the pouring hole",
+    "ellipsoid",
     "sphere",
     "capsule",
     "closed capsule",
@@ -267,6 +269,7 @@ def peanut(tmp_path_factory):
     return body_spec("ellipsoid", body=body, mesh={"envelope_mm": 0.1}, mould={"vent_mm": 1.5})
 
 
+@pytest.mark.slow
 def test_vents_stand_on_high_points_and_are_open(peanut):
     shell = sampled_shell(peanut)
     traps = air_traps(peanut, shell, pour_holes(peanut))

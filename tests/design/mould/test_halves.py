@@ -31,6 +31,10 @@ SKEWED = {
     "magnets": {"positions_mm": [[2.0, -1.0], [-9.0, 4.0]]},
 }
 TILTED = SKEWED | {"magnets": SKEWED["magnets"] | {"depth_mm": 2.4, "tilt_deg": [[8, 0], [0, -12]]}}
+CONTENTS = [
+    pytest.param(SKEWED, id="straight", marks=pytest.mark.slow),
+    pytest.param(TILTED, id="tilted"),
+]
 
 
 def parsed(azimuth=None, **content):
@@ -67,7 +71,7 @@ def test_the_one_piece_box_cannot_be_drawn():
     assert drawn_through(make_mould_box(spec), make_shell(spec), (0, 0, 1)) > 50
 
 
-@pytest.mark.parametrize("content", [SKEWED, TILTED], ids=["straight", "tilted"])
+@pytest.mark.parametrize("content", CONTENTS)
 def test_pins_draw_out_along_their_axes(content):
     spec = parsed(**content)
     shell = make_shell(spec)
@@ -88,7 +92,7 @@ def test_pins_draw_out_along_their_axes(content):
         assert blocked > 1, "the head must stop the pin at its depth"
 
 
-@pytest.mark.parametrize("content", [SKEWED, TILTED], ids=["straight", "tilted"])
+@pytest.mark.parametrize("content", CONTENTS)
 def test_halves_pins_and_plug_cast_the_shell(content):
     spec = parsed(**content)
     shell, cavity = make_shell(spec), cast_cavity(spec)

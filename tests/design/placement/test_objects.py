@@ -8,10 +8,10 @@ import pytest
 from design.body.surface_chart import steepest_reach_mm
 from design.errors import SpecError
 from design.fit.everything import problems_of
-from design.layout.boards import mounted_sensors
-from design.layout.contact_places import contact_places
-from design.layout.positions import magnet_layout
-from design.placement.objects import Request, placed, spec_of
+from design.layout.boards import mounted_sensors, sensor_recesses, smallest_recess_wall_mm
+from design.layout.places.contact_places import contact_places
+from design.layout.places.positions import magnet_layout
+from design.placement.objects import Request, Trim, first_fit, placed, spec_of
 
 QUICK = {
     "brick": Request("box", (60.0, 40.0, 30.0), 2, 5),
@@ -52,6 +52,17 @@ def test_boards_and_magnets_of_a_brick_lie_in_core_and_silicone_by_hand(made):
     assert apart[~np.eye(len(centres), dtype=bool)].min() > spec.magnets.diameter_mm + 1
 
 
+def test_recesses_in_the_ends_of_a_handle_leave_a_wall_to_its_side(made):
+    """By hand, on a core of R 13 mm: it was 0.71 mm thick where 0.8 mm can be printed."""
+    spec = made["handle"]
+    radius = spec.body.size_mm[0] / 2 - spec.shell.thickness_mm
+    signs = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
+    for recess in sensor_recesses(spec):
+        if recess.face == 1:
+            corners = recess.centre_mm + (signs * recess.half_mm) @ recess.axes.T
+            assert np.hypot(*corners[:, :2].T).max() < radius - spec.printer.wall_mm
+
+
 def test_a_pad_that_is_too_small_is_refused_with_a_size_that_works():
     with pytest.raises(SpecError, match="too small for 4 sensors") as told:
         placed(Request("pad", (20.0, 14.0, 8.0), 4))
@@ -67,6 +78,18 @@ def test_a_core_of_no_size_has_faces_of_no_size():
     """A sphere of 12 mm with the shell's 6 mm: told to be too small, not divided by."""
     assert steepest_reach_mm(0.0, 0.0) == steepest_reach_mm(-1.0, -1.0) == 0
     assert steepest_reach_mm(20.0, 20.0) > 15
+
+
+def test_a_body_thinner_than_its_silicone_is_too_small_and_no_crash():
+    """An ellipsoid's core is an offset of its triangles: here of less than nothing."""
+    request = Request("ellipsoid", (10.0, 10.0, 10.0))
+    assert first_fit(request, trims=(Trim(8.0, 6.0, 3.0),)) is None
+
+
+def test_a_core_that_is_tight_when_flat_is_tight_when_sunk(made):
+    """So that the quick judgement of the placement refuses nothing that would fit."""
+    spec = made["handle"]
+    assert smallest_recess_wall_mm(spec) <= smallest_recess_wall_mm(spec, sunk=False)
 
 
 def test_a_size_that_the_kind_does_not_take_is_refused_with_its_rule():

@@ -85,7 +85,7 @@ def test_a_layout_is_a_specification_with_the_chosen_parts():
 
 def axes_of(spec):
     """Centre and north of every magnet of face 1."""
-    from design.layout.positions import magnet_layout
+    from design.layout.places.positions import magnet_layout
 
     layout = magnet_layout(spec)
     own = layout.face == 1

@@ -3,7 +3,7 @@
 import pytest
 from numpy.testing import assert_allclose
 
-from design.layout.positions import sensor_layout
+from design.layout.places.positions import sensor_layout
 from design.search.structure import with_structure
 from design.spec_io import parse_spec
 

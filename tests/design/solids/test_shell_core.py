@@ -13,7 +13,7 @@ import design.solids.shell
 from design.body.surface_chart import FACE_AXES
 from design.errors import InputError
 from design.layout.body import face_frames
-from design.layout.positions import board_places, sensor_layout
+from design.layout.places.positions import board_places, sensor_layout
 from design.layout.volumes import sealed_volume_mm3, shell_volume_mm3
 from design.solids.core import make_core
 from design.solids.primitives import single_solid

@@ -30,7 +30,9 @@ def parsed(**content):
     return parse_spec({"name": "t", **content}, "test")
 
 
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize(
+    "name", ["all", *(pytest.param(n, marks=pytest.mark.slow) for n in CASES if n != "all")]
+)
 @pytest.mark.parametrize("style", ["one-piece", "split"])
 def test_the_mould_casts_exactly_the_shell(name, style):
     spec = parsed(**CASES[name], mould={"style": style})

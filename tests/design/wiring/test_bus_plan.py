@@ -6,7 +6,7 @@ import pytest
 from design.catalogue.bus_parts import BOARDS, MEGA2560, PICO, bus_chip
 from design.errors import InputError
 from design.spec.object import ObjectSpec
-from design.wiring.bus_limits import largest_capacitance_pf, pullup_kohm
+from design.wiring.bus_limits import FrameTime, largest_capacitance_pf, pullup_kohm
 from design.wiring.bus_plan import all_plans, choose_plan
 from design.wiring.dealing import FACTORY, MIXED, MULTIPLEXED, STARTED
 from design.wiring.lengths import wire_lengths_mm
@@ -118,3 +118,8 @@ def test_faster_frames_take_a_faster_line():
     slow, _ = choose_plan(object_of(), MEGA2560)
     fast, _ = choose_plan(object_of(frame_rate_hz=40, averaging=8), MEGA2560)
     assert (slow.baud, fast.baud > slow.baud) == (115_200, True)
+
+
+def test_a_frame_takes_the_longer_of_converting_and_of_reading_and_writing():
+    assert FrameTime(2.0, 60.0, 30.0, 100.0).fastest_hz == pytest.approx(10.0)
+    assert FrameTime(120.0, 60.0, 30.0, 100.0).fastest_hz == pytest.approx(7.5)

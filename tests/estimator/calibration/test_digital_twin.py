@@ -8,19 +8,19 @@ from numpy.testing import assert_allclose
 from scipy.linalg import block_diag
 
 from design.errors import InputError
-from design.layout.positions import contact_grid
-from estimator.calibration import digital_twin as calibrated_twin
-from estimator.calibration import unknowns
-from estimator.calibration.digital_twin import calibrate, places_left_out
-from estimator.calibration.discrepancy import Discrepancy, Prior
-from estimator.calibration.pressed_places import PressedPlaces, pressed_places, within_reach
-from estimator.calibration.pretraining import calibrated_frames
+from design.layout.places.positions import contact_grid
+from estimator.calibration.twin import digital_twin as calibrated_twin
+from estimator.calibration.twin import unknowns
+from estimator.calibration.twin.digital_twin import calibrate, places_left_out
+from estimator.calibration.twin.discrepancy import Discrepancy, Prior
+from estimator.calibration.twin.pressed_places import PressedPlaces, pressed_places, within_reach
+from estimator.calibration.twin.pretraining import calibrated_frames
 from estimator.frames.collection import with_slots
 from estimator.frames.press_protocol import simulate_presses
 from estimator.signals.interpolation import counts_at_force, press_traces
 from estimator.tolerances.virtual_object import drawn_assembly, twin_signals
 from fem.large_strain.correction import StrainCorrection, corrected_table
-from tests.support.synthetic_presses import coarse_spec, synthetic_presses
+from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
 
 pytestmark = pytest.mark.usefixtures("statistics_in_full")
 FACE = 3
@@ -100,11 +100,13 @@ def test_places_never_pressed_are_predicted(presses, truth, seen, twin):
     assert calibrated < 0.05
 
 
+@pytest.mark.slow
 def test_exchanged_places_do_not_help(presses, truth, seen):
     wrong = calibrate(SPEC, *presses, replace(seen, xy_mm=np.roll(seen.xy_mm, 5, axis=0)))
     assert left_over(wrong.signals(), truth, seen) > 0.2
 
 
+@pytest.mark.slow
 def test_without_large_deformation_it_does_worse(monkeypatch, presses, truth, seen, twin):
     with_it = left_over(twin.signals(), truth, seen)
     monkeypatch.setattr(unknowns, "STIFFENING", (1e-9,) * 5)

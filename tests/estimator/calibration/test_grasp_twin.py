@@ -7,14 +7,14 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.errors import InputError
-from estimator.calibration import unknowns
-from estimator.calibration.grasp_twin import calibrate_on_cases, left_share, sensor_errors
-from estimator.calibration.inverted_twin import inverted_grasps
-from estimator.calibration.pressed_cases import pressed_cases
+from estimator.calibration.twin import unknowns
+from estimator.calibration.twin.grasp_twin import calibrate_on_cases, left_share, sensor_errors
+from estimator.calibration.twin.inverted_twin import inverted_grasps
+from estimator.calibration.twin.pressed_cases import pressed_cases
 from estimator.frames.windows import all_counts
 from estimator.metrics.contacts import contact_rows, matched_contacts
-from tests.support.inverted import SPEC, presses
-from tests.support.made_grasps import both, built_object, grasps
+from tests.support.mechanics.inverted import SPEC, presses
+from tests.support.recordings.made_grasps import both, built_object, grasps
 
 
 @pytest.fixture(scope="module")
@@ -97,7 +97,7 @@ def test_an_object_that_is_not_the_drawing_is_told(built, trained, twin):
 
 def predicted(seen, twin):
     """Of the design."""
-    from estimator.calibration.grasp_twin import _Mechanics
+    from estimator.calibration.twin.grasp_twin import _Mechanics
 
     mechanics = _Mechanics(twin.unknowns, *presses()[:2], seen)
     return mechanics.expected(np.zeros(len(twin.unknowns))).reshape(seen.counts.shape)

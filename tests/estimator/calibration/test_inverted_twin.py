@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from estimator.calibration.inverted_twin import inverted_twin
-from estimator.inversion.noise import SUM_ERROR, design_error
+from estimator.calibration.twin.inverted_twin import inverted_twin
+from estimator.inversion.model.noise import SUM_ERROR, design_error
 from estimator.signals.presses import Signals
 from estimator.tolerances.virtual_object import drawn_assembly, twin_signals
-from tests.support.inverted import SPEC, presses
+from tests.support.mechanics.inverted import SPEC, presses
 
 FACE, ROW = 3, 2
 

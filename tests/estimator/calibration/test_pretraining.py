@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 
 from design.spec.object import TrainingSpec
-from estimator.calibration.pretraining import split_twins, twin_frames
+from estimator.calibration.twin.pretraining import split_twins, twin_frames
 from estimator.evaluation.evaluation import evaluate_face
 from estimator.frames.press_protocol import simulate_presses
-from estimator.networks.training import FitSettings, fit_estimator
+from estimator.networks.training.face import FitSettings, fit_estimator
 from estimator.tolerances.virtual_object import drawn_assembly, twin_signals
-from tests.support.synthetic_presses import coarse_spec, synthetic_presses
+from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
 
 SPEC = coarse_spec(
     seed=5,

@@ -4,14 +4,14 @@ pressed is not the drawing, and that is said of every frame."""
 import numpy as np
 import pytest
 
-from estimator.calibration import unknowns
-from estimator.calibration.grasp_twin import calibrate_on_cases
-from estimator.calibration.inverted_twin import inverted_grasps
-from estimator.calibration.pressed_cases import pressed_cases
+from estimator.calibration.twin import unknowns
+from estimator.calibration.twin.grasp_twin import calibrate_on_cases
+from estimator.calibration.twin.inverted_twin import inverted_grasps
+from estimator.calibration.twin.pressed_cases import pressed_cases
 from estimator.frames.windows import all_counts
 from estimator.recordings.reading import read_recording
-from tests.support.public_recordings import FOLDER, NAMES
-from tests.support.synthetic_presses import coarse_spec, synthetic_presses
+from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
+from tests.support.recordings.public_recordings import FOLDER, NAMES
 
 pytestmark = pytest.mark.skipif(
     not all((FOLDER / name).exists() for name in NAMES),

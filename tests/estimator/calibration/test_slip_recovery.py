@@ -10,7 +10,7 @@ from estimator.calibration.slip_recovery import FoundSlip, carried_over, slip_fr
 from estimator.frames.press_protocol import simulate_presses
 from estimator.tolerances.assembly import designed
 from estimator.tolerances.virtual_object import drawn_assembly, twin_signals
-from tests.support.synthetic_presses import coarse_spec, synthetic_presses
+from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
 
 SLIP = FoundSlip((0.7, -0.5, 0.6), (0.5, -1.0, 1.5), 0.0)
 

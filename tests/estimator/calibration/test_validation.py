@@ -18,8 +18,11 @@ from estimator.calibration.pose_fit import (
 from estimator.calibration.recorded_presses import (
     MODULUS_RATIOS,
     RecordedPresses,
+    own_channels,
     predicted_motions,
+    pressed_faces,
     recorded_presses,
+    require_presses_of,
 )
 from estimator.calibration.validation import (
     Figure,
@@ -34,9 +37,9 @@ from estimator.field.sources import magnet_source
 from estimator.recordings.reading import read_recording
 from estimator.signals.press_states import rest_motion
 from estimator.tolerances.assembly import designed
-from tests.support.made_recordings import gripper_arrays, write_gripper
-from tests.support.public_recordings import FOLDER, NAMES
-from tests.support.synthetic_presses import coarse_spec, synthetic_presses
+from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
+from tests.support.recordings.made_recordings import gripper_arrays, write_gripper
+from tests.support.recordings.public_recordings import FOLDER, NAMES
 
 SPEC = coarse_spec(silicone={"youngs_modulus_mpa": 0.4, "youngs_modulus_range_mpa": (0.2, 0.6)})
 CASES = (
@@ -261,3 +264,19 @@ def test_presses_of_the_public_recordings():
     force = presses.face_force_n[:, [2, 4]]
     assert (force > 7).all()
     assert (force < 20).all()
+
+
+def test_faces_have_the_channels_of_their_place_among_the_sensed_ones():
+    """An object without faces 2, 4 and 5: face 6 is its third."""
+    spec = SPEC.changed(body=SPEC.body.changed(sensed_faces=(1, 3, 6), open_faces=()))
+    assert own_channels(spec, 6).tolist() == list(range(18, 27))
+    presses = replace(
+        presses_of(), cases=(((6, 0.0, 0.0),),) * len(CASES), signal_counts=np.zeros((20, 27))
+    )
+    assert pressed_faces(presses) == [6]
+    require_presses_of(spec, presses)
+    other = spec.changed(body=spec.body.changed(sensed_faces=(1, 2, 6)))
+    with pytest.raises(InputError, match=r"press face 3; .* senses \[1, 2, 6\]"):
+        require_presses_of(other, replace(presses, cases=CASES))
+    with pytest.raises(InputError, match=r"hold 45 channels; .* has 27"):
+        require_presses_of(spec, presses_of())

@@ -19,8 +19,8 @@ from estimator.deploy.runtime import LiveReader, load_deployed, predict_frames
 from estimator.frames.splits import split_presses
 from estimator.networks.face_model import predict
 from estimator.networks.prediction import UNITS
-from estimator.networks.training import FitSettings, fit_estimator
-from tests.support.synthetic_frames import synthetic_frames
+from estimator.networks.training.face import FitSettings, fit_estimator
+from tests.support.recordings.synthetic_frames import synthetic_frames
 
 FACE = 4
 SMALL = TrainingSpec(

@@ -131,7 +131,7 @@ def test_too_few_frames_are_refused():
 
 
 def test_the_guide_to_built_objects_tells_every_baseline_and_its_numbers():
-    page = (DOCS / "calibrate.md").read_text().partition("## 5. Use")[2]
+    page = (DOCS / "calibrate.md").read_text().partition("## 6, 7. Use")[2]
     rows = re.findall(r"^\| `(\w+)`( \(default\))? \|", page, re.MULTILINE)
     assert [row[0] for row in rows] == list(get_args(zeroing.ZeroMode))
     assert [row[0] for row in rows if row[1]] == [LiveReader.__dataclass_fields__["zero"].default]

@@ -15,8 +15,8 @@ from estimator.evaluation.baselines import (
     paired_difference,
 )
 from estimator.frames.splits import split_presses
-from estimator.networks.training import FitSettings, fit_estimator
-from tests.support.synthetic_frames import synthetic_frames
+from estimator.networks.training.face import FitSettings, fit_estimator
+from tests.support.recordings.synthetic_frames import synthetic_frames
 
 pytestmark = pytest.mark.usefixtures("statistics_in_full")
 FACE = 4

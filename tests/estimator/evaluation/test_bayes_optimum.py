@@ -15,7 +15,7 @@ from estimator.frames.contact_cases import paper_cases
 from estimator.frames.contact_traces import contact_traces
 from estimator.metrics.heatmaps import contact_errors, force_reference
 from estimator.signals.presses import press_signals
-from tests.support.synthetic_presses import coarse_spec, force_n, synthetic_presses
+from tests.support.mechanics.synthetic_presses import coarse_spec, force_n, synthetic_presses
 
 SIGMA = np.array([2.0, 1.0, 3.0, 1.5])
 PHASES = 800

@@ -10,7 +10,7 @@ from design.errors import InputError
 from estimator.field.batched import batched_field
 from estimator.field.models import FieldModel, field_model, model_error, total_field
 from estimator.field.sources import DiskMagnet
-from tests.support.magnet_poses import DISKS, magpylib_field, random_poses, relative_error
+from tests.support.mechanics.magnet_poses import DISKS, magpylib_field, random_poses, relative_error
 
 DEVICES = ["cpu", *(["cuda"] if torch.cuda.is_available() else [])]
 TYPES = {torch.float32: 3e-6, torch.float64: 1e-13}
@@ -41,12 +41,12 @@ def random_presses(rng, presses=7, points=5, magnets=4):
 @pytest.mark.parametrize("device", DEVICES)
 @pytest.mark.parametrize("dtype", TYPES)
 @pytest.mark.parametrize("disk", DISKS)
-@pytest.mark.parametrize(("reach", "gradient"), [(1.6, True), (2.6, True), (1.6, False)])
+@pytest.mark.parametrize(("reach", "gradient"), [(1.6, True), (2.6, False)])
 def test_series_and_dipole_match_magpylib_within_their_stated_error(
     device, dtype, disk, reach, gradient
 ):
     nearest = reach * disk.circumscribed_radius_mm
-    poses = random_poses(disk, nearest, np.random.default_rng(11), 1200)
+    poses = random_poses(disk, nearest, np.random.default_rng(11), 400)
     exact = magpylib_field(disk, *poses)
     model = field_model(disk, nearest)
     series = pair_by_pair(model, poses, dtype, device, gradient)

@@ -14,7 +14,7 @@ from estimator.field.models import (
     multipole_field,
     total_field,
 )
-from tests.support.magnet_poses import DISKS, magpylib_field, random_poses, relative_error
+from tests.support.mechanics.magnet_poses import DISKS, magpylib_field, random_poses, relative_error
 
 
 def modelled(model, turn, centre, point):

@@ -7,7 +7,7 @@ from numpy.testing import assert_allclose
 from scipy.special import ellipe, ellipk
 
 from design.errors import InputError
-from design.layout.positions import magnet_layout
+from design.layout.places.positions import magnet_layout
 from design.spec.magnets import MagnetSpec
 from design.spec.object import ObjectSpec
 from design.spec_io import parse_spec
@@ -112,6 +112,7 @@ def test_every_grade_and_part_demagnetises_itself_but_coils_do_not():
     assert_allclose(by_part.polarization_t, 1.24 / (1 + 0.05 * 0.62809), rtol=1e-5)
     coil = MagnetSpec.model_validate({"kind": "coil"})
     assert magnet_source(coil).polarization_t == coil.winding_polarization_t
+    assert magnet_source(coil).wound
 
 
 def test_a_permeability_below_one_is_refused():

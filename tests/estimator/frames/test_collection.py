@@ -3,14 +3,10 @@
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
-from scipy.spatial.distance import pdist
 
 from design.errors import InputError
 from design.layout.body import face_frames
-from design.layout.positions import contact_grid
-from design.layout.tips import tip_positions_mm
-from design.spec.learning import CollectionSpec
-from design.spec.object import ObjectSpec
+from design.layout.places.positions import contact_grid
 from estimator.frames import collection, contact_cases
 from estimator.frames import contact_traces as traces_of_cases
 from estimator.frames.collection import joined, simulate_collection
@@ -28,8 +24,8 @@ from estimator.signals.interpolation import counts_at_force, press_traces
 from estimator.signals.presses import press_signals
 from fem.presses.joint import Tip, press_tips
 from fem.presses.viscoelastic import relaxed_force_n
-from tests.support.half_space_response import half_space_response
-from tests.support.synthetic_presses import coarse_spec, synthetic_presses
+from tests.support.mechanics.half_space_response import half_space_response
+from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
 
 SMALL = {
     "faces": (2, 5),
@@ -83,17 +79,6 @@ def mechanics():
 @pytest.fixture(scope="module")
 def paper(signals, mechanics):
     return simulate_collection(spec_of(), signals, "hash", mechanics)
-
-
-def test_the_paper_counts_143_cases_a_face():
-    spec = coarse_spec(contact_grid={"count": (10, 10), "pitch_mm": 3.0})
-    cases = paper_cases(spec, 4)
-    tips = np.array([len(case.face) for case in cases])
-    assert np.bincount(tips).tolist() == [0, 100, 26, 14]
-    assert len(cases) + spec.collection.non_contact_cases == 143
-    assert len({case.place_id for case in cases}) == 140
-    reach = np.vstack([case.xy_mm for case in cases])
-    assert abs(reach).max() <= 21 - spec.indenter.radius_mm
 
 
 def test_every_case_has_its_frames_and_its_labels(paper):
@@ -169,23 +154,6 @@ def test_neighbouring_tips_feel_each_other(signals, mechanics, solved):
     expected = 1 - (1 - sunk / depth) ** 1.5
     assert expected.min() > 0.05
     assert np.allclose(lost, expected, rtol=0.15) == (solved == "jointly")
-
-
-def test_grasps_at_random_poses_keep_the_probes_and_the_grid():
-    spec = ObjectSpec(
-        name="cube", collection=CollectionSpec(kind="grasp", grasp_faces=(3, 5), random_grasps=30)
-    )
-    cases, grid = grasp_cases(spec), contact_grid(spec).xy_mm
-    assert [len(case.face) for case in cases] == [2] * 30 + [4] * 30 + [6] * 30
-    for case in cases:
-        here = case.xy_mm[case.face == 3]
-        assert np.all((here >= grid.min(axis=0)) & (here <= grid.max(axis=0)))
-        probe = tip_positions_mm(len(here), spec.indenter.radius_mm)
-        assert_allclose(pdist(here), pdist(probe), atol=1e-9)
-    turns = [np.arctan2(*np.diff(case.xy_mm[:2], axis=0)[0]) for case in cases[30:60]]
-    assert np.ptp(turns) > 3
-    again = grasp_cases(spec.changed(seed=spec.seed + 1))
-    assert not np.allclose(again[0].xy_mm, cases[0].xy_mm)
 
 
 def test_jaws_press_opposite_places_with_equal_forces(signals, mechanics, monkeypatch):

@@ -5,12 +5,12 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.layout.body import face_frames
-from design.layout.positions import shell_body_layout
+from design.layout.places.positions import shell_body_layout
 from fem.large_strain.correction import StrainCorrection, corrected_joint
 from fem.presses.joint import Tip, press_path, press_tips, refined_faces
 from fem.presses.to_force import squeeze, squeeze_path
-from tests.support.half_space_response import half_space_response
-from tests.support.synthetic_presses import coarse_spec
+from tests.support.mechanics.half_space_response import half_space_response
+from tests.support.mechanics.synthetic_presses import coarse_spec
 
 SPEC = coarse_spec(silicone={"youngs_modulus_mpa": 0.4, "poisson_ratio": 0.4999})
 TIPS = (Tip(2, -7.0, 1.0), Tip(2, 8.0, -2.0), Tip(3, 0.5, 3.0))

@@ -7,7 +7,7 @@ from numpy.testing import assert_array_equal
 
 from design.errors import InputError, StoreError
 from estimator.frames.dataset import PER_FRAME_FIELDS, load_frames, save_frames
-from tests.support.synthetic_frames import synthetic_frames
+from tests.support.recordings.synthetic_frames import synthetic_frames
 
 
 @pytest.fixture(scope="module")

@@ -11,7 +11,7 @@ from estimator.frames.heatmap import (
     mm_to_pixel,
     pixel_to_mm,
 )
-from tests.support.synthetic_frames import synthetic_frames
+from tests.support.recordings.synthetic_frames import synthetic_frames
 
 
 def pixel_to_label(pixel):

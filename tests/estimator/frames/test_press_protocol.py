@@ -7,7 +7,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.errors import InputError
-from design.layout.positions import contact_grid
+from design.layout.places.positions import contact_grid
 from estimator.frames.dataset import load_frames, save_frames
 from estimator.frames.press_protocol import (
     nominal_peaks,
@@ -16,7 +16,7 @@ from estimator.frames.press_protocol import (
 )
 from estimator.signals.interpolation import counts_at_force, press_traces
 from estimator.signals.presses import press_signals
-from tests.support.synthetic_presses import coarse_spec, force_n, synthetic_presses
+from tests.support.mechanics.synthetic_presses import coarse_spec, force_n, synthetic_presses
 
 PROTOCOL = {"presses_per_place": 3, "frames_per_press": 20, "rest_frames_per_press": 6}
 SPEC = coarse_spec(protocol=PROTOCOL, seed=4)

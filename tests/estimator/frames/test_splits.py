@@ -10,7 +10,7 @@ from estimator.frames.splits import (
     split_presses,
     split_sessions,
 )
-from tests.support.synthetic_frames import synthetic_frames
+from tests.support.recordings.synthetic_frames import synthetic_frames
 
 SPLITS = [split_presses, split_places, split_sessions]
 

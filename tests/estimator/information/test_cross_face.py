@@ -8,7 +8,7 @@ import pytest
 from estimator.information.cross_face import cross_face_disturbance
 from estimator.information.sensitivity import own_channels
 from estimator.signals.presses import press_signals
-from tests.support.synthetic_presses import coarse_spec, synthetic_presses
+from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
 
 
 @pytest.fixture(scope="module")

@@ -5,7 +5,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.errors import InputError
-from design.layout.positions import contact_grid
+from design.layout.places.positions import contact_grid
 from estimator.information.contact_sets import contact_sets, spread_places
 from estimator.information.fisher import cramer_rao_bounds, disturbance_counts
 from estimator.information.identifiability import (
@@ -16,7 +16,7 @@ from estimator.information.identifiability import (
 )
 from estimator.information.scores import score_places
 from estimator.signals.presses import press_signals
-from tests.support.synthetic_presses import coarse_spec, synthetic_presses
+from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
 
 SPEC = coarse_spec(
     contact_grid={"count": (5, 4), "pitch_mm": 6.0},

@@ -8,7 +8,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.errors import InputError, StoreError
-from design.layout.positions import PlaceGrid, contact_grid, grid_places_in_lattice
+from design.layout.places.positions import PlaceGrid, contact_grid, grid_places_in_lattice
 from design.spec.object import ObjectSpec
 from estimator.information.ellipses import position_covariances_mm2
 from estimator.information.fisher import cramer_rao_bounds, disturbance_counts
@@ -24,7 +24,7 @@ from estimator.information.scores import (
 from estimator.information.sensitivity import channel_noise, covariance_sensitivity, periodic_press
 from estimator.signals.interpolation import press_traces, signal_gradient
 from estimator.signals.presses import press_signals
-from tests.support.synthetic_presses import coarse_spec, synthetic_presses
+from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
 
 SPEC = coarse_spec(score={"force_n": 14.0})
 

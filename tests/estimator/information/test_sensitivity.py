@@ -8,8 +8,9 @@ from numpy.testing import assert_allclose
 from scipy.stats import spearmanr
 
 from design.errors import InputError
-from design.layout.positions import contact_grid
+from design.layout.places.positions import contact_grid
 from estimator.information.hull import ln_hull_factor
+from estimator.information.scores import _COVARIANCE_SAMPLES, _sensitivities
 from estimator.information.sensitivity import (
     channel_noise,
     covariance_sensitivity,
@@ -19,7 +20,7 @@ from estimator.information.sensitivity import (
 )
 from estimator.signals.interpolation import press_traces
 from estimator.signals.presses import press_signals
-from tests.support.synthetic_presses import coarse_spec, synthetic_presses
+from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
 
 SPEC = coarse_spec(contact_grid={"count": (5, 5), "pitch_mm": 6.0}, seed=3)
 NOISE = channel_noise(SPEC.sensors, 9)
@@ -54,6 +55,14 @@ def test_equivalent_ranks_places_as_the_exact_hull_at_30_frames(place_traces):
     other = covariance_sensitivity(periodic_press(shuffled, peak, 30), peak, NOISE, 30).delta
     right = covariance_sensitivity(periodic_press(place_traces, peak, 30), peak, NOISE, 30).delta
     assert spearmanr(other, right).statistic < 0.9
+
+
+def test_scaled_delta_is_over_the_whole_change_of_every_channel(place_traces):
+    peak = np.full(len(place_traces.force_n), 6.0)
+    found = _sensitivities(SPEC, place_traces, peak, 3, NOISE)
+    press = periodic_press(place_traces, peak, _COVARIANCE_SAMPLES)
+    raw = covariance_sensitivity(press, peak, NOISE, SPEC.score.hull_frames)
+    assert_allclose(found["delta_scaled"], raw.scaled(np.ptp(press, axis=(0, 1)) + 6 * NOISE).delta)
 
 
 @pytest.mark.slow

@@ -7,7 +7,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.layout.body import face_frames
-from design.layout.positions import contact_grid, grid_places_in_lattice, magnet_layout
+from design.layout.places.positions import contact_grid, grid_places_in_lattice, magnet_layout
 from estimator.information.fisher import cramer_rao_bounds, disturbance_counts
 from estimator.information.shear import (
     contact_jacobian,
@@ -19,7 +19,7 @@ from estimator.signals.interpolation import signal_gradient
 from estimator.signals.presses import press_signals
 from fem.presses.results import MagnetMotions, PressForces
 from fem.presses.shear import ShearMotions
-from tests.support.synthetic_presses import coarse_spec, synthetic_presses
+from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
 
 SPEC = coarse_spec(score={"force_n": 6.0})
 

@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from design.layout.positions import magnet_layout
+from design.layout.places.positions import magnet_layout
 from estimator.information.fisher import disturbance_counts
 from estimator.information.slip_cost import false_reading, slip_cost
 from estimator.signals.interpolation import signal_gradient
 from estimator.signals.presses import press_signals, rest_counts
 from fem.linear.core_slip import shell_motion, superposed
-from tests.support.synthetic_presses import coarse_spec, synthetic_presses
+from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
 
 SLIP = {"shift_mm": (0.7, -0.5, 0.3), "rotation_deg": (2.0, -1.5, 3.0)}
 

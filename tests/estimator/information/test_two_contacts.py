@@ -4,13 +4,13 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from design.layout.positions import contact_grid
+from design.layout.places.positions import contact_grid
 from estimator.information.contact_sets import contact_sets, spread_pairs, spread_places
 from estimator.information.fisher import disturbance_counts
 from estimator.information.two_contacts import opposite_faces, two_contact_bounds_mm
 from estimator.signals.interpolation import counts_at_force, press_traces
 from estimator.signals.presses import press_signals
-from tests.support.synthetic_presses import coarse_spec, synthetic_presses
+from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
 
 SPEC = coarse_spec(
     contact_grid={"count": (3, 4), "pitch_mm": 6.0},

@@ -10,11 +10,11 @@ from numpy.testing import assert_allclose
 from estimator.information.fisher import disturbance_counts
 from estimator.information.identifiability import identifiability
 from estimator.inversion.blind_start import blind_starts, save_identifiability
-from estimator.inversion.noise import BLIND
+from estimator.inversion.model.noise import BLIND
 from estimator.inversion.posterior import Observed, most_probable
 from estimator.inversion.search import Search
-from tests.support.inverted import expected_counts, inverted
-from tests.support.synthetic_presses import coarse_spec, synthetic_presses
+from tests.support.mechanics.inverted import expected_counts, inverted
+from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
 
 SPEC = coarse_spec(
     contact_grid={"count": (5, 4), "pitch_mm": 6.0},

@@ -5,11 +5,11 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.interpolate import make_interp_spline
 
-from estimator.inversion.spline import CubicAxes, cubic_axis, spline_coefficients
+from estimator.inversion.model.spline import CubicAxes, cubic_axis, spline_coefficients
 from estimator.signals.field_setup import counts, sensed_field
 from estimator.signals.interpolation import counts_at_force, press_traces, signal_gradient
 from estimator.signals.press_states import press_states
-from tests.support.inverted import SPEC, contacts, expected_counts, inverted, presses
+from tests.support.mechanics.inverted import SPEC, contacts, expected_counts, inverted, presses
 
 
 def test_splines_are_those_of_scipy_with_their_derivatives():

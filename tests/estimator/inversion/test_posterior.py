@@ -8,7 +8,7 @@ from numpy.testing import assert_allclose
 
 from estimator.inversion.posterior import Observed, empty, log_evidence, most_probable
 from estimator.inversion.priors import SPACING_SIGMA_MM
-from tests.support.inverted import contacts, expected_counts, inverted, noisy_counts
+from tests.support.mechanics.inverted import contacts, expected_counts, inverted, noisy_counts
 
 FREE = inverted()
 

@@ -7,10 +7,10 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.stats import kstest
 
-from estimator.inversion.dictionary import probe_tips_mm
+from estimator.inversion.model.dictionary import probe_tips_mm
 from estimator.inversion.readings import ContactSets
 from estimator.metrics.contacts import possible_distance_mm
-from tests.support.inverted import (
+from tests.support.mechanics.inverted import (
     contacts,
     expected_counts,
     inverted,

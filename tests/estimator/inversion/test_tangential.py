@@ -7,13 +7,13 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.errors import InputError
-from design.layout.positions import contact_grid
+from design.layout.places.positions import contact_grid
 from estimator.information.shear import ShearSignals
 from estimator.inversion.inversion import inversion
 from estimator.inversion.posterior import most_probable
 from estimator.inversion.readings import tangential_forces
 from estimator.inversion.storage import load_inversion, save_inversion
-from tests.support.inverted import SPEC, contacts, inverted, noisy_counts, presses
+from tests.support.mechanics.inverted import SPEC, contacts, inverted, noisy_counts, presses
 
 SHARE, FRAMES = 0.5, 150
 PULLING = SPEC.changed(inversion=SPEC.inversion.changed(tangential_share=SHARE))
@@ -64,7 +64,7 @@ def test_tangential_forces_are_read_with_the_uncertainty_told(pulling, pulled):
 
 
 def test_places_of_pulled_contacts_are_wrong_for_who_takes_them_for_frictionless(pulling, pulled):
-    face, contact, _, counts = pulled
+    face, contact, counts = pulled[0][:75], pulled[1][:75], pulled[3][:75]
     faces = pulling.model.signals.faces
     _, loose = away_mm(pulling.read(counts)[0], face, contact, faces)
     plain, _ = inverted().read(counts)

@@ -9,10 +9,10 @@ from numpy.testing import assert_allclose
 
 from design.errors import InputError, StoreError
 from estimator.deploy.live_contacts import LiveContacts
-from estimator.inversion.noise import BLIND, MESH_ERROR, SUM_ERROR, design_error, disturbances
+from estimator.inversion.model.noise import BLIND, MESH_ERROR, SUM_ERROR, design_error, disturbances
 from estimator.inversion.storage import is_inversion, load_inversion, save_inversion
 from estimator.inversion.tracking import Tracker
-from tests.support.inverted import SPEC, inverted, noisy_counts, presses
+from tests.support.mechanics.inverted import SPEC, inverted, noisy_counts, presses
 
 FREE = inverted()
 

@@ -18,8 +18,8 @@ from estimator.known_travel.fit import (
 )
 from estimator.known_travel.model import SYMMETRIES, Pose
 from estimator.known_travel.places import readers
-from estimator.recordings.travel import is_travel_recording, read_travel
-from tests.support.travel_cases import (
+from estimator.recordings.formats.travel import is_travel_recording, read_travel
+from tests.support.recordings.travel_cases import (
     POSE,
     RESTING_MT,
     pad_model,
@@ -103,7 +103,7 @@ def test_calibration_takes_up_magnets_off_their_seats(model):
 
 
 def travel_of(tip_mm, field_mt):
-    from estimator.recordings.travel import TravelRecording
+    from estimator.recordings.formats.travel import TravelRecording
 
     _, place = np.unique(tip_mm[:, :2], axis=0, return_inverse=True)
     return TravelRecording(np.arange(len(tip_mm), dtype=float), tip_mm, field_mt, place.ravel())
@@ -172,10 +172,18 @@ def test_damage_is_one_error_that_says_where(damage, tmp_path):
         read_travel(folder)
 
 
+def test_loads_beside_the_places_are_not_read(tmp_path):
+    tip = pressed_places()
+    folder = write_recording(tmp_path / "pad", tip, np.ones((len(tip), 5, 3)))
+    plain = read_travel(folder)
+    edit(folder / "states.csv", lambda rows: [f"{row},54321.0" for row in rows])
+    assert_allclose(read_travel(folder).tip_mm, plain.tip_mm)
+
+
 def test_an_object_of_several_faces_is_refused(model):
     from design.spec.object import ObjectSpec
     from estimator.known_travel.model import travel_model
-    from tests.support.synthetic_presses import synthetic_presses
+    from tests.support.mechanics.synthetic_presses import synthetic_presses
 
     cube = ObjectSpec(name="cube")
     with pytest.raises(InputError, match="one sensed face"):

@@ -8,7 +8,7 @@ import torch
 from numpy.testing import assert_allclose
 
 from design.layout.body import face_frames
-from design.layout.contact_places import contact_places, pressed_nodes
+from design.layout.places.contact_places import contact_places, pressed_nodes
 from design.spec.object import ScoreSpec
 from estimator.field.models import FieldModel
 from estimator.field.sources import magnet_source
@@ -21,9 +21,9 @@ from estimator.layouts.cross_face import CROSS_FACE_FORCE_N, false_forces_n, nei
 from estimator.layouts.fidelity import (
     SCORE_NAMES,
     FidelityScore,
+    against_start,
     gains,
     lowest_fidelity_score,
-    over_start,
     rank_correlations,
     score_signals,
     worse_share,
@@ -34,12 +34,12 @@ from estimator.signals.field_setup import sensed_field
 from estimator.signals.hall import counts_of_field, full_scale_counts
 from estimator.signals.presses import press_signals, saturation_margin
 from estimator.tolerances.budget import twin_bounds
-from tests.support.candidate_cases import (
+from tests.support.mechanics.candidate_cases import (
     FACE,
     layout_scene,
     random_layouts,
 )
-from tests.support.synthetic_presses import coarse_spec, synthetic_presses
+from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
 
 COUNT = 3
 DISTURBANCE_TOLERANCE = 0.05
@@ -218,7 +218,9 @@ def test_a_range_of_forces_is_judged_by_geometric_means():
     assert_allclose(found.worst_position_bound_mm, np.prod(bounds.max((1, 2))) ** 0.5, rtol=1e-12)
     better = replace(found, position_bounds_mm=tuple((0.5 * bounds.ravel()).tolist()))
     assert worse_share(better, found) == 1
-    assert over_start(better, found, 0.02) == pytest.approx(2)
+    held = against_start(better, found, 0.02)
+    assert held.position_bound_over_start == pytest.approx(2)
+    assert found.position_bound_over_start == 1, "of none but itself"
 
 
 START = FidelityScore(

@@ -18,12 +18,12 @@ from estimator.signals.field_setup import sensed_field
 from estimator.signals.hall import counts_of_field
 from estimator.tolerances.budget import robustness
 from estimator.tolerances.localisation_bias import false_places_mm
-from tests.support.candidate_cases import (
+from tests.support.mechanics.candidate_cases import (
     FACE,
     layout_scene,
     random_layouts,
 )
-from tests.support.synthetic_presses import coarse_spec, synthetic_presses
+from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
 
 COUNT = 4
 TOLERANCE = 0.08

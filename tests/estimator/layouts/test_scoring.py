@@ -13,7 +13,7 @@ from design.spec.object import ObjectSpec
 from estimator.layouts.batch import Layouts, layouts_of
 from estimator.layouts.press_basis import _compliance, mixed_rows, press_basis
 from estimator.layouts.scoring import layout_scorer, place_information, score_layouts
-from tests.support.candidate_cases import (
+from tests.support.mechanics.candidate_cases import (
     FACE,
     ordinary_chain,
     random_layouts,

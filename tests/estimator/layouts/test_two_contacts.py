@@ -9,7 +9,7 @@ import torch
 from numpy.testing import assert_allclose
 
 from design.layout.body import face_frames
-from design.layout.positions import contact_grid
+from design.layout.places.positions import contact_grid
 from estimator.field.models import FieldModel
 from estimator.field.sources import magnet_source
 from estimator.information.fisher import disturbance_counts
@@ -20,7 +20,7 @@ from estimator.signals.field_setup import sensed_field
 from estimator.signals.hall import counts_of_field
 from estimator.signals.interpolation import signal_gradient
 from estimator.signals.presses import Signals
-from tests.support.candidate_cases import FACE, layout_scene, random_layouts
+from tests.support.mechanics.candidate_cases import FACE, layout_scene, random_layouts
 
 OPPOSITE = 5
 COUNT = 3

@@ -10,7 +10,7 @@ from estimator.frames.windows import chosen_rows, window_means
 from estimator.inversion.posterior import curvature_at
 from estimator.inversion.readings import ContactSets
 from estimator.metrics.contacts import contact_rows, matched_contacts, possible_distance_mm
-from tests.support.inverted import contacts, inverted, labelled_frames
+from tests.support.mechanics.inverted import contacts, inverted, labelled_frames
 
 
 def sets_of(face, xy, force):

@@ -10,10 +10,10 @@ from design.spec.object import TrainingSpec
 from estimator.evaluation.evaluation import evaluate_intervals
 from estimator.frames.face_data import face_data
 from estimator.frames.splits import split_presses
-from estimator.networks.coverage import growth
 from estimator.networks.face_model import predict
-from estimator.networks.training import FitSettings, fit_estimator
-from tests.support.synthetic_frames import synthetic_frames
+from estimator.networks.intervals.coverage import growth
+from estimator.networks.training.face import FitSettings, fit_estimator
+from tests.support.recordings.synthetic_frames import synthetic_frames
 
 pytestmark = pytest.mark.usefixtures("statistics_in_full")
 FACE = 4

@@ -7,7 +7,7 @@ import pytest
 from design.spec.object import TrainingSpec
 from estimator.frames.splits import split_presses
 from estimator.networks.defaults import PLAIN, SMALL, filled_for
-from tests.support.synthetic_frames import synthetic_frames
+from tests.support.recordings.synthetic_frames import synthetic_frames
 
 FACE = 4
 

@@ -11,11 +11,11 @@ from design.spec.object import TrainingSpec
 from estimator.evaluation.evaluation import evaluate_face, evaluate_intervals
 from estimator.frames.face_data import face_data, with_history
 from estimator.frames.splits import split_places, split_presses
-from estimator.networks.conformal import conformal_quantile
 from estimator.networks.face_model import load_model, predict, save_model
-from estimator.networks.training import FitSettings, fit_estimator
-from estimator.networks.training_data import press_folds
-from tests.support.synthetic_frames import synthetic_frames
+from estimator.networks.intervals.conformal import conformal_quantile
+from estimator.networks.training.data import press_folds
+from estimator.networks.training.face import FitSettings, fit_estimator
+from tests.support.recordings.synthetic_frames import synthetic_frames
 
 FACE = 4
 QUICK = TrainingSpec(hidden_units=(64, 64), epochs=25, batch_size=128)
@@ -87,6 +87,7 @@ def test_centre_is_in_mm_on_the_face(compact):
     assert np.abs(away).mean(axis=0).max() < 0.6
 
 
+@pytest.mark.slow
 def test_whole_object_reads_every_face_and_copes_with_other_faces():
     """Presses of two faces at once, which neither model saw: their signals add up."""
     frames = synthetic_frames(presses=5, loaded=12, cross=0.5)
@@ -177,7 +178,7 @@ class _Interruption(Exception):
 
 
 def test_an_interrupted_training_ends_as_if_it_had_not_been(frames, tmp_path, monkeypatch):
-    monkeypatch.setattr("estimator.networks.fitting._SAVE_EVERY_S", 0.0)
+    monkeypatch.setattr("estimator.networks.training.fitting._SAVE_EVERY_S", 0.0)
     training = QUICK.model_copy(update={"epochs": 6, "ensemble": 2})
     whole, test = fitted(frames, training)
     calls = []

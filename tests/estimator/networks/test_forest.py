@@ -13,8 +13,8 @@ from estimator.frames.face_data import channel_counts, face_data, live_channels
 from estimator.frames.splits import split_presses
 from estimator.networks.face_model import load_model, predict, save_model
 from estimator.networks.forest import LEAST_FRAMES_OF_LEAF, MOST_LEVELS, fit_forest
-from estimator.networks.training import FitSettings, fit_estimator
-from tests.support.synthetic_frames import synthetic_frames
+from estimator.networks.training.face import FitSettings, fit_estimator
+from tests.support.recordings.synthetic_frames import synthetic_frames
 
 FACE = 4
 WITH_TREES = TrainingSpec(hidden_units=(32,), epochs=4, batch_size=64, ensemble=2, trees=10)

@@ -22,8 +22,8 @@ from estimator.networks.face_model import (
 )
 from estimator.networks.network import HeadsNetwork
 from estimator.networks.tensor_file import save_tensors
-from estimator.networks.training import FitSettings, fit_estimator
-from tests.support.synthetic_frames import synthetic_frames
+from estimator.networks.training.face import FitSettings, fit_estimator
+from tests.support.recordings.synthetic_frames import synthetic_frames
 
 QUICK = TrainingSpec(hidden_units=(96, 96), epochs=30, batch_size=128, learning_rate=3e-3)
 SHORT = QUICK.model_copy(update={"epochs": 2})

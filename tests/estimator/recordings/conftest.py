@@ -2,9 +2,9 @@
 
 import pytest
 
-from estimator.recordings.files import read_table
-from tests.support.generic_csv import with_shear, write_generic_csv
-from tests.support.made_recordings import gripper_arrays, write_gripper
+from estimator.recordings.formats.files import read_table
+from tests.support.recordings.generic_csv import with_shear, write_generic_csv
+from tests.support.recordings.made_recordings import gripper_arrays, write_gripper
 
 CASES = ((54, 57), (23, 28))
 

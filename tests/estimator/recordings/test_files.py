@@ -8,9 +8,9 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from design.errors import InputError
-from estimator.recordings.files import read_table
+from estimator.recordings.formats.files import read_table
 from estimator.recordings.reading import read_recording
-from tests.support.made_recordings import gripper_arrays, write_gripper, write_training
+from tests.support.recordings.made_recordings import gripper_arrays, write_gripper, write_training
 
 
 @pytest.fixture(scope="module")

@@ -9,11 +9,11 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from design.errors import InputError
 from estimator.recordings.combine import combine
-from estimator.recordings.files import read_table
-from estimator.recordings.generic import generic_columns
-from estimator.recordings.netcdf import write_generic_netcdf
+from estimator.recordings.formats.files import read_table
+from estimator.recordings.formats.generic import generic_columns
+from estimator.recordings.formats.netcdf import write_generic_netcdf
 from estimator.recordings.reading import read_recording
-from tests.support.generic_csv import edited, write_generic_csv
+from tests.support.recordings.generic_csv import edited, write_generic_csv
 
 
 def test_both_forms_hold_what_the_gripper_file_holds(table, tmp_path):
@@ -135,6 +135,7 @@ def test_recordings_of_different_objects_are_not_combined(tmp_path, gripper):
         ("cell2_x1_mm", "cell2_x1_cm", "'cell2_x1_cm'"),
         ("cell2_x1_mm,", "cell2_y1_mm,", "twice"),
         ("F1-X1", "F7-X1", "'F7-X1'"),
+        ("F1-X1", "cell3_y1_mm", "'cell3_y1_mm'"),
         ("F1-X1", "F1-Y1", "twice"),
         ("cell1_force_n,cell1_face", "cell1_face,cell1_y9_mm", "not known|lacks"),
     ],
@@ -230,3 +231,13 @@ def test_half_a_label_is_an_error(tmp_path, good):
             csv.writer(file).writerows(damaged)
         with pytest.raises(InputError, match=words):
             read_recording(tmp_path / "a.csv")
+
+
+def test_one_time_stamp_in_ms_is_noticed(tmp_path, good):
+    rows = list(csv.reader(good.splitlines()))
+    rows[1][rows[0].index("time_s")] = "0"
+    rows[-1][rows[0].index("time_s")] = "1.8e12"
+    with (tmp_path / "a.csv").open("w", newline="") as file:
+        csv.writer(file).writerows(rows)
+    with pytest.raises(InputError, match="not ms"):
+        read_recording(tmp_path / "a.csv")

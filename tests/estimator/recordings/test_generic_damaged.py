@@ -7,7 +7,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from design.errors import InputError
-from estimator.recordings.netcdf import write_generic_netcdf
+from estimator.recordings.formats.netcdf import write_generic_netcdf
 from estimator.recordings.reading import read_recording
 
 

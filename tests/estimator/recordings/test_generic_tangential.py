@@ -8,10 +8,10 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from design.errors import InputError
-from estimator.recordings.files import read_table
-from estimator.recordings.netcdf import write_generic_netcdf
+from estimator.recordings.formats.files import read_table
+from estimator.recordings.formats.netcdf import write_generic_netcdf
 from estimator.recordings.reading import read_recording
-from tests.support.generic_csv import SHEAR_SHARE, edited, with_shear, write_generic_csv
+from tests.support.recordings.generic_csv import SHEAR_SHARE, edited, with_shear, write_generic_csv
 
 
 def test_tangential_forces_survive_both_forms(table, sheared, tmp_path):

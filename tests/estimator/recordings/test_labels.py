@@ -3,10 +3,16 @@
 import numpy as np
 import pytest
 
-from estimator.recordings.files import read_table
-from estimator.recordings.netcdf import write_generic_netcdf
+from estimator.recordings.formats.files import read_table
+from estimator.recordings.formats.netcdf import write_generic_netcdf
 from estimator.recordings.reading import read_recording
-from tests.support.made_recordings import PRESS, REST, RISE, gripper_arrays, write_gripper
+from tests.support.recordings.made_recordings import (
+    PRESS,
+    REST,
+    RISE,
+    gripper_arrays,
+    write_gripper,
+)
 
 CASES = ((54, 57), (23, 28), (75, 76))
 LABEL_FAULTS = {

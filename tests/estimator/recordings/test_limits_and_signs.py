@@ -4,10 +4,16 @@ import numpy as np
 import pytest
 
 from design.errors import InputError
-from estimator.recordings.limits import Limits
+from estimator.recordings.checks.limits import Limits
+from estimator.recordings.formats.text import as_number
 from estimator.recordings.reading import read_recording
-from estimator.recordings.text import as_number
-from tests.support.made_recordings import PRESS, REST, RISE, gripper_arrays, write_gripper
+from tests.support.recordings.made_recordings import (
+    PRESS,
+    REST,
+    RISE,
+    gripper_arrays,
+    write_gripper,
+)
 
 CASES = ((54, 57), (23, 28), (75, 76))
 HELD = REST + RISE + 10

@@ -15,10 +15,10 @@ from estimator.evaluation.evaluation import (
 )
 from estimator.frames.heatmap import faces_pressed
 from estimator.frames.splits import split_presses
-from estimator.networks.training import FitSettings, fit_estimator
+from estimator.networks.training.face import FitSettings, fit_estimator
 from estimator.recordings.combine import combine, jumps_between
 from estimator.recordings.reading import read_recording
-from tests.support.public_recordings import FOLDER, NAMES
+from tests.support.recordings.public_recordings import FOLDER, NAMES
 
 pytestmark = pytest.mark.skipif(
     not all((FOLDER / name).is_file() for name in NAMES),
@@ -115,3 +115,4 @@ def test_rest_level_alone_tells_the_place(recordings):
     baseline = rest_offset_baseline(recordings, seed=1)
     assert baseline.chance == 1 / 8
     assert baseline.accuracy > 3 * baseline.chance
+    assert 0 < baseline.presses < 42 / 2  # judged are those that the means do not know

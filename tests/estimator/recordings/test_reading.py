@@ -8,10 +8,17 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from design.errors import InputError
 from estimator.frames.heatmap import force_heatmaps
+from estimator.recordings.checks.faults import mirror_faults
 from estimator.recordings.combine import combine, jump_between_faults, jumps_between
-from estimator.recordings.faults import mirror_faults
+from estimator.recordings.presses import estimate_lag
 from estimator.recordings.reading import read_recording
-from tests.support.made_recordings import PRESS, REST, gripper_arrays, write_gripper, write_training
+from tests.support.recordings.made_recordings import (
+    PRESS,
+    REST,
+    gripper_arrays,
+    write_gripper,
+    write_training,
+)
 
 
 @pytest.fixture(scope="module")
@@ -315,3 +322,15 @@ def test_training_file_with_a_header_line(tmp_path):
     path = write_training(tmp_path / "t.csv", {34: (34,)})
     path.write_text("a,b,c,d,e,f,g,h,i,j,k,l\n" + path.read_text())
     assert read_recording(path).report.presses == 4
+
+
+def test_without_a_press_both_residuals_of_the_lag_are_one():
+    frames = 20
+    report = estimate_lag(
+        np.ones((frames, 5, 4, 3)),
+        np.zeros((frames, 1)),
+        np.full((frames, 1), 2),
+        np.zeros(frames, int),
+    )
+    assert (report.residual_uncorrected, report.residual_corrected) == (1.0, 1.0)
+    assert not report.corrected

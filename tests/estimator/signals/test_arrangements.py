@@ -8,7 +8,7 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.spatial.transform import Rotation
 
-from design.layout.positions import magnet_layout, sensor_layout, shell_body_layout
+from design.layout.places.positions import magnet_layout, sensor_layout, shell_body_layout
 from design.spec.object import ObjectSpec
 from estimator.field.environment import Environment, Plate
 from estimator.field.models import FieldModel, field_model
@@ -17,7 +17,7 @@ from estimator.signals.field_setup import at_rest, counts, scene, sensed_field
 from estimator.signals.hall import chip_errors
 from estimator.signals.presses import press_signals, rest_counts
 from estimator.signals.surroundings import counts_of_states
-from tests.support.synthetic_presses import coarse_spec, synthetic_presses
+from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
 
 IN_CORE = {"positions_mm": [[8, 8], [-8, 8], [-8, -8], [8, -8]]}
 AROUND = {"earth_field_ut": 50, "earth_direction": [0.6, 0, -0.8]}

@@ -7,7 +7,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.errors import InputError
-from design.layout.positions import magnet_layout, sensor_layout
+from design.layout.places.positions import magnet_layout, sensor_layout
 from design.spec.object import ObjectSpec, SensorSpec
 from estimator.field.sources import magnet_source
 from estimator.signals.hall import (

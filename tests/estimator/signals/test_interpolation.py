@@ -8,7 +8,7 @@ from numpy.testing import assert_allclose
 from scipy.interpolate import PchipInterpolator
 
 from design.errors import InputError
-from design.layout.positions import PlaceGrid
+from design.layout.places.positions import PlaceGrid
 from estimator.signals.interpolation import (
     counts_at_force,
     depth_at_force,
@@ -19,7 +19,7 @@ from estimator.signals.interpolation import (
 )
 from estimator.signals.monotone import monotone_cubic
 from estimator.signals.presses import press_signals
-from tests.support.synthetic_presses import coarse_spec, force_n, synthetic_presses
+from tests.support.mechanics.synthetic_presses import coarse_spec, force_n, synthetic_presses
 
 SPEC = coarse_spec(press={"depths_mm": (0.25, 0.5, 0.75, 1, 1.5, 2, 2.5, 3, 3.5, 4)})
 

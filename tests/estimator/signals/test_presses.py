@@ -10,7 +10,7 @@ from numpy.testing import assert_allclose
 from scipy.spatial.transform import Rotation
 
 from design.errors import InputError, StoreError
-from design.layout.positions import grid_places_in_lattice, magnet_layout, sensor_layout
+from design.layout.places.positions import grid_places_in_lattice, magnet_layout, sensor_layout
 from estimator.field.vectors import rotate
 from estimator.signals.field_setup import min_distance_mm, scene
 from estimator.signals.presses import (
@@ -21,7 +21,7 @@ from estimator.signals.presses import (
     save_grid_signals,
     save_signals,
 )
-from tests.support.synthetic_presses import coarse_spec, synthetic_presses
+from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
 
 SPEC = coarse_spec()
 POLARIZATION_T = 1.43 / (1 + 0.05 * 0.7145899)  # Ø6 × 1 mm: 1 less Nagaoka's coefficient

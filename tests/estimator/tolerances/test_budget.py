@@ -19,7 +19,7 @@ from estimator.tolerances import budget as tolerances
 from estimator.tolerances.assembly import assembled, contribution_sizes, counts_of, designed
 from estimator.tolerances.budget import robustness
 from estimator.tolerances.result import load_robustness, save_robustness
-from tests.support.synthetic_presses import coarse_spec, synthetic_presses
+from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
 
 NONE = dict.fromkeys(ObjectSpec(name="x").tolerances.model_dump(), 0.0)
 ONE_EACH = {

@@ -9,8 +9,8 @@ from estimator.frames.contact_traces import JointMechanics, contact_traces
 from estimator.signals.presses import press_signals
 from estimator.tolerances.assembly import assembled, designed
 from estimator.tolerances.virtual_object import drawn_assembly, twin_signals
-from tests.support.half_space_response import half_space_response
-from tests.support.synthetic_presses import coarse_spec, synthetic_presses
+from tests.support.mechanics.half_space_response import half_space_response
+from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
 
 SPEC = coarse_spec(
     seed=5,
@@ -57,7 +57,7 @@ def test_a_magnet_aside_moves_as_if_the_press_lay_aside(presses, sign):
     twin = twin_signals(SPEC, aside, *presses)
     from dataclasses import replace
 
-    from design.layout.positions import PlaceGrid
+    from design.layout.places.positions import PlaceGrid
 
     forces, motions = presses
     lattice = forces.lattice

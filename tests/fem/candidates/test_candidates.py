@@ -6,7 +6,7 @@ from numpy.testing import assert_allclose
 
 from design.errors import InputError
 from design.layout.body import face_frames
-from design.layout.positions import contact_grid, shell_body_layout
+from design.layout.places.positions import contact_grid, shell_body_layout
 from design.spec.object import ContactGridSpec, ScoreSpec
 from fem.candidates.cubic_convolution import axis_weights
 from fem.candidates.motions import candidate_lattices, load_candidates
@@ -18,8 +18,8 @@ from fem.linear.factorization import Factorization
 from fem.linear.magnets import mean_motion_functionals
 from fem.linear.response import elastic_system, face_pressure_loads
 from fem.presses.table import surface_weights_mm2
-from tests.support.fem_cases import paper_cube
-from tests.support.magnet_free_cases import EDGES_MM, magnet_free_cube
+from tests.support.mechanics.fem_cases import paper_cube
+from tests.support.objects.magnet_free_cases import EDGES_MM, magnet_free_cube
 from tests.support.shared import shared_mesh
 
 FACE = 3

@@ -14,8 +14,8 @@ from fem.candidates.point_motions import (
 )
 from fem.candidates.quadrature import outline_quadrature, skin_quadrature
 from fem.linear.elements import element_space
-from tests.support.fem_cases import box_mesh
-from tests.support.magnet_free_cases import magnet_free_cube, nodal, points_in_the_shell
+from tests.support.mechanics.fem_cases import box_mesh
+from tests.support.objects.magnet_free_cases import magnet_free_cube, nodal, points_in_the_shell
 
 SHIFT = np.array([0.4, -0.9, 0.2])
 TURN = np.array([0.03, -0.07, 0.05])

@@ -5,12 +5,12 @@ import pytest
 import scipy.sparse as sp
 from numpy.testing import assert_allclose
 
-from design.layout.positions import shell_body_layout
+from design.layout.places.positions import shell_body_layout
 from design.spec.object import MagnetSpec
 from fem.candidates.tied_magnets import rigid_magnet_response, tie_functionals
 from fem.linear.factorization import Factorization, SingularSystemError, solve_symmetric
 from fem.linear.response import face_pressure_loads
-from tests.support.magnet_free_cases import magnet_free_cube
+from tests.support.objects.magnet_free_cases import magnet_free_cube
 
 PLACES_MM = ((3.0, -5.0), (-8.0, 6.0))
 DEGREE = 1

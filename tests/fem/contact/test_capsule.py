@@ -8,7 +8,7 @@ from design.spec.object import ObjectSpec
 from fem.linear.response import build_response
 from fem.mesh.tetrahedra import tetrahedralize
 from fem.presses.table import FacePresses, press_face
-from tests.support.fem_cases import YOUNGS_MODULUS_MPA
+from tests.support.mechanics.fem_cases import YOUNGS_MODULUS_MPA
 
 DIAMETER_MM = 26.0
 PLACES = np.array([[0.0, 0.0], [5.0, 3.0]])

@@ -12,7 +12,7 @@ from design.errors import InputError
 from fem.contact import complementarity as contact
 from fem.contact.complementarity import contact_pressures
 from fem.contact.indenter import hemisphere_profile_mm
-from tests.support.fem_cases import (
+from tests.support.mechanics.fem_cases import (
     dimitriadis_force_n,
     forces_on_quarter_block,
     graded_axis,
@@ -93,6 +93,7 @@ def hertz_errors(poisson_ratio, block_mm):
     return force / hertz_force_n(depths, 5.0, poisson_ratio) - 1
 
 
+@pytest.mark.slow
 def test_hertz_sphere_on_a_large_block():
     """δ/R ≤ 0.05 on 160 × 160 × 80 mm: the finite block leaves about +1 %."""
     assert_allclose(hertz_errors(0.4999, 80.0), 0, rtol=0, atol=0.02)

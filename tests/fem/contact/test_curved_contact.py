@@ -24,7 +24,7 @@ from fem.contact.refined import (
 from fem.linear.response import FaceSurface, build_response, face_pressure_loads
 from fem.mesh.tetrahedra import tetrahedralize
 from fem.presses.table import press_face, require_on_patch, resting_gap_mm
-from tests.support.fem_cases import YOUNGS_MODULUS_MPA
+from tests.support.mechanics.fem_cases import YOUNGS_MODULUS_MPA
 
 TIP_MM = 5.0
 DEPTHS = np.array([0.1, 0.2, 0.3])

@@ -11,7 +11,7 @@ from design.layout.dents import sunk_mm
 from fem.linear.response import build_response
 from fem.mesh.tetrahedra import TetMesh, tet_volumes_mm3
 from fem.presses.table import press_face
-from tests.support.small_object import small_spec
+from tests.support.objects.small_object import small_spec
 
 DEPTHS_MM = np.array([0.5, 1.0, 2.0])
 SEAL_MM = 2.0

@@ -16,14 +16,14 @@ from fem.contact import half_space
 from fem.contact.half_space import Patches, normal_compliance, traction_compliance
 from fem.contact.indenter import tip_cells
 from fem.presses.table import press_face, simulate_lattice
-from tests.support.block_cases import (
+from tests.support.mechanics.block_cases import (
     block_response,
     half_space_forces_n,
     half_space_presses,
     plane_strain_modulus_mpa,
     spec_of,
 )
-from tests.support.fem_cases import dimitriadis_force_n, hertz_force_n
+from tests.support.mechanics.fem_cases import dimitriadis_force_n, hertz_force_n
 
 NU = 0.4999
 PLACES = np.array([[0.0, 0.0], [0.7, -0.4], [1.1, 0.9]])

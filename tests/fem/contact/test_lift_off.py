@@ -13,7 +13,7 @@ from fem.linear.response import build_response
 from fem.linear.sparse import columns_of
 from fem.presses.joint import Tip, press_tips
 from fem.presses.to_force import press_to_force
-from tests.support.small_object import small_spec
+from tests.support.objects.small_object import small_spec
 
 TIPS, DEPTHS_MM = [Tip(3, 4.0, -2.0), Tip(1, -5.0, 3.0)], np.array([1.5, 1.0])
 

@@ -7,7 +7,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 import fem.large_strain.correction
-from design.layout.positions import PlaceGrid
+from design.layout.places.positions import PlaceGrid
 from design.spec.object import ObjectSpec
 from fem.large_strain.correction import (
     PressPair,
@@ -72,6 +72,17 @@ def check_the_coefficients():
 
 def test_coefficients_are_found_again():
     check_the_coefficients()
+
+
+def test_errors_of_motions_are_shares_of_the_most_moved_magnet():
+    error = leave_one_out(PAIRS, THICKNESS_MM)
+    for quantity, part in ((error.shift, slice(3)), (error.rotation, slice(3, 6))):
+        shares = []
+        for pair in PAIRS:
+            off = np.linalg.norm((pair.linear_motion - pair.motion)[..., part], axis=2)
+            whole = np.linalg.norm(pair.motion[..., part], axis=2)
+            shares += [max(one) / max(other) for one, other in zip(off, whole, strict=True)]
+        assert_allclose(quantity.uncorrected_largest, max(shares))
 
 
 def test_places_left_out_are_predicted():

@@ -15,7 +15,7 @@ from fem.large_strain.hyperelastic import (
     tangent_modulus,
     yeoh,
 )
-from tests.support.large_strain_cases import MATERIALS
+from tests.support.mechanics.large_strain_cases import MATERIALS
 
 STEP = 1e-5
 

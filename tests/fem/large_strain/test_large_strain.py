@@ -25,8 +25,8 @@ from fem.large_strain.newton import (
 from fem.large_strain.sphere_contact import contact_state, contact_stiffness, normal_force_n
 from fem.linear.elements import assemble, taylor_hood
 from fem.linear.material import lame_constants
-from tests.support.fem_cases import box_mesh
-from tests.support.large_strain_cases import (
+from tests.support.mechanics.fem_cases import box_mesh
+from tests.support.mechanics.large_strain_cases import (
     BLOCK_MM,
     E_MPA,
     MATERIALS,

@@ -21,7 +21,7 @@ from fem.linear.response import build_response
 from fem.mesh.tetrahedra import tetrahedralize_for_press
 from fem.presses.shape import DeformedShape, save_deformed_shape
 from fem.presses.table import press_face, profile_moments_mm3, surface_weights_mm2
-from tests.support.fem_cases import paper_cube
+from tests.support.mechanics.fem_cases import paper_cube
 
 SOFT = neo_hookean(0.3, 0.4999)
 

@@ -11,7 +11,7 @@ from fem.linear.assembly import node_pattern
 from fem.linear.elements import TaylorHood, assemble, element_space
 from fem.linear.material import LameConstants, lame_constants
 from fem.linear.sparse import block_matrix, columns_of
-from tests.support.fem_cases import box_mesh
+from tests.support.mechanics.fem_cases import box_mesh
 
 MATERIAL = lame_constants(0.3, 0.47)
 

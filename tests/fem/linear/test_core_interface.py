@@ -22,10 +22,10 @@ from fem.linear.elements import assemble, free_motion_basis, saddle_point_matrix
 from fem.linear.factorization import solve_symmetric
 from fem.linear.material import lame_constants
 from fem.linear.response import build_response, elastic_system, face_pressure_loads
-from fem.presses.core_tension import largest_core_tension
+from fem.presses.core_tension import core_tension, largest_core_tension
 from fem.presses.table import press_places, surface_weights_mm2
-from tests.support.fem_cases import YOUNGS_MODULUS_MPA, box_mesh
-from tests.support.small_object import small_spec
+from tests.support.mechanics.fem_cases import YOUNGS_MODULUS_MPA, box_mesh
+from tests.support.objects.small_object import small_spec
 
 POISSON_RATIO = 0.4999
 
@@ -220,6 +220,21 @@ def test_a_sliding_shell_is_softer_and_its_core_would_let_go_somewhere(small_res
     assert_allclose(tension.pressure_mpa_per_n, -mean.min(), rtol=1e-12)
     assert 1e-4 < tension.pressure_mpa_per_n < 1e-1
     assert abs(abs(tension.point_mm).max() - 13) < 0.1
+
+
+def test_the_tension_of_an_object_is_that_of_its_worst_press_to_the_deepest_depth(sliding):
+    pressed = {
+        "press": {"depths_mm": [0.5, 1.0, 2.0]},
+        "contact_grid": {"count": [2, 2], "pitch_mm": 5.0},
+    }
+    spec = ObjectSpec.model_validate(small_spec("frictionless").model_dump() | pressed)
+    worst = core_tension(spec, sliding)
+    face, x, y = worst.press
+    index = [surface.number for surface in sliding.surfaces].index(face)
+    pressures = press_places(spec, sliding, index, np.array([[x, y]]), np.array([2.0]))
+    tension, _ = largest_core_tension(sliding, index, pressures[:, 0])
+    assert_allclose(worst.pressure_mpa_per_n, tension.pressure_mpa_per_n, rtol=1e-9)
+    assert 0 < worst.force_drop < 0.5
 
 
 def test_a_slip_of_a_frictionless_core_is_refused():

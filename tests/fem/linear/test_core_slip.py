@@ -10,7 +10,7 @@ from scipy.spatial.transform import Rotation
 
 import fem.linear.core_slip
 from design.errors import InputError
-from design.layout.positions import shell_body_layout
+from design.layout.places.positions import shell_body_layout
 from fem.large_strain.single_press import require_press
 from fem.linear.core_interface import prescribed_loads, rigid_interface_motions
 from fem.linear.core_slip import (
@@ -24,8 +24,8 @@ from fem.linear.response import elastic_system, face_pressure_loads
 from fem.mesh.tetrahedra import tet_volumes_mm3
 from fem.presses.results import load_presses, save_presses
 from fem.presses.table import press_places, simulate_lattice, surface_weights_mm2
-from tests.support.fem_cases import solve_loads, solve_with_kept_factor
-from tests.support.small_object import small_spec
+from tests.support.mechanics.fem_cases import solve_loads, solve_with_kept_factor
+from tests.support.objects.small_object import small_spec
 
 SLIP = {"shift_mm": [0.9, -0.6, 0.4], "rotation_deg": [3.0, -2.0, 4.0]}
 AMPLITUDES = np.array([0.3, -0.7, 0.5, 0.02, 0.03, -0.05])

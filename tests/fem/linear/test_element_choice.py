@@ -10,13 +10,13 @@ from fem.large_strain.single_press import require_press
 from fem.linear.magnets import mean_motion_functionals
 from fem.linear.response import build_response, elastic_system, face_pressure_loads
 from fem.mesh.tetrahedra import tetrahedralize_for_press
-from tests.support.fem_cases import (
+from tests.support.mechanics.fem_cases import (
     SHELL_COMPLIANCE_MM_PER_N,
     paper_cube,
     patch_compliances,
     solve_loads,
 )
-from tests.support.small_object import small_spec
+from tests.support.objects.small_object import small_spec
 
 WITHOUT_PRESSURE = ("p2-p0", "p1")
 """Those that take ratios up to 0.4999."""

@@ -8,14 +8,14 @@ from fem.linear import elements as elasticity
 from fem.linear.assembly import ReferenceShapes
 from fem.linear.elements import assemble, element_space
 from fem.linear.material import lame_constants
-from tests.support.elasticity_cases import (
+from tests.support.mechanics.elasticity_cases import (
     ELEMENTS,
     GRADIENT,
     SIZE_MM,
     errors_on,
     octant_displacement,
 )
-from tests.support.fem_cases import box_mesh
+from tests.support.mechanics.fem_cases import box_mesh
 
 
 @pytest.fixture(scope="module", params=ELEMENTS)

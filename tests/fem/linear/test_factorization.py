@@ -7,7 +7,7 @@ import pytest
 import scipy.sparse as sp
 from numpy.testing import assert_allclose
 
-from fem.linear import factorization
+from fem.linear import dissection, factorization, multifrontal
 from fem.linear.elements import assemble, free_motion_basis, saddle_point_matrix, taylor_hood
 from fem.linear.factorization import (
     Factorization,
@@ -18,11 +18,7 @@ from fem.linear.factorization import (
 from fem.linear.material import lame_constants
 from fem.linear.response import _require_inertia
 from fem.linear.sparse import shape_of, upper_triangle
-from tests.support.fem_cases import box_mesh
-
-pardiso_only = pytest.mark.skipif(
-    not factorization.pardiso_available(), reason="MKL's PARDISO is not on this machine"
-)
+from tests.support.mechanics.fem_cases import box_mesh
 
 
 def small_system(bonded):
@@ -39,17 +35,17 @@ def sparse_loads(size):
     return sp.csr_matrix(loads)
 
 
-@pytest.fixture(params=["pardiso", "superlu"])
+@pytest.fixture(params=["pardiso", "multifrontal"])
 def solver(request, monkeypatch):
-    if request.param == "superlu":
+    if request.param == "multifrontal":
         monkeypatch.setattr(factorization, "pardiso_available", lambda: False)
-        monkeypatch.setattr(factorization, "_CHUNK", 5)
+        monkeypatch.setattr(dissection, "_LEAF_UNKNOWNS", 60)
+        monkeypatch.setattr(dissection, "_LARGE", 300)
     elif not factorization.pardiso_available():
         pytest.skip("MKL's PARDISO is not on this machine")
     return request.param
 
 
-@pytest.mark.filterwarnings("ignore:MKL:UserWarning")
 def test_compliance_of_loads_equals_dense_algebra(solver):
     matrix, _ = small_system(bonded=True)
     loads = sparse_loads(shape_of(matrix)[0])
@@ -60,7 +56,6 @@ def test_compliance_of_loads_equals_dense_algebra(solver):
     assert_allclose(compliance, compliance.T, rtol=0, atol=1e-12 * scale)
 
 
-@pytest.mark.filterwarnings("ignore:MKL:UserWarning")
 def test_solutions_equal_dense_algebra(solver):
     matrix, _ = small_system(bonded=True)
     right = np.random.default_rng(8).standard_normal((shape_of(matrix)[0], 3))
@@ -69,7 +64,6 @@ def test_solutions_equal_dense_algebra(solver):
     assert_allclose(solution, exact, rtol=0, atol=1e-10 * abs(exact).max())
 
 
-@pytest.mark.filterwarnings("ignore:MKL:UserWarning")
 def test_one_factorization_answers_many_right_sides(solver):
     matrix, pressures = small_system(bonded=True)
     right = np.random.default_rng(3).standard_normal((shape_of(matrix)[0], 5))
@@ -78,13 +72,12 @@ def test_one_factorization_answers_many_right_sides(solver):
         for columns in (slice(0, 2), slice(2, 5), slice(1, 4)):
             solved = factor.solve(right[:, columns])
             assert_allclose(solved, exact[:, columns], rtol=0, atol=1e-10 * abs(exact).max())
-        assert factor.negative_pivots == (pressures if solver == "pardiso" else -1)
+        assert factor.negative_pivots == pressures
     with pytest.raises(ValueError, match="released"):
         factor.solve(right)
     factor.release()  # once more does no harm
 
 
-@pytest.mark.filterwarnings("ignore:MKL:UserWarning")
 def test_adjoint_and_direct_solves_agree_to_rounding(solver):
     """lᵀ (A⁻¹ f) = (A⁻¹ l)ᵀ f, and the Schur complement gives the same."""
     matrix, _ = small_system(bonded=True)
@@ -98,14 +91,12 @@ def test_adjoint_and_direct_solves_agree_to_rounding(solver):
     assert_allclose(condensed, forward, rtol=0, atol=1e-12 * scale)
 
 
-@pardiso_only
-def test_negative_pivots_are_the_pressures():
+def test_negative_pivots_are_the_pressures(solver):
     matrix, pressures = small_system(bonded=True)
     negative = compliance_of_loads(matrix, sparse_loads(shape_of(matrix)[0])).negative_pivots
     assert negative == pressures == np.sum(np.linalg.eigvalsh(matrix.toarray()) < 0)
 
 
-@pytest.mark.filterwarnings("ignore:MKL:UserWarning")
 def test_an_unsupported_body_is_refused(solver):
     matrix, _ = small_system(bonded=False)
     loads = sparse_loads(shape_of(matrix)[0])
@@ -117,22 +108,98 @@ def test_an_unsupported_body_is_refused(solver):
 
 def test_a_wrong_inertia_is_refused():
     _require_inertia(80, 80)
-    _require_inertia(-1, 80)  # SuperLU does not count them
     with pytest.raises(SingularSystemError, match="79 negative pivots instead of 80"):
         _require_inertia(79, 80)
 
 
-@pytest.mark.parametrize("call", [compliance_of_loads, solve_symmetric])
-def test_the_slow_solver_says_that_it_is_used(monkeypatch, call):
+def test_every_unknown_is_eliminated_once_behind_its_subtree(monkeypatch):
+    """Neighbours are in one line of the tree: no entry would be lost between two of its branches."""
+    monkeypatch.setattr(dissection, "_LEAF_UNKNOWNS", 60)
+    matrix, _ = small_system(bonded=True)
+    size = shape_of(matrix)[0]
+    late, kept = matrix.diagonal() <= 0, np.arange(size) % 50 == 7
+    plan = dissection.dissect(matrix, late & ~kept, kept)
+    assert sorted(plan.order) == np.flatnonzero(~kept).tolist()
+    assert len(plan.parent) > 8
+    node = np.full(size, -1)
+    node[plan.order] = np.repeat(np.arange(len(plan.parent)), np.diff(plan.start))
+    rows, columns = matrix.nonzero()
+    for one, other in {*zip(node[rows], node[columns], strict=True)}:
+        low, high = sorted((int(one), int(other)))
+        while 0 <= low < high:
+            low = int(plan.parent[low])
+        assert low in (-1, high)
+
+
+def test_separators_are_as_narrow_as_a_bar(monkeypatch):
+    """Of a long bar of 6 × 5 × 5 nodes a layer: a layer, though the unknowns are in random order."""
+    monkeypatch.setattr(dissection, "_LEAF_UNKNOWNS", 100)
+    matrix = bar(40, 30, np.random.default_rng(4))
+    none = np.zeros(shape_of(matrix)[0], bool)
+    plan = dissection.dissect(matrix, none, none)
+    assert np.diff(plan.start)[-1] == 30
+
+
+def test_a_matrix_of_thousands_of_pieces_is_halved_piece_by_piece():
+    size = 20_000
+    matrix = sp.csr_matrix(sp.diags([np.arange(1.0, size + 1)], [0]))
+    none = np.zeros(size, bool)
+    plan = dissection.dissect(matrix, none, none)
+    assert np.diff(plan.start).max() <= dissection._LEAF_UNKNOWNS
+    assert len(plan.parent) < 4 * size / dissection._LEAF_UNKNOWNS
+    solved = multifrontal.eliminate(matrix).solve(np.ones((size, 1)))[:, 0]
+    assert_allclose(solved, 1 / np.arange(1.0, size + 1))
+
+
+def bar(layers, across, rng):
+    """Laplacian of layers that are coupled to the next, plus the identity; unknowns exchanged."""
+    near = sp.diags([1.0, 2.5, 1.0], [-1, 0, 1], shape=(layers, layers))
+    matrix = sp.kron(near, sp.csr_matrix(np.ones((across, across)))) + 400 * sp.identity(
+        layers * across
+    )
+    order = rng.permutation(layers * across)
+    return sp.csr_matrix(sp.csr_matrix(matrix)[order][:, order])
+
+
+@pytest.mark.parametrize("fault", ["turned pressures", "lost child"])
+def test_a_fault_of_the_fronts_shows(monkeypatch, fault):
     monkeypatch.setattr(factorization, "pardiso_available", lambda: False)
+    monkeypatch.setattr(dissection, "_LEAF_UNKNOWNS", 60)
     matrix, _ = small_system(bonded=True)
     loads = sparse_loads(shape_of(matrix)[0])
-    with pytest.warns(UserWarning, match="SuperLU"):
-        call(matrix, loads if call is compliance_of_loads else loads.toarray())
+    right = compliance_of_loads(matrix, loads).matrix
+    if fault == "lost child":
+        monkeypatch.setattr(multifrontal, "_add", lambda *given: None)
+    else:
+        updated = multifrontal._updated
+        monkeypatch.setattr(
+            multifrontal, "_updated", lambda rest, side, sign: updated(rest, side, -abs(sign))
+        )
+    try:
+        wrong = compliance_of_loads(matrix, loads).matrix
+    except SingularSystemError:
+        return
+    assert abs(wrong - right).max() > 1e-3 * abs(right).max()
+
+
+def test_a_matrix_of_other_signs_is_solved_but_not_condensed(monkeypatch):
+    monkeypatch.setattr(factorization, "pardiso_available", lambda: False)
+    matrix = sp.csr_matrix(np.array([[1.0, 2.0], [2.0, 1.0]]))
+    assert_allclose(solve_symmetric(matrix, np.array([[3.0], [3.0]])), 1)
+    with pytest.raises(SingularSystemError, match="positive on displacements"):
+        compliance_of_loads(matrix, sp.csr_matrix(np.ones((2, 1))))
 
 
 def test_a_machine_without_pypardiso_has_no_pardiso(monkeypatch):
     monkeypatch.setitem(sys.modules, "pypardiso", None)
+    assert not factorization.pardiso_available()
+
+
+def test_a_switch_leaves_mkl_alone(monkeypatch):
+    monkeypatch.setattr(factorization, "_mkl", lambda: object())
+    monkeypatch.delenv("INSTOBJ_MKL", raising=False)
+    assert factorization.pardiso_available()
+    monkeypatch.setenv("INSTOBJ_MKL", "0")
     assert not factorization.pardiso_available()
 
 

@@ -9,7 +9,7 @@ from design.spec.object import ObjectSpec
 from fem.linear.elements import assemble, element_space
 from fem.linear.layers import layer_stiffness
 from fem.linear.material import lame_constants
-from tests.support.fem_cases import box_mesh
+from tests.support.mechanics.fem_cases import box_mesh
 
 LAYERS = ({"thickness_mm": 2.0, "modulus_ratio": 5.0}, {"thickness_mm": 1.5, "modulus_ratio": 0.2})
 

@@ -8,7 +8,7 @@ from fem.linear.elements import taylor_hood
 from fem.linear.magnets import magnet_of_nodes, mean_motion_functionals, rigid_motion_basis
 from fem.linear.sparse import shape_of
 from fem.mesh.tetrahedra import SILICONE, TetMesh
-from tests.support.fem_cases import box_mesh
+from tests.support.mechanics.fem_cases import box_mesh
 
 CENTRES_MM = np.array([[1.1, 1.2, 1.3], [2.9, 2.6, 0.9]])
 

@@ -7,7 +7,7 @@ from numpy.testing import assert_allclose
 from fem.linear.elements import assemble, free_motion_basis, saddle_point_matrix, taylor_hood
 from fem.linear.material import LameConstants, lame_constants
 from fem.linear.sparse import shape_of
-from tests.support.fem_cases import box_mesh
+from tests.support.mechanics.fem_cases import box_mesh
 
 
 @pytest.mark.parametrize("poisson_ratio", [-0.3, 0.0, 0.05, 0.3, 0.49, 0.4999])

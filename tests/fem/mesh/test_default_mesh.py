@@ -10,7 +10,7 @@ from fem.linear.response import build_response, elastic_system
 from fem.mesh.quality import mesh_quality, require_quality
 from fem.mesh.tetrahedra import tetrahedralize
 from fem.presses.table import simulate_lattice
-from tests.support.fem_cases import (
+from tests.support.mechanics.fem_cases import (
     SHELL_COMPLIANCE_MM_PER_N,
     dimitriadis_force_n,
     forces_near_the_centre,

@@ -5,7 +5,7 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 from scipy.spatial import KDTree
 
-from design.layout.positions import magnet_layout, shell_body_layout
+from design.layout.places.positions import magnet_layout, shell_body_layout
 from design.layout.surface import sealed_body_surface, support_rings
 from design.spec.object import BodySpec, MagnetSpec, MeshSpec, ObjectSpec, ShellSpec
 from fem.mesh.edge_lengths import edge_length_field

@@ -8,7 +8,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.errors import InputError
-from design.layout.positions import magnet_layout
+from design.layout.places.positions import magnet_layout
 from fem.mesh.quality import dihedral_angles_deg, mesh_quality, require_quality
 from fem.mesh.tetrahedra import (
     SILICONE,

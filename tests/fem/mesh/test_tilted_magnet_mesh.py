@@ -7,15 +7,15 @@ from numpy.testing import assert_allclose
 from scipy.spatial.transform import Rotation
 from skfem import MeshTet
 
-from design.layout.positions import magnet_layout, shell_body_layout
+from design.layout.places.positions import magnet_layout, shell_body_layout
 from design.layout.surface import sealed_body_surface
 from fem.linear.elements import assemble, saddle_point_matrix, taylor_hood
 from fem.linear.factorization import solve_symmetric
 from fem.linear.magnets import rigid_motion_basis
 from fem.linear.material import lame_constants
 from fem.mesh.surfaces import body_surfaces, in_body
-from tests.support.fem_cases import YOUNGS_MODULUS_MPA, box_mesh
-from tests.support.small_object import small_spec
+from tests.support.mechanics.fem_cases import YOUNGS_MODULUS_MPA, box_mesh
+from tests.support.objects.small_object import small_spec
 
 SPEC = small_spec()
 TURN = Rotation.from_rotvec([0.4, -0.7, 0.9])

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from design.layout.positions import PlaceGrid
+from design.layout.places.positions import PlaceGrid
 from design.spec.object import ContactGridSpec, PressSpec
 from fem.presses.compliance_map import (
     compliance_map,
@@ -16,7 +16,7 @@ from fem.presses.compliance_map import (
     save_forces,
 )
 from fem.presses.results import PressForces
-from tests.support.magnet_free_cases import magnet_free_cube
+from tests.support.objects.magnet_free_cases import magnet_free_cube
 
 LATTICE = PlaceGrid(np.array([-2.0, 1.0, 4.0]), np.array([0.0, 5.0]))
 

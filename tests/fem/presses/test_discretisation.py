@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.testing import assert_allclose
 
-from design.layout.positions import contact_grid
+from design.layout.places.positions import contact_grid
 from fem.presses.discretisation import (
     _ROTATION_ARM_MM,
     COARSENING,
@@ -18,7 +18,7 @@ from fem.presses.discretisation import (
     sample_presses,
 )
 from fem.presses.table import press_face
-from tests.support.fem_cases import patch_compliances
+from tests.support.mechanics.fem_cases import patch_compliances
 
 SHARE = 1 / (COARSENING**ORDER - 1)
 

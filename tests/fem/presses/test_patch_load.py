@@ -8,7 +8,7 @@ from design.errors import InputError
 from fem.presses.joint import Tip, press_tips
 from fem.presses.patch_load import load_patches
 from fem.presses.to_force import press_to_force
-from tests.support.block_cases import block_response, plane_strain_modulus_mpa, spec_of
+from tests.support.mechanics.block_cases import block_response, plane_strain_modulus_mpa, spec_of
 
 
 def test_a_disk_of_pressure_sinks_as_on_the_half_space():

@@ -7,7 +7,7 @@ from numpy.testing import assert_allclose
 import fem.presses.shape
 from design.errors import InputError
 from design.layout.body import face_frames
-from design.layout.positions import magnet_layout
+from design.layout.places.positions import magnet_layout
 from fem.linear.core_interface import CoreContact
 from fem.presses.shape import table_shapes
 

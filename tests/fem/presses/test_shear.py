@@ -8,12 +8,12 @@ from numpy.testing import assert_allclose
 
 from design.errors import InputError
 from design.layout.body import face_frames
-from design.layout.positions import contact_grid, magnet_layout
+from design.layout.places.positions import contact_grid, magnet_layout
 from fem.linear.magnets import magnet_of_nodes
 from fem.linear.response import face_pressure_loads
 from fem.presses.shear import load_shear, motions_under_traction, save_shear, simulate_shear
 from fem.presses.table import press_places, surface_weights_mm2
-from tests.support.fem_cases import solve_loads
+from tests.support.mechanics.fem_cases import solve_loads
 
 FACE_INDEX, PLACE, STEP = 2, 23, 1
 """Face 3 (+x) at an unsymmetrical place, 1 mm deep."""

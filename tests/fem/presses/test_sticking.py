@@ -13,8 +13,8 @@ from fem.contact.indenter import tip_cells
 from fem.contact.traction import TractionResponse
 from fem.presses.joint import Tip, press_tips
 from fem.presses.sticking import StickingSetting, press_sticking, sticking_setting
-from tests.support.block_cases import spec_of
-from tests.support.fem_cases import YOUNGS_MODULUS_MPA
+from tests.support.mechanics.block_cases import spec_of
+from tests.support.mechanics.fem_cases import YOUNGS_MODULUS_MPA
 
 PLACE = Tip(3, 4.0, -6.0)
 

@@ -7,7 +7,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.errors import InputError, StoreError
-from design.layout.positions import magnet_layout, press_lattice
+from design.layout.places.positions import magnet_layout, press_lattice
 from fem.contact.complementarity import contact_pressures
 from fem.contact.indenter import moved, tip_cells
 from fem.contact.refined import cells_compliance, refined_face, spread_cells, wide_block
@@ -19,10 +19,10 @@ from fem.presses.table import (
     simulate_lattice,
     surface_weights_mm2,
 )
-from tests.support.fem_cases import (
+from tests.support.mechanics.fem_cases import (
     DEPTHS_MM as DEPTHS,
 )
-from tests.support.fem_cases import (
+from tests.support.mechanics.fem_cases import (
     dimitriadis_force_n,
     forces_near_the_centre,
     random_places,

@@ -2,21 +2,15 @@
 
 import pytest
 
-from tests.support import (
-    verification_checks_contact,
-    verification_checks_elements,
-    verification_checks_magnets,
-    verification_checks_punch,
-    verification_checks_shell,
-)
-from tests.support.verification import outcome_of
+from tests.support.verification import contact, elements, magnets, punch, shell
+from tests.support.verification.proof import outcome_of
 
 CHECKS = [
-    *verification_checks_elements.CHECKS,
-    *verification_checks_magnets.CHECKS,
-    *verification_checks_contact.CHECKS,
-    *verification_checks_punch.CHECKS,
-    *verification_checks_shell.CHECKS,
+    *elements.CHECKS,
+    *magnets.CHECKS,
+    *contact.CHECKS,
+    *punch.CHECKS,
+    *shell.CHECKS,
 ]
 
 

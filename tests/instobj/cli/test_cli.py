@@ -9,8 +9,8 @@ import time
 import pytest
 import tomli_w
 
-from tests.support.body_cases import BODIES, CORE, GRID, ONE
 from tests.support.cli import CUBE, assert_one_clear_error, run, run_apart
+from tests.support.objects.body_cases import BODIES, CORE, GRID, ONE
 
 BAD_DATA = {
     "empty.csv": "",

@@ -13,11 +13,17 @@ import pytest
 
 from design.errors import InputError
 from estimator.boards.lines import Load, encode_header, encode_load
-from estimator.recordings.files import read_table
+from estimator.recordings.formats.files import read_table
 from instobj.commands.hardware.collect import collect
 from instobj.commands.hardware.collect_options import CollectOptions
 from tests.support.cli import assert_one_clear_error, run
-from tests.support.dummy_board import CHANNELS, board_lines, counts_at, dummy_board, force_at
+from tests.support.recordings.dummy_board import (
+    CHANNELS,
+    board_lines,
+    counts_at,
+    dummy_board,
+    force_at,
+)
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="needs pseudo-terminals")
 

@@ -15,8 +15,8 @@ from estimator.inversion.storage import load_inversion, save_inversion
 from instobj.cli.app import app
 from instobj.commands.hardware.predict import export_models
 from instobj.commands.run import run_estimator
-from tests.support.dummy_board import dummy_board
-from tests.support.inverted import SPEC, inverted, labelled_frames, noisy_counts
+from tests.support.mechanics.inverted import SPEC, inverted, labelled_frames, noisy_counts
+from tests.support.recordings.dummy_board import dummy_board
 
 CHANNELS = tuple(
     f"F{face}-{axis}{chip}" for face in range(1, 6) for chip in (1, 2, 3) for axis in "XYZ"

@@ -8,14 +8,14 @@ import numpy as np
 import pytest
 
 from design.errors import InputError
-from estimator.calibration import unknowns
+from estimator.calibration.twin import unknowns
 from estimator.frames.dataset import load_frames, save_frames
 from instobj.commands import inversion as command
 from instobj.commands.run import run_estimator
 from instobj.stages.makers import inversion as makers
 from instobj.stages.makers.twin import TwinOfData
-from tests.support.inverted import SPEC, presses
-from tests.support.made_grasps import both, built_object, grasps
+from tests.support.mechanics.inverted import SPEC, presses
+from tests.support.recordings.made_grasps import both, built_object, grasps
 
 INVERSION = "training.model=inversion"
 

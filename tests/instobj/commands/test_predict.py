@@ -15,12 +15,12 @@ from design.spec.object import TrainingSpec
 from estimator.frames.dataset import FrameSet, load_frames, save_frames
 from estimator.frames.splits import split_presses
 from estimator.networks.face_model import load_model, predict, save_model
-from estimator.networks.training import FitSettings, fit_estimator
+from estimator.networks.training.face import FitSettings, fit_estimator
 from instobj.cli.app import app
 from instobj.commands.hardware.predict import export_models, predict_file, predict_port
 from instobj.commands.hardware.readings import Zeroing
 from instobj.commands.run import run_estimator
-from tests.support.dummy_board import CHANNELS, board_lines, dummy_board
+from tests.support.recordings.dummy_board import CHANNELS, board_lines, dummy_board
 
 FACE = 3
 ONE = {"history_frames": 0, "ensemble": 1, "trees": 0}

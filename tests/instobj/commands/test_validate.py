@@ -6,13 +6,14 @@ import json
 import numpy as np
 import pytest
 
-from design.layout.positions import live_channels
+from design.layout.places.positions import live_channels
 from design.spec_io import load_spec
 from estimator.calibration.recorded_presses import RecordedPresses
 from estimator.calibration.resting import channel_names, read_resting
 from estimator.signals.presses import rest_counts
 from instobj.commands.hardware.validate import calibration_texts, exchanged_cases
 from tests.support.cli import CUBE, assert_one_clear_error, run
+from tests.support.recordings.made_recordings import gripper_arrays, write_gripper
 
 SPEC = load_spec(CUBE)
 NAMES = channel_names(SPEC)
@@ -164,7 +165,12 @@ def test_calibration_without_exchanges_is_told():
 def test_validate_refuses_what_is_no_recording(tmp_path):
     (tmp_path / "rest.csv").write_text("date,temperature\n2024-01-01,20\n2024-01-02,21\n")
     assert_one_clear_error(run("validate", CUBE, "rest.csv", cwd=tmp_path), "rest.csv")
-    more = run("validate", CUBE, "rest.csv", "--set", "sensors.count_per_face=4", cwd=tmp_path)
-    assert_one_clear_error(more, "3 sensors per face")
     folder = run("validate", CUBE, tmp_path, cwd=tmp_path)
     assert_one_clear_error(folder, "without sensor.csv and states.csv")
+
+
+def test_validate_refuses_a_recording_of_other_channels(tmp_path):
+    write_gripper(tmp_path / "made.csv", gripper_arrays(presses=3))
+    fewer = run("validate", CUBE, "made.csv", "--set", "sensors.count_per_face=4", cwd=tmp_path)
+    assert_one_clear_error(fewer, "45 channels")
+    assert "4 sensors on each of 5 faces" in " ".join(fewer.stderr.split())

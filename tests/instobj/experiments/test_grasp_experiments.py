@@ -5,7 +5,7 @@ from functools import cache
 import numpy as np
 import pytest
 
-from design.layout.positions import contact_grid
+from design.layout.places.positions import contact_grid
 from design.spec.object import ObjectSpec
 from estimator.frames import contact_cases
 from estimator.frames.contact_traces import JointMechanics
@@ -18,8 +18,8 @@ from instobj.experiments.paper import object as paper_object
 from instobj.experiments.paper.object import SimulatedObject
 from instobj.experiments.registry import studies
 from instobj.store.keys import content_key
-from tests.support.half_space_response import half_space_response
-from tests.support.synthetic_presses import synthetic_presses
+from tests.support.mechanics.half_space_response import half_space_response
+from tests.support.mechanics.synthetic_presses import synthetic_presses
 
 SHORTER = {
     "training.twins": 3,
@@ -28,7 +28,8 @@ SHORTER = {
     "protocol.frames_per_press": 12,
     "protocol.rest_frames_per_press": 4,
 }
-NAMES = ("two-face-grasp", "grasp-contacts", "core-slip", "3d-force")
+LONG = [pytest.param(name, marks=pytest.mark.slow) for name in ("two-face-grasp", "grasp-contacts")]
+NAMES = (*LONG, "core-slip", "3d-force")
 FEWER_GRASPS = (((0.0, 0.0, 0.0), (7.5, -7.5, 0.0)), ((0.0, -9.0, 0.0),))
 
 
@@ -94,6 +95,7 @@ def test_every_study_writes_a_table_and_a_figure(results, name):
     assert (folder / f"{name}.png").stat().st_size > 5000
 
 
+@pytest.mark.slow
 def test_grasps_stand_beside_the_papers(results):
     found = results("two-face-grasp")[0]
     assert [row["face"] for row in found.rows] == [3, 3, 5, 5]
@@ -107,6 +109,7 @@ def test_grasps_stand_beside_the_papers(results):
     assert every["best total force %"] < own["best total force %"]
 
 
+@pytest.mark.slow
 def test_swapping_magnets_and_sensors_judges_every_arrangement(run):
     found, folder = run("swap-magnets-and-sensors")
     assert (folder / "swap-magnets-and-sensors.png").stat().st_size > 5000
@@ -143,6 +146,7 @@ def test_tangential_forces_are_read(results):
     assert rows["Fx"]["rms force N"] < 0.4 * rows["Fz"]["rms force N"]
 
 
+@pytest.mark.slow
 def test_contacts_of_grasps_are_judged_by_number_of_tips_for_every_model(results):
     rows = results("grasp-contacts")[0].rows
     judged = {}

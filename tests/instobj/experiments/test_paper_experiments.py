@@ -15,8 +15,8 @@ from instobj.experiments.paper.object import SimulatedObject, metric_row
 from instobj.experiments.paper.places import rank_correlation
 from instobj.experiments.paper.published import TABLE_I, beside
 from instobj.experiments.registry import studies
-from tests.support.half_space_response import half_space_response
-from tests.support.synthetic_presses import synthetic_presses
+from tests.support.mechanics.half_space_response import half_space_response
+from tests.support.mechanics.synthetic_presses import synthetic_presses
 
 NAMES = (
     "general-performance",
@@ -24,9 +24,9 @@ NAMES = (
     "location-wise",
     "force-sensitivity",
     "data-amount",
-    "seen-unseen",
-    "places-against-frames",
     "reference-bounds",
+    pytest.param("seen-unseen", marks=pytest.mark.slow),
+    pytest.param("places-against-frames", marks=pytest.mark.slow),
 )
 
 
@@ -109,6 +109,7 @@ def test_less_data_does_worse(results):
     assert rows[0]["E_f %"] < rows[-1]["E_f %"]
 
 
+@pytest.mark.slow
 def test_unseen_places_are_harder_than_seen_ones(results):
     rows = results["seen-unseen"][0].rows
     for model in ("heatmap", "position"):
@@ -126,6 +127,7 @@ def test_unseen_places_are_harder_than_seen_ones(results):
     assert after["distance px"] < 0.9 * before["distance px"]
 
 
+@pytest.mark.slow
 def test_a_calibrated_twin_knows_places_that_nobody_pressed(results):
     rows = [row for row in results["seen-unseen"][0].rows if row["places"] == "unseen"]
     errors = {row["model"]: row for row in rows}

@@ -9,7 +9,7 @@ from serial import Serial
 from design.spec.object import ObjectSpec
 from design.wiring.dealing import MIXED, MULTIPLEXED, STARTED
 from estimator.boards.lines import Frame, Header, LineDecoder, Status
-from estimator.recordings.files import read_table
+from estimator.recordings.formats.files import read_table
 from instobj.commands.hardware.collect import collect
 from instobj.commands.hardware.collect_options import CollectOptions
 from tests.support.avr.board import built, celsius, field_mt, needs_simulator, running, world

@@ -11,10 +11,14 @@ from numpy.testing import assert_allclose
 
 from design.build.bom import bill_of_materials, silicone_amount, write_bom
 from design.build.manifest import BuildManifest, PartManifest
+from design.catalogue.bus_parts import MEGA2560
 from design.mould.pins import loose_pins, pins_by_kind
+from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, parse_spec
+from design.wiring.bus_plan import plan_or_none
 from instobj.render.exploded_view import draw_exploded
-from instobj.report.assembly_sheet import assembly_sheet, steps
+from instobj.report.assembly_sheet import assembly_sheet
+from instobj.report.assembly_steps import steps
 from tests.support.pictures import save_dot
 
 
@@ -74,7 +78,7 @@ def test_the_sheet_shows_every_pole_and_every_wire(tmp_path):
     for name in ("core", "shell", "mould_box", "mould_plug"):
         trimesh.creation.box((20, 20, 20)).export(tmp_path / f"{name}.stl")
     picture = draw_exploded(spec, tmp_path, tmp_path / "exploded.png")
-    page = assembly_sheet(spec, MANIFEST, picture)
+    page = assembly_sheet(spec, MANIFEST, picture, (), plan_or_none(spec, MEGA2560))
     faces = re.findall(r"<figure>.*?</figure>", page, re.S)
     assert len(faces) == 5
     for face in faces:
@@ -162,3 +166,20 @@ def test_the_exploded_view_shows_magnets_of_both_poles_and_boards(tmp_path):
 )
 def test_steps_follow_the_object(content, told):
     assert any(told in step for step in steps(parsed(**content), EVERY_PART))
+
+
+def test_a_plate_is_not_pushed_into_its_slab():
+    told = " ".join(steps(load_spec(EXAMPLES / "hall_skin.toml"), ("core", "shell", "mould_box")))
+    assert "Lay the shell on it" in told
+    assert "Push it in" not in told
+    assert "Push it in" in " ".join(steps(parsed(), EVERY_PART))
+
+
+def test_without_a_mould_nothing_of_it_is_named():
+    body = {"kind": "sphere", "size_mm": [60.0] * 3, "open_faces": [], "sensed_faces": [2]}
+    blocked = ObjectSpec.model_validate(
+        {"name": "t", "body": body, "magnets": {"positions_mm": [[3.0, 0.0]]}}
+    )
+    told = " ".join(steps(blocked, ("core", "shell")))
+    assert "No mould was built" in told
+    assert "halves" not in told

@@ -25,7 +25,7 @@ TABLES = (
         "mechanics",
         "discretisation",
     ),
-    *("parts", "stages", "area_header", "discretisation_header"),
+    *("parts", "stages", "area_header", "discretisation_header", "deltas", "delta_maps"),
 )
 TEXTS = (
     *(
@@ -37,7 +37,7 @@ TEXTS = (
         "hash",
         "made_with",
     ),
-    *("specification", "cross_face_force_n", "draws", "locations", "covered_by_face"),
+    *("specification", "cross_face_force_n", "draws", "locations", "covered_by_face", "decision"),
 )
 PICTURES = ("overview", "robustness_picture", "press_curves", "parts_picture", "still", "scene")
 
@@ -92,6 +92,15 @@ def test_files_beside_the_page_are_linked(tmp_path):
     assert '<a href="maps/a%20%231.png">maps/a #1.png</a>' in page
     assert "kept_in_the_store" not in page
     assert '<a href="../../cad_out/a/">' in page
+
+
+def test_the_page_says_what_to_change_first_and_of_delta_near_its_end(tmp_path):
+    content = {"decision": "Take magnets of N52", "deltas": [["corner", "4.1", "0.3"]]}
+    told = read(page_of(parse_spec({"name": "a"}, "a"), tmp_path, **content))
+    assert "Take magnets of N52" in told.split("The object")[0]
+    before, after = told.split("Convex-hull sensitivity δ", 1)
+    assert "δ" not in before
+    assert "corner 4.1 0.3" in after
 
 
 @pytest.mark.parametrize(("covered", "warned"), [(0.44, True), (0.93, False)])

@@ -19,9 +19,9 @@ from design.errors import InputError
 from instobj.search.database import open_database, patiently, without_secrets
 from instobj.search.loop import run_search
 from instobj.search.study import open_study
-from tests.support.search_cases import made_up_score, made_up_space
+from tests.support.objects.search_cases import made_up_score, made_up_space
 
-WORKERS = 3
+WORKERS = 2
 TRIALS = 45
 HERE = Path(__file__).parent
 
@@ -92,7 +92,7 @@ def server():
 WORK = """
 import sys
 from pathlib import Path
-from tests.support.search_cases import made_up_score, made_up_space
+from tests.support.objects.search_cases import made_up_score, made_up_space
 from instobj.search.loop import run_search
 from instobj.search.study import open_study
 space = made_up_space(engine="random", trials=int(sys.argv[4]), batch=5)

@@ -20,7 +20,7 @@ from design.spec_io import parse_spec
 from instobj.search.apart import Apart, GivenUp
 from instobj.search.engines import ask, sampling
 from instobj.search.study import open_study, repair_journal
-from tests.support.search_cases import (
+from tests.support.objects.search_cases import (
     OBJECTIVES,
     journal_records,
     made_up_score,
@@ -214,7 +214,7 @@ def test_a_full_disk_is_one_clear_error_and_loses_one_batch(tmp_path):
     code = (
         "import resource, signal, sys; from pathlib import Path\n"
         "from design.errors import InputError\n"
-        "from tests.support.search_cases import searched\n"
+        "from tests.support.objects.search_cases import searched\n"
         "path = Path(sys.argv[1]); searched(path, trials=32)\n"
         "signal.signal(signal.SIGXFSZ, signal.SIG_IGN)\n"
         "room = path.stat().st_size + 3000\n"
@@ -238,7 +238,7 @@ def test_a_killed_search_loses_no_finished_trial(tmp_path):
     path = tmp_path / "journal.log"
     code = (
         "import sys; from pathlib import Path\n"
-        "from tests.support.search_cases import searched\n"
+        "from tests.support.objects.search_cases import searched\n"
         "searched(Path(sys.argv[1]), 'random', trials=100000, batch=8)\n"
     )
     here = Path(__file__).parent

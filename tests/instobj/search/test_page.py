@@ -1,24 +1,34 @@
 """The search page: what it says stands in what it is given, and it is one file of valid markup."""
 
 import json
+import re
 from dataclasses import fields
 from html.parser import HTMLParser
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from design.build.manifest import BuildManifest, PartManifest
-from design.layout.positions import contact_grid
+from design.layout.places.positions import contact_grid
 from design.spec_io import parse_spec
 from estimator.information.scores import PlaceScores, save_scores_csv
 from estimator.layouts.fidelity import SCORE_NAMES, FidelityScore
+from instobj.figures.maps import overview
 from instobj.search.fidelity import METRIC_LABELS, TwinRatio
+from instobj.search.outcome import page
+from instobj.search.outcome.layouts import ShownLayout
 from instobj.search.outcome.page import ChainResults, write_search_page
-from instobj.search.promotion import Promoted, Promotion
+from instobj.search.promotion import Promotion
+from instobj.search.verdict import Promoted
 from instobj.store.readers import CROSS_FACE
 from tests.instobj.search.test_outcome import made_up_history
 from tests.support.pictures import save_dot
 
+DRAWN = {
+    page: ("draw_convergence", "draw_front", "draw_levels", "draw_moves"),
+    overview: ("draw_overview",),
+}
 VOID = {"meta", "img", "link", "br", "input"}
 
 
@@ -39,6 +49,12 @@ class Balanced(HTMLParser):
     def handle_data(self, data):
         if self.open[-1:] not in (["style"], ["script"]):
             self.words += data.split()
+
+
+def _dots(*given, **_):
+    (path,) = [value for value in given if isinstance(value, Path)]
+    path.parent.mkdir(exist_ok=True)
+    save_dot(path)
 
 
 def read(page):
@@ -91,19 +107,27 @@ def promote(objections):
 
 
 @pytest.mark.parametrize("objections", [(), ("the objectives' mean is not better",)])
-def test_the_page_says_what_was_found(tmp_path, results, objections):
-    path = write_search_page(
-        parse_spec({"name": "start"}, "s"), promote(objections), made_up_history(), results, tmp_path, print
-    )  # fmt: skip
-    page = path.read_text(encoding="utf-8")
-    told = read(page)
+def test_the_page_says_what_was_found(tmp_path, results, objections, monkeypatch):
+    if objections:  # its pictures are those of the other page
+        for module, names in DRAWN.items():
+            for name in names:
+                monkeypatch.setattr(module, name, _dots)
+    found, history = promote(objections), made_up_history()
+    layouts = [ShownLayout(one.label, one.spec, (2.0, 3.0)) for one in (found.start, found.best)]
+    spec = parse_spec({"name": "start"}, "s")
+    path = write_search_page(spec, found, history, layouts, results, tmp_path, print)
+    text = path.read_text(encoding="utf-8")
+    told = read(text)
     assert ("NOT BETTER" in told) == bool(objections)
     assert "the objectives' mean is not better" in told or not objections
     assert "trial 7 <b> against the start." in told, "text is escaped"
     assert "12.35" in told or "12.34" in told
-    assert 'class="no-go">NO<' in page, "a part that is not watertight stands out"
+    assert 'class="no-go">NO<' in text, "a part that is not watertight stands out"
     assert "× 0.50" in told
     assert "false force by the next face (N), largest 20 30 × 1.50" in told
     assert "1.10 to 3.00" in told
-    assert page.count("<img") == page.count('src="data:image/png;base64,')
-    assert "http" not in page
+    assert text.count("<img") == text.count('src="data:image/png;base64,')
+    assert not re.findall(r"""src=["'](?!data:)|<link|<script src|@import""", text)
+    assert "default-src &#39;none&#39;" in text, (
+        "the browser refuses whatever else might be asked for"
+    )

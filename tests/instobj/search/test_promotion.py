@@ -7,8 +7,8 @@ import pytest
 
 from estimator.layouts.fidelity import FidelityScore
 from instobj.search.fidelity import TwinRatio
-from instobj.search.promotion import LAST, Promoted, excess, merit, objections
-from tests.support.search_cases import made_up_spec
+from instobj.search.verdict import LAST, Promoted, excess, merit, objections
+from tests.support.objects.search_cases import made_up_spec
 
 START = FidelityScore(
     worst_position_bound_mm=1.5,

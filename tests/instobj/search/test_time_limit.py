@@ -13,7 +13,7 @@ from instobj.search.fidelity import TwinRatio
 from instobj.search.loop import run_search
 from instobj.search.study import open_study
 from instobj.search.time_limit import TimeLimit
-from tests.support.search_cases import made_up_score, made_up_space, searched
+from tests.support.objects.search_cases import made_up_score, made_up_space, searched
 
 
 class Clock:
@@ -68,6 +68,10 @@ def test_shares_of_the_time(clock):
     assert limit.over(0.4)
     assert not limit.over()
     assert limit.left_s == pytest.approx(599)
+    assert limit.left == "599 of 1000 s left"
+    assert "trials until 400 s, leaders until 600 s" in limit.plan
+    clock.now_s += 700
+    assert limit.left == "0 of 1000 s left"
 
 
 def test_trials_end_with_the_batch_in_which_their_time_ends(tmp_path, clock):

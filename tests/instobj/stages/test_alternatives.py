@@ -1,15 +1,30 @@
-"""What the report tries next stays valid where the magnets were given by their grade."""
+"""What the report tries next: valid where magnets have a grade or sensors have places."""
 
+import numpy as np
 import pytest
 
 from design.spec_io import parse_spec
-from instobj.stages.makers.alternatives import _CHANGES
+from instobj.stages.makers.alternatives import CHANGES
 
 
-@pytest.mark.parametrize("change", _CHANGES)
+@pytest.mark.parametrize("change", CHANGES)
 def test_changes_of_a_graded_magnet_are_valid_specifications(change):
     spec = parse_spec({"name": "cube", "magnets": {"grade": "N42"}}, "test")
-    other = parse_spec(_CHANGES[change](spec).model_dump(mode="json"), change)
+    other = parse_spec(CHANGES[change](spec).model_dump(mode="json"), change)
     assert other != spec
-    if "remanence" in change:
+    if "magnets" in change:
         assert other.magnets.remanence_t == pytest.approx(1.2 * 1.31)
+
+
+@pytest.mark.parametrize("count", [1, 3])
+def test_one_more_sensor_finds_places_where_each_has_one(count):
+    ring = 7.0 * np.exp(2j * np.pi * (np.arange(count) / count + 0.25))
+    places = [[0.0, 0.0]] if count == 1 else np.column_stack([ring.real, ring.imag]).tolist()
+    sensors = {"count_per_face": count, "positions_mm": places, "radius_mm": 7.0}
+    body = {"sensed_faces": [1, 3, 5]}
+    spec = parse_spec({"name": "cube", "body": body, "sensors": sensors}, "test")
+    more = CHANGES["one more sensor on every face"](spec).sensors.positions_mm
+    assert more is not None
+    assert [len(face) for face in more] == [count + 1] * 3
+    if count == 3:
+        assert np.hypot(*np.array(more[0]).T) == pytest.approx(7.0)

@@ -11,9 +11,9 @@ from fem.mesh.tetrahedra import tetrahedralize
 from instobj.stages.resources import mesh_vertices, require_memory
 from instobj.stages.run import Run
 from instobj.stages.table import STAGES
-from tests.support.fem_cases import COARSE_EDGES_MM, paper_cube
+from tests.support.mechanics.fem_cases import COARSE_EDGES_MM, paper_cube
+from tests.support.objects.small_object import small_spec
 from tests.support.shared import shared_mesh
-from tests.support.small_object import small_spec
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 

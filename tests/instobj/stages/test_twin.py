@@ -25,7 +25,7 @@ from instobj.stages.makers.twin import (
 from instobj.store.content import StoredResult
 from instobj.store.progress import ProgressLine
 from instobj.store.publish import run_folder
-from tests.support.synthetic_presses import coarse_spec, synthetic_presses
+from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
 
 FACE = 3
 SPEC = coarse_spec(
@@ -61,24 +61,41 @@ def twin(presses):
     return TwinOfData(SPEC, presses, "synthetic", 5)
 
 
-def test_presses_at_every_place_join_both_parts(frames, twin):
+@pytest.fixture(scope="module")
+def parts(frames):
     split = split_presses(frames, 1)
-    parts = frames.select(split.train), frames.select(split.validation)
-    train, validation = twin.extended(parts, FACE, lambda text: None)
+    return frames.select(split.train), frames.select(split.validation)
+
+
+@pytest.fixture(scope="module")
+def calibrated(presses, frames, parts):
+    """A twin that was asked for a face with too few places, then for one with enough; what it added."""
+    twin = TwinOfData(SPEC, presses, "synthetic", 5)
+    few = frames.select(frames.place_id % 1000 < 2)
+    twin.extended((few, few), FACE, lambda text: None)
+    return twin, twin.extended(parts, FACE, lambda text: None)
+
+
+def test_presses_at_every_place_join_both_parts(parts, calibrated):
+    twin, (train, validation) = calibrated
     assert validation is parts[1]
     np.testing.assert_array_equal(train.signal_counts[: len(parts[0])], parts[0].signal_counts)
     places = np.unique(train.place_id[train.place_id >= 0])
     assert places.tolist() == [3000 + place for place in range(16)]
     drawn = set(train.press_id[len(parts[0]) :])
     assert not drawn & (set(parts[0].press_id) | set(validation.press_id))
-    (row,) = twin.rows
+    row = twin.rows[1]
     assert row["places"] == 12
     assert row["signals left %, places left out"] < 0.5 * row["signals left %, design"]
     assert row["helps"] == "yes"
     assert len(row["places mm"]) == len(row["left %"]) == len(row["left by design %"]) == 12
 
 
-def test_the_command_writes_models_and_what_was_calibrated(frames, twin, tmp_path, monkeypatch):
+def test_the_command_writes_models_and_what_was_calibrated(
+    frames, calibrated, tmp_path, monkeypatch
+):
+    twin, joined = calibrated
+    monkeypatch.setattr(TwinOfData, "extended", lambda *given: joined)
     monkeypatch.setenv("INSTOBJ_STORE", str(tmp_path / "store"))
     monkeypatch.setattr(training, "twin_of_data", lambda *given: twin)
     save_frames(frames, tmp_path / "cube.nc")
@@ -88,8 +105,8 @@ def test_the_command_writes_models_and_what_was_calibrated(frames, twin, tmp_pat
     target = run_folder(tmp_path, "cube")
     assert (target / "face_3.safetensors").is_file()
     assert (target / "calibration.png").stat().st_size > 5000
-    (row,) = json.loads((target / "calibration.json").read_text())["faces"]
-    (shown,) = found["objects"][0]["summary"]["calibrated twin (medians over labelled places)"]
+    _, row = json.loads((target / "calibration.json").read_text())["faces"]
+    _, shown = found["objects"][0]["summary"]["calibrated twin (medians over labelled places)"]
     assert shown["signals left %, design"] == row["signals left %, design"] > 0
     assert shown["face"] == FACE
     wider = load_model(target / "face_3.safetensors").network.state_dict()
@@ -102,14 +119,9 @@ def test_the_command_writes_models_and_what_was_calibrated(frames, twin, tmp_pat
     assert again[FACE].network.state_dict().keys() == alone.keys()
 
 
-def test_a_face_without_a_twin_stands_in_the_table(twin, frames, tmp_path):
-    """After one that has none, and before one that has."""
-    split = split_presses(frames, 1)
-    parts = frames.select(split.train), frames.select(split.validation)
-    few = frames.select(frames.place_id % 1000 < 2)
-    twin.extended((few, few), FACE, lambda text: None)
-    twin.extended(parts, FACE, lambda text: None)
-    twin.write(tmp_path)
+def test_a_face_without_a_twin_stands_in_the_table(calibrated, tmp_path):
+    """Before one that has."""
+    calibrated[0].write(tmp_path)
     rows = summarize({"networks": StoredResult("networks", "", tmp_path, True, 0.0, "")})
     without, calibrated = rows["calibrated twin (medians over labelled places)"]
     assert without.keys() == calibrated.keys()

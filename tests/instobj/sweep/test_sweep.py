@@ -11,7 +11,7 @@ from instobj.sweep import scheduling
 from instobj.sweep.scheduling import run_on_dask
 from instobj.sweep.sweep import sweep
 from instobj.sweep.tasks import tasks_of
-from tests.support.tiny_cube import CHANGES, SMALL_CUBE, lend_mechanics
+from tests.support.objects.tiny_cube import CHANGES, SMALL_CUBE, lend_mechanics
 
 
 def write_study(folder, text):

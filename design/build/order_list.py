@@ -1,0 +1,141 @@
+"""Everything to order for an object: maker's numbers, pieces, packs, and the range of prices."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields, replace
+from pathlib import Path
+
+from design.build.bom import SCREWS, magnet_name, silicone_amount
+from design.catalogue.magnets import GRADES, MAGNET_PARTS, STOCK
+from design.catalogue.orders import (
+    ADHESIVE,
+    GLUE,
+    ORDERS,
+    PRICED,
+    PRIMER,
+    RELEASE,
+    SCREW,
+    SILICONE_KIT_G,
+    STRIP,
+    WIRE,
+    Order,
+)
+from design.layout.core_hold import why_no_mould
+from design.layout.mould_frame import mould_style, opening_of
+from design.layout.places.positions import magnet_layout, sensor_layout
+from design.spec.object import ObjectSpec
+from design.tables import write_table
+from design.wiring.bus_plan import BusPlan
+from design.wiring.wires import wire_length_m
+
+_WIRE_M_A_PACK = 10.0
+CHECK = "check number, price and stock before ordering"
+
+
+@dataclass(frozen=True)
+class OrderLine:
+    """One part: pieces that the object takes, packs to buy, what all of them cost (EUR), as of when."""
+
+    part: str
+    maker: str
+    number: str
+    pieces: int
+    packs: int
+    low_eur: float
+    high_eur: float
+    priced: str
+    note: str
+
+
+def order_list(spec: ObjectSpec, plan: BusPlan | None) -> list[OrderLine]:
+    """Electronics by the plan, magnets, what is cast and glued, what is printed of.
+
+    Without a plan, because the catalogue knows no bus for the sensors, they stand by their name alone.
+    """
+    lines = [_sensors_alone(spec)] if plan is None else _electronics(plan)
+    return [*lines, _magnets(spec), *_casting(spec), _line(ORDERS[spec.printer.process], 1)]
+
+
+def write_orders(lines: list[OrderLine], target: Path) -> None:
+    """Write as CSV, one line per part. Raises as `design.tables.write_table`."""
+    write_table(target, ORDER_COLUMNS, map(order_row, lines))
+
+
+ORDER_COLUMNS = tuple(field.name for field in fields(OrderLine))
+
+
+def order_row(line: OrderLine) -> tuple[object, ...]:
+    """Its cells, in the order of `ORDER_COLUMNS`."""
+    return tuple(getattr(line, name) for name in ORDER_COLUMNS)
+
+
+def cost_eur(lines: list[OrderLine]) -> tuple[float, float]:
+    """Least and most that all lines cost together."""
+    return sum(line.low_eur for line in lines), sum(line.high_eur for line in lines)
+
+
+def _electronics(plan: BusPlan) -> list[OrderLine]:
+    parts = [chip.part for chip in plan.chips]
+    wire_packs = -(-wire_length_m(plan) // _WIRE_M_A_PACK)
+    wanted = [
+        (plan.board.name, 1),
+        (f"USB {plan.board.name}", 1),
+        *((part, parts.count(part)) for part in sorted(set(parts))),
+        ("100 nF", len(parts)),
+        ("sensor board", len(parts)),
+        *plan.extras,
+        (STRIP, 1),
+        (WIRE, int(wire_packs)),
+    ]
+    return [_line(ORDERS[name], pieces) for name, pieces in wanted]
+
+
+def _casting(spec: ObjectSpec) -> list[OrderLine]:
+    """Silicone or the filament of a printed shell, and what keeps it from sticking or makes it stick."""
+    kits, wanted = -(-silicone_amount(spec).mixed_g // SILICONE_KIT_G), [(GLUE, 1)]
+    if spec.silicone.name in ORDERS:
+        wanted.insert(0, (spec.silicone.name, int(kits)))
+    if spec.silicone.cure != "none":
+        wanted += [(PRIMER, 1), (RELEASE, 1)]
+    if opening_of(spec) == "open":
+        wanted.append((ADHESIVE, 1))
+    if mould_style(spec) == "split" and why_no_mould(spec) is None:
+        wanted.append((SCREW, SCREWS))
+    return [_line(ORDERS[name], pieces) for name, pieces in wanted]
+
+
+def _line(order: Order, pieces: int) -> OrderLine:
+    packs = order.packs(pieces)
+    low, high = (round(price * packs, 2) for price in order.price_eur)
+    note = f"{order.note}; {CHECK}" if order.note else CHECK
+    return OrderLine(order.title, order.maker, order.number, pieces, packs, low, high, PRICED, note)
+
+
+def _sensors_alone(spec: ObjectSpec) -> OrderLine:
+    line = _line(ORDERS["sensor board"], len(sensor_layout(spec).face))
+    return replace(
+        line,
+        part=f"Hall sensor {spec.sensors.part} on its board",
+        maker="not in the catalogue",
+        number=spec.sensors.part,
+        note=f"the price is the board's alone; {CHECK}",
+    )
+
+
+def _magnets(spec: ObjectSpec) -> OrderLine:
+    """By a seller's number where the catalogue has one, else by shape, size and grade."""
+    line = _line(ORDERS["magnet"], len(magnet_layout(spec).face))
+    if spec.magnets.kind == "coil":
+        return replace(line, part="coil", maker="your own", number=magnet_name(spec))
+    part = MAGNET_PARTS.get(spec.magnets.part or "")
+    if part is not None and part.source != STOCK:
+        seller, _, number = part.source.partition(", ")
+        return replace(line, part=f"magnet {part.name}", maker=seller, number=number)
+    return replace(line, number=f"{magnet_name(spec)}, {_grades(spec)}, axial")
+
+
+def _grades(spec: ObjectSpec) -> str:
+    """The grade given, else those that have the remanence of the specification."""
+    remanence = spec.magnets.remanence_t
+    fit = [grade.name for grade in GRADES.values() if grade.admits(remanence)]
+    return spec.magnets.grade or " or ".join(fit) or f"remanence {remanence:g} T"

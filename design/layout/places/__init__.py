@@ -1,0 +1,1 @@
+"""Places of contacts, magnets and sensors."""

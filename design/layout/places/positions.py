@@ -1,0 +1,398 @@
+"""Contact locations, magnets and sensors in the object's frame, as designed and as built.
+
+Every array that is indexed by magnet or sensor runs face by face, in the order of the
+specification within a face. Sensors see the layout as built; mechanics goes on with the design: a
+magnet found 0.3 mm from its seat is carried by the motion of the seat (`estimator.tolerances.budget`
+says how wrong that is).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TypeVar
+
+import numpy as np
+from jaxtyping import Bool, Float, Int
+
+from design.body.surface_chart import FaceFrame
+from design.layout.body import core_frames, face_frames
+from design.layout.places.contact_places import grid_count
+from design.layout.pockets import (
+    Body,
+    Outline,
+    board_frame,
+    by_sensed_face,
+    magnet_bodies,
+    sensor_boards,
+    sensor_places,
+    shell_bodies,
+)
+from design.spec.assembly import BuiltMagnet
+from design.spec.mechanics import SlipSpec
+from design.spec.object import ObjectSpec, SensorSpec
+from design.spec.worked_out import once
+
+
+@dataclass(frozen=True)
+class PlaceGrid:
+    """A rectangular grid of contact locations on a face; place index = ix · len(y_mm) + iy."""
+
+    x_mm: Float[np.ndarray, "nx"]
+    y_mm: Float[np.ndarray, "ny"]
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        return len(self.x_mm), len(self.y_mm)
+
+    @property
+    def xy_mm(self) -> Float[np.ndarray, "place 2"]:
+        x, y = np.meshgrid(self.x_mm, self.y_mm, indexing="ij")
+        return np.column_stack([x.ravel(), y.ravel()])
+
+    def __len__(self) -> int:
+        return len(self.x_mm) * len(self.y_mm)
+
+
+@once
+def contact_grid(spec: ObjectSpec) -> PlaceGrid:
+    """The specification's places (the paper: 10 × 10, pitch 3 mm, ±13.5 about the face centre).
+
+    Which of them a face has says `design.layout.places.contact_places.contact_places`.
+    """
+    pitch = spec.contact_grid.pitch_mm
+    x, y = ((np.arange(n) - (n - 1) / 2) * pitch for n in grid_count(spec))
+    return PlaceGrid(x, y)
+
+
+@once
+def press_lattice(spec: ObjectSpec) -> PlaceGrid:
+    """The contact grid refined by two, with half a pitch of margin: (2n + 1) locations per axis.
+
+    Contact location (X, Y) is lattice place (2X + 1, 2Y + 1). Signals between places are
+    interpolated on this lattice, and derivatives in x and y are taken on it.
+    """
+    pitch = spec.contact_grid.pitch_mm
+    x, y = ((np.arange(2 * n + 1) - n) * pitch / 2 for n in grid_count(spec))
+    return PlaceGrid(x, y)
+
+
+@once
+def grid_places_in_lattice(spec: ObjectSpec) -> Int[np.ndarray, "place"]:
+    """Lattice place of each contact location, in the order of the contact grid."""
+    nx, ny = grid_count(spec)
+    ix, iy = np.meshgrid(2 * np.arange(nx) + 1, 2 * np.arange(ny) + 1, indexing="ij")
+    return (ix * (2 * ny + 1) + iy).ravel()
+
+
+@dataclass(frozen=True)
+class MagnetLayout:
+    """Magnets at rest: centre (mm), unit axis along the polarization, the face they belong to.
+
+    `side` is the unit vector along a block's first edge (the face's x, where it is not tilted);
+    `strength` is each one's polarization over the specification's.
+    """
+
+    centre_mm: Float[np.ndarray, "magnet 3"]
+    axis: Float[np.ndarray, "magnet 3"]
+    face: Int[np.ndarray, "magnet"]
+    side: Float[np.ndarray, "magnet 3"]
+    strength: Float[np.ndarray, "magnet"]
+
+    @property
+    def frames(self) -> Float[np.ndarray, "magnet 3 3"]:
+        """Axes of each as columns: side, across, along the polarization."""
+        return np.stack([self.side, np.cross(self.axis, self.side), self.axis], axis=-1)
+
+
+@dataclass(frozen=True)
+class SensorLayout:
+    """Sensors: sensing point (mm), chip axes as rows (X, Y, Z in the object's frame), face."""
+
+    position_mm: Float[np.ndarray, "sensor 3"]
+    axes: Float[np.ndarray, "sensor 3 3"]
+    face: Int[np.ndarray, "sensor"]
+
+
+Layout = TypeVar("Layout", MagnetLayout, SensorLayout)
+
+
+@dataclass(frozen=True)
+class ShellBodies:
+    """Rigid bodies in the silicone: magnets, or sensor boards in the reverse arrangement.
+
+    `frame` holds their axes as columns (the third along the height), in the object's frame; all
+    have one outline and height.
+    """
+
+    centre_mm: Float[np.ndarray, "body 3"]
+    frame: Float[np.ndarray, "body 3 3"]
+    face: Int[np.ndarray, "body"]
+    outline: Outline
+    height_mm: float
+
+    @property
+    def volume_mm3(self) -> float:
+        """Of one body."""
+        return self.outline.area_mm2 * self.height_mm
+
+
+@once
+def shell_body_layout(spec: ObjectSpec) -> ShellBodies:
+    """What moves with the silicone, face by face."""
+    bodies = shell_bodies(spec)
+    first = bodies[0][0]
+    return ShellBodies(*_in_object(face_frames(spec), bodies), first.outline, first.height_mm)
+
+
+def cover_mm(frame: FaceFrame, body: Body) -> float:
+    """Silicone over a rigid body of a face, where it is thinnest; negative where the body stands out.
+
+    Measured from the rims of both its ends along the surface's normals; NaN beside the patch.
+    """
+    outline = body.outline
+    turn = np.linspace(0, 2 * np.pi, _RIM_POINTS, endpoint=False)
+    circle = outline.half_mm[0] * np.column_stack([np.cos(turn), np.sin(turn)])
+    rim = circle if outline.round else outline.corners_mm(4)
+    ends = [np.column_stack([rim, [end * body.height_mm / 2] * len(rim)]) for end in (-1, 1)]
+    axes = frame.axes_at(body.centre_mm[:2]) @ body.frame
+    points = frame.to_object(body.centre_mm) + np.concatenate(ends) @ axes.T
+    return -float(frame.from_object(points)[:, 2].max())
+
+
+@once
+def magnet_layout(spec: ObjectSpec) -> MagnetLayout:
+    """All magnets, face by face, as designed or as `as_built` found them; axes point north."""
+    in_shell = spec.arrangement == "sensors-in-core"
+    frames = face_frames(spec) if in_shell else core_frames(spec)
+    centre, frame, face = _in_object(frames, magnet_bodies(spec))
+    north = np.tile(spec.magnets.polarities, len(frames))[:, None] * frame[:, :, 2]
+    designed = MagnetLayout(centre, north, face, frame[:, :, 0], np.ones(len(face)))
+    return magnets_as_built(spec, designed, frames)
+
+
+_RIM_POINTS = 48
+_FLUSH_MM = 1e-6
+_SINKING_STEPS = 20
+
+
+@once
+def sensor_layout(spec: ObjectSpec) -> SensorLayout:
+    """All sensors, face by face, as designed or as `as_built` found them; azimuths run
+    counter-clockwise from x, seen from outside.
+
+    Chip axes of a chip that faces inward (facts measured on the recordings): X = −tangential,
+    Y = radial outward, Z = outward normal of the face where the chip is.
+    """
+    if spec.arrangement == "sensors-in-core":
+        frames, bodies = core_frames(spec), _sensors_in_core(spec)
+    else:
+        frames, bodies = face_frames(spec), sensor_boards(spec)
+    centre, frame, face = _in_object(frames, bodies)
+    if spec.sensors.rotations_deg is None:
+        axes = (frame @ chip_on_board(spec.sensors)).transpose(0, 2, 1)
+    else:
+        axes = _turned_chips(spec, frames, bodies)
+    return sensors_as_built(spec, SensorLayout(centre, axes, face), frames)
+
+
+def _turned_chips(
+    spec: ObjectSpec, frames: tuple[FaceFrame, ...], bodies: tuple[tuple[Body, ...], ...]
+) -> Float[np.ndarray, "sensor 3 3"]:
+    """Chip axes as rows by `sensors.rotations_deg`, from the axes of the face where each chip is."""
+    lists = by_sensed_face(spec, spec.sensors.rotations_deg or ())
+    return np.stack(
+        [
+            (frame.axes_at(body.centre_mm[:2]) @ rotation_matrix(vector)).T
+            for frame, face, vectors in zip(frames, bodies, lists, strict=True)
+            for body, vector in zip(face, vectors, strict=True)
+        ]
+    )
+
+
+def _sensors_in_core(spec: ObjectSpec) -> tuple[tuple[Body, ...], ...]:
+    depth = spec.sensors.depth_below_core_face_mm
+    return tuple(
+        tuple(
+            replace(board, centre_mm=np.append(board.centre_mm[:2], -depth - sink))
+            for board, sink in zip(face, sinks, strict=True)
+        )
+        for face, sinks in zip(sensor_boards(spec), board_sinks_mm(spec), strict=True)
+    )
+
+
+BoardPlace = tuple[tuple[float, float, float], float]
+"""(x, y, azimuth) of a sensor on the core, and by how much its board lies deeper (mm)."""
+
+
+def board_places(spec: ObjectSpec) -> list[tuple[FaceFrame, list[BoardPlace]]]:
+    """Frame of the core and places of its sensors, sensed face by face."""
+    faces = zip(core_frames(spec), sensor_places(spec), board_sinks_mm(spec), strict=True)
+    return [(frame, list(zip(places, sinks, strict=True))) for frame, places, sinks in faces]
+
+
+@once
+def board_sinks_mm(spec: ObjectSpec) -> tuple[tuple[float, ...], ...]:
+    """By how much every board lies deeper than on a flat core, sensed face by face (mm).
+
+    Under a flat board a curved core falls away: the board, its chip and the recess's floor go down
+    until no corner stands out of the core into the silicone. 0 on flat faces; NaN where a board
+    reaches beyond its patch, or no depth makes it flush.
+    """
+    return tuple(
+        tuple(0.0 if frame.flat else _sink_mm(spec, frame, place) for place in places)
+        for frame, places in zip(core_frames(spec), sensor_places(spec), strict=True)
+    )
+
+
+@dataclass(frozen=True)
+class MountedStack:
+    """Board and chip in a recess: (x, y) of the board's middle in the face's frame, levels (mm)."""
+
+    board_xy_mm: Float[np.ndarray, "2"]
+    board_top_mm: float
+    chip_top_mm: float
+
+
+def mounted_stack(spec: ObjectSpec, place: tuple[float, float, float]) -> MountedStack:
+    """As on a flat core: a chip that faces inward hangs under a board that is flush with the face,
+    one that faces outward stands on a board on the recess's floor."""
+    core, sensors, (x, y, azimuth) = spec.core, spec.sensors, place
+    middle = (core.recess_inner_radius_mm + core.recess_outer_radius_mm) / 2
+    radial = np.array([np.cos(azimuth), np.sin(azimuth)])
+    board_xy = np.array([x, y]) + (middle - sensors.radius_mm) * radial
+    thick, high = sensors.package_mm[2], sensors.chip_mm[2]
+    if sensors.chip == "inward":
+        return MountedStack(board_xy, 0.0, -thick)
+    return MountedStack(board_xy, thick - core.recess_depth_mm, thick + high - core.recess_depth_mm)
+
+
+def _sink_mm(spec: ObjectSpec, frame: FaceFrame, place: tuple[float, float, float]) -> float:
+    stack, axes = mounted_stack(spec, place), board_frame(place[2])[:2, :2]
+    tops = (
+        (stack.board_xy_mm, spec.sensors.package_mm, stack.board_top_mm),
+        (np.array(place[:2]), spec.sensors.chip_mm, stack.chip_top_mm),
+    )
+    signs = np.array([[1, 1], [-1, 1], [-1, -1], [1, -1]]) / 2
+    corners = np.concatenate(
+        [np.column_stack([xy + (signs * size[:2]) @ axes.T, [top] * 4]) for xy, size, top in tops]
+    )
+    tangent, sink = frame.tangent(np.array(place[:2])), 0.0
+    for _ in range(_SINKING_STEPS):
+        lowered = tangent.to_object(corners - [0.0, 0.0, sink])
+        above = float(frame.from_object(lowered)[:, 2].max())
+        if not above > _FLUSH_MM:
+            return sink if above <= _FLUSH_MM else np.nan
+        sink += above
+    return np.nan
+
+
+def chip_on_board(sensors: SensorSpec) -> Float[np.ndarray, "3 3"]:
+    """The chip's axes as columns, in the board's (−tangential, radial, normal)."""
+    rotation = rotation_matrix(sensors.mount_rotation_deg)
+    outward = np.diag([-1.0, 1.0, -1.0])
+    return outward @ rotation if sensors.chip == "outward" else rotation
+
+
+def rotation_matrix(vector_deg: tuple[float, float, float]) -> Float[np.ndarray, "3 3"]:
+    """Rotation by a rotation vector, turned axes as columns."""
+    turn = np.deg2rad(vector_deg)
+    angle = float(np.linalg.norm(turn))
+    across = np.cross(np.eye(3), turn)
+    rotation = np.eye(3) + np.sinc(angle / np.pi) * across
+    return rotation + 0.5 * np.sinc(angle / (2 * np.pi)) ** 2 * across @ across
+
+
+def _in_object(
+    frames: tuple[FaceFrame, ...], bodies: tuple[tuple[Body, ...], ...]
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Centres, axes as columns and faces of bodies given face by face in the faces' own frames."""
+    placed = [(frame, body) for frame, face in zip(frames, bodies, strict=True) for body in face]
+    return (
+        np.stack([frame.to_object(body.centre_mm) for frame, body in placed]),
+        np.stack([frame.axes_at(body.centre_mm[:2]) @ body.frame for frame, body in placed]),
+        np.array([frame.number for frame, _ in placed]),
+    )
+
+
+def slipped(layout: Layout, slip: SlipSpec) -> Layout:
+    """Magnets or sensors moved with a core that slipped, in the shell's frame."""
+    from scipy.spatial.transform import Rotation
+
+    if not slip.slipped:
+        return layout
+    turn = Rotation.from_rotvec(np.deg2rad(slip.rotation_deg)).as_matrix().T
+    shift = np.asarray(slip.shift_mm, float)
+    if isinstance(layout, SensorLayout):
+        position = layout.position_mm @ turn + shift
+        return replace(layout, position_mm=position, axes=layout.axes @ turn)
+    centre = layout.centre_mm @ turn + shift
+    return replace(layout, centre_mm=centre, axis=layout.axis @ turn, side=layout.side @ turn)
+
+
+_AXIS_NAMES = "XYZ"
+
+
+def magnets_as_built(
+    spec: ObjectSpec, designed: MagnetLayout, frames: tuple[FaceFrame, ...]
+) -> MagnetLayout:
+    """Magnets where `as_built` found them; `frames` are those of the surfaces that they sit under."""
+    layout = designed
+    of_face = {frame.number: frame for frame in frames}
+    for found in spec.as_built.magnets:
+        row = _row(layout.face, found.face, found.magnet)
+        layout = _with_magnet(spec, layout, row, found, of_face[found.face])
+    return layout
+
+
+def _with_magnet(
+    spec: ObjectSpec, layout: MagnetLayout, row: int, found: BuiltMagnet, frame: FaceFrame
+) -> MagnetLayout:
+    centre, axis, side, strength = (
+        given.copy() for given in (layout.centre_mm, layout.axis, layout.side, layout.strength)
+    )
+    if found.centre_mm is not None:
+        centre[row] = frame.to_object(np.array(found.centre_mm))
+    if found.axis is not None:
+        axis[row] = _unit(frame.axes @ np.array(found.axis))
+        side[row] = _unit(side[row] - (side[row] @ axis[row]) * axis[row])
+    if found.flipped:
+        axis[row] = -axis[row]
+    if found.remanence_t is not None:
+        strength[row] = found.remanence_t / spec.magnets.remanence_t
+    return replace(layout, centre_mm=centre, axis=axis, side=side, strength=strength)
+
+
+def sensors_as_built(
+    spec: ObjectSpec, designed: SensorLayout, frames: tuple[FaceFrame, ...]
+) -> SensorLayout:
+    """Sensors where `as_built` found them; `frames` are those of the surfaces that they sit under."""
+    from scipy.spatial.transform import Rotation
+
+    of_face = {frame.number: frame for frame in frames}
+    position, axes = designed.position_mm.copy(), designed.axes.copy()
+    for found in spec.as_built.sensors:
+        row, frame = _row(designed.face, found.face, found.sensor), of_face[found.face]
+        if found.position_mm is not None:
+            position[row] = frame.to_object(np.array(found.position_mm))
+        turn = Rotation.from_rotvec(frame.axes @ np.deg2rad(found.rotation_deg)).as_matrix()
+        axes[row] = axes[row] @ turn.T
+    return replace(designed, position_mm=position, axes=axes)
+
+
+def live_channels(spec: ObjectSpec) -> Bool[np.ndarray, "sensor 3"]:
+    """Which channels work: the axes that the part measures, but those that `as_built` calls dead."""
+    count, faces = spec.sensors.count_per_face, spec.body.sensed
+    live = np.zeros((len(faces) * count, 3), bool)
+    live[:, [_AXIS_NAMES.index(axis) for axis in spec.sensors.axes]] = True
+    for found in spec.as_built.sensors:
+        row = faces.index(found.face) * count + found.sensor - 1
+        live[row, [_AXIS_NAMES.index(axis) for axis in found.dead]] = False
+    return live
+
+
+def _row(face: Int[np.ndarray, "part"], number: int, count_from_1: int) -> int:
+    return int(np.flatnonzero(face == number)[count_from_1 - 1])
+
+
+def _unit(vector: Float[np.ndarray, "3"]) -> Float[np.ndarray, "3"]:
+    return vector / np.linalg.norm(vector)

@@ -1,0 +1,1 @@
+"""Digital twins: models calibrated on presses of one built object."""

@@ -1,0 +1,129 @@
+"""Discrepancy of a calibrated model: a Gaussian process of location and force per channel.
+
+u·g₁(x, y) + u²·g₂(x, y) with u = F / 10 N: nothing without force, errors of the small-strain part and
+of large deformation apart. g₁ and g₂ are independent with one Matérn-5/2 kernel, of a size that is a
+share of each channel's rms signal (Rasmussen & Williams, Gaussian Processes for Machine Learning,
+2006, chapters 2 and 4).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from jaxtyping import Float
+from scipy.linalg import block_diag, cho_factor, cho_solve
+
+from design.spec.object import ObjectSpec
+from estimator.calibration.twin.pressed_places import PressedPlaces
+
+_FORCE_SCALE_N = 10.0
+_FLOOR_COUNTS = 1.0
+_JITTER = 1e-8
+
+
+@dataclass(frozen=True)
+class Prior:
+    """Before anything is known of what is left over.
+
+    Attributes
+    ----------
+    size : standard deviation of either part at 10 N, as a share of a channel's rms signal
+    length_mm : over which it changes
+    """
+
+    size: float
+    length_mm: float
+
+
+class Discrepancy:
+    """Covariances of all means of some places, and what they tell of others."""
+
+    def __init__(self, spec: ObjectSpec, prior: Prior, seen: PressedPlaces) -> None:
+        self.prior, self.seen = prior, seen
+        self.scale = np.sqrt(np.mean(seen.counts**2, axis=(0, 1)))
+        white = seen.white_counts2(spec) + _FLOOR_COUNTS**2
+        self._white = white.reshape(-1, len(seen.channels))
+        kernel, zeros = self._kernel(seen.xy_mm, seen.force_n), block_diag(*seen.zero_counts2)
+        self._factors = [
+            cho_factor((prior.size * scale) ** 2 * kernel + zeros + np.diag(variance), lower=True)
+            for scale, variance in zip(self.scale, self._white.T, strict=True)
+        ]
+
+    def _kernel(
+        self, xy_mm: Float[np.ndarray, "place 2"], force_n: Float[np.ndarray, "place step"]
+    ) -> Float[np.ndarray, "point row"]:
+        """Between all steps of some places and all means, for size and scale 1."""
+        seen = self.seen
+        steps, levels = force_n.shape[1], seen.force_n.shape[1]
+        near = np.repeat(np.repeat(self._matern(xy_mm, seen.xy_mm), steps, 0), levels, 1)
+        product = np.outer(force_n.ravel(), seen.force_n.ravel()) / _FORCE_SCALE_N**2
+        return near * (product + product**2)
+
+    def _matern(
+        self, a_mm: Float[np.ndarray, "a 2"], b_mm: Float[np.ndarray, "b 2"]
+    ) -> Float[np.ndarray, "a b"]:
+        away = np.linalg.norm(a_mm[:, None] - b_mm, axis=-1) * np.sqrt(5) / self.prior.length_mm
+        return (1 + away + away**2 / 3) * np.exp(-away)
+
+    def weighed(
+        self, left: Float[np.ndarray, "row channel *any"]
+    ) -> Float[np.ndarray, "row channel *any"]:
+        """Inverse covariance times values of all means, channel by channel."""
+        parts = [
+            cho_solve(factor, left[:, channel]) for channel, factor in enumerate(self._factors)
+        ]
+        return np.stack(parts, axis=1)
+
+    @cached_property
+    def log_determinant(self) -> float:
+        """Of all channels' covariances."""
+        return float(sum(2 * np.log(np.diag(factor)).sum() for factor, _ in self._factors))
+
+    def mean(
+        self,
+        left: Float[np.ndarray, "row channel"],
+        xy_mm: Float[np.ndarray, "place 2"],
+        force_n: Float[np.ndarray, "place step"],
+    ) -> Float[np.ndarray, "place step channel"]:
+        """Expected rest at other places and forces, from that of all means."""
+        found = self._kernel(xy_mm, force_n) @ self.weighed(left)
+        return (found * (self.prior.size * self.scale) ** 2).reshape(*force_n.shape, -1)
+
+    def covariance(
+        self, xy_mm: Float[np.ndarray, "place 2"], force_n: Float[np.ndarray, "place step"]
+    ) -> Float[np.ndarray, "channel point point"]:
+        """Before anything was pressed, of all steps of some places."""
+        near = np.kron(self._matern(xy_mm, xy_mm), np.ones((force_n.shape[1],) * 2))
+        product = np.outer(force_n, force_n) / _FORCE_SCALE_N**2
+        size2 = (self.prior.size * self.scale) ** 2
+        return size2[:, None, None] * near * (product + product**2)
+
+    def doubt(
+        self,
+        xy_mm: Float[np.ndarray, "place 2"],
+        force_n: Float[np.ndarray, "place step"],
+        rng: np.random.Generator,
+    ) -> Float[np.ndarray, "place step channel"]:
+        """A draw of what the means leave open (Matheron's rule: a draw of the prior less what its own
+        means, with noise, would tell)."""
+        seen = self.seen
+        both = np.concatenate([xy_mm, seen.xy_mm])
+        prior = self._matern(both, both) + _JITTER * np.eye(len(both))
+        fields = np.linalg.cholesky(prior) @ rng.standard_normal((2, len(both), len(self.scale)))
+        fields = fields * self.prior.size * self.scale
+        here = _at_force(fields[:, : len(xy_mm)], force_n)
+        told = _at_force(fields[:, len(xy_mm) :], seen.force_n)
+        roots = np.linalg.cholesky(seen.zero_counts2 + _JITTER * np.eye(told.shape[1]))
+        told = told + roots @ rng.standard_normal(told.shape)
+        told = told.reshape(-1, len(self.scale))
+        told = told + np.sqrt(self._white) * rng.standard_normal(told.shape)
+        return here - self.mean(told, xy_mm, force_n)
+
+
+def _at_force(
+    fields: Float[np.ndarray, "2 place channel"], force_n: Float[np.ndarray, "place step"]
+) -> Float[np.ndarray, "place step channel"]:
+    share = (force_n / _FORCE_SCALE_N)[..., None]
+    return share * fields[0][:, None] + share**2 * fields[1][:, None]

@@ -1,0 +1,160 @@
+"""Labelled presses of one face as mean signals by place and force, to calibrate a twin on."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from jaxtyping import Bool, Float, Int
+
+from design.errors import InputError
+from design.layout.places.contact_places import pressed_nodes
+from design.layout.places.positions import press_lattice
+from design.spec.object import ObjectSpec
+from estimator.frames.dataset import NO_FACE, FrameSet
+from estimator.frames.press_protocol import DRIFT_TIME_S
+from estimator.signals.continuation import continued
+from estimator.signals.interpolation import among_pressed
+from estimator.signals.press_states import ASIDE_MM, SIDES_MM
+from fem.presses.results import PressForces
+
+LEVELS = 16
+"""At most; with few frames at least three make a mean."""
+LEAST_PLACES = 4
+LEAST_FRAMES = 12
+"""Frames of a place, below which it is left out."""
+MOST_PLACES = 150
+"""Of more, every second, third, … is used: costs grow with the cube of their number."""
+REACH = 0.8
+"""Of the deepest simulated force, up to which labelled ones are used."""
+_STRAIGHT_NOISES = 4.0
+
+
+@dataclass(frozen=True)
+class PressedPlaces:
+    """Means over frames of like force, levels by growing force.
+
+    Attributes
+    ----------
+    channels : (channel,) the face's own channels without gaps, as sensor · 3 + axis
+    xy_mm : (place, 2) labelled places in the face's frame
+    force_n : (place, level) mean labelled force
+    counts : (place, level, channel) mean change against rest
+    frames : (place, level) frames in each mean
+    zero_counts2 : (place, level, level) covariance of the means by errors of their zeros, drift since
+        then included. Frames share a zero that are of one press (recorded), or of one session and
+        place (simulated, where many presses may follow one zero)
+    """
+
+    face: int
+    channels: Int[np.ndarray, "channel"]
+    xy_mm: Float[np.ndarray, "place 2"]
+    force_n: Float[np.ndarray, "place level"]
+    counts: Float[np.ndarray, "place level channel"]
+    frames: Int[np.ndarray, "place level"]
+    zero_counts2: Float[np.ndarray, "place level level"]
+
+    def __len__(self) -> int:
+        return len(self.xy_mm)
+
+    def at(self, places: Int[np.ndarray, "some"] | Bool[np.ndarray, "place"]) -> PressedPlaces:
+        """Some of the places."""
+        names = ("xy_mm", "force_n", "counts", "frames", "zero_counts2")
+        return replace(self, **{name: getattr(self, name)[places] for name in names})
+
+    def white_counts2(self, spec: ObjectSpec) -> Float[np.ndarray, "place level channel"]:
+        """Variance of each mean alone: noise of its frames, and of their labelled forces through the
+        signal's slope."""
+        force_noise = spec.protocol.force_noise_n
+        white = np.asarray(spec.sensors.noise_counts)[self.channels % 3]
+        slope = self.counts / np.maximum(self.force_n, 3 * force_noise)[..., None]
+        return (white**2 + (force_noise * slope) ** 2) / self.frames[..., None]
+
+
+def within_table(
+    spec: ObjectSpec, face: int, xy_mm: Float[np.ndarray, "press 2"]
+) -> Bool[np.ndarray, "press"]:
+    """Which presses of a face, and those a little beside them, lie within the table."""
+    lattice, pressed = press_lattice(spec), pressed_nodes(spec)[spec.body.sensed.index(face)]
+    within = (abs(xy_mm) <= -lattice.xy_mm.min(axis=0) - ASIDE_MM).all(axis=1)
+    for side in SIDES_MM:
+        within &= among_pressed(lattice, pressed, *(np.nan_to_num(xy_mm) + side).T)
+    return within
+
+
+def within_reach(frames: FrameSet, forces: PressForces, face: int) -> FrameSet:
+    """The frames, of which those are invalid that press the face harder than 0.8 of the deepest
+    simulated press there: an object may be so much softer than its design."""
+    from scipy.interpolate import RegularGridInterpolator
+
+    lattice, deepest = forces.lattice, forces.force_n[forces.faces == face][0, :, -1]
+    shape, pressed = lattice.shape, ~np.isnan(deepest)
+    if not pressed.all():
+        deepest = continued(deepest, pressed, shape)
+    reach_n = RegularGridInterpolator(
+        (lattice.x_mm, lattice.y_mm), deepest.reshape(shape), bounds_error=False, fill_value=0.0
+    )
+    on_face = frames.contact_face == face
+    beyond = frames.force_n[..., 2] > REACH * reach_n(np.nan_to_num(frames.contact_xy_mm))
+    return replace(frames, valid=frames.valid & ~(on_face & beyond).any(axis=1))
+
+
+def pressed_places(spec: ObjectSpec, frames: FrameSet, face: int) -> PressedPlaces:
+    """Frames in which one tip presses this face straight down and nothing else does, up to 16 means
+    a place (`place_id`). Places beyond the simulated lattice are left out.
+
+    Raises
+    ------
+    InputError
+        Fewer than four places with 12 such frames each, or no channel of the face without gaps.
+    """
+    touched = frames.contact_face != NO_FACE
+    slot, every = touched.argmax(axis=1), np.arange(len(frames))
+    force, xy = frames.force_n[every, slot], frames.contact_xy_mm[every, slot]
+    own = frames.signal_counts[:, np.flatnonzero(frames.faces == face)]
+    own = own.reshape(len(frames), 3 * spec.sensors.count_per_face)
+    straight = np.hypot(force[:, 0], force[:, 1]) <= _STRAIGHT_NOISES * spec.protocol.force_noise_n
+    alone = frames.valid & (touched.sum(axis=1) == 1) & (frames.contact_face[every, slot] == face)
+    alone &= straight & np.isfinite(own).any(axis=1) & within_table(spec, face, xy)
+    force, xy, own = force[alone, 2], xy[alone], own[alone]
+    zeroed = (frames.press_id if frames.source == "recorded" else frames.session_id)[alone]
+    channels = np.flatnonzero(np.isfinite(own).all(axis=0)) if len(own) else np.arange(0)
+    which = frames.place_id[alone]
+    rows = [np.flatnonzero(which == number) for number in np.unique(which)]
+    rows = [row[np.argsort(force[row])] for row in rows if len(row) >= LEAST_FRAMES]
+    if len(rows) < LEAST_PLACES or not len(channels):
+        raise InputError(
+            f"a twin of face {face} is calibrated on presses straight down by one tip alone, at "
+            f"{LEAST_PLACES} places or more with {LEAST_FRAMES} frames each; got {len(rows)} such "
+            f"places and {len(channels)} channels of the face without gaps. Press more places one by "
+            "one"
+        )
+    rows = rows[:: -(-len(rows) // MOST_PLACES)]
+    count = min(LEVELS, min(len(row) for row in rows) // 3)
+    levels = [np.array_split(row, count) for row in rows]
+    return PressedPlaces(
+        face,
+        channels,
+        np.array([np.median(xy[row], axis=0) for row in rows]),
+        np.maximum([[force[level].mean() for level in place] for place in levels], 0.0),
+        np.array([[own[level][:, channels].mean(axis=0) for level in place] for place in levels]),
+        np.array([[len(level) for level in place] for place in levels]),
+        np.array([_zero_covariance(spec, zeroed, place) for place in levels]),
+    )
+
+
+def _zero_covariance(
+    spec: ObjectSpec, zeroed: Int[np.ndarray, "frame"], levels: list[Int[np.ndarray, "_"]]
+) -> Float[np.ndarray, "level level"]:
+    """Every zero errs on its own, by `zeroing_counts` and by the drift of half its frames."""
+    names = np.unique(np.concatenate([zeroed[level] for level in levels]))
+    share = np.array([[np.mean(zeroed[level] == name) for name in names] for level in levels])
+    frames = sum(len(level) for level in levels) / len(names)
+    return zero_covariance(spec, frames) * share @ share.T
+
+
+def zero_covariance(spec: ObjectSpec, frames: float | int) -> float:
+    """Variance (counts²) of a zero with the drift of half the frames that follow it."""
+    seconds = frames / spec.sensors.frame_rate_hz
+    drift = spec.sensors.drift_counts**2 * seconds / 2 / DRIFT_TIME_S
+    return spec.sensors.zeroing_counts**2 + drift

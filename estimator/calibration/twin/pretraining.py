@@ -1,0 +1,107 @@
+"""Presses of many twins of a design, to train estimators before the first press of the real object.
+
+Each twin has magnets, sensors, remanence, modulus and core off the design within `tolerances`, as a
+built object has, a slipped core among them (`tolerances.core_shift_mm`, `core_yaw_deg`): what is
+learnt from all of them together leans on no single one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+
+from design.spec.object import ObjectSpec
+from estimator.calibration.twin.digital_twin import CalibratedTwin
+from estimator.frames.collection import joined
+from estimator.frames.dataset import FrameSet
+from estimator.frames.press_protocol import simulate_presses
+from estimator.frames.splits import Split
+from estimator.signals.presses import Progress, Signals
+from estimator.tolerances.virtual_object import drawn_assembly, twin_signals
+from fem.presses.results import MagnetMotions, PressForces
+
+PRESSES_PER_PLACE = 3
+FRAMES_PER_PRESS = 12
+REST_FRAMES_PER_PRESS = 4
+VALIDATION_SHARE = 0.2
+_FIRST_SEED = 50_000
+"""Added to the specification's seed: pre-training twins are never the experiments' hidden twin."""
+
+
+def twin_frames(
+    spec: ObjectSpec,
+    forces: PressForces,
+    motions: MagnetMotions,
+    twins: int,
+    progress: Progress | None = None,
+) -> FrameSet:
+    """Presses of every place on each of `twins` objects, fixed by `spec.seed`; a session is a twin.
+
+    Presses are those of `[protocol]`, fewer and shorter: 48 frames per place and twin.
+    """
+    return _drawn_presses(
+        spec,
+        twins,
+        lambda seed: twin_signals(spec, drawn_assembly(spec, seed), forces, motions),
+        progress,
+    )
+
+
+def with_calibrated_presses(
+    twin: CalibratedTwin,
+    parts: tuple[FrameSet, FrameSet],
+    draws: int,
+    progress: Progress | None = None,
+) -> FrameSet:
+    """The first part, for training, with presses of the calibrated twin at every place.
+
+    Press ids are unique over both parts; the second one, which stops the training and calibrates the
+    intervals, stays what was labelled.
+    """
+    simulated = calibrated_frames(twin, draws, progress)
+    taken = max(int(part.press_id.max()) for part in parts) + 1
+    return joined([parts[0], replace(simulated, press_id=simulated.press_id + taken)])
+
+
+def calibrated_frames(
+    twin: CalibratedTwin, draws: int, progress: Progress | None = None
+) -> FrameSet:
+    """Presses of every place of the face on what its labelled presses leave possible of one object;
+    a session is a draw. Otherwise as `twin_frames`."""
+    return _drawn_presses(
+        twin.unknowns.spec,
+        draws,
+        lambda seed: twin.signals(np.random.default_rng((seed, 9))),
+        progress,
+    )
+
+
+def _drawn_presses(
+    spec: ObjectSpec, count: int, signals_of: Callable[[int], Signals], progress: Progress | None
+) -> FrameSet:
+    """Presses of `[protocol]`, fewer and shorter, on as many objects, each with its own seed."""
+    shorter = {
+        "presses_per_place": PRESSES_PER_PLACE,
+        "frames_per_press": FRAMES_PER_PRESS,
+        "rest_frames_per_press": REST_FRAMES_PER_PRESS,
+    }
+    protocol, parts = spec.protocol.changed(**shorter), []
+    for number in range(count):
+        seed = spec.seed + _FIRST_SEED + number
+        if progress is not None:
+            progress(f"presses of twin {number + 1} of {count}")
+        drawn = spec.changed(seed=seed, protocol=protocol)
+        frames = simulate_presses(drawn, signals_of(seed), f"twin {number}")
+        frames.session_id[:] = 0
+        parts.append(frames)
+    return joined(parts)
+
+
+def split_twins(frames: FrameSet) -> Split:
+    """Whole twins: the last fifth of them (at least one) validates, none is tested."""
+    twins = np.unique(frames.session_id)
+    held_out = max(1, round(VALIDATION_SHARE * len(twins)))
+    validation = np.isin(frames.session_id, twins[len(twins) - held_out :])
+    return Split(~validation, validation, np.zeros(len(frames), dtype=bool))

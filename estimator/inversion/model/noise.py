@@ -1,0 +1,101 @@
+"""Standard deviations of what a frame shows around the forward model."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from jaxtyping import Float, Int
+
+from design.layout.places.positions import live_channels
+from design.spec.object import ObjectSpec
+from estimator.inversion.posterior import Observed
+from estimator.signals.presses import Signals
+from estimator.tolerances.virtual_object import drawn_assembly, twin_signals
+from fem.presses.results import MagnetMotions, PressForces
+
+_ROUNDING = 12**-0.5
+BLIND = 1e9
+"""Standard deviation (counts) of a channel that says nothing."""
+SUM_ERROR, MESH_ERROR = 0.006, 0.02
+"""Of the signals: what summing the motions of contacts costs, and what meshes of one design do."""
+_OBJECTS = 3
+MOST_ERROR = 0.25
+"""Of a forward model that explains anything: signals off by more are not explained by it, however
+wrong it is known to be. Objects within the default tolerances differ by 0.17 from the design."""
+
+
+@dataclass(frozen=True)
+class Disturbances:
+    """Independent Gaussian disturbances of every channel.
+
+    Attributes
+    ----------
+    noise_counts : (channel,) white noise of a frame
+    offset_counts : (channel,) error of the zero and drift since, the same in all frames of a hold
+    model_error : (channel,) of the forward model, relative to the change that a chip shows. It turns
+        chips and magnets as much as it scales them, so that all axes of a chip get their share.
+    force_error : of the modulus, and so of all forces, relative; no signal shows it
+    """
+
+    noise_counts: Float[np.ndarray, "channel"]
+    offset_counts: Float[np.ndarray, "channel"]
+    model_error: Float[np.ndarray, "channel"]
+    force_error: float = 0.0
+
+    def observed(
+        self,
+        counts: Float[np.ndarray, "frame channel"],
+        averaged: Int[np.ndarray, "frame"] | None = None,
+    ) -> Observed:
+        """Frames, each the mean of so many readings (or one), with their standard deviations.
+
+        A channel without a reading (NaN) says nothing.
+        """
+        white = self.noise_counts**2 + _ROUNDING**2
+        readings = np.ones(len(counts)) if averaged is None else averaged
+        own = np.sqrt(white / readings[:, None] + self.offset_counts**2)
+        missing = np.isnan(counts)
+        counts = np.where(missing, 0.0, counts)
+        change = np.linalg.norm(counts.reshape(len(counts), -1, 3), axis=2) / np.sqrt(3)
+        change = np.repeat(change, 3, axis=1)
+        strict = np.minimum(self.model_error, MOST_ERROR)
+        sigmas = own, np.hypot(own, self.model_error * change), np.hypot(own, strict * change)
+        still, sigma, strict = (np.where(missing, BLIND, one) for one in sigmas)
+        return Observed(counts, sigma, still, strict)
+
+
+def disturbances(
+    spec: ObjectSpec, model_error: float | Float[np.ndarray, "sensor 1"], force_error: float
+) -> Disturbances:
+    """As the specification has them: white noise, `zeroing_counts` and `inversion.drift_counts`.
+
+    The forward model is wrong by `model_error`, of all sensors or of each, and by what adding up
+    contacts costs (`SUM_ERROR`). Axes that the part does not measure, and dead ones, say nothing.
+    """
+    live = live_channels(spec)
+    noise = np.where(live, np.asarray(spec.sensors.noise_counts, float), BLIND).ravel()
+    offset = np.full(live.size, np.hypot(spec.sensors.zeroing_counts, spec.inversion.drift_counts))
+    error = np.hypot(np.broadcast_to(model_error, live.shape), SUM_ERROR)
+    return Disturbances(noise, offset, error.ravel(), force_error)
+
+
+def design_error(
+    spec: ObjectSpec, forces: PressForces, motions: MagnetMotions, signals: Signals
+) -> float:
+    """By how much objects within `[tolerances]` differ from the design, relative to its signals.
+
+    Root mean square over the presses of three virtual objects at equal travel, with what meshes of
+    one design differ by.
+    """
+    there = signals.pressed
+    size = np.mean(signals.delta_counts[there] ** 2)
+    drawn = (
+        twin_signals(spec, drawn_assembly(spec, spec.seed + number), forces, motions)
+        for number in range(_OBJECTS)
+    )
+    differ = [
+        np.mean((one.delta_counts[there] - signals.delta_counts[there]) ** 2) / size
+        for one in drawn
+    ]
+    return float(np.sqrt(np.mean(differ) + MESH_ERROR**2))

@@ -1,0 +1,1 @@
+"""Intervals and coverage of predictions, from held-out presses."""

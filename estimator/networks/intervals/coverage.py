@@ -1,0 +1,146 @@
+"""How far signals lie from those that training covers, and how much wider intervals get there.
+
+Novelty of a frame is the distance of arcsinh(ΔS / 3σ) to the nearest of some training frames, over
+the distance below which 95 % of the frames of held-out presses lie: above 1 the frame is novel.
+Intervals grow by slope · √(novelty − 1) there. The slopes are those that cover the errors at places
+left out, measured with trees grown on the other places: whole contact cases are left out in turn, so
+that errors of what was never pressed set the widths, not those of new presses of known places.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import torch
+from jaxtyping import Float, Int
+from torch import Tensor, nn
+
+from estimator.frames.face_data import Channel, FaceData, channel_counts
+from estimator.networks.forest import fit_forest
+from estimator.networks.intervals.conformal import conformal_quantile
+
+REFERENCE_FRAMES = 600
+KNOWN_SHARE = 0.95
+SIGMA_SPAN = 3.0
+_PLACE_GROUPS = 6
+_PLACE_TREES = 30
+_PLACE_FRAMES = 2000
+_LEAST_GROWTH = 1e-3
+
+
+@dataclass(frozen=True)
+class Slopes:
+    """Growth of intervals with √(novelty − 1): N and mm."""
+
+    force_n: float
+    place_mm: float
+
+
+class Coverage(nn.Module):
+    """Reference frames of the training, and the scale of their distances."""
+
+    sigma_counts: Tensor
+    reference: Tensor
+    scale: Tensor
+    force_slope_n: Tensor
+    place_slope_mm: Tensor
+
+    def __init__(self, channels: int, references: int) -> None:
+        super().__init__()
+        self.register_buffer("sigma_counts", torch.ones(channels))
+        self.register_buffer("reference", torch.zeros(references, channels))
+        for name in ("scale", "force_slope_n", "place_slope_mm"):
+            self.register_buffer(name, torch.tensor(1.0))
+
+    def distance(self, counts: Float[Tensor, "frame channel"]) -> Float[Tensor, "frame"]:
+        """Distance to the nearest reference; in double precision, as squares cancel."""
+        seen = torch.asinh(counts / self.sigma_counts / SIGMA_SPAN).double()
+        known = self.reference.double()
+        square = (seen**2).sum(1, keepdim=True) + (known**2).sum(1) - 2 * seen @ known.T
+        return square.amin(dim=1).clamp(min=0.0).sqrt().float()
+
+    def forward(self, counts: Float[Tensor, "frame channel"]) -> Float[Tensor, "frame"]:
+        """Novelty; above 1 is novel."""
+        return self.distance(counts) / self.scale
+
+
+def growth(novelty: Float[Tensor, "frame"]) -> Float[Tensor, "frame"]:
+    """√(novelty − 1), 0 where nothing is novel."""
+    return torch.relu(novelty - 1.0).sqrt()
+
+
+def reference_of(
+    data: FaceData,
+    channels: tuple[Channel, ...],
+    sigma_counts: Float[np.ndarray, "channel"],
+    seed: int,
+) -> Coverage:
+    """Coverage by the given frames, with distances and slopes of 1."""
+    chosen = np.random.default_rng(seed).permutation(len(data))[:REFERENCE_FRAMES]
+    counts = channel_counts(data.select(np.sort(chosen)).frames, channels)
+    coverage = Coverage(len(channels), len(chosen))
+    coverage.sigma_counts.copy_(torch.as_tensor(sigma_counts))
+    coverage.reference.copy_(torch.as_tensor(np.arcsinh(counts / sigma_counts / SIGMA_SPAN)))
+    return coverage
+
+
+def known_distance(
+    distance: Float[np.ndarray, "frame"], press_id: Int[np.ndarray, "frame"]
+) -> float:
+    """Distance below which `KNOWN_SHARE` of the frames of held-out presses lie, presses alike."""
+    return conformal_quantile(distance, press_id, KNOWN_SHARE, pooled_folds=True)
+
+
+def slopes_at_places_left_out(
+    data: FaceData,
+    channels: tuple[Channel, ...],
+    sigma_counts: Float[np.ndarray, "channel"],
+    scale: float,
+    cover: float,
+    seed: int,
+) -> Slopes:
+    """Slopes that cover the errors of trees at whole contact cases that they did not learn.
+
+    With a single contact case none can be left out: a place may then be anywhere on the grid, and a
+    force anything up to the largest.
+    """
+    rng = np.random.default_rng(seed)
+    if len(data) > _PLACE_FRAMES:
+        data = data.select(np.sort(rng.permutation(len(data))[:_PLACE_FRAMES]))
+    cases = rng.permutation(np.unique(data.frames.place_id[data.contact]))
+    if len(cases) < 2:
+        grids = data.frames.grid_x_mm, data.frames.grid_y_mm
+        largest_n = float(data.heatmap_n.sum(axis=(1, 2)).max())
+        return Slopes(largest_n, float(np.hypot(*(np.ptp(grid) for grid in grids))) / 2)
+    rows = [
+        _errors_at(data, np.isin(data.frames.place_id, some) & data.contact, channels, sigma_counts)
+        for some in np.array_split(cases, min(_PLACE_GROUPS, len(cases)))
+    ]
+    distance, missed_n, away_mm, case = (
+        np.concatenate(column) for column in zip(*rows, strict=True)
+    )
+    grown = np.sqrt(np.maximum(distance / scale - 1, _LEAST_GROWTH**2))
+    force, place = (
+        conformal_quantile(error / grown, case, cover, pooled_folds=True)
+        for error in (missed_n, away_mm)
+    )
+    return Slopes(force, place)
+
+
+def _errors_at(
+    data: FaceData,
+    left_out: np.ndarray,
+    channels: tuple[Channel, ...],
+    sigma_counts: Float[np.ndarray, "channel"],
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """Distance, errors of force and place, and contact case, of frames left out."""
+    known, novel = data.select(~left_out), data.select(left_out)
+    counts = torch.as_tensor(channel_counts(novel.frames, channels).astype(np.float32))
+    forest = fit_forest(known, channels, _PLACE_TREES, seed=0)
+    with torch.inference_mode():
+        force_n, xy_mm = (column.double().numpy() for column in forest(counts))
+        distance = reference_of(known, channels, sigma_counts, 0).distance(counts)
+    missed_n = np.abs(force_n - novel.heatmap_n.sum(axis=(1, 2)))
+    away_mm = np.linalg.norm(xy_mm - novel.centre_mm, axis=1)
+    return distance.double().numpy(), missed_n, away_mm, novel.frames.place_id

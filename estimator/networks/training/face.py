@@ -1,0 +1,298 @@
+"""Training of a face's contact estimator on whole presses, stopped and calibrated by presses that
+it never saw.
+
+Training frames get fresh noise and zeroing offsets in every epoch, so that the network leans
+neither on the noise nor on the rest level of a press. With several members, training and
+validation presses are pooled into as many folds; each member is stopped by its own fold and
+calibrated there, and the estimator is their mean.
+"""
+
+from __future__ import annotations
+
+import copy
+import hashlib
+from dataclasses import asdict, dataclass, field, replace
+from pathlib import Path
+
+import numpy as np
+import torch
+from torch import nn
+
+from design.errors import InputError
+from design.spec.object import TrainingSpec
+from estimator.frames.dataset import FrameSet
+from estimator.frames.face_data import (
+    HISTORY,
+    Channel,
+    FaceData,
+    face_data,
+    live_channels,
+    with_history,
+)
+from estimator.networks.defaults import PLAIN, filled, filled_for
+from estimator.networks.ensemble import architecture_of, fit_ridge, new_member, sigma_counts
+from estimator.networks.face_model import FaceModel
+from estimator.networks.forest import fit_forest
+from estimator.networks.intervals.held_out import Fold, assembled, sharpened
+from estimator.networks.network import ContactEstimator, HeatmapNetwork
+from estimator.networks.training.data import (
+    AUGMENTATION,
+    Augmentation,
+    Disturbances,
+    batch_of,
+    elsewhere_counts,
+    joined,
+    press_folds,
+    thinned,
+    with_contacts,
+)
+from estimator.networks.training.fitting import Progress, Schedule, fit
+
+PAPER_BATCH_FRAMES = 2000
+PAPER_LEARNING_RATE = 1e-3
+PAPER_WEIGHT_DECAY = 1e-4
+FINE_TUNING_RATE = 0.3
+"""Learning rate of a network that goes on from `start`, over that of one that starts anew."""
+_WEIGHT_DECAY = 1e-3
+_OTHER_FACES = 0.5
+_NEXT_SEED = 7919
+
+
+@dataclass(frozen=True)
+class FitSettings:
+    """What is fitted, and how.
+
+    Attributes
+    ----------
+    seed : of the initial weights, the batches, the disturbances and the folds
+    augmentation : by default that of the data's source, `AUGMENTATION`, with presses of other
+        faces superposed for the whole-object model
+    device : "cpu" or "cuda"
+    budget_s : limit of time over all members, s
+    checkpoint : folder that keeps an unfinished training; it is resumed from there
+    """
+
+    face: int
+    training: TrainingSpec = field(default_factory=TrainingSpec)
+    seed: int = 1
+    augmentation: Augmentation | None = None
+    device: str = "cpu"
+    budget_s: float | None = None
+    checkpoint: Path | None = None
+
+
+def fit_estimator(
+    train_frames: FrameSet,
+    validation_frames: FrameSet,
+    settings: FitSettings,
+    start: FaceModel | None = None,
+    progress: Progress | None = None,
+) -> FaceModel:
+    """Train one face's estimator.
+
+    Parameters
+    ----------
+    train_frames, validation_frames : whole presses, with ids unique over both
+    start : a model to go on from, for instance one trained on simulated twins; its channels and
+        architecture are kept
+    progress : called after each epoch
+
+    Raises
+    ------
+    InputError
+        No contact on the face in either part, no live channel, a start of another face or model.
+    """
+    if start is None:
+        shown = train_frames, validation_frames
+        settings = replace(settings, training=filled_for(settings.training, shown, settings.face))
+    else:
+        settings = replace(settings, training=_as_started(settings.training, start))
+    training, seed = settings.training, settings.seed
+    parts = [
+        prepared(frames, name, settings)
+        for frames, name in ((train_frames, "training"), (validation_frames, "validation"))
+    ]
+    if start is not None:
+        _require_same_kind(start, settings, train_frames)
+    channels = start.channels if start else common_channels(parts, training)
+    folds = []
+    for number, (fitted, held_out) in enumerate(_folds(parts, settings)):
+        if start is None:
+            member = new_member(fitted, channels, training, seed + _NEXT_SEED * number)
+        else:
+            member = copy.deepcopy(start.network.members[number % len(start.network.members)])
+        _fit_member(
+            member, number, fitted, held_out, channels, settings, start is not None, progress
+        )
+        trees = training.trees or 0
+        forest = fit_forest(fitted, channels, trees, seed + number) if trees else None
+        folds.append(Fold(sharpened(member, held_out, channels), forest, fitted, held_out))
+    everything, trees = joined(*parts), training.trees or 0
+    network, presses = assembled(
+        [replace(fold, member=fold.member.cpu()) for fold in folds],
+        everything,
+        fit_forest(everything, channels, len(folds) * trees, seed) if trees else None,
+        channels,
+        training.coverage,
+        seed,
+    )
+    return _described(network, presses, channels, settings, train_frames)
+
+
+def _described(
+    network: ContactEstimator,
+    presses: int,
+    channels: tuple[Channel, ...],
+    settings: FitSettings,
+    frames: FrameSet,
+) -> FaceModel:
+    """The network with all that is needed to use it."""
+    training = settings.training
+    architecture = replace(
+        architecture_of(training),
+        forest=None if network.forest is None else network.forest.shape,
+        references=len(network.coverage.reference),
+    )
+    return FaceModel(
+        name=training.model,
+        face=settings.face,
+        channels=channels,
+        grid_x_mm=frames.grid_x_mm,
+        grid_y_mm=frames.grid_y_mm,
+        architecture=architecture,
+        history_frames=training.history_frames or 0,
+        interval_cover=training.coverage,
+        interval_presses=presses,
+        network=network.to(settings.device),
+    )
+
+
+def _as_started(training: TrainingSpec, start: FaceModel) -> TrainingSpec:
+    """Networks that go on from others have no trees: those cannot go on."""
+    if training.trees:
+        raise InputError(
+            f"training.trees = {training.trees} does not go with a start: trees are grown, not gone on "
+            "from. Set training.trees = 0, or train without --start"
+        )
+    return filled(training, PLAIN._replace(history_frames=start.history_frames))
+
+
+def prepared(frames: FrameSet, part: str, settings: FitSettings) -> FaceData:
+    """Frames of one part that can be learned from, with changes over time where those are asked for."""
+    whole = with_history(frames, settings.training.history_frames or 0)
+    return thinned(with_contacts(face_data(whole, settings.face), part), settings.seed)
+
+
+def _folds(parts: list[FaceData], settings: FitSettings) -> list[tuple[FaceData, FaceData]]:
+    """What each member is fitted to, and what stops and calibrates it."""
+    members = settings.training.ensemble or 1
+    if members == 1:
+        return [(parts[0], parts[1])]
+    pooled = joined(*parts)
+    fold = press_folds(pooled, members, settings.seed)
+    return [(pooled.select(fold != k), pooled.select(fold == k)) for k in range(members)]
+
+
+def _require_same_kind(start: FaceModel, settings: FitSettings, frames: FrameSet) -> None:
+    wanted = replace(
+        architecture_of(settings.training),
+        members=start.architecture.members,
+        forest=start.architecture.forest,
+        references=start.architecture.references,
+    )
+    same_grid = all(
+        mine.shape == theirs.shape and np.allclose(mine, theirs, rtol=0, atol=1e-6)
+        for mine, theirs in (
+            (start.grid_x_mm, frames.grid_x_mm),
+            (start.grid_y_mm, frames.grid_y_mm),
+        )
+    )
+    if start.face != settings.face or start.architecture != wanted or not same_grid:
+        raise InputError(
+            f"the model to start from reads face {start.face} with {start.architecture} on "
+            f"{len(start.grid_x_mm)} × {len(start.grid_y_mm)} pixels; wanted are face "
+            f"{settings.face} and {wanted} on the data's grid. Start from a model trained with the "
+            "same training.* settings"
+        )
+
+
+def common_channels(parts: list[FaceData], training: TrainingSpec) -> tuple[Channel, ...]:
+    """Channels that are live in all parts."""
+    every = training.model == "whole-object"
+    alive = set(live_channels(parts[1], every))
+    channels = tuple(channel for channel in live_channels(parts[0], every) if channel in alive)
+    if not channels:
+        raise InputError(
+            f"no channel of face {parts[0].face} has readings in all frames. Leave that "
+            "recording out"
+        )
+    return channels
+
+
+def _fit_member(
+    member: nn.Module,
+    number: int,
+    data: FaceData,
+    held_out: FaceData,
+    channels: tuple[Channel, ...],
+    settings: FitSettings,
+    fine_tuned: bool,
+    progress: Progress | None,
+) -> None:
+    training, device = settings.training, settings.device
+    member.to(device)
+    scale = float(member.get_buffer("force_scale_n"))
+    train, validation = (
+        batch_of(part, channels, scale, training.heatmap_axes, device) for part in (data, held_out)
+    )
+    if training.model == "linear":
+        assert isinstance(member, HeatmapNetwork)
+        fit_ridge(member, train.counts.cpu().numpy(), train.maps.cpu().numpy())
+        return
+    schedule = _schedule(settings, number, data.frames.source, fine_tuned)
+    sigma = torch.as_tensor(sigma_counts(data, channels), dtype=torch.float32, device=device)
+    elsewhere = elsewhere_counts(data, channels).to(device)
+    zeroed = torch.tensor([float(face < HISTORY) for face, _, _ in channels], device=device)
+    folder = settings.checkpoint
+    path = None if folder is None else folder / f"member_{number}.safetensors"
+    mark = _fingerprint(schedule, train.counts, train.maps, asdict(architecture_of(training)))
+    disturbances = Disturbances(sigma, zeroed, elsewhere)
+    fit(member, train, validation, disturbances, schedule, progress, path, mark)
+
+
+def _schedule(settings: FitSettings, number: int, source: str, fine_tuned: bool) -> Schedule:
+    training, seed = settings.training, settings.seed + _NEXT_SEED * number
+    budget = None if settings.budget_s is None else settings.budget_s / (training.ensemble or 1)
+    if training.model == "paper":
+        return Schedule(
+            epochs=training.epochs,
+            batch_frames=PAPER_BATCH_FRAMES,
+            learning_rate=PAPER_LEARNING_RATE,
+            weight_decay=PAPER_WEIGHT_DECAY,
+            patience_epochs=training.patience_epochs,
+            augmentation=None,
+            seed=seed,
+            constant_rate=True,
+            budget_s=budget,
+        )
+    augmentation = settings.augmentation or AUGMENTATION[source]
+    if settings.augmentation is None and training.model == "whole-object":
+        augmentation = replace(augmentation, other_faces=_OTHER_FACES)
+    rate = training.learning_rate * (FINE_TUNING_RATE if fine_tuned else 1.0)
+    return Schedule(
+        epochs=training.epochs,
+        batch_frames=training.batch_size,
+        learning_rate=rate,
+        weight_decay=_WEIGHT_DECAY,
+        patience_epochs=training.patience_epochs,
+        augmentation=augmentation,
+        seed=seed,
+        budget_s=budget,
+    )
+
+
+def _fingerprint(schedule: Schedule, counts: torch.Tensor, maps: torch.Tensor, built: dict) -> str:
+    digest = hashlib.sha256(repr((schedule, built)).encode())
+    for tensor in (counts, maps):
+        digest.update(tensor.cpu().numpy().tobytes())
+    return digest.hexdigest()

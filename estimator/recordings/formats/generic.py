@@ -1,0 +1,246 @@
+"""The generic recording of any object: one row per frame, columns by name, as CSV or NetCDF.
+
+CSV columns, in any order: `time_s`; a channel each (F1-X1 … F5-Z3, raw counts; missing channels
+have no reading); for each load cell n from 1: `celln_force_n`, `celln_face`, and for each of its
+tips k from 1 `celln_xk_mm`, `celln_yk_mm` (face and places empty where nothing is pressed);
+optional `celln_shear_x_n` and `celln_shear_y_n` for every load cell (three-axis cells), `session`
+(whole number, 1 throughout if absent), `rest` (1: nothing touches) and `travel_mm` (how far a machine
+has its tip below the height at which it first touched).
+`celln_force_g` in place of `celln_force_n` gives grams-force. A first line `# missing = -1` says that
+this number in a channel or a face is no reading.
+`estimator.recordings.formats.netcdf` holds the same with named dimensions and units.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import re
+
+import numpy as np
+from jaxtyping import Float, Int
+
+from design.errors import RecordingError
+from estimator.frames.dataset import NO_FACE
+from estimator.frames.heatmap import label_grid_mm
+from estimator.recordings.formats.text import (
+    FORMATS,
+    as_number,
+    check_complete,
+    is_number,
+    numbers,
+    whole,
+)
+from estimator.recordings.table import FACES, RawTable
+
+TRAVEL = "travel_mm"
+CHANNEL = re.compile(r"F([1-5])-([XYZ])([1-9]\d?)")
+_GRAMS = re.compile(r"cell[1-9]_force_g")
+_NEWTON_PER_GRAM = 9.80665e-3
+_MISSING = re.compile(r"#\s*missing\s*=\s*(\S+)\s*")
+_FORCE = re.compile(r"cell([1-9])_force_n")
+_FACE = re.compile(r"cell([1-9])_face")
+_TIP = re.compile(r"cell([1-9])_x([1-9])_mm")
+_SHEAR = re.compile(r"cell[1-9]_shear_[xy]_n")
+
+
+def is_generic_header(header: list[str]) -> bool:
+    """Whether a CSV's first line is that of the generic format, perhaps with errors in it."""
+    return any(name == "time_s" or CHANNEL.fullmatch(name) for name in header)
+
+
+def generic_columns(
+    channels: list[str], cells: int, tips: int, shear: bool = False, travel: bool = False
+) -> list[str]:
+    """Header of a generic CSV; `shear` adds tangential forces of every load cell at its end, `travel`
+    that of a machine."""
+    labels = [name for cell in range(1, cells + 1) for name in _cell_columns(cell, tips)]
+    tangential = _shear_columns(cells) if shear else []
+    of_machine = [TRAVEL] if travel else []
+    return ["time_s", "session", "rest", *channels, *labels, *tangential, *of_machine]
+
+
+def _cell_columns(cell: int, tips: int) -> list[str]:
+    places = [f"cell{cell}_{axis}{tip}_mm" for tip in range(1, tips + 1) for axis in "xy"]
+    return [f"cell{cell}_force_n", f"cell{cell}_face", *places]
+
+
+def _shear_columns(cells: int) -> list[str]:
+    return [f"cell{cell}_shear_{axis}_n" for cell in range(1, cells + 1) for axis in "xy"]
+
+
+def missing_marker(rows: list[list[str]]) -> float | None:
+    """The number that stands for no reading, if the first line is a remark that names it.
+
+    Raises
+    ------
+    RecordingError
+        The remark names no number, or is another one.
+    """
+    if not rows[0][0].lstrip().startswith("#"):
+        return None
+    remark = ",".join(rows[0])
+    match = _MISSING.fullmatch(remark.strip())
+    if match is None or not is_number(match[1]):
+        raise RecordingError(
+            f"its first line is {remark[:40]!r}. Before the header only `# missing = NUMBER` may "
+            f"stand, such as `# missing = -1`; {FORMATS}"
+        )
+    return as_number(match[1])
+
+
+def generic_table(rows: list[list[str]], missing: float | None = None) -> RawTable:
+    """Read the rows of a generic CSV, header first; `missing` stands for no reading.
+
+    Raises
+    ------
+    RecordingError
+        Missing, unknown or repeated columns, damaged cells, or labels that cannot be.
+    """
+    header = [cell.strip() for cell in rows[0]]
+    grams = [bool(_GRAMS.fullmatch(name)) for name in header]
+    header = [name[:-1] + "n" if gram else name for name, gram in zip(header, grams, strict=True)]
+    cells, tips = _check_header(header)
+    values = numbers(rows[1:], header, first_line=2 if missing is None else 3)
+    values *= np.where(grams, _NEWTON_PER_GRAM, 1.0)
+    if missing is not None:
+        values = _without_marker(values, header, missing)
+    column = {name: values[:, k] for k, name in enumerate(header)}
+    frames = len(values)
+    labels = [name for cell in range(1, cells + 1) for name in _cell_columns(cell, tips)]
+    empty = np.full(frames, np.nan)
+    by_cell = np.stack([column.get(name, empty) for name in labels], 1).reshape(frames, cells, -1)
+    shear = _shear_columns(cells) if any(map(_SHEAR.fullmatch, header)) else []
+    needed = ["time_s", *(f"cell{cell}_force_n" for cell in range(1, cells + 1)), *shear]
+    check_complete(np.stack([column[name] for name in needed], axis=1), needed)
+    x_mm, y_mm = label_grid_mm()
+    counts, force_n, shear_n = _counts(column, frames), by_cell[:, :, 0], None
+    if shear:
+        shear_n = np.stack([column[name] for name in shear], axis=1).reshape(frames, cells, 2)
+    return RawTable(
+        kind="generic",
+        time_s=column["time_s"],
+        force_n=force_n,
+        counts=counts,
+        face=face_labels(by_cell[:, :, 1]),
+        tip_xy_mm=tip_places(by_cell[:, :, 1:]),
+        case=_labels(column, "session", 1, frames),
+        declared_rest=_labels(column, "rest", 0, frames) == 1,
+        grid_x_mm=x_mm,
+        grid_y_mm=y_mm,
+        duplicate_columns=(),
+        digest=content_digest(column["time_s"], force_n, counts, shear_n),
+        shear_n=shear_n,
+        travel_mm=column.get(TRAVEL),
+    )
+
+
+def _without_marker(
+    values: Float[np.ndarray, "frame column"], header: list[str], missing: float
+) -> Float[np.ndarray, "frame column"]:
+    """NaN in place of the marker in channels and faces, and in the places beside such a face."""
+    values = values.copy()
+    for k, name in enumerate(header):
+        if CHANNEL.fullmatch(name):
+            values[values[:, k] == missing, k] = np.nan
+        elif match := _FACE.fullmatch(name):
+            absent = values[:, k] == missing
+            tips = re.compile(rf"cell{match[1]}_[xy]\d_mm")
+            places = [j for j, other in enumerate(header) if tips.fullmatch(other)]
+            values[np.ix_(absent, [k, *places])] = np.nan
+    return values
+
+
+def content_digest(
+    time_s: np.ndarray, force_n: np.ndarray, counts: np.ndarray, shear_n: np.ndarray | None
+) -> str:
+    """SHA-256 of the content, so that a CSV and its NetCDF are known to be the same recording."""
+    found = hashlib.sha256()
+    with np.errstate(over="ignore"):
+        stored_counts = counts.astype(np.float32)
+    known = (time_s, force_n, stored_counts)
+    for values in known if shear_n is None else (*known, shear_n):
+        found.update(np.ascontiguousarray(np.where(np.isnan(values), 0.0, values)).tobytes())
+    return found.hexdigest()
+
+
+def _check_header(header: list[str]) -> tuple[int, int]:
+    """Number of load cells and of tips."""
+    repeated = sorted({name for name in header if header.count(name) > 1})
+    if repeated:
+        raise RecordingError(f"it names {', '.join(repeated[:5])} twice. Name each column once")
+    cells = max((int(m[1]) for m in map(_FORCE.fullmatch, header) if m), default=0)
+    tips = max((int(m[2]) for m in map(_TIP.fullmatch, header) if m), default=0)
+    known = {"time_s", "session", "rest", TRAVEL}
+    known |= {name for cell in range(1, cells + 1) for name in _cell_columns(cell, tips)}
+    shear = _shear_columns(cells) if any(map(_SHEAR.fullmatch, header)) else []
+    known |= set(shear)
+    unknown = [name for name in header if name not in known and not CHANNEL.fullmatch(name)]
+    if unknown:
+        raise RecordingError(
+            f"it has columns that are not known: {', '.join(map(repr, unknown[:5]))}. Units "
+            f"stand in the names (time_s, cell1_force_n, cell1_x1_mm); {FORMATS}"
+        )
+    needed = [name for cell in range(1, max(cells, 1) + 1) for name in _cell_columns(cell, 1)]
+    missing = [name for name in ("time_s", *needed, *shear) if name not in header]
+    if not any(CHANNEL.fullmatch(name) for name in header):
+        missing.append("F1-X1 …")
+    if missing:
+        raise RecordingError(f"it lacks the columns {', '.join(missing[:6])}. {FORMATS}")
+    return cells, tips
+
+
+def _counts(
+    column: dict[str, Float[np.ndarray, "frame"]], frames: int
+) -> Float[np.ndarray, "frame 5 sensor 3"]:
+    named = [
+        (match, values) for name, values in column.items() if (match := CHANNEL.fullmatch(name))
+    ]
+    counts = np.full((frames, len(FACES), max(int(match[3]) for match, _ in named), 3), np.nan)
+    for match, values in named:
+        counts[:, int(match[1]) - 1, int(match[3]) - 1, "XYZ".index(match[2])] = values
+    return counts
+
+
+def face_labels(face: Float[np.ndarray, "frame cell"]) -> Int[np.ndarray, "frame cell"]:
+    """Faces as whole numbers, `NO_FACE` where none is stated; anything else is an RecordingError."""
+    names = [f"cell{cell + 1}_face" for cell in range(face.shape[1])]
+    number = whole(np.nan_to_num(face, nan=NO_FACE), names)
+    wrong = ~np.isin(number, (NO_FACE, *FACES))
+    if wrong.any():
+        raise RecordingError(
+            f"face labels must be 1…5, or 0 or empty for none; got "
+            f"{np.unique(number[wrong]).tolist()[:5]}. Fix the label column"
+        )
+    return number
+
+
+def tip_places(
+    face_and_tips: Float[np.ndarray, "frame cell column"],
+) -> Float[np.ndarray, "frame cell tip 2"]:
+    """Places of tips; a face without a place, or half a place, is an error."""
+    frames, cells, columns = face_and_tips.shape
+    xy = face_and_tips[:, :, 1:].reshape(frames, cells, (columns - 1) // 2, 2)
+    stated = np.nan_to_num(face_and_tips[:, :, 0], nan=NO_FACE) != NO_FACE
+    known = np.isfinite(xy)
+    half = np.any(known[..., 0] != known[..., 1], axis=2)
+    lone = stated != known.any(axis=(2, 3))
+    for wrong, what in ((half, "an x without its y"), (lone, "a face without a place, or a place")):
+        if wrong.any():
+            row, cell = np.argwhere(wrong)[0]
+            raise RecordingError(
+                f"data row {row + 1}: load cell {cell + 1} has {what} alone. Give face, x "
+                "and y together, or leave all empty"
+            )
+    return xy
+
+
+def _labels(
+    column: dict[str, Float[np.ndarray, "frame"]], name: str, absent: int, frames: int
+) -> Int[np.ndarray, "frame"]:
+    values = column.get(name, np.full(frames, float(absent)))
+    return whole(values[:, None], [name])[:, 0]
+
+
+def cell_text(value: float) -> str:
+    """A number as short as it can be read back to the microsecond and the millinewton."""
+    return "" if np.isnan(value) else f"{value:.6f}".rstrip("0").rstrip(".")

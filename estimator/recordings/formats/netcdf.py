@@ -1,0 +1,121 @@
+"""The generic recording as NetCDF: what the CSV holds, with named dimensions and units."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+
+from design.errors import RecordingError, StoreError
+from design.netcdf import FileKind, load_whole, write_netcdf
+from estimator.recordings.formats.generic import content_digest, face_labels, tip_places
+from estimator.recordings.formats.text import FORMATS, check_complete, whole
+from estimator.recordings.table import FACES, RawTable
+
+_FILE_NAMES = {
+    "face": "cell_face",
+    "force_n": "cell_force_n",
+    "shear_n": "cell_shear_n",
+    "case": "session",
+}
+"""Names in the file where they differ from those of `RawTable`."""
+_RECORDING = FileKind(
+    "recordings",
+    {
+        "time_s": ("frame", "s"),
+        "counts": ("frame face sensor axis", "count"),
+        "cell_force_n": ("frame cell", "N"),
+        "cell_shear_n": ("frame cell plane", "N"),
+        "cell_face": ("frame cell", "1"),
+        "tip_xy_mm": ("frame cell tip plane", "mm"),
+        "session": ("frame", "1"),
+        "declared_rest": ("frame", "1"),
+        "travel_mm": ("frame", "mm"),
+        "grid_x_mm": ("grid_x", "mm"),
+        "grid_y_mm": ("grid_y", "mm"),
+    },
+    optional=("cell_shear_n", "travel_mm"),
+    packed=("counts",),
+    schema=("schema", "instobj recording 1"),
+    unit_name="unit",
+)
+_FIELDS = {_FILE_NAMES.get(name, name): name for name in RawTable.__dataclass_fields__}
+
+
+def write_generic_netcdf(table: RawTable, path: Path | str) -> None:
+    """Write a recording as NetCDF4 with named dimensions and units."""
+    values = {name: getattr(table, _FIELDS[name]) for name in _RECORDING.variables}
+    write_netcdf(_RECORDING, path, values)
+
+
+def read_generic_netcdf(path: Path) -> RawTable:
+    """Read a NetCDF written by `write_generic_netcdf`, or by others with the same variables.
+
+    Raises
+    ------
+    RecordingError
+        Missing, damaged, or of another schema.
+    """
+    try:
+        data = load_whole(path)
+    except StoreError as error:
+        raise RecordingError(f"it is not a NetCDF recording ({error}). {FORMATS}") from None
+    if "signal_counts" in data.variables:
+        raise RecordingError(
+            "it is a data set, already zeroed and labelled. Give it to `instobj train`"
+        )
+    needed = [name for name in _RECORDING.variables if name not in _RECORDING.optional]
+    missing = [name for name in needed if name not in data.variables]
+    _, schema = _RECORDING.schema
+    if missing or data.attrs.get("schema") != schema:
+        raise RecordingError(
+            f"it is not of schema {schema!r}: missing {', '.join(missing) or 'nothing'}, schema "
+            f"{data.attrs.get('schema')!r}. {FORMATS}"
+        )
+    present = [name for name in _RECORDING.variables if name in data.variables]
+    return _checked({name: np.asarray(data[name].values) for name in present})
+
+
+def _checked(in_file: dict[str, np.ndarray]) -> RawTable:
+    """A table of arrays that have the right number of dimensions, types and labels."""
+    forces = in_file["cell_force_n"]
+    frames, cells = forces.shape if forces.ndim == 2 else (0, 0)
+    for name, array in in_file.items():
+        dims = _RECORDING.variables[name][0].split()
+        right = array.ndim == len(dims) and array.dtype.kind in "fiub"
+        if not right or (dims[0] == "frame" and len(array) != frames):
+            raise RecordingError(
+                f"{name} must hold numbers over ({', '.join(dims)}); got {array.dtype} of shape "
+                f"{array.shape}. {FORMATS}"
+            )
+    floats = {_FIELDS[name]: array.astype(float) for name, array in in_file.items()}
+    shear = floats.get("shear_n", np.zeros((frames, cells, 2)))
+    shapes = floats["counts"].shape[1::2], floats["tip_xy_mm"].shape[1::2], floats["face"].shape[1]
+    right = shapes == ((len(FACES), 3), (cells, 2), cells) and shear.shape[1:] == (cells, 2)
+    if not right or not frames:
+        raise RecordingError(
+            "it must hold frames with 5 faces, 3 axes, and places and shear (x, y) for each of "
+            f"its {cells} load cells; got {shapes} and {shear.shape[1:]} in {frames} frames. {FORMATS}"
+        )
+    for name in {"time_s", "force_n", "shear_n", "grid_x_mm", "grid_y_mm"} & set(floats):
+        rows = floats[name].reshape(len(floats[name]), -1)
+        check_complete(rows, [name] * max(rows.shape[1], 1))
+    labelled = np.concatenate(
+        [floats["face"][..., None], floats["tip_xy_mm"].reshape(frames, cells, -1)], axis=2
+    )
+    shear_n = floats.get("shear_n")
+    case = whole(floats["case"][:, None], ["session"])[:, 0]
+    return RawTable(
+        kind="generic",
+        **{
+            name: floats[name] for name in ("time_s", "force_n", "counts", "grid_x_mm", "grid_y_mm")
+        },
+        face=face_labels(floats["face"]),
+        tip_xy_mm=tip_places(labelled),
+        case=case,
+        declared_rest=floats["declared_rest"] == 1,
+        duplicate_columns=(),
+        digest=content_digest(floats["time_s"], floats["force_n"], floats["counts"], shear_n),
+        shear_n=shear_n,
+        travel_mm=floats.get("travel_mm"),
+    )

@@ -1,0 +1,125 @@
+"""The command that runs a press rig."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from instobj.cli.options import AsJson, LoadPort, Overrides, Spec, show
+
+if TYPE_CHECKING:
+    from instobj.rig.mounting import Mounting
+
+app = typer.Typer()
+
+
+@app.command()
+def rig(
+    spec: Spec,
+    machine: Annotated[
+        str, typer.Option(help="grbl presses and records, poses writes a list for a robot arm.")
+    ] = "grbl",
+    out: Annotated[
+        Path | None,
+        typer.Option(help="Recording (default: NAME.csv), or list of poses (.csv or .json)."),
+    ] = None,
+    port: Annotated[str | None, typer.Option(help="Serial port of the machine.")] = None,
+    board_port: Annotated[
+        str | None, typer.Option(help="Serial port of the sensors' board.")
+    ] = None,
+    load_port: LoadPort = None,
+    load_scale: Annotated[
+        float | None,
+        typer.Option(help="The load port sends one number per line: newtons per unit, or 1."),
+    ] = None,
+    machine_baud: Annotated[int, typer.Option(min=300, help="Of the machine.")] = 115_200,
+    baud: Annotated[int, typer.Option(min=300, help="Of board and load cell.")] = 115_200,
+    lost: Annotated[
+        float, typer.Option(min=0.05, help="Silence after which a line is lost, s.")
+    ] = 1.5,
+    face: Annotated[
+        list[int] | None, typer.Option(help="Face to press (poses: several, by default all).")
+    ] = None,
+    middle: Annotated[
+        str | None,
+        typer.Option(metavar="X,Y", help="The face's middle in the machine's frame, mm."),
+    ] = None,
+    turn: Annotated[
+        float,
+        typer.Option(help="From the machine's X to the face's x, counter-clockwise, degrees."),
+    ] = 0.0,
+    depth: Annotated[
+        list[float] | None,
+        typer.Option(help="Stop below the first touch, mm (default: four of press.depths_mm)."),
+    ] = None,
+    dwell: Annotated[float | None, typer.Option(min=0, help="At every stop, s (0.5).")] = None,
+    rest: Annotated[float | None, typer.Option(min=0, help="Before every press, s (1.5).")] = None,
+    speed: Annotated[float | None, typer.Option(min=0.05, help="Of presses, mm/s (1).")] = None,
+    clearance: Annotated[
+        float | None, typer.Option(min=1, help="Above the object between presses, mm (5).")
+    ] = None,
+    touch: Annotated[
+        float | None, typer.Option(help="Force that counts as touch, N (0.2).")
+    ] = None,
+    full: Annotated[float | None, typer.Option(help="Force that ends a press, N (15).")] = None,
+    limit: Annotated[float | None, typer.Option(help="Force that stops all, N (20).")] = None,
+    repeats: Annotated[int, typer.Option(min=1, help="Presses of every place.")] = 1,
+    presses: Annotated[int | None, typer.Option(min=1, help="Only the first of them.")] = None,
+    adaptive: Annotated[
+        bool,
+        typer.Option(
+            "--adaptive", help="Press first where the specification's twin knows least; 40 presses."
+        ),
+    ] = False,
+    reference_every: Annotated[
+        int, typer.Option(min=0, help="Presses between returns to the middle place; 0: none.")
+    ] = 10,
+    seed: Annotated[int | None, typer.Option(help="Of the order (default: the key seed).")] = None,
+    resume: Annotated[
+        bool, typer.Option("--resume", help="Go on with the run that stopped: its plan is kept.")
+    ] = False,
+    yes: Annotated[bool, typer.Option("--yes", help="Move without asking.")] = False,
+    as_json: AsJson = False,
+    overrides: Overrides = None,
+) -> None:
+    """Press planned places with a machine and record them, or list the poses for a robot arm."""
+    from instobj.commands.hardware.rig import RigOptions
+    from instobj.commands.hardware.rig import rig as press_with_rig
+    from instobj.rig.run import Ports
+
+    ports = None
+    if port is not None and board_port is not None:
+        ports = Ports(port, board_port, load_port, machine_baud, baud, load_scale, lost)
+    given = {
+        "depths_mm": tuple(depth) if depth else None, "dwell_s": dwell, "rest_s": rest,
+        "speed_mm_s": speed, "clearance_mm": clearance, "touch_n": touch, "full_n": full,
+        "limit_n": limit,
+    }  # fmt: skip
+    settings = tuple((name, value) for name, value in given.items() if value is not None)
+    options = RigOptions(
+        spec, machine, out, ports, tuple(face or ()), _mounting(middle, turn), settings, repeats,
+        reference_every, presses, adaptive, seed, resume, tuple(overrides or ()),
+    )  # fmt: skip
+
+    def confirmed(plan: list[str]) -> bool:
+        typer.echo("\n".join(plan), err=True)
+        return yes or typer.confirm("Move the machine?", err=True)
+
+    show(press_with_rig(options, confirmed), as_json)
+
+
+def _mounting(middle: str | None, turn_deg: float) -> Mounting | None:
+    from design.errors import InputError
+    from instobj.rig.mounting import Mounting
+
+    if middle is None:
+        return None
+    try:
+        x, y = (float(part) for part in middle.split(","))
+    except ValueError:
+        raise InputError(
+            f"--middle {middle!r} is not X,Y in mm, such as --middle -150,-100"
+        ) from None
+    return Mounting((x, y), turn_deg)

@@ -1,0 +1,1 @@
+"""The dialogue that brings a newly soldered object up, and what it leaves behind."""

@@ -1,0 +1,133 @@
+"""Frames of a board with their labels: what load cells say, or the command line, as rows of a recording."""
+
+from __future__ import annotations
+
+import time
+from collections import deque
+from collections.abc import Generator
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from design.errors import InputError
+from estimator.boards.growing import GrowingRecording
+from estimator.boards.lines import Frame, LineDecoder, Load, Status
+from estimator.boards.link import BoardClock, serial_chunks
+from instobj.commands.hardware.collect_options import CollectOptions, Place
+
+STALE_S = 1.0
+"""A load cell's last line labels frames for so long."""
+PAUSE_S = 1.0
+"""A longer step between frames is a pause."""
+
+
+@dataclass
+class Collection:
+    """State between two lines.
+
+    With forces given by hand, `waiting` is from the zero until the user says that the weight lies.
+    """
+
+    options: CollectOptions
+    places: list[Place | None]
+    decoder: LineDecoder = field(default_factory=LineDecoder)
+    clock: BoardClock = field(default_factory=BoardClock)
+    load_clock: BoardClock = field(default_factory=BoardClock)
+    channels: tuple[str, ...] = ()
+    loads: dict[int, tuple[float, Load]] = field(default_factory=dict)
+    zero_left: int = 0
+    zero_counts: list[tuple[float, ...]] = field(default_factory=list)
+    last_counts: tuple[float, ...] = ()
+    steps_s: deque[float] = field(default_factory=lambda: deque(maxlen=500))
+    first_s: float | None = None
+    last_s: float = 0.0
+    unlabelled: int = 0
+    waiting: bool = False
+    stopped: bool = False
+    status: Status | None = None
+
+    @property
+    def cells(self) -> int:
+        """Load cells of the recording."""
+        return self.options.cells or 1
+
+    @property
+    def tips(self) -> int:
+        """Tips per load cell."""
+        return self.options.tips or 1
+
+    def stop(self) -> None:
+        """End after the line at hand."""
+        self.stopped = True
+
+
+def load_lines(options: CollectOptions) -> Generator[list[Load]]:
+    """What load cells on a port of their own have said since the last time."""
+    if options.load_port is None:
+        while True:
+            yield []
+    decoder = LineDecoder()
+    for chunk in serial_chunks(options.load_port, options.baud, timeout_s=0.0):
+        yield [message for message in decoder.feed(chunk) if isinstance(message, Load)]
+
+
+def take_load(load: Load, state: Collection, clock: BoardClock) -> None:
+    """Keep what a load cell says.
+
+    Raises
+    ------
+    InputError
+        The recording has no room for that cell or for so many tips.
+    """
+    if load.cell > state.cells or len(load.tips_mm) > state.tips:
+        raise InputError(
+            f"a line came from load cell {load.cell} with {len(load.tips_mm)} tips; this recording "
+            f"holds {state.cells} cells and {state.tips} tips. Give --cells and --tips"
+        )
+    state.loads[load.cell] = (clock.time_s(load.board_ms, time.time()), load)
+
+
+def take_frame(frame: Frame, time_s: float, state: Collection, growing: GrowingRecording) -> None:
+    """Append a frame of `time_s` (by `state.clock`) whose force is known; count one without."""
+    zeroing = state.zero_left > 0
+    labels = [_label(cell, time_s, zeroing, state) for cell in range(1, state.cells + 1)]
+    known = [label for label in labels if label is not None]
+    if len(known) < state.cells or (state.waiting and not zeroing):
+        state.unlabelled += 1
+        return
+    flat = [value for label in known for value in label]
+    growing.append([time_s, float(growing.session), float(zeroing), *frame.counts, *flat])
+    state.steps_s.append(min(max(time_s - state.last_s, 0.0), PAUSE_S))
+    state.first_s = time_s if state.first_s is None else state.first_s
+    state.last_s, state.last_counts = time_s, frame.counts
+    if zeroing:
+        state.zero_left -= 1
+        state.zero_counts.append(frame.counts)
+        state.waiting = bool(state.options.forces_n)
+
+
+def _label(cell: int, time_s: float, zeroing: bool, state: Collection) -> list[float] | None:
+    """Force, face and contact locations of a load cell; None where no force is known."""
+    heard_s, load = state.loads.get(cell, (-np.inf, None))
+    place = state.places[cell - 1]
+    if load is not None and load.face is not None:
+        place = Place(load.face, load.tips_mm) if load.face else None
+    place = None if zeroing else place
+    force_n = _force_n(cell, place, load if time_s - heard_s <= STALE_S else None, state)
+    if force_n is None:
+        return None
+    tips = [] if place is None else [value for tip in place.tips_mm for value in tip]
+    face = float("nan") if place is None else float(place.face)
+    return [force_n, face, *tips, *[float("nan")] * (2 * state.tips - len(tips))]
+
+
+def _force_n(cell: int, place: Place | None, load: Load | None, state: Collection) -> float | None:
+    """What the load cell says now; else, where none ever spoke, what the command line says."""
+    if load is not None:
+        return load.force_n
+    if cell in state.loads or state.options.load_port is not None:
+        return None
+    given = state.options.forces_n[cell - 1 : cell]
+    if place is None:
+        return 0.0 if given or state.zero_left else None
+    return given[0] if given else None

@@ -1,0 +1,193 @@
+"""The page's server: on this machine alone unless told otherwise, one WebSocket per viewer."""
+
+from __future__ import annotations
+
+import asyncio
+import hmac
+import ipaddress
+from collections.abc import Awaitable, Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+from aiohttp import WSCloseCode, WSMsgType, web
+
+from instobj.live.protocol import Head, frames_message, state_message
+from instobj.live.watch import Watch
+from instobj.viewer.bundling import program
+
+_ROOM = Path(__file__).parent
+_TICK_S = 1 / 60
+_STATE_S = 0.25
+_UNANSWERED = 2
+"""Messages of frames that a viewer may not yet have drawn; until it has, its rows wait."""
+_MOST_ROWS = 400
+"""Rows that wait for a viewer; older ones are dropped for it, and counted."""
+_LOCAL_NAMES = ("localhost", "127.0.0.1", "::1")
+COMMANDS = ("zero", "record on", "record off")
+
+
+@dataclass
+class Page:
+    """What the server hands out, to whom, and whom it tells of commands.
+
+    Attributes
+    ----------
+    scene : archive of the object
+    address : that the server listens on
+    token : that every request must carry; empty on the loopback
+    command : is told each of `COMMANDS` that a viewer gives
+    """
+
+    watch: Watch
+    scene: bytes
+    address: str
+    token: str
+    command: Callable[[str], None]
+    viewers: set[web.WebSocketResponse] = field(default_factory=set)
+    dropped_rows: int = 0
+
+
+_PAGE = web.AppKey("page", Page)
+
+
+def application(page: Page) -> web.Application:
+    """The server's routes, behind its guard."""
+    app = web.Application(middlewares=[_guard])
+    app[_PAGE] = page
+    app.add_routes(
+        [
+            web.get("/", _index),
+            web.get("/program.js", _program),
+            web.get("/scene", _scene),
+            web.get("/stream", _stream),
+        ]
+    )
+    app.on_shutdown.append(_close_viewers)
+    return app
+
+
+def is_loopback(address: str) -> bool:
+    """Whether only this machine reaches an address."""
+    if address == "localhost":
+        return True
+    try:
+        return ipaddress.ip_address(address).is_loopback
+    except ValueError:
+        return False
+
+
+Handler = Callable[[web.Request], Awaitable[web.StreamResponse]]
+
+
+@web.middleware
+async def _guard(request: web.Request, handler: Handler) -> web.StreamResponse:
+    """Refuse names that are not ours (a foreign page may point its own name here), pages of other
+    origins, and requests without the token."""
+    page = request.app[_PAGE]
+    if is_loopback(page.address) and _name(request.host) not in _LOCAL_NAMES:
+        raise web.HTTPForbidden(text=f"this server is not {request.host}\n")
+    origin = request.headers.get("Origin")
+    if origin is not None and origin != f"http://{request.host}":
+        raise web.HTTPForbidden(text="a page of another origin may not ask\n")
+    if not hmac.compare_digest(request.query.get("token", "").encode(), page.token.encode()):
+        raise web.HTTPForbidden(text="the token is wrong: open the address that was printed\n")
+    response = await handler(request)
+    return response
+
+
+def _name(host: str) -> str:
+    """A Host header without its port."""
+    if host.startswith("["):
+        return host[1:].partition("]")[0]
+    return host.partition(":")[0]
+
+
+async def _index(request: web.Request) -> web.Response:
+    policy = (
+        "default-src 'none'; script-src 'self'; style-src 'unsafe-inline'; img-src data:; "
+        f"connect-src 'self' ws://{request.host}; frame-ancestors 'none'; base-uri 'none'"
+    )
+    headers = {"Content-Security-Policy": policy, "Referrer-Policy": "no-referrer"}
+    text = (_ROOM / "page.html").read_text(encoding="utf-8")
+    source = f"/program.js?token={request.app[_PAGE].token}"
+    text = text.replace("/program.js", source) if request.app[_PAGE].token else text
+    return web.Response(text=text, content_type="text/html", headers=headers)
+
+
+async def _program(_: web.Request) -> web.Response:
+    return web.Response(text=program(), content_type="text/javascript")
+
+
+async def _scene(request: web.Request) -> web.Response:
+    return web.Response(body=request.app[_PAGE].scene, content_type="application/octet-stream")
+
+
+async def _stream(request: web.Request) -> web.WebSocketResponse:
+    """Frames and state to one viewer, until it leaves."""
+    page, socket = request.app[_PAGE], web.WebSocketResponse(heartbeat=10.0, max_msg_size=64)
+    await socket.prepare(request)
+    page.viewers.add(socket)
+    viewer = _Viewer(page, socket)
+    sending = asyncio.create_task(viewer.send_all())
+    try:
+        async for message in socket:
+            if message.type == WSMsgType.BINARY and len(message.data) == 4:
+                viewer.answered = int.from_bytes(message.data, "little")
+            elif message.type == WSMsgType.TEXT and message.data in COMMANDS:
+                page.command(message.data)
+    finally:
+        sending.cancel()
+        page.viewers.discard(socket)
+    return socket
+
+
+@dataclass
+class _Viewer:
+    """One viewer: what it has been sent, and how far it has drawn."""
+
+    page: Page
+    socket: web.WebSocketResponse
+    answered: int = 0
+    sent: int = 0
+    dropped: int = 0
+
+    def __post_init__(self) -> None:
+        rows, _ = self.page.watch.after(0, 1)
+        self._next = rows[-1].number if rows else 0
+
+    async def send_all(self) -> None:
+        """Messages as long as the viewer takes them; it never holds up anyone else."""
+        loop, state_at = asyncio.get_running_loop(), 0.0
+        try:
+            while not self.socket.closed:
+                if loop.time() >= state_at:
+                    state_at = loop.time() + _STATE_S
+                    told = self.page.watch.state() | {"viewers": len(self.page.viewers)}
+                    await self.socket.send_bytes(state_message(told))
+                if self.sent - self.answered < _UNANSWERED:
+                    await self._send_frames()
+                await asyncio.sleep(_TICK_S)
+        except (ConnectionError, asyncio.CancelledError):
+            return
+
+    async def _send_frames(self) -> None:
+        watch = self.page.watch
+        reading, (rows, missed) = watch.reading, watch.after(self._next, _MOST_ROWS)
+        if not rows:
+            return
+        newest = rows[-1]
+        self._next, self.sent = newest.number + 1, self.sent + 1
+        self.dropped += missed
+        self.page.dropped_rows += missed
+        head = Head(self.sent, self.dropped, newest.arrived_s, reading.arrived_s, newest.time_s)
+        columns = [np.append(row.time_s - newest.time_s, row.change) for row in rows]
+        contacts = reading.found.contacts
+        await self.socket.send_bytes(
+            frames_message(head, np.stack(columns), contacts, watch.labels)
+        )
+
+
+async def _close_viewers(app: web.Application) -> None:
+    for socket in set(app[_PAGE].viewers):
+        await socket.close(code=WSCloseCode.GOING_AWAY, message=b"the server ends")

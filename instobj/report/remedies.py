@@ -1,0 +1,122 @@
+"""What turns a no-go into a go: changes and pairs of them against the limits, with their price.
+
+Price is that of magnets and sensors (`search.prices`), build time that of setting and wiring them by
+hand: what the changes differ in.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import isfinite
+from typing import Any
+
+from design.spec.object import ObjectSpec
+from instobj.report.verdict import judge, worst_ratio
+from instobj.store.content import StoredResult
+from instobj.store.readers import ALTERNATIVES, PRESS_CURVES, SCORES
+
+MINUTES_OF_A_MAGNET, MINUTES_OF_A_SENSOR = 2.0, 15.0
+"""By hand: pole found, magnet pressed in; five wires soldered, board tested and glued. Estimates."""
+_SHOWN, _BEST = 3, 7
+"""Remedies told in words, and in the table."""
+
+
+@dataclass(frozen=True)
+class Remedy:
+    """Changes, the largest figure over its limit after them (1 and below is a go), and what they add."""
+
+    changes: tuple[str, ...]
+    ratio: float
+    price: float
+    minutes: float
+
+    @property
+    def turns(self) -> bool:
+        return self.ratio <= 1
+
+    @property
+    def told(self) -> str:
+        """Changes with their price and build time."""
+        more = f"+{self.price:.0f} for parts, +{self.minutes:.0f} min by hand"
+        return f"{' and '.join(self.changes)} ({'no more parts' if not self.price else more})"
+
+
+def remedies(spec: ObjectSpec, rows: list[dict[str, Any]]) -> list[Remedy]:
+    """Every change and pair of the stage `alternatives`; those that turn it first, cheapest first.
+
+    A pair that holds a change which is enough by itself is left out.
+    """
+    found = [_remedy(spec, rows[0], row) for row in rows[1:]]
+    enough = {one.changes[0] for one in found if one.turns and len(one.changes) == 1}
+    found = [one for one in found if len(one.changes) == 1 or not enough & {*one.changes}]
+    return sorted(found, key=lambda one: (max(one.ratio, 1), one.price, one.minutes, one.ratio))
+
+
+def remedies_section(spec: ObjectSpec, content: dict[str, Any], go: bool) -> dict[str, Any]:
+    """What turns the verdict, and a table of the best changes and pairs, as the page shows them."""
+    rows = content["alternatives"]
+    found = remedies(spec, rows)
+    figures = {tuple(row["changes"]): _figures(row) for row in rows}
+    price, minutes = price_and_minutes(spec, rows[0]["magnets"], rows[0]["sensors"])
+    table = [["as specified", *figures[()], f"{price:.0f}", f"{minutes:.0f}", ""]]
+    for one in found[:_BEST]:
+        more = [f"+{one.price:.0f}", f"+{one.minutes:.0f}", "pass" if one.turns else "FAIL"]
+        table.append([" and ".join(one.changes), *figures[one.changes], *more])
+    return {"decision": decision(found, go), "alternatives": table}
+
+
+def verdict_summary(spec: ObjectSpec, results: dict[str, StoredResult]) -> dict[str, str]:
+    """What the report's first lines say."""
+    margin = PRESS_CURVES.read(results["press_curves"].folder)["saturation_margin"]
+    verdict = judge(spec, SCORES.read(results["scores"].folder), margin)
+    rows = ALTERNATIVES.read(results["alternatives"].folder)["alternatives"]
+    return {
+        "GO" if verdict.go else "NO-GO": f"for the use {spec.limits.use!r}",
+        "judged on": f"{verdict.covered:.0%} of the sensed surface",
+        "limited by": verdict.limited_by,
+        "what to change": decision(remedies(spec, rows), verdict.go),
+    }
+
+
+def decision(found: list[Remedy], go: bool) -> str:
+    """What to do, in one or two sentences."""
+    if go:
+        return "Every limit is kept; nothing has to change"
+    turning = [one for one in found if one.turns][:_SHOWN]
+    if turning:
+        others = "".join(f"; or {one.told}" for one in turning[1:])
+        return f"Turns it into a go, cheapest first: {turning[0].told}{others}"
+    if not found:
+        return "None of the changes tried here fits"
+    nearest = min(found, key=lambda one: one.ratio)
+    left = f"Nearest: {nearest.told}, with a figure still {nearest.ratio:.2g} times its limit"
+    if not isfinite(nearest.ratio):
+        left = "After each of them some locations stay blind up to the deepest press"
+    return (
+        f"No change and no pair tried here is enough. {left}. A thinner shell, larger magnets or other "
+        "places change more: instobj sweep, instobj optimize"
+    )
+
+
+def price_and_minutes(spec: ObjectSpec, magnets: int, sensors: int) -> tuple[float, float]:
+    """Of so many magnets and sensors: price, in the currency of `search.prices`, and time by hand."""
+    prices = spec.search.prices
+    minutes = MINUTES_OF_A_MAGNET * magnets + MINUTES_OF_A_SENSOR * sensors
+    return prices.magnet * magnets + prices.sensor * sensors, minutes
+
+
+def _remedy(spec: ObjectSpec, start: dict[str, Any], row: dict[str, Any]) -> Remedy:
+    ratio = worst_ratio(
+        spec.limits,
+        row["weakest_bound_mm"],
+        row["worst_detectable_n"],
+        row["saturation_margin"],
+    )
+    added = (row[part] - start[part] for part in ("magnets", "sensors"))
+    return Remedy(tuple(row["changes"]), ratio, *price_and_minutes(spec, *added))
+
+
+def _figures(row: dict[str, Any]) -> list[str]:
+    names = ("weakest_bound_mm", "median_bound_mm", "worst_detectable_n")
+    shown = (f"{row[name]:.2f}" if isfinite(row[name]) else "∞" for name in names)
+    return [*shown, f"{100 * row['saturation_margin']:.0f} %"]

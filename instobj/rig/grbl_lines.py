@@ -1,0 +1,149 @@
+"""Lines and single characters of Grbl 1.1, the controller of most small milling machines and printers.
+
+Every line sent is answered by `ok` or `error:n`, in their order. `ALARM:n`, the greeting after a reset
+and `[…]` remarks come by themselves; `?` is answered by `<State|MPos:x,y,z|…>` whenever it is sent
+(github.com/gnea/grbl, doc/markdown/interface.md).
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+STATUS, FEED_HOLD, SOFT_RESET = b"?", b"!", b"\x18"
+RECEIVE_BYTES = 127
+"""Of its 128 bytes for lines that it has not read yet, those that are safe to fill."""
+TRAVEL_SETTINGS = (130, 131, 132)
+PULL_OFF_SETTING = 27
+KEPT_POSITION = 2
+"""The alarm after which the machine still knows where it is."""
+ALARMS = {
+    1: "a limit switch was hit; the position is lost",
+    2: "a move would leave the machine's travel",
+    3: "reset while moving; the position is lost",
+    6: "reset while homing",
+    7: "a door was opened while homing",
+    8: "homing did not leave the limit switch",
+    9: "homing found no limit switch",
+}
+ERRORS = {
+    1: "a letter was expected",
+    2: "a number is damaged",
+    3: "unknown $ command",
+    5: "homing is not enabled ($22)",
+    8: "only possible when idle",
+    9: "locked until it is homed",
+    11: "the line is too long",
+    20: "unknown G-code",
+    22: "no feed rate",
+    24: "two G-codes want the axes",
+    26: "axes are missing",
+    28: "a value is missing",
+    33: "the target is no place",
+    36: "unused words",
+}
+_STATUS_LINE = re.compile(r"<([A-Z][a-z]+)(?::(\d))?\|(.*)>")
+_SETTING = re.compile(r"\$(\d+)=(-?\d+(?:\.\d+)?)")
+_NUMBERED = re.compile(r"(error|ALARM):(\d+)")
+
+
+@dataclass(frozen=True)
+class Done:
+    """`ok`: the oldest line that was not answered is."""
+
+
+@dataclass(frozen=True)
+class Refused:
+    """`error:n`: the oldest line that was not answered was not carried out."""
+
+    code: int
+
+
+@dataclass(frozen=True)
+class Alarm:
+    """The machine stopped by itself."""
+
+    code: int
+
+
+@dataclass(frozen=True)
+class Greeting:
+    """Said after every reset."""
+
+
+@dataclass(frozen=True)
+class Setting:
+    """One of the machine's settings, `$number=value`."""
+
+    number: int
+    value: float
+
+
+@dataclass(frozen=True)
+class State:
+    """What the machine does, and where its tool is in the machine's frame (mm)."""
+
+    name: str
+    detail: int | None
+    position_mm: tuple[float, float, float]
+
+    @property
+    def held(self) -> bool:
+        """Whether a feed hold has come to its end."""
+        return self.name == "Hold" and self.detail == 0
+
+
+Reply = Done | Refused | Alarm | Greeting | Setting | State
+
+
+@dataclass
+class ReplyReader:
+    """Bytes to replies; remembers the unfinished line and the offset of work coordinates."""
+
+    damaged: int = 0
+    _rest: bytes = b""
+    _offset_mm: tuple[float, ...] | None = None
+
+    def feed(self, data: bytes) -> list[Reply]:
+        """Replies that `data` completes; remarks are skipped, damaged lines counted."""
+        *lines, self._rest = (self._rest + data).split(b"\n")
+        texts = [line.decode("ascii", "replace").strip() for line in lines]
+        found = [self._reply(text) for text in texts if text and text[0] not in "[>"]
+        self.damaged += sum(reply is None for reply in found)
+        return [reply for reply in found if reply is not None]
+
+    def _reply(self, text: str) -> Reply | None:
+        if text == "ok":
+            return Done()
+        if text.startswith("Grbl "):
+            return Greeting()
+        if match := _NUMBERED.fullmatch(text):
+            return (Refused if match[1] == "error" else Alarm)(int(match[2]))
+        if match := _SETTING.fullmatch(text):
+            return Setting(int(match[1]), float(match[2]))
+        if match := _STATUS_LINE.fullmatch(text):
+            return self._state(match[1], match[2], match[3].split("|"))
+        return None
+
+    def _state(self, name: str, detail: str | None, fields: list[str]) -> State | None:
+        """Work positions become the machine's by the offset, which Grbl sends now and then."""
+        values = dict(field.split(":", 1) for field in fields if ":" in field)
+        try:
+            given = {
+                key: tuple(float(number) for number in values[key].split(","))
+                for key in ("MPos", "WPos", "WCO")
+                if key in values
+            }
+        except ValueError:
+            return None
+        if any(len(numbers) != 3 for numbers in given.values()):
+            return None
+        self._offset_mm = given.get("WCO", self._offset_mm)
+        position = given.get("MPos")
+        if position is None and "WPos" in given and self._offset_mm is not None:
+            pairs = zip(given["WPos"], self._offset_mm, strict=True)
+            position = tuple(work + offset for work, offset in pairs)
+        if position is None:
+            return None
+        x, y, z = position
+        return State(name, None if detail is None else int(detail), (x, y, z))

@@ -1,0 +1,57 @@
+"""Load cells on a port: lines of boards (`L`), or one number per line."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Generator, Iterator
+from dataclasses import dataclass
+
+from design.errors import InputError
+from estimator.boards.lines import LineDecoder, Load
+from estimator.boards.link import serial_chunks
+
+_NUMBER = re.compile(r"\s*([-+]?\d+(?:\.\d*)?(?:[eE][-+]?\d+)?)\s*(N|mN|g|kg)?\s*")
+_NEWTON_PER = {"N": 1.0, "mN": 1e-3, "g": 9.80665e-3, "kg": 9.80665}
+
+
+@dataclass
+class NumberLines:
+    """One number per line, with or without unit (N, mN, g, kg); `scale` makes it newtons without one."""
+
+    scale: float
+    damaged: int = 0
+    _rest: bytes = b""
+    _started: bool = False
+
+    def feed(self, data: bytes) -> list[float]:
+        """Forces (N) that `data` completes; the first line may be half of one and is left out."""
+        *lines, self._rest = (self._rest + data).split(b"\n")
+        if lines and not self._started:
+            self._started = True
+            lines = lines[1:]
+        found = []
+        for line in lines:
+            match = _NUMBER.fullmatch(line.decode("ascii", "replace"))
+            if match:
+                found.append(float(match[1]) * (_NEWTON_PER[match[2]] if match[2] else self.scale))
+            elif line.strip():
+                self.damaged += 1
+        return found
+
+
+def forces_on(port: str, baud: int, scale: float | None) -> Generator[list[float]]:
+    """Forces (N) that a port has said since the last time; without waiting.
+
+    `scale` None: lines `L`; else newtons per unit of a number per line, negative where pressing makes
+    the number smaller.
+    """
+    chunks: Iterator[bytes] = serial_chunks(port, baud, timeout_s=0.0)
+    if scale == 0:
+        raise InputError("--load-scale must not be 0. Give newtons per unit of the numbers sent")
+    decoder = LineDecoder() if scale is None else NumberLines(scale)
+    for chunk in chunks:
+        if isinstance(decoder, NumberLines):
+            yield decoder.feed(chunk)
+        else:
+            loads = (one for one in decoder.feed(chunk) if isinstance(one, Load) and one.cell == 1)
+            yield [load.force_n for load in loads]

@@ -1,0 +1,151 @@
+"""Plan of presses on one face: places in their order, depths, speeds, and the limits of force."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from jaxtyping import Float, Int
+
+from design.errors import InputError
+from design.layout.places.contact_places import contact_places
+from design.layout.places.positions import contact_grid
+from design.spec.object import ObjectSpec
+
+STOPS = 4
+"""Depths per press, if none are given: a press and its retraction must fit into Grbl's buffer."""
+_SHARE = 1 / STOPS
+
+
+@dataclass(frozen=True)
+class PressSettings:
+    """How every press is done.
+
+    Attributes
+    ----------
+    depths_mm : where the tip stops on its way down, below the height of first touch
+    dwell_s : how long it stops there
+    rest_s : how long it waits above the place before, for the baseline
+    speed_mm_s : of the press; moves in the air are as fast as the machine can
+    clearance_mm : of the tip above the object between presses
+    approach_mm : how far above the object the press begins to be slow
+    touch_n : force at which the object counts as touched, to find its height
+    full_n : force at which a press ends before its deepest stop
+    limit_n : force that stops the machine and ends the run
+    """
+
+    depths_mm: tuple[float, ...]
+    dwell_s: float = 0.5
+    rest_s: float = 1.5
+    speed_mm_s: float = 1.0
+    clearance_mm: float = 5.0
+    approach_mm: float = 1.0
+    touch_n: float = 0.2
+    full_n: float = 15.0
+    limit_n: float = 20.0
+
+    def __post_init__(self) -> None:
+        rising = all(a < b for a, b in zip((0.0, *self.depths_mm), self.depths_mm, strict=False))
+        if not self.depths_mm or not rising:
+            raise InputError(
+                f"--depth must grow from above 0, got {list(self.depths_mm)}. Give mm below the "
+                "height of first touch, such as --depth 1 --depth 2"
+            )
+        if not 0 < self.touch_n < self.full_n < self.limit_n:
+            raise InputError(
+                f"forces must grow: --touch {self.touch_n:g}, --full {self.full_n:g}, --limit "
+                f"{self.limit_n:g} N. Raise --limit, or lower --full"
+            )
+        if not 0 < self.approach_mm <= self.clearance_mm:
+            raise InputError(
+                f"--clearance {self.clearance_mm:g} mm must be {self.approach_mm:g} mm or more"
+            )
+
+
+@dataclass(frozen=True)
+class PressPlan:
+    """Presses on one face in their order; `reference` marks the returns to one place."""
+
+    object_name: str
+    face: int
+    places_mm: tuple[tuple[float, float], ...]
+    reference: tuple[bool, ...]
+    settings: PressSettings
+    seed: int
+
+    def __len__(self) -> int:
+        return len(self.places_mm)
+
+    @property
+    def seconds(self) -> float:
+        """About how long it takes, without touching off."""
+        one = self.settings
+        strokes_s = 2 * (one.approach_mm + one.depths_mm[-1]) / one.speed_mm_s
+        each_s = one.rest_s + strokes_s + len(one.depths_mm) * one.dwell_s + 2.0
+        return each_s * len(self)
+
+
+def plan_of(document: dict[str, Any]) -> PressPlan:
+    """The plan that a journal holds."""
+    settings = document["settings"] | {"depths_mm": tuple(document["settings"]["depths_mm"])}
+    places = tuple((float(x), float(y)) for x, y in document["places_mm"])
+    return PressPlan(
+        document["object_name"],
+        document["face"],
+        places,
+        tuple(document["reference"]),
+        PressSettings(**settings),
+        document["seed"],
+    )
+
+
+def stops_of(spec: ObjectSpec) -> tuple[float, ...]:
+    """Four of the specification's depths, evenly down to its deepest."""
+    depths = np.asarray(spec.press.depths_mm)
+    wanted = depths[-1] * np.arange(1, STOPS + 1) * _SHARE
+    nearest = np.unique(np.abs(depths - wanted[:, None]).argmin(axis=1))
+    return tuple(depths[nearest].tolist())
+
+
+def face_places(spec: ObjectSpec, face: int) -> Float[np.ndarray, "place 2"]:
+    """Places of the contact grid that a face has (mm, in the face's frame).
+
+    Raises
+    ------
+    InputError
+        The face has no sensors.
+    """
+    if face not in spec.body.sensed:
+        raise InputError(
+            f"--face {face} has no sensors in {spec.name!r}. Choose among {list(spec.body.sensed)}"
+        )
+    return contact_grid(spec).xy_mm[contact_places(spec)[spec.body.sensed.index(face)]]
+
+
+def press_plan(
+    spec: ObjectSpec,
+    face: int,
+    settings: PressSettings,
+    seed: int,
+    repeats: int = 1,
+    reference_every: int = 10,
+    presses: int | None = None,
+    order: Int[np.ndarray, "press"] | None = None,
+) -> PressPlan:
+    """Places of the contact grid, each `repeats` times in rounds of random order, or in a given order.
+
+    After every `reference_every` presses (0: never), and at the start and the end, the place nearest
+    to the face's middle is pressed, so that drift shows. `presses` keeps the first ones.
+    """
+    places = face_places(spec, face)
+    if order is None:
+        rng = np.random.default_rng(seed)
+        order = np.concatenate([rng.permutation(len(places)) for _ in range(repeats)])
+    chosen = [(place, False) for place in order.tolist()[:presses]]
+    if reference_every:
+        back = (int(np.linalg.norm(places, axis=1).argmin()), True)
+        every = range(0, len(chosen), reference_every)
+        chosen = [one for k in every for one in (back, *chosen[k : k + reference_every])] + [back]
+    at = tuple((float(places[k, 0]), float(places[k, 1])) for k, _ in chosen)
+    return PressPlan(spec.name, face, at, tuple(is_back for _, is_back in chosen), settings, seed)

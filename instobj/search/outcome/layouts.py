@@ -1,0 +1,143 @@
+"""Layouts of a search in three dimensions: where every part of start, leaders and front lies."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from jaxtyping import Float
+
+from design.body.triangles import Block
+from design.layout.boards import board_blocks, mounted_sensors
+from design.layout.body import body_of, face_frames
+from design.layout.places.positions import magnet_layout, shell_body_layout
+from design.layout.pockets import magnet_bodies
+from design.search.space import SearchSpace, with_layout
+from design.spec.object import ObjectSpec
+from design.spec.search import OBJECTIVES_TO_MAXIMIZE
+from instobj.search.loop import is_feasible
+from instobj.search.outcome.figures import LABELS, paired, pareto_front
+from instobj.search.outcome.history import History
+from instobj.search.promotion import Promotion
+from instobj.search.study import KeptStudy
+from instobj.viewer.archive import pack
+
+_MOST_OF_FRONT = 40
+
+
+@dataclass(frozen=True)
+class ShownLayout:
+    """A layout with its objectives at the lowest fidelity level, as trials have them."""
+
+    label: str
+    spec: ObjectSpec
+    scores: tuple[float, ...]
+
+
+def shown_layouts(
+    space: SearchSpace, kept: KeptStudy, found: Promotion, history: History
+) -> list[ShownLayout]:
+    """The start, the leaders with the best of them first, then the rest of the front."""
+    finished = kept.finished()
+    row_of = {trial.number: row for row, trial in enumerate(finished)}
+    layouts = [ShownLayout(found.start.label, found.start.spec, tuple(history.start))]
+    promoted = {one.trial: one for one in (*found.finalists, *found.leaders)}
+    layouts += [
+        ShownLayout(one.label, one.spec, tuple(history.values[row_of[number]]))
+        for number, one in promoted.items()
+        if number is not None
+    ]
+    for row in _front_rows(history):
+        trial = finished[row]
+        if trial.number not in promoted and is_feasible(trial):
+            spec = with_layout(space.spec, trial.params)
+            layouts.append(ShownLayout(f"trial {trial.number}", spec, tuple(history.values[row])))
+    return layouts
+
+
+def _front_rows(history: History) -> list[int]:
+    """Trials that none is better than in both of the first two objectives; evenly chosen, 40 at most."""
+    if len(history.names) < 2:
+        return []
+    sign = [-1.0 if name in OBJECTIVES_TO_MAXIMIZE else 1.0 for name in history.names[:2]]
+    feasible = np.flatnonzero(history.feasible)
+    ahead = feasible[pareto_front(np.array(sign) * history.values[feasible, :2])]
+    ahead = ahead[np.argsort(history.values[ahead, 0])]
+    chosen = np.linspace(0, len(ahead) - 1, min(len(ahead), _MOST_OF_FRONT)).round().astype(int)
+    return ahead[chosen].tolist()
+
+
+def layouts_scene(layouts: Sequence[ShownLayout], history: History) -> bytes:
+    """The archive that the page reads; each layout's parts are paired with the start's."""
+    start = layouts[0].spec
+    size_mm = np.max([one.spec.body.size_mm for one in layouts], axis=0)
+    trials = history.values[history.feasible, :2] if len(history.names) > 1 else np.zeros((0, 2))
+    content = {
+        "size_mm": size_mm.tolist(),
+        "objectives": [LABELS[name] for name in history.names],
+        "trials": _rounded(trials),
+        "faces": [
+            {
+                "number": frame.number,
+                "centre_mm": frame.centre_mm.tolist(),
+                "normal": frame.normal.tolist(),
+            }
+            for frame in face_frames(start)
+        ],
+        "layouts": [_layout(one, start) for one in layouts],
+    }
+    return pack(content, {})
+
+
+def _layout(one: ShownLayout, start: ObjectSpec) -> dict[str, Any]:
+    """Parts as centre (mm), axes as columns row by row, half edges (mm)."""
+    spec, faces = one.spec, len(one.spec.body.sensed)
+    half = np.asarray(spec.body.size_mm) / 2
+    seen = [np.array([place[:2] for place in each.sensors.places[0]]) for each in (start, spec)]
+    return {
+        "label": one.label,
+        "scores": [score if np.isfinite(score) else None for score in one.scores],
+        "body": _part(np.zeros(3), np.eye(3), half),
+        "core": _part(np.zeros(3), np.eye(3), body_of(spec).core_half_mm),
+        "magnets": _magnets(spec),
+        "chips": _blocks([mounted.chip for mounted in mounted_sensors(spec)]),
+        "boards": _blocks(board_blocks(spec)),
+        "magnet_from": _origins(_places(start), _places(spec), faces),
+        "sensor_from": _origins(seen[0], seen[1], faces),
+    }
+
+
+def _magnets(spec: ObjectSpec) -> list[dict[str, Any]]:
+    layout, bodies = magnet_layout(spec), shell_body_layout(spec)
+    half = np.array([*[bodies.outline.radius_mm] * 2, bodies.height_mm / 2])
+    return [_part(at, turn, half) for at, turn in zip(layout.centre_mm, layout.frames, strict=True)]
+
+
+def _blocks(blocks: list[Block]) -> list[dict[str, Any]]:
+    return [_part(block.centre_mm, block.axes, block.half_mm) for block in blocks]
+
+
+def _part(at: np.ndarray, axes: np.ndarray, half: np.ndarray) -> dict[str, Any]:
+    return {"at": _rounded(at), "axes": _rounded(axes.ravel()), "half": _rounded(half)}
+
+
+def _rounded(values: np.ndarray) -> list[Any]:
+    return np.round(values, 4).tolist()
+
+
+def _places(spec: ObjectSpec) -> Float[np.ndarray, "magnet 2"]:
+    return np.array([body.centre_mm[:2] for body in magnet_bodies(spec)[0]])
+
+
+def _origins(
+    before: Float[np.ndarray, "n 2"], after: Float[np.ndarray, "m 2"], faces: int
+) -> list[int]:
+    """Which part of the start each part was, face by face; −1 for a new one."""
+    pairs = {new: old for old, new in paired(before, after)}
+    return [
+        face * len(before) + pairs[k] if k in pairs else -1
+        for face in range(faces)
+        for k in range(len(after))
+    ]

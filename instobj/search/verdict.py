@@ -1,0 +1,82 @@
+"""Verdict on promoted layouts: merit beside the start at a fidelity level, and what speaks against one."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from design.spec.object import ObjectSpec
+from design.spec.search import OBJECTIVES_TO_MAXIMIZE, SearchSpec
+from estimator.layouts.fidelity import FidelityScore, worse_share
+from instobj.search.fidelity import TwinRatio
+from instobj.search.lowest_fidelity import cost
+
+FIRST, SECOND, LAST = "1", "2", "3"
+_EXCESS_WEIGHT = 10.0
+
+
+@dataclass(frozen=True)
+class Promoted:
+    """A promoted layout: its trial's number (None: the start) and its score at each level."""
+
+    label: str
+    trial: int | None
+    spec: ObjectSpec
+    levels: dict[str, FidelityScore]
+
+
+def merit(search: SearchSpec, one: Promoted, start: Promoted, level: str) -> float:
+    """Mean logarithm of the objectives over the start's, with what limits are exceeded: less is
+    better, the start has 0."""
+    exceeded = sum(excess(search, one, start, level).values())
+    return _mean_log(search, one, start, level) + _EXCESS_WEIGHT * exceeded
+
+
+def excess(search: SearchSpec, one: Promoted, start: Promoted, level: str) -> dict[str, float]:
+    """Shares by which limits are exceeded, those on places worse than the start's included."""
+    lacking = one.spec.limits.saturation_margin - one.levels[level].saturation_margin
+    found = {"saturation_margin": lacking}
+    if search.limits.places_worse < 1:
+        worse = worse_share(start.levels[level], one.levels[level])
+        found["places_worse"] = worse - search.limits.places_worse
+    for name, factor in search.limits.times_start.items():
+        most = 1 / factor if name in OBJECTIVES_TO_MAXIMIZE else factor
+        found[name] = _over_start(name, one, start, level) / most - 1
+    return {name: share for name, share in found.items() if share > 0}
+
+
+def objections(
+    search: SearchSpec, best: Promoted, start: Promoted, ratios: dict[str, TwinRatio]
+) -> tuple[str, ...]:
+    """What keeps a layout from being better at the highest fidelity level, in words."""
+    found = []
+    if _mean_log(search, best, start, LAST) >= 0:
+        found.append("the objectives' mean is not better")
+    for name, share in excess(search, best, start, LAST).items():
+        if name == "places_worse":
+            worse = worse_share(start.levels[LAST], best.levels[LAST])
+            found.append(
+                f"the position bound is larger than the start's at {100 * worse:.2g} % of contact "
+                f"locations and forces, more than places_worse = {search.limits.places_worse:g}"
+            )
+        else:
+            found.append(f"{name} misses its limit by {100 * share:.2g} %")
+    first = search.objectives[0]
+    if first in ratios and not ratios[first].low > 1:
+        found.append(f"{first} is not better in 95 % of pairs of twins")
+    return tuple(found)
+
+
+def _mean_log(search: SearchSpec, one: Promoted, start: Promoted, level: str) -> float:
+    logs = [np.log(_over_start(name, one, start, level)) for name in search.objectives]
+    return float(np.mean(logs))
+
+
+def _over_start(name: str, one: Promoted, start: Promoted, level: str) -> float:
+    """A score over the start's, as something to minimise."""
+    if name == "cost":
+        return max(cost(one.spec), 1e-9) / max(cost(start.spec), 1e-9)
+    before, after = (max(getattr(who.levels[level], name), 1e-9) for who in (start, one))
+    value = after / before
+    return 1 / value if name in OBJECTIVES_TO_MAXIMIZE else value

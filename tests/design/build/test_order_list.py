@@ -1,0 +1,70 @@
+"""Parts to order: the paper's cube whole, and what differs for other objects."""
+
+import csv
+
+import pytest
+
+from design.build.order_list import cost_eur, order_list, write_orders
+from design.catalogue.bus_parts import MEGA2560
+from design.spec.object import ObjectSpec
+from design.wiring.bus_plan import choose_plan
+from design.wiring.dealing import STARTED
+
+
+def ordered(way=None, **content):
+    spec = ObjectSpec.model_validate({"name": "t", **content})
+    return order_list(spec, choose_plan(spec, MEGA2560, way=way)[0])
+
+
+def by_number(lines):
+    return {line.number: line for line in lines}
+
+
+def test_the_papers_cube_is_ordered_whole(tmp_path):
+    lines = ordered(STARTED)
+    found = by_number(lines)
+    assert found["TMAG5273A1QDBVR"].pieces == found["GRM155R71C104KA88D"].pieces == 15
+    assert found["A000067"].pieces == 1
+    assert found["CD74HC4050E"].pieces == 3
+    assert found["AWG 30 (7/38) PTFE"].packs == 2
+    magnet = found["disk magnet Ø6 × 1 mm, N50 or N52, axial"]
+    assert magnet.pieces == 25, "1.43 T lies in both grades: N50 1.40 to 1.46, N52 1.42 to 1.48"
+    assert {"PlatSil Gel-10", "DOWSIL 92-023", "Sil-Poxy", "Ease Release 200"} <= found.keys()
+    assert all(0 < line.low_eur <= line.high_eur for line in lines)
+    assert not any("screw" in line.part for line in lines), "its mould is in one piece"
+    write_orders(lines, tmp_path / "orders.csv")
+    with (tmp_path / "orders.csv").open(encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    assert len(rows) == len(lines)
+    assert all("before ordering" in row["note"] and row["priced"] for row in rows)
+    assert sum(float(row["high_eur"]) for row in rows) == pytest.approx(cost_eur(lines)[1])
+
+
+def test_packs_grow_with_what_is_needed():
+    large = by_number(ordered(body={"size_mm": [150.0] * 3}))
+    kit = large["PlatSil Gel-10"]
+    assert kit.pieces == 2, (
+        "150³ − 134² · 142 mm³ of 1.07 g/cm³ and 15 % of waste: 1016 g, kits of 900"
+    )
+
+
+def test_a_split_mould_takes_screws_and_a_listed_magnet_its_seller():
+    split = ordered(mould={"style": "split"}, magnets={"part": "MP 12x5x2 / N38"})
+    screws = next(line for line in split if "screw" in line.part)
+    assert (screws.pieces, screws.packs) == (4, 1)
+    assert by_number(split)["catalogue no. 030498"].maker == "Dhit"
+
+
+def test_sensors_without_a_bus_stand_by_their_name():
+    spec = ObjectSpec.model_validate(
+        {
+            "name": "t",
+            "sensors": {
+                "part": "generic",
+                "range_mt": 50.0,
+                "counts_per_mt": 100.0,
+                "noise_counts": [1.0, 1.0, 1.0],
+            },
+        }
+    )
+    assert order_list(spec, None)[0].number == "generic"

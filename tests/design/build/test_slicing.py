@@ -1,0 +1,74 @@
+"""Parts as PrusaSlicer slices them: its settings reach the layers, and no part of any example warns."""
+
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+import trimesh
+
+from design.build.export import write_part
+from design.build.parts import parts_of
+from design.build.print_settings import PrintSettings
+from design.build.slicer_file import write_3mf
+from design.spec_io import load_spec
+
+EXAMPLES = sorted((Path(__file__).parents[3] / "examples").glob("*.toml"))
+SLICER = shutil.which("prusa-slicer")
+needs_slicer = pytest.mark.skipif(SLICER is None, reason="prusa-slicer is not installed (Debian)")
+pytestmark = [pytest.mark.slow, needs_slicer]
+FLAT = PrintSettings(0.2, 3, 20, False, 0.0, (0.0, 0.0, -1.0))
+
+
+def sliced(path):
+    """What the slicer says, without its progress, and the levels (mm) of the layers."""
+    code = path.with_suffix(".gcode")
+    bed = ("--bed-shape", "0x0,220x0,220x220,0x220", "--first-layer-height", "0.2")
+    command = [str(SLICER), "--export-gcode", "--loglevel", "2", *bed, "-o", str(code), str(path)]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=900, check=False)
+    said = [
+        line
+        for line in (done.stdout + done.stderr).splitlines()
+        if line and not re.match(r"\d+ =>|\[.*\[trace\]|Slicing result exported", line)
+    ]
+    levels = re.findall(r"^;Z:([\d.]+)", code.read_text(), re.M) if code.is_file() else []
+    return said if done.returncode == 0 else [*said, f"exit {done.returncode}"], levels
+
+
+def warnings_of(spec, folder):
+    """Every word of warning about a printed part of an object, by the part's name."""
+    found = {}
+    for part in parts_of(spec):
+        manifest, _ = write_part(part, part.make(), folder, spec)
+        if manifest.printing is not None:
+            said, levels = sliced(folder / f"{part.name}.3mf")
+            low, high = min(map(float, levels), default=0.0), max(map(float, levels), default=0.0)
+            assert 0 < low < 1 < high, f"{part.name}: layers from {low} to {high}"
+            found |= {part.name: said} if said else {}
+    return found
+
+
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+def test_every_part_of_an_example_slices_without_a_warning(path, tmp_path):
+    assert warnings_of(load_spec(path), tmp_path) == {}
+
+
+def test_a_part_that_floats_is_warned_of(tmp_path):
+    lower, upper = trimesh.creation.box((10, 10, 10)), trimesh.creation.box((10, 10, 10))
+    both = trimesh.util.concatenate([lower, upper.apply_translation((0, 0, 20))])
+    write_3mf(both, "floating", tmp_path / "floating.3mf", FLAT, (220.0, 220.0))
+    said, _ = sliced(tmp_path / "floating.3mf")
+    assert any("Empty layer" in line for line in said)
+
+
+def test_the_slicer_takes_layer_and_side_from_the_file(tmp_path):
+    """A slab of 10 × 20 × 30 mm lies on its side of 20 × 30 mm, in layers of 0.1 mm."""
+    settings = PrintSettings(0.1, 2, 0, False, 0.0, (1.0, 0.0, 0.0))
+    write_3mf(
+        trimesh.creation.box((10, 20, 30)), "slab", tmp_path / "slab.3mf", settings, (220, 220)
+    )
+    said, levels = sliced(tmp_path / "slab.3mf")
+    assert said == []
+    assert float(levels[-1]) == pytest.approx(10.0, abs=0.05)
+    assert len(levels) == pytest.approx(99, abs=2), "0.2 mm, then 98 of 0.1 mm"

@@ -1,0 +1,59 @@
+"""Offsets and gains from Earth's field: intervals hold the truth, and what cannot be told is not told."""
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from design.layout.places.positions import sensor_layout
+from estimator.bringup.asked import POSES
+from estimator.bringup.earth import from_earth, in_object
+from estimator.bringup.findings import ChipFound
+from tests.support.new_objects import SMALL
+
+FRAMES = 210
+CHIPS = tuple(ChipFound(site, np.eye(3)) for site in range(10))
+RNG = np.random.default_rng(3)
+GAIN = 1 + 0.02 * RNG.standard_normal((10, 3))
+OFFSET = 80 * RNG.standard_normal((10, 3))
+FIELD_UT = np.array([18.0, 3.0, -44.0])
+TIMES_S = 25.0 * np.arange(7)
+
+
+@pytest.fixture(scope="module")
+def means():
+    laid = Rotation.from_rotvec(np.deg2rad(4) * RNG.standard_normal((7, 3)))
+    fields = np.stack([in_object(k % 6) @ laid[k].apply(FIELD_UT) for k in range(7)])
+    counts = 0.82 * np.einsum("cab,kb->kca", sensor_layout(SMALL).axes, fields)
+    drift = 0.05 * RNG.standard_normal((10, 3)) * TIMES_S[:, None, None]
+    noise = np.array([22.0, 22.0, 11.0]) / np.sqrt(FRAMES) * RNG.standard_normal((7, 10, 3))
+    return GAIN * counts + OFFSET + drift - drift.mean(axis=0) + noise
+
+
+@pytest.fixture(scope="module")
+def found(means):
+    return from_earth(SMALL, CHIPS, means, TIMES_S, FRAMES)
+
+
+def test_every_pose_is_a_rotation_that_does_what_the_question_asks():
+    for pose, (up, ahead) in enumerate(POSES):
+        turn = in_object(pose)
+        assert np.allclose(turn @ turn.T, np.eye(3))
+        assert np.linalg.det(turn) == pytest.approx(1)
+        for name, room in ((up, turn[:, 2]), (ahead, turn[:, 0])):
+            assert room["xyz".index(name[1])] == (1 if name[0] == "+" else -1)
+
+
+def test_stated_intervals_hold_gains_and_offsets(found):
+    gain = found.gain / found.gain.mean() - GAIN / GAIN.mean()
+    assert np.mean(abs(gain) < found.gain_interval) >= 0.85
+    assert np.mean(abs(found.offset - OFFSET) < found.offset_interval) >= 0.85
+    assert found.gain_interval.max() < 0.2
+    assert found.offset_interval.max() < 6
+    assert abs(found.field_ut - np.linalg.norm(FIELD_UT)) < found.field_interval_ut
+
+
+def test_all_gains_together_are_told_as_a_stronger_field(means, found):
+    stronger = OFFSET + 1.1 * (means - OFFSET)
+    again = from_earth(SMALL, CHIPS, stronger, TIMES_S, FRAMES)
+    assert again.field_ut == pytest.approx(1.1 * found.field_ut, rel=0.01)
+    assert np.allclose(again.gain, found.gain, atol=0.02)

@@ -1,0 +1,97 @@
+"""What turns a no-go into a go: the cheapest change that is enough, by hand from small tables."""
+
+import pytest
+
+from design.spec_io import parse_spec
+from instobj.report.remedies import decision, remedies, remedies_section
+
+SPEC = parse_spec(
+    {
+        "name": "a",
+        "limits": {"position_bound_mm": 2.0, "detectable_force_n": 4.0},
+        "search": {"prices": {"magnet": 1.0, "sensor": 3.0}},
+    },
+    "a",
+)
+
+
+def row(changes, bound_mm=1.0, force_n=1.0, margin=0.5, magnets=10, sensors=10):
+    return {
+        "changes": list(changes),
+        "weakest_bound_mm": bound_mm,
+        "median_bound_mm": bound_mm / 2,
+        "worst_detectable_n": force_n,
+        "saturation_margin": margin,
+        "magnets": magnets,
+        "sensors": sensors,
+    }
+
+
+START = row((), bound_mm=5.0)
+
+
+def test_the_cheapest_change_that_is_enough_comes_first_with_its_price_and_time():
+    rows = [
+        START,
+        row(("sensors",), sensors=15),
+        row(("magnets",), magnets=12),
+        row(("free",), bound_mm=2.1),
+        row(("free", "soft"), bound_mm=2.0, force_n=4.0),
+    ]
+    found = remedies(SPEC, rows)
+    assert [one.changes for one in found if one.turns] == [
+        ("free", "soft"),
+        ("magnets",),
+        ("sensors",),
+    ]
+    assert [(one.price, one.minutes) for one in found[:3]] == [(0, 0), (2, 4), (15, 75)]
+    told = decision(found, go=False)
+    assert told.startswith("Turns it into a go, cheapest first: free and soft (no more parts)")
+    assert "magnets (+2 for parts, +4 min by hand)" in told
+
+
+def test_a_pair_says_nothing_new_where_half_of_it_is_enough():
+    rows = [START, row(("a",)), row(("b",), bound_mm=3.0), row(("a", "b"))]
+    assert [one.changes for one in remedies(SPEC, rows)] == [("a",), ("b",)]
+
+
+@pytest.mark.parametrize(
+    ("figures", "ratio"),
+    [
+        ({"bound_mm": 6.0}, 3.0),
+        ({"force_n": 6.0}, 1.5),
+        ({"margin": 0.0}, 1 / 0.9),
+        ({"margin": -0.8}, 2.0),
+    ],
+)
+def test_every_limit_counts(figures, ratio):
+    found = remedies(SPEC, [START, row(("a",), **figures)])
+    assert not found[0].turns
+    assert found[0].ratio == pytest.approx(ratio)
+
+
+def test_where_nothing_is_enough_the_nearest_is_told_with_what_is_left():
+    rows = [START, row(("a",), bound_mm=4.0), row(("b",), bound_mm=3.0, sensors=11)]
+    told = decision(remedies(SPEC, rows), go=False)
+    assert told.startswith("No change and no pair tried here is enough. Nearest: b (+3 for parts")
+    assert "1.5 times its limit" in told
+    blind = [START, row(("a",), bound_mm=float("inf"))]
+    told = decision(remedies(SPEC, blind), go=False)
+    assert "some locations stay blind" in told
+    assert "Nearest" not in told
+    assert decision(remedies(SPEC, rows), go=True) == "Every limit is kept; nothing has to change"
+    assert decision(remedies(SPEC, [START]), go=False).startswith("None of the changes")
+
+
+def test_the_page_shows_what_the_object_itself_costs():
+    section = remedies_section(SPEC, {"alternatives": [START, row(("a",), sensors=11)]}, go=False)
+    specified, changed = section["alternatives"]
+    assert specified == ["as specified", "5.00", "2.50", "1.00", "50 %", "40", "170", ""]
+    assert changed == ["a", "1.00", "0.50", "1.00", "50 %", "+3", "+15", "pass"]
+
+
+def test_what_is_not_detected_at_all_is_no_number():
+    blind = row((), bound_mm=float("inf"), force_n=float("inf"))
+    section = remedies_section(SPEC, {"alternatives": [blind, row(("a",))]}, go=False)
+    assert section["alternatives"][0][1:4] == ["∞", "∞", "∞"]
+    assert "inf" not in str(section)

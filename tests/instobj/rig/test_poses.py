@@ -1,0 +1,57 @@
+"""Lists of poses against the faces' frames."""
+
+import json
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from design.errors import InputError
+from design.layout.body import face_frame
+from design.spec_io import load_spec
+from instobj.commands.hardware.rig import RigOptions, rig
+from instobj.rig.plan import PressSettings, face_places, press_plan
+
+
+def test_poses_touch_the_surface_and_press_along_its_normal(tmp_path):
+    path = tmp_path / "cube.toml"
+    path.write_text('name = "cube"\n[contact_grid]\ncount = [3, 3]\n')
+    out = tmp_path / "poses.json"
+    found = rig(RigOptions(path, "poses", out, reference_every=0), lambda _: False)
+    spec, document = load_spec(path), json.loads(out.read_text())
+    assert found["presses"] == 5 * 9
+    assert set(document["frames"]) == {"object", "tool", "pose", "depth_mm"}
+    for pose in document["poses"]:
+        frame = face_frame(spec, pose["face"])
+        tool = Rotation.from_quat([pose[f"quaternion_{axis}"] for axis in "xyzw"]).as_matrix()
+        assert np.allclose(tool[:, 2], -frame.normal, atol=1e-5)
+        assert np.allclose(tool[:, 0], frame.x, atol=1e-5)
+        at = np.array([pose[f"object_{axis}_mm"] for axis in "xyz"])
+        local = (at - frame.centre_mm) @ frame.axes
+        assert np.allclose(local, [pose["x_mm"], pose["y_mm"], -pose["depth_mm"]], atol=1e-3)
+    stops = [pose["stop"] for pose in document["poses"][:8]]
+    assert stops == ["above", "near", *["press"] * 4, "surface", "above"]
+
+
+def test_unknown_kinds_of_lists_and_machines_are_refused(tmp_path):
+    path = tmp_path / "cube.toml"
+    path.write_text('name = "cube"\n')
+    with pytest.raises(InputError, match=r"\.csv or \.json"):
+        rig(RigOptions(path, "poses", tmp_path / "poses.txt"), lambda _: False)
+    with pytest.raises(InputError, match="--machine 'ender' is not known"):
+        rig(RigOptions(path, "ender"), lambda _: False)
+
+
+def test_every_place_is_pressed_once_per_round_with_returns_to_the_middle(tmp_path):
+    path = tmp_path / "cube.toml"
+    path.write_text('name = "cube"\n[contact_grid]\ncount = [3, 5]\n')
+    spec = load_spec(path)
+    plan = press_plan(spec, 2, PressSettings((1.0,)), seed=4, repeats=2, reference_every=7)
+    chosen = [xy for xy, back in zip(plan.places_mm, plan.reference, strict=True) if not back]
+    grid = sorted(map(tuple, face_places(spec, 2).tolist()))
+    assert sorted(chosen[:15]) == sorted(chosen[15:]) == grid
+    assert chosen[:15] != grid
+    assert [k for k, back in enumerate(plan.reference) if back] == [0, 8, 16, 24, 32, 35]
+    assert all(plan.places_mm[k] == (0.0, 0.0) for k, back in enumerate(plan.reference) if back)
+    other = press_plan(spec, 2, PressSettings((1.0,)), seed=5, repeats=2, reference_every=7)
+    assert other.places_mm != plan.places_mm

@@ -1,0 +1,71 @@
+"""Layouts that the search page shows: which part of the start each part was, and where it lies."""
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from design.layout.places.positions import magnet_layout, sensor_layout
+from design.spec_io import parse_spec
+from instobj.search.outcome.history import History
+from instobj.search.outcome.layouts import ShownLayout, layouts_scene, shown_layouts
+from instobj.search.promotion import Promotion
+from instobj.search.verdict import Promoted
+from instobj.viewer.archive import unpack
+from tests.support.objects.search_cases import OBJECTIVES, made_up_scores, made_up_space, searched
+
+
+def made_up_layouts():
+    start = parse_spec({"name": "a"}, "a")
+    few = {"positions_mm": [[9, 9], [0, 1], [-9, 8]], "north": ["inward", "outward", "inward"]}
+    found = parse_spec({"name": "b", "magnets": few}, "b")
+    return [ShownLayout("start", start, (2.0, np.inf)), ShownLayout("trial 3", found, (1.0, 3.0))]
+
+
+def made_up_history():
+    values = np.array([[1.0, 3.0], [2.0, 1.0], [3.0, 3.0]])
+    return History(
+        OBJECTIVES, values, np.array([True, True, False]), np.array([2.0, 9.0]), values[:0], values[:0, 0], 1
+    )  # fmt: skip
+
+
+def test_parts_lie_where_the_specification_has_them_and_know_what_they_were():
+    layouts = made_up_layouts()
+    content, _ = unpack(layouts_scene(layouts, made_up_history()))
+    start, found = content["layouts"]
+    for shown, spec in ((start, layouts[0].spec), (found, layouts[1].spec)):
+        at, north = magnet_layout(spec).centre_mm, magnet_layout(spec).axis
+        assert_allclose([one["at"] for one in shown["magnets"]], at, atol=1e-4)
+        axes = np.array([one["axes"] for one in shown["magnets"]]).reshape(-1, 3, 3)
+        assert_allclose(axes[:, :, 2], north, atol=1e-4)
+        assert_allclose(np.linalg.det(axes), 1, atol=1e-3)
+        assert len(shown["chips"]) == len(shown["boards"]) == len(sensor_layout(spec).face)
+    assert start["magnet_from"] == list(range(25))
+    nearest = [1, 0, 2]  # of the start's magnets, on each face
+    assert found["magnet_from"] == [5 * face + k for face in range(5) for k in nearest]
+    assert start["scores"] == [2.0, None], "JSON has no infinity"
+    assert content["trials"] == [[1.0, 3.0], [2.0, 1.0]], "trials within all limits"
+
+
+def test_the_leaders_come_first_and_the_rest_of_the_front_after_them(tmp_path):
+    space = made_up_space(objectives=list(OBJECTIVES), trials=48)
+    kept = searched(tmp_path / "journal.log", engine="random", score=made_up_scores,
+                    objectives=list(OBJECTIVES), trials=48)  # fmt: skip
+    trials = kept.finished()
+    values = np.array([trial.values for trial in trials])
+    history = History(
+        OBJECTIVES, values, np.ones(len(trials), bool), np.array([9.0, 9.0]), values[:0], values[:0, 0], 1
+    )  # fmt: skip
+    best = Promoted(f"trial {trials[5].number}", trials[5].number, space.spec, {})
+    start = Promoted("start", None, space.spec, {})
+    found = Promotion(start, (best,), (best,), {}, {}, {}, (), (1, 1))
+    shown = shown_layouts(space, kept, found, history)
+    assert [one.label for one in shown[:2]] == ["start", best.label]
+    assert shown[1].scores == pytest.approx(tuple(values[5]))
+    front = shown[2:]
+    assert len(front) >= 2
+    for one in front:
+        beaten = (values <= one.scores).all(axis=1) & (values < one.scores).any(axis=1)
+        assert not beaten.any(), "none is better in both"
+        number = int(one.label.removeprefix("trial "))
+        (trial,) = (trial for trial in trials if trial.number == number)
+        assert one.spec.magnets.count == trial.params["magnet_count"]

@@ -1,0 +1,52 @@
+"""Which tests are nearest to a file of the code, by what imports it."""
+
+from __future__ import annotations
+
+import ast
+from collections import deque
+from collections.abc import Iterator
+from pathlib import Path
+
+
+def importers(root: Path) -> dict[str, set[str]]:
+    """File → files that import it, also inside functions; `__init__.py` files hold nothing."""
+    paths = (path for path in root.rglob("*.py") if path.name != "__init__.py")
+    files = {path.relative_to(root).as_posix() for path in paths}
+    found: dict[str, set[str]] = {file: set() for file in files}
+    for file in files:
+        for imported in _imported(root, file):
+            if imported in files:
+                found[imported].add(file)
+    return found
+
+
+def _imported(root: Path, file: str) -> Iterator[str]:
+    for node in ast.walk(ast.parse((root / file).read_text(encoding="utf-8"))):
+        if isinstance(node, ast.ImportFrom) and node.module:
+            for name in (node.module, *(f"{node.module}.{alias.name}" for alias in node.names)):
+                yield f"{name.replace('.', '/')}.py"
+        elif isinstance(node, ast.Import):
+            for alias in node.names:
+                yield f"{alias.name.replace('.', '/')}.py"
+
+
+def nearest(path: str, tests: list[str], imported_by: dict[str, set[str]]) -> list[str]:
+    """Tests that a fault in a file may reach, those that most likely notice it first.
+
+    First those of the same name, then by how many imports lie between, then those of the same room.
+    """
+    steps = {path: 0}
+    waiting = deque([path])
+    while waiting:
+        file = waiting.popleft()
+        for importer in sorted(imported_by.get(file, ())):
+            if importer not in steps:
+                steps[importer] = steps[file] + 1
+                waiting.append(importer)
+    own, room = f"test_{Path(path).stem}.py", Path("tests", path).parent
+
+    def rank(test: str) -> tuple[bool, int, bool]:
+        file = Path(test.split("::")[0])
+        return file.name != own, steps[file.as_posix()], file.parent != room
+
+    return sorted((test for test in tests if test.split("::")[0] in steps), key=rank)

@@ -1,0 +1,183 @@
+"""A process that has imported and collected all tests once, and forks for every fault.
+
+A fault inside a function is put into the fork's memory (`swapping`); what acts as modules are
+imported (constants, defaults, functions that these call) is imported by a fresh process (`anew`). The
+file holds the fault meanwhile. Time is the fork's processor time.
+"""
+
+from __future__ import annotations
+
+import ast
+import json
+import os
+import shutil
+import signal
+import sys
+import tempfile
+import time
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager, suppress
+from dataclasses import asdict, dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.planted_faults.__main__ import identity, lines, said
+from tests.planted_faults.anew import ARGUMENTS
+from tests.planted_faults.nearness import importers, nearest
+from tests.planted_faults.notes import Notes, Said, ended, run
+from tests.planted_faults.sites import Fault
+from tests.planted_faults.swapping import function_of, swap
+from tests.support import typechecks
+
+LONG_S = 5.0
+"""Of a test that then goes after the others."""
+
+
+@dataclass(frozen=True)
+class Clock:
+    """`most_s` of tests for each fault; no test begins after `end` (seconds since 1970)."""
+
+    most_s: float = 150.0
+    end: float = float("inf")
+
+
+@dataclass
+class Server:
+    """Plugin that judges faults in place of running the tests; `told` takes each outcome."""
+
+    root: Path
+    faults: Iterable[Fault]
+    told: Callable[[dict[str, Any]], None]
+    clock: Clock = Clock()
+    seconds: dict[str, float] = field(default_factory=dict)
+    sound: dict[tuple[str, bool], bool] = field(default_factory=dict)
+
+    def pytest_runtestloop(self, session: pytest.Session) -> bool:
+        self.items = {item.nodeid: item for item in session.items}
+        imported_by = importers(self.root)
+        for fault in self.faults:
+            if time.time() > self.clock.end:
+                break
+            tests = nearest(fault.path, list(self.items), imported_by)
+            self.told(asdict(fault) | self.judged(fault, tests))
+        return True
+
+    def judged(self, fault: Fault, tests: list[str]) -> dict[str, Any]:
+        """Outcome (noticed, hangs, not noticed, not reached), by which test, and of how many.
+
+        Long tests go last. A test that fails by itself without the fault too is left out.
+        """
+        left = sorted(tests, key=lambda test: self.seconds.get(test, 0.0) > LONG_S)
+        anew = acts_at_import(self.root, fault)
+        said, by, spent_s = Said([]), None, 0.0
+        while left:
+            with planted(self.root, fault):
+                said = self._fork(fault, left, anew)
+            spent_s += said.spent_s
+            self.seconds |= said.seconds()
+            by = left[0] if said.failed == "" else said.failed
+            if said.has("in no function"):
+                anew = True
+            elif by is None or self._sound(by, anew):
+                break
+            else:
+                left, by = [test for test in left if test != by], None
+        if by is not None:
+            outcome = "hangs" if said.died == "hangs" else "noticed"
+        else:
+            outcome = "not noticed" if (left and anew) or said.has("reached") else "not reached"
+        asked = sum(event == "begins" for event, _, _ in said.events)
+        return {"outcome": outcome, "by": by or "", "of": asked, "seconds": round(spent_s, 2)}
+
+    def _sound(self, test: str, anew: bool) -> bool:
+        if (test, anew) not in self.sound:
+            self.sound[test, anew] = self._fork(None, [test], anew).failed is None
+        return self.sound[test, anew]
+
+    def _fork(self, fault: Fault | None, tests: list[str], anew: bool) -> Said:
+        scratch = Path(tempfile.mkdtemp(prefix="planted_"))
+        notes = Notes(scratch / "notes", self.clock.most_s)
+        child = os.fork()
+        if not child:
+            try:
+                self._child(fault, tests, anew, notes, scratch)
+                notes.says("ends")
+            finally:
+                os._exit(0)
+        try:
+            died = ended(child, notes.file)
+            lines = notes.file.read_text("utf-8").splitlines() if notes.file.exists() else []
+            said = Said([tuple(json.loads(line)) for line in lines])
+            return said if said.has("ends") else replace(said, died=died)
+        finally:
+            with suppress(ProcessLookupError):
+                os.killpg(child, signal.SIGKILL)
+            shutil.rmtree(scratch, ignore_errors=True)
+
+    def _child(
+        self, fault: Fault | None, tests: list[str], anew: bool, notes: Notes, scratch: Path
+    ) -> None:
+        os.setpgrp()
+        for stream in (0, 1, 2):
+            os.dup2(os.open(os.devnull, os.O_RDWR), stream)
+        (scratch / "shared").mkdir()
+        os.environ |= {"TMPDIR": str(scratch), "INSTOBJ_TESTS_SHARED": str(scratch / "shared")}
+        tempfile.tempdir = None
+        if anew:
+            (scratch / "tests.json").write_text(json.dumps(tests), encoding="utf-8")
+            module = ["-m", "tests.planted_faults.anew", str(scratch), str(notes.most_s)]
+            os.execv(sys.executable, [sys.executable, *module])  # noqa: S606
+        if fault is None or swap(self.root, fault, lambda: notes.says("reached")):
+            run([self.items[test] for test in tests], notes)
+        else:
+            notes.says("in no function")
+
+
+def acts_at_import(root: Path, fault: Fault) -> bool:
+    """Whether a fault is in no function, or in one that was called as modules were imported."""
+    found = function_of(ast.parse((root / fault.path).read_text(encoding="utf-8")), fault.line)
+    module = fault.path.removesuffix(".py").replace("/", ".")
+    return found is None or (module, found[0]) in typechecks.called()
+
+
+@contextmanager
+def planted(root: Path, fault: Fault) -> Iterator[None]:
+    """Compiled code of the file is removed: it tells versions by their second and size."""
+    target = root / fault.path
+    source = target.read_text(encoding="utf-8")
+    try:
+        target.write_text(fault.planted_in(source), encoding="utf-8")
+        _forget(target)
+        yield
+    finally:
+        target.write_text(source, encoding="utf-8")
+        _forget(target)
+
+
+def _forget(target: Path) -> None:
+    for compiled in (target.parent / "__pycache__").glob(f"{target.stem}.*"):
+        compiled.unlink(missing_ok=True)
+
+
+def main() -> None:
+    """Judge every `parts`-th fault of a folder that has no outcome yet."""
+    folder, part, parts, most_s = Path(sys.argv[1]), *map(float, sys.argv[2:5])
+    end = time.time() + 60 * float(sys.argv[5]) if len(sys.argv) > 5 else float("inf")
+    file = folder / "outcomes.jsonl"
+    done = {identity(one) for one in lines(file)}
+    mine = lines(folder / "faults.jsonl")[int(part) :: int(parts)]
+    left = [Fault(**one) for one in mine if identity(one) not in done]
+
+    def told(outcome: dict[str, Any]) -> None:
+        with file.open("a", encoding="utf-8") as stream:
+            stream.write(json.dumps(outcome) + "\n")
+        print(said(server.root, outcome), flush=True)
+
+    server = Server(Path.cwd(), left, told, Clock(most_s, end))
+    sys.exit(pytest.main([*ARGUMENTS, "tests"], plugins=[server]))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,1 @@
+"""Meshes, responses and closed forms of mechanics."""

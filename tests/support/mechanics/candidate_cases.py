@@ -1,0 +1,124 @@
+"""Made-up, smooth motions of candidate magnets, and the ordinary chain on them for one layout."""
+
+import numpy as np
+import torch
+
+from design.layout.body import core_frames, face_frames
+from design.layout.places.positions import MagnetLayout, SensorLayout, chip_on_board, contact_grid
+from design.layout.pockets import board_frame, tilted_frame
+from design.spec.object import ContactGridSpec, ObjectSpec
+from estimator.field.environment import environment
+from estimator.field.models import FieldModel
+from estimator.field.sources import magnet_source
+from estimator.information.fisher import cramer_rao_bounds, disturbance_counts
+from estimator.layouts.batch import Layouts
+from estimator.signals.field_setup import Scene, sensed_field
+from estimator.signals.hall import chip_errors, counts_of_field
+from estimator.signals.interpolation import signal_gradient
+from estimator.signals.presses import Signals
+from fem.candidates.motions import CandidateMotions, InterpolationError, candidate_lattices
+
+FACE = 3
+"""Its x is −z and its y is +y: a mix-up of axes shows."""
+
+SHARES = np.array([0.8, 1.2])
+LINEAR = 1e-3
+"""Of real motions, and of real noise: signals are linear in the first, bounds and δ the same."""
+
+
+def made_up_spec():
+    """Places 5 × 4; little noise, different on all three axes of a chip."""
+    grid = ContactGridSpec(count=(5, 4), pitch_mm=6.0)
+    spec = ObjectSpec(name="cube", contact_grid=grid)
+    noise = tuple(LINEAR * counts for counts in (22.0, 15.0, 11.0))
+    update = {"noise_counts": noise, "zeroing_counts": 10 * LINEAR}
+    return spec.model_copy(update={"sensors": spec.sensors.model_copy(update=update)})
+
+
+def made_up_motions(spec, pitch_mm=2.0):
+    """In proportion to force; silicone goes down, aside and tilts near a press."""
+    lattices, frames = candidate_lattices(spec, pitch_mm), face_frames(spec)
+    places = contact_grid(spec)
+    points = np.concatenate(
+        [f.to_object(one.xyd_mm * [1, 1, -1]) for f, one in zip(frames, lattices, strict=True)]
+    )
+    table = np.empty((len(points), len(frames), len(places), 2, 6), np.float32)
+    for row, frame in enumerate(frames):
+        local = frame.from_object(points)
+        away = local[:, None, :2] - places.xy_mm
+        near = LINEAR * np.exp(-np.sum(away**2, -1) / 90 + local[:, 2:] / 9)[..., None]
+        down = np.full(near.shape, -0.35)
+        shift = np.concatenate([0.05 * away, down], -1) @ frame.axes.T
+        turn = np.concatenate([-0.012 * away[..., 1:], 0.012 * away[..., :1], 0 * down], -1)
+        both = near * np.concatenate([shift, turn @ frame.axes.T], -1)
+        table[:, row] = both[:, :, None] * SHARES[:, None]
+    force = np.broadcast_to(spec.score.force_n * SHARES, table.shape[1:4]).copy()
+    faces = np.array([frame.number for frame in frames])
+    nan = InterpolationError(*4 * [np.nan])
+    return CandidateMotions(faces, places, force, force / 2, lattices, table, nan)
+
+
+def random_layouts(count, seed=0, dtype=torch.float32):
+    """Five magnets and three sensors each, tilted, of both polarities."""
+    rng = np.random.default_rng(seed)
+    xy, depth = rng.uniform(-15, 15, (count, 5, 2)), rng.uniform(2, 4, (count, 5, 1))
+    azimuth = np.deg2rad(rng.uniform(0, 120, (count, 1)) + 120 * np.arange(3))
+    radius = rng.uniform(6, 11, (count, 3, 1))
+    parts = (
+        np.concatenate([xy, depth], axis=-1),
+        rng.normal(0, 0.1, (count, 5, 2)),
+        rng.choice([-1.0, 1.0], (count, 5)),
+        radius * np.stack([np.cos(azimuth), np.sin(azimuth)], axis=-1),
+    )
+    return Layouts(*(torch.as_tensor(part, dtype=dtype) for part in parts))
+
+
+def ordinary_chain(spec, motions, face, layouts, row):
+    """Bounds, signals at the score's force and rest counts by scene, interpolation and Fisher."""
+    magnet_mm, turn, polarity, sensor_mm = (
+        np.asarray(getattr(layouts, name)[row].detach(), float)
+        for name in ("magnet_mm", "turn_rad", "polarity", "sensor_mm")
+    )
+    scene, motion = layout_scene(spec, motions, face, magnet_mm, turn, polarity, sensor_mm)
+    model = FieldModel(magnet_source(spec.magnets), "exact")
+
+    def counts(moved):
+        flat = moved.reshape(-1, *moved.shape[-2:])
+        field = 1e3 * sensed_field(scene, flat, model)
+        found = counts_of_field(field, scene.sensors.axes, spec.sensors)
+        return found.reshape(*moved.shape[:-2], -1, 3)
+
+    rest = counts(np.zeros_like(motion[:1, 0]))[0]
+    index = motions.faces.tolist().index(face)
+    delta = np.zeros((len(motions.faces), *motion.shape[:2], *rest.shape))
+    delta[index] = counts(motion) - rest
+    depth = np.array([1.0, 2.0])
+    signals = Signals(motions.faces, motions.places, depth, motions.force_n, delta, rest)
+    xy = motions.places.xy_mm
+    force = np.full(len(xy), spec.score.force_n)
+    found = signal_gradient(signals, np.full(len(xy), face), xy[:, 0], xy[:, 1], force)
+    sigma = disturbance_counts(spec.sensors, "fresh", found.counts.shape[1])
+    return cramer_rao_bounds(found.jacobian, sigma), found.counts, rest
+
+
+def layout_scene(spec, motions, face, magnet_mm, turn, polarity, sensor_mm):
+    centre, axis, faces, motion = [], [], [], []
+    for frame in face_frames(spec):
+        centre.append(frame.to_object(magnet_mm * [1, 1, -1]))
+        axis.append([frame.axes @ tilted_frame(*np.rad2deg(t))[:, 2] for t in turn])
+        faces.append(np.full(len(magnet_mm), frame.number))
+        index = motions.faces.tolist().index(face)
+        motion.append(motions.at(frame.number, magnet_mm[:, :2], magnet_mm[:, 2])[index])
+    axis = np.concatenate(axis)
+    strength = np.tile(polarity, len(faces))
+    magnets = MagnetLayout(np.concatenate(centre), axis, np.concatenate(faces), axis, strength)
+    core = core_frames(spec)[face - 1]
+    depth = np.full((len(sensor_mm), 1), -spec.sensors.depth_below_core_face_mm)
+    boards = [core.axes @ board_frame(np.arctan2(y, x)) for x, y in sensor_mm]
+    sensors = SensorLayout(
+        core.to_object(np.concatenate([sensor_mm, depth], axis=1)),
+        np.stack([(board @ chip_on_board(spec.sensors)).T for board in boards]),
+        np.full(len(sensor_mm), face),
+    )
+    chips = chip_errors(spec.sensors, len(sensor_mm), 1)
+    return Scene(magnets, sensors, chips, environment(spec)), np.concatenate(motion, axis=2)

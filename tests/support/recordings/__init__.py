@@ -1,0 +1,1 @@
+"""Recordings made for tests, and boards without hardware."""

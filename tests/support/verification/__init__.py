@@ -1,0 +1,1 @@
+"""Proofs of the mechanics, each with a planted fault."""
