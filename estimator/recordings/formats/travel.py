@@ -95,20 +95,23 @@ def _table(path: Path, columns: tuple[str, ...] | None) -> np.ndarray:
                     "there. Give the file as it was recorded"
                 )
             columns, largest = ("time", *(f"reading {k}" for k in range(1, width))), _LARGEST_UT
+            limited = slice(1, width)
         elif width not in (len(columns) - 1, len(columns)):
             raise RecordingError(
                 f"line 1 holds {width} cells; time, x, y, z and perhaps a load belong there. Give "
                 "the file as it was recorded"
             )
         else:
-            columns, largest = columns[:width], _LARGEST_MM
+            columns, largest, limited = columns[:width], _LARGEST_MM, slice(1, 4)
         names = list(columns)
         values = numbers(rows, names, 1)
         check_complete(values, names)
-        beyond = np.abs(values[:, 1:4]) > largest
+        beyond = np.abs(values[:, limited]) > largest
         if beyond.any():
             row = int(np.argmax(beyond.any(axis=1)))
+            column = names[1 + int(np.argmax(beyond[row]))]
             raise RecordingError(
-                f"line {row + 1}: a value beyond ±{largest:g}. Fix that line or delete it in both files"
+                f"line {row + 1}: {column} is {values[row, names.index(column)]:g}, beyond "
+                f"±{largest:g}. Fix that line or delete it in both files"
             )
     return values

@@ -142,7 +142,11 @@ DAMAGE = {
     ),
     "a place far away": (
         lambda f: edit(f / "states.csv", replaced("1e30")),
-        "line 4: a value beyond",
+        "line 4: y is 1e.30, beyond",
+    ),
+    "a reading of the last chip beyond any field": (
+        lambda f: edit(f / "sensor.csv", replaced("-2e6", 15)),
+        "line 4: reading 15 is -2e.06, beyond",
     ),
     "bytes that are no text": (lambda f: (f / "sensor.csv").write_bytes(b"\xff\xfe\x00"), "text"),
 }
@@ -152,10 +156,11 @@ def edit(path, change):
     path.write_text("\n".join(change(path.read_text().splitlines())) + "\n")
 
 
-def replaced(cell):
+def replaced(cell, column=2):
     def change(rows):
         cells = rows[3].split(",")
-        return [*rows[:3], ",".join([*cells[:2], cell, *cells[3:]]), *rows[4:]]
+        cells[column] = cell
+        return [*rows[:3], ",".join(cells), *rows[4:]]
 
     return change
 
