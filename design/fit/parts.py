@@ -12,7 +12,12 @@ from jaxtyping import Float
 
 from design.body.triangles import Block
 from design.layout.blocks import relief_slits
-from design.layout.boards import channel_heights_mm, mounted_sensors, sensor_recesses
+from design.layout.boards import (
+    channel_heights_mm,
+    mounted_sensors,
+    passage_radius_mm,
+    sensor_recesses,
+)
 from design.layout.body import body_of, core_frames, face_frames
 from design.layout.dents import dents_mm
 from design.layout.mould_frame import opening_of
@@ -115,14 +120,13 @@ def _check_key_clear_of_core(spec: ObjectSpec, where: str, key: Corners) -> Iter
 def _core_openings(spec: ObjectSpec) -> list[list[tuple[str, Corners]]]:
     """Outlines of recesses, channels and wire hole on every face of the core."""
     core = spec.core
-    middle = max(core.hub_radius_mm, core.wire_hole_side_diameter_mm / 2)
-    middle = max(middle, core.wire_hole_top_diameter_mm / 2)
+    middle = passage_radius_mm(spec)
     hub = ("the wire hole", _rectangle((0.0, 0.0), (middle, middle), 0.0))
     faces = []
     for places in sensor_places(spec):
         found: list[tuple[str, Corners]] = [hub]
         for x, y, azimuth in places if spec.arrangement == "sensors-in-core" else ():
-            found.append(("a sensor's recess", _recess(spec, x, y, azimuth)))
+            found.append(("a sensor's recess", recess_outline(spec, x, y, azimuth)))
             if core.wire_channel_width_mm:
                 reach = (0.0, hypot(x, y))
                 channel = _radial(atan2(y, x), reach, core.wire_channel_width_mm)
@@ -231,7 +235,7 @@ def _check_recesses_off_passages(spec: ObjectSpec) -> Iterator[str]:
     }
     for places in sensor_places(spec):
         for x, y, azimuth in places:
-            near = distance_mm(_recess(spec, x, y, azimuth), beside)
+            near = distance_mm(recess_outline(spec, x, y, azimuth), beside)
             for name, radius in passages.items():
                 if abs(near - radius) < _TOUCHING_MM:
                     yield (
@@ -270,7 +274,7 @@ def beyond_core_mm(spec: ObjectSpec, points_mm: np.ndarray) -> np.ndarray:
     return np.maximum(body.core_distance_mm(points_mm), beside)
 
 
-def _recess(spec: ObjectSpec, x: float, y: float, azimuth: float) -> Corners:
+def recess_outline(spec: ObjectSpec, x: float, y: float, azimuth: float) -> Corners:
     """Outline of a sensor's recess on the core's face."""
     core, offset = spec.core, hypot(x, y) - spec.sensors.radius_mm
     radii = (core.recess_inner_radius_mm + offset, core.recess_outer_radius_mm + offset)

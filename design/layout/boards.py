@@ -135,6 +135,13 @@ def smallest_recess_wall_mm(spec: ObjectSpec, sunk: bool = True) -> float:
     return min(_gap_mm(a, b) for a, b in combinations(recesses, 2))
 
 
+def passage_radius_mm(spec: ObjectSpec) -> float:
+    """Of the widest passage for wires in the middle of a core's face: hub, or wire hole."""
+    core = spec.core
+    widest = max(core.wire_hole_top_diameter_mm, core.wire_hole_side_diameter_mm)
+    return max(core.hub_radius_mm, widest / 2)
+
+
 def _gap_mm(a: Block, b: Block) -> float:
     """Of the separating-axis theorem: the largest gap along any normal or product of edges."""
     crossed = np.cross(a.axes.T[:, None], b.axes.T[None]).reshape(-1, 3)

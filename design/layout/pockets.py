@@ -8,6 +8,7 @@ face that the pocket opens to, so that everything here is below 0.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import combinations
 from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
@@ -16,6 +17,7 @@ from jaxtyping import Float
 from design.spec.worked_out import once
 
 if TYPE_CHECKING:
+    from design.body.surface_chart import FaceFrame
     from design.spec.magnets import Places
     from design.spec.object import ObjectSpec
 
@@ -261,6 +263,12 @@ def distance_of_axes_mm(a: Pocket, b: Pocket) -> float:
 
 def distance_of_segments_mm(a: Float[np.ndarray, "2 3"], b: Float[np.ndarray, "2 3"]) -> float:
     """Smallest distance between two straight pieces, given by their ends."""
+    return float(np.linalg.norm(_way_between(a, b)))
+
+
+def _way_between(
+    a: Float[np.ndarray, "2 3"], b: Float[np.ndarray, "2 3"]
+) -> Float[np.ndarray, "3"]:
     (p, p_end), (q, q_end) = a, b
     along, other, between = p_end - p, q_end - q, p - q
     aa, bb, ab = along @ along, other @ other, along @ other
@@ -269,4 +277,29 @@ def distance_of_segments_mm(a: Float[np.ndarray, "2 3"], b: Float[np.ndarray, "2
     s = 0.0 if determinant < 1e-12 * aa * bb else np.clip((ab * pb - bb * pa) / determinant, 0, 1)
     t = np.clip((ab * s + pb) / bb, 0, 1)
     s = np.clip((ab * t - pa) / aa, 0, 1)
-    return float(np.linalg.norm(between + s * along - t * other))
+    return between + s * along - t * other
+
+
+def neighbours(frames: tuple[FaceFrame, ...]) -> list[tuple[FaceFrame, FaceFrame]]:
+    """Pairs of faces of a box that meet at an edge."""
+    return [(a, b) for a, b in combinations(frames, 2) if abs(a.normal @ b.normal) < 0.5]
+
+
+def gap_across_edge_mm(frame: FaceFrame, a: Pocket, other: FaceFrame, b: Pocket) -> float:
+    """Silicone between pockets of two faces: the largest gap along either axis and along the shortest
+    way between the axes, at most the true one.
+
+    Negative where none of these ways is free.
+    """
+    (p, p_end), (q, q_end) = ends = frame.to_object(a.axis_ends_mm), other.to_object(b.axis_ends_mm)
+    u, v = frame.axes @ a.axis, other.axes @ b.axis
+    way = _way_between(*ends)
+    length, gaps = float(np.linalg.norm(way)), []
+    for d in ([way / length] if length > 0 else []) + [u, v]:
+        one, another = sorted((d @ p, d @ p_end)), sorted((d @ q, d @ q_end))
+        reach = sum(
+            pocket.outline.radius_mm * np.sqrt(max(1 - (d @ axis) ** 2, 0.0))
+            for pocket, axis in ((a, u), (b, v))
+        )
+        gaps.append(max(one[0] - another[1], another[0] - one[1]) - reach)
+    return float(max(gaps))

@@ -7,7 +7,7 @@ from itertools import combinations
 import numpy as np
 
 from design.fit.parts import beyond_core_mm
-from design.layout.boards import sensor_recesses, smallest_recess_wall_mm
+from design.layout.boards import passage_radius_mm, sensor_recesses, smallest_recess_wall_mm
 from design.layout.body import body_of, face_frames
 from design.layout.places.positions import cover_mm
 from design.layout.pockets import distance_of_segments_mm, sensor_places, shell_pockets
@@ -39,9 +39,7 @@ def tight_middle(spec: ObjectSpec) -> bool:
     A recess in the middle of its face swallows the hole.
     """
     core, least = spec.core, spec.printer.wall_mm
-    hole = max(
-        core.hub_radius_mm, core.wire_hole_top_diameter_mm / 2, core.wire_hole_side_diameter_mm / 2
-    )
+    hole = passage_radius_mm(spec)
     inward = spec.sensors.radius_mm - core.recess_inner_radius_mm
     away = [np.hypot(x, y) for places in sensor_places(spec) for x, y, _ in places]
     return any(0 < middle < hole + least + inward for middle in away)

@@ -7,6 +7,8 @@ inward; the corner at the face's +x, +y is cut off.
 
 from __future__ import annotations
 
+from itertools import combinations
+
 import cadquery as cq
 import numpy as np
 
@@ -102,11 +104,38 @@ def mark_place(pockets: tuple[Pocket, ...], index: int, half: tuple[float, float
 
 def _mark(place: np.ndarray, polarity: int) -> list[cq.Solid]:
     """Bars of + or −, cut into the top of the plate."""
-    long, wide = MARK_LENGTH_MM / 2, MARK_WIDTH_MM / 2
-    bars = [(long, wide), (wide, long)] if polarity > 0 else [(long, wide)]
     x, y = place
     low, high = PLATE_MM - MARK_DEPTH_MM, PLATE_MM + OVERSHOOT_MM
-    return [box_between((x - a, y - b, low), (x + a, y + b, high)) for a, b in bars]
+    return [box_between((x - a, y - b, low), (x + a, y + b, high)) for a, b in _bars(polarity)]
+
+
+def _bars(polarity: int) -> list[tuple[float, float]]:
+    """Half edges of the bars of + or −."""
+    long, wide = MARK_LENGTH_MM / 2, MARK_WIDTH_MM / 2
+    return [(long, wide), (wide, long)] if polarity > 0 else [(long, wide)]
+
+
+def thinnest_mark_wall_mm(spec: ObjectSpec) -> float:
+    """Wall of the template between a mark and the nearest hole or other mark; ∞ where there is none.
+
+    Marks that meet leave no wall.
+    """
+    walls, polarities = [np.inf], spec.magnets.polarities
+    for frame, pockets in pockets_by_face(spec):
+        radius = np.array([pocket.outline.radius_mm for pocket in pockets]) + play_mm(spec)
+        centre = np.stack([_centre(pocket) for pocket in pockets])
+        bars = [
+            (mark_place(pockets, index, frame.half_extents_mm), np.array(half), index)
+            for index, polarity in enumerate(polarities)
+            for half in _bars(polarity)
+        ]
+        for place, half, _ in bars:
+            beside = (abs(centre - place) - half).clip(min=0)
+            walls += (np.linalg.norm(beside, axis=1) - radius).tolist()
+        for (a, half_a, of_a), (b, half_b, of_b) in combinations(bars, 2):
+            gap = float(np.linalg.norm((abs(a - b) - half_a - half_b).clip(min=0)))
+            walls += [gap] if of_a != of_b and gap > 0 else []
+    return float(min(walls))
 
 
 def _corner(half: tuple[float, float]) -> cq.Solid:

@@ -85,12 +85,13 @@ class VarySpec(SpecPart):
 
 
 class SearchLimitsSpec(SpecPart):
-    """What every layout must keep, beyond what any specification must.
+    """What every layout must keep, beyond what any specification must and what `check --fabrication`
+    asks of layouts: `silicone.thinnest_wall_mm` round pockets, `printer.wall_mm` round recesses.
 
-    `pocket_gap_mm` and `board_gap_mm` are what is left between the pockets of two magnets and
-    between the recesses of two sensor boards; `wiring_mm` is the length of straight wires from a
-    face's sensors to its centre; `parts_per_face` counts magnets and sensors; `cost` is that of all
-    faces, in the unit of the prices. `times_start` says how many times the starting specification's
+    `pocket_gap_mm` and `board_gap_mm` are what is left between the pockets of two magnets and between
+    the recesses of two sensor boards, where that is more; `wiring_mm` is the length of straight wires
+    from a face's sensors to its centre; `parts_per_face` counts magnets and sensors; `cost` is that of
+    all faces, in the unit of the prices. `times_start` says how many times the starting specification's
     value a score may have at most (`sensitivity_ratio`: at least); `places_worse` is the share of
     (force, contact location) whose position bound may be larger than the start's. Channels at rest may
     take `resting_share` of the range; at the higher fidelity levels, pressed, they must leave

@@ -16,8 +16,9 @@ from torch import Tensor
 from design.spec.object import ObjectSpec
 from design.spec.search import OBJECTIVES_TO_MAXIMIZE
 from estimator.layouts.batch_scores import OVER_START, PlaceBounds, batch_scores
+from estimator.layouts.limits import broken_limits_mm
 from estimator.layouts.scoring import LayoutScorer, within_candidates
-from estimator.layouts.vectors import LayoutSpace, broken_limits_mm, layouts_at
+from estimator.layouts.vectors import LayoutSpace, layouts_at
 
 PENALTY_PER_MM = 10.0
 """A limit broken by 0.1 mm doubles every objective, more than any layout gains by it."""

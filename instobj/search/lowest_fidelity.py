@@ -16,6 +16,7 @@ import numpy as np
 import torch
 
 from design.errors import InputError
+from design.fabrication.layout import failures, layout_findings
 from design.layout.boards import smallest_recess_wall_mm
 from design.search.places import polarities
 from design.search.space import (
@@ -195,13 +196,18 @@ def _scored(spec: ObjectSpec, params: dict[str, Any], judged: Judged, row: int) 
 
 
 def misfit_of(spec: ObjectSpec, params: dict[str, Any]) -> str:
-    """What the specification's own check says of a layout; nothing where it fits."""
+    """What the specification's own check and that of fabrication say of a layout; nothing where it fits."""
     try:
         found = with_layout(spec, params)
     except InputError as error:
         return str(error)
-    wall, least = smallest_recess_wall_mm(found), spec.search.limits.board_gap_mm
-    if spec.search.vary.sensor_reach_mm is not None and wall < least:
+    moved = spec.search.vary.sensor_reach_mm is not None
+    failed = failures(layout_findings(found, recesses=moved))
+    if failed:
+        return "cannot be fabricated: " + "; ".join(failed)
+    least = spec.search.limits.board_gap_mm
+    wall = smallest_recess_wall_mm(found) if moved else least
+    if wall < least:
         return f"{wall:.2f} mm of core between two recesses, less than board_gap_mm = {least:g}"
     return ""
 

@@ -30,6 +30,7 @@ from estimator.layouts.fidelity import (
     rank_correlations,
 )
 from estimator.layouts.scoring import LayoutScorer
+from instobj.search.buildable import why_unbuildable
 from instobj.search.fidelity import (
     PlainShell,
     TwinRatio,
@@ -80,7 +81,7 @@ class Promotion:
             return ""
         return (
             f"{scored[0]} of {self.asked[0]} leaders and {scored[1]} of {self.asked[1]} finalists were "
-            "scored: the others fell out for want of time, or could not be scored"
+            "scored: the others fell out for want of time, or could not be fabricated or scored"
         )
 
     @property
@@ -116,8 +117,8 @@ def promote(
     finalists = _finalists(start, ranked, search.finalists, memo, say, limit)
     if not finalists:
         raise InputError(
-            "no leader could be scored at the higher fidelity levels: see the reasons above. Raise "
-            "search.leaders and go on with --resume"
+            "no leader could be fabricated and scored at the higher fidelity levels: see the reasons above. "
+            "Raise search.leaders and go on with --resume"
         )
     finalists.sort(key=lambda one: merit(search, one, start, LAST))
     correlations = {
@@ -151,10 +152,16 @@ def _finalists(
     say: Say,
     limit: TimeLimit,
 ) -> list[Promoted]:
-    """The first leaders that the highest level can score; one, where the next may take too long."""
+    """The first leaders that can be fabricated and the highest level can score; one, where the next may
+    take too long."""
     finalists: list[Promoted] = []
     for one in ranked:
         began = limit.left_s
+        say(f"fabrication checks of {one.label}")
+        why = why_unbuildable(one.spec, start.spec)
+        if why:
+            say(f"{one.label} falls out, the next takes its place: it cannot be fabricated: {why}")
+            continue
         finalists += _score([start, one], LAST, _highest, memo, say)[1:]
         took = began - limit.left_s
         if len(finalists) == count or (finalists and took > limit.left_s / 2):

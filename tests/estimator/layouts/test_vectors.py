@@ -6,14 +6,16 @@ import torch
 from numpy.testing import assert_allclose
 
 from design.errors import InputError
+from design.fabrication.layout import failures, layout_findings
 from design.layout.boards import smallest_recess_wall_mm
 from design.search.places import polarities
 from design.search.space import params_at, search_space, with_layout
 from design.search.structure import with_structure
 from design.spec_io import parse_spec
 from estimator.layouts.batch import layouts_of
+from estimator.layouts.limits import RULES, broken_limits_mm
 from estimator.layouts.polish import descend
-from estimator.layouts.vectors import RULES, broken_limits_mm, layout_space, layouts_at
+from estimator.layouts.vectors import layout_space, layouts_at
 
 VARY = {
     "magnet_reach_mm": 15.0,
@@ -25,7 +27,7 @@ VARY = {
 COUNT = 40
 
 
-def batch(seed=0, count=COUNT, sensors="free", magnets="free", **limits):
+def batch(seed=0, count=COUNT, sensors="free", magnets="free", wall_mm=0.8, **limits):
     """Random layouts of one structure: specification, space, tensors, variables, polarities, units."""
     search = {
         "vary": VARY,
@@ -33,7 +35,8 @@ def batch(seed=0, count=COUNT, sensors="free", magnets="free", **limits):
         "sensor_symmetry": sensors,
         "magnet_symmetry": magnets,
     }
-    spec = parse_spec({"name": "cube", "search": search}, "made up")
+    printer = {"wall_mm": wall_mm}
+    spec = parse_spec({"name": "cube", "printer": printer, "search": search}, "made up")
     space = search_space(spec)
     units = np.random.default_rng(seed).random((count, len(space.variables)))
     params = [params_at(space, unit) for unit in units]
@@ -94,12 +97,12 @@ def verdicts(seed):
 
 
 def test_limits_agree_with_the_specifications_check():
-    """Kept limits fit; what does not fit breaks the limit of that name."""
+    """Kept limits fit and can be made; what does not fit breaks the limit of that name."""
     kept = refused = 0
     for rules, said, spec, params in verdicts(2):
         if float(rules.sum()) == 0:
             assert not said
-            assert smallest_recess_wall_mm(with_layout(spec, params)) >= 0
+            assert not failures(layout_findings(with_layout(spec, params)))
             kept += 1
         for rule, words in WORDS.items():
             if any(word in said for word in words):
@@ -110,15 +113,16 @@ def test_limits_agree_with_the_specifications_check():
 
 
 def test_walls_between_recesses_are_those_of_the_core(monkeypatch):
-    spec, space, params, poles, units = batch(5, 60, sensors="ring", board_gap_mm=0.0)
+    spec, space, params, poles, units = batch(5, 60, sensors="ring", wall_mm=0.1, board_gap_mm=0.0)
     missing = broken_limits_mm(space, layouts_at(space, units, poles, 1))[
         :, RULES.index("board gap")
     ]
     walls = np.array([smallest_recess_wall_mm(unchecked(spec, one, monkeypatch)) for one in params])
-    clear = walls > 0.04
+    least = spec.printer.wall_mm  # more than the board gap of this search
+    clear = walls > least + 0.04
     assert clear.any()
     assert (missing.numpy()[clear] == 0).all()
-    assert (missing.numpy()[walls < 0] >= -walls[walls < 0] - 0.02).all()
+    assert (missing.numpy()[walls < least] >= least - walls[walls < least] - 0.02).all()
 
 
 @pytest.mark.parametrize("rule", range(len(RULES)))
@@ -135,6 +139,35 @@ def test_gradients_of_limits_are_those_of_differences(rule):
     numeric = (broken(units + step * way) - broken(units - step * way)) / (2 * step)
     assert_allclose((slope * way).sum(dim=1), numeric, rtol=1e-3, atol=1e-4)
     assert float(broken(units).max()) > 0 or RULES[rule] == "seal"
+
+
+FABRICATION = {
+    "pocket gap": "pocket spacing",
+    "pocket gap across an edge": "pocket spacing across an edge",
+    "boards near the edge": "wall beside a side of the core",
+    "board beside the wire hole": "wall beside the wire hole",
+}
+
+
+def test_limits_of_fabrication_have_its_figures(monkeypatch):
+    """What fails breaks the limit of that name, and nothing is refused that is clear of it."""
+    spec, space, params, poles, units = batch(11, 30, pocket_gap_mm=0.0)
+    broken = broken_limits_mm(space, layouts_at(space, units, poles, 1))
+    seen = dict.fromkeys((*FABRICATION, "seal"), 0)
+    for row, one in enumerate(params):
+        found = {f.check: f for f in layout_findings(unchecked(spec, one, monkeypatch))}
+        missing = {check: f.limit - f.value for check, f in found.items()}
+        silicone = max(missing["seal over the magnets"], missing["breakthrough"])
+        wanted = {rule: missing[check] for rule, check in FABRICATION.items() if check in missing}
+        for rule, short in (wanted | {"seal": silicone}).items():
+            told = float(broken[row, RULES.index(rule)])
+            if short > 0.02:  # a recess by the wire hole may also move over it
+                inward = rule == "board beside the wire hole"
+                assert told > (0 if inward else short - 0.02), (rule, short, told)
+                seen[rule] += 1
+            if short < -0.05:
+                assert told == 0, (rule, short, told)
+    assert min(seen.values()) > 0, seen
 
 
 def test_descent_never_ends_worse_and_stays_inside():

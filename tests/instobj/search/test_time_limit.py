@@ -113,7 +113,13 @@ def promoted(tmp_path, monkeypatch, clock):
     monkeypatch.setattr(promotion, "twin_ratios", lambda start, found: ratios)
     monkeypatch.setattr(promotion, "estimator_errors", lambda spec: {"similarity": 0.5})
 
-    def run(seconds, second_s, highest_s):
+    def run(seconds, second_s, highest_s, unbuildable=()):
+        asked = iter(range(99))
+        monkeypatch.setattr(
+            promotion,
+            "why_unbuildable",
+            lambda found, start: "shell, seal: 0.4 mm" if next(asked) in unbuildable else "",
+        )
         for name, took in (("_lowest", 0), ("_second", second_s), ("_highest", highest_s)):
             monkeypatch.setattr(promotion, name, level(took))
         said = []
@@ -144,3 +150,13 @@ def test_what_was_scored_before_costs_no_time_in_the_next_call(promoted):
     promoted(seconds=100, second_s=25, highest_s=10)
     found, _ = promoted(seconds=100, second_s=25, highest_s=10)
     assert len(found.leaders) > 2
+
+
+def test_a_leader_that_cannot_be_fabricated_makes_room_for_the_next_with_a_message(promoted):
+    found, said = promoted(1000, 10, 10, unbuildable=(0, 2))
+    assert [one.label for one in found.finalists] == [found.leaders[k].label for k in (1, 3, 4)]
+    (first, second) = [line for line in said if "cannot be fabricated: shell, seal: 0.4 mm" in line]
+    assert first.startswith(found.leaders[0].label)
+    assert second.startswith(found.leaders[2].label)
+    with pytest.raises(InputError, match="no leader could be fabricated"):
+        promoted(1000, 10, 10, unbuildable=range(99))

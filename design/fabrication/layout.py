@@ -1,0 +1,99 @@
+"""Checks of fabrication that a layout of magnets and sensors decides, without a solid: milliseconds.
+
+What of these fails is refused before anything is solved. Walls of the core are taken as planes leave
+them, which is never thicker than what rays find in the printed part.
+"""
+
+from __future__ import annotations
+
+from itertools import product
+
+import numpy as np
+
+from design.fabrication.assembly import check_pockets
+from design.fabrication.finding import Finding, at_least, place_of
+from design.fit.parts import beyond_core_mm, distance_mm, recess_outline
+from design.layout.boards import passage_radius_mm, sensor_recesses, smallest_recess_wall_mm
+from design.layout.body import face_frames
+from design.layout.pockets import gap_across_edge_mm, neighbours, sensor_places, shell_pockets
+from design.solids.magnet_template import thinnest_mark_wall_mm
+from design.spec.object import ObjectSpec
+
+
+def layout_findings(spec: ObjectSpec, recesses: bool = True) -> list[Finding]:
+    """Silicone round the pockets, and with `recesses` walls of the core round these (boxes only).
+
+    Recesses that meet leave no wall between them and can be printed, as on the paper's cube; here they
+    fail, as a layout search keeps them apart.
+    """
+    found = [*check_pockets(spec), *_across_edges(spec), *_marks(spec)]
+    return found + _recess_walls(spec) if recesses else found
+
+
+def failures(findings: list[Finding]) -> list[str]:
+    """What fails, in words."""
+    return [
+        f"{one.part}, {one.check}: {one.value:.2f} {one.unit}, at least {one.limit:g} needed"
+        for one in findings
+        if one.status == "fail"
+    ]
+
+
+def _across_edges(spec: ObjectSpec) -> list[Finding]:
+    """Silicone between pockets of neighbouring faces."""
+    faces = dict(zip((f.number for f in face_frames(spec)), shell_pockets(spec), strict=True))
+    found = [
+        (gap_across_edge_mm(a, one, b, other), a.to_object(one.axis_ends_mm[0]))
+        for a, b in neighbours(face_frames(spec))
+        for one, other in product(faces[a.number], faces[b.number])
+    ]
+    if not found:
+        return []
+    gap, place = min(found, key=lambda pair: pair[0])
+    text = "silicone between pockets of neighbouring faces. Below the limit: move them inwards"
+    limit = spec.silicone.thinnest_wall_mm
+    return [
+        Finding(
+            "pocket spacing across an edge",
+            "shell",
+            gap,
+            limit,
+            "mm",
+            at_least(gap, limit),
+            text,
+            place_of(place),
+        )
+    ]
+
+
+def _recess_walls(spec: ObjectSpec) -> list[Finding]:
+    """Walls between recesses, from a recess to the next side of the core, and to the wire hole."""
+    recesses = sensor_recesses(spec)
+    floors = np.concatenate([recess.corners_mm[:4] for recess in recesses])
+    found = [
+        _printed(spec, "wall beside a side of the core", -float(beyond_core_mm(spec, floors).max()))
+    ]
+    if len(recesses) > 1:
+        wall = smallest_recess_wall_mm(spec)
+        found.append(_printed(spec, "wall between two recesses", wall))
+    away = [
+        distance_mm(recess_outline(spec, *place), np.zeros(2))
+        for places in sensor_places(spec)
+        for place in places
+    ]
+    beside = [distance - passage_radius_mm(spec) for distance in away if distance > 0]
+    return found + [_printed(spec, "wall beside the wire hole", min(beside))] * bool(beside)
+
+
+def _printed(spec: ObjectSpec, check: str, wall_mm: float) -> Finding:
+    limit = spec.printer.wall_mm
+    text = f"core: {check}. Below the limit: move the sensors"
+    return Finding(check, "core", wall_mm, limit, "mm", at_least(wall_mm, limit), text)
+
+
+def _marks(spec: ObjectSpec) -> list[Finding]:
+    """Walls of the magnets' template beside the marks of polarity."""
+    wall, limit = thinnest_mark_wall_mm(spec), spec.printer.wall_mm
+    text = "wall beside a mark of polarity. Below the limit: move magnets apart"
+    status = at_least(wall, limit)
+    return [Finding("mark of polarity", "magnet_template", wall, limit, "mm", status, text)]
