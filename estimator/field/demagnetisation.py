@@ -7,7 +7,8 @@ factor): 0 of a long rod, 1 of a thin plate.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import pi
+from functools import lru_cache
+from math import asinh, cos, hypot, pi, sin, sqrt
 
 import numpy as np
 from scipy.integrate import quad
@@ -24,6 +25,7 @@ def of_cylinders(cylinders: Sequence[tuple[float, float]], height_mm: float) -> 
     return 1 - flux / (pi * height_mm * sum(weight * r**2 for r, weight in cylinders))
 
 
+@lru_cache(maxsize=1024)
 def _linked_flux_mm3(radius: float, other: float, height: float) -> float:
     """Integral of B / J of a full cylinder over another on the same axis, of the same height.
 
@@ -33,9 +35,9 @@ def _linked_flux_mm3(radius: float, other: float, height: float) -> float:
 
     def at(t: float) -> float:
         angle = pi * t**3
-        apart = np.hypot(radius - other, 2 * np.sqrt(radius * other) * np.sin(angle / 2))
-        sheets = height * np.arcsinh(height / apart) - np.hypot(height, apart) + apart
-        return 6 * pi * t**2 * np.cos(angle) * sheets
+        apart = hypot(radius - other, 2 * sqrt(radius * other) * sin(angle / 2))
+        sheets = height * asinh(height / apart) - hypot(height, apart) + apart
+        return 6 * pi * t**2 * cos(angle) * sheets
 
     return radius * other * quad(at, 0, 1, epsabs=0, epsrel=1e-10, limit=200)[0]
 

@@ -172,7 +172,7 @@ def test_numbers_and_process_are_drawn_together(quiet, fault):
             seen.force_n,
             "clamp",
         ).counts[..., own]
-        for seed in range(12)
+        for seed in range(7)
     ]
     spread = np.std(draws, axis=0, ddof=1).reshape(-1, 9)
     strong = (seen.force_n > 3.0).ravel()
