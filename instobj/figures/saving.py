@@ -21,6 +21,16 @@ def save_figure(figure: Figure, path: Path | str) -> Path:
     InputError
         The picture cannot be written.
     """
+    figure.set_dpi(DPI)
+    _lay_out(figure)
     with atomic_path(path) as temporary:
         figure.savefig(temporary, dpi=DPI, format="png", metadata={"Software": None})
     return Path(path)
+
+
+def _lay_out(figure: Figure) -> None:
+    """Once: with an engine left in place, saving would draw and lay out everything twice."""
+    engine = figure.get_layout_engine()
+    if engine is not None:
+        engine.execute(figure)
+        figure.set_layout_engine("none")

@@ -181,8 +181,8 @@ def _draw_parts(axes: Any, spec: ObjectSpec, face: int, move: Any) -> None:
 
 
 def _placed(patch: Any, transform: Any, zorder: float = 1) -> Any:
-    """The patch, moved by a transform."""
-    patch.set(transform=transform, zorder=zorder)
+    """The patch, moved by a transform; it lies within the axes, so that layouts need not ask."""
+    patch.set(transform=transform, zorder=zorder, in_layout=False)
     return patch
 
 
@@ -220,6 +220,7 @@ def _write_numbers(
         )
         under = BLANK if blank[place] else colours[place]
         number.set_path_effects([withStroke(linewidth=2.2, foreground=under)])
+        number.set_in_layout(False)
 
 
 def _fitting_font(texts: list[str], cell_inches: float) -> float:
