@@ -68,7 +68,7 @@ class Dictionary:
                 press = np.argmax(of_number, axis=1)
                 (rows,) = np.nonzero(of_number[np.arange(len(level)), press] > 0)
                 found.append(self._placed(level, rows, press[rows], scale[rows, press[rows]]))
-                of_number[self._near[press]] = -np.inf
+                of_number[self._near(press)] = -np.inf
         rows, faces, contacts = zip(*found, strict=True)
         return np.concatenate(rows), np.concatenate(faces), np.concatenate(contacts)
 
@@ -116,15 +116,22 @@ class Dictionary:
     def _squared(self) -> Float[np.ndarray, "press channel"]:
         return self.counts**2
 
+    def _near(self, press: Int[np.ndarray, "problem"]) -> Bool[np.ndarray, "problem press"]:
+        """Presses that are one start with a chosen one: of as many tips whose centres are near."""
+        near = (self.face[press, None] == self.face) & (self.tips[press, None] == self.tips)
+        for places in (self._centre_mm, self._first_mm):
+            x, y = (axis[press, None] - axis for axis in places)
+            near &= x * x + y * y < _APART_MM**2
+        return near
+
     @cached_property
-    def _near(self) -> Bool[np.ndarray, "press press"]:
-        """Presses that are one start: of as many tips whose centres are near."""
+    def _centre_mm(self) -> Float[np.ndarray, "2 press"]:
         number = np.arange(self.contact.shape[1])[:, None] < self.tips
-        centre = np.einsum("tp,ptd->pd", number / self.tips, self.contact[..., :2])
-        away = np.linalg.norm(centre[:, None].astype(np.float32) - centre[None], axis=2)
-        turned = np.linalg.norm(self.contact[:, None, 0, :2] - self.contact[None, :, 0, :2], axis=2)
-        near = (self.face[:, None] == self.face) & (self.tips[:, None] == self.tips)
-        return near & (away < _APART_MM) & (turned < _APART_MM)
+        return np.einsum("tp,ptd->dp", number / self.tips, self.contact[..., :2]).astype(np.float32)
+
+    @cached_property
+    def _first_mm(self) -> Float[np.ndarray, "2 press"]:
+        return self.contact[:, 0, :2].T.astype(np.float32)
 
 
 def dictionary(model: ContactModel, priors: Priors) -> Dictionary:

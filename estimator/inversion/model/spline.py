@@ -96,5 +96,6 @@ def spline_coefficients(
     from scipy.interpolate import make_interp_spline
 
     for axis, at in enumerate(nodes):
-        values = np.moveaxis(make_interp_spline(at, values, k=_ORDER, axis=axis).c, 0, axis)
+        of_values = make_interp_spline(at, np.eye(len(at)), k=_ORDER).c
+        values = np.moveaxis(np.tensordot(of_values, values, axes=(1, axis)), 0, axis)
     return values
