@@ -1,6 +1,9 @@
 """The benchmark of signals and scores runs, and its figures hang together."""
 
+import pytest
 
+
+@pytest.mark.slow
 def test_quick_run_writes_times_and_beats_the_exact_hull(quick_run):
     result, printed = quick_run("scores", 1, ["scores.json"])
     times = result["times"]

@@ -1,6 +1,9 @@
 """The benchmark of the solvers runs, and all of them find the same compliance."""
 
+import pytest
 
+
+@pytest.mark.slow
 def test_quick_run_finds_one_compliance_by_three_solvers(quick_run):
     result, printed = quick_run("solvers", 1, ["solvers.json"])
     rows = result["bodies"]["hall_skin"]

@@ -59,7 +59,7 @@ LIBRARIES_OF_C = (".nc",)
 
 @pytest.fixture(autouse=True)
 def short_first_reading(monkeypatch):
-    monkeypatch.setattr(netcdf, "FIRST_READING_S", 5.0)
+    monkeypatch.setattr(netcdf, "FIRST_READING_S", 2.5)
 
 
 class TookTooLong(Exception):
