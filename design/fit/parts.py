@@ -41,6 +41,7 @@ def check_parts(spec: ObjectSpec) -> Iterator[str]:
         yield from _check_slits(spec)
     if spec.shell.seal_layer_mm:
         yield from _check_seal_layer(spec)
+    yield from _check_pocket_width(spec)
     yield from _check_dents(spec)
     yield from _check_channels(spec)
     if spec.arrangement == "sensors-in-core":
@@ -69,6 +70,20 @@ def _check_keys(spec: ObjectSpec) -> Iterator[str]:
         key = _rectangle((x, y), (width / 2, length / 2), 0.0)
         yield from _check_key_clear_of_core(spec, where, key)
         yield from _check_key_below_pockets(spec, where, key)
+
+
+def _check_pocket_width(spec: ObjectSpec) -> Iterator[str]:
+    magnets, wide = spec.magnets, spec.shell.pocket_diameter_mm
+    if (
+        spec.arrangement == "sensors-in-core"
+        and magnets.shape != "block"
+        and wide < magnets.diameter_mm
+    ):
+        yield (
+            f"shell.pocket_diameter_mm = {wide:g} is narrower than the magnets of {magnets.diameter_mm:g} "
+            f"mm, which would stand in the silicone. Make it {magnets.diameter_mm:g} or more, or take a "
+            "smaller magnet"
+        )
 
 
 def _check_dents(spec: ObjectSpec) -> Iterator[str]:

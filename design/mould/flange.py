@@ -12,7 +12,6 @@ import numpy as np
 from design.layout.mould_frame import MouldFrame, mould_frame, parting, play_mm
 from design.mould.openings import mould_holes
 from design.mould.pins import Pin, loose_pins
-from design.mould.plug import CLIP_REACH_MM
 from design.spec.object import ObjectSpec
 from design.spec.worked_out import once
 
@@ -25,6 +24,8 @@ LONGER_MM = (0.0, 6.0, 12.0, 18.0, 24.0)
 """By which flanges reach below the block where pins leave too little room."""
 LEAST_GAP_MM = 5.0
 """Between the middles of a dowel and a bolt."""
+BELOW_RIM_MM = 4.0
+"""Of the flanges' upper ends, where a plug or a rod hangs in the mould."""
 EDGE_MM = 3.0
 """From the middle of a dowel or a bolt to the end of the flange or a notch, at least."""
 LEAST_STRETCH_MM = 4.0
@@ -71,11 +72,11 @@ class Flange:
 
 @once
 def flanges(spec: ObjectSpec) -> tuple[Flange, Flange]:
-    """Of both ends of the seam, clear of the plug's clips, as long as dowels and bolts need."""
+    """Of both ends of the seam, below the rim that a plug clips onto, as long as dowels and bolts need."""
     frame, wide = mould_frame(spec), spec.mould.flange_mm
     left, right = _block_ends_mm(spec, frame)
-    clips = CLIP_REACH_MM + 2 * play_mm(spec) if frame.plugged else 0.0
-    top = frame.rim_mm - clips
+    lower = BELOW_RIM_MM + 2 * play_mm(spec) if frame.plugged else 0.0
+    top = frame.rim_mm - lower
     bottom = min(float(frame.low_mm[2]), top - FLANGE_LENGTH_MM)
     ends, pins = ((left - wide, left), (right, right + wide)), loose_pins(spec)
     pierced = [_pierced_mm(spec, *end) for end in ends]

@@ -21,6 +21,7 @@ from design.layout.body import face_frames
 from design.layout.core_hold import LOCATOR_NOSE_MM, Locator, locators
 from design.layout.mould_frame import mould_frame, parting, play_mm
 from design.layout.pockets import Body, Outline, Pocket, distance_of_segments_mm, shell_pockets
+from design.mould.plug_flange import flange_span_mm
 from design.mould.room import core_outside
 from design.solids.booleans import Shape, Solid, cut, join, one_body
 from design.solids.primitives import OVERSHOOT_MM, cylinder_on_face, pocket_prism, pocket_solid
@@ -95,7 +96,7 @@ def loose_pins(spec: ObjectSpec) -> tuple[Pin, ...]:
         if _key(frame, pocket) not in met and not _along_pull(spec, frame, pocket)
     ]
     pins += [_locating_pin(spec, locator) for locator in locators(spec)]
-    rim = _rim_mm(spec, pins)
+    rim = min(_rim_mm(spec, pins), _below_rim_mm(spec, pins))
     return tuple(replace(pin, rim_mm=rim) for pin in pins)
 
 
@@ -269,6 +270,24 @@ def _rim_mm(spec: ObjectSpec, pins: Sequence[Pin]) -> float:
     walled, merged = (gap - 2 * play - printer.wall_mm) / 2, (gap - play) / 2
     room = walled if walled >= least_rim_mm(spec) else merged
     return float(np.clip(room, 0.0, PIN_HEAD_RIM_MM))
+
+
+def _below_rim_mm(spec: ObjectSpec, pins: Sequence[Pin]) -> float:
+    """Width of rims that stay below the clips of a plug's flange, which end at the mould's rim.
+
+    Of heads on the outside of the walls that the clips reach over; never below 0.
+    """
+    frame = mould_frame(spec)
+    if not frame.plugged:
+        return PIN_HEAD_RIM_MM
+    ends = flange_span_mm(spec)
+    room = PIN_HEAD_RIM_MM
+    for pin in pins:
+        across, along, out = frame.axes.T @ pin.head_axis_mm[1]
+        beside = pin.radius_mm + PIN_HEAD_RIM_MM + play_mm(spec)
+        if abs(along) > frame.high_mm[1] and ends[0] - beside < across < ends[1] + beside:
+            room = min(room, frame.rim_mm - play_mm(spec) - float(out) - pin.radius_mm)
+    return max(room, 0.0)
 
 
 def least_rim_mm(spec: ObjectSpec) -> float:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import cadquery as cq
 
 from design.layout.mould_frame import mould_frame
-from design.mould.plug import tabs
+from design.mould.plug_flange import tabs
 from design.mould.room import drawn_out
 from design.solids.booleans import Shape, common, cut, join
 from design.solids.primitives import box_between

@@ -73,7 +73,7 @@ STAGES: dict[str, Stage] = {
         (),
         ("name", *_MAKING),
         make_build,
-        version=6,
+        version=7,
     ),
     "sheet": Stage(
         "design: bill of materials and assembly sheet",

@@ -1,22 +1,25 @@
-"""Command that draws, builds and judges random specifications, and writes a table of outcomes.
+"""Command that draws, builds and judges random specifications: one line of JSON for each.
 
-`python -m tests.random_designs --first 0 --count 100 --table outcomes.csv`: seeds that the table
-holds are not judged again, so that a study goes on where it stopped.
+`python -m tests.random_designs --first 0 --count 100 --table outcomes.jsonl`: seeds that the file
+holds are not judged again, so that a study goes on where it stopped. `--seconds` ends it in time.
+Without `--count` it only sums up what the file holds.
 """
 
 from __future__ import annotations
 
 import argparse
-import csv
+import json
 import signal
 import tempfile
-from collections import Counter
+import time
 from pathlib import Path
+from typing import Any
 
+from tests.random_designs.draw import kind_of
 from tests.random_designs.judge import judged
+from tests.random_designs.summary import summary
 from tests.support.building_apart import Apart
 
-COLUMNS = ("seed", "outcome", "seconds", "why")
 _PATIENCE_S = 6 * 3600.0
 """On a busy machine: how long a seed may take is judged by its processor time."""
 _GIVEN_UP = f"exit code {-signal.SIGXCPU}"
@@ -25,39 +28,45 @@ _GIVEN_UP = f"exit code {-signal.SIGXCPU}"
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--first", type=int, default=0)
-    parser.add_argument("--count", type=int, default=100)
+    parser.add_argument("--count", type=int, default=0)
+    parser.add_argument("--seconds", type=float, default=float("inf"))
     parser.add_argument("--table", type=Path, required=True)
     given = parser.parse_args()
-    known = _known(given.table)
-    apart = Apart(judged)
-    with given.table.open("a", newline="") as file, tempfile.TemporaryDirectory() as folder:
-        table = csv.DictWriter(file, COLUMNS)
-        if not known:
-            table.writeheader()
-        for seed in range(given.first, given.first + given.count):
-            if seed in known:
-                continue
-            row = _row(apart, seed, folder)
-            known[seed] = row["outcome"]
-            table.writerow(row)
+    rows = read_rows(given.table)
+    left = [s for s in range(given.first, given.first + given.count) if s not in rows]
+    apart, started = Apart(judged), time.monotonic()
+    with given.table.open("a") as file, tempfile.TemporaryDirectory() as folder:
+        for number, seed in enumerate(left, start=1):
+            if time.monotonic() - started > given.seconds:
+                break
+            row = rows[seed] = _row(apart, seed, folder)
+            file.write(json.dumps(row) + "\n")
             file.flush()
+            took = time.monotonic() - started
+            print(
+                f"{number}/{len(left)} seed {seed} {row['kind']}: {row['outcome']}, "
+                f"{row['seconds']} s; {took / number * (len(left) - number) / 60:.0f} min left",
+                flush=True,
+            )
     apart.close()
-    print(dict(Counter(known.values())))
+    print(summary(list(rows.values())))
 
 
-def _row(apart: Apart, seed: int, folder: str) -> dict[str, object]:
+def _row(apart: Apart, seed: int, folder: str) -> dict[str, Any]:
     try:
         return apart.ask({"seed": seed, "folder": folder}, _PATIENCE_S)
     except AssertionError as error:
         outcome = "slow" if _GIVEN_UP in str(error) else "crash"
-        return {"seed": seed, "outcome": outcome, "seconds": None, "why": str(error)}
+        row = {"seed": seed, "kind": kind_of(seed), "outcome": outcome}
+        return row | {"seconds": None, "why": str(error)}
 
 
-def _known(table: Path) -> dict[int, str]:
+def read_rows(table: Path) -> dict[int, dict[str, Any]]:
+    """Rows of a file by their seeds; the last one where a seed was judged again."""
     if not table.is_file():
         return {}
-    with table.open(newline="") as file:
-        return {int(row["seed"]): row["outcome"] for row in csv.DictReader(file)}
+    rows = map(json.loads, table.read_text().splitlines())
+    return {row["seed"]: row for row in rows}
 
 
 if __name__ == "__main__":

@@ -28,9 +28,9 @@ from design.layout.places.positions import magnet_layout
 from design.solids.booleans import as_triangles
 from design.spec.object import ObjectSpec
 from design.spec_io import check
-from tests.random_designs.draw import drawn
+from tests.random_designs.draw import drawn, kind_of
+from tests.random_designs.summary import LONGEST_S
 
-LONGEST_S = 60.0
 MOST_S = 5 * LONGEST_S
 """Processor time after which a seed is given up: its process ends by SIGXCPU."""
 SKIN_MM = 0.02
@@ -43,7 +43,7 @@ def judged(question: dict[str, Any]) -> dict[str, Any]:
     """What became of the seed in `question`, in processor seconds.
 
     `outcome` is "too small" (by the placement), "refused by check", "refused by build", "crash",
-    "violates", "told by fabrication" (its checks tell what is violated), "slow" or "sound".
+    "violates", "told by fabrication" (its checks tell what is violated) or "sound".
     """
     started = time.process_time()
     _, hard = resource.getrlimit(resource.RLIMIT_CPU)
@@ -53,13 +53,12 @@ def judged(question: dict[str, Any]) -> dict[str, Any]:
     except Exception:
         outcome, why = "crash", traceback.format_exc(limit=-4)
     seconds = time.process_time() - started
-    if outcome == "sound" and seconds > LONGEST_S:
-        outcome = "slow"
     return {
         "seed": question["seed"],
+        "kind": kind_of(question["seed"]),
         "outcome": outcome,
-        "why": why,
         "seconds": round(seconds, 1),
+        "why": why,
     }
 
 

@@ -1,12 +1,16 @@
 """The judge of random designs: sound parts pass, and each planted fault is told."""
 
+import json
+
 import pytest
 
 from design.build.parts import parts_of
 from design.solids.booleans import as_triangles
 from design.spec.object import ObjectSpec
-from tests.random_designs.draw import EDITS, KINDS, drawn
+from tests.random_designs.__main__ import read_rows
+from tests.random_designs.draw import EDITS, KINDS, drawn, kind_of
 from tests.random_designs.judge import violations
+from tests.random_designs.summary import summary
 
 PAD = {
     "name": "pad",
@@ -63,3 +67,21 @@ def test_shells_that_meet_the_core_and_open_parts_are_told(pad):
 def test_a_seed_is_one_specification_and_kinds_have_their_edits(tmp_path):
     assert drawn(0, tmp_path) == drawn(0, tmp_path)
     assert all(sum(kind in kinds for _, kinds in EDITS) >= 15 for kind in KINDS)
+
+
+def test_a_summary_counts_by_kind_and_its_shares_have_intervals(tmp_path):
+    rows = [
+        {"seed": seed, "kind": kind_of(seed), "outcome": outcome, "seconds": seconds, "why": ""}
+        for seed, (outcome, seconds) in enumerate(
+            [("sound", 12.0), ("violates", 70.0), ("refused by check", 3.0), ("crash", None)] * 4
+        )
+    ]
+    text = summary(rows)
+    assert "| box | 2 |" in text
+    assert "| all | 16 |" in text
+    assert "violations that nothing told: 4 of 12 (13.8% to 60.9%)" in text
+    assert "over 60 s: 8 of 12" in text
+    table = tmp_path / "rows.jsonl"
+    table.write_text("".join(json.dumps(row) + "\n" for row in [*rows, rows[0] | {"why": "again"}]))
+    assert read_rows(table)[0]["why"] == "again"
+    assert len(read_rows(table)) == 16

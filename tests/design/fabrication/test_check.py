@@ -27,12 +27,14 @@ from design.fabrication.printing import (
 from design.layout.mould_frame import mould_style, parting
 from design.mould.halves import make_mould_half
 from design.mould.one_piece import make_mould_box
+from design.mould.pins import loose_pins
 from design.mould.plug import make_mould_plug
 from design.solids.booleans import as_triangles
 from design.solids.core import make_core
 from design.solids.primitives import box_between
 from design.solids.sampled import sampled_core_part
 from design.solids.shell import make_shell
+from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, parse_spec
 from tests.support.objects.body_cases import body_spec
 
@@ -314,19 +316,23 @@ def test_the_papers_object_passes_with_the_warnings_it_deserves():
     assert warned == {"draft", "flat ceilings"}
 
 
-@pytest.mark.parametrize(
-    ("aside_mm", "status", "shared_mm3"), [(14.0, "fail", 13.2), (9.0, "pass", 0.0)]
-)
-def test_pins_that_meet_the_plug_keep_the_mould_from_closing(aside_mm, status, shared_mm3):
-    """Heads of pins beside the plug's clips: 13.19 mm³ by an independent boolean."""
-    text = {
-        "mould": {"style": "split"},
-        "magnets": {"positions_mm": [[aside_mm, 0], [-aside_mm, 0]]},
-    }
+def test_heads_of_pins_leave_the_plug_its_room():
+    """Clips that reached below the rim shared 2 × 13.19 mm³ with the heads of these pins."""
+    text = {"mould": {"style": "split"}, "magnets": {"positions_mm": [[14, 0], [-14, 0]]}}
     spec = parse_spec({"name": "cube", **text}, "test")
-    (closes,) = _closing(spec, {"mould_plug": as_triangles(make_mould_plug(spec))})
-    assert closes.status == status
-    assert_allclose(closes.value, shared_mm3, atol=0.1)
+    plug = make_mould_plug(spec)
+    (closes,) = _closing(spec, {"mould_plug": as_triangles(plug)})
+    assert (closes.status, closes.value) == ("pass", 0)
+
+
+def test_rims_of_heads_beside_the_open_end_of_a_cylinder_stay_below_the_clips():
+    """By hand: the clips end at the rim, 30 mm from the middle; the pocket's edge is at 29.5 mm."""
+    body = {"kind": "cylinder", "size_mm": [50, 50, 60], "open_faces": [6]}
+    content = {"name": "c", "body": body | {"sensed_faces": [2, 3, 4, 5]}}
+    content |= {"mould": {"style": "split"}, "magnets": {"positions_mm": [[26.5, 0.0]]}}
+    pins = loose_pins(ObjectSpec.model_validate(content))
+    assert len(pins) == 4
+    assert_allclose([pin.rim_mm for pin in pins], 30 - 0.1 - 29.5, atol=1e-9)
 
 
 @pytest.mark.slow

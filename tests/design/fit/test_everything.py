@@ -69,3 +69,12 @@ def test_without_room_for_a_core_nothing_else_is_judged():
         body = {"size_mm": [edge] * 3}
         texts = problems_of(ObjectSpec.model_validate({"name": "cube", "body": body}))
         assert (not any("larger than two core walls" in text for text in texts)) is judged
+
+
+@pytest.mark.parametrize("body", [{}, {"body": {"kind": "dome", "size_mm": [60, 60, 36]}}])
+def test_a_pocket_narrower_than_its_magnet_is_refused(body):
+    """Magnets of 6 mm in pockets of 5.62 mm shared 3.43 mm³ each with the shell of a dome."""
+    for diameter_mm, refused in ((5.99, True), (6.0, False)):
+        shell = {"shell": {"pocket_diameter_mm": diameter_mm}}
+        texts = problems_of(ObjectSpec.model_validate({"name": "x", **body, **shell}))
+        assert any("narrower than the magnets" in text for text in texts) is refused

@@ -10,6 +10,7 @@ from design.errors import InputError
 from design.layout.tips import tip_positions_mm
 from design.mould.one_piece import make_mould_box
 from design.mould.plug import make_mould_plug
+from design.mould.plug_flange import flange_span_mm
 from design.mould.whole import cast_cavity
 from design.solids.probes import make_probe
 from design.solids.shell import envelope, make_shell
@@ -100,13 +101,37 @@ def test_silicone_can_be_poured_beside_the_flange(spec):
 
 def test_mould_box_follows_the_docstrings_sum():
     walls = 45 * 45 * 43.5 - 42**3
-    bosses, tabs = 25 * np.pi * 9 * 3, 2 * 29.8 * 4 * 1.5
+    bosses, tabs = 25 * np.pi * 9 * 3, 2 * 1.5 * (2 * 30.4 + 4 * 2 * 7.3)
     assert_allclose(make_mould_box(PAPER).Volume(), walls + bosses + tabs, rtol=1e-9)
 
 
-def test_mould_plug_follows_the_docstrings_sum():
-    flange = 30 * 41.8 * 4 + 30 * 50 * 3 + 2 * 30 * 2.4 * 8 + 26 * 10.3 * 3
-    assert_allclose(make_mould_plug(PAPER).Volume(), 26 * 26 * 34 + flange, rtol=1e-9)
+def test_the_plug_is_the_authors():
+    """Volume and corners read off their STEP file: x − 22.5, −(z + 22.5), and −21 − (y − 43.5)."""
+    plug = make_mould_plug(PAPER.changed(mould=PAPER.mould.changed(play_mm=0.05)))
+    assert_allclose(plug.Volume(), 34454.65, rtol=1e-9)
+    theirs = [(9.5, 9.5, -9.5), (35.5, 43.5, -35.5)]  # core
+    theirs += [(7.5, y, z) for y, z in [(43.5, -1.55), (45.5, -1.55), (45.5, 0.05)]]  # seat
+    theirs += [(37.5, y, z) for y, z in [(43.5, 0.05), (43.5, 2.5), (53.5, 2.5)]]  # clip
+    theirs += [(37.5, 53.5, -7.5), (28.875, 53.5, -7.5), (16.125, 53.5, -37.5)]  # blocks
+    theirs += [(7.5, 45.5, -10.5), (7.5, 48.9, -7.5), (22.5, 53.5, -34.5)]  # gable and chamfers
+    x, y, z = np.array(theirs).T
+    expected = np.column_stack([x - 22.5, -(z + 22.5), -21 - (y - 43.5)])
+    corners = np.array([corner.toTuple() for corner in plug.Vertices()])
+    away = np.linalg.norm(corners[None] - expected[:, None], axis=2).min(axis=1)
+    assert_allclose(away, 0, atol=1e-3)
+
+
+@pytest.mark.parametrize("aside_mm", [3.0, 8.0, 40.0])
+def test_a_flange_of_any_width_is_whole_and_its_gable_is_no_steeper_than_45_degrees(aside_mm):
+    """Of rods and plugs; the grip's ridge rises by half its width, at most to the blocks' top."""
+    spec = SKEWED.changed(body=SKEWED.body.changed(size_mm=(2 * aside_mm + 14, 60.0, 44.0)))
+    plug, (left, right) = make_mould_plug(spec), flange_span_mm(spec)
+    ends = [
+        z
+        for z in np.arange(0.0, 10.0, 0.05)
+        if plug.isInside(cq.Vector((left + right) / 2, 0.0, -22.0 - z - 0.025))
+    ]
+    assert max(ends) == pytest.approx(2 + min(8, (right - left) / 2), abs=0.06)
 
 
 def test_box_walls_follow_the_mould_dimensions():

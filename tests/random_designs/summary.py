@@ -1,0 +1,51 @@
+"""Outcomes of random designs, kind by kind, and shares with 95 % intervals (Wilson)."""
+
+from __future__ import annotations
+
+from collections import Counter
+from math import sqrt
+from typing import Any
+
+from tests.random_designs.draw import KINDS
+
+_Z = 1.959964
+LONGEST_S = 60.0
+
+
+def wilson(hits: int, of: int) -> tuple[float, float]:
+    """The 95 % interval of a share by Wilson's score."""
+    if not of:
+        return 0.0, 1.0
+    share, z2 = hits / of, _Z**2
+    middle = (share + z2 / (2 * of)) / (1 + z2 / of)
+    half = _Z * sqrt(share * (1 - share) / of + z2 / (4 * of**2)) / (1 + z2 / of)
+    return max(0.0, middle - half), min(1.0, middle + half)
+
+
+def summary(rows: list[dict[str, Any]]) -> str:
+    """A table of outcomes and longest times, and the shares that a study asks for."""
+    outcomes = [name for name, _ in Counter(row["outcome"] for row in rows).most_common()]
+    lines = ["| kind | drawn | " + " | ".join(outcomes) + " | longest, s |"]
+    lines.append("|---" * (len(outcomes) + 3) + "|")
+    for kind in (*KINDS, "all"):
+        of_kind = [row for row in rows if kind in (row["kind"], "all")]
+        counts = Counter(row["outcome"] for row in of_kind)
+        longest = max((row["seconds"] or float("inf") for row in of_kind), default=0.0)
+        cells = [kind, len(of_kind), *(counts[name] for name in outcomes), f"{longest:.0f}"]
+        lines.append("| " + " | ".join(map(str, cells)) + " |")
+    passed = [row for row in rows if row["outcome"] not in ("too small", "refused by check")]
+    slow = [row for row in passed if not (row["seconds"] or float("inf")) <= LONGEST_S]
+    for what, hits, among in (
+        ("crashes", _count(rows, "crash"), rows),
+        ("violations that nothing told", _count(passed, "violates"), passed),
+        ("violations, told or not", _count(passed, "violates", "told by fabrication"), passed),
+        ("refused after check", _count(passed, "refused by build"), passed),
+        (f"over {LONGEST_S:g} s", len(slow), passed),
+    ):
+        low, high = wilson(hits, len(among))
+        lines.append(f"{what}: {hits} of {len(among)} ({low:.1%} to {high:.1%})")
+    return "\n".join(lines)
+
+
+def _count(rows: list[dict[str, Any]], *outcomes: str) -> int:
+    return sum(row["outcome"] in outcomes for row in rows)
