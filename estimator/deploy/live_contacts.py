@@ -30,11 +30,20 @@ class LiveContacts:
     zero_frames: int = ZERO_FRAMES
 
     def __post_init__(self) -> None:
+        self._one = _of_one(self.inversion)
+        self._warm_up()
         self.rezero()
+
+    def _warm_up(self) -> None:
+        """Read a press: what the first one builds and imports takes a second, which comes too late live."""
+        press = np.array([[[0.0, 0.0, 0.5 * self.inversion.model.bounds[1][2]]]])
+        change = self.inversion.model.singles(np.zeros((1, 1), int), press)[0, 0, 0]
+        for inversion in (self.inversion, self._one):
+            _ = Tracker(inversion).feed(change).position_radius_mm
 
     def rezero(self) -> None:
         """Take the zero anew from the frames that follow, with nothing pressed."""
-        self._tracker, self._still = Tracker(self.inversion), Tracker(_of_one(self.inversion))
+        self._tracker = Tracker(self.inversion)
         self._level = StreamZero(self.zero, self.zero_frames, self._read_still)
 
     def feed(
@@ -47,11 +56,19 @@ class LiveContacts:
         InputError
             Too few sensors, or a channel that the estimator uses misses its reading.
         """
+        now = self._told(raw_counts)
+        zero = self._level.after(now, time_s)
+        return None if zero is None else self._tracker.feed(now - zero)
+
+    def pass_by(self, raw_counts: Float[np.ndarray, "face sensor 3"], time_s: float) -> None:
+        """Take a frame that is not read, of which the zero learns; errors as `feed`."""
+        self._level.pass_by(self._told(raw_counts), time_s)
+
+    def _told(self, raw_counts: Float[np.ndarray, "face sensor 3"]) -> Float[np.ndarray, "channel"]:
         self._require_its_sensors(raw_counts)
         now = np.zeros(self.inversion.model.channels)
         now[self.inversion.told] = channel_readings(raw_counts, self.inversion.channels)
-        zero = self._level.after(now, time_s)
-        return None if zero is None else self._tracker.feed(now - zero)
+        return now
 
     def _require_its_sensors(self, raw: Float[np.ndarray, "face sensor 3"]) -> None:
         faces = self.inversion.model.signals.faces
@@ -64,7 +81,9 @@ class LiveContacts:
             )
 
     def _read_still(self, change: Float[np.ndarray, "channel"]) -> tuple[float, float]:
-        found = self._still.feed(change)
+        found = Tracker(self._one).feed(
+            change
+        )  # not followed: it is asked for opposite changes in turn
         pressed = found.number[0] > 0
         share = found.odds[0] if pressed else 1 - found.odds[0]
         return float(share), float(np.nansum(found.force_n[0]))

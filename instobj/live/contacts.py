@@ -46,6 +46,10 @@ class Estimator(Protocol):
         """What it reads in the next frame."""
         ...
 
+    def pass_by(self, raw_counts: Float[np.ndarray, "5 sensor 3"], time_s: float) -> None:
+        """Take a frame that is left out, of which the zero may learn."""
+        ...
+
     def rezero(self) -> None:
         """Take the zero anew from the frames that follow."""
         ...
@@ -76,6 +80,10 @@ class InvertedContacts:
             for slot in np.flatnonzero(found.face[0]).tolist()
         ]
         return Found(np.reshape(rows, (-1, CONTACT_WIDTH)), bool(found.explained[0]))
+
+    def pass_by(self, raw_counts: Float[np.ndarray, "5 sensor 3"], time_s: float) -> None:
+        """Take a frame that is left out: the zero follows it."""
+        self._reader.pass_by(raw_counts, time_s)
 
     def rezero(self) -> None:
         """Take the zero anew from the frames that follow."""
@@ -110,6 +118,9 @@ class FaceContacts:
                 place = (reader.model.face, *found.xy_mm[0].tolist())
                 rows.append(placed_contact(self._spec, place, force, np.zeros(2)))
         return Found(np.reshape(rows, (-1, CONTACT_WIDTH)), bool(explained))
+
+    def pass_by(self, raw_counts: Float[np.ndarray, "5 sensor 3"], time_s: float) -> None:
+        """Leave a frame out, where too many wait."""
 
     def rezero(self) -> None:
         """Take the zero anew from the frames that follow."""

@@ -7,7 +7,8 @@ import queue
 import signal
 import sys
 import threading
-from collections.abc import Iterator
+import time
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from multiprocessing import get_context
@@ -24,6 +25,8 @@ from instobj.live.watch import Watch
 _READY, _FAILED = b"R", b"E"
 _MOST_WAITING = 2000
 _PATIENCE_S = 120.0
+_READ_EVERY_S = 1 / 60
+"""Between two readings of the newest row; a screen shows no more."""
 _SWITCH_S = 0.001
 """Between the page's threads: the default, 5 ms, would delay frames while contacts are read."""
 
@@ -162,6 +165,7 @@ async def _serve(connection: Connection, settings: PageSettings, watch: Watch) -
             connection.send_bytes(text.encode())
 
     page = Page(watch, settings.scene, settings.address, settings.token, command)
+    watch.on_reading = lambda: _call(loop, page.wake)
     runner = web.AppRunner(application(page), access_log=None, shutdown_timeout=1.0)
     await runner.setup()
     try:
@@ -182,6 +186,12 @@ async def _serve(connection: Connection, settings: PageSettings, watch: Watch) -
     await runner.cleanup()
 
 
+def _call(loop: asyncio.AbstractEventLoop, act: Callable[[], None]) -> None:
+    """From another thread; not once the loop has closed."""
+    with suppress(RuntimeError):
+        loop.call_soon_threadsafe(act)
+
+
 def _receive(connection: Connection, watch: Watch) -> None:
     with suppress(EOFError, OSError):
         while True:
@@ -190,4 +200,7 @@ def _receive(connection: Connection, watch: Watch) -> None:
 
 def _read(watch: Watch) -> None:
     while True:
+        begun_s = time.monotonic()
         watch.read_next()
+        if not watch.every_frame:
+            time.sleep(max(0.0, _READ_EVERY_S - (time.monotonic() - begun_s)))

@@ -6,6 +6,7 @@ import asyncio
 import hmac
 import ipaddress
 from collections.abc import Awaitable, Callable
+from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -17,7 +18,8 @@ from instobj.live.watch import Watch
 from instobj.viewer.bundling import program
 
 _ROOM = Path(__file__).parent
-_TICK_S = 1 / 60
+_LEAST_S, _IDLE_S = 0.01, 1 / 60
+"""Between two messages to a viewer, and until it is asked again whether something is new."""
 _STATE_S = 0.25
 _UNANSWERED = 2
 """Messages of frames that a viewer may not yet have drawn; until it has, its rows wait."""
@@ -46,6 +48,12 @@ class Page:
     command: Callable[[str], None]
     viewers: set[web.WebSocketResponse] = field(default_factory=set)
     dropped_rows: int = 0
+    waiting: set[asyncio.Event] = field(default_factory=set)
+
+    def wake(self) -> None:
+        """Tell every viewer that something is new; of the event loop's thread."""
+        for event in self.waiting:
+            event.set()
 
 
 _PAGE = web.AppKey("page", Page)
@@ -129,28 +137,32 @@ async def _stream(request: web.Request) -> web.WebSocketResponse:
     await socket.prepare(request)
     page.viewers.add(socket)
     viewer = _Viewer(page, socket)
+    page.waiting.add(viewer.fresh)
     sending = asyncio.create_task(viewer.send_all())
     try:
         async for message in socket:
             if message.type == WSMsgType.BINARY and len(message.data) == 4:
                 viewer.answered = int.from_bytes(message.data, "little")
+                viewer.fresh.set()
             elif message.type == WSMsgType.TEXT and message.data in COMMANDS:
                 page.command(message.data)
     finally:
         sending.cancel()
         page.viewers.discard(socket)
+        page.waiting.discard(viewer.fresh)
     return socket
 
 
 @dataclass
 class _Viewer:
-    """One viewer: what it has been sent, and how far it has drawn."""
+    """One viewer: what it has been sent, and how far it has drawn; `fresh` where something is new."""
 
     page: Page
     socket: web.WebSocketResponse
     answered: int = 0
     sent: int = 0
     dropped: int = 0
+    fresh: asyncio.Event = field(default_factory=asyncio.Event)
 
     def __post_init__(self) -> None:
         rows, _ = self.page.watch.after(0, 1)
@@ -161,13 +173,16 @@ class _Viewer:
         loop, state_at = asyncio.get_running_loop(), 0.0
         try:
             while not self.socket.closed:
+                with suppress(TimeoutError):
+                    await asyncio.wait_for(self.fresh.wait(), _IDLE_S)
+                self.fresh.clear()
                 if loop.time() >= state_at:
                     state_at = loop.time() + _STATE_S
                     told = self.page.watch.state() | {"viewers": len(self.page.viewers)}
                     await self.socket.send_bytes(state_message(told))
                 if self.sent - self.answered < _UNANSWERED:
                     await self._send_frames()
-                await asyncio.sleep(_TICK_S)
+                await asyncio.sleep(_LEAST_S)
         except (ConnectionError, asyncio.CancelledError):
             return
 

@@ -8,6 +8,8 @@ import struct
 import threading
 import time
 from collections import deque
+from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass, field
 from itertools import islice
 from typing import Any
@@ -80,6 +82,7 @@ class Watch:
     Attributes
     ----------
     zero_frames : frames of which the zero is the mean; 0 takes counts for changes
+    on_reading : called by the reading thread once it has seen new rows
     """
 
     spec: ObjectSpec
@@ -90,6 +93,7 @@ class Watch:
         default_factory=lambda: np.zeros((0, LABEL_WIDTH))
     )
     news: dict[str, Any] = field(default_factory=dict)
+    on_reading: Callable[[], None] = lambda: None
     _trouble: str = ""
     _read_frames: int = 0
 
@@ -120,6 +124,11 @@ class Watch:
         elif kind == NEWS:
             self.news = json.loads(content)
 
+    @property
+    def every_frame(self) -> bool:
+        """Whether no row may be left out in reading."""
+        return self.estimator is not None and self.estimator.every_frame
+
     def rezero(self) -> None:
         """Take the zero anew from the frames that follow, of channels and estimator alike."""
         self._start_zero()
@@ -131,14 +140,10 @@ class Watch:
             self._fresh.wait_for(lambda: self._next > self._read_to, timeout=0.2)
             waiting = list(islice(reversed(self._rows), min(self._next - self._read_to, _KEPT)))
             self._read_to = self._next
-        if self.estimator is None or not waiting:
-            return
-        if self._rezero_asked:
-            self._rezero_asked = False
-            self.estimator.rezero()
-        most = _MOST_BEHIND if self.estimator.every_frame else 1
-        for row in reversed(waiting[:most]):
-            self._read(self.estimator, row)
+        if self.estimator is not None and waiting:
+            self._read_rows(self.estimator, waiting)
+        if waiting:
+            self.on_reading()
 
     def after(self, number: int, most: int) -> tuple[list[Row], int]:
         """Rows from that number on, `most` at most, and how many more there had been."""
@@ -191,10 +196,27 @@ class Watch:
                 there.any(axis=0), total / np.maximum(there.sum(axis=0), 1), np.nan
             )
 
+    def _read_rows(self, estimator: Estimator, waiting: list[Row]) -> None:
+        """Rows that nothing was read from yet, newest first."""
+        if self._rezero_asked:
+            self._rezero_asked = False
+            estimator.rezero()
+        most = _MOST_BEHIND if estimator.every_frame else 1
+        for row in reversed(waiting[most:][:_MOST_BEHIND]):
+            self._pass_by(estimator, row)
+        for row in reversed(waiting[:most]):
+            self._read(estimator, row)
+
+    def _counts(self, row: Row) -> Float[np.ndarray, "5 sensor 3"]:
+        return counts_of(self._channels, tuple(row.raw[self._places].tolist()))
+
+    def _pass_by(self, estimator: Estimator, row: Row) -> None:
+        with suppress(InputError):  # told once it is read
+            estimator.pass_by(self._counts(row), row.time_s)
+
     def _read(self, estimator: Estimator, row: Row) -> None:
-        raw = counts_of(self._channels, tuple(row.raw[self._places].tolist()))
         try:
-            found = estimator.feed(raw, row.time_s)
+            found = estimator.feed(self._counts(row), row.time_s)
         except InputError as error:
             self._trouble, self.reading = str(error), NOTHING
             time.sleep(_AGAIN_S)

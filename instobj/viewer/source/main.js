@@ -5,6 +5,7 @@ import { linkViews } from "./linked.js";
 import { mountObject } from "./viewer.js";
 import "./live.js";
 
+const SHOWN = "instobj objects shown";
 const KINDS = { object: mountObject, layouts: mountLayouts };
 
 async function mount(host, packed) {
@@ -25,6 +26,8 @@ async function startPage() {
   const objects = views.filter((one) => one?.press);
   if (objects.length > 1) linkViews(objects);
   hosts.forEach((host) => !host.hidden && (host.dataset.ready = "yes"));
+  // Pictures are asked for by now: drawn in the next frame, on the screen by the one after it.
+  requestAnimationFrame(() => requestAnimationFrame(() => performance.mark(SHOWN)));
 }
 
 // anywidget: the markup and the scene are traits of the model.

@@ -8,6 +8,9 @@ import { arrow } from "./arrow.js";
 
 const BACKGROUND = 0xf7f7f4;
 const KEY_TURN = 0.12;
+const SLOW_MS = 40;
+const STILL_MS = 250;
+const LEAST_RATIO = 0.4;
 
 export function label(text, size, colour = "#1c1c1c") {
   const canvas = document.createElement("canvas");
@@ -43,8 +46,38 @@ function axes(size, corner) {
   return group;
 }
 
-export function makeView(canvas, sizeMm, antialias = true) {
-  const renderer = new WebGLRenderer({ canvas, antialias });
+// Whether a program draws in place of graphics hardware.
+function drawsInSoftware(gl) {
+  const named = gl.getExtension("WEBGL_debug_renderer_info");
+  return /swiftshader|llvmpipe|software/i.test(named ? gl.getParameter(named.UNMASKED_RENDERER_WEBGL) : "");
+}
+
+// While the camera moves, pictures that come too slowly get fewer pixels; once it rests one is drawn in full.
+function makePace(renderer, redraw) {
+  let moving = drawsInSoftware(renderer.getContext()) ? 0.6 : 1;
+  let [before, rest] = [0, 0];
+  const full = () => Math.min(devicePixelRatio, 2);
+  function still() {
+    rest = 0;
+    if (renderer.getPixelRatio() !== full()) redraw();
+  }
+  function moved() {
+    if (!rest) before = 0;
+    clearTimeout(rest);
+    rest = setTimeout(still, STILL_MS);
+  }
+  // Before a picture at a time; changing the pixels empties the canvas.
+  function settle(at) {
+    if (rest && before && at - before > SLOW_MS) moving = Math.max(LEAST_RATIO, 0.85 * moving);
+    before = at;
+    const wanted = full() * (rest ? moving : 1);
+    if (renderer.getPixelRatio() !== wanted) renderer.setPixelRatio(wanted);
+  }
+  return { moved, settle };
+}
+
+export function makeView(canvas, sizeMm) {
+  const renderer = new WebGLRenderer({ canvas, antialias: true });
   renderer.setClearColor(BACKGROUND);
   renderer.localClippingEnabled = true;
   const scene = new Scene();
@@ -66,15 +99,19 @@ export function makeView(canvas, sizeMm, antialias = true) {
 
   const before = [];
   let asked = false;
-  function draw() {
+  let drawn = 0;
+  function draw(at) {
     asked = false;
+    pace.settle(at ?? performance.now());
     before.forEach((act) => act(camera));
     renderer.render(scene, camera);
+    drawn += 1;
   }
   function redraw() {
     if (!asked) requestAnimationFrame(draw);
     asked = true;
   }
+  const pace = makePace(renderer, redraw);
   // From the front corner; or, keeping the direction, from another distance.
   function look(distance = 4.3, lift = 0, keep = false) {
     const way = keep ? camera.position.clone().sub(controls.target) : new Vector3(0.57, -0.68, 0.46);
@@ -87,21 +124,24 @@ export function makeView(canvas, sizeMm, antialias = true) {
   function resize() {
     const { clientWidth: wide, clientHeight: high } = canvas;
     if (!wide || !high) return;
-    renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     renderer.setSize(wide, high, false);
     camera.aspect = wide / high;
     camera.updateProjectionMatrix();
     redraw();
   }
-  controls.addEventListener("change", redraw);
+  function moved() {
+    pace.moved();
+    redraw();
+  }
+  controls.addEventListener("change", moved);
   new ResizeObserver(resize).observe(canvas);
-  canvas.addEventListener("keydown", (event) => turnByKey(event, camera, controls, redraw));
+  canvas.addEventListener("keydown", (event) => turnByKey(event, camera, controls));
   resize();
   look();
-  return { renderer, scene, camera, controls, size, draw, redraw, look, before, ground };
+  return { renderer, scene, camera, controls, size, draw, redraw, look, before, ground, drawn: () => drawn };
 }
 
-function turnByKey(event, camera, controls, redraw) {
+function turnByKey(event, camera, controls) {
   const across = new Vector3().crossVectors(camera.position, camera.up).normalize();
   const turns = {
     ArrowLeft: [camera.up, -KEY_TURN], ArrowRight: [camera.up, KEY_TURN],
@@ -115,5 +155,4 @@ function turnByKey(event, camera, controls, redraw) {
   event.preventDefault();
   camera.position.copy(controls.target).add(offset);
   controls.update();
-  redraw();
 }

@@ -125,6 +125,26 @@ def test_a_window_does_not_span_a_pause():
     assert zero.level is not None
 
 
+@pytest.mark.parametrize("every", [1, 4])
+def test_at_200_hz_presses_are_no_rest(every):
+    """Eight frames last 40 ms there, in which a press of 2 s moves less than the noise; a reader that reads
+    every fourth frame alone shows the zero the others."""
+    rng, zero = np.random.default_rng(5), RestZero(8, read)
+    time_s = np.arange(0, 20, 1 / 200)
+    force_n = 5 * np.maximum(0.0, np.sin(np.pi * (time_s - 2) / 2)) * (time_s > 2)
+    found = np.full(len(time_s), math.nan)
+    for number, row in enumerate(700 + GAIN * force_n[:, None] + rng.normal(0, 20, (4000, 6))):
+        if number % every:
+            zero.pass_by(row, float(time_s[number]))
+            continue
+        zero.update(row, float(time_s[number]))
+        found[number] = math.nan if zero.level is None else read(row - zero.level)[1]
+    told = np.isfinite(found)
+    assert told.mean() > 0.9 / every
+    assert abs(found - force_n)[told].mean() < 0.3
+    assert abs(found - force_n)[told & (force_n > 2)].max() < 1.5
+
+
 def test_too_few_frames_are_refused():
     with pytest.raises(InputError, match="5 frames or more; got 2"):
         RestZero(2, read)

@@ -88,6 +88,18 @@ def test_the_zero_is_taken_from_rest(followed):
     assert last[-1].number[0] == 0
 
 
+def test_a_still_level_and_its_opposite_are_read_each_by_itself():
+    """The zero asks for both in turn: what one reads must not depend on the other."""
+    face, contact = np.full((1, 6), -1), np.zeros((1, 6, 3))
+    face[0, :2], contact[0, :2] = [2, 4], [[2.0, 3.0, 6.0], [-3.0, 1.0, 6.0]]
+    (counts,) = noisy_counts(FREE, face, contact, np.random.default_rng(4))
+    reader = LiveContacts(FREE, "none")
+    read = [reader._read_still(sign * counts) for sign in (1, -1) * 6]
+    assert read[0::2] == [read[0]] * 6
+    assert read[1::2] == [read[1]] * 6
+    assert read[0][1] > 3.0
+
+
 def test_at_rest_a_contact_is_unlikely():
     """The share that the zero follows: near 0 at rest, near 1 under a press, between them always."""
     face, contact = np.full((8, 6), -1), np.zeros((8, 6, 3))

@@ -4,6 +4,7 @@ import os
 import re
 import subprocess
 import sys
+import time
 from io import BytesIO
 
 import numpy as np
@@ -20,7 +21,7 @@ pytestmark = [
 ]
 CONTACT = (216, 27, 154)
 SMALL = (700, 600)
-LATENCY_MS, PER_SECOND = 100.0, 30.0
+LATENCY_MS, PER_SECOND, MEASURED_S = 100.0, 30.0, 60.0
 
 
 @pytest.fixture(scope="module")
@@ -73,14 +74,30 @@ def test_every_channel_is_good_and_nothing_foreign_is_asked_for(page, demo):
     assert all(one.startswith(demo[1]) for one in page.requests())
 
 
-def test_the_page_keeps_up_where_the_machine_draws_quickly_enough(page):
+def test_for_a_minute_pictures_are_many_and_young_and_leave_the_object_alone(page):
+    """30 pictures/s, and 99 of 100 at most 100 ms after the frame that their contacts were read from, by
+    the page's own figures; where other programs keep the processors busy, ten times fewer and older."""
+    page.wait("instobjLive.figures().rows > 2000")
+    drawn = page.ask("instobjLive.figures().objectDrawn")
+    page.ask("instobjLive.forget()")
+    time.sleep(MEASURED_S)
     figures = page.ask("instobjLive.figures()")
-    assert figures["rows"] > 100
-    assert figures["workMs"]["p50"] < 100.0
-    if figures["perSecond"] >= PER_SECOND:
-        assert figures["latencyMs"]["p99"] <= LATENCY_MS
-    else:
-        assert figures["dropped"] + figures["rows"] > figures["shown"]
+    free = os.getloadavg()[0] < os.cpu_count() + 1
+    assert figures["objectDrawn"] == drawn
+    assert figures["shown"] >= PER_SECOND * MEASURED_S / (1 if free else 10)
+    assert figures["latencyMs"]["p99"] <= LATENCY_MS * (1 if free else 10)
+
+
+def test_forces_read_are_those_of_the_simulated_hand(page):
+    """Seen in the strips' numbers over a whole cycle: contacts found against crosses told."""
+    told, found = 0, 0
+    for _ in range(100):
+        forces, labels = page.ask(
+            "[instobjLive.contacts().map((c) => c.force), instobjLive.labels().map((l) => l.force)]"
+        )
+        told, found = told + sum(labels), found + sum(forces)
+        time.sleep(0.25)
+    assert found == pytest.approx(told, rel=0.15)
 
 
 def test_recording_from_the_page_outlives_it(page, demo):

@@ -23,7 +23,7 @@ class Told:
     channels = ()
 
     def __init__(self, every_frame):
-        self.every_frame, self.seen, self.zeroed = every_frame, [], 0
+        self.every_frame, self.seen, self.passed, self.zeroed = every_frame, [], [], 0
 
     def feed(self, raw_counts, time_s):
         self.seen.append(time_s)
@@ -32,6 +32,9 @@ class Told:
         pressed = raw_counts[0, 0, 0] > 500
         row = placed_contact(SPEC, (1, 3.0, -2.0), (0.5, 4.0, 0.2), np.zeros(2))
         return Found(np.array([row])[: int(pressed)], True)
+
+    def pass_by(self, raw_counts, time_s):
+        self.passed.append(time_s)
 
     def rezero(self):
         self.zeroed += 1
@@ -88,6 +91,8 @@ def test_a_slow_estimator_reads_the_newest_row_and_one_of_every_frame_all():
         feed(watch, range(10))
         watch.read_next()
         np.testing.assert_allclose(told.seen, 50.0 + np.array(expected) / 200)
+        others = [] if every else list(range(9))  # the zero sees them all the same
+        np.testing.assert_allclose(told.passed, 50.0 + np.array(others) / 200)
 
 
 def test_contacts_stand_on_the_body_and_push_inwards():
