@@ -4,9 +4,9 @@ from pathlib import Path
 
 import pytest
 
-from design.layout.boards import smallest_recess_wall_mm
+from design.fabrication.layout import failures, layout_findings
 from design.spec_io import load_spec
-from estimator.layouts.fidelity import gains
+from estimator.layouts.fidelity import gains, worse_share
 from instobj.commands.run import check_specifications
 from instobj.experiments.layouts import changed
 from instobj.search.fidelity import chain_score
@@ -15,7 +15,7 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 BETTER, PAPER = EXAMPLES / "better_cube.toml", EXAMPLES / "paper_cube.toml"
 COARSE = {
     "mesh.surface_edge_mm": 3.0,
-    "search.forces_n": [],
+    "search.forces_n": [2.0, 8.0],
     "mesh.rim_edge_ratio": 1.0,
     "mesh.magnet_sides": 8,
     "mesh.edge_mm": 7.0,
@@ -23,15 +23,12 @@ COARSE = {
     "contact_grid.pitch_mm": 4.5,
     "press.depths_mm": [1.0, 2.0, 3.0],
 }
-PRINTABLE_WALL_MM = 0.8
 
 
 def test_it_has_the_papers_parts_shell_and_silicone():
     better, paper = load_spec(BETTER, []), load_spec(PAPER, [])
-    for name in ("body", "shell", "silicone", "score", "tolerances"):
+    for name in ("body", "shell", "silicone", "core", "score", "tolerances"):
         assert getattr(better, name) == getattr(paper, name)
-    passages = {"hub_radius_mm": 1.7, "wire_hole_side_diameter_mm": 3.4}
-    assert better.core == paper.core.model_copy(update=passages)
     for name in ("shape", "diameter_mm", "height_mm", "remanence_t"):
         assert getattr(better.magnets, name) == getattr(paper.magnets, name)
     assert len(better.magnets.positions_mm) == len(paper.magnets.positions_mm)
@@ -39,8 +36,8 @@ def test_it_has_the_papers_parts_shell_and_silicone():
         assert getattr(better.sensors, name) == getattr(paper.sensors, name)
 
 
-def test_its_recesses_leave_a_wall_and_its_sensors_a_margin_at_rest():
-    assert smallest_recess_wall_mm(load_spec(BETTER, [])) > PRINTABLE_WALL_MM
+def test_it_can_be_made_and_its_sensors_have_a_margin_at_rest():
+    assert not failures(layout_findings(load_spec(BETTER, [])))
     row = check_specifications([BETTER], [])["specifications"][0]
     assert row["largest_field_at_rest_mt"] < 0.6 * row["range_mt"]
 
@@ -51,6 +48,8 @@ def test_it_is_better_on_a_coarse_mesh_too(tmp_path, monkeypatch):
     paper, better = (chain_score(changed(load_spec(path, []), COARSE)) for path in (PAPER, BETTER))
     gain = gains(paper, better)
     assert gain["worst_position_bound_mm"] > 2
-    assert gain["median_position_bound_mm"] > 1
-    assert gain["worst_force_bound_n"] > 1
-    assert gain["median_false_force_n"] > 1 / 1.1
+    assert gain["percentile_99_position_bound_mm"] > 2
+    assert gain["median_position_bound_mm"] > 1.8
+    assert gain["worst_force_bound_n"] > 2
+    assert gain["median_false_force_n"] > 2
+    assert worse_share(paper, better) <= 0.02

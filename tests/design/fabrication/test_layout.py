@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
-from scipy.spatial import cKDTree
+from scipy.spatial import KDTree
 
 from design.body.meshes import thinnest_wall
 from design.fabrication.assembly import check_pockets
@@ -99,7 +99,7 @@ def test_the_gap_across_an_edge_is_at_most_that_of_points_of_both_pockets():
         for one in pockets[0]:
             for other in pockets[2]:
                 gap = gap_across_edge_mm(a, one, b, other)
-                true = cKDTree(cylinder(one, a)).query(cylinder(other, b))[0].min()
+                true = KDTree(cylinder(one, a)).query(cylinder(other, b))[0].min()
                 assert gap <= true + 1e-9
                 near += gap > true - 1.0
     assert near > 10

@@ -1,0 +1,218 @@
+"""The engines of a layout search beside plain CMA-ES and plain random search, on the first level.
+
+    python benchmarks/search_engines.py [--quick] [--out FOLDER]
+
+All place the magnets and sensors of the paper's cube (31 lengths and angles) for the smallest
+`percentile_99_position_bound_mm` at 5 N, scored as a search scores them, limits as penalties. The tool walks
+down the gradient (`search.engine` "random" and "cma-es", `polish_steps`); the peers only score:
+CMA-ES of the package `cmaes` with its default population, started anew where it has converged, and
+random layouts. Each gets as many scorings as the tool, then as much processor time; the best layout
+within all limits counts. One thread, one batch at a time; per seed, all in one process after each
+other. Writes `search_engines.json`.
+"""
+
+from __future__ import annotations
+
+import sys
+import time
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import torch
+from cmaes import CMA
+from harness import conclude, machine, option_parser
+
+from design.search.places import polarities
+from design.search.space import SearchSpace, params_at, search_space
+from design.spec_io import load_spec
+from estimator.layouts.polish import Judged, LowestFidelity, judge
+from instobj.search import lowest_fidelity
+from instobj.search.engines import ask, sampling, tell
+from instobj.search.lowest_fidelity import score_trials, start_scores, structure_fidelity
+from instobj.stages.run import Run
+
+EXAMPLE = Path(__file__).parents[1] / "examples" / "search_cube.toml"
+OBJECTIVE = "percentile_99_position_bound_mm"
+SETTINGS = [
+    f'search.objectives=["{OBJECTIVE}"]',
+    "search.forces_n=[5.0]",
+    "search.limits.places_worse=1.0",
+    "search.limits.times_start={}",
+    'search.vary.sensor_chip=["outward"]',
+]
+QUICK = [
+    "mesh.surface_edge_mm=3.5",
+    "mesh.edge_mm=8.0",
+    "mesh.rim_edge_ratio=1.0",
+    "mesh.magnet_sides=8",
+    "contact_grid.count=[4, 4]",
+    "contact_grid.pitch_mm=6.0",
+    "press.depths_mm=[1.0, 2.0, 4.0]",
+]
+_PARALLEL = 96
+"""Random layouts that are scored together."""
+
+
+class Meter:
+    """Scores of points of the unit cube, counted, with the best within all limits by scorings and time."""
+
+    def __init__(self, lowest: LowestFidelity, space: SearchSpace) -> None:
+        self.lowest, self.objectives = lowest, space.spec.search.objectives
+        self.free = np.array([not v.choices for v in space.variables])
+        middle = params_at(space, np.full(len(space.variables), 0.5))
+        self.poles = torch.tensor(polarities(lowest.space.structured, middle))
+        self.started, self.scorings, self.best = time.process_time(), 0, np.inf
+        self.history: list[tuple[int, float, float]] = []
+
+    @property
+    def seconds(self) -> float:
+        return time.process_time() - self.started
+
+    def __call__(self, units: np.ndarray) -> np.ndarray:
+        """Penalised objectives of points (layout, free variable)."""
+        with torch.no_grad():
+            point = torch.as_tensor(units, dtype=torch.float32)
+            poles = self.poles.expand(len(units), -1)
+            judged = judge(self.lowest, point, poles, self.objectives)
+        self.note(len(units), judged)
+        return judged.penalized[:, 0].double().numpy()
+
+    def note(self, scorings: int, judged: Judged) -> None:
+        self.scorings += scorings
+        within = judged.objectives[judged.broken_mm == 0, 0]
+        if len(within) and float(within.min()) < self.best:
+            self.best = float(within.min())
+            self.history.append((self.scorings, self.seconds, self.best))
+
+    def after(self, scorings: float = np.inf, seconds: float = np.inf) -> float | None:
+        """The best after so many scorings, or so much processor time; None where nothing kept every limit."""
+        within = [best for n, s, best in self.history if n <= scorings and s <= seconds]
+        return within[-1] if within else None
+
+
+def tool(
+    space: SearchSpace, lowest: LowestFidelity, start: Any, engine: str, seed: int, budget: int
+) -> dict[str, Any]:
+    """The tool's own loop, without its store and its second process."""
+    search, meter = space.spec.search, Meter(lowest, space)
+    asked = sampling(engine, space.variables, 1, seed, search.batch)  # pyright: ignore[reportArgumentType]
+    counted = lowest_fidelity.judge
+
+    def counting(*arguments: Any) -> Judged:
+        judged = counted(*arguments)
+        meter.scorings += len(arguments[1])
+        return judged
+
+    lowest_fidelity.judge = counting
+    best, trials = np.inf, 0
+    try:
+        while meter.scorings < budget:
+            batch = ask(asked, search.batch)
+            results = score_trials(space, lowest, [dict(one.params) for one in batch])
+            for trial, result in zip(batch, results, strict=True):
+                tell(asked, trial, result.params, result.values, {})
+                if result.feasible:
+                    best = min(best, result.values[0])
+            trials += len(batch)
+    finally:
+        lowest_fidelity.judge = counted
+    best = best if np.isfinite(best) else None
+    return {"best": best, "scorings": meter.scorings, "seconds": meter.seconds, "trials": trials}
+
+
+def plain_cma(meter: Meter, seed: int, enough: Callable[[], bool]) -> None:
+    """CMA-ES in the unit cube with its default population, anew where it has converged."""
+    rng = np.random.default_rng(seed)
+    count = int(meter.free.sum())
+    bounds = np.repeat([[0.0, 1.0]], count, axis=0)
+    while not enough():
+        search = CMA(rng.random(count), 0.3, bounds=bounds, seed=int(rng.integers(2**31)))
+        while not (search.should_stop() or enough()):
+            points = np.array([search.ask() for _ in range(search.population_size)])
+            values = np.log(meter(points))
+            search.tell(list(zip(points, values.tolist(), strict=True)))
+
+
+def plain_random(meter: Meter, seed: int, enough: Callable[[], bool]) -> None:
+    rng = np.random.default_rng(seed)
+    while not enough():
+        meter(rng.random((_PARALLEL, int(meter.free.sum()))))
+
+
+PEERS = {"plain CMA-ES": plain_cma, "random": plain_random}
+
+
+def compared(
+    space: SearchSpace, lowest: LowestFidelity, start: Any, seed: int, budget: int
+) -> dict[str, Any]:
+    """All engines with one seed."""
+    found: dict[str, Any] = {}
+    for engine in ("random", "cma-es"):
+        found[f"tool, {engine}"] = tool(space, lowest, start, engine, seed, budget)
+    own = found["tool, random"]
+    for name, peer in PEERS.items():
+        meter = Meter(lowest, space)
+        peer(
+            meter,
+            seed,
+            lambda m=meter: m.scorings >= own["scorings"] and m.seconds >= own["seconds"],
+        )
+        found[name] = {
+            "same scorings": meter.after(scorings=own["scorings"]),
+            "same time": meter.after(seconds=own["seconds"]),
+            "scorings": meter.scorings,
+            "seconds": meter.seconds,
+        }
+    return found
+
+
+def measure(quick: bool) -> dict[str, Any]:
+    """All figures of one run."""
+    settings = SETTINGS + (QUICK if quick else [])
+    few = ["search.batch=8", "search.polish_steps=6"] if quick else ["search.batch=48"]
+    space = search_space(load_spec(EXAMPLE, settings + few))
+    Run(space.spec).require("candidates")
+    start = start_scores(space.spec)
+    middle = params_at(space, np.full(len(space.variables), 0.5))
+    lowest = structure_fidelity(space, middle, start)
+    lowest = replace(lowest, start=None)
+    budget = 50 if quick else 7000
+    seeds = [compared(space, lowest, start, seed, budget) for seed in range(1 if quick else 5)]
+    return {"objective": OBJECTIVE, "start": start.scores[OBJECTIVE], "seeds": seeds}
+
+
+def rows(figures: dict[str, Any]) -> dict[str, list[float]]:
+    """Best values over the seeds, engine by engine."""
+    found: dict[str, list[float]] = {}
+    for seed in figures["seeds"]:
+        for name, one in seed.items():
+            for key in ("best", "same scorings", "same time"):
+                if key in one:
+                    label = name if key == "best" else f"{name}, {key}"
+                    found.setdefault(label, []).append(np.inf if one[key] is None else one[key])
+    return found
+
+
+def report(result: dict[str, Any]) -> str:
+    """The result as lines for people."""
+    figures = result["figures"]
+    lines = [f"{OBJECTIVE}, start {figures['start']:.2f} mm; median (least to most) over seeds"]
+    for name, values in rows(figures).items():
+        lines.append(f"{name:28} {np.median(values):.3f} ({min(values):.3f} to {max(values):.3f})")
+    return "\n".join(lines)
+
+
+def main(arguments: list[str] | None = None) -> None:
+    """Measure, write, print."""
+    options = option_parser("Engines of a layout search").parse_args(arguments)
+    torch.set_num_threads(1)
+    here = machine(1, ("torch", "numpy", "cmaes", "optuna"))
+    result = {"machine": here, "quick": options.quick, "figures": measure(options.quick)}
+    conclude("search_engines", options, result, report)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
