@@ -4,6 +4,8 @@ Sources. TMAG5273: Texas Instruments SLYS045 (addresses by order code, the regis
 address until power is lost, 1.7 to 3.6 V, 2.3 mA, start-up 270 µs). MLX90393: Melexis 3901090393 (two
 address pins; 2.2 to 3.6 V, 3 mA in burst mode). TCA9548A: Texas Instruments SCPS207 (0x70 to 0x77 by
 three pins, eight channels, supply 1.65 to 5.5 V, inputs bear 5 V). Limits of the bus: NXP UM10204.
+HX711: Avia Semiconductor's data sheet (±0.5 AVDD over the gain is full scale of 24 bits; ready by a low
+data line, 25 clock pulses for gain 128, 60 µs of a high clock power it down; 10 or 80 readings a second).
 Boards: Arduino A000067 (ATmega2560), Raspberry Pi SC0915 (RP2040) and their data sheets.
 """
 
@@ -106,7 +108,11 @@ class Board:
     `outputs` are pins that can switch chips on; `logic_v` is their level. `rail_ma` is what its 3.3 V
     pin gives, `outputs_ma` all outputs together. `bauds` of the serial line, slowest first; one entry
     where the line is USB and takes any. `call_us` is the time around each bus transfer and `byte_us`
-    to write a character, both of our firmware (Mega: simulated, tests/instobj/firmware).
+    to write a character, both of our firmware (Mega: simulated, tests/instobj/firmware). A load cell
+    takes pins of `load_pins` (HX711) or one of `analog_pins`, the first ones unless others are asked
+    for; `adc` is what its analogue readings are made of: volts of full scale, steps, and the share of
+    the sensor's 5 V that reaches the pin. `load_line_us` is the time of reading and of preparing a
+    line `L`, without its characters.
     """
 
     name: str
@@ -120,6 +126,10 @@ class Board:
     usb: bool
     call_us: float
     byte_us: float
+    load_pins: tuple[str, ...]
+    analog_pins: tuple[str, ...]
+    adc: tuple[float, int, float]
+    load_line_us: float
 
 
 MEGA2560 = Board(
@@ -134,6 +144,10 @@ MEGA2560 = Board(
     usb=False,
     call_us=170.0,
     byte_us=16.0,
+    load_pins=("D40", "D41", "D38", "D39", *(f"D{n}" for n in range(50, 54))),
+    analog_pins=tuple(f"A{n}" for n in range(8)),
+    adc=(5.0, 1024, 1.0),
+    load_line_us=600.0,
 )
 PICO = Board(
     "pico",
@@ -147,6 +161,10 @@ PICO = Board(
     usb=True,
     call_us=150.0,
     byte_us=15.0,
+    load_pins=("GP2", "GP3", *(f"GP{n}" for n in (0, 1, *range(8, 23), 26, 27, 28))),
+    analog_pins=("GP28", "GP27", "GP26"),
+    adc=(3.3, 65536, 0.6),
+    load_line_us=700.0,
 )
 BOARDS = {board.name: board for board in (MEGA2560, PICO)}
 

@@ -38,6 +38,7 @@ def _tmag(letter: str, version: int) -> Order:
     return Order(f"Hall sensor {name}", "Texas Instruments", f"{name}QDBVR", (0.9, 2.2))
 
 
+HX711, LOAD_CELL, VERNIER, BTA_ADAPTER = "HX711", "load cell", "force sensor", "BTA adapter"
 MUX, SHIFTER, BUFFER, RESISTOR, WIRE, STRIP, SCREW, GLUE, PRIMER, ADHESIVE, RELEASE = (
     "multiplexer board",
     "level shifter",
@@ -64,6 +65,14 @@ ORDERS = {
     SHIFTER: Order("level shifter, 4 channels, BSS138", "Adafruit", "757", (3.0, 5.0)),
     BUFFER: Order("hex buffer CD74HC4050E, DIP-16", "Texas Instruments", "CD74HC4050E", (0.5, 1.2)),
     RESISTOR: Order("resistor, 1 %, 0.6 W, axial", "Vishay", "MRS25 series", (0.05, 0.2)),
+    HX711: Order(
+        "HX711 on a board", "SparkFun", "SEN-13879", (9.0, 14.0), note="RATE to 80 SPS: cut its jumper"
+    ),
+    LOAD_CELL: Order("load cell 5 kg, 1 mV/V", "HT Sensor Technology", "TAL220B", (8.0, 14.0)),
+    VERNIER: Order(
+        "Dual-Range Force Sensor", "Vernier", "DFS-BTA", (110.0, 170.0), note="in its ±50 N range"
+    ),
+    BTA_ADAPTER: Order("analogue adapter BTA to pins", "Vernier", "BTA-ELV", (10.0, 20.0)),
     WIRE: Order("stranded wire AWG 30, PTFE, 10 m", "various", "AWG 30 (7/38) PTFE", (4.0, 12.0)),
     STRIP: Order("stripboard, 100 × 50 mm", "various", "RM 2.54", (1.5, 4.0)),
     "Platsil Gel-10": Order("PlatSil Gel-10, 0.91 kg kit", "Polytek", "PlatSil Gel-10", (35.0, 60.0)),

@@ -24,6 +24,7 @@ from design.spec.learning import (
     ScoreSpec,
     TrainingSpec,
 )
+from design.spec.load_cell import LoadCellSpec
 from design.spec.magnets import MagnetSpec
 from design.spec.mechanics import ContactGridSpec, IndenterSpec, MechanicsSpec, MeshSpec, PressSpec
 from design.spec.search import SearchSpec
@@ -53,6 +54,7 @@ class ObjectSpec(SpecPart):
     magnets: MagnetSpec = MagnetSpec()
     core: CoreSpec = CoreSpec()
     sensors: SensorSpec = SensorSpec()
+    load_cell: LoadCellSpec = LoadCellSpec()
     environment: EnvironmentSpec = EnvironmentSpec()
     contact_grid: ContactGridSpec = ContactGridSpec()
     indenter: IndenterSpec = IndenterSpec()

@@ -44,17 +44,19 @@ def pullup_kohm(khz: float, supply_v: float, capacitance_pf: float) -> float | N
 
 @dataclass(frozen=True)
 class FrameTime:
-    """Where the time of a frame goes (ms), and the fastest rate (Hz) with a status line a second."""
+    """Where the time of a frame goes (ms), and the fastest rate (Hz) with a status line a second and
+    the lines of a load cell (`loads_ms`, a second)."""
 
     conversion_ms: float
     reading_ms: float
     line_ms: float
     status_ms: float
+    loads_ms: float = 0.0
 
     @property
     def fastest_hz(self) -> float:
         each_ms = max(self.conversion_ms, self.reading_ms + self.line_ms)
-        return (1e3 - self.status_ms) / each_ms
+        return max(0.0, 1e3 - self.status_ms - self.loads_ms) / each_ms
 
 
 def frame_time(

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from design.catalogue.bus_parts import (
     BOARDS,
@@ -30,6 +30,7 @@ from design.wiring.bus_limits import (
 )
 from design.wiring.dealing import WAYS, CannotError, ChipOnBus, bare_chips, dealt
 from design.wiring.lengths import LEAD_MM
+from design.wiring.load_cell import LoadCellPlan, load_cell_plan
 
 _CHIP_V = 3.3
 _BUFFERS_A_PACKAGE = 6
@@ -53,6 +54,7 @@ class BusPlan:
     time: FrameTime
     reset: str | None
     extras: tuple[tuple[str, int], ...]
+    load: LoadCellPlan | None = None
 
     @property
     def buses(self) -> tuple[int, ...]:
@@ -69,13 +71,16 @@ class BusPlan:
     def pins(self) -> int:
         """Pins of the board besides supply and ground."""
         supplies = sum(chip.supply is not None for chip in self.chips)
-        return 2 * len(self.buses) + supplies + (self.reset is not None)
+        loads = 0 if self.load is None else len(self.load.pins)
+        return 2 * len(self.buses) + supplies + (self.reset is not None) + loads
 
     @property
     def wires(self) -> int:
-        """Four for each sensor, five for each multiplexer, and those to the board's pins."""
-        to_board = self.pins - (self.reset is not None) + 2
-        return 4 * len(self.chips) + 5 * len(self.multiplexers) + to_board
+        """Four for each sensor, five for each multiplexer, those to the board's pins, and the load cell's."""
+        supplies = sum(chip.supply is not None for chip in self.chips)
+        to_board = 2 * len(self.buses) + supplies + 2
+        loads = [] if self.load is None else self.load.wires(self.board)
+        return 4 * len(self.chips) + 5 * len(self.multiplexers) + to_board + len(loads)
 
     @property
     def cost_eur(self) -> float:
@@ -167,18 +172,30 @@ def _what_can(spec: ObjectSpec, board: Board, lead_mm: float, choice: Choice) ->
 
 def _plan(spec: ObjectSpec, board: Board, lead_mm: float, way: str, buses: int) -> BusPlan:
     chip = bus_chip(spec.sensors.part)
-    chips = dealt(way, bare_chips(spec, lead_mm), board, buses)
-    _require_current(chips, chip, board)
-    reset = board.outputs[0] if chips[0].multiplexer is not None else None
+    load = load_cell_plan(spec.load_cell, board)
+    free = replace(board, outputs=_without(board.outputs, load))
+    chips = dealt(way, bare_chips(spec, lead_mm), free, buses)
+    _require_current(chips, chip, board, load)
+    reset = free.outputs[0] if chips[0].multiplexer is not None else None
     khz, capacitance, pullup = _clock(spec, board, chips)
-    time, baud = _rate(spec, board, chip, chips, khz)
-    extras = _extras(board, chips)
-    return BusPlan(board, way, chips, khz, baud, capacitance, pullup, time, reset, extras)
+    time, baud = _rate(spec, board, chip, chips, khz, load)
+    extras = _extras(board, chips, load)
+    return BusPlan(board, way, chips, khz, baud, capacitance, pullup, time, reset, extras, load)
 
 
-def _require_current(chips: Sequence[ChipOnBus], family: BusChip, board: Board) -> None:
+def _without(outputs: tuple[str, ...], load: LoadCellPlan | None) -> tuple[str, ...]:
+    """Pins that the load cell leaves for the sensors."""
+    taken = () if load is None else load.pins
+    return tuple(pin for pin in outputs if pin not in taken)
+
+
+def _require_current(
+    chips: Sequence[ChipOnBus], family: BusChip, board: Board, load: LoadCellPlan | None
+) -> None:
     needed_ma = len(chips) * family.supply_ma
     from_outputs = chips[0].supply is not None and board.logic_v == _CHIP_V
+    if load is not None and board.logic_v == _CHIP_V and not from_outputs:
+        needed_ma += load.rail_ma
     given_ma = board.outputs_ma if from_outputs else board.rail_ma
     if needed_ma > given_ma:
         source = "outputs give" if from_outputs else "3.3 V pin gives"
@@ -216,7 +233,12 @@ def largest_line_pf(chips: Sequence[ChipOnBus]) -> float:
 
 
 def _rate(
-    spec: ObjectSpec, board: Board, family: BusChip, chips: Sequence[ChipOnBus], khz: float
+    spec: ObjectSpec,
+    board: Board,
+    family: BusChip,
+    chips: Sequence[ChipOnBus],
+    khz: float,
+    load: LoadCellPlan | None,
 ) -> tuple[FrameTime, int]:
     """Times of a frame, and the slowest baud rate that keeps the specified frame rate."""
     routes = [(c.bus, c.multiplexer, c.channel) for c in chips if c.multiplexer is not None]
@@ -227,16 +249,20 @@ def _rate(
         time = frame_time(
             board, family, spec.sensors.averaging, khz, baud, len(chips), selects, axes
         )
+        if load is not None:
+            time = replace(time, loads_ms=1e3 * load.seconds_a_second(board, baud))
         if time.fastest_hz >= wanted:
             return time, baud
     raise CannotError(
         f"{time.fastest_hz:.1f} frames per second at most ({time.reading_ms:.1f} ms to read at "
-        f"{khz:g} kHz, {time.line_ms:.1f} ms to send, {time.conversion_ms:.1f} ms to convert), "
-        f"sensors.frame_rate_hz = {wanted:g}"
+        f"{khz:g} kHz, {time.line_ms:.1f} ms to send, {time.conversion_ms:.1f} ms to convert, "
+        f"{time.loads_ms:.0f} ms a second for the load cell), sensors.frame_rate_hz = {wanted:g}"
     )
 
 
-def _extras(board: Board, chips: Sequence[ChipOnBus]) -> tuple[tuple[str, int], ...]:
+def _extras(
+    board: Board, chips: Sequence[ChipOnBus], load: LoadCellPlan | None
+) -> tuple[tuple[str, int], ...]:
     """Parts beyond board and sensors: 3.3 V chips at a 5 V board need their levels changed."""
     muxes = len({(c.bus, c.multiplexer) for c in chips if c.multiplexer is not None})
     buses = len({c.bus for c in chips})
@@ -245,4 +271,6 @@ def _extras(board: Board, chips: Sequence[ChipOnBus]) -> tuple[tuple[str, int], 
     if board.logic_v > _CHIP_V and not muxes:
         found[SHIFTER] = buses
         found[BUFFER] = -(-sum(c.supply is not None for c in chips) // _BUFFERS_A_PACKAGE)
+    for name, count in () if load is None else load.parts(board):
+        found[name] = found.get(name, 0) + count
     return tuple((name, count) for name, count in found.items() if count)

@@ -9,8 +9,13 @@ from design.wiring.bus_plan import BusPlan
 from design.wiring.dealing import ChipOnBus
 
 COLOURS = {"VCC": "red", "GND": "black", "SDA": "blue", "SCL": "yellow"}
+_BRIDGE_COLOURS = {"E+": "red", "E-": "black", "A-": "white", "A+": "green"}
+"""Of the cable that hangs on most load cells; its maker's sheet counts."""
+_ALL_COLOURS = COLOURS | _BRIDGE_COLOURS
 _STRIP_MM = 60.0
 """Of a wire between the strip, where the sensors' wires end, and a pin of the board."""
+LOAD_CABLE_MM = 200.0
+"""Of a load cell's own cable, at least."""
 
 
 @dataclass(frozen=True)
@@ -37,10 +42,17 @@ def wires_of(plan: BusPlan) -> tuple[Wire, ...]:
         for pad in COLOURS
     ]
     ends += [(start, end, signal, _STRIP_MM) for start, end, signal in _board_ends(plan)]
+    loads = [] if plan.load is None else plan.load.wires(plan.board)
+    ends += [(start, end, signal, _load_mm(start)) for start, end, signal in loads]
     return tuple(
-        Wire(k, start, end, signal, COLOURS[signal], int(-(-length // 5) * 5))
+        Wire(k, start, end, signal, _ALL_COLOURS[signal], int(-(-length // 5) * 5))
         for k, (start, end, signal, length) in enumerate(ends, start=1)
     )
+
+
+def _load_mm(start: str) -> float:
+    """A load cell and a force sensor have cables of their own; the rest lies on the strip."""
+    return LOAD_CABLE_MM if start.startswith(("load cell", "force sensor")) else _STRIP_MM
 
 
 def _end(plan: BusPlan, chip: ChipOnBus, pad: str) -> str:
@@ -99,5 +111,6 @@ def _by_buffer(plan: BusPlan, supply: str) -> str:
 
 
 def wire_length_m(plan: BusPlan) -> float:
-    """Wire to buy, m."""
-    return sum(wire.length_mm for wire in wires_of(plan)) / 1e3
+    """Wire to buy, m; a load cell's cable hangs on it."""
+    bought = (wire for wire in wires_of(plan) if _load_mm(wire.start) == _STRIP_MM)
+    return sum(wire.length_mm for wire in bought) / 1e3

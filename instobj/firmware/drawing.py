@@ -8,7 +8,14 @@ from xml.sax.saxutils import escape
 from design.wiring.bus_plan import BusPlan
 from design.wiring.wires import Wire, wires_of
 
-_STROKES = {"red": "#c1121f", "black": "#222222", "blue": "#1d4e9e", "yellow": "#c99700"}
+_STROKES = {
+    "red": "#c1121f",
+    "black": "#222222",
+    "blue": "#1d4e9e",
+    "yellow": "#c99700",
+    "green": "#2d7d46",
+    "white": "#9a9a9a",
+}
 _LINE, _BOX, _GAP, _TOP = 3.2, 46.0, 62.0, 14.0
 """mm: height of a pin's row, width of a box, room for wires between boxes, and above all."""
 
@@ -42,7 +49,8 @@ def _box_of(end: str) -> tuple[str, str]:
 
 
 def _side(box: str) -> str:
-    return "board" if box == "board" else "F" if box.startswith("F") else "strip"
+    cell = box in ("load cell", "force sensor")
+    return "board" if box == "board" else "F" if cell or box.startswith("F") else "strip"
 
 
 def _pins(wires: Sequence[Wire], side: str) -> dict[str, list[str]]:

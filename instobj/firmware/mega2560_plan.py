@@ -10,10 +10,13 @@ from instobj.firmware.settings import (
     channel_names,
     chip_settings,
     frame_us,
+    load_settings,
     waits_ms,
 )
 
 _CLOCK_HZ = 16_000_000
+_CONVERSIONS = 256
+"""Of the analogue converter in a reading of the load cell (load_cell.c)."""
 
 
 def port_of(pin: str) -> tuple[str, int]:
@@ -23,9 +26,13 @@ def port_of(pin: str) -> tuple[str, int]:
         return "A", number - 22
     if 30 <= number <= 37:
         return "C", 37 - number
+    if number in (38, 39, 40, 41):
+        return (("D", 7), ("G", 2), ("G", 1), ("G", 0))[number - 38]
     if 42 <= number <= 49:
         return "L", 49 - number
-    raise ValueError(f"{pin} is none of the pins that plans use (D22 to D37, D42 to D49)")
+    if 50 <= number <= 53:
+        return "B", 53 - number
+    raise ValueError(f"{pin} is none of the pins that plans use (D22 to D53)")
 
 
 def plan_header(spec: ObjectSpec, plan: BusPlan) -> str:
@@ -48,6 +55,7 @@ def plan_header(spec: ObjectSpec, plan: BusPlan) -> str:
         "LINE_BAUD": f"{plan.baud}UL",
         **chip_settings(spec, plan),
         **_reset(plan),
+        **_load_cell(spec, plan),
     }
     defines = "\n".join(f"#define {name} {value}" for name, value in figures.items())
     rows = "\n".join(f"    {_row(chip)}" for chip in plan.chips)
@@ -66,6 +74,26 @@ def _reset(plan: BusPlan) -> dict[str, str]:
         return {}
     port, bit = port_of(plan.reset)
     return {"RESET_PORT": f"PORT{port}", "RESET_MASK": f"0x{1 << bit:02X}"}
+
+
+def _load_cell(spec: ObjectSpec, plan: BusPlan) -> dict[str, str | int]:
+    """Kind, pins and scale of the load cell; nothing where there is none."""
+    if plan.load is None:
+        return {}
+    kinds: dict[str, str | int] = {"LOAD_HX711": 1, "LOAD_ANALOG": 2}
+    kinds["LOAD_CELL"] = f"LOAD_{plan.load.kind.upper()}"
+    if plan.load.kind == "analog":
+        channel = {"LOAD_CHANNEL": int(plan.load.pins[0][1:])}
+        return {**kinds, **channel, **_long(load_settings(spec, plan, sum_of=_CONVERSIONS))}
+    for name, pin in zip(("DATA", "CLOCK"), plan.load.pins, strict=True):
+        port, bit = port_of(pin)
+        kinds |= {f"LOAD_{name}_{what}": f"{what}{port}" for what in ("PORT", "DDR", "PIN")}
+        kinds[f"LOAD_{name}_MASK"] = f"0x{1 << bit:02X}"
+    return {**kinds, **_long(load_settings(spec, plan))}
+
+
+def _long(figures: dict[str, int]) -> dict[str, str]:
+    return {name: f"({value}LL)" for name, value in figures.items()}
 
 
 def _row(chip: ChipOnBus) -> str:

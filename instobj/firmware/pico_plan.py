@@ -10,8 +10,12 @@ from instobj.firmware.settings import (
     channel_names,
     chip_settings,
     frame_us,
+    load_settings,
     waits_ms,
 )
+
+_PARTS = 256
+"""Of a step of the analogue converter, in which means are counted (load_cell.py)."""
 
 
 def gpio_of(pin: str) -> int:
@@ -42,6 +46,7 @@ def plan_module(spec: ObjectSpec, plan: BusPlan) -> str:
         "BUSES": tuple(buses),
         "CHANNELS": ",".join(channel_names(spec, plan)),
         **chip_settings(spec, plan),
+        **_load_cell(spec, plan),
     }
     lines = [f"{name} = {value!r}" for name, value in figures.items()]
     rows = [f"    {_place(chip)!r},  # {chip.label}" for chip in plan.chips]
@@ -56,6 +61,15 @@ def plan_module(spec: ObjectSpec, plan: BusPlan) -> str:
             "",
         ]
     )
+
+
+def _load_cell(spec: ObjectSpec, plan: BusPlan) -> dict[str, object]:
+    """Kind, pins and scale of the load cell."""
+    if plan.load is None:
+        return {"LOAD_CELL": None, "LOAD_PINS": (), "LOAD_ZERO": 0, "LOAD_SCALE": 0}
+    sum_of = _PARTS if plan.load.kind == "analog" else 1
+    pins = tuple(map(gpio_of, plan.load.pins))
+    return {"LOAD_CELL": plan.load.kind, "LOAD_PINS": pins, **load_settings(spec, plan, sum_of)}
 
 
 def _place(chip: ChipOnBus) -> tuple[int | None, ...]:

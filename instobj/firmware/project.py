@@ -78,7 +78,24 @@ def _readme(spec: ObjectSpec, plan: BusPlan) -> str:
         install=_INSTALL_MEGA if mega else _INSTALL_PICO,
         plan="plan.h" if mega else "plan.py",
         rows="\n".join(_row(chip) for chip in plan.chips),
+        load=_load_text(spec, plan),
     )
+
+
+def _load_text(spec: ObjectSpec, plan: BusPlan) -> str:
+    """What the README says of the load cell."""
+    cell, load = spec.load_cell, plan.load
+    if load is None:
+        return ""
+    if load.kind == "hx711":
+        scale = (
+            f"for a cell of {cell.capacity_n:g} N and {cell.output_mv_per_v:g} mV/V at gain 128. Set the "
+            f"board's RATE to {cell.rate_sps} readings a second."
+        )
+    else:
+        scale = f"{cell.newtons_per_v:g} N/V, {cell.zero_v:g} V without load."
+    lines = "Its forces go out as lines `L`; check the scale with a weight."
+    return f"\n- Load cell: {load.title}; {scale} {lines}"
 
 
 def _row(chip: ChipOnBus) -> str:
@@ -114,7 +131,7 @@ Written by `instobj firmware`; `{plan}` holds all that belongs to this object.
 - A bus that hangs for 2.5 ms is clocked free and multiplexers are reset; if the data line stays low,
   sensors on supply pins lose their power and are started anew.
 - The watchdog restarts the board after 2 s. Once a second a line `S` tells supply, errors, why the board
-  started, and the temperature of every sensor (`instobj docs recordings`).
+  started, and the temperature of every sensor (`instobj docs recordings`).{load}
 """
 
 

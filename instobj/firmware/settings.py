@@ -9,6 +9,7 @@ from design.catalogue.hall_sensors import hall_part
 from design.errors import InputError
 from design.spec.object import ObjectSpec
 from design.wiring.bus_plan import BusPlan
+from design.wiring.load_cell import newtons_per_step, zero_steps
 
 _MLX_SETTINGS = {4.9: (7, 0), 9.8: (4, 0), 24.6: (0, 0), 49.2: (0, 1)}
 """Range (mT) to GAIN_SEL and RES of the catalogue's figures (Melexis 3901090393, table of gains)."""
@@ -62,3 +63,16 @@ def chip_settings(spec: ObjectSpec, plan: BusPlan) -> dict[str, int]:
     assert family_of(plan) is MLX90393
     gain, resolution = _MLX_SETTINGS[selected.range_mt]
     return {"MLX_GAIN": gain, "MLX_RESOLUTION": resolution}
+
+
+LOAD_SCALE_BITS = 24
+"""Of LOAD_SCALE behind its point."""
+
+
+def load_settings(spec: ObjectSpec, plan: BusPlan, sum_of: int = 1) -> dict[str, int]:
+    """Zero, and 0.1 mN per unit, of a load cell's readings, which are sums of `sum_of` steps."""
+    per_step = newtons_per_step(spec.load_cell, plan.board)
+    return {
+        "LOAD_ZERO": round(zero_steps(spec.load_cell, plan.board) * sum_of),
+        "LOAD_SCALE": round(1e4 * per_step / sum_of * 2**LOAD_SCALE_BITS),
+    }

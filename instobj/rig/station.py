@@ -203,7 +203,7 @@ class Station:
     def _take_force(self, force_n: float, time_s: float) -> None:
         self.cell.take(force_n, time_s)
         self._label_rows()
-        if self.watching and self.cell.force_n > self.limit_n:
+        if self.watching and abs(self.cell.force_n) > self.limit_n:
             self.machine.hold()
             raise ForceBeyondLimit(
                 f"the load cell says {self.cell.force_n:.2f} N, more than --limit {self.limit_n:g} N"

@@ -78,9 +78,9 @@ STAGES: dict[str, Stage] = {
     "sheet": Stage(
         "design: bill of materials and assembly sheet",
         ("build",),
-        ("name", *_MAKING, "silicone"),
+        ("name", *_MAKING, "silicone", "load_cell"),
         make_sheet,
-        version=7,
+        version=8,
     ),
     "fabrication": Stage(
         "design: fabrication checks",

@@ -62,6 +62,11 @@ def plan_texts(plan: BusPlan, asked_khz: float) -> list[str]:
         f"up to {time.fastest_hz:.1f} frames per second: {time.reading_ms:.1f} ms to read, "
         f"{time.line_ms:.1f} ms to send, {time.conversion_ms:.1f} ms to convert",
     ]
+    if plan.load is not None:
+        texts.append(
+            f"load cell: {plan.load.title}; up to {plan.load.lines_hz:g} lines `L` a second take "
+            f"{plan.time.loads_ms:.0f} ms of it"
+        )
     if plan.khz < asked_khz:
         texts.append(
             f"the bus runs at {plan.khz:g} kHz, not at sensors.i2c_khz = {asked_khz:g}: that much "

@@ -19,12 +19,14 @@ STALE_S = 1.0
 """A load cell's last line labels frames for so long."""
 PAUSE_S = 1.0
 """A longer step between frames is a pause."""
+_READINGS_KEPT = 200
 
 
 @dataclass
 class Collection:
     """State between two lines.
 
+    `loads` hold the last line of every load cell and `readings` the last ones (time in s, force in N).
     With forces given by hand, `waiting` is from the zero until the user says that the weight lies.
     """
 
@@ -35,6 +37,7 @@ class Collection:
     load_clock: BoardClock = field(default_factory=BoardClock)
     channels: tuple[str, ...] = ()
     loads: dict[int, tuple[float, Load]] = field(default_factory=dict)
+    readings: dict[int, deque[tuple[float, float]]] = field(default_factory=dict)
     zero_left: int = 0
     zero_counts: list[tuple[float, ...]] = field(default_factory=list)
     last_counts: tuple[float, ...] = ()
@@ -84,7 +87,10 @@ def take_load(load: Load, state: Collection, clock: BoardClock) -> None:
             f"a line came from load cell {load.cell} with {len(load.tips_mm)} tips; this recording "
             f"holds {state.cells} cells and {state.tips} tips. Give --cells and --tips"
         )
-    state.loads[load.cell] = (clock.time_s(load.board_ms, time.time()), load)
+    time_s = clock.time_s(load.board_ms, time.time())
+    state.loads[load.cell] = (time_s, load)
+    kept = state.readings.setdefault(load.cell, deque(maxlen=_READINGS_KEPT))
+    kept.append((time_s, load.force_n))
 
 
 def take_frame(frame: Frame, time_s: float, state: Collection, growing: GrowingRecording) -> None:
@@ -113,7 +119,7 @@ def _label(cell: int, time_s: float, zeroing: bool, state: Collection) -> list[f
     if load is not None and load.face is not None:
         place = Place(load.face, load.tips_mm) if load.face else None
     place = None if zeroing else place
-    force_n = _force_n(cell, place, load if time_s - heard_s <= STALE_S else None, state)
+    force_n = _force_n(cell, place, load if time_s - heard_s <= STALE_S else None, time_s, state)
     if force_n is None:
         return None
     tips = [] if place is None else [value for tip in place.tips_mm for value in tip]
@@ -121,13 +127,27 @@ def _label(cell: int, time_s: float, zeroing: bool, state: Collection) -> list[f
     return [force_n, face, *tips, *[float("nan")] * (2 * state.tips - len(tips))]
 
 
-def _force_n(cell: int, place: Place | None, load: Load | None, state: Collection) -> float | None:
-    """What the load cell says now; else, where none ever spoke, what the command line says."""
+def _force_n(
+    cell: int, place: Place | None, load: Load | None, time_s: float, state: Collection
+) -> float | None:
+    """What the load cell says at that time; else, where none ever spoke, what the command line says."""
     if load is not None:
-        return load.force_n
+        return _at(time_s, load, state.readings[cell])
     if cell in state.loads or state.options.load_port is not None:
         return None
     given = state.options.forces_n[cell - 1 : cell]
     if place is None:
         return 0.0 if given or state.zero_left else None
     return given[0] if given else None
+
+
+def _at(time_s: float, last: Load, readings: deque[tuple[float, float]]) -> float:
+    """Between the readings before and after a time (N); the last one where none is newer or they are
+    far apart."""
+    after = next((k for k, (read_s, _) in enumerate(readings) if read_s >= time_s), None)
+    if not after:
+        return last.force_n if after is None else readings[0][1]
+    (before_s, before_n), (after_s, after_n) = readings[after - 1], readings[after]
+    if not 0 < after_s - before_s <= STALE_S:
+        return after_n
+    return before_n + (after_n - before_n) * (time_s - before_s) / (after_s - before_s)

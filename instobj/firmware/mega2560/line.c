@@ -82,15 +82,19 @@ void line_number(int32_t value)
     digits(value < 0 ? (uint32_t)-value : (uint32_t)value);
 }
 
-void line_tenths(int16_t value)
+void line_fraction(int32_t value, uint16_t one)
 {
-    uint16_t size = value < 0 ? (uint16_t)-value : (uint16_t)value;
+    uint32_t size = value < 0 ? (uint32_t)-value : (uint32_t)value;
     put(',');
     if (value < 0)
         put('-');
-    digits(size / 10);
+    digits(size / one);
     put('.');
-    put((char)('0' + size % 10));
+    size %= one;
+    for (uint16_t place = one / 10; place; place /= 10) {
+        put((char)('0' + size / place));
+        size %= place;
+    }
 }
 
 void line_end(void)

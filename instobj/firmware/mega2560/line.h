@@ -10,5 +10,5 @@ void line_text(const char *flash_text);
 void line_empty(void); /* an empty cell */
 void line_number(int32_t value);
 void line_unsigned(uint32_t value);
-void line_tenths(int16_t value);
+void line_fraction(int32_t value, uint16_t one); /* value / one, a power of ten */
 void line_end(void);

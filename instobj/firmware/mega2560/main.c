@@ -9,6 +9,7 @@
 #include "bus.h"
 #include "chips.h"
 #include "line.h"
+#include "load_cell.h"
 #include "plan.h"
 
 enum { TICKS_A_MS = 250, STATUS_MS = 1000, STATUS_A_HEADER = 8, BANDGAP_MV = 1100, BANDGAP_CHANNEL = 0x1E };
@@ -19,7 +20,7 @@ static bool answered[CHIPS];
 
 ISR(TIMER0_COMPA_vect)
 {
-    milliseconds++;
+    load_tick(++milliseconds);
 }
 
 static uint32_t now_ms(void)
@@ -40,6 +41,7 @@ static void start_clock(void)
 /* The board's 5 V from its 1.1 V reference measured against it (accurate to 10 %). */
 static uint16_t supply_mv(void)
 {
+    load_pause();
     ADMUX = _BV(REFS0) | BANDGAP_CHANNEL;
     ADCSRB = 0;
     ADCSRA = _BV(ADEN) | _BV(ADPS2) | _BV(ADPS1) | _BV(ADPS0);
@@ -48,7 +50,9 @@ static uint16_t supply_mv(void)
         while (ADCSRA & _BV(ADSC))
             ;
     }
-    return ADC ? (uint16_t)((uint32_t)BANDGAP_MV * 1024 / ADC) : 0;
+    uint16_t reading = ADC;
+    load_resume();
+    return reading ? (uint16_t)((uint32_t)BANDGAP_MV * 1024 / reading) : 0;
 }
 
 static void send_header(void)
@@ -65,6 +69,7 @@ static void send_frame(uint16_t sequence)
     uint32_t read_ms = now_ms();
     for (uint8_t chip = 0; chip < CHIPS; chip++)
         answered[chip] = chips_read(chip, values[chip]);
+    load_send();
     line_begin('F');
     line_unsigned(sequence);
     line_unsigned(read_ms);
@@ -92,7 +97,7 @@ static void send_status(const char *cause)
     line_text(cause);
     for (uint8_t chip = 0; chip < CHIPS; chip++) {
         if (answered[chip])
-            line_tenths(chip_decidegrees(values[chip][TEMPERATURE]));
+            line_fraction(chip_decidegrees(values[chip][TEMPERATURE]), 10);
         else
             line_empty();
     }
@@ -115,6 +120,7 @@ int main(void)
     start_clock();
     sei();
     bus_start();
+    load_start();
     chips_start();
     send_header();
     uint32_t due_ms = now_ms(), status_ms = due_ms;
@@ -126,6 +132,7 @@ int main(void)
         while ((int32_t)(now_ms() - due_ms) < 0) {
             if (line_asked())
                 send_header();
+            load_send();
             sleep_mode(); /* until the next millisecond */
         }
         send_frame(sequence++);

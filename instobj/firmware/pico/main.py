@@ -10,6 +10,7 @@ import micropython
 import plan
 from bus import Bus
 from chip import celsius
+from load_cell import load_cell, newtons
 from sensors import Sensors
 
 STATUS_MS = 1000
@@ -38,11 +39,19 @@ def send_header():
     send(("H", "1", plan.CHANNELS))
 
 
-def frame_cells(sensors, sequence, values):
+def send_loads(load):
+    """Lines of all readings of the load cell since the last ones."""
+    load.poll()
+    for ms, value in load.take():
+        send(("L", str(ms), "1", newtons(value)))
+
+
+def frame_cells(sensors, load, sequence, values):
     """Cells of a frame; all sensors are read before, into `values`."""
     cells = ["F", str(sequence), str(time.ticks_ms())]
     for number in range(len(values)):
         values[number] = sensors.read(number)
+        load.poll()
     for found in values:
         for axis in plan.AXES:
             cells.append("" if found is None else str(found[axis]))
@@ -70,10 +79,11 @@ def asked(poll):
     return found
 
 
-def wait_until(due_us, poll):
+def wait_until(due_us, poll, load):
     while time.ticks_diff(due_us, time.ticks_us()) > 0:
         if asked(poll):
             send_header()
+        send_loads(load)
         time.sleep_us(min(1000, max(0, time.ticks_diff(due_us, time.ticks_us()))))
 
 
@@ -82,14 +92,16 @@ def run():
     poll = select.poll()
     poll.register(sys.stdin, select.POLLIN)
     watchdog = machine.WDT(timeout=WATCHDOG_MS)
-    sensors = Sensors()
+    sensors, load = Sensors(), load_cell()
     values = [None] * len(plan.PLACES)
     send_header()
     due_us, status_ms, sequence, statuses = time.ticks_us(), time.ticks_ms(), 0, 0
     while True:
         watchdog.feed()
-        wait_until(due_us, poll)
-        send(frame_cells(sensors, sequence, values))
+        wait_until(due_us, poll, load)
+        cells = frame_cells(sensors, load, sequence, values)
+        send_loads(load)
+        send(cells)
         sequence = (sequence + 1) % 65536
         due_us = time.ticks_add(due_us, plan.FRAME_US)
         if time.ticks_diff(time.ticks_ms(), status_ms) >= STATUS_MS:

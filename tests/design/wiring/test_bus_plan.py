@@ -123,3 +123,54 @@ def test_faster_frames_take_a_faster_line():
 def test_a_frame_takes_the_longer_of_converting_and_of_reading_and_writing():
     assert FrameTime(2.0, 60.0, 30.0, 100.0).fastest_hz == pytest.approx(10.0)
     assert FrameTime(120.0, 60.0, 30.0, 100.0).fastest_hz == pytest.approx(7.5)
+
+
+def test_a_load_cell_takes_its_pins_and_its_share_of_the_line():
+    spec = object_of().changed(load_cell={"kind": "hx711"})
+    plan, _ = choose_plan(spec, PICO, way=STARTED)
+    assert plan.load.pins == ("GP2", "GP3")
+    assert not {"GP2", "GP3"} & {chip.supply for chip in plan.chips}
+    bare, _ = choose_plan(object_of(), PICO, way=STARTED)
+    assert plan.time.fastest_hz < 0.95 * bare.time.fastest_hz
+
+
+def test_every_supply_pin_taken_leaves_none_for_a_load_cell():
+    """22 outputs: 21 sensors fit one by one, 20 beside an HX711."""
+    three_faces = {"body": {"sensed_faces": [1, 2, 3]}, "sensors": {"count_per_face": 7}}
+    spec = ObjectSpec.model_validate({"name": "many", **three_faces})
+    assert STARTED in {plan.way for plan in all_plans(spec, PICO).plans}
+    refused = dict(all_plans(spec.changed(load_cell={"kind": "hx711"}), PICO).refused)
+    assert "21 chips need a supply pin each, the board has 20" in refused[STARTED]
+
+
+@pytest.mark.parametrize(
+    ("cell", "words"),
+    [
+        ({"kind": "hx711", "pins": ["D20", "D41"]}, "takes different pins of D40"),
+        ({"kind": "hx711", "pins": ["D40", "D40"]}, "takes different pins"),
+        ({"kind": "analog", "pins": ["D40"]}, "takes different pins of A0"),
+    ],
+)
+def test_pins_that_a_load_cell_cannot_have_are_refused(cell, words):
+    with pytest.raises(InputError, match=words):
+        choose_plan(object_of().changed(load_cell=cell), MEGA2560)
+
+
+def test_a_rate_that_the_load_cell_leaves_no_time_for_is_refused_with_its_share():
+    bare, _ = choose_plan(object_of(averaging=4), MEGA2560, way=MIXED)
+    fast = object_of(averaging=4, frame_rate_hz=round(0.99 * bare.time.fastest_hz, 1))
+    plan, _ = choose_plan(fast, MEGA2560, way=MIXED)
+    loaded, _ = choose_plan(fast.changed(load_cell={"kind": "hx711"}), MEGA2560, way=MIXED)
+    assert loaded.baud > plan.baud
+
+
+@pytest.mark.parametrize(
+    ("cell", "words"),
+    [
+        ({"kind": "hx711", "pins": ["D40"]}, "takes 2"),
+        ({"kind": "hx711", "output_mv_per_v": 0}, "must not be 0"),
+    ],
+)
+def test_load_cells_that_make_no_sense_are_refused(cell, words):
+    with pytest.raises(InputError, match=words):
+        object_of().changed(load_cell=cell)

@@ -6,21 +6,41 @@ from xml.etree import ElementTree
 
 import pytest
 
+from design.build.order_list import order_list
 from design.catalogue.bus_parts import BOARDS, PICO
 from design.spec.object import ObjectSpec
 from design.wiring.bus_plan import all_plans, choose_plan
 from design.wiring.dealing import MIXED
-from design.wiring.wires import wires_of
+from design.wiring.wires import wire_length_m, wires_of
 from instobj.firmware.drawing import wiring_svg
 
 SPEC = ObjectSpec.model_validate({"name": "wired"})
-PLANS = [plan for board in BOARDS.values() for plan in all_plans(SPEC, board).plans]
+KINDS = ("none", "hx711", "analog")
 
 
-@pytest.mark.parametrize("plan", PLANS, ids=lambda plan: f"{plan.board.name}-{plan.way}")
+def with_load_cell(kind, **cell):
+    return SPEC.changed(load_cell={"kind": kind, **cell})
+
+
+PLANS = [
+    plan
+    for board in BOARDS.values()
+    for kind in KINDS
+    for plan in all_plans(with_load_cell(kind), board).plans
+]
+
+
+def name_of(plan):
+    return f"{plan.board.name}-{plan.way}-{plan.load.kind if plan.load else 'none'}"
+
+
+@pytest.mark.parametrize("plan", PLANS, ids=name_of)
 def test_every_pad_of_every_sensor_has_one_wire_and_all_are_counted(plan):
     wires = wires_of(plan)
     starts = Counter(wire.start for wire in wires)
+    assert {wire.end.split()[1] for wire in wires if wire.end.startswith("board ")} >= {
+        *(plan.load.pins if plan.load else ())
+    }
     pads = {f"{chip.label} {pad}" for chip in plan.chips for pad in ("VCC", "GND", "SDA", "SCL")}
     assert {start for start in starts if re.match(r"F\d", start)} == pads
     assert max(starts.values()) == 1
@@ -31,7 +51,7 @@ def test_every_pad_of_every_sensor_has_one_wire_and_all_are_counted(plan):
         assert 0 <= wire.length_mm - needed[wire.start[: wire.start.rindex(" ")]] < 5
 
 
-@pytest.mark.parametrize("plan", PLANS, ids=lambda plan: f"{plan.board.name}-{plan.way}")
+@pytest.mark.parametrize("plan", PLANS, ids=name_of)
 def test_followed_along_its_wires_every_pad_reaches_the_board(plan):
     onward = {wire.start: wire.end for wire in wires_of(plan)}
     for chip in plan.chips:
@@ -49,10 +69,27 @@ def test_followed_along_its_wires_every_pad_reaches_the_board(plan):
                 assert onward[end].split()[1] == chip.supply
 
 
-def test_the_drawing_has_every_wire_in_its_colour():
-    plan, _ = choose_plan(SPEC, PICO, way=MIXED)
+@pytest.mark.parametrize("kind", KINDS)
+def test_the_drawing_has_every_wire_in_its_colour(kind):
+    plan, _ = choose_plan(with_load_cell(kind), PICO, way=MIXED)
     root = ElementTree.fromstring(wiring_svg(plan, "a <title> & more"))
     paths = root.findall("{http://www.w3.org/2000/svg}path")
     assert len(paths) == plan.wires
     strokes = Counter(path.get("stroke") for path in paths)
     assert strokes["#222222"] == sum(wire.colour == "black" for wire in wires_of(plan))
+
+
+@pytest.mark.parametrize("kind", ["hx711", "analog"])
+def test_a_load_cell_is_wired_and_ordered(kind):
+    for board in BOARDS.values():
+        spec = with_load_cell(kind)
+        plan, _ = choose_plan(spec, board)
+        bare, _ = choose_plan(SPEC, board)
+        assert plan.pins == bare.pins + len(plan.load.pins)
+        assert plan.wires == bare.wires + len(plan.load.wires(board))
+        extra = {line.part for line in order_list(spec, plan)} - {
+            line.part for line in order_list(SPEC, bare)
+        }
+        assert len(extra) == 2
+        assert plan.cost_eur > bare.cost_eur
+        assert wire_length_m(plan) - wire_length_m(bare) < 0.5

@@ -90,6 +90,7 @@ DOWNSTREAM = {
         "robustness",
     },
     "environment.earth_field_ut=50": {"signals", "robustness"},
+    "load_cell.kind=hx711": {"sheet"},
     "magnets.diameter_mm=5": {
         "compliance",
         "candidates",

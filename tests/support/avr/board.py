@@ -44,8 +44,9 @@ def built(spec, folder, **choice):
     return plan, folder / "firmware.elf"
 
 
-def world(plan, faults=(), fields=None, end_ms=2000):
-    """What the simulator is told: sensors as the plan wires them, faults (kind, sensor, from, until)."""
+def world(plan, faults=(), fields=None, end_ms=2000, load=(), sps=80):
+    """What the simulator is told: sensors as the plan wires them, faults (kind, sensor, from, until),
+    and the load over time (ms, mV/V of an HX711's bridge or mV of a force sensor)."""
     lines = []
     for number, chip in enumerate(plan.chips):
         port, bit = ("-", 0) if chip.supply is None else port_of(chip.supply)
@@ -59,8 +60,24 @@ def world(plan, faults=(), fields=None, end_ms=2000):
         f"mux {address:x} {' '.join(map(str, port_of(plan.reset)))}"
         for _, address in plan.multiplexers
     ]
+    lines += _load_cell(plan, sps)
+    lines += [f"load {ms} {value}" for ms, value in load]
     lines += [f"fault {kind} {sensor} {first} {last}" for kind, sensor, first, last in faults]
     return "\n".join([*lines, f"end {end_ms}", ""])
+
+
+def _load_cell(plan, sps):
+    if plan.load is None:
+        return []
+    if plan.load.kind == "analog":
+        return [f"voltage {plan.load.pins[0][1:]}"]
+    pins = " ".join(f"{port} {bit}" for port, bit in map(port_of, plan.load.pins))
+    return [f"hx711 {pins} {sps}"]
+
+
+def bridge_mv_per_v(force_n, capacity_n=49.03, output_mv_per_v=1.0):
+    """Output of the specification's bridge."""
+    return force_n / capacity_n * output_mv_per_v
 
 
 @contextmanager

@@ -9,7 +9,12 @@
  *   fault KIND CHIP FROM UNTIL            dead: does not answer; hang: holds the data line until it is clocked
  *                                         on, once; stuck: until it loses power; brownout: loses its registers
  *                                         at FROM; low: reports undervoltage at FROM; freeze: the board's clock stops
+ *   hx711 DATA-PORT BIT CLOCK-PORT BIT SPS   an HX711 with a bridge
+ *   voltage CHANNEL                       a force sensor on that analogue input
+ *   load MS VALUE                         of the bridge (mV/V) or the sensor (mV) from then on, a line from
+ *                                         one to the next
  *   avcc MILLIVOLT, end MS
+ * Faults of the HX711 have chip -2: shorted (its data line is low), gone (it is not there).
  * Chips behave as their data sheets say: the address changes by its register until power is lost, results
  * stand in the registers only after a conversion, the range saturates, chips that answer together
  * give the AND of their bits.
@@ -25,6 +30,8 @@
 #include <string.h>
 #include <termios.h>
 #include <unistd.h>
+
+#include "load.h"
 
 #include <simavr/avr_adc.h>
 #include <simavr/avr_ioport.h>
@@ -62,6 +69,7 @@ static avr_io_write_t write_twcr;
 static void *twcr_param;
 static bool scl_low, uart_full, address_sent;
 static int terminal;
+static load_t load;
 
 static double now_ms(void) { return (double)avr->cycle / 16000.0; }
 
@@ -227,6 +235,35 @@ static void select_chip(chip_t *c, uint8_t address_and_direction)
         answer_mlx(c);
 }
 
+/* ---- load cell */
+
+static void on_load_clock(struct avr_irq_t *irq, uint32_t value, void *param)
+{
+    hx711_clock(&load, value & 1, now_ms());
+}
+
+/* The converter's input, and the HX711's data line; without a chip the pull-up of the pin decides. */
+static void drive_load(void)
+{
+    static int shown = -1;
+    static double next_ms;
+    if (load.channel >= 0 && now_ms() >= next_ms && (next_ms = now_ms() + 0.05))
+        avr_raise_irq(avr_io_getirq(avr, AVR_IOCTL_ADC_GETIRQ, ADC_IRQ_ADC0 + load.channel),
+                      (uint32_t)fmax(0, load_at(&load, now_ms())));
+    if (!load.data_port)
+        return;
+    bool driven = !faulty("gone", -2);
+    bool high = driven && hx711_data(&load, now_ms()) && !faulty("shorted", -2);
+    int now = driven ? high : 2;
+    if (now == shown)
+        return;
+    shown = now;
+    uint8_t mask = (uint8_t)(1 << load.data_bit);
+    avr_ioport_external_t external = {.name = load.data_port, .mask = driven ? mask : 0, .value = high ? mask : 0};
+    avr_ioctl(avr, AVR_IOCTL_IOPORT_SET_EXTERNAL(load.data_port), &external);
+    avr_raise_irq(avr_io_getirq(avr, AVR_IOCTL_IOPORT_GETIRQ(load.data_port), load.data_bit), !driven || high);
+}
+
 /* ---- bus */
 
 static void reply(uint8_t message, uint8_t address, uint8_t data)
@@ -386,6 +423,9 @@ static void read_world(const char *path)
             fault_t *f = &faults[fault_count++];
             if (fscanf(file, "%11s %d %lf %lf", f->kind, &f->chip, &f->from, &f->until) != 4)
                 exit(2);
+        } else if (!strcmp(word, "hx711") || !strcmp(word, "voltage") || !strcmp(word, "load")) {
+            if (!load_word(&load, word, file))
+                exit(2);
         } else if (!strcmp(word, "avcc")) {
             if (fscanf(file, "%u", &avr->avcc) != 1)
                 exit(2);
@@ -406,6 +446,8 @@ static void connect_all(void)
             if (irq)
                 avr_irq_register_notify(irq, on_pin, (void *)(intptr_t)port);
         }
+    if (load.data_port)
+        avr_irq_register_notify(avr_io_getirq(avr, AVR_IOCTL_IOPORT_GETIRQ(load.clock_port), load.clock_bit), on_load_clock, 0);
     sda_pin = avr_io_getirq(avr, AVR_IOCTL_IOPORT_GETIRQ('D'), SDA);
     avr_irq_register_notify(avr_io_getirq(avr, AVR_IOCTL_IOPORT_GETIRQ('D'), IOPORT_IRQ_DIRECTION_ALL), on_direction_d, 0);
     avr_irq_register_notify(avr_io_getirq(avr, AVR_IOCTL_UART_GETIRQ('0'), UART_IRQ_OUTPUT), on_uart, 0);
@@ -441,6 +483,7 @@ int main(int count, char **words)
     avr_init(avr);
     avr->vcc = avr->avcc = avr->aref = 5000;
     avr_load_firmware(avr, &firmware);
+    load.channel = -1;
     read_world(words[2]);
     char name[64];
     int slave;
@@ -462,6 +505,7 @@ int main(int count, char **words)
     poll(&asked, 1, -1); /* the reader is there: it asks for the channels */
     for (double polled_ms = 0; now_ms() < end_ms;) {
         int state = avr_run(avr);
+        drive_load();
         if (state == cpu_Done || state == cpu_Crashed)
             return 3;
         if (now_ms() >= polled_ms) {

@@ -25,8 +25,9 @@ needs_micropython = pytest.mark.skipif(
 )
 
 
-def built(spec, folder, faults=(), end_ms=2000, **choice):
-    """Plan of a specification, and its program with the simulated world beside it."""
+def built(spec, folder, faults=(), end_ms=2000, load=((0, 0.0),), sps=80, **choice):
+    """Plan of a specification, and its program with the simulated world beside it; `load` as in
+    tests/support/avr/board.py, at the pin."""
     plan, _ = choose_plan(spec, PICO, **choice)
     write_project(project_files(spec, plan), folder)
     for path in _SIMULATED.glob("*.py"):
@@ -50,6 +51,9 @@ def built(spec, folder, faults=(), end_ms=2000, **choice):
         "RESET": _pin(plan.reset),
         "FAULTS": list(faults),
         "END_MS": end_ms,
+        "LOAD_PINS": [] if plan.load is None else [gpio_of(pin) for pin in plan.load.pins],
+        "LOAD": list(load),
+        "SPS": sps,
     }
     text = "".join(f"{name} = {value!r}\n" for name, value in scene.items())
     (folder / "scene.py").write_text(text)

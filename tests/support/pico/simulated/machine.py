@@ -24,21 +24,44 @@ class WDT:
 
 
 class Pin:
-    OUT, IN, OPEN_DRAIN = 1, 0, 2
+    OUT, IN, OPEN_DRAIN, PULL_UP = 1, 0, 2, 1
 
-    def __init__(self, number, mode=None, value=None):
+    def __init__(self, number, mode=None, pull=None, value=None):
         self.number, self.mode = number, mode
         if value is not None:
             self.value(value)
 
     def value(self, new=None):
+        if new is None and world.load.pins[:1] == (self.number,):
+            return world.load.level()
         if new is None:
             held = self.number in _lines and _lines[self.number][1] == "sda" and world.holder[0]
             return int(not (held and held.bus == _lines[self.number][0]))
-        if self.mode == Pin.OUT:
+        if world.load.pins[1:] == (self.number,):
+            world.load.clock(new)
+        elif self.mode == Pin.OUT:
             world.set_pin(self.number, new)
         elif new and _lines[self.number][1] == "scl":
             world.clocked(_lines[self.number][0])
+
+
+class ADC:
+    """Twelve bits, shown as sixteen."""
+
+    def __init__(self, pin):
+        assert world.load.pins == (pin.number,)
+
+    def read_u16(self):
+        steps = max(0, min(4095, int(world.load.at(world.now_us() / 1000) / 3300 * 4096)))
+        return steps << 4 | steps >> 8
+
+
+def disable_irq():
+    return 0
+
+
+def enable_irq(state):
+    pass
 
 
 class I2C:

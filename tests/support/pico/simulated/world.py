@@ -2,10 +2,11 @@
 
 `scene.py` beside it says what there is: CHIPS (family, bus, factory address, multiplexer, channel,
 supply pin, field in mT, °C), MULTIPLEXERS (bus, address), RESET, FAULTS (kind, chip, from, until in ms),
-END_MS. Kinds of faults as in tests/support/avr/rig.c.
+END_MS; LOAD_PINS, LOAD (ms, value) and SPS of a load cell. Kinds of faults as in tests/support/avr/rig.c.
 """
 
 import scene
+from hx711 import LoadCell
 
 _clock = [0]
 
@@ -177,3 +178,6 @@ def set_pin(pin, value):
             channels[place] = 0
         if holder[0] is not None and holder[0].multiplexer is not None:
             holder[0] = None
+
+
+load = LoadCell(scene.LOAD_PINS, scene.LOAD, scene.SPS, lambda: now_us() / 1000, faulty)
