@@ -21,7 +21,6 @@ from design.files import atomic_path
 from design.search.space import SearchSpace, unit_of, with_layout
 from design.search.structure import structure_choices
 from design.spec.object import ObjectSpec
-from design.spec_io import spec_hash
 from estimator.layouts.fidelity import (
     SCORE_NAMES,
     FidelityScore,
@@ -31,6 +30,7 @@ from estimator.layouts.fidelity import (
 )
 from estimator.layouts.scoring import LayoutScorer
 from instobj.search.buildable import why_unbuildable
+from instobj.search.corrected import corrected_params
 from instobj.search.fidelity import (
     PlainShell,
     TwinRatio,
@@ -41,7 +41,7 @@ from instobj.search.fidelity import (
 )
 from instobj.search.loop import is_feasible
 from instobj.search.lowest_fidelity import each_alone, scorers
-from instobj.search.study import KeptStudy
+from instobj.search.study import KeptStudy, study_key
 from instobj.search.time_limit import LEADERS_SHARE, TimeLimit
 from instobj.search.verdict import FIRST, LAST, SECOND, Promoted, merit, objections
 
@@ -76,7 +76,7 @@ class Promotion:
     @property
     def shortened(self) -> str:
         """How many were scored, in words, where that is fewer than asked for."""
-        scored = len(self.leaders), len(self.finalists)
+        scored = sum(not one.corrected for one in self.leaders), len(self.finalists)
         if scored == self.asked:
             return ""
         return (
@@ -113,6 +113,7 @@ def promote(
     ]
     everyone = _score([start, *named], FIRST, _lowest, memo, say)
     everyone = _score(everyone, SECOND, _second, memo, say, lambda: limit.over(LEADERS_SHARE))
+    everyone += _corrected(space, chosen, everyone, memo, say, limit)
     ranked = sorted(everyone[1:], key=lambda one: merit(search, one, start, SECOND))
     finalists = _finalists(start, ranked, search.finalists, memo, say, limit)
     if not finalists:
@@ -142,6 +143,35 @@ def promote(
         against,
         (len(named), min(search.finalists, len(named))),
     )
+
+
+def _corrected(
+    space: SearchSpace,
+    chosen: Sequence[FrozenTrial],
+    scored: Sequence[Promoted],
+    memo: Path,
+    say: Say,
+    limit: TimeLimit,
+) -> list[Promoted]:
+    """The best leaders once they have walked on, at most as many as finalists; one, where time runs
+    short."""
+    search, start, found = space.spec.search, scored[0], []
+    params = {trial.number: trial.params for trial in chosen}
+    ranked = sorted(scored[1:], key=lambda one: merit(search, one, start, SECOND))
+    for one in ranked[: search.finalists]:
+        if found and limit.over(LEADERS_SHARE):
+            break
+        say(f"{one.label} walks on, the lowest fidelity level corrected by the second")
+        assert one.trial is not None
+        walked = corrected_params(space, params[one.trial], start, one)
+        if walked is None:
+            say(f"{one.label}: nothing near it is better")
+            continue
+        spec = with_layout(space.spec, walked)
+        new = Promoted(f"{one.label}, walked on", one.trial, spec, {}, corrected=True)
+        lower = _score([start, new], FIRST, _lowest, memo, say)
+        found += _score(lower, SECOND, _second, memo, say)[1:]
+    return found
 
 
 def _finalists(
@@ -211,7 +241,7 @@ def _score(
     left: list[Promoted] = []
     with scoring() as score:
         for one in layouts:
-            key = f"{level} {spec_hash(one.spec)}"
+            key = f"{level} {study_key(one.spec)}"
             if known.get(key, {}).keys() != _KEPT:
                 if len(left) > 1 and enough():
                     say(f"fidelity level {level}: {one.label} falls out: time runs short")

@@ -18,12 +18,16 @@ _EXCESS_WEIGHT = 10.0
 
 @dataclass(frozen=True)
 class Promoted:
-    """A promoted layout: its trial's number (None: the start) and its score at each level."""
+    """A promoted layout: its trial's number (None: the start) and its score at each level.
+
+    A `corrected` one has walked on from that trial (`instobj.search.corrected`).
+    """
 
     label: str
     trial: int | None
     spec: ObjectSpec
     levels: dict[str, FidelityScore]
+    corrected: bool = False
 
 
 def merit(search: SearchSpec, one: Promoted, start: Promoted, level: str) -> float:

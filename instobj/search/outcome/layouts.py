@@ -18,10 +18,12 @@ from design.search.space import SearchSpace, with_layout
 from design.spec.object import ObjectSpec
 from design.spec.search import OBJECTIVES_TO_MAXIMIZE
 from instobj.search.loop import is_feasible
+from instobj.search.lowest_fidelity import cost
 from instobj.search.outcome.figures import LABELS, paired, pareto_front
 from instobj.search.outcome.history import History
 from instobj.search.promotion import Promotion
 from instobj.search.study import KeptStudy
+from instobj.search.verdict import FIRST, Promoted
 from instobj.viewer.archive import pack
 
 _MOST_OF_FRONT = 40
@@ -43,18 +45,25 @@ def shown_layouts(
     finished = kept.finished()
     row_of = {trial.number: row for row, trial in enumerate(finished)}
     layouts = [ShownLayout(found.start.label, found.start.spec, tuple(history.start))]
-    promoted = {one.trial: one for one in (*found.finalists, *found.leaders)}
-    layouts += [
-        ShownLayout(one.label, one.spec, tuple(history.values[row_of[number]]))
-        for number, one in promoted.items()
-        if number is not None
-    ]
+    every = {one.label: one for one in (*found.finalists, *found.leaders)}
+    promoted = {one.trial for one in every.values()}
+    for one in every.values():
+        if one.corrected:
+            values = tuple(_lowest_value(name, one) for name in history.names)
+            layouts.append(ShownLayout(one.label, one.spec, values))
+        elif one.trial is not None:
+            values = tuple(history.values[row_of[one.trial]])
+            layouts.append(ShownLayout(one.label, one.spec, values))
     for row in _front_rows(history):
         trial = finished[row]
         if trial.number not in promoted and is_feasible(trial):
             spec = with_layout(space.spec, trial.params)
             layouts.append(ShownLayout(f"trial {trial.number}", spec, tuple(history.values[row])))
     return layouts
+
+
+def _lowest_value(name: str, one: Promoted) -> float:
+    return cost(one.spec) if name == "cost" else float(getattr(one.levels[FIRST], name))
 
 
 def _front_rows(history: History) -> list[int]:

@@ -113,8 +113,11 @@ def promoted(tmp_path, monkeypatch, clock):
     monkeypatch.setattr(promotion, "twin_ratios", lambda start, found: ratios)
     monkeypatch.setattr(promotion, "estimator_errors", lambda spec: {"similarity": 0.5})
 
-    def run(seconds, second_s, highest_s, unbuildable=()):
+    def run(seconds, second_s, highest_s, unbuildable=(), walked=lambda params: None, space=space):
         asked = iter(range(99))
+        monkeypatch.setattr(
+            promotion, "corrected_params", lambda space, params, start, one: walked(params)
+        )
         monkeypatch.setattr(
             promotion,
             "why_unbuildable",
@@ -160,3 +163,27 @@ def test_a_leader_that_cannot_be_fabricated_makes_room_for_the_next_with_a_messa
     assert second.startswith(found.leaders[2].label)
     with pytest.raises(InputError, match="no leader could be fabricated"):
         promoted(1000, 10, 10, unbuildable=range(99))
+
+
+def test_leaders_that_walked_on_are_ranked_among_the_others(promoted):
+    found, said = promoted(
+        1000, 10, 10, walked=lambda params: params | {"magnet1_x_mm": params["magnet1_x_mm"] / 2}
+    )
+    walked = [one for one in found.leaders if one.corrected]
+    assert [one.label.endswith(", walked on") for one in walked] == [True] * 3
+    assert (len(found.leaders), found.shortened) == (8, "")
+    assert all(one.levels.keys() >= {"1", "2"} for one in walked)
+    assert sum("walks on" in line for line in said) == 3
+    first = next(one for one in found.leaders if one.trial == walked[0].trial and not one.corrected)
+    assert walked[0].spec.magnets.positions_mm != first.spec.magnets.positions_mm
+    few, _ = promoted(15, 10, 10, walked=lambda params: params | {"magnet1_y_mm": 0.5})
+    assert sum(one.corrected for one in few.leaders) == 1, "time is short"
+
+
+def test_what_was_scored_before_counts_whatever_the_new_budget(promoted):
+    promoted(1000, 10, 10)
+    more = made_up_space(
+        engine="random", trials=60, leaders=5, finalists=3, seconds=99.0, batch=8, polish_steps=0
+    )
+    _, said = promoted(1000, 10, 10, space=more)
+    assert not [line for line in said if line.startswith("fidelity level")]

@@ -1,0 +1,115 @@
+"""A leader walks on at the lowest fidelity level, which is corrected by what the second one said of it.
+
+Space mapping (Bandler et al., IEEE Trans. Microw. Theory Tech. 42, 1994): near a layout, bounds are
+those of the lowest level times what the second one made of them there, place by place and force by
+force; limits on scores and on saturation alike. Magnets' stiffness, which the lowest level lacks, then
+counts, as far as it changes little on a short walk.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+import torch
+from jaxtyping import Float
+
+from design.search.places import polarities
+from design.search.space import SearchSpace, params_at, unit_of
+from estimator.layouts.fidelity import FidelityScore
+from estimator.layouts.polish import Judged, LowestFidelity, descend, judge
+from instobj.search.lowest_fidelity import StartScores, cost, misfit_of, structure_fidelity
+from instobj.search.verdict import FIRST, SECOND, Promoted
+
+_REACH = 0.04
+"""Of every variable's range, to either side: how far the correction is trusted."""
+_STEPS, _RATE = 300, 0.05
+_SPREAD = (0.0, 0.01, 0.02, 0.05, 0.05, 0.1)
+"""Of that reach (rms): where copies of the layout begin."""
+_SPARE = 0.02
+"""Of the range, kept beyond `limits.saturation_margin`."""
+
+
+def corrected_params(
+    space: SearchSpace, params: Mapping[str, Any], start: Promoted, one: Promoted
+) -> dict[str, Any] | None:
+    """Variables of the layout after its walk; None where nothing near it is better within all limits.
+
+    `start` and `one` hold the scores of both levels.
+    """
+    lowest = corrected_fidelity(space, params, start, one)
+    free = np.array([not v.choices for v in space.variables])
+    if not free.any():
+        return None
+    unit, objectives = unit_of(space, params), space.spec.search.objectives
+    centre = torch.as_tensor(unit[free], dtype=torch.float32)
+    poles = torch.tensor([polarities(lowest.space.structured, params)]).expand(len(_SPREAD), -1)
+
+    def judged_at(walk: torch.Tensor) -> Judged:
+        point = (centre + _REACH * (2 * walk - 1)).clamp(0, 1)
+        return judge(lowest, point, poles[: len(point)], objectives)
+
+    def loss(walk: torch.Tensor) -> Float[torch.Tensor, "layout"]:
+        return judged_at(walk).penalized.log().sum(dim=1)
+
+    rng = np.random.default_rng(space.spec.seed)
+    away = np.array(_SPREAD)[:, None] * rng.normal(size=(len(_SPREAD), int(free.sum())))
+    begin = torch.as_tensor(0.5 + 0.5 * away, dtype=torch.float32).clamp(0, 1)
+    walked = descend(loss, begin, _STEPS, _RATE)
+    with torch.no_grad():
+        broken, worth = judged_at(walked).broken_mm, loss(walked)
+        before = float(loss(torch.full_like(walked[:1], 0.5)))
+    for row in worth.argsort().tolist():
+        unit[free] = (centre + _REACH * (2 * walked[row] - 1)).clamp(0, 1).numpy()
+        chosen = {v.name: params[v.name] for v in space.variables if v.choices}
+        found = params_at(space, unit) | chosen
+        if float(worth[row]) >= before:
+            return None
+        if float(broken[row]) == 0 and not misfit_of(space.spec, found):
+            return found
+    return None
+
+
+def corrected_fidelity(
+    space: SearchSpace, params: Mapping[str, Any], start: Promoted, one: Promoted
+) -> LowestFidelity:
+    """The lowest level with a start that the layout compares with as it does at the second one.
+
+    The start's scores at the second level, times the layout's at the lowest over those at the second.
+    """
+    spec = space.spec
+    margin = spec.limits.saturation_margin + _SPARE - one.levels[SECOND].saturation_margin
+    limits = spec.search.limits
+    tighter = limits.changed(resting_share=max(limits.resting_share - max(margin, 0.0), 0.05))
+    searched = spec.changed(search=spec.search.changed(limits=tighter))
+    scores = {name: _corrected(name, start, one) for name in limits.times_start}
+    before = StartScores(scores, _place_bounds(one, start))
+    narrowed = SearchSpace(searched, space.variables)
+    return structure_fidelity(narrowed, dict(params), before)
+
+
+def _corrected(name: str, start: Promoted, one: Promoted) -> float:
+    if name == "cost":
+        return cost(start.spec)
+    low, high, before = (
+        float(getattr(score, name))
+        for score in (one.levels[FIRST], one.levels[SECOND], start.levels[SECOND])
+    )
+    return before * low / high
+
+
+def _place_bounds(one: Promoted, start: Promoted) -> dict[tuple[float, int], torch.Tensor]:
+    """Position bounds (1, place) of the corrected start, by force and face."""
+    spec = start.spec
+    keys = [(force, face) for force in spec.judged_forces_n for face in spec.body.sensed]
+    low, high, before = (
+        _by_press(score, len(keys))
+        for score in (one.levels[FIRST], one.levels[SECOND], start.levels[SECOND])
+    )
+    bounds = torch.as_tensor(before * low / high, dtype=torch.float32)
+    return {key: bound[None] for key, bound in zip(keys, bounds, strict=True)}
+
+
+def _by_press(score: FidelityScore, presses: int) -> Float[np.ndarray, "press place"]:
+    return np.reshape(score.position_bounds_mm, (presses, -1))
