@@ -2,8 +2,9 @@
 
 Space mapping (Bandler et al., IEEE Trans. Microw. Theory Tech. 42, 1994): near a layout, bounds are
 those of the lowest level times what the second one made of them there, place by place and force by
-force; limits on scores and on saturation alike. Magnets' stiffness, which the lowest level lacks, then
-counts, as far as it changes little on a short walk.
+force; limits on scores alike. Magnets' stiffness, which the lowest level lacks, then counts, as far as
+it changes little on a short walk: for a leader on the paper's cube the second level's bounds were 0.92
+to 1.06 times what so corrected ones foretold (90 % of the places; 0.99 to 1.8 times without).
 """
 
 from __future__ import annotations
@@ -25,10 +26,8 @@ from instobj.search.verdict import FIRST, SECOND, Promoted
 _REACH = 0.04
 """Of every variable's range, to either side: how far the correction is trusted."""
 _STEPS, _RATE = 300, 0.05
-_SPREAD = (0.0, 0.01, 0.02, 0.05, 0.05, 0.1)
+_SPREAD = (0.0, 0.02, 0.05, 0.1)
 """Of that reach (rms): where copies of the layout begin."""
-_SPARE = 0.02
-"""Of the range, kept beyond `limits.saturation_margin`."""
 
 
 def corrected_params(
@@ -78,15 +77,10 @@ def corrected_fidelity(
 
     The start's scores at the second level, times the layout's at the lowest over those at the second.
     """
-    spec = space.spec
-    margin = spec.limits.saturation_margin + _SPARE - one.levels[SECOND].saturation_margin
-    limits = spec.search.limits
-    tighter = limits.changed(resting_share=max(limits.resting_share - max(margin, 0.0), 0.05))
-    searched = spec.changed(search=spec.search.changed(limits=tighter))
-    scores = {name: _corrected(name, start, one) for name in limits.times_start}
+    limited = space.spec.search.limits.times_start
+    scores = {name: _corrected(name, start, one) for name in limited}
     before = StartScores(scores, _place_bounds(one, start))
-    narrowed = SearchSpace(searched, space.variables)
-    return structure_fidelity(narrowed, dict(params), before)
+    return structure_fidelity(space, dict(params), before)
 
 
 def _corrected(name: str, start: Promoted, one: Promoted) -> float:

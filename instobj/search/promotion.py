@@ -128,10 +128,15 @@ def promote(
     }
     say("twins within tolerance")
     ratios = twin_ratios(start.spec, finalists[0].spec)
-    estimators = {}
+    estimators, took = {}, 0.0
     for one in (start, *finalists):
+        if took > limit.left_s:
+            say(f"estimators of {one.label} are left out: time runs short")
+            continue
         say(f"estimators of {one.label}")
+        before = limit.left_s
         estimators[one.label] = estimator_errors(one.spec)
+        took = max(took, before - limit.left_s)
     against = objections(search, finalists[0], start, ratios)
     return Promotion(
         start,

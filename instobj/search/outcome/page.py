@@ -247,7 +247,7 @@ def _point(values: np.ndarray) -> str:
 
 
 def _estimators(found: Promotion) -> dict[str, Any]:
-    columns = (found.start.label, *(one.label for one in found.finalists))
+    columns = tuple(found.estimators)
     rows = [
         [label, *(shown(found.estimators[column].get(name)) for column in columns)]
         for name, label in METRIC_LABELS.items()

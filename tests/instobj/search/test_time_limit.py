@@ -111,7 +111,12 @@ def promoted(tmp_path, monkeypatch, clock):
 
     ratios = {"worst_position_bound_mm": TwinRatio(2.0, 1.1, 3.0)}
     monkeypatch.setattr(promotion, "twin_ratios", lambda start, found: ratios)
-    monkeypatch.setattr(promotion, "estimator_errors", lambda spec: {"similarity": 0.5})
+
+    def trained(spec):
+        clock.now_s += 30
+        return {"similarity": 0.5}
+
+    monkeypatch.setattr(promotion, "estimator_errors", trained)
 
     def run(seconds, second_s, highest_s, unbuildable=(), walked=lambda params: None, space=space):
         asked = iter(range(99))
@@ -141,7 +146,7 @@ def test_short_of_time_fewer_leaders_and_finalists_are_scored_and_said(promoted)
     found, said = promoted(seconds=100, second_s=25, highest_s=10)
     assert (len(found.leaders), len(found.finalists)) == (2, 1)
     assert found.shortened.startswith("2 of 5 leaders and 1 of 3 finalists were scored")
-    assert sum("time runs short" in line for line in said) == 3
+    assert sum("falls out: time runs short" in line for line in said) == 3
 
 
 def test_one_leader_and_one_finalist_are_always_scored(promoted):
@@ -187,3 +192,9 @@ def test_what_was_scored_before_counts_whatever_the_new_budget(promoted):
     )
     _, said = promoted(1000, 10, 10, space=more)
     assert not [line for line in said if line.startswith("fidelity level")]
+
+
+def test_estimators_that_would_take_longer_than_is_left_are_left_out(promoted):
+    found, said = promoted(seconds=180, second_s=10, highest_s=10)
+    assert [*found.estimators] == ["start", found.finalists[0].label]
+    assert sum("estimators of" in line and "left out" in line for line in said) == 2
