@@ -276,13 +276,25 @@ def _sink_mm(spec: ObjectSpec, frame: FaceFrame, place: tuple[float, float, floa
     corners = np.concatenate(
         [np.column_stack([xy + (signs * size[:2]) @ axes.T, [top] * 4]) for xy, size, top in tops]
     )
-    tangent, sink = frame.tangent(np.array(place[:2])), 0.0
-    for _ in range(_SINKING_STEPS):
+    tangent = frame.tangent(np.array(place[:2]))
+
+    def above_mm(sink: float) -> float:
         lowered = tangent.to_object(corners - [0.0, 0.0, sink])
-        above = float(frame.from_object(lowered)[:, 2].max())
-        if not above > _FLUSH_MM:
-            return sink if above <= _FLUSH_MM else np.nan
-        sink += above
+        return float(frame.from_object(lowered)[:, 2].max())
+
+    sink, above = 0.0, above_mm(0.0)
+    if above <= _FLUSH_MM:
+        return 0.0
+    slope = -1.0
+    for _ in range(
+        _SINKING_STEPS
+    ):  # the secant's steps, as on steep ends each gains little by itself
+        before, was = sink, above
+        sink = max(sink - above / slope, 0.0)
+        above = above_mm(sink)
+        if not abs(above) > _FLUSH_MM:
+            return sink if abs(above) <= _FLUSH_MM else np.nan
+        slope = min((above - was) / (sink - before), 0.0) or -1.0
     return np.nan
 
 

@@ -13,6 +13,7 @@ from design.layout.places.positions import board_sinks_mm, cover_mm, sensor_layo
 from design.layout.pockets import magnet_bodies
 from design.solids.core import make_core
 from design.solids.primitives import block_solid
+from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
@@ -88,3 +89,22 @@ def test_a_magnet_that_stands_out_of_a_curved_face_is_refused():
     wide = ["magnets.diameter_mm=12", "shell.pocket_diameter_mm=12", "shell.pocket_depth_mm=1.5"]
     with pytest.raises(InputError, match=r"stands 0\.36 mm out of the curved face 2"):
         load_spec(EXAMPLES / "handle.toml", wide)
+
+
+@pytest.mark.parametrize("package_mm", [(6.0, 4.0, 1.0), (8.0, 6.0, 1.0)])
+def test_a_board_sinks_until_its_corners_are_flush_with_a_small_ball(package_mm):
+    """R − √(R² − d²/4) by hand; single steps by what stands out gain half of it each on the steep one."""
+    radius, corner = 5.8, np.hypot(*package_mm[:2]) / 2
+    content = {
+        "body": {"kind": "sphere", "size_mm": [2 * radius + 12] * 3, "sensed_faces": [1]},
+        "shell": {"thickness_mm": 6.0},
+        "core": {"recess_inner_radius_mm": 0.25, "recess_outer_radius_mm": 6.75},
+        "sensors": {
+            "radius_mm": 3.5,
+            "positions_mm": [[0, 0]],
+            "count_per_face": 1,
+            "package_mm": package_mm,
+        },
+    }
+    ((sink,),) = board_sinks_mm(ObjectSpec.model_validate({"name": "ball", **content}))
+    assert sink == pytest.approx(radius - np.sqrt(radius**2 - corner**2), abs=1e-5)
