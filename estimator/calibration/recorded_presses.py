@@ -8,7 +8,7 @@ all tips add, which leaves out how one dimple changes the other's contact area.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from jaxtyping import Bool, Float, Int
@@ -25,6 +25,8 @@ from fem.presses.results import MagnetMotions, PressForces
 
 LOADED_SHARE = 0.5
 LEAST_FRAMES = 5
+RECORDED_FACES = 5
+"""For which recordings have channels, whatever an object senses."""
 MODULUS_RATIOS = np.geomspace(0.2, 3.0, 13)
 """Moduli over the specification's at which motions are tabulated."""
 
@@ -78,6 +80,20 @@ def require_presses_of(spec: ObjectSpec, presses: RecordedPresses) -> None:
             f"the recordings press face {min(beyond)}; {spec.name} senses {list(faces)}. Give the "
             "specification of the recorded object (body.sensed_faces)"
         )
+
+
+def on_sensed_faces(spec: ObjectSpec, presses: RecordedPresses) -> RecordedPresses:
+    """Channels of the object's sensed faces alone, where recordings have room for all of a cube's and
+    the others never spoke; as they are where that is not so."""
+    count, faces = 3 * spec.sensors.count_per_face, np.asarray(spec.body.sensed)
+    recorded = presses.signal_counts.shape[1]
+    if recorded != count * RECORDED_FACES or max(faces) > RECORDED_FACES:
+        return presses
+    by_face = presses.signal_counts.reshape(len(presses), RECORDED_FACES, count)
+    others = np.setdiff1d(np.arange(RECORDED_FACES), faces - 1)
+    if np.isfinite(by_face[:, others]).any():
+        return presses
+    return replace(presses, signal_counts=by_face[:, faces - 1].reshape(len(presses), -1))
 
 
 def own_channels(spec: ObjectSpec, face: int) -> Int[np.ndarray, "channel"]:

@@ -90,7 +90,11 @@ def validate_on(
 
     Results go to `runs/<name>/validation.{json,png}`.
     """
-    from estimator.calibration.recorded_presses import recorded_presses, require_presses_of
+    from estimator.calibration.recorded_presses import (
+        on_sensed_faces,
+        recorded_presses,
+        require_presses_of,
+    )
     from estimator.recordings.formats.travel import is_travel_recording
     from estimator.recordings.reading import read_recording
     from instobj.commands.hardware.validate_travel import validate_on_travel
@@ -112,7 +116,8 @@ def validate_on(
     require_writable(out)
     run = Run(spec)
     with run.progress.stage("reading recordings"):
-        presses = recorded_presses([read_recording(file) for file in recordings])
+        recorded = recorded_presses([read_recording(file) for file in recordings])
+        presses = on_sensed_faces(spec, recorded)
     require_presses_of(spec, presses)
     problem, agreements, predictions = _compare(run, presses)
     tests = _calibrations(problem, exchanges, run.progress)
