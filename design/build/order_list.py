@@ -29,12 +29,12 @@ from design.wiring.bus_plan import BusPlan
 from design.wiring.wires import wire_length_m
 
 _WIRE_M_A_PACK = 10.0
-CHECK = "check number, price and stock before ordering"
+CHECK = "price estimated; check number, price and stock before ordering"
 
 
 @dataclass(frozen=True)
 class OrderLine:
-    """One part: pieces that the object takes, packs to buy, what all of them cost (EUR), as of when."""
+    """One part: pieces that the object takes, packs to buy, what all of them cost (EUR), estimated when."""
 
     part: str
     maker: str
@@ -107,7 +107,8 @@ def _casting(spec: ObjectSpec) -> list[OrderLine]:
 def _line(order: Order, pieces: int) -> OrderLine:
     packs = order.packs(pieces)
     low, high = (round(price * packs, 2) for price in order.price_eur)
-    note = f"{order.note}; {CHECK}" if order.note else CHECK
+    number = f"number as in {order.seen}" if order.seen else "number not looked up"
+    note = "; ".join(filter(None, (order.note, number, CHECK)))
     return OrderLine(order.title, order.maker, order.number, pieces, packs, low, high, PRICED, note)
 
 

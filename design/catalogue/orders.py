@@ -1,7 +1,8 @@
 """Order numbers and guide prices of parts that are bought: maker's number, pack, price range, date.
 
-Prices are what one piece (or the smallest pack) costs at distributors and shops in Europe without
-shipping, from experience and not asked for again at `PRICED`: they rank plans and size a budget. Check
+Prices are estimates of `PRICED`, not offers: what one piece (or the smallest pack) costs at shops in Europe
+without shipping, from experience. No distributor was asked; they rank plans and size a budget. `seen`
+says where a number was found, and when that was looked up; numbers without it are from memory. Check
 number, price and stock before you order.
 """
 
@@ -22,6 +23,7 @@ class Order:
     price_eur: tuple[float, float]
     pieces: int = 1
     note: str = ""
+    seen: str = ""
 
     @property
     def middle_eur(self) -> float:
@@ -35,7 +37,10 @@ class Order:
 
 def _tmag(letter: str, version: int) -> Order:
     name = f"TMAG5273{letter}{version}"
-    return Order(f"Hall sensor {name}", "Texas Instruments", f"{name}QDBVR", (0.9, 2.2))
+    return Order(
+        f"Hall sensor {name}", "Texas Instruments", f"{name}QDBVR", (0.9, 2.2),
+        note="QDBVT is the small reel", seen="Texas Instruments SLYS045, June 2021; looked up 2026-11",
+    )  # fmt: skip
 
 
 HX711, LOAD_CELL, VERNIER, BTA_ADAPTER = "HX711", "load cell", "force sensor", "BTA adapter"
@@ -61,12 +66,16 @@ ORDERS = {
     "100 nF": Order("capacitor 100 nF, 0402", "Murata", "GRM155R71C104KA88D", (0.02, 0.1)),
     "mega2560": Order("Arduino Mega 2560 Rev3", "Arduino", "A000067", (38.0, 50.0)),
     "pico": Order("Raspberry Pi Pico H", "Raspberry Pi", "SC0917", (4.5, 7.0)),
-    MUX: Order("TCA9548A on a board", "Adafruit", "2717", (6.0, 9.0)),
+    MUX: Order(
+        "TCA9548A on a board", "Adafruit", "2717", (6.0, 9.0),
+        seen="Adafruit's manual of 2717; looked up 2026-11",
+    ),
     SHIFTER: Order("level shifter, 4 channels, BSS138", "Adafruit", "757", (3.0, 5.0)),
     BUFFER: Order("hex buffer CD74HC4050E, DIP-16", "Texas Instruments", "CD74HC4050E", (0.5, 1.2)),
     RESISTOR: Order("resistor, 1 %, 0.6 W, axial", "Vishay", "MRS25 series", (0.05, 0.2)),
     HX711: Order(
-        "HX711 on a board", "SparkFun", "SEN-13879", (9.0, 14.0), note="RATE to 80 SPS: cut its jumper"
+        "HX711 on a board", "SparkFun", "SEN-13879", (9.0, 14.0),
+        note="80 readings a second: cut the jumper RATE; the older SEN-13230 is retired",
     ),
     LOAD_CELL: Order("load cell 5 kg, 1 mV/V", "HT Sensor Technology", "TAL220B", (8.0, 14.0)),
     VERNIER: Order(

@@ -6,6 +6,7 @@ Signals are changes against rest, in counts; a channel that was dead is NaN.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Literal
@@ -74,6 +75,17 @@ class FrameSet:
         if self.true_force_n is not None:
             chosen["true_force_n"] = self.true_force_n[frames]
         return replace(self, **chosen)
+
+    def on_faces(self, faces: Sequence[int]) -> FrameSet:
+        """With the signals of these faces alone, where the others are dead and nothing pressed them;
+        else as it is."""
+        others = ~np.isin(self.faces, faces)
+        kept = ~others
+        spoken = np.isfinite(self.signal_counts[:, others]).any()
+        pressed = np.isin(self.contact_face, self.faces[others]).any()
+        if spoken or pressed or not set(faces) <= set(self.faces.tolist()):
+            return self
+        return replace(self, signal_counts=self.signal_counts[:, kept], faces=self.faces[kept])
 
 
 _PER_FRAME = {

@@ -32,8 +32,8 @@ if TYPE_CHECKING:
 def read_recordings(files: list[Path], out: Path, spec: Path | None = None) -> dict[str, Any]:
     """Read recordings into one data set, `runs/<stems>/frames.nc`, and say what was found.
 
-    `spec` gives the contact grid, the chip's range and the size of an object that is not the
-    paper's cube.
+    `spec` gives the contact grid, the sensed faces, the chip's range and the size of an object that
+    is not the paper's cube.
 
     Raises
     ------
@@ -46,12 +46,13 @@ def read_recordings(files: list[Path], out: Path, spec: Path | None = None) -> d
 
     require_writable(out)
     progress = ProgressLine()
-    grid_mm, limits = (None, None) if spec is None else _grid_and_limits(spec)
+    grid_mm, limits, faces = (None, None, None) if spec is None else _as_specified(spec)
     found = []
     for path in files:
         with progress.stage(f"reading {path}"):
             found.append(read_recording(path, grid_mm, limits))
     frames = found[0].frames if len(found) == 1 else combine(found)
+    frames = frames if faces is None else frames.on_faces(faces)
     between = jump_between_faults(found)
     target = run_folder(out, "+".join(path.stem for path in files)) / FRAMES.name
     save_frames(frames, target)
@@ -184,7 +185,8 @@ def simulated_twin(
     return TwinOfData(spec, presses, run.results[PRESSES.stage].origin, draws, shear)
 
 
-def _grid_and_limits(path: Path) -> tuple[Grid, Limits]:
+def _as_specified(path: Path) -> tuple[Grid, Limits, tuple[int, ...]]:
+    """Contact grid, limits and sensed faces of an object."""
     from design.layout.places.positions import contact_grid
     from design.spec_io import load_spec
     from estimator.recordings.checks.limits import Limits
@@ -193,7 +195,7 @@ def _grid_and_limits(path: Path) -> tuple[Grid, Limits]:
     spec = load_spec(path, [])
     grid = contact_grid(spec)
     limits = Limits(full_scale_counts(spec.sensors) + 1, max(spec.body.size_mm) / 2)
-    return (grid.x_mm, grid.y_mm), limits
+    return (grid.x_mm, grid.y_mm), limits, spec.body.sensed
 
 
 def _keys_of_models(folder: Path) -> dict[str, str]:

@@ -193,4 +193,4 @@ def _cost(orders: Sequence[OrderLine]) -> str:
     if not orders:
         return ""
     low, high = cost_eur(list(orders))
-    return f"{low:.0f} to {high:.0f} EUR, guide prices of {orders[0].priced} without shipping"
+    return f"{low:.0f} to {high:.0f} EUR, estimated {orders[0].priced} without shipping"

@@ -13,7 +13,7 @@ from design.spec_io import load_spec
 from design.wiring.bus_plan import choose_plan
 from estimator.boards.lines import Header, LineDecoder
 from estimator.signals.interpolation import counts_at_force, press_traces
-from estimator.signals.presses import press_signals
+from estimator.signals.presses import load_signals, press_signals
 from tests.support.avr.board import needs_simulator, running, world
 from tests.support.cli import run
 from tests.support.mechanics.synthetic_presses import force_n, synthetic_presses
@@ -26,6 +26,23 @@ count = [4, 4]
 pitch_mm = 5.0
 [press]
 depths_mm = [0.5, 1.0, 1.5, 2.0, 3.0, 4.0]
+"""
+ONE_FACE = """name = "walk"
+[body]
+sensed_faces = [3]
+[load_cell]
+kind = "hx711"
+[mesh]
+edge_mm = 8.0
+surface_edge_mm = 3.0
+rim_edge_ratio = 1
+magnet_sides = 8
+envelope_mm = 0.1
+[contact_grid]
+count = [4, 4]
+pitch_mm = 6.0
+[press]
+depths_mm = [0.5, 1.0, 1.5, 2.0, 3.0]
 """
 SINGLE = ("ensemble=1", "history_frames=0", "trees=0", "epochs=80")
 SETTINGS = [word for setting in SINGLE for word in ("--set", f"training.{setting}")]
@@ -120,3 +137,54 @@ def require_right_predictions(folder):
     ]
     assert len(off_mm) > 0.8 * len(pressed)
     assert np.median(off_mm) < 5.0
+
+
+class MeshedObject:
+    """Forces and counts of the object's own simulated presses, 10 % stiffer."""
+
+    def __init__(self, spec, signals):
+        self.signals, self.traces = signals, {}
+        self.depths_mm = np.r_[0.0, spec.press.depths_mm]
+
+    def at(self, xy):
+        key = tuple(np.clip(np.round(xy, 1), -11.0, 11.0))
+        if key not in self.traces:
+            x, y = (np.array([float(value)]) for value in key)
+            self.traces[key] = press_traces(self.signals, np.array([FACE]), x, y)
+        return self.traces[key]
+
+    def law(self, depth_mm, xy):
+        known_n = np.r_[0.0, np.ravel(self.at(xy).force_n[0])][: len(self.depths_mm)]
+        return 1.1 * float(np.interp(max(depth_mm, 0.0), self.depths_mm, known_n))
+
+    def counts(self, force, xy):
+        if force <= 0:
+            return np.zeros(9)
+        return counts_at_force(self.at(xy), np.array([[force]])).counts[0, 0].ravel()
+
+
+@pytest.mark.slow
+def test_a_recording_of_the_rig_is_validated_and_trains_with_the_twin(tmp_path):
+    """An object that senses one face, whose recording has room for the channels of five."""
+    (tmp_path / "walk.toml").write_text(ONE_FACE)
+    spec = load_spec(tmp_path / "walk.toml")
+    done("simulate", "walk.toml", "--json", cwd=tmp_path)
+    thing = MeshedObject(spec, load_signals(tmp_path / "runs/walk/lattice_signals.nc"))
+    channels = [f"F{FACE}-{axis}{sensor}" for sensor in (1, 2, 3) for axis in "XYZ"]
+    with bench(law=thing.law, counts=thing.counts, channels=channels) as made:
+        arguments = ["--port", made.port, "--board-port", made.board_port, "--face", FACE]
+        arguments += ["--middle", ",".join(f"{v:g}" for v in MIDDLE_MM), "--yes", "--json"]
+        done("rig", "walk.toml", *arguments, "--depth", 1, "--depth", 2, "--speed", 2, cwd=tmp_path)
+    told = done("recordings", "walk.nc", "--spec", "walk.toml", "--json", cwd=tmp_path)
+    assert told["reports"][0]["faults"] == []
+    found = done("validate", "walk.toml", "walk.nc", "--json", cwd=tmp_path)["validation"]
+    face = found["agreement"][0]
+    assert (face["what"], face["cases"]) == ("face 3", 16)
+    assert face["cosine"]["value"] > 0.99
+    assert face["size_ratio"] == pytest.approx(1.0, abs=0.05)
+    twin = ["--twin", "walk.toml", *SETTINGS, "--json"]
+    trained = done("train", "runs/walk/frames.nc", *twin, cwd=tmp_path)
+    ((name, (row,)),) = trained["objects"][0]["summary"].items()
+    assert name.startswith("calibrated twin")
+    assert (row["places"], row["helps"]) == (16, "yes")
+    assert row["modulus over design"] == pytest.approx(1.0, abs=0.05)

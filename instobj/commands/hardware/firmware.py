@@ -46,7 +46,7 @@ def write_firmware(
 def _cost_text(lines: list[OrderLine]) -> str:
     low, high = cost_eur(lines)
     return (
-        f"orders.csv: {len(lines)} parts to buy for {low:.0f} to {high:.0f} EUR (guide prices of "
+        f"orders.csv: {len(lines)} parts to buy for {low:.0f} to {high:.0f} EUR (estimated "
         f"{lines[0].priced}, without shipping; check before ordering)"
     )
 

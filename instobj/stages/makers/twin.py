@@ -190,7 +190,7 @@ def require_same_object(spec: ObjectSpec, frames: FrameSet) -> None:
     if wanted[1:] != got[1:] or not same_grid(wanted[0], got[0]):
         raise InputError(
             f"the data set has {_described(*got)}; {spec.name} has {_described(*wanted)}. Give the "
-            "specification of the object that was recorded"
+            "specification of the object that was recorded, also to `instobj recordings --spec`"
         )
 
 

@@ -18,6 +18,7 @@ from estimator.calibration.pose_fit import (
 from estimator.calibration.recorded_presses import (
     MODULUS_RATIOS,
     RecordedPresses,
+    on_sensed_faces,
     own_channels,
     predicted_motions,
     pressed_faces,
@@ -280,3 +281,20 @@ def test_faces_have_the_channels_of_their_place_among_the_sensed_ones():
         require_presses_of(other, replace(presses, cases=CASES))
     with pytest.raises(InputError, match=r"hold 45 channels; .* has 27"):
         require_presses_of(spec, presses_of())
+
+
+def test_channels_of_faces_that_an_object_does_not_sense_are_left_out():
+    """Recordings have room for five faces; one that speaks beyond the sensed ones is kept, and refused."""
+    spec = coarse_spec(body={"sensed_faces": (2, 3)})
+    case, one = np.zeros(2, int), np.ones(2, int)
+    signal = np.full((2, 45), np.nan)
+    signal[:, 9:27] = np.arange(18)
+    force = np.zeros((2, 6))
+    cases = (((3, 0.0, 0.0),),)
+    presses = RecordedPresses(signal, force, case, one, one + 9, cases, np.ones(3))
+    kept = on_sensed_faces(spec, presses)
+    np.testing.assert_array_equal(kept.signal_counts, signal[:, 9:27])
+    require_presses_of(spec, kept)
+    foreign = replace(presses, signal_counts=np.zeros((2, 45)))
+    with pytest.raises(InputError, match="45 channels"):
+        require_presses_of(spec, on_sensed_faces(spec, foreign))

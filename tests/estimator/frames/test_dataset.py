@@ -86,3 +86,15 @@ def test_other_schema(frames, tmp_path, change):
 def test_a_folder_is_not_a_data_set(tmp_path):
     with pytest.raises(InputError, match="no labelled frames at"):
         load_frames(tmp_path)
+
+
+def test_faces_that_never_spoke_are_left_out(frames):
+    quiet = replace(frames, signal_counts=frames.signal_counts.copy())
+    quiet.signal_counts[:, [0, 1, 3, 4]] = np.nan
+    pressed = set(np.unique(frames.contact_face).tolist()) - {0}
+    alone = replace(quiet, contact_face=np.where(frames.contact_face > 0, 3, 0))
+    only = alone.on_faces((3,))
+    assert (only.faces.tolist(), only.signal_counts.shape[1]) == ([3], 1)
+    assert_array_equal(only.signal_counts[:, 0], alone.signal_counts[:, 2])
+    assert frames.on_faces((3,)) is frames, "others speak"
+    assert pressed == {3} or quiet.on_faces((3,)) is quiet, "others are pressed"
