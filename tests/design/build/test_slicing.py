@@ -5,6 +5,7 @@ import shutil
 import subprocess
 from pathlib import Path
 
+import numpy as np
 import pytest
 import trimesh
 
@@ -18,6 +19,8 @@ EXAMPLES = sorted((Path(__file__).parents[3] / "examples").glob("*.toml"))
 SLICER = shutil.which("prusa-slicer")
 needs_slicer = pytest.mark.skipif(SLICER is None, reason="prusa-slicer is not installed (Debian)")
 pytestmark = [pytest.mark.slow, needs_slicer]
+REPAIRED = "Detected missing Voronoi vertex, input polygons will be rotated back and forth."
+"""PrusaSlicer of the walls that it lays, where it repaired its own diagram; the layers are whole."""
 FLAT = PrintSettings(0.2, 3, 20, False, 0.0, (0.0, 0.0, -1.0))
 
 
@@ -31,6 +34,7 @@ def sliced(path):
         line
         for line in (done.stdout + done.stderr).splitlines()
         if line and not re.match(r"\d+ =>|\[.*\[trace\]|Slicing result exported", line)
+        if REPAIRED not in line
     ]
     levels = re.findall(r"^;Z:([\d.]+)", code.read_text(), re.M) if code.is_file() else []
     return said if done.returncode == 0 else [*said, f"exit {done.returncode}"], levels
@@ -66,9 +70,59 @@ def test_the_slicer_takes_layer_and_side_from_the_file(tmp_path):
     """A slab of 10 × 20 × 30 mm lies on its side of 20 × 30 mm, in layers of 0.1 mm."""
     settings = PrintSettings(0.1, 2, 0, False, 0.0, (1.0, 0.0, 0.0))
     write_3mf(
-        trimesh.creation.box((10, 20, 30)), "slab", tmp_path / "slab.3mf", settings, (220, 220)
+        trimesh.creation.box((10, 20, 30)), "slab", tmp_path / "slab.3mf", settings, (220.0, 220.0)
     )
     said, levels = sliced(tmp_path / "slab.3mf")
     assert said == []
     assert float(levels[-1]) == pytest.approx(10.0, abs=0.05)
     assert len(levels) == pytest.approx(99, abs=2), "0.2 mm, then 98 of 0.1 mm"
+
+
+def extruded(path):
+    """By kind of line in the G-code: length of the moves that extrude (mm), and their places (n, 2)."""
+    kind, at, found = "", np.zeros(2), {}
+    for line in path.with_suffix(".gcode").read_text().splitlines():
+        kind = line.removeprefix(";TYPE:") if line.startswith(";TYPE:") else kind
+        move = re.match(r"G1(?=.*[XY])", line)
+        if move is None:
+            continue
+        there = at.copy()
+        for axis, value in re.findall(r"([XY])(-?[\d.]+)", line):
+            there["XY".index(axis)] = float(value)
+        if re.search(r"E[\d.]", line):
+            length, places = found.get(kind, (0.0, []))
+            found[kind] = (length + float(np.linalg.norm(there - at)), [*places, there])
+        at = there
+    return {kind: (length, np.array(places)) for kind, (length, places) in found.items()}
+
+
+def sliced_block(folder, name, settings, mesh=None):
+    mesh = trimesh.creation.box((20, 20, 12)) if mesh is None else mesh
+    write_3mf(mesh, name, folder / f"{name}.3mf", settings, (220.0, 220.0))
+    assert sliced(folder / f"{name}.3mf")[0] == []
+    return extruded(folder / f"{name}.3mf")
+
+
+def test_the_slicer_takes_walls_infill_and_brim_from_the_file(tmp_path):
+    """G-code, not its header, which tells the program's defaults whatever the object says."""
+    plain = sliced_block(tmp_path, "plain", PrintSettings(0.2, 2, 15, False, 0.0, (0.0, 0.0, -1.0)))
+    full = sliced_block(tmp_path, "full", PrintSettings(0.2, 4, 30, False, 4.0, (0.0, 0.0, -1.0)))
+    walls = [one["Perimeter"][0] / one["External perimeter"][0] for one in (plain, full)]
+    assert walls == pytest.approx([1.0, 3.0], rel=0.15)
+    infill = [one["Internal infill"][0] for one in (plain, full)]
+    assert infill[1] / infill[0] == pytest.approx(2.0 * (16 / 18) ** 2, rel=0.15)
+    reach = [np.ptp(one["Skirt/Brim"][1], axis=0).max() / 2 - 10 for one in (full,)]
+    assert reach[0] >= 3.5
+
+
+def test_the_slicer_takes_supports_from_the_file(tmp_path):
+    post, roof = trimesh.creation.box((6, 6, 12)), trimesh.creation.box((24, 24, 3))
+    table = trimesh.boolean.union([post, roof.apply_translation((0, 0, 7.5))])
+    with_, without = (
+        sliced_block(
+            tmp_path, name, PrintSettings(0.2, 2, 15, wanted, 0.0, (0.0, 0.0, -1.0)), table
+        )
+        for name, wanted in (("with", True), ("without", False))
+    )
+    assert "Support material" in with_
+    assert "Support material" not in without
