@@ -155,10 +155,15 @@ def _ports() -> str:
     return f"Ports found: {names or 'none'}; on Linux you must belong to the group dialout"
 
 
+LONGEST_PAUSE_S = 3.0
+"""Between two rows of a replay: recordings pause for minutes while a rig is moved."""
+
+
 def replay_chunks(table: RawTable, speed: float) -> Generator[bytes]:
     """A recording as the lines that a board would have sent.
 
-    `speed` 1 keeps its own times, 2 is twice as fast, 0 as fast as possible.
+    `speed` 1 keeps its own times, 2 is twice as fast, 0 as fast as possible. Pauses of more than
+    `LONGEST_PAUSE_S` take no longer than that; the lines keep their times.
     """
     channels = [
         index
@@ -168,9 +173,10 @@ def replay_chunks(table: RawTable, speed: float) -> Generator[bytes]:
     yield encode_header([channel_name(*index) for index in channels])
     stretch = stretches(table.time_s, table.case[:, None].astype(float))
     times_s, _ = frame_times_s(table.time_s, stretch, 10.0)
+    due_s = np.cumsum(np.minimum(np.diff(times_s, prepend=times_s[0]), LONGEST_PAUSE_S))
     started_s = time.monotonic()
     for row, time_s in enumerate(times_s - times_s[0]):
-        while speed > 0 and (wait_s := time_s / speed - (time.monotonic() - started_s)) > 0:
+        while speed > 0 and (wait_s := due_s[row] / speed - (time.monotonic() - started_s)) > 0:
             time.sleep(min(wait_s, _SLICE_S))
             yield b""
         board_ms = round(1000 * max(time_s, 0.0))

@@ -14,7 +14,7 @@ import numpy as np
 from aiohttp import WSCloseCode, WSMsgType, web
 
 from instobj.live.protocol import Head, frames_message, state_message
-from instobj.live.watch import Watch
+from instobj.live.watch import Reading, Row, Watch
 from instobj.viewer.bundling import program
 
 _ROOM = Path(__file__).parent
@@ -165,6 +165,8 @@ class _Viewer:
     fresh: asyncio.Event = field(default_factory=asyncio.Event)
 
     def __post_init__(self) -> None:
+        self._newest: Row | None = None
+        self._told: Reading | None = None
         rows, _ = self.page.watch.after(0, 1)
         self._next = rows[-1].number if rows else 0
 
@@ -189,9 +191,10 @@ class _Viewer:
     async def _send_frames(self) -> None:
         watch = self.page.watch
         reading, (rows, missed) = watch.reading, watch.after(self._next, _MOST_ROWS)
-        if not rows:
+        self._newest = rows[-1] if rows else self._newest
+        if self._newest is None or (not rows and reading is self._told):
             return
-        newest = rows[-1]
+        newest, self._told = self._newest, reading
         self._next, self.sent = newest.number + 1, self.sent + 1
         self.dropped += missed
         self.page.dropped_rows += missed
@@ -199,7 +202,12 @@ class _Viewer:
         columns = [np.append(row.time_s - newest.time_s, row.change) for row in rows]
         contacts = reading.found.contacts
         await self.socket.send_bytes(
-            frames_message(head, np.stack(columns), contacts, watch.labels)
+            frames_message(
+                head,
+                np.reshape(columns, (len(rows), 1 + len(watch.names))),
+                contacts,
+                watch.labels,
+            )
         )
 
 

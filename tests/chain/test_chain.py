@@ -204,6 +204,7 @@ def _body_after(page, key):
 
 
 def test_the_view_loads_without_a_complaint_or_a_request(page, folder):
+    page.wait("performance.getEntriesByName('instobj objects shown').length === 1")
     assert page.problems() == []
     assert page.requests() == [(folder / "runs/small/report.html").as_uri()]
 

@@ -7,6 +7,7 @@ const COLOUR = "#d81b9a";
 const TOLD = "#0b5c3b";
 const MM_PER_N = 1.6;
 const FAINT = 0.4;
+const LEAST_TOLD_N = 0.05; // a load cell at rest
 const CORNERS = 40;
 const PIECES = 10;
 const CIRCLE = Array.from({ length: CORNERS + 1 }, (_, k) => [Math.cos((2 * Math.PI * k) / CORNERS), Math.sin((2 * Math.PI * k) / CORNERS)]);
@@ -154,7 +155,7 @@ export function makeContacts(view, canvas, skin) {
     contacts.forEach((one, k) => drawTag(one, tails[k]));
   }
   function show(found, told) {
-    [contacts, labels] = [found, told];
+    [contacts, labels] = [found, told.filter(({ force }) => force >= LEAST_TOLD_N)];
     draw();
   }
   const hidden = () => contacts.map((one) => turnedAway(one) || look(along(one.point, one.normal, 0.15)).hidden);

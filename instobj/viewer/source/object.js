@@ -1,7 +1,7 @@
 // The object's parts as meshes: silicone, core, boards, chips, magnets; explosion, clipping, opacity.
 import {
-  BackSide, BoxGeometry, BufferAttribute, BufferGeometry, DoubleSide, EdgesGeometry, Group, LineBasicMaterial,
-  LineSegments, Matrix4, Mesh, MeshBasicMaterial, MeshLambertMaterial, Plane, Vector3,
+  BackSide, Box3, BoxGeometry, BufferAttribute, BufferGeometry, DoubleSide, EdgesGeometry, Group, LineBasicMaterial,
+  LineSegments, Matrix4, Mesh, MeshBasicMaterial, MeshLambertMaterial, Plane, Sphere, Vector3,
 } from "three";
 import { numbers, row } from "./archive.js";
 import { label } from "./view.js";
@@ -169,7 +169,16 @@ export function buildMould({ content, arrays }, view) {
     }
     view.redraw();
   }
+  // What the pieces take up, closed and opened.
+  function bounds() {
+    const box = new Box3();
+    for (const { mesh, pull } of pieces) {
+      mesh.geometry.computeBoundingBox();
+      box.union(mesh.geometry.boundingBox).union(mesh.geometry.boundingBox.clone().translate(pull));
+    }
+    return box.getBoundingSphere(new Sphere());
+  }
   open(0);
   root.visible = false;
-  return { root, open, pieces };
+  return { root, open, pieces, bounds };
 }

@@ -121,6 +121,15 @@ export function makeView(canvas, sizeMm) {
     controls.update();
     redraw();
   }
+  // All of a sphere (mm), from the front corner.
+  function frame({ center, radius }) {
+    look(1);
+    const across = Math.min(1, camera.aspect) * Math.sin((camera.fov * Math.PI) / 360);
+    const way = camera.position.clone().sub(controls.target).normalize();
+    controls.target.copy(center);
+    camera.position.copy(center).addScaledVector(way, radius / across);
+    controls.update();
+  }
   function resize() {
     const { clientWidth: wide, clientHeight: high } = canvas;
     if (!wide || !high) return;
@@ -138,7 +147,7 @@ export function makeView(canvas, sizeMm) {
   canvas.addEventListener("keydown", (event) => turnByKey(event, camera, controls));
   resize();
   look();
-  return { renderer, scene, camera, controls, size, draw, redraw, look, before, ground, drawn: () => drawn };
+  return { renderer, scene, camera, controls, size, draw, redraw, look, frame, before, ground, drawn: () => drawn };
 }
 
 function turnByKey(event, camera, controls) {

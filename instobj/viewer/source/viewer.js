@@ -105,7 +105,8 @@ function joinControls(find, { scene, object, mould, maps, press, choose, tell, v
     });
   }
   on("depth", "input", () => choose(press.state.face, press.state.place, number("depth")));
-  on("home", "click", () => view.look(4.3));
+  const home = () => (mould.root.visible ? view.frame(mould.bounds()) : view.look(4.3));
+  on("home", "click", home);
   for (const radio of find("scenes").querySelectorAll("input")) {
     radio.addEventListener("change", () => {
       const which = find("scenes").querySelector("input:checked").value;
@@ -115,7 +116,7 @@ function joinControls(find, { scene, object, mould, maps, press, choose, tell, v
       find("mould-controls").hidden = which !== "mould";
       view.ground.visible = which === "object";
       press.follow();
-      view.look(which === "mould" ? 8 : 4.3);
+      home();
     });
   }
   on("opening", "input", () => mould.open(number("opening") / 100));

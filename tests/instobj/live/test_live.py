@@ -14,6 +14,7 @@ import pytest
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec
+from estimator.boards import link
 from estimator.boards.lines import Frame, Header, LineDecoder, Load, encode_frame, encode_load
 from estimator.boards.link import replay_chunks, serial_chunks
 from estimator.recordings.formats.files import read_table
@@ -98,6 +99,19 @@ def messages_of(chunks, count):
             if len(found) >= count:
                 return found[:count], decoder.statistics
     return found, decoder.statistics
+
+
+def test_pauses_of_a_recording_are_shortened_in_a_replay(monkeypatch):
+    """A rig is moved for minutes between presses; times in the lines stay what they were."""
+    monkeypatch.setattr(link, "LONGEST_PAUSE_S", 0.2)
+    frames = labelled_frames(
+        np.zeros((4, 1), int), np.full((4, 1, 2), np.nan), np.full((4, 1), np.nan)
+    )
+    table = replace(data_set_table(frames), time_s=np.array([0.0, 0.1, 90.0, 90.1]))
+    began_s = time.monotonic()
+    found, _ = messages_of(replay_chunks(table, 1.0), 100)
+    assert 0.35 < time.monotonic() - began_s < 20.0
+    assert [one.board_ms for one in found if isinstance(one, Frame)] == [0, 100, 90_000, 90_100]
 
 
 def test_a_data_set_is_replayed_with_its_labels():

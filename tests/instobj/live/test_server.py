@@ -10,9 +10,10 @@ from aiohttp import ClientSession, WSServerHandshakeError, web
 
 from design.spec.object import ObjectSpec
 from instobj.live import server
+from instobj.live.contacts import Found
 from instobj.live.protocol import read_frames_message
 from instobj.live.server import Page, application, is_loopback
-from instobj.live.watch import HEADER, Watch, channel_names, row_message
+from instobj.live.watch import HEADER, Reading, Watch, channel_names, row_message
 
 SPEC = ObjectSpec(name="cube")
 NAMES = channel_names(SPEC)
@@ -188,3 +189,28 @@ def test_a_foreign_page_opens_no_stream():
 
     with pytest.raises(WSServerHandshakeError, match="403"):
         asyncio.run(connect())
+
+
+def test_a_reading_that_comes_after_its_row_is_sent_without_waiting_for_the_next():
+    async def watch():
+        page = page_of()
+        async with served(page) as (url, client), client.ws_connect(url + "/stream") as socket:
+            await adding(page, 1)
+            first = await next_frames(socket)
+            page.watch.reading = Reading(Found(np.ones((1, 15)), True), 7.0)
+            page.wake()
+            return first, await asyncio.wait_for(next_frames(socket), 5.0)
+
+    (_, (rows, none, _)), (head, (no_rows, contacts, _)) = asyncio.run(watch())
+    assert (len(rows), len(none)) == (1, 0)
+    assert (len(no_rows), len(contacts), head.read_s) == (0, 1, 7.0)
+
+
+async def next_frames(socket):
+    """The next message of frames, answered."""
+    async for message in socket:
+        if message.data[:4] == b"IOF1":
+            head, parts = read_frames_message(message.data, 45)
+            await socket.send_bytes(head.number.to_bytes(4, "little"))
+            return head, parts
+    raise AssertionError("the stream ended")
