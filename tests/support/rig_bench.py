@@ -63,7 +63,8 @@ class Bench:
         self.channels = channels or ("F3-X1", "F3-Y1", "F3-Z1")
         self.lines = {name: Line() for name in ("machine", "board", "load")}
         self.rng = np.random.default_rng(seed)
-        self.numbers_on_load_line = False
+        self.numbers_on_load_line = self.load_in_bursts = False
+        self.readings = []  # of the last frame's time: clock (ms) and force (N)
         self.slope = (0.0, 0.0)
         self.board_silent = self.load_silent = self.machine_silent = False
         self.frames = self.unanswered = 0
@@ -110,6 +111,9 @@ class Bench:
         data = self.machine.give()
         if not self.machine_silent:
             line.write(data)
+        if self.load_in_bursts:
+            ms = round(1000 * (FRAME_S * self.frames + STEP_S * (len(self.readings) - 9)))
+            self.readings.append((max(ms, 0), self.contact()[2]))
 
     def _frame(self, header):
         self.plan(self)
@@ -122,6 +126,9 @@ class Bench:
         asked = b"?" in self.lines["board"].read()
         self.lines["load"].read()
         load = encode_load(Load(ms, 1, shown, None, ()))
+        if self.load_in_bursts:
+            lines = [encode_load(Load(at, 1, force + 0.4, None, ())) for at, force in self.readings]
+            load, self.readings = b"".join(lines), []
         if self.numbers_on_load_line:
             load = f"{shown / 9.80665e-3:.2f}\n".encode()
         own = self.numbers_on_load_line

@@ -99,6 +99,25 @@ def test_presses_are_done_as_planned_and_recorded(tmp_path, numbers):
         assert abs(row["cell1_force_n"] - wanted) < (1.0 if numbers else 0.2)
 
 
+def test_a_board_that_reads_its_load_cell_labels_frames_at_their_time(tmp_path):
+    """Ten lines `L` with their own clocks before each frame, as the firmware sends them."""
+    with bench() as made:
+        made.load_in_bursts = True
+        rig(options(made, tmp_path, presses=1, settings={"speed_mm_s": 2.0}), yes)
+    rows = rows_of(tmp_path)
+    require_right_labels(rows, 12)
+    moving = [row for row in rows if 0.3 < row["travel_mm"] < 1.9]
+    assert len(moving) >= 5
+
+
+def test_a_pull_beyond_the_limit_stops_the_feed(tmp_path):
+    """The sign of the load cell is wrong, or its cable is torn: pressing reads as pulling."""
+    with bench(law=lambda depth, xy: -10 * hertz(depth, xy)) as made:
+        with pytest.raises(InputError, match="more than --limit"):
+            rig(options(made, tmp_path), yes)
+        require_tip_up(made)
+
+
 def by_place(rows):
     names = sorted({(row["cell1_x1_mm"], row["cell1_y1_mm"]) for row in rows})
     return [[row for row in rows if (row["cell1_x1_mm"], row["cell1_y1_mm"]) == n] for n in names]
