@@ -15,8 +15,8 @@ from tests.support.pages import DOCS, ROOT, Link, all_pages, anchors, links, sit
 sys.path.insert(0, str(DOCS))
 from site_pages import commands, option_names
 
-FOREIGN_OPTIONS = {"--extra-index-url", "--find-links", "--follow", "--no-deps"}
-"""Options of pip and git that the pages name."""
+FOREIGN_OPTIONS = {"--extra-index-url", "--find-links", "--follow", "--no-deps", "--use-angle"}
+"""Options of pip, git and Chromium that the pages name."""
 
 WRITTEN_BY_MAKE_DOCS = {
     "gallery/index.rst": "examples/gallery/GALLERY_HEADER.rst",
