@@ -39,7 +39,8 @@ def _tmag(letter: str, version: int) -> Order:
     name = f"TMAG5273{letter}{version}"
     return Order(
         f"Hall sensor {name}", "Texas Instruments", f"{name}QDBVR", (0.9, 2.2),
-        note="QDBVT is the small reel", seen="TMAG5273A2QDBVT of Texas Instruments SLYS045, by its scheme; looked up 2026-11",
+        note="QDBVT is the small reel",
+        seen="TMAG5273A2QDBVT of Texas Instruments SLYS045, by its scheme; looked up 2026-11",
     )  # fmt: skip
 
 
