@@ -136,8 +136,8 @@ def wall_openings(space: DisplacementSpace, spec: ObjectSpec) -> WallOpenings:
     parts, vertices, normals, weights = [], [], [], []
     for axis, sign in WALLS:
         here = on_wall(space.nodes_mm, axis, sign, spec)
-        hats, corners = _hats(space, here)
-        area = _value.assemble(_wall_facets(space, here))
+        hats, corners = vertex_hats(space, here)
+        area = wall_areas_mm2(space, here)
         blocks = [sign * hats if a == axis else sp.csr_matrix(shape_of(hats)) for a in range(3)]
         parts.append(rows_of(blocks))
         vertices.append(corners)
@@ -151,8 +151,10 @@ def wall_openings(space: DisplacementSpace, spec: ObjectSpec) -> WallOpenings:
     )
 
 
-def _hats(space: DisplacementSpace, here: np.ndarray) -> tuple[sp.csr_matrix, np.ndarray]:
-    """Nodal values (node, vertex) of the P1 hats at a wall's vertices, and the vertices."""
+def vertex_hats(
+    space: DisplacementSpace, here: Bool[np.ndarray, "node"]
+) -> tuple[sp.csr_matrix, Int[np.ndarray, "vertex"]]:
+    """Nodal values (node, vertex) of the P1 hats at the vertices of some walls, and the vertices."""
     count = len(space.mesh.p.T)
     vertices = np.flatnonzero(here[:count])
     column = np.full(count, -1)
@@ -167,6 +169,13 @@ def _hats(space: DisplacementSpace, here: np.ndarray) -> tuple[sp.csr_matrix, np
             values.append(np.full(len(edge), 0.5))
     entries = (np.concatenate(values), (np.concatenate(rows), np.concatenate(columns)))
     return sp.csr_matrix(entries, shape=(space.node_count, len(vertices))), vertices
+
+
+def wall_areas_mm2(
+    space: DisplacementSpace, here: Bool[np.ndarray, "node"]
+) -> Float[np.ndarray, "node"]:
+    """Integral of every node's shape function over a wall."""
+    return _value.assemble(_wall_facets(space, here))
 
 
 def _wall_facets(space: DisplacementSpace, here: np.ndarray) -> FacetBasis:

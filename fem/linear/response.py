@@ -138,7 +138,7 @@ def build_response(mesh: TetMesh, spec: ObjectSpec) -> ResponseOperator:
     else:
         condensed, core = _condense_with_core(system, spec, loads)
     unknowns, motions = shape_of(system.matrix)[0], shape_of(system.motion_basis)[1]
-    _require_inertia(condensed.negative_pivots, unknowns - motions)
+    require_inertia(condensed.negative_pivots, unknowns - motions)
     return ResponseOperator(surfaces, condensed.matrix, unknowns, condensed.negative_pivots, core)
 
 
@@ -306,7 +306,8 @@ def _weighted_product(pressure, displacement, w):
     return w.weight * pressure * displacement
 
 
-def _require_inertia(negative_pivots: int, pressures: int) -> None:
+def require_inertia(negative_pivots: int, pressures: int) -> None:
+    """Raise SingularSystemError where there is not one negative pivot per pressure unknown."""
     if negative_pivots != pressures:
         raise SingularSystemError(
             f"the factored matrix has {negative_pivots} negative pivots instead of {pressures}, "

@@ -58,7 +58,7 @@ class JointPress:
 
 
 @dataclass(frozen=True)
-class _Cells:
+class JointCells:
     """All indenters' cells with their mutual compliance, wherever their paths have brought them."""
 
     spreads: tuple[Spread, ...]
@@ -133,10 +133,10 @@ def presser(
     require_apart(spec, tips)
     cut = tip_cells(spec.indenter)
     straight = not any(spec.indenter.direction_deg)
-    kept = _cells(spec, response, tips, np.zeros(len(tips)), faces) if straight else None
+    kept = joint_cells(spec, response, tips, np.zeros(len(tips)), faces) if straight else None
 
     def press(depths_mm: np.ndarray) -> JointPress:
-        cells = kept or _cells(spec, response, tips, depths_mm, faces)
+        cells = kept or joint_cells(spec, response, tips, depths_mm, faces)
         for spread, depth in zip(cells.spreads, depths_mm, strict=True):
             require_on_patch(cut, spread, depth)
         gap = (cells.gap_mm - depths_mm[cells.tip]) * cells.area_mm2
@@ -156,7 +156,7 @@ def spread_motion(
 ) -> Float[np.ndarray, "magnet 6"]:
     """Motions of all magnets under the pressures of cells."""
     per_load = response.compliance[response.magnet_loads]
-    return _by_spreads(response, per_load, spreads, pressure_mpa).reshape(-1, 6)
+    return by_spreads(response, per_load, spreads, pressure_mpa).reshape(-1, 6)
 
 
 def _held_core(
@@ -165,11 +165,11 @@ def _held_core(
     """Forces of a frictionless core that holds the shell both ways."""
     if response.core is None:
         return None
-    force = _by_spreads(response, response.core.force_per_load, spreads, pressure_mpa)
+    force = by_spreads(response, response.core.force_per_load, spreads, pressure_mpa)
     return CoreState(force, np.zeros(len(force)))
 
 
-def _by_spreads(
+def by_spreads(
     response: ResponseOperator,
     per_load: Float[np.ndarray, "row load"],
     spreads: Sequence[Spread],
@@ -185,13 +185,14 @@ def _by_spreads(
     return total
 
 
-def _cells(
+def joint_cells(
     spec: ObjectSpec,
     response: ResponseOperator,
     tips: Sequence[Tip],
     depths_mm: np.ndarray,
     faces: dict[int, RefinedFace] | None,
-) -> _Cells:
+) -> JointCells:
+    """All indenters' cells where their paths have brought them at some depths."""
     numbers = [surface.number for surface in response.surfaces]
     used = {tip.face for tip in tips}
     if faces is None:
@@ -204,7 +205,7 @@ def _cells(
         place = np.array([tip.x_mm, tip.y_mm])
         require_on_face(faces[tip.face], indenter, np.stack([place, place + sideways]))
         spreads.append(spread_cells(faces[tip.face], moved(cut.patches, place + sideways), place))
-    return _Cells(
+    return JointCells(
         tuple(spreads),
         joint_compliance(response, spreads, spec),
         np.concatenate([resting_gap_mm(cut, spread) for spread in spreads]),

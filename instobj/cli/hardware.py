@@ -246,6 +246,31 @@ def selftest(
 
 
 @app.command()
+def interfaces(
+    spec: Spec,
+    recordings: Recordings,
+    out: Out = HERE,
+    as_json: AsJson = False,
+    overrides: Overrides = None,
+) -> None:
+    """Bonded, frictionless or friction at the core: what each predicts of recorded presses."""
+    from instobj.commands.hardware.validate_interfaces import interfaces_on
+
+    show(interfaces_on(spec, recordings, out, overrides or []), as_json)
+
+
+@app.command()
+def cycles(
+    recording: Annotated[Path, typer.Argument(help="Folder of sensor.csv and states.csv.")],
+    as_json: AsJson = False,
+) -> None:
+    """Loading cycles at one place: what elasticity, lag and relaxation explain of force and field."""
+    from instobj.commands.hardware.cycles import cycles_in
+
+    show(cycles_in(recording), as_json)
+
+
+@app.command()
 def validate(
     spec: Spec,
     recordings: Recordings,

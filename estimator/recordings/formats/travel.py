@@ -20,6 +20,7 @@ from estimator.recordings.formats.text import check_complete, csv_rows, naming, 
 SENSOR_FILE, STATE_FILE = "sensor.csv", "states.csv"
 _LARGEST_LAG_S = 1.0
 _LARGEST_UT, _LARGEST_MM = 1e6, 1e4
+_NO_LOAD = -1.0
 _STATE_COLUMNS = ("time", "x", "y", "z", "load")
 
 
@@ -27,13 +28,15 @@ _STATE_COLUMNS = ("time", "x", "y", "z", "load")
 class TravelRecording:
     """Readings in the order of the files.
 
-    `place_id` numbers the places by x, then y, whole millimetres apart; a smaller z is deeper.
+    `place_id` numbers the places by x, then y, whole millimetres apart; a smaller z is deeper. `load`
+    is the load cell's reading, in its own unit, NaN where it gave none or there is none.
     """
 
     time_s: Float[np.ndarray, "press"]
     tip_mm: Float[np.ndarray, "press 3"]
     field_mt: Float[np.ndarray, "press sensor 3"]
     place_id: Int[np.ndarray, "press"]
+    load: Float[np.ndarray, "press"] | None = None
 
     def __len__(self) -> int:
         return len(self.time_s)
@@ -44,8 +47,10 @@ class TravelRecording:
 
     def select(self, rows: Bool[np.ndarray, "press"]) -> TravelRecording:
         """Some of the readings; places keep their numbers."""
-        parts = (self.time_s, self.tip_mm, self.field_mt, self.place_id)
-        return TravelRecording(*(part[rows] for part in parts))
+        load = None if self.load is None else self.load[rows]
+        return TravelRecording(
+            self.time_s[rows], self.tip_mm[rows], self.field_mt[rows], self.place_id[rows], load
+        )
 
 
 def is_travel_recording(path: Path) -> bool:
@@ -80,7 +85,10 @@ def read_travel(folder: Path | str) -> TravelRecording:
     tip = state[:, 1:4]
     _, place = np.unique(np.round(tip[:, :2]), axis=0, return_inverse=True)
     field = 1e-3 * sensor[:, 1:].reshape(len(sensor), -1, 3)
-    return TravelRecording(sensor[:, 0], tip, field, place.ravel())
+    load = None
+    if state.shape[1] > 4:
+        load = np.where(state[:, 4] == _NO_LOAD, np.nan, state[:, 4])
+    return TravelRecording(sensor[:, 0], tip, field, place.ravel(), load)
 
 
 def _table(path: Path, columns: tuple[str, ...] | None) -> np.ndarray:

@@ -177,12 +177,17 @@ def test_damage_is_one_error_that_says_where(damage, tmp_path):
         read_travel(folder)
 
 
-def test_loads_beside_the_places_are_not_read(tmp_path):
+def test_loads_beside_the_places_are_read_as_they_are(tmp_path):
     tip = pressed_places()
     folder = write_recording(tmp_path / "pad", tip, np.ones((len(tip), 5, 3)))
     plain = read_travel(folder)
-    edit(folder / "states.csv", lambda rows: [f"{row},54321.0" for row in rows])
-    assert_allclose(read_travel(folder).tip_mm, plain.tip_mm)
+    assert plain.load is None
+    loads = ["-1.0", *(["54321.0"] * (len(tip) - 1))]
+    edit(folder / "states.csv", lambda rows: [f"{a},{b}" for a, b in zip(rows, loads, strict=True)])
+    loaded = read_travel(folder)
+    assert_allclose(loaded.tip_mm, plain.tip_mm)
+    assert np.isnan(loaded.load[0])
+    assert (loaded.select(loaded.place_id == 0).load[1:] == 54321).all()
 
 
 def test_an_object_of_several_faces_is_refused(model):
