@@ -28,7 +28,11 @@ def interfaces_on(
         A bad specification, recordings of another object, or a core that is no plain box.
     """
     from estimator.calibration.interfaces import INTERFACES, interface_agreement, preference
-    from estimator.calibration.recorded_presses import recorded_presses, require_presses_of
+    from estimator.calibration.recorded_presses import (
+        on_sensed_faces,
+        recorded_presses,
+        require_presses_of,
+    )
     from estimator.recordings.reading import read_recording
     from fem.loose_core.response import loose_shell, require_plain_core
 
@@ -37,7 +41,8 @@ def interfaces_on(
     require_writable(out)
     run = Run(spec)
     with run.progress.stage("reading recordings"):
-        presses = recorded_presses([read_recording(file) for file in recordings])
+        recorded = recorded_presses([read_recording(file) for file in recordings])
+        presses = on_sensed_faces(spec, recorded)
     require_presses_of(spec, presses)
     mesh = run.read(MESH)
     with run.progress.stage("interfaces of shell and core"):
