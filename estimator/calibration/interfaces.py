@@ -96,7 +96,7 @@ def interface_agreement(
 ) -> InterfaceAgreement:
     """Press every case with one interface and compare with the recordings."""
     curves = [_curve(spec, shell, core, case) for case in presses.cases]
-    moving = _motions(presses, curves)
+    moving = motions_on_curves(presses, curves)
     design = designed(spec)
     rest = np.zeros(moving.motion.shape[3:])
     every = np.concatenate([press.motion for curve in curves for press in curve])
@@ -166,7 +166,9 @@ def _mean_force_n(presses: RecordedPresses) -> Float[np.ndarray, "press"]:
     return presses.face_force_n.sum(axis=1) / np.maximum(pressed.sum(axis=1), 1)
 
 
-def _motions(presses: RecordedPresses, curves: Sequence[Sequence[JointPress]]) -> PredictedMotions:
+def motions_on_curves(
+    presses: RecordedPresses, curves: Sequence[Sequence[JointPress]]
+) -> PredictedMotions:
     """Motions at the recorded forces, in proportion to force beyond the deepest press."""
     body = curves[0][0].motion.shape
     shape = (len(presses), len(curves), len(MODULUS_RATIOS))

@@ -260,6 +260,20 @@ def interfaces(
 
 
 @app.command()
+def conventions(
+    spec: Spec,
+    recordings: Recordings,
+    exchanges: Annotated[int, typer.Option(min=1, help="Searches with exchanged places.")] = 499,
+    as_json: AsJson = False,
+    overrides: Overrides = None,
+) -> None:
+    """Order of chips, labels and axes: searched on one recording, judged on the other."""
+    from instobj.commands.hardware.conventions import conventions_of
+
+    show(conventions_of(spec, recordings, exchanges, overrides or []), as_json)
+
+
+@app.command()
 def cycles(
     recording: Annotated[Path, typer.Argument(help="Folder of sensor.csv and states.csv.")],
     as_json: AsJson = False,

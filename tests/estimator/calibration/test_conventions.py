@@ -1,0 +1,47 @@
+"""A planted convention is found on one recording and holds on the other; nothing is found in noise."""
+
+import numpy as np
+from numpy.testing import assert_allclose
+
+from estimator.calibration.conventions import ORDERS, SYMMETRIES, TURNS, cosines, search
+
+CASE = np.repeat(np.arange(8), 3)
+RECORDING = (CASE >= 5).astype(int)
+
+
+def predicted(rng):
+    """Every case under every symmetry has a pattern of its own."""
+    patterns = rng.standard_normal((len(SYMMETRIES), 8, 3, 3))
+    return np.repeat(patterns[:, None], len(CASE), axis=1)
+
+
+def test_candidates_are_all_different_and_the_first_are_as_documented():
+    assert len({np.array2string(turn) for turn in TURNS}) == 24
+    assert len({np.array2string(matrix) for matrix in SYMMETRIES}) == 8
+    assert_allclose(TURNS[0], np.eye(3))
+    assert ORDERS[0] == (0, 1, 2)
+
+
+def test_a_planted_convention_is_found_and_holds_on_the_other_recording():
+    rng = np.random.default_rng(0)
+    model = predicted(rng)
+    order, turn = ORDERS[3], TURNS[7]
+    true = model[5, np.arange(len(CASE)), CASE]
+    recorded = np.zeros_like(true)
+    recorded[:, list(order)] = np.einsum("ab,pcb->pca", turn, true)
+    recorded += 0.3 * rng.standard_normal(recorded.shape)
+    every = cosines(recorded, model)
+    assert every.shape == (8, 6, 24, len(CASE), 8)
+    found = search(every, CASE, RECORDING, 0, 39, 1)
+    assert found.candidate == (5, 3, 7)
+    assert found.judged > 0.9
+    assert found.p == 1 / 40
+    assert abs(found.documented) < 0.4
+
+
+def test_a_search_in_noise_looks_good_where_it_was_chosen_alone():
+    rng = np.random.default_rng(3)
+    every = cosines(rng.standard_normal((len(CASE), 3, 3)), predicted(rng))
+    found = search(every, CASE, RECORDING, 1, 39, 1)
+    assert found.chosen_on > found.judged + 0.2
+    assert found.p > 0.05
