@@ -16,7 +16,7 @@ from estimator.information.scores import PlaceScores, save_scores_csv
 from estimator.layouts.fidelity import SCORE_NAMES, FidelityScore
 from instobj.figures.maps import overview
 from instobj.search.fidelity import METRIC_LABELS, TwinRatio
-from instobj.search.outcome import page
+from instobj.search.outcome import moves, page
 from instobj.search.outcome.layouts import ShownLayout
 from instobj.search.outcome.page import ChainResults, write_search_page
 from instobj.search.promotion import Promotion
@@ -26,7 +26,8 @@ from tests.instobj.search.test_outcome import made_up_history
 from tests.support.pictures import save_dot
 
 DRAWN = {
-    page: ("draw_convergence", "draw_front", "draw_levels", "draw_moves"),
+    page: ("draw_convergence", "draw_front", "draw_levels"),
+    moves: ("draw_moves",),
     overview: ("draw_overview",),
 }
 VOID = {"meta", "img", "link", "br", "input"}
