@@ -12,7 +12,7 @@ from typing import get_type_hints
 
 import jaxtyping
 
-CALLS = 30
+CALLS = 10
 """Of a function in a test that are checked; and in each fixture's setup, as part of its test."""
 
 _test = 0
