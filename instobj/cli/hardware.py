@@ -237,7 +237,7 @@ def selftest(
     as_built: AsBuilt = None,
 ) -> None:
     """Flipped magnets, swapped or dead channels, from the resting signals of a built object."""
-    from instobj.commands.hardware.validate import self_test_of
+    from instobj.commands.recorded.validate import self_test_of
 
     result = self_test_of(spec, resting, with_as_built(overrides, as_built))
     show(result, as_json)
@@ -254,7 +254,7 @@ def interfaces(
     overrides: Overrides = None,
 ) -> None:
     """Bonded, frictionless or friction at the core: what each predicts of recorded presses."""
-    from instobj.commands.hardware.validate_interfaces import interfaces_on
+    from instobj.commands.recorded.validate_interfaces import interfaces_on
 
     show(interfaces_on(spec, recordings, out, overrides or []), as_json)
 
@@ -268,7 +268,7 @@ def conventions(
     overrides: Overrides = None,
 ) -> None:
     """Order of chips, labels and axes: searched on one recording, judged on the other."""
-    from instobj.commands.hardware.conventions import conventions_of
+    from instobj.commands.recorded.conventions import conventions_of
 
     show(conventions_of(spec, recordings, exchanges, overrides or []), as_json)
 
@@ -279,7 +279,7 @@ def cycles(
     as_json: AsJson = False,
 ) -> None:
     """Loading cycles at one place: what elasticity, lag and relaxation explain of force and field."""
-    from instobj.commands.hardware.cycles import cycles_in
+    from instobj.commands.recorded.cycles import cycles_in
 
     show(cycles_in(recording), as_json)
 
@@ -297,7 +297,7 @@ def validate(
     as_built: AsBuilt = None,
 ) -> None:
     """Predicted against recorded presses, every figure beside its permutation null."""
-    from instobj.commands.hardware.validate import validate_on
+    from instobj.commands.recorded.validate import validate_on
 
     given = with_as_built(overrides, as_built)
     show(validate_on(spec, recordings, exchanges, out, given), as_json)

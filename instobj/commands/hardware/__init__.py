@@ -1,1 +1,1 @@
-"""Commands that meet boards, recordings and built objects."""
+"""Commands that meet boards and built objects: collect, predict, live, firmware, rig."""

@@ -94,7 +94,8 @@ def live_source(options: LiveOptions, progress: ProgressLine) -> LiveSource:
     Raises
     ------
     InputError
-        Not exactly one source, no specification, or a file that is neither recording nor data set.
+        Not exactly one source, no specification or model, or a file that is neither recording nor
+        data set.
     """
     given = options.readings
     sources = sum((options.demo, given.port is not None, given.replay is not None))
@@ -107,6 +108,9 @@ def live_source(options: LiveOptions, progress: ProgressLine) -> LiveSource:
     if options.spec is None:
         raise InputError("give the specification of the object that is read: instobj live SPEC …")
     spec = load_spec(options.spec, list(options.overrides))
+    for path in options.models:
+        if not path.is_file():
+            raise InputError(f"no model at {path}. `instobj train` and `instobj export` make one")
     chunks, readings, zeroing = _opened(given, options.zeroing)
     scene = live_scene(spec, Run(spec, progress).require("build").folder, _KEY + _LABELLED)
     return LiveSource(spec, scene, readings.source, chunks, readings, options.models, zeroing)

@@ -11,7 +11,7 @@ from design.spec_io import load_spec
 from estimator.calibration.recorded_presses import RecordedPresses
 from estimator.calibration.resting import channel_names, read_resting
 from estimator.signals.presses import rest_counts
-from instobj.commands.hardware.validate import calibration_texts, exchanged_cases
+from instobj.commands.recorded.validate import calibration_texts, exchanged_cases
 from tests.support.cli import CUBE, assert_one_clear_error, run
 from tests.support.recordings.made_recordings import gripper_arrays, write_gripper
 

@@ -145,6 +145,14 @@ def test_what_cannot_be_shown(tmp_path, given, words):
         live(LiveOptions(None, CollectOptions(tmp_path / "x", **of_readings), **given))
 
 
+def test_a_model_that_is_not_there_is_told_before_anything_is_opened_or_built(tmp_path):
+    (tmp_path / "cube.toml").write_text('name = "cube"\n', encoding="utf-8")
+    readings = CollectOptions(tmp_path / "x", port="/dev/nothing")
+    missing = (tmp_path / "nope.onnx",)
+    with pytest.raises(InputError, match=r"no model at .*nope\.onnx"):
+        live(LiveOptions(tmp_path / "cube.toml", readings, models=missing))
+
+
 def test_only_other_addresses_have_a_token(tmp_path):
     readings = CollectOptions(tmp_path / "x")
     assert LiveOptions(None, readings).token == ""

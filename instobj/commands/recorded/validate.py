@@ -97,7 +97,7 @@ def validate_on(
     )
     from estimator.recordings.formats.travel import is_travel_recording
     from estimator.recordings.reading import read_recording
-    from instobj.commands.hardware.validate_travel import validate_on_travel
+    from instobj.commands.recorded.validate_travel import validate_on_travel
 
     if any(is_travel_recording(file) for file in recordings):
         if len(recordings) > 2:
