@@ -162,7 +162,8 @@ def _mkl_library() -> Any:
     return PyPardisoSolver().libmkl
 
 
-def _files_of(distribution: str) -> list[importlib.metadata.PackagePath]:
+def _files_of(distribution: str) -> list[Any]:
+    """Paths as `importlib.metadata` has them; of another class once its backport is imported."""
     try:
         return importlib.metadata.files(distribution) or []
     except importlib.metadata.PackageNotFoundError:
