@@ -185,37 +185,38 @@ def depth_image(triangles_mm: Float[np.ndarray, "triangle 3 3"]) -> DepthImage:
     origin = low[:2] - margin
     nearest = np.full((rows, columns), -np.inf)
     index = np.full((rows, columns), -1)
-    for number, corners in enumerate(triangles_mm):
-        _draw_triangle(number, corners, origin, step, nearest, index)
+    _draw_triangles(triangles_mm, origin, step, nearest, index)
     right, top = origin + step * np.array([columns, rows])
     extent = (float(origin[0]), float(right), float(origin[1]), float(top))
     return DepthImage(index[::-1], nearest[::-1], extent)
 
 
-def _draw_triangle(
-    number: int,
-    corners: Float[np.ndarray, "3 3"],
+def _draw_triangles(
+    triangles_mm: Float[np.ndarray, "triangle 3 3"],
     origin: Float[np.ndarray, "2"],
     step: float,
     nearest: Float[np.ndarray, "row column"],
     index: Int[np.ndarray, "row column"],
 ) -> None:
-    """Enter one triangle into the buffers in place, where it is the nearest so far."""
-    edges = corners[1:, :2] - corners[0, :2]
-    if np.linalg.det(edges) <= 1e-12:
-        return
-    pixel = (corners[:, :2] - origin) / step
-    first = np.maximum(np.floor(pixel.min(axis=0) - 0.5), 0).astype(int)
-    last = np.ceil(pixel.max(axis=0) + 0.5).astype(int)
-    window = np.s_[first[1] : last[1], first[0] : last[0]]
-    rows, columns = np.indices(nearest[window].shape)
-    points = origin + step * np.stack([columns + first[0] + 0.5, rows + first[1] + 0.5], axis=-1)
-    weights = (points - corners[0, :2]) @ np.linalg.inv(edges)
-    depth = corners[0, 2] + weights @ (corners[1:, 2] - corners[0, 2])
-    inside = (weights >= -1e-9).all(axis=-1) & (weights.sum(axis=-1) <= 1 + 1e-9)
-    wins = inside & (depth > nearest[window])
-    nearest[window][wins] = depth[wins]
-    index[window][wins] = number
+    """Enter triangles that face the viewer into the buffers in place, where each is the nearest."""
+    edges = triangles_mm[:, 1:] - triangles_mm[:, :1]
+    (front,) = np.nonzero(np.linalg.det(edges[..., :2]) > 1e-12)
+    inverse, rise = np.linalg.inv(edges[front, :, :2]), edges[front, :, 2]
+    pixel = (triangles_mm[front, :, :2] - origin) / step
+    first = np.maximum(np.floor(pixel.min(axis=1) - 0.5), 0).astype(int)
+    last = np.ceil(pixel.max(axis=1) + 0.5).astype(int)
+    for k, number in enumerate(front.tolist()):
+        window = np.s_[first[k, 1] : last[k, 1], first[k, 0] : last[k, 0]]
+        x0, y0, z0 = triangles_mm[number, 0]
+        x = origin[0] + step * (np.arange(first[k, 0], last[k, 0]) + 0.5) - x0
+        y = origin[1] + step * (np.arange(first[k, 1], last[k, 1])[:, None] + 0.5) - y0
+        (xa, xb), (ya, yb) = inverse[k]
+        a, b = x * xa + y * ya, x * xb + y * yb
+        depth = z0 + a * rise[k, 0] + b * rise[k, 1]
+        inside = (a >= -1e-9) & (b >= -1e-9) & (a + b <= 1 + 1e-9)
+        wins = inside & (depth > nearest[window])
+        nearest[window][wins] = depth[wins]
+        index[window][wins] = number
 
 
 def shade(
@@ -243,20 +244,19 @@ def _on_cut(mesh: trimesh.Trimesh) -> Bool[np.ndarray, "triangle"]:
 def _edges(
     image: DepthImage, normals: Float[np.ndarray, "triangle 3"]
 ) -> Bool[np.ndarray, "row column"]:
-    normal = normals[image.triangle]
-    depth = np.where(image.triangle < 0, -1e6, image.depth_mm)
-    marked = np.zeros(depth.shape, bool)
-    pixel = (image.extent_mm[1] - image.extent_mm[0]) / depth.shape[1]
+    marked = np.zeros_like(image.triangle, bool)
+    pixel = (image.extent_mm[1] - image.extent_mm[0]) / len(marked[0])
     step = max(DEPTH_STEP_MM, STEEPEST_PIXELS * pixel)
     for axis in (0, 1):
-        near = np.take(normal, range(normal.shape[axis] - 1), axis)
-        far = np.take(normal, range(1, normal.shape[axis]), axis)
-        turns = (near * far).sum(axis=-1) < np.cos(np.deg2rad(EDGE_ANGLE_DEG))
-        border = turns | (np.abs(np.diff(depth, axis=axis)) > step)
-        for shift in (0, 1):
-            start = [slice(None), slice(None)]
-            start[axis] = slice(shift, shift + border.shape[axis])
-            marked[tuple(start)] |= border
+        triangle, depth, mark = (
+            np.moveaxis(given, axis, 0) for given in (image.triangle, image.depth_mm, marked)
+        )
+        border = np.abs(np.diff(np.where(triangle < 0, -1e6, depth), axis=0)) > step
+        meet = np.nonzero(triangle[:-1] != triangle[1:])
+        near, far = (normals[side[meet]] for side in (triangle[:-1], triangle[1:]))
+        border[meet] |= (near * far).sum(axis=-1) < np.cos(np.deg2rad(EDGE_ANGLE_DEG))
+        mark[:-1] |= border
+        mark[1:] |= border
     background = image.triangle < 0
     return marked & ~background
 
