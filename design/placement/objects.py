@@ -23,7 +23,7 @@ from design.layout.body import body_of, core_frames, face_frames
 from design.layout.places.contact_places import contact_places
 from design.layout.places.positions import board_sinks_mm
 from design.placement.patterns import Shares, magnet_patterns, sensor_patterns
-from design.placement.room import tight_core, tight_middle, tight_rim, tight_shell
+from design.placement.room import low_rim, tight_core, tight_middle, tight_rim, tight_shell
 from design.spec.base import explained
 from design.spec.object import ObjectSpec
 
@@ -151,6 +151,7 @@ def _with_sensors(request: Request, trim: Trim, shares: tuple[float, ...]) -> Ta
     room, _ = body_of(start).room_for_recesses
     if min(min(half) for half in halves) <= 0 or room <= start.core.recess_depth_mm:
         return None
+    on_slopes = []
     for share, pattern in product(shares, sensor_patterns(request.sensors)):
         tables = body | _electronics(request, [share * half * pattern for half in halves])
         spec = spec_of(tables)
@@ -160,9 +161,11 @@ def _with_sensors(request: Request, trim: Trim, shares: tuple[float, ...]) -> Ta
         if wall is None or tight_core(spec) or tight_rim(spec):
             continue
         tables["core"]["wall_mm"] = wall
-        if fits(spec_of(tables)):
+        if low_rim(spec):
+            on_slopes.append(tables)
+        elif fits(spec_of(tables)):
             return tables
-    return None
+    return next((tables for tables in on_slopes if fits(spec_of(tables))), None)
 
 
 def _electronics(request: Request, faces: list[Shares]) -> Tables:
@@ -235,10 +238,10 @@ def _rounded(places_mm: Shares) -> list[list[float]]:
 
 def _too_small(request: Request) -> str:
     size = " × ".join(f"{edge:g}" for edge in request.size_mm)
-    what = (
-        f"{request.sensors} sensors and {request.magnets or 'at least one of the'} magnets per face"
-    )
-    message = f"a {request.kind} of {size} mm is too small for {what}. "
+    body = "an imported body" if request.file else f"a body of kind {request.kind}"
+    sensors = f"{request.sensors} sensor{'s' * (request.sensors > 1)}"
+    magnets = f"{request.magnets} magnets" if (request.magnets or 1) > 1 else "a magnet"
+    message = f"{body} of {size} mm is too small for {sensors} and {magnets} per face. "
     low, high = 1.0, _GROWTH
     while not _fits_roughly(_grown(request, high)):
         low, high = high, high * _GROWTH

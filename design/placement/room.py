@@ -5,16 +5,26 @@ from __future__ import annotations
 from itertools import combinations
 
 import numpy as np
+from jaxtyping import Float
 
 from design.fit.parts import beyond_core_mm
-from design.layout.boards import passage_radius_mm, sensor_recesses, smallest_recess_wall_mm
+from design.layout.boards import (
+    Recess,
+    passage_radius_mm,
+    sensor_recesses,
+    smallest_recess_wall_mm,
+)
 from design.layout.body import body_of, face_frames
 from design.layout.places.positions import cover_mm
 from design.layout.pockets import distance_of_segments_mm, sensor_places, shell_pockets
 from design.spec.object import ObjectSpec
 
+Points = Float[np.ndarray, "point 3"]
 _ROOMY = 1.25
 """Times the least that can be made, below which the checks of fabrication warn."""
+_LAYER_MM = 0.25
+"""Of a floor below a sloping core, at least: what a printer lays in one layer."""
+_WALL_DEG, _STEP_MM, _EDGE_POINTS = 45.0, 0.05, 5
 
 
 def tight_core(spec: ObjectSpec, sunk: bool = True) -> bool:
@@ -26,11 +36,52 @@ def tight_core(spec: ObjectSpec, sunk: bool = True) -> bool:
     return sensors > 1 and smallest_recess_wall_mm(spec, sunk) < spec.printer.wall_mm
 
 
+def low_rim(spec: ObjectSpec) -> bool:
+    """Whether a recess's floor comes nearer to the core's surface than a wall that can be printed.
+
+    Where another side of the core is so near, the wall is too thin (`tight_rim`); where the core only
+    slopes away, the wall is low there.
+    """
+    floors = np.concatenate([recess.corners_mm[:4] for recess in sensor_recesses(spec)])
+    return bool(beyond_core_mm(spec, floors).max() > -_ROOMY * spec.printer.wall_mm)
+
+
 def tight_rim(spec: ObjectSpec) -> bool:
-    """Whether a recess ends so near another side of the core that the wall there is too thin to print."""
-    floors = [recess.corners_mm[:4] for recess in sensor_recesses(spec)]
-    beyond = beyond_core_mm(spec, np.concatenate(floors))
-    return bool(beyond.max() > -_ROOMY * spec.printer.wall_mm)
+    """Whether a recess ends so near another side of the core that the wall there is too thin to print.
+
+    A wall is where the core's surface faces a side of the recess, or its floor, within 45°. What is
+    less steep is no wall but a slope, on which the recess must only keep its floor a printed layer
+    below the surface.
+    """
+    least = _ROOMY * spec.printer.wall_mm
+    points, outward = map(
+        np.concatenate, zip(*map(_floor_edges, sensor_recesses(spec)), strict=True)
+    )
+    if beyond_core_mm(spec, points).max() > -_LAYER_MM:
+        return True
+    past = points + least * outward
+    beyond = beyond_core_mm(spec, past)
+    rise = beyond - beyond_core_mm(spec, past - _STEP_MM * outward)
+    return bool(np.any((beyond > 0) & (rise > np.cos(np.deg2rad(_WALL_DEG)) * _STEP_MM)))
+
+
+def _floor_edges(recess: Recess) -> tuple[Points, Points]:
+    """Points along the edges of a recess's floor, each with the normal outward of its side, and of
+    the floor."""
+    along = np.linspace(-1, 1, _EDGE_POINTS)
+    ones, (x, y, z) = np.ones(_EDGE_POINTS), recess.axes.T
+    sides = [
+        (share, normal)
+        for sign in (-1, 1)
+        for share, normal in (
+            (np.column_stack([sign * ones, along, -ones]), sign * x),
+            (np.column_stack([along, sign * ones, -ones]), sign * y),
+        )
+    ]
+    shares = np.concatenate([share for share, _ in sides] * 2)
+    normals = np.array([*(normal for _, normal in sides), *[-z] * len(sides)])
+    points = recess.centre_mm + (shares * recess.half_mm) @ recess.axes.T
+    return points, normals.repeat(_EDGE_POINTS, axis=0)
 
 
 def tight_middle(spec: ObjectSpec) -> bool:

@@ -1,18 +1,23 @@
 """Objects placed from kind and size: everything fits, and refusals name a size that works."""
 
 import re
+from pathlib import Path
 
 import numpy as np
 import pytest
 
+from design.body.imported import body_of_file
 from design.body.surface_chart import steepest_reach_mm
 from design.errors import SpecError
 from design.fit.everything import problems_of
 from design.layout.boards import mounted_sensors, sensor_recesses, smallest_recess_wall_mm
 from design.layout.places.contact_places import contact_places
 from design.layout.places.positions import magnet_layout
+from design.layout.pockets import sensor_places
 from design.placement.objects import Request, Trim, first_fit, placed, spec_of
+from design.placement.room import low_rim, tight_rim
 
+PEAR = Path(__file__).parents[3] / "examples" / "bodies" / "pear.stl"
 QUICK = {
     "brick": Request("box", (60.0, 40.0, 30.0), 2, 5),
     "pad": Request("pad", (60.0, 42.0, 11.0), 4),
@@ -61,6 +66,43 @@ def test_recesses_in_the_ends_of_a_handle_leave_a_wall_to_its_side(made):
         if recess.face == 1:
             corners = recess.centre_mm + (signs * recess.half_mm) @ recess.axes.T
             assert np.hypot(*corners[:, :2].T).max() < radius - spec.printer.wall_mm
+
+
+@pytest.mark.parametrize(("away_mm", "tight"), [(8.2, False), (8.4, True)])
+def test_a_wall_to_the_side_of_a_cylinder_is_measured_along_the_recess(made, away_mm, tight):
+    """By hand, on its flat end of R 13 mm: √(13² − 3.5²) − 3.25 − away, 1 mm needed."""
+    spec, sensors = made["handle"], made["handle"].sensors
+    middle = [[6.0 * np.cos(angle), 6.0 * np.sin(angle)] for angle in np.deg2rad([0, 120, 240])]
+    end = [[away_mm, 0.0], *middle[1:]]
+    faces = [end, *[middle] * (len(spec.body.sensed) - 1)]
+    recess = {"recess_inner_radius_mm": 2.75, "recess_outer_radius_mm": 9.25}
+    placed_so = spec.changed(
+        core=spec.core.model_copy(update=recess),
+        sensors=sensors.model_copy(update={"radius_mm": 6.0, "positions_mm": faces}),
+    )
+    assert tight_rim(placed_so) is tight
+
+
+def test_a_core_that_slopes_away_beside_a_recess_leaves_no_thin_wall_there():
+    """On a ball's core recesses end in a slope: the pear of the examples was refused for it."""
+    spec = spec_of(
+        {
+            "body": {"kind": "sphere", "size_mm": [44.0] * 3},
+            "sensors": {"radius_mm": 7.0},
+            "core": {"recess_inner_radius_mm": 3.75, "recess_outer_radius_mm": 10.25},
+        }
+    )
+    assert low_rim(spec)
+    assert not tight_rim(spec)
+
+
+def test_the_pear_takes_two_sensors_on_every_face():
+    read = body_of_file(PEAR)
+    request = Request("imported", tuple(read["size_mm"]), 2, 1, (("file", read["file"]),))
+    tables = first_fit(request, trims=(Trim(8.0, 6.0, 3.0),), shares=(0.46,))
+    assert tables is not None
+    spec = spec_of(tables)
+    assert [len(face) for face in sensor_places(spec)] == [2] * 5
 
 
 def test_a_pad_that_is_too_small_is_refused_with_a_size_that_works():
