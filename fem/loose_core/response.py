@@ -16,6 +16,7 @@ from jaxtyping import Float, Int
 
 from design.errors import InputError
 from design.layout.blocks import core_keys
+from design.layout.body import body_of
 from design.spec.object import ObjectSpec
 from fem.linear.core_interface import (
     WALLS,
@@ -96,7 +97,7 @@ def loose_shell(mesh: TetMesh, spec: ObjectSpec) -> LooseShell:
 
 def require_plain_core(spec: ObjectSpec) -> None:
     """Raise InputError where the core is more than a box in its cavity."""
-    if spec.body.kind != "box" or core_keys(spec):
+    if not body_of(spec).cuboid or core_keys(spec):
         raise InputError(
             "a core that is pushed in is known as a plain box; this one has keys or belongs to a "
             f"body of kind {spec.body.kind!r}. Leave core.keys out, or keep the bonded core"
