@@ -123,12 +123,18 @@ def _pocket_gaps_across_edges(spec: ObjectSpec, pockets: _Pockets) -> Float[Tens
     `design.layout.pockets`."""
     least = spec.silicone.thinnest_wall_mm + SLACK_MM
     frames = face_frames(spec)
-    placed = {frame.number: _placed(frame, pockets) for frame in frames}
-    missing = [torch.zeros_like(pockets.lowest[:, 0])]
-    for a, b in neighbours(frames):
-        gap = _gap_of_prisms(placed[a.number], placed[b.number], pockets.radius)
-        missing.append(torch.relu(least - gap).sum(dim=(1, 2)))
-    return torch.stack(missing).amax(dim=0)
+    pairs = neighbours(frames)
+    if not pairs:
+        return torch.zeros_like(pockets.lowest[:, 0])
+    row = {frame.number: index for index, frame in enumerate(frames)}
+    a, b = zip(*((row[one.number], row[other.number]) for one, other in pairs), strict=True)
+    floor, top, axis = (
+        torch.stack(parts, dim=1)
+        for parts in zip(*(_placed(frame, pockets) for frame in frames), strict=True)
+    )
+    one, other = ((floor[:, [*at]], top[:, [*at]], axis[:, [*at]]) for at in (a, b))
+    gap = _gap_of_prisms(one, other, pockets.radius)
+    return torch.relu(least - gap).sum(dim=(2, 3)).amax(dim=0)
 
 
 _Prisms = tuple[Tensor, Tensor, Tensor]
@@ -148,7 +154,7 @@ def _placed(frame: FaceFrame, pockets: _Pockets) -> _Prisms:
 
 def _gap_of_prisms(
     one: _Prisms, other: _Prisms, radius: float
-) -> Float[Tensor, "layout magnet other"]:
+) -> Float[Tensor, "edge layout magnet other"]:
     """Largest gap along either axis and along the shortest way between the axes."""
     p, p_end, u = (part[..., :, None] for part in one)
     q, q_end, v = (part[..., None, :] for part in other)
