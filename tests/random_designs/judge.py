@@ -35,6 +35,9 @@ MOST_S = 5 * LONGEST_S
 """Processor time after which a seed is given up: its process ends by SIGXCPU."""
 SKIN_MM = 0.02
 """Triangles leave curved surfaces by so much: of common volume, that times the smaller's area is none."""
+_CLEAR_MM = 1e-3
+"""By which magnets, boards and chips are drawn in: of faces that touch, booleans of triangles may take
+the wrong side (1.2 of a block magnet's 25 mm³ in a pocket that it fills)."""
 _MEETING = [("core", f"mould_{part}") for part in ("plug", "box", "half_a", "half_b")]
 _MOULD = ("mould_box", "mould_half_a", "mould_half_b", "mould_plug", "mould_holder")
 
@@ -137,10 +140,11 @@ def _magnets(spec: ObjectSpec) -> list[tuple[str, manifold3d.Manifold]]:
         zip(layout.centre_mm, layout.axis, layout.side, strict=True), start=1
     ):
         if magnets.shape == "block":
-            solid = manifold3d.Manifold.cube((*magnets.size_mm, magnets.height_mm), True)
+            edges = np.array([*magnets.size_mm, magnets.height_mm]) - 2 * _CLEAR_MM
+            solid = manifold3d.Manifold.cube(tuple(edges), True)
         else:
-            radius = magnets.diameter_mm / 2
-            solid = manifold3d.Manifold.cylinder(magnets.height_mm, radius, radius, 64, True)
+            radius, height = magnets.diameter_mm / 2 - _CLEAR_MM, magnets.height_mm - 2 * _CLEAR_MM
+            solid = manifold3d.Manifold.cylinder(height, radius, radius, 64, True)
         pose = np.column_stack([side, np.cross(axis, side), axis, centre])
         found.append((f"magnet {k}", solid.transform(pose)))
     return found
@@ -150,7 +154,7 @@ def _boards(spec: ObjectSpec) -> list[tuple[str, manifold3d.Manifold]]:
     found = []
     for sensor in mounted_sensors(spec):
         for what, block in (("board", sensor.board), ("chip", sensor.chip)):
-            cube = manifold3d.Manifold.cube(tuple(2 * block.half_mm), True)
+            cube = manifold3d.Manifold.cube(tuple(2 * (block.half_mm - _CLEAR_MM)), True)
             pose = np.column_stack([block.axes, block.centre_mm])
             if np.linalg.det(block.axes) < 0:
                 pose[:, 2] *= -1

@@ -57,6 +57,19 @@ def test_parts_of_another_specification_are_told(pad, table, fault, told):
     assert any(text.startswith(told) for text in violations(spec, pad[1]))
 
 
+def test_a_block_that_fills_its_pocket_touches_the_shell_and_shares_nothing():
+    """Of seed 2014: the magnet cut with the shell gave 1.2 mm³, the shell cut with the magnet none."""
+    spec = ObjectSpec.model_validate(
+        {
+            "name": "dome",
+            "body": {"kind": "dome", "size_mm": [49.0, 49.0, 30.6]},
+            "magnets": {"shape": "block", "positions_mm": [[-11.46, -11.46]]},
+        }
+    )
+    shell = next(part for part in parts_of(spec) if part.name == "shell")
+    assert violations(spec, {"shell": as_triangles(shell.make())}) == []
+
+
 def test_shells_that_meet_the_core_and_open_parts_are_told(pad):
     spec, parts = pad
     sunk = parts["shell"].copy().apply_translation([0.0, 0.0, -0.5])
