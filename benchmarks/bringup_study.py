@@ -16,9 +16,9 @@ import numpy as np
 from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
-from estimator.bringup.asked import asked_of, magnet_names
+from estimator.bringup.asked import further_holds, magnet_names
 from estimator.bringup.findings import channel_name
-from estimator.bringup.simulated import SimulatedObject, parse_fault, simulated_object
+from estimator.bringup.simulated import SimulatedObject, brought_up, parse_fault, simulated_object
 from estimator.bringup.verdict import Verdict, judge
 from estimator.tolerances.selftest import sensor_names
 
@@ -86,13 +86,13 @@ def study(spec: ObjectSpec, seed: int, faults: list[str]) -> dict[str, object]:
     """One object."""
     faults = five_faults(spec, seed) if faults == ["five"] else faults
     made = simulated_object(spec, seed, tuple(map(parse_fault, faults)))
-    recordings = {asked.name: made.recording(asked) for asked in asked_of(spec)}
+    recordings = brought_up(made)
     verdict = judge(spec, recordings)
     poses = [r.board_ms.mean() for name, r in recordings.items() if name.startswith("earth")]
     named = [f"{finding.kind}: {finding.where}" for finding in verdict.findings]
-    return {"seed": seed, "faults": faults, "named": named} | errors(
-        made, verdict, float(np.mean(poses)) / 1000
-    )
+    asked_for = len(recordings.keys() & {hold.name for hold in further_holds(spec)})
+    about = {"seed": seed, "faults": faults, "named": named, "further_holds": asked_for}
+    return about | errors(made, verdict, float(np.mean(poses)) / 1000)
 
 
 if __name__ == "__main__":

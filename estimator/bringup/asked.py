@@ -13,6 +13,7 @@ from jaxtyping import Float, Int
 from design.errors import InputError
 from design.layout.places.positions import magnet_layout, sensor_layout
 from design.spec.object import ObjectSpec
+from estimator.bringup.hold_places import OVER_MM, hold_places
 from estimator.signals.hall import full_scale_counts
 from estimator.tolerances.selftest import sensor_names
 
@@ -25,16 +26,18 @@ STEPS: dict[Step, str] = {
     "magnet": "poles of the magnets",
     "rest": "resting levels",
 }
-STILL_S, HELD_S, STEP_S, POSE_S = 10.0, 4.0, 2.0, 20.0
+STILL_S, HELD_S, FURTHER_S, STEP_S, POSE_S = 10.0, 4.0, 10.0, 2.0, 20.0
 STILL, STILL_AGAIN = "still", "still again"
 POSES = (("+z", "+x"), ("-z", "+x"), ("+x", "+y"), ("-x", "+y"), ("+y", "+z"), ("-y", "+z"))
 """Axis of the object that points up, and the one that points away from the user."""
+MOST_FURTHER = 12
+"""Further holds that are asked for at most."""
 _FEWEST_FRAMES = 10
 
 
 @dataclass(frozen=True)
 class Asked:
-    """One recording: its name, the question, its frames; `part` counts chips, poses or magnets."""
+    """One recording: its name, the question, its frames; `part` counts hold places, poses or magnets."""
 
     name: str
     step: Step
@@ -108,6 +111,33 @@ def asked_of(spec: ObjectSpec) -> tuple[Asked, ...]:
     return (*_bare_core(spec), *_closed_object(spec))
 
 
+def further_holds(spec: ObjectSpec) -> tuple[Asked, ...]:
+    """All holds that may be asked for beside the planned ones, where gains are not known well enough.
+
+    Over every chip once more, and half way between every two neighbours; longer than the planned ones.
+    """
+    frames, further = _frames(spec, FURTHER_S), []
+    for part, place in enumerate(hold_places(spec)):
+        name, text = f"held {place.chips[0]} again", _over(place.chips[0])
+        if len(place.chips) > 1:
+            name = f"held {' '.join(place.chips)}"
+            text = (
+                f"Hold the magnet about {place.height_mm:g} mm above face {place.face} of the core, "
+                f"half way along its surface from {place.chips[0]} to {place.chips[1]}, its north "
+                "pole towards the core, as still as you can"
+            )
+        further.append(Asked(name, "held", text, frames, part))
+    return tuple(further)
+
+
+def _over(name: str) -> str:
+    face, number = name[1:].split("-S")
+    return (
+        f"Hold one magnet about {OVER_MM:g} mm above face {face}, sensor {number}, its north pole "
+        "towards the core, as still as you can"
+    )
+
+
 def _frames(spec: ObjectSpec, seconds: float) -> int:
     return max(_FEWEST_FRAMES, round(seconds * spec.sensors.frame_rate_hz))
 
@@ -121,12 +151,7 @@ def _bare_core(spec: ObjectSpec) -> Iterator[Asked]:
         _frames(spec, STILL_S),
     )
     for part, name in enumerate(sensor_names(sensor_layout(spec).face)):
-        face, number = name[1:].split("-S")
-        question = (
-            f"Hold one magnet about 10 mm above face {face}, sensor {number}, its north pole "
-            "towards the core, as still as you can"
-        )
-        yield Asked(f"held {name}", "held", question, frames, part)
+        yield Asked(f"held {name}", "held", _over(name), frames, part)
     yield Asked(
         STILL_AGAIN,
         "still",

@@ -47,13 +47,13 @@ class HeldReadings:
     Attributes
     ----------
     counts : (hold, chip, axis), NaN where a channel is silent, dead or at full scale
-    noise_counts : standard deviation of each channel's change
+    noise_counts : standard deviation of each change
     relative : error of the model over a chip's field: gain, turn, cross-axis, tremor
     seat_mm : standard deviation of a chip's place
     """
 
     counts: Float[np.ndarray, "hold chip 3"]
-    noise_counts: Float[np.ndarray, "chip 3"]
+    noise_counts: Float[np.ndarray, "hold chip 3"]
     relative: float
     seat_mm: float
 
@@ -78,11 +78,19 @@ class Arrangement:
 
 
 def held_readings(
-    spec: ObjectSpec, counts: Float[np.ndarray, "hold chip 3"], frames: int, drift_counts: float
+    spec: ObjectSpec,
+    counts: Float[np.ndarray, "hold chip 3"],
+    share: Float[np.ndarray, "hold"] | float,
+    drift_counts: float,
 ) -> HeldReadings:
-    """Readings of so many frames, with the errors that tolerances, noise and drift leave."""
+    """Readings with the errors that tolerances, noise and drift leave.
+
+    `share` is the variance of a change over that of one frame's noise.
+    """
     tolerances, sensors = spec.tolerances, spec.sensors
-    noise = np.asarray(sensors.noise_counts) * np.sqrt(2 / frames)
+    holds, chips, _ = counts.shape
+    share = np.sqrt(np.broadcast_to(share, holds))
+    noise = share[:, None, None] * np.asarray(sensors.noise_counts)
     relative = np.sqrt(
         tolerances.sensor_gain_relative**2
         + sensors.gain_tolerance**2
@@ -91,12 +99,12 @@ def held_readings(
         + tolerances.remanence_relative**2
         + _TREMOR_COUNTS**2
     )
-    channel = np.hypot(noise, drift_counts) * np.ones((counts.shape[1], 1))
+    channel = np.hypot(noise, drift_counts) * np.ones((1, chips, 1))
     return HeldReadings(counts, channel, float(relative), tolerances.sensor_seat_mm)
 
 
 def find_chips(spec: ObjectSpec, readings: HeldReadings, holds: Sequence[int]) -> Arrangement:
-    """The most probable arrangement of all chips; `holds` are the places over which it was held."""
+    """The most probable arrangement of all chips; `holds` are the numbers of its hold places."""
     model, named = held_magnet(spec, list(holds)), np.arange(readings.counts.shape[1])
     first = _settled(readings, model, named)
     if np.array_equal(first.site, named) and np.all(first.turn == np.eye(3)):
@@ -110,7 +118,8 @@ def _by_response(readings: HeldReadings, holds: Sequence[int]) -> Int[np.ndarray
     size = np.sqrt(np.nansum(readings.counts**2, axis=2)) + 1.0
     gain = np.zeros((size.shape[1], size.shape[1])) - 1e-3
     gain[np.arange(len(gain)), np.arange(len(gain))] = 0.0
-    gain[:, list(holds)] += np.log(size.T)
+    over = [row for row, hold in enumerate(holds) if hold < len(gain)]
+    gain[:, [holds[row] for row in over]] += np.log(size[over].T)
     return linear_sum_assignment(gain, maximize=True)[1]
 
 
@@ -145,7 +154,7 @@ def _poses_by_size(
 ) -> Float[np.ndarray, "hold 8"]:
     """Poses from |B| alone, which neither turns of chips nor the magnet's polarity change."""
     size = np.linalg.norm(readings.counts, axis=2)  # NaN where an axis is missing
-    floor = np.hypot(np.linalg.norm(readings.noise_counts, axis=1), 40.0)
+    floor = np.hypot(np.linalg.norm(readings.noise_counts, axis=2), 40.0)
 
     def residuals(pose: Float[np.ndarray, "hold 8"]) -> Float[np.ndarray, "hold residual"]:
         predicted = np.linalg.norm(model.counts(pose), axis=2)[:, site]
@@ -221,8 +230,8 @@ def _misfit(
     error = model_error(readings, model, pose)
     parts = []
     for axis in range(3):
-        counts, noise = readings.counts[:, :, axis], readings.noise_counts[:, axis]
-        sigma = np.hypot(error[:, None, :, None], noise[None, :, None, None])
+        counts, noise = readings.counts[:, :, axis], readings.noise_counts[:, :, axis]
+        sigma = np.hypot(error[:, None, :, None], noise[:, :, None, None])
         off = (counts[:, :, None, None] - predicted[:, None, :, :, axis]) / sigma
         missing: Bool[np.ndarray, "hold chip 1 1"] = np.isnan(counts)[:, :, None, None]
         parts.append(np.where(missing, 0.0, 0.5 * _capped(off) ** 2 + np.log(sigma)))
@@ -256,6 +265,8 @@ def _one(
         model,
         stated_mm=model.stated_mm[rows],
         face_axes=model.face_axes[rows],
+        height_mm=model.height_mm[rows],
         polarity=model.polarity[rows],
     )
-    return replace(readings, counts=readings.counts[rows]), narrowed, pose[rows]
+    noise = readings.noise_counts[rows]
+    return replace(readings, counts=readings.counts[rows], noise_counts=noise), narrowed, pose[rows]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 import numpy as np
-from jaxtyping import Float
+from jaxtyping import Float, Int
 
 from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
@@ -14,6 +14,8 @@ from estimator.bringup.findings import ChipFound, Finding, channel_name
 from estimator.tolerances.selftest import sensor_names
 
 TURNED, GAIN, OFFSET = 6.0, 4.2, 5.0
+GAIN_TO_TELL, _SURELY = 0.1, 2.0
+"""Of a whole chip, told with that many standard deviations beyond those of the alarm."""
 """Standard deviations beyond tolerance and measurement at which a finding is made."""
 _HALF_95 = 1.96
 _EARTH_MISFIT = 3.0
@@ -69,7 +71,7 @@ def _axes_text(chip: ChipFound) -> str:
 def _gains(
     spec: ObjectSpec, chips: Sequence[ChipFound], earth: EarthFound | None, names: list[str]
 ) -> Iterator[Finding]:
-    tolerance = float(np.hypot(spec.tolerances.sensor_gain_relative, spec.sensors.gain_tolerance))
+    tolerance = _tolerance(spec)
     gain, sd = combined_gains(chips, earth)
     of_chip, chip_sd = _of_chips(chips, earth)
     for c, name in enumerate(names):
@@ -82,6 +84,27 @@ def _gains(
         for axis in np.flatnonzero(abs(gain[c] - 1) > GAIN * np.hypot(tolerance, sd[c])):
             measured = f"{gain[c, axis]:.3f} ± {_HALF_95 * sd[c, axis]:.3f} of the others'"
             yield Finding("gain", channel_name(name, int(axis)), measured)
+
+
+def _tolerance(spec: ObjectSpec) -> float:
+    return float(np.hypot(spec.tolerances.sensor_gain_relative, spec.sensors.gain_tolerance))
+
+
+def widest_gain_sd(spec: ObjectSpec, axes: Int[np.ndarray, "chip"]) -> Float[np.ndarray, "chip"]:
+    """Standard deviation of a chip's gain with which 1.1 is surely told, by its number of living axes.
+
+    0 where tolerance alone hides it.
+    """
+    together = GAIN_TO_TELL / (GAIN + _SURELY)
+    return np.sqrt(np.maximum(together**2 - _tolerance(spec) ** 2 / np.maximum(axes, 1), 0.0))
+
+
+def wide_gains(spec: ObjectSpec, chips: Sequence[ChipFound], earth: EarthFound | None) -> list[str]:
+    """Chips whose gain, holds and Earth's field together, is too uncertain to tell 1.1 surely."""
+    sd, axes = _of_chips(chips, earth)[1], np.sum([np.invert(c.dead) for c in chips], axis=1)
+    names = sensor_names(sensor_layout(spec).face)
+    wide = sd > widest_gain_sd(spec, axes)
+    return [name for name, is_wide in zip(names, wide, strict=True) if is_wide]
 
 
 def combined_gains(

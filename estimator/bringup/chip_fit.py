@@ -29,14 +29,11 @@ _STEP, _SETTLED = 1e-4, 1e-6
 
 def chips_found(readings: HeldReadings, found: Arrangement) -> list[ChipFound]:
     """Chips by name: turned by any angle, with dead axes, gains and their intervals."""
-    turns, dead = linear_chips(readings, found)
-    alive = replace(readings, counts=np.where(dead, np.nan, readings.counts))
-    problem = _JointFit.of(alive, replace(found, turn=turns))
-    slopes: Any = problem.slopes  # SciPy's own default makes checkers believe that it is a text
-    fit = least_squares(problem.residuals, problem.start, slopes, xtol=_SETTLED)
-    matrix, covariance = problem.matrices(fit.x), np.linalg.inv(fit.jac.T @ fit.jac)
+    fit = fitted(readings, found)
+    problem, turns, dead = fit.problem, fit.problem.found.turn, fit.dead
+    matrix = problem.matrices(fit.unknown)
     gain, interval = _relative_gains(
-        matrix, covariance[problem.gains, problem.gains], problem.known
+        matrix, fit.covariance[problem.gains, problem.gains], problem.known
     )
     turned = [
         _orthogonal(rows, dead[chip], found.turn[chip]) for chip, rows in enumerate(matrix @ turns)
@@ -55,6 +52,35 @@ def chips_found(readings: HeldReadings, found: Arrangement) -> list[ChipFound]:
     ]
 
 
+@dataclass(frozen=True)
+class Fitted:
+    """The fit of everything at once: most probable unknowns, their covariance, and dead axes."""
+
+    problem: JointFit
+    unknown: Float[np.ndarray, "unknown"]
+    covariance: Float[np.ndarray, "unknown unknown"]
+    dead: Bool[np.ndarray, "chip 3"]
+
+
+def fitted(readings: HeldReadings, found: Arrangement) -> Fitted:
+    """Poses, matrices and seats of all chips, from the arrangement on."""
+    turns, dead = linear_chips(readings, found)
+    alive = replace(readings, counts=np.where(dead, np.nan, readings.counts))
+    problem = JointFit.of(alive, replace(found, turn=turns))
+    slopes: Any = problem.slopes  # SciPy's own default makes checkers believe that it is a text
+    fit = least_squares(problem.residuals, problem.start, slopes, xtol=_SETTLED)
+    return Fitted(problem, fit.x, np.linalg.inv(fit.jac.T @ fit.jac), dead)
+
+
+def gain_intervals(
+    matrix: Float[np.ndarray, "chip 3 3"],
+    covariance: Float[np.ndarray, "entry entry"],
+    known: Bool[np.ndarray, "chip 3"],
+) -> Float[np.ndarray, "chip"]:
+    """Half of the 95 % interval of every chip's gain, its living axes together; NaN without any."""
+    return _relative_gains(matrix, covariance, known)[1][:, 3]
+
+
 def linear_chips(
     readings: HeldReadings, found: Arrangement
 ) -> tuple[Float[np.ndarray, "chip 3 3"], Bool[np.ndarray, "chip 3"]]:
@@ -70,7 +96,7 @@ def linear_chips(
         rows = np.zeros((3, 3))
         for axis in range(3):
             known = np.isfinite(readings.counts[:, chip, axis])
-            weight = 1 / np.hypot(error[:, chip], readings.noise_counts[chip, axis])[known]
+            weight = 1 / np.hypot(error[:, chip], readings.noise_counts[:, chip, axis])[known]
             if known.sum() >= 3:
                 slope = weight[:, None] * fields[known, chip]
                 values = weight * readings.counts[known, chip, axis]
@@ -98,8 +124,10 @@ def _orthogonal(
 
 
 @dataclass(frozen=True)
-class _JointFit:
-    """Unknowns: poses (hold, 8), then of every chip G (3, 3) row by row, then its seat (3).
+class JointFit:
+    """The fit of everything at once.
+
+    Unknowns: poses (hold, 8), then of every chip G (3, 3) row by row, then its seat (3).
 
     Attributes
     ----------
@@ -113,11 +141,11 @@ class _JointFit:
     known: Bool[np.ndarray, "chip 3"]
 
     @staticmethod
-    def of(readings: HeldReadings, found: Arrangement) -> _JointFit:
+    def of(readings: HeldReadings, found: Arrangement) -> JointFit:
         size = np.linalg.norm(found.model.counts(found.pose), axis=2)[:, found.site, None]
         error = np.hypot(_TREMOR_SHARE * size, readings.noise_counts)
         known = np.asarray(np.isfinite(readings.counts).any(axis=0))
-        return _JointFit(readings, found, error, known)
+        return JointFit(readings, found, error, known)
 
     @property
     def chips(self) -> int:

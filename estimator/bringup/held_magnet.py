@@ -12,16 +12,13 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Float
 
-from design.layout.body import core_frames
 from design.layout.places.positions import SensorLayout, sensor_layout
-from design.layout.pockets import sensor_places
 from design.spec.object import ObjectSpec
+from estimator.bringup.hold_places import hold_places
 from estimator.field.models import FieldModel, field_model
 from estimator.field.sources import magnet_source
 from estimator.field.vectors import components, rotate
 
-STATED_HEIGHT_MM = 10.0
-"""Above the core's face, as the question asks."""
 HAND_MM, HAND_RAD, TURNED_COUNTS_UT = 6.0, 0.5, 50.0
 """How far hands are off (standard deviations), and what turning the core in Earth's field changes."""
 _LOWEST_MM = 0.5
@@ -32,12 +29,14 @@ _UNKNOWNS = 8
 class HeldMagnet:
     """The core's chips as designed, stated places of the magnet with the faces' axes, its field.
 
-    `polarity` is 1 where the magnet's north points into the core, as asked for, −1 where out of it.
+    `height_mm` is how high above the core the stated places are. `polarity` is 1 where the magnet's
+    north points into the core, as asked for, −1 where out of it.
     """
 
     sensors: SensorLayout
     stated_mm: Float[np.ndarray, "hold 3"]
     face_axes: Float[np.ndarray, "hold 3 3"]
+    height_mm: Float[np.ndarray, "hold"]
     magnet: FieldModel
     counts_per_mt: float
     polarity: Float[np.ndarray, "hold"]
@@ -62,7 +61,7 @@ class HeldMagnet:
         """Of the magnet, in the object's frame; never inside the core."""
         shift = pose[:, :3].copy()
         thick = self.magnet.magnet.height_mm / 2
-        shift[:, 2] = np.maximum(shift[:, 2], _LOWEST_MM + thick - STATED_HEIGHT_MM)
+        shift[:, 2] = np.maximum(shift[:, 2], _LOWEST_MM + thick - self.height_mm)
         return self.stated_mm + np.einsum("hij,hj->hi", self.face_axes, shift)
 
     def axis(self, pose: Float[np.ndarray, "hold 8"]) -> Float[np.ndarray, "hold 3"]:
@@ -77,18 +76,15 @@ class HeldMagnet:
 
 
 def held_magnet(spec: ObjectSpec, holds: list[int]) -> HeldMagnet:
-    """The model for one of the object's own magnets over the sensors of those numbers."""
-    stated, axes = [], []
-    for frame, places in zip(core_frames(spec), sensor_places(spec), strict=True):
-        for x, y, _ in places:
-            stated.append(frame.to_object(np.array([x, y, STATED_HEIGHT_MM])))
-            axes.append(frame.axes_at(np.array([x, y])))
+    """The model for one of the object's own magnets at the hold places of those numbers."""
+    places = [hold_places(spec)[hold] for hold in holds]
     source = magnet_source(spec.magnets)
     model = field_model(source, 1.7 * source.circumscribed_radius_mm)
     return HeldMagnet(
         sensor_layout(spec),
-        np.stack(stated)[holds],
-        np.stack(axes)[holds],
+        np.stack([place.stated_mm for place in places]),
+        np.stack([place.axes for place in places]),
+        np.array([place.height_mm for place in places]),
         model,
         spec.sensors.counts_per_mt,
         np.ones(len(holds)),

@@ -15,10 +15,12 @@ from scipy.spatial.transform import Rotation
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec
-from estimator.bringup.asked import POSES, Asked, Recording, magnet_names
+from estimator.bringup.asked import POSES, STILL_AGAIN, Asked, Recording, asked_of, magnet_names
 from estimator.bringup.earth import in_object
 from estimator.bringup.findings import channel_name
-from estimator.bringup.held_magnet import STATED_HEIGHT_MM, held_magnet
+from estimator.bringup.held_magnet import held_magnet
+from estimator.bringup.hold_places import OVER_MM
+from estimator.bringup.next_hold import next_hold
 from estimator.field.models import FieldModel, field_model
 from estimator.field.sources import magnet_source
 from estimator.field.vectors import components
@@ -28,7 +30,8 @@ from estimator.tolerances.assembly import Assembly, draw, undisturbed
 from estimator.tolerances.selftest import sensor_names
 
 HAND_MM, HAND_DEG, HEIGHT_MM = 3.0, 15.0, (4.0, 15.0)
-"""Of the simulated hand: sideways and tilt (standard deviations), height above the core's face."""
+"""Of the simulated hand: sideways and tilt (standard deviations), height above the core where 10 mm
+are asked for; as much higher or lower in proportion elsewhere."""
 TREMOR_MM, TREMOR_DEG, LAID_DEG = 0.3, 1.0, 5.0
 EARTH_UT = (25.0, 65.0)
 _DRIFT_MS = 15 * 60 * 1000
@@ -107,7 +110,7 @@ class SimulatedObject:
     def _held_mt(self, asked: Asked) -> Float[np.ndarray, "frame chip 3"]:
         held = held_magnet(self.spec, [asked.part])
         rng, frames = self.rng, asked.frames
-        height = rng.uniform(*HEIGHT_MM) - STATED_HEIGHT_MM
+        height = (rng.uniform(*HEIGHT_MM) / OVER_MM - 1) * held.height_mm[0]
         about = np.r_[HAND_MM * rng.standard_normal(2), height]
         tilt = np.deg2rad(HAND_DEG) * rng.standard_normal(2)
         shake = np.cumsum(rng.standard_normal((frames, 5)), axis=0) / np.sqrt(frames)
@@ -177,6 +180,16 @@ def simulated_object(
     for fault in faults:
         made = _with_fault(made, fault)
     return made
+
+
+def brought_up(made: SimulatedObject) -> dict[str, Recording]:
+    """Readings for all questions in their order, further holds included."""
+    recordings: dict[str, Recording] = {}
+    for asked in asked_of(made.spec):
+        while asked.name == STILL_AGAIN and (hold := next_hold(made.spec, recordings)) is not None:
+            recordings[hold.name] = made.recording(hold)
+        recordings[asked.name] = made.recording(asked)
+    return recordings
 
 
 def parse_fault(text: str) -> PlantedFault:

@@ -17,9 +17,10 @@ from estimator.bringup.asked import (
     Recording,
     Recordings,
     asked_of,
+    further_holds,
     magnet_names,
 )
-from estimator.bringup.channels import find_chips, held_readings
+from estimator.bringup.channels import Arrangement, HeldReadings, find_chips, held_readings
 from estimator.bringup.chip_findings import chip_findings, earth_findings
 from estimator.bringup.chip_fit import chips_found
 from estimator.bringup.earth import EarthFound, from_earth
@@ -77,33 +78,49 @@ def as_drawn(spec: ObjectSpec) -> tuple[ChipFound, ...]:
 
 def which_is_which(spec: ObjectSpec, recordings: Recordings) -> tuple[ChipFound, ...] | None:
     """Every chip's place, turn and gains; None without the still recording and three holds."""
-    held = [asked for asked in asked_of(spec) if asked.step == "held" and asked.name in recordings]
+    so_far = held_so_far(spec, recordings)
+    return None if so_far is None else tuple(chips_found(*so_far))
+
+
+def held_so_far(
+    spec: ObjectSpec, recordings: Recordings, drift_followed: bool = False
+) -> tuple[HeldReadings, Arrangement] | None:
+    """All holds and the arrangement of the chips; None without the still recording and three holds.
+
+    `drift_followed` states errors as if the second still recording were there already.
+    """
+    every = (*asked_of(spec), *further_holds(spec))
+    held = [asked for asked in every if asked.step == "held" and asked.name in recordings]
     if STILL not in recordings or len(held) < LEAST_HOLDS:
         return None
     given = [recordings[asked.name] for asked in held]
-    still, drift_counts = _levels_without_magnet(spec, recordings, given)
+    still, drift_counts, share = _levels_without_magnet(spec, recordings, given)
+    if drift_followed:
+        drift_counts = _BEYOND_LINEAR * spec.sensors.zeroing_counts
     known = np.where(_silent(recordings), np.nan, 1.0)
     counts = known * np.stack([recording.unsaturated(spec) for recording in given]) - still
-    readings = held_readings(spec, counts, held[0].frames, drift_counts)
-    arrangement = find_chips(spec, readings, [asked.part for asked in held])
-    return tuple(chips_found(readings, arrangement))
+    readings = held_readings(spec, counts, share, drift_counts)
+    return readings, find_chips(spec, readings, [asked.part for asked in held])
 
 
 def _levels_without_magnet(
     spec: ObjectSpec, recordings: Recordings, given: list[Recording]
-) -> tuple[Float[np.ndarray, "hold chip 3"], float]:
+) -> tuple[Float[np.ndarray, "hold chip 3"], float, Float[np.ndarray, "hold"]]:
     """Levels without a magnet at the times of the holds, and their error by drift (counts).
 
-    Between the still recordings before and after the holds levels are taken as linear in time.
+    Last the variance of each hold's change over that of one frame's noise. Between the still
+    recordings before and after the holds levels are taken as linear in time.
     """
     first, last = recordings[STILL], recordings.get(STILL_AGAIN)
     begin, *times, end = (float(np.mean(one.board_ms)) for one in (first, *given, last or first))
+    own = 1 / np.array([len(one.counts) for one in given])
     if last is None or not begin < min(times) or not max(times) < end:
-        return np.repeat(first.mean[None], len(given), axis=0), spec.sensors.zeroing_counts
-    share = ((np.array(times) - begin) / (end - begin))[:, None, None]
-    return first.mean + share * (
-        last.mean - first.mean
-    ), _BEYOND_LINEAR * spec.sensors.zeroing_counts
+        levels = np.repeat(first.mean[None], len(given), axis=0)
+        return levels, spec.sensors.zeroing_counts, own + 1 / len(first.counts)
+    late = (np.array(times) - begin) / (end - begin)
+    levels = first.mean + late[:, None, None] * (last.mean - first.mean)
+    noise = own + (1 - late) ** 2 / len(first.counts) + late**2 / len(last.counts)
+    return levels, _BEYOND_LINEAR * spec.sensors.zeroing_counts, noise
 
 
 def _silent(recordings: Recordings) -> Bool[np.ndarray, "chip 3"]:

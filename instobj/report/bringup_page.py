@@ -11,7 +11,7 @@ from design.layout.body import face_frames
 from design.layout.places.positions import sensor_layout
 from design.layout.pockets import magnet_places, sensor_places
 from design.spec.object import ObjectSpec
-from estimator.bringup.asked import STEPS, Asked, Recordings, asked_of, magnet_names
+from estimator.bringup.asked import STEPS, Asked, Recordings, asked_of, further_holds, magnet_names
 from estimator.bringup.earth import EarthFound
 from estimator.bringup.findings import ChipFound, Finding
 from estimator.bringup.health import Health, health_of
@@ -50,9 +50,12 @@ def bringup_page(
 
 
 def _steps(spec: ObjectSpec, recordings: Recordings, skipped: Collection[str]) -> list[list[str]]:
+    taken = [
+        hold for hold in further_holds(spec) if hold.name in recordings or hold.name in skipped
+    ]
     rows = []
     for step, title in STEPS.items():
-        names = [asked.name for asked in asked_of(spec) if asked.step == step]
+        names = [asked.name for asked in (*asked_of(spec), *taken) if asked.step == step]
         done, over = (sum(name in given for name in names) for given in (recordings, skipped))
         rows.append([title, f"{done} of {len(names)}", f"{over} skipped" if over else ""])
     return rows

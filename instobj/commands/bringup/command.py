@@ -16,12 +16,13 @@ from design.spec.assembly import AsBuiltSpec
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
 from estimator.boards.link import BAUD, serial_chunks
-from estimator.bringup.asked import STEPS, Asked, asked_of
+from estimator.bringup.asked import STEPS, Asked, asked_of, further_holds
+from estimator.bringup.chip_findings import GAIN_TO_TELL, wide_gains
 from estimator.bringup.findings import Finding
 from estimator.bringup.simulated import parse_fault, simulated_object
 from estimator.bringup.verdict import Verdict, judge
 from instobj.commands.bringup.as_built import found_as_built, write_as_built
-from instobj.commands.bringup.dialogue import left_of, through
+from instobj.commands.bringup.dialogue import left_of, recorded_further, through
 from instobj.commands.bringup.journal import Journal, open_journal, read_journal
 from instobj.commands.bringup.sources import Board, FromFile, Simulated, Source
 from instobj.report.bringup_page import bringup_page
@@ -60,8 +61,10 @@ def bring_up(options: BringupOptions) -> dict[str, Any]:
     _require_one_source(options)
     design = load_spec(options.spec, [*options.overrides, _DESIGN_ALONE])
     asked = asked_of(design)
-    again = _to_repeat(asked, options.again)
+    again = _to_repeat(asked, further_holds(design), options.again)
     journal = _journal(options, design)
+    if "held" in options.again:
+        again |= {hold.name for hold in recorded_further(design, journal)}
     _ask(options, design, journal, again)
     left = left_of(asked, journal)
     progress = ProgressLine()
@@ -95,8 +98,11 @@ def _journal(options: BringupOptions, design: ObjectSpec) -> Journal:
     return open_journal(path, design)
 
 
-def _to_repeat(asked: tuple[Asked, ...], again: tuple[str, ...]) -> set[str]:
+def _to_repeat(
+    asked: tuple[Asked, ...], further: tuple[Asked, ...], again: tuple[str, ...]
+) -> set[str]:
     names = {question.name for question in asked if {question.name, question.step} & set(again)}
+    names |= {hold.name for hold in further if hold.name in again}
     unknown = set(again) - names - {question.step for question in asked}
     if unknown:
         raise InputError(
@@ -204,6 +210,11 @@ def _document(
     if left:
         texts.append(
             f"{len(left)} recordings are open, the next one: {left[0].name}. Repeat the command"
+        )
+    wide = wide_gains(design, verdict.chips, verdict.earth) if verdict.chips else []
+    if wide and not left:
+        texts.append(
+            f"gains of {', '.join(wide)} are not known well enough to tell {GAIN_TO_TELL:.0%} surely"
         )
     if journal.skipped:
         texts.append(f"skipped: {', '.join(sorted(journal.skipped))} (--again takes them)")

@@ -2,13 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import chain
 
 import numpy as np
 
 from design.spec.object import ObjectSpec
-from estimator.bringup.asked import STEPS, Asked, Recording, asked_of
+from estimator.bringup.asked import (
+    MOST_FURTHER,
+    STEPS,
+    STILL_AGAIN,
+    Asked,
+    Recording,
+    asked_of,
+    further_holds,
+)
 from estimator.bringup.findings import ChipFound, Finding
 from estimator.bringup.poles import PocketFields, find_magnet, magnet_findings, pocket_fields
 from estimator.bringup.verdict import as_drawn, magnet_before, which_is_which
@@ -74,16 +84,40 @@ def left_of(asked: tuple[Asked, ...], journal: Journal) -> list[Asked]:
 
 
 def through(design: ObjectSpec, source: Source, journal: Journal, again: set[str]) -> None:
-    """Ask what is open or to be repeated, until all is answered or the user stops."""
+    """Ask what is open or to be repeated, until all is answered or the user stops.
+
+    Further holds come between the planned ones and the second still recording, which closes them.
+    """
     asked, progress = asked_of(design), ProgressLine()
     open_ones = {question.name for question in left_of(asked, journal)} | again
     checks = _Checks(design, journal)
+    repeated = [hold for hold in further_holds(design) if hold.name in again]
     for number, question in enumerate(asked, start=1):
+        if question.name == STILL_AGAIN:
+            further = _further(design, source, journal, question.name in open_ones)
+            for count, hold in enumerate(chain(repeated, further), start=1):
+                title = f"further hold {count}, {MOST_FURTHER} at most, to tell gains"
+                if not _answered(hold, title, source, journal, checks, progress):
+                    return
         if question.name not in open_ones:
             continue
         title = f"{number} of {len(asked)}, {STEPS[question.step]}"
         if not _answered(question, title, source, journal, checks, progress):
             return
+
+
+def recorded_further(design: ObjectSpec, journal: Journal) -> list[Asked]:
+    """Further holds that were asked for, in the order of their places."""
+    done = journal.recordings.keys() | journal.skipped
+    return [hold for hold in further_holds(design) if hold.name in done]
+
+
+def _further(
+    design: ObjectSpec, source: Source, journal: Journal, still_open: bool
+) -> Iterator[Asked]:
+    """Chosen one by one from all that was recorded before."""
+    while still_open and (hold := source.further(design, journal)) is not None:
+        yield hold
 
 
 def _answered(

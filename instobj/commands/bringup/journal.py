@@ -20,7 +20,7 @@ from design.errors import InputError, StoreError
 from design.files import require_regular_file
 from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
-from estimator.bringup.asked import Recording, asked_of
+from estimator.bringup.asked import Recording, asked_of, further_holds
 from estimator.bringup.findings import channel_name
 from estimator.recordings.formats.generic import cell_text
 from estimator.tolerances.selftest import sensor_names
@@ -140,7 +140,7 @@ def _read(path: Path, spec: ObjectSpec) -> tuple[Journal, int]:
     """The journal, and how many bytes of it are whole recordings."""
     lines = path.read_bytes().decode("utf-8", "replace").splitlines(keepends=True)
     _require_own(path, spec, [line.rstrip("\n") for line in lines[:2]])
-    asked = {question.name for question in asked_of(spec)}
+    asked = {question.name for question in (*asked_of(spec), *further_holds(spec))}
     journal, at = Journal(path), 2
     sound = sum(len(line.encode()) for line in lines[:2])
     while at < len(lines):

@@ -13,7 +13,8 @@ from design.errors import InputError
 from design.spec.object import ObjectSpec
 from estimator.boards.lines import Frame, Header, LineDecoder, Message, Status
 from estimator.boards.link import board_messages
-from estimator.bringup.asked import Asked, Recording
+from estimator.bringup.asked import Asked, Recording, further_holds
+from estimator.bringup.next_hold import next_hold
 from estimator.bringup.simulated import SimulatedObject
 from estimator.signals.hall import LARGEST_COUNT
 from instobj.commands.bringup.journal import Journal, channels_of
@@ -35,6 +36,10 @@ class Source(Protocol):
         """The frames that follow."""
         ...
 
+    def further(self, spec: ObjectSpec, journal: Journal) -> Asked | None:
+        """The next hold beside the planned ones, None where gains are known well enough."""
+        ...
+
 
 @dataclass
 class FromFile:
@@ -51,6 +56,12 @@ class FromFile:
         """That recording, where the file holds it."""
         return self.journal.recordings.get(asked.name)
 
+    def further(self, spec: ObjectSpec, journal: Journal) -> Asked | None:
+        """Those that the file holds, in its order."""
+        holds = {hold.name: hold for hold in further_holds(spec)}
+        left = (name for name in self.journal.recordings if name not in journal.recordings)
+        return next((holds[name] for name in left if name in holds), None)
+
 
 @dataclass
 class Simulated:
@@ -66,6 +77,10 @@ class Simulated:
     def record(self, asked: Asked) -> Recording:
         """What the simulated board sends."""
         return self.made.recording(asked)
+
+    def further(self, spec: ObjectSpec, journal: Journal) -> Asked | None:
+        """The one that tells most."""
+        return next_hold(spec, journal.recordings, journal.skipped)
 
 
 @dataclass
@@ -104,6 +119,10 @@ class Board:
             if self.typed.ended:
                 break
         raise InputError("standard input ended before the answer. Repeat the command to go on")
+
+    def further(self, spec: ObjectSpec, journal: Journal) -> Asked | None:
+        """The one that tells most."""
+        return next_hold(spec, journal.recordings, journal.skipped)
 
     def record(self, asked: Asked) -> Recording:
         """The next frames of the board.

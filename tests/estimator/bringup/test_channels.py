@@ -53,7 +53,7 @@ def shuffled():
     fields = by_magpylib(rng, over=(3,))[:, site]
     counts = np.einsum("cab,hcb->hca", signed_permutations()[kind], fields)
     counts = counts + 4 * rng.standard_normal(counts.shape)
-    readings = held_readings(SMALL, counts, 42, 3.0)
+    readings = held_readings(SMALL, counts, 2 / 42, 3.0)
     found = find_chips(SMALL, readings, range(CHIPS))
     return site, signed_permutations()[kind], readings, found
 
@@ -74,7 +74,7 @@ def test_turns_by_any_angle_and_gains_are_measured(shuffled):
     changed = readings.counts.copy()
     changed[:, 6] = changed[:, 6] @ about_z.T
     changed[:, 2, 1] *= 1.2
-    chips = chips_found(held_readings(SMALL, changed, 42, 3.0), found)
+    chips = chips_found(held_readings(SMALL, changed, 2 / 42, 3.0), found)
     assert_allclose(chips[6].turn, about_z @ turn[6], atol=0.06)
     gains = np.stack([chip.gain for chip in chips])
     assert gains[2, 1] == pytest.approx(1.2, abs=0.05)
@@ -88,7 +88,7 @@ def test_an_axis_that_does_not_answer_is_dead_and_the_turn_still_known(shuffled)
     _, turn, readings, found = shuffled
     silent = readings.counts.copy()
     silent[:, 5, 2] = 4 * np.random.default_rng(0).standard_normal(CHIPS)
-    chips = chips_found(held_readings(SMALL, silent, 42, 3.0), found)
+    chips = chips_found(held_readings(SMALL, silent, 2 / 42, 3.0), found)
     assert chips[5].dead == (False, False, True)
     assert np.isnan(chips[5].gain[2])
     assert_allclose(chips[5].turn, turn[5], atol=0.06)

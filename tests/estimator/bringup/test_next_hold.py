@@ -1,0 +1,75 @@
+"""Further holds: asked for where gains are too uncertain, at places that narrow them, up to a limit."""
+
+import numpy as np
+import pytest
+
+from design.layout.body import core_frames
+from estimator.bringup.asked import MOST_FURTHER, STILL_AGAIN, asked_of, further_holds
+from estimator.bringup.chip_findings import wide_gains, widest_gain_sd
+from estimator.bringup.hold_places import BETWEEN_MM, hold_places
+from estimator.bringup.next_hold import next_hold
+from estimator.bringup.simulated import simulated_object
+from estimator.bringup.verdict import which_is_which
+from tests.support.new_objects import BOX
+
+PLANNED = {asked.name: asked for asked in asked_of(BOX) if asked.step in ("still", "held")}
+
+
+@pytest.fixture(scope="module")
+def held():
+    """A box after its planned holds, and its user."""
+    made = simulated_object(BOX, 3)
+    return made, {name: made.recording(PLANNED[name]) for name in PLANNED if name != STILL_AGAIN}
+
+
+def intervals(recordings, made):
+    chips = which_is_which(BOX, recordings | {STILL_AGAIN: made.recording(PLANNED[STILL_AGAIN])})
+    return np.array([chip.mean_gain_interval for chip in chips]), chips
+
+
+def test_holds_that_are_chosen_narrow_the_widest_gain_more_than_others(held):
+    made, recordings = held
+    chosen, others = dict(recordings), dict(recordings)
+    for _ in range(2):
+        hold = next_hold(BOX, chosen)
+        chosen[hold.name] = made.recording(hold)
+    for hold in further_holds(BOX)[:2]:
+        others[hold.name] = made.recording(hold)
+    before, chips = intervals(recordings, made)
+    assert len(chosen) == len(recordings) + 2
+    after = intervals(chosen, made)[0].max()
+    assert after < 0.8 * before.max()
+    assert after < 0.9 * intervals(others, made)[0].max()
+    assert "F5-S2" in wide_gains(BOX, chips, None)
+
+
+def test_none_is_asked_for_at_the_limit_or_where_tolerance_alone_hides_a_gain(held):
+    _, recordings = held
+    names = [hold.name for hold in further_holds(BOX)]
+    assert next_hold(BOX, recordings, names[:MOST_FURTHER]) is None
+    assert (
+        next_hold(BOX, recordings, names[: MOST_FURTHER - 1]).name not in names[: MOST_FURTHER - 1]
+    )
+    loose = BOX.changed(tolerances=BOX.tolerances.changed(sensor_gain_relative=0.05))
+    assert widest_gain_sd(loose, np.array([3])) == 0
+    assert next_hold(loose, recordings) is None
+    assert next_hold(BOX, {}) is None
+
+
+def test_places_between_chips_lie_half_way_along_the_surface_outside_the_core():
+    places = {place.chips: place for place in hold_places(BOX)}
+    over = [place for place in places.values() if len(place.chips) == 1]
+    assert [place.chips[0] for place in over] == [
+        n.removeprefix("held ") for n in list(PLANNED)[1:-1]
+    ]
+    between = places["F1-S1", "F5-S1"]
+    a, b = (places[(name,)].foot_mm for name in between.chips)
+    edge = np.array([b[0], 0.0, a[2]])
+    way = np.linalg.norm(a - edge) + np.linalg.norm(b - edge)
+    assert between.face == 1
+    assert np.linalg.norm(between.foot_mm - a) == pytest.approx(way / 2)
+    for place in places.values():
+        height = [(place.stated_mm - frame.centre_mm) @ frame.normal for frame in core_frames(BOX)]
+        assert max(height) >= BETWEEN_MM - 1e-9
+        assert np.allclose(place.axes.T @ place.axes, np.eye(3))
+    assert ("F2-S1", "F4-S1") not in places
