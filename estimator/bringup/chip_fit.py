@@ -111,14 +111,14 @@ def _orthogonal(
     dead: Bool[np.ndarray, "3"],
     otherwise: Float[np.ndarray, "3 3"],
 ) -> Float[np.ndarray, "3 3"]:
-    """Nearest orthogonal matrix to the living rows, of the handedness of `otherwise`."""
+    """Nearest orthogonal matrix to the living rows; a dead axis tells no handedness: right-handed."""
     if dead.sum() > 1:
         return otherwise
     unit = rows / np.maximum(np.linalg.norm(rows, axis=1, keepdims=True), 1e-9)
     if dead.any():
         (k,) = np.flatnonzero(dead)
         across = np.cross(unit[(k + 1) % 3], unit[(k + 2) % 3])
-        unit[k] = np.sign(np.linalg.det(otherwise)) * across / np.linalg.norm(across)
+        unit[k] = across / np.linalg.norm(across)
     left, _, right = np.linalg.svd(unit)
     return left @ right
 

@@ -7,7 +7,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from design.layout.places.positions import sensor_layout
 from estimator.bringup.channels import find_chips, held_readings, signed_permutations
-from estimator.bringup.chip_fit import chips_found
+from estimator.bringup.chip_fit import _orthogonal, chips_found
 from estimator.bringup.held_magnet import held_magnet
 from estimator.field.sources import magnet_source
 from tests.support.new_objects import SMALL
@@ -93,3 +93,9 @@ def test_an_axis_that_does_not_answer_is_dead_and_the_turn_still_known(shuffled)
     assert np.isnan(chips[5].gain[2])
     assert_allclose(chips[5].turn, turn[5], atol=0.06)
     assert sum(any(chip.dead) for chip in chips) == 1
+
+
+def test_a_dead_axis_tells_no_handedness():
+    mirrored = np.diag([-1.0, 1.0, 1.0])
+    turn = _orthogonal(np.diag([0.05, 1.0, 0.9]), np.array([True, False, False]), mirrored)
+    assert_allclose(turn, np.eye(3), atol=1e-9)
