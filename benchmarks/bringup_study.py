@@ -5,6 +5,7 @@ named, errors of gains and offsets and whether their intervals hold the truth. T
 five at once, at places that differ from object to object.
 """
 
+# pyright: reportOptionalMemberAccess=false, reportOptionalIterable=false, reportReturnType=false
 from __future__ import annotations
 
 import json
