@@ -81,9 +81,8 @@ class LiveContacts:
             )
 
     def _read_still(self, change: Float[np.ndarray, "channel"]) -> tuple[float, float]:
-        found = Tracker(self._one).feed(
-            change
-        )  # not followed: it is asked for opposite changes in turn
+        # a tracker of its own: it is asked for opposite changes in turn
+        found = Tracker(self._one).feed(change)
         pressed = found.number[0] > 0
         share = found.odds[0] if pressed else 1 - found.odds[0]
         return float(share), float(np.nansum(found.force_n[0]))

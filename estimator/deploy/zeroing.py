@@ -43,9 +43,9 @@ LEAST_FORCE_N = 0.3
 PRESS_FORCE_N = 1.0
 _LEAST_FRAMES = 5
 _FRAME_S = 0.1
+"""Between frames without time stamps."""
 _WINDOW_S = 0.6
 _JUDGED_EVERY_S = 0.08
-"""Between frames without time stamps."""
 
 
 def is_still(window: Float[np.ndarray, "frame channel"]) -> bool:

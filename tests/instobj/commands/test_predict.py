@@ -12,6 +12,7 @@ from typer.testing import CliRunner
 import instobj
 from design.errors import InputError, StoreError
 from design.spec.object import TrainingSpec
+from estimator.boards.lines import encode_frame
 from estimator.frames.dataset import FrameSet, load_frames, save_frames
 from estimator.frames.splits import split_presses
 from estimator.networks.face_model import load_model, predict, save_model
@@ -20,7 +21,13 @@ from instobj.cli.app import app
 from instobj.commands.hardware.predict import export_models, predict_file, predict_port
 from instobj.commands.hardware.readings import Zeroing
 from instobj.commands.run import run_estimator
-from tests.support.recordings.dummy_board import CHANNELS, board_lines, dummy_board
+from tests.support.recordings.dummy_board import (
+    CHANNELS,
+    RATE_HZ,
+    board_lines,
+    counts_at,
+    dummy_board,
+)
 
 FACE = 3
 ONE = {"history_frames": 0, "ensemble": 1, "trees": 0}
@@ -206,8 +213,13 @@ def test_predict_a_recording_zeroes_by_its_first_frames(folder, tmp_path):
         predict_file(folder / "robot" / "face_3.onnx", path, tmp_path, Zeroing("first", 14))
 
 
+def resting_lines(k):
+    """Frames of a board on which nothing presses, as long as a zero that follows rest wants."""
+    return encode_frame(k, round(1000 * k / RATE_HZ), counts_at(k % 20))
+
+
 def test_predict_live_from_a_board(folder):
-    with dummy_board() as port:
+    with dummy_board(resting_lines) as port:
         lines = list(predict_port(folder / "robot" / "face_3.onnx", port, Zeroing(), 5))
     assert len(lines) == 5
     assert set(json.loads(lines[0])) >= {"time_s", "force_n", "x_mm", "contact"}
