@@ -3,8 +3,8 @@
 PARDISO (MKL, x86) factors the saddle-point matrix and, bordered by all loads, returns the dense
 compliance Lᵀ A⁻¹ L as a Schur complement within the same factorization: on the paper's cube that
 costs 2 s more than the factorization alone, where solving each load would cost 25 s. Where no MKL
-is found, on ARM and Apple's computers, `fem.linear.multifrontal` does the same in about three times
-the processor time, with results that agree to 1e-12; SciPy's SuperLU takes what is not
+is found, on ARM and Apple's computers, `fem.linear.multifrontal` does the same in 2.4 to 3.6
+times the processor time, with results that agree to 1e-12; SciPy's SuperLU takes what is not
 quasi-definite.
 """
 
