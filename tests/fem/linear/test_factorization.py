@@ -16,7 +16,7 @@ from fem.linear.factorization import (
     solve_symmetric,
 )
 from fem.linear.material import lame_constants
-from fem.linear.response import _require_inertia
+from fem.linear.response import require_inertia
 from fem.linear.sparse import shape_of, upper_triangle
 from tests.support.mechanics.fem_cases import box_mesh
 
@@ -107,9 +107,9 @@ def test_an_unsupported_body_is_refused(solver):
 
 
 def test_a_wrong_inertia_is_refused():
-    _require_inertia(80, 80)
+    require_inertia(80, 80)
     with pytest.raises(SingularSystemError, match="79 negative pivots instead of 80"):
-        _require_inertia(79, 80)
+        require_inertia(79, 80)
 
 
 def test_every_unknown_is_eliminated_once_behind_its_subtree(monkeypatch):
