@@ -25,6 +25,11 @@ class Finding:
     what: str
     place_mm: Place | None = None
 
+    @property
+    def told(self) -> str:
+        """In a line."""
+        return f"{self.part}, {self.check}: {self.value:.3g} {self.unit}, limit {self.limit:.3g}"
+
     def as_dict(self) -> dict[str, Any]:
         return asdict(self)
 

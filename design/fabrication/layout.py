@@ -32,11 +32,7 @@ def layout_findings(spec: ObjectSpec, recesses: bool = True) -> list[Finding]:
 
 def failures(findings: list[Finding]) -> list[str]:
     """What fails, in words."""
-    return [
-        f"{one.part}, {one.check}: {one.value:.2f} {one.unit}, at least {one.limit:g} needed"
-        for one in findings
-        if one.status == "fail"
-    ]
+    return [one.told for one in findings if one.status == "fail"]
 
 
 def _across_edges(spec: ObjectSpec) -> list[Finding]:

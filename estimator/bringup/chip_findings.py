@@ -10,14 +10,13 @@ from jaxtyping import Float, Int
 from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
 from estimator.bringup.earth import EARTH_UT, EarthFound
-from estimator.bringup.findings import ChipFound, Finding, channel_name
+from estimator.bringup.findings import HALF_95, ChipFound, Finding, channel_name
 from estimator.tolerances.selftest import sensor_names
 
 TURNED, GAIN, OFFSET = 6.0, 4.2, 5.0
 GAIN_TO_TELL, _SURELY = 0.1, 2.0
 """Of a whole chip, told with that many standard deviations beyond those of the alarm."""
 """Standard deviations beyond tolerance and measurement at which a finding is made."""
-_HALF_95 = 1.96
 _EARTH_MISFIT = 3.0
 
 
@@ -78,11 +77,11 @@ def _gains(
         axes = np.isfinite(gain[c]).sum()
         spread = np.hypot(tolerance / np.sqrt(max(axes, 1)), chip_sd[c])
         if abs(of_chip[c] - 1) > GAIN * spread:
-            measured = f"{of_chip[c]:.3f} ± {_HALF_95 * chip_sd[c]:.3f} of the others', all axes"
+            measured = f"{of_chip[c]:.3f} ± {HALF_95 * chip_sd[c]:.3f} of the others', all axes"
             yield Finding("gain", name, measured)
             continue
         for axis in np.flatnonzero(abs(gain[c] - 1) > GAIN * np.hypot(tolerance, sd[c])):
-            measured = f"{gain[c, axis]:.3f} ± {_HALF_95 * sd[c, axis]:.3f} of the others'"
+            measured = f"{gain[c, axis]:.3f} ± {HALF_95 * sd[c, axis]:.3f} of the others'"
             yield Finding("gain", channel_name(name, int(axis)), measured)
 
 
@@ -112,23 +111,23 @@ def combined_gains(
 ) -> tuple[Float[np.ndarray, "chip 3"], Float[np.ndarray, "chip 3"]]:
     """Gains of holds and of Earth's field by their precision, and standard deviations."""
     gain = np.stack([chip.gain for chip in chips])
-    sd = np.stack([chip.gain_interval for chip in chips]) / _HALF_95
+    sd = np.stack([chip.gain_interval for chip in chips]) / HALF_95
     if earth is None:
         return gain, sd
-    return _weighted(gain, sd, _relative(earth), earth.gain_interval / _HALF_95)
+    return _weighted(gain, sd, _relative(earth), earth.gain_interval / HALF_95)
 
 
 def _of_chips(
     chips: Sequence[ChipFound], earth: EarthFound | None
 ) -> tuple[Float[np.ndarray, "chip"], Float[np.ndarray, "chip"]]:
     gain = np.array([chip.mean_gain for chip in chips])
-    sd = np.array([chip.mean_gain_interval for chip in chips]) / _HALF_95
+    sd = np.array([chip.mean_gain_interval for chip in chips]) / HALF_95
     if earth is None:
         return gain, sd
     alive = np.isfinite(earth.gain)
     axes = np.maximum(alive.sum(axis=1), 1)
     mean = np.where(alive, _relative(earth), 0).sum(axis=1) / axes
-    variance = np.where(alive, earth.gain_interval / _HALF_95, 0) ** 2
+    variance = np.where(alive, earth.gain_interval / HALF_95, 0) ** 2
     mean_sd = np.where(alive.any(axis=1), np.sqrt(variance.sum(axis=1)) / axes, np.nan)
     return _weighted(gain, sd, mean, mean_sd)
 

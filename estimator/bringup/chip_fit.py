@@ -15,7 +15,7 @@ from jaxtyping import Bool, Float
 from scipy.optimize import least_squares
 
 from estimator.bringup.channels import Arrangement, HeldReadings, model_error
-from estimator.bringup.findings import ChipFound
+from estimator.bringup.findings import HALF_95, ChipFound
 
 _OPEN = 0.3
 """Prior of the entries of G: far beyond any tolerance."""
@@ -23,7 +23,6 @@ _DEAD_SHARE = 0.3
 """An axis that answers with less than this share of what its field would give says nothing."""
 _TREMOR_SHARE = 0.004
 """What the hand's tremor leaves of a mean field, over the field."""
-_HALF_95 = 1.96
 _STEP, _SETTLED = 1e-4, 1e-6
 
 
@@ -248,7 +247,7 @@ def _relative_gains(
         less_mean = rows - alive
         spread = np.sqrt(np.einsum("ij,jk,ik->i", less_mean, covariance, less_mean))
         value.append(np.where(there, rows @ np.where(known, gain, 0).ravel(), np.nan))
-        interval.append(np.where(there, _HALF_95 * spread, np.nan))
+        interval.append(np.where(there, HALF_95 * spread, np.nan))
     middle = np.median(gain[known])
     return tuple(  # pyright: ignore[reportReturnType]
         np.column_stack([axes.reshape(-1, 3), chip]) / middle for axes, chip in (value, interval)

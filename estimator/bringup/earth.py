@@ -24,7 +24,7 @@ from scipy.spatial.transform import Rotation
 from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
 from estimator.bringup.asked import POSES
-from estimator.bringup.findings import ChipFound
+from estimator.bringup.findings import HALF_95, ChipFound
 
 EARTH_UT = (25.0, 65.0)
 """At the surface (IGRF): from South America to the magnetic poles."""
@@ -32,7 +32,6 @@ _LAID_RAD = np.deg2rad(8.0)
 _OPEN_GAIN, _OPEN_TURN = 0.3, np.deg2rad(5.0)
 _DRIFT_S = 900.0
 _SETTLED = 1e-6
-_HALF_95 = 1.96
 
 
 @dataclass(frozen=True)
@@ -138,10 +137,10 @@ def _results(
     )
     return EarthFound(
         size,
-        float(_HALF_95 * np.sqrt(direction @ covariance[:3, :3] @ direction)),
+        float(HALF_95 * np.sqrt(direction @ covariance[:3, :3] @ direction)),
         offset,
-        _HALF_95 * offset_sd,
+        HALF_95 * offset_sd,
         np.exp(gain),
-        _HALF_95 * gain_sd * np.exp(gain),
+        HALF_95 * gain_sd * np.exp(gain),
         misfit,
     )

@@ -26,6 +26,8 @@ Kind = Literal[
     "weak magnet",
     "resting levels",
 ]
+HALF_95 = 1.96
+"""Half of a 95 % interval, in standard deviations."""
 _REMEDIES: dict[Kind, str] = {
     "silent chip": "Check its supply, SDA, SCL and address; resolder it",
     "dead axis": "Resolder or replace the chip; until then this axis is left out",

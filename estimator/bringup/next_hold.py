@@ -12,11 +12,11 @@ from design.spec.object import ObjectSpec
 from estimator.bringup.asked import MOST_FURTHER, Asked, Recordings, further_holds
 from estimator.bringup.chip_findings import widest_gain_sd
 from estimator.bringup.chip_fit import Fitted, JointFit, fitted, gain_intervals
+from estimator.bringup.findings import HALF_95
 from estimator.bringup.held_magnet import held_magnet, stated_pose
 from estimator.bringup.hold_places import hold_places
 from estimator.bringup.verdict import held_so_far
 
-_HALF_95 = 1.96
 _LOOKED_AT = 40
 """Candidates nearest to the chip whose gain is known least."""
 
@@ -40,7 +40,7 @@ def next_hold(
     fit = fitted(*so_far)
     problem, gains = fit.problem, fit.problem.gains
     matrices, covariance = problem.matrices(fit.unknown), fit.covariance[gains, gains]
-    wide = gain_intervals(matrices, covariance, problem.known) / _HALF_95
+    wide = gain_intervals(matrices, covariance, problem.known) / HALF_95
     limits = widest_gain_sd(spec, problem.known.sum(axis=1))
     if not np.any((wide > limits) & (limits > 0)):
         return None

@@ -41,6 +41,8 @@ TURNS = tuple(
     if np.linalg.det(matrix := np.eye(3)[list(order)] * np.array(signs)[:, None]) > 0
 )
 """All turns that take chip axes to chip axes; the first leaves them."""
+CANDIDATES = len(SYMMETRIES) * len(ORDERS) * len(TURNS)
+"""Of a face."""
 
 
 @dataclass(frozen=True)

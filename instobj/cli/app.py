@@ -15,6 +15,7 @@ from design.errors import InstobjError
 from instobj.cli import estimators as cli_estimators
 from instobj.cli import hardware as cli_hardware
 from instobj.cli import presses as cli_presses
+from instobj.cli import recorded as cli_recorded
 from instobj.cli import rig as cli_rig
 from instobj.cli import search as cli_search
 from instobj.cli.options import (
@@ -223,6 +224,7 @@ def store(
 app.add_typer(cli_estimators.app)
 app.add_typer(cli_presses.app)
 app.add_typer(cli_hardware.app)
+app.add_typer(cli_recorded.app)
 app.add_typer(cli_rig.app)
 app.add_typer(cli_search.app)
 

@@ -29,7 +29,7 @@ def optimize(
     as_json: AsJson = False,
     overrides: Overrides = None,
 ) -> None:
-    """Search for a better layout, as `[search]` says; confirm it with the whole chain."""
+    """Search for a better layout, as the table `search` says; confirm it with the whole chain."""
     from instobj.search.optimize import optimize as run
 
     show(run(spec, out, overrides or [], resume, storage), as_json)

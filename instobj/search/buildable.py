@@ -11,19 +11,11 @@ from instobj.store.readers import FINDINGS
 def failed_checks(spec: ObjectSpec) -> dict[tuple[str, str], str]:
     """By part and check, all that `instobj check --fabrication` fails, in words; from the store, or made."""
     findings = [Finding(**found) for found in Run(spec).read(FINDINGS)["findings"]]
-    return {
-        (
-            one.part,
-            one.check,
-        ): f"{one.part}, {one.check}: {one.value:.3g} {one.unit}, limit {one.limit:.3g}"
-        for one in findings
-        if one.status == "fail"
-    }
+    return {(one.part, one.check): one.told for one in findings if one.status == "fail"}
 
 
 def why_unbuildable(found: ObjectSpec, start: ObjectSpec) -> str:
     """What fails in a layout and not in the start, which is what a search can answer for; or nothing."""
     new = failed_checks(found)
-    if new:
-        new = {key: text for key, text in new.items() if key not in failed_checks(start)}
-    return "; ".join(new.values())
+    known = failed_checks(start) if new else {}
+    return "; ".join(text for key, text in new.items() if key not in known)

@@ -24,7 +24,7 @@ def conventions_of(
     InputError
         A bad specification, other than two recordings, or recordings of another object.
     """
-    from estimator.calibration.conventions import predicted_changes, search_face
+    from estimator.calibration.conventions import CANDIDATES, predicted_changes, search_face
     from estimator.calibration.recorded_presses import (
         on_sensed_faces,
         pressed_faces,
@@ -52,7 +52,7 @@ def conventions_of(
             rows.append({"face": face, "chosen on": name.name} | _row(found))
     return {
         "command": "conventions",
-        "candidates": 8 * 6 * 24,
+        "candidates": CANDIDATES,
         "tables": {"conventions, chosen on one recording, judged on the other": rows},
     }
 

@@ -59,12 +59,14 @@ def interfaces_on(
         "spec_hash": spec_hash(spec),
         "presses": len(presses),
         "interfaces": [_stored(one) for one in found],
-        "preferences": [asdict(one) for one in preferred],
+        "preferences": [
+            asdict(one) | {"p_corrected": one.p_of(len(preferred))} for one in preferred
+        ],
     }
     write_json(document, target / "interfaces.json")
     return {
         "command": "interfaces",
-        "texts": [_text(one) for one in preferred],
+        "texts": [_text(one, len(preferred)) for one in preferred],
         "interfaces": document,
         "objects": [
             {
@@ -74,7 +76,7 @@ def interfaces_on(
                 "summary": {
                     "interfaces (null: places exchanged)": _rows(spec, found),
                     "against the bonded core (null: places exchanged)": [
-                        _preference_row(one) for one in preferred
+                        _preference_row(one, len(preferred)) for one in preferred
                     ],
                 },
                 "files": file_rows([target / "interfaces.json"]),
@@ -107,25 +109,27 @@ def _rows(spec: ObjectSpec, found: list[InterfaceAgreement]) -> list[dict[str, A
     return rows
 
 
-def _preference_row(one: Preference) -> dict[str, Any]:
+def _preference_row(one: Preference, tried: int) -> dict[str, Any]:
     return {
         "interface": one.name,
         "cosine gained": round(one.difference, 4),
         "null ±": round(one.null_spread, 4),
         "p, places": round(one.p_places, 4),
         "p, cases": round(one.p_cases, 4),
+        "p, corrected": round(one.p_of(tried), 4),
         "cases better": f"{one.better} of {one.cases}",
     }
 
 
-def _text(one: Preference) -> str:
+def _text(one: Preference, tried: int) -> str:
+    """Told on p corrected for the interfaces that were tried."""
     from estimator.calibration.validation import SIGNIFICANCE
 
     told = "preferred to" if one.difference > 0 else "worse than"
-    if max(one.p_places, one.p_cases) > SIGNIFICANCE:
+    if one.p_of(tried) > SIGNIFICANCE:
         told = "not told from"
     return (
         f"{one.name}: {told} {one.other} (cosine of own faces {one.difference:+.3f}, exchanged places "
         f"±{one.null_spread:.3f}, p {one.p_places:.2g}; better in {one.better} of {one.cases} cases, p "
-        f"{one.p_cases:.2g})"
+        f"{one.p_cases:.2g}; corrected for {tried} interfaces {one.p_of(tried):.2g})"
     )
