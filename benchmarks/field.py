@@ -23,7 +23,8 @@ from harness import best_seconds, conclude, machine, option_parser
 from scipy.spatial.transform import Rotation
 
 from design.files import atomic_path
-from design.layout.places.positions import contact_grid, magnet_layout
+from design.layout.places.contact_grid import contact_grid
+from design.layout.places.positions import magnet_layout
 from design.spec.object import ObjectSpec
 from estimator.field.batched import batched_field
 from estimator.field.models import FieldModel, field_model

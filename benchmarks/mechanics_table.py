@@ -13,7 +13,8 @@ import numpy as np
 import scipy.sparse as sp
 from harness import peak_memory_gb
 
-from design.layout.places.positions import contact_grid, magnet_layout
+from design.layout.places.contact_grid import contact_grid
+from design.layout.places.positions import magnet_layout
 from design.spec.object import MeshSpec, ObjectSpec
 from fem.linear.factorization import Factorization
 from fem.linear.response import (

@@ -16,7 +16,7 @@ from pathlib import Path
 import numpy as np
 from jaxtyping import Float, Int
 
-from design.layout.places.positions import contact_grid
+from design.layout.places.contact_grid import contact_grid
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
 from estimator.calibration.twin.digital_twin import PlaceMechanics

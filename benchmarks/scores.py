@@ -17,12 +17,8 @@ from harness import best_seconds, conclude, machine, option_parser
 from scipy.spatial import ConvexHull
 
 from design.layout.body import face_frames
-from design.layout.places.positions import (
-    contact_grid,
-    grid_places_in_lattice,
-    magnet_layout,
-    press_lattice,
-)
+from design.layout.places.contact_grid import contact_grid, grid_places_in_lattice, press_lattice
+from design.layout.places.positions import magnet_layout
 from design.spec.object import ObjectSpec
 from estimator.information.hull import monte_carlo_hull_volume
 from estimator.information.scores import score_places

@@ -28,7 +28,8 @@ from scipy.spatial.transform import Rotation
 from scipy.stats import spearmanr
 
 from design.layout.body import core_frames, face_frames
-from design.layout.places.positions import chip_on_board, contact_grid
+from design.layout.places.contact_grid import contact_grid
+from design.layout.places.positions import chip_on_board
 from design.layout.pockets import board_frame, tilted_frame
 from design.spec.object import ObjectSpec
 from estimator.field.sources import magnet_source

@@ -26,7 +26,7 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Float, Int
 
-from design.layout.places.positions import contact_grid
+from design.layout.places.contact_grid import contact_grid
 from design.spec.object import ObjectSpec
 from estimator.frames.contact_cases import ContactCase
 from estimator.frames.contact_traces import ContactTraces, force_at_travel

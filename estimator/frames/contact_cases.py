@@ -16,8 +16,8 @@ from jaxtyping import Float, Int
 
 from design.errors import InputError
 from design.layout.body import face_frames
+from design.layout.places.contact_grid import contact_grid
 from design.layout.places.contact_places import contact_places
-from design.layout.places.positions import contact_grid
 from design.layout.tips import footprint_mm, tip_positions_mm, tips_overlap
 from design.spec.learning import CollectionSpec, ProbePose
 from design.spec.object import ObjectSpec

@@ -13,8 +13,9 @@ from typing import Any
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
+from design.layout.places.contact_grid import contact_grid
 from design.layout.places.contact_places import contact_places, face_rows
-from design.layout.places.positions import contact_grid, live_channels
+from design.layout.places.positions import live_channels
 from design.spec.object import ObjectSpec
 from estimator.frames.dataset import NO_FACE, FrameSet
 from estimator.information.scores import on_places

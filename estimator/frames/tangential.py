@@ -11,7 +11,7 @@ from dataclasses import replace
 import numpy as np
 from jaxtyping import Float, Int
 
-from design.layout.places.positions import grid_places_in_lattice
+from design.layout.places.contact_grid import grid_places_in_lattice
 from design.spec.object import ObjectSpec
 from estimator.information.shear import ShearSignals, carry_over_missing
 from estimator.signals.interpolation import Traces, counts_at_force, press_traces

@@ -8,8 +8,8 @@ import numpy as np
 from jaxtyping import Bool, Int
 
 from design.errors import InputError
+from design.layout.places.contact_grid import contact_grid
 from design.layout.places.contact_places import contact_places, grid_count
-from design.layout.places.positions import contact_grid
 from design.spec.object import ObjectSpec
 
 _PLACES_AN_AXIS = 5

@@ -14,8 +14,9 @@ import numpy as np
 from jaxtyping import Bool, Float, Int
 
 from design.layout.body import face_frames
+from design.layout.places.contact_grid import grid_places_in_lattice
 from design.layout.places.contact_places import contact_places
-from design.layout.places.positions import grid_places_in_lattice, live_channels
+from design.layout.places.positions import live_channels
 from design.spec.object import ObjectSpec
 from estimator.information.fisher import disturbance_counts
 from estimator.information.scores import on_places

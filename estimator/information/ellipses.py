@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 from jaxtyping import Float
 
-from design.layout.places.positions import contact_grid, live_channels
+from design.layout.places.contact_grid import contact_grid
+from design.layout.places.positions import live_channels
 from design.spec.object import ObjectSpec
 from estimator.information.fisher import cramer_rao_bounds, disturbance_counts
 from estimator.information.scores import PlaceScores

@@ -16,7 +16,7 @@ from typing import Literal
 import numpy as np
 from jaxtyping import Float, Int
 
-from design.layout.places.positions import contact_grid
+from design.layout.places.contact_grid import contact_grid
 from design.spec.object import ObjectSpec
 from design.spec.sensors import fastest_frame_rate_hz
 from estimator.information.contact_sets import contact_sets, spread_places

@@ -12,8 +12,9 @@ import numpy as np
 from jaxtyping import Bool, Float, Int, Shaped
 
 from design.errors import InputError, StoreError
+from design.layout.places.contact_grid import PlaceGrid, contact_grid
 from design.layout.places.contact_places import contact_places, face_rows
-from design.layout.places.positions import PlaceGrid, contact_grid, live_channels
+from design.layout.places.positions import live_channels
 from design.spec.object import ObjectSpec
 from design.spec.search import WantedCompliance
 from design.tables import write_table

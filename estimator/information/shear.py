@@ -13,8 +13,9 @@ from pathlib import Path
 import numpy as np
 from jaxtyping import Float, Int
 
+from design.layout.places.contact_grid import PlaceGrid, grid_places_in_lattice
 from design.layout.places.contact_places import contact_places, face_rows
-from design.layout.places.positions import PlaceGrid, grid_places_in_lattice, live_channels
+from design.layout.places.positions import live_channels
 from design.spec.object import ObjectSpec
 from design.tables import write_table
 from estimator.field.models import field_model

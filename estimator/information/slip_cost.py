@@ -16,8 +16,8 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
+from design.layout.places.contact_grid import contact_grid
 from design.layout.places.contact_places import contact_places, face_rows
-from design.layout.places.positions import contact_grid
 from design.spec.object import ObjectSpec
 from estimator.information.fisher import disturbance_counts
 from estimator.information.scores import on_places

@@ -16,7 +16,8 @@ from pathlib import Path
 import numpy as np
 from jaxtyping import Float, Int
 
-from design.layout.places.positions import contact_grid, live_channels
+from design.layout.places.contact_grid import contact_grid
+from design.layout.places.positions import live_channels
 from design.spec.object import ObjectSpec
 from design.tables import write_records
 from estimator.information.contact_sets import contact_sets, spread_places

@@ -20,7 +20,7 @@ from torch.nn.functional import embedding_bag
 from design.body.surface_chart import FaceFrame
 from design.errors import InputError
 from design.layout.body import face_frames
-from design.layout.places.positions import PlaceGrid
+from design.layout.places.contact_grid import PlaceGrid
 from design.spec.object import ObjectSpec
 from fem.candidates.motions import CandidateMotions
 

@@ -23,7 +23,7 @@ import numpy as np
 from jaxtyping import Bool, Float, Inexact, Int
 
 from design.errors import InputError
-from design.layout.places.positions import PlaceGrid
+from design.layout.places.contact_grid import PlaceGrid
 from estimator.signals.monotone import monotone_cubic
 from estimator.signals.presses import Signals
 

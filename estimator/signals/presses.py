@@ -15,13 +15,9 @@ import numpy as np
 from jaxtyping import Bool, Float, Int
 
 from design.errors import InputError
+from design.layout.places.contact_grid import PlaceGrid, contact_grid, grid_places_in_lattice
 from design.layout.places.contact_places import contact_places, face_rows, pressed_nodes
-from design.layout.places.positions import (
-    PlaceGrid,
-    contact_grid,
-    grid_places_in_lattice,
-    sensor_layout,
-)
+from design.layout.places.positions import sensor_layout
 from design.netcdf import FileKind, read_netcdf, write_netcdf
 from design.spec.object import ObjectSpec
 from estimator.field.models import FieldModel, field_model

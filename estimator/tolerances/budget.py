@@ -14,8 +14,9 @@ from typing import Any
 import numpy as np
 from jaxtyping import Bool, Float
 
+from design.layout.places.contact_grid import contact_grid
 from design.layout.places.contact_places import contact_places, face_rows
-from design.layout.places.positions import contact_grid, live_channels
+from design.layout.places.positions import live_channels
 from design.spec.object import ObjectSpec
 from estimator.field.models import FieldModel, field_model
 from estimator.field.sources import magnet_source

@@ -17,7 +17,7 @@ from design.body.surface_chart import FaceFrame
 from design.errors import InputError
 from design.files import atomic_path
 from design.layout.body import face_frames
-from design.layout.places.positions import PlaceGrid
+from design.layout.places.contact_grid import PlaceGrid
 from design.spec.object import ObjectSpec
 from fem.candidates.cubic_convolution import axis_weights
 

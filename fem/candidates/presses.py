@@ -11,7 +11,7 @@ import scipy.sparse as sp
 from jaxtyping import Float
 
 from design.layout.body import face_frames
-from design.layout.places.positions import contact_grid
+from design.layout.places.contact_grid import contact_grid
 from design.layout.pockets import Outline, shell_bodies
 from design.spec.object import ObjectSpec
 from fem.candidates.motions import (

@@ -13,7 +13,7 @@ import numpy as np
 from jaxtyping import Float, Int
 
 from design.files import atomic_path
-from design.layout.places.positions import PlaceGrid
+from design.layout.places.contact_grid import PlaceGrid
 from design.spec.object import ObjectSpec
 from design.tables import write_table
 from fem.linear.response import ResponseOperator

@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from jaxtyping import Float
 
+from design.layout.places.contact_grid import contact_grid
 from design.layout.places.contact_places import contact_places
-from design.layout.places.positions import contact_grid
 from design.spec.object import ObjectSpec
 from fem.linear.response import ResponseOperator
 from fem.presses.joint import Tip, press_path, press_tips

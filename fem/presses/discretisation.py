@@ -15,8 +15,8 @@ from jaxtyping import Bool, Float
 from skfem import Basis, ElementTriP1, LinearForm, MeshTri
 from skfem.models.poisson import mass
 
+from design.layout.places.contact_grid import contact_grid
 from design.layout.places.contact_places import contact_places
-from design.layout.places.positions import contact_grid
 from design.spec.object import ObjectSpec
 from fem.linear.response import FaceSurface, ResponseOperator
 from fem.presses.table import press_face, surface_weights_mm2

@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
-from design.layout.places.positions import PlaceGrid
+from design.layout.places.contact_grid import PlaceGrid
 from design.netcdf import FileKind, read_netcdf, write_netcdf
 
 _PER_PRESS = "face place step"

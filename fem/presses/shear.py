@@ -19,8 +19,9 @@ from jaxtyping import Float, Int
 
 from design.errors import InputError
 from design.layout.body import face_frames
+from design.layout.places.contact_grid import PlaceGrid, contact_grid
 from design.layout.places.contact_places import contact_places
-from design.layout.places.positions import PlaceGrid, contact_grid, shell_body_layout
+from design.layout.places.positions import shell_body_layout
 from design.netcdf import FileKind, read_netcdf, write_netcdf
 from design.spec.object import ObjectSpec
 from fem.linear.factorization import Factorization

@@ -13,8 +13,8 @@ from skfem.refdom import RefTri
 from threadpoolctl import threadpool_limits
 
 from design.errors import InputError
+from design.layout.places.contact_grid import press_lattice
 from design.layout.places.contact_places import pressed_nodes
-from design.layout.places.positions import press_lattice
 from design.layout.tips import footprint_mm, path_mm
 from design.spec.mechanics import IndenterSpec
 from design.spec.object import ObjectSpec

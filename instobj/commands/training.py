@@ -187,7 +187,7 @@ def simulated_twin(
 
 def _as_specified(path: Path) -> tuple[Grid, Limits, tuple[int, ...]]:
     """Contact grid, limits and sensed faces of an object."""
-    from design.layout.places.positions import contact_grid
+    from design.layout.places.contact_grid import contact_grid
     from design.spec_io import load_spec
     from estimator.recordings.checks.limits import Limits
     from estimator.signals.hall import full_scale_counts

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from design.layout.places.contact_grid import contact_grid, grid_places_in_lattice
 from design.layout.places.contact_places import contact_places
-from design.layout.places.positions import contact_grid, grid_places_in_lattice
 from design.spec.object import ObjectSpec
 from estimator.information.scores import area_places
 from instobj.figures.saving import save_figure

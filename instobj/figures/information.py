@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from design.layout.body import face_frame
+from design.layout.places.contact_grid import contact_grid
 from design.layout.places.contact_places import contact_places
-from design.layout.places.positions import contact_grid
 from design.layout.pockets import magnet_places, sensor_places
 from design.spec.object import ObjectSpec
 from estimator.information.identifiability import Identifiability

@@ -9,8 +9,8 @@ import numpy as np
 from jaxtyping import Float, Int
 
 from design.errors import InputError
+from design.layout.places.contact_grid import contact_grid
 from design.layout.places.contact_places import contact_places
-from design.layout.places.positions import contact_grid
 from design.spec.object import ObjectSpec
 
 STOPS = 4

@@ -161,8 +161,8 @@ def _summaries(spec: ObjectSpec, bounds: list[_Bounds]) -> dict[str, Float[np.nd
 
 
 def _at_edges(spec: ObjectSpec) -> Bool[np.ndarray, "press"]:
+    from design.layout.places.contact_grid import contact_grid
     from design.layout.places.contact_places import contact_places
-    from design.layout.places.positions import contact_grid
     from estimator.information.scores import outermost_places
 
     grid = contact_grid(spec)

@@ -14,7 +14,7 @@ from torch import Tensor
 
 from design.errors import InputError
 from design.layout.body import body_of
-from design.layout.places.positions import contact_grid
+from design.layout.places.contact_grid import contact_grid
 from design.layout.pockets import magnet_bodies
 from design.search.space import SearchSpace, params_at, search_space, structure_of, unit_of
 from design.search.structure import with_structure

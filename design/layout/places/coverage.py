@@ -8,8 +8,8 @@ import numpy as np
 from jaxtyping import Float
 
 from design.layout.body import face_frames
+from design.layout.places.contact_grid import contact_grid
 from design.layout.places.contact_places import contact_places
-from design.layout.places.positions import contact_grid
 from design.spec.worked_out import once
 
 if TYPE_CHECKING:

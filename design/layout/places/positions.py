@@ -1,4 +1,4 @@
-"""Contact locations, magnets and sensors in the object's frame, as designed and as built.
+"""Magnets and sensors in the object's frame, as designed and as built.
 
 Every array that is indexed by magnet or sensor runs face by face, in the order of the
 specification within a face. Sensors see the layout as built; mechanics goes on with the design: a
@@ -16,7 +16,6 @@ from jaxtyping import Bool, Float, Int
 
 from design.body.surface_chart import FaceFrame
 from design.layout.body import core_frames, face_frames
-from design.layout.places.contact_places import grid_count
 from design.layout.pockets import (
     Body,
     Outline,
@@ -31,57 +30,6 @@ from design.spec.assembly import BuiltMagnet
 from design.spec.mechanics import SlipSpec
 from design.spec.object import ObjectSpec, SensorSpec
 from design.spec.worked_out import once
-
-
-@dataclass(frozen=True)
-class PlaceGrid:
-    """A rectangular grid of contact locations on a face; place index = ix · len(y_mm) + iy."""
-
-    x_mm: Float[np.ndarray, "nx"]
-    y_mm: Float[np.ndarray, "ny"]
-
-    @property
-    def shape(self) -> tuple[int, int]:
-        return len(self.x_mm), len(self.y_mm)
-
-    @property
-    def xy_mm(self) -> Float[np.ndarray, "place 2"]:
-        x, y = np.meshgrid(self.x_mm, self.y_mm, indexing="ij")
-        return np.column_stack([x.ravel(), y.ravel()])
-
-    def __len__(self) -> int:
-        return len(self.x_mm) * len(self.y_mm)
-
-
-@once
-def contact_grid(spec: ObjectSpec) -> PlaceGrid:
-    """The specification's places (the paper: 10 × 10, pitch 3 mm, ±13.5 about the face centre).
-
-    Which of them a face has says `design.layout.places.contact_places.contact_places`.
-    """
-    pitch = spec.contact_grid.pitch_mm
-    x, y = ((np.arange(n) - (n - 1) / 2) * pitch for n in grid_count(spec))
-    return PlaceGrid(x, y)
-
-
-@once
-def press_lattice(spec: ObjectSpec) -> PlaceGrid:
-    """The contact grid refined by two, with half a pitch of margin: (2n + 1) locations per axis.
-
-    Contact location (X, Y) is lattice place (2X + 1, 2Y + 1). Signals between places are
-    interpolated on this lattice, and derivatives in x and y are taken on it.
-    """
-    pitch = spec.contact_grid.pitch_mm
-    x, y = ((np.arange(2 * n + 1) - n) * pitch / 2 for n in grid_count(spec))
-    return PlaceGrid(x, y)
-
-
-@once
-def grid_places_in_lattice(spec: ObjectSpec) -> Int[np.ndarray, "place"]:
-    """Lattice place of each contact location, in the order of the contact grid."""
-    nx, ny = grid_count(spec)
-    ix, iy = np.meshgrid(2 * np.arange(nx) + 1, 2 * np.arange(ny) + 1, indexing="ij")
-    return (ix * (2 * ny + 1) + iy).ravel()
 
 
 @dataclass(frozen=True)

@@ -16,8 +16,8 @@ import numpy as np
 from jaxtyping import Float, Int
 from scipy.linalg import cholesky, solve_triangular
 
+from design.layout.places.contact_grid import contact_grid
 from design.layout.places.contact_places import contact_places
-from design.layout.places.positions import contact_grid
 from design.spec.object import ObjectSpec
 from estimator.calibration.twin.digital_twin import PlaceMechanics
 from estimator.calibration.twin.discrepancy import Discrepancy, Prior

@@ -8,8 +8,8 @@ import numpy as np
 from jaxtyping import Bool, Float, Int
 
 from design.errors import InputError
+from design.layout.places.contact_grid import press_lattice
 from design.layout.places.contact_places import pressed_nodes
-from design.layout.places.positions import press_lattice
 from design.spec.object import ObjectSpec
 from estimator.frames.dataset import NO_FACE, FrameSet
 from estimator.frames.press_protocol import DRIFT_TIME_S

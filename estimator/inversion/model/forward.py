@@ -17,8 +17,8 @@ import numpy as np
 from jaxtyping import Bool, Float, Int
 
 from design.errors import InputError
+from design.layout.places.contact_grid import PlaceGrid, press_lattice
 from design.layout.places.contact_places import face_rows, pressed_nodes
-from design.layout.places.positions import PlaceGrid, press_lattice
 from design.spec.object import ObjectSpec
 from estimator.field.models import FieldModel, field_model
 from estimator.field.sources import magnet_source

@@ -11,8 +11,8 @@ from functools import cached_property
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
+from design.layout.places.contact_grid import PlaceGrid
 from design.layout.places.contact_places import contact_places, face_rows
-from design.layout.places.positions import PlaceGrid
 from design.spec.object import ObjectSpec
 from estimator.frames.tangential import slope_traces
 from estimator.information.shear import ShearSignals

@@ -11,7 +11,8 @@ import numpy as np
 from jaxtyping import Float
 
 from design.errors import InputError
-from design.layout.places.positions import PlaceGrid, sensor_layout
+from design.layout.places.contact_grid import PlaceGrid
+from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, spec_hash
 from instobj.commands.presses.places import CheckedPlaces, Place, check_places

@@ -114,8 +114,8 @@ def _place_at(text: str, depth_mm: float) -> Place:
 
 def _require_place(spec: ObjectSpec, place: Place, to_depth: bool) -> None:
     from design.layout.body import face_frames
+    from design.layout.places.contact_grid import press_lattice
     from design.layout.places.contact_places import pressed_nodes
-    from design.layout.places.positions import press_lattice
     from design.layout.tips import footprint_mm, path_mm, tip_shape
     from estimator.signals.interpolation import among_pressed
 

@@ -39,7 +39,7 @@ def single_contact_metrics(recorded: SimulatedObject, face: int) -> FaceMetrics:
 
 def run_location_wise(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
     """Mean errors at every place of the first face, and by area."""
-    from design.layout.places.positions import contact_grid
+    from design.layout.places.contact_grid import contact_grid
     from estimator.information.scores import AREAS, area_places
 
     recorded = simulated_object(spec, quick)

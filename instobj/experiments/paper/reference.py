@@ -171,7 +171,7 @@ def cramer_rao_row(recorded: SimulatedObject, face: int) -> dict[str, float]:
     An unbiased normal error of standard deviation σ is √(2/π) σ in the mean, a planar one with
     √(σx² + σy²) = σ about √(π)/2 σ.
     """
-    from design.layout.places.positions import contact_grid
+    from design.layout.places.contact_grid import contact_grid
     from estimator.information.fisher import cramer_rao_bounds, disturbance_counts
     from estimator.information.sensitivity import own_channels
     from estimator.signals.interpolation import press_traces, signal_gradient

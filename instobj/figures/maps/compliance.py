@@ -6,8 +6,8 @@ from pathlib import Path
 
 import numpy as np
 
+from design.layout.places.contact_grid import grid_places_in_lattice
 from design.layout.places.contact_places import contact_places
-from design.layout.places.positions import grid_places_in_lattice
 from design.spec.object import ObjectSpec
 from fem.presses.compliance_map import ComplianceMap
 from instobj.figures.maps.overview import draw_overview

@@ -13,9 +13,10 @@ import numpy as np
 from jaxtyping import Bool, Float
 
 from design.layout.body import face_frame
+from design.layout.places.contact_grid import contact_grid
 from design.layout.places.contact_places import contact_places
 from design.layout.places.coverage import covered_shares
-from design.layout.places.positions import contact_grid, sensor_layout
+from design.layout.places.positions import sensor_layout
 from design.layout.pockets import magnet_bodies
 from design.spec.object import ObjectSpec
 from instobj.figures.maps.scale import (

@@ -15,9 +15,9 @@ import numpy as np
 from jaxtyping import Bool, Float, Int
 
 from design.layout.body import face_frame, face_frames
+from design.layout.places.contact_grid import contact_grid
 from design.layout.places.contact_places import contact_places
 from design.layout.places.coverage import covered_share
-from design.layout.places.positions import contact_grid
 from design.spec.object import ObjectSpec
 from instobj.figures.maps.heatmaps import (
     FRAME,

@@ -83,8 +83,8 @@ def travel_spread(spec: ObjectSpec, signals: Signals) -> TravelSpread | None:
     At a given depth small-strain forces are proportional to the modulus. Linear interpolation
     between the simulated depths of the median place's force.
     """
+    from design.layout.places.contact_grid import grid_places_in_lattice
     from design.layout.places.contact_places import contact_places
-    from design.layout.places.positions import grid_places_in_lattice
 
     if spec.silicone.relative_spread is None:
         return None

@@ -34,7 +34,7 @@ cube within 0.22 mm of the shape anywhere, 0.4 % of the depth (rms): docs/look_i
 
 def make_scene(context: StageContext, folder: Path) -> None:
     """The archive that the page reads, and a still picture for paper and for browsers without WebGL."""
-    from design.layout.places.positions import contact_grid
+    from design.layout.places.contact_grid import contact_grid
     from instobj.render.still import draw_still
     from instobj.viewer.archive import pack
     from instobj.viewer.scene import object_scene
@@ -64,7 +64,7 @@ def shown_steps(depth_mm: Float[np.ndarray, "step"]) -> list[int]:
 
 def _places_mm(spec: ObjectSpec) -> Float[np.ndarray, "place 2"]:
     """Contact locations of the grid; a face may have some of them only."""
-    from design.layout.places.positions import contact_grid
+    from design.layout.places.contact_grid import contact_grid
 
     return contact_grid(spec).xy_mm
 
@@ -111,7 +111,8 @@ def _add_presses(
 ) -> dict[str, Any]:
     """Places, forces, signals and motions of the table's presses."""
     from design.layout.body import face_frames
-    from design.layout.places.positions import grid_places_in_lattice, live_channels
+    from design.layout.places.contact_grid import grid_places_in_lattice
+    from design.layout.places.positions import live_channels
     from instobj.viewer.archive import stepped
 
     spec, xy = context.spec, _places_mm(context.spec)

@@ -180,7 +180,7 @@ def require_same_object(spec: ObjectSpec, frames: FrameSet) -> None:
     InputError
         It has others.
     """
-    from design.layout.places.positions import contact_grid
+    from design.layout.places.contact_grid import contact_grid
     from estimator.frames.same_object import same_grid
 
     grid = contact_grid(spec)

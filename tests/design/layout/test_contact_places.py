@@ -5,6 +5,7 @@ import pytest
 
 from design.errors import SpecError
 from design.layout.body import face_frames
+from design.layout.places.contact_grid import contact_grid, press_lattice
 from design.layout.places.contact_places import (
     contact_places,
     grid_count,
@@ -14,7 +15,6 @@ from design.layout.places.contact_places import (
     touched_reach_mm,
 )
 from design.layout.places.coverage import covered_share, covered_shares
-from design.layout.places.positions import contact_grid, press_lattice
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, parse_spec
 from tests.support.objects.body_cases import body_spec

@@ -8,7 +8,7 @@ from numpy.testing import assert_allclose
 from scipy.linalg import block_diag
 
 from design.errors import InputError
-from design.layout.places.positions import contact_grid
+from design.layout.places.contact_grid import contact_grid
 from estimator.calibration.twin import digital_twin as calibrated_twin
 from estimator.calibration.twin import unknowns
 from estimator.calibration.twin.digital_twin import calibrate, places_left_out

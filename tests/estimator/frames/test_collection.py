@@ -6,7 +6,7 @@ from numpy.testing import assert_allclose
 
 from design.errors import InputError
 from design.layout.body import face_frames
-from design.layout.places.positions import contact_grid
+from design.layout.places.contact_grid import contact_grid
 from estimator.frames import collection, contact_cases
 from estimator.frames import contact_traces as traces_of_cases
 from estimator.frames.collection import joined, simulate_collection

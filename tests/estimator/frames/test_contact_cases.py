@@ -6,7 +6,7 @@ from numpy.testing import assert_allclose
 from scipy.spatial.distance import pdist
 
 from design.errors import InputError
-from design.layout.places.positions import contact_grid
+from design.layout.places.contact_grid import contact_grid
 from design.layout.tips import tip_positions_mm
 from design.spec.learning import CollectionSpec
 from design.spec.object import ObjectSpec

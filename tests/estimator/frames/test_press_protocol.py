@@ -7,7 +7,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.errors import InputError
-from design.layout.places.positions import contact_grid
+from design.layout.places.contact_grid import contact_grid
 from estimator.frames.dataset import load_frames, save_frames
 from estimator.frames.press_protocol import (
     nominal_peaks,

@@ -5,7 +5,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.errors import InputError
-from design.layout.places.positions import contact_grid
+from design.layout.places.contact_grid import contact_grid
 from estimator.information.contact_sets import contact_sets, spread_places
 from estimator.information.fisher import cramer_rao_bounds, disturbance_counts
 from estimator.information.identifiability import (

@@ -8,7 +8,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.errors import InputError, StoreError
-from design.layout.places.positions import PlaceGrid, contact_grid, grid_places_in_lattice
+from design.layout.places.contact_grid import PlaceGrid, contact_grid, grid_places_in_lattice
 from design.spec.object import ObjectSpec
 from estimator.information.ellipses import position_covariances_mm2
 from estimator.information.fisher import cramer_rao_bounds, disturbance_counts

@@ -8,7 +8,7 @@ from numpy.testing import assert_allclose
 from scipy.stats import spearmanr
 
 from design.errors import InputError
-from design.layout.places.positions import contact_grid
+from design.layout.places.contact_grid import contact_grid
 from estimator.information.hull import ln_hull_factor
 from estimator.information.scores import _COVARIANCE_SAMPLES, _sensitivities
 from estimator.information.sensitivity import (

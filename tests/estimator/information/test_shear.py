@@ -7,7 +7,8 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.layout.body import face_frames
-from design.layout.places.positions import contact_grid, grid_places_in_lattice, magnet_layout
+from design.layout.places.contact_grid import contact_grid, grid_places_in_lattice
+from design.layout.places.positions import magnet_layout
 from estimator.information.fisher import cramer_rao_bounds, disturbance_counts
 from estimator.information.shear import (
     contact_jacobian,

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from design.layout.places.positions import contact_grid
+from design.layout.places.contact_grid import contact_grid
 from estimator.information.contact_sets import contact_sets, spread_pairs, spread_places
 from estimator.information.fisher import disturbance_counts
 from estimator.information.two_contacts import opposite_faces, two_contact_bounds_mm

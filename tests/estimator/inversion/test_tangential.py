@@ -7,7 +7,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.errors import InputError
-from design.layout.places.positions import contact_grid
+from design.layout.places.contact_grid import contact_grid
 from estimator.information.shear import ShearSignals
 from estimator.inversion.inversion import inversion
 from estimator.inversion.posterior import most_probable

@@ -9,7 +9,7 @@ import torch
 from numpy.testing import assert_allclose
 
 from design.layout.body import face_frames
-from design.layout.places.positions import contact_grid
+from design.layout.places.contact_grid import contact_grid
 from estimator.field.models import FieldModel
 from estimator.field.sources import magnet_source
 from estimator.information.fisher import disturbance_counts

@@ -7,8 +7,8 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.errors import InputError
+from design.layout.places.contact_grid import PlaceGrid, contact_grid
 from design.layout.places.contact_places import contact_places, pressed_nodes
-from design.layout.places.positions import PlaceGrid, contact_grid
 from design.spec.object import ObjectSpec
 from estimator.frames.press_protocol import REST_PLACE_ID, nominal_peaks, simulate_presses
 from estimator.information.cross_face import cross_face_disturbance

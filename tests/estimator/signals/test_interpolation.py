@@ -8,7 +8,7 @@ from numpy.testing import assert_allclose
 from scipy.interpolate import PchipInterpolator
 
 from design.errors import InputError
-from design.layout.places.positions import PlaceGrid
+from design.layout.places.contact_grid import PlaceGrid
 from estimator.signals.interpolation import (
     counts_at_force,
     depth_at_force,

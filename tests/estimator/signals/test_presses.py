@@ -10,7 +10,8 @@ from numpy.testing import assert_allclose
 from scipy.spatial.transform import Rotation
 
 from design.errors import InputError, StoreError
-from design.layout.places.positions import grid_places_in_lattice, magnet_layout, sensor_layout
+from design.layout.places.contact_grid import grid_places_in_lattice
+from design.layout.places.positions import magnet_layout, sensor_layout
 from estimator.field.vectors import rotate
 from estimator.signals.field_setup import min_distance_mm, scene
 from estimator.signals.presses import (

@@ -57,7 +57,7 @@ def test_a_magnet_aside_moves_as_if_the_press_lay_aside(presses, sign):
     twin = twin_signals(SPEC, aside, *presses)
     from dataclasses import replace
 
-    from design.layout.places.positions import PlaceGrid
+    from design.layout.places.contact_grid import PlaceGrid
 
     forces, motions = presses
     lattice = forces.lattice

@@ -6,7 +6,8 @@ from numpy.testing import assert_allclose
 
 from design.errors import InputError
 from design.layout.body import face_frames
-from design.layout.places.positions import contact_grid, shell_body_layout
+from design.layout.places.contact_grid import contact_grid
+from design.layout.places.positions import shell_body_layout
 from design.spec.object import ContactGridSpec, ScoreSpec
 from fem.candidates.cubic_convolution import axis_weights
 from fem.candidates.motions import candidate_lattices, load_candidates

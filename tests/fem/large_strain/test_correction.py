@@ -7,7 +7,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 import fem.large_strain.correction
-from design.layout.places.positions import PlaceGrid
+from design.layout.places.contact_grid import PlaceGrid
 from design.spec.object import ObjectSpec
 from fem.large_strain.correction import (
     PressPair,

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from design.layout.places.positions import PlaceGrid
+from design.layout.places.contact_grid import PlaceGrid
 from design.spec.object import ContactGridSpec, PressSpec
 from fem.presses.compliance_map import (
     compliance_map,

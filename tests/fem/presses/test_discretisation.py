@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.testing import assert_allclose
 
-from design.layout.places.positions import contact_grid
+from design.layout.places.contact_grid import contact_grid
 from fem.presses.discretisation import (
     _ROTATION_ARM_MM,
     COARSENING,

@@ -8,7 +8,8 @@ from numpy.testing import assert_allclose
 
 from design.errors import InputError
 from design.layout.body import face_frames
-from design.layout.places.positions import contact_grid, magnet_layout
+from design.layout.places.contact_grid import contact_grid
+from design.layout.places.positions import magnet_layout
 from fem.linear.magnets import magnet_of_nodes
 from fem.linear.response import face_pressure_loads
 from fem.presses.shear import load_shear, motions_under_traction, save_shear, simulate_shear

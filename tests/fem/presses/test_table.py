@@ -7,7 +7,8 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.errors import InputError, StoreError
-from design.layout.places.positions import magnet_layout, press_lattice
+from design.layout.places.contact_grid import press_lattice
+from design.layout.places.positions import magnet_layout
 from fem.contact.complementarity import contact_pressures
 from fem.contact.indenter import moved, tip_cells
 from fem.contact.refined import cells_compliance, refined_face, spread_cells, wide_block

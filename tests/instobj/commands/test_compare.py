@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from design.errors import StoreError
-from design.layout.places.positions import contact_grid
+from design.layout.places.contact_grid import contact_grid
 from design.spec.object import ObjectSpec
 from estimator.information.scores import PlaceScores, save_scores_csv
 from instobj.cli.tables import print_result

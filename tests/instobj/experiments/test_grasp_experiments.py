@@ -5,7 +5,7 @@ from functools import cache
 import numpy as np
 import pytest
 
-from design.layout.places.positions import contact_grid
+from design.layout.places.contact_grid import contact_grid
 from design.spec.object import ObjectSpec
 from estimator.frames import contact_cases
 from estimator.frames.contact_traces import JointMechanics

@@ -9,7 +9,7 @@ from numpy.testing import assert_allclose
 
 from design.errors import InputError
 from design.layout.body import face_frames
-from design.layout.places.positions import contact_grid
+from design.layout.places.contact_grid import contact_grid
 from design.spec.object import ObjectSpec
 from instobj.figures.maps import heatmaps, overview
 from instobj.figures.maps.scale import finite_limits, map_scale

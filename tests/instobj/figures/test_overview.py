@@ -9,7 +9,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from numpy.testing import assert_allclose
 
 from design.layout.body import face_frame, face_frames
-from design.layout.places.positions import contact_grid
+from design.layout.places.contact_grid import contact_grid
 from design.spec_io import load_spec, parse_spec
 from instobj.figures.maps import heatmaps, overview
 

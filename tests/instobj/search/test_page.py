@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from design.build.manifest import BuildManifest, PartManifest
-from design.layout.places.positions import contact_grid
+from design.layout.places.contact_grid import contact_grid
 from design.spec_io import parse_spec
 from estimator.information.scores import PlaceScores, save_scores_csv
 from estimator.layouts.fidelity import SCORE_NAMES, FidelityScore

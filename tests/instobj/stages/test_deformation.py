@@ -7,7 +7,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.errors import InputError
-from design.layout.places.positions import PlaceGrid
+from design.layout.places.contact_grid import PlaceGrid
 from design.spec.object import ObjectSpec
 from design.spec_io import parse_spec
 from fem.large_strain.correction import StrainCorrection, corrected_table

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from design.layout.places.positions import press_lattice
+from design.layout.places.contact_grid import press_lattice
 from design.spec.object import ObjectSpec
 from estimator.signals.presses import Signals
 from instobj.stages.makers.report import TravelSpread, travel_spread

@@ -4,7 +4,8 @@ import numpy as np
 import torch
 
 from design.layout.body import core_frames, face_frames
-from design.layout.places.positions import MagnetLayout, SensorLayout, chip_on_board, contact_grid
+from design.layout.places.contact_grid import contact_grid
+from design.layout.places.positions import MagnetLayout, SensorLayout, chip_on_board
 from design.layout.pockets import board_frame, tilted_frame
 from design.spec.object import ContactGridSpec, ObjectSpec
 from estimator.field.environment import environment

@@ -9,7 +9,7 @@ from skfem import FacetBasis, LinearForm, MeshTet
 
 from design.body.surface_chart import FaceFrame
 from design.layout.body import face_frames
-from design.layout.places.positions import press_lattice
+from design.layout.places.contact_grid import press_lattice
 from design.spec.object import MechanicsSpec, MeshSpec, ObjectSpec, PressSpec, SiliconeSpec
 from fem.contact.complementarity import contact_pressures
 from fem.linear.elements import MixedOperators, assemble, saddle_point_matrix, taylor_hood

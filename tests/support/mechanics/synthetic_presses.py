@@ -3,7 +3,8 @@
 import numpy as np
 
 from design.layout.body import face_frames
-from design.layout.places.positions import PlaceGrid, press_lattice, shell_body_layout
+from design.layout.places.contact_grid import PlaceGrid, press_lattice
+from design.layout.places.positions import shell_body_layout
 from design.spec.object import ObjectSpec
 from fem.presses.results import MagnetMotions, PressForces
 

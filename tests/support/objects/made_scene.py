@@ -6,7 +6,8 @@ import numpy as np
 import trimesh
 
 from design.layout.body import face_frames
-from design.layout.places.positions import contact_grid, live_channels
+from design.layout.places.contact_grid import contact_grid
+from design.layout.places.positions import live_channels
 from instobj.viewer.archive import Stepped, pack, stepped
 from instobj.viewer.scene import add_surface, object_scene
 from instobj.viewer.surface import links_of, shaded

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from design.layout.places.positions import contact_grid
+from design.layout.places.contact_grid import contact_grid
 from design.layout.tips import tip_positions_mm
 from estimator.frames.dataset import FrameSet
 from estimator.inversion.model.forward import contact_model

@@ -5,7 +5,8 @@ from pathlib import Path
 
 import numpy as np
 
-from design.layout.places.positions import PlaceGrid, magnet_layout
+from design.layout.places.contact_grid import PlaceGrid
+from design.layout.places.positions import magnet_layout
 from design.spec_io import load_spec
 from estimator.known_travel.model import Pose, travel_model
 from fem.presses.results import MagnetMotions

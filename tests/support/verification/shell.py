@@ -5,7 +5,8 @@ from functools import cache
 import numpy as np
 import scipy.sparse as sp
 
-from design.layout.places.positions import press_lattice, shell_body_layout
+from design.layout.places.contact_grid import press_lattice
+from design.layout.places.positions import shell_body_layout
 from fem.linear import response
 from fem.linear.response import build_response, elastic_system, face_pressure_loads
 from fem.presses import table as presses
