@@ -213,3 +213,20 @@ def test_the_layouts_of_a_search_move_and_the_front_chooses_among_them(told, bro
     assert browser.ask(f"{named(0, 'layout')}.selectedOptions[0].text") == "trial 9"
     assert [row[2] for row in browser.ask(cells)] == ["0.500", "5.00"]
     assert complaints(browser, path) == []
+
+
+def test_maps_of_faces_are_printed_side_by_side(browser, tmp_path):
+    page = tmp_path / "page.html"
+    maps = '<div class="grid"><p>1</p><p>2</p><p>3</p></div>'
+    html = (
+        f"<!doctype html><style>{style('page.css')}</style><main style='width: 700px'>{maps}</main>"
+    )
+    page.write_text(html, encoding="utf-8")
+    browser.open(page, "document.readyState === 'complete'")
+    columns = (
+        "getComputedStyle(document.querySelector('.grid')).gridTemplateColumns.split(' ').length"
+    )
+    assert browser.ask(columns) == 1
+    browser.send("Emulation.setEmulatedMedia", media="print")
+    assert browser.ask(columns) == 2
+    browser.send("Emulation.setEmulatedMedia", media="")
