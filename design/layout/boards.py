@@ -12,7 +12,7 @@ from jaxtyping import Float
 
 from design.body.surface_chart import FaceFrame
 from design.body.triangles import Block
-from design.layout.body import core_frames
+from design.layout.body import body_of, core_frames
 from design.layout.places.positions import (
     board_places,
     board_sinks_mm,
@@ -26,6 +26,7 @@ from design.spec.worked_out import once
 PACKING = 0.7
 """Share of a round hole that loose wires fill, at most (densest packing of equal circles: 0.91)."""
 _AT_THE_HOLE_MM = 1e-3
+_TOP_FACE = 1
 
 
 @dataclass(frozen=True)
@@ -133,6 +134,14 @@ def smallest_recess_wall_mm(spec: ObjectSpec, sunk: bool = True) -> float:
     flat = tuple((0.0,) * len(places) for places in sensor_places(spec))
     recesses = sensor_recesses(spec) if sunk else _recesses(spec, flat)
     return min(_gap_mm(a, b) for a, b in combinations(recesses, 2))
+
+
+def wire_hole_diameter_mm(spec: ObjectSpec, face: int) -> float:
+    """Of the hole in the middle of a face of the core."""
+    core = spec.core
+    if face == _TOP_FACE and not body_of(spec).sampled:
+        return core.wire_hole_top_diameter_mm
+    return core.wire_hole_side_diameter_mm
 
 
 def passage_radius_mm(spec: ObjectSpec) -> float:

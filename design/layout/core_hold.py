@@ -1,5 +1,7 @@
 """Hold of a core that is cast in: by a rod through its bore, or by pins through its wire holes.
 
+Where pockets are in the way of the wire holes, pins stand in sockets of their own.
+
 Everything here is numbers. A rod has a flat on its nose, and the core's outlet one that meets it, so
 that the core cannot turn. Pins leave holes in the silicone, from the core to the outside (or to the
 floor of the pocket in the face's middle), through which the wires come out; they are filled last.
@@ -14,7 +16,9 @@ import numpy as np
 from jaxtyping import Float
 
 from design.body.surface_chart import Cap, FaceFrame
+from design.layout.boards import wire_hole_diameter_mm
 from design.layout.body import body_of, core_frames, face_frames
+from design.layout.core_sockets import Socket, roomiest_sockets, socket_beside
 from design.layout.mould_frame import opening_of
 from design.layout.pockets import Pocket, shell_pockets
 from design.spec.worked_out import once
@@ -33,22 +37,35 @@ _LEVEL = 0.02
 """Lean of the surface in the middle of a face (rad) below which a pin and a pocket there are one."""
 LEAST_FLOOR = 0.3
 """Share of a pocket's floor that a locating pin leaves for the magnet to rest on, at least."""
-TOP_FACE = 1
 
 
 @dataclass(frozen=True)
 class Locator:
-    """A pin through the silicone into the core's wire hole in the middle of a face.
+    """A pin through the silicone into a hole of the core: the wire hole in the middle of a face, or a
+    `socket`.
 
     `frame` is flat: its normal is the line through the middles of the face and of the core's, also where
-    the surface leans there. `depth_mm` is that of the core below the face; `pockets` are those that
-    the pin meets, and with whose pins it is one.
+    the surface leans there. `depth_mm` is that of the core below the face, and its hole is `hole_mm`
+    deep; `pockets` are those that the pin meets, and with whose pins it is one.
     """
 
     frame: FaceFrame
     radius_mm: float
     depth_mm: float
-    pockets: tuple[Pocket, ...]
+    hole_mm: float
+    pockets: tuple[Pocket, ...] = ()
+    socket: Socket | None = None
+
+    @property
+    def place(self) -> tuple[int, float, float]:
+        """Face, and x and y (mm) in that face's frame."""
+        x, y = (0.0, 0.0) if self.socket is None else self.socket.xy_mm
+        return self.frame.number, x, y
+
+    @property
+    def rise_mm(self) -> float:
+        """By how much a leaning surface rises beside the pin, per mm."""
+        return 0.0 if self.socket is None else float(np.tan(self.socket.lean))
 
     @property
     def volume_mm3(self) -> float:
@@ -86,14 +103,6 @@ class Outlet:
         return self.floor_mm + min(self.wall_mm + NOSE_MM, 0.8 * abs(self.floor_mm))
 
 
-def wire_hole_diameter_mm(spec: ObjectSpec, face: int) -> float:
-    """Of the hole in the middle of a face of the core."""
-    core = spec.core
-    if face == TOP_FACE and not body_of(spec).sampled:
-        return core.wire_hole_top_diameter_mm
-    return core.wire_hole_side_diameter_mm
-
-
 @once
 def core_outlet(spec: ObjectSpec) -> Outlet:
     """Of a body that is open through a bore; the wall is at most half of the core."""
@@ -106,8 +115,9 @@ def core_outlet(spec: ObjectSpec) -> Outlet:
 def locators(spec: ObjectSpec) -> tuple[Locator, ...]:
     """Two pins at right angles that hold the core of a closed body, one where there is no second.
 
-    Wide holes go before narrow ones. A pocket that the pin meets must have its direction, and be
-    round or hold all of it, and keep `LEAST_FLOOR` of its floor; else the face is left out.
+    Wide wire holes go before narrow ones. A pocket that the pin meets must have its direction, and be
+    round or hold all of it, and keep `LEAST_FLOOR` of its floor; else the face is left out, and a pin
+    that is missing stands in a socket, as do both where a layer is poured over the pockets later.
     """
     if opening_of(spec) != "closed":
         return ()
@@ -116,21 +126,28 @@ def locators(spec: ObjectSpec) -> tuple[Locator, ...]:
         locator
         for frame, pockets in zip(face_frames(spec), shell_pockets(spec), strict=True)
         if (locator := _locator(spec, frame, cores[frame.number], pockets)) is not None
+        and not (locator.pockets and spec.shell.seal_layer_mm)
     ]
     fit.sort(key=lambda locator: (-locator.radius_mm, locator.frame.number))
     if not fit:
-        return ()
+        return tuple(map(_in_socket, roomiest_sockets(spec)))
     second = [l for l in fit[1:] if abs(l.frame.normal @ fit[0].frame.normal) < 0.5]
-    return (fit[0], *second[:1])
+    beside = second or map(_in_socket, socket_beside(spec, fit[0].frame.normal))
+    return (fit[0], *list(beside)[:1])
+
+
+def _in_socket(socket: Socket) -> Locator:
+    return Locator(socket.frame, socket.radius_mm, socket.depth_mm, socket.length_mm, socket=socket)
 
 
 def why_no_mould(spec: ObjectSpec) -> str | None:
     """What keeps the object from being cast in a mould of ours; None where nothing does."""
     if opening_of(spec) == "closed" and not locators(spec):
         return (
-            "no side of the body is open and pockets are in the way of every wire hole, so that nothing "
-            "can hold the core in the mould. Move a face's pockets away from its middle, or exactly onto "
-            "it where the surface does not lean there, or open face 6"
+            "no side of the body is open, pockets are in the way of every wire hole and leave no room for "
+            "a pin beside them, so that nothing can hold the core in the mould. Move a face's pockets "
+            "away from its middle, or exactly onto it where the surface does not lean there, make "
+            "core.wire_hole_side_diameter_mm smaller, or open face 6"
         )
     return None
 
@@ -153,7 +170,8 @@ def _locator(
         if _common_area_mm2(radius, pocket) > (1 - LEAST_FLOOR) * pocket.outline.area_mm2:
             return None
         met.append(pocket)
-    return Locator(replace(frame, relief=Cap()), radius, depth, tuple(met))
+    hole = float(frame.centre_mm @ frame.normal) - depth
+    return Locator(replace(frame, relief=Cap()), radius, depth, hole, tuple(met))
 
 
 def _away_mm(pocket: Pocket) -> float:

@@ -153,18 +153,20 @@ def pins_by_kind(spec: ObjectSpec) -> list[PinKind]:
     pins = loose_pins(spec)
     kinds = []
     for name, members in pins_of_kinds(pins):
-        places = [
-            (
-                pin.frame.number,
-                _rounded(pocket.body.centre_mm[0]),
-                _rounded(pocket.body.centre_mm[1]),
-            )
-            for pin in (pins[index] for index in members)
-            for pocket in (pin.pockets[1:] if pin.locator and len(pin.pockets) > 1 else pin.pockets)
-        ]
+        places = [place for index in members for place in _places_of(pins[index])]
         held = pins[members[0]].locator is not None
         kinds.append(PinKind(name, len(members), tuple(places), held))
     return kinds
+
+
+def _places_of(pin: Pin) -> list[tuple[int, float, float]]:
+    """Face, x and y of the pockets that a pin forms, or of its own hole."""
+    if pin.locator is not None and not pin.locator.pockets:
+        face, x, y = pin.locator.place
+        return [(face, round(x, 2) + 0.0, round(y, 2) + 0.0)]
+    formed = pin.pockets if pin.locator is None else pin.locator.pockets
+    places = [pocket.body.centre_mm for pocket in formed]
+    return [(pin.frame.number, _rounded(at[0]), _rounded(at[1])) for at in places]
 
 
 def _rounded(value_mm: float) -> float:
@@ -228,9 +230,10 @@ def _along_pull(spec: ObjectSpec, frame: FaceFrame, pocket: Pocket) -> bool:
     return abs(float((frame.axes @ pocket.axis) @ parting(spec).normal)) > _ALONG
 
 
-def _pin(spec: ObjectSpec, frame: FaceFrame, pocket: Pocket) -> Pin:
-    """Its rim is left to `_rim_mm`."""
-    seat, radius = spec.mould.wall_mm, pocket.outline.radius_mm + PIN_HEAD_RIM_MM
+def _pin(spec: ObjectSpec, frame: FaceFrame, pocket: Pocket, rise: float = 0.0) -> Pin:
+    """Its rim is left to `_rim_mm`; by `rise` the surface rises beside it, per mm."""
+    radius = pocket.outline.radius_mm + PIN_HEAD_RIM_MM
+    seat = spec.mould.wall_mm + rise * radius
     rim = radius * np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0]])
     start = frame.to_object(rim + np.append(pocket.body.centre_mm[:2], 0.0))
     leaves = max(_exit_mm(spec, point, frame.normal) for point in start)
@@ -244,7 +247,8 @@ def _locating_pin(spec: ObjectSpec, locator: Locator) -> Pin:
     depth = locator.depth_mm / 2
     body = Body(np.array([0.0, 0.0, -depth / 2]), np.eye(3), outline, depth, "a locating pin")
     frame = locator.frame.tangent(np.zeros(2))
-    return replace(_pin(spec, frame, Pocket(body, outline)), locator=locator)
+    pin = _pin(spec, frame, Pocket(body, outline), locator.rise_mm)
+    return replace(pin, locator=locator)
 
 
 def _exit_mm(spec: ObjectSpec, start_mm: np.ndarray, way: np.ndarray) -> float:
@@ -298,15 +302,10 @@ def least_rim_mm(spec: ObjectSpec) -> float:
 def _rod_and_nose(spec: ObjectSpec, locator: Locator) -> tuple[cq.Solid, cq.Solid]:
     """Through the silicone into the core, which is to be cut off the rod; into the core's hole."""
     depth, middle = locator.depth_mm, (0.0, 0.0)
-    start = -depth - OVERSHOOT_MM
+    start = -depth - OVERSHOOT_MM - locator.radius_mm * locator.rise_mm
     rod = cylinder_on_face(locator.frame, middle, locator.radius_mm, start, -depth / 4)
-    tip = depth + min(LOCATOR_NOSE_MM, 0.8 * _core_half_mm(locator))
+    tip = depth + min(LOCATOR_NOSE_MM, 0.8 * locator.hole_mm)
     narrow = locator.radius_mm - play_mm(spec)
     sunk = OVERSHOOT_MM / 2
     nose = cylinder_on_face(locator.frame, middle, narrow, -tip, -depth + sunk)
     return rod, nose
-
-
-def _core_half_mm(locator: Locator) -> float:
-    """From the core's surface to the middle of the body, where wire holes meet."""
-    return float(locator.frame.centre_mm @ locator.frame.normal) - locator.depth_mm

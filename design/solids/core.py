@@ -7,9 +7,9 @@ import numpy as np
 
 from design.body.surface_chart import FACE_AXES, FaceFrame
 from design.layout.blocks import core_keys
-from design.layout.boards import wire_channels
+from design.layout.boards import wire_channels, wire_hole_diameter_mm
 from design.layout.body import body_of, core_frames
-from design.layout.core_hold import wire_hole_diameter_mm
+from design.layout.core_hold import locators
 from design.layout.places.positions import board_places
 from design.layout.pockets import core_pockets
 from design.solids.body import core_hollow, core_solid
@@ -33,7 +33,7 @@ def make_core(spec: ObjectSpec) -> cq.Solid:
     InputError
         The dimensions do not give one valid solid.
     """
-    cutters = [*_cavity(spec), *_outlets(spec)]
+    cutters = [*_cavity(spec), *_outlets(spec), *_sockets(spec)]
     frames = core_frames(spec)
     for frame, places in board_places(spec):
         if spec.arrangement == "sensors-in-core":
@@ -69,6 +69,17 @@ def _outlets(spec: ObjectSpec) -> list[cq.Solid]:
         length = float(abs(normal) @ half) + OVERSHOOT_MM
         found.append(cq.Solid.makeCylinder(radius, length, middle, cq.Vector(*normal)))
     return found
+
+
+def _sockets(spec: ObjectSpec) -> list[cq.Solid]:
+    """Holes for pins that stand beside the wire holes."""
+    return [
+        cylinder_on_face(
+            l.frame, (0.0, 0.0), l.radius_mm, -l.depth_mm - l.hole_mm, OVERSHOOT_MM - l.depth_mm
+        )
+        for l in locators(spec)
+        if l.socket is not None
+    ]
 
 
 def _sensor_recess(

@@ -15,6 +15,7 @@ from design.layout.blocks import core_keys, relief_slits
 from design.layout.boards import wire_channels
 from design.layout.body import body_of, face_frames
 from design.layout.core_hold import Locator, core_outlet, locators
+from design.layout.core_sockets import Socket
 from design.layout.mould_frame import cast_corners_mm
 from design.layout.places.positions import board_places
 from design.layout.pockets import Pocket, shell_pockets
@@ -27,6 +28,8 @@ if TYPE_CHECKING:
 _OVERSHOOT_MM = 0.5
 _SECTIONS = 64
 _LEAST_HOLLOW_MM = 3.0
+_LEANING = 0.5
+"""Of its radius, by which a hole goes on beyond a surface that leans."""
 
 
 def sampled_shell(spec: ObjectSpec) -> trimesh.Trimesh:
@@ -66,7 +69,8 @@ def _locator_hole(locator: Locator) -> trimesh.Trimesh:
     import trimesh
 
     middle, normal = locator.frame.centre_mm, locator.frame.normal
-    ends = [middle - (locator.depth_mm + _OVERSHOOT_MM) * normal, middle + _OVERSHOOT_MM * normal]
+    past = _OVERSHOOT_MM + locator.radius_mm * locator.rise_mm
+    ends = [middle - (locator.depth_mm + past) * normal, middle + past * normal]
     return trimesh.creation.cylinder(locator.radius_mm, segment=ends, sections=_SECTIONS)
 
 
@@ -84,9 +88,18 @@ def sampled_core_part(spec: ObjectSpec) -> trimesh.Trimesh:
         channels = wire_channels(spec, frame, [place for place, _ in places], _OVERSHOOT_MM)
         removed += [block_surface(channel) for channel in channels]
         removed.append(_wire_hole(spec, frame.centre_mm + _OVERSHOOT_MM * frame.normal))
+    removed += [_socket(locator.socket) for locator in locators(spec) if locator.socket]
     if 6 in spec.body.opened:
         removed.append(_hollow(spec))
     return _one(sampled_core(body_of(spec)), removed, "core")
+
+
+def _socket(socket: Socket) -> trimesh.Trimesh:
+    import trimesh
+
+    mouth = socket.frame.centre_mm - (socket.depth_mm - _OVERSHOOT_MM) * socket.frame.normal
+    ends = [socket.end_mm, mouth + _LEANING * socket.radius_mm * socket.frame.normal]
+    return trimesh.creation.cylinder(socket.radius_mm, segment=ends, sections=_SECTIONS)
 
 
 def _hollow(spec: ObjectSpec) -> trimesh.Trimesh:

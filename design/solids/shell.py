@@ -81,5 +81,6 @@ def pocket_prisms(spec: ObjectSpec) -> list[cq.Solid]:
 
 def locator_hole(locator: Locator) -> cq.Solid:
     """What a locating pin leaves in the silicone, from within the core to outside the face."""
-    bottom = -locator.depth_mm - OVERSHOOT_MM
-    return cylinder_on_face(locator.frame, (0.0, 0.0), locator.radius_mm, bottom, OVERSHOOT_MM)
+    past = OVERSHOOT_MM + locator.radius_mm * locator.rise_mm
+    bottom = -locator.depth_mm - past
+    return cylinder_on_face(locator.frame, (0.0, 0.0), locator.radius_mm, bottom, past)

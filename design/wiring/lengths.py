@@ -7,6 +7,8 @@ import numpy as np
 from design.body.surface_chart import FACE_AXES
 from design.layout.boards import mounted_sensors
 from design.layout.body import core_frames
+from design.layout.core_hold import locators
+from design.layout.mould_frame import opening_of
 from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
 
@@ -37,6 +39,9 @@ def wire_lengths_mm(spec: ObjectSpec, lead_mm: float = LEAD_MM) -> tuple[float, 
 
 
 def _exit_mm(spec: ObjectSpec) -> np.ndarray:
-    """Middle of the first open face, or of face 6 where the body opens by a bore."""
+    """Middle of the first open face, or of face 6 where the body opens by a bore; of a closed body the
+    hole of the first locating pin."""
+    if opening_of(spec) == "closed" and locators(spec):
+        return locators(spec)[0].frame.centre_mm
     normal = np.array(FACE_AXES[(*spec.body.opened, 6)[0]][0], dtype=float)
     return normal * np.asarray(spec.body.size_mm) / 2

@@ -13,6 +13,7 @@ from design.build.manifest import BuildManifest, PartManifest
 from design.build.order_list import OrderLine, cost_eur
 from design.layout.boards import wire_bundle_mm
 from design.layout.body import core_frames, face_frames
+from design.layout.mould_frame import opening_of
 from design.layout.pockets import magnet_places, sensor_places
 from design.spec.object import ObjectSpec
 from design.wiring.bus_plan import BusPlan
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
 _NORTH, _SOUTH = "#c1121f", "#1d4e9e"
 _FACE_MM = 55.0
 _BORDER_MM = 4.0
+_SAME_MM = 2e-2
 
 
 def assembly_sheet(
@@ -56,6 +58,7 @@ def assembly_sheet(
         template=_template(frames, parts),
         sensors=_sensors(spec, plan),
         bundle_mm=wire_bundle_mm(spec),
+        leave="the holes of the locating pins" if opening_of(spec) == "closed" else "the open face",
         pins=_pin_rows(pins),
         prints=[_print(part) for part in manifest.parts if part.printing is not None],
         steps=steps(spec, parts),
@@ -95,6 +98,7 @@ def _face(spec: ObjectSpec, frame: FaceFrame, pins: Sequence[PinKind]) -> dict[s
         "arrows": f"M {1 - half_x:g} {half_y - 1:g} h 6 m 0 0 l -1.5 -0.9 m 1.5 0.9 l -1.5 0.9 "
         f"M {1 - half_x:g} {half_y - 1:g} v -6 m 0 0 l -0.9 1.5 m 0.9 -1.5 l 0.9 1.5",
         "magnets": magnets,
+        "sockets": _sockets(pins, frame.number, places),
         "axis": _axis_name(frame.normal),
         "x_axis": _axis_name(frame.x),
         "y_axis": _axis_name(frame.y),
@@ -110,6 +114,18 @@ def _pin_at(pins: Sequence[PinKind], face: int, x_mm: float, y_mm: float) -> str
         ):
             return f"P{number}"
     return ""
+
+
+def _sockets(
+    pins: Sequence[PinKind], face: int, magnets: Sequence[tuple[float, float]]
+) -> list[dict[str, Any]]:
+    """Places of a face where a pin stands in a hole of the core and forms no pocket."""
+    return [
+        {"x": x, "y": y, "pin": f"P{number}"}
+        for number, kind in enumerate(pins, start=1)
+        for at, x, y in kind.places
+        if at == face and all(abs(x - a) + abs(y - b) > _SAME_MM for a, b in magnets)
+    ]
 
 
 def _pin_rows(pins: Sequence[PinKind]) -> list[list[str]]:

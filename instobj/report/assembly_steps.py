@@ -81,7 +81,7 @@ def _closed(spec: ObjectSpec) -> str:
     }[opening_of(spec)]
     pins = (
         "push all pins in to their heads, each where the table of pins says, the locating pins into the "
-        "core's wire holes"
+        "core's holes"
         if opening_of(spec) == "closed"
         else "push all pins in to their heads, each where the table of pins says"
     )

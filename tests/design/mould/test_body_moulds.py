@@ -48,6 +48,8 @@ CASES = {
     "capsule": {},
     "closed capsule": {"body": {"open_faces": []}, "magnets": BESIDE},
     "ellipsoid": {"magnets": BESIDE},
+    "ellipsoid on sockets": {},
+    "closed sphere": {"body": {"open_faces": []}},
     "bored ellipsoid": {"body": {"open_faces": [6], "bore_mm": 9.0}},
     "split pad": {"mould": {"style": "split"}},
     "split cylinder": {"mould": {"style": "split", "draft_deg": 3.0}},
@@ -65,10 +67,14 @@ KINDS = {
     "slits that meet the pouring hole": "closed_box",
     "closed cylinder": "cylinder",
     "closed capsule": "capsule",
+    "ellipsoid on sockets": "ellipsoid",
+    "closed sphere": "sphere",
 }
 LONG = (
     "slits that meet the pouring hole",
     "ellipsoid",
+    "ellipsoid on sockets",
+    "closed sphere",
     "sphere",
     "capsule",
     "closed capsule",
@@ -207,7 +213,7 @@ def test_a_style_that_cannot_be_drawn_is_refused_and_the_other_is_chosen():
 
 
 def test_a_core_that_nothing_can_hold_is_told():
-    spec = body_spec("ellipsoid")  # its pockets lie half over the wire holes, and turned to them
+    spec = body_spec("ellipsoid", core={"wire_hole_side_diameter_mm": 20.0})
     assert not [part for part in parts_of(spec) if part.name.startswith("mould")]
     (told,) = check_casting(spec, {})
     assert (told.check, told.status) == ("mould", "fail")

@@ -153,7 +153,7 @@ def test_the_exploded_view_shows_magnets_of_both_poles_and_boards(tmp_path):
         ),
         ({"silicone": {"name": "TPU 85A"}}, "Print the shell in TPU 85A"),
         ({"mould": {"style": "split"}}, "push all pins in"),
-        ({"body": {"open_faces": []}}, "locating pins into the core's wire holes"),
+        ({"body": {"open_faces": []}}, "locating pins into the core's holes"),
         ({"body": {"open_faces": []}}, "Stand the mould on the corner"),
         ({"printer": {"name": "resin"}}, "inhibits platinum silicone"),
         ({"shell": {"seal_layer_mm": 0.8}}, "the layer of 0.8 mm"),
@@ -178,7 +178,12 @@ def test_a_plate_is_not_pushed_into_its_slab():
 def test_without_a_mould_nothing_of_it_is_named():
     body = {"kind": "sphere", "size_mm": [60.0] * 3, "open_faces": [], "sensed_faces": [2]}
     blocked = ObjectSpec.model_validate(
-        {"name": "t", "body": body, "magnets": {"positions_mm": [[3.0, 0.0]]}}
+        {
+            "name": "t",
+            "body": body,
+            "magnets": {"positions_mm": [[3.0, 0.0]]},
+            "core": {"wire_hole_side_diameter_mm": 44.0},
+        }
     )
     told = " ".join(steps(blocked, ("core", "shell")))
     assert "No mould was built" in told
