@@ -222,8 +222,8 @@ def _no_patch(number: int) -> InputError:
 
 
 def _steps(reach_mm: float) -> int:
-    """Of a patch's grid, from its middle to its side."""
-    return min(int(np.ceil(reach_mm / _RELIEF_STEP_MM)), _MOST_STEPS)
+    """Of a patch's grid, from its middle to its side; a cubic spline needs two on either."""
+    return min(max(int(np.ceil(reach_mm / _RELIEF_STEP_MM)), 2), _MOST_STEPS)
 
 
 def _traced(

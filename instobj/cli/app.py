@@ -179,7 +179,8 @@ def score(
     """Sensitivity, Cramér–Rao bounds and maps of every contact location."""
     chosen = {"score.hull": hull, "score.hull_frames": hull_frames}
     more = [f"{key}={value}" for key, value in chosen.items() if value is not None]
-    stages = ("scores", *(("shear_scores",) if shear else ()), "discretisation")
+    more_scores = ("shear_scores",) if shear else ()
+    stages = ("scores", "weak_areas", *more_scores, "discretisation")
     _chain(specs, stages, out, as_json, [*with_as_built(overrides, as_built), *more])
 
 

@@ -29,6 +29,7 @@ _MODULES: tuple[str, ...] = (
     "instobj.experiments.paper.slipped",
     "instobj.experiments.paper.force_vectors",
     "instobj.experiments.layouts",
+    "instobj.experiments.weak_areas",
 )
 
 

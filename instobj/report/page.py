@@ -31,6 +31,7 @@ from instobj.report.uncertainty import (
     travel_text,
 )
 from instobj.report.verdict import judge
+from instobj.report.weak_areas import weak_areas_section
 from instobj.store import readers
 from instobj.store.readers import published_files
 from instobj.store.record import read_record
@@ -102,6 +103,7 @@ def write_report(spec: ObjectSpec, inputs: Inputs, path: Path) -> None:
         files=_files(inputs),
         **_maps(spec, inputs),
         **_areas(scores),
+        **weak_areas_section(inputs["weak_areas"]),
         **_cross_face(inputs),
         **_robustness(inputs),
         **_discretisation(spec, inputs),

@@ -10,6 +10,7 @@ from typing import Any
 from design.spec.object import ObjectSpec
 from instobj.report.remedies import verdict_summary
 from instobj.report.uncertainty import robustness_summary
+from instobj.report.weak_areas import WEAK_TITLE, weak_rows
 from instobj.store.content import StoredResult
 from instobj.store.readers import (
     CALIBRATION,
@@ -44,6 +45,7 @@ def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) 
         ("presses", "tension at the sliding core, left out of the presses", _core_tension),
         ("discretisation", "discretisation error", _discretisation),
         ("scores", "bounds by area (medians over all faces, fresh zero)", _areas),
+        ("weak_areas", WEAK_TITLE, weak_rows),
         ("scores", "10 N on another face, in this face's own channels", _cross_face),
         ("shear_scores", "bounds with tangential forces (medians over all places)", _shear),
         (
@@ -130,16 +132,12 @@ def _parts(result: StoredResult) -> list[dict[str, Any]]:
         {
             "part": part.name,
             "volume mm³": round(part.volume_mm3, 2),
-            "box mm": " × ".join(f"{edge:g}" for edge in map(_rounded, part.size_mm)),
+            "box mm": " × ".join(f"{round(edge, 3):g}" for edge in part.size_mm),
             "STL volume error %": round(100 * (part.stl_volume_mm3 / part.volume_mm3 - 1), 4),
             "watertight": part.stl_watertight,
         }
         for part in MANIFEST.read(result.folder).parts
     ]
-
-
-def _rounded(value: float) -> float:
-    return round(value, 3)
 
 
 def _areas(result: StoredResult) -> list[dict[str, Any]]:

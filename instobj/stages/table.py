@@ -44,6 +44,7 @@ from instobj.stages.makers.signals import (
     make_scores,
     make_shear_scores,
     make_signals,
+    make_weak_areas,
 )
 from instobj.stages.makers.slip import make_slip, objects_compared
 from instobj.store.stage import Stage
@@ -176,6 +177,9 @@ STAGES: dict[str, Stage] = {
     ),
     "scores": Stage(
         "sensitivity: bounds and maps", ("signals",), ("score", "seed"), make_scores, version=6
+    ),
+    "weak_areas": Stage(
+        "sensitivity: weak areas", ("scores",), ("limits.position_bound_mm",), make_weak_areas
     ),
     "shear": Stage(
         "mechanics: tangential forces",
@@ -316,6 +320,7 @@ STAGES: dict[str, Stage] = {
             "discretisation",
             "signals",
             "scores",
+            "weak_areas",
             "frames",
             "robustness",
             "metrics",
@@ -328,7 +333,7 @@ STAGES: dict[str, Stage] = {
         ),
         ("name", "limits", "search.prices", "silicone"),
         make_report,
-        version=14,
+        version=15,
     ),
 }
 """In the order in which a command works through those that it needs."""

@@ -12,6 +12,7 @@ from design.spec.object import ObjectSpec
 from estimator.information.cross_face import RELATIONS, CrossFace
 from estimator.information.scores import PlaceScores, weakest_place
 from estimator.information.shear import ShearScores
+from estimator.information.weak_areas import WeakAreas
 from instobj.figures.maps.heatmaps import draw_face_heatmap
 from instobj.figures.maps.overview import draw_overview
 from instobj.figures.maps.scale import BOUND_COLOURS, GAIN_COLOURS, finite_limits
@@ -102,6 +103,53 @@ def _draw_overview(spec: ObjectSpec, scores: PlaceScores, path: Path) -> None:
             + (" ∞: blind, along the line." if np.isinf(values).any() else "")
         ),
     )
+
+
+_MEASURE_MAPS = (
+    (
+        "border_mm",
+        "border_distance",
+        "Distance to the border of the patch",
+        "mm",
+        1.0,
+        GAIN_COLOURS,
+    ),
+    ("magnet_mm", "magnet_distance", "Distance to the nearest magnet", "mm", 1.0, BOUND_COLOURS),
+    ("curvature_per_mm", "curvature", "Mean curvature", "1/m", 1000.0, GAIN_COLOURS),
+)
+
+
+def draw_measure_maps(
+    spec: ObjectSpec,
+    scores: PlaceScores,
+    areas: WeakAreas,
+    folder: Path,
+    step: Callable[[str], None],
+) -> None:
+    """Overviews of the measures that vary over the object, its weakest tenth framed."""
+    bound, there = scores.position_bound_fresh_mm, scores.places
+    weakest = there & (bound >= np.quantile(bound[there], 0.9, method="lower"))
+    for name, stem, title, unit, factor, colours in _MEASURE_MAPS:
+        if name not in areas.rank_correlation:
+            continue
+        step(f"map of the {title.lower()}")
+        values = factor * getattr(areas.measures, name)
+        draw_overview(
+            values,
+            scores.faces,
+            spec,
+            title,
+            unit,
+            *finite_limits(values),
+            folder / f"{stem}_overview.png",
+            log=False,
+            colours=colours,
+            marked=weakest,
+            note=(
+                "Framed: the tenth of the contact locations with the largest position bounds. "
+                f"Rank correlation with the bound: {areas.rank_correlation[name]:+.2f}."
+            ),
+        )
 
 
 def draw_shear_maps(spec: ObjectSpec, scores: ShearScores, folder: Path) -> None:

@@ -46,6 +46,7 @@ _ABOVE_CAPTION_INCHES = 2.1
 """Height of scale and legend in the column."""
 _NAME_POINTS = 10.5
 _ARROW_MM = 5.0
+MARKED = "#2fd6f5"
 
 
 @dataclass(frozen=True)
@@ -78,11 +79,13 @@ def draw_overview(
     colours: str = BOUND_COLOURS,
     note: str = "",
     direction_deg: Float[np.ndarray, "face place"] | None = None,
+    marked: Bool[np.ndarray, "face place"] | None = None,
 ) -> None:
     """All faces in one picture and on one scale (PNG).
 
     `note` is the caption, wrapped to its column; `direction_deg` from each face's x is drawn as a
-    line through places without a finite value. Raises as `map_scale` does.
+    line through places without a finite value, `marked` places get a frame. Raises as `map_scale`
+    does.
     """
     scale = map_scale(unit, vmin, vmax, log, colours)
     covered = f"Contact locations cover {100 * covered_share(spec):.0f} % of the sensed surface."
@@ -96,6 +99,8 @@ def draw_overview(
         if direction_deg is not None:
             blind = contact_places(spec)[spec.body.sensed.index(number)] & ~np.isfinite(row)
             _draw_directions(page.axes, spec, direction_deg[index], blind, pose)
+        if marked is not None:
+            _draw_frames(page.axes, spec, marked[index], pose)
         _name(page.axes, spec, number, pose)
         _draw_axes_arrows(page, spec, number, pose)
     _fill_column(page, meshes[0], scale, caption)
@@ -210,6 +215,22 @@ def _draw_directions(
     lines = LineCollection(list(ends), colors=INK, linewidths=1.3, zorder=4)
     lines.set_path_effects([withStroke(linewidth=2.6, foreground=PAPER)])
     axes.add_collection(lines)
+
+
+def _draw_frames(
+    axes: Any, spec: ObjectSpec, marked: Bool[np.ndarray, "place"], pose: Pose
+) -> None:
+    """Frames just inside the cells of marked places."""
+    from matplotlib.collections import LineCollection
+    from matplotlib.patheffects import withStroke
+
+    half = 0.42 * spec.contact_grid.pitch_mm
+    square = half * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1], [-1, -1]])
+    centres = contact_grid(spec).xy_mm[marked]
+    lines = [pose.apply(centre + square) for centre in centres]
+    frames = LineCollection(lines, colors=MARKED, linewidths=1.6, zorder=5)
+    frames.set_path_effects([withStroke(linewidth=3.2, foreground=INK)])
+    axes.add_collection(frames)
 
 
 def _draw_axes_arrows(page: _Page, spec: ObjectSpec, face: int, pose: Pose) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +21,9 @@ from instobj.store.readers import (
     SHEAR,
     SHEAR_SCORES,
     SIGNALS,
+    WEAK_AREAS,
+    WEAK_AREAS_PICTURE,
+    WEAK_PLACES,
 )
 from instobj.store.stage import StageContext, write_json
 
@@ -50,6 +54,28 @@ def make_scores(context: StageContext, folder: Path) -> None:
     summaries = {relation: cross.summary(relation) for relation in RELATIONS}
     write_json({"force_n": cross.force_n} | summaries, CROSS_FACE.path(folder))
     draw_cross_face_map(context.spec, cross, folder / "maps")
+
+
+def make_weak_areas(context: StageContext, folder: Path) -> None:
+    """What weak locations have in common: their places on the body."""
+    from estimator.information.weak_areas import save_weak_areas_csv, weak_areas
+    from instobj.figures.maps.files import draw_measure_maps
+    from instobj.figures.weak_areas import draw_weak_areas
+
+    spec, scores = context.spec, context.read(SCORES)
+    areas = weak_areas(spec, scores)
+    save_weak_areas_csv(areas, scores, WEAK_PLACES.path(folder))
+    content = {
+        "told_by": areas.told_by,
+        "edge_ratio": areas.edge_ratio,
+        "rank_correlation": areas.rank_correlation,
+        "weakest_tenth": areas.weakest_tenth,
+        "thirds": [asdict(third) for third in areas.thirds],
+    }
+    write_json(content, WEAK_AREAS.path(folder))
+    limit = spec.limits.position_bound_mm
+    draw_weak_areas(scores, areas, limit, WEAK_AREAS_PICTURE.path(folder))
+    draw_measure_maps(spec, scores, areas, folder / "maps", context.step)
 
 
 def make_shear_scores(context: StageContext, folder: Path) -> None:

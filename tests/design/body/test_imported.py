@@ -13,6 +13,7 @@ from numpy.testing import assert_allclose
 
 from design.body import sampled
 from design.body.imported import body_of_file
+from design.body.kinds.registry import KINDS
 from design.body.sampled import measured_distance_mm, sampled_core
 from design.errors import InputError
 from design.layout.body import body_of, core_frames, face_frames
@@ -346,3 +347,12 @@ def test_large_bodies_take_no_finer_grids_than_small_ones(tmp_path, monkeypatch,
     assert max(len(points) for points, _ in grids) < 140**3
     (frame,) = face_frames(spec)
     assert frame.relief.spline.get_coeffs().size <= 140**2
+
+
+def test_a_patch_of_less_than_a_millimetre_is_a_patch(tmp_path):
+    """Its spline had three nodes along that axis, and SciPy's own error was raised."""
+    trimesh.creation.box((30.0, 25.0, 17.2)).export(tmp_path / "slab.stl")
+    keys = body_of_file(tmp_path / "slab.stl")
+    body = KINDS["imported"](tuple(keys["size_mm"]), 8.0, 0.1, file=keys["file"])
+    reach_mm = min(body.core_frame(3).half_extents_mm)
+    assert 0 < reach_mm < 0.6

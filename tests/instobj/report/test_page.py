@@ -25,6 +25,7 @@ TABLES = (
         "mechanics",
         "discretisation",
     ),
+    *("weak_header", "weak_areas", "weak_maps"),
     *("parts", "stages", "area_header", "discretisation_header", "deltas", "delta_maps"),
 )
 TEXTS = (
@@ -38,8 +39,10 @@ TEXTS = (
         "made_with",
     ),
     *("specification", "cross_face_force_n", "draws", "locations", "covered_by_face", "decision"),
+    "weak_text",
 )
 PICTURES = ("overview", "robustness_picture", "press_curves", "parts_picture", "still", "scene")
+PICTURES += ("weak_picture",)
 
 
 def page_of(spec, tmp_path, **content):

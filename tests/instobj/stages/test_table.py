@@ -115,7 +115,7 @@ DOWNSTREAM = {
     "tolerances.magnet_tilt_deg=1": {"robustness"},
     "as_built.magnets=[{face=2, magnet=1, flipped=true}]": {"signals", "robustness"},
     "training.epochs=5": {"networks"},
-    "limits.position_bound_mm=2": {"report", "identify"},
+    "limits.position_bound_mm=2": {"report", "identify", "weak_areas"},
     "core.wall_mm=4": {"build"},
     "mould.style=split": {"build"},
     "printer.name=resin": {"build"},

@@ -1,0 +1,124 @@
+"""Weak areas of any body: how the position bound goes with a location's place on it.
+
+Three measures of a contact location follow from the specification alone: the distance to the border
+of its patch, the distance to the spot over the nearest magnet, and the surface's curvature. A table
+of their thirds and rank correlations says which of them an object's weak locations go with.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from jaxtyping import Bool, Float
+
+from design.layout.places.contact_places import face_rows
+from design.layout.places.measures import MEASURES, Measure, PlaceMeasures, place_measures
+from design.spec.object import ObjectSpec
+from design.tables import write_table
+from estimator.information.scores import PlaceScores
+
+_DIGITS = 5
+"""Decimals of a measure to which locations are told apart."""
+
+
+@dataclass(frozen=True)
+class Third:
+    """The locations with the smallest, middle or largest values of a measure; equal values stay
+    together, so that thirds may be uneven, or two.
+
+    `bound_mm` is the median of their position bounds (fresh baseline), `over_all` its ratio to the
+    median over all locations of the object.
+    """
+
+    measure: Measure
+    low: float
+    high: float
+    places: int
+    bound_mm: float
+    over_all: float
+
+
+@dataclass(frozen=True)
+class WeakAreas:
+    """What weak locations have in common.
+
+    `rank_correlation` is Spearman's, of the position bound with each measure that varies over the
+    object: above 0, larger is weaker. `thirds` holds the same measures. `weakest_tenth` holds, for
+    each, the median over the weakest tenth of the locations.
+    """
+
+    measures: PlaceMeasures
+    rank_correlation: dict[Measure, float]
+    thirds: tuple[Third, ...]
+    weakest_tenth: dict[Measure, float]
+
+    @property
+    def told_by(self) -> Measure | None:
+        """The measure that orders the locations most like their bounds do; None where none varies."""
+        order = self.rank_correlation
+        return max(order, key=lambda name: abs(order[name])) if order else None
+
+    @property
+    def edge_ratio(self) -> float:
+        """Edge-area sensitivity: median bound of the third nearest the border over the innermost's.
+
+        NaN where all locations lie equally far from it.
+        """
+        bounds = [third.bound_mm for third in self.thirds if third.measure == "border_mm"]
+        return bounds[0] / bounds[-1] if bounds else float("nan")
+
+
+def weak_areas(spec: ObjectSpec, scores: PlaceScores) -> WeakAreas:
+    """Which measures the position bounds of an object (fresh baseline) go with."""
+    from scipy.stats import rankdata
+
+    rows, there = face_rows(spec, scores.faces), scores.places
+    every = place_measures(spec)
+    measures = PlaceMeasures(*(getattr(every, name)[rows] for name in MEASURES))
+    bound = scores.position_bound_fresh_mm[there]
+    weakest = bound >= np.quantile(bound, 0.9, method="lower")
+    correlation: dict[Measure, float] = {}
+    thirds: list[Third] = []
+    tenth: dict[Measure, float] = {}
+    for name in MEASURES:
+        value = getattr(measures, name)[there]
+        if len(np.unique(value.round(_DIGITS))) < 2:
+            continue
+        ranks = np.corrcoef(rankdata(bound), rankdata(value.round(_DIGITS)))
+        correlation[name] = float(ranks[0, 1]) if np.ptp(bound) > 0 else 0.0
+        tenth[name] = float(np.median(value[weakest]))
+        for some in _thirds(value):
+            median = float(np.median(bound[some]))
+            limits = float(value[some].min()), float(value[some].max())
+            over_all = median / float(np.median(bound))
+            thirds.append(Third(name, *limits, int(some.sum()), median, over_all))
+    return WeakAreas(measures, correlation, tuple(thirds), tenth)
+
+
+def _thirds(value: Float[np.ndarray, "n"]) -> list[Bool[np.ndarray, "n"]]:
+    """Which locations have its smallest, middle and largest values; equal ones stay together."""
+    levels = np.unique(value.round(_DIGITS))
+    cuts = levels[1:] if len(levels) <= 3 else np.quantile(value.round(_DIGITS), [1 / 3, 2 / 3])
+    group = np.searchsorted(cuts, value.round(_DIGITS), side="right")
+    return [some for some in (group == number for number in range(3)) if some.any()]
+
+
+def save_weak_areas_csv(areas: WeakAreas, scores: PlaceScores, path: Path | str) -> None:
+    """One row for every face and location that it has; `over_median` is the bound over the median's."""
+    bound, there = scores.position_bound_fresh_mm, scores.places
+    ratio, xy = bound / np.median(bound[there]), scores.grid.xy_mm
+    header = ["face", "place", "x_mm", "y_mm", *MEASURES, "position_bound_fresh_mm", "over_median"]
+    rows = (
+        [
+            scores.faces[row],
+            place,
+            *xy[place].tolist(),
+            *(repr(float(getattr(areas.measures, name)[row, place])) for name in MEASURES),
+            repr(float(bound[row, place])),
+            repr(float(ratio[row, place])),
+        ]
+        for row, place in np.argwhere(there).tolist()
+    )
+    write_table(Path(path), header, rows)

@@ -1,0 +1,96 @@
+"""Weak areas in words and rows: what an object's weak contact locations have in common."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from instobj.store.content import StoredResult
+from instobj.store.readers import WEAK_AREAS, WEAK_AREAS_PICTURE, WEAK_MAPS
+
+WEAK_TITLE = "weak areas: position bounds by thirds of three measures (rank: with the bound)"
+_NAMES = {
+    "border_mm": ("border, mm", "the distance to the border of their patch", "mm"),
+    "magnet_mm": ("magnet, mm", "the distance to the nearest magnet", "mm"),
+    "curvature_per_mm": ("curvature, 1/m", "the curvature of the surface", "1/m"),
+}
+"""Measure → what tables and sentences call it, and its unit there."""
+_CLEAR = 0.5
+"""Rank correlation from which on weak locations are said to go with a measure."""
+
+
+def weak_rows(result: StoredResult) -> list[dict[str, Any]]:
+    """Rows of the command line's table."""
+    return _rows(WEAK_AREAS.read(result.folder))
+
+
+def weak_areas_section(folder: Path) -> dict[str, Any]:
+    """Sentence, table, figure and maps, as the page shows them."""
+    content = WEAK_AREAS.read(folder)
+    rows = _rows(content)
+    return {
+        "weak_text": weak_text(content),
+        "weak_header": list(rows[0]) if rows else [],
+        "weak_areas": [[_cell(value) for value in row.values()] for row in rows],
+        "weak_picture": WEAK_AREAS_PICTURE.path(folder),
+        "weak_maps": sorted((folder / "maps").glob(Path(WEAK_MAPS.name).name)),
+    }
+
+
+def weak_text(content: dict[str, Any]) -> str:
+    """What the weak locations go with, and how much, in two sentences."""
+    told_by, order = content["told_by"], content["rank_correlation"]
+    if told_by is None:
+        return (
+            "All contact locations lie alike: border, magnets and curvature tell none from another"
+        )
+    parts = []
+    if abs(order[told_by]) < _CLEAR:
+        parts.append("Weak locations go with none of the three measures clearly")
+    else:
+        side = "large" if order[told_by] > 0 else "small"
+        parts.append(f"Weak locations are those where {_NAMES[told_by][1]} is {side}")
+    parts[0] += f" (rank correlation with the bound {order[told_by]:+.2f})"
+    thirds = [third for third in content["thirds"] if third["measure"] == told_by]
+    strong, weak = sorted((thirds[0], thirds[-1]), key=lambda third: third["bound_mm"])
+    parts.append(
+        f"the median bound is {weak['bound_mm']:.2g} mm at {_range(weak)} and "
+        f"{strong['bound_mm']:.2g} mm at {_range(strong)}"
+    )
+    if told_by != "border_mm" and "border_mm" in order:
+        parts.append(
+            f"the third of the locations nearest the border has {content['edge_ratio']:.2g} times "
+            "the bound of the innermost"
+        )
+    return "; ".join(parts)
+
+
+def _rows(content: dict[str, Any]) -> list[dict[str, Any]]:
+    return [
+        {
+            "by": _NAMES[third["measure"]][0],
+            "from": _shown(third, "low"),
+            "to": _shown(third, "high"),
+            "places": third["places"],
+            "place mm": third["bound_mm"],
+            "/median": third["over_all"],
+            "rank": content["rank_correlation"][third["measure"]],
+        }
+        for third in content["thirds"]
+    ]
+
+
+def _shown(third: dict[str, Any], end: str) -> float:
+    """In the unit of the tables."""
+    return third[end] * (1000 if third["measure"] == "curvature_per_mm" else 1)
+
+
+def _range(third: dict[str, Any]) -> str:
+    unit = _NAMES[third["measure"]][2]
+    return f"{_shown(third, 'low'):.3g} to {_shown(third, 'high'):.3g} {unit}"
+
+
+def _cell(value: Any) -> str:
+    from instobj.report.pages import shown
+
+    return shown(value) if isinstance(value, float) else str(value)

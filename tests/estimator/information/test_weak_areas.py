@@ -1,0 +1,84 @@
+"""Weak areas: the measure that bounds follow is found, on flat and curved bodies."""
+
+import csv
+from dataclasses import fields
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from design.layout.places.contact_grid import contact_grid
+from design.layout.places.contact_places import contact_places
+from design.layout.places.measures import MEASURES, place_measures
+from design.spec_io import load_spec
+from estimator.information.scores import PlaceScores
+from estimator.information.weak_areas import save_weak_areas_csv, weak_areas
+from tests.support.pages import ROOT
+
+
+def scores_of(spec, bound_mm):
+    """Scores with these position bounds, all others 1."""
+    there = contact_places(spec)
+    ones = np.where(there, 1.0, np.nan)
+    values = {field.name: ones for field in fields(PlaceScores)[2:]}
+    values |= {"reaches_score_force": there}
+    values |= {"position_bound_fresh_mm": np.where(there, bound_mm, np.nan)}
+    return PlaceScores(np.array(spec.body.sensed), contact_grid(spec), **values)
+
+
+@pytest.fixture(scope="module")
+def ball():
+    return load_spec(ROOT / "examples/ball.toml", ['contact_grid.count="fill"'])
+
+
+@pytest.fixture(scope="module")
+def pear():
+    return load_spec(ROOT / "examples/pear.toml", ["body.sensed_faces=[2]"])
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+@pytest.mark.parametrize("name", MEASURES)
+def test_the_measure_that_bounds_follow_is_told(pear, name, sign):
+    value = getattr(place_measures(pear), name)
+    found = weak_areas(pear, scores_of(pear, np.exp(sign * value / np.nanstd(value))))
+    assert found.told_by == name
+    assert_allclose(found.rank_correlation[name], sign)
+    low, middle, high = (third for third in found.thirds if third.measure == name)
+    assert (low.bound_mm < middle.bound_mm < high.bound_mm) == (sign > 0)
+    assert low.places + middle.places + high.places == np.isfinite(value).sum()
+    extreme = np.nanquantile(value, 0.9 if sign > 0 else 0.1)
+    assert sign * (found.weakest_tenth[name] - extreme) >= -1e-9
+
+
+def test_curvature_tells_no_location_of_a_ball_from_another(ball):
+    measures = place_measures(ball)
+    found = weak_areas(ball, scores_of(ball, 1 + 1 / measures.border_mm))
+    assert set(found.rank_correlation) == {"border_mm", "magnet_mm"}
+    assert found.told_by == "border_mm"
+    assert found.edge_ratio > 1
+
+
+def test_blind_locations_are_weak_and_the_table_keeps_them(pear, tmp_path):
+    border = place_measures(pear).border_mm
+    blind = np.where(border < np.nanquantile(border, 0.4), np.inf, 1.0)
+    scores = scores_of(pear, blind)
+    found = weak_areas(pear, scores)
+    assert np.isinf(found.edge_ratio)
+    assert found.rank_correlation["border_mm"] < -0.7
+    save_weak_areas_csv(found, scores, tmp_path / "weak.csv")
+    with (tmp_path / "weak.csv").open() as file:
+        rows = list(csv.DictReader(file))
+    assert len(rows) == scores.places.sum()
+    assert {float(row["position_bound_fresh_mm"]) for row in rows} == {1.0, np.inf}
+    assert_allclose([float(row["border_mm"]) for row in rows], border[scores.places])
+
+
+def test_locations_that_lie_alike_have_no_weak_areas():
+    spec = load_spec(
+        ROOT / "examples/hall_skin.toml",
+        ["contact_grid.count=[2, 2]", "magnets.positions_mm=[[0.0, 0.0]]"],
+    )
+    spec = spec.changed(body=spec.body.changed(size_mm=(40.0, 40.0, spec.body.size_mm[2])))
+    found = weak_areas(spec, scores_of(spec, np.ones(4)))
+    assert found.told_by is None
+    assert np.isnan(found.edge_ratio)

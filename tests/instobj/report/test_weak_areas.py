@@ -1,0 +1,76 @@
+"""Weak areas in words and rows, as report and command line tell them."""
+
+import json
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from design.spec_io import load_spec
+from estimator.information.weak_areas import weak_areas
+from instobj.cli.tables import print_result
+from instobj.figures.maps.files import draw_measure_maps
+from instobj.figures.weak_areas import draw_weak_areas
+from instobj.report.weak_areas import WEAK_TITLE, weak_areas_section, weak_rows, weak_text
+from instobj.store.content import StoredResult
+from tests.estimator.information.test_weak_areas import scores_of
+from tests.support.pages import ROOT
+
+THIRDS = {
+    "border_mm": ((7.0, 11.0, 1.4), (11.0, 15.0, 1.1), (15.0, 19.0, 0.8)),
+    "magnet_mm": ((0.0, 4.0, 0.5), (4.0, 8.0, 1.0), (8.0, 12.0, 2.5)),
+    "curvature_per_mm": ((0.0, 0.01, 1.0), (0.01, 0.02, 1.0), (0.02, 0.024, 1.1)),
+}
+CONTENT = {
+    "told_by": "magnet_mm",
+    "edge_ratio": 1.75,
+    "rank_correlation": {"border_mm": -0.31, "magnet_mm": 0.82, "curvature_per_mm": 0.05},
+    "weakest_tenth": {"border_mm": 7.0, "magnet_mm": 12.0, "curvature_per_mm": 0.01},
+    "thirds": [
+        {"measure": name, "low": low, "high": high, "places": 10, "bound_mm": bound}
+        | {"over_all": bound}
+        for name, thirds in THIRDS.items()
+        for low, high, bound in thirds
+    ],
+}
+
+
+def test_the_sentence_says_what_weak_locations_go_with_and_how_much():
+    told = weak_text(CONTENT)
+    assert "where the distance to the nearest magnet is large (rank correlation" in told
+    assert "+0.82" in told
+    assert "2.5 mm at 8 to 12 mm and 0.5 mm at 0 to 4 mm" in told
+    assert "nearest the border has 1.8 times" in told
+    flat = CONTENT | {"told_by": None, "rank_correlation": {}, "thirds": []}
+    assert "none from another" in weak_text(flat)
+    vague = {"border_mm": -0.31, "magnet_mm": 0.42}
+    assert "none of the three measures clearly" in weak_text(CONTENT | {"rank_correlation": vague})
+
+
+def test_rows_fit_a_terminal_and_curvature_is_told_per_metre(tmp_path, capsys, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "80")
+    (tmp_path / "weak_areas.json").write_text(json.dumps(CONTENT))
+    rows = weak_rows(StoredResult("weak_areas", "key", tmp_path, True, 0.0, ""))
+    print_result({"tables": {WEAK_TITLE: rows}})
+    lines = capsys.readouterr().out.splitlines()
+    assert max(map(len, lines)) <= 80
+    last = lines[-1] if lines[-1].strip() else lines[-2]
+    assert last.split()[:4] == ["curvature,", "1/m", "20", "24"]
+
+
+@pytest.mark.parametrize(("example", "maps"), [("paper_cube", 2), ("handle", 3)])
+def test_figure_and_maps_are_drawn_for_flat_and_curved_bodies(tmp_path, example, maps):
+    """A flat body has no map of curvature."""
+    spec = load_spec(ROOT / f"examples/{example}.toml", ["body.sensed_faces=[1, 3]"])
+    scores = scores_of(spec, np.random.default_rng(0).uniform(0.5, 3, (2, 1)))
+    areas = weak_areas(spec, scores)
+    (tmp_path / "maps").mkdir()
+    draw_weak_areas(scores, areas, 1.5, tmp_path / "weak_areas.png")
+    draw_measure_maps(spec, scores, areas, tmp_path / "maps", lambda _: None)
+    (tmp_path / "weak_areas.json").write_text(json.dumps(CONTENT))
+    section = weak_areas_section(tmp_path)
+    assert len(section["weak_maps"]) == maps
+    for path in (section["weak_picture"], *section["weak_maps"]):
+        with Image.open(path) as image:
+            assert min(image.size) > 150
+    assert len(section["weak_areas"][0]) == len(section["weak_header"])
