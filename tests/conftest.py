@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from tests.support import scheduling, typechecks
+from tests.support.recorded_results import sessions
 
 typechecks.install(["design", "fem", "estimator"])
 
@@ -24,8 +25,16 @@ os.fsync = lambda descriptor: None  # searches wait for the disk at every trial
 VERIFICATION_OUTCOMES = pytest.StashKey[list]()
 
 
-def pytest_runtest_setup():
+def pytest_runtest_setup(item):
     typechecks.next_test()
+    sessions.begins(item)
+
+
+@pytest.fixture(autouse=True)
+def results_as_on_record():
+    """Functions return what they returned when the record was written."""
+    yield
+    sessions.compare()
 
 
 def pytest_addoption(parser):
@@ -57,6 +66,7 @@ def verification_outcomes(request):
 
 
 def pytest_sessionfinish(session):
+    sessions.ends()
     folder = session.config.getoption("--verification-page")
     outcomes = session.config.stash[VERIFICATION_OUTCOMES]
     if folder and outcomes:

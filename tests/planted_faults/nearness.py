@@ -9,14 +9,19 @@ from pathlib import Path
 
 
 def importers(root: Path) -> dict[str, set[str]]:
-    """File → files that import it, also inside functions; `__init__.py` files hold nothing."""
+    """File → files that import it, also inside functions; `__init__.py` files hold nothing.
+
+    Who imports a whole package (`import fem`) goes through all of its files.
+    """
     paths = (path for path in root.rglob("*.py") if path.name != "__init__.py")
     files = {path.relative_to(root).as_posix() for path in paths}
     found: dict[str, set[str]] = {file: set() for file in files}
     for file in files:
         for imported in _imported(root, file):
-            if imported in files:
-                found[imported].add(file)
+            inside = [one for one in files if imported.endswith("/") and one.startswith(imported)]
+            for one in [imported, *inside]:
+                if one in files:
+                    found[one].add(file)
     return found
 
 
@@ -28,6 +33,8 @@ def _imported(root: Path, file: str) -> Iterator[str]:
         elif isinstance(node, ast.Import):
             for alias in node.names:
                 yield f"{alias.name.replace('.', '/')}.py"
+                if "." not in alias.name and alias.name != "instobj":  # whose names are lazy
+                    yield f"{alias.name}/"
 
 
 def nearest(path: str, tests: list[str], imported_by: dict[str, set[str]]) -> list[str]:

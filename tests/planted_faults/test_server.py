@@ -118,6 +118,7 @@ def test_tests_of_the_same_name_go_first_then_those_fewest_imports_away_then_the
         "tests/fem/linear/test_a.py": "from fem.mesh.b import c",
         "tests/fem/linear/test_d.py": "def test_d():\n    from fem.linear.a import e",
         "tests/chain/test_f.py": "import fem.linear.a",
+        "tests/chain/test_i.py": "import fem",
         "tests/fem/linear/test_g.py": "import fem.mesh.h",
     }
     for name, text in written.items():
@@ -128,6 +129,7 @@ def test_tests_of_the_same_name_go_first_then_those_fewest_imports_away_then_the
         "tests/fem/linear/test_a.py::test_1",
         "tests/fem/linear/test_d.py::test_1",
         "tests/chain/test_f.py::test_1",
+        "tests/chain/test_i.py::test_1",
     ]
 
 

@@ -1,0 +1,158 @@
+"""Write results on record anew, after a change that was meant to change them.
+
+    python -m tests.support.recorded_results [tests/FOLDER or FILE …]
+
+runs these test files (without any: all that are on record) twice, once as usual, and once in the other
+order on the oldest instruction sets and with instobj's own solver. What both agree on to 1e-8 goes on
+record. Look at the difference, and say in the commit why it changed.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+from collections.abc import Iterator
+from itertools import groupby
+from pathlib import Path
+
+from design.files import atomic_path
+from tests.support.recorded_results.sessions import RECORDING
+from tests.support.recorded_results.witness import FOLDER, Records, Result, read, same
+
+ROOT = Path(__file__).parents[3]
+MOST_FILES = 3
+MOST_ARGUMENTS = 3
+"""Of each function: test files, and arguments in each."""
+AGREE = 1e-8
+OTHER = {
+    "OPENBLAS_CORETYPE": "Nehalem",
+    "MKL_ENABLE_INSTRUCTIONS": "SSE4_2",
+    "ATEN_CPU_CAPABILITY": "default",
+    "NPY_DISABLE_CPU_FEATURES": "AVX2 FMA3 AVX512F AVX512_SKX",
+    "INSTOBJ_MKL": "0",
+}
+"""Another processor, as far as libraries let themselves be told."""
+
+
+def seen(files: list[str], settings: dict[str, str]) -> Records:
+    """Every result of each function and key, as tests of some files see them."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "results.json"
+        environment = os.environ | settings | {RECORDING: str(file), "OMP_NUM_THREADS": "1"}
+        options = ["-q", "-x", "-p", "no:cacheprovider", "-p", "no:xdist"]
+        command = [sys.executable, "-m", "pytest", *options, *files]
+        if subprocess.run(command, cwd=ROOT, env=environment).returncode:
+            sys.exit("error: these tests must pass before their results go on record")
+        return json.loads(file.read_text(encoding="utf-8"))
+
+
+def agreed(one: Records, other: Records) -> Records:
+    """Results that are the same wherever a function was given the same."""
+    every: dict[tuple[str, str], list[Result]] = {}
+    for name, key, _, results in [*_entries(one), *_entries(other)]:
+        every.setdefault((name, key), []).extend(results)
+    sound = {
+        at: first
+        for at, (first, *others) in every.items()
+        if len(others) and all(same(first, result, AGREE) for result in others)
+    }
+    found: Records = {}
+    both = {(name, key, file) for name, key, file, _ in _entries(other)}
+    for name, key, file, _ in _entries(one):
+        if (name, key) in sound and (name, key, file) in both:
+            found.setdefault(file, {}).setdefault(name, {})[key] = sound[name, key]
+    return found
+
+
+def _entries(records: Records) -> Iterator[tuple[str, str, str, list[Result]]]:
+    for file, functions in records.items():
+        for name, kept in functions.items():
+            for key, results in kept.items():
+                yield name, key, file, results
+
+
+def chosen(records: Records) -> Records:
+    """Of every function the nearest test files, and of these the most varied results, each once."""
+    found: Records = {}
+    for name, entries in groupby(
+        sorted(_entries(records), key=lambda one: one[0]), lambda one: one[0]
+    ):
+        files: dict[str, dict[str, Result]] = {}
+        for _, key, file, result in entries:
+            files.setdefault(file, {})[key] = result
+        taken: set[str] = set()
+        for file in sorted(files, key=lambda file: _distance(name, file))[:MOST_FILES]:
+            kept = _varied({key: one for key, one in files[file].items() if key not in taken})
+            taken |= kept.keys()
+            if kept:
+                found.setdefault(file, {})[name] = kept
+    return found
+
+
+def _distance(name: str, file: str) -> tuple[bool, int, str]:
+    """Of a test file from a function: same name, then how few folders they share."""
+    module = name.split(".")
+    folders = file.split("/")[1:-1]
+    stem = file.split("/")[-1].removeprefix("test_").removesuffix(".py")
+    shared = sum(a == b for a, b in zip(module, folders, strict=False))
+    return stem not in module, -shared, file
+
+
+def _varied(kept: dict[str, Result]) -> dict[str, Result]:
+    """First one of each form."""
+    forms: dict[str, int] = {}
+    rank = {}
+    for key, result in sorted(kept.items()):
+        form = str([result[0], *result[1::3]])
+        forms[form] = rank[key] = forms.get(form, -1) + 1
+    first = sorted(kept, key=lambda key: (rank[key], key))[:MOST_ARGUMENTS]
+    return {key: _rounded(kept[key]) for key in sorted(first)}
+
+
+def _rounded(result: Result) -> Result:
+    return [float(f"{one:.8e}") if isinstance(one, float) else one for one in result]
+
+
+def write(records: Records) -> None:
+    """A file for each package, a line for each function."""
+    by_name: dict[str, dict[str, dict[str, Result]]] = {}
+    for file, functions in sorted(records.items()):
+        for name, kept in functions.items():
+            by_name.setdefault(name, {})[file] = kept
+    FOLDER.mkdir(exist_ok=True)
+    for package in sorted({name.split(".")[0] for name in by_name}):
+        lines = [
+            f"{json.dumps(name)}: {json.dumps(kept, separators=(',', ':'))}"
+            for name, kept in sorted(by_name.items())
+            if name.startswith(f"{package}.")
+        ]
+        with atomic_path(FOLDER / f"{package}.json") as path:
+            path.write_text("{\n" + ",\n".join(lines) + "\n}\n", encoding="utf-8")
+
+
+def main() -> None:
+    before = read()
+    files = [path for name in sys.argv[1:] for path in _test_files(name)] or sorted(before)
+    found = agreed(seen(files, {}), seen(files[::-1], OTHER))
+    rest = {file: kept for file, kept in before.items() if file not in files}
+    records = chosen(rest | found)
+    write(records)
+    count = sum(len(kept) for functions in records.values() for kept in functions.values())
+    print(f"{count} results of {len({*_names(records)})} functions are on record")
+
+
+def _test_files(name: str) -> list[str]:
+    path = ROOT / name
+    paths = [path] if path.is_file() else sorted(path.rglob("test_*.py"))
+    return [one.relative_to(ROOT).as_posix() for one in paths]
+
+
+def _names(records: Records) -> Iterator[str]:
+    return (name for functions in records.values() for name in functions)
+
+
+if __name__ == "__main__":
+    main()
