@@ -69,7 +69,7 @@ def _assigned(module: ModuleType) -> set[str]:
 
 def _of_function(full: str, function: Any) -> Iterator[str]:
     if hasattr(function, "cache_parameters"):
-        yield f"{full} keeps {function.cache_parameters()['maxsize']}"
+        yield f"{full} keeps={function.cache_parameters()['maxsize']}"
     try:
         parameters = inspect.signature(function).parameters.values()
     except (TypeError, ValueError):
