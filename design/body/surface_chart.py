@@ -175,6 +175,19 @@ def flat_frame(number: int, half_mm: Float[np.ndarray, "3"], inward_mm: float = 
     return FaceFrame(number, normal, x, y, centre, extents)
 
 
+def less_on_faces(
+    low_mm: Float[np.ndarray, "3"],
+    high_mm: Float[np.ndarray, "3"],
+    layer_mm: float,
+    faces: tuple[int, ...],
+) -> tuple[Float[np.ndarray, "3"], Float[np.ndarray, "3"]]:
+    """Corners of a box without a layer on some faces."""
+    for face in faces:
+        layer = layer_mm * face_axes(face)[0]
+        high_mm, low_mm = high_mm - layer.clip(min=0), low_mm - layer.clip(max=0)
+    return low_mm, high_mm
+
+
 def cap_frame(
     number: int, semi_axes_mm: Float[np.ndarray, "3"], middle_mm: Float[np.ndarray, "3"]
 ) -> FaceFrame:

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Literal
 import cadquery as cq
 
 from design.layout.body import body_of, face_frames
-from design.layout.mould_frame import mould_frame, mould_style
-from design.mould.halves import make_mould_half
+from design.layout.mould_frame import mould_frame, mould_style, opening_of
+from design.mould.halves import make_mould_half, make_seal_half
 from design.mould.one_piece import make_mould_box, make_seal_mould
 from design.mould.pins import loose_pins, make_pin, pin_kinds
 from design.mould.plug import make_mould_holder, make_mould_plug
@@ -84,9 +84,19 @@ def _mould(spec: ObjectSpec) -> list[Part]:
         parts.append(Part("mould_holder", partial(make_mould_holder, spec)))
     elif frame.plugged:
         parts.append(Part("mould_plug", partial(make_mould_plug, spec)))
-    if spec.shell.seal_layer_mm:
-        parts.append(Part("mould_seal_box", partial(make_seal_mould, spec)))
-    return parts
+    return parts + _seal_mould(spec)
+
+
+def _seal_mould(spec: ObjectSpec) -> list[Part]:
+    """Of the second pour: a box, or halves round a core that is cast in."""
+    if not spec.shell.seal_layer_mm:
+        return []
+    if opening_of(spec) == "open":
+        return [Part("mould_seal_box", partial(make_seal_mould, spec))]
+    return [
+        Part("mould_seal_half_a", partial(make_seal_half, spec, 1)),
+        Part("mould_seal_half_b", partial(make_seal_half, spec, -1)),
+    ]
 
 
 def _pins(spec: ObjectSpec) -> list[Part]:

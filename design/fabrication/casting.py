@@ -23,10 +23,18 @@ from design.body.meshes import (
     undercut,
 )
 from design.fabrication.finding import Finding, at_least, place_of
+from design.layout.body import body_of
 from design.layout.core_hold import why_no_mould
 from design.layout.mould_frame import mould_frame, mould_style, parting, up
-from design.mould.openings import Hole, air_traps, mould_holes
-from design.mould.pins import least_rim_mm, loose_pins, make_pin, pin_kinds
+from design.mould.openings import (
+    Hole,
+    air_traps,
+    finished_surface,
+    mould_holes,
+    seal_holes,
+    sealed_round,
+)
+from design.mould.pins import Pin, least_rim_mm, loose_pins, make_pin, pin_kinds
 from design.mould.plug import pour_width_mm
 from design.solids.booleans import as_triangles
 from design.spec.object import ObjectSpec
@@ -69,17 +77,45 @@ def check_casting(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> list[
     for draw in draws(spec):
         if draw.part in meshes:
             found += _draw(spec, draw, meshes[draw.part], meshes["shell"])
-    return [*found, *_closing(spec, meshes), *_air(spec, meshes)]
+    found += [*_closing(spec, meshes), *_air(spec, meshes)]
+    return [*found, *(check_seal_mould(spec, meshes) if spec.shell.seal_layer_mm else [])]
+
+
+def check_seal_mould(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> list[Finding]:
+    """The same of the mould that a layer is poured in, where the body is no box on a plug."""
+    finished, found = finished_surface(spec), list[Finding]()
+    if mould_frame(spec).opening == "open":
+        box = meshes.get("mould_seal_box")
+        if box is None or body_of(spec).cuboid:
+            return []
+        return [_undercut(spec, Draw("mould_seal_box", -mould_frame(spec).out, 0.0), box, finished)]
+    names = ("mould_seal_half_a", "mould_seal_half_b")
+    for name, sign in zip(names, (1, -1), strict=True):
+        if name in meshes:
+            draw = Draw(name, sign * parting(spec).normal, 0.0)
+            found.append(_undercut(spec, draw, meshes[name], finished))
+    held = tuple(pin for pin in loose_pins(spec) if pin.locator is not None)
+    shut = {name: meshes[name] for name in (*names, "mould_holder", "core") if name in meshes}
+    holes = seal_holes(spec)
+    traps = _traps(spec, sealed_round(spec), holes, names[0])
+    return [*found, _shared(spec, shut, held, names[0]), traps, *_blocked(holes, shut, "core")]
 
 
 def _closing(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> list[Finding]:
     """Largest common volume of two parts of the closed mould, or of one and the core in it."""
-    placed = [(name, mesh) for name, mesh in meshes.items() if name in CLOSING]
-    if mould_style(spec) == "split":
-        pins = loose_pins(spec)
-        placed += [(f"pin {k}", as_triangles(make_pin(spec, p))) for k, p in enumerate(pins, 1)]
+    closing = {name: mesh for name, mesh in meshes.items() if name in CLOSING}
     if mould_frame(spec).opening in ("closed", "bore") and "core" in meshes:
-        placed.append(("core", meshes["core"]))
+        closing["core"] = meshes["core"]
+    pins = loose_pins(spec) if mould_style(spec) == "split" else ()
+    return [_shared(spec, closing, pins, "mould")]
+
+
+def _shared(
+    spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh], pins: tuple[Pin, ...], part: str
+) -> Finding:
+    placed = list(meshes.items())
+    if pins:
+        placed += [(f"pin {k}", as_triangles(make_pin(spec, p))) for k, p in enumerate(pins, 1)]
     solids = [(name, manifold_of(mesh), mesh.bounds) for name, mesh in placed]
     worst, names, place = 0.0, "", None
     for (a, one, bounds), (b, other, others) in combinations(solids, 2):
@@ -94,7 +130,7 @@ def _closing(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> list[Findi
         "limit the mould does not close: move pockets apart, or choose another mould.style"
     )
     status = "pass" if worst <= MATING_MM3 else "fail"
-    return [Finding("mould closes", "mould", worst, MATING_MM3, "mm³", status, text, place)]
+    return Finding("mould closes", part, worst, MATING_MM3, "mm³", status, text, place)
 
 
 def draws(spec: ObjectSpec) -> list[Draw]:
@@ -116,7 +152,7 @@ def _draw(
     spec: ObjectSpec, draw: Draw, mesh: trimesh.Trimesh, shell: trimesh.Trimesh
 ) -> list[Finding]:
     against = _wetted(mesh, shell)
-    found = [_undercut(spec, draw, mesh, against)]
+    found = [_undercut(spec, draw, mesh, shell)]
     draft = least_draft_deg(mesh, draw.pull, against)
     if draft is not None:
         limit = spec.printer.draft_deg
@@ -142,8 +178,10 @@ def _wetted(mesh: trimesh.Trimesh, shell: trimesh.Trimesh) -> Bool[np.ndarray, "
     return distance_mm(shell, mesh.triangles_center) < NEAR_MM
 
 
-def _undercut(spec: ObjectSpec, draw: Draw, mesh: trimesh.Trimesh, against: np.ndarray) -> Finding:
-    found = undercut(mesh, draw.pull, against)
+def _undercut(
+    spec: ObjectSpec, draw: Draw, mesh: trimesh.Trimesh, silicone: trimesh.Trimesh
+) -> Finding:
+    found = undercut(mesh, draw.pull, _wetted(mesh, silicone))
     strain = found.depth_mm / spec.shell.thickness_mm
     room = max(draw.room_mm, YIELD_SHARE * spec.shell.thickness_mm)
     allowed = spec.silicone.peel_share * spec.silicone.elongation_percent / 100
@@ -199,23 +237,9 @@ def _heads(spec: ObjectSpec) -> list[Finding]:
 
 def _air(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> list[Finding]:
     """Air rises to the open side or to vents; it must not be caught on its way."""
-    holes, shell = mould_holes(spec), meshes["shell"]
-    traps = air_traps(spec, shell, holes)
-    vents = sum(hole.use == "vent" for hole in holes)
-    found = [
-        Finding(
-            "air traps",
-            "shell",
-            float(len(traps)),
-            0.0,
-            "places",
-            "fail" if traps else "pass",
-            f"high points that neither the open side nor one of {vents} vents drains. Drill one there, or "
-            "turn the mould",
-            place_of(traps[0].place_mm) if traps else None,
-        ),
-        *_blocked(spec, holes, meshes),
-    ]
+    holes, shell = tuple(mould_holes(spec)), meshes["shell"]
+    closing = {name: mesh for name, mesh in meshes.items() if name in CLOSING}
+    found = [_traps(spec, shell, holes, "shell"), *_blocked(holes, closing)]
     ceiling = largest_ceiling(shell, up(spec), mould_frame(spec).rim_mm)
     if ceiling is not None:
         found.append(
@@ -234,11 +258,29 @@ def _air(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> list[Finding]:
     return found
 
 
+def _traps(
+    spec: ObjectSpec, silicone: trimesh.Trimesh, holes: tuple[Hole, ...], part: str
+) -> Finding:
+    traps = air_traps(spec, silicone, holes)
+    vents = sum(hole.use == "vent" for hole in holes)
+    return Finding(
+        "air traps",
+        part,
+        float(len(traps)),
+        0.0,
+        "places",
+        "fail" if traps else "pass",
+        f"high points that neither the open side nor one of {vents} vents drains. Drill one there, or "
+        "turn the mould",
+        place_of(traps[0].place_mm) if traps else None,
+    )
+
+
 def _blocked(
-    spec: ObjectSpec, holes: tuple[Hole, ...], meshes: dict[str, trimesh.Trimesh]
+    holes: tuple[Hole, ...], meshes: dict[str, trimesh.Trimesh], beside: str = ""
 ) -> list[Finding]:
-    """Pouring holes and vents against the parts that they go through."""
-    solids = {name: manifold_of(mesh) for name, mesh in meshes.items() if name in CLOSING}
+    """Pouring holes and vents against the parts that they go through, but for one."""
+    solids = {name: manifold_of(mesh) for name, mesh in meshes.items() if name != beside}
     if not holes or not solids:
         return []
     blocks = [

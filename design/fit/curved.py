@@ -65,7 +65,6 @@ def _check_what_boxes_can(spec: ObjectSpec) -> Iterator[str]:
         "core.keys": bool(spec.core.keys.positions_mm),
         "core.bay_mm": spec.core.bay_mm is not None,
         "shell.slits": spec.shell.slits.depth_mm > 0,
-        "shell.seal_layer_mm": spec.shell.seal_layer_mm > 0,
     }
     for key in (key for key, wanted in wants.items() if wanted):
         yield (

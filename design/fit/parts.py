@@ -209,10 +209,9 @@ def _slit_meets(slit: Block, axis_mm: np.ndarray, pocket: Pocket) -> bool:
 def _check_seal_layer(spec: ObjectSpec) -> Iterator[str]:
     layer = spec.shell.seal_layer_mm
     room = min(
-        -(p.body.centre_mm[2] + p.axis[2] * p.body.height_mm / 2)
-        - p.body.outline.support_mm(p.body.frame[2, :2])
-        for face in shell_pockets(spec)
-        for p in face
+        cover_mm(frame, pocket.body)
+        for frame, face in zip(face_frames(spec), shell_pockets(spec), strict=True)
+        for pocket in face
     )
     if layer > room:
         yield (
@@ -361,9 +360,4 @@ def check_mould(spec: ObjectSpec) -> Iterator[str]:
         yield (
             f'mould.style = "one-piece" needs a whole side of the body open; this {spec.body.kind} has '
             f'body.open_faces = {list(spec.body.opened)}. Use "split", or leave the style out'
-        )
-    if spec.shell.seal_layer_mm and opening == "closed":
-        yield (
-            f"shell.seal_layer_mm = {spec.shell.seal_layer_mm:g} is poured round the shell on its plug, "
-            "and a closed body has none. Leave it out and fill the pockets, or open a face"
         )

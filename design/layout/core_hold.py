@@ -142,6 +142,12 @@ def _in_socket(socket: Socket) -> Locator:
 
 def why_no_mould(spec: ObjectSpec) -> str | None:
     """What keeps the object from being cast in a mould of ours; None where nothing does."""
+    if opening_of(spec) == "closed" and not locators(spec) and spec.shell.seal_layer_mm:
+        return (
+            "a layer is poured round a closed body while pins hold its core beside the magnets, and "
+            "pockets leave no room for one. Leave shell.seal_layer_mm out and fill the pockets, move the "
+            "magnets, or open face 6"
+        )
     if opening_of(spec) == "closed" and not locators(spec):
         return (
             "no side of the body is open, pockets are in the way of every wire hole and leave no room for "

@@ -123,17 +123,6 @@ def envelope_corners_mm(
     return body_of(spec).corners_mm
 
 
-def cast_corners_mm(
-    spec: ObjectSpec,
-) -> tuple[Float[np.ndarray, "3"], Float[np.ndarray, "3"]]:
-    """The same of what the first pour casts: less the seal layer on the sensed faces of a box."""
-    low, high = envelope_corners_mm(spec)
-    for face in spec.body.sensed if spec.shell.seal_layer_mm else ():
-        layer = spec.shell.seal_layer_mm * np.asarray(FACE_AXES[face][0], float)
-        high, low = high - layer.clip(min=0), low - layer.clip(max=0)
-    return low, high
-
-
 def up(spec: ObjectSpec) -> Float[np.ndarray, "3"]:
     """Unit vector that points upwards while silicone is poured.
 

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from math import prod
+from math import pi
 
 from design.layout.blocks import keys_volume_mm3, slits_volume_mm3
-from design.layout.body import body_of, face_frames
+from design.layout.body import body_of
 from design.layout.core_hold import locators
 from design.layout.pockets import shell_pockets
 from design.spec.object import ObjectSpec
@@ -33,13 +33,12 @@ def shell_volume_mm3(spec: ObjectSpec) -> float:
 
 
 def _layer_volume_mm3(spec: ObjectSpec) -> float:
-    """Silicone of the seal layer itself, without what fills the pockets below it."""
-    layer = spec.shell.seal_layer_mm
+    """Silicone of the seal layer itself, without what fills the pockets and holes below it."""
+    layer, body = spec.shell.seal_layer_mm, body_of(spec)
     if not layer:
         return 0.0
-    cast = list(spec.body.size_mm)
-    for frame in face_frames(spec):
-        cast = [edge - layer * abs(n) for edge, n in zip(cast, frame.normal, strict=True)]
     slits = slits_volume_mm3(spec) - slits_volume_mm3(spec, layer)
     mouths = sum(p.outline.area_mm2 * layer / p.axis[2] for f in shell_pockets(spec) for p in f)
-    return prod(spec.body.size_mm) - prod(cast) - slits - float(mouths)
+    mouths += sum(pi * locator.radius_mm**2 * layer for locator in locators(spec))
+    solid = body.volume_mm3() - body.cast_volume_mm3(layer, spec.body.sensed)
+    return solid - slits - float(mouths)

@@ -15,10 +15,10 @@ import numpy as np
 
 from design.layout.mould_frame import mould_frame, parting, play_mm
 from design.mould.flange import FLANGE_THICKNESS_MM, Flange, flanges
-from design.mould.openings import mould_holes
-from design.mould.pins import fixed_bosses, loose_pins, pin_holes
+from design.mould.openings import Hole, mould_holes, seal_holes
+from design.mould.pins import Pin, fixed_bosses, loose_pins, pin_holes
 from design.mould.plug import rod_hole
-from design.mould.room import cast_room
+from design.mould.room import cast_room, finished_room
 from design.mould.walls import block, fins_to_walls, walls
 from design.solids.booleans import Shape, Solid, common, cut, join, one_body, pieces_that_meet
 from design.solids.primitives import OVERSHOOT_MM, box_between, tapered_rod
@@ -37,23 +37,52 @@ def make_mould_half(spec: ObjectSpec, side: int) -> Solid:
     InputError
         The dimensions do not give one valid solid.
     """
-    room, ends = cast_room(spec), flanges(spec)
-    outer = join(walls(spec, room), cut(_flange(spec, *ends), room))
+    walled = walls(spec, cast_room(spec), spec.shell.seal_layer_mm)
+    holes = _holes(spec, loose_pins(spec), mould_holes(spec))
+    half = _half(spec, side, cast_room(spec), walled, holes)
+    bossed = join(half, *fixed_bosses(spec, side))
+    return one_body(
+        _with_dowels(spec, side, bossed), "mould_half_a" if side > 0 else "mould_half_b"
+    )
+
+
+def make_seal_half(spec: ObjectSpec, side: int) -> Solid:
+    """The same of the second pour, of a body whose core is cast in: no bosses, and the pins that hold
+    the core alone.
+
+    Raises
+    ------
+    InputError
+        The dimensions do not give one valid solid.
+    """
+    room = finished_room(spec)
+    pins = tuple(pin for pin in loose_pins(spec) if pin.locator is not None)
+    half = _half(spec, side, room, walls(spec, room), _holes(spec, pins, seal_holes(spec)))
+    name = "mould_seal_half_a" if side > 0 else "mould_seal_half_b"
+    return one_body(_with_dowels(spec, side, half), name)
+
+
+def _half(spec: ObjectSpec, side: int, room: Shape, walled: Shape, holes: list[cq.Solid]) -> Shape:
+    """Walls and flanges on one side of the parting plane, less holes, with the fins of slits."""
+    ends = flanges(spec)
+    outer = join(walled, cut(_flange(spec, *ends), room))
     half_space, fins = _half_space(spec, side), fins_to_walls(spec)
-    half = cut(common(outer, half_space), *_holes(spec), *_bolt_holes(spec, *ends))
+    half = cut(common(outer, half_space), *holes, *_bolt_holes(spec, *ends))
     half = pieces_that_meet(half, block(spec))  # holes may cut off an end of a flange
-    half = join(half, *(common(fin, half_space) for fin in fins))  # whole: vents may meet them
-    bossed, grown = join(half, *fixed_bosses(spec, side)), 0.0 if side > 0 else play_mm(spec)
+    return join(half, *(common(fin, half_space) for fin in fins))  # whole: vents may meet them
+
+
+def _with_dowels(spec: ObjectSpec, side: int, half: Shape) -> Shape:
+    grown, ends = 0.0 if side > 0 else play_mm(spec), flanges(spec)
     dowels = [_dowel(spec, *place, grown) for end in ends for place in end.places_mm[::2]]
-    joined = join(bossed, *dowels) if side > 0 else cut(bossed, *dowels)
-    return one_body(joined, "mould_half_a" if side > 0 else "mould_half_b")
+    return join(half, *dowels) if side > 0 else cut(half, *dowels)
 
 
-def _holes(spec: ObjectSpec) -> list[cq.Solid]:
+def _holes(spec: ObjectSpec, pins: tuple[Pin, ...], holes: tuple[Hole, ...]) -> list[cq.Solid]:
     """Of pins, pouring, vents and a rod."""
-    pins = [hole for pin in loose_pins(spec) for hole in pin_holes(spec, pin)]
+    through = [hole for pin in pins for hole in pin_holes(spec, pin)]
     rod = [rod_hole(spec)] if mould_frame(spec).opening == "bore" else []
-    return [*pins, *rod, *(hole.solid() for hole in mould_holes(spec))]
+    return [*through, *rod, *(hole.solid() for hole in holes)]
 
 
 def _parting_plane(spec: ObjectSpec) -> cq.Plane:

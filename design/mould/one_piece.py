@@ -29,12 +29,13 @@ def make_mould_box(spec: ObjectSpec) -> Solid:
         The dimensions do not give one valid solid.
     """
     inside = [*pocket_prisms(spec), *fins_to_walls(spec)]
-    box = join(walls(spec, cast_room(spec)), *inside)
+    box = join(walls(spec, cast_room(spec), spec.shell.seal_layer_mm), *inside)
     return one_body(cut(box, *(hole.solid() for hole in mould_holes(spec))), "mould_box")
 
 
 def make_seal_mould(spec: ObjectSpec) -> Solid:
-    """Box of the second pour, without bosses: the shell on its plug gets its seal layer in it.
+    """Box of the second pour, without bosses: the shell (on its plug, where it has one) gets its seal
+    layer in it.
 
     Raises
     ------

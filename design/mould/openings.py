@@ -15,6 +15,8 @@ import numpy as np
 from jaxtyping import Float
 
 from design.body.meshes import Trap, high_points, manifold_of
+from design.body.triangles import cylinder_between
+from design.layout.body import body_of
 from design.layout.mould_frame import MouldFrame, mould_frame, mould_style, up
 from design.layout.pockets import distance_of_segments_mm
 from design.mould.pins import Pin, loose_pins
@@ -73,12 +75,46 @@ def mould_holes(spec: ObjectSpec) -> tuple[Hole, ...]:
     return (*pour, *_vents(spec, pour))
 
 
-def pour_holes(spec: ObjectSpec) -> tuple[Hole, ...]:
-    """Beside the rod through a bore, at both its sides; at the upper corner of a closed mould."""
+@once
+def seal_holes(spec: ObjectSpec) -> tuple[Hole, ...]:
+    """The same of the mould for the seal layer, where that is in halves."""
+    if not spec.shell.seal_layer_mm or mould_frame(spec).opening == "open":
+        return ()
+    pour, shell = pour_holes(spec, finished_surface(spec)), sealed_round(spec)
+    pins = tuple(pin for pin in loose_pins(spec) if pin.locator is not None)
+    vents = [_vent(spec, shell, pins, trap) for trap in air_traps(spec, shell, pour)]
+    return (*pour, *(vent for vent in vents if vent is not None))
+
+
+def finished_surface(spec: ObjectSpec) -> trimesh.Trimesh:
+    """The outside of the finished silicone, as a closed surface."""
+    return body_of(spec).outer_surface()
+
+
+def sealed_round(spec: ObjectSpec) -> trimesh.Trimesh:
+    """What is within the finished silicone but for a bore and pins: air meets the outside alone."""
+    surface, body = finished_surface(spec), body_of(spec)
+    if body.opening == "bore":
+        return surface.difference(_bore(spec))
+    return surface
+
+
+def _bore(spec: ObjectSpec) -> trimesh.Trimesh:
+    body = body_of(spec)
+    low = -body.size_mm[2] / 2 - 1.0
+    return cylinder_between(body.bore_mm / 2, low, 0.5 * body.core_floor_mm, body.envelope_mm)
+
+
+def pour_holes(spec: ObjectSpec, surface: trimesh.Trimesh | None = None) -> tuple[Hole, ...]:
+    """Beside the rod through a bore, at both its sides; at the upper corner of a closed mould.
+
+    They begin at a surface, by default that of the first pour.
+    """
     frame = mould_frame(spec)
     if frame.opening == "open":
         return ()
-    surface, way, diameter = cast_surface(spec), up(spec), spec.mould.pour_mm
+    surface = cast_surface(spec) if surface is None else surface
+    way, diameter = up(spec), spec.mould.pour_mm
     if frame.opening == "closed":
         top = surface.vertices[np.argmax(surface.vertices @ way)]
         return (_hole(spec, "pour", top, way, diameter),)

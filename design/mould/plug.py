@@ -15,7 +15,7 @@ import numpy as np
 from design.layout.body import body_of
 from design.layout.core_hold import core_outlet
 from design.layout.mould_frame import mould_frame, play_mm
-from design.mould.openings import mould_holes
+from design.mould.openings import mould_holes, seal_holes
 from design.mould.plug_flange import flange_solids, flange_span_mm
 from design.mould.room import cast_room, core_outside
 from design.solids.booleans import Shape, Solid, common, cut, join, one_body
@@ -58,7 +58,8 @@ def make_mould_holder(spec: ObjectSpec) -> Solid:
         (outlet.flat_mm - play, -past, outlet.floor_mm - 2.0), (past, past, outlet.nose_mm + 1.0)
     )
     outside = join(cut(rod, core_outside(spec)), *flange_solids(spec))
-    vents = [hole.outside.solid() for hole in mould_holes(spec) if hole.use == "vent"]
+    holes = [*mould_holes(spec), *seal_holes(spec)]
+    vents = [hole.outside.solid() for hole in holes if hole.use == "vent"]
     return one_body(join(cut(outside, *vents), cut(nose, flat)), "mould_holder")
 
 

@@ -10,7 +10,7 @@ from design.solids.body import core_solid, past_opening
 from design.solids.booleans import Shape, join
 from design.solids.primitives import block_solid
 from design.solids.sampled import cast_surface
-from design.solids.shell import cast_envelope
+from design.solids.shell import cast_envelope, envelope
 from design.spec.object import ObjectSpec
 
 
@@ -27,9 +27,15 @@ def core_outside(spec: ObjectSpec) -> Shape:
     return join(core_solid(spec), *(block_solid(key) for key in core_keys(spec)))
 
 
-def drawn_out(spec: ObjectSpec, room: Shape) -> Shape:
-    """The room drawn out a little beyond the open side, so that cutting it leaves no skin there."""
+def finished_room(spec: ObjectSpec) -> Shape:
+    """The outside of the finished silicone: an exact solid, or triangles."""
+    return body_of(spec).outer_surface() if body_of(spec).sampled else envelope(spec)
+
+
+def drawn_out(spec: ObjectSpec, room: Shape, layer_mm: float) -> Shape:
+    """The room, which lacks a layer, drawn out a little beyond the open side, so that cutting it leaves
+    no skin there."""
     frame = mould_frame(spec)
     if frame.opening != "open":
         return room
-    return past_opening(spec, room, frame)
+    return past_opening(spec, room, frame, layer_mm)

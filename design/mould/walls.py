@@ -13,9 +13,9 @@ from design.solids.shell import slit_fins
 from design.spec.object import ObjectSpec
 
 
-def walls(spec: ObjectSpec, room: Shape) -> Shape:
-    """The mould's walls and tabs round a room, open where the body is, without bosses."""
-    return join(cut(block(spec), drawn_out(spec, room)), *tabs(spec))
+def walls(spec: ObjectSpec, room: Shape, layer_mm: float = 0.0) -> Shape:
+    """The mould's walls and tabs round a room that lacks a layer, open where the body is, without bosses."""
+    return join(cut(block(spec), drawn_out(spec, room, layer_mm)), *tabs(spec))
 
 
 def block(spec: ObjectSpec) -> cq.Solid:

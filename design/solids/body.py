@@ -27,7 +27,7 @@ from design.spec.object import ObjectSpec
 _Z = cq.Vector(0, 0, 1)
 
 
-def _slab_added(body: BodyKind, room: Shape, frame: MouldFrame) -> Shape:
+def _slab_added(body: BodyKind, room: Shape, frame: MouldFrame, layer_mm: float) -> Shape:
     """With a slab as wide as the room's box."""
     assert isinstance(room, cq.Shape)
     box = room.BoundingBox()
@@ -49,8 +49,10 @@ class ExactSolids:
     """What core and passage keep free, so far beyond open faces; by default the core and its bore."""
     room: Callable[[Any, float], cq.Solid | None] | None = None
     """The core's own cavity, so far inside its surface; None where that leaves no room."""
-    drawn_out: Callable[[Any, Shape, MouldFrame], Shape] = _slab_added
-    """The room for silicone, drawn out a little past its open side."""
+    drawn_out: Callable[[Any, Shape, MouldFrame, float], Shape] = _slab_added
+    """The room for silicone, drawn out a little past its open side; it lacks a layer of so many mm."""
+    cast: Callable[[Any, float, tuple[int, ...]], cq.Solid] | None = None
+    """The outside less a layer on the sensed faces; by default that of the body `less` it."""
 
 
 def outer_solid(spec: ObjectSpec) -> cq.Solid:
@@ -96,9 +98,25 @@ def core_hollow(spec: ObjectSpec) -> list[cq.Solid]:
     return [] if room is None else [room]
 
 
-def past_opening(spec: ObjectSpec, room: Shape, frame: MouldFrame) -> Shape:
-    """The room for silicone drawn out a little past its open side."""
-    return _solids(spec).drawn_out(body_of(spec), room, frame)
+def cast_outer_solid(spec: ObjectSpec) -> cq.Solid:
+    """The outside less the seal layer.
+
+    Raises
+    ------
+    InputError
+        As `outer_solid`.
+    """
+    body, solids, layer = body_of(spec), _solids(spec), spec.shell.seal_layer_mm
+    if not layer:
+        return solids.outer(body)
+    if solids.cast is None:
+        return solids.outer(body.less(layer))
+    return solids.cast(body, layer, spec.body.sensed)
+
+
+def past_opening(spec: ObjectSpec, room: Shape, frame: MouldFrame, layer_mm: float = 0.0) -> Shape:
+    """The room for silicone drawn out a little past its open side; it lacks a layer of so many mm."""
+    return _solids(spec).drawn_out(body_of(spec), room, frame, layer_mm)
 
 
 def _solids(spec: ObjectSpec) -> ExactSolids:
@@ -155,9 +173,17 @@ def _cylinder_room(body: Cylinder, wall_mm: float) -> cq.Solid | None:
     return rod_about_z(float(half[0]), float(bottom), float(half[2]))
 
 
-def _disk_added(body: Cylinder, room: Shape, frame: MouldFrame) -> Shape:
+def _cast_cylinder(body: Cylinder, layer_mm: float, sensed: tuple[int, ...]) -> cq.Solid:
+    return rod_about_z(*body.cast_measures_mm(layer_mm, sensed))
+
+
+def _cast_block(body: Box | Pad, layer_mm: float, sensed: tuple[int, ...]) -> cq.Solid:
+    return box_between(*body.cast_corners_mm(layer_mm, sensed))
+
+
+def _disk_added(body: Cylinder, room: Shape, frame: MouldFrame, layer_mm: float) -> Shape:
     start = (frame.rim_mm - OVERSHOOT_MM) * frame.out
-    radius, out = body.size_mm[0] / 2, cq.Vector(*frame.out)
+    radius, out = body.size_mm[0] / 2 - layer_mm, cq.Vector(*frame.out)
     return join(room, cq.Solid.makeCylinder(radius, 2 * OVERSHOOT_MM, cq.Vector(*start), out))
 
 
@@ -218,11 +244,13 @@ SOLIDS: dict[str, ExactSolids] = {
         core=lambda body: box_between(-body.core_half_mm, body.core_half_mm),
         cavity=lambda body, overshoot_mm: box_between(*body.core_span_mm(overshoot_mm)),
         room=_box_room,
+        cast=_cast_block,
     ),
     "pad": ExactSolids(
         outer=lambda body: box_between(*body.corners_mm),
         core=_pad_core,
         cavity=lambda body, overshoot_mm: None,
+        cast=_cast_block,
     ),
     "cylinder": ExactSolids(
         outer=_cylinder,
@@ -230,6 +258,7 @@ SOLIDS: dict[str, ExactSolids] = {
         cavity=_cylinder_cavity,
         room=_cylinder_room,
         drawn_out=_disk_added,
+        cast=_cast_cylinder,
     ),
     "capsule": ExactSolids(
         outer=lambda body: _capsule(float(body.half_mm[0]), body.straight_mm),
@@ -245,7 +274,9 @@ SOLIDS: dict[str, ExactSolids] = {
         outer=_dome,
         core=_dome_core,
         cavity=_dome_cavity,
-        drawn_out=lambda body, room, frame: _ball(body.radius_mm, body.centre_mm),
+        drawn_out=lambda body, room, frame, layer_mm: _ball(
+            body.radius_mm - layer_mm, body.centre_mm
+        ),
     ),
 }
 """By the name of the kind; a kind that is known by its triangles has none."""

@@ -16,7 +16,6 @@ from design.layout.boards import wire_channels
 from design.layout.body import body_of, face_frames
 from design.layout.core_hold import Locator, core_outlet, locators
 from design.layout.core_sockets import Socket
-from design.layout.mould_frame import cast_corners_mm
 from design.layout.places.positions import board_places
 from design.layout.pockets import Pocket, shell_pockets
 
@@ -57,11 +56,9 @@ def sampled_shell(spec: ObjectSpec) -> trimesh.Trimesh:
 
 def cast_surface(spec: ObjectSpec) -> trimesh.Trimesh:
     """The outside of what the first pour casts, as a closed surface."""
-    import trimesh
-
     if not spec.shell.seal_layer_mm:
         return body_of(spec).outer_surface()
-    return trimesh.creation.box(bounds=cast_corners_mm(spec))
+    return body_of(spec).cast_surface(spec.shell.seal_layer_mm, spec.body.sensed)
 
 
 def _locator_hole(locator: Locator) -> trimesh.Trimesh:

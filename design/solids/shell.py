@@ -1,8 +1,8 @@
 """The cast silicone shell: walls round the core's cavity, magnet pockets open outwards.
 
-With a seal layer the shell leaves its mould thinner by that layer on every sensed face, and the
-layer is poured over it once the magnets lie in their pockets. A closed body has the holes of the
-pins that held its core.
+With a seal layer the shell leaves its mould thinner by that layer on every sensed face (of a body
+that curves all over), and the layer is poured over it once the magnets lie in their pockets. A closed
+body has the holes of the pins that held its core.
 """
 
 from __future__ import annotations
@@ -12,13 +12,11 @@ import cadquery as cq
 from design.layout.blocks import core_keys, relief_slits
 from design.layout.body import face_frames
 from design.layout.core_hold import Locator, locators
-from design.layout.mould_frame import cast_corners_mm
 from design.layout.pockets import shell_pockets
-from design.solids.body import cavity_solid, outer_solid
+from design.solids.body import cast_outer_solid, cavity_solid, outer_solid
 from design.solids.primitives import (
     OVERSHOOT_MM,
     block_solid,
-    box_between,
     cylinder_on_face,
     pocket_solid,
     single_solid,
@@ -49,10 +47,8 @@ def envelope(spec: ObjectSpec) -> cq.Solid:
 
 
 def cast_envelope(spec: ObjectSpec) -> cq.Solid:
-    """The outside of what the first pour casts: the body's, on a box less the seal layer."""
-    if not spec.shell.seal_layer_mm:
-        return envelope(spec)
-    return box_between(*cast_corners_mm(spec))
+    """The outside of what the first pour casts: the body's less the seal layer."""
+    return cast_outer_solid(spec)
 
 
 def cavity(spec: ObjectSpec, overshoot_mm: float = 0.0) -> list[cq.Solid]:

@@ -1,4 +1,5 @@
-"""Order of demoulding in one picture: the mould closed, pins and rod drawn, halves parted, what is left."""
+"""Order of demoulding in one picture: the mould closed, pins and rod drawn, halves parted, what is left,
+and the same of the mould for a seal layer."""
 
 from __future__ import annotations
 
@@ -9,6 +10,7 @@ from typing import TYPE_CHECKING, cast
 import numpy as np
 
 from design.layout.mould_frame import mould_frame, mould_style, parting
+from design.layout.surface import sealed_body_surface
 from design.spec.object import ObjectSpec
 from instobj.figures.saving import save_figure
 from instobj.render.parts import COLOURS, camera_axes, load_stl
@@ -19,7 +21,10 @@ if TYPE_CHECKING:
 
     from design.mould.pins import Pin
 
-_SHOWN = ("mould_box", "mould_half_a", "mould_half_b", "mould_plug", "mould_holder", "shell")
+_SHOWN = (
+    *("mould_box", "mould_half_a", "mould_half_b", "mould_plug", "mould_holder", "shell"),
+    *("mould_seal_box", "mould_seal_half_a", "mould_seal_half_b"),
+)
 _DRAWN_MM, _GAP_MM, _COLUMNS = 14.0, 18.0, 3
 _APART = 0.55
 """How far parts are drawn, of the body's largest edge."""
@@ -52,6 +57,7 @@ def draw_demoulding(spec: ObjectSpec, folder: Path, pins: tuple[Pin, ...], targe
         if (path := folder / f"{name}.stl").is_file()
     }
     shown = _split_steps(spec, parts, pins) if split else _one_piece_steps(spec, parts)
+    shown += _seal_steps(spec, parts, pins)
     placed, places = _in_columns(shown, camera)
     picture = picture_of(placed, *view)
     left, right, bottom, top = picture.extent_mm
@@ -102,6 +108,28 @@ def _one_piece_steps(spec: ObjectSpec, parts: dict[str, Piece]) -> list[Step]:
     apart = (0.5 + _APART) * max(spec.body.size_mm)
     text = "fold its walls inwards and peel it out" if plug else "peel it out from its edge"
     return [*steps, Step(text, (box, _shifted(shell, apart * out)))]
+
+
+def _seal_steps(spec: ObjectSpec, parts: dict[str, Piece], pins: tuple[Pin, ...]) -> list[Step]:
+    """The second pour, where there is one: the mould closed, and what comes out of it."""
+    if not spec.shell.seal_layer_mm:
+        return []
+    finished = Piece(sealed_body_surface(spec), COLOURS["shell"])
+    inside = tuple(parts[name] for name in ("mould_plug", "mould_holder") if name in parts)
+    if "mould_seal_box" in parts:
+        box = parts["mould_seal_box"]
+        pour = Step("pour the layer in the seal box", (box, parts["shell"], *inside))
+        apart = (0.5 + _APART) * max(spec.body.size_mm) * mould_frame(spec).out
+        out = Step("draw it out", tuple(_shifted(piece, apart) for piece in (finished, *inside)))
+        return [pour, Step(out.text, (box, *out.pieces))]
+    held = tuple(Piece(_body(pin), COLOURS["pin"]) for pin in pins if pin.locator is not None)
+    apart = _APART * max(spec.body.size_mm) * parting(spec).normal
+    halves = (parts["mould_seal_half_a"], parts["mould_seal_half_b"])
+    opened = (_shifted(halves[0], apart), _shifted(halves[1], -apart))
+    return [
+        Step("pour the layer in the seal halves", (*halves, *held, *inside)),
+        Step("draw what holds the core, part them", (*opened, finished)),
+    ]
 
 
 def _away(spec: ObjectSpec, piece: Piece) -> Piece:

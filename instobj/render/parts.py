@@ -36,6 +36,9 @@ COLOURS = {
     "mould_half_b": (0.58, 0.70, 0.56),
     "mould_plug": (0.76, 0.70, 0.84),
     "mould_holder": (0.76, 0.70, 0.84),
+    "mould_seal_box": (0.56, 0.71, 0.76),
+    "mould_seal_half_a": (0.56, 0.71, 0.76),
+    "mould_seal_half_b": (0.49, 0.63, 0.69),
     "pin": (0.80, 0.45, 0.30),
     "board": (0.10, 0.45, 0.22),
 }

@@ -125,12 +125,6 @@ def _opened(spec: ObjectSpec) -> str:
 def _joining_steps(spec: ObjectSpec, parts: Collection[str]) -> list[str]:
     in_shell = "magnets" if spec.arrangement == "sensors-in-core" else "sensor boards"
     by = "the template and the maps" if has_template(parts) else "the maps"
-    layer = spec.shell.seal_layer_mm
-    seal = (
-        f"Put the shell on its plug into the seal box and pour the layer of {layer:g} mm over all faces."
-        if layer
-        else "Fill the pockets flush with silicone, face by face, and let each cure."
-    )
     keys = (
         "The keys must snap into their recesses."
         if spec.core.keys.positions_mm
@@ -149,7 +143,7 @@ def _joining_steps(spec: ObjectSpec, parts: Collection[str]) -> list[str]:
     return [
         *([] if held else [_glued(spec)]),
         f"Set the {in_shell} on the floors of the shell's pockets, by {by} above.",
-        seal,
+        *_sealed(spec),
         *([] if held else [core]),
         *([wires] if opening_of(spec) == "closed" else []),
         "Read all sensors at rest and run `instobj selftest`: it finds flipped magnets and swapped "
@@ -158,6 +152,32 @@ def _joining_steps(spec: ObjectSpec, parts: Collection[str]) -> list[str]:
         if "jig" in parts
         else "Hold the object in the machine so that its axes are known (it has no printed jig), and "
         "calibrate.",
+    ]
+
+
+def _sealed(spec: ObjectSpec) -> list[str]:
+    """Pockets filled one by one, or covered by a second pour that gives the body its size."""
+    layer, frame = spec.shell.seal_layer_mm, mould_frame(spec)
+    if not layer or spec.silicone.cure == "none":
+        return ["Fill the pockets flush with silicone, face by face, and let each cure."]
+    over = f"the layer of {layer:g} mm over all faces"
+    first = "Brush silicone into the pockets until no air is left over the magnets."
+    if frame.opening == "open" and frame.plugged:
+        return [f"{first} Put the shell on its plug into the seal box and pour {over}."]
+    if frame.opening == "open":
+        return [
+            f"{first} Pour silicone {layer:g} mm deep into the seal box and press the shell in, pockets "
+            f"down, until it is flush with the rim: this casts {over}."
+        ]
+    held = (
+        "Seat it on the rod again, flat on flat, and clip the rod into the seal halves"
+        if frame.opening == "bore"
+        else "Close the seal halves round it and push the locating pins alone through them into the core"
+    )
+    drawn = "the rod" if frame.opening == "bore" else "the pins"
+    return [
+        f"{first} {held}; bolt them and pour {over}, as before.",
+        f"When it has cured draw {drawn}, part the seal halves and cut the sprues flush.",
     ]
 
 

@@ -148,7 +148,7 @@ EDITS: tuple[tuple[Edit, tuple[str, ...]], ...] = (
     (_tilted, ("box", "pad")),
     (_set("arrangement", "sensors-in-shell"), ("box",)),
     (_between("shell.slits.depth_mm", 1.0, 6.0), ("box",)),
-    (_between("shell.seal_layer_mm", 0.3, 1.0), ("box",)),
+    (_between("shell.seal_layer_mm", 0.3, 1.0), KINDS),
     (_set("core.keys.positions_mm", [[9.0, 9.0]], [[9.0, 9.0], [-9.0, -9.0]]), ("box",)),
     (_set("core.bay_mm", [10.0, 10.0, 10.0], [16.0, 14.0, 12.0]), ("box",)),
 )

@@ -57,8 +57,8 @@ class BodyKind(ABC):
     on_base: ClassVar[bool] = False
     """Whether the silicone stands on a rigid base, whose top the mould leaves open."""
     cuboid: ClassVar[bool] = False
-    """Whether its sides are flat and meet at right angles: only then keys, slits, bay, seal layer, a
-    sliding core, the reverse arrangement and a layout search are known."""
+    """Whether its sides are flat and meet at right angles: only then a sliding core, the reverse
+    arrangement and a layout search are known."""
     sampled: ClassVar[bool] = False
     """Whether it is known by its triangles, its core an offset of them, and has no exact solid."""
     insides: ClassVar[tuple[Inside, ...]] = ("core",)
@@ -175,6 +175,19 @@ class BodyKind(ABC):
     @abstractmethod
     def volume_mm3(self) -> float:
         """Volume of the sealed silicone without keys and slits, pockets filled."""
+
+    def less(self, layer_mm: float) -> BodyKind:
+        """The body without a layer of that thickness on all of its outside, round the same core."""
+        x, y, z = (edge - 2 * layer_mm for edge in self.size_mm)
+        return replace(self, size_mm=(x, y, z), thickness_mm=self.thickness_mm - layer_mm)
+
+    def cast_surface(self, layer_mm: float, sensed: tuple[int, ...]) -> trimesh.Trimesh:
+        """The outside less a layer that a second pour adds, where faces are `sensed` or all over."""
+        return self.less(layer_mm).outer_surface()
+
+    def cast_volume_mm3(self, layer_mm: float, sensed: tuple[int, ...]) -> float:
+        """`volume_mm3` without that layer."""
+        return self.less(layer_mm).volume_mm3()
 
     @property
     def support_ends(self) -> list[tuple[Float[np.ndarray, "3"], float]]:

@@ -59,6 +59,26 @@ class Cylinder(BodyKind):
         diameter, _, height = self.size_mm
         return pi * (diameter**2 / 4 * height - float(self.core_half_mm[0] ** 2 * (high - low)[2]))
 
+    def cast_measures_mm(
+        self, layer_mm: float, sensed: tuple[int, ...]
+    ) -> tuple[float, float, float]:
+        """Radius and levels of the ends without a layer all round, and on the ends that are sensed."""
+        radius, _, half = self.half_mm
+        round_it = bool({2, 3, 4, 5} & set(sensed))
+        return (
+            float(radius - round_it * layer_mm),
+            float((6 in sensed) * layer_mm - half),
+            float(half - (1 in sensed) * layer_mm),
+        )
+
+    def cast_surface(self, layer_mm: float, sensed: tuple[int, ...]) -> trimesh.Trimesh:
+        return self._about_z(*self.cast_measures_mm(layer_mm, sensed))
+
+    def cast_volume_mm3(self, layer_mm: float, sensed: tuple[int, ...]) -> float:
+        radius, low, high = self.cast_measures_mm(layer_mm, sensed)
+        solid = pi * float(np.prod(self.half_mm[:2])) * self.size_mm[2]
+        return self.volume_mm3() - solid + pi * radius**2 * (high - low)
+
     def end_slabs(self, width_mm: float) -> list[trimesh.Trimesh]:
         return [self._end_slab(normal, width_mm) for normal, _ in self.support_ends]
 

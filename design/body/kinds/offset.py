@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -33,6 +34,13 @@ class OffsetBody(BodyKind):
 
     def core_surface(self) -> trimesh.Trimesh:
         return sampled_core(self)
+
+    def cast_surface(self, layer_mm: float, sensed: tuple[int, ...]) -> trimesh.Trimesh:
+        return sampled_core(replace(self, thickness_mm=layer_mm))
+
+    def cast_volume_mm3(self, layer_mm: float, sensed: tuple[int, ...]) -> float:
+        cast = self.cast_surface(layer_mm, sensed)
+        return float(cast.difference(self.with_bore(self.core_surface())).volume)
 
     def volume_mm3(self) -> float:
         """That of the triangles."""

@@ -208,8 +208,6 @@ def test_a_style_that_cannot_be_drawn_is_refused_and_the_other_is_chosen():
     assert mould_style(case("pad")) == "one-piece"
     with pytest.raises(InputError, match="needs a whole side of the body open"):
         case("sphere", mould={"style": "one-piece"})
-    with pytest.raises(InputError, match="a closed body has none"):
-        case("closed_box", shell={"seal_layer_mm": 0.5})
 
 
 def test_a_core_that_nothing_can_hold_is_told():
