@@ -71,7 +71,8 @@ class Request:
     """What a user asks for: kind of body, its box (mm), sensors and magnets per face.
 
     Without a number of magnets, as many as fit, five at most. An imported body has `size_mm` of its
-    file, and the keys of `[body]` that read it in `file`.
+    file, and the keys of `[body]` that read it in `file`. Without `faces` all are sensed on which
+    everything finds room.
     """
 
     kind: str
@@ -79,6 +80,7 @@ class Request:
     sensors: int = 3
     magnets: int | None = None
     file: tuple[tuple[str, Any], ...] = ()
+    faces: tuple[int, ...] | None = None
 
 
 def placed(request: Request) -> Tables:
@@ -98,7 +100,18 @@ def placed(request: Request) -> Tables:
 def first_fit(
     request: Request, trims: tuple[Trim, ...] = _TRIMS, shares: tuple[float, ...] = _SHARES
 ) -> Tables | None:
-    """The same, or None where nothing fits of these trims and shares of the faces' half extents."""
+    """The same, or None where nothing fits of these trims and shares of the faces' half extents.
+
+    Where not all faces take everything, those that do by themselves are sensed.
+    """
+    found = _fit(request, trims, shares)
+    if found is not None or request.faces is not None:
+        return found
+    faces = _roomy_faces(request)
+    return _fit(replace(request, faces=faces), trims, shares) if faces else None
+
+
+def _fit(request: Request, trims: tuple[Trim, ...], shares: tuple[float, ...]) -> Tables | None:
     for trim in trims:
         tables = _with_sensors(request, trim, shares)
         tables = tables and _with_magnets(request, tables, shares)
@@ -106,6 +119,15 @@ def first_fit(
         if tables:
             return tables
     return None
+
+
+def _roomy_faces(request: Request) -> tuple[int, ...]:
+    """Faces on which everything finds room by itself, under the thinnest shell; () where all have it."""
+    every = spec_of(_body(request, _TRIMS[-1])).body.sensed
+    if len(every) == 1:
+        return ()
+    found = tuple(face for face in every if _fits_roughly(replace(request, faces=(face,))))
+    return found if len(found) < len(every) else ()
 
 
 def spec_of(tables: Tables) -> ObjectSpec:
@@ -117,6 +139,8 @@ def _body(request: Request, trim: Trim) -> Tables:
     kind = KINDS[request.kind]
     body: dict[str, Any] = {"kind": request.kind, **dict(request.file)}
     body["size_mm"] = list(request.size_mm)
+    if request.faces is not None:
+        body["sensed_faces"] = list(request.faces)
     if kind.openable and not kind.opens_sides:
         room = min(request.size_mm) - 2 * trim.thickness_mm
         body["bore_mm"] = float(np.clip(np.floor(room / 2), 4.0, 10.0))
@@ -259,7 +283,7 @@ def _too_small(request: Request) -> str:
 
 def _fits_roughly(request: Request) -> bool:
     """Whether the thinnest shell takes everything: it leaves the most room, and trying all is slow."""
-    return first_fit(request, _TRIMS[-1:], _COARSE) is not None
+    return _fit(request, _TRIMS[-1:], _COARSE) is not None
 
 
 def _grown(request: Request, growth: float) -> Request:

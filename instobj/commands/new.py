@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import warnings
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -56,7 +57,10 @@ def new_specification(name: str, out: Path, request: Request | None = None) -> P
     text, named = _TEMPLATE.read_text(encoding="utf-8"), f'name = "{name}"'
     text = text.replace(f"{'name = ' + _NAME:<{_COLUMN}}", f"{named:<{_COLUMN}}")
     if request is not None:
-        text = _filled(text, placed(request), KINDS[request.kind], out)
+        tables = placed(request)
+        if "sensed_faces" in tables["body"]:
+            warnings.warn(_left_out_faces(request, tables["body"]["sensed_faces"]), stacklevel=2)
+        text = _filled(text, tables, KINDS[request.kind], out)
     with atomic_path(target) as temporary:
         temporary.write_text(text, encoding="utf-8")
     return target
@@ -122,6 +126,15 @@ def _filled(text: str, tables: Tables, kind: type[BodyKind], out: Path) -> str:
         raise AssertionError(f"the template has no lines for {sorted(values)}")
     whole = re.sub(r"\n{3,}", "\n\n", "\n".join(lines) + "\n")
     return _DEFAULTS.sub(_about(kind), whole)
+
+
+def _left_out_faces(request: Request, sensed: list[int]) -> str:
+    """Which faces a placement does without."""
+    told = f"{', '.join(map(str, sensed[:-1]))} and {sensed[-1]}" if sensed[1:] else str(sensed[0])
+    return (
+        f"only face{'s' * (len(sensed) > 1)} {told} can take {request.sensors} sensors and the magnets; "
+        "the others are not sensed (body.sensed_faces). Ask for fewer sensors or magnets to sense more"
+    )
 
 
 def _about(kind: type[BodyKind]) -> str:

@@ -1,6 +1,7 @@
 """Objects placed from kind and size: everything fits, and refusals name a size that works."""
 
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -103,6 +104,17 @@ def test_the_pear_takes_two_sensors_on_every_face():
     assert tables is not None
     spec = spec_of(tables)
     assert [len(face) for face in sensor_places(spec)] == [2] * 5
+
+
+def test_faces_that_are_too_small_are_not_sensed():
+    """A brick was refused as a whole, as its sides take no four sensors; nine of ten odd bodies too."""
+    request = Request("box", (80.0, 60.0, 26.0), 4, 5)
+    tables = placed(request)
+    spec = spec_of(tables)
+    assert problems_of(spec) == []
+    assert spec.body.sensed == (1,)
+    assert len(spec.magnets.positions_mm) == 5
+    assert first_fit(replace(request, faces=(1, 3))) is None
 
 
 def test_a_pad_that_is_too_small_is_refused_with_a_size_that_works():

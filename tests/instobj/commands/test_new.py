@@ -72,6 +72,15 @@ def test_every_kind_gets_its_own_lines_with_what_was_placed(kind, tmp_path, monk
     assert ("unit = " in text) is (kind == "imported")
 
 
+def test_faces_that_are_left_out_are_told(tmp_path, monkeypatch):
+    tables = placed_tables("box")
+    tables["body"]["sensed_faces"] = [2, 4]
+    monkeypatch.setattr("instobj.commands.new.placed", lambda request: tables)
+    with pytest.warns(UserWarning, match="only faces 2 and 4 can take 3 sensors"):
+        path = new_specification("mine", tmp_path, Request("box", (1.0, 2.0, 3.0)))
+    assert tomllib.loads(path.read_text())["body"]["sensed_faces"] == [2, 4]
+
+
 def test_without_options_the_cube_of_the_paper_is_written(tmp_path):
     assert request_of(None, None, 3, None, None, "mm", 1.0) is None
     path = new_specification("mine", tmp_path)
