@@ -1,0 +1,195 @@
+"""Which frames a recorded press is the mean of, and what its forces, contacts and nulls are, by hand."""
+
+from dataclasses import replace
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose, assert_array_equal
+
+from design.spec.object import ObjectSpec
+from estimator.calibration import recorded_presses, validation
+from estimator.calibration.recorded_presses import PredictedMotions, RecordedPresses
+from estimator.calibration.twin import grasp_twin, pressed_places
+from estimator.frames.dataset import FrameSet
+
+SPEC = ObjectSpec(name="cube")
+
+
+def frames_of(force, face=(3, 5)):
+    """One press of two jaws with the forces (frame, jaw), 15 channels that count the frames."""
+    force = np.asarray(force, float)
+    count = len(force)
+    normal = np.stack([0 * force, 0 * force, force], axis=2)
+    return FrameSet(
+        signal_counts=np.tile(np.arange(count, dtype=float)[:, None, None, None], (1, 5, 1, 3)),
+        contact_face=np.where(force > 0, np.array(face), 0),
+        contact_xy_mm=np.tile([[3.0, -1.0], [3.0, 1.0]], (count, 1, 1)),
+        force_n=normal,
+        valid=np.ones(count, bool),
+        press_id=np.zeros(count, int),
+        place_id=np.zeros(count, int),
+        session_id=np.zeros(count, int),
+        time_s=np.arange(count) / 10.0,
+        faces=np.arange(1, 6),
+        grid_x_mm=np.arange(3.0),
+        grid_y_mm=np.arange(3.0),
+        noise_counts=np.ones(3),
+        source="recorded",
+        spec_hash="a",
+        seed=0,
+    )
+
+
+def test_a_press_is_the_mean_over_frames_in_which_every_contact_holds_half_of_its_largest_force():
+    force = [[0, 0], [4, 8], [5, 8], [8, 7], [10, 4], [9, 3.9], [6, 6], [7, 7]]
+    ((signal, newton, contacts, count),) = recorded_presses._presses(frames_of(force))
+    held = [2, 3, 4, 6, 7]
+    assert count == 5
+    assert_allclose(signal, np.full(15, np.mean(held)))
+    assert_allclose(newton, [0, 0, np.mean([5, 8, 10, 6, 7]), 0, np.mean([8, 7, 4, 6, 7]), 0])
+    assert contacts == ((3, 3.0, -1.0), (5, 3.0, 1.0))
+    assert recorded_presses._presses(frames_of(force[:-1])) == []  # four such frames are too few
+
+
+def recorded(channels=15):
+    force = np.zeros((2, 6))
+    force[0, 2] = force[1, [2, 4]] = 6.0
+    cases = (((3, 0.0, 0.0),), ((3, 0.0, 0.0), (5, 0.0, 0.0)))
+    count = np.array([4, 9])
+    zeros = np.zeros(2, int)
+    return RecordedPresses(
+        np.ones((2, channels)), force, np.array([0, 1]), zeros, count, cases, np.ones(3)
+    )
+
+
+def test_cases_channels_and_faces_are_told_by_number():
+    presses = recorded()
+    assert presses.face_of_case(5).tolist() == [False, True]
+    assert recorded_presses.pressed_faces(presses) == [3, 5]
+    two = ObjectSpec.model_validate({"name": "two", "body": {"sensed_faces": [2, 4]}})
+    count = 3 * two.sensors.count_per_face
+    assert recorded_presses.own_channels(two, 4).tolist() == list(range(count, 2 * count))
+    whole = replace(presses, signal_counts=np.arange(2 * 5.0 * count).reshape(2, -1))
+    only = whole.signal_counts.copy().reshape(2, 5, count)
+    only[:, [0, 2, 4]] = np.nan
+    sparse = replace(whole, signal_counts=only.reshape(2, -1))
+    assert recorded_presses.on_sensed_faces(two, whole) is whole
+    kept = recorded_presses.on_sensed_faces(two, sparse).signal_counts
+    assert_array_equal(kept, only[:, [1, 3]].reshape(2, -1))
+
+
+def test_motions_between_tabulated_moduli_are_straight_in_their_logarithm():
+    ratios = recorded_presses.MODULUS_RATIOS
+    motion = np.log(ratios)[None, None, :, None, None] * np.ones((2, 3, 1, 1, 6))
+    motions = PredictedMotions(
+        motion * [[[[[1.0]]], [[[2.0]]], [[[3.0]]]]], np.zeros((2, 3, 13), bool)
+    )
+    for ratio in (0.2, 0.33, 1.0, 2.9, 3.0):
+        found = motions.at(np.array([0, 2]), ratio)[:, 0, 0]
+        assert_allclose(found, np.log(ratio) * np.array([1.0, 3.0]), atol=1e-12)
+
+
+def test_figures_are_ranked_among_all_exchanges_of_cases():
+    values = np.array([[3.0, 1.0], [2.0, 4.0], [5.0, 0.0]])
+    case = np.array([0, 1, 0])
+    order = np.array([[0, 1], [1, 0]])
+    found = validation._mean_figure(values, case, order)
+    assert (found.value, found.null, found.p, found.exchanges) == (4.0, (4.0 + 1.0) / 2, 0.5, 2)
+    spread = validation._spread_figure(values, case, order)
+    assert spread.value == pytest.approx(np.exp(np.std([3.0, 4.0, 5.0])))
+    assert spread.null == pytest.approx(
+        (np.exp(np.std([3.0, 4.0, 5.0])) + np.exp(np.std([1.0, 2.0, 0.0]))) / 2
+    )
+    assert spread.p == 1.0
+    assert found.judgement == "cannot be told (2 exchanges of places allow no p below 0.5)"
+    assert validation.cannot_be_told(20) == ""
+    assert validation.Figure(1.0, 0.0, 0.05, 20).judgement == "supported"
+    assert validation.Figure(1.0, 0.0, 0.051, 20).judgement == "not supported"
+
+
+def test_cosines_signs_sizes_and_moduli_of_single_presses():
+    measured = np.array([[3.0, 4.0, 1.0]])
+    predicted = np.array([[[3.0, -4.0, 0.0], [6.0, 8.0, 2.0]]])
+    clear = np.array([[True, True, False]])
+    cosine, signs, size = validation._per_press(measured, predicted, clear)
+    assert_allclose(cosine, [[-7 / (5 * np.sqrt(26)), 1.0]])
+    assert_allclose(signs, [[0.5, 1.0]])
+    assert_allclose(size, [[np.log(np.sqrt(26) / 5), np.log(0.5)]])
+    ratios = recorded_presses.MODULUS_RATIOS
+    sizes = (10 / ratios)[:, None, None] * np.array([1.0, 9.0])
+    modulus, bounded = validation._effective_ratios(np.array([8.0]), sizes)
+    assert_allclose(modulus, [[10 / 8, 3.0]])
+    assert bounded.tolist() == [[True, False]]
+
+
+def test_a_change_is_clear_beyond_three_sigma_of_noise_and_zero():
+    presses = recorded(3 * SPEC.sensors.count_per_face * 5)
+    zero = SPEC.sensors.zeroing_counts
+    sigma = np.hypot([1 / 2, 1 / 3], zero)
+    presses.signal_counts[:, 0] = 3 * sigma * [1.0001, 0.9999]
+    channels = np.arange(3)
+    clear = validation._clear(SPEC, presses, np.arange(2), channels)
+    assert clear[:, 0].tolist() == [True, False]
+
+
+def test_exchanges_keep_to_cases_that_the_same_presses_predict():
+    predicted = np.ones((4, 3, 1))
+    predicted[:2, 2] = predicted[2:, :2] = np.nan
+    order = validation.case_permutations(predicted, np.array([0, 1, 2, 2]), 0)
+    assert order.tolist() == [[0, 1, 2], [1, 0, 2]]
+    sampled = validation._sampled(np.array([0, 0, 1, 1, 1]), 3)
+    assert sampled.shape == (5001, 5)
+    assert sampled[0].tolist() == [0, 1, 2, 3, 4]
+    assert_array_equal(np.sort(sampled[:, :2], axis=1), np.tile([0, 1], (5001, 1)))
+    assert np.mean(sampled[:, 0] == 1) == pytest.approx(0.5, abs=0.03)
+
+
+def seen_cases():
+    """Two cases at two levels, four channels of two chips, as means with noise."""
+    counts = np.array([[[3.0, 4.0, 0.0, 0.0], [6.0, 8.0, 0.0, 1.0]]] * 2)
+    noise = np.full(counts.shape, 0.25)
+    chip = np.array([5.0, 5.0, 0.5, 5.0]) * np.ones(counts.shape)
+    return SimpleNamespace(
+        channels=np.array([0, 1, 3, 7]), counts=counts, noise_counts2=noise, chip_counts=chip
+    )
+
+
+def test_shares_left_over_have_noise_taken_off_both():
+    seen = seen_cases()
+    left = np.array([[1.0, 1, 1, 1], [1, 1, 1, 1], [0, 0, 0, 0.1], [0, 0, 0, 0]])
+    share = grasp_twin.left_share.__wrapped__(seen, left)
+    assert_allclose(share, [np.sqrt((8 - 2) / (126 - 2)), 0.0])
+
+
+def test_errors_of_sensors_that_show_nothing_clear_are_the_mean_of_the_others():
+    seen = seen_cases()
+    left = np.full(seen.counts.shape, 1.5)
+    left[..., 3] = 0.4
+    errors = grasp_twin.sensor_errors.__wrapped__(seen, left, 4)[:, 0]
+    first = (1.5**2 - 0.25) / 25
+    assert_allclose(errors**2, [first, first / 2, 0.0, first / 2], atol=1e-12)
+    seen.chip_counts[..., 0] = np.sqrt(25 * 0.25)  # just not clear: the second channel tells alone
+    again = grasp_twin.sensor_errors.__wrapped__(seen, left * [9, 1, 1, 1], 4)[:, 0]
+    assert_allclose(again**2, [first, first / 2, 0.0, first / 2], atol=1e-12)
+
+
+def test_what_a_size_leaves_over_grows_with_the_levels_of_a_case():
+    left_over = grasp_twin._left_over.__wrapped__(seen_cases(), 0.1)
+    assert_allclose(left_over.variance[0], 0.25 + 2 * 0.01 * np.array([25, 25, 0.25, 25]))
+    assert_allclose(left_over.weighed(left_over.variance[..., None] * 3), 3.0)
+
+
+def test_zeros_err_by_themselves_and_by_the_drift_of_half_their_frames():
+    sensors = SPEC.sensors
+    seconds = 30 / sensors.frame_rate_hz
+    alone = (
+        sensors.zeroing_counts**2
+        + sensors.drift_counts**2 * seconds / 2 / pressed_places.DRIFT_TIME_S
+    )
+    assert pressed_places.zero_covariance(SPEC, 30) == pytest.approx(alone)
+    zeroed = np.repeat([4, 7], [40, 20])
+    levels = [np.arange(0, 30), np.arange(30, 60)]
+    share = np.array([[1.0, 0.0], [1 / 3, 2 / 3]])
+    found = pressed_places._zero_covariance(SPEC, zeroed, levels)
+    assert_allclose(found, alone * share @ share.T)

@@ -1,0 +1,106 @@
+"""Interruptions, time axes, rest levels, press numbers and lags, by hand on a few frames."""
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose, assert_array_equal
+
+from estimator.recordings import presses
+
+
+def test_a_stretch_ends_at_a_pause_a_step_back_and_another_case():
+    time_s = np.array([0.0, 5.0, 10.1, 11.0, 10.5, 11.0])
+    case = np.array([[1.0], [1], [1], [1], [1], [2]])
+    assert presses.stretches(time_s, case).tolist() == [0, 0, 1, 1, 2, 3]
+    assert presses.stretches(np.zeros(0), case).tolist() == [0, 0, 0, 0, 0, 1]
+
+
+def test_stamps_that_grow_are_kept_and_repeated_ones_are_spread():
+    growing = np.array([0.0, 0.1, 0.2, 0.4])
+    times, rate = presses.frame_times_s(growing, np.zeros(4, int), 50.0)
+    assert_array_equal(times, growing)
+    assert rate == pytest.approx(10.0)
+    whole = np.array([0.0, 0, 1, 1, 2, 2, 10, 10, 11, 11])
+    stretch = np.array([0] * 6 + [1] * 4)
+    times, rate = presses.frame_times_s(whole, stretch, 50.0)
+    # slopes: Σ (k − k̄)(t − t̄) = 8 and 2 over Σ (k − k̄)² = 17.5 and 5
+    period = (8 + 2) / (17.5 + 5)
+    assert rate == pytest.approx(1 / period)
+    assert_allclose(times[:6], 1 + (np.arange(6) - 2.5) * period)
+    assert_allclose(times[6:], 10.5 + (np.arange(4) - 1.5) * period)
+    pushed, _ = presses.frame_times_s(np.zeros(6), np.repeat([0, 1], [4, 2]), 4.0)
+    assert_allclose(pushed, -0.375 + 0.25 * np.arange(6), atol=1e-12)
+    times, rate = presses.frame_times_s(np.array([3.0]), np.zeros(3, int), 50.0)
+    assert (times.tolist(), rate) == ([0.0, 0.02, 0.04], 50.0)
+
+
+def test_rest_is_the_lowest_level_the_labelled_or_the_longest():
+    force = np.concatenate([np.full(20, 2.0), np.full(10, 7.0)])
+    none, labelled = np.zeros(30, bool), np.arange(30) < 20
+    high = np.arange(30) >= 20
+    tared = presses.tared(force[:, None], none, 0.2, True)[:, 0]
+    assert_allclose(tared, force - 2)
+    assert_allclose(presses.tared(force[:, None], labelled, 0.2, False)[:, 0], force - 2)
+    assert_allclose(presses.tared(force[:, None], high, 0.2, False)[:, 0], 7 - force)
+    assert_allclose(presses.tared(force[:, None], none, 0.2, False)[:, 0], force - 2)
+    assert_allclose(
+        presses.tared(force[::-1][:, None] * -1, none, 0.2, False)[:, 0], force[::-1] - 2
+    )
+
+
+def test_presses_part_in_the_middle_of_the_rest_between_them():
+    force = np.zeros(40)
+    force[5:10], force[19:24], force[30:34] = 1.0, 1.0, 1.0
+    found = presses.number_presses(force[:, None], np.zeros(40, int), 0.1)
+    assert np.flatnonzero(np.diff(found)).tolist() == [14]
+    assert found.max() == 1
+    two = presses.number_presses(force[:, None], np.repeat([0, 1], 20), 0.1)
+    assert np.flatnonzero(np.diff(two)).tolist() == [19]
+    held = force.copy()
+    held[10:19] = 0.2
+    assert presses.number_presses(held[:, None], np.zeros(40, int), 0.1).max() == 0
+    assert presses._excursions(force, 0.1) == [(5, 10), (19, 24)]
+    assert presses.runs(np.array([1, 1, 2, 1])) == [(0, 2), (2, 3), (3, 4)]
+
+
+def test_the_lag_at_which_a_cubic_explains_most_is_found_for_each_press():
+    time = np.arange(200)
+    force = 5 * np.clip(np.sin(2 * np.pi * time / 100), 0, None) ** 2
+    counts = np.zeros((200, 5, 1, 3))
+    counts[:, 1, 0, 0] = 40 * np.roll(force, -4) - 2 * np.roll(force, -4) ** 2
+    counts[:, 1, 0, 1] = np.nan
+    press = np.repeat([0, 1], 100)
+    face = np.full((200, 1), 2)
+    report = presses.estimate_lag(counts, force[:, None], face, press)
+    assert (report.frames, report.per_press, report.share_within_2) == (4, (4, 4), 1.0)
+    assert report.corrected
+    assert report.residual_corrected < 1e-3
+    assert report.residual_uncorrected == pytest.approx(0.1, abs=0.09)
+    away = presses.estimate_lag(counts, force[:, None], 0 * face, press)
+    assert away == presses.LagReport(0, (), 0.0, 1.0, 1.0, False)
+    still = presses.estimate_lag(counts, 0.1 * force[:, None], face, press)
+    assert still.per_press == ()
+    short = presses.estimate_lag(counts[:75], force[:75, None], face[:75], press[:75])
+    assert short.per_press == ()
+
+
+def test_shifted_forces_stay_in_their_stretch():
+    force = np.arange(6.0)[:, None]
+    stretch = np.array([0, 0, 0, 1, 1, 1])
+    assert_array_equal(
+        presses.shifted_forces(force, stretch, 1)[:, 0], [1, 2, np.nan, 4, 5, np.nan]
+    )
+    assert_array_equal(
+        presses.shifted_forces(force, stretch, -1)[:, 0], [np.nan, 0, 1, np.nan, 3, 4]
+    )
+    shear = np.stack([force, 10 * force], axis=2)
+    rest = np.array([True, True, False, False, False, False])
+    shifted = presses.shifted_shear(shear, stretch, 0, rest)
+    assert_array_equal(shifted[:, 0, 0], np.arange(6) - 0.5)
+    assert_array_equal(shifted[:, 0, 1], 10 * np.arange(6) - 5.0)
+    unshifted = presses.shifted_shear(shear, stretch, 0, ~rest & rest)
+    assert_array_equal(unshifted[:, 0, 0], np.arange(6))
+
+
+def test_rest_is_within_the_rest_force_of_every_cell():
+    force = np.array([[0.1, -0.19], [0.2, 0.0], [0.0, -0.3]])
+    assert presses.at_rest(force, 0.2).tolist() == [True, False, False]
