@@ -37,6 +37,11 @@ class Block:
         signs = np.array([[x, y, z] for z in (-1, 1) for x in (-1, 1) for y in (-1, 1)])
         return self.centre_mm + (signs * self.half_mm) @ self.axes.T
 
+    def distance_mm(self, points_mm: Float[np.ndarray, "*n 3"]) -> Float[np.ndarray, "*n"]:
+        """Distance of points from the block; 0 within."""
+        beyond = abs((points_mm - self.centre_mm) @ self.axes) - self.half_mm
+        return np.linalg.norm(beyond.clip(min=0), axis=-1)
+
     def holds(
         self, points_mm: Float[np.ndarray, "n 3"], margin_mm: float = 0.0
     ) -> Bool[np.ndarray, "n"]:

@@ -11,6 +11,7 @@ import numpy as np
 from jaxtyping import Float
 
 from design.body.triangles import Block
+from design.fit.curved_parts import check_curved_keys
 from design.layout.blocks import relief_slits
 from design.layout.boards import (
     channel_heights_mm,
@@ -36,7 +37,7 @@ _FLUSH_MM = 0.05
 def check_parts(spec: ObjectSpec) -> Iterator[str]:
     """What of these does not fit."""
     if spec.core.keys.positions_mm:
-        yield from _check_keys(spec)
+        yield from _check_keys(spec) if body_of(spec).cuboid else check_curved_keys(spec)
     if spec.shell.slits.depth_mm:
         yield from _check_slits(spec)
     if spec.shell.seal_layer_mm:

@@ -14,7 +14,7 @@ import numpy as np
 from design.body.meshes import manifold_of
 from design.body.surface_chart import FaceFrame
 from design.body.triangles import Block, block_surface
-from design.layout.body import core_frames, face_frames
+from design.layout.body import body_of, core_frames, face_frames
 from design.spec.worked_out import once
 
 if TYPE_CHECKING:
@@ -22,26 +22,48 @@ if TYPE_CHECKING:
 
     from design.spec.object import ObjectSpec
 
+_SUNK_MM = 0.5
+_SINKING_STEPS = 4
+
 
 @once
 def core_keys(spec: ObjectSpec) -> tuple[Block, ...]:
-    """Keys of every face of the core, face by face; each begins 0.5 mm below the core's face.
+    """Keys of every face of the core, face by face, each along the surface's normal at its place.
 
-    What lies below the face is inside the core, so that a union with it has no coplanar faces.
+    Each begins 0.5 mm below the core's surface or deeper, until all of its underside lies in the core,
+    so that a union with it has no coplanar faces.
     """
-    keys, sunk = spec.core.keys, 0.5
+    places = spec.core.keys.positions_mm
+    return tuple(_key(spec, frame, np.array(xy)) for frame in core_frames(spec) for xy in places)
+
+
+def _key(spec: ObjectSpec, frame: FaceFrame, xy_mm: np.ndarray) -> Block:
+    keys, tangent = spec.core.keys, frame.tangent(xy_mm)
+    sunk = 0.0 if frame.flat else _sunk_mm(spec, tangent, xy_mm)
+    sunk += _SUNK_MM
     half = np.array([*(edge / 2 for edge in keys.size_mm), (keys.height_mm + sunk) / 2])
-    height = (keys.height_mm - sunk) / 2
-    return tuple(
-        Block(frame.to_object(np.array([x, y, height])), frame.axes, half)
-        for frame in core_frames(spec)
-        for x, y in keys.positions_mm
-    )
+    centre = tangent.to_object(np.append(xy_mm, (keys.height_mm - sunk) / 2))
+    return Block(centre, tangent.axes, half)
+
+
+def _sunk_mm(spec: ObjectSpec, tangent: FaceFrame, xy_mm: np.ndarray) -> float:
+    """How deep an underside lies whose corners are all in the core."""
+    signs = np.array([[1, 1], [-1, 1], [-1, -1], [1, -1]]) / 2
+    corners = xy_mm + signs * spec.core.keys.size_mm
+    sunk = 0.0
+    for _ in range(_SINKING_STEPS):
+        points = tangent.to_object(np.column_stack([corners, np.full(4, -sunk)]))
+        sunk += max(0.0, float(body_of(spec).core_distance_mm(points).max()))
+    return sunk
 
 
 def keys_volume_mm3(spec: ObjectSpec) -> float:
     """Volume of silicone that all keys displace."""
     keys = spec.core.keys
+    core = body_of(spec).core_surface()
+    if keys.positions_mm and core is not None and not all(f.flat for f in core_frames(spec)):
+        inside = manifold_of(core)
+        return sum((block_manifold(key) - inside).volume() for key in core_keys(spec))
     per_key = keys.size_mm[0] * keys.size_mm[1] * keys.height_mm
     return per_key * len(keys.positions_mm) * len(core_frames(spec))
 

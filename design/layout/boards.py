@@ -87,6 +87,18 @@ def _mounted(
     )
 
 
+def cuts_of_core(spec: ObjectSpec) -> list[Block]:
+    """Recesses of the sensors and wire channels; none where the sensors sit in the shell."""
+    if spec.arrangement != "sensors-in-core":
+        return []
+    channels = [
+        channel
+        for frame, places in board_places(spec)
+        for channel in wire_channels(spec, frame, [place for place, _ in places], 0.0)
+    ]
+    return [*sensor_recesses(spec), *channels]
+
+
 def wire_bundle_mm(spec: ObjectSpec) -> float:
     """Diameter of the bundle of one face's wires, loosely packed."""
     wires = spec.core.wires_per_sensor * spec.sensors.count_per_face
@@ -133,7 +145,7 @@ def smallest_recess_wall_mm(spec: ObjectSpec, sunk: bool = True) -> float:
     """
     flat = tuple((0.0,) * len(places) for places in sensor_places(spec))
     recesses = sensor_recesses(spec) if sunk else _recesses(spec, flat)
-    return min(_gap_mm(a, b) for a, b in combinations(recesses, 2))
+    return min(gap_mm(a, b) for a, b in combinations(recesses, 2))
 
 
 def wire_hole_diameter_mm(spec: ObjectSpec, face: int) -> float:
@@ -151,8 +163,9 @@ def passage_radius_mm(spec: ObjectSpec) -> float:
     return max(core.hub_radius_mm, widest / 2)
 
 
-def _gap_mm(a: Block, b: Block) -> float:
-    """Of the separating-axis theorem: the largest gap along any normal or product of edges."""
+def gap_mm(a: Block, b: Block) -> float:
+    """Between two blocks, at most the true one: the largest along any normal or product of edges (the
+    separating-axis theorem); negative where they meet."""
     crossed = np.cross(a.axes.T[:, None], b.axes.T[None]).reshape(-1, 3)
     directions = np.concatenate([a.axes.T, b.axes.T, crossed])
     length = np.linalg.norm(directions, axis=1)

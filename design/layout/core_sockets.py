@@ -14,17 +14,11 @@ import numpy as np
 from jaxtyping import Float
 
 from design.body.surface_chart import Cap, FaceFrame
-from design.body.triangles import Block
 from design.errors import InputError
 from design.layout.blocks import core_keys, relief_slits
-from design.layout.boards import (
-    passage_radius_mm,
-    sensor_recesses,
-    wire_channels,
-)
+from design.layout.boards import cuts_of_core, passage_radius_mm
 from design.layout.body import body_of, core_frames, face_frames
 from design.layout.mould_frame import parting, up
-from design.layout.places.positions import board_places
 from design.layout.pockets import core_pockets, shell_pockets
 from design.spec.worked_out import once
 
@@ -214,10 +208,10 @@ def _room_mm(
             away = _from_segment_mm(outer, np.stack([ends[0], ends[1] + reach * along]))
             room = np.minimum(room, away - pocket.outline.radius_mm - radius_mm - CLEAR_MM)
     for block in (*relief_slits(spec), *core_keys(spec)):
-        room = np.minimum(room, _from_block_mm(outer, block) - radius_mm - CLEAR_MM)
+        room = np.minimum(room, block.distance_mm(outer).min(axis=1) - radius_mm - CLEAR_MM)
     wall = _PRINTED * spec.printer.wall_mm
-    for block in _cut_from_core(spec):
-        room = np.where(_from_block_mm(within, block) > radius_mm + wall, room, -np.inf)
+    for block in cuts_of_core(spec):
+        room = np.where(block.distance_mm(within).min(axis=1) > radius_mm + wall, room, -np.inf)
     for frame, pockets in zip(core_frames(spec), core_pockets(spec), strict=True):
         for pocket in pockets:
             ends = frame.tangent(pocket.body.centre_mm[:2]).to_object(pocket.axis_ends_mm)
@@ -235,17 +229,6 @@ def _room_mm(
     return room - 0.3 * seam - 0.5 * ways.lean
 
 
-def _cut_from_core(spec: ObjectSpec) -> list[Block]:
-    if spec.arrangement != "sensors-in-core":
-        return []
-    channels = [
-        channel
-        for frame, places in board_places(spec)
-        for channel in wire_channels(spec, frame, [place for place, _ in places], 0.0)
-    ]
-    return [*sensor_recesses(spec), *channels]
-
-
 def _off_pour(spec: ObjectSpec, ways: _Ways, radius_mm: float) -> np.ndarray:
     """Clear of the pouring hole, which is where a closed mould's corner is highest."""
     needed = radius_mm + spec.mould.pour_mm / 2 + 2 * spec.mould.wall_mm
@@ -261,11 +244,6 @@ def _from_segment_mm(points_mm: np.ndarray, ends_mm: np.ndarray) -> Float[np.nda
     along = ends_mm[1] - ends_mm[0]
     share = np.clip((points_mm - ends_mm[0]) @ along / (along @ along), 0, 1)
     return np.linalg.norm(points_mm - ends_mm[0] - share[..., None] * along, axis=2).min(axis=1)
-
-
-def _from_block_mm(points_mm: np.ndarray, block: Block) -> Float[np.ndarray, "way"]:
-    local = abs((points_mm - block.centre_mm) @ block.axes) - block.half_mm
-    return np.linalg.norm(local.clip(min=0), axis=2).min(axis=1)
 
 
 def _flat_frame(face: int, centre_mm: np.ndarray, way: np.ndarray) -> FaceFrame:

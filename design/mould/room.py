@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from design.body.sampled import sampled_core
 from design.layout.blocks import core_keys
 from design.layout.body import body_of
 from design.layout.mould_frame import mould_frame
 from design.solids.body import core_solid, past_opening
 from design.solids.booleans import Shape, join
 from design.solids.primitives import block_solid
-from design.solids.sampled import cast_surface
+from design.solids.sampled import cast_surface, keyed_core
 from design.solids.shell import cast_envelope, envelope
 from design.spec.object import ObjectSpec
 
@@ -23,7 +22,7 @@ def core_outside(spec: ObjectSpec) -> Shape:
     """The core with its keys, its recesses and holes filled."""
     body = body_of(spec)
     if body.sampled:
-        return sampled_core(body)
+        return keyed_core(spec)
     return join(core_solid(spec), *(block_solid(key) for key in core_keys(spec)))
 
 

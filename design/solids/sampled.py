@@ -88,7 +88,15 @@ def sampled_core_part(spec: ObjectSpec) -> trimesh.Trimesh:
     removed += [_socket(locator.socket) for locator in locators(spec) if locator.socket]
     if 6 in spec.body.opened:
         removed.append(_hollow(spec))
-    return _one(sampled_core(body_of(spec)), removed, "core")
+    return _one(keyed_core(spec), removed, "core")
+
+
+def keyed_core(spec: ObjectSpec) -> trimesh.Trimesh:
+    """The core's outside with its keys, recesses and holes filled."""
+    core, keys = sampled_core(body_of(spec)), map(block_surface, core_keys(spec))
+    for key in keys:
+        core = core.union(key)
+    return core
 
 
 def _socket(socket: Socket) -> trimesh.Trimesh:

@@ -113,6 +113,13 @@ def _channels(rng: np.random.Generator, tables: Tables) -> None:
     tables["core"] |= {"wire_channel_width_mm": float(width), "wire_channel_depth_mm": float(depth)}
 
 
+def _keyed(rng: np.random.Generator, tables: Tables) -> None:
+    places = rng.uniform(-11, 11, (int(rng.integers(1, 3)), 2)).round(1).tolist()
+    width, length, height = rng.uniform(1.0, 4.0, 3).round(1).tolist()
+    keys = {"positions_mm": places, "size_mm": [width, length], "height_mm": height}
+    tables["core"]["keys"] = keys
+
+
 def _outward_chips(rng: np.random.Generator, tables: Tables) -> None:
     tables["sensors"] |= {"chip": "outward", "depth_below_core_face_mm": 0.7}
 
@@ -149,7 +156,7 @@ EDITS: tuple[tuple[Edit, tuple[str, ...]], ...] = (
     (_set("arrangement", "sensors-in-shell"), ("box",)),
     (_between("shell.slits.depth_mm", 1.0, 6.0), ("box",)),
     (_between("shell.seal_layer_mm", 0.3, 1.0), KINDS),
-    (_set("core.keys.positions_mm", [[9.0, 9.0]], [[9.0, 9.0], [-9.0, -9.0]]), ("box",)),
+    (_keyed, tuple(kind for kind in KINDS if kind != "pad")),
     (_set("core.bay_mm", [10.0, 10.0, 10.0], [16.0, 14.0, 12.0]), ("box",)),
 )
 """What users change, and of which kinds."""

@@ -1,0 +1,109 @@
+"""Fit of keys in bodies that are no boxes: in the object's frame, as patches and cores curve."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import combinations
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from design.body.triangles import Block
+from design.layout.blocks import core_keys
+from design.layout.boards import cuts_of_core, gap_mm, passage_radius_mm
+from design.layout.body import body_of, core_frames, face_frames
+from design.layout.pockets import shell_pockets
+
+if TYPE_CHECKING:
+    from design.spec.object import ObjectSpec
+
+_STEPS = 25
+
+
+def check_curved_keys(spec: ObjectSpec) -> Iterator[str]:
+    """Keys on their patches, clear of what is cut into the core, of pockets and of each other."""
+    keys, thickness = spec.core.keys, spec.shell.thickness_mm
+    if (
+        body_of(spec).on_base and body_of(spec).core_surface() is None
+    ) or spec.body.inside != "core":
+        yield (
+            "core.keys stand in silicone that a plug or the core itself shapes; this "
+            f"{spec.body.kind} is filled to the rim of its mould or holds air. Leave core.keys out"
+        )
+        return
+    half = np.asarray(keys.size_mm) / 2
+    beyond = [
+        (frame, xy)
+        for frame in core_frames(spec)
+        for xy in keys.positions_mm
+        if not frame.covers(np.abs(xy) + half)
+    ]
+    for frame, (x, y) in beyond:
+        reach = frame.half_extents_mm
+        yield (
+            f"core.keys.positions_mm: the key at ({x:g}, {y:g}) reaches past the core's patch of face "
+            f"{frame.number} (±{reach[0]:.4g}, ±{reach[1]:.4g} mm). Move it inwards or make "
+            "core.keys.size_mm smaller"
+        )
+    if keys.height_mm >= thickness:
+        yield (
+            f"core.keys.height_mm must be below shell.thickness_mm = {thickness:g}; got "
+            f"{keys.height_mm:g}. Lower it"
+        )
+    if not beyond:
+        yield from _check_blocks(spec)
+
+
+def _check_blocks(spec: ObjectSpec) -> Iterator[str]:
+    count = len(spec.core.keys.positions_mm)
+    placed = [
+        (f"core.keys: key {index % count + 1} of face {spec.body.sensed[index // count]}", key)
+        for index, key in enumerate(core_keys(spec))
+    ]
+    for (where, key), (other, another) in combinations(placed, 2):
+        if gap_mm(key, another) <= 0:
+            yield f"{where} meets {other.removeprefix('core.keys: ')}. Move one of them"
+    for where, key in placed:
+        if any(gap_mm(key, cut) <= 0 for cut in cuts_of_core(spec)):
+            yield (
+                f"{where} stands over a sensor's recess or a wire channel. Move it, or make "
+                "core.keys.size_mm smaller"
+            )
+        yield from _check_passages(spec, where, key)
+        yield from _check_pockets(spec, where, key)
+
+
+def _check_passages(spec: ObjectSpec, where: str, key: Block) -> Iterator[str]:
+    """Wire holes, through which pins may stand, and the bore."""
+    body, radius = body_of(spec), passage_radius_mm(spec)
+    for core, face in zip(core_frames(spec), face_frames(spec), strict=True):
+        if _from_line_mm(key, 0.5 * core.centre_mm, face.centre_mm) < radius:
+            yield f"{where} stands over the wire hole of face {core.number}. Move it outwards"
+    low = np.array([0.0, 0.0, -spec.body.size_mm[2] / 2])
+    if body.opening == "bore" and _from_line_mm(key, 0 * low, low) < body.bore_mm / 2:
+        yield f"{where} stands in the bore. Move it away from face 6"
+
+
+def _check_pockets(spec: ObjectSpec, where: str, key: Block) -> Iterator[str]:
+    for frame, face in zip(face_frames(spec), shell_pockets(spec), strict=True):
+        for pocket in face:
+            ends = frame.tangent(pocket.body.centre_mm[:2]).to_object(pocket.axis_ends_mm)
+            away = _from_line_mm(key, *ends)
+            if away < pocket.outline.radius_mm and _under(key, ends, away):
+                yield (
+                    f"{where} reaches {spec.core.keys.height_mm:g} mm up, into the pocket of "
+                    f"{pocket.body.label} of face {frame.number}. Lower core.keys.height_mm, or move the "
+                    "key"
+                )
+
+
+def _under(key: Block, ends_mm: np.ndarray, away_mm: float) -> bool:
+    """Whether a key that is nearer to a pocket's axis than its radius reaches above its floor."""
+    along = (ends_mm[1] - ends_mm[0]) / np.linalg.norm(ends_mm[1] - ends_mm[0])
+    return bool(((key.corners_mm - ends_mm[0]) @ along).max() > 0 or away_mm == 0)
+
+
+def _from_line_mm(block: Block, start_mm: np.ndarray, end_mm: np.ndarray) -> float:
+    """Least distance of points along a straight piece from a block."""
+    points = start_mm + np.linspace(0, 1, _STEPS)[:, None] * (end_mm - start_mm)
+    return float(block.distance_mm(points).min())
