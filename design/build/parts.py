@@ -61,9 +61,9 @@ def parts_of(spec: ObjectSpec) -> tuple[Part, ...]:
 
 
 def _jig(spec: ObjectSpec) -> list[Part]:
-    """None for a closed box, as the jig's post reaches into the core's cavity, nor for triangles."""
+    """None for a closed box, as the jig's post reaches into the core's cavity."""
     body = body_of(spec)
-    if body.sampled or (body.cuboid and 6 not in body.opened):
+    if body.cuboid and 6 not in body.opened:
         return []
     return [Part("jig", partial(make_jig, spec))]
 

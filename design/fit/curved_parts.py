@@ -1,4 +1,4 @@
-"""Fit of keys in bodies that are no boxes: in the object's frame, as patches and cores curve."""
+"""Fit of keys and a bay in bodies that are no boxes: in the object's frame, as patches and cores curve."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 
 from design.body.triangles import Block
 from design.layout.blocks import core_keys
-from design.layout.boards import cuts_of_core, gap_mm, passage_radius_mm
+from design.layout.boards import bay_block, cuts_of_core, gap_mm, passage_radius_mm
 from design.layout.body import body_of, core_frames, face_frames
 from design.layout.pockets import shell_pockets
 
@@ -101,6 +101,39 @@ def _under(key: Block, ends_mm: np.ndarray, away_mm: float) -> bool:
     """Whether a key that is nearer to a pocket's axis than its radius reaches above its floor."""
     along = (ends_mm[1] - ends_mm[0]) / np.linalg.norm(ends_mm[1] - ends_mm[0])
     return bool(((key.corners_mm - ends_mm[0]) @ along).max() > 0 or away_mm == 0)
+
+
+def check_curved_bay(spec: ObjectSpec) -> Iterator[str]:
+    """A bay that can be reached from below, with walls to what is cut into the core and to its sides."""
+    body, bay, wall = body_of(spec), bay_block(spec), spec.printer.wall_mm
+    if bay is None:
+        return
+    if not (body.on_base or (body.opens_sides and 6 in body.opened)):
+        yield (
+            "core.bay_mm opens at the core's lower end, where a board and a battery go in; the core of "
+            f"this {spec.body.kind} is cast in, and only a bore or holes of pins lead to it. Leave "
+            "core.bay_mm out, or take a body that is open there"
+        )
+        return
+    upper = bay.corners_mm[4:]
+    across = np.hypot(*upper[:, :2].T) if body.size_mm[0] == body.size_mm[1] else 0 * upper[:, 0]
+    beside = np.maximum(
+        across - body.half_mm[0], np.max(abs(upper[:, :2]) - body.half_mm[:2], axis=1)
+    )
+    middle = bay.centre_mm + np.array([0.0, 0.0, bay.half_mm[2]])
+    above = body.core_distance_mm(np.vstack([upper, middle]))
+    left = -max(float(np.max(np.maximum(above[:-1], beside))), float(above[-1]))
+    if left < wall:
+        yield (
+            f"core.bay_mm leaves {left:.3g} mm of the core's wall at its upper corners, less than "
+            f"printer.wall_mm = {wall:g}. Make the bay smaller by twice what is missing"
+        )
+    gaps = [gap_mm(bay, cut) for cut in cuts_of_core(spec)]
+    if min(gaps, default=wall) < wall:
+        yield (
+            f"core.bay_mm comes within {min(gaps):.3g} mm of a sensor's recess or a wire channel, less than "
+            f"printer.wall_mm = {wall:g}. Make the bay smaller"
+        )
 
 
 def _from_line_mm(block: Block, start_mm: np.ndarray, end_mm: np.ndarray) -> float:

@@ -11,7 +11,7 @@ import numpy as np
 from jaxtyping import Float
 
 from design.body.triangles import Block
-from design.fit.curved_parts import check_curved_keys
+from design.fit.curved_parts import check_curved_bay, check_curved_keys
 from design.layout.blocks import relief_slits
 from design.layout.boards import (
     channel_heights_mm,
@@ -49,7 +49,7 @@ def check_parts(spec: ObjectSpec) -> Iterator[str]:
         yield from _check_recesses_off_passages(spec)
         yield from _check_boards_in_core(spec)
     if spec.core.bay_mm is not None:
-        yield from _check_bay(spec)
+        yield from _check_bay(spec) if body_of(spec).cuboid else check_curved_bay(spec)
 
 
 def _check_keys(spec: ObjectSpec) -> Iterator[str]:

@@ -87,6 +87,16 @@ def _mounted(
     )
 
 
+def bay_block(spec: ObjectSpec) -> Block | None:
+    """The bay of the core, `core.bay_mm` from its lower end upwards; None where there is none."""
+    if spec.core.bay_mm is None:
+        return None
+    body = body_of(spec)
+    low = -float(body.half_mm[2] if body.on_base else body.core_half_mm[2])
+    half = np.asarray(spec.core.bay_mm) / 2
+    return Block(np.array([0.0, 0.0, low + half[2]]), np.eye(3), half)
+
+
 def cuts_of_core(spec: ObjectSpec) -> list[Block]:
     """Recesses of the sensors and wire channels; none where the sensors sit in the shell."""
     if spec.arrangement != "sensors-in-core":

@@ -7,7 +7,7 @@ import numpy as np
 
 from design.body.surface_chart import FACE_AXES, FaceFrame
 from design.layout.blocks import core_keys
-from design.layout.boards import wire_channels, wire_hole_diameter_mm
+from design.layout.boards import bay_block, wire_channels, wire_hole_diameter_mm
 from design.layout.body import body_of, core_frames
 from design.layout.core_hold import locators
 from design.layout.places.positions import board_places
@@ -49,12 +49,10 @@ def make_core(spec: ObjectSpec) -> cq.Solid:
 
 
 def _cavity(spec: ObjectSpec) -> list[cq.Solid]:
-    rooms, bay = core_hollow(spec), spec.core.bay_mm
+    rooms, bay = core_hollow(spec), bay_block(spec)
     if bay is not None:
-        z = spec.core_size_mm[2] / 2
-        bottom = -z - OVERSHOOT_MM
-        half_x, half_y, top = bay[0] / 2, bay[1] / 2, bay[2] - z
-        rooms.append(box_between((-half_x, -half_y, bottom), (half_x, half_y, top)))
+        low, high = bay.centre_mm - bay.half_mm, bay.centre_mm + bay.half_mm
+        rooms.append(box_between(low - [0, 0, OVERSHOOT_MM], high))
     return rooms
 
 

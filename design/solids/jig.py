@@ -1,23 +1,32 @@
 """A jig that centres the object under a machine's tool by its rigid core.
 
 The silicone is too soft to be held by: a hollow post reaches into the core's cavity instead, with
-the printer's clearance, and the rim rests on the plate. Grooves along x and y through the object's
-axis serve to align the plate, bolts hold it flat (face 1 up) or, on an angle plate, upright (a side
-face up; the pattern of holes is square, so that it can be turned by quarter turns). Wires leave
-through the post and a channel under the plate.
+the printer's clearance, and the rim rests on the plate. Where the body has a bore, the post goes through
+it into the core's outlet, flat on flat, and the silicone stays clear of the plate; wires are laid into the
+post's slot. A closed body can only lie in a recess or a cup of its own shape. Grooves along x and y
+through the object's axis serve to align the plate, bolts hold it flat (face 1 up) or, on an angle plate,
+upright (a side face up; the pattern of holes is square, so that it can be turned by quarter turns). Wires
+leave through the post and a channel under the plate.
 """
 
 from __future__ import annotations
+
+from typing import TYPE_CHECKING
 
 import cadquery as cq
 import numpy as np
 
 from design.layout.body import body_of
+from design.layout.core_hold import core_outlet
 from design.layout.mould_frame import play_mm
 from design.solids.body import core_hollow
-from design.solids.primitives import OVERSHOOT_MM, box_between, single_solid
+from design.solids.booleans import Shape, Solid, cut, one_body
+from design.solids.primitives import OVERSHOOT_MM, box_between, rod_about_z
 from design.solids.shell import envelope
 from design.spec.object import ObjectSpec
+
+if TYPE_CHECKING:
+    import trimesh
 
 PLATE_MM = 6.0
 MARGIN_MM = 16.0
@@ -28,35 +37,60 @@ POST_WALL_MM = 3.0
 WIRE_CHANNEL_MM = (8.0, 3.0)
 MARK_MM = (1.0, 0.8)
 RECESS_MM = 3.0
+CLEAR_MM = 1.0
+"""Of the silicone round a bore above the plate: the core alone carries the object."""
+CUP_SHARE = 0.2
+"""Of the body's height that lies in a cup."""
+_UP = np.array([0.0, 0.0, 1.0])
+SLOT_SHARES = (0.9, 0.1)
+"""Of a post's radius: width of its slot, and how far it goes beyond the middle."""
 
 
-def make_jig(spec: ObjectSpec) -> cq.Solid:
-    """Plate under the open face with its post, in the object's frame (mm).
+def make_jig(spec: ObjectSpec) -> Solid:
+    """Plate under the open face with its post, in the object's frame (mm); triangles where it has a cup.
 
     Raises
     ------
     InputError
         The dimensions do not give one valid solid.
     """
-    top, half = _seat_mm(spec), _half_plate_mm(spec)
-    plate = box_between((-half, -half, top - PLATE_MM), (half, half, top))
-    cutters = [*_bolt_holes(half, top), *_marks(half, top)]
-    if _on_post(spec):
+    top, half, body = _seat_mm(spec), _half_plate_mm(spec), body_of(spec)
+    bottom = top - PLATE_MM - (_cup_mm(spec) if _in_cup(spec) else 0.0)
+    plate = box_between((-half, -half, bottom), (half, half, top))
+    cutters: list[Shape] = [*_bolt_holes(half, top, top - bottom), *_marks(half, top)]
+    if body.opening == "bore":
+        post, slot = _post_in_bore(spec, top)
+        plate, cutters = plate.fuse(post), [*cutters, slot, _channel(half, top)]
+    elif _on_post(spec):
         post, passage = _post(spec, top)
         plate, cutters = plate.fuse(post), [*cutters, passage, _channel(half, top)]
     else:
-        cutters.append(_recess(spec, top))
-    return single_solid(plate.cut(*cutters), "jig")
+        cutters.append(_cup(spec, top) if _in_cup(spec) else _recess(spec, top))
+    return one_body(cut(plate, *cutters), "jig")
 
 
 def _seat_mm(spec: ObjectSpec) -> float:
-    """Level of the plate's top: the open face, or above it where the body lies in a recess."""
+    """Level of the plate's top: the open face, below a bore's rim, or above where the body lies in it."""
     low = -spec.body.size_mm[2] / 2
+    if body_of(spec).opening == "bore":
+        return low - CLEAR_MM
+    if _in_cup(spec):
+        return low + _cup_mm(spec)
     return low if _on_post(spec) else low + RECESS_MM
 
 
 def _on_post(spec: ObjectSpec) -> bool:
     return body_of(spec).cuboid and spec.body.opened == (6,) and bool(core_hollow(spec))
+
+
+def _in_cup(spec: ObjectSpec) -> bool:
+    """Whether the body's lower end is round: a closed one, that has no flat end to stand on."""
+    body = body_of(spec)
+    return body.opening == "closed" and not (body.on_base or body.opens_sides)
+
+
+def _cup_mm(spec: ObjectSpec) -> float:
+    return CUP_SHARE * spec.body.size_mm[2]
 
 
 def _half_plate_mm(spec: ObjectSpec) -> float:
@@ -76,11 +110,46 @@ def _post(spec: ObjectSpec, top: float) -> tuple[cq.Solid, cq.Solid]:
     return post, passage
 
 
+def _post_in_bore(spec: ObjectSpec, top: float) -> tuple[cq.Shape, cq.Solid]:
+    """Post that carries the core on its outlet's flat, and the slot through it (both mm)."""
+    outlet, play = core_outlet(spec), play_mm(spec)
+    seat = _flat_seat_mm(spec)
+    rod = rod_about_z(spec.body.bore_mm / 2 - play, top - 1.0, seat)
+    radius, past = outlet.radius_mm - play, 2 * spec.body.bore_mm
+    nose = rod_about_z(radius, seat - 1.0, outlet.nose_mm)
+    beyond = (outlet.flat_mm - play, -past, seat), (past, past, outlet.nose_mm + 1.0)
+    wide, inward = SLOT_SHARES[0] * radius, SLOT_SHARES[1] * radius
+    low = (-spec.body.bore_mm, -wide / 2, top - PLATE_MM - OVERSHOOT_MM)
+    slot = box_between(low, (inward, wide / 2, outlet.nose_mm + OVERSHOOT_MM))
+    return rod.fuse(nose).cut(box_between(*beyond)), slot
+
+
+def _flat_seat_mm(spec: ObjectSpec) -> float:
+    """Level at which the core's wall beside its outlet's flat is lowest."""
+    outlet, body = core_outlet(spec), body_of(spec)
+    levels = np.linspace(outlet.floor_mm - 2.0, 0.8 * outlet.floor_mm, 400)
+    edge = np.column_stack([np.full(400, outlet.flat_mm), 0 * levels, levels])
+    return float(levels[np.argmax(body.core_distance_mm(edge) <= 0)])
+
+
 def _recess(spec: ObjectSpec, top: float) -> cq.Solid:
     """Room for the lowest few millimetres of a body without a cavity for a post."""
-    box, play = envelope(spec).BoundingBox(), play_mm(spec)
+    play, body = play_mm(spec), body_of(spec)
+    if not body.cuboid and body.size_mm[0] == body.size_mm[1] and body.name != "pad":
+        return rod_about_z(body.size_mm[0] / 2 + play, top - RECESS_MM, top + OVERSHOOT_MM)
+    box = envelope(spec).BoundingBox()
     low = (box.xmin - play, box.ymin - play, top - RECESS_MM)
     return box_between(low, (box.xmax + play, box.ymax + play, top + OVERSHOOT_MM))
+
+
+def _cup(spec: ObjectSpec, top: float) -> trimesh.Trimesh:
+    """Room for the lower end of a round body, with play, open upwards whatever its shape."""
+    import trimesh
+
+    body = body_of(spec)
+    points = np.asarray(body.outer_surface().vertices) * (1 + play_mm(spec) / body.half_mm)
+    below = points[points[:, 2] < top + RECESS_MM]
+    return trimesh.convex.convex_hull(np.vstack([below, below + 2 * _cup_mm(spec) * _UP]))
 
 
 def _channel(half: float, top: float) -> cq.Solid:
@@ -91,8 +160,8 @@ def _channel(half: float, top: float) -> cq.Solid:
     return box_between(low, (width / 2, 0.0, bottom + depth))
 
 
-def _bolt_holes(half: float, top: float) -> list[cq.Solid]:
-    at, length = half - BOLT_INSET_MM, PLATE_MM + 2 * OVERSHOOT_MM
+def _bolt_holes(half: float, top: float, thick: float) -> list[cq.Solid]:
+    at, length = half - BOLT_INSET_MM, thick + 2 * OVERSHOOT_MM
     return [
         cq.Solid.makeCylinder(
             BOLT_HOLE_MM / 2, length, cq.Vector(x, y, top + OVERSHOOT_MM), cq.Vector(0, 0, -1)

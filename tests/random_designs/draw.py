@@ -157,6 +157,7 @@ EDITS: tuple[tuple[Edit, tuple[str, ...]], ...] = (
     (_between("shell.slits.depth_mm", 1.0, 6.0), ("box",)),
     (_between("shell.seal_layer_mm", 0.3, 1.0), KINDS),
     (_keyed, tuple(kind for kind in KINDS if kind != "pad")),
-    (_set("core.bay_mm", [10.0, 10.0, 10.0], [16.0, 14.0, 12.0]), ("box",)),
+    (_set("core.bay_mm", [10.0, 10.0, 10.0], [16.0, 14.0, 12.0]), ("box", "cylinder")),
+    (_set("core.bay_mm", [10.0, 8.0, 3.0], [20.0, 14.0, 5.0]), ("dome", "pad")),
 )
 """What users change, and of which kinds."""
