@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
+from scipy.special import ndtri
 
 from estimator.evaluation import narrowest_intervals
 from estimator.known_travel import agreement
@@ -106,7 +107,7 @@ def test_the_halfwidth_holds_the_wanted_share_of_force_and_noise():
     alone = narrowest_intervals._halfwidths(force[2:3], np.ones((1, 1)), np.array([3.0]), 0.9, 0.5)[
         0
     ]
-    assert alone == pytest.approx(1.645 * 0.5, rel=0.03)
+    assert alone == pytest.approx(0.5 * ndtri(38.5 / 41), abs=1e-6)  # 37 of 41 nodes are 90 %
 
 
 def test_maps_are_aligned_by_their_shortest_best_displacement():

@@ -6,6 +6,7 @@ shows. Texts, truth and kinds become a checksum.
 
 from __future__ import annotations
 
+import weakref
 import zlib
 from collections.abc import Iterator
 from dataclasses import fields, is_dataclass
@@ -163,18 +164,16 @@ def _parts(value: Any, lenient: bool) -> Iterator[tuple[str, Any]]:
         yield from _of_foreign(value, lenient)
 
 
-_models: dict[int, tuple[Any, str]] = {}
-"""Parts of specifications, which cannot change, by their identity."""
+_models: dict[int, str] = {}
+"""Checksums of the parts of specifications that live, which cannot change, by their identity."""
 
 
 def _of_model(value: Any) -> str:
-    kept = _models.get(id(value))
-    if kept is None:
-        if len(_models) > 500:
-            _models.clear()
-        text = f"{zlib.crc32(value.model_dump_json().encode()):08x}"
-        kept = _models[id(value)] = value, text
-    return kept[1]
+    key = id(value)
+    if key not in _models:
+        _models[key] = f"{zlib.crc32(value.model_dump_json().encode()):08x}"
+        weakref.finalize(value, _models.pop, key, None)
+    return _models[key]
 
 
 def _of_foreign(value: Any, lenient: bool) -> Iterator[tuple[str, Any]]:
@@ -209,7 +208,11 @@ def _of_foreign(value: Any, lenient: bool) -> Iterator[tuple[str, Any]]:
 
 
 def _of_path(path: Path, lenient: bool) -> Iterator[tuple[str, Any]]:
-    if path.is_dir():
+    try:
+        folder = path.is_dir()
+    except OSError:  # a name that no file can have
+        raise Opaque from None
+    if folder:
         raise Opaque
     if lenient or not path.is_file():
         yield path.suffix, None
