@@ -192,10 +192,13 @@ def _of_foreign(value: Any, lenient: bool) -> Iterator[tuple[str, Any]]:
     elif kind.__name__ == "DataArray":
         yield "", value.values
     elif isinstance(value, type | BuiltinFunctionType) or (
-        isinstance(value, FunctionType) and not value.__closure__ and "<" not in value.__qualname__
+        isinstance(value, FunctionType)
+        and not lenient
+        and not value.__closure__
+        and "<" not in value.__qualname__
     ):
         yield f"{value.__module__}.{value.__qualname__}", None
-    elif isinstance(value, partial):
+    elif isinstance(value, partial) and not lenient:
         yield "", (value.func, value.args, value.keywords)
     elif module.startswith(PACKAGES) and hasattr(value, "__dict__"):
         yield "", vars(value)
