@@ -50,8 +50,13 @@ def _of_module(module: ModuleType) -> Iterator[str]:
         elif callable(value):
             if getattr(value, "__module__", None) == module.__name__:
                 yield from _of_function(full, value)
-        elif name in own and _CONSTANT.fullmatch(name):
+        elif name in own and _CONSTANT.fullmatch(name) and not _fills(value):
             yield f"{full} = {_told(FULL.get((module, name), value))}"
+
+
+def _fills(value: Any) -> bool:
+    """Whether it is a store, empty as it is imported."""
+    return isinstance(value, dict | list | set) and not value
 
 
 def _assigned(module: ModuleType) -> set[str]:
