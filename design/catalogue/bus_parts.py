@@ -2,7 +2,9 @@
 
 Sources. TMAG5273: Texas Instruments SLYS045 (addresses by order code, the register that changes the
 address until power is lost, 1.7 to 3.6 V, 2.3 mA, start-up 270 µs). MLX90393: Melexis 3901090393 (two
-address pins; 2.2 to 3.6 V, 3 mA in burst mode). TCA9548A: Texas Instruments SCPS207 (0x70 to 0x77 by
+address pins; 2.2 to 3.6 V, 3 mA in burst mode). TLE493D-W2B6: registers, addresses and rates as in Infineon's
+own driver (XENSIV 3D magnetic sensor library, generation 2); its current is an estimate: 3.4 mA for a
+quarter of the time. TCA9548A: Texas Instruments SCPS207 (0x70 to 0x77 by
 three pins, eight channels, supply 1.65 to 5.5 V, inputs bear 5 V). Limits of the bus: NXP UM10204.
 HX711: Avia Semiconductor's data sheet (±0.5 AVDD over the gain is full scale of 24 bits; ready by a low
 data line, 25 clock pulses for gain 128, 60 µs of a high clock power it down; 10 or 80 readings a second).
@@ -22,7 +24,9 @@ class BusChip:
 
     `addresses` name what sets each factory address: the last part of the order code (`A1`), or the
     levels of the address pins. `movable`: a register changes the address until power is lost.
-    `conversion_us` is (fixed, per conversion averaged) with temperature, in continuous mode.
+    `conversion_us` is (fixed, per conversion averaged) with temperature, in continuous mode. So many
+    characters as `variant` stand behind what sets the address in a part's name (the 1 of `A1`).
+    `read_bytes` go over the bus for one reading, addresses included.
     """
 
     family: str
@@ -32,6 +36,8 @@ class BusChip:
     supply_ma: float
     power_up_ms: float
     conversion_us: tuple[float, float]
+    variant: int = 0
+    read_bytes: int = 12
 
     def conversion_ms(self, averaging: int) -> float:
         """Time between two readings of all axes and the temperature."""
@@ -47,6 +53,7 @@ TMAG5273 = BusChip(
     supply_ma=2.3,
     power_up_ms=0.27,
     conversion_us=(25.0, 100.0),
+    variant=1,
 )
 MLX90393 = BusChip(
     "MLX90393",
@@ -60,8 +67,21 @@ MLX90393 = BusChip(
 """Conversion at the settings that the firmware writes, OSR 2 and filter 4, whatever `averaging` says:
 67 + 64 · 2² · (2 + 2⁴) µs for each axis, 67 + 192 µs for temperature, 424 + 120 µs around them."""
 
-READ_BYTES = 12
-"""Address, register or command, address again, and nine bytes of data, of both families."""
+TLE493D = BusChip(
+    "TLE493DW2B6A",
+    (("0", 0x35), ("1", 0x22), ("2", 0x78), ("3", 0x44)),
+    "order code",
+    movable=False,
+    supply_ma=1.0,
+    power_up_ms=5.0,
+    conversion_us=(1500.0, 0.0),
+    read_bytes=21,
+)
+"""Converts 770 times a second by itself (low-power mode), whatever `averaging` says. Its register of
+addresses chooses among the same four as the order codes, so a chip that is started anew would answer
+together with the one that kept the factory's address: it is not moved. All registers up to MOD1 are
+read, so that a chip that lost its settings is known."""
+
 SELECT_BYTES = 2
 """Address of a multiplexer and its channel mask."""
 
@@ -74,12 +94,12 @@ def bus_chip(part: str) -> BusChip:
     InputError
         The part has no I²C interface in the catalogue.
     """
-    for chip in (TMAG5273, MLX90393):
+    for chip in (TMAG5273, MLX90393, TLE493D):
         if part.startswith(chip.family):
             return chip
     raise InputError(
         f"sensors.part = {part!r} has no I²C bus in the catalogue, so no firmware can be written for it. "
-        "Choose TMAG5273 (A1 to D2) or MLX90393"
+        "Choose TMAG5273 (A1 to D2), MLX90393 or TLE493DW2B6 (A0 to A3)"
     )
 
 

@@ -115,6 +115,10 @@ HALL_PARTS = {
             ),
         ),
         *(_tmag5273(letter, version) for letter in "BCD" for version in (1, 2)),
+        *(
+            HallPart(f"TLE493DW2B6A{k}", (SensorRange(80.0, 15.4), SensorRange(160.0, 7.7)))
+            for k in range(4)
+        ),
         HallPart(GENERIC_PART),
     )
 }
@@ -127,7 +131,11 @@ MLX90393: Melexis 3901090393, sensitivity of X and Y at HALLCONF 0xC, resolution
 gains 7, 4 and 0 (and setting 1 with gain 0); its Z steps are 1.6 times as wide and are taken as
 rescaled to the counts of X and Y. Its noise and conversion time depend on filter and oversampling,
 which `averaging` does not name, and are not listed.
+TLE493D-W2B6: 12 bits, 7.7 counts/mT, twice that in its short range (Infineon's own driver); ±160 mT,
+and taken as half in the short range. Its noise is not listed: give what you measured.
 """
+_COARSE_COUNTS_PER_MT = 100.0
+"""Parts with fewer are too coarse for small presses to be proposed for a wider range."""
 
 
 def hall_part(name: str) -> HallPart:
@@ -153,6 +161,11 @@ def wider_range(
 
     Ranges of the same part come before those of others.
     """
-    listed = [(part, r) for part in HALL_PARTS.values() for r in part.ranges]
+    fine = (p for p in HALL_PARTS.values() if p.name == part_name or _is_fine(p))
+    listed = [(part, r) for part in fine for r in part.ranges]
     enough = [pair for pair in listed if pair[1].range_mt > max(range_mt, needed_mt)]
     return min(enough, key=lambda pair: (pair[0].name != part_name, pair[1].range_mt), default=None)
+
+
+def _is_fine(part: HallPart) -> bool:
+    return all(r.counts_per_mt >= _COARSE_COUNTS_PER_MT for r in part.ranges)

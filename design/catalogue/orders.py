@@ -44,6 +44,13 @@ def _tmag(letter: str, version: int) -> Order:
     )  # fmt: skip
 
 
+def _tle(address: int) -> Order:
+    return Order(
+        f"Hall sensor TLE493D-W2B6 A{address}", "Infineon", f"TLE493DW2B6A{address}HTSA1", (1.2, 3.0),
+        seen="TLE493DW2B6A1HTSA1 of Infineon's forum, by its scheme; looked up 2026-11",
+    )  # fmt: skip
+
+
 HX711, LOAD_CELL, VERNIER, BTA_ADAPTER = "HX711", "load cell", "force sensor", "BTA adapter"
 MUX, SHIFTER, BUFFER, RESISTOR, WIRE, STRIP, SCREW, GLUE, PRIMER, ADHESIVE, RELEASE = (
     "multiplexer board",
@@ -64,6 +71,7 @@ SILICONE_KIT_G = 900.0
 ORDERS = {
     **{f"TMAG5273{letter}{v}": _tmag(letter, v) for letter in "ABCD" for v in (1, 2)},
     "MLX90393": Order("Hall sensor MLX90393", "Melexis", "MLX90393SLW-ABA-011-RE", (2.0, 4.5)),
+    **{f"TLE493DW2B6A{k}": _tle(k) for k in range(4)},
     "100 nF": Order("capacitor 100 nF, 0402", "Murata", "GRM155R71C104KA88D", (0.02, 0.1)),
     "mega2560": Order("Arduino Mega 2560 Rev3", "Arduino", "A000067", (38.0, 50.0)),
     "pico": Order("Raspberry Pi Pico H", "Raspberry Pi", "SC0917", (4.5, 7.0)),

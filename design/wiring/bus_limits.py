@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from design.catalogue.bus_parts import (
-    READ_BYTES,
     SELECT_BYTES,
     Board,
     BusChip,
@@ -75,7 +74,7 @@ def frame_time(
     counted at its longest (six characters and a comma a channel).
     """
     transfers = reads + selects
-    bits = 9 * (READ_BYTES * reads + SELECT_BYTES * selects) + 3 * transfers
+    bits = 9 * (chip.read_bytes * reads + SELECT_BYTES * selects) + 3 * transfers
     reading = bits / khz + 1e-3 * board.call_us * transfers
     character = max(board.byte_us * 1e-3, 0.0 if board.usb else 1e4 / baud)
     line = character * (26 + 7 * axes * reads)

@@ -68,7 +68,7 @@ def bare_chips(spec: ObjectSpec, lead_mm: float) -> list[ChipOnBus]:
 
 
 def _specified_address(part: str, chip: BusChip) -> tuple[str, int]:
-    letter = part[len(chip.family) : -1]
+    letter = part[len(chip.family) : len(part) - chip.variant]
     return next((pair for pair in chip.addresses if pair[0] == letter), chip.addresses[0])
 
 
@@ -76,7 +76,8 @@ def _with_address(chip: ChipOnBus, family: BusChip, index: int) -> ChipOnBus:
     """The chip in its variant of that address: another order code, or other address pins."""
     set_by, address = family.addresses[index]
     by_code = family.set_by == "order code"
-    part = f"{family.family}{set_by}{chip.part[-1]}" if by_code else chip.part
+    variant = chip.part[len(chip.part) - family.variant :]
+    part = f"{family.family}{set_by}{variant}" if by_code else chip.part
     return replace(chip, part=part, set_by=set_by, factory=address, address=address)
 
 

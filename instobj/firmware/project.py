@@ -9,7 +9,7 @@ from io import StringIO
 from pathlib import Path
 
 from design.build.order_list import ORDER_COLUMNS, order_list, order_row
-from design.catalogue.bus_parts import MEGA2560, MLX90393, TMAG5273
+from design.catalogue.bus_parts import MEGA2560, MLX90393, TLE493D, TMAG5273
 from design.files import atomic_path
 from design.spec.object import ObjectSpec
 from design.wiring.bus_plan import BusPlan
@@ -22,7 +22,7 @@ from instobj.firmware.settings import family_of
 from instobj.store.readers import ORDERS
 
 _SOURCES = Path(__file__).parent
-_DRIVERS = {TMAG5273: "tmag5273", MLX90393: "mlx90393"}
+_DRIVERS = {TMAG5273: "tmag5273", MLX90393: "mlx90393", TLE493D: "tle493d"}
 
 
 def project_files(spec: ObjectSpec, plan: BusPlan) -> dict[str, str]:

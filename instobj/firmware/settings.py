@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import ceil
 
-from design.catalogue.bus_parts import MLX90393, TMAG5273, BusChip, bus_chip
+from design.catalogue.bus_parts import MLX90393, TLE493D, TMAG5273, BusChip, bus_chip
 from design.catalogue.hall_sensors import hall_part
 from design.errors import InputError
 from design.spec.object import ObjectSpec
@@ -60,6 +60,8 @@ def chip_settings(spec: ObjectSpec, plan: BusPlan) -> dict[str, int]:
     if family_of(plan) is TMAG5273:
         wide = selected is not part.ranges[0]
         return {"TMAG_WIDE": int(wide), "TMAG_AVERAGING": sensors.averaging.bit_length() - 1}
+    if family_of(plan) is TLE493D:
+        return {"TLE_SHORT": int(selected is part.ranges[0])}
     assert family_of(plan) is MLX90393
     gain, resolution = _MLX_SETTINGS[selected.range_mt]
     return {"MLX_GAIN": gain, "MLX_RESOLUTION": resolution}

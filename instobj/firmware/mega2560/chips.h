@@ -5,7 +5,7 @@
 
 enum { TEMPERATURE, X, Y, Z, VALUES };
 
-/* Of a kind of sensor (tmag5273.c or mlx90393.c). */
+/* Of a kind of sensor (tmag5273.c, mlx90393.c or tle493d.c). */
 bool chip_move(uint8_t from, uint8_t to);              /* to another address until power is lost */
 bool chip_setup(uint8_t address);                      /* range, averaging, temperature, free running */
 bool chip_read(uint8_t address, int16_t values[VALUES]);

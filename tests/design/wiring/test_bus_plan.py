@@ -12,6 +12,7 @@ from design.wiring.dealing import FACTORY, MIXED, MULTIPLEXED, STARTED
 from design.wiring.lengths import wire_lengths_mm
 
 MLX = {"part": "MLX90393", "range_mt": 49.2, "noise_counts": [5.0, 5.0, 5.0]}
+TLE = {"part": "TLE493DW2B6A1", "noise_counts": [1.0, 1.0, 1.0]}
 
 
 def object_of(**sensors):
@@ -30,7 +31,7 @@ def answering(plan, asked, moved=True):
 
 
 @pytest.mark.parametrize("board", BOARDS.values(), ids=BOARDS)
-@pytest.mark.parametrize("sensors", [{}, {"count_per_face": 1}, {"count_per_face": 2}, MLX])
+@pytest.mark.parametrize("sensors", [{}, {"count_per_face": 1}, {"count_per_face": 2}, MLX, TLE])
 def test_every_chip_is_reached_alone(board, sensors):
     choice = all_plans(object_of(**sensors), board)
     assert choice.plans
@@ -174,3 +175,12 @@ def test_a_rate_that_the_load_cell_leaves_no_time_for_is_refused_with_its_share(
 def test_load_cells_that_make_no_sense_are_refused(cell, words):
     with pytest.raises(InputError, match=words):
         object_of().changed(load_cell=cell)
+
+
+def test_a_tle493d_is_named_by_its_address_and_not_moved():
+    choice = all_plans(object_of(**TLE), MEGA2560)
+    assert dict(choice.refused).keys() == {FACTORY, STARTED}
+    mixed = next(plan for plan in choice.plans if plan.way == MIXED)
+    assert [chip.part[-2:] for chip in mixed.chips[:5]] == ["A0", "A1", "A2", "A3", "A0"]
+    alone = next(plan for plan in choice.plans if plan.way == MULTIPLEXED)
+    assert {(chip.part, chip.address) for chip in alone.chips} == {("TLE493DW2B6A1", 0x22)}

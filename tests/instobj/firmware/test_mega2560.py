@@ -17,6 +17,7 @@ from tests.support.avr.board import built, celsius, field_mt, needs_simulator, r
 pytestmark = needs_simulator
 
 MLX = {"part": "MLX90393", "range_mt": 49.2, "noise_counts": [5.0, 5.0, 5.0]}
+TLE = {"part": "TLE493DW2B6A1", "noise_counts": [1.0, 1.0, 1.0]}
 COUNTS_PER_MT = 32768 / 40
 
 
@@ -82,6 +83,8 @@ def test_collect_gets_the_paper_cubes_frames_right_to_the_count(paper, tmp_path)
         (MULTIPLEXED, {"range_mt": 80.0, "averaging": 32}, 32768 / 80),
         (MIXED, {"axes": ["X", "Z"]}, COUNTS_PER_MT),
         (MIXED, MLX, 1e3 / 1.502),
+        (MIXED, TLE, 15.4),
+        (MULTIPLEXED, {**TLE, "range_mt": 160.0}, 7.7),
     ],
 )
 def test_other_plans_give_every_sensor_its_field(tmp_path, way, sensors, counts_per_mt):
@@ -160,3 +163,19 @@ def test_the_planned_rate_is_kept_by_the_simulated_board(tmp_path):
     assert plan.baud == promised.baud
     times_ms, _ = rows(messages(elf, world(plan, end_ms=1000))[0])
     assert 1e3 / np.diff(times_ms).mean() == pytest.approx(rate_hz, rel=0.01)
+
+
+def test_a_tle493d_that_lost_its_settings_is_started_anew(tmp_path):
+    """It answers after a brownout, at its own address, with interrupts and range of its power-up."""
+    plan, elf = built(object_of(**TLE), tmp_path, way=MIXED)
+    found, statistics = messages(elf, world(plan, [("brownout", 5, 400, 1e9)], end_ms=1900))
+    times_ms, counts = rows(found)
+    silent = np.isnan(counts).any(axis=2)
+    assert set(np.flatnonzero(silent.any(axis=0))) == {5}
+    assert 400 <= times_ms[silent[:, 5]][0] < 600
+    assert not silent[-1, 5]
+    wanted = np.where(silent[..., None], np.nan, expected(plan, 15.4)[None])
+    np.testing.assert_array_equal(counts, wanted)
+    assert statistics.damaged_lines == 0
+    degrees = np.delete(of(Status, found)[-1].sensors_c, 5) - np.delete(20.0 + np.arange(15), 5)
+    assert abs(degrees).max() < 0.5

@@ -32,6 +32,11 @@ def field_mt(number):
     return (number + 1.0, -number - 1.5, 0.5 * number)
 
 
+def family(part):
+    """Letter of a part in the simulators: T(MAG5273), M(LX90393), E for the TLE493D."""
+    return "E" if part.startswith("TLE") else part[0]
+
+
 def celsius(number):
     return 20.0 + number
 
@@ -53,7 +58,7 @@ def world(plan, faults=(), fields=None, end_ms=2000, load=(), sps=80):
         route = (chip.multiplexer or 0, 0 if chip.channel is None else 1 << chip.channel)
         field = (fields or {}).get(number, field_mt(number))
         lines.append(
-            f"chip {chip.part[0]} {chip.factory:x} {route[0]:x} {route[1]:x} {port} {bit} "
+            f"chip {family(chip.part)} {chip.factory:x} {route[0]:x} {route[1]:x} {port} {bit} "
             f"{field[0]} {field[1]} {field[2]} {celsius(number)}"
         )
     lines += [

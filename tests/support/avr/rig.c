@@ -2,7 +2,7 @@
  *
  * Prints the name of a pseudo-terminal that carries the board's serial line, runs from the first byte that
  * comes there until the world ends (lines of WORLD, times in simulated ms):
- *   chip FAMILY FACTORY MUX MASK PORT BIT X Y Z T   T(MAG5273) or M(LX90393); its multiplexer's address and
+ *   chip FAMILY FACTORY MUX MASK PORT BIT X Y Z T   T(MAG5273), M(LX90393) or E (TLE493D); its multiplexer's address and
  *                                         channel (0 0: none), port and bit of its supply (- 0: always on),
  *                                         field in mT and temperature in degrees C
  *   mux ADDRESS PORT BIT                  a TCA9548A and the port and bit of its reset line
@@ -101,12 +101,25 @@ static void hold_data(int chip, int clocks)
 
 /* ---- chips */
 
+/* TLE493D-W2B6 after power-up: interrupts on, and the parity of its settings wrong. */
+static void reset_tle(chip_t *c)
+{
+    static const uint8_t from_six[] = {0x60, 0x80, 0x7F, 0x80, 0x7F, 0x80, 0x7F, 0x38, 0x38, 0x38, 0x01};
+    memset(c->registers, 0, sizeof c->registers);
+    memcpy(c->registers + 6, from_six, sizeof from_six);
+    uint8_t type = c->factory == 0x35 ? 0 : c->factory == 0x22 ? 1 : c->factory == 0x78 ? 2 : 3;
+    c->registers[0x11] = (uint8_t)(type << 5 | (type == 1 || type == 2 ? 0 : 0x80));
+    c->registers[0x16] = 0xC9;
+}
+
 static void reset_chip(chip_t *c)
 {
     memset(c->registers, 0, sizeof c->registers);
     memset(c->mlx, 0, sizeof c->mlx);
     c->address = c->factory;
     c->registers[0x0E] = 0x49, c->registers[0x0F] = 0x54, c->registers[0x18] = 0x10;
+    if (c->family == 'E')
+        reset_tle(c);
     c->ready_ms = -1;
     c->up_ms = now_ms() + (c->family == 'T' ? 0.27 : 1.0);
     c->selected = false;
@@ -191,12 +204,59 @@ static void written_mlx(chip_t *c, uint8_t value)
         c->mlx[value >> 2 & 63] = (uint16_t)(r[0xF1] << 8 | r[0xF2]);
 }
 
+static int ones(const uint8_t *at, int count)
+{
+    int found = 0;
+    for (int k = 0; k < 8 * count; k++)
+        found += at[k / 8] >> k % 8 & 1;
+    return found;
+}
+
+/* Results of the TLE493D-W2B6, 12 bits: 7.7 counts a mT, 15.4 in its short range; 770 conversions a second
+ * of 0.35 ms, during which the clock is held. Interrupts (MOD1 bit 2 clear) would pulse the clock line. */
+static void convert_tle(chip_t *c)
+{
+    uint8_t *r = c->registers, settings[10];
+    double phase = fmod(now_ms() - c->up_ms, 1.3);
+    if (phase < 0.35 && (r[0x11] & 0x0C) == 0x04)
+        avr->cycle += (avr_cycle_count_t)((0.35 - phase) * 16000);
+    memcpy(settings, r + 7, 10);
+    settings[6] &= 0x7F, settings[7] &= 0x3F, settings[8] &= 0x3F;
+    uint8_t fuses[2] = {r[0x11], r[0x13] & 0xE0};
+    bool converted = c->ready_ms >= 0 && now_ms() >= c->ready_ms;
+    r[6] = (uint8_t)((ones(fuses, 2) & 1) << 6 | (ones(settings, 10) & 1) << 5 | (converted ? 0x0C : 0));
+    if (!converted)
+        return;
+    int16_t b[3], t = (int16_t)(4 * lround(295 + (c->celsius - 25) / 0.96));
+    for (int k = 0; k < 3; k++)
+        b[k] = (int16_t)fmax(-2048, fmin(2047, rint(c->field[k] * (r[0x10] & 8 ? 15.4 : 7.7))));
+    for (int k = 0; k < 3; k++)
+        r[k] = (uint8_t)(b[k] >> 4);
+    r[3] = (uint8_t)(t >> 4);
+    r[4] = (uint8_t)((b[0] & 15) << 4 | (b[1] & 15));
+    r[5] = (uint8_t)((t & 12) << 4 | (r[0x11] >> 5 & 3) << 4 | (b[2] & 15));
+}
+
+static void written_tle(chip_t *c, uint8_t reg, uint8_t value)
+{
+    static const uint8_t addresses[] = {0x35, 0x22, 0x78, 0x44};
+    if (reg < 0x07 || (reg > 0x11 && reg != 0x13))
+        return;
+    c->registers[reg] = value;
+    if (reg == 0x11) {
+        c->address = addresses[value >> 5 & 3];
+        c->ready_ms = now_ms() + 1.3;
+    }
+}
+
 static void written(chip_t *c, uint8_t value)
 {
     if (c->family == 'M')
         written_mlx(c, value);
     else if (c->count == 0)
         c->pointer = value;
+    else if (c->family == 'E')
+        written_tle(c, (uint8_t)((c->pointer & 0x1F) + c->count - 1), value);
     else
         written_tmag(c, (uint8_t)(c->pointer + c->count - 1), value);
     c->count++;
@@ -231,6 +291,8 @@ static void select_chip(chip_t *c, uint8_t address_and_direction)
         return;
     if (c->family == 'T')
         convert_tmag(c);
+    else if (c->family == 'E')
+        convert_tle(c);
     else
         answer_mlx(c);
 }

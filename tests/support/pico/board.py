@@ -15,7 +15,7 @@ from design.catalogue.bus_parts import PICO
 from design.wiring.bus_plan import choose_plan
 from instobj.firmware.pico_plan import gpio_of
 from instobj.firmware.project import project_files, write_project
-from tests.support.avr.board import celsius, field_mt
+from tests.support.avr.board import celsius, family, field_mt
 
 _SIMULATED = Path(__file__).parent / "simulated"
 _RUN = (sys.executable, "-c", "import micropython_unix; micropython_unix.main()")
@@ -34,7 +34,7 @@ def built(spec, folder, faults=(), end_ms=2000, load=((0, 0.0),), sps=80, **choi
         shutil.copy(path, folder)
     chips = [
         (
-            chip.part[0],
+            family(chip.part),
             chip.bus,
             chip.factory,
             chip.multiplexer,
