@@ -1,179 +1,149 @@
-"""Error of a calibrated twin over the number of presses, by the order in which places are pressed.
+"""Error of a calibrated twin over the number of presses, by order and by how each press is done.
 
-Hidden objects are drawn within tolerances, with a departure from small strain and a smooth error of
-the mechanics of 2 %; `python -m benchmarks.press_orders SPEC` writes a table and a picture to
-benchmarks/results. Calibration is one Gauss–Newton step from the hidden object, the limit to which
-`calibrate` converges.
+Hidden objects are pressed by the rig's own plans (`benchmarks.rig_sessions`), returns to the reference
+place counted, and calibrated in full. `python -m benchmarks.press_orders SPEC [PRESSES.nc]` writes a table
+and a picture to benchmarks/results; finished cases are kept there, and skipped when it runs again.
 """
 
 from __future__ import annotations
 
 import json
 import sys
-from dataclasses import replace
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 from jaxtyping import Float, Int
 
+from benchmarks.rig_sessions import LEVELS_N, HiddenObject, hidden_object, recorded
 from design.layout.places.contact_grid import contact_grid
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
-from estimator.calibration.twin.digital_twin import PlaceMechanics
-from estimator.calibration.twin.discrepancy import Discrepancy, Prior
+from estimator.calibration.twin.digital_twin import CalibratedTwin, PlaceMechanics, calibrate
 from estimator.calibration.twin.least_known import doubt_beforehand, press_order
-from estimator.calibration.twin.pressed_places import PressedPlaces, zero_covariance
-from estimator.calibration.twin.unknowns import Unknowns, jacobian_of, normal_equations
+from estimator.calibration.twin.pressed_places import PressedPlaces, pressed_places
 from fem.presses.results import MagnetMotions, PressForces, load_presses
+from instobj.rig.plan import (
+    PressPlan,
+    PressSettings,
+    middle_place,
+    places_among,
+    press_plan,
+    stops_of,
+)
 
-FACE, FORCE_N, LEVELS = 3, 8.0, np.array([2.0, 4.0, 6.0, 8.0])
-TRUE_PRIOR = Prior(0.02, 10.0)
-COUNTS = (4, 9, 16, 20, 25, 30, 36, 40, 49, 64, 81, 100)
-HIDDEN, NOISES, RANDOM = 3, 4, 4
+FACE, EVERY = 3, 10
+HIDDEN, NOISES = 3, 2
+COUNTS = (20, 30, 40)
 RESULTS = Path(__file__).parent / "results"
+Table = tuple[PressForces, MagnetMotions]
 
 
-def places_at(spec: ObjectSpec, xy_mm: Float[np.ndarray, "place 2"]) -> PressedPlaces:
-    """Presses of 32 frames each, with neither signals nor noise."""
-    shape = len(xy_mm), len(LEVELS)
-    channels = np.arange(3 * spec.sensors.count_per_face)
-    zero = zero_covariance(spec, 32) * np.ones((shape[0], shape[1], shape[1]))
-    counts = np.zeros((*shape, len(channels)))
-    return PressedPlaces(
-        FACE, channels, xy_mm, np.tile(LEVELS, (shape[0], 1)), counts, np.full(shape, 8), zero
-    )
+@dataclass(frozen=True)
+class Way:
+    """A row of the table: an order of places, settings of every press, and numbers of presses."""
+
+    name: str
+    order: Int[np.ndarray, "press"]
+    settings: PressSettings
+    counts: tuple[int, ...]
+
+    def plan(self, spec: ObjectSpec, presses: int) -> PressPlan:
+        places = places_among(presses, EVERY)
+        return press_plan(spec, FACE, self.settings, 0, 1, EVERY, places, self.order)
 
 
-def hidden_signals(
-    spec: ObjectSpec,
-    presses: tuple[PressForces, MagnetMotions],
-    seen: PressedPlaces,
-    rng: np.random.Generator,
-) -> tuple[PressedPlaces, Float[np.ndarray, "row channel number"], Float[np.ndarray, "number"]]:
-    """Signals of an object drawn at random, how they change with its numbers, and these."""
-    unknowns = Unknowns(spec, (FACE,))
-    mechanics = PlaceMechanics(unknowns, *presses, seen)
-    while True:
-        numbers = rng.standard_normal(len(unknowns))
-        here = mechanics.expected(numbers)
-        if np.isfinite(here).all():
-            break
-    jacobian = jacobian_of(mechanics, numbers, here)
-    seen = replace(seen, counts=here.reshape(seen.counts.shape))
-    process = Discrepancy(spec, TRUE_PRIOR, seen.at(np.arange(2))).covariance(
-        seen.xy_mm, seen.force_n
-    )
-    scale = np.sqrt(np.mean(seen.counts**2, axis=(0, 1)))
-    first = np.sqrt(np.mean(seen.counts[:2] ** 2, axis=(0, 1)))
-    draws = [
-        np.linalg.cholesky(own + 1e-9 * np.trace(own) * np.eye(len(own)))
-        @ rng.standard_normal(len(own))
-        for own in process
+def ways(spec: ObjectSpec, table: Table, seed: int) -> list[Way]:
+    """Adaptive, and what it is compared with: all 100 places take 111 presses with the returns."""
+    usual = PressSettings(stops_of(spec))
+    long = PressSettings((2.0, 2.5), dwell_s=4.0, rest_s=2.5, speed_mm_s=2.0)
+    xy = contact_grid(spec).xy_mm
+    doubt = doubt_beforehand(spec, *table, FACE, usual.full_n)
+    adaptive, _ = press_order(doubt, places_among(max(COUNTS), EVERY), [middle_place(xy)])
+    shuffled = np.random.default_rng(seed).permutation(len(xy))
+    return [
+        Way("adaptive", adaptive, usual, COUNTS),
+        Way("all 100 places", shuffled, usual, (111,)),
+        Way("random", shuffled, usual, COUNTS),
+        Way("even grid", _even(10, 5), usual, (29,)),
+        Way("adaptive, long stops", adaptive, long, (40,)),
     ]
-    error = (np.stack(draws, axis=1) * scale / first).reshape(seen.counts.shape)
-    return replace(seen, counts=seen.counts + error), jacobian, numbers
 
 
-def measured(
-    spec: ObjectSpec, seen: PressedPlaces, rng: np.random.Generator
-) -> Float[np.ndarray, "place level channel"]:
-    """What presses show: white noise, and one error of the zero per press."""
-    white = np.sqrt(seen.white_counts2(spec)) * rng.standard_normal(seen.counts.shape)
-    zero = np.sqrt(seen.zero_counts2[:, :1, :1]) * rng.standard_normal(
-        (len(seen), 1, len(seen.channels))
-    )
-    return seen.counts + white + zero
+def _even(side: int, along: int) -> Int[np.ndarray, "press"]:
+    """An even grid among all places."""
+    lines = np.round(np.linspace(0, side - 1, along)).astype(int)
+    return (lines[:, None] * side + lines).ravel()
 
 
 def left_share(
-    spec: ObjectSpec,
-    truth: PressedPlaces,
-    jacobian: Float[np.ndarray, "row channel number"],
-    numbers: Float[np.ndarray, "number"],
-    mechanics_counts: Float[np.ndarray, "place level channel"],
-    shown: Float[np.ndarray, "place level channel"],
-    pressed: Int[np.ndarray, "press"],
+    hidden: HiddenObject, table: Table, twin: CalibratedTwin, xy: Float[np.ndarray, "place 2"]
 ) -> float:
-    """Rms error over all places, as a share of the rms signal, of a twin that saw some presses."""
-    levels, channels = shown.shape[1:]
-    by_place = jacobian.reshape(len(truth), levels, channels, -1)
-    seen = replace(truth.at(pressed), counts=shown[pressed])
-    process = Discrepancy(spec, TRUE_PRIOR, seen)
-    own = by_place[pressed].reshape(-1, channels, len(numbers))
-    right = (shown - mechanics_counts)[pressed].reshape(-1, channels) + own @ numbers
-    precision, pull = normal_equations(process, own, right)
-    found = np.linalg.solve(precision, pull)
-    left = right - own @ found
-    predicted = mechanics_counts + by_place @ (found - numbers)
-    predicted = predicted + process.mean(left, truth.xy_mm, truth.force_n)
-    return float(np.sqrt(np.mean((predicted - truth.counts) ** 2) / np.mean(truth.counts**2)))
+    """Rms error at 2 to 8 N at places, as a share of the rms signal."""
+    truth, levels = hidden.counts(xy), np.tile(LEVELS_N, (len(xy), 1))
+    ones = np.ones((len(xy), len(LEVELS_N), len(LEVELS_N)))
+    channels = np.arange(truth.shape[2])
+    at = PressedPlaces(FACE, channels, xy, levels, 0 * truth, np.ones_like(levels, int), ones)
+    found = PlaceMechanics(twin.unknowns, *table, at).expected(twin.numbers).reshape(truth.shape)
+    found = found + twin.discrepancy.mean(twin.left, xy, levels)
+    return float(np.sqrt(np.mean((found - truth) ** 2) / np.mean(truth**2)))
 
 
-def spread_order(xy_mm: Float[np.ndarray, "place 2"]) -> Int[np.ndarray, "place"]:
-    """Farthest-point order: the first nearest to the middle, each next farthest from all before."""
-    order = [int(np.linalg.norm(xy_mm, axis=1).argmin())]
-    while len(order) < len(xy_mm):
-        away = np.linalg.norm(xy_mm[:, None] - xy_mm[order], axis=2).min(axis=1)
-        order.append(int(away.argmax()))
-    return np.array(order)
-
-
-def grid_subset(side: int, number: int) -> Int[np.ndarray, "press"] | None:
-    """Evenly spaced places of a square grid where `number` is a square."""
-    root = round(number**0.5)
-    if root**2 != number:
-        return None
-    along = np.round(np.linspace(0, side - 1, root)).astype(int)
-    return (along[:, None] * side + along).ravel()
-
-
-def study(spec: ObjectSpec, presses: tuple[PressForces, MagnetMotions]) -> dict[str, list]:
-    """Shares left (hidden object and noise, number of presses) by order."""
+def study(spec: ObjectSpec, table: Table, kept: Path) -> dict[str, dict[str, float]]:
+    """Shares left by way and number of presses, then by object and noise."""
     grid = contact_grid(spec)
-    middles = (grid.xy_mm + spec.contact_grid.pitch_mm / 2)[grid.xy_mm.max(axis=1) < grid.x_mm[-1]]
-    places = places_at(spec, np.concatenate([grid.xy_mm, middles[::3]]))
-    adaptive, _ = press_order(doubt_beforehand(spec, *presses, FACE, FORCE_N), len(grid))
-    spread = spread_order(grid.xy_mm)
-    found: dict[str, list] = {"adaptive": [], "farthest point": [], "random": [], "grid": []}
-    for hidden in range(HIDDEN):
-        rng = np.random.default_rng([7, hidden])
-        truth, jacobian, numbers = hidden_signals(spec, presses, places, rng)
-        base = PlaceMechanics(Unknowns(spec, (FACE,)), *presses, places).expected(numbers)
-        base = base.reshape(truth.counts.shape)
-        for noise in range(NOISES):
-            shown = measured(spec, truth, rng)
-
-            def share(pressed):
-                return left_share(spec, truth, jacobian, numbers, base, shown, pressed)  # noqa: B023
-
-            found["adaptive"].append([share(adaptive[:n]) for n in COUNTS])
-            found["farthest point"].append([share(spread[:n]) for n in COUNTS])
-            for draw in range(RANDOM if noise == 0 else 1):
-                order = np.random.default_rng([hidden, noise, draw]).permutation(len(grid))
-                found["random"].append([share(order[:n]) for n in COUNTS])
-            subsets = [grid_subset(len(grid.x_mm), n) for n in COUNTS]
-            found["grid"].append([np.nan if s is None else share(s) for s in subsets])
-        print(f"hidden object {hidden + 1} of {HIDDEN}", _text(found), file=sys.stderr, flush=True)
+    inner = grid.xy_mm[grid.xy_mm.max(axis=1) < grid.x_mm[-1]] + spec.contact_grid.pitch_mm / 2
+    xy = np.concatenate([grid.xy_mm, inner[::3]])
+    found = json.loads(kept.read_text()) if kept.exists() else {}
+    for noise in range(NOISES):
+        for object_seed in range(HIDDEN):
+            hidden, case = hidden_object(spec, table, FACE, object_seed), f"{object_seed}.{noise}"
+            for way in ways(spec, table, 10 * object_seed + noise):
+                for count in way.counts:
+                    row = found.setdefault(f"{way.name} | {count}", {})
+                    if case in row:
+                        continue
+                    frames = recorded(
+                        hidden, way.plan(spec, count), table[0], 100 * object_seed + noise
+                    )
+                    twin = calibrate(spec, *table, pressed_places(spec, frames, FACE))
+                    row[case] = left_share(hidden, table, twin, xy)
+                    kept.write_text(json.dumps(found, indent=1) + "\n")
+                    print(
+                        case,
+                        way.name,
+                        count,
+                        f"{100 * row[case]:.2f} %",
+                        file=sys.stderr,
+                        flush=True,
+                    )
     return found
 
 
-def draw(found: dict[str, list], path: Path) -> None:
-    """Medians with the middle 80 %."""
+def draw(found: dict[str, dict[str, float]], path: Path) -> None:
+    """Means over objects and noises, with all of them as points."""
     import matplotlib.pyplot as plt
 
     figure, axes = plt.subplots(figsize=(6.4, 4.2), layout="constrained")
-    for name, rows in found.items():
-        shares = 100 * np.array(rows, float)
-        known = np.isfinite(shares).all(axis=0)
-        low, middle, high = np.percentile(shares[:, known], [10, 50, 90], axis=0)
-        number = np.array(COUNTS)[known]
-        (line,) = axes.plot(number, middle, marker="o", ms=3, label=name)
-        axes.fill_between(number, low, high, color=line.get_color(), alpha=0.15, lw=0)
-    whole = 100 * np.median(np.array(found["grid"], float)[:, -1])
-    axes.axhline(whole, color="0.4", ls=":", label="all 100 places")
-    axes.set(xlabel="presses", ylabel="error of the signals at all places (%)", yscale="log")
-    axes.yaxis.set_minor_formatter(lambda value, _: f"{value:g}" if value in (2, 3, 4, 6) else "")
-    axes.yaxis.set_major_formatter(lambda value, _: f"{value:g}")
+    names = dict.fromkeys(key.split(" | ")[0] for key in found)
+    for name in names:
+        rows = {
+            int(key.split(" | ")[1]): row
+            for key, row in found.items()
+            if key.split(" | ")[0] == name
+        }
+        number = sorted(rows)
+        means = [100 * np.mean(list(rows[count].values())) for count in number]
+        (line,) = axes.plot(number, means, marker="o", label=name)
+        for count in number:
+            points = 100 * np.array(list(rows[count].values()))
+            axes.plot(
+                np.full(len(points), count), points, ".", ms=3, color=line.get_color(), alpha=0.5
+            )
+        if name == "all 100 places":
+            axes.axhline(float(means[0]), color=line.get_color(), ls=":")
+    axes.set(xlabel="presses, returns included", ylabel="error of the signals at all places (%)")
+    axes.set_ylim(bottom=0)
     axes.legend()
     figure.savefig(path, dpi=150)
 
@@ -182,27 +152,18 @@ def main() -> None:
     """Presses come from the store, or from a file given behind the specification."""
     spec = load_spec(Path(sys.argv[1]))
     if len(sys.argv) > 2:
-        presses = load_presses(Path(sys.argv[2]))
+        table = load_presses(Path(sys.argv[2]))
     else:
         from instobj.stages.run import Run
         from instobj.store.readers import PRESSES
 
-        presses = Run(spec).read(PRESSES)
-    found = study(spec, presses)
+        table = Run(spec).read(PRESSES)
     RESULTS.mkdir(exist_ok=True)
-    document = {"presses": COUNTS, "shares": found}
-    (RESULTS / "press_orders.json").write_text(json.dumps(document) + "\n")
+    found = study(spec, table, RESULTS / "press_orders.json")
     draw(found, RESULTS / "press_orders.png")
-    print(_text(found))
-
-
-def _text(found: dict[str, list]) -> str:
-    lines = []
-    for name, rows in found.items():
-        shares = 100 * np.median(np.array(rows, float), axis=0)
-        values = " ".join(f"{n}:{value:.2f}" for n, value in zip(COUNTS, shares, strict=True))
-        lines.append(f"{name} {values}")
-    return "\n".join(["", *lines])
+    for key, row in found.items():
+        values = 100 * np.array(list(row.values()))
+        print(f"{key}: {values.mean():.2f} ({values.min():.2f} to {values.max():.2f})")
 
 
 if __name__ == "__main__":

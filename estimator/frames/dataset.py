@@ -45,6 +45,9 @@ class FrameSet:
     grid_x_mm, grid_y_mm : contact grid, so that heatmaps know their pixels, mm
     noise_counts : (axis,) white noise of a reading, counts
     true_force_n : as `force_n`, what each tip really bears; None where nobody knows (recorded)
+    zero_span_s : (frame, 2), s, or None where nobody knows
+        Since the press's zero was taken, and from then to the next zero, along which drift was taken
+        off; infinite where it was not.
     """
 
     signal_counts: Float[np.ndarray, "frame face sensor axis"]
@@ -65,6 +68,7 @@ class FrameSet:
     seed: int
     lag_frames: int = 0
     true_force_n: Float[np.ndarray, "frame contact 3"] | None = None
+    zero_span_s: Float[np.ndarray, "frame 2"] | None = None
 
     def __len__(self) -> int:
         return len(self.time_s)
@@ -72,8 +76,9 @@ class FrameSet:
     def select(self, frames: Bool[np.ndarray, "frame"] | Int[np.ndarray, "n"]) -> FrameSet:
         """The given frames, in order."""
         chosen = {name: getattr(self, name)[frames] for name in _PER_FRAME}
-        if self.true_force_n is not None:
-            chosen["true_force_n"] = self.true_force_n[frames]
+        for name in _OPTIONAL:
+            if getattr(self, name) is not None:
+                chosen[name] = getattr(self, name)[frames]
         return replace(self, **chosen)
 
     def on_faces(self, faces: Sequence[int]) -> FrameSet:
@@ -99,6 +104,7 @@ _PER_FRAME = {
     "session_id": ("frame", "1"),
     "time_s": ("frame", "s"),
 }
+_OPTIONAL = ("true_force_n", "zero_span_s")
 PER_FRAME_FIELDS = tuple(_PER_FRAME)
 """Names of the arrays that have one row per frame."""
 _FRAMES = FileKind(
@@ -110,8 +116,9 @@ _FRAMES = FileKind(
         "grid_y_mm": ("grid_y", "mm"),
         "noise_counts": ("axis", "count"),
         "true_force_n": ("frame contact space", "N"),
+        "zero_span_s": ("frame zero", "s"),
     },
-    optional=("true_force_n",),
+    optional=_OPTIONAL,
     packed=("signal_counts",),
     attributes=("source", "spec_hash", "seed", "lag_frames"),
     unit_name="unit",

@@ -23,7 +23,6 @@ from estimator.recordings.checks.faults import (
     dead_channels,
     doubtful_presses,
     jump_faults,
-    known_mean,
     mirror_faults,
     noisy_channels,
     press_responses,
@@ -68,12 +67,11 @@ from estimator.recordings.presses import (
 )
 from estimator.recordings.report import RecordingReport, noise_by_name
 from estimator.recordings.table import FACES, RawTable
+from estimator.recordings.zeros import Zeros, rest_levels
 
 NOMINAL_RATE_HZ = 10.5
 REST_FORCE_N = {"gripper": 0.05, "training": 0.15, "generic": 0.15}
 """Forces below are rest. The training files' converter resolves only about 0.12 N."""
-ZERO_FRAMES = 20
-LEAST_ZERO_FRAMES = 5
 _UNITS = {
     "gripper": "grams-force × 9.8e-3 = N",
     "training": "N, counted from the rest level",
@@ -138,13 +136,20 @@ def read_recording(
     with naming(path):
         table, unreachable = within_range(table, limits)
         presses = _find_presses(table)
-        zero, zeroed_after = _rest_levels(table.counts, presses)
+        zeros = rest_levels(
+            table.counts,
+            presses.time_s,
+            presses.press,
+            np.any(presses.force_n >= CONTACT_FORCE_N, axis=1),
+            presses.rest & ~presses.hidden,
+        )
+    zero, zeroed_after = zeros.counts, int(np.sum(~zeros.before))
     jumping, jumps = jump_faults(zero)
     block, place, places = contact_cases(
         presses.face, presses.tip_xy_mm, presses.force_n >= CONTACT_FORCE_N
     )
     session = np.unique(table.case, return_inverse=True)[1] if table.kind == "generic" else block
-    frames = _frames(table, presses, zero, jumping, session, place)
+    frames = _frames(table, presses, zeros, jumping, session, place)
     turned, turns = turned_channels(frames)
     frames.signal_counts[:, turned] = np.nan
     off, off_faults = places_off_the_body(presses.tip_xy_mm, limits)
@@ -236,41 +241,18 @@ def _find_presses(table: RawTable) -> _Presses:
     )  # fmt: skip
 
 
-def _rest_levels(
-    counts: Float[np.ndarray, "frame 5 sensor 3"], presses: _Presses
-) -> tuple[Float[np.ndarray, "press 5 sensor 3"], int]:
-    """Mean counts of up to `ZERO_FRAMES` rest frames before each press, and how many presses had
-    too few of them and took the rest that follows instead."""
-    rest = np.flatnonzero(presses.rest & ~presses.hidden)
-    if len(rest) < LEAST_ZERO_FRAMES:
-        raise RecordingError(
-            f"it holds {len(rest)} frames at rest; at least {LEAST_ZERO_FRAMES} are needed to "
-            "zero the signals. Record some frames before each press"
-        )
-    levels, after = [], 0
-    loaded = np.any(presses.force_n >= CONTACT_FORCE_N, axis=1)
-    for number in range(int(presses.press.max()) + 1):
-        frames = np.flatnonzero(presses.press == number)
-        begin = frames[loaded[frames]][0] if loaded[frames].any() else frames[-1] + 1
-        split = int(np.searchsorted(rest, begin))
-        chosen = rest[max(0, split - ZERO_FRAMES) : split]
-        if len(chosen) < LEAST_ZERO_FRAMES:
-            chosen, after = rest[split : split + ZERO_FRAMES], after + 1
-        if len(chosen) < LEAST_ZERO_FRAMES:
-            chosen = rest[-ZERO_FRAMES:]
-        levels.append(known_mean(counts[chosen]))
-    return np.array(levels), after
-
-
 def _frames(
     table: RawTable,
     presses: _Presses,
-    zero: Float[np.ndarray, "press 5 sensor 3"],
+    zeros: Zeros,
     jumping: Bool[np.ndarray, "5 sensor 3"],
     session: Int[np.ndarray, "frame"],
     place: Int[np.ndarray, "frame"],
 ) -> FrameSet:
-    signal = table.counts - zero[presses.press]
+    zero, span_s = zeros.of_frames(presses.press), None
+    if table.kind == "generic":
+        zero, span_s = zeros.bridged(presses.press, presses.time_s, session, presses.noise_counts)
+    signal = table.counts - zero
     unusable = dead_channels(table.counts) | noisy_channels(presses.noise_counts) | jumping
     gap = np.any(np.isnan(table.counts) & ~unusable & _recorded(table.counts), axis=(1, 2, 3))
     signal[:, unusable] = np.nan
@@ -299,6 +281,7 @@ def _frames(
         spec_hash=table.digest,
         seed=0,
         lag_frames=presses.lag.frames if presses.lag.corrected else 0,
+        zero_span_s=span_s,
     )
 
 

@@ -70,7 +70,8 @@ def rig(
     adaptive: Annotated[
         bool,
         typer.Option(
-            "--adaptive", help="Press first where the specification's twin knows least; 40 presses."
+            "--adaptive",
+            help="Press first where the specification's twin knows least; 40 presses, returns included.",
         ),
     ] = False,
     reference_every: Annotated[

@@ -108,6 +108,19 @@ def stops_of(spec: ObjectSpec) -> tuple[float, ...]:
     return tuple(depths[nearest].tolist())
 
 
+def places_among(presses: int, reference_every: int) -> int:
+    """How many of so many presses are not returns to the reference place."""
+    if not reference_every:
+        return presses
+    rounds = -(-max(presses - 1, 1) // (reference_every + 1))
+    return max(presses - 1 - rounds, 1)
+
+
+def middle_place(places_mm: Float[np.ndarray, "place 2"]) -> int:
+    """The reference place: the one nearest to the face's middle."""
+    return int(np.linalg.norm(places_mm, axis=1).argmin())
+
+
 def face_places(spec: ObjectSpec, face: int) -> Float[np.ndarray, "place 2"]:
     """Places of the contact grid that a face has (mm, in the face's frame).
 
@@ -144,7 +157,7 @@ def press_plan(
         order = np.concatenate([rng.permutation(len(places)) for _ in range(repeats)])
     chosen = [(place, False) for place in order.tolist()[:presses]]
     if reference_every:
-        back = (int(np.linalg.norm(places, axis=1).argmin()), True)
+        back = (middle_place(places), True)
         every = range(0, len(chosen), reference_every)
         chosen = [one for k in every for one in (back, *chosen[k : k + reference_every])] + [back]
     at = tuple((float(places[k, 0]), float(places[k, 1])) for k, _ in chosen)

@@ -10,6 +10,7 @@ A press is a block update of one covariance: about 0.1 s for 100 places.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -108,10 +109,14 @@ def _press_noise(
     return noise
 
 
-def press_order(doubt: Doubt, presses: int) -> tuple[Int[np.ndarray, "press"], list[float]]:
+def press_order(
+    doubt: Doubt, presses: int, pressed: Sequence[int] = ()
+) -> tuple[Int[np.ndarray, "press"], list[float]]:
     """Places in the order in which each press tells most, none twice before all, and the doubt (rms
-    counts) that is left after each."""
+    counts) that is left after each; places of `pressed` are pressed anyway."""
     order, left = [], []
+    for place in pressed:
+        doubt = doubt.after(place)
     for number in range(presses):
         gains = doubt.gains_counts2()
         gains[order[len(order) - number % len(gains) :]] = -np.inf

@@ -11,6 +11,7 @@ from design.errors import InputError
 from design.layout.places.contact_grid import press_lattice
 from design.layout.places.contact_places import pressed_nodes
 from design.spec.object import ObjectSpec
+from estimator.calibration.twin.like_forces import levels_of_like_force
 from estimator.frames.dataset import NO_FACE, FrameSet
 from estimator.frames.press_protocol import DRIFT_TIME_S
 from estimator.signals.continuation import continued
@@ -41,9 +42,9 @@ class PressedPlaces:
     force_n : (place, level) mean labelled force
     counts : (place, level, channel) mean change against rest
     frames : (place, level) frames in each mean
-    zero_counts2 : (place, level, level) covariance of the means by errors of their zeros, drift since
-        then included. Frames share a zero that are of one press (recorded), or of one session and
-        place (simulated, where many presses may follow one zero)
+    zero_counts2 : (place, level, level) covariance of the means by errors of their zeros and by drift
+        since then, a random walk. Frames share a zero that are of one press (recorded), or of one
+        session and place (simulated, where many presses may follow one zero)
     """
 
     face: int
@@ -119,9 +120,12 @@ def pressed_places(spec: ObjectSpec, frames: FrameSet, face: int) -> PressedPlac
     force, xy, own = force[alone, 2], xy[alone], own[alone]
     zeroed = (frames.press_id if frames.source == "recorded" else frames.session_id)[alone]
     channels = np.flatnonzero(np.isfinite(own).all(axis=0)) if len(own) else np.arange(0)
-    which = frames.place_id[alone]
+    which, press, time_s = (
+        values[alone] for values in (frames.place_id, frames.press_id, frames.time_s)
+    )
+    span_s = None if frames.zero_span_s is None else frames.zero_span_s[alone]
     rows = [np.flatnonzero(which == number) for number in np.unique(which)]
-    rows = [row[np.argsort(force[row])] for row in rows if len(row) >= LEAST_FRAMES]
+    rows = [row[np.lexsort((time_s[row], press[row]))] for row in rows if len(row) >= LEAST_FRAMES]
     if len(rows) < LEAST_PLACES or not len(channels):
         raise InputError(
             f"a twin of face {face} is calibrated on presses straight down by one tip alone, at "
@@ -131,7 +135,11 @@ def pressed_places(spec: ObjectSpec, frames: FrameSet, face: int) -> PressedPlac
         )
     rows = rows[:: -(-len(rows) // MOST_PLACES)]
     count = min(LEVELS, min(len(row) for row in rows) // 3)
-    levels = [np.array_split(row, count) for row in rows]
+    noise = spec.protocol.force_noise_n
+    levels = [
+        [row[level] for level in levels_of_like_force(force[row], press[row], noise, count)]
+        for row in rows
+    ]
     return PressedPlaces(
         face,
         channels,
@@ -139,22 +147,52 @@ def pressed_places(spec: ObjectSpec, frames: FrameSet, face: int) -> PressedPlac
         np.maximum([[force[level].mean() for level in place] for place in levels], 0.0),
         np.array([[own[level][:, channels].mean(axis=0) for level in place] for place in levels]),
         np.array([[len(level) for level in place] for place in levels]),
-        np.array([_zero_covariance(spec, zeroed, place) for place in levels]),
+        np.array([drifting_zeros(spec, zeroed, time_s, place, span_s) for place in levels]),
     )
 
 
-def _zero_covariance(
-    spec: ObjectSpec, zeroed: Int[np.ndarray, "frame"], levels: list[Int[np.ndarray, "_"]]
+def drifting_zeros(
+    spec: ObjectSpec,
+    zeroed: Int[np.ndarray, "frame"],
+    time_s: Float[np.ndarray, "frame"],
+    levels: list[Int[np.ndarray, "_"]],
+    span_s: Float[np.ndarray, "frame 2"] | None = None,
 ) -> Float[np.ndarray, "level level"]:
-    """Every zero errs on its own, by `zeroing_counts` and by the drift of half its frames."""
-    names = np.unique(np.concatenate([zeroed[level] for level in levels]))
-    share = np.array([[np.mean(zeroed[level] == name) for name in names] for level in levels])
-    frames = sum(len(level) for level in levels) / len(names)
-    return zero_covariance(spec, frames) * share @ share.T
+    """Covariance (counts²) of means by errors of their zeros, each by `zeroing_counts` on its own, and by
+    drift, a random walk since then: levels far apart in time have less of it in common.
+
+    Without `span_s` (`FrameSet.zero_span_s`) it begins with the first frame of a zero. Where the drift to
+    the next zero was taken off, what is left is a bridge between two zeros.
+    """
+    frames = np.concatenate(levels)
+    level = np.repeat(np.arange(len(levels)), [len(one) for one in levels])
+    weight = (level == np.arange(len(levels))[:, None]) / [[len(one)] for one in levels]
+    found, zero2 = np.zeros((len(levels), len(levels))), spec.sensors.zeroing_counts**2
+    for name in np.unique(zeroed[frames]):
+        mine = np.flatnonzero(zeroed[frames] == name)
+        mine = mine[np.argsort(time_s[frames[mine]])]
+        own, rows = weight[:, mine], frames[mine]
+        if span_s is None:
+            since_s, apart_s = time_s[rows] - time_s[rows[0]], np.inf
+        else:
+            since_s, apart_s = np.maximum(span_s[rows, 0], 0.0), float(span_s[rows[0], 1])
+        later = np.cumsum(own[:, ::-1], axis=1)[:, ::-1]
+        walk = (later * np.diff(since_s, prepend=0.0)) @ later.T
+        whole, along = own.sum(axis=1), own @ np.minimum(since_s / apart_s, 1.0)
+        if np.isfinite(apart_s):
+            walk = walk - apart_s * np.outer(along, along)
+        rest = whole - along
+        found += drift_rate(spec) * walk
+        found += zero2 * (np.outer(rest, rest) + np.outer(along, along))
+    return found
+
+
+def drift_rate(spec: ObjectSpec) -> float:
+    """By how much the variance of the drift grows (counts² per second)."""
+    return spec.sensors.drift_counts**2 / DRIFT_TIME_S
 
 
 def zero_covariance(spec: ObjectSpec, frames: float | int) -> float:
     """Variance (counts²) of a zero with the drift of half the frames that follow it."""
     seconds = frames / spec.sensors.frame_rate_hz
-    drift = spec.sensors.drift_counts**2 * seconds / 2 / DRIFT_TIME_S
-    return spec.sensors.zeroing_counts**2 + drift
+    return spec.sensors.zeroing_counts**2 + drift_rate(spec) * seconds / 2

@@ -19,7 +19,15 @@ from estimator.calibration.twin.least_known import doubt_beforehand, press_order
 from instobj.commands.hardware.collect_options import stop_on_signals
 from instobj.rig.journal import Journal, journal_path, new_journal, resumed_journal
 from instobj.rig.mounting import Mounting
-from instobj.rig.plan import PressPlan, PressSettings, face_places, press_plan, stops_of
+from instobj.rig.plan import (
+    PressPlan,
+    PressSettings,
+    face_places,
+    middle_place,
+    places_among,
+    press_plan,
+    stops_of,
+)
 from instobj.rig.poses import poses, poses_text
 from instobj.rig.run import Ports, carry_out, check_plan, station_on
 from instobj.store.progress import ProgressLine
@@ -96,8 +104,8 @@ def _plan(spec: ObjectSpec, face: int, options: RigOptions) -> PressPlan:
     settings = PressSettings(**given)
     presses, order = options.presses, None
     if options.adaptive:
-        presses = presses or ADAPTIVE_PRESSES
-        order = _least_known(spec, face, settings.full_n, presses)
+        presses = places_among(presses or ADAPTIVE_PRESSES, options.reference_every)
+        order = _least_known(spec, face, settings.full_n, presses, options.reference_every)
     return press_plan(
         spec,
         face,
@@ -111,16 +119,16 @@ def _plan(spec: ObjectSpec, face: int, options: RigOptions) -> PressPlan:
 
 
 def _least_known(
-    spec: ObjectSpec, face: int, force_n: float, presses: int
+    spec: ObjectSpec, face: int, force_n: float, presses: int, reference_every: int
 ) -> Int[np.ndarray, "press"]:
     """Places of a face at which the twin of the specification knows least, one after the other."""
     from instobj.stages.run import Run
     from instobj.store.readers import PRESSES
 
     forces, motions = Run(spec).read(PRESSES)
-    face_places(spec, face)
+    returns = [middle_place(face_places(spec, face))] if reference_every else []
     doubt = doubt_beforehand(spec, forces, motions, face, force_n)
-    return press_order(doubt, presses)[0]
+    return press_order(doubt, presses, returns)[0]
 
 
 def _pressed(

@@ -10,7 +10,9 @@ from design.errors import InputError
 from design.layout.body import face_frame
 from design.spec_io import load_spec
 from instobj.commands.hardware.rig import RigOptions, rig
-from instobj.rig.plan import PressSettings, face_places, press_plan
+from instobj.rig.plan import PressSettings, face_places, places_among, press_plan
+from instobj.stages.run import Run
+from tests.support.mechanics.synthetic_presses import synthetic_presses
 
 
 def test_poses_touch_the_surface_and_press_along_its_normal(tmp_path):
@@ -55,3 +57,38 @@ def test_every_place_is_pressed_once_per_round_with_returns_to_the_middle(tmp_pa
     assert all(plan.places_mm[k] == (0.0, 0.0) for k, back in enumerate(plan.reference) if back)
     other = press_plan(spec, 2, PressSettings((1.0,)), seed=5, repeats=2, reference_every=7)
     assert other.places_mm != plan.places_mm
+
+
+def test_returns_to_the_middle_count_among_the_presses_of_an_adaptive_run(tmp_path, monkeypatch):
+    path = tmp_path / "cube.toml"
+    path.write_text(
+        'name = "cube"\n[contact_grid]\ncount = [5, 5]\npitch_mm = 5.0\n'
+        "[press]\ndepths_mm = [1.0, 2.0, 3.0, 4.0]\n"
+    )
+    spec, out = load_spec(path), tmp_path / "poses.json"
+    monkeypatch.setattr(Run, "read", lambda self, file: synthetic_presses(self.spec))
+    chosen = RigOptions(
+        path, "poses", out, faces=(3,), presses=12, reference_every=4, adaptive=True
+    )
+    assert rig(chosen, lambda _: False)["presses"] == 11
+    pressed = [
+        (pose["x_mm"], pose["y_mm"])
+        for pose in json.loads(out.read_text())["poses"]
+        if pose["stop"] == "above"
+    ][::2]
+    returns = [k for k, xy in enumerate(pressed) if xy == (0.0, 0.0)]
+    assert returns == [0, 5, 10]
+    others = [xy for k, xy in enumerate(pressed) if k not in returns]
+    assert len(set(others)) == len(others) == 8
+    assert set(others) <= set(map(tuple, face_places(spec, 3).tolist()))
+
+
+@pytest.mark.parametrize(("presses", "every"), [(40, 10), (12, 4), (23, 10), (2, 1), (9, 0)])
+def test_presses_hold_their_returns(tmp_path, presses, every):
+    path = tmp_path / "cube.toml"
+    path.write_text('name = "cube"\n')
+    spec, places = load_spec(path), places_among(presses, every)
+    plan = press_plan(spec, 2, PressSettings((1.0,)), 0, 1, every, places)
+    assert len(plan) <= max(presses, 3)
+    more = press_plan(spec, 2, PressSettings((1.0,)), 0, 1, every, places + 1)
+    assert len(more) > presses
