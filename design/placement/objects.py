@@ -1,8 +1,9 @@
 """Placement of magnets, sensors and contact locations on a body, from its own faces.
 
-Shell, magnets and core are tried from generous to tight, sensors and magnets from far out to the
-middle, and the first that fits is taken: what fits is said by `design.fit` and, for gaps that can be
-cast and printed, by `design.placement.room`.
+Shell, magnets and core are tried from generous to tight, sensors from far out to the middle, magnets
+from the shortest signal paths to longer ones (`design.placement.paths`), and the first that fits is
+taken: what fits is said by `design.fit` and, for gaps that can be cast and printed, by
+`design.placement.room`.
 """
 
 from __future__ import annotations
@@ -21,7 +22,8 @@ from design.fit.everything import fits
 from design.layout.boards import wire_bundle_mm
 from design.layout.body import body_of, core_frames, face_frames
 from design.layout.places.contact_places import contact_places
-from design.layout.places.positions import board_sinks_mm
+from design.layout.places.positions import board_sinks_mm, sensor_layout
+from design.placement.paths import long_path_mm
 from design.placement.patterns import Shares, magnet_patterns, sensor_patterns
 from design.placement.room import low_rim, tight_core, tight_middle, tight_rim, tight_shell
 from design.spec.base import explained
@@ -228,14 +230,19 @@ def _wall_mm(spec: ObjectSpec) -> float | None:
 
 
 def _with_magnets(request: Request, tables: Tables, shares: tuple[float, ...]) -> Tables | None:
+    """Most magnets first; of their patterns and spreads the one with the shortest signal paths."""
     diameter = tables["shell"]["pocket_diameter_mm"]
     counts = _COUNTS if request.magnets is None else (request.magnets,)
     half = np.min([frame.half_extents_mm for frame in face_frames(spec_of(tables))], axis=0)
-    for count, share in product(counts, shares):
-        for pattern in magnet_patterns(count):
+    sensors = sensor_layout(spec_of(tables))
+    for count in counts:
+        tried = []
+        for pattern, share in product(magnet_patterns(count), shares):
             places = _rounded(share * half * pattern)
             magnets = {"diameter_mm": diameter, "positions_mm": places}
             spec = spec_of(tables | {"magnets": magnets})
+            tried.append((long_path_mm(spec, sensors), magnets, spec))
+        for _, magnets, spec in sorted(tried, key=lambda one: one[0]):
             if fits(spec) and not tight_shell(spec):
                 return tables | {"magnets": magnets}
     return None

@@ -1,8 +1,9 @@
 """Weak areas of any body: how the position bound goes with a location's place on it.
 
-Three measures of a contact location follow from the specification alone: the distance to the border
-of its patch, the distance to the spot over the nearest magnet, and the surface's curvature. A table
-of their thirds and rank correlations says which of them an object's weak locations go with.
+Measures of a contact location follow from the specification alone (`design.layout.places.measures`):
+distances to the border of its patch and to the nearest magnet, the signal's path over a magnet to a
+sensor, and the surface's curvature. A table of their thirds and rank correlations says which of them
+an object's weak locations go with.
 """
 
 from __future__ import annotations
@@ -14,7 +15,13 @@ import numpy as np
 from jaxtyping import Bool, Float
 
 from design.layout.places.contact_places import face_rows
-from design.layout.places.measures import MEASURES, Measure, PlaceMeasures, place_measures
+from design.layout.places.measures import (
+    LONGEST_PATH_MM,
+    MEASURES,
+    Measure,
+    PlaceMeasures,
+    place_measures,
+)
 from design.spec.object import ObjectSpec
 from design.tables import write_table
 from estimator.information.scores import PlaceScores
@@ -59,6 +66,12 @@ class WeakAreas:
         """The measure that orders the locations most like their bounds do; None where none varies."""
         order = self.rank_correlation
         return max(order, key=lambda name: abs(order[name])) if order else None
+
+    @property
+    def beyond_rule(self) -> float:
+        """Share of the locations whose signal path is longer than the design rule's."""
+        path = self.measures.path_mm
+        return float(np.mean(path[np.isfinite(path)] > LONGEST_PATH_MM))
 
     @property
     def edge_ratio(self) -> float:

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from jaxtyping import Float
 
-from design.layout.places.measures import MEASURES, Measure
+from design.layout.places.measures import LONGEST_PATH_MM, MEASURES, Measure
 from estimator.information.scores import PlaceScores
 from estimator.information.weak_areas import WeakAreas
 from instobj.figures.saving import save_figure
@@ -17,7 +17,8 @@ from instobj.figures.saving import save_figure
 MEASURE_NAMES: dict[Measure, str] = {
     "border_mm": "distance to the border, mm",
     "magnet_mm": "distance to the nearest magnet, mm",
-    "curvature_per_mm": "mean curvature, 1/mm",
+    "path_mm": "signal path over a magnet to a sensor, mm",
+    "curvature_per_mm": "mean curvature, 1/m",
 }
 _INK, _POINTS, _WEAK = "#1a1a1a", "#8fb3cf", "#c8553d"
 _COLOURS = ("#1b6ca8", "#c8553d", "#6a994e", "#b08900", "#7d5ba6", "#3c8d8a", "#777777")
@@ -33,15 +34,19 @@ def draw_weak_areas(
     from matplotlib.figure import Figure
 
     shown: list[Measure] = [name for name in MEASURES if name in areas.rank_correlation]
-    figure = Figure(figsize=(4.2 * len(shown) + 0.6, 4.0), layout="constrained")
-    panels = figure.subplots(1, len(shown), sharey=True, squeeze=False)[0]
+    rows, columns = -(-len(shown) // 2), min(2, len(shown))
+    figure = Figure(figsize=(5.0 * columns, 3.6 * rows + 0.4), layout="constrained")
+    panels = figure.subplots(rows, columns, sharey=True, squeeze=False).ravel()
+    for empty in panels[len(shown) :]:
+        empty.set_axis_off()
     bound = scores.position_bound_fresh_mm[scores.places]
     known = bound[np.isfinite(bound)]
     top = 1.3 * float(known.max()) if len(known) else 1.0
     low = float(known.min()) / 1.3 if len(known) else 0.1
     weakest = bound >= np.quantile(bound, 0.9, method="lower")
-    for axes, name in zip(panels, shown, strict=True):
-        value = getattr(areas.measures, name)[scores.places]
+    for axes, name in zip(panels, shown, strict=False):
+        factor = 1000.0 if name == "curvature_per_mm" else 1.0
+        value = factor * getattr(areas.measures, name)[scores.places]
         for some, colour, label in (
             (~weakest, _POINTS, "contact location"),
             (weakest, _WEAK, "weakest tenth"),
@@ -52,7 +57,7 @@ def draw_weak_areas(
         for third in areas.thirds:
             if third.measure != name:
                 continue
-            ends = [third.low, third.high]
+            ends = [factor * third.low, factor * third.high]
             axes.plot(
                 ends,
                 [min(third.bound_mm, top)] * 2,
@@ -69,9 +74,11 @@ def draw_weak_areas(
         axes.yaxis.set_major_formatter(lambda number, _: f"{number:g}")
         axes.yaxis.set_minor_formatter(lambda *_: "")
         axes.grid(alpha=0.3)
-    panels[0].set_ylabel("position bound, mm")
+    for axes in panels[::columns]:
+        axes.set_ylabel("position bound, mm")
     panels[0].text(
-        0.99, limit_mm * 1.04, f"limit {limit_mm:g} mm", ha="right", fontsize=8, color="0.35",
+        0.99, limit_mm * 1.04, f"limit {limit_mm:g} mm", ha="right", fontsize=8, color="0.25",
+        bbox={"fc": "white", "ec": "none", "alpha": 0.75, "pad": 0.5},
         transform=panels[0].get_yaxis_transform(),
     )  # fmt: skip
     handles, labels = panels[0].get_legend_handles_labels()
@@ -87,14 +94,15 @@ def draw_weak_areas(
     save_figure(figure, path)
 
 
-def draw_reach(
-    objects: Sequence[tuple[str, float, Float[np.ndarray, "_"], Float[np.ndarray, "_"]]],
-    reach: Sequence[dict[str, Any]],
+def draw_paths(
+    objects: Sequence[tuple[str, Float[np.ndarray, "_"], Float[np.ndarray, "_"]]],
+    rows: Sequence[dict[str, Any]],
+    limit_mm: float,
     path: Path | str,
 ) -> None:
-    """Bounds over the object's own near a magnet, against the distance to the nearest (PNG).
+    """Position bounds of many objects' locations against their signal paths (PNG).
 
-    `objects` are kind, shell (mm), distances (mm) and ratios of their locations.
+    `objects` are kind, paths and bounds (mm) of their locations, `rows` bins of all of them.
     """
     from matplotlib.figure import Figure
 
@@ -102,24 +110,18 @@ def draw_reach(
     axes = figure.subplots()
     kinds = list(dict.fromkeys(kind for kind, *_ in objects))
     for kind, colour in zip(kinds, _COLOURS, strict=False):
-        some = [(away, ratio) for name, _, away, ratio in objects if name == kind]
-        axes.plot(
-            np.concatenate([away for away, _ in some]), np.concatenate([ratio for _, ratio in some]),
-            ".", ms=3, alpha=0.5, color=colour, label=kind,
-        )  # fmt: skip
-    middle = [(row["from_mm"] + row["to_mm"]) / 2 for row in reach]
-    axes.fill_between(
-        middle, [row["low"] for row in reach], [row["high"] for row in reach], color=_INK, alpha=0.15,
-        label="10 to 90 % of the objects",
-    )  # fmt: skip
-    axes.plot(
-        middle, [row["median"] for row in reach], "-o", color=_INK, ms=4, label="median object"
-    )
-    axes.set(yscale="log", xlabel="distance to the nearest magnet along the face, mm")
-    axes.set_ylabel("position bound / the object's own within 3 mm of a magnet")
+        some = [(away, bound) for name, away, bound in objects if name == kind]
+        away, bound = (np.concatenate(part) for part in zip(*some, strict=True))
+        axes.plot(away, bound, ".", ms=3, alpha=0.5, color=colour, label=kind)
+    middle = [(row["from_mm"] + row["to_mm"]) / 2 for row in rows]
+    low, high = ([row[end] for row in rows] for end in ("low_mm", "high_mm"))
+    axes.fill_between(middle, low, high, color=_INK, alpha=0.15, label="10 to 90 % of locations")
+    axes.plot(middle, [row["median_mm"] for row in rows], "-o", color=_INK, ms=4, label="median")
+    axes.axhline(limit_mm, color="0.25", ls="--", lw=1, label=f"limit {limit_mm:g} mm")
+    axes.axvline(LONGEST_PATH_MM, color="0.25", ls=":", lw=1, label=f"path {LONGEST_PATH_MM:g} mm")
+    axes.set(yscale="log", xlabel="signal path over a magnet to a sensor, mm")
+    axes.set_ylabel("position bound, mm")
     axes.yaxis.set_major_formatter(lambda number, _: f"{number:g}")
-    axes.yaxis.set_minor_formatter(lambda *_: "")
-    axes.set_yticks([0.5, 1, 2, 3, 5, 10, 20])
     axes.grid(alpha=0.3)
     figure.legend(loc="outside right upper", frameon=False, fontsize=9)
     save_figure(figure, path)

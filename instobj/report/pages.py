@@ -6,7 +6,7 @@ import base64
 import hashlib
 from functools import lru_cache
 from io import BytesIO
-from math import isfinite
+from math import isinf, isnan
 from pathlib import Path
 from typing import Any
 
@@ -24,8 +24,10 @@ def render(page: str, /, **context: Any) -> Markup:
 
 
 def shown(value: float | None) -> str:
-    """A number to three digits, or a dash where there is none."""
-    return "–" if value is None or not isfinite(value) else f"{value:.3g}"
+    """A number to three digits, ∞ where it has no bound, or a dash where there is none."""
+    if value is None or isnan(value):
+        return "–"
+    return "∞" if isinf(value) else f"{value:.3g}"
 
 
 def picture(path: Path) -> str:

@@ -23,10 +23,14 @@ _SHOWN, _BEST = 3, 7
 
 @dataclass(frozen=True)
 class Remedy:
-    """Changes, the largest figure over its limit after them (1 and below is a go), and what they add."""
+    """Changes, the largest figure over its limit after them (1 and below is a go), and what they add.
+
+    `bound_mm` is the weakest position bound after them.
+    """
 
     changes: tuple[str, ...]
     ratio: float
+    bound_mm: float
     price: float
     minutes: float
 
@@ -42,14 +46,20 @@ class Remedy:
 
 
 def remedies(spec: ObjectSpec, rows: list[dict[str, Any]]) -> list[Remedy]:
-    """Every change and pair of the stage `alternatives`; those that turn it first, cheapest first.
+    """Every change and pair of the stage `alternatives`; those that turn it first, cheapest first, then
+    those that come nearest: by the weakest position bound where locations stay blind.
 
     A pair that holds a change which is enough by itself is left out.
     """
     found = [_remedy(spec, rows[0], row) for row in rows[1:]]
     enough = {one.changes[0] for one in found if one.turns and len(one.changes) == 1}
     found = [one for one in found if len(one.changes) == 1 or not enough & {*one.changes}]
-    return sorted(found, key=lambda one: (max(one.ratio, 1), one.price, one.minutes, one.ratio))
+    return sorted(found, key=_order)
+
+
+def _order(one: Remedy) -> tuple[float, ...]:
+    bound = 0.0 if isfinite(one.ratio) else one.bound_mm
+    return max(one.ratio, 1), bound, one.price, one.minutes, one.ratio
 
 
 def remedies_section(spec: ObjectSpec, content: dict[str, Any], go: bool) -> dict[str, Any]:
@@ -88,10 +98,15 @@ def decision(found: list[Remedy], go: bool) -> str:
         return f"Turns it into a go, cheapest first: {turning[0].told}{others}"
     if not found:
         return "None of the changes tried here fits"
-    nearest = min(found, key=lambda one: one.ratio)
-    left = f"Nearest: {nearest.told}, with a figure still {nearest.ratio:.2g} times its limit"
+    nearest = min(found, key=_order)
+    left = f"Nearest: {nearest.told}, with a figure still {nearest.ratio:.3g} times its limit"
     if not isfinite(nearest.ratio):
         left = "After each of them some locations stay blind up to the deepest press"
+        if isfinite(nearest.bound_mm):
+            left = (
+                f"Nearest: {nearest.told}, with a weakest position bound of {nearest.bound_mm:.2g} mm; "
+                "after each of them some locations feel nothing up to the deepest press"
+            )
     return (
         f"No change and no pair tried here is enough. {left}. A thinner shell, larger magnets or other "
         "places change more: instobj sweep, instobj optimize"
@@ -113,7 +128,8 @@ def _remedy(spec: ObjectSpec, start: dict[str, Any], row: dict[str, Any]) -> Rem
         row["saturation_margin"],
     )
     added = (row[part] - start[part] for part in ("magnets", "sensors"))
-    return Remedy(tuple(row["changes"]), ratio, *price_and_minutes(spec, *added))
+    bound = row["weakest_bound_mm"]
+    return Remedy(tuple(row["changes"]), ratio, bound, *price_and_minutes(spec, *added))
 
 
 def _figures(row: dict[str, Any]) -> list[str]:

@@ -5,13 +5,15 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+from design.layout.places.measures import LONGEST_PATH_MM
 from instobj.store.content import StoredResult
 from instobj.store.readers import WEAK_AREAS, WEAK_AREAS_PICTURE, WEAK_MAPS
 
-WEAK_TITLE = "weak areas: position bounds by thirds of three measures (rank: with the bound)"
+WEAK_TITLE = "weak areas: position bounds by thirds of each measure (rank: with the bound)"
 _NAMES = {
     "border_mm": ("border, mm", "the distance to the border of their patch", "mm"),
     "magnet_mm": ("magnet, mm", "the distance to the nearest magnet", "mm"),
+    "path_mm": ("path, mm", "the signal path over a magnet to a sensor", "mm"),
     "curvature_per_mm": ("curvature, 1/m", "the curvature of the surface", "1/m"),
 }
 """Measure → what tables and sentences call it, and its unit there."""
@@ -41,12 +43,10 @@ def weak_text(content: dict[str, Any]) -> str:
     """What the weak locations go with, and how much, in two sentences."""
     told_by, order = content["told_by"], content["rank_correlation"]
     if told_by is None:
-        return (
-            "All contact locations lie alike: border, magnets and curvature tell none from another"
-        )
+        return "All contact locations lie alike: none of the measures tells them apart"
     parts = []
     if abs(order[told_by]) < _CLEAR:
-        parts.append("Weak locations go with none of the three measures clearly")
+        parts.append("Weak locations go with none of the measures clearly")
     else:
         side = "large" if order[told_by] > 0 else "small"
         parts.append(f"Weak locations are those where {_NAMES[told_by][1]} is {side}")
@@ -62,6 +62,10 @@ def weak_text(content: dict[str, Any]) -> str:
             f"the third of the locations nearest the border has {content['edge_ratio']:.2g} times "
             "the bound of the innermost"
         )
+    parts.append(
+        f"{100 * content['beyond_rule']:.0f} % of the locations have a signal path above "
+        f"{LONGEST_PATH_MM:g} mm, where bounds of 1.5 mm at 8 N are rare"
+    )
     return "; ".join(parts)
 
 

@@ -179,7 +179,11 @@ STAGES: dict[str, Stage] = {
         "sensitivity: bounds and maps", ("signals",), ("score", "seed"), make_scores, version=6
     ),
     "weak_areas": Stage(
-        "sensitivity: weak areas", ("scores",), ("limits.position_bound_mm",), make_weak_areas
+        "sensitivity: weak areas",
+        ("scores",),
+        ("limits.position_bound_mm",),
+        make_weak_areas,
+        version=2,
     ),
     "shear": Stage(
         "mechanics: tangential forces",

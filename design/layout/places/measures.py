@@ -1,7 +1,7 @@
 """Where a contact location lies on the body: measures that need no mechanics.
 
 Weak locations go with them (`estimator.information.weak_areas`): the distance to the border of the
-patch, to the spot over the nearest magnet, and the surface's curvature.
+patch, to the spot over the nearest magnet and on to a sensor, and the surface's curvature.
 """
 
 from __future__ import annotations
@@ -16,12 +16,22 @@ from design.body.surface_chart import FaceFrame
 from design.layout.body import face_frames
 from design.layout.places.contact_grid import contact_grid
 from design.layout.places.contact_places import contact_places
+from design.layout.places.positions import (
+    SensorLayout,
+    magnet_layout,
+    sensor_layout,
+    shell_body_layout,
+)
 from design.layout.pockets import shell_bodies
 from design.spec.object import ObjectSpec
 from design.spec.worked_out import once
 
-Measure = Literal["border_mm", "magnet_mm", "curvature_per_mm"]
-MEASURES: tuple[Measure, ...] = ("border_mm", "magnet_mm", "curvature_per_mm")
+Measure = Literal["border_mm", "magnet_mm", "path_mm", "curvature_per_mm"]
+MEASURES: tuple[Measure, ...] = ("border_mm", "magnet_mm", "path_mm", "curvature_per_mm")
+SENSOR_SHARE = 0.6
+"""Of a magnet's distance to its nearest sensor, in the signal path (docs/studies.md)."""
+LONGEST_PATH_MM = 15.0
+"""Signal path to which position bounds keep 1.5 mm at 8 N, in the median (docs/studies.md)."""
 _BORDER_POINTS = 120
 _PATH_STEPS = 12
 _SLOPE_STEP_MM = 0.05
@@ -36,12 +46,15 @@ class PlaceMeasures:
     border_mm : along the surface, to the border of the location's patch (a box's edge)
     magnet_mm : straight, to the point of the surface over the nearest magnet of any face; in the
         reverse arrangement over the nearest sensor board, which moves in a magnet's place
+    path_mm : the signal path: `magnet_mm` and 0.6 of that magnet's distance to the nearest sensor
+        of the pressed face, for the magnet of which this is least
     curvature_per_mm : mean curvature of the surface: 0 on a plane, 1/R on a ball, 1/(2 R) round a
         cylinder, negative in a hollow
     """
 
     border_mm: Float[np.ndarray, "face place"]
     magnet_mm: Float[np.ndarray, "face place"]
+    path_mm: Float[np.ndarray, "face place"]
     curvature_per_mm: Float[np.ndarray, "face place"]
 
 
@@ -49,23 +62,42 @@ class PlaceMeasures:
 def place_measures(spec: ObjectSpec) -> PlaceMeasures:
     """Measures of every contact location of every sensed face; needs no mechanics."""
     xy, frames = contact_grid(spec).xy_mm, face_frames(spec)
-    spots = np.concatenate(
-        [
-            frame.to_object(np.array([(*body.centre_mm[:2], 0.0) for body in bodies]))
-            for frame, bodies in zip(frames, shell_bodies(spec), strict=True)
-        ]
-    )
-    found = np.full((3, len(frames), len(xy)), np.nan)
+    spots, moving = spots_over_bodies(spec), shell_body_layout(spec).centre_mm
+    fixed = sensor_layout(spec) if spec.arrangement == "sensors-in-core" else magnet_layout(spec)
+    centres = fixed.position_mm if isinstance(fixed, SensorLayout) else fixed.centre_mm
+    found = np.full((len(MEASURES), len(frames), len(xy)), np.nan)
     for row, (frame, there) in enumerate(zip(frames, contact_places(spec), strict=True)):
         own = xy[there]
         touched = frame.to_object(np.column_stack([own, np.zeros(len(own))]))
         away = np.linalg.norm(touched[:, None] - spots, axis=-1)
+        path = signal_paths_mm(away, moving, centres[fixed.face == frame.number])
         found[:, row, there] = (
             border_distance_mm(frame, own),
             away.min(axis=1),
+            path,
             curvature(frame, own),
         )
     return PlaceMeasures(*found)
+
+
+def spots_over_bodies(spec: ObjectSpec) -> Float[np.ndarray, "body 3"]:
+    """Points of the surface over what moves with the silicone, face by face (mm)."""
+    return np.concatenate(
+        [
+            frame.to_object(np.array([(*body.centre_mm[:2], 0.0) for body in bodies]))
+            for frame, bodies in zip(face_frames(spec), shell_bodies(spec), strict=True)
+        ]
+    )
+
+
+def signal_paths_mm(
+    away_mm: Float[np.ndarray, "place body"],
+    moving_mm: Float[np.ndarray, "body 3"],
+    fixed_mm: Float[np.ndarray, "part 3"],
+) -> Float[np.ndarray, "place"]:
+    """Signal paths, from distances between places and moving bodies, and centres of both parts."""
+    between = np.linalg.norm(moving_mm[:, None] - fixed_mm, axis=-1).min(axis=1)
+    return np.asarray((away_mm + SENSOR_SHARE * between).min(axis=1))
 
 
 def border_distance_mm(frame: FaceFrame, xy_mm: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "n"]:

@@ -115,6 +115,7 @@ _MEASURE_MAPS = (
         GAIN_COLOURS,
     ),
     ("magnet_mm", "magnet_distance", "Distance to the nearest magnet", "mm", 1.0, BOUND_COLOURS),
+    ("path_mm", "signal_path", "Signal path over a magnet to a sensor", "mm", 1.0, BOUND_COLOURS),
     ("curvature_per_mm", "curvature", "Mean curvature", "1/m", 1000.0, GAIN_COLOURS),
 )
 

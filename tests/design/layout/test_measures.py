@@ -10,7 +10,10 @@ from design.body.surface_chart import Cap, cap_frame, flat_frame
 from design.layout.body import face_frames
 from design.layout.places.contact_grid import contact_grid
 from design.layout.places.measures import border_distance_mm, curvature, place_measures
+from design.layout.places.positions import magnet_layout, sensor_layout
 from design.spec.object import ObjectSpec
+from design.spec_io import load_spec
+from tests.support.pages import ROOT
 
 PLACES = np.array([[0.0, 0.0], [5.0, -3.0], [9.0, 4.0], [-2.0, 8.0]])
 
@@ -53,3 +56,23 @@ def test_the_nearest_magnet_may_belong_to_another_face(kind):
         away = np.linalg.norm(point - spots, axis=1)
         assert_allclose(found.magnet_mm[row, place], away.min())
     assert (found.magnet_mm[:, place] < np.hypot(*(grid.xy_mm[place] - [12.0, 0.0])) - 1).any()
+
+
+@pytest.mark.parametrize("arrangement", ["sensors-in-core", "sensors-in-shell"])
+def test_the_signal_path_goes_over_the_best_magnet_to_a_sensor_of_the_face(arrangement):
+    example = "reverse_cube" if arrangement == "sensors-in-shell" else "paper_cube"
+    spec = load_spec(ROOT / f"examples/{example}.toml")
+    found, grid = place_measures(spec), contact_grid(spec)
+    magnets, sensors = magnet_layout(spec), sensor_layout(spec)
+    moving, face, fixed, other = magnets.centre_mm, magnets.face, sensors.position_mm, sensors.face
+    if arrangement == "sensors-in-shell":
+        moving, face, fixed, other = fixed, other, moving, face
+    top = [point for point, number in zip(fixed, other, strict=True) if number == 1]
+    place = int(np.argmin(np.hypot(*(grid.xy_mm - [7.5, 1.5]).T)))
+    touched = np.append(grid.xy_mm[place], 21.0)
+    paths = []
+    for point, number in zip(moving, face, strict=True):
+        spot = {1: [*point[:2], 21.0], 2: [point[0], -21.0, point[2]], 3: [21.0, *point[1:]]}
+        away = np.linalg.norm(touched - spot.get(int(number), [-99.0] * 3))
+        paths.append(away + 0.6 * min(np.linalg.norm(point - sensor) for sensor in top))
+    assert_allclose(found.path_mm[0, place], min(paths), rtol=1e-6)

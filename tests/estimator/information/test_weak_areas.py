@@ -53,7 +53,7 @@ def test_the_measure_that_bounds_follow_is_told(pear, name, sign):
 def test_curvature_tells_no_location_of_a_ball_from_another(ball):
     measures = place_measures(ball)
     found = weak_areas(ball, scores_of(ball, 1 + 1 / measures.border_mm))
-    assert set(found.rank_correlation) == {"border_mm", "magnet_mm"}
+    assert set(found.rank_correlation) == {"border_mm", "magnet_mm", "path_mm"}
     assert found.told_by == "border_mm"
     assert found.edge_ratio > 1
 

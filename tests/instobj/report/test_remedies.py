@@ -79,6 +79,19 @@ def test_where_nothing_is_enough_the_nearest_is_told_with_what_is_left():
     told = decision(remedies(SPEC, blind), go=False)
     assert "some locations stay blind" in told
     assert "Nearest" not in told
+    deaf = [
+        row((), bound_mm=9.0, force_n=float("inf")),
+        row(("cheap",), bound_mm=8.0, force_n=float("inf")),
+        row(("sensors",), bound_mm=3.0, force_n=float("inf"), sensors=15),
+    ]
+    found = remedies(SPEC, deaf)
+    assert [one.changes[0] for one in found] == ["sensors", "cheap"]
+    told = decision(found, go=False)
+    assert (
+        "Nearest: sensors (+15 for parts, +75 min by hand), with a weakest position bound of"
+        in told
+    )
+    assert "3 mm; after each of them some locations feel nothing" in told
     assert decision(remedies(SPEC, rows), go=True) == "Every limit is kept; nothing has to change"
     assert decision(remedies(SPEC, [START]), go=False).startswith("None of the changes")
 
