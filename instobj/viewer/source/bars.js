@@ -33,7 +33,7 @@ export function drawBars(svg, signals) {
   }
   signals.forEach(({ face, counts, live, noise: sigma, number }, index) => {
     const y = index * row + GAP;
-    addTo(svg, "text", { x: 0, y: y + 12, "font-size": 10, fill: "#333" }, `face ${face}, ${number}`);
+    addTo(svg, "text", { x: 0, y: y + 12, "font-size": 10, fill: "#333" }, `F${face}-S${number}`);
     counts.forEach((count, axis) => {
       if (!live[axis]) return;
       const [zero, band, end] = [along(0, noise), along(sigma[axis], noise), along(count, noise)];
