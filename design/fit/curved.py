@@ -62,7 +62,6 @@ def _check_what_boxes_can(spec: ObjectSpec) -> Iterator[str]:
         "arrangement": spec.arrangement != "sensors-in-core",
         "magnets.tilt_deg": bool(spec.magnets.tilt_deg)
         and not all(f.flat for f in face_frames(spec)),
-        "shell.slits": spec.shell.slits.depth_mm > 0,
     }
     for key in (key for key, wanted in wants.items() if wanted):
         yield (

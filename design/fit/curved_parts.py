@@ -1,4 +1,4 @@
-"""Fit of keys and a bay in bodies that are no boxes: in the object's frame, as patches and cores curve."""
+"""Fit of keys, slits and a bay in bodies that are no boxes, in the object's frame."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from design.body.triangles import Block
-from design.layout.blocks import core_keys
+from design.layout.blocks import core_keys, relief_slits
 from design.layout.boards import bay_block, cuts_of_core, gap_mm, passage_radius_mm
 from design.layout.body import body_of, core_frames, face_frames
 from design.layout.pockets import shell_pockets
@@ -101,6 +101,50 @@ def _under(key: Block, ends_mm: np.ndarray, away_mm: float) -> bool:
     """Whether a key that is nearer to a pocket's axis than its radius reaches above its floor."""
     along = (ends_mm[1] - ends_mm[0]) / np.linalg.norm(ends_mm[1] - ends_mm[0])
     return bool(((key.corners_mm - ends_mm[0]) @ along).max() > 0 or away_mm == 0)
+
+
+def check_curved_slits(spec: ObjectSpec) -> Iterator[str]:
+    """Slits that leave silicone over the core and end before the body does, clear of pockets and keys."""
+    slits, body, found = spec.shell.slits, body_of(spec), relief_slits(spec)
+    if found and body.opening != "open":
+        yield (
+            "shell.slits need a mould that is open at one side: round a core that is cast in it parts into "
+            f"two halves, and fins in their seam would hook the silicone; this {spec.body.kind} has "
+            f"body.open_faces = {list(spec.body.opened)}. Leave shell.slits.depth_mm out, or cut the slits"
+        )
+        return
+    if not found:
+        yield (
+            f"shell.slits lie between sensed sides 2 to 5 that meet; this {spec.body.kind} has none. Leave "
+            "shell.slits.depth_mm out"
+        )
+    if not slits.width_mm < slits.end_mm < spec.body.size_mm[2] / 2:
+        yield (
+            f"shell.slits.end_mm must be above shell.slits.width_mm = {slits.width_mm:g} and below half "
+            f"the body's height ({spec.body.size_mm[2] / 2:g} mm); got {slits.end_mm:g}"
+        )
+        return
+    for slit in found:
+        along = np.linspace(-1, 1, _STEPS)
+        floor = np.array([[x, 1.0, y] for x in along for y in (-1.0, 0.0, 1.0)]) * slit.half_mm
+        left = float(body.core_distance_mm(slit.centre_mm + floor @ slit.axes.T).min())
+        if left < spec.silicone.thinnest_wall_mm:
+            yield (
+                f"shell.slits.depth_mm = {slits.depth_mm:g} leaves {left:.3g} mm of silicone over the core, "
+                f"less than silicone.thinnest_wall_mm = {spec.silicone.thinnest_wall_mm:g}. Make the slits "
+                "shallower or the shell thicker"
+            )
+            break
+    if any(gap_mm(slit, key) <= 0 for slit in found for key in core_keys(spec)):
+        yield "a relief slit meets a key of the core. Move the key, or make shell.slits.depth_mm smaller"
+    for frame, face in zip(face_frames(spec), shell_pockets(spec), strict=True):
+        for pocket in face:
+            ends = frame.tangent(pocket.body.centre_mm[:2]).to_object(pocket.axis_ends_mm)
+            if any(_from_line_mm(slit, *ends) <= pocket.outline.radius_mm for slit in found):
+                yield (
+                    f"the pocket of {pocket.body.label} of face {frame.number} meets a relief slit. Move "
+                    "the magnet inwards or make shell.slits.depth_mm smaller"
+                )
 
 
 def check_curved_bay(spec: ObjectSpec) -> Iterator[str]:

@@ -11,7 +11,7 @@ import numpy as np
 from jaxtyping import Float
 
 from design.body.triangles import Block
-from design.fit.curved_parts import check_curved_bay, check_curved_keys
+from design.fit.curved_parts import check_curved_bay, check_curved_keys, check_curved_slits
 from design.layout.blocks import relief_slits
 from design.layout.boards import (
     channel_heights_mm,
@@ -39,7 +39,7 @@ def check_parts(spec: ObjectSpec) -> Iterator[str]:
     if spec.core.keys.positions_mm:
         yield from _check_keys(spec) if body_of(spec).cuboid else check_curved_keys(spec)
     if spec.shell.slits.depth_mm:
-        yield from _check_slits(spec)
+        yield from _check_slits(spec) if body_of(spec).cuboid else check_curved_slits(spec)
     if spec.shell.seal_layer_mm:
         yield from _check_seal_layer(spec)
     yield from _check_pocket_width(spec)

@@ -6,6 +6,7 @@ description, and touch no CAD kernel.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import combinations
 from typing import TYPE_CHECKING
 
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
 
 _SUNK_MM = 0.5
 _SINKING_STEPS = 4
+_RAY_STEPS = 4001
 
 
 @once
@@ -72,12 +74,33 @@ def keys_volume_mm3(spec: ObjectSpec) -> float:
 def relief_slits(spec: ObjectSpec) -> tuple[Block, ...]:
     """One slit per edge between two sensed faces; each begins outside the body, past its edge.
 
-    Slits along z run out through the open face.
+    Slits along z run out through the open face. Of a body without edges they lie halfway between the
+    side faces 2 to 5, in planes through z along which a mould opens, with straight bottoms.
     """
     if not spec.shell.slits.depth_mm:
         return ()
     pairs = combinations(face_frames(spec), 2)
-    return tuple(_slit(spec, a, b) for a, b in pairs if abs(a.normal @ b.normal) < 0.5)
+    beside = [(a, b) for a, b in pairs if abs(a.normal @ b.normal) < 0.5]
+    if body_of(spec).cuboid:
+        return tuple(_slit(spec, a, b) for a, b in beside)
+    return tuple(
+        _slit_between(spec, a, b) for a, b in beside if abs(a.normal[2]) + abs(b.normal[2]) < 0.5
+    )
+
+
+def _slit_between(spec: ObjectSpec, a: FaceFrame, b: FaceFrame) -> Block:
+    """Halfway between two sides; `depth_mm` is that at the height of the body's middle."""
+    slits, body = spec.shell.slits, body_of(spec)
+    out = (a.normal + b.normal) / np.sqrt(2)
+    way = np.linspace(0, float(np.linalg.norm(body.half_mm)), _RAY_STEPS)
+    within = replace(body, thickness_mm=0.0).core_distance_mm(way[:, None] * out) < 0
+    surface = float(way[within].max())
+    along, start = np.array([0.0, 0.0, 1.0]), surface + slits.width_mm
+    axes = np.column_stack([along, -out, np.cross(along, -out)])
+    deep = slits.width_mm + slits.depth_mm
+    length = 2 * (float(body.half_mm[2]) - slits.end_mm)
+    half = np.array([length, deep, slits.width_mm]) / 2
+    return Block((start - deep / 2) * out, axes, half)
 
 
 def _slit(spec: ObjectSpec, a: FaceFrame, b: FaceFrame) -> Block:
@@ -104,8 +127,17 @@ def slits_volume_mm3(spec: ObjectSpec, below_mm: float = 0.0) -> float:
     """Volume that the slits take from the body, or from the body less a layer on its faces.
 
     A slit's section inside the right-angled edge is its width w times its depth d less the corner's
-    triangle, w d − w²/4; a layer t takes √2 t of the depth.
+    triangle, w d − w²/4; a layer t takes √2 t of the depth. Without edges it is that of triangles.
     """
+    if not body_of(spec).cuboid:
+        within = (
+            body_of(spec).cast_surface(below_mm, spec.body.sensed) if relief_slits(spec) else None
+        )
+        return sum(
+            (block_manifold(slit) ^ manifold_of(within)).volume()
+            for slit in relief_slits(spec)
+            if within is not None
+        )
     width = spec.shell.slits.width_mm
     depth = spec.shell.slits.depth_mm - np.sqrt(2) * below_mm
     section = width * depth - width**2 / 4 if depth >= width / 2 else max(depth, 0.0) ** 2

@@ -154,7 +154,7 @@ EDITS: tuple[tuple[Edit, tuple[str, ...]], ...] = (
     (_set("body.inside", "silicone", "air"), ("dome",)),
     (_tilted, ("box", "pad")),
     (_set("arrangement", "sensors-in-shell"), ("box",)),
-    (_between("shell.slits.depth_mm", 1.0, 6.0), ("box",)),
+    (_between("shell.slits.depth_mm", 1.0, 6.0), ("box", "cylinder")),
     (_between("shell.seal_layer_mm", 0.3, 1.0), KINDS),
     (_keyed, tuple(kind for kind in KINDS if kind != "pad")),
     (_set("core.bay_mm", [10.0, 10.0, 10.0], [16.0, 14.0, 12.0]), ("box", "cylinder")),

@@ -36,6 +36,8 @@ class OffsetBody(BodyKind):
         return sampled_core(self)
 
     def cast_surface(self, layer_mm: float, sensed: tuple[int, ...]) -> trimesh.Trimesh:
+        if not layer_mm:
+            return self.outer_surface()
         return sampled_core(replace(self, thickness_mm=layer_mm))
 
     def cast_volume_mm3(self, layer_mm: float, sensed: tuple[int, ...]) -> float:
