@@ -188,8 +188,3 @@ def test_zeros_err_by_themselves_and_by_the_drift_of_half_their_frames():
         + sensors.drift_counts**2 * seconds / 2 / pressed_places.DRIFT_TIME_S
     )
     assert pressed_places.zero_covariance(SPEC, 30) == pytest.approx(alone)
-    zeroed = np.repeat([4, 7], [40, 20])
-    levels = [np.arange(0, 30), np.arange(30, 60)]
-    share = np.array([[1.0, 0.0], [1 / 3, 2 / 3]])
-    found = pressed_places._zero_covariance(SPEC, zeroed, levels)
-    assert_allclose(found, alone * share @ share.T)
