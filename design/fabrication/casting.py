@@ -26,6 +26,7 @@ from design.fabrication.finding import Finding, at_least, place_of
 from design.layout.body import body_of
 from design.layout.core_hold import why_no_mould
 from design.layout.mould_frame import mould_frame, mould_style, parting, up
+from design.layout.surface import sealed_body_surface
 from design.mould.openings import (
     Hole,
     air_traps,
@@ -88,7 +89,10 @@ def check_seal_mould(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> li
         box = meshes.get("mould_seal_box")
         if box is None or body_of(spec).cuboid:
             return []
-        return [_undercut(spec, Draw("mould_seal_box", -mould_frame(spec).out, 0.0), box, finished)]
+        frame = mould_frame(spec)
+        left = float(np.ptp(frame.plug_mm, axis=0).min()) / 2  # the plug comes out first
+        silicone = sealed_body_surface(spec)
+        return [_undercut(spec, Draw("mould_seal_box", -frame.out, left), box, silicone)]
     names = ("mould_seal_half_a", "mould_seal_half_b")
     for name, sign in zip(names, (1, -1), strict=True):
         if name in meshes:

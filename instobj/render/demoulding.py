@@ -120,7 +120,10 @@ def _seal_steps(spec: ObjectSpec, parts: dict[str, Piece], pins: tuple[Pin, ...]
         box = parts["mould_seal_box"]
         pour = Step("pour the layer in the seal box", (box, parts["shell"], *inside))
         apart = (0.5 + _APART) * max(spec.body.size_mm) * mould_frame(spec).out
-        out = Step("draw it out", tuple(_shifted(piece, apart) for piece in (finished, *inside)))
+        slits = bool(spec.shell.slits.depth_mm)
+        inside = () if slits else inside
+        text = "draw the plug, fold the walls inwards" if slits else "draw it out"
+        out = Step(text, tuple(_shifted(piece, apart) for piece in (finished, *inside)))
         return [pour, Step(out.text, (box, *out.pieces))]
     held = tuple(Piece(_body(pin), COLOURS["pin"]) for pin in pins if pin.locator is not None)
     apart = _APART * max(spec.body.size_mm) * parting(spec).normal

@@ -163,7 +163,12 @@ def _sealed(spec: ObjectSpec) -> list[str]:
     over = f"the layer of {layer:g} mm over all faces"
     first = "Brush silicone into the pockets until no air is left over the magnets."
     if frame.opening == "open" and frame.plugged:
-        return [f"{first} Put the shell on its plug into the seal box and pour {over}."]
+        out = (
+            " When it has cured draw the plug, then fold the walls inwards off the fins of the slits."
+            if spec.shell.slits.depth_mm
+            else ""
+        )
+        return [f"{first} Put the shell on its plug into the seal box and pour {over}.{out}"]
     if frame.opening == "open":
         return [
             f"{first} Pour silicone {layer:g} mm deep into the seal box and press the shell in, pockets "

@@ -5,11 +5,13 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.errors import InputError
+from design.fabrication.casting import check_seal_mould
 from design.layout.blocks import relief_slits, slits_volume_mm3
 from design.layout.surface import sealed_body_surface
 from design.layout.volumes import sealed_volume_mm3, shell_volume_mm3
+from design.mould.one_piece import make_seal_mould
 from design.mould.whole import cast_cavity
-from design.solids.booleans import volume_mm3
+from design.solids.booleans import as_triangles, volume_mm3
 from design.solids.shell import make_shell
 from tests.support.objects.body_cases import body_spec
 
@@ -69,3 +71,10 @@ def test_fins_of_the_mould_cast_them(name, style):
 def test_slits_that_do_not_fit_are_refused(name, slits, told):
     with pytest.raises(InputError, match=told):
         slit(name, slits)
+
+
+def test_a_seal_box_with_fins_is_left_by_walls_that_fold_inwards():
+    spec = body_spec("cylinder", shell={"slits": SLITS, "seal_layer_mm": 0.5})
+    (told,) = check_seal_mould(spec, {"mould_seal_box": as_triangles(make_seal_mould(spec))})
+    assert (told.check, told.status) == ("undercut", "pass")
+    assert told.value > 0.5, "the fins hook until the plug is out"
