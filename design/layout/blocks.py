@@ -65,7 +65,7 @@ def keys_volume_mm3(spec: ObjectSpec) -> float:
     core = body_of(spec).core_surface()
     if keys.positions_mm and core is not None and not all(f.flat for f in core_frames(spec)):
         inside = manifold_of(core)
-        return sum((block_manifold(key) - inside).volume() for key in core_keys(spec))
+        return float(sum((block_manifold(key) - inside).volume() for key in core_keys(spec)))
     per_key = keys.size_mm[0] * keys.size_mm[1] * keys.height_mm
     return per_key * len(keys.positions_mm) * len(core_frames(spec))
 
@@ -133,11 +133,10 @@ def slits_volume_mm3(spec: ObjectSpec, below_mm: float = 0.0) -> float:
         within = (
             body_of(spec).cast_surface(below_mm, spec.body.sensed) if relief_slits(spec) else None
         )
-        return sum(
-            (block_manifold(slit) ^ manifold_of(within)).volume()
-            for slit in relief_slits(spec)
-            if within is not None
-        )
+        if within is None:
+            return 0.0
+        outside = manifold_of(within)
+        return float(sum((block_manifold(b) ^ outside).volume() for b in relief_slits(spec)))
     width = spec.shell.slits.width_mm
     depth = spec.shell.slits.depth_mm - np.sqrt(2) * below_mm
     section = width * depth - width**2 / 4 if depth >= width / 2 else max(depth, 0.0) ** 2
