@@ -28,6 +28,8 @@ MOST_BYTES = 2_000_000
 MOST_LEAVES = 6
 """Of a result that are kept apart; further ones are put together in turn."""
 _DEEPEST = 12
+_CHECKOUT = str(Path(__file__).parents[3])
+"""Absolute paths count from here."""
 
 
 class Opaque(Exception):
@@ -42,7 +44,7 @@ class Digest:
         self.numbers: list[np.ndarray] = []
 
     def checksum(self) -> int:
-        return zlib.crc32("\n".join(self.texts).encode())
+        return zlib.crc32("\n".join(self.texts).replace(_CHECKOUT, "").encode())
 
     def sums(self) -> list[tuple[int, float, float]]:
         """Size, Σ|v| and Σ v cos(…) of each array, or of every `MOST_LEAVES`-th put together."""
@@ -69,7 +71,8 @@ def of_arguments(*values: Any) -> str:
         _add(digest, value, lenient=False)
     sums = (_sums(group, MOST_OF_ARGUMENTS) for group in digest.numbers)
     texts = [f"{size} {_short(a)} {_short(b)} {_short(c)}" for size, a, b, c in sums]
-    return f"{zlib.crc32(chr(10).join([*digest.texts, *texts]).encode()):08x}"
+    whole = "\n".join([*digest.texts, *texts]).replace(_CHECKOUT, "")
+    return f"{zlib.crc32(whole.encode()):08x}"
 
 
 def _short(number: float) -> str:
@@ -171,7 +174,7 @@ _models: dict[int, str] = {}
 def _of_model(value: Any) -> str:
     key = id(value)
     if key not in _models:
-        _models[key] = f"{zlib.crc32(value.model_dump_json().encode()):08x}"
+        _models[key] = f"{zlib.crc32(value.model_dump_json().replace(_CHECKOUT, '').encode()):08x}"
         weakref.finalize(value, _models.pop, key, None)
     return _models[key]
 
