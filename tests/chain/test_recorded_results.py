@@ -9,7 +9,7 @@ import pytest
 import scipy.sparse as sp
 import torch
 
-from tests.support.recorded_results.__main__ import agreed, chosen
+from tests.support.recorded_results.__main__ import agreed, chosen, updated
 from tests.support.recorded_results.digests import Opaque, of_arguments, of_result
 from tests.support.recorded_results.witness import SHARE, Witness
 
@@ -63,6 +63,16 @@ def test_the_same_passes_and_another_result_for_the_same_arguments_does_not():
     compared(
         recorded(told, (one,)), lambda values: Told("a", values.cumsum() + 1 + SHARE / 5), (one,)
     )
+
+
+def test_a_change_that_was_meant_takes_the_old_results_place():
+    one = np.arange(4.0)
+    records = recorded(told, (one,))
+    witness = Witness(deepcopy(records))
+    witness.begins(FILE)
+    witness.call(NAME, lambda values: values * 7, (one,), {})
+    updated(records, witness.changed)
+    compared(records, lambda values: values * 7, (one,))
 
 
 def test_what_a_function_does_to_its_arguments_counts_where_it_returns_nothing():

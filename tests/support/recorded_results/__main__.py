@@ -2,9 +2,11 @@
 
     python -m tests.support.recorded_results [tests/FOLDER or FILE …]
 
-runs these test files (without any: all that are on record) twice, once as usual, and once in the other
-order on the oldest instruction sets and with instobj's own solver. What both agree on to 1e-8, or
-roughly to 1e-5, goes on record. Look at the difference, and say in the commit why it changed.
+runs these test files (without any: all that are on record) and puts results that have changed in the
+place of the old ones. Look at the difference, and say in the commit why it changed. With `--add`
+everything that these files see is recorded: they run twice, the second time in the other order, on the
+oldest instruction sets and with instobj's own solver, and what both agree on to 1e-8, or roughly to 1e-5,
+goes on record.
 """
 
 from __future__ import annotations
@@ -17,9 +19,10 @@ import tempfile
 from collections.abc import Iterator
 from itertools import groupby
 from pathlib import Path
+from typing import Any
 
 from design.files import atomic_path
-from tests.support.recorded_results.sessions import RECORDING
+from tests.support.recorded_results.sessions import CHANGED, RECORDING
 from tests.support.recorded_results.witness import FOLDER, ROUGH, Records, Result, read, same
 
 ROOT = Path(__file__).parents[3]
@@ -42,11 +45,11 @@ OTHER = {
 """Another processor, as far as libraries let themselves be told."""
 
 
-def seen(files: list[str], settings: dict[str, str]) -> Records:
-    """Every result of each function and key, as tests of some files see them."""
+def seen(files: list[str], settings: dict[str, str], what: str = RECORDING) -> Any:
+    """What a run of some test files tells: every result by file, function and key, or those changed."""
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "results.json"
-        environment = os.environ | settings | {RECORDING: str(file), "OMP_NUM_THREADS": "1"}
+        environment = os.environ | settings | {what: str(file), "OMP_NUM_THREADS": "1"}
         options = ["-q", "-p", "no:cacheprovider", "-p", "no:xdist"]
         command = [sys.executable, "-m", "pytest", *options, *files]
         subprocess.run(command, cwd=ROOT, env=environment)  # some of MKL fail without it
@@ -145,23 +148,31 @@ def write(records: Records) -> None:
 
 def main() -> None:
     before = read()
-    files = [path for name in sys.argv[1:] for path in _test_files(name)] or sorted(before)
-    found = agreed(seen(files, {}), seen(files[::-1], OTHER))
-    rest = {file: kept for file, kept in before.items() if file not in files}
-    records = chosen(rest | found)
-    write(records)
-    count = sum(len(kept) for functions in records.values() for kept in functions.values())
-    print(f"{count} results of {len({*_names(records)})} functions are on record")
+    given = [path for name in sys.argv[1:] if name != "--add" for path in _test_files(name)]
+    files = given or sorted(before)
+    if "--add" in sys.argv:
+        found = agreed(seen(files, {}), seen(files[::-1], OTHER))
+        rest = {file: kept for file, kept in before.items() if file not in files}
+        write(chosen(rest | found))
+        return
+    changed = seen(files, {}, CHANGED)
+    updated(before, changed)
+    write(before)
+    print(
+        f"changed: {len(changed)} results of {len({name for _, name, _, _ in changed})} functions"
+    )
+
+
+def updated(records: Records, changed: list[tuple[str, str, str, Result]]) -> None:
+    """Put what functions return now in the place of what they returned."""
+    for file, name, key, result in changed:
+        records[file][name][key] = _rounded(result)
 
 
 def _test_files(name: str) -> list[str]:
     path = ROOT / name
     paths = [path] if path.is_file() else sorted(path.rglob("test_*.py"))
     return [one.relative_to(ROOT).as_posix() for one in paths]
-
-
-def _names(records: Records) -> Iterator[str]:
-    return (name for functions in records.values() for name in functions)
 
 
 if __name__ == "__main__":

@@ -37,6 +37,7 @@ class Witness:
         self.records = records
         self.recording = recording
         self.differing: list[str] = []
+        self.changed: list[tuple[str, str, str, Result]] = []
         self._of_file: dict[str, dict[str, Any]] = {}
         self._file = ""
         self._tries: dict[tuple[str, str], int] = {}
@@ -94,6 +95,7 @@ class Witness:
             del records[name]
         if not same(record, found, ROUGH_SHARE if key.endswith(ROUGH) else SHARE):
             self.differing.append(f"{name}: {record} on record, {found} now")
+            self.changed.append((self._file, name, key, found))
 
     def complain(self) -> None:
         """Raise if functions returned something else since the last call."""
