@@ -81,3 +81,20 @@ def test_both_slicers_find_the_settings_by_the_object(tmp_path):
     placed = TABLE.vertices @ numbers[:3] + numbers[3]
     assert_allclose(placed.min(axis=0), (90, 80, 0), atol=1e-6)
     assert_allclose(placed.max(axis=0), (130, 120, 30), atol=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("bed_mm2", "height_mm", "brim"),
+    [(400, 60.0, False), (400, 60.1, True), (59.9, 9, True), (60.0, 9, False)],
+)
+def test_slender_parts_and_those_with_little_on_the_bed_get_a_brim(
+    bed_mm2, height_mm, brim, monkeypatch
+):
+    """Taller than three times the root of what lies on the bed, or less than 60 mm² on it."""
+    monkeypatch.setattr(
+        "design.build.print_settings._standing", lambda mesh, down: (bed_mm2, 30.1, height_mm)
+    )
+    settings = print_settings(SPEC, "jig", TABLE, printed=True)
+    assert settings is not None
+    assert settings.brim_mm == (4.0 if brim else 0.0)
+    assert settings.supports

@@ -105,3 +105,13 @@ def test_specifications_with_equal_figures_are_equal():
     assert spec_hash(ObjectSpec(name="cube", silicone=silicone())) == spec_hash(
         ObjectSpec(name="cube")
     )
+
+
+def test_hardness_from_0_to_95_is_converted():
+    assert (
+        modulus_from_shore("A95").youngs_modulus_mpa
+        > modulus_from_shore("A0").youngs_modulus_mpa
+        > 0
+    )
+    with pytest.raises(InputError, match="no hardness that can be converted"):
+        modulus_from_shore("A95.1")

@@ -6,6 +6,8 @@ from numpy.testing import assert_allclose
 
 from design.errors import InputError
 from design.search.space import (
+    Variable,
+    _middle,
     params_at,
     search_space,
     start_params,
@@ -190,3 +192,8 @@ WRONG = {
 def test_contradictions_are_one_clear_error(text):
     with pytest.raises(InputError, match=text):
         search_space(specification(**WRONG[text]))
+
+
+def test_parts_that_the_start_lacks_begin_in_the_middle():
+    assert _middle(Variable("a", low=2.0, high=5.0)) == 3.5
+    assert _middle(Variable("b", choices=(3, 1))) == 3
