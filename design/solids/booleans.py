@@ -19,6 +19,7 @@ from design.solids.primitives import single_solid
 Shape: TypeAlias = cq.Shape | trimesh.Trimesh
 Solid: TypeAlias = cq.Solid | trimesh.Trimesh
 
+_NOTHING_MM3 = 1e-9
 _FINENESS = (0.005, 0.1)
 """Tools leave their solids by 5 µm where they become triangles."""
 
@@ -75,16 +76,41 @@ def one_body(shape: Shape, part: str) -> Solid:
 
 
 def pieces_that_meet(shape: Shape, other: Shape) -> Shape:
-    """Of a shape's separate pieces those that share volume with another shape."""
+    """Of a shape's separate pieces those that share volume with another shape.
+
+    Folded triangles without volume, which booleans leave where surfaces touch, are dropped.
+    """
     if isinstance(shape, cq.Shape):
         solids = shape.Solids()
         kept = [solid for solid in solids if volume_mm3(common(solid, other)) > 0]
         return shape if len(kept) == len(solids) else cq.Compound.makeCompound(kept)
     pieces = shape.split(only_watertight=False)
-    kept = [piece for piece in pieces if piece.volume < 0 or volume_mm3(common(piece, other)) > 0]
+    solid = [piece for piece in pieces if abs(_signed_mm3(piece)) > _NOTHING_MM3]
+    kept = [piece for piece in solid if piece.volume < 0 or volume_mm3(common(piece, other)) > 0]
     if len(kept) == len(pieces):
         return shape
     joined: Any = trimesh.util.concatenate(kept)
+    return joined
+
+
+def _signed_mm3(piece: trimesh.Trimesh) -> float:
+    """Volume, below 0 of a void; of nothing too, where trimesh divides by it."""
+    one, two, three = np.moveaxis(np.asarray(piece.triangles), 1, 0)
+    return float(np.einsum("ij,ij->", np.cross(one, two), three)) / 6
+
+
+def without_offcuts(shape: Shape, share: float) -> Shape:
+    """Without separate pieces smaller than a share of the largest."""
+    if isinstance(shape, cq.Shape):
+        solids = shape.Solids()
+        least = share * max(map(volume_mm3, solids))
+        kept = [solid for solid in solids if volume_mm3(solid) >= least]
+        return shape if len(kept) == len(solids) else cq.Compound.makeCompound(kept)
+    pieces = shape.split(only_watertight=False)
+    sizes = [_signed_mm3(piece) for piece in pieces]
+    least = share * max(sizes)
+    whole = [p for p, size in zip(pieces, sizes, strict=True) if size < 0 or size >= least]
+    joined: Any = shape if len(whole) == len(pieces) else trimesh.util.concatenate(whole)
     return joined
 
 

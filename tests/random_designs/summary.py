@@ -30,11 +30,11 @@ def summary(rows: list[dict[str, Any]]) -> str:
     for kind in (*KINDS, "all"):
         of_kind = [row for row in rows if kind in (row["kind"], "all")]
         counts = Counter(row["outcome"] for row in of_kind)
-        longest = max((row["seconds"] or float("inf") for row in of_kind), default=0.0)
+        longest = max(map(_seconds, of_kind), default=0.0)
         cells = [kind, len(of_kind), *(counts[name] for name in outcomes), f"{longest:.0f}"]
         lines.append("| " + " | ".join(map(str, cells)) + " |")
     passed = [row for row in rows if row["outcome"] not in ("too small", "refused by check")]
-    slow = [row for row in passed if not (row["seconds"] or float("inf")) <= LONGEST_S]
+    slow = [row for row in passed if not _seconds(row) <= LONGEST_S]
     for what, hits, among in (
         ("crashes", _count(rows, "crash"), rows),
         ("violations that nothing told", _count(passed, "violates"), passed),
@@ -45,6 +45,11 @@ def summary(rows: list[dict[str, Any]]) -> str:
         low, high = wilson(hits, len(among))
         lines.append(f"{what}: {hits} of {len(among)} ({low:.1%} to {high:.1%})")
     return "\n".join(lines)
+
+
+def _seconds(row: dict[str, Any]) -> float:
+    """Infinite where a seed was given up."""
+    return float("inf") if row["seconds"] is None else row["seconds"]
 
 
 def _count(rows: list[dict[str, Any]], *outcomes: str) -> int:

@@ -88,11 +88,13 @@ def test_a_summary_counts_by_kind_and_its_shares_have_intervals(tmp_path):
     rows = [
         {"seed": seed, "kind": kind_of(seed), "outcome": outcome, "seconds": seconds, "why": ""}
         for seed, (outcome, seconds) in enumerate(
-            [("sound", 12.0), ("violates", 70.0), ("refused by check", 3.0), ("crash", None)] * 4
+            [("sound", 12.0), ("violates", 70.0), ("refused by check", 0.0), ("crash", None)] * 4
         )
     ]
     text = summary(rows)
     assert "| box | 2 |" in text
+    assert "| capsule | 2 | " in text
+    assert "| cylinder | 2 | 0 | 0 | 2 | 0 | 0 |" in text
     assert "| all | 16 |" in text
     assert "violations that nothing told: 4 of 12 (13.8% to 60.9%)" in text
     assert "over 60 s: 8 of 12" in text
