@@ -9,9 +9,10 @@ INSTALLED := .venv/.installed
 demo: $(INSTALLED)
 	$(BIN)/instobj run examples/paper_cube.toml
 
-# Two processes, each on one thread: solvers that share threads wait for each other. Compiled modules
-# are kept for the next run; tests/conftest.py says which files go to one process together.
-PYTEST := PYTHONDONTWRITEBYTECODE= OMP_NUM_THREADS=1 MKL_NUM_THREADS=1 $(BIN)/pytest -q -n 2 --dist loadfile
+# Each process on one thread: solvers that share threads wait for each other. Three on two cores, as
+# tests of boards, browsers and commands wait for them. Compiled modules are kept for the next run;
+# tests/support/scheduling.py says which files go to one process together.
+PYTEST := PYTHONDONTWRITEBYTECODE= OMP_NUM_THREADS=1 MKL_NUM_THREADS=1 $(BIN)/pytest -q -n 3 --dist loadfile
 
 test: $(INSTALLED)
 	$(PYTEST)

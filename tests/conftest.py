@@ -8,8 +8,10 @@ from pathlib import Path
 
 import pytest
 
-from tests.support import scheduling, typechecks
-from tests.support.recorded_results import sessions
+gc.disable()  # until all is imported: modules are no garbage
+
+from tests.support import scheduling, typechecks  # noqa: E402
+from tests.support.recorded_results import sessions  # noqa: E402
 
 typechecks.install(["design", "fem", "estimator"])
 
@@ -55,8 +57,9 @@ def pytest_configure(config):
 
 
 def pytest_collection_finish():
-    gc.collect()
-    gc.freeze()  # modules stay: no search for garbage among them
+    gc.freeze()
+    gc.set_threshold(20_000, 20, 50)  # a full search takes 0.3 s; tests left little to be found
+    gc.enable()
 
 
 @pytest.fixture
