@@ -11,7 +11,6 @@ import pytest
 gc.disable()  # until all is imported: modules are no garbage
 
 from tests.support import scheduling, typechecks  # noqa: E402
-from tests.support.recorded_results import sessions  # noqa: E402
 
 typechecks.install(["design", "fem", "estimator"])
 
@@ -27,16 +26,8 @@ os.fsync = lambda descriptor: None  # searches wait for the disk at every trial
 VERIFICATION_OUTCOMES = pytest.StashKey[list]()
 
 
-def pytest_runtest_setup(item):
+def pytest_runtest_setup():
     typechecks.next_test()
-    sessions.begins(item)
-
-
-@pytest.fixture(autouse=True)
-def results_as_on_record():
-    """Functions return what they returned when the record was written."""
-    yield
-    sessions.compare()
 
 
 def pytest_addoption(parser):
@@ -69,7 +60,6 @@ def verification_outcomes(request):
 
 
 def pytest_sessionfinish(session):
-    sessions.ends()
     folder = session.config.getoption("--verification-page")
     outcomes = session.config.stash[VERIFICATION_OUTCOMES]
     if folder and outcomes:

@@ -15,9 +15,6 @@ import jaxtyping
 CALLS = 10
 """Of a function in a test that are checked; and in each fixture's setup, as part of its test."""
 
-witness = None
-"""Compares results with the record (`tests.support.recorded_results`) while it is set."""
-
 _test = 0
 _called = {}
 """Name of a function → the test that called it last, and how often it did."""
@@ -73,8 +70,6 @@ def _names_shapes(function):
 def _counted(plain, checked):
     """Functions that a line makes again and again, such as closures, count as one."""
     called = _called.setdefault((plain.__module__, plain.__qualname__), [-1, 0])
-    name = f"{plain.__module__}.{plain.__qualname__}"
-    told = "<" not in name and not name.endswith("__init__")
     form = None
 
     @wraps(plain)
@@ -86,8 +81,6 @@ def _counted(plain, checked):
         if called[1] > CALLS:
             return plain(*args, **kwargs)
         form = form or checked(plain)
-        if witness is None or not told:
-            return form(*args, **kwargs)
-        return witness.call(name, form, args, kwargs)
+        return form(*args, **kwargs)
 
     return call
