@@ -119,7 +119,7 @@ class _Field:
         return map_coordinates(self.coefficients, places, order=3, mode="nearest", prefilter=False)
 
 
-@lru_cache(maxsize=8)
+@lru_cache(maxsize=16)
 def _field(body: BodyKind) -> _Field:
     from scipy.ndimage import spline_filter
 
@@ -137,7 +137,7 @@ def _grid(half_mm: np.ndarray, step_mm: float) -> tuple[np.ndarray, tuple[int, .
     return points, tuple(int(n) for n in count)
 
 
-@lru_cache(maxsize=8)
+@lru_cache(maxsize=16)
 def _core(body: BodyKind, thickness_mm: float) -> trimesh.Trimesh:
     import pyvista
     import trimesh
@@ -185,7 +185,7 @@ def _no_core(body: BodyKind, thickness_mm: float) -> str:
     )
 
 
-@lru_cache(maxsize=32)
+@lru_cache(maxsize=96)
 def _frame(body: BodyKind, number: int, inward_mm: float) -> FaceFrame:
     from scipy.interpolate import RectBivariateSpline
 

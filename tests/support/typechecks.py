@@ -12,7 +12,7 @@ from typing import get_type_hints
 
 import jaxtyping
 
-CALLS = 10
+CALLS = 5
 """Of a function in a test that are checked; and in each fixture's setup, as part of its test."""
 
 _test = 0
