@@ -26,16 +26,18 @@ _NAME = '"NAME"'
 
 BOX_ONLY = (
     ".arrangement",
-    "shell.seal_layer_mm",
-    "shell.slits",
-    "core.keys",
-    "core.bay_mm",
     "magnets.depth_below_core_face_mm",
     "mechanics.interface",
     "mechanics.correction",
     "mechanics.slip",
 )
 """Keys and tables of the template that other bodies do not take."""
+OF_KINDS = {
+    "shell.slits": ("box", "cylinder"),
+    "core.keys": tuple(kind for kind in KINDS if kind != "pad"),
+    "core.bay_mm": ("box", "pad", "cylinder", "dome"),
+}
+"""Those that some kinds take."""
 
 
 def new_specification(name: str, out: Path, request: Request | None = None) -> Path:
@@ -157,6 +159,7 @@ def _left_out(name: str, kind: type[BodyKind]) -> bool:
         "body.size_mm": not kind.from_file,
         "sensors.first_azimuth_deg": False,
     } | dict.fromkeys(BOX_ONLY, kind.cuboid)
+    keys |= {key: kind in map(KINDS.get, kinds) for key, kinds in OF_KINDS.items()}
     return any(
         not takes and (name == key or name.startswith(f"{key}.")) for key, takes in keys.items()
     )

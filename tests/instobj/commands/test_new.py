@@ -67,7 +67,10 @@ def test_every_kind_gets_its_own_lines_with_what_was_placed(kind, tmp_path, monk
         for key, value in keys.items() if isinstance(keys, dict) else ():
             if not isinstance(value, dict):
                 assert cube[table][key] == value, f"{table}.{key} was changed"
-    assert ("slits" in text) is ("bay_mm" in text) is KINDS[kind].cuboid
+    assert ("slits" in text) is (kind in ("box", "cylinder"))
+    assert ("bay_mm" in text) is (kind in ("box", "pad", "cylinder", "dome"))
+    assert ("[core.keys]" in text) is (kind != "pad")
+    assert "seal_layer_mm" in text
     assert ("bore_mm" in text) is (kind in ("sphere", "ellipsoid", "capsule", "imported"))
     assert ("unit = " in text) is (kind == "imported")
 
