@@ -2,7 +2,8 @@
 
 Hidden objects are pressed by the rig's own plans (`benchmarks.rig_sessions`), returns to the reference
 place counted, and calibrated in full. `python -m benchmarks.press_orders SPEC [PRESSES.nc]` writes a table
-and a picture to benchmarks/results; finished cases are kept there, and skipped when it runs again.
+and a picture to benchmarks/results; finished cases are kept there under the specification's hash, and
+skipped when it runs again.
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ from jaxtyping import Float, Int
 from benchmarks.rig_sessions import LEVELS_N, HiddenObject, hidden_object, recorded
 from design.layout.places.contact_grid import contact_grid
 from design.spec.object import ObjectSpec
-from design.spec_io import load_spec
+from design.spec_io import load_spec, spec_hash
 from estimator.calibration.twin.digital_twin import CalibratedTwin, PlaceMechanics, calibrate
 from estimator.calibration.twin.least_known import doubt_beforehand, press_order
 from estimator.calibration.twin.pressed_places import PressedPlaces, pressed_places
@@ -94,7 +95,10 @@ def study(spec: ObjectSpec, table: Table, kept: Path) -> dict[str, dict[str, flo
     grid = contact_grid(spec)
     inner = grid.xy_mm[grid.xy_mm.max(axis=1) < grid.x_mm[-1]] + spec.contact_grid.pitch_mm / 2
     xy = np.concatenate([grid.xy_mm, inner[::3]])
-    found = json.loads(kept.read_text()) if kept.exists() else {}
+    document = json.loads(kept.read_text()) if kept.exists() else {}
+    if document.get("specification") != spec_hash(spec):
+        document = {"specification": spec_hash(spec), "shares": {}}
+    found = document["shares"]
     for noise in range(NOISES):
         for object_seed in range(HIDDEN):
             hidden, case = hidden_object(spec, table, FACE, object_seed), f"{object_seed}.{noise}"
@@ -108,7 +112,7 @@ def study(spec: ObjectSpec, table: Table, kept: Path) -> dict[str, dict[str, flo
                     )
                     twin = calibrate(spec, *table, pressed_places(spec, frames, FACE))
                     row[case] = left_share(hidden, table, twin, xy)
-                    kept.write_text(json.dumps(found, indent=1) + "\n")
+                    kept.write_text(json.dumps(document, indent=1) + "\n")
                     print(
                         case,
                         way.name,

@@ -63,8 +63,9 @@ def _check_blocks(spec: ObjectSpec) -> Iterator[str]:
     for (where, key), (other, another) in combinations(placed, 2):
         if gap_mm(key, another) <= 0:
             yield f"{where} meets {other.removeprefix('core.keys: ')}. Move one of them"
+    cuts = cuts_of_core(spec)
     for where, key in placed:
-        if any(gap_mm(key, cut) <= 0 for cut in cuts_of_core(spec)):
+        if any(gap_mm(key, cut) <= 0 for cut in cuts):
             yield (
                 f"{where} stands over a sensor's recess or a wire channel. Move it, or make "
                 "core.keys.size_mm smaller"

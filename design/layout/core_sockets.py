@@ -147,11 +147,8 @@ def _ways(spec: ObjectSpec) -> _Ways:
     if not kept:
         empty = np.zeros((0, 3))
         return _Ways(np.zeros(0, int), empty[:, :2], empty, empty, empty, empty[:, 0])
-    return _Ways(*(np.concatenate(column) for column in zip(*map(_columns, kept), strict=True)))
-
-
-def _columns(ways: _Ways) -> list[np.ndarray]:
-    return list(vars(ways).values())
+    columns = zip(*(vars(ways).values() for ways in kept), strict=True)
+    return _Ways(*(np.concatenate(column) for column in columns))
 
 
 def _places(frame: FaceFrame) -> Float[np.ndarray, "place 2"]:

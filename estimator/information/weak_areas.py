@@ -112,8 +112,11 @@ def weak_areas(spec: ObjectSpec, scores: PlaceScores) -> WeakAreas:
 
 def _thirds(value: Float[np.ndarray, "n"]) -> list[Bool[np.ndarray, "n"]]:
     """Which locations have its smallest, middle and largest values; equal ones stay together."""
-    levels = np.unique(value.round(_DIGITS))
-    cuts = levels[1:] if len(levels) <= 3 else np.quantile(value.round(_DIGITS), [1 / 3, 2 / 3])
+    levels, counts = np.unique(value.round(_DIGITS), return_counts=True)
+    cuts = levels[1:]
+    if len(levels) > 3:
+        below = np.cumsum(counts)[:-1] / len(value)
+        cuts = cuts[np.unique([abs(below - share).argmin() for share in (1 / 3, 2 / 3)])]
     group = np.searchsorted(cuts, value.round(_DIGITS), side="right")
     return [some for some in (group == number for number in range(3)) if some.any()]
 

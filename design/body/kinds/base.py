@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, ClassVar, Literal
 import numpy as np
 from jaxtyping import Float
 
-from design.body.surface_chart import FaceFrame, face_axes
+from design.body.surface_chart import FaceFrame, face_axes, less_on_faces
 from design.body.triangles import cylinder_between
 
 if TYPE_CHECKING:
@@ -180,6 +180,12 @@ class BodyKind(ABC):
         """The body without a layer of that thickness on all of its outside, round the same core."""
         x, y, z = (edge - 2 * layer_mm for edge in self.size_mm)
         return replace(self, size_mm=(x, y, z), thickness_mm=self.thickness_mm - layer_mm)
+
+    def cast_corners_mm(
+        self, layer_mm: float, sensed: tuple[int, ...]
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """`corners_mm` without a layer on the sensed faces."""
+        return less_on_faces(*self.corners_mm, layer_mm, sensed)
 
     def cast_surface(self, layer_mm: float, sensed: tuple[int, ...]) -> trimesh.Trimesh:
         """The outside less a layer that a second pour adds, where faces are `sensed` or all over."""

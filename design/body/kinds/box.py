@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from design.body.kinds.base import ALL_FACES, OVERSHOOT_MM, BodyKind
-from design.body.surface_chart import FaceFrame, flat_frame, less_on_faces
+from design.body.surface_chart import FaceFrame, flat_frame
 from design.body.triangles import box_between
 
 if TYPE_CHECKING:
@@ -54,12 +54,6 @@ class Box(BodyKind):
     def volume_mm3(self) -> float:
         low, high = self.core_span_mm(0.0)
         return prod(self.size_mm) - float(np.prod(high - low))
-
-    def cast_corners_mm(
-        self, layer_mm: float, sensed: tuple[int, ...]
-    ) -> tuple[np.ndarray, np.ndarray]:
-        """Lowest and highest corner without a layer on the sensed faces."""
-        return less_on_faces(*self.corners_mm, layer_mm, sensed)
 
     def cast_surface(self, layer_mm: float, sensed: tuple[int, ...]) -> trimesh.Trimesh:
         return box_between(*self.cast_corners_mm(layer_mm, sensed))

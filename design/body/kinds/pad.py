@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from design.body.kinds.base import BodyKind
-from design.body.surface_chart import FaceFrame, flat_frame, less_on_faces
+from design.body.surface_chart import FaceFrame, flat_frame
 from design.body.triangles import box_between
 
 if TYPE_CHECKING:
@@ -48,12 +48,6 @@ class Pad(BodyKind):
 
     def outer_surface(self) -> trimesh.Trimesh:
         return box_between(*self.corners_mm)
-
-    def cast_corners_mm(
-        self, layer_mm: float, sensed: tuple[int, ...]
-    ) -> tuple[np.ndarray, np.ndarray]:
-        """Lowest and highest corner of the slab without a layer on it."""
-        return less_on_faces(*self.corners_mm, layer_mm, sensed)
 
     def cast_surface(self, layer_mm: float, sensed: tuple[int, ...]) -> trimesh.Trimesh:
         return box_between(*self.cast_corners_mm(layer_mm, sensed))
