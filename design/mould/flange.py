@@ -104,12 +104,16 @@ def _block_ends_mm(spec: ObjectSpec, frame: MouldFrame) -> tuple[float, float]:
 def _notches(
     spec: ObjectSpec, pins: tuple[Pin, ...], low: float, high: float, bottom: float, top: float
 ) -> tuple[tuple[float, float], ...]:
-    """Stretches through which pins are drawn, joined where too little is between or beyond them."""
+    """Stretches through which pins are drawn, joined where too little is between or beyond them.
+
+    What is below a notch hangs on the block: with too little of it beside the block it is cut away too.
+    """
+    block = float(mould_frame(spec).low_mm[2])
     found = [_levels(spec, pin, low, high) for pin in pins]
     through = [levels for levels in found if levels is not None]
     merged: list[tuple[float, float]] = []
     for start, end in sorted(pair for pair in through if pair[1] > bottom and pair[0] < top):
-        start = bottom - 1.0 if start - bottom < LEAST_STRETCH_MM else start
+        start = bottom - 1.0 if start - max(bottom, block) < LEAST_STRETCH_MM else start
         end = top + 1.0 if top - end < LEAST_STRETCH_MM else end
         if merged and start - merged[-1][1] < LEAST_STRETCH_MM:
             start, before = merged.pop()

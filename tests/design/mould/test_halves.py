@@ -8,7 +8,14 @@ from numpy.testing import assert_allclose
 from design.layout.body import face_frames
 from design.layout.mould_frame import mould_frame, parting
 from design.layout.pockets import distance_of_segments_mm, shell_pockets
-from design.mould.flange import EDGE_MM, LEAST_GAP_MM, PLACES, Flange, flanges
+from design.mould.flange import (
+    EDGE_MM,
+    LEAST_GAP_MM,
+    LEAST_STRETCH_MM,
+    PLACES,
+    Flange,
+    flanges,
+)
 from design.mould.halves import (
     DOWEL_DIAMETER_MM,
     DOWEL_HEIGHT_MM,
@@ -160,3 +167,30 @@ def test_the_pouring_hole_of_a_closed_egg_leaves_dowels_on_their_flange():
             assert gap > pour.diameter_mm / 2 + DOWEL_DIAMETER_MM / 2
     assert pierced == 1
     assert len(as_triangles(make_mould_half(spec, 1)).split(only_watertight=False)) == 1
+
+
+def test_dowels_stand_on_flange_that_hangs_on_the_block():
+    """Pins of its faces 2 and 4 leave through the flange's lower half: what is below hung on nothing."""
+    content = {
+        "body": {"kind": "ellipsoid", "size_mm": [43.2, 63.6, 48.1], "bore_mm": 10.0},
+        "shell": {"thickness_mm": 7.93, "pocket_diameter_mm": 6.0},
+        "magnets": {"diameter_mm": 6.0, "positions_mm": [[12, 0], [6, 9.4], [-6, 9.4], [-12, 0]]},
+        "contact_grid": {"count": "fill"},
+        "core": {
+            "recess_inner_radius_mm": 2.39,
+            "recess_outer_radius_mm": 8.89,
+            "wire_hole_top_diameter_mm": 2.0,
+            "hub_radius_mm": 1.5,
+            "wall_mm": 5.5,
+        },
+        "sensors": {"count_per_face": 2, "radius_mm": 5.64},
+    }
+    spec = parse_spec({"name": "egg", **content}, "test")
+    block = float(mould_frame(spec).low_mm[2])
+    for flange in flanges(spec):
+        assert flange.notches
+        assert len(flange.places_mm) >= 3
+        for _, level in flange.places_mm:
+            ends = [flange.bottom_mm, *(end for _, end in flange.notches if end < level)]
+            starts = [flange.top_mm, *(start for start, _ in flange.notches if start > level)]
+            assert min(starts) - max(*ends, block) >= LEAST_STRETCH_MM
