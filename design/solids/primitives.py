@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import cadquery as cq
 import numpy as np
+from OCP.Standard import Standard_Failure  # pyright: ignore[reportAttributeAccessIssue]
 
 from design.body.meshes import CRUMB_MM3
 from design.body.surface_chart import FaceFrame
@@ -149,15 +150,15 @@ def _prism(
 def single_solid(shape: cq.Shape, part: str) -> cq.Solid:
     """The one valid solid that `shape` is made of, with split faces merged where that leaves it valid.
 
-    Crumbs beside it are left out. The kernel's merging may spoil a sound solid, such as one in which
-    many passages meet.
+    Crumbs beside it are left out. The kernel's merging may fail or spoil a sound solid, such as one in
+    which many passages meet.
 
     Raises
     ------
     NotOneSolid
         An InputError: the dimensions leave several pieces, or a body that is not valid.
     """
-    merged = shape.clean()
+    merged = _merged(shape)
     if not merged.isValid() and shape.isValid():
         merged = shape
     solids = merged.Solids()
@@ -171,3 +172,11 @@ def single_solid(shape: cq.Shape, part: str) -> cq.Solid:
             merged,
         )
     return solids[0]
+
+
+def _merged(shape: cq.Shape) -> cq.Shape:
+    """With split faces merged, where the kernel can."""
+    try:
+        return shape.clean()
+    except Standard_Failure:  # "Courbes non jointives": a half of a mould with 15 heads of pins
+        return shape

@@ -29,6 +29,13 @@ from design.solids.booleans import as_triangles
 from design.spec.object import ObjectSpec
 from design.spec_io import check
 from tests.random_designs.draw import drawn, kind_of
+from tests.random_designs.openings import (
+    blocked_ways,
+    left_over,
+    meeting_pins,
+    placed_pins,
+    thin_covers,
+)
 from tests.random_designs.summary import LONGEST_S
 
 MOST_S = 5 * LONGEST_S
@@ -114,7 +121,14 @@ def violations(spec: ObjectSpec, parts: dict[str, trimesh.Trimesh]) -> list[str]
         for part in ("core", "shell"):
             if part in solid:
                 wrong += _shared(name, board, part, solid[part])
-    return wrong
+    pins = placed_pins(spec, parts)
+    return [
+        *wrong,
+        *(thin_covers(spec, body_of(spec).outer_surface()) if "shell" in solid else []),
+        *blocked_ways(spec, solid, pins),
+        *meeting_pins(solid, pins),
+        *left_over(spec, solid, pins),
+    ]
 
 
 def _whole(mesh: trimesh.Trimesh) -> bool:

@@ -6,6 +6,7 @@ import cadquery as cq
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
+from OCP.Standard import Standard_Failure
 from pydantic import BaseModel
 
 import design.solids.core
@@ -239,6 +240,17 @@ def test_two_pieces_are_no_part():
     )
     with pytest.raises(InputError, match=r"core must be one valid solid; .* give 2 \(valid\)"):
         single_solid(apart, "core")
+
+
+def test_a_solid_whose_faces_cannot_be_merged_is_taken_as_it_is(monkeypatch):
+    """Random design 1012: the kernel raised "Courbes non jointives" on a mould's half."""
+
+    def failing(_):
+        raise Standard_Failure("Courbes non jointives")
+
+    box = cq.Solid.makeBox(1, 1, 1)
+    monkeypatch.setattr(cq.Solid, "clean", failing)
+    assert single_solid(box, "core").Volume() == pytest.approx(1.0)
 
 
 def test_a_sensor_over_the_wire_hole_needs_no_channel():

@@ -1,0 +1,148 @@
+"""The judge of ways: each planted fault is told, and sound parts pass."""
+
+import manifold3d
+import numpy as np
+import pytest
+import trimesh
+
+from design.body.meshes import manifold_of
+from design.build.parts import parts_of
+from design.layout.boards import wire_channels
+from design.layout.body import body_of
+from design.layout.places.positions import board_places
+from design.mould.openings import mould_holes
+from design.solids.booleans import as_triangles
+from design.spec_io import parse_spec
+from tests.random_designs.openings import (
+    blocked_ways,
+    left_over,
+    meeting_pins,
+    placed_pins,
+    thin_covers,
+)
+
+BALL = {
+    "name": "ball",
+    "body": {"kind": "sphere", "size_mm": [50.0, 50.0, 50.0], "sensed_faces": [1, 3]},
+    "magnets": {"positions_mm": [[-6.0, 0.0], [7.0, 0.0]]},
+    "contact_grid": {"count": "fill"},
+    "core": {
+        "recess_inner_radius_mm": 2.4,
+        "recess_outer_radius_mm": 8.9,
+        "hub_radius_mm": 1.5,
+        "wire_hole_top_diameter_mm": 2.0,
+        "wall_mm": 5.5,
+    },
+    "sensors": {"count_per_face": 2, "radius_mm": 5.6},
+}
+BOX = {
+    "name": "box",
+    "body": {"kind": "box", "size_mm": [40.0, 40.0, 40.0], "sensed_faces": [1]},
+    "magnets": {"positions_mm": [[0.0, 0.0]]},
+    "sensors": {"count_per_face": 1},
+    "core": {"wire_channel_width_mm": 2.0},
+}
+
+
+def made(content):
+    spec = parse_spec(content, "test")
+    wanted = {p.name: p for p in parts_of(spec) if p.name.startswith(("core", "shell", "mould"))}
+    parts = {name: as_triangles(part.make()) for name, part in wanted.items()}
+    solids = {name: manifold_of(mesh) for name, mesh in parts.items()}
+    return spec, solids, placed_pins(spec, parts)
+
+
+@pytest.fixture(scope="module")
+def ball():
+    return made(BALL)
+
+
+@pytest.fixture(scope="module")
+def box():
+    return made(BOX)
+
+
+def all_told(spec, solids, pins):
+    thin = thin_covers(spec, body_of(spec).outer_surface())
+    left = left_over(spec, solids, pins)
+    return [*thin, *blocked_ways(spec, solids, pins), *meeting_pins(solids, pins), *left]
+
+
+def ball_at(place, radius=0.8):
+    return manifold3d.Manifold.sphere(radius, 24).translate(tuple(place))
+
+
+def channels_of(spec):
+    ((frame, places),) = board_places(spec)
+    return frame, [place for place, _ in places]
+
+
+def test_a_sound_ball_and_box_are_sound(ball, box):
+    assert all_told(*ball) == []
+    assert all_told(*box) == []
+
+
+def test_what_stands_in_a_hole_of_the_mould_is_told(ball):
+    spec, solids, pins = ball
+    for k, hole in enumerate(mould_holes(spec), start=1):
+        way = hole.end_mm - hole.top_mm
+        plugged = ball_at(hole.top_mm + 3.0 * way / np.linalg.norm(way)) + solids["mould_half_a"]
+        told = blocked_ways(spec, solids | {"mould_half_a": plugged}, pins)
+        assert [text[: text.index(":")] for text in told] == [
+            f"mould_half_a is in the way of {hole.use} hole {k}"
+        ]
+
+
+def test_a_core_without_its_wire_holes_is_told(ball, box):
+    spec, solids, pins = ball
+    told = blocked_ways(spec, solids | {"core": solids["core"].hull()}, pins)
+    assert [text.split(": ")[0].split("of ", 1)[1] for text in told] == [
+        "wire hole of face 1",
+        "wire hole of face 3",
+        "the outlet of the wires",
+    ]
+    spec, solids, pins = box
+    (channel,) = wire_channels(spec, *channels_of(spec), 0.0)
+    filled = solids["core"] + ball_at(channel.centre_mm)
+    (told,) = blocked_ways(spec, solids | {"core": filled}, pins)
+    assert told.startswith("core is in the way of channel 1 of face 1")
+
+
+def test_pins_that_meet_each_other_or_the_mould_are_told(ball):
+    _, solids, pins = ball
+    longer = pins | {"pin 1": pins["pin 2"].translate((0.5, 0.0, 0.0))}
+    told = meeting_pins(solids, longer)
+    assert any(text.startswith("pin 2 is in the way of pin 1") for text in told)
+    told = meeting_pins(solids, pins | {"pin 1": pins["pin 1"].translate((0.0, 0.0, -1.0))})
+    assert any(text.startswith("shell is in the way of pin 1") for text in told)
+    assert len(pins) == 4
+
+
+def test_room_that_the_mould_leaves_is_told(ball, box):
+    spec, solids, pins = ball
+    (told,) = left_over(spec, solids, {name: pins[name] for name in list(pins)[1:]})
+    assert told.startswith("the mould leaves")
+    spec, solids, pins = box
+    (plugless,) = left_over(
+        spec, {name: solid for name, solid in solids.items() if name != "mould_plug"}, pins
+    )
+    assert plugless.startswith("the mould leaves")
+    shrunk = solids["shell"].trim_by_plane((1.0, 0.0, 0.0), -19.0)
+    assert left_over(spec, solids | {"shell": shrunk}, pins)
+
+
+def test_a_plug_without_slots_is_told(box):
+    spec, solids, pins = box
+    lid = manifold3d.Manifold.cube((40.0, 40.0, 2.0), True).translate((0.0, 0.0, -21.5))
+    told = blocked_ways(spec, solids | {"mould_plug": solids["mould_plug"] + lid}, pins)
+    assert told == ["no slot to pour into is left"]
+
+
+def test_silicone_over_a_magnet_thinner_than_told_is_told(ball):
+    spec, _, _ = ball
+    outer = body_of(spec).outer_surface()
+    dented = outer.difference(
+        trimesh.creation.cylinder(1.0, 1.0, sections=32).apply_translation([7.0, 0.0, 24.0])
+    )
+    assert thin_covers(spec, dented)[0].endswith("mm told")
+    assert "magnet" in thin_covers(spec, dented)[0]
