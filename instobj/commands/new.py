@@ -15,6 +15,7 @@ from design.errors import InputError
 from design.files import atomic_path
 from design.placement.objects import Request, Tables, placed
 from design.spec.body import MM
+from instobj.commands.new_comments import BAYS_MM, comment_of
 
 _TEMPLATE = Path(__file__).parents[1] / "templates" / "cube.toml"
 _HEADING = re.compile(r"\[([\w.]+)\]")
@@ -123,11 +124,20 @@ def _filled(text: str, tables: Tables, kind: type[BodyKind], out: Path) -> str:
             continue
         if key and name in values:
             line = _with_value(line, key[1], values.pop(name))
-        lines.append(line)
+        if name == "core.bay_mm":
+            line = _with_value(line, f"# {key[1] if key else ''}", BAYS_MM[kind.name])
+        comment = comment_of(name, kind) if key or heading else None
+        lines.append(line if comment is None else _COMMENT.sub(f"{_gap(line)}# {comment}", line))
     if values:
         raise AssertionError(f"the template has no lines for {sorted(values)}")
     whole = re.sub(r"\n{3,}", "\n\n", "\n".join(lines) + "\n")
     return _DEFAULTS.sub(_about(kind), whole)
+
+
+def _gap(line: str) -> str:
+    """The blanks before a line's comment."""
+    found = re.search(r"\s+(?=# [^#]*$)", line)
+    return found[0] if found else "  "
 
 
 def _left_out_faces(request: Request, sensed: list[int]) -> str:
@@ -151,6 +161,7 @@ def _left_out(name: str, kind: type[BodyKind]) -> bool:
     bored = bool(kind.openable) and not kind.opens_sides
     keys = {
         "body.inside": len(kind.insides) > 1,
+        "body.sensed_faces": len(kind.faces) > 1,
         "body.open_faces": bool(kind.openable),
         "body.bore_mm": bored,
         "body.file": kind.from_file,

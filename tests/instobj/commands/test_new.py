@@ -1,5 +1,6 @@
 """`instobj new`: the template's comments with what was placed, for every kind of body."""
 
+import re
 import tomllib
 from pathlib import Path
 
@@ -73,6 +74,22 @@ def test_every_kind_gets_its_own_lines_with_what_was_placed(kind, tmp_path, monk
     assert "seal_layer_mm" in text
     assert ("bore_mm" in text) is (kind in ("sphere", "ellipsoid", "capsule", "imported"))
     assert ("unit = " in text) is (kind == "imported")
+    assert ("sensed_faces" in text) is (kind not in ("pad", "dome"))
+    assert_comments_of_the_kind(kind, text)
+
+
+def assert_comments_of_the_kind(kind, text):
+    """Not the cube's: other kinds by name, what its size, its opening and its slits are."""
+    beside = {line.split(" = ")[0]: line.partition("  # ")[2] for line in text.splitlines()}
+    others = re.findall(r"\w+", re.search(rf'^kind = "{kind}".*?# or (.*?):', text, re.M)[1])
+    assert {*others, kind} == set(KINDS)
+    if kind not in ("box", "imported"):
+        assert any(word in text.partition("[shell]")[0] for word in ("diameter", "slab"))
+        assert "cube" not in text.partition("[shell]")[0].replace("that of the cube of Knopke", "")
+    if "open_faces" in text:
+        assert ("a bore" in beside["open_faces"]) is ("bore_mm" in text)
+    assert ("sides 2 to 5" in text) is (kind == "cylinder")
+    assert "11.5" not in text
 
 
 def test_faces_that_are_left_out_are_told(tmp_path, monkeypatch):
