@@ -33,6 +33,12 @@ def print_result(result: dict[str, Any]) -> None:
             f"{row['spec']}: valid. {row['magnets']} magnets, {row['sensors']} sensors; largest "
             f"field at rest {row['largest_field_at_rest_mt']:g} of ±{row['range_mt']:g} mT"
         )
+        least, most = row["cell_areas_mm2"]
+        each = f"{least:.3g}" if most < 1.005 * least else f"{least:.3g} to {most:.3g}"
+        console.print(
+            f"  {row['contact_locations']} contact locations cover {100 * row['covered_share']:.0f} % of "
+            f"the sensed surface, {each} mm² each"
+        )
         console.print(
             f"  modulus {row['modulus']}; force at a given depth: {row['force_at_a_travel']}"
         )

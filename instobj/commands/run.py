@@ -71,13 +71,15 @@ def check(spec: ObjectSpec) -> SpecCheck:
 
 def check_specifications(specs: list[Path], overrides: list[str]) -> dict[str, Any]:
     """Validate each specification, and that no sensor saturates or sits in a magnet at rest."""
+    from design.layout.places.contact_places import contact_places
+    from design.layout.places.coverage import cell_areas_mm2, covered_share
     from instobj.report.uncertainty import force_spread_text, modulus_text
     from instobj.stages.makers.surroundings import surroundings_row
 
     rows = []
     for path in specs:
         spec = load_spec(path, overrides)
-        found = check(spec)
+        found, cells = check(spec), cell_areas_mm2(spec)
         rows.append(
             {
                 "spec": str(path),
@@ -87,6 +89,9 @@ def check_specifications(specs: list[Path], overrides: list[str]) -> dict[str, A
                 "sensors": found.sensors,
                 "largest_field_at_rest_mt": round(found.largest_field_at_rest_mt, 3),
                 "range_mt": found.range_mt,
+                "contact_locations": int(contact_places(spec).sum()),
+                "covered_share": round(covered_share(spec), 4),
+                "cell_areas_mm2": [round(float(end), 3) for end in (cells.min(), cells.max())],
                 "youngs_modulus_mpa": spec.silicone.youngs_modulus_mpa,
                 "youngs_modulus_range_mpa": spec.silicone.youngs_modulus_range_mpa,
                 "modulus": modulus_text(spec),

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from design.layout.body import face_frames
-from design.layout.places.coverage import covered_share
+from design.layout.places.coverage import cell_areas_mm2, covered_share
 from design.spec_io import load_spec, parse_spec
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
@@ -36,3 +36,14 @@ def test_of_a_ball_area_is_along_the_surface():
     square = np.sum(radius / np.sqrt(radius**2 - x[:, None] ** 2 - x**2)) * (reach / 1000) ** 2
     assert len(face_frames(ball)) == 5
     assert covered_share(ball) == pytest.approx(square / patch, rel=0.01)
+
+
+def test_cells_of_a_ball_are_larger_where_it_leans():
+    """1 / cos of the slope, at the middle and by the outermost corner of 7 × 7 cells of 3 mm."""
+    ball = load_spec(EXAMPLES / "ball.toml")
+    radius, middle = ball.body.size_mm[0] / 2, np.hypot(9.0, 9.0)
+    areas = cell_areas_mm2(ball)
+    assert areas.shape == (5 * 49,)
+    assert areas.min() == pytest.approx(9.0, rel=0.005)
+    assert areas.max() == pytest.approx(9 * radius / np.sqrt(radius**2 - middle**2), rel=0.01)
+    assert cell_areas_mm2(parse_spec({"name": "cube"}, "test")) == pytest.approx(9.0)

@@ -3,6 +3,8 @@
 import pytest
 
 from instobj.cli.tables import print_result
+from instobj.commands.run import check_specifications
+from tests.support.pages import ROOT
 
 MODELS = ("heatmap", "position", "pre-trained")
 SCORES = ("A_sim", "paper A_sim", "E_loc px", "paper E_loc px", "E_loc x px", "E_loc y px")
@@ -121,4 +123,17 @@ def test_a_few_files_are_named_one_by_one_and_whole(monkeypatch, capsys):
     assert capsys.readouterr().out.splitlines() == [
         f"wrote {names[0]} (1.0 kB)",
         "wrote runs/cube/slip.png (2.0 kB)",
+    ]
+
+
+def test_check_tells_what_of_the_surface_the_locations_cover(monkeypatch, capsys):
+    monkeypatch.setenv("COLUMNS", "80")
+    examples = [ROOT / "examples" / f"{name}.toml" for name in ("ball", "paper_cube")]
+    print_result(check_specifications(examples, []))
+    shown = capsys.readouterr().out.splitlines()
+    assert max(map(len, shown)) <= 80
+    told = [line.strip() for line in shown if "contact locations" in line]
+    assert told == [
+        "245 contact locations cover 24 % of the sensed surface, 9.01 to 10.5 mm² each",
+        "500 contact locations cover 51 % of the sensed surface, 9 mm² each",
     ]
