@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from itertools import combinations
-from math import cos, sin
+from math import cos, floor, sin
 from typing import TYPE_CHECKING
 
 from design.layout.body import core_frames, face_frames
-from design.layout.places.contact_places import place_problems
+from design.layout.places.contact_places import LEAST_COUNT, place_problems
 from design.layout.pockets import (
     Pocket,
     core_pockets,
@@ -268,6 +268,14 @@ def check_tips(spec: ObjectSpec) -> Iterator[str]:
             )
 
 
+def fewer_places(count: tuple[int, int], pitch_mm: float, axis: int, room_mm: float) -> str:
+    """What makes a grid fit whose places, with half a pitch round them, have so much room on an axis."""
+    most, widest = int(room_mm / pitch_mm + 1e-9), floor(100 * room_mm / count[axis]) / 100
+    fewer = f"fewer places ({most} at most)" if most >= LEAST_COUNT else "fewer places"
+    nearer = f", contact_grid.pitch_mm of {widest:g} or less" if widest > 0 else ""
+    return f'Use {fewer}{nearer}, contact_grid.count = "fill", or a smaller indenter'
+
+
 def _check_indenter(spec: ObjectSpec) -> Iterator[str]:
     """Every place of the grid, half a pitch of margin and the whole path lie on the faces."""
     from design.layout.tips import footprint_mm, path_mm, tip_shape
@@ -296,6 +304,6 @@ def _check_indenter(spec: ObjectSpec) -> Iterator[str]:
         if needed > limit:
             yield (
                 f"contact_grid.count[{axis}] × pitch_mm, half a pitch of margin and the indenter need "
-                f"{2 * needed:.4g} mm on a face of {2 * limit:g} mm. Use fewer places, a smaller pitch "
-                "or a smaller indenter"
+                f"{2 * needed:.4g} mm on a face of {2 * limit:g} mm. "
+                f"{fewer_places(grid.count, grid.pitch_mm, axis, 2 * (limit - reach[axis]))}"
             )

@@ -12,7 +12,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from design.layout.body import body_of, core_frames, face_frames
-from design.layout.places.contact_places import place_problems, stays_on_patch, touched_reach_mm
+from design.layout.places.contact_places import (
+    LEAST_COUNT,
+    place_problems,
+    stays_on_patch,
+    touched_reach_mm,
+)
 from design.layout.places.positions import board_places, cover_mm
 from design.layout.pockets import Pocket, distance_of_segments_mm, shell_pockets
 
@@ -42,15 +47,26 @@ def check_curved_presses(spec: ObjectSpec) -> Iterator[str]:
         return
     reach = touched_reach_mm(spec)
     corner = np.asarray(spec.contact_grid.count) * spec.contact_grid.pitch_mm / 2
+    shares = np.linspace(0.0, 1.0, 201)
     for frame in face_frames(spec):
-        if not stays_on_patch(frame, corner[None], reach)[0]:
-            half = frame.half_extents_mm
+        stays = stays_on_patch(frame, shares[:, None] * corner, reach)
+        if not stays[-1]:
+            half, fewer = frame.half_extents_mm, _at_most(spec, int(stays.argmin()))
             yield (
                 f"contact_grid.count × pitch_mm / 2 = ({corner[0]:g}, {corner[1]:g}) mm, and {reach:.3g} mm "
                 f"round the tip, leave face {frame.number}, {'an ellipse' if frame.round else 'a rectangle'} "
-                f"of ±{half[0]:.4g}, ±{half[1]:.4g} mm. Use fewer places, a smaller pitch, a smaller "
-                "tip or lesser depths"
+                f"of ±{half[0]:.4g}, ±{half[1]:.4g} mm. Use fewer places{fewer}, "
+                'contact_grid.count = "fill", a smaller tip or lesser depths'
             )
+
+
+def _at_most(spec: ObjectSpec, left: int) -> str:
+    """Of a grid whose corner leaves its patch at the step `left` of 200 from the middle."""
+    grid, share = spec.contact_grid, max(left - 1, 0) / 200
+    assert grid.count != "fill"
+    pitch, count = int(100 * share * grid.pitch_mm) / 100, [int(share * n) for n in grid.count]
+    fewer = f" ({count[0]} × {count[1]} at most)" if min(count) >= LEAST_COUNT else ""
+    return fewer + (f", contact_grid.pitch_mm of {pitch:g} or less" if pitch else "")
 
 
 def _check_what_boxes_can(spec: ObjectSpec) -> Iterator[str]:

@@ -12,6 +12,7 @@ from jaxtyping import Float
 
 from design.body.triangles import Block
 from design.fit.curved_parts import check_curved_bay, check_curved_keys, check_curved_slits
+from design.fit.nearest import nearest_bay, nearest_keys, nearest_slits, with_nearest
 from design.layout.blocks import relief_slits
 from design.layout.boards import (
     channel_heights_mm,
@@ -36,10 +37,11 @@ _FLUSH_MM = 0.05
 
 def check_parts(spec: ObjectSpec) -> Iterator[str]:
     """What of these does not fit."""
+    cuboid = body_of(spec).cuboid
     if spec.core.keys.positions_mm:
-        yield from _check_keys(spec) if body_of(spec).cuboid else check_curved_keys(spec)
+        yield from with_nearest(spec, _check_keys if cuboid else check_curved_keys, nearest_keys)
     if spec.shell.slits.depth_mm:
-        yield from _check_slits(spec) if body_of(spec).cuboid else check_curved_slits(spec)
+        yield from with_nearest(spec, _check_slits if cuboid else check_curved_slits, nearest_slits)
     if spec.shell.seal_layer_mm:
         yield from _check_seal_layer(spec)
     yield from _check_pocket_width(spec)
@@ -49,7 +51,7 @@ def check_parts(spec: ObjectSpec) -> Iterator[str]:
         yield from _check_recesses_off_passages(spec)
         yield from _check_boards_in_core(spec)
     if spec.core.bay_mm is not None:
-        yield from _check_bay(spec) if body_of(spec).cuboid else check_curved_bay(spec)
+        yield from with_nearest(spec, _check_bay if cuboid else check_curved_bay, nearest_bay)
 
 
 def _check_keys(spec: ObjectSpec) -> Iterator[str]:
@@ -232,11 +234,13 @@ def _check_channels(spec: ObjectSpec) -> Iterator[str]:
     )
     if deepest >= core.wall_mm:
         fall = deepest - core.wire_channel_depth_mm
+        left = core.wall_mm - max(fall, 0.0)
+        shallower = f"Make the channels less than {left:.3g} mm deep, " if left > 0 else "Make "
         curved = f" and {fall:.3g} mm of the curved core's fall" if fall > 0 else ""
         yield (
             f"core.wire_channel_depth_mm{curved} must be below core.wall_mm = {core.wall_mm:g}; got "
-            f"{core.wire_channel_depth_mm:g}. Make the channels shallower, the wall thicker, or move the "
-            "sensors inwards"
+            f"{core.wire_channel_depth_mm:g}. {shallower}the wall thicker than {deepest:.4g} mm, or move "
+            "the sensors inwards"
         )
 
 
