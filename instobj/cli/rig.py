@@ -57,6 +57,16 @@ def rig(
     dwell: Annotated[float | None, typer.Option(min=0, help="At every stop, s (0.5).")] = None,
     rest: Annotated[float | None, typer.Option(min=0, help="Before every press, s (1.5).")] = None,
     speed: Annotated[float | None, typer.Option(min=0.05, help="Of presses, mm/s (1).")] = None,
+    strokes: Annotated[
+        int | None,
+        typer.Option(min=1, help="Loads of a place, the tip clear of it between two (1)."),
+    ] = None,
+    stroke_speed: Annotated[
+        float | None, typer.Option(min=0.05, help="Of strokes after the first, mm/s (4).")
+    ] = None,
+    pause: Annotated[
+        float | None, typer.Option(min=0.1, help="Between strokes, above the place, s (1).")
+    ] = None,
     clearance: Annotated[
         float | None, typer.Option(min=1, help="Above the object between presses, mm (5).")
     ] = None,
@@ -95,7 +105,8 @@ def rig(
         ports = Ports(port, board_port, load_port, machine_baud, baud, load_scale, lost)
     given = {
         "depths_mm": tuple(depth) if depth else None, "dwell_s": dwell, "rest_s": rest,
-        "speed_mm_s": speed, "clearance_mm": clearance, "touch_n": touch, "full_n": full,
+        "speed_mm_s": speed, "strokes": strokes, "stroke_speed_mm_s": stroke_speed,
+        "pause_s": pause, "clearance_mm": clearance, "touch_n": touch, "full_n": full,
         "limit_n": limit,
     }  # fmt: skip
     settings = tuple((name, value) for name, value in given.items() if value is not None)

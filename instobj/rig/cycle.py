@@ -10,9 +10,10 @@ import numpy as np
 
 from design.errors import InputError
 from instobj.rig.grbl import MachineFault, until
-from instobj.rig.grbl_lines import ALARMS, KEPT_POSITION, RECEIVE_BYTES
+from instobj.rig.grbl_lines import ALARMS, KEPT_POSITION
 from instobj.rig.mounting import safe_height_mm
 from instobj.rig.plan import PressSettings
+from instobj.rig.press_code import press_code
 from instobj.rig.station import Spot, Station
 
 _PATIENCE_S = 5.0
@@ -25,6 +26,8 @@ _ARRIVED_MM = 0.03
 _SILENT_S = 1.0
 _AVERAGED = 3
 _LARGEST_DRIFT_N = 1.0
+_SHALLOWER = 0.85
+"""Of the depth that the full force was reached at, for the strokes after it."""
 
 
 def greet(station: Station) -> None:
@@ -218,50 +221,39 @@ def take_tare(station: Station, frames: int) -> None:
 def press(
     station: Station, spot: Spot, surface_mm: float, settings: PressSettings, rest_frames: int
 ) -> float:
-    """Rest above a place, press it to every stop, come back up; returns the largest force (N)."""
+    """Rest above a place, press it in strokes to every stop, come back up; returns the largest force
+    (N). A stroke ends early at the full force, and those after it go less deep."""
     travel(station, spot)
     station.surface_mm, station.lowest_mm = surface_mm, surface_mm - settings.depths_mm[-1]
     station.recording = station.resting = True
     take_tare(station, rest_frames)
-    station.resting, largest_n = False, 0.0
+    station.resting, largest_n, left = False, 0.0, settings
+    while left is not None:
+        force_n, left = _strokes(station, surface_mm, left)
+        largest_n = max(largest_n, force_n)
+    require_at(station, (*spot.machine_mm, station.safe_mm))
+    return largest_n
+
+
+def _strokes(
+    station: Station, surface_mm: float, settings: PressSettings
+) -> tuple[float, PressSettings | None]:
+    """Strokes until the full force; the largest force (N), and what is left to do, if anything."""
+    largest_n = 0.0
 
     def full() -> bool:
         nonlocal largest_n
         largest_n = max(largest_n, station.cell.force_n)
         return largest_n >= settings.full_n
 
-    station.machine.send(*press_lines(settings, surface_mm, station.safe_mm))
-    if not settle(station, settings.dwell_s, full):
-        raise_tip(station)
-    require_at(station, (*spot.machine_mm, station.safe_mm))
-    return largest_n
-
-
-def press_lines(settings: PressSettings, surface_mm: float, safe_mm: float) -> list[str]:
-    """G-code of a press with its retraction, all of which the machine holds from the start: the tip
-    rises even if nobody speaks to it any more.
-
-    Raises
-    ------
-    InputError
-        They do not fit into its buffer.
-    """
-    lines = [f"G53G0Z{_mm(surface_mm + settings.approach_mm)}"]
-    for k, depth_mm in enumerate(settings.depths_mm):
-        down = f"G53{'' if k else 'G1'}Z{_mm(surface_mm - depth_mm)}"
-        lines.append(down if k else f"{down}F{60 * settings.speed_mm_s:g}")
-        if settings.dwell_s > 0:
-            lines.append(f"G4P{settings.dwell_s:g}")
-    lines.append(f"G53Z{_mm(surface_mm)}")
-    lines.append(f"G53G0Z{_mm(safe_mm)}")
-    used = sum(len(line) + 1 for line in lines)
-    if used > RECEIVE_BYTES:
-        raise InputError(
-            f"a press with {len(settings.depths_mm)} stops takes {used} characters, and the machine "
-            f"holds {RECEIVE_BYTES}: the tip would stay down if the cable came out. Give fewer --depth"
-        )
-    return lines
-
-
-def _mm(value: float) -> str:
-    return f"{value:.2f}".rstrip("0").rstrip(".")
+    parts = press_code(settings, surface_mm, station.safe_mm)
+    for part in parts:
+        station.machine.send_whole(part)
+    if settle(station, max(settings.dwell_s, settings.pause_s), full):
+        return largest_n, None
+    ends = np.cumsum([len(part) for part in parts])
+    answered = int(ends[-1]) - station.machine.unanswered
+    begun = int(np.searchsorted(ends, answered, side="right")) + 1
+    reached_mm = surface_mm - raise_tip(station)
+    left = settings.strokes - begun
+    return largest_n, settings.after_full(_SHALLOWER * reached_mm, left) if left > 0 else None

@@ -47,9 +47,9 @@ class ByteLine(Protocol):
 class GrblLink:
     """Lines to a machine and its answers.
 
-    A line is sent once it fits into what is free of the machine's receive buffer. `states` counts the
-    reports of its state, `state` is the last one; `trusted` is False while alarms and refusals are
-    expected (a reset, homing).
+    A line is sent once it fits into what is free of the machine's receive buffer, lines that belong
+    together once all of them do. `states` counts the reports of its state, `state` is the last one;
+    `trusted` is False while alarms and refusals are expected (a reset, homing).
     """
 
     line: ByteLine
@@ -61,17 +61,22 @@ class GrblLink:
     settings: dict[int, float] = field(default_factory=dict)
     trusted: bool = False
     _reader: ReplyReader = field(default_factory=ReplyReader)
-    _queue: deque[bytes] = field(default_factory=deque)
+    _queue: deque[list[bytes]] = field(default_factory=deque)
     _sent: deque[bytes] = field(default_factory=deque)
 
     @property
     def unanswered(self) -> int:
         """Lines that wait here or in the machine."""
-        return len(self._queue) + len(self._sent)
+        return sum(map(len, self._queue)) + len(self._sent)
 
     def send(self, *lines: str) -> None:
         """Queue lines, and send what fits."""
-        self._queue.extend(f"{line}\n".encode() for line in lines)
+        for line in lines:
+            self.send_whole([line])
+
+    def send_whole(self, lines: list[str]) -> None:
+        """Queue lines that are sent at once, when all of them fit."""
+        self._queue.append([f"{line}\n".encode() for line in lines])
         self._fill()
 
     def ask(self) -> None:
@@ -130,13 +135,12 @@ class GrblLink:
             raise MachineFault(f"{self.where}: {what}")
 
     def _fill(self) -> None:
-        while self._queue and self._sent_bytes() + len(self._queue[0]) <= RECEIVE_BYTES:
-            line = self._queue.popleft()
-            self._write(line)
-            self._sent.append(line)
-
-    def _sent_bytes(self) -> int:
-        return sum(map(len, self._sent))
+        while self._queue:
+            whole = b"".join(self._queue[0])
+            if sum(map(len, self._sent)) + len(whole) > RECEIVE_BYTES:
+                return
+            self._write(whole)
+            self._sent.extend(self._queue.popleft())
 
     def _read(self) -> bytes:
         return self._guarded(lambda: self.line.read(4096))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -16,6 +16,8 @@ from design.spec.object import ObjectSpec
 STOPS = 4
 """Depths per press, if none are given: a press and its retraction must fit into Grbl's buffer."""
 _SHARE = 1 / STOPS
+_FEW_SHARE = 0.75
+_OF_FEW = {"strokes": 9, "stroke_speed_mm_s": 2.0, "dwell_s": 0.3, "pause_s": 0.9}
 
 
 @dataclass(frozen=True)
@@ -28,6 +30,10 @@ class PressSettings:
     dwell_s : how long it stops there
     rest_s : how long it waits above the place before, for the baseline
     speed_mm_s : of the press; moves in the air are as fast as the machine can
+    strokes : how often a place is loaded before the tip leaves it
+    stroke_speed_mm_s : of strokes after the first, which go where the first one went
+    pause_s : how long the tip rests above the surface between strokes, for their baselines
+    lift_mm : how far above
     clearance_mm : of the tip above the object between presses
     approach_mm : how far above the object the press begins to be slow
     touch_n : force at which the object counts as touched, to find its height
@@ -39,6 +45,10 @@ class PressSettings:
     dwell_s: float = 0.5
     rest_s: float = 1.5
     speed_mm_s: float = 1.0
+    strokes: int = 1
+    stroke_speed_mm_s: float = 4.0
+    pause_s: float = 1.0
+    lift_mm: float = 0.5
     clearance_mm: float = 5.0
     approach_mm: float = 1.0
     touch_n: float = 0.2
@@ -57,10 +67,30 @@ class PressSettings:
                 f"forces must grow: --touch {self.touch_n:g}, --full {self.full_n:g}, --limit "
                 f"{self.limit_n:g} N. Raise --limit, or lower --full"
             )
-        if not 0 < self.approach_mm <= self.clearance_mm:
+        least_mm = max(self.approach_mm, self.lift_mm)
+        if min(self.approach_mm, self.lift_mm) <= 0 or self.clearance_mm < least_mm:
             raise InputError(
-                f"--clearance {self.clearance_mm:g} mm must be {self.approach_mm:g} mm or more"
+                f"--clearance {self.clearance_mm:g} mm must be {least_mm:g} mm or more"
             )
+        if self.strokes < 1:
+            raise InputError(f"--strokes {self.strokes} must be 1 or more")
+
+    @property
+    def seconds(self) -> float:
+        """About how long a press takes, with the way to its place."""
+        deepest, later = self.depths_mm[-1], self.strokes - 1
+        ways = 2 if self.strokes == 1 else 1
+        first_s = ways * (self.approach_mm + deepest) / self.speed_mm_s
+        later_s = (self.lift_mm + deepest) / self.stroke_speed_mm_s
+        still_s = self.strokes * len(self.depths_mm) * self.dwell_s + later * self.pause_s
+        return self.rest_s + first_s + later * later_s + still_s + 2.0
+
+    def after_full(self, deepest_mm: float, strokes: int) -> PressSettings:
+        """For strokes where the full force was met, down to `deepest_mm`."""
+        depths = tuple(depth for depth in self.depths_mm if depth < deepest_mm)
+        if len(depths) < len(self.depths_mm):
+            depths = (*depths, deepest_mm)
+        return replace(self, depths_mm=depths, strokes=strokes, speed_mm_s=self.stroke_speed_mm_s)
 
 
 @dataclass(frozen=True)
@@ -80,10 +110,7 @@ class PressPlan:
     @property
     def seconds(self) -> float:
         """About how long it takes, without touching off."""
-        one = self.settings
-        strokes_s = 2 * (one.approach_mm + one.depths_mm[-1]) / one.speed_mm_s
-        each_s = one.rest_s + strokes_s + len(one.depths_mm) * one.dwell_s + 2.0
-        return each_s * len(self)
+        return self.settings.seconds * len(self)
 
 
 def plan_of(document: dict[str, Any]) -> PressPlan:
@@ -106,6 +133,14 @@ def stops_of(spec: ObjectSpec) -> tuple[float, ...]:
     wanted = depths[-1] * np.arange(1, STOPS + 1) * _SHARE
     nearest = np.unique(np.abs(depths - wanted[:, None]).argmin(axis=1))
     return tuple(depths[nearest].tolist())
+
+
+def settings_of_few(spec: ObjectSpec) -> dict[str, Any]:
+    """How few places are pressed well: each in strokes to three quarters of the specification's deepest
+    depth, so that every load has an unloaded level within two seconds (docs/rig.md, what it brings)."""
+    depths = np.asarray(spec.press.depths_mm)
+    deepest = depths[np.abs(depths - _FEW_SHARE * depths[-1]).argmin()]
+    return {"depths_mm": (float(deepest),), **_OF_FEW}
 
 
 def places_among(presses: int, reference_every: int) -> int:

@@ -48,7 +48,8 @@ class Pose:
 
 
 def poses(spec: ObjectSpec, plans: list[PressPlan]) -> list[Pose]:
-    """Of every press: above the place, where the press begins to be slow, every stop, above again."""
+    """Of every press: above the place, where the press begins to be slow, every stop (of
+    every stroke, clear of the surface between two), above again."""
     found: list[Pose] = []
     for plan in plans:
         frame, first = face_frame(spec, plan.face), found[-1].press + 1 if found else 0
@@ -65,8 +66,14 @@ def _press_poses(
     tool = np.column_stack([axes[:, 0], -axes[:, 1], -axes[:, 2]])
     qx, qy, qz, qw = np.round(Rotation.from_matrix(tool).as_quat(), 6).tolist()
     stops = [("above", -one.clearance_mm, 0.0, one.rest_s), ("near", -one.approach_mm, 0.0, 0.0)]
-    stops += [("press", depth, one.speed_mm_s, one.dwell_s) for depth in one.depths_mm]
-    stops += [("surface", 0.0, one.speed_mm_s, 0.0), ("above", -one.clearance_mm, 0.0, 0.0)]
+    for stroke in range(one.strokes):
+        speed = one.stroke_speed_mm_s if stroke else one.speed_mm_s
+        stops += [("press", depth, speed, one.dwell_s) for depth in one.depths_mm]
+        if one.strokes == 1:
+            stops.append(("surface", 0.0, speed, 0.0))
+        elif stroke < one.strokes - 1:
+            stops.append(("clear", -one.lift_mm, 0.0, one.pause_s))
+    stops.append(("above", -one.clearance_mm, 0.0, 0.0))
     surface = frame.to_object(np.array([*place_mm, 0.0]))
     for stop, depth_mm, speed_mm_s, dwell_s in stops:
         x, y, z = np.round(surface - depth_mm * axes[:, 2], 4).tolist()

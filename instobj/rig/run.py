@@ -14,7 +14,7 @@ from design.layout.tips import tip_places_mm
 from design.spec.object import ObjectSpec
 from estimator.boards.growing import growing_recording
 from estimator.boards.link import serial_chunks
-from instobj.rig.cycle import greet, home, press, press_lines, raise_tip, take_tare
+from instobj.rig.cycle import greet, home, press, raise_tip, take_tare
 from instobj.rig.grbl import grbl_link, until
 from instobj.rig.grbl_lines import TRAVEL_SETTINGS
 from instobj.rig.journal import Journal
@@ -29,6 +29,7 @@ from instobj.rig.mounting import (
     touched_surface,
 )
 from instobj.rig.plan import face_places
+from instobj.rig.press_code import press_code
 from instobj.rig.station import Spot, Station
 from instobj.rig.touch import touched
 
@@ -98,15 +99,19 @@ def check_plan(spec: ObjectSpec, journal: Journal, settings: dict[int, float]) -
     low, high = machine.min(axis=0), machine.max(axis=0)
     corners = [(axis, float(end[k])) for k, axis in enumerate("XY") for end in (low, high)]
     require_travel(settings, corners)
-    press_lines(plan.settings, -settings[TRAVEL_SETTINGS[2]], highest_mm(settings))
-    one, left = plan.settings, len(journal.remaining)
+    press_code(plan.settings, -settings[TRAVEL_SETTINGS[2]], highest_mm(settings))
+    one, left, again = plan.settings, len(journal.remaining), ""
+    if one.strokes > 1:
+        again = (
+            f", {one.strokes} strokes a press, from the second at {one.stroke_speed_mm_s:g} mm/s"
+        )
     return [
         f"face {plan.face} of {plan.object_name}: {left} of {len(plan)} presses to do, about "
         f"{plan.seconds * left / len(plan) / 60:.0f} minutes",
         f"machine's frame: X {low[0]:.1f} to {high[0]:.1f}, Y {low[1]:.1f} to {high[1]:.1f} mm, Z from "
         f"{highest_mm(settings):g} mm down until the load cell says {one.touch_n:g} N",
         f"stops {', '.join(f'{depth:g}' for depth in one.depths_mm)} mm below the first touch, "
-        f"{one.speed_mm_s:g} mm/s; a press ends at {one.full_n:g} N, everything stops at {one.limit_n:g} N",
+        f"{one.speed_mm_s:g} mm/s{again}; a press ends at {one.full_n:g} N, everything stops at {one.limit_n:g} N",
         "the machine homes first, upwards; keep hands away and the emergency stop near",
     ]
 

@@ -26,6 +26,7 @@ from instobj.rig.plan import (
     middle_place,
     places_among,
     press_plan,
+    settings_of_few,
     stops_of,
 )
 from instobj.rig.poses import poses, poses_text
@@ -100,8 +101,8 @@ def _listed(spec: ObjectSpec, options: RigOptions) -> dict[str, Any]:
 
 
 def _plan(spec: ObjectSpec, face: int, options: RigOptions) -> PressPlan:
-    given: dict[str, Any] = {"depths_mm": stops_of(spec)} | dict(options.settings)
-    settings = PressSettings(**given)
+    usual = settings_of_few(spec) if options.adaptive else {"depths_mm": stops_of(spec)}
+    settings = PressSettings(**(usual | dict(options.settings)))
     presses, order = options.presses, None
     if options.adaptive:
         presses = places_among(presses or ADAPTIVE_PRESSES, options.reference_every)

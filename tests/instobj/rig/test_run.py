@@ -13,9 +13,7 @@ import pytest
 from design.errors import InputError
 from estimator.recordings.reading import read_recording
 from instobj.commands.hardware.rig import RigOptions, rig
-from instobj.rig.cycle import press_lines
 from instobj.rig.mounting import Mounting
-from instobj.rig.plan import PressSettings
 from instobj.rig.run import Ports
 from tests.support.rig_bench import MIDDLE_MM, TOP_MM, bench, hertz, simple_counts
 
@@ -108,6 +106,71 @@ def test_a_board_that_reads_its_load_cell_labels_frames_at_their_time(tmp_path):
     require_right_labels(rows, 12)
     moving = [row for row in rows if 0.3 < row["travel_mm"] < 1.9]
     assert len(moving) >= 5
+
+
+def loads_in(depths):
+    """How often the tip went down to where it touches."""
+    touches = np.array([0.0, *depths]) > 0
+    return int(np.sum(touches[1:] & ~touches[:-1]))
+
+
+def test_strokes_of_a_press_are_loads_of_one_place(tmp_path):
+    with bench() as made:
+        given = {"strokes": 4, "pause_s": 0.6, "depths_mm": (2.0,)}
+        rig(options(made, tmp_path, presses=1, settings=given), yes)
+        assert not made.machine.overflowed
+        require_tip_up(made)
+    rows = rows_of(tmp_path)
+    require_right_labels(rows)
+    assert loads_in([row["travel_mm"] for row in rows]) == 4
+    recording = read_recording(tmp_path / "run.nc")
+    assert recording.report.presses == 4
+    assert recording.report.faults == ()
+    frames = recording.frames
+    assert len(np.unique(frames.place_id[frames.force_n[:, 0, 2] > 1])) == 1
+
+
+def test_strokes_after_a_full_force_go_less_deep(tmp_path):
+    harder = lambda depth, xy: 2.0 * hertz(depth, xy)  # noqa: E731
+    with bench(law=harder) as made:
+        given = {"strokes": 3, "pause_s": 0.6, "depths_mm": (2.5,), "speed_mm_s": 1.0}
+        found = rig(options(made, tmp_path, presses=1, settings=given), yes)
+        require_tip_up(made)
+    assert found["presses"] == 1
+    rows = rows_of(tmp_path)
+    assert loads_in([row["travel_mm"] for row in rows]) == 3
+    peaks = [force for force in map(max, split_loads(rows))]
+    assert peaks[0] >= SETTINGS["full_n"]
+    assert max(peaks[1:]) < SETTINGS["full_n"] < LIMIT_N
+
+
+@pytest.mark.slow
+def test_a_cable_out_between_strokes_leaves_the_tip_clear_and_the_press_is_done_again(tmp_path):
+    given = {"strokes": 6, "pause_s": 0.6, "depths_mm": (2.0,)}
+    with bench() as made:
+        silence = lambda made: setattr(made, "machine_silent", True)  # noqa: E731
+        made.plan = once(silence, second_press)  # deep for the second time: the second stroke
+        with pytest.raises(InputError, match=r"machine has said nothing.*could NOT be raised"):
+            rig(options(made, tmp_path, presses=1, settings=given), yes)
+        assert made.machine.position[2] == pytest.approx(TOP_MM + 0.5, abs=0.15)
+        assert 2 <= loads_in(made.depths) - 5 * 2 < 6  # without touching off at five places
+        before = rows_of(tmp_path)
+        made.machine_silent = False
+        rig(options(made, tmp_path, presses=1, settings=given, resume=True), yes)
+        require_tip_up(made)
+    rows = rows_of(tmp_path)
+    assert rows[: len(before)] == before
+    assert loads_in([row["travel_mm"] for row in rows[len(before) :]]) == 6
+    assert [one["press"] for one in events(tmp_path, "finished")] == [0]
+    require_right_labels(rows)
+
+
+def split_loads(rows):
+    """Forces of each stretch below the surface."""
+    down = np.array([row["travel_mm"] > 0 for row in rows])
+    forces = np.array([row["cell1_force_n"] for row in rows])
+    parts = np.split(np.arange(len(rows)), np.flatnonzero(np.diff(down)) + 1)
+    return [forces[part] for part in parts if down[part[0]]]
 
 
 def test_a_pull_beyond_the_limit_stops_the_feed(tmp_path):
@@ -286,13 +349,6 @@ def test_plans_that_cannot_be_done_are_refused_before_anything_moves(tmp_path, c
 def test_a_machine_without_homing_is_refused(tmp_path):
     with bench(_22=0) as made, pytest.raises(InputError, match=r"set \$22=1 on the machine"):
         rig(options(made, tmp_path), yes)
-
-
-def test_a_press_and_its_retraction_fit_into_the_machine_or_are_refused():
-    stops = PressSettings((1.0, 2.0, 3.0, 4.0))
-    assert sum(len(line) + 1 for line in press_lines(stops, -112.345, -107.345)) <= 127
-    with pytest.raises(InputError, match="Give fewer --depth"):
-        press_lines(PressSettings((1.0, 1.5, 2.0, 2.5, 3.0, 4.0)), -112.345, -107.345)
 
 
 def test_a_mounting_turns_places_with_the_face():
