@@ -45,9 +45,10 @@ class FrameSet:
     grid_x_mm, grid_y_mm : contact grid, so that heatmaps know their pixels, mm
     noise_counts : (axis,) white noise of a reading, counts
     true_force_n : as `force_n`, what each tip really bears; None where nobody knows (recorded)
-    zero_span_s : (frame, 2), s, or None where nobody knows
-        Since the press's zero was taken, and from then to the next zero, along which drift was taken
-        off; infinite where it was not.
+    zero_error : (frame, 2), or None where nobody knows
+        Of the zero that was taken off: its variance, counts² (mean over channels), and its memory: errors
+        of two frames of a session have the later one's variance times exp(-(difference of memory)) in
+        common.
     """
 
     signal_counts: Float[np.ndarray, "frame face sensor axis"]
@@ -68,7 +69,7 @@ class FrameSet:
     seed: int
     lag_frames: int = 0
     true_force_n: Float[np.ndarray, "frame contact 3"] | None = None
-    zero_span_s: Float[np.ndarray, "frame 2"] | None = None
+    zero_error: Float[np.ndarray, "frame 2"] | None = None
 
     def __len__(self) -> int:
         return len(self.time_s)
@@ -104,7 +105,7 @@ _PER_FRAME = {
     "session_id": ("frame", "1"),
     "time_s": ("frame", "s"),
 }
-_OPTIONAL = ("true_force_n", "zero_span_s")
+_OPTIONAL = ("true_force_n", "zero_error")
 PER_FRAME_FIELDS = tuple(_PER_FRAME)
 """Names of the arrays that have one row per frame."""
 _FRAMES = FileKind(
@@ -116,7 +117,7 @@ _FRAMES = FileKind(
         "grid_y_mm": ("grid_y", "mm"),
         "noise_counts": ("axis", "count"),
         "true_force_n": ("frame contact space", "N"),
-        "zero_span_s": ("frame zero", "s"),
+        "zero_error": ("frame zero", "1"),
     },
     optional=_OPTIONAL,
     packed=("signal_counts",),

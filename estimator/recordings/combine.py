@@ -51,11 +51,11 @@ def combine(recordings: Sequence[Recording]) -> FrameSet:
         name: np.concatenate([getattr(part, name) for part in parts]) for name in PER_FRAME_FIELDS
     }
     joined["signal_counts"][:, jumped] = np.nan
-    spans = [part.zero_span_s for part in parts if part.zero_span_s is not None]
+    errors = [part.zero_error for part in parts if part.zero_error is not None]
     return replace(
         parts[0],
         **joined,
-        zero_span_s=np.concatenate(spans) if len(spans) == len(parts) else None,
+        zero_error=np.concatenate(errors) if len(errors) == len(parts) else None,
         noise_counts=np.median([part.noise_counts for part in parts], axis=0),
         spec_hash="+".join(digests) if len(digests) > 1 else digests[0],
         lag_frames=round(float(np.median([part.lag_frames for part in parts]))),

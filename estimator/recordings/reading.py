@@ -51,6 +51,7 @@ from estimator.recordings.contacts import (
     contact_slots,
     place_keys,
 )
+from estimator.recordings.drift import levels_under_presses
 from estimator.recordings.formats.files import read_table
 from estimator.recordings.formats.text import naming
 from estimator.recordings.presses import (
@@ -138,7 +139,6 @@ def read_recording(
         presses = _find_presses(table)
         zeros = rest_levels(
             table.counts,
-            presses.time_s,
             presses.press,
             np.any(presses.force_n >= CONTACT_FORCE_N, axis=1),
             presses.rest & ~presses.hidden,
@@ -249,14 +249,18 @@ def _frames(
     session: Int[np.ndarray, "frame"],
     place: Int[np.ndarray, "frame"],
 ) -> FrameSet:
-    zero, span_s = zeros.of_frames(presses.press), None
+    zero, error = zeros.of_frames(presses.press), None
+    touching = presses.force_n >= CONTACT_FORCE_N
     if table.kind == "generic":
-        zero, span_s = zeros.bridged(presses.press, presses.time_s, session, presses.noise_counts)
+        levels = levels_under_presses(
+            table.counts, presses.time_s, session, np.any(touching, axis=1),
+            presses.rest & ~presses.hidden, presses.noise_counts,
+        )  # fmt: skip
+        zero, error = levels.counts, levels.error
     signal = table.counts - zero
     unusable = dead_channels(table.counts) | noisy_channels(presses.noise_counts) | jumping
     gap = np.any(np.isnan(table.counts) & ~unusable & _recorded(table.counts), axis=(1, 2, 3))
     signal[:, unusable] = np.nan
-    touching = presses.force_n >= CONTACT_FORCE_N
     alone = table.kind == "generic"  # a gripper's jaws press together, other load cells may rest
     still = alone & (np.abs(presses.force_n) < REST_FORCE_N[table.kind])
     clear = presses.rest | (touching | still).all(axis=1)
@@ -281,7 +285,7 @@ def _frames(
         spec_hash=table.digest,
         seed=0,
         lag_frames=presses.lag.frames if presses.lag.corrected else 0,
-        zero_span_s=span_s,
+        zero_error=error,
     )
 
 

@@ -26,8 +26,6 @@ _ARRIVED_MM = 0.03
 _SILENT_S = 1.0
 _AVERAGED = 3
 _LARGEST_DRIFT_N = 1.0
-_SHALLOWER = 0.85
-"""Of the depth that the full force was reached at, for the strokes after it."""
 
 
 def greet(station: Station) -> None:
@@ -256,4 +254,4 @@ def _strokes(
     begun = int(np.searchsorted(ends, answered, side="right")) + 1
     reached_mm = surface_mm - raise_tip(station)
     left = settings.strokes - begun
-    return largest_n, settings.after_full(_SHALLOWER * reached_mm, left) if left > 0 else None
+    return largest_n, settings.after_full(reached_mm, left) if left > 0 else None

@@ -16,8 +16,9 @@ from design.spec.object import ObjectSpec
 STOPS = 4
 """Depths per press, if none are given: a press and its retraction must fit into Grbl's buffer."""
 _SHARE = 1 / STOPS
+_SHALLOWER = 0.85
 _FEW_SHARE = 0.75
-_OF_FEW = {"strokes": 9, "stroke_speed_mm_s": 2.0, "dwell_s": 0.3, "pause_s": 0.9}
+_OF_FEW: dict[str, Any] = {"strokes": 9, "stroke_speed_mm_s": 2.0, "dwell_s": 0.3, "pause_s": 0.9}
 
 
 @dataclass(frozen=True)
@@ -85,8 +86,9 @@ class PressSettings:
         still_s = self.strokes * len(self.depths_mm) * self.dwell_s + later * self.pause_s
         return self.rest_s + first_s + later * later_s + still_s + 2.0
 
-    def after_full(self, deepest_mm: float, strokes: int) -> PressSettings:
-        """For strokes where the full force was met, down to `deepest_mm`."""
+    def after_full(self, full_mm: float, strokes: int) -> PressSettings:
+        """For strokes where the full force was met at a depth: they stay above that."""
+        deepest_mm = round(_SHALLOWER * full_mm, 3)
         depths = tuple(depth for depth in self.depths_mm if depth < deepest_mm)
         if len(depths) < len(self.depths_mm):
             depths = (*depths, deepest_mm)
@@ -140,7 +142,7 @@ def settings_of_few(spec: ObjectSpec) -> dict[str, Any]:
     depth, so that every load has an unloaded level within two seconds (docs/rig.md, what it brings)."""
     depths = np.asarray(spec.press.depths_mm)
     deepest = depths[np.abs(depths - _FEW_SHARE * depths[-1]).argmin()]
-    return {"depths_mm": (float(deepest),), **_OF_FEW}
+    return {"depths_mm": (float(deepest),)} | _OF_FEW
 
 
 def places_among(presses: int, reference_every: int) -> int:

@@ -111,7 +111,8 @@ def check_plan(spec: ObjectSpec, journal: Journal, settings: dict[int, float]) -
         f"machine's frame: X {low[0]:.1f} to {high[0]:.1f}, Y {low[1]:.1f} to {high[1]:.1f} mm, Z from "
         f"{highest_mm(settings):g} mm down until the load cell says {one.touch_n:g} N",
         f"stops {', '.join(f'{depth:g}' for depth in one.depths_mm)} mm below the first touch, "
-        f"{one.speed_mm_s:g} mm/s{again}; a press ends at {one.full_n:g} N, everything stops at {one.limit_n:g} N",
+        f"{one.speed_mm_s:g} mm/s{again}; a press ends at {one.full_n:g} N, everything stops at "
+        f"{one.limit_n:g} N",
         "the machine homes first, upwards; keep hands away and the emergency stop near",
     ]
 

@@ -43,8 +43,8 @@ class PressedPlaces:
     counts : (place, level, channel) mean change against rest
     frames : (place, level) frames in each mean
     zero_counts2 : (place, level, level) covariance of the means by errors of their zeros and by drift
-        since then, a random walk. Frames share a zero that are of one press (recorded), or of one
-        session and place (simulated, where many presses may follow one zero)
+        since then, a random walk. Frames share a zero that are of one session and place (simulated,
+        where many presses may follow one zero), or of one press (recorded without `zero_error`)
     """
 
     face: int
@@ -123,7 +123,8 @@ def pressed_places(spec: ObjectSpec, frames: FrameSet, face: int) -> PressedPlac
     which, press, time_s = (
         values[alone] for values in (frames.place_id, frames.press_id, frames.time_s)
     )
-    span_s = None if frames.zero_span_s is None else frames.zero_span_s[alone]
+    error = None if frames.zero_error is None else frames.zero_error[alone]
+    zeroed = frames.session_id[alone] if error is not None else zeroed
     rows = [np.flatnonzero(which == number) for number in np.unique(which)]
     rows = [row[np.lexsort((time_s[row], press[row]))] for row in rows if len(row) >= LEAST_FRAMES]
     if len(rows) < LEAST_PLACES or not len(channels):
@@ -147,7 +148,7 @@ def pressed_places(spec: ObjectSpec, frames: FrameSet, face: int) -> PressedPlac
         np.maximum([[force[level].mean() for level in place] for place in levels], 0.0),
         np.array([[own[level][:, channels].mean(axis=0) for level in place] for place in levels]),
         np.array([[len(level) for level in place] for place in levels]),
-        np.array([drifting_zeros(spec, zeroed, time_s, place, span_s) for place in levels]),
+        np.array([drifting_zeros(spec, zeroed, time_s, place, error) for place in levels]),
     )
 
 
@@ -156,35 +157,44 @@ def drifting_zeros(
     zeroed: Int[np.ndarray, "frame"],
     time_s: Float[np.ndarray, "frame"],
     levels: list[Int[np.ndarray, "_"]],
-    span_s: Float[np.ndarray, "frame 2"] | None = None,
+    error: Float[np.ndarray, "frame 2"] | None = None,
 ) -> Float[np.ndarray, "level level"]:
-    """Covariance (counts²) of means by errors of their zeros, each by `zeroing_counts` on its own, and by
-    drift, a random walk since then: levels far apart in time have less of it in common.
+    """Covariance (counts²) of means by errors of their zeros, those of `zeroed` on their own each.
 
-    Without `span_s` (`FrameSet.zero_span_s`) it begins with the first frame of a zero. Where the drift to
-    the next zero was taken off, what is left is a bridge between two zeros.
+    By `FrameSet.zero_error`; without it by `zeroing_counts` and drift, a random walk since the first frame
+    of a zero: levels far apart in time have less of it in common.
     """
     frames = np.concatenate(levels)
     level = np.repeat(np.arange(len(levels)), [len(one) for one in levels])
     weight = (level == np.arange(len(levels))[:, None]) / [[len(one)] for one in levels]
-    found, zero2 = np.zeros((len(levels), len(levels))), spec.sensors.zeroing_counts**2
+    found = np.zeros((len(levels), len(levels)))
     for name in np.unique(zeroed[frames]):
         mine = np.flatnonzero(zeroed[frames] == name)
         mine = mine[np.argsort(time_s[frames[mine]])]
         own, rows = weight[:, mine], frames[mine]
-        if span_s is None:
-            since_s, apart_s = time_s[rows] - time_s[rows[0]], np.inf
-        else:
-            since_s, apart_s = np.maximum(span_s[rows, 0], 0.0), float(span_s[rows[0], 1])
+        if error is not None:
+            found += _remembered(own, *error[rows].T)
+            continue
         later = np.cumsum(own[:, ::-1], axis=1)[:, ::-1]
-        walk = (later * np.diff(since_s, prepend=0.0)) @ later.T
-        whole, along = own.sum(axis=1), own @ np.minimum(since_s / apart_s, 1.0)
-        if np.isfinite(apart_s):
-            walk = walk - apart_s * np.outer(along, along)
-        rest = whole - along
-        found += drift_rate(spec) * walk
-        found += zero2 * (np.outer(rest, rest) + np.outer(along, along))
+        since_s = time_s[rows] - time_s[rows[0]]
+        found += drift_rate(spec) * (later * np.diff(since_s, prepend=0.0)) @ later.T
+        found += spec.sensors.zeroing_counts**2 * np.outer(own.sum(axis=1), own.sum(axis=1))
     return found
+
+
+def _remembered(
+    weight: Float[np.ndarray, "level frame"],
+    variance: Float[np.ndarray, "frame"],
+    memory: Float[np.ndarray, "frame"],
+) -> Float[np.ndarray, "level level"]:
+    """Covariance of weighted sums of errors of growing memory."""
+    half = np.zeros((len(weight), len(weight)))
+    earlier, kept = np.zeros(len(weight)), np.exp(-np.diff(memory, prepend=memory[0]))
+    for own, one, share in zip(weight.T, variance, kept, strict=True):
+        earlier = earlier * share + own / 2
+        half += one * np.outer(earlier, own)
+        earlier = earlier + own / 2
+    return half + half.T
 
 
 def drift_rate(spec: ObjectSpec) -> float:

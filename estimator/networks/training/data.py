@@ -154,7 +154,7 @@ def joined(one: FaceData, other: FaceData) -> FaceData:
     }
     return FaceData(
         one.face,
-        replace(one.frames, **columns, true_force_n=None, zero_span_s=None),
+        replace(one.frames, **columns, true_force_n=None, zero_error=None),
         np.concatenate([one.force_maps_n, other.force_maps_n]),
         np.concatenate([one.rest, other.rest]),
     )

@@ -101,7 +101,9 @@ def _listed(spec: ObjectSpec, options: RigOptions) -> dict[str, Any]:
 
 
 def _plan(spec: ObjectSpec, face: int, options: RigOptions) -> PressPlan:
-    usual = settings_of_few(spec) if options.adaptive else {"depths_mm": stops_of(spec)}
+    usual: dict[str, Any] = {"depths_mm": stops_of(spec)}
+    if options.adaptive:
+        usual = settings_of_few(spec)
     settings = PressSettings(**(usual | dict(options.settings)))
     presses, order = options.presses, None
     if options.adaptive:

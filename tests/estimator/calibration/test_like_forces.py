@@ -65,17 +65,22 @@ def test_drift_between_levels_is_a_random_walk_since_the_zero_of_each_press():
     assert_allclose(drifting_zeros(spec, zeroed, time_s, levels), weight @ frames @ weight.T)
 
 
-def test_drift_that_was_taken_off_leaves_a_bridge_between_two_zeros():
+def test_errors_of_zeros_that_a_recording_states_are_shared_by_their_memory():
     spec = coarse_spec()
-    since, apart = np.array([2.0, 5.0, 6.0, 9.0]), 12.0
-    span = np.stack([since, np.full(4, apart)], axis=1)
-    levels, weight = (
-        [np.array([0, 3]), np.array([1, 2])],
-        np.array([[1, 0, 0, 1], [0, 1, 1, 0]]) / 2,
-    )
-    left = np.minimum.outer(since, since) - np.outer(since, since) / apart
-    along = since / apart
-    zeros = np.outer(1 - along, 1 - along) + np.outer(along, along)
-    wanted = drift_rate(spec) * left + spec.sensors.zeroing_counts**2 * zeros
-    found = drifting_zeros(spec, np.zeros(4, int), since + 70.0, levels, span)
+    variance = np.array([9.0, 7.0, 8.0, 12.0, 5.0, 6.0])
+    memory = np.array([3.0, 3.1, 3.5, 3.6, 0.0, 0.4])
+    session, time_s = np.array([0, 0, 0, 0, 1, 1]), np.arange(6.0)
+    order = np.array([2, 0, 5, 3, 1, 4])  # frames may come in any order
+    levels = [np.array([0, 3, 5]), np.array([1, 2, 4])]
+    wanted = np.zeros((6, 6))
+    for a in range(6):
+        for b in range(6):
+            late = max(a, b)
+            alike = variance[late] * np.exp(-abs(memory[a] - memory[b]))
+            wanted[a, b] = alike * (session[a] == session[b])
+    weight = np.zeros((2, 6))
+    for k, level in enumerate(levels):
+        weight[k, order[level]] = 1 / len(level)
+    error = np.stack([variance, memory], axis=1)[order]
+    found = drifting_zeros(spec, session[order], time_s[order], levels, error)
     assert_allclose(found, weight @ wanted @ weight.T)

@@ -82,5 +82,5 @@ def test_a_press_and_its_retraction_fit_into_the_machine_or_are_refused():
 
 @pytest.mark.parametrize("wrong", [{"strokes": 0}, {"strokes": 2, "lift_mm": 9.0}])
 def test_strokes_that_cannot_be_done_are_refused(wrong):
-    with pytest.raises(InputError, match="--strokes|--clearance"):
+    with pytest.raises(InputError, match=r"--(strokes|clearance)"):
         PressSettings((1.0,), **wrong)

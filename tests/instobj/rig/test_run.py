@@ -139,7 +139,7 @@ def test_strokes_after_a_full_force_go_less_deep(tmp_path):
     assert found["presses"] == 1
     rows = rows_of(tmp_path)
     assert loads_in([row["travel_mm"] for row in rows]) == 3
-    peaks = [force for force in map(max, split_loads(rows))]
+    peaks = list(map(max, split_loads(rows)))
     assert peaks[0] >= SETTINGS["full_n"]
     assert max(peaks[1:]) < SETTINGS["full_n"] < LIMIT_N
 

@@ -1,0 +1,125 @@
+"""Levels at rest under presses: drift followed from both sides, and how far it may be off."""
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from estimator.recordings.drift import levels_under_presses
+from estimator.recordings.zeros import rest_levels
+
+REST, LOADED, PRESSES, FRAME_S = 25, 30, 40, 0.1
+NOISE = np.full((5, 1, 3), 20.0)
+RATE = 4.0
+
+
+def stretch(presses=PRESSES, gap_s=0.0):
+    """Presses of 30 loaded frames behind 25 at rest, 10 a second: times, and what is loaded."""
+    loaded = np.tile(np.repeat([False, True], [REST, LOADED]), presses)
+    press = np.repeat(np.arange(presses), REST + LOADED)
+    return np.arange(len(press)) * FRAME_S + gap_s * press, loaded
+
+
+def followed(counts, time_s, loaded, session=None, noise=NOISE):
+    session = np.zeros(len(time_s), int) if session is None else session
+    return levels_under_presses(counts, time_s, session, loaded, ~loaded, noise)
+
+
+def walking(time_s, seed=0, rate=RATE):
+    """Random walks of all channels, and what is read of them."""
+    rng = np.random.default_rng(seed)
+    steps = rng.standard_normal((len(time_s), 5, 1, 3))
+    walk = np.cumsum(np.sqrt(rate * FRAME_S) * steps, axis=0)
+    return walk, walk + 20.0 * rng.standard_normal(walk.shape)
+
+
+def by_least_squares(seen, time_s, used, rate):
+    """Levels and their covariance from all frames at rest at once, without a filter."""
+    prior = rate * np.minimum.outer(time_s, time_s) + 1e7
+    rest = np.flatnonzero(used)
+    gain = np.linalg.solve(prior[np.ix_(rest, rest)] + 400 * np.eye(len(rest)), prior[rest])
+    mean = seen[rest].mean()
+    return mean + gain.T @ (seen[rest] - mean), prior - prior[:, rest] @ gain
+
+
+def test_levels_and_errors_are_those_of_least_squares_over_all_rests():
+    time_s, loaded = stretch(4)
+    _, counts = walking(time_s)
+    found = followed(counts, time_s, loaded)
+    near = np.convolve(loaded, np.ones(5), "same") > 0
+    level, covariance = by_least_squares(counts[:, 2, 0, 1], time_s, ~near, found.drift_counts2_s)
+    assert_allclose(found.counts[:, 2, 0, 1], level, atol=0.05)
+    variance, memory = found.error.T
+    assert_allclose(variance, np.diag(covariance), rtol=1e-3)
+    later = np.maximum.outer(np.arange(len(time_s)), np.arange(len(time_s)))
+    told = variance[later] * np.exp(-abs(memory[:, None] - memory))
+    assert_allclose(told, covariance, atol=0.02)
+
+
+def test_the_rate_of_the_drift_is_found_and_errors_are_as_large_as_they_say():
+    time_s, loaded = stretch(100)
+    walk, counts = walking(time_s)
+    found = followed(counts, time_s, loaded)
+    assert found.drift_counts2_s == pytest.approx(RATE, rel=0.25)
+    off = np.mean((found.counts - walk)[loaded] ** 2)
+    assert off == pytest.approx(found.error[loaded, 0].mean(), rel=0.25)
+    loads = np.flatnonzero(loaded)
+    presses = np.split(loads, np.flatnonzero(np.diff(loads) > 1) + 1)
+    means = [counts[part[0] - 20 : part[0]].mean(axis=0) for part in presses]
+    plain = np.mean([(mean - walk[part]) ** 2 for mean, part in zip(means, presses, strict=True)])
+    assert off < 0.6 * plain
+
+
+def test_steady_signals_are_averaged_over_half_a_minute():
+    time_s, loaded = stretch()
+    _, counts = walking(time_s, rate=0.0)
+    found = followed(counts, time_s, loaded)
+    assert found.counts[loaded].std() < 3.0
+    assert found.drift_counts2_s <= 400 * FRAME_S / 20**2
+
+
+@pytest.mark.parametrize("why", ["jump", "session"])
+def test_nothing_is_carried_over_a_jump_or_a_new_mounting(why):
+    time_s, loaded = stretch(4)
+    second = np.arange(len(time_s)) >= 2 * (REST + LOADED)
+    _, counts = walking(time_s)
+    counts[:, 2, 0, 1] += np.where(second, 2000.0 if why == "jump" else 60.0, 0.0)
+    session = second.astype(int) if why == "session" else None
+    found = followed(counts, time_s, loaded, session)
+    parts = [
+        followed(counts[part], time_s[part], loaded[part]).counts[:, 2, 0, 1]
+        for part in (~second, second)
+    ]
+    assert_allclose(found.counts[:, 2, 0, 1], np.concatenate(parts), atol=4.0)
+    if why == "session":
+        across = np.exp(found.error[~second, 1][-1] - found.error[second, 1][0])
+        assert across < 1e-4
+
+
+def test_frames_beside_a_contact_are_not_taken_for_rest():
+    time_s, loaded = stretch()
+    touching = np.convolve(loaded, np.ones(3), "same") > 0
+    _, counts = walking(time_s)
+    counts[touching & ~loaded] += 500.0
+    assert abs(followed(counts, time_s, loaded).counts).max() < 100
+
+
+def test_gaps_dead_channels_and_single_presses_leave_no_gap():
+    time_s, loaded = stretch(1)
+    _, counts = walking(time_s)
+    counts[5:9], counts[:, 0] = np.nan, np.nan
+    found = followed(
+        counts,
+        time_s,
+        loaded,
+        noise=np.where(np.arange(5) > 0, 20.0, np.nan)[:, None, None] * np.ones((5, 1, 3)),
+    )
+    assert np.isfinite(found.counts).all()
+    assert np.isfinite(found.error).all()
+
+
+def test_zeros_from_behind_their_press_are_told():
+    time_s, loaded = stretch(4)
+    loaded[: REST - 2] = True  # the first press has no rest before it
+    press = np.repeat(np.arange(4), REST + LOADED)
+    zeros = rest_levels(np.zeros((len(time_s), 5, 1, 3)), press, loaded, ~loaded)
+    assert zeros.before.tolist() == [False, True, True, True]
