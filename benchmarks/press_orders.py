@@ -30,6 +30,7 @@ from instobj.rig.plan import (
     middle_place,
     places_among,
     press_plan,
+    settings_of_few,
     stops_of,
 )
 
@@ -54,21 +55,25 @@ class Way:
         return press_plan(spec, FACE, self.settings, 0, 1, EVERY, places, self.order)
 
 
-def ways(spec: ObjectSpec, table: Table, seed: int) -> list[Way]:
+def ways(spec: ObjectSpec, adaptive: Int[np.ndarray, "press"], seed: int) -> list[Way]:
     """Adaptive, and what it is compared with: all 100 places take 111 presses with the returns."""
-    usual = PressSettings(stops_of(spec))
-    long = PressSettings((2.0, 2.5), dwell_s=4.0, rest_s=2.5, speed_mm_s=2.0)
-    xy = contact_grid(spec).xy_mm
-    doubt = doubt_beforehand(spec, *table, FACE, usual.full_n)
-    adaptive, _ = press_order(doubt, places_among(max(COUNTS), EVERY), [middle_place(xy)])
-    shuffled = np.random.default_rng(seed).permutation(len(xy))
+    usual, strokes = PressSettings(stops_of(spec)), PressSettings(**settings_of_few(spec))
+    shuffled = np.random.default_rng(seed).permutation(len(contact_grid(spec).xy_mm))
     return [
-        Way("adaptive", adaptive, usual, COUNTS),
+        Way("adaptive", adaptive, strokes, COUNTS),
         Way("all 100 places", shuffled, usual, (111,)),
-        Way("random", shuffled, usual, COUNTS),
-        Way("even grid", _even(10, 5), usual, (29,)),
-        Way("adaptive, long stops", adaptive, long, (40,)),
+        Way("random, strokes", shuffled, strokes, COUNTS),
+        Way("even grid, strokes", _even(10, 5), strokes, (29,)),
+        Way("adaptive, one stroke", adaptive, usual, COUNTS),
+        Way("random, one stroke", shuffled, usual, COUNTS[-1:]),
     ]
+
+
+def adaptive_order(spec: ObjectSpec, table: Table) -> Int[np.ndarray, "press"]:
+    """As `rig --adaptive` presses."""
+    doubt = doubt_beforehand(spec, *table, FACE, PressSettings(stops_of(spec)).full_n)
+    middle = middle_place(contact_grid(spec).xy_mm)
+    return press_order(doubt, places_among(max(COUNTS), EVERY), [middle])[0]
 
 
 def _even(side: int, along: int) -> Int[np.ndarray, "press"]:
@@ -98,11 +103,11 @@ def study(spec: ObjectSpec, table: Table, kept: Path) -> dict[str, dict[str, flo
     document = json.loads(kept.read_text()) if kept.exists() else {}
     if document.get("specification") != spec_hash(spec):
         document = {"specification": spec_hash(spec), "shares": {}}
-    found = document["shares"]
+    found, adaptive = document["shares"], adaptive_order(spec, table)
     for noise in range(NOISES):
         for object_seed in range(HIDDEN):
             hidden, case = hidden_object(spec, table, FACE, object_seed), f"{object_seed}.{noise}"
-            for way in ways(spec, table, 10 * object_seed + noise):
+            for way in ways(spec, adaptive, 10 * object_seed + noise):
                 for count in way.counts:
                     row = found.setdefault(f"{way.name} | {count}", {})
                     if case in row:
@@ -165,9 +170,15 @@ def main() -> None:
     RESULTS.mkdir(exist_ok=True)
     found = study(spec, table, RESULTS / "press_orders.json")
     draw(found, RESULTS / "press_orders.png")
+    minutes = {
+        f"{way.name} | {count}": way.plan(spec, count).seconds / 60
+        for way in ways(spec, np.arange(max(COUNTS)), 0)
+        for count in way.counts
+    }
     for key, row in found.items():
         values = 100 * np.array(list(row.values()))
-        print(f"{key}: {values.mean():.2f} ({values.min():.2f} to {values.max():.2f})")
+        scatter = f"{values.mean():.2f} ({values.min():.2f} to {values.max():.2f})"
+        print(f"{key}: {scatter}, {minutes[key]:.0f} minutes")
 
 
 if __name__ == "__main__":

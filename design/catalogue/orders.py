@@ -11,6 +11,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 PRICED = "2025-11"
+_PROJECTS = "parts lists of public projects; looked up 2026-11"
+"""Not the maker's own words, but of people who ordered by that number."""
 
 
 @dataclass(frozen=True)
@@ -70,27 +72,43 @@ SILICONE_KIT_G = 900.0
 
 ORDERS = {
     **{f"TMAG5273{letter}{v}": _tmag(letter, v) for letter in "ABCD" for v in (1, 2)},
-    "MLX90393": Order("Hall sensor MLX90393", "Melexis", "MLX90393SLW-ABA-011-RE", (2.0, 4.5)),
+    "MLX90393": Order(
+        "Hall sensor MLX90393", "Melexis", "MLX90393SLW-ABA-011-RE", (2.0, 4.5),
+        seen="Melexis' data sheet at a parts index; looked up 2026-11",
+    ),
     **{f"TLE493DW2B6A{k}": _tle(k) for k in range(4)},
-    "100 nF": Order("capacitor 100 nF, 0402", "Murata", "GRM155R71C104KA88D", (0.02, 0.1)),
-    "mega2560": Order("Arduino Mega 2560 Rev3", "Arduino", "A000067", (38.0, 50.0)),
-    "pico": Order("Raspberry Pi Pico H", "Raspberry Pi", "SC0917", (4.5, 7.0)),
+    "100 nF": Order(
+        "capacitor 100 nF, 0402", "Murata", "GRM155R71C104KA88D", (0.02, 0.1), seen=_PROJECTS
+    ),
+    "mega2560": Order("Arduino Mega 2560 Rev3", "Arduino", "A000067", (38.0, 50.0), seen=_PROJECTS),
+    "pico": Order("Raspberry Pi Pico H", "Raspberry Pi", "SC0917", (4.5, 7.0), seen=_PROJECTS),
     MUX: Order(
         "TCA9548A on a board", "Adafruit", "2717", (6.0, 9.0),
         seen="Adafruit's manual of 2717; looked up 2026-11",
     ),
-    SHIFTER: Order("level shifter, 4 channels, BSS138", "Adafruit", "757", (3.0, 5.0)),
-    BUFFER: Order("hex buffer CD74HC4050E, DIP-16", "Texas Instruments", "CD74HC4050E", (0.5, 1.2)),
+    SHIFTER: Order(
+        "level shifter, 4 channels, BSS138", "Adafruit", "757", (3.0, 5.0), seen=_PROJECTS
+    ),
+    BUFFER: Order(
+        "hex buffer CD74HC4050E, DIP-16", "Texas Instruments", "CD74HC4050E", (0.5, 1.2), seen=_PROJECTS
+    ),
     RESISTOR: Order("resistor, 1 %, 0.6 W, axial", "Vishay", "MRS25 series", (0.05, 0.2)),
     HX711: Order(
         "HX711 on a board", "SparkFun", "SEN-13879", (9.0, 14.0),
         note="80 readings a second: cut the jumper RATE; the older SEN-13230 is retired",
+        seen=_PROJECTS,
     ),
-    LOAD_CELL: Order("load cell 5 kg, 1 mV/V", "HT Sensor Technology", "TAL220B", (8.0, 14.0)),
+    LOAD_CELL: Order(
+        "load cell 5 kg, 1 mV/V", "HT Sensor Technology", "TAL220B", (8.0, 14.0), seen=_PROJECTS
+    ),
     VERNIER: Order(
-        "Dual-Range Force Sensor", "Vernier", "DFS-BTA", (110.0, 170.0), note="in its ±50 N range"
+        "Dual-Range Force Sensor", "Vernier", "DFS-BTA", (110.0, 170.0), note="in its ±50 N range",
+        seen=_PROJECTS,
     ),
-    BTA_ADAPTER: Order("analogue adapter BTA to pins", "Vernier", "BTA-ELV", (10.0, 20.0)),
+    BTA_ADAPTER: Order(
+        "analogue adapter BTA to pins", "Vernier", "BTA-ELV", (10.0, 20.0),
+        seen="Vernier's page on connectors, til/818; looked up 2026-11",
+    ),
     WIRE: Order("stranded wire AWG 30, PTFE, 10 m", "various", "AWG 30 (7/38) PTFE", (4.0, 12.0)),
     STRIP: Order("stripboard, 100 × 50 mm", "various", "RM 2.54", (1.5, 4.0)),
     "Platsil Gel-10": Order("PlatSil Gel-10, 0.91 kg kit", "Polytek", "PlatSil Gel-10", (35.0, 60.0)),
