@@ -17,6 +17,7 @@ STOPS = 4
 """Depths per press, if none are given: a press and its retraction must fit into Grbl's buffer."""
 _SHARE = 1 / STOPS
 _SHALLOWER = 0.85
+_MOST_STROKES = 100
 _FEW_SHARE = 0.75
 _OF_FEW: dict[str, Any] = {"strokes": 9, "stroke_speed_mm_s": 2.0, "dwell_s": 0.3, "pause_s": 0.9}
 
@@ -73,8 +74,8 @@ class PressSettings:
             raise InputError(
                 f"--clearance {self.clearance_mm:g} mm must be {least_mm:g} mm or more"
             )
-        if self.strokes < 1:
-            raise InputError(f"--strokes {self.strokes} must be 1 or more")
+        if not 1 <= self.strokes <= _MOST_STROKES:
+            raise InputError(f"--strokes {self.strokes} must be 1 to {_MOST_STROKES}")
 
     @property
     def seconds(self) -> float:

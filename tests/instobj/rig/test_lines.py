@@ -65,6 +65,19 @@ def test_lines_wait_until_the_machine_has_room_for_them():
     assert line.got.decode().split() == sent
 
 
+def test_lines_that_belong_together_are_sent_at_once_or_not_yet():
+    line = FakeLine()
+    link = GrblLink(line, "machine", trusted=True)
+    for _ in range(3):
+        link.send_whole(["G53G1Z-112.35F120", "G4P0.3", "G53G0Z-109", "G4P0.9"])
+    part = b"G53G1Z-112.35F120\nG4P0.3\nG53G0Z-109\nG4P0.9\n"
+    assert line.got == 2 * part  # 43 of 127 characters each
+    assert link.unanswered == 12
+    line.said = b"ok\r\n"
+    link.poll()
+    assert line.got == 3 * part
+
+
 def test_faults_are_told_with_the_line_that_was_refused():
     line = FakeLine()
     link = GrblLink(line, "machine", trusted=True)

@@ -83,6 +83,24 @@ def test_returns_to_the_middle_count_among_the_presses_of_an_adaptive_run(tmp_pa
     assert set(others) <= set(map(tuple, face_places(spec, 3).tolist()))
 
 
+def test_few_places_are_pressed_in_strokes_that_options_change(tmp_path, monkeypatch):
+    path, out = tmp_path / "cube.toml", tmp_path / "poses.json"
+    path.write_text('name = "cube"\n[contact_grid]\ncount = [3, 3]\npitch_mm = 5.0\n')
+    monkeypatch.setattr(Run, "read", lambda self, file: synthetic_presses(self.spec))
+
+    def stops(*settings):
+        given = {"faces": (3,), "presses": 2, "reference_every": 0, "adaptive": True}
+        rig(RigOptions(path, "poses", out, settings=settings, **given), lambda _: False)
+        poses = [pose for pose in json.loads(out.read_text())["poses"] if pose["press"] == 0]
+        return [(pose["stop"], pose["depth_mm"], pose["speed_mm_s"]) for pose in poses]
+
+    again = [("clear", -0.5, 0.0), ("press", 3.0, 2.0)]
+    down = [("above", -5.0, 0.0), ("near", -1.0, 0.0), ("press", 3.0, 1.0)]
+    assert stops() == [*down, *8 * again, ("above", -5.0, 0.0)]
+    two = [*down[:2], ("press", 2.0, 1.0), again[0], ("press", 2.0, 2.0), ("above", -5.0, 0.0)]
+    assert stops(("strokes", 2), ("depths_mm", (2.0,))) == two
+
+
 @pytest.mark.parametrize(("presses", "every"), [(40, 10), (12, 4), (23, 10), (2, 1), (9, 0)])
 def test_presses_hold_their_returns(tmp_path, presses, every):
     path = tmp_path / "cube.toml"
