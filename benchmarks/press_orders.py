@@ -37,6 +37,7 @@ from instobj.rig.plan import (
 FACE, EVERY = 3, 10
 HIDDEN, NOISES = 3, 2
 COUNTS = (20, 30, 40)
+WHOLE = "all 100 places, one stroke"
 RESULTS = Path(__file__).parent / "results"
 Table = tuple[PressForces, MagnetMotions]
 
@@ -60,10 +61,10 @@ def ways(spec: ObjectSpec, adaptive: Int[np.ndarray, "press"], seed: int) -> lis
     usual, strokes = PressSettings(stops_of(spec)), PressSettings(**settings_of_few(spec))
     shuffled = np.random.default_rng(seed).permutation(len(contact_grid(spec).xy_mm))
     return [
-        Way("adaptive", adaptive, strokes, COUNTS),
-        Way("all 100 places", shuffled, usual, (111,)),
-        Way("random, strokes", shuffled, strokes, COUNTS),
-        Way("even grid, strokes", _even(10, 5), strokes, (29,)),
+        Way("adaptive, 9 strokes", adaptive, strokes, COUNTS),
+        Way(WHOLE, shuffled, usual, (111,)),
+        Way("random, 9 strokes", shuffled, strokes, COUNTS),
+        Way("even grid, 9 strokes", _even(10, 5), strokes, (29,)),
         Way("adaptive, one stroke", adaptive, usual, COUNTS),
         Way("random, one stroke", shuffled, usual, COUNTS[-1:]),
     ]
@@ -129,31 +130,30 @@ def study(spec: ObjectSpec, table: Table, kept: Path) -> dict[str, dict[str, flo
     return found
 
 
-def draw(found: dict[str, dict[str, float]], path: Path) -> None:
-    """Means over objects and noises, with all of them as points."""
+def draw(found: dict[str, dict[str, float]], minutes: dict[str, float], path: Path) -> None:
+    """Means over objects and sessions, with all of them as points, over presses and over minutes."""
     import matplotlib.pyplot as plt
 
-    figure, axes = plt.subplots(figsize=(6.4, 4.2), layout="constrained")
+    figure, panels = plt.subplots(1, 2, figsize=(9, 4.2), layout="constrained", sharey=True)
     names = dict.fromkeys(key.split(" | ")[0] for key in found)
-    for name in names:
-        rows = {
-            int(key.split(" | ")[1]): row
-            for key, row in found.items()
-            if key.split(" | ")[0] == name
-        }
-        number = sorted(rows)
-        means = [100 * np.mean(list(rows[count].values())) for count in number]
-        (line,) = axes.plot(number, means, marker="o", label=name)
-        for count in number:
-            points = 100 * np.array(list(rows[count].values()))
-            axes.plot(
-                np.full(len(points), count), points, ".", ms=3, color=line.get_color(), alpha=0.5
-            )
-        if name == "all 100 places":
-            axes.axhline(float(means[0]), color=line.get_color(), ls=":")
-    axes.set(xlabel="presses, returns included", ylabel="error of the signals at all places (%)")
-    axes.set_ylim(bottom=0)
-    axes.legend()
+    for number, name in enumerate(names):
+        keys = sorted(
+            (key for key in found if key.split(" | ")[0] == name), key=minutes.__getitem__
+        )
+        shares = [100 * np.array(list(found[key].values())) for key in keys]
+        presses, taken = [int(key.split(" | ")[1]) for key in keys], [minutes[key] for key in keys]
+        for axes, at, aside in zip(panels, (presses, taken), (0.6, 0.18), strict=True):
+            means = [values.mean() for values in shares]
+            (line,) = axes.plot(at, means, marker="o", ms=5, label=name)
+            for here, values in zip(at, shares, strict=True):
+                beside = np.full(len(values), here + aside * (number - len(names) / 2))
+                axes.plot(beside, values, ".", ms=4, color=line.get_color(), alpha=0.6)
+            if name == WHOLE:
+                axes.axhline(means[0], color=line.get_color(), ls=":")
+    panels[0].set(xlabel="presses, returns included", ylabel="error of signals at all places (%)")
+    panels[1].set(xlabel="minutes")
+    panels[0].set_ylim(bottom=0)
+    panels[0].legend(loc="upper right")
     figure.savefig(path, dpi=150)
 
 
@@ -169,12 +169,12 @@ def main() -> None:
         table = Run(spec).read(PRESSES)
     RESULTS.mkdir(exist_ok=True)
     found = study(spec, table, RESULTS / "press_orders.json")
-    draw(found, RESULTS / "press_orders.png")
     minutes = {
         f"{way.name} | {count}": way.plan(spec, count).seconds / 60
         for way in ways(spec, np.arange(max(COUNTS)), 0)
         for count in way.counts
     }
+    draw(found, minutes, RESULTS / "press_orders.png")
     for key, row in found.items():
         values = 100 * np.array(list(row.values()))
         scatter = f"{values.mean():.2f} ({values.min():.2f} to {values.max():.2f})"
