@@ -19,6 +19,8 @@ Place = tuple[float, float]
 _STEP_MM, _REACH_MM = 2.0, 8.0
 """Of the lattice round a key on which another place is looked for."""
 _HALVINGS = 7
+_LEAST_BAY_MM = 1.5
+"""Nothing goes into a smaller one."""
 _SMALLER = (0.7, 0.5, 0.35, 0.25)
 """Of keys that fit nowhere near."""
 
@@ -59,11 +61,9 @@ def nearest_bay(spec: ObjectSpec, check: Check) -> str | None:
         return spec.changed(core=spec.core.changed(bay_mm=(x, y, z)))
 
     share = _largest_share(lambda share: _is_sound(changed(share), check))
-    return (
-        f"a bay would fit with core.bay_mm = {list(changed(share).core.bay_mm or ())}"
-        if share
-        else None
-    )
+    fits = list(changed(share).core.bay_mm or ())
+    told = share and min(fits) >= _LEAST_BAY_MM
+    return f"a bay would fit with core.bay_mm = {fits}" if told else None
 
 
 def nearest_keys(spec: ObjectSpec, check: Check) -> str | None:

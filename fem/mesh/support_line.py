@@ -68,7 +68,7 @@ def _wall_edges(
     level_mm: float,
 ) -> Int[np.ndarray, "edge 2"]:
     """Edges of the triangles on the cavity's wall, the core's and its continuation past the end."""
-    mesh = MeshTet(points_mm.T, tets.T)
+    mesh = MeshTet(np.ascontiguousarray(points_mm.T), np.ascontiguousarray(tets.T))
     beyond = np.clip(points_mm @ normal - level_mm, 0, None)
     on_wall = abs(
         body_of(spec).core_distance_mm(points_mm - beyond[:, None] * normal)

@@ -49,12 +49,12 @@ def envelope_text(spec: ObjectSpec, protocol: dict[str, Any]) -> str:
     five = depth_of_force_error_mm(0.05, thickness)
     return (
         "Small-strain mechanics is off at the protocol's peaks: "
-        + "; ".join(parts)
+        + "; ".join(dict.fromkeys(parts))
         + f". Its force is 5 % off at {five:.1f} mm at the worst location, and less than 20 % off down to "
         f"{thickness / 2:g} mm. This is orientation: the largest of six neo-Hookean presses of the R5 "
         "hemisphere on a cube of 42 mm with a shell of 8 mm, scaled by depth over thickness. "
         'mechanics.correction = "large-strain" presses this object instead and corrects the table; '
-        "`instobj press` shows both models for one press."
+        "instobj press shows both models for one press."
     )
 
 

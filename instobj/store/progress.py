@@ -39,7 +39,7 @@ class ProgressLine:
         if self._status is not None:
             self._status.update(line)
         else:
-            self.console.print(f"  … {line}")
+            self.console.print(f"  … {line}", soft_wrap=True)  # a log has no columns to break at
             sys.stderr.flush()
 
     def say(self, message: str) -> None:

@@ -31,7 +31,7 @@ OUTWARD = {1: "+z", 2: "−y", 3: "+x", 4: "+y", 5: "−x", 6: "−z"}
 _SENSOR_EDGE_MM = 1.8
 _FACE_INCHES = 4.6, 4.6
 """Room for the map in the picture of one face, within what legend and scale leave."""
-_LARGEST_FONT, _SMALLEST_FONT = 8.5, 4.0
+_LARGEST_FONT, SMALLEST_FONT = 8.5, 4.0
 """Points; numbers that do not fit their cell at the smallest are left out."""
 _DIGIT_EM, _POINT_EM, _USUAL_EM = 0.64, 0.32, 2.24
 """Widths of a digit, of a decimal point and of a number such as 0.12, in font sizes."""
@@ -109,8 +109,12 @@ def draw_face(
     scale: MapScale,
     pose: Pose,
     inches_per_mm: float,
+    smallest_font: float = SMALLEST_FONT,
 ) -> Any:
-    """Draw one face's map, parts and numbers into axes in mm, and return its coloured mesh."""
+    """Draw one face's map, parts and numbers into axes in mm, and return its coloured mesh.
+
+    Numbers that would be smaller than `smallest_font` (points) in their cells are left out.
+    """
     from matplotlib.patches import Ellipse, Rectangle
 
     grid, move, frame = contact_grid(spec), pose.transform(axes), face_frame(spec, face)
@@ -134,7 +138,8 @@ def draw_face(
     )  # fmt: skip
     _draw_parts(axes, spec, face, move)
     cell_inches = spec.contact_grid.pitch_mm * inches_per_mm
-    _write_numbers(axes, pose.apply(grid.xy_mm[there]), shown.ravel()[there], scale, cell_inches)
+    values_there, places = shown.ravel()[there], pose.apply(grid.xy_mm[there])
+    _write_numbers(axes, places, values_there, scale, cell_inches, smallest_font)
     return mesh
 
 
@@ -198,7 +203,12 @@ def _sensors_in_plane(spec: ObjectSpec, face: int) -> Float[np.ndarray, "sensor 
 
 
 def _write_numbers(
-    axes: Any, xy_mm: Float[np.ndarray, "place 2"], shown: Any, scale: MapScale, cell_inches: float
+    axes: Any,
+    xy_mm: Float[np.ndarray, "place 2"],
+    shown: Any,
+    scale: MapScale,
+    cell_inches: float,
+    smallest_font: float,
 ) -> None:
     """Each place's value in its cell, in the size that the longest of them allows."""
     from matplotlib import colormaps
@@ -208,11 +218,9 @@ def _write_numbers(
     luminance = np.where(colours <= 0.03928, colours / 12.92, ((colours + 0.055) / 1.055) ** 2.4)
     light = luminance @ [0.2126, 0.7152, 0.0722] > 0.18
     blank = np.ma.getmaskarray(shown)
-    texts = [
-        "∞" if hidden else _number(float(value)) for value, hidden in zip(shown, blank, strict=True)
-    ]
+    texts = _texts(shown)
     font_size = _fitting_font(texts, cell_inches)
-    if font_size < _SMALLEST_FONT:
+    if font_size < smallest_font:
         return
     for place, (x, y) in enumerate(xy_mm):
         ink = INK if light[place] or blank[place] else "white"
@@ -224,10 +232,24 @@ def _write_numbers(
         number.set_in_layout(False)
 
 
+def fitting_font(
+    values: Float[np.ndarray, "face place"], scale: MapScale, cell_inches: float
+) -> float:
+    """Points of the numbers of all faces together, as large as their cells allow."""
+    return _fitting_font(
+        _texts(np.ma.masked_invalid(values.ravel() / 10.0**scale.exponent)), cell_inches
+    )
+
+
+def _texts(shown: Any) -> list[str]:
+    hidden = np.ma.getmaskarray(shown)
+    return ["∞" if no else _number(float(value)) for value, no in zip(shown, hidden, strict=True)]
+
+
 def _fitting_font(texts: list[str], cell_inches: float) -> float:
-    """Size in points at which the longest number takes nine tenths of a cell's width at most."""
+    """Size in points at which the longest number takes five sixths of a cell's width at most."""
     lengths = [_DIGIT_EM * len(text) - (_DIGIT_EM - _POINT_EM) * text.count(".") for text in texts]
-    return min(_LARGEST_FONT, 0.9 * 72 * cell_inches / max(_USUAL_EM, *lengths))
+    return min(_LARGEST_FONT, 5 / 6 * 72 * cell_inches / max(_USUAL_EM, *lengths))
 
 
 def _number(value: float) -> str:

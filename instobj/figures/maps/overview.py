@@ -24,8 +24,10 @@ from instobj.figures.maps.heatmaps import (
     INK,
     OUTWARD,
     PAPER,
+    SMALLEST_FONT,
     Pose,
     draw_face,
+    fitting_font,
     legend_handles,
 )
 from instobj.figures.maps.scale import BOUND_COLOURS, MapScale, map_scale, set_plain_ticks
@@ -45,6 +47,7 @@ _CAPTION_WIDTH, _LINE_INCHES, _TITLE_LINE_INCHES = 42, 0.26, 0.33
 _ABOVE_CAPTION_INCHES = 2.1
 """Height of scale and legend in the column."""
 _NAME_POINTS = 10.5
+_REPORT_PX, _LEGIBLE_PX = 1000.0, 5.0
 _ARROW_MM = 5.0
 MARKED = "#2fd6f5"
 
@@ -58,6 +61,12 @@ class _Page:
     inches_per_mm: float
     column_left: float
     column_top: float
+
+    @property
+    def smallest_font(self) -> float:
+        """Points of a number that can be read where the picture is as wide as the report's text."""
+        across = float(self.figure.get_size_inches()[0])
+        return max(SMALLEST_FONT, _LEGIBLE_PX / _REPORT_PX * 72 * across)
 
     def place(self, left: float, bottom: float, width: float, height: float) -> Any:
         """A rectangle in inches as shares of the figure."""
@@ -92,10 +101,13 @@ def draw_overview(
     lines = [*note.splitlines(), covered]
     caption = [part for line in lines for part in wrap(line, _CAPTION_WIDTH)]
     page = _page(spec, faces, title, len(caption))
+    cell = spec.contact_grid.pitch_mm * page.inches_per_mm
+    legible = fitting_font(values, scale, cell) >= page.smallest_font
+    sizes = page.inches_per_mm, SMALLEST_FONT if legible else np.inf
     meshes = []
     for index, (row, number) in enumerate(zip(values, faces.tolist(), strict=True)):
         pose = net_pose(spec, number, _gap_mm(page.inches_per_mm))
-        meshes.append(draw_face(page.axes, row, spec, number, scale, pose, page.inches_per_mm))
+        meshes.append(draw_face(page.axes, row, spec, number, scale, pose, *sizes))
         if direction_deg is not None:
             blind = contact_places(spec)[spec.body.sensed.index(number)] & ~np.isfinite(row)
             _draw_directions(page.axes, spec, direction_deg[index], blind, pose)

@@ -58,6 +58,46 @@ def test_every_part_of_an_example_slices_without_a_warning(path, tmp_path):
     assert warnings_of(load_spec(path), tmp_path) == {}
 
 
+KEYS = ["core.keys.size_mm=[2, 2]", "core.keys.height_mm=1.5"]
+CHOICES = {
+    "handle": [
+        "shell.seal_layer_mm=0.6",
+        "core.keys.positions_mm=[[0, -6]]",
+        "shell.slits.depth_mm=4",
+        "core.wire_channel_width_mm=2",
+        "core.bay_mm=[10, 10, 12]",
+        *KEYS,
+    ],
+    "egg": [
+        "body.open_faces=[]",
+        "shell.seal_layer_mm=0.6",
+        "core.keys.positions_mm=[[9, -6]]",
+        *KEYS,
+    ],
+    "pear": ["body.open_faces=[]", "shell.seal_layer_mm=0.5"],
+    "capsule": [
+        "shell.seal_layer_mm=0.5",
+        "core.keys.positions_mm=[[0, -6]]",
+        "core.wire_channel_width_mm=2",
+        *KEYS,
+    ],
+    "hall_skin": [
+        "shell.seal_layer_mm=0.5",
+        "core.bay_mm=[10, 8, 2]",
+        "core.wire_channel_width_mm=1",
+    ],
+    "hollow_dome": ["shell.seal_layer_mm=0.5"],
+    "three_axis_dome": ["shell.seal_layer_mm=0.5"],
+}
+"""What no example asks for: layers, keys, slits, bays, channels and sockets on curved bodies and pads."""
+
+
+@pytest.mark.parametrize("name", CHOICES)
+def test_parts_with_layers_keys_slits_and_bays_slice_without_a_warning(name, tmp_path):
+    path = next(path for path in EXAMPLES if path.stem == name)
+    assert warnings_of(load_spec(path, CHOICES[name]), tmp_path) == {}
+
+
 def test_a_part_that_floats_is_warned_of(tmp_path):
     lower, upper = trimesh.creation.box((10, 10, 10)), trimesh.creation.box((10, 10, 10))
     both = trimesh.util.concatenate([lower, upper.apply_translation((0, 0, 20))])
