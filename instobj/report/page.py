@@ -124,7 +124,7 @@ def _locations(spec: ObjectSpec) -> str:
 
 def _covered_by_face(spec: ObjectSpec) -> str:
     """Shares of single faces, where they differ."""
-    shares = [f"{100 * share:.0f} %" for share in covered_shares(spec)]
+    shares = [f"{100 * share:.0f}\N{NO-BREAK SPACE}%" for share in covered_shares(spec)]
     if len(set(shares)) == 1:
         return ""
     named = (f"face {face}: {share}" for face, share in zip(spec.body.sensed, shares, strict=True))

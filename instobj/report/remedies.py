@@ -1,4 +1,4 @@
-"""What turns a no-go into a go: changes and pairs of them against the limits, with their price.
+"""What turns a no-go into a go: changes and sets of them against the limits, with their price.
 
 Price is that of magnets and sensors (`search.prices`), build time that of setting and wiring them by
 hand: what the changes differ in.
@@ -42,14 +42,14 @@ class Remedy:
     def told(self) -> str:
         """Changes with their price and build time."""
         more = f"+{self.price:.0f} for parts, +{self.minutes:.0f} min by hand"
-        return f"{' and '.join(self.changes)} ({'no more parts' if not self.price else more})"
+        return f"{_joined(self.changes)} ({'no more parts' if not self.price else more})"
 
 
 def remedies(spec: ObjectSpec, rows: list[dict[str, Any]]) -> list[Remedy]:
-    """Every change and pair of the stage `alternatives`; those that turn it first, cheapest first, then
-    those that come nearest: by the weakest position bound where locations stay blind.
+    """Every change and set of them of the stage `alternatives`; those that turn it first, cheapest first,
+    then those that come nearest: by the weakest position bound where locations stay blind.
 
-    A pair that holds a change which is enough by itself is left out.
+    A set that holds a change which is enough by itself is left out.
     """
     found = [_remedy(spec, rows[0], row) for row in rows[1:]]
     enough = {one.changes[0] for one in found if one.turns and len(one.changes) == 1}
@@ -71,7 +71,7 @@ def remedies_section(spec: ObjectSpec, content: dict[str, Any], go: bool) -> dic
     table = [["as specified", *figures[()], f"{price:.0f}", f"{minutes:.0f}", ""]]
     for one in found[:_BEST]:
         more = [f"+{one.price:.0f}", f"+{one.minutes:.0f}", "pass" if one.turns else "FAIL"]
-        table.append([" and ".join(one.changes), *figures[one.changes], *more])
+        table.append([_joined(one.changes), *figures[one.changes], *more])
     return {"decision": decision(found, go), "alternatives": table}
 
 
@@ -107,10 +107,20 @@ def decision(found: list[Remedy], go: bool) -> str:
                 f"Nearest: {nearest.told}, with a weakest position bound of {nearest.bound_mm:.2g} mm; "
                 "after each of them some locations feel nothing up to the deepest press"
             )
+    none = (
+        "No change and no pair"
+        if max(len(one.changes) for one in found) < 3
+        else "No set of changes"
+    )
     return (
-        f"No change and no pair tried here is enough. {left}. A thinner shell, larger magnets or other "
+        f"{none} tried here is enough. {left}. A thinner shell, larger magnets or other "
         "places change more: instobj sweep, instobj optimize"
     )
+
+
+def _joined(changes: tuple[str, ...]) -> str:
+    *others, last = changes
+    return f"{', '.join(others)} and {last}" if others else last
 
 
 def price_and_minutes(spec: ObjectSpec, magnets: int, sensors: int) -> tuple[float, float]:

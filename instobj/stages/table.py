@@ -293,10 +293,10 @@ STAGES: dict[str, Stage] = {
         ("presses", "signals"),
         (
             *(*_MAKING, "silicone", "score", "seed", "mechanics", "contact_grid", "press"),
-            *("environment", "as_built"),
+            *("environment", "as_built", "limits"),
         ),
         make_alternatives,
-        version=2,
+        version=3,
     ),
     "slip": Stage(
         "sensitivity: cost of the core's slip",

@@ -1,10 +1,11 @@
-"""Alternatives to try next: the stored mechanics scored again after one change, and after two."""
+"""Alternatives to try next: the stored mechanics scored again after one change, two, and more."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import asdict, dataclass, replace
-from itertools import combinations
+from functools import partial
+from itertools import combinations, product
 from pathlib import Path
 
 import numpy as np
@@ -18,17 +19,20 @@ from design.spec_io import check
 from estimator.information.scores import PlaceScores, score_places
 from estimator.signals.presses import Signals, press_signals, saturation_margin
 from fem.presses.results import load_presses
+from instobj.report.verdict import worst_ratio
 from instobj.store.readers import ALTERNATIVES, PRESSES, SIGNALS
 from instobj.store.stage import StageContext, write_json
 
 Change = Callable[[ObjectSpec], ObjectSpec]
 _OUT_FROM_THE_MIDDLE = 0.4
 """Of a face's half extents: where a second sensor goes beside one in the middle, and it too."""
+_WIDER = (0.0, 0.5, 0.6, 0.7)
+"""The same at least, where more sensors find no room further in."""
 
 
 @dataclass(frozen=True)
 class Alternative:
-    """Figures after no change, one or two: position bounds (mm), worst detectable force (N), share of the
+    """Figures after no change, one or more: position bounds (mm), worst detectable force (N), share of the
     sensors' range that stays free; magnets and sensors of the whole object."""
 
     changes: tuple[str, ...]
@@ -41,7 +45,7 @@ class Alternative:
 
 
 def make_alternatives(context: StageContext, folder: Path) -> None:
-    """Scores after every change and every pair of them, as a table."""
+    """Scores after every change, every pair and, where those are not enough, larger sets, as a table."""
     signals = SIGNALS.read(context.inputs["signals"])
     presses = PRESSES.path(context.inputs["presses"])
     rows = alternatives(context.spec, signals, presses, context.step)
@@ -53,24 +57,33 @@ def alternatives(
 ) -> list[Alternative]:
     """Score changes, single and in pairs, that leave the stored mechanics valid; none comes first.
 
+    Where none of them keeps every limit, sets of three follow, then of four and so on until one does.
     A softer silicone scales every force by its modulus; more sensors and stronger magnets move no
     silicone. What the specification's own checks refuse is left out.
     """
-    known = {_source(spec): signals}
-    tried = [(), *combinations(CHANGES, 1), *combinations(CHANGES, 2)]
-    rows = []
-    for changes in tried:
-        step(", ".join(changes) or "as specified")
-        try:
-            other = check(_changed(spec, changes))
-            source = _source(other)
-            if source not in known:
-                known[source] = press_signals(other, *load_presses(presses))
-            rows.append(_row(changes, other, _with_forces(spec, other, known[source])))
-        except ValueError:
-            if not changes:
-                raise
+    known, rows = {_source(spec): signals}, list[Alternative]()
+    for size in range(len(CHANGES) + 1):
+        if size > 2 and any(map(partial(_keeps_limits, spec), rows)):
+            break
+        for changes in combinations(CHANGES, size):
+            if {*changes} >= _MORE_SENSORS:
+                continue
+            step(", ".join(changes) or "as specified")
+            try:
+                other = check(_changed(spec, changes))
+                source = _source(other)
+                if source not in known:
+                    known[source] = press_signals(other, *load_presses(presses))
+                rows.append(_row(changes, other, _with_forces(spec, other, known[source])))
+            except ValueError:
+                if not changes:
+                    raise
     return rows
+
+
+def _keeps_limits(spec: ObjectSpec, row: Alternative) -> bool:
+    figures = row.weakest_bound_mm, row.worst_detectable_n, row.saturation_margin
+    return worst_ratio(spec.limits, *figures) <= 1
 
 
 def _changed(spec: ObjectSpec, changes: tuple[str, ...]) -> ObjectSpec:
@@ -95,9 +108,9 @@ def _quieter(spec: ObjectSpec) -> ObjectSpec:
     return _with_sensors(spec, noise_counts=(x, y, z))
 
 
-def _one_more_sensor(spec: ObjectSpec) -> ObjectSpec:
+def _more_sensors(added: int, spec: ObjectSpec) -> ObjectSpec:
     """On the same ring; where each sensor has a place, on a pattern of as many that fits."""
-    sensors, count = spec.sensors, spec.sensors.count_per_face + 1
+    sensors, count = spec.sensors, spec.sensors.count_per_face + added
     if sensors.positions_mm is None:
         return _with_sensors(spec, count_per_face=count)
     in_core = spec.arrangement == "sensors-in-core"
@@ -105,16 +118,19 @@ def _one_more_sensor(spec: ObjectSpec) -> ObjectSpec:
     halves = [np.array(frame.half_extents_mm) for frame in frames]
     faces = zip(by_sensed_face(spec, sensors.positions_mm), halves, strict=True)
     out = [float(np.hypot(*(np.array(places) / half).T).mean()) for places, half in faces]
-    for pattern in sensor_patterns(count):
+    for wider, pattern in product(_WIDER, sensor_patterns(count)):
         places = tuple(
-            tuple((float(x), float(y)) for x, y in (share or _OUT_FROM_THE_MIDDLE) * half * pattern)
+            tuple(
+                (float(x), float(y))
+                for x, y in max(share or _OUT_FROM_THE_MIDDLE, wider) * half * pattern
+            )
             for share, half in zip(out, halves, strict=True)
         )
         try:
             return check(_with_sensors(spec, count_per_face=count, positions_mm=places))
         except ValueError:
             continue
-    raise InputError("no pattern of one more sensor fits")
+    raise InputError(f"no pattern of {count} sensors fits")
 
 
 def _stronger(spec: ObjectSpec) -> ObjectSpec:
@@ -141,11 +157,14 @@ def _with_sensors(spec: ObjectSpec, **update: object) -> ObjectSpec:
 CHANGES: dict[str, Change] = {
     "estimator reads all channels, not its own face's": _all_channels,
     "four times the averaging (half the white noise)": _quieter,
-    "one more sensor on every face": _one_more_sensor,
+    "one more sensor on every face": partial(_more_sensors, 1),
+    "two more sensors on every face": partial(_more_sensors, 2),
     "magnets 20 % stronger (grade; coils: current)": _stronger,
     "silicone 30 % softer (deeper presses)": _softer,
 }
 """Told as users read them."""
+_MORE_SENSORS = {"one more sensor on every face", "two more sensors on every face"}
+"""Of which a set holds one at most."""
 
 
 def _with_forces(spec: ObjectSpec, other: ObjectSpec, signals: Signals) -> Signals:

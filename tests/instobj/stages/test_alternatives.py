@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from design.spec_io import parse_spec
-from instobj.stages.makers.alternatives import CHANGES
+from instobj.stages.makers import alternatives
+from instobj.stages.makers.alternatives import CHANGES, Alternative
 
 
 @pytest.mark.parametrize("change", CHANGES)
@@ -28,3 +29,24 @@ def test_one_more_sensor_finds_places_where_each_has_one(count):
     assert [len(face) for face in more] == [count + 1] * 3
     if count == 3:
         assert np.hypot(*np.array(more[0]).T) == pytest.approx(7.0)
+
+
+@pytest.mark.parametrize(("needed", "largest"), [(1, 2), (2, 2), (4, 4), (9, 5)])
+def test_larger_sets_are_tried_until_one_keeps_the_limits(needed, largest, monkeypatch):
+    """Figures fall with every change; a set holds one or two more sensors, not both."""
+
+    def row(changes, spec, signals):
+        bound = 1.0 if len(changes) >= needed else 2.0
+        return Alternative(changes, bound, 0.5, 1.0, 0.5, 5, 3)
+
+    monkeypatch.setattr(alternatives, "_row", row)
+    spec = parse_spec({"name": "cube"}, "test")
+    monkeypatch.setattr(alternatives, "_changed", lambda spec, changes: spec)
+    monkeypatch.setattr(alternatives, "_with_forces", lambda spec, other, signals: signals)
+    rows = alternatives.alternatives(spec, None, None, lambda message: None)
+    sizes = [len(row.changes) for row in rows]
+    assert sizes == sorted(sizes)
+    assert max(sizes) == largest
+    more = {name for name in CHANGES if "more sensor" in name}
+    assert len(more) == 2
+    assert not any(more <= {*row.changes} for row in rows)

@@ -176,7 +176,7 @@ SHOWN_BY_THE_REPORT_ALONE = {
     "slip": ("mechanics.slip.", "score."),
     "alternatives": (
         *(*_LAID_OUT, "mechanics.", "silicone.", "score.", "seed", "contact_grid.", "press."),
-        *("indenter.", "mould.", "printer.", "export."),
+        *("indenter.", "mould.", "printer.", "export.", "limits."),
     ),
 }
 CONTACTS_BY_INVERSION = {
