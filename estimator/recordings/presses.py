@@ -18,6 +18,8 @@ PAUSE_S = 5.0
 CONTACT_FORCE_N = 0.3
 LAGS = range(-10, 26)
 _LEAST_PRESS_FRAMES = 5
+_LAG_FRAMES = 3 * max(LAGS)
+"""More are needed to tell a lag."""
 _CURVE_DEGREE = 3
 
 
@@ -170,22 +172,24 @@ def estimate_lag(
     force_n: Float[np.ndarray, "frame cell"],
     face: Int[np.ndarray, "frame cell"],
     press: Int[np.ndarray, "frame"],
+    stretch: Int[np.ndarray, "frame"],
 ) -> LagReport:
     """How many frames the force lags behind the signals of the face that it presses.
 
     Each press and cell gives one curve of residual variance against lag; the recording's lag
-    minimises their mean. It is applied only if the presses agree and the residual falls.
+    minimises their mean. It is applied only if the presses agree and the residual falls. Presses too
+    short to tell are taken together with those after them in their stretch.
     """
     curves = np.array(
         [
             _residual_by_lag(
                 _live(counts[first:last, face[first, cell] - 1]), force_n[first:last, cell]
             )
-            for first, last in runs(press)
+            for first, last in _long_presses(press, stretch)
             for cell in range(force_n.shape[1])
             if face[first, cell] != NO_FACE
             and np.ptp(force_n[first:last, cell]) > 3 * CONTACT_FORCE_N
-            and last - first > 3 * max(LAGS)
+            and last - first > _LAG_FRAMES
         ]
     ).reshape(-1, len(LAGS))
     curves = curves[np.isfinite(curves).all(axis=1)]
@@ -200,6 +204,21 @@ def estimate_lag(
     return LagReport(
         LAGS[best], lags, agreement, float(mean[zero]), float(mean[best]), bool(trusted)
     )
+
+
+def _long_presses(
+    press: Int[np.ndarray, "frame"], stretch: Int[np.ndarray, "frame"]
+) -> list[tuple[int, int]]:
+    """Frame ranges of presses, short ones joined with the next of their stretch until they are long."""
+    joined: list[tuple[int, int]] = []
+    for first, last in runs(press):
+        if joined and stretch[joined[-1][0]] == stretch[first]:
+            begin, end = joined[-1]
+            if end - begin <= _LAG_FRAMES:
+                joined[-1] = (begin, last)
+                continue
+        joined.append((first, last))
+    return joined
 
 
 def _live(counts: Float[np.ndarray, "frame sensor 3"]) -> Float[np.ndarray, "frame channel"]:

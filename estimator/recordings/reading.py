@@ -224,7 +224,7 @@ def _find_presses(table: RawTable) -> _Presses:
     responses = press_responses(table.counts, force_n, press)
     face, corrected = correct_face_labels(table, press, responses)
     doubtful, doubts = doubtful_presses(pressed_faces(face, force_n, press), press, responses)
-    lag = estimate_lag(table.counts, force_n, face, press)
+    lag = estimate_lag(table.counts, force_n, face, press, stretch)
     aligned_n = shifted_forces(force_n, stretch, lag.frames if lag.corrected else 0)
     rest = at_rest(aligned_n, limit_n)
     shear_n = np.zeros((*aligned_n.shape, 2))

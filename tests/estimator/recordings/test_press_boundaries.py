@@ -70,17 +70,32 @@ def test_the_lag_at_which_a_cubic_explains_most_is_found_for_each_press():
     counts[:, 1, 0, 1] = np.nan
     press = np.repeat([0, 1], 100)
     face = np.full((200, 1), 2)
-    report = presses.estimate_lag(counts, force[:, None], face, press)
+    report = presses.estimate_lag(counts, force[:, None], face, press, press)
     assert (report.frames, report.per_press, report.share_within_2) == (4, (4, 4), 1.0)
     assert report.corrected
     assert report.residual_corrected < 1e-3
     assert report.residual_uncorrected == pytest.approx(0.1, abs=0.09)
-    away = presses.estimate_lag(counts, force[:, None], 0 * face, press)
+    away = presses.estimate_lag(counts, force[:, None], 0 * face, press, press)
     assert away == presses.LagReport(0, (), 0.0, 1.0, 1.0, False)
-    still = presses.estimate_lag(counts, 0.1 * force[:, None], face, press)
+    still = presses.estimate_lag(counts, 0.1 * force[:, None], face, press, press)
     assert still.per_press == ()
-    short = presses.estimate_lag(counts[:75], force[:75, None], face[:75], press[:75])
+    few = slice(0, 75)
+    short = presses.estimate_lag(counts[few], force[few, None], face[few], press[few], press[few])
     assert short.per_press == ()
+
+
+def test_strokes_too_short_for_a_lag_tell_it_together():
+    """Thirty frames each, three of which make one that is long enough; places stay apart."""
+    time = np.arange(330)
+    force = 5 * np.clip(np.sin(2 * np.pi * time / 30), 0, None)
+    counts = np.zeros((330, 5, 1, 3))
+    counts[:, 1, 0] = 40 * np.roll(force, -2)[:, None]
+    press, place = time // 30, (time >= 180).astype(int)
+    face = np.full((330, 1), 2)
+    report = presses.estimate_lag(counts, force[:, None], face, press, place)
+    assert (report.frames, report.per_press, report.corrected) == (2, (2, 2, 2), True)
+    alone = presses.estimate_lag(counts, force[:, None], face, press, press)
+    assert alone.per_press == ()
 
 
 def test_shifted_forces_stay_in_their_stretch():

@@ -331,6 +331,7 @@ def test_without_a_press_both_residuals_of_the_lag_are_one():
         np.zeros((frames, 1)),
         np.full((frames, 1), 2),
         np.zeros(frames, int),
+        np.zeros(frames, int),
     )
     assert (report.residual_uncorrected, report.residual_corrected) == (1.0, 1.0)
     assert not report.corrected
