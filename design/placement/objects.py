@@ -21,12 +21,13 @@ from design.errors import InputError, SpecError
 from design.fit.everything import fits
 from design.layout.boards import wire_bundle_mm
 from design.layout.body import body_of, core_frames, face_frames
-from design.layout.places.contact_places import contact_places
+from design.layout.places.contact_places import MOST_COUNT, contact_places
 from design.layout.places.positions import board_sinks_mm, sensor_layout
 from design.placement.paths import long_path_mm
 from design.placement.patterns import Shares, magnet_patterns, sensor_patterns
 from design.placement.room import low_rim, tight_core, tight_middle, tight_rim, tight_shell
 from design.spec.base import explained
+from design.spec.body import LONGEST_EDGE_MM
 from design.spec.object import ObjectSpec
 
 Tables = dict[str, dict[str, Any]]
@@ -251,7 +252,7 @@ def _with_magnets(request: Request, tables: Tables, shares: tuple[float, ...]) -
 def _with_contacts(tables: Tables) -> Tables | None:
     """The widest tip, and the coarsest pitch that leaves every face a few contact locations."""
     deepest = tables["shell"]["thickness_mm"] / 2
-    for radius, pitch in product(_TIP_RADII_MM, _PITCHES_MM):
+    for radius, pitch in product(_TIP_RADII_MM, _pitches_mm(spec_of(tables))):
         more = {
             "indenter": {"radius_mm": radius},
             "contact_grid": {"count": "fill", "pitch_mm": pitch},
@@ -261,6 +262,13 @@ def _with_contacts(tables: Tables) -> Tables | None:
         if fits(spec) and contact_places(spec).sum(axis=1).min() >= _LEAST_PLACES:
             return tables | more
     return None
+
+
+def _pitches_mm(spec: ObjectSpec) -> tuple[float, ...]:
+    """Coarser ones where a lattice may not have as many locations as the largest face would take."""
+    widest = 2 * float(np.max([frame.half_extents_mm for frame in face_frames(spec)]))
+    least = widest / MOST_COUNT
+    return _PITCHES_MM if least < _PITCHES_MM[0] else (float(np.ceil(least)),)
 
 
 def _rounded(places_mm: Shares) -> list[list[float]]:
@@ -274,10 +282,11 @@ def _too_small(request: Request) -> str:
     magnets = f"{request.magnets} magnets" if (request.magnets or 1) > 1 else "a magnet"
     message = f"{body} of {size} mm is too small for {sensors} and {magnets} per face. "
     low, high = 1.0, _GROWTH
-    while not _fits_roughly(_grown(request, high)):
+    largest = min(_LARGEST_GROWTH, LONGEST_EDGE_MM[1] / max(request.size_mm))
+    while high <= largest and not _fits_roughly(_grown(request, high)):
         low, high = high, high * _GROWTH
-        if high > _LARGEST_GROWTH:
-            return f"{message}Ask for fewer"
+    if high > largest:
+        return f"{message}Ask for fewer"
     for _ in range(_HALVINGS):
         middle = (low + high) / 2
         works = _fits_roughly(_grown(request, middle))

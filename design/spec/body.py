@@ -103,7 +103,8 @@ def _question(body: BodySpec) -> str:
         [] if step else [u for u, mm in MM.items() if least <= drawn * mm * body.scale <= most]
     )
     asked = [
-        f'body.unit = "{unit}" makes it {drawn * MM[unit] * body.scale:.4g} mm' for unit in likely
+        f'body.unit = "{unit}" (instobj new: --unit {unit}) makes it {drawn * MM[unit] * body.scale:.4g} mm'
+        for unit in likely
     ]
     if not asked:
         power = 10.0 ** -round(float(np.log10(max(body.size_mm) / 50)))

@@ -15,6 +15,7 @@ from design.errors import InputError
 from design.files import atomic_path
 from design.placement.objects import Request, Tables, placed
 from design.spec.body import MM
+from design.spec.object import ObjectSpec
 from instobj.commands.new_comments import BAYS_MM, comment_of
 
 _TEMPLATE = Path(__file__).parents[1] / "templates" / "cube.toml"
@@ -24,6 +25,8 @@ _COMMENT = re.compile(r"\s+# .*$")
 _DEFAULTS = re.compile(r"^# Every value below is the default.*$", re.MULTILINE)
 _COLUMN = 28
 _NAME = '"NAME"'
+_MOULD_MM = 30.0
+"""Of walls and flanges, beyond the body."""
 
 BOX_ONLY = (
     ".arrangement",
@@ -63,6 +66,8 @@ def new_specification(name: str, out: Path, request: Request | None = None) -> P
         tables = placed(request)
         if "sensed_faces" in tables["body"]:
             warnings.warn(_left_out_faces(request, tables["body"]["sensed_faces"]), stacklevel=2)
+        if max(request.size_mm) > _most_mm():
+            warnings.warn(_beyond_the_bed(request), stacklevel=2)
         text = _filled(text, tables, KINDS[request.kind], out)
     with atomic_path(target) as temporary:
         temporary.write_text(text, encoding="utf-8")
@@ -146,6 +151,19 @@ def _left_out_faces(request: Request, sensed: list[int]) -> str:
     return (
         f"only face{'s' * (len(sensed) > 1)} {told} can take {request.sensors} sensors and the magnets; "
         "the others are not sensed (body.sensed_faces). Ask for fewer sensors or magnets to sense more"
+    )
+
+
+def _most_mm() -> float:
+    """Longest edge of a body whose mould lies on the template's printer."""
+    return min(ObjectSpec(name="default").printer.bed_mm[:2]) - _MOULD_MM
+
+
+def _beyond_the_bed(request: Request) -> str:
+    bed = " × ".join(f"{edge:g}" for edge in ObjectSpec(name="default").printer.bed_mm)
+    return (
+        f"moulds of bodies above {_most_mm():g} mm do not fit the printer's {bed} mm, which check "
+        f"--fabrication will tell; this one is {max(request.size_mm):g} mm long. Give yours as printer.bed_mm"
     )
 
 

@@ -149,3 +149,19 @@ def test_a_core_that_is_tight_when_flat_is_tight_when_sunk(made):
 def test_a_size_that_the_kind_does_not_take_is_refused_with_its_rule():
     with pytest.raises(SpecError, match="three times its diameter"):
         placed(Request("sphere", (50.0, 50.0, 40.0)))
+
+
+def test_a_long_box_senses_all_its_faces_by_a_coarser_grid():
+    """At 3 mm its lattice would have more than a hundred locations along an edge: two faces were left."""
+    tables = placed(Request("box", (320.0, 100.0, 100.0), sensors=2, magnets=1))
+    assert "sensed_faces" not in tables["body"]
+    assert tables["contact_grid"]["pitch_mm"] == 4.0
+
+
+def test_a_body_that_nothing_helps_is_not_grown_beyond_what_a_body_may_measure(monkeypatch):
+    monkeypatch.setattr("design.placement.objects._fit", lambda *_: None)
+    monkeypatch.setattr("design.placement.objects._roomy_faces", lambda _: ())
+    with pytest.raises(
+        SpecError, match=r"too small for 3 sensors and a magnet per face\. Ask for fewer"
+    ):
+        placed(Request("dome", (500.0, 500.0, 260.0)))

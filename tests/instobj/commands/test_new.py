@@ -101,6 +101,12 @@ def test_faces_that_are_left_out_are_told(tmp_path, monkeypatch):
     assert tomllib.loads(path.read_text())["body"]["sensed_faces"] == [2, 4]
 
 
+def test_a_body_longer_than_the_printers_bed_takes_is_told_so(tmp_path, monkeypatch):
+    monkeypatch.setattr("instobj.commands.new.placed", lambda request: placed_tables("box"))
+    with pytest.warns(UserWarning, match=r"bodies above 190 mm .* 200 mm long. Give yours"):
+        new_specification("mine", tmp_path, Request("box", (200.0, 50.0, 50.0)))
+
+
 def test_without_options_the_cube_of_the_paper_is_written(tmp_path):
     assert request_of(None, None, 3, None, None, "mm", 1.0) is None
     path = new_specification("mine", tmp_path)
@@ -127,7 +133,10 @@ def test_options_that_do_not_go_together_are_refused(options, said):
 
 @pytest.mark.parametrize(
     ("edge_mm", "asked"),
-    [(0.05, r'body\.unit = "m" makes it 50 mm'), (45e3, r"body\.scale = 0\.001 makes it 45 mm")],
+    [
+        (0.05, r'body\.unit = "m" \(instobj new: --unit m\) makes it 50 mm'),
+        (45e3, r"body\.scale = 0\.001 makes it 45 mm"),
+    ],
 )
 def test_a_file_in_metres_is_answered_with_a_question(edge_mm, asked):
     body = {"kind": "imported", "file": "fruit.stl", "size_mm": [edge_mm] * 3}
