@@ -43,7 +43,7 @@ def check_box_core(spec: ObjectSpec) -> Iterator[str]:
             f"the core must be larger than two core walls ({2 * spec.core.wall_mm:g} mm); got a core "
             f"of {smallest:g} mm. Make the body larger than "
             f"{2 * (spec.shell.thickness_mm + spec.core.wall_mm):g} mm, or shell.thickness_mm or "
-            "core.wall_mm smaller"
+            f"core.wall_mm smaller by more than {spec.core.wall_mm - smallest / 2:.4g} mm"
         )
 
 
@@ -252,7 +252,8 @@ def check_box_presses(spec: ObjectSpec) -> Iterator[str]:
     if deepest > 0.6 * spec.shell.thickness_mm:
         yield (
             f"press.depths_mm must stay below 60 % of shell.thickness_mm (linear mechanics); got "
-            f"{deepest:g} of {spec.shell.thickness_mm:g} mm. Press less deep or thicken the shell"
+            f"{deepest:g} of {spec.shell.thickness_mm:g} mm. Press {0.6 * spec.shell.thickness_mm:.4g} mm "
+            f"deep at most, or make shell.thickness_mm {deepest / 0.6:.4g} or more"
         )
 
 

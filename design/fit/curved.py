@@ -40,7 +40,8 @@ def check_curved_presses(spec: ObjectSpec) -> Iterator[str]:
     if deepest > _LARGEST_SHARE * silicone:
         yield (
             f"press.depths_mm must stay below {_LARGEST_SHARE:.0%} of the silicone (linear mechanics); "
-            f"got {deepest:g} of {silicone:g} mm. Press less deep or thicken the shell"
+            f"got {deepest:g} of {silicone:g} mm. Press {_LARGEST_SHARE * silicone:.4g} mm deep at most, or "
+            f"make shell.thickness_mm {deepest / _LARGEST_SHARE:.4g} or more"
         )
     yield from place_problems(spec)
     if spec.contact_grid.count == "fill":
@@ -95,10 +96,16 @@ def _check_core(spec: ObjectSpec) -> Iterator[str]:
     body, core = body_of(spec), spec.core
     room, what = body.room_for_recesses
     if room <= core.recess_depth_mm:
+        short = core.recess_depth_mm - room
+        larger = f"larger by more than {(1 if body.on_base else 2) * short:.4g} mm"
+        thinner = (
+            f"below {body.thickness_mm - short:.4g}" if body.thickness_mm > short else "smaller"
+        )
+        shallower = f"core.recess_depth_mm below {room:.4g}" if room > 0 else "the recess smaller"
         yield (
             f"{what} is {room:.4g} mm thick and must be more than core.recess_depth_mm = "
-            f"{core.recess_depth_mm:g}. Make body.size_mm larger, or shell.thickness_mm or the recess "
-            "smaller"
+            f"{core.recess_depth_mm:g}. Make body.size_mm {larger}, or shell.thickness_mm {thinner}, "
+            f"or {shallower}"
         )
     if body.thickness_mm >= body.thickness_below_mm:
         yield (

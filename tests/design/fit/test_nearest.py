@@ -56,3 +56,37 @@ def test_a_grid_that_leaves_its_face_is_told_how_many_places_fit(name):
     for better in ({"count": (most, most), "pitch_mm": 4.5}, {"pitch_mm": pitch}):
         assert fits(spec.changed(contact_grid=grid.changed(**better)))
     assert not fits(spec.changed(contact_grid=grid.changed(count=(most + 2,) * 2, pitch_mm=4.5)))
+
+
+@pytest.mark.parametrize(
+    ("name", "change", "pattern", "key"),
+    [
+        (
+            "ball",
+            "shell.thickness_mm=24",
+            r"shell\.thickness_mm below ([\d.]+)",
+            "shell.thickness_mm",
+        ),
+        (
+            "hall_skin",
+            "shell.thickness_mm=11",
+            r"thickness_mm below ([\d.]+)",
+            "shell.thickness_mm",
+        ),
+        ("ball", "press.depths_mm=[1, 7]", r"Press ([\d.]+) mm deep", "press.depths_mm"),
+        ("paper_cube", "press.depths_mm=[1, 7]", r"Press ([\d.]+) mm deep", "press.depths_mm"),
+    ],
+)
+def test_a_limit_that_is_told_is_the_limit(name, change, pattern, key):
+    limit = float(re.search(pattern, told(name, [change]))[1])
+
+    def still_told(value):
+        written = f"[1, {value}]" if "depths" in key else value
+        try:
+            load_spec(ROOT / "examples" / f"{name}.toml", [f"{key}={written}"])
+        except SpecError as error:
+            return re.search(pattern, str(error)) is not None
+        return False
+
+    assert not still_told(limit - 1e-3)
+    assert still_told(limit + 1e-2)
