@@ -20,6 +20,8 @@ LONGEST_GAP_S = 120.0
 USUAL_S = 3.0
 """Time over which drift grows to the white noise of frames averaged over it, where nothing shows it."""
 _LEAST_S, _LONGEST_S = 0.5, 30.0
+_CONTACT_FRAMES = 3
+_ROUNDS = 5
 _TOUCH_FRAMES = 2
 """Beside a contact: its first and last frames are below the force that counts as one."""
 _LEAST_NOISE_COUNTS = 0.3
@@ -66,7 +68,7 @@ def levels_under_presses(
 ) -> RestLevels:
     """From frames at rest, but for those beside a contact. Sessions do not tell of each other, nor do the
     two sides of a jump of a channel."""
-    flat = counts.reshape(len(counts), -1)
+    flat, loaded = counts.reshape(len(counts), -1), _contacts(loaded)
     known = np.any(np.isfinite(flat), axis=0)
     noise = np.maximum(np.nan_to_num(noise_counts.ravel()), _LEAST_NOISE_COUNTS)
     used = rest & ~_beside(loaded)
@@ -86,6 +88,15 @@ def levels_under_presses(
     whole[:, known] = level
     error = np.stack([variance.mean(axis=1), memory.mean(axis=1)], axis=1)
     return RestLevels(whole.reshape(counts.shape), error, rate)
+
+
+def _contacts(loaded: Bool[np.ndarray, "frame"]) -> Bool[np.ndarray, "frame"]:
+    """Without single frames that noise of a load cell lifts over the force of a contact."""
+    edges = np.flatnonzero(np.diff(loaded.astype(int), prepend=0, append=0))
+    held = np.zeros_like(loaded)
+    for first, last in edges.reshape(-1, 2):
+        held[first:last] = last - first >= _CONTACT_FRAMES
+    return held
 
 
 def _beside(loaded: Bool[np.ndarray, "frame"]) -> Bool[np.ndarray, "frame"]:
@@ -143,18 +154,26 @@ def _drift_rate(
     frame_s: float,
 ) -> float:
     """By how much the variance grows a second, from what neighbouring rests differ by beyond white
-    noise: the median of all channels, within what lets half a second to 30 s of frames be averaged."""
+    noise: the median of all channels, within what lets half a second to 30 s of frames be averaged.
+
+    Squared differences weigh by how much drift beside noise they are expected to hold.
+    """
     white = float(np.median(noise)) ** 2 * frame_s
     apart_s = np.diff(rests.time_s) - (rests.lasts_s[1:] + rests.lasts_s[:-1]) / 6
     near = (np.diff(session[rests.first]) == 0) & (apart_s > 0) & (apart_s <= LONGEST_GAP_S)
     shown = near[:, None] & ~jumps & np.isfinite(np.diff(rests.counts, axis=0))
-    noises = noise**2 * (1 / rests.frames[1:] + 1 / rests.frames[:-1])[:, None]
-    beyond = np.where(shown, np.nan_to_num(np.diff(rests.counts, axis=0)) ** 2 - noises, 0.0)
-    seconds = (shown * apart_s[:, None]).sum(axis=0)
-    if not (seconds > 0).any():
+    if not shown.any():
         return white / USUAL_S**2
-    rates = beyond.sum(axis=0)[seconds > 0] / seconds[seconds > 0]
-    return float(np.clip(np.median(rates), white / _LONGEST_S**2, white / _LEAST_S**2))
+    noises = noise**2 * (1 / rests.frames[1:] + 1 / rests.frames[:-1])[:, None]
+    beyond = np.nan_to_num(np.diff(rests.counts, axis=0)) ** 2 - noises
+    rate, least, most = white / USUAL_S**2, white / _LONGEST_S**2, white / _LEAST_S**2
+    for _ in range(_ROUNDS):
+        weight = np.where(shown, apart_s[:, None] / (noises + rate * apart_s[:, None]) ** 2, 0.0)
+        told = np.any(weight > 0, axis=0)
+        seconds = (weight * apart_s[:, None]).sum(axis=0)[told]
+        rates = (weight * beyond).sum(axis=0)[told] / seconds
+        rate = float(np.clip(np.median(rates), least, most))
+    return rate
 
 
 def _smoothed(

@@ -18,6 +18,7 @@ PAUSE_S = 5.0
 CONTACT_FORCE_N = 0.3
 LAGS = range(-10, 26)
 _LEAST_PRESS_FRAMES = 5
+_LEVEL_ROUNDS = 50
 _LAG_FRAMES = 3 * max(LAGS)
 """More are needed to tell a lag."""
 _CURVE_DEGREE = 3
@@ -113,8 +114,7 @@ def _tared_cell(
     low, high = np.percentile(force_n, [1, 99])
     at_low = force_n <= low + rest_force_n
     if signed:
-        level = np.median(force_n[at_low])
-        return force_n - np.median(force_n[np.abs(force_n - level) <= rest_force_n])
+        return force_n - _rest_level_n(force_n, float(np.median(force_n[at_low])), rest_force_n)
     if no_contact.any():
         rest = np.median(force_n[no_contact])
         return (force_n - rest) * (1.0 if high - rest >= rest - low else -1.0)
@@ -122,6 +122,19 @@ def _tared_cell(
     if at_high.sum() > at_low.sum():
         return np.median(force_n[at_high]) - force_n
     return force_n - np.median(force_n[at_low])
+
+
+def _rest_level_n(
+    force_n: Float[np.ndarray, "frame"], level_n: float, rest_force_n: float
+) -> float:
+    """Where forces gather, from a level near it: the median of those within `rest_force_n` of it, again
+    and again (noise puts the lowest ones far below it)."""
+    for _ in range(_LEVEL_ROUNDS):
+        before_n = level_n
+        level_n = float(np.median(force_n[np.abs(force_n - level_n) <= rest_force_n]))
+        if level_n == before_n:
+            break
+    return level_n
 
 
 def number_presses(

@@ -95,6 +95,16 @@ def test_nothing_is_carried_over_a_jump_or_a_new_mounting(why):
         assert across < 1e-4
 
 
+def test_a_noisy_load_cell_breaks_no_rest_up():
+    time_s, loaded = stretch(100)
+    walk, counts = walking(time_s)
+    flickers = np.random.default_rng(1).random(len(time_s)) < 0.05
+    found = followed(counts, time_s, loaded | flickers)
+    assert found.drift_counts2_s == pytest.approx(RATE, rel=0.25)
+    off = np.mean((found.counts - walk)[loaded] ** 2)
+    assert off < 1.1 * np.mean((followed(counts, time_s, loaded).counts - walk)[loaded] ** 2)
+
+
 def test_frames_beside_a_contact_are_not_taken_for_rest():
     time_s, loaded = stretch()
     touching = np.convolve(loaded, np.ones(3), "same") > 0

@@ -84,6 +84,14 @@ def test_the_lag_at_which_a_cubic_explains_most_is_found_for_each_press():
     assert short.per_press == ()
 
 
+def test_the_zero_of_a_noisy_load_cell_lies_in_the_middle_of_its_rest():
+    rng = np.random.default_rng(0)
+    force = np.where(np.arange(2000) % 100 < 60, 0.0, 5.0) + 3.0 + 0.12 * rng.standard_normal(2000)
+    rest = np.zeros(2000, bool)
+    found = presses.tared(force[:, None], rest, 0.15, signed=True)[:, 0]
+    assert np.mean(found[np.arange(2000) % 100 < 60]) == pytest.approx(0.0, abs=0.02)
+
+
 def test_strokes_too_short_for_a_lag_tell_it_together():
     """Thirty frames each, three of which make one that is long enough; places stay apart."""
     time = np.arange(330)
