@@ -29,8 +29,12 @@ from instobj.figures.saving import save_figure
 
 OUTWARD = {1: "+z", 2: "−y", 3: "+x", 4: "+y", 5: "−x", 6: "−z"}
 _SENSOR_EDGE_MM = 1.8
+_PICTURE_INCHES = 7.2, 6.4
+_MAP_INCHES, _BAR_INCHES = (0.75, 1.0, 4.95, 4.85), (5.9, 1.25, 0.25, 4.35)
+"""Left, bottom, width, height of one face's map and of its scale; a layout engine would ask every
+text for its size, which takes as long as drawing."""
 _FACE_INCHES = 4.6, 4.6
-"""Room for the map in the picture of one face, within what legend and scale leave."""
+"""Room for the face within its map."""
 _LARGEST_FONT, SMALLEST_FONT = 8.5, 4.0
 """Points; numbers that do not fit their cell at the smallest are left out."""
 _DIGIT_EM, _POINT_EM, _USUAL_EM = 0.64, 0.32, 2.24
@@ -80,8 +84,8 @@ def draw_face_heatmap(
     scale = map_scale(unit, vmin, vmax, log, colours)
     half_x, half_y = face_frame(spec, face).half_extents_mm
     inches_per_mm = min(_FACE_INCHES[0] / half_x, _FACE_INCHES[1] / half_y) / 2
-    figure = Figure(figsize=(7.2, 6.4), facecolor=PAPER, layout="constrained")
-    axes = figure.add_subplot()
+    figure = Figure(figsize=_PICTURE_INCHES, facecolor=PAPER)
+    axes, bar_axes = (figure.add_axes(_share(place)) for place in (_MAP_INCHES, _BAR_INCHES))
     pose = Pose(0.0, (0.0, 0.0))
     mesh = draw_face(axes, values, spec, face, scale, pose, inches_per_mm)
     axes.set(xlim=(-half_x - 0.5, half_x + 0.5), ylim=(-half_y - 0.5, half_y + 0.5), aspect="equal")
@@ -92,13 +96,20 @@ def draw_face_heatmap(
         fontsize=11,
     )
     _tidy(axes)
-    bar = figure.colorbar(mesh, ax=axes, label=scale.label, shrink=0.9)
+    bar = figure.colorbar(mesh, cax=bar_axes, label=scale.label)
     set_plain_ticks(bar, scale)
     handles = legend_handles()
     if np.isinf(values).any():
         handles.append(_no_value_handle())
-    figure.legend(handles=handles, loc="outside lower center", ncols=2, frameon=False, fontsize=9)
+    figure.legend(handles=handles, loc="lower center", ncols=2, frameon=False, fontsize=9)
     save_figure(figure, path)
+
+
+def _share(inches: tuple[float, float, float, float]) -> tuple[float, float, float, float]:
+    """A rectangle of the picture, as shares of its width and height."""
+    width, height = _PICTURE_INCHES
+    left, bottom, wide, high = inches
+    return left / width, bottom / height, wide / width, high / height
 
 
 def draw_face(

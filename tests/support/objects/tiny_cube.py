@@ -29,6 +29,8 @@ CHANGES = (
     "score.force_n=2.0",
     "training.epochs=2",
     "training.hidden_units=[8, 8]",
+    "training.ensemble=1",
+    "training.trees=0",
 )
 MECHANICS = ("mesh", "response", "coarse_response")
 
