@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 
 _GRID_POINTS = 45_000
 _MARGIN_STEPS = 3
+_COARSE, _EXACT_STEPS = 3, 3
+"""Outside a body, distances are exact within so many steps and from a grid so much coarser beyond."""
 _FINE_STEP_MM = 1.0
 _MOST_STEPS = 64
 """From the middle of a body to its side, of the core's grid and of a patch's: on larger bodies than
@@ -125,8 +127,29 @@ def _field(body: BodyKind) -> _Field:
 
     step = (float(np.prod(body.size_mm)) / _GRID_POINTS) ** (1 / 3)
     points, count = _grid(np.asarray(body.size_mm) / 2, step)
-    distance = measured_distance_mm(body.outer_surface(), points).reshape(count)
+    distance = _measured_where_near(body.outer_surface(), points, count, step)
     return _Field(points[0], step, spline_filter(distance, order=3, mode="nearest"))
+
+
+def _measured_where_near(
+    surface: trimesh.Trimesh, points_mm: np.ndarray, count: tuple[int, ...], step_mm: float
+) -> np.ndarray:
+    """Distances at a grid's points, farther outside than they are asked for from a coarser grid.
+
+    A point is measured unless that grid says that it lies farther out than its error, at most its
+    cell's half diagonal as a distance changes by one millimetre a millimetre, and some steps more.
+    """
+    from scipy.ndimage import map_coordinates
+
+    first = points_mm[0]
+    coarse = [np.arange(-(-(n - 1) // _COARSE) + 1) * _COARSE for n in count]
+    at = np.stack(np.meshgrid(*coarse, indexing="ij"), axis=-1)
+    known = measured_distance_mm(surface, (first + step_mm * at).reshape(-1, 3))
+    places = np.stack(np.meshgrid(*map(np.arange, count), indexing="ij")) / _COARSE
+    distance = map_coordinates(known.reshape(at.shape[:-1]), places, order=1)
+    near = distance < step_mm * (_EXACT_STEPS + np.sqrt(3) / 2 * _COARSE)
+    distance[near] = measured_distance_mm(surface, points_mm.reshape(*count, 3)[near])
+    return distance
 
 
 def _grid(half_mm: np.ndarray, step_mm: float) -> tuple[np.ndarray, tuple[int, ...]]:
