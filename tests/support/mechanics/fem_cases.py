@@ -72,14 +72,14 @@ _FACTORS: dict[str, Factorization] = {}
 
 
 def solve_with_kept_factor(matrix, right_sides):
-    """`solve_symmetric`, the last four matrices' factors kept: many tests solve with the same one."""
+    """`solve_symmetric`, the last two matrices' factors kept: many tests solve with the same one."""
     digest = hashlib.sha256()
     for array in (matrix.data, matrix.indices, matrix.indptr):
         digest.update(np.ascontiguousarray(array).tobytes())
     key = digest.hexdigest()
     factor = _FACTORS.pop(key, None) or Factorization(matrix)
     _FACTORS[key] = factor
-    if len(_FACTORS) > 4:
+    if len(_FACTORS) > 2:
         _FACTORS.pop(next(iter(_FACTORS))).release()
     return factor.solve(right_sides)
 
