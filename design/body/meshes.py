@@ -156,9 +156,8 @@ def undercut(
     against = where & (rise > np.sin(np.deg2rad(0.5)))
     if not against.any():
         return Undercut(0.0, 0.0, None)
-    pairs = mesh.face_adjacency[against[mesh.face_adjacency].all(axis=1)]
     deepest, place = 0.0, None
-    for patch in connected_components(pairs, nodes=np.flatnonzero(against)):
+    for patch in connected_components(mesh.face_adjacency, nodes=np.flatnonzero(against)):
         points = mesh.triangles[patch].reshape(-1, 3)
         tangent = np.tan(np.arcsin(np.clip(rise[patch], 0, 1 - 1e-9)))
         lean = float(np.average(tangent, weights=mesh.area_faces[patch]))
@@ -241,8 +240,7 @@ def largest_ceiling(
     flat = (normals @ up > np.cos(np.deg2rad(1))) & (centres @ up < rim_mm - _LEVEL_MM)
     if not flat.any():
         return None
-    pairs = mesh.face_adjacency[flat[mesh.face_adjacency].all(axis=1)]
-    patches = connected_components(pairs, nodes=np.flatnonzero(flat))
+    patches = connected_components(mesh.face_adjacency, nodes=np.flatnonzero(flat))
     areas = [float(mesh.area_faces[patch].sum()) for patch in patches]
     largest = patches[int(np.argmax(areas))]
     return max(areas), mesh.triangles[largest].reshape(-1, 3).mean(axis=0)

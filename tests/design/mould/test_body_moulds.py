@@ -20,7 +20,7 @@ from design.layout.volumes import shell_volume_mm3
 from design.mould import plug
 from design.mould.halves import make_mould_half
 from design.mould.openings import air_traps, mould_holes, pour_holes
-from design.mould.pins import loose_pins, make_pin
+from design.mould.pins import loose_pins, make_pin, pins_of_kinds
 from design.mould.plug import make_mould_holder
 from design.mould.room import cast_room
 from design.mould.whole import inside_of_mould, mould_around
@@ -142,6 +142,15 @@ def test_the_closed_box_is_the_formula_s_shell():
     assert_allclose(make_shell(spec).Volume(), shell_volume_mm3(spec), rtol=1e-9)
     (one, other) = locators(spec)
     assert abs(one.frame.normal @ other.frame.normal) < 1e-12
+
+
+def test_locating_pins_are_parts_of_their_own_even_where_alike():
+    pins = loose_pins(case("closed_box"))
+    held = next(pin for pin in pins if pin.locator is not None)
+    before, after = (pins_of_kinds(some) for some in (pins, (*pins, held, held)))
+    assert [name for name, _ in after[len(before) :]] == ["mould_locator_3", "mould_locator_4"]
+    plain = [members for name, members in after if not name.startswith("mould_locator")]
+    assert sum(map(len, plain)) == sum(pin.locator is None for pin in pins)
 
 
 @pytest.mark.parametrize("name", marked("sphere", "closed_box"))

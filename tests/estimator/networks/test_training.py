@@ -11,8 +11,9 @@ from safetensors.torch import load_file, save_file
 from design.errors import InputError, StoreError
 from design.spec.object import TrainingSpec
 from estimator.evaluation.evaluation import evaluate_face, linear_baseline, mean_map_baseline
-from estimator.frames.face_data import FaceData, face_data, live_channels
+from estimator.frames.face_data import FaceData, channel_counts, face_data, live_channels
 from estimator.frames.splits import split_places, split_presses
+from estimator.networks.ensemble import new_member
 from estimator.networks.face_model import (
     MODEL_FORMAT,
     description,
@@ -278,3 +279,18 @@ def test_errors_of_the_user(frames, split, model):
     silent.signal_counts[:] = np.nan
     with pytest.raises(InputError, match="every channel of face"):
         live_channels(FaceData(FACE, silent, np.ones((2, 3, 4, 5)), np.zeros(2) > 0))
+
+
+def test_counts_of_the_paper_s_network_are_scaled_by_what_training_saw(frames):
+    """A channel that never changes is left as it is."""
+    quiet = replace(frames, signal_counts=frames.signal_counts.copy())
+    quiet.signal_counts[:, 3, 0, 0] = 7.0
+    data = face_data(quiet, FACE)
+    channels = live_channels(data)
+    found = new_member(data, channels, TrainingSpec(model="paper"), 1)
+    counts = channel_counts(data.frames, channels)
+    still = np.ptp(counts, axis=0) == 0
+    assert still.sum() == 1
+    assert_allclose(found.span_counts[~still], np.ptp(counts, axis=0)[~still], rtol=1e-6)
+    assert found.span_counts[still].item() == 1
+    assert_allclose(found.offset_counts, counts.min(axis=0), rtol=1e-6)

@@ -7,6 +7,8 @@ from numpy.testing import assert_allclose
 
 from design.layout.places.positions import shell_body_layout
 from design.spec.object import MagnetSpec
+from fem.candidates import tied_magnets
+from fem.candidates.quadrature import skin_quadrature
 from fem.candidates.tied_magnets import rigid_magnet_response, tie_functionals
 from fem.linear.factorization import Factorization, SingularSystemError, solve_symmetric
 from fem.linear.response import face_pressure_loads
@@ -117,3 +119,19 @@ def test_functionals_that_the_mesh_cannot_tell_apart_are_refused(cube):
         pytest.raises(SingularSystemError, match="lower degree"),
     ):
         rigid_magnet_response(one, cube.system, factor, cube.response, 8)
+
+
+def test_ties_of_coarse_meshes_stay_within_a_share_of_the_magnet_s_height(cube, spec, monkeypatch):
+    """However long its edges, the skin of the ties is a fifth of the height inside at most."""
+    monkeypatch.setattr(tied_magnets, "INSET", 1e3)
+    layout = shell_body_layout(spec)
+    _, rigid = tie_functionals(spec, cube.system.space, DEGREE)
+    inset = tied_magnets.MOST_INSET * layout.height_mm
+    local, weights = skin_quadrature(
+        layout.outline.inset(inset), layout.height_mm - 2 * inset
+    )
+    frame = layout.frame[0]
+    psi = tied_magnets._polynomials(local, weights, DEGREE) * weights[:, None]
+    count = psi.shape[1]
+    turned = np.cross(np.eye(3)[0], local @ frame.T)  # once about x
+    assert_allclose(rigid[: 3 * count, 3], (psi.T @ turned).T.ravel(), rtol=0, atol=1e-12)

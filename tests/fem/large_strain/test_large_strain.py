@@ -1,5 +1,7 @@
 """Large deformation: element, tangent, contact, rigid magnets, and the limit of small strain."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
@@ -386,3 +388,20 @@ def test_only_facets_at_candidates_are_integrated():
     face = setup.problem.face
     assert (face.candidate >= 0).any(axis=1).all()
     assert_allclose(face.weights_mm2, setup.weights, rtol=1e-12)
+
+
+def test_volume_counts_by_the_share_of_a_vertex_that_is_lost(pressed):
+    """Allowed is a millionth of a vertex's own volume: a quarter of the elements around it."""
+    setup, state = pressed
+    forces = large_strain_newton._forces(setup.problem, state, setup.centre(0.9))
+    assert large_strain_newton._misfit(setup.problem, state, forces) < 1
+    mesh, vertex = box_mesh((8, 7, 4), BLOCK_MM, jiggle=0.1), 5
+    assert setup.space.pressure_nodes[vertex] == vertex
+    edges = mesh.p[:, mesh.t[1:]] - mesh.p[:, mesh.t[:1]]
+    volume = abs(np.linalg.det(edges.transpose(2, 0, 1))) / 6
+    assert_allclose(volume.sum(), np.prod(BLOCK_MM))
+    own = volume[(mesh.t == vertex).any(axis=0)].sum() / 4
+    lost = np.zeros_like(forces.internal.volume_mm3)
+    lost[vertex] = 3e-6 * own
+    worse = replace(forces, internal=replace(forces.internal, volume_mm3=lost))
+    assert_allclose(large_strain_newton._misfit(setup.problem, state, worse), 3, rtol=1e-6)

@@ -1,0 +1,39 @@
+"""Fit of what is cut into curved cores and stands on them."""
+
+import numpy as np
+
+from design.body.triangles import Block
+from design.fit.curved import _check_recesses
+from design.fit.curved_parts import _check_passages
+from design.layout.body import core_frames
+from design.spec.object import ObjectSpec
+
+EGG = {
+    "name": "egg",
+    "body": {"kind": "ellipsoid", "size_mm": [62.0, 56.0, 50.0], "bore_mm": 9.0},
+    "contact_grid": {"count": [3, 3]},
+}
+
+
+def egg(outer_mm=None):
+    spec = ObjectSpec.model_validate(EGG)
+    core = spec.core.changed(recess_inner_radius_mm=1.0, recess_outer_radius_mm=outer_mm or 5.0)
+    return spec.changed(core=core)
+
+
+def test_a_recess_reaches_as_far_as_the_smallest_patch():
+    reach = sorted(float(np.hypot(*frame.half_extents_mm)) for frame in core_frames(egg()))
+    assert reach[-1] > 1.05 * reach[0]
+    assert not list(_check_recesses(egg(reach[0] - 0.01)))
+    (told,) = _check_recesses(egg(reach[0] + 0.01))
+    assert f"{reach[0]:.4g} mm; got" in told
+
+
+def test_a_key_below_stands_in_the_bore_until_it_is_beside_it():
+    spec = egg()
+    for x, stands in ((0.0, True), (6.4, True), (6.6, False)):
+        key = Block(np.array([x, 0.0, -15.0]), np.eye(3), np.array([2.0, 2.0, 1.0]))
+        told = [text for text in _check_passages(spec, "the key", key) if "bore" in text]
+        assert bool(told) == stands, x
+    above = Block(np.array([0.0, 0.0, 8.0]), np.eye(3), np.array([2.0, 2.0, 1.0]))
+    assert not [text for text in _check_passages(spec, "the key", above) if "bore" in text]
