@@ -78,6 +78,17 @@ def test_three_tips_that_it_never_saw_are_read(built, estimator):
     assert row["not explained %"] <= 10
 
 
+def test_a_mean_s_variance_is_of_its_frames_and_of_the_zeros_of_its_presses(trained, seen):
+    rows = np.flatnonzero(trained.place_id == 0)
+    rows = rows[np.argsort(np.nansum(trained.force_n[rows, :, 2], axis=1), kind="stable")]
+    for level, part in enumerate(np.array_split(rows, seen.counts.shape[1])):
+        zeros = len(set(trained.press_id[part].tolist()))
+        white = np.tile(np.square(SPEC.sensors.noise_counts), 15)[seen.channels]
+        expected = white / len(part) + SPEC.sensors.zeroing_counts**2 / zeros
+        assert_allclose(seen.noise_counts2[0, level], expected)
+    assert zeros > 1
+
+
 def test_an_object_that_is_not_the_drawing_is_told(built, trained, twin):
     chips = np.random.default_rng(1).permutation(15)
 

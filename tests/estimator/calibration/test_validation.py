@@ -18,6 +18,7 @@ from estimator.calibration.pose_fit import (
 from estimator.calibration.recorded_presses import (
     MODULUS_RATIOS,
     RecordedPresses,
+    _presses,
     on_sensed_faces,
     own_channels,
     predicted_motions,
@@ -41,6 +42,7 @@ from estimator.tolerances.assembly import designed
 from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
 from tests.support.recordings.made_recordings import gripper_arrays, write_gripper
 from tests.support.recordings.public_recordings import FOLDER, NAMES
+from tests.support.recordings.synthetic_frames import synthetic_frames
 
 SPEC = coarse_spec(silicone={"youngs_modulus_mpa": 0.4, "youngs_modulus_range_mpa": (0.2, 0.6)})
 CASES = (
@@ -223,6 +225,17 @@ def test_motions_superpose_over_tips_and_faces():
 
 def test_a_case_on_other_faces_is_no_prediction():
     assert np.isnan(motions_of(((3, 1.0, 2.0),), [6.0, 5.0])).all()
+
+
+def test_a_press_counts_from_five_frames_of_half_its_force_on():
+    made = synthetic_frames(faces=(3,), presses=1, loaded=12, places=(0, 1, 2))
+    force = made.force_n[:, 0, 2].copy()
+    loaded = [np.flatnonzero((made.press_id == press) & (force > 0)) for press in range(3)]
+    for rows, hard in zip(loaded, (4, 5, 6), strict=True):
+        force[rows] = np.where(np.arange(len(rows)) < hard, 10.0, 4.9)
+        force[rows[0]] = 5.0
+    found = _presses(replace(made, force_n=np.stack([0 * force, 0 * force, force], 1)[:, None]))
+    assert [frames for *_, frames in found] == [5, 6]
 
 
 def test_a_softer_silicone_moves_as_under_more_force():

@@ -127,9 +127,7 @@ def test_ties_of_coarse_meshes_stay_within_a_share_of_the_magnet_s_height(cube, 
     layout = shell_body_layout(spec)
     _, rigid = tie_functionals(spec, cube.system.space, DEGREE)
     inset = tied_magnets.MOST_INSET * layout.height_mm
-    local, weights = skin_quadrature(
-        layout.outline.inset(inset), layout.height_mm - 2 * inset
-    )
+    local, weights = skin_quadrature(layout.outline.inset(inset), layout.height_mm - 2 * inset)
     frame = layout.frame[0]
     psi = tied_magnets._polynomials(local, weights, DEGREE) * weights[:, None]
     count = psi.shape[1]
