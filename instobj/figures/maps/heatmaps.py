@@ -29,8 +29,8 @@ from instobj.figures.saving import save_figure
 
 OUTWARD = {1: "+z", 2: "−y", 3: "+x", 4: "+y", 5: "−x", 6: "−z"}
 _SENSOR_EDGE_MM = 1.8
-_PICTURE_INCHES = 7.2, 6.4
-_MAP_INCHES, _BAR_INCHES = (0.75, 1.0, 4.95, 4.85), (5.9, 1.25, 0.25, 4.35)
+_PICTURE_INCHES = 7.2, 6.5
+_MAP_INCHES, _BAR_INCHES = (0.7, 0.95, 5.05, 5.05), (5.85, 1.2, 0.25, 4.55)
 """Left, bottom, width, height of one face's map and of its scale; a layout engine would ask every
 text for its size, which takes as long as drawing."""
 _FACE_INCHES = 4.6, 4.6
