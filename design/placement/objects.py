@@ -25,7 +25,14 @@ from design.layout.places.contact_places import MOST_COUNT, contact_places
 from design.layout.places.positions import board_sinks_mm, sensor_layout
 from design.placement.paths import long_path_mm
 from design.placement.patterns import Shares, magnet_patterns, sensor_patterns
-from design.placement.room import low_rim, tight_core, tight_middle, tight_rim, tight_shell
+from design.placement.room import (
+    low_rim,
+    outlet_room_mm,
+    tight_core,
+    tight_middle,
+    tight_rim,
+    tight_shell,
+)
 from design.spec.base import explained
 from design.spec.body import LONGEST_EDGE_MM
 from design.spec.object import ObjectSpec
@@ -40,6 +47,7 @@ _COARSE = _SHARES[::3]
 _COUNTS = (5, 4, 3, 2, 1)
 """Of magnets, where none is asked for."""
 _SIDE_HOLE_MM = 3.0
+_LEAST_BORE_MM = 4.0
 _FLOOR_MM = 1.0
 """Of a core's wall behind a recess: more than the printer's thinnest by a quarter."""
 _GROWTH, _LARGEST_GROWTH, _HALVINGS = 1.25, 8.0, 3
@@ -146,7 +154,7 @@ def _body(request: Request, trim: Trim) -> Tables:
         body["sensed_faces"] = list(request.faces)
     if kind.openable and not kind.opens_sides:
         room = min(request.size_mm) - 2 * trim.thickness_mm
-        body["bore_mm"] = float(np.clip(np.floor(room / 2), 4.0, 10.0))
+        body["bore_mm"] = float(np.clip(np.floor(room / 2), _LEAST_BORE_MM, 10.0))
     shell = {
         "thickness_mm": trim.thickness_mm,
         "pocket_diameter_mm": trim.pocket_diameter_mm,
@@ -188,6 +196,11 @@ def _with_sensors(request: Request, trim: Trim, shares: tuple[float, ...]) -> Ta
         if wall is None or tight_core(spec) or tight_rim(spec):
             continue
         tables["core"]["wall_mm"] = wall
+        if body_of(spec).opening == "bore":
+            bore = min(spec.body.bore_mm, float(np.floor(2 * outlet_room_mm(spec))))
+            if bore < _LEAST_BORE_MM:
+                continue
+            tables["body"] = tables["body"] | {"bore_mm": bore}
         if low_rim(spec):
             on_slopes.append(tables)
         elif fits(spec_of(tables)):

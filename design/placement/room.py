@@ -96,6 +96,18 @@ def tight_middle(spec: ObjectSpec) -> bool:
     return any(0 < middle < hole + least + inward for middle in away)
 
 
+def outlet_room_mm(spec: ObjectSpec) -> float:
+    """Radius about −z that leaves a wall to every recess that reaches as low as a core's outlet."""
+    steps = np.linspace(-1, 1, _EDGE_POINTS)
+    shares = np.stack(np.meshgrid(steps, steps, steps), axis=-1).reshape(-1, 3)
+    points = np.concatenate(
+        [r.centre_mm + (shares * r.half_mm) @ r.axes.T for r in sensor_recesses(spec)]
+    )
+    beside = points[points[:, 2] < 0]
+    away = np.linalg.norm(beside[:, :2], axis=1).min(initial=np.inf)
+    return float(away) - spec.printer.wall_mm - _STEP_MM
+
+
 def tight_shell(spec: ObjectSpec) -> bool:
     """Whether silicone over, under or between the magnets' pockets is too thin to cast."""
     least = _ROOMY * spec.silicone.thinnest_wall_mm

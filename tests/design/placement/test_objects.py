@@ -165,3 +165,12 @@ def test_a_body_that_nothing_helps_is_not_grown_beyond_what_a_body_may_measure(m
         SpecError, match=r"too small for 3 sensors and a magnet per face\. Ask for fewer"
     ):
         placed(Request("dome", (500.0, 500.0, 260.0)))
+
+
+def test_a_small_eggs_bore_leaves_a_wall_to_the_recesses_beside_it():
+    """A rod of 9 mm left 0.66 mm of core behind the recesses of faces 2 and 4."""
+    spec = spec_of(placed(Request("ellipsoid", (36.0, 34.0, 40.0), sensors=1, magnets=3)))
+    assert spec.body.bore_mm == 8.0
+    floors = np.array([r.corners_mm for r in sensor_recesses(spec) if r.face in (2, 4)])
+    wall = float(abs(floors[..., 1]).min()) - spec.body.bore_mm / 2
+    assert wall >= spec.printer.wall_mm
