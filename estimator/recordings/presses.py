@@ -19,6 +19,7 @@ CONTACT_FORCE_N = 0.3
 LAGS = range(-10, 26)
 _LEAST_PRESS_FRAMES = 5
 _LEVEL_ROUNDS = 50
+_STEADY_REST_N = 0.15
 _LAG_FRAMES = 3 * max(LAGS)
 """More are needed to tell a lag."""
 _CURVE_DEGREE = 3
@@ -277,6 +278,14 @@ def shifted_shear(
     axes = [shifted_forces(shear_n[..., axis], stretch, lag) for axis in range(2)]
     shifted = np.stack(axes, axis=2)
     return shifted - np.median(shifted[rest], axis=0) if rest.any() else shifted
+
+
+def rest_limit_n(force_n: Float[np.ndarray, "frame cell"]) -> float:
+    """Force below which hardly any frame at rest is missed (N): three standard deviations of the noisiest
+    load cell at rest, between those of the steadiest cells and the force that counts as contact."""
+    low = [abs(cell[abs(cell) < CONTACT_FORCE_N]) for cell in force_n.T]
+    noise_n = max((1.4826 * float(np.median(part)) for part in low if len(part)), default=0.0)
+    return float(np.clip(3 * noise_n, _STEADY_REST_N, CONTACT_FORCE_N))
 
 
 def at_rest(

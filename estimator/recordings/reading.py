@@ -61,6 +61,7 @@ from estimator.recordings.presses import (
     estimate_lag,
     frame_times_s,
     number_presses,
+    rest_limit_n,
     shifted_forces,
     shifted_shear,
     stretches,
@@ -254,7 +255,8 @@ def _frames(
     if table.kind == "generic":
         levels = levels_under_presses(
             table.counts, presses.time_s, session, np.any(touching, axis=1),
-            presses.rest & ~presses.hidden, presses.noise_counts,
+            at_rest(presses.force_n, rest_limit_n(presses.force_n)) & ~presses.hidden,
+            presses.noise_counts,
         )  # fmt: skip
         zero, error = levels.counts, levels.error
     signal = table.counts - zero

@@ -92,6 +92,13 @@ def test_the_zero_of_a_noisy_load_cell_lies_in_the_middle_of_its_rest():
     assert np.mean(found[np.arange(2000) % 100 < 60]) == pytest.approx(0.0, abs=0.02)
 
 
+@pytest.mark.parametrize(("noise_n", "limit_n"), [(0.01, 0.15), (0.07, 0.21), (0.2, 0.3)])
+def test_rest_reaches_as_far_as_the_noise_of_the_load_cell_but_not_into_contact(noise_n, limit_n):
+    force = np.where(np.arange(4000) % 100 < 70, 0.0, 5.0)[:, None] * np.ones(2)
+    force[:, 1] += noise_n * np.random.default_rng(0).standard_normal(4000)
+    assert presses.rest_limit_n(force) == pytest.approx(limit_n, rel=0.1)
+
+
 def test_strokes_too_short_for_a_lag_tell_it_together():
     """Thirty frames each, three of which make one that is long enough; places stay apart."""
     time = np.arange(330)
