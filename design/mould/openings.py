@@ -7,6 +7,7 @@ but mould lies above it, else out along the surface's normal, or between the two
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Literal
 
@@ -16,6 +17,7 @@ from jaxtyping import Float
 
 from design.body.meshes import Trap, high_points, manifold_of
 from design.body.triangles import cylinder_between
+from design.errors import InputError
 from design.layout.body import body_of
 from design.layout.mould_frame import MouldFrame, mould_frame, mould_style, up
 from design.layout.pockets import distance_of_segments_mm
@@ -29,6 +31,8 @@ if TYPE_CHECKING:
 
 _SECTIONS = 48
 _SKIN_MM = 0.05
+_POUR_TURNS_DEG = (0, 15, -15, 30, -30, 45, -45, 60, -60, 75, -75, 90)
+_MOST_CORNERS = 200
 _LEAST_TRAP_MM = 0.1
 """Bubbles less high than this are left: triangles of curved surfaces make dents of a third of it."""
 
@@ -81,7 +85,7 @@ def seal_holes(spec: ObjectSpec) -> tuple[Hole, ...]:
     if not spec.shell.seal_layer_mm or mould_frame(spec).opening == "open":
         return ()
     pour, shell = pour_holes(spec, finished_surface(spec)), sealed_round(spec)
-    pins = tuple(pin for pin in loose_pins(spec) if pin.locator is not None)
+    pins = _pins_of(spec, first=False)
     vents = [_vent(spec, shell, pins, trap) for trap in air_traps(spec, shell, pour)]
     return (*pour, *(vent for vent in vents if vent is not None))
 
@@ -106,21 +110,50 @@ def _bore(spec: ObjectSpec) -> trimesh.Trimesh:
 
 
 def pour_holes(spec: ObjectSpec, surface: trimesh.Trimesh | None = None) -> tuple[Hole, ...]:
-    """Beside the rod through a bore, at both its sides; at the upper corner of a closed mould.
+    """Beside the rod through a bore, at both its sides; at the upper corner of a closed mould. They turn
+    about the rod, or go down from that corner, until no pin is in their way.
 
     They begin at a surface, by default that of the first pour.
+
+    Raises
+    ------
+    InputError
+        Wherever they might be, a pin is in the way.
     """
     frame = mould_frame(spec)
     if frame.opening == "open":
         return ()
+    pins = _pins_of(spec, first=surface is None)
     surface = cast_surface(spec) if surface is None else surface
-    way, diameter = up(spec), spec.mould.pour_mm
+    for tops in _pour_places(spec, surface):
+        holes = tuple(_hole(spec, "pour", top, up(spec), spec.mould.pour_mm) for top in tops)
+        if all(_clear(hole, pins) for hole in holes):
+            return holes
+    raise InputError(
+        f"wherever the mould's pouring holes (mould.pour_mm = {spec.mould.pour_mm:g}) might be, a pin "
+        "of a magnet's pocket is in the way. Make them narrower, or move magnets away from face 6"
+    )
+
+
+def _pour_places(spec: ObjectSpec, surface: trimesh.Trimesh) -> Iterator[list[np.ndarray]]:
+    """Tops of the pouring holes on the silicone's surface, the best first."""
+    frame, way = mould_frame(spec), up(spec)
     if frame.opening == "closed":
-        top = surface.vertices[np.argmax(surface.vertices @ way)]
-        return (_hole(spec, "pour", top, way, diameter),)
-    aside = float(frame.plug_mm[1, 0]) + diameter / 2
-    tops = [_below(surface, frame, sign * aside * frame.across) for sign in (-1, 1)]
-    return tuple(_hole(spec, "pour", top, way, diameter) for top in tops if top is not None)
+        height = surface.vertices @ way
+        for corner in np.argsort(-height, kind="stable")[:_MOST_CORNERS]:
+            yield [surface.vertices[corner]]
+        return
+    aside = float(frame.plug_mm[1, 0]) + spec.mould.pour_mm / 2
+    for turn in _POUR_TURNS_DEG:
+        side = np.cos(np.deg2rad(turn)) * frame.across + np.sin(np.deg2rad(turn)) * frame.along
+        tops = [_below(surface, frame, sign * aside * side) for sign in (-1, 1)]
+        yield [top for top in tops if top is not None]
+
+
+def _pins_of(spec: ObjectSpec, first: bool) -> tuple[Pin, ...]:
+    """Pins in the mould of the first pour; the seal layer's has none for pockets."""
+    pins = loose_pins(spec) if mould_style(spec) == "split" else ()
+    return pins if first else tuple(pin for pin in pins if pin.locator is not None)
 
 
 def air_traps(spec: ObjectSpec, shell: trimesh.Trimesh, holes: tuple[Hole, ...]) -> list[Trap]:
@@ -138,7 +171,7 @@ def air_traps(spec: ObjectSpec, shell: trimesh.Trimesh, holes: tuple[Hole, ...])
 
 def _vents(spec: ObjectSpec, pour: tuple[Hole, ...]) -> list[Hole]:
     shell = sampled_shell(spec)
-    pins = loose_pins(spec) if mould_style(spec) == "split" else ()
+    pins = _pins_of(spec, first=True)
     vents = [_vent(spec, shell, pins, trap) for trap in air_traps(spec, shell, pour)]
     return [vent for vent in vents if vent is not None]
 
@@ -155,15 +188,18 @@ def _vent(
         start = trap.place_mm + _SKIN_MM * (way + trap.normal)
         if solid.ray_cast(tuple(start), tuple(hole.end_mm)):
             continue
-        axis = np.stack([hole.start_mm, hole.end_mm])
-        if all(_apart(axis, pin, diameter) for pin in pins):
+        if _clear(hole, pins):
             return hole
     return None
 
 
-def _apart(axis: np.ndarray, pin: Pin, diameter: float) -> bool:
-    needed = diameter / 2 + pin.radius_mm
-    return distance_of_segments_mm(axis, pin.axis_mm) > needed
+def _clear(hole: Hole, pins: tuple[Pin, ...]) -> bool:
+    axis, half = np.stack([hole.start_mm, hole.end_mm]), hole.diameter_mm / 2
+    return all(
+        distance_of_segments_mm(axis, pin.axis_mm) > half + pin.radius_mm
+        and distance_of_segments_mm(axis, pin.head_axis_mm) > half + pin.radius_mm + pin.rim_mm
+        for pin in pins
+    )
 
 
 def _hole(
