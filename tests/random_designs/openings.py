@@ -30,6 +30,8 @@ from design.spec.object import ObjectSpec
 Solids = dict[str, manifold3d.Manifold]
 _SKIN_MM = 0.05
 """By which ways are drawn in, and a film of silicone where there should be none may be thick."""
+_FACET_MM = 0.1
+"""By which triangles of narrow holes lie within them."""
 _TOLD_MM = 0.05
 """By which the silicone over a magnet may be thinner than checks tell."""
 _POUR_MM = 2.8
@@ -163,7 +165,7 @@ def _blocked_wires(spec: ObjectSpec, core: manifold3d.Manifold) -> list[str]:
     """Wire holes from the core's faces to where wires leave, and channels from recesses to them."""
     wrong, body = [], body_of(spec)
     for frame, places in board_places(spec):
-        radius = wire_hole_diameter_mm(spec, frame.number) / 2 - _SKIN_MM
+        radius = wire_hole_diameter_mm(spec, frame.number) / 2 - _FACET_MM
         out = frame.centre_mm + frame.normal
         if body.on_base or body.name == "pad":
             inside = frame.centre_mm * [1, 1, 0] - [0, 0, body.half_mm[2]]
@@ -180,7 +182,7 @@ def _blocked_wires(spec: ObjectSpec, core: manifold3d.Manifold) -> list[str]:
                 name = f"channel {k + 1} of face {frame.number}"
                 wrong += _in_the_way(name, posed, {"core": core}, "core")
     if body.opening == "bore":
-        radius = spec.core.wire_hole_side_diameter_mm / 2 - _SKIN_MM
+        radius = spec.core.wire_hole_side_diameter_mm / 2 - _FACET_MM
         down = np.array([0.0, 0.0, -body.half_mm[2]])
         wrong += _in_the_way(
             "the outlet of the wires", _rod(np.zeros(3), down, radius), {"core": core}, "core"
