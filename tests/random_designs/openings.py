@@ -18,6 +18,7 @@ from design.body.meshes import manifold_of
 from design.layout.blocks import relief_slits
 from design.layout.boards import wire_channels, wire_hole_diameter_mm
 from design.layout.body import body_of, face_frames
+from design.layout.core_hold import FLAT_SHARE, core_outlet
 from design.layout.mould_frame import mould_frame, mould_style
 from design.layout.places.positions import board_places, cover_mm
 from design.layout.pockets import shell_pockets
@@ -182,7 +183,8 @@ def _blocked_wires(spec: ObjectSpec, core: manifold3d.Manifold) -> list[str]:
                 name = f"channel {k + 1} of face {frame.number}"
                 wrong += _in_the_way(name, posed, {"core": core}, "core")
     if body.opening == "bore":
-        radius = spec.core.wire_hole_side_diameter_mm / 2 - _FACET_MM
+        widest = FLAT_SHARE * core_outlet(spec).radius_mm  # beside the flat that the rod's meets
+        radius = min(spec.core.wire_hole_side_diameter_mm / 2, widest) - _FACET_MM
         down = np.array([0.0, 0.0, -body.half_mm[2]])
         wrong += _in_the_way(
             "the outlet of the wires", _rod(np.zeros(3), down, radius), {"core": core}, "core"
