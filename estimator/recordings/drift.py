@@ -12,6 +12,9 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
+from estimator.recordings.checks.faults import known_mean
+from estimator.recordings.presses import runs
+
 LEAST_FRAMES = 5
 """At rest between two presses, for their mean to tell of drift."""
 LARGEST_DRIFT_NOISES = 6.0
@@ -92,10 +95,9 @@ def levels_under_presses(
 
 def _contacts(loaded: Bool[np.ndarray, "frame"]) -> Bool[np.ndarray, "frame"]:
     """Without single frames that noise of a load cell lifts over the force of a contact."""
-    edges = np.flatnonzero(np.diff(loaded.astype(int), prepend=0, append=0))
-    held = np.zeros_like(loaded)
-    for first, last in edges.reshape(-1, 2):
-        held[first:last] = last - first >= _CONTACT_FRAMES
+    held = loaded.copy()
+    for first, last in runs(loaded.astype(int)):
+        held[first:last] &= last - first >= _CONTACT_FRAMES
     return held
 
 
@@ -118,7 +120,7 @@ def _rests(
     parts = np.split(frames, np.flatnonzero(np.diff(np.cumsum(ended)[frames])) + 1)
     parts = [part for part in parts if len(part) >= LEAST_FRAMES]
     return _Rests(
-        np.array([_mean(flat[part]) for part in parts]).reshape(-1, flat.shape[1]),
+        np.array([known_mean(flat[part]) for part in parts]).reshape(-1, flat.shape[1]),
         np.array([time_s[part].mean() for part in parts]),
         np.array([len(part) for part in parts], int),
         np.array([np.ptp(time_s[part]) for part in parts]),
@@ -129,13 +131,6 @@ def _rests(
 def _last(loaded: Bool[np.ndarray, "frame"], before: int) -> int:
     """The last frame of a contact before a frame, or -1."""
     return before - 1 - int(np.argmax(loaded[:before][::-1])) if loaded[:before].any() else -1
-
-
-def _mean(flat: Float[np.ndarray, "frame channel"]) -> Float[np.ndarray, "channel"]:
-    known = np.isfinite(flat)
-    return np.where(known, flat, 0.0).sum(axis=0) / np.where(
-        known.any(axis=0), known.sum(axis=0), np.nan
-    )
 
 
 def _jumps(

@@ -88,7 +88,8 @@ Grid = tuple[Float[np.ndarray, "nx"], Float[np.ndarray, "ny"]]
 class Recording:
     """Frames of one file with its report.
 
-    `rest_counts` (press, face, sensor, axis) are the raw counts subtracted from each press.
+    `rest_counts` (press, face, sensor, axis) are the raw counts at rest beside each press: subtracted
+    from it, but in generic recordings, whose level is followed frame by frame.
     """
 
     frames: FrameSet
@@ -250,7 +251,6 @@ def _frames(
     session: Int[np.ndarray, "frame"],
     place: Int[np.ndarray, "frame"],
 ) -> FrameSet:
-    zero, error = zeros.of_frames(presses.press), None
     touching = presses.force_n >= CONTACT_FORCE_N
     if table.kind == "generic":
         levels = levels_under_presses(
@@ -259,6 +259,8 @@ def _frames(
             presses.noise_counts,
         )  # fmt: skip
         zero, error = levels.counts, levels.error
+    else:
+        zero, error = zeros.counts[presses.press], None
     signal = table.counts - zero
     unusable = dead_channels(table.counts) | noisy_channels(presses.noise_counts) | jumping
     gap = np.any(np.isnan(table.counts) & ~unusable & _recorded(table.counts), axis=(1, 2, 3))

@@ -22,10 +22,6 @@ class Zeros:
     counts: Float[np.ndarray, "press 5 sensor 3"]
     before: Bool[np.ndarray, "press"]
 
-    def of_frames(self, press: Int[np.ndarray, "frame"]) -> Float[np.ndarray, "frame 5 sensor 3"]:
-        """One zero per press."""
-        return self.counts[press]
-
 
 def rest_levels(
     counts: Float[np.ndarray, "frame 5 sensor 3"],

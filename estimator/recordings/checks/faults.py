@@ -45,7 +45,7 @@ def rest_noise_counts(
     return np.where(number > 0, np.sqrt(mean_square.sum(0) / np.maximum(number, 1) / 2), np.nan)
 
 
-def known_mean(counts: Float[np.ndarray, "frame 5 sensor 3"]) -> Float[np.ndarray, "5 sensor 3"]:
+def known_mean(counts: Float[np.ndarray, "frame *channel"]) -> Float[np.ndarray, "*channel"]:
     """Mean of the readings that are there; NaN where there is none."""
     known = np.isfinite(counts)
     number = known.sum(axis=0)
