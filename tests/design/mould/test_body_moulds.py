@@ -17,7 +17,7 @@ from design.layout.body import body_of
 from design.layout.core_hold import core_outlet, locators, why_no_mould
 from design.layout.mould_frame import least_undercut, mould_frame, mould_style, parting, up
 from design.layout.volumes import shell_volume_mm3
-from design.mould import openings, plug
+from design.mould import plug
 from design.mould.halves import make_mould_half
 from design.mould.openings import air_traps, mould_holes, pour_holes
 from design.mould.pins import loose_pins, make_pin, pins_of_kinds
@@ -390,58 +390,3 @@ def test_a_locating_pin_leaves_the_magnet_a_floor():
         {"name": "narrow", **box, **narrow, "magnets": narrow["magnets"] | middles}, "test"
     )
     assert [locator.radius_mm for locator in locators(swallowed)] == [1.0], "the top's hole alone"
-
-
-LOW_MAGNETS = {
-    "name": "t",
-    "body": {"kind": "ellipsoid", "size_mm": [61.6, 45.2, 54.5], "open_faces": []},
-    "magnets": {"diameter_mm": 6.0, "positions_mm": [[-15.06, 0.0], [0.0, 0.0], [15.06, 0.0]]},
-    "contact_grid": {"count": "fill", "pitch_mm": 3.0},
-    "indenter": {"radius_mm": 5.0},
-    "core": {
-        "recess_inner_radius_mm": 0.25,
-        "recess_outer_radius_mm": 6.75,
-        "wire_hole_top_diameter_mm": 2.0,
-        "wire_hole_side_diameter_mm": 1.8,
-        "hub_radius_mm": 1.5,
-        "wall_mm": 4.32,
-    },
-    "sensors": {"count_per_face": 1, "radius_mm": 3.5, "positions_mm": [[0.0, 0.0]]},
-}
-
-
-def test_a_pouring_hole_goes_down_from_the_upper_corner_until_no_pin_is_in_its_way(monkeypatch):
-    """The pin of a magnet low on a side stood in it."""
-    spec = parse_spec(LOW_MAGNETS, "t")
-    cylinder = trimesh.creation.cylinder
-    pins = [
-        solid
-        for pin in loose_pins(spec)
-        for solid in (
-            cylinder(pin.radius_mm, segment=pin.axis_mm),
-            cylinder(pin.radius_mm + pin.rim_mm, segment=pin.head_axis_mm),
-        )
-    ]
-    (hole,) = pour_holes(spec)
-    assert not any(len(hole.surface().intersection(pin).faces) for pin in pins)
-    monkeypatch.setattr(openings, "_clear", lambda hole, pins: True)
-    (blocked,) = pour_holes(spec)
-    assert any(len(blocked.surface().intersection(pin).faces) for pin in pins)
-    lower_mm = (blocked.top_mm - hole.top_mm) @ up(spec)
-    assert 0 < lower_mm < 1
-    monkeypatch.setattr(openings, "_clear", lambda hole, pins: False)
-    with pytest.raises(InputError, match="a pin of a magnet's pocket is in the way"):
-        pour_holes(spec)
-
-
-def test_pouring_holes_of_a_bored_body_turn_about_the_rod_together(monkeypatch):
-    spec = case("bored ellipsoid")
-    usual = pour_holes(spec)
-    turned = np.deg2rad(15)
-    monkeypatch.setattr(
-        openings, "_clear", lambda hole, pins: abs(hole.top_mm[1]) > np.sin(turned) * 0.9 * aside
-    )
-    aside = abs(usual[0].top_mm[0])
-    one, other = pour_holes(spec)
-    assert_allclose(one.top_mm[:2], -other.top_mm[:2], atol=1e-9)
-    assert_allclose(np.abs(one.top_mm[:2]), aside * np.array([np.cos(turned), np.sin(turned)]))

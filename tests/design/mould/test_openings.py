@@ -1,0 +1,68 @@
+"""Pouring holes of split moulds keep clear of pins."""
+
+import numpy as np
+import pytest
+import trimesh
+from numpy.testing import assert_allclose
+
+from design.errors import InputError
+from design.layout.mould_frame import up
+from design.mould import openings
+from design.mould.openings import pour_holes
+from design.mould.pins import loose_pins
+from design.spec_io import parse_spec
+from tests.support.objects.body_cases import body_spec
+
+LOW_MAGNETS = {
+    "name": "t",
+    "body": {"kind": "ellipsoid", "size_mm": [61.6, 45.2, 54.5], "open_faces": []},
+    "magnets": {"diameter_mm": 6.0, "positions_mm": [[-15.06, 0.0], [0.0, 0.0], [15.06, 0.0]]},
+    "contact_grid": {"count": "fill", "pitch_mm": 3.0},
+    "indenter": {"radius_mm": 5.0},
+    "core": {
+        "recess_inner_radius_mm": 0.25,
+        "recess_outer_radius_mm": 6.75,
+        "wire_hole_top_diameter_mm": 2.0,
+        "wire_hole_side_diameter_mm": 1.8,
+        "hub_radius_mm": 1.5,
+        "wall_mm": 4.32,
+    },
+    "sensors": {"count_per_face": 1, "radius_mm": 3.5, "positions_mm": [[0.0, 0.0]]},
+}
+
+
+def test_a_pouring_hole_goes_down_from_the_upper_corner_until_no_pin_is_in_its_way(monkeypatch):
+    """The pin of a magnet low on a side stood in it."""
+    spec = parse_spec(LOW_MAGNETS, "t")
+    cylinder = trimesh.creation.cylinder
+    pins = [
+        solid
+        for pin in loose_pins(spec)
+        for solid in (
+            cylinder(pin.radius_mm, segment=pin.axis_mm),
+            cylinder(pin.radius_mm + pin.rim_mm, segment=pin.head_axis_mm),
+        )
+    ]
+    (hole,) = pour_holes(spec)
+    assert not any(len(hole.surface().intersection(pin).faces) for pin in pins)
+    monkeypatch.setattr(openings, "_clear", lambda hole, pins: True)
+    (blocked,) = pour_holes(spec)
+    assert any(len(blocked.surface().intersection(pin).faces) for pin in pins)
+    lower_mm = (blocked.top_mm - hole.top_mm) @ up(spec)
+    assert 0 < lower_mm < 1
+    monkeypatch.setattr(openings, "_clear", lambda hole, pins: False)
+    with pytest.raises(InputError, match="a pin of a magnet's pocket is in the way"):
+        pour_holes(spec)
+
+
+def test_pouring_holes_of_a_bored_body_turn_about_the_rod_together(monkeypatch):
+    spec = body_spec("ellipsoid", body={"open_faces": [6], "bore_mm": 9.0})
+    usual = pour_holes(spec)
+    turned = np.deg2rad(15)
+    monkeypatch.setattr(
+        openings, "_clear", lambda hole, pins: abs(hole.top_mm[1]) > np.sin(turned) * 0.9 * aside
+    )
+    aside = abs(usual[0].top_mm[0])
+    one, other = pour_holes(spec)
+    assert_allclose(one.top_mm[:2], -other.top_mm[:2], atol=1e-9)
+    assert_allclose(np.abs(one.top_mm[:2]), aside * np.array([np.cos(turned), np.sin(turned)]))
