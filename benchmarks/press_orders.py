@@ -65,8 +65,10 @@ def ways(spec: ObjectSpec, adaptive: Int[np.ndarray, "press"], seed: int) -> lis
         Way(WHOLE, shuffled, usual, (111,)),
         Way("random, 9 strokes", shuffled, strokes, COUNTS),
         Way("even grid, 9 strokes", _even(10, 5), strokes, (29,)),
+        Way("even grid, 9 strokes", _even(10, 6), strokes, (41,)),
         Way("adaptive, one stroke", adaptive, usual, COUNTS),
         Way("random, one stroke", shuffled, usual, COUNTS[-1:]),
+        Way("all 100 places, 9 strokes", shuffled, strokes, (111,)),
     ]
 
 
