@@ -10,8 +10,9 @@ import pytest
 
 gc.disable()  # until all is imported: modules are no garbage
 
-from tests.support import scheduling, typechecks  # noqa: E402
+from tests.support import in_memory, scheduling, typechecks  # noqa: E402
 
+in_memory.install()
 typechecks.install(["design", "fem", "estimator"])
 
 from instobj.figures import saving  # noqa: E402  types are checked in what is imported from here

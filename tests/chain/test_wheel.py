@@ -13,7 +13,12 @@ import pytest
 from tests.support.objects.tiny_cube import CHANGES, MECHANICS, MESHED, lend_mechanics
 
 ROOT = Path(__file__).parents[2]
-COARSE = [part for key in (*MESHED, *CHANGES) for part in ("--set", key)]
+FEW_FRAMES = (
+    "protocol.presses_per_place=3",
+    "protocol.frames_per_press=8",
+    "protocol.rest_frames_per_press=4",
+)
+COARSE = [part for key in (*MESHED, *CHANGES, *FEW_FRAMES) for part in ("--set", key)]
 THREADS = {"OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"}
 
 
