@@ -14,7 +14,7 @@ from numpy.testing import assert_allclose
 
 from design.errors import InputError, InstobjError
 from design.spec.object import TrainingSpec
-from estimator.deploy.export import export_onnx
+from estimator.deploy.export import _require_parity, export_onnx
 from estimator.deploy.runtime import LiveReader, load_deployed, predict_frames
 from estimator.frames.splits import split_presses
 from estimator.networks.face_model import predict
@@ -105,6 +105,15 @@ def test_an_export_that_differs_from_the_model_is_not_written(certain, tmp_path,
     with pytest.raises(InputError, match=r"bad\.onnx is not written: in \d+ % of test frames"):
         export_onnx(certain, tmp_path / "bad.onnx")
     assert list(tmp_path.iterdir()) == []
+
+
+def test_an_error_of_the_trees_is_refused(model, path):
+    """2 % of their share of the place: less than 1e-3 of what networks say far outside training."""
+    wrong = copy.deepcopy(model)
+    wrong.network.forest.answer *= 0.98
+    with pytest.raises(InputError, match=r"the exported \w+ is not that of the trained model"):
+        _require_parity(wrong, path, path)
+    _require_parity(model, path, path)
 
 
 def test_trees_and_novelty_are_in_the_file(model, frames, path):
