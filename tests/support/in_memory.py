@@ -1,10 +1,10 @@
-"""Temporary files of tests in memory: they waited for the disk half of the time of searches and stores."""
+"""Temporary files of tests in memory: those of searches and stores waited for the disk half their time."""
 
 import os
 import shutil
 import tempfile
 
-FOLDER = "/dev/shm"
+FOLDER = "/dev/shm"  # noqa: S108  pytest makes a folder of this user alone in it
 ROOM_BYTES = 4_000_000_000
 """More than all tests leave behind at once; containers often have 64 MB, and stay on the disk."""
 
