@@ -15,14 +15,14 @@ Turn = Annotated[float, Field(ge=-10, le=10)]
 class ContactGridSpec(SpecPart):
     """Contact places on each face, centred on it; place = X·count_y + Y, counted from 0.
 
-    "fill" gives each face as many as fit (`design.layout.places.contact_places`), a pair of counts the
-    same ones to all.
+    "fill" gives each face as many as fit (`design.layout.places.contact_places`; 10 × 10 on the
+    paper's cube), a pair of counts the same ones to all.
     """
 
     count: (
         Literal["fill"]
         | tuple[Annotated[int, Field(ge=2, le=100)], Annotated[int, Field(ge=2, le=100)]]
-    ) = (10, 10)
+    ) = "fill"
     pitch_mm: Positive = 3.0
 
 

@@ -40,7 +40,7 @@ print(f"{cube.name}: median {np.median(bound_mm):.2f} mm, worst {bound_mm.max():
 # Contact locations lie on a grid; index X runs along the face's x, Y along its y. Crosses are
 # magnets, squares are sensors.
 
-nx, ny = cube.contact_grid.count
+nx, ny = (len(np.unique(run.scores[axis])) for axis in ("x_mm", "y_mm"))
 half_x, half_y = (n * cube.contact_grid.pitch_mm / 2 for n in (nx, ny))
 figure, axes = plt.subplots(figsize=(5.5, 4.5))
 image = axes.imshow(

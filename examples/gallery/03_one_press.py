@@ -20,7 +20,7 @@ run = instobj.Run(cube)
 # Presses and signals are tables over face, contact location and step of indentation depth. Contact
 # location X, Y is number X · ny + Y: here one beside the middle of face 1.
 
-nx, ny = cube.contact_grid.count
+nx, ny = (len(np.unique(run.scores[axis])) for axis in ("x_mm", "y_mm"))
 place = (nx // 2 - 1) * ny + ny // 2
 signals = run.signals
 depth_mm = np.asarray(signals.depth_mm)

@@ -23,7 +23,7 @@ run = instobj.Run(cube)
 # Signals come at steps of indentation depth. A polynomial through rest and all steps gives them,
 # and their slope, at the force of the score.
 
-nx, ny = cube.contact_grid.count
+nx, ny = (len(np.unique(run.scores[axis])) for axis in ("x_mm", "y_mm"))
 signals = run.signals
 own = np.asarray(signals.sensor_face) == 1
 force_n = np.asarray(signals.force_n)[0]  # place, step

@@ -12,6 +12,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+from design.layout.places.contact_places import contact_places, grid_count
 from design.spec.object import ObjectSpec
 from design.spec_io import parse_spec
 from instobj.experiments.registry import Study, StudyResult
@@ -61,17 +62,25 @@ def changed(spec: ObjectSpec, changes: Changes, source: str = "a variant") -> Ob
 def compare_variants(
     variants: Variants, spec: ObjectSpec, folder: Path, quick: bool
 ) -> StudyResult:
-    """Score the variants, the first being what the others are compared with; write the figure."""
+    """Score the variants, the first being what the others are compared with; write the figure.
+
+    All are pressed at the locations of `spec`, also where a larger body would be filled with more.
+    """
+    base = _same_places(spec) | (_QUICK if quick else _MESH)
     rows = []
     for label, changes in variants(spec).items():
-        variant = changed(
-            spec, {**(_QUICK if quick else _MESH), **changes}, f"{spec.name} with {label}"
-        )
+        variant = changed(spec, base | changes, f"{spec.name} with {label}")
         rows.append({"variant": label} | score_row(chain_score(variant)))
     draw_variants(
         rows, spec.score.force_n if not quick else _QUICK["score.force_n"], folder / "scores.png"
     )
     return StudyResult(rows)
+
+
+def _same_places(spec: ObjectSpec) -> Changes:
+    if not contact_places(spec).all():
+        return {}
+    return {"contact_grid.count": list(grid_count(spec))}
 
 
 def sensor_counts(spec: ObjectSpec) -> dict[str, Changes]:

@@ -89,7 +89,7 @@ def _require_mechanics(spec: ObjectSpec) -> None:
     if fewest < _FEWEST_IN_A_ROW:
         raise InputError(
             f"a layout search takes {_FEWEST_IN_A_ROW} contact locations in a row, for slopes along the "
-            f"face; got {fewest}. Raise contact_grid.count"
+            f"face; got {fewest}. Raise contact_grid.count, or lower contact_grid.pitch_mm"
         )
     if spec.mechanics.interface == "frictionless":
         raise InputError(
@@ -132,7 +132,7 @@ def _lacking(spec: ObjectSpec) -> dict[str, str]:
         for name in ("pair_own_position_bound_mm", "pair_all_position_bound_mm"):
             found[name] = (
                 f"two tips of indenter.radius_mm = {spec.indenter.radius_mm:g} do not fit on the "
-                f"contact grid of {spec.contact_grid.count} locations"
+                f"contact grid of {contact_grid(spec).shape} locations"
             )
     return found
 

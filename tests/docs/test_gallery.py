@@ -78,7 +78,7 @@ def test_the_small_cube_is_small():
 
 def test_a_first_object_has_a_bound_at_every_contact_location(run_script):
     found = run_script(1)
-    assert found["bound_mm"].shape == (1, np.prod(found["cube"].contact_grid.count))
+    assert found["bound_mm"].shape == (1, len(found["run"].scores.place))
     assert np.all((found["bound_mm"] > 0) & (found["bound_mm"] < 42))
 
 

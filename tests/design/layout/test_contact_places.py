@@ -35,9 +35,15 @@ def test_a_face_of_a_box_has_all_locations_whose_tip_and_margin_stay_on_it():
     assert shared_counts(BOX) == (6, 10)
 
 
+def test_an_object_without_a_count_is_filled():
+    other = parse_spec({"name": "box", "body": {"size_mm": [60.0, 40.0, 30.0]}}, "test")
+    assert other.contact_grid.count == "fill"
+    np.testing.assert_array_equal(contact_places(other), contact_places(BOX))
+
+
 def test_filling_the_papers_cube_gives_its_own_ten_by_ten():
     cube, filled = (
-        load_spec("examples/paper_cube.toml"),
+        load_spec("examples/paper_cube.toml", ["contact_grid.count=[10, 10]"]),
         ObjectSpec.model_validate({"name": "cube"} | FILL),
     )
     assert grid_count(filled) == grid_count(cube) == (10, 10)

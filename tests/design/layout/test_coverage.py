@@ -22,14 +22,14 @@ def test_of_the_papers_cube():
 def test_of_a_box_with_unequal_faces():
     """One grid of 30 × 30 mm serves faces of 60 × 46, 60 × 42 (two) and 46 × 42 mm (two)."""
     body = {"size_mm": [60.0, 46.0, 42.0]}
-    spec = parse_spec({"name": "box", "body": body}, "test")
+    spec = parse_spec({"name": "box", "body": body, "contact_grid": {"count": [10, 10]}}, "test")
     area = 60 * 46 + 2 * 60 * 42 + 2 * 46 * 42
     assert covered_share(spec) == pytest.approx(5 * 30 * 30 / area, rel=0.005)
 
 
 def test_of_a_ball_area_is_along_the_surface():
     """A cap of 60° has half of its half sphere; a square of ±a by numerical integration."""
-    ball = load_spec(EXAMPLES / "ball.toml")
+    ball = load_spec(EXAMPLES / "ball.toml", ["contact_grid.count=[7, 7]"])
     radius, reach = ball.body.size_mm[0] / 2, 7 * 3.0 / 2
     patch = 2 * np.pi * radius**2 * (1 - np.cos(np.deg2rad(60)))
     x = (np.arange(2000) + 0.5) / 1000 * reach - reach
@@ -40,7 +40,7 @@ def test_of_a_ball_area_is_along_the_surface():
 
 def test_cells_of_a_ball_are_larger_where_it_leans():
     """1 / cos of the slope, at the middle and by the outermost corner of 7 × 7 cells of 3 mm."""
-    ball = load_spec(EXAMPLES / "ball.toml")
+    ball = load_spec(EXAMPLES / "ball.toml", ["contact_grid.count=[7, 7]"])
     radius, middle = ball.body.size_mm[0] / 2, np.hypot(9.0, 9.0)
     areas = cell_areas_mm2(ball)
     assert areas.shape == (5 * 49,)

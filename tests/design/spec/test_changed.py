@@ -44,7 +44,7 @@ def test_whether_everything_fits_is_asked_for_by_name():
 
 
 def test_single_presses_need_not_fit_at_every_contact_location():
-    wide = CUBE.changed(contact_grid=CUBE.contact_grid.changed(pitch_mm=4.5))
+    wide = CUBE.changed(contact_grid=CUBE.contact_grid.changed(count=(10, 10), pitch_mm=4.5))
     with pytest.raises(SpecError, match="fewer places"):
         check(wide)
     assert check(wide, table=False) is wide

@@ -28,7 +28,7 @@ def scores_of(spec, bound_mm):
 
 @pytest.fixture(scope="module")
 def ball():
-    return load_spec(ROOT / "examples/ball.toml", ['contact_grid.count="fill"'])
+    return load_spec(ROOT / "examples/ball.toml")
 
 
 @pytest.fixture(scope="module")

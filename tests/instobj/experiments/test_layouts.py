@@ -3,6 +3,7 @@
 import pytest
 
 from design.errors import InputError
+from design.layout.places.contact_places import grid_count
 from design.spec.object import MagnetSpec, ObjectSpec
 from instobj.experiments import layouts
 from instobj.experiments.layouts import STUDIES, changed
@@ -71,6 +72,16 @@ def test_a_variant_that_does_not_fit_is_named(tmp_path):
         layouts.compare_variants(
             lambda spec: dict(list(layouts.poles(spec).items())[1:]), two, tmp_path, True
         )
+
+
+def test_variants_of_a_filled_object_are_pressed_at_its_own_locations(tmp_path, monkeypatch):
+    """A body 4 mm larger would be filled with 12 × 12."""
+    counts = []
+    monkeypatch.setattr(layouts, "chain_score", lambda spec: counts.append(grid_count(spec)))
+    monkeypatch.setattr(layouts, "score_row", lambda score: {})
+    monkeypatch.setattr(layouts, "draw_variants", lambda rows, force, path: None)
+    layouts.compare_variants(layouts.thicknesses, PAPER, tmp_path, quick=False)
+    assert counts == [(10, 10)] * 5
 
 
 def test_the_figure_takes_any_rows(tmp_path):
