@@ -36,7 +36,7 @@ def test_a_face_of_a_box_has_all_locations_whose_tip_and_margin_stay_on_it():
 
 
 def test_an_object_without_a_count_is_filled():
-    other = parse_spec({"name": "box", "body": {"size_mm": [60.0, 40.0, 30.0]}}, "test")
+    other = ObjectSpec.model_validate({"name": "box", "body": BOX.body.model_dump()})
     assert other.contact_grid.count == "fill"
     np.testing.assert_array_equal(contact_places(other), contact_places(BOX))
 
