@@ -8,6 +8,7 @@ the patch whose surface is its plane.
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import Protocol, runtime_checkable
 
 import numpy as np
@@ -78,24 +79,30 @@ class FaceFrame:
     relief: Relief = field(default_factory=Cap)
     round: bool = False
 
-    @property
+    @cached_property
     def flat(self) -> bool:
         """Whether the surface is the frame's plane."""
         return self.relief == Cap()
 
-    @property
+    @cached_property
     def axes(self) -> Float[np.ndarray, "3 3"]:
-        """Rotation whose columns are x, y, n: face coordinates to object coordinates."""
-        return np.column_stack([self.x, self.y, self.normal])
+        """Rotation whose columns are x, y, n: face coordinates to object coordinates; read-only."""
+        axes = np.column_stack([self.x, self.y, self.normal])
+        axes.flags.writeable = False
+        return axes
 
     def axes_at(self, xy_mm: Float[np.ndarray, "*n 2"]) -> Float[np.ndarray, "*n 3 3"]:
         """The same at places: n normal to the surface there, x in the plane of x and n."""
+        if self.flat:
+            return np.broadcast_to(self.axes, (*np.shape(xy_mm)[:-1], 3, 3)).copy()
         _, slope = self.relief.at(np.asarray(xy_mm, float))
         return self.axes @ _local_axes(slope)
 
     def to_object(self, xyz_mm: Float[np.ndarray, "*n 3"]) -> Float[np.ndarray, "*n 3"]:
         """Points given as (x, y, height above the surface) in mm, in the object's frame."""
         xyz = np.asarray(xyz_mm, float)
+        if self.flat:
+            return self.centre_mm + xyz @ self.axes.T
         height, slope = self.relief.at(xyz[..., :2])
         local = np.concatenate([xyz[..., :2], height[..., None]], axis=-1)
         return self.centre_mm + (local + xyz[..., 2:] * _normals(slope)) @ self.axes.T
@@ -107,6 +114,8 @@ class FaceFrame:
     def from_object(self, points_mm: Float[np.ndarray, "*n 3"]) -> Float[np.ndarray, "*n 3"]:
         """Inverse of `to_object`, by the foot of each point on the surface; NaN beside the patch."""
         local = self.in_plane(points_mm)
+        if self.flat:
+            return local
         xy, above = local[..., :2], local[..., 2] * np.nan
         for _ in range(_MAX_ITERATIONS):
             before = xy
@@ -127,6 +136,8 @@ class FaceFrame:
 
     def tangent(self, xy_mm: Float[np.ndarray, "2"]) -> FaceFrame:
         """The flat face that touches this one at a place and calls the place (x, y) too."""
+        if self.flat:
+            return self
         xy = np.asarray(xy_mm, float)
         axes = self.axes_at(xy)
         origin = self.to_object(np.append(xy, 0.0)) - axes[:, :2] @ xy

@@ -111,8 +111,10 @@ def _check_dents(spec: ObjectSpec) -> Iterator[str]:
             )
     for frame, pockets, dents in zip(face_frames(spec), shell_pockets(spec), depth, strict=True):
         for pocket, dent in zip(pockets, dents, strict=True):
+            if not dent:
+                continue
             cover = cover_mm(frame, pocket.body)
-            if dent and dent >= cover:
+            if dent >= cover:
                 yield (
                     f"a dent of {dent:g} mm on face {frame.number} reaches {pocket.body.label}, over "
                     f"which there are {cover:.3g} mm of silicone. Make shell.dent_mm (as_built: "

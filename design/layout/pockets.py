@@ -8,6 +8,7 @@ face that the pocket opens to, so that everything here is below 0.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import combinations
 from typing import TYPE_CHECKING, TypeVar
 
@@ -100,7 +101,7 @@ class Pocket:
         """Of what is left out: the face cuts the prism obliquely, but at its mean length."""
         return self.outline.area_mm2 * (self.body.height_mm / 2 + self.mouth_mm)
 
-    @property
+    @cached_property
     def axis_ends_mm(self) -> Float[np.ndarray, "2 3"]:
         """On the axis: the floor's centre, and the height that the mouth's highest point has."""
         beyond = self._support_mm(np.array([0.0, 0.0, 1.0])) / self.axis[2]
@@ -112,7 +113,7 @@ class Pocket:
         """Height of the pocket's lowest point, negative."""
         return float(self.axis_ends_mm[0, 2] - self._support_mm(np.array([0.0, 0.0, 1.0])))
 
-    @property
+    @cached_property
     def reach_mm(self) -> Float[np.ndarray, "2"]:
         """Largest |x| and |y| within the pocket and its mouth."""
         lean = self.axis[:2] / self.axis[2]

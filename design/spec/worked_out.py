@@ -50,6 +50,8 @@ def _results_of(spec: ObjectSpec) -> dict[str, Any]:
 
 def _read_only(found: Any) -> Any:
     """The result, every array in its tuples and dataclasses locked."""
+    if isinstance(found, float):
+        return found  # most of what results hold
     if isinstance(found, np.ndarray):
         found.flags.writeable = False
     elif isinstance(found, tuple):
