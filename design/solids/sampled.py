@@ -84,7 +84,7 @@ def sampled_core_part(spec: ObjectSpec) -> trimesh.Trimesh:
         removed += [_recess(spec, frame, place, sink) for place, sink in places]
         channels = wire_channels(spec, frame, [place for place, _ in places], _OVERSHOOT_MM)
         removed += [block_surface(channel) for channel in channels]
-        removed.append(_wire_hole(spec, frame.centre_mm + _OVERSHOOT_MM * frame.normal))
+        removed.append(_wire_hole(spec, frame))
     removed += [_socket(locator.socket) for locator in locators(spec) if locator.socket]
     if 6 in spec.body.opened:
         removed.append(_hollow(spec))
@@ -157,12 +157,14 @@ def _recess(
     return box
 
 
-def _wire_hole(spec: ObjectSpec, end_mm: np.ndarray) -> trimesh.Trimesh:
-    """From the body's centre to a point outside the core."""
+def _wire_hole(spec: ObjectSpec, frame: FaceFrame) -> trimesh.Trimesh:
+    """From the body's centre out of its box: where the core leans, it stands on beside a face's middle."""
     import trimesh
 
-    radius = spec.core.wire_hole_side_diameter_mm / 2
-    return trimesh.creation.cylinder(radius, segment=[0 * end_mm, end_mm], sections=_SECTIONS)
+    radius, middle = spec.core.wire_hole_side_diameter_mm / 2, frame.centre_mm
+    rest = abs(frame.normal) @ body_of(spec).half_mm - middle @ frame.normal
+    ends = [0 * middle, middle + (rest + _OVERSHOOT_MM) * frame.normal]
+    return trimesh.creation.cylinder(radius, segment=ends, sections=_SECTIONS)
 
 
 def _placed(axes: np.ndarray, origin_mm: np.ndarray) -> np.ndarray:

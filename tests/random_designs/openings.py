@@ -212,17 +212,38 @@ def left_over(spec: ObjectSpec, solids: Solids, pins: Solids) -> list[str]:
     taken = [solids["shell"], *mould, *pins.values(), manifold_of(as_triangles(core_outside(spec)))]
     outer = manifold_of(body_of(spec).outer_surface())
     free = outer - manifold3d.Manifold.batch_boolean(taken, manifold3d.OpType.Add)
-    wrong = []
-    for volume, area, place in _pieces(free):
-        if volume > _STRAY_MM3 and 2 * volume / area > _SKIN_MM:
-            wrong.append(f"the mould leaves {volume:.3g} mm³ free at {place.round(1).tolist()}")
-    return wrong
+    return [
+        f"the mould leaves {volume:.3g} mm³ free at {place.round(1).tolist()}"
+        for volume, place in stray_pieces(free, taken)
+    ]
 
 
-def _pieces(solid: manifold3d.Manifold) -> list[tuple[float, float, Float[np.ndarray, "3"]]]:
-    """Volume, area and middle of each surface; `decompose` takes 12 s for 1 900 slivers."""
+def stray_pieces(
+    free: manifold3d.Manifold, taken: list[manifold3d.Manifold]
+) -> list[tuple[float, Float[np.ndarray, "3"]]]:
+    """Volume and middle of what is thicker than a skin; `free` is what a boolean left beside `taken`.
+
+    Each piece is cut by all that is taken once more, one by one: where pins fill their pockets, walls
+    upon walls, a boolean of many can leave a piece that lies in the shell (13.6 mm³ of random design
+    602). Volumes are asked for at every step, as Manifold gathers what it is not asked for.
+    """
+    found = []
+    for piece, place in _pieces(free):
+        volume = piece.volume()
+        for part in taken:
+            piece = piece - part
+            volume = piece.volume()
+        if volume > _STRAY_MM3 and 2 * volume / piece.surface_area() > _SKIN_MM:
+            found.append((volume, place))
+    return found
+
+
+def _pieces(
+    solid: manifold3d.Manifold,
+) -> list[tuple[manifold3d.Manifold, Float[np.ndarray, "3"]]]:
+    """Each surface round a volume, and its middle; `decompose` takes 12 s for 1 900 slivers."""
     mesh = solid.to_mesh64()
-    corners, faces = np.asarray(mesh.vert_properties)[:, :3], np.asarray(mesh.tri_verts, int)
+    corners, faces = np.array(mesh.vert_properties)[:, :3], np.asarray(mesh.tri_verts, int)
     count = len(corners)
     edges = coo_matrix(
         (np.ones(2 * len(faces)), (np.tile(faces[:, 0], 2), faces[:, 1:].T.ravel())), (count, count)
@@ -231,11 +252,12 @@ def _pieces(solid: manifold3d.Manifold) -> list[tuple[float, float, Float[np.nda
     one, two, three = np.moveaxis(corners[faces], 1, 0)
     across, label = np.cross(two - one, three - one), of_corner[faces[:, 0]]
     volume = np.bincount(label, np.einsum("ij,ij->i", across, one) / 6, pieces)
-    area = np.bincount(label, np.linalg.norm(across, axis=1) / 2, pieces)
-    return [
-        (float(volume[k]), float(area[k]), corners[of_corner == k].mean(axis=0))
-        for k in np.flatnonzero(volume > _STRAY_MM3)
-    ]
+    found = []
+    for k in np.flatnonzero(volume > _STRAY_MM3):
+        piece = trimesh.Trimesh(corners, faces[label == k], process=False)
+        piece.remove_unreferenced_vertices()
+        found.append((manifold_of(piece), corners[of_corner == k].mean(axis=0)))
+    return found
 
 
 def _rod(start: np.ndarray, end: np.ndarray, radius: float) -> manifold3d.Manifold:

@@ -18,6 +18,7 @@ from tests.random_designs.openings import (
     left_over,
     meeting_pins,
     placed_pins,
+    stray_pieces,
     thin_covers,
 )
 
@@ -146,3 +147,17 @@ def test_silicone_over_a_magnet_thinner_than_told_is_told(ball):
     )
     assert thin_covers(spec, dented)[0].endswith("mm told")
     assert "magnet" in thin_covers(spec, dented)[0]
+
+
+def test_a_piece_that_lies_in_a_part_is_no_room_left_over():
+    """As a boolean of walls upon walls gave one that lay in the shell of random design 602."""
+    shell = manifold3d.Manifold.cube((10.0, 10.0, 10.0))
+    within = manifold3d.Manifold.cube((2.0, 2.0, 2.0)).translate((4.0, 4.0, 4.0))
+    beside = within.translate((20.0, 0.0, 0.0))
+    half_out = within.translate((5.0, 0.0, 0.0))
+    assert not stray_pieces(within, [shell])
+    ((volume, place),) = stray_pieces(within + beside, [shell])
+    assert volume == pytest.approx(8.0)
+    np.testing.assert_allclose(place, [25.0, 5.0, 5.0])
+    ((volume, _),) = stray_pieces(half_out, [shell])
+    assert volume == pytest.approx(4.0)

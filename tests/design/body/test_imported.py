@@ -14,6 +14,7 @@ from numpy.testing import assert_allclose
 from design.body import sampled
 from design.body.imported import body_of_file
 from design.body.kinds.registry import KINDS
+from design.body.meshes import manifold_of
 from design.body.sampled import measured_distance_mm, sampled_core
 from design.errors import InputError
 from design.layout.body import body_of, core_frames, face_frames
@@ -21,6 +22,7 @@ from design.layout.places.positions import magnet_layout
 from design.processes import ChildFailed
 from design.solids import foreign
 from design.solids.sampled import sampled_core_part, sampled_shell
+from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, parse_spec
 
 TEXT = """
@@ -356,3 +358,22 @@ def test_a_patch_of_less_than_a_millimetre_is_a_patch(tmp_path):
     body = KINDS["imported"](tuple(keys["size_mm"]), 8.0, 0.1, file=keys["file"])
     reach_mm = min(body.core_frame(3).half_extents_mm)
     assert 0 < reach_mm < 0.6
+
+
+def test_wire_holes_of_leaning_faces_are_open(tmp_path):
+    """The core stands on beside the middle of a face that leans: at the hole's rim by 0.8 mm here."""
+    surface = _pebble()
+    surface.vertices[:, 0] += 0.4 * (surface.vertices[:, 2] - 2.0)
+    surface.export(tmp_path / "leaning.stl")
+    body = {"kind": "imported", **body_of_file(tmp_path / "leaning.stl"), "sensed_faces": [3]}
+    sensors = {"positions_mm": [[0.0, 8.0]], "radius_mm": 4.0}
+    core = {"recess_inner_radius_mm": 1.5, "recess_outer_radius_mm": 6.5}
+    spec = ObjectSpec.model_validate(
+        {"name": "leaning", "body": body, "sensors": sensors, "core": core}
+    )
+    (frame,) = core_frames(spec)
+    way = trimesh.creation.cylinder(
+        spec.core.wire_hole_side_diameter_mm / 2 - 0.05,
+        segment=[0 * frame.normal, frame.centre_mm + 5 * frame.normal],
+    )
+    assert (manifold_of(way) ^ manifold_of(sampled_core_part(spec))).volume() < 0.01
