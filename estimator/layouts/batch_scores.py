@@ -15,13 +15,13 @@ from estimator.information.cross_face import LEAST_FALSE_FORCE_N
 from estimator.information.scores import compliance_deviation, outermost_places
 from estimator.information.two_contacts import PERCENT
 from estimator.layouts.batch import Layouts
+from estimator.layouts.bounds import percentile
 from estimator.layouts.cross_face import CROSS_FACE_FORCE_N, false_forces_n
 from estimator.layouts.robustness import slip_places_mm, tolerance_places_mm
 from estimator.layouts.scoring import (
     LayoutScorer,
     PlaceInformation,
-    percentile,
-    place_information,
+    places_information,
 )
 from estimator.layouts.two_contacts import grasps_mm, pairs_all_mm, pairs_own_mm
 
@@ -105,7 +105,7 @@ def batch_scores(
     NaN where a score does not exist: pairs of tips that do not fit on a face, grasps without two
     opposite faces among those pressed.
     """
-    places = [place_information(*pair) for pair in zip(scorers, layouts, strict=True)]
+    places = places_information(scorers, layouts)
     forces = sorted({scorer.presses.force_n for scorer in scorers})
     of_cross_face = min(forces, key=lambda force: abs(force - CROSS_FACE_FORCE_N))
     each: list[dict[str, Tensor]] = []
@@ -134,8 +134,7 @@ def position_bounds(
     scorers: Sequence[LayoutScorer], layouts: Sequence[Layouts]
 ) -> list[Float[Tensor, "layout _"]]:
     """Position bounds (mm) at the places of each scorer."""
-    pairs = zip(scorers, layouts, strict=True)
-    return [place_information(*pair).position_bound_mm for pair in pairs]
+    return [places.position_bound_mm for places in places_information(scorers, layouts)]
 
 
 def _over_start(

@@ -133,8 +133,7 @@ def _pocket_gaps_across_edges(spec: ObjectSpec, pockets: _Pockets) -> Float[Tens
         for parts in zip(*(_placed(frame, pockets) for frame in frames), strict=True)
     )
     one, other = ((floor[:, [*at]], top[:, [*at]], axis[:, [*at]]) for at in (a, b))
-    gap = _gap_of_prisms(one, other, pockets.radius)
-    return torch.relu(least - gap).sum(dim=(2, 3)).amax(dim=0)
+    return _missing_mm(one, other, pockets.radius, least).sum(dim=(2, 3)).amax(dim=0)
 
 
 _Prisms = tuple[Tensor, Tensor, Tensor]
@@ -152,13 +151,25 @@ def _placed(frame: FaceFrame, pockets: _Pockets) -> _Prisms:
     return floor + centre[:, None, None], top + centre[:, None, None], axis
 
 
-def _gap_of_prisms(
-    one: _Prisms, other: _Prisms, radius: float
+def _missing_mm(
+    one: _Prisms, other: _Prisms, radius: float, least: float
 ) -> Float[Tensor, "edge layout magnet other"]:
-    """Largest gap along either axis and along the shortest way between the axes."""
+    """What the gap of every two prisms lacks; worked out in full only where spheres round them lack it."""
     p, p_end, u = (part[..., :, None] for part in one)
     q, q_end, v = (part[..., None, :] for part in other)
-    p, p_end, u, q, q_end, v = torch.broadcast_tensors(p, p_end, u, q, q_end, v)
+    parts = torch.broadcast_tensors(p, p_end, u, q, q_end, v)
+    p, p_end, _, q, q_end, _ = (part.detach() for part in parts)
+    apart = ((p + p_end - q - q_end) / 2).norm(dim=0)
+    halves = ((p_end - p).norm(dim=0) + (q_end - q).norm(dim=0)) / 2
+    close = (apart - halves - 2 * radius < least).nonzero(as_tuple=True)
+    gap = _gap_of_prisms(*(part[:, *close] for part in parts), radius)
+    return torch.zeros_like(apart).index_put(close, torch.relu(least - gap))
+
+
+def _gap_of_prisms(
+    p: Tensor, p_end: Tensor, u: Tensor, q: Tensor, q_end: Tensor, v: Tensor, radius: float
+) -> Float[Tensor, "pair"]:
+    """Largest gap along either axis and along the shortest way between the axes."""
     way = _between_segments(p, p_end, q, q_end)
     gaps = []
     for d in (way / _length(way), u, v):
@@ -222,21 +233,29 @@ def _board_gaps(spec: ObjectSpec, boards: _Boards, gap_mm: float) -> Float[Tenso
     """Wall missing between any two recesses of the core, round its edges too.
 
     As `design.layout.boards`: the gap of two boxes is the largest along any of their axes and the
-    products of these.
+    products of these. Worked out in full only where it may be missing: along its own axes a box
+    reaches half its edges, a turned one no further than its corners.
     """
     centre, axes = _recesses(spec, boards)
     half = torch.tensor([*boards.half_mm, spec.core.recess_depth_mm / 2], dtype=centre.dtype)
     i, j = torch.triu_indices(centre.shape[1], centre.shape[1], offset=1)
-    a, b = axes[:, i], axes[:, j]
+    with torch.no_grad():
+        way = (centre[:, i] - centre[:, j])[..., None]
+        own = torch.maximum(*((axes[:, k] @ way)[..., 0].abs() for k in (i, j))) - half
+        close = own.amax(dim=-1) < gap_mm + SLACK_MM + half.norm()
+    layout, pair = close.nonzero(as_tuple=True)
+    at, to = (layout, i[pair]), (layout, j[pair])
+    a, b = axes[at], axes[to]
     crossed = torch.linalg.cross(a[..., :, None, :], b[..., None, :, :]).flatten(-3, -2)
     directions = torch.cat([a, b, crossed], dim=-2)
     length = (directions * directions).sum(-1, keepdim=True)
     parallel = length[..., 0] < 1e-6
     directions = directions / length.clamp(min=1e-6).sqrt()
-    apart = (directions @ (centre[:, i] - centre[:, j])[..., None])[..., 0].abs()
+    apart = (directions @ (centre[at] - centre[to])[..., None])[..., 0].abs()
     reach = sum((directions @ box.transpose(-1, -2)).abs() @ half for box in (a, b))
     gap = (apart - reach).masked_fill(parallel, -torch.inf).amax(dim=-1)
-    return torch.relu(gap_mm + SLACK_MM - gap).sum(dim=1)
+    missing = torch.relu(gap_mm + SLACK_MM - gap)
+    return torch.zeros_like(centre[:, 0, 0]).index_add(0, layout, missing)
 
 
 def _recesses(

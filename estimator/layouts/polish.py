@@ -79,18 +79,20 @@ def judge(
     objectives: tuple[str, ...],
 ) -> Judged:
     """Score layouts at points of the unit cube; differentiable."""
-    layouts = [layouts_at(lowest.space, unit, polarity, s.presses.face) for s in lowest.scorers]
+    of_face = {scorer.presses.face: scorer for scorer in lowest.scorers}
+    laid = {face: layouts_at(lowest.space, unit, polarity, face) for face in of_face}
+    near = {face: within_candidates(of_face[face], one) for face, one in laid.items()}
     named = {*objectives, *lowest.at_most}
     scores = batch_scores(
         lowest.scorers,
-        [within_candidates(*pair) for pair in zip(lowest.scorers, layouts, strict=True)],
+        [near[scorer.presses.face] for scorer in lowest.scorers],
         named,
         lowest.start,
     )
     for name, value in lowest.constants.items():
         scores[name] = torch.full_like(scores["worst_position_bound_mm"], value)
     alike = lowest.space.sensors is not None  # sensors that move have one layout on every face
-    checked = layouts[:1] if alike else layouts
+    checked = list(laid.values())[: 1 if alike else None]
     broken = torch.stack([broken_limits_mm(lowest.space, one).sum(dim=1) for one in checked])
     excess = _saturation(lowest.space.structured, scores["largest_resting_counts"])
     for name, most in lowest.at_most.items():

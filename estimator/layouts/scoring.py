@@ -9,6 +9,7 @@ of the series and a shorter basis: cheap, as they are further away and move less
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
 
 import numpy as np
@@ -23,6 +24,7 @@ from estimator.field.gradient import FieldChange, field_change
 from estimator.field.sources import BlockMagnet, Magnet, magnet_source
 from estimator.information.fisher import NoiseState, disturbance_counts
 from estimator.layouts.batch import Layouts, chip_axes, magnet_axes
+from estimator.layouts.bounds import bounds, percentile
 from estimator.layouts.press_basis import PressBasis, mixed_rows
 
 OWN_ORDER = 7
@@ -30,8 +32,6 @@ OTHER_ORDER = 3
 _CHUNK = 512
 _FORCE_VARIANCE = 1 / 8
 """Of a raised-cosine press from 0 to its peak, over the peak squared."""
-_SMALLEST = 1e-6
-"""Share of a direction's information that the others do not explain, from which float32 holds."""
 
 
 @dataclass(frozen=True)
@@ -70,6 +70,16 @@ class PressChanges:
 
     by_parameter: Float[Tensor, "channel layout 4 place"]
     resting_counts: Float[Tensor, "layout sensor 3"]
+
+
+@dataclass(frozen=True)
+class ChannelChanges:
+    """Counts of own channels at rest, and the change of whitened ones with each magnet's motion, whatever
+    is pressed how hard: `by_own` and `by_other` magnets, of the faces that move."""
+
+    resting_counts: Float[Tensor, "layout sensor 3"]
+    by_own: Float[Tensor, "layout channel motion"]
+    by_other: Float[Tensor, "layout channel motion_of_others"]
 
 
 @dataclass(frozen=True)
@@ -173,9 +183,26 @@ def score_layouts(scorer: LayoutScorer, layouts: Layouts, chunk: int = _CHUNK) -
 
 def place_information(scorer: LayoutScorer, layouts: Layouts) -> PlaceInformation:
     """Bounds and δ at every contact location, all layouts at once."""
-    changes = press_changes(scorer, layouts)
+    return places_information([scorer], [layouts])[0]
+
+
+def places_information(
+    scorers: Sequence[LayoutScorer], layouts: Sequence[Layouts]
+) -> list[PlaceInformation]:
+    """The same of several scorers; fields are worked out once where face and batch are the same."""
+    seen: dict[tuple[int, int], ChannelChanges] = {}
+    found = []
+    for scorer, one in zip(scorers, layouts, strict=True):
+        key = scorer.presses.face, id(one)
+        if key not in seen:
+            seen[key] = _channel_changes(scorer, one)
+        found.append(_information(scorer, _press_changes(scorer, one, seen[key])))
+    return found
+
+
+def _information(scorer: LayoutScorer, changes: PressChanges) -> PlaceInformation:
     by_parameter = changes.by_parameter
-    position, force = _bounds(by_parameter[:, :, :3])
+    position, force = bounds(by_parameter[:, :, :3])
     white = scorer.white_share.repeat(len(by_parameter) // 3)[:, None, None]
     power = (by_parameter[:, :, 3] * white).square().sum(0)
     delta = (1 + _FORCE_VARIANCE * power).sqrt()
@@ -188,21 +215,42 @@ def press_changes(
     sensor_shift_mm: Float[Tensor, "layout sensor 3"] | None = None,
 ) -> PressChanges:
     """What presses change, with sensors shifted off their places (boards do not turn with it)."""
+    return _press_changes(scorer, layouts, _channel_changes(scorer, layouts, sensor_shift_mm))
+
+
+def _channel_changes(
+    scorer: LayoutScorer,
+    layouts: Layouts,
+    sensor_shift_mm: Float[Tensor, "layout sensor 3"] | None = None,
+) -> ChannelChanges:
     own, other = _field_changes(scorer, layouts, sensor_shift_mm)
     field = own.field.sum(-1) + other.field.sum(-1)
     chips = chip_axes(layouts.sensor_mm, scorer.chip)
     counts = scorer.counts_per_t * (chips @ field.permute(1, 2, 0)[..., None])[..., 0]
     whitened = chips * (scorer.counts_per_t / scorer.sigma_counts)[:, None]
-    own_rows, other_rows = mixed_rows(scorer.presses, layouts.magnet_mm.reshape(-1, 3))
     of_others, magnets = scorer.presses.other, layouts.magnet_mm.shape[1]
     faces = of_others.rows.shape[1] // (6 * len(of_others.basis))
     moving = _of_moving_faces(other.by_motion, magnets, faces)
-    mixed = torch.cat(
-        [_mixed(whitened, own.by_motion, own_rows), _mixed(whitened, moving, other_rows)], dim=-1
+    return ChannelChanges(
+        counts, _by_channel(whitened, own.by_motion), _by_channel(whitened, moving)
     )
-    basis = torch.cat([scorer.presses.own.basis, of_others.basis])
+
+
+def _press_changes(
+    scorer: LayoutScorer, layouts: Layouts, channels: ChannelChanges
+) -> PressChanges:
+    rows = mixed_rows(scorer.presses, layouts.magnet_mm.reshape(-1, 3))
+    mixed = torch.cat(
+        [
+            by_channel @ row.reshape(len(layouts), by_channel.shape[2], -1)
+            for by_channel, row in zip((channels.by_own, channels.by_other), rows, strict=True)
+        ],
+        dim=-1,
+    )
+    basis = torch.cat([scorer.presses.own.basis, scorer.presses.other.basis])
     change = mixed.transpose(0, 1).reshape(-1, len(basis)) @ basis
-    return PressChanges(change.reshape(mixed.shape[1], len(layouts), 4, -1), counts)
+    by_parameter = change.reshape(mixed.shape[1], len(layouts), 4, -1)
+    return PressChanges(by_parameter, channels.resting_counts)
 
 
 def within_candidates(scorer: LayoutScorer, layouts: Layouts) -> Layouts:
@@ -251,36 +299,14 @@ def _of_moving_faces(
     return by_motion.unflatten(-1, (magnets, -1))[..., :faces].flatten(-2)
 
 
-def _mixed(
+def _by_channel(
     whitened: Float[Tensor, "layout sensor 3 3"],
     by_motion: Float[Tensor, "3 6 layout sensor magnet"],
-    rows: Float[Tensor, "own_magnet column"],
-) -> Float[Tensor, "layout channel rank"]:
-    """Change of whitened channels along the basis: their change with motions times the rows."""
+) -> Float[Tensor, "layout channel motion"]:
+    """Change of whitened channels with motions, (magnet, 6) along the last axis."""
     layouts, sensors = whitened.shape[:2]
     by_field = by_motion.permute(2, 3, 0, 4, 1).reshape(layouts, sensors, 3, -1)
-    by_channel = (whitened @ by_field).reshape(layouts, 3 * sensors, -1)
-    return by_channel @ rows.reshape(layouts, by_channel.shape[2], -1)
-
-
-def _bounds(
-    jacobian: Float[Tensor, "channel layout 3 place"],
-) -> tuple[Float[Tensor, "layout place"], Float[Tensor, "layout place"]]:
-    """Position and force bounds from whitened derivatives by x, y and force.
-
-    By elimination, with parameters in units of their own information. Where a direction is left
-    with less than a millionth of it, the bound is held at what that gives.
-    """
-    x, y, f = jacobian.unbind(2)
-    xx, yy, ff = ((a * a).sum(0) + 1e-20 for a in (x, y, f))
-    xy, xf, yf = ((a * b).sum(0) for a, b in ((x, y), (x, f), (y, f)))
-    xx_f, yy_f, xy_f = xx - xf * xf / ff, yy - yf * yf / ff, xy - xf * yf / ff
-    left = xx_f * yy_f - xy_f * xy_f
-    left = torch.maximum(left, _SMALLEST * xx * yy)
-    position = (torch.maximum(xx_f + yy_f, _SMALLEST * (xx + yy)) / left).sqrt()
-    across = torch.maximum(xx * yy - xy * xy, _SMALLEST * xx * yy)
-    force = (across / (ff * left)).sqrt()
-    return position, force
+    return (whitened @ by_field).reshape(layouts, 3 * sensors, -1)
 
 
 def _summary(places: PlaceInformation) -> LayoutScore:
@@ -293,10 +319,3 @@ def _summary(places: PlaceInformation) -> LayoutScore:
         low / middle,
         places.resting_counts.abs().flatten(1).amax(dim=1),
     )
-
-
-def percentile(ordered: Float[Tensor, "layout place"], percent: float) -> Float[Tensor, "layout"]:
-    """Linear between the two nearest ranks, as NumPy's."""
-    at = percent / 100 * (ordered.shape[1] - 1)
-    below = min(int(at), ordered.shape[1] - 2)
-    return torch.lerp(ordered[:, below], ordered[:, below + 1], at - below)

@@ -1,0 +1,37 @@
+"""Cramér–Rao bounds of many layouts at once, and their percentiles."""
+
+from __future__ import annotations
+
+import torch
+from jaxtyping import Float
+from torch import Tensor
+
+_SMALLEST = 1e-6
+"""Share of a direction's information that the others do not explain, from which float32 holds."""
+
+
+def bounds(
+    jacobian: Float[Tensor, "channel layout 3 place"],
+) -> tuple[Float[Tensor, "layout place"], Float[Tensor, "layout place"]]:
+    """Position and force bounds from whitened derivatives by x, y and force.
+
+    By elimination, with parameters in units of their own information. Where a direction is left
+    with less than a millionth of it, the bound is held at what that gives.
+    """
+    x, y, f = jacobian.unbind(2)
+    xx, yy, ff = ((a * a).sum(0) + 1e-20 for a in (x, y, f))
+    xy, xf, yf = ((a * b).sum(0) for a, b in ((x, y), (x, f), (y, f)))
+    xx_f, yy_f, xy_f = xx - xf * xf / ff, yy - yf * yf / ff, xy - xf * yf / ff
+    left = xx_f * yy_f - xy_f * xy_f
+    left = torch.maximum(left, _SMALLEST * xx * yy)
+    position = (torch.maximum(xx_f + yy_f, _SMALLEST * (xx + yy)) / left).sqrt()
+    across = torch.maximum(xx * yy - xy * xy, _SMALLEST * xx * yy)
+    force = (across / (ff * left)).sqrt()
+    return position, force
+
+
+def percentile(ordered: Float[Tensor, "layout place"], percent: float) -> Float[Tensor, "layout"]:
+    """Linear between the two nearest ranks, as NumPy's."""
+    at = percent / 100 * (ordered.shape[1] - 1)
+    below = min(int(at), ordered.shape[1] - 2)
+    return torch.lerp(ordered[:, below], ordered[:, below + 1], at - below)
