@@ -162,14 +162,14 @@ def _missing_mm(
     apart = ((p + p_end - q - q_end) / 2).norm(dim=0)
     halves = ((p_end - p).norm(dim=0) + (q_end - q).norm(dim=0)) / 2
     close = (apart - halves - 2 * radius < least).nonzero(as_tuple=True)
-    gap = _gap_of_prisms(*(part[:, *close] for part in parts), radius)
+    p, p_end, u, q, q_end, v = (part[:, *close] for part in parts)
+    gap = _gap_of_prisms((p, p_end, u), (q, q_end, v), radius)
     return torch.zeros_like(apart).index_put(close, torch.relu(least - gap))
 
 
-def _gap_of_prisms(
-    p: Tensor, p_end: Tensor, u: Tensor, q: Tensor, q_end: Tensor, v: Tensor, radius: float
-) -> Float[Tensor, "pair"]:
+def _gap_of_prisms(one: _Prisms, other: _Prisms, radius: float) -> Float[Tensor, "pair"]:
     """Largest gap along either axis and along the shortest way between the axes."""
+    (p, p_end, u), (q, q_end, v) = one, other
     way = _between_segments(p, p_end, q, q_end)
     gaps = []
     for d in (way / _length(way), u, v):
