@@ -8,6 +8,7 @@ from estimator.networks.intervals import coverage
 
 SMALLER = {
     (coverage, "_PLACE_TREES"): 8,
+    (coverage, "_PLACE_GROUPS"): 3,
     (baselines, "_TREES"): 20,
     (baselines, "_BOOSTS"): 30,
     (baselines, "_FRAMES_OF_KERNEL"): 100,
