@@ -7,6 +7,7 @@ from itertools import combinations
 from math import cos, floor, sin
 from typing import TYPE_CHECKING
 
+from design.fit.nearest import excess, least_spacing_mm
 from design.layout.body import core_frames, face_frames
 from design.layout.places.contact_places import LEAST_COUNT, place_problems
 from design.layout.pockets import (
@@ -113,10 +114,13 @@ def _check_body_in_pocket(spec: ObjectSpec, pocket: Pocket) -> Iterator[str]:
     wide, tall = 2 * body.outline.half_mm[0], body.height_mm
     if tall >= depth or wide > 2 * pocket.outline.half_mm[0]:
         what = "a magnet" if spec.arrangement == "sensors-in-core" else "a sensor board"
+        larger = [f"deeper than {tall:g} mm (shell.pocket_depth_mm)"] if tall >= depth else []
+        if wide > 2 * pocket.outline.half_mm[0]:
+            larger.append(f"{wide:g} mm wide or more (shell.pocket_diameter_mm)")
         yield (
             f"{what} of {wide:g} × {tall:g} mm must fit below the seal in a pocket of "
-            f"{2 * pocket.outline.half_mm[0]:g} × {depth:g} mm; it does not. Choose a smaller one or a "
-            "larger pocket"
+            f"{2 * pocket.outline.half_mm[0]:g} × {depth:g} mm; it does not. Choose a smaller one, or a "
+            f"pocket {' and '.join(larger)}"
         )
 
 
@@ -242,7 +246,8 @@ def _check_sensor_places(spec: ObjectSpec) -> Iterator[str]:
                 yield (
                     f"sensors.positions_mm: sensor {index + 1} of face {face} at ({x:g}, {y:g}) puts its "
                     f"recess outside the core's face: it reaches {reach[0]:.4g}, {reach[1]:.4g} mm from "
-                    f"the middle, less than {limits[0]:.4g}, {limits[1]:.4g} mm is needed. Move it inwards"
+                    f"the middle, less than {limits[0]:.4g}, {limits[1]:.4g} mm is needed. Move it inwards "
+                    f"by more than {excess(reach, limits)}"
                 )
 
 
@@ -265,7 +270,7 @@ def check_tips(spec: ObjectSpec) -> Iterator[str]:
         if tips_overlap(one, b - a):
             yield (
                 f"indenter.tip_spacing_mm = {spec.indenter.tip_spacing_mm} makes the tips overlap. Space "
-                "them by more than their width, or leave it out"
+                f"them by {least_spacing_mm(spec.indenter):g} or more"
             )
 
 

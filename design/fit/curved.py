@@ -137,10 +137,19 @@ def _check_pockets(spec: ObjectSpec) -> Iterator[str]:
             body = pocket.body
             tall = body.height_mm >= shell.pocket_depth_mm and spec.magnets.depth_mm is None
             if -pocket.lowest_mm >= silicone or tall:
+                over = -pocket.lowest_mm - silicone
+                key = (
+                    "shell.pocket_depth_mm" if spec.magnets.depth_mm is None else "magnets.depth_mm"
+                )
+                nearest = (
+                    f"Lower {key} by more than {over:.3g} mm"
+                    if over >= 0
+                    else f"Make shell.pocket_depth_mm more than {body.height_mm:g}, or take a thinner magnet"
+                )
                 yield (
                     f"{body.label}: a magnet {body.height_mm:g} mm high in a pocket "
                     f"{-pocket.lowest_mm:.4g} mm deep does not lie within the {silicone:g} mm of silicone. "
-                    "Change shell.pocket_depth_mm, magnets.depth_mm or the magnet"
+                    f"{nearest}"
                 )
             cover = cover_mm(frame, body)
             if cover <= 0:

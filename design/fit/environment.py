@@ -15,10 +15,13 @@ def check_environment(spec: ObjectSpec) -> Iterator[str]:
     half = [edge / 2 for edge in spec.body.size_mm]
     for index, stray in enumerate(spec.environment.magnets):
         outside = [max(abs(p) - h, 0.0) for p, h in zip(stray.position_mm, half, strict=True)]
-        if _dot(outside, outside) <= _reach_mm(stray) ** 2:
+        inside = min(h - abs(p) for p, h in zip(stray.position_mm, half, strict=True))
+        away = _dot(outside, outside) ** 0.5 - max(inside, 0.0)
+        if away <= _reach_mm(stray):
             yield (
                 f"environment.magnets[{index}] at {list(stray.position_mm)} may reach into the object: "
-                f"its centre must be more than {_reach_mm(stray):.4g} mm from the body. Move it away"
+                f"its centre must be more than {_reach_mm(stray):.4g} mm from the body. Move "
+                f"it outwards by more than {_reach_mm(stray) - away:.4g} mm"
             )
     for index, plate in enumerate(spec.environment.steel_plates):
         normal = _normal(plate)
@@ -32,7 +35,8 @@ def check_environment(spec: ObjectSpec) -> Iterator[str]:
             if depth > 1e-9:
                 yield (
                     f"environment.steel_plates[{index}]: {what} reaches {depth:.4g} mm into the steel. "
-                    "Move position_mm back, or turn normal round (it points out of the steel)"
+                    f"Move position_mm back by {depth:.4g} mm or more, or turn normal round (it points out "
+                    "of the steel)"
                 )
 
 

@@ -1,9 +1,10 @@
-"""Nearest values that work, for the messages about keys, slits and bays: found by trying."""
+"""Nearest values that work, for messages: most are found by trying."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from itertools import product
+from itertools import combinations, product
+from math import ceil
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -11,6 +12,7 @@ import numpy as np
 from design.layout.body import core_frames
 
 if TYPE_CHECKING:
+    from design.spec.mechanics import IndenterSpec
     from design.spec.object import ObjectSpec
 
 Check = Callable[["ObjectSpec"], Iterator[str]]
@@ -135,3 +137,28 @@ def _largest_share(works: Callable[[float], bool]) -> float:
         middle = (low + high) / 2
         low, high = (middle, high) if works(middle) else (low, middle)
     return low
+
+
+def least_spacing_mm(indenter: IndenterSpec) -> float:
+    """Of tips that do not overlap, rounded up to 0.1 mm."""
+    from design.layout.tips import tip_places_mm, tip_shape, tips_overlap
+
+    one = indenter.changed(tip_count=1)
+
+    def apart(spacing: float) -> bool:
+        places = tip_places_mm(indenter.changed(tip_spacing_mm=spacing))
+        return not any(tips_overlap(one, b - a) for a, b in combinations(places, 2))
+
+    low, high = 0, ceil(40 * float(np.linalg.norm(tip_shape(indenter).corners_mm, axis=1).max()))
+    while high - low > 1:
+        middle = (low + high) // 2
+        low, high = (low, middle) if apart(middle / 10) else (middle, high)
+    return high / 10
+
+
+def excess(reach: tuple[float, float], limits: tuple[float, float]) -> str:
+    """How far in x and y something reaches too far."""
+    over = [max(r - limit, 0.0) for r, limit in zip(reach, limits, strict=True)]
+    return " and ".join(
+        f"{o:.3g} mm in {axis}" for o, axis in zip(over, "xy", strict=True) if o > 0
+    )

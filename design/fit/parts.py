@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from itertools import product
-from math import atan2, cos, hypot, sin, sqrt
+from math import atan2, cos, floor, hypot, sin, sqrt
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -118,7 +118,7 @@ def _check_dents(spec: ObjectSpec) -> Iterator[str]:
                 yield (
                     f"a dent of {dent:g} mm on face {frame.number} reaches {pocket.body.label}, over "
                     f"which there are {cover:.3g} mm of silicone. Make shell.dent_mm (as_built: "
-                    "dent_mm) smaller"
+                    f"dent_mm) smaller than {floor(1e3 * cover) / 1e3:g}"
                 )
 
 

@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import product
+from math import ceil
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -30,6 +31,8 @@ LEAST_COUNT, MOST_COUNT = 2, 100
 _ROUND_MARGIN_MM = 0.1
 """By which a flat round face's mesh, of straight edges, may fall short of its circle."""
 _RING_POINTS = 24
+_FINER, _FINER_STEPS = 0.8, 16
+"""Pitches that are tried where too few locations find room, each so much of the last."""
 
 
 @dataclass(frozen=True)
@@ -89,32 +92,57 @@ def place_problems(spec: ObjectSpec) -> Iterator[str]:
     for frame, places in zip(face_frames(spec), _lattice(spec).places, strict=True):
         along = places.any(axis=1).sum(), places.any(axis=0).sum()
         if min(along) < LEAST_COUNT:
-            half = frame.half_extents_mm
+            half, pitch = frame.half_extents_mm, _nearest_pitch_mm(spec)
+            smaller = f"contact_grid.pitch_mm of {pitch:g}, " if pitch else ""
             yield (
                 f'contact_grid.count = "fill" finds room for {along[0]} × {along[1]} locations on face '
                 f"{frame.number} (±{half[0]:.4g}, ±{half[1]:.4g} mm), {spec.contact_grid.pitch_mm:g} mm "
-                "apart; 2 × 2 are needed. Use a smaller contact_grid.pitch_mm, a smaller indenter or "
-                "lesser press.depths_mm, or leave the face out of body.sensed_faces"
+                f"apart; 2 × 2 are needed. Use {smaller}a smaller indenter or lesser press.depths_mm, or "
+                "leave the face out of body.sensed_faces"
             )
+
+
+def _nearest_pitch_mm(spec: ObjectSpec) -> float | None:
+    """The largest pitch found with which every face has two by two locations; None: the tip is too wide."""
+
+    def works(pitch: float) -> bool:
+        try:
+            places = _filled(spec, pitch).places
+        except SpecError:
+            return False
+        along = [places.any(axis=axis).sum(axis=1).min() for axis in (2, 1)]
+        return bool(min(along) >= LEAST_COUNT)
+
+    given = spec.contact_grid.pitch_mm
+    tried = (round(given * _FINER**k, 2) for k in range(1, _FINER_STEPS))
+    low = next((pitch for pitch in tried if pitch > 0 and works(pitch)), None)
+    if low is None:
+        return None
+    high = min(low / _FINER, given)
+    while high - low > 0.02:
+        middle = round((low + high) / 2, 2)
+        low, high = (middle, high) if works(middle) else (low, middle)
+    return low
 
 
 @once
 def _lattice(spec: ObjectSpec) -> _Lattice:
     given = spec.contact_grid.count
     if given == "fill":
-        return _filled(spec)
+        return _filled(spec, spec.contact_grid.pitch_mm)
     return _Lattice(given, np.ones((len(face_frames(spec)), *given), bool))
 
 
-def _filled(spec: ObjectSpec) -> _Lattice:
+def _filled(spec: ObjectSpec, pitch_mm: float) -> _Lattice:
     """Even or odd counts along each axis, whichever gives more locations on all faces together."""
-    step = spec.contact_grid.pitch_mm / 2
+    step = pitch_mm / 2
     half = np.max([frame.half_extents_mm for frame in face_frames(spec)], axis=0)
     most = np.floor(half / step).astype(int)
     if max(most) >= MOST_COUNT + 2:
+        least = ceil(100 * (2 * max(half) / (MOST_COUNT + 2) + 1e-6)) / 100
         raise SpecError(
             f"contact_grid.pitch_mm = {2 * step:g} would fill a face of {2 * max(half):.4g} mm with more "
-            f"than {MOST_COUNT} locations along an axis. Use a larger pitch"
+            f"than {MOST_COUNT} locations along an axis. Use a pitch of {least:g} or more"
         )
     x, y = (np.arange(-n, n + 1) * step for n in most)
     nodes = np.stack(np.meshgrid(x, y, indexing="ij"), axis=-1).reshape(-1, 2)

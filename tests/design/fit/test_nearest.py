@@ -91,3 +91,41 @@ def test_a_limit_that_is_told_is_the_limit(name, change, pattern, key):
 
     assert not still_told(limit - 1e-3)
     assert still_told(limit + 1e-2)
+
+
+ALONGSIDE = {"tip_spacing": "indenter.tip_count=2", "sensors": "sensors.count_per_face=1"}
+STRAY = "environment.magnets=[{position_mm=[%s, 0, 0]}]"
+STEEL = "environment.steel_plates=[{position_mm=[0, 0, %s], normal=[0, 0, -1]}]"
+
+
+@pytest.mark.parametrize(
+    ("setting", "wrong", "pattern", "step"),
+    [
+        ("contact_grid.pitch_mm=%s", 20.0, r"contact_grid\.pitch_mm of ([\d.]+), a", 0.1),
+        ("contact_grid.pitch_mm=%s", 0.3, r"Use a pitch of ([\d.]+) or more", -0.01),
+        ("indenter.tip_spacing_mm=%s", 4.0, r"Space them by ([\d.]+) or more", -0.2),
+        ("shell.pocket_depth_mm=%s", 0.6, r"deeper than ([\d.]+) mm", 0.0),
+        ("sensors.positions_mm=[[%s, 0]]", 12.0, r"by more than ([\d.]+) mm in x", 0.0),
+        (STRAY, 20.0, r"outwards by more than ([\d.]+) mm", 0.0),
+        (STEEL, 18.0, r"back by ([\d.]+) mm or more", -0.1),
+        ("shell.dent_mm=%s", 2.5, r"dent_mm\) smaller than ([\d.]+)", 0.0),
+    ],
+)
+def test_the_nearest_value_is_told_and_is_the_nearest(setting, wrong, pattern, step):
+    """`step`: from the told value to one that is refused; 0 where it is itself refused. "more than",
+    "back by" and "outwards by" tell the way from the wrong value."""
+    more = [line for key, line in ALONGSIDE.items() if key in setting]
+    value = float(re.search(pattern, told("paper_cube", [*more, setting % wrong]))[1])
+    if "by" in pattern and "Space" not in pattern:
+        value = wrong + (-value if setting.startswith("sensors") else value)
+
+    def refused(given):
+        try:
+            load_spec(ROOT / "examples" / "paper_cube.toml", [*more, setting % round(given, 4)])
+        except SpecError as error:
+            return re.search(pattern, str(error)) is not None
+        return False
+
+    towards = 0.02 if value > wrong else -0.02
+    assert not refused(value if step else value + towards)
+    assert refused(value + step if step else value - towards)
