@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from itertools import combinations
+from math import ceil
 from typing import TYPE_CHECKING
 
 from design.body.meshes import manifold_of
@@ -106,7 +107,7 @@ def _wires(spec: ObjectSpec) -> Finding:
         "mm",
         at_least(room, 0.0),
         f"the narrowest hole less the bundle of {bundle:.2f} mm of a face's wires. Below the limit: "
-        "widen core.wire_hole_*_diameter_mm or take thinner wires",
+        f"widen core.wire_hole_*_diameter_mm to {ceil(100 * bundle - 1e-6) / 100:g} or take thinner wires",
     )
 
 
@@ -192,9 +193,9 @@ def _collisions(mounted: list[Mounted]) -> list[Finding]:
 
 def check_clearances(spec: ObjectSpec) -> list[Finding]:
     """Play of what slides, against the printer's clearance."""
-    play = play_mm(spec)
+    play, limit = play_mm(spec), spec.printer.clearance_mm
     text = (
-        "play between the mould's sliding parts, jig and core. Below the limit: raise mould.play_mm"
+        "play between the mould's sliding parts, jig and core. Below the limit: raise mould.play_mm to "
+        f"{limit:g}"
     )
-    limit = spec.printer.clearance_mm
     return [Finding("clearance", "mould", play, limit, "mm", at_least(play, limit), text)]

@@ -215,8 +215,9 @@ def _pour(spec: ObjectSpec) -> Finding:
         "open": "width of the slots beside the plug's flange, or of the open side; they also let the air "
         "out. Below the limit: thicken the shell, or open fewer faces",
         "bore": "diameter of the holes beside the rod; they also let the air out. Below the limit: raise "
-        "mould.pour_mm",
-        "closed": "diameter of the hole at the mould's upper corner. Below the limit: raise mould.pour_mm",
+        f"mould.pour_mm to {POUR_MM:g}",
+        "closed": "diameter of the hole at the mould's upper corner. Below the limit: raise mould.pour_mm to "
+        f"{POUR_MM:g}",
     }[frame.opening]
     place = place_of(frame.rim_mm * up(spec))
     return Finding(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import floor
 from typing import TYPE_CHECKING
 
 from design.body.meshes import sharpest_edge, thinnest_wall
@@ -93,31 +94,39 @@ def check_features(spec: ObjectSpec) -> list[Finding]:
     """Holes, channels, keys, fins and bosses against what the printer resolves."""
     core, printer, slits = spec.core, spec.printer, spec.shell.slits
     found = [
-        _feature("wire hole, top", "core", core.wire_hole_top_diameter_mm, printer.hole_mm),
-        _feature("wire hole, sides", "core", core.wire_hole_side_diameter_mm, printer.hole_mm),
+        _feature(f"wire hole, {where}", "core", getattr(core, key), printer.hole_mm, f"core.{key}")
+        for where, key in (
+            ("top", "wire_hole_top_diameter_mm"),
+            ("sides", "wire_hole_side_diameter_mm"),
+        )
     ]
-    if core.wire_channel_width_mm:
-        found.append(_feature("wire channel", "core", core.wire_channel_width_mm, printer.hole_mm))
+    if width := core.wire_channel_width_mm:
+        key = "core.wire_channel_width_mm"
+        found.append(_feature("wire channel", "core", width, printer.hole_mm, key))
     if core.keys.positions_mm:
-        narrow = min(core.keys.size_mm)
-        found.append(_feature("anti-slip key", "core", narrow, printer.feature_mm))
-        found.append(_aspect("anti-slip key", "core", core.keys.height_mm / narrow, spec))
+        narrow, name = min(core.keys.size_mm), "anti-slip key"
+        found += [
+            _feature(name, "core", narrow, printer.feature_mm, "core.keys.size_mm"),
+            _aspect(name, "core", core.keys.height_mm, narrow, spec, "core.keys.height_mm"),
+        ]
     if slits.depth_mm:
-        found.append(_feature("fin of a slit", _mould(spec), slits.width_mm, printer.wall_mm))
-        found.append(_aspect("fin of a slit", _mould(spec), slits.depth_mm / slits.width_mm, spec))
+        part, name, wide = _mould(spec), "fin of a slit", slits.width_mm
+        found += [
+            _feature(name, part, wide, printer.wall_mm, "shell.slits.width_mm"),
+            _aspect(name, part, slits.depth_mm, wide, spec, "shell.slits.depth_mm"),
+        ]
     return found + (_bosses(spec) + _holding(spec) if has_mould(spec) else [])
 
 
 def _holding(spec: ObjectSpec) -> list[Finding]:
     """Pins that hold the core of a closed body, and vents."""
     found = [
-        _aspect(
-            "locating pin", f"mould_locator_{k}", locator.depth_mm / (2 * locator.radius_mm), spec
-        )
+        _aspect("locating pin", f"mould_locator_{k}", locator.depth_mm, 2 * locator.radius_mm, spec)
         for k, locator in enumerate(locators(spec), start=1)
     ]
     if spec.mould.vent_mm is not None:
-        found.append(_feature("vent", "mould", spec.mould.vent_mm, spec.printer.hole_mm))
+        wide = spec.mould.vent_mm
+        found.append(_feature("vent", "mould", wide, spec.printer.hole_mm, "mould.vent_mm"))
     return found
 
 
@@ -132,8 +141,10 @@ def _bosses(spec: ObjectSpec) -> list[Finding]:
         for pocket in pockets
     )
     return [
-        _feature("boss of a pocket", part, narrow, spec.printer.feature_mm),
-        _aspect("boss of a pocket", part, float(slender), spec),
+        _feature(
+            "boss of a pocket", part, narrow, spec.printer.feature_mm, "shell.pocket_diameter_mm"
+        ),
+        _aspect("boss of a pocket", part, float(slender), 1.0, spec),
     ]
 
 
@@ -141,15 +152,21 @@ def _mould(spec: ObjectSpec) -> str:
     return "mould_box" if mould_style(spec) == "one-piece" else "mould_half_a"
 
 
-def _feature(what: str, part: str, value: float, limit: float) -> Finding:
-    text = f"{what}: width. Below what the printer resolves it closes or breaks: make it wider"
+def _feature(what: str, part: str, value: float, limit: float, key: str) -> Finding:
+    text = (
+        f"{what}: width. Below what the printer resolves it closes or breaks: make it wider ({key} of "
+        f"{limit:g} or more)"
+    )
     return Finding("smallest feature", part, value, limit, "mm", at_least(value, limit), text)
 
 
-def _aspect(what: str, part: str, value: float, spec: ObjectSpec) -> Finding:
-    limit = spec.printer.aspect
+def _aspect(
+    what: str, part: str, height: float, width: float, spec: ObjectSpec, key: str = ""
+) -> Finding:
+    limit, value = spec.printer.aspect, height / width
     status = "pass" if value <= limit else "warn"
-    text = f"{what}: height over width. Beyond the limit it may break off: make it wider or lower"
+    most = f" ({key} of {floor(100 * limit * width + 1e-6) / 100:g} or less)" if key else ""
+    text = f"{what}: height over width. Beyond the limit it may break off: make it wider or lower{most}"
     return Finding("slenderness", part, value, limit, "", status, text)
 
 

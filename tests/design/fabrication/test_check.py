@@ -1,6 +1,7 @@
 """Fabrication checks: faults built on purpose must be found, with value, limit and place."""
 
 import json
+import re
 from pathlib import Path
 
 import cadquery as cq
@@ -13,7 +14,7 @@ from design.body.meshes import Trap
 from design.build.parts import Part
 from design.errors import InputError, NotOneSolid
 from design.fabrication import casting
-from design.fabrication.assembly import check_electronics, check_pockets
+from design.fabrication.assembly import check_clearances, check_electronics, check_pockets
 from design.fabrication.casting import _closing, check_casting, draws
 from design.fabrication.check import check_fabrication, check_solid, mesh_of
 from design.fabrication.finding import at_least
@@ -231,6 +232,32 @@ def test_printers_limits():
         ("slenderness", "mould_box"),
     }
     assert all(f.status == "pass" for f in check_features(PAPER))
+
+
+@pytest.mark.parametrize(
+    ("table", "change", "check", "key"),
+    [
+        ("core", {"wire_hole_top_diameter_mm": 0.5}, check_features, "wire_hole_top_diameter_mm"),
+        ("core", {"wire_hole_side_diameter_mm": 0.5}, check_features, "wire_hole_side_diameter_mm"),
+        ("core", {"wire_channel_width_mm": 0.4}, check_features, "wire_channel_width_mm"),
+        ("shell", {"slits": {"depth_mm": 5.0, "width_mm": 0.5}}, check_features, "slits.depth_mm"),
+        ("mould", {"vent_mm": 0.2}, check_features, "vent_mm"),
+        ("mould", {"play_mm": 0.02}, check_clearances, "play_mm"),
+    ],
+)
+def test_the_value_that_a_finding_tells_passes(table, change, check, key):
+    def told(spec):
+        pattern = rf"{table}\.{re.escape(key)} (?:of|to) ([\d.]+)"
+        texts = [f.what for f in check(spec) if f.status != "pass"]
+        return [float(found[1]) for text in texts if (found := re.search(pattern, text))]
+
+    (value,) = told(parsed(**{table: change}))
+    *outer, last = key.split(".")
+    better = {outer[0]: change[outer[0]] | {last: value}} if outer else {last: value}
+    worse = 1.05 if last == "depth_mm" else 0.95
+    assert not told(parsed(**{table: better}))
+    near = {outer[0]: change[outer[0]] | {last: worse * value}} if outer else {last: worse * value}
+    assert told(parsed(**{table: near})) == [value]
 
 
 def test_a_printers_profile_is_a_file_that_users_edit(tmp_path):
