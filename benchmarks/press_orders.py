@@ -10,7 +10,8 @@ from __future__ import annotations
 
 import json
 import sys
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from itertools import product
 from pathlib import Path
 
 import numpy as np
@@ -21,13 +22,12 @@ from design.layout.places.contact_grid import contact_grid
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, spec_hash
 from estimator.calibration.twin.digital_twin import CalibratedTwin, PlaceMechanics, calibrate
-from estimator.calibration.twin.least_known import doubt_beforehand, press_order
 from estimator.calibration.twin.pressed_places import PressedPlaces, pressed_places
 from fem.presses.results import MagnetMotions, PressForces, load_presses
+from instobj.rig.adaptive import adaptive_order
 from instobj.rig.plan import (
     PressPlan,
     PressSettings,
-    middle_place,
     places_among,
     press_plan,
     settings_of_few,
@@ -56,33 +56,52 @@ class Way:
         return press_plan(spec, FACE, self.settings, 0, 1, EVERY, places, self.order)
 
 
-def ways(spec: ObjectSpec, adaptive: Int[np.ndarray, "press"], seed: int) -> list[Way]:
-    """Adaptive, and what it is compared with: all 100 places take 111 presses with the returns."""
-    usual, strokes = PressSettings(stops_of(spec)), PressSettings(**settings_of_few(spec))
+def ways(spec: ObjectSpec, orders: dict[int, Int[np.ndarray, "press"]], seed: int) -> list[Way]:
+    """Adaptive (`orders` by number of strokes), and what it is compared with: all 100 places take 111
+    presses with the returns."""
     shuffled = np.random.default_rng(seed).permutation(len(contact_grid(spec).xy_mm))
+    usual, few, three, many = (settings(spec, strokes) for strokes in (1, 9, 3, 27))
     return [
-        Way("adaptive, 9 strokes", adaptive, strokes, COUNTS),
+        Way("adaptive, 9 strokes", orders[9], few, COUNTS),
         Way(WHOLE, shuffled, usual, (111,)),
-        Way("random, 9 strokes", shuffled, strokes, COUNTS),
-        Way("even grid, 9 strokes", _even(10, 5), strokes, (29,)),
-        Way("even grid, 9 strokes", _even(10, 6), strokes, (41,)),
-        Way("adaptive, one stroke", adaptive, usual, COUNTS),
+        Way("all 100 places, 9 strokes", shuffled, few, (111,)),
+        Way("even grid, 9 strokes", _even(10, 6), few, (41,)),
+        Way("even grid, 9 strokes", _even(10, 5), few, (29,)),
+        Way("adaptive, 27 strokes", orders[27], many, COUNTS[-1:]),
+        Way("random, 9 strokes", shuffled, few, COUNTS[::-1]),
+        Way("adaptive, one stroke", orders[1], usual, COUNTS[::-1]),
         Way("random, one stroke", shuffled, usual, COUNTS[-1:]),
-        Way("all 100 places, 9 strokes", shuffled, strokes, (111,)),
+        Way("all 100 places, 3 strokes", shuffled, three, (111,)),
     ]
 
 
-def adaptive_order(spec: ObjectSpec, table: Table) -> Int[np.ndarray, "press"]:
+def settings(spec: ObjectSpec, strokes: int) -> PressSettings:
+    """Usual presses of one stroke, or those of few places with so many."""
+    if strokes == 1:
+        return PressSettings(stops_of(spec))
+    return replace(PressSettings(**settings_of_few(spec)), strokes=strokes)
+
+
+def orders_of(spec: ObjectSpec, table: Table) -> dict[int, Int[np.ndarray, "press"]]:
     """As `rig --adaptive` presses."""
-    doubt = doubt_beforehand(spec, *table, FACE, PressSettings(stops_of(spec)).full_n)
-    middle = middle_place(contact_grid(spec).xy_mm)
-    return press_order(doubt, places_among(max(COUNTS), EVERY), [middle])[0]
+    most = max(COUNTS)
+    return {
+        strokes: adaptive_order(spec, *table, FACE, settings(spec, strokes), most, EVERY)
+        for strokes in (1, 9, 27)
+    }
 
 
 def _even(side: int, along: int) -> Int[np.ndarray, "press"]:
     """An even grid among all places."""
     lines = np.round(np.linspace(0, side - 1, along)).astype(int)
     return (lines[:, None] * side + lines).ravel()
+
+
+def judged_places(spec: ObjectSpec) -> Float[np.ndarray, "place 2"]:
+    """All contact locations, and a third of the middles between them."""
+    grid = contact_grid(spec)
+    inner = grid.xy_mm[grid.xy_mm.max(axis=1) < grid.x_mm[-1]] + spec.contact_grid.pitch_mm / 2
+    return np.concatenate([grid.xy_mm, inner[::3]])
 
 
 def left_share(
@@ -100,43 +119,40 @@ def left_share(
 
 def study(spec: ObjectSpec, table: Table, kept: Path) -> dict[str, dict[str, float]]:
     """Shares left by way and number of presses, then by object and noise."""
-    grid = contact_grid(spec)
-    inner = grid.xy_mm[grid.xy_mm.max(axis=1) < grid.x_mm[-1]] + spec.contact_grid.pitch_mm / 2
-    xy = np.concatenate([grid.xy_mm, inner[::3]])
+    xy = judged_places(spec)
     document = json.loads(kept.read_text()) if kept.exists() else {}
-    if document.get("specification") != spec_hash(spec):
-        document = {"specification": spec_hash(spec), "shares": {}}
-    found, adaptive = document["shares"], adaptive_order(spec, table)
-    for noise in range(NOISES):
-        for object_seed in range(HIDDEN):
-            hidden, case = hidden_object(spec, table, FACE, object_seed), f"{object_seed}.{noise}"
-            for way in ways(spec, adaptive, 10 * object_seed + noise):
-                for count in way.counts:
-                    row = found.setdefault(f"{way.name} | {count}", {})
-                    if case in row:
-                        continue
-                    frames = recorded(
-                        hidden, way.plan(spec, count), table[0], 100 * object_seed + noise
-                    )
-                    twin = calibrate(spec, *table, pressed_places(spec, frames, FACE))
-                    row[case] = left_share(hidden, table, twin, xy)
-                    kept.write_text(json.dumps(document, indent=1) + "\n")
-                    print(
-                        case,
-                        way.name,
-                        count,
-                        f"{100 * row[case]:.2f} %",
-                        file=sys.stderr,
-                        flush=True,
-                    )
+    few = json.loads(json.dumps(settings_of_few(spec)))
+    if (document.get("specification"), document.get("few")) != (spec_hash(spec), few):
+        document = {"specification": spec_hash(spec), "few": few, "shares": {}}
+    found, orders = document["shares"], orders_of(spec, table)
+    for row in range(len(ways(spec, orders, 0))):
+        for seed, noise in product(range(HIDDEN), range(NOISES)):
+            way, hidden = ways(spec, orders, 10 * seed + noise)[row], None
+            for count in way.counts:
+                shares, case = found.setdefault(f"{way.name} | {count}", {}), f"{seed}.{noise}"
+                if case in shares:
+                    continue
+                hidden = hidden or hidden_object(spec, table, FACE, seed)
+                frames = recorded(hidden, way.plan(spec, count), table[0], 100 * seed + noise)
+                twin = calibrate(spec, *table, pressed_places(spec, frames, FACE))
+                shares[case] = left_share(hidden, table, twin, xy)
+                kept.write_text(json.dumps(document, indent=1) + "\n")
+                said = f"{case} {way.name} {count} {100 * shares[case]:.2f} %"
+                print(said, file=sys.stderr, flush=True)
     return found
 
 
-def draw(found: dict[str, dict[str, float]], minutes: dict[str, float], path: Path) -> None:
-    """Means over objects and sessions, with all of them as points, over presses and over minutes."""
+def draw(
+    found: dict[str, dict[str, float]],
+    minutes: dict[str, float],
+    bound: dict[str, list[float]],
+    path: Path,
+) -> None:
+    """Means over objects and sessions, with all of them as points, over presses and over minutes; and
+    the bound below every choice of presses (`press_bound`), if it was computed."""
     import matplotlib.pyplot as plt
 
-    figure, panels = plt.subplots(1, 2, figsize=(9, 4.2), layout="constrained", sharey=True)
+    figure, panels = plt.subplots(1, 2, figsize=(10, 5.4), layout="constrained", sharey=True)
     names = dict.fromkeys(key.split(" | ")[0] for key in found)
     for number, name in enumerate(names):
         keys = sorted(
@@ -152,31 +168,61 @@ def draw(found: dict[str, dict[str, float]], minutes: dict[str, float], path: Pa
                 axes.plot(beside, values, ".", ms=4, color=line.get_color(), alpha=0.6)
             if name == WHOLE:
                 axes.axhline(means[0], color=line.get_color(), ls=":")
+    counts = [n for n in (40, 60, 80, 100) if f"bound, {n} presses" in bound]
+    if counts:
+        least = [np.mean(bound[f"bound, {n} presses"]) for n in counts]
+        label = "least possible, any such presses of 9 strokes (computed)"
+        panels[0].plot(counts, least, "k--", lw=1, label=label)
+    figure.suptitle(_title(found, minutes, bound), fontsize=10)
     panels[0].set(xlabel="presses, returns included", ylabel="error of signals at all places (%)")
     panels[1].set(xlabel="minutes")
     panels[0].set_ylim(bottom=0)
-    panels[0].legend(loc="upper right")
+    handles = panels[0].get_legend_handles_labels()
+    figure.legend(*handles, loc="outside lower center", ncols=3, fontsize=8, frameon=False)
     figure.savefig(path, dpi=150)
 
 
-def main() -> None:
-    """Presses come from the store, or from a file given behind the specification."""
-    spec = load_spec(Path(sys.argv[1]))
-    if len(sys.argv) > 2:
-        table = load_presses(Path(sys.argv[2]))
-    else:
-        from instobj.stages.run import Run
-        from instobj.store.readers import PRESSES
+def _title(
+    found: dict[str, dict[str, float]], minutes: dict[str, float], bound: dict[str, list[float]]
+) -> str:
+    def told(key: str) -> str:
+        return f"{100 * np.mean(list(found[key].values())):.2f} % ({minutes[key]:.0f} min)"
 
-        table = Run(spec).read(PRESSES)
+    most = max(COUNTS)
+    line = (
+        f"{most} adaptive presses of 9 strokes leave {told(f'adaptive, 9 strokes | {most}')}, all 100 "
+        f"places by one stroke {told(f'{WHOLE} | 111')},\n"
+        f"by the same 9 strokes {told('all 100 places, 9 strokes | 111')}"
+    )
+    if f"bound, {most} presses" not in bound:
+        return line
+    least = np.mean(bound[f"bound, {most} presses"])
+    return f"{line}; any {most} such presses at least {least:.2f} % (computed)"
+
+
+def table_of(spec: ObjectSpec) -> Table:
+    """Presses of the store, or of a file given behind the specification."""
+    if len(sys.argv) > 2:
+        return load_presses(Path(sys.argv[2]))
+    from instobj.stages.run import Run
+    from instobj.store.readers import PRESSES
+
+    return Run(spec).read(PRESSES)
+
+
+def main() -> None:
+    spec = load_spec(Path(sys.argv[1]))
+    table = table_of(spec)
     RESULTS.mkdir(exist_ok=True)
     found = study(spec, table, RESULTS / "press_orders.json")
     minutes = {
         f"{way.name} | {count}": way.plan(spec, count).seconds / 60
-        for way in ways(spec, np.arange(max(COUNTS)), 0)
+        for way in ways(spec, dict.fromkeys((1, 9, 27), np.arange(max(COUNTS))), 0)
         for count in way.counts
     }
-    draw(found, minutes, RESULTS / "press_orders.png")
+    bound_file = RESULTS / "press_bound.json"
+    bound = json.loads(bound_file.read_text()) if bound_file.exists() else {}
+    draw(found, minutes, bound, RESULTS / "press_orders.png")
     for key, row in found.items():
         values = 100 * np.array(list(row.values()))
         scatter = f"{values.mean():.2f} ({values.min():.2f} to {values.max():.2f})"

@@ -19,7 +19,8 @@ _SHARE = 1 / STOPS
 _SHALLOWER = 0.85
 _MOST_STROKES = 100
 _FEW_SHARE = 0.75
-_OF_FEW: dict[str, Any] = {"strokes": 9, "stroke_speed_mm_s": 2.0, "dwell_s": 0.3, "pause_s": 0.9}
+_OF_FEW: dict[str, Any] = {"strokes": 9, "stroke_speed_mm_s": 2.0, "dwell_s": 0.8, "pause_s": 1.5}
+_WAY_S = 2.0
 
 
 @dataclass(frozen=True)
@@ -80,12 +81,26 @@ class PressSettings:
     @property
     def seconds(self) -> float:
         """About how long a press takes, with the way to its place."""
+        return self.loaded_s + self.clear_s
+
+    @property
+    def loaded_s(self) -> float:
+        """How long of it the tip touches the object."""
         deepest, later = self.depths_mm[-1], self.strokes - 1
-        ways = 2 if self.strokes == 1 else 1
-        first_s = ways * (self.approach_mm + deepest) / self.speed_mm_s
-        later_s = (self.lift_mm + deepest) / self.stroke_speed_mm_s
-        still_s = self.strokes * len(self.depths_mm) * self.dwell_s + later * self.pause_s
-        return self.rest_s + first_s + later * later_s + still_s + 2.0
+        moving_s = self._ways * deepest / self.speed_mm_s + later * deepest / self.stroke_speed_mm_s
+        return moving_s + self.strokes * len(self.depths_mm) * self.dwell_s
+
+    @property
+    def clear_s(self) -> float:
+        """How long of it the tip is in the air."""
+        later_s = self.pause_s + self.lift_mm / self.stroke_speed_mm_s
+        first_s = self._ways * self.approach_mm / self.speed_mm_s
+        return _WAY_S + self.rest_s + first_s + (self.strokes - 1) * later_s
+
+    @property
+    def _ways(self) -> int:
+        """At the speed of the press: the last stroke of several comes up as fast as the machine can."""
+        return 2 if self.strokes == 1 else 1
 
     def after_full(self, full_mm: float, strokes: int) -> PressSettings:
         """For strokes where the full force was met at a depth: they stay above that."""

@@ -29,7 +29,20 @@ from fem.presses.results import MagnetMotions, PressForces
 SHARES = (0.5, 1.0)
 """Of the force of a press, at which its signals count."""
 PRIOR = Prior(0.05, 10.0)
-_FRAMES = 8
+
+
+@dataclass(frozen=True)
+class PressErrors:
+    """Of the signals of one press.
+
+    Attributes
+    ----------
+    frames : at each of `SHARES`
+    zero_counts2 : variance of the level under the press
+    """
+
+    frames: int
+    zero_counts2: float
 
 
 @dataclass(frozen=True)
@@ -72,14 +85,17 @@ def doubt_beforehand(
     motions: MagnetMotions,
     face: int,
     force_n: float,
+    errors: PressErrors | None = None,
     prior: Prior = PRIOR,
     numbers: Float[np.ndarray, "number"] | None = None,
 ) -> Doubt:
     """Of the contact locations of a face before any press of up to `force_n`, at the design or at an
-    object of other numbers; forces end where those of the table do."""
+    object of other numbers; forces end where those of the table do. `errors` are those of one press (by
+    default 8 frames at each force after a zero of their own)."""
     unknowns = Unknowns(spec, (face,))
     at = np.zeros(len(unknowns)) if numbers is None else numbers
-    seen = _all_places(spec, forces, face, force_n)
+    errors = errors or PressErrors(8, zero_covariance(spec, 8 * len(SHARES)))
+    seen = _all_places(spec, forces, face, force_n, errors)
     mechanics = PlaceMechanics(unknowns, forces, motions, seen)
     here = mechanics.expected(at)
     jacobian = jacobian_of(mechanics, at, here)
@@ -127,19 +143,21 @@ def press_order(
     return np.array(order, int), left
 
 
-def _all_places(spec: ObjectSpec, forces: PressForces, face: int, force_n: float) -> PressedPlaces:
+def _all_places(
+    spec: ObjectSpec, forces: PressForces, face: int, force_n: float, errors: PressErrors
+) -> PressedPlaces:
     """Every contact location of a face as if it had been pressed, without signals."""
     xy = contact_grid(spec).xy_mm[contact_places(spec)[spec.body.sensed.index(face)]]
     deepest = REACH * float(np.nanmin(forces.force_n[forces.faces == face][..., -1]))
     levels = np.tile(min(force_n, deepest) * np.array(SHARES), (len(xy), 1))
     channels = np.arange(3 * spec.sensors.count_per_face)
-    zero = zero_covariance(spec, _FRAMES * len(SHARES)) * np.ones((len(SHARES), len(SHARES)))
+    zero = errors.zero_counts2 * np.ones((len(SHARES), len(SHARES)))
     return PressedPlaces(
         face,
         channels,
         xy,
         levels,
         np.zeros((*levels.shape, len(channels))),
-        np.full(levels.shape, _FRAMES),
+        np.full(levels.shape, errors.frames),
         np.tile(zero, (len(xy), 1, 1)),
     )

@@ -7,24 +7,18 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-from jaxtyping import Int
-
 from design.errors import InputError
 from design.files import atomic_path
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
 from estimator.boards.growing import finish_recording
-from estimator.calibration.twin.least_known import doubt_beforehand, press_order
 from instobj.commands.hardware.collect_options import stop_on_signals
+from instobj.rig.adaptive import adaptive_order
 from instobj.rig.journal import Journal, journal_path, new_journal, resumed_journal
 from instobj.rig.mounting import Mounting
 from instobj.rig.plan import (
     PressPlan,
     PressSettings,
-    face_places,
-    middle_place,
-    places_among,
     press_plan,
     settings_of_few,
     stops_of,
@@ -107,8 +101,12 @@ def _plan(spec: ObjectSpec, face: int, options: RigOptions) -> PressPlan:
     settings = PressSettings(**(usual | dict(options.settings)))
     presses, order = options.presses, None
     if options.adaptive:
-        presses = places_among(presses or ADAPTIVE_PRESSES, options.reference_every)
-        order = _least_known(spec, face, settings.full_n, presses, options.reference_every)
+        from instobj.stages.run import Run
+        from instobj.store.readers import PRESSES
+
+        presses, every = presses or ADAPTIVE_PRESSES, options.reference_every
+        order = adaptive_order(spec, *Run(spec).read(PRESSES), face, settings, presses, every)
+        presses = len(order)
     return press_plan(
         spec,
         face,
@@ -119,19 +117,6 @@ def _plan(spec: ObjectSpec, face: int, options: RigOptions) -> PressPlan:
         presses,
         order,
     )
-
-
-def _least_known(
-    spec: ObjectSpec, face: int, force_n: float, presses: int, reference_every: int
-) -> Int[np.ndarray, "press"]:
-    """Places of a face at which the twin of the specification knows least, one after the other."""
-    from instobj.stages.run import Run
-    from instobj.store.readers import PRESSES
-
-    forces, motions = Run(spec).read(PRESSES)
-    returns = [middle_place(face_places(spec, face))] if reference_every else []
-    doubt = doubt_beforehand(spec, forces, motions, face, force_n)
-    return press_order(doubt, presses, returns)[0]
 
 
 def _pressed(
