@@ -10,7 +10,7 @@ from scipy.spatial import ConvexHull
 
 from design.errors import InputError
 from design.layout.tips import footprint_mm, path_mm, tip_heights_mm, tip_shape, tips_overlap
-from design.spec.object import IndenterSpec, ObjectSpec, PressSpec
+from design.spec.object import ContactGridSpec, IndenterSpec, ObjectSpec
 from design.spec_io import check, load_spec
 from fem.contact import half_space
 from fem.contact.half_space import Patches, normal_compliance, traction_compliance
@@ -271,8 +271,9 @@ def test_a_table_with_sticking_friction_is_refused(rigid_response):
     ],
 )
 def test_indenters_that_do_not_fit_are_refused(indenter, words):
+    grid = ContactGridSpec(count=(10, 10))
     with pytest.raises(ValueError, match=words):
-        check(ObjectSpec(name="cube", indenter=IndenterSpec(**indenter), press=PressSpec()))
+        check(ObjectSpec(name="cube", indenter=IndenterSpec(**indenter), contact_grid=grid))
 
 
 def write_spec(folder, body):

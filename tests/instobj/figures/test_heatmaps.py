@@ -14,7 +14,13 @@ from design.spec.object import ObjectSpec
 from instobj.figures.maps import heatmaps, overview
 from instobj.figures.maps.scale import finite_limits, map_scale
 
-SPEC = ObjectSpec(name="brick", body={"size_mm": (46.0, 44.0, 42.0)})  # pyright: ignore
+SPEC = ObjectSpec.model_validate(
+    {
+        "name": "brick",
+        "body": {"size_mm": (46.0, 44.0, 42.0)},
+        "contact_grid": {"count": (10, 10)},
+    }
+)
 VALUES = np.geomspace(0.1, 90.0, 100)
 
 
