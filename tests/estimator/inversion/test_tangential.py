@@ -64,7 +64,7 @@ def test_tangential_forces_are_read_with_the_uncertainty_told(pulling, pulled):
 
 
 def test_places_of_pulled_contacts_are_wrong_for_who_takes_them_for_frictionless(pulling, pulled):
-    face, contact, counts = pulled[0][:75], pulled[1][:75], pulled[3][:75]
+    face, contact, counts = pulled[0][:30], pulled[1][:30], pulled[3][:30]
     faces = pulling.model.signals.faces
     _, loose = away_mm(pulling.read(counts)[0], face, contact, faces)
     plain, _ = inverted().read(counts)
