@@ -134,6 +134,6 @@ def test_check_tells_what_of_the_surface_the_locations_cover(monkeypatch, capsys
     assert max(map(len, shown)) <= 80
     told = [line.strip() for line in shown if "contact locations" in line]
     assert told == [
-        "245 contact locations cover 24 % of the sensed surface, 9.01 to 10.5 mm² each",
+        "520 contact locations cover 55 % of the sensed surface, 9.03 to 12.2 mm² each",
         "500 contact locations cover 51 % of the sensed surface, 9 mm² each",
     ]
