@@ -2,8 +2,8 @@
 
 Hidden objects are pressed by the rig's own plans (`benchmarks.rig_sessions`), returns to the reference
 place counted, and calibrated in full. `python -m benchmarks.press_orders SPEC [PRESSES.nc]` writes a table
-and a picture to benchmarks/results; finished cases are kept there under the specification's hash, and
-skipped when it runs again.
+to benchmarks/results and the picture of docs/rig.md; finished cases are kept under the specification's
+hash, and skipped when it runs again.
 """
 
 from __future__ import annotations
@@ -39,6 +39,7 @@ HIDDEN, NOISES = 3, 2
 COUNTS = (20, 30, 40)
 WHOLE = "all 100 places, one stroke"
 RESULTS = Path(__file__).parent / "results"
+FIGURE = Path(__file__).parents[1] / "docs" / "rig_orders.png"
 Table = tuple[PressForces, MagnetMotions]
 
 
@@ -222,7 +223,7 @@ def main() -> None:
     }
     bound_file = RESULTS / "press_bound.json"
     bound = json.loads(bound_file.read_text()) if bound_file.exists() else {}
-    draw(found, minutes, bound, RESULTS / "press_orders.png")
+    draw(found, minutes, bound, FIGURE)
     for key, row in found.items():
         values = 100 * np.array(list(row.values()))
         scatter = f"{values.mean():.2f} ({values.min():.2f} to {values.max():.2f})"

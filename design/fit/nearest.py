@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from design.layout.body import core_frames
+from design.layout.tips import tip_places_mm, tip_shape, tips_overlap
 
 if TYPE_CHECKING:
     from design.spec.mechanics import IndenterSpec
@@ -141,8 +142,6 @@ def _largest_share(works: Callable[[float], bool]) -> float:
 
 def least_spacing_mm(indenter: IndenterSpec) -> float:
     """Of tips that do not overlap, rounded up to 0.1 mm."""
-    from design.layout.tips import tip_places_mm, tip_shape, tips_overlap
-
     one = indenter.changed(tip_count=1)
 
     def apart(spacing: float) -> bool:

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, TypeVar
 import numpy as np
 from jaxtyping import Float
 
-from design.spec.worked_out import once
+from design.spec.worked_out import once, read_only
 
 if TYPE_CHECKING:
     from design.body.surface_chart import FaceFrame
@@ -106,7 +106,7 @@ class Pocket:
         """On the axis: the floor's centre, and the height that the mouth's highest point has."""
         beyond = self._support_mm(np.array([0.0, 0.0, 1.0])) / self.axis[2]
         ends = np.array([-self.body.height_mm / 2, self.mouth_mm + beyond])
-        return self.body.centre_mm + ends[:, None] * self.axis
+        return read_only(self.body.centre_mm + ends[:, None] * self.axis)
 
     @property
     def lowest_mm(self) -> float:
@@ -124,7 +124,7 @@ class Pocket:
             # along the axis, the mouth's points lie where the face cuts the prism
             mouth = abs(middle[k]) + self._support_mm(along - lean[k] * np.array([0.0, 0.0, 1.0]))
             reach.append(max(floor, mouth))
-        return np.array(reach)
+        return read_only(np.array(reach))
 
     def _support_mm(self, direction: Float[np.ndarray, "3"]) -> float:
         return self.outline.support_mm(direction @ self.body.frame[:, :2])

@@ -34,7 +34,7 @@ def once(work_out: Callable[[ObjectSpec], Found]) -> Callable[[ObjectSpec], Foun
     def kept(spec: ObjectSpec) -> Found:
         results = _results_of(spec)
         if name not in results:
-            results[name] = _read_only(work_out(spec))
+            results[name] = read_only(work_out(spec))
         return results[name]
 
     return kept
@@ -48,7 +48,7 @@ def _results_of(spec: ObjectSpec) -> dict[str, Any]:
     return _KEPT[key]
 
 
-def _read_only(found: Any) -> Any:
+def read_only(found: Any) -> Any:
     """The result, every array in its tuples and dataclasses locked."""
     if isinstance(found, float):
         return found  # most of what results hold
@@ -56,8 +56,8 @@ def _read_only(found: Any) -> Any:
         found.flags.writeable = False
     elif isinstance(found, tuple):
         for part in found:
-            _read_only(part)
+            read_only(part)
     elif is_dataclass(found):
         for field in fields(found):
-            _read_only(getattr(found, field.name))
+            read_only(getattr(found, field.name))
     return found

@@ -118,6 +118,9 @@ def _print_summary(console: Console, summary: dict[str, Any]) -> None:
 
 def _print_rows(console: Console, title: str, rows: list[dict[str, Any]]) -> None:
     """A table; two or more where its words and numbers would not fit the width unbroken."""
+    if not rows:
+        console.print(f"[bold]{title}[/bold]: nothing")
+        return
     names = list(rows[0])
     columns, widths = _laid_out(rows, console.width, _words)
     if widths is None and len(names) <= 2:

@@ -89,11 +89,16 @@ def pressed_nodes(spec: ObjectSpec) -> Bool[np.ndarray, "face node"]:
 
 def place_problems(spec: ObjectSpec) -> Iterator[str]:
     """What is wrong with faces on which no two by two contact locations find room."""
-    for frame, places in zip(face_frames(spec), _lattice(spec).places, strict=True):
-        along = places.any(axis=1).sum(), places.any(axis=0).sum()
-        if min(along) < LEAST_COUNT:
-            half, pitch = frame.half_extents_mm, _nearest_pitch_mm(spec)
-            smaller = f"contact_grid.pitch_mm of {pitch:g}, " if pitch else ""
+    too_few = [
+        (frame, along)
+        for frame, places in zip(face_frames(spec), _lattice(spec).places, strict=True)
+        if min(along := (places.any(axis=1).sum(), places.any(axis=0).sum())) < LEAST_COUNT
+    ]
+    if too_few:
+        pitch = _nearest_pitch_mm(spec)
+        smaller = f"contact_grid.pitch_mm of {pitch:g}, " if pitch else ""
+        for frame, along in too_few:
+            half = frame.half_extents_mm
             yield (
                 f'contact_grid.count = "fill" finds room for {along[0]} × {along[1]} locations on face '
                 f"{frame.number} (±{half[0]:.4g}, ±{half[1]:.4g} mm), {spec.contact_grid.pitch_mm:g} mm "

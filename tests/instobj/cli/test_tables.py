@@ -137,3 +137,9 @@ def test_check_tells_what_of_the_surface_the_locations_cover(monkeypatch, capsys
         "520 contact locations cover 55 % of the sensed surface, 9.03 to 12.2 mm² each",
         "500 contact locations cover 51 % of the sensed surface, 9 mm² each",
     ]
+
+
+def test_a_table_without_rows_says_so(capsys):
+    """Bring-up of a sound object has nothing to put right, and ended with a traceback."""
+    print_result({"tables": {"what to put right": []}})
+    assert capsys.readouterr().out.strip() == "what to put right: nothing"
