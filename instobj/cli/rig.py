@@ -81,7 +81,8 @@ def rig(
         bool,
         typer.Option(
             "--adaptive",
-            help="Press first where the specification's twin knows least; 40 presses, returns included.",
+            help="Press first where the specification's twin knows least: 40 presses, returns included, "
+            "of 9 strokes (options change both).",
         ),
     ] = False,
     reference_every: Annotated[
