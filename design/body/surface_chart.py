@@ -1,8 +1,12 @@
 """A patch of the body's surface: a frame, and how high the surface lies over the frame's plane.
 
-A place (x, y) of a patch is where the line through it along the frame's normal meets the surface;
-a point at (x, y, h) lies h above that place, along the surface's own normal there. A flat face is
+A point (x, y) of the plane stands for where the line through it along the frame's normal meets the
+surface; a point at (x, y, h) lies h above that, along the surface's own normal there. A flat face is
 the patch whose surface is its plane.
+
+Parts are placed by these x and y. Contact locations are told by lengths along the surface instead
+(`design.body.section_lengths`), so that equal steps lie evenly on it: `to_plane` and `from_plane`
+lead from one to the other, and on flat faces they are the same.
 """
 
 from __future__ import annotations
@@ -13,6 +17,8 @@ from typing import Protocol, runtime_checkable
 
 import numpy as np
 from jaxtyping import Bool, Float
+
+from design.body.section_lengths import SectionLengths, section_lengths
 
 FACE_AXES = {
     1: ((0, 0, 1), (1, 0, 0), (0, 1, 0)),
@@ -90,6 +96,56 @@ class FaceFrame:
         axes = np.column_stack([self.x, self.y, self.normal])
         axes.flags.writeable = False
         return axes
+
+    @cached_property
+    def sections(self) -> tuple[SectionLengths | None, SectionLengths | None]:
+        """Lengths along y = 0 and x = 0; None where such a section is straight."""
+        if self.flat:
+            return None, None
+        along_x, along_y = self.half_extents_mm
+        return section_lengths(self.relief, 0, along_x), section_lengths(self.relief, 1, along_y)
+
+    def to_plane(self, place_mm: Float[np.ndarray, "*n 2"]) -> Float[np.ndarray, "*n 2"]:
+        """Contact locations, told by lengths along the surface, as (x, y) of the frame's plane."""
+        return self._by_sections(place_mm, "to_plane")
+
+    def from_plane(self, xy_mm: Float[np.ndarray, "*n 2"]) -> Float[np.ndarray, "*n 2"]:
+        """Inverse of `to_plane`."""
+        return self._by_sections(xy_mm, "to_lengths")
+
+    def _by_sections(self, given_mm: np.ndarray, way: str) -> np.ndarray:
+        given = np.asarray(given_mm, float)
+        columns = [
+            given[..., k] if section is None else getattr(section, way)(given[..., k])
+            for k, section in enumerate(self.sections)
+        ]
+        return np.stack(columns, axis=-1)
+
+    def area_stretch(self, place_mm: Float[np.ndarray, "*n 2"]) -> Float[np.ndarray, "*n"]:
+        """Area along the surface per area in lengths; NaN where the patch does not reach."""
+        xy = self.to_plane(place_mm)
+        _, slope = self.relief.at(xy)
+        rates = [
+            1.0 if section is None else section.plane_rate(np.asarray(place_mm)[..., k])
+            for k, section in enumerate(self.sections)
+        ]
+        return np.asarray(np.sqrt(1 + np.sum(slope**2, axis=-1)) * rates[0] * rates[1])
+
+    @cached_property
+    def lengths_mm(self) -> Float[np.ndarray, "2 2"]:
+        """Least and greatest lengths along the sections, ends of x and y as columns; read-only."""
+        half = np.asarray(self.half_extents_mm)
+        ends = self.from_plane(np.stack([-half, half]))
+        ends.flags.writeable = False
+        return ends
+
+    def border_mm(self, points: int = 240) -> Float[np.ndarray, "point 2"]:
+        """The face's border as a closed polygon, told as contact locations are."""
+        half = np.asarray(self.half_extents_mm)
+        if self.round:
+            turn = np.linspace(0, 2 * np.pi, points, endpoint=False)
+            return self.from_plane(half * np.column_stack([np.cos(turn), np.sin(turn)]))
+        return self.from_plane(half * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]]))
 
     def axes_at(self, xy_mm: Float[np.ndarray, "*n 2"]) -> Float[np.ndarray, "*n 3 3"]:
         """The same at places: n normal to the surface there, x in the plane of x and n."""

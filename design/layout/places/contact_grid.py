@@ -14,7 +14,11 @@ from design.spec.worked_out import once
 
 @dataclass(frozen=True)
 class PlaceGrid:
-    """A rectangular grid of contact locations on a face; place index = ix · len(y_mm) + iy."""
+    """A rectangular grid of contact locations on a face; place index = ix · len(y_mm) + iy.
+
+    x and y are lengths along the surface from the face's middle, in constant steps. Where a location
+    lies in the plane of a curved face's frame tells `FaceFrame.to_plane`; on flat faces it is the same.
+    """
 
     x_mm: Float[np.ndarray, "nx"]
     y_mm: Float[np.ndarray, "ny"]
@@ -35,6 +39,8 @@ class PlaceGrid:
 @once
 def contact_grid(spec: ObjectSpec) -> PlaceGrid:
     """The specification's places (the paper: 10 × 10, pitch 3 mm, ±13.5 about the face centre).
+
+    On curved faces steps are along the surface, so that the places lie evenly on it.
 
     Which of them a face has says `design.layout.places.contact_places.contact_places`.
     """

@@ -1,7 +1,9 @@
 """Contact locations that each sensed face has, out of one lattice that all of them share.
 
 Faces differ in size and shape; tables of presses do not. So all faces take their locations from one
-centred lattice, as large as the largest face needs, and each has a mask of those that lie on it.
+centred lattice, as large as the largest face needs, and each has a mask of those that lie on it. Its
+steps are lengths along the surface (`design.body.section_lengths`), so that locations lie evenly on
+curved faces too.
 With `contact_grid.count = "fill"` these are all at which the tip and half a pitch round it stay
 on the face, with a pair of counts all of the lattice on every face.
 """
@@ -141,7 +143,7 @@ def _lattice(spec: ObjectSpec) -> _Lattice:
 def _filled(spec: ObjectSpec, pitch_mm: float) -> _Lattice:
     """Even or odd counts along each axis, whichever gives more locations on all faces together."""
     step = pitch_mm / 2
-    half = np.max([frame.half_extents_mm for frame in face_frames(spec)], axis=0)
+    half = np.max([abs(frame.lengths_mm).max(axis=0) for frame in face_frames(spec)], axis=0)
     most = np.floor(half / step).astype(int)
     if max(most) >= MOST_COUNT + 2:
         least = ceil(100 * (2 * max(half) / (MOST_COUNT + 2) + 1e-6)) / 100
@@ -182,18 +184,18 @@ def _of_parity(free: Bool[np.ndarray, "face i j"], odd: tuple[bool, bool]) -> _L
 
 
 def _tip_stays(
-    spec: ObjectSpec, frame: FaceFrame, xy_mm: Float[np.ndarray, "node 2"]
+    spec: ObjectSpec, frame: FaceFrame, place_mm: Float[np.ndarray, "node 2"]
 ) -> Bool[np.ndarray, "node"]:
     """Whether the tip, pressed at places down to the deepest step, stays on the face."""
     footprint = footprint_mm(spec.indenter)
     path = path_mm(spec.indenter, spec.press.depths_mm)[-1]
     reach = np.maximum(abs(footprint + path), abs(footprint)).max(axis=0)
     if frame.flat and not frame.round:
-        return np.all(abs(xy_mm) + reach <= np.array(frame.half_extents_mm) + 1e-9, axis=1)
-    stays = stays_on_patch(frame, xy_mm, touched_reach_mm(spec))
+        return np.all(abs(place_mm) + reach <= np.array(frame.half_extents_mm) + 1e-9, axis=1)
+    stays = stays_on_patch(frame, place_mm, touched_reach_mm(spec))
     if frame.flat:
         radius = min(frame.half_extents_mm) - _ROUND_MARGIN_MM
-        stays &= np.linalg.norm(xy_mm, axis=1) + np.linalg.norm(reach) / np.sqrt(2) <= radius
+        stays &= np.linalg.norm(place_mm, axis=1) + np.linalg.norm(reach) / np.sqrt(2) <= radius
     return stays
 
 
@@ -207,9 +209,10 @@ def touched_reach_mm(spec: ObjectSpec) -> float:
 
 
 def stays_on_patch(
-    frame: FaceFrame, xy_mm: Float[np.ndarray, "node 2"], reach_mm: float
+    frame: FaceFrame, place_mm: Float[np.ndarray, "node 2"], reach_mm: float
 ) -> Bool[np.ndarray, "node"]:
     """Whether disks that touch the surface at places stay on the patch all round."""
+    xy_mm = frame.to_plane(place_mm)
     stays = frame.covers(xy_mm)
     if not stays.any():
         return stays

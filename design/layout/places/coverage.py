@@ -43,16 +43,15 @@ def covered_share(spec: ObjectSpec) -> float:
 def cell_areas_mm2(spec: ObjectSpec) -> Float[np.ndarray, "location"]:
     """Area of the surface in the cell of each contact location, face by face.
 
-    pitch² on flat faces; more where the surface leans, as locations are even in x and y of the patch.
-    What of a cell lies beyond the patch counts as the rest of it.
+    pitch² on flat faces and cylinders; a little more in the corners of doubly curved patches. What of
+    a cell lies beyond the patch counts as the rest of it.
     """
     pitch, found = spec.contact_grid.pitch_mm, []
     share = (np.arange(_IN_CELL) + 0.5) / _IN_CELL - 0.5
     within = pitch * np.stack(np.meshgrid(share, share, indexing="ij"), axis=-1).reshape(-1, 2)
     for frame, places in zip(face_frames(spec), contact_places(spec), strict=True):
-        xy = contact_grid(spec).xy_mm[places][:, None] + within
-        _, slope = frame.relief.at(xy)
-        found.append(np.nanmean(np.sqrt(1 + np.sum(slope**2, axis=-1)), axis=1) * pitch**2)
+        stretch = frame.area_stretch(contact_grid(spec).xy_mm[places][:, None] + within)
+        found.append(np.nanmean(stretch, axis=1) * pitch**2)
     return np.concatenate(found)
 
 
@@ -68,8 +67,9 @@ def _covered_and_whole_mm2(spec: ObjectSpec) -> Float[np.ndarray, "2 face"]:
         xy = xy[frame.covers(xy)]
         _, slope = frame.relief.at(xy)
         weight = np.sqrt(1 + np.sum(slope**2, axis=-1)) * 4 * half_x * half_y / _SAMPLES**2
-        within = np.asarray((abs(xy) <= reach).all(axis=1))
-        cell = np.floor((xy[within] + reach) / pitch).astype(int)
+        place = frame.from_plane(xy)
+        within = np.asarray((abs(place) <= reach).all(axis=1))
+        cell = np.floor((place[within] + reach) / pitch).astype(int)
         x, y = np.clip(cell, 0, np.array(grid.shape) - 1).T
         within[within] = places.reshape(grid.shape)[x, y]
         found.append([float(weight[within].sum()), float(weight.sum())])

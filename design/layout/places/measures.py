@@ -67,7 +67,7 @@ def place_measures(spec: ObjectSpec) -> PlaceMeasures:
     centres = fixed.position_mm if isinstance(fixed, SensorLayout) else fixed.centre_mm
     found = np.full((len(MEASURES), len(frames), len(xy)), np.nan)
     for row, (frame, there) in enumerate(zip(frames, contact_places(spec), strict=True)):
-        own = xy[there]
+        own = frame.to_plane(xy[there])
         touched = frame.to_object(np.column_stack([own, np.zeros(len(own))]))
         away = np.linalg.norm(touched[:, None] - spots, axis=-1)
         path = signal_paths_mm(away, moving, centres[fixed.face == frame.number])
