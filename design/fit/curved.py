@@ -52,11 +52,11 @@ def check_curved_presses(spec: ObjectSpec) -> Iterator[str]:
     for frame in face_frames(spec):
         stays = stays_on_patch(frame, shares[:, None] * corner, reach)
         if not stays[-1]:
-            half, fewer = frame.half_extents_mm, _at_most(spec, int(stays.argmin()))
+            half, fewer = abs(frame.lengths_mm).min(axis=0), _at_most(spec, int(stays.argmin()))
             yield (
                 f"contact_grid.count × pitch_mm / 2 = ({corner[0]:g}, {corner[1]:g}) mm, and {reach:.3g} mm "
                 f"round the tip, leave face {frame.number}, {'an ellipse' if frame.round else 'a rectangle'} "
-                f"of ±{half[0]:.4g}, ±{half[1]:.4g} mm. Use fewer places{fewer}, "
+                f"of ±{half[0]:.4g}, ±{half[1]:.4g} mm along it. Use fewer places{fewer}, "
                 'contact_grid.count = "fill", a smaller tip or lesser depths'
             )
 

@@ -279,7 +279,7 @@ def _with_contacts(tables: Tables) -> Tables | None:
 
 def _pitches_mm(spec: ObjectSpec) -> tuple[float, ...]:
     """Coarser ones where a lattice may not have as many locations as the largest face would take."""
-    widest = 2 * float(np.max([frame.half_extents_mm for frame in face_frames(spec)]))
+    widest = 2 * float(np.max([abs(frame.lengths_mm) for frame in face_frames(spec)]))
     least = widest / MOST_COUNT
     return _PITCHES_MM if least < _PITCHES_MM[0] else (float(np.ceil(least)),)
 

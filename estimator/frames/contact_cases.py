@@ -96,9 +96,10 @@ def _require_on_face(spec: ObjectSpec, case: ContactCase) -> None:
     frames = {frame.number: frame for frame in face_frames(spec)}
     face = int(case.face[0])
     beside = abs(footprint_mm(spec.indenter)).max(axis=0) - _BORDER_MM
-    if frames[face].covers(abs(case.xy_mm) + (beside if frames[face].flat else 0.0)).all():
+    reach = abs(frames[face].to_plane(case.xy_mm)) + (beside if frames[face].flat else 0.0)
+    if frames[face].covers(reach).all():
         return
-    half, tips = frames[face].half_extents_mm, len(case.face)
+    half, tips = abs(frames[face].lengths_mm).min(axis=0), len(case.face)
     x, y = case.xy_mm.mean(axis=0)
     name = {2: "dual_poses", 3: "triple_poses"}[tips]
     raise InputError(
@@ -178,8 +179,9 @@ def opposed(spec: ObjectSpec, places_mm: Sequence[Float[np.ndarray, "_ 2"]]) -> 
     cases = []
     for here in places_mm:
         tips = len(here)
-        through = frames[first].to_object(np.column_stack([here, np.zeros(tips)]))
-        there = frames[second].from_object(through)[:, :2]
+        touched = frames[first].to_plane(here)
+        through = frames[first].to_object(np.column_stack([touched, np.zeros(tips)]))
+        there = frames[second].from_plane(frames[second].from_object(through)[:, :2])
         cell = np.repeat([0, 1], tips)
         number = GRASP_CASES + 1000 * first + len(cases)
         face, xy = np.repeat([first, second], tips), np.vstack([here, there])

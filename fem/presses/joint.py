@@ -33,7 +33,7 @@ from fem.presses.table import require_on_face, require_on_patch, resting_gap_mm
 
 @dataclass(frozen=True)
 class Tip:
-    """One indenter: the face (1…5) and where it lands in the face's frame, mm."""
+    """One indenter: the face (1…5) and where it lands on it, mm; on a curved one along the surface."""
 
     face: int
     x_mm: float
@@ -202,7 +202,7 @@ def joint_cells(
     for tip, sideways in zip(tips, path_mm(indenter, depths_mm), strict=True):
         if tip.face not in numbers:
             raise InputError(f"face {tip.face} is not a sensed face. Press one of {numbers}")
-        place = np.array([tip.x_mm, tip.y_mm])
+        place = faces[tip.face].frame.to_plane(np.array([tip.x_mm, tip.y_mm]))
         require_on_face(faces[tip.face], indenter, np.stack([place, place + sideways]))
         spreads.append(spread_cells(faces[tip.face], moved(cut.patches, place + sideways), place))
     return JointCells(

@@ -57,7 +57,7 @@ def load_patches(
         if place.face not in numbers:
             raise InputError(f"face {place.face} is not a sensed face. Press one of {numbers}")
         face = refined_face(response, numbers.index(place.face), spec)
-        centre = np.array([place.x_mm, place.y_mm])
+        centre = face.frame.to_plane(np.array([place.x_mm, place.y_mm]))
         require_on_face(face, disk, centre[None])
         spread = spread_cells(face, moved(cells.patches, centre), centre)
         require_on_patch(cells, spread, np.inf)

@@ -134,6 +134,8 @@ def press_face(
 ) -> FacePresses:
     """Press the indenter at every place on its own, without friction.
 
+    On a curved face places are told by lengths along the surface (`FaceFrame.to_plane`).
+
     On one BLAS thread: with two, these many small dense systems cost fifteen times the work in
     waiting for each other.
 
@@ -162,7 +164,7 @@ def _press_each(
     force, touched = np.zeros(shape), np.zeros(shape)
     vertex = np.zeros((*shape, len(face.surface.xy_mm)))
     together = [np.arange(len(depths_mm))] if not sideways.any() else np.arange(shape[1])[:, None]
-    for place, centre in enumerate(xy_mm):
+    for place, centre in enumerate(face.frame.to_plane(xy_mm)):
         for steps in together:
             spread = spread_cells(face, moved(tip.patches, centre + sideways[steps[0]]), centre)
             require_on_patch(tip, spread, float(depths_mm[steps[-1]]))
@@ -258,8 +260,9 @@ def require_on_patch(tip: TipCells, spread: Spread, depth_mm: float) -> None:
     """Raise InputError where a press to a depth might touch a curved body beside the patch."""
     if np.any(np.isnan(spread.height_mm) & (tip.height_mm < depth_mm)):
         frame = spread.face.frame
+        half = abs(frame.lengths_mm).min(axis=0)
         raise InputError(
             f"a press {depth_mm:g} mm deep leaves the patch of face {frame.number} (±"
-            f"{frame.half_extents_mm[0]:.4g}, ±{frame.half_extents_mm[1]:.4g} mm, up to 60° steep). "
+            f"{half[0]:.4g}, ±{half[1]:.4g} mm along the surface, up to 60° steep). "
             "Press nearer to its centre or less deep, or use a smaller indenter"
         )

@@ -116,18 +116,17 @@ def draw_blindest(spec: ObjectSpec, rows: Sequence[Identifiability], path: Path 
 
 
 def _draw_set(axes: Any, spec: ObjectSpec, row: Identifiability) -> None:
-    from matplotlib.patches import Circle, Ellipse, Rectangle
+    from matplotlib.patches import Circle, Polygon
 
     worst = row.worst
     frame = face_frame(spec, worst.face)
-    half_x, half_y = frame.half_extents_mm
-    outline = Rectangle((-half_x, -half_y), 2 * half_x, 2 * half_y, fc="#f7f4ec", ec="0.5")
-    if frame.round:
-        outline = Ellipse((0, 0), 2 * half_x, 2 * half_y, fc="#f7f4ec", ec="0.5")
-    axes.add_patch(outline)
-    for x, y in magnet_places(spec)[spec.body.sensed.index(worst.face)]:
+    axes.add_patch(Polygon(frame.border_mm(), fc="#f7f4ec", ec="0.5"))
+    for x, y in frame.from_plane(
+        np.reshape(magnet_places(spec)[spec.body.sensed.index(worst.face)], (-1, 2))
+    ):
         axes.add_patch(Circle((x, y), spec.magnets.diameter_mm / 2, fill=False, ec="#1f77d0"))
-    for x, y, _ in sensor_places(spec)[spec.body.sensed.index(worst.face)]:
+    sensors = sensor_places(spec)[spec.body.sensed.index(worst.face)]
+    for x, y in frame.from_plane(np.reshape([(x, y) for x, y, _ in sensors], (-1, 2))):
         axes.plot(x, y, marker="s", color="#0a8f5a", mfc="none", ms=7, ls="")
     grid = contact_grid(spec).xy_mm[contact_places(spec)[spec.body.sensed.index(worst.face)]]
     axes.plot(*grid.T, ls="", marker=".", ms=2, color="0.7")

@@ -192,5 +192,5 @@ def _on_body(
     spec: ObjectSpec, place: tuple[int, float, float]
 ) -> tuple[Float[np.ndarray, "3"], Float[np.ndarray, "3 3"]]:
     frame = face_frame(spec, place[0])
-    xy = np.array(place[1:], float)
+    xy = frame.to_plane(np.array(place[1:], float))
     return frame.to_object(np.append(xy, 0.0)), frame.axes_at(xy)

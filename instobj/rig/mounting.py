@@ -98,7 +98,7 @@ def require_upright(spec: ObjectSpec, face: int, xy_mm: Float[np.ndarray, "place
         The surface at a place leans by more than 3°.
     """
     frame = face_frame(spec, face)
-    normals = frame.axes_at(xy_mm)[..., 2] @ frame.normal
+    normals = frame.axes_at(frame.to_plane(xy_mm))[..., 2] @ frame.normal
     lean = np.rad2deg(np.arccos(np.clip(normals, -1, 1)))
     if lean.max() > LARGEST_TILT_DEG:
         raise InputError(
@@ -149,5 +149,6 @@ def _relief_mm(
 ) -> Float[np.ndarray, "*n"]:
     """Height of the surface over the plane that touches it in the face's middle."""
     frame = face_frame(spec, face)
-    flat = np.concatenate([xy_mm, np.zeros((*xy_mm.shape[:-1], 1))], axis=-1)
+    xy = frame.to_plane(xy_mm)
+    flat = np.concatenate([xy, np.zeros((*xy.shape[:-1], 1))], axis=-1)
     return frame.in_plane(frame.to_object(flat))[..., 2]

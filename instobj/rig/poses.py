@@ -62,7 +62,8 @@ def _press_poses(
     frame: FaceFrame, plan: PressPlan, number: int, place_mm: tuple[float, float]
 ) -> Iterator[Pose]:
     one = plan.settings
-    axes = frame.axes_at(np.array(place_mm))
+    xy = frame.to_plane(np.array(place_mm))
+    axes = frame.axes_at(xy)
     tool = np.column_stack([axes[:, 0], -axes[:, 1], -axes[:, 2]])
     qx, qy, qz, qw = np.round(Rotation.from_matrix(tool).as_quat(), 6).tolist()
     stops = [("above", -one.clearance_mm, 0.0, one.rest_s), ("near", -one.approach_mm, 0.0, 0.0)]
@@ -74,7 +75,7 @@ def _press_poses(
         elif stroke < one.strokes - 1:
             stops.append(("clear", -one.lift_mm, 0.0, one.pause_s))
     stops.append(("above", -one.clearance_mm, 0.0, 0.0))
-    surface = frame.to_object(np.array([*place_mm, 0.0]))
+    surface = frame.to_object(np.append(xy, 0.0))
     for stop, depth_mm, speed_mm_s, dwell_s in stops:
         x, y, z = np.round(surface - depth_mm * axes[:, 2], 4).tolist()
         yield Pose(

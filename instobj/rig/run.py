@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from design.errors import InputError, InstobjError
+from design.layout.body import face_frame
 from design.layout.tips import tip_places_mm
 from design.spec.object import ObjectSpec
 from estimator.boards.growing import growing_recording
@@ -95,7 +96,7 @@ def check_plan(spec: ObjectSpec, journal: Journal, settings: dict[int, float]) -
     plan, mounting = journal.plan, journal.mounting
     places = np.concatenate([plan.places_mm, touch_places(face_places(spec, plan.face))])
     require_upright(spec, plan.face, places)
-    machine = mounting.machine_mm(places)
+    machine = mounting.machine_mm(face_frame(spec, plan.face).to_plane(places))
     low, high = machine.min(axis=0), machine.max(axis=0)
     corners = [(axis, float(end[k])) for k, axis in enumerate("XY") for end in (low, high)]
     require_travel(settings, corners)
@@ -120,7 +121,8 @@ def check_plan(spec: ObjectSpec, journal: Journal, settings: dict[int, float]) -
 def spot_of(spec: ObjectSpec, journal: Journal, xy_mm: tuple[float, float]) -> Spot:
     """A place with its tips and the machine's X and Y."""
     tips = np.asarray(xy_mm) + tip_places_mm(spec.indenter)
-    x, y = journal.mounting.machine_mm(np.array(xy_mm)).tolist()
+    over = face_frame(spec, journal.plan.face).to_plane(np.array(xy_mm))
+    x, y = journal.mounting.machine_mm(over).tolist()
     return Spot(journal.plan.face, tuple((float(a), float(b)) for a, b in tips), (x, y))
 
 

@@ -34,10 +34,19 @@ def _sensors(spec: ObjectSpec) -> dict[str, Any]:
 
 
 def _contact_grid(spec: ObjectSpec) -> dict[str, Any]:
-    """What is pressed, however it was asked for: a filled grid that all faces share is its counts."""
+    """What is pressed, however it was asked for: a filled grid that all faces share is its counts.
+
+    Curved faces' grids were once even in the plane's x and y, and their results are others.
+    """
+    from design.layout.body import face_frames
     from design.layout.places.contact_places import contact_places, grid_count
 
-    grid = {"count": list(grid_count(spec)), "pitch_mm": spec.contact_grid.pitch_mm}
+    grid: dict[str, Any] = {
+        "count": list(grid_count(spec)),
+        "pitch_mm": spec.contact_grid.pitch_mm,
+    }
+    if not all(frame.flat for frame in face_frames(spec)):
+        grid["steps"] = "along the surface"
     places = contact_places(spec)
     if places.all():
         return grid

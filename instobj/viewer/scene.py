@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from design.body.section_lengths import SectionLengths
 from design.body.triangles import Block
 from design.layout.boards import board_blocks, mounted_sensors
 from design.layout.body import face_frames
@@ -23,6 +24,8 @@ from instobj.viewer.surface import Shaded, shaded_part
 
 Arrays = dict[str, Stepped | np.ndarray]
 _POSITION_STEP_MM = 0.005
+_KNOTS = 129
+"""Of a curved face's section: straight between them, lengths are good to 1e-3 mm."""
 
 
 def object_scene(spec: ObjectSpec, build: Path) -> tuple[dict[str, Any], Arrays]:
@@ -71,7 +74,17 @@ def _face(face: Any) -> dict[str, Any]:
         "half_mm": list(face.half_extents_mm),
         "round": bool(face.round),
         "flat": bool(face.flat),
+        "sections": [_knots(section) for section in face.sections],
     }
+
+
+def _knots(section: SectionLengths | None) -> dict[str, list[float]] | None:
+    """Lengths along a section and where they are in the plane; None where they are the same."""
+    if section is None:
+        return None
+    plane = np.linspace(*section.length.x[[0, -1]], _KNOTS)
+    lengths = section.to_lengths(plane)
+    return {"plane_mm": plane.round(5).tolist(), "length_mm": lengths.round(5).tolist()}
 
 
 def _add_magnets(spec: ObjectSpec, arrays: Arrays) -> None:

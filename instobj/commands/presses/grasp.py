@@ -83,8 +83,9 @@ def unbalanced_moment_nmm(spec: ObjectSpec, press: JointPress) -> np.ndarray:
     moment = np.zeros(3)
     for tip, force in zip(press.tips, press.force_n, strict=True):
         frame = frames[tip.face]
-        tangent = frame.tangent(np.array([tip.x_mm, tip.y_mm]))
-        place = tangent.to_object(np.array([tip.x_mm, tip.y_mm, 0.0]))
+        xy = frame.to_plane(np.array([tip.x_mm, tip.y_mm]))
+        tangent = frame.tangent(xy)
+        place = tangent.to_object(np.append(xy, 0.0))
         moment += np.cross(place, -force * tangent.normal)
     return moment
 

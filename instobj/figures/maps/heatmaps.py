@@ -82,14 +82,15 @@ def draw_face_heatmap(
     from matplotlib.figure import Figure
 
     scale = map_scale(unit, vmin, vmax, log, colours)
-    half_x, half_y = face_frame(spec, face).half_extents_mm
+    half_x, half_y = half_mm(spec, face)
     inches_per_mm = min(_FACE_INCHES[0] / half_x, _FACE_INCHES[1] / half_y) / 2
     figure = Figure(figsize=_PICTURE_INCHES, facecolor=PAPER)
     axes, bar_axes = (figure.add_axes(_share(place)) for place in (_MAP_INCHES, _BAR_INCHES))
     pose = Pose(0.0, (0.0, 0.0))
     mesh = draw_face(axes, values, spec, face, scale, pose, inches_per_mm)
     axes.set(xlim=(-half_x - 0.5, half_x + 0.5), ylim=(-half_y - 0.5, half_y + 0.5), aspect="equal")
-    axes.set(xlabel=f"x of face {face} (mm)", ylabel=f"y of face {face} (mm)")
+    along = "" if face_frame(spec, face).flat else " along the surface"
+    axes.set(xlabel=f"x of face {face}{along} (mm)", ylabel=f"y of face {face}{along} (mm)")
     covered = 100 * covered_shares(spec)[spec.body.sensed.index(face)]
     axes.set_title(
         f"{title}\nface {face} ({OUTWARD[face]}), seen from outside; {covered:.0f} % covered",
@@ -126,19 +127,17 @@ def draw_face(
 
     Numbers that would be smaller than `smallest_font` (points) in their cells are left out.
     """
-    from matplotlib.patches import Ellipse, Rectangle
+    from matplotlib.patches import Polygon
 
     grid, move, frame = contact_grid(spec), pose.transform(axes), face_frame(spec, face)
-    half_x, half_y = frame.half_extents_mm
-    outline = Rectangle((-half_x, -half_y), 2 * half_x, 2 * half_y, fc=BLANK, ec=FRAME, lw=1.2)
-    if frame.round:
-        outline = Ellipse((0, 0), 2 * half_x, 2 * half_y, fc=BLANK, ec=FRAME, lw=1.2)
+    half = np.array(half_mm(spec, face))
+    outline = Polygon(frame.border_mm(), fc=BLANK, ec=FRAME, lw=1.2)
     outline.set(hatch=_NOT_COVERED, hatchcolor=_HATCH, hatch_linewidth=0.6)
     axes.add_patch(_placed(outline, move))
     there = contact_places(spec)[spec.body.sensed.index(face)]
     for covered in _covered_rectangles(spec, there):
         axes.add_patch(_placed(covered, move, zorder=1.5))
-    corners = pose.apply(np.array([[-half_x, -half_y], [half_x, half_y]]))
+    corners = pose.apply(np.stack([-half, half]))
     axes.update_datalim(corners)
     shown = np.ma.masked_invalid(values.reshape(grid.shape) / 10.0**scale.exponent)
     edges = [_cell_edges(axis, spec.contact_grid.pitch_mm) for axis in (grid.x_mm, grid.y_mm)]
@@ -152,6 +151,12 @@ def draw_face(
     values_there, places = shown.ravel()[there], pose.apply(grid.xy_mm[there])
     _write_numbers(axes, places, values_there, scale, cell_inches, smallest_font)
     return mesh
+
+
+def half_mm(spec: ObjectSpec, face: int) -> tuple[float, float]:
+    """Half the room that a face's map takes, x and y; on a curved face along the surface."""
+    along_x, along_y = abs(face_frame(spec, face).lengths_mm).max(axis=0).tolist()
+    return along_x, along_y
 
 
 def _covered_rectangles(spec: ObjectSpec, there: Bool[np.ndarray, "place"]) -> list[Any]:
@@ -177,10 +182,10 @@ def _draw_parts(axes: Any, spec: ObjectSpec, face: int, move: Any) -> None:
     from matplotlib.patches import Circle, Rectangle
     from matplotlib.patheffects import withStroke
 
-    edge = _SENSOR_EDGE_MM
+    edge, frame = _SENSOR_EDGE_MM, face_frame(spec, face)
     patches: list[Any] = []
     for body in magnet_bodies(spec)[spec.body.sensed.index(face)]:
-        (x, y), (half_x, half_y) = body.centre_mm[:2], body.outline.half_mm
+        (x, y), (half_x, half_y) = frame.from_plane(body.centre_mm[:2]), body.outline.half_mm
         if body.outline.round:
             patches.append(Circle((x, y), half_x, fill=False, ec=_MAGNET, lw=1.6))
         else:
@@ -190,7 +195,7 @@ def _draw_parts(axes: Any, spec: ObjectSpec, face: int, move: Any) -> None:
             )
     patches += [
         Rectangle((x - edge / 2, y - edge / 2), edge, edge, fill=False, ec=_SENSOR, lw=2.0)
-        for x, y in _sensors_in_plane(spec, face)
+        for x, y in _sensors_under(spec, face)
     ]
     for patch in patches:
         patch.set_path_effects([withStroke(linewidth=3.4, foreground=PAPER)])
@@ -207,10 +212,10 @@ def _cell_edges(centres_mm: Float[np.ndarray, "n"], pitch_mm: float) -> Float[np
     return np.append(centres_mm, centres_mm[-1] + pitch_mm) - pitch_mm / 2
 
 
-def _sensors_in_plane(spec: ObjectSpec, face: int) -> Float[np.ndarray, "sensor 2"]:
-    layout = sensor_layout(spec)
+def _sensors_under(spec: ObjectSpec, face: int) -> Float[np.ndarray, "sensor 2"]:
+    layout, frame = sensor_layout(spec), face_frame(spec, face)
     own = layout.position_mm[layout.face == face]
-    return face_frame(spec, face).in_plane(own)[:, :2]
+    return frame.from_plane(frame.in_plane(own)[:, :2])
 
 
 def _write_numbers(

@@ -14,7 +14,6 @@ from typing import Any
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
-from design.layout.body import face_frame, face_frames
 from design.layout.places.contact_grid import contact_grid
 from design.layout.places.contact_places import contact_places
 from design.layout.places.coverage import covered_share
@@ -28,6 +27,7 @@ from instobj.figures.maps.heatmaps import (
     Pose,
     draw_face,
     fitting_font,
+    half_mm,
     legend_handles,
 )
 from instobj.figures.maps.scale import BOUND_COLOURS, MapScale, map_scale, set_plain_ticks
@@ -122,9 +122,9 @@ def draw_overview(
 def net_pose(spec: ObjectSpec, face: int, gap_mm: float = _GAP_MM) -> Pose:
     """Where a face lies in the net about face 1; face 6 joins face 4."""
     turn, right, up = _NET[face]
-    top, own = face_frames(spec)[0].half_extents_mm, face_frame(spec, face).half_extents_mm
+    top, own = half_mm(spec, spec.body.sensed[0]), half_mm(spec, face)
     if face == 6:
-        side = face_frame(spec, 4).half_extents_mm[0]
+        side = half_mm(spec, 4)[0]
         return Pose(turn, (0.0, top[1] + 2 * side + own[1] + 2 * gap_mm))
     return Pose(turn, (right * (top[0] + own[0] + gap_mm), up * (top[1] + own[0] + gap_mm)))
 
@@ -172,7 +172,7 @@ def _net_ends(
     """Least and greatest x and y (mm) of all maps."""
     corners = []
     for number in faces.tolist():
-        half = np.array(face_frame(spec, number).half_extents_mm)
+        half = np.array(half_mm(spec, number))
         corners.append(net_pose(spec, number, gap_mm).apply(np.stack([-half, half])))
     every = np.concatenate(corners)
     return every.min(axis=0), every.max(axis=0)
@@ -201,7 +201,7 @@ def _fill_column(page: _Page, mesh: Any, scale: MapScale, caption: list[str]) ->
 
 def _name(axes: Any, spec: ObjectSpec, face: int, pose: Pose) -> None:
     """The face's name above its map."""
-    half_x, half_y = face_frame(spec, face).half_extents_mm
+    half_x, half_y = half_mm(spec, face)
     upward = half_y if pose.turn_deg in (0, 180) else half_x
     axes.annotate(
         f"face {face} ({OUTWARD[face]})", (pose.centre_mm[0], pose.centre_mm[1] + upward), (0, 3),
@@ -248,7 +248,7 @@ def _draw_frames(
 def _draw_axes_arrows(page: _Page, spec: ObjectSpec, face: int, pose: Pose) -> None:
     """The face's own x and y, outside its corner of smallest x and y."""
     out = _gap_mm(page.inches_per_mm) / 3
-    start = -np.array(face_frame(spec, face).half_extents_mm) - out
+    start = -np.array(half_mm(spec, face)) - out
     for direction, name in (((_ARROW_MM, 0.0), "x"), ((0.0, _ARROW_MM), "y")):
         tail, tip = pose.apply(start), pose.apply(start + direction)
         arrow = {"arrowstyle": "-|>", "color": FRAME, "lw": 1.2, "shrinkA": 0, "shrinkB": 0}

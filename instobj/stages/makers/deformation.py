@@ -45,8 +45,12 @@ def make_shapes(context: StageContext, folder: Path) -> None:
         name = f"face_{frame.number}_{x:g}_{y:g}"
         save_deformed_shape(shape, folder / "shapes" / f"{name}.vtu")
         title = f"Face {frame.number}, ({x:g}, {y:g}) mm, {depth:g} mm deep, small strain"
-        tangent = frame.tangent(np.array([x, y]))
-        panels.append(SectionPanel(title, shape, tangent, (x, y), depth, tip_radius_mm(spec)))
+        at = frame.to_plane(np.array([x, y]))
+        panels.append(
+            SectionPanel(
+                title, shape, frame.tangent(at), (at[0], at[1]), depth, tip_radius_mm(spec)
+            )
+        )
     draw_sections(panels, SECTION.path(folder))
 
 

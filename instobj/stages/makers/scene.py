@@ -117,10 +117,11 @@ def _add_presses(
 
     spec, xy = context.spec, _places_mm(context.spec)
     grid = grid_places_in_lattice(spec)
-    frames, above = face_frames(spec), np.column_stack([xy, np.zeros(len(xy))])
     arrays["place_xy_mm"] = xy.astype("<f4")
-    arrays["place_mm"] = np.stack([f.to_object(above) for f in frames]).astype("<f4")
-    arrays["place_axes"] = stepped(np.stack([f.axes_at(xy) for f in frames]), "i2")
+    frames = [(frame, frame.to_plane(xy)) for frame in face_frames(spec)]
+    touched = [f.to_object(np.column_stack([at, np.zeros(len(at))])) for f, at in frames]
+    arrays["place_mm"] = np.stack(touched).astype("<f4")
+    arrays["place_axes"] = stepped(np.stack([f.axes_at(at) for f, at in frames]), "i2")
     arrays["force_n"] = signals.force_n[:, grid].astype("<f4")
     arrays["counts"] = stepped(signals.delta_counts[:, grid], "i2")
     arrays["live"] = live_channels(spec).astype("<u1")

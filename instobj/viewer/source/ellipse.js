@@ -1,6 +1,7 @@
 // The 95 % ellipse of the position bound as a line on the body.
 import { BufferGeometry, Float32BufferAttribute, Group, Line, LineBasicMaterial, Raycaster, Vector3 } from "three";
 import { row } from "./archive.js";
+import { inPlane } from "./maps.js";
 
 const SIGMAS_95 = Math.sqrt(-2 * Math.log(0.05));
 const SIDES = 64;
@@ -15,8 +16,8 @@ function lineOf(colour) {
   return line;
 }
 
-// Bounds are in x and y of a face's plane: on a curved face the ellipse is taken down onto the body
-// along the face's normal.
+// Bounds are in x and y along a face: on a curved one the ellipse is taken down onto the body along the
+// normal at the face's middle.
 export function makeEllipse({ content, arrays }, object, circle, view, colour) {
   const line = new Group();
   line.add(...[HALO, colour].map(lineOf)); // one of the two stands out on every colour of the map
@@ -45,12 +46,14 @@ export function makeEllipse({ content, arrays }, object, circle, view, colour) {
   function pointsOf(face, place, origin, [x, y, normal], larger) {
     const { most, least, turn } = circle(face, place);
     const points = [];
+    const here = row(arrays.place_xy_mm, place, 2);
+    const from = inPlane(content.faces[face], here);
     for (let k = 0; k <= SIDES; k++) {
       const angle = (2 * Math.PI * k) / SIDES;
       const [u, v] = [larger * SIGMAS_95 * most * Math.cos(angle), larger * SIGMAS_95 * least * Math.sin(angle)];
-      const at = origin.clone()
-        .addScaledVector(x, u * Math.cos(turn) - v * Math.sin(turn))
-        .addScaledVector(y, u * Math.sin(turn) + v * Math.cos(turn));
+      const moved = [here[0] + u * Math.cos(turn) - v * Math.sin(turn), here[1] + u * Math.sin(turn) + v * Math.cos(turn)];
+      const to = inPlane(content.faces[face], moved);
+      const at = origin.clone().addScaledVector(x, to[0] - from[0]).addScaledVector(y, to[1] - from[1]);
       const down = content.faces[face].flat ? at : ontoBody(at, normal, 2 * larger * SIGMAS_95 * most + 1);
       if (down) points.push(...down.addScaledVector(normal, ABOVE_MM).toArray());
     }

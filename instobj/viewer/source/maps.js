@@ -33,10 +33,24 @@ function faceOfSource(content, source) {
   return face;
 }
 
-// In-plane place (x, y) on a face of a point in the object's frame.
+// Place (x, y) on a face of a point in the object's frame: lengths along a curved one.
 export function placeOn(face, x, y, z) {
   const [dx, dy, dz] = [x - face.centre_mm[0], y - face.centre_mm[1], z - face.centre_mm[2]];
-  return [face.x, face.y].map((a) => dx * a[0] + dy * a[1] + dz * a[2]);
+  return [face.x, face.y].map((a, axis) => along(face.sections?.[axis], "plane_mm", "length_mm", dx * a[0] + dy * a[1] + dz * a[2]));
+}
+
+// In-plane x and y of a place.
+export function inPlane(face, place) {
+  return place.map((length, axis) => along(face.sections?.[axis], "length_mm", "plane_mm", length));
+}
+
+// Straight between the knots of a section and beyond its ends; as given where there is none, as on flat faces.
+function along(section, from, to, value) {
+  if (!section) return value;
+  const [xs, ys] = [section[from], section[to]];
+  const beyond = xs.findIndex((x) => x > value);
+  const k = Math.max(1, beyond < 0 ? xs.length - 1 : beyond);
+  return ys[k - 1] + ((value - xs[k - 1]) * (ys[k] - ys[k - 1])) / (xs[k] - xs[k - 1]);
 }
 
 export function shownNumber(value) {

@@ -69,7 +69,8 @@ def test_tips_stay_on_curved_faces_all_round(name):
     for frame, pressed in zip(face_frames(spec), pressed_nodes(spec), strict=True):
         found = stays_on_patch(frame, nodes, reach)
         some = np.random.default_rng(frame.number).integers(len(nodes), size=12)
-        assert found[some].tolist() == [_old_rule(frame, node, reach) for node in nodes[some]]
+        plane = frame.to_plane(nodes[some])
+        assert found[some].tolist() == [_old_rule(frame, node, reach) for node in plane]
         assert found[pressed].all()
     assert not contact_places(spec).all()
 
@@ -111,7 +112,7 @@ def test_covered_shares_agree_with_points_strewn_over_the_surface(spec):
         xy = xy[frame.covers(xy)]
         _, slope = frame.relief.at(xy)
         weight = np.hypot(1, np.linalg.norm(slope, axis=1))
-        cells = abs(xy[:, None] - places[there]).max(axis=2) <= pitch / 2
+        cells = abs(frame.from_plane(xy)[:, None] - places[there]).max(axis=2) <= pitch / 2
         found.append(weight[cells.any(axis=1)].sum() / weight.sum())
         areas.append(weight.sum() * half.prod())
     np.testing.assert_allclose(covered_shares(spec), found, atol=0.03)

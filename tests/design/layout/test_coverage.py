@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 
 from design.layout.body import face_frames
+from design.layout.places.contact_grid import contact_grid
+from design.layout.places.contact_places import contact_places
 from design.layout.places.coverage import cell_areas_mm2, covered_share
 from design.spec_io import load_spec, parse_spec
 
@@ -28,9 +30,10 @@ def test_of_a_box_with_unequal_faces():
 
 
 def test_of_a_ball_area_is_along_the_surface():
-    """A cap of 60° has half of its half sphere; a square of ±a by numerical integration."""
+    """A cap of 60° has half of its half sphere; a square of ±a along it by numerical integration."""
     ball = load_spec(EXAMPLES / "ball.toml", ["contact_grid.count=[7, 7]"])
-    radius, reach = ball.body.size_mm[0] / 2, 7 * 3.0 / 2
+    radius = ball.body.size_mm[0] / 2
+    reach = radius * np.sin(7 * 3.0 / 2 / radius)
     patch = 2 * np.pi * radius**2 * (1 - np.cos(np.deg2rad(60)))
     x = (np.arange(2000) + 0.5) / 1000 * reach - reach
     square = np.sum(radius / np.sqrt(radius**2 - x[:, None] ** 2 - x**2)) * (reach / 1000) ** 2
@@ -38,12 +41,45 @@ def test_of_a_ball_area_is_along_the_surface():
     assert covered_share(ball) == pytest.approx(square / patch, rel=0.01)
 
 
-def test_cells_of_a_ball_are_larger_where_it_leans():
-    """1 / cos of the slope, at the middle and by the outermost corner of 7 × 7 cells of 3 mm."""
+def test_cells_of_a_ball_are_those_of_the_closed_form():
+    """cos u cos v / √(1 − sin² u − sin² v) for angles u, v of a cell's middle along the sections."""
     ball = load_spec(EXAMPLES / "ball.toml", ["contact_grid.count=[7, 7]"])
-    radius, middle = ball.body.size_mm[0] / 2, np.hypot(9.0, 9.0)
-    areas = cell_areas_mm2(ball)
+    areas, angle = cell_areas_mm2(ball), contact_grid(ball).xy_mm / (ball.body.size_mm[0] / 2)
+    expected = np.prod(np.cos(angle), axis=1) / np.sqrt(1 - np.sum(np.sin(angle) ** 2, axis=1))
     assert areas.shape == (5 * 49,)
-    assert areas.min() == pytest.approx(9.0, rel=0.005)
-    assert areas.max() == pytest.approx(9 * radius / np.sqrt(radius**2 - middle**2), rel=0.01)
+    np.testing.assert_allclose(areas / 9, np.tile(expected, 5), rtol=0.002)
     assert cell_areas_mm2(parse_spec({"name": "cube"}, "test")) == pytest.approx(9.0)
+
+
+@pytest.mark.parametrize(
+    ("name", "largest", "variation"),
+    [
+        ("handle", 1.0001, 1e-5),
+        ("capsule", 1.035, 0.006),
+        ("ball", 1.05, 0.013),
+        ("egg", 1.06, 0.013),
+        ("hollow_dome", 1.05, 0.012),
+        ("pear", 1.075, 0.015),
+    ],
+)
+def test_filled_places_lie_evenly_along_curved_surfaces(name, largest, variation):
+    """Even in the plane's x and y, cells were up to 1.31 to 1.42 pitch², coefficients 0.08 to 0.10."""
+    spec = load_spec(EXAMPLES / f"{name}.toml")
+    cells = cell_areas_mm2(spec) / spec.contact_grid.pitch_mm**2
+    assert cells.max() <= largest
+    assert cells.min() >= 0.98
+    assert cells.std() / cells.mean() <= variation
+
+
+@pytest.mark.parametrize("name", ["handle", "ball", "egg", "pear"])
+def test_neighbours_on_the_surface_are_a_pitch_apart(name):
+    """Straight distances between neighbours in x and in y, by the points on the body alone."""
+    spec = load_spec(EXAMPLES / f"{name}.toml")
+    grid, pitch = contact_grid(spec), spec.contact_grid.pitch_mm
+    for frame, there in zip(face_frames(spec), contact_places(spec), strict=True):
+        xy = frame.to_plane(grid.xy_mm)
+        points = frame.to_object(np.column_stack([xy, np.zeros(len(xy))]))
+        points = np.where(there[:, None], points, np.nan).reshape(*grid.shape, 3)
+        for axis in (0, 1):
+            steps = np.linalg.norm(np.diff(points, axis=axis), axis=-1) / pitch
+            assert 0.985 <= np.nanmin(steps) <= np.nanmax(steps) <= 1.07
