@@ -164,9 +164,11 @@ def test_pressures_on_the_patch_add_up_to_the_force_along_the_tip_s_axis(handle)
     _, loads = face_pressure_loads(elastic_system(mesh, spec).space, spec)
     for place, vertex, force in zip(PLACES, presses.vertex_mpa, presses.force_n, strict=True):
         total = (loads @ vertex.T).reshape(3, -1, 2).sum(axis=1)
-        normal = frame.axes_at(place)[:, 2]
+        normal = frame.axes_at(frame.to_plane(place))[:, 2]
         assert_allclose(-normal @ total, force, rtol=0.02)
         across = total + np.outer(normal, force)
         assert (np.linalg.norm(across, axis=0) < 0.06 * force).all()
-    tilted = frame.axes_at(PLACES[1])[:, 2]
+        lean = np.rad2deg(np.arctan2(-frame.y @ total, -frame.normal @ total))
+        assert_allclose(lean, np.rad2deg(place[1] / 13), atol=0.3)  # 25.0° by y in the plane
+    tilted = frame.axes_at(frame.to_plane(PLACES[1]))[:, 2]
     assert tilted @ frame.normal < 0.95  # so that the frame's own normal would fail
