@@ -6,6 +6,7 @@ from numpy.testing import assert_allclose
 from scipy.spatial.distance import pdist
 
 from design.errors import InputError
+from design.layout.body import face_frames
 from design.layout.places.contact_grid import contact_grid
 from design.layout.tips import tip_positions_mm
 from design.spec.learning import CollectionSpec
@@ -13,6 +14,7 @@ from design.spec.object import ObjectSpec
 from estimator.frames.contact_cases import (
     contact_groups,
     grasp_cases,
+    opposed,
     paper_cases,
     random_case,
     recorded_faces,
@@ -48,6 +50,20 @@ def test_grasps_at_random_poses_keep_the_probes_and_the_grid():
     assert np.ptp(turns) > 3
     again = grasp_cases(spec.changed(seed=spec.seed + 1))
     assert not np.allclose(again[0].xy_mm, cases[0].xy_mm)
+
+
+def test_jaws_on_a_ball_and_on_a_handle_press_opposite_places():
+    """Along the surface: 8 mm on one side lie over 8 mm on the other, mirrored in one axis."""
+    for kind, size in (("sphere", [44, 44, 44]), ("cylinder", [44, 44, 60])):
+        body = {"kind": kind, "size_mm": size, "sensed_faces": [3, 5]}
+        spec = ObjectSpec.model_validate({"name": kind, "body": body})
+        (case,) = opposed(spec, [np.array([[8.0, -5.0]])])
+        touched = [
+            frame.to_object(np.append(frame.to_plane(xy), 0.0))
+            for frame, xy in zip(face_frames(spec), case.xy_mm, strict=True)
+        ]
+        assert_allclose(case.xy_mm, [[8.0, -5.0], [8.0, 5.0]], atol=1e-6)
+        assert_allclose(touched[0] * [-1, 1, 1], touched[1], atol=1e-6)
 
 
 def collected(**changes):

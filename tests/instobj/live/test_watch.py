@@ -8,7 +8,7 @@ import pytest
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec
-from instobj.live.contacts import Found, placed_contact, placed_labels
+from instobj.live.contacts import Found, placed_contact, placed_label, placed_labels
 from instobj.live.health import DRIFTING, GOOD
 from instobj.live.watch import HEADER, LABELS, NEWS, Watch, channel_names, row_message
 
@@ -50,6 +50,15 @@ def feed(watch, values, start_s=100.0):
     for number, value in enumerate(values):
         at = start_s + number / 200
         watch.take(row_message(at, at - 50.0, tuple(LEVEL + value)))
+
+
+def test_contacts_are_placed_on_a_curved_body_by_lengths_along_it():
+    body = {"kind": "sphere", "size_mm": [44.0, 44.0, 44.0], "sensed_faces": [1]}
+    ball = ObjectSpec.model_validate({"name": "ball", "body": body})
+    label = placed_label(ball, 1, 22 * np.pi / 6, 0.0, 2.0)
+    sine, cosine = np.sin(np.pi / 6), np.cos(np.pi / 6)
+    np.testing.assert_allclose(label[4:7], [22 * sine, 0.0, 22 * cosine], atol=1e-6)
+    np.testing.assert_allclose(label[7:], [sine, 0.0, cosine], atol=1e-6)
 
 
 def test_names_are_in_the_order_of_sensors_and_axes():

@@ -35,6 +35,29 @@ def test_poses_touch_the_surface_and_press_along_its_normal(tmp_path):
     assert stops == ["above", "near", *["press"] * 4, "surface", "above"]
 
 
+def test_poses_on_a_ball_lie_as_far_along_it_as_their_places_tell(tmp_path):
+    path, out = tmp_path / "ball.toml", tmp_path / "poses.json"
+    path.write_text(
+        'name = "ball"\n[body]\nkind = "sphere"\nsize_mm = [44, 44, 44]\nbore_mm = 8\n'
+        "sensed_faces = [3]\n[contact_grid]\ncount = [5, 3]\npitch_mm = 3.0\n"
+        "[magnets]\npositions_mm = [[0, 0]]\n[sensors]\npositions_mm = [[0, 0]]\nradius_mm = 3.5\n"
+        "[core]\nrecess_inner_radius_mm = 2.0\nrecess_outer_radius_mm = 5.0\n"
+    )
+    rig(RigOptions(path, "poses", out, reference_every=0), lambda _: False)
+    frame, seen = face_frame(load_spec(path), 3), set()
+    for pose in json.loads(out.read_text())["poses"]:
+        place = np.array([pose["x_mm"], pose["y_mm"]])
+        tool = Rotation.from_quat([pose[f"quaternion_{axis}"] for axis in "xyzw"]).as_matrix()
+        out_of_it = -tool[:, 2]
+        assert np.allclose(
+            out_of_it @ np.column_stack([frame.x, frame.y]), np.sin(place / 22), atol=1e-5
+        )
+        at = np.array([pose[f"object_{axis}_mm"] for axis in "xyz"])
+        assert np.allclose(at, (22 - pose["depth_mm"]) * out_of_it, atol=1e-3)
+        seen.add(tuple(place.tolist()))
+    assert seen == {(x, y) for x in (-6.0, -3.0, 0.0, 3.0, 6.0) for y in (-3.0, 0.0, 3.0)}
+
+
 def test_unknown_kinds_of_lists_and_machines_are_refused(tmp_path):
     path = tmp_path / "cube.toml"
     path.write_text('name = "cube"\n')
