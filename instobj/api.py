@@ -263,7 +263,7 @@ def predict(model: FaceModel, data: Recording | FrameSet) -> Prediction:
     -------
     Prediction
         Arrays over frames: `heatmap_n` (frame, axis, nx, ny) and `force_n`, N; `xy_mm` (frame, 2) in
-        the face's frame; `contact`, probability; half-widths of intervals, N and mm.
+        the face's frame (along a curved surface); `contact`, probability; half-widths of intervals, N and mm.
 
     Raises
     ------

@@ -15,6 +15,8 @@ Turn = Annotated[float, Field(ge=-10, le=10)]
 class ContactGridSpec(SpecPart):
     """Contact places on each face, centred on it; place = X·count_y + Y, counted from 0.
 
+    The pitch is along the surface, also of curved faces.
+
     "fill" gives each face as many as fit (`design.layout.places.contact_places`; 10 × 10 on the
     paper's cube), a pair of counts the same ones to all.
     """

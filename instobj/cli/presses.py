@@ -16,7 +16,8 @@ app = typer.Typer()
 def press(
     spec: Spec,
     xy: Annotated[
-        tuple[float, float] | None, typer.Option(help="Contact location in the face's frame, mm.")
+        tuple[float, float] | None,
+        typer.Option(help="Contact location in the face's frame, mm; along a curved surface."),
     ] = None,
     face: Annotated[int, typer.Option(help="Sensed face, 1 to 5.")] = 1,
     depth: Annotated[float, typer.Option(help="Indentation depth, mm.")] = 2.0,

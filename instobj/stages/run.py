@@ -140,7 +140,7 @@ class Run:
     def presses(self) -> xr.Dataset:
         """Every simulated press: normal force, contact area and motion of every magnet.
 
-        Dimensions: face, place (of the press lattice, with `x_mm`, `y_mm` in the face's frame),
+        Dimensions: face, place (of the press lattice; `x_mm`, `y_mm` along the face's surface),
         step (with `depth_mm`), magnet, component (x, y, z displacement in mm; rotation vector in
         rad). Variables: `force_n` (N), `contact_area_mm2` (mm²), `motion`; NaN at places that a
         face has not.
@@ -183,7 +183,7 @@ class Run:
     def scores(self) -> xr.Dataset:
         """Cramér–Rao bounds and sensitivity of every contact location.
 
-        Dimensions: face, place (with `x_mm`, `y_mm` in the face's frame). Variables, each freshly
+        Dimensions: face, place (with `x_mm`, `y_mm` along the face's surface). Variables, each freshly
         tared and as `…_drifted_…` after 15 min: `position_bound_mm` (mm), `force_bound_n` (N),
         `detectable_force_n` (N); further `delta_raw`, `delta_scaled` (convex-hull sensitivity),
         `weakest_direction_deg`, `force_at_score_n`, `reaches_score_force`, `depth_at_score_mm`,

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from design.body.section_lengths import SectionLengths
+from design.body.surface_chart import FaceFrame
 from design.body.triangles import Block
 from design.layout.boards import board_blocks, mounted_sensors
 from design.layout.body import face_frames
@@ -25,7 +26,7 @@ from instobj.viewer.surface import Shaded, shaded_part
 Arrays = dict[str, Stepped | np.ndarray]
 _POSITION_STEP_MM = 0.005
 _KNOTS = 129
-"""Of a curved face's section: straight between them, lengths are good to 1e-3 mm."""
+"""Of a curved face's section: straight between them, lengths are good to 0.01 mm."""
 
 
 def object_scene(spec: ObjectSpec, build: Path) -> tuple[dict[str, Any], Arrays]:
@@ -47,7 +48,7 @@ def object_scene(spec: ObjectSpec, build: Path) -> tuple[dict[str, Any], Arrays]
     content = {
         "name": spec.name,
         "size_mm": list(spec.body.size_mm),
-        "faces": [_face(face) for face in face_frames(spec)],
+        "faces": [face_content(face) for face in face_frames(spec)],
         "magnets_in_shell": spec.arrangement == "sensors-in-core",
         "away": away.tolist(),
         "mould": [piece.content for piece in pieces],
@@ -64,7 +65,8 @@ def add_surface(arrays: Arrays, name: str, surface: Shaded) -> None:
     arrays[f"{name}_normals"] = stepped(surface.normals, "i1")
 
 
-def _face(face: Any) -> dict[str, Any]:
+def face_content(face: FaceFrame) -> dict[str, Any]:
+    """A face's frame, border and lengths, for the page."""
     return {
         "number": face.number,
         "centre_mm": face.centre_mm.tolist(),
@@ -82,7 +84,8 @@ def _knots(section: SectionLengths | None) -> dict[str, list[float]] | None:
     """Lengths along a section and where they are in the plane; None where they are the same."""
     if section is None:
         return None
-    plane = np.linspace(*section.length.x[[0, -1]], _KNOTS)
+    first, *_, last = section.length.x.tolist()
+    plane = np.linspace(first, last, _KNOTS)
     lengths = section.to_lengths(plane)
     return {"plane_mm": plane.round(5).tolist(), "length_mm": lengths.round(5).tolist()}
 

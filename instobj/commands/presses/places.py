@@ -19,7 +19,7 @@ _EXAMPLE = "Example: --at 3:5,-4 or, with its own depth, --at 3:5,-4,1.5"
 
 @dataclass(frozen=True)
 class Place:
-    """A contact location on a face (mm in the face's frame) and the depth of its press."""
+    """A contact location on a face (mm, along the surface) and the depth of its press."""
 
     face: int
     x_mm: float
@@ -136,7 +136,7 @@ def _require_place(spec: ObjectSpec, place: Place, to_depth: bool) -> None:
     if size[0] > 2 * half[0] or size[1] > 2 * half[1]:
         raise InputError(
             f"the {spec.indenter.kind} covers {size[0]:.4g} × {size[1]:.4g} mm, more than face "
-            f"{place.face} ({2 * half[0]:g} × {2 * half[1]:g} mm). Use a smaller indenter"
+            f"{place.face} ({2 * half[0]:.4g} × {2 * half[1]:.4g} mm). Use a smaller indenter"
         )
     for axis, (name, at) in enumerate((("x", place.x_mm), ("y", place.y_mm))):
         ends = [at + side + way for side in footprint[:, axis] for way in (0, at_the_end[axis])]
@@ -144,7 +144,7 @@ def _require_place(spec: ObjectSpec, place: Place, to_depth: bool) -> None:
             raise InputError(
                 f"the {spec.indenter.kind} pressed on {place} reaches {name} = "
                 f"{max(ends, key=abs):.4g} mm, beyond the border of face {place.face} "
-                f"(±{half[axis]:g} mm): it misses the body. Move the press inwards or use a "
+                f"(±{half[axis]:.4g} mm): it misses the body. Move the press inwards or use a "
                 "smaller indenter"
             )
         if abs(at) > grid[axis] + 1e-9:

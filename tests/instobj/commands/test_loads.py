@@ -77,6 +77,18 @@ def test_one_bad_press_is_told_of_and_the_others_are_kept(place, indenter, words
         assert refused["press"] == str(place)
 
 
+def test_places_on_a_ball_are_told_along_its_surface():
+    """A quarter of a turn of R 25 mm is 39 mm; 18.5 mm along it are 16.9 mm in the plane."""
+    body = {"kind": "sphere", "size_mm": [50.0] * 3, "sensed_faces": [1]}
+    ball = ObjectSpec.model_validate({"name": "ball", "body": body})
+    checked = check_places(
+        ball, [Place(1, 18.5, 0.0, 1.0), Place(1, 23.0, 0.0, 1.0)], to_depth=True
+    )
+    assert checked.good == (Place(1, 18.5, 0.0, 1.0),)
+    assert "misses the body" in checked.refused[0]["error"]
+    assert "±26.18 mm" in checked.refused[0]["error"]
+
+
 def test_superposition_is_compared_with_the_joint_press():
     tips = [Tip(1, -5.0, 0.0), Tip(1, 6.0, 1.0)]
     alone = [joint(tips[:1], [1], [2.0]), joint(tips[1:], [1], [2.5])]

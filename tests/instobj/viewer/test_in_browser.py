@@ -4,17 +4,21 @@ import base64
 import json
 import re
 from io import BytesIO
+from pathlib import Path
 
 import numpy as np
 import pytest
 from PIL import Image
 
+from design.layout.body import face_frames
 from design.spec_io import parse_spec
+from instobj import viewer
 from instobj.commands.comparison import write_comparison_page
 from instobj.report.pages import render, style
 from instobj.report.widget import object_view
 from instobj.search.outcome.layouts import ShownLayout, layouts_scene
 from instobj.viewer.bundling import program
+from instobj.viewer.scene import face_content
 from tests.instobj.search.test_layouts import made_up_history, made_up_layouts
 from tests.support.browser import Browser, chromium
 from tests.support.objects.made_scene import DEPTHS_MM, write_made_scene
@@ -213,6 +217,31 @@ def test_the_layouts_of_a_search_move_and_the_front_chooses_among_them(told, bro
     assert browser.ask(f"{named(0, 'layout')}.selectedOptions[0].text") == "trial 9"
     assert [row[2] for row in browser.ask(cells)] == ["0.500", "5.00"]
     assert complaints(browser, path) == []
+
+
+def test_points_of_a_curved_face_are_told_along_it_and_back(browser, tmp_path):
+    """The page's own functions, on the tables that a scene holds."""
+    body = {"kind": "capsule", "size_mm": [44.0, 44.0, 80.0], "sensed_faces": [3]}
+    (frame,) = face_frames(parse_spec({"name": "capsule", "body": body}, "capsule"))
+    source = (Path(viewer.__file__).parent / "source" / "maps.js").read_text(encoding="utf-8")
+    functions = source[
+        source.index("export function placeOn") : source.index("export function shown")
+    ]
+    path = tmp_path / "empty.html"
+    path.write_text("<p></p>", encoding="utf-8")
+    browser.open(path, "true")
+    places = np.array([[0.0, 0.0], [22.0, -15.0], [-38.5, 4.0], [3.0, 19.0]])
+    plane = frame.to_plane(places)
+    points = frame.to_object(np.column_stack([plane, np.zeros(len(plane))]))
+    found = browser.ask(
+        f"(() => {{ {functions.replace('export ', '')}\n"
+        f"const face = {json.dumps(face_content(frame))};"
+        f"return [{points.tolist()}.map((p) => placeOn(face, ...p)),"
+        f"{places.tolist()}.map((p) => inPlane(face, p))];"
+        "})()"
+    )
+    np.testing.assert_allclose(found, [places, plane], atol=0.01)
+    assert abs(plane - places).max() > 1.0
 
 
 def test_maps_of_faces_are_printed_side_by_side(browser, tmp_path):
