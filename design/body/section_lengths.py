@@ -18,8 +18,6 @@ if TYPE_CHECKING:
 
     from scipy.interpolate import CubicHermiteSpline
 
-    from design.body.surface_chart import Relief
-
 _PANELS = 256
 """Between the middle of a section and its end; lengths and their inverse agree within 1e-7 mm."""
 _GAUSS_POINTS = 4
@@ -50,14 +48,14 @@ class SectionLengths:
         return np.asarray(self.plane(np.clip(length_mm, *self.plane.x[[0, -1]]), 1))
 
 
-def section_lengths(relief: Relief, axis: int, half_mm: float) -> SectionLengths | None:
-    """Of the section along x (0) or y (1) within ±half; None where it is straight."""
+def section_lengths(
+    slope: Callable[[np.ndarray], np.ndarray], half_mm: float
+) -> SectionLengths | None:
+    """Of the section of that slope at coordinates in the plane within ±half; None where it is straight."""
     from scipy.interpolate import CubicHermiteSpline
 
     def stretch(t_mm: np.ndarray) -> np.ndarray:
-        xy = np.zeros((*t_mm.shape, 2))
-        xy[..., axis] = t_mm
-        return np.hypot(1.0, relief.at(xy)[1][..., axis])
+        return np.hypot(1.0, slope(t_mm))
 
     knots = half_mm * _WITHIN * np.arange(-_PANELS, _PANELS + 1) / _PANELS
     slopes = stretch(knots)

@@ -12,7 +12,7 @@ lead from one to the other, and on flat faces they are the same.
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Protocol, runtime_checkable
 
 import numpy as np
@@ -102,8 +102,9 @@ class FaceFrame:
         """Lengths along y = 0 and x = 0; None where such a section is straight."""
         if self.flat:
             return None, None
-        along_x, along_y = self.half_extents_mm
-        return section_lengths(self.relief, 0, along_x), section_lengths(self.relief, 1, along_y)
+        half_x, half_y = self.half_extents_mm
+        along_x, along_y = (partial(_slope_along, self.relief, axis) for axis in (0, 1))
+        return section_lengths(along_x, half_x), section_lengths(along_y, half_y)
 
     def to_plane(self, place_mm: Float[np.ndarray, "*n 2"]) -> Float[np.ndarray, "*n 2"]:
         """Contact locations, told by lengths along the surface, as (x, y) of the frame's plane."""
@@ -271,6 +272,13 @@ def steepest_reach_mm(across_mm: float, high_mm: float) -> float:
     if across_mm <= 0:
         return 0.0
     return across_mm * STEEPEST / float(np.hypot(STEEPEST, high_mm / across_mm))
+
+
+def _slope_along(
+    relief: Relief, axis: int, at_mm: Float[np.ndarray, "*n"]
+) -> Float[np.ndarray, "*n"]:
+    """Of the central section along x (0) or y (1)."""
+    return relief.at(at_mm[..., None] * np.eye(2)[axis])[1][..., axis]
 
 
 def _normals(slope: Float[np.ndarray, "*n 2"]) -> Float[np.ndarray, "*n 3"]:

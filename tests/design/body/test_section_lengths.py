@@ -58,9 +58,9 @@ def test_steps_along_a_section_that_is_not_symmetric_are_even():
             return height - 0.1 * x**3 / 135, slope + steeper
 
     relief = Leaning((25.0, 25.0, 25.0))
-    section = section_lengths(relief, 0, 15.0)
+    section = section_lengths(lambda t: relief.at(t[..., None] * [1.0, 0.0])[1][..., 0], 15.0)
     assert section is not None
-    assert section_lengths(Cap((np.inf, 20.0, 20.0)), 0, 15.0) is None
+    assert section_lengths(np.zeros_like, 15.0) is None
     fine = np.linspace(-15, 15, 30001)
     points = np.column_stack([fine, relief.at(np.column_stack([fine, 0 * fine]))[0]])
     walked = np.append(0, np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1)))
