@@ -6,7 +6,7 @@ Neighbouring patches of a curved body overlap, so that pockets are compared in t
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import combinations
+from itertools import combinations, product
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -50,7 +50,12 @@ def check_curved_presses(spec: ObjectSpec) -> Iterator[str]:
     corner = np.asarray(spec.contact_grid.count) * spec.contact_grid.pitch_mm / 2
     shares = np.linspace(0.0, 1.0, 201)
     for frame in face_frames(spec):
-        stays = stays_on_patch(frame, shares[:, None] * corner, reach)
+        stays = np.logical_and.reduce(
+            [
+                stays_on_patch(frame, shares[:, None] * corner * signs, reach)
+                for signs in product((1.0, -1.0), repeat=2)
+            ]
+        )
         if not stays[-1]:
             half, fewer = abs(frame.lengths_mm).min(axis=0), _at_most(spec, int(stays.argmin()))
             yield (

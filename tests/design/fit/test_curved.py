@@ -1,12 +1,19 @@
 """Fit of what is cut into curved cores and stands on them."""
 
 import numpy as np
+import pytest
+import trimesh
 
 from design.body.triangles import Block
+from design.errors import SpecError
 from design.fit.curved import _check_recesses
 from design.fit.curved_parts import _check_passages
 from design.layout.body import core_frames
 from design.spec.object import ObjectSpec
+from design.spec_io import load_spec
+from tests.support.pages import ROOT
+
+EXAMPLES = ROOT / "examples"
 
 EGG = {
     "name": "egg",
@@ -37,3 +44,17 @@ def test_a_key_below_stands_in_the_bore_until_it_is_beside_it():
         assert bool(told) == stands, x
     above = Block(np.array([0.0, 0.0, 8.0]), np.eye(3), np.array([2.0, 2.0, 1.0]))
     assert not [text for text in _check_passages(spec, "the key", above) if "bore" in text]
+
+
+@pytest.mark.parametrize("upside_down", [False, True])
+def test_given_counts_stay_on_both_ends_of_a_pear(tmp_path, upside_down):
+    """Its thin end is steeper: whichever way it points, ten rows 3.8 mm apart leave the patch there."""
+    pear = trimesh.load_mesh(EXAMPLES / "bodies" / "pear.stl")
+    if upside_down:
+        pear.apply_transform(trimesh.transformations.rotation_matrix(np.pi, [1, 0, 0]))
+    pear.export(tmp_path / "pear.stl")
+    file, faces = f'body.file="{tmp_path / "pear.stl"}"', "body.sensed_faces=[5]"
+    given = [file, faces, "contact_grid.count=[10, 2]"]
+    assert load_spec(EXAMPLES / "pear.toml", [*given, "contact_grid.pitch_mm=3.4"])
+    with pytest.raises(SpecError, match="leave face 5"):
+        load_spec(EXAMPLES / "pear.toml", [*given, "contact_grid.pitch_mm=3.8"])
