@@ -52,20 +52,28 @@ def rig(
     ] = 0.0,
     depth: Annotated[
         list[float] | None,
-        typer.Option(help="Stop below the first touch, mm (default: four of press.depths_mm; --adaptive: one)."),
+        typer.Option(
+            help="Stop below the first touch, mm (default: four of press.depths_mm; --adaptive: one)."
+        ),
     ] = None,
-    dwell: Annotated[float | None, typer.Option(min=0, help="At every stop, s (0.5; --adaptive: 0.8).")] = None,
+    dwell: Annotated[
+        float | None, typer.Option(min=0, help="At every stop, s (0.5; --adaptive: 0.8).")
+    ] = None,
     rest: Annotated[float | None, typer.Option(min=0, help="Before every press, s (1.5).")] = None,
     speed: Annotated[float | None, typer.Option(min=0.05, help="Of presses, mm/s (1).")] = None,
     strokes: Annotated[
         int | None,
-        typer.Option(min=1, help="Loads of a place, the tip clear of it between two (1; --adaptive: 9)."),
+        typer.Option(
+            min=1, help="Loads of a place, the tip clear of it between two (1; --adaptive: 9)."
+        ),
     ] = None,
     stroke_speed: Annotated[
-        float | None, typer.Option(min=0.05, help="Of strokes after the first, mm/s (4; --adaptive: 2).")
+        float | None,
+        typer.Option(min=0.05, help="Of strokes after the first, mm/s (4; --adaptive: 2)."),
     ] = None,
     pause: Annotated[
-        float | None, typer.Option(min=0.1, help="Between strokes, above the place, s (1; --adaptive: 1.5).")
+        float | None,
+        typer.Option(min=0.1, help="Between strokes, above the place, s (1; --adaptive: 1.5)."),
     ] = None,
     clearance: Annotated[
         float | None, typer.Option(min=1, help="Above the object between presses, mm (5).")
