@@ -140,6 +140,12 @@ class FaceFrame:
         ends.flags.writeable = False
         return ends
 
+    @property
+    def half_lengths_mm(self) -> tuple[float, float]:
+        """Lengths along both sections from the middle to the border, the shorter side of each."""
+        x, y = abs(self.lengths_mm).min(axis=0).tolist()
+        return x, y
+
     def border_mm(self, points: int = 240) -> Float[np.ndarray, "point 2"]:
         """The face's border as a closed polygon, told as contact locations are."""
         half = np.asarray(self.half_extents_mm)

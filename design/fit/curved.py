@@ -57,7 +57,7 @@ def check_curved_presses(spec: ObjectSpec) -> Iterator[str]:
             ]
         )
         if not stays[-1]:
-            half, fewer = abs(frame.lengths_mm).min(axis=0), _at_most(spec, int(stays.argmin()))
+            half, fewer = frame.half_lengths_mm, _at_most(spec, int(stays.argmin()))
             yield (
                 f"contact_grid.count × pitch_mm / 2 = ({corner[0]:g}, {corner[1]:g}) mm, and {reach:.3g} mm "
                 f"round the tip, leave face {frame.number}, {'an ellipse' if frame.round else 'a rectangle'} "

@@ -99,7 +99,7 @@ def _require_on_face(spec: ObjectSpec, case: ContactCase) -> None:
     reach = abs(frames[face].to_plane(case.xy_mm)) + (beside if frames[face].flat else 0.0)
     if frames[face].covers(reach).all():
         return
-    half, tips = abs(frames[face].lengths_mm).min(axis=0), len(case.face)
+    half, tips = frames[face].half_lengths_mm, len(case.face)
     x, y = case.xy_mm.mean(axis=0)
     name = {2: "dual_poses", 3: "triple_poses"}[tips]
     raise InputError(

@@ -15,6 +15,7 @@ from jaxtyping import Bool, Float
 from scipy.ndimage import map_coordinates, spline_filter
 
 from design.errors import InputError
+from design.layout.body import face_frames
 from design.spec.object import ObjectSpec
 from estimator.field.models import FieldModel, field_model
 from estimator.field.sources import magnet_source
@@ -122,19 +123,37 @@ class TravelModel:
         return 1e3 * np.einsum("sij,nsj->nsi", self.scene.sensors.axes, field_t)
 
 
+def require_comparable(spec: ObjectSpec) -> None:
+    """Presses of known travel can be compared with simulated ones of this object.
+
+    Raises
+    ------
+    InputError
+        Several sensed faces, a curved one, or sensors in the shell.
+    """
+    frames = face_frames(spec)
+    if len(frames) != 1 or spec.arrangement != "sensors-in-core":
+        raise InputError(
+            f"presses of known travel are compared on one sensed face with sensors in the core; got "
+            f"{len(frames)} faces and arrangement {spec.arrangement!r}. Set body.sensed_faces"
+        )
+    if not frames[0].flat:
+        raise InputError(
+            "presses of known travel go straight down onto a flat face; face "
+            f"{frames[0].number} of this {spec.body.kind} is curved, and simulated presses follow its "
+            "normal. Give a recording with force labels instead"
+        )
+
+
 def travel_model(spec: ObjectSpec, motions: MagnetMotions) -> TravelModel:
     """The model of the presses of an object's one face.
 
     Raises
     ------
     InputError
-        Several sensed faces, or sensors in the shell.
+        Of `require_comparable`.
     """
-    if len(motions.faces) != 1 or spec.arrangement != "sensors-in-core":
-        raise InputError(
-            f"presses of known travel are compared on one sensed face with sensors in the core; got "
-            f"{len(motions.faces)} faces and arrangement {spec.arrangement!r}. Set body.sensed_faces"
-        )
+    require_comparable(spec)
     place, lattice = scene(spec), motions.lattice
     flat = motions.motion[0].reshape(*lattice.shape, len(motions.depth_mm), -1)
     whole = np.concatenate([np.zeros_like(flat[:, :, :1]), flat], axis=2)

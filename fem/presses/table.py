@@ -260,7 +260,7 @@ def require_on_patch(tip: TipCells, spread: Spread, depth_mm: float) -> None:
     """Raise InputError where a press to a depth might touch a curved body beside the patch."""
     if np.any(np.isnan(spread.height_mm) & (tip.height_mm < depth_mm)):
         frame = spread.face.frame
-        half = abs(frame.lengths_mm).min(axis=0)
+        half = frame.half_lengths_mm
         raise InputError(
             f"a press {depth_mm:g} mm deep leaves the patch of face {frame.number} (±"
             f"{half[0]:.4g}, ±{half[1]:.4g} mm along the surface, up to 60° steep). "

@@ -100,7 +100,7 @@ def place_problems(spec: ObjectSpec) -> Iterator[str]:
         pitch = _nearest_pitch_mm(spec)
         smaller = f"contact_grid.pitch_mm of {pitch:g}, " if pitch else ""
         for frame, along in too_few:
-            half = abs(frame.lengths_mm).min(axis=0)
+            half = frame.half_lengths_mm
             yield (
                 f'contact_grid.count = "fill" finds room for {along[0]} × {along[1]} locations on face '
                 f"{frame.number} (±{half[0]:.4g}, ±{half[1]:.4g} mm), {spec.contact_grid.pitch_mm:g} mm "

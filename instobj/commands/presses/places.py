@@ -128,7 +128,7 @@ def _require_place(spec: ObjectSpec, place: Place, to_depth: bool) -> None:
             f"a press to {place.depth_mm:g} mm on {place}: the depth must be above 0 and below the "
             f"indenter's height and the shell's thickness ({deepest:g} mm). Press less deep"
         )
-    half = abs(frames[place.face].lengths_mm).min(axis=0).tolist()
+    half = frames[place.face].half_lengths_mm
     at_the_end = path_mm(spec.indenter, [place.depth_mm])[0] if to_depth else (0.0, 0.0)
     lattice, footprint = press_lattice(spec), footprint_mm(spec.indenter)
     grid = (abs(lattice.x_mm).max(), abs(lattice.y_mm).max())

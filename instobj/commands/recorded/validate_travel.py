@@ -37,11 +37,12 @@ def validate_on_travel(
     """
     from estimator.known_travel.agreement import travel_agreement
     from estimator.known_travel.fit import calibrate, drawn_places, register
-    from estimator.known_travel.model import travel_model
+    from estimator.known_travel.model import require_comparable, travel_model
     from estimator.known_travel.places import readers
     from instobj.figures.travel import draw_travel
 
     spec = load_spec(path, overrides)
+    require_comparable(spec)
     require_writable(out)
     run = Run(spec)
     with run.progress.stage("reading the recordings"):

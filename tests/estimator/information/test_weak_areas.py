@@ -39,10 +39,10 @@ def pear():
 @pytest.mark.parametrize("sign", [1, -1])
 @pytest.mark.parametrize("name", MEASURES)
 def test_the_measure_that_bounds_follow_is_told(pear, name, sign):
-    value = getattr(place_measures(pear), name)
+    value = getattr(place_measures(pear), name).round(5)  # as ranks are taken
     found = weak_areas(pear, scores_of(pear, np.exp(sign * value / np.nanstd(value))))
     assert found.told_by == name
-    assert_allclose(found.rank_correlation[name], sign, rtol=1e-4)  # exp makes near ties equal
+    assert_allclose(found.rank_correlation[name], sign)
     low, middle, high = (third for third in found.thirds if third.measure == name)
     assert (low.bound_mm < middle.bound_mm < high.bound_mm) == (sign > 0)
     assert low.places + middle.places + high.places == np.isfinite(value).sum()

@@ -200,6 +200,16 @@ def test_an_object_of_several_faces_is_refused(model):
         travel_model(cube, synthetic_presses(cube)[1])
 
 
+def test_a_curved_face_is_refused():
+    """A machine goes straight down, simulated presses along the surface's normal."""
+    from design.spec.object import ObjectSpec
+    from estimator.known_travel.model import require_comparable
+
+    body = {"kind": "sphere", "size_mm": [44.0] * 3, "sensed_faces": [1]}
+    with pytest.raises(InputError, match="face 1 of this sphere is curved"):
+        require_comparable(ObjectSpec.model_validate({"name": "ball", "body": body}))
+
+
 def test_the_bound_of_a_right_model_is_the_scatter_of_repeats(model):
     """Five repeats at one travel, white noise: size within sampling, order as far as can be told."""
     tip = np.repeat(pressed_places(15, 1), 5, axis=0)
