@@ -18,6 +18,8 @@ _STROKES = {
 }
 _LINE, _BOX, _GAP, _TOP = 3.2, 46.0, 62.0, 14.0
 """mm: height of a pin's row, width of a box, room for wires between boxes, and above all."""
+_CLEAR = 0.5
+"""mm: level lines nearer to each other look like one."""
 
 
 def wiring_svg(plan: BusPlan, title: str) -> str:
@@ -29,8 +31,11 @@ def wiring_svg(plan: BusPlan, title: str) -> str:
     places: dict[tuple[str, str], float] = {}
     shapes = []
     for number, column in enumerate(columns):
-        shapes += _column(column, 4 + number * (_BOX + _GAP), height, places)
-    lines = [_wire(wire, places, lane) for wire, lane in zip(wires, _lanes(wires), strict=True)]
+        top = _TOP + _LINE / 2 * (number % 2)  # rows of neighbouring columns never meet
+        shapes += _column(column, (4 + number * (_BOX + _GAP), top), height, places)
+    lines = [
+        _wire(wire, places, lane) for wire, lane in zip(wires, _lanes(wires, places), strict=True)
+    ]
     head = f'<text x="4" y="7" font-size="4.2">{escape(title)}</text>'
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:g}mm" height="{height:g}mm" '
@@ -68,11 +73,15 @@ def _rows(column: dict[str, list[str]]) -> int:
 
 
 def _column(
-    column: dict[str, list[str]], left: float, height: float, places: dict[tuple[str, str], float]
+    column: dict[str, list[str]],
+    corner: tuple[float, float],
+    height: float,
+    places: dict[tuple[str, str], float],
 ) -> list[str]:
     """Boxes under each other, spread over the height; notes where each pin lies."""
-    spare = (height - _TOP - _LINE * _rows(column)) / max(1, len(column))
-    y, shapes = _TOP, []
+    left, y = corner
+    spare = (height - y - _LINE * _rows(column)) / max(1, len(column))
+    shapes = []
     for box, pins in column.items():
         tall = _LINE * (len(pins) + 0.7)
         shapes.append(
@@ -90,15 +99,39 @@ def _column(
     return shapes
 
 
-def _lanes(wires: Sequence[Wire]) -> list[float]:
-    """Where each wire turns between two columns (0 to 1): wires to one pin turn together, others apart."""
-    ends = list(dict.fromkeys((_side(_box_of(wire.start)[0]), wire.end) for wire in wires))
-    lanes = {end: 0.1 + 0.8 * (k + 0.5) / len(ends) for k, end in enumerate(ends)}
-    return [lanes[_side(_box_of(wire.start)[0]), wire.end] for wire in wires]
+def _lanes(wires: Sequence[Wire], places: dict[tuple[str, str], float]) -> list[float]:
+    """Where each wire turns between two columns (0 to 1): wires to one pin turn together, others apart.
+
+    A wire that lands on the row of another one's start turns behind it, so that no two lie on each other.
+    """
+    nets: dict[tuple[str, str], list[Wire]] = {}
+    for wire in wires:
+        nets.setdefault((_side(_box_of(wire.start)[0]), wire.end), []).append(wire)
+    rows = {
+        net: [[places[ends[k]] for ends in map(_left_to_right, of)] for k in (0, 1)]
+        for net, of in nets.items()
+    }
+
+    def lands_before(one: tuple[str, str], other: tuple[str, str]) -> bool:
+        near = (abs(a - b) < _CLEAR for a in rows[one][1] for b in rows[other][0])
+        return one != other and one[0] == other[0] and any(near)
+
+    left, ordered = list(nets), []
+    while left:
+        free = (one for one in left if not any(lands_before(one, other) for other in left))
+        ordered.append(next(free, left[0]))
+        left.remove(ordered[-1])
+    lane = {net: 0.1 + 0.8 * (k + 0.5) / len(ordered) for k, net in enumerate(ordered)}
+    return [lane[_side(_box_of(wire.start)[0]), wire.end] for wire in wires]
+
+
+def _left_to_right(wire: Wire) -> tuple[tuple[str, str], tuple[str, str]]:
+    start, end = sorted((_box_of(wire.start), _box_of(wire.end)), key=lambda e: _order(e[0]))
+    return start, end
 
 
 def _wire(wire: Wire, places: dict[tuple[str, str], float], lane: float) -> str:
-    start, end = sorted((_box_of(wire.start), _box_of(wire.end)), key=lambda e: _order(e[0]))
+    start, end = _left_to_right(wire)
     y1, y2 = places[start], places[end]
     x1 = 4 + _order(start[0]) * (_BOX + _GAP) + _BOX
     x2 = 4 + _order(end[0]) * (_BOX + _GAP)

@@ -2,6 +2,7 @@
 
 import re
 from collections import Counter
+from itertools import combinations
 from xml.etree import ElementTree
 
 import pytest
@@ -77,6 +78,21 @@ def test_the_drawing_has_every_wire_in_its_colour(kind):
     assert len(paths) == plan.wires
     strokes = Counter(path.get("stroke") for path in paths)
     assert strokes["#222222"] == sum(wire.colour == "black" for wire in wires_of(plan))
+
+
+def test_no_two_wires_of_the_drawing_lie_on_each_other():
+    """Level parts of wires that end at different pins, on every board and way."""
+    for plan in PLANS:
+        wires = wires_of(plan)
+        root = ElementTree.fromstring(wiring_svg(plan, "title"))
+        paths = root.findall("{http://www.w3.org/2000/svg}path")
+        level = []
+        for wire, path in zip(wires, paths, strict=True):
+            x1, y1, turn, y2, x2 = map(float, re.findall(r"[\d.]+", path.get("d")))
+            level += [(wire, y, *sorted(ends)) for y, ends in ((y1, (x1, turn)), (y2, (turn, x2)))]
+        for (one, y, low, high), (other, at, left, right) in combinations(level, 2):
+            if one.end != other.end and one.start != other.start:
+                assert abs(y - at) > 0.4 or min(high, right) - max(low, left) < 0.01, (one, other)
 
 
 @pytest.mark.parametrize("kind", ["hx711", "analog"])
