@@ -100,29 +100,38 @@ def _column(
 
 
 def _lanes(wires: Sequence[Wire], places: dict[tuple[str, str], float]) -> list[float]:
-    """Where each wire turns between two columns (0 to 1): wires to one pin turn together, others apart.
+    """Where each wire turns in its passage (0 to 1): wires to one pin turn together, others apart.
 
     A wire that lands on the row of another one's start turns behind it, so that no two lie on each other.
     """
-    nets: dict[tuple[str, str], list[Wire]] = {}
+    nets: dict[tuple[tuple[int, int], str], list[Wire]] = {}
     for wire in wires:
-        nets.setdefault((_side(_box_of(wire.start)[0]), wire.end), []).append(wire)
+        nets.setdefault((_passage(wire), wire.end), []).append(wire)
     rows = {
         net: [[places[ends[k]] for ends in map(_left_to_right, of)] for k in (0, 1)]
         for net, of in nets.items()
     }
 
-    def lands_before(one: tuple[str, str], other: tuple[str, str]) -> bool:
+    def lands_before(one: tuple[tuple[int, int], str], other: tuple[tuple[int, int], str]) -> bool:
         near = (abs(a - b) < _CLEAR for a in rows[one][1] for b in rows[other][0])
-        return one != other and one[0] == other[0] and any(near)
+        return one != other and any(near)
 
-    left, ordered = list(nets), []
-    while left:
-        free = (one for one in left if not any(lands_before(one, other) for other in left))
-        ordered.append(next(free, left[0]))
-        left.remove(ordered[-1])
-    lane = {net: 0.1 + 0.8 * (k + 0.5) / len(ordered) for k, net in enumerate(ordered)}
-    return [lane[_side(_box_of(wire.start)[0]), wire.end] for wire in wires]
+    lane = {}
+    for passage in dict.fromkeys(passage for passage, _ in nets):
+        left = [net for net in nets if net[0] == passage]
+        count = len(left)
+        while left:
+            free = (one for one in left if not any(lands_before(one, other) for other in left))
+            chosen = next(free, left[0])
+            left.remove(chosen)
+            lane[chosen] = (count - len(left) - 0.5) / count
+    return [lane[_passage(wire), wire.end] for wire in wires]
+
+
+def _passage(wire: Wire) -> tuple[int, int]:
+    """The columns that a wire joins."""
+    start, end = _left_to_right(wire)
+    return _order(start[0]), _order(end[0])
 
 
 def _left_to_right(wire: Wire) -> tuple[tuple[str, str], tuple[str, str]]:
@@ -139,7 +148,7 @@ def _wire(wire: Wire, places: dict[tuple[str, str], float], lane: float) -> str:
         x1 = x2
         turn = x2 - 3 - 8 * lane
     else:
-        turn = x1 + (x2 - x1) * lane
+        turn = x1 + (x2 - x1) * (0.08 + 0.72 * lane)
     return (
         f'<path d="M {x1:g} {y1:g} H {turn:.2f} V {y2:g} H {x2:g}" fill="none" '
         f'stroke="{_STROKES[wire.colour]}" stroke-width="0.3"/>'

@@ -81,18 +81,20 @@ def test_the_drawing_has_every_wire_in_its_colour(kind):
 
 
 def test_no_two_wires_of_the_drawing_lie_on_each_other():
-    """Level parts of wires that end at different pins, on every board and way."""
+    """Level and upright parts of wires that share no pin, on every board and way."""
     for plan in PLANS:
-        wires = wires_of(plan)
         root = ElementTree.fromstring(wiring_svg(plan, "title"))
         paths = root.findall("{http://www.w3.org/2000/svg}path")
-        level = []
-        for wire, path in zip(wires, paths, strict=True):
+        level, upright = [], []
+        for wire, path in zip(wires_of(plan), paths, strict=True):
             x1, y1, turn, y2, x2 = map(float, re.findall(r"[\d.]+", path.get("d")))
             level += [(wire, y, *sorted(ends)) for y, ends in ((y1, (x1, turn)), (y2, (turn, x2)))]
-        for (one, y, low, high), (other, at, left, right) in combinations(level, 2):
-            if one.end != other.end and one.start != other.start:
-                assert abs(y - at) > 0.4 or min(high, right) - max(low, left) < 0.01, (one, other)
+            upright.append((wire, turn, *sorted((y1, y2))))
+        for parts in (level, upright):
+            for (one, at, low, high), (other, there, left, right) in combinations(parts, 2):
+                if not {one.start, one.end} & {other.start, other.end}:
+                    apart = abs(at - there) > 0.4 or min(high, right) - max(low, left) < 0.01
+                    assert apart, (one, other)
 
 
 @pytest.mark.parametrize("kind", ["hx711", "analog"])
