@@ -18,8 +18,6 @@ _STROKES = {
 }
 _LINE, _BOX, _GAP, _TOP = 3.2, 46.0, 62.0, 14.0
 """mm: height of a pin's row, width of a box, room for wires between boxes, and above all."""
-_CLEAR = 0.5
-"""mm: level lines nearer to each other look like one."""
 
 
 def wiring_svg(plan: BusPlan, title: str) -> str:
@@ -31,11 +29,9 @@ def wiring_svg(plan: BusPlan, title: str) -> str:
     places: dict[tuple[str, str], float] = {}
     shapes = []
     for number, column in enumerate(columns):
-        top = _TOP + _LINE / 2 * (number % 2)  # rows of neighbouring columns never meet
-        shapes += _column(column, (4 + number * (_BOX + _GAP), top), height, places)
-    lines = [
-        _wire(wire, places, lane) for wire, lane in zip(wires, _lanes(wires, places), strict=True)
-    ]
+        corner = (4 + number * (_BOX + _GAP), _TOP + _LINE / 3 * number)
+        shapes += _column(column, corner, height, places)
+    lines = [_wire(wire, places, lane) for wire, lane in zip(wires, _lanes(wires), strict=True)]
     head = f'<text x="4" y="7" font-size="4.2">{escape(title)}</text>'
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:g}mm" height="{height:g}mm" '
@@ -78,9 +74,12 @@ def _column(
     height: float,
     places: dict[tuple[str, str], float],
 ) -> list[str]:
-    """Boxes under each other, spread over the height; notes where each pin lies."""
+    """Boxes under each other, spread over the height; notes where each pin lies.
+
+    Pins lie whole rows apart, so that columns whose corners differ by less have no row in common.
+    """
     left, y = corner
-    spare = (height - y - _LINE * _rows(column)) / max(1, len(column))
+    spare = _LINE * ((height - y - _LINE * _rows(column)) // (_LINE * max(1, len(column))))
     shapes = []
     for box, pins in column.items():
         tall = _LINE * (len(pins) + 0.7)
@@ -99,39 +98,19 @@ def _column(
     return shapes
 
 
-def _lanes(wires: Sequence[Wire], places: dict[tuple[str, str], float]) -> list[float]:
-    """Where each wire turns in its passage (0 to 1): wires to one pin turn together, others apart.
-
-    A wire that lands on the row of another one's start turns behind it, so that no two lie on each other.
-    """
-    nets: dict[tuple[tuple[int, int], str], list[Wire]] = {}
+def _lanes(wires: Sequence[Wire]) -> list[float]:
+    """Where each wire turns (0 to 1 of its gap): wires to one pin turn together, others apart."""
+    ends: dict[tuple[int, bool], dict[str, int]] = {}
     for wire in wires:
-        nets.setdefault((_passage(wire), wire.end), []).append(wire)
-    rows = {
-        net: [[places[ends[k]] for ends in map(_left_to_right, of)] for k in (0, 1)]
-        for net, of in nets.items()
-    }
-
-    def lands_before(one: tuple[tuple[int, int], str], other: tuple[tuple[int, int], str]) -> bool:
-        near = (abs(a - b) < _CLEAR for a in rows[one][1] for b in rows[other][0])
-        return one != other and any(near)
-
-    lane = {}
-    for passage in dict.fromkeys(passage for passage, _ in nets):
-        left = [net for net in nets if net[0] == passage]
-        count = len(left)
-        while left:
-            free = (one for one in left if not any(lands_before(one, other) for other in left))
-            chosen = next(free, left[0])
-            left.remove(chosen)
-            lane[chosen] = (count - len(left) - 0.5) / count
-    return [lane[_passage(wire), wire.end] for wire in wires]
+        known = ends.setdefault(_gap(wire), {})
+        known.setdefault(wire.end, len(known))
+    return [(ends[_gap(wire)][wire.end] + 0.5) / len(ends[_gap(wire)]) for wire in wires]
 
 
-def _passage(wire: Wire) -> tuple[int, int]:
-    """The columns that a wire joins."""
+def _gap(wire: Wire) -> tuple[int, bool]:
+    """The left one of a wire's columns, beside which it turns, and whether both are the same one."""
     start, end = _left_to_right(wire)
-    return _order(start[0]), _order(end[0])
+    return _order(start[0]), _order(start[0]) == _order(end[0])
 
 
 def _left_to_right(wire: Wire) -> tuple[tuple[str, str], tuple[str, str]]:
@@ -144,11 +123,11 @@ def _wire(wire: Wire, places: dict[tuple[str, str], float], lane: float) -> str:
     y1, y2 = places[start], places[end]
     x1 = 4 + _order(start[0]) * (_BOX + _GAP) + _BOX
     x2 = 4 + _order(end[0]) * (_BOX + _GAP)
-    if _order(start[0]) == _order(end[0]):  # between strip and multiplexer: round on the left
+    if _gap(wire)[1]:  # between strip and multiplexer
         x1 = x2
         turn = x2 - 3 - 8 * lane
     else:
-        turn = x1 + (x2 - x1) * (0.08 + 0.72 * lane)
+        turn = x1 + _GAP * (0.08 + 0.72 * lane)
     return (
         f'<path d="M {x1:g} {y1:g} H {turn:.2f} V {y2:g} H {x2:g}" fill="none" '
         f'stroke="{_STROKES[wire.colour]}" stroke-width="0.3"/>'

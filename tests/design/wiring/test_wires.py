@@ -10,25 +10,31 @@ import pytest
 from design.build.order_list import order_list
 from design.catalogue.bus_parts import BOARDS, PICO
 from design.spec.object import ObjectSpec
+from design.spec_io import load_spec
 from design.wiring.bus_plan import all_plans, choose_plan
 from design.wiring.dealing import MIXED
 from design.wiring.wires import wire_length_m, wires_of
 from instobj.firmware.drawing import wiring_svg
+from tests.support.pages import ROOT
 
 SPEC = ObjectSpec.model_validate({"name": "wired"})
 KINDS = ("none", "hx711", "analog")
 
 
-def with_load_cell(kind, **cell):
-    return SPEC.changed(load_cell={"kind": kind, **cell})
+def with_load_cell(kind, spec=SPEC, **cell):
+    return spec.changed(load_cell={"kind": kind, **cell})
 
 
-PLANS = [
-    plan
-    for board in BOARDS.values()
-    for kind in KINDS
-    for plan in all_plans(with_load_cell(kind), board).plans
-]
+def plans_of(spec):
+    return [
+        plan
+        for board in BOARDS.values()
+        for kind in KINDS
+        for plan in all_plans(with_load_cell(kind, spec), board).plans
+    ]
+
+
+PLANS = plans_of(SPEC)
 
 
 def name_of(plan):
@@ -80,9 +86,10 @@ def test_the_drawing_has_every_wire_in_its_colour(kind):
     assert strokes["#222222"] == sum(wire.colour == "black" for wire in wires_of(plan))
 
 
-def test_no_two_wires_of_the_drawing_lie_on_each_other():
+@pytest.mark.parametrize("example", [None, "eflesh_pad", "hall_skin", "three_axis_dome"])
+def test_no_two_wires_of_the_drawing_lie_on_each_other(example):
     """Level and upright parts of wires that share no pin, on every board and way."""
-    for plan in PLANS:
+    for plan in plans_of(load_spec(ROOT / f"examples/{example}.toml")) if example else PLANS:
         root = ElementTree.fromstring(wiring_svg(plan, "title"))
         paths = root.findall("{http://www.w3.org/2000/svg}path")
         level, upright = [], []
