@@ -1,6 +1,6 @@
 """Faults named, false alarms and errors of a bring-up, over many simulated objects.
 
-`python benchmarks/bringup_study.py SPEC FIRST LAST [FAULT…]` prints one JSON line per object: what was
+`python -m benchmarks.rig.bringup SPEC FIRST LAST [FAULT…]` prints one JSON line per object: what was
 named, errors of gains and offsets and whether their intervals hold the truth. The fault `five` stands for
 five at once, at places that differ from object to object.
 """

@@ -1,8 +1,8 @@
 """Error of a calibrated twin over the number of presses, by order and by how each press is done.
 
-Hidden objects are pressed by the rig's own plans (`benchmarks.rig_sessions`), returns to the reference
-place counted, and calibrated in full. `python -m benchmarks.press_orders SPEC [PRESSES.nc]` writes a table
-and a picture to benchmarks/results (the paper's cube: the picture of docs/rig.md); finished cases are
+Hidden objects are pressed by the rig's own plans (`benchmarks.rig.sessions`), returns to the reference
+place counted, and calibrated in full. `python -m benchmarks.rig.press_orders SPEC [PRESSES.nc]` writes
+a table and a picture to benchmarks/results (the paper's cube: the picture of docs/rig.md); finished cases are
 kept under the specification's hash, and skipped when it runs again.
 """
 
@@ -17,7 +17,7 @@ from pathlib import Path
 import numpy as np
 from jaxtyping import Float, Int
 
-from benchmarks.rig_sessions import LEVELS_N, HiddenObject, hidden_object, recorded
+from benchmarks.rig.sessions import LEVELS_N, HiddenObject, hidden_object, recorded
 from design.layout.places.contact_grid import contact_grid
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, spec_hash
@@ -38,8 +38,8 @@ FACE, EVERY = 3, 10
 HIDDEN, NOISES = 3, 2
 COUNTS = (20, 30, 40)
 WHOLE = "all 100 places, one stroke"
-RESULTS = Path(__file__).parent / "results"
-ROOT = Path(__file__).parents[1]
+RESULTS = Path(__file__).parents[1] / "results"
+ROOT = Path(__file__).parents[2]
 CUBE, FIGURE = ROOT / "examples" / "paper_cube.toml", ROOT / "docs" / "rig_orders.png"
 Table = tuple[PressForces, MagnetMotions]
 

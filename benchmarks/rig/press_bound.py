@@ -2,7 +2,7 @@
 
 The hidden objects of `press_orders`, linear about their true numbers, with the true prior and the true
 errors of every mean: noise of chips, of labelled forces, zeros and drift as the rig's own sessions leave
-them. `python -m benchmarks.press_bound SPEC [PRESSES.nc]` prints predicted errors of orders and of all
+them. `python -m benchmarks.rig.press_bound SPEC [PRESSES.nc]` prints predicted errors of orders and of all
 places, the bound below every choice of 40 presses (`estimator.calibration.twin.least_possible`), shares of
 the error, and errors over bench minutes, all as means over the objects, into results/press_bound.json.
 """
@@ -17,7 +17,7 @@ from pathlib import Path
 import numpy as np
 from jaxtyping import Float
 
-from benchmarks.press_orders import (
+from benchmarks.rig.press_orders import (
     EVERY,
     FACE,
     HIDDEN,
@@ -27,7 +27,7 @@ from benchmarks.press_orders import (
     settings,
     table_of,
 )
-from benchmarks.rig_sessions import LEVELS_N, TRUE_PRIOR, HiddenObject, hidden_object, recorded
+from benchmarks.rig.sessions import LEVELS_N, TRUE_PRIOR, HiddenObject, hidden_object, recorded
 from design.layout.places.contact_grid import contact_grid
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
