@@ -4,15 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from jaxtyping import Float
+from jaxtyping import Bool, Float
 
 from design.layout.places.measures import LONGEST_PATH_MM, MEASURES, Measure
 from estimator.information.scores import PlaceScores
 from estimator.information.weak_areas import WeakAreas
 from instobj.figures.saving import save_figure
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 MEASURE_NAMES: dict[Measure, str] = {
     "border_mm": "distance to the border, mm",
@@ -43,37 +46,10 @@ def draw_weak_areas(
     known = bound[np.isfinite(bound)]
     top = 1.3 * float(known.max()) if len(known) else 1.0
     low = float(known.min()) / 1.3 if len(known) else 0.1
-    weakest = bound >= np.quantile(bound, 0.9, method="lower")
     for axes, name in zip(panels, shown, strict=False):
-        factor = 1000.0 if name == "curvature_per_mm" else 1.0
-        value = factor * getattr(areas.measures, name)[scores.places]
-        for some, colour, label in (
-            (~weakest, _POINTS, "contact location"),
-            (weakest, _WEAK, "weakest tenth"),
-        ):
-            axes.plot(
-                value[some], np.minimum(bound[some], top), ".", ms=4, color=colour, label=label
-            )
-        for third in areas.thirds:
-            if third.measure != name:
-                continue
-            ends = [factor * third.low, factor * third.high]
-            axes.plot(
-                ends,
-                [min(third.bound_mm, top)] * 2,
-                "o-",
-                ms=4,
-                color=_INK,
-                lw=2.5,
-                label="median of a third",
-            )
         axes.axhline(limit_mm, color="0.35", ls="--", lw=1)
         axes.set(yscale="log", ylim=(min(low, limit_mm / 1.3), max(top, limit_mm * 1.3)))
-        axes.set(xlabel=MEASURE_NAMES[name])
-        axes.set_title(f"rank correlation {areas.rank_correlation[name]:+.2f}", fontsize=10)
-        axes.yaxis.set_major_formatter(lambda number, _: f"{number:g}")
-        axes.yaxis.set_minor_formatter(lambda *_: "")
-        axes.grid(alpha=0.3)
+        _draw_measure(axes, name, areas, scores.places, np.minimum(bound, top))
     for axes in panels[::columns]:
         axes.set_ylabel("position bound, mm")
     panels[0].text(
@@ -92,6 +68,42 @@ def draw_weak_areas(
         fontsize=9,
     )
     save_figure(figure, path)
+
+
+def _draw_measure(
+    axes: Axes,
+    name: Measure,
+    areas: WeakAreas,
+    places: Bool[np.ndarray, "face place"],
+    bound_mm: Float[np.ndarray, "_"],
+) -> None:
+    """Bounds of the locations against one measure, blind ones at the greatest."""
+    weakest = bound_mm >= np.quantile(bound_mm, 0.9, method="lower")
+    factor = 1000.0 if name == "curvature_per_mm" else 1.0
+    value = factor * getattr(areas.measures, name)[places]
+    for some, colour, label in (
+        (~weakest, _POINTS, "contact location"),
+        (weakest, _WEAK, "weakest tenth"),
+    ):
+        axes.plot(value[some], bound_mm[some], ".", ms=4, color=colour, label=label)
+    for third in areas.thirds:
+        if third.measure != name:
+            continue
+        ends = [factor * third.low, factor * third.high]
+        axes.plot(
+            ends,
+            [min(third.bound_mm, bound_mm.max())] * 2,
+            "o-",
+            ms=4,
+            color=_INK,
+            lw=2.5,
+            label="median of a third",
+        )
+    axes.set(xlabel=MEASURE_NAMES[name])
+    axes.set_title(f"rank correlation {areas.rank_correlation[name]:+.2f}", fontsize=10)
+    axes.yaxis.set_major_formatter(lambda number, _: f"{number:g}")
+    axes.yaxis.set_minor_formatter(lambda *_: "")
+    axes.grid(alpha=0.3)
 
 
 def draw_paths(
