@@ -14,8 +14,9 @@ from torch import Tensor
 
 from estimator.field.gradient import field_change
 from estimator.layouts.batch import Layouts, chip_axes, magnet_axes
+from estimator.layouts.near_field import OTHER, OWN, Reach
 from estimator.layouts.press_basis import mixed_rows
-from estimator.layouts.scoring import OTHER_ORDER, OWN_ORDER, LayoutScorer, press_changes
+from estimator.layouts.scoring import LayoutScorer, press_changes
 
 CROSS_FACE_FORCE_N = 10.0
 """Of the presses whose disturbance is scored, as in `estimator.information.cross_face`."""
@@ -76,7 +77,7 @@ def neighbour_changes(
     ):
         sensor = (local @ turn.T + shift).permute(2, 0, 1)
         change = sum(
-            _signals(scorer, layouts, sensor, face, OWN_ORDER if index == number else OTHER_ORDER)
+            _signals(scorer, layouts, sensor, face, OWN if index == number else OTHER)
             for index, face in enumerate(moving)
         )
         found.append((whitened @ turn.T @ change).flatten(1, 2))
@@ -109,13 +110,14 @@ def _signals(
     layouts: Layouts,
     sensor: Float[Tensor, "3 layout sensor"],
     face: _MovingFace,
-    order: int,
+    reach: Reach,
 ) -> Float[Tensor, "layout sensor 3 column"]:
     """Change of the field (T) at sensors by one face's magnets, in the pressed face's frame."""
     offset, axis = torch.broadcast_tensors(
         sensor[..., None] - face.centre_mm[:, :, None], face.axis[:, :, None]
     )
-    change = field_change(offset, axis, scorer.magnet, order).by_motion
+    offset = reach.kept_off(offset, scorer.magnet)
+    change = field_change(offset, axis, scorer.magnet, reach.order).by_motion
     by_motion = (change * layouts.polarity[:, None]).permute(2, 3, 0, 4, 1).flatten(3)
     rows = face.rows.flatten(1, 2)[:, None]
     return (by_motion @ rows) @ face.basis

@@ -18,7 +18,9 @@ from design.layout.boards import passage_radius_mm
 from design.layout.body import core_frames, face_frames
 from design.layout.pockets import neighbours
 from design.spec.object import ObjectSpec
+from estimator.field.sources import magnet_source
 from estimator.layouts.batch import Layouts, magnet_axes
+from estimator.layouts.near_field import OTHER, OWN
 from estimator.layouts.vectors import LayoutSpace
 
 SLACK_MM = 0.02
@@ -32,11 +34,17 @@ RULES = (
     "boards near the edge",
     "board beside the wire hole",
     "wiring",
+    "chip near a magnet",
 )
 
 
-def broken_limits_mm(space: LayoutSpace, layouts: Layouts) -> Float[Tensor, "layout rule"]:
-    """By how much each of `RULES` is broken, mm summed over the parts; 0 where it is kept."""
+def broken_limits_mm(
+    space: LayoutSpace, layouts: Layouts, faces: tuple[int, ...]
+) -> Float[Tensor, "layout rule"]:
+    """By how much each of `RULES` is broken, mm summed over the parts; 0 where it is kept.
+
+    `faces` are those whose sensors these are; magnets have one layout on all.
+    """
     spec = space.structured
     limits, wall = spec.search.limits, spec.printer.wall_mm
     pockets = _pockets(spec, layouts)
@@ -56,6 +64,7 @@ def broken_limits_mm(space: LayoutSpace, layouts: Layouts) -> Float[Tensor, "lay
             nothing if boards is None else _boards_past_edges(spec, boards),
             nothing if boards is None else _boards_beside_hole(spec, boards),
             torch.relu(wire - longest),
+            _chips_near_magnets(spec, layouts, faces),
         ],
         dim=1,
     )
@@ -181,6 +190,33 @@ def _gap_of_prisms(one: _Prisms, other: _Prisms, radius: float) -> Float[Tensor,
         )
         gaps.append(apart - radius * reach)
     return torch.stack(gaps).amax(dim=0)
+
+
+def _chips_near_magnets(
+    spec: ObjectSpec, layouts: Layouts, faces: tuple[int, ...]
+) -> Float[Tensor, "layout"]:
+    """Distance missing between chips and magnets for the series of the field, on the worst of the faces."""
+    magnet, place = magnet_source(spec.magnets), layouts.sensor_mm
+    below = torch.full_like(place[..., :1], -spec.sensors.depth_below_core_face_mm)
+    chip = torch.cat([place, below], dim=-1)
+    centre = layouts.magnet_mm * torch.tensor([1.0, 1.0, -1.0], dtype=place.dtype)
+    missing = []
+    for core in (frame for frame in core_frames(spec) if frame.number in faces):
+        chips = _in_object(core, chip)[:, :, None]
+        short = torch.zeros_like(place[:, 0, 0])
+        for frame in face_frames(spec):
+            reach = OWN if frame.number == core.number else OTHER
+            apart = (chips - _in_object(frame, centre)[:, None]).square().sum(-1)
+            distance = apart.clamp(min=1e-12).sqrt()
+            lacking = torch.relu(reach.least_mm(magnet) + SLACK_MM - distance)
+            short = short + lacking.sum(dim=(1, 2))
+        missing.append(short)
+    return torch.stack(missing).amax(dim=0)
+
+
+def _in_object(frame: FaceFrame, local_mm: Float[Tensor, "*part 3"]) -> Float[Tensor, "*part 3"]:
+    turn = torch.as_tensor(frame.axes.T.copy(), dtype=local_mm.dtype)
+    return local_mm @ turn + torch.as_tensor(frame.centre_mm.copy(), dtype=local_mm.dtype)
 
 
 def _past_edges(spec: ObjectSpec, pockets: _Pockets) -> Float[Tensor, "layout"]:

@@ -92,8 +92,13 @@ def judge(
     for name, value in lowest.constants.items():
         scores[name] = torch.full_like(scores["worst_position_bound_mm"], value)
     alike = lowest.space.sensors is not None  # sensors that move have one layout on every face
-    checked = list(laid.values())[: 1 if alike else None]
-    broken = torch.stack([broken_limits_mm(lowest.space, one).sum(dim=1) for one in checked])
+    sensed = lowest.space.structured.body.sensed
+    checked = (
+        [(sensed, laid[next(iter(laid))])] if alike else [((f,), one) for f, one in laid.items()]
+    )
+    broken = torch.stack(
+        [broken_limits_mm(lowest.space, one, of).sum(dim=1) for of, one in checked]
+    )
     excess = _saturation(lowest.space.structured, scores["largest_resting_counts"])
     for name, most in lowest.at_most.items():
         excess = excess + torch.relu(_to_minimize(name, scores) / most - 1)

@@ -25,10 +25,9 @@ from estimator.field.sources import BlockMagnet, Magnet, magnet_source
 from estimator.information.fisher import NoiseState, disturbance_counts
 from estimator.layouts.batch import Layouts, chip_axes, magnet_axes
 from estimator.layouts.bounds import bounds, percentile
+from estimator.layouts.near_field import OTHER, OWN, Reach
 from estimator.layouts.press_basis import PressBasis, mixed_rows
 
-OWN_ORDER = 7
-OTHER_ORDER = 3
 _CHUNK = 512
 _FORCE_VARIANCE = 1 / 8
 """Of a raised-cosine press from 0 to its peak, over the peak squared."""
@@ -276,9 +275,10 @@ def _field_changes(
         place = place + sensor_shift_mm
     sensor = place.permute(2, 0, 1)[..., None]
 
-    def change(centres: Tensor, axes: Tensor, polarity: Tensor, order: int) -> FieldChange:
+    def change(centres: Tensor, axes: Tensor, polarity: Tensor, reach: Reach) -> FieldChange:
         offset, axes = torch.broadcast_tensors(sensor - centres[:, :, None], axes[:, :, None])
-        found = field_change(offset, axes, scorer.magnet, order)
+        offset = reach.kept_off(offset, scorer.magnet)
+        found = field_change(offset, axes, scorer.magnet, reach.order)
         return FieldChange(found.field * polarity, found.by_motion * polarity)
 
     turned = torch.einsum("gij,jbm->ibmg", presses.turn, centre)
@@ -287,8 +287,8 @@ def _field_changes(
     polarity = layouts.polarity[:, None, :]
     of_others = polarity.repeat_interleave(len(presses.turn), dim=2)
     return (
-        change(centre, axis, polarity, OWN_ORDER),
-        change(centres.flatten(2), axes.flatten(2), of_others, OTHER_ORDER),
+        change(centre, axis, polarity, OWN),
+        change(centres.flatten(2), axes.flatten(2), of_others, OTHER),
     )
 
 

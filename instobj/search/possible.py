@@ -192,9 +192,8 @@ def _nearest(
     poles = torch.ones(len(units), len(tensors.magnets.constant))
 
     def broken(point: Tensor) -> Tensor:
-        return broken_limits_mm(
-            tensors, layouts_at(tensors, point, poles, structured.body.sensed[0])
-        )
+        face = structured.body.sensed[0]
+        return broken_limits_mm(tensors, layouts_at(tensors, point, poles, face), (face,))
 
     point = torch.as_tensor(units[:, flags], dtype=torch.float32)
     rules = broken(point)
