@@ -17,8 +17,8 @@ import numpy as np
 from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
-from estimator.bringup.asked import further_holds, magnet_names
-from estimator.bringup.findings import channel_name
+from estimator.bringup.asking.asked import further_holds, magnet_names
+from estimator.bringup.diagnosis.findings import channel_name
 from estimator.bringup.simulated import SimulatedObject, brought_up, parse_fault, simulated_object
 from estimator.bringup.verdict import Verdict, judge
 from estimator.tolerances.selftest import sensor_names

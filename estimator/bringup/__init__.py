@@ -1,1 +1,1 @@
-"""What the chips, magnets and levels of a newly soldered object are, from its own readings."""
+"""A newly soldered object brought up: what its recordings tell together, and which to ask for next."""

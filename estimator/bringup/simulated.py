@@ -15,11 +15,18 @@ from scipy.spatial.transform import Rotation
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec
-from estimator.bringup.asked import POSES, STILL_AGAIN, Asked, Recording, asked_of, magnet_names
-from estimator.bringup.earth import in_object
-from estimator.bringup.findings import channel_name
-from estimator.bringup.held_magnet import held_magnet
-from estimator.bringup.hold_places import OVER_MM
+from estimator.bringup.asking.asked import (
+    POSES,
+    STILL_AGAIN,
+    Asked,
+    Recording,
+    asked_of,
+    magnet_names,
+)
+from estimator.bringup.asking.held_magnet import held_magnet
+from estimator.bringup.asking.hold_places import OVER_MM
+from estimator.bringup.diagnosis.earth import in_object
+from estimator.bringup.diagnosis.findings import channel_name
 from estimator.bringup.next_hold import next_hold
 from estimator.field.models import FieldModel, field_model
 from estimator.field.sources import magnet_source

@@ -11,10 +11,17 @@ from design.layout.body import face_frames
 from design.layout.places.positions import sensor_layout
 from design.layout.pockets import magnet_places, sensor_places
 from design.spec.object import ObjectSpec
-from estimator.bringup.asked import STEPS, Asked, Recordings, asked_of, further_holds, magnet_names
-from estimator.bringup.earth import EarthFound
-from estimator.bringup.findings import ChipFound, Finding
-from estimator.bringup.health import Health, health_of
+from estimator.bringup.asking.asked import (
+    STEPS,
+    Asked,
+    Recordings,
+    asked_of,
+    further_holds,
+    magnet_names,
+)
+from estimator.bringup.diagnosis.earth import EarthFound
+from estimator.bringup.diagnosis.findings import ChipFound, Finding
+from estimator.bringup.diagnosis.health import Health, health_of
 from estimator.bringup.verdict import Verdict
 from estimator.tolerances.selftest import sensor_names
 from instobj.report.pages import render

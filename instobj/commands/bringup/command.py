@@ -16,9 +16,9 @@ from design.spec.assembly import AsBuiltSpec
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
 from estimator.boards.link import BAUD, serial_chunks
-from estimator.bringup.asked import STEPS, Asked, asked_of, further_holds
-from estimator.bringup.chip_findings import GAIN_TO_TELL, wide_gains
-from estimator.bringup.findings import Finding
+from estimator.bringup.asking.asked import STEPS, Asked, asked_of, further_holds
+from estimator.bringup.diagnosis.chip_findings import GAIN_TO_TELL, wide_gains
+from estimator.bringup.diagnosis.findings import Finding
 from estimator.bringup.simulated import parse_fault, simulated_object
 from estimator.bringup.verdict import Verdict, judge
 from instobj.commands.bringup.as_built import found_as_built, write_as_built

@@ -10,7 +10,7 @@ from itertools import chain
 import numpy as np
 
 from design.spec.object import ObjectSpec
-from estimator.bringup.asked import (
+from estimator.bringup.asking.asked import (
     MOST_FURTHER,
     STEPS,
     STILL_AGAIN,
@@ -19,8 +19,13 @@ from estimator.bringup.asked import (
     asked_of,
     further_holds,
 )
-from estimator.bringup.findings import ChipFound, Finding
-from estimator.bringup.poles import PocketFields, find_magnet, magnet_findings, pocket_fields
+from estimator.bringup.diagnosis.findings import ChipFound, Finding
+from estimator.bringup.diagnosis.poles import (
+    PocketFields,
+    find_magnet,
+    magnet_findings,
+    pocket_fields,
+)
 from estimator.bringup.verdict import as_drawn, magnet_before, which_is_which
 from estimator.signals.hall import full_scale_counts
 from instobj.commands.bringup.journal import Journal

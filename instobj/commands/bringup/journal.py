@@ -20,8 +20,8 @@ from design.errors import InputError, StoreError
 from design.files import require_regular_file
 from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
-from estimator.bringup.asked import Recording, asked_of, further_holds
-from estimator.bringup.findings import channel_name
+from estimator.bringup.asking.asked import Recording, asked_of, further_holds
+from estimator.bringup.diagnosis.findings import channel_name
 from estimator.recordings.formats.generic import cell_text
 from estimator.tolerances.selftest import sensor_names
 

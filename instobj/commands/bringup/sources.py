@@ -13,7 +13,7 @@ from design.errors import InputError
 from design.spec.object import ObjectSpec
 from estimator.boards.lines import Frame, Header, LineDecoder, Message, Status
 from estimator.boards.link import board_messages
-from estimator.bringup.asked import Asked, Recording, further_holds
+from estimator.bringup.asking.asked import Asked, Recording, further_holds
 from estimator.bringup.next_hold import next_hold
 from estimator.bringup.simulated import SimulatedObject
 from estimator.signals.hall import LARGEST_COUNT

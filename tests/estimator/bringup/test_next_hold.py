@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from design.layout.body import core_frames
-from estimator.bringup.asked import MOST_FURTHER, STILL_AGAIN, asked_of, further_holds
-from estimator.bringup.chip_findings import wide_gains, widest_gain_sd
-from estimator.bringup.hold_places import BETWEEN_MM, hold_places
+from estimator.bringup.asking.asked import MOST_FURTHER, STILL_AGAIN, asked_of, further_holds
+from estimator.bringup.asking.hold_places import BETWEEN_MM, hold_places
+from estimator.bringup.diagnosis.chip_findings import wide_gains, widest_gain_sd
 from estimator.bringup.next_hold import next_hold
 from estimator.bringup.simulated import simulated_object
 from estimator.bringup.verdict import which_is_which

@@ -3,7 +3,7 @@
 import pytest
 
 from design.spec.object import ObjectSpec
-from estimator.bringup.asked import asked_of
+from estimator.bringup.asking.asked import asked_of
 from estimator.bringup.simulated import brought_up, parse_fault, simulated_object
 from estimator.bringup.verdict import judge
 from tests.support.new_objects import BOX, SMALL

@@ -11,7 +11,7 @@ from design.errors import InputError
 from design.layout.places.positions import live_channels, magnet_layout, sensor_layout
 from design.spec_io import load_spec
 from estimator.boards.link import serial_chunks
-from estimator.bringup.asked import asked_of, further_holds
+from estimator.bringup.asking.asked import asked_of, further_holds
 from estimator.bringup.simulated import simulated_object
 from estimator.bringup.verdict import judge
 from instobj.commands.bringup.dialogue import left_of, through

@@ -9,8 +9,8 @@ from jaxtyping import Float, Int
 
 from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
-from estimator.bringup.earth import EARTH_UT, EarthFound
-from estimator.bringup.findings import HALF_95, ChipFound, Finding, channel_name
+from estimator.bringup.diagnosis.earth import EARTH_UT, EarthFound
+from estimator.bringup.diagnosis.findings import HALF_95, ChipFound, Finding, channel_name
 from estimator.tolerances.selftest import sensor_names
 
 TURNED, GAIN, OFFSET = 6.0, 4.2, 5.0

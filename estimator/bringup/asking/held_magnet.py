@@ -14,7 +14,7 @@ from jaxtyping import Float
 
 from design.layout.places.positions import SensorLayout, sensor_layout
 from design.spec.object import ObjectSpec
-from estimator.bringup.hold_places import hold_places
+from estimator.bringup.asking.hold_places import hold_places
 from estimator.field.models import FieldModel, field_model
 from estimator.field.sources import magnet_source
 from estimator.field.vectors import components, rotate

@@ -14,8 +14,8 @@ from jaxtyping import Float
 
 from design.layout.places.positions import magnet_layout, sensor_layout
 from design.spec.object import ObjectSpec
-from estimator.bringup.asked import magnet_names
-from estimator.bringup.findings import ChipFound, Finding
+from estimator.bringup.asking.asked import magnet_names
+from estimator.bringup.diagnosis.findings import ChipFound, Finding
 from estimator.field.models import field_model
 from estimator.field.sources import magnet_source
 from estimator.field.vectors import components

@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from estimator.bringup.asked import Recording
-from estimator.bringup.findings import ChipFound
-from estimator.bringup.health import health_findings, health_of
-from estimator.bringup.levenberg_marquardt import many_most_probable
-from estimator.bringup.poles import find_magnet, magnet_findings, pocket_fields
+from estimator.bringup.asking.asked import Recording
+from estimator.bringup.diagnosis.findings import ChipFound
+from estimator.bringup.diagnosis.health import health_findings, health_of
+from estimator.bringup.diagnosis.levenberg_marquardt import many_most_probable
+from estimator.bringup.diagnosis.poles import find_magnet, magnet_findings, pocket_fields
 from tests.support.new_objects import SMALL
 
 CHIPS = tuple(ChipFound(site, np.eye(3)) for site in range(10))

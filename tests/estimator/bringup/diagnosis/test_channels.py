@@ -6,9 +6,9 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from design.layout.places.positions import sensor_layout
-from estimator.bringup.channels import find_chips, held_readings, signed_permutations
-from estimator.bringup.chip_fit import _orthogonal, chips_found
-from estimator.bringup.held_magnet import held_magnet
+from estimator.bringup.asking.held_magnet import held_magnet
+from estimator.bringup.diagnosis.channels import find_chips, held_readings, signed_permutations
+from estimator.bringup.diagnosis.chip_fit import _orthogonal, chips_found
 from estimator.field.sources import magnet_source
 from tests.support.new_objects import SMALL
 

@@ -8,7 +8,7 @@ import numpy as np
 from jaxtyping import Float
 
 from design.spec.object import ObjectSpec
-from estimator.bringup.findings import ChipFound, Finding
+from estimator.bringup.diagnosis.findings import ChipFound, Finding
 from estimator.tolerances.selftest import POOR_FIT, FaultKind, Hypothesis, rank, rest_model
 
 

@@ -10,8 +10,8 @@ from jaxtyping import Float
 
 from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
-from estimator.bringup.asked import Recording
-from estimator.bringup.findings import Finding, channel_name
+from estimator.bringup.asking.asked import Recording
+from estimator.bringup.diagnosis.findings import Finding, channel_name
 from estimator.tolerances.selftest import sensor_names
 
 NOISY = 2.0

@@ -5,9 +5,9 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from design.layout.places.positions import sensor_layout
-from estimator.bringup.asked import POSES
-from estimator.bringup.earth import from_earth, in_object
-from estimator.bringup.findings import ChipFound
+from estimator.bringup.asking.asked import POSES
+from estimator.bringup.diagnosis.earth import from_earth, in_object
+from estimator.bringup.diagnosis.findings import ChipFound
 from tests.support.new_objects import SMALL
 
 FRAMES = 210
