@@ -17,7 +17,7 @@ from design.errors import SpecError
 from design.files import require_regular_file
 from design.fit.everything import require_fit
 from design.layout.places.fractions import with_places_in_mm
-from design.spec.base import explained
+from design.spec.base import explained, problems_of
 from design.spec.body import BodySpec
 from design.spec.object import ObjectSpec
 from design.spec.renamed import RENAMED, name_now, under_names_now
@@ -95,7 +95,7 @@ def parse_spec(content: dict[str, Any], source: str, table: bool = True) -> Obje
     try:
         return check(ObjectSpec.model_validate(with_places_in_mm(content)), table)
     except ValidationError as error:
-        problems = [_explain(problem) for problem in error.errors()]
+        problems = [_explain(problem) for problem in problems_of(error)]
     except SpecError as error:
         problems = str(error).split("\n")
     listed = "\n".join(f"  - {problem}" for problem in problems)

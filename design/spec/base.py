@@ -42,7 +42,7 @@ class SpecPart(BaseModel):
             # not dict(self), which calls a field named `keys`
             validated = self.model_validate(self.__dict__ | fields)
         except ValidationError as error:
-            raise SpecError("\n".join(map(explained, error.errors()))) from None
+            raise SpecError("\n".join(map(explained, problems_of(error)))) from None
         return super().model_copy(update={name: getattr(validated, name) for name in fields})
 
     def model_copy(
@@ -52,6 +52,13 @@ class SpecPart(BaseModel):
         if update:
             return self.changed(**update)
         return super().model_copy(deep=deep)  # pyright: ignore[reportReturnType]
+
+
+def problems_of(error: ValidationError) -> list[Any]:
+    """pydantic's errors, without those of a list that is too short because its entries are wrong."""
+    every = error.errors()
+    within = {problem["loc"][:length] for problem in every for length in range(len(problem["loc"]))}
+    return [problem for problem in every if problem["loc"] not in within]
 
 
 def explained(problem: Any) -> str:

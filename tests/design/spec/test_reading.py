@@ -7,7 +7,7 @@ import warnings
 import pytest
 from pydantic import ValidationError
 
-from design.errors import InputError
+from design.errors import InputError, SpecError
 from design.spec.learning import TrainingSpec
 from design.spec.object import MeshSpec, ScoreSpec
 from design.spec_io import load_spec, parse_spec, spec_hash, with_overrides
@@ -149,3 +149,11 @@ def test_an_override_under_an_older_name_warns_once():
     with pytest.warns(FutureWarning, match=r"training\.coverage") as warned:
         spec = parse_spec(with_overrides({"name": "x"}, ["training.interval_cover=0.7"]), "test")
     assert (len(warned), spec.training.coverage) == (1, 0.7)
+
+
+def test_a_list_with_a_wrong_entry_is_told_once():
+    content = {"name": "cube", "search": {"objectives": ["nope"]}}
+    with pytest.raises(SpecError) as told:
+        parse_spec(content, "made up")
+    assert str(told.value).count("nope") == 1
+    assert "at least 1 item" not in str(told.value)
