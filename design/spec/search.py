@@ -124,10 +124,11 @@ class SearchSpec(SpecPart):
     """A layout search: what may change, limits, objectives, engine and budget.
 
     With several objectives the result is a Pareto front; the first names the layouts that the next
-    levels get. Every trial's continuous variables are improved by `polish_steps` steps down the
-    gradient. `seconds` are those of a whole call, mechanics and all fidelity levels: trials end at
-    `trials` or after 40 % of the time, whichever is first. A trial beyond `trial_seconds` is given
-    up. `leaders` go to the second fidelity level (rigid magnets), `finalists` to the last.
+    levels get. Every trial's continuous variables are improved by `polish_steps` generations of
+    CMA-ES, about a hundred scorings each. `seconds` are those of a whole call, mechanics and all
+    fidelity levels: trials end at `trials` or after 40 % of the time, whichever is first. A trial
+    beyond `trial_seconds` is given up. `leaders` go to the second fidelity level (rigid magnets),
+    `finalists` to the last.
     `compliance_mm_per_n` is indentation depth over force at `score.force_n` that
     `compliance_deviation` is taken from, by area (later ones over earlier ones; "edge" without
     corners); none: even.
@@ -138,11 +139,11 @@ class SearchSpec(SpecPart):
     )
     forces_n: Annotated[tuple[Positive, ...], Field(max_length=8)] = (2.0, 5.0, 12.0)
     engine: Engine = "tpe"
-    polish_steps: Annotated[int, Field(ge=0, le=1000)] = 40
-    trials: Count = 500
+    polish_steps: Annotated[int, Field(ge=0, le=1000)] = 300
+    trials: Count = 60
     seconds: Positive = 2700.0
     trial_seconds: Positive = 900.0
-    batch: Annotated[int, Field(ge=1, le=1024)] = 32
+    batch: Annotated[int, Field(ge=1, le=1024)] = 2
     leaders: Count = 6
     finalists: Count = 2
     magnet_symmetry: Literal["free", "mirrored", "four-fold"] = "free"

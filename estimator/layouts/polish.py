@@ -1,4 +1,4 @@
-"""Lowest fidelity of a layout search: value of a batch of layouts, descent along its gradient.
+"""Lowest fidelity of a layout search: value of a batch of layouts, and better ones from these.
 
 A layout repeated on all faces is pressed on several of them; its score is that of the worst. Limits
 that a layout breaks make it worth less, smoothly, so that every engine is led back inside.
@@ -6,10 +6,13 @@ that a layout breaks make it worth less, smoothly, so that every engine is led b
 
 from __future__ import annotations
 
+import zlib
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
+import numpy as np
 import torch
+from cmaes import CMA
 from jaxtyping import Bool, Float, Int
 from torch import Tensor
 
@@ -27,8 +30,8 @@ _MM_PER_EXCESS = 10.0
 _LEARNING_RATE = 0.03
 """Of the unit cube: 1 mm in a range of 30."""
 
-_ROUNDS, _GO_ON = 3, 0.25
-"""Of a walk, and the share of layouts that a round leaves to the next."""
+_SPREAD = 0.3
+"""Standard deviation of a run's first generation, of the unit cube."""
 
 Judge = Callable[[Float[Tensor, "layout variable"], Int[Tensor, "layout"]], "Judged"]
 """Judges points that belong to these layouts of a batch."""
@@ -116,28 +119,67 @@ def _to_minimize(name: str, scores: dict[str, Tensor]) -> Float[Tensor, "layout"
 def polish(
     judge_at: Judge,
     unit: Float[Tensor, "layout variable"],
-    steps: int,
+    generations: int,
     weights: Float[Tensor, "layout objective"],
 ) -> Float[Tensor, "layout variable"]:
-    """Walk down the weighted logarithms of the objectives, limits included.
+    """Better points by the weighted logarithms of the objectives, each by a CMA-ES of its own.
 
-    In rounds that take as many scorings each: the best quarter goes on, four times as far and at
-    half the rate (successive halving: Jamieson and Talwalkar, AISTATS 2016). Several objectives
-    cannot be compared between weights: then all walk `steps`.
+    A run begins round its point, with `population` layouts a generation. The penalty for broken
+    limits grows from a thousandth to all of it, so that early generations cross what later ones may
+    not. No point ends worth less than it began. Repeatable: a run's seed comes from its point.
     """
-    walked, going = unit.clone(), torch.arange(len(unit))
+    rows = torch.arange(len(unit))
+    ends = [_evolved(judge_at, unit[row], row, generations, weights[row]) for row in rows]
+    return torch.stack(ends) if ends else unit
 
-    def loss(point: Tensor) -> Float[Tensor, "layout"]:
-        return (weights[going] * judge_at(point, going).penalized.log()).sum(dim=1)
 
-    rounds = _ROUNDS if weights.shape[1] == 1 else 1
-    for number in range(rounds):
-        far = steps * len(unit) // (rounds * len(going))
-        walked[going] = descend(loss, walked[going], far, _LEARNING_RATE / 2**number)
+def population(variables: int) -> int:
+    """Layouts of a generation: eight times CMA-ES's default (Hansen, arXiv:1604.00772), as limits
+    leave many local optima."""
+    return 8 * (4 + int(3 * np.log(max(variables, 2))))
+
+
+def _evolved(
+    judge_at: Judge,
+    begin: Float[Tensor, "variable"],
+    row: Int[Tensor, ""],
+    generations: int,
+    weights: Float[Tensor, "objective"],
+) -> Float[Tensor, "variable"]:
+    def worth(points: Tensor) -> tuple[Float[np.ndarray, "layout"], Float[np.ndarray, "layout"]]:
+        """Logarithm without the penalty, and what the penalty grows with."""
         with torch.no_grad():
-            best = loss(walked[going]).argsort()
-        going = going[best[: max(1, int(_GO_ON * len(going)))]]
-    return walked
+            judged = judge_at(points, row.expand(len(points)))
+        value = (judged.objectives.log() @ weights).double().numpy()
+        return value, PENALTY_PER_MM * judged.broken_mm.double().numpy()
+
+    whole = float(weights.sum())
+    count = max(len(begin), 2)  # the package takes no single variable
+    mean = np.full(count, 0.5)
+    mean[: len(begin)] = begin.numpy()
+    seed = zlib.crc32(begin.numpy().tobytes())
+    bounds = np.repeat([[0.0, 1.0]], count, axis=0)
+    search = CMA(mean, _SPREAD, bounds=bounds, seed=seed, population_size=population(count))
+    value, penalty = worth(begin[None])
+    best, least = begin, float(value[0] + whole * np.log1p(penalty[0]))
+    for generation in range(generations):
+        if search.should_stop():
+            break
+        asked = [search.ask() for _ in range(search.population_size)]
+        points = torch.as_tensor(np.array(asked)[:, : len(begin)], dtype=begin.dtype)
+        value, penalty = worth(points)
+        now = value + whole * np.log1p(_share_of_penalty(generation / generations) * penalty)
+        search.tell(list(zip(asked, now.tolist(), strict=True)))
+        finally_worth = value + whole * np.log1p(penalty)
+        leader = int(finally_worth.argmin())
+        if finally_worth[leader] < least:
+            best, least = points[leader], float(finally_worth[leader])
+    return best
+
+
+def _share_of_penalty(progress: float) -> float:
+    """A thousandth at first, all for the last fifth."""
+    return 10 ** (-3 * max(0.0, 1 - progress / 0.8))
 
 
 def descend(

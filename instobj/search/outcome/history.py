@@ -12,7 +12,7 @@ from jaxtyping import Bool, Float
 from design.search.places import polarities
 from design.search.space import SearchSpace, params_at, structure_of
 from design.spec.search import OBJECTIVES_TO_MAXIMIZE
-from estimator.layouts.polish import LowestFidelity, judge
+from estimator.layouts.polish import LowestFidelity, judge, population
 from instobj.search.loop import is_feasible
 from instobj.search.lowest_fidelity import StartScores, start_scores, structure_fidelity
 from instobj.search.study import KeptStudy
@@ -48,7 +48,8 @@ def search_history(space: SearchSpace, kept: KeptStudy) -> History:
     """Collect the trials, and score as many random layouts as the search did (8192 at most)."""
     names, finished = space.spec.search.objectives, kept.finished()
     start = start_scores(space.spec)
-    scorings = space.spec.search.polish_steps + 1
+    free = sum(not v.choices for v in space.variables)
+    scorings = space.spec.search.polish_steps * population(free) + 1
     found, at = _random_search(space, start, min(scorings * len(finished), _MOST_RANDOM))
     return History(
         names,
