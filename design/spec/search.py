@@ -143,7 +143,7 @@ class SearchSpec(SpecPart):
     trials: Count = 60
     seconds: Positive = 2700.0
     trial_seconds: Positive = 900.0
-    batch: Annotated[int, Field(ge=1, le=1024)] = 2
+    batch: Annotated[int, Field(ge=1, le=1024)] = 1
     leaders: Count = 6
     finalists: Count = 2
     magnet_symmetry: Literal["free", "mirrored", "four-fold"] = "free"

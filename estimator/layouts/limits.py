@@ -39,11 +39,11 @@ RULES = (
 
 
 def broken_limits_mm(
-    space: LayoutSpace, layouts: Layouts, faces: tuple[int, ...]
+    space: LayoutSpace, layouts: Layouts, face: int
 ) -> Float[Tensor, "layout rule"]:
     """By how much each of `RULES` is broken, mm summed over the parts; 0 where it is kept.
 
-    `faces` are those whose sensors these are; magnets have one layout on all.
+    The layouts are those of one face; magnets, and sensors that move, lie alike on all.
     """
     spec = space.structured
     limits, wall = spec.search.limits, spec.printer.wall_mm
@@ -64,7 +64,7 @@ def broken_limits_mm(
             nothing if boards is None else _boards_past_edges(spec, boards),
             nothing if boards is None else _boards_beside_hole(spec, boards),
             torch.relu(wire - longest),
-            _chips_near_magnets(spec, layouts, faces),
+            _chips_near_magnets(spec, layouts, spec.body.sensed if space.sensors else (face,)),
         ],
         dim=1,
     )
@@ -313,7 +313,7 @@ def _recesses(
     centres, axes = [], []
     for frame in core_frames(spec):
         turn = torch.as_tensor(frame.axes.T.copy(), dtype=radial.dtype)
-        centres.append(local @ turn + torch.tensor(frame.centre_mm, dtype=radial.dtype))
+        centres.append(_in_object(frame, local))
         axes.append(box @ turn)
     return torch.cat(centres, dim=1), torch.cat(axes, dim=1)
 

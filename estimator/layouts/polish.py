@@ -95,12 +95,9 @@ def judge(
     for name, value in lowest.constants.items():
         scores[name] = torch.full_like(scores["worst_position_bound_mm"], value)
     alike = lowest.space.sensors is not None  # sensors that move have one layout on every face
-    sensed = lowest.space.structured.body.sensed
-    checked = (
-        [(sensed, laid[next(iter(laid))])] if alike else [((f,), one) for f, one in laid.items()]
-    )
+    checked = list(laid.items())[: 1 if alike else None]
     broken = torch.stack(
-        [broken_limits_mm(lowest.space, one, of).sum(dim=1) for of, one in checked]
+        [broken_limits_mm(lowest.space, one, face).sum(dim=1) for face, one in checked]
     )
     excess = _saturation(lowest.space.structured, scores["largest_resting_counts"])
     for name, most in lowest.at_most.items():
@@ -126,7 +123,8 @@ def polish(
 
     A run begins round its point, with `population` layouts a generation. The penalty for broken
     limits grows from a thousandth to all of it, so that early generations cross what later ones may
-    not. No point ends worth less than it began. Repeatable: a run's seed comes from its point.
+    not. No point ends worth less than it began, and none without a value is taken. Repeatable: a run's
+    seed comes from its point.
     """
     rows = torch.arange(len(unit))
     ends = [_evolved(judge_at, unit[row], row, generations, weights[row]) for row in rows]
@@ -150,7 +148,7 @@ def _evolved(
         """Logarithm without the penalty, and what the penalty grows with."""
         with torch.no_grad():
             judged = judge_at(points, row.expand(len(points)))
-        value = (judged.objectives.log() @ weights).double().numpy()
+        value = (judged.objectives.log() @ weights).double().nan_to_num(torch.inf).numpy()
         return value, PENALTY_PER_MM * judged.broken_mm.double().numpy()
 
     whole = float(weights.sum())

@@ -7,6 +7,7 @@ Runs in a separate process. The mechanics of every shell comes from the store (s
 from __future__ import annotations
 
 import json
+import time
 import zlib
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -29,7 +30,7 @@ from design.search.space import (
 )
 from design.search.structure import with_structure
 from design.spec.object import ObjectSpec
-from design.spec.search import OBJECTIVES_TO_MAXIMIZE
+from design.spec.search import OBJECTIVES_TO_MAXIMIZE, SearchSpec
 from design.spec_io import parse_spec
 from estimator.layouts.batch import layouts_of
 from estimator.layouts.batch_scores import (
@@ -40,7 +41,7 @@ from estimator.layouts.batch_scores import (
     position_bounds,
     unevenness,
 )
-from estimator.layouts.polish import Judged, LowestFidelity, judge, polish
+from estimator.layouts.polish import Judged, LowestFidelity, judge, polish, population
 from estimator.layouts.press_basis import press_basis
 from estimator.layouts.scoring import LayoutScorer, layout_scorer
 from estimator.layouts.vectors import layout_space
@@ -74,9 +75,49 @@ def lowest_fidelity(spec_json: str) -> Evaluate:
         structure = structure_of(space, trials[0])
         if structure not in by_structure:
             by_structure[structure] = structure_fidelity(space, trials[0], start)
+            if space.spec.search.polish_steps:
+                generation_s = seconds_per_generation(space, by_structure[structure], trials[0])
+                require_in_time(space.spec.search, generation_s, len(trials))
         return score_trials(space, by_structure[structure], trials)
 
     return evaluate
+
+
+def seconds_per_generation(
+    space: SearchSpace, lowest: LowestFidelity, params: dict[str, Any]
+) -> float:
+    """How long a generation of one layout's CMA-ES takes here, the faster of two; 0 for choices alone."""
+    free = sum(not v.choices for v in space.variables)
+    if not free:
+        return 0.0
+    size, taken = population(free), []
+    units = torch.rand(size, free, generator=torch.Generator().manual_seed(0))
+    poles = torch.tensor(polarities(lowest.space.structured, params)).expand(size, -1)
+    for _ in range(2):
+        began = time.monotonic()
+        with torch.no_grad():
+            judge(lowest, units, poles, space.spec.search.objectives)
+        taken.append(time.monotonic() - began)
+    return min(taken)
+
+
+def require_in_time(search: SearchSpec, generation_s: float, layouts: int) -> None:
+    """Layouts that are improved together fit into `search.trial_seconds`.
+
+    Raises
+    ------
+    InputError
+        They would take longer.
+    """
+    needed = generation_s * search.polish_steps * layouts
+    if needed > search.trial_seconds:
+        fits = int(search.trial_seconds / (generation_s * layouts))
+        raise InputError(
+            f"search.polish_steps = {search.polish_steps} generations for each of search.batch = "
+            f"{layouts} layouts would take {needed:.0f} s, longer than search.trial_seconds = "
+            f"{search.trial_seconds:g}. Set search.polish_steps to {fits} or less, or "
+            f"search.trial_seconds to {1.2 * needed:.0f}"
+        )
 
 
 def structure_fidelity(

@@ -193,7 +193,7 @@ def _nearest(
 
     def broken(point: Tensor) -> Tensor:
         face = structured.body.sensed[0]
-        return broken_limits_mm(tensors, layouts_at(tensors, point, poles, face), (face,))
+        return broken_limits_mm(tensors, layouts_at(tensors, point, poles, face), face)
 
     point = torch.as_tensor(units[:, flags], dtype=torch.float32)
     rules = broken(point)

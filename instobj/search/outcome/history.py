@@ -32,7 +32,7 @@ class History:
     feasible : whether a trial keeps every limit
     start : the same scores of the specification as it was
     random : of feasible layouts of a random search, after `random_scorings` (one a row)
-    scorings_per_trial : layouts scored for each trial
+    scorings_per_trial : layouts scored for each trial, at most: a run that has converged ends
     """
 
     names: tuple[str, ...]
@@ -49,7 +49,7 @@ def search_history(space: SearchSpace, kept: KeptStudy) -> History:
     names, finished = space.spec.search.objectives, kept.finished()
     start = start_scores(space.spec)
     free = sum(not v.choices for v in space.variables)
-    scorings = space.spec.search.polish_steps * population(free) + 1
+    scorings = 1 + (space.spec.search.polish_steps * population(free) if free else 0)
     found, at = _random_search(space, start, min(scorings * len(finished), _MOST_RANDOM))
     return History(
         names,

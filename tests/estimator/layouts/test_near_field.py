@@ -94,7 +94,7 @@ def test_nearer_chips_break_a_limit_and_see_the_field_at_the_least_distance():
     _, space, _, poles, units = batch(seed=3, wall_mm=0.4)
     laid = layouts_at(space, units, poles, 1)
     spec = space.structured
-    told = broken_limits_mm(space, laid, (1,))[:, RULES.index("chip near a magnet")]
+    told = broken_limits_mm(space, laid, 1)[:, RULES.index("chip near a magnet")]
     magnet = magnet_source(spec.magnets)
     depth = spec.shell.thickness_mm + spec.sensors.depth_below_core_face_mm
     for row, missing in enumerate(told):

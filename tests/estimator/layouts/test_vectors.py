@@ -81,7 +81,7 @@ def verdicts(seed):
     variables = search_space(spec).continuous
 
     def broken(point):
-        return broken_limits_mm(space, layouts_at(space, point, poles, 1), (1,))
+        return broken_limits_mm(space, layouts_at(space, point, poles, 1), 1)
 
     for steps in (8, 120):
         point = descend(lambda u: broken(u).sum(dim=1), units, steps)
@@ -114,7 +114,7 @@ def test_limits_agree_with_the_specifications_check():
 
 def test_walls_between_recesses_are_those_of_the_core(monkeypatch):
     spec, space, params, poles, units = batch(5, 60, sensors="ring", wall_mm=0.1, board_gap_mm=0.0)
-    missing = broken_limits_mm(space, layouts_at(space, units, poles, 1), (1,))[
+    missing = broken_limits_mm(space, layouts_at(space, units, poles, 1), 1)[
         :, RULES.index("board gap")
     ]
     walls = np.array([smallest_recess_wall_mm(unchecked(spec, one, monkeypatch)) for one in params])
@@ -130,7 +130,7 @@ def test_gradients_of_limits_are_those_of_differences(rule):
     _, space, _, poles, units = batch(7, 40, wiring_mm=18.0)
 
     def broken(point):
-        return broken_limits_mm(space, layouts_at(space, point, poles, 1), (1,))[:, rule]
+        return broken_limits_mm(space, layouts_at(space, point, poles, 1), 1)[:, rule]
 
     point = units.clone().requires_grad_()
     (slope,) = torch.autograd.grad(broken(point).sum(), point)
@@ -152,7 +152,7 @@ FABRICATION = {
 def test_limits_of_fabrication_have_its_figures(monkeypatch):
     """What fails breaks the limit of that name, and nothing is refused that is clear of it."""
     spec, space, params, poles, units = batch(11, 30, pocket_gap_mm=0.0)
-    broken = broken_limits_mm(space, layouts_at(space, units, poles, 1), (1,))
+    broken = broken_limits_mm(space, layouts_at(space, units, poles, 1), 1)
     seen = dict.fromkeys((*FABRICATION, "seal"), 0)
     for row, one in enumerate(params):
         found = {f.check: f for f in layout_findings(unchecked(spec, one, monkeypatch))}
