@@ -32,6 +32,7 @@ from instobj.store.record import (
     verify_by_hash,
     write_record,
 )
+from instobj.store.shared import SharedStore, shared_store
 
 Say = Callable[[str], None]
 SET_ASIDE = ".damaged-"
@@ -84,8 +85,8 @@ def stored(
     StoreError
         The store cannot be written, or a file in it cannot be read for lack of permission.
     """
-    key = stage_key(stage, inputs)
-    found = _found(root, stage, key, say)
+    key, shared = stage_key(stage, inputs), shared_store()
+    found = find(root, stage, key, say)
     if found is not None:
         return found
     with _temporary_folder(root, stage, key) as temporary:
@@ -94,7 +95,46 @@ def stored(
         seconds = time.perf_counter() - started
         content = write_record(temporary, stage, key, seconds, inputs)
         made = StoredResult(stage, key, _folder(root, stage, key), False, seconds, content)
-        return _moved_into_place(temporary, made, root, say)
+        result = _moved_into_place(temporary, made, root, say)
+    if shared is not None:
+        shared.send(stage, key, result.folder)
+    return result
+
+
+def find(root: Path, stage: str, key: str, say: Say = _say) -> StoredResult | None:
+    """The result of a key: in this machine's store, or fetched from the shared one; None elsewhere.
+
+    What the shared store lacks is sent to it.
+
+    Raises
+    ------
+    StoreError
+        As `stored`, and where the shared store does not answer.
+    """
+    found, shared = _found(root, stage, key, say), shared_store()
+    if shared is None:
+        return found
+    if found is None:
+        return _fetched(shared, root, stage, key, say)
+    shared.send(stage, key, found.folder)
+    return found
+
+
+def _fetched(
+    shared: SharedStore, root: Path, stage: str, key: str, say: Say
+) -> StoredResult | None:
+    """A result of the shared store, now also in this machine's; a damaged one counts as none."""
+    with _temporary_folder(root, stage, key) as temporary:
+        try:
+            record = shared.fetch(stage, key, temporary)
+        except DamagedResult as damage:
+            say(f"{stage}: the result in {shared.url} is damaged ({damage}) and is made again")
+            return None
+        if record is None:
+            return None
+        folder = _folder(root, stage, key)
+        found = StoredResult(stage, key, folder, True, record["seconds"], content_of(record))
+        return _moved_into_place(temporary, found, root, say)
 
 
 def _folder(root: Path, stage: str, key: str) -> Path:

@@ -42,7 +42,7 @@ def write_record(folder: Path, stage: str, key: str, seconds: float, inputs: dic
     record |= {"inputs": inputs, "files": files}
     record["digest"] = content_key(record)
     (folder / RECORD).write_text(json.dumps(record, indent=1), encoding="utf-8")
-    _flush_tree(folder)
+    flush_tree(folder)
     return content_key(files)
 
 
@@ -146,7 +146,7 @@ def _unreadable(path: Path) -> StoreError:
     )
 
 
-def _flush_tree(folder: Path) -> None:
+def flush_tree(folder: Path) -> None:
     """Have the system write the files of a folder, and their names, to the disk."""
     for path in [*folder.rglob("*"), folder]:
         flush_to_disk(path)

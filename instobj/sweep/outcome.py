@@ -13,19 +13,27 @@ from design.tables import write_table
 from instobj.commands.compare import comparison_row
 from instobj.figures.saving import save_figure
 from instobj.report.pages import render
+from instobj.store.content import find
 from instobj.store.readers import SCORES
+from instobj.store.shared import URL
 from instobj.sweep.study import Study, Variant
 
 SHOWN = ("weakest place mm", "place mm", "detect N")
 """Scores that the figure draws against every changed key."""
 
 
-def variant_row(variant: Variant, outcome: dict[str, Any]) -> dict[str, Any]:
+def variant_row(variant: Variant, outcome: dict[str, Any], root: Path) -> dict[str, Any]:
     """What was changed and what came of it: the scores of `instobj compare`, or an error."""
     row: dict[str, Any] = {"object": variant.label, **variant.changes}
     if outcome["error"] or variant.spec is None:
         return row | {"error": outcome["error"] or variant.refused}
-    return row | comparison_row(variant.spec, SCORES.read(Path(outcome["folder"])))
+    scores = find(root, SCORES.stage, outcome["key"])
+    if scores is None:
+        return row | {
+            "error": f"a worker made its scores, and they are not in {root}. Give all machines one store: "
+            f"the same folder, or {URL}"
+        }
+    return row | comparison_row(variant.spec, SCORES.read(scores.folder))
 
 
 def write_outcome(study: Study, rows: Sequence[dict[str, Any]], folder: Path) -> list[Path]:

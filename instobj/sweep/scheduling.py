@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 Say = Callable[[str], None]
 Done = dict[str, dict[str, Any]]
-"""By the task's key: the folder of its result, or the error."""
+"""By the task's key: the key of its result in the store, or the error."""
 MEMORY = "instobj_gib"
 """What workers of a sweep offer and stages ask for, as one of Dask's resources."""
 _RETRIES = 3
@@ -80,7 +80,7 @@ def _outcome(future: Any) -> dict[str, Any]:
     error = future.exception()
     if error is None:
         return future.result()
-    return {"folder": "", "error": f"{future.key}: {error}"}
+    return {"key": "", "error": f"{future.key}: {error}"}
 
 
 @contextmanager

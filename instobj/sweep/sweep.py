@@ -41,7 +41,7 @@ def sweep(path: Path, out: Path, workers: int = 1, scheduler: str | None = None)
         done = run_on_dask(tasks, root, say, workers, scheduler)
     keys = iter(last)
     rows = [
-        variant_row(variant, done[next(keys)] if variant.spec else {"error": variant.refused})
+        variant_row(variant, done[next(keys)] if variant.spec else {"error": variant.refused}, root)
         for variant in study.variants
     ]
     if all("error" in row for row in rows):

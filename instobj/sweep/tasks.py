@@ -66,11 +66,11 @@ def work(task: dict[str, Any], before: list[dict[str, Any]], root: str) -> dict[
     """
     failed = next((done["error"] for done in before if done["error"]), "")
     if failed:
-        return {"folder": "", "error": failed}
+        return {"key": "", "error": failed}
     spec, stage = ObjectSpec.model_validate(task["spec"]), task["stage"]
     quiet = ProgressLine(Console(file=io.StringIO()))
     try:
-        folder = Run(spec, quiet, Path(root)).require(stage).folder
+        key = Run(spec, quiet, Path(root)).require(stage).key
     except (InstobjError, MemoryError) as error:
-        return {"folder": "", "error": f"{STAGES[stage].title}: {error}"}
-    return {"folder": str(folder), "error": ""}
+        return {"key": "", "error": f"{STAGES[stage].title}: {error}"}
+    return {"key": key, "error": ""}

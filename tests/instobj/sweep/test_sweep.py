@@ -7,8 +7,11 @@ import pytest
 from design.errors import InputError
 from design.spec_io import load_spec
 from instobj.stages.run import Run
+from instobj.store.shared import URL
 from instobj.sweep import scheduling
-from instobj.sweep.scheduling import run_on_dask
+from instobj.sweep.outcome import variant_row
+from instobj.sweep.scheduling import run_here, run_on_dask
+from instobj.sweep.study import load_study
 from instobj.sweep.sweep import sweep
 from instobj.sweep.tasks import tasks_of
 from tests.support.objects.tiny_cube import CHANGES, SMALL_CUBE, lend_mechanics
@@ -64,6 +67,21 @@ def test_a_sweep_writes_what_single_runs_find_and_goes_on_where_it_was(
     again = sweep(path, tmp_path)
     assert again["rows"] == found["rows"]
     assert {file.stat().st_mtime_ns for file in (tmp_path / "store").rglob("*.npz")} == before
+
+
+def test_scores_that_another_machine_made_come_from_the_shared_store(tmp_path, monkeypatch):
+    lend_mechanics(tmp_path / "worker")
+    study = load_study(write_study(tmp_path, '[grid]\n"sensors.averaging" = [32]\n'))
+    (variant,) = study.variants
+    tasks, (last,) = tasks_of([variant.spec])
+    outcome = run_here(tasks, tmp_path / "worker", print)[last]
+    here = tmp_path / "here"
+    assert URL in variant_row(variant, outcome, here)["error"]
+    monkeypatch.setenv(URL, f"file://{tmp_path / 'bucket'}")
+    of_worker = variant_row(variant, run_here(tasks, tmp_path / "worker", print)[last], here)
+    monkeypatch.delenv(URL)
+    assert of_worker == variant_row(variant, outcome, here)
+    assert of_worker["place mm"] > 0
 
 
 def test_without_anything_to_score_there_is_one_error(tmp_path, monkeypatch):
