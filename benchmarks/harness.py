@@ -1,4 +1,4 @@
-"""What every benchmark shares: its options, the machine's description, timing, and its files."""
+"""Common parts of all benchmarks: options, the machine's description, timing, files."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Design, simulate and calibrate instrumented objects: the names to use from Python.
+"""Names to use from Python: design, simulation and calibration of instrumented objects.
 
 Each name is loaded when it is first used (PEP 562, SPEC 1), so that `import instobj` is quick.
 """

@@ -1,4 +1,4 @@
-"""`python -m instobj` is the `instobj` command."""
+"""The `instobj` command as `python -m instobj`."""
 
 from instobj.cli.app import main
 

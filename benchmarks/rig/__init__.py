@@ -1,1 +1,1 @@
-"""What a bring-up and a rig's presses tell of hidden objects: errors and false alarms, not speed."""
+"""Studies of bring-up and press rig on hidden objects: errors and false alarms, not speed."""

@@ -1,4 +1,4 @@
-"""What any order of presses can leave at best, and what the error that is left is made of.
+"""Bound below every order of presses, and the parts of the error that is left.
 
 The hidden objects of `press_orders`, linear about their true numbers, with the true prior and the true
 errors of every mean: noise of chips, of labelled forces, zeros and drift as the rig's own sessions leave

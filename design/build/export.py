@@ -1,4 +1,4 @@
-"""Build every part of an object, write STL, 3MF and STEP files, and describe them in a manifest."""
+"""Export of every part of an object as STL, 3MF and STEP files, described in a manifest."""
 
 from __future__ import annotations
 

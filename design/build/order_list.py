@@ -1,4 +1,4 @@
-"""Everything to order for an object: maker's numbers, pieces, packs, and the range of prices."""
+"""Order list of an object: maker's numbers, pieces, packs, and the range of prices."""
 
 from __future__ import annotations
 

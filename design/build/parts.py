@@ -1,4 +1,4 @@
-"""Every part of an object: how it is made, of what, how often."""
+"""Parts of an object: how each is made, of what, how often."""
 
 from __future__ import annotations
 

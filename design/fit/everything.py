@@ -1,4 +1,4 @@
-"""Everything in a specification that must fit together."""
+"""Fit of a whole specification: of everything that must find room together."""
 
 from __future__ import annotations
 

@@ -1,5 +1,4 @@
-"""Sensor boards, chips, wires and recesses of the core as the room that they take, and the walls
-that are left between recesses."""
+"""Room of sensor boards, chips, wires and the core's recesses, and the walls left between recesses."""
 
 from __future__ import annotations
 

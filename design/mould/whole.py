@@ -1,4 +1,4 @@
-"""All parts of a mould together, of either style, and what they cast."""
+"""The whole mould, of either style, and what it casts."""
 
 from __future__ import annotations
 

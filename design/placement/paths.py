@@ -1,4 +1,4 @@
-"""How long signal paths are over the faces of an object, before it has contact locations."""
+"""Lengths of signal paths over the faces of an object, before it has contact locations."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What an I²C bus bears: capacitance, pull-up resistors and the time of a frame (NXP UM10204)."""
+"""Limits of an I²C bus: capacitance, pull-up resistors and the time of a frame (NXP UM10204)."""
 
 from __future__ import annotations
 

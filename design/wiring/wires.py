@@ -1,4 +1,4 @@
-"""Every wire from a sensor board's pad to the reading board: colour, length and order of soldering."""
+"""Wires from the sensor boards' pads to the reading board: colour, length and order of soldering."""
 
 from __future__ import annotations
 

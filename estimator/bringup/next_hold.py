@@ -1,4 +1,4 @@
-"""Which further hold of the magnet tells most about the gains that are least known."""
+"""Choice of the next hold of the magnet: the one that tells most about the least known gains."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Everything that the recordings of a bring-up tell, as far as they go."""
+"""Verdict of a bring-up: everything that its recordings tell, as far as they go."""
 
 from __future__ import annotations
 

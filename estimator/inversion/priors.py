@@ -1,4 +1,4 @@
-"""What is believed of contacts before a frame is seen: how many, where, how hard, and known probes."""
+"""Priors of contacts, before a frame is seen: how many, where, how hard, and known probes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is told of a frame: contacts with their uncertainty, their odds, and whether they explain it."""
+"""Readings of a frame: contacts with their uncertainty, their odds, and whether they explain it."""
 
 from __future__ import annotations
 

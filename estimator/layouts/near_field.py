@@ -1,4 +1,4 @@
-"""How near to a magnet a chip may lie, so that the series of the lowest fidelity level is right there.
+"""Least distance of a chip from a magnet at which the lowest fidelity level's series is right.
 
 The multipole series diverges within a magnet's circumscribed sphere, and just outside its short forms
 are wrong by any factor: a search would place chips there. So orders are as high as the least

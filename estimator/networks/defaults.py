@@ -1,4 +1,4 @@
-"""What `history_frames`, `ensemble` and `trees` are where the specification leaves them out.
+"""Defaults of `history_frames`, `ensemble` and `trees` where the specification leaves them out.
 
 A recording of few presses gets the change over nine frames, up to four networks and trees beside
 them: there one network alone errs more than simple regressions do, and has too few validation

@@ -1,4 +1,4 @@
-"""Several recordings of one object as one data set."""
+"""Combination of several recordings of one object into one data set."""
 
 from __future__ import annotations
 

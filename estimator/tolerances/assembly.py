@@ -1,5 +1,4 @@
-"""One object as it may be assembled: magnets, sensors and surroundings off the design, and the
-counts that it gives.
+"""One object as it may be assembled: magnets, sensors and surroundings off the design, and its counts.
 
 Draws are standard normal numbers, one array a contribution, scaled by `design.spec.assembly`.
 Contributions that are not drawn stay at the design. Mechanics is that of the design throughout

@@ -1,4 +1,4 @@
-"""Look after the store: list it, verify it, free space."""
+"""Care of the store: list it, verify it, free space."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where objects of other shapes, thicknesses and magnet spacings are weak: a rule for their design.
+"""Weak areas of objects of other shapes, thicknesses and magnet spacings: a rule for their design.
 
 Bodies, cores and sensors are placed as `instobj new` places them, magnets as wide as a case says, on
 one sensed face, with the silicone and the score of the given specification; the mesh is that of a

@@ -1,4 +1,4 @@
-"""What the page shows of a board: its last rows, contacts read from them, health; two threads share it."""
+"""Watch over a board for the page: last rows, contacts read from them, health; two threads share it."""
 
 from __future__ import annotations
 

@@ -1,5 +1,4 @@
-"""Order of demoulding in one picture: the mould closed, pins and rod drawn, halves parted, what is left,
-and the same of the mould for a seal layer."""
+"""Order of demoulding in one picture, step by step, and the same of the mould for a seal layer."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What turns a no-go into a go: changes and sets of them against the limits, with their price.
+"""Remedies for a no-go: changes and sets of them against the limits, with their price.
 
 Price is that of magnets and sensors (`search.prices`), build time that of setting and wiring them by
 hand: what the changes differ in.

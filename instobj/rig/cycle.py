@@ -1,4 +1,4 @@
-"""What a machine does on a press rig: start, stop with the tip raised, moves, presses."""
+"""Cycle of a machine on a press rig: start, stop with the tip raised, moves, presses."""
 
 from __future__ import annotations
 

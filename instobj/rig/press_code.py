@@ -1,5 +1,8 @@
-"""G-code of presses, in parts that the machine holds as a whole: each ends with the tip clear of the
-object, so that it rises even if nobody speaks to the machine any more."""
+"""G-code of presses, in parts that the machine holds as a whole.
+
+Each part ends with the tip clear of the object, so that it rises even if nobody speaks to the
+machine any more.
+"""
 
 from __future__ import annotations
 

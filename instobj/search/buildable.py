@@ -1,4 +1,4 @@
-"""Whether a layout that a search found can be made: the checks of fabrication, solids and mould included."""
+"""Buildability of a layout that a search found: checks of fabrication, solids and mould included."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A leader walks on at the lowest fidelity level, which is corrected by what the second one said of it.
+"""Walks of leaders at the lowest fidelity level, corrected by what the second one said of them.
 
 Space mapping (Bandler et al., IEEE Trans. Microw. Theory Tech. 42, 1994): near a layout, bounds are
 those of the lowest level times what the second one made of them there, place by place and force by

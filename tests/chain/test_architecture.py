@@ -3,6 +3,7 @@
 import ast
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -65,6 +66,29 @@ def test_rooms_init_files_hold_one_question_and_import_nothing():
             assert isinstance(body[0], ast.Expr), f"{path} says no question"
             if path != ROOT / "instobj" / "__init__.py":
                 assert len(body) == 1, path
+
+
+CLAUSE = (
+    r"(What|Which|Where|When|Whether|How|Why|Who|Everything|Every|All)\b|"
+    r"(The |An? )?[\w`]+ (is|are|has|have|shows?|tells?|walks?|finds?)\b"
+)
+ORDER = (
+    r"(Add|Build|Check|Design|Draw|Find|Get|Look|Make|Plant|Read|Run|Write) (an?|the|after|every)\b"
+)
+
+
+def test_titles_of_modules_are_nouns_so_that_an_index_reads():
+    """A whole sentence on the first line; only a room's own file may ask the room's question."""
+    wrong = []
+    for folder in (*PACKAGES, "benchmarks"):
+        for path in sorted((ROOT / folder).rglob("*.py")):
+            text = ast.get_docstring(ast.parse(path.read_text(encoding="utf-8"))) or "none"
+            title = text.partition("\n")[0]
+            room = path.name == "__init__.py" and path.parent != ROOT / "instobj"
+            sentence = re.match(f"{CLAUSE}|{ORDER}", title)
+            if not title.endswith(".") or (sentence and not room):
+                wrong.append(f"{path.relative_to(ROOT)}: {title}")
+    assert not wrong, "\n".join(wrong)
 
 
 def test_the_public_package_loads_nothing_until_it_is_asked():

@@ -1,3 +1,5 @@
+"""NetCDF files of results: round trips, damage, foreign files, units and names of axes."""
+
 from dataclasses import replace
 
 import h5py

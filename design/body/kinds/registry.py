@@ -1,4 +1,4 @@
-"""All kinds of body by their names: a new one is a line here."""
+"""Registry of the kinds of body, by name: a new one is a line here."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How much of the sensed surface the contact locations stand for."""
+"""Share of the sensed surface that the contact locations stand for."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where a contact location lies on the body: measures that need no mechanics.
+"""Measures of where a contact location lies on the body; they need no mechanics.
 
 Weak locations go with them (`estimator.information.weak_areas`): the distance to the border of the
 patch, to the spot over the nearest magnet and on to a sensor, and the surface's curvature.

@@ -1,4 +1,4 @@
-"""Which channel is which: chips, their order and the way round they sit, from a hand-held magnet.
+"""Identity of the channels: chips, their order and the way round they sit, from a hand-held magnet.
 
 Poses of the magnet and the chips' places and axes are found together. Given poses, every chip is
 scored at every place in each of the 48 signed permutations of its axes and the best one-to-one

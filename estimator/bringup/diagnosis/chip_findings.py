@@ -1,4 +1,4 @@
-"""What is out of order with chips, from the held magnet and from Earth's field."""
+"""Findings about chips, from the held magnet and from Earth's field."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a bring-up found wrong: kind, where, what was measured, and what to do about it."""
+"""Findings of a bring-up: kind, where, what was measured, and what to do about it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which chips answer, how fast, with how many errors, and how much they scatter at rest."""
+"""Health of the chips: which answer, how fast, with how many errors, with how much scatter at rest."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is unknown of a built object, and its most probable values given what labelled presses show."""
+"""Unknowns of a built object, and their most probable values given what labelled presses show."""
 
 from __future__ import annotations
 

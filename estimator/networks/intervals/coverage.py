@@ -1,4 +1,4 @@
-"""How far signals lie from those that training covers, and how much wider intervals get there.
+"""Novelty of signals: how far from those that training covers, and how much wider intervals get there.
 
 Novelty of a frame is the distance of arcsinh(ΔS / 3σ) to the nearest of some training frames, over
 the distance below which 95 % of the frames of held-out presses lie: above 1 the frame is novel.

@@ -1,5 +1,4 @@
-"""Training of a face's contact estimator on whole presses, stopped and calibrated by presses that
-it never saw.
+"""Training of a face's contact estimator, stopped and calibrated by presses that it never saw.
 
 Training frames get fresh noise and zeroing offsets in every epoch, so that the network leans
 neither on the noise nor on the rest level of a press. With several members, training and

@@ -1,4 +1,4 @@
-"""One question after the other, each answered by a recording that is kept before the next."""
+"""Dialogue of a bring-up: one question after the other, each answered by a recording, kept at once."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where the answers of a bring-up come from: a board with its user, a file, a simulated object."""
+"""Sources of a bring-up's answers: a board with its user, a file, a simulated object."""
 
 from __future__ import annotations
 

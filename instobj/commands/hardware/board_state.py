@@ -1,4 +1,4 @@
-"""What a board says of itself, in words and as figures."""
+"""State of a board as it tells it, in words and as figures."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What `instobj live` shows: a board, a recording, a data set, or a simulated object of its own."""
+"""Source of `instobj live`: a board, a recording, a data set, or a simulated object of its own."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`instobj conventions`: is a face's recording read by a wrong convention?"""
+"""`instobj conventions`: search for a wrong convention by which a face's recording is read."""
 
 from __future__ import annotations
 

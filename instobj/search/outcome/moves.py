@@ -1,4 +1,4 @@
-"""What a search moved and changed between the start and the found layout."""
+"""Moves and changes of a search, from the start to the found layout."""
 
 from __future__ import annotations
 

@@ -1,5 +1,7 @@
-"""Maker of the scene that the page shows: the object, its presses and its maps. Heavy imports stay
-inside."""
+"""Maker of the scene that the page shows: the object, its presses and its maps.
+
+Heavy imports stay inside.
+"""
 
 from __future__ import annotations
 

@@ -1,3 +1,5 @@
+"""Data sets of labelled frames: files, parts, and what is refused."""
+
 from dataclasses import fields, replace
 
 import h5py

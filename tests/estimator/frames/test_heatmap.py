@@ -1,3 +1,5 @@
+"""Heatmaps of contacts, and the labels of the public recordings."""
+
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose

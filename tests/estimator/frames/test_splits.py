@@ -1,3 +1,5 @@
+"""Splits of a data set: no press in two parts, and what is refused."""
+
 from dataclasses import replace
 
 import numpy as np
