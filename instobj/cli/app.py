@@ -42,11 +42,12 @@ app = typer.Typer(
 def new(
     name: Annotated[str, typer.Argument(help="Name of the object.")],
     kind: Annotated[
-        str | None, typer.Option(help="Kind of body: `instobj docs bodies`.", show_default=False)
+        str | None,
+        typer.Option(help="Kind of body (see `instobj docs bodies`).", show_default=False),
     ] = None,
     size: Annotated[
         tuple[float, float, float] | None,
-        typer.Option(metavar="X Y Z", help="Box round the body, mm.", show_default=False),
+        typer.Option(metavar="X Y Z", help="Box around the body, mm.", show_default=False),
     ] = None,
     sensors: Annotated[int, typer.Option(min=1, max=12, help="Sensors per face.")] = 3,
     magnets: Annotated[
@@ -57,8 +58,10 @@ def new(
         Path | None,
         typer.Option("--from", metavar="FILE", help="Closed surface of an imported body."),
     ] = None,
-    unit: Annotated[str, typer.Option(help="That the file is drawn in: mm, cm, m, in.")] = "mm",
-    scale: Annotated[float, typer.Option(help="Makes what is in the file larger.")] = 1.0,
+    unit: Annotated[
+        str, typer.Option(help="Unit of the lengths in the file: mm, cm, m, in.")
+    ] = "mm",
+    scale: Annotated[float, typer.Option(help="Factor on the lengths in the file.")] = 1.0,
     out: Out = HERE,
 ) -> None:
     """Write a commented specification to start from, NAME.toml, with everything placed to fit."""
@@ -84,7 +87,7 @@ def check(
     fabrication: Annotated[
         bool,
         typer.Option(
-            "--fabrication", help="Check also that the parts can be printed, cast and assembled."
+            "--fabrication", help="Also check that the parts can be printed, cast and assembled."
         ),
     ] = False,
     out: Out = HERE,
@@ -125,11 +128,15 @@ for _name, _stages, _purpose in (
         "sheet",
         "Parts, mould, probes and jig as STL, STEP, 3MF and GLB; bill of materials, assembly sheet.",
     ),
-    ("mesh", "mesh", "Tetrahedra of the sealed body with every magnet resolved; quality reported."),
+    (
+        "mesh",
+        "mesh",
+        "Tetrahedral mesh of the sealed body with every magnet resolved, and its quality.",
+    ),
     (
         "simulate",
         "signals discretisation",
-        "Mechanics of every press, and the signals that all sensors give.",
+        "Mechanics of every press, and the signals of all sensors.",
     ),
     (
         "compliance",
@@ -165,11 +172,16 @@ for _name, _stages, _purpose in (
 def score(
     specs: Specs,
     hull: Annotated[
-        str | None, typer.Option(help="δ by covariance, monte-carlo (any N) or exact (N ≤ 100).")
+        str | None,
+        typer.Option(
+            help="Method for the sensitivity δ: covariance, monte-carlo (any N) or exact (N ≤ 100)."
+        ),
     ] = None,
-    hull_frames: Annotated[int | None, typer.Option(help="N of the convex hull.")] = None,
+    hull_frames: Annotated[
+        int | None, typer.Option(help="Number N of frames in the convex hull.")
+    ] = None,
     shear: Annotated[
-        bool, typer.Option("--shear", help="Bounds of (x, y, F, Fx, Fy) as well.")
+        bool, typer.Option("--shear", help="Also Cramér–Rao bounds of (x, y, F, Fx, Fy).")
     ] = False,
     out: Out = HERE,
     as_json: AsJson = False,
@@ -204,11 +216,13 @@ def store(
     ] = False,
     free: Annotated[
         str | None,
-        typer.Option(metavar="SIZE", help="Remove this much, least recently used first: 5GB."),
+        typer.Option(
+            metavar="SIZE", help="Space to free, e.g. 5GB; least recently used results go first."
+        ),
     ] = None,
     older_than: Annotated[
         str | None,
-        typer.Option(metavar="AGE", help="Remove only what was not used for so long: 30d."),
+        typer.Option(metavar="AGE", help="Remove only results not used for this long, e.g. 30d."),
     ] = None,
     as_json: AsJson = False,
 ) -> None:

@@ -45,7 +45,9 @@ def frames(
     specs: Specs,
     kind: Annotated[
         str | None,
-        typer.Option(help="paper (143 000 frames per face), grasp or continuous: [collection]."),
+        typer.Option(
+            help="Kind of recording: paper (143 000 frames per face), grasp or continuous."
+        ),
     ] = None,
     out: Out = HERE,
     as_json: AsJson = False,
@@ -84,8 +86,7 @@ def evaluate(
     on: Annotated[
         Path | None,
         typer.Option(
-            help="Data set of the same object to judge contacts by inversion on, instead of held-out "
-            "presses."
+            help="Test data set of the same object, for contacts by inversion (default: held-out presses)."
         ),
     ] = None,
     out: Out = HERE,

@@ -35,7 +35,7 @@ app = typer.Typer()
 def recordings(
     files: Recordings,
     spec: Annotated[
-        Path | None, typer.Option(help="Specification of the object: its contact grid.")
+        Path | None, typer.Option(help="Specification of the object, for its contact grid.")
     ] = None,
     out: Out = HERE,
     as_json: AsJson = False,
@@ -62,14 +62,17 @@ def collect(
     place: Places = None,
     force: Forces = None,
     zero: Annotated[
-        int, typer.Option(min=0, help="Frames at the start, nothing touching, for the baseline.")
+        int,
+        typer.Option(
+            min=0, help="Frames of the baseline, taken at the start with nothing touching."
+        ),
     ] = 20,
     seconds: Seconds = None,
     frames: Annotated[int | None, typer.Option(min=1, help="Stop after this many frames.")] = None,
     session: Annotated[
         int | None, typer.Option(min=1, help="Session number (default: continue the last session).")
     ] = None,
-    cells: Annotated[int | None, typer.Option(min=1, max=9, help="Load cells.")] = None,
+    cells: Annotated[int | None, typer.Option(min=1, max=9, help="Number of load cells.")] = None,
     tips: Annotated[int | None, typer.Option(min=1, max=9, help="Tips per load cell.")] = None,
     baud: Baud = 115_200,
     speed: ReplaySpeed = 1.0,
@@ -92,10 +95,13 @@ def firmware(
     board: Annotated[str, typer.Option(help="Board that reads the sensors: mega2560 or pico.")],
     way: Annotated[
         str | None,
-        typer.Option(help="How chips are told apart, e.g. multiplexers (default: the cheapest)."),
+        typer.Option(
+            help="How I²C chips are kept apart, e.g. multiplexers (default: the cheapest way)."
+        ),
     ] = None,
     lead: Annotated[
-        float, typer.Option(min=0, max=5000, help="Wires from the object to the board, mm.")
+        float,
+        typer.Option(min=0, max=5000, help="Length of the wires from the object to the board, mm."),
     ] = 200.0,
     out: Out = HERE,
     as_json: AsJson = False,
@@ -116,8 +122,8 @@ def live(
     model: Annotated[
         list[Path] | None,
         typer.Option(
-            help="contacts.nc, or one exported face_<n>.onnx per face (repeat the option); without: "
-            "channels alone."
+            help="Estimator: contacts.nc, or one exported face_<n>.onnx per face (repeat the option); "
+            "without it only channels are shown."
         ),
     ] = None,
     port: Port = None,
@@ -125,7 +131,8 @@ def live(
         Path | None, typer.Option(help="Recording or data set to replay in place of a board.")
     ] = None,
     demo: Annotated[
-        bool, typer.Option("--demo", help="A simulated object in a hand; needs nothing else.")
+        bool,
+        typer.Option("--demo", help="A simulated object in a hand; no board and no files needed."),
     ] = False,
     record: Annotated[
         Path | None,
@@ -141,11 +148,14 @@ def live(
     zero: ZeroMode = None,
     zero_frames: ZeroFrames = 20,
     page_port: Annotated[
-        int, typer.Option(min=0, max=65535, help="Port of the page; 0 takes a free one.")
+        int, typer.Option(min=0, max=65535, help="TCP port of the page; 0: any free one.")
     ] = 8765,
-    address: Annotated[str, typer.Option(help="Address of the page.")] = "127.0.0.1",
+    address: Annotated[
+        str, typer.Option(help="Network address at which the page is served.")
+    ] = "127.0.0.1",
     remote: Annotated[
-        bool, typer.Option("--remote", help="Serve other machines; a token is made and printed.")
+        bool,
+        typer.Option("--remote", help="Let other machines connect; an access token is printed."),
     ] = False,
     seconds: Seconds = None,
     baud: Baud = 115_200,
@@ -184,12 +194,14 @@ def bringup(
     ] = False,
     fault: Annotated[
         list[str] | None,
-        typer.Option(help="Planted into the simulated object, e.g. swap=F1-S2,F3-S1."),
+        typer.Option(
+            help="Fault planted in the simulated object, e.g. swap=F1-S2,F3-S1; can be repeated."
+        ),
     ] = None,
-    seed: Annotated[int, typer.Option(min=0, help="Of the simulated object.")] = 1,
+    seed: Annotated[int, typer.Option(min=0, help="Seed of the simulated object.")] = 1,
     again: Annotated[
         list[str] | None,
-        typer.Option(help="Step or recording to take once more, e.g. held or 'held F1-S2'."),
+        typer.Option(help="Step or recording to repeat, e.g. held or 'held F1-S2'."),
     ] = None,
     baud: Baud = 115_200,
     out: Out = HERE,
@@ -214,7 +226,9 @@ def bringup(
 def material(
     source: Annotated[
         str,
-        typer.Argument(help="CSV of a tensile test, a name, or a hardness.", show_default=False),
+        typer.Argument(
+            help="CSV of a tensile test, name of a silicone, or Shore hardness.", show_default=False
+        ),
     ],
     out: Out = HERE,
     as_json: AsJson = False,

@@ -19,11 +19,15 @@ Sources = Annotated[
     list[Path],
     typer.Argument(help="Specifications (TOML) or data sets (NetCDF).", show_default=False),
 ]
-Out = Annotated[Path, typer.Option(help="Folder that gets cad_out/ and runs/.")]
+Out = Annotated[Path, typer.Option(help="Folder for cad_out/ and runs/.")]
 AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON document on stdout.")]
 Overrides = Annotated[
     list[str] | None,
-    typer.Option("--set", metavar="KEY=VALUE", help="Override, e.g. shell.thickness_mm=9."),
+    typer.Option(
+        "--set",
+        metavar="KEY=VALUE",
+        help="Override a key of the specification, e.g. shell.thickness_mm=9; can be repeated.",
+    ),
 ]
 AsBuilt = Annotated[
     Path | None,
@@ -42,7 +46,7 @@ Places = Annotated[
     typer.Option(
         "--place",
         metavar="FACE:X,Y",
-        help="Contact location of load cell 1 (2, …), mm; :X,Y for each further tip.",
+        help="Contact location of a load cell, mm, one per cell; :X,Y per further tip of the cell.",
     ),
 ]
 Forces = Annotated[
@@ -50,7 +54,7 @@ Forces = Annotated[
     typer.Option(
         "--force",
         metavar="N",
-        help="Constant force (N) if no load cell is connected, e.g. a dead weight.",
+        help="Constant force (N) if no load cell is connected, e.g. a dead weight; one per cell.",
     ),
 ]
 Seconds = Annotated[float | None, typer.Option(min=0, help="Stop after this many seconds.")]

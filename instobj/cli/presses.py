@@ -19,28 +19,33 @@ def press(
         tuple[float, float] | None,
         typer.Option(help="Contact location in the face's frame, mm; along a curved surface."),
     ] = None,
-    face: Annotated[int, typer.Option(help="Sensed face, 1 to 5.")] = 1,
+    face: Annotated[int, typer.Option(help="Number of the sensed face.")] = 1,
     depth: Annotated[float, typer.Option(help="Indentation depth, mm.")] = 2.0,
     material: Annotated[
-        str, typer.Option(help="neo-hookean, yeoh, ogden, or linear: small strain, any indenter.")
+        str,
+        typer.Option(
+            help="Material: neo-hookean, yeoh, ogden, or linear for small strain with any indenter."
+        ),
     ] = "neo-hookean",
     constants: Annotated[
-        str, typer.Option(help="MPa: C1,C2,C3 of yeoh; μ1,α1,μ2,α2,… of ogden.")
+        str, typer.Option(help="Constants, MPa: C1,C2,C3 of yeoh; μ1,α1,μ2,α2,… of ogden.")
     ] = "",
     at: Annotated[
         list[str] | None,
         typer.Option(
-            metavar="FACE:X,Y[,DEPTH]", help="linear: a further contact location; can be repeated."
+            metavar="FACE:X,Y[,DEPTH]", help="linear: further contact location; can be repeated."
         ),
     ] = None,
     force: Annotated[float | None, typer.Option(help="linear: force of every press, N.")] = None,
     direction: Annotated[
         tuple[float, float] | None,
-        typer.Option(help="linear: path leans towards the face's x and y, degrees."),
+        typer.Option(help="linear: inclination of the path towards the face's x and y, degrees."),
     ] = None,
     patch: Annotated[
         tuple[float, float] | None,
-        typer.Option(help="linear: uniform pressure instead: radius mm, MPa."),
+        typer.Option(
+            help="linear: uniform pressure instead of an indenter: radius mm, pressure MPa."
+        ),
     ] = None,
     out: Out = HERE,
     as_json: AsJson = False,
@@ -77,7 +82,10 @@ def grasp(
     spec: Spec,
     jaw: Annotated[
         list[str],
-        typer.Option(metavar="FACE:X,Y[;X,Y]", help="Tips of one jaw; give the option twice."),
+        typer.Option(
+            metavar="FACE:X,Y[;X,Y]",
+            help="Contact locations of one jaw's tips, mm; give it twice, once per jaw.",
+        ),
     ],
     force: Annotated[float, typer.Option(help="Force of each jaw, N.")],
     out: Out = HERE,
@@ -97,9 +105,12 @@ def slip(
         tuple[float, float, float], typer.Option(help="Shift of the core in the shell, x y z, mm.")
     ] = (0.0, 0.0, 0.0),
     rotation: Annotated[
-        tuple[float, float, float], typer.Option(help="Rotation vector about x y z, degrees.")
+        tuple[float, float, float],
+        typer.Option(help="Rotation of the core as a rotation vector, x y z, degrees."),
     ] = (0.0, 0.0, 0.0),
-    rim: Annotated[str, typer.Option(help="free, or held on the mounting plate.")] = "free",
+    rim: Annotated[
+        str, typer.Option(help="Rim of the shell: free, or held on the mounting plate.")
+    ] = "free",
     out: Out = HERE,
     as_json: AsJson = False,
     overrides: Overrides = None,

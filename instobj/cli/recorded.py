@@ -60,7 +60,9 @@ def interfaces(
 def conventions(
     spec: Spec,
     recordings: Recordings,
-    exchanges: Annotated[int, typer.Option(min=1, help="Searches with exchanged places.")] = 499,
+    exchanges: Annotated[
+        int, typer.Option(min=1, help="Number of permutations for the null distribution.")
+    ] = 499,
     as_json: AsJson = False,
     overrides: Overrides = None,
 ) -> None:
@@ -72,7 +74,7 @@ def conventions(
 
 @app.command()
 def cycles(
-    recording: Annotated[Path, typer.Argument(help="Folder of sensor.csv and states.csv.")],
+    recording: Annotated[Path, typer.Argument(help="Folder with sensor.csv and states.csv.")],
     as_json: AsJson = False,
 ) -> None:
     """Loading cycles at one place: what elasticity, lag and relaxation explain of force and field."""

@@ -19,7 +19,10 @@ app = typer.Typer()
 def rig(
     spec: Spec,
     machine: Annotated[
-        str, typer.Option(help="grbl presses and records, poses writes a list for a robot arm.")
+        str,
+        typer.Option(
+            help="grbl: press with a Grbl machine and record; poses: list of poses for a robot arm."
+        ),
     ] = "grbl",
     out: Annotated[
         Path | None,
@@ -32,75 +35,109 @@ def rig(
     load_port: LoadPort = None,
     load_scale: Annotated[
         float | None,
-        typer.Option(help="The load port sends one number per line: newtons per unit, or 1."),
+        typer.Option(
+            help="Newtons per unit of a load port that sends one number per line; 1 where lines name a unit."
+        ),
     ] = None,
-    machine_baud: Annotated[int, typer.Option(min=300, help="Of the machine.")] = 115_200,
-    baud: Annotated[int, typer.Option(min=300, help="Of board and load cell.")] = 115_200,
+    machine_baud: Annotated[
+        int, typer.Option(min=300, help="Bits per second of the machine's port.")
+    ] = 115_200,
+    baud: Annotated[
+        int, typer.Option(min=300, help="Bits per second of the ports of board and load cell.")
+    ] = 115_200,
     lost: Annotated[
-        float, typer.Option(min=0.05, help="Silence after which a line is lost, s.")
+        float,
+        typer.Option(min=0.05, help="Time without data after which a port counts as lost, s."),
     ] = 1.5,
     face: Annotated[
         list[int] | None, typer.Option(help="Face to press (poses: several, by default all).")
     ] = None,
     middle: Annotated[
         str | None,
-        typer.Option(metavar="X,Y", help="The face's middle in the machine's frame, mm."),
+        typer.Option(metavar="X,Y", help="Middle of the face in the machine's frame, mm."),
     ] = None,
     turn: Annotated[
         float,
-        typer.Option(help="From the machine's X to the face's x, counter-clockwise, degrees."),
+        typer.Option(
+            help="Angle from the machine's X to the face's x, counter-clockwise, degrees."
+        ),
     ] = 0.0,
     depth: Annotated[
         list[float] | None,
         typer.Option(
-            help="Stop below the first touch, mm (default: four of press.depths_mm; --adaptive: one)."
+            help="Indentation depth of a stop, mm; can be repeated (default: four of press.depths_mm; "
+            "--adaptive: one)."
         ),
     ] = None,
     dwell: Annotated[
-        float | None, typer.Option(min=0, help="At every stop, s (0.5; --adaptive: 0.8).")
+        float | None,
+        typer.Option(min=0, help="Dwell time at every stop, s (default: 0.5; --adaptive: 0.8)."),
     ] = None,
-    rest: Annotated[float | None, typer.Option(min=0, help="Before every press, s (1.5).")] = None,
-    speed: Annotated[float | None, typer.Option(min=0.05, help="Of presses, mm/s (1).")] = None,
+    rest: Annotated[
+        float | None, typer.Option(min=0, help="Rest before every press, s (default: 1.5).")
+    ] = None,
+    speed: Annotated[
+        float | None, typer.Option(min=0.05, help="Speed of presses, mm/s (default: 1).")
+    ] = None,
     strokes: Annotated[
         int | None,
         typer.Option(
-            min=1, help="Loads of a place, the tip clear of it between two (1; --adaptive: 9)."
+            min=1,
+            help="Load cycles per press, the tip lifted in between (default: 1; --adaptive: 9).",
         ),
     ] = None,
     stroke_speed: Annotated[
         float | None,
-        typer.Option(min=0.05, help="Of strokes after the first, mm/s (4; --adaptive: 2)."),
+        typer.Option(
+            min=0.05, help="Speed of load cycles after the first, mm/s (default: 4; --adaptive: 2)."
+        ),
     ] = None,
     pause: Annotated[
         float | None,
-        typer.Option(min=0.1, help="Between strokes, above the place, s (1; --adaptive: 1.5)."),
+        typer.Option(
+            min=0.1, help="Pause between load cycles, tip lifted, s (default: 1; --adaptive: 1.5)."
+        ),
     ] = None,
     clearance: Annotated[
-        float | None, typer.Option(min=1, help="Above the object between presses, mm (5).")
+        float | None,
+        typer.Option(
+            min=1, help="Height of the tip over the object between presses, mm (default: 5)."
+        ),
     ] = None,
     touch: Annotated[
-        float | None, typer.Option(help="Force that counts as touch, N (0.2).")
+        float | None, typer.Option(help="Force that counts as touch, N (default: 0.2).")
     ] = None,
-    full: Annotated[float | None, typer.Option(help="Force that ends a press, N (15).")] = None,
-    limit: Annotated[float | None, typer.Option(help="Force that stops all, N (20).")] = None,
-    repeats: Annotated[int, typer.Option(min=1, help="Presses of every place.")] = 1,
-    presses: Annotated[int | None, typer.Option(min=1, help="Only the first of them.")] = None,
+    full: Annotated[
+        float | None, typer.Option(help="Force that ends a press, N (default: 15).")
+    ] = None,
+    limit: Annotated[
+        float | None, typer.Option(help="Force that stops the machine, N (default: 20).")
+    ] = None,
+    repeats: Annotated[int, typer.Option(min=1, help="Presses per contact location.")] = 1,
+    presses: Annotated[
+        int | None, typer.Option(min=1, help="Number of presses to do, from the start of the plan.")
+    ] = None,
     adaptive: Annotated[
         bool,
         typer.Option(
             "--adaptive",
-            help="Press first where the specification's twin knows least: 40 presses, returns included, "
-            "of 9 strokes (options change them).",
+            help="Adaptive order: press where a twin of the specification is most uncertain; 40 presses, "
+            "returns included, of 9 load cycles (options change them).",
         ),
     ] = False,
     reference_every: Annotated[
-        int, typer.Option(min=0, help="Presses between returns to the middle place; 0: none.")
+        int,
+        typer.Option(min=0, help="Presses between returns to the middle location; 0: no returns."),
     ] = 10,
-    seed: Annotated[int | None, typer.Option(help="Of the order (default: the key seed).")] = None,
+    seed: Annotated[
+        int | None, typer.Option(help="Seed of the order of presses (default: the key seed).")
+    ] = None,
     resume: Annotated[
-        bool, typer.Option("--resume", help="Go on with the run that stopped: its plan is kept.")
+        bool, typer.Option("--resume", help="Resume the interrupted run with its plan.")
     ] = False,
-    yes: Annotated[bool, typer.Option("--yes", help="Move without asking.")] = False,
+    yes: Annotated[
+        bool, typer.Option("--yes", help="Move without asking for confirmation.")
+    ] = False,
     as_json: AsJson = False,
     overrides: Overrides = None,
 ) -> None:

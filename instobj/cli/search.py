@@ -38,7 +38,7 @@ def optimize(
 @app.command()
 def worker(
     spec: Spec,
-    storage: Annotated[str, typer.Option(help="The storage that all workers share.")],
+    storage: Annotated[str, typer.Option(help="Storage that all workers share.")],
     number: Annotated[int, typer.Option(help="Worker number; seeds its random generator.")] = 1,
     out: Out = HERE,
     as_json: AsJson = False,
@@ -53,7 +53,7 @@ def worker(
 @app.command()
 def sweep(
     study: Annotated[Path, typer.Argument(help="Study (TOML).", show_default=False)],
-    workers: Annotated[int, typer.Option(min=1, help="Processes on this machine.")] = 1,
+    workers: Annotated[int, typer.Option(min=1, help="Number of processes on this machine.")] = 1,
     scheduler: Annotated[
         str | None, typer.Option(help="Address of a Dask scheduler, such as tcp://host:8786.")
     ] = None,
@@ -69,7 +69,7 @@ def sweep(
 @app.command()
 def experiment(
     name: Annotated[
-        str, typer.Argument(help="Which experiment; `instobj experiments` lists them.")
+        str, typer.Argument(help="Name of the experiment; `instobj experiments` lists them.")
     ],
     spec: Spec,
     quick: Annotated[
