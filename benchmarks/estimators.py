@@ -167,7 +167,7 @@ def draw(result: Result, path: Path) -> None:
     right.annotate("aim", (0.5, INFERENCE_TARGET_MS), ha="center", va="bottom", color="0.4")
     right.set(ylabel="one frame by onnxruntime (ms)", yscale="log")
     right.margins(y=0.15)
-    small = ", quick form: a look, no result" if result["quick"] else ""
+    small = ", reduced resolution, for a preview only" if result["quick"] else ""
     figure.suptitle(
         f"Made-up presses of one face, {result['frames']['train']} training frames, one thread{small}",
         fontsize=10,

@@ -3,7 +3,7 @@
     python benchmarks/field.py [--quick] [--out FOLDER]
 
 The job is the product's own: in every press 25 magnets have moved and turned, and 15 sensors see
-the sum of their fields. Both sides do the whole of it, magpylib with one Cylinder a magnet whose
+the sum of their fields. Both sides do the whole of it, magpylib with one Cylinder per magnet whose
 path holds the presses. Times are processor time, the least of several runs, so that other programs
 on the machine matter less. Writes `field.json` and `field.png`.
 """

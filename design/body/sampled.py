@@ -137,7 +137,7 @@ def _measured_where_near(
     """Distances at a grid's points, farther outside than they are asked for from a coarser grid.
 
     A point is measured unless that grid says that it lies farther out than its error, at most its
-    cell's half diagonal as a distance changes by one millimetre a millimetre, and some steps more.
+    cell's half diagonal as a distance changes by one millimetre per millimetre, and some steps more.
     """
     from scipy.ndimage import map_coordinates
 

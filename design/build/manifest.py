@@ -57,7 +57,7 @@ class BuildManifest:
         return {part.name: part for part in self.parts}[name]
 
     def to_json(self) -> str:
-        """The manifest as JSON text, one key a line."""
+        """The manifest as JSON text, one key per line."""
         return json.dumps(asdict(self), indent=2, ensure_ascii=False) + "\n"
 
     @classmethod

@@ -7,7 +7,7 @@ own driver (XENSIV 3D magnetic sensor library, generation 2); its current is an 
 quarter of the time. TCA9548A: Texas Instruments SCPS207 (0x70 to 0x77 by
 three pins, eight channels, supply 1.65 to 5.5 V, inputs bear 5 V). Limits of the bus: NXP UM10204.
 HX711: Avia Semiconductor's data sheet (±0.5 AVDD over the gain is full scale of 24 bits; ready by a low
-data line, 25 clock pulses for gain 128, 60 µs of a high clock power it down; 10 or 80 readings a second).
+data line, 25 clock pulses for gain 128, 60 µs of a high clock power it down; 10 or 80 readings per second).
 Boards: Arduino A000067 (ATmega2560), Raspberry Pi SC0915 (RP2040) and their data sheets.
 """
 

@@ -95,7 +95,7 @@ ORDERS = {
     RESISTOR: Order("resistor, 1 %, 0.6 W, axial", "Vishay", "MRS25 series", (0.05, 0.2)),
     HX711: Order(
         "HX711 on a board", "SparkFun", "SEN-13879", (9.0, 14.0),
-        note="80 readings a second: cut the jumper RATE; the older SEN-13230 is retired",
+        note="80 readings per second: cut the jumper RATE; the older SEN-13230 is retired",
         seen=_PROJECTS,
     ),
     LOAD_CELL: Order(

@@ -64,7 +64,7 @@ def slit_fins(spec: ObjectSpec) -> list[cq.Solid]:
 
 
 def pocket_prisms(spec: ObjectSpec) -> list[cq.Solid]:
-    """One prism a pocket, face by face, from the pocket's floor to just outside the face.
+    """One prism per pocket, face by face, from the pocket's floor to just outside the face.
 
     The pockets' negatives are the mould's bosses, so that both come from here.
     """

@@ -71,7 +71,7 @@ def frame_time(
     """Time of a frame of `reads` chips with `selects` changes of a multiplexer's channel.
 
     Chips convert by themselves all the time; the board reads one after the other and writes the line,
-    counted at its longest (six characters and a comma a channel).
+    counted at its longest (six characters and a comma per channel).
     """
     transfers = reads + selects
     bits = 9 * (chip.read_bytes * reads + SELECT_BYTES * selects) + 3 * transfers

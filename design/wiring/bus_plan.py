@@ -256,7 +256,7 @@ def _rate(
     raise CannotError(
         f"{time.fastest_hz:.1f} frames per second at most ({time.reading_ms:.1f} ms to read at "
         f"{khz:g} kHz, {time.line_ms:.1f} ms to send, {time.conversion_ms:.1f} ms to convert, "
-        f"{time.loads_ms:.0f} ms a second for the load cell), sensors.frame_rate_hz = {wanted:g}"
+        f"{time.loads_ms:.0f} ms per second for the load cell), sensors.frame_rate_hz = {wanted:g}"
     )
 
 

@@ -1,4 +1,4 @@
-"""The load cell on the reading board: pins, lines a second, wires, parts, and newtons per step."""
+"""The load cell on the reading board: pins, lines per second, wires, parts, and newtons per step."""
 
 from __future__ import annotations
 

@@ -101,7 +101,7 @@ def search_face(
     own = own_channels(spec, face)
     if len(own) != 9:
         raise InputError(
-            f"conventions are searched for three chips of three axes a face; face {face} has "
+            f"conventions are searched for three chips of three axes per face; face {face} has "
             f"{len(own)} channels. Give an object with sensors.count_per_face = 3"
         )
     rows = presses.face_of_case(face)[presses.case]

@@ -1,6 +1,6 @@
 """Loading cycles at one place: what of force and field follows travel, lag and relaxation.
 
-A ladder of laws, each fitted to the first half of the cycles and judged on the second:
+Laws of growing freedom, each fitted to the first half of the cycles and judged on the second:
 - small strain: force as (travel − contact)^{3/2}, a sphere's; field in proportion to that distance;
 - any elastic law: a polynomial of the travel, the same on both ways;
 - the same of a travel that was reached some time ago: machines report where they have been told to
@@ -51,7 +51,7 @@ class Cycles:
 
 
 @dataclass(frozen=True)
-class Rung:
+class LawScore:
     """One law: share of the variance explained of the judged cycles, and of their exchanged ways (None
     where the law does not notice); the lag, relaxation time and share found (None where none)."""
 
@@ -100,23 +100,23 @@ def cycles_of(recording: TravelRecording) -> Cycles:
     return Cycles(even, travel, load, change - first, cycle, "xyz"[moving])
 
 
-def force_ladder(cycles: Cycles) -> list[Rung]:
+def force_laws(cycles: Cycles) -> list[LawScore]:
     """The laws for the load."""
     values = cycles.load[:, None]
     small = _judged(cycles, [_sphere(cycles.travel_mm, at) for at in _contacts(cycles)], values)
-    return [Rung("small strain", small), *_ladder(cycles, values)]
+    return [LawScore("small strain", small), *_laws(cycles, values)]
 
 
-def field_ladder(cycles: Cycles) -> list[Rung]:
+def field_laws(cycles: Cycles) -> list[LawScore]:
     """The laws for all channels together, and how far the field follows the load alone."""
     values = cycles.change_mt
     lines = [
         np.column_stack([np.ones(len(cycles.time_s)), np.maximum(cycles.travel_mm - at, 0)])
         for at in _contacts(cycles)
     ]
-    rungs = [Rung("small strain", _judged(cycles, lines, values)), *_ladder(cycles, values)]
+    scores = [LawScore("small strain", _judged(cycles, lines, values)), *_laws(cycles, values)]
     by_load = _powers(cycles.load / max(cycles.load.max(), 1e-12))
-    return [*rungs, Rung("any law of the load", _judged(cycles, [by_load], values))]
+    return [*scores, LawScore("any law of the load", _judged(cycles, [by_load], values))]
 
 
 def loop_shares(cycles: Cycles, lag_s: float) -> Float[np.ndarray, "cycle"]:
@@ -131,15 +131,15 @@ def loop_shares(cycles: Cycles, lag_s: float) -> Float[np.ndarray, "cycle"]:
     return np.array(found)
 
 
-def _ladder(cycles: Cycles, values: np.ndarray) -> list[Rung]:
+def _laws(cycles: Cycles, values: np.ndarray) -> list[LawScore]:
     still = _powers(cycles.travel_mm / cycles.travel_mm.max())
     elastic = _judged(cycles, [still], values)
     late = [(lag, _powers(_late(cycles, lag) / cycles.travel_mm.max())) for lag in LAGS_S.tolist()]
     lag, basis = min(late, key=lambda one: _left(cycles, one[1], values))
     mirrored = _mirrored(cycles)
-    rungs = [
-        Rung("any elastic law", elastic),
-        Rung(
+    scores = [
+        LawScore("any elastic law", elastic),
+        LawScore(
             "elastic, lag",
             _judged(cycles, [basis], values),
             _judged(cycles, [basis], values, mirrored),
@@ -155,7 +155,7 @@ def _ladder(cycles: Cycles, values: np.ndarray) -> list[Rung]:
     lag, time, share, basis = min(relaxed, key=lambda one: _left(cycles, one[3], values))
     explained = _judged(cycles, [basis], values)
     exchanged = _judged(cycles, [basis], values, mirrored)
-    return [*rungs, Rung("elastic, lag, relaxation", explained, exchanged, lag, time, share)]
+    return [*scores, LawScore("elastic, lag, relaxation", explained, exchanged, lag, time, share)]
 
 
 def _contacts(cycles: Cycles) -> np.ndarray:

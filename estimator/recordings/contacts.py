@@ -94,7 +94,7 @@ def contact_slots(
     Float[np.ndarray, "frame contact 2"],
     Float[np.ndarray, "frame contact 3"],
 ]:
-    """One slot a tip and cell, each tip with its share of the cell's normal and tangential force."""
+    """One slot per tip and cell, each tip with its share of the cell's normal and tangential force."""
     frames, cells, tips = tip_xy_mm.shape[:3]
     held = touching[:, :, None] & np.isfinite(tip_xy_mm[..., 0])
     cell_n = np.concatenate([shear_n, force_n[..., None]], axis=2)

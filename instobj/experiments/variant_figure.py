@@ -18,7 +18,7 @@ _SCORES = {
 
 
 def draw_variants(rows: list[dict[str, Any]], force_n: float, path: Path) -> None:
-    """One line a variant, one mark a score; left of 1 is better (PNG)."""
+    """One line per variant, one mark per score; left of 1 is better (PNG)."""
     from matplotlib import colormaps
     from matplotlib.figure import Figure
     from matplotlib.ticker import FuncFormatter, NullFormatter

@@ -116,7 +116,7 @@ def placed_case(spec: ObjectSpec, case: Case, quick: bool = False) -> ObjectSpec
 
 
 def run(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
-    """One row an object; `paths` in the document: bounds of all locations by signal path."""
+    """One row per object; `paths` in the document: bounds of all locations by signal path."""
     rows, found = [], []
     for case in _QUICK if quick else CASES:
         variant = placed_case(spec, case, quick)

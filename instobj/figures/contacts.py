@@ -39,7 +39,7 @@ def _draw_distances(axes: Any, matched: MatchedContacts) -> None:
     for number in np.unique(tips).tolist():
         away = np.sort(matched.distance_mm[tips == number])
         share = 100 * np.arange(1, len(away) + 1) / len(away)
-        label = f"{number} a face: median {np.median(away):.2f} mm"
+        label = f"{number} per face: median {np.median(away):.2f} mm"
         axes.plot(away, share, color=_COLOURS[number % len(_COLOURS)], label=label)
     axes.set(xscale="log", xlabel="distance to the true contact (mm)", ylim=(0, 102))
     axes.set_ylabel("contacts with distance ≤ x (%)")

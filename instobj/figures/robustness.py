@@ -24,7 +24,7 @@ _SHORT_BAR = 0.05
 
 
 def draw_robustness(spec: ObjectSpec, budget: Robustness, path: Path) -> None:
-    """One row a contribution, worst first, and all together below; one panel a consequence (PNG)."""
+    """One row per contribution, worst first, and all together below; one panel per consequence (PNG)."""
     from matplotlib.figure import Figure
 
     rows = (*budget.contributions, budget.monte_carlo)

@@ -90,7 +90,7 @@ def _load_text(spec: ObjectSpec, plan: BusPlan) -> str:
     if load.kind == "hx711":
         scale = (
             f"for a cell of {cell.capacity_n:g} N and {cell.output_mv_per_v:g} mV/V at gain 128. Set the "
-            f"board's RATE to {cell.rate_sps} readings a second."
+            f"board's RATE to {cell.rate_sps} readings per second."
         )
     else:
         scale = f"{cell.newtons_per_v:g} N/V, {cell.zero_v:g} V without load."

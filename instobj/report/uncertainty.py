@@ -107,17 +107,17 @@ def robustness_summary(spec: ObjectSpec, folder: Path) -> dict[str, list[dict[st
 
 
 def budget_rows(spec: ObjectSpec, budget: Robustness) -> list[dict[str, Any]]:
-    """One row a contribution, worst first, then all together both ways."""
+    """One row per contribution, worst first, then all together both ways."""
     return [
         {
             "tolerance": tolerance_text(spec, row.name),
-            "false place mm": row.false_place_mm,
+            "localisation error mm": row.false_place_mm,
             "worst mm": row.false_place_worst_mm,
-            "false force N": row.false_force_n,
+            "force error N": row.false_force_n,
             "worst N": row.false_force_worst_n,
             "ΔS %": 100 * row.signal,
             "rest counts": row.baseline_counts,
-            "place bound %": 100 * row.position_bound,
+            "position bound %": 100 * row.position_bound,
             "force bound %": 100 * row.force_bound,
         }
         for row in (*budget.contributions, budget.together, budget.monte_carlo)

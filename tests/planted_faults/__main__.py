@@ -66,7 +66,7 @@ def plant(folder: Path, options: argparse.Namespace) -> None:
 
 
 def lines(file: Path) -> list[dict[str, Any]]:
-    """Records of a file of one JSON a line; one that was cut as it was written is left out."""
+    """Records of a file of one JSON per line; one that was cut as it was written is left out."""
     text = file.read_text(encoding="utf-8") if file.exists() else ""
     return [json.loads(line) for line in text.splitlines() if line.endswith("}")]
 

@@ -41,7 +41,7 @@ BOX = ObjectSpec.model_validate(
         "magnets": {"positions_mm": [[0.0, 0.0], [0.0, 6.6]]},
     }
 )
-"""Two chips a face, far from those of the next one."""
+"""Two chips per face, far from those of the next one."""
 
 
 class PlayedBoard:

@@ -84,7 +84,7 @@ class BodyKind(ABC):
 
     @property
     def core_half_mm(self) -> Float[np.ndarray, "3"]:
-        """Half extents of a core that is centred: the body's less one shell thickness a side."""
+        """Half extents of a core that is centred: the body's less one shell thickness per side."""
         return self.half_mm - self.thickness_mm
 
     @property

@@ -16,7 +16,7 @@ _OF_THE_BODY = ("name", "body", "shell", "arrangement", "mesh")
 
 
 def with_places_in_mm(content: dict[str, Any]) -> dict[str, Any]:
-    """A specification's tables with `positions_mm`, one list a face, where fractions were given.
+    """A specification's tables with `positions_mm`, one list per face, where fractions were given.
 
     (1, 1) is a face's corner of largest x and y, (0, 0) its middle; one list holds for all faces.
     Magnets in the shell are measured on the body's faces, sensors in the core on the core's.

@@ -52,7 +52,7 @@ class PressedCases:
 
 def pressed_cases(spec: ObjectSpec, frames: FrameSet, forces: PressForces) -> PressedCases:
     """Frames in which all contacts of a case (`place_id`) touch, within 0.8 of the deepest simulated
-    press, as four means a case.
+    press, as four means per case.
 
     Raises
     ------

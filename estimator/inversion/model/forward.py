@@ -1,8 +1,8 @@
 """Forward model of several contacts: presses summed as motions, then the exact field.
 
-Motions of the shell's bodies add up under joint contact to 0.0 to 1.1 % of the signals at 8 N a face,
+Motions of the shell's bodies add up under joint contact to 0.0 to 1.1 % of the signals at 8 N per face,
 and to 2.1 % at worst at 17 N (small strain; ten grasps of two faces of the paper's cube with one to
-three tips a jaw); signals themselves add up to 0.1 to 4.6 %, 9.7 % at worst, since the field is not
+three tips per jaw); signals themselves add up to 0.1 to 4.6 %, 9.7 % at worst, since the field is not
 linear in the motion. Each contact's own signals come from a table of single presses; the field of
 the summed motions adds what the contacts do to each other. So one contact is met exactly, whatever
 the table is of, the design's presses or those of a calibrated twin.

@@ -24,7 +24,7 @@ class Augmentation:
 
     Attributes
     ----------
-    offset_counts : rms offset of a press's zero, one draw a channel, counts
+    offset_counts : rms offset of a press's zero, one draw per channel, counts
     noise_sigmas : white noise in units of the channel's own σ
     other_faces : share of frames onto which a press of other faces is superposed (their signals
         add up: within 2 % of the signals' rms on the paper's cube)

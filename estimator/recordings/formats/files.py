@@ -2,7 +2,7 @@
 
 Gripper files have a header: Time (whole s), two load cells (grams-force), 15 sensors × XYZ counts
 in the order of faces 5, 3, 1, 2, 4, then for each load cell the face pressed and one position
-label a tip. Training files have no header: face, case, force (N, any sign and offset), the
+label per tip. Training files have no header: face, case, force (N, any sign and offset), the
 face's nine channels, then position labels (none for one tip, two or three otherwise). The generic
 format (`estimator.recordings.formats.generic`) names its columns.
 """

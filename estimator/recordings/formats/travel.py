@@ -92,7 +92,7 @@ def read_travel(folder: Path | str) -> TravelRecording:
 
 
 def _table(path: Path, columns: tuple[str, ...] | None) -> np.ndarray:
-    """All rows of a file without a header; without `columns`, time and three readings a chip."""
+    """All rows of a file without a header; without `columns`, time and three readings per chip."""
     with naming(path):
         rows, _ = csv_rows(read_bytes(path))
         width = len(rows[0])

@@ -38,7 +38,7 @@ COLUMNS: tuple[str, ...] = (
 def contacts_in_file(
     model_path: Path, path: Path, out: Path | None, zeroing: Zeroing
 ) -> dict[str, Any]:
-    """Read every frame of a file; writes `<stem>.contacts.csv` beside it, one row a contact.
+    """Read every frame of a file; writes `<stem>.contacts.csv` beside it, one row per contact.
 
     With a folder `out` it is `out/runs/<name>/contacts.csv`, named as `run_name` says.
 
@@ -144,7 +144,7 @@ def _in_recording(
 def _rows(
     number: np.ndarray, time_s: np.ndarray, best: ContactSets, second: ContactSets | None
 ) -> Iterator[dict[str, Any]]:
-    """One row a contact; a frame without contact has one row with empty cells."""
+    """One row per contact; a frame without contact has one row with empty cells."""
     radius, halfwidth = best.position_radius_mm, best.force_halfwidth_n
     for row in range(len(best)):
         shared = {

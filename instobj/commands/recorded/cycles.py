@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from estimator.recordings.formats.travel import read_travel
 
 if TYPE_CHECKING:
-    from estimator.known_travel.cycles import Rung
+    from estimator.known_travel.cycles import LawScore
 
 
 def cycles_in(folder: Path) -> dict[str, Any]:
@@ -20,11 +20,11 @@ def cycles_in(folder: Path) -> dict[str, Any]:
     InputError
         A damaged recording, or one without loads or cycles along one axis.
     """
-    from estimator.known_travel.cycles import cycles_of, field_ladder, force_ladder, loop_shares
+    from estimator.known_travel.cycles import cycles_of, field_laws, force_laws, loop_shares
 
     cycles = cycles_of(read_travel(folder))
-    force, field = force_ladder(cycles), field_ladder(cycles)
-    lag = next(rung.lag_s for rung in force if rung.law == "elastic, lag") or 0.0
+    force, field = force_laws(cycles), field_laws(cycles)
+    lag = next(score.lag_s for score in force if score.law == "elastic, lag") or 0.0
     loops = loop_shares(cycles, 0.0)
     return {
         "command": "cycles",
@@ -37,11 +37,11 @@ def cycles_in(folder: Path) -> dict[str, Any]:
             "as recorded": loops.tolist(),
             "at its lag": loop_shares(cycles, lag).tolist(),
         },
-        "force": [asdict(rung) for rung in force],
-        "field": [asdict(rung) for rung in field],
+        "force": [asdict(score) for score in force],
+        "field": [asdict(score) for score in field],
         "tables": {
-            "share explained of the load, judged cycles": [_row(rung) for rung in force],
-            "share explained of the field, judged cycles": [_row(rung) for rung in field],
+            "share explained of the load, judged cycles": [_row(score) for score in force],
+            "share explained of the field, judged cycles": [_row(score) for score in field],
         },
         "texts": [
             f"{cycles.count} cycles of {cycles.travel_mm.max():.3g} mm along {cycles.axis}; work lost in "
@@ -51,12 +51,12 @@ def cycles_in(folder: Path) -> dict[str, Any]:
     }
 
 
-def _row(rung: Rung) -> dict[str, Any]:
+def _row(score: LawScore) -> dict[str, Any]:
     return {
-        "law": rung.law,
-        "explained": round(rung.explained, 4),
-        "ways exchanged": None if rung.exchanged is None else round(rung.exchanged, 4),
-        "lag s": rung.lag_s,
-        "relaxation time s": rung.time_s,
-        "relaxing share": rung.share,
+        "law": score.law,
+        "explained": round(score.explained, 4),
+        "ways exchanged": None if score.exchanged is None else round(score.exchanged, 4),
+        "lag s": score.lag_s,
+        "relaxation time s": score.time_s,
+        "relaxing share": score.share,
     }

@@ -103,7 +103,7 @@ def _rows(spec: ObjectSpec, found: list[InterfaceAgreement]) -> list[dict[str, A
             row[f"null, p ({part.what})"] = f"{part.cosine.null:.2f}, {part.cosine.p:.2g}"
             if part.what != "all channels":
                 row[f"{part.what}: modulus MPa"] = round(part.modulus_mpa, 2)
-        row["N a face at 2 mm"] = round(one.force_at_2_mm, 2)
+        row["N per face at 2 mm"] = round(one.force_at_2_mm, 2)
         row["travel mm"] = round(one.travel_mm, 2)
         rows.append(row)
     return rows

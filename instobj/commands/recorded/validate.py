@@ -258,7 +258,7 @@ def _published(
 
 
 def agreement_rows(document: dict[str, Any]) -> list[dict[str, Any]]:
-    """One row a figure of merit and set of channels: value, null, p."""
+    """One row per figure of merit and set of channels: value, null, p."""
     rows = []
     for found in document["agreement"]:
         for title, key in (
@@ -285,7 +285,7 @@ def agreement_rows(document: dict[str, Any]) -> list[dict[str, Any]]:
 
 
 def calibration_rows(document: dict[str, Any]) -> list[dict[str, Any]]:
-    """One row a kind of unseen presses and figure: before, after, null, p."""
+    """One row per kind of unseen presses and figure: before, after, null, p."""
     rows = []
     for test in document["calibration_tests"]:
         for title, key, p in (

@@ -37,7 +37,7 @@ def draw_bars(
     title: str,
     path: Path,
 ) -> None:
-    """Groups of bars with their values, a panel an axis label; its bars are columns by legend."""
+    """Groups of bars with their values, a panel per axis label; its bars are columns by legend."""
     from matplotlib.figure import Figure
 
     bars = len(rows) * max(map(len, panels.values()))

@@ -54,7 +54,7 @@ def run_3d_force(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
         SIMULATED,
         f"Face {face}, presses anywhere, tangential force up to {SHARE:g} of the normal force, whole "
         "presses held out; what a tangential force adds is that of the design. The paper reads the "
-        "normal force alone. Share of the mean's error: over that of always guessing the mean.",
+        "normal force alone. Relative error: over that of a constant-mean predictor.",
     ]
     return StudyResult(rows, texts)
 

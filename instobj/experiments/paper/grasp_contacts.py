@@ -54,7 +54,7 @@ def run_grasp_contacts(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResu
     holds = len(frames) // _HOLD_FRAMES
     texts = [
         SIMULATED,
-        f"{holds} holds of {_HOLD_FRAMES} frames: grasps of one, two and three tips a jaw at random "
+        f"{holds} holds of {_HOLD_FRAMES} frames: grasps of one, two and three tips per jaw at random "
         "places, turned at random, at random forces, zeroed before each, and rest. Read frame by "
         f"frame, and as means of {_HOLD_FRAMES}. The calibrated twin has seen labelled single presses "
         f"at one contact location in {_EVERY_PLACE} of both faces and no grasp; the design nothing "

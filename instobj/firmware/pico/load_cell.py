@@ -13,7 +13,7 @@ SKIPPED_MS = 100
 
 
 def newtons(value):
-    """Text of the force; LOAD_SCALE is 0.1 mN a step with 24 bits behind its point."""
+    """Text of the force; LOAD_SCALE is 0.1 mN per step with 24 bits behind its point."""
     tenths = ((value - plan.LOAD_ZERO) * plan.LOAD_SCALE + (1 << 23)) >> 24
     size = min(abs(tenths), 9_999_999)
     return "%s%d.%04d" % ("-" if tenths < 0 else "", size // 10_000, size % 10_000)

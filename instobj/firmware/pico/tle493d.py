@@ -14,7 +14,7 @@ def move(bus, old, new):
 
 
 def _mod1(address):
-    """Low-power mode, 770 conversions a second; no interrupts on the clock line, which stretches the
+    """Low-power mode, 770 conversions per second; no interrupts on the clock line, which stretches the
     clock while a conversion runs. The highest bit makes the number of ones odd, those of the update rate
     in MOD2 included, which are 0."""
     kind = TYPES.index(address)

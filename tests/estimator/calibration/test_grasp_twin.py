@@ -24,7 +24,7 @@ def built():
 
 @pytest.fixture(scope="module")
 def trained(built):
-    """Recordings of one tip and of two tips a jaw."""
+    """Recordings of one tip and of two tips per jaw."""
     return both(grasps(built, 1, cases=5), grasps(built, 2, cases=4))
 
 
@@ -46,7 +46,7 @@ def estimator(twin, seen):
 
 
 def held_out(built):
-    """Frames of three tips a jaw at 10 N a face and more."""
+    """Frames of three tips per jaw at 10 N per face and more."""
     frames = grasps(built, 3, cases=4)
     return frames.select(np.flatnonzero(np.nansum(frames.force_n[..., 2], axis=1) > 20)[::6])
 

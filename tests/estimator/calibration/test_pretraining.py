@@ -55,7 +55,7 @@ def test_twins_are_reproducible(presses, twins):
 
 
 def test_few_presses_go_further_from_pretrained(presses, twins):
-    """One object with errors of its own, one press a place: with pre-training and without."""
+    """One object with errors of its own, one press per place: with pre-training and without."""
     split = split_twins(twins)
     parts = twins.select(split.train), twins.select(split.validation)
     pretrained = fit_estimator(*parts, FitSettings(FACE, TRAINING, 1))

@@ -27,7 +27,7 @@ def one_tip():
 
 @pytest.fixture(scope="module")
 def estimator():
-    """Calibrated on the recording of two tips a jaw, with presses that need no mesh."""
+    """Calibrated on the recording of two tips per jaw, with presses that need no mesh."""
     forces, motions = synthetic_presses(SPEC)
     seen = pressed_cases(SPEC, read_recording(FOLDER / NAMES[1]).frames, forces)
     assert (len(seen), seen.faces, (seen.face > 0).sum(axis=1).tolist()) == (3, (3, 5), [4, 4, 4])

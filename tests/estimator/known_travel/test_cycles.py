@@ -5,7 +5,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.errors import InputError
-from estimator.known_travel.cycles import cycles_of, field_ladder, force_ladder, loop_shares
+from estimator.known_travel.cycles import cycles_of, field_laws, force_laws, loop_shares
 from estimator.recordings.formats.travel import TravelRecording
 
 PERIOD_S, COUNT = 20.0, 6
@@ -30,24 +30,24 @@ def made(lag_s=0.0, share=0.0, time_s=3.0, creep=0.0):
     return TravelRecording(1e9 + time, tip, field[:, None], place, load)
 
 
-def named(rungs):
-    return {rung.law: rung for rung in rungs}
+def named(scores):
+    return {score.law: score for score in scores}
 
 
-def exchanged(rung):
-    assert rung.exchanged is not None
-    return rung.exchanged
+def exchanged(score):
+    assert score.exchanged is not None
+    return score.exchanged
 
 
 def test_an_elastic_sphere_is_small_strain_and_needs_nothing_else():
     cycles = cycles_of(made())
     assert (cycles.count, cycles.axis) == (COUNT, "z")
     assert_allclose(cycles.travel_mm.max(), 8, atol=1e-3)
-    force = named(force_ladder(cycles))
+    force = named(force_laws(cycles))
     assert force["small strain"].explained > 0.999
     assert force["elastic, lag"].lag_s == 0
     assert_allclose(exchanged(force["elastic, lag"]), force["elastic, lag"].explained, atol=1e-3)
-    field = named(field_ladder(cycles))
+    field = named(field_laws(cycles))
     assert field["any law of the load"].explained > 0.999
     assert field["small strain"].explained < field["any law of the load"].explained - 1e-3
     assert abs(loop_shares(cycles, 0.0)).max() < 0.01
@@ -55,7 +55,7 @@ def test_an_elastic_sphere_is_small_strain_and_needs_nothing_else():
 
 def test_a_lag_of_the_machine_is_found_and_lets_the_loop_run_backwards():
     cycles = cycles_of(made(lag_s=0.4))
-    force = named(force_ladder(cycles))
+    force = named(force_laws(cycles))
     assert force["elastic, lag"].lag_s == 0.4
     assert force["elastic, lag"].explained > 0.999
     assert exchanged(force["elastic, lag"]) < 0.97
@@ -65,7 +65,7 @@ def test_a_lag_of_the_machine_is_found_and_lets_the_loop_run_backwards():
 
 def test_relaxation_is_found_beside_a_lag():
     cycles = cycles_of(made(lag_s=0.3, share=0.3))
-    force = named(force_ladder(cycles))
+    force = named(force_laws(cycles))
     found = force["elastic, lag, relaxation"]
     assert (found.lag_s, found.time_s, found.share) == (0.3, 3.0, 0.3)
     assert found.explained > max(0.999, force["elastic, lag"].explained + 1e-3)
@@ -75,7 +75,7 @@ def test_relaxation_is_found_beside_a_lag():
 
 def test_drift_is_no_relaxation():
     """What goes on through all cycles no law of one cycle explains."""
-    field = named(field_ladder(cycles_of(made(creep=0.02))))
+    field = named(field_laws(cycles_of(made(creep=0.02))))
     assert field["elastic, lag, relaxation"].explained < 0.95
 
 

@@ -82,11 +82,18 @@ def test_numbers_are_never_broken_whatever_else_is(printed, count):
 def test_words_are_not_broken_where_two_tables_hold_them(printed):
     """The robustness table of a box: 'remanence' and 'temperature' were cut in pieces of six."""
     names = ("earth's field 50 µT, turned", "remanence 2 %", "temperature 5 K")
-    figures = ("false place mm", "worst mm", "false force N", "worst N", "ΔS %", "rest counts")
+    figures = (
+        "localisation error mm",
+        "worst mm",
+        "force error N",
+        "worst N",
+        "ΔS %",
+        "rest counts",
+    )
     rows = [
         {"tolerance": name}
         | dict.fromkeys(figures, 7.67e-7)
-        | {"place bound %": 1.05e-10, "force bound %": 1.65e-9}
+        | {"position bound %": 1.05e-10, "force bound %": 1.65e-9}
         for name in names
     ]
     words = {word for line in printed(rows) for word in line}

@@ -1,4 +1,4 @@
-"""Recordings of one and two tips a jaw train, a recording of three tips judges (`--on`)."""
+"""Recordings of one and two tips per jaw train, a recording of three tips judges (`--on`)."""
 
 import json
 from dataclasses import replace
