@@ -23,9 +23,7 @@ _STEPS = 25
 def check_curved_keys(spec: ObjectSpec) -> Iterator[str]:
     """Keys on their patches, clear of what is cut into the core, of pockets and of each other."""
     keys, thickness = spec.core.keys, spec.shell.thickness_mm
-    if (
-        body_of(spec).on_base and body_of(spec).core_surface() is None
-    ) or spec.body.inside != "core":
+    if not body_of(spec).takes_keys or spec.body.inside != "core":
         yield (
             "core.keys stand in silicone that a plug or the core itself shapes; this "
             f"{spec.body.kind} is filled to the rim of its mould or holds air. Leave core.keys out"

@@ -144,8 +144,7 @@ def up(spec: ObjectSpec) -> Float[np.ndarray, "3"]:
 def parting(spec: ObjectSpec) -> Parting:
     """The plane that parts the halves; it holds `out`.
 
-    By default through two edges of a box, of an ellipsoid across its shorter axis, and of an
-    imported body where least of it is an undercut.
+    By default where the kind of body says, or where least of it is an undercut.
     """
     frame, given = mould_frame(spec), spec.mould.parting_azimuth_deg
     half = abs(frame.axes.T) @ np.asarray(spec.body.size_mm) / 2

@@ -135,7 +135,7 @@ def _flat_seat_mm(spec: ObjectSpec) -> float:
 def _recess(spec: ObjectSpec, top: float) -> cq.Solid:
     """Room for the lowest few millimetres of a body without a cavity for a post."""
     play, body = play_mm(spec), body_of(spec)
-    if not body.cuboid and body.size_mm[0] == body.size_mm[1] and body.name != "pad":
+    if body.round_below:
         return rod_about_z(body.size_mm[0] / 2 + play, top - RECESS_MM, top + OVERSHOOT_MM)
     box = envelope(spec).BoundingBox()
     low = (box.xmin - play, box.ymin - play, top - RECESS_MM)

@@ -5,6 +5,7 @@ Defaults are the paper's cube (Knopke et al., RA-L 2024); docs/units.md gives th
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
 
@@ -12,6 +13,7 @@ import numpy as np
 from pydantic import Field, model_validator
 
 from design.body.foreign import STEP
+from design.body.kinds.base import BodyKind
 from design.body.kinds.registry import KINDS
 from design.spec.base import Count, Finite, NonNegative, Positive, SpecPart
 
@@ -32,13 +34,12 @@ LONGEST_EDGE_MM = (5.0, 1000.0)
 class BodySpec(SpecPart):
     """Outer shape of the object, silicone and what is inside it, in a box of `size_mm` (x, y, z).
 
-    "box"; "cylinder" about z; "sphere"; "ellipsoid" of three diameters; "pad", a slab of silicone
-    on a rigid plate; "dome", a hemisphere on a rigid base, with `inside` of it a rigid core,
-    silicone or air; "imported", the closed surface in `file` (STL, STEP and others), moved so that
-    its box is centred. `open_faces` have no silicone: there the core's cavity runs out, of a ball
-    or an imported body through a bore of `bore_mm`. Triangles in `file` are in `unit` (STEP files know
-    theirs); `scale` makes the body larger or smaller. `sensed_faces`, by default all that are closed,
-    carry magnets and sensors and are pressed.
+    `kind` is one of `design.body.kinds.registry` (docs/bodies.md); what holds the silicone from
+    `inside` is a rigid core unless the kind allows others. `open_faces` have no silicone: there the
+    core's cavity runs out, where no whole side opens through a bore of `bore_mm`. The surface of an
+    imported body is in `file` (STL, STEP and others), moved so that its box is centred; its triangles
+    are in `unit` (STEP files know theirs), and `scale` makes it larger or smaller. `sensed_faces`, by
+    default all that are closed, carry magnets and sensors and are pressed.
     """
 
     kind: KindName = "box"
@@ -148,13 +149,18 @@ def _check_inside(body: BodySpec) -> None:
     kind = KINDS[body.kind]
     if body.inside not in kind.insides:
         raise ValueError(
-            f"body.inside = {body.inside!r} is for a dome; got body.kind = {body.kind!r}. Leave it out"
+            f"body.inside = {body.inside!r} is for {_kinds(lambda one: body.inside in one.insides)}; got "
+            f"body.kind = {body.kind!r}. Leave it out"
         )
     if kind.from_file != (body.file is not None):
         raise ValueError(
-            f"body.file goes with kind = 'imported'; got kind = {body.kind!r} and file = {body.file!r}. "
-            "Give both or neither"
+            f"body.file goes with body.kind = {_kinds(lambda one: one.from_file)}; got {body.kind!r} and "
+            f"file = {body.file!r}. Give both or neither"
         )
+
+
+def _kinds(which: Callable[[type[BodyKind]], bool]) -> str:
+    return " or ".join(repr(name) for name, kind in KINDS.items() if which(kind))
 
 
 class SlitsSpec(SpecPart):

@@ -14,9 +14,8 @@ from design.body.kinds.registry import KINDS
 from design.errors import InputError
 from design.files import atomic_path
 from design.placement.objects import Request, Tables, placed
-from design.spec.body import MM
+from design.spec.body import MM, BodySpec
 from design.spec.object import ObjectSpec
-from instobj.commands.new_comments import BAYS_MM, comment_of
 
 _TEMPLATE = Path(__file__).parents[1] / "templates" / "cube.toml"
 _HEADING = re.compile(r"\[([\w.]+)\]")
@@ -25,6 +24,7 @@ _COMMENT = re.compile(r"\s+# .*$")
 _DEFAULTS = re.compile(r"^# Every value below is the default.*$", re.MULTILINE)
 _COLUMN = 28
 _NAME = '"NAME"'
+_OTHERS = "OTHER KINDS"
 _MOULD_MM = 30.0
 """Of walls and flanges, beyond the body."""
 
@@ -36,12 +36,18 @@ BOX_ONLY = (
     "mechanics.slip",
 )
 """Keys and tables of the template that other bodies do not take."""
-OF_KINDS = {
-    "shell.slits": ("box", "cylinder"),
-    "core.keys": tuple(kind for kind in KINDS if kind != "pad"),
-    "core.bay_mm": ("box", "pad", "cylinder", "dome"),
+_COMMENTS = {
+    "contact_grid.count": "as many as fit on each face; or x and y for all of them, such as [10, 10]",
+    "core.keys.positions_mm": "x, y on every sensed face of the core, beside recesses and wire hole",
 }
-"""Those that some kinds take."""
+"""Comments of placed objects, where the template's are the cube's."""
+_OF_BORED = {
+    "body.open_faces": "[6]: a bore through -z, by whose rod the core is held while it is cast in; []: none",
+    "body.bore_mm": "through the open face 6",
+}
+"""Those of bodies that open by a bore."""
+_BAY_MM, _BASE_BAY_MM = (10.0, 10.0, 10.0), (10.0, 8.0, 2.0)
+"""Bays small enough for most bodies, as examples: in a core, and in a rigid base."""
 
 
 def new_specification(name: str, out: Path, request: Request | None = None) -> Path:
@@ -62,6 +68,7 @@ def new_specification(name: str, out: Path, request: Request | None = None) -> P
         raise InputError(f"{target} is already there. Choose another name, or move it away")
     text, named = _TEMPLATE.read_text(encoding="utf-8"), f'name = "{name}"'
     text = text.replace(f"{'name = ' + _NAME:<{_COLUMN}}", f"{named:<{_COLUMN}}")
+    text = text.replace(_OTHERS, _other_kinds(request.kind if request else BodySpec().kind))
     if request is not None:
         tables = placed(request)
         if "sensed_faces" in tables["body"]:
@@ -90,19 +97,21 @@ def request_of(
     InputError
         Options that do not go together, or a file that holds no closed body.
     """
-    kind = "imported" if kind is None and file is not None else kind
+    if kind is None and file is not None:
+        kind = next(name for name, one in KINDS.items() if one.from_file)
     if kind is None and size_mm is None:
         return None
-    kind = kind or "box"
+    kind = kind or BodySpec().kind
     if kind not in KINDS:
         raise InputError(f"--kind {kind} is not known. Choose one of {', '.join(KINDS)}")
     if unit not in MM:
         raise InputError(f"--unit {unit} is not known. Choose one of {', '.join(MM)}")
     if KINDS[kind].from_file != (file is not None):
-        raise InputError("--from FILE goes with --kind imported. Give both, or neither")
+        read = next(name for name, one in KINDS.items() if one.from_file)
+        raise InputError(f"--from FILE goes with --kind {read}. Give both, or neither")
     if (size_mm is None) == (file is None):
         raise InputError(
-            f"--size X Y Z (mm) is given for every kind but an imported body, whose file has it; got "
+            f"--size X Y Z (mm) is given for every kind but that of a file, which has it; got "
             f"--kind {kind}{'' if size_mm is None else ' and --size'}. "
             + ("Add --size" if size_mm is None else "Leave it out, or use --scale")
         )
@@ -130,13 +139,28 @@ def _filled(text: str, tables: Tables, kind: type[BodyKind], out: Path) -> str:
         if key and name in values:
             line = _with_value(line, key[1], values.pop(name))
         if name == "core.bay_mm":
-            line = _with_value(line, f"# {key[1] if key else ''}", BAYS_MM[kind.name])
-        comment = comment_of(name, kind) if key or heading else None
+            bay = _BASE_BAY_MM if kind.on_base else _BAY_MM
+            line = _with_value(line, f"# {key[1] if key else ''}", bay)
+        comment = _comment(name, kind) if key or heading else None
         lines.append(line if comment is None else _COMMENT.sub(f"{_gap(line)}# {comment}", line))
     if values:
         raise AssertionError(f"the template has no lines for {sorted(values)}")
     whole = re.sub(r"\n{3,}", "\n\n", "\n".join(lines) + "\n")
     return _DEFAULTS.sub(_about(kind), whole)
+
+
+def _comment(name: str, kind: type[BodyKind]) -> str | None:
+    """What stands beside a key or above a table of a placed object; None: the template's own words."""
+    bored = _OF_BORED if _bored(kind) else {}
+    return (_COMMENTS | bored | dict(kind.comments)).get(name)
+
+
+def _bored(kind: type[BodyKind]) -> bool:
+    return bool(kind.openable) and not kind.opens_sides
+
+
+def _other_kinds(kind: str) -> str:
+    return ", ".join(other for other in KINDS if other != kind)
 
 
 def _gap(line: str) -> str:
@@ -176,19 +200,20 @@ def _about(kind: type[BodyKind]) -> str:
 
 def _left_out(name: str, kind: type[BodyKind]) -> bool:
     """Whether a kind does not take a key, or a table with all that is in it."""
-    bored = bool(kind.openable) and not kind.opens_sides
     keys = {
         "body.inside": len(kind.insides) > 1,
         "body.sensed_faces": len(kind.faces) > 1,
         "body.open_faces": bool(kind.openable),
-        "body.bore_mm": bored,
+        "body.bore_mm": _bored(kind),
         "body.file": kind.from_file,
         "body.unit": kind.from_file,
         "body.scale": kind.from_file,
         "body.size_mm": not kind.from_file,
         "sensors.first_azimuth_deg": False,
+        "shell.slits": kind.opens_sides,
+        "core.keys": kind.takes_keys,
+        "core.bay_mm": kind.opens_sides or kind.on_base,
     } | dict.fromkeys(BOX_ONLY, kind.cuboid)
-    keys |= {key: kind in map(KINDS.get, kinds) for key, kinds in OF_KINDS.items()}
     return any(
         not takes and (name == key or name.startswith(f"{key}.")) for key, takes in keys.items()
     )

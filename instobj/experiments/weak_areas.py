@@ -105,7 +105,7 @@ def placed_case(spec: ObjectSpec, case: Case, quick: bool = False) -> ObjectSpec
     places = case.spread * half * magnet_patterns(case.magnets)[0]
     tables["magnets"]["positions_mm"] = (places.round(2) + 0.0).tolist()
     tables["body"]["sensed_faces"] = [case.face]
-    flat = case.kind in ("box", "pad")
+    flat = all(frame.flat for frame in face_frames(spec_of(tables)))
     tables["mesh"] = _QUICK_MESH if quick else _MESH if flat else _CURVED_MESH
     tables["press"] = {"depths_mm": [1.0, 2.0] if quick else _DEPTHS_MM}
     if quick:

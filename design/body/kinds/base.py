@@ -7,6 +7,7 @@ over. Its exact solid, where it has one, is an entry in `design/solids/body.py`.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, ClassVar, Literal
 
@@ -67,6 +68,12 @@ class BodyKind(ABC):
     """Whether its surface is read from `body.file`."""
     size_rule: ClassVar[str] = ""
     """What `size_mm` must be, where `takes_size` refuses some."""
+    round_below: ClassVar[bool] = False
+    """Whether it ends below in a flat disk, its own diameter wide."""
+    takes_keys: ClassVar[bool] = True
+    """Whether the core can have keys: a plug or the core itself shapes the silicone around them."""
+    comments: ClassVar[Mapping[str, str]] = {}
+    """Comments in a new specification (`instobj new`), by key or table, where the template's do not fit."""
 
     @classmethod
     def takes_size(cls, size_mm: tuple[float, float, float]) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from math import prod
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 
@@ -24,6 +24,7 @@ class Box(BodyKind):
     openable = ALL_FACES
     opens_sides = True
     cuboid = True
+    comments: ClassVar = {"body.size_mm": "edges along x, y, z, silicone and core together"}
 
     @classmethod
     def in_pieces(cls, closed: list[int]) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from math import pi
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 from jaxtyping import Float
@@ -51,6 +51,7 @@ class Capsule(BodyKind):
 
     name = "capsule"
     size_rule = "x and y alike, the diameter, and z above it"
+    comments: ClassVar = {"body.size_mm": "the diameter twice, the whole length along z"}
 
     @classmethod
     def takes_size(cls, size_mm: tuple[float, float, float]) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from math import pi
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 
@@ -23,6 +23,14 @@ class Cylinder(BodyKind):
     openable = (1, 6)
     opens_sides = True
     size_rule = "x and y alike, the diameter"
+    round_below = True
+    comments: ClassVar = {
+        "body.size_mm": "the diameter twice, the height; along z",
+        "body.open_faces": "[6], [1] or both: ends at which the core's cavity runs out; []: closed",
+        "shell.slits": "relief slits halfway between the sides 2 to 5",
+        "shell.slits.depth_mm": "from the surface inwards; 0: none",
+        "shell.slits.end_mm": "how far before the ends they stop",
+    }
 
     @classmethod
     def takes_size(cls, size_mm: tuple[float, float, float]) -> bool:

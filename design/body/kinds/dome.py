@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from math import pi
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 
@@ -24,6 +24,8 @@ class Dome(BodyKind):
     on_base = True
     insides = ("core", "silicone", "air")
     size_rule = "x and y alike, the diameter, and z above half of it"
+    round_below = True
+    comments: ClassVar = {"body.size_mm": "the diameter twice, the height with the rigid base"}
 
     @classmethod
     def takes_size(cls, size_mm: tuple[float, float, float]) -> bool:

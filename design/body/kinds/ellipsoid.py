@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 
@@ -17,6 +17,7 @@ class Ellipsoid(OffsetBody):
     """Three diameters; patches of its outside are exact, its core is an offset of the triangles."""
 
     name = "ellipsoid"
+    comments: ClassVar = {"body.size_mm": "the diameters along x, y, z"}
 
     def parting_azimuth(self, half_mm: np.ndarray) -> float:
         """Across the shorter axis."""

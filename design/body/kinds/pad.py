@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 
@@ -22,6 +22,10 @@ class Pad(BodyKind):
     faces = (1,)
     openable = ()
     on_base = True
+    takes_keys = False
+    comments: ClassVar = {
+        "body.size_mm": "the slab's edges along x and y, its height with the plate under it"
+    }
 
     @property
     def base_top_mm(self) -> float:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from math import pi
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 
@@ -20,6 +20,7 @@ class Sphere(BodyKind):
 
     name = "sphere"
     size_rule = "three times its diameter"
+    comments: ClassVar = {"body.size_mm": "the diameter, three times"}
 
     @classmethod
     def takes_size(cls, size_mm: tuple[float, float, float]) -> bool:

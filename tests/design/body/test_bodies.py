@@ -141,7 +141,7 @@ def test_the_core_ends_where_the_inner_surface_is(name):
         ),
         ("sphere", {"body": {"open_faces": [1]}}, r"may name \[6\]"),
         ("sphere", {"body": {"sensed_faces": [6]}}, "closed faces"),
-        ("sphere", {"body": {"inside": "air"}}, "is for a dome"),
+        ("sphere", {"body": {"inside": "air"}}, "is for 'dome'"),
         ("sphere", {"magnets": {"positions_mm": [[15.5, 0.0], [-15.5, 0.0]]}}, "touch or overlap"),
         ("sphere", {"contact_grid": {"pitch_mm": 14.0}}, "leave face 1, an ellipse"),
         ("sphere", {"mechanics": {"interface": "frictionless"}}, "for boxes only"),

@@ -275,7 +275,7 @@ def test_step_files_without_one_solid_are_refused(tmp_path, shapes, reason):
 def test_a_missing_file_and_a_missing_name_are_told(tmp_path):
     with pytest.raises(InputError, match="no body at"):
         body_of_file(tmp_path / "nowhere.stl")
-    with pytest.raises(InputError, match="goes with kind = 'imported'"):
+    with pytest.raises(InputError, match=r"goes with body\.kind = 'imported'"):
         parse_spec({"name": "a", "body": {"kind": "imported"}}, "test")
 
 

@@ -1,5 +1,6 @@
 """The contract of a kind of body: one class, one registry, and nobody else asks for its name."""
 
+import ast
 import re
 from pathlib import Path
 
@@ -25,6 +26,36 @@ def test_a_kind_s_name_is_looked_up_in_three_files_and_asked_for_nowhere_else():
         if ASKED.search(path.read_text(encoding="utf-8"))
     }
     assert asked == KNOWN_BY_NAME
+
+
+NAMED = {
+    "design/solids/body.py": "exact solids, one entry per kind",
+    "design/spec/body.py": "the default kind",
+    "design/spec/mechanics.py": "the indenter's shape",
+    "design/layout/tips.py": "the indenter's shape",
+    "design/solids/probes.py": "the indenter's shape",
+    "instobj/experiments/weak_areas.py": "the objects of that study",
+    "instobj/figures/weak_areas.py": "matplotlib's padding",
+}
+"""Files outside the kinds that hold a word which is a kind's name, and what it says there."""
+
+
+def test_nothing_else_lists_kinds():
+    """What is asked of a kind stands in its class."""
+    named = set()
+    for package in ("design", "fem", "estimator", "instobj"):
+        for path in (ROOT / package).rglob("*.py"):
+            place = path.relative_to(ROOT).as_posix()
+            tree = ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+            if any(_kind_named_by(node) for node in tree):
+                named.add(place)
+    assert {place for place in named if not place.startswith("design/body/kinds/")} == {*NAMED}
+    template = (ROOT / "instobj" / "templates" / "cube.toml").read_text(encoding="utf-8")
+    assert not re.search(rf"\b({'|'.join({*KINDS} - {'box', 'cylinder', 'imported'})})\b", template)
+
+
+def _kind_named_by(node: ast.AST) -> bool:
+    return isinstance(node, ast.Constant) and isinstance(node.value, str) and node.value in KINDS
 
 
 def test_every_kind_has_exact_solids_or_is_known_by_its_triangles():
