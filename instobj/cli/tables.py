@@ -121,7 +121,8 @@ def _print_rows(console: Console, title: str, rows: list[dict[str, Any]]) -> Non
     if not rows:
         console.print(f"[bold]{title}[/bold]: nothing")
         return
-    names = list(rows[0])
+    names = list(dict.fromkeys(name for row in rows for name in row))
+    rows = [{name: row.get(name) for name in names} for row in rows]
     columns, widths = _laid_out(rows, console.width, _words)
     if widths is None and len(names) <= 2:
         columns, widths = _laid_out(rows, console.width, _numbers)

@@ -277,8 +277,7 @@ def agreement_rows(document: dict[str, Any]) -> list[dict[str, Any]]:
                     "channels": found["what"],
                     "figure": title,
                     "value": found[key],
-                    "null": None,
-                    "p": None,
+                    **dict.fromkeys(("null", "p", "exchanges")),
                 }
             )
     return rows

@@ -3,6 +3,7 @@
 import pytest
 
 from instobj.cli.tables import print_result
+from instobj.commands.recorded.validate import agreement_rows
 from instobj.commands.run import check_specifications
 from tests.support.pages import ROOT
 
@@ -150,3 +151,23 @@ def test_a_table_without_rows_says_so(capsys):
     """Bring-up of a sound object has nothing to put right, and ended with a traceback."""
     print_result({"tables": {"what to put right": []}})
     assert capsys.readouterr().out.strip() == "what to put right: nothing"
+
+
+def test_what_some_rows_do_not_have_is_left_open(printed):
+    assert printed([{"figure": "a", "value": 1.0}, {"figure": "b", "p": 0.5}]) == [
+        ["figure", "value", "p"],
+        ["a", "1", "–"],
+        ["b", "–", "0.5"],
+    ]
+
+
+def test_agreement_with_recordings_is_printed_whole(printed):
+    figure = {"value": 0.75, "null": 0.25, "p": 0.0001, "exchanges": 40320}
+    figures = dict.fromkeys(("cosine", "signs", "size_spread", "modulus_spread"), figure)
+    found = figures | {"what": "face 3", "size_ratio": 1.13, "modulus_mpa": 0.36}
+    shown = printed(agreement_rows({"agreement": [found]}))
+    assert shown[0][-4:] == ["value", "null", "p", "exchanges"]
+    assert [line[-4:] for line in shown[1:] if "cosine" in line] == [
+        ["0.75", "0.25", "0.0001", "40320"]
+    ]
+    assert [line[-4:] for line in shown[1:] if "MPa" in line] == [["0.36", "–", "–", "–"]]
