@@ -181,7 +181,7 @@ def draw(spec: ObjectSpec, design: Assembly, rng: np.random.Generator) -> Assemb
 def _moved_magnets(
     spec: ObjectSpec, magnets: MagnetLayout, tolerances: TolerancesSpec, numbers: _Numbers
 ) -> MagnetLayout:
-    axes = _face_axes(spec, magnets.face)
+    axes = face_axes(spec, magnets.face)
     lateral = tolerances.magnet_seat_mm * numbers["magnet_seat"].reshape(-1, 2)
     depth = tolerances.magnet_seat_depth_mm * numbers["magnet_depth"]
     tilt = np.deg2rad(tolerances.magnet_tilt_deg) * numbers["magnet_tilt"].reshape(-1, 2)
@@ -201,7 +201,7 @@ def _moved_magnets(
 def _moved_sensors(
     spec: ObjectSpec, sensors: SensorLayout, tolerances: TolerancesSpec, numbers: _Numbers
 ) -> SensorLayout:
-    axes = _face_axes(spec, sensors.face)
+    axes = face_axes(spec, sensors.face)
     seat = tolerances.sensor_seat_mm * numbers["sensor_seat"].reshape(-1, 3)
     turn = np.deg2rad(tolerances.sensor_rotation_deg) * numbers["sensor_rotation"].reshape(-1, 3)
     return replace(
@@ -211,7 +211,8 @@ def _moved_sensors(
     )
 
 
-def _face_axes(spec: ObjectSpec, face: Int[np.ndarray, "part"]) -> Float[np.ndarray, "part 3 3"]:
+def face_axes(spec: ObjectSpec, face: Int[np.ndarray, "part"]) -> Float[np.ndarray, "part 3 3"]:
+    """x, y and outward normal of each part's face, as columns."""
     frames = {frame.number: frame.axes for frame in face_frames(spec)}
     return np.stack([frames[number] for number in face.tolist()])
 

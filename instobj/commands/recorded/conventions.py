@@ -5,12 +5,15 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from design.errors import InputError
 from design.spec_io import load_spec
 from instobj.stages.run import Run
 from instobj.store.readers import RESPONSE
 
 if TYPE_CHECKING:
+    from design.spec.object import ObjectSpec
     from estimator.calibration.conventions import Found
 
 
@@ -50,11 +53,60 @@ def conventions_of(
         for number, name in enumerate(recordings):
             found = search_face(spec, presses, predicted, face, number, exchanges)
             rows.append({"face": face, "chosen on": name.name} | _row(found))
+    searched, fitted = _resting(spec, recordings, exchanges)
     return {
         "command": "conventions",
         "candidates": CANDIDATES,
-        "tables": {"conventions, chosen on one recording, judged on the other": rows},
+        "tables": {
+            "conventions, chosen on one recording, judged on the other": rows,
+            "conventions of the resting levels, all faces together": searched,
+            "resting levels, numbers common to all faces": fitted,
+        },
     }
+
+
+def _resting(
+    spec: ObjectSpec, recordings: list[Path], exchanges: int
+) -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:
+    from estimator.calibration.resting import read_resting
+    from estimator.calibration.resting_conventions import (
+        RestingObject,
+        common_fits,
+        search_resting,
+    )
+
+    faces, designed = len(spec.body.sensed), RestingObject(spec).designed_counts
+    searched, fitted = [], []
+    for path in recordings:
+        levels = read_resting(path, spec).counts
+        found = search_resting(designed, levels, faces, exchanges, spec.seed)
+        searched.append(
+            {
+                "recording": path.name,
+                "as documented": round(found.documented, 3),
+                "p alone": round(found.p_documented, 4),
+                "best": round(found.found, 3),
+                "of": found.candidates,
+                "boards, chips, axes": ", ".join(map(str, found.best)),
+                "null of the search": round(found.null_median, 3),
+                "p": round(found.p, 4),
+            }
+        )
+        for fit in common_fits(spec, levels, faces):
+            strength, depth_mm, *pose = fit.numbers
+            fitted.append(
+                {
+                    "recording": path.name,
+                    "fitted": fit.name,
+                    "left": round(fit.left, 2),
+                    "left, faces not fitted": round(fit.left_elsewhere, 2),
+                    "cosine there": round(fit.cosine_elsewhere, 2),
+                    "strength": round(float(np.exp(strength)), 2),
+                    "outwards (mm)": round(depth_mm, 2),
+                    "core (mm, deg)": " ".join(f"{value:.1f}" for value in pose),
+                }
+            )
+    return searched, fitted
 
 
 def _row(found: Found) -> dict[str, Any]:
