@@ -9,31 +9,70 @@ from typing import Any
 import numpy as np
 
 from design.files import atomic_path
+from design.spec.object import ObjectSpec
 from design.tables import write_table
 from instobj.commands.compare import comparison_row
 from instobj.figures.saving import save_figure
 from instobj.report.pages import render
-from instobj.store.content import find
-from instobj.store.readers import SCORES
+from instobj.store.content import StoredResult, find
+from instobj.store.publish import publish_to, run_folder
+from instobj.store.readers import FRAMES, METRICS, PRETRAINED, SCORES
 from instobj.store.shared import URL
 from instobj.sweep.study import Study, Variant
 
-SHOWN = ("weakest place mm", "place mm", "detect N")
-"""Scores that the figure draws against every changed key."""
+SHOWN = ("weakest place mm", "place mm", "detect N", "read place mm", "read force %")
+"""Scores that the figure draws against every changed key, where there are any."""
 
 
-def variant_row(variant: Variant, outcome: dict[str, Any], root: Path) -> dict[str, Any]:
-    """What was changed and what came of it: the scores of `instobj compare`, or an error."""
+def variant_row(
+    variant: Variant, outcomes: dict[str, dict[str, Any]], root: Path, out: Path
+) -> dict[str, Any]:
+    """What was changed and what came of it: numbers of every stage, or an error.
+
+    Frames and estimators are copied to `runs/<object>` below `out`.
+    """
     row: dict[str, Any] = {"object": variant.label, **variant.changes}
-    if outcome["error"] or variant.spec is None:
-        return row | {"error": outcome["error"] or variant.refused}
-    scores = find(root, SCORES.stage, outcome["key"])
-    if scores is None:
-        return row | {
-            "error": f"a worker made its scores, and they are not in {root}. Give all machines one store: "
-            f"the same folder, or {URL}"
-        }
-    return row | comparison_row(variant.spec, SCORES.read(scores.folder))
+    if variant.spec is None:
+        return row | {"error": variant.refused}
+    for stage, outcome in outcomes.items():
+        if outcome["error"]:
+            return row | {"error": outcome["error"]}
+        result = find(root, stage, outcome["key"])
+        if result is None:
+            return row | {
+                "error": f"a worker made its {stage}, which are not in {root}. Give all machines one "
+                f"store: the same folder, or {URL}"
+            }
+        row |= _numbers(variant.spec, result)
+        if stage != SCORES.stage:
+            publish_to(run_folder(out, variant.label), result)
+    return row
+
+
+def _numbers(spec: ObjectSpec, result: StoredResult) -> dict[str, Any]:
+    if result.stage == SCORES.stage:
+        return comparison_row(spec, SCORES.read(result.folder))
+    if result.stage == METRICS.stage:
+        return _estimators(METRICS.read(result.folder))
+    if result.stage == FRAMES.stage:
+        return {"frames": len(FRAMES.read(result.folder))}
+    return {"estimators": len(PRETRAINED.read(result.folder))}
+
+
+def _estimators(metrics: dict[str, Any]) -> dict[str, Any]:
+    """Means over the faces, on held-out presses, beside the best of the simple regressions."""
+    rows, every = metrics["baselines"], {"read": {"model"}}
+    every["best simple"] = {row["name"] for row in rows} - every["read"]
+    found = {}
+    for unit, name in (("force %", "total_force_percent"), ("place mm", "place_mm")):
+        for title, names in every.items():
+            faces: dict[int, list[float]] = {}
+            for row in rows:
+                if row["name"] in names and row[name] is not None:
+                    faces.setdefault(row["face"], []).append(row[name])
+            found[f"{title} {unit}"] = float(np.mean([min(values) for values in faces.values()]))
+    covered = [row["position_cover"] for row in metrics["intervals"]]
+    return found | {"places in 90 % region %": round(100 * float(np.mean(covered)), 1)}
 
 
 def write_outcome(study: Study, rows: Sequence[dict[str, Any]], folder: Path) -> list[Path]:
@@ -47,12 +86,15 @@ def write_outcome(study: Study, rows: Sequence[dict[str, Any]], folder: Path) ->
     page = render(
         "sweep.html.j2",
         name=study.name,
+        stages=study.stages,
         keys=study.keys,
         header=header,
         rows=[[_cell(row.get(name, "")) for name in header] for row in rows],
         made=len(made),
         count=len(rows),
-        best=min(made, key=lambda row: row["weakest place mm"], default=None),
+        best=min(
+            (row for row in made if SHOWN[0] in row), key=lambda row: row[SHOWN[0]], default=None
+        ),
         picture_path=folder / "sweep.png" if drawn else None,
     )
     with atomic_path(folder / "sweep.html") as temporary:
@@ -67,12 +109,13 @@ def draw_sweep(study: Study, rows: Sequence[dict[str, Any]], path: Path) -> bool
 
     made = [row for row in rows if "error" not in row]
     keys = [key for key in study.keys if all(_is_number(row.get(key)) for row in made)]
-    if not keys or not made:
+    shown = [score for score in SHOWN if made and all(score in row for row in made)]
+    if not keys or not shown:
         return False
-    size = (1 + 2.9 * len(keys), 2.4 * len(SHOWN))
+    size = (1 + 2.9 * len(keys), 2.4 * len(shown))
     figure = Figure(figsize=size, layout="constrained")
-    panels = figure.subplots(len(SHOWN), len(keys), squeeze=False, sharex="col", sharey="row")
-    for panel_row, score in zip(panels, SHOWN, strict=True):
+    panels = figure.subplots(len(shown), len(keys), squeeze=False, sharex="col", sharey="row")
+    for panel_row, score in zip(panels, shown, strict=True):
         for axes, key in zip(panel_row, keys, strict=True):
             x, y = (np.array([row[name] for row in made], dtype=float) for name in (key, score))
             axes.plot(x, y, "o", ms=4, color="#31688e", alpha=0.7)

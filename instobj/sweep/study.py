@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from itertools import product
 from math import prod
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 import numpy as np
 from pydantic import Field, ValidationError, model_validator
@@ -21,6 +21,7 @@ from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
 
 MOST_VARIANTS = 10_000
+SweptStage = Literal["scores", "metrics", "frames", "pretraining"]
 Value = int | float | str | bool | list[Any]
 _NAME = r"^[A-Za-z0-9][A-Za-z0-9_.-]*$"
 
@@ -46,12 +47,15 @@ class StudySpec(SpecPart):
     """A sweep as its file has it.
 
     Either one `specification` with a `grid` (every combination) or a `latin_hypercube`, or `files`.
-    `set` changes keys of every specification. Paths are relative to the study's file.
+    `set` changes keys of every specification, `stages` are what each is taken to: bounds, trained
+    estimators on held-out presses, simulated presses, estimators of virtual objects. Paths are
+    relative to the study's file.
     """
 
     name: Annotated[str, Field(pattern=_NAME, max_length=80)]
     specification: str | None = None
     files: tuple[str, ...] = ()
+    stages: Annotated[tuple[SweptStage, ...], Field(min_length=1)] = ("scores",)
     set: dict[str, Value] = Field(default_factory=dict)
     grid: dict[str, Annotated[list[Value], Field(min_length=1)]] = Field(default_factory=dict)
     latin_hypercube: LatinHypercubeSpec | None = None
@@ -87,9 +91,10 @@ class Variant:
 
 @dataclass(frozen=True)
 class Study:
-    """A study's name and its specifications."""
+    """A study's name, what its specifications are taken to, and these."""
 
     name: str
+    stages: tuple[SweptStage, ...]
     variants: tuple[Variant, ...]
 
     @property
@@ -120,7 +125,7 @@ def load_study(path: Path) -> Study:
     )
     if all(variant.spec is None for variant in variants):
         raise SpecError(f"{path}: no specification can be made: {variants[0].refused}")
-    return Study(found.name, variants)
+    return Study(found.name, tuple(dict.fromkeys(found.stages)), variants)
 
 
 def _changes(study: StudySpec) -> Iterator[tuple[str, str, dict[str, Value]]]:

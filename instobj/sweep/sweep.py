@@ -10,13 +10,13 @@ from instobj.store.content import store_root
 from instobj.store.progress import ProgressLine
 from instobj.store.publish import file_rows, require_writable, run_folder
 from instobj.sweep.outcome import variant_row, write_outcome
-from instobj.sweep.scheduling import run_here, run_on_dask
+from instobj.sweep.scheduling import Done, run_here, run_on_dask
 from instobj.sweep.study import load_study
 from instobj.sweep.tasks import tasks_of
 
 
 def sweep(path: Path, out: Path, workers: int = 1, scheduler: str | None = None) -> dict[str, Any]:
-    """Take every specification of a study to its scores; write table, figure and page.
+    """Take every specification of a study to its last stages; write table, figure and page.
 
     Stages that several specifications share are made once. What is stored is reused, so that an
     interrupted sweep goes on where it stopped.
@@ -24,7 +24,7 @@ def sweep(path: Path, out: Path, workers: int = 1, scheduler: str | None = None)
     Raises
     ------
     InputError
-        The study cannot be read, no specification can be scored, or there are no such workers.
+        The study cannot be read, no specification gets there, or there are no such workers.
     """
     require_writable(out)
     study, say = load_study(path), ProgressLine().say
@@ -32,7 +32,7 @@ def sweep(path: Path, out: Path, workers: int = 1, scheduler: str | None = None)
     for variant in study.variants:
         if variant.refused:
             say(f"{variant.label} is left out: {variant.refused}")
-    tasks, last = tasks_of(specs)
+    tasks, last = tasks_of(specs, study.stages)
     say(f"{len(specs)} specifications, {len(tasks)} stages")
     root = store_root().absolute()
     if workers == 1 and scheduler is None:
@@ -41,10 +41,16 @@ def sweep(path: Path, out: Path, workers: int = 1, scheduler: str | None = None)
         done = run_on_dask(tasks, root, say, workers, scheduler)
     keys = iter(last)
     rows = [
-        variant_row(variant, done[next(keys)] if variant.spec else {"error": variant.refused}, root)
+        variant_row(variant, _outcomes(next(keys), done) if variant.spec else {}, root, out)
         for variant in study.variants
     ]
     if all("error" in row for row in rows):
-        raise InputError(f"{path}: no specification could be scored: {rows[0]['error']}")
+        raise InputError(
+            f"{path}: no specification came to {', '.join(study.stages)}: {rows[0]['error']}"
+        )
     files = write_outcome(study, rows, run_folder(out, study.name) / "sweep")
     return {"rows": rows, "files": file_rows(files)}
+
+
+def _outcomes(last: dict[str, str], done: Done) -> dict[str, dict[str, Any]]:
+    return {stage: done[key] for stage, key in last.items()}

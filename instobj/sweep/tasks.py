@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -18,8 +18,6 @@ from instobj.stages.run import Run, versions
 from instobj.stages.table import STAGES
 from instobj.store.keys import content_key
 from instobj.store.progress import ProgressLine
-
-LAST_STAGE = "scores"
 
 
 @dataclass(frozen=True)
@@ -41,10 +39,13 @@ class StageTask:
         return {"stage": self.stage, "spec": self.spec.model_dump(mode="json")}
 
 
-def tasks_of(specs: Iterable[ObjectSpec]) -> tuple[dict[str, StageTask], list[str]]:
-    """All tasks, those that are needed first, and the key of every specification's last one."""
+def tasks_of(
+    specs: Iterable[ObjectSpec], stages: Sequence[str] = ("scores",)
+) -> tuple[dict[str, StageTask], list[dict[str, str]]]:
+    """All tasks, those that are needed first, and by stage the keys of every specification's last
+    ones."""
     tasks: dict[str, StageTask] = {}
-    return tasks, [_add(tasks, LAST_STAGE, spec) for spec in specs]
+    return tasks, [{stage: _add(tasks, stage, spec) for stage in stages} for spec in specs]
 
 
 def _add(tasks: dict[str, StageTask], name: str, spec: ObjectSpec) -> str:

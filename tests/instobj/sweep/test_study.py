@@ -57,6 +57,7 @@ BAD = {
     "20000": ON_CUBE + f'[grid]\n"seed" = {list(range(20000))}',
     "is not TOML": "= 3",
     "colour": ON_CUBE + "colour = 3",
+    "stages": 'stages = ["hopes"]\n' + ON_CUBE + '[grid]\n"seed" = [1, 2]',
 }
 
 

@@ -6,7 +6,9 @@ import pytest
 
 from design.errors import InputError
 from design.spec_io import load_spec
+from estimator.frames.dataset import load_frames
 from instobj.stages.run import Run
+from instobj.store.readers import METRICS
 from instobj.store.shared import URL
 from instobj.sweep import scheduling
 from instobj.sweep.outcome import variant_row
@@ -33,7 +35,7 @@ def test_stages_that_specifications_share_are_one_task():
         for change in ("sensors.averaging=32", "sensors.averaging=1", "shell.thickness_mm=7.5")
     )
     tasks, last = tasks_of([quiet, loud, thin])
-    assert len(set(last)) == 3
+    assert len({keys["scores"] for keys in last}) == 3
     count = {
         name: sum(task.stage == name for task in tasks.values()) for name in ("mesh", "presses")
     }
@@ -61,7 +63,7 @@ def test_a_sweep_writes_what_single_runs_find_and_goes_on_where_it_was(
     ).scores.position_bound_mm.median()
     assert quiet == pytest.approx(float(alone), rel=1e-12)
     page = (tmp_path / "runs/s/sweep/sweep.html").read_text(encoding="utf-8")
-    assert "2 of 4 objects scored" in " ".join(page.split())
+    assert "2 of 4 objects taken to scores" in " ".join(page.split())
     assert "data:image/png" in page
     before = {file.stat().st_mtime_ns for file in (tmp_path / "store").rglob("*.npz")}
     again = sweep(path, tmp_path)
@@ -73,15 +75,44 @@ def test_scores_that_another_machine_made_come_from_the_shared_store(tmp_path, m
     lend_mechanics(tmp_path / "worker")
     study = load_study(write_study(tmp_path, '[grid]\n"sensors.averaging" = [32]\n'))
     (variant,) = study.variants
+    assert variant.spec is not None
     tasks, (last,) = tasks_of([variant.spec])
-    outcome = run_here(tasks, tmp_path / "worker", print)[last]
     here = tmp_path / "here"
-    assert URL in variant_row(variant, outcome, here)["error"]
+
+    def row():
+        done = run_here(tasks, tmp_path / "worker", print)
+        return variant_row(variant, {"scores": done[last["scores"]]}, here, tmp_path)
+
+    assert URL in row()["error"]
     monkeypatch.setenv(URL, f"file://{tmp_path / 'bucket'}")
-    of_worker = variant_row(variant, run_here(tasks, tmp_path / "worker", print)[last], here)
+    of_worker = row()
     monkeypatch.delenv(URL)
-    assert of_worker == variant_row(variant, outcome, here)
+    assert of_worker == row()
     assert of_worker["place mm"] > 0
+
+
+def test_a_sweep_takes_specifications_to_frames_and_estimators(tmp_path, monkeypatch):
+    lend_mechanics(tmp_path / "store")
+    monkeypatch.setenv("INSTOBJ_STORE", str(tmp_path / "store"))
+    stages = 'stages = ["frames", "metrics"]\n'
+    path = write_study(tmp_path, '[grid]\n"protocol.presses_per_place" = [4, 5]\n')
+    path.write_text(stages + path.read_text(encoding="utf-8"), encoding="utf-8")
+    found = sweep(path, tmp_path)
+    few, many = found["rows"]
+    assert many["frames"] == pytest.approx(1.25 * few["frames"], rel=0.02)
+    run = Run(load_spec(SMALL_CUBE, [*CHANGES, "protocol.presses_per_place=5"]))
+    alone = METRICS.read(run.require("metrics").folder)["baselines"]
+    (model,) = (row for row in alone if row["name"] == "model")
+    assert many["read place mm"] == pytest.approx(model["place_mm"], rel=1e-12)
+    assert many["best simple force %"] == pytest.approx(
+        min(row["total_force_percent"] for row in alone if row is not model), rel=1e-12
+    )
+    for row in found["rows"]:
+        frames = load_frames(tmp_path / "runs" / row["object"] / "frames.nc")
+        assert len(frames) == row["frames"]
+        assert (tmp_path / "runs" / row["object"] / "metrics.json").is_file()
+    page = (tmp_path / "runs/s/sweep/sweep.html").read_text(encoding="utf-8")
+    assert "2 of 2 objects taken to frames, metrics" in " ".join(page.split())
 
 
 def test_without_anything_to_score_there_is_one_error(tmp_path, monkeypatch):
