@@ -45,7 +45,7 @@ from estimator.networks.training.data import (
     thinned,
     with_contacts,
 )
-from estimator.networks.training.fitting import Progress, Schedule, fit
+from estimator.networks.training.fitting import Progress, Schedule, fit, one_thread
 
 PAPER_BATCH_FRAMES = 2000
 PAPER_LEARNING_RATE = 1e-3
@@ -80,6 +80,7 @@ class FitSettings:
     checkpoint: Path | None = None
 
 
+@one_thread()
 def fit_estimator(
     train_frames: FrameSet,
     validation_frames: FrameSet,

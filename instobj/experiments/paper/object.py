@@ -140,9 +140,6 @@ def fitted(
     settings = recorded.spec.training.model_validate(recorded.spec.training.model_dump() | training)
 
     def make(folder: Path) -> None:
-        import torch
-
-        torch.set_num_threads(1)  # a second thread gains nothing on networks this small
         many = len(parts[0]) > _MANY_FRAMES and settings.model == "compact"
         little = Augmentation(_LITTLE_OFFSET_COUNTS, _LITTLE_NOISE) if many else None
         fit = FitSettings(face, settings, recorded.spec.seed, little)

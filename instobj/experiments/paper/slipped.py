@@ -150,13 +150,10 @@ def _models(
     recorded: SimulatedObject, frames: FrameSet, face: int
 ) -> list[tuple[str, FaceModel, ForceReference]]:
     """Fitted to the object's calibration alone, and after pre-training on slipping twins."""
-    import torch
-
     from estimator.calibration.twin.pretraining import split_twins, twin_frames
     from estimator.networks.training.face import FitSettings, fit_estimator
 
     spec = recorded.spec
-    torch.set_num_threads(1)  # a second thread gains nothing on networks this small
     slipping = changed(recorded.design, {"tolerances.core_shift_mm": _TRAINED_SLIP_MM})
     twins = twin_frames(slipping, *recorded.design_presses, spec.training.twins)
     chosen = split_twins(twins)

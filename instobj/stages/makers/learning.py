@@ -48,12 +48,9 @@ def train_networks(frames: FrameSet, split: Split, how: Fitting, folder: Path) -
     InputError
         The data set presses no face.
     """
-    import torch
-
     from estimator.frames.heatmap import faces_pressed
     from estimator.networks.face_model import save_model
 
-    torch.set_num_threads(1)  # a second thread gains nothing on networks this small
     faces = faces_pressed(frames)
     if not faces:
         raise InputError("the data set holds no contact. Give a data set with presses")

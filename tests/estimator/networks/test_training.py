@@ -125,6 +125,17 @@ def test_global_random_state_is_untouched(frames, split):
     assert torch.equal(torch.rand(3), expected)
 
 
+def test_one_thread_trains_and_the_caller_s_threads_come_back(frames, split):
+    before, seen = torch.get_num_threads(), []
+    torch.set_num_threads(2)
+    try:
+        train_face(frames, FACE, SHORT, 5, lambda *_: seen.append(torch.get_num_threads()), split)
+        assert torch.get_num_threads() == 2
+    finally:
+        torch.set_num_threads(before)
+    assert seen == [1, 1]
+
+
 @pytest.mark.parametrize("part", ["test", "validation"])
 def test_test_presses_are_never_used(frames, split, part):
     """Nonsense in the test part changes nothing; in the validation part it does."""
