@@ -11,8 +11,8 @@ from design.spec.object import ObjectSpec
 from instobj.figures.saving import save_figure
 
 if TYPE_CHECKING:
-    from estimator.known_travel.fit import Fitted
-    from estimator.known_travel.model import TravelModel
+    from estimator.calibration.known_travel.fit import Fitted
+    from estimator.calibration.known_travel.model import TravelModel
     from estimator.recordings.formats.travel import TravelRecording
 
 _HALF_BAND_MM = 0.5

@@ -16,8 +16,8 @@ import numpy as np
 from jaxtyping import Float, Int
 
 from design.spec.object import ObjectSpec
-from estimator.boards.lines import Load, encode_frame, encode_header, encode_load
 from estimator.inversion.model.forward import NONE, ContactModel, contact_model
+from estimator.recordings.boards.lines import Load, encode_frame, encode_header, encode_load
 from fem.presses.results import MagnetMotions, PressForces
 
 RATE_HZ = 200

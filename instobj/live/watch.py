@@ -20,7 +20,7 @@ from jaxtyping import Bool, Float
 from design.errors import InputError
 from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
-from estimator.boards.link import counts_of
+from estimator.recordings.boards.link import counts_of
 from estimator.recordings.table import channel_name
 from instobj.live.contacts import Estimator, Found, placed_labels
 from instobj.live.health import WINDOW, channel_health, health_limits

@@ -7,8 +7,8 @@ from collections.abc import Generator, Iterator
 from dataclasses import dataclass
 
 from design.errors import InputError
-from estimator.boards.lines import LineDecoder, Load
-from estimator.boards.link import serial_chunks
+from estimator.recordings.boards.lines import LineDecoder, Load
+from estimator.recordings.boards.link import serial_chunks
 
 _NUMBER = re.compile(r"\s*([-+]?\d+(?:\.\d*)?(?:[eE][-+]?\d+)?)\s*(N|mN|g|kg)?\s*")
 _NEWTON_PER = {"N": 1.0, "mN": 1e-3, "g": 9.80665e-3, "kg": 9.80665}

@@ -13,8 +13,8 @@ from design.errors import InputError, InstobjError
 from design.layout.body import face_frame
 from design.layout.tips import tip_places_mm
 from design.spec.object import ObjectSpec
-from estimator.boards.growing import growing_recording
-from estimator.boards.link import serial_chunks
+from estimator.recordings.boards.growing import growing_recording
+from estimator.recordings.boards.link import serial_chunks
 from instobj.rig.cycle import greet, home, press, raise_tip, take_tare
 from instobj.rig.grbl import grbl_link, until
 from instobj.rig.grbl_lines import TRAVEL_SETTINGS

@@ -10,9 +10,9 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from design.errors import InputError
-from estimator.boards.growing import GrowingRecording
-from estimator.boards.lines import Frame, Header, LineDecoder, Load
-from estimator.boards.link import BoardClock
+from estimator.recordings.boards.growing import GrowingRecording
+from estimator.recordings.boards.lines import Frame, Header, LineDecoder, Load
+from estimator.recordings.boards.link import BoardClock
 from instobj.rig.grbl import GrblLink, MachineFault
 from instobj.rig.grbl_lines import State
 

@@ -30,7 +30,7 @@ LIGHT = (
     "estimator.frames.dataset",
     "estimator.deploy.runtime",
     "instobj.commands.hardware.predict",
-    "estimator.boards.link",
+    "estimator.recordings.boards.link",
     "instobj.commands.hardware.collect",
     "fem.presses.results",
 )

@@ -24,7 +24,8 @@ import instobj
 from design import netcdf
 from design.body import foreign
 from design.errors import InstobjError
-from estimator.boards.lines import (
+from estimator.frames.dataset import FrameSet, load_frames, save_frames
+from estimator.recordings.boards.lines import (
     Header,
     LineDecoder,
     Load,
@@ -33,7 +34,6 @@ from estimator.boards.lines import (
     encode_header,
     encode_load,
 )
-from estimator.frames.dataset import FrameSet, load_frames, save_frames
 from estimator.recordings.formats.files import read_table
 from estimator.recordings.formats.netcdf import write_generic_netcdf
 from estimator.recordings.table import LARGEST_FORCE_N

@@ -11,7 +11,7 @@ from serial import Serial
 from design.catalogue.bus_parts import MEGA2560
 from design.spec_io import load_spec
 from design.wiring.bus_plan import choose_plan
-from estimator.boards.lines import Header, LineDecoder
+from estimator.recordings.boards.lines import Header, LineDecoder
 from estimator.signals.interpolation import counts_at_force, press_traces
 from estimator.signals.presses import load_signals, press_signals
 from tests.support.avr.board import needs_simulator, running, world

@@ -8,7 +8,7 @@ import tty
 from contextlib import contextmanager, suppress
 
 from design.spec.object import ObjectSpec
-from estimator.boards.lines import encode_frame, encode_header
+from estimator.recordings.boards.lines import encode_frame, encode_header
 
 SMALL_TEXT = """name = "small"
 [sensors]

@@ -13,7 +13,7 @@ from contextlib import contextmanager, suppress
 
 import numpy as np
 
-from estimator.boards.lines import Load, encode_frame, encode_header, encode_load
+from estimator.recordings.boards.lines import Load, encode_frame, encode_header, encode_load
 from tests.support.grbl_simulator import GrblSimulator
 
 FRAME_S, STEP_S = 0.1, 0.01

@@ -15,12 +15,12 @@ from design.files import atomic_path
 from design.spec.assembly import AsBuiltSpec
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
-from estimator.boards.link import BAUD, serial_chunks
 from estimator.bringup.asking.asked import STEPS, Asked, asked_of, further_holds
 from estimator.bringup.diagnosis.chip_findings import GAIN_TO_TELL, wide_gains
 from estimator.bringup.diagnosis.findings import Finding
 from estimator.bringup.simulated import parse_fault, simulated_object
 from estimator.bringup.verdict import Verdict, judge
+from estimator.recordings.boards.link import BAUD, serial_chunks
 from instobj.commands.bringup.as_built import found_as_built, write_as_built
 from instobj.commands.bringup.dialogue import left_of, recorded_further, through
 from instobj.commands.bringup.journal import Journal, open_journal, read_journal

@@ -11,11 +11,11 @@ import numpy as np
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec
-from estimator.boards.lines import Frame, Header, LineDecoder, Message, Status
-from estimator.boards.link import board_messages
 from estimator.bringup.asking.asked import Asked, Recording, further_holds
 from estimator.bringup.next_hold import next_hold
 from estimator.bringup.simulated import SimulatedObject
+from estimator.recordings.boards.lines import Frame, Header, LineDecoder, Message, Status
+from estimator.recordings.boards.link import board_messages
 from estimator.signals.hall import LARGEST_COUNT
 from instobj.commands.bringup.journal import Journal, channels_of
 from instobj.commands.hardware.collect_options import TypedLines

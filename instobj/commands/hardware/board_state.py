@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import asdict
 from typing import Any
 
-from estimator.boards.lines import Status
+from estimator.recordings.boards.lines import Status
 
 
 def status_text(status: Status) -> str:

@@ -11,9 +11,13 @@ from typing import Any
 import numpy as np
 
 from design.errors import InputError, StoreError
-from estimator.boards.growing import GrowingRecording, finish_recording, growing_recording
-from estimator.boards.lines import Frame, Header, Load, Message, Status
-from estimator.boards.link import board_messages
+from estimator.recordings.boards.growing import (
+    GrowingRecording,
+    finish_recording,
+    growing_recording,
+)
+from estimator.recordings.boards.lines import Frame, Header, Load, Message, Status
+from estimator.recordings.boards.link import board_messages
 from instobj.commands.hardware.board_state import status_row, status_text
 from instobj.commands.hardware.collect_options import (
     CollectOptions,

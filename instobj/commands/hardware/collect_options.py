@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from design.errors import InputError
-from estimator.boards.link import replay_chunks, serial_chunks
+from estimator.recordings.boards.link import replay_chunks, serial_chunks
 
 _PLACE = re.compile(r"([1-5])((?::-?\d+(?:\.\d*)?,-?\d+(?:\.\d*)?)+)")
 

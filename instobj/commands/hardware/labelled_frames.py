@@ -10,9 +10,9 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from design.errors import InputError
-from estimator.boards.growing import GrowingRecording
-from estimator.boards.lines import Frame, LineDecoder, Load, Status
-from estimator.boards.link import BoardClock, serial_chunks
+from estimator.recordings.boards.growing import GrowingRecording
+from estimator.recordings.boards.lines import Frame, LineDecoder, Load, Status
+from estimator.recordings.boards.link import BoardClock, serial_chunks
 from instobj.commands.hardware.collect_options import CollectOptions, Place
 
 STALE_S = 1.0

@@ -10,9 +10,9 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from design.errors import InputError, InstobjError
-from estimator.boards.growing import finish_recording
-from estimator.boards.lines import Frame, Header, Load, Message
-from estimator.boards.link import board_messages
+from estimator.recordings.boards.growing import finish_recording
+from estimator.recordings.boards.lines import Frame, Header, Load, Message
+from estimator.recordings.boards.link import board_messages
 from instobj.commands.hardware.collect_options import stop_on_signals
 from instobj.commands.hardware.labelled_frames import STALE_S, Collection, load_lines, take_load
 from instobj.commands.hardware.live_recorder import Recorder

@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from design.errors import InstobjError
-from estimator.boards.growing import GrowingRecording, growing_recording
-from estimator.boards.lines import Frame
+from estimator.recordings.boards.growing import GrowingRecording, growing_recording
+from estimator.recordings.boards.lines import Frame
 from instobj.commands.hardware.labelled_frames import Collection, take_frame
 
 

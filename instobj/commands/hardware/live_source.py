@@ -12,8 +12,8 @@ import numpy as np
 from design.errors import InputError
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
-from estimator.boards.link import replay_chunks
 from estimator.frames.dataset import NO_FACE, FrameSet
+from estimator.recordings.boards.link import replay_chunks
 from estimator.recordings.table import FACES, RawTable
 from instobj.commands.hardware.collect_options import CollectOptions, open_source
 from instobj.commands.hardware.readings import Zeroing, is_data_set, zeroed_data_set

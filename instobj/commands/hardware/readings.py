@@ -107,8 +107,8 @@ def live_frames(
     InputError
         A bad port, or readings of another object.
     """
-    from estimator.boards.lines import LineDecoder
-    from estimator.boards.link import board_readings
+    from estimator.recordings.boards.lines import LineDecoder
+    from estimator.recordings.boards.link import board_readings
 
     decoder = LineDecoder()
     for number, reading in enumerate(board_readings(port, baud, decoder)):

@@ -11,7 +11,7 @@ from design.errors import InputError
 from design.files import atomic_path
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
-from estimator.boards.growing import finish_recording
+from estimator.recordings.boards.growing import finish_recording
 from instobj.commands.hardware.collect_options import stop_on_signals
 from instobj.rig.adaptive import adaptive_order
 from instobj.rig.journal import Journal, journal_path, new_journal, resumed_journal

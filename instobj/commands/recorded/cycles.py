@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from estimator.recordings.formats.travel import read_travel
 
 if TYPE_CHECKING:
-    from estimator.known_travel.cycles import LawScore
+    from estimator.calibration.known_travel.cycles import LawScore
 
 
 def cycles_in(folder: Path) -> dict[str, Any]:
@@ -20,7 +20,12 @@ def cycles_in(folder: Path) -> dict[str, Any]:
     InputError
         A damaged recording, or one without loads or cycles along one axis.
     """
-    from estimator.known_travel.cycles import cycles_of, field_laws, force_laws, loop_shares
+    from estimator.calibration.known_travel.cycles import (
+        cycles_of,
+        field_laws,
+        force_laws,
+        loop_shares,
+    )
 
     cycles = cycles_of(read_travel(folder))
     force, field = force_laws(cycles), field_laws(cycles)

@@ -18,9 +18,9 @@ from instobj.store.readers import PRESSES
 from instobj.store.stage import write_json
 
 if TYPE_CHECKING:
-    from estimator.known_travel.agreement import TravelAgreement
-    from estimator.known_travel.fit import Fitted
-    from estimator.known_travel.model import TravelModel
+    from estimator.calibration.known_travel.agreement import TravelAgreement
+    from estimator.calibration.known_travel.fit import Fitted
+    from estimator.calibration.known_travel.model import TravelModel
     from estimator.recordings.formats.travel import TravelRecording
 
 REGISTERED_SHARE, CALIBRATED_SHARE = 0.05, 0.1
@@ -35,10 +35,10 @@ def validate_on_travel(
     A second folder of repeated presses, recorded on the same machine, also tests the bound of the
     place. Results go to `runs/<name>/travel.{json,png}`.
     """
-    from estimator.known_travel.agreement import travel_agreement
-    from estimator.known_travel.fit import calibrate, drawn_places, register
-    from estimator.known_travel.model import require_comparable, travel_model
-    from estimator.known_travel.places import readers
+    from estimator.calibration.known_travel.agreement import travel_agreement
+    from estimator.calibration.known_travel.fit import calibrate, drawn_places, register
+    from estimator.calibration.known_travel.model import require_comparable, travel_model
+    from estimator.calibration.known_travel.places import readers
     from instobj.figures.travel import draw_travel
 
     spec = load_spec(path, overrides)
@@ -92,7 +92,7 @@ def _recording(spec: ObjectSpec, folder: Path) -> TravelRecording:
 def _bound(
     model: TravelModel, fits: dict[str, Fitted], repeats: TravelRecording
 ) -> dict[str, dict[str, float | int]]:
-    from estimator.known_travel.bound import bound_test
+    from estimator.calibration.known_travel.bound import bound_test
 
     tests = {name: bound_test(model, fitted, repeats) for name, fitted in fits.items()}
     return {

@@ -5,8 +5,8 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.special import ndtri
 
+from estimator.calibration.known_travel import agreement
 from estimator.evaluation import narrowest_intervals
-from estimator.known_travel import agreement
 from estimator.metrics.contacts import MatchedContacts, contact_rows
 from estimator.metrics.cross_correlation import align
 

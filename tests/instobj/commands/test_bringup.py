@@ -10,10 +10,10 @@ import pytest
 from design.errors import InputError
 from design.layout.places.positions import live_channels, magnet_layout, sensor_layout
 from design.spec_io import load_spec
-from estimator.boards.link import serial_chunks
 from estimator.bringup.asking.asked import asked_of, further_holds
 from estimator.bringup.simulated import simulated_object
 from estimator.bringup.verdict import judge
+from estimator.recordings.boards.link import serial_chunks
 from instobj.commands.bringup.dialogue import left_of, through
 from instobj.commands.bringup.journal import channels_of, open_journal, read_journal
 from instobj.commands.bringup.sources import Board, FromFile, Simulated

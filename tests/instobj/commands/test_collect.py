@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from design.errors import InputError
-from estimator.boards.lines import Load, encode_header, encode_load
+from estimator.recordings.boards.lines import Load, encode_header, encode_load
 from estimator.recordings.formats.files import read_table
 from instobj.commands.hardware.collect import collect
 from instobj.commands.hardware.collect_options import CollectOptions

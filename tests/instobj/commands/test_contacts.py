@@ -9,9 +9,9 @@ import pytest
 from typer.testing import CliRunner
 
 from design.errors import InputError
-from estimator.boards.lines import encode_frame
 from estimator.frames.dataset import save_frames
 from estimator.inversion.storage import load_inversion, save_inversion
+from estimator.recordings.boards.lines import encode_frame
 from instobj.cli.app import app
 from instobj.commands.hardware.predict import export_models
 from instobj.commands.run import run_estimator

@@ -12,11 +12,11 @@ from typer.testing import CliRunner
 import instobj
 from design.errors import InputError, StoreError
 from design.spec.object import TrainingSpec
-from estimator.boards.lines import encode_frame
 from estimator.frames.dataset import FrameSet, load_frames, save_frames
 from estimator.frames.splits import split_presses
 from estimator.networks.face_model import load_model, predict, save_model
 from estimator.networks.training.face import FitSettings, fit_estimator
+from estimator.recordings.boards.lines import encode_frame
 from instobj.cli.app import app
 from instobj.commands.hardware.predict import export_models, predict_file, predict_port
 from instobj.commands.hardware.readings import Zeroing

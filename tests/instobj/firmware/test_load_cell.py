@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from design.spec.object import ObjectSpec
-from estimator.boards.lines import Frame, Load, Status
+from estimator.recordings.boards.lines import Frame, Load, Status
 from estimator.recordings.formats.files import read_table
 from instobj.commands.hardware.collect import collect
 from instobj.commands.hardware.collect_options import CollectOptions

@@ -8,7 +8,7 @@ from serial import Serial
 
 from design.spec.object import ObjectSpec
 from design.wiring.dealing import MIXED, MULTIPLEXED, STARTED
-from estimator.boards.lines import Frame, Header, LineDecoder, Status
+from estimator.recordings.boards.lines import Frame, Header, LineDecoder, Status
 from estimator.recordings.formats.files import read_table
 from instobj.commands.hardware.collect import collect
 from instobj.commands.hardware.collect_options import CollectOptions

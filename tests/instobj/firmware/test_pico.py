@@ -5,8 +5,8 @@ import pytest
 
 from design.spec.object import ObjectSpec
 from design.wiring.dealing import MIXED, MULTIPLEXED, STARTED
-from estimator.boards.lines import Frame, LineDecoder, Status
-from estimator.boards.link import serial_chunks
+from estimator.recordings.boards.lines import Frame, LineDecoder, Status
+from estimator.recordings.boards.link import serial_chunks
 from tests.support.avr.board import celsius, field_mt
 from tests.support.pico.board import built, needs_micropython, running
 

@@ -5,7 +5,7 @@ from functools import lru_cache
 import numpy as np
 import pytest
 
-from estimator.boards.lines import Frame, LineDecoder, Load, encode_header
+from estimator.recordings.boards.lines import Frame, LineDecoder, Load, encode_header
 from instobj.live.demo import hand_lines, simulated_hand
 from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
 

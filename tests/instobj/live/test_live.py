@@ -14,9 +14,16 @@ import pytest
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec
-from estimator.boards import link
-from estimator.boards.lines import Frame, Header, LineDecoder, Load, encode_frame, encode_load
-from estimator.boards.link import replay_chunks, serial_chunks
+from estimator.recordings.boards import link
+from estimator.recordings.boards.lines import (
+    Frame,
+    Header,
+    LineDecoder,
+    Load,
+    encode_frame,
+    encode_load,
+)
+from estimator.recordings.boards.link import replay_chunks, serial_chunks
 from estimator.recordings.formats.files import read_table
 from instobj.commands.hardware import live as command
 from instobj.commands.hardware.collect_options import CollectOptions

@@ -7,7 +7,7 @@ import time
 import tty
 from contextlib import contextmanager, suppress
 
-from estimator.boards.lines import Load, encode_frame, encode_header, encode_load
+from estimator.recordings.boards.lines import Load, encode_frame, encode_header, encode_load
 
 CHANNELS = ("F1-X1", "F1-Y1", "F1-Z1", "F3-X1", "F3-Y1", "F3-Z1")
 RATE_HZ = 100.0

@@ -8,7 +8,7 @@ import numpy as np
 from design.layout.places.contact_grid import PlaceGrid
 from design.layout.places.positions import magnet_layout
 from design.spec_io import load_spec
-from estimator.known_travel.model import Pose, travel_model
+from estimator.calibration.known_travel.model import Pose, travel_model
 from fem.presses.results import MagnetMotions
 
 PAD = Path(__file__).parents[3] / "examples" / "eflesh_pad.toml"

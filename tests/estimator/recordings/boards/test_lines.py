@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from design.errors import InputError
-from estimator.boards.lines import (
+from estimator.recordings.boards.lines import (
     Frame,
     Header,
     LineDecoder,
@@ -20,8 +20,8 @@ from estimator.boards.lines import (
     encode_load,
     encode_status,
 )
-from estimator.boards.lines import encode_frame as encode_floats
-from estimator.boards.link import BoardClock, counts_of
+from estimator.recordings.boards.lines import encode_frame as encode_floats
+from estimator.recordings.boards.link import BoardClock, counts_of
 
 CHANNELS = ("F3-X1", "F1-Z2", "F5-Y3")
 

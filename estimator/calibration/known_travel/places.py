@@ -14,8 +14,8 @@ import numpy as np
 from jaxtyping import Float
 from scipy.spatial import KDTree
 
-from estimator.known_travel.fit import Fitted, left_over
-from estimator.known_travel.model import TravelModel
+from estimator.calibration.known_travel.fit import Fitted, left_over
+from estimator.calibration.known_travel.model import TravelModel
 from estimator.recordings.formats.travel import TravelRecording
 
 TABLE_MM = (1.0, 0.5)

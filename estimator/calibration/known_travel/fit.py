@@ -14,7 +14,7 @@ import numpy as np
 from jaxtyping import Bool, Float
 from scipy.optimize import least_squares
 
-from estimator.known_travel.model import SYMMETRIES, Pose, TravelModel, Twin
+from estimator.calibration.known_travel.model import SYMMETRIES, Pose, TravelModel, Twin
 from estimator.recordings.formats.travel import TravelRecording
 
 MODEL_ERROR_MT = 0.05

@@ -10,7 +10,7 @@ import numpy as np
 from jaxtyping import Float
 
 from design.errors import InputError
-from estimator.boards.lines import (
+from estimator.recordings.boards.lines import (
     Frame,
     Header,
     LineDecoder,

@@ -14,8 +14,8 @@ import numpy as np
 from jaxtyping import Float
 from scipy.stats import spearmanr
 
-from estimator.known_travel.fit import Fitted
-from estimator.known_travel.model import TravelModel
+from estimator.calibration.known_travel.fit import Fitted
+from estimator.calibration.known_travel.model import TravelModel
 from estimator.recordings.formats.travel import TravelRecording
 
 NEIGHBOURS_MM = 4.5

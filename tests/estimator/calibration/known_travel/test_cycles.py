@@ -5,7 +5,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.errors import InputError
-from estimator.known_travel.cycles import cycles_of, field_laws, force_laws, loop_shares
+from estimator.calibration.known_travel.cycles import cycles_of, field_laws, force_laws, loop_shares
 from estimator.recordings.formats.travel import TravelRecording
 
 PERIOD_S, COUNT = 20.0, 6

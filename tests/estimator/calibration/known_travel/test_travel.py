@@ -7,17 +7,17 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.errors import InputError, RecordingError
-from estimator.known_travel.agreement import figures, travel_agreement
-from estimator.known_travel.bound import bound_test
-from estimator.known_travel.fit import (
+from estimator.calibration.known_travel.agreement import figures, travel_agreement
+from estimator.calibration.known_travel.bound import bound_test
+from estimator.calibration.known_travel.fit import (
     Fitted,
     calibrate,
     drawn_places,
     left_over,
     register,
 )
-from estimator.known_travel.model import SYMMETRIES, Pose
-from estimator.known_travel.places import readers
+from estimator.calibration.known_travel.model import SYMMETRIES, Pose
+from estimator.calibration.known_travel.places import readers
 from estimator.recordings.formats.travel import is_travel_recording, read_travel
 from tests.support.recordings.travel_cases import (
     POSE,
@@ -192,7 +192,7 @@ def test_loads_beside_the_places_are_read_as_they_are(tmp_path):
 
 def test_an_object_of_several_faces_is_refused(model):
     from design.spec.object import ObjectSpec
-    from estimator.known_travel.model import travel_model
+    from estimator.calibration.known_travel.model import travel_model
     from tests.support.mechanics.synthetic_presses import synthetic_presses
 
     cube = ObjectSpec(name="cube")
@@ -203,7 +203,7 @@ def test_an_object_of_several_faces_is_refused(model):
 def test_a_curved_face_is_refused():
     """A machine goes straight down, simulated presses along the surface's normal."""
     from design.spec.object import ObjectSpec
-    from estimator.known_travel.model import require_comparable
+    from estimator.calibration.known_travel.model import require_comparable
 
     body = {"kind": "sphere", "size_mm": [44.0] * 3, "sensed_faces": [1]}
     with pytest.raises(InputError, match="face 1 of this sphere is curved"):

@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 from jaxtyping import Float
 
-from estimator.known_travel.fit import Fitted
-from estimator.known_travel.model import TravelModel
+from estimator.calibration.known_travel.fit import Fitted
+from estimator.calibration.known_travel.model import TravelModel
 from estimator.recordings.formats.travel import TravelRecording
 
 SMALLEST_MT = 0.03
