@@ -11,7 +11,8 @@ from pathlib import Path
 def importers(root: Path) -> dict[str, set[str]]:
     """File → files that import it, also inside functions; `__init__.py` files hold nothing.
 
-    Who imports a whole package (`import fem`) goes through all of its files.
+    Who imports a whole package (`import fem`) goes through all of its files. Test files use what the
+    `conftest.py` of their folder or of one above it imports; that of all tests makes no results.
     """
     paths = (path for path in root.rglob("*.py") if path.name != "__init__.py")
     files = {path.relative_to(root).as_posix() for path in paths}
@@ -22,6 +23,9 @@ def importers(root: Path) -> dict[str, set[str]]:
             for one in [imported, *inside]:
                 if one in files:
                     found[one].add(file)
+        if file.endswith("/conftest.py") and file != "tests/conftest.py":
+            folder = file.removesuffix("conftest.py")
+            found[file] |= {one for one in files if one.startswith(folder)} - {file}
     return found
 
 
@@ -40,7 +44,8 @@ def _imported(root: Path, file: str) -> Iterator[str]:
 def nearest(path: str, tests: list[str], imported_by: dict[str, set[str]]) -> list[str]:
     """Tests that a fault in a file may reach, those that most likely notice it first.
 
-    First those of the same name, then by how many imports lie between, then those of the same room.
+    First those of the same name and room, then by how many imports lie between, then those of the
+    same room.
     """
     steps = {path: 0}
     waiting = deque([path])
@@ -54,6 +59,7 @@ def nearest(path: str, tests: list[str], imported_by: dict[str, set[str]]) -> li
 
     def rank(test: str) -> tuple[bool, int, bool]:
         file = Path(test.split("::")[0])
-        return file.name != own, steps[file.as_posix()], file.parent != room
+        elsewhere = file.parent != room
+        return elsewhere or file.name != own, steps[file.as_posix()], elsewhere
 
     return sorted((test for test in tests if test.split("::")[0] in steps), key=rank)

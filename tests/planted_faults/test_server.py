@@ -111,7 +111,9 @@ def test_a_copy_holds_the_same_files_with_git_and_without(checkout):
     assert sorted(sources(checkout)) == sorted(without)
 
 
-def test_tests_of_the_same_name_go_first_then_those_fewest_imports_away_then_the_room(tmp_path):
+def test_tests_of_the_same_name_and_room_go_first_then_the_fewest_imports_away_then_the_room(
+    tmp_path,
+):
     written = {
         "fem/linear/a.py": "",
         "fem/mesh/b.py": "from fem.linear import a",
@@ -120,16 +122,21 @@ def test_tests_of_the_same_name_go_first_then_those_fewest_imports_away_then_the
         "tests/chain/test_f.py": "import fem.linear.a",
         "tests/chain/test_i.py": "import fem",
         "tests/fem/linear/test_g.py": "import fem.mesh.h",
+        "tests/fem/mesh/test_a.py": "import fem.mesh.b",
+        "tests/estimator/conftest.py": "import fem.linear.a",
+        "tests/estimator/field/test_j.py": "import numpy",
     }
     for name, text in written.items():
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / name).write_text(text)
-    tests = [f"{name}::test_1" for name in sorted(written) if name.startswith("tests")]
+    tests = [f"{name}::test_1" for name in sorted(written) if "test_" in name]
     assert nearest("fem/linear/a.py", tests, importers(tmp_path)) == [
         "tests/fem/linear/test_a.py::test_1",
         "tests/fem/linear/test_d.py::test_1",
         "tests/chain/test_f.py::test_1",
         "tests/chain/test_i.py::test_1",
+        "tests/estimator/field/test_j.py::test_1",
+        "tests/fem/mesh/test_a.py::test_1",
     ]
 
 
