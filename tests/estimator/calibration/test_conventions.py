@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.testing import assert_allclose
 
-from estimator.calibration.conventions import ORDERS, SYMMETRIES, TURNS, cosines, search
+from estimator.calibration.conventions import CANDIDATES, ORDERS, SYMMETRIES, TURNS, cosines, search
 
 CASE = np.repeat(np.arange(8), 3)
 RECORDING = (CASE >= 5).astype(int)
@@ -45,3 +45,17 @@ def test_a_search_in_noise_looks_good_where_it_was_chosen_alone():
     found = search(every, CASE, RECORDING, 1, 39, 1)
     assert found.chosen_on > found.judged + 0.2
     assert found.p > 0.05
+
+
+def test_symmetries_are_the_turns_and_mirrors_of_a_square():
+    turn = np.array([[0, -1], [1, 0]])
+    for number, matrix in enumerate(SYMMETRIES):
+        assert_allclose(matrix @ matrix.T, np.eye(2))
+        if number < 4:
+            assert_allclose(matrix, np.linalg.matrix_power(turn, number))
+        else:
+            assert round(np.linalg.det(matrix)) == -1
+    for matrix in TURNS:
+        assert_allclose(matrix @ matrix.T, np.eye(3))
+        assert round(np.linalg.det(matrix)) == 1
+    assert CANDIDATES == 8 * 6 * 24

@@ -1,0 +1,40 @@
+"""Poses of objects under a machine, by the machine's own steps; errors of places by hand."""
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from estimator.calibration.known_travel.model import SYMMETRIES, Pose
+from estimator.calibration.known_travel.places import PlaceErrors, _errors
+
+
+@pytest.mark.parametrize("symmetry", range(8))
+def test_a_machine_that_goes_to_a_place_of_the_object_finds_that_place(symmetry):
+    """Place → the machine's axes by one of the symmetries, turned about z, moved to the object."""
+    place = np.array([[3.0, -1.0], [0.5, 2.0]])
+    angle = np.deg2rad(30)
+    turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
+    xy = [10.0, -4.0] + place @ SYMMETRIES[symmetry].T @ turn.T
+    tip = np.column_stack([xy, [6.5, 7.5]])
+    found, travel = Pose(np.array([10.0, -4.0]), angle, 7.0, symmetry).in_object(tip)
+    assert_allclose(found, place, atol=1e-12)
+    assert_allclose(travel, [0.5, -0.5], atol=1e-12)
+
+
+def test_symmetries_are_four_turns_and_four_mirrors():
+    sizes = [round(np.linalg.det(one)) for one in SYMMETRIES]
+    assert sorted(sizes) == [-1] * 4 + [1] * 4
+    assert len({one.tobytes() for one in map(np.abs, SYMMETRIES)}) == 2
+    assert len({(one + 0.0).tobytes() for one in SYMMETRIES}) == 8
+    for one in SYMMETRIES:
+        assert_allclose(one @ one.T, np.eye(2))
+    assert_allclose(SYMMETRIES[0], np.eye(2))
+
+
+def test_errors_of_places_are_distances_in_the_plane_and_of_the_travel():
+    true = np.zeros((3, 3))
+    read = np.array([[3.0, 4.0, 0.2], [0.0, 1.0, -0.4], [0.6, 0.8, 0.9]])
+    rms = np.sqrt((25 + 1 + 1) / 3), np.sqrt((0.04 + 0.16 + 0.81) / 3)
+    wanted = PlaceErrors(1.0, rms[0], 0.4, rms[1])
+    for name, value in vars(wanted).items():
+        assert getattr(_errors(read, true), name) == pytest.approx(value), name
