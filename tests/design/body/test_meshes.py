@@ -1,10 +1,22 @@
-"""What triangle meshes of parts tell: undercuts, patch by patch."""
+"""What triangle meshes of parts tell, on solids whose walls, edges and peaks are known by hand."""
 
 import numpy as np
+import pytest
 import trimesh
 from numpy.testing import assert_allclose
 
-from design.body.meshes import undercut
+from design.body.meshes import (
+    _peaks_and_saddles,
+    distance_mm,
+    high_points,
+    largest_ceiling,
+    least_draft_deg,
+    one_closed_surface,
+    sharpest_edge,
+    thinnest_wall,
+    undercut,
+)
+from design.errors import NotOneSolid
 
 UP = np.array([0.0, 0.0, 1.0])
 
@@ -32,3 +44,158 @@ def test_walls_along_the_pull_are_no_undercut():
     mesh = stairs()
     upright = np.abs(mesh.face_normals[:, 2]) < 0.5
     assert undercut(mesh, UP, upright).depth_mm == 0
+
+
+def hull(*points):
+    return trimesh.convex.convex_hull(np.array(points, float))
+
+
+def frustum(bottom, top, height):
+    """Square, centred on z, from a half edge below to another above."""
+    corners = [(x, y) for x in (-1, 1) for y in (-1, 1)]
+    return hull(
+        *((x * bottom, y * bottom, 0) for x, y in corners),
+        *((x * top, y * top, height) for x, y in corners),
+    )
+
+
+def moved(mesh, *by):
+    return mesh.copy().apply_translation(by)
+
+
+def prism(degrees, length, reach=8.0):
+    """A wedge along y whose edge is at x = 0."""
+    rise = reach * np.tan(np.deg2rad(degrees))
+    return hull(*((x, y, z) for y in (0, length) for x, z in ((0, 0), (reach, 0), (reach, rise))))
+
+
+def test_the_thinnest_wall_is_found_with_its_middle():
+    plate = trimesh.creation.box((10.0, 12.0, 2.0))
+    found = thinnest_wall(plate)
+    assert_allclose(found.thickness_mm, 2.0, atol=1e-6)
+    assert_allclose(found.place_mm[2], 0.0, atol=1e-6)
+    hollow = trimesh.boolean.difference(
+        [trimesh.creation.box((20, 20, 20)), moved(trimesh.creation.box((14, 15, 14)), 0.5, 0, 0)]
+    )
+    found = thinnest_wall(hollow)
+    assert_allclose(found.thickness_mm, 2.5, atol=1e-6)
+    middle = np.sort(np.abs(found.place_mm))
+    assert_allclose(middle[2], 8.75, atol=1e-6)
+
+
+def test_a_wedge_is_a_wall_up_to_15_degrees():
+    assert thinnest_wall(prism(16.0, 40.0, 30.0)).thickness_mm > 20, "from end to end"
+    assert thinnest_wall(prism(14.0, 40.0, 30.0)).thickness_mm < 1
+
+
+def test_the_sharpest_convex_edge_is_told_with_its_middle():
+    angle, place = sharpest_edge(prism(30.0, 6.0))
+    assert_allclose(angle, 30.0, atol=1e-6)
+    assert_allclose(place, [0, 3, 0], atol=1e-9)
+    assert_allclose(sharpest_edge(trimesh.creation.box((1, 2, 3)))[0], 90.0, atol=1e-6)
+    step = stairs()
+    assert_allclose(sharpest_edge(step)[0], 90.0, atol=1e-6, err_msg="concave edges are none")
+
+
+def test_edges_shorter_than_a_fifth_of_a_millimetre_and_slivers_say_nothing():
+    assert_allclose(sharpest_edge(prism(30.0, 0.21))[0], 30.0, atol=1e-6)
+    assert sharpest_edge(prism(30.0, 0.19))[0] > 55
+    thin = trimesh.creation.box((0.009, 0.15, 0.15))
+    assert sharpest_edge(thin) is None
+
+
+def test_a_wall_that_leans_hooks_by_its_height_times_the_tangent():
+    """Pulled up, a frustum that is wider above is free; one that is wider below hooks by its lean."""
+    for bottom, top, height in ((11.0, 10.0, 8.0), (10.1, 10.0, 5.0)):
+        mesh = frustum(bottom, top, height)
+        sides = np.abs(mesh.face_normals[:, 2]) < 0.9
+        found = undercut(mesh, UP, sides)
+        assert_allclose(found.depth_mm, bottom - top, rtol=1e-6)
+        slant = np.hypot(height, bottom - top)
+        assert_allclose(found.area_mm2, 4 * (bottom + top) * slant, rtol=1e-6)
+        assert undercut(mesh, -UP, sides).area_mm2 == 0
+    steep = frustum(14.0, 4.0, 5.0)
+    sides = np.abs(steep.face_normals[:, 2]) < 0.95
+    assert undercut(steep, UP, sides).depth_mm > 10, "a ledge must give way by its width"
+
+
+def test_half_a_degree_is_no_undercut_and_draft_is_counted_from_there():
+    for degrees, hooks in ((0.45, False), (0.55, True)):
+        mesh = frustum(10 + 10 * np.tan(np.deg2rad(degrees)), 10.0, 10.0)
+        sides = np.abs(mesh.face_normals[:, 2]) < 0.9
+        assert (undercut(mesh, UP, sides).area_mm2 > 0) == hooks
+        assert (least_draft_deg(mesh, UP, sides) is None) == hooks
+        if not hooks:
+            assert least_draft_deg(mesh, UP, sides)[0] == 0
+        drafted, place = least_draft_deg(mesh, -UP, sides)
+        assert_allclose(drafted, degrees, atol=1e-3)
+        assert 0 < place[2] < 10
+    assert least_draft_deg(mesh, UP, np.zeros(len(mesh.faces), bool)) is None
+
+
+def test_the_largest_ceiling_is_flat_within_a_degree_and_below_the_rim():
+    mesh = stairs()
+    area, place = largest_ceiling(mesh, UP, 12.0)
+    assert_allclose(area, 50.0)
+    assert_allclose(place, [5.5, 5, 8])
+    area, place = largest_ceiling(mesh, UP, 13.0)
+    assert_allclose(area, 200.0)
+    assert largest_ceiling(mesh, UP, 4.0) is None
+    assert_allclose(largest_ceiling(frustum(10.0, 5.0, 5.0), UP, 9.0)[0], 100.0)
+    for degrees, flat in ((0.9, True), (1.1, False)):
+        roof = prism(degrees, 10.0, 10.0)
+        assert (largest_ceiling(roof, UP, 9.0) is not None) == flat
+
+
+def test_air_stays_under_every_peak_but_the_one_that_drains():
+    """Two pyramids on a plate: 3 mm and 2 mm over it; the rim lets the higher one out."""
+    plate = moved(trimesh.creation.box((30, 12, 2)), 0, 0, -1)
+    tents = [
+        hull((x - 4, -4, 0), (x + 4, -4, 0), (x - 4, 4, 0), (x + 4, 4, 0), (x, 0, high))
+        for x, high in ((-8, 3.0), (8, 2.0))
+    ]
+    mesh = trimesh.boolean.union([plate, *tents])
+    both = high_points(mesh, UP, 9.0)
+    assert_allclose(sorted(trap.place_mm[2] for trap in both), [2.0, 3.0], atol=1e-6)
+    lower = min(both, key=lambda trap: trap.place_mm[2])
+    assert_allclose(lower.depth_mm, 2.0, atol=2e-3)
+    assert lower.normal[2] > 0.9
+    assert np.isinf(max(trap.depth_mm for trap in both))
+    assert [trap.place_mm[0] for trap in high_points(mesh, UP, 3.0)] == [8.0]
+    assert len(high_points(mesh, UP, 3.002)) == 2
+    assert len(high_points(mesh, UP, 9.0, 1.99)) == 2
+    assert len(high_points(mesh, UP, 9.0, 2.01)) == 1
+
+
+def test_peaks_join_at_their_saddles():
+    height = np.array([0.0, 3.0, 1.0, 2.0, 0.5, 2.5, 0.0])
+    edges = np.array([[k, k + 1] for k in range(6)])
+    assert sorted(_peaks_and_saddles(height, edges)) == [(1, -np.inf), (3, 1.0), (5, 0.5)]
+    apart = np.array([[0, 1], [1, 2], [4, 5], [5, 6]])
+    assert sorted(_peaks_and_saddles(height, apart)) == [(1, -np.inf), (3, -np.inf), (5, -np.inf)]
+
+
+def test_distances_to_a_surface_are_unsigned():
+    box = trimesh.creation.box((2, 4, 6))
+    points = np.array([[0.0, 0, 0], [3, 0, 0], [1, 2, 5], [4, 6, 3]])
+    assert_allclose(distance_mm(box, points), [1, 2, 2, 5], atol=1e-6)
+
+
+def test_crumbs_are_left_out_and_voids_stay():
+    box = trimesh.creation.box((10, 10, 10))
+    void = moved(trimesh.creation.box((2, 2, 2)), 1, 1, 1)
+    void.invert()
+    hollow = trimesh.util.concatenate([box, void])
+    assert one_closed_surface(hollow, "part") is hollow
+    crumb = moved(trimesh.creation.box((0.9, 1.0, 1.0)), 8, 0, 0)
+    inside = moved(trimesh.creation.box((0.3, 0.3, 0.3)), 8, 0, 0)
+    inside.invert()
+    kept = one_closed_surface(trimesh.util.concatenate([hollow, crumb, inside]), "part")
+    assert_allclose(kept.volume, 992.0)
+    piece = moved(trimesh.creation.box((1.1, 1.0, 1.0)), 8, 0, 0)
+    with pytest.raises(NotOneSolid, match=r"part must be one closed body; .* give 2 \(closed\)"):
+        one_closed_surface(trimesh.util.concatenate([hollow, piece]), "part")
+    torn = box.copy()
+    torn.update_faces(np.arange(11))
+    with pytest.raises(NotOneSolid, match=r"not closed"):
+        one_closed_surface(torn, "part")
