@@ -6,6 +6,7 @@ import trimesh
 from numpy.testing import assert_allclose
 
 from design.body.meshes import (
+    _height_mm,
     _peaks_and_saddles,
     distance_mm,
     high_points,
@@ -104,6 +105,11 @@ def test_edges_shorter_than_a_fifth_of_a_millimetre_and_slivers_say_nothing():
     assert sharpest_edge(thin) is None
 
 
+def test_a_triangle_s_height_stands_on_its_longest_edge():
+    mesh = trimesh.Trimesh([[0, 0, 0], [3, 0, 0], [0, 4, 0], [0, 0, 1]], [[0, 1, 2], [0, 1, 3]])
+    assert_allclose(_height_mm(mesh), [2.4, 3 / np.sqrt(10)])
+
+
 def test_a_wall_that_leans_hooks_by_its_height_times_the_tangent():
     """Pulled up, a frustum that is wider above is free; one that is wider below hooks by its lean."""
     for bottom, top, height in ((11.0, 10.0, 8.0), (10.1, 10.0, 5.0)):
@@ -131,6 +137,12 @@ def test_half_a_degree_is_no_undercut_and_draft_is_counted_from_there():
         assert_allclose(drafted, degrees, atol=1e-3)
         assert 0 < place[2] < 10
     assert least_draft_deg(mesh, UP, np.zeros(len(mesh.faces), bool)) is None
+    wide, narrow = (10.0 + 10 * np.tan(np.deg2rad(d)) for d in (5.0, 2.0))
+    below = [(x * wide, y * narrow, 0) for x in (-1, 1) for y in (-1, 1)]
+    mesh = hull(*below, *((x, y, 10) for x in (-10, 10) for y in (-10, 10)))
+    drafted, place = least_draft_deg(mesh, -UP, np.abs(mesh.face_normals[:, 2]) < 0.9)
+    assert_allclose(drafted, 2.0, atol=1e-4)
+    assert abs(place[1]) > 9
 
 
 def test_the_largest_ceiling_is_flat_within_a_degree_and_below_the_rim():
