@@ -1,13 +1,9 @@
-"""Closed-form volumes of the shell, for checks that need no CAD kernel."""
+"""Volume of the sealed body in closed form: no CAD kernel needed."""
 
 from __future__ import annotations
 
-from math import pi
-
 from design.layout.blocks import keys_volume_mm3, slits_volume_mm3
 from design.layout.body import body_of
-from design.layout.core_hold import locators
-from design.layout.pockets import shell_pockets
 from design.spec.object import ObjectSpec
 
 
@@ -18,27 +14,3 @@ def sealed_volume_mm3(spec: ObjectSpec) -> float:
     of the core add to it, and relief slits are left out.
     """
     return body_of(spec).volume_mm3() - keys_volume_mm3(spec) - slits_volume_mm3(spec)
-
-
-def shell_volume_mm3(spec: ObjectSpec) -> float:
-    """Volume of the cast shell in mm³: the sealed body less its open pockets, the holes of pins
-    that held the core of a closed body, and the seal layer.
-
-    On curved patches pockets are taken to end at the plane that touches there: 0.03 % too much is
-    left out on a ball of 50 mm, 0.15 % on a dome of radius 12 mm.
-    """
-    pockets = sum(pocket.volume_mm3 for face in shell_pockets(spec) for pocket in face)
-    holes = sum(locator.volume_mm3 for locator in locators(spec))
-    return sealed_volume_mm3(spec) - pockets - holes - _layer_volume_mm3(spec)
-
-
-def _layer_volume_mm3(spec: ObjectSpec) -> float:
-    """Silicone of the seal layer itself, without what fills the pockets and holes below it."""
-    layer, body = spec.shell.seal_layer_mm, body_of(spec)
-    if not layer:
-        return 0.0
-    slits = slits_volume_mm3(spec) - slits_volume_mm3(spec, layer)
-    mouths = sum(p.outline.area_mm2 * layer / p.axis[2] for f in shell_pockets(spec) for p in f)
-    mouths += sum(pi * locator.radius_mm**2 * layer for locator in locators(spec))
-    solid = body.volume_mm3() - body.cast_volume_mm3(layer, spec.body.sensed)
-    return solid - slits - float(mouths)

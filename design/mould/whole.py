@@ -1,4 +1,4 @@
-"""The whole mould, of either style, and what it casts."""
+"""The whole mould, of either style: what closes round the shell, and what keeps the core's room free."""
 
 from __future__ import annotations
 
@@ -8,14 +8,9 @@ from design.mould.halves import make_mould_half
 from design.mould.one_piece import make_mould_box
 from design.mould.pins import loose_pins, make_pin
 from design.mould.plug import make_mould_holder, make_mould_plug
-from design.mould.room import cast_room, core_outside
-from design.solids.booleans import Shape, Solid, cut
+from design.mould.room import core_outside
+from design.solids.booleans import Shape, Solid
 from design.spec.object import ObjectSpec
-
-
-def cast_cavity(spec: ObjectSpec) -> Shape:
-    """What silicone fills in the closed mould, within the first pour's envelope."""
-    return cut(cast_room(spec), *mould_around(spec), *inside_of_mould(spec))
 
 
 def mould_around(spec: ObjectSpec) -> list[Solid]:

@@ -82,30 +82,6 @@ def split_places(
     return _as_split(frames.press_id, presses, part)
 
 
-def split_sessions(
-    frames: FrameSet, seed: int, shares: tuple[float, float, float] = DEFAULT_SHARES
-) -> Split:
-    """Whole sessions.
-
-    Raises
-    ------
-    InputError
-        Fewer than three sessions, shares that do not add up to 1, or a press in two sessions.
-    """
-    _check_shares(shares)
-    sessions = np.unique(frames.session_id)
-    _check_enough(len(sessions), "sessions")
-    pairs = np.unique(np.stack([frames.press_id, frames.session_id]), axis=1)
-    if len(np.unique(pairs[0])) != pairs.shape[1]:
-        raise InputError(
-            "a split by session needs every press to lie in one session; got presses across two. "
-            "Number presses anew in each session"
-        )
-    rng = np.random.default_rng(seed)
-    part = _parts(len(sessions), shares)
-    return _as_split(frames.session_id, rng.permutation(sessions), part)
-
-
 def split_paper_random_frames(
     frames: FrameSet, seed: int, shares: tuple[float, float, float] = DEFAULT_SHARES
 ) -> Split:

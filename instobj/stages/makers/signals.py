@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import asdict
 from pathlib import Path
-from typing import Any
 
 from instobj.store.readers import (
     CROSS_FACE,
@@ -171,8 +170,3 @@ def make_metrics(context: StageContext, folder: Path) -> None:
     frames = context.read(FRAMES)
     split = split_presses(frames, context.spec.seed)
     evaluate_networks(frames, split, context.read(MODELS), folder, context.step)
-
-
-def _stored_signals(context: StageContext) -> Any:
-
-    return context.read(SIGNALS)

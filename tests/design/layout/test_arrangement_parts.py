@@ -10,12 +10,11 @@ from design.errors import InputError
 from design.layout.body import face_frames
 from design.layout.places.positions import magnet_layout, sensor_layout, shell_body_layout
 from design.layout.pockets import core_pockets
-from design.layout.volumes import shell_volume_mm3
-from design.mould.whole import cast_cavity
 from design.solids.core import make_core
 from design.solids.shell import make_shell
 from design.spec.sensors import fastest_frame_rate_hz
 from design.spec_io import parse_spec, spec_hash
+from tests.support.objects.shell_volume import cast_cavity, shell_volume_mm3
 
 IN_CORE = {"positions_mm": [[8, 8], [-8, 8], [-8, -8], [8, -8]]}
 

@@ -11,12 +11,11 @@ import design.layout.pockets
 from design.layout.body import face_frames
 from design.layout.places.positions import magnet_layout
 from design.layout.pockets import distance_of_axes_mm, shell_pockets, tilted_frame
-from design.layout.volumes import shell_volume_mm3
 from design.mould.one_piece import make_mould_box
-from design.mould.whole import cast_cavity
 from design.solids.shell import make_shell
 from design.spec.object import BodySpec, MagnetSpec, ObjectSpec, ShellSpec
 from design.spec_io import check
+from tests.support.objects.shell_volume import cast_cavity, shell_volume_mm3
 
 TILTED = ObjectSpec(
     name="tilted",

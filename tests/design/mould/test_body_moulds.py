@@ -16,7 +16,6 @@ from design.fabrication.casting import OPEN_MM3, check_casting
 from design.layout.body import body_of
 from design.layout.core_hold import core_outlet, locators, why_no_mould
 from design.layout.mould_frame import least_undercut, mould_frame, mould_style, parting, up
-from design.layout.volumes import shell_volume_mm3
 from design.mould import plug
 from design.mould.halves import make_mould_half
 from design.mould.openings import air_traps, mould_holes, pour_holes
@@ -31,6 +30,7 @@ from design.solids.shell import make_shell
 from design.spec_io import parse_spec
 from tests.support.objects.body_cases import body_spec
 from tests.support.objects.random_objects import made_surface
+from tests.support.objects.shell_volume import shell_volume_mm3
 
 BESIDE = {"positions_mm": [[7.0, -1.0]]}
 """Clear of the wire holes in the middles of the faces, of which some are along a pull."""

@@ -27,10 +27,10 @@ from design.mould.one_piece import make_mould_box
 from design.mould.openings import pour_holes
 from design.mould.pins import loose_pins, make_pin, pin_kinds
 from design.mould.plug import make_mould_plug
-from design.mould.whole import cast_cavity
 from design.solids.booleans import as_triangles
 from design.solids.shell import make_shell
 from design.spec_io import load_spec, parse_spec
+from tests.support.objects.shell_volume import cast_cavity
 from tests.support.pages import ROOT
 
 SKEWED = {

@@ -11,7 +11,6 @@ from design.layout.tips import tip_positions_mm
 from design.mould.one_piece import make_mould_box
 from design.mould.plug import make_mould_plug
 from design.mould.plug_flange import flange_span_mm
-from design.mould.whole import cast_cavity
 from design.solids.probes import make_probe
 from design.solids.shell import envelope, make_shell
 from design.spec.fabrication import MouldSpec
@@ -23,6 +22,7 @@ from design.spec.object import (
     ObjectSpec,
     ShellSpec,
 )
+from tests.support.objects.shell_volume import cast_cavity
 
 PAPER = ObjectSpec(name="paper")
 SKEWED = ObjectSpec(

@@ -10,15 +10,15 @@ from design.errors import InputError
 from design.layout.blocks import core_keys, keys_volume_mm3
 from design.layout.body import body_of, core_frames
 from design.layout.surface import sealed_body_surface
-from design.layout.volumes import sealed_volume_mm3, shell_volume_mm3
+from design.layout.volumes import sealed_volume_mm3
 from design.mould.room import core_outside
-from design.mould.whole import cast_cavity
 from design.solids.booleans import as_triangles, volume_mm3
 from design.solids.core import make_core
 from design.solids.sampled import sampled_core_part, sampled_shell
 from design.solids.shell import make_shell
 from fem.linear.core_interface import touches_core
 from tests.support.objects.body_cases import body_spec
+from tests.support.objects.shell_volume import cast_cavity, shell_volume_mm3
 
 SIZE_MM, HEIGHT_MM = (2.5, 2.0), 1.5
 BORED = {"open_faces": [6], "bore_mm": 9.0}

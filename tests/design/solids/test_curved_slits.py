@@ -8,12 +8,12 @@ from design.errors import InputError
 from design.fabrication.casting import check_seal_mould
 from design.layout.blocks import relief_slits, slits_volume_mm3
 from design.layout.surface import sealed_body_surface
-from design.layout.volumes import sealed_volume_mm3, shell_volume_mm3
+from design.layout.volumes import sealed_volume_mm3
 from design.mould.one_piece import make_seal_mould
-from design.mould.whole import cast_cavity
 from design.solids.booleans import as_triangles, volume_mm3
 from design.solids.shell import make_shell
 from tests.support.objects.body_cases import body_spec
+from tests.support.objects.shell_volume import cast_cavity, shell_volume_mm3
 
 SLITS = {"depth_mm": 3.0, "width_mm": 0.8, "end_mm": 6.0}
 

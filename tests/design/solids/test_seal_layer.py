@@ -9,15 +9,15 @@ from design.errors import InputError
 from design.fabrication.casting import check_casting
 from design.layout.body import body_of
 from design.layout.core_hold import locators
-from design.layout.volumes import sealed_volume_mm3, shell_volume_mm3
+from design.layout.volumes import sealed_volume_mm3
 from design.mould.one_piece import make_seal_mould
 from design.mould.plug import make_mould_plug
-from design.mould.whole import cast_cavity
 from design.solids.booleans import as_triangles, volume_mm3
 from design.solids.sampled import cast_surface, sampled_shell
 from design.solids.shell import cavity, envelope, make_shell
 from tests.random_designs.judge import violations
 from tests.support.objects.body_cases import body_spec
+from tests.support.objects.shell_volume import cast_cavity, shell_volume_mm3
 
 LAYER_MM = 0.6
 OPEN = ("cylinder", "sleeve", "dome_on_core", "solid_dome", "pad")

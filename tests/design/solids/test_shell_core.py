@@ -15,12 +15,13 @@ from design.body.surface_chart import FACE_AXES
 from design.errors import InputError
 from design.layout.body import face_frames
 from design.layout.places.positions import board_places, sensor_layout
-from design.layout.volumes import sealed_volume_mm3, shell_volume_mm3
+from design.layout.volumes import sealed_volume_mm3
 from design.solids.core import make_core
 from design.solids.primitives import single_solid
 from design.solids.shell import make_shell
 from design.spec.object import BodySpec, CoreSpec, MagnetSpec, ObjectSpec, SensorSpec, ShellSpec
 from design.spec_io import check, parse_spec
+from tests.support.objects.shell_volume import shell_volume_mm3
 
 PAPER = ObjectSpec(name="paper")
 SKEWED = ObjectSpec(

@@ -8,12 +8,12 @@ from numpy.testing import assert_allclose
 from design.errors import InputError
 from design.fit.parts import distance_mm, overlap
 from design.layout.blocks import core_keys, relief_slits
-from design.layout.volumes import sealed_volume_mm3, shell_volume_mm3
+from design.layout.volumes import sealed_volume_mm3
 from design.mould.one_piece import make_seal_mould
-from design.mould.whole import cast_cavity
 from design.solids.core import make_core
 from design.solids.shell import envelope, make_shell
 from design.spec_io import parse_spec
+from tests.support.objects.shell_volume import cast_cavity, shell_volume_mm3
 
 KEYS = {"core": {"keys": {"positions_mm": [[11.5, 11.0], [-11.2, 11.5]], "size_mm": [2.0, 3.0]}}}
 SLITS = {"shell": {"slits": {"depth_mm": 3.0, "width_mm": 0.8}}}

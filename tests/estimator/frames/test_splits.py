@@ -10,11 +10,10 @@ from estimator.frames.splits import (
     split_paper_random_frames,
     split_places,
     split_presses,
-    split_sessions,
 )
 from tests.support.recordings.synthetic_frames import synthetic_frames
 
-SPLITS = [split_presses, split_places, split_sessions]
+SPLITS = [split_presses, split_places]
 
 
 def shared_presses(frames, split):
@@ -106,11 +105,6 @@ def test_unseen_places_are_unseen(frames):
     assert not seen & set(frames.place_id[split.test])
 
 
-def test_sessions_stay_whole(frames):
-    split = split_sessions(frames, 1)
-    assert not set(frames.session_id[split.train]) & set(frames.session_id[split.test])
-
-
 @pytest.mark.parametrize("splitter", SPLITS)
 def test_seed_decides(frames, splitter):
     first, again = splitter(frames, 5), splitter(frames, 5)
@@ -149,7 +143,7 @@ def test_places_with_few_presses_are_pooled():
 
 def test_too_little_is_refused(frames):
     few = frames.select(frames.press_id < 2)
-    for splitter, what in zip(SPLITS, ("presses", "contact cases", "sessions"), strict=True):
+    for splitter, what in zip(SPLITS, ("presses", "contact cases"), strict=True):
         with pytest.raises(InputError, match=f"at least 3 {what}"):
             splitter(few, 0)
 
@@ -158,12 +152,6 @@ def test_too_little_is_refused(frames):
 def test_shares_must_add_up(frames, shares):
     with pytest.raises(InputError, match="add up to 1"):
         split_presses(frames, 0, shares)
-
-
-def test_a_press_across_sessions_is_refused(frames):
-    torn = replace(frames, session_id=np.arange(len(frames)) // 6)
-    with pytest.raises(InputError, match="one session"):
-        split_sessions(torn, 0)
 
 
 def test_of_two_presses_the_spare_ones_go_to_validation_and_test_by_their_shares():

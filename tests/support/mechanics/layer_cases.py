@@ -18,11 +18,6 @@ HAYES_PUNCH = {0.2: 1.281, 0.4: 1.683, 0.6: 2.211, 0.8: 2.855, 1.0: 3.609}
 _POINTS = 40
 
 
-def punch_factor(ratio, poisson_ratio):
-    """F/(2 a E* δ) of a flat punch, `ratio` = a/h."""
-    return _mean_of_solution(ratio, poisson_ratio, lambda t: np.ones_like(t))[0]
-
-
 def sphere_on_layer_n(depth_mm, radius_mm, thickness_mm, youngs_modulus_mpa, poisson_ratio):
     """Force of a sphere; the radius of contact is where the pressure at its border vanishes."""
 

@@ -13,13 +13,13 @@ from design.errors import InputError
 from design.fabrication.check import mesh_of
 from design.layout.body import body_of
 from design.layout.pockets import shell_pockets
-from design.layout.volumes import shell_volume_mm3
 from design.mould.room import cast_room
 from design.mould.whole import has_mould, inside_of_mould, mould_around
 from design.solids.booleans import Shape, as_triangles, cut, volume_mm3
 from design.spec.object import ObjectSpec
 from design.spec_io import check
 from tests.support.objects.random_objects import with_file
+from tests.support.objects.shell_volume import shell_volume_mm3
 
 FITTED = ("core", "shell")
 """Parts that differ with the body in every dimension; their triangles are looked at too."""
