@@ -14,7 +14,12 @@ from design.layout.boards import Mounted, mounted_sensors, wire_bundle_mm
 from design.layout.body import face_frames
 from design.layout.mould_frame import play_mm
 from design.layout.places.positions import cover_mm
-from design.layout.pockets import Pocket, distance_of_axes_mm, shell_pockets
+from design.layout.pockets import (
+    Pocket,
+    axis_in_object_mm,
+    distance_of_segments_mm,
+    shell_pockets,
+)
 from design.spec.object import ObjectSpec
 
 if TYPE_CHECKING:
@@ -51,19 +56,26 @@ def min_by_value(findings: list[Finding]) -> list[Finding]:
 
 
 def _spacing(spec: ObjectSpec, frame: FaceFrame, pockets: tuple[Pocket, ...]) -> Finding:
-    def gap(pair: tuple[Pocket, Pocket]) -> float:
-        a, b = pair
-        return distance_of_axes_mm(a, b) - a.outline.radius_mm - b.outline.radius_mm
-
-    a, b = min(combinations(pockets, 2), key=gap)
-    middle = (a.axis_ends_mm.mean(axis=0) + b.axis_ends_mm.mean(axis=0)) / 2
+    placed = [(pocket, axis_in_object_mm(frame, pocket)) for pocket in pockets]
+    gap, a, b, middle = min(
+        (
+            (
+                distance_of_segments_mm(ends, others) - a.outline.radius_mm - b.outline.radius_mm,
+                a,
+                b,
+                (ends + others).mean(axis=0) / 2,
+            )
+            for (a, ends), (b, others) in combinations(placed, 2)
+        ),
+        key=lambda found: found[0],
+    )
     return _silicone(
         "pocket spacing",
-        gap((a, b)),
+        gap,
         spec.silicone.thinnest_wall_mm,
         f"silicone between the pockets of {a.body.label} and {b.body.label}. Below 1.25 times the limit: "
         "move them apart",
-        place_of(frame.to_object(middle)),
+        place_of(middle),
     )
 
 

@@ -15,7 +15,13 @@ from design.fabrication.finding import Finding, at_least, place_of
 from design.fit.parts import beyond_core_mm, distance_mm, recess_outline
 from design.layout.boards import passage_radius_mm, sensor_recesses, smallest_recess_wall_mm
 from design.layout.body import face_frames
-from design.layout.pockets import gap_across_edge_mm, neighbours, sensor_places, shell_pockets
+from design.layout.pockets import (
+    axis_in_object_mm,
+    gap_across_edge_mm,
+    neighbours,
+    sensor_places,
+    shell_pockets,
+)
 from design.solids.magnet_template import thinnest_mark_wall_mm
 from design.spec.object import ObjectSpec
 
@@ -39,7 +45,7 @@ def _across_edges(spec: ObjectSpec) -> list[Finding]:
     """Silicone between pockets of neighbouring faces."""
     faces = dict(zip((f.number for f in face_frames(spec)), shell_pockets(spec), strict=True))
     found = [
-        (gap_across_edge_mm(a, one, b, other), a.to_object(one.axis_ends_mm[0]))
+        (gap_across_edge_mm(a, one, b, other), axis_in_object_mm(a, one)[0])
         for a, b in neighbours(face_frames(spec))
         for one, other in product(faces[a.number], faces[b.number])
     ]

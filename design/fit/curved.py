@@ -19,7 +19,12 @@ from design.layout.places.contact_places import (
     touched_reach_mm,
 )
 from design.layout.places.positions import board_places, cover_mm
-from design.layout.pockets import Pocket, distance_of_segments_mm, shell_pockets
+from design.layout.pockets import (
+    Pocket,
+    axis_in_object_mm,
+    distance_of_segments_mm,
+    shell_pockets,
+)
 
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
@@ -169,8 +174,7 @@ def _check_pockets(spec: ObjectSpec) -> Iterator[str]:
                     f"{frame.half_extents_mm[0]:.4g}, ±{frame.half_extents_mm[1]:.4g} mm). Move it "
                     + _inwards(frame, body.centre_mm[:2], reach - abs(body.centre_mm[:2]))
                 )
-            tangent = frame.tangent(body.centre_mm[:2])
-            placed.append((frame.number, pocket, tangent.to_object(pocket.axis_ends_mm)))
+            placed.append((frame.number, pocket, axis_in_object_mm(frame, pocket)))
     for (face, a, ends), (other, b, ends_b) in combinations(placed, 2):
         yield from _require_apart(face, a, ends, other, b, ends_b)
 

@@ -12,7 +12,7 @@ from design.body.triangles import Block
 from design.layout.blocks import core_keys, relief_slits
 from design.layout.boards import bay_block, cuts_of_core, gap_mm, passage_radius_mm
 from design.layout.body import body_of, core_frames, face_frames
-from design.layout.pockets import shell_pockets
+from design.layout.pockets import axis_in_object_mm, shell_pockets
 
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
@@ -86,7 +86,7 @@ def _check_passages(spec: ObjectSpec, where: str, key: Block) -> Iterator[str]:
 def _check_pockets(spec: ObjectSpec, where: str, key: Block) -> Iterator[str]:
     for frame, face in zip(face_frames(spec), shell_pockets(spec), strict=True):
         for pocket in face:
-            ends = frame.tangent(pocket.body.centre_mm[:2]).to_object(pocket.axis_ends_mm)
+            ends = axis_in_object_mm(frame, pocket)
             away = _from_line_mm(key, *ends)
             if away < pocket.outline.radius_mm and _under(key, ends, away):
                 yield (
@@ -138,7 +138,7 @@ def check_curved_slits(spec: ObjectSpec) -> Iterator[str]:
         yield "a relief slit meets a key of the core. Move the key, or make shell.slits.depth_mm smaller"
     for frame, face in zip(face_frames(spec), shell_pockets(spec), strict=True):
         for pocket in face:
-            ends = frame.tangent(pocket.body.centre_mm[:2]).to_object(pocket.axis_ends_mm)
+            ends = axis_in_object_mm(frame, pocket)
             if any(_from_line_mm(slit, *ends) <= pocket.outline.radius_mm for slit in found):
                 yield (
                     f"the pocket of {pocket.body.label} of face {frame.number} meets a relief slit. Move "

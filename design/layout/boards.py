@@ -139,8 +139,9 @@ def _recesses(spec: ObjectSpec, sinks_mm: tuple[tuple[float, ...], ...]) -> tupl
             turn = np.array([[cosine, -sine, 0.0], [sine, cosine, 0.0], [0.0, 0.0, 1.0]])
             aside = core.recess_inner_radius_mm + length / 2 - spec.sensors.radius_mm
             local = np.array([x + aside * cosine, y + aside * sine, -depth / 2])
-            centre = np.asarray(frame.to_object(local))
-            found.append(Recess(centre, frame.axes @ turn, half, frame.number))
+            tangent = frame.tangent(np.array([x, y]))
+            centre = np.asarray(tangent.to_object(local))
+            found.append(Recess(centre, tangent.axes @ turn, half, frame.number))
     return tuple(found)
 
 

@@ -19,7 +19,7 @@ from design.layout.blocks import core_keys, relief_slits
 from design.layout.boards import cuts_of_core, passage_radius_mm
 from design.layout.body import body_of, core_frames, face_frames
 from design.layout.mould_frame import parting, up
-from design.layout.pockets import core_pockets, shell_pockets
+from design.layout.pockets import axis_in_object_mm, core_pockets, shell_pockets
 from design.spec.worked_out import once
 
 if TYPE_CHECKING:
@@ -200,7 +200,7 @@ def _room_mm(
     room = np.full(len(depth_mm), _ROOMY_MM)
     for frame, pockets in zip(face_frames(spec), shell_pockets(spec), strict=True):
         for pocket in pockets:
-            ends = frame.tangent(pocket.body.centre_mm[:2]).to_object(pocket.axis_ends_mm)
+            ends = axis_in_object_mm(frame, pocket)
             along = (ends[1] - ends[0]) / np.linalg.norm(ends[1] - ends[0])
             away = _from_segment_mm(outer, np.stack([ends[0], ends[1] + reach * along]))
             room = np.minimum(room, away - pocket.outline.radius_mm - radius_mm - CLEAR_MM)
@@ -211,7 +211,7 @@ def _room_mm(
         room = np.where(block.distance_mm(within).min(axis=1) > radius_mm + wall, room, -np.inf)
     for frame, pockets in zip(core_frames(spec), core_pockets(spec), strict=True):
         for pocket in pockets:
-            ends = frame.tangent(pocket.body.centre_mm[:2]).to_object(pocket.axis_ends_mm)
+            ends = axis_in_object_mm(frame, pocket)
             clear = _from_segment_mm(within, ends) - pocket.outline.radius_mm > radius_mm + wall
             room = np.where(clear, room, -np.inf)
     core = ways.at(-depth_mm[:, None])[:, 0]

@@ -281,8 +281,13 @@ def _way_between(
     return between + s * along - t * other
 
 
+def axis_in_object_mm(frame: FaceFrame, pocket: Pocket) -> Float[np.ndarray, "2 3"]:
+    """`axis_ends_mm` in the object's frame: a pocket lies in the plane that touches its face there."""
+    return frame.tangent(pocket.body.centre_mm[:2]).to_object(pocket.axis_ends_mm)
+
+
 def neighbours(frames: tuple[FaceFrame, ...]) -> list[tuple[FaceFrame, FaceFrame]]:
-    """Pairs of faces of a box that meet at an edge."""
+    """Pairs of faces that lie beside each other: of a box those that meet at an edge."""
     return [(a, b) for a, b in combinations(frames, 2) if abs(a.normal @ b.normal) < 0.5]
 
 
@@ -292,8 +297,11 @@ def gap_across_edge_mm(frame: FaceFrame, a: Pocket, other: FaceFrame, b: Pocket)
 
     Negative where none of these ways is free.
     """
-    (p, p_end), (q, q_end) = ends = frame.to_object(a.axis_ends_mm), other.to_object(b.axis_ends_mm)
-    u, v = frame.axes @ a.axis, other.axes @ b.axis
+    (p, p_end), (q, q_end) = ends = axis_in_object_mm(frame, a), axis_in_object_mm(other, b)
+    u, v = (
+        face.axes_at(pocket.body.centre_mm[:2]) @ pocket.axis
+        for face, pocket in ((frame, a), (other, b))
+    )
     way = _way_between(*ends)
     length, gaps = float(np.linalg.norm(way)), []
     for d in ([way / length] if length > 0 else []) + [u, v]:

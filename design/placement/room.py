@@ -16,7 +16,12 @@ from design.layout.boards import (
 )
 from design.layout.body import body_of, face_frames
 from design.layout.places.positions import cover_mm
-from design.layout.pockets import distance_of_segments_mm, sensor_places, shell_pockets
+from design.layout.pockets import (
+    axis_in_object_mm,
+    distance_of_segments_mm,
+    sensor_places,
+    shell_pockets,
+)
 from design.spec.object import ObjectSpec
 
 Points = Float[np.ndarray, "point 3"]
@@ -112,7 +117,7 @@ def tight_shell(spec: ObjectSpec) -> bool:
     """Whether silicone over, under or between the magnets' pockets is too thin to cast."""
     least = _ROOMY * spec.silicone.thinnest_wall_mm
     placed = [
-        (frame, pocket, frame.tangent(pocket.body.centre_mm[:2]).to_object(pocket.axis_ends_mm))
+        (frame, pocket, axis_in_object_mm(frame, pocket))
         for frame, pockets in zip(face_frames(spec), shell_pockets(spec), strict=True)
         for pocket in pockets
     ]

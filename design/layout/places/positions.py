@@ -119,8 +119,6 @@ def magnet_layout(spec: ObjectSpec) -> MagnetLayout:
 
 
 _RIM_POINTS = 48
-_FLUSH_MM = 1e-6
-_SINKING_STEPS = 20
 
 
 @once
@@ -187,7 +185,7 @@ def board_sinks_mm(spec: ObjectSpec) -> tuple[tuple[float, ...], ...]:
     reaches beyond its patch, or no depth makes it flush.
     """
     return tuple(
-        tuple(0.0 if frame.flat else _sink_mm(spec, frame, place) for place in places)
+        tuple(sinks_of_boards_mm(spec, frame, np.asarray(places)).tolist())
         for frame, places in zip(core_frames(spec), sensor_places(spec), strict=True)
     )
 
@@ -214,36 +212,39 @@ def mounted_stack(spec: ObjectSpec, place: tuple[float, float, float]) -> Mounte
     return MountedStack(board_xy, thick - core.recess_depth_mm, thick + high - core.recess_depth_mm)
 
 
-def _sink_mm(spec: ObjectSpec, frame: FaceFrame, place: tuple[float, float, float]) -> float:
-    stack, axes = mounted_stack(spec, place), board_frame(place[2])[:2, :2]
-    tops = (
-        (stack.board_xy_mm, spec.sensors.package_mm, stack.board_top_mm),
-        (np.array(place[:2]), spec.sensors.chip_mm, stack.chip_top_mm),
-    )
-    signs = np.array([[1, 1], [-1, 1], [-1, -1], [1, -1]]) / 2
-    corners = np.concatenate(
-        [np.column_stack([xy + (signs * size[:2]) @ axes.T, [top] * 4]) for xy, size, top in tops]
-    )
-    tangent = frame.tangent(np.array(place[:2]))
+def sinks_of_boards_mm(
+    spec: ObjectSpec, frame: FaceFrame, places: Float[np.ndarray, "board 3"]
+) -> Float[np.ndarray, "board"]:
+    """By how much boards at (x, y, azimuth) of a core's patch lie deeper than on a flat core (mm).
 
-    def above_mm(sink: float) -> float:
-        lowered = tangent.to_object(corners - [0.0, 0.0, sink])
-        return float(frame.from_object(lowered)[:, 2].max())
+    As deep as the corner of board or chip that needs most, down along the normal at the place.
+    """
+    if frame.flat:
+        return np.zeros(len(places))
+    corners, tops = _corners_of_stack(spec, places)
+    xy = places[:, :2]
+    axes = frame.axes_at(xy)
+    touching = frame.to_object(np.column_stack([xy, np.zeros(len(xy))]))
+    points = touching[:, None] + np.einsum("bij,bcj->bci", axes[..., :2], corners)
+    along = np.repeat(axes[..., 2], corners.shape[1], axis=0)
+    points = points.reshape(-1, 3)
+    fall = np.sum(
+        (frame.in_plane(points) - frame.onto(points, along)) * (along @ frame.axes), axis=1
+    )
+    return np.maximum(0.0, (fall.reshape(len(xy), -1) + tops).max(axis=1))
 
-    sink, above = 0.0, above_mm(0.0)
-    if above <= _FLUSH_MM:
-        return 0.0
-    slope = -1.0
-    for _ in range(
-        _SINKING_STEPS
-    ):  # the secant's steps, as on steep ends each gains little by itself
-        before, was = sink, above
-        sink = max(sink - above / slope, 0.0)
-        above = above_mm(sink)
-        if not abs(above) > _FLUSH_MM:
-            return sink if abs(above) <= _FLUSH_MM else np.nan
-        slope = min((above - was) / (sink - before), 0.0) or -1.0
-    return np.nan
+
+def _corners_of_stack(
+    spec: ObjectSpec, places: Float[np.ndarray, "board 3"]
+) -> tuple[Float[np.ndarray, "board corner 2"], Float[np.ndarray, "corner"]]:
+    """Upper corners of board and chip about the place (mm, the face's x and y), and their levels."""
+    signs, sensors = np.array([[1, 1], [-1, 1], [-1, -1], [1, -1]]) / 2, spec.sensors
+    stack = mounted_stack(spec, (0.0, 0.0, 0.0))
+    board = signs * sensors.package_mm[:2] + [0.0, stack.board_xy_mm[0]]
+    chip = signs * sensors.chip_mm[:2]
+    turns = np.stack([board_frame(azimuth)[:2, :2] for azimuth in places[:, 2]])
+    tops = np.repeat([stack.board_top_mm, stack.chip_top_mm], 4)
+    return np.concatenate([board, chip]) @ turns.transpose(0, 2, 1), tops
 
 
 def chip_on_board(sensors: SensorSpec) -> Float[np.ndarray, "3 3"]:

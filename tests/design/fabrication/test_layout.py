@@ -77,7 +77,8 @@ def test_walls_beside_recesses_are_those_of_the_printed_core(places, check):
 
 
 def cylinder(pocket, frame):
-    """Points on a pocket's surface below the face, in the object's frame."""
+    """Points on a pocket's surface below the plane that touches its face there, in the object's frame."""
+    frame = frame.tangent(pocket.body.centre_mm[:2])
     turn = np.linspace(0, 2 * np.pi, 48, endpoint=False)
     disk = np.concatenate([r * np.column_stack([np.cos(turn), np.sin(turn)]) for r in (1, 0.5, 0)])
     disk *= pocket.outline.half_mm[0]
@@ -116,3 +117,37 @@ def test_pockets_without_tilt_whose_sides_face_each_other_are_as_far_apart_as_pl
     ]
     assert_allclose(min(gaps), 2 * np.sqrt(2), rtol=0.5)
     assert min(gaps) >= 2.0
+
+
+EGG = {"kind": "ellipsoid", "size_mm": [60.0, 48.0, 48.0]}
+EGG_SENSORS = {
+    "sensors": {"radius_mm": 7.0},
+    "core": {"wall_mm": 5.0, "recess_inner_radius_mm": 3.8, "recess_outer_radius_mm": 10.2},
+}
+
+
+def test_pockets_of_a_curved_face_draw_together_below_it():
+    """Straight down from places 9 mm apart in the plane; turned by the surface's normals."""
+    spec = parsed(body=EGG, magnets={"positions_mm": [[14.0, 0.0], [5.0, 0.0]]}, **EGG_SENSORS)
+    spacing = by_check(spec, recesses=False)["pocket spacing"].value
+    true = []
+    for frame, (one, other) in zip(face_frames(spec), shell_pockets(spec), strict=True):
+        a, b = (cylinder(pocket, frame) for pocket in (one, other))
+        true.append(KDTree(a).query(b)[0].min())
+    assert spacing == pytest.approx(min(true), abs=0.15)
+    assert spacing < 9.0 - 5.0 - 0.3, "as far as in the plane"
+
+
+def test_the_gap_between_patches_is_at_most_that_of_points_of_both_pockets():
+    spec = parsed(body=EGG, magnets={"positions_mm": [[12.0, 9.0], [-11.0, 8.0]]}, **EGG_SENSORS)
+    frames, pockets = face_frames(spec), shell_pockets(spec)
+    gaps = []
+    for a, b in ((0, 2), (1, 2), (0, 3)):
+        for one in pockets[a]:
+            for other in pockets[b]:
+                gap = gap_across_edge_mm(frames[a], one, frames[b], other)
+                true = KDTree(cylinder(one, frames[a])).query(cylinder(other, frames[b]))[0].min()
+                assert gap <= true + 1e-9
+                gaps.append((true, gap))
+    true, gap = min(gaps)
+    assert gap == pytest.approx(true, abs=1.0)

@@ -3,9 +3,10 @@
 import pytest
 from numpy.testing import assert_allclose
 
-from design.layout.boards import sensor_recesses, smallest_recess_wall_mm
+from design.layout.boards import mounted_sensors, sensor_recesses, smallest_recess_wall_mm
 from design.solids.core import make_core
 from design.spec.object import CoreSpec, ObjectSpec, SensorSpec
+from tests.support.objects.body_cases import body_spec
 
 FAR = [[[8.585, 0.0]]] * 4 + [[[0.0, -8.585]]]
 
@@ -43,3 +44,14 @@ def test_recesses_are_those_cut_from_the_core(places):
     area = 7.0 * 6.5
     hub = make_core(without).Volume() - make_core(spec).Volume()
     assert_allclose(hub, len(recesses) * area * (3.0 - 2.301), rtol=1e-6)
+
+
+@pytest.mark.parametrize("body", ["capsule", "ellipsoid", "sphere"])
+def test_recesses_of_a_curved_core_turn_with_their_boards(body):
+    """In the axes of its recess every corner of a board lies within it, below the core's surface."""
+    spec = body_spec(body)
+    for recess, mounted in zip(sensor_recesses(spec), mounted_sensors(spec), strict=True):
+        local = (mounted.board.corners_mm - recess.centre_mm) @ recess.axes
+        assert abs(local[:, 2]).max() <= recess.half_mm[2] + 1e-9
+        turned = recess.axes.T @ mounted.board.axes
+        assert_allclose(abs(turned[2]), [0.0, 0.0, 1.0], rtol=0, atol=1e-9)

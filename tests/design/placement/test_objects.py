@@ -85,12 +85,13 @@ def test_a_wall_to_the_side_of_a_cylinder_is_measured_along_the_recess(made, awa
 
 
 def test_a_core_that_slopes_away_beside_a_recess_leaves_no_thin_wall_there():
-    """On a ball's core recesses end in a slope: the pear of the examples was refused for it."""
+    """On a ball's core wide recesses end in a slope."""
+    recess = {"recess_inner_radius_mm": 3.75, "recess_outer_radius_mm": 10.25}
     spec = spec_of(
         {
             "body": {"kind": "sphere", "size_mm": [44.0] * 3},
             "sensors": {"radius_mm": 7.0},
-            "core": {"recess_inner_radius_mm": 3.75, "recess_outer_radius_mm": 10.25},
+            "core": recess | {"recess_width_mm": 15.0},
         }
     )
     assert low_rim(spec)
