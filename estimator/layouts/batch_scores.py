@@ -7,12 +7,12 @@ from dataclasses import dataclass
 
 import numpy as np
 import torch
-from jaxtyping import Float
+from jaxtyping import Bool, Float
 from torch import Tensor
 
 from design.spec.object import ObjectSpec
 from estimator.information.cross_face import LEAST_FALSE_FORCE_N
-from estimator.information.scores import compliance_deviation, outermost_places
+from estimator.information.scores import compliance_deviation, on_places, outermost_places
 from estimator.information.two_contacts import PERCENT
 from estimator.layouts.batch import Layouts
 from estimator.layouts.bounds import percentile
@@ -186,10 +186,15 @@ def _edge_mean(
     scorers: Sequence[LayoutScorer], bounds_mm: Sequence[Float[Tensor, "layout _"]]
 ) -> Float[Tensor, "layout"]:
     found = [
-        bound[:, torch.as_tensor(outermost_places(scorer.presses.places))]
+        bound[:, torch.as_tensor(_outermost(scorer))]
         for scorer, bound in zip(scorers, bounds_mm, strict=True)
     ]
     return _all_faces(scorers, found).mean(dim=1)
+
+
+def _outermost(scorer: LayoutScorer) -> Bool[np.ndarray, "place"]:
+    there = scorer.presses.there
+    return outermost_places(scorer.presses.places, there)[there]
 
 
 def unevenness(spec: ObjectSpec, scorers: Sequence[LayoutScorer]) -> float:
@@ -197,5 +202,7 @@ def unevenness(spec: ObjectSpec, scorers: Sequence[LayoutScorer]) -> float:
     forces = {scorer.presses.force_n for scorer in scorers}
     nearest = min(forces, key=lambda force: abs(force - spec.score.force_n))
     at_it = [scorer.presses for scorer in scorers if scorer.presses.force_n == nearest]
-    compliance = np.stack([presses.mm_per_n for presses in at_it])
-    return compliance_deviation(spec.search.compliance_mm_per_n, at_it[0].places, compliance)
+    there = np.stack([presses.there for presses in at_it])
+    compliance = on_places(there, [presses.mm_per_n for presses in at_it])
+    wanted = spec.search.compliance_mm_per_n
+    return compliance_deviation(wanted, at_it[0].places, compliance, there)

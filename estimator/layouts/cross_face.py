@@ -13,8 +13,9 @@ from jaxtyping import Float, Int
 from torch import Tensor
 
 from estimator.field.gradient import field_change
-from estimator.layouts.batch import Layouts, chip_axes, magnet_axes
+from estimator.layouts.batch import Layouts
 from estimator.layouts.near_field import OTHER, OWN, Reach
+from estimator.layouts.placed import chips, other_magnets, own_magnets
 from estimator.layouts.press_basis import mixed_rows
 from estimator.layouts.scoring import LayoutScorer, press_changes
 
@@ -42,7 +43,7 @@ def false_forces_n(
     Its own press, at the contact location and force whose signals are nearest; signals grow with the
     force here, and own presses are those of this face. Differentiable but for the choice of location.
     """
-    presses, places = scorer.presses, len(scorer.presses.places)
+    presses, places = scorer.presses, scorer.presses.count
     motion = torch.arange(3 * places, 4 * places)
     share = CROSS_FACE_FORCE_N / presses.force_n
     change = share * neighbour_changes(scorer, layouts, motion).transpose(2, 3)
@@ -65,22 +66,16 @@ def neighbour_changes(
 
     On the paper's cube the median change over neighbours and places is 5 % off the full chain's.
     """
-    presses = scorer.presses
     moving = _moving_faces(scorer, layouts, columns)
-    depth = torch.full_like(layouts.sensor_mm[..., :1], -scorer.sensor_depth_mm)
-    local = torch.cat([layouts.sensor_mm, depth], dim=-1)
-    chips = chip_axes(layouts.sensor_mm, scorer.chip)
-    whitened = chips * (scorer.counts_per_t / scorer.sigma_counts)[:, None]
+    scale = (scorer.counts_per_t / scorer.sigma_counts)[:, None]
     found = []
-    for number, (turn, shift) in enumerate(
-        zip(presses.turn[: len(moving) - 1], presses.shift_mm, strict=False), start=1
-    ):
-        sensor = (local @ turn.T + shift).permute(2, 0, 1)
+    for number in range(len(scorer.presses.neighbours)):
+        sensor, axes = chips(scorer.presses, layouts, scorer.sensor_depth_mm, scorer.chip, number)
         change = sum(
-            _signals(scorer, layouts, sensor, face, OWN if index == number else OTHER)
+            _signals(scorer, layouts, sensor, face, OWN if index == 1 + number else OTHER)
             for index, face in enumerate(moving)
         )
-        found.append((whitened @ turn.T @ change).flatten(1, 2))
+        found.append((axes * scale @ change).flatten(1, 2))
     return torch.stack(found, dim=1)
 
 
@@ -89,19 +84,17 @@ def _moving_faces(
 ) -> list[_MovingFace]:
     """The pressed face, then its neighbours."""
     presses, shape = scorer.presses, layouts.magnet_mm.shape[:2]
-    own, other = mixed_rows(presses, layouts.magnet_mm.reshape(-1, 3))
-    centre = layouts.magnet_mm * torch.tensor([1.0, 1.0, -1.0], dtype=own.dtype)
-    centre, axis = centre.permute(2, 0, 1), magnet_axes(layouts)
-    pressed = _MovingFace(centre, axis, own.reshape(*shape, 6, -1), presses.own.basis[:, columns])
-    rows = other.reshape(*shape, -1, 6, len(presses.other.basis)).unbind(2)
+    own, other = mixed_rows(presses, layouts)
+    pressed = _MovingFace(
+        *own_magnets(presses, layouts),
+        own.reshape(*shape, 6, -1),
+        presses.own.basis[:, columns],
+    )
+    rows = other.reshape(*shape, len(presses.neighbours), 6, -1).unbind(2)
+    placed = (parts.unbind(-1) for parts in other_magnets(presses, layouts))
     return [pressed] + [
-        _MovingFace(
-            torch.einsum("ij,jlm->ilm", turn, centre) + shift[:, None, None],
-            torch.einsum("ij,jlm->ilm", turn, axis),
-            row,
-            presses.other.basis[:, columns],
-        )
-        for row, turn, shift in zip(rows, presses.turn, presses.shift_mm, strict=False)
+        _MovingFace(centre, axis, row, presses.other.basis[:, columns])
+        for row, centre, axis in zip(rows, *placed, strict=False)
     ]
 
 

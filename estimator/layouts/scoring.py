@@ -23,10 +23,11 @@ from design.spec.object import ObjectSpec
 from estimator.field.gradient import FieldChange, field_change
 from estimator.field.sources import BlockMagnet, Magnet, magnet_source
 from estimator.information.fisher import NoiseState, disturbance_counts
-from estimator.layouts.batch import Layouts, chip_axes, magnet_axes
+from estimator.layouts.batch import Layouts
 from estimator.layouts.bounds import bounds, percentile
 from estimator.layouts.near_field import OTHER, OWN, Reach
-from estimator.layouts.press_basis import PressBasis, mixed_rows
+from estimator.layouts.placed import chips, other_magnets, own_magnets
+from estimator.layouts.press_basis import PressBasis, candidate_ends_mm, mixed_rows
 
 _CHUNK = 512
 _FORCE_VARIANCE = 1 / 8
@@ -222,14 +223,16 @@ def _channel_changes(
     layouts: Layouts,
     sensor_shift_mm: Float[Tensor, "layout sensor 3"] | None = None,
 ) -> ChannelChanges:
-    own, other = _field_changes(scorer, layouts, sensor_shift_mm)
+    sensor, axes = chips(scorer.presses, layouts, scorer.sensor_depth_mm, scorer.chip)
+    if sensor_shift_mm is not None:
+        sensor = sensor + sensor_shift_mm.permute(2, 0, 1)
+    own, other = _field_changes(scorer, layouts, sensor)
     field = own.field.sum(-1) + other.field.sum(-1)
-    chips = chip_axes(layouts.sensor_mm, scorer.chip)
-    counts = scorer.counts_per_t * (chips @ field.permute(1, 2, 0)[..., None])[..., 0]
-    whitened = chips * (scorer.counts_per_t / scorer.sigma_counts)[:, None]
-    of_others, magnets = scorer.presses.other, layouts.magnet_mm.shape[1]
-    faces = of_others.rows.shape[1] // (6 * len(of_others.basis))
-    moving = _of_moving_faces(other.by_motion, magnets, faces)
+    counts = scorer.counts_per_t * (axes @ field.permute(1, 2, 0)[..., None])[..., 0]
+    whitened = axes * (scorer.counts_per_t / scorer.sigma_counts)[:, None]
+    moving = _of_moving_faces(
+        other.by_motion, layouts.magnet_mm.shape[1], len(scorer.presses.neighbours)
+    )
     return ChannelChanges(
         counts, _by_channel(whitened, own.by_motion), _by_channel(whitened, moving)
     )
@@ -238,11 +241,12 @@ def _channel_changes(
 def _press_changes(
     scorer: LayoutScorer, layouts: Layouts, channels: ChannelChanges
 ) -> PressChanges:
-    rows = mixed_rows(scorer.presses, layouts.magnet_mm.reshape(-1, 3))
+    rows = mixed_rows(scorer.presses, layouts)
     mixed = torch.cat(
         [
             by_channel @ row.reshape(len(layouts), by_channel.shape[2], -1)
             for by_channel, row in zip((channels.by_own, channels.by_other), rows, strict=True)
+            if row.numel()
         ],
         dim=-1,
     )
@@ -254,8 +258,7 @@ def _press_changes(
 
 def within_candidates(scorer: LayoutScorer, layouts: Layouts) -> Layouts:
     """Magnets beyond the candidates at the nearest of their places."""
-    first = scorer.presses.first_mm
-    last = first + scorer.presses.step_mm * (torch.tensor(scorer.presses.nodes) - 1)
+    first, last = candidate_ends_mm(scorer.presses)
     nearest = torch.maximum(torch.minimum(layouts.magnet_mm, last), first)
     return replace(layouts, magnet_mm=nearest)
 
@@ -263,17 +266,10 @@ def within_candidates(scorer: LayoutScorer, layouts: Layouts) -> Layouts:
 def _field_changes(
     scorer: LayoutScorer,
     layouts: Layouts,
-    sensor_shift_mm: Float[Tensor, "layout sensor 3"] | None,
+    sensor_mm: Float[Tensor, "3 layout sensor"],
 ) -> tuple[FieldChange, FieldChange]:
     """Fields and their changes at (layout, sensor, magnet) of own and (magnet, face) of others."""
-    presses, xyd = scorer.presses, layouts.magnet_mm
-    centre = torch.stack([xyd[..., 0], xyd[..., 1], -xyd[..., 2]])
-    axis = magnet_axes(layouts)
-    depth = torch.full_like(layouts.sensor_mm[..., :1], -scorer.sensor_depth_mm)
-    place = torch.cat([layouts.sensor_mm, depth], dim=-1)
-    if sensor_shift_mm is not None:
-        place = place + sensor_shift_mm
-    sensor = place.permute(2, 0, 1)[..., None]
+    sensor = sensor_mm[..., None]
 
     def change(centres: Tensor, axes: Tensor, polarity: Tensor, reach: Reach) -> FieldChange:
         offset, axes = torch.broadcast_tensors(sensor - centres[:, :, None], axes[:, :, None])
@@ -281,13 +277,11 @@ def _field_changes(
         found = field_change(offset, axes, scorer.magnet, reach.order)
         return FieldChange(found.field * polarity, found.by_motion * polarity)
 
-    turned = torch.einsum("gij,jbm->ibmg", presses.turn, centre)
-    centres = turned + presses.shift_mm.T[:, None, None]
-    axes = torch.einsum("gij,jbm->ibmg", presses.turn, axis)
+    centres, axes = other_magnets(scorer.presses, layouts)
     polarity = layouts.polarity[:, None, :]
-    of_others = polarity.repeat_interleave(len(presses.turn), dim=2)
+    of_others = polarity.repeat_interleave(centres.shape[3], dim=2)
     return (
-        change(centre, axis, polarity, OWN),
+        change(*own_magnets(scorer.presses, layouts), polarity, OWN),
         change(centres.flatten(2), axes.flatten(2), of_others, OTHER),
     )
 
@@ -296,7 +290,8 @@ def _of_moving_faces(
     by_motion: Float[Tensor, "3 6 layout sensor other"], magnets: int, faces: int
 ) -> Float[Tensor, "3 6 layout sensor moving"]:
     """Without the opposite face, the last one, where there is one."""
-    return by_motion.unflatten(-1, (magnets, -1))[..., :faces].flatten(-2)
+    every = by_motion.unflatten(-1, (magnets, by_motion.shape[-1] // magnets))
+    return every[..., :faces].flatten(-2)
 
 
 def _by_channel(

@@ -79,16 +79,20 @@ def _pairs_mm(scorer: LayoutScorer, contacts: _Basis) -> Float[Tensor, "layout p
 
 
 def _own_changes(scorer: LayoutScorer, layouts: Layouts) -> Float[Tensor, "channel layout 3 place"]:
-    places = torch.as_tensor(spread_places(scorer.spec))
+    places = _spread_rows(scorer)
     return press_changes(scorer, layouts).by_parameter[:, :, :3, places]
+
+
+def _spread_rows(scorer: LayoutScorer) -> Int[Tensor, "place"]:
+    """Of the spread places among the face's own."""
+    return torch.as_tensor(scorer.presses.rows_of(spread_places(scorer.spec)))
 
 
 def _changes_by_face(
     scorer: LayoutScorer, layouts: Layouts
 ) -> dict[int, Float[Tensor, "layout channel 3 place"]]:
     """Whitened derivatives by x, y and force of the channels of each face that shows some."""
-    places = torch.as_tensor(spread_places(scorer.spec))
-    every = len(scorer.presses.places)
+    places, every = _spread_rows(scorer), scorer.presses.count
     columns = (every * torch.arange(3)[:, None] + places).ravel()
     others = neighbour_changes(scorer, layouts, columns).unflatten(-1, (3, -1))
     own = _own_changes(scorer, layouts).transpose(0, 1)

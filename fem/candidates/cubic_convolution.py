@@ -7,7 +7,8 @@ which keeps parabolas exact up to the border.
 from __future__ import annotations
 
 import numpy as np
-from jaxtyping import Float, Int
+import scipy.sparse as sp
+from jaxtyping import Bool, Float, Int
 
 from design.errors import InputError
 
@@ -58,3 +59,24 @@ def _kernel(t: np.ndarray) -> np.ndarray:
         ],
         axis=1,
     )
+
+
+def extension(known: Bool[np.ndarray, "nx ny"]) -> sp.csr_matrix:
+    """Values at all nodes of a lattice from those at the known ones, (node, known).
+
+    Values go on beyond the known nodes with the smallest third differences along both axes (least
+    squares): up to parabolas exactly, so that interpolation near their border is as good as within.
+    """
+    index = np.arange(known.size).reshape(known.shape)
+    rows = [
+        np.stack([lines[k : len(lines) - 3 + k].ravel() for k in range(4)], axis=1)
+        for lines in (index, index.T)
+    ]
+    nodes = np.concatenate(rows)
+    differences = np.zeros((len(nodes), known.size))
+    differences[np.arange(len(nodes))[:, None], nodes] = [-1.0, 3.0, -3.0, 1.0]
+    there = known.ravel()
+    beyond = np.linalg.lstsq(differences[:, ~there], -differences[:, there], rcond=None)[0]
+    values = np.zeros((known.size, int(there.sum())))
+    values[there], values[~there] = np.eye(values.shape[1]), beyond
+    return sp.csr_matrix(values)

@@ -11,13 +11,14 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 
 import numpy as np
-from jaxtyping import Float, Float32, Int
+from jaxtyping import Bool, Float, Float32, Int
 
 from design.body.surface_chart import FaceFrame
 from design.errors import InputError
 from design.files import atomic_path
-from design.layout.body import face_frames
+from design.layout.body import face_frame, face_frames
 from design.layout.places.contact_grid import PlaceGrid
+from design.layout.pockets import shell_bodies
 from design.spec.object import ObjectSpec
 from fem.candidates.cubic_convolution import axis_weights
 
@@ -26,13 +27,16 @@ _TABLE_FILE = "candidates.npz"
 _PITCH_MM = 2.0
 _DEPTH_STEP_MM = 1.0
 _MARGIN_MM = 1.5
+_RIM_POINTS = 24
 
 
 @dataclass(frozen=True)
 class FaceCandidates:
-    """Candidate places of one face: x, y in its frame and depth below it, regular in each.
+    """Candidate places of one face: x, y along it and depth below it, regular in each.
 
-    Candidate (ix, iy, iz) of the face has index (ix · ny + iy) · nz + iz.
+    As contact locations, x and y are lengths along the surface from the face's middle
+    (`FaceFrame.to_plane`); on flat faces those in its frame. Candidate (ix, iy, iz) of the face has
+    index (ix · ny + iy) · nz + iz.
     """
 
     face: int
@@ -74,7 +78,8 @@ class CandidateMotions:
     `by_candidate` (candidate, face, place, step, 6): displacement (mm) and rotation (rad) in the
     object's frame; candidates run face by face as in `candidates`; memory-mapped where it was
     loaded. A layout gathers few candidates of all presses, hence the order. Steps are presses to
-    `force_n` (N), at `depth_mm`, of places in `places`: two for each judged force.
+    `force_n` (N), at `depth_mm`, of places in `places`: two for each judged force; NaN, and motions 0,
+    at places that a face has not.
     """
 
     faces: Int[np.ndarray, "face"]
@@ -97,7 +102,7 @@ class CandidateMotions:
         """
         if self.force_n.shape[2] < 4:
             return [0, self.force_n.shape[2] - 1]
-        middle = self.force_n.max(axis=(0, 1)).reshape(-1, 2).mean(axis=1)
+        middle = np.nanmax(self.force_n, axis=(0, 1)).reshape(-1, 2).mean(axis=1)
         nearest = int(abs(middle - force_n).argmin())
         return [2 * nearest, 2 * nearest + 1]
 
@@ -140,38 +145,62 @@ def candidate_lattices(
     """Regular places up to a pocket's radius from the borders, depths `margin_mm` off both skins.
 
     `pitch_mm` and `depth_step_mm` are the largest distances wanted. The paper's cube: 19 × 19
-    places, depths 1.5 to 6.5 mm, on each of five faces. Where faces differ in size all get the
-    lattice of the smallest, since one layout serves all of them.
+    places, depths 1.5 to 6.5 mm, on each of five faces. Where flat faces differ in size all get the
+    lattice of the smallest, since one layout serves all of them. What of a lattice's corners lies
+    beyond a round patch says `known_places`.
 
     Raises
     ------
     InputError
-        A shell too thin, or a face too small, for the margins; or a curved face.
+        A shell too thin, or a face too small, for the margins; or so curved a face that a magnet
+        would stand out of it.
     """
-    thickness = spec.shell.thickness_mm
-    deepest = thickness - margin_mm
+    frames = face_frames(spec)
+    deepest = spec.shell.thickness_mm - margin_mm
+    halves = np.array([frame.half_extents_mm for frame in frames])
+    if all(frame.flat and not frame.round for frame in frames):
+        halves[:] = halves.min(axis=0)
     lattices = []
-    smallest = np.min([frame.half_extents_mm for frame in face_frames(spec)], axis=0)
-    for frame in face_frames(spec):
-        _require_flat(frame)
-        reach = [half - spec.shell.pocket_diameter_mm / 2 for half in smallest.tolist()]
+    for frame, half in zip(frames, halves, strict=True):
+        reach = half - spec.shell.pocket_diameter_mm / 2
         if min(*reach, deepest - margin_mm) <= 0:
             raise InputError(
                 f"face {frame.number} has no room for candidates: reach {min(reach):g} mm, depths "
                 f"{margin_mm:g} to {deepest:g} mm. Use a smaller margin_mm than {margin_mm:g}, or a "
                 "larger body"
             )
-        x, y = (_regular(-r, r, pitch_mm) for r in reach)
-        depth = _regular(margin_mm, deepest, depth_step_mm)
-        lattices.append(FaceCandidates(frame.number, x, y, depth))
+        ends = frame.from_plane(np.stack([-reach, reach]))
+        x, y = (_regular(float(ends[0, k]), float(ends[1, k]), pitch_mm) for k in (0, 1))
+        lattice = FaceCandidates(frame.number, x, y, _regular(margin_mm, deepest, depth_step_mm))
+        _require_below_the_surface(spec, frame, lattice)
+        lattices.append(lattice)
     return tuple(lattices)
 
 
-def _require_flat(frame: FaceFrame) -> None:
-    if not frame.flat:
+def known_places(spec: ObjectSpec, lattice: FaceCandidates) -> Bool[np.ndarray, "nx ny"]:
+    """Candidates whose magnet lies under its patch: all but those in the corners of a round one."""
+    frame = face_frame(spec, lattice.face)
+    places = np.stack(np.meshgrid(lattice.x_mm, lattice.y_mm, indexing="ij"), axis=-1)
+    beside = shell_bodies(spec)[0][0].outline.radius_mm
+    return frame.covers(abs(frame.to_plane(places)) + beside)
+
+
+def _require_below_the_surface(spec: ObjectSpec, frame: FaceFrame, lattice: FaceCandidates) -> None:
+    if frame.flat:
+        return
+    first = shell_bodies(spec)[0][0]
+    x, y = np.meshgrid(lattice.x_mm, lattice.y_mm, indexing="ij")
+    plane = frame.to_plane(np.stack([x, y], axis=-1)[known_places(spec, lattice)])
+    turn = np.linspace(0, 2 * np.pi, _RIM_POINTS, endpoint=False)
+    rim = first.outline.radius_mm * np.stack([np.cos(turn), np.sin(turn), 0 * turn], axis=-1)
+    centre = frame.to_object(np.column_stack([plane, np.full(len(plane), -lattice.depth_mm[0])]))
+    points = centre[:, None] + np.einsum("pij,rj->pri", frame.axes_at(plane), rim)
+    out = float(np.nanmax(frame.from_object(points)[..., 2]))
+    if out > 0:
         raise InputError(
-            f"candidate places are known under flat faces only; face {frame.number} is curved. Choose a "
-            "body of flat faces, or simulate the layouts one by one"
+            f"face {frame.number} is so curved that a magnet {lattice.depth_mm[0]:g} mm deep stands "
+            f"{out:.2g} mm out of it somewhere. Take smaller magnets, or leave the face out with "
+            "body.sensed_faces"
         )
 
 

@@ -8,17 +8,20 @@ from pathlib import Path
 
 import numpy as np
 import scipy.sparse as sp
-from jaxtyping import Float
+from jaxtyping import Bool, Float
 
-from design.layout.body import face_frames
+from design.layout.body import face_frame
 from design.layout.places.contact_grid import contact_grid
+from design.layout.places.contact_places import contact_places
 from design.layout.pockets import Outline, shell_bodies
 from design.spec.object import ObjectSpec
+from fem.candidates.cubic_convolution import extension
 from fem.candidates.motions import (
     MOTIONS_FILE,
     CandidateMotions,
     FaceCandidates,
     InterpolationError,
+    known_places,
     save_candidates,
 )
 from fem.candidates.point_motions import fitted_motion_rows, interpolate_at
@@ -74,13 +77,18 @@ def simulate_candidates(
         presses_at_forces(spec, response, index, force_shares)
         for index in range(len(response.surfaces))
     ]
-    force = np.stack([press.force_n for press in presses])
-    depth = np.stack([press.depth_mm for press in presses])
+    there = contact_places(spec)
+    force, depth = (
+        np.stack(
+            [_on_grid(own, getattr(press, name)) for own, press in zip(there, presses, strict=True)]
+        )
+        for name in ("force_n", "depth_mm")
+    )
     count = sum(len(lattice) for lattice in lattices)
     motions = np.lib.format.open_memmap(
         Path(folder) / MOTIONS_FILE, "w+", np.float32, (count, *force.shape, 6)
     )
-    tests = _test_points(lattices)
+    tests = _test_points(spec, lattices)
     direct = _record(spec, mesh, response, presses, lattices, tests, motions, progress)
     motions.flush()
     faces = np.array([surface.number for surface in response.surfaces])
@@ -94,7 +102,7 @@ def simulate_candidates(
 def presses_at_forces(
     spec: ObjectSpec, response: ResponseOperator, face_index: int, force_shares: Sequence[float]
 ) -> PressesAtForce:
-    """Contact at shares of every judged force at every contact location of one face.
+    """Contact at shares of every judged force at every contact location that one face has.
 
     Steps are the shares of the first force, then of the second, and so on.
 
@@ -104,7 +112,7 @@ def presses_at_forces(
         A tip that would hang over the face's border.
     """
     depths = np.append(0.0, spec.press.depths_mm)
-    places = contact_grid(spec).xy_mm
+    places = contact_grid(spec).xy_mm[contact_places(spec)[face_index]]
     pressed = press_places(spec, response, face_index, places, depths[1:])
     pressed = np.concatenate([np.zeros_like(pressed[:, :1]), pressed], axis=1)
     reached = pressed @ surface_weights_mm2(response.surfaces[face_index])
@@ -123,15 +131,15 @@ def presses_at_forces(
 def candidate_rows(
     space: DisplacementSpace,
     points_mm: Float[np.ndarray, "point 3"],
-    axes: Float[np.ndarray, "3 3"],
+    axes: Float[np.ndarray, "3 3"] | Float[np.ndarray, "point 3 3"],
     outline: Outline,
 ) -> sp.csr_matrix:
     """Rigid motion that fits a body's cross-section about each point best; (6·point, 3·node).
 
-    `axes` are the outline's x and y and its normal, as columns.
+    `axes` are the outline's x and y and its normal, as columns: one of all points, or of each.
     """
     local, weights = outline_quadrature(outline, _CIRCLES, _AROUND)
-    spread = points_mm[:, None] + local @ axes[:, :2].T
+    spread = points_mm[:, None] + local @ np.swapaxes(axes[..., :2], -1, -2)
     values = interpolate_at(space, spread.reshape(-1, 3)).values
     return fitted_motion_rows(values, local, weights, axes)
 
@@ -149,13 +157,15 @@ def _record(
     """Fill `motions`; the motions of the test points are returned, in the same order of axes."""
     system = elastic_system(mesh, spec)
     tractions = face_pressure_loads(system.space, spec)[1]
-    points = [*(lattice.xyd_mm for lattice in lattices), *tests]
+    known = [np.repeat(known_places(spec, one), len(one.depth_mm)) for one in lattices]
+    points = [*(one.xyd_mm[here] for one, here in zip(lattices, known, strict=True)), *tests]
     rows = rows_of(
         [
             _face_rows(spec, system.space, lattice.face, xyd)
             for lattice, xyd in zip(lattices * 2, points, strict=True)
         ]
     )
+    filled, there = _filled(lattices, known), contact_places(spec)
     direct = np.zeros((sum(map(len, tests)), *motions.shape[1:]), np.float32)
     steps = motions.shape[3]
     with Factorization(system.matrix) as factor:
@@ -166,9 +176,11 @@ def _record(
                 column = np.arange(first, min(first + _CHUNK, pressures.shape[1]))
                 u = displacements(system, factor, loads @ pressures[:, column])
                 found = (rows @ u).astype(np.float32).reshape(-1, 6, len(column))
-                place, step = np.divmod(column, steps)
-                motions[:, index, place, step] = found[: len(motions)].transpose(0, 2, 1)
-                direct[:, index, place, step] = found[len(motions) :].transpose(0, 2, 1)
+                row, step = np.divmod(column, steps)
+                place = np.flatnonzero(there[index])[row]
+                candidates = filled(found[: len(found) - len(direct)])
+                motions[:, index, place, step] = candidates.transpose(0, 2, 1)
+                direct[:, index, place, step] = found[len(found) - len(direct) :].transpose(0, 2, 1)
             if progress:
                 progress(f"face {response.surfaces[index].number}: {pressures.shape[1]} presses")
     return direct
@@ -187,16 +199,55 @@ def displacements(
 def _face_rows(
     spec: ObjectSpec, space: DisplacementSpace, face: int, xyd_mm: np.ndarray
 ) -> sp.csr_matrix:
-    frame = next(frame for frame in face_frames(spec) if frame.number == face)
-    points = frame.to_object(xyd_mm * [1, 1, -1])
-    return candidate_rows(space, points, frame.axes, shell_bodies(spec)[0][0].outline)
+    frame, outline = face_frame(spec, face), shell_bodies(spec)[0][0].outline
+    plane = frame.to_plane(xyd_mm[:, :2])
+    points = frame.to_object(np.column_stack([plane, -xyd_mm[:, 2]]))
+    axes = frame.axes if frame.flat else frame.axes_at(plane)
+    return candidate_rows(space, points, axes, outline)
 
 
-def _test_points(lattices: tuple[FaceCandidates, ...]) -> list[np.ndarray]:
-    """Random (x, y, depth) among the candidates of every face."""
-    random = np.random.default_rng(1)
-    ends = [np.array([lattice.xyd_mm.min(0), lattice.xyd_mm.max(0)]) for lattice in lattices]
-    return [random.uniform(low, high, (_TEST_POINTS_PER_FACE, 3)) for low, high in ends]
+def _test_points(spec: ObjectSpec, lattices: tuple[FaceCandidates, ...]) -> list[np.ndarray]:
+    """Random (x, y, depth) among the candidates of every face, where a pocket lies under its patch."""
+    random, found = np.random.default_rng(1), []
+    for lattice in lattices:
+        frame = face_frame(spec, lattice.face)
+        ends = lattice.xyd_mm.min(0), lattice.xyd_mm.max(0)
+        points = random.uniform(*ends, (_TEST_POINTS_PER_FACE, 3))
+        beside = abs(frame.to_plane(points[:, :2])) + spec.shell.pocket_diameter_mm / 2
+        found.append(points[frame.covers(beside)])
+    return found
+
+
+def _on_grid(
+    there: Bool[np.ndarray, "place"], values: Float[np.ndarray, "own step"]
+) -> Float[np.ndarray, "place step"]:
+    """Of the places that a face has; NaN elsewhere."""
+    found = np.full((len(there), values.shape[1]), np.nan)
+    found[there] = values
+    return found
+
+
+def _filled(
+    lattices: tuple[FaceCandidates, ...], known: list[np.ndarray]
+) -> Callable[[np.ndarray], np.ndarray]:
+    """What goes on from the known candidates of every face to all of them."""
+    if all(here.all() for here in known):
+        return lambda values: values
+    blocks = [
+        extension(here.reshape(one.shape)[:, :, 0])
+        for one, here in zip(lattices, known, strict=True)
+    ]
+    every = [
+        sp.kron(block, sp.eye(len(one.depth_mm)))
+        for block, one in zip(blocks, lattices, strict=True)
+    ]
+    matrix = sp.csr_matrix(sp.block_diag(every), dtype=np.float32)
+
+    def filled(values: np.ndarray) -> np.ndarray:
+        found = matrix @ values.reshape(len(values), -1)
+        return found.reshape(-1, *values.shape[1:])
+
+    return filled
 
 
 def _with_error(
@@ -204,14 +255,17 @@ def _with_error(
 ) -> CandidateMotions:
     """The table with the error of its interpolation on the pressed faces' own test points."""
     exact, wrong = [], []
+    ends = np.cumsum([len(points) for points in tests])[:-1]
     for lattice, points, values in zip(
-        table.candidates, tests, np.split(direct, len(tests)), strict=True
+        table.candidates, tests, np.split(direct, ends), strict=True
     ):
         own = table.faces == lattice.face
         found = np.moveaxis(table.at(lattice.face, points[:, :2], points[:, 2]), 3, 0)
         exact.append(values[:, own])
         wrong.append(found[:, own] - values[:, own])
-    exact, wrong = np.concatenate(exact).reshape(-1, 2, 3), np.concatenate(wrong).reshape(-1, 2, 3)
+    exact, wrong = (
+        np.concatenate([m.reshape(-1, 2, 3) for m in parts]) for parts in (exact, wrong)
+    )
     size, miss = np.linalg.norm(exact, axis=2), np.linalg.norm(wrong, axis=2)
     rms = np.sqrt(np.mean(miss**2, axis=0) / np.mean(size**2, axis=0))
     worst = miss.max(axis=0) / size.max(axis=0)

@@ -161,7 +161,7 @@ def test_rows_are_the_motions_of_the_table(spec, motions, layouts):
     presses = press_basis(spec, motions, FACE)
     xyd = layouts.magnet_mm.reshape(-1, 3).clone()
     xyd[0], xyd[1] = torch.tensor([18.0, -18.0, 1.5]), torch.tensor([-18.0, 3.3, 6.5])
-    own, _ = mixed_rows(presses, xyd)
+    own, _ = mixed_rows(presses, replace(layouts, magnet_mm=xyd.reshape(layouts.magnet_mm.shape)))
     unfolded = own.reshape(len(xyd), 6, -1) @ presses.own.basis
     found = unfolded.reshape(len(xyd), 2, 3, 4, -1)[:, :, :, 3]
     at = xyd.double().numpy()

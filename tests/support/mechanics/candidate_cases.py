@@ -5,7 +5,12 @@ import torch
 
 from design.layout.body import core_frames, face_frames
 from design.layout.places.contact_grid import contact_grid
-from design.layout.places.positions import MagnetLayout, SensorLayout, chip_on_board
+from design.layout.places.positions import (
+    MagnetLayout,
+    SensorLayout,
+    chip_on_board,
+    sinks_of_boards_mm,
+)
 from design.layout.pockets import board_frame, tilted_frame
 from design.spec.object import ContactGridSpec, ObjectSpec
 from estimator.field.environment import environment
@@ -13,6 +18,7 @@ from estimator.field.models import FieldModel
 from estimator.field.sources import magnet_source
 from estimator.information.fisher import cramer_rao_bounds, disturbance_counts
 from estimator.layouts.batch import Layouts
+from estimator.layouts.surfaces import onto_patch_mm
 from estimator.signals.field_setup import Scene, sensed_field
 from estimator.signals.hall import chip_errors, counts_of_field
 from estimator.signals.interpolation import signal_gradient
@@ -27,10 +33,9 @@ LINEAR = 1e-3
 """Of real motions, and of real noise: signals are linear in the first, bounds and δ the same."""
 
 
-def made_up_spec():
-    """Places 5 × 4; little noise, different on all three axes of a chip."""
-    grid = ContactGridSpec(count=(5, 4), pitch_mm=6.0)
-    spec = ObjectSpec(name="cube", contact_grid=grid)
+def made_up_spec(body=None):
+    """Places 5 × 4 of the paper's cube, or those of a body; little noise, different on all axes of a chip."""
+    spec = body or ObjectSpec(name="cube", contact_grid=ContactGridSpec(count=(5, 4), pitch_mm=6.0))
     noise = tuple(LINEAR * counts for counts in (22.0, 15.0, 11.0))
     update = {"noise_counts": noise, "zeroing_counts": 10 * LINEAR}
     return spec.model_copy(update={"sensors": spec.sensors.model_copy(update=update)})
@@ -40,12 +45,10 @@ def made_up_motions(spec, pitch_mm=2.0):
     """In proportion to force; silicone goes down, aside and tilts near a press."""
     lattices, frames = candidate_lattices(spec, pitch_mm), face_frames(spec)
     places = contact_grid(spec)
-    points = np.concatenate(
-        [f.to_object(one.xyd_mm * [1, 1, -1]) for f, one in zip(frames, lattices, strict=True)]
-    )
+    points = np.concatenate([in_object(f, one) for f, one in zip(frames, lattices, strict=True)])
     table = np.empty((len(points), len(frames), len(places), 2, 6), np.float32)
     for row, frame in enumerate(frames):
-        local = frame.from_object(points)
+        local = frame.in_plane(points)
         away = local[:, None, :2] - places.xy_mm
         near = LINEAR * np.exp(-np.sum(away**2, -1) / 90 + local[:, 2:] / 9)[..., None]
         down = np.full(near.shape, -0.35)
@@ -57,6 +60,12 @@ def made_up_motions(spec, pitch_mm=2.0):
     faces = np.array([frame.number for frame in frames])
     nan = InterpolationError(*4 * [np.nan])
     return CandidateMotions(faces, places, force, force / 2, lattices, table, nan)
+
+
+def in_object(frame, lattice):
+    """Candidates of a face; those beyond a round patch go on as its ends do."""
+    xy = onto_patch_mm(frame, frame.to_plane(lattice.xyd_mm[:, :2]))
+    return frame.to_object(np.column_stack([xy, -lattice.xyd_mm[:, 2]]))
 
 
 def random_layouts(count, seed=0, dtype=torch.float32):
@@ -106,18 +115,24 @@ def layout_scene(spec, motions, face, magnet_mm, turn, polarity, sensor_mm):
     centre, axis, faces, motion = [], [], [], []
     for frame in face_frames(spec):
         centre.append(frame.to_object(magnet_mm * [1, 1, -1]))
-        axis.append([frame.axes @ tilted_frame(*np.rad2deg(t))[:, 2] for t in turn])
+        axes = frame.axes_at(magnet_mm[:, :2])
+        tilts = [tilted_frame(*np.rad2deg(t))[:, 2] for t in turn]
+        axis.append(np.einsum("mij,mj->mi", axes, tilts))
         faces.append(np.full(len(magnet_mm), frame.number))
         index = motions.faces.tolist().index(face)
-        motion.append(motions.at(frame.number, magnet_mm[:, :2], magnet_mm[:, 2])[index])
+        along = frame.from_plane(magnet_mm[:, :2])
+        motion.append(motions.at(frame.number, along, magnet_mm[:, 2])[index])
     axis = np.concatenate(axis)
     strength = np.tile(polarity, len(faces))
     magnets = MagnetLayout(np.concatenate(centre), axis, np.concatenate(faces), axis, strength)
-    core = core_frames(spec)[face - 1]
-    depth = np.full((len(sensor_mm), 1), -spec.sensors.depth_below_core_face_mm)
-    boards = [core.axes @ board_frame(np.arctan2(y, x)) for x, y in sensor_mm]
+    core = core_frames(spec)[spec.body.sensed.index(face)]
+    azimuth = np.arctan2(sensor_mm[:, 1], sensor_mm[:, 0])
+    sink = sinks_of_boards_mm(spec, core, np.column_stack([sensor_mm, azimuth]))
+    depth = -spec.sensors.depth_below_core_face_mm - sink
+    axes = core.axes_at(sensor_mm)
+    boards = [one @ board_frame(turn) for one, turn in zip(axes, azimuth, strict=True)]
     sensors = SensorLayout(
-        core.to_object(np.concatenate([sensor_mm, depth], axis=1)),
+        core.to_object(np.column_stack([sensor_mm, depth])),
         np.stack([(board @ chip_on_board(spec.sensors)).T for board in boards]),
         np.full(len(sensor_mm), face),
     )

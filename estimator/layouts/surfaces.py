@@ -1,0 +1,178 @@
+"""Surfaces of body and core under layouts in batches: where parts lie and how they turn, with gradients.
+
+All geometry is that of `design`, in double precision; its slopes are central differences, worked out
+where they are asked for. Beside its patch a part is taken to lie at the patch's nearest place on the way
+to its middle, so that everything is finite: limits of their own keep parts on their patches.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+import torch
+from jaxtyping import Float
+from torch import Tensor
+
+from design.body.surface_chart import FaceFrame
+from design.layout.body import core_frames, face_frames
+from design.layout.places.positions import chip_on_board, sinks_of_boards_mm
+from design.layout.pockets import board_frame
+from design.spec.object import ObjectSpec
+from design.spec.worked_out import once
+
+_STEP = 1e-4
+"""Of central differences, mm: in double precision good to 1e-8 mm."""
+_WITHIN, _WELL_WITHIN = 1 - 1e-6, 0.98
+_AZIMUTHS, _BISECTIONS = 64, 20
+
+_Function = Callable[[np.ndarray], np.ndarray]
+
+
+@dataclass(frozen=True)
+class Surface:
+    """A sensed patch of the body, the core's under it, and what its boards are like."""
+
+    frame: FaceFrame
+    core: FaceFrame
+    spec: ObjectSpec
+
+    @property
+    def number(self) -> int:
+        return self.frame.number
+
+    def lengths_mm(self, xy_mm: Float[Tensor, "*n 2"]) -> Float[Tensor, "*n 2"]:
+        """Places of the frame's plane as lengths along the surface, as candidates are told."""
+        return pointwise(self.frame.from_plane, xy_mm)
+
+    def magnets(
+        self, xyd_mm: Float[Tensor, "*n 3"]
+    ) -> tuple[Float[Tensor, "*n 3"], Float[Tensor, "*n 3 3"]]:
+        """Centres of magnets at (x, y, depth), mm, and axes as columns of the surface over them (the
+        third its normal), in the object's frame."""
+        found = pointwise(self._magnets, xyd_mm)
+        return found[..., :3], found[..., 3:].unflatten(-1, (3, 3))
+
+    def chips(
+        self, xy_mm: Float[Tensor, "*n 2"]
+    ) -> tuple[Float[Tensor, "*n 3"], Float[Tensor, "*n 3 3"]]:
+        """Sensing points (mm) and chips' axes as rows, in the object's frame."""
+        found = pointwise(self._chips, xy_mm)
+        return found[..., :3], found[..., 3:].unflatten(-1, (3, 3))
+
+    def boards(
+        self, xy_mm: Float[Tensor, "*n 2"]
+    ) -> tuple[Float[Tensor, "*n 3"], Float[Tensor, "*n 3 3"], Float[Tensor, "*n"]]:
+        """Points of the core's surface over sensors (mm); radial, tangential and normal direction as
+        rows, in the object's frame; and by how much boards lie deeper than on a flat core (mm)."""
+        found = pointwise(self._boards, xy_mm)
+        return found[..., :3], found[..., 3:12].unflatten(-1, (3, 3)), found[..., 12]
+
+    def _magnets(self, xyd_mm: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n 12"]:
+        xy = onto_patch_mm(self.frame, xyd_mm[:, :2])
+        centre = self.frame.to_object(np.column_stack([xy, -xyd_mm[:, 2]]))
+        return np.concatenate([centre, self.frame.axes_at(xy).reshape(-1, 9)], axis=1)
+
+    def _chips(self, xy_mm: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "n 12"]:
+        xy = onto_patch_mm(self.core, xy_mm)
+        depth = self.spec.sensors.depth_below_core_face_mm + self.sinks_mm(xy_mm)
+        point = self.core.to_object(np.column_stack([xy, -depth]))
+        board = np.stack([board_frame(azimuth) for azimuth in _azimuths(xy_mm)])
+        axes = self.core.axes_at(xy) @ board @ chip_on_board(self.spec.sensors)
+        return np.concatenate([point, axes.transpose(0, 2, 1).reshape(-1, 9)], axis=1)
+
+    def _boards(self, xy_mm: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "n 13"]:
+        xy, azimuth = onto_patch_mm(self.core, xy_mm), _azimuths(xy_mm)
+        point = self.core.to_object(np.column_stack([xy, 0 * azimuth]))
+        axes = self.core.axes_at(xy)
+        along, across, normal = axes.transpose(2, 0, 1)
+        cosine, sine = np.cos(azimuth)[:, None], np.sin(azimuth)[:, None]
+        radial, tangential = cosine * along + sine * across, cosine * across - sine * along
+        sink = self.sinks_mm(xy_mm)[:, None]
+        return np.concatenate([point, radial, tangential, normal, sink], axis=1)
+
+    def sinks_mm(self, xy_mm: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "n"]:
+        """By how much boards lie deeper than on a flat core; beyond `reach_mm` as just within it."""
+        if self.core.flat:
+            return np.zeros(len(xy_mm))
+        azimuth = _azimuths(xy_mm)
+        least = np.minimum(1.0, _WELL_WITHIN * self.reach_mm(xy_mm) / _radii(xy_mm))
+        places = np.column_stack([xy_mm * least[:, None], azimuth])
+        return np.nan_to_num(sinks_of_boards_mm(self.spec, self.core, places))
+
+    def reach_mm(self, xy_mm: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "n"]:
+        """How far from the middle a board in the direction of a place finds room in the core's patch."""
+        if self.core.flat:
+            return np.full(len(xy_mm), np.inf)
+        turn = 2 * np.pi * np.arange(_AZIMUTHS + 1) / _AZIMUTHS
+        return np.interp(
+            _azimuths(xy_mm) % (2 * np.pi), turn, np.append(self._reach, self._reach[0])
+        )
+
+    @cached_property
+    def _reach(self) -> Float[np.ndarray, "azimuth"]:
+        """Of azimuths in equal steps from 0, by bisection."""
+        turn = 2 * np.pi * np.arange(_AZIMUTHS) / _AZIMUTHS
+        way = np.stack([np.cos(turn), np.sin(turn)], axis=-1)
+        low, high = np.zeros(_AZIMUTHS), np.full(_AZIMUTHS, max(self.core.half_extents_mm))
+        for _ in range(_BISECTIONS):
+            middle = (low + high) / 2
+            xy = middle[:, None] * way
+            room = np.isfinite(
+                sinks_of_boards_mm(self.spec, self.core, np.column_stack([xy, turn]))
+            )
+            room &= self.core.covers(xy)
+            low, high = np.where(room, middle, low), np.where(room, high, middle)
+        return low
+
+
+def surfaces(spec: ObjectSpec) -> dict[int, Surface]:
+    """Of all sensed faces, by number."""
+    return {one.number: one for one in _surfaces(spec)}
+
+
+@once
+def _surfaces(spec: ObjectSpec) -> tuple[Surface, ...]:
+    pairs = zip(face_frames(spec), core_frames(spec), strict=True)
+    return tuple(Surface(frame, core, spec) for frame, core in pairs)
+
+
+def onto_patch_mm(frame: FaceFrame, xy_mm: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "n 2"]:
+    """Places beside a patch drawn towards its middle until they lie on it."""
+    share = np.asarray(xy_mm) / np.asarray(frame.half_extents_mm)
+    size = np.linalg.norm(share, axis=1) if frame.round else abs(share).max(axis=1)
+    return xy_mm * np.minimum(1.0, _WITHIN / np.maximum(size, 1e-12))[:, None]
+
+
+def _azimuths(xy_mm: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "n"]:
+    return np.arctan2(xy_mm[:, 1], xy_mm[:, 0])
+
+
+def _radii(xy_mm: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "n"]:
+    return np.maximum(np.linalg.norm(xy_mm, axis=1), 1e-9)
+
+
+def pointwise(function: _Function, at: Float[Tensor, "*n inputs"]) -> Float[Tensor, "*n outputs"]:
+    """A function of a few numbers of each point, given in NumPy; gradients are central differences."""
+    found: Any = _Pointwise.apply(at.reshape(-1, at.shape[-1]), function)
+    return found.reshape(*at.shape[:-1], -1)
+
+
+class _Pointwise(torch.autograd.Function):
+    @staticmethod
+    def forward(ctx: Any, at: Tensor, function: _Function) -> Tensor:
+        values = at.detach().double().numpy()
+        if ctx.needs_input_grad[0]:
+            steps = _STEP * np.eye(values.shape[1])
+            slopes = [function(values + s) - function(values - s) for s in steps]
+            ctx.save_for_backward(torch.as_tensor(np.stack(slopes) / (2 * _STEP)))
+        return torch.as_tensor(function(values), dtype=at.dtype)
+
+    @staticmethod
+    def backward(ctx: Any, *grads: Tensor) -> tuple[Tensor, None]:
+        (slopes,) = ctx.saved_tensors
+        back = torch.einsum("ino,no->ni", slopes, grads[0].double())
+        return back.to(grads[0].dtype), None

@@ -1,0 +1,203 @@
+"""Batched scores of layouts under curved surfaces: beside the ordinary chain, and a cube taken as one."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import torch
+from numpy.testing import assert_allclose
+
+from estimator.layouts import press_basis as module
+from estimator.layouts.batch_scores import DEARER, batch_scores
+from estimator.layouts.press_basis import press_basis, scattered_slopes
+from estimator.layouts.scoring import layout_scorer, place_information
+from estimator.layouts.surfaces import surfaces
+from tests.support.mechanics.candidate_cases import (
+    FACE,
+    made_up_motions,
+    made_up_spec,
+    ordinary_chain,
+    random_layouts,
+)
+from tests.support.objects.body_cases import body_spec
+
+COUNT = 2
+REACH_MM = 12.0
+BOUND_TOLERANCE = 0.01
+"""Of a place's bound and of counts at rest; measured 0.004."""
+GRID = {"contact_grid": {"count": [6, 5], "pitch_mm": 2.5}}
+BODIES = {"cylinder": 2, "capsule": 3, "ellipsoid": 3}
+"""Pressed face: of the cylinder one whose neighbours are curved and flat."""
+
+
+@pytest.fixture(scope="module", params=BODIES)
+def case(request):
+    spec = made_up_spec(body_spec(request.param, **GRID))
+    return spec, made_up_motions(spec), BODIES[request.param]
+
+
+def layouts_within(reach_mm, seed=0):
+    """Magnets and sensors in the middle of a patch, without tilt."""
+    wide = random_layouts(COUNT, seed)
+    shrink = torch.tensor([reach_mm / 15, reach_mm / 15, 1.0])
+    return replace(
+        wide,
+        magnet_mm=wide.magnet_mm * shrink,
+        turn_rad=torch.zeros_like(wide.turn_rad),
+        sensor_mm=wide.sensor_mm * 0.6,
+    )
+
+
+def worst_error(spec, motions, face, presses=None):
+    layouts = layouts_within(REACH_MM)
+    scorer = layout_scorer(spec, presses or press_basis(spec, motions, face))
+    found = place_information(scorer, layouts)
+    worst = 0.0
+    for row in range(COUNT):
+        bounds, _, rest = ordinary_chain(spec, motions, face, layouts, row)
+        for name, wanted in (
+            ("position_bound_mm", bounds.position_mm),
+            ("force_bound_n", bounds.force_n),
+        ):
+            worst = max(worst, float(np.max(abs(getattr(found, name)[row].numpy() / wanted - 1))))
+        away = abs(found.resting_counts[row].numpy() - rest).max() / abs(rest).max()
+        worst = max(worst, float(away))
+    return worst
+
+
+def test_bounds_are_those_of_the_ordinary_chain(case):
+    assert worst_error(*case) < BOUND_TOLERANCE
+
+
+def turned(surface):
+    frame = surface.frame
+    return replace(surface, frame=replace(frame, x=frame.y, y=-frame.x))
+
+
+def other_core(surface):
+    """The body's patch for the core's."""
+    return replace(surface, core=surface.frame)
+
+
+def flipped(surface):
+    """Axes that follow the surface the wrong way."""
+    frame = surface.frame
+    return replace(surface, frame=replace(frame, relief=_Flipped(frame.relief)))
+
+
+class _Flipped:
+    def __init__(self, relief):
+        self.relief = relief
+
+    def at(self, xy_mm):
+        height, slope = self.relief.at(xy_mm)
+        return height, -slope
+
+
+FAULTS = {
+    "own frame turned": lambda p: with_surface(p, 0, turned),
+    "a neighbour's frame turned": lambda p: with_surface(p, 1, turned),
+    "own normals flipped": lambda p: with_surface(p, 0, flipped),
+    "chips on the body's patch": lambda p: with_surface(p, 0, other_core),
+    "other faces' rows left out": lambda p: replace(
+        p, other=replace(p.other, rows=torch.zeros_like(p.other.rows))
+    ),
+    "lengths for the plane's places": lambda p: with_surface(p, 0, _without_lengths),
+}
+
+
+def with_surface(presses, index, change):
+    patches = list(presses.patches)
+    patches[index] = replace(patches[index], surface=change(patches[index].surface))
+    return replace(presses, patches=tuple(patches))
+
+
+class _NoLengths:
+    def __init__(self, surface):
+        self.surface = surface
+
+    def __getattr__(self, name):
+        return getattr(self.surface, name)
+
+    def lengths_mm(self, xy_mm):
+        return xy_mm
+
+
+def _without_lengths(surface):
+    return _NoLengths(surface)
+
+
+@pytest.mark.parametrize("fault", FAULTS)
+def test_a_planted_fault_would_show(fault):
+    spec = made_up_spec(body_spec("capsule", **GRID))
+    motions = made_up_motions(spec)
+    presses = FAULTS[fault](press_basis(spec, motions, 3))
+    assert worst_error(spec, motions, 3, presses) > 4 * BOUND_TOLERANCE
+
+
+def test_a_cube_told_by_its_surfaces_scores_as_one_of_flat_faces(spec, motions, monkeypatch):
+    """One layout turned from face to face, and every part under its own surface: the same numbers."""
+    spec = made_up_spec(spec.changed(contact_grid=spec.contact_grid.changed(pitch_mm=3.0)))
+    motions = made_up_motions(spec)
+    layouts, faces = random_layouts(3, seed=2), (FACE, 1, 5)
+    flat = [layout_scorer(spec, press_basis(spec, motions, face)) for face in faces]
+    assert not any(scorer.presses.patches for scorer in flat)
+    monkeypatch.setattr(module, "faces_differ", lambda spec: True)
+    other = [layout_scorer(spec, press_basis(spec, motions, face)) for face in faces]
+    wanted, found = (batch_scores(one, [layouts] * 3, DEARER) for one in (flat, other))
+    for name, values in wanted.items():
+        if name != "grasp_position_bound_mm":
+            assert_allclose(found[name], values, rtol=0.03, err_msg=name)
+
+
+def test_one_face_alone_is_scored():
+    spec = made_up_spec(body_spec("dome_on_core", contact_grid={"count": [4, 4], "pitch_mm": 2.5}))
+    motions = made_up_motions(spec)
+    scorer = layout_scorer(spec, press_basis(spec, motions, 1))
+    layouts = layouts_within(8.0)
+    found = place_information(scorer, layouts)
+    for row in range(COUNT):
+        bounds, _, _ = ordinary_chain(spec, motions, 1, layouts, row)
+        assert_allclose(found.position_bound_mm[row], bounds.position_mm, rtol=BOUND_TOLERANCE)
+
+
+def test_gradients_are_those_of_finite_differences():
+    spec = made_up_spec(body_spec("ellipsoid", **GRID))
+    motions = made_up_motions(spec)
+    scorer = layout_scorer(spec, press_basis(spec, motions, 3, dtype=torch.float64))
+    one = layouts_within(9.0)
+    magnets = one.magnet_mm[:1].double().requires_grad_()
+    sensors = one.sensor_mm[:1].double().requires_grad_()
+
+    def logarithms(magnet_mm, sensor_mm):
+        laid = replace(
+            one,
+            magnet_mm=magnet_mm,
+            sensor_mm=sensor_mm,
+            turn_rad=one.turn_rad[:1].double(),
+            polarity=one.polarity[:1].double(),
+        )
+        return place_information(scorer, laid).position_bound_mm.log().mean()
+
+    assert torch.autograd.gradcheck(logarithms, (magnets, sensors), eps=1e-4, atol=1e-5, rtol=1e-2)
+
+
+def test_slopes_of_scattered_places_are_those_of_parabolas_and_nearly_of_smooth_functions():
+    rng = np.random.default_rng(5)
+    grid = np.stack(np.meshgrid(*2 * [np.arange(-9.0, 10.0, 3.0)], indexing="ij"), -1).reshape(
+        -1, 2
+    )
+    xy = grid[np.linalg.norm(grid, axis=1) < 9.5]
+    by_x, by_y = scattered_slopes(xy)
+    (a, b, c, d, e), (x, y) = rng.normal(size=5), xy.T
+    values = a * x + b * y + c * x * x + d * x * y + e * y * y
+    assert_allclose(by_x @ values, a + 2 * c * x + d * y, atol=1e-8)
+    assert_allclose(by_y @ values, b + d * x + 2 * e * y, atol=1e-8)
+    bump = np.exp(-((x - 2) ** 2 + (y + 3) ** 2) / 72)
+    assert_allclose(by_x @ bump, -(x - 2) / 36 * bump, rtol=0, atol=0.008)
+    assert_allclose(by_y @ bump, -(y + 3) / 36 * bump, rtol=0, atol=0.008)
+
+
+def test_surfaces_are_worked_out_once():
+    spec = body_spec("capsule")
+    assert surfaces(spec)[2] is surfaces(spec)[2]

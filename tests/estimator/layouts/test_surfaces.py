@@ -1,0 +1,126 @@
+"""Places of magnets and chips under curved surfaces, in batches: beside the whole chain's layout."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import torch
+from numpy.testing import assert_allclose
+
+from design.layout.places.positions import board_sinks_mm, magnet_layout, sensor_layout
+from design.layout.pockets import magnet_bodies, sensor_places
+from estimator.layouts.surfaces import onto_patch_mm, pointwise, surfaces
+from tests.support.objects.body_cases import body_spec
+
+BODIES = ("capsule", "ellipsoid", "cylinder", "dome_on_core")
+
+
+@pytest.fixture(scope="module", params=BODIES)
+def spec(request):
+    return body_spec(request.param)
+
+
+def laid(spec, face, surface):
+    """Magnets' centres and normals, chips' points and axes, of the specification's own layout."""
+    index = spec.body.sensed.index(face)
+    xyd = np.array([body.centre_mm * [1, 1, -1] for body in magnet_bodies(spec)[index]])
+    xy = np.array(sensor_places(spec)[index])[:, :2]
+    centre, axes = surface.magnets(torch.tensor(xyd))
+    return centre, axes[..., 2], *surface.chips(torch.tensor(xy))
+
+
+def whole_chain(spec, face):
+    magnets, sensors = magnet_layout(spec), sensor_layout(spec)
+    here, there = magnets.face == face, sensors.face == face
+    return (
+        magnets.centre_mm[here],
+        magnets.axis[here],
+        sensors.position_mm[there],
+        sensors.axes[there],
+    )
+
+
+def test_a_layout_lies_where_the_whole_chain_has_it(spec):
+    for face, surface in surfaces(spec).items():
+        for found, wanted in zip(laid(spec, face, surface), whole_chain(spec, face), strict=True):
+            assert_allclose(found, wanted, rtol=0, atol=1e-9)
+
+
+FAULTS = {
+    "core's patch for the body's": lambda s: replace(s, frame=s.core, core=s.frame),
+    "frame turned": lambda s: replace(
+        s,
+        frame=replace(s.frame, x=s.frame.y, y=-s.frame.x),
+        core=replace(s.core, x=-s.core.x, y=-s.core.y),
+    ),
+    "normal flipped": lambda s: replace(
+        s,
+        frame=replace(s.frame, normal=-s.frame.normal),
+        core=replace(s.core, normal=-s.core.normal),
+    ),
+}
+
+
+@pytest.mark.parametrize("fault", FAULTS)
+def test_a_planted_fault_of_frames_would_show(spec, fault):
+    face, surface = next(iter(surfaces(spec).items()))
+    wrong = laid(spec, face, FAULTS[fault](surface))
+    pairs = zip(wrong, whole_chain(spec, face), strict=True)
+    assert max(abs(found.numpy() - wanted).max() for found, wanted in pairs) > 0.5
+
+
+def test_gradients_are_those_of_the_surface():
+    surface = surfaces(body_spec("ellipsoid"))[3]
+    xyd = torch.tensor(
+        [[4.0, -5.0, 2.5], [-9.0, 3.0, 4.0]], dtype=torch.float64, requires_grad=True
+    )
+    xy = torch.tensor([[3.0, -4.0], [-5.0, 2.0]], dtype=torch.float64, requires_grad=True)
+    assert torch.autograd.gradcheck(surface.magnets, (xyd,), eps=1e-3, atol=1e-5)
+    assert torch.autograd.gradcheck(surface.lengths_mm, (xy,), eps=1e-3, atol=1e-5)
+    assert torch.autograd.gradcheck(surface.chips, (xy,), eps=1e-3, atol=1e-4)
+    depth = torch.autograd.grad(surface.magnets(xyd)[0].sum(), xyd)[0][:, 2]
+    assert_allclose(depth, -surface.magnets(xyd)[1][..., 2].detach().sum(dim=1), atol=1e-7)
+
+
+def test_a_function_of_points_has_the_slopes_of_its_arguments():
+    at = torch.tensor([[[1.0, 2.0]], [[3.0, -1.0]]], dtype=torch.float64, requires_grad=True)
+    found = pointwise(lambda p: np.column_stack([p[:, 0] * p[:, 1], p[:, 0] ** 2, p[:, 1]]), at)
+    assert found.shape == (2, 1, 3)
+    (slopes,) = torch.autograd.grad(found, at, torch.tensor([1.0, 10.0, 100.0]).expand_as(found))
+    assert_allclose(slopes, [[[22.0, 101.0]], [[59.0, 103.0]]], rtol=1e-9)
+
+
+def test_beside_its_patch_a_part_lies_at_the_border(spec):
+    for surface in surfaces(spec).values():
+        for far in ([[90.0, 40.0]], [[-3.0, -80.0]]):
+            xy = np.array(far)
+            near = onto_patch_mm(surface.frame, xy)
+            assert surface.frame.covers(near).all()
+            assert not surface.frame.covers(1.001 * near).any()
+            assert_allclose(near[0, 0] * xy[0, 1], near[0, 1] * xy[0, 0], atol=1e-9)
+            centre, normal = surface.magnets(torch.tensor([[*far[0], 2.5]]))
+            point, axes = surface.chips(torch.tensor(far))
+            assert all(torch.isfinite(values).all() for values in (centre, normal, point, axes))
+
+
+def test_boards_sink_as_far_as_their_corners_need():
+    """Of a board 6 mm wide over the middle of a cylinder's side: R − √(R² − 3²)."""
+    spec = body_spec(
+        "cylinder", sensors={"positions_mm": [[0.0, 0.0]], "package_mm": [6.0, 4.0, 1.0]}
+    )
+    surface = surfaces(spec)[2]
+    radius = spec.core_size_mm[0] / 2
+    along_x = surface.sinks_mm(np.array([[1e-9, 0.0]]))
+    assert_allclose(along_x, radius - np.sqrt(radius**2 - 9), rtol=0, atol=1e-6)
+    assert_allclose(board_sinks_mm(spec)[1], along_x, rtol=0, atol=1e-6)
+
+
+def test_a_board_finds_room_up_to_where_its_corner_leaves_the_core_s_patch():
+    surface = surfaces(body_spec("capsule"))[2]
+    rng = np.random.default_rng(3)
+    turn = rng.uniform(-np.pi, np.pi, 20)
+    way = np.stack([np.cos(turn), np.sin(turn)], axis=-1)
+    reach = surface.reach_mm(way)
+    assert surface.core.covers(0.95 * reach[:, None] * way).all()
+    assert (reach > 4.0).all()
+    assert (reach <= 1.001 * max(surface.core.half_extents_mm)).all()

@@ -1,0 +1,125 @@
+"""Candidate places under curved surfaces: their lattices, corners of round patches, and the solved field."""
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from design.errors import InputError
+from design.layout.body import face_frame
+from design.layout.places.contact_places import contact_places
+from design.layout.places.positions import shell_body_layout
+from fem.candidates.cubic_convolution import extension
+from fem.candidates.motions import candidate_lattices, known_places
+from fem.candidates.presses import candidate_rows, displacements, presses_at_forces
+from fem.candidates.presses import simulate_candidates as simulate
+from fem.linear.factorization import Factorization
+from fem.linear.response import build_response, elastic_system, face_pressure_loads
+from fem.mesh.tetrahedra import magnet_free_mesh, without_magnets
+from tests.support.objects.body_cases import body_spec
+
+COARSE = {"edge_mm": 9.0, "surface_edge_mm": 4.0, "rim_edge_ratio": 1.0, "envelope_mm": 0.2}
+FACE = 1
+
+
+@pytest.fixture(scope="module")
+def spec():
+    """An upper end that is round, and a contact grid whose corners it has not."""
+    return body_spec(
+        "capsule",
+        body={"size_mm": [36.0, 36.0, 44.0], "sensed_faces": [1, 3]},
+        mesh=COARSE,
+        contact_grid={"count": "fill", "pitch_mm": 4.0},
+        score={"force_n": 1.0},
+    )
+
+
+@pytest.fixture(scope="module")
+def solved(spec):
+    mesh, plain = magnet_free_mesh(spec), without_magnets(spec)
+    return mesh, elastic_system(mesh, plain), build_response(mesh, plain)
+
+
+@pytest.fixture(scope="module")
+def table(spec, solved, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("candidates")
+    mesh, _, response = solved
+    return simulate(spec, mesh, response, candidate_lattices(spec), folder, force_shares=(0.5, 1.0))
+
+
+def test_candidates_lie_evenly_along_the_surface(spec):
+    for lattice in candidate_lattices(spec):
+        frame = face_frame(spec, lattice.face)
+        for axis, nodes in ((0, lattice.x_mm), (1, lattice.y_mm)):
+            places = np.zeros((len(nodes), 2))
+            places[:, axis] = nodes
+            plane = frame.to_plane(places)
+            reach = frame.half_extents_mm[axis] - spec.shell.pocket_diameter_mm / 2
+            assert_allclose(plane[[0, -1], axis], [-reach, reach], rtol=0, atol=1e-6)
+            points = frame.to_object(np.column_stack([plane, 0 * nodes]))
+            steps = np.linalg.norm(np.diff(points, axis=0), axis=1)
+            assert np.ptp(steps) < 0.02 * steps.mean()
+            assert steps.max() <= 2.0
+
+
+def test_only_corners_of_round_patches_are_unknown(spec):
+    for lattice in candidate_lattices(spec):
+        known = known_places(spec, lattice)
+        assert not known[[0, 0, -1, -1], [0, -1, 0, -1]].any()
+        assert known.mean() > 0.5
+        assert np.diff(known.astype(int), axis=0).sum(axis=0).tolist() == [0] * known.shape[1]
+    flat = body_spec("two_open")
+    assert all(known_places(flat, lattice).all() for lattice in candidate_lattices(flat))
+
+
+def test_values_go_on_beyond_what_is_known_as_parabolas_do():
+    x, y = np.meshgrid(np.arange(8.0), np.arange(9.0), indexing="ij")
+    known = np.hypot(x - 3.5, y - 4.0) < 4.2
+    values = 1 + x - 2 * y + 0.3 * x * x - 0.2 * y * y + 0.1 * x * y
+    found = (extension(known) @ values[known]).reshape(x.shape)
+    assert not known.all()
+    assert_allclose(found, values, rtol=0, atol=1e-9)
+
+
+def test_candidates_move_as_the_solved_field_does(spec, solved, table):
+    """With rows of their own frames, normal to the surface over each; NaN where a face has no place."""
+    _, system, response = solved
+    row = table.faces.tolist().index(FACE)
+    press = presses_at_forces(spec, response, row, (0.5, 1.0))
+    loads = face_pressure_loads(system.space, spec)[1][:, response.face_loads(row)]
+    with Factorization(system.matrix) as factor:
+        fields = displacements(system, factor, loads @ press.pressure_mpa[:, 1].T)
+    there = contact_places(spec)[row]
+    assert not there.all()
+    assert (np.isfinite(table.force_n[row]).all(axis=1) == there).all()
+    first = 0
+    for lattice in table.candidates:
+        frame, known = face_frame(spec, lattice.face), known_places(spec, lattice)
+        here = np.repeat(known.ravel(), len(lattice.depth_mm))
+        plane = frame.to_plane(lattice.xyd_mm[here, :2])
+        points = frame.to_object(np.column_stack([plane, -lattice.xyd_mm[here, 2]]))
+        outline = shell_body_layout(spec).outline
+        direct = candidate_rows(system.space, points, frame.axes_at(plane), outline) @ fields
+        direct = np.moveaxis(direct.reshape(len(points), 6, -1), 2, 0)
+        found = table.motion[row, :, 1, first : first + len(lattice)]
+        assert_allclose(found[there][:, here], direct, rtol=0, atol=2e-6 * abs(direct).max())
+        assert not found[~there].any()
+        middle = np.linalg.norm(plane, axis=1) < 6.0
+        turned = candidate_rows(system.space, points[middle], frame.axes, outline) @ fields
+        turned = np.moveaxis(turned.reshape(-1, 6, turned.shape[1]), 2, 0)
+        away = abs(turned - direct[:, middle]).max()
+        assert away > 0.01 * abs(direct[:, middle]).max(), "all in one plane"
+        first += len(lattice)
+
+
+def test_interpolation_is_as_good_as_on_flat_faces(table):
+    """Of pockets anywhere under their patches, on lattices of 2 mm and a coarse mesh."""
+    assert table.error.displacement_rms < 0.03
+    assert table.error.rotation_rms < 0.08
+
+
+def test_a_face_too_curved_for_the_magnets_is_refused():
+    spec = body_spec("sphere", body={"size_mm": [30.0] * 3}, shell={"thickness_mm": 7.0})
+    wide = spec.magnets.changed(diameter_mm=14.0)
+    narrow = spec.changed(magnets=wide, shell=spec.shell.changed(pocket_diameter_mm=14.5))
+    with pytest.raises(InputError, match=r"stands .* mm out of it"):
+        candidate_lattices(narrow)
