@@ -30,13 +30,13 @@ from estimator.tolerances.assembly import counts_of, designed, face_axes
 MOST_CANDIDATES = 500_000
 COMMON = {
     "nothing": (),
-    "strength of all magnets": (0,),
-    "depth of all magnets": (1,),
-    "strength and depth": (0, 1),
-    "pose of the core": (2, 3, 4, 5, 6, 7),
-    "all of these": (0, 1, 2, 3, 4, 5, 6, 7),
+    "strength": (0,),
+    "depth": (1,),
+    "strength, depth": (0, 1),
+    "core": (2, 3, 4, 5, 6, 7),
+    "all": (0, 1, 2, 3, 4, 5, 6, 7),
 }
-"""Name → which of the numbers are fitted: ln of the magnets' strength, their distance from the core
+"""Name → which of the numbers are fitted: ln of all magnets' strength, their distance from the core
 (mm outwards), shift (mm) and rotation vector (degrees) of the core."""
 PRIOR = np.array([0.3, 1.0, 1.0, 1.0, 1.0, 3.0, 3.0, 3.0])
 """Standard deviations, several times those of any careful assembly."""

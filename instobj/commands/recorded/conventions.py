@@ -60,7 +60,8 @@ def conventions_of(
         "tables": {
             "conventions, chosen on one recording, judged on the other": rows,
             "conventions of the resting levels, all faces together": searched,
-            "resting levels, numbers common to all faces": fitted,
+            "resting levels left by numbers common to all faces (elsewhere: each face, fitted to the "
+            "others; 1: no field)": fitted,
         },
     }
 
@@ -96,14 +97,14 @@ def _resting(
             strength, depth_mm, *pose = fit.numbers
             fitted.append(
                 {
-                    "recording": path.name,
-                    "fitted": fit.name,
+                    "fitted": f"{path.stem}: {fit.name}",
                     "left": round(fit.left, 2),
-                    "left, faces not fitted": round(fit.left_elsewhere, 2),
-                    "cosine there": round(fit.cosine_elsewhere, 2),
+                    "left elsewhere": round(fit.left_elsewhere, 2),
+                    "cosine elsewhere": round(fit.cosine_elsewhere, 2),
                     "strength": round(float(np.exp(strength)), 2),
-                    "outwards (mm)": round(depth_mm, 2),
-                    "core (mm, deg)": " ".join(f"{value:.1f}" for value in pose),
+                    "depth mm": round(depth_mm, 2),
+                    "shift mm": round(float(np.linalg.norm(pose[:3])), 2),
+                    "turn deg": round(float(np.linalg.norm(pose[3:])), 1),
                 }
             )
     return searched, fitted

@@ -70,10 +70,10 @@ def test_chips_that_do_not_answer_count_nothing(cube):
 def test_numbers_common_to_all_faces_are_found_and_hold_on_faces_that_were_not_fitted(cube):
     levels = cube.counts(np.array([np.log(0.7), 0.8, 0, 0, 0, 0, 0, 0]))
     levels[3] = np.nan
-    names = "nothing", "strength and depth"
+    names = "nothing", "strength, depth"
     fits = {fit.name: fit for fit in common_fits(CUBE, levels, FACES, names)}
     assert fits["nothing"].left == fits["nothing"].left_elsewhere > 0.4
-    both = fits["strength and depth"]
+    both = fits["strength, depth"]
     assert both.left < 0.02
     assert both.left_elsewhere < 0.03
     assert both.cosine_elsewhere > 0.999
@@ -83,14 +83,14 @@ def test_numbers_common_to_all_faces_are_found_and_hold_on_faces_that_were_not_f
 
 def test_a_pose_of_the_core_is_found(cube):
     true = np.array([0, 0, 0.4, -0.3, 0.5, 1.0, -2.0, 1.5])
-    (fit,) = common_fits(CUBE, cube.counts(true), FACES, ("pose of the core",))
+    (fit,) = common_fits(CUBE, cube.counts(true), FACES, ("core",))
     assert_allclose(fit.numbers, true, atol=0.15)
     assert fit.left_elsewhere < 0.1
 
 
 def test_noise_is_explained_by_nothing_on_faces_that_were_not_fitted():
     levels = 1000 * np.random.default_rng(5).standard_normal(45)
-    for fit in common_fits(CUBE, levels, FACES, ("depth of all magnets", "strength and depth")):
+    for fit in common_fits(CUBE, levels, FACES, ("depth", "strength, depth")):
         assert fit.left_elsewhere > 0.98, fit.name
 
 
