@@ -15,7 +15,7 @@ from jaxtyping import Bool, Float
 from scipy.linalg.lapack import dposv  # pyright: ignore[reportAttributeAccessIssue]
 from scipy.optimize import nnls
 
-from design.errors import InputError
+from design.errors import SolverError
 
 _MAX_SWITCHES = 25
 _TOLERANCE = 1e-10
@@ -39,7 +39,7 @@ def contact_pressures(
 
     Raises
     ------
-    InputError
+    SolverError
         A compliance that is not positive definite.
     """
     pressures = np.zeros((len(depths_mm), len(weights)))
@@ -50,7 +50,7 @@ def contact_pressures(
         try:
             pressures[step], active = _solve_complementarity(compliance, gap, guess)
         except np.linalg.LinAlgError as error:
-            raise InputError(
+            raise SolverError(
                 "contact cannot be solved: the face's compliance is not positive definite under the "
                 "indenter. Use smaller mesh.surface_edge_mm, or magnets further below the surface"
             ) from error

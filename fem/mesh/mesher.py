@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 from jaxtyping import Float, Int
 
-from design.errors import InputError
+from design.errors import SolverError
 from design.processes import ChildFailed, ChildTooSlow, machine_memory_gib, run_child
 
 Progress = Callable[[str], None]
@@ -36,7 +36,7 @@ def run_mesher(
 
     Raises
     ------
-    InputError
+    SolverError
         The mesher fails, crashes, or needs more than `seconds`.
     """
 
@@ -52,11 +52,11 @@ def run_mesher(
         try:
             run_child(command, folder, seconds, machine_memory_gib(), waited, PROGRESS_EVERY_S)
         except ChildTooSlow:
-            raise InputError(
+            raise SolverError(
                 f"the mesher did not finish this body within {seconds:g} s. {_ADVICE}"
             ) from None
         except ChildFailed as failure:
-            raise InputError(f"the mesher failed on this body: {failure}. {_ADVICE}") from None
+            raise SolverError(f"the mesher failed on this body: {failure}. {_ADVICE}") from None
         with np.load(made, allow_pickle=False) as found:
             return found["points"], found["tets"]
 

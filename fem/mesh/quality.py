@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from jaxtyping import Float
 
-from design.errors import InputError
+from design.errors import SolverError
 from design.layout.body import face_frames
 from design.layout.places.positions import shell_body_layout
 from design.layout.surface import sealed_body_surface
@@ -62,7 +62,7 @@ def mesh_quality(mesh: TetMesh, spec: ObjectSpec) -> MeshQuality:
 
 
 def require_quality(quality: MeshQuality) -> None:
-    """Raise InputError when a mesh is too poor to trust (slivers, lost volume, lost magnets)."""
+    """Raise SolverError when a mesh is too poor to trust (slivers, lost volume, lost magnets)."""
     limits = [
         ("smallest dihedral angle (deg)", -quality.min_dihedral_deg, -MIN_DIHEDRAL_DEG),
         ("relative volume error", abs(quality.volume_error), quality.volume_error_limit),
@@ -70,7 +70,7 @@ def require_quality(quality: MeshQuality) -> None:
     ]
     for what, value, limit in limits:
         if not value <= limit:
-            raise InputError(
+            raise SolverError(
                 f"the mesh fails its quality gate: {what} is {abs(value):.3g}, the limit is "
                 f"{abs(limit):g}. Change mesh.edge_mm, mesh.surface_edge_mm or mesh.envelope_mm"
             )

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 from jaxtyping import Float, Int
 
-from design.errors import InputError
+from design.errors import SolverError
 from design.files import atomic_path
 from design.layout.body import face_frame
 from design.layout.places.positions import shell_body_layout
@@ -55,7 +55,7 @@ def tetrahedralize(
 
     Raises
     ------
-    InputError
+    SolverError
         The mesher fails or takes too long, or a magnet got no element.
     """
     surface = all_surfaces(spec, magnets)
@@ -87,7 +87,7 @@ def tetrahedralize_for_press(
 
     Raises
     ------
-    InputError
+    SolverError
         The mesher fails, or a magnet got no element.
     """
     frame = face_frame(spec, face)
@@ -119,7 +119,7 @@ def magnet_free_mesh(spec: ObjectSpec, progress: Progress | None = None) -> TetM
 
     Raises
     ------
-    InputError
+    SolverError
         The mesher fails.
     """
     return tetrahedralize(spec, magnets=False, progress=progress)
@@ -165,7 +165,7 @@ def _containing_magnet(spec: ObjectSpec, points: np.ndarray) -> np.ndarray:
     for index in range(len(layout.face)):
         inside = in_body(points, layout, index, spec)
         if not inside.any():
-            raise InputError(
+            raise SolverError(
                 f"rigid body {index} got no element of the mesh. Use a smaller mesh.envelope_mm "
                 f"(now {spec.mesh.envelope_mm:g})"
             )

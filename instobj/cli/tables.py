@@ -203,7 +203,7 @@ _OPENED_FIRST = (
     readers.ASSEMBLY_SHEET.name,
     readers.PARTS_PICTURE.name,
     readers.FINDINGS_PICTURE.name,
-    "position_bound_overview.png",
+    readers.BOUND_OVERVIEW.name,
     readers.HELD_OUT_PICTURE.name,
     readers.OVER_TIME_PICTURE.name,
     readers.ROBUSTNESS_PICTURE.name,

@@ -14,7 +14,7 @@ from design.layout.places.coverage import covered_shares
 from design.spec.mechanics import LOCKING_WARNING
 from design.spec.object import ObjectSpec
 from design.spec_io import spec_hash
-from instobj.figures.maps.files import OVERVIEW, SCORE_MAPS, unit_of
+from instobj.figures.maps.files import SCORE_MAPS, unit_of
 from instobj.report.core_section import core_section
 from instobj.report.deformation_section import compliance_section, deformation_section
 from instobj.report.pages import render, shown
@@ -33,7 +33,7 @@ from instobj.report.uncertainty import (
 from instobj.report.verdict import judge
 from instobj.report.weak_areas import weak_areas_section
 from instobj.store import readers
-from instobj.store.readers import published_files
+from instobj.store.readers import BOUND_OVERVIEW, published_files
 from instobj.store.record import read_record
 
 if TYPE_CHECKING:
@@ -148,7 +148,8 @@ def _maps(spec: ObjectSpec, inputs: Inputs) -> dict[str, Any]:
         for score_map in SCORE_MAPS
     }
     delta = maps.pop("delta_raw")
-    return {"overview": folder / OVERVIEW, "maps": [*maps.values()], "delta_maps": [delta]}
+    overview = BOUND_OVERVIEW.path(inputs["scores"])
+    return {"overview": overview, "maps": [*maps.values()], "delta_maps": [delta]}
 
 
 def _areas(scores: PlaceScores) -> dict[str, Any]:

@@ -16,8 +16,7 @@ from estimator.information.weak_areas import WeakAreas
 from instobj.figures.maps.heatmaps import draw_face_heatmap
 from instobj.figures.maps.overview import draw_overview
 from instobj.figures.maps.scale import BOUND_COLOURS, GAIN_COLOURS, finite_limits
-
-OVERVIEW = "position_bound_overview.png"
+from instobj.store.readers import BOUND_OVERVIEW
 
 
 @dataclass(frozen=True)
@@ -79,7 +78,7 @@ def draw_score_maps(
                 log=score_map.log,
                 colours=score_map.colours,
             )
-    _draw_overview(spec, scores, folder / OVERVIEW)
+    _draw_overview(spec, scores, folder / Path(BOUND_OVERVIEW.name).name)
 
 
 def _draw_overview(spec: ObjectSpec, scores: PlaceScores, path: Path) -> None:

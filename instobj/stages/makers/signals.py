@@ -6,10 +6,12 @@ from dataclasses import asdict
 from pathlib import Path
 
 from instobj.store.readers import (
+    BLINDEST_PICTURE,
     CROSS_FACE,
     FRAMES,
     GRID_SIGNALS,
     IDENTIFIABILITY,
+    IDENTIFIABILITY_PICTURE,
     MODELS,
     PRESSES,
     PRETRAINED,
@@ -101,8 +103,8 @@ def make_identify(context: StageContext, folder: Path) -> None:
     rows = identifiability(context.spec, *presses, progress=context.step)
     blind = blind_starts(context.spec, *presses, progress=context.step)
     save_identifiability(rows, blind, IDENTIFIABILITY.path(folder))
-    draw_identifiability(context.spec, rows, blind, folder / "identifiability.png")
-    draw_blindest(context.spec, rows, folder / "blindest_contacts.png")
+    draw_identifiability(context.spec, rows, blind, IDENTIFIABILITY_PICTURE.path(folder))
+    draw_blindest(context.spec, rows, BLINDEST_PICTURE.path(folder))
 
 
 def make_robustness(context: StageContext, folder: Path) -> None:

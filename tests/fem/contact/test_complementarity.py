@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 
-from design.errors import InputError
+from design.errors import SolverError
 from fem.contact import complementarity as contact
 from fem.contact.complementarity import contact_pressures
 from fem.contact.indenter import hemisphere_profile_mm
@@ -120,5 +120,5 @@ def test_bonded_incompressible_layer():
 
 def test_a_compliance_that_is_not_positive_definite_is_told():
     indefinite = np.array([[1.0, 2.0], [2.0, 1.0]])
-    with pytest.raises(InputError, match="smaller mesh"):
+    with pytest.raises(SolverError, match="smaller mesh"):
         contact_pressures(indefinite, np.zeros(2), np.ones(2), np.array([0.5]))

@@ -8,7 +8,7 @@ import pytest
 import trimesh
 from numpy.testing import assert_allclose
 
-from design.errors import InputError
+from design.errors import SolverError
 from fem.mesh import mesher
 
 NOTHING = {"vertices": np.zeros((0, 3))}
@@ -37,13 +37,13 @@ def test_a_block_is_filled_and_nothing_is_left_behind(tmp_path, monkeypatch):
 
 def test_a_crash_is_one_error_that_names_the_signal(monkeypatch):
     child_that_runs(monkeypatch, "import os; os.abort()")
-    with pytest.raises(InputError, match=r"it crashed \(SIGABRT\).*mesh\.envelope_mm"):
+    with pytest.raises(SolverError, match=r"it crashed \(SIGABRT\).*mesh\.envelope_mm"):
         mesher.run_mesher(NOTHING)
 
 
 def test_what_the_mesher_says_last_stands_in_the_error(monkeypatch):
     child_that_runs(monkeypatch, "import sys; sys.exit('noise\\nno tetrahedra inside')")
-    with pytest.raises(InputError, match="on this body: no tetrahedra inside"):
+    with pytest.raises(SolverError, match="on this body: no tetrahedra inside"):
         mesher.run_mesher(NOTHING)
 
 
@@ -52,7 +52,7 @@ def test_a_mesher_without_end_is_stopped(monkeypatch, tmp_path):
     late = tmp_path / "late"
     child_that_runs(monkeypatch, f"import time; time.sleep(2); open({str(late)!r}, 'w')")
     start = time.monotonic()
-    with pytest.raises(InputError, match=r"did not finish this body within 0\.2 s"):
+    with pytest.raises(SolverError, match=r"did not finish this body within 0\.2 s"):
         mesher.run_mesher(NOTHING, seconds=0.2)
     assert time.monotonic() - start < 1.9
     time.sleep(2.2)
@@ -63,7 +63,7 @@ def test_progress_is_told_while_the_mesher_works(monkeypatch):
     monkeypatch.setattr(mesher, "PROGRESS_EVERY_S", 0.1)
     child_that_runs(monkeypatch, "import time; time.sleep(1); raise SystemExit('end')")
     lines = []
-    with pytest.raises(InputError, match="end"):
+    with pytest.raises(SolverError, match="end"):
         mesher.run_mesher(NOTHING, lines.append)
     assert len(lines) >= 3
     assert all(line.startswith("the mesher has worked for ") for line in lines)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from design.errors import InputError
+from design.errors import SolverError
 from design.layout.places.positions import magnet_layout
 from fem.mesh.quality import dihedral_angles_deg, mesh_quality, require_quality
 from fem.mesh.tetrahedra import (
@@ -131,11 +131,11 @@ def with_a_lost_half_magnet(mesh):
     ],
 )
 def test_the_gate_refuses_a_damaged_mesh(coarse_mesh, rigid_spec, damage, complaint):
-    with pytest.raises(InputError, match=complaint):
+    with pytest.raises(SolverError, match=complaint):
         require_quality(mesh_quality(damage(coarse_mesh), rigid_spec))
 
 
 def test_the_gate_refuses_what_is_not_a_number(coarse_mesh, rigid_spec):
     quality = replace(mesh_quality(coarse_mesh, rigid_spec), volume_error=float("nan"))
-    with pytest.raises(InputError, match="volume error"):
+    with pytest.raises(SolverError, match="volume error"):
         require_quality(quality)
