@@ -70,7 +70,7 @@ class Said:
 
 
 def run(items: list[pytest.Item], notes: Notes) -> None:
-    for item, following in zip(items, [*items[1:], None], strict=True):
+    for item, following in zip(items, [*items, None][1:], strict=True):
         if notes.over():
             return
         notes.begins(item.nodeid)

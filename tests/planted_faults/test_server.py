@@ -14,7 +14,7 @@ from tests.planted_faults.nearness import importers, nearest
 from tests.planted_faults.notes import Said
 from tests.planted_faults.sites import faults_in
 
-CODE = """LIMIT = 3
+CODE = """LIMIT, END = 3, 5
 
 def larger(a, b):
     return a if a > b else b
@@ -28,7 +28,9 @@ def ends(a):
     return a
 """
 TESTS = """import os
-from code_under_test import LIMIT, ends, larger
+from code_under_test import LIMIT, END, ends, larger
+
+LAST = "abcd"[LIMIT]
 
 def test_needs_what_others_made():
     assert "made" in os.environ
@@ -37,7 +39,7 @@ def test_larger():
     assert larger(2, 1) == 2
 
 def test_rest():
-    assert LIMIT == 3
+    assert END == 5
     assert ends(3) == 0
 """
 HERE = "tests/test_larger.py"
@@ -70,7 +72,8 @@ def test_each_fault_is_noticed_by_the_test_that_fails_with_it_alone(
     outcomes = command.lines(tmp_path / "outcomes.jsonl")
     by_rest = ("noticed", f"{HERE}::test_rest")
     assert {(one["line"], one["text"]): (one["outcome"], one["by"]) for one in outcomes} == {
-        (1, "4"): by_rest,  # of the module: imported anew
+        (1, "4"): ("noticed", HERE),  # of the module, imported anew: as tests are collected
+        (1, "6"): by_rest,
         (4, "<="): ("noticed", f"{HERE}::test_larger"),
         (4, ">="): ("not noticed", ""),
         (7, "3"): ("not reached", ""),
@@ -83,7 +86,7 @@ def test_each_fault_is_noticed_by_the_test_that_fails_with_it_alone(
     }
     assert (tmp_path / "copy_0" / "code_under_test.py").read_text() == CODE
     told = command.summary(outcomes)
-    assert "all              8        7  87.5 %" in told
+    assert "all              9        8  88.9 %" in told
     assert "return a if a ⟦> → >=⟧ b else b" in told
 
 
