@@ -4,11 +4,24 @@ import cadquery as cq
 import numpy as np
 import pytest
 
-from design.layout.boards import sensor_recesses
+from design.layout.boards import passage_radius_mm, sensor_recesses
 from design.layout.body import body_of, face_frames
 from design.layout.core_hold import locators, why_no_mould
-from design.layout.core_sockets import CLEAR_MM
+from design.layout.core_sockets import (
+    CLEAR_MM,
+    _core_depth_mm,
+    _flat_frame,
+    _from_segment_mm,
+    _off_pour,
+    _places,
+    _room_mm,
+    _targets,
+    _Ways,
+    _ways,
+)
+from design.layout.mould_frame import up
 from design.layout.places.positions import magnet_layout
+from design.layout.pockets import shell_pockets
 from design.mould.pins import loose_pins, make_pin
 from design.solids.booleans import common, volume_mm3
 from design.solids.core import make_core
@@ -81,3 +94,132 @@ def test_the_core_has_the_holes_and_pins_fit_them(name):
 
 def test_bodies_that_are_open_have_no_sockets():
     assert locators(body_spec("sphere")) == ()
+
+
+def way_down(x, y, z=21.0, lean=0.0):
+    """Ways straight down from (x, y, z) towards the middle plane."""
+    start = np.array([[x, y, z]])
+    one = np.array([0])
+    up_ = np.array([[0.0, 0.0, 1.0]])
+    return _Ways(one + 1, start[:, :2], start, up_, start * [1, 1, 0], one + lean)
+
+
+def test_ways_are_square_to_the_surface_and_end_where_wire_holes_run():
+    spec = closed("sphere")
+    ways = _ways(spec)
+    targets, axes = _targets(spec)
+    core = spec.body.size_mm[0] / 2 - spec.shell.thickness_mm
+    faces = len(spec.body.sensed)
+    assert len(targets) == 1 + 4 * faces
+    np.testing.assert_allclose(targets[0], 0)
+    np.testing.assert_allclose(
+        np.linalg.norm(targets[1:].reshape(faces, 4, 3), axis=2),
+        core * np.array([[0.25, 0.4, 0.55, 0.7]] * faces),
+    )
+    np.testing.assert_allclose(np.linalg.norm(axes[0], axis=1), 1)
+    np.testing.assert_allclose(axes[3, 0], targets[3] / np.linalg.norm(targets[3]), atol=1e-12)
+    assert not axes[3, 1:].any()
+    on_surface = np.linalg.norm(ways.start_mm, axis=1)
+    np.testing.assert_allclose(on_surface, spec.body.size_mm[0] / 2, rtol=1e-6)
+    np.testing.assert_allclose(np.linalg.norm(ways.way, axis=1), 1)
+    straight = (ways.start_mm - ways.end_mm) / np.linalg.norm(
+        ways.start_mm - ways.end_mm, axis=1, keepdims=True
+    )
+    np.testing.assert_allclose(ways.way, straight, atol=1e-12)
+    normal = ways.start_mm / on_surface[:, None]
+    np.testing.assert_allclose(np.cos(ways.lean), np.sum(normal * ways.way, axis=1), atol=1e-9)
+    assert ways.lean.max() < np.deg2rad(20)
+    for frame in face_frames(spec):
+        to_hole = ways.way @ frame.normal
+        meets = np.linalg.norm(ways.end_mm, axis=1) < 1e-9
+        assert (to_hole[meets] <= np.cos(np.deg2rad(38)) + 1e-9).all()
+    on_core = ways.start_mm - _core_depth_mm(spec, ways)[:, None] * ways.way
+    np.testing.assert_allclose(np.linalg.norm(on_core, axis=1), core, rtol=1e-6)
+
+
+def test_places_fill_the_face_from_its_middle():
+    frame = face_frames(closed("cylinder"))[0]
+    places = _places(frame)
+    np.testing.assert_allclose(places[0], 0, atol=1e-12)
+    away = np.linalg.norm(places, axis=1)
+    assert (np.diff(away) >= 0).all()
+    assert frame.covers(places).all()
+    reach = abs(places).max(axis=0) / frame.half_extents_mm
+    assert (reach > 0.9).all()
+    assert (reach <= 0.95 + 1e-9).all()
+
+
+def test_room_beside_a_pin_is_what_is_left_to_the_next_pocket():
+    """Closed cylinder, one magnet 3 mm off the middle of its top: a pin of Ø4 straight down beside it.
+
+    The seam along x = −y costs up to 0.3 mm and a little more within the pin, lean half of its radians.
+    """
+    spec = closed("cylinder")
+    pocket, frame = shell_pockets(spec)[0][0], face_frames(spec)[0]
+    centre = frame.to_object(np.append(pocket.body.centre_mm[:2], 0.0))
+    depth = np.array([spec.shell.thickness_mm])
+    for degrees, away in ((300, 6.0), (300, 7.0), (300, 9.0), (60, 8.0), (60, 12.0)):
+        along = np.array([np.cos(np.deg2rad(degrees)), np.sin(np.deg2rad(degrees))])
+        x, y = centre[:2] + away * along
+        room = min(away - pocket.outline.radius_mm - 2.0 - CLEAR_MM, 2.5)
+        seam = max(1 - (abs(x + y) / np.sqrt(2) - 2.0) / 8.0, 0)
+        for lean in (0.0, 0.1):
+            found = _room_mm(spec, way_down(x, y, centre[2], lean), depth, 2.0)[0]
+            assert found == pytest.approx(room - 0.3 * seam - 0.5 * lean, abs=1e-6)
+
+
+def test_a_pin_over_a_recess_or_a_wire_hole_has_no_room():
+    """Places all over the top of a closed cylinder, against distances of their own from every recess."""
+    spec = closed("cylinder")
+    top, least = spec.body.size_mm[2] / 2, 2.0 + 1.25 * spec.printer.wall_mm
+    xy = np.array([(x, y) for x in np.arange(-12, 12.1, 0.8) for y in np.arange(-12, 12.1, 0.8)])
+    start = np.column_stack([xy, np.full(len(xy), top)])
+    up_, none = np.tile([0.0, 0, 1], (len(xy), 1)), np.zeros(len(xy))
+    ways = _Ways(none.astype(int) + 1, xy, start, up_, start * [1, 1, 0], none)
+    depth = np.full(len(xy), spec.shell.thickness_mm)
+    room = _room_mm(spec, ways, depth, 2.0)
+    on_core = start - [0, 0, spec.shell.thickness_mm]
+    free = np.hypot(*xy.T) > least + passage_radius_mm(spec)
+    for recess in sensor_recesses(spec):
+        below = on_core[:, None] - [0, 0, 1] * np.linspace(0, 17, 35)[:, None]
+        beside = (abs((below - recess.centre_mm) @ recess.axes) - recess.half_mm).clip(0)
+        free &= np.linalg.norm(beside, axis=2).min(axis=1) > least
+    free &= _off_pour(spec, ways, 2.0)
+    assert 0.1 < free.mean() < 0.7
+    assert (np.isfinite(room) == free).mean() > 0.99
+
+
+def test_points_of_ways_are_so_far_from_a_straight_piece():
+    points = np.array([[[0.0, 0, 0], [5, 3, 0]], [[-4, 3, 0], [14, 0, 3]]])
+    ends = np.array([[0.0, 0, 0], [10, 0, 0]])
+    np.testing.assert_allclose(_from_segment_mm(points, ends), [0, 5])
+    np.testing.assert_allclose(_from_segment_mm(points[:, 1:], ends), [3, 5])
+    ways = way_down(1.0, 2.0)
+    np.testing.assert_allclose(
+        ways.at(np.array([[-3.0, 0.5]])), [[[1, 2, 18], [1, 2, 21.5]]], atol=1e-12
+    )
+    assert ways.of(np.array([False])).start_mm.shape == (0, 3)
+
+
+def test_pins_keep_off_the_corner_that_silicone_is_poured_in_by():
+    spec = closed("cylinder")
+    way = up(spec)
+    side = np.cross(way, [1.0, 0.0, 0.0] if abs(way[0]) < 0.9 else [0.0, 1.0, 0.0])
+    side /= np.linalg.norm(side)
+    needed = 2.0 + spec.mould.pour_mm / 2 + 2 * spec.mould.wall_mm
+    shifts = [0.0, needed - 0.01, needed + 0.01, 0.0, 0.0]
+    heights = [20.0, 20.0, 20.0, 9.9, 10.1]
+    start = np.array([h * way + s * side for h, s in zip(heights, shifts, strict=True)])
+    zero = np.zeros(5)
+    ways = _Ways(zero.astype(int), start[:, :2], start, start, start, zero)
+    assert _off_pour(spec, ways, 2.0).tolist() == [False, False, True, True, False]
+
+
+def test_a_flat_frame_is_right_handed_about_its_way():
+    for way in np.random.default_rng(0).normal(size=(5, 3)):
+        unit = way / np.linalg.norm(way)
+        frame = _flat_frame(3, np.array([1.0, 2.0, 3.0]), unit)
+        np.testing.assert_allclose(frame.axes.T @ frame.axes, np.eye(3), atol=1e-12)
+        assert np.linalg.det(frame.axes) == pytest.approx(1)
+        np.testing.assert_allclose(frame.axes[:, 2], unit, atol=1e-12)
+        np.testing.assert_allclose(frame.to_object(np.zeros(3)), [1, 2, 3])

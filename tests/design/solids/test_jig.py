@@ -1,14 +1,28 @@
 """Jigs: bored bodies stand on their core, flat on flat; closed round ones lie in a cup."""
 
+import numpy as np
 import pytest
 
 from design.body.meshes import manifold_of
 from design.layout.body import body_of
+from design.layout.core_hold import core_outlet
+from design.layout.mould_frame import play_mm
 from design.solids.body import core_solid
 from design.solids.booleans import as_triangles
 from design.solids.core import make_core
-from design.solids.jig import CLEAR_MM, PLATE_MM, make_jig
+from design.solids.jig import (
+    CLEAR_MM,
+    PLATE_MM,
+    _bolt_holes,
+    _channel,
+    _flat_seat_mm,
+    _marks,
+    _post,
+    make_jig,
+)
+from design.solids.primitives import OVERSHOOT_MM
 from design.solids.sampled import sampled_core_part
+from design.spec.object import ObjectSpec
 from tests.support.objects.body_cases import body_spec
 
 BORED = {"open_faces": [6], "bore_mm": 9.0}
@@ -49,3 +63,52 @@ def test_a_dome_s_base_lies_in_a_round_recess():
     base = manifold_of(as_triangles(core_solid(spec)))
     assert (jig ^ base).volume() < 1e-3
     assert (jig ^ base.translate((0.5, 0, 0))).volume() > 5
+
+
+def bounds(solid):
+    box = solid.BoundingBox()
+    return [box.xmin, box.xmax, box.ymin, box.ymax, box.zmin, box.zmax]
+
+
+@pytest.mark.parametrize(("height", "depth"), [(42.0, 10.0), (30.0, 8.5)])
+def test_a_post_reaches_into_the_core_s_cavity_as_far_as_its_wall_lets_it(height, depth):
+    """The core stands on its open face; the cavity ends a wall below its top."""
+    spec = ObjectSpec(name="cube").changed(body={"size_mm": (42.0, 42.0, height)})
+    core, play, top = spec.core_size_mm, play_mm(spec), -height / 2
+    assert core == (26.0, 26.0, height - 16.0)
+    post, passage = _post(spec, top)
+    across, reach = 13.0 - 4.5 - play, -core[2] / 2 + depth
+    sides = [-across, across] * 2
+    assert bounds(post) == pytest.approx([*sides, top - PLATE_MM + 1, reach], abs=1e-6)
+    inside = [-across + 3, across - 3] * 2
+    below, above = top - PLATE_MM - OVERSHOOT_MM, reach + OVERSHOOT_MM
+    assert bounds(passage) == pytest.approx([*inside, below, above], abs=1e-6)
+
+
+def test_marks_bolts_and_channel_lie_where_the_plate_ends():
+    half, top = 37.0, -21.0
+    found = sorted([round(one, 6) for one in bounds(mark)] for mark in _marks(half, top))
+    near, far, low, high = half - 16 + 2, half + OVERSHOOT_MM, top - 0.8, top + 1
+    assert found == sorted(
+        [
+            [-far, -near, -0.5, 0.5, low, high], [near, far, -0.5, 0.5, low, high],
+            [-0.5, 0.5, -far, -near, low, high], [-0.5, 0.5, near, far, low, high],
+        ]
+    )  # fmt: skip
+    holes = _bolt_holes(half, top, 6.0)
+    middles = sorted((round(one.Center().x, 6), round(one.Center().y, 6)) for one in holes)
+    assert middles == [(-30, -30), (-30, 30), (30, -30), (30, 30)]
+    for hole in holes:
+        assert hole.Volume() == pytest.approx(np.pi * 2.75**2 * (6 + 2 * OVERSHOOT_MM))
+        assert hole.BoundingBox().zmax == pytest.approx(top + OVERSHOOT_MM, abs=1e-6)
+    below = top - PLATE_MM
+    wanted = [-4, 4, -half - OVERSHOOT_MM, 0, below - OVERSHOOT_MM, below + 3]
+    assert bounds(_channel(half, top)) == pytest.approx(wanted, abs=1e-6)
+
+
+def test_the_seat_of_a_bored_core_is_where_its_outlet_s_flat_ends():
+    """On a ball, at the height of the circle about its axis through the flat."""
+    spec = body_spec("sphere")
+    core = spec.body.size_mm[0] / 2 - spec.shell.thickness_mm
+    wanted = -np.sqrt(core**2 - core_outlet(spec).flat_mm ** 2)
+    assert _flat_seat_mm(spec) == pytest.approx(wanted, abs=0.02)
