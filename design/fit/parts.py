@@ -356,7 +356,8 @@ def distance_mm(polygon: Corners, point: Float[np.ndarray, "2"]) -> float:
     left = edge[:, 0] * away[:, 1] - edge[:, 1] * away[:, 0]
     if (left >= 0).all():
         return 0.0
-    share = np.clip((away * edge).sum(axis=1) / (edge**2).sum(axis=1), 0, 1)
+    length2 = np.maximum((edge**2).sum(axis=1), 1e-12)  # of a recess without length, 0
+    share = np.clip((away * edge).sum(axis=1) / length2, 0, 1)
     return float(np.linalg.norm(away - share[:, None] * edge, axis=1).min())
 
 

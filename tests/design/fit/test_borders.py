@@ -1,0 +1,155 @@
+"""Refusals of what does not fit, on both sides of their border."""
+
+import re
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from design.fit.everything import problems_of
+from design.fit.parts import _core_openings, distance_mm, overlap, recess_outline
+from design.spec.object import ObjectSpec
+from design.spec_io import with_overrides
+
+KEY = ["core.keys.size_mm=[2.0, 2.0]", "core.keys.height_mm=1.0"]
+BASES = {
+    "cube": [],
+    "one magnet": ["magnets.positions_mm=[[0.0, 0.0]]"],
+    "keys": [*KEY, "core.keys.positions_mm=[[0.0, 12.0]]"],
+    "key below a magnet": [*KEY, "core.keys.positions_mm=[[10.0, 10.0]]"],
+    "slits": ["shell.slits.depth_mm=4.0", "shell.slits.end_mm=20.0"],
+    "channels": ["core.wire_channel_width_mm=2.0"],
+    "cuboid tip": ["indenter.kind=cuboid"],
+    "two tips": ["indenter.tip_count=2"],
+    "thick shell": ["shell.thickness_mm=9.0", "core.recess_outer_radius_mm=9.0"],
+    "sensors in the shell": [
+        "arrangement=sensors-in-shell",
+        "shell.pocket_depth_mm=4.0",
+        "sensors.positions_mm=[[0.0, 0.0]]",
+        "sensors.count_per_face=1",
+        "magnets.positions_mm=[[6.0, 0.0]]",
+    ],
+    "ball": [
+        "body.kind=sphere",
+        "body.size_mm=[50.0, 50.0, 50.0]",
+        "contact_grid.count=[3, 3]",
+        "magnets.positions_mm=[[0.0, 0.0]]",
+    ],
+}
+BORDERS = """
+cube: core.wall_mm | 12.99 | 13.0 | larger than two core walls
+cube: core.recess_depth_mm | 4.49 | 4.5 | recess_depth_mm must be below
+cube: core.recess_outer_radius_mm | 12.99 | 13.0 | recess_outer_radius_mm < half
+cube: core.recess_inner_radius_mm | 10.99 | 11.0 | recess_outer_radius_mm < half
+cube: core.hub_depth_mm | 4.49 | 4.5 | hub_depth_mm must be below
+cube: core.hub_radius_mm | 12.99 | 13.0 | below half the core
+cube: core.hub_radius_mm | 4.48 | 4.495 | they would touch in a line
+cube: core.wire_hole_side_diameter_mm | 16.99 | 17.0 | below the core's cavity
+cube: core.wire_hole_top_diameter_mm | 16.99 | 17.0 | below the core's cavity
+cube: shell.pocket_depth_mm | 7.99 | 8.0 | pocket_depth_mm must be below
+cube: shell.pocket_diameter_mm | 6.0 | 5.99 | must fit below the seal
+cube: shell.pocket_diameter_mm | 6.0 | 5.99 | narrower than the magnets
+cube: shell.seal_layer_mm | 2.0 | 2.01 | sticking out of the first pour
+cube: shell.dent_mm | 1.99 | 2.0 | reaches magnets.positions_mm
+cube: magnets.height_mm | 2.99 | 3.0 | must fit below the seal
+one magnet: magnets.depth_mm | 0.51 | 0.5 | does not seal the magnet
+one magnet: magnets.depth_mm | 7.49 | 7.5 | does not seal the magnet
+cube: magnets.positions_mm | [[17.9, 0.0]] | [[18.01, 0.0]] | outside the shell's face
+cube: magnets.positions_mm | [[0.0, -17.9]] | [[0.0, -18.01]] | outside the shell's face
+cube: magnets.positions_mm | [[0, 0], [6.01, 0]] | [[0, 0], [6.0, 0]] | touch or overlap
+cube: magnets.positions_mm | [[14.99, 0]] | [[15.0, 0]] | zone of the neighbouring
+cube: sensors.depth_below_core_face_mm | 3.0 | 3.01 | must not exceed core.recess_depth
+cube: sensors.radius_mm | 12.99 | 13.0 | outside the core: it must be below 13
+cube: sensors.radius_mm | 4.5 | 4.49 | must lie in the core's recess
+cube: sensors.radius_mm | 11.0 | 11.01 | must lie in the core's recess
+cube: sensors.positions_mm | [[10.58, 0.0]] | [[10.59, 0.0]] | outside the core's face
+cube: sensors.positions_mm | [[0.0, -10.58]] | [[0.0, -10.59]] | outside the core's face
+cube: press.depths_mm | [1.0, 4.8] | [1.0, 4.81] | below 60 % of shell
+thick shell: press.depths_mm | [1.0, 4.99] | [1.0, 5.0] | below the indenter's height
+cuboid tip: indenter.size_mm | [42.0, 10.0] | [42.01, 10.0] | larger than the face of 42 mm
+cuboid tip: indenter.size_mm | [10.0, 42.0] | [10.0, 42.01] | larger than the face of 42 mm
+two tips: indenter.tip_spacing_mm | 10.0 | 9.99 | makes the tips overlap
+cube: contact_grid.count | [10, 4] | [11, 4] | count\\[0\\] × pitch_mm, half a pitch
+cube: contact_grid.count | [4, 10] | [4, 11] | count\\[1\\] × pitch_mm, half a pitch
+keys: core.keys.positions_mm | [[11.99, 0.0]] | [[12.01, 0.0]] | past the core's face
+keys: core.keys.positions_mm | [[0.0, 11.99]] | [[0.0, 12.01]] | past the core's face
+keys: core.keys.positions_mm | [[0.0, 3.01]] | [[0.0, 2.99]] | over the wire hole
+keys: core.keys.positions_mm | [[0, 12], [2.01, 12]] | [[0, 12], [1.99, 12]] | another key
+keys: core.keys.height_mm | 7.99 | 8.0 | height_mm must be below shell
+key below a magnet: core.keys.height_mm | 4.99 | 5.0 | into the pocket
+slits: shell.slits.depth_mm | 10.81 | 10.82 | reaches the core
+slits: shell.slits.end_mm | 3.83 | 3.82 | so that slits do not meet
+slits: shell.slits.end_mm | 20.99 | 21.0 | below half the shortest edge
+channels: core.wire_channel_depth_mm | 4.49 | 4.5 | must be below core.wall_mm
+cube: core.bay_mm | [19.99, 9.0, 9.0] | [20.0, 9.0, 9.0] | 20 mm in x
+cube: core.bay_mm | [9.0, 19.99, 9.0] | [9.0, 20.0, 9.0] | 20 mm in y
+cube: core.bay_mm | [9.0, 9.0, 22.99] | [9.0, 9.0, 23.0] | 23 mm in z
+sensors in the shell: shell.pocket_depth_mm | 1.61 | 1.6 | a sensor board of
+sensors in the shell: magnets.height_mm | 4.49 | 4.5 | deep in a core wall of
+sensors in the shell: magnets.positions_mm | [[5.01, 0.0]] | [[5.0, 0.0]] | meets the hub
+ball: shell.pocket_depth_mm | 7.99 | 8.0 | does not lie within the 8 mm
+ball: press.depths_mm | [1.0, 4.8] | [1.0, 4.81] | 60% of the silicone
+"""
+"""Object and key, a value that fits, one that does not, and what is said then alone."""
+
+
+@pytest.mark.parametrize("row", BORDERS.strip().splitlines())
+def test_it_fits_up_to_the_border_and_not_beyond(row):
+    given, fits, refused, words = row.split(" | ")
+    base, key = given.split(": ")
+
+    def said(value):
+        content = with_overrides({"name": "x"}, [*BASES[base], f"{key}={value}"])
+        found = problems_of(ObjectSpec.model_validate(content))
+        return [text for text in found if re.search(words, text)]
+
+    assert not said(fits)
+    assert said(refused)
+
+
+def test_polygons_overlap_where_no_edge_separates_them():
+    square = np.array([[1.0, 1], [-1, 1], [-1, -1], [1, -1]])
+    turned = np.sqrt(2) * np.array([[1.0, 0], [0, 1], [-1, 0], [0, -1]])
+    for shift, meets in (
+        ([1.9, 0], True),
+        ([2.0, 0], False),
+        ([0, 2.1], False),
+        ([1.9, 1.9], True),
+    ):
+        assert overlap(square, square + shift) == overlap(square + shift, square) == meets
+    reach = 1 + np.sqrt(2)
+    assert overlap(square, turned + np.array([reach - 0.01, 0]))
+    assert not overlap(square, turned + np.array([reach + 0.01, 0]))
+    assert overlap(square, turned + np.array([1.7, 1.7])) == overlap(turned, square - [1.7, 1.7])
+    assert not overlap(square, turned + np.array([2.01, 2.01]))
+
+
+def test_points_lie_so_far_from_a_polygon():
+    oblong = np.array([[2.0, 1], [-2, 1], [-2, -1], [2, -1]])
+    for point, away in (
+        ([0, 0], 0),
+        ([2, 1], 0),
+        ([3, 0], 1),
+        ([0, -3], 2),
+        ([5, 5], 5),
+        ([-5, -5], 5),
+    ):
+        assert distance_mm(oblong, np.array(point, float)) == pytest.approx(away)
+
+
+def test_recesses_turn_and_move_with_their_sensors():
+    spec = ObjectSpec(name="x")
+    at_0, at_90 = (
+        recess_outline(spec, *place) for place in ((9.585, 0.0, 0.0), (0.0, 8.585, np.pi / 2))
+    )
+    assert_allclose([at_0.min(axis=0), at_0.max(axis=0)], [[5.5, -3.5], [12.0, 3.5]], atol=1e-9)
+    assert_allclose([at_90.min(axis=0), at_90.max(axis=0)], [[-3.5, 4.5], [3.5, 11.0]], atol=1e-9)
+    names = [name for name, _ in _core_openings(spec)[0]]
+    assert names == ["the wire hole", *["a sensor's recess"] * 3]
+    channels = ObjectSpec.model_validate({"name": "x", "core": {"wire_channel_width_mm": 2.0}})
+    openings = _core_openings(channels)[0]
+    assert [name for name, _ in openings][1:3] == ["a sensor's recess", "a wire channel"]
+    hub, _, channel = (corners for _, corners in openings[:3])
+    assert_allclose(abs(hub), 2.0)
+    edges = np.linalg.norm(channel - np.roll(channel, 1, axis=0), axis=1)
+    assert_allclose(sorted(edges), [2, 2, 8.585, 8.585], rtol=1e-9)
