@@ -44,8 +44,8 @@ def _imported(root: Path, file: str) -> Iterator[str]:
 def nearest(path: str, tests: list[str], imported_by: dict[str, set[str]]) -> list[str]:
     """Tests that a fault in a file may reach, those that most likely notice it first.
 
-    First those of the same name and room, then by how many imports lie between, then those of the
-    same room.
+    First those of the same name and room, then by how many imports lie between, those of other rooms
+    one step later. The room of a file is the nearest one above it that has tests.
     """
     steps = {path: 0}
     waiting = deque([path])
@@ -55,11 +55,13 @@ def nearest(path: str, tests: list[str], imported_by: dict[str, set[str]]) -> li
             if importer not in steps:
                 steps[importer] = steps[file] + 1
                 waiting.append(importer)
-    own, room = f"test_{Path(path).stem}.py", Path("tests", path).parent
+    rooms = {Path(test.split("::")[0]).parent for test in tests}
+    above = Path("tests", path).parents
+    own, room = f"test_{Path(path).stem}.py", next((one for one in above if one in rooms), None)
 
     def rank(test: str) -> tuple[bool, int, bool]:
         file = Path(test.split("::")[0])
         elsewhere = file.parent != room
-        return elsewhere or file.name != own, steps[file.as_posix()], elsewhere
+        return elsewhere or file.name != own, steps[file.as_posix()] + elsewhere, elsewhere
 
     return sorted((test for test in tests if test.split("::")[0] in steps), key=rank)

@@ -143,6 +143,21 @@ def test_tests_of_the_same_name_and_room_go_first_then_the_fewest_imports_away_t
     ]
 
 
+def test_a_room_without_tests_has_those_of_the_room_above_it(tmp_path):
+    written = {
+        "design/body/kinds/ball.py": "",
+        "design/body/all.py": "import design.body.kinds.ball",
+        "tests/chain/test_k.py": "import design.body.kinds.ball",
+        "tests/design/body/test_all.py": "import design.body.all",
+    }
+    for name, text in written.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text)
+    tests = [f"{name}::test_1" for name in sorted(written) if "test_" in name]
+    found = nearest("design/body/kinds/ball.py", tests, importers(tmp_path))
+    assert found == ["tests/design/body/test_all.py::test_1", "tests/chain/test_k.py::test_1"]
+
+
 def test_what_a_fork_said_names_the_test_in_which_it_failed_or_died():
     events = [("begins", "a", 1.0), ("passes", "a", 3.0), ("begins", "b", 3.0)]
     assert Said(events, "hangs").failed == "b"

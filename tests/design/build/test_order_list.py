@@ -2,10 +2,14 @@
 
 import csv
 
+import numpy as np
 import pytest
 
+from design.build.bom import SCREWS, _prints, silicone_amount
+from design.build.manifest import BuildManifest, PartManifest
 from design.build.order_list import cost_eur, order_list, write_orders
 from design.catalogue.bus_parts import MEGA2560
+from design.layout.volumes import sealed_volume_mm3
 from design.spec.object import ObjectSpec
 from design.wiring.bus_plan import choose_plan
 from design.wiring.dealing import STARTED
@@ -68,3 +72,26 @@ def test_sensors_without_a_bus_stand_by_their_name():
         }
     )
     assert order_list(spec, None)[0].number == "generic"
+
+
+def test_prints_are_counted_as_often_as_they_are_made_and_silicone_with_its_waste():
+    spec = ObjectSpec.model_validate({"name": "cube", "silicone": {"mix_ratio": [10.0, 1.0]}})
+    box = ((0.0, 0.0, 0.0), (1.0, 2.0, 3.0))
+    parts = [
+        PartManifest(name, volume, box, (0.0, 0.0, 0.0), 1, 1, volume, True, 8, material, count)
+        for name, volume, material, count in (
+            ("pin", 2e3, "printed", 3),
+            ("shell", 5e3, "silicone", 1),
+        )
+    ]
+    (item,) = _prints(spec, BuildManifest("cube", "", tuple(parts), {}))
+    assert (item.item, item.count, item.volume_cm3) == ("print pin", 3, 6.0)
+    assert item.mass_g == pytest.approx(6.0 * 1.27)
+    assert item.note == "pin.3mf; 1.0 × 2.0 × 3.0 mm each"
+    amount = silicone_amount(spec)
+    magnets = 25 * np.pi * 3.0**2 * 1.0
+    assert amount.volume_cm3 == pytest.approx((sealed_volume_mm3(spec) - magnets) / 1e3)
+    assert amount.mass_g == pytest.approx(1.07 * amount.volume_cm3)
+    assert amount.mixed_g == pytest.approx(1.15 * amount.mass_g)
+    assert amount.parts_g == pytest.approx((amount.mixed_g * 10 / 11, amount.mixed_g / 11))
+    assert SCREWS == 4

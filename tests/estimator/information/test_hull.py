@@ -114,3 +114,16 @@ def test_degenerate_and_too_few_frames_are_explained(volume):
 def test_too_many_frames_for_the_exact_hull_are_refused():
     with pytest.raises(InputError, match=r"limited to 100 frames; got 101.*monte-carlo"):
         exact_hull_volume(np.random.default_rng(4).normal(size=(101, 9)))
+
+
+def test_the_standard_error_of_two_directions_is_half_of_what_they_differ_by():
+    samples = np.random.default_rng(3).normal(size=(60, 2))
+    rng = np.random.default_rng(5)
+    volume, error = vars(monte_carlo_hull_volume(samples, rng, directions=2)).values()
+    u = np.random.default_rng(5).standard_normal((2, 2))
+    about = samples - samples.mean(axis=0)
+    lower = np.linalg.cholesky(np.cov(about.T, bias=True))
+    white, unit = np.linalg.solve(lower, about.T).T, u / np.linalg.norm(u, axis=1, keepdims=True)
+    areas = np.pi * np.prod(np.diag(lower)) * hull_extents(white, unit) ** 2
+    assert volume == pytest.approx(areas.mean(), rel=1e-6)
+    assert error == pytest.approx(abs(areas[1] - areas[0]) / 2, rel=1e-6)

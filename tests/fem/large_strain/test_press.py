@@ -5,7 +5,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.errors import InputError
-from design.spec.object import MeshSpec
+from design.spec.object import MeshSpec, ObjectSpec
 from fem.contact.complementarity import contact_pressures
 from fem.large_strain import press as large_strain
 from fem.large_strain.hyperelastic import neo_hookean, yeoh
@@ -16,7 +16,12 @@ from fem.large_strain.results import (
     linearity_limits,
     save_large_strain_press,
 )
-from fem.large_strain.single_press import linear_press, press_setting
+from fem.large_strain.single_press import (
+    linear_press,
+    press_setting,
+    require_modulus,
+    require_press,
+)
 from fem.linear.response import build_response
 from fem.mesh.tetrahedra import tetrahedralize_for_press
 from fem.presses.shape import DeformedShape, save_deformed_shape
@@ -233,3 +238,52 @@ def test_ideal_points_follow_the_silicone(points_spec, coarse_mesh, interrupted)
     assert nearest[0] < -0.005  # pushed away from the tip at (5, −4)
     assert nearest[1] > 0.005
     assert_allclose(press.motion, press.linear_motion, rtol=0, atol=0.4 * abs(nearest).max())
+
+
+@pytest.mark.parametrize(
+    ("indenter", "words"),
+    [
+        ({}, None),
+        ({"kind": "flat"}, "indenter.kind = 'flat'"),
+        ({"tip_count": 2}, "tip_count = 2"),
+        ({"direction_deg": (0.0, 5.0)}, "direction_deg = .0.0, 5.0."),
+        ({"friction": "sticking"}, "friction = 'sticking'"),
+    ],
+)
+def test_another_indenter_than_one_straight_hemisphere_is_refused(indenter, words):
+    spec = ObjectSpec.model_validate({"name": "x", "indenter": indenter})
+    if words is None:
+        require_press(spec, 1, 0.0, 0.0, [0.5])
+        return
+    with pytest.raises(InputError, match=words):
+        require_press(spec, 1, 0.0, 0.0, [0.5])
+
+
+def test_presses_go_up_to_the_border_and_not_beyond():
+    """A tip of 5 mm on a face of ±21 mm; depths from above 0 to below the radius."""
+    spec = ObjectSpec(name="x")
+    for x, y in ((16.0, 0.0), (0.0, -16.0), (-16.0, 16.0)):
+        require_press(spec, 1, x, y, [0.5])
+    for x, y in ((16.001, 0.0), (0.0, -16.001)):
+        with pytest.raises(InputError, match="hangs over the border"):
+            require_press(spec, 1, x, y, [0.5])
+    require_press(spec, 1, 0.0, 0.0, [1e-3, 4.999])
+    for depths in ([0.0, 1.0], [1.0, 1.0], [1.0, 5.0]):
+        with pytest.raises(InputError, match="depths must increase from above 0"):
+            require_press(spec, 1, 0.0, 0.0, depths)
+    thin = ObjectSpec.model_validate({"name": "x", "shell": {"thickness_mm": 4.0}})
+    with pytest.raises(InputError, match=r"thickness \(4 mm\)"):
+        require_press(thin, 1, 0.0, 0.0, [4.0])
+
+
+@pytest.mark.parametrize(
+    ("share", "fits"), [(0.991, True), (1.009, True), (0.989, False), (1.011, False)]
+)
+def test_a_material_has_the_modulus_of_the_specification_to_a_percent(share, fits):
+    spec = ObjectSpec(name="x")
+    material = neo_hookean(share * spec.silicone.youngs_modulus_mpa, spec.silicone.poisson_ratio)
+    if fits:
+        require_modulus(spec, material)
+        return
+    with pytest.raises(InputError, match="at small strain, but"):
+        require_modulus(spec, material)

@@ -1,0 +1,86 @@
+"""Slopes, drift, bound and scatter of repeated presses, each by hand."""
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from estimator.calibration.known_travel.bound import (
+    _attainable,
+    _bound_mm,
+    _drift,
+    _scatter_mm,
+    recorded_slopes,
+)
+from estimator.calibration.known_travel.fit import _twin
+from estimator.calibration.known_travel.model import Pose, Twin
+
+LATTICE = np.array([(1.5 * i, 1.5 * j) for i in range(-6, 7) for j in range(-6, 7)])
+
+
+def test_slopes_of_a_quadratic_surface_are_exact_and_the_border_has_none():
+    x, y = LATTICE.T
+    level = np.column_stack([1 + 2 * x - y + x * y, x**2 - 3 * y**2])
+    found = recorded_slopes(LATTICE, level)
+    inside = (abs(LATTICE) < 8.9).all(axis=1)
+    assert np.isfinite(found[inside]).all()
+    assert np.isnan(found[~inside]).all()
+    wanted = np.stack([np.column_stack([2 + y, -1 + x]), np.column_stack([2 * x, -6 * y])], axis=1)
+    assert_allclose(found[inside], wanted[inside], atol=1e-9)
+
+
+def test_slopes_come_from_places_within_4_5_mm_and_from_twelve_at_least():
+    far = LATTICE.copy()
+    level = np.where(np.linalg.norm(far, axis=1) < 4.4, far[:, 0], 1e3)[:, None]
+    middle = np.flatnonzero((far == 0).all(axis=1))[0]
+    assert_allclose(recorded_slopes(far, level)[middle, 0], [1.0, 0.0], atol=1e-9)
+    for count, told in ((11, False), (12, True)):
+        near = np.array([(np.cos(a), np.sin(a)) for a in np.arange(count - 1) * 2.4])
+        places = np.vstack([[0.0, 0.0], near * np.linspace(1, 3, count - 1)[:, None]])
+        found = recorded_slopes(places, places[:, :1])[0, 0]
+        assert np.isfinite(found).all() == told
+    half = LATTICE[LATTICE[:, 0] >= 0]
+    border = np.flatnonzero((half == [0, 0]).all(axis=1))[0]
+    assert np.isnan(recorded_slopes(half, half[:, :1])[border]).all()
+
+
+def test_bound_and_scatter_follow_from_slopes_and_noise():
+    """Two channels, of which each sees one direction: σ/slope, added up."""
+    slope = np.array([[2.0, 0.0], [0.0, 5.0]])
+    precision = np.diag([1 / 0.3**2, 1 / 0.4**2])
+    assert _bound_mm(slope[None], precision)[0] == pytest.approx(np.hypot(0.3 / 2, 0.4 / 5))
+    assert np.isnan(_bound_mm(np.full((1, 2, 2), np.nan), precision)[0])
+    left = np.array([[0.2, 0.0], [-0.2, 0.5], [0.0, -0.5]])
+    wanted = np.sqrt((2 * 0.1**2 + 2 * 0.1**2) / 2)
+    assert _scatter_mm(slope, precision, left) == pytest.approx(wanted)
+    assert np.isnan(_scatter_mm(np.full((2, 2), np.nan), precision, left))
+
+
+def test_drift_is_what_all_places_share_from_round_to_round():
+    rng = np.random.default_rng(0)
+    groups = [np.array([0, 2, 4]), np.array([1, 3, 5])]
+    place = np.array([0.0, 9.0, 0.0, 9.0, 0.0, 9.0])[:, None] * [1.0, 2.0]
+    drift = np.repeat([-1.0, 0.0, 1.0], 2)[:, None] * [0.5, -0.25]
+    found = _drift(rng.normal() + place + drift, groups, 6)
+    assert_allclose(found, drift, atol=1e-12)
+
+
+def test_few_repeats_blur_a_right_bound_and_many_show_it():
+    rng = np.random.default_rng(1)
+    slopes = np.eye(2) * np.linspace(0.5, 3.0, 40)[:, None, None]
+    few, many = (_attainable(slopes, np.eye(2), [n] * 40, rng) for n in (3, 200))
+    assert 0.5 < few < 0.95
+    assert many > 0.97
+
+
+def test_numbers_of_a_fit_move_pose_seats_tilts_and_strength():
+    pose = Pose(np.array([1.0, 2.0]), 0.1, 5.0, 3)
+    start = Twin(pose, np.ones((2, 3)), np.zeros((2, 2)), 1.1)
+    moved = _twin(start, np.array([0.5, -0.5, 0.01, 0.2]))
+    assert_allclose(moved.pose.shift_mm, [1.5, 1.5])
+    assert (moved.pose.turn_rad, moved.pose.contact_mm) == pytest.approx((0.11, 5.2))
+    assert (moved.pose.symmetry, moved.strength) == (3, 1.1)
+    numbers = np.concatenate([np.zeros(4), np.arange(6), 10 + np.arange(4), [np.log(2)]])
+    moved = _twin(start, numbers)
+    assert_allclose(moved.magnet_mm, 1 + np.arange(6).reshape(2, 3))
+    assert_allclose(moved.tilt_rad, 10 + np.arange(4).reshape(2, 2))
+    assert moved.strength == pytest.approx(2.2)
