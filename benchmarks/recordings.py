@@ -4,8 +4,8 @@
 
 Each press is zeroed from the frames before it; a face's own channels are read. The change over time
 that is read (`training.history_frames`) is chosen among 0, 3, 6 and 9 frames by cross-validation
-within the training presses of the first seed; ensemble and trees are the defaults for so few
-presses. Beside it stand the simple regressions of `estimator.evaluation.baselines`, and the coverage
+within the training presses of the first seed; ensemble, trees and process are the defaults for so
+few presses. Beside it stand the simple regressions of `estimator.evaluation.baselines`, and the coverage
 of intervals at held-out presses, places and, with `--other`, the other recording. Writes
 `recordings.json`.
 """
@@ -48,7 +48,11 @@ _COLUMNS = (
 
 def training(quick: bool, **changes: object) -> TrainingSpec:
     """The specification's defaults; quick: one small network."""
-    small = {"ensemble": 1, "trees": 5, "epochs": 3, "hidden_units": (16,)} if quick else {}
+    small = (
+        {"ensemble": 1, "trees": 5, "process": True, "epochs": 3, "hidden_units": (16,)}
+        if quick
+        else {}
+    )
     return TrainingSpec.model_validate(small | changes)
 
 
@@ -58,7 +62,7 @@ def chosen_history(frames: FrameSet, face: int, seed: int, quick: bool) -> int:
     known = frames.select(split.train | split.validation)
     errors = []
     for history in HISTORIES[:2] if quick else HISTORIES:
-        wanted = training(quick, history_frames=history, ensemble=1, trees=0)
+        wanted = training(quick, history_frames=history, ensemble=1, trees=0, process=False)
         found = []
         for inner_seed in range(1 if quick else 2):
             inner = split_presses(known, inner_seed)

@@ -158,8 +158,9 @@ class TrainingSpec(SpecPart):
     for the normal force, 3 for Fx, Fy, Fz. With `history_frames` the estimator also reads the change
     over so many frames, which tells loading from unloading (hysteresis of the silicone). `ensemble`:
     networks that are averaged, each stopped and calibrated by its own fold of the presses. `trees`:
-    extremely randomised trees beside each network, whose answers are weighed in (compact and
-    whole-object only). Left out, these three follow from the data (`estimator.networks.defaults`).
+    extremely randomised trees beside each network, whose answers are weighed in. `process`: a
+    Gaussian process answers where a frame is novel (both compact and whole-object only). Left out,
+    these four follow from the data (`estimator.networks.defaults`).
     `coverage`: share of frames whose intervals hold the true value. `twins`: simulated objects that
     `instobj pretrain` draws within `[tolerances]`, or `--twin` within what labelled presses leave
     possible.
@@ -176,16 +177,19 @@ class TrainingSpec(SpecPart):
     patience_epochs: Count = 15
     ensemble: Annotated[int, Field(ge=1, le=20)] | None = None
     trees: Annotated[int, Field(ge=0, le=500)] | None = None
+    process: bool | None = None
     coverage: Annotated[float, Field(gt=0, lt=1)] = 0.9
     twins: Annotated[int, Field(ge=2, le=1000)] = 10
 
     @model_validator(mode="after")
-    def _trees_stand_beside_heads(self) -> TrainingSpec:
-        if self.trees and self.model in ("paper", "linear"):
-            raise ValueError(
-                f"training.trees works with training.model = 'compact' or 'whole-object'; got "
-                f"{self.trees} and {self.model!r}. Set trees = 0, or another model"
-            )
+    def _what_stands_beside_heads(self) -> TrainingSpec:
+        for name, none in (("trees", 0), ("process", False)):
+            value = getattr(self, name)
+            if value and self.model in ("paper", "linear"):
+                raise ValueError(
+                    f"training.{name} works with training.model = 'compact' or 'whole-object'; got "
+                    f"{value} and {self.model!r}. Set {name} = {str(none).lower()}, or another model"
+                )
         return self
 
     @model_validator(mode="before")

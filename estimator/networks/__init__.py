@@ -1,1 +1,1 @@
-"""The contact estimator: networks and trees, training, intervals (torch)."""
+"""The contact estimator: networks, trees and a Gaussian process, training, intervals (torch)."""

@@ -19,9 +19,10 @@ from estimator.networks.forest import Forest, ForestShape
 from estimator.networks.intervals.coverage import Coverage
 from estimator.networks.network import ContactEstimator, HeadsNetwork, HeatmapNetwork
 from estimator.networks.prediction import Prediction
+from estimator.networks.process import Process, ProcessShape
 from estimator.networks.tensor_file import load_tensors, save_tensors
 
-MODEL_FORMAT = 4
+MODEL_FORMAT = 5
 _BATCH_FRAMES = 8192
 _LONGEST_HISTORY = 100
 """Frames, as specifications allow."""
@@ -31,8 +32,8 @@ _LONGEST_HISTORY = 100
 class Architecture:
     """What an estimator is built of, besides the numbers among its weights.
 
-    `forest` is the shape of the trees beside the networks, `references` how many training frames
-    novelty is measured from.
+    `forest` and `process` are the shapes of what stands beside the networks, `references` how many
+    training frames novelty is measured from.
     """
 
     kind: Literal["heads", "heatmap"]
@@ -41,6 +42,7 @@ class Architecture:
     continuous: bool = False
     members: int = 1
     forest: ForestShape | None = None
+    process: ProcessShape | None = None
     references: int = 0
 
 
@@ -119,7 +121,11 @@ def empty_network(
 
     forest = None if architecture.forest is None else Forest(architecture.forest)
     coverage = Coverage(channels, architecture.references)
-    return ContactEstimator([member() for _ in range(architecture.members)], coverage, forest)
+    shape = architecture.process
+    process = None if shape is None else Process(shape, channels)
+    return ContactEstimator(
+        [member() for _ in range(architecture.members)], coverage, forest, process
+    )
 
 
 def description(model: FaceModel) -> dict[str, Any]:
@@ -182,8 +188,9 @@ def _assembled(described: dict[str, Any], weights: dict[str, Tensor]) -> FaceMod
     grid_x, grid_y = (np.array(described[f"grid_{axis}_mm"], dtype=float) for axis in "xy")
     built = dict(described["architecture"])
     built["hidden_units"] = _whole_numbers(built["hidden_units"])
-    if built["forest"] is not None:
-        built["forest"] = ForestShape(*_whole_numbers(built["forest"]))
+    for name, shape in (("forest", ForestShape), ("process", ProcessShape)):
+        if built[name] is not None:
+            built[name] = shape(*_whole_numbers(built[name]))
     architecture = Architecture(**built)
     history_frames = int(described["history_frames"])
     if not 0 <= history_frames <= _LONGEST_HISTORY or architecture.members > len(weights):

@@ -24,7 +24,8 @@ from jaxtyping import Float
 from torch import Tensor, nn
 
 from estimator.networks.forest import Forest
-from estimator.networks.intervals.coverage import Coverage, growth
+from estimator.networks.intervals.coverage import Coverage, growth, newness
+from estimator.networks.process import Process
 
 SIGMA_SPAN = 3.0
 LINEAR_SIGMA_SPAN = 30.0
@@ -221,13 +222,14 @@ class HeatmapNetwork(nn.Module):
 
 
 class ContactEstimator(nn.Module):
-    """Networks, averaged, and trees beside them where there are any, with calibrated intervals.
+    """Networks, averaged, and beside them trees and a process where there are any, with calibrated
+    intervals.
 
     The total force is that of the networks and that of the trees, whose share is `force_share`; the
     centre is weighed by `place_shares` from the networks' own, that of their heatmap, and the
-    trees'. The members' spreads times `force_quantile` and `position_quantile`
-    (`estimator.networks.intervals.conformal`) and what novelty adds
-    (`estimator.networks.intervals.coverage`) are the intervals' half-widths.
+    trees'. Where a frame is novel, force and centre are those of the process. The members' spreads
+    times `force_quantile` and `position_quantile` (`estimator.networks.intervals.conformal`) and
+    what novelty adds (`estimator.networks.intervals.coverage`) are the intervals' half-widths.
     """
 
     force_quantile: Tensor
@@ -236,11 +238,15 @@ class ContactEstimator(nn.Module):
     place_shares: Tensor
 
     def __init__(
-        self, members: Sequence[nn.Module], coverage: Coverage, forest: Forest | None = None
+        self,
+        members: Sequence[nn.Module],
+        coverage: Coverage,
+        forest: Forest | None = None,
+        process: Process | None = None,
     ) -> None:
         super().__init__()
         self.members = nn.ModuleList(members)
-        self.coverage, self.forest = coverage, forest
+        self.coverage, self.forest, self.process = coverage, forest, process
         for name in ("force_quantile", "position_quantile"):
             _buffer(self, name, float("nan"))
         _buffer(self, "force_share", 0.0)
@@ -253,30 +259,47 @@ class ContactEstimator(nn.Module):
         places = [mean.xy_mm, self._centre_of(mean.heatmap_n[:, -1])]
         if self.forest is not None:
             force_n, xy_mm = self.forest(counts)
-            mean = self._with_force(mean, force_n)
+            trusted_n = force_n * mean.contact**DOUBT_POWER
+            mean = _with_force(mean, torch.lerp(mean.force_n, trusted_n, self.force_share))
             places.append(xy_mm)
-        xy = sum(share * place for share, place in zip(self.place_shares, places, strict=False))
+        xy = sum(
+            (share * place for share, place in zip(self.place_shares, places, strict=False)),
+            torch.zeros_like(mean.xy_mm),
+        )
         novelty = self.coverage(counts)
-        grown = growth(novelty)
+        if self.process is None:
+            new, grown = torch.zeros_like(novelty), growth(novelty)
+        else:
+            new = grown = newness(novelty)
+            force_n, xy_mm = self.process(counts)
+            mean = _with_force(mean, torch.lerp(mean.force_n, force_n, new))
+            xy = torch.lerp(xy, xy_mm, new[:, None])
+        radius = (1 - new) * mean.position_radius_mm * self.position_quantile
         return mean._replace(
             xy_mm=xy,
-            force_halfwidth_n=mean.force_halfwidth_n * self.force_quantile
+            force_halfwidth_n=(1 - new) * mean.force_halfwidth_n * self.force_quantile
             + self.coverage.force_slope_n * grown,
-            position_radius_mm=mean.position_radius_mm * self.position_quantile
-            + self.coverage.place_slope_mm * grown,
+            position_radius_mm=torch.minimum(
+                radius + self.coverage.place_slope_mm * grown, self._furthest_mm(xy)
+            ),
             novelty=novelty,
         )
 
-    def _with_force(self, mean: Reading, force_n: Tensor) -> Reading:
-        """Heatmaps keep the networks' shares."""
-        trusted_n = force_n * mean.contact**DOUBT_POWER
-        blended_n = torch.lerp(mean.force_n, trusted_n, self.force_share)
-        ratio = (blended_n / mean.force_n.clamp(min=_LEAST_FORCE_N))[:, None, None, None]
-        heatmap = torch.cat([mean.heatmap_n[:, :-1], mean.heatmap_n[:, -1:] * ratio], dim=1)
-        return mean._replace(heatmap_n=heatmap, force_n=blended_n)
+    def _furthest_mm(self, xy_mm: Float[Tensor, "frame 2"]) -> Float[Tensor, "frame"]:
+        """Distance to the corner of the contact grid that is furthest away."""
+        grid_mm = self.members[0].get_buffer("grid_mm")
+        away = torch.maximum(xy_mm - grid_mm.amin(dim=0), grid_mm.amax(dim=0) - xy_mm)
+        return (away**2).sum(dim=1).sqrt()
 
     def _centre_of(self, heatmap_n: Float[Tensor, "frame nx ny"]) -> Float[Tensor, "frame 2"]:
         return heatmap_centre_mm(heatmap_n, self.members[0].get_buffer("grid_mm"))
+
+
+def _with_force(mean: Reading, force_n: Tensor) -> Reading:
+    """Heatmaps keep the networks' shares."""
+    ratio = (force_n / mean.force_n.clamp(min=_LEAST_FORCE_N))[:, None, None, None]
+    heatmap = torch.cat([mean.heatmap_n[:, :-1], mean.heatmap_n[:, -1:] * ratio], dim=1)
+    return mean._replace(heatmap_n=heatmap, force_n=force_n)
 
 
 def heatmap_centre_mm(

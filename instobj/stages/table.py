@@ -245,7 +245,7 @@ STAGES: dict[str, Stage] = {
         version=4,
     ),
     "networks": Stage(
-        "estimator: training", ("frames",), ("training", "seed"), make_networks, version=9
+        "estimator: training", ("frames",), ("training", "seed"), make_networks, version=10
     ),
     "metrics": Stage(
         "estimator: held-out presses", ("frames", "networks"), (), make_metrics, version=4

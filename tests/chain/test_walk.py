@@ -44,7 +44,7 @@ pitch_mm = 6.0
 [press]
 depths_mm = [0.5, 1.0, 1.5, 2.0, 3.0]
 """
-SINGLE = ("ensemble=1", "history_frames=0", "trees=0", "epochs=80")
+SINGLE = ("ensemble=1", "history_frames=0", "trees=0", "process=false", "epochs=80")
 SETTINGS = [word for setting in SINGLE for word in ("--set", f"training.{setting}")]
 
 

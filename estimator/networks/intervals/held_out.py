@@ -1,4 +1,4 @@
-"""Folds put together into one estimator: weights of trees, widths and novelty, all from held-out presses."""
+"""Folds put together into one estimator: weights of trees, widths and novelty, from held-out presses."""
 
 from __future__ import annotations
 
@@ -18,7 +18,9 @@ from estimator.networks.face_model import read_counts
 from estimator.networks.forest import Forest
 from estimator.networks.intervals.conformal import conformal_quantile
 from estimator.networks.intervals.coverage import (
+    growth,
     known_distance,
+    newness,
     reference_of,
     slopes_at_places_left_out,
 )
@@ -29,6 +31,7 @@ from estimator.networks.network import (
     heatmap_centre_mm,
 )
 from estimator.networks.prediction import Prediction
+from estimator.networks.process import Process
 
 SHARPNESS = (1.0, 2.0, 4.0, 8.0, 16.0)
 FAINT = (0.05, 0.2, 0.4)
@@ -38,21 +41,24 @@ STEPS_OF_SHARES = 4
 LEAST_RADIUS_PITCHES = 0.1
 """Least median radius, in pitches of the grid. Where training knows few places, most answers are
 one of them to a micrometre, and the quantile of errors is next to nothing."""
+_LEAST_SPREAD = 1e-9
 
 
 @dataclass(frozen=True)
 class Fold:
-    """A network, the trees beside it, what they were fitted to, and presses that they never saw."""
+    """A network, what stands beside it, what they were fitted to, and presses that they never saw."""
 
     member: nn.Module
     forest: Forest | None
+    process: Process | None
     fitted: FaceData
     held_out: FaceData
 
 
 @dataclass(frozen=True)
 class _Answers:
-    """Of held-out contact frames, forces in N and places in mm; trees' NaN where there are none."""
+    """Of held-out contact frames, forces in N and places in mm; NaN of trees and process where there
+    are none."""
 
     press_id: np.ndarray
     true_n: np.ndarray
@@ -62,6 +68,8 @@ class _Answers:
     heatmap_mm: np.ndarray
     trees_n: np.ndarray
     trees_mm: np.ndarray
+    process_n: np.ndarray
+    process_mm: np.ndarray
     spread_n: np.ndarray
     spread_mm: np.ndarray
     distance: np.ndarray
@@ -71,14 +79,15 @@ def assembled(
     folds: list[Fold],
     everything: FaceData,
     forest: Forest | None,
+    process: Process | None,
     channels: tuple[Channel, ...],
     cover: float,
     seed: int,
 ) -> tuple[ContactEstimator, int]:
     """The estimator of all folds, and how many presses calibrated it.
 
-    `everything` is all that was shown: the novelty of a frame is told from it, and `forest` was
-    grown on it.
+    `everything` is all that was shown: the novelty of a frame is told from it, and `forest` and
+    `process` were fitted to it.
     """
     sigma = sigma_counts(everything, channels)
     found = [_answers(fold, channels, sigma, seed) for fold in folds]
@@ -90,22 +99,23 @@ def assembled(
     )
     coverage = reference_of(everything, channels, sigma, seed)
     scale = known_distance(held_out.distance, held_out.press_id)
-    slopes = slopes_at_places_left_out(everything, channels, sigma, scale, cover, seed)
+    slopes = slopes_at_places_left_out(
+        everything, channels, sigma, scale, cover, seed, process is not None
+    )
     coverage.scale.fill_(scale)
     coverage.force_slope_n.fill_(slopes.force_n)
     coverage.place_slope_mm.fill_(slopes.place_mm)
-    network = ContactEstimator([fold.member for fold in folds], coverage, forest)
-    missed_n, away_mm = _blended_errors(network, held_out)
-    grown = np.sqrt(np.maximum(held_out.distance / scale - 1, 0))
-    scores = (
-        (missed_n - slopes.force_n * grown) / held_out.spread_n,
-        (away_mm - slopes.place_mm * grown) / held_out.spread_mm,
-    )
-    for quantile, score in zip(
-        (network.force_quantile, network.position_quantile), scores, strict=True
-    ):
-        wanted = conformal_quantile(score, held_out.press_id, cover, len(folds) > 1)
-        quantile.fill_(max(wanted, 0.0))
+    network = ContactEstimator([fold.member for fold in folds], coverage, forest, process)
+    novelty = torch.as_tensor(held_out.distance / scale)
+    new = np.zeros(len(novelty)) if process is None else newness(novelty).numpy()
+    grown = growth(novelty).numpy() if process is None else new
+    errors = _blended_errors(network, held_out, new)
+    widths = slopes.force_n * grown, slopes.place_mm * grown
+    spreads = held_out.spread_n, held_out.spread_mm
+    quantiles = network.force_quantile, network.position_quantile
+    for quantile, error, width, spread in zip(quantiles, errors, widths, spreads, strict=True):
+        score = np.maximum(error - width, 0.0) / np.maximum((1 - new) * spread, _LEAST_SPREAD)
+        quantile.fill_(conformal_quantile(score, held_out.press_id, cover, len(folds) > 1))
     least_mm = LEAST_RADIUS_PITCHES * _pitch_mm(everything)
     network.position_quantile.clamp_(min=least_mm / float(np.median(held_out.spread_mm)))
     return network, len(np.unique(held_out.press_id))
@@ -139,11 +149,14 @@ def _answers(
     counts = channel_counts(data.frames, channels)
     network = read_counts(fold.member, counts)
     seen = torch.as_tensor(counts.astype(np.float32))
-    trees_n, trees_mm = np.full(len(data), np.nan), np.full((len(data), 2), np.nan)
+    nothing = np.full(len(data), np.nan), np.full((len(data), 2), np.nan)
+    (trees_n, trees_mm), (process_n, process_mm) = nothing, nothing
     with torch.inference_mode():
         distance = reference_of(fold.fitted, channels, sigma, seed).distance(seen)
         if fold.forest is not None:
             trees_n, trees_mm = (column.double().numpy() for column in fold.forest(seen))
+        if fold.process is not None:
+            process_n, process_mm = (column.double().numpy() for column in fold.process(seen))
     return _Answers(
         press_id=data.frames.press_id,
         true_n=data.heatmap_n.sum(axis=(1, 2)),
@@ -153,6 +166,8 @@ def _answers(
         heatmap_mm=_centre_mm(network, data),
         trees_n=trees_n * network.contact**DOUBT_POWER,
         trees_mm=trees_mm,
+        process_n=process_n,
+        process_mm=process_mm,
         spread_n=network.force_halfwidth_n,
         spread_mm=network.position_radius_mm,
         distance=distance.double().numpy(),
@@ -171,17 +186,27 @@ def _centre_mm(found: Prediction, data: FaceData) -> Float[np.ndarray, "frame 2"
 
 
 def _blended_errors(
-    network: ContactEstimator, held_out: _Answers
+    network: ContactEstimator, held_out: _Answers, new: Float[np.ndarray, "frame"]
 ) -> tuple[Float[np.ndarray, "frame"], Float[np.ndarray, "frame"]]:
-    """Errors (N, mm) with the shares that err least, which the network gets."""
+    """Errors (N, mm) with the shares that err least, which the network gets.
+
+    `new` is the share of the process.
+    """
     forces_n, places_mm = [held_out.network_n], [held_out.network_mm, held_out.heatmap_mm]
     if network.forest is not None:
         forces_n.append(held_out.trees_n)
         places_mm.append(held_out.trees_mm)
-    shares, missed_n = _least(forces_n, lambda blended: np.abs(blended - held_out.true_n))
+    there_n = np.where(new > 0, new * held_out.process_n, 0.0)
+    there_mm = np.where(new[:, None] > 0, new[:, None] * held_out.process_mm, 0.0)
+    shares, missed_n = _least(
+        forces_n, lambda blended: np.abs((1 - new) * blended + there_n - held_out.true_n)
+    )
     network.force_share.fill_(shares[1] if len(shares) > 1 else 0.0)
     shares, away_mm = _least(
-        places_mm, lambda blended: np.linalg.norm(blended - held_out.true_mm, axis=1)
+        places_mm,
+        lambda blended: np.linalg.norm(
+            (1 - new)[:, None] * blended + there_mm - held_out.true_mm, axis=1
+        ),
     )
     network.place_shares[: len(shares)] = torch.tensor(shares)
     return missed_n, away_mm

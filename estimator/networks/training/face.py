@@ -34,6 +34,7 @@ from estimator.networks.face_model import FaceModel
 from estimator.networks.forest import fit_forest
 from estimator.networks.intervals.held_out import Fold, assembled, sharpened
 from estimator.networks.network import ContactEstimator, HeatmapNetwork
+from estimator.networks.process import fit_process
 from estimator.networks.training.data import (
     AUGMENTATION,
     Augmentation,
@@ -126,12 +127,14 @@ def fit_estimator(
         )
         trees = training.trees or 0
         forest = fit_forest(fitted, channels, trees, seed + number) if trees else None
-        folds.append(Fold(sharpened(member, held_out, channels), forest, fitted, held_out))
+        process = fit_process(fitted, channels, seed) if training.process else None
+        folds.append(Fold(sharpened(member, held_out, channels), forest, process, fitted, held_out))
     everything, trees = joined(*parts), training.trees or 0
     network, presses = assembled(
         [replace(fold, member=fold.member.cpu()) for fold in folds],
         everything,
         fit_forest(everything, channels, len(folds) * trees, seed) if trees else None,
+        fit_process(everything, channels, seed) if training.process else None,
         channels,
         training.coverage,
         seed,
@@ -151,6 +154,7 @@ def _described(
     architecture = replace(
         architecture_of(training),
         forest=None if network.forest is None else network.forest.shape,
+        process=None if network.process is None else network.process.shape,
         references=len(network.coverage.reference),
     )
     return FaceModel(
@@ -168,12 +172,13 @@ def _described(
 
 
 def _as_started(training: TrainingSpec, start: FaceModel) -> TrainingSpec:
-    """Networks that go on from others have no trees: those cannot go on."""
-    if training.trees:
-        raise InputError(
-            f"training.trees = {training.trees} does not go with a start: trees are grown, not gone on "
-            "from. Set training.trees = 0, or train without --start"
-        )
+    """Networks that go on from others have nothing beside them: trees and processes cannot go on."""
+    for name in ("trees", "process"):
+        if value := getattr(training, name):
+            raise InputError(
+                f"training.{name} = {value} does not go with a start: only networks go on from one. "
+                f"Set training.{name} = {str(type(value)(0)).lower()}, or train without --start"
+            )
     return filled(training, PLAIN._replace(history_frames=start.history_frames))
 
 
@@ -198,6 +203,7 @@ def _require_same_kind(start: FaceModel, settings: FitSettings, frames: FrameSet
         architecture_of(settings.training),
         members=start.architecture.members,
         forest=start.architecture.forest,
+        process=start.architecture.process,
         references=start.architecture.references,
     )
     same_grid = all(

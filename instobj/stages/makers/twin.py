@@ -146,7 +146,7 @@ def require_settings(training: TrainingSpec) -> None:
         texts = ", ".join(f"training.{name} = {value!r}" for name, value in asked.items())
         raise InputError(
             f"--twin serves estimators that read single frames of the face's own sensors as normal "
-            f"force, one network each without trees; got {texts}. Leave these settings or --twin out"
+            f"force, one network each with nothing beside it; got {texts}. Leave these settings or --twin out"
         )
 
 

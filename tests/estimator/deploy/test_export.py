@@ -31,6 +31,7 @@ SMALL = TrainingSpec(
     history_frames=2,
     heatmap_axes=3,
     trees=4,
+    process=True,
 )
 
 
@@ -50,6 +51,7 @@ def model(frames):
     fitted = fit_estimator(*parts, FitSettings(FACE, SMALL))
     torch.set_num_threads(threads)
     assert fitted.network.forest is not None
+    assert fitted.network.process is not None
     fitted.network.force_share.fill_(0.4)  # of so few frames, trees are given no share
     fitted.network.place_shares.copy_(torch.tensor([0.5, 0.2, 0.3]))
     return fitted
@@ -107,16 +109,20 @@ def test_an_export_that_differs_from_the_model_is_not_written(certain, tmp_path,
     assert list(tmp_path.iterdir()) == []
 
 
-def test_an_error_of_the_trees_is_refused(model, path):
-    """2 % of their share of the place: less than 1e-3 of what networks say far outside training."""
+def test_an_error_of_the_trees_or_the_process_is_refused(model, path):
+    """2 % of what they say: less than 1e-3 of what networks say far outside training."""
     wrong = copy.deepcopy(model)
     wrong.network.forest.answer *= 0.98
+    with pytest.raises(InputError, match=r"the exported \w+ is not that of the trained model"):
+        _require_parity(wrong, path, path)
+    wrong = copy.deepcopy(model)
+    wrong.network.process.force.weights *= 0.98
     with pytest.raises(InputError, match=r"the exported \w+ is not that of the trained model"):
         _require_parity(wrong, path, path)
     _require_parity(model, path, path)
 
 
-def test_trees_and_novelty_are_in_the_file(model, frames, path):
+def test_trees_process_and_novelty_are_in_the_file(model, frames, path):
     """Each tree's path, not only its mean: readings on changes that training never saw agree too."""
     deployed = load_deployed(path)
     louder = replace(frames, signal_counts=3 * frames.signal_counts)

@@ -20,10 +20,10 @@ def choice(training, presses, source="recorded", places=range(0, 20, 4)):
     found = filled_for(
         training, (frames.select(split.train), frames.select(split.validation)), FACE
     )
-    return found.history_frames, found.ensemble, found.trees
+    return found.history_frames, found.ensemble, found.trees, found.process
 
 
-def test_few_recorded_presses_get_history_an_ensemble_and_trees():
+def test_few_recorded_presses_get_history_an_ensemble_trees_and_a_process():
     assert choice(TrainingSpec(), 5) == SMALL
     assert choice(TrainingSpec(model="whole-object"), 5) == SMALL
 
@@ -43,7 +43,12 @@ def test_everything_else_gets_one_network_of_single_frames(training, presses, so
 
 def test_what_is_given_stays():
     assert choice(TrainingSpec(history_frames=3), 5) == SMALL._replace(history_frames=3)
-    assert choice(TrainingSpec(ensemble=1, trees=0), 5) == (SMALL.history_frames, 1, 0)
+    assert choice(TrainingSpec(ensemble=1, trees=0, process=False), 5) == (
+        SMALL.history_frames,
+        1,
+        0,
+        False,
+    )
 
 
 def test_an_ensemble_is_no_larger_than_its_presses():

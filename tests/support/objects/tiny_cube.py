@@ -31,6 +31,7 @@ CHANGES = (
     "training.hidden_units=[8, 8]",
     "training.ensemble=1",
     "training.trees=0",
+    "training.process=false",
 )
 MECHANICS = ("mesh", "response", "coarse_response")
 

@@ -10,7 +10,15 @@ NOISE_COUNTS = np.array([22.0, 20.0, 11.0])
 
 
 def synthetic_frames(
-    faces=(2, 4), presses=5, rest=4, loaded=16, seed=0, places=None, zero_error=8.0, cross=0.05
+    faces=(2, 4),
+    presses=5,
+    rest=4,
+    loaded=16,
+    seed=0,
+    places=None,
+    zero_error=8.0,
+    cross=0.05,
+    noise=1.0,
 ) -> FrameSet:
     """Presses of every place on each face; a press is rest frames, then a rise and fall."""
     rng = np.random.default_rng(seed)
@@ -22,9 +30,9 @@ def synthetic_frames(
     joined = {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
     signal = np.stack([_signal(f, joined, cross) for f in range(1, 6)], axis=1)
     error = rng.normal(0, zero_error, (len(plan), 5, 3, 3))[joined["press_id"]]
-    noise = rng.normal(0, 1, signal.shape) * NOISE_COUNTS
+    white = noise * rng.normal(0, 1, signal.shape) * NOISE_COUNTS
     return FrameSet(
-        signal_counts=signal + noise + error,
+        signal_counts=signal + white + error,
         contact_face=np.where(joined["force"] > 0, joined["face"], 0)[:, None],
         contact_xy_mm=np.where(joined["force"][:, None] > 0, joined["xy"], np.nan)[:, None],
         force_n=_normal(joined["force"])[:, None],
