@@ -84,7 +84,9 @@ def _recess_walls(spec: ObjectSpec) -> list[Finding]:
         for place in places
     ]
     beside = [distance - passage_radius_mm(spec) for distance in away if distance > 0]
-    return found + [_printed(spec, "wall beside the wire hole", min(beside))] * bool(beside)
+    if beside:
+        found.append(_printed(spec, "wall beside the wire hole", min(beside)))
+    return found
 
 
 def _printed(spec: ObjectSpec, check: str, wall_mm: float) -> Finding:

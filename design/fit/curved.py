@@ -209,10 +209,7 @@ def _check_sensors(spec: ObjectSpec) -> Iterator[str]:
             f"sensors.depth_below_core_face_mm must not exceed core.recess_depth_mm = "
             f"{core.recess_depth_mm:g}; got {sensors.depth_below_core_face_mm:g}. Deepen the recess"
         )
-    room, what = body_of(spec).room_for_recesses
-    hollow = body_of(spec).opening != "closed" and not body_of(spec).on_base
-    if hollow and core.wall_mm < room:
-        room, what = core.wall_mm, "core.wall_mm"
+    room, what = room_for_recesses(spec)
     for frame, places in board_places(spec):
         for index, ((x, y, _), sink) in enumerate(places):
             if not frame.covers(np.array([x, y])):
@@ -224,6 +221,14 @@ def _check_sensors(spec: ObjectSpec) -> Iterator[str]:
                 )
             if not core.recess_depth_mm + sink < room:
                 yield _too_deep(spec, frame.number, index + 1, sink, room, what)
+
+
+def room_for_recesses(spec: ObjectSpec) -> tuple[float, str]:
+    """What recesses must be less deep than (mm), and what it is called."""
+    body, wall = body_of(spec), spec.core.wall_mm
+    room, what = body.room_for_recesses
+    hollow = body.opening != "closed" and not body.on_base
+    return (wall, "core.wall_mm") if hollow and wall < room else (room, what)
 
 
 def _too_deep(

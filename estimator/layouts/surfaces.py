@@ -28,6 +28,7 @@ _STEP = 1e-4
 """Of central differences, mm: in double precision good to 1e-8 mm."""
 _WITHIN, _WELL_WITHIN = 1 - 1e-6, 0.98
 _AZIMUTHS, _BISECTIONS = 64, 20
+_BEYOND_ALL_MM = 1e6
 
 _Function = Callable[[np.ndarray], np.ndarray]
 
@@ -106,7 +107,7 @@ class Surface:
     def reach_mm(self, xy_mm: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "n"]:
         """How far from the middle a board in the direction of a place finds room in the core's patch."""
         if self.core.flat:
-            return np.full(len(xy_mm), np.inf)
+            return np.full(len(xy_mm), _BEYOND_ALL_MM)
         turn = 2 * np.pi * np.arange(_AZIMUTHS + 1) / _AZIMUTHS
         return np.interp(
             _azimuths(xy_mm) % (2 * np.pi), turn, np.append(self._reach, self._reach[0])

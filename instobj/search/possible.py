@@ -21,7 +21,7 @@ from design.search.structure import with_structure
 from design.spec.object import ObjectSpec
 from estimator.information.contact_sets import spread_pairs
 from estimator.information.two_contacts import opposite_faces
-from estimator.layouts.limits import RULES, broken_limits_mm
+from estimator.layouts.limits.rules import RULES, broken_limits_mm
 from estimator.layouts.polish import descend
 from estimator.layouts.scoring import require_scorable
 from estimator.layouts.vectors import layout_space, layouts_at

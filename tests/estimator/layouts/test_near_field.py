@@ -9,7 +9,8 @@ from scipy.spatial.transform import Rotation
 
 from estimator.field.gradient import field_change
 from estimator.field.sources import DiskMagnet, magnet_source
-from estimator.layouts.limits import RULES, SLACK_MM, broken_limits_mm
+from estimator.layouts.limits.parts import SLACK_MM
+from estimator.layouts.limits.rules import RULES, broken_limits_mm
 from estimator.layouts.near_field import OTHER, OWN
 from estimator.layouts.vectors import layouts_at
 from tests.estimator.layouts.test_vectors import batch

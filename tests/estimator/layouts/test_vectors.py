@@ -13,7 +13,7 @@ from design.search.space import params_at, search_space, with_layout
 from design.search.structure import with_structure
 from design.spec_io import parse_spec
 from estimator.layouts.batch import layouts_of
-from estimator.layouts.limits import RULES, broken_limits_mm
+from estimator.layouts.limits.rules import RULES, broken_limits_mm
 from estimator.layouts.polish import descend
 from estimator.layouts.vectors import layout_space, layouts_at
 

@@ -1,0 +1,1 @@
+"""Limits that a batch of layouts breaks, as distances with gradients."""

@@ -1,0 +1,237 @@
+"""Limits of layouts on faces that are curved or differ in size: every part lies under its own surface."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import torch
+from jaxtyping import Float
+from scipy.interpolate import RectBivariateSpline
+from torch import Tensor
+
+from design.body.surface_chart import FaceFrame
+from design.fit.curved import room_for_recesses
+from design.fit.parts import beyond_core_mm
+from design.layout.body import body_of, face_frames
+from design.layout.pockets import neighbours
+from design.spec.object import ObjectSpec
+from design.spec.worked_out import once
+from estimator.field.sources import magnet_source
+from estimator.layouts.batch import Layouts
+from estimator.layouts.limits.gaps import (
+    Prisms,
+    missing_between_boxes_mm,
+    missing_between_prisms_mm,
+)
+from estimator.layouts.limits.parts import (
+    SLACK_MM,
+    Boards,
+    Pockets,
+    boards_of,
+    pocket_gaps_mm,
+    pockets_of,
+)
+from estimator.layouts.near_field import OTHER, OWN
+from estimator.layouts.surfaces import Surface, onto_patch_mm, pointwise, surfaces
+
+_COVER_STEP_MM, _RIM_POINTS = 1.0, 24
+_FEWEST_NODES = 8
+
+
+def broken_on_surfaces_mm(
+    spec: ObjectSpec, layouts: Layouts, face: int, pocket_gap_mm: float, board_gap_mm: float
+) -> dict[str, Float[Tensor, "layout"]]:
+    """By how much each rule of pockets, boards and chips is broken, on the face where it is most; of
+    sensors that stay, boards not."""
+    known = surfaces(spec)
+    pockets = pockets_of(spec, layouts)
+    placed = {number: _placed(one, layouts, pockets) for number, one in known.items()}
+    moving = spec.search.vary.sensor_reach_mm is not None
+    read = tuple(known) if moving else (face,)
+    found = {
+        "pocket gap": _worst(
+            [
+                pocket_gaps_mm(floor, top, pockets.radius, pocket_gap_mm)
+                for floor, top, _ in placed.values()
+            ]
+        ),
+        "pockets near the edge": _worst([_past_border(one, pockets) for one in known.values()]),
+        "pocket gap across an edge": _pocket_gaps_across(spec, placed, pockets.radius),
+        "seal": _worst([_unsealed(one, layouts, pockets) for one in known.values()]),
+        "chip near a magnet": _worst(
+            [_chips_near_magnets(spec, layouts, number) for number in read]
+        ),
+    }
+    if moving:
+        boards = boards_of(spec, layouts)
+        recesses = [_recesses(one, layouts, boards) for one in known.values()]
+        found["board gap"] = missing_between_boxes_mm(
+            *(torch.cat(parts, dim=1) for parts in zip(*recesses, strict=True)),
+            board_gap_mm + SLACK_MM,
+        )
+        found["boards near the edge"] = _worst(
+            [
+                _boards_past_edges(one, layouts, recess)
+                for one, recess in zip(known.values(), recesses, strict=True)
+            ]
+        )
+    return found
+
+
+def _worst(of_faces: list[Float[Tensor, "layout"]]) -> Float[Tensor, "layout"]:
+    return torch.stack(of_faces).amax(dim=0)
+
+
+def _placed(surface: Surface, layouts: Layouts, pockets: Pockets) -> Prisms:
+    """Pockets of a face in the object's frame, turned with the surface over each."""
+    centre, axes = surface.magnets(layouts.magnet_mm)
+    local = torch.stack([*layouts.magnet_mm[..., :2].unbind(-1), -layouts.magnet_mm[..., 2]])
+    turn = axes.permute(2, 3, 0, 1)
+    floor, top = (
+        centre.permute(2, 0, 1) + torch.einsum("ijlm,jlm->ilm", turn, ends - local)
+        for ends in (pockets.floor, pockets.top)
+    )
+    return floor, top, torch.einsum("ijlm,jlm->ilm", turn, pockets.axis)
+
+
+def _past_border(surface: Surface, pockets: Pockets) -> Float[Tensor, "layout"]:
+    """Beyond the patch; of a box less the zone of the neighbouring face's pockets, as deep as the
+    deepest."""
+    frame = surface.frame
+    half = torch.tensor(frame.half_extents_mm, dtype=pockets.reach.dtype)
+    reach = pockets.reach
+    if frame.round:
+        share = ((reach + SLACK_MM) / half[:, None, None]).square().sum(0).sqrt()
+        return torch.relu((share - 1) * half.min()).sum(dim=1)
+    if body_of(surface.spec).cuboid:
+        reach = reach + (-pockets.lowest).amax(dim=1, keepdim=True)
+    return torch.relu(reach + SLACK_MM - half[:, None, None]).sum(dim=(0, 2))
+
+
+def _pocket_gaps_across(
+    spec: ObjectSpec, placed: dict[int, Prisms], radius: float
+) -> Float[Tensor, "layout"]:
+    """Silicone missing between the pockets of two faces beside each other, where most is missing."""
+    pairs = [(one.number, other.number) for one, other in neighbours(face_frames(spec))]
+    first = next(iter(placed.values()))[0]
+    if not pairs:
+        return torch.zeros_like(first[0, :, 0])
+    one, other = (
+        tuple(torch.stack([placed[pair[side]][part] for pair in pairs], dim=1) for part in range(3))
+        for side in (0, 1)
+    )
+    least = spec.silicone.thinnest_wall_mm + SLACK_MM
+    return missing_between_prisms_mm(one, other, radius, least).sum(dim=(2, 3)).amax(dim=0)
+
+
+def _unsealed(surface: Surface, layouts: Layouts, pockets: Pockets) -> Float[Tensor, "layout"]:
+    """Silicone missing over magnets and under pockets."""
+    spec, depth = surface.spec, layouts.magnet_mm[..., 2]
+    least = spec.silicone.thinnest_wall_mm + SLACK_MM
+    if surface.frame.flat:
+        up = pockets.axis[2]
+        tilted = (1 - up * up).clamp(min=1e-12).sqrt()
+        half = spec.magnets.diameter_mm / 2 * tilted + up * spec.magnets.height_mm / 2
+        cover = depth - half
+    else:
+        cover = pointwise(_cover_of(spec)[surface.number].at, layouts.magnet_mm)[..., 0]
+    above = torch.relu(least - cover)
+    below = torch.relu(-pockets.lowest + least - spec.shell.thickness_mm)
+    return (above + below).sum(dim=1)
+
+
+@dataclass(frozen=True)
+class _Cover:
+    """Silicone over magnets without tilt, of one face, as `design.layout.places.positions.cover_mm`:
+    splines over the patch at two depths, straight between them."""
+
+    frame: FaceFrame
+    depths_mm: tuple[float, float]
+    splines: tuple[RectBivariateSpline, RectBivariateSpline]
+
+    def at(self, xyd_mm: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n 1"]:
+        x, y = onto_patch_mm(self.frame, xyd_mm[:, :2]).T
+        shallow, deep = (spline(x, y, grid=False) for spline in self.splines)
+        first, last = self.depths_mm
+        share = (xyd_mm[:, 2] - first) / (last - first)
+        return (shallow + share * (deep - shallow))[:, None]
+
+
+@once
+def _cover_of(spec: ObjectSpec) -> dict[int, _Cover]:
+    return {frame.number: _cover(spec, frame) for frame in face_frames(spec) if not frame.flat}
+
+
+def _cover(spec: ObjectSpec, frame: FaceFrame) -> _Cover:
+    half = np.asarray(frame.half_extents_mm)
+    nodes = [
+        np.linspace(-h, h, max(_FEWEST_NODES, int(np.ceil(2 * h / _COVER_STEP_MM)))) for h in half
+    ]
+    x, y = np.meshgrid(*nodes, indexing="ij")
+    xy = onto_patch_mm(frame, np.column_stack([x.ravel(), y.ravel()]))
+    turn = np.linspace(0, 2 * np.pi, _RIM_POINTS, endpoint=False)
+    rim = spec.magnets.diameter_mm / 2 * np.stack([np.cos(turn), np.sin(turn), 0 * turn], axis=-1)
+    axes, up = frame.axes_at(xy), spec.magnets.height_mm / 2
+    depths, found = (up + 0.5, spec.shell.thickness_mm - up), []
+    for depth in depths:
+        top = frame.to_object(np.column_stack([xy, np.full(len(xy), up - depth)]))
+        points = top[:, None] + np.einsum("pij,rj->pri", axes, rim)
+        cover = -_highest(frame.from_object(points)[..., 2])
+        found.append(RectBivariateSpline(*nodes, cover.reshape(x.shape)))
+    return _Cover(frame, depths, (found[0], found[1]))
+
+
+def _highest(heights_mm: Float[np.ndarray, "place rim"]) -> Float[np.ndarray, "place"]:
+    """Of what lies on the patch; the middle one's where nothing does."""
+    known = np.where(np.isfinite(heights_mm), heights_mm, -np.inf).max(axis=1)
+    return np.where(np.isfinite(known), known, np.median(known[np.isfinite(known)]))
+
+
+def _chips_near_magnets(spec: ObjectSpec, layouts: Layouts, face: int) -> Float[Tensor, "layout"]:
+    """Distance missing between a face's chips and all magnets for the series of the field."""
+    magnet, known = magnet_source(spec.magnets), surfaces(spec)
+    chips = known[face].chips(layouts.sensor_mm)[0][:, :, None]
+    short = torch.zeros_like(layouts.sensor_mm[:, 0, 0])
+    for number, surface in known.items():
+        reach = OWN if number == face else OTHER
+        centre = surface.magnets(layouts.magnet_mm)[0]
+        distance = (chips - centre[:, None]).square().sum(-1).clamp(min=1e-12).sqrt()
+        lacking = torch.relu(reach.least_mm(magnet) + SLACK_MM - distance)
+        short = short + lacking.sum(dim=(1, 2))
+    return short
+
+
+_Boxes = tuple[
+    Float[Tensor, "layout recess 3"],
+    Float[Tensor, "layout recess 3 3"],
+    Float[Tensor, "layout recess 3"],
+]
+"""Centres (mm), axes as rows, half edges (mm) of recesses, in the object's frame."""
+
+
+def _recesses(surface: Surface, layouts: Layouts, boards: Boards) -> _Boxes:
+    point, axes, sink = surface.boards(layouts.sensor_mm)
+    deep = (surface.spec.core.recess_depth_mm + sink) / 2
+    ahead = ((boards.centre - layouts.sensor_mm) * boards.radial).sum(-1)
+    centre = point + ahead[..., None] * axes[..., 0, :] - deep[..., None] * axes[..., 2, :]
+    radial, across = (torch.full_like(deep, half) for half in boards.half_mm)
+    return centre, axes, torch.stack([radial, across, deep], dim=-1)
+
+
+def _boards_past_edges(
+    surface: Surface, layouts: Layouts, recesses: _Boxes
+) -> Float[Tensor, "layout"]:
+    """A board must find room in its patch and its recess in the core, and a wall stay between the
+    recess's floor and the next side of the core."""
+    spec, place = surface.spec, layouts.sensor_mm
+    centre, axes, half = recesses
+    signs = torch.tensor([[1.0, 1, -1], [1, -1, -1], [-1, 1, -1], [-1, -1, -1]]).to(half)
+    floors = centre[..., None, :] + (signs * half[..., None, :]) @ axes
+    beyond = pointwise(lambda points: beyond_core_mm(spec, points)[:, None], floors)[..., 0]
+    thin = torch.relu(beyond + spec.printer.wall_mm + SLACK_MM).amax(dim=-1)
+    reach = pointwise(lambda at: surface.reach_mm(at)[:, None], place)[..., 0]
+    off = torch.relu(place.norm(dim=-1) + SLACK_MM - reach)
+    if not surface.core.flat:
+        off = off + torch.relu(2 * half[..., 2] + SLACK_MM - room_for_recesses(spec)[0])
+    return (thin + off).sum(dim=1)

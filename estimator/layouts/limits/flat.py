@@ -1,0 +1,177 @@
+"""Limits of layouts on flat faces that are alike: one layout turned from face to face."""
+
+from __future__ import annotations
+
+import numpy as np
+import torch
+from jaxtyping import Float
+from torch import Tensor
+
+from design.body.surface_chart import FaceFrame
+from design.layout.body import core_frames, face_frames
+from design.layout.pockets import neighbours
+from design.spec.object import ObjectSpec
+from estimator.field.sources import magnet_source
+from estimator.layouts.batch import Layouts
+from estimator.layouts.limits.gaps import (
+    Prisms,
+    missing_between_boxes_mm,
+    missing_between_prisms_mm,
+)
+from estimator.layouts.limits.parts import (
+    SLACK_MM,
+    Boards,
+    Pockets,
+    boards_of,
+    pocket_gaps_mm,
+    pockets_of,
+)
+from estimator.layouts.near_field import OTHER, OWN
+
+
+def broken_on_flat_faces_mm(
+    spec: ObjectSpec, layouts: Layouts, face: int, pocket_gap_mm: float, board_gap_mm: float
+) -> dict[str, Float[Tensor, "layout"]]:
+    """By how much each rule of pockets, boards and chips is broken; of sensors that stay, boards not."""
+    pockets = pockets_of(spec, layouts)
+    moving = spec.search.vary.sensor_reach_mm is not None
+    found = {
+        "pocket gap": pocket_gaps_mm(pockets.floor, pockets.top, pockets.radius, pocket_gap_mm),
+        "pockets near the edge": _past_edges(spec, pockets),
+        "pocket gap across an edge": _pocket_gaps_across_edges(spec, pockets),
+        "seal": _unsealed(spec, layouts, pockets),
+        "chip near a magnet": _chips_near_magnets(
+            spec, layouts, spec.body.sensed if moving else (face,)
+        ),
+    }
+    if moving:
+        boards = boards_of(spec, layouts)
+        found["board gap"] = _board_gaps(spec, boards, board_gap_mm)
+        found["boards near the edge"] = _boards_past_edges(spec, boards)
+    return found
+
+
+def _pocket_gaps_across_edges(spec: ObjectSpec, pockets: Pockets) -> Float[Tensor, "layout"]:
+    """Silicone missing between the pockets of two neighbouring faces, where most is missing; as
+    `design.layout.pockets`."""
+    least = spec.silicone.thinnest_wall_mm + SLACK_MM
+    frames = face_frames(spec)
+    pairs = neighbours(frames)
+    if not pairs:
+        return torch.zeros_like(pockets.lowest[:, 0])
+    row = {frame.number: index for index, frame in enumerate(frames)}
+    a, b = zip(*((row[one.number], row[other.number]) for one, other in pairs), strict=True)
+    floor, top, axis = (
+        torch.stack(parts, dim=1)
+        for parts in zip(*(_placed(frame, pockets) for frame in frames), strict=True)
+    )
+    one, other = ((floor[:, [*at]], top[:, [*at]], axis[:, [*at]]) for at in (a, b))
+    return missing_between_prisms_mm(one, other, pockets.radius, least).sum(dim=(2, 3)).amax(dim=0)
+
+
+def _placed(frame: FaceFrame, pockets: Pockets) -> Prisms:
+    """Pockets of a face in the object's frame: ends of their axes, and these."""
+    turn = torch.as_tensor(frame.axes.copy(), dtype=pockets.floor.dtype)
+    centre = torch.as_tensor(frame.centre_mm.copy(), dtype=pockets.floor.dtype)
+    floor, top, axis = (
+        torch.einsum("ij,jlm->ilm", turn, part)
+        for part in (pockets.floor, pockets.top, pockets.axis)
+    )
+    return floor + centre[:, None, None], top + centre[:, None, None], axis
+
+
+def _chips_near_magnets(
+    spec: ObjectSpec, layouts: Layouts, faces: tuple[int, ...]
+) -> Float[Tensor, "layout"]:
+    """Distance missing between chips and magnets for the series of the field, on the worst of the faces."""
+    magnet, place = magnet_source(spec.magnets), layouts.sensor_mm
+    below = torch.full_like(place[..., :1], -spec.sensors.depth_below_core_face_mm)
+    chip = torch.cat([place, below], dim=-1)
+    centre = layouts.magnet_mm * torch.tensor([1.0, 1.0, -1.0], dtype=place.dtype)
+    missing = []
+    for core in (frame for frame in core_frames(spec) if frame.number in faces):
+        chips = _in_object(core, chip)[:, :, None]
+        short = torch.zeros_like(place[:, 0, 0])
+        for frame in face_frames(spec):
+            reach = OWN if frame.number == core.number else OTHER
+            apart = (chips - _in_object(frame, centre)[:, None]).square().sum(-1)
+            distance = apart.clamp(min=1e-12).sqrt()
+            lacking = torch.relu(reach.least_mm(magnet) + SLACK_MM - distance)
+            short = short + lacking.sum(dim=(1, 2))
+        missing.append(short)
+    return torch.stack(missing).amax(dim=0)
+
+
+def _in_object(frame: FaceFrame, local_mm: Float[Tensor, "*part 3"]) -> Float[Tensor, "*part 3"]:
+    turn = torch.as_tensor(frame.axes.T.copy(), dtype=local_mm.dtype)
+    return local_mm @ turn + torch.as_tensor(frame.centre_mm.copy(), dtype=local_mm.dtype)
+
+
+def _past_edges(spec: ObjectSpec, pockets: Pockets) -> Float[Tensor, "layout"]:
+    """Beyond the face less the zone of the neighbouring face's pockets, as deep as the deepest."""
+    half = _half_mm(spec, pockets.reach.dtype)
+    deepest = (-pockets.lowest).amax(dim=1, keepdim=True)
+    beyond = pockets.reach + deepest + SLACK_MM - half[:, None, None]
+    return torch.relu(beyond).sum(dim=(0, 2))
+
+
+def _unsealed(spec: ObjectSpec, layouts: Layouts, pockets: Pockets) -> Float[Tensor, "layout"]:
+    """Silicone missing over magnets and under pockets."""
+    up, depth = pockets.axis[2], layouts.magnet_mm[..., 2]
+    tilted = (1 - up * up).clamp(min=1e-12).sqrt()
+    upwards = spec.magnets.diameter_mm / 2 * tilted + up * spec.magnets.height_mm / 2
+    least = spec.silicone.thinnest_wall_mm + SLACK_MM
+    above = torch.relu(upwards + least - depth)
+    below = torch.relu(-pockets.lowest + least - spec.shell.thickness_mm)
+    return (above + below).sum(dim=1)
+
+
+def _half_mm(spec: ObjectSpec, dtype: torch.dtype) -> Float[Tensor, "2"]:
+    """Half extents that every sensed face offers."""
+    halves = np.array([frame.half_extents_mm for frame in face_frames(spec)]).min(axis=0)
+    return torch.as_tensor(halves, dtype=dtype)
+
+
+def _board_gaps(spec: ObjectSpec, boards: Boards, gap_mm: float) -> Float[Tensor, "layout"]:
+    """Wall missing between any two recesses of the core, round its edges too.
+
+    As `design.layout.boards`: the gap of two boxes is the largest along any of their axes and the
+    products of these. Worked out in full only where it may be missing: along its own axes a box
+    reaches half its edges, a turned one no further than its corners.
+    """
+    centre, axes = _recesses(spec, boards)
+    half = torch.tensor([*boards.half_mm, spec.core.recess_depth_mm / 2], dtype=centre.dtype)
+    return missing_between_boxes_mm(centre, axes, half, gap_mm + SLACK_MM)
+
+
+def _recesses(
+    spec: ObjectSpec, boards: Boards
+) -> tuple[Float[Tensor, "layout recess 3"], Float[Tensor, "layout recess 3 3"]]:
+    """Centres (mm) and axes as rows, in the object's frame, of one layout on all faces."""
+    radial = boards.radial
+    zero, down = torch.zeros_like(radial[..., :1]), spec.core.recess_depth_mm / 2
+    local = torch.cat([boards.centre, zero - down], dim=-1)
+    tangential = torch.stack([-radial[..., 1], radial[..., 0]], dim=-1)
+    box = torch.stack(
+        [
+            torch.cat([radial, zero], dim=-1),
+            torch.cat([tangential, zero], dim=-1),
+            torch.cat([zero, zero, zero + 1], dim=-1),
+        ],
+        dim=-2,
+    )
+    centres, axes = [], []
+    for frame in core_frames(spec):
+        turn = torch.as_tensor(frame.axes.T.copy(), dtype=radial.dtype)
+        centres.append(_in_object(frame, local))
+        axes.append(box @ turn)
+    return torch.cat(centres, dim=1), torch.cat(axes, dim=1)
+
+
+def _boards_past_edges(spec: ObjectSpec, boards: Boards) -> Float[Tensor, "layout"]:
+    """A wall must stay between the outer end of every recess and the next side of the core."""
+    half, wide = boards.half_mm
+    outer = boards.centre + half * boards.radial
+    across = boards.radial.flip(-1).abs() * wide
+    limit = _half_mm(spec, outer.dtype) - spec.shell.thickness_mm - spec.printer.wall_mm
+    return torch.relu(outer.abs() + across + SLACK_MM - limit).sum(dim=(1, 2))

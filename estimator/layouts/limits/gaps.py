@@ -1,0 +1,102 @@
+"""Gaps between cylinders and boxes of a batch of layouts, as `design.layout` has them, with gradients."""
+
+from __future__ import annotations
+
+import torch
+from jaxtyping import Float
+from torch import Tensor
+
+Prisms = tuple[Tensor, Tensor, Tensor]
+"""Floor, top and axis of pockets, coordinates first, in the object's frame."""
+
+
+def length(vector: Tensor) -> Tensor:
+    """Of vectors, coordinates first."""
+    return (vector**2).sum(0).clamp(min=1e-12).sqrt()
+
+
+def between_segments(p: Tensor, p_end: Tensor, q: Tensor, q_end: Tensor) -> Tensor:
+    """Shortest way from the second of two segments to the first, coordinates first, as
+    `design.layout.pockets` has it."""
+    along, other, between = p_end - p, q_end - q, p - q
+    aa, bb, ab = ((u * v).sum(0) for u, v in ((along, along), (other, other), (along, other)))
+    pa, pb = (along * between).sum(0), (other * between).sum(0)
+    determinant = aa * bb - ab * ab
+    parallel = determinant < 1e-6 * aa * bb
+    s = (ab * pb - bb * pa) / torch.where(parallel, 1.0, determinant)
+    s = torch.where(parallel, 0.0, s).clamp(0, 1)
+    t = ((ab * s + pb) / bb).clamp(0, 1)
+    s = ((ab * t - pa) / aa).clamp(0, 1)
+    return between + s * along - t * other
+
+
+def missing_between_prisms_mm(
+    one: Prisms, other: Prisms, radius: float, least: float
+) -> Float[Tensor, "edge layout magnet other"]:
+    """What the gap of every two prisms lacks; worked out in full only where spheres round them lack it."""
+    p, p_end, u = (part[..., :, None] for part in one)
+    q, q_end, v = (part[..., None, :] for part in other)
+    parts = torch.broadcast_tensors(p, p_end, u, q, q_end, v)
+    p, p_end, _, q, q_end, _ = (part.detach() for part in parts)
+    apart = ((p + p_end - q - q_end) / 2).norm(dim=0)
+    halves = ((p_end - p).norm(dim=0) + (q_end - q).norm(dim=0)) / 2
+    close = (apart - halves - 2 * radius < least).nonzero(as_tuple=True)
+    p, p_end, u, q, q_end, v = (part[:, *close] for part in parts)
+    gap = _gap_of_prisms((p, p_end, u), (q, q_end, v), radius)
+    return torch.zeros_like(apart).index_put(close, torch.relu(least - gap))
+
+
+def _gap_of_prisms(one: Prisms, other: Prisms, radius: float) -> Float[Tensor, "pair"]:
+    """Largest gap along either axis and along the shortest way between the axes."""
+    (p, p_end, u), (q, q_end, v) = one, other
+    way = between_segments(p, p_end, q, q_end)
+    gaps = []
+    for d in (way / length(way), u, v):
+        a, a_end, b, b_end = ((d * end).sum(0) for end in (p, p_end, q, q_end))
+        reach = sum((1 - (d * axis).sum(0) ** 2).clamp(min=1e-12).sqrt() for axis in (u, v))
+        apart = torch.maximum(
+            torch.minimum(a, a_end) - torch.maximum(b, b_end),
+            torch.minimum(b, b_end) - torch.maximum(a, a_end),
+        )
+        gaps.append(apart - radius * reach)
+    return torch.stack(gaps).amax(dim=0)
+
+
+def missing_between_boxes_mm(
+    centre: Float[Tensor, "layout box 3"],
+    axes: Float[Tensor, "layout box 3 3"],
+    half_mm: Float[Tensor, "3"] | Float[Tensor, "layout box 3"],
+    least_mm: float,
+) -> Float[Tensor, "layout"]:
+    """What the gaps of any two boxes lack; `half_mm` are half edges of all, or of each.
+
+    As `design.layout.boards`: the gap of two boxes is the largest along any of their axes and the
+    products of these. Worked out in full only where it may be missing: along its own axes a box
+    reaches half its edges, a turned one no further than its corners.
+    """
+    half = half_mm.expand_as(centre)
+    i, j = torch.triu_indices(centre.shape[1], centre.shape[1], offset=1)
+    with torch.no_grad():
+        way = (centre[:, i] - centre[:, j])[..., None]
+        beside = [
+            ((axes[:, k] @ way)[..., 0].abs() - half[:, k]).amax(dim=-1)
+            - half[:, other].norm(dim=-1)
+            for k, other in ((i, j), (j, i))
+        ]
+        close = torch.maximum(*beside) < least_mm
+    layout, pair = close.nonzero(as_tuple=True)
+    at, to = (layout, i[pair]), (layout, j[pair])
+    a, b = axes[at], axes[to]
+    crossed = torch.linalg.cross(a[..., :, None, :], b[..., None, :, :]).flatten(-3, -2)
+    directions = torch.cat([a, b, crossed], dim=-2)
+    length = (directions * directions).sum(-1, keepdim=True)
+    parallel = length[..., 0] < 1e-6
+    directions = directions / length.clamp(min=1e-6).sqrt()
+    apart = (directions @ (centre[at] - centre[to])[..., None])[..., 0].abs()
+    reach = sum(
+        ((directions @ box.transpose(-1, -2)).abs() @ edges[..., None])[..., 0]
+        for box, edges in ((a, half[at]), (b, half[to]))
+    )
+    gap = (apart - reach).masked_fill(parallel, -torch.inf).amax(dim=-1)
+    missing = torch.relu(least_mm - gap)
+    return torch.zeros_like(centre[:, 0, 0]).index_add(0, layout, missing)

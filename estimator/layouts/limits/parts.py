@@ -1,0 +1,94 @@
+"""Pockets and recesses of layouts in batches, each in the plane that touches its face at the place."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import torch
+from jaxtyping import Float
+from torch import Tensor
+
+from design.layout.boards import passage_radius_mm
+from design.spec.object import ObjectSpec
+from estimator.layouts.batch import Layouts, magnet_axes
+from estimator.layouts.limits.gaps import between_segments, length
+
+SLACK_MM = 0.02
+"""Kept from every limit, so that what keeps it still does once rounded to 0.01 mm and 0.1°."""
+
+
+@dataclass(frozen=True)
+class Pockets:
+    """Of every magnet: axis, floor, top of the mouth's axis, reach and lowest point (mm)."""
+
+    axis: Float[Tensor, "3 layout magnet"]
+    floor: Float[Tensor, "3 layout magnet"]
+    top: Float[Tensor, "3 layout magnet"]
+    reach: Float[Tensor, "2 layout magnet"]
+    lowest: Float[Tensor, "layout magnet"]
+    radius: float
+
+
+def pockets_of(spec: ObjectSpec, layouts: Layouts) -> Pockets:
+    """As `design.layout.pockets.Pocket`, of round magnets."""
+    radius, half = spec.shell.pocket_diameter_mm / 2, spec.magnets.height_mm / 2
+    axis, depth = magnet_axes(layouts), layouts.magnet_mm[..., 2]
+    centre = torch.stack([*layouts.magnet_mm[..., :2].unbind(-1), -depth])
+    up, lean = axis[2], axis[:2] / axis[2]
+    across = radius * (1 - up * up).clamp(min=1e-12).sqrt()
+    mouth = depth / up
+    floor = centre - half * axis
+    on_floor = floor[:2].abs() + radius * (1 - axis[:2] ** 2).sqrt()
+    # direction e_k − lean_k e_z is perpendicular to the axis: its support is its own length
+    on_face = (centre[:2] + mouth * axis[:2]).abs() + radius * (1 + lean**2).sqrt()
+    top = centre + (mouth + across / up) * axis
+    return Pockets(axis, floor, top, torch.maximum(on_floor, on_face), floor[2] - across, radius)
+
+
+def pocket_gaps_mm(
+    floor: Float[Tensor, "3 layout magnet"],
+    top: Float[Tensor, "3 layout magnet"],
+    radius: float,
+    gap_mm: float,
+) -> Float[Tensor, "layout"]:
+    """Silicone missing between the pockets of a face; floors and tops in any one frame."""
+    magnets = floor.shape[2]
+    i, j = torch.triu_indices(magnets, magnets, offset=1)
+    between = between_segments(*((ends[..., k]) for k in (i, j) for ends in (floor, top)))
+    return torch.relu(2 * radius + gap_mm + SLACK_MM - length(between)).sum(dim=1)
+
+
+@dataclass(frozen=True)
+class Boards:
+    """Recesses: centre, radial direction (mm), half edges (radial, tangential)."""
+
+    centre: Float[Tensor, "layout sensor 2"]
+    radial: Float[Tensor, "layout sensor 2"]
+    half_mm: tuple[float, float]
+
+
+def boards_of(spec: ObjectSpec, layouts: Layouts) -> Boards:
+    """Recesses move along with their sensors and turn with their azimuth."""
+    core, place = spec.core, layouts.sensor_mm
+    radius = place.norm(dim=-1, keepdim=True)
+    along = torch.tensor([1.0, 0.0], dtype=place.dtype)
+    radial = torch.where(radius > 1e-6, place / radius.clamp(min=1e-6), along)
+    middle = (core.recess_inner_radius_mm + core.recess_outer_radius_mm) / 2
+    half = (core.recess_outer_radius_mm - core.recess_inner_radius_mm) / 2
+    ahead = middle - spec.sensors.radius_mm
+    return Boards(place + ahead * radial, radial, (half, core.recess_width_mm / 2))
+
+
+def boards_beside_hole_mm(spec: ObjectSpec, boards: Boards) -> Float[Tensor, "layout"]:
+    """A recess holds the middle of the face, or leaves a wall round the wire hole there."""
+    radial, tangential = (
+        boards.radial,
+        boards.radial.flip(-1) * torch.tensor([-1.0, 1.0]).to(boards.radial),
+    )
+    half = torch.tensor(boards.half_mm).to(radial)
+    middle = torch.stack([(boards.centre * axis).sum(-1) for axis in (radial, tangential)], -1)
+    beyond = middle.abs() - half
+    outside = (beyond.clamp(min=0) ** 2).sum(-1).clamp(min=1e-12).sqrt()
+    away = torch.where(beyond.amax(-1) > 0, outside, beyond.amax(-1))
+    missing = torch.relu(passage_radius_mm(spec) + spec.printer.wall_mm + SLACK_MM - away)
+    return torch.minimum(missing, torch.relu(away + SLACK_MM)).sum(dim=1)

@@ -1,0 +1,58 @@
+"""Limits that a batch of layouts breaks, as distances with gradients.
+
+The rules are those that a specification is checked by, those of `check --fabrication` that layouts
+decide (`design.fabrication.layout`, with its figures), and the search's own.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import torch
+from jaxtyping import Float
+from torch import Tensor
+
+from estimator.layouts.batch import Layouts
+from estimator.layouts.limits.curved import broken_on_surfaces_mm
+from estimator.layouts.limits.flat import broken_on_flat_faces_mm
+from estimator.layouts.limits.parts import boards_beside_hole_mm, boards_of
+from estimator.layouts.press_basis import faces_differ
+from estimator.layouts.vectors import LayoutSpace
+
+RULES = (
+    "pocket gap",
+    "pockets near the edge",
+    "pocket gap across an edge",
+    "seal",
+    "board gap",
+    "boards near the edge",
+    "board beside the wire hole",
+    "wiring",
+    "chip near a magnet",
+)
+
+
+def broken_limits_mm(
+    space: LayoutSpace, layouts: Layouts, face: int
+) -> Float[Tensor, "layout rule"]:
+    """By how much each of `RULES` is broken, mm summed over the parts; 0 where it is kept.
+
+    The layouts are those of one face; magnets, and sensors that move, lie alike on all. Where faces
+    differ, on the face that breaks a rule most.
+    """
+    spec = space.structured
+    limits, wall = spec.search.limits, spec.printer.wall_mm
+    wire = layouts.sensor_mm.norm(dim=-1).sum(dim=1)
+    longest = np.inf if limits.wiring_mm is None else limits.wiring_mm
+    broken = broken_on_surfaces_mm if faces_differ(spec) else broken_on_flat_faces_mm
+    found = broken(
+        spec,
+        layouts,
+        face,
+        max(limits.pocket_gap_mm, spec.silicone.thinnest_wall_mm),
+        max(limits.board_gap_mm, wall),
+    )
+    found["wiring"] = torch.relu(wire - longest)
+    if space.sensors is not None:
+        found["board beside the wire hole"] = boards_beside_hole_mm(spec, boards_of(spec, layouts))
+    nothing = torch.zeros_like(wire)
+    return torch.stack([found.get(rule, nothing) for rule in RULES], dim=1)

@@ -1,0 +1,161 @@
+"""Limits of layouts under curved surfaces against what check and fabrication say of the same layouts."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import torch
+from numpy.testing import assert_allclose
+
+from design.errors import InputError
+from design.fabrication.layout import failures, layout_findings
+from design.layout.body import face_frames
+from design.layout.places.positions import cover_mm
+from design.layout.pockets import magnet_bodies
+from design.search.space import params_at, search_space, with_layout
+from design.search.structure import with_structure
+from design.spec_io import parse_spec
+from estimator.layouts.limits import curved
+from estimator.layouts.limits.rules import RULES, broken_limits_mm
+from estimator.layouts.polish import descend
+from estimator.layouts.vectors import layout_space, layouts_at
+
+VARY = {"magnet_reach_mm": 15.0, "magnet_depth_mm": [1.8, 5.5], "sensor_reach_mm": 9.5}
+CORE = {"wall_mm": 5.0}
+BODIES = {
+    "handle": {"body": {"kind": "cylinder", "size_mm": [42.0, 42.0, 60.0], "open_faces": [6]}},
+    "capsule": {"body": {"kind": "capsule", "size_mm": [48.0, 48.0, 76.0], "bore_mm": 10.0}},
+    "egg": {"body": {"kind": "ellipsoid", "size_mm": [64.0, 54.0, 54.0]}},
+    "box": {"body": {"size_mm": [60.0, 44.0, 40.0]}},
+}
+
+
+def batch(body, count, seed=0, **limits):
+    content = {
+        "name": body,
+        "magnets": {"positions_mm": [[0, 0], [10, 0], [-10, 0]]},
+        "sensors": {"positions_mm": [[6, 0], [-6, 0]]},
+        "core": CORE,
+        "contact_grid": {"count": "fill", "pitch_mm": 4.0},
+        "search": {"vary": VARY, "limits": limits},
+        **BODIES[body],
+    }
+    spec = parse_spec(content, "made up")
+    space = search_space(spec)
+    units = np.random.default_rng(seed).random((count, len(space.variables)))
+    params = [params_at(space, unit) for unit in units]
+    tensors = layout_space(space, with_structure(spec, params[0]), torch.float64)
+    poles = torch.ones(count, spec.magnets.count, dtype=torch.float64)
+    return spec, tensors, params, poles, torch.as_tensor(units)
+
+
+def unchecked(spec, params, monkeypatch):
+    monkeypatch.setattr("design.spec_io.require_fit", lambda spec, table=True: None)
+    return with_layout(spec, params)
+
+
+FABRICATION = {
+    "pocket gap": "pocket spacing",
+    "pocket gap across an edge": "pocket spacing across an edge",
+    "boards near the edge": "wall beside a side of the core",
+    "board beside the wire hole": "wall beside the wire hole",
+    "board gap": "wall between two recesses",
+}
+
+
+def told_and_missing(body, monkeypatch, count=16):
+    """Of every rule of fabrication: what the limit says, and what its figure lacks."""
+    spec, space, params, poles, units = batch(body, count, 11, pocket_gap_mm=0.0)
+    broken = broken_limits_mm(space, layouts_at(space, units, poles, 3), 3)
+    for row, one in enumerate(params):
+        laid = unchecked(spec, one, monkeypatch)
+        found = {f.check: f for f in layout_findings(laid)}
+        missing = {check: f.limit - f.value for check, f in found.items()}
+        silicone = max(missing["seal over the magnets"], missing["breakthrough"])
+        wanted = {rule: missing[check] for rule, check in FABRICATION.items() if check in missing}
+        for rule, short in (wanted | {"seal": silicone}).items():
+            yield rule, float(broken[row, RULES.index(rule)]), short
+
+
+@pytest.mark.parametrize("body", BODIES)
+def test_limits_of_fabrication_have_its_figures(body, monkeypatch):
+    """What fails breaks the limit of that name, and nothing is refused that is clear of it."""
+    seen = dict.fromkeys((*FABRICATION, "seal"), 0)
+    for rule, told, short in told_and_missing(body, monkeypatch):
+        if np.isfinite(short) and short > 0.03:
+            inward = rule == "board beside the wire hole"
+            assert told > (0 if inward else short - 0.03), (rule, short, told)
+            seen[rule] += 1
+        if short < -0.06 and rule != "boards near the edge":  # boards need room in their patch too
+            assert told == 0, (rule, short, told)
+    assert sum(count > 0 for count in seen.values()) >= 3, seen
+
+
+def test_a_planted_fault_would_show(monkeypatch):
+    """Pockets that are not turned with the surface."""
+    flat = curved.Surface.magnets
+
+    def upright(self, xyd_mm):
+        centre, axes = flat(self, xyd_mm)
+        return centre, torch.as_tensor(self.frame.axes.copy()).to(axes).expand_as(axes)
+
+    monkeypatch.setattr(curved.Surface, "magnets", upright)
+    away = [
+        abs(told - short)
+        for rule, told, short in told_and_missing("egg", monkeypatch)
+        if rule == "pocket gap" and short > 0.03 and told < 3.0
+    ]
+    assert max(away) > 0.2
+
+
+@pytest.mark.parametrize("body", BODIES)
+def test_layouts_within_all_limits_fit_and_can_be_made(body):
+    spec, space, params, poles, units = batch(body, 6, 2)
+    variables = search_space(spec).continuous
+
+    def broken(point):
+        return broken_limits_mm(space, layouts_at(space, point, poles, 3), 3)
+
+    point = descend(lambda u: broken(u).sum(dim=1), units, 40, 0.06)
+    kept = 0
+    for row, rules in enumerate(broken(point)):
+        if float(rules.sum()) > 0:
+            continue
+        values = zip(variables, point[row].tolist(), strict=True)
+        moved = {v.name: v.low + u * (v.high - v.low) for v, u in values}
+        try:
+            found = with_layout(spec, params[row] | moved)
+        except InputError as error:
+            pytest.fail(f"{moved}: {error}")
+        assert not failures(layout_findings(found))
+        kept += 1
+    assert kept >= 2
+
+
+@pytest.mark.parametrize("rule", [0, 1, 2, 3, 4, 5, 8])
+def test_gradients_of_limits_are_those_of_differences(rule):
+    _, space, _, poles, units = batch("capsule", 4, 7)
+
+    def broken(point):
+        return broken_limits_mm(space, layouts_at(space, point, poles, 3), 3)[:, rule]
+
+    point = units.clone().requires_grad_()
+    (slope,) = torch.autograd.grad(broken(point).sum(), point)
+    way = torch.as_tensor(np.random.default_rng(1).normal(size=units.shape))
+    step = 1e-6
+    numeric = (broken(units + step * way) - broken(units - step * way)) / (2 * step)
+    assert_allclose((slope * way).sum(dim=1), numeric, rtol=2e-3, atol=2e-3)
+
+
+def test_silicone_over_magnets_is_that_of_their_rims():
+    spec, _, params, _, _ = batch("egg", 5)
+    covers = curved._cover_of(spec)
+    for one in params:
+        places = [[one[f"magnet{k}_{name}_mm"] for name in ("x", "y", "depth")] for k in (1, 2, 3)]
+        for frame, bodies in zip(face_frames(spec), magnet_bodies(spec), strict=True):
+            for (x, y, depth), body in zip(places, bodies, strict=True):
+                if not frame.covers(1.2 * np.array([x, y])):
+                    continue
+                wanted = cover_mm(frame, replace(body, centre_mm=np.array([x, y, -depth])))
+                found = float(covers[frame.number].at(np.array([[x, y, depth]]))[0, 0])
+                assert found == pytest.approx(wanted, abs=0.02)
