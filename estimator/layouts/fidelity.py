@@ -20,6 +20,7 @@ import numpy as np
 import torch
 from jaxtyping import Float
 
+from design.layout.places.contact_places import contact_places
 from design.spec.object import ObjectSpec
 from estimator.information.cross_face import LEAST_FALSE_FORCE_N, cross_face_disturbance
 from estimator.information.scores import compliance_deviation, outermost_of_faces, score_places
@@ -195,6 +196,16 @@ def _at_force(
         "tolerance_place_mm": float(np.median(false["tolerance"])),
         "places": scores,
     }
+
+
+def bounds_by_press(
+    spec: ObjectSpec, score: FidelityScore
+) -> dict[tuple[float, int], Float[np.ndarray, "place"]]:
+    """Position bounds (mm) of the locations that a face has, by force and face."""
+    counts = contact_places(spec).sum(axis=1).tolist()
+    keys = [(force, face) for force in spec.judged_forces_n for face in spec.body.sensed]
+    ends = np.cumsum(counts * len(spec.judged_forces_n))[:-1]
+    return dict(zip(keys, np.split(np.array(score.position_bounds_mm), ends), strict=True))
 
 
 def worse_share(start: FidelityScore, found: FidelityScore) -> float:

@@ -19,7 +19,7 @@ from jaxtyping import Float
 
 from design.search.places import polarities
 from design.search.space import SearchSpace, params_at, unit_of
-from estimator.layouts.fidelity import FidelityScore
+from estimator.layouts.fidelity import bounds_by_press
 from estimator.layouts.polish import Judged, LowestFidelity, descend, judge
 from instobj.search.lowest_fidelity import StartScores, cost, misfit_of, structure_fidelity
 from instobj.search.verdict import FIRST, SECOND, Promoted
@@ -96,15 +96,11 @@ def _corrected(name: str, start: Promoted, one: Promoted) -> float:
 
 def _place_bounds(one: Promoted, start: Promoted) -> dict[tuple[float, int], torch.Tensor]:
     """Position bounds (1, place) of the corrected start, by force and face."""
-    spec = start.spec
-    keys = [(force, face) for force in spec.judged_forces_n for face in spec.body.sensed]
     low, high, before = (
-        _by_press(score, len(keys))
+        bounds_by_press(start.spec, score)
         for score in (one.levels[FIRST], one.levels[SECOND], start.levels[SECOND])
     )
-    bounds = torch.as_tensor(before * low / high, dtype=torch.float32)
-    return {key: bound[None] for key, bound in zip(keys, bounds, strict=True)}
-
-
-def _by_press(score: FidelityScore, presses: int) -> Float[np.ndarray, "press place"]:
-    return np.reshape(score.position_bounds_mm, (presses, -1))
+    return {
+        key: torch.as_tensor(before[key] * low[key] / high[key], dtype=torch.float32)[None]
+        for key in before
+    }

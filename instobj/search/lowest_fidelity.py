@@ -19,6 +19,7 @@ import torch
 from design.errors import InputError
 from design.fabrication.layout import failures, layout_findings
 from design.layout.boards import smallest_recess_wall_mm
+from design.layout.body import body_of
 from design.search.places import polarities
 from design.search.space import (
     SearchSpace,
@@ -171,7 +172,8 @@ def pressed_faces(spec: ObjectSpec) -> dict[int, tuple[int, ...]]:
     On a cube whose sensors move, the side faces are alike. A grasp takes two opposite ones.
     """
     sensed = spec.body.sensed
-    alike = len(set(spec.body.size_mm)) == 1 and spec.search.vary.sensor_reach_mm is not None
+    cube = body_of(spec).cuboid and len(set(spec.body.size_mm)) == 1
+    alike = cube and spec.search.vary.sensor_reach_mm is not None
     few = (1, 3, 5) if "grasp_position_bound_mm" in spec.search.named else (1, 3)
     if not alike or 6 in sensed or not {*few} <= {*sensed}:
         return each_alone(sensed)

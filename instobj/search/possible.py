@@ -13,8 +13,9 @@ from jaxtyping import Float
 from torch import Tensor
 
 from design.errors import InputError
-from design.layout.body import body_of
+from design.layout.body import body_of, face_frames
 from design.layout.places.contact_grid import contact_grid
+from design.layout.places.contact_places import contact_places
 from design.layout.pockets import magnet_bodies
 from design.search.space import SearchSpace, params_at, search_space, structure_of, unit_of
 from design.search.structure import with_structure
@@ -30,6 +31,8 @@ from instobj.search.lowest_fidelity import broken_by_structure, misfit_of
 
 _FEWEST_IN_A_ROW = 4
 """Of a cubic spline."""
+_FEWEST_OF_A_FACE = 10
+"""Of an r⁵ spline with parabolas, and some more."""
 _UNKNOWNS = 6
 """Of two contacts: place and force of each."""
 _STARTS = 24
@@ -53,12 +56,11 @@ def require_possible(spec: ObjectSpec) -> SearchSpace:
     Raises
     ------
     InputError
-        Of `search_space`; a body that cannot be searched; an objective or limited score that this
+        Of `search_space`; what may not vary on this body; an objective or limited score that this
         object has none of; mechanics that a fidelity level lacks; or no layout within the limits,
         with the one that is most in the way.
     """
-    if not body_of(spec).cuboid:
-        raise InputError(f"a layout search takes a box; got body.kind = {spec.body.kind!r}")
+    _require_known_on(spec)
     if len(spec.magnets.lists) > 1:
         raise InputError(
             "a layout search moves one layout that all faces repeat; magnets.positions_mm holds a list for "
@@ -69,18 +71,33 @@ def require_possible(spec: ObjectSpec) -> SearchSpace:
             "a layout search takes magnets in the shell; got arrangement = "
             f"{spec.arrangement!r}. Compare such layouts by `instobj score A.toml B.toml`"
         )
-    if spec.search.vary.core_size_mm is not None and len(set(spec.core_size_mm)) > 1:
-        edges = " × ".join(f"{edge:g}" for edge in spec.core_size_mm)
-        raise InputError(
-            f"search.vary.core_size_mm is the edge of a cube; the core here is {edges} mm. Leave it out, "
-            "or vary shell_thickness_mm"
-        )
     require_scorable(spec)
     _require_mechanics(spec)
     _require_scores(spec)
     space = search_space(spec)
     with _one_thread():
         return _possible(space)
+
+
+def _require_known_on(spec: ObjectSpec) -> None:
+    """What may vary on a body of this kind."""
+    vary, kind = spec.search.vary, spec.body.kind
+    cuboid, edges = body_of(spec).cuboid, " × ".join(f"{edge:g}" for edge in spec.core_size_mm)
+    if vary.core_size_mm is not None and not (cuboid and len(set(spec.core_size_mm)) == 1):
+        raise InputError(
+            f"search.vary.core_size_mm is the edge of a cube; the core here is {edges} mm of body.kind = "
+            f"{kind!r}. Leave it out, or of a box vary shell_thickness_mm"
+        )
+    if vary.shell_thickness_mm is not None and not cuboid:
+        raise InputError(
+            "search.vary.shell_thickness_mm makes the body grow round its core, which is known for boxes; "
+            f"got body.kind = {kind!r}. Leave it out, and search once for each thickness"
+        )
+    if vary.magnet_tilt_deg is not None and not all(frame.flat for frame in face_frames(spec)):
+        raise InputError(
+            "search.vary.magnet_tilt_deg is known on flat faces only: under a curved one magnets stand "
+            f"along its normals; got body.kind = {kind!r}. Leave it out"
+        )
 
 
 def _require_mechanics(spec: ObjectSpec) -> None:
@@ -90,6 +107,13 @@ def _require_mechanics(spec: ObjectSpec) -> None:
         raise InputError(
             f"a layout search takes {_FEWEST_IN_A_ROW} contact locations in a row, for slopes along the "
             f"face; got {fewest}. Raise contact_grid.count, or lower contact_grid.pitch_mm"
+        )
+    own = contact_places(spec).sum(axis=1)
+    if own.min() < _FEWEST_OF_A_FACE:
+        raise InputError(
+            f"a layout search takes {_FEWEST_OF_A_FACE} contact locations on a face, for slopes along it; "
+            f"face {spec.body.sensed[int(own.argmin())]} has {own.min()}. Lower contact_grid.pitch_mm, or "
+            "leave the face out with body.sensed_faces"
         )
     if spec.mechanics.interface == "frictionless":
         raise InputError(

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from jaxtyping import Float
 
-from design.layout.pockets import Body, magnet_bodies
+from design.layout.body import face_frames
+from design.layout.pockets import Body, magnet_bodies, sensor_places
 from design.spec.object import ObjectSpec
 from instobj.figures.saving import save_figure
 
@@ -19,7 +20,6 @@ if TYPE_CHECKING:
 _INK, _PAPER, _GREY = "#1a1a1a", "#fdfdfb", "#9a968d"
 _BEST, _RANDOM, _START = "#1f77d0", "#c46a1b", "#77736b"
 _SENSOR = "#0a8f5a"
-_FACE = 1
 LABELS = {
     "worst_position_bound_mm": "worst location, position bound (mm)",
     "percentile_99_position_bound_mm": "99th percentile of locations, position bound (mm)",
@@ -117,15 +117,19 @@ def draw_levels(promotion: Promotion, name: str, path: Path) -> None:
 
 
 def draw_moves(start: ObjectSpec, found: ObjectSpec, path: Path) -> None:
-    """Face 1 seen from outside, before (grey) and after; arrows join the nearest (PNG)."""
-    from matplotlib.patches import Rectangle
+    """The first face seen from outside, before (grey) and after; arrows join the nearest (PNG)."""
+    from matplotlib.patches import Ellipse, Rectangle
     from matplotlib.patheffects import withStroke
 
     figure, axes = _figure((7.6, 8.0))
-    before, after = magnet_bodies(start)[_FACE - 1], magnet_bodies(found)[_FACE - 1]
-    sensors = [np.array([p[:2] for p in one.sensors.places[_FACE - 1]]) for one in (start, found)]
-    edges = [size / 2 for size in found.body.size_mm[:2]]
-    axes.add_patch(Rectangle((-edges[0], -edges[1]), 2 * edges[0], 2 * edges[1], fc="#efece4"))
+    frame = face_frames(found)[0]
+    before, after = magnet_bodies(start)[0], magnet_bodies(found)[0]
+    sensors = [np.array(sensor_places(one)[0])[:, :2] for one in (start, found)]
+    edges = frame.half_extents_mm
+    if frame.round:
+        axes.add_patch(Ellipse((0, 0), 2 * edges[0], 2 * edges[1], fc="#efece4"))
+    else:
+        axes.add_patch(Rectangle((-edges[0], -edges[1]), 2 * edges[0], 2 * edges[1], fc="#efece4"))
     for body in before:
         _draw_magnet(axes, body, _GREY, "--")
     for body, pole in zip(after, found.magnets.polarities, strict=True):
@@ -144,8 +148,9 @@ def draw_moves(start: ObjectSpec, found: ObjectSpec, path: Path) -> None:
             axes.add_patch(square)
     _draw_arrows(axes, sensors[0], sensors[1], _SENSOR)
     axes.set(xlim=(-edges[0] - 1, edges[0] + 1), ylim=(-edges[1] - 1, edges[1] + 1), aspect="equal")
-    axes.set(xlabel="x of face 1 (mm)", ylabel="y of face 1 (mm)")
-    axes.set_title("Layout before and after, every face (initial sensors shown for face 1)")
+    number = frame.number
+    axes.set(xlabel=f"x of face {number} (mm)", ylabel=f"y of face {number} (mm)")
+    axes.set_title(f"Layout before and after, every face (initial sensors shown for face {number})")
     figure.legend(handles=_move_legend(), loc="outside lower center", ncols=2, frameon=False)
     save_figure(figure, path)
 

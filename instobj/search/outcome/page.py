@@ -12,9 +12,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from design.files import atomic_path
+from design.layout.places.contact_places import contact_places
 from design.layout.places.coverage import covered_share
 from design.spec.object import ObjectSpec
-from estimator.layouts.fidelity import SCORE_NAMES
+from estimator.information.scores import on_places
+from estimator.layouts.fidelity import SCORE_NAMES, bounds_by_press
 from instobj.report.pages import render, shown
 from instobj.search.fidelity import METRIC_LABELS
 from instobj.search.outcome.figures import (
@@ -118,19 +120,24 @@ def _forces(found: Promotion, folder: Path) -> dict[str, Any]:
 
     spec, faces = found.best.spec, found.best.spec.body.sensed
     forces = spec.judged_forces_n
-    before, after = (
-        np.array(one.levels["3"].position_bounds_mm).reshape(len(forces), len(faces), -1)
-        for one in (found.start, found.best)
-    )
-    ratio = after / before
+    before, after = (bounds_by_press(spec, one.levels["3"]) for one in (found.start, found.best))
+    ratio = {key: after[key] / bound for key, bound in before.items()}
     rows = []
-    for force, old, new, over in zip(forces, before, after, ratio, strict=True):
-        row = [f"{force:g}"]
+    for force in forces:
+        row, own = [f"{force:g}"], [(force, face) for face in faces]
+        old, new, over = (
+            np.concatenate([by_press[key] for key in own]) for by_press in (before, after, ratio)
+        )
         for percent in (100, 99, 50):
             pair = [float(np.percentile(bounds, percent)) for bounds in (old, new)]
             row += [f"{pair[0]:.3g} → {pair[1]:.3g}", f"{pair[0] / pair[1]:.2f}"]
         rows.append([*row, f"{100 * np.mean(over > 1):.1f} %"])
-    path, largest = folder / "position_bound_over_start.png", ratio.max(axis=0)
+    path = folder / "position_bound_over_start.png"
+    largest = on_places(
+        contact_places(spec),
+        [np.max([ratio[force, face] for force in forces], axis=0) for face in faces],
+    )
+    worse = np.mean(np.concatenate(list(ratio.values())) > 1)
     every = ", ".join(f"{force:g}" for force in forces)
     draw_overview(
         largest,
@@ -140,7 +147,7 @@ def _forces(found: Promotion, folder: Path) -> dict[str, Any]:
         "times",
         *finite_limits(largest.ravel()),
         path,
-        note=f"Above 1 a location got worse: {100 * np.mean(ratio > 1):.1f} % of locations and forces.",
+        note=f"Above 1 a location got worse: {100 * worse:.1f} % of locations and forces.",
     )
     header = ["N", "worst, mm", "times better", "99 %, mm", "times better", "median, mm"]
     header += ["times better", "locations worse"]
