@@ -15,6 +15,7 @@ import numpy as np
 from jaxtyping import Float
 
 from design.layout.pockets import magnet_bodies
+from design.search.faces import group_labels, layout_groups
 from design.spec.object import ObjectSpec
 from design.spec.search import VarySpec
 
@@ -48,31 +49,44 @@ class PlaceMap:
         return np.stack([radius * np.cos(azimuth), radius * np.sin(azimuth)], axis=1)
 
 
-def magnet_map(structured: ObjectSpec, names: tuple[str, ...]) -> PlaceMap:
-    """Where magnets are, of what `with_structure` made; `names` are the continuous variables'."""
-    bodies = magnet_bodies(structured)[0]
-    tilts = structured.magnets.tilt_deg or ((0.0, 0.0),) * len(bodies)
-    base = np.array(
-        [[*(b.centre_mm * [1, 1, -1]), *tilt] for b, tilt in zip(bodies, tilts, strict=True)]
-    )
-    seats = seats_of(structured.search.magnet_symmetry, len(bodies))
+def magnet_maps(structured: ObjectSpec, names: tuple[str, ...]) -> tuple[PlaceMap, ...]:
+    """Where magnets are, of what `with_structure` made, for each of `layout_groups`; `names` are the
+    continuous variables'."""
+    count = structured.magnets.count
+    tilts = structured.magnets.tilt_deg or ((0.0, 0.0),) * count
+    seats = seats_of(structured.search.magnet_symmetry, count)
     columns = {"x_mm": 0, "y_mm": 1, "depth_mm": 2, "tilt_x_deg": 3, "tilt_y_deg": 4}
-    return _place_map(structured.search.vary, names, "magnet", seats, base, columns)
+    found = []
+    for group, label in zip(layout_groups(structured), group_labels(structured), strict=True):
+        bodies = magnet_bodies(structured)[structured.body.sensed.index(group[0])]
+        base = np.array(
+            [[*(b.centre_mm * [1, 1, -1]), *tilt] for b, tilt in zip(bodies, tilts, strict=True)]
+        )
+        found.append(
+            _place_map(structured.search.vary, names, "magnet", seats, base, columns, label)
+        )
+    return tuple(found)
 
 
-def sensor_map(structured: ObjectSpec, names: tuple[str, ...]) -> PlaceMap:
-    """Where sensors are, where they move: one layout for every face."""
-    count = structured.sensors.count_per_face
+def sensor_maps(structured: ObjectSpec, names: tuple[str, ...]) -> tuple[PlaceMap, ...]:
+    """Where sensors are, where they move: one layout for every face of a group."""
+    count, vary = structured.sensors.count_per_face, structured.search.vary
+    labels = group_labels(structured)
     if structured.search.sensor_symmetry == "ring":
         around = np.column_stack([np.zeros(count), 360.0 * np.arange(count) / count])
-        matrix = np.zeros((count, 2, len(names)))
-        matrix[:, 0, names.index("sensor_radius_mm")] = 1.0
-        matrix[:, 1, names.index("sensor_azimuth_deg")] = 1.0
-        return PlaceMap(around, matrix, polar=True)
-    seats = seats_of(structured.search.sensor_symmetry, count)
-    return _place_map(
-        structured.search.vary, names, "sensor", seats, np.zeros((count, 2)), {"x_mm": 0, "y_mm": 1}
+        return tuple(_ring_map(around, names, label) for label in labels)
+    seats, still = seats_of(structured.search.sensor_symmetry, count), np.zeros((count, 2))
+    columns = {"x_mm": 0, "y_mm": 1}
+    return tuple(
+        _place_map(vary, names, "sensor", seats, still, columns, label) for label in labels
     )
+
+
+def _ring_map(around: Float[np.ndarray, "part 2"], names: tuple[str, ...], label: str) -> PlaceMap:
+    matrix = np.zeros((len(around), 2, len(names)))
+    matrix[:, 0, names.index(f"{label}sensor_radius_mm")] = 1.0
+    matrix[:, 1, names.index(f"{label}sensor_azimuth_deg")] = 1.0
+    return PlaceMap(around, matrix, polar=True)
 
 
 def polarities(structured: ObjectSpec, params: Mapping[str, Any]) -> list[float]:
@@ -90,15 +104,22 @@ def _place_map(
     seats: tuple[Seat, ...],
     base: Float[np.ndarray, "part column"],
     columns: dict[str, int],
+    label: str,
 ) -> PlaceMap:
-    """Columns that have variables are theirs, moved by the seats; all others stay as they are."""
+    """Columns that have variables are theirs, moved by the seats; all others stay as they are.
+
+    Names of x and y begin with the group's label; depths and tilts are those of all groups.
+    """
     constant = base.copy()
     matrix = np.zeros((*base.shape, len(names)))
     for row, seat in enumerate(seats):
         prefix = f"{part}{seat.label}_"
         for first, moved in ((0, seat.place), (3, seat.turn)):
+            own = label if first == 0 else ""
             pair = [
-                prefix + name for name, column in columns.items() if column in (first, first + 1)
+                own + prefix + name
+                for name, column in columns.items()
+                if column in (first, first + 1)
             ]
             if _freed(vary, part, first):
                 constant[row, first : first + 2] = 0.0

@@ -11,8 +11,10 @@ from jaxtyping import Float
 
 from design.catalogue.magnets import magnet_part
 from design.errors import InputError
-from design.layout.pockets import magnet_bodies
-from design.search.places import generators, magnet_map, polarities, sensor_map
+from design.layout.body import face_frames
+from design.layout.pockets import magnet_bodies, sensor_places
+from design.search.faces import group_labels, layout_groups
+from design.search.places import generators, magnet_maps, polarities, sensor_maps
 from design.search.structure import STRUCTURE, structure_choices, with_structure
 from design.spec.object import ObjectSpec
 from design.spec.search import VarySpec
@@ -106,25 +108,29 @@ def start_params(space: SearchSpace) -> dict[str, Any] | None:
     found: dict[str, Any] = structure_choices(spec)
     tilts = spec.magnets.tilt_deg or ((0.0, 0.0),) * spec.magnets.count
     norths = spec.magnets.north or ("outward",) * len(tilts)
-    for k, (body, tilt) in enumerate(zip(magnet_bodies(spec)[0], tilts, strict=True), start=1):
-        x, y, z = body.centre_mm.tolist()
-        values = {
-            "x_mm": x,
-            "y_mm": y,
-            "depth_mm": -z,
-            "tilt_x_deg": tilt[0],
-            "tilt_y_deg": tilt[1],
-        }
+    for k, (depth, tilt) in enumerate(zip(_depths(spec), tilts, strict=True), start=1):
+        values = {"depth_mm": depth, "tilt_x_deg": tilt[0], "tilt_y_deg": tilt[1]}
         values["north"] = norths[k - 1]
         found |= {f"magnet{k}_{name}": value for name, value in values.items()}
-    for k, (x, y, _) in enumerate(spec.sensors.places[0], start=1):
-        found |= {f"sensor{k}_x_mm": x, f"sensor{k}_y_mm": y}
+    for group, label in zip(layout_groups(spec), group_labels(spec), strict=True):
+        face = spec.body.sensed.index(group[0])
+        places = {
+            "magnet": [body.centre_mm[:2].tolist() for body in magnet_bodies(spec)[face]],
+            "sensor": [place[:2] for place in sensor_places(spec)[face]],
+        }
+        for part, of_part in places.items():
+            for k, (x, y) in enumerate(of_part, start=1):
+                found |= {f"{label}{part}{k}_x_mm": x, f"{label}{part}{k}_y_mm": y}
     symmetries = {spec.search.magnet_symmetry, spec.search.sensor_symmetry}
     for variable in space.variables:
         found.setdefault(variable.name, _middle(variable))  # of parts that the start lacks
     if symmetries != {"free"} or not all(_holds(v, found[v.name]) for v in space.variables):
         return None
     return {v.name: found[v.name] for v in space.variables}
+
+
+def _depths(spec: ObjectSpec) -> list[float]:
+    return [-float(body.centre_mm[2]) for body in magnet_bodies(spec)[0]]
 
 
 def _middle(variable: Variable) -> Any:
@@ -153,21 +159,33 @@ def with_layout(spec: ObjectSpec, params: Params) -> ObjectSpec:
     values = np.array([params[name] for name in names], dtype=float)
     content = structured.model_dump(mode="json")
     vary = spec.search.vary
-    magnets = magnet_map(structured, names).at(values)
+    magnets = [each.at(values) for each in magnet_maps(structured, names)]
     if vary.magnet_reach_mm is not None:
-        content["magnets"]["positions_mm"] = magnets[:, :2].round(2).tolist()
+        lists = [places[:, :2].round(2).tolist() for places in magnets]
+        content["magnets"]["positions_mm"] = _of_faces(spec, lists)
     if vary.magnet_depth_mm is not None:
-        content["magnets"]["depth_mm"] = magnets[:, 2].round(2).tolist()
+        content["magnets"]["depth_mm"] = magnets[0][:, 2].round(2).tolist()
     if vary.magnet_tilt_deg is not None:
-        content["magnets"]["tilt_deg"] = magnets[:, 3:].round(1).tolist()
+        content["magnets"]["tilt_deg"] = magnets[0][:, 3:].round(1).tolist()
     if vary.magnet_north:
         poles = polarities(structured, params)
         content["magnets"]["north"] = ["outward" if pole > 0 else "inward" for pole in poles]
     if vary.sensor_reach_mm is not None:
-        places = np.round(sensor_map(structured, names).at(values), 2).tolist()
-        content["sensors"]["positions_mm"] = places
-        content["sensors"]["count_per_face"] = len(places)
+        lists = [each.at(values).round(2).tolist() for each in sensor_maps(structured, names)]
+        content["sensors"]["positions_mm"] = _of_faces(spec, lists)
+        content["sensors"]["count_per_face"] = len(lists[0])
     return parse_spec(content, "the layout")
+
+
+def _of_faces(spec: ObjectSpec, of_groups: list[Any]) -> Any:
+    """One list for all faces, or that of its group for each."""
+    if len(of_groups) == 1:
+        return of_groups[0]
+    groups = layout_groups(spec)
+    return [
+        next(one for one, group in zip(of_groups, groups, strict=True) if face in group)
+        for face in spec.body.sensed
+    ]
 
 
 def _magnet_variables(spec: ObjectSpec) -> list[Variable]:
@@ -176,10 +194,13 @@ def _magnet_variables(spec: ObjectSpec) -> list[Variable]:
     found: list[Variable] = []
     for seat in generators(symmetry, counts):
         name = f"magnet{seat.label}"
-        found += _pair(name, ("x_mm", "y_mm"), vary.magnet_reach_mm, seat.place)
+        for label, reach in _reaches(spec, vary.magnet_reach_mm):
+            found += _pair(label + name, ("x_mm", "y_mm"), reach, seat.place)
         if vary.magnet_depth_mm is not None:
             found.append(Variable(f"{name}_depth_mm", *vary.magnet_depth_mm))
-        found += _pair(name, ("tilt_x_deg", "tilt_y_deg"), vary.magnet_tilt_deg, seat.turn)
+        tilt = vary.magnet_tilt_deg
+        turns = None if tilt is None else (tilt, tilt)
+        found += _pair(name, ("tilt_x_deg", "tilt_y_deg"), turns, seat.turn)
         if vary.magnet_north:
             found.append(Variable(f"{name}_north", choices=("outward", "inward")))
     return found
@@ -192,20 +213,46 @@ def _sensor_variables(spec: ObjectSpec) -> list[Variable]:
     counts = spec.search.vary.sensor_count or (spec.sensors.count_per_face,)
     if symmetry == "ring":
         turn = 360.0 / min(counts)
-        return [Variable("sensor_radius_mm", 0.0, reach), Variable("sensor_azimuth_deg", 0.0, turn)]
+        return [
+            variable
+            for label, most in _reaches(spec, reach)
+            for variable in (
+                Variable(f"{label}sensor_radius_mm", 0.0, min(most or (reach, reach))),
+                Variable(f"{label}sensor_azimuth_deg", 0.0, turn),
+            )
+        ]
     return [
         variable
+        for label, most in _reaches(spec, reach)
         for seat in generators(symmetry, counts)
-        for variable in _pair(f"sensor{seat.label}", ("x_mm", "y_mm"), reach, seat.place)
+        for variable in _pair(f"{label}sensor{seat.label}", ("x_mm", "y_mm"), most, seat.place)
     ]
 
 
-def _pair(name: str, axes: tuple[str, str], reach: float | None, matrix: Any) -> list[Variable]:
+Reach = tuple[float, float] | None
+
+
+def _reaches(spec: ObjectSpec, reach_mm: float | None) -> list[tuple[str, Reach]]:
+    """Label and largest |x| and |y| of every group; of several no more than the size of their faces."""
+    labels = group_labels(spec)
+    if reach_mm is None or len(labels) == 1:
+        return [(label, None if reach_mm is None else (reach_mm, reach_mm)) for label in labels]
+    halves = {frame.number: frame.half_extents_mm for frame in face_frames(spec)}
+    firsts = [halves[group[0]] for group in layout_groups(spec)]
+    return [
+        (label, (min(reach_mm, x), min(reach_mm, y)))
+        for label, (x, y) in zip(labels, firsts, strict=True)
+    ]
+
+
+def _pair(name: str, axes: tuple[str, str], reach: Reach, matrix: Any) -> list[Variable]:
     """Variables of two coordinates, without those that the seat's matrix drops."""
     if reach is None:
         return []
-    kept = [axis for axis, column in zip(axes, np.asarray(matrix).T, strict=True) if column.any()]
-    return [Variable(f"{name}_{axis}", -reach, reach) for axis in kept]
+    columns = zip(axes, reach, np.asarray(matrix).T, strict=True)
+    return [
+        Variable(f"{name}_{axis}", -most, most) for axis, most, column in columns if column.any()
+    ]
 
 
 def _check(spec: ObjectSpec) -> None:

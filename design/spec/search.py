@@ -45,7 +45,10 @@ Some = Field(min_length=1, max_length=20)
 
 
 class VarySpec(SpecPart):
-    """What may change; magnets have one layout for every face, and so have sensors that move.
+    """What may change; magnets, and sensors that move, have one layout for all faces, one for each size
+    of face (`layouts`: half extents within 10 %), or one for each; depths, tilts and poles are the same
+    on all. Where there are several, names of places in trials begin with `face` and the first face that
+    has them.
 
     A changed magnet keeps its pocket's clearance and the silicone above it; where thickness or core
     change, the core's inside stays and the body grows or shrinks. A changed range takes the part's
@@ -53,6 +56,7 @@ class VarySpec(SpecPart):
     the radius.
     """
 
+    layouts: Literal["one", "per size", "per face"] = "per size"
     magnet_count: Annotated[tuple[Count, ...], Some] | None = None
     magnet_part: Annotated[tuple[str, ...], Some] | None = None
     magnet_reach_mm: Positive | None = None

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 import torch
@@ -15,7 +16,8 @@ from design.spec.object import ObjectSpec
 
 @dataclass(frozen=True)
 class Layouts:
-    """Layouts of one face, each repeated on all faces; every tensor may want gradients.
+    """Layouts of one face, each repeated on all faces unless `by_face` has others; every tensor may want
+    gradients.
 
     Attributes
     ----------
@@ -23,22 +25,50 @@ class Layouts:
     turn_rad : rotation vector of each magnet's axis about the face's x and y, rad; 0 is outward
     polarity : polarization over the specification's, usually 1 (north outward) or −1
     sensor_mm : x, y in the face's frame, mm; chips are turned about the normal by their azimuth
+    by_face : layouts of all faces by number, this one's (`face`) too, where they are not all the same
     """
 
     magnet_mm: Float[Tensor, "layout magnet 3"]
     turn_rad: Float[Tensor, "layout magnet 2"]
     polarity: Float[Tensor, "layout magnet"]
     sensor_mm: Float[Tensor, "layout sensor 2"]
+    by_face: Mapping[int, Layouts] = field(default_factory=dict)
+    face: int | None = None
 
     def __len__(self) -> int:
         return len(self.magnet_mm)
 
     def __getitem__(self, rows: slice) -> Layouts:
-        return Layouts(*(getattr(self, f.name)[rows] for f in fields(self)))
+        parts = (self.magnet_mm, self.turn_rad, self.polarity, self.sensor_mm)
+        by_face = {face: one[rows] for face, one in self.by_face.items()}
+        return Layouts(*(part[rows] for part in parts), by_face, self.face)
+
+    def of(self, face: int) -> Layouts:
+        """The layouts of another face."""
+        return self.by_face.get(face, self)
+
+    def each(self, change: Callable[[Layouts, int | None], Layouts]) -> Layouts:
+        """With a change made to the layouts of every face: by its number, or None of one for all."""
+        if self.face is None:
+            return change(self, None)
+        changed = {face: change(one, face) for face, one in self.by_face.items()}
+        return layouts_by_face(changed, self.face)
+
+
+def layouts_by_face(of_faces: Mapping[int, Layouts], face: int) -> Layouts:
+    """The layouts of one face that knows those of the others."""
+    return replace(of_faces[face], by_face=of_faces, face=face)
 
 
 def layouts_of(spec: ObjectSpec, face: int, dtype: torch.dtype = torch.float32) -> Layouts:
-    """The specification's own layout of one face, as a batch of one."""
+    """The specification's own layout of one face, as a batch of one; with those of the others where the
+    specification places magnets face by face."""
+    if len(spec.magnets.lists) == 1:
+        return _own_layout(spec, face, dtype)
+    return layouts_by_face({one: _own_layout(spec, one, dtype) for one in spec.body.sensed}, face)
+
+
+def _own_layout(spec: ObjectSpec, face: int, dtype: torch.dtype) -> Layouts:
     index = spec.body.sensed.index(face)
     bodies, places = magnet_bodies(spec)[index], sensor_places(spec)[index]
     tilts = spec.magnets.tilt_deg or ((0.0, 0.0),) * len(bodies)

@@ -57,8 +57,8 @@ def chips(
     face, `on_board` their axes as columns on the board."""
     index = 0 if other is None else 1 + other
     if presses.patches:
-        frame = presses.patches[0].surface.frame
-        point, axes = presses.patches[index].surface.chips(layouts.sensor_mm)
+        frame, surface = presses.patches[0].surface.frame, presses.patches[index].surface
+        point, axes = surface.chips(layouts.of(surface.number).sensor_mm)
         turn = torch.as_tensor(frame.axes.copy(), dtype=point.dtype)
         centre = torch.as_tensor(frame.centre_mm.copy(), dtype=point.dtype)
         return ((point - centre) @ turn).permute(2, 0, 1), axes @ turn
@@ -72,7 +72,7 @@ def chips(
 
 
 def _under(presses: PressBasis, patch: Patch, layouts: Layouts) -> Magnets:
-    frame = presses.patches[0].surface.frame
+    frame, layouts = presses.patches[0].surface.frame, layouts.of(patch.surface.number)
     centre, axes = patch.surface.magnets(layouts.magnet_mm)
     turn = torch.as_tensor(frame.axes.copy(), dtype=centre.dtype)
     middle = torch.as_tensor(frame.centre_mm.copy(), dtype=centre.dtype)

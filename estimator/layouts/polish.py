@@ -94,8 +94,8 @@ def judge(
     )
     for name, value in lowest.constants.items():
         scores[name] = torch.full_like(scores["worst_position_bound_mm"], value)
-    alike = lowest.space.sensors is not None  # sensors that move have one layout on every face
-    checked = list(laid.items())[: 1 if alike else None]
+    told_at_once = bool(lowest.space.sensors)  # sensors that move: limits hold of all faces
+    checked = list(laid.items())[: 1 if told_at_once else None]
     broken = torch.stack(
         [broken_limits_mm(lowest.space, one, face).sum(dim=1) for face, one in checked]
     )

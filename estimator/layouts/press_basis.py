@@ -24,6 +24,7 @@ from design.errors import InputError
 from design.layout.body import face_frames
 from design.layout.places.contact_grid import PlaceGrid
 from design.layout.places.contact_places import contact_places
+from design.search.faces import layout_groups
 from design.spec.object import ObjectSpec
 from estimator.layouts.batch import Layouts
 from estimator.layouts.surfaces import Surface, surfaces
@@ -187,10 +188,12 @@ def press_basis(
 
 
 def faces_differ(spec: ObjectSpec) -> bool:
-    """Whether faces are curved, round or of different sizes: one lattice then does not fit them all."""
+    """Whether faces are curved, round, of different sizes or have layouts of their own: one layout turned
+    from face to face, on one lattice, then does not tell all of them."""
     frames = face_frames(spec)
+    own = len(layout_groups(spec)) > 1 or len(spec.magnets.lists) > 1
     sizes = {frame.half_extents_mm for frame in frames}
-    return len(sizes) > 1 or not all(frame.flat and not frame.round for frame in frames)
+    return own or len(sizes) > 1 or not all(frame.flat and not frame.round for frame in frames)
 
 
 def _patches(
@@ -245,14 +248,16 @@ def mixed_rows(
 
 
 def candidate_ends_mm(
-    basis: PressBasis,
+    basis: PressBasis, face: int | None = None
 ) -> tuple[Float[Tensor, "3"], Float[Tensor, "3"]]:
-    """Least and greatest (x, y, depth), x and y of the frames' planes, that have candidates on all faces."""
+    """Least and greatest (x, y, depth), x and y of the frames' planes, that have candidates on a face, or
+    on all of them."""
+    patches = [one for one in basis.patches if face in (None, one.surface.number)]
     ends = [
         (lattice.first_mm, lattice.first_mm + lattice.step_mm * (torch.tensor(lattice.nodes) - 1))
-        for lattice in basis.patches or (basis,)
+        for lattice in patches or (basis,)
     ]
-    for index, patch in enumerate(basis.patches):
+    for index, patch in enumerate(patches):
         in_plane = torch.stack(ends[index]).double()
         in_plane[:, :2] = torch.as_tensor(patch.surface.frame.to_plane(in_plane[:, :2].numpy()))
         ends[index] = in_plane[0].to(basis.first_mm), in_plane[1].to(basis.first_mm)
@@ -262,7 +267,7 @@ def candidate_ends_mm(
 
 def _places_along(patch: Patch, layouts: Layouts) -> Float[Tensor, "magnet 3"]:
     """Where magnets lie on a patch's lattice, in steps."""
-    xyd = layouts.magnet_mm.reshape(-1, 3)
+    xyd = layouts.of(patch.surface.number).magnet_mm.reshape(-1, 3)
     along = torch.cat([patch.surface.lengths_mm(xyd[:, :2]), xyd[:, 2:]], dim=1)
     return (along - patch.first_mm) / patch.step_mm
 

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 import torch
@@ -78,11 +79,12 @@ def _toleranced(scorer: LayoutScorer, layouts: Layouts) -> Iterator[_Object]:
         [sizes.magnet_seat_mm, sizes.magnet_seat_mm, sizes.magnet_seat_depth_mm], dtype=dtype
     )
     for _ in range(_OBJECTS):
-        moved = replace(
-            layouts,
-            magnet_mm=layouts.magnet_mm + seat * drawn(magnets, 3),
-            turn_rad=layouts.turn_rad + np.deg2rad(sizes.magnet_tilt_deg) * drawn(magnets, 2),
-            polarity=layouts.polarity * (1 + sizes.remanence_relative * drawn(magnets)),
+        shift, tilt = (
+            seat * drawn(magnets, 3),
+            np.deg2rad(sizes.magnet_tilt_deg) * drawn(magnets, 2),
+        )
+        moved = layouts.each(
+            partial(_moved, shift, tilt, 1 + sizes.remanence_relative * drawn(magnets))
         )
         shift = sizes.sensor_seat_mm * drawn(sensors, 3) + sizes.core_shift_mm * drawn(3)
         turn = np.deg2rad(sizes.sensor_rotation_deg) * drawn(sensors, 3)
@@ -93,6 +95,17 @@ def _toleranced(scorer: LayoutScorer, layouts: Layouts) -> Iterator[_Object]:
             gain[..., None] * (torch.eye(3, dtype=dtype) + _cross(turn)),
             float(np.exp(sizes.modulus_relative * rng.standard_normal())),
         )
+
+
+def _moved(
+    shift_mm: Tensor, tilt_rad: Tensor, strength: Tensor, one: Layouts, _: int | None
+) -> Layouts:
+    return replace(
+        one,
+        magnet_mm=one.magnet_mm + shift_mm,
+        turn_rad=one.turn_rad + tilt_rad,
+        polarity=one.polarity * strength,
+    )
 
 
 def _false_places(

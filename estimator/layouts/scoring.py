@@ -258,9 +258,12 @@ def _press_changes(
 
 def within_candidates(scorer: LayoutScorer, layouts: Layouts) -> Layouts:
     """Magnets beyond the candidates at the nearest of their places."""
-    first, last = candidate_ends_mm(scorer.presses)
-    nearest = torch.maximum(torch.minimum(layouts.magnet_mm, last), first)
-    return replace(layouts, magnet_mm=nearest)
+
+    def nearest(one: Layouts, face: int | None) -> Layouts:
+        first, last = candidate_ends_mm(scorer.presses, face)
+        return replace(one, magnet_mm=torch.maximum(torch.minimum(one.magnet_mm, last), first))
+
+    return layouts.each(nearest)
 
 
 def _field_changes(

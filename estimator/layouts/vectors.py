@@ -14,25 +14,27 @@ from jaxtyping import Float
 from torch import Tensor
 
 from design.layout.pockets import sensor_places
-from design.search.places import PlaceMap, magnet_map, sensor_map
+from design.search.faces import layout_groups
+from design.search.places import PlaceMap, magnet_maps, sensor_maps
 from design.search.space import SearchSpace
 from design.spec.object import ObjectSpec
-from estimator.layouts.batch import Layouts
+from estimator.layouts.batch import Layouts, layouts_by_face
 
 
 @dataclass(frozen=True)
 class LayoutSpace:
     """A structure of a search space as tensors; `layout_space` makes it.
 
-    `low` and `span` take the unit cube to values; maps are those of `design.search.space`, that of
-    sensors None where they stay.
+    `low` and `span` take the unit cube to values; `groups` are the faces that share a layout, and maps
+    those of `design.search.space` for each; no maps of sensors where they stay.
     """
 
     structured: ObjectSpec
     low: Float[Tensor, "variable"]
     span: Float[Tensor, "variable"]
-    magnets: PlaceMap
-    sensors: PlaceMap | None
+    groups: tuple[tuple[int, ...], ...]
+    magnets: tuple[PlaceMap, ...]
+    sensors: tuple[PlaceMap, ...]
 
 
 def layout_space(
@@ -46,8 +48,9 @@ def layout_space(
         structured,
         torch.as_tensor(low, dtype=dtype),
         torch.as_tensor(high - low, dtype=dtype),
-        magnet_map(structured, space.continuous_names),
-        sensor_map(structured, space.continuous_names) if moving else None,
+        layout_groups(structured),
+        magnet_maps(structured, space.continuous_names),
+        sensor_maps(structured, space.continuous_names) if moving else (),
     )
 
 
@@ -57,16 +60,34 @@ def layouts_at(
     polarity: Float[Tensor, "layout magnet"],
     face: int,
 ) -> Layouts:
-    """Layouts of one face at points of the unit cube of the continuous variables."""
+    """Layouts of one face at points of the unit cube of the continuous variables; where there are several
+    groups, with those of all faces."""
     values = space.low + unit * space.span
-    magnets = _places(space.magnets, values)
-    if space.sensors is None:
+    if len(space.groups) == 1:
+        return _layouts(space, values, polarity, face, 0)
+    every = {
+        one: _layouts(space, values, polarity, one, index)
+        for index, group in enumerate(space.groups)
+        for one in group
+    }
+    return layouts_by_face(every, face)
+
+
+def _layouts(
+    space: LayoutSpace,
+    values: Float[Tensor, "layout variable"],
+    polarity: Float[Tensor, "layout magnet"],
+    face: int,
+    group: int,
+) -> Layouts:
+    magnets = _places(space.magnets[group], values)
+    if not space.sensors:
         placed = sensor_places(space.structured)[space.structured.body.sensed.index(face)]
         fixed = [(x, y) for x, y, _ in placed]
-        sensors = torch.as_tensor(fixed, dtype=unit.dtype).expand(len(unit), -1, -1)
+        sensors = torch.as_tensor(fixed, dtype=values.dtype).expand(len(values), -1, -1)
     else:
-        sensors = _places(space.sensors, values)
-    if space.sensors is not None and space.sensors.polar:
+        sensors = _places(space.sensors[group], values)
+    if space.sensors and space.sensors[group].polar:
         azimuth = torch.deg2rad(sensors[..., 1])
         sensors = sensors[..., :1] * torch.stack([azimuth.cos(), azimuth.sin()], dim=-1)
     return Layouts(magnets[..., :3], torch.deg2rad(magnets[..., 3:]), polarity, sensors)

@@ -145,9 +145,8 @@ def candidate_lattices(
     """Regular places up to a pocket's radius from the borders, depths `margin_mm` off both skins.
 
     `pitch_mm` and `depth_step_mm` are the largest distances wanted. The paper's cube: 19 × 19
-    places, depths 1.5 to 6.5 mm, on each of five faces. Where flat faces differ in size all get the
-    lattice of the smallest, since one layout serves all of them. What of a lattice's corners lies
-    beyond a round patch says `known_places`.
+    places, depths 1.5 to 6.5 mm, on each of five faces. What of a lattice's corners lies beyond a
+    round patch says `known_places`.
 
     Raises
     ------
@@ -155,14 +154,10 @@ def candidate_lattices(
         A shell too thin, or a face too small, for the margins; or so curved a face that a magnet
         would stand out of it.
     """
-    frames = face_frames(spec)
     deepest = spec.shell.thickness_mm - margin_mm
-    halves = np.array([frame.half_extents_mm for frame in frames])
-    if all(frame.flat and not frame.round for frame in frames):
-        halves[:] = halves.min(axis=0)
     lattices = []
-    for frame, half in zip(frames, halves, strict=True):
-        reach = half - spec.shell.pocket_diameter_mm / 2
+    for frame in face_frames(spec):
+        reach = np.array(frame.half_extents_mm) - spec.shell.pocket_diameter_mm / 2
         if min(*reach, deepest - margin_mm) <= 0:
             raise InputError(
                 f"face {frame.number} has no room for candidates: reach {min(reach):g} mm, depths "

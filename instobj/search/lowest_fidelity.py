@@ -43,7 +43,7 @@ from estimator.layouts.batch_scores import (
     unevenness,
 )
 from estimator.layouts.polish import Judged, LowestFidelity, judge, polish, population
-from estimator.layouts.press_basis import press_basis
+from estimator.layouts.press_basis import faces_differ, press_basis
 from estimator.layouts.scoring import LayoutScorer, layout_scorer
 from estimator.layouts.vectors import layout_space
 from fem.candidates.motions import load_candidates
@@ -173,7 +173,7 @@ def pressed_faces(spec: ObjectSpec) -> dict[int, tuple[int, ...]]:
     """
     sensed = spec.body.sensed
     cube = body_of(spec).cuboid and len(set(spec.body.size_mm)) == 1
-    alike = cube and spec.search.vary.sensor_reach_mm is not None
+    alike = cube and not faces_differ(spec) and spec.search.vary.sensor_reach_mm is not None
     few = (1, 3, 5) if "grasp_position_bound_mm" in spec.search.named else (1, 3)
     if not alike or 6 in sensed or not {*few} <= {*sensed}:
         return each_alone(sensed)

@@ -11,6 +11,7 @@ from design.errors import InputError
 from design.layout.body import body_of
 from design.layout.places.contact_places import shared_counts
 from design.layout.places.coverage import covered_share
+from design.search.faces import layout_groups
 from design.search.space import SearchSpace, start_params
 from design.spec.assembly import AsBuiltSpec
 from design.spec.object import ObjectSpec
@@ -104,7 +105,8 @@ def _prepared(path: Path, out: Path, overrides: list[str]) -> tuple[ObjectSpec, 
     it is judged at the contact locations that they share."""
     spec = load_spec(path, overrides).changed(as_built=AsBuiltSpec())
     require_writable(out)
-    if spec.contact_grid.count == "fill" and body_of(spec).cuboid:
+    shared = body_of(spec).cuboid and len(layout_groups(spec)) == 1
+    if spec.contact_grid.count == "fill" and shared:
         spec = spec.changed(contact_grid=spec.contact_grid.changed(count=shared_counts(spec)))
     return spec, require_possible(spec)
 

@@ -17,6 +17,7 @@ from design.layout.body import body_of, face_frames
 from design.layout.places.contact_grid import contact_grid
 from design.layout.places.contact_places import contact_places
 from design.layout.pockets import magnet_bodies
+from design.search.faces import layout_groups
 from design.search.space import SearchSpace, params_at, search_space, structure_of, unit_of
 from design.search.structure import with_structure
 from design.spec.object import ObjectSpec
@@ -61,10 +62,10 @@ def require_possible(spec: ObjectSpec) -> SearchSpace:
         with the one that is most in the way.
     """
     _require_known_on(spec)
-    if len(spec.magnets.lists) > 1:
+    if len(spec.magnets.lists) > 1 and len(layout_groups(spec)) == 1:
         raise InputError(
-            "a layout search moves one layout that all faces repeat; magnets.positions_mm holds a list for "
-            "each. Give one list, or compare such layouts by `instobj score A.toml B.toml`"
+            "a layout search moves one layout that all faces of a size repeat; magnets.positions_mm holds "
+            'a list for each face. Give one list, or set search.vary.layouts = "per face"'
         )
     if spec.arrangement != "sensors-in-core":
         raise InputError(
@@ -213,7 +214,7 @@ def _nearest(
     """Walk random layouts of one structure towards the limits."""
     tensors = layout_space(space, structured)
     flags = np.array([not v.choices for v in space.variables])
-    poles = torch.ones(len(units), len(tensors.magnets.constant))
+    poles = torch.ones(len(units), structured.magnets.count)
 
     def broken(point: Tensor) -> Tensor:
         face = structured.body.sensed[0]

@@ -152,7 +152,7 @@ STAGES: dict[str, Stage] = {
             "shell_body_outline",
         ),
         make_candidates,
-        version=2,
+        version=3,
     ),
     "coarse_response": Stage(
         "mechanics: response on a coarser mesh",

@@ -45,35 +45,39 @@ def broken_on_surfaces_mm(
     """By how much each rule of pockets, boards and chips is broken, on the face where it is most; of
     sensors that stay, boards not."""
     known = surfaces(spec)
-    pockets = pockets_of(spec, layouts)
-    placed = {number: _placed(one, layouts, pockets) for number, one in known.items()}
+    laid = {number: layouts.of(number) for number in known}
+    pockets = {number: pockets_of(spec, one) for number, one in laid.items()}
+    placed = {number: _placed(one, laid[number], pockets[number]) for number, one in known.items()}
     moving = spec.search.vary.sensor_reach_mm is not None
-    read = tuple(known) if moving else (face,)
+    radius = pockets[face].radius
     found = {
         "pocket gap": _worst(
-            [
-                pocket_gaps_mm(floor, top, pockets.radius, pocket_gap_mm)
-                for floor, top, _ in placed.values()
-            ]
+            [pocket_gaps_mm(floor, top, radius, pocket_gap_mm) for floor, top, _ in placed.values()]
         ),
-        "pockets near the edge": _worst([_past_border(one, pockets) for one in known.values()]),
-        "pocket gap across an edge": _pocket_gaps_across(spec, placed, pockets.radius),
-        "seal": _worst([_unsealed(one, layouts, pockets) for one in known.values()]),
+        "pockets near the edge": _worst(
+            [_past_border(one, pockets[number]) for number, one in known.items()]
+        ),
+        "pocket gap across an edge": _pocket_gaps_across(spec, placed, radius),
+        "seal": _worst(
+            [_unsealed(one, laid[number], pockets[number]) for number, one in known.items()]
+        ),
         "chip near a magnet": _worst(
-            [_chips_near_magnets(spec, layouts, number) for number in read]
+            [_chips_near_magnets(spec, laid, number) for number in (known if moving else (face,))]
         ),
     }
     if moving:
-        boards = boards_of(spec, layouts)
-        recesses = [_recesses(one, layouts, boards) for one in known.values()]
+        recesses = {
+            number: _recesses(one, laid[number], boards_of(spec, laid[number]))
+            for number, one in known.items()
+        }
         found["board gap"] = missing_between_boxes_mm(
-            *(torch.cat(parts, dim=1) for parts in zip(*recesses, strict=True)),
+            *(torch.cat(parts, dim=1) for parts in zip(*recesses.values(), strict=True)),
             board_gap_mm + SLACK_MM,
         )
         found["boards near the edge"] = _worst(
             [
-                _boards_past_edges(one, layouts, recess)
-                for one, recess in zip(known.values(), recesses, strict=True)
+                _boards_past_edges(one, laid[number], recesses[number])
+                for number, one in known.items()
             ]
         )
     return found
@@ -195,7 +199,7 @@ def _chips_near_magnets(spec: ObjectSpec, layouts: Layouts, face: int) -> Float[
     short = torch.zeros_like(layouts.sensor_mm[:, 0, 0])
     for number, surface in known.items():
         reach = OWN if number == face else OTHER
-        centre = surface.magnets(layouts.magnet_mm)[0]
+        centre = surface.magnets(laid[number].magnet_mm)[0]
         distance = (chips - centre[:, None]).square().sum(-1).clamp(min=1e-12).sqrt()
         lacking = torch.relu(reach.least_mm(magnet) + SLACK_MM - distance)
         short = short + lacking.sum(dim=(1, 2))

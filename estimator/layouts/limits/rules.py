@@ -41,7 +41,8 @@ def broken_limits_mm(
     """
     spec = space.structured
     limits, wall = spec.search.limits, spec.printer.wall_mm
-    wire = layouts.sensor_mm.norm(dim=-1).sum(dim=1)
+    every = list(layouts.by_face.values()) or [layouts]
+    wire = torch.stack([one.sensor_mm.norm(dim=-1).sum(dim=1) for one in every]).amax(dim=0)
     longest = np.inf if limits.wiring_mm is None else limits.wiring_mm
     broken = broken_on_surfaces_mm if faces_differ(spec) else broken_on_flat_faces_mm
     found = broken(
@@ -52,7 +53,8 @@ def broken_limits_mm(
         max(limits.board_gap_mm, wall),
     )
     found["wiring"] = torch.relu(wire - longest)
-    if space.sensors is not None:
-        found["board beside the wire hole"] = boards_beside_hole_mm(spec, boards_of(spec, layouts))
+    if space.sensors:
+        beside = [boards_beside_hole_mm(spec, boards_of(spec, one)) for one in every]
+        found["board beside the wire hole"] = torch.stack(beside).amax(dim=0)
     nothing = torch.zeros_like(wire)
     return torch.stack([found.get(rule, nothing) for rule in RULES], dim=1)

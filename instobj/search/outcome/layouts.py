@@ -13,7 +13,7 @@ from design.body.triangles import Block
 from design.layout.boards import board_blocks, mounted_sensors
 from design.layout.body import body_of, face_frames
 from design.layout.places.positions import magnet_layout, shell_body_layout
-from design.layout.pockets import magnet_bodies
+from design.layout.pockets import magnet_bodies, sensor_places
 from design.search.space import SearchSpace, with_layout
 from design.spec.object import ObjectSpec
 from design.spec.search import OBJECTIVES_TO_MAXIMIZE
@@ -102,9 +102,8 @@ def layouts_scene(layouts: Sequence[ShownLayout], history: History) -> bytes:
 
 def _layout(one: ShownLayout, start: ObjectSpec) -> dict[str, Any]:
     """Parts as centre (mm), axes as columns row by row, half edges (mm)."""
-    spec, faces = one.spec, len(one.spec.body.sensed)
+    spec = one.spec
     half = np.asarray(spec.body.size_mm) / 2
-    seen = [np.array([place[:2] for place in each.sensors.places[0]]) for each in (start, spec)]
     return {
         "label": one.label,
         "scores": [score if np.isfinite(score) else None for score in one.scores],
@@ -113,8 +112,8 @@ def _layout(one: ShownLayout, start: ObjectSpec) -> dict[str, Any]:
         "magnets": _magnets(spec),
         "chips": _blocks([mounted.chip for mounted in mounted_sensors(spec)]),
         "boards": _blocks(board_blocks(spec)),
-        "magnet_from": _origins(_places(start), _places(spec), faces),
-        "sensor_from": _origins(seen[0], seen[1], faces),
+        "magnet_from": _origins(_magnet_places(start), _magnet_places(spec)),
+        "sensor_from": _origins(_sensor_places(start), _sensor_places(spec)),
     }
 
 
@@ -136,17 +135,22 @@ def _rounded(values: np.ndarray) -> list[Any]:
     return np.round(values, 4).tolist()
 
 
-def _places(spec: ObjectSpec) -> Float[np.ndarray, "magnet 2"]:
-    return np.array([body.centre_mm[:2] for body in magnet_bodies(spec)[0]])
+_PlacesOfFaces = list[Float[np.ndarray, "part 2"]]
 
 
-def _origins(
-    before: Float[np.ndarray, "n 2"], after: Float[np.ndarray, "m 2"], faces: int
-) -> list[int]:
+def _magnet_places(spec: ObjectSpec) -> _PlacesOfFaces:
+    return [np.array([body.centre_mm[:2] for body in face]) for face in magnet_bodies(spec)]
+
+
+def _sensor_places(spec: ObjectSpec) -> _PlacesOfFaces:
+    return [np.array(face)[:, :2] for face in sensor_places(spec)]
+
+
+def _origins(before: _PlacesOfFaces, after: _PlacesOfFaces) -> list[int]:
     """Which part of the start each part was, face by face; −1 for a new one."""
-    pairs = {new: old for old, new in paired(before, after)}
-    return [
-        face * len(before) + pairs[k] if k in pairs else -1
-        for face in range(faces)
-        for k in range(len(after))
-    ]
+    found, first = [], 0
+    for old, new in zip(before, after, strict=True):
+        pairs = {now: was for was, now in paired(old, new)}
+        found += [first + pairs[k] if k in pairs else -1 for k in range(len(new))]
+        first += len(old)
+    return found

@@ -7,7 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from design.layout.pockets import magnet_bodies
+from design.layout.pockets import magnet_bodies, sensor_places
+from design.search.faces import layout_groups
 from design.spec.object import ObjectSpec
 from instobj.search.outcome.figures import draw_moves, paired
 
@@ -15,12 +16,33 @@ from instobj.search.outcome.figures import draw_moves, paired
 def moved_parts(start: ObjectSpec, found: ObjectSpec, folder: Path) -> dict[str, Any]:
     """Picture, rows of moved magnets and sensors, and other changes, as the page shows them."""
     draw_moves(start, found, folder / "moves.png")
-    before, after = magnet_bodies(start)[0], magnet_bodies(found)[0]
-    old, new = (np.array([b.centre_mm for b in bodies]) for bodies in (before, after))
+    rows = []
+    for group, label in zip(layout_groups(found), _faces_in_words(found), strict=True):
+        face = found.body.sensed.index(group[0])
+        rows += _moved_magnets(start, found, face, label)
+        rows += _moved_sensors(start, found, face, label)
+    others = [
+        f"{label} {old_value} → {new_value}"
+        for label, old_value, new_value in _other_changes(start, found)
+        if old_value != new_value
+    ]
+    return {"moves_picture": folder / "moves.png", "moves": rows, "other_changes": others}
+
+
+def _faces_in_words(spec: ObjectSpec) -> list[str]:
+    """Of each group of faces that share a layout; nothing where one serves all."""
+    groups = layout_groups(spec)
+    if len(groups) == 1:
+        return [""]
+    return [f", face{'s' * (len(g) > 1)} {', '.join(map(str, g))}" for g in groups]
+
+
+def _moved_magnets(start: ObjectSpec, found: ObjectSpec, face: int, label: str) -> list[list[str]]:
+    old, new = (np.array([b.centre_mm for b in magnet_bodies(one)[face]]) for one in (start, found))
     tilts = found.magnets.tilt_deg or ((0.0, 0.0),) * len(new)
-    rows = [
+    return [
         [
-            f"magnet {j + 1}",
+            f"magnet {j + 1}{label}",
             _point(old[i]),
             _point(new[j]),
             f"{np.linalg.norm(new[j] - old[i]):.1f}",
@@ -29,24 +51,22 @@ def moved_parts(start: ObjectSpec, found: ObjectSpec, folder: Path) -> dict[str,
         ]
         for i, j in paired(old[:, :2], new[:, :2])
     ]
-    seen = [np.array([p[:2] for p in one.sensors.places[0]]) for one in (start, found)]
-    rows += [
+
+
+def _moved_sensors(start: ObjectSpec, found: ObjectSpec, face: int, label: str) -> list[list[str]]:
+    old, new = (np.array(sensor_places(one)[face])[:, :2] for one in (start, found))
+    label = label or f", face {found.body.sensed[face]}"
+    return [
         [
-            f"sensor {j + 1}, face 1",
-            _point(seen[0][i]),
-            _point(seen[1][j]),
-            f"{np.linalg.norm(seen[1][j] - seen[0][i]):.1f}",
+            f"sensor {j + 1}{label}",
+            _point(old[i]),
+            _point(new[j]),
+            f"{np.linalg.norm(new[j] - old[i]):.1f}",
             "",
             "",
         ]
-        for i, j in paired(*seen)
+        for i, j in paired(old, new)
     ]
-    others = [
-        f"{label} {old_value} → {new_value}"
-        for label, old_value, new_value in _other_changes(start, found)
-        if old_value != new_value
-    ]
-    return {"moves_picture": folder / "moves.png", "moves": rows, "other_changes": others}
 
 
 def _other_changes(start: ObjectSpec, found: ObjectSpec) -> list[tuple[str, str, str]]:
