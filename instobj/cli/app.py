@@ -49,7 +49,9 @@ def new(
         tuple[float, float, float] | None,
         typer.Option(metavar="X Y Z", help="Box around the body, mm.", show_default=False),
     ] = None,
-    sensors: Annotated[int, typer.Option(min=1, max=12, help="Sensors per face.")] = 3,
+    sensors: Annotated[
+        int | None, typer.Option(min=1, max=12, help="Sensors per face (default: 3).")
+    ] = None,
     magnets: Annotated[
         int | None,
         typer.Option(min=1, max=12, help="Magnets per face (default: what fits, up to 5)."),
@@ -59,9 +61,11 @@ def new(
         typer.Option("--from", metavar="FILE", help="Closed surface of an imported body."),
     ] = None,
     unit: Annotated[
-        str, typer.Option(help="Unit of the lengths in the file: mm, cm, m, in.")
-    ] = "mm",
-    scale: Annotated[float, typer.Option(help="Factor on the lengths in the file.")] = 1.0,
+        str | None, typer.Option(help="Unit of the lengths in the file: mm (default), cm, m, in.")
+    ] = None,
+    scale: Annotated[
+        float | None, typer.Option(help="Factor on the lengths in the file (default: 1).")
+    ] = None,
     out: Out = HERE,
 ) -> None:
     """Write a commented specification to start from, NAME.toml, with everything placed to fit."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import warnings
 from dataclasses import replace
+from math import inf
 from pathlib import Path
 from typing import Any
 
@@ -82,13 +83,13 @@ def new_specification(name: str, out: Path, request: Request | None = None) -> P
 
 
 def request_of(
-    kind: str | None,
-    size_mm: tuple[float, float, float] | None,
-    sensors: int,
-    magnets: int | None,
-    file: Path | None,
-    unit: str,
-    scale: float,
+    kind: str | None = None,
+    size_mm: tuple[float, float, float] | None = None,
+    sensors: int | None = None,
+    magnets: int | None = None,
+    file: Path | None = None,
+    unit: str | None = None,
+    scale: float | None = None,
 ) -> Request | None:
     """What the options of `instobj new` ask for; None where none is given.
 
@@ -99,13 +100,19 @@ def request_of(
     """
     if kind is None and file is not None:
         kind = next(name for name, one in KINDS.items() if one.from_file)
+    if kind is None and size_mm is None and file is None:
+        _refuse_alone("with --kind and --size, or with --from", sensors=sensors, magnets=magnets)
+    if file is None:
+        _refuse_alone("with --from FILE", unit=unit, scale=scale)
     if kind is None and size_mm is None:
         return None
     kind = kind or BodySpec().kind
     if kind not in KINDS:
         raise InputError(f"--kind {kind} is not known. Choose one of {', '.join(KINDS)}")
-    if unit not in MM:
+    if unit is not None and unit not in MM:
         raise InputError(f"--unit {unit} is not known. Choose one of {', '.join(MM)}")
+    if scale is not None and not 0 < scale < inf:
+        raise InputError(f"--scale must be above 0 and finite; got {scale:g}. Leave it out for 1")
     if KINDS[kind].from_file != (file is not None):
         read = next(name for name, one in KINDS.items() if one.from_file)
         raise InputError(f"--from FILE goes with --kind {read}. Give both, or neither")
@@ -115,12 +122,23 @@ def request_of(
             f"--kind {kind}{'' if size_mm is None else ' and --size'}. "
             + ("Add --size" if size_mm is None else "Leave it out, or use --scale")
         )
-    request = Request(kind, size_mm or (0.0, 0.0, 0.0), sensors, magnets)
+    asked = Request(kind, size_mm or (0.0, 0.0, 0.0), magnets=magnets)
+    request = asked if sensors is None else replace(asked, sensors=sensors)
     if file is None:
         return request
-    read = body_of_file(file, MM[unit] * scale)
-    keys = {"file": read["file"], "unit": unit, "scale": scale}
+    keys = {"unit": unit or "mm", "scale": 1.0 if scale is None else scale}
+    read = body_of_file(file, MM[keys["unit"]] * keys["scale"])
+    keys = {"file": read["file"], **keys}
     return replace(request, size_mm=tuple(read["size_mm"]), file=tuple(keys.items()))
+
+
+def _refuse_alone(goes_with: str, **options: Any) -> None:
+    """Refuse options that would otherwise be without effect."""
+    for name, value in options.items():
+        if value is not None:
+            raise InputError(
+                f"--{name} {value} goes {goes_with}; got it alone. Add that, or leave it out"
+            )
 
 
 def _filled(text: str, tables: Tables, kind: type[BodyKind], out: Path) -> str:
@@ -172,9 +190,10 @@ def _gap(line: str) -> str:
 def _left_out_faces(request: Request, sensed: list[int]) -> str:
     """Which faces a placement does without."""
     told = f"{', '.join(map(str, sensed[:-1]))} and {sensed[-1]}" if sensed[1:] else str(sensed[0])
+    sensors = f"{request.sensors} sensor{'s' * (request.sensors > 1)}"
     return (
-        f"only face{'s' * (len(sensed) > 1)} {told} can take {request.sensors} sensors and the magnets; "
-        "the others are not sensed (body.sensed_faces). Ask for fewer sensors or magnets to sense more"
+        f"only face{'s' * (len(sensed) > 1)} {told} can take {sensors} and the magnets; the others are "
+        "not sensed (body.sensed_faces). Ask for fewer sensors or magnets to sense more"
     )
 
 

@@ -108,7 +108,7 @@ def test_a_body_longer_than_the_printers_bed_takes_is_told_so(tmp_path, monkeypa
 
 
 def test_without_options_the_cube_of_the_paper_is_written(tmp_path):
-    assert request_of(None, None, 3, None, None, "mm", 1.0) is None
+    assert request_of() is None
     path = new_specification("mine", tmp_path)
     cube = load_spec(ROOT / "examples" / "paper_cube.toml")
     assert load_spec(path).changed(name="x") == cube.changed(name="x")
@@ -119,16 +119,22 @@ def test_without_options_the_cube_of_the_paper_is_written(tmp_path):
 @pytest.mark.parametrize(
     ("options", "said"),
     [
-        (("ball", (1.0, 1.0, 1.0), 3, None, None, "mm", 1.0), "Choose one of box, pad"),
-        (("box", None, 3, None, None, "mm", 1.0), "Add --size"),
-        (("imported", None, 3, None, None, "mm", 1.0), "--from FILE goes with"),
-        ((None, (1.0, 1.0, 1.0), 3, None, PEAR, "mm", 1.0), "Leave it out, or use --scale"),
-        ((None, None, 3, None, PEAR, "ft", 1.0), "mm, cm, m, in"),
+        ({"kind": "ball", "size_mm": (1.0, 1.0, 1.0)}, "Choose one of box, pad"),
+        ({"kind": "box"}, "Add --size"),
+        ({"kind": "imported"}, "--from FILE goes with"),
+        ({"size_mm": (1.0, 1.0, 1.0), "file": PEAR}, "Leave it out, or use --scale"),
+        ({"file": PEAR, "unit": "ft"}, "mm, cm, m, in"),
+        ({"file": PEAR, "scale": 0.0}, "above 0 and finite; got 0"),
+        ({"file": PEAR, "scale": float("nan")}, "above 0 and finite; got nan"),
+        ({"sensors": 2}, "--sensors 2 goes with --kind and --size"),
+        ({"magnets": 4}, "--magnets 4 goes with --kind and --size"),
+        ({"unit": "m"}, "--unit m goes with --from FILE"),
+        ({"size_mm": (60.0, 40.0, 30.0), "scale": 2.0}, "--scale 2.0 goes with --from FILE"),
     ],
 )
 def test_options_that_do_not_go_together_are_refused(options, said):
     with pytest.raises(InputError, match=said):
-        request_of(*options)
+        request_of(**options)
 
 
 @pytest.mark.parametrize(
@@ -148,9 +154,7 @@ def test_a_file_in_metres_is_answered_with_a_question(edge_mm, asked):
 @pytest.mark.parametrize("kind", KINDS)
 def test_what_is_placed_can_be_printed_cast_and_assembled(kind, tmp_path):
     file = PEAR if kind == "imported" else None
-    path = new_specification(
-        "mine", tmp_path, request_of(kind, SIZES.get(kind), 3, None, file, "mm", 1.0)
-    )
+    path = new_specification("mine", tmp_path, request_of(kind, SIZES.get(kind), file=file))
     spec = load_spec(path)
     check(spec)
     findings = check_fabrication(spec).findings
