@@ -12,7 +12,8 @@ import numpy as np
 
 from design.fabrication.assembly import check_pockets
 from design.fabrication.finding import Finding, at_least, place_of
-from design.fit.parts import beyond_core_mm, distance_mm, recess_outline
+from design.fit.boards import beyond_core_mm
+from design.fit.parts import distance_mm, recess_outline
 from design.layout.boards import passage_radius_mm, sensor_recesses, smallest_recess_wall_mm
 from design.layout.body import face_frames
 from design.layout.pockets import (

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from design.fit.boards import check_boards
 from design.fit.box import check_box, check_box_core, check_box_presses, check_tips
 from design.fit.curved import check_body, check_body_core, check_curved_presses
 from design.fit.environment import check_environment
@@ -45,6 +46,7 @@ def _all_checks(spec: ObjectSpec, table: bool) -> Iterator[str]:
         yield from check_box_presses(spec) if cuboid else check_curved_presses(spec)
     yield from check_environment(spec)
     yield from check_parts(spec)
+    yield from check_boards(spec)
     yield from check_mould(spec)
 
 

@@ -16,9 +16,7 @@ from design.fit.nearest import nearest_bay, nearest_keys, nearest_slits, with_ne
 from design.layout.blocks import relief_slits
 from design.layout.boards import (
     channel_heights_mm,
-    mounted_sensors,
     passage_radius_mm,
-    sensor_recesses,
 )
 from design.layout.body import body_of, core_frames, face_frames
 from design.layout.dents import dents_mm
@@ -30,9 +28,6 @@ if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
 
 Corners = Float[np.ndarray, "corner 2"]
-_TOUCHING_MM = 0.01
-_FLUSH_MM = 0.05
-"""By which a board may stand above the core: offsets of triangles are known to that."""
 
 
 def check_parts(spec: ObjectSpec) -> Iterator[str]:
@@ -47,9 +42,6 @@ def check_parts(spec: ObjectSpec) -> Iterator[str]:
     yield from _check_pocket_width(spec)
     yield from _check_dents(spec)
     yield from _check_channels(spec)
-    if spec.arrangement == "sensors-in-core":
-        yield from _check_recesses_off_passages(spec)
-        yield from _check_boards_in_core(spec)
     if spec.core.bay_mm is not None:
         yield from with_nearest(spec, _check_bay if cuboid else check_curved_bay, nearest_bay)
 
@@ -244,55 +236,6 @@ def _check_channels(spec: ObjectSpec) -> Iterator[str]:
             f"{core.wire_channel_depth_mm:g}. {shallower}the wall thicker than {deepest:.4g} mm, or move "
             "the sensors inwards"
         )
-
-
-def _check_recesses_off_passages(spec: ObjectSpec) -> Iterator[str]:
-    """A recess may run into the hub or the wire hole, or stay clear of it, but not touch it in a line."""
-    core, beside = spec.core, np.zeros(2)
-    passages = {
-        "core.hub_radius_mm": core.hub_radius_mm,
-        "half of core.wire_hole_top_diameter_mm": core.wire_hole_top_diameter_mm / 2,
-        "half of core.wire_hole_side_diameter_mm": core.wire_hole_side_diameter_mm / 2,
-    }
-    for places in sensor_places(spec):
-        for x, y, azimuth in places:
-            near = distance_mm(recess_outline(spec, x, y, azimuth), beside)
-            for name, radius in passages.items():
-                if abs(near - radius) < _TOUCHING_MM:
-                    yield (
-                        f"a sensor's recess begins {near:.4g} mm from the middle of the core's face, just "
-                        f"where {name} = {radius:g} ends: they would touch in a line. Move "
-                        f"core.recess_inner_radius_mm, or that radius, by {_TOUCHING_MM:g} mm or more"
-                    )
-
-
-def _check_boards_in_core(spec: ObjectSpec) -> Iterator[str]:
-    """Boards and chips wholly in the core, floors of recesses below its surface."""
-    for mounted, recess in zip(mounted_sensors(spec), sensor_recesses(spec), strict=True):
-        for what, corners in (
-            ("the board", mounted.board.corners_mm),
-            ("the chip", mounted.chip.corners_mm),
-            ("the recess", recess.corners_mm[:4]),
-        ):
-            if not np.isfinite(corners).all():
-                break  # beyond its patch, which is told with the sinking of boards
-            beyond = beyond_core_mm(spec, corners)
-            worst = int(np.argmax(beyond))
-            if beyond[worst] > _FLUSH_MM:
-                place = ", ".join(f"{float(p):.3g}" for p in corners[worst])
-                yield (
-                    f"{what} of {mounted.label} reaches {float(beyond[worst]):.3g} mm out of the core at "
-                    f"({place}). Move the sensor inwards by more than that (sensors.radius_mm, "
-                    "sensors.positions_mm), or take a smaller board or recess"
-                )
-                break
-
-
-def beyond_core_mm(spec: ObjectSpec, points_mm: np.ndarray) -> np.ndarray:
-    """How far points lie outside the core, or the base with its border (mm)."""
-    body = body_of(spec)
-    beside = np.max(abs(points_mm) - body.half_mm, axis=1)
-    return np.maximum(body.core_distance_mm(points_mm), beside)
 
 
 def recess_outline(spec: ObjectSpec, x: float, y: float, azimuth: float) -> Corners:

@@ -31,7 +31,8 @@ if TYPE_CHECKING:
 
 _SECTIONS = 48
 _SKIN_MM = 0.05
-_POUR_TURNS_DEG = (0, 15, -15, 30, -30, 45, -45, 60, -60, 75, -75, 90)
+_POUR_SHIFTS = (0.0, 0.25, -0.25, 0.5, -0.5, 0.75, -0.75, 1.0, -1.0, 1.25, -1.25, 1.5, -1.5)
+"""Along the flange, over the distance from the rod's axis across it."""
 _MOST_CORNERS = 200
 _LEAST_TRAP_MM = 0.1
 """Bubbles less high than this are left: triangles of curved surfaces make dents of a third of it."""
@@ -110,8 +111,9 @@ def _bore(spec: ObjectSpec) -> trimesh.Trimesh:
 
 
 def pour_holes(spec: ObjectSpec, surface: trimesh.Trimesh | None = None) -> tuple[Hole, ...]:
-    """Beside the rod through a bore, at both its sides; at the upper corner of a closed mould. They turn
-    about the rod, or go down from that corner, until no pin is in their way.
+    """Beside the rod through a bore, at both its sides; at the upper corner of a closed mould. They move
+    along the flange of the rod, which stays beside them, or go down from that corner, until no pin is
+    in their way.
 
     They begin at a surface, by default that of the first pour.
 
@@ -144,9 +146,9 @@ def _pour_places(spec: ObjectSpec, surface: trimesh.Trimesh) -> Iterator[list[np
             yield [surface.vertices[corner]]
         return
     aside = float(frame.plug_mm[1, 0]) + spec.mould.pour_mm / 2
-    for turn in _POUR_TURNS_DEG:
-        side = np.cos(np.deg2rad(turn)) * frame.across + np.sin(np.deg2rad(turn)) * frame.along
-        tops = [_below(surface, frame, sign * aside * side) for sign in (-1, 1)]
+    for shift in _POUR_SHIFTS:
+        side = aside * (frame.across + shift * frame.along)
+        tops = [_below(surface, frame, sign * side) for sign in (-1, 1)]
         yield [top for top in tops if top is not None]
 
 

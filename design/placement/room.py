@@ -7,7 +7,7 @@ from itertools import combinations
 import numpy as np
 from jaxtyping import Float
 
-from design.fit.parts import beyond_core_mm
+from design.fit.boards import beyond_core_mm
 from design.layout.boards import (
     Recess,
     passage_radius_mm,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -71,6 +72,7 @@ def check(spec: ObjectSpec) -> SpecCheck:
 
 def check_specifications(specs: list[Path], overrides: list[str]) -> dict[str, Any]:
     """Validate each specification, and that no sensor saturates or sits in a magnet at rest."""
+    from design.fit.boards import boards_across_edges
     from design.layout.places.contact_places import contact_places
     from design.layout.places.coverage import cell_areas_mm2, covered_share
     from instobj.report.uncertainty import force_spread_text, modulus_text
@@ -80,6 +82,9 @@ def check_specifications(specs: list[Path], overrides: list[str]) -> dict[str, A
     for path in specs:
         spec = load_spec(path, overrides)
         found, cells = check(spec), cell_areas_mm2(spec)
+        across = boards_across_edges(spec)
+        if across is not None:
+            warnings.warn(across, stacklevel=2)
         rows.append(
             {
                 "spec": str(path),

@@ -56,7 +56,7 @@ def summary_of(content: dict[str, Any]) -> dict[str, Any]:
     """What the command line prints."""
     return {
         "estimate": error_text(content),
-        "patch compliance ±%": 100 * content["patch_compliance"],
+        "patch compliance": f"±{_percent(content['patch_compliance'])} at most",
         "coarse unknowns": content["coarse_unknowns"],
     }
 

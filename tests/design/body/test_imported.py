@@ -36,6 +36,7 @@ positions_mm = [[0, 0]]
 [sensors]
 positions_mm = [[0, 0]]
 radius_mm = 4.0
+package_mm = [6.6, 6.0, 1.6]
 [core]
 wall_mm = 5.5
 recess_inner_radius_mm = 1.0

@@ -98,7 +98,7 @@ def test_a_wall_of_0_38_mm_is_found():
 
 def test_a_chip_that_meets_its_recess_is_found():
     """In the authors' core chip and recess share 0.2 mm of depth."""
-    shallow = parsed(core={"recess_depth_mm": 2.65})
+    shallow = PAPER.changed(core=PAPER.core.changed(recess_depth_mm=2.65))
     findings = check_electronics(shallow, mesh_of(make_core(shallow), shallow))
     deep = found(findings, "board in its recess, deep")
     assert deep.status == "fail"
@@ -114,7 +114,10 @@ def test_boards_that_overlap_and_wires_too_thick_are_found():
     crowded = parsed(sensors={"count_per_face": 4, "frame_rate_hz": 5.0})
     findings = check_electronics(crowded, mesh_of(make_core(crowded), crowded))
     assert found(findings, "boards clear of each other").status == "pass"
-    wide = parsed(sensors={"package_mm": [8.5, 6.2, 1.6]}, core={"wire_diameter_mm": 0.6})
+    wide = PAPER.changed(
+        sensors=PAPER.sensors.changed(package_mm=(8.5, 6.2, 1.6)),
+        core=PAPER.core.changed(wire_diameter_mm=0.6),
+    )
     findings = check_electronics(wide, mesh_of(make_core(wide), wide))
     assert found(findings, "board in its recess, across").value == pytest.approx(-0.75)
     assert found(findings, "boards and chips clear of the core").status == "fail"

@@ -148,6 +148,7 @@ def test_chips_are_turned_about_their_own_axes(turned, matrix):
 BOARD = {
     "positions_mm": [[0, 0], [-7, 0], [0, -7]],
     "rotations_deg": [[0, 0, 0], [0, 0, 270], [180, 0, 90]],
+    "package_mm": [1.5, 1.5, 1.6],
 }
 
 

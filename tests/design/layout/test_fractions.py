@@ -13,7 +13,7 @@ from design.spec_io import parse_spec
 BOX = {
     "name": "box",
     "body": {"size_mm": [60, 44, 40]},
-    "sensors": {"count_per_face": 2, "radius_mm": 5.0},
+    "sensors": {"count_per_face": 2, "radius_mm": 6.0, "package_mm": [6.6, 3.5, 1.6]},
     "core": {"recess_outer_radius_mm": 8.0},
 }
 LISTS = [
@@ -48,7 +48,11 @@ def test_fractions_are_shares_of_each_face_that_the_parts_lie_under():
     share = np.array([[0.4, -0.3], [-0.5, 0.2]])
     spec = parsed(
         magnets={"positions_fraction": share.tolist()},
-        sensors={"positions_fraction": [[0.3, 0.4]], "radius_mm": 5.0},
+        sensors={
+            "positions_fraction": [[0.3, 0.4]],
+            "radius_mm": 6.0,
+            "package_mm": [6.6, 3.5, 1.6],
+        },
     )
     for frame, places in zip(face_frames(spec), magnet_places(spec), strict=True):
         np.testing.assert_allclose(places, share * frame.half_extents_mm, atol=1e-4)

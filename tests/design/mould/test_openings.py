@@ -1,15 +1,15 @@
 """Pouring holes of split moulds keep clear of pins."""
 
-import numpy as np
 import pytest
 import trimesh
 from numpy.testing import assert_allclose
 
 from design.errors import InputError
-from design.layout.mould_frame import up
+from design.layout.mould_frame import mould_frame, up
 from design.mould import openings
 from design.mould.openings import pour_holes
 from design.mould.pins import loose_pins
+from design.mould.plug_flange import flange_span_mm
 from design.spec_io import parse_spec
 from tests.support.objects.body_cases import body_spec
 
@@ -55,14 +55,17 @@ def test_a_pouring_hole_goes_down_from_the_upper_corner_until_no_pin_is_in_its_w
         pour_holes(spec)
 
 
-def test_pouring_holes_of_a_bored_body_turn_about_the_rod_together(monkeypatch):
+def test_pouring_holes_of_a_bored_body_move_along_its_holder_together(monkeypatch):
+    """Turned about the rod they came under the holder's flange (0.7 mm³ of a ball of 32 mm)."""
     spec = body_spec("ellipsoid", body={"open_faces": [6], "bore_mm": 9.0})
     usual = pour_holes(spec)
-    turned = np.deg2rad(15)
+    frame, aside = mould_frame(spec), abs(usual[0].top_mm[0])
     monkeypatch.setattr(
-        openings, "_clear", lambda hole, pins: abs(hole.top_mm[1]) > np.sin(turned) * 0.9 * aside
+        openings, "_clear", lambda hole, pins: abs(hole.top_mm @ frame.along) > 0.7 * aside
     )
-    aside = abs(usual[0].top_mm[0])
     one, other = pour_holes(spec)
     assert_allclose(one.top_mm[:2], -other.top_mm[:2], atol=1e-9)
-    assert_allclose(np.abs(one.top_mm[:2]), aside * np.array([np.cos(turned), np.sin(turned)]))
+    assert_allclose(abs(one.top_mm @ frame.across), aside)
+    assert_allclose(abs(one.top_mm @ frame.along), 0.75 * aside)
+    right = flange_span_mm(spec)[1]
+    assert_allclose(abs(one.top_mm @ frame.across) - one.diameter_mm / 2, right)

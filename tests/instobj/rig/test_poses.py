@@ -41,6 +41,7 @@ def test_poses_on_a_ball_lie_as_far_along_it_as_their_places_tell(tmp_path):
         'name = "ball"\n[body]\nkind = "sphere"\nsize_mm = [44, 44, 44]\nbore_mm = 8\n'
         "sensed_faces = [3]\n[contact_grid]\ncount = [5, 3]\npitch_mm = 3.0\n"
         "[magnets]\npositions_mm = [[0, 0]]\n[sensors]\npositions_mm = [[0, 0]]\nradius_mm = 3.5\n"
+        "package_mm = [6.6, 3.0, 1.6]\n"
         "[core]\nrecess_inner_radius_mm = 2.0\nrecess_outer_radius_mm = 5.0\n"
     )
     rig(RigOptions(path, "poses", out, reference_every=0), lambda _: False)

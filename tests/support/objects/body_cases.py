@@ -5,7 +5,7 @@ from design.spec_io import check
 
 ONE = {
     "magnets": {"positions_mm": [[1.0, -2.0]]},
-    "sensors": {"positions_mm": [[2.0, 1.0]], "radius_mm": 3.5},
+    "sensors": {"positions_mm": [[2.0, 1.0]], "radius_mm": 3.5, "package_mm": [6.6, 3.0, 1.6]},
 }
 CORE = {"core": {"recess_inner_radius_mm": 2.0, "recess_outer_radius_mm": 5.0}}
 GRID = {"contact_grid": {"count": [2, 2], "pitch_mm": 3.0}, "press": {"depths_mm": [0.5, 1.0]}}

@@ -183,9 +183,18 @@ def _electronics(draw, kind: str, narrow: float):
             (core["recess_inner_radius_mm"] + core["recess_outer_radius_mm"]) / 2, 2
         ),
         "depth_below_core_face_mm": 1.0,
+        **_board_of(core),
         "first_azimuth_deg": draw(st.tuples(*[between(0.0, 360.0)] * 5)),
     }
     return core, sensors
+
+
+def _board_of(core: dict[str, float]) -> dict[str, list[float]]:
+    """A board that fills its recess across and along, with a chip under it that does not."""
+    along = round(core["recess_outer_radius_mm"] - core["recess_inner_radius_mm"], 2)
+    high = round(core["recess_depth_mm"] / 2, 2) - 0.01
+    board = [core["recess_width_mm"], along, high]
+    return {"package_mm": board, "chip_mm": [0.5 * board[0], 0.5 * board[1], high]}
 
 
 @st.composite
