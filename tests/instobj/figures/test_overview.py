@@ -22,7 +22,7 @@ FLAT_BOX = {
     "name": "box",
     "body": {"size_mm": [60, 40, 30]},
     "core": {"recess_inner_radius_mm": 2.5, "recess_outer_radius_mm": 6.5},
-    "sensors": {"positions_mm": [[0, 3]], "radius_mm": 4.5, "package_mm": [6.6, 4.0, 1.6]},
+    "sensors": {"positions_mm": [[0, 3]], "radius_mm": 4.4, "package_mm": [6.6, 4.0, 1.6]},
     "magnets": {"positions_mm": [[0, 0]]},
     "contact_grid": {"count": [6, 6], "pitch_mm": 3.0},
 }
