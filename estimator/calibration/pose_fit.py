@@ -32,6 +32,13 @@ scale (a grade's range), ln of the modulus' scale."""
 LARGEST_SHIFT_MM = 3.0
 """Of each coordinate that a fit may take; sensors come no nearer to magnets than by about this."""
 BOUNDS = (*(LARGEST_SHIFT_MM,) * 3, 10.0, 10.0, 10.0, 0.1, 1.5)
+GROUPS = {
+    "pose of the core": (0, 1, 2, 3, 4, 5),
+    "strength of the magnets": (6,),
+    "modulus, that is depth": (7,),
+}
+"""What is freed by itself, as numbers of `PRIOR`."""
+_EVERY = tuple(range(len(PRIOR)))
 _FLOOR_COUNTS = 20.0
 _MODEL_ERROR = 0.2
 _EVALUATIONS = 15
@@ -108,24 +115,49 @@ class Problem:
 
 
 def fit(
-    problem: Problem, rows: Int[np.ndarray, "some"], case: Int[np.ndarray, "press"]
+    problem: Problem,
+    rows: Int[np.ndarray, "some"],
+    case: Int[np.ndarray, "press"],
+    free: tuple[int, ...] = _EVERY,
 ) -> Calibration:
-    """Nuisances from some presses; `case` (of every press) may have been exchanged."""
+    """Nuisances from some presses; `case` (of every press) may have been exchanged.
+
+    Numbers of `PRIOR` that are not `free` stay at the design.
+    """
     from scipy.optimize import least_squares
 
     first, recorded, sigma = _means_of_cases(problem, rows)
-    known = np.isfinite(recorded)
+    known, chosen = np.isfinite(recorded), list(free)
 
-    def residual(scaled: Float[np.ndarray, "8"]) -> Float[np.ndarray, "residual"]:
-        assembly = _calibration(scaled).applied(problem.design)
+    def all_of(scaled: Float[np.ndarray, "number"]) -> Float[np.ndarray, "8"]:
+        every = np.zeros(len(PRIOR))
+        every[chosen] = scaled
+        return every
+
+    def residual(scaled: Float[np.ndarray, "number"]) -> Float[np.ndarray, "residual"]:
+        assembly = _calibration(all_of(scaled)).applied(problem.design)
         wrong = (recorded - problem.predicted(assembly, first, case)) / sigma
         return np.concatenate([wrong[known], scaled])
 
-    bounds = np.array(BOUNDS) / PRIOR
+    bounds = (np.array(BOUNDS) / PRIOR)[chosen]
     found: Any = least_squares(
-        residual, np.zeros(8), bounds=(-bounds, bounds), max_nfev=_EVALUATIONS, diff_step=1e-4
+        residual,
+        np.zeros(len(chosen)),
+        bounds=(-bounds, bounds),
+        max_nfev=_EVALUATIONS,
+        diff_step=1e-4,
     )
-    return _calibration(found.x)
+    return _calibration(all_of(found.x))
+
+
+def groups_freed(problem: Problem) -> dict[str, Judged]:
+    """Each group of numbers fitted by itself to all sets of places but one and judged on that one, in
+    turn; that which leaves least first, beside the design."""
+    presses = problem.presses
+    found = {"the design": _judged(problem, folds_by_case(presses), presses.case, ())}
+    for name, free in GROUPS.items():
+        found[name] = _judged(problem, folds_by_case(presses), presses.case, free)
+    return dict(sorted(found.items(), key=lambda item: item[1].left))
 
 
 def _calibration(scaled: Float[np.ndarray, "8"]) -> Calibration:
@@ -171,17 +203,17 @@ def calibration_test(
     progress: Callable[[str], None] = lambda _: None,
 ) -> CalibrationTest:
     """Fit on all folds but one, judge on that one, in turn; and so with every exchange of places."""
-    after = _judged(problem, folds, problem.presses.case, True)
+    after = _judged(problem, folds, problem.presses.case, _EVERY)
     null = []
     for number, order in enumerate(exchanged):
         progress(f"{unseen}: places exchanged, {number + 1} of {len(exchanged)}")
-        null.append(_judged(problem, folds, order[problem.presses.case], True))
+        null.append(_judged(problem, folds, order[problem.presses.case], _EVERY))
     medians = [float(np.median([getattr(n, f) for n in null])) for f in Judged.__annotations__]
     cosine = [after.own_cosine, *(n.own_cosine for n in null)]
     left = [after.left, *(n.left for n in null)]
     return CalibrationTest(
         unseen,
-        _judged(problem, folds, problem.presses.case, False),
+        _judged(problem, folds, problem.presses.case, ()),
         after,
         Judged(*medians),
         float(np.mean(np.array(cosine) >= after.own_cosine)),
@@ -194,15 +226,15 @@ def _judged(
     problem: Problem,
     folds: Sequence[Int[np.ndarray, "_"]],
     case: Int[np.ndarray, "press"],
-    calibrated: bool,
+    free: tuple[int, ...],
 ) -> Judged:
     presses = problem.presses
     predicted = np.empty(presses.signal_counts.shape)
     for test in folds:
         assembly = problem.design
-        if calibrated:
+        if free:
             train = np.setdiff1d(np.arange(len(presses)), test)
-            assembly = fit(problem, train, case).applied(problem.design)
+            assembly = fit(problem, train, case, free).applied(problem.design)
         predicted[test] = problem.predicted(assembly, test, case)
     recorded = presses.signal_counts
     predicted = np.where(np.isfinite(recorded), predicted, 0.0)

@@ -13,6 +13,7 @@ from instobj.figures.saving import save_figure
 if TYPE_CHECKING:
     from estimator.calibration.known_travel.fit import Fitted
     from estimator.calibration.known_travel.model import TravelModel
+    from estimator.calibration.known_travel.suspects import Suspect
     from estimator.recordings.formats.travel import TravelRecording
 
 _HALF_BAND_MM = 0.5
@@ -61,5 +62,58 @@ def draw_travel(
         f"{middle + _HALF_BAND_MM:.1f} mm deep, registered on 5 % of the places\n"
         f"all travels: median cosine {found['cosine']:.2f}, "
         f"{100 * found['explained']:.0f} % of the change explained, no modulus"
+    )
+    save_figure(figure, path)
+
+
+def draw_residuals(
+    spec: ObjectSpec,
+    model: TravelModel,
+    fitted: Fitted,
+    judged: TravelRecording,
+    suspects: list[Suspect],
+    path: Path,
+) -> None:
+    """Where the residuals of the judged presses lie, chip by chip, and what they point to (PNG)."""
+    from matplotlib.figure import Figure
+
+    xy = fitted.twin.pose.in_object(judged.tip_mm)[0]
+    recorded = judged.field_mt - fitted.resting_mt
+    left = recorded - model.pressed(fitted.twin, judged.tip_mm)
+    place = judged.place_id
+    count = np.bincount(place)
+    there = np.flatnonzero(count)
+    at = np.stack([np.bincount(place, weights=c)[there] / count[there] for c in xy.T])
+
+    def per_place(values: np.ndarray) -> np.ndarray:
+        return np.sqrt(np.bincount(place, weights=values)[there] / count[there])
+
+    sensors = left.shape[1]
+    figure = Figure(figsize=(2.4 * sensors + 1.2, 5.6), layout="constrained")
+    grid = figure.add_gridspec(2, sensors, height_ratios=(1.1, 1))
+    panels = [figure.add_subplot(grid[0, k]) for k in range(sensors)]
+    maps = [per_place(np.sum(left[:, k] ** 2, axis=1)) for k in range(sensors)]
+    largest = float(np.quantile(np.concatenate(maps), 0.99))
+    for number, (panel, values) in enumerate(zip(panels, maps, strict=True), start=1):
+        shown = panel.scatter(*at, c=values, s=8, marker="s", cmap="viridis", vmin=0, vmax=largest)
+        share = np.sum(left[:, number - 1] ** 2) / np.sum(recorded[:, number - 1] ** 2)
+        panel.set(aspect="equal", xlabel="x, mm")
+        panel.set_title(f"chip {number}: {100 * share:.0f} % unexplained", fontsize=8)
+    panels[0].set_ylabel("y, mm")
+    figure.colorbar(shown, ax=panels, label="left over, mT (rms)")
+    axes = figure.add_subplot(grid[1, :])
+    names = [f"{one.name} ({one.numbers}): {one.found}" for one in suspects][::-1]
+    gains = np.array(
+        [[one.gained, one.gained - one.low, one.high - one.gained] for one in suspects]
+    )
+    axes.barh(names, 100 * gains[::-1, 0], xerr=100 * gains[::-1, 1:].T, color="#31688e", capsize=3)
+    axes.axvline(0, color="black", lw=0.8)
+    axes.set_xlabel(
+        "% of the change explained more, on judged places, with this assumption freed (90 % of places "
+        "drawn anew)"
+    )
+    axes.tick_params(labelsize=8)
+    figure.suptitle(
+        f"{spec.name}: what is left of {len(judged)} presses, and what it points to", fontsize=11
     )
     save_figure(figure, path)

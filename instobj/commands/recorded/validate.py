@@ -20,7 +20,7 @@ from instobj.store.readers import PRESSES
 from instobj.store.stage import write_json
 
 if TYPE_CHECKING:
-    from estimator.calibration.pose_fit import CalibrationTest, Problem
+    from estimator.calibration.pose_fit import CalibrationTest, Judged, Problem
     from estimator.calibration.recorded_presses import RecordedPresses
     from estimator.calibration.validation import Agreement, Predictions
     from estimator.tolerances.selftest import SelfTest
@@ -112,6 +112,8 @@ def validate_on(
             f"{folder} is a folder without sensor.csv and states.csv. Give a recording's file, or a "
             "folder that holds both (presses of known travel)"
         )
+    from estimator.calibration.pose_fit import groups_freed
+
     spec = load_spec(path, overrides)
     require_writable(out)
     run = Run(spec)
@@ -121,7 +123,8 @@ def validate_on(
     require_presses_of(spec, presses)
     problem, agreements, predictions = _compare(run, presses)
     tests = _calibrations(problem, exchanges, run.progress)
-    document = _document(problem, agreements, predictions, tests)
+    freed = groups_freed(problem) if tests else {}
+    document = _document(problem, agreements, predictions, tests, freed)
     target = run_folder(out, spec.name)
     target.mkdir(parents=True, exist_ok=True)
     write_json(document, target / "validation.json")
@@ -195,6 +198,7 @@ def _document(
     agreements: list[Agreement],
     predictions: Predictions,
     tests: list[CalibrationTest],
+    freed: dict[str, Judged],
 ) -> dict[str, Any]:
     from estimator.calibration.pose_fit import fit
     from estimator.calibration.resting import channel_names
@@ -213,6 +217,7 @@ def _document(
         "verdicts": [verdict(spec, found) for found in agreements],
         "calibration": asdict(calibrated),
         "calibration_tests": [asdict(test) for test in tests],
+        "freed": {name: asdict(found) for name, found in freed.items()},
         "channels": channel_rows(presses, predictions, channel_names(spec)),
     }
 
@@ -250,6 +255,9 @@ def _published(
                 "summary": {
                     "predicted against recorded (null: places exchanged)": agreement_rows(document),
                     "calibrated on some presses, judged on others": calibration_rows(document),
+                    "what the residuals point to: freed by itself, judged on other places": [
+                        {"freed": name, **found} for name, found in document["freed"].items()
+                    ],
                 },
                 "files": file_rows([target / "validation.json", figure]),
             }

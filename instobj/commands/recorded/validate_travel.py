@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from design.errors import InputError
+from design.errors import InputError, SpecError
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, spec_hash
 from instobj.stages.run import Run
@@ -25,6 +26,8 @@ if TYPE_CHECKING:
 
 REGISTERED_SHARE, CALIBRATED_SHARE = 0.05, 0.1
 """Of the places; all others are judged."""
+POISSON_STEP, LARGEST_POISSON = 0.15, 0.45
+"""By how much Poisson's ratio is changed to see whether it matters, and up to where."""
 
 
 def validate_on_travel(
@@ -33,13 +36,14 @@ def validate_on_travel(
     """Registered on 5 % and calibrated on 10 % of the places, judged on all others.
 
     A second folder of repeated presses, recorded on the same machine, also tests the bound of the
-    place. Results go to `runs/<name>/travel.{json,png}`.
+    place. Results go to `runs/<name>/travel.{json,png}` and `residuals.png`.
     """
     from estimator.calibration.known_travel.agreement import travel_agreement
     from estimator.calibration.known_travel.fit import calibrate, drawn_places, register
     from estimator.calibration.known_travel.model import require_comparable, travel_model
     from estimator.calibration.known_travel.places import readers
-    from instobj.figures.travel import draw_travel
+    from estimator.calibration.known_travel.suspects import ranked_suspects
+    from instobj.figures.travel import draw_residuals, draw_travel
 
     spec = load_spec(path, overrides)
     require_comparable(spec)
@@ -66,14 +70,54 @@ def validate_on_travel(
             )
             found = readers(model, fitted, part, recording.select(~shown), spec.seed)
             places[name] = {reader: asdict(errors) for reader, errors in found.items()}
-    document = _document(spec, folders[0], agreements, fits) | {"places": places}
+    others = {
+        name: (travel_model(other.spec, other.read(PRESSES)[1]), words)
+        for name, (other, words) in _other_mechanics(run).items()
+    }
+    with run.progress.stage("what the residuals point to"):
+        shown = drawn_places(recording, REGISTERED_SHARE, spec.seed)
+        parts = recording.select(shown), recording.select(~shown)
+        suspects = ranked_suspects(model, fits["registered"], *parts, others, spec.seed)
+    document = _document(spec, folders[0], agreements, fits) | {
+        "places": places,
+        "suspects": [asdict(suspect) for suspect in suspects],
+    }
     if repeats:
         document["bound"] = _bound(model, fits, repeats[0])
     target = run_folder(out, spec.name)
     target.mkdir(parents=True, exist_ok=True)
     write_json(document, target / "travel.json")
     draw_travel(spec, model, fits["registered"], recording, document, target / "travel.png")
+    draw_residuals(spec, model, fits["registered"], parts[1], suspects, target / "residuals.png")
     return _published(spec, run, document, target)
+
+
+def _other_mechanics(run: Run) -> dict[str, tuple[Run, Callable[[float], str]]]:
+    """Runs of the object with one assumption of its mechanics changed, where that can be."""
+    spec = run.spec
+    ratio = spec.silicone.poisson_ratio
+    other = min(ratio + POISSON_STEP, LARGEST_POISSON)
+    if other - ratio < POISSON_STEP / 2:
+        other = ratio - POISSON_STEP
+    glued = spec.mechanics.interface == "bonded"
+    interface = "frictionless" if glued else "bonded"
+    changes = {
+        "Poisson's ratio": (
+            {"silicone": spec.silicone.changed(poisson_ratio=other)},
+            lambda share: f"{ratio + share * (other - ratio):.2f}",
+        ),
+        "interface": (
+            {"mechanics": spec.mechanics.changed(interface=interface)},
+            lambda share: f"{100 * share:.0f} % {interface}",
+        ),
+    }
+    found: dict[str, tuple[Run, Callable[[float], str]]] = {}
+    for name, (fields, words) in changes.items():
+        try:
+            found[name] = Run(spec.changed(**fields), run.progress), words
+        except SpecError as error:
+            run.progress.say(f"{name} is not questioned: {error}")
+    return found
 
 
 def _recording(spec: ObjectSpec, folder: Path) -> TravelRecording:
@@ -154,7 +198,9 @@ def _published(
                 "spec_hash": spec_hash(spec),
                 "stages": [stage_row(stage) for stage in run.results.values()],
                 "summary": _tables(document),
-                "files": file_rows([target / "travel.json", target / "travel.png"]),
+                "files": file_rows(
+                    [target / name for name in ("travel.json", "travel.png", "residuals.png")]
+                ),
             }
         ],
     }
@@ -169,11 +215,31 @@ def _tables(document: dict[str, Any]) -> dict[str, list[dict[str, Any]]]:
         tables[f"places read, learnt where {name}"] = [
             {"reader": reader, **errors} for reader, errors in found.items()
         ]
+    tables[
+        "what the residuals point to: one assumption freed, share of the change explained on judged places "
+        "(90 % of places drawn anew)"
+    ] = suspect_rows(document["suspects"])
     if "bound" in document:
         tables["bound of the place against the scatter of repeats"] = [
             {"object": name, **found} for name, found in document["bound"].items()
         ]
     return tables
+
+
+def suspect_rows(suspects: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """One row an assumption, that which explains most first."""
+    return [
+        {
+            "assumption": one["name"],
+            "numbers": one["numbers"],
+            "explained": round(one["explained"], 3),
+            "gained": round(one["gained"], 3),
+            "90 % from": round(one["low"], 3),
+            "to": round(one["high"], 3),
+            "found": one["found"],
+        }
+        for one in suspects
+    ]
 
 
 def _text(name: str, found: dict[str, Any]) -> str:

@@ -14,6 +14,7 @@ from estimator.calibration.pose_fit import (
     fit,
     folds_by_case,
     folds_by_press,
+    groups_freed,
 )
 from estimator.calibration.recorded_presses import (
     MODULUS_RATIOS,
@@ -311,3 +312,25 @@ def test_channels_of_faces_that_an_object_does_not_sense_are_left_out():
     foreign = replace(presses, signal_counts=np.zeros((2, 45)))
     with pytest.raises(InputError, match="45 channels"):
         require_presses_of(spec, on_sensed_faces(spec, foreign))
+
+
+@pytest.mark.parametrize(
+    ("true", "first"),
+    [
+        (replace(TRUE, modulus_scale=1.0), "pose of the core"),
+        (Calibration((0.0,) * 3, (0.0,) * 3, 1.0, 1.8), "modulus, that is depth"),
+    ],
+)
+def test_what_is_wrong_leaves_least_where_it_is_freed(problem, true, first):
+    presses = problem.presses
+    signal = problem.predicted(true.applied(problem.design), np.arange(20), presses.case)
+    wrong = groups_freed(replace(problem, presses=presses_of(signal)))
+    assert next(iter(wrong)) == first
+    assert wrong[first].left < 0.5 * wrong["the design"].left
+    right = groups_freed(
+        replace(
+            problem,
+            presses=presses_of(problem.predicted(problem.design, np.arange(20), presses.case)),
+        )
+    )
+    assert right["the design"].left == pytest.approx(0, abs=1e-12)
