@@ -1,0 +1,155 @@
+"""Keys, slits and a bay of a cylinder, each at its border: blocks by hand in place of the derived ones."""
+
+import numpy as np
+import pytest
+
+from design.body.triangles import Block
+from design.fit import curved_parts
+from design.fit.curved_parts import check_curved_bay, check_curved_keys, check_curved_slits
+from design.layout.body import core_frames
+from design.layout.pockets import shell_pockets
+from design.spec.object import ObjectSpec
+
+CYLINDER = {
+    "body": {"kind": "cylinder", "size_mm": [44.0, 44.0, 60.0]},
+    "core": {
+        "recess_inner_radius_mm": 5.0,
+        "recess_outer_radius_mm": 9.0,
+        "keys": {"positions_mm": [[0.0, 0.0]], "size_mm": [3.0, 3.0], "height_mm": 1.5},
+    },
+    "sensors": {"radius_mm": 7.0},
+    "shell": {"slits": {"depth_mm": 4.0, "end_mm": 8.0}},
+    "magnets": {"positions_mm": [[0.0, 0.0]]},
+}
+"""Core of Ø28, 44 mm high, open below; shell of 8 mm."""
+
+
+def cylinder(**changes):
+    content = {name: dict(table) for name, table in CYLINDER.items()}
+    for table, values in changes.items():
+        content[table] = content.get(table, {}) | values
+    return ObjectSpec.model_validate({"name": "x", **content})
+
+
+def block(*centre, half=(1.0, 1.0, 1.0)):
+    return Block(np.array(centre, float), np.eye(3), np.array(half))
+
+
+@pytest.fixture
+def given(monkeypatch):
+    def put(**blocks):
+        for name in ("core_keys", "relief_slits", "cuts_of_core"):
+            monkeypatch.setattr(curved_parts, name, lambda spec, name=name: blocks.get(name, ()))
+
+    return put
+
+
+def told(check, words, spec=None):
+    return [text for text in check(spec or cylinder()) if words in text]
+
+
+def test_keys_must_not_touch_each_other_nor_what_is_cut_into_the_core(given):
+    for x, meets in ((1.99, True), (2.0, True), (2.01, False)):
+        keys = (block(6.0, 0, -20), block(6.0 + x, 0, -20))
+        given(core_keys=keys)
+        assert bool(told(check_curved_keys, "meets key")) == meets, x
+        given(core_keys=keys[:1], cuts_of_core=[block(6.0 + x, 0, -20)])
+        assert bool(told(check_curved_keys, "stands over a sensor's recess")) == meets, x
+    given(core_keys=(block(6.0, 0, -20), block(6.0, 1, -20)))
+    (text,) = told(check_curved_keys, "meets")
+    assert text.startswith("core.keys: key 1 of face 1 meets key 1 of face 2")
+
+
+def test_keys_stand_beside_wire_holes(given):
+    """Holes of Ø4 at most, hub of Ø4: along the axes of top and sides."""
+    for away, over in ((2.99, True), (3.01, False)):
+        given(core_keys=(block(away, 0.0, 25.0),))
+        assert bool(told(check_curved_keys, "over the wire hole of face 1")) == over
+        given(core_keys=(block(16.0, away, 0.0),))
+        assert bool(told(check_curved_keys, "over the wire hole of face 3")) == over
+        assert not told(check_curved_keys, "over the wire hole of face 1")
+
+
+def test_keys_reach_into_a_pocket_that_is_over_them(given):
+    """Pocket of Ø6 and 3 mm on the top at z = 30: its floor is at 27."""
+    pocket = shell_pockets(cylinder())[0][0]
+    assert pocket.outline.radius_mm == 3
+    for x, top, meets in (
+        (3.9, 27.1, True), (4.1, 27.1, False), (3.9, 26.9, False), (0.0, 26.9, False), (0.0, 27.1, True),
+    ):  # fmt: skip
+        given(core_keys=(block(x, 0.0, top - 1.0),))
+        assert bool(told(check_curved_keys, "into the pocket")) == meets, (x, top)
+
+
+def test_keys_lie_on_their_patches_and_below_the_surface(given):
+    given()
+    frame = min(
+        (f for f in core_frames(cylinder()) if not f.round), key=lambda f: f.half_extents_mm[1]
+    )
+    reach, words = (
+        frame.half_extents_mm[1],
+        f"reaches past the core's patch of face {frame.number} ",
+    )
+    for y, beyond in ((reach - 1.51, False), (reach - 1.49, True)):
+        core = CYLINDER["core"] | {"keys": CYLINDER["core"]["keys"] | {"positions_mm": [[0.0, y]]}}
+        assert bool(told(check_curved_keys, words, cylinder(core=core))) == beyond
+    for height, refused in ((7.99, False), (8.0, True)):
+        core = CYLINDER["core"] | {"keys": CYLINDER["core"]["keys"] | {"height_mm": height}}
+        assert (
+            bool(told(check_curved_keys, "must be below shell.thick", cylinder(core=core)))
+            == refused
+        )
+
+
+def test_slits_keep_silicone_over_the_core_all_along(given):
+    """The floor, at +y of the block, is 15 mm from the axis, then 14.99: 1 mm of silicone is the least."""
+    for floor, refused in ((15.01, False), (14.99, True)):
+        axes = np.column_stack([[0.0, 0, 1], [0, -1, 0], [1, 0, 0]])
+        slit = Block(np.array([0.0, floor + 4.0, 0.0]), axes, np.array([20.0, 4.0, 0.01]))
+        given(relief_slits=(slit,))
+        assert bool(told(check_curved_slits, "of silicone over the core")) == refused
+        ends = Block(np.array([0.0, floor + 4.0, 12.0]), axes, np.array([20.0, 4.0, 0.01]))
+        given(relief_slits=(ends,))
+        assert bool(told(check_curved_slits, "of silicone over the core")) == refused
+
+
+def test_slits_must_not_meet_keys_or_pockets(given):
+    slit = block(0.0, 19.0, 0.0, half=(1.0, 2.0, 1.0))
+    for x, meets in ((2.0, True), (2.01, False), (2.9, False)):
+        given(relief_slits=(slit,), core_keys=(block(x, 19.0, 0.0),))
+        assert bool(told(check_curved_slits, "meets a key of the core")) == meets, x
+    for x, meets in ((3.99, True), (4.01, False)):
+        given(relief_slits=(block(x, 0.0, 28.0),))
+        assert bool(told(check_curved_slits, "meets a relief slit")) == meets, x
+
+
+def test_slits_are_longer_than_wide_and_end_before_the_middle(given):
+    given(relief_slits=(block(0.0, 22.0, 0.0),))
+    for end, refused in ((1.0, True), (1.01, False), (29.99, False), (30.0, True)):
+        shell = {"slits": {"depth_mm": 4.0, "width_mm": 1.0, "end_mm": end}}
+        assert (
+            bool(told(check_curved_slits, "shell.slits.end_mm must be", cylinder(shell=shell)))
+            == refused
+        )
+    given()
+    assert told(check_curved_slits, "this cylinder has none")
+
+
+def test_a_bay_leaves_a_printed_wall_to_the_core_s_side_its_top_and_its_cuts(given):
+    """Corners of a square bay lie at half its edge times √2 from the axis; the core ends at 14 and 22."""
+    given()
+    wall = cylinder().printer.wall_mm
+
+    def bay(edge, high=10.0):
+        return cylinder(core=CYLINDER["core"] | {"bay_mm": [edge, edge, high]})
+
+    edge = (14.0 - wall) * np.sqrt(2)
+    for change, refused in ((-0.01, False), (0.01, True)):
+        assert bool(told(check_curved_bay, "at its upper corners", bay(edge + change))) == refused
+        high = bay(8.0, 44.0 - wall + change)
+        assert bool(told(check_curved_bay, "at its upper corners", high)) == refused
+        low = curved_parts.bay_block(bay(10.0)).centre_mm[2]
+        given(cuts_of_core=[block(6.0 + wall - change, 0.0, low)])
+        assert bool(told(check_curved_bay, "within", bay(10.0))) == refused
+        given()
+    assert not list(check_curved_bay(cylinder()))
