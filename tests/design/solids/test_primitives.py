@@ -1,0 +1,134 @@
+"""Primitives on faces against their volumes, middles and boxes by hand."""
+
+import cadquery as cq
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+from scipy.spatial.transform import Rotation
+
+from design.body.triangles import Block
+from design.errors import NotOneSolid
+from design.layout.body import face_frames
+from design.layout.pockets import Body, Outline, Pocket, tilted_frame
+from design.solids.primitives import (
+    OVERSHOOT_MM,
+    block_solid,
+    box_between,
+    cylinder_on_face,
+    pocket_prism,
+    pocket_solid,
+    radial_box_on_face,
+    rod_about_z,
+    single_solid,
+    tapered_rod,
+)
+from design.spec.object import ObjectSpec
+
+FRAME = {frame.number: frame for frame in face_frames(ObjectSpec(name="cube"))}[3]
+"""Outward +x at x = 21, its x is −z, its y +y."""
+
+
+def told(solid):
+    """Volume, middle, and corners of the box round it."""
+    box, middle = solid.BoundingBox(), solid.Center()
+    low, high = (box.xmin, box.ymin, box.zmin), (box.xmax, box.ymax, box.zmax)
+    return solid.Volume(), np.array(middle.toTuple()), np.array([low, high])
+
+
+def pocket(outline, tilt=(0.0, 0.0), xy=(4.0, -6.0), depth=2.5, height=1.0):
+    body = Body(np.array([*xy, -depth]), tilted_frame(*tilt), outline, height, "a magnet")
+    return Pocket(body, outline)
+
+
+def test_boxes_blocks_and_rods():
+    volume, _, box = told(box_between((1.0, 2.0, 3.0), (3.0, 5.0, 7.0)))
+    assert_allclose(box, [[1, 2, 3], [3, 5, 7]], atol=1e-6)
+    assert volume == pytest.approx(24)
+    turn = Rotation.from_euler("xyz", [20, 30, 40], degrees=True).as_matrix()
+    block = Block(np.array([1.0, 2.0, 3.0]), turn, np.array([1.0, 2.0, 3.0]))
+    volume, middle, box = told(block_solid(block))
+    assert volume == pytest.approx(48)
+    assert_allclose(middle, [1, 2, 3], atol=1e-9)
+    assert_allclose(box, [block.corners_mm.min(axis=0), block.corners_mm.max(axis=0)], atol=1e-5)
+    volume, middle, box = told(rod_about_z(2.0, -3.0, 5.0))
+    assert volume == pytest.approx(32 * np.pi)
+    assert_allclose(middle, [0, 0, 1], atol=1e-9)
+    volume, _, box = told(rod_about_z(2.0, 0.0, 3.0, 1.0))
+    assert volume == pytest.approx(np.pi * 3 / 3 * (4 + 2 + 1))
+    assert_allclose(box[:, 0], [-2, 2], atol=1e-5)
+    straight = tapered_rod(cq.Vector(1, 0, 0), cq.Vector(0, 5, 0), 2.0, 2.0)
+    assert told(straight)[0] == pytest.approx(20 * np.pi)
+    assert_allclose(told(straight)[1], [1, 2.5, 0], atol=1e-9)
+
+
+def test_cylinders_and_radial_boxes_stand_on_their_face():
+    volume, middle, _ = told(cylinder_on_face(FRAME, (4.0, -6.0), 2.0, -3.0, 1.0))
+    assert volume == pytest.approx(4 * np.pi * 4)
+    assert_allclose(middle, FRAME.to_object(np.array([4.0, -6.0, -1.0])), atol=1e-9)
+    assert_allclose(middle, [20, -6, -4], atol=1e-9)
+    for degrees in (0.0, 90.0, 210.0):
+        solid = radial_box_on_face(FRAME, degrees, 2.0, (4.0, 10.0), (-3.0, 0.5))
+        volume, middle, _ = told(solid)
+        assert volume == pytest.approx(2 * 6 * 3.5)
+        azimuth = np.deg2rad(degrees)
+        wanted = np.array([7 * np.cos(azimuth), 7 * np.sin(azimuth), -1.25])
+        assert_allclose(middle, FRAME.to_object(wanted), atol=1e-9)
+    box = told(radial_box_on_face(FRAME, 0.0, 2.0, (4.0, 10.0), (-3.0, 0.5)))[2]
+    assert_allclose(box, [[18, -1, -10], [21.5, 1, -4]], atol=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("outline", "area"),
+    [(Outline((3.0, 3.0), True), 9 * np.pi), (Outline((3.0, 2.0), False), 24.0)],
+)
+def test_pockets_without_tilt_reach_from_floor_to_above_the_face(outline, area):
+    """Magnet 1 mm high about −2.5 mm: the floor lies at −3."""
+    straight = pocket(outline)
+    volume, middle, _ = told(pocket_solid(FRAME, straight))
+    assert volume == pytest.approx(area * (3 + OVERSHOOT_MM))
+    assert_allclose(middle, FRAME.to_object(np.array([4.0, -6.0, -1.25])), atol=1e-9)
+    volume, middle, _ = told(pocket_prism(FRAME, straight, -1.0, 2.0))
+    assert volume == pytest.approx(area * 3)
+    assert_allclose(middle, FRAME.to_object(np.array([4.0, -6.0, 0.5])), atol=1e-9)
+    x, y = (half + 0.5 for half in outline.half_mm)
+    grown = told(pocket_prism(FRAME, straight, -1.0, 2.0, 0.5))[0]
+    assert grown == pytest.approx(3 * (np.pi * x * y if outline.round else 4 * x * y))
+    slope, (x, y) = np.tan(np.deg2rad(10.0)), outline.half_mm
+    around = 2 * np.pi * x if outline.round else 4 * (x + y)  # corners are rounded
+    drafted = told(pocket_prism(FRAME, straight, -1.0, 2.0, 0.0, 10.0))
+    wanted = 3 * area + around * slope * 9 / 2 + np.pi * slope**2 * 27 / 3
+    assert drafted[0] == pytest.approx(wanted, rel=1e-6)
+    assert drafted[1][0] > middle[0], "wider above"
+
+
+@pytest.mark.parametrize("outline", [Outline((3.0, 3.0), True), Outline((3.0, 2.0), False)])
+def test_tilted_pockets_are_cut_level_and_as_long_along_their_axis(outline):
+    leaning = pocket(outline, (15.0, -10.0))
+    area = outline.area_mm2 / leaning.axis[2]
+    low, high = -1.0, 2.0
+    volume, middle, box = told(pocket_prism(FRAME, leaning, low, high))
+    assert volume == pytest.approx(area * (high - low), rel=1e-6)
+    body = leaning.body.centre_mm
+    on_axis = body + ((low + high) / 2 - body[2]) / leaning.axis[2] * leaning.axis
+    assert_allclose(middle, FRAME.to_object(on_axis), atol=1e-5)
+    assert_allclose(box[:, 0], [21 + low, 21 + high], atol=1e-5)
+    whole = told(pocket_solid(FRAME, leaning))
+    mean = leaning.outline.area_mm2 * (
+        leaning.body.height_mm / 2 + leaning.mouth_mm + OVERSHOOT_MM / leaning.axis[2]
+    )
+    assert whole[0] == pytest.approx(mean, rel=1e-6)
+    assert whole[2][1, 0] == pytest.approx(21 + OVERSHOOT_MM, abs=1e-5)
+
+
+def test_one_solid_is_merged_crumbs_are_left_out_and_pieces_refused():
+    halves = box_between(np.zeros(3), np.full(3, 2.0)).fuse(
+        box_between((2.0, 0.0, 0.0), (4.0, 2.0, 2.0))
+    )
+    whole = single_solid(halves, "part")
+    assert (whole.Volume(), len(whole.Faces())) == (pytest.approx(16), 6)
+    crumb = box_between((9.0, 0.0, 0.0), (9.9, 1.0, 1.0))
+    kept = single_solid(cq.Compound.makeCompound([whole, crumb]), "part")
+    assert kept.Volume() == pytest.approx(16)
+    piece = box_between((9.0, 0.0, 0.0), (10.0, 1.0, 1.0))
+    with pytest.raises(NotOneSolid, match=r"part must be one valid solid; .* give 2 \(valid\)"):
+        single_solid(cq.Compound.makeCompound([whole, piece]), "part")
