@@ -2,22 +2,21 @@
 
 from __future__ import annotations
 
-import difflib
 import hashlib
 import json
 import re
 import tomllib
 from collections.abc import Iterable
 from pathlib import Path
-from typing import Any, get_args
+from typing import Any
 
-from pydantic import BaseModel, ValidationError
+from pydantic import ValidationError
 
 from design.errors import SpecError
 from design.files import require_regular_file
 from design.fit.everything import require_fit
 from design.layout.places.fractions import with_places_in_mm
-from design.spec.base import explained, problems_of
+from design.spec.base import complaints
 from design.spec.body import BodySpec
 from design.spec.object import ObjectSpec
 from design.spec.renamed import RENAMED, name_now, under_names_now
@@ -95,7 +94,7 @@ def parse_spec(content: dict[str, Any], source: str, table: bool = True) -> Obje
     try:
         return check(ObjectSpec.model_validate(with_places_in_mm(content)), table)
     except ValidationError as error:
-        problems = [_explain(problem) for problem in problems_of(error)]
+        problems = complaints(error, ObjectSpec)
     except SpecError as error:
         problems = str(error).split("\n")
     listed = "\n".join(f"  - {problem}" for problem in problems)
@@ -234,29 +233,3 @@ def _toml_value(text: str) -> Any:
         return text
     except RecursionError:
         raise SpecError("--set: the value nests brackets too deep. Give a plainer one") from None
-
-
-def _explain(problem: Any) -> str:
-    if problem["type"] == "extra_forbidden":
-        return _explain_unknown_key(problem["loc"], ".".join(str(part) for part in problem["loc"]))
-    return explained(problem)
-
-
-def _explain_unknown_key(location: tuple[Any, ...], where: str) -> str:
-    known = sorted(_known_keys(location[:-1]))
-    name = str(location[-1])
-    close = difflib.get_close_matches(name, known, n=1, cutoff=0.6)
-    stem = name.rsplit("_", 1)[0]
-    close = close or [key for key in known if key.rsplit("_", 1)[0] == stem]
-    hint = f"Did you mean {close[0]!r}?" if close else f"Known keys: {', '.join(known)}"
-    return f"{where} is not a key of the specification. {hint}"
-
-
-def _known_keys(location: tuple[Any, ...]) -> set[str]:
-    model: type[BaseModel] = ObjectSpec
-    for part in location:
-        if isinstance(part, str):  # a number counts the entries of a list of tables
-            annotation = model.model_fields[part].annotation
-            kinds = (annotation, *get_args(annotation))
-            model = next(t for t in kinds if isinstance(t, type) and issubclass(t, BaseModel))
-    return set(model.model_fields)

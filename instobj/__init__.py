@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
     from design.spec_io import load_spec
     from estimator.frames.dataset import FrameSet, load_frames
-    from estimator.networks.face_model import FaceModel
+    from estimator.networks.face_model import FaceModel, load_model, save_model
     from estimator.recordings.reading import Recording, read_recording
     from instobj.api import build_parts, compare, evaluate, fit_estimator, magnet_field, predict
     from instobj.commands.run import check
@@ -44,10 +44,12 @@ __all__ = [
     "evaluate",
     "fit_estimator",
     "load_frames",
+    "load_model",
     "load_spec",
     "magnet_field",
     "predict",
     "read_recording",
+    "save_model",
 ]
 
 _HOMES = {
@@ -58,7 +60,7 @@ _HOMES = {
     "design.spec.object": ("ObjectSpec",),
     "design.spec_io": ("load_spec",),
     "estimator.frames.dataset": ("FrameSet", "load_frames"),
-    "estimator.networks.face_model": ("FaceModel",),
+    "estimator.networks.face_model": ("FaceModel", "load_model", "save_model"),
     "estimator.recordings.reading": ("Recording", "read_recording"),
     "instobj.api": (
         "build_parts",

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -200,7 +200,7 @@ def _median_and_largest(score: xr.DataArray) -> list[float]:
 def fit_estimator(
     data: Recording | FrameSet,
     face: int,
-    training: TrainingSpec | None = None,
+    training: TrainingSpec | Mapping[str, Any] | None = None,
     seed: int = 1,
 ) -> FaceModel:
     """Train the contact estimator of one face on a recording or a data set.
@@ -214,26 +214,28 @@ def fit_estimator(
         What `read_recording` or `load_frames` gives, or `Run.frames`.
     face : int
         Number of the face.
-    training : TrainingSpec, optional
-        Settings, as in the table `[training]` of a specification; by default a compact network.
+    training : mapping or TrainingSpec, optional
+        Settings, as in the table `[training]` of a specification, or that table of a specification
+        (`spec.training`); by default a compact network.
     seed : int
         Of the split, the first weights and the order of the frames.
 
     Returns
     -------
     FaceModel
-        The estimator; `estimator.networks.face_model.save_model` writes it.
+        The estimator; `save_model` writes it.
 
     Raises
     ------
+    SpecError
+        Settings that there are not, or out of their range.
     InputError
         No contact on the face, or fewer than three presses.
 
     Examples
     --------
     >>> import instobj
-    >>> from design.spec.object import TrainingSpec
-    >>> quick = TrainingSpec(epochs=3, hidden_units=(16, 16))
+    >>> quick = {"epochs": 3, "hidden_units": [16, 16]}
     >>> frames = instobj.load_frames("frames.nc")
     >>> model = instobj.fit_estimator(frames, face=1, training=quick)
     >>> reading = instobj.predict(model, frames)
@@ -246,7 +248,8 @@ def fit_estimator(
 
     frames = _frames(data)
     split = split_presses(frames, seed)
-    settings = FitSettings(face, training or TrainingSpec(), seed)
+    table = training if isinstance(training, TrainingSpec) else TrainingSpec(**(training or {}))
+    settings = FitSettings(face, table, seed)
     return fit(frames.select(split.train), frames.select(split.validation), settings)
 
 
@@ -307,8 +310,7 @@ def evaluate(model: FaceModel, data: Recording | FrameSet, seed: int = 1) -> Fac
     Examples
     --------
     >>> import instobj
-    >>> from design.spec.object import TrainingSpec
-    >>> quick = TrainingSpec(epochs=3, hidden_units=(16, 16))
+    >>> quick = {"epochs": 3, "hidden_units": [16, 16]}
     >>> frames = instobj.load_frames("frames.nc")
     >>> model = instobj.fit_estimator(frames, face=1, training=quick)
     >>> instobj.evaluate(model, frames).contact_frames > 0

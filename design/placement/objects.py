@@ -33,7 +33,7 @@ from design.placement.room import (
     tight_rim,
     tight_shell,
 )
-from design.spec.base import explained, problems_of
+from design.spec.base import complaints
 from design.spec.body import LONGEST_EDGE_MM
 from design.spec.object import ObjectSpec
 
@@ -180,7 +180,7 @@ def _with_sensors(request: Request, trim: Trim, shares: tuple[float, ...]) -> Ta
         start = spec_of(body)
         halves = [np.array(frame.half_extents_mm) for frame in core_frames(start)]
     except ValidationError as error:
-        raise SpecError("\n".join(map(explained, problems_of(error)))) from None
+        raise SpecError("\n".join(complaints(error, ObjectSpec))) from None
     except InputError:  # no core lies that deep, or a face of it has no patch
         return None
     room, _ = body_of(start).room_for_recesses

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import difflib
 from collections.abc import Mapping
-from typing import Annotated, Any, TypeVar
+from typing import TYPE_CHECKING, Annotated, Any, TypeVar, get_args
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
@@ -27,6 +28,18 @@ class SpecPart(BaseModel):
 
     model_config = ConfigDict(frozen=True, extra="forbid")
 
+    if (
+        not TYPE_CHECKING
+    ):  # the fields that pydantic makes of the annotations stay known to checkers
+
+        def __init__(self, /, **fields: Any) -> None:
+            try:
+                super().__init__(**fields)
+            except ValidationError as error:
+                raise SpecError("\n".join(complaints(error, type(self)))) from None
+
+        __init__.__pydantic_base_init__ = True  # else validators would call it for parts of a whole
+
     def changed(self: Part, **fields: Any) -> Part:
         """A copy with other values of these fields, validated together with all that stay.
 
@@ -42,7 +55,7 @@ class SpecPart(BaseModel):
             # not dict(self), which calls a field named `keys`
             validated = self.model_validate(self.__dict__ | fields)
         except ValidationError as error:
-            raise SpecError("\n".join(map(explained, problems_of(error)))) from None
+            raise SpecError("\n".join(complaints(error, type(self)))) from None
         return super().model_copy(update={name: getattr(validated, name) for name in fields})
 
     def model_copy(
@@ -54,20 +67,42 @@ class SpecPart(BaseModel):
         return super().model_copy(deep=deep)  # pyright: ignore[reportReturnType]
 
 
-def problems_of(error: ValidationError) -> list[Any]:
-    """pydantic's errors, without those of a list that is too short because its entries are wrong."""
+def complaints(error: ValidationError, model: type[BaseModel]) -> list[str]:
+    """pydantic's errors about a model in words: where, what is wrong, what was received.
+
+    Without those of a list that is too short because its entries are wrong.
+    """
     every = error.errors()
     within = {problem["loc"][:length] for problem in every for length in range(len(problem["loc"]))}
-    return [problem for problem in every if problem["loc"] not in within]
+    return [_complaint(problem, model) for problem in every if problem["loc"] not in within]
 
 
-def explained(problem: Any) -> str:
-    """One of pydantic's errors in words: where, what is wrong, what was received."""
+def _complaint(problem: Any, model: type[BaseModel]) -> str:
     where = ".".join(str(part) for part in problem["loc"])
     message = problem["msg"].removeprefix("Value error, ")
     if problem["type"] == "value_error":
         return message
     if problem["type"] == "missing":
         return f"{where} is missing. Add it"
+    if problem["type"] == "extra_forbidden":
+        return f"{where} is not a key. {_nearest_key(problem['loc'], model)}"
     received = "" if isinstance(problem.get("input"), dict) else f"; got {problem.get('input')!r}"
     return f"{where}: {message}{received}"
+
+
+def _nearest_key(location: tuple[Any, ...], model: type[BaseModel]) -> str:
+    known = sorted(_known_keys(location[:-1], model))
+    name = str(location[-1])
+    close = difflib.get_close_matches(name, known, n=1, cutoff=0.6)
+    stem = name.rsplit("_", 1)[0]
+    close = close or [key for key in known if key.rsplit("_", 1)[0] == stem]
+    return f"Did you mean {close[0]!r}?" if close else f"Known keys: {', '.join(known)}"
+
+
+def _known_keys(location: tuple[Any, ...], model: type[BaseModel]) -> set[str]:
+    for part in location:
+        if isinstance(part, str):  # a number counts the entries of a list of tables
+            annotation = model.model_fields[part].annotation
+            kinds = (annotation, *get_args(annotation))
+            model = next(t for t in kinds if isinstance(t, type) and issubclass(t, BaseModel))
+    return set(model.model_fields)

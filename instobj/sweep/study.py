@@ -16,7 +16,7 @@ from pydantic import Field, ValidationError, model_validator
 
 from design.errors import InputError, SpecError
 from design.files import require_regular_file
-from design.spec.base import Count, Finite, SpecPart, explained
+from design.spec.base import Count, Finite, SpecPart, complaints
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
 
@@ -117,7 +117,7 @@ def load_study(path: Path) -> Study:
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
         raise SpecError(f"{path} is not TOML ({error}). Fix it") from None
     except ValidationError as error:
-        said = "\n".join(f"- {explained(problem)}" for problem in error.errors())
+        said = "\n".join(f"- {complaint}" for complaint in complaints(error, StudySpec))
         raise SpecError(f"{path} is not a valid study:\n{said}") from None
     variants = tuple(
         _variant(label, path.parent / file, found.set | changes, changes)

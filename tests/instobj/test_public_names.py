@@ -175,9 +175,23 @@ def test_a_caller_can_tell_what_went_wrong(tmp_path):
     (tmp_path / "cube.toml").write_text('name = "cube"\nshel = 3\n')
     with pytest.raises(instobj.SpecError, match="shel is not a key"):
         instobj.load_spec(tmp_path / "cube.toml")
+    with pytest.raises(instobj.SpecError, match=r"shel is not a key\. Did you mean 'shell'"):
+        instobj.ObjectSpec(name="cube", shel=3)
+    with pytest.raises(instobj.SpecError, match="greater than 0; got -9"):
+        instobj.ObjectSpec(name="cube", shell={"thickness_mm": -9})
     (tmp_path / "press.csv").write_text("a,b\n1,2\n")
     with pytest.raises(instobj.RecordingError, match=r"press\.csv"):
         instobj.read_recording(tmp_path / "press.csv")
+
+
+def test_an_estimator_reads_the_same_from_its_file(place):
+    frames = instobj.load_frames("frames.nc")
+    model = instobj.fit_estimator(frames, 1, {"epochs": 1, "hidden_units": [8]})
+    instobj.save_model(model, "mine.safetensors")
+    again = instobj.predict(instobj.load_model("mine.safetensors"), frames)
+    np.testing.assert_array_equal(again.force_n, instobj.predict(model, frames).force_n)
+    with pytest.raises(instobj.SpecError, match=r"epoch is not a key\. Did you mean 'epochs'"):
+        instobj.fit_estimator(frames, 1, {"epoch": 1})
 
 
 def test_a_run_leaves_no_file_that_is_not_declared(place):

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
-from pydantic import ValidationError
 
+from design.errors import SpecError
 from design.layout.places.positions import magnet_layout
 from design.spec.assembly import AsBuiltSpec, BuiltMagnet
 from design.spec.object import MagnetSpec, ObjectSpec
@@ -61,5 +61,5 @@ def test_a_search_starts_from_the_designs_poles():
     ],
 )
 def test_poles_that_make_no_sense_are_refused(north, message):
-    with pytest.raises(ValidationError, match=message):
+    with pytest.raises(SpecError, match=message):
         cube(north)

@@ -4,9 +4,8 @@ import numpy as np
 import pytest
 import torch
 from numpy.testing import assert_allclose, assert_array_equal
-from pydantic import ValidationError
 
-from design.errors import InputError
+from design.errors import InputError, SpecError
 from design.spec.object import TrainingSpec
 from estimator.evaluation.evaluation import evaluate_face
 from estimator.frames.face_data import channel_counts, face_data, live_channels
@@ -75,5 +74,5 @@ def test_trees_are_refused_where_they_cannot_be(frames):
     model, _ = fitted(frames, WITH_TREES.model_copy(update={"trees": 0}))
     with pytest.raises(InputError, match=r"training\.trees = 10 does not go with a start"):
         fitted(frames, WITH_TREES, start=model)
-    with pytest.raises(ValidationError, match=r"training\.trees works with training\.model"):
+    with pytest.raises(SpecError, match=r"training\.trees works with training\.model"):
         TrainingSpec(model="paper", trees=3)
