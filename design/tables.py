@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import csv
 from collections.abc import Iterable, Mapping, Sequence
+from io import StringIO
 from pathlib import Path
-from typing import Any
+from typing import Any, TextIO
 
 from design.files import atomic_path
 
@@ -19,9 +20,20 @@ def write_table(path: Path | str, header: Sequence[str], rows: Iterable[Sequence
         The folder cannot be made or written.
     """
     with atomic_path(path) as temporary, temporary.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(header)
-        writer.writerows(rows)
+        _write(file, header, rows)
+
+
+def table_text(header: Sequence[str], rows: Iterable[Sequence[Any]]) -> str:
+    """The same as text, for files that are written together with others."""
+    text = StringIO()
+    _write(text, header, rows)
+    return text.getvalue()
+
+
+def _write(file: TextIO, header: Sequence[str], rows: Iterable[Sequence[Any]]) -> None:
+    writer = csv.writer(file, lineterminator="\n")
+    writer.writerow(header)
+    writer.writerows(rows)
 
 
 def write_records(path: Path | str, records: Sequence[Mapping[str, Any]]) -> None:

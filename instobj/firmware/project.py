@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import csv
-from collections.abc import Iterable, Sequence
 from dataclasses import astuple
-from io import StringIO
 from pathlib import Path
 
 from design.build.order_list import ORDER_COLUMNS, order_list, order_row
 from design.catalogue.bus_parts import MEGA2560, MLX90393, TLE493D, TMAG5273
 from design.files import atomic_path
 from design.spec.object import ObjectSpec
+from design.tables import table_text
 from design.wiring.bus_plan import BusPlan
 from design.wiring.dealing import ChipOnBus
 from design.wiring.wires import wires_of
@@ -53,16 +51,9 @@ def _bench_files(spec: ObjectSpec, plan: BusPlan) -> dict[str, str]:
     wires = [astuple(wire) for wire in wires_of(plan)]
     return {
         "wiring.svg": wiring_svg(plan, title),
-        "wiring.csv": _csv(("wire", "from", "to", "signal", "colour", "length_mm"), wires),
-        ORDERS.name: _csv(ORDER_COLUMNS, map(order_row, order_list(spec, plan))),
+        "wiring.csv": table_text(("wire", "from", "to", "signal", "colour", "length_mm"), wires),
+        ORDERS.name: table_text(ORDER_COLUMNS, map(order_row, order_list(spec, plan))),
     }
-
-
-def _csv(header: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
-    text = StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerows([header, *rows])
-    return text.getvalue()
 
 
 def _readme(spec: ObjectSpec, plan: BusPlan) -> str:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 from collections.abc import Iterator
 from dataclasses import asdict, dataclass
@@ -15,6 +13,7 @@ from scipy.spatial.transform import Rotation
 from design.body.surface_chart import FaceFrame
 from design.layout.body import face_frame
 from design.spec.object import ObjectSpec
+from design.tables import table_text
 from instobj.rig.plan import PressPlan
 
 FRAMES = {
@@ -101,8 +100,4 @@ def poses_text(listed: list[Pose], kind: str) -> str:
     rows: list[dict[str, Any]] = [asdict(pose) for pose in listed]
     if kind == "json":
         return json.dumps({"frames": FRAMES, "poses": rows}, indent=1) + "\n"
-    text = io.StringIO()
-    writer = csv.DictWriter(text, list(rows[0]), lineterminator="\n")
-    writer.writeheader()
-    writer.writerows(rows)
-    return text.getvalue()
+    return table_text(list(rows[0]), (list(row.values()) for row in rows))
