@@ -11,8 +11,8 @@ from scipy.interpolate import RectBivariateSpline
 from torch import Tensor
 
 from design.body.surface_chart import FaceFrame
+from design.fit.boards import beyond_core_mm
 from design.fit.curved import room_for_recesses
-from design.fit.parts import beyond_core_mm
 from design.layout.body import body_of, face_frames
 from design.layout.pockets import neighbours
 from design.spec.object import ObjectSpec
