@@ -129,6 +129,6 @@ def test_one_solid_is_merged_crumbs_are_left_out_and_pieces_refused():
     crumb = box_between((9.0, 0.0, 0.0), (9.9, 1.0, 1.0))
     kept = single_solid(cq.Compound.makeCompound([whole, crumb]), "part")
     assert kept.Volume() == pytest.approx(16)
-    piece = box_between((9.0, 0.0, 0.0), (10.0, 1.0, 1.0))
+    piece = box_between((9.0, 0.0, 0.0), (10.1, 1.0, 1.0))
     with pytest.raises(NotOneSolid, match=r"part must be one valid solid; .* give 2 \(valid\)"):
         single_solid(cq.Compound.makeCompound([whole, piece]), "part")
