@@ -12,6 +12,7 @@ from design.layout.tips import tip_positions_mm
 from design.spec.learning import CollectionSpec
 from design.spec.object import ObjectSpec
 from estimator.frames.contact_cases import (
+    GRASP_POSES,
     contact_groups,
     grasp_cases,
     opposed,
@@ -90,3 +91,11 @@ def test_an_object_with_fewer_faces_is_recorded_on_those_it_has():
 def test_what_cannot_be_recorded_is_told_before_mechanics(changes, said):
     with pytest.raises(InputError, match=said):
         contact_groups(collected(**changes))
+
+
+def test_grasps_of_the_paper_lie_evenly_over_the_face():
+    one, two, three = GRASP_POSES
+    corners = {(x, y, 0.0) for x in (-7.5, 7.5) for y in (-7.5, 7.5)}
+    assert set(one) == {(0.0, 0.0, 0.0), *corners}
+    assert two == ((0.0, 0.0, 0.0), (0.0, -9.0, 0.0), (9.0, 0.0, 90.0))
+    assert three == ((0.0, -3.0, 0.0), (0.0, 3.0, 180.0))

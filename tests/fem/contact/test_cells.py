@@ -69,7 +69,10 @@ def test_the_hemisphere_s_profile_ends_at_its_equator():
 
 def test_joined_patches_stay_in_order_with_the_factor_of_their_shape():
     rng = np.random.default_rng(0)
-    groups = [Patches(rng.random(n), rng.random((n, 2)), rng.random(n), HAT_OWN) for n in (2, 3)]
+    groups = [
+        Patches(rng.random(n), rng.random((n, 2)), rng.random(n), own)
+        for n, own in ((2, HAT_OWN), (3, SQUARE_OWN))
+    ]
     found = joined(groups)
     assert found.own == HAT_OWN
     for name in ("area_mm2", "centre_mm", "variance_mm2"):
