@@ -192,11 +192,13 @@ def _highest(heights_mm: Float[np.ndarray, "place rim"]) -> Float[np.ndarray, "p
     return np.where(np.isfinite(known), known, np.median(known[np.isfinite(known)]))
 
 
-def _chips_near_magnets(spec: ObjectSpec, layouts: Layouts, face: int) -> Float[Tensor, "layout"]:
+def _chips_near_magnets(
+    spec: ObjectSpec, laid: dict[int, Layouts], face: int
+) -> Float[Tensor, "layout"]:
     """Distance missing between a face's chips and all magnets for the series of the field."""
     magnet, known = magnet_source(spec.magnets), surfaces(spec)
-    chips = known[face].chips(layouts.sensor_mm)[0][:, :, None]
-    short = torch.zeros_like(layouts.sensor_mm[:, 0, 0])
+    chips = known[face].chips(laid[face].sensor_mm)[0][:, :, None]
+    short = torch.zeros_like(laid[face].sensor_mm[:, 0, 0])
     for number, surface in known.items():
         reach = OWN if number == face else OTHER
         centre = surface.magnets(laid[number].magnet_mm)[0]

@@ -1,5 +1,7 @@
 """Batches of layouts against the specification that each is: places, limits, gradients, polish."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import torch
@@ -65,6 +67,36 @@ def test_tensors_are_those_of_the_specification(magnets, sensors, monkeypatch):
         assert_allclose(found.turn_rad[row], wanted.turn_rad[0], rtol=0, atol=np.deg2rad(0.051))
         assert_allclose(found.polarity[row], wanted.polarity[0], rtol=0, atol=0)
         assert_allclose(found.sensor_mm[row], wanted.sensor_mm[0], rtol=0, atol=0.0051)
+
+
+def test_faces_of_each_size_have_a_layout_of_their_own(monkeypatch):
+    """Of a box with unequal edges: faces 2 and 4 share one, and 3 and 5; depths are those of all."""
+    body = {"body": {"size_mm": [60.0, 44.0, 40.0]}, "core": {"wall_mm": 5.0}}
+    search = {"vary": {**VARY, "magnet_tilt_deg": None}}
+    search["vary"] = {key: value for key, value in search["vary"].items() if value is not None}
+    spec = parse_spec({"name": "box", **body, "search": search}, "made up")
+    space = search_space(spec)
+    units = np.random.default_rng(3).random((3, len(space.variables)))
+    params = [params_at(space, unit) for unit in units]
+    tensors = layout_space(space, with_structure(spec, params[0]), torch.float64)
+    assert tensors.groups == ((1,), (2, 4), (3, 5))
+    poles = torch.tensor([polarities(spec, one) for one in params], dtype=torch.float64)
+    flags = [not v.choices for v in space.variables]
+    found = layouts_at(tensors, torch.as_tensor(units[:, flags]), poles, 3)
+    assert not torch.equal(found.of(1).magnet_mm, found.magnet_mm)
+    assert torch.equal(found.of(5).magnet_mm, found.magnet_mm)
+    for row, one in enumerate(params):
+        laid = layouts_of(unchecked(spec, one, monkeypatch), 3, torch.float64)
+        for face in spec.body.sensed:
+            for name in ("magnet_mm", "polarity", "sensor_mm"):
+                wanted, told = (getattr(each.of(face), name) for each in (laid, found))
+                assert_allclose(told[row], wanted[0], rtol=0, atol=0.0051)
+    one = found[1:2]
+    assert one.face == 3
+    assert torch.equal(one.of(2).sensor_mm[0], found.of(2).sensor_mm[1])
+    moved = found.each(lambda each, face: replace(each, magnet_mm=each.magnet_mm + face))
+    assert torch.equal(moved.magnet_mm, found.magnet_mm + 3)
+    assert torch.equal(moved.of(4).magnet_mm, found.of(4).magnet_mm + 4)
 
 
 WORDS = {

@@ -2,11 +2,13 @@
 
 import json
 import tomllib
+from pathlib import Path
 
 import pytest
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec
+from design.spec.search import VarySpec
 from design.spec_io import load_spec, parse_spec
 from instobj.search import possible
 from instobj.search.lowest_fidelity import pressed_faces
@@ -15,6 +17,7 @@ from instobj.search.outcome.write import write_specification
 from instobj.search.possible import require_possible
 from tests.support.cli import assert_one_clear_error, run
 
+EXAMPLES = Path(__file__).parents[3] / "examples"
 FREE = {"magnet_reach_mm": 15.0, "magnet_depth_mm": [2.0, 5.0], "sensor_reach_mm": 10.5}
 
 
@@ -91,9 +94,31 @@ def test_other_arrangements_and_bodies_are_refused():
     spec = specification(vary=FREE).model_copy(update={"arrangement": reverse["arrangement"]})
     with pytest.raises(InputError, match="sensors-in-shell"):
         require_possible(spec)
-    body = spec.body.model_copy(update={"kind": "sphere"})
-    with pytest.raises(InputError, match="takes a box"):
-        require_possible(spec.model_copy(update={"body": body}))
+    lists = {"magnets": {"positions_mm": [[[8, 8], [-8, -8]]] * 5}, "search": {"vary": FREE}}
+    with pytest.raises(InputError, match=r'layouts = "per face"'):
+        require_possible(parse_spec({"name": "cube"} | lists, "made up"))
+
+
+NOT_ON_A_BALL = {
+    "known on flat faces only": {"magnet_tilt_deg": 10.0},
+    "edge of a cube": {"core_size_mm": [26.0]},
+    "grow round its core": {"shell_thickness_mm": [8.0, 9.0]},
+}
+
+
+@pytest.mark.parametrize("text", NOT_ON_A_BALL)
+def test_what_may_not_vary_on_a_curved_body_is_refused_before_any_mechanics(text):
+    spec = load_spec(EXAMPLES / "ball.toml")
+    search = spec.search.changed(vary=VarySpec(**{"magnet_reach_mm": 8.0} | NOT_ON_A_BALL[text]))
+    with pytest.raises(InputError, match=text):
+        require_possible(spec.changed(search=search))
+
+
+def test_a_patch_with_too_few_locations_for_slopes_is_refused():
+    spec = load_spec(EXAMPLES / "ball.toml", ["contact_grid.pitch_mm=10.0"])
+    search = spec.search.changed(vary=VarySpec(magnet_reach_mm=8.0))
+    with pytest.raises(InputError, match=r"contact locations (in a row|on a face), for slopes"):
+        require_possible(spec.changed(search=search))
 
 
 UNSEARCHED = {
