@@ -58,8 +58,8 @@ class BodyKind(ABC):
     on_base: ClassVar[bool] = False
     """Whether the silicone stands on a rigid base, whose top the mould leaves open."""
     cuboid: ClassVar[bool] = False
-    """Whether its sides are flat and meet at right angles: only then a sliding core, the reverse
-    arrangement and a layout search are known."""
+    """Whether its sides are flat and meet at right angles: only then a sliding core and the reverse
+    arrangement are known."""
     sampled: ClassVar[bool] = False
     """Whether it is known by its triangles, its core an offset of them, and has no exact solid."""
     insides: ClassVar[tuple[Inside, ...]] = ("core",)
