@@ -155,7 +155,8 @@ def smallest_recess_wall_mm(spec: ObjectSpec, sunk: bool = True) -> float:
     """
     flat = tuple((0.0,) * len(places) for places in sensor_places(spec))
     recesses = sensor_recesses(spec) if sunk else _recesses(spec, flat)
-    return min(gap_mm(a, b) for a, b in combinations(recesses, 2))
+    one, other = zip(*combinations(recesses, 2), strict=True)
+    return float(_gaps_mm(one, other).min())
 
 
 def wire_hole_diameter_mm(spec: ObjectSpec, face: int) -> float:
@@ -176,13 +177,26 @@ def passage_radius_mm(spec: ObjectSpec) -> float:
 def gap_mm(a: Block, b: Block) -> float:
     """Between two blocks, at most the true one: the largest along any normal or product of edges (the
     separating-axis theorem); negative where they meet."""
-    crossed = np.cross(a.axes.T[:, None], b.axes.T[None]).reshape(-1, 3)
-    directions = np.concatenate([a.axes.T, b.axes.T, crossed])
-    length = np.linalg.norm(directions, axis=1)
-    directions = directions[length > 1e-9] / length[length > 1e-9, None]
-    apart = abs(directions @ (b.centre_mm - a.centre_mm))
-    reach = abs(directions @ a.axes) @ a.half_mm + abs(directions @ b.axes) @ b.half_mm
-    return float((apart - reach).max())
+    return float(_gaps_mm([a], [b])[0])
+
+
+def _gaps_mm(one: Sequence[Block], other: Sequence[Block]) -> Float[np.ndarray, "pair"]:
+    """The same between each of some blocks and its partner."""
+    axes_a, axes_b = (np.stack([block.axes for block in blocks]) for blocks in (one, other))
+    half_a, half_b = (np.stack([block.half_mm for block in blocks]) for blocks in (one, other))
+    between = np.stack([b.centre_mm - a.centre_mm for a, b in zip(one, other, strict=True)])
+    normals_a, normals_b = axes_a.transpose(0, 2, 1), axes_b.transpose(0, 2, 1)
+    crossed = np.cross(normals_a[:, :, None], normals_b[:, None]).reshape(len(one), -1, 3)
+    directions = np.concatenate([normals_a, normals_b, crossed], axis=1)
+    length = np.linalg.norm(directions, axis=2)
+    parallel = length <= 1e-9
+    directions /= np.where(parallel, 1.0, length)[..., None]
+    apart = abs(np.einsum("pdi,pi->pd", directions, between))
+    reach = sum(
+        np.einsum("pde,pe->pd", abs(directions @ axes), half)
+        for axes, half in ((axes_a, half_a), (axes_b, half_b))
+    )
+    return np.where(parallel, -np.inf, apart - reach).max(axis=1)
 
 
 def wire_channels(

@@ -8,6 +8,7 @@ taken: what fits is said by `design.fit` and, for gaps that can be cast and prin
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from itertools import product
 from math import hypot
@@ -293,21 +294,64 @@ def _too_small(request: Request) -> str:
     body = "an imported body" if request.file else f"a body of kind {request.kind}"
     sensors = f"{request.sensors} sensor{'s' * (request.sensors > 1)}"
     magnets = f"{request.magnets} magnets" if (request.magnets or 1) > 1 else "a magnet"
-    message = f"{body} of {size} mm is too small for {sensors} and {magnets} per face. "
+    message = f"{body} of {size} mm is too small for {sensors} and {magnets} per face"
+    ways = [*_larger(request), *_fewer(request)]
+    if not ways:
+        return f"{message}, whatever its size. Choose another shape"
+    return f"{message}. {'; or '.join(ways)}"
+
+
+def _larger(request: Request) -> Iterator[str]:
+    """Sizes that work: of that shape, and where that helps with the short edges longer alone."""
+    whole = _smallest(request, max(request.size_mm), _grown)
+    if whole is not None:
+        scale = f" (scale = {dict(whole.file)['scale']:.4g})" if whole.file else ""
+        yield f"The smallest of that shape that works is about {_told(whole)} mm{scale}"
+    flat = min(request.size_mm) < max(request.size_mm) and not request.file
+    thicker = _smallest(request, min(request.size_mm), _thickened) if flat else None
+    if thicker is not None and (whole is None or thicker.size_mm != whole.size_mm):
+        yield f"{'with' if whole else 'With'} its short edges longer about {_told(thicker)} mm works"
+
+
+def _told(request: Request) -> str:
+    return " × ".join(f"{edge:g}" for edge in request.size_mm)
+
+
+def _smallest(
+    request: Request, edge_mm: float, grown: Callable[[Request, float], Request]
+) -> Request | None:
+    """The request at about the least growth at which everything finds room; None where none does.
+
+    `edge_mm` is the edge that grows, to what a body may measure at most.
+    """
+
+    def works(growth: float) -> bool:
+        larger = grown(request, growth)
+        return KINDS[larger.kind].takes_size(larger.size_mm) and _fits_roughly(larger)
+
     low, high = 1.0, _GROWTH
-    largest = min(_LARGEST_GROWTH, LONGEST_EDGE_MM[1] / max(request.size_mm))
-    while high <= largest and not _fits_roughly(_grown(request, high)):
+    largest = min(_LARGEST_GROWTH, LONGEST_EDGE_MM[1] / edge_mm)
+    while high <= largest and not works(high):
         low, high = high, high * _GROWTH
     if high > largest:
-        return f"{message}Ask for fewer"
+        return None
     for _ in range(_HALVINGS):
         middle = (low + high) / 2
-        works = _fits_roughly(_grown(request, middle))
-        low, high = (low, middle) if works else (middle, high)
-    larger = _grown(request, high)
-    size = " × ".join(f"{edge:g}" for edge in larger.size_mm)
-    scale = f" (scale = {dict(larger.file)['scale']:.4g})" if request.file else ""
-    return f"{message}The smallest of that shape that works is about {size} mm{scale}"
+        low, high = (low, middle) if works(middle) else (middle, high)
+    return grown(request, high)
+
+
+def _fewer(request: Request) -> Iterator[str]:
+    """Fewer sensors, and fewer magnets, that the size takes on all faces."""
+    for count in sorted({request.sensors - 1, request.sensors // 2, 1} - {0}, reverse=True):
+        if count < request.sensors and _fits_roughly(replace(request, sensors=count)):
+            yield f"{count} sensor{'s' * (count > 1)} per face would fit"
+            break
+    if request.magnets is not None and request.magnets > 1:
+        found = _fit(replace(request, magnets=None), _TRIMS[-1:], _COARSE)
+        if found is not None:
+            count = len(found["magnets"]["positions_mm"])
+            yield f"{count} magnet{'s' * (count > 1)} per face would fit"
 
 
 def _fits_roughly(request: Request) -> bool:
@@ -321,3 +365,9 @@ def _grown(request: Request, growth: float) -> Request:
     if file:
         file["scale"] = file.get("scale", 1.0) * growth
     return replace(request, size_mm=(x, y, z), file=tuple(file.items()))
+
+
+def _thickened(request: Request, growth: float) -> Request:
+    floor = float(np.ceil(2 * growth * min(request.size_mm))) / 2
+    x, y, z = (max(edge, floor) for edge in request.size_mm)
+    return replace(request, size_mm=(x, y, z))

@@ -7,6 +7,7 @@ from itertools import combinations
 import numpy as np
 from jaxtyping import Float
 
+from design.body.surface_chart import FaceFrame
 from design.fit.boards import beyond_core_mm
 from design.layout.boards import (
     Recess,
@@ -17,6 +18,7 @@ from design.layout.boards import (
 from design.layout.body import body_of, face_frames
 from design.layout.places.positions import cover_mm
 from design.layout.pockets import (
+    Pocket,
     axis_in_object_mm,
     distance_of_segments_mm,
     sensor_places,
@@ -114,7 +116,8 @@ def outlet_room_mm(spec: ObjectSpec) -> float:
 
 
 def tight_shell(spec: ObjectSpec) -> bool:
-    """Whether silicone over, under or between the magnets' pockets is too thin to cast."""
+    """Whether silicone over, under, between or beside the magnets' pockets is too thin to cast, or is
+    not known, where a pocket reaches past its patch."""
     least = _ROOMY * spec.silicone.thinnest_wall_mm
     placed = [
         (frame, pocket, axis_in_object_mm(frame, pocket))
@@ -130,4 +133,14 @@ def tight_shell(spec: ObjectSpec) -> bool:
         ),
         default=np.inf,
     )
-    return bool(min(over, under, between) < least)
+    beside = min(_beside_mm(frame, pocket) for frame, pocket, _ in placed)
+    return not np.min([over, under, between, beside]) >= least
+
+
+def _beside_mm(frame: FaceFrame, pocket: Pocket) -> float:
+    """Silicone between a pocket and the border of a flat face, which on a pad ends in the air."""
+    if not frame.flat:
+        return np.inf
+    ends, half = abs(pocket.axis_ends_mm[:, :2]), np.array(frame.half_extents_mm)
+    away = half[0] - np.linalg.norm(ends, axis=1) if frame.round else half - ends
+    return float(away.min()) - pocket.outline.radius_mm

@@ -132,7 +132,7 @@ def _parts(result: StoredResult) -> list[dict[str, Any]]:
         {
             "part": part.name,
             "volume mm³": round(part.volume_mm3, 2),
-            "box mm": " × ".join(f"{round(edge, 1):g}" for edge in part.size_mm),
+            "box mm": "×".join(f"{round(edge, 1):g}" for edge in part.size_mm),
             "STL volume error %": round(100 * (part.stl_volume_mm3 / part.volume_mm3 - 1), 4),
             "watertight": part.stl_watertight,
         }

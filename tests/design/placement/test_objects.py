@@ -129,6 +129,33 @@ def test_a_pad_that_is_too_small_is_refused_with_a_size_that_works():
         placed(Request("pad", smaller, 4))
 
 
+def test_magnets_of_a_narrow_pad_keep_silicone_at_its_sides():
+    """0.81 mm were left beside them (limit 1 mm): check --fabrication failed."""
+    spec = spec_of(placed(Request("pad", (22.4, 49.0, 12.6), 2, 6)))
+    x, y = np.abs(spec.magnets.positions_mm).max(axis=0)
+    radius = spec.shell.pocket_diameter_mm / 2
+    assert min(11.2 - x, 24.5 - y) - radius >= 1.25 * spec.silicone.thinnest_wall_mm
+
+
+@pytest.mark.parametrize(
+    ("request_", "works"),
+    [
+        (Request("box", (900.0, 900.0, 20.0)), "With its short edges longer about 900 × 900 ×"),
+        (Request("pad", (30.0, 30.0, 3.0)), "with its short edges longer about 30 × 30 ×"),
+        (Request("box", (42.0, 42.0, 42.0), 8, 9), "4 sensors per face would fit"),
+        (Request("box", (30.0, 30.0, 30.0), 1, 12), "5 magnets per face would fit"),
+    ],
+)
+def test_what_would_fit_instead_is_named_and_fits(request_, works):
+    with pytest.raises(SpecError, match=works) as told:
+        placed(request_)
+    for size in re.findall(r"about ([\d.]+) × ([\d.]+) × ([\d.]+) mm", str(told.value)):
+        placed(replace(request_, size_mm=tuple(map(float, size))))
+    for what in ("sensor", "magnet"):
+        for count in re.findall(rf"(\d+) {what}s? per face would", str(told.value)):
+            placed(replace(request_, **{f"{what}s": int(count)}))
+
+
 def test_a_core_of_no_size_has_faces_of_no_size():
     """A sphere of 12 mm with the shell's 6 mm: told to be too small, not divided by."""
     assert steepest_reach_mm(0.0, 0.0) == steepest_reach_mm(-1.0, -1.0) == 0
@@ -163,7 +190,7 @@ def test_a_body_that_nothing_helps_is_not_grown_beyond_what_a_body_may_measure(m
     monkeypatch.setattr("design.placement.objects._fit", lambda *_: None)
     monkeypatch.setattr("design.placement.objects._roomy_faces", lambda _: ())
     with pytest.raises(
-        SpecError, match=r"too small for 3 sensors and a magnet per face\. Ask for fewer"
+        SpecError, match="too small for 3 sensors and a magnet per face, whatever its size"
     ):
         placed(Request("dome", (500.0, 500.0, 260.0)))
 
