@@ -106,7 +106,7 @@ def test_beside_its_patch_a_part_lies_at_the_border(spec):
 def test_boards_sink_as_far_as_their_corners_need():
     """Of a board 6 mm wide over the middle of a cylinder's side: R − √(R² − 3²)."""
     spec = body_spec(
-        "cylinder", sensors={"positions_mm": [[0.0, 0.0]], "package_mm": [6.0, 4.0, 1.0]}
+        "cylinder", sensors={"positions_mm": [[0.0, 0.0]], "package_mm": [6.0, 2.8, 1.0]}
     )
     surface = surfaces(spec)[2]
     radius = spec.core_size_mm[0] / 2
