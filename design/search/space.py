@@ -109,7 +109,7 @@ def start_params(space: SearchSpace) -> dict[str, Any] | None:
     tilts = spec.magnets.tilt_deg or ((0.0, 0.0),) * spec.magnets.count
     norths = spec.magnets.north or ("outward",) * len(tilts)
     for k, (depth, tilt) in enumerate(zip(_depths(spec), tilts, strict=True), start=1):
-        values = {"depth_mm": depth, "tilt_x_deg": tilt[0], "tilt_y_deg": tilt[1]}
+        values: dict[str, Any] = {"depth_mm": depth, "tilt_x_deg": tilt[0], "tilt_y_deg": tilt[1]}
         values["north"] = norths[k - 1]
         found |= {f"magnet{k}_{name}": value for name, value in values.items()}
     for group, label in zip(layout_groups(spec), group_labels(spec), strict=True):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
 import torch
@@ -39,9 +40,14 @@ class Layouts:
         return len(self.magnet_mm)
 
     def __getitem__(self, rows: slice) -> Layouts:
-        parts = (self.magnet_mm, self.turn_rad, self.polarity, self.sensor_mm)
-        by_face = {face: one[rows] for face, one in self.by_face.items()}
-        return Layouts(*(part[rows] for part in parts), by_face, self.face)
+        return Layouts(
+            self.magnet_mm[rows],
+            self.turn_rad[rows],
+            self.polarity[rows],
+            self.sensor_mm[rows],
+            {face: one[rows] for face, one in self.by_face.items()},
+            self.face,
+        )
 
     def of(self, face: int) -> Layouts:
         """The layouts of another face."""
@@ -72,13 +78,16 @@ def _own_layout(spec: ObjectSpec, face: int, dtype: torch.dtype) -> Layouts:
     index = spec.body.sensed.index(face)
     bodies, places = magnet_bodies(spec)[index], sensor_places(spec)[index]
     tilts = spec.magnets.tilt_deg or ((0.0, 0.0),) * len(bodies)
-    parts = (
-        [body.centre_mm * [1, 1, -1] for body in bodies],
-        np.deg2rad(tilts),
-        np.asarray(spec.magnets.polarities, dtype=float),
-        [(x, y) for x, y, _ in places],
+
+    def batch(part: Any) -> Tensor:
+        return torch.as_tensor(np.array(part, dtype=float)[None], dtype=dtype)
+
+    return Layouts(
+        batch([body.centre_mm * [1, 1, -1] for body in bodies]),
+        batch(np.deg2rad(tilts)),
+        batch(spec.magnets.polarities),
+        batch([(x, y) for x, y, _ in places]),
     )
-    return Layouts(*(torch.as_tensor(np.array(part)[None], dtype=dtype) for part in parts))
 
 
 def magnet_axes(layouts: Layouts) -> Float[Tensor, "3 layout magnet"]:

@@ -70,10 +70,11 @@ def broken_on_surfaces_mm(
             number: _recesses(one, laid[number], boards_of(spec, laid[number]))
             for number, one in known.items()
         }
-        found["board gap"] = missing_between_boxes_mm(
-            *(torch.cat(parts, dim=1) for parts in zip(*recesses.values(), strict=True)),
-            board_gap_mm + SLACK_MM,
+        centre, axes, half_mm = (
+            torch.cat(parts, dim=1) for parts in zip(*recesses.values(), strict=True)
         )
+        least = board_gap_mm + SLACK_MM
+        found["board gap"] = missing_between_boxes_mm(centre, axes, half_mm, least)
         found["boards near the edge"] = _worst(
             [
                 _boards_past_edges(one, laid[number], recesses[number])
@@ -121,10 +122,14 @@ def _pocket_gaps_across(
     first = next(iter(placed.values()))[0]
     if not pairs:
         return torch.zeros_like(first[0, :, 0])
-    one, other = (
-        tuple(torch.stack([placed[pair[side]][part] for pair in pairs], dim=1) for part in range(3))
-        for side in (0, 1)
-    )
+
+    def of_side(side: int) -> Prisms:
+        floor, top, axis = (
+            torch.stack([placed[pair[side]][part] for pair in pairs], dim=1) for part in range(3)
+        )
+        return floor, top, axis
+
+    one, other = of_side(0), of_side(1)
     least = spec.silicone.thinnest_wall_mm + SLACK_MM
     return missing_between_prisms_mm(one, other, radius, least).sum(dim=(2, 3)).amax(dim=0)
 
