@@ -241,7 +241,7 @@ def mixed_rows(
     )
     moving = [
         _weighted(basis.other, patch.start + index, weight)
-        for patch, (index, weight) in zip(basis.patches[1:], others, strict=False)
+        for patch, (index, weight) in zip(basis.patches[1 : 1 + len(others)], others, strict=True)
     ]
     other = torch.cat(moving, dim=1) if moving else torch.zeros_like(xyd_mm[:, :0])
     return _weighted(basis.own, *own), other

@@ -14,7 +14,7 @@ UNEQUAL = {
     "design/spec/mechanics.py": 1,
     "estimator/frames/collection.py": 1,
     "estimator/information/fisher.py": 1,
-    "estimator/layouts/cross_face.py": 2,
+    "estimator/layouts/cross_face.py": 1,
     "estimator/networks/forest.py": 2,
     "estimator/networks/network.py": 1,
     "estimator/recordings/formats/files.py": 1,
