@@ -187,7 +187,7 @@ def _cover(spec: ObjectSpec, frame: FaceFrame) -> _Cover:
         top = frame.to_object(np.column_stack([xy, np.full(len(xy), up - depth)]))
         points = top[:, None] + np.einsum("pij,rj->pri", axes, rim)
         cover = -_highest(frame.from_object(points)[..., 2])
-        found.append(RectBivariateSpline(*nodes, cover.reshape(x.shape)))
+        found.append(RectBivariateSpline(nodes[0], nodes[1], cover.reshape(x.shape)))
     return _Cover(frame, depths, (found[0], found[1]))
 
 
