@@ -5,8 +5,8 @@
 Each press is zeroed from the frames before it; a face's own channels are read. The change over time
 that is read (`training.history_frames`) is chosen among 0, 3, 6 and 9 frames by cross-validation
 within the training presses of the first seed; ensemble, trees and process are the defaults for so
-few presses. Beside it stand the simple regressions of `estimator.evaluation.baselines`, and the coverage
-of intervals at held-out presses, places and, with `--other`, the other recording. Writes
+few presses. Beside it stand the simple regressions of `estimator.evaluation.baselines`, and the
+coverage of intervals: at held-out presses, places and, with `--other`, the other recording. Writes
 `recordings.json`.
 """
 
@@ -29,9 +29,11 @@ from estimator.evaluation.evaluation import (
     mean_map_baseline,
     rest_offset_baseline,
 )
+from estimator.frames.collection import joined
 from estimator.frames.dataset import FrameSet
 from estimator.frames.heatmap import faces_pressed
 from estimator.frames.splits import Split, split_places, split_presses
+from estimator.networks.face_model import FaceModel
 from estimator.networks.training.face import FitSettings, fit_estimator
 from estimator.recordings.reading import read_recording
 
@@ -83,12 +85,15 @@ def one_seed(frames: FrameSet, face: int, seed: int, wanted: TrainingSpec) -> Re
     model = _fitted(frames, split, face, wanted, seed)
     test = frames.select(split.test)
     metrics = evaluate_face(model, test, frames).summary()
-    rows = baseline_reports(held_out_answers(model, frames, split))
     return (
         {name: metrics[name] for name in _COLUMNS}
         | asdict(evaluate_intervals(model, test))
-        | {"baselines": [row.summary() for row in rows]}
+        | {"baselines": _baselines(model, frames, split)}
     )
+
+
+def _baselines(model: FaceModel, frames: FrameSet, split: Split) -> list[Result]:
+    return [row.summary() for row in baseline_reports(held_out_answers(model, frames, split))]
 
 
 def unseen_place(frames: FrameSet, face: int, seed: int, wanted: TrainingSpec) -> Result:
@@ -101,6 +106,7 @@ def unseen_place(frames: FrameSet, face: int, seed: int, wanted: TrainingSpec) -
         metrics = evaluate_face(model, test, frames).summary()
         found[output] = {name: metrics[name] for name in _COLUMNS}
         found[output] |= asdict(evaluate_intervals(model, test))
+        found[output]["baselines"] = _baselines(model, frames, split)
     return found
 
 
@@ -110,7 +116,13 @@ def other_recording(frames: FrameSet, other: FrameSet, face: int, wanted: Traini
     known = Split(split.train | split.test, split.validation, np.zeros(len(frames), dtype=bool))
     model = _fitted(frames, known, face, wanted, 0)
     metrics = evaluate_face(model, other, other).summary()
-    return {name: metrics[name] for name in _COLUMNS} | asdict(evaluate_intervals(model, other))
+    test = np.arange(len(frames) + len(other)) >= len(frames)
+    apart = Split(~test, np.zeros_like(test), test)
+    return (
+        {name: metrics[name] for name in _COLUMNS}
+        | asdict(evaluate_intervals(model, other))
+        | {"baselines": _baselines(model, joined([frames, other]), apart)}
+    )
 
 
 def measured(path: Path, other: Path | None, seeds: int, quick: bool) -> Result:
@@ -153,9 +165,10 @@ def _baseline_lines(seeds: list[Result]) -> list[str]:
     lines = []
     for rows in zip(*(seed["baselines"] for seed in seeds), strict=True):
         percent, away = (
-            np.mean([row[name] for row in rows]) for name in ("total_force_percent", "place_mm")
+            np.array([row[name] for row in rows], float).mean()
+            for name in ("total_force_percent", "place_mm")
         )
-        lines.append(f"    {rows[0]['name']}: total force {percent:.2f} %, place {away:.2f} mm")
+        lines.append(f"      {rows[0]['name']}: total force {percent:.2f} %, place {away:.2f} mm")
     return lines
 
 
@@ -185,10 +198,12 @@ def report(result: Result) -> str:
                 f"    places held out, {output}: E_loc {away:.2f} px, total force {total:.1f} %; 90 % "
                 f"intervals {_covers(rows)}"
             )
+            lines += _baseline_lines(rows)
         if found["other_recording"]:
-            lines.append(
-                f"    other recording: 90 % intervals {_covers([found['other_recording']])}"
-            )
+            rows = [found["other_recording"]]
+            lines.append(f"    other recording: 90 % intervals {_covers(rows)}")
+            lines += _baseline_lines(rows)
+        lines.append("    whole presses:")
         lines += _baseline_lines(found["seeds"])
         lines.append(
             f"    linear {found['linear']['force_error_percent']:.1f} %, always the mean map "
