@@ -7,9 +7,8 @@ import numpy as np
 import pytest
 import torch
 from numpy.testing import assert_allclose, assert_array_equal
-from pydantic import ValidationError
 
-from design.errors import InputError
+from design.errors import InputError, SpecError
 from design.spec.object import TrainingSpec
 from estimator.evaluation.evaluation import evaluate_intervals, interval_errors
 from estimator.frames.face_data import channel_counts, face_data, live_channels
@@ -221,5 +220,5 @@ def test_a_process_is_refused_where_it_cannot_be(frames):
     start = fitted(frames, plain)
     with pytest.raises(InputError, match=r"training\.process = True does not go with a start"):
         fitted(frames, plain.model_copy(update={"process": True}), start)
-    with pytest.raises(ValidationError, match=r"training\.process works with training\.model"):
+    with pytest.raises(SpecError, match=r"training\.process works with training\.model"):
         TrainingSpec(model="paper", process=True)
