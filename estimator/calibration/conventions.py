@@ -8,6 +8,7 @@ exchanged among the presses of both recordings, so that p is corrected for the s
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import permutations, product
 
@@ -158,8 +159,13 @@ def search(
         off,
         tuple(int(k) for k in np.unravel_index(best, shape)),  # pyright: ignore[reportArgumentType]
         float(np.median(null)),
-        float((1 + np.sum(np.array(null) >= off - 1e-12)) / (1 + exchanges)),
+        share_as_high(null, off),
     )
+
+
+def share_as_high(null: Sequence[float], value: float) -> float:
+    """p of a value: the share of it and its null that reach it."""
+    return float((1 + np.sum(np.array(null) >= value - 1e-12)) / (1 + len(null)))
 
 
 def _unturned() -> int:

@@ -18,10 +18,9 @@ from jaxtyping import Bool, Float, Int
 from scipy.optimize import least_squares
 
 from design.errors import InputError
-from design.layout.places.positions import slipped
-from design.spec.mechanics import SlipSpec
 from design.spec.object import ObjectSpec
-from estimator.calibration.conventions import TURNS
+from estimator.calibration.conventions import TURNS, share_as_high
+from estimator.calibration.pose_fit import Calibration
 from estimator.field.models import FieldModel, field_model
 from estimator.field.sources import magnet_source
 from estimator.signals.field_setup import Scene, at_rest, min_distance_mm
@@ -117,13 +116,9 @@ def search_resting(
         best=(int(best[0]), int(best[1]), int(best[2])),
         candidates=count,
         null_median=float(np.median(null)),
-        p=_share_as_high(null, float(every[best])),
-        p_documented=_share_as_high(alone, float(every[0, 0, 0])),
+        p=share_as_high(null, float(every[best])),
+        p_documented=share_as_high(alone, float(every[0, 0, 0])),
     )
-
-
-def _share_as_high(null: list[float], value: float) -> float:
-    return float((1 + np.sum(np.array(null) >= value - 1e-12)) / (1 + len(null)))
 
 
 def _cosines(
@@ -152,9 +147,10 @@ class RestingObject:
     """Resting counts of an object with eight numbers common to all its faces."""
 
     def __init__(self, spec: ObjectSpec) -> None:
-        self._spec, self._scene = spec, designed(spec).scene
-        self._outwards = face_axes(spec, self._scene.magnets.face)[:, :, 2]
-        self._model = _near_model(spec, self._scene)
+        self._spec, self._design = spec, designed(spec)
+        place = self._design.scene
+        self._outwards = face_axes(spec, place.magnets.face)[:, :, 2]
+        self._model = _near_model(spec, place)
 
     @property
     def designed_counts(self) -> Float[np.ndarray, "channel"]:
@@ -163,14 +159,11 @@ class RestingObject:
 
     def counts(self, numbers: Float[np.ndarray, "8"]) -> Float[np.ndarray, "channel"]:
         """The same with the numbers in the order of `PRIOR`."""
-        place = self._scene
-        slip = SlipSpec(shift_mm=numbers[2:5].tolist(), rotation_deg=numbers[5:].tolist())
-        magnets = replace(
-            place.magnets,
-            centre_mm=place.magnets.centre_mm + numbers[1] * self._outwards,
-            strength=place.magnets.strength * np.exp(numbers[0]),
-        )
-        moved = replace(place, magnets=magnets, sensors=slipped(place.sensors, slip))
+        strength, depth_mm, *pose = numbers.tolist()
+        core = Calibration(tuple(pose[:3]), tuple(pose[3:]), float(np.exp(strength)), 1.0)
+        place = core.applied(self._design).scene
+        further = place.magnets.centre_mm + depth_mm * self._outwards
+        moved = replace(place, magnets=replace(place.magnets, centre_mm=further))
         return counts_of(self._spec, moved, at_rest(moved), self._model)[0].ravel()
 
 

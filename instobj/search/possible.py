@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import dataclass
 
 import numpy as np
@@ -27,6 +26,7 @@ from estimator.layouts.limits.rules import RULES, broken_limits_mm
 from estimator.layouts.polish import descend
 from estimator.layouts.scoring import require_scorable
 from estimator.layouts.vectors import layout_space, layouts_at
+from estimator.networks.training.fitting import one_thread
 from fem.candidates.motions import candidate_lattices
 from instobj.search.lowest_fidelity import broken_by_structure, misfit_of
 
@@ -76,7 +76,7 @@ def require_possible(spec: ObjectSpec) -> SearchSpace:
     _require_mechanics(spec)
     _require_scores(spec)
     space = search_space(spec)
-    with _one_thread():
+    with one_thread():
         return _possible(space)
 
 
@@ -178,17 +178,6 @@ def _possible(space: SearchSpace) -> SearchSpace:
         f"no layout within the bounds keeps every limit. Most in the way: {rule}. Widen [search.vary] "
         "or loosen [search.limits]"
     )
-
-
-@contextmanager
-def _one_thread() -> Iterator[None]:
-    """Tensors here are small: on a busy machine torch's threads wait for each other, ten times as long."""
-    before = torch.get_num_threads()
-    torch.set_num_threads(1)
-    try:
-        yield
-    finally:
-        torch.set_num_threads(before)
 
 
 def _nearest_of_structures(space: SearchSpace) -> Iterator[tuple[ObjectSpec, _Nearest]]:

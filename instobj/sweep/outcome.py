@@ -61,16 +61,16 @@ def _numbers(spec: ObjectSpec, result: StoredResult) -> dict[str, Any]:
 
 def _estimators(metrics: dict[str, Any]) -> dict[str, Any]:
     """Means over the faces, on held-out presses, beside the best of the simple regressions."""
-    rows, every = metrics["baselines"], {"read": {"model"}}
-    every["best simple"] = {row["name"] for row in rows} - every["read"]
     found = {}
     for unit, name in (("force %", "total_force_percent"), ("place mm", "place_mm")):
-        for title, names in every.items():
-            faces: dict[int, list[float]] = {}
-            for row in rows:
-                if row["name"] in names and row[name] is not None:
-                    faces.setdefault(row["face"], []).append(row[name])
-            found[f"{title} {unit}"] = float(np.mean([min(values) for values in faces.values()]))
+        known = [row for row in metrics["baselines"] if row[name] is not None]
+        model = {row["face"]: row[name] for row in known if row["name"] == "model"}
+        simple = [
+            min(row[name] for row in known if row["face"] == face and row["name"] != "model")
+            for face in model
+        ]
+        found[f"read {unit}"] = float(np.mean([*model.values()]))
+        found[f"best simple {unit}"] = float(np.mean(simple))
     covered = [row["position_cover"] for row in metrics["intervals"]]
     return found | {"places in 90 % region %": round(100 * float(np.mean(covered)), 1)}
 

@@ -22,6 +22,8 @@ MODEL_ERROR_MT = 0.05
 RESTING_ERROR_MT = 0.1
 MAGNET_SEAT_MM, MAGNET_TILT_RAD, STRENGTH = 1.0, 0.1, 0.1
 """Prior standard deviations of what is calibrated: magnets lie loosely in printed pouches."""
+POSE_SCALES = (1.0, 1.0, 0.05, 1.0)
+"""Of shift (two), turn and contact: sizes of steps, no priors."""
 _START_ABOVE_MM = 2.0
 _ROUNDS, _STARTS_KEPT = 30, 2
 
@@ -68,14 +70,13 @@ def left_over(
 
 
 _POSE, _ALL = "pose", "pose and magnets"
-_POSE_SCALES = (1.0, 1.0, 0.05, 1.0)
 
 
 def _fit(
     model: TravelModel, recording: TravelRecording, start: Twin, free: str, rounds: int = _ROUNDS
 ) -> Fitted:
     magnets = len(start.magnet_mm)
-    scales = np.array(_POSE_SCALES)
+    scales = np.array(POSE_SCALES)
     if free == _ALL:
         of_magnets = [MAGNET_SEAT_MM] * (3 * magnets) + [MAGNET_TILT_RAD] * (2 * magnets)
         scales = np.array([*scales, *of_magnets, STRENGTH])
@@ -87,7 +88,7 @@ def _fit(
         parts = [(left - resting).ravel() / MODEL_ERROR_MT]
         if free == _ALL:
             off = (resting - model.resting(twin)).ravel() / RESTING_ERROR_MT
-            parts += [off, numbers[len(_POSE_SCALES) :]]
+            parts += [off, numbers[len(POSE_SCALES) :]]
         return np.concatenate(parts)
 
     found = least_squares(
@@ -101,13 +102,8 @@ def _fit(
 
 def _twin(start: Twin, numbers: np.ndarray) -> Twin:
     """The start with all numbers moved: shift, turn, contact, then magnets, tilts, strength."""
-    pose = replace(
-        start.pose,
-        shift_mm=start.pose.shift_mm + numbers[:2],
-        turn_rad=start.pose.turn_rad + float(numbers[2]),
-        contact_mm=start.pose.contact_mm + float(numbers[3]),
-    )
-    if len(numbers) == len(_POSE_SCALES):
+    pose = start.pose.moved(numbers)
+    if len(numbers) == len(POSE_SCALES):
         return replace(start, pose=pose)
     magnets = len(start.magnet_mm)
     seats = numbers[4 : 4 + 3 * magnets].reshape(magnets, 3)

@@ -50,6 +50,15 @@ class Pose:
         turned = (tip_mm[:, :2] - self.shift_mm) @ np.array([[cosine, -sine], [sine, cosine]])
         return turned @ SYMMETRIES[self.symmetry], self.contact_mm - tip_mm[:, 2]
 
+    def moved(self, numbers: Float[np.ndarray, "number"]) -> Pose:
+        """By shift x, y (mm), turn (rad) and height of the contact (mm), the first four numbers."""
+        return replace(
+            self,
+            shift_mm=self.shift_mm + numbers[:2],
+            turn_rad=self.turn_rad + float(numbers[2]),
+            contact_mm=self.contact_mm + float(numbers[3]),
+        )
+
 
 @dataclass(frozen=True)
 class Twin:

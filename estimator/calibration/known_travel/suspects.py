@@ -19,13 +19,14 @@ from estimator.calibration.known_travel.fit import (
     MAGNET_SEAT_MM,
     MAGNET_TILT_RAD,
     MODEL_ERROR_MT,
+    POSE_SCALES,
     STRENGTH,
     Fitted,
+    left_over,
 )
-from estimator.calibration.known_travel.model import Pose, TravelModel, Twin
+from estimator.calibration.known_travel.model import TravelModel, Twin
 from estimator.recordings.formats.travel import TravelRecording
 
-POSE_SCALES = (1.0, 1.0, 0.05, 1.0)
 LEAN_RAD, TRAVEL_SHARE, CHIP_SHARE = 0.05, 0.2, 0.1
 """Prior standard deviations: machine against face, travel's scale, every entry of a chip's matrix."""
 _DRAWS = 500
@@ -74,7 +75,8 @@ def ranked_suspects(
     others: Mapping[str, tuple[TravelModel, Callable[[float], str]]],
     seed: int = 0,
 ) -> list[Suspect]:
-    """Every assumption, that which explains most first.
+    """Every assumption, that which explains most first; `fitted` is the registration to the same
+    presses.
 
     `others` are models of the same object with one assumption of the mechanics changed, by its name:
     one number mixes their motions (1) with those of `model` (0), and the function says what it means.
@@ -82,24 +84,16 @@ def ranked_suspects(
     freed = _freed(model, fitted) | {
         name: _mixed(model, other, words) for name, (other, words) in others.items()
     }
-    alone, _, size = _left(model, fitted.twin, _pose_only(model), registered, judged)
+    alone = _squares(left_over(model, fitted, judged))
+    size = _squares(judged.field_mt - fitted.resting_mt)
     rng = np.random.default_rng((seed, 15))
     found = []
     for name, one in freed.items():
-        left, numbers, _ = _left(model, fitted.twin, one, registered, judged)
-        place = judged.place_id
-        gained, low, high = _gain(alone, left, size, place, rng)
-        found.append(
-            Suspect(
-                name,
-                len(one.scales),
-                float(1 - left.sum() / size.sum()),
-                gained,
-                low,
-                high,
-                one.words(numbers),
-            )
-        )
+        left, numbers = _left(fitted.twin, one, registered, judged)
+        gained, low, high = _gain(alone, left, size, judged.place_id, rng)
+        explained = float(1 - left.sum() / size.sum())
+        words = one.words(numbers)
+        found.append(Suspect(name, len(numbers), explained, gained, low, high, words))
     return sorted(found, key=lambda suspect: -suspect.gained)
 
 
@@ -152,10 +146,6 @@ def _freed(model: TravelModel, fitted: Fitted) -> dict[str, _Freed]:
     }
 
 
-def _pose_only(model: TravelModel) -> _Freed:
-    return _Freed(np.zeros(0), lambda twin, _, tip: model.pressed(twin, tip), lambda _: "")
-
-
 def _mixed(model: TravelModel, other: TravelModel, words: Callable[[float], str]) -> _Freed:
     def change(twin: Twin, numbers: Numbers, tip: np.ndarray) -> Changes:
         given = twin.pose.in_object(tip)
@@ -166,44 +156,28 @@ def _mixed(model: TravelModel, other: TravelModel, words: Callable[[float], str]
 
 
 def _left(
-    model: TravelModel,
-    start: Twin,
-    freed: _Freed,
-    registered: TravelRecording,
-    judged: TravelRecording,
-) -> tuple[Float[np.ndarray, "press"], Numbers, Float[np.ndarray, "press"]]:
-    """Squares (mT²) left of every judged press, what was found, and the squares of its change."""
-    scales = np.array(POSE_SCALES)
+    start: Twin, freed: _Freed, registered: TravelRecording, judged: TravelRecording
+) -> tuple[Float[np.ndarray, "press"], Numbers]:
+    """Squares (mT²) left of every judged press, and what was found."""
+    pose = len(POSE_SCALES)
 
     def at(values: np.ndarray, tip: np.ndarray) -> Changes:
-        twin = replace(start, pose=_moved(start.pose, values[: len(scales)] * scales))
-        return freed.change(twin, values[len(scales) :] * freed.scales, tip)
+        twin = replace(start, pose=start.pose.moved(values[:pose] * POSE_SCALES))
+        return freed.change(twin, values[pose:] * freed.scales, tip)
 
     def residual(values: np.ndarray) -> np.ndarray:
         left = registered.field_mt - at(values, registered.tip_mm)
-        return np.concatenate(
-            [(left - left.mean(axis=0)).ravel() / MODEL_ERROR_MT, values[len(scales) :]]
-        )
+        return np.concatenate([(left - left.mean(axis=0)).ravel() / MODEL_ERROR_MT, values[pose:]])
 
-    begin = np.zeros(len(scales) + len(freed.scales))
+    begin = np.zeros(pose + len(freed.scales))
     found = least_squares(residual, begin, max_nfev=_ROUNDS, diff_step=1e-3).x
     resting = (registered.field_mt - at(found, registered.tip_mm)).mean(axis=0)
-    recorded = judged.field_mt - resting
-    left = recorded - at(found, judged.tip_mm)
-    return (
-        np.sum(left**2, axis=(1, 2)),
-        found[len(scales) :] * freed.scales,
-        np.sum(recorded**2, axis=(1, 2)),
-    )
+    left = judged.field_mt - resting - at(found, judged.tip_mm)
+    return _squares(left), found[pose:] * freed.scales
 
 
-def _moved(pose: Pose, numbers: np.ndarray) -> Pose:
-    return replace(
-        pose,
-        shift_mm=pose.shift_mm + numbers[:2],
-        turn_rad=pose.turn_rad + float(numbers[2]),
-        contact_mm=pose.contact_mm + float(numbers[3]),
-    )
+def _squares(field_mt: Changes) -> Float[np.ndarray, "press"]:
+    return np.sum(field_mt**2, axis=(1, 2))
 
 
 def _gain(

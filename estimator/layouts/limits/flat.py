@@ -133,12 +133,7 @@ def _half_mm(spec: ObjectSpec, dtype: torch.dtype) -> Float[Tensor, "2"]:
 
 
 def _board_gaps(spec: ObjectSpec, boards: Boards, gap_mm: float) -> Float[Tensor, "layout"]:
-    """Wall missing between any two recesses of the core, round its edges too.
-
-    As `design.layout.boards`: the gap of two boxes is the largest along any of their axes and the
-    products of these. Worked out in full only where it may be missing: along its own axes a box
-    reaches half its edges, a turned one no further than its corners.
-    """
+    """Wall missing between any two recesses of the core, round its edges too."""
     centre, axes = _recesses(spec, boards)
     half = torch.tensor([*boards.half_mm, spec.core.recess_depth_mm / 2], dtype=centre.dtype)
     return missing_between_boxes_mm(centre, axes, half, gap_mm + SLACK_MM)

@@ -56,28 +56,28 @@ def validate_on_travel(
     agreements: dict[str, TravelAgreement] = {}
     fits: dict[str, Fitted] = {}
     places: dict[str, Any] = {}
+    parts: dict[str, tuple[TravelRecording, TravelRecording]] = {}
     with run.progress.stage("registration, calibration, nulls"):
         for name, share in (("registered", REGISTERED_SHARE), ("calibrated", CALIBRATED_SHARE)):
             run.progress.step(f"{name} on {100 * share:g} % of the places")
             shown = drawn_places(recording, share, spec.seed)
-            part = recording.select(shown)
+            parts[name] = part, judged = recording.select(shown), recording.select(~shown)
             fitted = register(model, part)
             if name == "calibrated":
                 fitted = calibrate(model, part, fitted.twin)
             fits[name] = fitted
             agreements[name] = travel_agreement(
-                model, fitted, part, recording.select(~shown), exchanges, seed=spec.seed
+                model, fitted, part, judged, exchanges, seed=spec.seed
             )
-            found = readers(model, fitted, part, recording.select(~shown), spec.seed)
+            found = readers(model, fitted, part, judged, spec.seed)
             places[name] = {reader: asdict(errors) for reader, errors in found.items()}
     others = {
         name: (travel_model(other.spec, other.read(PRESSES)[1]), words)
         for name, (other, words) in _other_mechanics(run).items()
     }
     with run.progress.stage("what the residuals point to"):
-        shown = drawn_places(recording, REGISTERED_SHARE, spec.seed)
-        parts = recording.select(shown), recording.select(~shown)
-        suspects = ranked_suspects(model, fits["registered"], *parts, others, spec.seed)
+        part, judged = parts["registered"]
+        suspects = ranked_suspects(model, fits["registered"], part, judged, others, spec.seed)
     document = _document(spec, folders[0], agreements, fits) | {
         "places": places,
         "suspects": [asdict(suspect) for suspect in suspects],
@@ -88,7 +88,7 @@ def validate_on_travel(
     target.mkdir(parents=True, exist_ok=True)
     write_json(document, target / "travel.json")
     draw_travel(spec, model, fits["registered"], recording, document, target / "travel.png")
-    draw_residuals(spec, model, fits["registered"], parts[1], suspects, target / "residuals.png")
+    draw_residuals(spec, model, fits["registered"], judged, suspects, target / "residuals.png")
     return _published(spec, run, document, target)
 
 
