@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import csv
 from collections.abc import Iterable, Mapping, Sequence
-from io import StringIO
+from io import StringIO, TextIOBase
 from pathlib import Path
-from typing import Any, TextIO
+from typing import Any
 
 from design.files import atomic_path
 
@@ -30,7 +30,7 @@ def table_text(header: Sequence[str], rows: Iterable[Sequence[Any]]) -> str:
     return text.getvalue()
 
 
-def _write(file: TextIO, header: Sequence[str], rows: Iterable[Sequence[Any]]) -> None:
+def _write(file: TextIOBase, header: Sequence[str], rows: Iterable[Sequence[Any]]) -> None:
     writer = csv.writer(file, lineterminator="\n")
     writer.writerow(header)
     writer.writerows(rows)
