@@ -41,21 +41,27 @@ Judge = Callable[[Float[Tensor, "layout variable"], Int[Tensor, "layout"]], "Jud
 class Judged:
     """What layouts are worth: every objective as something to minimise, above 0.
 
-    A layout with larger position bounds than the start's is worth less by their `OVER_START`, unless
-    that is an objective itself; it breaks no limit here, as this level's bounds of single places are
-    too rough for it.
-    `broken_mm` is 0 where all limits are kept; `scores` are those of the lowest fidelity level, with
-    the objectives that the structure alone decides.
+    `broken_mm` is 0 where all limits are kept. `worse_mm` counts like it where position bounds are
+    larger than the start's at more places than `PlaceBounds.but` (`OVER_START` above 1), which the
+    verdict refuses; as this level's bounds of single places are rough, that makes no layout one that
+    breaks limits. `scores` are those of the lowest fidelity level, with the objectives that the
+    structure alone decides.
     """
 
     objectives: Float[Tensor, "layout objective"]
     broken_mm: Float[Tensor, "layout"]
+    worse_mm: Float[Tensor, "layout"]
     scores: dict[str, Float[Tensor, "layout"]]
 
     @property
+    def penalty(self) -> Float[Tensor, "layout"]:
+        """By what share objectives grow for broken limits and worse places."""
+        return PENALTY_PER_MM * (self.broken_mm + self.worse_mm)
+
+    @property
     def penalized(self) -> Float[Tensor, "layout objective"]:
-        """Objectives with the penalty for broken limits."""
-        return self.objectives * (1 + PENALTY_PER_MM * self.broken_mm[:, None])
+        """Objectives with their penalty."""
+        return self.objectives * (1 + self.penalty[:, None])
 
 
 @dataclass(frozen=True)
@@ -103,10 +109,11 @@ def judge(
     for name, most in lowest.at_most.items():
         excess = excess + torch.relu(_to_minimize(name, scores) / most - 1)
     broken = broken.amax(dim=0) + lowest.broken_mm + _MM_PER_EXCESS * excess
+    worse = torch.zeros_like(broken)
+    if lowest.start is not None:
+        worse = _MM_PER_EXCESS * torch.relu(scores[OVER_START] - 1)
     worth = torch.stack([_to_minimize(name, scores) for name in objectives], dim=1)
-    if lowest.start is not None and OVER_START not in objectives:
-        worth = worth * scores[OVER_START].clamp(min=1)[:, None]
-    return Judged(worth.clamp(min=1e-9), broken, scores)
+    return Judged(worth.clamp(min=1e-9), broken, worse, scores)
 
 
 def _to_minimize(name: str, scores: dict[str, Tensor]) -> Float[Tensor, "layout"]:
@@ -121,10 +128,10 @@ def polish(
 ) -> Float[Tensor, "layout variable"]:
     """Better points by the weighted logarithms of the objectives, each by a CMA-ES of its own.
 
-    A run begins round its point, with `population` layouts a generation. The penalty for broken
-    limits grows from a thousandth to all of it, so that early generations cross what later ones may
-    not. No point ends worth less than it began, and none without a value is taken. Repeatable: a run's
-    seed comes from its point.
+    A run begins round its point, with `population` layouts a generation. The penalty grows from a
+    thousandth to all of it, so that early generations cross what later ones may not. No point ends
+    worth less than it began, and none without a value is taken. Repeatable: a run's seed comes from
+    its point.
     """
     rows = torch.arange(len(unit))
     ends = [_evolved(judge_at, unit[row], row, generations, weights[row]) for row in rows]
@@ -149,7 +156,7 @@ def _evolved(
         with torch.no_grad():
             judged = judge_at(points, row.expand(len(points)))
         value = (judged.objectives.log() @ weights).double().nan_to_num(torch.inf).numpy()
-        return value, PENALTY_PER_MM * judged.broken_mm.double().numpy()
+        return value, judged.penalty.double().numpy()
 
     whole = float(weights.sum())
     count = max(len(begin), 2)  # the package takes no single variable

@@ -38,12 +38,17 @@ def merit(search: SearchSpec, one: Promoted, start: Promoted, level: str) -> flo
 
 
 def excess(search: SearchSpec, one: Promoted, start: Promoted, level: str) -> dict[str, float]:
-    """Shares by which limits are exceeded, those on places worse than the start's included."""
+    """Shares by which limits are exceeded, that of places worse than the start's among them.
+
+    Where no place may be worse, each counts as one limit exceeded by as much again.
+    """
     lacking = one.spec.limits.saturation_margin - one.levels[level].saturation_margin
     found = {"saturation_margin": lacking}
     if search.limits.places_worse < 1:
         worse = worse_share(start.levels[level], one.levels[level])
-        found["places_worse"] = worse - search.limits.places_worse
+        most = search.limits.places_worse
+        one_place = 1 / len(one.levels[level].position_bounds_mm)
+        found["places_worse"] = (worse - most) / max(most, one_place)
     for name, factor in search.limits.times_start.items():
         most = 1 / factor if name in OBJECTIVES_TO_MAXIMIZE else factor
         found[name] = _over_start(name, one, start, level) / most - 1

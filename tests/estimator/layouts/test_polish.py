@@ -23,7 +23,7 @@ from estimator.layouts.batch_scores import (
 )
 from estimator.layouts.cross_face import false_forces_n
 from estimator.layouts.fidelity import lowest_fidelity_score
-from estimator.layouts.polish import Judged, LowestFidelity, judge, polish
+from estimator.layouts.polish import PENALTY_PER_MM, Judged, LowestFidelity, judge, polish
 from estimator.layouts.press_basis import press_basis
 from estimator.layouts.robustness import slip_places_mm
 from estimator.layouts.scoring import layout_scorer
@@ -147,18 +147,24 @@ def test_a_face_that_stands_for_others_counts_as_often_and_is_held_against_each(
     assert_allclose(found["slip_place_mm"], np.median(every, axis=1), rtol=1e-5)
 
 
-def test_a_layout_that_is_worse_in_too_many_places_is_worth_less_by_that_ratio(lowest, units):
+def test_worse_places_than_allowed_cost_what_any_limit_does_but_break_none(lowest, units):
     layouts = [layouts_of(lowest.space.structured, face) for face in FACES]
     bounds = position_bounds(lowest.scorers, layouts)
     kinder = replace(lowest, start=PlaceBounds(tuple(100 * bound for bound in bounds), 0.02))
     harder = replace(lowest, start=PlaceBounds(tuple(bound / 100 for bound in bounds), 0.02))
     free, kept, worse = (judged(one, units) for one in (lowest, kinder, harder))
     assert_allclose(kept.penalized, free.penalized)
-    ratio = worse.scores[OVER_START][:, None]
+    ratio = worse.scores[OVER_START]
     assert (ratio > 20).all()
-    assert_allclose(worse.penalized, ratio * free.penalized, rtol=1e-5)
+    limited = judged(replace(lowest, at_most={OBJECTIVES[0]: 1.0}), units)
+    over = limited.scores[OBJECTIVES[0]]
+    assert_allclose(limited.broken_mm - free.broken_mm, 10 * torch.relu(over - 1), rtol=1e-4)
+    assert_allclose(worse.worse_mm, 10 * (ratio - 1), rtol=1e-5)
+    assert_allclose(worse.broken_mm, free.broken_mm)
+    grown = 1 + PENALTY_PER_MM * (free.broken_mm + worse.worse_mm)[:, None]
+    assert_allclose(worse.penalized, grown * free.objectives, rtol=1e-5)
     sought = judged(harder, units, (OVER_START,))
-    assert_allclose(sought.objectives, ratio, rtol=1e-5)
+    assert_allclose(sought.objectives, ratio[:, None], rtol=1e-5)
 
 
 def test_dear_scores_are_worked_out_only_where_they_are_named(lowest):
@@ -198,7 +204,7 @@ def test_the_penalty_grows_so_that_what_is_forbidden_is_crossed(variables, monke
         first = point[:, 0]
         away = ((point - 0.9) ** 2).sum(dim=1)
         wall = torch.relu(0.25 - (first - 0.5).abs())
-        return Judged((10 + away)[:, None], wall, {})
+        return Judged((10 + away)[:, None], wall, torch.zeros(len(point)), {})
 
     begin = torch.full((1, variables), 0.1)
     monkeypatch.setattr(polishing, "_SPREAD", 0.05)
@@ -212,7 +218,7 @@ def test_the_penalty_grows_so_that_what_is_forbidden_is_crossed(variables, monke
 def test_layouts_without_a_value_are_never_taken():
     def judge_at(point, rows):
         value = torch.where(point[:, 0] > 0.5, torch.nan, 2 - point[:, 0])
-        return Judged(value[:, None], torch.zeros(len(point)), {})
+        return Judged(value[:, None], torch.zeros(len(point)), torch.zeros(len(point)), {})
 
     end = polish(judge_at, torch.full((1, 3), 0.1), 60, torch.ones(1, 1))
     assert float(end[0, 0]) == pytest.approx(0.5, abs=0.01)

@@ -97,3 +97,19 @@ def test_merit_is_the_mean_logarithm_and_what_is_exceeded():
         {"median_false_force_n": 0.2}
     )
     assert merit(spec.search, exceeding, start, LAST) == pytest.approx(mean + 2.0)
+
+
+def test_a_layout_that_the_verdict_takes_comes_before_a_better_one_that_it_refuses():
+    """3 % of places worse where 2 % are allowed, and four times better, against twice better."""
+    spec = made_up_spec(objectives=["worst_position_bound_mm"], limits={"places_worse": 0.02})
+    few = np.where(np.arange(200) % 34 == 7, 1.1, 0.9)
+    bounds = tuple(np.multiply(START.position_bounds_mm, few).tolist())
+    refused = replace(START, worst_position_bound_mm=1.5 / 4, position_bounds_mm=bounds)
+    taken = replace(START, worst_position_bound_mm=1.5 / 2)
+    start, first, second = (
+        Promoted("", None, spec, {LAST: score}) for score in (START, refused, taken)
+    )
+    assert excess(spec.search, first, start, LAST) == pytest.approx({"places_worse": 0.5})
+    assert merit(spec.search, second, start, LAST) < merit(spec.search, first, start, LAST)
+    none = made_up_spec(objectives=["worst_position_bound_mm"], limits={"places_worse": 0.0})
+    assert excess(none.search, first, start, LAST) == pytest.approx({"places_worse": 6.0})
