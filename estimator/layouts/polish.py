@@ -192,8 +192,10 @@ def descend(
     unit: Float[Tensor, "layout variable"],
     steps: int,
     rate: float = _LEARNING_RATE,
+    over: Callable[[], bool] = lambda: False,
 ) -> Float[Tensor, "layout variable"]:
-    """The best points on walks of `steps` (Adam) within the unit cube, each by itself.
+    """The best points on walks of `steps` (Adam) within the unit cube, each by itself, or of fewer once
+    the time is `over`.
 
     No point ends worse than it began.
     """
@@ -206,6 +208,8 @@ def descend(
         better = loss.detach() < least
         least = torch.where(better, loss.detach(), least)
         best = torch.where(better[:, None], point.detach(), best)
+        if over():
+            break
         if step < steps:
             walk.zero_grad()
             loss.sum().backward()

@@ -10,7 +10,7 @@ what the lowest level said).
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
@@ -32,11 +32,15 @@ _SPREAD = (0.0, 0.02, 0.05, 0.1)
 
 
 def corrected_params(
-    space: SearchSpace, params: Mapping[str, Any], start: Promoted, one: Promoted
+    space: SearchSpace,
+    params: Mapping[str, Any],
+    start: Promoted,
+    one: Promoted,
+    over: Callable[[], bool] = lambda: False,
 ) -> dict[str, Any] | None:
     """Variables of the layout after its walk; None where nothing near it is better within all limits.
 
-    `start` and `one` hold the scores of both levels.
+    `start` and `one` hold the scores of both levels. The walk ends where it is once the time is `over`.
     """
     lowest = corrected_fidelity(space, params, start, one)
     free = np.array([not v.choices for v in space.variables])
@@ -56,7 +60,7 @@ def corrected_params(
     rng = np.random.default_rng(space.spec.seed)
     away = np.array(_SPREAD)[:, None] * rng.normal(size=(len(_SPREAD), int(free.sum())))
     begin = torch.as_tensor(0.5 + 0.5 * away, dtype=torch.float32).clamp(0, 1)
-    walked = descend(loss, begin, _STEPS, _RATE)
+    walked = descend(loss, begin, _STEPS, _RATE, over)
     with torch.no_grad():
         broken, worth = judged_at(walked).broken_mm, loss(walked)
         before = float(loss(torch.full_like(walked[:1], 0.5)))

@@ -71,6 +71,14 @@ def chain_score(spec: ObjectSpec) -> FidelityScore:
     return score_signals(spec, signals, *run.read(PRESSES))
 
 
+def chain_seconds(spec: ObjectSpec) -> float:
+    """What the chain's stages up to the signals took when they were made, which they are where they
+    are not stored."""
+    run = Run(spec)
+    run.require(SIGNALS.stage)
+    return sum(result.seconds for result in run.results.values())
+
+
 def estimator_errors(spec: ObjectSpec) -> dict[str, float]:
     """Metrics of estimators trained on a layout's own simulated presses, on whole presses held out.
 
@@ -96,19 +104,17 @@ class TwinRatio:
     high: float
 
 
-_Bounds = dict[str, Float[np.ndarray, "object press"]]
+Bounds = dict[str, Float[np.ndarray, "object press"]]
 
 
-def twin_ratios(start: ObjectSpec, found: ObjectSpec, twins: int = TWINS) -> dict[str, TwinRatio]:
-    """Bounds of toleranced twins of the start over those of a layout.
+def twin_ratios(start: ObjectSpec, old: list[Bounds], new: list[Bounds]) -> dict[str, TwinRatio]:
+    """Bounds of toleranced twins of the start over those of a layout, each of `bounds_of_twins`.
 
     Twins share their design's mechanics; `tolerances` of each specification sizes their errors.
     Geometric means over the judged forces. Places that reach a force only near the deepest press are
     judged at less force, of both alike (`estimator.tolerances.budget`).
     """
-    bounds = [_bounds_of_twins(spec, twins) for spec in (start, found)]
-    old, new = bounds
-    before, after = (_summaries(start, one) for one in bounds)
+    before, after = (_summaries(start, one) for one in (old, new))
     ratios = {
         name: TwinRatio(
             float(before[name][0] / after[name][0]),
@@ -120,7 +126,7 @@ def twin_ratios(start: ObjectSpec, found: ObjectSpec, twins: int = TWINS) -> dic
     return ratios if but == 1 else ratios | {OVER_START: _place_by_place(old, new, but)}
 
 
-def _bounds_of_twins(spec: ObjectSpec, twins: int) -> list[_Bounds]:
+def bounds_of_twins(spec: ObjectSpec, twins: int = TWINS) -> list[Bounds]:
     """Bounds of the design, then of its twins, at each judged force."""
     from estimator.tolerances.budget import twin_bounds
 
@@ -131,7 +137,7 @@ def _bounds_of_twins(spec: ObjectSpec, twins: int) -> list[_Bounds]:
     ]
 
 
-def _place_by_place(before: list[_Bounds], after: list[_Bounds], but: float) -> TwinRatio:
+def _place_by_place(before: list[Bounds], after: list[Bounds], but: float) -> TwinRatio:
     """Bounds of every pair of objects at the same force and location, where they grow most."""
     old, new = (
         torch.as_tensor(np.concatenate([one["position_mm"] for one in bounds], axis=1))
@@ -143,7 +149,7 @@ def _place_by_place(before: list[_Bounds], after: list[_Bounds], but: float) -> 
     return TwinRatio(float(better[0, 0]), *_interval(better[1:, 1:]))
 
 
-def _summaries(spec: ObjectSpec, bounds: list[_Bounds]) -> dict[str, Float[np.ndarray, "object"]]:
+def _summaries(spec: ObjectSpec, bounds: list[Bounds]) -> dict[str, Float[np.ndarray, "object"]]:
     each = []
     for at_force in bounds:
         position, force = at_force["position_mm"], at_force["force_n"]

@@ -170,8 +170,8 @@ def _document(
 
 
 def estimator_rows(found: Promotion) -> list[dict[str, Any]]:
-    """One row per metric, one column per layout."""
-    names = found.estimators[found.start.label]
+    """One row per metric, one column per layout; none where no estimator was trained in time."""
+    names = next(iter(found.estimators.values()), {})
     return [
         {"mean of faces": METRIC_LABELS[name]}
         | {label: errors.get(name) for label, errors in found.estimators.items()}

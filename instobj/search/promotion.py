@@ -7,6 +7,7 @@ on from there.
 from __future__ import annotations
 
 import json
+import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import AbstractContextManager, ExitStack, contextmanager
 from dataclasses import asdict, dataclass, fields
@@ -34,7 +35,9 @@ from instobj.search.corrected import corrected_params
 from instobj.search.fidelity import (
     PlainShell,
     TwinRatio,
+    bounds_of_twins,
     chain_score,
+    chain_seconds,
     estimator_errors,
     plain_shell,
     twin_ratios,
@@ -42,12 +45,14 @@ from instobj.search.fidelity import (
 from instobj.search.loop import is_feasible
 from instobj.search.lowest_fidelity import each_alone, scorers
 from instobj.search.study import KeptStudy, study_key
-from instobj.search.time_limit import LEADERS_SHARE, TimeLimit
+from instobj.search.time_limit import TimeLimit, TimeSpent
 from instobj.search.verdict import FIRST, LAST, SECOND, Promoted, merit, objections
 
 _APART = 0.05
 """Of the unit cube: leaders differ by at least that much in some variable."""
 _KEPT = {field.name for field in fields(FidelityScore)}
+_ALLOWANCE = 1.25
+"""A finalist takes the chain that much longer than the start did, with its checks of fabrication."""
 
 Say = Callable[[str], None]
 
@@ -100,7 +105,8 @@ def promote(
 ) -> Promotion | None:
     """The search's leaders taken through all fidelity levels; None where no trial keeps every limit.
 
-    Where time runs short, fewer leaders and fewer finalists, at least one of each.
+    The start goes first, to the highest level: what that takes is what a finalist will need, and it is
+    kept free. Where time runs short, fewer leaders and fewer finalists, at least one of each.
     """
     search, memo = space.spec.search, folder / "rungs.json"
     chosen = leaders(space, kept, search.leaders)
@@ -111,9 +117,19 @@ def promote(
         Promoted(f"trial {trial.number}", trial.number, with_layout(space.spec, trial.params), {})
         for trial in chosen
     ]
+    _score([start], LAST, _highest, memo, say)
+    say("twins of the start within tolerance")
+    began = time.monotonic()
+    twins = bounds_of_twins(start.spec)
+    needed_s = _ALLOWANCE * (chain_seconds(start.spec) + time.monotonic() - began)
+
+    def short() -> bool:
+        return limit.left_s <= needed_s
+
     everyone = _score([start, *named], FIRST, _lowest, memo, say)
-    everyone = _score(everyone, SECOND, _second, memo, say, lambda: limit.over(LEADERS_SHARE))
-    everyone += _corrected(space, chosen, everyone, memo, say, limit)
+    everyone = _score(everyone, SECOND, _second, memo, say, short)
+    needed_s += start.took_s[SECOND]  # who walks on is scored there again
+    everyone += _corrected(space, chosen, everyone, memo, say, short)
     ranked = sorted(everyone[1:], key=lambda one: merit(search, one, start, SECOND))
     finalists = _finalists(start, ranked, search.finalists, memo, say, limit)
     if not finalists:
@@ -127,16 +143,8 @@ def promote(
         SECOND: _correlations([start, *finalists], SECOND, LAST),
     }
     say("twins within tolerance")
-    ratios = twin_ratios(start.spec, finalists[0].spec)
-    estimators, took = {}, 0.0
-    for one in (start, *finalists):
-        if took > limit.left_s:
-            say(f"estimators of {one.label} are left out: time runs short")
-            continue
-        say(f"estimators of {one.label}")
-        before = limit.left_s
-        estimators[one.label] = estimator_errors(one.spec)
-        took = max(took, before - limit.left_s)
+    ratios = twin_ratios(start.spec, twins, bounds_of_twins(finalists[0].spec))
+    estimators = _estimators((start, *finalists), say, limit)
     against = objections(search, finalists[0], start, ratios)
     return Promotion(
         start,
@@ -150,25 +158,46 @@ def promote(
     )
 
 
+def _estimators(
+    layouts: Sequence[Promoted], say: Say, limit: TimeLimit
+) -> dict[str, dict[str, float]]:
+    """By layout, for as long as there is time: the verdict stands without them."""
+    found: dict[str, dict[str, float]] = {}
+    took = 0.0
+    try:
+        for one in layouts:
+            if took > limit.left_s:
+                say(f"estimators of {one.label} are left out: time runs short")
+                continue
+            say(f"estimators of {one.label}")
+            before = limit.left_s
+            found[one.label] = estimator_errors(one.spec)
+            took = max(took, before - limit.left_s)
+    except TimeSpent:
+        say("further estimators are left out: the time is over")
+    return found
+
+
 def _corrected(
     space: SearchSpace,
     chosen: Sequence[FrozenTrial],
     scored: Sequence[Promoted],
     memo: Path,
     say: Say,
-    limit: TimeLimit,
+    short: Callable[[], bool],
 ) -> list[Promoted]:
-    """The best leaders once they have walked on, at most as many as finalists; one, where time runs
+    """The best leaders once they have walked on, at most as many as finalists; none, where time is
     short."""
     search, start, found = space.spec.search, scored[0], []
     params = {trial.number: trial.params for trial in chosen}
     ranked = sorted(scored[1:], key=lambda one: merit(search, one, start, SECOND))
     for one in ranked[: search.finalists]:
-        if found and limit.over(LEADERS_SHARE):
+        if short():
+            say(f"{one.label} does not walk on: time runs short")
             break
         say(f"{one.label} walks on, the lowest fidelity level corrected by the second")
         assert one.trial is not None
-        walked = corrected_params(space, params[one.trial], start, one)
+        walked = corrected_params(space, params[one.trial], start, one, short)
         if walked is None:
             say(f"{one.label}: nothing near it is better")
             continue
@@ -247,11 +276,12 @@ def _score(
     with scoring() as score:
         for one in layouts:
             key = f"{level} {study_key(one.spec)}"
-            if known.get(key, {}).keys() != _KEPT:
+            if not known.get(key, {}).keys() >= _KEPT:
                 if len(left) > 1 and enough():
                     say(f"fidelity level {level}: {one.label} falls out: time runs short")
                     continue
                 say(f"fidelity level {level}: {one.label}")
+                began = time.monotonic()
                 try:
                     known[key] = asdict(score(one.spec))
                 except (ValueError, ArithmeticError) as error:
@@ -259,9 +289,11 @@ def _score(
                         raise
                     say(f"fidelity level {level}: {one.label} falls out: {error}")
                     continue
+                known[key]["took_s"] = time.monotonic() - began
                 with atomic_path(memo) as temporary:
                     temporary.write_text(json.dumps(known, indent=1), encoding="utf-8")
             one.levels[level] = _score_of(known[key], layouts[0], level)
+            one.took_s[level] = known[key].get("took_s", 0.0)
             left.append(one)
     return left
 

@@ -13,12 +13,10 @@ from design.errors import InputError
 
 TRIALS_SHARE = 0.4
 """Of the time, for mechanics and trials: measured, leaders and finalists took 15 of 25 minutes."""
-LEADERS_SHARE = 0.6
-"""Of the time, after which the second fidelity level leaves the rest to the highest."""
 _SHORTEST_S = 1e-3
 
 
-class _Alarm(BaseException):
+class TimeSpent(BaseException):
     """Beyond the reach of handlers of errors, as an interrupt by the user is."""
 
 
@@ -44,18 +42,19 @@ class TimeLimit:
     @property
     def plan(self) -> str:
         """How the time is shared out, in words."""
-        trials, leaders = (round(share * self.seconds) for share in (TRIALS_SHARE, LEADERS_SHARE))
         return (
-            f"search.seconds = {self.seconds:g}: mechanics and trials until {trials} s, leaders until "
-            f"{leaders} s, then finalists and their estimators"
+            f"search.seconds = {self.seconds:g}: mechanics and trials until "
+            f"{round(TRIALS_SHARE * self.seconds)} s, then leaders; the last is for a finalist, as long "
+            "as the chain takes for the start"
         )
 
     @contextmanager
     def enforced(self) -> Iterator[None]:
         """Break off what runs in here when the time is spent.
 
-        Work in compiled code ends first: a factorization of the default mesh takes seconds. On
-        systems without interval timers (Windows) nothing is broken off.
+        Work in compiled code ends first: a factorization of the default mesh takes seconds. Work that
+        can be left out catches `TimeSpent`, once. On systems without interval timers (Windows) nothing
+        is broken off.
 
         Raises
         ------
@@ -70,7 +69,7 @@ class TimeLimit:
             signal.setitimer(signal.ITIMER_REAL, max(self.left_s, _SHORTEST_S))
             yield
             signal.setitimer(signal.ITIMER_REAL, 0)
-        except _Alarm:
+        except TimeSpent:
             raise InputError(
                 f"the time of this search, search.seconds = {self.seconds:g}, was spent before there "
                 "was a result. Trials, finished stages and scored layouts are kept: go on with "
@@ -82,4 +81,4 @@ class TimeLimit:
 
 
 def _raise_alarm(number: int, frame: FrameType | None) -> None:
-    raise _Alarm
+    raise TimeSpent

@@ -196,6 +196,7 @@ def _estimators(found: Promotion) -> dict[str, Any]:
     rows = [
         [label, *(shown(found.estimators[column].get(name)) for column in columns)]
         for name, label in METRIC_LABELS.items()
+        if columns
     ]
     return {"estimator_header": ["mean of faces", *columns], "estimators": rows}
 

@@ -12,7 +12,7 @@ from instobj.search import promotion
 from instobj.search.fidelity import TwinRatio
 from instobj.search.loop import run_search
 from instobj.search.study import open_study
-from instobj.search.time_limit import TimeLimit
+from instobj.search.time_limit import TimeLimit, TimeSpent
 from tests.support.objects.search_cases import made_up_score, made_up_space, searched
 
 
@@ -69,7 +69,7 @@ def test_shares_of_the_time(clock):
     assert not limit.over()
     assert limit.left_s == pytest.approx(599)
     assert limit.left == "599 of 1000 s left"
-    assert "trials until 400 s, leaders until 600 s" in limit.plan
+    assert "trials until 400 s, then leaders" in limit.plan
     clock.now_s += 700
     assert limit.left == "0 of 1000 s left"
 
@@ -110,19 +110,25 @@ def promoted(tmp_path, monkeypatch, clock):
         return scoring
 
     ratios = {"worst_position_bound_mm": TwinRatio(2.0, 1.1, 3.0)}
-    monkeypatch.setattr(promotion, "twin_ratios", lambda start, found: ratios)
+    monkeypatch.setattr(promotion, "bounds_of_twins", lambda spec: [])
+    monkeypatch.setattr(promotion, "twin_ratios", lambda start, old, new: ratios)
 
     def trained(spec):
         clock.now_s += 30
+        if clock.now_s - 100.0 > took_out_of[0]:
+            raise TimeSpent
         return {"similarity": 0.5}
+
+    took_out_of = [0.0]
 
     monkeypatch.setattr(promotion, "estimator_errors", trained)
 
     def run(seconds, second_s, highest_s, unbuildable=(), walked=lambda params: None, space=space):
-        asked = iter(range(99))
+        asked, took_out_of[0] = iter(range(99)), seconds + clock.now_s - 100.0
         monkeypatch.setattr(
-            promotion, "corrected_params", lambda space, params, start, one: walked(params)
+            promotion, "corrected_params", lambda space, params, start, one, over: walked(params)
         )
+        monkeypatch.setattr(promotion, "chain_seconds", lambda spec: highest_s)
         monkeypatch.setattr(
             promotion,
             "why_unbuildable",
@@ -143,10 +149,20 @@ def test_with_time_enough_everyone_asked_for_is_scored(promoted):
 
 
 def test_short_of_time_fewer_leaders_and_finalists_are_scored_and_said(promoted):
-    found, said = promoted(seconds=100, second_s=25, highest_s=10)
-    assert (len(found.leaders), len(found.finalists)) == (2, 1)
-    assert found.shortened.startswith("2 of 5 leaders and 1 of 3 finalists were scored")
-    assert sum("falls out: time runs short" in line for line in said) == 3
+    found, said = promoted(seconds=110, second_s=25, highest_s=10)
+    assert (len(found.leaders), len(found.finalists)) == (3, 1)
+    assert found.shortened.startswith("3 of 5 leaders and 1 of 3 finalists were scored")
+    assert sum("falls out: time runs short" in line for line in said) == 2
+
+
+def test_as_much_time_is_kept_as_the_start_took_on_the_highest_level(promoted):
+    """Of 200 s 60 go to the start there and 1.25 times that stays for a finalist: 65 s for the second
+    level. What is stored costs the start nothing, and is kept free all the same."""
+    few, said = promoted(seconds=200, second_s=20, highest_s=60)
+    assert (len(few.leaders), len(few.finalists)) == (3, 1)
+    assert "does not walk on: time runs short" in " ".join(said)
+    again, _ = promoted(seconds=90, second_s=20, highest_s=60)
+    assert (len(again.leaders), len(again.finalists)) == (4, 2)
 
 
 def test_one_leader_and_one_finalist_are_always_scored(promoted):
@@ -181,8 +197,10 @@ def test_leaders_that_walked_on_are_ranked_among_the_others(promoted):
     assert sum("walks on" in line for line in said) == 3
     first = next(one for one in found.leaders if one.trial == walked[0].trial and not one.corrected)
     assert walked[0].spec.magnets.positions_mm != first.spec.magnets.positions_mm
-    few, _ = promoted(15, 10, 10, walked=lambda params: params | {"magnet1_y_mm": 0.5})
+    few, _ = promoted(30, 10, 10, walked=lambda params: params | {"magnet1_y_mm": 0.5})
     assert sum(one.corrected for one in few.leaders) == 1, "time is short"
+    none, _ = promoted(22, 10, 10, walked=lambda params: params | {"magnet1_y_mm": 0.4})
+    assert sum(one.corrected for one in none.leaders) == 0, "time is short"
 
 
 def test_what_was_scored_before_counts_whatever_the_new_budget(promoted):
@@ -198,3 +216,10 @@ def test_estimators_that_would_take_longer_than_is_left_are_left_out(promoted):
     found, said = promoted(seconds=180, second_s=10, highest_s=10)
     assert [*found.estimators] == ["start", found.finalists[0].label]
     assert sum("estimators of" in line and "left out" in line for line in said) == 2
+
+
+def test_a_verdict_stands_though_the_time_is_spent_on_its_estimators(promoted):
+    found, said = promoted(seconds=70, second_s=1, highest_s=10)
+    assert found.ratios["worst_position_bound_mm"].low == 1.1
+    assert found.estimators == {}
+    assert "the time is over" in said[-1]
