@@ -31,6 +31,9 @@ from tests.planted_faults.sites import Fault
 from tests.planted_faults.swapping import function_of, swap
 from tests.support import typechecks
 
+Function = tuple[str, str]
+"""Module and name."""
+
 LONG_S = 5.0
 """Of a test that then goes after the others."""
 NEAR_FILES = 8
@@ -54,6 +57,7 @@ class Server:
     told: Callable[[dict[str, Any]], None]
     clock: Clock = Clock()
     seconds: dict[str, float] = field(default_factory=dict)
+    calls: dict[str, set[Function]] = field(default_factory=dict)
     sound: dict[tuple[str, bool], bool] = field(default_factory=dict)
 
     def pytest_runtestloop(self, session: pytest.Session) -> bool:
@@ -69,9 +73,17 @@ class Server:
     def judged(self, fault: Fault, tests: list[str]) -> dict[str, Any]:
         """Outcome (noticed, hangs, not noticed, not reached), by which test, and of how many.
 
-        Long tests go last. A test that fails by itself without the fault too is left out.
+        Long tests go after others, and last those that did not call the function that holds the
+        fault when they ran before. A test that fails by itself without the fault is left out.
         """
-        left = sorted(tests, key=lambda test: self.seconds.get(test, 0.0) > LONG_S)
+        function = holding(self.root, fault)
+
+        def rank(test: str) -> tuple[bool, bool, bool]:
+            known = self.calls.get(test)
+            elsewhere = bool(function and known is not None and function not in known)
+            return elsewhere, self.seconds.get(test, 0.0) > LONG_S, known is None
+
+        left = sorted(tests, key=rank)
         anew = acts_at_import(self.root, fault)
         by, asked, spent_s, reached, hangs = "", 0, 0.0, anew and bool(tests), False
         while left and not by and spent_s < self.clock.most_s:
@@ -83,6 +95,7 @@ class Server:
                 continue
             spent_s += said.spent_s
             self.seconds |= said.seconds()
+            self.calls |= said.calls
             asked += sum(event == "begins" for event, _, _ in said.events)
             reached = reached or said.has("reached")
             if said.failed is None:
@@ -115,7 +128,9 @@ class Server:
         try:
             died = ended(child, notes.file)
             lines = notes.file.read_text("utf-8").splitlines() if notes.file.exists() else []
-            said = Said([tuple(json.loads(line)) for line in lines])
+            said = Said(
+                [tuple(json.loads(line)) for line in lines], calls=_calls(scratch / "calls")
+            )
             return said if said.has("ends") else replace(said, died=died)
         finally:
             with suppress(ProcessLookupError):
@@ -151,11 +166,23 @@ def _of_near_files(tests: list[str]) -> list[str]:
     return tests
 
 
+def _calls(file: Path) -> dict[str, set[Function]]:
+    """Functions that each test called; the last line may be cut."""
+    text = file.read_text(encoding="utf-8") if file.exists() else ""
+    told = [json.loads(line) for line in text.splitlines() if line.endswith("]]]")]
+    return {test: {(module, name) for module, name in names} for test, names in told}
+
+
+def holding(root: Path, fault: Fault) -> Function | None:
+    """Module and name of the function that holds a fault."""
+    found = function_of(ast.parse((root / fault.path).read_text(encoding="utf-8")), fault.line)
+    return found and (fault.path.removesuffix(".py").replace("/", "."), found[0])
+
+
 def acts_at_import(root: Path, fault: Fault) -> bool:
     """Whether a fault is in no function, or in one that was called as modules were imported."""
-    found = function_of(ast.parse((root / fault.path).read_text(encoding="utf-8")), fault.line)
-    module = fault.path.removesuffix(".py").replace("/", ".")
-    return found is None or (module, found[0]) in typechecks.called()
+    function = holding(root, fault)
+    return function is None or function in typechecks.called()
 
 
 @contextmanager

@@ -31,6 +31,11 @@ def called():
     return {name for name, (_, count) in _called.items() if count}
 
 
+def called_in_test():
+    """Those of `called` that were called since the last test began."""
+    return {name for name, (test, _) in _called.items() if test == _test}
+
+
 def install(packages):
     """Check the functions of packages that are imported from now on."""
     jaxtyping.jaxtyped = _first_calls(jaxtyping.jaxtyped)
