@@ -34,6 +34,8 @@ from tests.support import typechecks
 Function = tuple[str, str]
 """Module and name."""
 
+FIRST_S = 6.0
+"""Of tests for each fault before any gets more: most are noticed, and it is learned what tests call."""
 LONG_S = 5.0
 """Of a test that then goes after the others."""
 NEAR_FILES = 8
@@ -63,14 +65,26 @@ class Server:
     def pytest_runtestloop(self, session: pytest.Session) -> bool:
         self.items = {item.nodeid: item for item in session.items}
         imported_by = importers(self.root)
-        for fault in self.faults:
-            if time.time() > self.clock.end:
-                break
-            tests = nearest(fault.path, list(self.items), imported_by)
-            self.told(asdict(fault) | self.judged(fault, tests))
+        left, rounds = (
+            list(self.faults),
+            sorted({min(FIRST_S, self.clock.most_s), self.clock.most_s}),
+        )
+        for most_s in rounds:
+            kept = []
+            for fault in left:
+                if time.time() > self.clock.end:
+                    return True
+                tests = nearest(fault.path, list(self.items), imported_by)
+                outcome = asdict(fault) | self.judged(fault, tests, most_s)
+                if outcome["by"] or most_s == rounds[-1]:
+                    self.told(outcome)
+                else:
+                    kept.append(fault)
+                    print(f"still to judge: {said(self.root, outcome)}", flush=True)
+            left = kept
         return True
 
-    def judged(self, fault: Fault, tests: list[str]) -> dict[str, Any]:
+    def judged(self, fault: Fault, tests: list[str], most_s: float) -> dict[str, Any]:
         """Outcome (noticed, hangs, not noticed, not reached), by which test, and of how many.
 
         Long tests go after others, and last those that did not call the function that holds the
@@ -86,10 +100,10 @@ class Server:
         left = sorted(tests, key=rank)
         anew = acts_at_import(self.root, fault)
         by, asked, spent_s, reached, hangs = "", 0, 0.0, anew and bool(tests), False
-        while left and not by and spent_s < self.clock.most_s:
+        while left and not by and spent_s < most_s:
             batch = _of_near_files(left) if anew else left
             with planted(self.root, fault):
-                said = self._fork(fault, batch, anew, self.clock.most_s - spent_s)
+                said = self._fork(fault, batch, anew, most_s - spent_s)
             if said.has("in no function"):
                 anew, reached = True, True
                 continue
