@@ -1,0 +1,424 @@
+"""Limits and defaults of the keys, entered twice; what all numbers share, on both sides."""
+
+import typing
+from itertools import product
+
+import pytest
+from pydantic import BaseModel, TypeAdapter, ValidationError
+
+from design.spec.base import LARGEST, Count, Finite, NonNegative, Positive, RecoilPermeability
+from design.spec.object import ObjectSpec
+
+SHARED = {"gt 0", "ge 0", f"le {LARGEST:g}", f"ge {-LARGEST:g}"}
+"""Of `Positive`, `NonNegative` and `Finite`."""
+WANTED = """
+name: most 80
+body.open_faces: ge 1, le 6
+body.sensed_faces: ge 1, le 6
+silicone.poisson_ratio: ge -0.3, le 0.5
+silicone.layers.modulus_ratio: ge 0.001, le 1000
+silicone.prony.fraction: lt 1
+silicone.peel_share: le 1
+magnets.recoil_permeability: ge 1, le 2
+magnets.temperature_c: ge -40, le 150
+magnets.turns: ge 1
+magnets.positions_mm: least 1
+magnets.tilt_deg: ge -30, le 30
+core.wires_per_sensor: ge 1
+sensors.axes: least 1
+sensors.count_per_face: ge 1, le 12
+sensors.first_azimuth_deg: least 1
+sensors.positions_mm: least 1, most 12
+sensors.rotations_deg: least 1, most 12
+sensors.gain_tolerance: lt 0.5
+sensors.cross_axis_tolerance: lt 0.5
+load_cell.output_mv_per_v: ge -10, le 10
+load_cell.newtons_per_v: ge -500, le 500
+load_cell.zero_v: le 5
+environment.earth_field_ut: le 100
+environment.magnets.recoil_permeability: ge 1, le 2
+environment.steel_plates.relative_permeability: ge 1
+contact_grid.count: ge 2, le 100
+indenter.vertices_mm: least 4
+indenter.tilt_deg: ge -45, le 45
+indenter.direction_deg: ge -60, le 60
+press.depths_mm: least 2
+mesh.rim_edge_ratio: ge 0.1, le 1
+mesh.magnet_sides: ge 6, le 64
+mechanics.slip.shift_mm: ge -3, le 3
+mechanics.slip.rotation_deg: ge -10, le 10
+score.hull_frames: ge 12
+protocol.presses_per_place: ge 3
+protocol.frames_per_press: ge 4
+protocol.rest_frames_per_press: ge 2
+protocol.peak_force_spread: lt 0.9
+collection.faces: ge 1, le 6, least 1
+collection.frames_per_case: ge 4
+collection.non_contact_cases: ge 1
+collection.dual_poses: ge -360, ge -500, le 360, le 500
+collection.triple_poses: ge -360, ge -500, le 360, le 500
+collection.grasp_faces: ge 1, le 6
+collection.presses: ge 1
+collection.contacts: ge 1, le 5
+collection.tangential_share: le 2
+collection.hysteresis: lt 0.5
+training.history_frames: le 100
+training.hidden_units: ge 1, least 1
+training.epochs: ge 1
+training.batch_size: ge 1
+training.patience_epochs: ge 1
+training.ensemble: ge 1, le 20
+training.trees: le 500
+training.coverage: lt 1
+training.twins: ge 2, le 1000
+inversion.contacts: ge 1, le 8
+inversion.least_force_n: le 100
+inversion.model_error: lt 1
+inversion.window_frames: ge 1
+inversion.tangential_share: le 2
+limits.saturation_margin: lt 1
+tolerances.core_shift_mm: le 0.6
+tolerances.core_yaw_deg: le 2
+as_built.magnets.face: ge 1, le 6
+as_built.magnets.magnet: ge 1
+as_built.sensors.face: ge 1, le 6
+as_built.sensors.sensor: ge 1
+search.objectives: least 1, most 4
+search.forces_n: most 8
+search.polish_steps: le 1000
+search.trials: ge 1
+search.batch: ge 1, le 1024
+search.leaders: ge 1
+search.finalists: ge 1
+search.vary.magnet_count: ge 1, least 1, most 20
+search.vary.magnet_part: least 1, most 20
+search.vary.magnet_tilt_deg: le 30
+search.vary.sensor_count: ge 1, le 12, least 1, most 20
+search.vary.sensor_chip: least 1, most 20
+search.vary.sensor_turn_deg: least 1, most 20
+search.vary.sensor_range_mt: least 1, most 20
+search.vary.shell_thickness_mm: least 1, most 20
+search.vary.silicone: least 1, most 20
+search.vary.core_size_mm: least 1, most 20
+search.limits.resting_share: le 1
+search.limits.parts_per_face: ge 1
+search.limits.places_worse: le 1
+mould.wall_mm: le 100
+mould.play_mm: le 2
+mould.flange_mm: le 100
+mould.dowel_draft_deg: le 30
+mould.draft_deg: le 10
+mould.pour_mm: le 100
+mould.vent_mm: le 100
+mould.silicone_waste: le 2
+printer.wall_mm: le 100
+printer.feature_mm: le 100
+printer.hole_mm: le 100
+printer.clearance_mm: le 2
+printer.draft_deg: lt 45
+export.mesh_tolerance_mm: ge 0.001, le 5
+export.mesh_angle_rad: le 1
+"""
+DEFAULTS = """
+seed: 1
+arrangement: 'sensors-in-core'
+body.kind: 'box'
+body.size_mm: (42.0, 42.0, 42.0)
+body.open_faces: (6,)
+body.inside: 'core'
+body.bore_mm: 10.0
+body.unit: 'mm'
+body.scale: 1.0
+shell.thickness_mm: 8.0
+shell.pocket_diameter_mm: 6.0
+shell.pocket_depth_mm: 3.0
+shell.seal_layer_mm: 0.0
+shell.dent_mm: 0.0
+shell.slits.width_mm: 1.0
+shell.slits.depth_mm: 0.0
+shell.slits.end_mm: 8.0
+silicone.name: 'Platsil Gel-10'
+silicone.youngs_modulus_mpa: 0.414
+silicone.youngs_modulus_range_mpa: (0.15, 0.54)
+silicone.poisson_ratio: 0.4999
+silicone.density_g_per_cm3: 1.07
+silicone.cure: 'platinum'
+silicone.mix_ratio: (1.0, 1.0)
+silicone.pot_life_min: 6.0
+silicone.cure_h: 0.5
+silicone.elongation_percent: 970.0
+silicone.thinnest_wall_mm: 1.0
+silicone.peel_share: 0.33
+magnets.kind: 'permanent'
+magnets.shape: 'disk'
+magnets.diameter_mm: 6.0
+magnets.inner_diameter_mm: 0.0
+magnets.size_mm: (5.0, 5.0)
+magnets.height_mm: 1.0
+magnets.remanence_t: 1.43
+magnets.recoil_permeability: 1.05
+magnets.temperature_c: 20.0
+magnets.turns: 50
+magnets.current_a: 0.2
+magnets.switching: 'all-on'
+magnets.depth_below_core_face_mm: 0.0
+magnets.positions_mm: ((0.0, 0.0), (10.0, 10.0), (-10.0, 10.0), (-10.0, -10.0), (10.0, -10.0))
+magnets.tilt_deg: ()
+magnets.north: ()
+core.wall_mm: 4.5
+core.recess_width_mm: 7.0
+core.recess_inner_radius_mm: 4.5
+core.recess_outer_radius_mm: 11.0
+core.recess_depth_mm: 3.0
+core.hub_radius_mm: 2.0
+core.hub_depth_mm: 0.5
+core.wire_hole_top_diameter_mm: 2.0
+core.wire_hole_side_diameter_mm: 4.0
+core.wire_channel_width_mm: 0.0
+core.wire_channel_depth_mm: 1.0
+core.wire_diameter_mm: 0.4
+core.wires_per_sensor: 4
+core.keys.positions_mm: ()
+core.keys.size_mm: (3.0, 3.0)
+core.keys.height_mm: 1.5
+sensors.part: 'TMAG5273A1'
+sensors.axes: ('X', 'Y', 'Z')
+sensors.averaging: 16
+sensors.count_per_face: 3
+sensors.radius_mm: 8.585
+sensors.depth_below_core_face_mm: 2.3
+sensors.first_azimuth_deg: (240.0, 180.0, 240.0, 60.0, 300.0)
+sensors.package_mm: (6.6, 6.2, 1.6)
+sensors.chip_mm: (2.9, 2.8, 1.25)
+sensors.chip: 'inward'
+sensors.mount_rotation_deg: (0.0, 0.0, 0.0)
+sensors.counts_per_mt: 820.0
+sensors.range_mt: 40.0
+sensors.noise_counts: (22.0, 22.0, 11.0)
+sensors.gain_tolerance: 0.0
+sensors.cross_axis_tolerance: 0.0
+sensors.offset_tolerance_mt: 0.0
+sensors.zeroing_counts: 10.0
+sensors.drift_counts: 60.0
+sensors.frame_rate_hz: 10.5
+sensors.i2c_khz: 400.0
+load_cell.kind: 'none'
+load_cell.rate_sps: 80
+load_cell.capacity_n: 49.03
+load_cell.output_mv_per_v: 1.0
+load_cell.newtons_per_v: 24.5
+load_cell.zero_v: 2.5
+environment.earth_field_ut: 0.0
+environment.earth_direction: (0.0, 0.0, -1.0)
+environment.magnets.axis: (0.0, 0.0, 1.0)
+environment.magnets.diameter_mm: 10.0
+environment.magnets.height_mm: 5.0
+environment.magnets.remanence_t: 1.3
+environment.magnets.recoil_permeability: 1.05
+environment.steel_plates.relative_permeability: 1000.0
+contact_grid.count: 'fill'
+contact_grid.pitch_mm: 3.0
+indenter.kind: 'hemisphere'
+indenter.radius_mm: 5.0
+indenter.length_mm: 10.0
+indenter.size_mm: (10.0, 10.0)
+indenter.fillet_mm: 0.0
+indenter.yaw_deg: 0.0
+indenter.tilt_deg: (0.0, 0.0)
+indenter.direction_deg: (0.0, 0.0)
+indenter.friction: 'none'
+indenter.tip_count: 1
+press.depths_mm: (0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0)
+mesh.edge_mm: 4.0
+mesh.surface_edge_mm: 1.7
+mesh.rim_edge_ratio: 0.4
+mesh.envelope_mm: 0.03
+mesh.magnet_sides: 16
+mechanics.element: 'taylor-hood'
+mechanics.magnets: 'rigid'
+mechanics.interface: 'bonded'
+mechanics.slip.shift_mm: (0.0, 0.0, 0.0)
+mechanics.slip.rotation_deg: (0.0, 0.0, 0.0)
+mechanics.slip.model: 'fem'
+mechanics.slip.rim: 'free'
+mechanics.correction: 'none'
+score.force_n: 8.0
+score.channels: 'own'
+score.hull: 'covariance'
+score.hull_frames: 1000
+protocol.presses_per_place: 6
+protocol.frames_per_press: 40
+protocol.rest_frames_per_press: 8
+protocol.peak_force_n: (10.0, 20.0)
+protocol.peak_force_spread: 0.1
+protocol.lateral_jitter_mm: 0.3
+protocol.force_noise_n: 0.12
+collection.kind: 'paper'
+collection.faces: (1, 2, 3, 4, 5)
+collection.frames_per_case: 1000
+collection.non_contact_cases: 3
+collection.grasp_faces: (3, 5)
+collection.grasp_force_n: 17.0
+collection.random_grasps: 0
+collection.presses: 2000
+collection.contacts: 1
+collection.tangential_share: 0.0
+collection.hysteresis: 0.0
+training.model: 'compact'
+training.output: 'heatmap'
+training.heatmap_axes: 1
+training.hidden_units: (256, 256, 256)
+training.epochs: 40
+training.batch_size: 512
+training.learning_rate: 0.003
+training.patience_epochs: 15
+training.coverage: 0.9
+training.twins: 10
+inversion.contacts: 6
+inversion.least_force_n: 0.2
+inversion.probes: 'free'
+inversion.drift_counts: 0.0
+inversion.window_frames: 1
+inversion.tangential_share: 0.0
+limits.use: 'grasp'
+limits.position_bound_mm: 1.5
+limits.detectable_force_n: 5.0
+limits.saturation_margin: 0.1
+tolerances.magnet_seat_mm: 0.1
+tolerances.magnet_seat_depth_mm: 0.1
+tolerances.magnet_tilt_deg: 2.0
+tolerances.remanence_relative: 0.02
+tolerances.sensor_seat_mm: 0.1
+tolerances.sensor_rotation_deg: 2.0
+tolerances.sensor_gain_relative: 0.02
+tolerances.sensor_offset_ut: 100.0
+tolerances.core_shift_mm: 0.3
+tolerances.core_yaw_deg: 1.0
+tolerances.modulus_relative: 0.1
+tolerances.temperature_k: 5.0
+tolerances.earth_field_ut: 50.0
+as_built.magnets.flipped: False
+as_built.sensors.rotation_deg: (0.0, 0.0, 0.0)
+as_built.sensors.dead: ()
+search.objectives: ('worst_position_bound_mm',)
+search.forces_n: (2.0, 5.0, 12.0)
+search.engine: 'tpe'
+search.polish_steps: 300
+search.trials: 60
+search.seconds: 2700.0
+search.trial_seconds: 900.0
+search.batch: 1
+search.leaders: 6
+search.finalists: 2
+search.magnet_symmetry: 'free'
+search.sensor_symmetry: 'free'
+search.compliance_mm_per_n: {}
+search.vary.layouts: 'per size'
+search.vary.magnet_north: False
+search.limits.pocket_gap_mm: 1.0
+search.limits.board_gap_mm: 0.0
+search.limits.resting_share: 0.5
+search.limits.places_worse: 0.02
+search.limits.times_start: {}
+search.prices.magnet: 0.2
+search.prices.sensor: 3.0
+mould.wall_mm: 1.5
+mould.flange_mm: 8.0
+mould.dowel_draft_deg: 10.0
+mould.draft_deg: 0.0
+mould.pour_mm: 6.0
+mould.silicone_waste: 0.15
+mould.magnet_templates: 'flat'
+printer.name: 'fdm-0.4'
+printer.process: 'fdm'
+printer.bed_mm: (220.0, 220.0, 240.0)
+printer.wall_mm: 0.8
+printer.feature_mm: 0.8
+printer.hole_mm: 1.0
+printer.clearance_mm: 0.1
+printer.aspect: 4.0
+printer.draft_deg: 1.0
+printer.density_g_per_cm3: 1.27
+export.mesh_tolerance_mm: 0.05
+export.mesh_angle_rad: 0.2
+"""
+"""Of all keys that are not left open."""
+WORDS = {"min_length": "least", "max_length": "most"}
+
+
+def limits(annotation, metadata=()):
+    """Of a field and of all that its type holds, but for other parts."""
+    found = set()
+    for one in metadata:
+        found |= limits(None, getattr(one, "metadata", ()))
+        for name in ("gt", "ge", "lt", "le", "min_length", "max_length"):
+            value = getattr(one, name, None)
+            if value is not None:
+                found.add(f"{WORDS.get(name, name)} {value:g}")
+    if typing.get_origin(annotation) is typing.Annotated:
+        found |= limits(annotation.__origin__, annotation.__metadata__)
+    for inner in typing.get_args(annotation):
+        found |= limits(inner)
+    return found
+
+
+def parts(annotation):
+    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+        yield annotation
+    for inner in typing.get_args(annotation):
+        yield from parts(inner)
+
+
+def keys(model, before=""):
+    for name, field in model.model_fields.items():
+        inner = list(parts(field.annotation))
+        if not inner:
+            yield f"{before}{name}", limits(field.annotation, field.metadata)
+        for part in inner:
+            yield from keys(part, f"{before}{name}.")
+
+
+def test_every_key_has_its_limits():
+    found = {key: ", ".join(sorted(of - SHARED)) for key, of in keys(ObjectSpec)}
+    assert [f"{key}: {text}" for key, text in found.items() if text] == WANTED.split("\n")[1:-1]
+
+
+def defaults(model, before=""):
+    for name, field in model.model_fields.items():
+        inner = list(parts(field.annotation))
+        if not inner and not field.is_required():
+            yield f"{before}{name}", field.get_default(call_default_factory=True)
+        for part in inner:
+            yield from defaults(part, f"{before}{name}.")
+
+
+def test_every_key_has_its_default():
+    found = dict(defaults(ObjectSpec))
+    dual, triple = found.pop("collection.dual_poses"), found.pop("collection.triple_poses")
+    told = [f"{key}: {value!r}" for key, value in found.items() if value is not None]
+    assert told == DEFAULTS.split("\n")[1:-1]
+    level = {*product((-6, -3, 0, 3, 6), (-10.5, 10.5), (0,)), *product((-6, 0, 6), (-1.5,), (0,))}
+    assert len(dual) == 26
+    assert set(dual) == level | {(y, x, 90) for x, y, _ in level}
+    upward = {*product((-3, 0, 3), (-6, 0), (0,)), (0, -3, 0)}
+    assert len(triple) == 14
+    assert set(triple) == upward | {(-x, -y, 180) for x, y, _ in upward}
+
+
+@pytest.mark.parametrize(
+    ("kind", "taken", "refused"),
+    [
+        (Positive, [1e-9, 1e8], [0, -1e-9, 1.0001e8, float("nan"), float("inf")]),
+        (NonNegative, [0, 1e8], [-1e-9, 1.0001e8, float("nan"), float("inf")]),
+        (Finite, [-1e8, 0, 1e8], [-1.0001e8, 1.0001e8, float("nan"), -float("inf")]),
+        (RecoilPermeability, [1, 2], [0.999, 2.001]),
+        (Count, [1, 10**9], [0, -1, 1.5]),
+    ],
+)
+def test_numbers_of_a_kind_end_at_its_limits(kind, taken, refused):
+    adapter = TypeAdapter(kind)
+    for value in taken:
+        assert adapter.validate_python(value) == value
+    for value in refused:
+        with pytest.raises(ValidationError):
+            adapter.validate_python(value)
