@@ -1,0 +1,68 @@
+"""How a mould stands: which open side is up, what the block holds, where it parts."""
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from design.layout.mould_frame import mould_frame, mould_style, parting, play_mm, up
+from design.spec.object import ObjectSpec
+
+AXES = {1: (0, 0, 1), 2: (0, -1, 0), 3: (1, 0, 0), 4: (0, 1, 0), 5: (-1, 0, 0), 6: (0, 0, -1)}
+
+
+def box(open_faces, **mould):
+    body = {"size_mm": [42.0, 44.0, 46.0], "open_faces": open_faces}
+    return ObjectSpec.model_validate({"name": "box", "body": body, "mould": mould})
+
+
+@pytest.mark.parametrize(
+    ("open_faces", "out"),
+    [([6], 6), ([3], 3), ([2, 6], 6), ([6, 4], 6), ([3, 2], 2), ([1], 1), ([], 6)],
+)
+def test_of_open_sides_the_lowest_is_up_else_the_first(open_faces, out):
+    spec = box(open_faces)
+    frame = mould_frame(spec)
+    assert_allclose(frame.out, AXES[out])
+    assert frame.opening == ("open" if open_faces else "closed")
+    assert mould_style(spec) == ("one-piece" if open_faces else "split")
+    assert sorted(abs(np.column_stack([frame.across, frame.along, frame.out])).sum(0)) == [1, 1, 1]
+    if open_faces:
+        assert_allclose(up(spec), AXES[out])
+
+
+@pytest.mark.parametrize(
+    ("open_faces", "across"), [([6], 0), ([5, 6], 1), ([4, 6], 0), ([2, 5, 6], 0)]
+)
+def test_silicone_is_poured_at_the_ends_of_the_axis_with_more_walls(open_faces, across):
+    assert_allclose(abs(mould_frame(box(open_faces)).across), np.eye(3)[across])
+
+
+def test_the_block_is_the_body_and_its_walls_but_for_the_open_side():
+    frame = mould_frame(box([6], wall_mm=2.0))
+    assert_allclose(abs(frame.low_mm), [23.0, 24.0, 25.0])
+    assert_allclose(frame.high_mm, [23.0, 24.0, 23.0])
+    assert frame.rim_mm == 23.0
+    closed = mould_frame(box([], wall_mm=2.0))
+    assert_allclose(-closed.low_mm, closed.high_mm)
+    assert_allclose(closed.high_mm, [23.0, 24.0, 25.0])
+    low, high = frame.corners(frame.low_mm, frame.high_mm)
+    assert_allclose(low, [-23.0, -24.0, -23.0])
+    assert_allclose(high, [23.0, 24.0, 25.0])
+
+
+def test_the_plane_of_a_closed_box_runs_through_two_edges_and_it_stands_on_a_corner():
+    spec = box([])
+    plane = parting(spec)
+    edge = np.array([-21.0, 22.0, 0.0])
+    assert plane.offset_mm == 0
+    assert abs(plane.normal @ edge) < 1e-9 or abs(plane.normal @ abs(edge)) < 1e-9
+    assert_allclose(abs(up(spec)), np.array([21, 22, 23]) / np.linalg.norm([21, 22, 23]))
+    assert up(spec) @ plane.normal == pytest.approx(0, abs=1e-9)
+    given = parting(box([], parting_azimuth_deg=30.0))
+    frame = mould_frame(spec)
+    assert_allclose(given.normal, np.sqrt(0.75) * frame.across + 0.5 * frame.along, atol=1e-12)
+
+
+def test_the_printers_clearance_is_the_play_unless_one_is_given():
+    assert play_mm(box([6])) == 0.1
+    assert play_mm(box([6], play_mm=0.3)) == 0.3
