@@ -24,6 +24,7 @@ def choice(training, presses, source="recorded", places=range(0, 20, 4)):
 
 
 def test_few_recorded_presses_get_history_an_ensemble_trees_and_a_process():
+    assert SMALL == (9, 4, 50, True)
     assert choice(TrainingSpec(), 5) == SMALL
     assert choice(TrainingSpec(model="whole-object"), 5) == SMALL
 
@@ -42,6 +43,7 @@ def test_everything_else_gets_one_network_of_single_frames(training, presses, so
 
 
 def test_what_is_given_stays():
+    assert PLAIN == (0, 1, 0, False)
     assert choice(TrainingSpec(history_frames=3), 5) == SMALL._replace(history_frames=3)
     assert choice(TrainingSpec(ensemble=1, trees=0, process=False), 5) == (
         SMALL.history_frames,
