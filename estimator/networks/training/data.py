@@ -176,7 +176,7 @@ def press_folds(data: FaceData, folds: int, seed: int) -> Int[np.ndarray, "frame
             f"training.ensemble = {folds} needs as many presses on face {data.face}; got "
             f"{len(touched)}. Record more presses, or train a smaller ensemble"
         )
-    case = np.full(len(presses), -1)
+    case = np.empty(len(presses), int)
     for index, press in enumerate(presses):
         places = data.frames.place_id[(data.frames.press_id == press) & data.contact]
         case[index] = (

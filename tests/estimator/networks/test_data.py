@@ -85,11 +85,7 @@ def test_targets_are_shares_forces_over_the_scale_and_centres(data):
     normal = data.heatmap_n.sum(axis=(1, 2))
     pressed = torch.as_tensor(normal[data.contact][:, None])
     assert_allclose(batch.share.sum(dim=1), data.contact, atol=1e-6)
-    assert_allclose(
-        batch.share[touched] * torch.as_tensor(normal[data.contact][:, None]) / 2,
-        batch.maps[touched],
-        rtol=1e-5,
-    )
+    assert_allclose(batch.share[touched] * pressed / 2, batch.maps[touched], rtol=1e-5)
     assert_allclose(batch.force[:, 0], normal / 2, rtol=1e-5)
     assert_array_equal(batch.contact, data.contact)
     assert_allclose(batch.centre_mm[touched], data.centre_mm[data.contact], rtol=1e-5)
