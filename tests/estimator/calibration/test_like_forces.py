@@ -51,6 +51,13 @@ def test_as_many_levels_as_frames_allow():
     assert [len(level) for level in levels] == [3, 3, 3, 3]
 
 
+def test_levels_of_a_steady_rise_hold_equal_numbers():
+    rise = levels_of_like_force(np.arange(24.0)[::-1].copy(), np.zeros(24, int), NOISE_N, 4)
+    assert [sorted(level.tolist()) for level in rise] == [
+        list(range(first, first + 6)) for first in (18, 12, 6, 0)
+    ]
+
+
 def test_drift_between_levels_is_a_random_walk_since_the_zero_of_each_press():
     spec = coarse_spec()
     zeroed, time_s = np.repeat([4, 7], 6), np.concatenate([np.arange(6.0), 100 + np.arange(6.0)])
