@@ -24,7 +24,9 @@ from instobj.cli.options import (
     AsJson,
     Out,
     Overrides,
+    Scheduler,
     Specs,
+    Workers,
     show,
     with_as_built,
 )
@@ -120,8 +122,13 @@ def _chain_command(name: str, stages: str, purpose: str) -> None:
         as_json: AsJson = False,
         overrides: Overrides = None,
         as_built: AsBuilt = None,
+        workers: Workers = 1,
+        scheduler: Scheduler = None,
     ) -> None:
-        _chain(specs, tuple(stages.split()), out, as_json, with_as_built(overrides, as_built))
+        from instobj.commands.run import run_chain
+
+        given = with_as_built(overrides, as_built)
+        show(run_chain(specs, tuple(stages.split()), out, given, workers, scheduler), as_json)
 
     app.command(name, help=purpose)(command)
 

@@ -16,8 +16,10 @@ from instobj.cli.options import (
     Out,
     Overrides,
     Port,
+    Scheduler,
     Sources,
     Specs,
+    Workers,
     ZeroFrames,
     ZeroMode,
     show,
@@ -53,13 +55,15 @@ def frames(
     as_json: AsJson = False,
     overrides: Overrides = None,
     as_built: AsBuilt = None,
+    workers: Workers = 1,
+    scheduler: Scheduler = None,
 ) -> None:
     """Simulated recordings as a data set: the paper's collection, grasps, or presses anywhere."""
     from instobj.commands.run import simulate_recordings
 
     chosen = [] if kind is None else [f"collection.kind={kind}"]
     given = [*with_as_built(overrides, as_built), *chosen]
-    show(simulate_recordings(specs, out, given), as_json)
+    show(simulate_recordings(specs, out, given, workers, scheduler), as_json)
 
 
 @app.command()

@@ -33,6 +33,13 @@ AsBuilt = Annotated[
     Path | None,
     typer.Option(help="Measurements of the built object (default: SPEC.as_built.toml)."),
 ]
+Workers = Annotated[
+    int, typer.Option(min=1, help="Number of processes on this machine that make stages.")
+]
+Scheduler = Annotated[
+    str | None,
+    typer.Option(help="Dask scheduler whose workers make stages, such as tcp://host:8786."),
+]
 Port = Annotated[str | None, typer.Option(help="Serial port of the board, e.g. /dev/ttyACM0.")]
 LoadPort = Annotated[
     str | None, typer.Option(help="Separate serial port of a load cell or machine.")

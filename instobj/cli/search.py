@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from instobj.cli.options import HERE, AsJson, Out, Overrides, Spec, show
+from instobj.cli.options import HERE, AsJson, Out, Overrides, Scheduler, Spec, Workers, show
 
 app = typer.Typer()
 
@@ -53,10 +53,8 @@ def worker(
 @app.command()
 def sweep(
     study: Annotated[Path, typer.Argument(help="Study (TOML).", show_default=False)],
-    workers: Annotated[int, typer.Option(min=1, help="Number of processes on this machine.")] = 1,
-    scheduler: Annotated[
-        str | None, typer.Option(help="Address of a Dask scheduler, such as tcp://host:8786.")
-    ] = None,
+    workers: Workers = 1,
+    scheduler: Scheduler = None,
     out: Out = HERE,
     as_json: AsJson = False,
 ) -> None:

@@ -13,6 +13,10 @@ from design.spec_io import check as require_fit
 from design.spec_io import load_spec, spec_hash
 from instobj.commands.compare import compare_scores
 from instobj.stages.run import Run
+from instobj.stages.tasks import tasks_of
+from instobj.stages.workers import open_workers
+from instobj.store.content import store_root
+from instobj.store.progress import ProgressLine
 from instobj.store.publish import file_rows, publish, require_writable, stage_row
 from instobj.store.readers import FINDINGS
 
@@ -120,12 +124,22 @@ def fabrication_of(specs: list[Path], overrides: list[str], out: Path) -> list[d
 
 
 def run_chain(
-    specs: list[Path], stages: tuple[str, ...], out: Path, overrides: list[str]
+    specs: list[Path],
+    stages: tuple[str, ...],
+    out: Path,
+    overrides: list[str],
+    workers: int = 1,
+    scheduler: str | None = None,
 ) -> dict[str, Any]:
-    """Bring each specification to the given stages and publish what users read."""
+    """Bring each specification to the given stages and publish what users read.
+
+    Stages are made in this process, or by as many processes or the workers of a Dask scheduler
+    (`instobj.stages.workers`).
+    """
     loaded = [load_spec(path, overrides) for path in specs]
     _require_distinct_names(loaded, specs)
     require_writable(out)
+    _make_by_workers(loaded, stages, workers, scheduler)
     result: dict[str, Any] = {
         "command": "chain",
         "objects": [_run_one(spec, stages, out) for spec in loaded],
@@ -135,8 +149,15 @@ def run_chain(
     return result
 
 
-def simulate_recordings(specs: list[Path], out: Path, overrides: list[str]) -> dict[str, Any]:
-    """Recordings as `[collection]` asks for them, with tangential forces where it does."""
+def simulate_recordings(
+    specs: list[Path],
+    out: Path,
+    overrides: list[str],
+    workers: int = 1,
+    scheduler: str | None = None,
+) -> dict[str, Any]:
+    """Recordings as `[collection]` asks for them, with tangential forces where it does; workers as
+    `run_chain`."""
     from estimator.frames.contact_cases import contact_groups
 
     loaded = [load_spec(path, overrides) for path in specs]
@@ -147,8 +168,31 @@ def simulate_recordings(specs: list[Path], out: Path, overrides: list[str]) -> d
     objects = []
     for spec in loaded:
         pulled = spec.collection.tangential_share > 0
-        objects.append(_run_one(spec, ("pulled_collection" if pulled else "collection",), out))
+        stages = ("pulled_collection" if pulled else "collection",)
+        _make_by_workers([spec], stages, workers, scheduler)
+        objects.append(_run_one(spec, stages, out))
     return {"command": "frames", "objects": objects}
+
+
+def _make_by_workers(
+    specs: list[ObjectSpec], stages: tuple[str, ...], workers: int, scheduler: str | None
+) -> None:
+    """Stages into the store by others than this process, where there are any.
+
+    Raises
+    ------
+    InputError
+        A stage failed, or there are no such workers.
+    """
+    if workers == 1 and scheduler is None:
+        return
+    tasks, last = tasks_of(specs, stages)
+    with open_workers(workers, scheduler) as others:
+        done = others.make(tasks, store_root(), ProgressLine().say)
+    for spec, keys in zip(specs, last, strict=True):
+        for key in keys.values():
+            if done[key]["error"]:
+                raise InputError(f"{spec.name}: {done[key]['error']}")
 
 
 def _run_one(spec: ObjectSpec, stages: tuple[str, ...], out: Path) -> dict[str, Any]:

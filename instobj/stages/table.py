@@ -44,7 +44,9 @@ from instobj.stages.makers.signals import (
     make_scores,
     make_shear_scores,
     make_signals,
+    make_twin_frames,
     make_weak_areas,
+    pretraining_twins,
 )
 from instobj.stages.makers.slip import make_slip, objects_compared
 from instobj.store.stage import Stage
@@ -234,15 +236,22 @@ STAGES: dict[str, Stage] = {
         ("collection", "protocol", "silicone.prony", "seed"),
         make_collection,
     ),
-    "pretraining": Stage(
-        "estimator: pre-training on virtual objects",
+    "twin_frames": Stage(
+        "estimator: presses of a virtual object",
         ("presses",),
         (
             *("magnets", "sensors", "arrangement", "environment", "as_built", "tolerances"),
-            *("protocol", "silicone.prony", "training", "seed"),
+            *("protocol", "silicone.prony", "seed"),
         ),
+        make_twin_frames,
+    ),
+    "pretraining": Stage(
+        "estimator: pre-training on virtual objects",
+        ("presses",),
+        ("training", "seed"),
         make_pretraining,
-        version=4,
+        version=5,
+        of_others=pretraining_twins,
     ),
     "networks": Stage(
         "estimator: training", ("frames",), ("training", "seed"), make_networks, version=10

@@ -235,6 +235,7 @@ BLINDEST_PICTURE = ResultFile("identify", "blindest_contacts.png", _path, publis
 ROBUSTNESS = ResultFile("robustness", "robustness.json", _robustness, published=True)
 ROBUSTNESS_PICTURE = ResultFile("robustness", "robustness.png", _path, published=True)
 FRAMES = ResultFile("frames", "frames.nc", _frames, published=True)
+TWIN_FRAMES = ResultFile("twin_frames", "frames.nc", _frames)
 PROTOCOL = ResultFile("frames", "protocol.json", _json)
 COLLECTION = ResultFile("collection", "frames_*.nc", _path, published=True)
 COLLECTION_SUMMARY = ResultFile("collection", "frames.json", _json)

@@ -6,13 +6,13 @@ from pathlib import Path
 from typing import Any
 
 from design.errors import InputError
+from instobj.stages.tasks import tasks_of
+from instobj.stages.workers import Done, open_workers
 from instobj.store.content import store_root
 from instobj.store.progress import ProgressLine
 from instobj.store.publish import file_rows, require_writable, run_folder
 from instobj.sweep.outcome import variant_row, write_outcome
-from instobj.sweep.scheduling import Done, run_here, run_on_dask
 from instobj.sweep.study import load_study
-from instobj.sweep.tasks import tasks_of
 
 
 def sweep(path: Path, out: Path, workers: int = 1, scheduler: str | None = None) -> dict[str, Any]:
@@ -35,10 +35,8 @@ def sweep(path: Path, out: Path, workers: int = 1, scheduler: str | None = None)
     tasks, last = tasks_of(specs, study.stages)
     say(f"{len(specs)} specifications, {len(tasks)} stages")
     root = store_root().absolute()
-    if workers == 1 and scheduler is None:
-        done = run_here(tasks, root, say)
-    else:
-        done = run_on_dask(tasks, root, say, workers, scheduler)
+    with open_workers(workers, scheduler) as made_by:
+        done = made_by.make(tasks, root, say)
     keys = iter(last)
     rows = [
         variant_row(variant, _outcomes(next(keys), done) if variant.spec else {}, root, out)

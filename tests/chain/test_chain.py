@@ -67,6 +67,7 @@ ON_REQUEST = {
     "identify",
     "collection",
     "pulled_collection",
+    "twin_frames",
     "pretraining",
     "fabrication",
     "sheet",

@@ -7,7 +7,6 @@ learnt from all of them together leans on no single one.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -41,12 +40,25 @@ def twin_frames(
 
     Presses are those of `[protocol]`, fewer and shorter: 48 frames per place and twin.
     """
-    return _drawn_presses(
-        spec,
-        twins,
-        lambda seed: twin_signals(spec, drawn_assembly(spec, seed), forces, motions),
-        progress,
-    )
+    parts = []
+    for number, drawn in enumerate(drawn_twins(spec, twins), 1):
+        if progress is not None:
+            progress(f"presses of twin {number} of {twins}")
+        parts.append(frames_of_twin(drawn, forces, motions))
+    return joined(parts)
+
+
+def drawn_twins(spec: ObjectSpec, count: int) -> list[ObjectSpec]:
+    """A specification per twin: its seed draws it, its protocol has fewer and shorter presses."""
+    return [_drawn(spec, number) for number in range(count)]
+
+
+def frames_of_twin(
+    drawn: ObjectSpec, forces: PressForces, motions: MagnetMotions, progress: Progress | None = None
+) -> FrameSet:
+    """Presses of every place on the object that a specification of `drawn_twins` draws: one session."""
+    signals = twin_signals(drawn, drawn_assembly(drawn, drawn.seed), forces, motions, progress)
+    return _one_session(drawn, signals)
 
 
 def with_calibrated_presses(
@@ -70,33 +82,28 @@ def calibrated_frames(
 ) -> FrameSet:
     """Presses of every place of the face on what its labelled presses leave possible of one object;
     a session is a draw. Otherwise as `twin_frames`."""
-    return _drawn_presses(
-        twin.unknowns.spec,
-        draws,
-        lambda seed: twin.signals(np.random.default_rng((seed, 9))),
-        progress,
-    )
-
-
-def _drawn_presses(
-    spec: ObjectSpec, count: int, signals_of: Callable[[int], Signals], progress: Progress | None
-) -> FrameSet:
-    """Presses of `[protocol]`, fewer and shorter, on as many objects, each with its own seed."""
-    shorter = {
-        "presses_per_place": PRESSES_PER_PLACE,
-        "frames_per_press": FRAMES_PER_PRESS,
-        "rest_frames_per_press": REST_FRAMES_PER_PRESS,
-    }
-    protocol, parts = spec.protocol.changed(**shorter), []
-    for number in range(count):
-        seed = spec.seed + _FIRST_SEED + number
+    parts = []
+    for number, drawn in enumerate(drawn_twins(twin.unknowns.spec, draws), 1):
         if progress is not None:
-            progress(f"presses of twin {number + 1} of {count}")
-        drawn = spec.changed(seed=seed, protocol=protocol)
-        frames = simulate_presses(drawn, signals_of(seed), f"twin {number}")
-        frames.session_id[:] = 0
-        parts.append(frames)
+            progress(f"presses of twin {number} of {draws}")
+        signals = twin.signals(np.random.default_rng((drawn.seed, 9)))
+        parts.append(_one_session(drawn, signals))
     return joined(parts)
+
+
+def _drawn(spec: ObjectSpec, number: int) -> ObjectSpec:
+    protocol = spec.protocol.changed(
+        presses_per_place=PRESSES_PER_PLACE,
+        frames_per_press=FRAMES_PER_PRESS,
+        rest_frames_per_press=REST_FRAMES_PER_PRESS,
+    )
+    return spec.changed(seed=spec.seed + _FIRST_SEED + number, protocol=protocol)
+
+
+def _one_session(drawn: ObjectSpec, signals: Signals) -> FrameSet:
+    frames = simulate_presses(drawn, signals, f"seed {drawn.seed}")
+    frames.session_id[:] = 0
+    return frames
 
 
 def split_twins(frames: FrameSet) -> Split:

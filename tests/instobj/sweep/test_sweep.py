@@ -7,15 +7,15 @@ import pytest
 from design.errors import InputError
 from design.spec_io import load_spec
 from estimator.frames.dataset import load_frames
+from instobj.stages import workers
 from instobj.stages.run import Run
+from instobj.stages.tasks import tasks_of
+from instobj.stages.workers import Here, open_workers
 from instobj.store.readers import METRICS
 from instobj.store.shared import URL
-from instobj.sweep import scheduling
 from instobj.sweep.outcome import variant_row
-from instobj.sweep.scheduling import run_here, run_on_dask
 from instobj.sweep.study import load_study
 from instobj.sweep.sweep import sweep
-from instobj.sweep.tasks import tasks_of
 from tests.support.objects.tiny_cube import CHANGES, SMALL_CUBE, lend_mechanics
 
 
@@ -80,7 +80,7 @@ def test_scores_that_another_machine_made_come_from_the_shared_store(tmp_path, m
     here = tmp_path / "here"
 
     def row():
-        done = run_here(tasks, tmp_path / "worker", print)
+        done = Here().make(tasks, tmp_path / "worker", print)
         return variant_row(variant, {"scores": done[last["scores"]]}, here, tmp_path)
 
     assert URL in row()["error"]
@@ -125,9 +125,12 @@ def test_without_anything_to_score_there_is_one_error(tmp_path, monkeypatch):
 
 def test_a_scheduler_that_does_not_answer_is_one_error(tmp_path, monkeypatch):
     pytest.importorskip("distributed")
-    monkeypatch.setattr(scheduling, "_ANSWER_S", 0.5)
-    with pytest.raises(InputError, match="no Dask scheduler answers"):
-        run_on_dask({}, tmp_path, print, 1, "tcp://127.0.0.1:1")
+    monkeypatch.setattr(workers, "_ANSWER_S", 0.5)
+    with (
+        pytest.raises(InputError, match="no Dask scheduler answers"),
+        open_workers(1, "tcp://127.0.0.1:1"),
+    ):
+        pass
 
 
 @pytest.mark.slow
@@ -137,19 +140,19 @@ def test_two_workers_find_what_one_process_finds_though_one_is_killed(tmp_path, 
 
     path = write_study(tmp_path, '[grid]\n"shell.thickness_mm" = [8.0, 7.5]\n')
     monkeypatch.setenv("INSTOBJ_STORE", str(tmp_path / "store"))
-    monkeypatch.setattr(scheduling, "_MOST_SILENT_S", 0.0)
+    monkeypatch.setattr(workers, "_MOST_SILENT_S", 0.0)
     killed, made = [], []
 
     def finished(self, task, outcome):
         made.append(task.key)
         if not killed:
-            workers = [
+            children = [
                 p for p in psutil.Process().children() if "spawn_main" in " ".join(p.cmdline())
             ]
-            killed.append(workers[0].pid)
-            workers[0].kill()
+            killed.append(children[0].pid)
+            children[0].kill()
 
-    monkeypatch.setattr(scheduling._Progress, "finished", finished)
+    monkeypatch.setattr(workers._Progress, "finished", finished)
     two = sweep(path, tmp_path, workers=2)
     assert killed
     assert all("error" not in row for row in two["rows"])

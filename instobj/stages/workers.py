@@ -1,16 +1,18 @@
-"""Tasks of a sweep carried out: one after the other here, or by the workers of Dask distributed."""
+"""Workers that make stages: this process, processes of this machine, or those of a Dask scheduler."""
 
 from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 from design.errors import InputError
 from design.processes import machine_memory_gib
-from instobj.sweep.tasks import StageTask, work
+from instobj.stages.tasks import StageTask, work
+from instobj.store.progress import ProgressLine
 
 if TYPE_CHECKING:
     from distributed import Client
@@ -19,45 +21,123 @@ Say = Callable[[str], None]
 Done = dict[str, dict[str, Any]]
 """By the task's key: the key of its result in the store, or the error."""
 MEMORY = "instobj_gib"
-"""What workers of a sweep offer and stages ask for, as one of Dask's resources."""
+"""What workers offer and stages ask for, as one of Dask's resources."""
 _RETRIES = 3
 _MOST_SILENT_S = 5.0
 _ANSWER_S = 10.0
 _ONE_THREAD = {"OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
 
 
-def run_here(tasks: Mapping[str, StageTask], root: Path, say: Say) -> Done:
-    """One task after the other in this process."""
-    done: Done = {}
-    progress = _Progress(len(tasks), say)
-    for key, task in tasks.items():
-        done[key] = work(task.content, [done[need] for need in task.needs], str(root))
-        progress.finished(task, done[key])
-    return done
+class Workers(Protocol):
+    """What carries tasks out."""
+
+    @property
+    def count(self) -> int:
+        """How many tasks are worked on at a time."""
+        ...
+
+    def make(
+        self,
+        tasks: Mapping[str, StageTask],
+        root: Path,
+        say: Say,
+        enough: Callable[[], bool] = lambda: False,
+    ) -> Done:
+        """Every task once, after those that it needs, in the store at `root`.
+
+        Once `enough`, no further task is begun; those are not among what is done.
+        """
+        ...
 
 
-def run_on_dask(
-    tasks: Mapping[str, StageTask], root: Path, say: Say, workers: int, scheduler: str | None
-) -> Done:
-    """Tasks on `workers` local processes, or on the workers of the scheduler at an address.
+@contextmanager
+def open_workers(
+    count: int = 1, scheduler: str | None = None, progress: ProgressLine | None = None
+) -> Iterator[Workers]:
+    """This process; or `count` processes of this machine, or the workers of the scheduler at an address.
 
-    A stage of a worker that was lost is made again, elsewhere. Workers must see the store at the
-    same path; each has one thread. A stage waits for a worker with the memory that it takes: those
-    of a scheduler say what they have by `--resources "instobj_gib=16"`, or are not asked.
+    `progress` shows the steps of stages made in this process; else stages are counted.
 
     Raises
     ------
     InputError
-        Dask is not installed, the scheduler does not answer, or no worker has the memory.
+        Dask is not installed, or the scheduler does not answer.
     """
-    progress = _Progress(len(tasks), say)
-    with _client(workers, scheduler) as client:
+    if count == 1 and scheduler is None:
+        yield Here(progress)
+        return
+    with _client(count, scheduler) as client:
+        yield OnDask(client)
+
+
+@dataclass(frozen=True)
+class Here:
+    """One task after the other in this process."""
+
+    progress: ProgressLine | None = None
+
+    @property
+    def count(self) -> int:
+        return 1
+
+    def make(
+        self,
+        tasks: Mapping[str, StageTask],
+        root: Path,
+        say: Say,
+        enough: Callable[[], bool] = lambda: False,
+    ) -> Done:
+        """As `Workers.make`."""
+        done: Done = {}
+        counted = None if self.progress else _Progress(len(tasks), say)
+        for key, task in tasks.items():
+            if enough():
+                break
+            before = [done[need] for need in task.needs]
+            done[key] = work(task.content, before, str(root), self.progress)
+            if counted:
+                counted.finished(task, done[key])
+        return done
+
+
+@dataclass(frozen=True)
+class OnDask:
+    """The workers of a Dask scheduler.
+
+    A stage of a worker that was lost is made again, elsewhere. Workers must see the store at the
+    same path; each has one thread. A stage waits for a worker with the memory that it takes: those
+    of a scheduler say what they have by `--resources "instobj_gib=16"`, or are not asked.
+    """
+
+    client: Client
+
+    @property
+    def count(self) -> int:
+        return max(1, len(self.client.scheduler_info(n_workers=-1)["workers"]))
+
+    def make(
+        self,
+        tasks: Mapping[str, StageTask],
+        root: Path,
+        say: Say,
+        enough: Callable[[], bool] = lambda: False,
+    ) -> Done:
+        """As `Workers.make`.
+
+        Raises
+        ------
+        InputError
+            The scheduler has no workers, or none with the memory that a task takes.
+        """
         from distributed import as_completed
 
-        counted = _require_memory(client, tasks)
+        if not tasks:
+            return {}
+        progress = _Progress(len(tasks), say)
+        counted = _require_memory(self.client, tasks)
         futures: dict[str, Any] = {}
         for key, task in tasks.items():
-            futures[key] = client.submit(
+            futures[key] = self.client.submit(
                 work,
                 task.content,
                 [futures[need] for need in task.needs],
@@ -70,9 +150,13 @@ def run_on_dask(
         done: Done = {}
         for future in as_completed(futures.values()):
             key = names[future.key]
+            if future.cancelled():
+                continue
             done[key] = _outcome(future)
             progress.finished(tasks[key], done[key])
-    return done
+            if enough():
+                self.client.cancel([f for key, f in futures.items() if key not in done])
+        return done
 
 
 def _outcome(future: Any) -> dict[str, Any]:
@@ -137,7 +221,7 @@ def _require_memory(client: Client, tasks: Mapping[str, StageTask]) -> bool:
 
 
 class _Progress:
-    """Says how far a sweep is, at most every few seconds, and each failure."""
+    """Says how many stages are made, at most every few seconds, and each failure."""
 
     def __init__(self, count: int, say: Say) -> None:
         self._count, self._say = count, say

@@ -59,7 +59,12 @@ def _add(tasks: dict[str, StageTask], name: str, spec: ObjectSpec) -> str:
     return key
 
 
-def work(task: dict[str, Any], before: list[dict[str, Any]], root: str) -> dict[str, Any]:
+def work(
+    task: dict[str, Any],
+    before: list[dict[str, Any]],
+    root: str,
+    progress: ProgressLine | None = None,
+) -> dict[str, Any]:
     """Make a task's stage in the store at `root`, or read it there; in any process, on any machine.
 
     Takes and gives plain content: schedulers carry no code of instobj. Where something that it
@@ -69,9 +74,9 @@ def work(task: dict[str, Any], before: list[dict[str, Any]], root: str) -> dict[
     if failed:
         return {"key": "", "error": failed}
     spec, stage = ObjectSpec.model_validate(task["spec"]), task["stage"]
-    quiet = ProgressLine(Console(file=io.StringIO()))
+    shown = progress or ProgressLine(Console(file=io.StringIO()))
     try:
-        key = Run(spec, quiet, Path(root)).require(stage).key
+        key = Run(spec, shown, Path(root)).require(stage).key
     except (InstobjError, MemoryError) as error:
         return {"key": "", "error": f"{STAGES[stage].title}: {error}"}
     return {"key": key, "error": ""}

@@ -1,0 +1,84 @@
+"""Workers that make stages: what they leave out, twins one by one, and commands that ask them."""
+
+from contextlib import contextmanager
+
+import numpy as np
+import pytest
+
+from design.errors import InputError
+from design.spec_io import load_spec
+from estimator.calibration.twin.pretraining import twin_frames
+from estimator.frames.collection import joined
+from instobj.commands import run as commands
+from instobj.stages.run import Run
+from instobj.stages.tasks import tasks_of
+from instobj.stages.workers import Here
+from instobj.store.content import find
+from instobj.store.readers import PRESSES, PRETRAINED, TWIN_FRAMES
+from tests.support.objects.tiny_cube import CHANGES, SMALL_CUBE, lend_mechanics
+
+QUICK = [
+    *CHANGES,
+    "training.twins=2",
+    "training.epochs=1",
+    "training.hidden_units=[8]",
+    "training.ensemble=1",
+]
+
+
+@pytest.fixture
+def store(tmp_path, monkeypatch):
+    root = tmp_path / "store"
+    lend_mechanics(root)
+    monkeypatch.setenv("INSTOBJ_STORE", str(root))
+    return root
+
+
+def test_twins_of_pretraining_are_stages_that_can_be_made_anywhere(store):
+    spec = load_spec(SMALL_CUBE, QUICK)
+    tasks, (last,) = tasks_of([spec], ("pretraining",))
+    twins = [key for key, task in tasks.items() if task.stage == "twin_frames"]
+    assert len(twins) == 2
+    assert {*twins} < {*tasks[last["pretraining"]].needs}
+    (presses,) = (key for key, task in tasks.items() if task.stage == "presses")
+    assert all(tasks[key].needs == (presses,) for key in twins), "one mechanics for all"
+    done = Here().make(tasks, store, print)
+    made = [find(store, "twin_frames", done[key]["key"]) for key in twins]
+    assert len(PRETRAINED.read(Run(spec).require("pretraining").folder)) == len(spec.body.sensed)
+    frames = joined([TWIN_FRAMES.read(one.folder) for one in made if one is not None])
+    wanted = twin_frames(spec, *Run(spec).read(PRESSES), 2)
+    np.testing.assert_allclose(frames.signal_counts, wanted.signal_counts, atol=1e-3)
+    np.testing.assert_array_equal(frames.session_id, wanted.session_id)
+    more, _ = tasks_of([load_spec(SMALL_CUBE, [*QUICK, "training.twins=3"])], ("pretraining",))
+    assert {*twins} < {*more}, "those that are made are reused"
+
+
+def test_once_there_is_enough_no_further_stage_is_begun(store):
+    tasks, _ = tasks_of([load_spec(SMALL_CUBE, CHANGES)])
+    asked = iter([False, False, True])
+    done = Here().make(tasks, store, print, lambda: next(asked))
+    assert list(done) == list(tasks)[:2]
+
+
+def test_commands_have_their_stages_made_by_the_workers_asked_for(store, tmp_path, monkeypatch):
+    asked = []
+
+    @contextmanager
+    def opened(count, scheduler):
+        asked.append((count, scheduler))
+        yield Here()
+
+    monkeypatch.setattr(commands, "open_workers", opened)
+    given = [SMALL_CUBE], ("scores",), tmp_path, CHANGES
+    (made,) = commands.run_chain(*given, workers=2)["objects"]
+    assert all(row["reused"] for row in made["stages"])
+    commands.simulate_recordings(
+        [SMALL_CUBE], tmp_path, [*CHANGES, "collection.kind=continuous"], 1, "tcp://host:8786"
+    )
+    assert asked == [(2, None), (1, "tcp://host:8786")]
+    commands.run_chain(*given)
+    assert len(asked) == 2, "this process alone"
+    with pytest.raises(InputError, match="small"):
+        commands.run_chain(
+            [SMALL_CUBE], ("scores",), tmp_path, [*CHANGES, "press.depths_mm=[0.01,0.02]"], 2
+        )
