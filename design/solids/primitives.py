@@ -6,6 +6,9 @@ from collections.abc import Sequence
 
 import cadquery as cq
 import numpy as np
+from OCP.ShapeAnalysis import (
+    ShapeAnalysis_ShapeTolerance,  # pyright: ignore[reportAttributeAccessIssue]
+)
 from OCP.Standard import Standard_Failure  # pyright: ignore[reportAttributeAccessIssue]
 
 from design.body.meshes import CRUMB_MM3
@@ -16,6 +19,7 @@ from design.layout.pockets import Pocket
 
 OVERSHOOT_MM = 0.5
 """Cutters and bosses pass the surface they cross by this much: coplanar faces are never cut."""
+_LOOSE_MM = 1e-3
 
 
 def box_between(
@@ -148,7 +152,8 @@ def _prism(
 
 
 def single_solid(shape: cq.Shape, part: str) -> cq.Solid:
-    """The one valid solid that `shape` is made of, with split faces merged where that leaves it valid.
+    """The one valid solid that `shape` is made of, with split faces merged where that leaves it valid
+    and its edges where they were.
 
     Crumbs beside it are left out. The kernel's merging may fail or spoil a sound solid, such as one in
     which many passages meet.
@@ -159,7 +164,7 @@ def single_solid(shape: cq.Shape, part: str) -> cq.Solid:
         An InputError: the dimensions leave several pieces, or a body that is not valid.
     """
     merged = _merged(shape)
-    if not merged.isValid() and shape.isValid():
+    if shape.isValid() and not (merged.isValid() and _loose_mm(merged) <= _tight_mm(shape)):
         merged = shape
     solids = merged.Solids()
     if len(solids) > 1:
@@ -174,9 +179,20 @@ def single_solid(shape: cq.Shape, part: str) -> cq.Solid:
     return solids[0]
 
 
+def _loose_mm(shape: cq.Shape) -> float:
+    """By how much the worst edge may leave the faces that it lies on."""
+    return ShapeAnalysis_ShapeTolerance().Tolerance(shape.wrapped, 1)
+
+
+def _tight_mm(shape: cq.Shape) -> float:
+    """What merging may leave: a hole through a ball's seam got an edge 6.2 mm beside the ball, whose
+    triangles then closed half of the hole."""
+    return max(_LOOSE_MM, _loose_mm(shape))
+
+
 def _merged(shape: cq.Shape) -> cq.Shape:
-    """With split faces merged, where the kernel can."""
+    """With split faces merged, where the kernel can; of a copy, as it changes what it is given."""
     try:
-        return shape.clean()
+        return shape.copy().clean()
     except Standard_Failure:  # "Courbes non jointives": a half of a mould with 15 heads of pins
         return shape
