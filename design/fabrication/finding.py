@@ -35,11 +35,11 @@ class Finding:
 
 
 def at_least(value: float, limit: float, warn_factor: float = 1.0) -> Status:
-    """Fails below the limit, warns below that times the factor.
+    """Fails below the limit, or where the value is not known (NaN); warns below the limit times the factor.
 
     Figures within 1e-6 of a limit meet it: they come from floating-point geometry.
     """
-    if value < limit - 1e-6:
+    if not value >= limit - 1e-6:
         return "fail"
     return "warn" if value < warn_factor * limit - 1e-6 else "pass"
 

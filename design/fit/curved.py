@@ -6,6 +6,7 @@ Neighbouring patches of a curved body overlap, so that pockets are compared in t
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from itertools import combinations, product
 from typing import TYPE_CHECKING
 
@@ -20,6 +21,7 @@ from design.layout.places.contact_places import (
 )
 from design.layout.places.positions import board_places, cover_mm
 from design.layout.pockets import (
+    Body,
     Pocket,
     axis_in_object_mm,
     distance_of_segments_mm,
@@ -27,6 +29,7 @@ from design.layout.pockets import (
 )
 
 if TYPE_CHECKING:
+    from design.body.surface_chart import FaceFrame
     from design.spec.object import ObjectSpec
 
 _LARGEST_SHARE = 0.6
@@ -162,7 +165,12 @@ def _check_pockets(spec: ObjectSpec) -> Iterator[str]:
                     f"{nearest}"
                 )
             cover = cover_mm(frame, body)
-            if cover <= 0:
+            if np.isnan(cover):
+                yield (
+                    f"{body.label} reaches beyond the patch of face {frame.number}, where the silicone over "
+                    f"it is not known. Move it {_where_cover_is_known(frame, body)}"
+                )
+            elif cover <= 0:
                 yield (
                     f"{body.label} stands {-cover:.3g} mm out of the curved face {frame.number}. Deepen "
                     "shell.pocket_depth_mm or magnets.depth_mm by more than that, or take a smaller magnet"
@@ -187,6 +195,14 @@ def _inwards(frame: FaceFrame, xy_mm: np.ndarray, beside_mm: np.ndarray | float 
         return "to a larger face: it does not fit in the middle either"
     x, y = shares[np.argmax(inside)] * xy_mm
     return f"inwards, as to ({x:.4g}, {y:.4g})"
+
+
+def _where_cover_is_known(frame: FaceFrame, body: Body) -> str:
+    x, y, height = body.centre_mm
+    for share in np.linspace(0.99, 0.0, 100):
+        if cover_mm(frame, replace(body, centre_mm=np.array([share * x, share * y, height]))) > 0:
+            return f"inwards, as to ({share * x:.4g}, {share * y:.4g})"
+    return "to another face, or take a smaller magnet"
 
 
 def _require_apart(

@@ -12,9 +12,9 @@ from design.errors import SpecError
 
 LARGEST = 1e8
 """Of any number: larger ones are slips of the keyboard, and overflow when they are multiplied."""
-Positive = Annotated[float, Field(gt=0, le=LARGEST, allow_inf_nan=False)]
-NonNegative = Annotated[float, Field(ge=0, le=LARGEST, allow_inf_nan=False)]
-Finite = Annotated[float, Field(ge=-LARGEST, le=LARGEST, allow_inf_nan=False)]
+Positive = Annotated[float, Field(gt=0, le=LARGEST)]
+NonNegative = Annotated[float, Field(ge=0, le=LARGEST)]
+Finite = Annotated[float, Field(ge=-LARGEST, le=LARGEST)]
 RecoilPermeability = Annotated[float, Field(ge=1, le=2)]
 """Relative; 1 takes a magnet's remanence as its polarization."""
 Count = Annotated[int, Field(ge=1)]
@@ -24,9 +24,9 @@ Part = TypeVar("Part", bound="SpecPart")  # not Self, which the tests' type chec
 
 
 class SpecPart(BaseModel):
-    """Frozen; unknown keys are refused."""
+    """Frozen; unknown keys are refused, and numbers that are none (NaN) or infinite in any key."""
 
-    model_config = ConfigDict(frozen=True, extra="forbid")
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
     if (
         not TYPE_CHECKING

@@ -38,7 +38,7 @@ class SteelPlateSpec(SpecPart):
 
     position_mm: Triple
     normal: Triple
-    relative_permeability: Annotated[float, Field(ge=1, allow_inf_nan=False)] = 1000.0
+    relative_permeability: Annotated[float, Field(ge=1)] = 1000.0
 
     @model_validator(mode="after")
     def _normal_points_somewhere(self) -> SteelPlateSpec:

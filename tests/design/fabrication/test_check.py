@@ -306,7 +306,7 @@ def test_knife_edges_are_warned_of():
 
 def test_limits_are_met_by_equality():
     assert at_least(1.0, 1.0) == at_least(1 - 1e-9, 1.0) == "pass"
-    assert at_least(0.99, 1.0) == "fail"
+    assert at_least(0.99, 1.0) == at_least(float("nan"), 1.0) == "fail"
     assert at_least(1.1, 1.0, 1.25) == "warn"
 
 

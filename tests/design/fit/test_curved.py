@@ -6,6 +6,7 @@ import trimesh
 
 from design.body.triangles import Block
 from design.errors import SpecError
+from design.fit import curved
 from design.fit.curved import _check_recesses
 from design.fit.curved_parts import _check_passages
 from design.layout.body import core_frames
@@ -58,3 +59,19 @@ def test_given_counts_stay_on_both_ends_of_a_pear(tmp_path, upside_down):
     assert load_spec(EXAMPLES / "pear.toml", [*given, "contact_grid.pitch_mm=3.4"])
     with pytest.raises(SpecError, match="leave face 5"):
         load_spec(EXAMPLES / "pear.toml", [*given, "contact_grid.pitch_mm=3.8"])
+
+
+def test_a_magnet_over_which_the_silicone_is_not_known_is_refused(monkeypatch):
+    """At the rim of a frustum's patch the cover is no number, and passed as it is not below 0."""
+
+    def known_within_5_mm(frame, body):
+        return 2.0 if abs(body.centre_mm[0]) <= 5 else float("nan")
+
+    monkeypatch.setattr(curved, "cover_mm", known_within_5_mm)
+    magnets = egg().magnets
+    within = egg().changed(magnets=magnets.changed(positions_mm=((5.0, 0.0),)))
+    assert not [text for text in curved._check_pockets(within) if "not known" in text]
+    beyond = egg().changed(magnets=magnets.changed(positions_mm=((10.0, 1.0),)))
+    told = [text for text in curved._check_pockets(beyond) if "not known" in text]
+    assert len(told) == len(beyond.body.sensed)
+    assert all("Move it inwards, as to (5, 0.5)" in text for text in told)

@@ -1,11 +1,13 @@
 """Limits and defaults of the keys, entered twice; what all numbers share, on both sides."""
 
 import typing
+from collections.abc import Iterator
 from itertools import product
 
 import pytest
-from pydantic import BaseModel, TypeAdapter, ValidationError
+from pydantic import BaseModel, TypeAdapter, ValidationError, create_model
 
+from design.errors import SpecError
 from design.spec.base import LARGEST, Count, Finite, NonNegative, Positive, RecoilPermeability
 from design.spec.object import ObjectSpec
 
@@ -405,12 +407,42 @@ def test_every_key_has_its_default():
     assert set(triple) == upward | {(-x, -y, 180) for x, y, _ in upward}
 
 
+def numbers(annotation, metadata=()) -> Iterator[typing.Any]:
+    """Types of the numbers that a field holds, with their own limits."""
+    if annotation in (float, int):
+        yield typing.Annotated[annotation, *metadata] if metadata else annotation
+    elif typing.get_origin(annotation) is typing.Annotated:
+        yield from numbers(annotation.__origin__, annotation.__metadata__)
+    else:
+        for inner in typing.get_args(annotation):
+            yield from numbers(inner, metadata)
+
+
+def typed_numbers(model, before=""):
+    """Every key that holds numbers, with their types as its part of the specification takes them."""
+    for name, field in model.model_fields.items():
+        for part in parts(field.annotation):
+            yield from typed_numbers(part, f"{before}{name}.")
+        bounds = tuple(one for one in field.metadata if not isinstance(one, type))
+        for kind in numbers(field.annotation, bounds):
+            yield f"{before}{name}", create_model("One", __base__=model.__base__, value=(kind, ...))
+
+
+def test_no_key_takes_a_number_that_is_none():
+    found = dict(typed_numbers(ObjectSpec))
+    assert len(found) > 200
+    for key, one in found.items():
+        for value in (float("nan"), float("inf"), -float("inf")):
+            with pytest.raises(SpecError, match="value"):
+                pytest.fail(f"{key} takes {one(value=value)}")
+
+
 @pytest.mark.parametrize(
     ("kind", "taken", "refused"),
     [
-        (Positive, [1e-9, 1e8], [0, -1e-9, 1.0001e8, float("nan"), float("inf")]),
-        (NonNegative, [0, 1e8], [-1e-9, 1.0001e8, float("nan"), float("inf")]),
-        (Finite, [-1e8, 0, 1e8], [-1.0001e8, 1.0001e8, float("nan"), -float("inf")]),
+        (Positive, [1e-9, 1e8], [0, -1e-9, 1.0001e8, float("inf")]),
+        (NonNegative, [0, 1e8], [-1e-9, 1.0001e8, float("inf")]),
+        (Finite, [-1e8, 0, 1e8], [-1.0001e8, 1.0001e8, -float("inf")]),
         (RecoilPermeability, [1, 2], [0.999, 2.001]),
         (Count, [1, 10**9], [0, -1, 1.5]),
     ],
