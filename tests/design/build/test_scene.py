@@ -126,4 +126,6 @@ def test_the_glb_s_frame_is_a_turn_in_metres_with_y_up():
     assert_allclose(turn @ turn.T, np.eye(3), atol=1e-12)
     assert_allclose(np.linalg.det(turn), 1)
     assert_allclose(_GLTF_FRAME @ [0, 0, 1000, 1], [0, 1, 0, 1], atol=1e-12)
+    assert_allclose(_GLTF_FRAME @ [1000, 0, 0, 1], [1, 0, 0, 1], atol=1e-12)
+    assert_allclose(_GLTF_FRAME @ [0, 1000, 0, 1], [0, 0, -1, 1], atol=1e-12)
     assert_allclose(_GLTF_FRAME @ [0, 0, 0, 1], [0, 0, 0, 1])

@@ -1,0 +1,45 @@
+"""Which steps of a table belong to a force, and which candidates stay in a curved shell, by hand."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from design.errors import InputError
+from design.layout.body import face_frame
+from fem.candidates.motions import (
+    CandidateMotions,
+    FaceCandidates,
+    _require_below_the_surface,
+)
+from tests.support.objects.body_cases import body_spec
+
+
+def steps(force_n, wanted_n):
+    table = SimpleNamespace(force_n=np.asarray(force_n, float))
+    return CandidateMotions.steps_around.__wrapped__(table, wanted_n)
+
+
+def test_a_force_has_the_two_steps_about_the_nearest_judged_one():
+    """Of two places, the first of which cannot be loaded beyond 5 N."""
+    judged = [[[1.6, 2.4, 4.0, 5.0, 9.6, 5.0], [1.6, 2.4, 4.0, 6.0, 9.6, 14.4]]]
+    found = [steps(judged, force) for force in (0.1, 3.4, 3.6, 5.0, 8.4, 8.6, 99.0)]
+    assert found == [[0, 1], [0, 1], [2, 3], [2, 3], [2, 3], [4, 5], [4, 5]]
+    judged[0][0] = [np.nan] * 6
+    assert steps(judged, 8.6) == [4, 5]
+    assert steps([[[6.4, 9.6]]], 1.0) == [0, 1]
+    assert steps([[[6.4, 8.0, 9.6]]], 1.0) == [0, 2]
+
+
+def test_a_magnet_must_lie_as_deep_in_a_ball_as_its_rim_does():
+    """R − √(R² − r²) = 0.206 mm under a ball of 22 mm, for magnets of 3 mm radius."""
+    spec = body_spec("sphere")
+    frame = face_frame(spec, 3)
+    axis = np.array([-4.0, 0.0, 4.0])
+    for depth, sound in ((0.20, False), (0.21, True)):
+        lattice = FaceCandidates(3, axis, axis, np.array([depth, 2.0]))
+        if sound:
+            _require_below_the_surface(spec, frame, lattice)
+        else:
+            with pytest.raises(InputError, match=r"magnet 0\.2 mm deep stands 0\.00\d+ mm out"):
+                _require_below_the_surface(spec, frame, lattice)
