@@ -181,4 +181,19 @@ def test_two_pins_at_right_angles_hold_a_closed_cube():
     assert (first.frame.number, second.frame.number) == (2, 3)
     assert (first.radius_mm, second.radius_mm) == (2.0, 2.0)
     assert abs(first.frame.normal @ second.frame.normal) < 1e-9
+    assert first.socket is None
+    assert second.socket is None
     assert why_no_mould(free) is None
+
+
+def test_pins_that_meet_pockets_find_no_place_where_a_layer_is_poured_over_these():
+    content = {
+        "name": "closed",
+        "body": {"open_faces": []},
+        "magnets": {"positions_mm": [[4.0, 0.0]]},
+    }
+    found = locators(parse_spec(content, "test"))
+    assert [(pin.socket, len(pin.pockets)) for pin in found] == [(None, 1), (None, 1)]
+    sealed = parse_spec(content | {"shell": {"seal_layer_mm": 1.0}}, "test")
+    assert locators(sealed) == ()
+    assert "pockets leave no room for one" in (why_no_mould(sealed) or "")

@@ -44,6 +44,19 @@ def test_profiles_by_hand():
     assert_allclose(along_y, [1, 0], rtol=0, atol=1e-3)
 
 
+def test_cells_of_a_ball_are_halved_up_to_0_4_mm_above_its_lowest_point():
+    """At √(2 · 5 · 0.4 − 0.4²) = 1.96 mm from its middle; they cover the disk once."""
+    cells = tip_cells(IndenterSpec(radius_mm=5.0))
+    away = np.linalg.norm(cells.patches.centre_mm, axis=1)
+    largest = cells.patches.area_mm2.max()
+    small = cells.patches.area_mm2 < 0.3 * largest
+    edge = np.sqrt(largest)
+    assert small[away < 1.96 - edge].all()
+    assert not small[(away > 1.96 + edge) & (away < 4)].any()
+    assert_allclose(cells.patches.area_mm2.sum(), np.pi * 25, rtol=0.02)
+    assert_allclose(cells.height_mm[away.argmin()], 0, atol=0.05)
+
+
 def test_a_tilted_cuboid_touches_first_with_the_edge_turned_down():
     """Tilt about y by +10° takes +x down: the surface rises towards −x from its edge's middle."""
     tilted = {"kind": "cuboid", "size_mm": (6.0, 4.0), "tilt_deg": (0.0, 10.0)}

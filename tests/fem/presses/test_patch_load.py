@@ -40,6 +40,9 @@ def test_patches_superpose_and_pull_as_they_push(rigid_spec, rigid_response):
     ("place", "radius", "pressure", "words"),
     [
         (Tip(1, 0.0, 0.0), -1.0, 0.01, "positive radius"),
+        (Tip(1, 0.0, 0.0), 0.0, 0.01, "positive radius"),
+        (Tip(1, 0.0, 0.0), float("nan"), 0.01, "positive radius"),
+        (Tip(1, 0.0, 0.0), 1.0, float("inf"), "positive radius"),
         (Tip(1, 0.0, 0.0), 3.0, 0.0, "positive radius"),
         (Tip(1, 19.0, 0.0), 3.0, 0.01, "hangs over the border"),
         (Tip(1, 0.0, 0.0), 25.0, 0.01, "more than face 1"),
@@ -49,6 +52,11 @@ def test_patches_superpose_and_pull_as_they_push(rigid_spec, rigid_response):
 def test_impossible_patches_are_refused(rigid_spec, rigid_response, place, radius, pressure, words):
     with pytest.raises(InputError, match=words):
         load_patches(rigid_spec, rigid_response, [place], radius, pressure)
+
+
+def test_a_small_disk_bears_its_pressure_over_its_area(rigid_spec, rigid_response):
+    patch = load_patches(rigid_spec, rigid_response, [Tip(1, 0.0, 0.0)], 0.9, 0.02)
+    assert_allclose(patch.force_n, np.pi * 0.9**2 * 0.02, rtol=0.01)
 
 
 def test_three_presses_to_one_force_each(rigid_spec, rigid_response):
