@@ -1,5 +1,6 @@
 """Faults planted in simulated new objects are named; healthy objects raise no alarm."""
 
+import numpy as np
 import pytest
 
 from design.spec.object import ObjectSpec
@@ -53,3 +54,18 @@ def test_50_healthy_objects_raise_no_alarm():
 def test_a_gain_is_named_where_two_chips_a_face_are_far_from_the_next(chip):
     for seed in range(4):
         assert named(BOX, seed, f"gain={chip}=1.1") == {("gain", chip)}
+
+
+def test_a_recording_is_offset_and_field_and_noise_and_marks_what_does_not_answer():
+    made = simulated_object(SMALL, 3)
+    asked = next(one for one in asked_of(SMALL) if one.step == "still")
+    made.offset[:], made.slope_per_ms[:] = 500.0, 0.0
+    made.silent[0, 1] = made.stuck[1, 2] = made.dead[2, 0] = True
+    counts = made.recording(asked).counts
+    rest = np.ones_like(made.silent)
+    rest[0, 1] = rest[1, 2] = False
+    assert np.isnan(counts[:, 0, 1]).all()
+    assert np.ptp(counts[:, 1, 2]) == 0
+    earth = 1e-3 * 65 * SMALL.sensors.counts_per_mt * 1.2
+    assert (abs(counts.mean(axis=0) - 500)[rest] < earth + 20).all()
+    assert counts[:, 2, 0].mean() == pytest.approx(500, abs=20)

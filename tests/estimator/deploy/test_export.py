@@ -14,6 +14,7 @@ from numpy.testing import assert_allclose
 
 from design.errors import InputError, InstobjError
 from design.spec.object import TrainingSpec
+from estimator.deploy import export
 from estimator.deploy.export import _require_parity, export_onnx
 from estimator.deploy.runtime import LiveReader, load_deployed, predict_frames
 from estimator.frames.splits import split_presses
@@ -120,6 +121,21 @@ def test_an_error_of_the_trees_or_the_process_is_refused(model, path):
     with pytest.raises(InputError, match=r"the exported \w+ is not that of the trained model"):
         _require_parity(wrong, path, path)
     _require_parity(model, path, path)
+
+
+def test_one_frame_of_one_output_that_is_off_is_enough(model, path, monkeypatch):
+    told, name = export.open_session(path), "xy_mm"
+
+    class Off:
+        def run(self, names, given):
+            outputs = [np.array(one) for one in told.run(names, given)]
+            output = outputs[list(UNITS).index(name)]
+            output[7] += 0.1 * abs(output).max()
+            return outputs
+
+    monkeypatch.setattr(export, "open_session", lambda written: Off())
+    with pytest.raises(InputError, match=f"not written: in 0 % of .* the exported {name} is not"):
+        _require_parity(model, path, path)
 
 
 def test_trees_process_and_novelty_are_in_the_file(model, frames, path):

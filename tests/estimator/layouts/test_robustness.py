@@ -111,6 +111,18 @@ def test_a_tolerance_left_out_is_caught(spec, motions, scorer, size):
     assert worst_median_error("tolerance", spec, motions, left, scorer) > 1.5 * TOLERANCE
 
 
+def test_slipped_objects_are_moved_by_a_millimetre_each_way_and_else_as_designed():
+    layouts = random_layouts(2, seed=1)
+    found = list(layout_robustness._slipped(layouts))
+    shifts = torch.stack([one.sensor_shift_mm[1, 0] for one in found])
+    assert_allclose(shifts, np.concatenate([np.eye(3), -np.eye(3)]))
+    for one in found:
+        assert one.modulus_ratio == 1.0
+        assert one.layouts is layouts
+        assert_allclose(one.chips, np.broadcast_to(np.eye(3), one.chips.shape))
+        assert_allclose(one.sensor_shift_mm - one.sensor_shift_mm[:1, :1], 0)
+
+
 def test_softness_alone_shifts_forces_not_places(spec, scorer):
     none = dict.fromkeys(type(spec.tolerances).model_fields, 0.0)
     stiff = spec.tolerances.model_copy(update=none | {"modulus_relative": 0.2})
