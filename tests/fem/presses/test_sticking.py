@@ -1,16 +1,19 @@
 """Sticking friction: Spence's punch, the incompressible half-space, shear of oblique paths."""
 
 from functools import cache
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from design.errors import InputError
 from design.layout.tips import tip_shape
 from fem.contact.complementarity import contact_pressures
 from fem.contact.half_space import traction_compliance
 from fem.contact.indenter import tip_cells
 from fem.contact.traction import TractionResponse
+from fem.presses import sticking
 from fem.presses.joint import Tip, press_tips
 from fem.presses.sticking import StickingSetting, press_sticking, sticking_setting
 from tests.support.mechanics.block_cases import spec_of
@@ -141,3 +144,26 @@ def test_an_oblique_path_drags_the_magnets_along(cube):
     assert abs(oblique.shear_n[0, 0]) < 0.15 * oblique.shear_n[0, 1]
     below = 10  # the centre magnet of face 3
     assert (oblique.motion - straight.motion)[below, 1] > 0.03
+
+
+def test_a_press_goes_to_its_force_or_says_how_much_it_bears(monkeypatch):
+    """Of an indenter that bears 3 N at 1 mm and as the depth to the power of 1.5."""
+
+    def bears(setting, depth_mm):
+        return [SimpleNamespace(force_n=3.0 * depth_mm**1.5, depth_mm=depth_mm)]
+
+    monkeypatch.setattr(sticking, "press_sticking", bears)
+    spec = SimpleNamespace(shell=SimpleNamespace(thickness_mm=8.0))
+    setting = SimpleNamespace(tips=(PLACE,), shape=SimpleNamespace(height_mm=5.0), spec=spec)
+    press = sticking.press_sticking_to_force.__wrapped__
+    deepest = sticking._LARGEST_SHARE * 5.0
+    most = 3.0 * deepest**1.5
+    for force in (1e-3, 1.5, 3.0, 0.999 * most):
+        (found,) = press(setting, force)
+        assert_allclose(found.depth_mm, (force / 3) ** (2 / 3), atol=2e-6)
+    for force in (0.0, -1.0, 1.001 * most):
+        with pytest.raises(InputError, match=f"bears {most:.3g} N at {deepest:.3g} mm"):
+            press(setting, force)
+    setting.tips = (PLACE, PLACE)
+    with pytest.raises(InputError, match="one press at a time goes to a force; got 2"):
+        press(setting, 1.0)

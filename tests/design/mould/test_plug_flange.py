@@ -1,0 +1,79 @@
+"""The flange of a plug in numbers: how wide it is, and what cuts its gable."""
+
+from dataclasses import replace
+
+import cadquery as cq
+import numpy as np
+import pytest
+
+from design.layout.mould_frame import mould_frame
+from design.mould.plug_flange import (
+    CHAMFER_MM,
+    FLANGE_HEIGHT_MM,
+    _grip,
+    _inner_mm,
+    _over_slope,
+    flange_span_mm,
+)
+from design.solids.primitives import OVERSHOOT_MM
+from design.spec.object import ObjectSpec
+from tests.support.objects.body_cases import body_spec
+
+
+def box(thickness_mm, **mould):
+    return ObjectSpec.model_validate(
+        {"name": "box", "shell": {"thickness_mm": thickness_mm}, "mould": mould}
+    )
+
+
+@pytest.mark.parametrize(("thickness_mm", "over"), [(8.0, 2.0), (10.0, 2.0), (6.0, 1.5)])
+def test_a_flange_lies_over_the_rim_by_2_mm_or_a_quarter_of_the_shell(thickness_mm, over):
+    edge = 21.0 - thickness_mm
+    assert flange_span_mm(box(thickness_mm)) == pytest.approx((-edge - over, edge + over))
+
+
+def test_a_rod_s_flange_is_as_wide_as_the_rod():
+    assert flange_span_mm(body_spec("sphere")) == pytest.approx((-4.0, 4.0))
+
+
+def test_a_grip_stays_between_its_blocks_where_they_do_not_meet():
+    frame = mould_frame(box(8.0))
+    assert _inner_mm(frame) == pytest.approx(frame.high_mm[1] + 2.5 - 10)
+    half = frame.high_mm.copy()
+    least = CHAMFER_MM + OVERSHOOT_MM
+    for inner, wanted in ((least + 0.1, least + 0.1), (least - 0.1, 0.0)):
+        half[1] = inner + 7.5
+        assert _inner_mm(replace(frame, high_mm=half)) == pytest.approx(wanted)
+
+
+def test_what_is_over_a_slope_is_a_prism_with_both_chamfers_and_ends_on_the_slope():
+    frame, inner = mould_frame(box(8.0)), 12.0
+    foot, ridge = (frame.axes @ np.array(p) for p in ((-6.0, 0.0, 30.0), (0.0, 0.0, 34.0)))
+    solid = _over_slope(frame, foot, ridge, inner)
+    high, rise = 4 * FLANGE_HEIGHT_MM, np.linalg.norm(ridge - foot)
+    section = 2 * inner * (high - CHAMFER_MM) + (2 * inner - CHAMFER_MM) * CHAMFER_MM
+    assert solid.Volume() == pytest.approx(section * (rise + 2 * high), rel=1e-6)
+    middle = np.array(solid.Center().toTuple())
+    assert middle @ frame.along == pytest.approx(0, abs=1e-6)
+    slope = (ridge - foot) / rise
+    above = np.cross(slope, frame.along)
+    above *= np.sign(above @ frame.out)
+    for share in (0.0, 0.5, 1.0):
+        place = foot + share * (ridge - foot)
+        assert solid.isInside(cq.Vector(*(place + 0.05 * above)))
+        assert not solid.isInside(cq.Vector(*(place - 0.05 * above)))
+        for side in (1, -1):
+            edge = place + side * (inner - CHAMFER_MM) * frame.along
+            assert solid.isInside(cq.Vector(*(edge + 0.3 * above)))
+            assert not solid.isInside(cq.Vector(*(edge + 0.3 * side * frame.along + 0.2 * above)))
+
+
+def test_a_grip_is_a_gable_and_its_chamfers_widen_it():
+    """Between the chamfers a roof of the width and height given, with full ends."""
+    frame = mould_frame(box(8.0))
+    grip = _grip(frame, (-6.0, 6.0), 12.0, (30.0, 36.0))
+    roof = 2 * (12.0 - CHAMFER_MM) * 12.0 * 6.0 / 2
+    assert roof < grip.Volume() < 24 * 12 * 6
+    assert grip.isInside(cq.Vector(*(frame.axes @ np.array([0.0, 0.0, 35.9]))))
+    assert not grip.isInside(cq.Vector(*(frame.axes @ np.array([3.2, 0.0, 33.0]))))
+    assert grip.isInside(cq.Vector(*(frame.axes @ np.array([2.8, 0.0, 33.0]))))
