@@ -49,6 +49,8 @@ cube: core.wire_hole_top_diameter_mm | 16.99 | 17.0 | below the core's cavity
 cube: shell.pocket_depth_mm | 7.99 | 8.0 | pocket_depth_mm must be below
 cube: shell.pocket_diameter_mm | 6.0 | 5.99 | must fit below the seal
 cube: shell.pocket_diameter_mm | 6.0 | 5.99 | narrower than the magnets
+cube: shell.pocket_diameter_mm | 6.0 | 5.99 | pocket 6 mm wide or more
+cube: magnets.height_mm | 2.99 | 3.0 | pocket deeper than 3 mm
 cube: shell.seal_layer_mm | 2.0 | 2.01 | sticking out of the first pour
 cube: shell.dent_mm | 1.99 | 2.0 | reaches magnets.positions_mm
 cube: magnets.height_mm | 2.99 | 3.0 | must fit below the seal

@@ -9,7 +9,13 @@ from numpy.testing import assert_allclose
 from design.body.surface_chart import Cap, cap_frame, flat_frame
 from design.layout.body import face_frames
 from design.layout.places.contact_grid import contact_grid
-from design.layout.places.measures import border_distance_mm, curvature, place_measures
+from design.layout.places.measures import (
+    SENSOR_SHARE,
+    border_distance_mm,
+    curvature,
+    place_measures,
+    signal_paths_mm,
+)
 from design.layout.places.positions import magnet_layout, sensor_layout
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
@@ -36,6 +42,18 @@ def test_a_ball_curves_evenly_and_its_border_lies_at_60_degrees():
 def test_round_a_cylinder_the_curvature_is_half_as_large():
     frame = replace(flat_frame(3, np.full(3, 20.0)), relief=Cap((np.inf, 20.0, 20.0)))
     assert_allclose(curvature(frame, PLACES), 1 / 40, rtol=1e-5)
+
+
+def test_a_signal_path_is_the_shortest_over_a_body_to_the_part_nearest_to_it():
+    moving, fixed = (
+        np.array([[0.0, 0, 5], [6, 0, 5]]),
+        np.array([[0.0, 3, 1], [6, 8, 5], [6, 0, -1]]),
+    )
+    between = np.array([5.0, 6.0])
+    away = np.array([[1.0, 7.0], [4.0, 0.5]])
+    wanted = (away + SENSOR_SHARE * between).min(axis=1)
+    assert_allclose(signal_paths_mm(away, moving, fixed), wanted)
+    assert_allclose(wanted, [1 + SENSOR_SHARE * 5, 0.5 + SENSOR_SHARE * 6])
 
 
 @pytest.mark.parametrize("kind", ["box", "cylinder"])

@@ -111,6 +111,21 @@ def test_detectable_force_is_where_the_distance_from_rest_is_five():
     assert_allclose(detectable_force_n(traces, SIGMA, distance=2.5)[0], found[0] / 2, rtol=1e-3)
 
 
+def test_between_two_forces_the_distance_is_taken_as_linear():
+    """Of signals that grow as the square of the force: short by 1/8 of (3 %)² at most."""
+    force = np.linspace(0, 12, 200)[None]
+    slope = np.array([9.0, -12, 3, 0, 6, 0, 0, 15, 0])
+    traces = Traces(
+        np.arange(200.0), force, force[..., None] ** 2 * slope, np.zeros((1, 200), bool)
+    )
+    per_n2 = np.linalg.norm(slope / SIGMA)
+    exact = np.linspace(0.9, 8.0, 60)
+    found = [detectable_force_n(traces, SIGMA, distance=per_n2 * f**2)[0] for f in exact]
+    off = np.array(found) / exact - 1
+    assert off.max() < 2e-5
+    assert -(0.03**2) / 8 * 1.2 < off.min() < -5e-5
+
+
 def test_tangential_forces_cost_information_and_get_a_bound_of_their_own():
     jacobian = np.random.default_rng(3).normal(size=(4, 9, 5)) * [120, 60, 40, 90, 30]
     five, three = cramer_rao_bounds(jacobian, SIGMA), cramer_rao_bounds(jacobian[:, :, :3], SIGMA)

@@ -28,6 +28,13 @@ def test_hull_volume_of_a_sheared_box_is_its_determinant():
     assert_allclose(exact_hull_volume(corners @ shear).volume, abs(np.linalg.det(shear)), rtol=1e-9)
 
 
+def test_an_exact_hull_takes_a_hundred_frames():
+    frames = np.random.default_rng(1).standard_normal((101, 2))
+    assert exact_hull_volume(frames[:100]).volume > 1
+    with pytest.raises(InputError, match="limited to 100 frames; got 101"):
+        exact_hull_volume(frames)
+
+
 def test_gaussian_factor_matches_known_and_sampled_hulls():
     assert_allclose(np.exp(ln_hull_factor(3, 1)), 3 / np.sqrt(np.pi), rtol=1e-9)
     rng = np.random.default_rng(2)

@@ -6,7 +6,7 @@ from scipy.spatial.transform import Rotation
 
 from design.layout.places.positions import sensor_layout
 from estimator.bringup.asking.asked import POSES
-from estimator.bringup.diagnosis.earth import from_earth, in_object
+from estimator.bringup.diagnosis.earth import _results, from_earth, in_object
 from estimator.bringup.diagnosis.findings import ChipFound
 from tests.support.new_objects import SMALL
 
@@ -50,6 +50,30 @@ def test_stated_intervals_hold_gains_and_offsets(found):
     assert found.gain_interval.max() < 0.2
     assert found.offset_interval.max() < 6
     assert abs(found.field_ut - np.linalg.norm(FIELD_UT)) < found.field_interval_ut
+
+
+def test_intervals_are_1_96_standard_deviations_each_of_its_own_unknown():
+    """Two poses, one chip; of the field the deviation along it counts, (3, 4, 0) / 5."""
+    sizes = np.cumsum([3, 6, 3, 3, 3, 3])[:-1]
+    values = np.concatenate(
+        [[3.0, 4, 0], np.zeros(6), [0.1, -0.2, 0], [9, 9, 9], [5, 6, 7], [8, 8, 8]]
+    )
+    sd = np.concatenate(
+        [[0.5, 1, 2], np.ones(6), [0.01, 0.02, 0.03], [9, 9, 9], [0.4, 0.5, 0.6], [7, 7, 7]]
+    )
+    known = np.ones((2, 1, 3), bool)
+    known[:, 0, 2] = False
+    found = _results(values, np.diag(sd**2), sizes, known, 0.4)
+    assert found.field_ut == pytest.approx(5)
+    assert found.field_interval_ut == pytest.approx(1.96 * np.hypot(0.6 * 0.5, 0.8 * 1))
+    assert np.allclose(found.gain[0, :2], np.exp([0.1, -0.2]))
+    assert np.allclose(
+        found.gain_interval[0, :2], 1.96 * np.array([0.01, 0.02]) * np.exp([0.1, -0.2])
+    )
+    assert np.allclose(found.offset[0, :2], [5, 6])
+    assert np.allclose(found.offset_interval[0, :2], 1.96 * np.array([0.4, 0.5]))
+    assert np.isnan([found.gain[0, 2], found.gain_interval[0, 2], found.offset[0, 2]]).all()
+    assert found.misfit == 0.4
 
 
 def test_all_gains_together_are_told_as_a_stronger_field(means, found):
