@@ -25,6 +25,8 @@ def optimize(
     spec: Spec,
     resume: Annotated[bool, typer.Option("--resume", help="Resume the existing search.")] = False,
     storage: Storage = None,
+    workers: Workers = 1,
+    scheduler: Scheduler = None,
     out: Out = HERE,
     as_json: AsJson = False,
     overrides: Overrides = None,
@@ -32,7 +34,7 @@ def optimize(
     """Search for a better layout, as the table `search` says; confirm it with the whole chain."""
     from instobj.search.optimize import optimize as run
 
-    show(run(spec, out, overrides or [], resume, storage), as_json)
+    show(run(spec, out, overrides or [], resume, storage, workers, scheduler), as_json)
 
 
 @app.command()

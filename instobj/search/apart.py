@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import multiprocessing
 import signal
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor, wait
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from multiprocessing.process import BaseProcess
 from typing import Any
@@ -102,6 +104,33 @@ class Apart:
             return None
         self._process.join(_CLOSING_S)
         return self._process.exitcode
+
+
+@contextmanager
+def side_by_side(
+    prepare: Callable[[Any], Callable[[Any], Any]], argument: Any, count: int
+) -> Iterator[Callable[[Sequence[Any], float], list[Any]]]:
+    """A function that answers lists of questions by `count` processes, each with its share of a list.
+
+    It raises as `Apart.ask`, once every process has answered or was given up.
+    """
+    processes = [Apart(prepare, argument) for _ in range(count)]
+    threads = ThreadPoolExecutor(count)
+
+    def ask(questions: Sequence[Any], seconds: float) -> list[Any]:
+        shares = [list(questions[k::count]) for k in range(min(count, len(questions)))]
+        pairs = zip(processes, shares, strict=False)
+        jobs = [threads.submit(one.ask, share, seconds) for one, share in pairs]
+        wait(jobs)
+        answers = [job.result() for job in jobs]
+        return [answers[k % count][k // count] for k in range(len(questions))]
+
+    try:
+        yield ask
+    finally:
+        for one in processes:  # threads that still wait for an answer end with their process
+            one.close()
+        threads.shutdown()
 
 
 def _serve(connection: Any, prepare: Callable[[Any], Any], argument: Any) -> None:

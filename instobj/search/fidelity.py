@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -14,12 +12,10 @@ from jaxtyping import Bool, Float
 from design.spec.object import ObjectSpec
 from estimator.layouts.batch_scores import OVER_START, worst_ratio
 from instobj.stages.run import Run
-from instobj.store.readers import METRICS, PLAIN_MESH, PLAIN_RESPONSE, PRESSES, SIGNALS
+from instobj.store.readers import METRICS, PRESSES, SECOND_FIDELITY, SIGNALS
 
 if TYPE_CHECKING:
     from estimator.layouts.fidelity import FidelityScore
-    from fem.linear.factorization import Factorization
-    from fem.linear.response import ElasticSystem, ResponseOperator
 
 TWINS = 20
 METRIC_LABELS = {
@@ -32,34 +28,13 @@ METRIC_LABELS = {
 """What estimators of a layout are compared by: the paper's metrics and the total force's error."""
 
 
-@dataclass(frozen=True)
-class PlainShell:
-    """The magnet-free shell, factored: all that the second fidelity level needs to score layouts."""
+def second_score(spec: ObjectSpec) -> FidelityScore:
+    """Second fidelity level: rigid magnets on the magnet-free shell, stored and reused."""
+    from estimator.layouts.fidelity import FidelityScore
 
-    system: ElasticSystem
-    factor: Factorization
-    response: ResponseOperator
-
-    def score(self, spec: ObjectSpec) -> FidelityScore:
-        """Second fidelity level: `estimator.layouts.fidelity.second_fidelity_score`."""
-        from estimator.layouts.fidelity import second_fidelity_score
-
-        return second_fidelity_score(spec, self.system, self.factor, self.response)
-
-
-@contextmanager
-def plain_shell(spec: ObjectSpec) -> Iterator[PlainShell]:
-    """Mesh and response from the store or made, factored once; 1 GB until the context ends."""
-    from fem.linear.factorization import Factorization
-    from fem.linear.response import elastic_system
-    from fem.mesh.tetrahedra import without_magnets
-
-    run = Run(spec)
-    mesh = run.read(PLAIN_MESH)
-    response = run.read(PLAIN_RESPONSE)
-    system = elastic_system(mesh, without_magnets(spec))
-    with Factorization(system.matrix) as factor:
-        yield PlainShell(system, factor, response)
+    kept: dict[str, Any] = Run(spec).read(SECOND_FIDELITY)
+    kept["position_bounds_mm"] = tuple(kept["position_bounds_mm"])
+    return FidelityScore(**kept)
 
 
 def chain_score(spec: ObjectSpec) -> FidelityScore:

@@ -32,10 +32,12 @@ def run_search(
     first: dict[str, Any] | None = None,
     worker: int = 0,
     over: Callable[[], bool] = lambda: False,
+    processes: int = 1,
 ) -> None:
     """Work on the study until its trials are done, or the time is `over` after a batch.
 
-    Trials that others keep meanwhile are learned from. `first` is tried first in a new study.
+    A batch has a trial for each of the `processes` at least. Trials that others keep meanwhile are
+    learned from. `first` is tried first in a new study.
 
     Raises
     ------
@@ -52,7 +54,7 @@ def run_search(
         engine.study.enqueue_trial(first)
     seen, failed = len(past), 0
     while seen < search.trials:
-        asked = ask(engine, min(search.batch, search.trials - seen))
+        asked = ask(engine, min(max(search.batch, processes), search.trials - seen))
         finished = _scored_batch(space, engine, asked, score)
         kept.keep(finished)
         failed = _count_failed(finished, failed)

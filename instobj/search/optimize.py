@@ -16,7 +16,7 @@ from design.search.space import SearchSpace, start_params
 from design.spec.assembly import AsBuiltSpec
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, spec_hash
-from instobj.search.apart import Apart
+from instobj.search.apart import side_by_side
 from instobj.search.fidelity import METRIC_LABELS, score_row
 from instobj.search.loop import is_feasible, run_search
 from instobj.search.lowest_fidelity import lowest_fidelity
@@ -27,14 +27,24 @@ from instobj.search.study import KeptStudy, open_study
 from instobj.search.time_limit import TRIALS_SHARE, TimeLimit
 from instobj.search.verdict import FIRST, LAST, SECOND, Promoted
 from instobj.stages.run import Run
+from instobj.stages.workers import open_workers
 from instobj.store.progress import ProgressLine
 from instobj.store.publish import file_rows, require_writable, run_folder
 
 
 def optimize(
-    path: Path, out: Path, overrides: list[str], resume: bool, storage: str | None
+    path: Path,
+    out: Path,
+    overrides: list[str],
+    resume: bool,
+    storage: str | None,
+    workers: int = 1,
+    scheduler: str | None = None,
 ) -> dict[str, Any]:
     """Search, then promote the leaders; files in `runs/<name>/search`.
+
+    Stages of the higher levels are made by as many processes, or the workers of a Dask scheduler;
+    trials by as many processes of this machine.
 
     Raises
     ------
@@ -53,9 +63,9 @@ def optimize(
         progress.step(f"{text}; {limit.left}")
 
     with _kept_on_interrupt(kept, progress), limit.enforced():
-        _search(space, kept, progress, say, lambda: limit.over(TRIALS_SHARE))
-        with progress.stage("promotion"):
-            found = promote(space, kept, folder, say, limit)
+        _search(space, kept, progress, say, lambda: limit.over(TRIALS_SHARE), processes=workers)
+        with progress.stage("promotion"), open_workers(workers, scheduler, progress) as others:
+            found = promote(space, kept, folder, say, limit, others)
     if found is None:
         raise InputError(
             f"none of {len(kept.trials())} trials keeps every limit. Raise search.trials and go on with "
@@ -118,17 +128,14 @@ def _search(
     say: Callable[[str], None],
     over: Callable[[], bool],
     worker: int = 0,
+    processes: int = 1,
 ) -> None:
     if len(kept.trials()) >= space.spec.search.trials:
         return
     Run(space.spec, progress).require("candidates")
-    scoring = Apart(lowest_fidelity, space.spec.model_dump_json())
-    try:
-        with progress.stage("search"):
-            first = start_params(space)
-            run_search(space, kept, scoring.ask, say, first, worker, over)
-    finally:
-        scoring.close()
+    first, content = start_params(space), space.spec.model_dump_json()
+    with side_by_side(lowest_fidelity, content, processes) as score, progress.stage("search"):
+        run_search(space, kept, score, say, first, worker, over, processes)
 
 
 def _document(

@@ -9,7 +9,7 @@ from __future__ import annotations
 import json
 import time
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import AbstractContextManager, ExitStack, contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from dataclasses import asdict, dataclass, fields
 from pathlib import Path
 from typing import Any
@@ -33,13 +33,12 @@ from estimator.layouts.scoring import LayoutScorer
 from instobj.search.buildable import why_unbuildable
 from instobj.search.corrected import corrected_params
 from instobj.search.fidelity import (
-    PlainShell,
     TwinRatio,
     bounds_of_twins,
     chain_score,
     chain_seconds,
     estimator_errors,
-    plain_shell,
+    second_score,
     twin_ratios,
 )
 from instobj.search.loop import is_feasible
@@ -47,10 +46,16 @@ from instobj.search.lowest_fidelity import each_alone, scorers
 from instobj.search.study import KeptStudy, study_key
 from instobj.search.time_limit import TimeLimit, TimeSpent
 from instobj.search.verdict import FIRST, LAST, SECOND, Promoted, merit, objections
+from instobj.stages.makers.magnet_free import forget_shell
+from instobj.stages.tasks import tasks_of
+from instobj.stages.workers import Here, Workers
+from instobj.store.content import store_root
+from instobj.store.readers import FINDINGS, METRICS, SECOND_FIDELITY, SIGNALS
 
 _APART = 0.05
 """Of the unit cube: leaders differ by at least that much in some variable."""
 _KEPT = {field.name for field in fields(FidelityScore)}
+_RIGID, _CHAIN = (SECOND_FIDELITY.stage,), (SIGNALS.stage,)
 _ALLOWANCE = 1.25
 """A finalist takes the chain that much longer than the start did, with its checks of fabrication."""
 
@@ -100,8 +105,33 @@ class Promotion:
         return self.finalists[0]
 
 
+@dataclass(frozen=True)
+class _Ahead:
+    """Stages of several layouts made side by side where there are several workers; scoring, which takes
+    one layout after the other, then finds them in the store."""
+
+    workers: Workers
+    say: Say
+
+    def make(
+        self,
+        layouts: Sequence[Promoted],
+        stages: tuple[str, ...],
+        enough: Callable[[], bool] = lambda: False,
+    ) -> None:
+        """What fails here is made again by whoever needs it, and told there."""
+        if self.workers.count > 1:
+            tasks, _ = tasks_of([one.spec for one in layouts], stages)
+            self.workers.make(tasks, store_root(), self.say, enough)
+
+
 def promote(
-    space: SearchSpace, kept: KeptStudy, folder: Path, say: Say, limit: TimeLimit
+    space: SearchSpace,
+    kept: KeptStudy,
+    folder: Path,
+    say: Say,
+    limit: TimeLimit,
+    workers: Workers | None = None,
 ) -> Promotion | None:
     """The search's leaders taken through all fidelity levels; None where no trial keeps every limit.
 
@@ -117,6 +147,8 @@ def promote(
         Promoted(f"trial {trial.number}", trial.number, with_layout(space.spec, trial.params), {})
         for trial in chosen
     ]
+    ahead = _Ahead(workers or Here(), say)
+    ahead.make([start], _CHAIN)
     _score([start], LAST, _highest, memo, say)
     say("twins of the start within tolerance")
     began = time.monotonic()
@@ -127,11 +159,13 @@ def promote(
         return limit.left_s <= needed_s
 
     everyone = _score([start, *named], FIRST, _lowest, memo, say)
+    ahead.make(everyone[:2], _RIGID)
+    ahead.make(everyone[2:], _RIGID, short)
     everyone = _score(everyone, SECOND, _second, memo, say, short)
     needed_s += start.took_s[SECOND]  # who walks on is scored there again
-    everyone += _corrected(space, chosen, everyone, memo, say, short)
+    everyone += _corrected(space, chosen, everyone, memo, say, short, ahead)
     ranked = sorted(everyone[1:], key=lambda one: merit(search, one, start, SECOND))
-    finalists = _finalists(start, ranked, search.finalists, memo, say, limit)
+    finalists = _finalists(start, ranked, search.finalists, memo, say, limit, ahead)
     if not finalists:
         raise InputError(
             "no leader could be fabricated and scored at the higher fidelity levels: see the reasons above. "
@@ -144,7 +178,7 @@ def promote(
     }
     say("twins within tolerance")
     ratios = twin_ratios(start.spec, twins, bounds_of_twins(finalists[0].spec))
-    estimators = _estimators((start, *finalists), say, limit)
+    estimators = _estimators((start, *finalists), say, limit, ahead)
     against = objections(search, finalists[0], start, ratios)
     return Promotion(
         start,
@@ -159,12 +193,13 @@ def promote(
 
 
 def _estimators(
-    layouts: Sequence[Promoted], say: Say, limit: TimeLimit
+    layouts: Sequence[Promoted], say: Say, limit: TimeLimit, ahead: _Ahead
 ) -> dict[str, dict[str, float]]:
     """By layout, for as long as there is time: the verdict stands without them."""
     found: dict[str, dict[str, float]] = {}
     took = 0.0
     try:
+        ahead.make(layouts, (METRICS.stage,))
         for one in layouts:
             if took > limit.left_s:
                 say(f"estimators of {one.label} are left out: time runs short")
@@ -185,10 +220,11 @@ def _corrected(
     memo: Path,
     say: Say,
     short: Callable[[], bool],
+    ahead: _Ahead,
 ) -> list[Promoted]:
     """The best leaders once they have walked on, at most as many as finalists; none, where time is
     short."""
-    search, start, found = space.spec.search, scored[0], []
+    search, start, new = space.spec.search, scored[0], []
     params = {trial.number: trial.params for trial in chosen}
     ranked = sorted(scored[1:], key=lambda one: merit(search, one, start, SECOND))
     for one in ranked[: search.finalists]:
@@ -202,10 +238,10 @@ def _corrected(
             say(f"{one.label}: nothing near it is better")
             continue
         spec = with_layout(space.spec, walked)
-        new = Promoted(f"{one.label}, walked on", one.trial, spec, {}, corrected=True)
-        lower = _score([start, new], FIRST, _lowest, memo, say)
-        found += _score(lower, SECOND, _second, memo, say)[1:]
-    return found
+        new.append(Promoted(f"{one.label}, walked on", one.trial, spec, {}, corrected=True))
+    lower = _score([start, *new], FIRST, _lowest, memo, say)
+    ahead.make(lower[1:], _RIGID, short)
+    return _score(lower, SECOND, _second, memo, say, short)[1:]
 
 
 def _finalists(
@@ -215,12 +251,15 @@ def _finalists(
     memo: Path,
     say: Say,
     limit: TimeLimit,
+    ahead: _Ahead,
 ) -> list[Promoted]:
     """The first leaders that can be fabricated and the highest level can score; one, where the next may
     take too long."""
     finalists: list[Promoted] = []
-    for one in ranked:
+    for number, one in enumerate(ranked):
         began = limit.left_s
+        side_by_side = min(ahead.workers.count, count - len(finalists))
+        ahead.make(ranked[number : number + side_by_side], (FINDINGS.stage, *_CHAIN))
         say(f"fabrication checks of {one.label}")
         why = why_unbuildable(one.spec, start.spec)
         if why:
@@ -334,18 +373,10 @@ def _lowest() -> Iterator[Callable[[ObjectSpec], FidelityScore]]:
 @contextmanager
 def _second() -> Iterator[Callable[[ObjectSpec], FidelityScore]]:
     """One factorization for all layouts of a shell that follow each other."""
-    with ExitStack() as stack:
-        held: dict[tuple[Any, ...], PlainShell] = {}
-
-        def score(spec: ObjectSpec) -> FidelityScore:
-            key = _alike(spec, _SHELL)
-            if key not in held:
-                stack.close()
-                held.clear()
-                held[key] = stack.enter_context(plain_shell(spec))
-            return held[key].score(spec)
-
-        yield score
+    try:
+        yield second_score
+    finally:
+        forget_shell()
 
 
 @contextmanager

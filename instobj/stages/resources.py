@@ -152,7 +152,7 @@ def _networks(spec: ObjectSpec) -> Need:
 _MESH_KEYS = "mesh.surface_edge_mm and mesh.edge_mm (larger), or body.size_mm (smaller)"
 _ESTIMATES: dict[str, Callable[[ObjectSpec], Need]] = {
     **dict.fromkeys(("mesh", "plain_mesh", "large_strain"), _mesh),
-    **dict.fromkeys(("response", "plain_response"), _response),
+    **dict.fromkeys(("response", "plain_response", "second_fidelity"), _response),
     **dict.fromkeys(("presses", "signals"), _signals),
     **dict.fromkeys(("collection", "pulled_collection"), _collection),
     "frames": _frames,

@@ -17,6 +17,7 @@ from instobj.stages.makers.magnet_free import (
     make_plain_mesh,
     make_plain_presses,
     make_plain_response,
+    make_second_fidelity,
 )
 from instobj.stages.makers.mechanics import (
     make_build,
@@ -155,6 +156,16 @@ STAGES: dict[str, Stage] = {
         ),
         make_candidates,
         version=3,
+    ),
+    "second_fidelity": Stage(
+        "search: second fidelity level",
+        ("plain_mesh", "plain_response"),
+        (
+            *(*_WHERE_THINGS_ARE, "core", "sensors", "environment", "as_built", "silicone"),
+            *(*_PRESSED, "mechanics", "score", "tolerances", "seed"),
+            *("search.forces_n", "search.compliance_mm_per_n"),
+        ),
+        make_second_fidelity,
     ),
     "coarse_response": Stage(
         "mechanics: response on a coarser mesh",

@@ -62,6 +62,7 @@ ON_REQUEST = {
     "plain_presses",
     "compliance",
     "candidates",
+    "second_fidelity",
     "shear",
     "shear_scores",
     "identify",

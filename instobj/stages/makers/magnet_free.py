@@ -1,9 +1,10 @@
-"""Makers of the stages that stand on the shell without magnets: compliance map and candidates."""
+"""Makers of the stages on the shell without magnets: compliance map, candidates, layouts of a search."""
 
 from __future__ import annotations
 
 import json
-from dataclasses import asdict
+from contextlib import ExitStack
+from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -14,10 +15,26 @@ from instobj.store.readers import (
     PLAIN_MESH,
     PLAIN_RESPONSE,
     PRESSES,
+    SECOND_FIDELITY,
 )
+from instobj.store.stage import write_json
 
 if TYPE_CHECKING:
+    from fem.linear.factorization import Factorization
+    from fem.linear.response import ElasticSystem, ResponseOperator
     from instobj.store.stage import StageContext
+
+
+@dataclass
+class _Shell:
+    """The last shell that layouts were scored on, factored: 1 GB. Layouts of a search mostly share it."""
+
+    folder: Path | None = None
+    parts: tuple[ElasticSystem, Factorization, ResponseOperator] | None = None
+    held: ExitStack = field(default_factory=ExitStack)
+
+
+_shell = _Shell()
 
 
 def make_plain_mesh(context: StageContext, folder: Path) -> None:
@@ -77,3 +94,35 @@ def make_candidates(context: StageContext, folder: Path) -> None:
     )
     report = json.dumps(asdict(motions.error), indent=2) + "\n"
     (INTERPOLATION_ERROR.path(folder)).write_text(report, encoding="utf-8")
+
+
+def make_second_fidelity(context: StageContext, folder: Path) -> None:
+    """Scores of a layout with rigid magnets tied to the shell without magnets."""
+    from estimator.layouts.fidelity import second_fidelity_score
+
+    context.step("rigid magnets on the shell without magnets, contact and fields in full")
+    score = second_fidelity_score(context.spec, *_factored(context))
+    write_json(asdict(score), SECOND_FIDELITY.path(folder))
+
+
+def _factored(
+    context: StageContext,
+) -> tuple[ElasticSystem, Factorization, ResponseOperator]:
+    from fem.linear.factorization import Factorization
+    from fem.linear.response import elastic_system
+    from fem.mesh.tetrahedra import without_magnets
+
+    folder = context.inputs[PLAIN_RESPONSE.stage]
+    if _shell.parts is None or _shell.folder != folder:
+        forget_shell()
+        response = context.read(PLAIN_RESPONSE)
+        system = elastic_system(context.read(PLAIN_MESH), without_magnets(context.spec))
+        factor = _shell.held.enter_context(Factorization(system.matrix))
+        _shell.folder, _shell.parts = folder, (system, factor, response)
+    return _shell.parts
+
+
+def forget_shell() -> None:
+    """Give back the memory of the last factored shell; the next layout factors one again."""
+    _shell.folder = _shell.parts = None
+    _shell.held.close()

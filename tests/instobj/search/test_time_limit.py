@@ -123,7 +123,15 @@ def promoted(tmp_path, monkeypatch, clock):
 
     monkeypatch.setattr(promotion, "estimator_errors", trained)
 
-    def run(seconds, second_s, highest_s, unbuildable=(), walked=lambda params: None, space=space):
+    def run(
+        seconds,
+        second_s,
+        highest_s,
+        unbuildable=(),
+        walked=lambda params: None,
+        space=space,
+        workers=None,
+    ):
         asked, took_out_of[0] = iter(range(99)), seconds + clock.now_s - 100.0
         monkeypatch.setattr(
             promotion, "corrected_params", lambda space, params, start, one, over: walked(params)
@@ -137,7 +145,8 @@ def promoted(tmp_path, monkeypatch, clock):
         for name, took in (("_lowest", 0), ("_second", second_s), ("_highest", highest_s)):
             monkeypatch.setattr(promotion, name, level(took))
         said = []
-        found = promotion.promote(space, kept, tmp_path, said.append, TimeLimit(seconds))
+        limit = TimeLimit(seconds)
+        found = promotion.promote(space, kept, tmp_path, said.append, limit, workers)
         return found, said
 
     return run
@@ -223,3 +232,43 @@ def test_a_verdict_stands_though_the_time_is_spent_on_its_estimators(promoted):
     assert found.ratios["worst_position_bound_mm"].low == 1.1
     assert found.estimators == {}
     assert "the time is over" in said[-1]
+
+
+class TwoWorkers:
+    """Notes what it is asked to make; a stage takes a layout's time once for two of them."""
+
+    count = 2
+
+    def __init__(self):
+        self.asked = []
+
+    def make(self, tasks, root, say, enough=lambda: False):
+        for task in tasks.values():
+            if enough():
+                break
+            self.asked.append((task.stage, task.spec))
+        return {}
+
+
+def test_what_several_layouts_need_is_made_side_by_side(promoted):
+    workers = TwoWorkers()
+    found, _ = promoted(
+        1000,
+        10,
+        10,
+        walked=lambda params: params | {"magnet1_y_mm": params["magnet1_y_mm"] / 2},
+        workers=workers,
+    )
+    of = {
+        stage: [spec for one, spec in workers.asked if one == stage] for stage, _ in workers.asked
+    }
+    everyone = [found.start, *found.leaders]
+    assert len(everyone) == 9
+    assert all(one.spec in of["second_fidelity"] for one in everyone)
+    for stage in ("signals", "metrics"):
+        assert all(one.spec in of[stage] for one in (found.start, *found.finalists))
+    assert all(one.spec in of["fabrication"] for one in found.finalists)
+    short = TwoWorkers()
+    promoted(12, 10, 10, workers=short)
+    asked = [spec for stage, spec in short.asked if stage == "second_fidelity"]
+    assert len(asked) == 2, "no more than there is time for"

@@ -185,13 +185,19 @@ SHOWN_BY_THE_REPORT_ALONE = {
         *("indenter.", "mould.", "printer.", "export.", "limits."),
     ),
 }
+SCORED_BY_A_SEARCH = {
+    "second_fidelity": (
+        *(*_LAID_OUT, "mechanics.", "silicone.", "score.", "seed", "contact_grid.", "press."),
+        *("indenter.", "tolerances."),
+    ),
+}
 CONTACTS_BY_INVERSION = {
     "inversion": (*_LAID_OUT, "mechanics.", "indenter.", "inversion.", "tolerances.", "seed"),
     "contact_metrics": ("collection.", "protocol.", "silicone.prony", "tolerances.", "seed"),
 }
 """Stage → beginnings of the keys that make it anew by themselves."""
 for _override, _stages in DOWNSTREAM.items():
-    _by_key = SHOWN_BY_THE_REPORT_ALONE | CONTACTS_BY_INVERSION
+    _by_key = SHOWN_BY_THE_REPORT_ALONE | SCORED_BY_A_SEARCH | CONTACTS_BY_INVERSION
     _shown = {name for name, keys in _by_key.items() if _override.startswith(keys)}
     DOWNSTREAM[_override] = _stages | _shown
 
