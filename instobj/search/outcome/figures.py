@@ -10,6 +10,7 @@ from jaxtyping import Float
 
 from design.layout.body import face_frames
 from design.layout.pockets import Body, magnet_bodies, sensor_places
+from design.search.faces import layout_groups
 from design.spec.object import ObjectSpec
 from instobj.figures.saving import save_figure
 
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
 _INK, _PAPER, _GREY = "#1a1a1a", "#fdfdfb", "#9a968d"
 _BEST, _RANDOM, _START = "#1f77d0", "#c46a1b", "#77736b"
 _SENSOR = "#0a8f5a"
+_MOST_SIDE_BY_SIDE = 3
 LABELS = {
     "worst_position_bound_mm": "worst location, position bound (mm)",
     "percentile_99_position_bound_mm": "99th percentile of locations, position bound (mm)",
@@ -117,14 +119,32 @@ def draw_levels(promotion: Promotion, name: str, path: Path) -> None:
 
 
 def draw_moves(start: ObjectSpec, found: ObjectSpec, path: Path) -> None:
-    """The first face seen from outside, before (grey) and after; arrows join the nearest (PNG)."""
+    """Every layout seen from outside on its first face, before (grey) and after; arrows join the
+    nearest (PNG)."""
+    groups = layout_groups(found)
+    columns = min(len(groups), _MOST_SIDE_BY_SIDE)
+    rows = -(-len(groups) // columns)
+    side = 7.6 if len(groups) == 1 else 5.0
+    figure, panels = _figure((columns * side, rows * side + 0.6), columns, rows)
+    panels = np.atleast_1d(panels).ravel()
+    for axes, faces in zip(panels, groups, strict=False):
+        _draw_moves_of(axes, start, found, faces)
+    for axes in panels[len(groups) :]:
+        axes.set_axis_off()
+    figure.suptitle("Layout before and after")
+    figure.legend(handles=_move_legend(), loc="outside lower center", ncols=4 if columns > 1 else 2,
+                  frameon=False)  # fmt: skip
+    save_figure(figure, path)
+
+
+def _draw_moves_of(axes: Any, start: ObjectSpec, found: ObjectSpec, faces: tuple[int, ...]) -> None:
     from matplotlib.patches import Ellipse, Rectangle
     from matplotlib.patheffects import withStroke
 
-    figure, axes = _figure((7.6, 8.0))
-    frame = face_frames(found)[0]
-    before, after = magnet_bodies(start)[0], magnet_bodies(found)[0]
-    sensors = [np.array(sensor_places(one)[0])[:, :2] for one in (start, found)]
+    row = found.body.sensed.index(faces[0])
+    frame = face_frames(found)[row]
+    before, after = magnet_bodies(start)[row], magnet_bodies(found)[row]
+    sensors = [np.array(sensor_places(one)[row])[:, :2] for one in (start, found)]
     edges = frame.half_extents_mm
     if frame.round:
         axes.add_patch(Ellipse((0, 0), 2 * edges[0], 2 * edges[1], fc="#efece4"))
@@ -150,9 +170,9 @@ def draw_moves(start: ObjectSpec, found: ObjectSpec, path: Path) -> None:
     axes.set(xlim=(-edges[0] - 1, edges[0] + 1), ylim=(-edges[1] - 1, edges[1] + 1), aspect="equal")
     number = frame.number
     axes.set(xlabel=f"x of face {number} (mm)", ylabel=f"y of face {number} (mm)")
-    axes.set_title(f"Layout before and after, every face (initial sensors shown for face {number})")
-    figure.legend(handles=_move_legend(), loc="outside lower center", ncols=2, frameon=False)
-    save_figure(figure, path)
+    if len(faces) > 1:
+        several = ", ".join(map(str, faces))
+        axes.set_title(f"faces {several} (before: face {number})", fontsize=10)
 
 
 def _move_legend() -> list[Any]:
@@ -204,12 +224,12 @@ def pareto_front(values: Float[np.ndarray, "n 2"]) -> np.ndarray:
     return ~np.any(no_worse & better, axis=1)
 
 
-def _figure(size: tuple[float, float], columns: int = 1) -> tuple[Any, Any]:
+def _figure(size: tuple[float, float], columns: int = 1, rows: int = 1) -> tuple[Any, Any]:
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=size, facecolor=_PAPER, layout="constrained")
-    axes = figure.subplots(1, columns)
-    for one in np.atleast_1d(axes):
+    axes = figure.subplots(rows, columns)
+    for one in np.atleast_1d(axes).ravel():
         one.spines[["top", "right"]].set_visible(False)
         one.set_facecolor(_PAPER)
     return figure, axes

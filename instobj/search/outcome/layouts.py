@@ -25,6 +25,8 @@ from instobj.search.promotion import Promotion
 from instobj.search.study import KeptStudy
 from instobj.search.verdict import FIRST, Promoted
 from instobj.viewer.archive import pack
+from instobj.viewer.scene import Arrays, add_surface
+from instobj.viewer.surface import shaded_part
 
 _MOST_OF_FRONT = 40
 
@@ -97,18 +99,34 @@ def layouts_scene(layouts: Sequence[ShownLayout], history: History) -> bytes:
         ],
         "layouts": [_layout(one, start) for one in layouts],
     }
-    return pack(content, {})
+    return pack(content, _surfaces(start))
+
+
+def _surfaces(spec: ObjectSpec) -> Arrays:
+    """Body and core of an object that is no box; a search changes neither."""
+    arrays: Arrays = {}
+    body = body_of(spec)
+    if not body.cuboid:
+        core = body.core_surface()
+        add_surface(arrays, "body", shaded_part(body.outer_surface()))
+        if core is not None:
+            add_surface(arrays, "core", shaded_part(core))
+    return arrays
 
 
 def _layout(one: ShownLayout, start: ObjectSpec) -> dict[str, Any]:
-    """Parts as centre (mm), axes as columns row by row, half edges (mm)."""
+    """Parts as centre (mm), axes as columns row by row, half edges (mm).
+
+    Body and core of boxes, which a search may make larger; others have surfaces of their own.
+    """
     spec = one.spec
-    half = np.asarray(spec.body.size_mm) / 2
+    size = np.asarray(spec.body.size_mm) / 2
+    half = (size, body_of(spec).core_half_mm) if body_of(spec).cuboid else (np.ones(3),) * 2
     return {
         "label": one.label,
         "scores": [score if np.isfinite(score) else None for score in one.scores],
-        "body": _part(np.zeros(3), np.eye(3), half),
-        "core": _part(np.zeros(3), np.eye(3), body_of(spec).core_half_mm),
+        "body": _part(np.zeros(3), np.eye(3), half[0]),
+        "core": _part(np.zeros(3), np.eye(3), half[1]),
         "magnets": _magnets(spec),
         "chips": _blocks([mounted.chip for mounted in mounted_sensors(spec)]),
         "boards": _blocks(board_blocks(spec)),

@@ -5,17 +5,20 @@ import {
 } from "three";
 import { drawFront } from "./front.js";
 import { shownNumber } from "./maps.js";
-import { COLOURS } from "./object.js";
+import { COLOURS, geometryOf } from "./object.js";
 import { label, makeView } from "./view.js";
 
 const PLAYED_MS = 2500;
 
-export function mountLayouts(host, { content }) {
+export function mountLayouts(host, { content, arrays }) {
   const find = (name) => host.querySelector(`[data-name="${name}"]`);
   host.hidden = false;
   const view = makeView(find("canvas"), content.size_mm);
   const [start] = content.layouts;
-  const shells = [makeBox(COLOURS.silicone, 0.18, view), makeBox(COLOURS.core, 0.4, view)];
+  const box = !arrays.body_mm;
+  const shells = [["body", COLOURS.silicone, 0.18], ["core", COLOURS.core, 0.4]]
+    .filter(([name]) => box || arrays[`${name}_mm`])
+    .map(([name, ...look]) => ({ name, ...makeShell(box ? new BoxGeometry(2, 2, 2) : geometryOf(arrays, name), ...look, view) }));
   const magnets = makePool(view, () => makeMagnet());
   const chips = makePool(view, () => boxOf(COLOURS.chip));
   const boards = makePool(view, () => boxOf(COLOURS.board));
@@ -29,7 +32,7 @@ export function mountLayouts(host, { content }) {
   function draw() {
     const after = content.layouts[state.shown];
     const part = state.share;
-    ["body", "core"].forEach((name, index) => shells[index].place(between(start[name], after[name], part)));
+    shells.forEach((one) => one.place(between(start[one.name], after[one.name], part)));
     magnets.place(pairs(start.magnets, after.magnets, after.magnet_from, part));
     chips.place(pairs(start.chips, after.chips, after.sensor_from, part));
     boards.place(pairs(start.boards, after.boards, after.sensor_from, part));
@@ -131,14 +134,13 @@ function makeMagnet() {
   return group;
 }
 
-function makeBox(colour, opacity, view) {
-  const box = boxOf(colour);
-  Object.assign(box.material, { transparent: true, opacity, depthWrite: false });
-  const edges = new LineSegments(new EdgesGeometry(box.geometry), new LineBasicMaterial({ color: 0x30373f }));
-  box.add(edges);
-  const pool = makePool(view, () => box);
+function makeShell(geometry, colour, opacity, view) {
+  const material = new MeshLambertMaterial({ color: colour, transparent: true, opacity, depthWrite: false });
+  const shell = new Mesh(geometry, material);
+  shell.add(new LineSegments(new EdgesGeometry(geometry, 35), new LineBasicMaterial({ color: 0x30373f })));
+  const pool = makePool(view, () => shell);
   const fade = (share) => {
-    box.material.opacity = opacity * 2 * share;
+    material.opacity = opacity * 2 * share;
     view.redraw();
   };
   return { place: (one) => pool.place([one]), fade };

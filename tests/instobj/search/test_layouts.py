@@ -69,3 +69,17 @@ def test_the_leaders_come_first_and_the_rest_of_the_front_after_them(tmp_path):
         number = int(one.label.removeprefix("trial "))
         (trial,) = (trial for trial in trials if trial.number == number)
         assert one.spec.magnets.count == trial.params["magnet_count"]
+
+
+def test_a_body_that_is_no_box_is_shown_with_its_own_surface():
+    body = {"kind": "cylinder", "size_mm": [42.0, 42.0, 60.0], "open_faces": [6]}
+    handle = parse_spec({"name": "h", "body": body, "sensors": {"radius_mm": 7.0}}, "h")
+    layouts = [ShownLayout("start", handle, (1.0, 1.0))]
+    content, arrays = unpack(layouts_scene(layouts, made_up_history()))
+    points = arrays["body_mm"]
+    assert_allclose(np.ptp(points, axis=0), [42.0, 42.0, 60.0], atol=0.1)
+    assert np.hypot(points[:, 0], points[:, 1]).max() < 21.1, "no corners of a box"
+    assert np.hypot(arrays["core_mm"][:, 0], arrays["core_mm"][:, 1]).max() < 21 - 8 + 0.1
+    assert content["layouts"][0]["body"]["half"] == [1.0, 1.0, 1.0], "in mm as it is"
+    _, none = unpack(layouts_scene(made_up_layouts(), made_up_history()))
+    assert none == {}, "boxes may grow, and are drawn by their edges"
