@@ -5,7 +5,12 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.interpolate import make_interp_spline
 
+from design.layout.places.contact_grid import press_lattice
+from design.layout.places.contact_places import pressed_nodes
+from design.spec.object import ObjectSpec
+from estimator.inversion.model.forward import ContactModel
 from estimator.inversion.model.spline import CubicAxes, cubic_axis, spline_coefficients
+from estimator.inversion.model.table import PressTable
 from estimator.signals.field_setup import counts, sensed_field
 from estimator.signals.interpolation import counts_at_force, press_traces, signal_gradient
 from estimator.signals.press_states import press_states
@@ -84,3 +89,30 @@ def test_one_contact_alone_has_no_interaction():
     model = inverted().model
     face, contact = contacts(np.random.default_rng(5), 6, 1)
     assert not model.interaction(face, contact).any()
+
+
+def test_contacts_may_be_on_the_cells_whose_corners_are_all_pressed():
+    """Of round faces: their area, and the nearest such place where a contact was moved beside them."""
+    body = {"kind": "sphere", "size_mm": (44.0, 44.0, 44.0)}
+    spec = ObjectSpec.model_validate(
+        {"name": "x", "body": body, "contact_grid": {"count": "fill", "pitch_mm": 5.0}}
+    )
+    lattice, pressed = press_lattice(spec), pressed_nodes(spec)
+    x, y, root = cubic_axis(lattice.x_mm), cubic_axis(lattice.y_mm), cubic_axis(np.arange(5.0))
+    faces = np.array(spec.body.sensed)
+    zeros = np.zeros((len(faces), len(x.nodes), len(y.nodes), 5, 3))
+    table = PressTable(faces, x, y, root, zeros)
+    model = ContactModel(spec, table, table, np.zeros((1, 6)), 3.0)
+    assert not model.whole
+    there = pressed.reshape(len(faces), *lattice.shape)
+    cells = there[:, 1:, 1:] & there[:, :-1, 1:] & there[:, 1:, :-1] & there[:, :-1, :-1]
+    assert [len(middles) for middles in model.cells] == cells.sum(axis=(1, 2)).tolist()
+    assert_allclose(model.area_mm2, cells.sum() * 2.5**2)
+    far = np.array([[[50.0, 0.0, 1.0]], [[0.0, -50.0, 1.0]], [[0.3, -0.2, 2.0]]])
+    moved = model.on_faces(np.array([[0], [1], [0]]), far)
+    assert_allclose(moved[2], far[2])
+    for k, axis, sign in ((0, 0, 1), (1, 1, -1)):
+        assert_allclose(moved[k, 0, axis], sign * (abs(model.cells[k][:, axis]).max() + 1.25))
+        assert abs(moved[k, 0, 1 - axis]) < 2.5
+    one = model.of_face(1)
+    assert_allclose(one.area_mm2, cells[1].sum() * 2.5**2)

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from estimator.recordings import drift
 from estimator.recordings.drift import levels_under_presses
 from estimator.recordings.zeros import rest_levels
 
@@ -133,3 +134,54 @@ def test_zeros_from_behind_their_press_are_told():
     press = np.repeat(np.arange(4), REST + LOADED)
     zeros = rest_levels(np.zeros((len(time_s), 5, 1, 3)), press, loaded, ~loaded)
     assert zeros.before.tolist() == [False, True, True, True]
+
+
+def test_three_loaded_frames_are_a_contact_and_two_beside_it_are_no_rest():
+    loaded = np.zeros(20, bool)
+    loaded[[2, 5, 6, 10, 11, 12]] = True
+    assert np.flatnonzero(drift._contacts(loaded)).tolist() == [10, 11, 12]
+    assert np.flatnonzero(drift._beside(drift._contacts(loaded))).tolist() == list(range(8, 15))
+
+
+def rests(frames, seconds, lasts, levels, first):
+    counts = np.array(levels)[:, None] * np.ones(3)
+    return drift._Rests(
+        counts, np.array(seconds), np.array(frames), np.array(lasts), np.array(first)
+    )
+
+
+def rate_of(*levels, apart_s=10.0, lasts_s=1.5, session=(0, 0), jump=False, frames=(10, 20)):
+    found = rests(frames, [0.0, apart_s], [lasts_s] * 2, levels, [0, 50])
+    of_frame = np.repeat(session, 50)
+    jumps = np.full((1, 3), jump)
+    return drift._drift_rate(found, of_frame, jumps, np.full(3, 20.0), 0.1)
+
+
+def test_the_rate_of_two_rests_is_what_they_differ_by_beyond_noise_over_their_time():
+    """White noise leaves 400 (1/10 + 1/20) of the squared difference; means lie a sixth of each
+    rest's length nearer than their middles."""
+    apart_s = 10.0 - (1.5 + 1.5) / 6
+    assert rate_of(0.0, 30.0) == pytest.approx((900 - 60) / apart_s)
+    assert rate_of(0.0, -30.0, apart_s=20.5) == pytest.approx((900 - 60) / 20.0)
+    white = 400 * 0.1
+    assert rate_of(0.0, 1.0) == pytest.approx(white / 30**2)
+    assert rate_of(0.0, 60.0) == pytest.approx(white / 0.5**2)
+
+
+@pytest.mark.parametrize(
+    "unusable",
+    [{"session": (0, 1)}, {"jump": True}, {"apart_s": 120.51}, {"apart_s": 0.4}],
+)
+def test_rests_that_tell_nothing_of_drift_leave_the_usual_rate(unusable):
+    """Of other sessions, across a jump, two minutes apart, or one within the other."""
+    assert rate_of(0.0, 30.0, **unusable) == pytest.approx(40 / 3.0**2)
+    assert rate_of(0.0, 90.0, apart_s=120.5) == pytest.approx((8100 - 60) / 120)
+
+
+def test_a_channel_that_differs_by_six_noises_has_not_jumped_and_by_more_it_has():
+    found = rests([10, 10, 10], [0.0, 9.0, 18.0], [1.0] * 3, [0.0, 120.0, 240.1], [0, 50, 100])
+    session = np.zeros(150, int)
+    jumps = drift._jumps(found, session, np.full(3, 20.0))
+    assert jumps.tolist() == [[False] * 3, [True] * 3]
+    session[100:] = 1
+    assert not drift._jumps(found, session, np.full(3, 20.0)).any()

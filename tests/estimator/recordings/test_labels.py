@@ -1,8 +1,11 @@
 """Labels that the signals contradict: each fault is planted in a sound recording and found there."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
+from estimator.recordings.checks.labels import press_patterns
 from estimator.recordings.formats.files import read_table
 from estimator.recordings.formats.netcdf import write_generic_netcdf
 from estimator.recordings.reading import read_recording
@@ -155,3 +158,14 @@ def test_a_shell_that_moved_is_no_jumping_channel(read, arrays):
     assert not found(recording, "jumping channel")
     assert [fault.where for fault in found(recording, "shell moved")] == ["before press 8"]
     assert np.isfinite(recording.frames.signal_counts).all()
+
+
+def test_patterns_are_unit_means_of_five_frames_of_half_the_press_and_more(read, arrays):
+    recording = read(copies(arrays))
+    press, place, pattern = press_patterns(recording.frames)
+    assert len(press) == len(place) == len(pattern) == len(np.unique(press))
+    assert np.allclose(np.sqrt(np.nansum(pattern**2, axis=1)), 1)
+    none = replace(recording.frames, valid=np.zeros(len(recording.frames), bool))
+    press, place, pattern = press_patterns(none)
+    channels = recording.frames.signal_counts[0].size
+    assert (press.shape, place.shape, pattern.shape) == ((0,), (0,), (0, channels))
