@@ -1,9 +1,21 @@
 """A planted convention is found on one recording and holds on the other; nothing is found in noise."""
 
 import numpy as np
+import pytest
 from numpy.testing import assert_allclose
 
-from estimator.calibration.conventions import CANDIDATES, ORDERS, SYMMETRIES, TURNS, cosines, search
+from design.errors import InputError
+from design.spec.object import ObjectSpec
+from estimator.calibration.conventions import (
+    CANDIDATES,
+    ORDERS,
+    SYMMETRIES,
+    TURNS,
+    cosines,
+    search,
+    search_face,
+)
+from estimator.calibration.recorded_presses import RecordedPresses, own_channels
 
 CASE = np.repeat(np.arange(8), 3)
 RECORDING = (CASE >= 5).astype(int)
@@ -59,3 +71,29 @@ def test_symmetries_are_the_turns_and_mirrors_of_a_square():
         assert_allclose(matrix @ matrix.T, np.eye(3))
         assert round(np.linalg.det(matrix)) == 1
     assert CANDIDATES == 8 * 6 * 24
+
+
+def test_dead_channels_of_a_face_count_nothing():
+    rng = np.random.default_rng(5)
+    spec = ObjectSpec(name="cube")
+    model = rng.standard_normal((len(SYMMETRIES), len(CASE), 8, 45))
+    own = own_channels(spec, 2)
+    signal = model[0, np.arange(len(CASE)), CASE].copy()
+    signal[::2, own[4]] = np.nan
+    cases = tuple(((2, float(k), 0.0),) for k in range(8))
+    force = np.zeros((len(CASE), 6))
+    force[:, 1] = 5.0
+    presses = RecordedPresses(
+        signal, force, CASE, RECORDING, np.full(len(CASE), 9), cases, np.ones(3)
+    )
+    found = search_face(spec, presses, model, 2, 0, 9)
+    without = model.copy()
+    without[..., own[4]] = 0.0
+    shown = np.nan_to_num(signal)
+    shown[:, own[4]] = 0.0
+    recorded = shown[:, own].reshape(-1, 3, 3)
+    every = cosines(recorded, model[..., own].reshape(*model.shape[:3], 3, 3))
+    assert found == search(every, CASE, RECORDING, 0, 9, spec.seed)
+    assert found.candidate == (0, 0, 0)
+    with pytest.raises(InputError, match="face 2 has 6 channels"):
+        search_face(spec.changed(sensors={"count_per_face": 2}), presses, model, 2, 0, 9)
