@@ -6,7 +6,12 @@ from numpy.testing import assert_allclose
 
 from design.layout.body import face_frames
 from design.layout.mould_frame import play_mm
-from design.solids.curved_template import curved_template_faces, make_curved_template
+from design.solids.curved_template import (
+    _rings,
+    _rows,
+    curved_template_faces,
+    make_curved_template,
+)
 from design.solids.magnet_template import PLATE_MM
 from design.spec.object import ObjectSpec
 
@@ -54,3 +59,26 @@ def test_minus_lacks_the_second_bar_of_plus(ball):
 def test_faces_of_other_curvature_have_templates_of_their_own():
     capsule = parsed("capsule", [50.0, 50.0, 80.0], faces=[1, 2, 3])
     assert curved_template_faces(capsule) == {1: (1,), 2: (2, 3)}
+
+
+@pytest.mark.parametrize(
+    ("lattice", "area"), [(_rows(5), 4.0), (_rings(8), 16 / 2 * np.sin(2 * np.pi / 16))]
+)
+def test_triangles_cover_the_sheet_once_and_the_rim_runs_round_it(lattice, area):
+    """Seen from outside all turn to the left; the rim is as long as the sheet's border."""
+    a, b, c = lattice.share[lattice.triangles].transpose(1, 0, 2)
+    (u, v), (w, t) = (b - a).T, (c - a).T
+    turned = (u * t - v * w) / 2
+    assert turned.min() > 1e-6
+    assert_allclose(turned.sum(), area)
+    assert set(lattice.triangles.ravel()) == set(range(len(lattice.share)))
+    border = lattice.share[lattice.rim]
+    x, y = border.T
+    assert_allclose(np.sum(x * np.roll(y, -1) - y * np.roll(x, -1)) / 2, area)
+    assert len(set(lattice.rim.tolist())) == len(lattice.rim)
+    edges = np.sort(
+        np.concatenate([lattice.triangles[:, [i, (i + 1) % 3]] for i in range(3)]), axis=1
+    )
+    times = np.unique(edges, axis=0, return_counts=True)[1]
+    assert set(times) == {1, 2}
+    assert (times == 1).sum() == len(lattice.rim)

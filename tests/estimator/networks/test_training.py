@@ -245,6 +245,18 @@ def test_a_description_of_other_types_or_sizes_is_one_error(model, tmp_path, key
         load_model(path)
 
 
+def test_a_model_may_look_back_a_hundred_frames(model, tmp_path):
+    path = tmp_path / "m.safetensors"
+    save_model(model, path)
+    for frames, sound in ((100, True), (101, False), (-1, False)):
+        save_tensors(load_file(path), description(model) | {"history_frames": frames}, path)
+        if sound:
+            assert load_model(path).history_frames == frames
+        else:
+            with pytest.raises(StoreError, match="frames of history"):
+                load_model(path)
+
+
 def test_missing_model(tmp_path):
     with pytest.raises(InputError, match="no model at"):
         load_model(tmp_path / "none")

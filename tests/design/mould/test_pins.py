@@ -1,0 +1,75 @@
+"""Loose pins as numbers: which pockets they form, and how far they reach out of the block."""
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from design.layout.mould_frame import mould_frame, parting
+from design.layout.pockets import shell_pockets
+from design.mould.pins import PIN_HEAD_MM, loose_pins, pins_by_kind
+from design.spec.object import ObjectSpec
+from tests.support.objects.body_cases import body_spec
+
+PLACES = [(2.0, -1.5), (-9.0, 4.0)]
+
+
+def closed(**parts):
+    content = {
+        "name": "closed",
+        "body": {"size_mm": [50.0, 46.0, 44.0], "open_faces": []},
+        "magnets": {"positions_mm": PLACES},
+    }
+    return ObjectSpec.model_validate(content | parts)
+
+
+def test_every_pocket_that_leaves_the_pull_has_a_pin_of_its_kind():
+    spec = closed(magnets={"positions_mm": [(9.0, -8.0), (-9.0, 4.0)]})
+    kinds = pins_by_kind(spec)
+    plain = [kind for kind in kinds if not kind.holds_core]
+    held = [kind for kind in kinds if kind.holds_core]
+    assert [kind.name for kind in plain] == ["mould_pin"]
+    assert [kind.name for kind in held] == ["mould_locator_1", "mould_locator_2"]
+    formed = {place for kind in plain for place in kind.places}
+    assert formed == {(face, x, y) for face in range(1, 7) for x, y in ((9.0, -8.0), (-9.0, 4.0))}
+    assert [(kind.count, len(kind.places)) for kind in kinds] == [(12, 12), (1, 1), (1, 1)]
+    for kind in held:
+        (((_, x, y),),) = (kind.places,)
+        assert (x, y) == (0, 0)
+
+
+def test_a_pin_that_meets_a_pocket_forms_it_too():
+    kinds = pins_by_kind(closed())
+    held = [place for kind in kinds if kind.holds_core for place in kind.places]
+    assert {place[1:] for place in held} == {(2.0, -1.5)}
+    plain = [place for kind in kinds if not kind.holds_core for place in kind.places]
+    assert len(plain) + len(held) == 12
+    assert not set(plain) & set(held)
+
+
+@pytest.mark.parametrize("name", ["sphere", "closed_box"])
+def test_heads_rest_a_wall_above_the_surface_and_reach_out_of_the_block_in_whole_steps(name):
+    spec = body_spec(name, body={"open_faces": []})
+    frame = mould_frame(spec)
+    low, high = frame.corners(frame.low_mm, frame.high_mm)
+    pockets = sum(len(face) for face in shell_pockets(spec))
+    plain = [pin for pin in loose_pins(spec) if pin.locator is None]
+    assert 0 < len(plain) <= pockets
+    for pin in plain:
+        assert pin.seat_mm == spec.mould.wall_mm
+        sunk = pin.top_mm - pin.seat_mm - PIN_HEAD_MM
+        assert sunk == pytest.approx(round(sunk))
+        assert sunk >= 0
+        floor, top = pin.axis_mm
+        assert_allclose(top - floor, np.linalg.norm(top - floor) * pin.way, atol=1e-9)
+        assert_allclose(pin.head_axis_mm[1], top)
+        edge = np.vstack(
+            [top + pin.radius_mm * way for way in np.eye(3) - np.outer(pin.way, pin.way)]
+        )
+        outside = ((edge > high - 1e-6) | (edge < low + 1e-6)).any(axis=1)
+        assert outside.all(), "the head's end is out of the block all round"
+        before = pin.top_mm - 1.0 - PIN_HEAD_MM
+        assert bool(sunk) == (name == "sphere")
+        if sunk:
+            start = top - (pin.top_mm - before) * pin.way
+            assert ((start < high) & (start > low)).all(), "a step less would stay inside"
+    assert abs(parting(spec).normal @ plain[0].way) < 1
