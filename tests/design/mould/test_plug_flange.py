@@ -6,7 +6,9 @@ import cadquery as cq
 import numpy as np
 import pytest
 
-from design.layout.mould_frame import mould_frame
+from design.layout.core_hold import core_outlet
+from design.layout.mould_frame import mould_frame, play_mm
+from design.mould.plug import make_mould_holder
 from design.mould.plug_flange import (
     CHAMFER_MM,
     FLANGE_HEIGHT_MM,
@@ -15,7 +17,7 @@ from design.mould.plug_flange import (
     _over_slope,
     flange_span_mm,
 )
-from design.solids.primitives import OVERSHOOT_MM
+from design.solids.primitives import OVERSHOOT_MM, box_between
 from design.spec.object import ObjectSpec
 from tests.support.objects.body_cases import body_spec
 
@@ -77,3 +79,14 @@ def test_a_grip_is_a_gable_and_its_chamfers_widen_it():
     assert grip.isInside(cq.Vector(*(frame.axes @ np.array([0.0, 0.0, 35.9]))))
     assert not grip.isInside(cq.Vector(*(frame.axes @ np.array([3.2, 0.0, 33.0]))))
     assert grip.isInside(cq.Vector(*(frame.axes @ np.array([2.8, 0.0, 33.0]))))
+
+
+def test_a_holder_s_nose_narrows_by_the_mould_s_draft():
+    for draft_deg in (0.0, 4.0):
+        spec = body_spec("sphere", mould={"draft_deg": draft_deg})
+        outlet = core_outlet(spec)
+        tip = box_between((-20.0, -20.0, outlet.nose_mm - 0.01), (20.0, 20.0, outlet.nose_mm + 1))
+        widest = make_mould_holder(spec).intersect(tip).BoundingBox()
+        low = outlet.floor_mm - OVERSHOOT_MM
+        narrowing = np.tan(np.deg2rad(draft_deg)) * (outlet.nose_mm - low)
+        assert widest.ymax == pytest.approx(outlet.radius_mm - play_mm(spec) - narrowing, abs=0.02)

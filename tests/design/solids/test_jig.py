@@ -13,11 +13,13 @@ from design.solids.core import make_core
 from design.solids.jig import (
     CLEAR_MM,
     PLATE_MM,
+    RECESS_MM,
     _bolt_holes,
     _channel,
     _flat_seat_mm,
     _marks,
     _post,
+    _recess,
     make_jig,
 )
 from design.solids.primitives import OVERSHOOT_MM
@@ -112,3 +114,14 @@ def test_the_seat_of_a_bored_core_is_where_its_outlet_s_flat_ends():
     core = spec.body.size_mm[0] / 2 - spec.shell.thickness_mm
     wanted = -np.sqrt(core**2 - core_outlet(spec).flat_mm ** 2)
     assert _flat_seat_mm(spec) == pytest.approx(wanted, abs=0.02)
+
+
+def test_a_recess_takes_the_lower_end_of_a_body_with_play_all_round():
+    pad = body_spec("pad")
+    play, top = play_mm(pad), 5.0
+    wanted = [-20 - play, 20 + play, -15 - play, 15 + play, top - RECESS_MM, top + OVERSHOOT_MM]
+    assert bounds(_recess(pad, top)) == pytest.approx(wanted, abs=1e-6)
+    dome = body_spec("dome_on_core")
+    radius = 20 + play_mm(dome)
+    wanted = [-radius, radius] * 2 + [top - RECESS_MM, top + OVERSHOOT_MM]
+    assert bounds(_recess(dome, top)) == pytest.approx(wanted, abs=1e-6)
