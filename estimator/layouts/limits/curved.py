@@ -47,7 +47,8 @@ def broken_on_surfaces_mm(
     known = surfaces(spec)
     laid = {number: layouts.of(number) for number in known}
     pockets = {number: pockets_of(spec, one) for number, one in laid.items()}
-    placed = {number: _placed(one, laid[number], pockets[number]) for number, one in known.items()}
+    turned = {number: one.magnets(laid[number].magnet_mm) for number, one in known.items()}
+    placed = {number: _placed(turned[number], laid[number], pockets[number]) for number in known}
     moving = spec.search.vary.sensor_reach_mm is not None
     radius = pockets[face].radius
     found = {
@@ -62,7 +63,13 @@ def broken_on_surfaces_mm(
             [_unsealed(one, laid[number], pockets[number]) for number, one in known.items()]
         ),
         "chip near a magnet": _worst(
-            [_chips_near_magnets(spec, laid, number) for number in (known if moving else (face,))]
+            [
+                _chips_near_magnets(
+                    one, laid[number], {n: centre for n, (centre, _) in turned.items()}
+                )
+                for number, one in known.items()
+                if moving or number == face
+            ]
         ),
     }
     if moving:
@@ -88,9 +95,9 @@ def _worst(of_faces: list[Float[Tensor, "layout"]]) -> Float[Tensor, "layout"]:
     return torch.stack(of_faces).amax(dim=0)
 
 
-def _placed(surface: Surface, layouts: Layouts, pockets: Pockets) -> Prisms:
-    """Pockets of a face in the object's frame, turned with the surface over each."""
-    centre, axes = surface.magnets(layouts.magnet_mm)
+def _placed(turned: tuple[Tensor, Tensor], layouts: Layouts, pockets: Pockets) -> Prisms:
+    """Pockets of a face in the object's frame, turned with the surface over each magnet."""
+    centre, axes = turned
     local = torch.stack([*layouts.magnet_mm[..., :2].unbind(-1), -layouts.magnet_mm[..., 2]])
     turn = axes.permute(2, 3, 0, 1)
     floor, top = (
@@ -198,15 +205,14 @@ def _highest(heights_mm: Float[np.ndarray, "place rim"]) -> Float[np.ndarray, "p
 
 
 def _chips_near_magnets(
-    spec: ObjectSpec, laid: dict[int, Layouts], face: int
+    surface: Surface, layouts: Layouts, centres: dict[int, Float[Tensor, "layout magnet 3"]]
 ) -> Float[Tensor, "layout"]:
-    """Distance missing between a face's chips and all magnets for the series of the field."""
-    magnet, known = magnet_source(spec.magnets), surfaces(spec)
-    chips = known[face].chips(laid[face].sensor_mm)[0][:, :, None]
-    short = torch.zeros_like(laid[face].sensor_mm[:, 0, 0])
-    for number, surface in known.items():
-        reach = OWN if number == face else OTHER
-        centre = surface.magnets(laid[number].magnet_mm)[0]
+    """Distance missing between a face's chips and the magnets of all faces for the series of the field."""
+    magnet = magnet_source(surface.spec.magnets)
+    chips = surface.chips(layouts.sensor_mm)[0][:, :, None]
+    short = torch.zeros_like(layouts.sensor_mm[:, 0, 0])
+    for number, centre in centres.items():
+        reach = OWN if number == surface.number else OTHER
         distance = (chips - centre[:, None]).square().sum(-1).clamp(min=1e-12).sqrt()
         lacking = torch.relu(reach.least_mm(magnet) + SLACK_MM - distance)
         short = short + lacking.sum(dim=(1, 2))

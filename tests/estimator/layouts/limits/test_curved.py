@@ -1,6 +1,7 @@
 """Limits of layouts under curved surfaces against what check and fabrication say of the same layouts."""
 
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 import pytest
@@ -30,7 +31,10 @@ BODIES = {
 }
 
 
-def batch(body, count, seed=0, **limits):
+@cache
+def spec_of(body, pocket_gap_mm=None):
+    """Once per body: what is worked out of a specification is kept with it."""
+    limits = {} if pocket_gap_mm is None else {"pocket_gap_mm": pocket_gap_mm}
     content = {
         "name": body,
         "magnets": {"positions_mm": [[0, 0], [10, 0], [-10, 0]]},
@@ -40,7 +44,11 @@ def batch(body, count, seed=0, **limits):
         "search": {"vary": VARY, "limits": limits},
         **BODIES[body],
     }
-    spec = parse_spec(content, "made up")
+    return parse_spec(content, "made up")
+
+
+def batch(body, count, seed=0, **limits):
+    spec = spec_of(body, **limits)
     space = search_space(spec)
     units = np.random.default_rng(seed).random((count, len(space.variables)))
     params = [params_at(space, unit) for unit in units]
@@ -116,7 +124,7 @@ def test_layouts_within_all_limits_fit_and_can_be_made(body):
     def broken(point):
         return broken_limits_mm(space, layouts_at(space, point, poles, 3), 3)
 
-    point = descend(lambda u: broken(u).sum(dim=1), units, 40, 0.06)
+    point = descend(lambda u: broken(u).sum(dim=1), units, 25, 0.08)
     kept = 0
     for row, rules in enumerate(broken(point)):
         if float(rules.sum()) > 0:
@@ -133,19 +141,21 @@ def test_layouts_within_all_limits_fit_and_can_be_made(body):
     assert kept >= 2
 
 
-@pytest.mark.parametrize("rule", [0, 1, 2, 3, 4, 5, 8])
-def test_gradients_of_limits_are_those_of_differences(rule):
+def test_gradients_of_limits_are_those_of_differences():
     _, space, _, poles, units = batch("capsule", 4, 7)
 
     def broken(point):
-        return broken_limits_mm(space, layouts_at(space, point, poles, 3), 3)[:, rule]
+        return broken_limits_mm(space, layouts_at(space, point, poles, 3), 3)
 
     point = units.clone().requires_grad_()
-    (slope,) = torch.autograd.grad(broken(point).sum(), point)
+    found = broken(point).sum(dim=0)
     way = torch.as_tensor(np.random.default_rng(1).normal(size=units.shape))
     step = 1e-6
     numeric = (broken(units + step * way) - broken(units - step * way)) / (2 * step)
-    assert_allclose((slope * way).sum(dim=1), numeric, rtol=2e-3, atol=2e-3)
+    for rule in (0, 1, 2, 3, 4, 5, 8):
+        (slope,) = torch.autograd.grad(found[rule], point, retain_graph=True)
+        along = (slope * way).sum(dim=1)
+        assert_allclose(along, numeric[:, rule], rtol=2e-3, atol=2e-3, err_msg=RULES[rule])
 
 
 def test_silicone_over_magnets_is_that_of_their_rims():
