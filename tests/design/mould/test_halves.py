@@ -1,5 +1,7 @@
 """Halves draw apart without an undercut, and pins draw out along their own axes."""
 
+from functools import cache
+
 import cadquery as cq
 import numpy as np
 import pytest
@@ -39,14 +41,29 @@ SKEWED = {
 }
 TILTED = SKEWED | {"magnets": SKEWED["magnets"] | {"depth_mm": 2.4, "tilt_deg": [[8, 0], [0, -12]]}}
 CONTENTS = [
-    pytest.param(SKEWED, id="straight", marks=pytest.mark.slow),
-    pytest.param(TILTED, id="tilted"),
+    pytest.param("skewed", id="straight", marks=pytest.mark.slow),
+    pytest.param("tilted", id="tilted"),
 ]
 
 
 def parsed(azimuth=None, **content):
     mould = {"style": "split"} | ({} if azimuth is None else {"parting_azimuth_deg": azimuth})
     return parse_spec({"name": "t", "mould": mould, **content}, "test")
+
+
+@cache
+def spec_of(name):
+    return parsed(**{"skewed": SKEWED, "tilted": TILTED}[name])
+
+
+@cache
+def shell_of(name):
+    return make_shell(spec_of(name))
+
+
+@cache
+def half_of(name, side):
+    return make_mould_half(spec_of(name), side)
 
 
 def drawn_through(part, shell, way):
@@ -59,10 +76,9 @@ def drawn_through(part, shell, way):
 
 
 def test_halves_draw_apart_once_the_pins_are_out():
-    spec = parsed(**SKEWED)
-    shell, normal = make_shell(spec), parting(spec).normal
+    shell, normal = shell_of("skewed"), parting(spec_of("skewed")).normal
     for side in (1, -1):
-        half = make_mould_half(spec, side)
+        half = half_of("skewed", side)
         assert_allclose(drawn_through(half, shell, side * normal), 0, rtol=0, atol=1e-6)
     assert drawn_through(half, shell, normal) > 100, "the other way it cannot go"
 
@@ -70,19 +86,18 @@ def test_halves_draw_apart_once_the_pins_are_out():
 def test_a_seam_beside_the_edges_makes_an_undercut():
     spec = parsed(30.0, **SKEWED)
     half = make_mould_half(spec, 1)
-    assert drawn_through(half, make_shell(spec), parting(spec).normal) > 100
+    assert drawn_through(half, shell_of("skewed"), parting(spec).normal) > 100
 
 
 def test_the_one_piece_box_cannot_be_drawn():
-    spec = parsed(**SKEWED)
-    assert drawn_through(make_mould_box(spec), make_shell(spec), (0, 0, 1)) > 50
+    box = make_mould_box(spec_of("skewed"))
+    assert drawn_through(box, shell_of("skewed"), (0, 0, 1)) > 50
 
 
 @pytest.mark.parametrize("content", CONTENTS)
 def test_pins_draw_out_along_their_axes(content):
-    spec = parsed(**content)
-    shell = make_shell(spec)
-    halves = [make_mould_half(spec, side) for side in (1, -1)]
+    spec, shell = spec_of(content), shell_of(content)
+    halves = [half_of(content, side) for side in (1, -1)]
     pins = [make_pin(spec, pin) for pin in loose_pins(spec)]
     ways = [
         frame.axes @ pocket.axis
@@ -101,16 +116,15 @@ def test_pins_draw_out_along_their_axes(content):
 
 @pytest.mark.parametrize("content", CONTENTS)
 def test_halves_pins_and_plug_cast_the_shell(content):
-    spec = parsed(**content)
-    shell, cavity = make_shell(spec), cast_cavity(spec)
+    shell, cavity = shell_of(content), cast_cavity(spec_of(content))
     assert_allclose(cavity.Volume(), shell.Volume(), rtol=1e-9)
     outside = cavity.cut(shell).Volume() + shell.cut(cavity).Volume()
     assert_allclose(outside, 0, rtol=0, atol=1e-6 * shell.Volume())
 
 
 def test_halves_fit_each_other_and_the_plug():
-    spec = parsed(**SKEWED)
-    a, b, plug = make_mould_half(spec, 1), make_mould_half(spec, -1), make_mould_plug(spec)
+    spec = spec_of("skewed")
+    a, b, plug = half_of("skewed", 1), half_of("skewed", -1), make_mould_plug(spec)
     for one, other in ((a, b), (a, plug), (b, plug)):
         assert_allclose(one.intersect(other).Volume(), 0, rtol=0, atol=1e-6)
     sideways = b.translate(cq.Vector(*(0.5 * np.cross(parting(spec).normal, [0, 0, 1]))))
