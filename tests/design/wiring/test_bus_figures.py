@@ -56,6 +56,20 @@ def test_limits_of_the_bus_are_those_of_um10204():
     assert pullup_kohm(100.0, 3.3, 1.0001 * 1000 / 0.8473) is None
 
 
+def test_pull_ups_are_those_of_the_e12_series_that_let_a_line_rise_in_time():
+    """Of 5 V and 3 mA at least 1.53 kΩ, and at most 1000 ns over 0.8473 C."""
+    series = [1.8, 2.2, 2.7, 3.3, 3.9, 4.7, 5.6, 6.8, 8.2]
+    for kohm in series:
+        just = 1000 / (0.8473 * kohm)
+        assert pullup_kohm(100.0, 5.0, 0.999 * just) == kohm
+        assert pullup_kohm(100.0, 5.0, 1.001 * just) == max(
+            (one for one in series if one < kohm), default=None
+        )
+    assert pullup_kohm(400.0, 3.3, 1e-3) == 8.2
+    assert pullup_kohm(400.0, 3.3, 300 / (0.8473 * 1.001)) == 1.0
+    assert pullup_kohm(400.0, 3.3, 300 / (0.8473 * 0.96)) is None
+
+
 def test_the_papers_plan_has_these_parts_pins_and_wires():
     """15 chips by supply pins of a Mega: one bus, one shifter, three packages of six buffers."""
     plan, choice = choose_plan(CUBE, MEGA2560, way=STARTED)
