@@ -1,9 +1,13 @@
 """Sockets for the pins that hold a core whose wire holes lie under magnets."""
 
+from types import SimpleNamespace
+
 import cadquery as cq
 import numpy as np
 import pytest
 
+from design.errors import InputError
+from design.layout import core_sockets
 from design.layout.boards import passage_radius_mm, sensor_recesses
 from design.layout.body import body_of, face_frames
 from design.layout.core_hold import locators, why_no_mould
@@ -223,3 +227,16 @@ def test_a_flat_frame_is_right_handed_about_its_way():
         assert np.linalg.det(frame.axes) == pytest.approx(1)
         np.testing.assert_allclose(frame.axes[:, 2], unit, atol=1e-12)
         np.testing.assert_allclose(frame.to_object(np.zeros(3)), [1, 2, 3])
+
+
+def test_a_body_none_of_whose_faces_has_a_patch_has_no_ways(monkeypatch):
+    def frame(number):
+        raise InputError("no patch")
+
+    body = SimpleNamespace(faces=(1, 2), frame=frame)
+    monkeypatch.setattr(core_sockets, "body_of", lambda spec: body)
+    monkeypatch.setattr(core_sockets, "_targets", lambda spec: (np.zeros((1, 3)), np.eye(3)[None]))
+    ways = core_sockets._ways(body_spec("closed_box"))
+    assert {name: getattr(ways, name).shape for name in ("face", "xy_mm", "start_mm", "lean")} == {
+        "face": (0,), "xy_mm": (0, 2), "start_mm": (0, 3), "lean": (0,),
+    }  # fmt: skip

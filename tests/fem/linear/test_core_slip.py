@@ -1,6 +1,7 @@
 """A slipped core: rigid where the outside is free, linear and reciprocal where the rim is held."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -271,3 +272,30 @@ def test_the_table_of_a_slipped_object_keeps_its_rest(small_mesh, small_response
 def test_large_deformation_refuses_what_it_does_not_know(spec, words):
     with pytest.raises(InputError, match=words):
         require_press(spec, 1, 0.0, 0.0, [0.5, 1.0])
+
+
+def test_rest_is_the_finite_rigid_motion_and_what_deviates_from_the_small_one(monkeypatch):
+    """Of a turn by 3°: whose small and finite forms differ by 0.03 mm 22 mm from the axis."""
+    slip = {"shift_mm": (0.3, -0.2, 0.1), "rotation_deg": (0.0, 0.0, 3.0)}
+    spec = small_spec().changed(mechanics={"slip": slip})
+    centre = np.array(shell_body_layout(spec).centre_mm)
+    turn, shift = shell_motion(spec)
+    nodes = np.random.default_rng(1).uniform(-20, 20, (30, 3))
+    small = np.column_stack(
+        [shift + np.cross(turn.as_rotvec(), centre), np.tile(turn.as_rotvec(), (len(centre), 1))]
+    )
+    deviation = 0.1 * np.random.default_rng(2).standard_normal(small.shape)
+    bent = 0.1 * np.random.default_rng(3).standard_normal(nodes.shape)
+    moved = shift + np.cross(turn.as_rotvec(), nodes) + bent
+    solution = fem.linear.core_slip.InterfaceSolution(moved.T, small + deviation, np.zeros(6))
+    module = fem.linear.core_slip
+    system = SimpleNamespace(space=SimpleNamespace(nodes_mm=nodes))
+    monkeypatch.setattr(module, "elastic_system", lambda mesh, spec: system)
+    monkeypatch.setattr(module, "move_interface", lambda *given: solution)
+    monkeypatch.setattr(module, "_at_faces", lambda system, spec, moved_mm: (moved_mm,))
+    rest = resting_shell.__wrapped__(None, spec)
+    finite = turn.apply(centre) + shift - centre
+    assert_allclose(rest.deviation, deviation, atol=1e-12)
+    assert_allclose(rest.magnet_motion[:, :3], finite + deviation[:, :3], atol=1e-12)
+    assert_allclose(rest.magnet_motion[:, 3:], turn.as_rotvec() + deviation[:, 3:], atol=1e-12)
+    assert_allclose(rest.face_shift_mm[0], turn.apply(nodes) + shift - nodes + bent, atol=1e-12)
