@@ -1,29 +1,16 @@
 """Weak areas: the measure that bounds follow is found, on flat and curved bodies."""
 
 import csv
-from dataclasses import fields
 
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from design.layout.places.contact_grid import contact_grid
-from design.layout.places.contact_places import contact_places
 from design.layout.places.measures import MEASURES, place_measures
 from design.spec_io import load_spec
-from estimator.information.scores import PlaceScores
 from estimator.information.weak_areas import save_weak_areas_csv, weak_areas
+from tests.support.objects.made_scores import scores_of
 from tests.support.pages import ROOT
-
-
-def scores_of(spec, bound_mm):
-    """Scores with these position bounds, all others 1."""
-    there = contact_places(spec)
-    ones = np.where(there, 1.0, np.nan)
-    values = {field.name: ones for field in fields(PlaceScores)[2:]}
-    values |= {"reaches_score_force": there}
-    values |= {"position_bound_fresh_mm": np.where(there, bound_mm, np.nan)}
-    return PlaceScores(np.array(spec.body.sensed), contact_grid(spec), **values)
 
 
 @pytest.fixture(scope="module")

@@ -13,7 +13,7 @@ from estimator.layouts.limits.parts import SLACK_MM
 from estimator.layouts.limits.rules import RULES, broken_limits_mm
 from estimator.layouts.near_field import OTHER, OWN
 from estimator.layouts.vectors import layouts_at
-from tests.estimator.layouts.test_vectors import batch
+from tests.support.objects.layout_batches import batch
 
 MAGNETS = {
     "flat": DiskMagnet(6.0, 1.0, 1.43),

@@ -18,35 +18,7 @@ from estimator.layouts.batch import layouts_of
 from estimator.layouts.limits.rules import RULES, broken_limits_mm
 from estimator.layouts.polish import descend
 from estimator.layouts.vectors import layout_space, layouts_at
-
-VARY = {
-    "magnet_reach_mm": 15.0,
-    "magnet_depth_mm": [1.6, 6.0],
-    "magnet_tilt_deg": 25.0,
-    "magnet_north": True,
-    "sensor_reach_mm": 10.5,
-}
-COUNT = 40
-
-
-def batch(seed=0, count=COUNT, sensors="free", magnets="free", wall_mm=0.8, **limits):
-    """Random layouts of one structure: specification, space, tensors, variables, polarities, units."""
-    search = {
-        "vary": VARY,
-        "limits": limits,
-        "sensor_symmetry": sensors,
-        "magnet_symmetry": magnets,
-    }
-    printer = {"wall_mm": wall_mm}
-    spec = parse_spec({"name": "cube", "printer": printer, "search": search}, "made up")
-    space = search_space(spec)
-    units = np.random.default_rng(seed).random((count, len(space.variables)))
-    params = [params_at(space, unit) for unit in units]
-    structured = with_structure(spec, params[0])
-    tensors = layout_space(space, structured, torch.float64)
-    flags = [not v.choices for v in space.variables]
-    poles = torch.tensor([polarities(structured, one) for one in params], dtype=torch.float64)
-    return spec, tensors, params, poles, torch.as_tensor(units[:, flags])
+from tests.support.objects.layout_batches import VARY, batch
 
 
 def unchecked(spec, params, monkeypatch):

@@ -8,8 +8,15 @@ from estimator.recordings.boards.lines import Frame, Load, Status
 from estimator.recordings.formats.files import read_table
 from instobj.commands.hardware.collect import collect
 from instobj.commands.hardware.collect_options import CollectOptions
-from tests.instobj.firmware.test_mega2560 import messages, of
-from tests.support.avr.board import bridge_mv_per_v, built, needs_simulator, running, world
+from tests.support.avr.board import (
+    bridge_mv_per_v,
+    built,
+    messages,
+    needs_simulator,
+    of,
+    running,
+    world,
+)
 
 pytestmark = needs_simulator
 

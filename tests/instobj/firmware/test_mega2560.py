@@ -1,18 +1,24 @@
 """The Mega's firmware, built by avr-gcc and run by simavr against sensors that obey their data sheets."""
 
-import time
-
 import numpy as np
 import pytest
-from serial import Serial
 
 from design.spec.object import ObjectSpec
 from design.wiring.dealing import MIXED, MULTIPLEXED, STARTED
-from estimator.recordings.boards.lines import Frame, Header, LineDecoder, Status
+from estimator.recordings.boards.lines import Frame, Header, Status
 from estimator.recordings.formats.files import read_table
 from instobj.commands.hardware.collect import collect
 from instobj.commands.hardware.collect_options import CollectOptions
-from tests.support.avr.board import built, celsius, field_mt, needs_simulator, running, world
+from tests.support.avr.board import (
+    built,
+    celsius,
+    field_mt,
+    messages,
+    needs_simulator,
+    of,
+    running,
+    world,
+)
 
 pytestmark = needs_simulator
 
@@ -28,22 +34,6 @@ def object_of(**sensors):
 def expected(plan, counts_per_mt=COUNTS_PER_MT):
     fields = np.array([field_mt(k) for k in range(len(plan.chips))])
     return np.clip(np.round(fields * counts_per_mt), -32768, 32767)
-
-
-def messages(elf, text):
-    """All that the board says until its time is over, and what its line lost."""
-    decoder, found = LineDecoder(), []
-    with running(elf, text) as (port, over), Serial(port, timeout=0.05) as link:
-        link.write(b"?")
-        last = time.monotonic() + 200
-        while not over.is_set() and time.monotonic() < last:
-            found += decoder.feed(link.read(4096))
-        found += decoder.feed(link.read(65536))
-    return found, decoder.statistics
-
-
-def of(kind, found):
-    return [message for message in found if isinstance(message, kind)]
 
 
 def rows(found):

@@ -5,10 +5,9 @@ import pytest
 
 from design.spec.object import ObjectSpec
 from design.wiring.dealing import MIXED, MULTIPLEXED, STARTED
-from estimator.recordings.boards.lines import Frame, LineDecoder, Status
-from estimator.recordings.boards.link import serial_chunks
+from estimator.recordings.boards.lines import Frame, Status
 from tests.support.avr.board import celsius, field_mt
-from tests.support.pico.board import built, needs_micropython, running
+from tests.support.pico.board import built, messages, needs_micropython
 
 pytestmark = needs_micropython
 
@@ -18,17 +17,6 @@ TLE = {"part": "TLE493DW2B6A1", "noise_counts": [1.0, 1.0, 1.0]}
 
 def object_of(**sensors):
     return ObjectSpec.model_validate({"name": "simulated", "sensors": sensors})
-
-
-def messages(folder):
-    """All that the program says until its time is over, and what its line lost."""
-    decoder, found = LineDecoder(), []
-    with running(folder) as (port, process):
-        for chunk in serial_chunks(port, timeout_s=0.1):
-            found += decoder.feed(chunk)
-            if not chunk and process.poll() is not None:
-                break
-    return found, decoder.statistics
 
 
 def expected(plan, counts_per_mt):

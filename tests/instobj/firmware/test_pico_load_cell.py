@@ -5,9 +5,8 @@ import pytest
 
 from design.spec.object import ObjectSpec
 from estimator.recordings.boards.lines import Frame, Load
-from tests.instobj.firmware.test_pico import messages
 from tests.support.avr.board import bridge_mv_per_v
-from tests.support.pico.board import built, needs_micropython
+from tests.support.pico.board import built, messages, needs_micropython
 
 pytestmark = needs_micropython
 

@@ -10,7 +10,7 @@ from instobj.report.deformation_section import envelope_text
 from instobj.report.page import _files, is_papers_cube
 from instobj.report.pages import render
 from instobj.report.verdict import Check, Verdict
-from tests.instobj.search.test_page import read
+from tests.support.markup import read
 from tests.support.pictures import save_dot
 
 EXAMPLES = Path(__file__).parents[3] / "examples"

@@ -13,7 +13,7 @@ from instobj.figures.maps.files import draw_measure_maps
 from instobj.figures.weak_areas import draw_weak_areas
 from instobj.report.weak_areas import WEAK_TITLE, weak_areas_section, weak_rows, weak_text
 from instobj.store.content import StoredResult
-from tests.estimator.information.test_weak_areas import scores_of
+from tests.support.objects.made_scores import scores_of
 from tests.support.pages import ROOT
 
 THIRDS = {

@@ -11,26 +11,19 @@ from instobj.search.outcome.layouts import ShownLayout, layouts_scene, shown_lay
 from instobj.search.promotion import Promotion
 from instobj.search.verdict import Promoted
 from instobj.viewer.archive import unpack
-from tests.support.objects.search_cases import OBJECTIVES, made_up_scores, made_up_space, searched
-
-
-def made_up_layouts():
-    start = parse_spec({"name": "a"}, "a")
-    few = {"positions_mm": [[9, 9], [0, 1], [-9, 8]], "north": ["inward", "outward", "inward"]}
-    found = parse_spec({"name": "b", "magnets": few}, "b")
-    return [ShownLayout("start", start, (2.0, np.inf)), ShownLayout("trial 3", found, (1.0, 3.0))]
-
-
-def made_up_history():
-    values = np.array([[1.0, 3.0], [2.0, 1.0], [3.0, 3.0]])
-    return History(
-        OBJECTIVES, values, np.array([True, True, False]), np.array([2.0, 9.0]), values[:0], values[:0, 0], 1
-    )  # fmt: skip
+from tests.support.objects.search_cases import (
+    OBJECTIVES,
+    history_of_three,
+    made_up_layouts,
+    made_up_scores,
+    made_up_space,
+    searched,
+)
 
 
 def test_parts_lie_where_the_specification_has_them_and_know_what_they_were():
     layouts = made_up_layouts()
-    content, _ = unpack(layouts_scene(layouts, made_up_history()))
+    content, _ = unpack(layouts_scene(layouts, history_of_three()))
     start, found = content["layouts"]
     for shown, spec in ((start, layouts[0].spec), (found, layouts[1].spec)):
         at, north = magnet_layout(spec).centre_mm, magnet_layout(spec).axis
@@ -75,11 +68,11 @@ def test_a_body_that_is_no_box_is_shown_with_its_own_surface():
     body = {"kind": "cylinder", "size_mm": [42.0, 42.0, 60.0], "open_faces": [6]}
     handle = parse_spec({"name": "h", "body": body, "sensors": {"radius_mm": 7.0}}, "h")
     layouts = [ShownLayout("start", handle, (1.0, 1.0))]
-    content, arrays = unpack(layouts_scene(layouts, made_up_history()))
+    content, arrays = unpack(layouts_scene(layouts, history_of_three()))
     points = arrays["body_mm"]
     assert_allclose(np.ptp(points, axis=0), [42.0, 42.0, 60.0], atol=0.1)
     assert np.hypot(points[:, 0], points[:, 1]).max() < 21.1, "no corners of a box"
     assert np.hypot(arrays["core_mm"][:, 0], arrays["core_mm"][:, 1]).max() < 21 - 8 + 0.1
     assert content["layouts"][0]["body"]["half"] == [1.0, 1.0, 1.0], "in mm as it is"
-    _, none = unpack(layouts_scene(made_up_layouts(), made_up_history()))
+    _, none = unpack(layouts_scene(made_up_layouts(), history_of_three()))
     assert none == {}, "boxes may grow, and are drawn by their edges"

@@ -15,7 +15,8 @@ from instobj.search.outcome.figures import (
     paired,
     pareto_front,
 )
-from instobj.search.outcome.history import History, best_so_far
+from instobj.search.outcome.history import best_so_far
+from tests.support.objects.search_cases import made_up_history
 
 
 def test_the_best_so_far_counts_feasible_trials_only():
@@ -35,15 +36,6 @@ def test_parts_are_paired_by_the_least_way_in_all():
     before = np.array([[0.0, 0.0], [10.0, 0.0]])
     after = np.array([[9.0, 0.0], [20.0, 0.0], [-1.0, 1.0]])
     assert dict(paired(before, after)) == {0: 2, 1: 0}
-
-
-def made_up_history(random=40):
-    rng = np.random.default_rng(1)
-    values = np.exp(rng.normal(size=(60, 2)) - np.linspace(0, 1, 60)[:, None])
-    found = np.exp(rng.normal(size=(random, 2)))
-    names = ("worst_position_bound_mm", "worst_force_bound_n")
-    at = np.sort(rng.integers(1, 2000, random)).astype(float)
-    return History(names, values, rng.random(60) < 0.7, np.array([2.0, 3.0]), found, at, 41)
 
 
 @pytest.mark.parametrize("random", [0, 40])

@@ -3,7 +3,6 @@
 import json
 import re
 from dataclasses import fields
-from html.parser import HTMLParser
 from pathlib import Path
 
 import numpy as np
@@ -22,7 +21,8 @@ from instobj.search.outcome.page import ChainResults, write_search_page
 from instobj.search.promotion import Promotion
 from instobj.search.verdict import Promoted
 from instobj.store.readers import CROSS_FACE
-from tests.instobj.search.test_outcome import made_up_history
+from tests.support.markup import read
+from tests.support.objects.search_cases import made_up_history
 from tests.support.pictures import save_dot
 
 DRAWN = {
@@ -30,39 +30,12 @@ DRAWN = {
     moves: ("draw_moves",),
     overview: ("draw_overview",),
 }
-VOID = {"meta", "img", "link", "br", "input"}
-
-
-class Balanced(HTMLParser):
-    """Tags that are open, and text."""
-
-    def __init__(self):
-        super().__init__()
-        self.open, self.words = [], []
-
-    def handle_starttag(self, tag, attrs):
-        if tag not in VOID:
-            self.open.append(tag)
-
-    def handle_endtag(self, tag):
-        assert self.open.pop() == tag
-
-    def handle_data(self, data):
-        if self.open[-1:] not in (["style"], ["script"]):
-            self.words += data.split()
 
 
 def _dots(*given, **_):
     (path,) = [value for value in given if isinstance(value, Path)]
     path.parent.mkdir(exist_ok=True)
     save_dot(path)
-
-
-def read(page):
-    parser = Balanced()
-    parser.feed(page)
-    assert parser.open == []
-    return " ".join(parser.words)
 
 
 def made_up_scores(spec, path):

@@ -19,9 +19,9 @@ from instobj.report.widget import object_view
 from instobj.search.outcome.layouts import ShownLayout, layouts_scene
 from instobj.viewer.bundling import program
 from instobj.viewer.scene import face_content
-from tests.instobj.search.test_layouts import made_up_history, made_up_layouts
 from tests.support.browser import Browser, chromium
 from tests.support.objects.made_scene import DEPTHS_MM, write_made_scene
+from tests.support.objects.search_cases import history_of_three, made_up_layouts
 from tests.support.pictures import save_dot
 
 GRIDS = {"near": ([5, 5], 5.0), "far": ([7, 7], 4.0)}
@@ -193,7 +193,7 @@ def test_the_widget_of_a_notebook_shows_the_same_numbers(told, browser):
 def test_the_layouts_of_a_search_move_and_the_front_chooses_among_them(told, browser):
     layouts = made_up_layouts()
     layouts.append(ShownLayout("trial 9", layouts[1].spec, (0.5, 5.0)))
-    scene = base64.b64encode(layouts_scene(layouts, made_up_history())).decode()
+    scene = base64.b64encode(layouts_scene(layouts, history_of_three())).decode()
     path = told[0] / "layouts.html"
     view = render("layouts.html.j2", scene=scene, objectives=2)
     page = f"<!doctype html><style>{style('viewer.css')}</style>{view}<script>{program()}</script>"

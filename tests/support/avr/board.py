@@ -3,13 +3,16 @@
 import shutil
 import subprocess
 import threading
+import time
 from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
+from serial import Serial
 
 from design.catalogue.bus_parts import MEGA2560
 from design.wiring.bus_plan import choose_plan
+from estimator.recordings.boards.lines import LineDecoder
 from instobj.firmware.mega2560_plan import port_of
 from instobj.firmware.project import project_files, write_project
 from tests.support.shared import only_one
@@ -115,3 +118,20 @@ def _rig():
             command = ["gcc", "-O2", "-o", rig, _SOURCE, "-lsimavr", "-lutil", "-lm"]
             subprocess.run(command, check=True)
         return rig
+
+
+def messages(elf, text):
+    """All that the board says until its time is over, and what its line lost."""
+    decoder, found = LineDecoder(), []
+    with running(elf, text) as (port, over), Serial(port, timeout=0.05) as link:
+        link.write(b"?")
+        last = time.monotonic() + 200
+        while not over.is_set() and time.monotonic() < last:
+            found += decoder.feed(link.read(4096))
+        found += decoder.feed(link.read(65536))
+    return found, decoder.statistics
+
+
+def of(kind, found):
+    """The messages of one kind."""
+    return [message for message in found if isinstance(message, kind)]

@@ -13,6 +13,8 @@ import pytest
 
 from design.catalogue.bus_parts import PICO
 from design.wiring.bus_plan import choose_plan
+from estimator.recordings.boards.lines import LineDecoder
+from estimator.recordings.boards.link import serial_chunks
 from instobj.firmware.pico_plan import gpio_of
 from instobj.firmware.project import project_files, write_project
 from tests.support.avr.board import celsius, family, field_mt
@@ -77,3 +79,14 @@ def running(folder):
         process.wait()
         os.close(board)
         os.close(port)
+
+
+def messages(folder):
+    """All that the program says until its time is over, and what its line lost."""
+    decoder, found = LineDecoder(), []
+    with running(folder) as (port, process):
+        for chunk in serial_chunks(port, timeout_s=0.1):
+            found += decoder.feed(chunk)
+            if not chunk and process.poll() is not None:
+                break
+    return found, decoder.statistics
