@@ -25,6 +25,7 @@ from design.search.space import (
     SearchSpace,
     params_at,
     search_space,
+    start_params,
     structure_of,
     unit_of,
     with_layout,
@@ -42,7 +43,15 @@ from estimator.layouts.batch_scores import (
     position_bounds,
     unevenness,
 )
-from estimator.layouts.polish import Judged, LowestFidelity, judge, polish, population
+from estimator.layouts.polish import (
+    Judge,
+    Judged,
+    LowestFidelity,
+    descend,
+    judge,
+    polish,
+    population,
+)
 from estimator.layouts.press_basis import faces_differ, press_basis
 from estimator.layouts.scoring import LayoutScorer, layout_scorer
 from estimator.layouts.vectors import layout_space
@@ -52,6 +61,8 @@ from instobj.stages.run import Run
 
 _UNFIT_MM = 0.5
 """For what only the specification's own check refuses."""
+_START_RATE = 0.01
+"""Of every variable's range: steps of the start's walk, short beside what its limits leave."""
 
 
 Evaluate = Callable[[list[dict[str, Any]]], list[Scored]]
@@ -204,7 +215,11 @@ def _pressed(scorer: LayoutScorer) -> tuple[float, int]:
 def score_trials(
     space: SearchSpace, lowest: LowestFidelity, trials: list[dict[str, Any]]
 ) -> list[Scored]:
-    """Polish and score trials of one structure; deterministic."""
+    """Polish and score trials of one structure; deterministic.
+
+    The specification's own layout also walks down the gradient: a run of generations crosses the whole
+    space and does not come back to where no place is worse than before.
+    """
     spec, structured = space.spec, lowest.space.structured
     flags = [not v.choices for v in space.variables]
     units = np.array([unit_of(space, trial) for trial in trials])
@@ -215,7 +230,10 @@ def score_trials(
 
     point = torch.as_tensor(units[:, flags], dtype=torch.float32)
     if spec.search.polish_steps and any(flags):
-        point = polish(judge_at, point, spec.search.polish_steps, _weights(units, spec))
+        weights, begin = _weights(units, spec), point
+        point = polish(judge_at, begin, spec.search.polish_steps, weights)
+        for row in _start_rows(space, units):
+            point[row] = _better(judge_at, row, (point[row], begin[row]), weights[row], spec.search)
     with torch.no_grad():
         judged = judge_at(point, torch.arange(len(point)))
     units[:, flags] = point.numpy()
@@ -226,6 +244,34 @@ def score_trials(
         }
         found.append(_scored(spec, params, judged, row))
     return found
+
+
+def _start_rows(space: SearchSpace, units: np.ndarray) -> list[int]:
+    """Trials that are the specification's own layout."""
+    start = start_params(space)
+    if start is None:
+        return []
+    return np.flatnonzero(np.isclose(units, unit_of(space, start)).all(axis=1)).tolist()
+
+
+def _better(
+    judge_at: Judge,
+    row: int,
+    points: tuple[torch.Tensor, torch.Tensor],
+    weights: torch.Tensor,
+    search: SearchSpec,
+) -> torch.Tensor:
+    """The better of an end and of a walk from a beginning, both points of a trial."""
+    end, begin = points
+
+    def loss(point: torch.Tensor) -> torch.Tensor:
+        rows = torch.full((len(point),), row)
+        return judge_at(point, rows).penalized.log() @ weights
+
+    walked = descend(loss, begin[None], search.polish_steps, _START_RATE)[0]
+    both = torch.stack([end, walked])
+    with torch.no_grad():
+        return both[loss(both).nan_to_num(torch.inf).argmin()]
 
 
 def _scored(spec: ObjectSpec, params: dict[str, Any], judged: Judged, row: int) -> Scored:

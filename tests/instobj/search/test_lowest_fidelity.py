@@ -1,10 +1,22 @@
 """Trials at the lowest fidelity level: refused at once where they cannot end in time."""
 
+import numpy as np
 import pytest
+import torch
 
 from design.errors import InputError
+from design.search.space import params_at, search_space, start_params
+from design.search.structure import with_structure
 from design.spec.search import SearchSpec
-from instobj.search.lowest_fidelity import require_in_time
+from estimator.layouts.batch import layouts_of
+from estimator.layouts.batch_scores import OVER_START, PlaceBounds, position_bounds
+from estimator.layouts.polish import LowestFidelity
+from estimator.layouts.press_basis import press_basis
+from estimator.layouts.scoring import layout_scorer
+from estimator.layouts.vectors import layout_space
+from instobj.search import lowest_fidelity
+from instobj.search.lowest_fidelity import require_in_time, score_trials
+from tests.support.mechanics.candidate_cases import made_up_motions, made_up_spec
 
 
 @pytest.mark.parametrize(("steps", "layouts", "fits"), [(300, 1, 100), (60, 5, 20)])
@@ -18,3 +30,29 @@ def test_trials_that_cannot_end_in_time_are_refused_with_values_that_can(steps, 
     require(fits)
     require(0)
     require(steps, trial_seconds=7.0)
+
+
+def test_the_start_walks_to_a_layout_that_is_better_and_worse_nowhere(monkeypatch):
+    """Beside generations that find nothing."""
+    monkeypatch.setattr(lowest_fidelity, "polish", lambda judge_at, unit, *_: unit.clone())
+    vary = {"magnet_reach_mm": 14.0, "magnet_depth_mm": [2.0, 5.0], "sensor_reach_mm": 10.0}
+    search = SearchSpec.model_validate({"vary": vary, "polish_steps": 20})
+    spec = made_up_spec().model_copy(update={"search": search})
+    motions, faces = made_up_motions(spec), (1, 3)
+    scorers = tuple(layout_scorer(spec, press_basis(spec, motions, face)) for face in faces)
+    before = position_bounds(scorers, [layouts_of(spec, face) for face in faces])
+    space, constants = search_space(spec), {"cost": 50.0, "compliance_deviation": 0.1}
+    start, other = start_params(space), params_at(space, np.full(len(space.variables), 0.5))
+    assert start is not None
+    tensors = layout_space(space, with_structure(spec, start))
+    held = PlaceBounds(tuple(before), 0.02)
+    lowest = LowestFidelity(tensors, scorers, constants, {}, 0.0, held)
+    walked, alone = score_trials(space, lowest, [start, other])
+    worst = float(torch.cat(before, dim=1).max())
+    assert (walked.broken_mm, walked.misfit) == (0.0, "")
+    assert walked.values[0] < 0.95 * worst
+    assert walked.scores[OVER_START] < 1
+    monkeypatch.setattr(lowest_fidelity, "descend", lambda loss, unit, steps, rate: unit)
+    stays, same = score_trials(space, lowest, [start, other])
+    assert stays.values[0] > walked.values[0]
+    assert same == alone, "other trials walk nowhere"
