@@ -11,10 +11,16 @@ from design.body.imported import body_of_file
 from design.body.surface_chart import steepest_reach_mm
 from design.errors import SpecError
 from design.fit.everything import problems_of
-from design.layout.boards import mounted_sensors, sensor_recesses, smallest_recess_wall_mm
+from design.layout.boards import (
+    mounted_sensors,
+    sensor_recesses,
+    smallest_recess_wall_mm,
+    wire_bundle_mm,
+)
 from design.layout.places.contact_places import contact_places
 from design.layout.places.positions import magnet_layout
 from design.layout.pockets import sensor_places
+from design.placement import objects
 from design.placement.objects import Request, Trim, first_fit, placed, spec_of
 from design.placement.room import low_rim, tight_rim
 
@@ -202,3 +208,46 @@ def test_a_small_eggs_bore_leaves_a_wall_to_the_recesses_beside_it():
     floors = np.array([r.corners_mm for r in sensor_recesses(spec) if r.face in (2, 4)])
     wall = float(abs(floors[..., 1]).min()) - spec.body.bore_mm / 2
     assert wall >= spec.printer.wall_mm
+
+
+def test_a_face_too_long_for_its_lattice_gets_a_coarser_pitch_in_whole_millimetres():
+    """At most 100 locations along an axis."""
+    for length, pitches in ((42.0, (3.0, 2.5, 2.0, 1.5, 1.0)), (290.0, None), (955.0, (10.0,))):
+        spec = spec_of({"body": {"size_mm": [length, 42.0, 42.0]}})
+        found = objects._pitches_mm(spec)
+        assert found == (pitches or objects._PITCHES_MM)
+    assert objects._pitches_mm(spec_of({"body": {"size_mm": [301.0, 42.0, 42.0]}})) == (4.0,)
+
+
+def test_electronics_of_a_face_by_hand():
+    """Recesses reach 3.25 mm to both sides of the boards' middles; holes take the wires of all."""
+    request = Request("box", (60.0, 60.0, 60.0), 2)
+    tables = objects._electronics(request, [np.array([[6.0, 8.0], [-9.004, 0.0]])] * 5)
+    assert tables["sensors"] == {
+        "count_per_face": 2, "radius_mm": 9.0, "positions_mm": [[6.0, 8.0], [-9.0, 0.0]],
+    }  # fmt: skip
+    core = tables["core"]
+    assert (core["recess_inner_radius_mm"], core["recess_outer_radius_mm"]) == (5.75, 12.25)
+    assert core["wire_hole_top_diameter_mm"] == objects._hole_mm(2) >= 2.0
+    assert core["wire_hole_side_diameter_mm"] == max(3.0, objects._hole_mm(2))
+    assert core["hub_radius_mm"] == core["wire_hole_side_diameter_mm"] / 2
+    near = objects._electronics(request, [np.zeros((1, 2))] * 4 + [np.ones((1, 2))])
+    assert near["sensors"]["radius_mm"] == 3.5
+    assert near["sensors"]["positions_mm"] == [[[0.0, 0.0]]] * 4 + [[[1.0, 1.0]]]
+
+
+def test_a_hole_is_a_tenth_wider_than_the_wires_through_it_in_half_millimetres():
+    for sensors in range(1, 13):
+        bundle = wire_bundle_mm(spec_of({"sensors": {"count_per_face": sensors}}))
+        hole = objects._hole_mm(sensors)
+        assert hole == 2.0 or 1.1 * bundle <= hole < 1.1 * bundle + 0.5
+        assert 2 * hole == round(2 * hole)
+    assert objects._hole_mm(12) > 3 > objects._hole_mm(1)
+
+
+def test_a_core_s_wall_leaves_a_millimetre_behind_the_deepest_recess():
+    for depth, wall in ((2.5, 4.0), (3.0, 4.0), (3.1, 4.5), (3.6, 5.0)):
+        assert objects._wall_mm(spec_of({"core": {"recess_depth_mm": depth}})) == wall
+    room = 13.0
+    assert objects._wall_mm(spec_of({"core": {"recess_depth_mm": room}})) is None
+    assert objects._wall_mm(spec_of({"core": {"recess_depth_mm": room - 0.1}})) == 14.0
