@@ -7,7 +7,12 @@ import pytest
 import torch
 from numpy.testing import assert_allclose
 
-from design.layout.places.positions import board_sinks_mm, magnet_layout, sensor_layout
+from design.layout.places.positions import (
+    board_sinks_mm,
+    magnet_layout,
+    sensor_layout,
+    sinks_of_boards_mm,
+)
 from design.layout.pockets import magnet_bodies, sensor_places
 from estimator.layouts.surfaces import onto_patch_mm, pointwise, surfaces
 from tests.support.objects.body_cases import body_spec
@@ -124,3 +129,23 @@ def test_a_board_finds_room_up_to_where_its_corner_leaves_the_core_s_patch():
     assert surface.core.covers(0.95 * reach[:, None] * way).all()
     assert (reach > 4.0).all()
     assert (reach <= 1.001 * max(surface.core.half_extents_mm)).all()
+
+
+def test_boards_sink_at_their_own_places_and_beyond_their_reach_as_just_within_it():
+    """On a capsule's side, whose ends curve more than its middle."""
+    spec = body_spec("capsule")
+    surface = surfaces(spec)[2]
+    turn = np.linspace(0.1, 6.0, 9)
+    way = np.column_stack([np.cos(turn), np.sin(turn)])
+    reach = surface.reach_mm(way)[:, None]
+
+    def own(places):
+        azimuth = np.arctan2(places[:, 1], places[:, 0])
+        return sinks_of_boards_mm(spec, surface.core, np.column_stack([places, azimuth]))
+
+    for share in (0.3, 0.6, 0.9):
+        assert_allclose(surface.sinks_mm(share * reach * way), own(share * reach * way))
+    just = own(0.98 * reach * way)
+    assert np.ptp(just) > 0.05
+    for share in (1.2, 3.0):
+        assert_allclose(surface.sinks_mm(share * reach * way), just, atol=1e-9)
