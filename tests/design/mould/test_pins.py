@@ -1,11 +1,14 @@
 """Loose pins as numbers: which pockets they form, and how far they reach out of the block."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
 from design.layout.mould_frame import mould_frame, parting
 from design.layout.pockets import shell_pockets
+from design.mould import pins
 from design.mould.pins import PIN_HEAD_MM, loose_pins, pins_by_kind
 from design.spec.object import ObjectSpec
 from tests.support.objects.body_cases import body_spec
@@ -73,3 +76,46 @@ def test_heads_rest_a_wall_above_the_surface_and_reach_out_of_the_block_in_whole
             start = top - (pin.top_mm - before) * pin.way
             assert ((start < high) & (start > low)).all(), "a step less would stay inside"
     assert abs(parting(spec).normal @ plain[0].way) < 1
+
+
+def test_rims_end_below_a_plug_s_clips_where_heads_stand_under_its_flange(monkeypatch):
+    """Of a flange from −10 to 10 mm across, on walls 20 mm along, with clips down to the rim at 30."""
+    frame = SimpleNamespace(
+        plugged=True, axes=np.eye(3), high_mm=np.array([25.0, 20.0, 30.0]), rim_mm=30.0
+    )
+    monkeypatch.setattr(pins, "mould_frame", lambda spec: frame)
+    monkeypatch.setattr(pins, "flange_span_mm", lambda spec: (-10.0, 10.0))
+    spec = closed()
+
+    def rim(across, along, out, radius=3.0):
+        end = np.array([across, along, out])
+        pin = SimpleNamespace(head_axis_mm=np.stack([end - 2, end]), radius_mm=radius)
+        return pins._below_rim_mm.__wrapped__(spec, [pin])
+
+    clear = 1.5 + 0.1 + 3.0
+    assert rim(0.0, 21.0, 30 - clear + 0.4) == pytest.approx(1.1)
+    assert rim(0.0, -21.0, 30 - clear + 0.4) == pytest.approx(1.1)
+    assert rim(0.0, 21.0, 29.0) == 0.0
+    for free in (
+        (0.0, 19.9, 29.0),
+        (10 + clear + 0.1, 21.0, 29.0),
+        (-10 - clear - 0.1, 21.0, 29.0),
+    ):
+        assert rim(*free) == 1.5
+    for under in ((10 + clear - 0.1, 21.0, 29.0), (-10 - clear + 0.1, 21.0, 29.0)):
+        assert rim(*under) == 0.0
+    frame.plugged = False
+    assert rim(0.0, 21.0, 29.0) == 1.5
+
+
+@pytest.mark.parametrize(
+    ("gap", "rim"), [(9.0, 1.5), (3.6, 1.3), (1.82, 0.41), (1.7, 0.8), (0.5, 0.2), (-1.0, 0.0)]
+)
+def test_rims_leave_a_wall_between_heads_or_run_together(monkeypatch, gap, rim):
+    """A wall of 0.8 mm and 0.1 mm of play on both sides, while rims keep 0.4 mm."""
+    made = [
+        SimpleNamespace(head_axis_mm=np.array([[x, 0.0, 0], [x, 0, 2]]), radius_mm=3.0)
+        for x in (0.0, 6.0 + gap)
+    ]
+    assert pins._rim_mm.__wrapped__(closed(), made) == pytest.approx(rim)
+    assert pins._rim_mm.__wrapped__(closed(), made[:1]) == 1.5

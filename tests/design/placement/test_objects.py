@@ -251,3 +251,13 @@ def test_a_core_s_wall_leaves_a_millimetre_behind_the_deepest_recess():
     room = 13.0
     assert objects._wall_mm(spec_of({"core": {"recess_depth_mm": room}})) is None
     assert objects._wall_mm(spec_of({"core": {"recess_depth_mm": room - 0.1}})) == 14.0
+
+
+def test_a_request_grows_to_half_millimetres_or_in_its_short_edges_alone():
+    request = Request("box", (30.0, 20.1, 10.0), 1, 1, (("scale", 2.0), ("file", "a.stl")))
+    grown = objects._grown(request, 1.1)
+    assert grown.size_mm == (33.0, 22.5, 11.0)
+    assert dict(grown.file) == {"scale": pytest.approx(2.2), "file": "a.stl"}
+    assert objects._grown(Request("box", (30.0, 20.1, 10.0)), 1.1).file == ()
+    assert objects._thickened(request, 1.26).size_mm == (30.0, 20.1, 13.0)
+    assert objects._thickened(request, 2.5).size_mm == (30.0, 25.0, 25.0)

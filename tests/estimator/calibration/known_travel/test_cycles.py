@@ -1,10 +1,13 @@
 """Loading cycles made of known laws: each law explains its own, and exchanged ways tell history."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
 from design.errors import InputError
+from estimator.calibration.known_travel import cycles
 from estimator.calibration.known_travel.cycles import cycles_of, field_laws, force_laws, loop_shares
 from estimator.recordings.formats.travel import TravelRecording
 
@@ -95,3 +98,12 @@ def test_what_are_no_cycles_is_said():
     )
     with pytest.raises(InputError, match="one axis"):
         cycles_of(moved)
+
+
+@pytest.mark.parametrize(("count", "fitted"), [(4, [0, 1]), (5, [0, 1])])
+def test_the_later_half_of_the_cycles_judges_what_the_earlier_one_fits(count, fitted):
+    """Frames before the first and after the last whole cycle serve neither."""
+    cycle = np.repeat([-1, *range(count), -1], 3)
+    found = cycles._halves.__wrapped__(SimpleNamespace(count=count, cycle=cycle))
+    assert sorted(set(cycle[found[0]])) == fitted
+    assert sorted(set(cycle[found[1]])) == list(range(len(fitted), count))
