@@ -1,6 +1,7 @@
 """Workers that make stages: what they leave out, twins one by one, and commands that ask them."""
 
 from contextlib import contextmanager
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -10,6 +11,7 @@ from design.spec_io import load_spec
 from estimator.calibration.twin.pretraining import twin_frames
 from estimator.frames.collection import joined
 from instobj.commands import run as commands
+from instobj.stages import workers
 from instobj.stages.run import Run
 from instobj.stages.tasks import tasks_of
 from instobj.stages.workers import Here
@@ -82,3 +84,28 @@ def test_commands_have_their_stages_made_by_the_workers_asked_for(store, tmp_pat
         commands.run_chain(
             [SMALL_CUBE], ("scores",), tmp_path, [*CHANGES, "press.depths_mm=[0.01,0.02]"], 2
         )
+
+
+def test_a_scheduler_begins_no_further_stage_once_there_is_enough(monkeypatch):
+    """Real scheduler, stages that do nothing: each tells what those before it told."""
+    distributed = pytest.importorskip("distributed")
+    monkeypatch.setattr(workers, "work", lambda task, before, root: {
+        "key": task["stage"] + "".join(one["key"] for one in before), "error": ""
+    })  # fmt: skip
+    specs = [load_spec(SMALL_CUBE, [*CHANGES, f"sensors.averaging={n}"]) for n in (1, 32)]
+    tasks, last = tasks_of(specs)
+    with distributed.Client(
+        processes=False, n_workers=1, threads_per_worker=1, dashboard_address=None, memory_limit=0
+    ) as client:
+        every = workers.OnDask(client)
+        assert every.count == 1
+        done = every.make(tasks, Path(), print)
+        assert {*done} == {*tasks}
+        assert done[last[0]["scores"]]["key"].startswith("scoressignalspresses")
+        few = every.make(
+            tasks_of([load_spec(SMALL_CUBE, [*CHANGES, "sensors.averaging=8"])], ("report",))[0],
+            Path(),
+            print,
+            lambda: True,
+        )
+    assert 1 <= len(few) < 20
