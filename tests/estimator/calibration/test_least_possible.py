@@ -56,6 +56,13 @@ def test_slopes_are_those_of_the_variance_and_greedy_takes_the_best_next_press()
         assert_allclose(
             (variance - choices.left(times + step) ** 2) / 1e-6, slopes[press], rtol=1e-4
         )
+    whole = np.array([1.0, 0, 2, 0, 0, 1])
+    chosen = (0, 2, 2, 5)
+    gains = [
+        variance_by_hand(choices, chosen) - variance_by_hand(choices, (*chosen, press))
+        for press in range(PRESSES)
+    ]
+    assert_allclose(choices._gains(whole) / len(choices.judged), gains)
     done = choices.greedy(3, (4,))
     first = min(range(PRESSES), key=lambda press: variance_by_hand(choices, (4, press)))
     second = min(range(PRESSES), key=lambda press: variance_by_hand(choices, (4, first, press)))
