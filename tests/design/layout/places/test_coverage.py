@@ -11,7 +11,7 @@ from design.layout.places.contact_places import contact_places
 from design.layout.places.coverage import cell_areas_mm2, covered_share
 from design.spec_io import load_spec, parse_spec
 
-EXAMPLES = Path(__file__).parents[3] / "examples"
+EXAMPLES = Path(__file__).parents[4] / "examples"
 
 
 def test_of_the_papers_cube():
