@@ -15,7 +15,9 @@ from design.mould.plug_flange import (
     _grip,
     _inner_mm,
     _over_slope,
+    flange_solids,
     flange_span_mm,
+    tabs,
 )
 from design.solids.primitives import OVERSHOOT_MM, box_between
 from design.spec.object import ObjectSpec
@@ -90,3 +92,32 @@ def test_a_holder_s_nose_narrows_by_the_mould_s_draft():
         low = outlet.floor_mm - OVERSHOOT_MM
         narrowing = np.tan(np.deg2rad(draft_deg)) * (outlet.nose_mm - low)
         assert widest.ymax == pytest.approx(outlet.radius_mm - play_mm(spec) - narrowing, abs=0.02)
+
+
+def test_measures_are_those_of_the_authors_mould():
+    """Read off their STEP file: the walls' seats and posts, the flange over them, its clips and grip."""
+    frame, (bridge, grip, clip, block, *_) = mould_frame(box(8.0)), flange_solids(box(8.0))
+    levels = {
+        name: np.round(sorted((one.BoundingBox().zmin, one.BoundingBox().zmax)), 6)
+        for name, one in (("bridge", bridge), ("grip", grip), ("clip", clip), ("block", block))
+    }
+    rim = frame.rim_mm  # towards −z, as face 6 is open
+    assert levels["bridge"] == pytest.approx([-rim - 2, -rim])
+    assert levels["clip"] == pytest.approx([-rim - 10, -rim])
+    assert levels["block"] == pytest.approx([-rim - 10, -rim - 2])
+    assert levels["grip"][1] == pytest.approx(-rim - 2)
+    along = [
+        abs(np.array([one.BoundingBox().ymin, one.BoundingBox().ymax])) for one in (clip, block)
+    ]
+    wall = frame.high_mm[1]
+    if abs(frame.along[0]) > 0.5:
+        along = [
+            abs(np.array([one.BoundingBox().xmin, one.BoundingBox().xmax])) for one in (clip, block)
+        ]
+    assert sorted(along[0]) == pytest.approx([wall + 0.1, wall + 2.5])
+    assert sorted(along[1]) == pytest.approx([wall + 2.5 - 10, wall + 2.5])
+    raised = [
+        np.round([one.BoundingBox().zmin, one.BoundingBox().zmax], 6) for one in tabs(box(8.0))
+    ]
+    tops = sorted({-float(low) - rim for low, _ in raised})
+    assert tops == pytest.approx([2.0, 4.0])

@@ -1,0 +1,91 @@
+"""Magnets as they are written: parts, grades, shapes and lists that agree, on both sides of each border."""
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from design.errors import SpecError
+from design.spec.magnets import MagnetSpec
+
+TWO = ((0.0, 0.0), (9.0, 0.0))
+
+
+def refused(message, **keys):
+    with pytest.raises(SpecError, match=message):
+        MagnetSpec(**keys)
+
+
+def test_a_hole_belongs_to_rings_and_coils_and_is_smaller_than_they_are():
+    for hollow in ({"shape": "ring"}, {"kind": "coil"}):
+        assert MagnetSpec(inner_diameter_mm=5.99, **hollow).inner_diameter_mm == 5.99
+        refused("must be below magnets.diameter_mm = 6; got 6", inner_diameter_mm=6.0, **hollow)
+    assert MagnetSpec(kind="coil").inner_diameter_mm == 0
+    refused("needs magnets.inner_diameter_mm above 0", shape="ring")
+    for solid in ({}, {"shape": "block"}):
+        refused("belongs to a ring or a coil", inner_diameter_mm=2.0, **solid)
+    refused("is wound round", kind="coil", shape="block")
+
+
+def test_a_part_and_a_grade_fill_in_what_is_not_given():
+    part = MagnetSpec(part="R8x4x2")
+    assert (part.shape, part.diameter_mm, part.inner_diameter_mm, part.height_mm) == (
+        "ring",
+        8,
+        4,
+        2,
+    )
+    assert (part.remanence_t, part.grade) == (1.43, None)
+    sold = MagnetSpec(part="MP 12x5x2 / N38")
+    assert (sold.grade, sold.remanence_t) == ("N38", 1.24)
+    assert MagnetSpec(part="MP 12x5x2 / N38", remanence_t=1.1).grade is None
+    assert MagnetSpec(grade="N52").remanence_t == 1.45
+    refused("height_mm = 1.0 contradicts magnets.part = 'R8x4x2'", part="R8x4x2", height_mm=1.0)
+
+
+@pytest.mark.parametrize(
+    ("key", "each", "wrong"),
+    [
+        ("depth_mm", (2.0, 3.0), (2.0,)),
+        ("tilt_deg", ((0.0, 1.0), (2.0, 3.0)), ((0.0, 1.0),) * 3),
+        ("north", ("inward", "outward"), ("inward",)),
+    ],
+)
+def test_lists_have_one_entry_for_each_magnet(key, each, wrong):
+    assert getattr(MagnetSpec(positions_mm=TWO, **{key: each}), key) == each
+    refused(f"{key} needs one entry for each of the 2", positions_mm=TWO, **{key: wrong})
+
+
+def test_places_are_of_all_faces_or_of_each():
+    one = MagnetSpec(positions_mm=TWO)
+    assert (one.count, one.lists, one.polarities) == (2, (TWO,), (1, 1))
+    assert MagnetSpec(positions_mm=TWO, north=("inward", "outward")).polarities == (-1, 1)
+    each = MagnetSpec(positions_mm=(TWO, ((1.0, 1.0), (2.0, 2.0))))
+    assert (each.count, len(each.lists)) == (2, 2)
+    refused("as many places on every face", positions_mm=(TWO, ((1.0, 1.0),)))
+    assert MagnetSpec().depths_mm == ()
+    assert MagnetSpec(positions_mm=TWO, depth_mm=2.5).depths_mm == (2.5, 2.5)
+    assert MagnetSpec(positions_mm=TWO, depth_mm=(2.5, 3.0)).depths_mm == (2.5, 3.0)
+
+
+def test_a_winding_is_worth_mu0_n_i_over_its_length():
+    """4π · 10⁻⁷ T m/A · 50 · 0.2 A / 2 mm."""
+    coil = MagnetSpec(kind="coil", turns=50, current_a=0.2, height_mm=2.0)
+    assert_allclose(coil.winding_polarization_t, 4e-7 * np.pi * 50 * 0.2 / 2e-3, rtol=1e-6)
+
+
+def test_remanence_falls_with_the_temperature():
+    cold, warm = (MagnetSpec(temperature_c=t).working_remanence_t for t in (20.0, 70.0))
+    assert cold == 1.43
+    assert warm < 0.96 * cold
+
+
+def test_a_grade_holds_up_to_80_degrees_and_within_its_remanence():
+    assert MagnetSpec(grade="N52", remanence_t=1.48, temperature_c=80.0).grade == "N52"
+    refused("lies outside grade N52", grade="N52", remanence_t=1.49)
+    refused("exceeds the 80 °C", grade="N52", temperature_c=80.1)
+    assert MagnetSpec(temperature_c=81.0).grade is None
+
+
+def test_only_coils_are_switched_face_by_face():
+    assert MagnetSpec(kind="coil", switching="face-by-face").switching == "face-by-face"
+    refused("needs magnets.kind = 'coil'", switching="face-by-face")
