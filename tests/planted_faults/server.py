@@ -92,10 +92,9 @@ class Server:
         """
         function = holding(self.root, fault)
 
-        def rank(test: str) -> tuple[bool, bool, bool]:
-            known = self.calls.get(test)
-            elsewhere = bool(function and known is not None and function not in known)
-            return elsewhere, self.seconds.get(test, 0.0) > LONG_S, known is None
+        def rank(test: str) -> tuple[bool, bool]:
+            elsewhere = function is not None and function not in self.calls.get(test, {function})
+            return elsewhere, self.seconds.get(test, 0.0) > LONG_S
 
         left = sorted(tests, key=rank)
         anew = acts_at_import(self.root, fault)
