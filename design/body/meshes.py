@@ -32,6 +32,8 @@ CRUMB_MM3 = 1.0
 
 _FACING = -np.cos(np.deg2rad(15))
 _START_MM = 1e-4
+_MEETS_MM = 1e-9
+"""By which a ray may pass beside a triangle's edge and meet it."""
 _LEVEL_MM = 1e-3
 
 
@@ -124,13 +126,12 @@ def thinnest_wall(mesh: trimesh.Trimesh) -> ThinnestWall | None:
     size = np.linalg.norm(doubled, axis=1)
     kept = size > 1e-9
     normal, start = doubled[kept] / size[kept, None], corner[kept].mean(axis=1)
-    solid, reach = manifold_of(mesh), float(np.linalg.norm(mesh.extents))
-    best: ThinnestWall | None = None
-    for point, n in zip(start, normal, strict=True):
-        thickness = _through(solid, point, n, reach)
-        if thickness is not None and (best is None or thickness < best.thickness_mm):
-            best = ThinnestWall(thickness, point - thickness / 2 * n)
-    return best
+    thickness = _through_mm(mesh, start, normal)
+    if np.isnan(thickness).all():
+        return None
+    least = int(np.nanargmin(thickness))
+    value = float(thickness[least])
+    return ThinnestWall(value, start[least] - value / 2 * normal[least])
 
 
 def sharpest_edge(mesh: trimesh.Trimesh) -> tuple[float, Float[np.ndarray, "3"]] | None:
@@ -265,13 +266,35 @@ def manifold_of(mesh: trimesh.Trimesh) -> Manifold:
     return Manifold(Mesh64(vertices, np.ascontiguousarray(mesh.faces, dtype=np.uint64)))
 
 
-def _through(solid: Manifold, point: np.ndarray, normal: np.ndarray, reach: float) -> float | None:
-    """Thickness below a point of the surface, or None where no surface faces it there."""
-    start = point - _START_MM * normal
-    hits = solid.ray_cast(tuple(start), tuple(start - reach * normal))
-    if not hits or np.dot(hits[0].normal, normal) > _FACING:
-        return None
-    return float(np.linalg.norm(np.asarray(hits[0].position) - point))
+def _through_mm(
+    mesh: trimesh.Trimesh, points_mm: Float[np.ndarray, "n 3"], normals: Float[np.ndarray, "n 3"]
+) -> Float[np.ndarray, "n"]:
+    """Thickness below points of the surface, NaN where no surface faces them there.
+
+    By VTK's locator, 10 to 20 µs a ray; Manifold takes up to 1.2 ms on surfaces of 100 000 triangles.
+    """
+    import pyvista
+    from vtkmodules.vtkCommonCore import reference
+    from vtkmodules.vtkCommonDataModel import vtkStaticCellLocator
+
+    locator, facing = vtkStaticCellLocator(), np.asarray(mesh.face_normals)
+    locator.SetDataSet(pyvista.PolyData.from_regular_faces(np.asarray(mesh.vertices), mesh.faces))
+    locator.BuildLocator()
+    starts = points_mm - _START_MM * normals
+    ends = starts - float(np.linalg.norm(mesh.extents)) * normals
+    share, part, cell, hit, within = (
+        reference(0.0),
+        reference(0),
+        reference(0),
+        [0.0] * 3,
+        [0.0] * 3,
+    )
+    found, met = np.full((len(starts), 3), np.nan), np.zeros(len(starts), int)
+    for k, (start, end) in enumerate(zip(starts, ends, strict=True)):
+        if locator.IntersectWithLine(start, end, _MEETS_MM, share, hit, within, part, cell):
+            found[k], met[k] = hit, cell.get()
+    apart = np.sum(facing[met] * normals, axis=1) <= _FACING
+    return np.where(apart, np.linalg.norm(found - points_mm, axis=1), np.nan)
 
 
 def _height_mm(mesh: trimesh.Trimesh) -> np.ndarray:
