@@ -7,7 +7,7 @@ default), and so do the figures here; walls between parallel planes come out exa
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 from jaxtyping import Bool, Float
@@ -282,13 +282,8 @@ def _through_mm(
     locator.BuildLocator()
     starts = points_mm - _START_MM * normals
     ends = starts - float(np.linalg.norm(mesh.extents)) * normals
-    share, part, cell, hit, within = (
-        reference(0.0),
-        reference(0),
-        reference(0),
-        [0.0] * 3,
-        [0.0] * 3,
-    )
+    number: Any = reference  # whose stubs know no `get`
+    share, part, cell, hit, within = number(0.0), number(0), number(0), [0.0] * 3, [0.0] * 3
     found, met = np.full((len(starts), 3), np.nan), np.zeros(len(starts), int)
     for k, (start, end) in enumerate(zip(starts, ends, strict=True)):
         if locator.IntersectWithLine(start, end, _MEETS_MM, share, hit, within, part, cell):
