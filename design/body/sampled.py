@@ -127,17 +127,22 @@ def _field(body: BodyKind) -> _Field:
 
     step = (float(np.prod(body.size_mm)) / _GRID_POINTS) ** (1 / 3)
     points, count = _grid(np.asarray(body.size_mm) / 2, step)
-    distance = _measured_where_near(body.outer_surface(), points, count, step)
+    distance = _measured_where_near(body.outer_surface(), points, count, step, body.mirrored)
     return _Field(points[0], step, spline_filter(distance, order=3, mode="nearest"))
 
 
 def _measured_where_near(
-    surface: trimesh.Trimesh, points_mm: np.ndarray, count: tuple[int, ...], step_mm: float
+    surface: trimesh.Trimesh,
+    points_mm: np.ndarray,
+    count: tuple[int, ...],
+    step_mm: float,
+    mirrored: bool,
 ) -> np.ndarray:
     """Distances at a grid's points, farther outside than they are asked for from a coarser grid.
 
     A point is measured unless that grid says that it lies farther out than its error, at most its
     cell's half diagonal as a distance changes by one millimetre per millimetre, and some steps more.
+    Of a surface that is `mirrored` in x, y and z it is measured in one octant.
     """
     from scipy.ndimage import map_coordinates
 
@@ -148,7 +153,11 @@ def _measured_where_near(
     places = np.stack(np.meshgrid(*map(np.arange, count), indexing="ij")) / _COARSE
     distance = map_coordinates(known.reshape(at.shape[:-1]), places, order=1)
     near = distance < step_mm * (_EXACT_STEPS + np.sqrt(3) / 2 * _COARSE)
-    distance[near] = measured_distance_mm(surface, points_mm.reshape(*count, 3)[near])
+    index, middle = np.argwhere(near), (np.array(count) - 1) // 2
+    if mirrored:
+        index = middle + abs(index - middle)
+    once, again = np.unique(np.ravel_multi_index(tuple(index.T), count), return_inverse=True)
+    distance[near] = measured_distance_mm(surface, points_mm[once])[again]
     return distance
 
 

@@ -179,13 +179,16 @@ def _with_sensors(request: Request, trim: Trim, shares: tuple[float, ...]) -> Ta
     body = _body(request, trim)
     try:
         start = spec_of(body)
-        halves = [np.array(frame.half_extents_mm) for frame in core_frames(start)]
     except ValidationError as error:
         raise SpecError("\n".join(complaints(error, ObjectSpec))) from None
+    room, _ = body_of(start).room_for_recesses
+    if room <= start.core.recess_depth_mm:
+        return None
+    try:
+        halves = [np.array(frame.half_extents_mm) for frame in core_frames(start)]
     except InputError:  # no core lies that deep, or a face of it has no patch
         return None
-    room, _ = body_of(start).room_for_recesses
-    if min(min(half) for half in halves) <= 0 or room <= start.core.recess_depth_mm:
+    if min(min(half) for half in halves) <= 0:
         return None
     on_slopes = []
     for share, pattern in product(shares, sensor_patterns(request.sensors)):
@@ -306,15 +309,17 @@ def _larger(request: Request) -> Iterator[str]:
     whole = _smallest(request, max(request.size_mm), _grown)
     if whole is not None:
         scale = f" (scale = {dict(whole.file)['scale']:.4g})" if whole.file else ""
-        yield f"The smallest of that shape that works is about {_told(whole)} mm{scale}"
+        yield f"The smallest of that shape that works is about {_told(whole)}{scale}"
     flat = min(request.size_mm) < max(request.size_mm) and not request.file
     thicker = _smallest(request, min(request.size_mm), _thickened) if flat else None
     if thicker is not None and (whole is None or thicker.size_mm != whole.size_mm):
-        yield f"{'with' if whole else 'With'} its short edges longer about {_told(thicker)} mm works"
+        yield f"{'with' if whole else 'With'} its short edges longer about {_told(thicker)} works"
 
 
 def _told(request: Request) -> str:
-    return " × ".join(f"{edge:g}" for edge in request.size_mm)
+    faces = request.faces or ()
+    sensed = f" with sensors on face{'s' * (len(faces) > 1)} {', '.join(map(str, faces))} alone"
+    return " × ".join(f"{edge:g}" for edge in request.size_mm) + " mm" + sensed * bool(faces)
 
 
 def _smallest(
@@ -325,20 +330,19 @@ def _smallest(
     `edge_mm` is the edge that grows, to what a body may measure at most.
     """
 
-    def works(growth: float) -> bool:
+    def working(growth: float) -> Request | None:
         larger = grown(request, growth)
-        return KINDS[larger.kind].takes_size(larger.size_mm) and _fits_roughly(larger)
+        return _fitting_roughly(larger) if KINDS[larger.kind].takes_size(larger.size_mm) else None
 
-    low, high = 1.0, _GROWTH
+    low, high, found = 1.0, _GROWTH, None
     largest = min(_LARGEST_GROWTH, LONGEST_EDGE_MM[1] / edge_mm)
-    while high <= largest and not works(high):
+    while high <= largest and (found := working(high)) is None:
         low, high = high, high * _GROWTH
-    if high > largest:
-        return None
-    for _ in range(_HALVINGS):
+    for _ in range(_HALVINGS if found else 0):
         middle = (low + high) / 2
-        low, high = (low, middle) if works(middle) else (middle, high)
-    return grown(request, high)
+        smaller = working(middle)
+        low, high, found = (low, middle, smaller) if smaller else (middle, high, found)
+    return found
 
 
 def _fewer(request: Request) -> Iterator[str]:
@@ -357,6 +361,16 @@ def _fewer(request: Request) -> Iterator[str]:
 def _fits_roughly(request: Request) -> bool:
     """Whether the thinnest shell takes everything: it leaves the most room, and trying all is slow."""
     return _fit(request, _TRIMS[-1:], _COARSE) is not None
+
+
+def _fitting_roughly(request: Request) -> Request | None:
+    """The request where it fits roughly, if need be without the faces that do not take everything by
+    themselves, as `first_fit` leaves them out; None where it does not."""
+    if _fits_roughly(request):
+        return request
+    faces = () if request.faces is not None else _roomy_faces(request)
+    fewer = replace(request, faces=faces)
+    return fewer if faces and _fits_roughly(fewer) else None
 
 
 def _grown(request: Request, growth: float) -> Request:

@@ -62,6 +62,8 @@ class BodyKind(ABC):
     arrangement are known."""
     sampled: ClassVar[bool] = False
     """Whether it is known by its triangles, its core an offset of them, and has no exact solid."""
+    mirrored: ClassVar[bool] = False
+    """Whether the triangles of its surface are alike in all octants."""
     insides: ClassVar[tuple[Inside, ...]] = ("core",)
     """What may hold the silicone."""
     from_file: ClassVar[bool] = False

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
@@ -17,6 +18,7 @@ class Ellipsoid(OffsetBody):
     """Three diameters; patches of its outside are exact, its core is an offset of the triangles."""
 
     name = "ellipsoid"
+    mirrored = True
     comments: ClassVar = {"body.size_mm": "the diameters along x, y, z"}
 
     def parting_azimuth(self, half_mm: np.ndarray) -> float:
@@ -31,11 +33,17 @@ class Ellipsoid(OffsetBody):
         return cap_frame(number, self.half_mm, np.zeros(3))
 
     def outer_surface(self) -> trimesh.Trimesh:
-        import trimesh
-
         half = self.half_mm
         edge = np.sqrt(4 * half.min() ** 2 / half.max() * self.envelope_mm)
         finest = 1.05 * half.max() / edge
-        sphere = trimesh.creation.icosphere(max(2, round(float(np.log2(finest)))), 1.0)
-        sphere.apply_scale(half * (4 / 3 * np.pi / sphere.volume) ** (1 / 3))
-        return sphere
+        sphere, volume = _ball(max(2, round(float(np.log2(finest)))))
+        return sphere.copy().apply_scale(half * (4 / 3 * np.pi / volume) ** (1 / 3))
+
+
+@lru_cache(maxsize=4)
+def _ball(subdivisions: int) -> tuple[trimesh.Trimesh, float]:
+    """An icosahedron's subdivisions, corners at radius 1, and its volume."""
+    import trimesh
+
+    sphere = trimesh.creation.icosphere(subdivisions, 1.0)
+    return sphere, float(sphere.volume)

@@ -162,6 +162,23 @@ def test_what_would_fit_instead_is_named_and_fits(request_, works):
             placed(replace(request_, **{f"{what}s": int(count)}))
 
 
+def test_sizes_that_work_may_leave_faces_out_as_placements_do(monkeypatch):
+    """An ellipsoid of 90 × 20 × 30 mm: 48 mm thick for all faces was named, of face 1 alone 21 mm do."""
+    works = "design.placement.objects."
+    monkeypatch.setattr(works + "_fit", lambda *_: None)
+    monkeypatch.setattr(works + "_roomy_faces", lambda request: (1,) if request.size_mm[1] else ())
+    monkeypatch.setattr(
+        works + "_fits_roughly",
+        lambda request: request.faces == (1,) and request.sensors > 2 and request.size_mm[1] >= 24,
+    )
+    with pytest.raises(SpecError) as told:
+        placed(Request("ellipsoid", (90.0, 20.0, 30.0)))
+    assert str(told.value).endswith(
+        "works is about 107 × 24 × 36 mm with sensors on face 1 alone; or with its short edges "
+        "longer about 90 × 24 × 30 mm with sensors on face 1 alone works"
+    )
+
+
 def test_a_core_of_no_size_has_faces_of_no_size():
     """A sphere of 12 mm with the shell's 6 mm: told to be too small, not divided by."""
     assert steepest_reach_mm(0.0, 0.0) == steepest_reach_mm(-1.0, -1.0) == 0
