@@ -123,6 +123,9 @@ def test_forces_beyond_the_deepest_press_raise_or_are_flagged(signals):
     assert_allclose(held.counts[0, 1], traces.counts[0, -1], rtol=1e-12)
     with pytest.raises(InputError, match="at least 0 N"):
         counts_at_force(traces, asked * -1)
+    with pytest.raises(InputError, match=r"at least 0 N; got -0\.1"):
+        counts_at_force(traces, np.array([[1.0, 2.0], [-0.1, 2.0]]))
+    assert_allclose(counts_at_force(traces, np.zeros((2, 1))).counts, 0)
 
 
 def test_places_off_the_lattice_and_unknown_faces_are_refused(signals):

@@ -7,6 +7,7 @@ from design.errors import SpecError
 from design.layout.body import face_frames
 from design.layout.places.contact_grid import contact_grid, press_lattice
 from design.layout.places.contact_places import (
+    _tip_stays,
     contact_places,
     grid_count,
     pressed_nodes,
@@ -117,3 +118,14 @@ def test_covered_shares_agree_with_points_strewn_over_the_surface(spec):
         areas.append(weight.sum() * half.prod())
     np.testing.assert_allclose(covered_shares(spec), found, atol=0.03)
     assert covered_share(spec) == pytest.approx(np.average(found, weights=areas), abs=0.015)
+
+
+def test_a_tip_stays_within_the_circle_of_a_flat_round_face():
+    """Of 20 mm radius less 0.1 mm."""
+    spec, reach = body_spec("cylinder", indenter={"radius_mm": 5.0}), 5.0
+    end = next(frame for frame in face_frames(spec) if frame.number == 1)
+    turn = np.linspace(0, 2 * np.pi, 12)
+    way = np.column_stack([np.cos(turn), np.sin(turn)])
+    for away, stays in ((0.0, True), (19.9 - reach - 0.05, True), (19.9 - reach + 0.05, False)):
+        found = _tip_stays(spec, end, away * way)
+        assert found.all() if stays else not found.any()
