@@ -12,6 +12,7 @@ from design.layout.mould_frame import mould_frame, parting
 from design.layout.pockets import distance_of_segments_mm, shell_pockets
 from design.mould.flange import (
     EDGE_MM,
+    FLANGE_THICKNESS_MM,
     LEAST_GAP_MM,
     LEAST_STRETCH_MM,
     PLACES,
@@ -19,9 +20,11 @@ from design.mould.flange import (
     flanges,
 )
 from design.mould.halves import (
+    BOLT_HOLE_MM,
     DOWEL_DIAMETER_MM,
     DOWEL_HEIGHT_MM,
     OVERSHOOT_MM,
+    _bolt_holes,
     _dowel,
     make_mould_half,
 )
@@ -147,6 +150,17 @@ def test_dowels_taper_by_their_draft():
         cone = np.pi * height / 3 * (root**2 + root * tip + tip**2)
         stem = np.pi * root**2 * OVERSHOOT_MM
         assert_allclose(dowel.Volume(), cone + stem, rtol=1e-6)
+
+
+def test_bolts_go_through_both_flanges_at_every_second_place():
+    flange = Flange(0.0, 8.0, -10.0, 30.0, ())
+    holes = _bolt_holes(parsed(0.0), flange)
+    assert len(holes) == len(flange.places_mm[1::2]) == 2
+    long = 2 * FLANGE_THICKNESS_MM + 2 * OVERSHOOT_MM
+    for hole in holes:
+        assert_allclose(hole.Volume(), np.pi * (BOLT_HOLE_MM / 2) ** 2 * long, rtol=1e-6)
+        normal = parting(parsed(0.0)).normal
+        assert abs(np.array(hole.Center().toTuple()) @ normal) < 1e-6
 
 
 @pytest.mark.parametrize("notches", [(), ((5.0, 9.0),)])

@@ -4,13 +4,16 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from numpy.testing import assert_allclose
 
 from design.errors import InputError
 from design.layout.body import face_frame
+from design.spec.object import ObjectSpec
 from fem.candidates.motions import (
     CandidateMotions,
     FaceCandidates,
     _require_below_the_surface,
+    candidate_lattices,
 )
 from tests.support.objects.body_cases import body_spec
 
@@ -43,3 +46,27 @@ def test_a_magnet_must_lie_as_deep_in_a_ball_as_its_rim_does():
         else:
             with pytest.raises(InputError, match=r"magnet 0\.2 mm deep stands 0\.00\d+ mm out"):
                 _require_below_the_surface(spec, frame, lattice)
+
+
+def test_lattices_are_regular_up_to_a_pocket_s_radius_and_the_margins():
+    spec = ObjectSpec(name="cube")
+    for lattice in candidate_lattices(spec, pitch_mm=4.0, depth_step_mm=1.5, margin_mm=1.5):
+        assert_allclose(lattice.x_mm, np.linspace(-18, 18, 10))
+        assert_allclose(lattice.y_mm, np.linspace(-18, 18, 10))
+        assert_allclose(lattice.depth_mm, np.linspace(1.5, 6.5, 5))
+    usual = candidate_lattices(spec)[0]
+    assert usual.shape == (19, 19, 6)
+    assert (usual.x_mm[1] - usual.x_mm[0], usual.depth_mm[1] - usual.depth_mm[0]) == (2.0, 1.0)
+
+
+@pytest.mark.parametrize(
+    ("pocket_mm", "margin_mm", "sound"),
+    [(6.0, 3.9, True), (6.0, 4.0, False), (41.9, 1.5, True), (42.0, 1.5, False)],
+)
+def test_a_shell_too_thin_or_a_face_too_small_has_no_room(pocket_mm, margin_mm, sound):
+    spec = ObjectSpec.model_validate({"name": "x", "shell": {"pocket_diameter_mm": pocket_mm}})
+    if sound:
+        assert len(candidate_lattices(spec, margin_mm=margin_mm)) == 5
+    else:
+        with pytest.raises(InputError, match="face 1 has no room for candidates"):
+            candidate_lattices(spec, margin_mm=margin_mm)
