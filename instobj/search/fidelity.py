@@ -54,6 +54,11 @@ def chain_seconds(spec: ObjectSpec) -> float:
     return sum(result.seconds for result in run.results.values())
 
 
+def second_seconds(spec: ObjectSpec) -> float:
+    """What the second fidelity level took, of the same kind."""
+    return Run(spec).require(SECOND_FIDELITY.stage).seconds
+
+
 def estimator_errors(spec: ObjectSpec) -> dict[str, float]:
     """Metrics of estimators trained on a layout's own simulated presses, on whole presses held out.
 

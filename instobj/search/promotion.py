@@ -39,6 +39,7 @@ from instobj.search.fidelity import (
     chain_seconds,
     estimator_errors,
     second_score,
+    second_seconds,
     twin_ratios,
 )
 from instobj.search.loop import is_feasible
@@ -148,7 +149,7 @@ def promote(
         for trial in chosen
     ]
     ahead = _Ahead(workers or Here(), say)
-    ahead.make([start], _CHAIN)
+    ahead.make([start], (*_CHAIN, *_RIGID))
     _score([start], LAST, _highest, memo, say)
     say("twins of the start within tolerance")
     began = time.monotonic()
@@ -159,10 +160,10 @@ def promote(
         return limit.left_s <= needed_s
 
     everyone = _score([start, *named], FIRST, _lowest, memo, say)
-    ahead.make(everyone[:2], _RIGID)
+    ahead.make(everyone[1:2], _RIGID)
     ahead.make(everyone[2:], _RIGID, short)
     everyone = _score(everyone, SECOND, _second, memo, say, short)
-    needed_s += start.took_s[SECOND]  # who walks on is scored there again
+    needed_s += second_seconds(start.spec)  # who walks on is scored there again
     everyone += _corrected(space, chosen, everyone, memo, say, short, ahead)
     ranked = sorted(everyone[1:], key=lambda one: merit(search, one, start, SECOND))
     finalists = _finalists(start, ranked, search.finalists, memo, say, limit, ahead)
@@ -315,12 +316,11 @@ def _score(
     with scoring() as score:
         for one in layouts:
             key = f"{level} {study_key(one.spec)}"
-            if not known.get(key, {}).keys() >= _KEPT:
+            if known.get(key, {}).keys() != _KEPT:
                 if len(left) > 1 and enough():
                     say(f"fidelity level {level}: {one.label} falls out: time runs short")
                     continue
                 say(f"fidelity level {level}: {one.label}")
-                began = time.monotonic()
                 try:
                     known[key] = asdict(score(one.spec))
                 except (ValueError, ArithmeticError) as error:
@@ -328,11 +328,9 @@ def _score(
                         raise
                     say(f"fidelity level {level}: {one.label} falls out: {error}")
                     continue
-                known[key]["took_s"] = time.monotonic() - began
                 with atomic_path(memo) as temporary:
                     temporary.write_text(json.dumps(known, indent=1), encoding="utf-8")
             one.levels[level] = _score_of(known[key], layouts[0], level)
-            one.took_s[level] = known[key].get("took_s", 0.0)
             left.append(one)
     return left
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -18,8 +18,7 @@ _EXCESS_WEIGHT = 10.0
 
 @dataclass(frozen=True)
 class Promoted:
-    """A promoted layout: its trial's number (None: the start), its score at each level, and how many
-    seconds each score took.
+    """A promoted layout: its trial's number (None: the start) and its score at each level.
 
     A `corrected` one has walked on from that trial (`instobj.search.corrected`).
     """
@@ -29,7 +28,6 @@ class Promoted:
     spec: ObjectSpec
     levels: dict[str, FidelityScore]
     corrected: bool = False
-    took_s: dict[str, float] = field(default_factory=dict)
 
 
 def merit(search: SearchSpec, one: Promoted, start: Promoted, level: str) -> float:

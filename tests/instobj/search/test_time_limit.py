@@ -137,6 +137,7 @@ def promoted(tmp_path, monkeypatch, clock):
             promotion, "corrected_params", lambda space, params, start, one, over: walked(params)
         )
         monkeypatch.setattr(promotion, "chain_seconds", lambda spec: highest_s)
+        monkeypatch.setattr(promotion, "second_seconds", lambda spec: second_s)
         monkeypatch.setattr(
             promotion,
             "why_unbuildable",
