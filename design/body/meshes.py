@@ -27,6 +27,8 @@ EDGE_MM = 0.2
 SLIVER_MM = 0.01
 """Nor do triangles that are less high."""
 
+LEDGE_MM2 = 0.5
+
 CRUMB_MM3 = 1.0
 """Smaller pieces that cuts leave beside a part are left out: they would come loose in the print."""
 
@@ -51,7 +53,8 @@ class Undercut:
 
     `depth_mm` is that of the patch that needs most: its least width across the pull, by which the
     soft side must move to let it by, or, of a wall that leans a little, its length along the pull
-    times the mean tangent of the lean; `place_mm` is that patch's middle.
+    times the mean tangent of the lean; `place_mm` is that patch's middle. Ledges below `LEDGE_MM2`, as
+    where a vent ends, and slivers among the triangles hook nothing.
     """
 
     area_mm2: float
@@ -154,11 +157,13 @@ def undercut(
     from trimesh.graph import connected_components
 
     rise = np.asarray(mesh.face_normals) @ pull
-    against = where & (rise > np.sin(np.deg2rad(0.5)))
+    against = where & (rise > np.sin(np.deg2rad(0.5))) & (_height_mm(mesh) > SLIVER_MM)
     if not against.any():
         return Undercut(0.0, 0.0, None)
     deepest, place = 0.0, None
     for patch in connected_components(mesh.face_adjacency, nodes=np.flatnonzero(against)):
+        if float(mesh.area_faces[patch].sum()) < LEDGE_MM2:
+            continue
         points = mesh.triangles[patch].reshape(-1, 3)
         tangent = np.tan(np.arcsin(np.clip(rise[patch], 0, 1 - 1e-9)))
         lean = float(np.average(tangent, weights=mesh.area_faces[patch]))

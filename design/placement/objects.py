@@ -103,10 +103,23 @@ def placed(request: Request) -> Tables:
     SpecError
         The kind takes no such size, or it is too small; with the smallest that works.
     """
-    found = first_fit(request)
-    if found is None:
+    return next(placements(request))
+
+
+def placements(request: Request) -> Iterator[Tables]:
+    """The same for each shell that takes everything, the most generous first.
+
+    Raises
+    ------
+    SpecError
+        As `placed`.
+    """
+    found = False
+    for tables in _fitting(request, _TRIMS, _SHARES):
+        found = True
+        yield tables
+    if not found:
         raise SpecError(_too_small(request))
-    return found
 
 
 def first_fit(
@@ -116,21 +129,32 @@ def first_fit(
 
     Where not all faces take everything, those that do by themselves are sensed.
     """
-    found = _fit(request, trims, shares)
-    if found is not None or request.faces is not None:
-        return found
-    faces = _roomy_faces(request)
-    return _fit(replace(request, faces=faces), trims, shares) if faces else None
+    return next(_fitting(request, trims, shares), None)
+
+
+def _fitting(
+    request: Request, trims: tuple[Trim, ...], shares: tuple[float, ...]
+) -> Iterator[Tables]:
+    found = False
+    for tables in _fits(request, trims, shares):
+        found = True
+        yield tables
+    faces = () if found or request.faces is not None else _roomy_faces(request)
+    if faces:
+        yield from _fits(replace(request, faces=faces), trims, shares)
 
 
 def _fit(request: Request, trims: tuple[Trim, ...], shares: tuple[float, ...]) -> Tables | None:
+    return next(_fits(request, trims, shares), None)
+
+
+def _fits(request: Request, trims: tuple[Trim, ...], shares: tuple[float, ...]) -> Iterator[Tables]:
     for trim in trims:
         tables = _with_sensors(request, trim, shares)
         tables = tables and _with_magnets(request, tables, shares)
         tables = tables and _with_contacts(tables)
         if tables:
-            return tables
-    return None
+            yield tables
 
 
 def _roomy_faces(request: Request) -> tuple[int, ...]:

@@ -4,17 +4,22 @@ from __future__ import annotations
 
 import re
 import warnings
+from collections.abc import Iterator
 from dataclasses import replace
 from math import inf
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from design.body.imported import body_of_file
 from design.body.kinds.base import BodyKind
 from design.body.kinds.registry import KINDS
 from design.errors import InputError
+from design.fabrication.finding import Finding
 from design.files import atomic_path
-from design.placement.objects import Request, Tables, placed
+from design.layout.mould_frame import mould_frame, parting
+from design.placement.objects import Request, Tables, placements, spec_of
 from design.spec.body import MM, BodySpec
 from design.spec.object import ObjectSpec
 
@@ -28,6 +33,11 @@ _NAME = '"NAME"'
 _OTHERS = "OTHER KINDS"
 _MOULD_MM = 30.0
 """Of walls and flanges, beyond the body."""
+_TURNS_DEG = (6.0, -6.0, 12.0)
+"""By which a mould's seam is turned."""
+_BED = "fits the bed"
+_OF_THE_BODY = {"undercut", _BED}
+"""Checks that fail by the shape or size of a body, wherever its parts are."""
 
 BOX_ONLY = (
     ".arrangement",
@@ -71,7 +81,9 @@ def new_specification(name: str, out: Path, request: Request | None = None) -> P
     text = text.replace(f"{'name = ' + _NAME:<{_COLUMN}}", f"{named:<{_COLUMN}}")
     text = text.replace(_OTHERS, _other_kinds(request.kind if request else BodySpec().kind))
     if request is not None:
-        tables = placed(request)
+        tables, failed = made(request)
+        if any(finding.check != _BED for finding in failed):
+            warnings.warn(_not_made(failed), stacklevel=2)
         if "sensed_faces" in tables["body"]:
             warnings.warn(_left_out_faces(request, tables["body"]["sensed_faces"]), stacklevel=2)
         if max(request.size_mm) > _most_mm():
@@ -80,6 +92,52 @@ def new_specification(name: str, out: Path, request: Request | None = None) -> P
     with atomic_path(target) as temporary:
         temporary.write_text(text, encoding="utf-8")
     return target
+
+
+def made(request: Request) -> tuple[Tables, list[Finding]]:
+    """Placed tables that can be made, as `check --fabrication` says, and no findings; else those with the
+    fewest that failed, and these.
+
+    Where walls of the mould alone are too thin, as between a pin's hole and the seam, the seam is turned a
+    little; else the next shell is tried, until the same checks fail as before.
+    """
+    from design.fabrication.check import check_fabrication
+
+    best: tuple[Tables, list[Finding]] | None = None
+    before = set[str]()
+    for placement in placements(request):
+        failed = list[Finding]()
+        for tables in _turned(placement):
+            findings = check_fabrication(spec_of(tables)).findings
+            failed = [finding for finding in findings if finding.status == "fail"]
+            if best is None or len(failed) < len(best[1]):
+                best = tables, failed
+            if not failed or not all(_thin_mould(finding) for finding in failed):
+                break
+        checks = {finding.check for finding in failed}
+        if checks in (set(), before) or checks <= _OF_THE_BODY:
+            break
+        before = checks
+    assert best is not None
+    return best
+
+
+def _turned(tables: Tables) -> Iterator[Tables]:
+    """As placed, and with the seam of the mould turned."""
+    yield tables
+    plane, frame = parting(spec_of(tables)), mould_frame(spec_of(tables))
+    azimuth = np.rad2deg(np.arctan2(plane.normal @ frame.along, plane.normal @ frame.across))
+    for turn in _TURNS_DEG:
+        yield tables | {"mould": {"parting_azimuth_deg": round(float(azimuth) + turn, 1)}}
+
+
+def _thin_mould(finding: Finding) -> bool:
+    return finding.check == "thinnest wall" and finding.part.startswith("mould")
+
+
+def _not_made(failed: list[Finding]) -> str:
+    lines = "".join(f"\n  - {finding.told}. {finding.what}" for finding in failed)
+    return f"check --fabrication fails on this body, in whatever of the ways of placing that help:{lines}"
 
 
 def request_of(

@@ -43,6 +43,18 @@ def test_the_deepest_undercut_is_one_ledge_and_not_two_across_a_wall():
     assert_allclose(found.place_mm[2], 8)
 
 
+def test_ends_of_vents_and_slivers_hook_nothing():
+    """Ledges of 0.17 mm² where vents end in a rod, and triangles 1e-6 mm high in a mould's half, failed
+    `check --fabrication` with 0.33 and 0.47 mm of undercut."""
+    for width, hooks in ((0.8, True), (0.6, False)):  # 0.64 and 0.36 mm²
+        ledge = trimesh.creation.box((width, width, 1.0))
+        assert (undercut(ledge, UP, ledge.face_normals[:, 2] > 0.5).depth_mm > 0) == hooks
+    for height, hooks in ((0.5, True), (0.005, False)):
+        sliver = hull((0, 0, 9), (0, height, 9), (300, 0, 9), (0, 0, 0))
+        found = undercut(sliver, UP, sliver.face_normals[:, 2] > 0.5)
+        assert (found.depth_mm > 0, found.area_mm2 > 0) == (hooks, hooks)
+
+
 def test_walls_along_the_pull_are_no_undercut():
     mesh = stairs()
     upright = np.abs(mesh.face_normals[:, 2]) < 0.5

@@ -165,7 +165,7 @@ def test_what_would_fit_instead_is_named_and_fits(request_, works):
 def test_sizes_that_work_may_leave_faces_out_as_placements_do(monkeypatch):
     """An ellipsoid of 90 × 20 × 30 mm: 48 mm thick for all faces was named, of face 1 alone 21 mm do."""
     works = "design.placement.objects."
-    monkeypatch.setattr(works + "_fit", lambda *_: None)
+    monkeypatch.setattr(works + "_fits", lambda *_: iter(()))
     monkeypatch.setattr(works + "_roomy_faces", lambda request: (1,) if request.size_mm[1] else ())
     monkeypatch.setattr(
         works + "_fits_roughly",
@@ -210,7 +210,7 @@ def test_a_long_box_senses_all_its_faces_by_a_coarser_grid():
 
 
 def test_a_body_that_nothing_helps_is_not_grown_beyond_what_a_body_may_measure(monkeypatch):
-    monkeypatch.setattr("design.placement.objects._fit", lambda *_: None)
+    monkeypatch.setattr("design.placement.objects._fits", lambda *_: iter(()))
     monkeypatch.setattr("design.placement.objects._roomy_faces", lambda _: ())
     with pytest.raises(
         SpecError, match="too small for 3 sensors and a magnet per face, whatever its size"

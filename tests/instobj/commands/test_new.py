@@ -8,11 +8,12 @@ import pytest
 
 from design.body.kinds.registry import KINDS
 from design.errors import InputError
-from design.fabrication.check import check_fabrication
-from design.fabrication.finding import worst
+from design.fabrication.check import Checked, check_fabrication
+from design.fabrication.finding import Finding, worst
 from design.placement.objects import Request
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
+from instobj.commands import new
 from instobj.commands.new import new_specification, request_of
 from instobj.commands.run import check
 
@@ -50,7 +51,7 @@ def placed_tables(kind):
 @pytest.mark.parametrize("kind", KINDS)
 def test_every_kind_gets_its_own_lines_with_what_was_placed(kind, tmp_path, monkeypatch):
     tables = placed_tables(kind)
-    monkeypatch.setattr("instobj.commands.new.placed", lambda request: tables)
+    monkeypatch.setattr("instobj.commands.new.made", lambda request: (tables, []))
     path = new_specification("mine", tmp_path, Request(kind, (1.0, 2.0, 3.0)))
     text = path.read_text()
     read = tomllib.loads(text)
@@ -95,16 +96,64 @@ def assert_comments_of_the_kind(kind, text):
 def test_faces_that_are_left_out_are_told(tmp_path, monkeypatch):
     tables = placed_tables("box")
     tables["body"]["sensed_faces"] = [2, 4]
-    monkeypatch.setattr("instobj.commands.new.placed", lambda request: tables)
+    monkeypatch.setattr("instobj.commands.new.made", lambda request: (tables, []))
     with pytest.warns(UserWarning, match="only faces 2 and 4 can take 3 sensors"):
         path = new_specification("mine", tmp_path, Request("box", (1.0, 2.0, 3.0)))
     assert tomllib.loads(path.read_text())["body"]["sensed_faces"] == [2, 4]
 
 
 def test_a_body_longer_than_the_printers_bed_takes_is_told_so(tmp_path, monkeypatch):
-    monkeypatch.setattr("instobj.commands.new.placed", lambda request: placed_tables("box"))
-    with pytest.warns(UserWarning, match=r"bodies above 190 mm .* 200 mm long. Give yours"):
+    bed = Finding("fits the bed", "mould_half_a", -3.0, 0.0, "mm", "fail", "")
+    monkeypatch.setattr(new, "made", lambda request: (placed_tables("box"), [bed]))
+    with pytest.warns(UserWarning, match=r"bodies above 190 mm .* 200 mm long. Give yours") as told:
         new_specification("mine", tmp_path, Request("box", (200.0, 50.0, 50.0)))
+    assert len(told) == 1
+
+
+THIN = Finding("thinnest wall", "mould_half_a", 0.5, 0.8, "mm", "fail", "thicken it")
+THIN_CORE = Finding("thinnest wall", "core", 0.5, 0.8, "mm", "fail", "thicken it")
+HOOKED = Finding("undercut", "mould_half_a", 1.9, 0.14, "mm", "fail", "leave out what hooks")
+RIM = Finding("rim of the pins' heads", "mould_pin", 0.2, 0.4, "mm", "fail", "move pockets apart")
+
+
+@pytest.mark.parametrize(
+    ("failing", "asked", "taken", "failed"),
+    [
+        ([[]], [(8, None)], 0, []),
+        ([[THIN], []], [(8, None), (8, 51.0)], 1, []),
+        ([[THIN], [THIN], []], [(8, None), (8, 51.0), (8, 39.0)], 2, []),
+        ([[THIN_CORE], []], [(8, None), (7, None)], 1, []),
+        ([[THIN, RIM], [RIM], []], [(8, None), (7, None), (6, None)], 2, []),
+        ([[RIM], [RIM]], [(8, None), (7, None)], 0, [RIM]),
+        ([[RIM, THIN_CORE], [RIM], [RIM]], [(8, None), (7, None), (6, None)], 1, [RIM]),
+        ([[HOOKED]], [(8, None)], 0, [HOOKED]),
+    ],
+)
+def test_what_is_placed_is_tried_until_it_can_be_made(monkeypatch, failing, asked, taken, failed):
+    """The seam is turned where the mould's walls are thin; other shells where it is anything else."""
+    tried = []
+
+    def checked(spec):
+        tried.append((spec.shell.thickness_mm, spec.mould.parting_azimuth_deg))
+        return Checked(failing[len(tried) - 1], {})
+
+    body = {"kind": "sphere", "size_mm": [60.0] * 3}
+    shells = [{"body": body, "shell": {"thickness_mm": thick}} for thick in (8.0, 7.0, 6.0)]
+    monkeypatch.setattr(new, "placements", lambda request: iter(shells))
+    monkeypatch.setattr("design.fabrication.check.check_fabrication", checked)
+    tables, found = new.made(Request("sphere", (60.0, 60.0, 60.0)))
+    assert tried == asked
+    assert tables["shell"]["thickness_mm"] == asked[taken][0]
+    assert tables.get("mould", {}).get("parting_azimuth_deg") == asked[taken][1]
+    assert found == failed
+
+
+def test_what_no_placement_mends_is_told_with_its_numbers(tmp_path, monkeypatch):
+    monkeypatch.setattr(new, "made", lambda request: (placed_tables("box"), [HOOKED]))
+    with pytest.warns(
+        UserWarning, match=r"mould_half_a, undercut: 1\.9 mm, limit 0\.14\. leave out"
+    ):
+        new_specification("mine", tmp_path, Request("box", (50.0, 50.0, 50.0)))
 
 
 def test_without_options_the_cube_of_the_paper_is_written(tmp_path):
