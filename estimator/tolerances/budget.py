@@ -33,7 +33,7 @@ from estimator.tolerances.assembly import (
     designed,
     draw,
 )
-from estimator.tolerances.result import BoundRange, Robustness, Spread
+from estimator.tolerances.result import REACH_SHARE, BoundRange, Robustness, Spread
 from fem.presses.results import MagnetMotions, PressForces
 
 DRAWS = 200
@@ -41,8 +41,6 @@ _STEP = 0.05
 """Of central differences, in standard deviations."""
 _NEARER_MM = 1.0
 """By which tolerances may bring magnet and sensor nearer than any press of the design does."""
-_REACH_SHARE = 0.7
-"""Of a place's deepest press: leaves room for a softer silicone."""
 
 
 @dataclass(frozen=True)
@@ -142,7 +140,7 @@ def setting_of(spec: ObjectSpec, forces: PressForces, motions: MagnetMotions) ->
         xy = grid.xy_mm[there]
         where = np.full(len(xy), face)
         reach = press_traces(moving, where, *xy.T).force_n[:, -1]
-        force = np.minimum(spec.score.force_n, _REACH_SHARE * reach)
+        force = np.minimum(spec.score.force_n, REACH_SHARE * reach)
         states.append(press_states(forces, motions, where, xy, force))
         own = design.scene.sensors.face == face
         live.append((working[own] if spec.score.channels == "own" else working).ravel())

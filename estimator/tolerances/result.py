@@ -16,6 +16,8 @@ SEAT_ERROR = (
     "places. Measured on a cube of 42 mm with a shell of 8 mm against finite elements with point "
     "magnets at either seat."
 )
+REACH_SHARE = 0.7
+"""Of a location's deepest press, where the force asked for is more: leaves room for softer silicone."""
 _RANGES = ("position_median_mm", "position_worst_mm", "force_median_n", "force_worst_n")
 
 

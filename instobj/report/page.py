@@ -27,6 +27,7 @@ from instobj.report.uncertainty import (
     error_rows,
     error_text,
     force_spread_text,
+    forces_told,
     modulus_text,
     travel_text,
 )
@@ -206,6 +207,7 @@ def _robustness(inputs: Inputs) -> dict[str, Any]:
             for row in bound_rows(budget)
         ],
         "draws": budget.draws,
+        "budget_forces": forces_told(budget),
         "seat_error": SEAT_ERROR,
     }
 

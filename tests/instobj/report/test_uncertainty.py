@@ -1,12 +1,14 @@
 """Uncertainty in words: discretisation error, modulus, depth at a force."""
 
 from design.spec.object import ObjectSpec
+from estimator.tolerances.result import BoundRange, Robustness, Spread
 from instobj.report.uncertainty import (
     HEADER,
     error_note,
     error_rows,
     error_text,
     force_spread_text,
+    forces_told,
     modulus_text,
     summary_of,
     travel_text,
@@ -60,3 +62,12 @@ def test_the_depth_at_a_force_in_words():
     told = travel_text({"travel": travel, "deepest_press_mm": 4.0})
     assert told == "2.50 mm (1.92 mm to more than 4 mm) to 15 N at the median location"
     assert travel_text({"travel": None, "deepest_press_mm": 4.0}) == "not known"
+
+
+def test_bounds_within_tolerance_name_their_forces():
+    """A report had two bounds of one design, 16.6 and 18.3 mm: the second at forces that are less."""
+    lone = Spread("all", *[0.0] * 12)
+    ranges = [BoundRange(design, 0.5 * design, 2 * design) for design in (1.0, 18.3, 2.0, 3.0)]
+    told = forces_told(Robustness((lone,), lone, lone, 200, 8.0, *ranges))
+    assert told == "8 N or 0.7 of the deepest press"
+    assert len(f"bounds within tolerance, fresh zero, at {told}") <= 80
