@@ -113,6 +113,21 @@ def test_data_that_make_no_sense_are_refused(header, rows, words, tmp_path):
         read_tensile_test(written(tmp_path, header, rows))
 
 
+@pytest.mark.parametrize(
+    ("rows", "line"),
+    [
+        ([(1.0, 0.0), (1.1, 0.0), (1.2, -0.01), (1.3, 0.2)], 4),
+        ([(1.0, 0.0), (1.0, 0.1), (0.9, 0.2), (1.3, 0.3)], 4),
+        ([(1.0, 0.0), (1.1, 0.1), (1.1, 0.2), (1.3, 0.3)], 4),
+        ([(1.0, 0.0), (1.2, 0.1), (1.3, 0.2), (1.25, 0.3)], 5),
+    ],
+)
+def test_the_line_that_is_wrong_is_named_and_not_one_that_begins_at_rest(rows, line, tmp_path):
+    path = written(tmp_path, "stretch,nominal_stress_mpa", rows)
+    with pytest.raises(InputError, match=f"line {line}: "):
+        read_tensile_test(path)
+
+
 def test_six_points_are_enough_and_five_are_not(tmp_path):
     header = "stretch,nominal_stress_mpa"
     assert len(read_tensile_test(written(tmp_path, header, GOOD[:6])).stretch) == 6

@@ -7,6 +7,7 @@ from scipy.spatial.transform import Rotation
 
 from design.catalogue.magnets import MAGNET_PARTS
 from design.errors import InputError
+from design.layout.boards import board_blocks
 from design.layout.body import face_frames
 from design.layout.places.positions import magnet_layout, sensor_layout, shell_body_layout
 from design.layout.pockets import core_pockets
@@ -249,3 +250,12 @@ def test_the_bus_and_the_averaging_limit_the_frame_rate():
 def test_what_does_not_fit_is_refused(parts, message):
     with pytest.raises(InputError, match=message):
         parsed(**parts)
+
+
+def test_boards_in_the_shell_are_blocks_of_their_own_size_where_they_are_seated():
+    blocks, layout = board_blocks(REVERSE), shell_body_layout(REVERSE)
+    assert len(blocks) == len(layout.face)
+    for block, centre, frame in zip(blocks, layout.centre_mm, layout.frame, strict=True):
+        assert_allclose(2 * block.half_mm, REVERSE.sensors.package_mm)
+        assert_allclose(block.centre_mm, centre)
+        assert_allclose(block.axes, frame)

@@ -65,6 +65,11 @@ def test_tilts_turn_about_the_face_s_axes_and_boards_about_its_normal():
         assert_allclose(np.cross(frame[:, 0], frame[:, 1]), frame[:, 2], atol=1e-12)
 
 
+def test_a_body_fills_its_outline_over_its_height():
+    assert pocket(FLAT, (0.0, 0.0), height=2.5).body.volume_mm3 == 5 * 8 * 2.5
+    assert pocket(ROUND, (0.0, 0.0), height=2.5).body.volume_mm3 == pytest.approx(9 * np.pi * 2.5)
+
+
 def test_outlines_have_their_own_area_radius_support_and_corners():
     assert (ROUND.radius_mm, FLAT.radius_mm) == (3.0, pytest.approx(np.hypot(2.5, 4)))
     assert (ROUND.area_mm2, FLAT.area_mm2) == (pytest.approx(9 * np.pi), 40.0)
