@@ -3,10 +3,11 @@
 import numpy as np
 import pytest
 
-from design.errors import InputError
-from estimator.recordings.checks.limits import Limits
+from design.errors import InputError, RecordingError
+from estimator.recordings.checks.limits import Limits, within_range
 from estimator.recordings.formats.text import as_number
 from estimator.recordings.reading import read_recording
+from estimator.recordings.table import RawTable
 from tests.support.recordings.made_recordings import (
     PRESS,
     REST,
@@ -138,3 +139,40 @@ def test_what_only_python_takes_for_a_number_is_none(cell):
         as_number(cell)
     assert as_number("-1.5e3") == -1500.0
     assert np.isnan(as_number(""))
+
+
+def table_of(counts):
+    counts = np.tile(np.asarray(counts, float)[:, None, None, None], (1, 5, 3, 3))
+    frames = len(counts)
+    return RawTable(
+        kind="gripper",
+        time_s=np.arange(frames) / 10,
+        force_n=np.zeros((frames, 2)),
+        counts=counts,
+        face=np.zeros((frames, 2), int),
+        tip_xy_mm=np.full((frames, 2, 1, 2), np.nan),
+        case=np.zeros(frames, int),
+        declared_rest=np.zeros(frames, bool),
+        grid_x_mm=np.arange(3.0),
+        grid_y_mm=np.arange(3.0),
+        duplicate_columns=(),
+        digest="x",
+    )
+
+
+@pytest.mark.parametrize(
+    ("frames", "beyond", "sound"), [(40, 2, True), (40, 3, False), (10, 1, True), (10, 2, False)]
+)
+def test_one_reading_in_twenty_may_be_beyond_the_chip_s_range(frames, beyond, sound):
+    """A single one always; a reading at the limit is within it."""
+    counts = np.zeros(frames)
+    counts[:beyond], counts[-1] = -101.0, 100.0
+    limits = Limits(100.0, 50.0)
+    if sound:
+        clean, faults = within_range(table_of(counts), limits)
+        assert np.isnan(clean.counts[:beyond]).all()
+        assert np.isfinite(clean.counts[beyond:]).all()
+        assert len(faults) == 45
+    else:
+        with pytest.raises(RecordingError, match=f"in {beyond} of {frames} readings"):
+            within_range(table_of(counts), limits)
