@@ -35,3 +35,14 @@ def test_a_wrong_field_is_noticed_in_the_first_objects_of_a_test(again):
     for _ in range(typechecks.CALLS):
         replace(MESH)
     assert replace(MESH, points_mm=WRONG).points_mm is WRONG
+
+
+def test_where_many_tests_called_a_function_the_first_call_of_a_test_is_still_checked():
+    for _ in range(typechecks.TESTS):
+        typechecks.next_test()
+        mesh_sha256(MESH)
+    typechecks.next_test()
+    with pytest.raises(BeartypeCallHintParamViolation):
+        mesh_sha256(WRONG)
+    with pytest.raises(AttributeError):
+        mesh_sha256(WRONG)

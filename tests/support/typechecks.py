@@ -14,10 +14,13 @@ import jaxtyping
 
 CALLS = 5
 """Of a function in a test that are checked; and in each fixture's setup, as part of its test."""
+TESTS = 20
+"""Of a process, in which that many are; in later ones the first call alone, as many functions are
+called in most tests."""
 
 _test = 0
 _called = {}
-"""Name of a function → the test that called it last, and how often it did."""
+"""Name of a function → the test that called it last, calls left to check, and how many tests called it."""
 
 
 def next_test():
@@ -28,12 +31,12 @@ def next_test():
 
 def called():
     """Module and name of each function that was called."""
-    return {name for name, (_, count) in _called.items() if count}
+    return {name for name, (_, _, tests) in _called.items() if tests}
 
 
 def called_in_test():
     """Those of `called` that were called since the last test began."""
-    return {name for name, (test, _) in _called.items() if test == _test}
+    return {name for name, (test, _, _) in _called.items() if test == _test}
 
 
 def install(packages):
@@ -74,17 +77,17 @@ def _names_shapes(function):
 
 def _counted(plain, checked):
     """Functions that a line makes again and again, such as closures, count as one."""
-    called = _called.setdefault((plain.__module__, plain.__qualname__), [-1, 0])
+    called = _called.setdefault((plain.__module__, plain.__qualname__), [-1, 0, 0])
     form = None
 
     @wraps(plain)
     def call(*args, **kwargs):
         nonlocal form
         if called[0] != _test:
-            called[:] = _test, 0
-        called[1] += 1
-        if called[1] > CALLS:
+            called[:] = _test, CALLS if called[2] < TESTS else 1, called[2] + 1
+        if not called[1]:
             return plain(*args, **kwargs)
+        called[1] -= 1
         form = form or checked(plain)
         return form(*args, **kwargs)
 
