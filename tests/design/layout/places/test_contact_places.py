@@ -7,6 +7,8 @@ from design.errors import SpecError
 from design.layout.body import face_frames
 from design.layout.places.contact_grid import contact_grid, press_lattice
 from design.layout.places.contact_places import (
+    _all_around,
+    _of_parity,
     _tip_stays,
     contact_places,
     grid_count,
@@ -129,3 +131,38 @@ def test_a_tip_stays_within_the_circle_of_a_flat_round_face():
     for away, stays in ((0.0, True), (19.9 - reach - 0.05, True), (19.9 - reach + 0.05, False)):
         found = _tip_stays(spec, end, away * way)
         assert found.all() if stays else not found.any()
+
+
+def test_a_node_is_all_around_free_with_its_eight_neighbours():
+    free = np.ones((1, 5, 4), bool)
+    free[0, 4, 3] = False
+    wanted = np.zeros((5, 4), bool)
+    wanted[1:4, 1:3] = True
+    wanted[3, 2] = False
+    np.testing.assert_array_equal(_all_around(free)[0], wanted)
+
+
+@pytest.mark.parametrize(
+    ("odd", "count"), [((True, True), (5, 3)), ((False, True), (4, 3)), ((False, False), (4, 4))]
+)
+def test_every_second_node_is_a_location_as_far_out_as_any_face_uses(odd, count):
+    """Of 11 × 9 nodes; one face uses places up to 4 nodes from the middle along x and 3 along y, the
+    other fewer and not all of its row."""
+    free = np.zeros((2, 11, 9), bool)
+    free[0, 1:10, 1:8] = True
+    free[1, 4:7, 3:6] = True
+    free[1, 5, 4] = False
+    found = _of_parity(free, odd)
+    assert found.count == count == found.places.shape[1:]
+    x = np.arange(11) - 5
+    y = np.arange(9) - 4
+    rows = [k for k in range(11) if (x[k] % 2 == 0) == odd[0] and abs(x[k]) < count[0]]
+    columns = [k for k in range(9) if (y[k] % 2 == 0) == odd[1] and abs(y[k]) < count[1]]
+    np.testing.assert_array_equal(found.places, free[np.ix_([0, 1], rows, columns)])
+
+
+def test_a_lattice_without_room_keeps_two_locations_or_three():
+    nowhere = np.zeros((1, 11, 9), bool)
+    assert _of_parity(nowhere, (False, False)).count == (2, 2)
+    assert _of_parity(nowhere, (True, False)).count == (3, 2)
+    assert not _of_parity(nowhere, (True, True)).places.any()
