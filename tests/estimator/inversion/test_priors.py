@@ -1,0 +1,96 @@
+"""Priors of contacts: misfits and densities by hand, slopes and curvatures by differences."""
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from estimator.inversion.model.forward import NONE
+from estimator.inversion.priors import Priors, Quadratic, add_priors, log_density, widths
+
+BASE = {"number": (0.4, 0.3, 0.2, 0.1), "faces": 2, "area_mm2": 800.0, "force_n": (0.5, 10.5)}
+FREE = Priors(**BASE, apart_mm=10.0)
+PROBES = Priors(**BASE, spacing_mm=(15.0, 20.0), force_spread=0.2)
+FACE = np.array([[0, 0, 0], [0, 0, 1], [1, NONE, NONE], [0, 1, NONE], [NONE] * 3])
+
+
+def contacts():
+    place = np.array(
+        [
+            [[0.0, 0, 2], [6, 0, 3], [0, 9.0, 4]],
+            [[1.0, 2, 2], [5, 5, 6], [0, 0, 1]],
+            [[1.0, 1, 3], [0, 0, 0], [0, 0, 0]],
+            [[1.0, 1, 3], [1, 2, 4], [0, 0, 0]],
+            [[0.0, 0, 0]] * 3,
+        ]
+    )
+    return np.asarray(place, float)
+
+
+def added(priors, contact):
+    found = Quadratic(np.zeros(5), np.zeros((5, 9)), np.zeros((5, 9, 9)), np.zeros(5))
+    add_priors(found, priors, FACE, contact)
+    return found
+
+
+def test_tips_that_overlap_cost_by_how_much_and_others_nothing():
+    """Of 10 mm; 6 and 9 mm overlap, √117 does not; on two faces they never do."""
+    misfit = added(FREE, contacts()).misfit
+    assert_allclose(misfit, [(4**2 + 1) / 0.5**2 / 2, (10 - 5) ** 2 / 0.5**2 / 2, 0, 0, 0])
+
+
+def test_tips_of_a_known_probe_stand_as_it_has_them_and_bear_alike():
+    three = (6 - 20) ** 2 + (9 - 20) ** 2 + (np.sqrt(117) - 20) ** 2
+    forces = np.log([2 / 3, 2 / 4, 3 / 4]) ** 2
+    wanted = three / 0.2**2 / 2 + forces.sum() / (3 * 0.2**2) / 2
+    misfit = added(PROBES, contacts()).misfit
+    assert_allclose(misfit[0], wanted)
+    two = (5 - 15) ** 2 / 0.2**2 / 2 + np.log(2 / 6) ** 2 / (2 * 0.2**2) / 2
+    assert_allclose(misfit, [wanted, two, 0, 0, 0])
+
+
+@pytest.mark.parametrize("priors", [FREE, PROBES], ids=["free", "probes"])
+def test_slopes_are_those_of_the_misfit_and_curvature_that_of_its_squares(priors):
+    contact, step = contacts(), 1e-6
+    found = added(priors, contact)
+    for slot in range(3):
+        for parameter in range(3):
+            ahead, behind = contact.copy(), contact.copy()
+            ahead[:, slot, parameter] += step
+            behind[:, slot, parameter] -= step
+            with np.errstate(divide="ignore", invalid="ignore"):
+                by_steps = (added(priors, ahead).misfit - added(priors, behind).misfit) / (2 * step)
+            assert_allclose(found.slope[:2, 3 * slot + parameter], by_steps[:2], atol=1e-4)
+    assert_allclose(found.curvature, found.curvature.transpose(0, 2, 1))
+    assert np.linalg.eigvalsh(found.curvature).min() > -1e-9
+    gauss = np.linalg.pinv(found.curvature[1]) @ found.slope[1]
+    moved = contact.copy()
+    moved[1] -= gauss.reshape(3, 3)
+    assert added(priors, moved).misfit[1] < 0.2 * found.misfit[1]
+
+
+def test_the_density_of_free_contacts_counts_them_and_their_orders():
+    each = -np.log(800 * 10)
+    number = np.array([3, 3, 1, 2, 0])
+    wanted = number * each + np.log([0.1, 0.1, 0.3, 0.2, 0.4]) + np.log([6, 6, 1, 2, 1])
+    assert_allclose(log_density(Priors(**BASE), FACE, contacts()), wanted)
+    assert Priors(**BASE).most == 3
+    never = Priors(**BASE | {"number": (0.0, 0.5, 0.3, 0.2)})
+    assert log_density(never, FACE, contacts())[4] < -600
+
+
+def test_known_probes_make_the_density_of_their_tips_greater():
+    """The second of two stands on a ring, the third of three at one of two points; each 0.2 mm wide."""
+    free = log_density(Priors(**BASE), FACE, contacts())
+    found = log_density(PROBES, FACE, contacts()) - free
+    width = np.sqrt(2 * np.pi) * 0.2
+    ring = [np.log(800 / (2 * np.pi * one * width)) for one in (15, 20)]
+    point = np.log(800 / (2 * width**2))
+    force = np.array([2 * np.log(10 / (width * 3.0)), np.log(10 / (width * 4.0))])
+    assert_allclose(found, [ring[1] + point + force[0], ring[0] + force[1], 0, 0, 0])
+    crowded = np.zeros((1, 4), int)
+    four = Priors(**BASE | {"number": (0.2,) * 5}, spacing_mm=(15.0, 20.0))
+    assert log_density(four, crowded, np.ones((1, 4, 3)))[0] == -np.inf
+
+
+def test_no_posterior_is_wider_than_a_face_and_the_forces():
+    assert_allclose(widths(FREE), [20.0, 20.0, 10.0])
