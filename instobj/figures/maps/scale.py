@@ -46,6 +46,10 @@ def finite_limits(values: Float[np.ndarray, "*any"]) -> tuple[float, float]:
     return float(finite.min()), float(finite.max())
 
 
+_FEW_DECADES = 2.5
+"""On a bar of 3 inches, with three numbers in each."""
+
+
 def map_scale(
     unit: str, vmin: float, vmax: float, log: bool = False, colours: str = BOUND_COLOURS
 ) -> MapScale:
@@ -71,12 +75,14 @@ def map_scale(
 
 
 def set_plain_ticks(bar: Any, scale: MapScale) -> None:
-    """Decimal numbers at 1, 2 and 5 of every decade instead of powers of ten."""
+    """Decimal numbers at 1, 2 and 5 of every decade, at 1 alone where there are many, instead of powers
+    of ten."""
     from matplotlib.colors import LogNorm
     from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
 
     if isinstance(scale.norm, LogNorm):
-        bar.set_ticks(LogLocator(subs=(1.0, 2.0, 5.0)))
+        decades = np.log10(float(scale.norm.vmax or 1) / float(scale.norm.vmin or 1))
+        bar.set_ticks(LogLocator(subs=(1.0, 2.0, 5.0) if decades <= _FEW_DECADES else (1.0,)))
         bar.minorlocator = NullLocator()
         bar.formatter = FuncFormatter(lambda value, _: f"{value:g}")
         bar.update_ticks()

@@ -1,6 +1,6 @@
 """Overview pictures of every body: nothing lies on a map, and numbers keep to their cells."""
 
-from itertools import combinations
+from itertools import combinations, pairwise
 from pathlib import Path
 
 import numpy as np
@@ -52,6 +52,19 @@ def drawn(request, tmp_path_factory):
         overview.draw_overview(values, faces, spec, title, "mm", 0.012, 1234.0, "", note=CAPTION)
     FigureCanvasAgg(kept[0]).draw()
     return spec, kept[0]
+
+
+def test_numbers_of_the_scale_keep_apart(drawn):
+    """From 0.005 to 50 they ran into each other."""
+    _, figure = drawn
+    shown = [text for text in figure.axes[1].get_xticklabels() if text.get_text()]
+    ends = [text.get_window_extent() for text in shown]
+    low, high = figure.axes[1].get_window_extent().intervalx
+    on_bar = sorted(
+        (end.x0, end.x1) for end in ends if low - 1 <= (end.x0 + end.x1) / 2 <= high + 1
+    )
+    assert len(on_bar) >= 3
+    assert all(right < left - 2 for (_, right), (left, _) in pairwise(on_bar))
 
 
 def boxes_of(spec, figure):
