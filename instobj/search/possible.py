@@ -17,7 +17,14 @@ from design.layout.places.contact_grid import contact_grid
 from design.layout.places.contact_places import contact_places
 from design.layout.pockets import magnet_bodies
 from design.search.faces import layout_groups
-from design.search.space import SearchSpace, params_at, search_space, structure_of, unit_of
+from design.search.space import (
+    SearchSpace,
+    params_at,
+    search_space,
+    start_params,
+    structure_of,
+    unit_of,
+)
 from design.search.structure import with_structure
 from design.spec.object import ObjectSpec
 from estimator.information.contact_sets import spread_pairs
@@ -181,10 +188,13 @@ def _possible(space: SearchSpace) -> SearchSpace:
 
 
 def _nearest_of_structures(space: SearchSpace) -> Iterator[tuple[ObjectSpec, _Nearest]]:
-    """Structures drawn at random, each with the layout that comes nearest to its limits."""
-    rng, seen = np.random.default_rng(space.spec.seed), set()
-    for _ in range(_STRUCTURES):
+    """The start's structure, then others drawn at random, each with the layout that comes nearest to
+    its limits: from random layouts, the start among them."""
+    rng, seen, start = np.random.default_rng(space.spec.seed), set(), start_params(space)
+    for number in range(_STRUCTURES):
         units = rng.random((_STARTS, len(space.variables)))
+        if number == 0 and start is not None:
+            units[0] = unit_of(space, start)
         params = params_at(space, units[0])
         structure = structure_of(space, params)
         if structure in seen:

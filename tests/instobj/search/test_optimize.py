@@ -29,6 +29,18 @@ def test_a_search_with_room_is_possible():
     assert len(require_possible(specification(vary=FREE)).variables) == 21
 
 
+def test_what_the_specification_keeps_itself_is_possible(monkeypatch):
+    """A layout for each face of a handle: random ones are far from the limits, the start is not."""
+    monkeypatch.setattr(possible, "_WALKS", 0)
+    spec = load_spec(EXAMPLES / "handle.toml", [])
+    free = {"magnet_reach_mm": 15.0, "sensor_reach_mm": 10.0, "layouts": "per face"}
+    search = spec.search.changed(vary=spec.search.vary.changed(**free))
+    assert len(require_possible(spec.changed(search=search)).variables) == 60
+    monkeypatch.setattr(possible, "start_params", lambda space: None)
+    with pytest.raises(InputError, match="no layout within the bounds"):
+        require_possible(spec.changed(search=search))
+
+
 IMPOSSIBLE = {
     "nothing may change": {},
     "pocket gap": {"vary": {"magnet_reach_mm": 4.5}},
