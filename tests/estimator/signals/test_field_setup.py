@@ -1,0 +1,66 @@
+"""Magnets, sensors and surroundings together: each part of the field in its own direction."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+from scipy.spatial.transform import Rotation
+
+from design.spec.object import ObjectSpec
+from estimator.field.models import FieldModel
+from estimator.field.sources import magnet_source
+from estimator.signals.field_setup import at_rest, counts, scene, sensed_field
+
+SPEC = ObjectSpec.model_validate(
+    {"name": "cube", "magnets": {"positions_mm": [[2.0, -1.0], [-8.0, 5.0]]}}
+)
+PLACE = scene(SPEC)
+MODEL = FieldModel(magnet_source(SPEC.magnets), "exact")
+
+
+def field(place, motion):
+    return sensed_field(place, motion, MODEL)
+
+
+def test_a_uniform_field_is_added_in_its_own_direction():
+    uniform = np.array([10e-6, -20e-6, 35e-6])
+    around = replace(PLACE.environment, uniform_t=uniform)
+    rest = at_rest(PLACE)
+    more = field(replace(PLACE, environment=around), rest) - field(PLACE, rest)
+    assert_allclose(more, np.broadcast_to(uniform, more.shape), atol=1e-12)
+
+
+@pytest.mark.parametrize(
+    "turn", [(0.02, 0.0, 0.0), (0.0, 0.03, 0.0), (0.0, 0.0, -0.05), (0.01, -0.02, 0.03)]
+)
+def test_magnets_that_move_are_those_of_another_layout(turn):
+    magnets = PLACE.magnets
+    motion = np.zeros((1, PLACE.bodies, 6))
+    motion[0, 3] = 0.2, -0.1, 0.3, *turn
+    moved = Rotation.from_rotvec(turn)
+    centre, axis = np.array(magnets.centre_mm), np.array(magnets.axis)
+    centre[3] += [0.2, -0.1, 0.3]
+    axis[3] = moved.apply(axis[3])
+    other = replace(PLACE, magnets=replace(magnets, centre_mm=centre, axis=axis))
+    assert_allclose(field(PLACE, motion), field(other, at_rest(PLACE)), rtol=1e-9, atol=1e-15)
+
+
+def test_counts_are_along_the_chips_own_axes_with_their_errors():
+    place = PLACE.chips
+    matrix, offset = np.array(place.matrix), np.array(place.offset_mt)
+    matrix[4] = [[1.1, 0.02, 0.0], [0.0, 0.9, 0.0], [-0.03, 0.0, 1.0]]
+    offset[4] = 0.1, -0.2, 0.3
+    made = replace(PLACE, chips=replace(place, matrix=matrix, offset_mt=offset))
+    flux = np.random.default_rng(1).normal(size=(len(matrix), 3)) * 1e-3
+    along = np.einsum("sab,sb->sa", np.array(PLACE.sensors.axes), flux)
+    wanted = 820 * 1e3 * along
+    wanted[4] = 820 * (matrix[4] @ (1e3 * along[4]) + offset[4])
+    assert_allclose(counts(made, flux, SPEC), wanted)
+
+
+def test_bodies_are_magnets_or_boards_and_coils_are_on_face_by_face():
+    assert PLACE.bodies == 10
+    assert PLACE.on_for(3) == slice(None)
+    assert replace(PLACE, face_by_face=True).on_for(3) == slice(4, 6)
+    assert replace(PLACE, sensors_move=True).bodies == 15
