@@ -184,3 +184,12 @@ def test_descent_never_ends_worse_and_stays_inside():
     assert (loss(end) <= loss(start)).all()
     assert float(end.max()) <= 1
     assert float(loss(end).mean()) < float(loss(start).mean()) - 2
+
+
+def test_wires_are_as_long_as_the_sensors_are_far_from_the_middle_together():
+    _, space, _, poles, units = batch(7, 12, wiring_mm=18.0)
+    layouts = layouts_at(space, units, poles, 3)
+    found = broken_limits_mm(space, layouts, 3)[:, RULES.index("wiring")]
+    wanted = layouts.sensor_mm.square().sum(dim=2).sqrt().sum(dim=1) - 18.0
+    assert_allclose(found, wanted.clamp(min=0))
+    assert 0 < np.count_nonzero(found) < 12
