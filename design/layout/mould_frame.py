@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 
 _DOWN = 6
 _STEP_DEG = 15.0
+_WEDGE = np.cos(np.deg2rad(15.0))
 _AS_GOOD = 1e-4
 """Share of the surface by which an undercut may grow for a plane through the origin."""
 _SLOPE = np.sin(np.deg2rad(2.0))
@@ -152,6 +153,19 @@ def parting(spec: ObjectSpec) -> Parting:
     if azimuth is None:
         return _at_silhouette(body_of(spec).outside)
     return Parting(np.cos(azimuth) * frame.across + np.sin(azimuth) * frame.along, 0.0)
+
+
+def thin_at_seam(spec: ObjectSpec, ends_mm: Float[np.ndarray, "2 3"], radius_mm: float) -> bool:
+    """Whether a round hole along an axis leaves a wall to the parting plane that is too thin to print.
+
+    Not where the plane cuts it, unless so near its side that a wedge of less than 15° is left.
+    """
+    plane = parting(spec)
+    aside = ends_mm @ plane.normal - plane.offset_mm
+    if aside[0] * aside[1] <= 0:
+        return False
+    least = float(abs(aside).min())
+    return bool(radius_mm * _WEDGE < least < radius_mm + spec.printer.wall_mm)
 
 
 def _out(spec: ObjectSpec) -> np.ndarray:

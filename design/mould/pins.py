@@ -19,7 +19,7 @@ from jaxtyping import Float
 from design.body.surface_chart import FaceFrame
 from design.layout.body import face_frames
 from design.layout.core_hold import LOCATOR_NOSE_MM, Locator, locators
-from design.layout.mould_frame import mould_frame, parting, play_mm
+from design.layout.mould_frame import mould_frame, parting, play_mm, thin_at_seam
 from design.layout.pockets import Body, Outline, Pocket, distance_of_segments_mm, shell_pockets
 from design.mould.plug_flange import flange_span_mm
 from design.mould.room import core_outside
@@ -80,6 +80,11 @@ class Pin:
         """The same from the seat to the head's top."""
         return self._axis_between_mm(self.seat_mm, self.top_mm)
 
+    @property
+    def shank_axis_mm(self) -> Float[np.ndarray, "2 3"]:
+        """The same from the surface to the seat."""
+        return self._axis_between_mm(0.0, self.seat_mm)
+
     def _axis_between_mm(self, *heights_mm: float) -> np.ndarray:
         floor, axis = self.pocket.axis_ends_mm[0], self.pocket.axis
         rise = (np.array(heights_mm)[:, None] - floor[2]) / axis[2]
@@ -98,6 +103,16 @@ def loose_pins(spec: ObjectSpec) -> tuple[Pin, ...]:
     pins += [_locating_pin(spec, locator) for locator in locators(spec)]
     rim = min(_rim_mm(spec, pins), _below_rim_mm(spec, pins))
     return tuple(replace(pin, rim_mm=rim) for pin in pins)
+
+
+def pins_thin_the_seam(spec: ObjectSpec) -> bool:
+    """Whether holes of pins, or of their heads, leave walls to the parting plane that are too thin."""
+    play = play_mm(spec)
+    return any(
+        thin_at_seam(spec, axis, pin.radius_mm + play + rim)
+        for pin in loose_pins(spec)
+        for axis, rim in ((pin.shank_axis_mm, 0.0), (pin.head_axis_mm, pin.rim_mm))
+    )
 
 
 def fixed_bosses(spec: ObjectSpec, side: int) -> list[cq.Solid]:

@@ -6,6 +6,7 @@ import re
 import warnings
 from collections.abc import Iterator
 from dataclasses import replace
+from itertools import islice
 from math import inf
 from pathlib import Path
 from typing import Any
@@ -33,8 +34,8 @@ _NAME = '"NAME"'
 _OTHERS = "OTHER KINDS"
 _MOULD_MM = 30.0
 """Of walls and flanges, beyond the body."""
-_TURNS_DEG = (6.0, -6.0, 12.0)
-"""By which a mould's seam is turned."""
+_TURNS_DEG, _MOST_TURNS = (6.0, -6.0, 12.0, -12.0, 18.0, -18.0), 2
+"""By which a mould's seam is turned, and how many of those are tried."""
 _BED = "fits the bed"
 _OF_THE_BODY = {"undercut", _BED}
 """Checks that fail by the shape or size of a body, wherever its parts are."""
@@ -123,12 +124,18 @@ def made(request: Request) -> tuple[Tables, list[Finding]]:
 
 
 def _turned(tables: Tables) -> Iterator[Tables]:
-    """As placed, and with the seam of the mould turned."""
+    """As placed, and with the seam of the mould turned to where pins leave it walls."""
+    from design.mould.pins import pins_thin_the_seam
+
     yield tables
     plane, frame = parting(spec_of(tables)), mould_frame(spec_of(tables))
     azimuth = np.rad2deg(np.arctan2(plane.normal @ frame.along, plane.normal @ frame.across))
-    for turn in _TURNS_DEG:
-        yield tables | {"mould": {"parting_azimuth_deg": round(float(azimuth) + turn, 1)}}
+    turned = (
+        tables | {"mould": {"parting_azimuth_deg": round(float(azimuth) + turn, 1)}}
+        for turn in _TURNS_DEG
+    )
+    clear = (one for one in turned if not pins_thin_the_seam(spec_of(one)))
+    yield from islice(clear, _MOST_TURNS)
 
 
 def _thin_mould(finding: Finding) -> bool:

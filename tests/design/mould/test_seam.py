@@ -1,0 +1,41 @@
+"""Walls that holes leave to the seam of a mould's halves."""
+
+import numpy as np
+import pytest
+
+from design.layout.mould_frame import parting, thin_at_seam
+from design.mould.pins import pins_thin_the_seam
+from design.spec.object import ObjectSpec
+
+BALL = {"name": "ball", "body": {"kind": "sphere", "size_mm": [60.0] * 3}}
+UPRIGHT = np.array([[0.0, 0.0, 10.0], [0.0, 0.0, 40.0]])
+
+
+@pytest.mark.parametrize(
+    ("aside_mm", "thin"),
+    [(0.0, False), (1.85, False), (2.0, True), (2.75, True), (2.85, False), (-2.75, True)],
+)
+def test_a_hole_beside_the_seam_leaves_a_wall_or_is_cut_by_it(aside_mm, thin):
+    """A hole of radius 2 mm, walls of 0.8 mm; beyond cos 15° of the radius the seam leaves a wedge."""
+    spec = ObjectSpec.model_validate(BALL)
+    ends = UPRIGHT + aside_mm * parting(spec).normal
+    assert thin_at_seam(spec, ends, 2.0) is thin
+    assert thin_at_seam(spec, ends[::-1], 2.0) is thin
+
+
+def test_a_hole_that_goes_through_the_seam_is_cut_by_it():
+    spec = ObjectSpec.model_validate(BALL)
+    across = np.stack([-0.5, 2.5])[:, None] * parting(spec).normal
+    assert not thin_at_seam(spec, across, 2.0)
+    assert thin_at_seam(spec, across + 3.1 * parting(spec).normal, 2.0)
+
+
+def test_turning_the_seam_takes_it_from_a_pin():
+    """A pin at azimuth 0, 30.9 mm from the middle, of 3.1 mm with its play: the seam lies at 90° from
+    the normal, so that normals of 83° and 97° pass it by."""
+    given = BALL | {"magnets": {"positions_mm": [[0.0, 0.0]]}}
+    thin = {}
+    for azimuth in (45.0, 79.0, 81.0, 90.0):
+        spec = ObjectSpec.model_validate(given | {"mould": {"parting_azimuth_deg": azimuth}})
+        thin[azimuth] = pins_thin_the_seam(spec)
+    assert thin == {45.0: False, 79.0: False, 81.0: True, 90.0: False}
