@@ -119,6 +119,10 @@ def magnet_layout(spec: ObjectSpec) -> MagnetLayout:
 
 
 _RIM_POINTS = 48
+_RIM = np.array(
+    [[x, y] for x in (-1, -0.5, 0, 0.5, 1) for y in (-1, -0.5, 0, 0.5, 1) if 1 in (abs(x), abs(y))]
+)
+"""Points round a rectangle, in shares of its half edges."""
 
 
 @once
@@ -217,11 +221,12 @@ def sinks_of_boards_mm(
 ) -> Float[np.ndarray, "board"]:
     """By how much boards at (x, y, azimuth) of a core's patch lie deeper than on a flat core (mm).
 
-    As deep as the corner of board or chip that needs most, down along the normal at the place.
+    As deep as the point round board or chip that needs most, down along the normal at the place: a
+    corner, or on a saddle the middle of an edge.
     """
     if frame.flat:
         return np.zeros(len(places))
-    corners, tops = _corners_of_stack(spec, places)
+    corners, tops = _rims_of_stack(spec, places)
     xy = places[:, :2]
     axes = frame.axes_at(xy)
     touching = frame.to_object(np.column_stack([xy, np.zeros(len(xy))]))
@@ -234,16 +239,16 @@ def sinks_of_boards_mm(
     return np.maximum(0.0, (fall.reshape(len(xy), -1) + tops).max(axis=1))
 
 
-def _corners_of_stack(
+def _rims_of_stack(
     spec: ObjectSpec, places: Float[np.ndarray, "board 3"]
-) -> tuple[Float[np.ndarray, "board corner 2"], Float[np.ndarray, "corner"]]:
-    """Upper corners of board and chip about the place (mm, the face's x and y), and their levels."""
-    signs, sensors = np.array([[1, 1], [-1, 1], [-1, -1], [1, -1]]) / 2, spec.sensors
-    stack = mounted_stack(spec, (0.0, 0.0, 0.0))
-    board = signs * sensors.package_mm[:2] + [0.0, stack.board_xy_mm[0]]
-    chip = signs * sensors.chip_mm[:2]
+) -> tuple[Float[np.ndarray, "board point 2"], Float[np.ndarray, "point"]]:
+    """Points round the upper sides of board and chip about the place (mm, the face's x and y), and their
+    levels."""
+    stack, sensors = mounted_stack(spec, (0.0, 0.0, 0.0)), spec.sensors
+    board = _RIM / 2 * sensors.package_mm[:2] + [0.0, stack.board_xy_mm[0]]
+    chip = _RIM / 2 * sensors.chip_mm[:2]
     turns = np.stack([board_frame(azimuth)[:2, :2] for azimuth in places[:, 2]])
-    tops = np.repeat([stack.board_top_mm, stack.chip_top_mm], 4)
+    tops = np.repeat([stack.board_top_mm, stack.chip_top_mm], len(_RIM))
     return np.concatenate([board, chip]) @ turns.transpose(0, 2, 1), tops
 
 
