@@ -1,31 +1,16 @@
-"""Distances to a surface that is alike in all octants, measured in one of them."""
+"""Grids round bodies that are known by their triangles."""
 
+import numpy as np
 from numpy.testing import assert_allclose
 
-from design.body import sampled
-from design.body.kinds.ellipsoid import Ellipsoid
+from design.body.sampled import _grid
 
 
-class Everywhere(Ellipsoid):
-    """An ellipsoid measured at every point."""
-
-    mirrored = False
-
-
-def test_distances_to_an_ellipsoid_are_measured_in_one_octant(monkeypatch):
-    """18 of them took 79 s where `instobj new` looks for a size that works."""
-    measured, plain = [], sampled.measured_distance_mm
-
-    def counting(surface, points_mm):
-        measured.append(len(points_mm))
-        return plain(surface, points_mm)
-
-    monkeypatch.setattr(sampled, "measured_distance_mm", counting)
-    monkeypatch.setattr(sampled, "_GRID_POINTS", 6_000)
-    size, everywhere = (32.0, 26.0, 40.0), []
-    for kind in (Ellipsoid, Everywhere):
-        everywhere.append(sampled._field.__wrapped__(kind(size, 0.0, 0.5)).coefficients)
-    assert_allclose(everywhere[0], everywhere[1], rtol=0, atol=1e-9)
-    (coarse, octant), (_, whole) = measured[:2], measured[2:]
-    assert octant < whole / 5
-    assert coarse < whole / 5
+def test_a_grid_is_centred_and_reaches_three_steps_beyond_the_box():
+    points, count = _grid(np.array([10.0, 5.1, 7.0]), 2.0)
+    assert count == (17, 13, 15)
+    assert points.shape == (17 * 13 * 15, 3)
+    assert_allclose(points.min(axis=0), [-16, -12, -14])
+    assert_allclose(points.max(axis=0), [16, 12, 14])
+    assert_allclose(points[1] - points[0], [0, 0, 2])
+    assert_allclose(points[13 * 15] - points[0], [2, 0, 0])
