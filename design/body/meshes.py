@@ -34,6 +34,8 @@ CRUMB_MM3 = 1.0
 
 _FACING = -np.cos(np.deg2rad(15))
 _START_MM = 1e-4
+_EQUAL_MM = 1e-6
+"""Walls that differ by less are one, told at one of its middle rays."""
 _MEETS_MM = 1e-9
 """By which a ray may pass beside a triangle's edge and meet it."""
 _LEVEL_MM = 1e-3
@@ -132,7 +134,8 @@ def thinnest_wall(mesh: trimesh.Trimesh) -> ThinnestWall | None:
     thickness = _through_mm(mesh, start, normal)
     if np.isnan(thickness).all():
         return None
-    least = int(np.nanargmin(thickness))
+    equal = np.flatnonzero(thickness <= np.nanmin(thickness) + _EQUAL_MM)
+    least = int(equal[len(equal) // 2])
     value = float(thickness[least])
     return ThinnestWall(value, start[least] - value / 2 * normal[least])
 
