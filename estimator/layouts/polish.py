@@ -41,10 +41,10 @@ Judge = Callable[[Float[Tensor, "layout variable"], Int[Tensor, "layout"]], "Jud
 class Judged:
     """What layouts are worth: every objective as something to minimise, above 0.
 
-    `broken_mm` is 0 where all limits are kept. `worse_mm` counts like it where position bounds are
-    larger than the start's at more places than `PlaceBounds.but` (`OVER_START` above 1), which the
-    verdict refuses; as this level's bounds of single places are rough, that makes no layout one that
-    breaks limits. `scores` are those of the lowest fidelity level, with the objectives that the
+    `broken_mm` is 0 where all limits are kept. `worse_mm` is above 0 where position bounds are larger
+    than the start's at more places than `PlaceBounds.but` (`OVER_START` above 1), which the verdict
+    refuses; as this level's bounds of single places are rough, that makes no layout one that breaks
+    limits. `scores` are those of the lowest fidelity level, with the objectives that the
     structure alone decides.
     """
 
@@ -54,14 +54,16 @@ class Judged:
     scores: dict[str, Float[Tensor, "layout"]]
 
     @property
-    def penalty(self) -> Float[Tensor, "layout"]:
-        """By what share objectives grow for broken limits and worse places."""
-        return PENALTY_PER_MM * (self.broken_mm + self.worse_mm)
+    def penalties(self) -> Float[Tensor, "layout 2"]:
+        """By what shares objectives grow for broken limits, and for worse places: each by itself, so that
+        a limit is worth keeping though places are worse. Bounds a tenth over the start's double them,
+        a tenth as steep as limits: the start lies at that border and must come away from it."""
+        return torch.stack([PENALTY_PER_MM * self.broken_mm, self.worse_mm], dim=1)
 
     @property
     def penalized(self) -> Float[Tensor, "layout objective"]:
-        """Objectives with their penalty."""
-        return self.objectives * (1 + self.penalty[:, None])
+        """Objectives with their penalties."""
+        return self.objectives * (1 + self.penalties).prod(dim=1, keepdim=True)
 
 
 @dataclass(frozen=True)
@@ -151,12 +153,12 @@ def _evolved(
     generations: int,
     weights: Float[Tensor, "objective"],
 ) -> Float[Tensor, "variable"]:
-    def worth(points: Tensor) -> tuple[Float[np.ndarray, "layout"], Float[np.ndarray, "layout"]]:
-        """Logarithm without the penalty, and what the penalty grows with."""
+    def worth(points: Tensor) -> tuple[Float[np.ndarray, "layout"], Float[np.ndarray, "layout 2"]]:
+        """Logarithm without penalties, and the penalties."""
         with torch.no_grad():
             judged = judge_at(points, row.expand(len(points)))
         value = (judged.objectives.log() @ weights).double().nan_to_num(torch.inf).numpy()
-        return value, judged.penalty.double().numpy()
+        return value, judged.penalties.double().numpy()
 
     whole = float(weights.sum())
     count = max(len(begin), 2)  # the package takes no single variable
@@ -165,17 +167,18 @@ def _evolved(
     seed = zlib.crc32(begin.numpy().tobytes())
     bounds = np.repeat([[0.0, 1.0]], count, axis=0)
     search = CMA(mean, _SPREAD, bounds=bounds, seed=seed, population_size=population(count))
-    value, penalty = worth(begin[None])
-    best, least = begin, float(value[0] + whole * np.log1p(penalty[0]))
+    value, penalties = worth(begin[None])
+    best, least = begin, float(value[0] + whole * np.log1p(penalties[0]).sum())
     for generation in range(generations):
         if search.should_stop():
             break
         asked = [search.ask() for _ in range(search.population_size)]
         points = torch.as_tensor(np.array(asked)[:, : len(begin)], dtype=begin.dtype)
-        value, penalty = worth(points)
-        now = value + whole * np.log1p(_share_of_penalty(generation / generations) * penalty)
+        value, penalties = worth(points)
+        share = _share_of_penalty(generation / generations)
+        now = value + whole * np.log1p(share * penalties).sum(axis=1)
         search.tell(list(zip(asked, now.tolist(), strict=True)))
-        finally_worth = value + whole * np.log1p(penalty)
+        finally_worth = value + whole * np.log1p(penalties).sum(axis=1)
         leader = int(finally_worth.argmin())
         if finally_worth[leader] < least:
             best, least = points[leader], float(finally_worth[leader])

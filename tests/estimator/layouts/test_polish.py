@@ -23,7 +23,7 @@ from estimator.layouts.batch_scores import (
 )
 from estimator.layouts.cross_face import false_forces_n
 from estimator.layouts.fidelity import lowest_fidelity_score
-from estimator.layouts.polish import PENALTY_PER_MM, Judged, LowestFidelity, judge, polish
+from estimator.layouts.polish import Judged, LowestFidelity, judge, polish
 from estimator.layouts.press_basis import press_basis
 from estimator.layouts.robustness import slip_places_mm
 from estimator.layouts.scoring import layout_scorer
@@ -147,7 +147,7 @@ def test_a_face_that_stands_for_others_counts_as_often_and_is_held_against_each(
     assert_allclose(found["slip_place_mm"], np.median(every, axis=1), rtol=1e-5)
 
 
-def test_worse_places_than_allowed_cost_what_any_limit_does_but_break_none(lowest, units):
+def test_more_worse_places_than_allowed_cost_by_themselves_and_break_no_limit(lowest, units):
     layouts = [layouts_of(lowest.space.structured, face) for face in FACES]
     bounds = position_bounds(lowest.scorers, layouts)
     kinder = replace(lowest, start=PlaceBounds(tuple(100 * bound for bound in bounds), 0.02))
@@ -161,8 +161,8 @@ def test_worse_places_than_allowed_cost_what_any_limit_does_but_break_none(lowes
     assert_allclose(limited.broken_mm - free.broken_mm, 10 * torch.relu(over - 1), rtol=1e-4)
     assert_allclose(worse.worse_mm, 10 * (ratio - 1), rtol=1e-5)
     assert_allclose(worse.broken_mm, free.broken_mm)
-    grown = 1 + PENALTY_PER_MM * (free.broken_mm + worse.worse_mm)[:, None]
-    assert_allclose(worse.penalized, grown * free.objectives, rtol=1e-5)
+    grown = 1 + worse.worse_mm[:, None]
+    assert_allclose(worse.penalized, grown * free.penalized, rtol=1e-5)
     sought = judged(harder, units, (OVER_START,))
     assert_allclose(sought.objectives, ratio[:, None], rtol=1e-5)
 

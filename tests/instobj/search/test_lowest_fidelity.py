@@ -36,7 +36,7 @@ def test_the_start_walks_to_a_layout_that_is_better_and_worse_nowhere(monkeypatc
     """Beside generations that find nothing."""
     monkeypatch.setattr(lowest_fidelity, "polish", lambda judge_at, unit, *_: unit.clone())
     vary = {"magnet_reach_mm": 14.0, "magnet_depth_mm": [2.0, 5.0], "sensor_reach_mm": 10.0}
-    search = SearchSpec.model_validate({"vary": vary, "polish_steps": 20})
+    search = SearchSpec.model_validate({"vary": vary, "polish_steps": 40})
     spec = made_up_spec().model_copy(update={"search": search})
     motions, faces = made_up_motions(spec), (1, 3)
     scorers = tuple(layout_scorer(spec, press_basis(spec, motions, face)) for face in faces)
