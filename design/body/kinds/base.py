@@ -177,8 +177,7 @@ class BodyKind(ABC):
         """The core's surface with its bore out of face 6, where that is open."""
         if 6 not in self.opened:
             return core
-        bottom = -self.size_mm[2] / 2 - OVERSHOOT_MM
-        inside = float(core.bounds[0, 2]) / 2
+        bottom, inside = -self.size_mm[2] / 2 - OVERSHOOT_MM, self.core_floor_mm / 2
         return core.union(cylinder_between(self.bore_mm / 2, bottom, inside, self.envelope_mm))
 
     @abstractmethod
