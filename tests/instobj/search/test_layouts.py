@@ -11,14 +11,8 @@ from instobj.search.outcome.layouts import ShownLayout, layouts_scene, shown_lay
 from instobj.search.promotion import Promotion
 from instobj.search.verdict import Promoted
 from instobj.viewer.archive import unpack
-from tests.support.objects.search_cases import (
-    OBJECTIVES,
-    history_of_three,
-    made_up_layouts,
-    made_up_scores,
-    made_up_space,
-    searched,
-)
+from tests.support.objects.made_histories import history_of_three, made_up_layouts
+from tests.support.objects.search_cases import OBJECTIVES, made_up_scores, made_up_space, searched
 
 
 def test_parts_lie_where_the_specification_has_them_and_know_what_they_were():

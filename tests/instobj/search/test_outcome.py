@@ -16,7 +16,7 @@ from instobj.search.outcome.figures import (
     pareto_front,
 )
 from instobj.search.outcome.history import best_so_far
-from tests.support.objects.search_cases import made_up_history
+from tests.support.objects.made_histories import made_up_history
 
 
 def test_the_best_so_far_counts_feasible_trials_only():

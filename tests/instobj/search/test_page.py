@@ -22,7 +22,7 @@ from instobj.search.promotion import Promotion
 from instobj.search.verdict import Promoted
 from instobj.store.readers import CROSS_FACE
 from tests.support.markup import read
-from tests.support.objects.search_cases import made_up_history
+from tests.support.objects.made_histories import made_up_history
 from tests.support.pictures import save_dot
 
 DRAWN = {

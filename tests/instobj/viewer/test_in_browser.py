@@ -20,8 +20,8 @@ from instobj.search.outcome.layouts import ShownLayout, layouts_scene
 from instobj.viewer.bundling import program
 from instobj.viewer.scene import face_content
 from tests.support.browser import Browser, chromium
+from tests.support.objects.made_histories import history_of_three, made_up_layouts
 from tests.support.objects.made_scene import DEPTHS_MM, write_made_scene
-from tests.support.objects.search_cases import history_of_three, made_up_layouts
 from tests.support.pictures import save_dot
 
 GRIDS = {"near": ([5, 5], 5.0), "far": ([7, 7], 4.0)}
