@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import torch
-from numpy.testing import assert_allclose
+from numpy.testing import assert_allclose, assert_array_equal
 from scipy.stats import gmean
 
 from design.search.space import search_space
@@ -18,15 +18,18 @@ from estimator.layouts.batch_scores import (
     DEARER,
     OVER_START,
     PlaceBounds,
+    _Pooled,
+    _scores_at_one_force,
     batch_scores,
     position_bounds,
+    worst_ratio,
 )
 from estimator.layouts.cross_face import false_forces_n
 from estimator.layouts.fidelity import lowest_fidelity_score
 from estimator.layouts.polish import Judged, LowestFidelity, judge, polish
 from estimator.layouts.press_basis import press_basis
 from estimator.layouts.robustness import slip_places_mm
-from estimator.layouts.scoring import layout_scorer
+from estimator.layouts.scoring import PlaceInformation, layout_scorer
 from estimator.layouts.two_contacts import pairs_all_mm, pairs_own_mm
 from estimator.layouts.vectors import layout_space
 from tests.support.mechanics.candidate_cases import made_up_motions, made_up_spec, random_layouts
@@ -250,3 +253,132 @@ def test_saturated_channels_break_a_limit(lowest, units):
     small = structured.model_copy(update={"sensors": sensors})
     narrow = replace(lowest, space=replace(lowest.space, structured=small))
     assert (judged(narrow, units).broken_mm > judged(lowest, units).broken_mm + 1).all()
+
+
+def made_judged(objectives, broken=0.0, worse=0.0):
+    count = len(objectives)
+    return Judged(
+        torch.tensor(objectives), torch.full((count,), broken), torch.full((count,), worse), {}
+    )
+
+
+def test_a_tenth_of_a_millimetre_doubles_every_objective_and_worse_places_add_their_share():
+    given = [[2.0, 5.0], [3.0, 7.0]]
+    assert_allclose(made_judged(given).penalized, given)
+    assert_allclose(made_judged(given, broken=0.1).penalized, 2 * np.array(given), rtol=1e-6)
+    both = made_judged(given, broken=0.2, worse=0.5)
+    assert_allclose(both.penalties, [[2.0, 0.5]] * 2)
+    assert_allclose(both.penalized, 3 * 1.5 * np.array(given), rtol=1e-6)
+
+
+@pytest.mark.parametrize(("variables", "layouts"), [(1, 48), (2, 48), (10, 80), (40, 120)])
+def test_a_generation_is_eight_times_hansens(variables, layouts):
+    assert (
+        polishing.population(variables) == layouts == 8 * (4 + int(3 * np.log(max(variables, 2))))
+    )
+
+
+@pytest.mark.parametrize(
+    ("progress", "share"), [(0.0, 1e-3), (0.4, 10**-1.5), (0.8, 1.0), (0.9, 1.0), (1.0, 1.0)]
+)
+def test_penalties_grow_from_a_thousandth_to_all(progress, share):
+    assert polishing._share_of_penalty(progress) == pytest.approx(share)
+
+
+def test_a_descent_finds_the_least_point_of_the_cube_and_keeps_the_best_of_its_walk():
+    middle = torch.tensor([[0.3, 0.6], [0.7, 1.4]])
+    begin = torch.full((2, 2), 0.5)
+
+    def loss(point):
+        return (point - middle).square().sum(dim=1)
+
+    found = polishing.descend(loss, begin, 40, rate=0.1)
+    assert_allclose(found, [[0.3, 0.6], [0.7, 1.0]], atol=0.02)
+    assert_array_equal(polishing.descend(loss, begin, 0), begin)
+    calls = []
+
+    def counted(point):
+        calls.append(point.detach().clone())
+        return loss(point)
+
+    once = polishing.descend(counted, begin, 50, over=lambda: len(calls) > 1)
+    assert len(calls) == 2
+    assert_array_equal(once, calls[1])
+    far = polishing.descend(loss, begin, 1, rate=0.1)
+    assert_allclose(abs(far - begin), 0.1, atol=1e-5)
+
+
+def test_a_layout_without_a_gradient_stays_and_the_others_go_on():
+    begin = torch.full((2, 2), 0.5)
+
+    def loss(point):
+        wrong = torch.tensor([[torch.nan, 1.0], [1.0, 1.0]])
+        return (point * wrong).sum(dim=1)
+
+    seen = []
+
+    def watched(point):
+        seen.append(point.detach().clone())
+        return loss(point)
+
+    polishing.descend(watched, begin, 3)
+    assert_array_equal(seen[-1][0], begin[0])
+    assert (seen[-1][1] < begin[1]).all()
+
+
+def test_a_channel_at_rest_may_use_its_share_of_the_full_scale(lowest):
+    spec = lowest.space.structured
+    most = spec.sensors.range_mt * spec.sensors.counts_per_mt * spec.search.limits.resting_share
+    found = polishing._saturation(spec, torch.tensor([0.5 * most, most, 1.25 * most]))
+    assert_allclose(found, [0, 0, 0.25], atol=1e-6)
+
+
+def test_the_worst_presses_over_the_start_are_twice_the_share_that_may_be_worse():
+    over = torch.tensor([[1.0, 4.0, 0.5, 2.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0]])
+    assert float(worst_ratio(over, 0.0)) == pytest.approx(4.0)
+    assert float(worst_ratio(over, 0.05)) == pytest.approx(4.0)
+    assert float(worst_ratio(over, 0.1)) == pytest.approx(8**0.5)
+    assert float(worst_ratio(over, 0.15)) == pytest.approx(2.0)
+    assert float(worst_ratio(over, 9.0)) == pytest.approx(gmean(over[0]))
+
+
+def test_scores_of_one_force_pool_faces_as_often_as_they_stand_for(lowest):
+    """Two scorers, the second of which stands for three faces, with made-up values of each place."""
+    scorers = [replace(lowest.scorers[0], faces=1), replace(lowest.scorers[1], faces=3)]
+    rng = np.random.default_rng(5)
+    layouts = [layouts_of(lowest.space.structured, face) for face in FACES]
+    count = [one.presses.count for one in scorers]
+    values = [rng.uniform(0.1, 9.0, (3, 1, n)) for n in count]
+    rest = [rng.uniform(-9.0, 9.0, (1, 2, 3)) for _ in count]
+    places = [
+        PlaceInformation(*(torch.as_tensor(part) for part in value), torch.as_tensor(one))
+        for value, one in zip(values, rest, strict=True)
+    ]
+    found = _scores_at_one_force(scorers, layouts, places, ())
+    position, force, delta = (
+        np.concatenate([values[0][k, 0], np.tile(values[1][k, 0], 3)]) for k in range(3)
+    )
+    low, middle = np.percentile(delta, [5, 50])
+    wanted = {
+        "worst_position_bound_mm": position.max(),
+        "percentile_99_position_bound_mm": np.percentile(position, 99),
+        "percentile_95_position_bound_mm": np.percentile(position, 95),
+        "median_position_bound_mm": np.median(position),
+        "worst_force_bound_n": force.max(),
+        "sensitivity_ratio": low / middle,
+        "largest_resting_counts": max(abs(one).max() for one in rest),
+    }
+    assert found.keys() == {*wanted, "edge_position_bound_mm"}
+    for name, value in wanted.items():
+        assert_allclose(float(found[name]), value, err_msg=name)
+    x, y = scorers[0].presses.places.xy_mm.T
+    edge = (abs(x) == abs(x).max()) | (abs(y) == abs(y).max())
+    at_edge = np.concatenate([values[0][0, 0, edge], np.tile(values[1][0, 0, edge], 3)])
+    assert_allclose(float(found["edge_position_bound_mm"]), at_edge.mean())
+
+
+def test_grasps_that_no_two_faces_allow_have_no_score():
+    none = _Pooled(lambda scorers, layouts: torch.zeros(4, 0), 50.0)
+    assert none.score([], [random_layouts(4)]).isnan().all()
+    some = _Pooled(lambda scorers, layouts: torch.tensor([[3.0, 1.0, 2.0]]), 50.0)
+    assert_allclose(some.score([], [random_layouts(1)]), [2.0])

@@ -1,14 +1,19 @@
 """Tables of presses that a batch of layouts can be scored on, and those that it cannot."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
+import torch
+from numpy.testing import assert_allclose
 
 from design.errors import InputError
+from design.layout.body import face_frames
 from design.spec.object import ObjectSpec
-from estimator.layouts.press_basis import _check
+from estimator.layouts import press_basis as basis
 from fem.candidates.motions import FaceCandidates
+from tests.support.mechanics.candidate_cases import FACE
 
 CUBE = ObjectSpec(name="cube")
 
@@ -25,7 +30,7 @@ def check(*lattices, face=1, forces=2, places=(4, 4)):
         places=SimpleNamespace(shape=places),
         candidates=lattices,
     )
-    _check.__wrapped__(CUBE, motions, face)
+    basis._check.__wrapped__(CUBE, motions, face)
 
 
 def test_faces_that_are_alike_share_a_layout_and_one_face_is_enough():
@@ -48,3 +53,96 @@ def test_faces_that_differ_are_refused_wherever_they_come(other):
 def test_derivatives_need_two_forces_and_four_locations_each_way(changes):
     with pytest.raises(InputError, match="need two forces and four locations per axis"):
         check(lattice(1), **changes)
+
+
+def test_weights_between_nodes_are_those_of_keys():
+    """Cubes come back exactly only to second order: parabolas do, and the weights sum to one."""
+    t = torch.linspace(0, 1, 7, dtype=torch.float64)[:, None].expand(-1, 3)
+    weights = basis._kernel(t)
+    nodes = torch.tensor([-1.0, 0.0, 1.0, 2.0], dtype=torch.float64)
+    assert_allclose(weights.sum(dim=-1), 1)
+    assert_allclose(weights @ nodes, t, atol=1e-12)
+    assert_allclose(weights @ nodes**2, t**2, atol=1e-12)
+    assert_allclose(weights[3], [[-1 / 16, 9 / 16, 9 / 16, -1 / 16]] * 3)
+
+
+def test_nodes_beyond_the_lattice_go_on_as_parabolas():
+    x, y, z = np.meshgrid(np.arange(4.0), np.arange(3.0), np.arange(5.0), indexing="ij")
+
+    def parabola(x, y, z):
+        return np.stack([(1 + x + 2 * x**2) * (y**2 - y) * (3 - z**2), x * y * z], axis=-1)
+
+    padded = basis._with_ghosts(parabola(x, y, z).reshape(-1, 2), (4, 3, 5))
+    x, y, z = np.meshgrid(*(np.arange(-1.0, n + 1) for n in (4, 3, 5)), indexing="ij")
+    assert_allclose(padded, parabola(x, y, z).reshape(-1, 2), atol=1e-9)
+
+
+def test_compressed_rows_are_the_best_of_their_rank_with_rotations_weighed_by_four_millimetres():
+    rng = np.random.default_rng(0)
+    tables = [rng.normal(size=(5, 6, 3, 4)) for _ in range(2)]
+    scale = np.repeat([1.0, 2.0, 5.0], 4)
+    for rank in (12, 3):
+        rows, vectors = basis._compressed(tables, scale, rank)
+        weight = np.repeat([1.0, 4.0], 3)[:, None]
+        every = np.concatenate([(t.reshape(5, 6, 12) * weight / scale) for t in tables]).reshape(
+            -1, 12
+        )
+        _, _, right = np.linalg.svd(every, full_matrices=False)
+        best = every @ right[:rank].T @ right[:rank]
+        found = np.concatenate([one.reshape(5, 6, rank) @ vectors for one in rows])
+        assert_allclose((found * weight / scale).reshape(-1, 12), best, atol=1e-9)
+    assert_allclose(vectors / scale @ (vectors / scale).T, np.eye(3), atol=1e-9)
+
+
+def test_columns_are_scaled_by_the_rms_of_their_quantity(spec, motions, presses):
+    """Derivatives by x, y and F and the motion itself then count alike in what is left out."""
+    frame = next(one for one in face_frames(spec) if one.number == FACE)
+    own = basis._derivatives(
+        motions, FACE, FACE, frame.axes, spec.score.force_n, np.ones(len(presses.there), bool)
+    )
+    assert own.shape[2] == 4
+    scale = np.repeat(np.sqrt(np.mean(own**2, axis=(0, 1, 3))), own.shape[3])
+    for table in (presses.own, presses.other):
+        unit = table.basis.double().numpy() / scale
+        assert_allclose(unit @ unit.T, np.eye(len(unit)), atol=1e-4)
+
+
+def test_slopes_of_parabolas_at_scattered_places_are_exact():
+    rng = np.random.default_rng(1)
+    xy = rng.uniform(-8, 8, (12, 2))
+    by_x, by_y = basis.scattered_slopes(xy)
+    x, y = xy.T
+    value = 2 + 3 * x - y + 0.5 * x**2 - 0.25 * x * y + 0.1 * y**2
+    assert_allclose(by_x @ value, 3 + x - 0.25 * y, atol=1e-8)
+    assert_allclose(by_y @ value, -1 - 0.25 * x + 0.2 * y, atol=1e-8)
+    stretched = basis.scattered_slopes(3 * xy)
+    assert_allclose(stretched[0], by_x / 3, atol=1e-9)
+
+
+def test_ends_of_the_candidates_and_places_just_beyond_them(presses):
+    least, most = basis.candidate_ends_mm(presses)
+    assert_allclose(least, presses.first_mm)
+    wanted = presses.first_mm + presses.step_mm * (torch.tensor(presses.nodes) - 1)
+    assert_allclose(most, wanted)
+    inside = torch.stack([least, most])
+    last = torch.tensor(presses.nodes) - 1.0
+    index, weight = basis._around(presses, torch.stack([0 * last, last]), inside)
+    ny, nz = (n + 2 for n in presses.nodes[1:])
+    for row, node in ((0, torch.ones(3)), (1, last + 1)):
+        at = int(node @ torch.tensor([float(ny * nz), float(nz), 1.0]))
+        assert int(index[row, weight[row].argmax()]) == at
+        assert_allclose(weight[row].max(), 1, atol=1e-6)
+    for beyond in (-2e-4, 2e-4):
+        for axis in range(3):
+            place = torch.stack([0 * last if beyond < 0 else last])
+            place[0, axis] += beyond
+            with pytest.raises(InputError):
+                basis._around(presses, place, inside[:1])
+            place[0, axis] -= 0.75 * beyond
+            basis._around(presses, place, inside[:1])
+
+
+def test_places_of_the_grid_have_the_rows_of_those_that_a_face_has(presses):
+    some = replace(presses, there=np.arange(20) % 3 != 0)
+    assert some.count == 13
+    assert some.rows_of(np.array([1, 2, 4, 19])).tolist() == [0, 1, 2, 12]

@@ -185,3 +185,41 @@ def test_a_channel_that_differs_by_six_noises_has_not_jumped_and_by_more_it_has(
     assert jumps.tolist() == [[False] * 3, [True] * 3]
     session[100:] = 1
     assert not drift._jumps(found, session, np.full(3, 20.0)).any()
+
+
+def test_rests_are_the_stretches_of_five_frames_and_more_between_contacts():
+    """Rest 0–9, contact, rest 13–16 (too short), contact, rest 20–29 without frame 24."""
+    loaded = np.zeros(30, bool)
+    loaded[10:13] = loaded[17:20] = True
+    used = ~loaded
+    used[24] = False
+    flat = np.arange(30.0)[:, None] * [1, 10]
+    flat[0, 1] = np.nan
+    found = drift._rests(flat, 0.5 * np.arange(30), loaded, used)
+    assert_allclose(found.counts, [[4.5, 50.0], [221 / 9, 2210 / 9]])
+    assert_allclose(found.time_s, [2.25, 0.5 * 221 / 9])
+    assert (found.frames.tolist(), found.lasts_s.tolist()) == ([10, 9], [4.5, 4.5])
+    assert found.first.tolist() == [0, 20]
+
+
+def test_a_rest_begins_behind_the_last_frame_of_contact_before_it():
+    loaded = np.array([False, True, True, False, False, True, False])
+    assert [drift._last(loaded, before) for before in range(7)] == [-1, -1, 1, 2, 2, 2, 5]
+
+
+def test_a_level_between_two_readings_is_weighed_by_noise_and_drift():
+    """Two readings of variance 4, ten frames of growth 1 between them, nothing known before.
+
+    By Gauss: x0 and x10 each seen with variance 4, x10 − x0 of variance 10. The precision matrix is
+    [[1/4 + 1/10, −1/10], [−1/10, 1/4 + 1/10]], its inverse has 3.111 on and 0.889 off the diagonal.
+    """
+    seen = np.full((11, 1), np.nan)
+    seen[0], seen[10] = 0.0, 9.0
+    grows = np.ones((11, 1))
+    level, spread, memory = drift._smoothed(seen, np.array([4.0]), grows)
+    covariance = np.linalg.inv(np.array([[0.35, -0.1], [-0.1, 0.35]]))
+    assert_allclose(level[[0, 10], 0], covariance @ [0, 9 / 4], rtol=1e-6)
+    assert_allclose(spread[[0, 10], 0], np.diag(covariance), rtol=1e-6)
+    assert_allclose(level[:, 0], np.linspace(level[0, 0], level[10, 0], 11), rtol=1e-6)
+    assert_allclose(spread[10] * np.exp(memory[0] - memory[10]), covariance[0, 1], rtol=1e-6)
+    assert memory[0] == 0

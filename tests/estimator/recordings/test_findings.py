@@ -3,9 +3,11 @@
 from types import SimpleNamespace
 
 import numpy as np
+import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
-from estimator.recordings.checks import faults, labels, turned
+from estimator.frames.dataset import FrameSet
+from estimator.recordings.checks import faults, labels, limits, turned
 from estimator.recordings.checks.faults import Fault
 
 NOISE = np.full((5, 2, 3), 10.0)
@@ -230,3 +232,205 @@ def test_one_channel_turned_or_two_exchanged_explain_a_difference():
     assert turned._unlike(usual + 0.01, usual) == ("", ())
     weak = np.array([0.7, 0.7, 0.09])
     assert turned._unlike(weak * [1, 1, -1], weak) == ("", ())
+
+
+def made(press, place, force, signals, valid=None):
+    """A data set of one tip on a face of one sensor."""
+    frames = len(press)
+    force_n = np.zeros((frames, 1, 3))
+    force_n[:, 0, 2] = force
+    return FrameSet(
+        signal_counts=np.asarray(signals, float).reshape(frames, 1, 1, 3),
+        contact_face=np.ones((frames, 1), int),
+        contact_xy_mm=np.zeros((frames, 1, 2)),
+        force_n=force_n,
+        valid=np.ones(frames, bool) if valid is None else valid,
+        press_id=np.asarray(press),
+        place_id=np.asarray(place),
+        session_id=np.zeros(frames, int),
+        time_s=np.arange(frames) / 10,
+        faces=np.array([1]),
+        grid_x_mm=np.zeros(1),
+        grid_y_mm=np.zeros(1),
+        noise_counts=np.ones(3),
+        source="recorded",
+        spec_hash="x",
+        seed=0,
+    )
+
+
+def test_patterns_are_means_over_the_frames_of_at_least_half_the_largest_force():
+    """Press 0: frames of 10, 10, 5, 5, 5 N count, those of 4.9 N do not. Press 1 has four."""
+    force = [4.9, 10, 10, 5, 5, 5, 0, 8, 8, 8, 8]
+    press = np.repeat([0, 1], [7, 4])
+    place = np.array([3] * 6 + [-1] + [4] * 4)
+    signals = np.zeros((11, 3))
+    signals[:6, 0] = [1000, 1, 2, 3, 4, 5]
+    signals[:6, 1] = [1000, 4, 4, 4, 4, 4]
+    signals[7:, 2] = 1.0
+    found = labels.press_patterns(made(press, place, force, signals))
+    assert (found[0].tolist(), found[1].tolist()) == ([0], [3])
+    assert_allclose(found[2], [[0.6, 0.8, 0.0]])
+    force[10:], press, place = [8, 8], [*press, 1], [*place, 4]
+    signals = np.vstack([signals, [[0, np.nan, 1]]])
+    found = labels.press_patterns(made(press, place, force, signals))
+    assert (found[0].tolist(), found[1].tolist()) == ([0, 1], [3, 4])
+    assert_array_equal(found[2][1], [0, np.nan, 1])
+    valid = np.arange(12) != 5
+    left = labels.press_patterns(made(press, place, force, signals, valid=valid))
+    assert left[0].tolist() == [1]
+
+
+PLACES = (((3, 1.0, 2.0),), ((3, 4.0, 5.0),), ((4, 1.0, 2.0),))
+
+
+def of_presses(places, patterns):
+    """Presses of five frames each."""
+    number = np.repeat(np.arange(len(places)), 5)
+    return made(
+        number, np.repeat(places, 5), np.full(len(number), 5.0), np.repeat(patterns, 5, axis=0)
+    )
+
+
+def place_faults(places, patterns):
+    return labels.place_label_faults(of_presses(places, patterns), PLACES)
+
+
+def test_a_press_unlike_its_place_and_like_another_of_the_same_face_is_mislabelled():
+    one, two = np.array([1.0, 0, 0]), np.array([0, 1.0, 0])
+    wrong, found = place_faults([0, 0, 0, 1, 1, 0], [one, one, one, two, two, two])
+    assert np.flatnonzero(wrong).tolist() == [25, 26, 27, 28, 29]
+    assert [str(one) for one in found] == [
+        "wrong place label: rows 25–29: labelled face 3 (1, 2) mm, responds like face 3 (4, 5); "
+        "press not used"
+    ]
+    wrong, found = place_faults([0, 0, 0, 2, 2, 0], [one, one, one, two, two, two])
+    assert not found  # alike on another face tells nothing of the place
+    wrong, found = place_faults([0, 1, 1], [two, two, two])
+    assert not found  # a place pressed once
+
+
+def test_two_exchanged_presses_name_each_other():
+    one, two = np.array([1.0, 0, 0]), np.array([0, 1.0, 0])
+    wrong, found = place_faults([0, 0, 0, 0, 1, 1, 1, 1], [one, one, one, two, two, two, two, one])
+    assert np.flatnonzero(wrong).tolist() == [15, 16, 17, 18, 19, 35, 36, 37, 38, 39]
+    assert found[0].detail.endswith("responds like face 3 (4, 5), as if swapped with rows 35–39")
+    assert found[1].detail.endswith("responds like face 3 (1, 2), as if swapped with rows 15–19")
+
+
+@pytest.mark.parametrize(("degrees", "mislabelled"), [(22.8, False), (23.2, True)])
+def test_a_press_may_be_off_its_place_by_four_tenths_of_its_length(degrees, mislabelled):
+    """A chord of 2 sin(φ/2) = 0.4 spans 23.07°; the other place answers as the press does."""
+    turned_by = np.array([np.cos(np.radians(degrees)), np.sin(np.radians(degrees)), 0])
+    straight = np.array([1.0, 0, 0])
+    _, found = place_faults([0, 0, 1, 1, 0], [straight, straight, turned_by, turned_by, turned_by])
+    assert bool(found) is mislabelled
+
+
+@pytest.mark.parametrize(("aside", "mislabelled"), [(0.32, True), (0.42, False)])
+def test_another_place_must_be_nearer_by_two_and_a_half_times(aside, mislabelled):
+    """The press is 0.92 off its own place (54.7°); the other's mean lies at a chord `aside` of it."""
+
+    def at(radians):
+        return np.array([np.cos(radians), np.sin(radians), 0])
+
+    press = 2 * np.arcsin(0.92 / 2)
+    other = press + 2 * np.arcsin(aside / 2)
+    _, found = place_faults([0, 0, 1, 1, 0], [at(0), at(0), at(other), at(other), at(press)])
+    assert bool(found) is mislabelled
+
+
+def test_changes_at_rest_are_medians_over_the_live_channels_of_a_face():
+    counts = still(6)
+    counts[:, 0, 0] = np.array([0.0, 2, 4, 6, 50, 80])[:, None] * [1, 2, 3]
+    counts[:, 1, 0, 0] = [5.0, np.nan, 5, 5, 35, 65]
+    counts[:, 1, :, 1:] = np.array([5.0, 5, 5, 5, 25, 45])[:, None, None]
+    counts[:, 1, 1, 0] = 1e6
+    counts[5, 1, 1, 0] = 2e6
+    rest = np.array([True] * 4 + [False] * 2)
+    noise = np.full((5, 2, 3), 10.0)
+    noise[1, 1, 0] = 0.0
+    noise[2] = np.nan
+    stretch = np.array([0, 0, 1, 1, 1, 1])
+    found = labels._sigmas(counts, rest, stretch, noise)
+    # face 1: levels are the median of both stretches' medians, 1 and 5 → 3; three channels of six move
+    first = np.median(
+        abs(np.array([0.0, 2, 4, 6, 50, 80])[:, None] - 3) * [1, 2, 3, 0, 0, 0], axis=1
+    )
+    assert_allclose(found[:, 0], first / 10)
+    assert_allclose(found[:, 1], [0, 0, 0, 0, 2, 4])
+    assert not found[:, 2:].any()
+
+
+def test_a_load_is_the_third_quartile_of_a_cell_over_its_press():
+    force = np.array([[0.0, 9], [1, 9], [2, 9], [3, 9], [4, 9], [0.3, 0.2], [0.3, 0.2]])
+    face = np.array([[2, 0]] * 5 + [[4, 5]] * 2)
+    press = np.array([0] * 5 + [1] * 2)
+    responses = np.array([[np.nan, 70.0, 1, 2, 3], [1.0, 2, 3, 40, 5]])
+    assert labels._loads(face, force, press, responses) == [(0, 2, 3.0, 70.0), (1, 4, 0.3, 40.0)]
+    responses[1, 3] = np.nan
+    assert len(labels._loads(face, force, press, responses)) == 1
+
+
+def test_a_place_beyond_the_object_is_told_once_with_its_rows():
+    tips = np.zeros((4, 1, 2, 2))
+    tips[1, 0, 1] = tips[3, 0, 0] = [3.0, -21.5]
+    tips[2, 0, 0] = [21.0, -21.0]
+    tips[0, 0, 1] = np.nan
+    far, found = limits.places_off_the_body(tips, limits.Limits(1.0, 21.0))
+    assert far.tolist() == [False, True, False, True]
+    assert [str(one) for one in found] == [
+        "place off the body: rows 1–3: (3, -21.5) mm lies beyond ±21 mm; frames not used; --spec "
+        "gives the object's size"
+    ]
+
+
+def test_usual_limits_are_of_16_bits_and_three_times_the_grid():
+    table = SimpleNamespace(grid_x_mm=np.array([-6.0, 7.0]), grid_y_mm=np.array([-8.0, 6.0]))
+    assert limits.usual_limits.__wrapped__(table) == limits.Limits(32768.0, 24.0)
+
+
+def test_changes_are_alike_where_most_blocks_say_so():
+    """Blocks of fifteen frames: rest, above and below. Cosines 1, −1 and 0.6 have the median 0.6."""
+    part = np.tile(np.repeat([0, 1, 2], 5), 3)
+    parts = tuple(part == number for number in range(3))
+    block = np.repeat([0, 1, 2], 15)
+    counts = still(45)
+    ups = [(10.0, 0.0), (10.0, 0.0), (10.0, 0.0)]
+    downs = [(5.0, 0.0), (-5.0, 0.0), (3.0, 4.0)]
+    for number, (up, down) in enumerate(zip(ups, downs, strict=True)):
+        for kind, change in ((1, up), (2, down)):
+            rows = (block == number) & (part == kind)
+            counts[rows, 1, 0, :2] = change
+    counts[:, 1, 1, 1] = np.nan
+    counts += 100.0
+    face = np.full(45, 2)
+    assert turned._change_alike(counts, face, block, parts)
+    two = slice(15, 45)
+    halves = tuple(mask[two] for mask in parts)
+    assert not turned._change_alike(
+        counts[two], face[two], block[two], halves
+    )  # median of −1 and 0.6
+    assert not turned._change_alike(counts, 0 * face, block, parts)
+    one = slice(0, 14)  # four frames below
+    assert not turned._change_alike(
+        counts[one], face[one], block[one], tuple(mask[one] for mask in parts)
+    )
+
+
+def test_turned_channels_are_told_by_the_nearest_pair_of_presses_of_a_place():
+    usual = np.array([0.6, 0.64, 0.48])
+    other = np.array([0.0, 0.6, 0.8])
+    patterns = [usual, usual, other, usual * [1, -1, 1], usual * [1, -1, 1]]
+    wrong, found = turned.turned_channels(of_presses([0, 0, 1, 0, 0], patterns))
+    assert np.argwhere(wrong).tolist() == [[0, 0, 1]]
+    assert [str(one) for one in found] == [
+        "channel turned: F1-Y1, rows 9–15: presses of one place before and after answer unlike "
+        "(4 pairs); set to NaN"
+    ]
+    wrong, found = turned.turned_channels(of_presses([0, 0], [usual, usual[[2, 1, 0]]]))
+    assert np.argwhere(wrong).tolist() == []
+    swapped = np.array([0.8, 0.6, 0.0])
+    wrong, found = turned.turned_channels(of_presses([0, 0], [swapped, swapped[[2, 1, 0]]]))
+    assert np.argwhere(wrong).tolist() == [[0, 0, 0], [0, 0, 2]]
+    assert found[0].where == "F1-X1 and F1-Z1, rows 4–5"

@@ -134,3 +134,55 @@ def test_shifted_forces_stay_in_their_stretch():
 def test_rest_is_within_the_rest_force_of_every_cell():
     force = np.array([[0.1, -0.19], [0.2, 0.0], [0.0, -0.3]])
     assert presses.at_rest(force, 0.2).tolist() == [True, False, False]
+
+
+def test_short_presses_join_the_next_until_they_are_long_enough_for_a_lag():
+    """More than 75 frames are; a new stretch begins anew."""
+    press = np.repeat(np.arange(6), [40, 35, 1, 76, 10, 90])
+    stretch = np.repeat([0, 1], [40 + 35 + 1 + 76 + 10, 90])
+    assert presses._long_presses(press, stretch) == [(0, 76), (76, 152), (152, 162), (162, 252)]
+    lone = np.repeat([0, 1], [75, 5])
+    assert presses._long_presses(lone, 0 * lone) == [(0, 80)]
+
+
+def test_the_share_that_a_cubic_leaves_is_that_of_polyfit():
+    rng = np.random.default_rng(3)
+    force, counts = rng.random(120), rng.normal(size=(120, 2))
+    found = presses._residual_by_lag(counts, force)
+    seen = counts[10:95]
+    total = np.sum((seen - seen.mean(axis=0)) ** 2)
+    for lag, share in zip(range(-10, 26), found, strict=True):
+        shifted = force[10 + lag : 95 + lag]
+        fitted = np.stack([np.polyval(np.polyfit(shifted, one, 3), shifted) for one in seen.T], 1)
+        assert share == pytest.approx(np.sum((seen - fitted) ** 2) / total, abs=1e-9)
+    assert np.isnan(presses._residual_by_lag(np.ones((120, 2)), force)).all()
+
+
+def test_a_lag_is_corrected_where_half_of_the_presses_agree_and_a_fifth_is_gained():
+    """Press by press the least of these curves lies at lags 4, 4, 9 and 12; zero is at index 10."""
+    curves = {}
+
+    def by_lag(counts, force):
+        return curves["rows"].pop(0)
+
+    def report(bests, gained):
+        rows = np.ones((len(bests), 36))
+        for row, best in zip(rows, bests, strict=True):
+            row[10 + best] = 0.5
+        rows[:, 10 + bests[0]] -= 0.5 - gained
+        curves["rows"] = list(rows)
+        frames = 100 * len(bests)
+        press = np.repeat(np.arange(len(bests)), 100)
+        force = np.tile(np.linspace(0, 5, 100), len(bests))[:, None]
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(presses, "_residual_by_lag", by_lag)
+            return presses.estimate_lag(
+                np.ones((frames, 5, 1, 3)), force, np.ones((frames, 1), int), press, press
+            )
+
+    half = report([4, 4, 9, 12], 0.1)
+    assert (half.frames, half.share_within_2, half.corrected) == (4, 0.5, True)
+    assert half.per_press == (4, 4, 9, 12)
+    assert not report([4, 9, 12, 15], 0.1).corrected
+    near = report([4, 6, 2, 7], 0.1)
+    assert near.share_within_2 == 0.75

@@ -1,5 +1,7 @@
 """Order, orientation and handedness of chips, against fields by magpylib."""
 
+from dataclasses import replace
+
 import magpylib
 import numpy as np
 import pytest
@@ -7,6 +9,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from design.layout.places.positions import sensor_layout
 from estimator.bringup.asking.held_magnet import held_magnet
+from estimator.bringup.diagnosis import channels, chip_fit
 from estimator.bringup.diagnosis.channels import find_chips, held_readings, signed_permutations
 from estimator.bringup.diagnosis.chip_fit import _orthogonal, chips_found
 from estimator.field.sources import magnet_source
@@ -99,3 +102,172 @@ def test_a_dead_axis_tells_no_handedness():
     mirrored = np.diag([-1.0, 1.0, 1.0])
     turn = _orthogonal(np.diag([0.05, 1.0, 0.9]), np.array([True, False, False]), mirrored)
     assert_allclose(turn, np.eye(3), atol=1e-9)
+
+
+def test_the_errors_of_held_readings_are_those_of_all_tolerances_together():
+    spec = SMALL.changed(
+        tolerances=SMALL.tolerances.changed(
+            sensor_gain_relative=0.03,
+            sensor_rotation_deg=2.0,
+            remanence_relative=0.04,
+            sensor_seat_mm=0.2,
+        ),
+        sensors=SMALL.sensors.changed(gain_tolerance=0.02, cross_axis_tolerance=0.015),
+    )
+    counts = np.zeros((3, CHIPS, 3))
+    found = held_readings(spec, counts, np.array([0.25, 1.0, 0.04]), 6.0)
+    squares = 0.03**2 + 0.02**2 + 2 * 0.015**2 + 2 * np.radians(2.0) ** 2 + 0.04**2 + 0.01**2
+    assert found.relative == pytest.approx(np.sqrt(squares))
+    assert found.seat_mm == 0.2
+    noise = np.array(spec.sensors.noise_counts)
+    for row, share in enumerate((0.5, 1.0, 0.2)):
+        assert_allclose(found.noise_counts[row], np.tile(np.hypot(share * noise, 6.0), (CHIPS, 1)))
+    alike = held_readings(spec, counts, 0.25, 6.0)
+    assert_allclose(alike.noise_counts, np.tile(found.noise_counts[:1], (3, 1, 1)))
+
+
+def test_residuals_grow_as_a_logarithm_beyond_four():
+    off = np.array([0.0, 1.0, -4.0, 400.0, np.nan])
+    half_square = 0.5 * 16 * np.log1p((np.nan_to_num(off) / 4) ** 2)
+    assert_allclose(0.5 * channels._capped(off) ** 2, half_square)
+    assert_allclose(np.sign(channels._capped(off)), [0, 1, -1, 1, 0])
+
+
+def made_up(holds=(0, 4, 7)):
+    """A small problem: readings of three holds with a gap, poses off the stated ones."""
+    rng = np.random.default_rng(2)
+    model = held_magnet(SMALL, list(holds))
+    pose = rng.normal(size=(len(holds), 8)) * [2, 2, 1, 0.1, 0.1, 3, 3, 3]
+    counts = model.counts(pose) + rng.normal(0, 20, (len(holds), CHIPS, 3))
+    counts[1, 2, 1] = np.nan
+    return held_readings(SMALL, counts, 0.1, 3.0), model, pose
+
+
+def test_what_tolerances_leave_of_a_field_grows_with_the_cube_of_nearness():
+    readings, model, pose = made_up()
+    size = np.linalg.norm(model.counts(pose), axis=2)
+    away = model.distance_mm(pose)
+    wanted = size * np.sqrt(readings.relative**2 + (3 * readings.seat_mm / away) ** 2)
+    assert_allclose(channels.model_error(readings, model, pose), wanted)
+
+
+def test_the_misfit_is_minus_the_logarithm_of_the_likelihood_axis_by_axis():
+    readings, model, pose = made_up()
+    turns = signed_permutations()[[0, 5, 30]]
+    found = channels._misfit(readings, model, pose, turns)
+    field, error = model.counts(pose), channels.model_error(readings, model, pose)
+    for hold, chip, site, turn in ((0, 1, 3, 2), (1, 2, 2, 1), (2, 9, 0, 0)):
+        sigma = np.hypot(error[hold, site], readings.noise_counts[hold, chip])
+        off = (readings.counts[hold, chip] - turns[turn] @ field[hold, site]) / sigma
+        terms = 8 * np.log1p(off**2 / 16) + np.log(sigma)
+        assert found[hold, chip, site, turn] == pytest.approx(np.nansum(terms), rel=1e-9)
+
+
+def test_an_arrangement_costs_its_misfit_and_what_hypotheses_cost():
+    readings, model, pose = made_up(range(CHIPS))
+    site, turn, cost = channels._assigned(readings, model, pose)
+    assert_array_equal(site, np.arange(CHIPS))
+    assert_array_equal(turn, np.tile(np.eye(3), (CHIPS, 1, 1)))
+    turns = signed_permutations()
+    misfit = channels._misfit(readings, model, pose, turns).sum(axis=0)
+    own = misfit[np.arange(CHIPS), np.arange(CHIPS), 0].sum()
+    prior = 0.5 * np.sum(model.off_prior(pose) ** 2)
+    assert cost == pytest.approx(own + prior)
+    over = replace(model, polarity=-model.polarity)
+    _, mirrored, mirrored_cost = channels._assigned(readings, over, pose)
+    assert np.linalg.det(mirrored).max() < 0
+    assert mirrored_cost > cost + CHIPS * 5.0
+    order = np.array([1, 0, *range(2, CHIPS)])
+    swapped = replace(
+        readings, counts=readings.counts[:, order], noise_counts=readings.noise_counts[:, order]
+    )
+    site, _, swapped_cost = channels._assigned(swapped, model, pose)
+    assert_array_equal(site, order)
+    assert swapped_cost == pytest.approx(cost + 2 * 7.0)
+    turned = readings.counts.copy()
+    turned[:, 3] = turned[:, 3] @ turns[7].T
+    _, ways, turned_cost = channels._assigned(replace(readings, counts=turned), model, pose)
+    assert_array_equal(ways[3], turns[7])
+    assert turned_cost == pytest.approx(cost + 7.0, abs=2.0)
+    reversed_ = readings.counts.copy()
+    reversed_[:, 3] *= -1
+    _, ways, reversed_cost = channels._assigned(replace(readings, counts=reversed_), model, pose)
+    assert_array_equal(ways[3], -np.eye(3))
+    assert reversed_cost == pytest.approx(cost + 7.0 + 9.0)
+
+
+def test_chips_go_where_the_magnet_moves_them_most_and_unheld_places_keep_theirs():
+    counts = np.full((2, 4, 3), 1.0)
+    counts[0, 1], counts[1, 2] = 900.0, 700.0
+    readings = channels.HeldReadings(counts, np.ones((2, 4, 3)), 0.05, 0.2)
+    assert channels._by_response(readings, [2, 0]).tolist() == [1, 2, 0, 3]
+    assert channels._by_response(readings, [1, 2]).tolist() == [0, 1, 2, 3]
+    nothing = replace(readings, counts=np.full((2, 4, 3), np.nan))
+    assert channels._by_response(nothing, [2, 9]).tolist() == [0, 1, 2, 3]
+
+
+def test_a_hold_is_turned_over_where_that_is_likelier_by_five():
+    readings, model, pose = made_up()
+    site, turn = np.arange(CHIPS), np.tile(np.eye(3), (CHIPS, 1, 1))
+    counts = readings.counts.copy()
+    counts[1] = -counts[1]
+    found = channels._with_polarities(replace(readings, counts=counts), model, pose, site, turn)
+    uniform = pose.copy()
+    uniform[:, 5:] = 0
+    assert found.polarity.tolist() == [1.0, -1.0, 1.0]
+    quiet = replace(readings, counts=0 * readings.counts)
+    undecided = channels._with_polarities(quiet, model, uniform, site, turn)
+    assert undecided.polarity.tolist() == [1.0, 1.0, 1.0]
+
+
+def test_slopes_of_the_joint_fit_are_those_of_differences():
+    """Of chips exchanged and turned, with a gap among the readings."""
+    readings, model, pose = made_up()
+    rng = np.random.default_rng(3)
+    site, turn = rng.permutation(CHIPS), signed_permutations()[rng.integers(48, size=CHIPS)]
+    problem = chip_fit.JointFit.of(readings, channels.Arrangement(site, turn, model, pose, 0.0))
+    at = problem.start + 0.05 * rng.normal(size=len(problem.start))
+    slopes = problem.slopes(at)
+    way = rng.normal(size=len(at))
+    step = 1e-4 * way
+    differences = (problem.residuals(at + step) - problem.residuals(at - step)) / 2e-4
+    assert_allclose(slopes @ way, differences, rtol=2e-3, atol=2e-3 * abs(differences).max())
+    assert len(at) == 3 * 8 + 12 * CHIPS
+    priors = problem.residuals(at)[-len(at) :]
+    gains, seat = at[24 : 24 + 9 * CHIPS], at[24 + 9 * CHIPS :]
+    assert_allclose(priors[24 : 24 + 9 * CHIPS], gains / 0.3)
+    assert_allclose(priors[24 + 9 * CHIPS :], seat / readings.seat_mm)
+    assert_allclose(problem.matrices(at)[1], np.eye(3) + gains[9:18].reshape(3, 3))
+
+
+def test_gains_stand_over_their_median_and_intervals_are_of_differences_to_the_mean():
+    """Two chips; of the second only X answers, and errors of all entries are alike and free."""
+    matrix = np.stack([np.diag([1.0, 1.1, 1.2]), np.diag([1.3, 9.0, 9.0])])
+    known = np.array([[True] * 3, [True, False, False]])
+    value, interval = chip_fit._relative_gains(matrix, 0.01 * np.eye(18), known)
+    middle = np.median([1.0, 1.1, 1.2, 1.3])
+    assert_allclose(value, np.array([[1.0, 1.1, 1.2, 1.1], [1.3, np.nan, np.nan, 1.3]]) / middle)
+    axis = np.sqrt(0.01 * (0.75**2 + 3 * 0.25**2))
+    chip = np.sqrt(0.01 * (3 * (1 / 3 - 0.25) ** 2 + 0.25**2))
+    wanted = 1.96 * np.array([[axis] * 3 + [chip], [axis, np.nan, np.nan, axis]]) / middle
+    assert_allclose(interval, wanted)
+    assert_allclose(chip_fit.gain_intervals(matrix, 0.01 * np.eye(18), known), wanted[:, 3])
+
+
+def test_matrices_of_chips_are_those_of_least_squares_and_weak_axes_are_dead():
+    readings, model, pose = made_up((0, 1, 2, 3, 4))
+    turn = np.tile(np.eye(3), (CHIPS, 1, 1))
+    about = signed_permutations()[5]
+    field = model.counts(pose)
+    counts = np.einsum("ab,hcb->hca", about, field)
+    counts[:, 0, 1] *= 0.29
+    counts[:, 1, 2] *= 0.31
+    counts[:3, 2, 0] = np.nan
+    found = channels.Arrangement(np.arange(CHIPS), turn, model, pose, 0.0)
+    turns, dead = chip_fit.linear_chips(replace(readings, counts=counts), found)
+    assert np.argwhere(dead).tolist() == [[0, 1], [2, 0]]
+    assert_allclose(turns[3:], np.tile(about, (CHIPS - 3, 1, 1)), atol=1e-9)
+    three = counts.copy()
+    three[:, 2, 0] = np.einsum("b,hb->h", about[0], field[:, 2])
+    three[:2, 2, 0] = np.nan
+    assert not chip_fit.linear_chips(replace(readings, counts=three), found)[1][2].any()

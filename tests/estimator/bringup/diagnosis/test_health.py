@@ -5,7 +5,7 @@ import pytest
 
 from estimator.bringup.asking.asked import Recording
 from estimator.bringup.diagnosis.findings import ChipFound
-from estimator.bringup.diagnosis.health import health_findings, health_of
+from estimator.bringup.diagnosis.health import Health, _line_findings, health_findings, health_of
 from estimator.bringup.diagnosis.levenberg_marquardt import many_most_probable
 from estimator.bringup.diagnosis.poles import find_magnet, magnet_findings, pocket_fields
 from tests.support.new_objects import SMALL
@@ -81,3 +81,55 @@ def test_linear_problems_side_by_side_have_the_least_squares_answer_and_its_cost
     many, cost = many_most_probable(lambda x: x @ slope.T - values, np.zeros((4, 3)))
     assert np.allclose(many, best, atol=1e-3)
     assert np.allclose(cost, 0.5 * np.sum((slope @ best - values) ** 2))
+
+
+def made(rate_hz, lost=0.0, damaged=0, errors=None):
+    return Health(rate_hz, lost, damaged, errors, np.ones((10, 3)))
+
+
+@pytest.mark.parametrize(
+    ("sound", "wrong", "measured"),
+    [
+        (made(9.451), made(9.449), "9.4 per second, 10.5 asked for"),
+        (made(10.5, 0.01), made(10.5, 0.011), "1.1% of frames lost, 0 damaged lines"),
+        (made(10.5, damaged=2), made(10.5, damaged=3), "0.0% of frames lost, 3 damaged lines"),
+        (made(10.5, errors=2), made(10.5, errors=3), "3 failed transfers in 200 frames"),
+    ],
+)
+def test_a_line_is_judged_at_both_sides_of_its_limits(sound, wrong, measured):
+    assert SMALL.sensors.frame_rate_hz == 10.5
+    assert list(_line_findings(SMALL, sound, 200)) == []
+    (found,) = _line_findings(SMALL, wrong, 200)
+    assert found.measured == measured
+
+
+def test_noise_is_that_of_steps_and_half_of_them_must_be_known():
+    counts = np.zeros((9, 10, 3))
+    counts[:, 0, 0] = [0, 2, 0, 2, 0, 2, 0, 2, 0]
+    counts[[1, 3], 0, 1] = np.nan
+    counts[[1, 4, 6], 0, 2] = np.nan
+    recording = Recording(
+        "still", counts, np.array([0, 1, 2, 3, 65535, 0, 1, 2, 3]), 100 * np.arange(9)
+    )
+    health = health_of(recording)
+    assert health.noise_counts[0, 0] == pytest.approx(np.sqrt(4 / 2))
+    assert health.noise_counts[0, 1] != health.noise_counts[0, 1]  # four of eight steps
+    assert np.isnan(health.noise_counts[0, 2])
+    sent = 1 + 3 + 65532 + 4
+    assert health.lost_share == pytest.approx(1 - 9 / sent)
+    assert health.rate_hz == pytest.approx((sent - 1) / 0.8)
+    once = Recording("still", counts[:1], np.array([5]), np.array([40]))
+    assert np.isnan(health_of(once).rate_hz)
+
+
+def test_noise_of_twice_the_specification_is_told_with_its_figures():
+    quiet = np.tile([0.0, 1.0], 60)[:100, None, None] * np.ones((1, 10, 3))
+    counts = quiet * np.array([22, 22, 11]) * 2**0.5
+    counts[:, 0, 0] *= 2.01
+    counts[:, 1, 2] = 7.0
+    recording = Recording("still", counts, np.arange(100), 95 * np.arange(100))
+    found = [(one.kind, one.where, one.measured) for one in health_findings(SMALL, recording)]
+    assert found == [
+        ("noisy channel", "F1-X1", "44 counts rms at rest, 22 by the specification"),
+        ("dead axis", "F1-Z2", "stuck at 7 counts"),
+    ]

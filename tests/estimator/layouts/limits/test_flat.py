@@ -11,7 +11,7 @@ from design.layout.body import face_frames
 from design.layout.pockets import axis_in_object_mm, shell_pockets
 from design.spec.object import ObjectSpec
 from estimator.layouts.batch import layouts_of
-from estimator.layouts.limits import flat
+from estimator.layouts.limits import flat, parts
 from estimator.layouts.limits.parts import SLACK_MM, boards_of, pockets_of
 
 SPEC = ObjectSpec.model_validate(
@@ -84,3 +84,54 @@ def test_pockets_keep_off_the_edge_by_as_much_as_their_depth():
         layouts = replace(UPRIGHT, magnet_mm=magnets)
         found = flat._past_edges(SPEC, pockets_of(SPEC, layouts)).item()
         assert abs(found - max(beyond, 0.0)) < (SLACK_MM + 1e-3 if beyond > 0 else 1e-9)
+
+
+def beside_hole_by_hand(place, wall):
+    """What a recess lacks of the wall round the hole, or of holding the middle: by strewn points."""
+    core, sensors = SPEC.core, SPEC.sensors
+    azimuth = np.arctan2(place[1], place[0])
+    radial = np.array([np.cos(azimuth), np.sin(azimuth)])
+    across = np.array([-radial[1], radial[0]])
+    inner, outer = core.recess_inner_radius_mm, core.recess_outer_radius_mm
+    first = np.linalg.norm(place) - sensors.radius_mm
+    along = np.linspace(first + inner, first + outer, 401)
+    aside = np.linspace(-core.recess_width_mm / 2, core.recess_width_mm / 2, 401)
+    border = np.concatenate(
+        [along[:, None] * radial + end * across for end in (aside[0], aside[-1])]
+        + [end * radial + aside[:, None] * across for end in (along[0], along[-1])]
+    )
+    away = np.linalg.norm(border, axis=1).min()
+    if along[0] < 0 < along[-1]:
+        away = -away
+    return min(max(wall - away, 0), max(away + SLACK_MM, 0))
+
+
+def test_a_recess_holds_the_middle_or_leaves_a_wall_round_the_wire_hole():
+    """Places at oblique azimuths: on the hole, beside it, round the middle and far away."""
+    wall = parts.passage_radius_mm(SPEC) + SPEC.printer.wall_mm + SLACK_MM
+    places = [
+        radius * np.array([np.cos(azimuth), np.sin(azimuth)])
+        for radius in (2.0, 4.0, 5.0, 6.0, 7.0, 14.0)
+        for azimuth in (0.5, 2.0, -2.8)
+    ]
+    wanted = [beside_hole_by_hand(place, wall) for place in places]
+    assert sum(value > 0.01 for value in wanted) > 5
+    for place, one in zip(places, wanted, strict=True):
+        layouts = moved(sensor_mm=[[place.tolist()]])
+        found = parts.boards_beside_hole_mm(SPEC, boards_of(SPEC, layouts))
+        assert_allclose(float(found[0]), one, atol=0.01)
+    both = moved(sensor_mm=[[places[0].tolist(), places[6].tolist()]])
+    found = parts.boards_beside_hole_mm(SPEC, boards_of(SPEC, both))
+    assert_allclose(float(found[0]), wanted[0] + wanted[6], atol=0.02)
+
+
+def test_boards_past_the_edge_by_hand():
+    """At 45° a board reaches as far along both axes; only what is beyond its limit counts."""
+    place = 14.0 * np.array([1.0, 1.0]) / np.sqrt(2)
+    found = flat._boards_past_edges(SPEC, boards_of(SPEC, moved(sensor_mm=[[place.tolist()]])))
+    far = 14.0 - SPEC.sensors.radius_mm + SPEC.core.recess_outer_radius_mm
+    corner = (far + SPEC.core.recess_width_mm / 2) / np.sqrt(2) + SLACK_MM
+    half = np.min([frame.half_extents_mm for frame in face_frames(SPEC)], axis=0)
+    limit = half - SPEC.shell.thickness_mm - SPEC.printer.wall_mm
+    assert_allclose(float(found[0]), np.maximum(corner - limit, 0).sum(), rtol=1e-5)
+    assert float(found[0]) > 0

@@ -206,3 +206,62 @@ def test_clock_of_a_board():
     np.testing.assert_allclose(times, [50, 50.3, 50.6, 50.55, 51.6], atol=1e-9)
     assert clock.time_s(2**31, 80.0) == pytest.approx(50.6 + (2**31 - 200) / 1000)
     assert clock.time_s(10, 99.0) == 99.0
+
+
+def body_line(body):
+    return f"${body}*{checksum(body.encode())}\n".encode()
+
+
+@pytest.mark.parametrize(
+    ("sound", "damaged"),
+    [
+        ("F,1,2,16777216,-16777216,0", "F,1,2,16777217,0,0"),
+        ("L,1,1,1000", "L,1,1,1000.1"),
+        ("L,1,1,-1000", "L,1,1,-1000.1"),
+        ("L,1,1,2,3,300,-300", "L,1,1,2,3,300.1,0"),
+        ("L,1,9,2,5,1,1", "L,1,9,2,6,1,1"),
+        ("L,1,1,2,1,1,1,2,2", "L,1,1,2,1,1,1,2"),
+        ("S,1,60000,0,0,0,power,300,-300,", "S,1,60001,0,0,0,power,1,2,3"),
+        ("S,1,0,0,0,0,reset,1,2,3", "S,1,-1,0,0,0,reset,1,2,3"),
+        ("S,1,,0,0,0,brownout,1,2,3", "S,1,,0,0,-1,brownout,1,2,3"),
+        ("S,1,,0,0,0,watchdog,1,2,3", "S,1,,-1,0,0,watchdog,1,2,3"),
+        ("S,1,,0,0,0,watchdog,1,2,3", "S,1,,0,0,0,watchdog,1,2,300.1"),
+    ],
+)
+def test_values_at_the_border_are_believed_and_beyond_it_damaged(sound, damaged):
+    decoder = started()
+    assert len(decoder.feed(body_line(sound))) == 1
+    assert decoder.statistics.damaged_lines == 0
+    assert decoder.feed(body_line(damaged)) == []
+    assert decoder.statistics.damaged_lines == 1
+
+
+def test_a_status_counts_chips_and_not_channels():
+    decoder = LineDecoder()
+    decoder.feed(encode_header(["F1-X1", "F1-Y1", "F1-X2", "F2-X1", "F2-Z10"]))
+    four = Status(0, 5000, 0, 0, 0, "power", (20.0, 21.0, 22.0, 23.0))
+    assert decoder.feed(encode_status(four)) == [four]
+    assert decoder.feed(encode_status(Status(0, 5000, 0, 0, 0, "power", (20.0,) * 5))) == []
+    assert encode_status(four).startswith(b"$S,0,5000,0,0,0,power,20.0,21.0,22.0,23.0*")
+    assert LineDecoder().feed(encode_status(Status(3, None, 0, 0, 0, "reset", ()))) == [
+        Status(3, None, 0, 0, 0, "reset", ())
+    ]
+
+
+def test_every_lost_frame_up_to_ten_thousand_is_counted_and_more_is_a_restart():
+    decoder = started()
+    for sequence in (0, 10_001, 20_003):
+        decoder.feed(encode_frame(sequence, 0, [1, 2, 3]))
+    assert (decoder.statistics.lost_frames, decoder.statistics.restarts) == (10_000, 1)
+
+
+def test_a_line_of_4096_bytes_is_waited_for_and_a_longer_one_dropped():
+    decoder = started()
+    decoder.feed(b"x" * 4096)
+    assert decoder.statistics.damaged_lines == 0
+    decoder.feed(b"x")
+    assert decoder.statistics.damaged_lines == 1
+    assert len(decoder.feed(lines(1)[0])) == 1
+    assert decoder.feed(b"\n  \r\n") == []
+    assert decoder.statistics.damaged_lines == 1
+    assert len(decoder.feed(lines(1)[0].replace(b"\n", b"\r\n"))) == 1

@@ -1,0 +1,75 @@
+"""Values that no recording holds are refused at their border, and told what they should be."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from design.errors import RecordingError
+from estimator.recordings.table import RawTable, channel_name, check_plausible
+
+FRAMES = 5
+SOUND = RawTable(
+    kind="generic",
+    time_s=np.arange(FRAMES) / 10,
+    force_n=np.ones((FRAMES, 1)),
+    counts=np.ones((FRAMES, 5, 1, 3)),
+    face=np.full((FRAMES, 1), 3),
+    tip_xy_mm=np.full((FRAMES, 1, 1, 2), 2.0),
+    case=np.zeros(FRAMES, int),
+    declared_rest=np.zeros(FRAMES, bool),
+    grid_x_mm=np.arange(3.0),
+    grid_y_mm=np.arange(3.0),
+    duplicate_columns=(),
+    digest="x",
+)
+
+
+def with_value(name, value):
+    values = np.array(getattr(SOUND, name) if name != "shear_n" else np.zeros((FRAMES, 1, 2)))
+    values[(-1,) * values.ndim] = value
+    return replace(SOUND, **{name: values})
+
+
+@pytest.mark.parametrize(
+    ("name", "largest", "says"),
+    [
+        ("counts", 2.0**24, "raw counts of the sensors"),
+        ("force_n", 1000.0, "forces in N, not in g or mN"),
+        ("shear_n", 1000.0, "forces in N"),
+        ("tip_xy_mm", 300.0, "places in mm"),
+    ],
+)
+@pytest.mark.parametrize("sign", [1, -1])
+def test_the_largest_value_is_taken_and_a_larger_one_refused(name, largest, says, sign):
+    check_plausible(with_value(name, sign * largest))
+    check_plausible(with_value(name, np.nan))
+    with pytest.raises(RecordingError, match=says):
+        check_plausible(with_value(name, sign * largest * 1.0001))
+
+
+def test_places_of_less_than_a_tenth_of_a_millimetre_are_metres():
+    small = np.full((FRAMES, 1, 1, 2), 0.02)
+    with pytest.raises(RecordingError, match=r"within 0\.02 mm of"):
+        check_plausible(replace(SOUND, tip_xy_mm=small))
+    check_plausible(replace(SOUND, tip_xy_mm=5 * small))
+    check_plausible(replace(SOUND, tip_xy_mm=0 * small))
+    check_plausible(replace(SOUND, tip_xy_mm=np.nan * small))
+
+
+def test_stamps_in_milliseconds_are_refused():
+    check_plausible(replace(SOUND, time_s=1e11 - np.arange(FRAMES)[::-1] / 10))
+    check_plausible(replace(SOUND, time_s=np.zeros(0)))
+    with pytest.raises(RecordingError, match="Give seconds, not ms"):
+        check_plausible(replace(SOUND, time_s=1.0001e11 + np.arange(FRAMES) / 10))
+    with pytest.raises(RecordingError, match="s apart"):
+        check_plausible(replace(SOUND, time_s=5.0 * np.arange(FRAMES)))
+    check_plausible(replace(SOUND, time_s=4.99 * np.arange(FRAMES)))
+    check_plausible(replace(SOUND, time_s=np.array([0.0, 60.0])))
+    with pytest.raises(RecordingError, match="s apart"):
+        check_plausible(replace(SOUND, time_s=np.array([0.0, 60.0, 120.0])))
+
+
+def test_channels_are_named_by_face_axis_and_number():
+    assert channel_name(0, 0, 0) == "F1-X1"
+    assert channel_name(4, 2, 1) == "F5-Y3"
