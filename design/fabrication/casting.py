@@ -26,6 +26,7 @@ from design.fabrication.finding import Finding, at_least, place_of
 from design.layout.body import body_of
 from design.layout.core_hold import why_no_mould
 from design.layout.mould_frame import mould_frame, mould_style, parting, up
+from design.layout.mould_pins import Pin, least_rim_mm, loose_pins, pin_kinds
 from design.layout.surface import sealed_body_surface
 from design.mould.openings import (
     Hole,
@@ -35,7 +36,7 @@ from design.mould.openings import (
     seal_holes,
     sealed_round,
 )
-from design.mould.pins import Pin, least_rim_mm, loose_pins, make_pin, pin_kinds
+from design.mould.pins import make_pin
 from design.mould.plug import pour_width_mm
 from design.solids.booleans import as_triangles
 from design.spec.object import ObjectSpec

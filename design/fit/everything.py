@@ -9,7 +9,8 @@ from design.fit.boards import check_boards
 from design.fit.box import check_box, check_box_core, check_box_presses, check_tips
 from design.fit.curved import check_body, check_body_core, check_curved_presses
 from design.fit.environment import check_environment
-from design.fit.parts import check_mould, check_parts
+from design.fit.mould import check_mould
+from design.fit.parts import check_parts
 from design.layout.body import body_of
 
 if TYPE_CHECKING:

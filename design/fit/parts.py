@@ -20,7 +20,6 @@ from design.layout.boards import (
 )
 from design.layout.body import body_of, core_frames, face_frames
 from design.layout.dents import dents_mm
-from design.layout.mould_frame import opening_of
 from design.layout.places.positions import cover_mm
 from design.layout.pockets import Pocket, sensor_places, shell_pockets
 
@@ -302,13 +301,3 @@ def distance_mm(polygon: Corners, point: Float[np.ndarray, "2"]) -> float:
     length2 = np.maximum((edge**2).sum(axis=1), 1e-12)  # of a recess without length, 0
     share = np.clip((away * edge).sum(axis=1) / length2, 0, 1)
     return float(np.linalg.norm(away - share[:, None] * edge, axis=1).min())
-
-
-def check_mould(spec: ObjectSpec) -> Iterator[str]:
-    """What cannot be moulded, what was given and how to fix it."""
-    opening = opening_of(spec)
-    if spec.mould.style == "one-piece" and opening != "open":
-        yield (
-            f'mould.style = "one-piece" needs a whole side of the body open; this {spec.body.kind} has '
-            f'body.open_faces = {list(spec.body.opened)}. Use "split", or leave the style out'
-        )

@@ -14,9 +14,10 @@ import cadquery as cq
 import numpy as np
 
 from design.layout.mould_frame import mould_frame, parting, play_mm
+from design.layout.mould_pins import Pin, loose_pins
 from design.mould.flange import FLANGE_THICKNESS_MM, Flange, flanges
 from design.mould.openings import Hole, mould_holes, seal_holes
-from design.mould.pins import Pin, fixed_bosses, loose_pins, pin_holes
+from design.mould.pins import fixed_bosses, pin_holes
 from design.mould.plug import rod_hole
 from design.mould.room import cast_room, finished_room
 from design.mould.walls import block, fins_to_walls, walls

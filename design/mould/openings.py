@@ -20,8 +20,8 @@ from design.body.triangles import cylinder_between
 from design.errors import InputError
 from design.layout.body import body_of
 from design.layout.mould_frame import MouldFrame, mould_frame, mould_style, up
+from design.layout.mould_pins import Pin, loose_pins
 from design.layout.pockets import distance_of_segments_mm
-from design.mould.pins import Pin, loose_pins
 from design.solids.sampled import cast_surface, sampled_shell
 from design.spec.object import ObjectSpec
 from design.spec.worked_out import once

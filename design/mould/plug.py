@@ -14,9 +14,10 @@ import numpy as np
 
 from design.layout.body import body_of
 from design.layout.core_hold import core_outlet
+from design.layout.mould_closure import flange_span_mm
 from design.layout.mould_frame import mould_frame, play_mm
 from design.mould.openings import mould_holes, seal_holes
-from design.mould.plug_flange import flange_solids, flange_span_mm
+from design.mould.plug_flange import flange_solids
 from design.mould.room import cast_room, core_outside
 from design.solids.booleans import Shape, Solid, common, cut, join, one_body
 from design.solids.primitives import OVERSHOOT_MM, box_between, rod_about_z

@@ -14,33 +14,22 @@ from __future__ import annotations
 import cadquery as cq
 import numpy as np
 
-from design.layout.body import body_of
+from design.layout.mould_closure import (
+    CLIP_MM,
+    FLANGE_HEIGHT_MM,
+    SEAT_MM,
+    clip_mm,
+    flange_span_mm,
+)
 from design.layout.mould_frame import MouldFrame, mould_frame, mould_style, play_mm
 from design.solids.booleans import common
 from design.solids.primitives import OVERSHOOT_MM, box_between
 from design.spec.object import ObjectSpec
 
-SEAT_MM = 2.0
-"""Height above the rim at which the flange rests on the walls."""
 POST_HEIGHT_MM = 4.0
 POST_MM = 7.3
-FLANGE_HEIGHT_MM = 10.0
-FLANGE_OVERLAP_MM = 2.0
-"""Of the flange over the shell's rim, but at most a quarter of the shell's thickness, so that thin
-shells keep room to pour. A rod's flange is as wide as the rod."""
 BLOCK_MM = 10.0
-CLIP_MM = 2.5
 CHAMFER_MM = 3.0
-
-
-def flange_span_mm(spec: ObjectSpec) -> tuple[float, float]:
-    """Ends of the flange across the mould: over the plug's edges, but within the silicone's box."""
-    frame, bore = mould_frame(spec), body_of(spec).opening == "bore"
-    over = 0.0 if bore else min(FLANGE_OVERLAP_MM, spec.shell.thickness_mm / 4)
-    wall = spec.mould.wall_mm
-    left = max(frame.plug_mm[0, 0] - over, frame.low_mm[0] + wall)
-    right = min(frame.plug_mm[1, 0] + over, frame.high_mm[0] - wall)
-    return float(left), float(right)
 
 
 def flange_solids(spec: ObjectSpec) -> list[cq.Shape]:
@@ -48,14 +37,15 @@ def flange_solids(spec: ObjectSpec) -> list[cq.Shape]:
     frame, play = mould_frame(spec), play_mm(spec)
     left, right = flange_span_mm(spec)
     wall = float(frame.high_mm[1])
-    bridge, end, inner = wall - spec.mould.wall_mm - play, wall + CLIP_MM, _inner_mm(frame)
+    (start, end), inner = clip_mm(spec), _inner_mm(frame)
+    bridge = wall - spec.mould.wall_mm - play
     rim, seat, top = frame.rim_mm + np.array([0.0, SEAT_MM, FLANGE_HEIGHT_MM])
     solids: list[cq.Shape] = [
         _box(frame, (left, right), (-bridge, bridge), (rim, seat)),
         _grip(frame, (left, right), inner, (seat, top)),
     ]
     for side in (1, -1):
-        clip = sorted((side * (wall + play), side * end))
+        clip = sorted((side * start, side * end))
         solids.append(_box(frame, (left, right), clip, (rim, top)))
         block = sorted((side * inner, side * end))
         solids.append(_box(frame, (left, right), block, (seat, top)))

@@ -125,7 +125,7 @@ def made(request: Request) -> tuple[Tables, list[Finding]]:
 
 def _turned(tables: Tables) -> Iterator[Tables]:
     """As placed, and with the seam of the mould turned to where pins leave it walls."""
-    from design.mould.pins import pins_thin_the_seam
+    from design.layout.mould_pins import pins_thin_the_seam
 
     yield tables
     plane, frame = parting(spec_of(tables)), mould_frame(spec_of(tables))

@@ -18,7 +18,7 @@ from instobj.render.pieces import Piece, moved, picture_of
 if TYPE_CHECKING:
     import trimesh
 
-    from design.mould.pins import Pin
+    from design.layout.mould_pins import Pin
 
 _SHOWN = (
     *("mould_box", "mould_half_a", "mould_half_b", "mould_plug", "mould_holder", "shell"),

@@ -23,7 +23,7 @@ from instobj.report.assembly_steps import has_template, steps
 from instobj.report.pages import render
 
 if TYPE_CHECKING:
-    from design.mould.pins import PinKind
+    from design.layout.mould_pins import PinKind
 
 _NORTH, _SOUTH = "#c1121f", "#1d4e9e"
 _FACE_MM = 55.0

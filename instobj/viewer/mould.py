@@ -71,7 +71,7 @@ def mould_pieces(spec: ObjectSpec, build: Path) -> list[MouldPiece]:
 
 def _pins(spec: ObjectSpec, build: Path) -> list[MouldPiece]:
     """Every loose pin in its place: pins of a kind are alike in the frames of their pockets."""
-    from design.mould.pins import Pin, loose_pins, pins_of_kinds
+    from design.layout.mould_pins import Pin, loose_pins, pins_of_kinds
 
     pins, pieces = loose_pins(spec), []
     length = _PINS_OUT * float(max(spec.body.size_mm))

@@ -45,7 +45,7 @@ def make_sheet(context: StageContext, folder: Path) -> None:
     from design.catalogue.bus_parts import MEGA2560
     from design.files import atomic_path
     from design.layout.mould_frame import mould_style
-    from design.mould.pins import loose_pins, pins_by_kind
+    from design.layout.mould_pins import loose_pins, pins_by_kind
     from design.mould.whole import has_mould
     from design.wiring.bus_plan import plan_or_none
     from instobj.render.demoulding import draw_demoulding

@@ -26,9 +26,9 @@ from design.fabrication.printing import (
     check_walls,
 )
 from design.layout.mould_frame import mould_style, parting
+from design.layout.mould_pins import loose_pins
 from design.mould.halves import make_mould_half
 from design.mould.one_piece import make_mould_box
-from design.mould.pins import loose_pins
 from design.mould.plug import make_mould_plug
 from design.solids.booleans import as_triangles
 from design.solids.core import make_core

@@ -24,9 +24,10 @@ from design.layout.core_sockets import (
     _ways,
 )
 from design.layout.mould_frame import up
+from design.layout.mould_pins import loose_pins
 from design.layout.places.positions import magnet_layout
 from design.layout.pockets import shell_pockets
-from design.mould.pins import loose_pins, make_pin
+from design.mould.pins import make_pin
 from design.solids.booleans import common, volume_mm3
 from design.solids.core import make_core
 from design.solids.sampled import sampled_core_part

@@ -16,10 +16,11 @@ from design.fabrication.casting import OPEN_MM3, check_casting
 from design.layout.body import body_of
 from design.layout.core_hold import core_outlet, locators, why_no_mould
 from design.layout.mould_frame import least_undercut, mould_frame, mould_style, parting, up
+from design.layout.mould_pins import loose_pins, pins_of_kinds
 from design.mould import plug
 from design.mould.halves import make_mould_half
 from design.mould.openings import air_traps, mould_holes, pour_holes
-from design.mould.pins import loose_pins, make_pin, pins_of_kinds
+from design.mould.pins import make_pin
 from design.mould.plug import make_mould_holder
 from design.mould.room import cast_room
 from design.mould.whole import inside_of_mould, mould_around

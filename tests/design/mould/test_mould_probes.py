@@ -7,10 +7,10 @@ from numpy.testing import assert_allclose
 from scipy.spatial.distance import pdist
 
 from design.errors import InputError
+from design.layout.mould_closure import flange_span_mm
 from design.layout.tips import tip_positions_mm
 from design.mould.one_piece import make_mould_box
 from design.mould.plug import make_mould_plug
-from design.mould.plug_flange import flange_span_mm
 from design.solids.probes import make_probe
 from design.solids.shell import envelope, make_shell
 from design.spec.fabrication import MouldSpec

@@ -5,11 +5,11 @@ import trimesh
 from numpy.testing import assert_allclose
 
 from design.errors import InputError
+from design.layout.mould_closure import flange_span_mm
 from design.layout.mould_frame import mould_frame, up
+from design.layout.mould_pins import loose_pins
 from design.mould import openings
 from design.mould.openings import pour_holes
-from design.mould.pins import loose_pins
-from design.mould.plug_flange import flange_span_mm
 from design.spec_io import parse_spec
 from tests.support.objects.body_cases import body_spec
 

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from design.layout import mould_pins as pins
 from design.layout.mould_frame import mould_frame, parting
+from design.layout.mould_pins import PIN_HEAD_MM, loose_pins, pins_by_kind
 from design.layout.pockets import shell_pockets
-from design.mould import pins
-from design.mould.pins import PIN_HEAD_MM, loose_pins, pins_by_kind
 from design.spec.object import ObjectSpec
 from tests.support.objects.body_cases import body_spec
 
@@ -87,15 +87,23 @@ def test_rims_end_below_a_plug_s_clips_where_heads_stand_under_its_flange(monkey
     monkeypatch.setattr(pins, "flange_span_mm", lambda spec: (-10.0, 10.0))
     spec = closed()
 
-    def rim(across, along, out, radius=3.0):
+    def rim(across, along, out, lean=0.0, radius=3.0):
+        """Of a head 2 mm long that rises by `lean` along its axis."""
         end = np.array([across, along, out])
-        pin = SimpleNamespace(head_axis_mm=np.stack([end - 2, end]), radius_mm=radius)
-        return pins._below_rim_mm.__wrapped__(spec, [pin])
+        start = end - np.array([0.0, np.sign(along) * 2.0, lean * 2.0])
+        pin = SimpleNamespace(head_axis_mm=np.stack([start, end]), radius_mm=radius)
+        return pins.rim_below_clips_mm.__wrapped__(spec, [pin])
 
     clear = 1.5 + 0.1 + 3.0
     assert rim(0.0, 21.0, 30 - clear + 0.4) == pytest.approx(1.1)
     assert rim(0.0, -21.0, 30 - clear + 0.4) == pytest.approx(1.1)
     assert rim(0.0, 21.0, 29.0) == 0.0
+    leaning = np.sqrt(2) * (30 - 0.1 - 27.0) - 3.0
+    assert rim(0.0, 21.0, 27.0, lean=1.0) == pytest.approx(leaning), "at 45° it reaches less high"
+    assert rim(0.0, 21.0, 26.0, lean=-1.0) == pytest.approx(leaning), (
+        "highest 1 mm back, at the wall"
+    )
+    assert rim(0.0, 22.5, 25.0, lean=-1.0) == pytest.approx(leaning), "or at its seat"
     for free in (
         (0.0, 19.9, 29.0),
         (10 + clear + 0.1, 21.0, 29.0),
