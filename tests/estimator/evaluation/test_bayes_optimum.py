@@ -181,3 +181,52 @@ def test_radius_by_hand():
         order = np.argsort(away)
         needed = away[order][np.argmax(share[order].cumsum() >= cover)]
         assert_allclose(found.force_halfwidth_n, [needed], atol=1e-6)
+
+
+def made_hypotheses(seed=0, cases=4, phases=3):
+    """Cases that press two pixels of six each, forces increasing along the phases."""
+    rng = np.random.default_rng(seed)
+    counts = rng.normal(size=(cases, phases, 2))
+    maps = np.zeros((cases, phases, 6))
+    for case in range(cases):
+        for pixel in rng.permutation(6)[:2]:
+            maps[case, :, pixel] = np.sort(rng.uniform(0.5, 9, phases))
+    return Hypotheses(counts, maps.reshape(cases, phases, 2, 3), rest_share=0.1)
+
+
+def test_medians_are_those_of_every_pixel_and_of_the_total_force():
+    """By sorting the values of all hypotheses and of rest, pixel by pixel."""
+    made = made_hypotheses()
+    seen = np.random.default_rng(1).normal(size=(40, 2))
+    found = best_answers(made, seen, np.full(2, 0.6))
+    flat = made.counts.reshape(-1, 2)
+    log = -np.sum(((seen[:, None] - flat) / 0.6) ** 2, axis=2) / 2
+    weight = 0.9 / len(flat) * np.exp(log)
+    rest = 0.1 * np.exp(-np.sum((seen / 0.6) ** 2, axis=1) / 2)
+    weight = np.column_stack([weight, rest])
+    weight /= weight.sum(axis=1, keepdims=True)
+
+    def median(values, row):
+        order = np.argsort(values, kind="stable")
+        return values[order][np.searchsorted(weight[row][order].cumsum(), 0.5 - 1e-9)]
+
+    maps = np.concatenate([made.map_n.reshape(-1, 6), np.zeros((1, 6))])
+    for row in range(len(seen)):
+        wanted = [median(maps[:, pixel], row) for pixel in range(6)]
+        assert_allclose(found.median_map_n[row].ravel(), wanted)
+        assert_allclose(found.total_n[row], median(maps.sum(axis=1), row))
+        of_case = weight[row, :-1].reshape(4, 3)
+        best = of_case.sum(axis=1).argmax()
+        middle = np.searchsorted(of_case[best].cumsum(), of_case[best].sum() / 2 - 1e-12)
+        assert_allclose(found.case_map_n[row], made.map_n[best, middle])
+    assert_allclose(found.rest_probability, weight[:, -1])
+    assert (found.median_map_n > 0).any()
+
+
+def test_batches_of_frames_change_no_answer(monkeypatch):
+    made, seen = made_hypotheses(), np.random.default_rng(2).normal(size=(7, 2))
+    whole = best_answers(made, seen, np.ones(2))
+    monkeypatch.setattr("estimator.evaluation.bayes_optimum._CHUNK_BYTES", 8.0 * 12 * 2)
+    parts = best_answers(made, seen, np.ones(2))
+    for name in ("median_map_n", "case_map_n", "mean_map_n", "total_n", "rest_probability"):
+        assert_allclose(getattr(parts, name), getattr(whole, name), rtol=1e-12)

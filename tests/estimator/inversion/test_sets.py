@@ -1,0 +1,240 @@
+"""Sets of contacts sorted, halved, packed and weighed, and steps of a descent, worked out by hand."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose, assert_array_equal
+
+from estimator.inversion import posterior, search
+from estimator.inversion.blind_start import _summary, _worst_mm
+from estimator.inversion.model.forward import NONE
+from estimator.inversion.posterior import Observed, Problems, bounded_curvature, empty
+from estimator.inversion.priors import Priors, _standing
+from estimator.inversion.search import Hypotheses, Search
+from estimator.inversion.tracking import Tracker
+
+PRIORS = Priors((0.25, 0.25, 0.25, 0.25), 2, 800.0, (0.5, 10.5))
+CHANNELS = 6
+
+
+def problems(frames, faces, misfit):
+    face = np.array(faces)
+    count, slots = face.shape
+    contact = np.arange(count * slots * 3.0).reshape(count, slots, 3)
+    curvature = np.tile(2 * np.eye(3 * slots), (count, 1, 1))
+    return Problems(
+        np.array(frames), face, contact, np.zeros((count, CHANNELS)), np.array(misfit, float),
+        curvature, np.zeros(count),
+    )  # fmt: skip
+
+
+ONE, TWO = [0, NONE, NONE], [0, 1, NONE]
+
+
+def test_a_set_reached_twice_counts_once_and_sets_of_other_numbers_or_frames_stay():
+    sets = problems([0, 0, 0, 1, 0], [ONE, ONE, TWO, ONE, ONE], np.zeros(5))
+    found = Hypotheses(sets, np.array([3.0, 3.04, 3.0, 3.0, 3.2])).distinct()
+    assert_array_equal(found.log_evidence, [3.0, 3.0, 3.0, 3.2])
+    assert found.problems.frame.tolist() == [0, 0, 1, 0]
+    apart = Hypotheses(sets, np.array([3.0, 3.051, 3.0, 3.0, 3.2])).distinct()
+    assert len(apart.problems) == 5
+
+
+def test_odds_are_shares_of_the_evidence_of_a_frame():
+    sets = problems([0, 1, 0, 1, 1], [ONE] * 5, np.zeros(5))
+    found = Hypotheses(sets, 1e4 + np.log([1.0, 2, 3, 5, 3]))
+    assert_allclose(found.odds, [0.25, 0.2, 0.75, 0.5, 0.3], rtol=1e-9)
+    best = found.best()
+    assert best.tolist() == [2, 3]
+    assert found.second(best).tolist() == [0, 4]
+    alone = Hypotheses(problems([0, 1, 1], [ONE] * 3, np.zeros(3)), np.array([0.0, 1.0, 2.0]))
+    assert alone.second(alone.best()).tolist() == [0, 1]
+
+
+def test_the_sets_of_least_misfit_of_each_number_go_on_equal_ones_once():
+    sets = problems(
+        [0, 0, 0, 0, 0, 1], [ONE, ONE, ONE, TWO, ONE, ONE], [5.0, 3.0, 3.04, 9.0, 4.0, 7.0]
+    )
+    assert search._best_of_frame(sets, 2).tolist() == [1, 4, 3, 5]
+    assert search._best_of_frame(sets, 1).tolist() == [1, 3, 5]
+    assert search._best_of_frame(sets, 9).tolist() == [1, 4, 0, 3, 5]
+    near = problems([0, 0], [ONE, ONE], [3.0, 3.06])
+    assert search._best_of_frame(near, 2).tolist() == [0, 1]
+    assert search._first_of_frame(np.array([1, 0, 1, 0]), np.array([4.0, 2, 3, 5])).tolist() == [
+        1,
+        2,
+    ]
+
+
+def test_a_contact_is_halved_into_two_a_dozen_millimetres_apart_four_ways():
+    level = problems([7, 8], [ONE, [0, 1, 0]], [0, 0])
+    frame, face, contact, extra = search._halves(level)
+    assert frame.tolist() == [7, 7, 7, 7]
+    assert_array_equal(face, np.tile([0, 0, NONE], (4, 1)))
+    was = level.contact[0, 0]
+    for one, way in zip(contact, ([1, 0], [0, 1], [1, 1], [1, -1]), strict=True):
+        step = 6 * np.array(way) / np.linalg.norm(way)
+        assert_allclose(one[0], [*(was[:2] + step), was[2] / 2])
+        assert_allclose(one[1], [*(was[:2] - step), was[2] / 2])
+    assert extra.shape == (4, CHANNELS)
+    two = search._halves(problems([3], [TWO], [0]))
+    assert len(two[0]) == 8
+    assert_array_equal(two[1][0], [0, 1, 0])
+    assert_array_equal(two[1][4], [0, 1, 1])
+
+
+def test_filled_slots_come_first_in_their_order():
+    face = np.array([[NONE, 1, 0], [0, NONE, 1]])
+    contact = np.arange(18.0).reshape(2, 3, 3)
+    packed, moved = search._packed(face, contact)
+    assert_array_equal(packed, [[1, 0, NONE], [0, 1, NONE]])
+    assert_array_equal(moved[:, :2], [contact[0, 1:], contact[1, [0, 2]]])
+
+
+def test_sets_go_on_while_more_is_left_than_noise_and_a_contact_could_gain():
+    """Of 60 channels: one contact leaves 0.75 · ½ · 57 = 21.375 for noise, two 20.25."""
+    model = SimpleNamespace(channels=60)
+    given = object.__new__(Search)
+    given.__dict__.update(model=model, priors=PRIORS)
+    level = problems([0, 0, 0, 1], [ONE, ONE, TWO, [0, 1, 0]], [31.5, 31.3, 30.3, 900.0])
+    judged = Hypotheses(level, np.array([0.0, 0.0, 0.0, 0.0]))
+    assert given._hopeful(judged, np.array([0.0, 0.0])).tolist() == [True, False, True, False]
+    # the second frame's set is full; evidence far below the best cannot be made good
+    assert not given._hopeful(judged, np.array([10.2, 0.0])).any()
+    assert given._hopeful(judged, np.array([10.1, 0.0])).tolist() == [True, False, False, False]
+
+
+def test_slots_are_cut_and_widened_with_ones_on_the_diagonal():
+    assert posterior._used_slots(np.array([[0, NONE, NONE], [NONE, 1, NONE]])) == 2
+    assert posterior._used_slots(np.full((2, 3), NONE)) == 1
+    narrow = problems([0], [[0]], [1.0])
+    wide = posterior._widened(narrow, 3)
+    assert_array_equal(wide.face, [[0, NONE, NONE]])
+    assert_array_equal(wide.contact[0, 0], narrow.contact[0, 0])
+    assert not wide.contact[0, 1:].any()
+    assert_array_equal(wide.curvature[0], np.diag([2.0] * 3 + [1.0] * 6))
+    assert posterior._widened(narrow, 1) is narrow
+
+
+def test_contacts_are_held_within_table_and_prior():
+    model = SimpleNamespace(
+        bounds=(np.array([-5.0, -6.0, 0.0]), np.array([5.0, 6.0, 8.0])),
+        on_faces=lambda face, contact: contact,
+    )
+    contact = np.array([[[-9.0, 9.0, 0.1], [9.0, -9.0, 9.0]]])
+    held = posterior._held.__wrapped__(model, PRIORS, np.array([[0, 1]]), contact)
+    assert_array_equal(held, [[[-5, 6, 0.5], [5, -6, 8.0]]])
+    tighter = Priors((0.5, 0.5), 1, 1.0, (0.5, 4.0))
+    assert posterior._held.__wrapped__(model, tighter, np.array([[0, 1]]), contact)[0, 1, 2] == 4.0
+
+
+def test_a_damped_step_is_marquardts():
+    curvature = np.array([[[4.0, 1.0, 0], [1.0, 3.0, 0], [0, 0, 2.0]]])
+    slope, damping = np.array([[1.0, -2.0, 0.5]]), np.array([0.5])
+    wanted = -np.linalg.solve(curvature[0] + 0.5 * np.diag([4.0, 3.0, 2.0]), slope[0])
+    assert_allclose(posterior._step(slope, curvature, damping)[0], wanted, rtol=1e-6)
+
+
+SEEN = Observed(
+    np.array([[1.0, -2, 0, 0, 3, 0]]), np.full((1, 6), 2.0), np.full((1, 6), 0.5), np.ones((1, 6))
+)
+
+
+def test_nothing_explains_what_is_within_the_noise_of_rest():
+    found = empty(SEEN, np.zeros(2, int), 2)
+    assert_array_equal(found.face, np.full((2, 2), NONE))
+    assert_allclose(found.misfit, 0.5 * (1 + 4 + 9) / 0.25)
+    assert_allclose(found.log_spread, 6 * np.log(0.25))
+    assert_array_equal(found.curvature, np.tile(np.eye(6), (2, 1, 1)))
+    assert found.number.tolist() == [0, 0]
+
+
+def test_no_posterior_is_wider_than_its_even_prior():
+    """Even priors of width w have the variance w²/12: 20 mm a side of two faces of 800 mm², 10 N."""
+    found = bounded_curvature(problems([0], [ONE], [0]), PRIORS)
+    wide = [2 + 12 / 400, 2 + 12 / 400, 2 + 12 / 100]
+    assert_allclose(np.diag(found[0]), [*wide, *[2.0] * 6])
+    variance = posterior.covariances(problems([0], [ONE], [0]), PRIORS)
+    assert_allclose(variance[0, 0], np.diag(1 / np.array(wide)))
+
+
+def test_tips_of_a_known_probe_are_as_dense_as_their_ring_and_points():
+    """Two tips: one on a ring about the other; three: the third at two points."""
+    priors = Priors((1.0,) * 4, 1, 500.0, (0.5, 10.5), spacing_mm=(15.0, 20.0))
+    wide = np.sqrt(2 * np.pi) * 0.2
+    two = np.log(500 / (2 * np.pi * 15 * wide))
+    three = np.log(500 / (2 * np.pi * 20 * wide)) + np.log(500 / (2 * wide**2))
+    assert_allclose(_standing(priors)[:4], [0, 0, two, three])
+    assert np.isneginf(_standing(priors)[4])
+
+
+def test_the_worst_contact_is_that_of_the_nearest_pairing():
+    found = np.array([[[0.0, 0], [10, 0]], [[1.0, 0], [2.0, 0]]])
+    true = np.array([[[10.0, 3], [0, 4]], [[1.0, 0], [2.0, 5.0]]])
+    assert_allclose(_worst_mm(found, true), [4.0, 5.0])
+
+
+def test_a_summary_of_blind_starts_tells_ranks_and_their_range():
+    spec = SimpleNamespace(seed=3, limits=SimpleNamespace(position_bound_mm=2.0))
+    distance = np.concatenate([np.full(60, 1.0), np.full(30, 2.0), np.full(9, 7.0), [np.inf]])
+    found = _summary.__wrapped__(spec, distance, 2, 3, "own")
+    assert (found.contacts, found.sensors, found.blind_frames) == (2, 3, 100)
+    assert (found.blind_median_mm, found.blind_90_mm) == (1.0, 2.0)
+    assert found.blind_share_within_limit == pytest.approx(0.9)
+    assert (found.blind_median_low_mm, found.blind_median_high_mm) == (1.0, 1.0)
+    wide = np.concatenate([np.full(51, 1.0), np.full(49, 5.0)])
+    found_wide = _summary.__wrapped__(spec, wide, 2, 3, "own")
+    assert (found_wide.blind_median_low_mm, found_wide.blind_median_high_mm) == (1.0, 5.0)
+    # the share of a hundred draws has a deviation of 0.03: nine tenths lie within ±0.05
+    assert found.blind_share_low == pytest.approx(0.85, abs=0.011)
+    assert found.blind_share_high == pytest.approx(0.95, abs=0.011)
+
+
+class Watched(Tracker):
+    """A tracker whose frames have the p values given, and that notes where it looked anew."""
+
+    def __init__(self, p_values, numbers):
+        self.given, self.numbers, self.looked = iter(p_values), iter(numbers), []
+        self.window = 0
+        disturbances = SimpleNamespace(observed=lambda counts, averaged: SEEN)
+        inversion = SimpleNamespace(
+            window_frames=1, disturbances=disturbances, reading=lambda seen, found, odds: odds
+        )
+        Tracker.__init__.__wrapped__(self, inversion)
+
+    def _same(self, seen):
+        self.window += 1
+        return problems([0], [ONE], [next(self.given)])
+
+    def _faint(self, same):
+        return False
+
+    def _changed(self, seen, same):
+        self.looked.append(self.window)
+        return problems([0], [TWO if next(self.numbers) else ONE], [0.0]), np.ones(1)
+
+
+def fed(tracker):
+    Tracker.feed.__wrapped__(tracker, np.zeros(CHANNELS))
+
+
+def test_a_tracker_waits_twice_as_long_each_time_that_nothing_better_was_found(monkeypatch):
+    """p below 0.02 makes it look; it then waits 1, 3, 7 and again 7 frames."""
+    monkeypatch.setattr("estimator.inversion.tracking.p_values", lambda seen, found: found.misfit)
+    tracker = Watched([0.5] + [0.01] * 30, [False] * 30)
+    for _ in range(31):
+        fed(tracker)
+    assert tracker.looked == [2, 4, 8, 16, 24]
+    again = Watched([0.01, 0.01, 0.5, 0.01, 0.01], [False] * 9)
+    for _ in range(5):
+        fed(again)
+    assert again.looked == [1, 4]
+    worse = Watched([0.01, 0.0011, 0.01, 0.0009], [False] * 9)
+    for _ in range(4):
+        fed(worse)
+    assert worse.looked == [1, 3, 4]
+    found = Watched([0.01, 0.01, 0.02], [True] * 9)
+    for _ in range(3):
+        fed(found)
+    assert found.looked == [1, 2]
