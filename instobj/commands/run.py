@@ -187,8 +187,9 @@ def _make_by_workers(
     if workers == 1 and scheduler is None:
         return
     tasks, last = tasks_of(specs, stages)
-    with open_workers(workers, scheduler) as others:
-        done = others.make(tasks, store_root(), ProgressLine().say)
+    progress = ProgressLine()
+    with progress.stage("stages"), open_workers(workers, scheduler, progress) as others:
+        done = others.make(tasks, store_root(), progress.say)
     for spec, keys in zip(specs, last, strict=True):
         for key in keys.values():
             if done[key]["error"]:

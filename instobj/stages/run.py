@@ -89,6 +89,7 @@ class Run:
     progress: ProgressLine = field(default_factory=ProgressLine)
     root: Path = field(default_factory=store_root)
     results: dict[str, StoredResult] = field(default_factory=dict)
+    found: dict[str, StoredResult] = field(default_factory=dict, repr=False)
 
     def __post_init__(self) -> None:
         check(self.spec, table=False)
@@ -105,9 +106,13 @@ class Run:
         origins = {need: result.origin for need, result in needs.items()}
         inputs = stage_inputs(stage, self.spec, origins, versions())
         folders = {need: result.folder for need, result in needs.items()}
+        key = stage_key(name, inputs)
+        if key in self.found:
+            self.results[name] = self.found[key]
+            return self.results[name]
 
         def make(folder: Path) -> None:
-            context = StageContext(self.spec, folders, stage_key(name, inputs), self.progress.step)
+            context = StageContext(self.spec, folders, key, self.progress.step)
             try:
                 stage.make(context, folder)
             except MemoryError:
@@ -118,14 +123,17 @@ class Run:
 
         with self.progress.stage(stage.title):
             result = stored(self.root, name, inputs, make, self.progress.say)
-        self.results[name] = result
+        self.results[name] = self.found[key] = result
         how = "reused, first made in" if result.reused else "made in"
         self.progress.say(f"{stage.title}: {how} {result.seconds:.1f} s")
         return result
 
     def _of(self, spec: ObjectSpec) -> Run:
-        """The chain of another specification, on the same store."""
-        return self if spec == self.spec else Run(spec, self.progress, self.root)
+        """The chain of another specification, on the same store; results that both have are asked
+        for, verified and told once."""
+        if spec == self.spec:
+            return self
+        return Run(spec, self.progress, self.root, found=self.found)
 
     def read(self, file: ResultFile[Content]) -> Content:
         """A result file of `instobj.store.readers`, its stage made first where it is not stored."""

@@ -16,6 +16,7 @@ from instobj.stages.inputs import stage_inputs
 from instobj.stages.resources import needed_gib
 from instobj.stages.run import Run, versions
 from instobj.stages.table import STAGES
+from instobj.store.content import StoredResult
 from instobj.store.keys import content_key
 from instobj.store.progress import ProgressLine
 
@@ -64,19 +65,22 @@ def work(
     before: list[dict[str, Any]],
     root: str,
     progress: ProgressLine | None = None,
+    found: dict[str, StoredResult] | None = None,
 ) -> dict[str, Any]:
     """Make a task's stage in the store at `root`, or read it there; in any process, on any machine.
 
     Takes and gives plain content: schedulers carry no code of instobj. Where something that it
-    needs failed, so has this, for the same reason.
+    needs failed, so has this, for the same reason. `found` are results that this process knows by
+    their keys; they are verified and told once, and what comes is added.
     """
     failed = next((done["error"] for done in before if done["error"]), "")
     if failed:
         return {"key": "", "error": failed}
     spec, stage = ObjectSpec.model_validate(task["spec"]), task["stage"]
     shown = progress or ProgressLine(Console(file=io.StringIO()))
+    known = {} if found is None else found
     try:
-        key = Run(spec, shown, Path(root)).require(stage).key
+        key = Run(spec, shown, Path(root), found=known).require(stage).key
     except (InstobjError, MemoryError) as error:
         return {"key": "", "error": f"{STAGES[stage].title}: {error}"}
     return {"key": key, "error": ""}

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator, Mapping
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -12,6 +13,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 from design.errors import InputError
 from design.processes import machine_memory_gib
 from instobj.stages.tasks import StageTask, work
+from instobj.store.content import StoredResult
 from instobj.store.progress import ProgressLine
 
 if TYPE_CHECKING:
@@ -24,6 +26,7 @@ MEMORY = "instobj_gib"
 """What workers offer and stages ask for, as one of Dask's resources."""
 _RETRIES = 3
 _MOST_SILENT_S = 5.0
+_BETWEEN_LOOKS_S = 0.05
 _ANSWER_S = 10.0
 _ONE_THREAD = {"OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
 
@@ -56,7 +59,7 @@ def open_workers(
 ) -> Iterator[Workers]:
     """This process; or `count` processes of this machine, or the workers of the scheduler at an address.
 
-    `progress` shows the steps of stages made in this process; else stages are counted.
+    `progress` shows the steps of stages made in this process, and which stages others are at.
 
     Raises
     ------
@@ -67,7 +70,7 @@ def open_workers(
         yield Here(progress)
         return
     with _client(count, scheduler) as client:
-        yield OnDask(client)
+        yield OnDask(client, progress)
 
 
 @dataclass(frozen=True)
@@ -89,14 +92,14 @@ class Here:
     ) -> Done:
         """As `Workers.make`."""
         done: Done = {}
-        counted = None if self.progress else _Progress(len(tasks), say)
+        found: dict[str, StoredResult] = {}
+        counted = _Progress(len(tasks), say)
         for key, task in tasks.items():
             if enough():
                 break
             before = [done[need] for need in task.needs]
-            done[key] = work(task.content, before, str(root), self.progress)
-            if counted:
-                counted.finished(task, done[key])
+            done[key] = work(task.content, before, str(root), self.progress, found)
+            counted.finished(task, done[key])
         return done
 
 
@@ -110,6 +113,7 @@ class OnDask:
     """
 
     client: Client
+    progress: ProgressLine | None = None
 
     @property
     def count(self) -> int:
@@ -129,8 +133,6 @@ class OnDask:
         InputError
             The scheduler has no workers, or none with the memory that a task takes.
         """
-        from distributed import as_completed
-
         if not tasks:
             return {}
         progress = _Progress(len(tasks), say)
@@ -148,7 +150,8 @@ class OnDask:
             )
         names = {future.key: key for key, future in futures.items()}
         done: Done = {}
-        for future in as_completed(futures.values()):
+        step = self.progress.step if self.progress else say
+        for future in self._finished(futures, lambda at: progress.waiting(at, step)):
             key = names[future.key]
             if future.cancelled():
                 continue
@@ -157,6 +160,24 @@ class OnDask:
             if enough():
                 self.client.cancel([f for key, f in futures.items() if key not in done])
         return done
+
+    def _finished(
+        self, futures: Mapping[str, Any], waiting: Callable[[list[str]], None]
+    ) -> Iterator[Any]:
+        """Futures as they finish; meanwhile, every few seconds, the keys of those at work."""
+        from distributed import as_completed
+
+        completed, heard = as_completed(futures.values()), time.monotonic()
+        while not completed.is_empty():
+            if completed.has_ready():
+                yield next(completed)
+                heard = time.monotonic()
+            elif time.monotonic() - heard > _MOST_SILENT_S:
+                at_work = self.client.processing()
+                waiting([str(key) for keys in at_work.values() for key in keys])
+                heard = time.monotonic()
+            else:
+                time.sleep(_BETWEEN_LOOKS_S)
 
 
 def _outcome(future: Any) -> dict[str, Any]:
@@ -227,6 +248,12 @@ class _Progress:
         self._count, self._say = count, say
         self._began = self._said = time.monotonic()
         self._finished = 0
+
+    def waiting(self, at_work: Sequence[str], step: Say) -> None:
+        """Which stages are being made, counted by their kind."""
+        kinds = Counter(key.rsplit("-", 1)[0] for key in at_work)
+        names = ", ".join(f"{kind} × {n}" if n > 1 else kind for kind, n in kinds.items())
+        step(f"{self._finished} of {self._count} stages; at work or next: {names or 'nothing yet'}")
 
     def finished(self, task: StageTask, outcome: dict[str, Any]) -> None:
         self._finished += 1

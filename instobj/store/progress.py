@@ -23,19 +23,25 @@ class ProgressLine:
 
     @contextmanager
     def stage(self, title: str) -> Iterator[None]:
-        """Show `title` while the stage works."""
+        """Show `title` while the stage works; the live line is one, however stages lie in each other."""
+        before = self._title, self._started
         self._title, self._started = title, time.perf_counter()
-        if not self.console.is_terminal:
-            yield
-            return
-        with self.console.status(title) as self._status:
-            yield
-        self._status = None
+        try:
+            if self._status is not None or not self.console.is_terminal:
+                yield
+                return
+            with self.console.status(title) as self._status:
+                try:
+                    yield
+                finally:
+                    self._status = None
+        finally:
+            self._title, self._started = before
 
     def step(self, message: str) -> None:
         """Say what is being done within the stage."""
         elapsed = time.perf_counter() - self._started
-        line = f"{self._title}: {message} [dim]({elapsed:.0f} s)[/dim]"
+        line = f"{self._title}: {message} [dim]({elapsed:.0f} s)[/dim]" if self._title else message
         if self._status is not None:
             self._status.update(line)
         else:

@@ -27,7 +27,8 @@ def sweep(path: Path, out: Path, workers: int = 1, scheduler: str | None = None)
         The study cannot be read, no specification gets there, or there are no such workers.
     """
     require_writable(out)
-    study, say = load_study(path), ProgressLine().say
+    study, progress = load_study(path), ProgressLine()
+    say = progress.say
     specs = [variant.spec for variant in study.variants if variant.spec is not None]
     for variant in study.variants:
         if variant.refused:
@@ -35,7 +36,7 @@ def sweep(path: Path, out: Path, workers: int = 1, scheduler: str | None = None)
     tasks, last = tasks_of(specs, study.stages)
     say(f"{len(specs)} specifications, {len(tasks)} stages")
     root = store_root().absolute()
-    with open_workers(workers, scheduler) as made_by:
+    with open_workers(workers, scheduler, progress) as made_by:
         done = made_by.make(tasks, root, say)
     keys = iter(last)
     rows = [

@@ -1,13 +1,16 @@
 """A run on made-up stages: damage is repaired by itself, and another mesh is another result."""
 
+import io
 import itertools
 import os
 
 import pytest
+from rich.console import Console
 
 from design.spec.object import ObjectSpec
 from instobj.stages import run as run_module
 from instobj.stages.run import Run
+from instobj.store.progress import ProgressLine
 from instobj.store.publish import publish
 from instobj.store.readers import GRID_SIGNALS, MESH
 from instobj.store.stage import Stage
@@ -85,3 +88,23 @@ def test_what_is_published_comes_from_a_verified_result(tmp_path, made):
     os.truncate(GRID_SIGNALS.path(first.folder), 5)
     publish(SPEC, _signals(store), out)
     assert (out / "runs/made_up/signals.nc").read_text() == "signals of mesh 1"
+
+
+def test_what_objects_share_is_asked_for_and_told_once(tmp_path, made, monkeypatch):
+    def of_two(spec):
+        changed = (spec.changed(sensors=spec.sensors.changed(averaging=n)) for n in (1, 8))
+        return {f"twin {n}": ("signals", one) for n, one in enumerate(changed)}
+
+    def pretrained(context, folder):
+        GRID_SIGNALS.path(folder).write_text(str(sorted(context.inputs)))
+
+    stage = Stage("pretraining", ("mesh",), (), pretrained, of_others=of_two)
+    monkeypatch.setitem(run_module.STAGES, "pretraining", stage)
+    written = io.StringIO()
+    run = Run(SPEC, ProgressLine(Console(file=written)), tmp_path)
+    result = run.require("pretraining")
+    assert GRID_SIGNALS.path(result.folder).read_text() == "['mesh', 'twin 0', 'twin 1']"
+    assert made == ["mesh", "signals", "signals"]
+    assert [line.split(":")[0] for line in written.getvalue().splitlines()] == [
+        "mesh", "signals", "signals", "pretraining"
+    ]  # fmt: skip
