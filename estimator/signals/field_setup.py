@@ -7,10 +7,10 @@ gives the motions of the shell's bodies, and whatever sits in the core has none.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields, replace
 
 import numpy as np
-from jaxtyping import Float
+from jaxtyping import Bool, Float
 
 from design.errors import InputError
 from design.layout.places.positions import (
@@ -102,6 +102,59 @@ def sensed_field(
             parts = _at_sensors(scene, some, moved, magnets, model)
             field[rows, some] = np.stack(parts, axis=-1).swapaxes(0, 1)
     return field
+
+
+@dataclass(frozen=True)
+class KnownField:
+    """What `sensed_field` found for a scene and its motions; others that differ in few magnets cost
+    those alone."""
+
+    scene: Scene
+    motion: Float[np.ndarray, "press body 6"]
+    field_t: Float[np.ndarray, "press sensor 3"]
+
+    def of(
+        self, scene: Scene, motion: Float[np.ndarray, "press body 6"], model: FieldModel
+    ) -> Float[np.ndarray, "press sensor 3"]:
+        """`sensed_field` of another scene, to rounding."""
+        changed = self._changed(scene, motion)
+        if changed is None or 2 * changed.sum() > len(changed):
+            return sensed_field(scene, motion, model)
+        if not changed.any():
+            return self.field_t
+        before, after = (
+            sensed_field(_some_magnets(place, changed), moved[:, changed], model)
+            for place, moved in ((self.scene, self.motion), (scene, motion))
+        )
+        return self.field_t + (after - before)
+
+    def _changed(
+        self, scene: Scene, motion: Float[np.ndarray, "press body 6"]
+    ) -> Bool[np.ndarray, "magnet"] | None:
+        """Magnets that differ; None where more does, or where sensors move or feel some magnets alone."""
+        old, around, was = self.scene.magnets, scene.environment, self.scene.environment
+        if scene.sensors_move or scene.face_by_face or motion.shape != self.motion.shape:
+            return None
+        if around.strays is not was.strays or around.plates is not was.plates:
+            return None
+        alike = (
+            np.array_equal(scene.sensors.position_mm, self.scene.sensors.position_mm),
+            np.array_equal(around.uniform_t, was.uniform_t),
+        )
+        if not all(alike):
+            return None
+        moved = np.any(motion != self.motion, axis=(0, 2)) | (
+            scene.magnets.strength != old.strength
+        )
+        for name in ("centre_mm", "axis", "side"):
+            moved |= np.any(getattr(scene.magnets, name) != getattr(old, name), axis=1)
+        return moved
+
+
+def _some_magnets(scene: Scene, chosen: Bool[np.ndarray, "magnet"]) -> Scene:
+    magnets = scene.magnets
+    some = {field.name: getattr(magnets, field.name)[chosen] for field in fields(magnets)}
+    return replace(scene, magnets=MagnetLayout(**some))
 
 
 def counts(

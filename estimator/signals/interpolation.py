@@ -16,6 +16,7 @@ the chord of their neighbours and marked (`Traces.corrected`, `unresolved_presse
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 from itertools import product
 from typing import Literal
 
@@ -24,7 +25,7 @@ from jaxtyping import Bool, Float, Inexact, Int
 
 from design.errors import InputError
 from design.layout.places.contact_grid import PlaceGrid
-from estimator.signals.monotone import monotone_cubic
+from estimator.signals.monotone import MonotoneCurves, monotone_cubic
 from estimator.signals.presses import Signals
 
 _STEP = 1e-30
@@ -46,6 +47,11 @@ class Traces:
     force_n: Inexact[np.ndarray, "press node"]
     counts: Inexact[np.ndarray, "press node channel"]
     corrected: Bool[np.ndarray, "press node"]
+
+    @cached_property
+    def curves(self) -> MonotoneCurves:
+        """Counts over force."""
+        return MonotoneCurves(self.force_n, self.counts)
 
     def of_channels(self, channels: Int[np.ndarray, "some"]) -> Traces:
         """The same presses seen by some of the channels."""
@@ -128,7 +134,7 @@ def counts_at_force(
             f"press reaches {largest[press, 0]:.3g} N. Ask for less, or add to press.depths_mm"
         )
     held = np.minimum(force_n, largest)
-    return SignalsAtForce(monotone_cubic(traces.force_n, traces.counts, held), held, clamped)
+    return SignalsAtForce(traces.curves.at(held), held, clamped)
 
 
 def depth_at_force(
@@ -166,13 +172,12 @@ def signal_gradient(
     value, along_x, along_y = _lattice_weights(signals, x_mm, y_mm)
     force = force_n[:, None]
     base = _traces(signals, face, value + 0.0)
-    counts_at_force(base, force)
+    counts = counts_at_force(base, force).counts[:, 0]
     derivatives = []
     for change, force_change in ((along_x, 0.0), (along_y, 0.0), (0 * value, 1.0)):
         trace = _traces(signals, face, value + 1j * _STEP * change)
-        counts = monotone_cubic(trace.force_n, trace.counts, force + 1j * _STEP * force_change)
-        derivatives.append(np.imag(counts[:, 0]) / _STEP)
-    counts = monotone_cubic(base.force_n, base.counts, force)[:, 0]
+        changed = trace.curves.at(force + 1j * _STEP * force_change)
+        derivatives.append(np.imag(changed[:, 0]) / _STEP)
     return SignalGradient(counts, *derivatives)
 
 

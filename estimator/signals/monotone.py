@@ -6,8 +6,45 @@ derivatives by a complex step; branches follow the real parts.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from functools import cached_property
+
 import numpy as np
 from jaxtyping import Inexact
+
+
+@dataclass(frozen=True)
+class MonotoneCurves:
+    """Shape-preserving cubics through (nodes, values) of each press, asked for as often as needed.
+
+    `nodes` increase along each press.
+    """
+
+    nodes: Inexact[np.ndarray, "press node"]
+    values: Inexact[np.ndarray, "press node channel"]
+
+    @cached_property
+    def slope(self) -> Inexact[np.ndarray, "press node channel"]:
+        """At the nodes: most of the work, and the same wherever the curves are asked."""
+        width = np.diff(self.nodes, axis=1)[..., None]
+        return _monotone_slopes(width, np.diff(self.values, axis=1) / width)
+
+    def at(
+        self, at: Inexact[np.ndarray, "press point"]
+    ) -> Inexact[np.ndarray, "press point channel"]:
+        """Values of each press at its own points, within the nodes; complex where an argument is, so
+        that derivatives can be taken by a complex step."""
+        nodes, values, slope = self.nodes, self.values, self.slope
+        interval = np.sum(np.real(at)[:, :, None] >= np.real(nodes)[:, None, 1:-1], axis=2)
+        row = np.arange(len(nodes))[:, None]
+        begin, end = values[row, interval], values[row, interval + 1]
+        h = (nodes[row, interval + 1] - nodes[row, interval])[..., None]
+        t = (at - nodes[row, interval])[..., None] / h
+        left, right = slope[row, interval], slope[row, interval + 1]
+        chord = (end - begin) / h
+        bend = left + right - 2 * chord
+        rise = t * (left + t * (chord - left + (t - 1) * bend))
+        return begin + h * rise
 
 
 def monotone_cubic(
@@ -15,30 +52,8 @@ def monotone_cubic(
     values: Inexact[np.ndarray, "press node channel"],
     at: Inexact[np.ndarray, "press point"],
 ) -> Inexact[np.ndarray, "press point channel"]:
-    """Shape-preserving cubic through (nodes, values) of each press, at its own points.
-
-    Parameters
-    ----------
-    nodes : increasing along each press
-    at : within the nodes
-
-    Returns
-    -------
-    Values at the points; complex where an argument is, so that derivatives can be taken by a
-    complex step.
-    """
-    width = np.diff(nodes, axis=1)[..., None]
-    secant = np.diff(values, axis=1) / width
-    slope = _monotone_slopes(width, secant)
-    interval = np.sum(np.real(at)[:, :, None] >= np.real(nodes)[:, None, 1:-1], axis=2)
-    row = np.arange(len(nodes))[:, None]
-    h = width[row, interval]
-    t = (at - nodes[row, interval])[..., None] / h
-    left, right = slope[row, interval], slope[row, interval + 1]
-    chord = secant[row, interval]
-    bend = left + right - 2 * chord
-    rise = t * (left + t * (chord - left + (t - 1) * bend))
-    return values[row, interval] + h * rise
+    """`MonotoneCurves` asked once."""
+    return MonotoneCurves(nodes, values).at(at)
 
 
 def _monotone_slopes(

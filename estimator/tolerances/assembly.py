@@ -89,22 +89,26 @@ def counts_of(
     face: int | None = None,
 ) -> Float[np.ndarray, "press sensor 3"]:
     """Expected counts (absolute) with the bodies moved, of one face's sensors or of all."""
-    if face is not None:
-        chosen = place.sensors.face == face
-        place = _read_by(place, chosen)
-        motion = motion[:, chosen] if place.sensors_move else motion
+    place, motion = read_by(place, motion, face)
     return counts(place, sensed_field(place, motion, model), spec)
 
 
-def _read_by(place: Scene, chosen: np.ndarray) -> Scene:
+def read_by(
+    place: Scene, motion: Float[np.ndarray, "press body 6"], face: int | None
+) -> tuple[Scene, Float[np.ndarray, "press some_body 6"]]:
+    """With the sensors of one face alone, and the motions of what then moves; all where None."""
+    if face is None:
+        return place, motion
+    chosen = place.sensors.face == face
     sensors, chips = place.sensors, place.chips
-    return replace(
+    some = replace(
         place,
         sensors=SensorLayout(
             sensors.position_mm[chosen], sensors.axes[chosen], sensors.face[chosen]
         ),
         chips=ChipErrors(chips.matrix[chosen], chips.offset_mt[chosen]),
     )
+    return some, motion[:, chosen] if place.sensors_move else motion
 
 
 def contribution_sizes(assembly: Assembly) -> dict[str, int]:

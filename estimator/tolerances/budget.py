@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, fields
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -21,7 +22,7 @@ from design.spec.object import ObjectSpec
 from estimator.field.models import FieldModel, field_model
 from estimator.field.sources import magnet_source
 from estimator.information.fisher import cramer_rao_bounds, disturbance_counts
-from estimator.signals.field_setup import min_distance_mm
+from estimator.signals.field_setup import KnownField, counts, min_distance_mm, sensed_field
 from estimator.signals.interpolation import press_traces
 from estimator.signals.press_states import PressStates, motions_as_signals, press_states
 from estimator.tolerances.assembly import (
@@ -32,6 +33,7 @@ from estimator.tolerances.assembly import (
     counts_of,
     designed,
     draw,
+    read_by,
 )
 from estimator.tolerances.result import REACH_SHARE, BoundRange, Robustness, Spread
 from fem.presses.results import MagnetMotions, PressForces
@@ -75,6 +77,21 @@ class Setting:
     states: tuple[PressStates, ...]
     live: tuple[Bool[np.ndarray, "_"], ...]
     model: FieldModel
+
+    def read_by(self, face: int) -> int | None:
+        """The face whose own channels alone are read in presses on it; None for all."""
+        return face if self.spec.score.channels == "own" else None
+
+    @cached_property
+    def of_design(self) -> tuple[KnownField, ...]:
+        """Fields of the design in the states of every face."""
+        known = []
+        for face, states in zip(self.faces, self.states, strict=True):
+            place, motion = read_by(
+                self.design.pressed_scene, _in_a_row(states.of_design), self.read_by(face)
+            )
+            known.append(KnownField(place, motion, sensed_field(place, motion, self.model)))
+        return tuple(known)
 
 
 def robustness(
@@ -153,15 +170,18 @@ def outcome_of(setting: Setting, assembly: Assembly) -> Outcome:
     spec, model, deltas, jacobians, bounds = setting.spec, setting.model, [], [], []
     baseline = counts_of(spec, assembly.scene, setting.states[0].rest[None], model)[0]
     pressed, ratio = assembly.pressed_scene, assembly.modulus_ratio
-    for face, states, live in zip(setting.faces, setting.states, setting.live, strict=True):
+    for face, states, live, known in zip(
+        setting.faces, setting.states, setting.live, setting.of_design, strict=True
+    ):
         motion = states.of_design if ratio == 1 else states.motion(ratio)
         motion = _moved_aside(assembly, states, motion, face)
-        own = face if spec.score.channels == "own" else None
-        counts = counts_of(spec, pressed, motion.reshape(-1, *motion.shape[2:]), model, own)
-        counts = counts.reshape(*motion.shape[:2], -1)[..., live]
+        own = setting.read_by(face)
+        place, moved = read_by(pressed, _in_a_row(motion), own)
+        values = counts(place, known.of(place, moved, model), spec)
+        values = values.reshape(*motion.shape[:2], -1)[..., live]
         rest = baseline if own is None else baseline[assembly.scene.sensors.face == face]
-        deltas.append(counts[0] - rest.ravel()[live])
-        jacobians.append(states.differentiate(counts))
+        deltas.append(values[0] - rest.ravel()[live])
+        jacobians.append(states.differentiate(values))
         bounds.append(cramer_rao_bounds(jacobians[-1], _sigma(spec, live)))
     return Outcome(
         baseline,
@@ -170,6 +190,10 @@ def outcome_of(setting: Setting, assembly: Assembly) -> Outcome:
         np.concatenate([bound.position_mm for bound in bounds]),
         np.concatenate([bound.force_n for bound in bounds]),
     )
+
+
+def _in_a_row(motion: Float[np.ndarray, "7 press body 6"]) -> Float[np.ndarray, "row body 6"]:
+    return motion.reshape(-1, *motion.shape[2:])
 
 
 def _moved_aside(

@@ -71,6 +71,16 @@ class Elimination:
         for column in self.columns:
             x[column.own] = _triangular(column.triangle, x[column.own])
             x[column.later] -= column.below @ x[column.own]
+        return self._backward(x)
+
+    def beside(self, kept: Float[np.ndarray, "kept m"]) -> Float[np.ndarray, "n m"]:
+        """All unknowns where the kept ones have these values and nothing else loads the others."""
+        x = np.zeros((len(self.order), kept.shape[1]))
+        x[len(x) - len(kept) :] = kept
+        return self._backward(x)
+
+    def _backward(self, x: Float[np.ndarray, "n m"]) -> Float[np.ndarray, "n m"]:
+        """Backward substitution in place, then the unknowns in their own order."""
         for column in reversed(self.columns):
             own = x[column.own].copy()
             own[column.positive :] *= -1

@@ -36,7 +36,12 @@ from fem.linear.elements import (
     free_motion_basis,
     saddle_point_matrix,
 )
-from fem.linear.factorization import Compliance, SingularSystemError, compliance_of_loads
+from fem.linear.factorization import (
+    Compliance,
+    LoadedFactor,
+    SingularSystemError,
+    compliance_of_loads,
+)
 from fem.linear.layers import layer_stiffness
 from fem.linear.magnets import magnet_of_nodes, mean_motion_functionals, rigid_motion_basis
 from fem.linear.material import lame_constants
@@ -137,6 +142,57 @@ def build_response(mesh: TetMesh, spec: ObjectSpec) -> ResponseOperator:
         condensed, core = compliance_of_loads(system.matrix, loads), None
     else:
         condensed, core = _condense_with_core(system, spec, loads)
+    return _operator(system, surfaces, condensed, core)
+
+
+@dataclass(frozen=True)
+class FactoredObject:
+    """A bonded object and its factor, which answers what the response operator does not hold: the
+    unknowns of the system under pressures at the faces' vertices and loads of the magnets."""
+
+    system: ElasticSystem
+    factor: LoadedFactor
+
+    def unknowns(self, weights: Float[np.ndarray, "load m"]) -> Float[np.ndarray, "unknown m"]:
+        """Under mixtures of the operator's loads, in its order."""
+        return self.factor.solve(weights)
+
+
+def build_and_keep_factor(
+    mesh: TetMesh, spec: ObjectSpec
+) -> tuple[ResponseOperator, FactoredObject | None]:
+    """`build_response`, and the factor, to be released by whoever takes it.
+
+    None where the object slides on its core or its loads depend on each other, as those of patches that
+    overlap may.
+
+    Raises
+    ------
+    SingularSystemError
+        As `build_response`.
+    """
+    if spec.mechanics.interface != "bonded":
+        return build_response(mesh, spec), None
+    system = elastic_system(mesh, spec)
+    surfaces, loads = system_loads(mesh, system, spec)
+    try:
+        factor = LoadedFactor(system.matrix, loads)
+    except SingularSystemError:
+        return _operator(system, surfaces, compliance_of_loads(system.matrix, loads), None), None
+    try:
+        operator = _operator(system, surfaces, factor.compliance, None)
+    except BaseException:
+        factor.release()
+        raise
+    return operator, FactoredObject(system, factor)
+
+
+def _operator(
+    system: ElasticSystem,
+    surfaces: tuple[FaceSurface, ...],
+    condensed: Compliance,
+    core: CoreContact | None,
+) -> ResponseOperator:
     unknowns, motions = shape_of(system.matrix)[0], shape_of(system.motion_basis)[1]
     require_inertia(condensed.negative_pivots, unknowns - motions)
     return ResponseOperator(surfaces, condensed.matrix, unknowns, condensed.negative_pivots, core)

@@ -20,10 +20,11 @@ from fem.linear.elements import DisplacementSpace
 from fem.linear.factorization import solve_symmetric
 from fem.linear.response import (
     ElasticSystem,
+    FactoredObject,
     ResponseOperator,
     elastic_system,
     face_facets,
-    face_pressure_loads,
+    system_loads,
 )
 from fem.linear.sparse import shape_of
 from fem.mesh.tetrahedra import TetMesh
@@ -107,8 +108,9 @@ def table_shapes(
     face_index: int,
     xy_mm: Float[np.ndarray, "place 2"],
     depth_mm: float,
+    factored: FactoredObject | None = None,
 ) -> list[DeformedShape]:
-    """Small-strain shapes of presses on the table's mesh, one factorization.
+    """Small-strain shapes of presses on the table's mesh; one factorization, or that of `factored`.
 
     A hemisphere's contact is solved on the mesh's own hat functions, so that the face follows it;
     the table's contact is finer than the mesh, and its forces differ by what the mesh costs. Other
@@ -125,13 +127,15 @@ def table_shapes(
             "shapes of presses need a shell bonded to its core; mechanics.interface is "
             "'frictionless'. Set it to 'bonded'"
         )
-    system = elastic_system(mesh, spec)
-    _, tractions = face_pressure_loads(system.space, spec)
     pressures = _pressures(spec, response, face_index, xy_mm, depth_mm)
-    face = tractions[:, response.face_loads(face_index)]
-    loads = system.motion_basis.T @ (face @ pressures.T)
-    padding = np.zeros((shape_of(system.matrix)[0] - len(loads), len(xy_mm)))
-    unknowns = solve_symmetric(system.matrix, np.vstack([loads, padding]))
+    weights = np.zeros((len(response.compliance), len(pressures)))
+    weights[response.face_loads(face_index)] = pressures.T
+    if factored is not None:
+        system, unknowns = factored.system, factored.unknowns(weights)
+    else:
+        system = elastic_system(mesh, spec)
+        _, loads = system_loads(mesh, system, spec)
+        unknowns = solve_symmetric(system.matrix, loads @ weights)
     number = response.surfaces[face_index].number
     vertices = face_vertices(system, spec, number)
     return [

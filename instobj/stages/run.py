@@ -14,6 +14,7 @@ from design.errors import InputError
 from design.spec.object import ObjectSpec
 from design.spec_io import check
 from instobj.stages.inputs import stage_inputs
+from instobj.stages.makers.deformation import forget_factor
 from instobj.stages.resources import require_memory
 from instobj.stages.table import STAGES
 from instobj.store import readers
@@ -90,6 +91,7 @@ class Run:
     root: Path = field(default_factory=store_root)
     results: dict[str, StoredResult] = field(default_factory=dict)
     found: dict[str, StoredResult] = field(default_factory=dict, repr=False)
+    ahead: frozenset[str] = field(default=frozenset(), repr=False)
 
     def __post_init__(self) -> None:
         check(self.spec, table=False)
@@ -98,6 +100,16 @@ class Run:
         """The stage's result, after those of every stage that it needs."""
         if name in self.results:
             return self.results[name]
+        if self.ahead:
+            return self._made(name)
+        self.ahead = _with_needs(name)
+        try:
+            return self._made(name)
+        finally:
+            self.ahead = frozenset()
+            forget_factor()
+
+    def _made(self, name: str) -> StoredResult:
         stage = STAGES[name]
         require_memory(name, self.spec)
         needs = {need: self.require(need) for need in stage.needs}
@@ -112,7 +124,7 @@ class Run:
             return self.results[name]
 
         def make(folder: Path) -> None:
-            context = StageContext(self.spec, folders, key, self.progress.step)
+            context = StageContext(self.spec, folders, key, self.progress.step, self.ahead)
             try:
                 stage.make(context, folder)
             except MemoryError:
@@ -269,6 +281,11 @@ def _places(xy_mm: np.ndarray) -> dict[str, tuple[str, np.ndarray, dict[str, str
 def _unit(name: str) -> str:
     endings = (unit for end, unit in _UNITS_BY_ENDING.items() if name.endswith(f"_{end}"))
     return _UNITS_BY_NAME.get(name) or next(endings)
+
+
+def _with_needs(name: str) -> frozenset[str]:
+    """The stage, and all that it needs of the same specification."""
+    return frozenset({name}).union(*map(_with_needs, STAGES[name].needs))
 
 
 def versions() -> dict[str, str]:

@@ -173,7 +173,7 @@ class OnDask:
                 yield next(completed)
                 heard = time.monotonic()
             elif time.monotonic() - heard > _MOST_SILENT_S:
-                at_work = self.client.processing()
+                at_work: Any = self.client.processing()
                 waiting([str(key) for keys in at_work.values() for key in keys])
                 heard = time.monotonic()
             else:

@@ -17,12 +17,16 @@ Step = Callable[[str], None]
 
 @dataclass(frozen=True)
 class StageContext:
-    """What a stage works from: the specification and the folders of the stages it needs."""
+    """What a stage works from: the specification and the folders of the stages it needs.
+
+    `ahead` are the stages that the same call asks for, for which one may keep what is dear to make again.
+    """
 
     spec: ObjectSpec
     inputs: dict[str, Path]
     key: str
     step: Step
+    ahead: frozenset[str] = frozenset()
 
     def read(self, file: ResultFile[Content]) -> Content:
         """A result file of a stage that this one needs."""

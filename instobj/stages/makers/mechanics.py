@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from instobj.stages.makers.deformation import correct_table
+from instobj.stages.makers.deformation import correct_table, keep_factor
 from instobj.store.readers import (
     CORE_TENSION,
     DISCRETISATION,
@@ -46,12 +46,17 @@ def make_mesh(context: StageContext, folder: Path) -> None:
 def make_response(context: StageContext, folder: Path) -> None:
     """The response operator."""
     from design.spec.mechanics import LOCKING_WARNING
-    from fem.linear.response import build_response, save_response
+    from fem.linear.response import build_and_keep_factor, build_response, save_response
 
     if context.spec.mechanics.element == "p1":
         context.step(LOCKING_WARNING)
     context.step("assembling, factoring and condensing")
-    response = build_response(context.read(MESH), context.spec)
+    given = context.read(MESH), context.spec
+    if "shapes" in context.ahead:
+        response, factored = build_and_keep_factor(*given)
+        keep_factor(context.key, factored)
+    else:
+        response = build_response(*given)
     save_response(response, folder)
     write_json(
         {

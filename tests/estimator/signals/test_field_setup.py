@@ -10,7 +10,7 @@ from scipy.spatial.transform import Rotation
 from design.spec.object import ObjectSpec
 from estimator.field.models import FieldModel
 from estimator.field.sources import magnet_source
-from estimator.signals.field_setup import at_rest, counts, scene, sensed_field
+from estimator.signals.field_setup import KnownField, at_rest, counts, scene, sensed_field
 
 SPEC = ObjectSpec.model_validate(
     {"name": "cube", "magnets": {"positions_mm": [[2.0, -1.0], [-8.0, 5.0]]}}
@@ -64,3 +64,52 @@ def test_bodies_are_magnets_or_boards_and_coils_are_on_face_by_face():
     assert PLACE.on_for(3) == slice(None)
     assert replace(PLACE, face_by_face=True).on_for(3) == slice(4, 6)
     assert replace(PLACE, sensors_move=True).bodies == 15
+
+
+def _changed(place, **arrays):
+    return replace(place, magnets=replace(place.magnets, **arrays))
+
+
+def test_scenes_that_differ_in_few_magnets_cost_those_alone(monkeypatch):
+    motion = np.random.default_rng(2).normal(size=(7, PLACE.bodies, 6)) * 0.02
+    known = KnownField(PLACE, motion, field(PLACE, motion))
+    centre, strength = np.array(PLACE.magnets.centre_mm), np.array(PLACE.magnets.strength)
+    centre[3, 0] += 0.2
+    strength[6] = 1.1
+    moved = motion.copy()
+    moved[:, 1, 2] += 0.1
+    turned = np.roll(PLACE.sensors.axes, 1, axis=1)
+    cases = {
+        2: (_changed(PLACE, centre_mm=centre, strength=strength), motion),
+        1: (PLACE, moved),
+        0: (replace(PLACE, sensors=replace(PLACE.sensors, axes=turned)), motion),
+    }
+    exact = {count: field(*case) for count, case in cases.items()}
+    asked = []
+
+    def counted(place, motion, model):
+        asked.append(motion.shape[1])
+        return sensed_field(place, motion, model)
+
+    monkeypatch.setattr("estimator.signals.field_setup.sensed_field", counted)
+    for count, case in cases.items():
+        asked.clear()
+        found = known.of(*case, MODEL)
+        assert asked == [count] * 2 * (count > 0)
+        assert_allclose(found, exact[count], rtol=0, atol=1e-15 * abs(exact[count]).max() * 50)
+        assert (abs(exact[count] - known.field_t).max() > 0) == (count > 0)
+
+
+def test_what_changes_for_all_magnets_is_computed_anew():
+    motion = np.zeros((2, PLACE.bodies, 6))
+    known = KnownField(PLACE, motion, field(PLACE, motion))
+    uniform = replace(PLACE.environment, uniform_t=np.array([1e-5, 0, 0]))
+    position = PLACE.sensors.position_mm + 0.1
+    others = [
+        (replace(PLACE, environment=uniform), motion),
+        (replace(PLACE, sensors=replace(PLACE.sensors, position_mm=position)), motion),
+        (_changed(PLACE, strength=1.1 * PLACE.magnets.strength), motion),
+        (PLACE, np.zeros((3, PLACE.bodies, 6))),
+    ]
+    for place, moved in others:
+        np.testing.assert_array_equal(known.of(place, moved, MODEL), field(place, moved))

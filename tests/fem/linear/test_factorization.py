@@ -11,6 +11,7 @@ from fem.linear import dissection, factorization, multifrontal
 from fem.linear.elements import assemble, free_motion_basis, saddle_point_matrix, taylor_hood
 from fem.linear.factorization import (
     Factorization,
+    LoadedFactor,
     SingularSystemError,
     compliance_of_loads,
     solve_symmetric,
@@ -33,6 +34,12 @@ def small_system(bonded):
 def sparse_loads(size):
     loads = sp.random(size, 17, density=0.02, rng=np.random.default_rng(5))
     return sp.csr_matrix(loads)
+
+
+def forces(matrix, pressures):
+    """Loads on displacements, none on pressures."""
+    loads = sparse_loads(shape_of(matrix)[0] - pressures)
+    return sp.csr_matrix(sp.vstack([loads, sp.csr_matrix((pressures, shape_of(loads)[1]))]))
 
 
 @pytest.fixture(params=["pardiso", "multifrontal"])
@@ -89,6 +96,45 @@ def test_adjoint_and_direct_solves_agree_to_rounding(solver):
     assert_allclose(forward, forward.T, rtol=0, atol=1e-12 * scale)
     condensed = compliance_of_loads(matrix, loads).matrix
     assert_allclose(condensed, forward, rtol=0, atol=1e-12 * scale)
+
+
+def test_a_kept_factor_answers_mixtures_of_the_loads(solver):
+    matrix, pressures = small_system(bonded=True)
+    loads = forces(matrix, pressures)
+    weights = np.random.default_rng(2).standard_normal((shape_of(loads)[1], 3))
+    exact = np.linalg.solve(matrix.toarray(), loads @ weights)
+    wanted = compliance_of_loads(matrix, loads)
+    with LoadedFactor(matrix, loads) as factor:
+        scale = abs(wanted.matrix).max()
+        assert_allclose(factor.compliance.matrix, wanted.matrix, rtol=0, atol=1e-12 * scale)
+        assert factor.compliance.negative_pivots == wanted.negative_pivots == pressures
+        for columns in (slice(0, 2), slice(2, 3)):
+            solved = factor.solve(weights[:, columns])
+            assert_allclose(solved, exact[:, columns], rtol=0, atol=1e-10 * abs(exact).max())
+    with pytest.raises(ValueError, match="released"):
+        factor.solve(weights)
+
+
+def test_a_kept_factor_refuses_an_unsupported_body(solver):
+    matrix, pressures = small_system(bonded=False)
+    with pytest.raises(SingularSystemError):
+        LoadedFactor(matrix, forces(matrix, pressures))
+
+
+def test_a_kept_factor_of_loads_that_depend_on_each_other_is_refused_or_right(solver):
+    """PARDISO would count their zero eigenvalues as it likes; the other solver has no need to."""
+    matrix, pressures = small_system(bonded=True)
+    loads = forces(matrix, pressures)
+    twice = sp.csr_matrix(sp.hstack([loads, loads[:, :2]]))
+    if solver == "pardiso":
+        with pytest.raises(SingularSystemError):
+            LoadedFactor(matrix, twice)
+        return
+    with LoadedFactor(matrix, twice) as factor:
+        assert factor.compliance.negative_pivots == pressures
+        weights = np.ones((shape_of(twice)[1], 1))
+        exact = np.linalg.solve(matrix.toarray(), twice @ weights)
+        assert_allclose(factor.solve(weights), exact, rtol=0, atol=1e-10 * abs(exact).max())
 
 
 def test_negative_pivots_are_the_pressures(solver):

@@ -4,11 +4,14 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+import fem.linear.response
 import fem.presses.shape
 from design.errors import InputError
 from design.layout.body import face_frames
 from design.layout.places.positions import magnet_layout
 from fem.linear.core_interface import CoreContact
+from fem.linear.factorization import SingularSystemError
+from fem.linear.response import build_and_keep_factor
 from fem.presses.shape import table_shapes
 
 FACE, PLACE, DEPTH_MM = 2, np.array([[6.0, -3.5]]), 1.5
@@ -72,15 +75,41 @@ def test_silicone_under_the_tip_is_compressed_by_about_its_pressure(shape):
 
 def test_a_planted_fault_shows(rigid_spec, coarse_mesh, rigid_response, monkeypatch):
     """Pressures that pull instead of push."""
-    loads = fem.presses.shape.face_pressure_loads
+    loads = fem.presses.shape.system_loads
     monkeypatch.setattr(
-        fem.presses.shape,
-        "face_pressure_loads",
-        lambda *given: (loads(*given)[0], -loads(*given)[1]),
+        fem.presses.shape, "system_loads", lambda *given: (loads(*given)[0], -loads(*given)[1])
     )
     (wrong,) = table_shapes(rigid_spec, coarse_mesh, rigid_response, FACE, PLACE, DEPTH_MM)
     with pytest.raises(AssertionError):
         check_the_face_follows_the_tip(wrong, rigid_spec)
+
+
+def test_the_factor_of_the_response_gives_the_same_shapes(
+    shape, rigid_spec, coarse_mesh, rigid_response
+):
+    response, factored = build_and_keep_factor(coarse_mesh, rigid_spec)
+    assert factored is not None
+    with factored.factor:
+        given = rigid_spec, coarse_mesh, response, FACE, PLACE, DEPTH_MM, factored
+        (again,) = table_shapes(*given)
+    compliance = rigid_response.compliance
+    assert_allclose(response.compliance, compliance, rtol=0, atol=1e-12 * abs(compliance).max())
+    for name in ("displacement_mm", "pressure_mpa", "contact_pressure_mpa"):
+        wanted = getattr(shape, name)
+        assert_allclose(getattr(again, name), wanted, rtol=0, atol=1e-10 * abs(wanted).max())
+
+
+def test_loads_that_depend_on_each_other_give_the_response_without_a_factor(
+    rigid_spec, coarse_mesh, rigid_response, monkeypatch
+):
+    def refused(*_):
+        raise SingularSystemError("the compliance of the loads is not positive definite")
+
+    monkeypatch.setattr(fem.linear.response, "LoadedFactor", refused)
+    response, factored = build_and_keep_factor(coarse_mesh, rigid_spec)
+    assert factored is None
+    compliance = rigid_response.compliance
+    assert_allclose(response.compliance, compliance, rtol=0, atol=1e-12 * abs(compliance).max())
 
 
 def test_a_sliding_shell_is_refused(rigid_spec, coarse_mesh, rigid_response):

@@ -18,7 +18,12 @@ from instobj.report.deformation_section import (
     envelope_text,
 )
 from instobj.stages.makers import deformation as deformation_stages
-from instobj.stages.makers.deformation import correct_table, correction_places_mm, make_large_strain
+from instobj.stages.makers.deformation import (
+    correct_table,
+    correction_places_mm,
+    make_large_strain,
+    make_shapes,
+)
 from instobj.store.stage import StageContext
 
 SPEC = ObjectSpec(name="cube")
@@ -149,3 +154,43 @@ def test_presses_are_made_and_their_correction_fitted(tmp_path, monkeypatch):
         assert_allclose(row["force_n"], row["linear_force_n"], rtol=0.12)
     assert 0.8 < content["correction"]["shift"][1] < 1.8 or not any(content["correction"]["shift"])
     assert content["error"]["force"]["uncorrected_rms"] < 0.12
+
+
+class Factor:
+    """Of a response operator; tells whether its memory was given back."""
+
+    def __init__(self):
+        self.released = False
+        self.factor = self
+
+    def release(self):
+        self.released = True
+
+
+def test_shapes_take_the_factor_of_their_own_response_and_give_it_back(tmp_path, monkeypatch):
+    taken = []
+
+    def shapes(*given):
+        taken.append(given[-1])
+        return [None, None]
+
+    monkeypatch.setattr("fem.presses.shape.table_shapes", shapes)
+    monkeypatch.setattr("fem.presses.shape.save_deformed_shape", lambda shape, path: None)
+    monkeypatch.setattr("instobj.figures.section.draw_sections", lambda panels, path: None)
+    monkeypatch.setattr(StageContext, "read", lambda self, file: OF_NO_CORE)
+    folders = {name: tmp_path / name / ("k" * 24) for name in ("mesh", "response")}
+    own = StageContext(SPEC, folders, "shapes", lambda _: None)
+    other, mine = Factor(), Factor()
+    deformation_stages.keep_factor("another result", other)
+    make_shapes(own, tmp_path)
+    deformation_stages.keep_factor("k" * 64, other := Factor())
+    deformation_stages.keep_factor("k" * 64, mine)
+    assert other.released
+    make_shapes(own, tmp_path)
+    make_shapes(own, tmp_path)
+    assert taken == [None, mine, None]
+    assert mine.released
+
+
+class OF_NO_CORE:
+    core = None

@@ -108,3 +108,26 @@ def test_what_objects_share_is_asked_for_and_told_once(tmp_path, made, monkeypat
     assert [line.split(":")[0] for line in written.getvalue().splitlines()] == [
         "mesh", "signals", "signals", "pretraining"
     ]  # fmt: skip
+
+
+def test_stages_know_what_the_same_call_asks_for_next_and_kept_factors_are_given_back(
+    tmp_path, made, monkeypatch
+):
+    known, forgotten = {}, []
+    monkeypatch.setattr(run_module, "forget_factor", lambda: forgotten.append(1))
+
+    def mesh(context, folder):
+        known[context.spec.name] = context.ahead
+        MESH.path(folder).write_text("mesh")
+        assert not forgotten
+
+    monkeypatch.setitem(run_module.STAGES, "mesh", Stage("mesh", (), ("name",), mesh))
+    run = Run(SPEC, root=tmp_path)
+    run.require("signals")
+    assert known == {"made_up": {"mesh", "signals"}}
+    assert len(forgotten) == 1
+    forgotten.clear()
+    Run(SPEC.changed(name="alone"), root=tmp_path).require("mesh")
+    assert known["alone"] == {"mesh"}
+    run.require("signals")
+    assert len(forgotten) == 1, "nothing was made"

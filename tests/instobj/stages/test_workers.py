@@ -66,7 +66,7 @@ def test_commands_have_their_stages_made_by_the_workers_asked_for(store, tmp_pat
     asked = []
 
     @contextmanager
-    def opened(count, scheduler):
+    def opened(count, scheduler, progress):
         asked.append((count, scheduler))
         yield Here()
 
