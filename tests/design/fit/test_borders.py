@@ -15,6 +15,7 @@ KEY = ["core.keys.size_mm=[2.0, 2.0]", "core.keys.height_mm=1.0"]
 BASES = {
     "cube": [],
     "one magnet": ["magnets.positions_mm=[[0.0, 0.0]]"],
+    "ring of 8.5 mm": ["sensors.radius_mm=8.5"],
     "keys": [*KEY, "core.keys.positions_mm=[[0.0, 12.0]]"],
     "key below a magnet": [*KEY, "core.keys.positions_mm=[[10.0, 10.0]]"],
     "slits": ["shell.slits.depth_mm=4.0", "shell.slits.end_mm=20.0"],
@@ -66,6 +67,8 @@ cube: sensors.radius_mm | 4.5 | 4.49 | must lie in the core's recess
 cube: sensors.radius_mm | 11.0 | 11.01 | must lie in the core's recess
 cube: sensors.positions_mm | [[10.58, 0.0]] | [[10.59, 0.0]] | outside the core's face
 cube: sensors.positions_mm | [[0.0, -10.58]] | [[0.0, -10.59]] | outside the core's face
+ring of 8.5 mm: sensors.positions_mm | [[10.49, 0.0]] | [[10.5, 0.0]] | outside the core's face
+ring of 8.5 mm: sensors.positions_mm | [[0.0, 10.49]] | [[0.0, 10.5]] | outside the core's face
 cube: press.depths_mm | [1.0, 4.8] | [1.0, 4.81] | below 60 % of shell
 thick shell: press.depths_mm | [1.0, 4.99] | [1.0, 5.0] | below the indenter's height
 cuboid tip: indenter.size_mm | [42.0, 10.0] | [42.01, 10.0] | larger than the face of 42 mm

@@ -1,0 +1,53 @@
+"""What the kinds of body answer, of objects off their symmetries, on record."""
+
+import numpy as np
+import pytest
+
+from design.layout.body import body_of
+from design.layout.mould_frame import mould_frame
+from tests.support.objects.worked_objects import OBJECTS, worked
+from tests.support.recorded_facts import assert_on_record, told
+
+
+def of_surface(name, mesh):
+    if mesh is None:
+        return f"{name}: none"
+    triangles = 0 if name == "core" else len(mesh.faces)
+    sizes = [mesh.volume, mesh.area, triangles, *mesh.bounds.ravel()]
+    return told(f"{name}: volume, area, triangles, box", sizes)
+
+
+@pytest.mark.parametrize("name", OBJECTS)
+def test_a_body_answers_as_on_record(name):
+    spec = worked(name)
+    body, sensed = body_of(spec), spec.body.sensed
+    room, what = body.room_for_recesses
+    axes = mould_frame(spec).axes
+    azimuth = body.parting_azimuth(abs(axes.T) @ np.asarray(spec.body.size_mm) / 2)
+    less = body.less(0.7)
+    points = np.random.default_rng(1).uniform(-1.1, 1.1, (60, 3)) * body.half_mm
+    lines = [
+        f"{body.name}: opens {body.opening}, {what}",
+        told("room, silicone, floor", [room, body.silicone_mm, body.core_floor_mm]),
+        told("thickness below", min(body.thickness_below_mm, 1e6)),
+        told("corners", body.corners_mm),
+        told("cast corners", body.cast_corners_mm(0.6, sensed[:2])),
+        told("passage", body.passage_mm(axes)),
+        told("parting", azimuth if azimuth is not None else -1.0),
+        told("span of the core", body.core_span_mm(0.7)),
+        told("less a layer", [*less.size_mm, less.thickness_mm]),
+        told("volume", body.volume_mm3()),
+        told("ends", [[*normal, level] for normal, level in body.support_ends] or [0.0]),
+        told("distances to the core", body.core_distance_mm(points[: 30 if body.sampled else 60])),
+        of_surface("outer", body.outer_surface()),
+        *(of_surface("slab", slab) for slab in body.end_slabs(1.3)),
+    ]
+    if not body.sampled:
+        lines += [
+            of_surface("core surface", body.core_surface()),
+            of_surface("cavity", body.cavity_surface()),
+            of_surface("cast", body.cast_surface(0.6, sensed[:2])),
+            told("cast volume", body.cast_volume_mm3(0.6, sensed[:2])),
+            told("cast volume, top alone", body.cast_volume_mm3(0.6, (1,))),
+        ]
+    assert_on_record("bodies", name, lines)

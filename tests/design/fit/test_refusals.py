@@ -1,0 +1,195 @@
+"""What is said of objects that do not fit, with every number in it, on record.
+
+Each line of the cases breaks one of the objects of `tests/support/objects/worked_objects.py`. How the
+record was checked stands in it; where a sentence changes see `tests/support/recorded_facts.py`.
+"""
+
+import re
+from copy import deepcopy
+
+import pytest
+
+from design.fit.boards import boards_across_edges
+from design.fit.everything import problems_of
+from design.spec.object import ObjectSpec
+from design.spec_io import with_overrides
+from tests.support.objects.worked_objects import OBJECTS
+from tests.support.recorded_facts import assert_on_record
+
+CASES = """
+box: body.size_mm=[24.5,40,50]
+box: core.recess_depth_mm=4.6
+box: core.recess_outer_radius_mm=15.2
+box: core.recess_inner_radius_mm=6.7
+box: core.hub_depth_mm=4.75
+box: core.wire_hole_side_diameter_mm=21.5
+box: core.wire_hole_top_diameter_mm=22.5
+closed box: core.hub_radius_mm=15.5
+box: shell.pocket_depth_mm=8.25
+box: shell.pocket_depth_mm=1.1
+box: shell.pocket_diameter_mm=3.9
+box: magnets.depth_mm=[1.25,2.6,0.5]
+closed box: magnets.depth_mm=[7.5,6.9,2.2]
+box: magnets.positions_mm=[[20.1,-6],[-7,24.2],[5,5.5]]
+box: magnets.positions_mm=[[3,-6],[-7,2],[5,-3.5]]
+box: magnets.positions_mm=[[3,-6],[-7,2],[18.2,-20.4]]
+box: sensors.depth_below_core_face_mm=2.7
+box: sensors.positions_mm=[[12.2,1.5],[-2,14.6]]
+box: sensors.positions_mm=[[4.2,1.5],[6.1,-0.4]]
+box: core.recess_inner_radius_mm=3.3
+box: core.recess_width_mm=3.7
+box: core.recess_depth_mm=2.05
+box: sensors.radius_mm=5.75
+box: core.hub_radius_mm=2.162
+box: press.depths_mm=[1,4.9]
+box: indenter.radius_mm=1.4
+box: indenter.kind=cuboid indenter.size_mm=[47,51]
+box: indenter.tip_count=2 indenter.tip_spacing_mm=9.2
+box: indenter.tip_count=3 indenter.tip_spacing_mm=9.2
+box: indenter.kind=cuboid indenter.size_mm=[8,5] indenter.tip_count=2 indenter.tip_spacing_mm=7.1
+box: contact_grid.count=[17,5]
+box: contact_grid.count=[5,19] indenter.direction_deg=[5,-20]
+box: contact_grid.count="fill" contact_grid.pitch_mm=22.3
+box: contact_grid.count="fill" contact_grid.pitch_mm=0.3
+box: contact_grid.count="fill" indenter.radius_mm=22.6
+box: environment.magnets=[{position_mm=[26,-3,4]},{position_mm=[1,30,2],diameter_mm=7,height_mm=9}]
+box: environment.magnets=[{position_mm=[10,-3,4],diameter_mm=7,height_mm=9}]
+box: environment.steel_plates=[{position_mm=[0,5,27],normal=[0,0.3,-2]}]
+box: environment={steel_plates=[{position_mm=[0,40,0],normal=[0,-2,0]}],magnets=[{position_mm=[1,35.5,2]}]}
+box: core.keys.positions_mm=[[14.2,-10],[10.5,16.6]]
+box: core.keys.positions_mm=[[1.6,-2.1]]
+box: core.keys.positions_mm=[[5.5,2.2]]
+box: core.keys.positions_mm=[[10.5,-10],[11.7,-9.1]]
+box: core.keys.positions_mm=[[5,5.5]] core.keys.height_mm=5.2
+box: core.keys.height_mm=8.3
+box: mechanics.interface=frictionless
+box: core.keys.size_mm=[9,14]
+box: shell.slits.depth_mm=11.1
+box: shell.slits.end_mm=3.1
+box: shell.slits.end_mm=24.5
+box: shell.seal_layer_mm=1.9
+box: shell.dent_mm=1.8
+box: shell.dent_mm=1.0 mechanics.correction=large-strain indenter.friction=sticking
+box: as_built.magnets=[{face=3,magnet=2,dent_mm=1.9}]
+box: core.wire_channel_depth_mm=4.6
+box: core.bay_mm=[25,29,38]
+box: core.bay_mm=[24.9,28.9,37.5]
+box: mould.style=one-piece body.open_faces=[] core.bay_mm=[5,5,5]
+box: magnets.shape=block magnets.size_mm=[4.5,5.2] magnets.positions_mm=[[3,-6],[-7,2],[5,-2]]
+reverse box: shell.pocket_depth_mm=1.1
+reverse box: magnets.height_mm=4.8
+reverse box: magnets.positions_mm=[[2.2,-2],[-3,6]]
+reverse box: magnets.positions_mm=[[5.5,-2],[6.1,2.4]]
+reverse box: magnets.positions_mm=[[13.1,-2],[-3,15.4]]
+reverse box: magnets.depth_mm=2.2
+reverse box: sensors.positions_mm=[[4.2,1.5],[4.4,4.8]]
+reverse box: sensors.positions_mm=[[20.2,1.5],[-2,22.3]]
+reverse box: as_built.magnets=[{face=3,magnet=2,dent_mm=0.4}]
+pad: core.recess_depth_mm=5.2
+pad: shell.pocket_depth_mm=6.2 shell.thickness_mm=6
+pad: magnets.positions_mm=[[18.6,-6],[-7,2],[5,15.4]]
+pad: magnets.positions_mm=[[3,-6],[-7,2],[5,-3]]
+pad: core.keys.positions_mm=[[9,9]] core.keys.size_mm=[2,2] core.keys.height_mm=1
+pad: core.bay_mm=[10,9,3.2]
+pad: core.bay_mm=[39,33,3]
+pad: mould.style=one-piece contact_grid.count=[13,12]
+pad: contact_grid.count="fill" contact_grid.pitch_mm=18
+cylinder: shell.thickness_mm=20.5
+cylinder: core.recess_depth_mm=15.5
+cylinder: core.recess_depth_mm=4.3 core.wire_channel_depth_mm=3.8
+cylinder: arrangement=sensors-in-shell
+cylinder: mechanics.interface=frictionless mechanics.slip.rim=held
+sleeve: core.recess_outer_radius_mm=23.5
+sleeve: shell.pocket_depth_mm=8.3
+sleeve: magnets.depth_mm=7.6
+sleeve: magnets.depth_mm=0.55
+sleeve: magnets.positions_mm=[[26.5,-6],[5,19.6]]
+sleeve: magnets.positions_mm=[[3,-6],[4.5,-2.7]]
+sleeve: magnets.positions_mm=[[3,18.4],[-7,2]]
+cylinder: sensors.positions_mm=[[19.8,1.5],[-2,13.6]]
+sleeve: sensors.depth_below_core_face_mm=2.65
+sleeve: sensors.package_mm=[3.8,9.9,1.2]
+sleeve: press.depths_mm=[1,4.85]
+sleeve: contact_grid.count=[19,14]
+sleeve: contact_grid.count=[4,16] indenter.tip_count=2
+cylinder: core.keys.positions_mm=[[1.2,0.6]]
+cylinder: core.keys.positions_mm=[[11,6],[12.4,6.9]]
+cylinder: core.keys.positions_mm=[[5,5.5]] core.keys.height_mm=8.5
+cylinder: shell.slits.depth_mm=7.4
+cylinder: body.sensed_faces=[1,2]
+cylinder: magnets.positions_mm=[[3,-6],[-7,2],[1,14.3]] shell.slits.depth_mm=6.8
+cylinder: core.bay_mm=[9,10,37.5]
+cylinder: core.bay_mm=[20.2,20.3,12]
+closed cylinder: core.bay_mm=[9,10,12] shell.slits.depth_mm=3
+closed cylinder: mould.style=one-piece
+capsule: body.bore_mm=33
+capsule: magnets.positions_mm=[[1.5,-4],[-4.5,19.8]]
+closed capsule: shell.seal_layer_mm=2.2
+closed sphere: contact_grid.count="fill" contact_grid.pitch_mm=26
+sphere: core.keys.positions_mm=[[0.5,0.3]] core.keys.size_mm=[2,2] core.keys.height_mm=1.5
+dome: shell.thickness_mm=24.2
+dome: core.recess_depth_mm=7.3
+dome of silicone: press.depths_mm=[1,12.4]
+hollow dome: core.keys.positions_mm=[[9,9]] core.keys.size_mm=[2,2] core.keys.height_mm=1
+hollow dome: contact_grid.count=[16,14]
+"""
+TIGHT = """
+box: shell.seal_layer_mm=1.74
+box: shell.dent_mm=1.74 shell.seal_layer_mm=0
+box: core.bay_mm=[24.7,28.7,37.3]
+box: shell.slits.end_mm=3.4
+box: magnets.depth_mm=[0.61,2.6,0.9] shell.seal_layer_mm=0
+box: core.keys.positions_mm=[[13.9,-10],[10.5,14.2]]
+sleeve: press.depths_mm=[1,4.79]
+sleeve: shell.pocket_depth_mm=7.98
+sleeve: magnets.depth_mm=0.7
+sleeve: magnets.positions_mm=[[3,-6],[4.5,-1.0]]
+cylinder: shell.slits.depth_mm=6.99
+cylinder: core.bay_mm=[19.8,20.1,12]
+cylinder: core.keys.positions_mm=[[13.0,4.0],[7.5,11.3]]
+closed capsule: shell.seal_layer_mm=1.8
+reverse box: magnets.height_mm=4.6
+reverse box: shell.pocket_depth_mm=1.3
+pad: magnets.positions_mm=[[3,-6],[-7,2],[17.4,14.5]]
+"""
+"""What still fits, near its limit: each takes a little more than the record of what is refused allows."""
+
+
+def first_of_a_kind(sentences):
+    """Sentences that differ from those before in more than their numbers, each with how many there are."""
+    kinds = {}
+    for sentence in sentences:
+        kinds.setdefault(re.sub(r"-?[\d.]+", "#", sentence), []).append(sentence)
+    return [f"{len(alike)}: {alike[0]}" for alike in kinds.values()]
+
+
+NAMES = dict.fromkeys(line.split(": ")[0] for line in CASES.strip().splitlines())
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_what_does_not_fit_is_told_with_its_numbers(name):
+    """In one test for an object: calls are checked for shapes in the first of every test alone."""
+    for case in CASES.strip().splitlines():
+        given, changes = case.split(": ", 1)
+        if given == name:
+            assert_on_record("refusals", case, told_of(given, changes))
+
+
+def told_of(name, changes):
+    spec = ObjectSpec.model_validate(with_overrides(deepcopy(OBJECTS[name]), changes.split()))
+    table = re.search("contact_grid|indenter|press", changes) is not None
+    beside = boards_across_edges(spec) if spec.arrangement == "sensors-in-core" else None
+    found = problems_of(spec, table=table)
+    assert found
+    return first_of_a_kind([*found, *([beside] if beside else [])])
+
+
+@pytest.mark.parametrize("name", OBJECTS)
+def test_what_fits_is_not_refused(name):
+    for case in [
+        f"{name}: ",
+        *(line for line in TIGHT.strip().splitlines() if line.startswith(f"{name}: ")),
+    ]:
+        changes = case.split(": ")[1].split()
+        spec = ObjectSpec.model_validate(with_overrides(deepcopy(OBJECTS[name]), changes))
+        assert not problems_of(spec), case
