@@ -163,3 +163,93 @@ def test_the_guide_to_built_objects_tells_every_baseline_and_its_numbers():
         f"above {zeroing.PRESS_FORCE_N:g} N",
     )
     assert [words for words in told if words not in page] == []
+
+
+class Following:
+    """A zero whose reader tells force and contact as scripted: (change, contact, force) by the sum."""
+
+    def __init__(self, contact=0.0, force=0.0, back=0.0):
+        self.said = {True: (contact, force), False: (0.0, back)}
+        self.zero = RestZero(8, self.read)
+        self.zero.level = np.zeros(2)
+
+    def read(self, change):
+        return self.said[bool(change.sum() >= 0)]
+
+    def considered(self, level, elapsed_s=1.0, largest_n=10.0):
+        self.zero._largest_n = largest_n
+        self.zero._consider(np.array(level), elapsed_s)
+        return self.zero.level.tolist(), self.zero._largest_n
+
+
+@pytest.mark.parametrize(
+    ("contact", "force", "back", "level", "largest"),
+    [
+        (1.0, 5.0, 0.0, [0.0, 0.0], 10.0),  # held
+        (1.0, 1.5, 0.0, [40.0, 3.0], 10.0),  # fallen to 0.15 of the largest: rest
+        (1.0, 1.51, 0.0, [0.0, 0.0], 10.0),
+        (0.49, 5.0, 0.0, [1.0, 1.0], 10.0),  # no contact: followed by a count a second
+        (0.5, 5.0, 0.0, [0.0, 0.0], 10.0),
+        (1.0, 5.0, 10.0, [0.0, 0.0], 10.0),  # its opposite reads twice the force: not more
+        (1.0, 5.0, 10.1, [40.0, 3.0], 0.0),  # more: the zero lay within a press
+        (1.0, 0.0, 1.0, [40.0, 3.0], 10.0),
+        (1.0, 0.4, 1.01, [40.0, 3.0], 0.0),
+    ],
+)
+def test_a_still_level_is_rest_drift_or_a_hold(contact, force, back, level, largest):
+    found = Following(contact, force, back).considered([40.0, 3.0])
+    assert found == (level, largest)
+
+
+def test_a_faint_force_is_followed_as_drift_up_to_five_seconds_at_a_time():
+    faint = Following(contact=1.0, force=0.29)
+    assert faint.considered([40.0, -0.5], largest_n=0.1) == ([1.0, -0.5], 0.1)
+    strong = Following(contact=1.0, force=0.3)
+    assert strong.considered([40.0, 3.0], largest_n=0.1) == ([0.0, 0.0], 0.1)
+    late = Following(contact=0.0, force=5.0)
+    assert late.considered([40.0, 3.0], elapsed_s=60.0)[0] == [5.0, 3.0]
+    down = Following(contact=0.0, force=0.0, back=0.0)
+    down.said[False] = (0.0, 5.0)
+    down.said[True] = (0.0, 5.0)
+    assert down.considered([-40.0, -3.0], elapsed_s=2.0)[0] == [-2.0, -2.0]
+
+
+def test_the_largest_force_is_remembered_for_five_seconds_after_its_press():
+    zero = RestZero(8, read)
+
+    def at(time_s, force_n):
+        zero._now_s = time_s
+        zero._note_force(force_n)
+        return zero._largest_n, zero._loaded_s
+
+    assert at(1.0, 0.3)[0] == 0.0
+    assert at(2.0, 0.31) == (0.31, 2.0)
+    assert at(3.0, 8.0) == (8.0, 3.0)
+    assert at(4.0, 1.2) == (8.0, 3.0)
+    assert at(4.5, 1.21) == (8.0, 4.5)
+    assert at(9.5, 0.0) == (8.0, 4.5)
+    assert at(9.6, 0.0) == (0.0, 4.5)
+
+
+def test_windows_last_six_tenths_of_a_second_and_eight_frames():
+    zero = RestZero(8, lambda change: (0.0, 0.0))
+    for number in range(20):
+        zero.pass_by(np.zeros(1), 0.05 * number)
+    times = [time_s for time_s, _ in zero._window]
+    assert times == pytest.approx([0.05 * k for k in range(7, 20)])
+    slow = RestZero(5, lambda change: (0.0, 0.0))
+    for number in range(9):
+        slow.pass_by(np.zeros(1), float(number))
+    assert [time_s for time_s, _ in slow._window] == [4.0, 5.0, 6.0, 7.0, 8.0]
+    unknown = RestZero(5, lambda change: (0.0, 0.0))
+    assert [unknown.pass_by(np.zeros(1)) for _ in range(2)] == pytest.approx([0.1, 0.1])
+    assert slow.pass_by(np.zeros(1), 0.0) == -8.0
+    assert len(slow._window) == 1
+
+
+def test_modes_of_a_stream_s_zero():
+    first = zeroing.StreamZero("first", 2, read)
+    rows = [np.full(6, value) for value in (1.0, 3.0, 50.0)]
+    assert [first.after(row, 0.0) is None for row in rows] == [True, True, False]
+    assert first.after(rows[2], 0.0).tolist() == [2.0] * 6
+    assert zeroing.StreamZero("none", 2, read).after(rows[0], 0.0).tolist() == [0.0] * 6
