@@ -1,11 +1,13 @@
 """Splits of a data set: no press in two parts, and what is refused."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from design.errors import InputError
+from estimator.frames import splits
 from estimator.frames.splits import (
     split_paper_random_frames,
     split_places,
@@ -159,3 +161,42 @@ def test_of_two_presses_the_spare_ones_go_to_validation_and_test_by_their_shares
     split = split_presses(frames, 3, (0.5, 0.4, 0.1))
     counts = [len(np.unique(frames.press_id[part])) for part in (split.validation, split.test)]
     assert counts == [32, 8]
+
+
+@pytest.mark.parametrize(
+    ("count", "shares", "sizes"),
+    [
+        (10, (0.6, 0.2, 0.2), [6, 2, 2]),
+        (7, (0.6, 0.2, 0.2), [4, 2, 1]),  # 4.2, 1.4, 1.4: the first of the equal remainders
+        (3, (0.6, 0.2, 0.2), [1, 1, 1]),
+        (4, (0.9, 0.05, 0.05), [2, 1, 1]),
+        (2, (0.6, 0.2, 0.2), [1, 1, 0]),  # 1.2, 0.4, 0.4
+        (2, (0.3, 0.4, 0.3), [1, 1, 0]),
+        (1, (0.2, 0.2, 0.6), [0, 0, 1]),
+        (0, (0.6, 0.2, 0.2), [0, 0, 0]),
+    ],
+)
+def test_members_are_shared_out_by_the_largest_remainder(count, shares, sizes):
+    found = splits._parts(count, shares)
+    assert np.bincount(found, minlength=3).tolist() == sizes
+    assert (np.diff(found) >= 0).all()
+
+
+def test_a_press_shows_the_case_of_most_of_its_frames():
+    given = SimpleNamespace(
+        press_id=np.array([7, 7, 7, 7, 2, 2, 2, 9, 9]),
+        place_id=np.array([-1, 4, 5, 5, 4, 5, -1, -1, -1]),
+    )
+    presses, places = splits._press_places.__wrapped__(given)
+    assert (presses.tolist(), places.tolist()) == ([2, 7, 9], [4, 5, -1])
+    given.place_id[:] = -1
+    assert splits._press_places.__wrapped__(given)[1].tolist() == [-1, -1, -1]
+
+
+def test_an_empty_part_gets_a_lone_press_of_the_most_crowded_one():
+    part = np.array([0, 0, 0, 1, 1])
+    single = np.array([False, True, False, True, False])
+    assert splits._fill_empty(part, single).tolist() == [0, 2, 0, 1, 1]
+    assert splits._fill_empty(part, 0 * single > 0).tolist() == [0, 0, 2, 1, 1]
+    assert splits._fill_empty(np.zeros(3, int), np.zeros(3, bool)).tolist() == [0, 2, 1]
+    assert splits._fill_empty(np.array([2, 2, 1, 0]), np.ones(4, bool)).tolist() == [2, 2, 1, 0]

@@ -94,3 +94,11 @@ def test_known_probes_make_the_density_of_their_tips_greater():
 
 def test_no_posterior_is_wider_than_a_face_and_the_forces():
     assert_allclose(widths(FREE), [20.0, 20.0, 10.0])
+
+
+def test_more_tips_on_a_face_than_any_known_probe_have_no_density():
+    """Three are the most: four and five on one face are impossible alike."""
+    priors = Priors((1 / 7,) * 7, 2, 800.0, (0.5, 10.5), spacing_mm=(15.0, 20.0))
+    face = np.array([[0] * 3 + [NONE] * 3, [0] * 4 + [NONE] * 2, [0] * 5 + [NONE], [0] * 6])
+    found = log_density(priors, face, np.ones((4, 6, 3)))
+    assert np.isfinite(found).tolist() == [True, False, False, False]

@@ -434,3 +434,31 @@ def test_turned_channels_are_told_by_the_nearest_pair_of_presses_of_a_place():
     wrong, found = turned.turned_channels(of_presses([0, 0], [swapped, swapped[[2, 1, 0]]]))
     assert np.argwhere(wrong).tolist() == [[0, 0, 0], [0, 0, 2]]
     assert found[0].where == "F1-X1 and F1-Z1, rows 4–5"
+
+
+@pytest.mark.parametrize(("away", "found"), [(0.1, "channels exchanged"), (0.2, "")])
+def test_an_exchange_must_explain_a_difference_four_times_better(away, found):
+    """Channels 0 and 2 exchanged leave `away` of the third unexplained, of √(2 · 0.4² + away²)."""
+    usual = np.array([0.7, 0.5, 0.3])
+    pattern = usual[[2, 1, 0]] + [0.0, away, 0.0]
+    whole = np.sqrt(2 * 0.4**2 + away**2)
+    assert (whole > 4 * away) == bool(found)
+    assert turned._unlike(pattern, usual)[0] == found
+
+
+def test_a_difference_of_a_quarter_is_no_exchange():
+    usual = np.array([0.6, 0.5, 0.43])
+    assert turned._unlike(usual[[2, 1, 0]], usual) == ("", ())
+    usual = np.array([0.6, 0.5, 0.42])
+    assert turned._unlike(usual[[2, 1, 0]], usual) == ("channels exchanged", (0, 2))
+
+
+def test_rest_is_the_lowest_15_and_full_force_the_highest_25_frames_of_a_hundred():
+    """Frame k of 101 bears k N and one channel reads 1 where k is 15 or 75, another where 16 or 74."""
+    force = np.arange(101.0)[:, None]
+    counts = still(101)
+    counts[[15, 75], 2] = 1.0
+    counts[[16, 74], 3] = 1.0
+    found = faults.press_responses(counts, force, np.zeros(101, int))
+    assert_allclose(found[0, 2], 1 / 16 - 1 / 26)
+    assert found[0, 3] == 0

@@ -7,6 +7,7 @@ import pytest
 
 from design.spec.object import ObjectSpec
 from estimator.signals.presses import rest_counts
+from estimator.tolerances import selftest
 from estimator.tolerances.assembly import draw
 from estimator.tolerances.selftest import (
     _design,
@@ -103,3 +104,62 @@ def test_a_flip_that_is_known_raises_no_alarm(model):
     assert rank(model, counts, hypotheses)[0].faults == (flip,)
     moved = replace(model, mean=rest_counts(known).ravel())
     assert rank(moved, counts, hypotheses)[0].faults == ()
+
+
+def test_every_magnet_pair_of_sensors_pair_of_channels_sensor_and_channel_may_be_at_fault(model):
+    counted = {kind: sum(one.kind == kind for one in model.faults) for kind in KINDS}
+    assert counted == {
+        "flipped magnet": 25,
+        "swapped sensors": 15 * 14 // 2,
+        "swapped channels": 45 * 44 // 2,
+        "dead sensor": 15,
+        "dead channel": 45,
+    }
+    first = {kind: next(one for one in model.faults if one.kind == kind) for kind in KINDS}
+    assert str(first["flipped magnet"]) == "flipped magnet: magnet 1 of face 1"
+    assert first["dead sensor"].silent == (0, 1, 2)
+    swapped = first["swapped sensors"].order
+    assert swapped[:6].tolist() == [3, 4, 5, 0, 1, 2]
+    assert swapped[6:].tolist() == list(range(6, 45))
+    last = [one for one in model.faults if one.kind == "swapped channels"][-1]
+    assert last.order.tolist() == [*range(43), 44, 43]
+    dead = [one for one in model.faults if one.kind == "dead channel"]
+    assert [one.silent for one in dead] == [(channel,) for channel in range(45)]
+    assert len({str(one) for one in model.faults}) == len(model.faults)
+
+
+def test_a_flip_shifts_the_rest_by_twice_its_own_field(model):
+    """Without plates the field is the sum over magnets; a flip turns one of them round."""
+    flips = [one.shift for one in model.faults if one.kind == "flipped magnet"]
+    _, field = _design(SPEC)
+    whole = rest_counts(SPEC, field).ravel()
+    offset = whole + 0.5 * np.sum(flips, axis=0)
+    assert abs(offset).max() < 1e-6 * abs(whole).max()
+
+
+def test_silent_channels_are_marginalised_as_if_they_were_not_there():
+    """The quadratic form and the determinant of the others' own covariance."""
+    rng = np.random.default_rng(0)
+    root = rng.normal(size=(6, 6))
+    covariance = root @ root.T + np.eye(6)
+    made = selftest.RestModel(np.zeros(6), covariance, (), 1e9)
+    residual = rng.normal(size=(3, 6))
+    silent = np.zeros((3, 6), bool)
+    silent[1, [0, 4]] = silent[2, 3] = True
+    distance, log_volume = selftest._quadratic_forms(made, residual, silent)
+    whole = np.linalg.slogdet(covariance)[1]
+    for row in range(3):
+        here = ~silent[row]
+        block = covariance[np.ix_(here, here)]
+        wanted = residual[row, here] @ np.linalg.solve(block, residual[row, here])
+        assert distance[row] == pytest.approx(wanted)
+        assert log_volume[row] == pytest.approx(np.linalg.slogdet(block)[1] - whole, abs=1e-9)
+
+
+def test_pairs_of_faults_count_in_one_order_alone(model):
+    a, b, c = model.faults[:3]
+    pairs = [selftest.Hypothesis(pair, 0.0, 1.0) for pair in ((a, b), (b, a), (a, c), (a,), (b, a))]
+    kept = selftest._distinct(pairs)
+    assert [one.faults for one in kept] == [(a, b), (a, c), (a,)]
+    assert kept[0].name == f"{a} and {b}"
+    assert selftest.Hypothesis((), 0.0, 1.0).name == "as specified"

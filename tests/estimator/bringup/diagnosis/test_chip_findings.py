@@ -156,3 +156,11 @@ def test_magnets_are_weak_flipped_or_misplaced():
     )
     assert kinds(strength=0.61) == kinds(strength=1.59) == []
     assert kinds(strength=-0.21, pocket=2) == ["misplaced magnet", "flipped magnet"]
+
+
+def test_axes_of_a_slanted_chip_are_told_by_their_largest_part():
+    """Turned by 30° about Z and then by 100° about X: no entry is 1."""
+    c, s = np.cos(np.radians(100)), np.sin(np.radians(100))
+    slanted = np.array([[1, 0, 0], [0, c, -s], [0, s, c]]) @ about_z(30)
+    found = chips(c0={"turn": slanted})[0]
+    assert chip_findings._axes_text(found) == "(X, −Z, Y) for X, Y, Z"

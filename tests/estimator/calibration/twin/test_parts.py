@@ -1,0 +1,118 @@
+"""Parts of twins by hand: kernels, memories of errors, evidence, and the order of frames."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+from scipy.linalg import cho_solve
+from sklearn.gaussian_process.kernels import Matern
+
+from estimator.calibration.twin import discrepancy, least_possible, pressed_cases, pressed_places
+from estimator.calibration.twin.digital_twin import _log_evidence, _of_face
+from fem.presses.results import MagnetMotions, PressForces
+
+
+def test_the_process_over_places_is_a_matern_of_five_halves():
+    rng = np.random.default_rng(0)
+    a, b = rng.uniform(-9, 9, (5, 2)), rng.uniform(-9, 9, (4, 2))
+    made = object.__new__(discrepancy.Discrepancy)
+    made.__dict__["prior"] = SimpleNamespace(length_mm=7.0)
+    assert_allclose(made._matern(a, b), Matern(7.0, nu=2.5)(a, b))
+
+
+def test_fields_grow_with_the_force_and_its_square_over_ten_newton():
+    fields = np.array([[[1.0, 2.0]], [[10.0, -4.0]]])
+    found = discrepancy._at_force(fields, np.array([[0.0, 5.0, 10.0]]))
+    assert_allclose(found, [[[0, 0], [0.5 + 2.5, 1 - 1], [11, -2]]])
+
+
+def test_errors_of_growing_memory_are_shared_by_what_is_remembered():
+    """Covariance of two frames' errors: the later one's variance times exp(−Δ memory)."""
+    rng = np.random.default_rng(1)
+    weight = rng.random((3, 6))
+    variance, memory = rng.uniform(1, 3, 6), np.cumsum(rng.random(6))
+    later = np.maximum.outer(np.arange(6), np.arange(6))
+    covariance = variance[later] * np.exp(-abs(np.subtract.outer(memory, memory)))
+    found = pressed_places._remembered(weight, variance, memory)
+    assert_allclose(found, weight @ covariance @ weight.T)
+
+
+def test_a_case_counts_the_frames_in_which_all_its_contacts_press_by_growing_force():
+    force = np.full((7, 2, 3), np.nan)
+    force[:, :, 2] = [[5, 1], [2, 2], [9, 9], [3, np.nan], [1, 1], [8, 8], [0.5, 1]]
+    frames = SimpleNamespace(
+        place_id=np.array([4, 4, 4, 4, 4, 5, 4]),
+        contact_face=np.where(np.isnan(force[:, :, 2]), 0, 3),
+        force_n=force,
+    )
+    usable = np.array([True, True, False, True, True, True, True])
+    found = pressed_cases._whole_case.__wrapped__(frames, usable, 4)
+    assert found.tolist() == [6, 4, 1, 0]
+
+
+class Dense:
+    """A process whose covariance is dense: what `Discrepancy` tells of itself."""
+
+    def __init__(self, covariance):
+        self.inverse = np.linalg.inv(covariance)
+        self.log_determinant = np.linalg.slogdet(covariance)[1]
+
+    def weighed(self, right):
+        return self.inverse @ right
+
+
+def test_the_evidence_is_that_of_the_sum_of_process_and_linear_numbers(monkeypatch):
+    """Numbers have a normal prior of 1: the covariance of the data is that of both."""
+    rng = np.random.default_rng(2)
+    root = rng.normal(size=(5, 5))
+    covariance, jacobian = root @ root.T + np.eye(5), rng.normal(size=(5, 2))
+    right = rng.normal(size=(5, 1))
+
+    def normal_equations(process, jacobian, right):
+        weighed = process.weighed(jacobian)
+        return np.eye(2) + jacobian.T @ weighed, (weighed.T @ right)[:, 0]
+
+    monkeypatch.setattr(
+        "estimator.calibration.twin.digital_twin.normal_equations", normal_equations
+    )
+    found = _log_evidence.__wrapped__(Dense(covariance), jacobian, right)
+    whole = covariance + jacobian @ jacobian.T
+    wanted = -0.5 * (
+        right[:, 0] @ np.linalg.solve(whole, right[:, 0]) + np.linalg.slogdet(whole)[1]
+    )
+    assert found == pytest.approx(wanted)
+
+
+def test_presses_made_so_many_times_tell_so_much_more():
+    rng = np.random.default_rng(3)
+    made = object.__new__(least_possible.__dict__[factor_class()])
+    made.__dict__["told"] = rng.normal(size=(3, 2, 4))
+    times = np.array([2.0, 0.0, 0.5])
+    rows = [np.sqrt(times[k]) * made.told[k] for k in (0, 2)]
+    information = np.eye(4) + sum(part.T @ part for part in rows)
+    wanted = np.linalg.inv(information)
+    assert_allclose(cho_solve(made._factor(times), np.eye(4)), wanted)
+
+
+def factor_class():
+    """The class of `least_possible` that weighs presses."""
+    (name,) = [name for name, one in vars(least_possible).items() if hasattr(one, "_factor")]
+    return name
+
+
+def test_the_presses_of_one_face_are_cut_out_of_all():
+    from design.layout.places.contact_grid import PlaceGrid
+
+    faces, grid = np.array([2, 5]), PlaceGrid(np.arange(2.0), np.arange(2.0))
+    force = np.arange(8.0).reshape(2, 4, 1)
+    motion = np.arange(48.0).reshape(2, 4, 1, 1, 6)
+    depth = np.ones(1)
+    forces, motions = _of_face(
+        PressForces(faces, grid, depth, force, 2 * force),
+        MagnetMotions(faces, grid, depth, motion), 5,
+    )  # fmt: skip
+    assert forces.faces.tolist() == motions.faces.tolist() == [5]
+    assert_allclose(forces.force_n, force[1:])
+    assert_allclose(forces.contact_area_mm2, 2 * force[1:])
+    assert_allclose(motions.motion, motion[1:])

@@ -1,0 +1,140 @@
+"""Tolerances by hand: seats, turns, temperature, first-order differences and ranges of bounds."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+from scipy.spatial.transform import Rotation
+
+from design.layout.body import face_frames
+from design.layout.places.positions import sensor_layout
+from design.spec.object import ObjectSpec
+from estimator.tolerances import assembly, budget, localisation_bias, virtual_object
+from estimator.tolerances.budget import Spread
+
+SPEC = ObjectSpec(name="cube")
+SIZES = SPEC.tolerances.changed(
+    magnet_seat_mm=0.2, sensor_seat_mm=0.3, sensor_rotation_deg=2.0, magnet_seat_depth_mm=0.4
+)
+
+
+def test_bodies_sit_aside_by_their_own_seats():
+    numbers = {"magnet_seat": np.arange(6.0), "sensor_seat": np.arange(6.0)}
+    assert_allclose(assembly._aside_mm(SIZES, False, numbers), 0.2 * np.arange(6.0).reshape(3, 2))
+    assert_allclose(assembly._aside_mm(SIZES, True, numbers), 0.3 * np.array([[0, 1], [3, 4]]))
+
+
+def test_sensors_are_shifted_and_turned_along_the_axes_of_their_face():
+    sensors = sensor_layout(SPEC)
+    rng = np.random.default_rng(0)
+    seat, turn = rng.normal(size=(2, 15, 3))
+    numbers = {"sensor_seat": seat.ravel(), "sensor_rotation": turn.ravel()}
+    found = assembly._moved_sensors(SPEC, sensors, SIZES, numbers)
+    frames = {frame.number: frame.axes for frame in face_frames(SPEC)}
+    for k, face in enumerate(sensors.face.tolist()):
+        assert_allclose(found.position_mm[k] - sensors.position_mm[k], 0.3 * frames[face] @ seat[k])
+        about = Rotation.from_rotvec(np.radians(2.0) * frames[face] @ turn[k])
+        assert_allclose(found.axes[k], about.apply(np.array(sensors.axes[k])), atol=1e-12)
+
+
+def test_remanence_falls_by_its_coefficient_over_that_at_the_design_s_temperature():
+    warm = SPEC.changed(magnets=SPEC.magnets.changed(temperature_c=60.0))
+    at = 1 + assembly.NDFEB_REMANENCE_PER_KELVIN * 40
+    assert assembly._temperature_ratio(SPEC, 10.0) == pytest.approx(
+        1 + assembly.NDFEB_REMANENCE_PER_KELVIN * 10
+    )
+    assert assembly._temperature_ratio(warm, 10.0) == pytest.approx(
+        1 + assembly.NDFEB_REMANENCE_PER_KELVIN * 10 / at
+    )
+    assert pytest.approx(-0.0012, rel=0.2) == assembly.NDFEB_REMANENCE_PER_KELVIN
+
+
+def outcome(baseline, delta, position, force):
+    return SimpleNamespace(
+        baseline=np.array(baseline), delta=(np.array(delta),),
+        position_mm=np.array(position), force_n=np.array(force),
+    )  # fmt: skip
+
+
+def test_a_deviation_is_a_difference_of_bounds_in_their_logarithms():
+    one = outcome([[3.0, 0.0, 0.0]], [[1.0, 2.0]], [2.0, np.inf], [8.0, 1.0])
+    other = outcome([[1.0, 0.0, 0.5]], [[0.0, 5.0]], [1.0, 3.0], [2.0, np.inf])
+    found = budget._deviation.__wrapped__(one, other, 10.0)
+    assert found.baseline.tolist() == [[20.0, 0.0, -5.0]]
+    assert found.delta[0].tolist() == [[10.0, -30.0]]
+    names = list(found.__dataclass_fields__)
+    assert_allclose(getattr(found, names[2]), [10 * np.log(2), 0])
+    assert_allclose(getattr(found, names[3]), [10 * np.log(4), 0])
+
+
+def test_spreads_add_up_as_roots_of_sums_of_squares():
+    names = list(Spread.__dataclass_fields__)[1:]
+    rows = [
+        Spread(name, *(np.arange(len(names)) + start)) for name, start in (("a", 3.0), ("b", 4.0))
+    ]
+    found = budget._together(rows)
+    wanted = np.hypot(np.arange(len(names)) + 3.0, np.arange(len(names)) + 4.0)
+    assert_allclose([getattr(found, name) for name in names], wanted)
+
+
+def test_bounds_range_from_the_fifth_to_the_95th_percentile_of_objects():
+    objects = [
+        SimpleNamespace(
+            position_mm=np.array([k, 3.0 * k, 2.0 * k]), force_n=np.array([1.0, k, 9.0])
+        )
+        for k in range(1, 22)
+    ]
+    nominal = SimpleNamespace(
+        position_mm=np.array([1.0, 5.0, 2.0]), force_n=np.array([4.0, 3.0, 8.0])
+    )
+    found = budget._bound_ranges.__wrapped__(nominal, objects)
+    figures = [tuple(vars(one).values()) for one in found]
+    assert figures[0] == (2.0, 4.0, 40.0)
+    assert figures[1] == (5.0, 6.0, 60.0)
+    assert figures[2] == (4.0, 2.0, 9.0)
+    assert figures[3] == (8.0, 9.0, 20.0)
+
+
+def test_steps_that_no_channel_shares_are_made_at_once():
+    setting = SimpleNamespace(
+        spec=SPEC, faces=(1, 2, 3, 4, 5),
+        design=SimpleNamespace(),
+    )  # fmt: skip
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(
+            budget, "contribution_sizes", lambda design: {"sensor_seat": 45, "magnet_seat": 50}
+        )
+        own = budget._independent_steps.__wrapped__(setting, "sensor_seat")
+        assert own.shape == (9, 45)
+        assert own.sum(axis=0).tolist() == [1.0] * 45
+        assert np.flatnonzero(own[2]).tolist() == [2, 11, 20, 29, 38]
+        assert_allclose(budget._independent_steps.__wrapped__(setting, "magnet_seat"), np.eye(50))
+
+
+def test_false_places_are_root_mean_squares_of_what_the_calibrated_estimator_reads(monkeypatch):
+    """Two faces of one press each; estimators that read x and y from their own two channels."""
+
+    def out(*deltas):
+        return SimpleNamespace(
+            delta=tuple(np.array([one]) for one in deltas), jacobian=("a", "b"),
+        )  # fmt: skip
+
+    said = {0: out([0.0, 0], [1.0, 1]), 1: out([3.0, 4], [1.0, 1]), 2: out([0.0, 0], [2.0, 3])}
+    reads = {"a": np.eye(3)[None, :, :2], "b": 2 * np.eye(3)[None, :, :2]}
+    monkeypatch.setattr(localisation_bias, "outcome_of", lambda setting, one: said[one])
+    monkeypatch.setattr(
+        localisation_bias, "calibrated_estimator", lambda spec, jacobian, live: reads[jacobian]
+    )
+    setting = SimpleNamespace(design=0, spec=None, live=(None, None))
+    found = localisation_bias._false_places.__wrapped__(setting, [1, 2])
+    assert_allclose(found, [np.sqrt(25 / 2), np.sqrt((4 + 16) / 2)])
+
+
+def test_slopes_along_an_axis_are_those_of_cubics():
+    nodes = np.array([0.0, 1.0, 2.5, 4.0, 5.0])
+    values = np.stack([nodes**3, 2 * nodes], axis=1)[None, :, :, None] * [1.0, -1.0]
+    found = virtual_object._slope(values, nodes, 1)
+    assert found.shape == values.shape
+    assert_allclose(found[0, :, 0, 0], 3 * nodes**2, atol=1e-9)
+    assert_allclose(found[0, :, 1, 1], -2.0)
