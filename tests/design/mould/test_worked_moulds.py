@@ -8,9 +8,14 @@ from design.fabrication.assembly import check_clearances, check_pockets
 from design.fabrication.casting import _heads, _pour, draws
 from design.fabrication.layout import layout_findings
 from design.fabrication.printing import check_features, check_inhibition
+from design.layout.mould_pins import (
+    least_rim_mm,
+    loose_pins,
+    pins_by_kind,
+    pins_thin_the_seam,
+)
 from design.mould.flange import flanges
 from design.mould.openings import pour_holes, vent_diameter_mm
-from design.mould.pins import least_rim_mm, loose_pins, pins_by_kind, pins_thin_the_seam
 from design.mould.plug import pour_width_mm
 from design.mould.plug_flange import flange_span_mm
 from design.solids.magnet_template import (
