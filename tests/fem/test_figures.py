@@ -1,0 +1,44 @@
+"""Figures of the mechanics that were chosen or measured, in one table, and limits of a mesh's quality.
+
+Nothing but their choice makes them right; each is told in its docstring or on a page.
+"""
+
+import pytest
+
+import fem.candidates.motions
+import fem.candidates.presses
+import fem.candidates.tied_magnets
+import fem.contact.half_space
+import fem.contact.lift_off
+import fem.large_strain.linearity
+import fem.linear.material
+import fem.mesh.edge_lengths
+import fem.mesh.quality
+import fem.presses.compliance_map
+import fem.presses.discretisation
+
+FIGURES = {
+    fem.candidates.motions: {"_PITCH_MM": 2.0, "_DEPTH_STEP_MM": 1.0, "_MARGIN_MM": 1.5},
+    fem.candidates.presses: {"FORCE_SHARES": (0.8, 1.2)},
+    fem.candidates.tied_magnets: {"DEGREE": 2, "INSET": 0.035, "MOST_INSET": 0.2},
+    fem.contact.half_space: {"SQUARE_OWN": 0.9505, "HAT_OWN": 0.9614},
+    fem.contact.lift_off: {"HOLD": 1e-3},
+    fem.large_strain.linearity: {
+        "_DEPTH_MM": (0.0, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0),
+        "_FORCE_ERROR": (0.0, 0.025, 0.032, 0.042, 0.055, 0.075, 0.107, 0.137, 0.165),
+        "_MOTION_ERROR": (0.0, 0.09, 0.113, 0.144, 0.205, 0.264, 0.312, 0.395, 0.485),
+    },
+    fem.linear.material: {"LARGEST_POISSON_RATIO": 0.499999},
+    fem.mesh.quality: {
+        "MIN_DIHEDRAL_DEG": 4.0, "MAX_VOLUME_ERROR": 2e-3, "MAX_MAGNET_VOLUME_ERROR": 0.03,
+    },
+    fem.mesh.edge_lengths: {"FINE_LAYER_MM": 0.5, "_RIM_GROWTH": 0.7},
+    fem.presses.compliance_map: {"DEPTH_MM": 1.0},
+    fem.presses.discretisation: {"COARSENING": 1.5, "ORDER": 2.0, "_ROTATION_ARM_MM": 3.0},
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("module", FIGURES, ids=lambda module: module.__name__)
+def test_figures_are_those_that_were_chosen(module):
+    for name, value in FIGURES[module].items():
+        assert getattr(module, name) == value, name
