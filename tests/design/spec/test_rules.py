@@ -1,0 +1,85 @@
+"""Rules that several keys of a table obey together: what is taken, what is refused, and what is said."""
+
+import re
+
+import pytest
+from pydantic import ValidationError
+
+from design.spec.base import complaints
+from design.spec.object import ObjectSpec
+from design.spec_io import with_overrides
+
+RULES = """
+mechanics.element=taylor-hood silicone.poisson_ratio=% | 0.01 | 0.009 | takes silicone.poisson_ratio from 0.01
+mechanics.element=p2 silicone.poisson_ratio=% | 0.45 | 0.46 | takes silicone.poisson_ratio up to 0.45
+mechanics.element=p2-p0 silicone.poisson_ratio=% | 0.4999 | 0.49995 | up to 0.4999; got 0.49995
+mechanics.element=p1 silicone.poisson_ratio=% | 0.4999 | 0.49995 | up to 0.4999; got 0.49995
+mechanics.element=% silicone.layers=[{thickness_mm=1,modulus_ratio=5}] | p2-p0 | taylor-hood | whose pressure
+silicone.layers=[{thickness_mm=%,modulus_ratio=5}] mechanics.element=p2-p0 | 7.9 | 8 | are 8 mm thick
+silicone.youngs_modulus_mpa=0.4 silicone.youngs_modulus_range_mpa=[%,0.5] | 0.4 | 0.41 | around youngs_modulus
+silicone.youngs_modulus_mpa=0.4 silicone.youngs_modulus_range_mpa=[0.2,%] | 0.4 | 0.39 | around youngs_modulus
+silicone.prony=[{fraction=0.5,time_s=1},{fraction=%,time_s=2}] | 0.4 | 0.5 | sum to less than 1; got 1
+sensors.frame_rate_hz=% sensors.i2c_khz=100 | 70 | 73 | is beyond the 72
+sensors.frame_rate_hz=% sensors.i2c_khz=100 sensors.count_per_face=2 | 103 | 105 | 10 sensors with averaging =
+sensors.frame_rate_hz=% sensors.averaging=32 | 179 | 180 | is beyond the 179
+body.sensed_faces=[1,3] magnets.positions_mm=% | [[[0,0]],[[1,1]]] | [[[0,0]],[[1,1]],[[2,2]]] | holds 3 lists
+sensors.count_per_face=% sensors.positions_mm=[[5,0],[-5,0]] | 2 | 3 | = 3 places on every face; got \\[2\\]
+sensors.rotations_deg=% | [[0,0,0],[0,0,90],[0,0,180]] | [[0,0,0],[0,0,90]] | 3 sensors of a face; got lists o
+sensors.rotations_deg=[[0,0,0],[0,0,90],[0,0,180]] sensors.chip=% | inward | outward | Give rotations_deg alon
+sensors.rotations_deg=[[0,0,0],[0,0,90],[0,0,180]] sensors.mount_rotation_deg=[0,0,%] | 0 | 1 | Give rotations
+sensors.range_mt=% | 80 | 80.1 | beyond the ranges of TMAG5273A1
+sensors.part=% | TMAG5273B2 | TMAG5273E2 | is not a known part
+sensors.part=MLX90393 sensors.noise_counts=% | [9,9,12] | [] | noise_counts
+magnets.shape=ring magnets.inner_diameter_mm=% | 5.9 | 6 | inner_diameter_mm must be below magnets.diameter_mm
+magnets.shape=ring magnets.inner_diameter_mm=% | 0.1 | 0 | needs magnets.inner_diameter_mm above 0
+magnets.shape=% magnets.inner_diameter_mm=2 | ring | disk | belongs to a ring or a coil
+magnets.kind=% magnets.inner_diameter_mm=2 | coil | permanent | belongs to a ring or a coil
+magnets.kind=coil magnets.inner_diameter_mm=% | 5.9 | 6 | must be below magnets.diameter_mm
+magnets.kind=coil magnets.shape=% | disk | block | is wound round
+magnets.switching=face-by-face magnets.kind=% | coil | permanent | needs magnets.kind = 'coil'
+magnets.part=D6x1 magnets.height_mm=% | 1 | 2 | contradicts magnets.part = 'D6x1'
+magnets.grade=N42 magnets.remanence_t=% | 1.28 | 1.27 | outside grade N42 \\(1.28 to 1.33 T\\)
+magnets.grade=N42 magnets.temperature_c=% | 80 | 81 | exceeds the 80 °C
+magnets.positions_mm=[[0,0],[9,9]] magnets.north=% | ["inward","outward"] | ["inward"] | one entry for each of
+magnets.positions_mm=[[0,0],[9,9]] magnets.tilt_deg=% | [[1,0],[0,0]] | [[1,0],[0,0],[0,1]] | one entry for ea
+magnets.positions_mm=[[0,0],[9,9]] magnets.depth_mm=% | [2,2] | [2] | one entry for each of the 2
+body.size_mm=[1,%,4] | 5 | 4.99 | must measure 5 to 1000 mm
+body.size_mm=[10,%,40] | 1000 | 1000.5 | must measure 5 to 1000 mm
+body.kind=sphere body.size_mm=[50,%,50] | 50 | 51 | three times its diameter
+body.kind=capsule body.size_mm=[40,40,%] | 41 | 40 | and z above it
+body.kind=capsule body.size_mm=[40,%,60] | 40 | 41 | x and y alike
+body.kind=dome body.size_mm=[40,40,%] | 20.1 | 20 | z above half of it
+body.kind=dome body.size_mm=[40,%,30] | 40 | 41 | x and y alike
+body.kind=cylinder body.size_mm=[40,%,30] | 40 | 41 | x and y alike
+body.open_faces=% | [2,3,4,5,1] | [2,3,4,5,1,6] | no face of silicone
+body.open_faces=% | [2,3,4] | [2,3,4,5] | two faces \\[1, 6\\]
+body.open_faces=% | [1,6,2] | [1,6,2,4] | two faces \\[3, 5\\]
+body.kind=cylinder body.open_faces=% | [1,6] | [2] | may name \\[1, 6\\]; got \\[2\\]
+body.kind=dome body.size_mm=[40,40,30] body.inside=% | air | water | inside
+body.inside=% | core | air | inside
+body.sensed_faces=% | [1,5] | [1,6] | sensed_faces
+mechanics.interface=% mechanics.slip.shift_mm=[0.1,0,0] | bonded | frictionless | moves a bonded interface
+indenter.kind=cuboid indenter.size_mm=[6,9] indenter.fillet_mm=% | 2.9 | 3.1 | fillet_mm
+indenter.kind=flat indenter.radius_mm=3 indenter.fillet_mm=% | 2.9 | 3.1 | fillet_mm
+press.depths_mm=% | [0.5,0.6] | [0.6,0.6] | depths_mm
+as_built.magnets=[{face=2,magnet=%}] | 5 | 6 | magnet
+as_built.sensors=[{face=2,sensor=%}] | 3 | 4 | sensor
+as_built.magnets=[{face=%,magnet=1}] | 5 | 6 | face
+as_built.magnets=[{face=2,magnet=1,axis=[0,0,%]}] | 0.1 | 0 | has no direction
+"""
+"""Changes of the paper's cube with a value for %, one that is taken, one that is refused, and the words."""
+
+
+def said_of(changes):
+    try:
+        ObjectSpec.model_validate(with_overrides({"name": "x"}, changes.split()))
+    except ValidationError as error:
+        return " ".join(complaints(error, ObjectSpec))
+    return ""
+
+
+@pytest.mark.parametrize("row", RULES.strip().splitlines())
+def test_a_rule_takes_up_to_its_border(row):
+    changes, taken, refused, words = row.split(" | ")
+    assert not said_of(changes.replace("%", taken))
+    assert re.search(words, said_of(changes.replace("%", refused)))
