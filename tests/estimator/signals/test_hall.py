@@ -75,3 +75,18 @@ def test_sensor_in_a_magnet_is_refused():
     moved[4] = magnets.centre_mm[8] + 0.4 * magnets.axis[8]
     with pytest.raises(InputError, match=r"sensor 2 of face 2 lies inside magnet 8 \(face 2\)"):
         check_sensors_outside_magnets(replace(LAYOUT, position_mm=moved), magnets, disk)
+
+
+def test_a_wider_range_of_the_part_is_named_where_it_would_do():
+    narrow = SPEC.sensors.changed(range_mt=20.0, counts_per_mt=1640.0)
+    counts = np.zeros((15, 3))
+    counts[14, 0] = 1640 * 20.0
+    check_rest(np.minimum(counts, full_scale_counts(narrow)), LAYOUT, narrow)
+    counts[14, 0] = 1640 * 30.0
+    with pytest.raises(InputError) as told:
+        check_rest(counts, LAYOUT, narrow)
+    beyond = 1640 * 30.0 / full_scale_counts(narrow) - 1
+    assert str(told.value).startswith(
+        f"sensor 3 of face 5 saturates at rest: axis X sees 30 mT, {beyond:.1%} beyond full scale "
+        f"(±{full_scale_counts(narrow):.0f} counts at 1640 counts/mT)."
+    )

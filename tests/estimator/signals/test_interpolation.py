@@ -10,6 +10,10 @@ from scipy.interpolate import PchipInterpolator
 from design.errors import InputError
 from design.layout.places.contact_grid import PlaceGrid
 from estimator.signals.interpolation import (
+    Traces,
+    _corrected,
+    _grows,
+    among_pressed,
     counts_at_force,
     depth_at_force,
     force_at_depth,
@@ -162,3 +166,58 @@ def test_monotone_cubic_matches_scipy_and_its_complex_step(nodes):
         reference = PchipInterpolator(x[i], values[i])
         assert_allclose(found[i], reference(at[i]), atol=1e-12)
         assert_allclose(slope[i], reference.derivative()(at[i]), atol=1e-11)
+
+
+def test_places_are_among_the_pressed_in_cells_with_four_pressed_corners_and_on_their_edges():
+    """Nodes at 0, 1, 3, 4 and 0, 2, 3; the corner (4, 3) was not pressed."""
+    lattice = PlaceGrid(np.array([0.0, 1, 3, 4]), np.array([0.0, 2, 3]))
+    pressed = np.ones(12, bool)
+    pressed[11] = False
+    places = {
+        (0.0, 0.0): True, (4.0, 0.0): True, (0.0, 3.0): True, (2.0, 2.5): True, (3.5, 1.9): True,
+        (3.5, 2.0): True, (3.0, 3.0): True, (3.0, 2.5): True, (3.5, 2.1): False,
+        (3.1, 2.5): False, (4.0, 3.0): False, (4.0, 2.0): True,
+    }  # fmt: skip
+    x, y = np.array(list(places)).T
+    assert among_pressed(lattice, pressed, x, y).tolist() == list(places.values())
+    lone = np.zeros(12, bool)
+    lone[[0, 1, 3, 4]] = True
+    found = among_pressed(lattice, lone, np.array([0.5, 1.0, 1.1]), np.array([1.0, 2.0, 1.0]))
+    assert found.tolist() == [True, True, False]
+
+
+def test_a_force_grows_where_it_exceeds_all_before_it_by_a_micronewton():
+    force = np.array([1e-6, 2.1e-6, 3.0, 2.0, 3.0, 3.1, -1.0])
+    assert _grows(force).tolist() == [False, True, True, False, False, True, False]
+    assert _grows(np.array([-2.0, -1.0, 0.5])).tolist() == [False, False, True]
+
+
+def test_half_of_the_presses_of_a_place_must_grow_and_the_deepest_one():
+    def traces(force):
+        force = np.array([[0.0, *force]])
+        return Traces(np.arange(force.shape[1]) + 0.0, force, force[..., None], force > 99)
+
+    fine = _corrected(traces([1.0, 0.5, 2.0]), np.array([3]))
+    assert_allclose(fine.force_n, [[0, 1, 1.5, 2]])
+    assert fine.corrected.tolist() == [[False, False, True, False]]
+    for force in ([1.0, 0.5, 0.4], [1.0, 2.0, 1.9], [0.0, 0.0, 1.0]):
+        with pytest.raises(InputError, match="face 3 does not grow with depth"):
+            _corrected(traces(force), np.array([3]))
+
+
+def test_forces_up_to_a_billionth_beyond_the_deepest_press_are_no_clamped_ones():
+    force = np.array([[0.0, 1.0, 2.0]])
+    made = Traces(np.arange(3.0), force, force[..., None], force > 9)
+    found = counts_at_force(made, np.array([[2.0, 2.0 + 1e-9, 2.0 + 1e-8]]), "clamp")
+    assert found.clamped.tolist() == [[False, False, True]]
+    assert found.force_n.max() == 2.0
+
+
+def test_depth_and_force_of_a_sphere_s_press_are_each_other_s_inverse():
+    """Force as depth to the power of 1.5: exact on the way there and back."""
+    depth = np.array([0.0, 0.5, 1.0, 2.0, 4.0])
+    force = np.stack([depth**1.5, 2 * depth**1.5])
+    made = Traces(depth, force, force[..., None], force > 99)
+    assert_allclose(force_at_depth(made, 1.5), [1.5**1.5, 2 * 1.5**1.5])
+    found = depth_at_force(made, np.array([[1.5**1.5, 99.0], [1.0, 0.0]]))
+    assert_allclose(found, [[1.5, 4.0], [0.5 ** (2 / 3), 0.0]], atol=1e-9)

@@ -17,6 +17,7 @@ from estimator.signals.field_setup import min_distance_mm, scene
 from estimator.signals.presses import (
     load_signals,
     press_signals,
+    require_finite,
     rest_counts,
     saturation_margin,
     save_grid_signals,
@@ -180,3 +181,24 @@ def test_a_press_that_adds_to_the_baseline_counts_with_it(signals):
         delta_counts=np.full_like(signals.delta_counts, 500.0),
     )
     assert_allclose(saturation_margin(made, SPEC), 1 - 1500 / 32767, rtol=1e-12)
+
+
+def told(signals):
+    with pytest.raises(InputError) as caught:
+        require_finite(SPEC, signals)
+    return str(caught.value)
+
+
+def test_channels_that_are_not_finite_are_named_four_at_most(signals):
+    require_finite(SPEC, signals)
+    delta, baseline = signals.delta_counts.copy(), signals.baseline_counts.copy()
+    delta[2, 40, 1, 4, 2] = delta[2, 41, 1, 4, 2] = np.nan
+    baseline[14, 0] = np.inf
+    two = replace(signals, delta_counts=delta, baseline_counts=baseline)
+    assert told(two).startswith("signals are not finite on F2-Z2, F5-X3 (2 presses on the worst).")
+    baseline[:2] = np.nan
+    many = replace(signals, delta_counts=delta, baseline_counts=baseline)
+    assert "F1-X1, F1-Y1, F1-Z1, F1-X2 and 4 more (" in told(many)
+    force = signals.force_n.copy()
+    force[0, 3, :2] = np.nan
+    assert told(replace(signals, force_n=force)).startswith("the force of 2 presses is not finite")
