@@ -6,7 +6,15 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.catalogue.bus_parts import BOARDS, MEGA2560, MLX90393, MUX_ADDRESSES, PICO, bus_chip
-from design.catalogue.hall_sensors import GENERIC_PART, HALL_PARTS, hall_part, wider_range
+from design.catalogue.hall_sensors import (
+    GENERIC_PART,
+    HALL_PARTS,
+    HallPart,
+    SensorRange,
+    _is_fine,
+    hall_part,
+    wider_range,
+)
 from design.catalogue.magnets import GRADES, MAGNET_PARTS, MagnetGrade
 from design.catalogue.orders import ORDERS, Order
 from design.catalogue.printers import PRINTERS, printer_preset
@@ -169,6 +177,11 @@ def test_a_range_that_just_holds_is_taken_and_a_wider_one_exceeds():
     assert wider_range("TMAG5273A1", 40.0, 266.0) is None
     assert wider_range("TMAG5273A1", 266.0, 20.0) is None
     assert wider_range("TLE493DW2B6A0", 80.0, 90.0)[1].range_mt == 160.0, "its own, coarse or not"
+
+
+def test_a_part_is_fine_where_all_of_its_ranges_are():
+    for counts, fine in (((100.0,), True), ((99.9,), False), ((200.0, 50.0), False)):
+        assert _is_fine(HallPart("made up", tuple(SensorRange(1.0, one) for one in counts))) == fine
 
 
 def test_printers_print_nothing_smaller_than_their_nozzle_and_thin_walls_stand():

@@ -96,6 +96,8 @@ GOOD = [(1 + 0.1 * i, 0.02 * i) for i in range(1, 9)]
 @pytest.mark.parametrize(
     ("header", "rows", "words"),
     [
+        ("stretch,force", GOOD, "columns .*force.*tensile data need one of"),
+        ("time,nominal_stress_mpa", GOOD, "columns .*time.*tensile data need one of"),
         ("time,force", GOOD, "columns .'time', 'force'.; tensile data need one of"),
         ("stretch,nominal_stress_mpa", [], "tensile data need"),
         ("stretch,nominal_stress_mpa", GOOD[:4], "4 points .*at least 6"),

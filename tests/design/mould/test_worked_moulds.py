@@ -8,6 +8,7 @@ from design.fabrication.assembly import check_clearances, check_pockets
 from design.fabrication.casting import _heads, _pour, draws
 from design.fabrication.layout import layout_findings
 from design.fabrication.printing import check_features, check_inhibition
+from design.layout.mould_frame import mould_frame
 from design.layout.mould_pins import (
     least_rim_mm,
     loose_pins,
@@ -15,7 +16,7 @@ from design.layout.mould_pins import (
     pins_thin_the_seam,
 )
 from design.mould.flange import flanges
-from design.mould.openings import pour_holes, vent_diameter_mm
+from design.mould.openings import mould_holes, seal_holes, sealed_round, vent_diameter_mm
 from design.mould.plug import pour_width_mm
 from design.mould.plug_flange import flange_span_mm
 from design.solids.magnet_template import (
@@ -65,8 +66,12 @@ def test_pouring_holes_are_as_on_record(name):
     spec = worked(name)
     lines = [
         told("hole", [*hole.start_mm, *hole.top_mm, *hole.end_mm, hole.diameter_mm])
-        for hole in pour_holes(spec)
+        for hole in (*mould_holes(spec), *seal_holes(spec))
     ]
+    if mould_frame(spec).opening == "bore":
+        lines.append(
+            told("sealed", [sealed_round(spec).volume, *sealed_round(spec).bounds.ravel()])
+        )
     assert_on_record("pouring", name, [*lines, told("vents", vent_diameter_mm(spec))])
 
 
