@@ -17,6 +17,7 @@ from design.mould.pins import fixed_bosses, make_pin, pin_holes
 from design.mould.plug import make_mould_holder, rod_hole
 from design.mould.plug_flange import flange_solids, tabs
 from design.mould.walls import block
+from design.solids import sampled
 from design.solids.body import (
     cast_outer_solid,
     cavity_solid,
@@ -169,3 +170,25 @@ def test_primitives_by_hand():
     np.testing.assert_allclose(
         [box.xmin, box.ymin, box.zmin], one.corners_mm.min(axis=0), atol=1e-6
     )
+
+
+@pytest.mark.parametrize("name", ["closed capsule", "capsule", "reverse box"])
+def test_triangles_of_parts_are_as_on_record(name):
+    """Of bodies that are known by their triangles parts are made so; these bodies are exact, and quicker."""
+    spec = worked(name)
+    spec = spec.changed(core=spec.core.changed(wall_mm=14.0)) if name == "capsule" else spec
+    frame, places = board_places(spec)[0]
+    pockets = shell_pockets(spec)[0]
+    flat = face_frames(spec)[0].tangent(pockets[1].body.centre_mm[:2])
+    meshes = {
+        "pocket": sampled._pocket(flat, pockets[1]),
+        "recess": sampled._recess(spec, frame, *places[1]),
+        "wire hole": sampled._wire_hole(spec, frame),
+    }
+    if name == "capsule":
+        meshes["hollow"] = sampled._hollow(spec)
+    for locator in locators(spec):
+        meshes["hole of a pin"] = sampled._locator_hole(locator)
+        if locator.socket is not None:
+            meshes["socket"] = sampled._socket(locator.socket)
+    assert_on_record("triangles", name, [of_solids(key, [mesh]) for key, mesh in meshes.items()])

@@ -1,0 +1,227 @@
+"""Checks of fabrication at both sides of their limits, by boxes and made-up measures in place of parts."""
+
+import numpy as np
+import pytest
+import trimesh
+
+from design.body.meshes import ThinnestWall, Trap, Undercut
+from design.body.triangles import Block
+from design.build.parts import Part
+from design.fabrication import casting, printing
+from design.fabrication.assembly import _collisions, _fits, _interference, _wires
+from design.fabrication.casting import Draw, _air, _blocked, _draw, _shared, _traps, _undercut
+from design.fabrication.check import check_solid
+from design.fabrication.finding import at_least, worst
+from design.fabrication.printing import check_bed, check_edges, check_walls
+from design.layout.boards import Mounted
+from design.mould.openings import Hole
+from tests.support.objects.worked_objects import worked
+
+CUBE = worked("closed box")
+DOWN = np.array([0.0, 0.0, -1.0])
+
+
+def box(low, high):
+    return trimesh.creation.box(bounds=np.array([low, high], float))
+
+
+@pytest.mark.parametrize(("deep", "status"), [(0.0, "pass"), (0.0099, "pass"), (0.011, "fail")])
+def test_parts_that_share_more_than_a_cubic_millimetre_do_not_close(deep, status):
+    """Boxes of 10 × 10 mm that overlap by 100 mm² times the depth; a third one shares less."""
+    meshes = {
+        "mould_half_a": box([0, 0, 0], [10, 10, 10]),
+        "mould_half_b": box([0, 0, 10 - deep], [10, 10, 20]),
+        "mould_plug": box([9, 9, 9.996], [30, 30, 9.998]),
+    }
+    found = _shared(CUBE, meshes, (), "mould")
+    assert (found.status, found.limit, found.part) == (status, 1.0, "mould")
+    assert found.value == pytest.approx(100 * deep if deep else 0.002, rel=0.02)
+    if deep:
+        assert "(mould_half_a and mould_half_b)" in found.what
+        assert found.place_mm == pytest.approx((5, 5, 10 - deep / 2), abs=1e-3)
+
+
+def test_a_hole_must_be_open_but_for_a_hundredth_of_its_section():
+    """A hole of Ø4 along x through a wall of 3 mm, and one that touches a wall by 0.009 mm."""
+    way = {
+        "start_mm": np.zeros(3),
+        "top_mm": np.array([5.0, 0, 0]),
+        "end_mm": np.array([20.0, 0, 0]),
+    }
+    hole = Hole("vent", diameter_mm=4.0, **way)
+    wall = box([10, -9, -9], [13, 9, 9])
+    (found,) = _blocked(
+        (hole,), {"mould_half_a": wall, "core": box([0, -9, -9], [18, 9, 9])}, "core"
+    )
+    section = np.pi * 4.0
+    assert found.value == pytest.approx(3 * section, rel=0.01)
+    assert found.limit == pytest.approx(1e-3 + 0.01 * section)
+    assert (found.status, found.part) == ("fail", "mould_half_a")
+    for deep, status in ((0.009, "pass"), (0.012, "fail")):
+        thin = {"mould_half_b": box([10, -9, -9], [10 + deep, 9, 9])}
+        assert _blocked((hole,), thin)[0].status == status
+    holder = {"mould_holder": box([0, -9, -9], [4.9, 9, 9])}
+    assert _blocked((hole,), holder)[0].status == "pass", "within the silicone it may stand"
+    assert not _blocked((), holder)
+    assert not _blocked((hole,), {"core": wall}, "core")
+
+
+@pytest.mark.parametrize(
+    ("depth", "room", "status", "limit"),
+    [
+        (0.0, 0.0, "pass", 0.0),
+        (0.159, 0.0, "pass", 0.16),
+        (0.161, 0.0, "fail", 0.16),
+        (4.9, 5.0, "fail", 2.0),
+        (1.99, 5.0, "pass", 2.0),
+        (2.01, 5.0, "fail", 2.0),
+        (1.5, 1.4, "fail", 1.4),
+    ],
+)
+def test_undercuts_are_peeled_where_there_is_room_and_strain_left(
+    monkeypatch, depth, room, status, limit
+):
+    """Shell of 8 mm: 0.16 mm gives way on the spot; 25 % of strain, half of 50 %, are 2 mm of it."""
+    spec = CUBE.changed(silicone=CUBE.silicone.changed(elongation_percent=50.0, peel_share=0.5))
+    place = np.array([1.0, 2.0, 3.0]) if depth else None
+    monkeypatch.setattr(
+        casting, "undercut", lambda *given: Undercut(7.0 * (depth > 0), depth, place)
+    )
+    monkeypatch.setattr(casting, "_wetted", lambda *given: None)
+    found = _undercut(
+        spec, Draw("mould_box", DOWN, room), box([0] * 3, [1] * 3), box([0] * 3, [1] * 3)
+    )
+    assert (found.status, found.value) == (status, depth)
+    assert found.limit == pytest.approx(limit)
+    assert found.place_mm == ((1.0, 2.0, 3.0) if depth else None)
+
+
+@pytest.mark.parametrize(("draft", "status"), [(0.99, "warn"), (1.0, "pass")])
+def test_a_wall_without_draft_is_a_warning(monkeypatch, draft, status):
+    monkeypatch.setattr(casting, "least_draft_deg", lambda *given: (draft, np.zeros(3)))
+    monkeypatch.setattr(casting, "undercut", lambda *given: Undercut(0.0, 0.0, None))
+    monkeypatch.setattr(casting, "_wetted", lambda *given: None)
+    one = box([0] * 3, [1] * 3)
+    assert [f.status for f in _draw(CUBE, Draw("mould_box", DOWN, 0.0), one, one)] == [
+        "pass",
+        status,
+    ]
+    monkeypatch.setattr(casting, "least_draft_deg", lambda *given: None)
+    assert len(_draw(CUBE, Draw("mould_box", DOWN, 0.0), one, one)) == 1
+
+
+@pytest.mark.parametrize(("area", "status"), [(100.0, "pass"), (100.1, "warn")])
+def test_air_rests_under_wide_ceilings_and_is_caught_in_traps(monkeypatch, area, status):
+    trap = Trap(np.array([1.0, 2.0, 3.0]), np.array([0.0, 0.0, 1.0]), 0.5)
+    vent = Hole("vent", np.zeros(3), np.zeros(3), np.array([0.0, 0, 9.0]), 1.0)
+    monkeypatch.setattr(casting, "air_traps", lambda *given: [trap])
+    monkeypatch.setattr(casting, "mould_holes", lambda spec: (vent, vent))
+    monkeypatch.setattr(casting, "largest_ceiling", lambda *given: (area, np.zeros(3)))
+    traps, ceiling = _air(CUBE, {"shell": box([0] * 3, [1] * 3)})
+    assert (traps.status, traps.value, traps.place_mm) == ("fail", 1.0, (1.0, 2.0, 3.0))
+    assert "2 vents" in traps.what
+    assert (ceiling.status, ceiling.limit) == (status, 100.0)
+    monkeypatch.setattr(casting, "air_traps", lambda *given: [])
+    assert _traps(CUBE, box([0] * 3, [1] * 3), (vent,), "shell").status == "pass"
+
+
+@pytest.mark.parametrize(
+    ("material", "wall", "status", "limit"),
+    [
+        ("silicone", 0.99, "fail", 1.0),
+        ("silicone", 1.24, "warn", 1.0),
+        ("silicone", 1.25, "pass", 1.0),
+        ("printed", 0.79, "fail", 0.8),
+        ("printed", 0.99, "warn", 0.8),
+        ("printed", 1.0, "pass", 0.8),
+    ],
+)
+def test_walls_are_thin_by_their_material(monkeypatch, material, wall, status, limit):
+    monkeypatch.setattr(printing, "thinnest_wall", lambda mesh: ThinnestWall(wall, np.zeros(3)))
+    (found,) = check_walls(Part("core", lambda: None, material), None, CUBE)
+    assert (found.status, found.limit, found.value) == (status, limit, wall)
+    monkeypatch.setattr(printing, "thinnest_wall", lambda mesh: None)
+    assert check_walls(Part("core", lambda: None, material), None, CUBE) == []
+
+
+def test_edges_below_40_degrees_are_a_warning(monkeypatch):
+    for angle, status in ((39.9, "warn"), (40.0, "pass")):
+        monkeypatch.setattr(printing, "sharpest_edge", lambda mesh, a=angle: (a, np.zeros(3)))
+        assert check_edges(Part("core", lambda: None), None)[0].status == status
+
+
+@pytest.mark.parametrize(
+    ("edges", "room"),
+    [((240, 220, 220), 0.0), ((100, 241, 50), -1.0), ((221, 1, 221), -1.0), ((10, 10, 10), 210.0)],
+)
+def test_a_part_lies_on_the_bed_as_fits_best(edges, room):
+    """220 × 220 × 240 mm."""
+    (found,) = check_bed(Part("core", lambda: None), box([0, 0, 0], edges), CUBE)
+    assert found.value == pytest.approx(room)
+    assert found.status == ("pass" if room >= 0 else "fail")
+    assert not check_bed(Part("shell", lambda: None, "silicone"), box([0, 0, 0], edges), CUBE)
+
+
+def mounted(number, x, chip_z=-2.0):
+    board = Block(np.array([x, 0.0, 0.0]), np.eye(3), np.array([2.0, 2.0, 0.5]))
+    return Mounted(
+        1, number, board, Block(np.array([x, 0.0, chip_z]), np.eye(3), np.array([1.0, 1.0, 0.5]))
+    )
+
+
+def test_boards_and_chips_share_what_they_share():
+    core = box([-9, -9, -9], [9, 9, -1.999])
+    (found,) = _interference([mounted(1, 0.0)], core)
+    assert found.value == pytest.approx(4 * 0.501)
+    assert (found.status, found.limit, found.place_mm) == ("fail", 1e-3, (0.0, 0.0, -2.0))
+    (clear,) = _interference([mounted(1, 0.0)], box([-9, -9, -9], [9, 9, -2.5]))
+    assert clear.status == "pass"
+    for apart, common in ((3.0, 4.0), (3.9995, 0.002), (3.9999, 0.0004), (4.1, 0.0)):
+        (found,) = _collisions([mounted(1, 0.0), mounted(2, apart)])
+        assert found.value == pytest.approx(common, abs=1e-5)
+        assert found.status == ("fail" if common > 1e-3 else "pass")
+        assert ("sensor 1 of face 1 and sensor 2" in found.what) == (common > 0)
+
+
+def test_boards_go_into_their_recesses_with_a_little_room():
+    """Recess of 4 × 4 × 2.6 mm; board of 3.8 × 3.6 × 1.2 and chip of 0.9 mm."""
+    rooms = {f.check.split(", ")[1]: (f.value, f.status) for f in _fits(CUBE)}
+    assert rooms["across"] == (pytest.approx(0.1), "pass")
+    assert rooms["along"] == (pytest.approx(0.2), "pass")
+    assert rooms["deep"] == (pytest.approx(0.5), "pass")
+    tight = CUBE.changed(sensors=CUBE.sensors.changed(package_mm=(3.97, 4.0, 1.75)))
+    rooms = {f.check.split(", ")[1]: f.status for f in _fits(tight)}
+    assert rooms == {"across": "warn", "along": "warn", "deep": "fail"}
+
+
+def test_wires_go_through_the_narrowest_hole():
+    """Eight wires of 0.4 mm fill 70 % of their bundle: Ø1.352."""
+    found = _wires(CUBE)
+    assert found.value == pytest.approx(2.2 - 0.4 * np.sqrt(8 / 0.7))
+    assert "diameter_mm to 1.36" in found.what
+    assert found.status == "pass"
+    narrow = CUBE.changed(core=CUBE.core.changed(wire_hole_side_diameter_mm=1.3))
+    assert _wires(narrow).status == "fail"
+
+
+def test_the_worst_of_findings_and_their_limits():
+    assert [at_least(v, 1.0, 1.25) for v in (0.9999, 1.0, 1.2499, 1.25)] == [
+        "fail",
+        "warn",
+        "warn",
+        "pass",
+    ]
+    assert at_least(float("nan"), 1.0) == "fail"
+    assert worst([]) == "pass"
+
+
+@pytest.mark.parametrize(("edge", "status"), [(0.99, "fail"), (1.01, "pass")])
+def test_a_piece_of_less_than_a_cubic_millimetre_is_a_sliver(edge, status):
+    piece = box([20, 0, 0], [21, 1, edge])
+    both = trimesh.util.concatenate([box([0, 0, 0], [9, 9, 9]), piece])
+    findings, mesh = check_solid("core", both, CUBE)
+    by = {f.check: f for f in findings}
+    assert (by["one solid"].status, by["one solid"].value) == ("fail", 2.0)
+    assert by["one solid"].place_mm == pytest.approx((20.5, 0.5, edge / 2))
+    assert (by["no slivers"].status, by["closed surface"].status) == (status, "pass")
+    assert mesh is both
