@@ -164,6 +164,14 @@ def first_of_a_kind(sentences):
 
 
 NAMES = dict.fromkeys(line.split(": ")[0] for line in CASES.strip().splitlines())
+ABOUT_PRESSES = re.compile("contact_grid|indenter|press")
+FEWER = {"cylinder": ["body.sensed_faces=[1,3,4]"]}
+"""Faces of what takes long with all of them."""
+
+
+def changed(name, changes):
+    given = [*FEWER.get(name, ()), *changes.split()]
+    return ObjectSpec.model_validate(with_overrides(deepcopy(OBJECTS[name]), given))
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -176,8 +184,8 @@ def test_what_does_not_fit_is_told_with_its_numbers(name):
 
 
 def told_of(name, changes):
-    spec = ObjectSpec.model_validate(with_overrides(deepcopy(OBJECTS[name]), changes.split()))
-    table = re.search("contact_grid|indenter|press", changes) is not None
+    spec = changed(name, changes)
+    table = ABOUT_PRESSES.search(changes) is not None
     beside = boards_across_edges(spec) if spec.arrangement == "sensors-in-core" else None
     found = problems_of(spec, table=table)
     assert found
@@ -186,10 +194,9 @@ def told_of(name, changes):
 
 @pytest.mark.parametrize("name", OBJECTS)
 def test_what_fits_is_not_refused(name):
-    for case in [
-        f"{name}: ",
-        *(line for line in TIGHT.strip().splitlines() if line.startswith(f"{name}: ")),
-    ]:
-        changes = case.split(": ")[1].split()
-        spec = ObjectSpec.model_validate(with_overrides(deepcopy(OBJECTS[name]), changes))
-        assert not problems_of(spec), case
+    tight = [
+        line.split(": ")[1] for line in TIGHT.strip().splitlines() if line.startswith(f"{name}: ")
+    ]
+    for changes in ["", *tight]:
+        spec = changed(name, changes)
+        assert not problems_of(spec, table=ABOUT_PRESSES.search(changes) is not None), changes

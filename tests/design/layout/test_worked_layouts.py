@@ -45,7 +45,7 @@ from design.layout.surface import sealed_body_surface, support_rings
 from tests.support.objects.worked_objects import OBJECTS, worked
 from tests.support.recorded_facts import assert_on_record, told
 
-ALIKE = ("sleeve", "closed cylinder", "sphere", "dome of silicone")
+ALIKE = ("sleeve", "closed cylinder", "sphere", "ellipsoid", "dome of silicone")
 """What they differ in from the others is in their bodies (`tests/design/body/test_worked_bodies.py`)."""
 
 

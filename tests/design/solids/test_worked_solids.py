@@ -127,7 +127,7 @@ def test_what_holds_a_core_is_as_on_record(name):
 def test_probes_are_as_on_record(name):
     spec = worked("box").changed(indenter=IndenterSpec.model_validate(TIPS[name]))
     own = spec.indenter.tip_count
-    probes = [make_probe(spec, tips) for tips in (own, 2)]
+    probes = [make_probe(spec, tips) for tips in ((own,) if name == "flat" else (own, 2))]
     assert_on_record("probes", name, [of_solids("probe", [probe]) for probe in probes])
 
 
