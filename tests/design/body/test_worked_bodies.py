@@ -50,4 +50,22 @@ def test_a_body_answers_as_on_record(name):
             told("cast volume", body.cast_volume_mm3(0.6, sensed[:2])),
             told("cast volume, top alone", body.cast_volume_mm3(0.6, (1,))),
         ]
+    else:
+        lines += [line for number in sensed[:2] for line in of_frame(body.core_frame(number))]
+    lines += [line for number in sensed[:2] for line in of_frame(body.frame(number))]
     assert_on_record("bodies", name, lines)
+
+
+def of_frame(frame):
+    """Border, areas, lengths and where lines meet the surface, in ten places; NaN as −99."""
+    turn = np.linspace(0.2, 6.0, 5)
+    xy = 0.6 * np.column_stack([np.cos(turn), np.sin(turn)]) * frame.half_extents_mm
+    lengths = frame.from_plane(xy)
+    back, stretch = frame.to_plane(lengths), frame.area_stretch(lengths)
+    above = frame.to_object(np.column_stack([xy, np.full(5, 2.0)]))
+    onto = frame.onto(above, frame.normal + 0.2 * frame.x)
+    border = frame.border_mm(7)
+    rows = np.vstack([lengths, back, onto[:, :2], np.column_stack([stretch, onto[:, 2]]), border])
+    sizes = [*frame.centre_mm, *frame.half_extents_mm, *frame.lengths_mm.ravel()]
+    yield told(f"face {frame.number}", sizes)
+    yield told("its places", np.nan_to_num(rows, nan=-99.0))

@@ -30,6 +30,8 @@ sensors.rotations_deg=[[0,0,0],[0,0,90],[0,0,180]] sensors.mount_rotation_deg=[0
 sensors.range_mt=% | 80 | 80.1 | beyond the ranges of TMAG5273A1
 sensors.part=% | TMAG5273B2 | TMAG5273E2 | is not a known part
 sensors.part=MLX90393 sensors.noise_counts=% | [9,9,12] | [] | noise_counts
+body.sensed_faces=[1] magnets.positions_mm=% | [[[0,0],[5,5]]] | [[[0,0],[5]]] | positions_mm
+magnets.positions_mm=% | [[1,2]] | [] | positions_mm
 magnets.shape=ring magnets.inner_diameter_mm=% | 5.9 | 6 | inner_diameter_mm must be below magnets.diameter_mm
 magnets.shape=ring magnets.inner_diameter_mm=% | 0.1 | 0 | needs magnets.inner_diameter_mm above 0
 magnets.shape=% magnets.inner_diameter_mm=2 | ring | disk | belongs to a ring or a coil
