@@ -69,3 +69,12 @@ def of_frame(frame):
     sizes = [*frame.centre_mm, *frame.half_extents_mm, *frame.lengths_mm.ravel()]
     yield told(f"face {frame.number}", sizes)
     yield told("its places", np.nan_to_num(rows, nan=-99.0))
+
+
+@pytest.mark.parametrize("name", ["box", "sphere"])
+def test_what_faces_share_cannot_be_written_to(name):
+    body = body_of(worked(name))
+    for frame in (body.frame(2), body.core_frame(3)):
+        for shared in (frame.axes, frame.lengths_mm):
+            with pytest.raises(ValueError, match="read-only"):
+                shared[0, 0] = 1.0

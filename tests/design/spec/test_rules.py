@@ -68,6 +68,43 @@ as_built.magnets=[{face=2,magnet=%}] | 5 | 6 | magnet
 as_built.sensors=[{face=2,sensor=%}] | 3 | 4 | sensor
 as_built.magnets=[{face=%,magnet=1}] | 5 | 6 | face
 as_built.magnets=[{face=2,magnet=1,axis=[0,0,%]}] | 0.1 | 0 | has no direction
+collection.faces=% | [1,2] | [2,2] | names a face twice; got \\[2, 2\\]
+collection.grasp_faces=% | [3,5] | [3,3] | grasp_faces names a face twice
+collection.tangential_share=0.5 collection.kind=% | continuous | paper | tangential_share
+collection.tangential_share=0.5 collection.kind=continuous collection.contacts=% | 1 | 2 | tangential_share
+collection.kind=continuous collection.contacts=2 collection.tangential_share=% | 0 | 0.1 | tangential_share
+score.hull=exact score.hull_frames=% | 100 | 101 | hull_frames
+score.hull_frames=101 score.hull=% | monte-carlo | exact | hull_frames
+protocol.peak_force_n=% | [10,10] | [10.1,10] | peak_force_n
+training.model=% training.trees=20 | compact | linear | trees
+training.model=% training.process=true | whole-object | paper | process
+training.model=linear training.trees=% | 0 | 1 | trees
+training.model=% training.output=position | compact | linear | output
+search.vary.magnet_depth_mm=% | [2,3] | [3,3] | must rise from above 0
+search.vary.magnet_depth_mm=% | [0.1,3] | [0,3] | magnet_depth_mm
+search.vary.magnet_count=[2,3] search.vary.%=9 | magnet_reach_mm | sensor_reach_mm | needs search.vary.magnet
+search.vary.sensor_count=[2,3] search.vary.%=9 | sensor_reach_mm | magnet_reach_mm | needs search.vary.sensor
+search.forces_n=% | [2,5] | [5,5] | must increase strictly
+search.leaders=3 search.finalists=% | 3 | 4 | come from search.leaders = 3
+search.magnet_symmetry=% | free | mirrored | search
+search.sensor_symmetry=% | free | ring | search
+mechanics.correction=large-strain mechanics.element=% | taylor-hood | p2-p0 | correction
+mechanics.correction=large-strain mechanics.interface=% | bonded | frictionless | correction
+mechanics.correction=large-strain mechanics.slip.shift_mm=[0,0,%] | 0 | 0.1 | correction
+mechanics.interface=frictionless mechanics.slip.rotation_deg=[0,0,%] | 0 | 1 | moves a bonded interface
+indenter.tilt_deg=[0,%] | 0 | 3 | does nothing to a hemisphere
+indenter.kind=% indenter.tilt_deg=[0,3] | flat | hemisphere | does nothing to a hemisphere
+indenter.kind=% indenter.vertices_mm=[[0,0,0],[6,0,8],[-6,5,8],[-6,-5,8]] | stl | flat | goes with indenter
+indenter.fillet_mm=% | 0 | 1 | fillet_mm
+environment.magnets=[{position_mm=[90,0,0],axis=[0,0,%]}] | 1 | 0 | must not be zero
+environment.steel_plates=[{position_mm=[90,0,0],normal=[%,0,0]}] | 1 | 0 | normal
+environment.earth_direction=% | [0,1,0] | [0,0,0] | earth_direction
+load_cell.output_mv_per_v=% | -1 | 0 | must not be 0
+load_cell.newtons_per_v=% | -20 | 0 | must not be 0
+load_cell.kind=hx711 load_cell.pins=% | ["D40","D41"] | ["D40"] | pins
+load_cell.kind=analog load_cell.pins=% | ["A0"] | ["A0","A1"] | pins
+as_built.magnets=[{face=2,magnet=1},{face=%,magnet=1}] | 3 | 2 | magnet 1 of face 2
+as_built.sensors=[{face=2,sensor=1},{face=2,sensor=%}] | 2 | 1 | sensor 1 of face 2
 """
 """Changes of the paper's cube with a value for %, one that is taken, one that is refused, and the words."""
 
