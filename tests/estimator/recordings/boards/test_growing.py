@@ -33,7 +33,7 @@ def test_rows_sessions_and_times_of_the_end_are_found_and_half_a_line_cut_off(tm
     assert opened(path) == (2, 3, 2.25, 6)
     with growing_recording(path, ["F1-X1"], 1, 1, None) as found:
         assert found.cut_bytes == 0
-        found.append([3.5, 3, 0, float("nan"), 0.25, 1, 2, -3])
+        found.append([3.5, 3.0, 0.0, float("nan"), 0.25, 1.0, 2.0, -3.0])
         assert found.rows_added == 1
         with pytest.raises(RecordingError, match="7"):
             found.append([0.0] * 7)
