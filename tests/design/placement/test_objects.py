@@ -23,6 +23,7 @@ from design.layout.pockets import sensor_places
 from design.placement import objects
 from design.placement.objects import Request, Trim, first_fit, placed, spec_of
 from design.placement.room import low_rim, tight_rim
+from tests.support.recorded_facts import assert_on_record
 
 PEAR = Path(__file__).parents[3] / "examples" / "bodies" / "pear.stl"
 QUICK = {
@@ -34,8 +35,23 @@ QUICK = {
 
 
 @pytest.fixture(scope="module")
-def made():
-    return {name: spec_of(placed(request)) for name, request in QUICK.items()}
+def made_tables():
+    return {name: placed(request) for name, request in QUICK.items()}
+
+
+@pytest.fixture(scope="module")
+def made(made_tables):
+    return {name: spec_of(tables) for name, tables in made_tables.items()}
+
+
+@pytest.mark.parametrize("name", QUICK)
+def test_what_is_placed_is_as_on_record(name, made_tables):
+    lines = [
+        f"{table}.{key}: {value}"
+        for table, values in made_tables[name].items()
+        for key, value in values.items()
+    ]
+    assert_on_record("placed", name, lines)
 
 
 @pytest.mark.parametrize("name", QUICK)
@@ -155,6 +171,8 @@ def test_magnets_of_a_narrow_pad_keep_silicone_at_its_sides():
 def test_what_would_fit_instead_is_named_and_fits(request_, works):
     with pytest.raises(SpecError, match=works) as told:
         placed(request_)
+    asked = f"{request_.kind} {request_.size_mm}, {request_.sensors} and {request_.magnets}"
+    assert_on_record("placed", asked, [str(told.value)])
     for size in re.findall(r"about ([\d.]+) × ([\d.]+) × ([\d.]+) mm", str(told.value)):
         placed(replace(request_, size_mm=tuple(map(float, size))))
     for what in ("sensor", "magnet"):
