@@ -21,7 +21,7 @@ from design.layout.places.positions import live_channels
 from design.spec.object import ObjectSpec
 from estimator.field.models import FieldModel, field_model
 from estimator.field.sources import magnet_source
-from estimator.information.fisher import cramer_rao_bounds, disturbance_counts
+from estimator.information.fisher import disturbance_counts, position_and_force_bounds
 from estimator.signals.field_setup import KnownField, counts, min_distance_mm, sensed_field
 from estimator.signals.interpolation import press_traces
 from estimator.signals.press_states import PressStates, motions_as_signals, press_states
@@ -182,13 +182,12 @@ def outcome_of(setting: Setting, assembly: Assembly) -> Outcome:
         rest = baseline if own is None else baseline[assembly.scene.sensors.face == face]
         deltas.append(values[0] - rest.ravel()[live])
         jacobians.append(states.differentiate(values))
-        bounds.append(cramer_rao_bounds(jacobians[-1], _sigma(spec, live)))
+        bounds.append(position_and_force_bounds(jacobians[-1], _sigma(spec, live)))
     return Outcome(
         baseline,
         tuple(deltas),
         tuple(jacobians),
-        np.concatenate([bound.position_mm for bound in bounds]),
-        np.concatenate([bound.force_n for bound in bounds]),
+        *(np.concatenate(of_faces) for of_faces in zip(*bounds, strict=True)),
     )
 
 

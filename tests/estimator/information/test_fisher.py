@@ -7,7 +7,12 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.spec.object import SensorSpec
-from estimator.information.fisher import cramer_rao_bounds, detectable_force_n, disturbance_counts
+from estimator.information.fisher import (
+    cramer_rao_bounds,
+    detectable_force_n,
+    disturbance_counts,
+    position_and_force_bounds,
+)
 from estimator.signals.interpolation import Traces
 
 SIGMA = disturbance_counts(SensorSpec(), "fresh", 9)
@@ -153,3 +158,20 @@ def test_fewer_channels_than_parameters_are_blind_not_certain():
     assert bounds.rank.tolist() == [2, 2]
     assert np.isinf(bounds.position_mm).all()
     assert_allclose(jacobian @ bounds.blind_direction[:, :, None], 0, atol=1e-9)
+
+
+def test_bounds_of_place_and_force_alone_are_those_of_all_bounds():
+    jacobian = random_jacobian(40, seed=6)
+    jacobian[0, :, 1] = 2 * jacobian[0, :, 0] + 1e-3 * jacobian[0, :, 1]  # nearly blind
+    jacobian[1, :, 1] = jacobian[1, :, 0]
+    jacobian[2, :, 2] = 0
+    jacobian[3] = 0
+    every = cramer_rao_bounds(jacobian, SIGMA)
+    position, force = position_and_force_bounds(jacobian, SIGMA)
+    assert_allclose(position, every.position_mm, rtol=1e-10)  # one is nearly blind
+    assert_allclose(force, every.force_n, rtol=1e-10)
+    assert np.isinf(position[[1, 3]]).all()
+    assert np.isinf(force[[2, 3]]).all()
+    assert np.isfinite(position[2])
+    few = position_and_force_bounds(jacobian[4:, :2], SIGMA[:2])
+    assert_allclose(few[0], cramer_rao_bounds(jacobian[4:, :2], SIGMA[:2]).position_mm)
