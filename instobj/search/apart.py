@@ -13,6 +13,7 @@ from typing import Any
 
 from design.errors import InputError
 
+_MOST_SILENT_S = 5.0
 _CLOSING_S = 5.0
 
 
@@ -108,11 +109,15 @@ class Apart:
 
 @contextmanager
 def side_by_side(
-    prepare: Callable[[Any], Callable[[Any], Any]], argument: Any, count: int
+    prepare: Callable[[Any], Callable[[Any], Any]],
+    argument: Any,
+    count: int,
+    waiting: Callable[[int], None] = lambda questions: None,
 ) -> Iterator[Callable[[Sequence[Any], float], list[Any]]]:
     """A function that answers lists of questions by `count` processes, each with its share of a list.
 
-    It raises as `Apart.ask`, once every process has answered or was given up.
+    It raises as `Apart.ask`, once every process has answered or was given up; meanwhile, every few
+    seconds, `waiting` gets the number of questions.
     """
     processes = [Apart(prepare, argument) for _ in range(count)]
     threads = ThreadPoolExecutor(count)
@@ -121,7 +126,8 @@ def side_by_side(
         shares = [list(questions[k::count]) for k in range(min(count, len(questions)))]
         pairs = zip(processes, shares, strict=False)
         jobs = [threads.submit(one.ask, share, seconds) for one, share in pairs]
-        wait(jobs)
+        while wait(jobs, _MOST_SILENT_S).not_done:
+            waiting(len(questions))
         answers = [job.result() for job in jobs]
         return [answers[k % count][k // count] for k in range(len(questions))]
 

@@ -57,6 +57,8 @@ def run_search(
         asked = ask(engine, min(max(search.batch, processes), search.trials - seen))
         finished = _scored_batch(space, engine, asked, score)
         kept.keep(finished)
+        for reason in sorted(set(_failures(finished))):
+            say(f"no result, kept as failed: {reason}")
         failed = _count_failed(finished, failed)
         seen = _learn_from_others(engine, kept, seen, len(finished))
         say(_standing(kept, search, seen))
@@ -91,8 +93,12 @@ def _attributes(result: Scored) -> dict[str, Any]:
     return {"scores": result.scores, "broken_mm": result.broken_mm, "misfit": result.misfit}
 
 
+def _failures(finished: list[FrozenTrial]) -> list[str]:
+    return [t.user_attrs["failure"] for t in finished if "failure" in t.user_attrs]
+
+
 def _count_failed(finished: list[FrozenTrial], before: int) -> int:
-    reasons = [t.user_attrs["failure"] for t in finished if "failure" in t.user_attrs]
+    reasons = _failures(finished)
     failed = before + 1 if len(reasons) == len(finished) else 0
     if failed >= _FAILURES_IN_A_ROW:
         raise InputError(

@@ -26,6 +26,7 @@ from instobj.search.promotion import Promotion, promote
 from instobj.search.study import KeptStudy, open_study
 from instobj.search.time_limit import TRIALS_SHARE, TimeLimit
 from instobj.search.verdict import FIRST, LAST, SECOND, Promoted
+from instobj.stages.resources import search_seconds
 from instobj.stages.run import Run
 from instobj.stages.workers import open_workers
 from instobj.store.progress import ProgressLine
@@ -58,6 +59,7 @@ def optimize(
     kept = open_study(spec, storage or folder / "journal.log", resume, say=progress.step)
     limit = TimeLimit(spec.search.seconds)
     progress.say(limit.plan)
+    progress.say(_mechanics_plan(spec, limit))
 
     def say(text: str) -> None:
         progress.step(f"{text}; {limit.left}")
@@ -74,6 +76,12 @@ def optimize(
     with progress.stage("report"):
         files = write_outcome(space, kept, found, folder, path.parent, progress.step)
     return _document(spec, kept, found, files)
+
+
+def _mechanics_plan(spec: ObjectSpec, limit: TimeLimit) -> str:
+    estimate = search_seconds(spec)
+    stored = Run(spec).stored("candidates") is not None
+    return limit.mechanics_plan(0.0 if stored else estimate.lowest, estimate.chain)
 
 
 def work(path: Path, out: Path, overrides: list[str], storage: str, worker: int) -> dict[str, Any]:
@@ -134,7 +142,12 @@ def _search(
         return
     Run(space.spec, progress).require("candidates")
     first, content = start_params(space), space.spec.model_dump_json()
-    with side_by_side(lowest_fidelity, content, processes) as score, progress.stage("search"):
+
+    def waiting(trials: int) -> None:
+        say("1 trial at work" if trials == 1 else f"{trials} trials at work")
+
+    made = side_by_side(lowest_fidelity, content, processes, waiting)
+    with made as score, progress.stage("search"):
         run_search(space, kept, score, say, first, worker, over, processes)
 
 

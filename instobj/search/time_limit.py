@@ -7,12 +7,15 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from math import ceil
 from types import FrameType
 
 from design.errors import InputError
 
 TRIALS_SHARE = 0.4
 """Of the time, for mechanics and trials: measured, leaders and finalists took 15 of 25 minutes."""
+_CHAINS = 2
+"""The start and a finalist."""
 _SHORTEST_S = 1e-3
 
 
@@ -48,6 +51,24 @@ class TimeLimit:
             "as the chain takes for the start"
         )
 
+    def mechanics_plan(self, lowest_s: float, chain_s: float) -> str:
+        """What of the time mechanics will take, in words; `lowest_s` 0 where those are stored."""
+        if not lowest_s:
+            return "mechanics of the lowest fidelity level are stored"
+        text = (
+            "mechanics of the lowest fidelity level are not stored: about "
+            f"{_in_words(lowest_s)} of one free core, half to twice as long"
+        )
+        whole_s = lowest_s + _CHAINS * chain_s
+        needed_s = max(lowest_s / TRIALS_SHARE, 2 * whole_s)
+        if needed_s <= self.seconds:
+            return text
+        holds = "not even the mechanics" if whole_s > self.seconds else "mechanics, but few trials"
+        return (
+            f"{text}. search.seconds = {self.seconds:g} is likely to hold {holds}: give about "
+            f"{100 * ceil(needed_s / 100)}. What was made is kept, and --resume goes on from there"
+        )
+
     @contextmanager
     def enforced(self) -> Iterator[None]:
         """Break off what runs in here when the time is spent.
@@ -78,6 +99,10 @@ class TimeLimit:
         finally:
             signal.setitimer(signal.ITIMER_REAL, 0)
             signal.signal(signal.SIGALRM, before)
+
+
+def _in_words(seconds: float) -> str:
+    return f"{seconds:.0f} s" if seconds < 100 else f"{seconds / 60:.0f} min"
 
 
 def _raise_alarm(number: int, frame: FrameType | None) -> None:

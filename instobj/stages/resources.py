@@ -1,4 +1,4 @@
-"""Memory that a stage will need, estimated from the specification before any work is done.
+"""Memory that a stage will need, and time, estimated from the specification before any work is done.
 
 Estimates are rough: meshes have 0.5 to 2 times the vertices that are estimated here (tested on the
 paper's cube and on a small box). They are there to refuse what cannot end, an edge of 0.2 mm or 10⁸
@@ -13,6 +13,7 @@ from itertools import pairwise
 from math import pi, prod, sqrt
 
 from design.errors import InputError
+from design.layout.body import face_frames
 from design.layout.places.contact_places import contact_places, grid_count
 from design.layout.places.positions import shell_body_layout
 from design.layout.volumes import sealed_volume_mm3
@@ -36,6 +37,11 @@ _COPIES = 3
 _ADAM_COPIES = 4
 """Weights, gradients and two moments."""
 _LARGEST_SHARE = 0.9
+_CUBE_NODES = 71_000
+_MESH_S, _CURVED_MESH_S = 2e-3, 8e-3
+"""A vertex: the paper's cube took 15 to 28 s, the pear 73 s."""
+_RESPONSE_S, _SOLVE_S = 35.0, 0.05
+"""Of the paper's cube: the response, and one press at all candidates."""
 
 
 @dataclass(frozen=True)
@@ -85,6 +91,27 @@ def mesh_vertices(spec: ObjectSpec) -> float:
     return (
         _VERTICES_PER_CELL * cells + _VERTICES_PER_RIM_EDGE * outlines_mm / spec.mesh.finest_edge_mm
     )
+
+
+@dataclass(frozen=True)
+class SearchSeconds:
+    """Processor time of a layout search's mechanics: `lowest` level from nothing, presses of all contact
+    locations at two shares of every judged force; `chain`, mesh and response of one layout."""
+
+    lowest: float
+    chain: float
+
+
+def search_seconds(spec: ObjectSpec) -> SearchSeconds:
+    """On one core of the machine of benchmarks/README.md, rough: half to twice of it were measured."""
+    vertices = mesh_vertices(spec)
+    nodes = _NODES_PER_VERTEX[spec.mechanics.element] * vertices
+    curved = not all(frame.flat for frame in face_frames(spec))
+    mesh = (_CURVED_MESH_S if curved else _MESH_S) * vertices
+    response = _RESPONSE_S * (nodes / _CUBE_NODES) ** 1.5
+    presses = 2 * len(spec.judged_forces_n) * int(contact_places(spec).sum())
+    solves = presses * _SOLVE_S * (nodes / _CUBE_NODES) ** 1.25
+    return SearchSeconds(mesh + 1.5 * response + solves, mesh + response)
 
 
 def _mesh(spec: ObjectSpec) -> Need:

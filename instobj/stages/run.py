@@ -18,7 +18,7 @@ from instobj.stages.makers.deformation import forget_factor
 from instobj.stages.resources import require_memory
 from instobj.stages.table import STAGES
 from instobj.store import readers
-from instobj.store.content import StoredResult, store_root, stored
+from instobj.store.content import StoredResult, find, store_root, stored
 from instobj.store.keys import stage_key
 from instobj.store.progress import ProgressLine
 from instobj.store.readers import ResultFile
@@ -108,6 +108,22 @@ class Run:
         finally:
             self.ahead = frozenset()
             forget_factor()
+
+    def stored(self, name: str) -> StoredResult | None:
+        """The stage's result where it is stored with everything that it needs; nothing is made."""
+        stage, origins = STAGES[name], {}
+        for need in stage.needs:
+            result = self.stored(need)
+            if result is None:
+                return None
+            origins[need] = result.origin
+        for need, (other, spec) in stage.of_others(self.spec).items():
+            result = self._of(spec).stored(other)
+            if result is None:
+                return None
+            origins[need] = result.origin
+        key = stage_key(name, stage_inputs(stage, self.spec, origins, versions()))
+        return self.found.get(key) or find(self.root, name, key, self.progress.say)
 
     def _made(self, name: str) -> StoredResult:
         stage = STAGES[name]

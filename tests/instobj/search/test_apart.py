@@ -6,6 +6,7 @@ import time
 
 import pytest
 
+from instobj.search import apart
 from instobj.search.apart import GivenUp, side_by_side
 
 
@@ -29,6 +30,15 @@ def test_answers_come_in_the_order_of_the_questions_from_all_processes():
         with pytest.raises(GivenUp, match="died"):
             ask([1, "die"], 60.0)
         assert [answer for _, answer in ask([8, 9], 60.0)] == [16, 18], "another takes its place"
+
+
+def test_while_there_is_no_answer_it_is_said_how_many_questions_wait(monkeypatch):
+    monkeypatch.setattr(apart, "_MOST_SILENT_S", 0.05)
+    told = []
+    with side_by_side(doubles, 2, 2, told.append) as ask, pytest.raises(GivenUp, match="no result"):
+        ask([1, "sleep", 3], 3.0)
+    assert len(told) > 5
+    assert set(told) == {3}
 
 
 def test_an_interrupt_does_not_wait_for_the_answers():

@@ -19,6 +19,7 @@ from design.errors import InputError
 from design.spec_io import parse_spec
 from instobj.search.apart import Apart, GivenUp
 from instobj.search.engines import ask, sampling
+from instobj.search.loop import run_search
 from instobj.search.study import open_study, repair_journal
 from tests.support.objects.search_cases import (
     OBJECTIVES,
@@ -299,6 +300,16 @@ def test_trials_given_up_are_kept_as_failed_and_the_search_goes_on(tmp_path):
     assert {t.params["shell_thickness_mm"] for t in failed} == {8.0}
     assert all("no result" in t.user_attrs["failure"] for t in failed)
     assert {t.params["shell_thickness_mm"] for t in kept.finished()} == {9.0}
+
+
+def test_why_trials_have_no_result_is_said(tmp_path):
+    space, said = made_up_space(trials=8, batch=8), []
+    kept = open_study(space.spec, tmp_path / "journal.log")
+    run_search(space, kept, _slow_on_thin_shells, said.append)
+    assert any(t.state.name == "FAIL" for t in kept.trials())
+    reason, standing = said
+    assert reason.startswith("no result, kept as failed: no result after")
+    assert standing.startswith("8 of 8 trials")
 
 
 def test_a_search_without_any_result_is_given_up(tmp_path):

@@ -53,6 +53,23 @@ def test_work_within_its_time_is_left_alone():
     assert done == 499_500
 
 
+def test_mechanics_that_the_time_will_not_hold_are_announced():
+    """60 s of chain twice, and twice that for all the rest; or 40 % for the lowest level."""
+    stored = TimeLimit(1).mechanics_plan(0.0, 60.0)
+    assert "are stored" in stored
+    held = TimeLimit(600).mechanics_plan(180.0, 60.0)
+    assert "about 3 min of one free core" in held
+    assert "search.seconds" not in held
+    few = TimeLimit(599).mechanics_plan(180.0, 60.0)
+    assert "likely to hold mechanics, but few trials: give about 600." in few
+    assert "few trials" in TimeLimit(300).mechanics_plan(180.0, 60.0)
+    none = TimeLimit(299).mechanics_plan(180.0, 60.0)
+    assert "not even the mechanics" in none
+    assert "--resume" in none
+    assert "give about 1200" in TimeLimit(10).mechanics_plan(450.0, 60.0)
+    assert "about 50 s of one" in TimeLimit(10).mechanics_plan(50.0, 0.0)
+
+
 def test_time_spent_before_is_counted(clock):
     limit = TimeLimit(1000)
     clock.now_s += 1001

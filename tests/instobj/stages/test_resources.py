@@ -8,7 +8,7 @@ from design.errors import InputError
 from design.processes import machine_memory_gib
 from design.spec_io import load_spec, parse_spec
 from fem.mesh.tetrahedra import tetrahedralize
-from instobj.stages.resources import mesh_vertices, require_memory
+from instobj.stages.resources import mesh_vertices, require_memory, search_seconds
 from instobj.stages.run import Run
 from instobj.stages.table import STAGES
 from tests.support.mechanics.fem_cases import COARSE_EDGES_MM, paper_cube
@@ -86,3 +86,15 @@ def test_a_stage_that_runs_out_of_memory_is_named(monkeypatch, tmp_path):
     )
     with pytest.raises(InputError, match="mesh: small: the machine has no more memory"):
         Run(spec_with(), root=tmp_path).require("plain_mesh")
+
+
+def test_mechanics_of_a_search_are_estimated_within_twice_of_what_was_measured():
+    """Processor time of docs/layout_search.md, other programs running: the cube with one force 144 s, the
+    pear with two 277 s."""
+    cube = search_seconds(load_spec(EXAMPLES / "paper_cube.toml", ["search.forces_n=[]"]))
+    assert 0.5 < cube.lowest / 144 < 2
+    pear = search_seconds(load_spec(EXAMPLES / "pear.toml", ["search.forces_n=[2.0, 8.0]"]))
+    assert 0.5 < pear.lowest / 277 < 2
+    more = search_seconds(load_spec(EXAMPLES / "pear.toml"))
+    assert more.lowest > pear.lowest
+    assert more.chain == pear.chain < pear.lowest

@@ -131,3 +131,21 @@ def test_stages_know_what_the_same_call_asks_for_next_and_kept_factors_are_given
     assert known["alone"] == {"mesh"}
     run.require("signals")
     assert len(forgotten) == 1, "nothing was made"
+
+
+def test_what_is_stored_is_found_without_making_anything(tmp_path, made, monkeypatch):
+    assert Run(SPEC, root=tmp_path).stored("signals") is None
+    Run(SPEC, root=tmp_path).require("mesh")
+    assert Run(SPEC, root=tmp_path).stored("signals") is None
+    first = _signals(tmp_path)
+    found = Run(SPEC, root=tmp_path).stored("signals")
+    assert found is not None
+    assert (found.folder, found.content) == (first.folder, first.content)
+    assert made == ["mesh", "signals"]
+
+    def of_another(spec):
+        return {"other": ("signals", spec.changed(sensors=spec.sensors.changed(averaging=8)))}
+
+    stage = Stage("both", ("mesh",), (), lambda context, folder: None, of_others=of_another)
+    monkeypatch.setitem(run_module.STAGES, "both", stage)
+    assert Run(SPEC, root=tmp_path).stored("both") is None
