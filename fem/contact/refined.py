@@ -124,7 +124,7 @@ def _onto_face(
 
 def wide_block(spread: Spread) -> Float[np.ndarray, "cell cell"]:
     """Pᵀ (C_fem − H_hats) P: what H of the cells, the same wherever they lie, is added to."""
-    inner = spread.face.wide_compliance[np.ix_(spread.rows, spread.rows)]
+    inner = spread.face.wide_compliance.take(spread.rows, axis=0).take(spread.rows, axis=1)
     return spread.matrix.T @ inner @ spread.matrix
 
 
