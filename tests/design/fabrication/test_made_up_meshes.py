@@ -119,6 +119,7 @@ def test_air_rests_under_wide_ceilings_and_is_caught_in_traps(monkeypatch, area,
     monkeypatch.setattr(casting, "largest_ceiling", lambda *given: (area, np.zeros(3)))
     traps, ceiling = _air(CUBE, {"shell": box([0] * 3, [1] * 3)})
     assert (traps.status, traps.value, traps.place_mm) == ("fail", 1.0, (1.0, 2.0, 3.0))
+    assert (traps.limit, traps.part) == (0.0, "shell")
     assert "2 vents" in traps.what
     assert (ceiling.status, ceiling.limit) == (status, 100.0)
     monkeypatch.setattr(casting, "air_traps", lambda *given: [])
@@ -147,7 +148,8 @@ def test_walls_are_thin_by_their_material(monkeypatch, material, wall, status, l
 def test_edges_below_40_degrees_are_a_warning(monkeypatch):
     for angle, status in ((39.9, "warn"), (40.0, "pass")):
         monkeypatch.setattr(printing, "sharpest_edge", lambda mesh, a=angle: (a, np.zeros(3)))
-        assert check_edges(Part("core", lambda: None), None)[0].status == status
+        (found,) = check_edges(Part("core", lambda: None), None)
+        assert (found.status, found.value, found.limit) == (status, angle, 40.0)
 
 
 @pytest.mark.parametrize(
@@ -158,7 +160,7 @@ def test_a_part_lies_on_the_bed_as_fits_best(edges, room):
     """220 × 220 × 240 mm."""
     (found,) = check_bed(Part("core", lambda: None), box([0, 0, 0], edges), CUBE)
     assert found.value == pytest.approx(room)
-    assert found.status == ("pass" if room >= 0 else "fail")
+    assert (found.status, found.limit) == ("pass" if room >= 0 else "fail", 0.0)
     assert not check_bed(Part("shell", lambda: None, "silicone"), box([0, 0, 0], edges), CUBE)
 
 
@@ -186,6 +188,8 @@ def test_boards_and_chips_share_what_they_share():
 def test_boards_go_into_their_recesses_with_a_little_room():
     """Recess of 4 × 4 × 2.6 mm; board of 3.8 × 3.6 × 1.2 and chip of 0.9 mm."""
     rooms = {f.check.split(", ")[1]: (f.value, f.status) for f in _fits(CUBE)}
+    assert {f.limit for f in _fits(CUBE)} == {0.0}
+    assert _fits(CUBE)[0].place_mm == pytest.approx((4.2, 1.5, 18.35))
     assert rooms["across"] == (pytest.approx(0.1), "pass")
     assert rooms["along"] == (pytest.approx(0.2), "pass")
     assert rooms["deep"] == (pytest.approx(0.5), "pass")
@@ -199,6 +203,7 @@ def test_wires_go_through_the_narrowest_hole():
     found = _wires(CUBE)
     assert found.value == pytest.approx(2.2 - 0.4 * np.sqrt(8 / 0.7))
     assert "diameter_mm to 1.36" in found.what
+    assert found.limit == 0.0
     assert found.status == "pass"
     narrow = CUBE.changed(core=CUBE.core.changed(wire_hole_side_diameter_mm=1.3))
     assert _wires(narrow).status == "fail"
@@ -225,3 +230,19 @@ def test_a_piece_of_less_than_a_cubic_millimetre_is_a_sliver(edge, status):
     assert by["one solid"].place_mm == pytest.approx((20.5, 0.5, edge / 2))
     assert (by["no slivers"].status, by["closed surface"].status) == (status, "pass")
     assert mesh is both
+    limits = {f.check: (f.limit, f.unit) for f in findings}
+    assert limits == {
+        "one solid": (1.0, "solids"),
+        "no slivers": (1.0, "mm³"),
+        "closed surface": (1.0, ""),
+    }
+    whole, _ = check_solid("core", box([0, 0, 0], [9, 9, 9]), CUBE)
+    assert [(f.check, f.status, f.value, f.place_mm) for f in whole] == [
+        ("one solid", "pass", 1.0, None),
+        ("no slivers", "pass", pytest.approx(729.0), pytest.approx((4.5, 4.5, 4.5))),
+        ("closed surface", "pass", 1.0, None),
+    ]
+    open_ = box([0, 0, 0], [9, 9, 9])
+    open_.update_faces(np.arange(len(open_.faces)) > 0)
+    findings, mesh = check_solid("core", open_, CUBE)
+    assert (findings[-1].status, findings[-1].value, mesh) == ("fail", 0.0, None)

@@ -12,9 +12,10 @@ from design.layout.mould_pins import loose_pins
 from design.layout.places.positions import board_places
 from design.layout.pockets import shell_pockets
 from design.mould.flange import flanges
-from design.mould.halves import _bolt_holes, _dowel, _flange
+from design.mould.halves import _bolt_holes, _dowel, _flange, _half_space
+from design.mould.one_piece import make_mould_box, make_seal_mould
 from design.mould.pins import fixed_bosses, make_pin, pin_holes
-from design.mould.plug import make_mould_holder, rod_hole
+from design.mould.plug import make_mould_holder, make_mould_plug, rod_hole
 from design.mould.plug_flange import flange_solids, tabs
 from design.mould.walls import block
 from design.solids import sampled
@@ -102,8 +103,17 @@ def test_what_hangs_in_a_mould_is_as_on_record(name):
         of_solids("flanges", [_flange(spec, *ends)]),
         of_solids("dowel", [_dowel(spec, *ends[0].places_mm[0], 0.1)]),
         of_solids("bolts", _bolt_holes(spec, *ends)),
+        of_solids("halves of space", [_half_space(spec, side) for side in (1, -1)]),
     ]
+    if name == "dome":
+        lines.append(of_solids("plug", [make_mould_plug(spec)]))
     assert_on_record("mould_solids", name, lines)
+
+
+def test_boxes_of_a_pad_are_as_on_record():
+    spec = worked("pad").changed(shell=worked("pad").shell.changed(seal_layer_mm=0.4))
+    boxes = [make_mould_box(spec), make_seal_mould(spec)]
+    assert_on_record("mould_solids", "pad", [of_solids("box", boxes)])
 
 
 @pytest.mark.parametrize("name", ["closed box", "capsule", "closed capsule"])
