@@ -10,7 +10,7 @@ from scipy.spatial.transform import Rotation
 from design.layout.body import face_frames
 from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
-from estimator.tolerances import assembly, budget, localisation_bias, virtual_object
+from estimator.tolerances import assembly, budget, localisation_bias, selftest, virtual_object
 from estimator.tolerances.budget import Spread
 
 SPEC = ObjectSpec(name="cube")
@@ -138,3 +138,17 @@ def test_slopes_along_an_axis_are_those_of_cubics():
     assert found.shape == values.shape
     assert_allclose(found[0, :, 0, 0], 3 * nodes**2, atol=1e-9)
     assert_allclose(found[0, :, 1, 1], -2.0)
+
+
+@pytest.mark.parametrize("arrangement", ["sensors-in-core", "sensors-in-shell"])
+def test_a_selftest_looks_at_the_object_whose_core_has_slipped(arrangement):
+    """What sits in the core has shifted; what sits in the shell has not."""
+    slip = SPEC.mechanics.slip.changed(shift_mm=(0.5, -0.25, 0.1), model="sensors-only")
+    spec = SPEC.changed(arrangement=arrangement)
+    slipped = spec.changed(mechanics=spec.mechanics.changed(slip=slip))
+    straight, moved = (selftest._design(one)[0].scene for one in (spec, slipped))
+    magnets = moved.magnets.centre_mm - straight.magnets.centre_mm
+    sensors = moved.sensors.position_mm - straight.sensors.position_mm
+    core, shell = (sensors, magnets) if arrangement == "sensors-in-core" else (magnets, sensors)
+    assert_allclose(core, np.broadcast_to((0.5, -0.25, 0.1), core.shape), atol=1e-12)
+    assert_allclose(shell, 0, atol=1e-12)

@@ -8,7 +8,13 @@ from numpy.testing import assert_allclose
 from scipy.linalg import cho_solve
 from sklearn.gaussian_process.kernels import Matern
 
-from estimator.calibration.twin import discrepancy, least_possible, pressed_cases, pressed_places
+from estimator.calibration.twin import (
+    discrepancy,
+    inverted_twin,
+    least_possible,
+    pressed_cases,
+    pressed_places,
+)
 from estimator.calibration.twin.digital_twin import _log_evidence, _of_face
 from fem.presses.results import MagnetMotions, PressForces
 
@@ -116,3 +122,47 @@ def test_the_presses_of_one_face_are_cut_out_of_all():
     assert_allclose(forces.force_n, force[1:])
     assert_allclose(forces.contact_area_mm2, 2 * force[1:])
     assert_allclose(motions.motion, motion[1:])
+
+
+class FiveChannels:
+    """A model of two faces whose contacts each have slopes of their own, and no other field."""
+
+    signals = SimpleNamespace(faces=np.array([2, 5]))
+    channels = 5
+    slopes = np.random.default_rng(4).normal(size=(3, 5))
+
+    def singles(self, face, contact):
+        values = np.zeros((*face.shape, 4, self.channels))
+        values[face != -1, 1:] = self.slopes
+        values[face != -1, 1:] *= (1 + contact[face != -1][:, 2])[:, None, None]
+        return values
+
+
+def test_cases_left_out_move_labelled_contacts_by_the_weighted_least_squares_step():
+    """One contact on face 5 at two levels, and none beside it: rms of its step in its own standard
+    deviations, over its three parameters; the channel with gaps counts for nothing."""
+    model, rng = FiveChannels(), np.random.default_rng(5)
+    seen = SimpleNamespace(
+        force_n=np.array([[[1.0, 0.0], [3.0, 0.0]]]),
+        face=np.array([[5, 0]]),
+        xy_mm=np.zeros((1, 2, 2)),
+        channels=np.array([0, 1, 2, 4]),
+        counts=rng.normal(size=(1, 2, 4)),
+    )
+    left = rng.normal(size=(1, 2, 4))
+    sigma = np.array([1.0, 2.0, 0.5, 1e9, 3.0])
+
+    def observed(counts):
+        assert np.isnan(counts[:, 3]).all()
+        assert_allclose(counts[:, [0, 1, 2, 4]], seen.counts[0])
+        return SimpleNamespace(sigma=np.tile(sigma, (2, 1)))
+
+    inversion = SimpleNamespace(model=model, disturbances=SimpleNamespace(observed=observed))
+    found = inverted_twin._beyond_regions.__wrapped__(inversion, SimpleNamespace(left=left), seen)
+    squares = []
+    for level, force in enumerate((1.0, 3.0)):
+        jacobian = (model.slopes * (1 + force) / sigma)[:, [0, 1, 2, 4]].T
+        wrong = left[0, level] / sigma[[0, 1, 2, 4]]
+        step, *_ = np.linalg.lstsq(jacobian, wrong, rcond=None)
+        squares.append(step @ jacobian.T @ jacobian @ step / 3)
+    assert_allclose(found, np.sqrt(np.mean(squares)), rtol=1e-6)
