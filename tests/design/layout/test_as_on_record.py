@@ -46,7 +46,7 @@ from tests.support.objects.worked_objects import OBJECTS, worked
 from tests.support.recorded_facts import assert_on_record, told
 
 ALIKE = ("sleeve", "closed cylinder", "sphere", "ellipsoid", "dome of silicone")
-"""What they differ in from the others is in their bodies (`tests/design/body/test_worked_bodies.py`)."""
+"""What they differ in from the others is in their bodies (`tests/design/body/test_as_on_record.py`)."""
 
 
 def corners(blocks):
