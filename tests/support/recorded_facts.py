@@ -59,6 +59,22 @@ def told(name, value):
     return f"{name}: {shape}, mean {_numbers(plain)}, weighed {_numbers(weighed)}"
 
 
+def of_solids(name, shapes):
+    """One line: volume, middle and box (mm) of each solid or closed surface."""
+    if not shapes:
+        return f"{name}: none"
+    rows = [_of_solid(shape) for shape in shapes]
+    return told(name, rows[0] if len(rows) == 1 else np.array(rows))
+
+
+def _of_solid(shape):
+    if not hasattr(shape, "BoundingBox"):
+        return [float(shape.volume), *shape.center_mass, *shape.bounds.ravel()]
+    box = shape.BoundingBox()
+    low, high = (box.xmin, box.ymin, box.zmin), (box.xmax, box.ymax, box.zmax)
+    return [shape.Volume(), *shape.Center().toTuple(), *low, *high]
+
+
 def _numbers(values):
     return " ".join(f"{float(one) + 0.0:.6g}" for one in np.round(values, 6))
 

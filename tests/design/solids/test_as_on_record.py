@@ -1,6 +1,5 @@
 """Cheap solids and triangles of objects off their symmetries: volumes, middles and boxes, on record."""
 
-import cadquery as cq
 import numpy as np
 import pytest
 
@@ -8,16 +7,8 @@ from design.body.triangles import Block
 from design.layout.body import face_frames
 from design.layout.core_hold import locators
 from design.layout.mould_frame import mould_frame
-from design.layout.mould_pins import loose_pins
 from design.layout.places.positions import board_places
 from design.layout.pockets import shell_pockets
-from design.mould.flange import flanges
-from design.mould.halves import _bolt_holes, _dowel, _flange, _half_space
-from design.mould.one_piece import make_mould_box, make_seal_mould
-from design.mould.pins import fixed_bosses, make_pin, pin_holes
-from design.mould.plug import make_mould_holder, make_mould_plug, rod_hole
-from design.mould.plug_flange import flange_solids, tabs
-from design.mould.walls import block
 from design.solids import sampled
 from design.solids.body import (
     cast_outer_solid,
@@ -27,7 +18,7 @@ from design.solids.body import (
     outer_solid,
     past_opening,
 )
-from design.solids.core import _cavity, _outlets, _sensor_recess, _sockets, _wire_passage
+from design.solids.core import _cavity, _outlets, _sensor_recess, _wire_passage
 from design.solids.curved_template import curved_template_faces, make_curved_template
 from design.solids.jig import make_jig
 from design.solids.magnet_template import make_magnet_template
@@ -39,12 +30,10 @@ from design.solids.primitives import (
     rod_about_z,
 )
 from design.solids.probes import make_probe
-from design.solids.shell import locator_hole
 from design.spec.mechanics import IndenterSpec
 from tests.support.objects.worked_objects import worked
-from tests.support.recorded_facts import assert_on_record, told
+from tests.support.recorded_facts import assert_on_record, of_solids
 
-PLUGGED = ("box", "box open at a side", "cylinder", "dome")
 BODIES = ("box", "box open at a side", "pad", "cylinder", "sleeve", "capsule", "sphere", "dome")
 TIPS = {
     "flat": {"kind": "flat", "radius_mm": 3.0, "fillet_mm": 0.8, "tilt_deg": [4.0, -6.0]},
@@ -52,22 +41,6 @@ TIPS = {
     "cylinder": {"kind": "cylinder", "radius_mm": 2.0, "length_mm": 7.0, "tilt_deg": [0.0, 5.0]},
     "stl": {"kind": "stl", "vertices_mm": [[0, 0, 0], [6, 0, 8], [-6, 5, 8], [-6, -5, 8]]},
 }
-
-
-def of_solids(name, shapes):
-    """Volume, middle and box of each, or of all together where they are many."""
-    if not shapes:
-        return f"{name}: none"
-    rows = [of_solid(shape) for shape in shapes]
-    return told(name, rows[0] if len(rows) == 1 else np.array(rows))
-
-
-def of_solid(shape):
-    if not isinstance(shape, cq.Shape):
-        return [float(shape.volume), *shape.center_mass, *shape.bounds.ravel()]
-    box = shape.BoundingBox()
-    low, high = (box.xmin, box.ymin, box.zmin), (box.xmax, box.ymax, box.zmax)
-    return [shape.Volume(), *shape.Center().toTuple(), *low, *high]
 
 
 @pytest.mark.parametrize("name", BODIES)
@@ -90,47 +63,6 @@ def test_bodies_and_cores_are_as_on_record(name):
     if mould_frame(spec).opening == "open":
         lines.append(of_solids("past", [past_opening(spec, room, mould_frame(spec), 0.3)]))
     assert_on_record("solids", name, lines)
-
-
-@pytest.mark.parametrize("name", PLUGGED)
-def test_what_hangs_in_a_mould_is_as_on_record(name):
-    spec = worked(name)
-    ends = flanges(spec)
-    lines = [
-        of_solids("block", [block(spec)]),
-        of_solids("flange of the plug", flange_solids(spec)),
-        of_solids("tabs", tabs(spec)),
-        of_solids("flanges", [_flange(spec, *ends)]),
-        of_solids("dowel", [_dowel(spec, *ends[0].places_mm[0], 0.1)]),
-        of_solids("bolts", _bolt_holes(spec, *ends)),
-        of_solids("halves of space", [_half_space(spec, side) for side in (1, -1)]),
-    ]
-    if name == "dome":
-        lines.append(of_solids("plug", [make_mould_plug(spec)]))
-    assert_on_record("mould_solids", name, lines)
-
-
-def test_boxes_of_a_pad_are_as_on_record():
-    spec = worked("pad").changed(shell=worked("pad").shell.changed(seal_layer_mm=0.4))
-    boxes = [make_mould_box(spec), make_seal_mould(spec)]
-    assert_on_record("mould_solids", "pad", [of_solids("box", boxes)])
-
-
-@pytest.mark.parametrize("name", ["closed box", "capsule", "closed capsule"])
-def test_what_holds_a_core_is_as_on_record(name):
-    spec = worked(name)
-    pins = [pin for pin in loose_pins(spec) if pin.locator is not None] or loose_pins(spec)[1:2]
-    lines = [
-        of_solids("pin", [make_pin(spec, pins[0])]),
-        of_solids("its holes", pin_holes(spec, pins[0])),
-        of_solids("bosses", fixed_bosses(spec, 1)),
-        of_solids("sockets", _sockets(spec)),
-        of_solids("holes of pins", [locator_hole(locator) for locator in locators(spec)]),
-    ]
-    if mould_frame(spec).opening == "bore":
-        lines.append(of_solids("rod's hole", [rod_hole(spec)]))
-        lines.append(of_solids("holder", [make_mould_holder(spec)]))
-    assert_on_record("hold_solids", name, lines)
 
 
 @pytest.mark.parametrize("name", TIPS)
