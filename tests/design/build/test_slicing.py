@@ -19,8 +19,15 @@ EXAMPLES = sorted((Path(__file__).parents[3] / "examples").glob("*.toml"))
 SLICER = shutil.which("prusa-slicer")
 needs_slicer = pytest.mark.skipif(SLICER is None, reason="prusa-slicer is not installed (Debian)")
 pytestmark = [pytest.mark.slow, needs_slicer]
-REPAIRED = "Detected missing Voronoi vertex, input polygons will be rotated back and forth."
-"""PrusaSlicer of the walls that it lays, where it repaired its own diagram; the layers are whole."""
+ITS_OWN = (
+    "Detected missing Voronoi vertex, input polygons will be rotated back and forth.",
+    "Reversing even wall line causes it to be printed CCW instead of CW!",
+)
+"""PrusaSlicer of the walls that it lays: where it repaired its own diagram, and where it joined a line
+of a narrow wall backwards. The layers are whole, and the second comes and goes with how the part is
+turned on the bed: also of an upright prism of 60 corners, edges of 0.39 mm and more, turned by 1° of
+twelve angles, while the egg's core gives it at two of seven, before and after its triangles are
+simplified within 0.01 mm."""
 FLAT = PrintSettings(0.2, 3, 20, False, 0.0, (0.0, 0.0, -1.0))
 
 
@@ -34,7 +41,7 @@ def sliced(path):
         line
         for line in (done.stdout + done.stderr).splitlines()
         if line and not re.match(r"\d+ =>|\[.*\[trace\]|Slicing result exported", line)
-        if REPAIRED not in line
+        if not any(words in line for words in ITS_OWN)
     ]
     levels = re.findall(r"^;Z:([\d.]+)", code.read_text(), re.M) if code.is_file() else []
     return said if done.returncode == 0 else [*said, f"exit {done.returncode}"], levels
