@@ -161,10 +161,14 @@ def thin_at_seam(spec: ObjectSpec, ends_mm: Float[np.ndarray, "2 3"], radius_mm:
     Not where the plane cuts it, unless so near its side that a wedge of less than 15° is left.
     """
     plane = parting(spec)
-    aside = ends_mm @ plane.normal - plane.offset_mm
-    if aside[0] * aside[1] <= 0:
+    return thin_beside(spec, ends_mm @ plane.normal - plane.offset_mm, radius_mm)
+
+
+def thin_beside(spec: ObjectSpec, aside_mm: Float[np.ndarray, "2"], radius_mm: float) -> bool:
+    """The same of a round hole whose axis begins and ends that far from a plane."""
+    if aside_mm[0] * aside_mm[1] <= 0:
         return False
-    least = float(abs(aside).min())
+    least = float(abs(aside_mm).min())
     return bool(radius_mm * _WEDGE < least < radius_mm + spec.printer.wall_mm)
 
 

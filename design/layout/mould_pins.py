@@ -242,7 +242,7 @@ def pin_of(spec: ObjectSpec, frame: FaceFrame, pocket: Pocket, rise: float = 0.0
     seat = spec.mould.wall_mm + rise * radius
     rim = radius * np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0]])
     start = frame.to_object(rim + np.append(pocket.body.centre_mm[:2], 0.0))
-    leaves = max(_exit_mm(spec, point, frame.normal) for point in start)
+    leaves = max(exit_mm(spec, point, frame.normal) for point in start)
     sunk = max(0.0, float(np.ceil((leaves - seat) / HEAD_STEP_MM - 1e-6)) * HEAD_STEP_MM)
     return Pin(frame, pocket, seat, seat + sunk + PIN_HEAD_MM, PIN_HEAD_RIM_MM)
 
@@ -257,7 +257,7 @@ def _locating_pin(spec: ObjectSpec, locator: Locator) -> Pin:
     return replace(pin, locator=locator)
 
 
-def _exit_mm(spec: ObjectSpec, start_mm: np.ndarray, way: np.ndarray) -> float:
+def exit_mm(spec: ObjectSpec, start_mm: np.ndarray, way: np.ndarray) -> float:
     """How far a line goes until it leaves the mould's block; below 0 where it starts outside."""
     frame = mould_frame(spec)
     low, high = frame.corners(frame.low_mm, frame.high_mm)

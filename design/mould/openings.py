@@ -19,8 +19,16 @@ from design.body.meshes import Trap, high_points, manifold_of
 from design.body.triangles import cylinder_between
 from design.errors import InputError
 from design.layout.body import body_of
-from design.layout.mould_frame import MouldFrame, mould_frame, mould_style, up
-from design.layout.mould_pins import Pin, loose_pins
+from design.layout.mould_closure import flange_span_mm
+from design.layout.mould_frame import (
+    MouldFrame,
+    mould_frame,
+    mould_style,
+    thin_at_seam,
+    thin_beside,
+    up,
+)
+from design.layout.mould_pins import Pin, exit_mm, loose_pins
 from design.layout.pockets import distance_of_segments_mm
 from design.solids.sampled import cast_surface, sampled_shell
 from design.spec.object import ObjectSpec
@@ -28,6 +36,7 @@ from design.spec.worked_out import once
 
 if TYPE_CHECKING:
     import trimesh
+    from manifold3d import Manifold
 
 _SECTIONS = 48
 _SKIN_MM = 0.05
@@ -36,6 +45,10 @@ _POUR_SHIFTS = (0.0, 0.25, -0.25, 0.5, -0.5, 0.75, -0.75, 1.0, -1.0, 1.25, -1.25
 _MOST_CORNERS = 200
 _LEAST_TRAP_MM = 0.1
 """Bubbles less high than this are left: triangles of curved surfaces make dents of a third of it."""
+_SHIFTS_MM, _WAYS = (0.5, 1.0, 1.5, 2.0), 12
+"""From a high point to where a vent stands as well, and directions of these."""
+_LOWER_MM = 0.5 * _LEAST_TRAP_MM
+"""By which a vent that is shifted may begin below its high point."""
 
 
 @dataclass(frozen=True)
@@ -127,10 +140,15 @@ def pour_holes(spec: ObjectSpec, surface: trimesh.Trimesh | None = None) -> tupl
         return ()
     pins = _pins_of(spec, first=surface is None)
     surface = cast_surface(spec) if surface is None else surface
+    first: tuple[Hole, ...] | None = None
     for tops in _pour_places(spec, surface):
         holes = tuple(_hole(spec, "pour", top, up(spec), spec.mould.pour_mm) for top in tops)
         if all(_clear(hole, pins) for hole in holes):
-            return holes
+            if not any(_thin_at_seam(spec, hole) for hole in holes):
+                return holes
+            first = first or holes
+    if first is not None:
+        return first
     raise InputError(
         f"wherever the mould's pouring holes (mould.pour_mm = {spec.mould.pour_mm:g}) might be, a pin "
         "of a magnet's pocket is in the way. Make them narrower, or move magnets away from face 6"
@@ -181,18 +199,64 @@ def _vents(spec: ObjectSpec, pour: tuple[Hole, ...]) -> list[Hole]:
 def _vent(
     spec: ObjectSpec, shell: trimesh.Trimesh, pins: tuple[Pin, ...], trap: Trap
 ) -> Hole | None:
-    """The first of some directions in which neither silicone nor a pin is in the way; or None."""
-    solid, diameter = manifold_of(shell), vent_diameter_mm(spec)
-    for outward in (0.0, 0.5, 1.0, 2.0):
-        way = up(spec) + outward * trap.normal
-        hole = _hole(spec, "vent", trap.place_mm, way / np.linalg.norm(way), diameter)
+    """The first of some ways on which neither silicone nor a pin is, and which leaves no thin wall to the
+    seam or to a side of the flange, if there is one; or None."""
+    solid, found = manifold_of(shell), None
+    for top, way in _ways_out(spec, solid, trap):
+        hole = _hole(spec, "vent", top, way / np.linalg.norm(way), vent_diameter_mm(spec))
         way = (hole.end_mm - hole.start_mm) / np.linalg.norm(hole.end_mm - hole.start_mm)
-        start = trap.place_mm + _SKIN_MM * (way + trap.normal)
-        if solid.ray_cast(tuple(start), tuple(hole.end_mm)):
+        start = top + _SKIN_MM * (way + trap.normal)
+        if solid.ray_cast(tuple(start), tuple(hole.end_mm)) or not _clear(hole, pins):
             continue
-        if _clear(hole, pins):
+        if not (_thin_at_seam(spec, hole) or _thin_at_flange(spec, hole)):
             return hole
-    return None
+        found = found or hole
+    return found
+
+
+def _ways_out(
+    spec: ObjectSpec, solid: Manifold, trap: Trap
+) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+    """Where a vent may begin, and in which direction: from the high point, then beside it straight up."""
+    above = up(spec)
+    yield from ((trap.place_mm, above + outward * trap.normal) for outward in (0.0, 0.5, 1.0, 2.0))
+    side = np.cross(above, np.eye(3)[int(abs(above).argmin())])
+    side /= np.linalg.norm(side)
+    for shift in _SHIFTS_MM:
+        for turn in 2 * np.pi * np.arange(_WAYS) / _WAYS:
+            place = trap.place_mm + shift * (
+                np.cos(turn) * side + np.sin(turn) * np.cross(above, side)
+            )
+            ends = tuple(place + above), tuple(place - _LOWER_MM * above)
+            hits = solid.ray_cast(*ends)
+            if hits:
+                yield np.asarray(hits[0].position), above
+
+
+def holes_thin_the_seam(spec: ObjectSpec) -> bool:
+    """Whether holes for pouring or for air leave walls to the parting plane that are too thin."""
+    return any(_thin_at_seam(spec, hole) for hole in mould_holes(spec))
+
+
+def _thin_at_seam(spec: ObjectSpec, hole: Hole) -> bool:
+    split = mould_style(spec) == "split"
+    return split and thin_at_seam(spec, _within_mould(spec, hole), hole.diameter_mm / 2)
+
+
+def _thin_at_flange(spec: ObjectSpec, hole: Hole) -> bool:
+    """A side of the flange by which a plug or a rod hangs, through which vents go."""
+    frame = mould_frame(spec)
+    across = _within_mould(spec, hole) @ frame.across
+    return frame.plugged and any(
+        thin_beside(spec, across - side, hole.diameter_mm / 2) for side in flange_span_mm(spec)
+    )
+
+
+def _within_mould(spec: ObjectSpec, hole: Hole) -> Float[np.ndarray, "2 3"]:
+    """Where a hole's axis leaves the silicone, and where the mould's block."""
+    way = hole.end_mm - hole.top_mm
+    way /= np.linalg.norm(way)
+    return np.stack([hole.top_mm, hole.top_mm + exit_mm(spec, hole.top_mm, way) * way])
 
 
 def _clear(hole: Hole, pins: tuple[Pin, ...]) -> bool:

@@ -19,7 +19,7 @@ from design.body.kinds.registry import KINDS
 from design.errors import InputError
 from design.fabrication.finding import Finding
 from design.files import atomic_path
-from design.layout.mould_frame import mould_frame, parting
+from design.layout.mould_frame import mould_frame, mould_style, parting
 from design.placement.objects import Request, Tables, placements, spec_of
 from design.spec.body import MM, BodySpec
 from design.spec.object import ObjectSpec
@@ -84,7 +84,7 @@ def new_specification(name: str, out: Path, request: Request | None = None) -> P
     if request is not None:
         tables, failed = made(request)
         if any(finding.check != _BED for finding in failed):
-            warnings.warn(_not_made(failed), stacklevel=2)
+            warnings.warn(_not_made(failed, tables), stacklevel=2)
         if "sensed_faces" in tables["body"]:
             warnings.warn(_left_out_faces(request, tables["body"]["sensed_faces"]), stacklevel=2)
         if max(request.size_mm) > _most_mm():
@@ -124,27 +124,46 @@ def made(request: Request) -> tuple[Tables, list[Finding]]:
 
 
 def _turned(tables: Tables) -> Iterator[Tables]:
-    """As placed, and with the seam of the mould turned to where pins leave it walls."""
-    from design.layout.mould_pins import pins_thin_the_seam
-
+    """As placed, and with the seam of the mould turned to where pins and holes leave it walls."""
     yield tables
+    yield from islice(_with_clear_seams(tables), _MOST_TURNS)
+
+
+def _with_clear_seams(tables: Tables) -> Iterator[Tables]:
+    """With the seam turned by either way, where pins, pouring holes and vents leave it walls."""
+    from design.layout.mould_pins import pins_thin_the_seam
+    from design.mould.openings import holes_thin_the_seam
+
     plane, frame = parting(spec_of(tables)), mould_frame(spec_of(tables))
     azimuth = np.rad2deg(np.arctan2(plane.normal @ frame.along, plane.normal @ frame.across))
-    turned = (
-        tables | {"mould": {"parting_azimuth_deg": round(float(azimuth) + turn, 1)}}
-        for turn in _TURNS_DEG
-    )
-    clear = (one for one in turned if not pins_thin_the_seam(spec_of(one)))
-    yield from islice(clear, _MOST_TURNS)
+    for turn in _TURNS_DEG:
+        turned = tables | {"mould": {"parting_azimuth_deg": round(float(azimuth) + turn, 1)}}
+        spec = spec_of(turned)
+        if not (pins_thin_the_seam(spec) or holes_thin_the_seam(spec)):
+            yield turned
 
 
 def _thin_mould(finding: Finding) -> bool:
     return finding.check == "thinnest wall" and finding.part.startswith("mould")
 
 
-def _not_made(failed: list[Finding]) -> str:
+def _not_made(failed: list[Finding], tables: Tables) -> str:
     lines = "".join(f"\n  - {finding.told}. {finding.what}" for finding in failed)
-    return f"check --fabrication fails on this body, in whatever of the ways of placing that help:{lines}"
+    text = "check --fabrication fails on this body, in whatever of the ways of placing that help:"
+    return f"{text}{lines}{_why_seams_do_not_help(tables) if all(map(_thin_mould, failed)) else ''}"
+
+
+def _why_seams_do_not_help(tables: Tables) -> str:
+    """Why no turn of the mould's seam makes walls that are too thin thicker; empty without a seam."""
+    if mould_style(spec_of(tables)) != "split":
+        return ""
+    most = f"turned by up to {max(_TURNS_DEG):g}°"
+    if "mould" not in tables and next(_with_clear_seams(tables), None) is None:
+        return (
+            f"\nThe mould's seam, {most}, meets a pin, a pouring hole or a vent wherever it goes, and leaves "
+            "a thin wall beside it"
+        )
+    return f"\nThe mould's seam, {most} to where pins and holes leave it walls, does not make them thicker"
 
 
 def request_of(

@@ -328,7 +328,7 @@ def test_vents_under_the_holder_lead_through_it(tmp_path):
     assert found(findings, "mould closes").status == "pass"
     whole = as_triangles(holder_without_vents(spec))
     removed = cut(whole, meshes["mould_holder"])
-    assert volume_mm3(removed) > 4
+    assert volume_mm3(removed) > 3.5
     assert volume_mm3(common(removed, cast_room(spec))) < 0.01, "silicone sees the same rod"
     blocked = found(check_casting(spec, meshes | {"mould_holder": whole}), "holes are open")
     assert (blocked.status, blocked.part) == ("fail", "mould_holder")

@@ -1,9 +1,11 @@
 """Pouring holes of split moulds keep clear of pins."""
 
+import numpy as np
 import pytest
 import trimesh
 from numpy.testing import assert_allclose
 
+from design.body.meshes import Trap
 from design.errors import InputError
 from design.layout.mould_closure import flange_span_mm
 from design.layout.mould_frame import mould_frame, up
@@ -69,3 +71,76 @@ def test_pouring_holes_of_a_bored_body_move_along_its_holder_together(monkeypatc
     assert_allclose(abs(one.top_mm @ frame.along), 0.75 * aside)
     right = flange_span_mm(spec)[1]
     assert_allclose(abs(one.top_mm @ frame.across) - one.diameter_mm / 2, right)
+
+
+def vent_of(radius_mm, aside_mm, along_mm=9.0, azimuth_deg=0.0):
+    """Of a high point of a round surface, beside a seam across x and a flange from -4 to 4 mm."""
+    mould = {"parting_azimuth_deg": azimuth_deg}
+    spec = body_spec("sphere", body={"open_faces": [6]}, mould=mould)
+    shell = trimesh.creation.icosphere(5, radius_mm)
+    place = np.array([aside_mm, along_mm, -20.0])
+    shell.apply_translation([*place[:2], place[2] + radius_mm])
+    vent = openings._vent(spec, shell, (), Trap(place, up(spec), 1.0))
+    assert vent is not None
+    assert vent.diameter_mm == 1.0
+    return spec, place, vent
+
+
+@pytest.mark.parametrize("aside_mm", [0.0, 0.45, 1.35, -1.35])
+def test_a_vent_that_leaves_walls_stands_on_its_high_point(aside_mm):
+    _, place, vent = vent_of(40.0, aside_mm)
+    assert_allclose(vent.top_mm, place)
+
+
+@pytest.mark.parametrize("aside_mm", [0.55, 1.2, -0.9])
+def test_a_vent_beside_the_seam_moves_until_a_wall_is_left_or_the_seam_cuts_it(aside_mm):
+    """Walls of 0.8 mm beside a vent of 1 mm; half a millimetre on a ball of 40 mm, in
+    triangles, costs up to 0.015 mm."""
+    spec, place, vent = vent_of(40.0, aside_mm)
+    moved, lower = np.linalg.norm((vent.top_mm - place)[:2]), (place - vent.top_mm) @ up(spec)
+    assert moved == pytest.approx(0.5)
+    assert 0 < lower < 0.015
+    assert abs(vent.top_mm[0]) >= 1.3 or abs(vent.top_mm[0]) <= 0.5
+    assert_allclose(vent.end_mm[:2], vent.top_mm[:2], atol=1e-9)
+
+
+def test_a_vent_beside_a_side_of_the_flange_moves_too():
+    for aside in (3.1, 4.7):
+        _, _, vent = vent_of(40.0, aside)
+        gap = abs(vent.top_mm[0] - 4.0)
+        assert not 0.5 < gap < 1.3, gap
+
+
+def test_on_a_narrow_ridge_a_vent_stays_on_its_high_point():
+    """A wall of 0.4 mm is left to the seam: half a millimetre aside lies 0.13 mm lower, under air."""
+    _, place, vent = vent_of(1.0, 0.9)
+    assert_allclose(vent.top_mm, place)
+
+
+def test_pouring_holes_move_along_the_holder_where_walls_to_the_seam_are_thin(monkeypatch):
+    spec = body_spec("sphere", body={"open_faces": [6]})
+    frame, (usual, _) = mould_frame(spec), pour_holes(spec)
+    aside = abs(usual.top_mm @ frame.across)
+
+    def thin_near_the_middle(spec, hole):
+        return abs(hole.top_mm @ frame.along) < 0.7 * aside
+
+    monkeypatch.setattr(openings, "_thin_at_seam", thin_near_the_middle)
+    for hole in pour_holes(spec):
+        assert_allclose(abs(hole.top_mm @ frame.along), 0.75 * aside)
+    monkeypatch.setattr(openings, "_thin_at_seam", lambda spec, hole: True)
+    assert_allclose(pour_holes(spec)[0].top_mm, usual.top_mm)
+
+
+@pytest.mark.parametrize(
+    ("azimuth_deg", "thin"), [(45.0, False), (127.0, True), (135.0, False), (143.0, True)]
+)
+def test_holes_beside_the_seam_are_told(monkeypatch, azimuth_deg, thin):
+    """A vent of 1 mm, 6 mm from the axis at 45°: 0.84 mm beside a seam whose normal is at 45° ± 82°."""
+    mould = {"parting_azimuth_deg": azimuth_deg}
+    spec = body_spec("sphere", body={"open_faces": [6]}, mould=mould)
+    top = np.array([6 / np.sqrt(2), 6 / np.sqrt(2), -20.0])
+    start, end = (top + height * up(spec) for height in (-1.0, 90.0))
+    vent = openings.Hole("vent", start, top, end, 1.0)
+    monkeypatch.setattr(openings, "mould_holes", lambda spec: (vent,))
+    assert openings.holes_thin_the_seam(spec) is thin

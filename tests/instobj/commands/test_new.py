@@ -156,6 +156,46 @@ def test_what_no_placement_mends_is_told_with_its_numbers(tmp_path, monkeypatch)
         new_specification("mine", tmp_path, Request("box", (50.0, 50.0, 50.0)))
 
 
+BALL = {"body": {"kind": "sphere", "size_mm": [60.0] * 3}}
+
+
+@pytest.mark.parametrize(
+    ("clear", "failed", "tables", "said"),
+    [
+        (True, [THIN], BALL, "to where pins and holes leave it walls, does not make them thicker"),
+        (
+            False,
+            [THIN],
+            BALL,
+            "turned by up to 18°, meets a pin, a pouring hole or a vent wherever",
+        ),
+        (False, [THIN], BALL | {"mould": {"parting_azimuth_deg": 51.0}}, "does not make them"),
+        (True, [THIN, HOOKED], BALL, None),
+        (True, [THIN], {"body": {"size_mm": [60.0] * 3}}, None),
+    ],
+)
+def test_why_no_turn_of_the_seam_helps_is_told(monkeypatch, clear, failed, tables, said):
+    """Not where anything else fails, for which it is not turned, nor of a mould in one piece."""
+    monkeypatch.setattr("design.mould.openings.holes_thin_the_seam", lambda spec: not clear)
+    told = new._not_made(failed, tables)
+    assert ("seam" in told.partition("thicken it")[2]) is (said is not None)
+    assert said is None or said in told
+
+
+def test_seams_are_turned_to_where_neither_pins_nor_holes_are(monkeypatch):
+    """By 6° and 12° one way holes are beside it, by 6° the other way a pin."""
+    monkeypatch.setattr(
+        "design.mould.openings.holes_thin_the_seam",
+        lambda spec: spec.mould.parting_azimuth_deg in (51.0, 57.0),
+    )
+    monkeypatch.setattr(
+        "design.layout.mould_pins.pins_thin_the_seam",
+        lambda spec: spec.mould.parting_azimuth_deg == 39.0,
+    )
+    turned = [one["mould"]["parting_azimuth_deg"] for one in new._with_clear_seams(BALL)]
+    assert turned == [33.0, 63.0, 27.0]
+
+
 def test_without_options_the_cube_of_the_paper_is_written(tmp_path):
     assert request_of() is None
     path = new_specification("mine", tmp_path)
