@@ -5,7 +5,17 @@ import re
 import pytest
 from numpy.testing import assert_allclose
 
-from design.catalogue.bus_parts import BOARDS, MEGA2560, MLX90393, MUX_ADDRESSES, PICO, bus_chip
+from design.catalogue.bus_parts import (
+    BOARDS,
+    MEGA2560,
+    MLX90393,
+    MUX_ADDRESSES,
+    MUX_CHANNELS,
+    PICO,
+    PIN_PF,
+    WIRE_PF_PER_MM,
+    bus_chip,
+)
 from design.catalogue.hall_sensors import (
     GENERIC_PART,
     HALL_PARTS,
@@ -138,6 +148,13 @@ def test_boards_give_what_their_makers_say():
     assert (PICO.rail_ma, PICO.outputs_ma) == (300.0, 50.0)
     assert MEGA2560.bauds == (115_200, 250_000, 500_000, 1_000_000)
     assert (PICO.bauds, PICO.usb, MEGA2560.usb) == ((115_200,), True, False)
+
+
+def test_firmware_takes_the_time_that_was_simulated_or_measured():
+    """Around a transfer, for a character and for a line of a load cell, µs; pF of a pin and of a millimetre."""
+    times = [(board.call_us, board.byte_us, board.load_line_us) for board in (MEGA2560, PICO)]
+    assert times == [(170.0, 16.0, 600.0), (150.0, 15.0, 700.0)]
+    assert (PIN_PF, WIRE_PF_PER_MM, MUX_CHANNELS) == (10.0, 0.06, 8)
 
 
 def test_hall_sensors_have_the_ranges_of_their_data_sheets():

@@ -246,3 +246,25 @@ def test_a_piece_of_less_than_a_cubic_millimetre_is_a_sliver(edge, status):
     open_.update_faces(np.arange(len(open_.faces)) > 0)
     findings, mesh = check_solid("core", open_, CUBE)
     assert (findings[-1].status, findings[-1].value, mesh) == ("fail", 0.0, None)
+
+
+@pytest.mark.parametrize(
+    ("name", "style", "pins", "core"),
+    [
+        ("box", "one-piece", False, False),
+        ("box", "split", True, False),
+        ("closed box", "split", True, True),
+        ("capsule", "split", True, True),
+        ("pad", "one-piece", False, False),
+    ],
+)
+def test_what_closes_is_the_mould_its_pins_and_a_core_that_is_cast_in(
+    monkeypatch, name, style, pins, core
+):
+    spec = worked(name).changed(mould=worked(name).mould.changed(style=style))
+    monkeypatch.setattr(casting, "_shared", lambda spec, meshes, pins, part: (meshes, pins, part))
+    given = dict.fromkeys(("mould_half_a", "mould_plug", "core", "shell", "jig"))
+    ((meshes, found, part),) = casting._closing(spec, given)
+    assert list(meshes) == ["mould_half_a", "mould_plug", *(["core"] if core else [])]
+    assert bool(found) == pins
+    assert part == "mould"
