@@ -151,7 +151,7 @@ def test_boards_give_what_their_makers_say():
 
 
 def test_firmware_takes_the_time_that_was_simulated_or_measured():
-    """Around a transfer, for a character and for a line of a load cell, µs; pF of a pin and of a millimetre."""
+    """Around a transfer, of a character, of a line of a load cell (µs); pF of a pin and of a millimetre."""
     times = [(board.call_us, board.byte_us, board.load_line_us) for board in (MEGA2560, PICO)]
     assert times == [(170.0, 16.0, 600.0), (150.0, 15.0, 700.0)]
     assert (PIN_PF, WIRE_PF_PER_MM, MUX_CHANNELS) == (10.0, 0.06, 8)
