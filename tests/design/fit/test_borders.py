@@ -36,6 +36,8 @@ BASES = {
         "contact_grid.count=[3, 3]",
         "magnets.positions_mm=[[0.0, 0.0]]",
     ],
+    "pad": ["body.kind=pad", "body.size_mm=[60.0, 80.0, 14.0]", "contact_grid.count=[3, 3]"],
+    "dome": ["body.kind=dome", "body.size_mm=[60.0, 60.0, 36.0]", "contact_grid.count=[3, 3]"],
 }
 BORDERS = """
 cube: core.wall_mm | 12.99 | 13.0 | larger than two core walls
@@ -94,6 +96,20 @@ sensors in the shell: magnets.height_mm | 4.49 | 4.5 | deep in a core wall of
 sensors in the shell: magnets.positions_mm | [[5.01, 0.0]] | [[5.0, 0.0]] | meets the hub
 ball: shell.pocket_depth_mm | 7.99 | 8.0 | does not lie within the 8 mm
 ball: press.depths_mm | [1.0, 4.8] | [1.0, 4.81] | 60% of the silicone
+ball: body.bore_mm | 33.99 | 34.0 | below the core's width, 34 mm
+ball: sensors.depth_below_core_face_mm | 3.0 | 3.01 | must not exceed core.recess_depth
+dome: core.recess_depth_mm | 5.99 | 6.0 | the rigid base is 6 mm thick
+dome: shell.thickness_mm | 29.99 | 30.0 | below the dome's radius of 30 mm
+pad: core.recess_depth_mm | 5.99 | 6.0 | the rigid base is 6 mm thick
+pad: core.recess_outer_radius_mm | 49.99 | 50.0 | recess_outer_radius_mm < the reach
+pad: core.recess_inner_radius_mm | 10.99 | 11.0 | recess_outer_radius_mm < the reach
+pad: shell.pocket_depth_mm | 7.99 | 8.0 | does not lie within the 8 mm
+pad: magnets.height_mm | 2.99 | 3.0 | Make shell.pocket_depth_mm more than 3
+pad: magnets.depth_mm | 0.51 | 0.5 | stands 0 mm out of the curved face
+pad: magnets.positions_mm | [[0, 0], [6.01, 0]] | [[0, 0], [6.0, 0]] | touch or overlap
+pad: magnets.positions_mm | [[27.0, 0]] | [[27.01, 0]] | outside face 1
+pad: sensors.positions_mm | [[30.0, 0]] | [[30.01, 0]] | outside the core's patch
+pad: core.bay_mm | [58.39, 9.0, 1.0] | [58.41, 9.0, 1.0] | of the core's wall at its upper corners
 """
 """Object and key, a value that fits, one that does not, and what is said then alone."""
 
@@ -110,6 +126,43 @@ def test_it_fits_up_to_the_border_and_not_beyond(row):
 
     assert not said(fits)
     assert said(refused)
+
+
+@pytest.mark.parametrize(
+    ("key", "placed", "fits", "refused", "words"),
+    [
+        (
+            "magnets",
+            {"diameter_mm": 3.0, "height_mm": 4.0},
+            [23.51, 0, 0],
+            [23.5, 0, 0],
+            "may reach",
+        ),
+        (
+            "magnets",
+            {"diameter_mm": 3.0, "height_mm": 4.0},
+            [0, 0, -23.51],
+            [0, 0, -23.5],
+            "may reach",
+        ),
+        (
+            "magnets",
+            {"diameter_mm": 3.0, "height_mm": 4.0},
+            [22.6, 23, 0],
+            [22.4, 23, 0],
+            "may reach",
+        ),
+        ("steel_plates", {"normal": [0, 0, 2.0]}, [0, 0, -21.0], [0, 0, -20.99], "into the steel"),
+        ("steel_plates", {"normal": [-3.0, 0, 0]}, [21.0, 9, 0], [20.99, 9, 0], "into the steel"),
+        ("steel_plates", {"normal": [1.0, 1, 0]}, [-42.0, 0, 0], [-41.99, 0, 0], "into the steel"),
+    ],
+)
+def test_surroundings_stay_outside(key, placed, fits, refused, words):
+    """Half edges of 21 mm; a magnet of Ø3 × 4 mm turns within 2.5 mm."""
+    for position, told in ((fits, False), (refused, True)):
+        content = {"name": "x", "environment": {key: [placed | {"position_mm": position}]}}
+        found = problems_of(ObjectSpec.model_validate(content))
+        assert [words in text for text in found] == [True] * told
 
 
 def test_polygons_overlap_where_no_edge_separates_them():
