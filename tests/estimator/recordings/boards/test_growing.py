@@ -52,9 +52,20 @@ def test_a_last_row_that_cannot_be_followed_is_refused(tmp_path, row):
         opened(path)
 
 
-def test_a_file_of_other_columns_is_refused_and_left_alone(tmp_path):
+@pytest.mark.parametrize(
+    "content",
+    [
+        HEADER.replace("F1-X1", "F2-X1"),
+        HEADER.replace("F1-X1", "F2-X1")[:-1],
+        "notes",
+        HEADER[:-1] + " ",
+        HEADER[1:],
+        "\n" + HEADER,
+    ],
+)
+def test_a_file_of_other_columns_is_refused_and_left_alone(tmp_path, content):
     path = tmp_path / "a.csv"
-    path.write_text(HEADER.replace("F1-X1", "F2-X1"))
+    path.write_text(content)
     with pytest.raises(RecordingError, match="columns"):
         opened(path)
-    assert path.read_text() == HEADER.replace("F1-X1", "F2-X1")
+    assert path.read_text() == content
