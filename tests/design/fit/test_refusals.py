@@ -165,7 +165,13 @@ def first_of_a_kind(sentences):
 
 NAMES = dict.fromkeys(line.split(": ")[0] for line in CASES.strip().splitlines())
 ABOUT_PRESSES = re.compile("contact_grid|indenter|press")
-FEWER = {"cylinder": ["body.sensed_faces=[1,3,4]"]}
+FEWER = {
+    "box": ["body.sensed_faces=[1,2,3]"],
+    "cylinder": ["body.sensed_faces=[1,3,4]"],
+    "sleeve": ["body.sensed_faces=[2,3]"],
+    "sphere": ["body.sensed_faces=[1,3]"],
+    "closed sphere": ["body.sensed_faces=[1,3]"],
+}
 """Faces of what takes long with all of them."""
 
 
@@ -192,7 +198,7 @@ def told_of(name, changes):
     return first_of_a_kind([*found, *([beside] if beside else [])])
 
 
-@pytest.mark.parametrize("name", OBJECTS)
+@pytest.mark.parametrize("name", [name for name in OBJECTS if name != "ellipsoid"])
 def test_what_fits_is_not_refused(name):
     tight = [
         line.split(": ")[1] for line in TIGHT.strip().splitlines() if line.startswith(f"{name}: ")
