@@ -17,6 +17,7 @@ from estimator.frames.contact_cases import (
     grasp_cases,
     opposed,
     paper_cases,
+    probe_tips_mm,
     random_case,
     recorded_faces,
 )
@@ -99,3 +100,66 @@ def test_grasps_of_the_paper_lie_evenly_over_the_face():
     assert set(one) == {(0.0, 0.0, 0.0), *corners}
     assert two == ((0.0, 0.0, 0.0), (0.0, -9.0, 0.0), (9.0, 0.0, 90.0))
     assert three == ((0.0, -3.0, 0.0), (0.0, 3.0, 180.0))
+
+
+@pytest.mark.parametrize("pose", [(1.0, -2.0, 0.0), (1.0, -2.0, 90.0), (0.5, 3.0, 30.0)])
+@pytest.mark.parametrize("tips", [1, 2, 3])
+def test_a_probe_is_turned_from_x_to_y_about_its_middle(tips, pose):
+    spec = ObjectSpec(name="cube")
+    x, y, turn = pose
+    probe = tip_positions_mm(tips, spec.indenter.radius_mm) @ [1, 1j]
+    found = probe_tips_mm(spec, tips, pose) @ [1, 1j]
+    assert_allclose(found, probe * np.exp(1j * np.radians(turn)) + complex(x, y), atol=1e-12)
+
+
+def test_every_case_has_a_number_of_its_face_its_probe_and_its_place():
+    spec = collected(
+        dual_poses=((0.0, 0.0, 0.0), (0.0, 0.0, 90.0)), triple_poses=((0.0, 0.0, 0.0),)
+    )
+    count = len(contact_grid(spec))
+    for face in (1, 3):
+        cases = paper_cases(spec, face)
+        ids = [case.place_id - 1000 * face for case in cases]
+        assert ids == [*range(count), 100_000, 100_001, 200_000]
+        for case in cases:
+            assert case.face.tolist() == [face] * len(case.xy_mm)
+            assert not case.cell.any()
+            assert set(case.share.tolist()) == {1.0}
+            assert not case.squeezed
+    cube = ObjectSpec(name="cube")
+    grasps = opposed(cube, [np.array([[1.0, 2.0]]), np.array([[1.0, 2.0], [16.0, 2.0]])])
+    assert [case.place_id for case in grasps] == [303_000, 303_001]
+    assert grasps[1].cell.tolist() == [0, 0, 1, 1]
+    assert grasps[1].face.tolist() == [3, 3, 5, 5]
+    assert all(case.squeezed and set(case.share.tolist()) == {1.0} for case in grasps)
+
+
+def test_tips_anywhere_keep_apart_and_go_from_half_as_deep_as_the_first():
+    spec = ObjectSpec(name="cube", collection=CollectionSpec(kind="continuous"))
+    rng, radius = np.random.default_rng(0), spec.indenter.radius_mm
+    cases = [random_case(spec, rng, 7, 3) for _ in range(60)]
+    shares = np.array([case.share for case in cases])
+    assert set(shares[:, 0].tolist()) == {1.0}
+    assert 0.5 <= shares[:, 1:].min() < 0.55
+    assert 0.95 < shares[:, 1:].max() <= 1.0
+    grid = contact_grid(spec).xy_mm
+    for case in cases:
+        assert case.cell.tolist() == [0, 1, 2]
+        assert case.place_id == 7
+        assert np.all((case.xy_mm >= grid.min(axis=0)) & (case.xy_mm <= grid.max(axis=0)))
+        for face in set(case.face.tolist()):
+            assert pdist(case.xy_mm[case.face == face]).min(initial=np.inf) >= 2 * radius - 1e-9
+    assert any(len(set(case.face.tolist())) < 3 for case in cases)
+    places = np.concatenate([case.xy_mm for case in cases])
+    assert_allclose(places.mean(axis=0), grid.mean(axis=0), atol=3)
+    assert_allclose(np.ptp(places, axis=0), np.ptp(grid, axis=0), rtol=0.1)
+
+
+def test_the_default_faces_need_not_all_be_there_but_one():
+    """Faces that are named must all be sensed; those of the default are recorded where they are."""
+    default = CollectionSpec().faces
+    assert recorded_faces(collected()) == [face for face in default if face in (1, 3)]
+    top = ObjectSpec.model_validate({"name": "a", "body": {"sensed_faces": [1]}})
+    assert recorded_faces(top) == [1]
+    with pytest.raises(InputError, match=r"\[2\] names faces without sensors; sensed are \[1\]"):
+        recorded_faces(top.changed(collection=top.collection.changed(faces=(2,))))
