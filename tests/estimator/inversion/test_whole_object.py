@@ -1,0 +1,132 @@
+"""The estimator of a whole object by hand: what it believes, which channels it reads, and how it reads
+frames in parts."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose, assert_array_equal
+
+from design.errors import InputError
+from design.spec.object import ObjectSpec
+from estimator.inversion import inversion as module
+from estimator.inversion.inversion import Inversion, contact_priors, probe_spacing_mm
+from estimator.inversion.model.forward import ContactModel
+from estimator.inversion.model.noise import BLIND
+from estimator.inversion.readings import ContactSets
+
+CUBE = ObjectSpec(name="cube")
+FACES = np.array([1, 3, 4])
+
+
+def model(**changes):
+    """Tables from (−12, −9) to (10, 11) mm and up to 8 N on three faces, of 18 channels."""
+    made = object.__new__(ContactModel)
+    made.__dict__.update(
+        spec=CUBE.changed(inversion=CUBE.inversion.changed(**changes)),
+        signals=SimpleNamespace(faces=FACES, coefficients=np.zeros((1, 18))),
+        bounds=(np.array([-12.0, -9.0, 0.0]), np.array([10.0, 11.0, 8.0])),
+    )
+    return made
+
+
+def test_any_number_of_contacts_is_as_likely_and_tips_stand_a_diameter_apart():
+    found = contact_priors(model(contacts=3, least_force_n=0.25, probes="free"))
+    assert_allclose(found.number, [0.25] * 4)
+    assert (found.faces, found.most) == (3, 3)
+    assert_allclose(found.area_mm2, 3 * 22 * 20)
+    assert found.force_n == (0.25, 8.0)
+    assert_allclose(found.apart_mm, 2 * CUBE.indenter.radius_mm)
+    assert found.force_spread is None
+    assert found.spacing_mm == ()
+    known = contact_priors(model(contacts=2, probes="known"))
+    assert_allclose(known.number, [1 / 3] * 3)
+    assert known.force_spread == 0.3
+    assert known.spacing_mm == probe_spacing_mm(CUBE.indenter.radius_mm)
+
+
+def test_probes_are_the_paper_s_and_grow_with_large_tips():
+    assert_allclose(probe_spacing_mm(5.0), [15, 20])
+    assert_allclose(probe_spacing_mm(3.0), [15, 20])
+    assert_allclose(probe_spacing_mm(6.0), [18, 24])
+
+
+def made(noise, search=None, force_error=0.0):
+    estimator = object.__new__(Inversion)
+    told = SimpleNamespace(
+        noise_counts=noise,
+        force_error=force_error,
+        observed=lambda counts, averaged=None: (counts, averaged),
+    )
+    estimator.__dict__.update(model=model(), disturbances=told, priors=None)
+    if search is not None:
+        estimator.__dict__["search"] = search
+    return estimator
+
+
+def test_channels_are_named_face_by_face_and_blind_ones_left_out():
+    noise = np.full(18, 10.0)
+    noise[[2, 7, 17]] = BLIND
+    noise[5] = 2 * BLIND
+    found = made(noise)
+    every = [(face, sensor, axis) for face in (1, 3, 4) for sensor in (0, 1) for axis in range(3)]
+    told = [k for k in range(18) if k not in (2, 5, 7, 17)]
+    assert found.told.tolist() == told
+    assert list(found.channels) == [every[k] for k in told]
+
+
+def test_frames_are_read_a_hundred_at_a_time_in_order_with_their_own_means(monkeypatch):
+    """The second best answer of a frame that has none is the best, of odds 0."""
+    given, progress = [], []
+
+    class Found:
+        def __init__(self, counts):
+            self.rows = np.arange(len(counts))
+            self.odds = np.concatenate([0.6 + 0 * self.rows, 0.3 + 0 * self.rows])
+            self.problems = SimpleNamespace(select=lambda rows: rows)
+
+        def best(self):
+            return self.rows
+
+        def second(self, best):
+            return np.where(best % 2 == 0, best, best + len(best))
+
+    def contacts(seen):
+        given.append(seen)
+        return Found(seen[0])
+
+    monkeypatch.setattr(Inversion, "_read", Inversion._read.__wrapped__)
+    monkeypatch.setattr(
+        Inversion, "reading", lambda self, seen, problems, odds: (seen[0][:, 0], problems, odds)
+    )
+    monkeypatch.setattr(module.ContactSets, "joined", staticmethod(lambda parts: list(parts)))
+    estimator = made(np.ones(18), SimpleNamespace(contacts=contacts))
+    counts = np.arange(250.0)[:, None] * np.ones(18)
+    averaged = np.arange(250)
+    best, second = Inversion.read.__wrapped__(estimator, counts, averaged, progress.append)
+    assert progress == [100, 200, 250]
+    assert [len(part[0]) for part in given] == [100, 100, 50]
+    assert_array_equal(np.concatenate([part[0] for part in best]), np.arange(250.0))
+    assert_array_equal(np.concatenate([part[1] for part in given]), averaged)
+    assert_allclose(np.concatenate([part[2] for part in best]), 0.6)
+    odds = np.concatenate([part[2] for part in second])
+    assert_allclose(odds, np.tile([0.0, 0.3], 125))
+    Inversion.read.__wrapped__(estimator, counts[:3])
+    assert given[-1][1] is None
+    with pytest.raises(InputError, match="no frame"):
+        Inversion.read.__wrapped__(estimator, counts[:0])
+
+
+def test_regions_widen_by_an_error_common_to_all_forces():
+    covariance = np.tile(np.diag([0.04, 0.09, 0.16]), (1, 2, 1, 1))
+    pulls = np.full((1, 2, 2), np.nan)
+    sets = ContactSets(
+        np.array([[3, 4]]), np.zeros((1, 2, 2)), np.array([[2.0, 5.0]]), covariance, pulls, pulls,
+        np.ones(1), np.array([1e-3]),
+    )  # fmt: skip
+    found = sets.with_force_error(0.1)
+    assert_allclose(found.covariance[0, :, 2, 2], [0.16 + 0.04, 0.16 + 0.25])
+    assert_allclose(found.covariance[..., :2, :2], covariance[..., :2, :2])
+    assert_allclose(sets.force_halfwidth_n, 1.6448536 * 0.4, rtol=1e-6)
+    assert sets.explained.all()
+    assert sets.number.tolist() == [2]
