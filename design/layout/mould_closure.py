@@ -1,4 +1,4 @@
-"""Where the flange of a plug or a rod stands, as numbers.
+"""Places of the flange of a plug or a rod, as numbers.
 
 `design/mould/plug_flange.py` tells its shape, and builds it.
 """

@@ -1,5 +1,6 @@
-"""Bosses of a split mould as solids: loose pins, drawn along their own axes, or fixed where the pull
-allows. Their numbers are those of `design.layout.mould_pins`.
+"""Bosses of a split mould as solids: loose pins, or fixed where the pull allows.
+
+Loose ones are drawn along their own axes; their numbers are those of `design.layout.mould_pins`.
 """
 
 from __future__ import annotations
