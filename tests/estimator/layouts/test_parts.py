@@ -1,0 +1,145 @@
+"""Parts of layout scores against NumPy: least squares, chips that turn, false forces, worst ratios."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+import torch
+from numpy.testing import assert_allclose
+from scipy.spatial.transform import Rotation
+
+from estimator.layouts import batch_scores, cross_face, robustness
+from estimator.layouts.batch_scores import PlaceBounds, worst_ratio
+
+
+def tensor(values):
+    return torch.as_tensor(np.asarray(values, float))
+
+
+def test_another_object_is_read_by_weighted_least_squares():
+    rng = np.random.default_rng(0)
+    jacobian = rng.normal(size=(9, 2, 3, 4)) * np.array([1.0, 50.0, 0.02])[:, None]
+    change = rng.normal(size=(9, 2, 4))
+    found = robustness._read(tensor(jacobian), tensor(change)).numpy()
+    for layout in range(2):
+        for place in range(4):
+            wanted, *_ = np.linalg.lstsq(
+                jacobian[:, layout, :, place], change[:, layout, place], rcond=None
+            )
+            assert_allclose(found[layout, place], wanted, rtol=1e-4)
+
+
+def test_a_chip_that_turns_sees_the_field_turn_the_other_way():
+    turn = np.array([[1e-4, -2e-4, 3e-4], [0, 0, 5e-4]])
+    found = np.eye(3) + robustness._cross(tensor(turn)).numpy()
+    assert_allclose(found, Rotation.from_rotvec(-turn).as_matrix(), atol=2e-7)
+
+
+def test_signals_of_another_object_are_of_its_modulus_and_its_chips(monkeypatch):
+    """Chips mix counts, signals are in units of each axis's sigma; a softer object is pressed deeper."""
+    rng = np.random.default_rng(1)
+    changes, sigma = rng.normal(size=(6, 2, 4, 5)), np.array([10.0, 20.0, 5.0])
+    chips, force, ratio = rng.normal(size=(2, 3, 3)), 3.0, 0.8
+    monkeypatch.setattr(
+        robustness, "press_changes",
+        lambda scorer, layouts, shift: SimpleNamespace(by_parameter=tensor(changes)),
+    )  # fmt: skip
+    scorer = SimpleNamespace(presses=SimpleNamespace(force_n=force), sigma_counts=tensor(sigma))
+    other = SimpleNamespace(
+        layouts=None, sensor_shift_mm=None, chips=tensor(chips), modulus_ratio=ratio
+    )
+    found = robustness._signals.__wrapped__(scorer, other).numpy()
+    signal = changes[:, :, 3] + changes[:, :, 2] * (force / ratio - force)
+    for sensor in range(2):
+        counts = signal[3 * sensor : 3 * sensor + 3] * sigma[:, None, None]
+        wanted = np.einsum("ab,blp->alp", chips[sensor], counts) / sigma[:, None, None]
+        assert_allclose(found[3 * sensor : 3 * sensor + 3], wanted)
+
+
+def test_a_false_force_is_that_of_the_own_press_that_is_nearest_up_to_twice_the_force(monkeypatch):
+    """Every own place at forces in steps of a thousandth: the nearest signals win."""
+    rng = np.random.default_rng(2)
+    layouts, neighbours, places, channels, force = 2, 3, 4, 6, 5.0
+    own = rng.normal(size=(channels, layouts, 4, places))
+    other = rng.normal(size=(layouts, neighbours, channels, places))
+    presses = SimpleNamespace(count=places, force_n=force)
+
+    def neighbour_changes(scorer, given, columns):
+        assert columns.tolist() == [12, 13, 14, 15]
+        return tensor(other)
+
+    monkeypatch.setattr(cross_face, "neighbour_changes", neighbour_changes)
+    monkeypatch.setattr(
+        cross_face, "press_changes",
+        lambda scorer, given: SimpleNamespace(by_parameter=tensor(own)),
+    )  # fmt: skip
+    found = cross_face.false_forces_n.__wrapped__(SimpleNamespace(presses=presses), None).numpy()
+    share = np.linspace(0, 2, 2001)
+    for layout in range(layouts):
+        shown = share[:, None, None] * own[:, layout, 3].T
+        for neighbour in range(neighbours):
+            for place in range(places):
+                seen = 10 / force * other[layout, neighbour, :, place]
+                away = np.sum((shown - seen) ** 2, axis=2)
+                wanted = share[np.unravel_index(away.argmin(), away.shape)[0]] * force
+                assert_allclose(found[layout, neighbour, place], wanted, atol=0.004)
+
+
+@pytest.mark.parametrize(("but", "count"), [(0.001, 1), (0.05, 2), (0.2, 8), (0.9, 20)])
+def test_the_worst_ratio_is_a_geometric_mean_over_twice_the_share_left_out(but, count):
+    ratios = np.random.default_rng(3).uniform(0.5, 3, (2, 20))
+    worst = np.sort(ratios, axis=1)[:, ::-1][:, :count]
+    assert_allclose(worst_ratio(tensor(ratios), but), np.exp(np.log(worst).mean(axis=1)))
+
+
+def test_bounds_are_held_against_the_start_at_every_place_of_every_face():
+    rng = np.random.default_rng(4)
+    bounds = [rng.uniform(1, 2, (3, 4)), rng.uniform(1, 2, (3, 6))]
+    before = [rng.uniform(1, 2, (5, 4)), rng.uniform(1, 2, (5, 6))]
+    start = PlaceBounds(tuple(tensor(one) for one in before), 0.1)
+    found = batch_scores._over_start([tensor(one) for one in bounds], start)
+    every = [
+        np.concatenate(
+            [(bound[layout] / old).ravel() for bound, old in zip(bounds, before, strict=True)]
+        )
+        for layout in range(3)
+    ]
+    worst = np.sort(every, axis=1)[:, -10:]
+    assert_allclose(found, np.exp(np.log(worst).mean(axis=1)))
+
+
+def test_scores_of_several_forces_are_geometric_means_and_false_forces_are_of_the_nearest(
+    monkeypatch,
+):
+    """Scorers at 1, 4 and 12 N: 12 N is nearest to the 10 N at which faces disturb each other."""
+    asked = {}
+
+    def at_one_force(scorers, layouts, places, named):
+        force = scorers[0].presses.force_n
+        asked[force] = set(named)
+        scores = {"median_position_bound_mm": tensor([1 / force, 2 / force])}
+        scores["largest_resting_counts"] = tensor([force, 2 * force])
+        for name in named:
+            scores[name] = tensor([force, force + 1])
+        return scores
+
+    monkeypatch.setattr(batch_scores, "_scores_at_one_force", at_one_force)
+    monkeypatch.setattr(batch_scores, "places_information", lambda scorers, layouts: [None] * 4)
+    scorers = [SimpleNamespace(presses=SimpleNamespace(force_n=n)) for n in (4.0, 1.0, 12.0, 4.0)]
+    names = {"median_false_force_n", "slip_place_mm"}
+    found = batch_scores.batch_scores.__wrapped__(scorers, [None] * 4, names)
+    assert asked == {1.0: {"slip_place_mm"}, 4.0: {"slip_place_mm"}, 12.0: names}
+    mean = 48 ** (1 / 3)
+    assert_allclose(found["median_position_bound_mm"], [1 / mean, 2 / mean])
+    assert_allclose(found["slip_place_mm"], [mean, (2 * 5 * 13) ** (1 / 3)])
+    assert_allclose(found["median_false_force_n"], [12, 13])
+    assert_allclose(found["largest_resting_counts"], [1, 2])
+    assert batch_scores.OVER_START not in found
+
+
+def test_a_face_counts_as_often_as_the_faces_that_it_stands_for():
+    one, other = SimpleNamespace(faces=3), SimpleNamespace(faces=1)
+    found = batch_scores._all_faces.__wrapped__(
+        [one, other], [tensor([[1.0, 2.0]]), tensor([[5.0]])]
+    )
+    assert found.tolist() == [[1, 2, 1, 2, 1, 2, 5]]
