@@ -4,6 +4,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+import scipy.sparse as sp
 from numpy.testing import assert_allclose, assert_array_equal
 
 from design.errors import InputError
@@ -12,6 +13,7 @@ from design.layout.places.contact_grid import contact_grid, press_lattice
 from design.spec.object import ObjectSpec
 from fem.candidates import presses as candidates
 from fem.large_strain import press as large
+from fem.large_strain import single_press as single
 from fem.large_strain.newton import StepDivergedError
 from fem.large_strain.results import LargeStrainPress
 from fem.presses import shear, sticking, table
@@ -254,3 +256,76 @@ def test_a_tip_may_stand_flush_with_the_border_and_press_almost_its_radius_deep(
                 large.require_press(SPEC, 3, *at, (1.0,))
     with pytest.raises(InputError, match=f"{deepest:g} mm"):
         large.require_press(SPEC, 3, 0.0, 0.0, (deepest,))
+
+
+@pytest.mark.parametrize("magnets", ["rigid", "points"])
+def test_small_strain_on_the_press_s_own_mesh_is_the_contact_of_its_compliance(
+    monkeypatch, magnets
+):
+    """Twelve motions (the last six a magnet's), two pressures of the element, three cells near the tip:
+    compliance by a dense solve, pressures that are none or press, motions by the columns of the loads."""
+    rng = np.random.default_rng(3)
+    root = rng.normal(size=(14, 14))
+    matrix = root @ root.T + 14 * np.eye(14)
+    basis = np.linalg.qr(rng.normal(size=(15, 12)))[0]
+    moments, near = rng.random((5, 4)), np.array([0, 2, 3])
+    normal, weights = np.array([0.0, 0.6, 0.8]), np.array([1.0, 9.0, 2.0, 3.0])
+    functionals = rng.normal(size=(6, 15))
+    system = SimpleNamespace(
+        matrix=sp.csr_matrix(matrix), motion_basis=sp.csr_matrix(basis), space=None
+    )
+    setting = SimpleNamespace(
+        system=system, near=near, moments=sp.csc_matrix(moments), surface=None, mesh=None,
+        frame=SimpleNamespace(normal=normal), spec=PLAIN, xy_mm=np.zeros(2),
+        rigid_magnets=magnets == "rigid",
+    )  # fmt: skip
+    monkeypatch.setattr(single, "surface_weights_mm2", lambda surface: weights)
+    monkeypatch.setattr(
+        single, "profile_moments_mm3", lambda *given: np.array([[0.0, 7.0, 0.6, 3.0]])
+    )
+    layout = SimpleNamespace(face=np.zeros(1))
+    monkeypatch.setattr(single, "shell_body_layout", lambda spec: layout)
+    monkeypatch.setattr(single, "mean_motion_functionals", lambda mesh, space: functionals)
+    depths = np.array([0.2, 0.6])
+    found = single.linear_press.__wrapped__(setting, depths)
+    loads = np.vstack(
+        [basis.T @ np.concatenate([-part * moments[:, near] for part in normal]), np.zeros((2, 3))]
+    )
+    solution = np.linalg.solve(matrix, loads)
+    compliance = loads.T @ solution
+    moved = solution[6:12] if magnets == "rigid" else functionals @ basis @ solution[:12]
+    for depth, row in zip(depths, found.rows, strict=True):
+        gap = np.array([0.0, 0.6, 3.0]) - depth * weights[near]
+        best = [
+            (np.linalg.solve(compliance[np.ix_(on, on)], -gap[on]), on)
+            for on in ([0], [1], [2], [0, 1], [0, 2], [1, 2], [0, 1, 2])
+        ]
+        (pressure,) = [
+            full
+            for some, on in best
+            for full in [np.bincount(on, some, minlength=3)]
+            if (some > 0).all() and (compliance @ full + gap > -1e-9).all()
+        ]
+        assert row.depth_mm == depth
+        assert_allclose(row.force_n, pressure @ weights[near])
+        assert_allclose(row.contact_area_mm2, weights[near][pressure > 0].sum())
+        assert_allclose(row.motion.ravel(), moved @ pressure)
+    assert_allclose(found.contact_mpa, pressure)
+    assert_allclose(found.unknowns, solution @ pressure)
+
+
+@pytest.mark.parametrize(
+    ("off", "sound"), [(0.0099, True), (-0.0099, True), (0.0101, False), (-0.0101, False)]
+)
+def test_a_material_has_the_specification_s_modulus_to_a_hundredth(off, sound):
+    silicone = PLAIN.silicone
+    shear_mpa = silicone.youngs_modulus_mpa / 2 / (1 + silicone.poisson_ratio)
+    material = SimpleNamespace(shear_modulus_mpa=(1 + off) * shear_mpa, name="made")
+    check = single.require_modulus.__wrapped__
+    if sound:
+        return check(PLAIN, material)
+    wanted = (1 + off) * silicone.youngs_modulus_mpa
+    with pytest.raises(InputError, match=f"Set it to {wanted:.4g}"):
+        check(PLAIN, material)
+    stiff = single._with_modulus_of.__wrapped__(PLAIN, material)
+    assert_allclose(stiff.silicone.youngs_modulus_mpa, wanted)
