@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from design.body.surface_chart import steepest_reach_mm
 from design.layout.body import body_of
 from design.layout.mould_frame import mould_frame
 from tests.support.objects.worked_objects import OBJECTS, worked
@@ -78,3 +79,12 @@ def test_what_faces_share_cannot_be_written_to(name):
         for shared in (frame.axes, frame.lengths_mm):
             with pytest.raises(ValueError, match="read-only"):
                 shared[0, 0] = 1.0
+
+
+def test_a_patch_reaches_to_60_degrees_and_nowhere_without_a_cap():
+    """On a ball R sin 60°; on an ellipse x² / a² + z² / c² = 1 where its slope is √3."""
+    assert steepest_reach_mm(10.0, 10.0) == pytest.approx(10.0 * np.sin(np.pi / 3))
+    reach = steepest_reach_mm(12.0, 5.0)
+    slope = 5.0 / 12.0 * (reach / 12.0) / np.sqrt(1 - (reach / 12.0) ** 2)
+    assert slope == pytest.approx(np.sqrt(3.0))
+    assert steepest_reach_mm(0.0, 5.0) == steepest_reach_mm(-1.0, 5.0) == 0.0
