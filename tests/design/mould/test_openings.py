@@ -11,9 +11,10 @@ from design.layout.mould_closure import flange_span_mm
 from design.layout.mould_frame import mould_frame, up
 from design.layout.mould_pins import loose_pins
 from design.mould import openings
-from design.mould.openings import pour_holes
+from design.mould.openings import _vent, pour_holes, vent_diameter_mm
 from design.spec_io import parse_spec
 from tests.support.objects.body_cases import body_spec
+from tests.support.objects.worked_objects import worked
 
 LOW_MAGNETS = {
     "name": "t",
@@ -144,3 +145,21 @@ def test_holes_beside_the_seam_are_told(monkeypatch, azimuth_deg, thin):
     vent = openings.Hole("vent", start, top, end, 1.0)
     monkeypatch.setattr(openings, "mould_holes", lambda spec: (vent,))
     assert openings.holes_thin_the_seam(spec) is thin
+
+
+def test_a_vent_goes_straight_up_where_nothing_is_above():
+    """`up` is −z. Silicone of 20 mm edges, its high point in the middle of the side at −10; with a second
+    piece over all of it there is no way."""
+    spec = worked("box")
+    body = trimesh.creation.box((20.0, 20.0, 20.0))
+    above = trimesh.creation.box(bounds=[[-60.0, -60, -20], [60.0, 60, -15]])
+    place, upwards = np.array([0.0, 0.0, -10.0]), np.array([0.0, 0.0, -1.0])
+    plain = _vent(spec, body, (), Trap(place, upwards, 0.5))
+    assert plain is not None
+    assert_allclose(plain.top_mm, place)
+    way = plain.end_mm - plain.start_mm
+    assert_allclose(way / np.linalg.norm(way), upwards, atol=1e-12)
+    assert plain.diameter_mm == vent_diameter_mm(spec) == 1.0
+    assert_allclose(plain.start_mm, [0.0, 0.0, -9.0])
+    covered = trimesh.util.concatenate([body, above])
+    assert _vent(spec, covered, (), Trap(place, upwards, 0.5)) is None
