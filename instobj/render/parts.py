@@ -63,7 +63,7 @@ class PartView:
 VIEWS = {
     view.part: view
     for view in (
-        PartView("core", "Core, faces 1, 2 and 3", (1, -1.25, 1), (0, 0, 1), COLOURS["core"]),
+        PartView("core", "Core, from +x, −y and +z", (1, -1.25, 1), (0, 0, 1), COLOURS["core"]),
         PartView("shell", "Shell, cut open", (1, -1.25, 0.9), (0, 0, 1), COLOURS["shell"], True),
         PartView(
             "mould_box",

@@ -115,12 +115,13 @@ def write_report(spec: ObjectSpec, inputs: Inputs, path: Path) -> None:
 
 
 def _locations(spec: ObjectSpec) -> str:
-    """Counts along x and y, or how many each face has where faces differ."""
+    """Counts along x and y, or how many each face has where faces differ; in words."""
     places = contact_places(spec)
-    if places.all():
-        return "{} × {}".format(*grid_count(spec))
     least, most = places.sum(axis=1).min(), places.sum(axis=1).max()
-    return f"{least}" if least == most else f"{least} to {most}"
+    count = f"{least}" if least == most else f"{least} to {most}"
+    if places.all():
+        count = "{} × {}".format(*grid_count(spec))
+    return f"{count} contact locations{' per face' * (len(places) > 1)}"
 
 
 def _covered_by_face(spec: ObjectSpec) -> str:
@@ -163,7 +164,7 @@ def _areas(scores: PlaceScores) -> dict[str, Any]:
         "detectable_force_fresh_n": "detectable force, N",
         "stiffness_n_per_mm": "N/mm",
     }
-    areas = summarize_areas(scores)
+    areas = [area for area in summarize_areas(scores) if area.places]
     rows = [
         [
             area.area.replace("_", "-"),

@@ -316,7 +316,7 @@ STAGES: dict[str, Stage] = {
             *("environment", "as_built", "limits"),
         ),
         make_alternatives,
-        version=3,
+        version=4,
     ),
     "slip": Stage(
         "sensitivity: cost of the core's slip",

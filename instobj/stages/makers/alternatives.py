@@ -98,7 +98,7 @@ def _source(spec: ObjectSpec) -> str:
 
 
 def _all_channels(spec: ObjectSpec) -> ObjectSpec:
-    if spec.score.channels == "all":
+    if spec.score.channels == "all" or len(spec.body.sensed) == 1:
         raise InputError("all channels are read already")
     return spec.changed(score=spec.score.changed(channels="all"))
 

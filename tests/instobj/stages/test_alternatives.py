@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from design.errors import InputError
 from design.spec_io import parse_spec
 from instobj.stages.makers import alternatives
 from instobj.stages.makers.alternatives import CHANGES, Alternative
@@ -15,6 +16,18 @@ def test_changes_of_a_graded_magnet_are_valid_specifications(change):
     assert other != spec
     if "magnets" in change:
         assert other.magnets.remanence_t == pytest.approx(1.2 * 1.31)
+
+
+def test_all_channels_are_no_change_where_one_face_is_sensed():
+    """Or where they are read already."""
+    (change,) = (name for name in CHANGES if "all channels" in name)
+    one = parse_spec({"name": "cube", "body": {"sensed_faces": [3]}}, "test")
+    two = parse_spec({"name": "cube", "body": {"sensed_faces": [3, 5]}}, "test")
+    changed = CHANGES[change](two)
+    assert changed.score.channels == "all"
+    for spec in (one, changed):
+        with pytest.raises(InputError, match="all channels are read already"):
+            CHANGES[change](spec)
 
 
 @pytest.mark.parametrize("count", [1, 3])
