@@ -1,5 +1,6 @@
 """Workers that make stages: what they leave out, twins one by one, and commands that ask them."""
 
+import threading
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -16,6 +17,7 @@ from instobj.stages.run import Run
 from instobj.stages.tasks import tasks_of
 from instobj.stages.workers import Here
 from instobj.store.content import find
+from instobj.store.progress import ProgressLine
 from instobj.store.readers import PRESSES, PRETRAINED, TWIN_FRAMES
 from tests.support.objects.tiny_cube import CHANGES, SMALL_CUBE, lend_mechanics
 
@@ -109,3 +111,49 @@ def test_a_scheduler_begins_no_further_stage_once_there_is_enough(monkeypatch):
             lambda: True,
         )
     assert 1 <= len(few) < 20
+
+
+MESHES_AT: list[str] = []
+GO_ON = threading.Event()
+
+
+def first_mesh_never_ends(task, before, root):
+    """Stands for a stage's work, on workers that are threads of this process."""
+    from distributed import get_worker
+
+    if task["stage"] == "mesh":
+        MESHES_AT.append(get_worker().address)
+        if len(MESHES_AT) == 1:
+            GO_ON.wait(30)
+    return {"key": task["stage"], "error": ""}
+
+
+def test_stages_at_work_are_told_and_those_of_a_lost_worker_are_made_again(monkeypatch):
+    """Real scheduler with two workers in this process; the one at work on the mesh is closed."""
+    distributed = pytest.importorskip("distributed")
+    told: list[str] = []
+    MESHES_AT.clear()
+    monkeypatch.setattr(workers, "work", first_mesh_never_ends)
+    monkeypatch.setattr(workers, "_MOST_SILENT_S", 0.1)
+    tasks, (last,) = tasks_of([load_spec(SMALL_CUBE, CHANGES)])
+    with (
+        distributed.LocalCluster(
+            processes=False, n_workers=2, threads_per_worker=1, dashboard_address=None
+        ) as cluster,
+        distributed.Client(cluster) as client,
+    ):
+
+        def step(text):
+            if len(MESHES_AT) == 1 and "mesh" in text:
+                (lost,) = (w for w in cluster.workers.values() if w.address == MESHES_AT[0])
+                cluster.sync(lost.close, executor_wait=False)
+            told.append(text)
+
+        monkeypatch.setattr(ProgressLine, "step", lambda self, text: step(text))
+        done = workers.OnDask(client, ProgressLine()).make(tasks, Path(), told.append)
+        GO_ON.set()
+    assert {*done} == {*tasks}
+    assert done[last["scores"]] == {"key": "scores", "error": ""}
+    assert len(MESHES_AT) == len({*MESHES_AT}) == 2
+    assert any("at work or next: " in text and "mesh" in text for text in told)
+    assert told[-1].startswith(f"{len(tasks)} of {len(tasks)} stages")
