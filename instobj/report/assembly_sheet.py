@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 
 _NORTH, _SOUTH = "#c1121f", "#1d4e9e"
 _FACE_MM = 55.0
+"""Width of the widest face; the others have its scale."""
 _BORDER_MM = 4.0
 _SAME_MM = 2e-2
 
@@ -48,15 +49,18 @@ def assembly_sheet(
     """
     parts = [part.name for part in manifest.parts]
     frames = face_frames(spec) if spec.arrangement == "sensors-in-core" else core_frames(spec)
+    widest = max(frame.half_extents_mm[0] for frame in frames) + _BORDER_MM
+    scale = _FACE_MM / (2 * widest)
     return render(
         "assembly.html.j2",
         spec=spec,
         hash=manifest.spec_hash[:16],
         exploded=exploded_png,
         demoulding=demoulding_png,
-        faces=[_face(spec, frame, pins) for frame in frames],
+        faces=[_face(spec, frame, pins, scale) for frame in frames],
         template=_template(frames, parts),
         sensors=_sensors(spec, plan),
+        planned=plan is not None,
         bundle_mm=wire_bundle_mm(spec),
         leave="the holes of the locating pins" if opening_of(spec) == "closed" else "the open face",
         pins=_pin_rows(pins),
@@ -75,7 +79,9 @@ def _template(frames: Sequence[FaceFrame], parts: Sequence[str]) -> str:
     return "flat" if all(frame.flat for frame in frames) else "curved"
 
 
-def _face(spec: ObjectSpec, frame: FaceFrame, pins: Sequence[PinKind]) -> dict[str, Any]:
+def _face(
+    spec: ObjectSpec, frame: FaceFrame, pins: Sequence[PinKind], scale: float
+) -> dict[str, Any]:
     """One face seen from outside, x to the right and y up, each magnet with its outward pole."""
     half_x, half_y = frame.half_extents_mm
     block = spec.magnets.shape == "block"
@@ -93,7 +99,7 @@ def _face(spec: ObjectSpec, frame: FaceFrame, pins: Sequence[PinKind]) -> dict[s
         "round": frame.round,
         "half_x": half_x,
         "half_y": half_y,
-        "width_mm": _FACE_MM,
+        "width_mm": round(scale * 2 * low_x, 2),
         "view": f"{-low_x:g} {-low_y:g} {2 * low_x:g} {2 * low_y:g}",
         "arrows": f"M {1 - half_x:g} {half_y - 1:g} h 6 m 0 0 l -1.5 -0.9 m 1.5 0.9 l -1.5 0.9 "
         f"M {1 - half_x:g} {half_y - 1:g} v -6 m 0 0 l -0.9 1.5 m 0.9 -1.5 l 0.9 1.5",
@@ -156,7 +162,8 @@ def _sensors(spec: ObjectSpec, plan: BusPlan | None) -> list[list[str]]:
             number += 1
             at = f"{round(x, 2) + 0.0:.2f}, {round(y, 2) + 0.0:.2f}"
             route = routes.get((frame.number, index), "")
-            rows.append([f"{number}", f"{frame.number}", f"{index}", at, turn, ends, length, route])
+            row = [f"{number}", f"{frame.number}", f"{index}", at, turn, ends, length]
+            rows.append(row if plan is None else [*row, route])
     return rows
 
 

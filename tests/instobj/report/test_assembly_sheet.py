@@ -91,6 +91,29 @@ def test_the_sheet_shows_every_pole_and_every_wire(tmp_path):
     assert "http" not in page.replace("http-equiv", ""), "nothing is loaded from outside"
 
 
+def test_faces_of_unequal_sizes_are_drawn_at_one_scale(tmp_path):
+    """The widest is 55 mm wide; a magnet of 6 mm is as large on every face."""
+    save_dot(tmp_path / "picture.png")
+    spec = parsed(body={"size_mm": [60.0, 44.0, 50.0]})
+    page = assembly_sheet(spec, MANIFEST, tmp_path / "picture.png")
+    faces = re.findall(r'<svg width="([\d.]+)mm" viewBox="\S+ \S+ ([\d.]+) \S+">', page)
+    widths, boxes = np.array(faces, float).T
+    assert_allclose(boxes, [68, 58, 58, 58, 58])
+    assert_allclose(widths, 55 / 68 * boxes, atol=0.01)
+
+
+def test_sensors_that_the_paper_s_board_cannot_read_have_no_empty_column(tmp_path):
+    save_dot(tmp_path / "picture.png")
+    spec = parsed()
+    page = assembly_sheet(spec, MANIFEST, tmp_path / "picture.png")
+    assert "<th>on an Arduino Mega 2560</th>" not in page
+    assert "An Arduino Mega 2560 cannot read these sensors" in page
+    plan = plan_or_none(spec, MEGA2560)
+    page = assembly_sheet(spec, MANIFEST, tmp_path / "picture.png", (), plan)
+    assert "on an Arduino Mega 2560" in page
+    assert "cannot read these sensors" not in page
+
+
 def test_a_body_without_template_and_jig_is_told_of_neither(tmp_path):
     """An imported body, closed: a dozen pins of several kinds, each with its places."""
     spec = load_spec(EXAMPLES / "pear.toml")
