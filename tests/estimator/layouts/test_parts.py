@@ -8,8 +8,10 @@ import torch
 from numpy.testing import assert_allclose
 from scipy.spatial.transform import Rotation
 
+from design.spec.object import ObjectSpec
 from estimator.layouts import batch_scores, cross_face, robustness
 from estimator.layouts.batch_scores import PlaceBounds, worst_ratio
+from estimator.layouts.limits import curved
 
 
 def tensor(values):
@@ -143,3 +145,57 @@ def test_a_face_counts_as_often_as_the_faces_that_it_stands_for():
         [one, other], [tensor([[1.0, 2.0]]), tensor([[5.0]])]
     )
     assert found.tolist() == [[1, 2, 1, 2, 1, 2, 5]]
+
+
+class Board:
+    """A surface with one recess whose board sinks by 0.3 mm; the core's patch ends at 9 mm."""
+
+    spec = ObjectSpec(name="cube")
+    core = SimpleNamespace(flat=True)
+
+    def boards(self, sensor_mm):
+        axes = torch.eye(3, dtype=torch.float64)[[1, 0, 2]].expand(1, 1, 3, 3)
+        return tensor([[[1.0, 2.0, 10.0]]]), axes, tensor([[0.3]])
+
+    def reach_mm(self, places_mm):
+        return np.full(len(places_mm), 9.0)
+
+
+def test_a_recess_lies_under_its_board_as_deep_as_it_sinks():
+    """Radial along y here: 0.5 mm ahead of the sensor, and half as deep as it is."""
+    layouts = SimpleNamespace(sensor_mm=tensor([[[3.0, 4.0]]]))
+    boards = SimpleNamespace(
+        centre=tensor([[[3.3, 4.4]]]), radial=tensor([[[0.6, 0.8]]]), half_mm=(2.0, 1.5)
+    )
+    centre, axes, half = curved._recesses.__wrapped__(Board(), layouts, boards)
+    deep = (Board.spec.core.recess_depth_mm + 0.3) / 2
+    assert_allclose(centre, [[[1.0, 2.5, 10.0 - deep]]])
+    assert_allclose(half, [[[2.0, 1.5, deep]]])
+    assert_allclose(axes[0, 0], np.eye(3)[[1, 0, 2]])
+
+
+@pytest.mark.parametrize("corner", [(1, 1), (1, -1), (-1, 1), (-1, -1)])
+def test_every_lower_corner_of_a_recess_keeps_a_wall_to_the_core_s_side(monkeypatch, corner):
+    """The core ends on the side of one corner, 0.4 mm from it: less than the printer's wall; upper
+    corners are in the open."""
+    half, centre = np.array([2.0, 1.5, 1.0]), np.array([0.5, -0.5, 5.0])
+    across = np.array([corner[0], corner[1], -1.0])
+    border = across @ (centre + half * across) + 0.4
+
+    def beyond_core_mm(spec, points):
+        return points @ across - border
+
+    monkeypatch.setattr(curved, "beyond_core_mm", beyond_core_mm)
+    layouts = SimpleNamespace(sensor_mm=tensor([[[3.0, 4.0]]]))
+    recess = tensor(centre)[None, None], torch.eye(3, dtype=torch.float64)[None, None]
+    found = curved._boards_past_edges.__wrapped__(
+        Board(), layouts, (*recess, tensor(half)[None, None])
+    )
+    wall = Board.spec.printer.wall_mm
+    assert wall > 0.4
+    assert_allclose(found, [wall - 0.4 + curved.SLACK_MM], rtol=1e-6)
+    further = SimpleNamespace(sensor_mm=tensor([[[6.0, 8.0]]]))
+    found = curved._boards_past_edges.__wrapped__(
+        Board(), further, (*recess, tensor(half)[None, None])
+    )
+    assert_allclose(found, [wall - 0.4 + 1.0 + 2 * curved.SLACK_MM], rtol=1e-6)
