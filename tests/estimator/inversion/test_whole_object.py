@@ -10,9 +10,11 @@ from numpy.testing import assert_allclose, assert_array_equal
 from design.errors import InputError
 from design.spec.object import ObjectSpec
 from estimator.inversion import inversion as module
+from estimator.inversion import posterior, readings
 from estimator.inversion.inversion import Inversion, contact_priors, probe_spacing_mm
 from estimator.inversion.model.forward import ContactModel
 from estimator.inversion.model.noise import BLIND
+from estimator.inversion.priors import Priors
 from estimator.inversion.readings import ContactSets
 
 CUBE = ObjectSpec(name="cube")
@@ -130,3 +132,41 @@ def test_regions_widen_by_an_error_common_to_all_forces():
     assert_allclose(sets.force_halfwidth_n, 1.6448536 * 0.4, rtol=1e-6)
     assert sets.explained.all()
     assert sets.number.tolist() == [2]
+
+
+@pytest.mark.parametrize("slots", [1, 2])
+def test_tangential_forces_are_those_of_the_joint_normal_posterior(slots):
+    """Of contacts (x, y, F) and pulls t ~ N(0, 1) together: mean at the contacts found, deviation with
+    theirs, both in units of a pull's own deviation."""
+    rng = np.random.default_rng(6)
+    channels, sigma = 12, rng.uniform(0.5, 2, (1, 12))
+    singles = rng.normal(size=(1, slots, 4, channels))
+    pulls = rng.normal(size=(1, slots, 2, channels))
+    pull_sigma = np.array([[2.0, 0.5]])[:, :slots]
+    stub = SimpleNamespace(
+        channels=channels, singles=lambda face, contact: singles,
+        pulls=lambda face, contact: pulls, pull_sigma_n=lambda contact: pull_sigma,
+    )  # fmt: skip
+    counts, extra = rng.normal(size=(1, channels)), rng.normal(size=(1, channels))
+    seen = posterior.Observed(counts, sigma, sigma, sigma)
+    jacobian = (singles[0, :, 1:] / sigma[0]).reshape(3 * slots, channels)
+    across = (pulls[0] / sigma[0]).reshape(2 * slots, channels)
+    own = np.eye(2 * slots) + across @ across.T
+    curvature = jacobian @ jacobian.T - jacobian @ across.T @ np.linalg.solve(
+        own, across @ jacobian.T
+    )
+    problems = posterior.Problems(
+        np.zeros(1, int), np.zeros((1, slots), int), np.ones((1, slots, 3)), extra, np.zeros(1),
+        curvature[None], np.zeros(1),
+    )  # fmt: skip
+    priors = Priors((0.25,) * 4, 2, 800.0, (0.5, 10.5))
+    mean, deviation = readings.tangential_forces.__wrapped__(stub, priors, seen, problems)
+    flat = np.tile(12 / np.array([20.0, 20.0, 10.0]) ** 2, slots)
+    joint = np.block(
+        [[jacobian @ jacobian.T + np.diag(flat), jacobian @ across.T], [across @ jacobian.T, own]]
+    )
+    spread = np.linalg.inv(joint)[3 * slots :, 3 * slots :]
+    left = (counts[0] - extra[0] - singles[0, :, 0].sum(axis=0)) / sigma[0]
+    scale = np.repeat(pull_sigma[0], 2)
+    assert_allclose(mean[0].ravel(), scale * np.linalg.solve(own, across @ left))
+    assert_allclose(deviation[0].ravel(), scale * np.sqrt(np.diag(spread)))
