@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from estimator.networks.prediction import ContactAnswers, ContactReadings, HeldOutAnswers
 
 _BLUE, _RED, _GREY, _BLACK = "#1b6ca8", "#c8553d", "#777777", "#222222"
+_MOST_COLUMNS = 3
 _MOST_PRESSES = 12
 """Presses drawn over time; all are drawn on the face."""
 
@@ -21,17 +22,26 @@ _MOST_PRESSES = 12
 def draw_predictions(
     readings: Sequence[ContactReadings], source: Literal["simulated", "recorded"], path: Path
 ) -> None:
-    """One column per face: predicted against true force above, share of localisation errors below (PNG)."""
+    """A panel per face, predicted against true force, and below it the share of localisation errors
+    (PNG); three faces beside each other, so that words stay readable."""
     from matplotlib.figure import Figure
 
-    figure = Figure(figsize=(max(3.3 * len(readings), 5.2), 7.2), layout="constrained")
-    panels = figure.subplots(2, len(readings), squeeze=False, sharey="row", sharex="row")
+    columns = min(len(readings), _MOST_COLUMNS)
+    blocks = -(-len(readings) // columns)
+    figure = Figure(figsize=(max(3.3 * columns, 5.2), 7.2 * blocks), layout="constrained")
+    panels = figure.subplots(2 * blocks, columns, squeeze=False)
+    forces, places = panels[::2].ravel(), panels[1::2].ravel()
     largest = max(max(one.true_force_n.max(), one.force_n.max()) for one in readings)
-    for one, (force_axes, place_axes) in zip(readings, panels.T, strict=True):
+    furthest = max(float(one.away_mm.max(initial=0.0)) for one in readings)
+    for one, force_axes, place_axes in zip(readings, forces, places, strict=False):
         _draw_forces(force_axes, one, 1.05 * float(largest))
         _draw_place_errors(place_axes, one)
-    panels[0, 0].set_ylabel("predicted total force (N)")
-    panels[1, 0].set_ylabel("contact frames with error ≤ x (%)")
+        place_axes.set_xlim(0, 1.05 * furthest or 1.0)
+    for axes in (*forces[len(readings) :], *places[len(readings) :]):
+        axes.remove()
+    for first in range(0, len(readings), columns):
+        forces[first].set_ylabel("predicted total force (N)")
+        places[first].set_ylabel("contact frames with error ≤ x (%)")
     figure.suptitle(f"{source.capitalize()} held-out presses: every frame with contact")
     save_figure(figure, path)
 
@@ -53,7 +63,6 @@ def _draw_place_errors(axes: Any, one: ContactReadings) -> None:
         at = float(np.percentile(away, level))
         axes.axvline(at, color=_RED, ls=style, lw=1, label=f"{level} %: {at:.2f} mm")
     axes.set(xlabel="localisation error (mm)", ylim=(0, 102))
-    axes.set_xlim(left=0)
     axes.set_title(f"{len(away)} frames of {one.presses} presses", fontsize=10)
     axes.grid(alpha=0.3)
     axes.legend(frameon=False, fontsize=8, loc="lower right")

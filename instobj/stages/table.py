@@ -77,21 +77,21 @@ STAGES: dict[str, Stage] = {
         (),
         ("name", *_MAKING),
         make_build,
-        version=8,
+        version=9,
     ),
     "sheet": Stage(
         "design: bill of materials and assembly sheet",
         ("build",),
         ("name", *_MAKING, "silicone", "load_cell"),
         make_sheet,
-        version=9,
+        version=10,
     ),
     "fabrication": Stage(
         "design: fabrication checks",
         (),
         ("name", *_MAKING, "silicone"),
         make_fabrication,
-        version=5,
+        version=6,
     ),
     "mesh": Stage("mesh: tetrahedra", (), _WHAT_IS_MESHED, make_mesh, version=2),
     "response": Stage("mechanics: response operator", ("mesh",), _ELASTIC, make_response),
@@ -268,7 +268,7 @@ STAGES: dict[str, Stage] = {
         "estimator: training", ("frames",), ("training", "seed"), make_networks, version=10
     ),
     "metrics": Stage(
-        "estimator: held-out presses", ("frames", "networks"), (), make_metrics, version=4
+        "estimator: held-out presses", ("frames", "networks"), (), make_metrics, version=5
     ),
     "inversion": Stage(
         "estimator: tables of the forward model",
@@ -357,7 +357,7 @@ STAGES: dict[str, Stage] = {
         ),
         ("name", "limits", "search.prices", "silicone"),
         make_report,
-        version=15,
+        version=16,
     ),
 }
 """In the order in which a command works through those that it needs."""

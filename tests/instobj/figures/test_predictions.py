@@ -1,6 +1,7 @@
 """The picture after an evaluation: every frame at its forces, localisation errors as shares."""
 
 import numpy as np
+import pytest
 from numpy.testing import assert_allclose
 
 from estimator.networks.prediction import ContactAnswers, ContactReadings, HeldOutAnswers
@@ -26,6 +27,26 @@ def test_each_face_has_its_forces_and_its_shares_of_localisation_errors(monkeypa
     assert_allclose(place.lines[0].get_xydata(), [[1, 100 / 3], [2, 200 / 3], [3, 100]])
     assert place.get_title() == "3 frames of 2 presses"
     assert "50 %: 2.00 mm" in [text.get_text() for text in place.get_legend().get_texts()]
+
+
+def test_three_faces_stand_beside_each_other_and_the_rest_below(monkeypatch, tmp_path):
+    kept = []
+    monkeypatch.setattr(predictions, "save_figure", lambda figure, path: kept.append(figure))
+    faces = [
+        ContactReadings(face, np.array([5.0]), np.array([5.0]), np.array([0.5 * face]), 1)
+        for face in range(1, 6)
+    ]
+    predictions.draw_predictions(faces, "simulated", tmp_path / "a.png")
+    (figure,) = kept
+    titles = [axes.get_title()[:6] for axes in figure.axes]
+    first, second = [f"Face {face}" for face in (1, 2, 3)], ["Face 4", "Face 5"]
+    assert titles == [*first, *["1 fram"] * 3, *second, *["1 fram"] * 2]
+    assert figure.get_size_inches() == pytest.approx([9.9, 14.4])
+    assert [axes.get_xlim()[1] for axes in figure.axes[3:6]] == pytest.approx([1.05 * 2.5] * 3)
+    assert [bool(axes.get_ylabel()) for axes in figure.axes] == [True, False, False] * 2 + [
+        True,
+        False,
+    ] * 2
 
 
 def test_forces_over_time_beside_the_best_baseline_and_places_on_the_face(monkeypatch, tmp_path):
