@@ -12,7 +12,7 @@ from design.build.bom import bill_of_materials
 from design.build.manifest import BuildManifest, PartManifest
 from design.build.order_list import OrderLine, cost_eur
 from design.layout.boards import wire_bundle_mm
-from design.layout.body import core_frames, face_frames
+from design.layout.body import body_of, core_frames, face_frames
 from design.layout.mould_frame import opening_of
 from design.layout.pockets import magnet_places, sensor_places
 from design.spec.object import ObjectSpec
@@ -49,7 +49,8 @@ def assembly_sheet(
     """
     parts = [part.name for part in manifest.parts]
     frames = face_frames(spec) if spec.arrangement == "sensors-in-core" else core_frames(spec)
-    widest = max(frame.half_extents_mm[0] for frame in frames) + _BORDER_MM
+    drawn = [*frames, *_frames_of_sockets(spec, pins)]
+    widest = max(frame.half_extents_mm[0] for frame in drawn) + _BORDER_MM
     scale = _FACE_MM / (2 * widest)
     return render(
         "assembly.html.j2",
@@ -57,7 +58,7 @@ def assembly_sheet(
         hash=manifest.spec_hash[:16],
         exploded=exploded_png,
         demoulding=demoulding_png,
-        faces=[_face(spec, frame, pins, scale) for frame in frames],
+        faces=[_face(spec, frame, pins, scale) for frame in drawn],
         template=_template(frames, parts),
         sensors=_sensors(spec, plan),
         planned=plan is not None,
@@ -86,8 +87,9 @@ def _face(
     half_x, half_y = frame.half_extents_mm
     block = spec.magnets.shape == "block"
     radius = max(spec.magnets.size_mm) / 2 if block else spec.magnets.diameter_mm / 2
-    magnets, places = [], magnet_places(spec)[spec.body.sensed.index(frame.number)]
-    for (x, y), way in zip(places, spec.magnets.polarities, strict=True):
+    magnets = list[dict[str, Any]]()
+    places = dict(zip(spec.body.sensed, magnet_places(spec), strict=True)).get(frame.number, ())
+    for (x, y), way in zip(places, spec.magnets.polarities if places else (), strict=True):
         pole, colour = ("N", _NORTH) if way > 0 else ("S", _SOUTH)
         pin = _pin_at(pins, frame.number, x, y)
         magnets.append(
@@ -109,6 +111,12 @@ def _face(
         "x_axis": _axis_name(frame.x),
         "y_axis": _axis_name(frame.y),
     }
+
+
+def _frames_of_sockets(spec: ObjectSpec, pins: Sequence[PinKind]) -> list[FaceFrame]:
+    """Faces without magnets on which pins hold the core."""
+    faces = {face for kind in pins for face, _, _ in kind.places} - {*spec.body.sensed}
+    return [body_of(spec).frame(face) for face in sorted(faces)]
 
 
 def _pin_at(pins: Sequence[PinKind], face: int, x_mm: float, y_mm: float) -> str:

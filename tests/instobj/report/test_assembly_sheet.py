@@ -12,7 +12,7 @@ from numpy.testing import assert_allclose
 from design.build.bom import bill_of_materials, silicone_amount, write_bom
 from design.build.manifest import BuildManifest, PartManifest
 from design.catalogue.bus_parts import MEGA2560
-from design.layout.mould_pins import loose_pins, pins_by_kind
+from design.layout.mould_pins import PinKind, loose_pins, pins_by_kind
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, parse_spec
 from design.wiring.bus_plan import plan_or_none
@@ -112,6 +112,24 @@ def test_sensors_that_the_paper_s_board_cannot_read_have_no_empty_column(tmp_pat
     page = assembly_sheet(spec, MANIFEST, tmp_path / "picture.png", (), plan)
     assert "on an Arduino Mega 2560" in page
     assert "cannot read these sensors" not in page
+
+
+def test_a_face_without_magnets_is_drawn_where_a_pin_stands_in_it(tmp_path):
+    """A pin at (4, -9) of face 6, which senses nothing, beside one that forms a pocket of face 1."""
+    save_dot(tmp_path / "picture.png")
+    spec = parsed(
+        body={"open_faces": [], "sensed_faces": [1, 2]}, magnets={"positions_mm": [[9, 8]]}
+    )
+    pins = [
+        PinKind("mould_pin", 1, ((1, 9.0, 8.0),), False),
+        PinKind("mould_locator_1", 1, ((6, 4.0, -9.0),), True),
+    ]
+    page = assembly_sheet(spec, MANIFEST, tmp_path / "picture.png", pins)
+    faces = re.findall(r"<figure>.*?face (\d) .*?</figure>", page, re.S)
+    assert faces == ["1", "2", "6"]
+    (last,) = re.findall(r"<figure>(?:(?!<figure>).)*?face 6 .*?</figure>", page, re.S)
+    assert re.findall(r'cx="(\S+)" cy="(\S+)"', last) == [("4", "9")]
+    assert re.findall(r">(P\d)</text>", last) == ["P2"]
 
 
 def test_a_body_without_template_and_jig_is_told_of_neither(tmp_path):
