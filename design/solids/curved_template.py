@@ -35,6 +35,8 @@ if TYPE_CHECKING:
 RIM_MM = 6.0
 """Of the sheet beyond the pockets, where the face is as large."""
 NOTCH_MM = 2.0
+_WITHIN = 1 - 1e-9
+"""Of a face: rounding puts some of its rim beyond it, where the surface is not known."""
 _LINES, _FEW, _SECTIONS, _OVER_MM, _ALIKE_MM = 49, 9, 48, 1.0, 0.05
 
 
@@ -82,7 +84,8 @@ def make_curved_template(spec: ObjectSpec, face: int) -> trimesh.Trimesh:
 def _half_mm(frame: FaceFrame, pockets: tuple[Pocket, ...]) -> tuple[float, float]:
     """Half extents of the sheet: the pockets and a rim, within the face."""
     far = np.max([pocket.reach_mm for pocket in pockets], axis=0)
-    x, y = np.minimum((2**0.5 if frame.round else 1.0) * far + RIM_MM, frame.half_extents_mm)
+    most = _WITHIN * np.asarray(frame.half_extents_mm)
+    x, y = np.minimum((2**0.5 if frame.round else 1.0) * far + RIM_MM, most)
     return float(x), float(y)
 
 

@@ -1,5 +1,7 @@
 """Templates that hug curved faces: they lie on the body, open over every pocket and tell poles apart."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
@@ -7,12 +9,13 @@ from numpy.testing import assert_allclose
 from design.layout.body import face_frames
 from design.layout.mould_frame import play_mm
 from design.solids.curved_template import (
+    _half_mm,
     _rings,
     _rows,
     curved_template_faces,
     make_curved_template,
 )
-from design.solids.magnet_template import PLATE_MM
+from design.solids.magnet_template import PLATE_MM, pockets_by_face
 from design.spec.object import ObjectSpec
 
 PLACES = [[0, 0], [11, 0], [-7, 6]]
@@ -82,3 +85,17 @@ def test_triangles_cover_the_sheet_once_and_the_rim_runs_round_it(lattice, area)
     times = np.unique(edges, axis=0, return_counts=True)[1]
     assert set(times) == {1, 2}
     assert (times == 1).sum() == len(lattice.rim)
+
+
+def test_a_sheet_as_large_as_its_face_keeps_within_what_is_known_of_the_surface(ball):
+    """Of a body from a file nothing is known beyond the ellipse, where rounding had put some of the rim."""
+    (frame, pockets), _ = pockets_by_face(ball)
+    share, beyond = _rings(49).share, 0
+    for half in ((16.1, 15.3), (16.14, 15.14), (16.23, 15.35), (16.17, 15.29)):
+        small = replace(frame, half_extents_mm=half)
+        sheet = np.array(_half_mm(small, pockets))
+        assert_allclose(sheet, half, rtol=1e-8)
+        inside = (share * sheet / half) ** 2
+        assert inside.sum(axis=1).max() <= 1
+        beyond += int(np.sum((share**2).sum(axis=1) > 1))
+    assert beyond > 0, "the rim itself is on the border, to rounding"
