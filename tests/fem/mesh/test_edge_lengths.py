@@ -7,7 +7,7 @@ from numpy.testing import assert_allclose
 from design.layout.body import face_frame
 from design.spec.object import ObjectSpec
 from fem.mesh.edge_lengths import FINE_LAYER_MM, _fine_under_all_faces, _split_bricks
-from fem.mesh.surfaces import _prism
+from fem.mesh.surfaces import _prism, surface_tolerance_mm
 
 SPEC = ObjectSpec(name="cube")
 
@@ -45,3 +45,10 @@ def test_edges_are_fine_half_a_millimetre_deep_and_coarse_from_half_the_shell_be
     half_mm = frame.half_extents_mm
     aside = frame.to_object(np.array([[0.0, half_mm[1] - 0.3, -20.0]]))  # under a neighbour
     assert_allclose(_fine_under_all_faces(SPEC, aside), fine)
+
+
+@pytest.mark.parametrize(("envelope_mm", "tolerance_mm"), [(0.02, 0.1), (0.05, 0.1), (0.06, 0.12)])
+def test_a_node_belongs_to_a_surface_within_two_envelopes(envelope_mm, tolerance_mm):
+    spec = ObjectSpec(name="cube")
+    spec = spec.changed(mesh=spec.mesh.changed(envelope_mm=envelope_mm))
+    assert surface_tolerance_mm(spec) == pytest.approx(tolerance_mm)
