@@ -37,8 +37,8 @@ def _casting_steps(spec: ObjectSpec) -> list[str]:
     cure = "see the maker's sheet" if silicone.cure_h is None else f"{silicone.cure_h:g} h"
     return [
         *_core_first(spec),
-        f"{_closed(spec)} Spray release agent thinly, on all that the silicone touches but the core"
-        f"{_primed(spec)}.",
+        "Spray release agent thinly, on all that the silicone touches but the core"
+        f"{_primed(spec)}. {_closed(spec)}",
         f"Weigh {a:.1f} g of part A and {b:.1f} g of part B of {silicone.name} "
         f"({amount.mixed_g:.1f} g, with {spec.mould.silicone_waste:.0%} more than the object holds); "
         f"keep a part of it for sealing. Mix; pot life {pot}. Take the air out under vacuum.",

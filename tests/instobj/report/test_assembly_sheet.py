@@ -35,6 +35,11 @@ def manifest_of(*names):
     return BuildManifest("t", "0" * 64, tuple(parts), {})
 
 
+BALL = {
+    "magnets": {"positions_mm": [[0, 0]]},
+    "sensors": {"positions_mm": [[0, 6]], "radius_mm": 6.0},
+    "contact_grid": {"count": [3, 3]},
+}
 EVERY_PART = ("core", "shell", "jig", "magnet_template")
 EXAMPLES = Path(__file__).parents[3] / "examples"
 MANIFEST = manifest_of(
@@ -207,6 +212,15 @@ def test_the_exploded_view_shows_magnets_of_both_poles_and_boards(tmp_path):
 )
 def test_steps_follow_the_object(content, told):
     assert any(told in step for step in steps(parsed(**content), EVERY_PART))
+
+
+@pytest.mark.parametrize("open_faces", [[], [6]])
+def test_a_mould_is_sprayed_before_it_is_closed_round_the_core(open_faces):
+    spec = parsed(
+        body={"kind": "sphere", "size_mm": [50, 50, 50], "open_faces": open_faces}, **BALL
+    )
+    (step,) = (step for step in steps(spec, EVERY_PART) if "release agent" in step)
+    assert 0 <= step.index("Spray") < step.index("Join the mould's halves")
 
 
 def test_a_plate_is_not_pushed_into_its_slab():
