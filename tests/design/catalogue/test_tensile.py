@@ -138,6 +138,16 @@ def test_six_points_are_enough_and_five_are_not(tmp_path):
         read_tensile_test(written(tmp_path, header, GOOD[:5]))
 
 
+def test_a_table_begins_within_a_hundred_lines(tmp_path):
+    path = written(tmp_path, "stretch,nominal_stress_mpa", GOOD)
+    table = path.read_text()
+    path.write_text("pulled in May\n" * 99 + table)
+    assert len(read_tensile_test(path).stretch) == len(GOOD)
+    path.write_text("pulled in May\n" * 100 + table)
+    with pytest.raises(InputError, match="tensile data need one of"):
+        read_tensile_test(path)
+
+
 def test_a_falling_curve_fits_no_solid():
     falling = TensileTest(STRETCH, 0.1 / STRETCH**4)
     with pytest.raises(InputError, match=r"no solid fits pull\.csv to 10 %"):

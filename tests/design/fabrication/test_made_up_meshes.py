@@ -14,6 +14,7 @@ from design.fabrication.check import check_solid
 from design.fabrication.finding import Finding, at_least, worst
 from design.fabrication.printing import check_bed, check_edges, check_walls
 from design.layout.boards import Mounted
+from design.layout.mould_frame import parting
 from design.mould.openings import Hole
 from tests.support.objects.worked_objects import worked
 
@@ -272,3 +273,35 @@ def test_what_closes_is_the_mould_its_pins_and_a_core_that_is_cast_in(
     given = dict.fromkeys(("mould_half_a", "mould_plug", "core", "shell", "jig"))
     assert len(casting._closing(spec, given)) == 1
     assert asked == [(["mould_half_a", "mould_plug", *(["core"] if core else [])], pins, "mould")]
+
+
+@pytest.mark.parametrize(
+    ("name", "drawn"),
+    [
+        ("cylinder", [("mould_seal_box", (0, 0, 1), 15.0)]),
+        ("dome", [("mould_seal_box", (0, 0, 1), 16.0)]),
+        ("box", []),
+        ("closed capsule", [("mould_seal_half_a", 1, 0.0), ("mould_seal_half_b", -1, 0.0)]),
+    ],
+)
+def test_a_mould_of_the_layer_is_drawn_off_the_silicone_without_its_plug(monkeypatch, name, drawn):
+    """Half a plug's width is left within it: cores of 30 and 32 mm across."""
+    spec, asked = worked(name), []
+
+    def found(spec, draw, *given):
+        pull = draw.pull if drawn[0][0] == "mould_seal_box" else draw.pull @ parting(spec).normal
+        asked.append((draw.part, pytest.approx(pull), draw.room_mm))
+        return Finding("undercut", draw.part, 0.0, 1.0, "mm", "pass", "")
+
+    one = box([0] * 3, [1] * 3)
+    for part in ("finished_surface", "sealed_body_surface", "sealed_round"):
+        monkeypatch.setattr(casting, part, lambda spec: one)
+    monkeypatch.setattr(casting, "_undercut", found)
+    monkeypatch.setattr(casting, "_shared", lambda *given: found(spec, Draw("shared", DOWN, 0.0)))
+    monkeypatch.setattr(casting, "_traps", lambda *given: found(spec, Draw("traps", DOWN, 0.0)))
+    monkeypatch.setattr(casting, "_blocked", lambda *given: [])
+    monkeypatch.setattr(casting, "seal_holes", lambda spec: ())
+    meshes = dict.fromkeys(("mould_seal_box", "mould_seal_half_a", "mould_seal_half_b"), one)
+    casting.check_seal_mould(spec, meshes)
+    assert asked[: len(drawn)] == drawn
+    assert not casting.check_seal_mould(worked("cylinder"), {})

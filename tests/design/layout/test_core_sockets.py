@@ -12,6 +12,7 @@ from design.layout.boards import passage_radius_mm, sensor_recesses
 from design.layout.body import body_of, face_frames
 from design.layout.core_hold import locators, why_no_mould
 from design.layout.core_sockets import (
+    _OUT_MM,
     CLEAR_MM,
     _core_depth_mm,
     _flat_frame,
@@ -26,7 +27,7 @@ from design.layout.core_sockets import (
 from design.layout.mould_frame import up
 from design.layout.mould_pins import loose_pins
 from design.layout.places.positions import magnet_layout
-from design.layout.pockets import shell_pockets
+from design.layout.pockets import axis_in_object_mm, shell_pockets
 from design.mould.pins import make_pin
 from design.solids.booleans import common, volume_mm3
 from design.solids.core import make_core
@@ -171,6 +172,24 @@ def test_room_beside_a_pin_is_what_is_left_to_the_next_pocket():
         for lean in (0.0, 0.1):
             found = _room_mm(spec, way_down(x, y, centre[2], lean), depth, 2.0)[0]
             assert found == pytest.approx(room - 0.3 * seam - 0.5 * lean, abs=1e-6)
+
+
+def test_room_beside_a_pin_is_left_as_far_as_it_reaches_out_of_the_mould():
+    """Above its end the next pin's foot may come nearer: 6 mm aside and 3, 4 mm above it."""
+    spec = closed("cylinder")
+    pocket, frame = shell_pockets(spec)[0][0], face_frames(spec)[0]
+    x, y, z = frame.to_object(np.append(pocket.body.centre_mm[:2], 0.0)) + np.array(
+        [3.0, -3 * 3**0.5, 0]
+    )
+    end = axis_in_object_mm(frame, pocket)[1, 2] + spec.mould.wall_mm + _OUT_MM
+    assert end > z + spec.mould.wall_mm
+    depth = np.array([spec.shell.thickness_mm])
+    seam = max(1 - (abs(x + y) / np.sqrt(2) - 2.0) / 8.0, 0)
+    for above in (-3.0, 0.0, 3.0, 4.0):
+        away = np.hypot(6.0, max(above, 0.0))
+        room = min(away - pocket.outline.radius_mm - 2.0 - CLEAR_MM, 2.5)
+        found = _room_mm(spec, way_down(x, y, end + above + depth[0]), depth, 2.0)[0]
+        assert found == pytest.approx(room - 0.3 * seam, abs=1e-6)
 
 
 def test_a_pin_over_a_recess_or_a_wire_hole_has_no_room():

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from design.layout.tips import footprint_mm, tip_heights_mm, tip_shape
+from design.layout.tips import footprint_mm, tip_heights_mm, tip_shape, tips_overlap
 from design.solids.probes import make_probe
 from design.spec.object import ContactGridSpec, IndenterSpec, ObjectSpec
 
@@ -52,3 +52,27 @@ def test_three_cuboids_stand_where_the_paper_s_tips_stand():
         x, y = radius * np.cos(angle), radius * np.sin(angle)
         assert probe.isInside(cq.Vector(x + 1.9, y - 0.9, 0.01))
         assert not probe.isInside(cq.Vector(x + 2.1, y, 0.01))
+
+
+@pytest.mark.parametrize(
+    ("tips", "offset_mm", "overlap"),
+    [
+        (1, (4.0, 0.0), False),
+        (1, (3.99, 0.0), True),
+        (1, (0.0, -2.0), False),
+        (1, (0.0, -1.99), True),
+        (1, (3.9, 1.9), True),
+        (2, (4.01, 0.0), False),
+        (2, (5.99, 0.0), False),
+        (2, (-6.01, 0.0), True),
+        (2, (13.99, 0.0), True),
+        (2, (14.01, 0.0), False),
+        (2, (10.0, 2.01), False),
+        (3, (5.0, 6.65), False),
+        (3, (5.0, 6.67), True),
+    ],
+)
+def test_cuboids_overlap_where_any_two_of_their_tips_do(tips, offset_mm, overlap):
+    """Tips of 4 × 2 mm, one, two 10 mm apart along x, or three (rows 5√3 = 8.66 mm apart)."""
+    indenter = IndenterSpec(kind="cuboid", size_mm=(4.0, 2.0), tip_count=tips, tip_spacing_mm=10.0)
+    assert tips_overlap(indenter, np.array(offset_mm)) is overlap

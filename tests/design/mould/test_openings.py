@@ -163,3 +163,28 @@ def test_a_vent_goes_straight_up_where_nothing_is_above():
     assert_allclose(plain.start_mm, [0.0, 0.0, -9.0])
     covered = trimesh.util.concatenate([body, above])
     assert _vent(spec, covered, (), Trap(place, upwards, 0.5)) is None
+
+
+def test_a_hole_is_as_wide_as_it_is_told():
+    """By its volume, that of a prism with 48 sides."""
+    start, end = np.array([1.0, 2.0, 3.0]), np.array([4.0, 6.0, 15.0])
+    hole = openings.Hole("vent", start, start + (end - start) / 2, end, 2.6)
+    prism = 24 * np.sin(2 * np.pi / 48) * 1.3**2
+    assert hole.surface().volume == pytest.approx(13 * prism)
+    assert hole.outside.surface().volume == pytest.approx(6.5 * prism)
+    assert_allclose(hole.surface().center_mass, (start + end) / 2)
+    assert hole.solid().Volume() == pytest.approx(13 * np.pi * 1.3**2)
+
+
+@pytest.mark.parametrize("at_head", [False, True])
+def test_a_hole_passes_pins_and_their_heads_at_their_radius_and_its_own(at_head):
+    """Holes of Ø3 that come to a pin's floor or its head's top from aside, or go across it."""
+    (pin, *_) = loose_pins(worked("closed capsule"))
+    place = (pin.head_axis_mm if at_head else pin.axis_mm)[int(at_head)]
+    side = np.cross(pin.way, [0.0, 0.0, 1.0])
+    side /= np.linalg.norm(side)
+    radius = pin.radius_mm + (pin.rim_mm if at_head else 0.0)
+    for away, clear in ((radius + 1.49, False), (radius + 1.51, True), (-5.0, False)):
+        hole = openings.Hole("pour", place + away * side, place + 9 * side, place + 20 * side, 3.0)
+        assert openings._clear(hole, (pin,)) is clear
+    assert openings._clear(hole, ())
