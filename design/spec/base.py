@@ -78,7 +78,9 @@ def complaints(error: ValidationError, model: type[BaseModel]) -> list[str]:
 
 
 def _complaint(problem: Any, model: type[BaseModel]) -> str:
-    where = ".".join(str(part) for part in problem["loc"])
+    unknown = problem["type"] == "extra_forbidden"
+    # pydantic names the variant of a key too: those have a space, as only an unknown key may
+    where = ".".join(part for part in map(str, problem["loc"]) if unknown or " " not in part)
     message = problem["msg"].removeprefix("Value error, ")
     if problem["type"] == "value_error":
         return message

@@ -6,6 +6,7 @@ from numpy.testing import assert_allclose
 
 from design.errors import SpecError
 from design.spec.magnets import MagnetSpec
+from design.spec_io import parse_spec
 
 TWO = ((0.0, 0.0), (9.0, 0.0))
 
@@ -89,3 +90,17 @@ def test_a_grade_holds_up_to_80_degrees_and_within_its_remanence():
 def test_only_coils_are_switched_face_by_face():
     assert MagnetSpec(kind="coil", switching="face-by-face").switching == "face-by-face"
     refused("needs magnets.kind = 'coil'", switching="face-by-face")
+
+
+@pytest.mark.parametrize(
+    ("places", "where"),
+    [
+        ([[float("nan"), 0]], r"magnets\.positions_mm\.0\.0: "),
+        ([[[0, 0]], [[1, "a"]]], r"magnets\.positions_mm\.1\.0\.1: "),
+        ([], r"magnets\.positions_mm: "),
+    ],
+)
+def test_wrong_places_are_named_by_keys_and_numbers_alone(places, where):
+    """Not by which of the two forms of the list was taken."""
+    with pytest.raises(SpecError, match=f"- {where}"):
+        parse_spec({"name": "a", "magnets": {"positions_mm": places}}, "a.toml")
