@@ -21,7 +21,7 @@ from design.spec_io import load_spec
 from instobj.stages.run import Run
 from instobj.stages.table import STAGES
 from instobj.store.content import StoredResult
-from instobj.store.stage import Stage
+from instobj.store.stage import Call, Stage
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 MADE = ("build", "mesh", "response", "shapes", "presses", "signals", "scores", "robustness")
@@ -34,11 +34,11 @@ class TimedRun(Run):
 
     processor_s: dict[str, float] = field(default_factory=dict)
 
-    def _made(self, name: str) -> StoredResult:
+    def _made(self, name: str, call: Call) -> StoredResult:
         for need in STAGES[name].needs:
             self.require(need)
         began = processor_seconds()
-        result = super()._made(name)
+        result = super()._made(name, call)
         self.processor_s[name] = processor_seconds() - began
         return result
 

@@ -14,7 +14,6 @@ from design.errors import InputError
 from design.spec.object import ObjectSpec
 from design.spec_io import check
 from instobj.stages.inputs import stage_inputs
-from instobj.stages.makers.deformation import forget_factor
 from instobj.stages.resources import require_memory
 from instobj.stages.table import STAGES
 from instobj.store import readers
@@ -22,7 +21,7 @@ from instobj.store.content import StoredResult, find, store_root, stored
 from instobj.store.keys import stage_key
 from instobj.store.progress import ProgressLine
 from instobj.store.readers import ResultFile
-from instobj.store.stage import StageContext
+from instobj.store.stage import Call, StageContext
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -91,7 +90,7 @@ class Run:
     root: Path = field(default_factory=store_root)
     results: dict[str, StoredResult] = field(default_factory=dict)
     found: dict[str, StoredResult] = field(default_factory=dict, repr=False)
-    ahead: frozenset[str] = field(default=frozenset(), repr=False)
+    call: Call | None = field(default=None, repr=False)
 
     def __post_init__(self) -> None:
         check(self.spec, table=False)
@@ -100,14 +99,14 @@ class Run:
         """The stage's result, after those of every stage that it needs."""
         if name in self.results:
             return self.results[name]
-        if self.ahead:
-            return self._made(name)
-        self.ahead = _with_needs(name)
+        if self.call is not None:
+            return self._made(name, self.call)
+        self.call = Call(_with_needs(name))
         try:
-            return self._made(name)
+            return self._made(name, self.call)
         finally:
-            self.ahead = frozenset()
-            forget_factor()
+            self.call.end()
+            self.call = None
 
     def stored(self, name: str) -> StoredResult | None:
         """The stage's result where it is stored with everything that it needs; nothing is made."""
@@ -125,7 +124,7 @@ class Run:
         key = stage_key(name, stage_inputs(stage, self.spec, origins, versions()))
         return self.found.get(key) or find(self.root, name, key, self.progress.say)
 
-    def _made(self, name: str) -> StoredResult:
+    def _made(self, name: str, call: Call) -> StoredResult:
         stage = STAGES[name]
         require_memory(name, self.spec)
         needs = {need: self.require(need) for need in stage.needs}
@@ -140,7 +139,7 @@ class Run:
             return self.results[name]
 
         def make(folder: Path) -> None:
-            context = StageContext(self.spec, folders, key, self.progress.step, self.ahead)
+            context = StageContext(self.spec, folders, key, self.progress.step, call)
             try:
                 stage.make(context, folder)
             except MemoryError:

@@ -4,29 +4,46 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from design.files import atomic_path
 from design.spec.object import ObjectSpec
 from instobj.store.readers import Content, ResultFile
 
+if TYPE_CHECKING:
+    from fem.linear.response import FactoredObject
+
 Step = Callable[[str], None]
+
+
+@dataclass(eq=False)
+class Call:
+    """The stages that one call of a run asks for, and what one leaves in memory for a later one.
+
+    `factored` is the response operator's (1.5 GB on the paper's cube), kept where "shapes" is asked for.
+    """
+
+    asks_for: frozenset[str] = frozenset()
+    factored: FactoredObject | None = None
+
+    def end(self) -> None:
+        """Give the memory back."""
+        if self.factored is not None:
+            self.factored.factor.release()
+        self.factored = None
 
 
 @dataclass(frozen=True)
 class StageContext:
-    """What a stage works from: the specification and the folders of the stages it needs.
-
-    `ahead` are the stages that the same call asks for, for which one may keep what is dear to make again.
-    """
+    """What a stage works from: the specification, the folders of the stages it needs, and the call."""
 
     spec: ObjectSpec
     inputs: dict[str, Path]
     key: str
     step: Step
-    ahead: frozenset[str] = frozenset()
+    call: Call = field(default_factory=Call)
 
     def read(self, file: ResultFile[Content]) -> Content:
         """A result file of a stage that this one needs."""

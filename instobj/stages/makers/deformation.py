@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -15,36 +14,11 @@ from instobj.store.readers import CORRECTION, LARGE_STRAIN, MESH, RESPONSE, SECT
 
 if TYPE_CHECKING:
     from fem.large_strain.results import LargeStrainPress
-    from fem.linear.response import FactoredObject
     from fem.presses.results import MagnetMotions, PressForces
     from instobj.store.stage import StageContext
 
 _SHOWN_DEPTH_MM = 2.0
 _APART_MM = 1.0
-
-
-@dataclass
-class _Factor:
-    """That of the last response operator, 1.5 GB, where shapes come next; the key of its result."""
-
-    key: str = ""
-    factored: FactoredObject | None = None
-
-
-_factor = _Factor()
-
-
-def keep_factor(key: str, factored: FactoredObject | None) -> None:
-    """For shapes of presses, which `make_shapes` then needs no factorization for."""
-    forget_factor()
-    _factor.key, _factor.factored = key, factored
-
-
-def forget_factor() -> None:
-    """Give its memory back."""
-    if _factor.factored is not None:
-        _factor.factored.factor.release()
-    _factor.key, _factor.factored = "", None
 
 
 def make_shapes(context: StageContext, folder: Path) -> None:
@@ -64,9 +38,8 @@ def make_shapes(context: StageContext, folder: Path) -> None:
     places = [(0.0, 0.0), (float(outermost_mm(spec)[0]), 0.0)]
     depth = min(_SHOWN_DEPTH_MM, spec.press.depths_mm[-1])
     mesh = context.read(MESH)
-    kept = _factor.factored if _is_of(context.inputs[RESPONSE.stage]) else None
-    shapes = table_shapes(spec, mesh, response, 0, np.array(places), depth, kept)
-    forget_factor()
+    shapes = table_shapes(spec, mesh, response, 0, np.array(places), depth, context.call.factored)
+    context.call.end()
     frame = face_frames(spec)[0]
     panels = []
     for (x, y), shape in zip(places, shapes, strict=True):
@@ -80,10 +53,6 @@ def make_shapes(context: StageContext, folder: Path) -> None:
             )
         )
     draw_sections(panels, SECTION.path(folder))
-
-
-def _is_of(folder: Path) -> bool:
-    return bool(_factor.key) and _factor.key.startswith(folder.name)
 
 
 def make_large_strain(context: StageContext, folder: Path) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from instobj.stages.makers.deformation import correct_table, keep_factor
+from instobj.stages.makers.deformation import correct_table
 from instobj.store.readers import (
     CORE_TENSION,
     DISCRETISATION,
@@ -52,9 +52,8 @@ def make_response(context: StageContext, folder: Path) -> None:
         context.step(LOCKING_WARNING)
     context.step("assembling, factoring and condensing")
     given = context.read(MESH), context.spec
-    if "shapes" in context.ahead:
-        response, factored = build_and_keep_factor(*given)
-        keep_factor(context.key, factored)
+    if "shapes" in context.call.asks_for:
+        response, context.call.factored = build_and_keep_factor(*given)
     else:
         response = build_response(*given)
     save_response(response, folder)

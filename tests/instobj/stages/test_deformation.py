@@ -24,7 +24,7 @@ from instobj.stages.makers.deformation import (
     make_large_strain,
     make_shapes,
 )
-from instobj.store.stage import StageContext
+from instobj.store.stage import Call, StageContext
 
 SPEC = ObjectSpec(name="cube")
 PROTOCOL = {"shallowest_peak_mm": 1.0, "deepest_peak_mm": 4.5}
@@ -167,7 +167,7 @@ class Factor:
         self.released = True
 
 
-def test_shapes_take_the_factor_of_their_own_response_and_give_it_back(tmp_path, monkeypatch):
+def test_shapes_take_the_factor_that_the_call_kept_and_give_it_back(tmp_path, monkeypatch):
     taken = []
 
     def shapes(*given):
@@ -178,18 +178,13 @@ def test_shapes_take_the_factor_of_their_own_response_and_give_it_back(tmp_path,
     monkeypatch.setattr("fem.presses.shape.save_deformed_shape", lambda shape, path: None)
     monkeypatch.setattr("instobj.figures.section.draw_sections", lambda panels, path: None)
     monkeypatch.setattr(StageContext, "read", lambda self, file: OF_NO_CORE)
-    folders = {name: tmp_path / name / ("k" * 24) for name in ("mesh", "response")}
-    own = StageContext(SPEC, folders, "shapes", lambda _: None)
-    other, mine = Factor(), Factor()
-    deformation_stages.keep_factor("another result", other)
-    make_shapes(own, tmp_path)
-    deformation_stages.keep_factor("k" * 64, other := Factor())
-    deformation_stages.keep_factor("k" * 64, mine)
-    assert other.released
-    make_shapes(own, tmp_path)
-    make_shapes(own, tmp_path)
-    assert taken == [None, mine, None]
-    assert mine.released
+    kept = Factor()
+    within = StageContext(SPEC, {}, "shapes", lambda _: None, Call(factored=kept))
+    make_shapes(within, tmp_path)
+    make_shapes(within, tmp_path)
+    make_shapes(StageContext(SPEC, {}, "shapes", lambda _: None), tmp_path)
+    assert taken == [kept, None, None]
+    assert kept.released
 
 
 class OF_NO_CORE:

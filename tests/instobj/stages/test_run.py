@@ -110,27 +110,34 @@ def test_what_objects_share_is_asked_for_and_told_once(tmp_path, made, monkeypat
     ]  # fmt: skip
 
 
-def test_stages_know_what_the_same_call_asks_for_next_and_kept_factors_are_given_back(
+def test_stages_know_what_their_call_asks_for_and_kept_factors_end_with_it(
     tmp_path, made, monkeypatch
 ):
-    known, forgotten = {}, []
-    monkeypatch.setattr(run_module, "forget_factor", lambda: forgotten.append(1))
+    calls, released = {}, []
+
+    class Factor:
+        def __init__(self, of):
+            self.of, self.factor = of, self
+
+        def release(self):
+            released.append(self.of)
 
     def mesh(context, folder):
-        known[context.spec.name] = context.ahead
         MESH.path(folder).write_text("mesh")
-        assert not forgotten
+        calls[context.spec.name] = context.call
+        context.call.factored = Factor(context.spec.name)
+        if context.spec.name == "made_up":
+            Run(SPEC.changed(name="within"), root=tmp_path).require("mesh")
+            assert released == ["within"]
 
     monkeypatch.setitem(run_module.STAGES, "mesh", Stage("mesh", (), ("name",), mesh))
     run = Run(SPEC, root=tmp_path)
     run.require("signals")
-    assert known == {"made_up": {"mesh", "signals"}}
-    assert len(forgotten) == 1
-    forgotten.clear()
-    Run(SPEC.changed(name="alone"), root=tmp_path).require("mesh")
-    assert known["alone"] == {"mesh"}
-    run.require("signals")
-    assert len(forgotten) == 1, "nothing was made"
+    assert released == ["within", "made_up"]
+    assert {name: call.asks_for for name, call in calls.items()} == {
+        "made_up": {"mesh", "signals"}, "within": {"mesh"}
+    }  # fmt: skip
+    assert run.call is None
 
 
 def test_what_is_stored_is_found_without_making_anything(tmp_path, made, monkeypatch):
