@@ -94,7 +94,7 @@ class WeakestPlace:
 class AreaSummary:
     """Medians of scores over one kind of place, and their ratios to the centre's.
 
-    `places_per_face` (face,) counts them; medians are NaN where no face has any.
+    `places_per_face` (face,) counts them.
     """
 
     area: Area
@@ -262,7 +262,7 @@ def outermost_of_faces(scores: PlaceScores) -> Bool[np.ndarray, "face place"]:
 
 
 def summarize_areas(scores: PlaceScores, face: int | None = None) -> tuple[AreaSummary, ...]:
-    """Medians per area over all faces, or over one."""
+    """Medians per area over all faces, or over one; areas without a contact location are left out."""
     rows = slice(None) if face is None else scores.faces == face
     names = [f.name for f in fields(scores) if f.name.startswith(("delta", "position", "force_b"))]
     names.remove("delta_raw_standard_error")
@@ -270,19 +270,17 @@ def summarize_areas(scores: PlaceScores, face: int | None = None) -> tuple[AreaS
     medians, counts = {}, {}
     for area in AREAS:
         there = np.stack([area_places(scores.grid, area, own) for own in scores.places[rows]])
-        counts[area] = tuple(there.sum(axis=1).tolist())
-        medians[area] = {
-            name: float(np.median(getattr(scores, name)[rows][there])) if there.any() else np.nan
-            for name in names
-        }
+        if there.any():
+            counts[area] = tuple(there.sum(axis=1).tolist())
+            medians[area] = {
+                name: float(np.median(getattr(scores, name)[rows][there])) for name in names
+            }
+    central = medians.get("centre", dict.fromkeys(names, np.nan))
     return tuple(
         AreaSummary(
-            area,
-            counts[area],
-            medians[area],
-            {name: medians[area][name] / medians["centre"][name] for name in names},
+            area, counts[area], own, {name: value / central[name] for name, value in own.items()}
         )
-        for area in AREAS
+        for area, own in medians.items()
     )
 
 

@@ -164,7 +164,7 @@ def _areas(scores: PlaceScores) -> dict[str, Any]:
         "detectable_force_fresh_n": "detectable force, N",
         "stiffness_n_per_mm": "N/mm",
     }
-    areas = [area for area in summarize_areas(scores) if area.places]
+    areas = summarize_areas(scores)
     rows = [
         [
             area.area.replace("_", "-"),

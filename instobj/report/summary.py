@@ -156,7 +156,6 @@ def _areas(result: StoredResult) -> list[dict[str, Any]]:
             "δ/centre": area.ratio_to_centre["delta_raw"],
         }
         for area in summarize_areas(scores)
-        if area.places
     ]
 
 

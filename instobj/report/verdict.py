@@ -121,15 +121,15 @@ def _saturation(spec: ObjectSpec, margin: float) -> Check:
 
 
 def _edge_weakness(scores: PlaceScores) -> str:
-    areas = {area.area: area for area in summarize_areas(scores)}
-    if not any(areas["corner"].places_per_face):
-        at_border = areas["edge"].ratio_to_centre["position_bound_fresh_mm"]
-        return (
-            f"The position bound is {at_border:.1f} times the centre's at the outermost locations"
-        )
-    ratio = areas["mid_edge"].ratio_to_centre["position_bound_fresh_mm"]
-    corner = areas["corner"].ratio_to_centre["position_bound_fresh_mm"]
+    times = {
+        area.area: f"{area.ratio_to_centre['position_bound_fresh_mm']:.1f} times"
+        for area in summarize_areas(scores)
+    }
+    if "corner" not in times:
+        return f"The position bound is {times['edge']} the centre's at the outermost locations"
+    if "mid_edge" not in times:
+        return f"The position bound is {times['corner']} the centre's in corners"
     return (
-        f"The position bound is {ratio:.1f} times the centre's at mid-edge locations, in corners "
-        f"{corner:.1f} times"
+        f"The position bound is {times['mid_edge']} the centre's at mid-edge locations, in corners "
+        f"{times['corner']}"
     )

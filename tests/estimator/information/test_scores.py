@@ -150,6 +150,22 @@ def test_area_summary_gives_medians_and_ratios_to_the_centre(scores):
     assert third[0].medians["position_bound_fresh_mm"] == 14.0
 
 
+def test_areas_without_a_contact_location_are_left_out(scores):
+    """A round patch has no corners, a grid of two by two no middle of an edge."""
+
+    def on(*places):
+        force = np.full(scores.force_at_score_n.shape, np.nan)
+        force[:, list(places)] = 1.0
+        found = summarize_areas(replace(scores, force_at_score_n=force))
+        return {row.area: row.places for row in found}
+
+    rows, columns = scores.grid.shape
+    index = np.arange(rows * columns).reshape(rows, columns)
+    cross = [*index[1, :3], index[0, 1], index[2, 1]]
+    assert on(*cross) == {"edge": 4, "mid_edge": 4, "centre": 5}
+    assert on(*index[:2, :2].ravel()) == {"corner": 4, "centre": 4}
+
+
 def test_weakest_place_has_the_largest_bound(scores):
     weakest = weakest_place(scores)
     bound = scores.position_bound_fresh_mm

@@ -6,8 +6,6 @@ from pathlib import Path
 import pytest
 
 from design.spec_io import load_spec, parse_spec
-from estimator.information import scores
-from estimator.information.scores import AreaSummary
 from estimator.tolerances.result import SEAT_ERROR
 from instobj.report import page
 from instobj.report.deformation_section import envelope_text
@@ -131,21 +129,3 @@ def test_the_page_begins_with_the_share_of_the_surface_that_it_judges(tmp_path, 
 def test_contact_locations_are_counted_per_face_where_there_are_several(tables, told):
     found = page._locations(parse_spec({"name": "a", **tables}, "a"))
     assert found == told or (told == " to " and re.fullmatch(r"\d+ to \d+ .* per face", found))
-
-
-def test_areas_without_a_contact_location_have_no_row(monkeypatch):
-    """A round patch has no corners."""
-    names = ["position_bound_fresh_mm", "position_bound_drifted_mm", "force_bound_fresh_n"]
-    medians = dict.fromkeys(
-        [*names, "detectable_force_fresh_n", "stiffness_n_per_mm", "delta_raw"], 1.0
-    )
-    counts = {"corner": (0, 0), "edge": (0, 3), "mid_edge": (2, 2), "centre": (9, 9)}
-    found = tuple(AreaSummary(area, each, medians, medians) for area, each in counts.items())
-    monkeypatch.setattr(scores, "summarize_areas", lambda scores: found)
-    told = page._areas(None)
-    assert [row[:2] for row in told["areas"]] == [
-        ["edge", "0 to 3"],
-        ["mid-edge", "2"],
-        ["centre", "9"],
-    ]
-    assert [row[0] for row in told["deltas"]] == ["edge", "mid-edge", "centre"]
