@@ -11,8 +11,7 @@ import signal
 import subprocess
 import sys
 import tempfile
-import time
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
 from design.errors import InputError
@@ -34,13 +33,11 @@ def run_child(
     folder: Path,
     seconds: float,
     memory_gib: float | None = None,
-    waited: Callable[[float], None] | None = None,
-    every_s: float = 15.0,
 ) -> None:
     """Run Python with these arguments in a folder, at most so long and in so much memory.
 
-    A program that fails says why in the last line of its standard error. `waited` is told every
-    `every_s` how long it has worked (s). The limit of memory holds on Linux alone.
+    A program that fails says why in the last line of its standard error. The limit of
+    memory holds on Linux alone.
 
     Raises
     ------
@@ -55,7 +52,9 @@ def run_child(
         )
         try:
             _limit_memory(child.pid, memory_gib)
-            _wait(child, seconds, waited, every_s)
+            child.wait(seconds)
+        except subprocess.TimeoutExpired:
+            raise ChildTooSlow(f"it did not end within {seconds:g} s") from None
         finally:
             child.kill()
             child.wait()
@@ -103,24 +102,6 @@ def _limit_memory(pid: int, gib: float | None) -> None:
         resource.prlimit(pid, resource.RLIMIT_AS, (most, most))
     except (ProcessLookupError, ValueError):  # it has ended, or may not have so much anyway
         return
-
-
-def _wait(
-    child: subprocess.Popen[bytes],
-    seconds: float,
-    waited: Callable[[float], None] | None,
-    every_s: float,
-) -> None:
-    start = time.monotonic()
-    while child.poll() is None:
-        elapsed = time.monotonic() - start
-        if elapsed >= seconds:
-            raise ChildTooSlow(f"it did not end within {seconds:g} s")
-        try:
-            child.wait(min(every_s, seconds - elapsed))
-        except subprocess.TimeoutExpired:
-            if waited:
-                waited(time.monotonic() - start)
 
 
 def _reason(code: int, said: str, memory_gib: float | None) -> str:

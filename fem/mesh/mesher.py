@@ -1,4 +1,4 @@
-"""fTetWild (by pytetwild) in a separate process: limits, progress, and a crash is one error.
+"""fTetWild (by pytetwild) in a separate process: limits, and a crash is one error.
 
 The extension cannot be interrupted, asks for no seed and leaves a stray surface file in the current
 folder. Run as a module, this file is the child: `python -m fem.mesh.mesher INPUT.npz OUTPUT.npz`.
@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import sys
 import tempfile
-from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -17,40 +16,30 @@ from jaxtyping import Float, Int
 from design.errors import SolverError
 from design.processes import ChildFailed, ChildTooSlow, machine_memory_gib, run_child
 
-Progress = Callable[[str], None]
-
 SECONDS = 3600.0
 """Time limit of one mesh. The default mesh of the paper's cube takes one to four minutes."""
 
-PROGRESS_EVERY_S = 15.0
 _CHILD = ("-P", "-m", "fem.mesh.mesher")
 _ADVICE = "Try a larger mesh.envelope_mm, or a larger mesh.edge_mm and mesh.surface_edge_mm"
 
 
 def run_mesher(
-    content: dict[str, np.ndarray], progress: Progress | None = None, seconds: float = SECONDS
+    content: dict[str, np.ndarray], seconds: float = SECONDS
 ) -> tuple[Float[np.ndarray, "vertex 3"], Int[np.ndarray, "tet 4"]]:
     """Vertices (mm) and tetrahedra; `content` are the arguments of `pytetwild.tetrahedralize`.
-
-    `progress` is told every 15 s how long the mesher has worked.
 
     Raises
     ------
     SolverError
         The mesher fails, crashes, or needs more than `seconds`.
     """
-
-    def waited(elapsed_s: float) -> None:
-        if progress:
-            progress(f"the mesher has worked for {elapsed_s:.0f} s")
-
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         given, made = folder / "in.npz", folder / "out.npz"
         np.savez(given, **content)  # pyright: ignore[reportArgumentType]
         command = (*_CHILD, str(given), str(made))
         try:
-            run_child(command, folder, seconds, machine_memory_gib(), waited, PROGRESS_EVERY_S)
+            run_child(command, folder, seconds, machine_memory_gib())
         except ChildTooSlow:
             raise SolverError(
                 f"the mesher did not finish this body within {seconds:g} s. {_ADVICE}"

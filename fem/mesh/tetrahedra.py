@@ -15,7 +15,7 @@ from design.layout.body import face_frame
 from design.layout.places.positions import shell_body_layout
 from design.spec.object import ObjectSpec
 from fem.mesh.edge_lengths import EdgeLength, edge_length_field
-from fem.mesh.mesher import Progress, run_mesher
+from fem.mesh.mesher import run_mesher
 from fem.mesh.support_line import with_support_lines
 from fem.mesh.surfaces import all_surfaces, in_body
 
@@ -44,7 +44,6 @@ def tetrahedralize(
     spec: ObjectSpec,
     edge_length: EdgeLength | None = None,
     magnets: bool = True,
-    progress: Progress | None = None,
 ) -> TetMesh:
     """Mesh the sealed body, magnets conforming, or as if it were silicone throughout.
 
@@ -69,7 +68,7 @@ def tetrahedralize(
         "bg_tets": background.tets,
         "bg_values": background.length_mm,
     }
-    points, tets = run_mesher(content, progress)
+    points, tets = run_mesher(content)
     tets = _positively_oriented(points, tets.astype(np.int64))
     points, tets = with_support_lines(points, tets, spec)
     if not magnets:
@@ -77,9 +76,7 @@ def tetrahedralize(
     return TetMesh(points, tets, _containing_magnet(spec, points[tets].mean(axis=1)))
 
 
-def tetrahedralize_for_press(
-    spec: ObjectSpec, face: int, x_mm: float, y_mm: float, progress: Progress | None = None
-) -> TetMesh:
+def tetrahedralize_for_press(spec: ObjectSpec, face: int, x_mm: float, y_mm: float) -> TetMesh:
     """Edges as fine at the contact as at the rims of magnets, growing to 6 mm.
 
     The force of pressures on hats of size h under a contact of radius a is off by a multiple of
@@ -102,7 +99,7 @@ def tetrahedralize_for_press(
         across = np.hypot(local[:, 0] - x_mm, local[:, 1] - y_mm) - _CONTACT_RADII * radius
         return np.interp(np.hypot(np.clip(across, 0, None), local[:, 2]), reach, edges)
 
-    return tetrahedralize(spec, edge_length, progress=progress)
+    return tetrahedralize(spec, edge_length)
 
 
 def without_magnets(spec: ObjectSpec) -> ObjectSpec:
@@ -114,7 +111,7 @@ def without_magnets(spec: ObjectSpec) -> ObjectSpec:
     return spec.changed(mechanics=mechanics)
 
 
-def magnet_free_mesh(spec: ObjectSpec, progress: Progress | None = None) -> TetMesh:
+def magnet_free_mesh(spec: ObjectSpec) -> TetMesh:
     """Tetrahedra of the sealed body without magnets, edges as for the mesh with them.
 
     Raises
@@ -122,7 +119,7 @@ def magnet_free_mesh(spec: ObjectSpec, progress: Progress | None = None) -> TetM
     SolverError
         The mesher fails.
     """
-    return tetrahedralize(spec, magnets=False, progress=progress)
+    return tetrahedralize(spec, magnets=False)
 
 
 def tet_volumes_mm3(mesh: TetMesh) -> Float[np.ndarray, "tet"]:

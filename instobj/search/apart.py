@@ -12,8 +12,8 @@ from multiprocessing.process import BaseProcess
 from typing import Any
 
 from design.errors import InputError
+from instobj.store.progress import NEWS_EVERY_S
 
-_MOST_SILENT_S = 5.0
 _CLOSING_S = 5.0
 
 
@@ -126,7 +126,7 @@ def side_by_side(
         shares = [list(questions[k::count]) for k in range(min(count, len(questions)))]
         pairs = zip(processes, shares, strict=False)
         jobs = [threads.submit(one.ask, share, seconds) for one, share in pairs]
-        while wait(jobs, _MOST_SILENT_S).not_done:
+        while wait(jobs, NEWS_EVERY_S).not_done:
             waiting(len(questions))
         answers = [job.result() for job in jobs]
         return [answers[k % count][k // count] for k in range(len(questions))]

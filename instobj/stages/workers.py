@@ -14,7 +14,7 @@ from design.errors import InputError
 from design.processes import machine_memory_gib
 from instobj.stages.tasks import StageTask, work
 from instobj.store.content import StoredResult
-from instobj.store.progress import ProgressLine
+from instobj.store.progress import NEWS_EVERY_S, ProgressLine
 
 if TYPE_CHECKING:
     from distributed import Client
@@ -25,7 +25,6 @@ Done = dict[str, dict[str, Any]]
 MEMORY = "instobj_gib"
 """What workers offer and stages ask for, as one of Dask's resources."""
 _RETRIES = 3
-_MOST_SILENT_S = 5.0
 _BETWEEN_LOOKS_S = 0.05
 _ANSWER_S = 10.0
 _ONE_THREAD = {"OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
@@ -172,7 +171,7 @@ class OnDask:
             if completed.has_ready():
                 yield next(completed)
                 heard = time.monotonic()
-            elif time.monotonic() - heard > _MOST_SILENT_S:
+            elif time.monotonic() - heard > NEWS_EVERY_S:
                 at_work: Any = self.client.processing()
                 waiting([str(key) for keys in at_work.values() for key in keys])
                 heard = time.monotonic()
@@ -260,7 +259,7 @@ class _Progress:
         if outcome["error"]:
             self._say(f"{task.spec.name}: {outcome['error']}")
         now = time.monotonic()
-        if now - self._said < _MOST_SILENT_S and self._finished < self._count:
+        if now - self._said < NEWS_EVERY_S and self._finished < self._count:
             return
         self._said = now
         left = (now - self._began) / self._finished * (self._count - self._finished)

@@ -7,41 +7,51 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from threading import Event, Thread
 
 from rich.console import Console
 from rich.status import Status
 
+NEWS_EVERY_S = 4.0
+"""For code that has news all the time."""
+_MOST_SILENT_S = 5.0
+
 
 @dataclass
 class ProgressLine:
-    """What the stage at work is doing now; `step` is handed to the stages."""
+    """What the stage at work is doing now; `step` is handed to the stages.
+
+    Where a stage says nothing for 5 s, its last step is told again with the time it has taken.
+    """
 
     console: Console = field(default_factory=lambda: Console(stderr=True, highlight=False))
     _status: Status | None = None
     _title: str = ""
+    _step: str = ""
     _started: float = 0.0
+    _told: float = 0.0
 
     @contextmanager
     def stage(self, title: str) -> Iterator[None]:
         """Show `title` while the stage works; the live line is one, however stages lie in each other."""
-        before = self._title, self._started
-        self._title, self._started = title, time.perf_counter()
+        before = self._title, self._step, self._started
+        self._title, self._step = title, ""
+        self._started = self._told = time.perf_counter()
         try:
-            if self._status is not None or not self.console.is_terminal:
+            if before[0]:
                 yield
                 return
-            with self.console.status(title) as self._status:
-                try:
-                    yield
-                finally:
-                    self._status = None
+            with self._live_line(title), self._reminder():
+                yield
         finally:
-            self._title, self._started = before
+            self._title, self._step, self._started = before
 
     def step(self, message: str) -> None:
         """Say what is being done within the stage."""
-        elapsed = time.perf_counter() - self._started
-        line = f"{self._title}: {message} [dim]({elapsed:.0f} s)[/dim]" if self._title else message
+        self._step, self._told = message, time.perf_counter()
+        title = ": ".join(filter(None, (self._title, message)))
+        elapsed = self._told - self._started
+        line = f"{title} [dim]({elapsed:.0f} s)[/dim]" if self._title else message
         if self._status is not None:
             self._status.update(line)
         else:
@@ -50,4 +60,34 @@ class ProgressLine:
 
     def say(self, message: str) -> None:
         """A line that stays."""
+        self._told = time.perf_counter()
         self.console.print(message)
+
+    @contextmanager
+    def _live_line(self, title: str) -> Iterator[None]:
+        if not self.console.is_terminal:
+            yield
+            return
+        with self.console.status(title) as self._status:
+            try:
+                yield
+            finally:
+                self._status = None
+
+    @contextmanager
+    def _reminder(self) -> Iterator[None]:
+        """Tells the last step again wherever nothing was told for a while."""
+        ended = Event()
+
+        def remind() -> None:
+            while not ended.wait(max(0.0, self._told + _MOST_SILENT_S - time.perf_counter())):
+                if time.perf_counter() - self._told >= _MOST_SILENT_S:
+                    self.step(self._step)
+
+        thread = Thread(target=remind, name="reminder", daemon=True)
+        thread.start()
+        try:
+            yield
+        finally:
+            ended.set()
+            thread.join()

@@ -29,7 +29,7 @@ def install():
         tetrahedra.run_mesher = mesh_from_record
 
 
-def mesh_from_record(content, progress=None, seconds=3600.0):
+def mesh_from_record(content, seconds=3600.0):
     """As `fem.mesh.mesher.run_mesher`, from a record where there is one."""
     file = FOLDER / f"{_key(content)}.npz"
     if file.exists():
@@ -37,7 +37,7 @@ def mesh_from_record(content, progress=None, seconds=3600.0):
             file.touch()  # what is older after a run is of no use any more
         with np.load(file, allow_pickle=False) as found:
             return found["points"], found["tets"].astype(np.int64)
-    points, tets = run_mesher(content, progress, seconds)
+    points, tets = run_mesher(content, seconds)
     if os.environ.get(MODE) == "record" and len(points) <= MOST_VERTICES:
         FOLDER.mkdir(exist_ok=True)
         with atomic_path(file) as temporary, temporary.open("wb") as stream:

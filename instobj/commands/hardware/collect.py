@@ -33,7 +33,7 @@ from instobj.commands.hardware.labelled_frames import (
     take_frame,
     take_load,
 )
-from instobj.store.progress import ProgressLine
+from instobj.store.progress import NEWS_EVERY_S, ProgressLine
 from instobj.store.publish import file_rows
 
 _KEYS = "z takes the baseline, q ends, FACE:X,Y sets the contact location, - none, Enter continues"
@@ -98,7 +98,7 @@ def _run(
     progress: ProgressLine,
 ) -> None:
     typed = TypedLines()
-    shown_s, every_s = time.monotonic(), 5.0
+    shown_s, every_s = time.monotonic(), NEWS_EVERY_S
     if progress.console.is_terminal:
         every_s = 0.5
         progress.say(_KEYS)

@@ -19,11 +19,10 @@ from instobj.commands.hardware.live_recorder import Recorder
 from instobj.commands.hardware.live_source import LiveOptions, LiveSource, live_source
 from instobj.live.process import PageProcess, PageSettings, page_process
 from instobj.live.watch import HEADER, LABELS, NEWS, channel_names, row_message
-from instobj.store.progress import ProgressLine
+from instobj.store.progress import NEWS_EVERY_S, ProgressLine
 from instobj.store.publish import file_rows
 
 _NEWS_S = 0.25
-_TOLD_S = 5.0
 _TICK_S = 0.2
 _LAST_WORD_S = 0.5
 
@@ -104,7 +103,7 @@ def _read(session: _Session, options: LiveOptions, until_s: float, progress: Pro
             _obey(session)
             if time.monotonic() >= session.news_at_s:
                 _tell(session)
-            if time.monotonic() - told_at_s > _TOLD_S:
+            if time.monotonic() - told_at_s > NEWS_EVERY_S:
                 told_at_s = time.monotonic()
                 progress.step(_counts_text(session))
             if alive and not session.page.alive:

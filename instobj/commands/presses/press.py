@@ -157,7 +157,7 @@ def _make_mesh(
     from fem.mesh.tetrahedra import save_mesh, tetrahedralize_for_press
 
     step("tetrahedra, fine at the press")
-    mesh = tetrahedralize_for_press(spec, face, *xy_mm, step)
+    mesh = tetrahedralize_for_press(spec, face, *xy_mm)
     require_quality(mesh_quality(mesh, spec))
     save_mesh(mesh, PRESS_MESH.path(folder))
 

@@ -43,7 +43,7 @@ def make_plain_mesh(context: StageContext, folder: Path) -> None:
     from fem.mesh.tetrahedra import magnet_free_mesh, save_mesh
 
     context.step("tetrahedra of the sealed body as silicone throughout")
-    mesh = magnet_free_mesh(context.spec, context.step)
+    mesh = magnet_free_mesh(context.spec)
     require_quality(mesh_quality(mesh, context.spec))
     save_mesh(mesh, PLAIN_MESH.path(folder))
 

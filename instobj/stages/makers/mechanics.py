@@ -35,7 +35,7 @@ def make_mesh(context: StageContext, folder: Path) -> None:
     from fem.mesh.tetrahedra import mesh_sha256, save_mesh, tetrahedralize
 
     context.step("tetrahedra of the sealed body, magnets resolved")
-    mesh = tetrahedralize(context.spec, progress=context.step)
+    mesh = tetrahedralize(context.spec)
     quality = mesh_quality(mesh, context.spec)
     require_quality(quality)
     save_mesh(mesh, MESH.path(folder))
@@ -75,7 +75,7 @@ def make_coarse_response(context: StageContext, folder: Path) -> None:
 
     context.step("a mesh with edges 1.5 times as long")
     spec = coarser(context.spec)
-    mesh = tetrahedralize(spec, progress=context.step)
+    mesh = tetrahedralize(spec)
     context.step("assembling, factoring and condensing")
     save_response(build_response(mesh, spec), folder)
 

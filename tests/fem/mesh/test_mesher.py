@@ -1,4 +1,4 @@
-"""The mesher's process: its mesh, its progress, and one error for each way to fail."""
+"""The mesher's process: its mesh, and one error for each way to fail."""
 
 import os
 import time
@@ -57,13 +57,3 @@ def test_a_mesher_without_end_is_stopped(monkeypatch, tmp_path):
     assert time.monotonic() - start < 1.9
     time.sleep(2.2)
     assert not late.exists()
-
-
-def test_progress_is_told_while_the_mesher_works(monkeypatch):
-    monkeypatch.setattr(mesher, "PROGRESS_EVERY_S", 0.1)
-    child_that_runs(monkeypatch, "import time; time.sleep(1); raise SystemExit('end')")
-    lines = []
-    with pytest.raises(SolverError, match="end"):
-        mesher.run_mesher(NOTHING, lines.append)
-    assert len(lines) >= 3
-    assert all(line.startswith("the mesher has worked for ") for line in lines)

@@ -33,7 +33,7 @@ def test_answers_come_in_the_order_of_the_questions_from_all_processes():
 
 
 def test_while_there_is_no_answer_it_is_said_how_many_questions_wait(monkeypatch):
-    monkeypatch.setattr(apart, "_MOST_SILENT_S", 0.05)
+    monkeypatch.setattr(apart, "NEWS_EVERY_S", 0.05)
     told = []
     with side_by_side(doubles, 2, 2, told.append) as ask, pytest.raises(GivenUp, match="no result"):
         ask([1, "sleep", 3], 3.0)

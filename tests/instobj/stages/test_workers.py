@@ -134,7 +134,7 @@ def test_stages_at_work_are_told_and_those_of_a_lost_worker_are_made_again(monke
     told: list[str] = []
     MESHES_AT.clear()
     monkeypatch.setattr(workers, "work", first_mesh_never_ends)
-    monkeypatch.setattr(workers, "_MOST_SILENT_S", 0.1)
+    monkeypatch.setattr(workers, "NEWS_EVERY_S", 0.1)
     tasks, (last,) = tasks_of([load_spec(SMALL_CUBE, CHANGES)])
     with (
         distributed.LocalCluster(

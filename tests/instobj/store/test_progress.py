@@ -1,9 +1,13 @@
-"""Progress in a log: a line stays a line, however long it is."""
+"""Progress in a log: a line stays a line, however long it is, and silence is broken."""
 
 import io
+import threading
+import time
 
+import pytest
 from rich.console import Console
 
+from instobj.store import progress as module
 from instobj.store.progress import ProgressLine
 
 
@@ -35,3 +39,41 @@ def test_steps_of_a_stage_within_another_are_its_own_and_the_live_line_stays_one
         assert lines[-1].endswith("… kept"), "no stage, no time"
         if not terminal:
             assert [line.split(": ")[0] for line in lines[:2]] == ["  … mesh", "  … promotion"]
+
+
+@pytest.mark.parametrize("terminal", [False, True])
+def test_the_last_step_is_told_again_where_a_stage_is_silent_and_only_then(monkeypatch, terminal):
+    monkeypatch.setattr(module, "_MOST_SILENT_S", 0.02)
+    written, told = io.StringIO(), []
+    progress = ProgressLine(Console(file=written, width=80, force_terminal=terminal))
+    step = progress.step
+    monkeypatch.setattr(progress, "step", lambda text: (told.append(text), step(text)))
+    with progress.stage("presses"), progress.stage("response"):
+        progress.step("factoring")
+        until = time.monotonic() + 10
+        while len(told) < 4 and time.monotonic() < until:
+            time.sleep(0.005)
+        assert told == ["factoring"] * len(told)
+        assert len(told) >= 4
+        reminders = [one for one in threading.enumerate() if one.name == "reminder"]
+        assert len(reminders) == 1
+        if not terminal:
+            assert written.getvalue().splitlines()[-1].startswith("  … response: factoring (")
+    assert not reminders[0].is_alive()
+    told.clear()
+    monkeypatch.setattr(module, "_MOST_SILENT_S", 60.0)
+    with progress.stage("response"):
+        progress.step("factoring")
+        time.sleep(0.05)
+    assert told == ["factoring"]
+
+
+def test_a_stage_that_has_not_said_anything_is_named(monkeypatch):
+    monkeypatch.setattr(module, "_MOST_SILENT_S", 0.02)
+    written = io.StringIO()
+    progress = ProgressLine(Console(file=written, width=80))
+    with progress.stage("report"):
+        until = time.monotonic() + 10
+        while not written.getvalue() and time.monotonic() < until:
+            time.sleep(0.005)
+    assert written.getvalue().splitlines()[0] == "  … report (0 s)"
