@@ -3,7 +3,6 @@
 #include <avr/io.h>
 #include <util/delay.h>
 
-#include "chips.h"
 #include "plan.h"
 
 #define SDA PD1
@@ -18,13 +17,20 @@ enum { START = 0x08, RESTART = 0x10, SENT_ADDRESS_W = 0x18, SENT_DATA = 0x28, LO
 uint16_t bus_errors, bus_recoveries;
 
 static bool hung;
+static void (*after_recovery)(bool stuck);
 
-void bus_start(void)
+static void connect(void)
 {
     PORTD &= (uint8_t) ~(_BV(SDA) | _BV(SCL)); /* pull-ups are outside */
     TWSR = 0;
     TWBR = BUS_TWBR;
     TWCR = _BV(TWEN);
+}
+
+void bus_start(void (*recovered)(bool stuck))
+{
+    after_recovery = recovered;
+    connect();
 }
 
 /* Start an action and wait for its end; its status, or 0 after 2.5 ms. */
@@ -97,10 +103,10 @@ static void recover(void)
     bool stuck = !(PIND & _BV(SDA));
     pull(SDA, true);
     pull(SDA, false);
-    bus_start();
+    connect();
     hung = false;
     bus_recoveries++;
-    chips_after_recovery(stuck);
+    after_recovery(stuck);
 }
 
 bool bus_transfer(uint8_t address, const uint8_t *out, uint8_t out_count, uint8_t *in, uint8_t in_count)

@@ -119,7 +119,7 @@ int main(void)
     line_start();
     start_clock();
     sei();
-    bus_start();
+    bus_start(chips_after_recovery);
     load_start();
     chips_start();
     send_header();
