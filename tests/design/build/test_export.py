@@ -10,7 +10,6 @@ from importlib.metadata import version
 import cadquery as cq
 import pytest
 import trimesh
-import yaml
 from numpy.testing import assert_allclose
 
 import design.solids.shell
@@ -22,11 +21,11 @@ from design.layout.body import face_frames
 from design.layout.pockets import shell_pockets
 from design.spec.object import CoreSpec, MagnetSpec, ObjectSpec, ShellSpec
 from design.spec_io import check, parse_spec, spec_hash
-from tests.support.objects.golden_geometry import REFERENCE
+from tests.support.objects.golden_geometry import golden_geometry
 
 PAPER = ObjectSpec(name="paper")
 PART_NAMES = [part.name for part in parts_of(PAPER)]
-GOLDEN = yaml.safe_load(REFERENCE.read_text(encoding="utf-8"))["paper_cube"]["parts"]
+GOLDEN = golden_geometry()["paper_cube"]["parts"]
 
 
 @pytest.fixture(scope="module")

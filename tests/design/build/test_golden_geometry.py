@@ -4,17 +4,21 @@ from functools import cache
 
 import numpy as np
 import pytest
-import yaml
 from numpy.testing import assert_allclose
 
 from design.build.parts import parts_of
 from design.layout.body import body_of
 from design.solids.core import make_core
 from design.spec_io import load_spec
-from tests.support.objects.golden_geometry import FILES, REFERENCE, measured_part, measured_places
+from tests.support.objects.golden_geometry import (
+    FILES,
+    golden_geometry,
+    measured_part,
+    measured_places,
+)
 
-GOLDEN = yaml.safe_load(REFERENCE.read_text(encoding="utf-8"))
-PARTS = [(name, part) for name, golden in GOLDEN.items() for part in golden["parts"]]
+GOLDEN = golden_geometry()
+PARTS = [(name, part) for name, of_name in GOLDEN.items() for part in of_name["parts"]]
 SLOW = ("preset", "paper_cube", "search_cube", "better_cube", "reverse_cube", "pear", "egg")
 """The paper's cube, whose parts test_export builds and compares with the same reference, what differs
 from it by places alone, and two sampled bodies beside the ball."""

@@ -18,7 +18,10 @@ from tests.support.mechanics.inverted import (
     noisy_counts,
 )
 
-FREE = inverted()
+
+@pytest.fixture(scope="module")
+def free():
+    return inverted()
 
 
 def paired_mm(found, face, contact, faces):
@@ -40,12 +43,12 @@ def possible_mm(estimator, face, contact):
 
 
 @pytest.fixture(scope="module")
-def read():
+def read(free):
     """Frames of none to two contacts of 2 to 8 N, and what is found in them."""
     rng = np.random.default_rng(1)
     parts = [contacts(rng, frames, number) for number, frames in ((0, 60), (1, 60), (2, 40))]
     face, contact = (np.concatenate(column) for column in zip(*parts, strict=True))
-    best, second = FREE.read(noisy_counts(FREE, face, contact, rng))
+    best, second = free.read(noisy_counts(free, face, contact, rng))
     return face, contact, best, second
 
 
@@ -57,13 +60,13 @@ def test_as_many_contacts_are_found_as_there_are(read):
     assert np.mean(best.number[true == 2] == 2) >= 0.85
 
 
-def test_they_are_where_they_are_within_the_region_told(read):
+def test_they_are_where_they_are_within_the_region_told(read, free):
     face, contact, best, _ = read
-    faces = FREE.model.signals.faces
+    faces = free.model.signals.faces
     right = best.number == (face >= 0).sum(axis=1)
     away = paired_mm(best.select(np.flatnonzero(right)), face[right], contact[right], faces)
     radius = best.position_radius_mm[right]
-    assert away.mean() < 1.15 * np.nanmean(possible_mm(FREE, face[right], contact[right]))
+    assert away.mean() < 1.15 * np.nanmean(possible_mm(free, face[right], contact[right]))
     assert 0.8 < np.mean(away <= radius[np.isfinite(radius)]) < 0.97
 
 
@@ -81,56 +84,56 @@ def test_p_values_are_even_where_the_contacts_are_right(read):
     assert kstest(best.p_value[right], "uniform").pvalue > 1e-3
 
 
-def test_what_no_contact_explains_is_told():
+def test_what_no_contact_explains_is_told(free):
     rng = np.random.default_rng(3)
     face, contact = contacts(rng, 12, 1)
-    counts = noisy_counts(FREE, face, contact, rng)
-    fine, _ = FREE.read(counts)
+    counts = noisy_counts(free, face, contact, rng)
+    fine, _ = free.read(counts)
     broken = counts.copy()
     broken[:, 7] += 2000  # a channel gone wrong
     near_magnet = counts + rng.normal(0, 800, (12, 15)).repeat(3, axis=1)
     assert np.all(fine.p_value > 1e-4)
-    assert np.mean(FREE.read(broken)[0].p_value < 1e-3) >= 0.9
-    assert np.all(FREE.read(near_magnet)[0].p_value < 1e-3)
+    assert np.mean(free.read(broken)[0].p_value < 1e-3) >= 0.9
+    assert np.all(free.read(near_magnet)[0].p_value < 1e-3)
 
 
-def with_model_error(error):
-    told = replace(FREE.disturbances, model_error=np.full(45, error))
-    return replace(FREE, disturbances=told)
+def with_model_error(free, error):
+    told = replace(free.disturbances, model_error=np.full(45, error))
+    return replace(free, disturbances=told)
 
 
-def test_an_object_that_is_not_the_drawing_is_neither_at_rest_nor_explained():
+def test_an_object_that_is_not_the_drawing_is_neither_at_rest_nor_explained(free):
     rng = np.random.default_rng(8)
     face, contact = contacts(rng, 10, 2, (6.0, 9.0))
-    counts = noisy_counts(FREE, face, contact, rng)
+    counts = noisy_counts(free, face, contact, rng)
     other = counts.reshape(10, 15, 3)[:, rng.permutation(15), ::-1].reshape(10, 45)
-    found, _ = with_model_error(1.0).read(other)
+    found, _ = with_model_error(free, 1.0).read(other)
     assert not found.explained.any()
     assert np.all(found.number >= 1)
     assert np.nanmedian(found.position_radius_mm) > 3.0
 
 
-def test_a_model_as_wrong_as_tolerances_make_it_explains_its_own_presses():
+def test_a_model_as_wrong_as_tolerances_make_it_explains_its_own_presses(free):
     rng = np.random.default_rng(9)
     face, contact = contacts(rng, 10, 1, (4.0, 8.0))
-    counts = noisy_counts(FREE, face, contact, rng) * rng.normal(1, 0.1, (10, 45))
-    assert with_model_error(0.17).read(counts)[0].explained.all()
+    counts = noisy_counts(free, face, contact, rng) * rng.normal(1, 0.1, (10, 45))
+    assert with_model_error(free, 0.17).read(counts)[0].explained.all()
 
 
-def test_a_channel_without_a_reading_says_nothing():
+def test_a_channel_without_a_reading_says_nothing(free):
     rng = np.random.default_rng(4)
     face, contact = contacts(rng, 10, 1, (5.0, 8.0))
-    counts = noisy_counts(FREE, face, contact, rng)
+    counts = noisy_counts(free, face, contact, rng)
     counts[:, 4] = np.nan
-    best, _ = FREE.read(counts)
+    best, _ = free.read(counts)
     assert np.mean(best.number == 1) >= 0.9
 
 
-def test_the_mean_of_a_hold_says_more_than_a_frame():
+def test_the_mean_of_a_hold_says_more_than_a_frame(free):
     rng = np.random.default_rng(5)
     face, contact = contacts(rng, 15, 1, (1.0, 3.0))
-    one, _ = FREE.read(expected_counts(FREE.model, face, contact))
-    many, _ = FREE.read(expected_counts(FREE.model, face, contact), np.full(15, 100))
+    one, _ = free.read(expected_counts(free.model, face, contact))
+    many, _ = free.read(expected_counts(free.model, face, contact), np.full(15, 100))
     both = (one.number == 1) & (many.number == 1)
     assert np.all(many.position_radius_mm[both, 0] < one.position_radius_mm[both, 0])
 

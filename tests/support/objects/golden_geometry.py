@@ -8,6 +8,7 @@ the difference, and say in the commit why it changed.
 
 from __future__ import annotations
 
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -75,6 +76,12 @@ def measured_places(spec: ObjectSpec) -> dict[str, Any]:
 
 def _rounded(values: Any) -> Any:
     return (np.round(np.asarray(values, float), 6) + 0.0).tolist()
+
+
+@cache
+def golden_geometry() -> dict[str, Any]:
+    """What is on record, by object."""
+    return yaml.load(REFERENCE.read_bytes(), Loader=yaml.CSafeLoader)
 
 
 def main() -> None:
