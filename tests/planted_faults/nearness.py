@@ -55,9 +55,7 @@ def nearest(path: str, tests: list[str], imported_by: dict[str, set[str]]) -> li
             if importer not in steps:
                 steps[importer] = steps[file] + 1
                 waiting.append(importer)
-    rooms = {Path(test.split("::")[0]).parent for test in tests}
-    above = Path("tests", path).parents
-    own, room = f"test_{Path(path).stem}.py", next((one for one in above if one in rooms), None)
+    own, room = f"test_{Path(path).stem}.py", room_of(path, tests)
 
     def rank(test: str) -> tuple[bool, int, bool]:
         file = Path(test.split("::")[0])
@@ -65,3 +63,9 @@ def nearest(path: str, tests: list[str], imported_by: dict[str, set[str]]) -> li
         return elsewhere or file.name != own, steps[file.as_posix()] + elsewhere, elsewhere
 
     return sorted((test for test in tests if test.split("::")[0] in steps), key=rank)
+
+
+def room_of(path: str, tests: list[str]) -> Path | None:
+    """Folder of a file's own tests: the nearest one above it that holds any."""
+    rooms = {Path(test.split("::")[0]).parent for test in tests}
+    return next((one for one in Path("tests", path).parents if one in rooms), None)

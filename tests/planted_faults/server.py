@@ -1,5 +1,7 @@
 """A process that has imported and collected all tests once, and forks for every fault.
 
+Before the first it learns, in a fork for every test file of the faults' packages, what tests call.
+
 A fault inside a function is put into the fork's memory (`swapping`); what acts as modules are
 imported (constants, defaults, functions that these call) is imported by a fresh process (`anew`). The
 file holds the fault meanwhile. Time is the fork's processor time.
@@ -10,6 +12,7 @@ from __future__ import annotations
 import ast
 import json
 import os
+import re
 import shutil
 import signal
 import sys
@@ -23,9 +26,10 @@ from typing import Any
 
 import pytest
 
+from design.files import atomic_path
 from tests.planted_faults.__main__ import identity, lines, said
 from tests.planted_faults.anew import ARGUMENTS
-from tests.planted_faults.nearness import importers, nearest
+from tests.planted_faults.nearness import importers, nearest, room_of
 from tests.planted_faults.notes import Notes, Said, ended, run
 from tests.planted_faults.sites import Fault
 from tests.planted_faults.swapping import function_of, swap
@@ -38,6 +42,10 @@ FIRST_S = 6.0
 """Of tests for each fault before any gets more: most are noticed, and it is learned what tests call."""
 LONG_S = 5.0
 """Of a test that then goes after the others."""
+READ = re.compile(r"tests/(chain/test_guards|\w+/test_figures)\.py")
+"""Tests of what stands in the code, which call none of it."""
+LEARNT_S = 6.0
+"""Of a test file that runs without a fault first."""
 NEAR_FILES = 8
 """Test files that a fresh process imports first: to import all that a fault may reach takes a minute."""
 
@@ -58,17 +66,17 @@ class Server:
     faults: Iterable[Fault]
     told: Callable[[dict[str, Any]], None]
     clock: Clock = Clock()
+    learnt: Path | None = None
     seconds: dict[str, float] = field(default_factory=dict)
     calls: dict[str, set[Function]] = field(default_factory=dict)
     sound: dict[tuple[str, bool], bool] = field(default_factory=dict)
 
     def pytest_runtestloop(self, session: pytest.Session) -> bool:
         self.items = {item.nodeid: item for item in session.items}
-        imported_by = importers(self.root)
-        left, rounds = (
-            list(self.faults),
-            sorted({min(FIRST_S, self.clock.most_s), self.clock.most_s}),
-        )
+        left, imported_by = list(self.faults), importers(self.root)
+        typechecks.build_all()
+        self.learn({fault.path.split("/")[0] for fault in left})
+        rounds = sorted({min(FIRST_S, self.clock.most_s), self.clock.most_s})
         for most_s in rounds:
             kept = []
             for fault in left:
@@ -84,20 +92,52 @@ class Server:
             left = kept
         return True
 
+    def learn(self, packages: set[str]) -> None:
+        """What tests of the packages call, and how long they take: each file's first ones, without a
+        fault. A later call goes on with what stands in the file `learnt`."""
+        if self.learnt is not None and self.learnt.exists():
+            for one in lines(self.learnt):
+                self.seconds[one["test"]] = one["seconds"]
+                self.calls[one["test"]] = {(module, name) for module, name in one["calls"]}
+            return
+        files: dict[str, list[str]] = {}
+        for test in self.items:
+            if any(test.startswith(f"tests/{package}/") for package in packages):
+                files.setdefault(test.split("::")[0], []).append(test)
+        for tests in files.values():
+            said = self._fork(None, tests, anew=False, most_s=LEARNT_S)
+            self.seconds |= said.seconds()
+            self.calls |= said.calls
+        if self.learnt is not None:
+            known = [
+                {"test": test, "seconds": self.seconds[test], "calls": sorted(self.calls[test])}
+                for test in self.calls
+            ]
+            with atomic_path(self.learnt) as temporary:
+                temporary.write_text("".join(f"{json.dumps(one)}\n" for one in known), "utf-8")
+
     def judged(self, fault: Fault, tests: list[str], most_s: float) -> dict[str, Any]:
         """Outcome (noticed, hangs, not noticed, not reached), by which test, and of how many.
 
-        Long tests go after others, and last those that did not call the function that holds the
-        fault when they ran before. A test that fails by itself without the fault is left out.
+        First go those of its room that called the function that holds the fault when they ran
+        before, then others that did, the quickest first; last those that did not. A test that fails
+        by itself without the fault is left out.
         """
-        function = holding(self.root, fault)
+        anew = acts_at_import(self.root, fault)
+        function = None if anew else holding(self.root, fault)
+        room = room_of(fault.path, tests)
 
-        def rank(test: str) -> tuple[bool, bool]:
-            elsewhere = function is not None and function not in self.calls.get(test, {function})
-            return elsewhere, self.seconds.get(test, 0.0) > LONG_S
+        def rank(test: str) -> tuple[int, float]:
+            seconds, calls = self.seconds.get(test, 0.0), self.calls.get(test)
+            if READ.match(test):
+                return 0, 0.0
+            if function is None or calls is None:
+                return 3, float(seconds > LONG_S)
+            if function not in calls:
+                return 4, float(seconds > LONG_S)
+            return 1 + (Path(test.split("::")[0]).parent != room), seconds
 
         left = sorted(tests, key=rank)
-        anew = acts_at_import(self.root, fault)
         by, asked, spent_s, reached, hangs = "", 0, 0.0, anew and bool(tests), False
         while left and not by and spent_s < most_s:
             batch = _of_near_files(left) if anew else left
@@ -231,7 +271,7 @@ def main() -> None:
             stream.write(json.dumps(outcome) + "\n")
         print(said(server.root, outcome), flush=True)
 
-    server = Server(Path.cwd(), left, told, Clock(most_s, end))
+    server = Server(Path.cwd(), left, told, Clock(most_s, end), folder / "learnt.jsonl")
     sys.exit(pytest.main([*ARGUMENTS, "tests"], plugins=[server]))
 
 

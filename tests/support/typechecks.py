@@ -5,6 +5,7 @@ most of the time of the tests. Functions without shapes go to beartype alone, so
 A function's check is built when it is first called: all of them would take 8 s of every process.
 """
 
+from contextlib import suppress
 from dataclasses import is_dataclass
 from functools import wraps
 from inspect import isfunction
@@ -21,6 +22,8 @@ called in most tests."""
 _test = 0
 _called = {}
 """Name of a function → the test that called it last, calls left to check, and how many tests called it."""
+_builders = []
+"""Of checks; closures, which a line makes again and again, are left out."""
 
 
 def next_test():
@@ -80,6 +83,13 @@ def _counted(plain, checked):
     called = _called.setdefault((plain.__module__, plain.__qualname__), [-1, 0, 0])
     form = None
 
+    def build():
+        nonlocal form
+        form = form or checked(plain)
+
+    if "<locals>" not in plain.__qualname__:
+        _builders.append(build)
+
     @wraps(plain)
     def call(*args, **kwargs):
         nonlocal form
@@ -88,7 +98,14 @@ def _counted(plain, checked):
         if not called[1]:
             return plain(*args, **kwargs)
         called[1] -= 1
-        form = form or checked(plain)
+        build()
         return form(*args, **kwargs)
 
     return call
+
+
+def build_all():
+    """Of all functions that are imported, for a process whose forks would each build their own."""
+    while _builders:
+        with suppress(NameError):  # of names for type checkers alone
+            _builders.pop()()
