@@ -128,7 +128,7 @@ def _united(surface: trimesh.Trimesh, path: Path) -> trimesh.Trimesh:
     """
     import trimesh
 
-    pieces = surface.split(only_watertight=False)
+    pieces = surface.split()
     whole = all(piece.volume > 0 for piece in pieces)
     united = trimesh.boolean.union(pieces, engine="manifold") if whole else surface
     if united.body_count != 1:

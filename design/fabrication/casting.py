@@ -90,10 +90,8 @@ def check_seal_mould(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> li
         box = meshes.get("mould_seal_box")
         if box is None or body_of(spec).cuboid:
             return []
-        frame = mould_frame(spec)
-        left = float(np.ptp(frame.plug_mm, axis=0).min()) / 2  # the plug comes out first
         silicone = sealed_body_surface(spec)
-        return [_undercut(spec, Draw("mould_seal_box", -frame.out, left), box, silicone)]
+        return [_undercut(spec, _one_piece(spec, "mould_seal_box"), box, silicone)]
     names = ("mould_seal_half_a", "mould_seal_half_b")
     for name, sign in zip(names, (1, -1), strict=True):
         if name in meshes:
@@ -143,14 +141,19 @@ def draws(spec: ObjectSpec) -> list[Draw]:
     frame, free = mould_frame(spec), float("inf")
     plug = [Draw("mould_plug", frame.out, 0.0)] if frame.plugged else []
     if mould_style(spec) == "one-piece":
-        left = np.ptp(frame.plug_mm, axis=0).min() / 2
-        return [*plug, Draw("mould_box", -frame.out, float(left))]
+        return [*plug, _one_piece(spec, "mould_box")]
     pins, normal = loose_pins(spec), parting(spec).normal
     drawn = [Draw(name, pins[first].way, 0.0) for name, first, _ in pin_kinds(pins)]
     if frame.opening == "bore":
         drawn.append(Draw("mould_holder", frame.out, 0.0))
     drawn += [Draw("mould_half_a", normal, 0.0), Draw("mould_half_b", -normal, 0.0)]
     return drawn + [replace(last, room_mm=free) for last in plug if frame.opening == "open"]
+
+
+def _one_piece(spec: ObjectSpec, part: str) -> Draw:
+    """Of a mould whose plug comes out first: the silicone can give way by half the narrower width."""
+    frame = mould_frame(spec)
+    return Draw(part, -frame.out, float(np.ptp(frame.plug_mm, axis=0).min()) / 2)
 
 
 def _draw(

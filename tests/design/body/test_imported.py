@@ -12,7 +12,7 @@ import trimesh
 from numpy.testing import assert_allclose
 
 from design.body import sampled
-from design.body.imported import body_of_file
+from design.body.imported import _united, body_of_file
 from design.body.kinds.registry import KINDS
 from design.body.meshes import manifold_of
 from design.body.sampled import measured_distance_mm, sampled_core
@@ -194,6 +194,15 @@ def test_pieces_that_overlap_are_united_with_a_warning(tmp_path):
     with pytest.warns(UserWarning, match="united 2 pieces that overlap"):
         found = body_of_file(path)
     assert_allclose(found["size_mm"], (SIZE[0] + 30, *SIZE[1:]), rtol=1e-5)
+
+
+def test_a_piece_of_less_than_a_cubic_millimetre_is_united_too():
+    grain = trimesh.creation.icosphere(1, 0.3)
+    grain.apply_translation([30.0, 0.0, 0.0])
+    box = trimesh.creation.box([60.0, 60.0, 60.0])
+    united = _united(box + grain, Path("a.stl"))
+    assert united.body_count == 1
+    assert united.volume == pytest.approx(60.0**3 + grain.volume / 2)
 
 
 @pytest.mark.parametrize(

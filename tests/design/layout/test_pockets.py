@@ -12,11 +12,13 @@ from design.layout.pockets import (
     Pocket,
     axis_in_object_mm,
     board_frame,
+    by_sensed_face,
     distance_of_segments_mm,
     gap_across_edge_mm,
     neighbours,
     tilted_frame,
 )
+from tests.support.objects.worked_objects import worked
 
 ROUND, FLAT = Outline((3.0, 3.0), True), Outline((2.5, 4.0), False)
 TURN = np.linspace(0, 2 * np.pi, 3601)
@@ -133,3 +135,14 @@ def test_neighbours_meet_at_an_edge():
     frames = tuple(flat_frame(number, np.full(3, 20.0)) for number in (1, 2, 3, 6))
     found = {(a.number, b.number) for a, b in neighbours(frames)}
     assert found == {(1, 2), (1, 3), (2, 3), (2, 6), (3, 6)}
+
+
+def test_lists_of_places_begin_with_face_1_and_go_round_or_are_one_for_each_sensed_face():
+    one, two, three = ((1.0, 0.0),), ((2.0, 0.0),), ((3.0, 0.0),)
+    some = worked("closed box").changed(body=worked("closed box").body.changed(sensed_faces=(3, 5)))
+    assert by_sensed_face(worked("closed box"), (one, two, three, one)) == (
+        *(one, two, three, one),
+        *(one, two),
+    )
+    assert by_sensed_face(some, (one, two, three)) == (three, two)
+    assert by_sensed_face(some, (one, two)) == (one, two)
