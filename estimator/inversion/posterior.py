@@ -135,8 +135,8 @@ def _widened(problems: Problems, slots: int) -> Problems:
 
 def _held(model: ContactModel, priors: Priors, face: np.ndarray, contact: np.ndarray) -> np.ndarray:
     (low, high), (least, most) = model.bounds, priors.force_n
-    held = np.clip(contact, [*low[:2], least], [*high[:2], min(most, high[2])])
-    return model.on_faces(face, held)
+    lowest, highest = [*low[:2], least], [*high[:2], min(most, high[2])]
+    return model.on_faces(face, np.minimum(np.maximum(contact, lowest), highest))
 
 
 def _descend(
@@ -157,8 +157,8 @@ def _descend(
         if not len(active):
             break
         step = _step(at.slope[active], at.curvature[active], damping[active])
-        trial = contact[active] + np.clip(step.reshape(-1, *contact.shape[1:]), -_LONGEST, _LONGEST)
-        trial = _held(model, priors, face[active], trial)
+        step = np.minimum(np.maximum(step.reshape(-1, *contact.shape[1:]), -_LONGEST), _LONGEST)
+        trial = _held(model, priors, face[active], contact[active] + step)
         there = _linear(model, priors, seen, frame[active], face[active], trial, extra[active])
         gain = at.misfit[active] - there.misfit
         better = gain > 0
@@ -173,8 +173,8 @@ def _descend(
 
 
 def _step(slope: np.ndarray, curvature: np.ndarray, damping: np.ndarray) -> np.ndarray:
-    size = np.diagonal(curvature, axis1=1, axis2=2)
-    damped = curvature + (damping[:, None] * size + 1e-9)[:, :, None] * np.eye(size.shape[1])
+    damped, diagonal = curvature.copy(), np.arange(curvature.shape[1])
+    damped[:, diagonal, diagonal] += damping[:, None] * damped[:, diagonal, diagonal] + 1e-9
     return -np.linalg.solve(damped, slope[..., None])[..., 0]
 
 
@@ -200,11 +200,11 @@ def _linear(
         pulls = pulls / sigma[:, None]
         _loosen(found, left, jacobian, pulls)
     nothing = np.all(face == NONE, axis=1)
-    found.misfit[nothing], found.log_spread[nothing] = seen.resting(frame[nothing])
+    if nothing.any():
+        found.misfit[nothing], found.log_spread[nothing] = seen.resting(frame[nothing])
     add_priors(found, priors, face, contact)
-    rows = np.repeat(face == NONE, 3, axis=1)
     diagonal = np.arange(3 * slots)
-    found.curvature[:, diagonal, diagonal] += rows
+    found.curvature[:, diagonal, diagonal] += (face == NONE).repeat(3, axis=1)
     return found
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -58,7 +59,7 @@ class Quadratic:
 
 def add_priors(found: Quadratic, priors: Priors, face: np.ndarray, contact: np.ndarray) -> None:
     """Tips that do not overlap, stand as their probe has them, and bear alike where they are known to."""
-    first, second = np.triu_indices(face.shape[1], 1)
+    first, second = _pairs_of(face.shape[1])
     both = (face[:, first] == face[:, second]) & (face[:, first] != NONE)
     (rows,) = np.nonzero(both.any(axis=1))
     if not len(rows):
@@ -71,6 +72,11 @@ def add_priors(found: Quadratic, priors: Priors, face: np.ndarray, contact: np.n
         pairs.keep_apart(priors.apart_mm)
     if priors.force_spread is not None:
         pairs.bear_alike(priors.force_spread)
+
+
+@cache
+def _pairs_of(slots: int) -> tuple[np.ndarray, np.ndarray]:
+    return np.triu_indices(slots, 1)
 
 
 @dataclass(frozen=True)

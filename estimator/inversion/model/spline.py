@@ -33,7 +33,8 @@ class CubicAxis:
 
     def interval(self, at: Float[np.ndarray, "n"]) -> Int[np.ndarray, "n"]:
         """In which interval points lie; beyond the ends the last polynomial goes on."""
-        return np.clip(np.searchsorted(self.breaks, at, "right") - 1, 0, len(self.power) - 1)
+        after = np.searchsorted(self.breaks, at, "right") - 1
+        return np.minimum(np.maximum(after, 0), len(self.power) - 1)
 
 
 @dataclass(frozen=True)
