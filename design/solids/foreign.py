@@ -21,13 +21,16 @@ _TOLERANCE_MM, _ANGLE_RAD = 0.03, 0.2
 _LARGEST_MM = 2000.0
 """Of a STEP solid: at that tolerance, larger ones take millions of triangles."""
 
+_NOTHING = np.empty((0, 3)), np.empty((0, 3), np.int64)
+"""Vertices and triangles of what has no surface."""
+
 
 def _of_mesh(path: Path) -> tuple[np.ndarray, np.ndarray]:
     import trimesh
 
     surface = trimesh.load_mesh(path)
     if not isinstance(surface, trimesh.Trimesh):
-        return np.empty((0, 3)), np.empty((0, 3), dtype=np.int64)
+        return _NOTHING
     return np.asarray(surface.vertices), np.asarray(surface.faces)
 
 
@@ -47,9 +50,7 @@ def _of_step(path: Path) -> tuple[np.ndarray, np.ndarray]:
         raise ValueError("STEP File could not be loaded")
     for root in range(1, reader.NbRootsForTransfer() + 1):
         reader.TransferRoot(root)
-    vertices: list[np.ndarray] = []
-    triangles: list[np.ndarray] = []
-    count = 0
+    vertices, triangles, count = [_NOTHING[0]], [_NOTHING[1]], 0
     for number in range(1, reader.NbShapes() + 1):
         shape = reader.Shape(number)
         _require_length(shape)
@@ -61,8 +62,6 @@ def _of_step(path: Path) -> tuple[np.ndarray, np.ndarray]:
             triangles.append(corners + count)
             count += len(points)
             faces.Next()
-    if not vertices:
-        return np.empty((0, 3)), np.empty((0, 3), np.int64)
     return np.concatenate(vertices), np.concatenate(triangles)
 
 
@@ -86,7 +85,7 @@ def _of_face(face: Any) -> tuple[np.ndarray, np.ndarray]:
     location = TopLoc_Location()
     mesh = BRep_Tool.Triangulation_s(face, location)
     if mesh is None:
-        return np.empty((0, 3)), np.empty((0, 3), np.int64)
+        return _NOTHING
     placed = location.Transformation()
     points = [mesh.Node(i).Transformed(placed) for i in range(1, mesh.NbNodes() + 1)]
     vertices = np.array([(p.X(), p.Y(), p.Z()) for p in points])

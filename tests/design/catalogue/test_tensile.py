@@ -101,8 +101,13 @@ GOOD = [(1 + 0.1 * i, 0.02 * i) for i in range(1, 9)]
         ("time,nominal_stress_mpa", GOOD, "columns .*time.*tensile data need one of"),
         ("time,force", GOOD, "columns .'time', 'force'.; tensile data need one of"),
         ("stretch,nominal_stress_mpa", [], "tensile data need"),
-        ("stretch,nominal_stress_mpa", GOOD[:4], "4 points .*at least 6"),
-        ("strain,nominal_stress_mpa", [(0.01 * i, 0.1 * i) for i in range(8)], "reach 1.1"),
+        ("stretch,nominal_stress_mpa", GOOD[:4], "4 points .* of 1.4; at least 6"),
+        ("stretch,nominal_stress_mpa", [*GOOD[:5], (2.1, 0.3)], "5 points .* of 2; at least 6"),
+        (
+            "strain,nominal_stress_mpa",
+            [(0.01 * i, 0.1 * i) for i in range(8)],
+            "8 points .* of 1.07; .*reach 1.1",
+        ),
         ("stretch,nominal_stress_mpa", [*GOOD[:5], (1.2, 0.1), *GOOD[5:]], "line 7: .*sorted"),
         ("stretch,nominal_stress_mpa", [*GOOD, (1.95, -0.1)], "line 10: .*stress ≥ 0"),
         ("stretch,nominal_stress_mpa", [(0.9, 0.1), *GOOD], "line 2: .*stretch ≥ 1"),
@@ -136,6 +141,9 @@ def test_six_points_are_enough_and_five_are_not(tmp_path):
     assert len(read_tensile_test(written(tmp_path, header, GOOD[:6])).stretch) == 6
     with pytest.raises(InputError, match="5 points"):
         read_tensile_test(written(tmp_path, header, GOOD[:5]))
+    assert len(read_tensile_test(written(tmp_path, header, [*GOOD[:5], (2.0, 0.3)])).stretch) == 6
+    barely = [(1.05 + 0.01 * k, 0.1) for k in range(5)]
+    assert len(read_tensile_test(written(tmp_path, header, [*barely, (1.1, 0.3)])).stretch) == 6
 
 
 def test_a_table_begins_within_a_hundred_lines(tmp_path):
