@@ -60,7 +60,11 @@ def told(name, value):
 
 
 def of_solids(name, shapes):
-    """One line: volume, middle and box (mm) of each solid or closed surface."""
+    """One line: volume, area, number of a solid's faces, middle and box (mm) of each solid or closed
+    surface.
+
+    Small features of a large solid show in its area and its faces.
+    """
     if not shapes:
         return f"{name}: none"
     rows = [_of_solid(shape) for shape in shapes]
@@ -69,10 +73,11 @@ def of_solids(name, shapes):
 
 def _of_solid(shape):
     if not hasattr(shape, "BoundingBox"):
-        return [float(shape.volume), *shape.center_mass, *shape.bounds.ravel()]
+        return [float(shape.volume), float(shape.area), *shape.center_mass, *shape.bounds.ravel()]
     box = shape.BoundingBox()
     low, high = (box.xmin, box.ymin, box.zmin), (box.xmax, box.ymax, box.zmax)
-    return [shape.Volume(), *shape.Center().toTuple(), *low, *high]
+    sizes = [shape.Volume(), shape.Area(), len(shape.Faces())]
+    return [*sizes, *shape.Center().toTuple(), *low, *high]
 
 
 def _numbers(values):
