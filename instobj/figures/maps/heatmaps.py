@@ -5,6 +5,7 @@ Each face is seen from outside with its own x to the right and y up.
 
 from __future__ import annotations
 
+import functools
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -228,7 +229,9 @@ def _write_numbers(
 ) -> None:
     """Each place's value in its cell, in the size that the longest of them allows."""
     from matplotlib import colormaps
-    from matplotlib.patheffects import withStroke
+    from matplotlib.collections import PathCollection
+    from matplotlib.colors import to_rgb
+    from matplotlib.transforms import Affine2D
 
     colours = colormaps[scale.colours](scale.norm(shown.filled(np.nan)))[:, :3]
     luminance = np.where(colours <= 0.03928, colours / 12.92, ((colours + 0.055) / 1.055) ** 2.4)
@@ -238,14 +241,30 @@ def _write_numbers(
     font_size = _fitting_font(texts, cell_inches)
     if font_size < smallest_font:
         return
-    for place, (x, y) in enumerate(xy_mm):
-        ink = INK if light[place] or blank[place] else "white"
-        number = axes.text(
-            x, y, texts[place], ha="center", va="center", fontsize=font_size, color=ink, zorder=6
-        )
-        under = BLANK if blank[place] else colours[place]
-        number.set_path_effects([withStroke(linewidth=2.2, foreground=under)])
-        number.set_in_layout(False)
+    inks = [INK if pale else "white" for pale in light | blank]
+    under = np.where(blank[:, None], to_rgb(BLANK), colours)
+    size = Affine2D().scale(font_size / 72) + axes.figure.dpi_scale_trans
+    for edges in ({"edgecolors": under, "linewidths": 2.2}, {"linewidths": 0}):
+        numbers = PathCollection(
+            [outline_of(text) for text in texts], facecolors=inks, offsets=xy_mm,
+            offset_transform=axes.transData, transform=size, zorder=6, clip_on=False, **edges,
+        )  # fmt: skip
+        numbers.set_in_layout(False)
+        axes.add_collection(numbers, autolim=False)
+
+
+@functools.cache
+def outline_of(text: str) -> Any:
+    """Glyphs of a number, one point high and centred.
+
+    Drawn together as outlines they take a tenth of the time of as many texts with borders.
+    """
+    from matplotlib.textpath import TextPath
+    from matplotlib.transforms import Affine2D
+
+    path = TextPath((0, 0), text, size=1)
+    box = path.get_extents()
+    return Affine2D().translate(-(box.x0 + box.x1) / 2, -(box.y0 + box.y1) / 2).transform_path(path)
 
 
 def fitting_font(

@@ -47,14 +47,23 @@ def test_numbers_stand_on_their_places_and_blanks_are_marked():
     scale = map_scale("mm", 0.1, 90.0, log=True)
     pose = overview.net_pose(SPEC, 4)
     heatmaps.draw_face(axes, values, SPEC, 4, scale, pose, 0.1)
-    texts = {text.get_text(): text.get_position() for text in axes.texts}
-    blank = pose.apply(contact_grid(SPEC).xy_mm[37])
-    assert_allclose(texts["∞"], blank)
-    assert_allclose(texts["90"], pose.apply(contact_grid(SPEC).xy_mm[99]))
-    assert_allclose(texts["0.10"], pose.apply(contact_grid(SPEC).xy_mm[0]))
+    stroke, numbers = axes.collections[-2:]
+    assert_allclose(stroke.get_offsets(), numbers.get_offsets())
+    assert numbers.get_paths()[37] is heatmaps.outline_of("∞")
+    assert numbers.get_paths()[99] is heatmaps.outline_of("90")
+    assert numbers.get_paths()[0] is heatmaps.outline_of("0.10")
+    places = np.asarray(numbers.get_offsets())
+    assert_allclose(places, pose.apply(contact_grid(SPEC).xy_mm))
     # face 4: x of the face points up in the net and y to the left
-    assert texts["90"][0] < texts["0.10"][0]
-    assert texts["90"][1] > texts["0.10"][1]
+    assert places[99, 0] < places[0, 0]
+    assert places[99, 1] > places[0, 1]
+
+
+def test_outlines_of_numbers_are_centred_and_as_high_as_their_font():
+    box = heatmaps.outline_of("0.12").get_extents()
+    assert_allclose([box.x0 + box.x1, box.y0 + box.y1], 0, atol=1e-12)
+    assert_allclose(box.height, 0.73, atol=0.03)
+    assert_allclose(box.width, 2.1, atol=0.2)
 
 
 def test_cell_colours_follow_the_values_on_the_saved_picture(tmp_path):
