@@ -24,7 +24,7 @@ def body_of(spec: ObjectSpec) -> BodyKind:
     return KINDS[body.kind](
         size_mm=body.size_mm,
         thickness_mm=spec.shell.thickness_mm,
-        envelope_mm=spec.mesh.envelope_mm,
+        envelope_mm=spec.mesh.envelope_mm / 2,
         opened=body.opened,
         bore_mm=body.bore_mm,
         inside=body.inside,

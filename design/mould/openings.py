@@ -186,7 +186,7 @@ def air_traps(spec: ObjectSpec, shell: trimesh.Trimesh, holes: tuple[Hole, ...])
         surfaces = [shell, *(hole.surface() for hole in holes)]
         whole = trimesh.boolean.union(surfaces, engine="manifold")
     rim = frame.rim_mm if frame.opening != "closed" else float(_far_mm(spec)) / 2
-    return high_points(whole, way, rim, max(_LEAST_TRAP_MM, 3 * spec.mesh.envelope_mm))
+    return high_points(whole, way, rim, max(_LEAST_TRAP_MM, 1.5 * spec.mesh.envelope_mm))
 
 
 def _vents(spec: ObjectSpec, pour: tuple[Hole, ...]) -> list[Hole]:

@@ -49,13 +49,14 @@ class MeshSpec(SpecPart):
     """Target edge lengths: `edge_mm` in the bulk, `surface_edge_mm` under the pressed faces.
 
     At the rims of rigid bodies, and under the tip of a single press, they are `rim_edge_ratio`
-    times those under the faces.
+    times those under the faces. The mesh leaves no surface by more than `envelope_mm`; half of it
+    is for the triangles that stand for curved surfaces.
     """
 
     edge_mm: Positive = 4.0
     surface_edge_mm: Positive = 1.7
     rim_edge_ratio: Annotated[float, Field(ge=0.1, le=1)] = 0.4
-    envelope_mm: Positive = 0.03
+    envelope_mm: Positive = 0.06
     magnet_sides: Annotated[int, Field(ge=6, le=64)] = 16
 
     @property

@@ -77,7 +77,7 @@ STAGES: dict[str, Stage] = {
         (),
         ("name", *_MAKING),
         make_build,
-        version=9,
+        version=10,
     ),
     "sheet": Stage(
         "design: bill of materials and assembly sheet",
@@ -91,9 +91,9 @@ STAGES: dict[str, Stage] = {
         (),
         ("name", *_MAKING, "silicone"),
         make_fabrication,
-        version=6,
+        version=7,
     ),
-    "mesh": Stage("mesh: tetrahedra", (), _WHAT_IS_MESHED, make_mesh, version=2),
+    "mesh": Stage("mesh: tetrahedra", (), _WHAT_IS_MESHED, make_mesh, version=3),
     "response": Stage("mechanics: response operator", ("mesh",), _ELASTIC, make_response),
     "large_strain": Stage(
         "mechanics: presses with large deformation",
@@ -123,7 +123,7 @@ STAGES: dict[str, Stage] = {
         make_presses,
         version=3,
     ),
-    "plain_mesh": Stage("mesh: without magnets", (), (*_SHAPE, "mesh"), make_plain_mesh, version=2),
+    "plain_mesh": Stage("mesh: without magnets", (), (*_SHAPE, "mesh"), make_plain_mesh, version=3),
     "plain_response": Stage(
         "mechanics: response without magnets",
         ("plain_mesh",),

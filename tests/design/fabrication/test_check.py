@@ -330,7 +330,7 @@ def test_pieces_are_handed_on():
 @pytest.mark.slow
 def test_a_sampled_part_in_pieces_is_a_finding_and_the_checks_go_on():
     wide = {"wire_hole_side_diameter_mm": 24.0}  # leaves four corners of a core 44 × 34 × 28 mm
-    checked = check_fabrication(body_spec("ellipsoid", core=wide, mesh={"envelope_mm": 0.3}))
+    checked = check_fabrication(body_spec("ellipsoid", core=wide, mesh={"envelope_mm": 0.6}))
     whole = found(checked.findings, "one solid", "core")
     assert (whole.status, whole.value) == ("fail", 4)
     assert abs(np.asarray(whole.place_mm))[:2].min() > 8

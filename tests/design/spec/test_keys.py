@@ -234,7 +234,7 @@ press.depths_mm: (0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0)
 mesh.edge_mm: 4.0
 mesh.surface_edge_mm: 1.7
 mesh.rim_edge_ratio: 0.4
-mesh.envelope_mm: 0.03
+mesh.envelope_mm: 0.06
 mesh.magnet_sides: 16
 mechanics.element: 'taylor-hood'
 mechanics.magnets: 'rigid'
