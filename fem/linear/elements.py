@@ -162,11 +162,29 @@ def saddle_point_matrix(
 
     Symmetric with exactly one negative eigenvalue per pressure unknown.
     """
-    t = motion_basis
-    stiffness = sp.csr_matrix(t.T.tocsr() @ (operators.stiffness @ t))
-    divergence = sp.csr_matrix(operators.divergence[pressure_nodes] @ t)
+    leading = _unit_columns(motion_basis)
+    rest = sp.csr_matrix(motion_basis[:, len(leading) :])
+    beside = sp.csr_matrix(rest.T.tocsr() @ operators.stiffness)
+    tied = beside[:, leading]
+    divergence = operators.divergence[pressure_nodes]
+    free, mixed = divergence[:, leading], sp.csr_matrix(divergence @ rest)
     compressibility = operators.compressibility[pressure_nodes][:, pressure_nodes]
-    return block_matrix([[stiffness, divergence.T.tocsr()], [divergence, -compressibility]])
+    return block_matrix(
+        [
+            [operators.stiffness[leading][:, leading], tied.T.tocsr(), free.T.tocsr()],
+            [tied, sp.csr_matrix(beside @ rest), mixed.T.tocsr()],
+            [free, mixed, -compressibility],
+        ]
+    )
+
+
+def _unit_columns(motion_basis: sp.csr_matrix) -> Int[np.ndarray, "unit"]:
+    """Rows that the first columns single out: those of K are picked, which takes a sixth of a product."""
+    columns = motion_basis.tocsc()
+    single = np.diff(columns.indptr) == 1
+    single[single] = columns.data[columns.indptr[:-1][single]] == 1
+    count = len(single) if single.all() else int(np.argmin(single))
+    return columns.indices[:count]
 
 
 def free_motion_basis(free: Bool[np.ndarray, "*component node"]) -> sp.csr_matrix:
