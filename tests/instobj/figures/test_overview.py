@@ -120,7 +120,8 @@ def test_numbers_are_narrower_than_their_cells_and_can_be_read_or_are_left_out(d
         return
     fonts_px = [number.get_transform().get_matrix()[0, 0] for number in numbers]
     assert min(fonts_px) / figure.dpi / figure.get_size_inches()[0] * 1000 >= 5
-    assert sum(len(number.get_paths()) for number in numbers) == len(spec.body.sensed) * len(contact_grid(spec))
+    places = sum(len(number.get_paths()) for number in numbers)
+    assert places == len(spec.body.sensed) * len(contact_grid(spec))
     ends = net.transData.transform([[0.0, 0.0], [spec.contact_grid.pitch_mm, 0.0]])
     cell = np.ptp(ends[:, 0])
     widths = [width for number in numbers for width in widths_px(number)]
