@@ -27,11 +27,10 @@ from design.layout.body import body_of
 from design.layout.core_hold import why_no_mould
 from design.layout.mould_frame import mould_frame, mould_style, parting, up
 from design.layout.mould_pins import Pin, least_rim_mm, loose_pins, pin_kinds
-from design.layout.surface import sealed_body_surface
+from design.layout.mould_pouring import LEAST_POUR_MM, Hole
+from design.layout.surface import finished_surface, sealed_body_surface
 from design.mould.openings import (
-    Hole,
     air_traps,
-    finished_surface,
     mould_holes,
     seal_holes,
     sealed_round,
@@ -44,7 +43,6 @@ from design.spec.object import ObjectSpec
 if TYPE_CHECKING:
     import trimesh
 
-POUR_MM = 3.0
 CEILING_MM2 = 100.0
 YIELD_SHARE = 0.02
 """Of the silicone's thickness: what it gives way by on the spot, without room; an estimate."""
@@ -219,13 +217,20 @@ def _pour(spec: ObjectSpec) -> Finding:
         "open": "width of the slots beside the plug's flange, or of the open side; they also let the air "
         "out. Below the limit: thicken the shell, or open fewer faces",
         "bore": "diameter of the holes beside the rod; they also let the air out. Below the limit: raise "
-        f"mould.pour_mm to {POUR_MM:g}",
+        f"mould.pour_mm to {LEAST_POUR_MM:g}",
         "closed": "diameter of the hole at the mould's upper corner. Below the limit: raise mould.pour_mm to "
-        f"{POUR_MM:g}",
+        f"{LEAST_POUR_MM:g}",
     }[frame.opening]
     place = place_of(frame.rim_mm * up(spec))
     return Finding(
-        "pour opening", part, width, POUR_MM, "mm", at_least(width, POUR_MM), text, place
+        "pour opening",
+        part,
+        width,
+        LEAST_POUR_MM,
+        "mm",
+        at_least(width, LEAST_POUR_MM),
+        text,
+        place,
     )
 
 

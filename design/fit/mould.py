@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
+from functools import partial
 from itertools import combinations
+from math import ceil
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from design.errors import InputError
 from design.layout.body import face_frames
+from design.layout.core_hold import why_no_mould
 from design.layout.mould_closure import flange_corners_mm
 from design.layout.mould_frame import mould_style, opening_of
 from design.layout.mould_pins import Pin, least_rim_mm, loose_pins, pin_of, rim_below_clips_mm
+from design.layout.mould_pouring import LEAST_POUR_MM, pins_of, pour_holes
 from design.layout.pockets import distance_of_segments_mm
 
 if TYPE_CHECKING:
@@ -36,6 +41,8 @@ def check_mould(spec: ObjectSpec) -> Iterator[str]:
     elif mould_style(spec) == "split" and spec.silicone.cure != "none":
         yield from _check_closure(spec)
         yield from _check_pins_apart(spec)
+        if why_no_mould(spec) is None:
+            yield from _check_pouring(spec)
 
 
 def _check_closure(spec: ObjectSpec) -> Iterator[str]:
@@ -47,7 +54,7 @@ def _check_closure(spec: ObjectSpec) -> Iterator[str]:
             yield (
                 f"the head of the pin of {pin.pocket.body.label} of face {pin.frame.number} stands "
                 f"{volume:.2g} mm³ in the flange by which the mould's rod or plug hangs over its walls. "
-                f"{_where_clear(spec, pin, flange)}"
+                f"{_where(spec, pin, lambda moved: _common_mm3(moved.head(), flange) <= _MEETING_MM3)}"
             )
 
 
@@ -64,9 +71,9 @@ def _common_mm3(solid: Manifold, others: list[Manifold]) -> float:
     return max(float((solid ^ other).volume()) for other in others)
 
 
-def _where_clear(spec: ObjectSpec, pin: Pin, flange: list[Manifold]) -> str:
-    """The first place on a magnet's way to the middle of its face where the head is clear, with no
-    less of a rim than the printer makes."""
+def _where(spec: ObjectSpec, pin: Pin, works: Callable[[Pin], bool]) -> str:
+    """The first place on a magnet's way to the middle of its face where its pin works, with no less of
+    a rim than the printer makes."""
     frame = next(frame for frame in face_frames(spec) if frame.number == pin.frame.number)
     x, y, height = pin.pocket.body.centre_mm
     for share in np.linspace(1, 0, _STEPS)[1:]:
@@ -74,8 +81,7 @@ def _where_clear(spec: ObjectSpec, pin: Pin, flange: list[Manifold]) -> str:
         pocket = replace(pin.pocket, body=replace(pin.pocket.body, centre_mm=centre))
         moved = pin_of(spec, frame.tangent(centre[:2]), pocket)
         rim = rim_below_clips_mm(spec, [moved])
-        head = replace(moved, rim_mm=rim).head()
-        if rim >= least_rim_mm(spec) and _common_mm3(head, flange) <= _MEETING_MM3:
+        if rim >= least_rim_mm(spec) and works(replace(moved, rim_mm=rim)):
             return f"Move the magnet inwards, as to ({share * x:.4g}, {share * y:.4g})"
     return "Leave the magnet out, or the face with body.sensed_faces"
 
@@ -92,3 +98,55 @@ def _check_pins_apart(spec: ObjectSpec) -> Iterator[str]:
                 "silicone, so that the mould cannot close. Move their magnets apart, or leave a face out "
                 "with body.sensed_faces"
             )
+
+
+def _check_pouring(spec: ObjectSpec) -> Iterator[str]:
+    """Holes to pour through, of the mould and of the seal layer's."""
+    for first in (True, False) if spec.shell.seal_layer_mm else (True,):
+        try:
+            pour_holes(spec, first)
+        except InputError as error:
+            yield f"{error}. {_how_poured(spec, first)}"
+            return
+
+
+def _how_poured(spec: ObjectSpec, first: bool) -> str:
+    """The widest holes that find room, else the place of the one magnet that is in the way."""
+    width = _widest_mm(spec, first)
+    if width is not None:
+        return f"mould.pour_mm = {width:g} finds room"
+    pins = pins_of(spec, first)
+    for index, pin in enumerate(pins):
+        others = (*pins[:index], *pins[index + 1 :])
+        if pin.locator is None and _is_poured(spec, first, others):
+            way = _where(spec, pin, partial(_is_poured_beside, spec, first, others))
+            return f"{pin.pocket.body.label} of face {pin.frame.number} is in the way. {way}"
+    return "Move magnets towards the middles of their faces, or leave a face out with body.sensed_faces"
+
+
+def _widest_mm(spec: ObjectSpec, first: bool) -> float | None:
+    """In steps of half a millimetre, by halving; None where the narrowest that pour well find none."""
+
+    def works(halves: int) -> bool:
+        narrower = spec.changed(mould=spec.mould.changed(pour_mm=halves / 2))
+        return _is_poured(narrower, first, pins_of(narrower, first))
+
+    low, high = int(2 * LEAST_POUR_MM), ceil(2 * spec.mould.pour_mm)
+    if low >= high or not works(low):
+        return None
+    while high - low > 1:
+        middle = (low + high) // 2
+        low, high = (middle, high) if works(middle) else (low, middle)
+    return low / 2
+
+
+def _is_poured_beside(spec: ObjectSpec, first: bool, others: tuple[Pin, ...], pin: Pin) -> bool:
+    return _is_poured(spec, first, (*others, pin))
+
+
+def _is_poured(spec: ObjectSpec, first: bool, pins: tuple[Pin, ...]) -> bool:
+    try:
+        pour_holes(spec, first, pins)
+    except InputError:
+        return False
+    return True

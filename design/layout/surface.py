@@ -1,4 +1,4 @@
-"""Closed triangle surfaces of the sealed body and of the rings where its support ends, for the mesh."""
+"""Closed triangle surfaces of the silicone, and of the rings where its support ends."""
 
 from __future__ import annotations
 
@@ -14,6 +14,18 @@ if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
 
 _SUPPORT_RING_MM = 2.0
+
+
+def finished_surface(spec: ObjectSpec) -> trimesh.Trimesh:
+    """The outside of the finished silicone."""
+    return body_of(spec).outer_surface()
+
+
+def cast_surface(spec: ObjectSpec) -> trimesh.Trimesh:
+    """The outside of what the first pour casts."""
+    if not spec.shell.seal_layer_mm:
+        return finished_surface(spec)
+    return body_of(spec).cast_surface(spec.shell.seal_layer_mm, spec.body.sensed)
 
 
 def sealed_body_surface(spec: ObjectSpec) -> trimesh.Trimesh:

@@ -15,8 +15,9 @@ import numpy as np
 
 from design.layout.mould_frame import mould_frame, parting, play_mm
 from design.layout.mould_pins import Pin, loose_pins
+from design.layout.mould_pouring import Hole
 from design.mould.flange import FLANGE_THICKNESS_MM, Flange, flanges
-from design.mould.openings import Hole, mould_holes, seal_holes
+from design.mould.openings import hole_solid, mould_holes, seal_holes
 from design.mould.pins import fixed_bosses, pin_holes
 from design.mould.plug import rod_hole
 from design.mould.room import cast_room, finished_room
@@ -96,7 +97,7 @@ def _holes(spec: ObjectSpec, pins: tuple[Pin, ...], holes: tuple[Hole, ...]) -> 
     """Of pins, pouring, vents and a rod."""
     through = [hole for pin in pins for hole in pin_holes(spec, pin)]
     rod = [rod_hole(spec)] if mould_frame(spec).opening == "bore" else []
-    return [*through, *rod, *(hole.solid() for hole in holes)]
+    return [*through, *rod, *(hole_solid(hole) for hole in holes)]
 
 
 def _parting_plane(spec: ObjectSpec) -> cq.Plane:

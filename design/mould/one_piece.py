@@ -12,7 +12,7 @@ folds inwards. `design/mould/halves.py` makes the same cavity from halves that d
 
 from __future__ import annotations
 
-from design.mould.openings import mould_holes
+from design.mould.openings import hole_solid, mould_holes
 from design.mould.room import cast_room
 from design.mould.walls import fins_to_walls, walls
 from design.solids.booleans import Solid, cut, join, one_body
@@ -30,7 +30,7 @@ def make_mould_box(spec: ObjectSpec) -> Solid:
     """
     inside = [*pocket_prisms(spec), *fins_to_walls(spec)]
     box = join(walls(spec, cast_room(spec), spec.shell.seal_layer_mm), *inside)
-    return one_body(cut(box, *(hole.solid() for hole in mould_holes(spec))), "mould_box")
+    return one_body(cut(box, *(hole_solid(hole) for hole in mould_holes(spec))), "mould_box")
 
 
 def make_seal_mould(spec: ObjectSpec) -> Solid:

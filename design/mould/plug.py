@@ -16,7 +16,7 @@ from design.layout.body import body_of
 from design.layout.core_hold import core_outlet
 from design.layout.mould_closure import flange_span_mm
 from design.layout.mould_frame import mould_frame, play_mm
-from design.mould.openings import mould_holes, seal_holes
+from design.mould.openings import hole_solid, mould_holes, seal_holes
 from design.mould.plug_flange import flange_solids
 from design.mould.room import cast_room, core_outside
 from design.solids.booleans import Shape, Solid, common, cut, join, one_body
@@ -36,7 +36,7 @@ def make_mould_plug(spec: ObjectSpec) -> Solid:
     block, *keys = cavity(spec)
     inside: Shape = common(block, cast_room(spec)) if body_of(spec).on_base else block
     whole = join(inside, *keys, *flange_solids(spec))
-    return one_body(cut(whole, *(hole.solid() for hole in mould_holes(spec))), "mould_plug")
+    return one_body(cut(whole, *(hole_solid(hole) for hole in mould_holes(spec))), "mould_plug")
 
 
 def make_mould_holder(spec: ObjectSpec) -> Solid:
@@ -60,7 +60,7 @@ def make_mould_holder(spec: ObjectSpec) -> Solid:
     )
     outside = join(cut(rod, core_outside(spec)), *flange_solids(spec))
     holes = [*mould_holes(spec), *seal_holes(spec)]
-    vents = [hole.outside.solid() for hole in holes if hole.use == "vent"]
+    vents = [hole_solid(hole.outside) for hole in holes if hole.use == "vent"]
     return one_body(join(cut(outside, *vents), cut(nose, flat)), "mould_holder")
 
 

@@ -5,10 +5,11 @@ from __future__ import annotations
 from design.layout.blocks import core_keys
 from design.layout.body import body_of
 from design.layout.mould_frame import mould_frame
+from design.layout.surface import cast_surface
 from design.solids.body import core_solid, past_opening
 from design.solids.booleans import Shape, join
 from design.solids.primitives import block_solid
-from design.solids.sampled import cast_surface, keyed_core
+from design.solids.sampled import keyed_core
 from design.solids.shell import cast_envelope, envelope
 from design.spec.object import ObjectSpec
 

@@ -18,6 +18,7 @@ from design.layout.core_hold import Locator, core_outlet, locators
 from design.layout.core_sockets import Socket
 from design.layout.places.positions import board_places
 from design.layout.pockets import Pocket, shell_pockets
+from design.layout.surface import cast_surface
 
 if TYPE_CHECKING:
     import trimesh
@@ -52,13 +53,6 @@ def sampled_shell(spec: ObjectSpec) -> trimesh.Trimesh:
     cavity = body_of(spec).cavity_surface()
     removed = [*pockets, *blocks, *holes, *([] if cavity is None else [cavity])]
     return _one(cast_surface(spec), removed, "shell")
-
-
-def cast_surface(spec: ObjectSpec) -> trimesh.Trimesh:
-    """The outside of what the first pour casts, as a closed surface."""
-    if not spec.shell.seal_layer_mm:
-        return body_of(spec).outer_surface()
-    return body_of(spec).cast_surface(spec.shell.seal_layer_mm, spec.body.sensed)
 
 
 def _locator_hole(locator: Locator) -> trimesh.Trimesh:

@@ -21,9 +21,10 @@ from design.layout.body import body_of, face_frames
 from design.layout.core_hold import FLAT_SHARE, core_outlet
 from design.layout.mould_frame import mould_frame, mould_style
 from design.layout.mould_pins import Pin, loose_pins, pins_of_kinds
+from design.layout.mould_pouring import Hole
 from design.layout.places.positions import board_places, cover_mm
 from design.layout.pockets import shell_pockets
-from design.mould.openings import Hole, mould_holes, seal_holes
+from design.mould.openings import mould_holes, seal_holes
 from design.mould.room import core_outside
 from design.solids.booleans import as_triangles
 from design.spec.object import ObjectSpec

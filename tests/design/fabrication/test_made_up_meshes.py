@@ -15,7 +15,7 @@ from design.fabrication.finding import Finding, at_least, worst
 from design.fabrication.printing import check_bed, check_edges, check_walls
 from design.layout.boards import Mounted
 from design.layout.mould_frame import parting
-from design.mould.openings import Hole
+from design.layout.mould_pouring import Hole
 from tests.support.objects.worked_objects import worked
 
 CUBE = worked("closed box")

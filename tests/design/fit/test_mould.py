@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from design.body.surface_chart import FACE_AXES, FaceFrame
+from design.errors import InputError
 from design.fit import mould
 from design.fit.everything import problems_of
 from design.layout.mould_closure import flange_corners_mm
@@ -111,3 +112,45 @@ def test_pins_that_lean_towards_each_other_are_told(monkeypatch):
     assert not [*mould._check_pins_apart(ball(8.0))], "9.1 mm apart: rims of 9 mm together"
     monkeypatch.setattr(mould, "loose_pins", lambda spec: [pin(-5.0), pin(3.9)])
     assert [*mould._check_pins_apart(ball(8.0))]
+
+
+def pouring_problems(spec):
+    return [text for text in mould.check_mould(spec) if "pouring holes" in text]
+
+
+def test_holes_that_nothing_can_be_poured_through_are_told_with_the_widest_that_find_room():
+    """`build` alone refused them. Of a ball's four sides, their magnets far from its bore."""
+    spec = ball(8.0)
+    wide = spec.changed(mould=spec.mould.changed(pour_mm=30.0))
+    (problem,) = pouring_problems(wide)
+    width = float(re.findall(r"mould.pour_mm = ([\d.]+) finds room", problem)[0])
+    assert 6 < width < 30
+    assert pouring_problems(spec) == []
+    assert pouring_problems(spec.changed(mould=spec.mould.changed(pour_mm=width))) == []
+    assert pouring_problems(spec.changed(mould=spec.mould.changed(pour_mm=width + 0.5)))
+
+
+@pytest.mark.parametrize(
+    ("in_the_way", "told"), [(1, r"face 2 is in the way. Move .* to"), (2, "")]
+)
+def test_where_no_hole_is_narrow_enough_the_magnet_in_the_way_is_told(
+    monkeypatch, in_the_way, told
+):
+    """Magnets more than 12 mm from their face's middle, of one face or of two."""
+    faces = {pin.frame.number for pin in loose_pins(ball(15.0))}
+    blocked = sorted(faces)[:in_the_way]
+
+    def pour_holes(spec, first, pins=None):
+        for pin in loose_pins(spec) if pins is None else pins:
+            if pin.frame.number in blocked and pin.pocket.body.centre_mm[0] > 12:
+                raise InputError("no holes")
+        return ()
+
+    monkeypatch.setattr(mould, "pour_holes", pour_holes)
+    (problem,) = mould._check_pouring(ball(15.0))
+    if told:
+        assert re.search(told, problem)
+        (x,) = map(float, re.findall(r"as to \(([\d.]+), 0\)", problem))
+        assert 11.5 < x <= 12
+    else:
+        assert problem.endswith("or leave a face out with body.sensed_faces")

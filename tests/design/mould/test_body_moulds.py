@@ -17,9 +17,10 @@ from design.layout.body import body_of
 from design.layout.core_hold import core_outlet, locators, why_no_mould
 from design.layout.mould_frame import least_undercut, mould_frame, mould_style, parting, up
 from design.layout.mould_pins import loose_pins, pins_of_kinds
+from design.layout.mould_pouring import pour_holes
 from design.mould import plug
 from design.mould.halves import make_mould_half
-from design.mould.openings import air_traps, mould_holes, pour_holes
+from design.mould.openings import air_traps, mould_holes
 from design.mould.pins import make_pin
 from design.mould.plug import make_mould_holder
 from design.mould.room import cast_room

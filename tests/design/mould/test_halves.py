@@ -10,6 +10,7 @@ from numpy.testing import assert_allclose
 from design.layout.body import face_frames
 from design.layout.mould_frame import mould_frame, parting
 from design.layout.mould_pins import loose_pins, pin_kinds
+from design.layout.mould_pouring import pour_holes
 from design.layout.pockets import distance_of_segments_mm, shell_pockets
 from design.mould.flange import (
     EDGE_MM,
@@ -30,7 +31,6 @@ from design.mould.halves import (
     make_mould_half,
 )
 from design.mould.one_piece import make_mould_box
-from design.mould.openings import pour_holes
 from design.mould.pins import make_pin
 from design.mould.plug import make_mould_plug
 from design.solids.booleans import as_triangles

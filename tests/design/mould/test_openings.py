@@ -1,4 +1,4 @@
-"""Pouring holes of split moulds keep clear of pins."""
+"""Vents of moulds, and solids of holes."""
 
 import numpy as np
 import pytest
@@ -6,72 +6,12 @@ import trimesh
 from numpy.testing import assert_allclose
 
 from design.body.meshes import Trap
-from design.errors import InputError
-from design.layout.mould_closure import flange_span_mm
-from design.layout.mould_frame import mould_frame, up
-from design.layout.mould_pins import loose_pins
+from design.layout.mould_frame import up
+from design.layout.mould_pouring import Hole
 from design.mould import openings
-from design.mould.openings import _vent, pour_holes, vent_diameter_mm
-from design.spec_io import parse_spec
+from design.mould.openings import _vent, hole_solid, vent_diameter_mm
 from tests.support.objects.body_cases import body_spec
 from tests.support.objects.worked_objects import worked
-
-LOW_MAGNETS = {
-    "name": "t",
-    "body": {"kind": "ellipsoid", "size_mm": [61.6, 45.2, 54.5], "open_faces": []},
-    "magnets": {"diameter_mm": 6.0, "positions_mm": [[-15.06, 0.0], [0.0, 0.0], [15.06, 0.0]]},
-    "contact_grid": {"count": "fill", "pitch_mm": 3.0},
-    "indenter": {"radius_mm": 5.0},
-    "core": {
-        "recess_inner_radius_mm": 0.25,
-        "recess_outer_radius_mm": 6.75,
-        "wire_hole_top_diameter_mm": 2.0,
-        "wire_hole_side_diameter_mm": 1.8,
-        "hub_radius_mm": 1.5,
-        "wall_mm": 4.32,
-    },
-    "sensors": {"count_per_face": 1, "radius_mm": 3.5, "positions_mm": [[0.0, 0.0]]},
-}
-
-
-def test_a_pouring_hole_goes_down_from_the_upper_corner_until_no_pin_is_in_its_way(monkeypatch):
-    """The pin of a magnet low on a side stood in it."""
-    spec = parse_spec(LOW_MAGNETS, "t")
-    cylinder = trimesh.creation.cylinder
-    pins = [
-        solid
-        for pin in loose_pins(spec)
-        for solid in (
-            cylinder(pin.radius_mm, segment=pin.axis_mm),
-            cylinder(pin.radius_mm + pin.rim_mm, segment=pin.head_axis_mm),
-        )
-    ]
-    (hole,) = pour_holes(spec)
-    assert not any(len(hole.surface().intersection(pin).faces) for pin in pins)
-    monkeypatch.setattr(openings, "_clear", lambda hole, pins: True)
-    (blocked,) = pour_holes(spec)
-    assert any(len(blocked.surface().intersection(pin).faces) for pin in pins)
-    lower_mm = (blocked.top_mm - hole.top_mm) @ up(spec)
-    assert 0 < lower_mm < 1
-    monkeypatch.setattr(openings, "_clear", lambda hole, pins: False)
-    with pytest.raises(InputError, match="a pin of a magnet's pocket is in the way"):
-        pour_holes(spec)
-
-
-def test_pouring_holes_of_a_bored_body_move_along_its_holder_together(monkeypatch):
-    """Turned about the rod they came under the holder's flange (0.7 mm³ of a ball of 32 mm)."""
-    spec = body_spec("ellipsoid", body={"open_faces": [6], "bore_mm": 9.0})
-    usual = pour_holes(spec)
-    frame, aside = mould_frame(spec), abs(usual[0].top_mm[0])
-    monkeypatch.setattr(
-        openings, "_clear", lambda hole, pins: abs(hole.top_mm @ frame.along) > 0.7 * aside
-    )
-    one, other = pour_holes(spec)
-    assert_allclose(one.top_mm[:2], -other.top_mm[:2], atol=1e-9)
-    assert_allclose(abs(one.top_mm @ frame.across), aside)
-    assert_allclose(abs(one.top_mm @ frame.along), 0.75 * aside)
-    right = flange_span_mm(spec)[1]
-    assert_allclose(abs(one.top_mm @ frame.across) - one.diameter_mm / 2, right)
 
 
 def vent_of(radius_mm, aside_mm, along_mm=9.0, azimuth_deg=0.0):
@@ -118,21 +58,6 @@ def test_on_a_narrow_ridge_a_vent_stays_on_its_high_point():
     assert_allclose(vent.top_mm, place)
 
 
-def test_pouring_holes_move_along_the_holder_where_walls_to_the_seam_are_thin(monkeypatch):
-    spec = body_spec("sphere", body={"open_faces": [6]})
-    frame, (usual, _) = mould_frame(spec), pour_holes(spec)
-    aside = abs(usual.top_mm @ frame.across)
-
-    def thin_near_the_middle(spec, hole):
-        return abs(hole.top_mm @ frame.along) < 0.7 * aside
-
-    monkeypatch.setattr(openings, "_thin_at_seam", thin_near_the_middle)
-    for hole in pour_holes(spec):
-        assert_allclose(abs(hole.top_mm @ frame.along), 0.75 * aside)
-    monkeypatch.setattr(openings, "_thin_at_seam", lambda spec, hole: True)
-    assert_allclose(pour_holes(spec)[0].top_mm, usual.top_mm)
-
-
 @pytest.mark.parametrize(
     ("azimuth_deg", "thin"), [(45.0, False), (127.0, True), (135.0, False), (143.0, True)]
 )
@@ -142,7 +67,7 @@ def test_holes_beside_the_seam_are_told(monkeypatch, azimuth_deg, thin):
     spec = body_spec("sphere", body={"open_faces": [6]}, mould=mould)
     top = np.array([6 / np.sqrt(2), 6 / np.sqrt(2), -20.0])
     start, end = (top + height * up(spec) for height in (-1.0, 90.0))
-    vent = openings.Hole("vent", start, top, end, 1.0)
+    vent = Hole("vent", start, top, end, 1.0)
     monkeypatch.setattr(openings, "mould_holes", lambda spec: (vent,))
     assert openings.holes_thin_the_seam(spec) is thin
 
@@ -168,23 +93,9 @@ def test_a_vent_goes_straight_up_where_nothing_is_above():
 def test_a_hole_is_as_wide_as_it_is_told():
     """By its volume, that of a prism with 48 sides."""
     start, end = np.array([1.0, 2.0, 3.0]), np.array([4.0, 6.0, 15.0])
-    hole = openings.Hole("vent", start, start + (end - start) / 2, end, 2.6)
+    hole = Hole("vent", start, start + (end - start) / 2, end, 2.6)
     prism = 24 * np.sin(2 * np.pi / 48) * 1.3**2
     assert hole.surface().volume == pytest.approx(13 * prism)
     assert hole.outside.surface().volume == pytest.approx(6.5 * prism)
     assert_allclose(hole.surface().center_mass, (start + end) / 2)
-    assert hole.solid().Volume() == pytest.approx(13 * np.pi * 1.3**2)
-
-
-@pytest.mark.parametrize("at_head", [False, True])
-def test_a_hole_passes_pins_and_their_heads_at_their_radius_and_its_own(at_head):
-    """Holes of Ø3 that come to a pin's floor or its head's top from aside, or go across it."""
-    (pin, *_) = loose_pins(worked("closed capsule"))
-    place = (pin.head_axis_mm if at_head else pin.axis_mm)[int(at_head)]
-    side = np.cross(pin.way, [0.0, 0.0, 1.0])
-    side /= np.linalg.norm(side)
-    radius = pin.radius_mm + (pin.rim_mm if at_head else 0.0)
-    for away, clear in ((radius + 1.49, False), (radius + 1.51, True), (-5.0, False)):
-        hole = openings.Hole("pour", place + away * side, place + 9 * side, place + 20 * side, 3.0)
-        assert openings._clear(hole, (pin,)) is clear
-    assert openings._clear(hole, ())
+    assert hole_solid(hole).Volume() == pytest.approx(13 * np.pi * 1.3**2)

@@ -9,11 +9,12 @@ from design.errors import InputError
 from design.fabrication.casting import check_casting
 from design.layout.body import body_of
 from design.layout.core_hold import locators
+from design.layout.surface import cast_surface
 from design.layout.volumes import sealed_volume_mm3
 from design.mould.one_piece import make_seal_mould
 from design.mould.plug import make_mould_plug
 from design.solids.booleans import as_triangles, volume_mm3
-from design.solids.sampled import cast_surface, sampled_shell
+from design.solids.sampled import sampled_shell
 from design.solids.shell import cavity, envelope, make_shell
 from tests.random_designs.judge import violations
 from tests.support.objects.body_cases import body_spec

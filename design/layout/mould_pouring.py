@@ -1,0 +1,158 @@
+"""Holes that a mould is poured through, as numbers.
+
+`design/mould/openings.py` adds the vents and cuts them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+from jaxtyping import Float
+
+from design.body.meshes import manifold_of
+from design.errors import InputError
+from design.layout.mould_frame import MouldFrame, mould_frame, mould_style, thin_at_seam, up
+from design.layout.mould_pins import Pin, exit_mm, loose_pins
+from design.layout.pockets import distance_of_segments_mm
+from design.layout.surface import cast_surface, finished_surface
+from design.spec.object import ObjectSpec
+
+if TYPE_CHECKING:
+    import trimesh
+
+_SECTIONS = 48
+_POUR_SHIFTS = (0.0, 0.25, -0.25, 0.5, -0.5, 0.75, -0.75, 1.0, -1.0, 1.25, -1.25, 1.5, -1.5)
+"""Along the flange, over the distance from the rod's axis across it."""
+_MOST_CORNERS = 200
+LEAST_POUR_MM = 3.0
+"""Silicone runs badly through narrower holes and slots."""
+
+
+@dataclass(frozen=True)
+class Hole:
+    """A straight round hole from within the silicone, where `top_mm` is on its surface, to outside the
+    mould."""
+
+    use: Literal["pour", "vent"]
+    start_mm: Float[np.ndarray, "3"]
+    top_mm: Float[np.ndarray, "3"]
+    end_mm: Float[np.ndarray, "3"]
+    diameter_mm: float
+
+    @property
+    def outside(self) -> Hole:
+        """The part of it that begins at the silicone's surface."""
+        return replace(self, start_mm=self.top_mm)
+
+    def surface(self) -> trimesh.Trimesh:
+        import trimesh
+
+        ends = [self.start_mm, self.end_mm]
+        return trimesh.creation.cylinder(self.diameter_mm / 2, segment=ends, sections=_SECTIONS)
+
+
+def hole_from(
+    spec: ObjectSpec,
+    use: Literal["pour", "vent"],
+    top_mm: np.ndarray,
+    way: np.ndarray,
+    diameter_mm: float,
+) -> Hole:
+    """From below a point of the surface, so that all of its rim is open, to far outside."""
+    return Hole(use, top_mm - diameter_mm * way, top_mm, top_mm + far_mm(spec) * way, diameter_mm)
+
+
+def far_mm(spec: ObjectSpec) -> float:
+    """A length that leaves the mould from anywhere in it."""
+    return 3 * max(spec.body.size_mm) + spec.mould.flange_mm + spec.mould.wall_mm
+
+
+def pour_holes(
+    spec: ObjectSpec, first: bool = True, pins: tuple[Pin, ...] | None = None
+) -> tuple[Hole, ...]:
+    """Beside the rod through a bore, at both its sides; at the upper corner of a closed mould. They move
+    along the flange of the rod, which stays beside them, or go down from that corner, until no pin is
+    in their way.
+
+    Of the mould that the shell is cast in, or, unless `first`, of the seal layer's, and with that
+    mould's pins unless others are given.
+
+    Raises
+    ------
+    InputError
+        Wherever they might be, a pin is in the way, or no silicone is below them.
+    """
+    frame = mould_frame(spec)
+    if frame.opening == "open":
+        return ()
+    pins = pins_of(spec, first) if pins is None else pins
+    thin: tuple[Hole, ...] | None = None
+    for tops in _pour_places(spec, cast_surface(spec) if first else finished_surface(spec)):
+        holes = tuple(hole_from(spec, "pour", top, up(spec), spec.mould.pour_mm) for top in tops)
+        if all(is_clear(hole, pins) for hole in holes):
+            if not any(hole_thins_the_seam(spec, hole) for hole in holes):
+                return holes
+            thin = thin or holes
+    if thin is not None:
+        return thin
+    which = "" if first else "seal layer's "
+    raise InputError(
+        f"wherever the {which}mould's pouring holes (mould.pour_mm = "
+        f"{spec.mould.pour_mm:g}) might be, a pin of a magnet's pocket is in the way, or no silicone "
+        "is below them"
+    )
+
+
+def _pour_places(spec: ObjectSpec, surface: trimesh.Trimesh) -> Iterator[list[np.ndarray]]:
+    """Tops of the pouring holes on the silicone's surface, the best first."""
+    frame, way = mould_frame(spec), up(spec)
+    if frame.opening == "closed":
+        height = surface.vertices @ way
+        for corner in np.argsort(-height, kind="stable")[:_MOST_CORNERS]:
+            yield [surface.vertices[corner]]
+        return
+    aside = float(frame.plug_mm[1, 0]) + spec.mould.pour_mm / 2
+    for shift in _POUR_SHIFTS:
+        side = aside * (frame.across + shift * frame.along)
+        one, other = (_below(surface, frame, sign * side) for sign in (-1, 1))
+        if one is not None and other is not None:
+            yield [one, other]
+
+
+def _below(surface: trimesh.Trimesh, frame: MouldFrame, beside_mm: np.ndarray) -> np.ndarray | None:
+    """The silicone's surface under a place beside the axis `out`; None where there is none."""
+    top = beside_mm + (frame.rim_mm + 1.0) * frame.out
+    hits = manifold_of(surface).ray_cast(tuple(top), tuple(beside_mm - frame.rim_mm * frame.out))
+    return np.asarray(hits[0].position) if hits else None
+
+
+def pins_of(spec: ObjectSpec, first: bool) -> tuple[Pin, ...]:
+    """Pins in the mould of the first pour; the seal layer's has none for pockets."""
+    pins = loose_pins(spec) if mould_style(spec) == "split" else ()
+    return pins if first else tuple(pin for pin in pins if pin.locator is not None)
+
+
+def is_clear(hole: Hole, pins: tuple[Pin, ...]) -> bool:
+    """Whether no pin and no pin's head stands in a hole."""
+    axis, half = np.stack([hole.start_mm, hole.end_mm]), hole.diameter_mm / 2
+    return all(
+        distance_of_segments_mm(axis, pin.axis_mm) > half + pin.radius_mm
+        and distance_of_segments_mm(axis, pin.head_axis_mm) > half + pin.radius_mm + pin.rim_mm
+        for pin in pins
+    )
+
+
+def hole_thins_the_seam(spec: ObjectSpec, hole: Hole) -> bool:
+    """Whether a hole leaves a wall to the parting plane that is too thin."""
+    split = mould_style(spec) == "split"
+    return split and thin_at_seam(spec, within_mould(spec, hole), hole.diameter_mm / 2)
+
+
+def within_mould(spec: ObjectSpec, hole: Hole) -> Float[np.ndarray, "2 3"]:
+    """Where a hole's axis leaves the silicone, and where the mould's block."""
+    way = hole.end_mm - hole.top_mm
+    way /= np.linalg.norm(way)
+    return np.stack([hole.top_mm, hole.top_mm + exit_mm(spec, hole.top_mm, way) * way])

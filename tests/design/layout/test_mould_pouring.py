@@ -1,0 +1,102 @@
+"""Pouring holes of split moulds keep clear of pins."""
+
+import numpy as np
+import pytest
+import trimesh
+from numpy.testing import assert_allclose
+
+from design.errors import InputError
+from design.layout import mould_pouring
+from design.layout.mould_closure import flange_span_mm
+from design.layout.mould_frame import mould_frame, up
+from design.layout.mould_pins import loose_pins
+from design.layout.mould_pouring import Hole, is_clear, pour_holes
+from design.spec_io import parse_spec
+from tests.support.objects.body_cases import body_spec
+from tests.support.objects.worked_objects import worked
+
+LOW_MAGNETS = {
+    "name": "t",
+    "body": {"kind": "ellipsoid", "size_mm": [61.6, 45.2, 54.5], "open_faces": []},
+    "magnets": {"diameter_mm": 6.0, "positions_mm": [[-15.06, 0.0], [0.0, 0.0], [15.06, 0.0]]},
+    "contact_grid": {"count": "fill", "pitch_mm": 3.0},
+    "indenter": {"radius_mm": 5.0},
+    "core": {
+        "recess_inner_radius_mm": 0.25,
+        "recess_outer_radius_mm": 6.75,
+        "wire_hole_top_diameter_mm": 2.0,
+        "wire_hole_side_diameter_mm": 1.8,
+        "hub_radius_mm": 1.5,
+        "wall_mm": 4.32,
+    },
+    "sensors": {"count_per_face": 1, "radius_mm": 3.5, "positions_mm": [[0.0, 0.0]]},
+}
+
+
+def test_a_pouring_hole_goes_down_from_the_upper_corner_until_no_pin_is_in_its_way(monkeypatch):
+    """The pin of a magnet low on a side stood in it."""
+    spec = parse_spec(LOW_MAGNETS, "t")
+    cylinder = trimesh.creation.cylinder
+    pins = [
+        solid
+        for pin in loose_pins(spec)
+        for solid in (
+            cylinder(pin.radius_mm, segment=pin.axis_mm),
+            cylinder(pin.radius_mm + pin.rim_mm, segment=pin.head_axis_mm),
+        )
+    ]
+    (hole,) = pour_holes(spec)
+    assert not any(len(hole.surface().intersection(pin).faces) for pin in pins)
+    monkeypatch.setattr(mould_pouring, "is_clear", lambda hole, pins: True)
+    (blocked,) = pour_holes(spec)
+    assert any(len(blocked.surface().intersection(pin).faces) for pin in pins)
+    lower_mm = (blocked.top_mm - hole.top_mm) @ up(spec)
+    assert 0 < lower_mm < 1
+    monkeypatch.setattr(mould_pouring, "is_clear", lambda hole, pins: False)
+    with pytest.raises(InputError, match="a pin of a magnet's pocket is in the way"):
+        pour_holes(spec)
+
+
+def test_pouring_holes_of_a_bored_body_move_along_its_holder_together(monkeypatch):
+    """Turned about the rod they came under the holder's flange (0.7 mm³ of a ball of 32 mm)."""
+    spec = body_spec("ellipsoid", body={"open_faces": [6], "bore_mm": 9.0})
+    usual = pour_holes(spec)
+    frame, aside = mould_frame(spec), abs(usual[0].top_mm[0])
+    monkeypatch.setattr(
+        mould_pouring, "is_clear", lambda hole, pins: abs(hole.top_mm @ frame.along) > 0.7 * aside
+    )
+    one, other = pour_holes(spec)
+    assert_allclose(one.top_mm[:2], -other.top_mm[:2], atol=1e-9)
+    assert_allclose(abs(one.top_mm @ frame.across), aside)
+    assert_allclose(abs(one.top_mm @ frame.along), 0.75 * aside)
+    right = flange_span_mm(spec)[1]
+    assert_allclose(abs(one.top_mm @ frame.across) - one.diameter_mm / 2, right)
+
+
+def test_pouring_holes_move_along_the_holder_where_walls_to_the_seam_are_thin(monkeypatch):
+    spec = body_spec("sphere", body={"open_faces": [6]})
+    frame, (usual, _) = mould_frame(spec), pour_holes(spec)
+    aside = abs(usual.top_mm @ frame.across)
+
+    def thin_near_the_middle(spec, hole):
+        return abs(hole.top_mm @ frame.along) < 0.7 * aside
+
+    monkeypatch.setattr(mould_pouring, "hole_thins_the_seam", thin_near_the_middle)
+    for hole in pour_holes(spec):
+        assert_allclose(abs(hole.top_mm @ frame.along), 0.75 * aside)
+    monkeypatch.setattr(mould_pouring, "hole_thins_the_seam", lambda spec, hole: True)
+    assert_allclose(pour_holes(spec)[0].top_mm, usual.top_mm)
+
+
+@pytest.mark.parametrize("at_head", [False, True])
+def test_a_hole_passes_pins_and_their_heads_at_their_radius_and_its_own(at_head):
+    """Holes of Ø3 that come to a pin's floor or its head's top from aside, or go across it."""
+    (pin, *_) = loose_pins(worked("closed capsule"))
+    place = (pin.head_axis_mm if at_head else pin.axis_mm)[int(at_head)]
+    side = np.cross(pin.way, [0.0, 0.0, 1.0])
+    side /= np.linalg.norm(side)
+    radius = pin.radius_mm + (pin.rim_mm if at_head else 0.0)
+    for away, clear in ((radius + 1.49, False), (radius + 1.51, True), (-5.0, False)):
+        hole = Hole("pour", place + away * side, place + 9 * side, place + 20 * side, 3.0)
+        assert is_clear(hole, (pin,)) is clear
+    assert is_clear(hole, ())
