@@ -4,12 +4,13 @@
         [--copies 1] [--seconds 150] [--minutes M] [--list]
 
 Each fault is planted in a copy of the checkout, and the usual tests that import its file run there,
-nearest first, until one fails, at most 150 s of processor time. Faults that no test notices are
-listed at the end; those in statements that no test ran are told apart and count neither way.
+those of its room that call its function first, until one fails, at most 150 s of processor time.
+Faults that no test notices are listed at the end; those in statements that no test ran are told apart
+and count neither way.
 
-The folder keeps `faults.jsonl` (what is planted; `--list` ends there) and `outcomes.jsonl`. A second
-call goes on where the first stopped, also on another machine with the same code. Needs no network
-and no git; most faults take seconds, the start a minute.
+The folder keeps `faults.jsonl` (what is planted; `--list` ends there), `learnt.jsonl` (what tests call)
+and `outcomes.jsonl`. A second call goes on where the first stopped, also on another machine with the
+same code. Needs no network and no git; most faults take a second or two, the start some minutes.
 """
 
 from __future__ import annotations

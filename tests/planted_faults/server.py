@@ -119,25 +119,11 @@ class Server:
     def judged(self, fault: Fault, tests: list[str], most_s: float) -> dict[str, Any]:
         """Outcome (noticed, hangs, not noticed, not reached), by which test, and of how many.
 
-        First go those of its room that called the function that holds the fault when they ran
-        before, then others that did, the quickest first; last those that did not. A test that fails
-        by itself without the fault is left out.
+        A test that fails by itself without the fault is left out.
         """
         anew = acts_at_import(self.root, fault)
-        function = None if anew else holding(self.root, fault)
-        room = room_of(fault.path, tests)
-
-        def rank(test: str) -> tuple[int, float]:
-            seconds, calls = self.seconds.get(test, 0.0), self.calls.get(test)
-            if READ.match(test):
-                return 0, 0.0
-            if function is None or calls is None:
-                return 3, float(seconds > LONG_S)
-            if function not in calls:
-                return 4, float(seconds > LONG_S)
-            return 1 + (Path(test.split("::")[0]).parent != room), seconds
-
-        left = sorted(tests, key=rank)
+        function, room = None if anew else holding(self.root, fault), room_of(fault.path, tests)
+        left = in_order(tests, function, room, self.seconds, self.calls)
         by, asked, spent_s, reached, hangs = "", 0, 0.0, anew and bool(tests), False
         while left and not by and spent_s < most_s:
             batch = _of_near_files(left) if anew else left
@@ -207,6 +193,30 @@ class Server:
             run([self.items[test] for test in tests], notes)
         else:
             notes.says("in no function")
+
+
+def in_order(
+    tests: list[str],
+    function: Function | None,
+    room: Path | None,
+    seconds: dict[str, float],
+    calls: dict[str, set[Function]],
+) -> list[str]:
+    """First tests of the room that called the function when they ran before, then others that did, the
+    quickest first; then those that are not known, and last those that did not, long ones after others.
+    """
+
+    def rank(test: str) -> tuple[int, float]:
+        took_s, called = seconds.get(test, 0.0), calls.get(test)
+        if READ.match(test):
+            return 0, 0.0
+        if function is None or called is None:
+            return 3, float(took_s > LONG_S)
+        if function not in called:
+            return 4, float(took_s > LONG_S)
+        return 1 + (Path(test.split("::")[0]).parent != room), took_s
+
+    return sorted(tests, key=rank)
 
 
 def _of_near_files(tests: list[str]) -> list[str]:

@@ -12,6 +12,7 @@ from tests.planted_faults import __main__ as command
 from tests.planted_faults.copies import sources
 from tests.planted_faults.nearness import importers, nearest
 from tests.planted_faults.notes import Said
+from tests.planted_faults.server import Server, in_order
 from tests.planted_faults.sites import faults_in
 
 CODE = """LIMIT, END = 3, 5
@@ -141,6 +142,38 @@ def test_tests_of_the_same_name_and_room_go_first_then_the_fewest_imports_away_t
         "tests/estimator/field/test_j.py::test_1",
         "tests/fem/mesh/test_a.py::test_1",
     ]
+
+
+def test_tests_of_the_room_that_call_the_function_go_first_the_quickest_before_long_ones():
+    function, other = ("fem.linear.a", "solve"), ("fem.linear.a", "load")
+    known = {
+        "tests/fem/mesh/test_b.py::quick": (0.1, {function}),
+        "tests/fem/linear/test_a.py::calls_no_such": (0.1, {other}),
+        "tests/fem/linear/test_a.py::slow": (3.0, {function, other}),
+        "tests/fem/linear/test_a.py::quick": (0.2, {function}),
+        "tests/fem/test_figures.py::test_1": (0.1, set()),
+    }
+    unknown = "tests/instobj/test_c.py::test_1"
+    seconds = {test: took for test, (took, _) in known.items()}
+    calls = {test: called for test, (_, called) in known.items()}
+    order = in_order([*known, unknown], function, Path("tests/fem/linear"), seconds, calls)
+    assert order == [
+        "tests/fem/test_figures.py::test_1",
+        "tests/fem/linear/test_a.py::quick",
+        "tests/fem/linear/test_a.py::slow",
+        "tests/fem/mesh/test_b.py::quick",
+        unknown,
+        "tests/fem/linear/test_a.py::calls_no_such",
+    ]
+
+
+def test_what_tests_call_is_learnt_once(tmp_path):
+    file = tmp_path / "learnt.jsonl"
+    file.write_text('{"test": "t::1", "seconds": 0.5, "calls": [["fem.a", "f"]]}\n')
+    server = Server(tmp_path, [], print, learnt=file)
+    server.items = {}
+    server.learn({"fem"})
+    assert (server.seconds, server.calls) == ({"t::1": 0.5}, {"t::1": {("fem.a", "f")}})
 
 
 def test_a_room_without_tests_has_those_of_the_room_above_it(tmp_path):
