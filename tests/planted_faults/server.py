@@ -42,8 +42,11 @@ FIRST_S = 6.0
 """Of tests for each fault before any gets more: most are noticed, and it is learned what tests call."""
 LONG_S = 5.0
 """Of a test that then goes after the others."""
-READ = re.compile(r"tests/(chain/test_guards|\w+/test_figures)\.py")
-"""Tests of what stands in the code, which call none of it."""
+READ = {
+    "truth": re.compile(r"tests/chain/test_guards\.py"),
+    "number": re.compile(r"tests/\w+/test_figures\.py"),
+}
+"""Tests of what stands in the code, which call none of it, by the kind of faults that they notice."""
 LEARNT_S = 6.0
 """Of a test file that runs without a fault first."""
 NEAR_FILES = 8
@@ -123,7 +126,7 @@ class Server:
         """
         anew = acts_at_import(self.root, fault)
         function, room = None if anew else holding(self.root, fault), room_of(fault.path, tests)
-        left = in_order(tests, function, room, self.seconds, self.calls)
+        left = in_order(tests, function, room, self.seconds, self.calls, READ.get(fault.kind))
         by, asked, spent_s, reached, hangs = "", 0, 0.0, anew and bool(tests), False
         while left and not by and spent_s < most_s:
             batch = _of_near_files(left) if anew else left
@@ -201,14 +204,15 @@ def in_order(
     room: Path | None,
     seconds: dict[str, float],
     calls: dict[str, set[Function]],
+    read: re.Pattern[str] | None = None,
 ) -> list[str]:
-    """First tests of the room that called the function when they ran before, then others that did, the
+    """Those of a pattern, then tests of the room that called the function when they ran before, then others that did, the
     quickest first; then those that are not known, and last those that did not, long ones after others.
     """
 
     def rank(test: str) -> tuple[int, float]:
         took_s, called = seconds.get(test, 0.0), calls.get(test)
-        if READ.match(test):
+        if read and read.match(test):
             return 0, 0.0
         if function is None or called is None:
             return 3, float(took_s > LONG_S)

@@ -12,7 +12,7 @@ from tests.planted_faults import __main__ as command
 from tests.planted_faults.copies import sources
 from tests.planted_faults.nearness import importers, nearest
 from tests.planted_faults.notes import Said
-from tests.planted_faults.server import Server, in_order
+from tests.planted_faults.server import READ, Server, in_order
 from tests.planted_faults.sites import faults_in
 
 CODE = """LIMIT, END = 3, 5
@@ -156,7 +156,8 @@ def test_tests_of_the_room_that_call_the_function_go_first_the_quickest_before_l
     unknown = "tests/instobj/test_c.py::test_1"
     seconds = {test: took for test, (took, _) in known.items()}
     calls = {test: called for test, (_, called) in known.items()}
-    order = in_order([*known, unknown], function, Path("tests/fem/linear"), seconds, calls)
+    room, read = Path("tests/fem/linear"), READ["number"]
+    order = in_order([*known, unknown], function, room, seconds, calls, read)
     assert order == [
         "tests/fem/test_figures.py::test_1",
         "tests/fem/linear/test_a.py::quick",
