@@ -157,7 +157,7 @@ def _cylinder(body: Cylinder) -> cq.Solid:
 
 def _cylinder_cavity(body: Cylinder, overshoot_mm: float) -> cq.Solid:
     low, high = body.core_span_mm(overshoot_mm)
-    return rod_about_z(float(body.core_half_mm[0]), float(low[2]), float(high[2]))
+    return rod_about_z(body.core_radius_mm, float(low[2]), float(high[2]))
 
 
 def _cylinder_core(body: Cylinder) -> cq.Solid:
@@ -183,12 +183,12 @@ def _cast_block(body: Box | Pad, layer_mm: float, sensed: tuple[int, ...]) -> cq
 
 def _disk_added(body: Cylinder, room: Shape, frame: MouldFrame, layer_mm: float) -> Shape:
     start = (frame.rim_mm - OVERSHOOT_MM) * frame.out
-    radius, out = body.size_mm[0] / 2 - layer_mm, cq.Vector(*frame.out)
+    radius, out = body.radius_mm - layer_mm, cq.Vector(*frame.out)
     return join(room, cq.Solid.makeCylinder(radius, 2 * OVERSHOOT_MM, cq.Vector(*start), out))
 
 
 def _sphere_room(body: Sphere, wall_mm: float) -> cq.Solid | None:
-    radius = float(body.core_half_mm[0] - wall_mm)
+    radius = body.core_radius_mm - wall_mm
     return _ball(radius) if radius > 0 else None
 
 
@@ -208,7 +208,7 @@ def _capsule(radius_mm: float, straight_mm: float) -> cq.Solid:
 
 
 def _capsule_room(body: Capsule, wall_mm: float) -> cq.Solid | None:
-    radius = float(body.core_half_mm[0] - wall_mm)
+    radius = body.core_radius_mm - wall_mm
     return _capsule(radius, body.straight_mm) if radius > 0 else None
 
 
@@ -224,7 +224,7 @@ def _dome(body: Dome) -> cq.Solid:
 
 def _dome_cavity(body: Dome, overshoot_mm: float) -> cq.Solid | None:
     """A whole ball: what lies under the base's plane cuts no silicone."""
-    return None if body.inside == "silicone" else _ball(body.inner_radius_mm, body.centre_mm)
+    return None if body.inside == "silicone" else _ball(body.core_radius_mm, body.centre_mm)
 
 
 def _dome_core(body: Dome) -> cq.Solid:
@@ -233,7 +233,7 @@ def _dome_core(body: Dome) -> cq.Solid:
     base = rod_about_z(float(radius), float(-half), body.base_top_mm)
     if body.inside != "core":
         return base
-    inner = _ball(body.inner_radius_mm, body.centre_mm)
+    inner = _ball(body.core_radius_mm, body.centre_mm)
     above = box_between((-radius, -radius, -half), (radius, radius, half))
     return base.fuse(inner.intersect(above).Solids()[0]).clean().Solids()[0]
 
@@ -261,13 +261,13 @@ SOLIDS: dict[str, ExactSolids] = {
         cast=_cast_cylinder,
     ),
     "capsule": ExactSolids(
-        outer=lambda body: _capsule(float(body.half_mm[0]), body.straight_mm),
-        core=lambda body: _capsule(float(body.core_half_mm[0]), body.straight_mm),
+        outer=lambda body: _capsule(body.radius_mm, body.straight_mm),
+        core=lambda body: _capsule(body.core_radius_mm, body.straight_mm),
         room=_capsule_room,
     ),
     "sphere": ExactSolids(
-        outer=lambda body: _ball(float(body.half_mm[0])),
-        core=lambda body: _ball(float(body.core_half_mm[0])),
+        outer=lambda body: _ball(body.radius_mm),
+        core=lambda body: _ball(body.core_radius_mm),
         room=_sphere_room,
     ),
     "dome": ExactSolids(

@@ -136,7 +136,7 @@ def _recess(spec: ObjectSpec, top: float) -> cq.Solid:
     """Room for the lowest few millimetres of a body without a cavity for a post."""
     play, body = play_mm(spec), body_of(spec)
     if body.round_below:
-        return rod_about_z(body.size_mm[0] / 2 + play, top - RECESS_MM, top + OVERSHOOT_MM)
+        return rod_about_z(body.radius_mm + play, top - RECESS_MM, top + OVERSHOOT_MM)
     box = envelope(spec).BoundingBox()
     low = (box.xmin - play, box.ymin - play, top - RECESS_MM)
     return box_between(low, (box.xmax + play, box.ymax + play, top + OVERSHOOT_MM))

@@ -206,8 +206,8 @@ def in_order(
     calls: dict[str, set[Function]],
     read: re.Pattern[str] | None = None,
 ) -> list[str]:
-    """Those of a pattern, then tests of the room that called the function when they ran before, then others that did, the
-    quickest first; then those that are not known, and last those that did not, long ones after others.
+    """Those of a pattern; tests of the room that called the function when they ran before, then others
+    that did, the quickest first; those that are not known, and last those that did not.
     """
 
     def rank(test: str) -> tuple[int, float]:

@@ -97,6 +97,16 @@ class BodyKind(ABC):
         return self.half_mm - self.thickness_mm
 
     @property
+    def radius_mm(self) -> float:
+        """About z, of kinds that are round about it."""
+        return self.size_mm[0] / 2
+
+    @property
+    def core_radius_mm(self) -> float:
+        """The same of the core: the body's less one shell thickness."""
+        return self.radius_mm - self.thickness_mm
+
+    @property
     def opening(self) -> Opening:
         """How the core's cavity runs out of the silicone: through a side, a bore, or nowhere."""
         if self.on_base:
@@ -137,7 +147,7 @@ class BodyKind(ABC):
         """
         if self.opening == "closed":
             return np.zeros((2, 2))
-        radius = self.bore_mm / 2 if self.opening == "bore" else float(self.core_half_mm[0])
+        radius = self.bore_mm / 2 if self.opening == "bore" else self.core_radius_mm
         return np.array([[-radius, -radius], [radius, radius]])
 
     def parting_azimuth(self, half_mm: Float[np.ndarray, "3"]) -> float | None:

@@ -60,10 +60,10 @@ class Capsule(BodyKind):
     @property
     def straight_mm(self) -> float:
         """Half of the cylinder's length; the ends' middles lie so far above and below the origin."""
-        return (self.size_mm[2] - self.size_mm[0]) / 2
+        return self.size_mm[2] / 2 - self.radius_mm
 
     def frame(self, number: int, inward_mm: float = 0.0) -> FaceFrame:
-        radius, straight = self.size_mm[0] / 2 - inward_mm, self.straight_mm
+        radius, straight = self.radius_mm - inward_mm, self.straight_mm
         normal, x, y = face_axes(number)
         if number in (1, 6):
             return cap_frame(number, np.full(3, radius), straight * normal)
@@ -74,13 +74,13 @@ class Capsule(BodyKind):
     def core_distance_mm(self, points_mm: np.ndarray) -> np.ndarray:
         along = np.clip(points_mm[:, 2], -self.straight_mm, self.straight_mm)
         from_axis = points_mm - along[:, None] * np.array([0.0, 0.0, 1.0])
-        return np.linalg.norm(from_axis, axis=1) - self.core_half_mm[0]
+        return np.linalg.norm(from_axis, axis=1) - self.core_radius_mm
 
     def outer_surface(self) -> trimesh.Trimesh:
-        return self._triangles(self.size_mm[0] / 2)
+        return self._triangles(self.radius_mm)
 
     def core_surface(self) -> trimesh.Trimesh:
-        return self._triangles(float(self.core_half_mm[0]))
+        return self._triangles(self.core_radius_mm)
 
     def _triangles(self, radius_mm: float) -> trimesh.Trimesh:
         """A profile turned about z and widened until it encloses the capsule's volume."""
@@ -99,7 +99,7 @@ class Capsule(BodyKind):
         return solid
 
     def volume_mm3(self) -> float:
-        outer, inner = self.size_mm[0] / 2, float(self.core_half_mm[0])
+        outer, inner = self.radius_mm, self.core_radius_mm
         ends = 4 / 3 * pi * (outer**3 - inner**3)
         side = 2 * pi * self.straight_mm * (outer**2 - inner**2)
         if not self.opened:

@@ -40,43 +40,42 @@ class Cylinder(BodyKind):
         frame = flat_frame(number, self.half_mm, inward_mm)
         if number in (1, 6):
             return replace(frame, round=True)
-        radius = self.size_mm[0] / 2 - inward_mm
+        radius = self.radius_mm - inward_mm
         extents = (frame.half_extents_mm[0], steepest_reach_mm(radius, radius))
         return replace(frame, half_extents_mm=extents, relief=Cap((np.inf, radius, radius)))
 
     def core_distance_mm(self, points_mm: np.ndarray) -> np.ndarray:
-        radius, _, half = self.core_half_mm
-        across = np.hypot(points_mm[:, 0], points_mm[:, 1]) - radius
-        return np.maximum(across, abs(points_mm[:, 2]) - half)
+        across = np.hypot(points_mm[:, 0], points_mm[:, 1]) - self.core_radius_mm
+        return np.maximum(across, abs(points_mm[:, 2]) - self.core_half_mm[2])
 
     def outer_surface(self) -> trimesh.Trimesh:
-        return self._about_z(self.half_mm[0], -self.half_mm[2], self.half_mm[2])
+        return self._about_z(self.radius_mm, -self.half_mm[2], self.half_mm[2])
 
     def core_surface(self) -> trimesh.Trimesh:
-        return self._about_z(self.core_half_mm[0], -self.core_half_mm[2], self.core_half_mm[2])
+        return self._about_z(self.core_radius_mm, -self.core_half_mm[2], self.core_half_mm[2])
 
     def cavity_surface(self) -> trimesh.Trimesh:
         low, high = self.core_span_mm(OVERSHOOT_MM)
-        return self._about_z(self.core_half_mm[0], low[2], high[2])
+        return self._about_z(self.core_radius_mm, low[2], high[2])
 
     def _about_z(self, radius_mm: float, low_mm: float, high_mm: float) -> trimesh.Trimesh:
         return cylinder_between(float(radius_mm), float(low_mm), float(high_mm), self.envelope_mm)
 
     def volume_mm3(self) -> float:
         low, high = self.core_span_mm(0.0)
-        diameter, _, height = self.size_mm
-        return pi * (diameter**2 / 4 * height - float(self.core_half_mm[0] ** 2 * (high - low)[2]))
+        hollow = self.core_radius_mm**2 * float((high - low)[2])
+        return pi * (self.radius_mm**2 * self.size_mm[2] - hollow)
 
     def cast_measures_mm(
         self, layer_mm: float, sensed: tuple[int, ...]
     ) -> tuple[float, float, float]:
         """Radius and levels of the ends without a layer all round, and on the ends that are sensed."""
-        radius, _, half = self.half_mm
+        radius, half = self.radius_mm, self.size_mm[2] / 2
         round_it = bool({2, 3, 4, 5} & set(sensed))
         return (
-            float(radius - round_it * layer_mm),
-            float((6 in sensed) * layer_mm - half),
-            float(half - (1 in sensed) * layer_mm),
+            radius - round_it * layer_mm,
+            (6 in sensed) * layer_mm - half,
+            half - (1 in sensed) * layer_mm,
         )
 
     def cast_surface(self, layer_mm: float, sensed: tuple[int, ...]) -> trimesh.Trimesh:
@@ -84,14 +83,13 @@ class Cylinder(BodyKind):
 
     def cast_volume_mm3(self, layer_mm: float, sensed: tuple[int, ...]) -> float:
         radius, low, high = self.cast_measures_mm(layer_mm, sensed)
-        solid = pi * float(np.prod(self.half_mm[:2])) * self.size_mm[2]
+        solid = pi * self.radius_mm**2 * self.size_mm[2]
         return self.volume_mm3() - solid + pi * radius**2 * (high - low)
 
     def end_slabs(self, width_mm: float) -> list[trimesh.Trimesh]:
         return [self._end_slab(normal, width_mm) for normal, _ in self.support_ends]
 
     def _end_slab(self, normal: np.ndarray, width_mm: float) -> trimesh.Trimesh:
-        half = self.core_half_mm
-        end = float((normal * half)[2])
+        end = float((normal * self.core_half_mm)[2])
         low, high = sorted((end, end + width_mm * float(normal[2])))
-        return self._about_z(half[0] + width_mm, low, high)
+        return self._about_z(self.core_radius_mm + width_mm, low, high)

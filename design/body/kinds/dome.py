@@ -32,15 +32,6 @@ class Dome(BodyKind):
         return size_mm[0] == size_mm[1] and size_mm[2] > size_mm[0] / 2
 
     @property
-    def radius_mm(self) -> float:
-        return self.size_mm[0] / 2
-
-    @property
-    def inner_radius_mm(self) -> float:
-        """Of the rigid dome or the air inside."""
-        return self.radius_mm - self.thickness_mm
-
-    @property
     def base_top_mm(self) -> float:
         """Height z of the plane on which the dome stands."""
         return self.size_mm[2] / 2 - self.radius_mm
@@ -84,7 +75,7 @@ class Dome(BodyKind):
         base = points_mm[:, 2] - self.base_top_mm
         if self.inside != "core":
             return base
-        away = np.linalg.norm(points_mm - self.centre_mm, axis=1) - self.inner_radius_mm
+        away = np.linalg.norm(points_mm - self.centre_mm, axis=1) - self.core_radius_mm
         return np.minimum(base, away)
 
     def outer_surface(self) -> trimesh.Trimesh:
@@ -96,8 +87,8 @@ class Dome(BodyKind):
         """A whole ball: what lies under the base's plane cuts no silicone."""
         if self.inside == "silicone":
             return None
-        return ball(self.inner_radius_mm, self.centre_mm, self.envelope_mm)
+        return ball(self.core_radius_mm, self.centre_mm, self.envelope_mm)
 
     def volume_mm3(self) -> float:
-        inner = 0.0 if self.inside == "silicone" else self.inner_radius_mm
+        inner = 0.0 if self.inside == "silicone" else self.core_radius_mm
         return 2 / 3 * pi * (self.radius_mm**3 - inner**3)

@@ -30,22 +30,22 @@ class Sphere(BodyKind):
         return cap_frame(number, self.half_mm - inward_mm, np.zeros(3))
 
     def core_distance_mm(self, points_mm: np.ndarray) -> np.ndarray:
-        return np.linalg.norm(points_mm, axis=1) - self.core_half_mm[0]
+        return np.linalg.norm(points_mm, axis=1) - self.core_radius_mm
 
     def outer_surface(self) -> trimesh.Trimesh:
-        return ball(self.size_mm[0] / 2, np.zeros(3), self.envelope_mm)
+        return ball(self.radius_mm, np.zeros(3), self.envelope_mm)
 
     def core_surface(self) -> trimesh.Trimesh:
-        return ball(float(self.core_half_mm[0]), np.zeros(3), self.envelope_mm)
+        return ball(self.core_radius_mm, np.zeros(3), self.envelope_mm)
 
     def volume_mm3(self) -> float:
-        outer, inner = self.size_mm[0] / 2, float(self.core_half_mm[0])
+        outer, inner = self.radius_mm, self.core_radius_mm
         return 4 / 3 * pi * (outer**3 - inner**3) - self._bore_volume_mm3()
 
     def _bore_volume_mm3(self) -> float:
         if not self.opened:
             return 0.0
-        outer, inner = self.size_mm[0] / 2, float(self.core_half_mm[0])
+        outer, inner = self.radius_mm, self.core_radius_mm
         bore = self.bore_mm / 2
         return half_ball_in_bore_mm3(outer, bore) - half_ball_in_bore_mm3(inner, bore)
 
