@@ -27,6 +27,8 @@ def test_the_longest_edge_measures_5_to_1000_mm():
         ((0.4, 0.5, 0.5), ["--unit cm) makes it 5 mm", "--unit m) makes it 500 mm"]),
         ((4e-4, 2e-4, 4e-4), ["body.scale = 100000 makes it 40 mm"]),
         ((2e4, 3e3, 2e4), ["body.scale = 0.001 makes it 20 mm"]),
+        ((1600.0, 300.0, 900.0), ["body.scale = 0.01 makes it 16 mm"]),
+        ((1560.0, 300.0, 900.0), ["body.scale = 0.1 makes it 156 mm"]),
     ],
 )
 def test_a_file_drawn_in_another_unit_is_told_with_units_that_work(size_mm, said):
