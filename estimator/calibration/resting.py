@@ -64,13 +64,17 @@ def _of_recording(path: Path, spec: ObjectSpec) -> Resting:
             "a table with one column per channel (F1-X1, …)"
         )
     recording = read_recording(path)
+    names = channel_names(spec)
     silent = {
         fault.where: f"{fault.kind}: {fault.detail}"
         for fault in recording.report.faults
-        if fault.kind in _DEAD_KINDS
+        if fault.kind in _DEAD_KINDS and fault.where in names
     }
-    counts = np.median(recording.rest_counts, axis=0).ravel()
-    return _with_silent(spec, counts, recording.report.rest_frames, silent)
+    level = np.median(recording.rest_counts, axis=0)
+    unread = np.full(level.shape[1:], np.nan)
+    held = recording.frames.faces.tolist()
+    counts = np.array([level[held.index(n)] if n in held else unread for n in spec.body.sensed])
+    return _with_silent(spec, counts.ravel(), recording.report.rest_frames, silent)
 
 
 def _of_table(path: Path, spec: ObjectSpec, header: list[str]) -> Resting:

@@ -148,7 +148,8 @@ def with_history(frames: FrameSet, history_frames: int) -> FrameSet:
     """The frames with further faces, numbered from `HISTORY` on, that hold the change of each
     channel over `history_frames`, or since the press began where that is later.
 
-    Frames of a press must be complete and in order.
+    Frames of a press must be complete and in order. A frame whose change begins at a lost reading is
+    not valid, so that the channel keeps its change.
     """
     if not history_frames:
         return frames
@@ -156,8 +157,10 @@ def with_history(frames: FrameSet, history_frames: int) -> FrameSet:
     _, first, press = np.unique(frames.press_id, return_index=True, return_inverse=True)
     before = np.maximum(row - history_frames, first[press])
     change = frames.signal_counts - frames.signal_counts[before]
+    lost = np.any(np.isnan(change) & np.isfinite(frames.signal_counts), axis=(1, 2, 3))
     return replace(
         frames,
+        valid=frames.valid & ~lost,
         signal_counts=np.concatenate([frames.signal_counts, change], axis=1),
         faces=np.concatenate([frames.faces, frames.faces + HISTORY]),
     )

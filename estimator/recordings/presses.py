@@ -20,7 +20,7 @@ LAGS = range(-10, 26)
 _LEAST_PRESS_FRAMES = 5
 _LEVEL_ROUNDS = 50
 _STEADY_REST_N = 0.15
-_LAG_FRAMES = 3 * max(LAGS)
+LAG_FRAMES = 3 * max(LAGS)
 """More are needed to tell a lag."""
 _CURVE_DEGREE = 3
 
@@ -203,7 +203,7 @@ def estimate_lag(
             for cell in range(force_n.shape[1])
             if face[first, cell] != NO_FACE
             and np.ptp(force_n[first:last, cell]) > 3 * CONTACT_FORCE_N
-            and last - first > _LAG_FRAMES
+            and last - first > LAG_FRAMES
         ]
     ).reshape(-1, len(LAGS))
     curves = curves[np.isfinite(curves).all(axis=1)]
@@ -228,7 +228,7 @@ def _long_presses(
     for first, last in runs(press):
         if joined and stretch[joined[-1][0]] == stretch[first]:
             begin, end = joined[-1]
-            if end - begin <= _LAG_FRAMES:
+            if end - begin <= LAG_FRAMES:
                 joined[-1] = (begin, last)
                 continue
         joined.append((first, last))

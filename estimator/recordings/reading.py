@@ -124,8 +124,22 @@ def read_recording(
 ) -> Recording:
     """Read a recording of any format, find and correct its faults.
 
-    `grid_mm` is the contact grid (x, y) on which heatmaps will be drawn, by default that of the
-    file or 10 × 10 places 3 mm apart. `limits` are those of the object, else `usual_limits`.
+    Parameters
+    ----------
+    path : path
+        CSV or NetCDF (`instobj docs recordings` describes the formats).
+    grid_mm : pair of arrays (nx,), (ny,), optional
+        x and y of the contact grid on which heatmaps will be drawn, mm; by default that of the file,
+        or 10 × 10 places 3 mm apart.
+    limits : Limits, optional
+        What the object's chips and faces can show, by default a chip of 16 bits and three times the
+        grid's reach.
+
+    Returns
+    -------
+    Recording
+        `frames`, a data set of changes against rest (counts), contacts (mm, N) and which frames are
+        valid; `report`, what was found and done (print it); `rest_counts`, counts at rest.
 
     Raises
     ------
@@ -190,7 +204,7 @@ def _report(
         unused_frames=int(np.sum(~frames.valid)),
         faces_pressed=tuple(int(f) for f in np.unique(presses.face) if f != NO_FACE),
         tips=table.tip_xy_mm.shape[2],
-        presses=int(presses.press.max()) + 1,
+        presses=len(np.unique(presses.press[(presses.force_n >= CONTACT_FORCE_N).any(axis=1)])),
         sessions=len(np.unique(frames.session_id)),
         places=places,
         frame_rate_hz=presses.rate_hz,

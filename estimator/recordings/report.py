@@ -10,7 +10,7 @@ from jaxtyping import Float
 
 from estimator.recordings.checks.faults import Fault
 from estimator.recordings.contacts import Place
-from estimator.recordings.presses import LagReport
+from estimator.recordings.presses import LAG_FRAMES, LagReport
 from estimator.recordings.table import channel_name
 
 
@@ -46,19 +46,28 @@ class RecordingReport:
         return asdict(self)
 
     def __str__(self) -> str:
-        lag = self.lag
-        did = "corrected" if lag.corrected else "not corrected: too little gained or agreed"
         lines = [
             f"{self.path}: {self.frames} frames ({self.kind} format), {self.presses} presses of "
             f"{len(self.places)} contact cases on faces {', '.join(map(str, self.faces_pressed))}",
             f"  frames: {self.contact_frames} contact, {self.rest_frames} rest, "
             f"{self.unused_frames} not used; {self.frame_rate_hz:.1f} frames/s; {self.units}",
-            f"  force lag: {lag.frames} frames ({did}); {100 * lag.share_within_2:.0f} % of "
-            f"presses within ±2; variance left by H(F) {100 * lag.residual_uncorrected:.1f} % → "
-            f"{100 * lag.residual_corrected:.1f} %",
+            f"  force lag: {_lag_text(self.lag)}",
             *(f"  {fault}" for fault in self.faults),
         ]
         return "\n".join(lines)
+
+
+def _lag_text(lag: LagReport) -> str:
+    if not lag.per_press:
+        return (
+            f"not known, so not corrected: no place is pressed through more than {LAG_FRAMES} frames on "
+            "end. Press one place several times in a row if the load cell may be late"
+        )
+    did = "corrected" if lag.corrected else "not corrected: too little gained or agreed"
+    return (
+        f"{lag.frames} frames ({did}); {100 * lag.share_within_2:.0f} % of presses within ±2; variance "
+        f"left by H(F) {100 * lag.residual_uncorrected:.1f} % → {100 * lag.residual_corrected:.1f} %"
+    )
 
 
 def noise_by_name(noise_counts: Float[np.ndarray, "5 sensor 3"]) -> dict[str, float | None]:

@@ -68,10 +68,9 @@ def noisy_channels(noise_counts: Float[np.ndarray, "5 sensor 3"]) -> Bool[np.nda
 
 
 def axis_noise_counts(noise_counts: Float[np.ndarray, "5 sensor 3"]) -> Float[np.ndarray, "3"]:
-    """Median over the live channels of each axis."""
-    return np.array(
-        [np.median(axis[np.isfinite(axis)]) for axis in np.moveaxis(noise_counts, 2, 0)]
-    )
+    """Median over the live channels of each axis, NaN for an axis that has none."""
+    known = [axis[np.isfinite(axis)] for axis in np.moveaxis(noise_counts, 2, 0)]
+    return np.array([np.median(axis) if len(axis) else np.nan for axis in known])
 
 
 def channel_faults(

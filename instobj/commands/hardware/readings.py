@@ -10,6 +10,7 @@ from typing import Any, NamedTuple, Protocol, runtime_checkable
 import numpy as np
 
 from design.errors import InputError
+from design.files import require_regular_file
 from design.netcdf import holds
 from estimator.deploy.zeroing import ZERO_FRAMES, ZeroMode
 from estimator.frames.dataset import FrameSet, load_frames
@@ -128,6 +129,9 @@ def prediction_path(name: str, path: Path, out: Path | None) -> Path:
         return run_folder(out, run_name(path)) / name
     if path.parent.is_dir():
         require_writable_folder(path.parent)
+    require_regular_file(
+        path, f"no recording at {path}. Give the path of a recording or a data set"
+    )
     return path.with_name(f"{path.stem}.{name}")
 
 

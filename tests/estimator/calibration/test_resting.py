@@ -60,6 +60,27 @@ def test_levels_at_full_scale_and_channels_without_readings_are_silent(tmp_path)
     assert_allclose(found.counts[5], 6)
 
 
+def test_a_recording_gives_the_levels_of_the_sensed_faces_alone(tmp_path):
+    """Face 3 of a cube that senses faces 1 and 3; the recording also knows face 2."""
+    names = ["F1-Y1", "F2-X1", "F3-X1", "F3-Z3"]
+    force = np.tile(np.r_[np.zeros(12), np.linspace(0.5, 8, 12)], 3)
+    levels, gains = np.array([100.0, 200, 300, 400]), np.array([1.0, 0, 30, -20])
+    counts = levels + gains * force[:, None] + 5 * np.resize([1, -1], len(force))[:, None]
+    path = tmp_path / "pressed.csv"
+    rows = [
+        [f"{0.1 * k:.1f}", *(f"{one:.0f}" for one in row), f"{newton:.2f}", "3", "0", "0"]
+        for k, (row, newton) in enumerate(zip(counts, force, strict=True))
+    ]
+    header = ["time_s", *names, "cell1_force_n", "cell1_face", "cell1_x1_mm", "cell1_y1_mm"]
+    path.write_text("\n".join(",".join(row) for row in [header, *rows]) + "\n")
+    spec = ObjectSpec.model_validate({"name": "two", "body": {"sensed_faces": [1, 3]}})
+    found = read_resting(path, spec)
+    expected = dict.fromkeys(channel_names(spec), np.nan)
+    expected |= {"F1-Y1": 100.0, "F3-X1": 300.0, "F3-Z3": 400.0}
+    assert_allclose(found.counts, list(expected.values()), atol=4)
+    assert set(found.silent) == {name for name, level in expected.items() if np.isnan(level)}
+
+
 def test_wrong_tables_are_refused(tmp_path):
     for rows, names, said in (
         (rows_of(3), ["F6-X1", *NAMES[1:]], "unknown: F6-X1; missing: F1-X1"),

@@ -149,6 +149,15 @@ def test_history_is_the_change_within_the_press(frames):
     assert wide.faces.tolist() == [1, 2, 3, 4, 5, 101, 102, 103, 104, 105]
 
 
+def test_a_lost_reading_costs_frames_not_the_change_of_its_channel(frames):
+    few = frames.select(np.arange(60))
+    few.signal_counts[10, 2, 0, 1] = np.nan
+    wide = with_history(few, 3)
+    assert np.flatnonzero(few.valid & ~wide.valid).tolist() == [13]
+    few.signal_counts[:, 2, 0, 1] = np.nan
+    assert (with_history(few, 3).valid == few.valid).all()
+
+
 def test_history_takes_off_hysteresis(frames):
     """Signals that lag: the same force shows otherwise while loading and unloading."""
     force = np.nan_to_num(frames.force_n[:, 0, 2])

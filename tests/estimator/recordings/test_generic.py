@@ -12,6 +12,7 @@ from estimator.recordings.combine import combine
 from estimator.recordings.formats.files import read_table
 from estimator.recordings.formats.generic import generic_columns
 from estimator.recordings.formats.netcdf import write_generic_netcdf
+from estimator.recordings.presses import LagReport
 from estimator.recordings.reading import read_recording
 from tests.support.recordings.generic_csv import edited, write_generic_csv
 
@@ -91,6 +92,21 @@ def made(tmp_path, sensors=4, label_rest=True, tips=1):
     with (tmp_path / "made.csv").open("w", newline="") as file:
         csv.writer(file).writerows([generic_columns(names, 1, tips), *rows])
     return tmp_path / "made.csv"
+
+
+def test_rest_labelled_with_a_place_is_no_press_and_a_lag_that_cannot_be_told_is_not_0(tmp_path):
+    path = made(tmp_path)
+    lines = path.read_text().splitlines()
+    rest = [line.split(",") for line in lines[-31:-1]]
+    for k, row in enumerate(rest):
+        row[0], row[-3:] = f"{80 + k / 10:.1f}", ["1", "-6", "-6"]
+        row[-4] = "0"
+    path.write_text("\n".join([*lines, *(",".join(row) for row in rest)]) + "\n")
+    report = read_recording(path).report
+    assert report.presses == 8
+    assert "force lag: 0 frames" in str(report)
+    untold = replace(report, lag=LagReport(0, (), 0.0, 1.0, 1.0, False))
+    assert "force lag: not known, so not corrected" in str(untold)
 
 
 @pytest.mark.parametrize("label_rest", [True, False])

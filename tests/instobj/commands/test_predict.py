@@ -3,6 +3,7 @@
 import csv
 import json
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -19,7 +20,7 @@ from estimator.networks.training.face import FitSettings, fit_estimator
 from estimator.recordings.boards.lines import encode_frame
 from instobj.cli.app import app
 from instobj.commands.hardware.predict import export_models, predict_file, predict_port
-from instobj.commands.hardware.readings import Zeroing
+from instobj.commands.hardware.readings import Zeroing, prediction_path
 from instobj.commands.run import run_estimator
 from tests.support.recordings.dummy_board import (
     CHANNELS,
@@ -85,6 +86,11 @@ def folder(tmp_path_factory):
     torch.set_num_threads(threads)
     export_models([target / "face_3.safetensors"], target / "robot")
     return target
+
+
+def test_a_folder_in_place_of_a_recording_is_one_error():
+    with pytest.raises(InputError, match="is a folder, not a file"):
+        prediction_path("contacts.csv", Path("."), None)
 
 
 def test_predict_a_data_set(folder, tmp_path):
