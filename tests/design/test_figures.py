@@ -32,6 +32,7 @@ import design.layout.core_sockets
 import design.layout.mould_closure
 import design.layout.mould_frame
 import design.layout.mould_pins
+import design.layout.mould_pouring
 import design.layout.places.contact_places
 import design.layout.places.coverage
 import design.layout.places.measures
@@ -88,7 +89,7 @@ FIGURES = {
     },
     design.fabrication.assembly: {"TOUCHING_MM3": 1e-3},
     design.fabrication.casting: {
-        "POUR_MM": 3.0, "CEILING_MM2": 100.0, "YIELD_SHARE": 0.02, "NEAR_MM": 0.15,
+        "CEILING_MM2": 100.0, "YIELD_SHARE": 0.02, "NEAR_MM": 0.15,
         "OPEN_MM3": 1e-3, "MATING_MM3": 1.0,
     },
     design.fabrication.check: {"SLIVER_MM3": 1.0},
@@ -115,6 +116,10 @@ FIGURES = {
         "_DOWN": 6, "_STEP_DEG": 15.0, "_WEDGE": np.cos(np.deg2rad(15.0)),
         "_SLOPE": np.sin(np.deg2rad(2.0)),
     },
+    design.layout.mould_pouring: {
+        "_MOST_CORNERS": 200, "LEAST_POUR_MM": 3.0,
+        "_POUR_SHIFTS": (0.0, *(sign * k / 4 for k in range(1, 7) for sign in (1, -1))),
+    },
     design.layout.mould_pins: {"PIN_HEAD_MM": 2.0, "PIN_HEAD_RIM_MM": 1.5, "HEAD_STEP_MM": 1.0},
     design.layout.places.contact_places: {
         "LEAST_COUNT": 2, "MOST_COUNT": 100, "_ROUND_MARGIN_MM": 0.1, "_FINER": 0.8,
@@ -131,9 +136,8 @@ FIGURES = {
     },
     design.mould.halves: {"DOWEL_DIAMETER_MM": 4.0, "DOWEL_HEIGHT_MM": 2.5, "BOLT_HOLE_MM": 3.4},
     design.mould.openings: {
-        "_SKIN_MM": 0.05, "_MOST_CORNERS": 200, "_LEAST_TRAP_MM": 0.1,
-        "_POUR_SHIFTS": (0.0, *(sign * k / 4 for k in range(1, 7) for sign in (1, -1))),
-        "_SHIFTS_MM": (0.5, 1.0, 1.5, 2.0), "_WAYS": 12, "_LOWER_MM": 0.05,
+        "_SKIN_MM": 0.05, "_LEAST_TRAP_MM": 0.1, "_SHIFTS_MM": (0.5, 1.0, 1.5, 2.0), "_WAYS": 12,
+        "_LOWER_MM": 0.05,
     },
     design.mould.plug_flange: {
         "POST_HEIGHT_MM": 4.0, "POST_MM": 7.3, "BLOCK_MM": 10.0, "CHAMFER_MM": 3.0,
