@@ -28,6 +28,8 @@ if TYPE_CHECKING:
 _DOWN = 6
 _STEP_DEG = 15.0
 _WEDGE = np.cos(np.deg2rad(15.0))
+_EDGES = 40
+"""Of triangles along a body, at least, where its undercuts are looked for."""
 _AS_GOOD = 1e-4
 """Share of the surface by which an undercut may grow for a plane through the origin."""
 _SLOPE = np.sin(np.deg2rad(2.0))
@@ -186,7 +188,7 @@ def _open_ends(spec: ObjectSpec, axis: np.ndarray) -> int:
 @lru_cache(maxsize=8)
 def _at_silhouette(body: BodyKind) -> Parting:
     """Of planes about z in steps of 15°, and all their offsets, the one with the least undercut."""
-    surface = body.outer_surface()
+    surface = _in_small_triangles(body.outer_surface())
     best: tuple[float, Parting] | None = None
     for azimuth in np.deg2rad(45.0 + np.arange(0.0, 180.0, _STEP_DEG)):
         normal = np.array([np.cos(azimuth), np.sin(azimuth), 0.0])
@@ -195,6 +197,17 @@ def _at_silhouette(body: BodyKind) -> Parting:
             best = hooked, Parting(normal, offset)
     assert best is not None
     return best[1]
+
+
+def _in_small_triangles(surface: trimesh.Trimesh) -> trimesh.Trimesh:
+    """Each is on one side of a plane or the other by its middle; those of a flat face may be as large as
+    it is."""
+    import trimesh
+
+    longest = float(max(surface.extents)) / _EDGES
+    return trimesh.Trimesh(
+        *trimesh.remesh.subdivide_to_size(surface.vertices, surface.faces, longest), process=False
+    )
 
 
 def least_undercut(surface: trimesh.Trimesh, normal: Float[np.ndarray, "3"]) -> tuple[float, float]:

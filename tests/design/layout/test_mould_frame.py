@@ -1,9 +1,13 @@
 """How a mould stands: which open side is up, what the block holds, where it parts."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
+import trimesh
 from numpy.testing import assert_allclose
 
+from design.layout import mould_frame as frames
 from design.layout.mould_frame import mould_frame, mould_style, parting, play_mm, up
 from design.spec.object import ObjectSpec
 
@@ -66,3 +70,11 @@ def test_the_plane_of_a_closed_box_runs_through_two_edges_and_it_stands_on_a_cor
 def test_the_printers_clearance_is_the_play_unless_one_is_given():
     assert play_mm(box([6])) == 0.1
     assert play_mm(box([6], play_mm=0.3)) == 0.3
+
+
+def test_a_file_s_box_of_twelve_triangles_parts_along_its_sides_not_across_its_corners():
+    """Across them each triangle's middle lay on the right side of the plane; 5.3 mm hooked."""
+    body = SimpleNamespace(outer_surface=lambda: trimesh.creation.box((60.0, 45.0, 30.0)))
+    plane = frames._at_silhouette.__wrapped__(body)
+    assert_allclose(abs(plane.normal), [0, 1, 0], atol=1e-9)
+    assert plane.offset_mm == 0
