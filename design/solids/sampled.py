@@ -11,6 +11,7 @@ from design.body.meshes import one_closed_surface
 from design.body.sampled import sampled_core
 from design.body.surface_chart import FaceFrame
 from design.body.triangles import block_surface
+from design.errors import InputError
 from design.layout.blocks import core_keys, relief_slits
 from design.layout.boards import wire_channels
 from design.layout.body import body_of, face_frames
@@ -111,7 +112,11 @@ def _hollow(spec: ObjectSpec) -> trimesh.Trimesh:
     hollow.apply_translation((0, 0, -length / 2))
     body = body_of(spec)
     if body.core_half_mm.min() - wall > _LEAST_HOLLOW_MM:
-        hollow = hollow.union(sampled_core(replace(body, thickness_mm=body.thickness_mm + wall)))
+        try:
+            room = sampled_core(replace(body, thickness_mm=body.thickness_mm + wall))
+        except InputError:  # of walls, as a mug's: no room in one piece, whatever the body's box
+            return hollow.difference(trimesh.creation.box(bounds=outlet.key_mm))
+        hollow = hollow.union(room)
     return hollow.difference(trimesh.creation.box(bounds=outlet.key_mm))
 
 
