@@ -186,8 +186,9 @@ def least_draft_deg(
     chosen = np.flatnonzero(where & (rise > -np.sin(np.deg2rad(0.5))))
     if not len(chosen):
         return None
-    least = chosen[np.argmin(np.round(rise[chosen], 6))]
-    draft = float(np.degrees(np.arcsin(np.clip(rise[least], 0.0, 1.0)))) + 0.0
+    rise = np.round(rise, 6) + 0.0
+    least = chosen[np.argmin(rise[chosen])]
+    draft = float(np.degrees(np.arcsin(np.clip(rise[least], 0.0, 1.0))))
     return draft, mesh.triangles_center[least]
 
 

@@ -195,9 +195,11 @@ def _undercut(
         status, text = "pass", "no undercut along the pull"
     elif found.depth_mm > room:
         status = "fail"
+        split = mould_style(spec) == "split"
+        way = "Turn the seam (mould.parting_azimuth_deg)" if split else "Use mould.style = 'split'"
         text = (
             f"{found.area_mm2:.0f} mm² of undercut; the silicone must give way by {found.depth_mm:.2g} mm "
-            f"and has {room:.2g} mm of room. Use mould.style = 'split', or leave out what hooks"
+            f"and has {room:.2g} mm of room. {way}, or leave out what hooks"
         )
     else:
         status = "pass" if strain <= allowed else "fail"

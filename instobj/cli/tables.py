@@ -81,9 +81,13 @@ def _print_findings(console: Console, item: dict[str, Any]) -> None:
     console.print(f"{len(item['findings']) - len(rows)} of {len(item['findings'])} checks pass")
     if rows:
         _print_rows(console, "not passed", rows)
+    alike: dict[tuple[str, str, str], list[str]] = {}
     for found in item["findings"]:
         if found["status"] != "pass":
-            console.print(f"{found['status']}: {found['part']}, {found['check']}: {found['what']}")
+            told = found["status"], found["check"], found["what"]
+            alike.setdefault(told, []).append(found["part"])
+    for (status, check, what), parts in alike.items():
+        console.print(f"{status}: {', '.join(parts)}, {check}: {what}")
     _print_files(console, item["files"])
 
 

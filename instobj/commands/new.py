@@ -295,8 +295,9 @@ def _beyond_the_bed(request: Request) -> str:
 
 
 def _about(kind: type[BodyKind]) -> str:
+    body = "body of a file" if kind.from_file else kind.name
     return (
-        f"# Magnets, sensors, core and contact locations of this {kind.name} were placed by `instobj new`;\n"
+        f"# Magnets, sensors, core and contact locations of this {body} were placed by `instobj new`;\n"
         "# every other value is that of the cube of Knopke et al., RA-L 2024, and may be left out."
     )
 

@@ -150,6 +150,16 @@ def test_a_wall_that_leans_hooks_by_its_height_times_the_tangent():
     assert undercut(steep, UP, sides).depth_mm > 10, "a ledge must give way by its width"
 
 
+def test_the_draft_of_a_pin_that_leans_is_zero_not_what_rounding_leaves():
+    pin = trimesh.creation.cylinder(2.0, 9.0, sections=64)
+    turn = trimesh.transformations.rotation_matrix(0.7, [0.3, 1.0, 0.2])
+    sides = np.abs(pin.face_normals[:, 2]) < 0.5
+    pin.apply_transform(turn)
+    found = least_draft_deg(pin, turn[:3, 2], sides)
+    assert found is not None
+    assert found[0] == 0
+
+
 def test_half_a_degree_is_no_undercut_and_draft_is_counted_from_there():
     for degrees, hooks in ((0.45, False), (0.55, True)):
         mesh = frustum(10 + 10 * np.tan(np.deg2rad(degrees)), 10.0, 10.0)

@@ -189,6 +189,7 @@ def test_a_seam_beside_the_edges_is_an_undercut():
     skew = parsed(mould={"style": "split", "parting_azimuth_deg": 20.0})
     hook = found(check_casting(skew, meshes_of(skew)), "undercut", "mould_half_a")
     assert hook.status == "fail"
+    assert "Turn the seam" in hook.what
     assert hook.value > 1
 
 

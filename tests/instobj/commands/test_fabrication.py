@@ -58,6 +58,14 @@ def test_a_failure_ends_with_1_and_is_told_with_its_place(checked):
     assert "4.0, -5.0, 6.0" in shown
 
 
+def test_parts_that_ask_for_the_same_are_told_in_one_sentence(checked):
+    folder, found = checked
+    found += [finding("draft", f"mould_pin_{number}", "warn") for number in (1, 2)]
+    shown = " ".join(run(folder).stdout.split())
+    assert shown.count(f"draft: {found[0].what}") == 1
+    assert "warn: shell, mould_pin_1, mould_pin_2, draft: " in shown
+
+
 def test_warnings_alone_end_with_0(checked):
     folder, found = checked
     del found[1]
