@@ -150,8 +150,8 @@ def parting(spec: ObjectSpec) -> Parting:
     By default where the kind of body says, or where least of it is an undercut.
     """
     frame, given = mould_frame(spec), spec.mould.parting_azimuth_deg
-    half = abs(frame.axes.T) @ np.asarray(spec.body.size_mm) / 2
-    azimuth = body_of(spec).parting_azimuth(half) if given is None else float(np.deg2rad(given))
+    size = abs(frame.axes.T) @ np.asarray(spec.body.size_mm)
+    azimuth = body_of(spec).parting_azimuth(size) if given is None else float(np.deg2rad(given))
     if azimuth is None:
         return _at_silhouette(body_of(spec).outside)
     return Parting(np.cos(azimuth) * frame.across + np.sin(azimuth) * frame.along, 0.0)

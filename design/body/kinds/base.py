@@ -150,13 +150,13 @@ class BodyKind(ABC):
         radius = self.bore_mm / 2 if self.opening == "bore" else self.core_radius_mm
         return np.array([[-radius, -radius], [radius, radius]])
 
-    def parting_azimuth(self, half_mm: Float[np.ndarray, "3"]) -> float | None:
+    def parting_azimuth(self, size_mm: Float[np.ndarray, "3"]) -> float | None:
         """Angle (rad) of a mould's parting plane's normal from `across`; None: least undercut.
 
-        `half_mm` are the body's half extents along the mould's axes. By default the plane goes
+        `size_mm` are the body's extents along the mould's axes. By default the plane goes
         through two edges of the body's box.
         """
-        return float(np.arctan2(half_mm[0], half_mm[1]))
+        return float(np.arctan2(size_mm[0], size_mm[1]))
 
     @abstractmethod
     def frame(self, number: int, inward_mm: float = 0.0) -> FaceFrame:

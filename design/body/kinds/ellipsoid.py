@@ -21,11 +21,11 @@ class Ellipsoid(OffsetBody):
     mirrored = True
     comments: ClassVar = {"body.size_mm": "the diameters along x, y, z"}
 
-    def parting_azimuth(self, half_mm: np.ndarray) -> float:
+    def parting_azimuth(self, size_mm: np.ndarray) -> float:
         """Across the shorter axis."""
-        if half_mm[0] == half_mm[1]:
+        if size_mm[0] == size_mm[1]:
             return float(np.pi / 4)
-        return 0.0 if half_mm[0] < half_mm[1] else float(np.pi / 2)
+        return 0.0 if size_mm[0] < size_mm[1] else float(np.pi / 2)
 
     def frame(self, number: int, inward_mm: float = 0.0) -> FaceFrame:
         if inward_mm:

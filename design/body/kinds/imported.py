@@ -19,7 +19,7 @@ class Imported(OffsetBody):
     name = "imported"
     from_file = True
 
-    def parting_azimuth(self, half_mm: np.ndarray) -> None:
+    def parting_azimuth(self, size_mm: np.ndarray) -> None:
         """Where least of it is an undercut."""
         return None
 

@@ -24,7 +24,7 @@ def test_a_body_answers_as_on_record(name):
     body, sensed = body_of(spec), spec.body.sensed
     room, what = body.room_for_recesses
     axes = mould_frame(spec).axes
-    azimuth = body.parting_azimuth(abs(axes.T) @ np.asarray(spec.body.size_mm) / 2)
+    azimuth = body.parting_azimuth(abs(axes.T) @ np.asarray(spec.body.size_mm))
     less = body.less(0.7)
     points = np.random.default_rng(1).uniform(-1.1, 1.1, (60, 3)) * body.half_mm
     lines = [

@@ -8,6 +8,7 @@ import trimesh
 from numpy.testing import assert_allclose
 
 from design.layout import mould_frame as frames
+from design.layout.mould_closure import clip_mm, flange_corners_mm
 from design.layout.mould_frame import mould_frame, mould_style, parting, play_mm, up
 from design.spec.object import ObjectSpec
 
@@ -78,3 +79,29 @@ def test_a_file_s_box_of_twelve_triangles_parts_along_its_sides_not_across_its_c
     plane = frames._at_silhouette.__wrapped__(body)
     assert_allclose(abs(plane.normal), [0, 1, 0], atol=1e-9)
     assert plane.offset_mm == 0
+
+
+def test_clips_stand_outside_the_walls_and_the_flange_between_and_over_them():
+    """Box of 42 × 44 × 46 mm with walls of 2.2 mm and a play of 0.15 mm, open at −z."""
+    spec = box([6], wall_mm=2.2, play_mm=0.15)
+    along = mould_frame(spec).along
+    wall = float(abs(along) @ [21.0, 22.0, 23.0]) + 2.2
+    assert clip_mm(spec) == pytest.approx((wall + 0.15, wall + 2.5))
+    rim = mould_frame(spec).rim_mm
+    boxes = [
+        corners @ np.column_stack([along, mould_frame(spec).out])
+        for corners in map(np.array, flange_corners_mm(spec))
+    ]
+    spans = [[*found.min(axis=0), *found.max(axis=0)] for found in boxes]
+    inner = wall - 2.2 - 0.15
+    assert_allclose(
+        spans,
+        [
+            [wall + 0.15, rim, wall + 2.5, rim + 10],
+            [-wall - 2.5, rim, -wall - 0.15, rim + 10],
+            [-wall - 2.5, rim + 2, wall + 2.5, rim + 10],
+            [-inner, rim, inner, rim + 10],
+        ],
+        atol=1e-9,
+    )
+    assert flange_corners_mm(box([])) == []

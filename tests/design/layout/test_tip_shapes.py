@@ -5,7 +5,13 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from design.layout.tips import footprint_mm, tip_heights_mm, tip_shape, tips_overlap
+from design.layout.tips import (
+    footprint_mm,
+    tip_heights_mm,
+    tip_positions_mm,
+    tip_shape,
+    tips_overlap,
+)
 from design.solids.probes import make_probe
 from design.spec.object import ContactGridSpec, IndenterSpec, ObjectSpec
 
@@ -76,3 +82,17 @@ def test_cuboids_overlap_where_any_two_of_their_tips_do(tips, offset_mm, overlap
     """Tips of 4 × 2 mm, one, two 10 mm apart along x, or three (rows 5√3 = 8.66 mm apart)."""
     indenter = IndenterSpec(kind="cuboid", size_mm=(4.0, 2.0), tip_count=tips, tip_spacing_mm=10.0)
     assert tips_overlap(indenter, np.array(offset_mm)) is overlap
+
+
+@pytest.mark.parametrize(
+    ("radius_mm", "spacing_mm", "two", "three"),
+    [(4.9, None, 15.0, 20.0), (5.1, None, 15.3, 20.4), (2.0, 7.0, 7.0, 7.0)],
+)
+def test_tips_are_15_or_20_mm_apart_or_3_and_4_radii(radius_mm, spacing_mm, two, three):
+    assert_allclose(tip_positions_mm(1, radius_mm, spacing_mm), [[0, 0]])
+    assert_allclose(tip_positions_mm(2, radius_mm, spacing_mm), [[-two / 2, 0], [two / 2, 0]])
+    places = tip_positions_mm(3, radius_mm, spacing_mm)
+    apart = np.linalg.norm(places - np.roll(places, 1, axis=0), axis=1)
+    assert_allclose(apart, three)
+    assert_allclose(places.sum(axis=0), 0, atol=1e-12)
+    assert_allclose(places[0], [0, three / np.sqrt(3)], atol=1e-12)

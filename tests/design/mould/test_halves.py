@@ -28,6 +28,7 @@ from design.mould.halves import (
     OVERSHOOT_MM,
     _bolt_holes,
     _dowel,
+    _flange,
     make_mould_half,
 )
 from design.mould.one_piece import make_mould_box
@@ -162,6 +163,18 @@ def test_bolts_go_through_both_flanges_at_every_second_place():
         assert_allclose(hole.Volume(), np.pi * (BOLT_HOLE_MM / 2) ** 2 * long, rtol=1e-6)
         normal = parting(parsed(0.0)).normal
         assert abs(np.array(hole.Center().toTuple()) @ normal) < 1e-6
+
+
+def test_flanges_are_notched_through_both_halves_from_their_outer_edges():
+    """A slab across the mould's block of 42 mm and its walls, less what notches take of the strips."""
+    spec = parsed(0.0)
+    low = float(mould_frame(spec).low_mm[2])
+    first = Flange(-32.0, -24.0, low, 20.0, ((-9.0, -4.0), (6.0, 8.0)))
+    second = Flange(24.0, 31.0, low - 6.0, 20.0, ((1.0, 4.5),))
+    slab, strip = 63.0 * (20.0 - low), 7.0 * 6.0
+    notches = 8.0 * (5.0 + 2.0) + 7.0 * 3.5
+    solid = _flange(spec, first, second)
+    assert_allclose(solid.Volume(), 2 * FLANGE_THICKNESS_MM * (slab + strip - notches), rtol=1e-9)
 
 
 @pytest.mark.parametrize("notches", [(), ((5.0, 9.0),)])
