@@ -53,9 +53,12 @@ def rotated(vector: Vector, turn: Vector) -> Vector:
     takes one list of vectors; here every component stays its own array.
     """
     (x, y, z), (wx, wy, wz) = vector, turn
-    angle = np.sqrt(wx * wx + wy * wy + wz * wz)
-    cosine, sine = np.cos(angle), np.sinc(angle / np.pi)
-    along = 0.5 * np.sinc(angle / (2 * np.pi)) ** 2 * (wx * x + wy * y + wz * z)
+    half = 0.5 * np.sqrt(wx * wx + wy * wy + wz * wz)
+    half = np.where(half == 0, 1e-20, half)
+    of_half = np.sin(half)
+    share = of_half / half
+    cosine, sine = 1 - 2 * of_half * of_half, share * np.cos(half)
+    along = 0.5 * share * share * (wx * x + wy * y + wz * z)
     return (
         cosine * x + sine * (wy * z - wz * y) + along * wx,
         cosine * y + sine * (wz * x - wx * z) + along * wy,

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, cast
 
 import numpy as np
-from jaxtyping import Float
+from jaxtyping import Float, UInt8
 
 from instobj.render.parts import PartView, camera_axes, depth_image, shade
 
@@ -31,7 +31,7 @@ class Piece:
 class Picture:
     """Colours by pixel, left, right, lower and upper end in mm, and the camera's axes as rows."""
 
-    rgb: Float[np.ndarray, "row column 3"]
+    rgb: UInt8[np.ndarray, "row column 3"]
     extent_mm: tuple[float, float, float, float]
     camera: Float[np.ndarray, "3 3"]
 

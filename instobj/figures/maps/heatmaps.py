@@ -96,6 +96,7 @@ def draw_face_heatmap(
     axes.set_title(
         f"{title}\nface {face} ({OUTWARD[face]}), seen from outside; {covered:.0f} % covered",
         fontsize=11,
+        y=1.0,  # given, it is not looked for
     )
     _tidy(axes)
     bar = figure.colorbar(mesh, cax=bar_axes, label=scale.label)
