@@ -60,6 +60,9 @@ class LiveContacts:
         zero = self._level.after(now, time_s)
         return None if zero is None else self._tracker.feed(now - zero)
 
+    def miss(self) -> None:
+        """Pass over a frame that lacks a reading: contacts stay where they were."""
+
     def pass_by(self, raw_counts: Float[np.ndarray, "face sensor 3"], time_s: float) -> None:
         """Take a frame that is not read, of which the zero learns; errors as `feed`."""
         self._level.pass_by(self._told(raw_counts), time_s)

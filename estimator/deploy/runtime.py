@@ -17,7 +17,14 @@ from design.errors import InputError
 from design.seal import sealed_content
 from estimator.deploy.zeroing import ZERO_FRAMES, StreamZero, ZeroMode, is_pause
 from estimator.frames.dataset import FrameSet
-from estimator.frames.face_data import HISTORY, Channel, channel_counts, channel_label, with_history
+from estimator.frames.face_data import (
+    HISTORY,
+    Channel,
+    channel_counts,
+    channel_label,
+    has_readings,
+    with_history,
+)
 from estimator.networks.prediction import UNITS, Prediction
 
 _ADVICE = "Give a file that `instobj export` wrote"
@@ -115,6 +122,22 @@ def predict_frames(model: DeployedModel, frames: FrameSet) -> Prediction:
     return run_model(model, channel_counts(wide, model.channels))
 
 
+def predict_told(
+    model: DeployedModel, frames: FrameSet
+) -> tuple[Bool[np.ndarray, "frame"], Prediction]:
+    """Which frames have all readings (and the change since such), and what `predict_frames` gives there.
+
+    Raises
+    ------
+    InputError
+        No frame has the readings of all channels that the model uses.
+    """
+    wide = with_history(frames, model.history_frames)
+    told = has_readings(wide, model.channels)
+    chosen = wide.select(told) if told.any() else wide
+    return told, run_model(model, channel_counts(chosen, model.channels))
+
+
 @dataclass
 class LiveReader:
     """Frames one by one, zeroed as `zero` says (`estimator.deploy.zeroing`), with a reading of each.
@@ -149,14 +172,23 @@ class LiveReader:
         if is_pause(time_s - self._last_s):
             self._recent.clear()
         self._last_s = time_s
-        self._recent.append(now)
-        if len(self._recent) > self.model.history_frames + 1:
-            self._recent.popleft()
+        self._remember(now)
         zero = self._level.after(now, time_s)
         if zero is None:
             return None
         counts = np.where(self._past, now - self._recent[0], now - zero)
         return run_model(self.model, counts[None])
+
+    def miss(self) -> None:
+        """Pass over a frame that lacks a reading: the one before stands in for it, so that changes over
+        `history_frames` keep their span."""
+        if self._recent:
+            self._remember(self._recent[-1])
+
+    def _remember(self, counts: Float[np.ndarray, "channel"]) -> None:
+        self._recent.append(counts)
+        if len(self._recent) > self.model.history_frames + 1:
+            self._recent.popleft()
 
     def rezero(self) -> None:
         """Take the zero anew from the frames that follow, with nothing pressed."""

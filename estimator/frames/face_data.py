@@ -117,6 +117,31 @@ def channel_counts(
     InputError
         A channel does not exist or misses a reading.
     """
+    chosen = _of_channels(frames, channels)
+    missing = np.isnan(chosen).any(axis=0)
+    if missing.any():
+        names = ", ".join(channel_label(channels[k]) for k in np.flatnonzero(missing))
+        raise InputError(
+            f"channels {names}, which the model uses, miss readings. Train anew without them or "
+            "leave those frames out"
+        )
+    return chosen
+
+
+def has_readings(frames: FrameSet, channels: tuple[Channel, ...]) -> Bool[np.ndarray, "frame"]:
+    """Which frames have a reading of each of the channels.
+
+    Raises
+    ------
+    InputError
+        A channel does not exist.
+    """
+    return np.all(np.isfinite(_of_channels(frames, channels)), axis=1)
+
+
+def _of_channels(
+    frames: FrameSet, channels: tuple[Channel, ...]
+) -> Float[np.ndarray, "frame channel"]:
     face, sensor, axis = np.array(channels).T
     row = {int(number): index for index, number in enumerate(frames.faces)}
     absent = sorted(set(face.tolist()) - set(row))
@@ -126,15 +151,7 @@ def channel_counts(
             f"signals have {frames.signal_counts.shape[2]} sensors on faces {sorted(row)}. Use the "
             "model of the object that was recorded"
         )
-    chosen = frames.signal_counts[:, [row[int(number)] for number in face], sensor, axis]
-    missing = np.isnan(chosen).any(axis=0)
-    if missing.any():
-        names = ", ".join(channel_label(channels[k]) for k in np.flatnonzero(missing))
-        raise InputError(
-            f"channels {names}, which the model uses, miss readings. Train anew without them or "
-            "leave those frames out"
-        )
-    return chosen
+    return frames.signal_counts[:, [row[int(number)] for number in face], sensor, axis]
 
 
 def channel_label(channel: Channel) -> str:

@@ -277,7 +277,7 @@ def _frames(
         zero, error = zeros.counts[presses.press], None
     signal = table.counts - zero
     unusable = dead_channels(table.counts) | noisy_channels(presses.noise_counts) | jumping
-    gap = np.any(np.isnan(table.counts) & ~unusable & _recorded(table.counts), axis=(1, 2, 3))
+    gap = np.any(np.isnan(table.counts) & ~unusable & _recorded(table), axis=(1, 2, 3))
     signal[:, unusable] = np.nan
     alone = table.kind == "generic"  # a gripper's jaws press together, other load cells may rest
     still = alone & (np.abs(presses.force_n) < REST_FORCE_N[table.kind])
@@ -307,6 +307,10 @@ def _frames(
     )
 
 
-def _recorded(counts: Float[np.ndarray, "frame 5 sensor 3"]) -> Bool[np.ndarray, "frame 5 1 1"]:
-    """Which faces have readings in each frame: a training frame has those of one face."""
-    return np.any(np.isfinite(counts), axis=(2, 3), keepdims=True)
+def _recorded(table: RawTable) -> Bool[np.ndarray, "frame 5 1 1"]:
+    """Which faces ought to have readings in each frame: those that ever have, in a training file the one
+    of the frame."""
+    own = np.any(np.isfinite(table.counts), axis=(2, 3), keepdims=True)
+    if table.kind == "training":
+        return own
+    return np.broadcast_to(own.any(axis=0), own.shape)

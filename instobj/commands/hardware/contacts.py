@@ -55,13 +55,15 @@ def contacts_in_file(
     judged: list[dict[str, Any]] = []
     if is_data_set(path):
         number, time_s, best, second, judged = _in_data_set(inversion, path, zeroing)
+        unread = 0
     else:
-        number, time_s, best = _in_recording(inversion, path, zeroing)
+        number, time_s, best, unread = _in_recording(inversion, path, zeroing)
         second = None
     rows = _rows(number, time_s, best, second)
     write_table(target, list(COLUMNS), ([row[name] for name in COLUMNS] for row in rows))
     summary = {
         "frames": len(best),
+        "frames that lack a reading": unread,
         "frames with contact": int((best.number > 0).sum()),
         "most contacts": int(best.number.max(initial=0)),
         "largest total force N": round(float(np.nansum(best.force_n, axis=1).max(initial=0)), 3),
@@ -129,16 +131,19 @@ def _require_same_object(inversion: Inversion, frames: FrameSet, path: Path) -> 
 
 def _in_recording(
     inversion: Inversion, path: Path, zeroing: Zeroing
-) -> tuple[np.ndarray, np.ndarray, ContactSets]:
+) -> tuple[np.ndarray, np.ndarray, ContactSets, int]:
     reader, progress = LiveContacts(inversion, *zeroing.of_raw), ProgressLine()
-    read = []
+    read, unread = [], 0
     with progress.stage(f"contacts in {path}"):
         for one in recorded_frames(reader, inversion.channels, path, zeroing):
+            if one[2] is None:
+                unread += 1
+                continue
             read.append(one)
             if len(read) % 500 == 0:
                 progress.step(f"{len(read)} frames")
     numbers, time_s, found = zip(*read, strict=True)
-    return np.array(numbers), np.array(time_s), ContactSets.joined(found)
+    return np.array(numbers), np.array(time_s), ContactSets.joined(found), unread
 
 
 def _rows(

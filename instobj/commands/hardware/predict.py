@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from design.tables import write_table
-from estimator.deploy.runtime import LiveReader, load_deployed, predict_frames
+from estimator.deploy.runtime import LiveReader, load_deployed, predict_told
 from estimator.frames.same_object import require_same_object
 from estimator.networks.prediction import NOVEL_FROM, Prediction
 from instobj.commands.hardware.readings import (
@@ -51,7 +51,8 @@ def predict_file(
     Every row tells the number of its frame in the file and its time stamp, as the file has it to 1 µs.
 
     Data sets of instobj are changes against rest already. Recordings of any other format are zeroed
-    like a board's readings, by default by following rest; frames before the first zero are left out.
+    like a board's readings, by default by following rest; frames before the first zero are left out, and
+    so are, counted, frames that lack a reading of a channel which gives readings elsewhere.
 
     Raises
     ------
@@ -67,16 +68,20 @@ def predict_file(
         frames = zeroed_data_set(path, zeroing)
         grid_mm = model.grid_x_mm, model.grid_y_mm
         require_same_object(model.channels, grid_mm, frames, str(path))
-        rows = _rows(np.arange(len(frames)), frames.time_s, predict_frames(model, frames))
+        told, found = predict_told(model, frames)
+        rows = _rows(np.flatnonzero(told), frames.time_s[told], found)
+        unread = int(np.sum(~told))
     else:
         reader = LiveReader(model, *zeroing.of_raw)
-        read = recorded_frames(reader, model.channels, path, zeroing)
-        rows = [_row(number, time_s, found) for number, time_s, found in read]
+        read = list(recorded_frames(reader, model.channels, path, zeroing))
+        rows = [_row(number, time_s, found) for number, time_s, found in read if found is not None]
+        unread = len(read) - len(rows)
     write_table(target, list(COLUMNS), ([row[name] for name in COLUMNS] for row in rows))
     forces = [row["force_n"] for row in rows]
     summary = {
         "face": model.face,
         "frames": len(rows),
+        "frames that lack a reading": unread,
         "frames with contact": sum(row["contact"] > 0.5 for row in rows),
         "novel frames": sum(row["novelty"] > NOVEL_FROM for row in rows),
         "largest force N": max(forces, default=0.0),
@@ -94,7 +99,8 @@ def predict_port(
 ) -> Iterator[str]:
     """One JSON document per frame from a board, `count` of them or without end.
 
-    Each also tells how many lines came damaged and how many frames were lost since the start.
+    Each also tells how many lines came damaged, how many frames were lost and how many lacked a reading
+    since the start.
 
     Raises
     ------

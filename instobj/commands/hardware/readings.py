@@ -8,13 +8,14 @@ from pathlib import Path
 from typing import Any, NamedTuple, Protocol, runtime_checkable
 
 import numpy as np
+from jaxtyping import Bool, Float
 
 from design.errors import InputError
 from design.files import require_regular_file
 from design.netcdf import holds
 from estimator.deploy.zeroing import ZERO_FRAMES, ZeroMode
 from estimator.frames.dataset import FrameSet, load_frames
-from estimator.frames.face_data import Channel
+from estimator.frames.face_data import HISTORY, Channel
 from estimator.frames.same_object import require_same_sensors
 from estimator.recordings.table import FACES
 from instobj.store.publish import require_writable, require_writable_folder, run_folder, run_name
@@ -35,17 +36,23 @@ class Zeroing:
 
 
 FOLLOW_REST = Zeroing()
+SILENT_FRAMES = 10
+"""A channel without a reading for longer is silent, as on the live page."""
 
 
 @runtime_checkable
 class Reader(Protocol):
-    """Takes raw counts frame by frame; None while there is no zero."""
+    """Takes raw counts frame by frame; None while there is no zero. `miss` tells of a frame that lacks a
+    reading and is passed over."""
 
     def feed(self, raw_counts: np.ndarray, time_s: float) -> Any: ...
 
+    def miss(self) -> None: ...
+
 
 class LiveFrame(NamedTuple):
-    """What a reader finds in a frame of a board, its number and stamp, and the state of the line."""
+    """What a reader finds in a frame of a board, its number and stamp, and the state of the line and of
+    its readings."""
 
     number: int
     time_s: float
@@ -72,7 +79,8 @@ def zeroed_data_set(path: Path, zeroing: Zeroing) -> FrameSet:
 def recorded_frames(
     reader: Reader, channels: tuple[Channel, ...], path: Path, zeroing: Zeroing
 ) -> Iterator[tuple[int, float, Any]]:
-    """Number, stamp (s) and what the reader finds of every frame of a recording after the first zero.
+    """Number, stamp (s) and what the reader finds of every frame of a recording after the first zero;
+    None for frames that lack a reading, which are passed over.
 
     Raises
     ------
@@ -84,8 +92,14 @@ def recorded_frames(
     table = read_table(path)
     require_same_sensors(channels, table.counts, np.array(FACES), str(path))
     time_s = table.time_s if len(table.time_s) else np.full(len(table.counts), np.nan)
+    lacking = lacks_readings(table.counts, channels)
+    silent = lacking.all()
     read = 0
     for number, (now_s, counts) in enumerate(zip(time_s.tolist(), table.counts, strict=True)):
+        if lacking[number] and not silent:
+            reader.miss()
+            yield number, now_s, None
+            continue
         found = reader.feed(counts, now_s)
         if found is not None:
             read += 1
@@ -98,10 +112,20 @@ def recorded_frames(
         )
 
 
+def lacks_readings(
+    counts: Float[np.ndarray, "frame face sensor 3"], channels: tuple[Channel, ...]
+) -> Bool[np.ndarray, "frame"]:
+    """Which frames lack a reading of one of the channels."""
+    face, sensor, axis = np.array(channels).T
+    return np.any(np.isnan(counts[:, face % HISTORY - 1, sensor, axis]), axis=1)
+
+
 def live_frames(
     reader: Reader, channels: tuple[Channel, ...], port: str, baud: int
 ) -> Iterator[LiveFrame]:
     """What the reader finds in the frames of a board, without end.
+
+    Frames that lack a reading are passed over and counted, `SILENT_FRAMES` on end at most.
 
     Raises
     ------
@@ -112,13 +136,23 @@ def live_frames(
     from estimator.recordings.boards.link import board_readings
 
     decoder = LineDecoder()
+    unread, on_end, heard = 0, 0, False
     for number, reading in enumerate(board_readings(port, baud, decoder)):
         if number == 0:
             require_same_sensors(channels, reading.counts[None], np.array(FACES), port)
+        if heard and on_end < SILENT_FRAMES and lacks_readings(reading.counts[None], channels)[0]:
+            unread, on_end = unread + 1, on_end + 1
+            reader.miss()
+            continue
         found = reader.feed(reading.counts, reading.time_s)
+        on_end, heard = 0, True
         if found is not None:
             line = decoder.statistics
-            told = {"damaged_lines": line.damaged_lines, "lost_frames": line.lost_frames}
+            told = {
+                "damaged_lines": line.damaged_lines,
+                "lost_frames": line.lost_frames,
+                "unread_frames": unread,
+            }
             yield LiveFrame(number, reading.time_s, found, told)
 
 

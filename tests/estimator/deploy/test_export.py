@@ -191,6 +191,18 @@ def test_live_readings_are_those_of_the_recording(frames, path):
     assert reader.feed(raw[0]) is None
 
 
+def test_changes_keep_their_span_over_a_missed_frame(frames, path):
+    """The model reads changes over two frames: the one after a missed frame is read as without it."""
+    deployed = load_deployed(path)
+    raw = frames.select(frames.press_id == 23).signal_counts
+    whole, stuttering = LiveReader(deployed, "none"), LiveReader(deployed, "none")
+    expected = [whole.feed(one).force_n[0] for one in raw]
+    for one in raw[:6]:
+        stuttering.feed(one)
+    stuttering.miss()
+    assert stuttering.feed(raw[7]).force_n[0] == expected[7]
+
+
 def test_slip_of_the_core_is_undone_by_a_new_zero(path):
     reader = LiveReader(load_deployed(path), "first", zero_frames=2)
     rest = np.full((5, 3, 3), 500.0)

@@ -94,6 +94,20 @@ def made(tmp_path, sensors=4, label_rest=True, tips=1):
     return tmp_path / "made.csv"
 
 
+def test_frames_without_any_reading_of_a_face_or_of_all_are_not_used(tmp_path):
+    path = made(tmp_path)
+    rows = [line.split(",") for line in path.read_text().splitlines()]
+    whole = read_recording(path).frames
+    one = [k for k, name in enumerate(rows[0]) if name.startswith("F1-")]
+    every = [k for k, name in enumerate(rows[0]) if name.startswith("F")]
+    for row, columns in ((50, one), (51, every), (200, every)):
+        for k in columns:
+            rows[row + 1][k] = ""
+    path.write_text("\n".join(",".join(row) for row in rows) + "\n")
+    found = read_recording(path).frames
+    assert np.flatnonzero(whole.valid & ~found.valid).tolist() == [50, 51, 200]
+
+
 def test_rest_labelled_with_a_place_is_no_press_and_a_lag_that_cannot_be_told_is_not_0(tmp_path):
     path = made(tmp_path)
     lines = path.read_text().splitlines()

@@ -4,6 +4,7 @@ import csv
 import json
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -13,6 +14,7 @@ from typer.testing import CliRunner
 import instobj
 from design.errors import InputError, StoreError
 from design.spec.object import TrainingSpec
+from estimator.deploy.runtime import channel_readings
 from estimator.frames.dataset import FrameSet, load_frames, save_frames
 from estimator.frames.splits import split_presses
 from estimator.networks.face_model import load_model, predict, save_model
@@ -20,7 +22,12 @@ from estimator.networks.training.face import FitSettings, fit_estimator
 from estimator.recordings.boards.lines import encode_frame
 from instobj.cli.app import app
 from instobj.commands.hardware.predict import export_models, predict_file, predict_port
-from instobj.commands.hardware.readings import Zeroing, prediction_path
+from instobj.commands.hardware.readings import (
+    SILENT_FRAMES,
+    Zeroing,
+    live_frames,
+    prediction_path,
+)
 from instobj.commands.run import run_estimator
 from tests.support.recordings.dummy_board import (
     CHANNELS,
@@ -217,6 +224,59 @@ def test_predict_a_recording_zeroes_by_its_first_frames(folder, tmp_path):
     assert len(rows) == 10
     with pytest.raises(InputError, match="smaller --zero-frames"):
         predict_file(folder / "robot" / "face_3.onnx", path, tmp_path, Zeroing("first", 14))
+
+
+def test_frames_that_lack_a_reading_are_passed_over_and_counted(folder, tmp_path):
+    """One lost reading of three channels; a channel that never speaks is still refused."""
+    model, path = folder / "robot" / "face_3.onnx", board_recording(folder, tmp_path / "board.csv")
+    rows = [line.split(",") for line in path.read_text().splitlines()]
+    rows[10][2] = ""
+    path.write_text("\n".join(",".join(row) for row in rows) + "\n")
+    found = predict_file(model, path, None, Zeroing("first", 4))
+    with (tmp_path / "board.prediction_face_3.csv").open() as file:
+        assert [int(row["frame"]) for row in csv.DictReader(file)] == [*range(4, 9), *range(10, 14)]
+    assert next(iter(found["tables"].values()))[0]["frames that lack a reading"] == 1
+    for row in rows[1:]:
+        row[2] = ""
+    path.write_text("\n".join(",".join(row) for row in rows) + "\n")
+    with pytest.raises(InputError, match="channel F3-Y1, which the model uses"):
+        predict_file(model, path, None, Zeroing("first", 4))
+    frames = load_frames(folder / "press.nc")
+    frames.signal_counts[5, 2, 0, 1] = np.nan
+    save_frames(frames, tmp_path / "lost.nc")
+    summary = next(iter(predict_file(model, tmp_path / "lost.nc")["tables"].values()))[0]
+    assert (summary["frames"], summary["frames that lack a reading"]) == (len(frames) - 1, 1)
+
+
+class Heard:
+    """A reader that keeps what it is fed; as strict as the real ones."""
+
+    def __init__(self):
+        self.fed = []
+
+    def feed(self, raw_counts, time_s):
+        channel_readings(raw_counts, ((3, 0, 1),))
+        self.fed.append(time_s)
+        return time_s
+
+    def miss(self):
+        self.fed.append(None)
+
+
+def test_a_board_may_miss_readings_until_a_channel_is_silent(monkeypatch):
+    """Frames 2, 5, 6 lack a reading, and all from frame 9 on."""
+    counts = np.zeros((40, 5, 1, 3))
+    counts[[2, 5, 6, *range(9, 40)], 2, 0, 1] = np.nan
+    sent = (SimpleNamespace(counts=one, time_s=float(k)) for k, one in enumerate(counts))
+    monkeypatch.setattr("estimator.recordings.boards.link.board_readings", lambda *_: sent)
+    reader = Heard()
+    frames = live_frames(reader, ((3, 0, 1),), "port", 9600)
+    read = [next(frames) for _ in range(6)]
+    assert [one.number for one in read] == [0, 1, 3, 4, 7, 8]
+    assert [one.line["unread_frames"] for one in read] == [0, 0, 1, 1, 3, 3]
+    with pytest.raises(InputError, match="channel F3-Y1, which"):
+        next(frames)
+    assert reader.fed[9:] == [None] * SILENT_FRAMES
 
 
 def resting_lines(k):
