@@ -205,9 +205,8 @@ def _in_small_triangles(surface: trimesh.Trimesh) -> trimesh.Trimesh:
     import trimesh
 
     longest = float(max(surface.extents)) / _EDGES
-    return trimesh.Trimesh(
-        *trimesh.remesh.subdivide_to_size(surface.vertices, surface.faces, longest), process=False
-    )
+    small = trimesh.remesh.subdivide_to_size(surface.vertices, surface.faces, longest)
+    return trimesh.Trimesh(small[0], small[1], process=False)
 
 
 def least_undercut(surface: trimesh.Trimesh, normal: Float[np.ndarray, "3"]) -> tuple[float, float]:

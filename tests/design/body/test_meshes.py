@@ -151,13 +151,15 @@ def test_a_wall_that_leans_hooks_by_its_height_times_the_tangent():
 
 
 def test_the_draft_of_a_pin_that_leans_is_zero_not_what_rounding_leaves():
-    pin = trimesh.creation.cylinder(2.0, 9.0, sections=64)
-    turn = trimesh.transformations.rotation_matrix(0.7, [0.3, 1.0, 0.2])
-    sides = np.abs(pin.face_normals[:, 2]) < 0.5
-    pin.apply_transform(turn)
-    found = least_draft_deg(pin, turn[:3, 2], sides)
-    assert found is not None
-    assert found[0] == 0
+    axis = np.array([1.0, 2.0, -0.5])
+    for angle in np.linspace(0.1, 1.5, 15):
+        pin = trimesh.creation.cylinder(2.0, 9.0, sections=64)
+        turn = trimesh.transformations.rotation_matrix(angle, axis)
+        sides = np.abs(pin.face_normals[:, 2]) < 0.5
+        leaning = trimesh.Trimesh(trimesh.transform_points(pin.vertices, turn), pin.faces)
+        found = least_draft_deg(leaning, turn[:3, 2], sides)
+        assert found is not None
+        assert found[0] == 0
 
 
 def test_half_a_degree_is_no_undercut_and_draft_is_counted_from_there():
