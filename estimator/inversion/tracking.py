@@ -36,7 +36,8 @@ class Tracker:
     A number of contacts that changes costs evidence, so that noise does not make it flicker. Where
     the contacts of the last frame no longer explain what is seen, one more is tried, then all are
     looked for anew; after a vain try only every second frame, every fourth, every eighth, unless the
-    misfit grows. `seen_anew` counts the frames in which all were looked for.
+    misfit grows: meanwhile the odds of the last try stand. `seen_anew` counts the frames in which all
+    were looked for.
     """
 
     def __init__(self, inversion: Inversion) -> None:
@@ -45,6 +46,7 @@ class Tracker:
         self._window = deque(maxlen=inversion.window_frames)
         self._last: Problems | None = None
         self._wait, self._pause, self._tried_p = 0, 1, 1.0
+        self._odds = np.ones(1)
 
     def feed(self, counts: Float[np.ndarray, "channel"]) -> ContactSets:
         """The contacts of the next frame (changes of counts against rest), or of the mean of the last
@@ -53,20 +55,20 @@ class Tracker:
         seen = self.inversion.disturbances.observed(
             np.mean(self._window, axis=0)[None], np.array([len(self._window)])
         )
-        found, odds = self._same(seen), np.ones(1)
+        found = self._same(seen)
         p_value = float(p_values(seen, found)[0])
         if p_value >= _STRAINED and not self._faint(found):
-            self._wait, self._pause = 0, 1
+            self._wait, self._pause, self._odds = 0, 1, np.ones(1)
         elif self._wait and p_value > _WORSE * self._tried_p:
             self._wait -= 1
         else:
             before, self._tried_p = found.number[0], p_value
-            found, odds = self._changed(seen, found)
+            found, self._odds = self._changed(seen, found)
             if found.number[0] == before:
                 self._pause = min(2 * self._pause, _LONGEST_PAUSE)
                 self._wait = self._pause - 1
         self._last = found
-        return self.inversion.reading(seen, found, odds)
+        return self.inversion.reading(seen, found, self._odds)
 
     def _same(self, seen: Observed) -> Problems:
         """The last contacts refitted."""

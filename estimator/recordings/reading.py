@@ -28,6 +28,7 @@ from estimator.recordings.checks.faults import (
     press_responses,
     rest_noise_counts,
     stamp_faults,
+    unread_faces,
 )
 from estimator.recordings.checks.labels import (
     contacts_at_rest,
@@ -175,6 +176,7 @@ def read_recording(
         *stamp_faults(table),
         *unreachable,
         *channel_faults(table.counts, presses.noise_counts),
+        *unread_faces(table.counts, presses.face),
         *jumps,
         *turns,
         *presses.faults,

@@ -68,7 +68,7 @@ def check_plausible(table: RawTable) -> None:
     ------
     RecordingError
         Counts beyond 24 bits, forces beyond 1 kN, places beyond 300 mm (or all within 0.1 mm of
-        the middle but not in it), or stamps 5 s or more apart.
+        the middle but not in it), or stamps that fall in most steps or are 5 s or more apart.
     """
     _check_below("counts", table.counts, LARGEST_COUNT, "raw counts of the sensors")
     _check_below("forces (N)", table.force_n, LARGEST_FORCE_N, "forces in N, not in g or mN")
@@ -84,6 +84,12 @@ def check_plausible(table: RawTable) -> None:
     if len(table.time_s) and np.abs(table.time_s).max() > 1e11:
         raise RecordingError(
             f"time stamps reach {np.abs(table.time_s).max():.3g} s. Give seconds, not ms"
+        )
+    falling = int(np.sum(np.diff(table.time_s) < 0))
+    if 2 * falling > len(table.time_s):
+        raise RecordingError(
+            f"time runs backwards from row to row in {falling} of {len(table.time_s) - 1} steps. Sort the "
+            "rows by time"
         )
     step_s = float(np.median(np.diff(table.time_s))) if len(table.time_s) > 2 else 0.0
     if step_s >= _SLOWEST_FRAME_S:

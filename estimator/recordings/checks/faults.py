@@ -8,6 +8,7 @@ from itertools import pairwise
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
+from estimator.frames.dataset import NO_FACE
 from estimator.recordings.table import FACES, RawTable, channel_name
 
 NOISY_FACTOR = 3.0
@@ -229,6 +230,24 @@ def mirror_faults(
                 Fault("labels not opposite", rows_text(frames), detail, "kept as labelled")
             )
     return faults
+
+
+def unread_faces(
+    counts: Float[np.ndarray, "frame 5 sensor 3"], face: Int[np.ndarray, "frame cell"]
+) -> list[Fault]:
+    """Faces that labels say are pressed, without a single reading of their own."""
+    read = np.isfinite(counts).any(axis=(0, 2, 3))
+    labelled = np.unique(face[face != NO_FACE]).tolist()
+    return [
+        Fault(
+            "pressed face without readings",
+            f"face {n}",
+            "it has no channel in the recording",
+            "kept",
+        )
+        for n in labelled
+        if not read[n - 1]
+    ]
 
 
 def stamp_faults(table: RawTable) -> list[Fault]:

@@ -75,7 +75,7 @@ def places_off_the_body(
                 "place off the body",
                 rows_text(rows),
                 detail,
-                "frames not used; --spec gives the object's size",
+                "frames not used (with --spec the object's size counts, else three times the grid's reach)",
             )
         )
     return np.asarray(far.any(axis=(1, 2))), faults

@@ -34,6 +34,7 @@ NEWTON_PER_GRAM_FORCE = 9.8e-3
 _FILE_FACES = (5, 3, 1, 2, 4)
 _HEAD = ("Time", "Left", "Right-blue")
 _CHANNELS = tuple(f"F{f}-{a}{s}" for f in _FILE_FACES for s in (1, 2, 3) for a in "XYZ")
+_OTHER_MARKS = {";": "semicolons", "\t": "tabs"}
 _TRAINING_TIPS = {12: 1, 14: 2, 15: 3}
 
 
@@ -69,6 +70,11 @@ def _csv_table(content: bytes) -> RawTable:
         return generic_table(rows)
     if len(rows[1]) in _TRAINING_TIPS and len(rows[0]) == len(rows[1]):
         return _training_table(rows[1:], digest, first_line=2)
+    for mark, name in _OTHER_MARKS.items():
+        if is_generic_header([cell.strip() for cell in rows[0][0].split(mark)]):
+            raise RecordingError(
+                f"its cells are parted by {name}. Part them by commas, with points in decimal numbers"
+            )
     raise RecordingError(
         f"it is not a recording: its first column is {header[0][:40]!r}, expected 'Time', "
         f"'time_s' or a face number. {FORMATS}"

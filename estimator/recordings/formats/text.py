@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import codecs
 import csv
 import hashlib
 from collections.abc import Iterator
@@ -37,6 +38,8 @@ def csv_rows(content: bytes) -> tuple[list[list[str]], str]:
     try:
         text = content.decode("utf-8-sig")
     except UnicodeDecodeError:
+        if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+            raise RecordingError("it is text in UTF-16. Save it as UTF-8") from None
         raise RecordingError(f"it is not a text file. {FORMATS}") from None
     if "\0" in text:
         raise RecordingError(f"it holds null characters, so it is not a text file. {FORMATS}")
@@ -45,7 +48,8 @@ def csv_rows(content: bytes) -> tuple[list[list[str]], str]:
     except csv.Error as error:
         raise RecordingError(f"it is not a CSV file ({error}). {FORMATS}") from None
     if len(rows) < 2:
-        raise RecordingError(f"it holds {len(rows)} lines, too few for a recording. {FORMATS}")
+        lines = "one line" if len(rows) == 1 else "no line"
+        raise RecordingError(f"it holds {lines}, too few for a recording. {FORMATS}")
     return rows, hashlib.sha256(content).hexdigest()
 
 

@@ -59,6 +59,23 @@ def test_tracking_rarely_starts_anew(followed):
     assert tracker.seen_anew <= 6
 
 
+def test_odds_of_the_last_try_stand_while_the_next_one_waits(monkeypatch):
+    """A faint contact: every try says 0.6, the first wait is one frame, the next three."""
+    tracker, tried = Tracker(FREE), []
+
+    def changed(_, same):
+        tried.append(len(told))
+        return same, np.array([0.6])
+
+    monkeypatch.setattr(tracker, "_faint", lambda _: True)
+    monkeypatch.setattr(tracker, "_changed", changed)
+    counts, told = np.zeros(FREE.model.channels), []
+    for _ in range(6):
+        told.append(float(tracker.feed(counts).odds[0]))
+    assert tried == [0, 2]
+    assert told == [0.6] * 6
+
+
 def test_a_tracker_reads_the_mean_of_its_window():
     face, contact = np.full((1, 6), -1), np.zeros((1, 6, 3))
     face[0, 0], contact[0, 0] = 1, [2.0, -4.0, 5.0]

@@ -68,13 +68,28 @@ def test_empty_and_binary(tmp_path, content):
     [
         ("name,age\nAda,36\n", "not a recording"),
         ("Time,Left\n1,2\n", "lacks the columns Right-blue"),
-        ("Time\n", "1 lines"),
+        ("Time\n", "one line"),
         ("1,2,3\n4,5,6\n", "3 columns without a header"),
     ],
 )
 def test_foreign_csv(tmp_path, text, words):
     (tmp_path / "a.csv").write_text(text)
     assert words in message(tmp_path / "a.csv")
+
+
+@pytest.mark.parametrize(
+    ("text", "encoding", "words"),
+    [
+        ("time_s;F1-X1;cell1_force_n\n0,1;5;0,2\n", "utf-8", "parted by semicolons. Part them by"),
+        ("time_s\tF1-X1\tcell1_force_n\n0.1\t5\t0.2\n", "utf-8", "parted by tabs"),
+        ("time_s,F1-X1\n0.1,5\n", "utf-16", "UTF-16. Save it as UTF-8"),
+        ("time_s,F1-X1\n", "utf-8", "holds one line, too few"),
+    ],
+)
+def test_files_of_a_spreadsheet(tmp_path, text, encoding, words):
+    path = tmp_path / "sheet.csv"
+    path.write_text(text, encoding=encoding)
+    assert words in message(path)
 
 
 def test_truncated_line(tmp_path, good_text):

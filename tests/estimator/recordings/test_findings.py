@@ -380,8 +380,8 @@ def test_a_place_beyond_the_object_is_told_once_with_its_rows():
     far, found = limits.places_off_the_body(tips, limits.Limits(1.0, 21.0))
     assert far.tolist() == [False, True, False, True]
     assert [str(one) for one in found] == [
-        "place off the body: rows 1–3: (3, -21.5) mm lies beyond ±21 mm; frames not used; --spec "
-        "gives the object's size"
+        "place off the body: rows 1–3: (3, -21.5) mm lies beyond ±21 mm; frames not used (with --spec "
+        "the object's size counts, else three times the grid's reach)"
     ]
 
 

@@ -108,6 +108,16 @@ def test_frames_without_any_reading_of_a_face_or_of_all_are_not_used(tmp_path):
     assert np.flatnonzero(whole.valid & ~found.valid).tolist() == [50, 51, 200]
 
 
+def test_a_pressed_face_without_channels_is_told(tmp_path):
+    path = made(tmp_path)
+    rows = [line.split(",") for line in path.read_text().splitlines()]
+    for row in rows[1:]:
+        row[-3] = "4"
+    path.write_text("\n".join(",".join(row) for row in rows) + "\n")
+    (fault,) = read_recording(path).report.faults
+    assert (fault.kind, fault.where) == ("pressed face without readings", "face 4")
+
+
 def test_rest_labelled_with_a_place_is_no_press_and_a_lag_that_cannot_be_told_is_not_0(tmp_path):
     path = made(tmp_path)
     lines = path.read_text().splitlines()

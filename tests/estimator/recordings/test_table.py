@@ -73,3 +73,9 @@ def test_stamps_in_milliseconds_are_refused():
 def test_channels_are_named_by_face_axis_and_number():
     assert channel_name(0, 0, 0) == "F1-X1"
     assert channel_name(4, 2, 1) == "F5-Y3"
+
+
+def test_rows_from_last_to_first_are_refused_and_a_single_step_back_is_not():
+    with pytest.raises(RecordingError, match="backwards from row to row in 4 of 4 steps"):
+        check_plausible(replace(SOUND, time_s=SOUND.time_s[::-1]))
+    check_plausible(replace(SOUND, time_s=np.array([0.0, 0.1, 0.2, 0.0, 0.1])))
