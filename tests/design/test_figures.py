@@ -57,6 +57,7 @@ import design.solids.magnet_template
 import design.solids.primitives
 import design.solids.probes
 import design.solids.sampled
+import design.spec.learning
 import design.spec_io
 import design.wiring.bus_limits
 import design.wiring.bus_plan
@@ -188,6 +189,13 @@ FIGURES = {
     },
     design.solids.sampled: {
         "_OVERSHOOT_MM": 0.5, "_SECTIONS": 64, "_LEAST_HOLLOW_MM": 3.0, "_LEANING": 0.5,
+    },
+    design.spec.learning: {
+        "LIMITS_OF_USE": {
+            "grasp": {"position_bound_mm": 1.5, "detectable_force_n": 5.0},
+            "touch": {"position_bound_mm": 1.0, "detectable_force_n": 1.0},
+            "presence": {"position_bound_mm": 5.0, "detectable_force_n": 5.0},
+        },
     },
     design.spec_io: {"_LARGEST_BYTES": 250_000},
     design.wiring.bus_limits: {

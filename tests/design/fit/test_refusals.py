@@ -7,6 +7,8 @@ record was checked stands in it; where a sentence changes see `tests/support/rec
 import re
 from copy import deepcopy
 
+import pytest
+
 from design.fit.boards import boards_across_edges
 from design.fit.everything import problems_of
 from design.spec.object import ObjectSpec
@@ -183,9 +185,14 @@ def changed(name, changes):
     return ObjectSpec.model_validate(with_overrides(deepcopy(OBJECTS[name]), given))
 
 
-def test_what_does_not_fit_is_told_with_its_numbers():
-    """One test for all: calls are checked for shapes in the first of every test alone."""
-    for case in CASES.strip().splitlines():
+def cases_of(name):
+    return [case for case in CASES.strip().splitlines() if case.startswith(f"{name}: ")]
+
+
+@pytest.mark.parametrize("name", [name for name in OBJECTS if cases_of(name)])
+def test_what_does_not_fit_is_told_with_its_numbers(name):
+    """One test for an object: calls are checked for shapes in the first of every test alone."""
+    for case in cases_of(name):
         assert_on_record("refusals", case, told_of(*case.split(": ", 1)))
 
 
