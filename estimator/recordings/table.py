@@ -70,7 +70,7 @@ def check_plausible(table: RawTable) -> None:
         Counts beyond 24 bits, forces beyond 1 kN, places beyond 300 mm (or all within 0.1 mm of
         the middle but not in it), or stamps that fall in most steps or are 5 s or more apart.
     """
-    _check_below("counts", table.counts, LARGEST_COUNT, "raw counts of the sensors")
+    check_signals(table.time_s, table.counts)
     _check_below("forces (N)", table.force_n, LARGEST_FORCE_N, "forces in N, not in g or mN")
     if table.shear_n is not None:
         _check_below("shear forces (N)", table.shear_n, LARGEST_FORCE_N, "forces in N")
@@ -81,17 +81,30 @@ def check_plausible(table: RawTable) -> None:
             f"every place lies within {known.max():g} mm of its face's middle. Give places "
             "in mm, not in m"
         )
-    if len(table.time_s) and np.abs(table.time_s).max() > 1e11:
+
+
+def check_signals(
+    time_s: Float[np.ndarray, "stamp"], counts: Float[np.ndarray, "frame 5 sensor 3"]
+) -> None:
+    """Refuse counts and stamps as `check_plausible` does.
+
+    Raises
+    ------
+    RecordingError
+        As there.
+    """
+    _check_below("counts", counts, LARGEST_COUNT, "raw counts of the sensors")
+    if len(time_s) and np.abs(time_s).max() > 1e11:
         raise RecordingError(
-            f"time stamps reach {np.abs(table.time_s).max():.3g} s. Give seconds, not ms"
+            f"time stamps reach {np.abs(time_s).max():.3g} s. Give seconds, not ms"
         )
-    falling = int(np.sum(np.diff(table.time_s) < 0))
-    if 2 * falling > len(table.time_s):
+    falling = int(np.sum(np.diff(time_s) < 0))
+    if 2 * falling > len(time_s):
         raise RecordingError(
-            f"time runs backwards from row to row in {falling} of {len(table.time_s) - 1} steps. Sort the "
+            f"time runs backwards from row to row in {falling} of {len(time_s) - 1} steps. Sort the "
             "rows by time"
         )
-    step_s = float(np.median(np.diff(table.time_s))) if len(table.time_s) > 2 else 0.0
+    step_s = float(np.median(np.diff(time_s))) if len(time_s) > 2 else 0.0
     if step_s >= _SLOWEST_FRAME_S:
         raise RecordingError(
             f"frames are {step_s:g} s apart (median). Give time stamps in s, not in ms"

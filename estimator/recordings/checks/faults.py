@@ -236,7 +236,7 @@ def unread_faces(
     counts: Float[np.ndarray, "frame 5 sensor 3"], face: Int[np.ndarray, "frame cell"]
 ) -> list[Fault]:
     """Faces that labels say are pressed, without a single reading of their own."""
-    read = np.isfinite(counts).any(axis=(0, 2, 3))
+    read = np.any(np.isfinite(counts), axis=(0, 2, 3))
     labelled = np.unique(face[face != NO_FACE]).tolist()
     return [
         Fault(

@@ -16,7 +16,13 @@ from jaxtyping import Float, Int
 
 from design.errors import RecordingError
 from estimator.frames.heatmap import NO_CONTACT_LABELS, label_grid_mm, label_to_pixel, pixel_to_mm
-from estimator.recordings.formats.generic import generic_table, is_generic_header, missing_marker
+from estimator.recordings.formats.generic import (
+    generic_signals,
+    generic_table,
+    is_generic_header,
+    is_unlabelled,
+    missing_marker,
+)
 from estimator.recordings.formats.netcdf import read_generic_netcdf
 from estimator.recordings.formats.text import (
     FORMATS,
@@ -28,7 +34,7 @@ from estimator.recordings.formats.text import (
     read_bytes,
     whole,
 )
-from estimator.recordings.table import FACES, RawTable, check_plausible
+from estimator.recordings.table import FACES, RawTable, check_plausible, check_signals
 
 NEWTON_PER_GRAM_FORCE = 9.8e-3
 _FILE_FACES = (5, 3, 1, 2, 4)
@@ -53,6 +59,32 @@ def read_table(path: Path | str) -> RawTable:
         table = read_generic_netcdf(path) if path.suffix == ".nc" else _csv_table(content)
         check_plausible(table)
     return table
+
+
+def read_signals(
+    path: Path | str,
+) -> tuple[Float[np.ndarray, "stamp"], Float[np.ndarray, "frame 5 sensor 3"]]:
+    """Stamps (s; none where the format has none) and raw counts alone: of any recording, and of a generic
+    CSV without the columns of load cells.
+
+    Raises
+    ------
+    RecordingError
+        As `read_table`.
+    """
+    path = Path(path)
+    if path.suffix != ".nc":
+        content = read_bytes(path)
+        with naming(path):
+            rows, _ = csv_rows(content)
+            missing = missing_marker(rows)
+            rows = rows if missing is None else rows[1:]
+            if is_unlabelled([cell.strip() for cell in rows[0]]):
+                time_s, counts = generic_signals(rows, missing)
+                check_signals(time_s, counts)
+                return time_s, counts
+    table = read_table(path)
+    return table.time_s, table.counts
 
 
 def _csv_table(content: bytes) -> RawTable:

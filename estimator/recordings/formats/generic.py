@@ -88,6 +88,35 @@ def missing_marker(rows: list[list[str]]) -> float | None:
     return as_number(match[1])
 
 
+def is_unlabelled(header: list[str]) -> bool:
+    """Whether a CSV's first line has stamps and channels, and nothing of load cells."""
+    return (
+        "time_s" in header
+        and any(map(CHANNEL.fullmatch, header))
+        and not any(name.startswith("cell") for name in header)
+    )
+
+
+def generic_signals(
+    rows: list[list[str]], missing: float | None = None
+) -> tuple[Float[np.ndarray, "frame"], Float[np.ndarray, "frame 5 sensor 3"]]:
+    """Stamps (s) and raw counts of a generic CSV without labels, header first.
+
+    Raises
+    ------
+    RecordingError
+        As `generic_table`.
+    """
+    header = [cell.strip() for cell in rows[0]]
+    _check_header([*header, *_cell_columns(1, 1)])
+    values = numbers(rows[1:], header, first_line=2 if missing is None else 3)
+    if missing is not None:
+        values = _without_marker(values, header, missing)
+    column = {name: values[:, k] for k, name in enumerate(header)}
+    check_complete(column["time_s"][:, None], ["time_s"])
+    return column["time_s"], _counts(column, len(values))
+
+
 def generic_table(rows: list[list[str]], missing: float | None = None) -> RawTable:
     """Read the rows of a generic CSV, header first; `missing` stands for no reading.
 

@@ -87,15 +87,15 @@ def recorded_frames(
     InputError
         A bad file, readings of another object, or no zero in the whole file.
     """
-    from estimator.recordings.formats.files import read_table
+    from estimator.recordings.formats.files import read_signals
 
-    table = read_table(path)
-    require_same_sensors(channels, table.counts, np.array(FACES), str(path))
-    time_s = table.time_s if len(table.time_s) else np.full(len(table.counts), np.nan)
-    lacking = lacks_readings(table.counts, channels)
+    time_s, raw = read_signals(path)
+    require_same_sensors(channels, raw, np.array(FACES), str(path))
+    time_s = time_s if len(time_s) else np.full(len(raw), np.nan)
+    lacking = lacks_readings(raw, channels)
     silent = lacking.all()
     read = 0
-    for number, (now_s, counts) in enumerate(zip(time_s.tolist(), table.counts, strict=True)):
+    for number, (now_s, counts) in enumerate(zip(time_s.tolist(), raw, strict=True)):
         if lacking[number] and not silent:
             reader.miss()
             yield number, now_s, None
@@ -106,7 +106,7 @@ def recorded_frames(
             yield number, now_s, found
     if not read:
         raise InputError(
-            f"{path} holds {len(table.counts)} frames, none of them after {zeroing.frames} that give "
+            f"{path} holds {len(raw)} frames, none of them after {zeroing.frames} that give "
             "a zero. Give a longer recording, a smaller --zero-frames or, for signals that are "
             "changes already, --zero none"
         )

@@ -226,6 +226,24 @@ def test_predict_a_recording_zeroes_by_its_first_frames(folder, tmp_path):
         predict_file(folder / "robot" / "face_3.onnx", path, tmp_path, Zeroing("first", 14))
 
 
+def test_a_recording_without_load_cells_is_read_all_the_same(folder, tmp_path):
+    model, path = folder / "robot" / "face_3.onnx", board_recording(folder, tmp_path / "board.csv")
+    predict_file(model, path, None, Zeroing("first", 4))
+    rows = [line.split(",")[:4] for line in path.read_text().splitlines()]
+    bare = tmp_path / "bare.csv"
+    bare.write_text("\n".join(",".join(row) for row in rows) + "\n")
+    predict_file(model, bare, None, Zeroing("first", 4))
+    found, expected = (
+        (tmp_path / f"{name}.prediction_face_3.csv").read_text() for name in ("bare", "board")
+    )
+    assert found == expected
+    for cell, words in (("x", "line 4, column F3-Y1: 'x' is not"), ("1e9", "counts reach 1e\\+09")):
+        rows[3][2] = cell
+        bare.write_text("\n".join(",".join(row) for row in rows) + "\n")
+        with pytest.raises(InputError, match=words):
+            predict_file(model, bare, None)
+
+
 def test_frames_that_lack_a_reading_are_passed_over_and_counted(folder, tmp_path):
     """One lost reading of three channels; a channel that never speaks is still refused."""
     model, path = folder / "robot" / "face_3.onnx", board_recording(folder, tmp_path / "board.csv")
