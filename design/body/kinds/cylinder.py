@@ -71,7 +71,7 @@ class Cylinder(BodyKind):
     ) -> tuple[float, float, float]:
         """Radius and levels of the ends without a layer all round, and on the ends that are sensed."""
         radius, half = self.radius_mm, self.size_mm[2] / 2
-        round_it = bool({2, 3, 4, 5} & set(sensed))
+        round_it = not {1, 6}.issuperset(sensed)
         return (
             radius - round_it * layer_mm,
             (6 in sensed) * layer_mm - half,

@@ -78,3 +78,18 @@ def test_the_pad_s_plate_begins_one_thickness_below_its_top():
     assert_allclose(body.core_distance_mm(points), [8.0, 0.0, -3.0])
     assert body.core_surface() is None
     assert body.volume_mm3() == pytest.approx(40 * 30 * 8)
+
+
+@pytest.mark.parametrize(
+    ("sensed", "measures"),
+    [
+        ((1,), (20.0, -25.0, 24.5)),
+        ((6,), (20.0, -24.5, 25.0)),
+        ((2,), (19.5, -25.0, 25.0)),
+        ((4,), (19.5, -25.0, 25.0)),
+        ((1, 5, 6), (19.5, -24.5, 24.5)),
+    ],
+)
+def test_a_cylinder_s_layer_lies_where_it_is_sensed(sensed, measures):
+    cylinder = made("cylinder", (40.0, 40.0, 50.0), ())
+    assert cylinder.cast_measures_mm(0.5, sensed) == pytest.approx(measures)
