@@ -125,7 +125,7 @@ def check_curved_slits(spec: ObjectSpec) -> Iterator[str]:
         return
     for slit in found:
         along = np.linspace(-1, 1, _STEPS)
-        floor = np.array([[x, 1.0, y] for x in along for y in (-1.0, 0.0, 1.0)]) * slit.half_mm
+        floor = np.column_stack([along, np.ones(_STEPS), np.zeros(_STEPS)]) * slit.half_mm
         left = float(body.core_distance_mm(slit.centre_mm + floor @ slit.axes.T).min())
         if left < spec.silicone.thinnest_wall_mm:
             yield (

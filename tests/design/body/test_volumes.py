@@ -93,3 +93,9 @@ def test_the_pad_s_plate_begins_one_thickness_below_its_top():
 def test_a_cylinder_s_layer_lies_where_it_is_sensed(sensed, measures):
     cylinder = made("cylinder", (40.0, 40.0, 50.0), ())
     assert cylinder.cast_measures_mm(0.5, sensed) == pytest.approx(measures)
+
+
+def test_an_ellipsoid_s_triangles_are_as_fine_as_its_longest_axis_needs():
+    """Edges of 4.2 mm for an envelope of 0.3 mm: four times halved, of 60 mm along x."""
+    ellipsoid = KINDS["ellipsoid"]((120.0, 60.0, 60.0), 8.0, 0.3, (), 0.0)
+    assert len(ellipsoid.outer_surface().faces) == 20 * 4**4
