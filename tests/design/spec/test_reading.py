@@ -9,7 +9,7 @@ from pydantic import ValidationError
 
 from design.errors import InputError, SpecError
 from design.spec.learning import TrainingSpec
-from design.spec.object import MeshSpec, ScoreSpec
+from design.spec.object import MeshSpec, ObjectSpec, ScoreSpec
 from design.spec_io import load_spec, parse_spec, spec_hash, with_overrides
 
 SPEC_PARTS = {"mesh": MeshSpec, "score": ScoreSpec}
@@ -157,3 +157,12 @@ def test_a_list_with_a_wrong_entry_is_told_once():
         parse_spec(content, "made up")
     assert str(told.value).count("nope") == 1
     assert "at least 1 item" not in str(told.value)
+
+
+@pytest.mark.parametrize("table", sorted(set(ObjectSpec.model_fields) - {"name", "seed"}))
+def test_tables_of_another_type_and_names_that_are_no_text_are_told(table):
+    """Parts, grades and presets fill in what is left out before the table's keys are read."""
+    names = [{key: 5} for key in ("name", "part", "grade", "material", "use")]
+    for given in ("text", 5, ["x"], None, *names):
+        with pytest.raises(ValidationError):
+            ObjectSpec.model_validate({"name": "t", table: given})
