@@ -327,6 +327,15 @@ def evaluate(model: FaceModel, data: Recording | FrameSet, seed: int = 1) -> Fac
 
 
 def _frames(data: Recording | FrameSet) -> FrameSet:
+    from design.errors import InputError
+    from estimator.frames.dataset import FrameSet
     from estimator.recordings.reading import Recording
 
-    return data.frames if isinstance(data, Recording) else data
+    if isinstance(data, Recording):
+        return data.frames
+    if not isinstance(data, FrameSet):
+        raise InputError(
+            f"data must be a recording or a data set; got {type(data).__name__}. Read a file with "
+            "instobj.read_recording or instobj.load_frames"
+        )
+    return data

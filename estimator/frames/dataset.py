@@ -20,7 +20,7 @@ NO_FACE = 0
 """`contact_face` of an empty contact slot."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class FrameSet:
     """Frames of one object.
 
@@ -74,6 +74,15 @@ class FrameSet:
 
     def __len__(self) -> int:
         return len(self.time_s)
+
+    def __repr__(self) -> str:
+        pressed = np.unique(self.contact_face[self.contact_face != NO_FACE]).tolist()
+        return (
+            f"FrameSet ({self.source}): {len(self)} frames, {int(self.valid.sum())} valid, of "
+            f"{len(np.unique(self.press_id))} presses and rests; {self.signal_counts.shape[2]} sensors on "
+            f"each of faces {self.faces.tolist()}, pressed {pressed}; grid {len(self.grid_x_mm)} × "
+            f"{len(self.grid_y_mm)}"
+        )
 
     def select(self, frames: Bool[np.ndarray, "frame"] | Int[np.ndarray, "n"]) -> FrameSet:
         """The given frames, in order."""

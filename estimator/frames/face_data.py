@@ -70,7 +70,8 @@ def face_data(frames: FrameSet, face: int) -> FaceData:
     """
     index = np.flatnonzero(frames.faces == face)
     if not len(index):
-        raise InputError(f"face {face} is not in the data set; it has {frames.faces.tolist()}")
+        known = frames.faces[frames.faces < HISTORY].tolist()
+        raise InputError(f"face {face} is not in the data set; it has {known}. Choose one of these")
     recorded = np.any(np.isfinite(frames.signal_counts[:, index[0]]), axis=(1, 2))
     faint = np.any((frames.contact_face == face) & ~(frames.force_n[..., 2] > 0), axis=1)
     used = frames.valid & recorded & ~faint

@@ -85,7 +85,7 @@ _UNITS = {
 Grid = tuple[Float[np.ndarray, "nx"], Float[np.ndarray, "ny"]]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Recording:
     """Frames of one file with its report.
 
@@ -96,6 +96,9 @@ class Recording:
     frames: FrameSet
     report: RecordingReport
     rest_counts: Float[np.ndarray, "press 5 sensor 3"]
+
+    def __repr__(self) -> str:
+        return str(self.report)
 
 
 @dataclass(frozen=True)

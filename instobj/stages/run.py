@@ -43,7 +43,7 @@ _UNITS_BY_NAME = {
 }
 
 
-@dataclass(eq=False)
+@dataclass(eq=False, repr=False)
 class Run:
     """The results of one specification: made when first asked for, stored, and reused.
 
@@ -89,11 +89,15 @@ class Run:
     progress: ProgressLine = field(default_factory=ProgressLine)
     root: Path = field(default_factory=store_root)
     results: dict[str, StoredResult] = field(default_factory=dict)
-    found: dict[str, StoredResult] = field(default_factory=dict, repr=False)
-    call: Call | None = field(default=None, repr=False)
+    found: dict[str, StoredResult] = field(default_factory=dict)
+    call: Call | None = None
 
     def __post_init__(self) -> None:
         check(self.spec, table=False)
+
+    def __repr__(self) -> str:
+        asked = ", ".join(self.results) or "nothing asked for yet"
+        return f"Run of {self.spec.name} in {self.root}: {asked}"
 
     def require(self, name: str) -> StoredResult:
         """The stage's result, after those of every stage that it needs."""

@@ -184,6 +184,19 @@ def test_a_caller_can_tell_what_went_wrong(tmp_path):
         instobj.read_recording(tmp_path / "press.csv")
 
 
+def test_what_a_notebook_shows_is_short_and_a_path_is_no_data(place):
+    frames, run = instobj.load_frames("frames.nc"), instobj.Run(TINY)
+    assert repr(frames).startswith(f"FrameSet (simulated): {len(frames)} frames, ")
+    assert repr(run) == f"Run of {TINY.name} in {run.root}: nothing asked for yet"
+    assert len(repr(frames)) < 300
+    with pytest.raises(
+        instobj.InputError, match=r"got str\. Read a file with instobj\.read_recording"
+    ):
+        instobj.fit_estimator("frames.nc", 1)
+    with pytest.raises(instobj.InputError, match=r"face 9 .* it has \[1\]\. Choose"):
+        instobj.fit_estimator(frames, 9, {"history_frames": 2})
+
+
 def test_an_estimator_reads_the_same_from_its_file(place):
     frames = instobj.load_frames("frames.nc")
     model = instobj.fit_estimator(frames, 1, {"epochs": 1, "hidden_units": [8]})

@@ -15,7 +15,7 @@ def test_rows_without_cells_do_not_count_and_two_are_the_fewest():
     rows, digest = text.csv_rows(b"\xef\xbb\xbfa,b\r\n\r\n1,2\n")
     assert rows == [["a", "b"], ["1", "2"]]
     assert len(digest) == 64
-    with pytest.raises(RecordingError, match="it holds 1 lines"):
+    with pytest.raises(RecordingError, match="it holds one line"):
         text.csv_rows(b"a,b\n\n")
 
 
