@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     from estimator.calibration.validation import Predictions
 
 _FACE_COLOURS = ("#1b6ca8", "#c8553d", "#6a994e", "#8d6cab", "#b8860b")
+_MOST_NAMED = 10
+"""Colours of a figure; more contact locations have one in common, and no list of them."""
 
 
 def draw_validation(
@@ -49,17 +51,19 @@ def _draw_scatter(
     predictions: Predictions,
     face: int,
 ) -> None:
-    """One point per channel and case: means over its presses."""
+    """One point per channel and case: means over its presses. Cases are told apart as far as colours go."""
     from estimator.calibration.recorded_presses import own_channels
 
     own = own_channels(spec, face)
-    largest = 0.0
-    for case in np.flatnonzero(presses.face_of_case(face)):
+    largest, cases = 0.0, np.flatnonzero(presses.face_of_case(face))
+    named = len(cases) <= _MOST_NAMED
+    for case in cases:
         rows = np.flatnonzero(presses.case == case)
         recorded = presses.signal_counts[rows][:, own].mean(axis=0)
         predicted = predictions.counts[rows, case][:, own].mean(axis=0)
         places = "; ".join(f"({x:g}, {y:g})" for f, x, y in presses.cases[case] if f == face)
-        axes.plot(predicted, recorded, "o", markersize=4, alpha=0.8, label=places)
+        look = {"label": places} if named else {"color": _FACE_COLOURS[0]}
+        axes.plot(predicted, recorded, "o", markersize=4, alpha=0.8 if named else 0.4, **look)
         largest = max(largest, np.nanmax(abs(recorded)), np.nanmax(abs(predicted)))
     limit = 1.08 * largest
     axes.plot([-limit, limit], [-limit, limit], color="#777777", linewidth=0.8, label="equal")
@@ -79,7 +83,7 @@ def _draw_scatter(
         loc="upper center",
         bbox_to_anchor=(0.5, -0.16),
         ncols=2,
-        title="contact locations x, y (mm)",
+        title="contact locations x, y (mm)" if named else f"{len(cases)} contact locations",
         title_fontsize=7,
     )
 
