@@ -184,6 +184,14 @@ def _wetted(mesh: trimesh.Trimesh, shell: trimesh.Trimesh) -> Bool[np.ndarray, "
     return distance_mm(shell, mesh.triangles_center) < NEAR_MM
 
 
+def _way_out(spec: ObjectSpec) -> str:
+    if mould_style(spec) != "split":
+        return "Use mould.style = 'split'"
+    if body_of(spec).from_file and spec.mould.parting_azimuth_deg is None:
+        return "The seam stands where least hooks. Turn the body in its file"
+    return "Turn the seam (mould.parting_azimuth_deg)"
+
+
 def _undercut(
     spec: ObjectSpec, draw: Draw, mesh: trimesh.Trimesh, silicone: trimesh.Trimesh
 ) -> Finding:
@@ -195,11 +203,9 @@ def _undercut(
         status, text = "pass", "no undercut along the pull"
     elif found.depth_mm > room:
         status = "fail"
-        split = mould_style(spec) == "split"
-        way = "Turn the seam (mould.parting_azimuth_deg)" if split else "Use mould.style = 'split'"
         text = (
             f"{found.area_mm2:.0f} mm² of undercut; the silicone must give way by {found.depth_mm:.2g} mm "
-            f"and has {room:.2g} mm of room. {way}, or leave out what hooks"
+            f"and has {room:.2g} mm of room. {_way_out(spec)}, or leave out what hooks"
         )
     else:
         status = "pass" if strain <= allowed else "fail"

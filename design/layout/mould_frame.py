@@ -209,6 +209,15 @@ def _in_small_triangles(surface: trimesh.Trimesh) -> trimesh.Trimesh:
     return trimesh.Trimesh(small[0], small[1], process=False)
 
 
+def hooked_share(spec: ObjectSpec) -> float:
+    """Share of the outside that faces the wrong way on either side of the seam (areas along its normal)."""
+    surface, plane = _in_small_triangles(body_of(spec).outer_surface()), parting(spec)
+    rise = np.asarray(surface.face_normals) @ plane.normal
+    side = np.sign(np.asarray(surface.triangles_center) @ plane.normal - plane.offset_mm)
+    wrong = np.asarray(surface.area_faces) @ np.maximum(-side * rise - _SLOPE, 0)
+    return float(wrong / surface.area)
+
+
 def least_undercut(surface: trimesh.Trimesh, normal: Float[np.ndarray, "3"]) -> tuple[float, float]:
     """Least area that faces the wrong way on either side of a plane with that normal, and its offset.
 

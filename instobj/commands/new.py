@@ -19,7 +19,7 @@ from design.body.kinds.registry import KINDS
 from design.errors import InputError
 from design.fabrication.finding import Finding
 from design.files import atomic_path
-from design.layout.mould_frame import mould_frame, mould_style, parting
+from design.layout.mould_frame import hooked_share, mould_frame, mould_style, parting
 from design.placement.objects import Request, Tables, placements, spec_of
 from design.spec.body import MM, BodySpec
 from design.spec.object import ObjectSpec
@@ -34,7 +34,8 @@ _NAME = '"NAME"'
 _OTHERS = "OTHER KINDS"
 _MOULD_MM = 30.0
 """Of walls and flanges, beyond the body."""
-_TURNS_DEG, _MOST_TURNS = (6.0, -6.0, 12.0, -12.0, 18.0, -18.0), 2
+_TURNS_DEG = (6.0, -6.0, 12.0, -12.0, 18.0, -18.0, 30.0, -30.0, 45.0, -45.0, 60.0, -60.0, 90.0)
+_MOST_TURNS = 2
 """By which a mould's seam is turned, and how many of those are tried."""
 _BED = "fits the bed"
 _OF_THE_BODY = {"undercut", _BED}
@@ -130,14 +131,16 @@ def _turned(tables: Tables) -> Iterator[Tables]:
 
 
 def _with_clear_seams(tables: Tables) -> Iterator[Tables]:
-    """With the seam turned by either way, where pins, pouring holes and vents leave it walls."""
+    """With the seam turned by either way, where pins, pouring holes and vents leave it walls; first by
+    those turns that hook no more of the body (a fluted vase's by a whole flute)."""
     from design.layout.mould_pins import pins_thin_the_seam
     from design.mould.openings import holes_thin_the_seam
 
     plane, frame = parting(spec_of(tables)), mould_frame(spec_of(tables))
     azimuth = np.rad2deg(np.arctan2(plane.normal @ frame.along, plane.normal @ frame.across))
-    for turn in _TURNS_DEG:
-        turned = tables | {"mould": {"parting_azimuth_deg": round(float(azimuth) + turn, 1)}}
+    azimuths = [round(float(azimuth) + turn, 1) for turn in _TURNS_DEG]
+    turns = [tables | {"mould": {"parting_azimuth_deg": turned}} for turned in azimuths]
+    for turned in sorted(turns, key=lambda turned: round(hooked_share(spec_of(turned)), 3)):
         spec = spec_of(turned)
         if not (pins_thin_the_seam(spec) or holes_thin_the_seam(spec)):
             yield turned

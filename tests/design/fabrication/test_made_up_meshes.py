@@ -1,5 +1,7 @@
 """Checks of fabrication at both sides of their limits, by boxes and made-up measures in place of parts."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 import trimesh
@@ -95,6 +97,18 @@ def test_undercuts_are_peeled_where_there_is_room_and_strain_left(
     assert (found.status, found.value) == (status, depth)
     assert found.limit == pytest.approx(limit)
     assert found.place_mm == ((1.0, 2.0, 3.0) if depth else None)
+
+
+def test_the_way_out_of_an_undercut_is_one_that_is_left(monkeypatch):
+    """A file's seam is already where least hooks, unless it is given."""
+    whole = CUBE.changed(mould=CUBE.mould.changed(style="one-piece"))
+    assert "mould.style" in casting._way_out(whole)
+    split = CUBE.changed(mould=CUBE.mould.changed(style="split"))
+    assert "mould.parting_azimuth_deg" in casting._way_out(split)
+    monkeypatch.setattr(casting, "body_of", lambda spec: SimpleNamespace(from_file=True))
+    assert "Turn the body in its file" in casting._way_out(split)
+    given = split.changed(mould=split.mould.changed(parting_azimuth_deg=3.0))
+    assert "mould.parting_azimuth_deg" in casting._way_out(given)
 
 
 @pytest.mark.parametrize(("draft", "status"), [(0.99, "warn"), (1.0, "pass")])

@@ -105,3 +105,13 @@ def test_clips_stand_outside_the_walls_and_the_flange_between_and_over_them():
         atol=1e-9,
     )
     assert flange_corners_mm(box([])) == []
+
+
+@pytest.mark.parametrize(("azimuth_deg", "share"), [(0.0, 0.0), (90.0, 0.0), (45.0, None)])
+def test_a_seam_hooks_what_faces_the_other_half(azimuth_deg, share):
+    """Of a box with sides of a and b at 45°: strips (b - a) wide of its longer sides, twice."""
+    spec = box([], parting_azimuth_deg=azimuth_deg)
+    x, y, z = 42.0, 44.0, 46.0
+    strips = 2 * (y - x) / 2 * z * (np.sqrt(0.5) - np.sin(np.deg2rad(2.0)))
+    share = strips / (2 * (x * y + y * z + z * x)) if share is None else share
+    assert frames.hooked_share(spec) == pytest.approx(share, rel=0.05)
