@@ -38,6 +38,8 @@ class Zeroing:
 FOLLOW_REST = Zeroing()
 SILENT_FRAMES = 10
 """A channel without a reading for longer is silent, as on the live page."""
+_REPEATED = 0.2
+"""Share of repeated rows from which the scatter at rest says nothing."""
 
 
 @runtime_checkable
@@ -105,6 +107,13 @@ def recorded_frames(
             read += 1
             yield number, now_s, found
     if not read:
+        repeated = int(np.sum(np.all((raw[1:] == raw[:-1]) | np.isnan(raw[1:]), axis=(1, 2, 3))))
+        if repeated > _REPEATED * len(raw):
+            raise InputError(
+                f"{path} repeats the readings of the row before in {repeated} of {len(raw)} rows, so that "
+                "rest does not show. Take the repeated rows out (was it logged faster than the sensors "
+                "answer?), or take --zero first"
+            )
         raise InputError(
             f"{path} holds {len(raw)} frames, none of them after {zeroing.frames} that give "
             "a zero. Give a longer recording, a smaller --zero-frames or, for signals that are "

@@ -244,6 +244,15 @@ def test_a_recording_without_load_cells_is_read_all_the_same(folder, tmp_path):
             predict_file(model, bare, None)
 
 
+def test_rows_that_repeat_the_one_before_are_told(folder, tmp_path):
+    path = tmp_path / "twice.csv"
+    counts = np.random.default_rng(0).normal(700, 20, (60, 3)).round().repeat(2, axis=0)
+    rows = [f"{k / 20:.2f},{row[0]},{row[1]},{row[2]}" for k, row in enumerate(counts)]
+    path.write_text("\n".join(["time_s,F3-X1,F3-Y1,F3-Z1", *rows]) + "\n")
+    with pytest.raises(InputError, match="the row before in 60 of 120 rows, so that rest does not"):
+        predict_file(folder / "robot" / "face_3.onnx", path)
+
+
 def test_frames_that_lack_a_reading_are_passed_over_and_counted(folder, tmp_path):
     """One lost reading of three channels; a channel that never speaks is still refused."""
     model, path = folder / "robot" / "face_3.onnx", board_recording(folder, tmp_path / "board.csv")
