@@ -146,3 +146,11 @@ def test_lists_of_places_begin_with_face_1_and_go_round_or_are_one_for_each_sens
     )
     assert by_sensed_face(some, (one, two, three)) == (three, two)
     assert by_sensed_face(some, (one, two)) == (one, two)
+
+
+def test_pockets_whose_axes_nearly_meet_overlap_by_what_is_left_of_both_radii():
+    """Along z and along x, both 7 mm past the other, 0.4 mm apart in y."""
+    one = pocket(ROUND, (0.0, 0.0), centre=(3.0, 0.0, -13.0))
+    other = pocket(ROUND, (0.0, 0.0), centre=(-3.0, 0.4, -13.0))
+    top, side = (flat_frame(number, np.full(3, 10.0)) for number in (1, 3))
+    assert gap_across_edge_mm(top, one, side, other) == pytest.approx(0.4 - 6.0)
