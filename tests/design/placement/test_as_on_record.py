@@ -58,8 +58,9 @@ def test_a_bore_is_half_of_the_room_from_4_to_10_mm(kind, size, bore):
 
 def test_pitches_are_coarser_on_faces_that_would_take_more_than_100_locations():
     assert _pitches_mm(worked("box")) == (3.0, 2.5, 2.0, 1.5, 1.0)
-    wide = worked("box").changed(body=worked("box").body.changed(size_mm=(46.0, 50.0, 350.0)))
-    assert _pitches_mm(wide) == (4.0,)
+    for long, pitches in ((350.0, (4.0,)), (301.0, (4.0,)), (290.0, (3.0, 2.5, 2.0, 1.5, 1.0))):
+        body = worked("box").body.changed(size_mm=(46.0, 50.0, long))
+        assert _pitches_mm(worked("box").changed(body=body)) == pitches
 
 
 def test_sizes_grow_in_half_millimetres():
