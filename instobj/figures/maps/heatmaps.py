@@ -135,10 +135,10 @@ def draw_face(
     half = np.array(half_mm(spec, face))
     outline = Polygon(frame.border_mm(), fc=BLANK, ec=FRAME, lw=1.2)
     outline.set(hatch=_NOT_COVERED, hatchcolor=_HATCH, hatch_linewidth=0.6)
-    axes.add_patch(_placed(outline, move))
+    axes.add_artist(_placed(outline, move))
     there = contact_places(spec)[spec.body.sensed.index(face)]
     for covered in _covered_rectangles(spec, there):
-        axes.add_patch(_placed(covered, move, zorder=1.5))
+        axes.add_artist(_placed(covered, move, zorder=1.5))
     corners = pose.apply(np.stack([-half, half]))
     axes.update_datalim(corners)
     shown = np.ma.masked_invalid(values.reshape(grid.shape) / 10.0**scale.exponent)
@@ -201,7 +201,7 @@ def _draw_parts(axes: Any, spec: ObjectSpec, face: int, move: Any) -> None:
     ]
     for patch in patches:
         patch.set_path_effects([withStroke(linewidth=3.4, foreground=PAPER)])
-        axes.add_patch(_placed(patch, move, zorder=3))
+        axes.add_artist(_placed(patch, move, zorder=3))
 
 
 def _placed(patch: Any, transform: Any, zorder: float = 1) -> Any:
