@@ -134,7 +134,7 @@ _FRAMES = FileKind(
     attributes=("source", "spec_hash", "seed", "lag_frames"),
     unit_name="unit",
     origin="`instobj recordings` or `instobj train SPEC` makes one",
-    remedy="Make it anew with this version of instobj",
+    remedy="Make it anew with this version of instobj, of a recording by `instobj recordings`",
     others={
         "counts": "a recording, not a data set. Run `instobj recordings` on it first and give the "
         "frames.nc that this writes"

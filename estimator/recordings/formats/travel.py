@@ -64,9 +64,13 @@ def read_travel(folder: Path | str) -> TravelRecording:
     Raises
     ------
     RecordingError
-        A file is missing or damaged, or the two do not belong together.
+        No folder, a file that is missing or damaged, or two that do not belong together.
     """
     folder = Path(folder)
+    if folder.is_file():
+        raise RecordingError(
+            f"{folder} is a file. Give the folder that holds {SENSOR_FILE} and {STATE_FILE}"
+        )
     sensor = _table(folder / SENSOR_FILE, None)
     state = _table(folder / STATE_FILE, _STATE_COLUMNS)
     with naming(folder):

@@ -241,3 +241,10 @@ def test_a_twin_helps_to_read_places_that_nobody_pressed(model, recording):
     )
     assert both < 1.1 * alone
     assert both < 0.7 * process < found["middle of the labelled places"].place_rms_mm
+
+
+def test_a_file_in_place_of_the_folder_is_told_so(tmp_path):
+    file = tmp_path / "sensor.csv"
+    file.write_text("0,1,2,3\n")
+    with pytest.raises(RecordingError, match=r"is a file\. Give the folder"):
+        read_travel(file)
