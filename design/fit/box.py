@@ -49,17 +49,22 @@ def check_box_core(spec: ObjectSpec) -> Iterator[str]:
 
 
 def _check_recesses(spec: ObjectSpec) -> Iterator[str]:
-    smallest = min(spec.core_size_mm)
-    if spec.core.recess_depth_mm >= spec.core.wall_mm:
+    core, half = spec.core, min(spec.core_size_mm) / 2
+    if core.recess_depth_mm >= core.wall_mm:
         yield (
-            f"core.recess_depth_mm must be below core.wall_mm = {spec.core.wall_mm:g}; got "
-            f"{spec.core.recess_depth_mm:g}. Make the recess shallower or the wall thicker"
+            f"core.recess_depth_mm must be below core.wall_mm = {core.wall_mm:g}; got "
+            f"{core.recess_depth_mm:g}. Make the recess shallower or the wall thicker"
         )
-    if not spec.core.recess_inner_radius_mm < spec.core.recess_outer_radius_mm < smallest / 2:
+    inner, outer = core.recess_inner_radius_mm, core.recess_outer_radius_mm
+    if spec.sensors.positions_mm is not None and not inner < outer:
+        yield (
+            "core recesses must satisfy recess_inner_radius_mm < recess_outer_radius_mm; got "
+            f"{inner:g} and {outer:g}. Make the outer one larger"
+        )
+    elif spec.sensors.positions_mm is None and not inner < outer < half:
         yield (
             "core recesses must satisfy recess_inner_radius_mm < recess_outer_radius_mm < half the "
-            f"core ({smallest / 2:g} mm); got {spec.core.recess_inner_radius_mm:g} and "
-            f"{spec.core.recess_outer_radius_mm:g}. Move the recess inwards"
+            f"core ({half:g} mm); got {inner:g} and {outer:g}. Move the recess inwards"
         )
 
 

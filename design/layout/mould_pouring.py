@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 from jaxtyping import Float
 
-from design.body.meshes import manifold_of
 from design.errors import InputError
 from design.layout.mould_frame import MouldFrame, mould_frame, mould_style, thin_at_seam, up
 from design.layout.mould_pins import Pin, exit_mm, loose_pins
@@ -124,9 +123,21 @@ def _pour_places(spec: ObjectSpec, surface: trimesh.Trimesh) -> Iterator[list[np
 
 def _below(surface: trimesh.Trimesh, frame: MouldFrame, beside_mm: np.ndarray) -> np.ndarray | None:
     """The silicone's surface under a place beside the axis `out`; None where there is none."""
-    top = beside_mm + (frame.rim_mm + 1.0) * frame.out
-    hits = manifold_of(surface).ray_cast(tuple(top), tuple(beside_mm - frame.rim_mm * frame.out))
-    return np.asarray(hits[0].position) if hits else None
+    seen = (surface.vertices - beside_mm) @ np.stack([frame.across, frame.along]).T
+    one, two, three = np.moveaxis(seen[surface.faces], 1, 0)
+    shares = np.stack([_turned(two, three), _turned(three, one), _turned(one, two)], axis=1)
+    whole = shares.sum(axis=1)
+    over = (whole != 0) & np.all(shares * whole[:, None] >= 0, axis=1)
+    if not over.any():
+        return None
+    corners = np.asarray(surface.vertices)[surface.faces[over]] @ frame.out
+    highest = float(np.max(np.sum(shares[over] * corners, axis=1) / whole[over]))
+    return beside_mm + (highest - beside_mm @ frame.out) * frame.out
+
+
+def _turned(one: np.ndarray, other: np.ndarray) -> np.ndarray:
+    """Twice the area of triangles from the origin, negative where they turn the other way."""
+    return one[:, 0] * other[:, 1] - one[:, 1] * other[:, 0]
 
 
 def pins_of(spec: ObjectSpec, first: bool) -> tuple[Pin, ...]:

@@ -139,9 +139,15 @@ def _fitting(
     for tables in _fits(request, trims, shares):
         found = True
         yield tables
-    faces = () if found or request.faces is not None else _roomy_faces(request)
-    if faces:
-        yield from _fits(replace(request, faces=faces), trims, shares)
+    if found or request.faces is not None:
+        return
+    for fewer in (_roomy_faces, _largest_together):
+        faces = fewer(request)
+        for tables in _fits(replace(request, faces=faces), trims, shares) if faces else ():
+            found = True
+            yield tables
+        if found:
+            return
 
 
 def _fit(request: Request, trims: tuple[Trim, ...], shares: tuple[float, ...]) -> Tables | None:
@@ -164,6 +170,17 @@ def _roomy_faces(request: Request) -> tuple[int, ...]:
         return ()
     found = tuple(face for face in every if _fits_roughly(replace(request, faces=(face,))))
     return found if len(found) < len(every) else ()
+
+
+def _largest_together(request: Request) -> tuple[int, ...]:
+    """The most faces, largest first, that take everything together; () where there are none."""
+    frames = face_frames(spec_of(_body(request, _TRIMS[-1])))
+    frames = sorted(frames, key=lambda frame: -float(np.prod(frame.half_extents_mm)))
+    for count in range(len(frames) - 1, 0, -1):
+        faces = tuple(sorted(frame.number for frame in frames[:count]))
+        if _fits_roughly(replace(request, faces=faces)):
+            return faces
+    return ()
 
 
 def spec_of(tables: Tables) -> ObjectSpec:
@@ -214,8 +231,22 @@ def _with_sensors(request: Request, trim: Trim, shares: tuple[float, ...]) -> Ta
         return None
     if min(min(half) for half in halves) <= 0:
         return None
+    for patterns in sensor_patterns(request.sensors):
+        found = _with_patterns(request, body, halves, [*product(shares, patterns)])
+        if found is not None:
+            return found
+    return None
+
+
+def _with_patterns(
+    request: Request,
+    body: Tables,
+    halves: list[np.ndarray],
+    tried: list[tuple[float, Shares]],
+) -> Tables | None:
+    """The first share and pattern that fit; if need be one whose recesses end in the core's slope."""
     on_slopes = []
-    for share, pattern in product(shares, sensor_patterns(request.sensors)):
+    for share, pattern in tried:
         tables = body | _electronics(request, [share * half * pattern for half in halves])
         spec = spec_of(tables)
         if tight_middle(spec) or tight_core(spec, sunk=False):
@@ -239,7 +270,6 @@ def _with_sensors(request: Request, trim: Trim, shares: tuple[float, ...]) -> Ta
 def _electronics(request: Request, faces: list[Shares]) -> Tables:
     """Recesses about the boards' middles, sensors in them, and holes for their wires (mm)."""
     places = [_rounded(face) for face in faces]
-    alike = all(face == places[0] for face in places)
     radius = round(max(3.5, min(hypot(*xy) for face in places for xy in face)), 2)
     hole = _hole_mm(request.sensors)
     core = {
@@ -252,7 +282,7 @@ def _electronics(request: Request, faces: list[Shares]) -> Tables:
     sensors = {
         "count_per_face": request.sensors,
         "radius_mm": radius,
-        "positions_mm": places[0] if alike else places,
+        "positions_mm": _per_face(places),
     }
     return {"core": core, "sensors": sensors}
 
@@ -272,15 +302,18 @@ def _wall_mm(spec: ObjectSpec) -> float | None:
 
 
 def _with_magnets(request: Request, tables: Tables, shares: tuple[float, ...]) -> Tables | None:
-    """Most magnets first; of their patterns and spreads the one with the shortest signal paths."""
+    """Most magnets first; of their patterns and spreads, over each face or alike on all, the one with the
+    shortest signal paths."""
     diameter = tables["shell"]["pocket_diameter_mm"]
     counts = _COUNTS if request.magnets is None else (request.magnets,)
-    half = np.min([frame.half_extents_mm for frame in face_frames(spec_of(tables))], axis=0)
+    halves = np.array([frame.half_extents_mm for frame in face_frames(spec_of(tables))])
+    smallest = np.broadcast_to(halves.min(axis=0), halves.shape)
+    spreads = [smallest] if np.allclose(halves, smallest) else [halves, smallest]
     sensors = sensor_layout(spec_of(tables))
     for count in counts:
         tried = []
-        for pattern, share in product(magnet_patterns(count), shares):
-            places = _rounded(share * half * pattern)
+        for pattern, share, spread in product(magnet_patterns(count), shares, spreads):
+            places = _per_face([_rounded(share * half * pattern) for half in spread])
             magnets = {"diameter_mm": diameter, "positions_mm": places}
             spec = spec_of(tables | {"magnets": magnets})
             tried.append((long_path_mm(spec, sensors), magnets, spec))
@@ -310,6 +343,11 @@ def _pitches_mm(spec: ObjectSpec) -> tuple[float, ...]:
     widest = 2 * float(np.max([abs(frame.lengths_mm) for frame in face_frames(spec)]))
     least = widest / MOST_COUNT
     return _PITCHES_MM if least < _PITCHES_MM[0] else (float(np.ceil(least)),)
+
+
+def _per_face(places: list[list[list[float]]]) -> list[Any]:
+    """One list for all faces where they are alike."""
+    return places[0] if all(face == places[0] for face in places) else places
 
 
 def _rounded(places_mm: Shares) -> list[list[float]]:

@@ -9,13 +9,15 @@ Shares = Float[np.ndarray, "part 2"]
 _CORNERS_DEG = 45.0
 
 
-def sensor_patterns(count: int) -> list[Shares]:
-    """Patterns of sensors, evenest first: rings, then rows."""
+def sensor_patterns(count: int) -> tuple[list[Shares], list[Shares]]:
+    """Patterns of sensors, evenest first: rings, then rows; and those that leave a half of the face
+    without any."""
     if count == 1:
-        return [np.zeros((1, 2))]
+        return [np.zeros((1, 2))], []
     rings = [_ring(count, first) for first in (90.0, 0.0, 45.0, 75.0)]
     tee = np.concatenate([_row(count - 1), [[0.0, 1.0]]])
-    return [*rings, tee, tee[:, ::-1], _row(count), _row(count)[:, ::-1]]
+    tees, rows = [tee, tee[:, ::-1]], [_row(count), _row(count)[:, ::-1]]
+    return ([*rings, *rows], tees) if count == 2 else ([*rings, *tees, *rows], [])
 
 
 def magnet_patterns(count: int) -> list[Shares]:

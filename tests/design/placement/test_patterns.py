@@ -8,12 +8,14 @@ from design.placement.patterns import magnet_patterns, sensor_patterns
 
 
 def test_one_part_stands_in_the_middle():
-    assert_allclose(sensor_patterns(1), [[[0, 0]]])
+    assert_allclose(sensor_patterns(1)[0], [[[0, 0]]])
+    assert sensor_patterns(1)[1] == []
     assert_allclose(magnet_patterns(1), [[[0, 0]], [[0, 0]]])
 
 
 def test_three_sensors_stand_in_rings_a_tee_and_rows():
-    *rings, tee, turned, row, column = sensor_patterns(3)
+    (*rings, tee, turned, row, column), lopsided = sensor_patterns(3)
+    assert lopsided == []
     for ring, first in zip(rings, (90, 0, 45, 75), strict=True):
         angle = np.deg2rad(first + np.array([0, 120, 240]))
         assert_allclose(ring, np.column_stack([np.cos(angle), np.sin(angle)]), atol=1e-12)
@@ -21,6 +23,13 @@ def test_three_sensors_stand_in_rings_a_tee_and_rows():
     assert_allclose(turned, [[0, -1], [0, 1], [1, 0]])
     assert_allclose(row, [[-1, 0], [0, 0], [1, 0]])
     assert_allclose(column, [[0, -1], [0, 0], [0, 1]])
+
+
+def test_of_two_sensors_patterns_with_one_in_the_middle_leave_a_half_empty_and_are_tried_last():
+    even, lopsided = sensor_patterns(2)
+    assert_allclose(np.mean(even, axis=1), 0, atol=1e-12)
+    assert_allclose(even[-1], [[0, -1], [0, 1]])
+    assert_allclose(lopsided, [[[0, 0], [0, 1]], [[0, 0], [1, 0]]])
 
 
 @pytest.mark.parametrize("count", [2, 3])
