@@ -118,7 +118,8 @@ def _more_sensors(added: int, spec: ObjectSpec) -> ObjectSpec:
     halves = [np.array(frame.half_extents_mm) for frame in frames]
     faces = zip(by_sensed_face(spec, sensors.positions_mm), halves, strict=True)
     out = [float(np.hypot(*(np.array(places) / half).T).mean()) for places, half in faces]
-    for wider, pattern in product(_WIDER, sensor_patterns(count)):
+    even, lopsided = sensor_patterns(count)
+    for wider, pattern in product(_WIDER, [*even, *lopsided]):
         places = tuple(
             tuple(
                 (float(x), float(y))

@@ -18,6 +18,7 @@ def small_spec(interface="bonded", magnets="rigid", **slip):
                 "edge_mm": 8.0,
                 "rim_edge_ratio": 1.0,
                 "magnet_sides": 8,
+                "envelope_mm": 0.03,
             },
             "mechanics": {"interface": interface, "magnets": magnets, "slip": slip},
             "press": {"depths_mm": [1.0, 2.0]},
