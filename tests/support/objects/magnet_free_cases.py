@@ -31,6 +31,7 @@ class MagnetFree:
 @cache
 def magnet_free_cube():
     spec = paper_cube("rigid", EDGES_MM)
+    spec = spec.changed(mesh=spec.mesh.changed(envelope_mm=0.03))
     mesh = magnet_free_mesh(spec)
     plain = without_magnets(spec)
     return MagnetFree(spec, mesh, elastic_system(mesh, plain), build_response(mesh, plain))
