@@ -188,7 +188,7 @@ def _open_ends(spec: ObjectSpec, axis: np.ndarray) -> int:
 @lru_cache(maxsize=8)
 def _at_silhouette(body: BodyKind) -> Parting:
     """Of planes about z in steps of 15°, and all their offsets, the one with the least undercut."""
-    surface = _in_small_triangles(body.outer_surface())
+    surface = _outside_in_small_triangles(body)
     best: tuple[float, Parting] | None = None
     for azimuth in np.deg2rad(45.0 + np.arange(0.0, 180.0, _STEP_DEG)):
         normal = np.array([np.cos(azimuth), np.sin(azimuth), 0.0])
@@ -199,11 +199,13 @@ def _at_silhouette(body: BodyKind) -> Parting:
     return best[1]
 
 
-def _in_small_triangles(surface: trimesh.Trimesh) -> trimesh.Trimesh:
+@lru_cache(maxsize=8)
+def _outside_in_small_triangles(body: BodyKind) -> trimesh.Trimesh:
     """Each is on one side of a plane or the other by its middle; those of a flat face may be as large as
     it is."""
     import trimesh
 
+    surface = body.outer_surface()
     longest = float(max(surface.extents)) / _EDGES
     small = trimesh.remesh.subdivide_to_size(surface.vertices, surface.faces, longest)
     return trimesh.Trimesh(small[0], small[1], process=False)
@@ -211,7 +213,7 @@ def _in_small_triangles(surface: trimesh.Trimesh) -> trimesh.Trimesh:
 
 def hooked_share(spec: ObjectSpec) -> float:
     """Share of the outside that faces the wrong way on either side of the seam (areas along its normal)."""
-    surface, plane = _in_small_triangles(body_of(spec).outer_surface()), parting(spec)
+    surface, plane = _outside_in_small_triangles(body_of(spec).outside), parting(spec)
     rise = np.asarray(surface.face_normals) @ plane.normal
     side = np.sign(np.asarray(surface.triangles_center) @ plane.normal - plane.offset_mm)
     wrong = np.asarray(surface.area_faces) @ np.maximum(-side * rise - _SLOPE, 0)

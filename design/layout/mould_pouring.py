@@ -13,7 +13,7 @@ import numpy as np
 from jaxtyping import Float
 
 from design.errors import InputError
-from design.layout.mould_frame import MouldFrame, mould_frame, mould_style, thin_at_seam, up
+from design.layout.mould_frame import mould_frame, mould_style, thin_at_seam, up
 from design.layout.mould_pins import Pin, exit_mm, loose_pins
 from design.layout.pockets import distance_of_segments_mm
 from design.layout.surface import cast_surface, finished_surface
@@ -114,25 +114,26 @@ def _pour_places(spec: ObjectSpec, surface: trimesh.Trimesh) -> Iterator[list[np
             yield [surface.vertices[corner]]
         return
     aside = float(frame.plug_mm[1, 0]) + spec.mould.pour_mm / 2
+    axes = np.stack([frame.across, frame.along, frame.out])
+    triangles = (surface.vertices @ axes.T)[surface.faces]
     for shift in _POUR_SHIFTS:
-        side = aside * (frame.across + shift * frame.along)
-        one, other = (_below(surface, frame, sign * side) for sign in (-1, 1))
-        if one is not None and other is not None:
-            yield [one, other]
+        side = aside * np.array([1.0, shift])
+        heights = [_highest_mm(triangles, sign * side) for sign in (-1, 1)]
+        if None not in heights:
+            tops = zip((-side, side), heights, strict=True)
+            yield [np.array([*beside, height]) @ axes for beside, height in tops]
 
 
-def _below(surface: trimesh.Trimesh, frame: MouldFrame, beside_mm: np.ndarray) -> np.ndarray | None:
-    """The silicone's surface under a place beside the axis `out`; None where there is none."""
-    seen = (surface.vertices - beside_mm) @ np.stack([frame.across, frame.along]).T
-    one, two, three = np.moveaxis(seen[surface.faces], 1, 0)
+def _highest_mm(
+    triangles: Float[np.ndarray, "triangle 3 3"], place: Float[np.ndarray, "2"]
+) -> float | None:
+    """Largest third coordinate of a surface over a place in the first two; None where it has none."""
+    one, two, three = np.moveaxis(triangles[:, :, :2] - place, 1, 0)
     shares = np.stack([_turned(two, three), _turned(three, one), _turned(one, two)], axis=1)
     whole = shares.sum(axis=1)
     over = (whole != 0) & np.all(shares * whole[:, None] >= 0, axis=1)
-    if not over.any():
-        return None
-    corners = np.asarray(surface.vertices)[surface.faces[over]] @ frame.out
-    highest = float(np.max(np.sum(shares[over] * corners, axis=1) / whole[over]))
-    return beside_mm + (highest - beside_mm @ frame.out) * frame.out
+    heights = np.sum(shares[over] * triangles[over, :, 2], axis=1) / whole[over]
+    return float(heights.max()) if over.any() else None
 
 
 def _turned(one: np.ndarray, other: np.ndarray) -> np.ndarray:

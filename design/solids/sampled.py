@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -112,11 +113,9 @@ def _hollow(spec: ObjectSpec) -> trimesh.Trimesh:
     hollow.apply_translation((0, 0, -length / 2))
     body = body_of(spec)
     if body.core_half_mm.min() - wall > _LEAST_HOLLOW_MM:
-        try:
+        with suppress(InputError):  # of walls, as a mug's: no room in one piece, whatever its box
             room = sampled_core(replace(body, thickness_mm=body.thickness_mm + wall))
-        except InputError:  # of walls, as a mug's: no room in one piece, whatever the body's box
-            return hollow.difference(trimesh.creation.box(bounds=outlet.key_mm))
-        hollow = hollow.union(room)
+            hollow = hollow.union(room)
     return hollow.difference(trimesh.creation.box(bounds=outlet.key_mm))
 
 

@@ -15,6 +15,7 @@ from __future__ import annotations
 
 import hashlib
 import re
+from itertools import compress
 
 import numpy as np
 from jaxtyping import Float, Int
@@ -108,13 +109,10 @@ def generic_signals(
         As `generic_table`.
     """
     header = [cell.strip() for cell in rows[0]]
-    _check_header([*header, *_cell_columns(1, 1)])
-    values = numbers(rows[1:], header, first_line=2 if missing is None else 3)
-    if missing is not None:
-        values = _without_marker(values, header, missing)
-    column = {name: values[:, k] for k, name in enumerate(header)}
+    _check_header(header, labelled=False)
+    column = _columns(rows, header, missing)
     check_complete(column["time_s"][:, None], ["time_s"])
-    return column["time_s"], _counts(column, len(values))
+    return column["time_s"], _counts(column, len(column["time_s"]))
 
 
 def generic_table(rows: list[list[str]], missing: float | None = None) -> RawTable:
@@ -129,12 +127,10 @@ def generic_table(rows: list[list[str]], missing: float | None = None) -> RawTab
     grams = [bool(_GRAMS.fullmatch(name)) for name in header]
     header = [name[:-1] + "n" if gram else name for name, gram in zip(header, grams, strict=True)]
     cells, tips = _check_header(header)
-    values = numbers(rows[1:], header, first_line=2 if missing is None else 3)
-    values *= np.where(grams, _NEWTON_PER_GRAM, 1.0)
-    if missing is not None:
-        values = _without_marker(values, header, missing)
-    column = {name: values[:, k] for k, name in enumerate(header)}
-    frames = len(values)
+    column = _columns(rows, header, missing)
+    for name in compress(header, grams):
+        column[name] = _NEWTON_PER_GRAM * column[name]
+    frames = len(column["time_s"])
     labels = [name for cell in range(1, cells + 1) for name in _cell_columns(cell, tips)]
     empty = np.full(frames, np.nan)
     by_cell = np.stack([column.get(name, empty) for name in labels], 1).reshape(frames, cells, -1)
@@ -161,6 +157,15 @@ def generic_table(rows: list[list[str]], missing: float | None = None) -> RawTab
         shear_n=shear_n,
         travel_mm=column.get(TRAVEL),
     )
+
+
+def _columns(
+    rows: list[list[str]], header: list[str], missing: float | None
+) -> dict[str, Float[np.ndarray, "frame"]]:
+    values = numbers(rows[1:], header, first_line=2 if missing is None else 3)
+    if missing is not None:
+        values = _without_marker(values, header, missing)
+    return {name: values[:, k] for k, name in enumerate(header)}
 
 
 def _without_marker(
@@ -192,8 +197,8 @@ def content_digest(
     return found.hexdigest()
 
 
-def _check_header(header: list[str]) -> tuple[int, int]:
-    """Number of load cells and of tips."""
+def _check_header(header: list[str], labelled: bool = True) -> tuple[int, int]:
+    """Number of load cells and of tips; without labels there may be none."""
     repeated = sorted({name for name in header if header.count(name) > 1})
     if repeated:
         raise RecordingError(f"it names {', '.join(repeated[:5])} twice. Name each column once")
@@ -209,7 +214,9 @@ def _check_header(header: list[str]) -> tuple[int, int]:
             f"it has columns that are not known: {', '.join(map(repr, unknown[:5]))}. Units "
             f"stand in the names (time_s, cell1_force_n, cell1_x1_mm); {FORMATS}"
         )
-    needed = [name for cell in range(1, max(cells, 1) + 1) for name in _cell_columns(cell, 1)]
+    needed = [
+        name for cell in range(1, max(cells, labelled) + 1) for name in _cell_columns(cell, 1)
+    ]
     missing = [name for name in ("time_s", *needed, *shear) if name not in header]
     if not any(CHANNEL.fullmatch(name) for name in header):
         missing.append("F1-X1 …")

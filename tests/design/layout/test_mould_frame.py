@@ -1,13 +1,11 @@
 """How a mould stands: which open side is up, what the block holds, where it parts."""
 
-from types import SimpleNamespace
-
 import numpy as np
 import pytest
-import trimesh
 from numpy.testing import assert_allclose
 
 from design.layout import mould_frame as frames
+from design.layout.body import body_of
 from design.layout.mould_closure import clip_mm, flange_corners_mm
 from design.layout.mould_frame import mould_frame, mould_style, parting, play_mm, up
 from design.spec.object import ObjectSpec
@@ -75,8 +73,11 @@ def test_the_printers_clearance_is_the_play_unless_one_is_given():
 
 def test_a_file_s_box_of_twelve_triangles_parts_along_its_sides_not_across_its_corners():
     """Across them each triangle's middle lay on the right side of the plane; 5.3 mm hooked."""
-    body = SimpleNamespace(outer_surface=lambda: trimesh.creation.box((60.0, 45.0, 30.0)))
-    plane = frames._at_silhouette.__wrapped__(body)
+    body = body_of(
+        ObjectSpec.model_validate({"name": "a", "body": {"size_mm": (60.0, 45.0, 30.0)}})
+    )
+    assert len(body.outer_surface().faces) == 12
+    plane = frames._at_silhouette(body)
     assert_allclose(abs(plane.normal), [0, 1, 0], atol=1e-9)
     assert plane.offset_mm == 0
 
