@@ -51,10 +51,11 @@ def test_the_last_step_is_told_again_where_a_stage_is_silent_and_only_then(monke
     with progress.stage("presses"), progress.stage("response"):
         progress.step("factoring")
         until = time.monotonic() + 10
-        while len(told) < 4 and time.monotonic() < until:
+        while told.count("factoring") < 4 and time.monotonic() < until:
             time.sleep(0.005)
-        assert told == ["factoring"] * len(told)
-        assert len(told) >= 4
+        said = told[told.index("factoring") :]  # before, on a busy machine, the stage's name alone
+        assert said == ["factoring"] * len(said)
+        assert len(said) >= 4
         reminders = [one for one in threading.enumerate() if one.name == "reminder"]
         assert len(reminders) == 1
         if not terminal:
