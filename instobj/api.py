@@ -266,24 +266,25 @@ def predict(model: FaceModel, data: Recording | FrameSet) -> Prediction:
     -------
     Prediction
         Arrays over frames: `heatmap_n` (frame, axis, nx, ny) and `force_n`, N; `xy_mm` (frame, 2) in
-        the face's frame (along a curved surface); `contact`, probability; half-widths of intervals, N and mm.
+        the face's frame (along a curved surface); `contact`, probability; half-widths of intervals, N and
+        mm. NaN in frames that lack a reading.
 
     Raises
     ------
     InputError
-        A channel that the model uses is missing, or data of another object.
+        A channel that the model uses has no readings, or data of another object.
 
     Examples
     --------
     As of `fit_estimator`.
     """
     from estimator.frames.same_object import require_same_object
-    from estimator.networks.face_model import predict as read
+    from estimator.networks.face_model import predict_told
 
     frames = _frames(data)
     grid_mm = model.grid_x_mm, model.grid_y_mm
     require_same_object(model.channels, grid_mm, frames, "the data")
-    return read(model, frames)
+    return predict_told(model, frames)
 
 
 def evaluate(model: FaceModel, data: Recording | FrameSet, seed: int = 1) -> FaceMetrics:

@@ -102,6 +102,7 @@ def held_out_answers(
         grid_x_mm=model.grid_x_mm,
         grid_y_mm=model.grid_y_mm,
         force_halfwidth_n=found.force_halfwidth_n,
+        interval_cover=model.interval_cover,
         answers=tuple(answers),
         fitted_frames=fitted_frames,
     )

@@ -14,7 +14,13 @@ from torch import Tensor, nn
 
 from design.errors import DAMAGED_CONTENT, InputError, StoreError
 from estimator.frames.dataset import FrameSet
-from estimator.frames.face_data import HISTORY, Channel, channel_counts, with_history
+from estimator.frames.face_data import (
+    HISTORY,
+    Channel,
+    channel_counts,
+    has_readings,
+    with_history,
+)
 from estimator.networks.forest import Forest, ForestShape
 from estimator.networks.intervals.coverage import Coverage
 from estimator.networks.network import ContactEstimator, HeadsNetwork, HeatmapNetwork
@@ -83,6 +89,20 @@ def predict(model: FaceModel, frames: FrameSet) -> Prediction:
     if frames.faces.max() < HISTORY:
         frames = with_history(frames, model.history_frames)
     return read_counts(model.network, channel_counts(frames, model.channels))
+
+
+def predict_told(model: FaceModel, frames: FrameSet) -> Prediction:
+    """As `predict`, with NaN in frames that lack a reading (or the one that a change starts from).
+
+    Raises
+    ------
+    InputError
+        No frame has the readings of all channels that the model uses.
+    """
+    wide = with_history(frames, model.history_frames)
+    told = has_readings(wide, model.channels)
+    chosen = wide.select(told) if told.any() else wide
+    return predict(model, chosen).spread(told)
 
 
 def predict_heatmaps(model: FaceModel, frames: FrameSet) -> Float[np.ndarray, "frame nx ny"]:

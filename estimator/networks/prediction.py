@@ -24,6 +24,14 @@ class Prediction:
     position_radius_mm: Float[np.ndarray, "frame"]
     novelty: Float[np.ndarray, "frame"]
 
+    def spread(self, told: Bool[np.ndarray, "all_frames"]) -> Prediction:
+        """These readings at the frames that are told, NaN at all others."""
+        columns = {}
+        for name, values in vars(self).items():
+            columns[name] = np.full((len(told), *values.shape[1:]), np.nan)
+            columns[name][told] = values
+        return Prediction(**columns)
+
     @property
     def novel(self) -> Bool[np.ndarray, "frame"]:
         """Frames whose signals lie beyond what training covers; their intervals are wider."""
@@ -68,6 +76,7 @@ class HeldOutAnswers:
     press_id, time_s : (frame,)
     grid_x_mm, grid_y_mm : contact grid of the face
     force_halfwidth_n : (frame,) of the model's interval
+    interval_cover : share of presses that the interval is made for
     fitted_frames : training frames of each baseline
     """
 
@@ -80,6 +89,7 @@ class HeldOutAnswers:
     grid_x_mm: Float[np.ndarray, "nx"]
     grid_y_mm: Float[np.ndarray, "ny"]
     force_halfwidth_n: Float[np.ndarray, "frame"]
+    interval_cover: float
     answers: tuple[ContactAnswers, ...]
     fitted_frames: dict[str, int]
 

@@ -97,7 +97,8 @@ def _draw_force_over_time(
     high = (model.force_n + one.force_halfwidth_n)[shown]
     for start in np.flatnonzero(np.diff(one.press_id[shown])) + 1:
         axes.axvline(start - 0.5, color=_GREY, lw=0.6, ls=":")
-    axes.fill_between(frame, low, high, color=_BLUE, alpha=0.18, lw=0, label="model's interval")
+    interval = f"model's {100 * one.interval_cover:.0f} % interval"
+    axes.fill_between(frame, low, high, color=_BLUE, alpha=0.18, lw=0, label=interval)
     axes.plot(frame, one.true_force_n[shown], color=_BLACK, lw=1.6, label="labelled")
     axes.plot(frame, best.force_n[shown], color=_RED, lw=0.9, label=best.name)
     axes.plot(frame, model.force_n[shown], color=_BLUE, lw=0.9, label="model")

@@ -5,6 +5,7 @@ import doctest
 import inspect
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import magpylib
@@ -205,6 +206,24 @@ def test_an_estimator_reads_the_same_from_its_file(place):
     np.testing.assert_array_equal(again.force_n, instobj.predict(model, frames).force_n)
     with pytest.raises(instobj.SpecError, match=r"epoch is not a key\. Did you mean 'epochs'"):
         instobj.fit_estimator(frames, 1, {"epoch": 1})
+
+
+def test_a_frame_that_lacks_a_reading_is_read_as_nan_and_the_others_as_before(place):
+    frames = instobj.load_frames("frames.nc")
+    model = instobj.fit_estimator(frames, 1, {"epochs": 1, "hidden_units": [8]})
+    counts = frames.signal_counts.copy()
+    counts[5, 0, 0, 2] = np.nan
+    sound, found = (
+        instobj.predict(model, frames),
+        instobj.predict(model, replace(frames, signal_counts=counts)),
+    )
+    told = np.arange(len(frames)) != 5
+    for name, values in vars(found).items():
+        assert np.isnan(values[5]).all()
+        np.testing.assert_allclose(values[told], getattr(sound, name)[told], rtol=1e-4, atol=1e-5)
+    counts[:, 0, 0, 2] = np.nan
+    with pytest.raises(instobj.InputError, match=r"channels F1-Z1, .* miss readings"):
+        instobj.predict(model, replace(frames, signal_counts=counts))
 
 
 def test_a_run_leaves_no_file_that_is_not_declared(place):

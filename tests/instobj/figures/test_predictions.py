@@ -63,6 +63,7 @@ def test_forces_over_time_beside_the_best_baseline_and_places_on_the_face(monkey
         grid_x_mm=np.arange(3.0),
         grid_y_mm=np.arange(2.0),
         force_halfwidth_n=np.full(4, 1.5),
+        interval_cover=0.9,
         answers=(
             ContactAnswers("model", force + 0.5, place),
             ContactAnswers("ridge", force + 3, place + 1),
@@ -77,5 +78,6 @@ def test_forces_over_time_beside_the_best_baseline_and_places_on_the_face(monkey
     assert_allclose(named["model"], force + 0.5)
     assert_allclose(named["extra trees"], force - 1)
     assert "ridge" not in named, "the best baseline alone"
+    assert [patch.get_label() for patch in over_time.collections] == ["model's 90 % interval"]
     assert over_time.get_title() == "Face 3: 2 of 2 held-out presses"
     assert {"extra trees", "model", "labelled"} <= {line.get_label() for line in face.lines}
