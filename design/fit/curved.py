@@ -5,13 +5,14 @@ Neighbouring patches of a curved body overlap, so that pockets are compared in t
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import replace
+from collections.abc import Iterator, Sequence
 from itertools import combinations, product
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from design.fit.magnet_places import lies_on_patch, patch_problems
+from design.layout.boards import smallest_recess_wall_mm
 from design.layout.body import body_of, core_frames, face_frames
 from design.layout.places.contact_places import (
     LEAST_COUNT,
@@ -19,9 +20,8 @@ from design.layout.places.contact_places import (
     stays_on_patch,
     touched_reach_mm,
 )
-from design.layout.places.positions import board_places, cover_mm
+from design.layout.places.positions import board_places, board_sinks_mm, cover_mm
 from design.layout.pockets import (
-    Body,
     Pocket,
     axis_in_object_mm,
     distance_of_segments_mm,
@@ -33,6 +33,8 @@ if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
 
 _LARGEST_SHARE = 0.6
+_STEP_MM = 0.2
+"""In which boards that find no room are moved inwards."""
 
 
 def check_body(spec: ObjectSpec) -> Iterator[str]:
@@ -164,45 +166,22 @@ def _check_pockets(spec: ObjectSpec) -> Iterator[str]:
                     f"{-pocket.lowest_mm:.4g} mm deep does not lie within the {silicone:g} mm of silicone. "
                     f"{nearest}"
                 )
-            cover = cover_mm(frame, body)
-            if np.isnan(cover):
-                yield (
-                    f"{body.label} reaches beyond the patch of face {frame.number}, where the silicone over "
-                    f"it is not known. Move it {_where_cover_is_known(frame, body)}"
-                )
-            elif cover <= 0:
+            if lies_on_patch(frame, pocket) and (cover := cover_mm(frame, body)) <= 0:
                 yield (
                     f"{body.label} stands {-cover:.3g} mm out of the curved face {frame.number}. Deepen "
                     "shell.pocket_depth_mm or magnets.depth_mm by more than that, or take a smaller magnet"
                 )
-            reach = pocket.reach_mm
-            if not frame.covers(reach):
-                yield (
-                    f"{body.label} puts its pocket outside face {frame.number} (±"
-                    f"{frame.half_extents_mm[0]:.4g}, ±{frame.half_extents_mm[1]:.4g} mm). Move it "
-                    + _inwards(frame, body.centre_mm[:2], reach - abs(body.centre_mm[:2]))
-                )
             placed.append((frame.number, pocket, axis_in_object_mm(frame, pocket)))
+    yield from patch_problems(spec)
     for (face, a, ends), (other, b, ends_b) in combinations(placed, 2):
         yield from _require_apart(face, a, ends, other, b, ends_b)
 
 
-def _inwards(frame: FaceFrame, xy_mm: np.ndarray, beside_mm: np.ndarray | float = 0.0) -> str:
-    """Where on its way to the middle a place, and what reaches beside it, lies on the patch."""
+def _inwards(frame: FaceFrame, xy_mm: np.ndarray) -> str:
+    """Where on its way to the middle a place lies on the patch."""
     shares = np.linspace(1, 0, 101)[:, None]
-    inside = frame.covers(shares * abs(xy_mm) + beside_mm)
-    if not inside.any():
-        return "to a larger face: it does not fit in the middle either"
-    x, y = shares[np.argmax(inside)] * xy_mm
+    x, y = np.round(shares[np.argmax(frame.covers(shares * abs(xy_mm)))] * xy_mm, 3) + 0.0
     return f"inwards, as to ({x:.4g}, {y:.4g})"
-
-
-def _where_cover_is_known(frame: FaceFrame, body: Body) -> str:
-    x, y, height = body.centre_mm
-    for share in np.linspace(0.99, 0.0, 100):
-        if cover_mm(frame, replace(body, centre_mm=np.array([share * x, share * y, height]))) > 0:
-            return f"inwards, as to ({share * x:.4g}, {share * y:.4g})"
-    return "to another face, or take a smaller magnet"
 
 
 def _require_apart(
@@ -225,18 +204,23 @@ def _check_sensors(spec: ObjectSpec) -> Iterator[str]:
             f"sensors.depth_below_core_face_mm must not exceed core.recess_depth_mm = "
             f"{core.recess_depth_mm:g}; got {sensors.depth_below_core_face_mm:g}. Deepen the recess"
         )
-    room, what = room_for_recesses(spec)
+    (room, what), roomless = room_for_recesses(spec), dict[int, list[int]]()
     for frame, places in board_places(spec):
-        for index, ((x, y, _), sink) in enumerate(places):
-            if not frame.covers(np.array([x, y])):
+        for index, ((x, y, _), sink_mm) in enumerate(places):
+            outside = not frame.covers(np.array([x, y]))
+            if outside and sensors.positions_mm is not None:
                 yield (
                     f"sensor {index + 1} of face {frame.number} at ({x:.4g}, {y:.4g}) lies outside the "
                     f"core's patch (±{frame.half_extents_mm[0]:.4g}, ±{frame.half_extents_mm[1]:.4g} mm). "
                     f"Move it {_inwards(frame, np.array([x, y]))} (sensors.radius_mm or "
                     "sensors.positions_mm)"
                 )
-            if not core.recess_depth_mm + sink < room:
-                yield _too_deep(spec, frame.number, index + 1, sink, room, what)
+            elif outside or not np.isfinite(sink_mm):
+                roomless.setdefault(frame.number, []).append(index + 1)
+            elif not core.recess_depth_mm + sink_mm < room:
+                yield _too_deep(spec, frame.number, index + 1, sink_mm, room, what)
+    if roomless:
+        yield _no_room_for_boards(spec, roomless)
 
 
 def room_for_recesses(spec: ObjectSpec) -> tuple[float, str]:
@@ -250,12 +234,6 @@ def room_for_recesses(spec: ObjectSpec) -> tuple[float, str]:
 def _too_deep(
     spec: ObjectSpec, face: int, sensor: int, sink_mm: float, room_mm: float, what: str
 ) -> str:
-    if not np.isfinite(sink_mm):
-        return (
-            f"the board of sensor {sensor} of face {face}, {spec.sensors.package_mm[0]:g} × "
-            f"{spec.sensors.package_mm[1]:g} mm, reaches beyond the core's patch, or finds no room in "
-            "it. Use a smaller sensors.radius_mm or sensors.package_mm"
-        )
     deep = spec.core.recess_depth_mm + sink_mm
     grow = f"core.wall_mm larger than {deep:.4g}"
     if what != "core.wall_mm":
@@ -267,3 +245,51 @@ def _too_deep(
         f"the board stands out of the curved core; {what} is {room_mm:.4g} mm. Make {grow}, "
         "the recess less deep, or the board (sensors.package_mm) smaller"
     )
+
+
+def _no_room_for_boards(spec: ObjectSpec, sensors_of: dict[int, list[int]]) -> str:
+    """Boards, by face, of which no depth is known that makes them flush with the core."""
+    faces_of: dict[tuple[int, ...], list[int]] = {}
+    for face, found in sensors_of.items():
+        faces_of.setdefault(tuple(found), []).append(face)
+    told = "; ".join(
+        f"{_listed('sensor', found)} of {_listed('face', faces)}"
+        for found, faces in faces_of.items()
+    )
+    width, length, _ = spec.sensors.package_mm
+    return (
+        f"boards of {width:g} × {length:g} mm reach beyond the core's patch, or find no room in it: "
+        f"{told}. {_nearer_boards(spec)}"
+    )
+
+
+def _listed(what: str, numbers: Sequence[int]) -> str:
+    return f"{what}{'s' * (len(numbers) > 1)} {', '.join(map(str, numbers))}"
+
+
+def _nearer_boards(spec: ObjectSpec) -> str:
+    """How far from the middles of the faces all boards find room, with their recesses."""
+    core, sensors = spec.core, spec.sensors
+    otherwise = "a smaller board (sensors.package_mm), a thinner shell or a larger body"
+    if sensors.positions_mm is not None:
+        return f"Move them inwards (sensors.positions_mm), or take {otherwise}"
+    for inwards in np.arange(_STEP_MM, core.recess_inner_radius_mm, _STEP_MM):
+        radius, inner, outer = (
+            round(radius - float(inwards), 3)
+            for radius in (
+                sensors.radius_mm, core.recess_inner_radius_mm, core.recess_outer_radius_mm
+            )
+        )  # fmt: skip
+        nearer = spec.changed(
+            sensors=sensors.changed(radius_mm=radius),
+            core=core.changed(recess_inner_radius_mm=inner, recess_outer_radius_mm=outer),
+        )
+        room, _ = room_for_recesses(nearer)
+        deepest = core.recess_depth_mm + float(np.max(np.concatenate(board_sinks_mm(nearer))))
+        alone = sensors.count_per_face * len(spec.body.sensed) == 1
+        if deepest < room and (alone or smallest_recess_wall_mm(nearer) >= spec.printer.wall_mm):
+            return (
+                f"With sensors.radius_mm = {radius:g}, core.recess_inner_radius_mm = {inner:g} and "
+                f"core.recess_outer_radius_mm = {outer:g} they would; or take {otherwise}"
+            )
+    return f"Take {otherwise}"

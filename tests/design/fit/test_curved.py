@@ -1,12 +1,14 @@
 """Fit of what is cut into curved cores and stands on them."""
 
+import re
+
 import numpy as np
 import pytest
 import trimesh
 
 from design.body.triangles import Block
 from design.errors import SpecError
-from design.fit import curved
+from design.fit import curved, magnet_places
 from design.fit.curved import _check_recesses
 from design.fit.curved_parts import _check_passages
 from design.layout.body import core_frames
@@ -67,11 +69,31 @@ def test_a_magnet_over_which_the_silicone_is_not_known_is_refused(monkeypatch):
     def known_within_5_mm(frame, body):
         return 2.0 if abs(body.centre_mm[0]) <= 5 else float("nan")
 
-    monkeypatch.setattr(curved, "cover_mm", known_within_5_mm)
+    monkeypatch.setattr(magnet_places, "cover_mm", known_within_5_mm)
     magnets = egg().magnets
     within = egg().changed(magnets=magnets.changed(positions_mm=((5.0, 0.0),)))
     assert not [text for text in curved._check_pockets(within) if "not known" in text]
     beyond = egg().changed(magnets=magnets.changed(positions_mm=((10.0, 1.0),)))
-    told = [text for text in curved._check_pockets(beyond) if "not known" in text]
-    assert len(told) == len(beyond.body.sensed)
-    assert all("Move it inwards, as to (5, 0.5)" in text for text in told)
+    (told,) = [text for text in curved._check_pockets(beyond) if "not known" in text]
+    assert "on faces 1, 2, 3, 4, 5" in told
+    assert told.endswith("Move it inwards, as to (5, 0.5)")
+
+
+def test_boards_that_find_no_room_are_told_together_with_a_radius_that_works():
+    """A line for each board of the pear's twelve, without a number, were told."""
+
+    def with_boards_at(radius):
+        core = {"recess_inner_radius_mm": radius - 3.25, "recess_outer_radius_mm": radius + 3.25}
+        return ObjectSpec.model_validate(
+            small | {"core": core | {"wall_mm": 9.0}, "sensors": {"radius_mm": radius}}
+        )
+
+    small = EGG | {"body": EGG["body"] | {"sensed_faces": [2, 4]}}
+    (one,) = curved._check_sensors(with_boards_at(13.0))
+    assert "in it: sensor 1 of face 2; sensor 2 of face 4." in one
+    (told,) = curved._check_sensors(with_boards_at(15.0))
+    assert "in it: sensors 1, 2, 3 of faces 2, 4." in told
+    radius = float(re.findall(r"sensors.radius_mm = ([\d.]+)", told)[0])
+    assert 11 < radius < 13
+    assert not [*curved._check_sensors(with_boards_at(radius))]
+    assert [*curved._check_sensors(with_boards_at(radius + 0.5))]

@@ -54,7 +54,7 @@ def test_a_magnet_that_is_moved_where_the_error_says_fits():
 def test_a_magnet_on_a_ball_that_is_moved_where_the_error_says_fits():
     magnets = {"positions_mm": [[20.0, 12.0]]}
     spec = ObjectSpec.model_validate({"name": "ball", **BALL, "magnets": magnets})
-    text = next(text for text in problems_of(spec) if "outside face 1" in text)
+    text = next(text for text in problems_of(spec) if "outside faces 1, 2" in text)
     x, y = (float(number) for number in re.findall(r"as to \(([\d.]+), ([\d.]+)\)", text)[0])
     moved = spec.changed(magnets=spec.magnets.changed(positions_mm=((x, y),)))
     assert not any("outside face" in text for text in problems_of(moved))

@@ -52,6 +52,16 @@ def test_a_pin_s_head_in_the_way_of_a_holder_s_clip_is_told_with_a_place_that_wo
     assert flange_problems(ball(x + 1.5)), "or the place is not the nearest"
 
 
+def test_a_magnet_beyond_its_patch_is_told_once_with_a_place_that_works_on_every_face():
+    """Patch, cover and flange had a line and a place each, on every face again."""
+    (problem,) = problems_of(ball(24.0), table=False)
+    assert "outside faces 2, 3, 4, 5" in problem
+    x, y = map(float, re.findall(r"as to \(([\d.]+), ([\d.]+)\)", problem)[0])
+    assert y == 0
+    assert problems_of(ball(x), table=False) == []
+    assert problems_of(ball(x + 1.5), table=False), "or the place is not the nearest"
+
+
 def test_heads_clear_of_the_flange_are_not_told():
     assert flange_problems(ball(18.0, sensed_faces=[3, 5])) == [], "sides beside the flange"
     assert flange_problems(ball(18.0, open_faces=[])) == [], "nothing hangs over a closed mould"
