@@ -5,7 +5,7 @@ import pytest
 
 @pytest.mark.slow
 def test_quick_run_times_every_stage_once(quick_run):
-    result, printed = quick_run("chain", 1, ["chain.json"])
+    result, _ = quick_run("chain", 1, ["chain.json"])
     stages = result["stages_s"]
     assert list(stages) == [
         *("build", "mesh", "response", "shapes", "presses", "signals", "scores", "robustness")
@@ -13,4 +13,3 @@ def test_quick_run_times_every_stage_once(quick_run):
     assert min(stages.values()) > 0
     assert result["all_s"] == pytest.approx(sum(stages.values()), abs=0.01)
     assert stages["shapes"] < stages["response"] + stages["build"]
-    assert "aim 66" in printed
