@@ -2,7 +2,8 @@
 
 `python -m tests.random_designs --first 0 --count 100 --table outcomes.jsonl`: seeds that the file
 holds are not judged again, so that a study goes on where it stopped. `--seconds` ends it in time.
-Without `--count` it only sums up what the file holds.
+Without `--count` it only sums up what the file holds. `--generator edits` draws with other habits
+(`draw_edits`); a file holds the seeds of one generator.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from tests.random_designs.draw import kind_of
-from tests.random_designs.judge import judged
+from tests.random_designs.judge import GENERATORS, judged
 from tests.random_designs.summary import summary
 from tests.support.building_apart import Apart
 
@@ -27,19 +28,25 @@ _GIVEN_UP = f"exit code {-signal.SIGXCPU}"
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--generator", choices=GENERATORS, default="placed")
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--count", type=int, default=0)
     parser.add_argument("--seconds", type=float, default=float("inf"))
     parser.add_argument("--table", type=Path, required=True)
     given = parser.parse_args()
     rows = read_rows(given.table)
+    others = {_generator_of(row) for row in rows.values()} - {given.generator}
+    if others:
+        parser.error(
+            f"{given.table} holds seeds of the generator {', '.join(others)}. Name another"
+        )
     left = [s for s in range(given.first, given.first + given.count) if s not in rows]
     apart, started = Apart(judged), time.monotonic()
     with given.table.open("a") as file, tempfile.TemporaryDirectory() as folder:
         for number, seed in enumerate(left, start=1):
             if time.monotonic() - started > given.seconds:
                 break
-            row = rows[seed] = _row(apart, seed, folder)
+            row = rows[seed] = _row(apart, given.generator, seed, folder)
             file.write(json.dumps(row) + "\n")
             file.flush()
             took = time.monotonic() - started
@@ -52,13 +59,19 @@ def main() -> None:
     print(summary(list(rows.values())))
 
 
-def _row(apart: Apart, seed: int, folder: str) -> dict[str, Any]:
+def _row(apart: Apart, generator: str, seed: int, folder: str) -> dict[str, Any]:
+    question = {"generator": generator, "seed": seed, "folder": folder}
     try:
-        return apart.ask({"seed": seed, "folder": folder}, _PATIENCE_S)
+        return apart.ask(question, _PATIENCE_S)
     except AssertionError as error:
         outcome = "slow" if _GIVEN_UP in str(error) else "crash"
-        row = {"seed": seed, "kind": kind_of(seed), "outcome": outcome}
+        row = {"generator": generator, "seed": seed, "kind": kind_of(seed), "outcome": outcome}
         return row | {"seconds": None, "why": str(error)}
+
+
+def _generator_of(row: dict[str, Any]) -> str:
+    """Older rows do not name it: there was one."""
+    return row.get("generator", "placed")
 
 
 def read_rows(table: Path) -> dict[int, dict[str, Any]]:

@@ -16,7 +16,6 @@ from typing import Any
 import manifold3d
 import numpy as np
 import trimesh
-from pydantic import ValidationError
 
 from design.body.meshes import manifold_of
 from design.build.parts import parts_of
@@ -27,8 +26,9 @@ from design.layout.body import body_of
 from design.layout.places.positions import magnet_layout
 from design.solids.booleans import as_triangles
 from design.spec.object import ObjectSpec
-from design.spec_io import check
-from tests.random_designs.draw import drawn, kind_of
+from design.spec_io import parse_spec
+from tests.random_designs import draw, draw_edits
+from tests.random_designs.draw import kind_of
 from tests.random_designs.openings import (
     blocked_ways,
     left_over,
@@ -38,6 +38,8 @@ from tests.random_designs.openings import (
 )
 from tests.random_designs.summary import LONGEST_S
 
+GENERATORS = {"placed": draw.drawn, "edits": draw_edits.drawn}
+"""How seeds become specifications: as placed and edited by a few keys, or with other habits."""
 MOST_S = 5 * LONGEST_S
 """Processor time after which a seed is given up: its process ends by SIGXCPU."""
 SKIN_MM = 0.02
@@ -52,7 +54,7 @@ _MOULD = (*_FIRST, *_SEAL, "mould_plug", "mould_holder")
 
 
 def judged(question: dict[str, Any]) -> dict[str, Any]:
-    """What became of the seed in `question`, in processor seconds.
+    """What became of the seed in `question`, of the generator named there, in processor seconds.
 
     `outcome` is "too small" (by the placement), "refused by check", "refused by build", "crash",
     "violates", "told by fabrication" (its checks tell what is violated) or "sound".
@@ -61,11 +63,13 @@ def judged(question: dict[str, Any]) -> dict[str, Any]:
     _, hard = resource.getrlimit(resource.RLIMIT_CPU)
     resource.setrlimit(resource.RLIMIT_CPU, (int(started + MOST_S) + 1, hard))
     try:
-        outcome, why = _outcome(question["seed"], Path(question["folder"]))
+        tables = GENERATORS[question["generator"]](question["seed"], Path(question["folder"]))
+        outcome, why = _outcome(tables)
     except Exception:
         outcome, why = "crash", traceback.format_exc(limit=-4)
     seconds = time.process_time() - started
     return {
+        "generator": question["generator"],
         "seed": question["seed"],
         "kind": kind_of(question["seed"]),
         "outcome": outcome,
@@ -74,14 +78,13 @@ def judged(question: dict[str, Any]) -> dict[str, Any]:
     }
 
 
-def _outcome(seed: int, folder: Path) -> tuple[str, str]:
-    tables = drawn(seed, folder)
+def _outcome(tables: draw.Tables | None) -> tuple[str, str]:
     if tables is None:
         return "too small", ""
     try:
-        spec = check(ObjectSpec.model_validate(tables))
-    except (ValidationError, InputError) as error:
-        return "refused by check", f"{tables['body']['kind']}: {error}"
+        spec = parse_spec(tables, tables["name"])
+    except InputError as error:
+        return "refused by check", str(error)
     what = f"{spec.body.kind} {spec.body.size_mm}: "
     try:
         parts = {part.name: as_triangles(part.make()) for part in parts_of(spec)}
