@@ -221,7 +221,7 @@ def _median(rows: list[dict[str, str]], name: str) -> float:
     return statistics.median(float(row[name]) for row in rows)
 
 
-_ESTIMATORS = {"faces": "network", "ridge_regression": "ridge to maps", "mean_map": "mean map"}
+_ESTIMATORS = {"faces": "network", "ridge_regression": "linear", "mean_map": "mean map"}
 
 
 def _metrics(result: StoredResult) -> list[dict[str, Any]]:

@@ -11,6 +11,7 @@ from __future__ import annotations
 import copy
 import hashlib
 from dataclasses import asdict, dataclass, field, replace
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -96,7 +97,7 @@ def fit_estimator(
     train_frames, validation_frames : whole presses, with ids unique over both
     start : a model to go on from, for instance one trained on simulated twins; its channels and
         architecture are kept
-    progress : called after each epoch
+    progress : called after each epoch; those of an ensemble's members count on
 
     Raises
     ------
@@ -116,14 +117,15 @@ def fit_estimator(
     if start is not None:
         _require_same_kind(start, settings, train_frames)
     channels = start.channels if start else common_channels(parts, training)
-    folds = []
-    for number, (fitted, held_out) in enumerate(_folds(parts, settings)):
+    folds, every = [], _folds(parts, settings)
+    for number, (fitted, held_out) in enumerate(every):
+        counted = None if progress is None else partial(_counted, progress, number, len(every))
         if start is None:
             member = new_member(fitted, channels, training, seed + _NEXT_SEED * number)
         else:
             member = copy.deepcopy(start.network.members[number % len(start.network.members)])
         _fit_member(
-            member, number, fitted, held_out, channels, settings, start is not None, progress
+            member, number, fitted, held_out, channels, settings, start is not None, counted
         )
         trees = training.trees or 0
         forest = fit_forest(fitted, channels, trees, seed + number) if trees else None
@@ -140,6 +142,12 @@ def fit_estimator(
         seed,
     )
     return _described(network, presses, channels, settings, train_frames)
+
+
+def _counted(
+    progress: Progress, member: int, members: int, epoch: int, epochs: int, loss: float
+) -> None:
+    progress(member * epochs + epoch, members * epochs, loss)
 
 
 def _described(

@@ -193,17 +193,18 @@ def test_an_interrupted_training_ends_as_if_it_had_not_been(frames, tmp_path, mo
     calls = []
 
     def interrupt(epoch, epochs, loss):
-        calls.append(epoch)
+        calls.append((epoch, epochs))
         if len(calls) == 9:
             raise _Interruption
 
     with pytest.raises(_Interruption):
         fitted(frames, training, progress=interrupt, checkpoint=tmp_path)
+    assert calls == [(epoch, 12) for epoch in range(1, 10)], "of both members"
     resumed = []
     model, _ = fitted(
         frames, training, progress=lambda *call: resumed.append(call[0]), checkpoint=tmp_path
     )
-    assert resumed == [3, 4, 5, 6]
+    assert resumed == [9, 10, 11, 12]
     assert_array_equal(predict(model, test).heatmap_n, predict(whole, test).heatmap_n)
     with pytest.raises(InputError, match="other data or settings"):
         fitted(frames, training.model_copy(update={"epochs": 7}), checkpoint=tmp_path)
