@@ -17,6 +17,12 @@ import design.body.surface_chart
 import design.build.bom
 import design.build.order_list
 import design.build.print_settings
+import design.catalogue.bus_parts
+import design.catalogue.magnets
+import design.catalogue.orders
+import design.catalogue.silicones
+import design.catalogue.tensile
+import design.catalogue.tensile_files
 import design.fabrication.assembly
 import design.fabrication.casting
 import design.fabrication.check
@@ -57,7 +63,11 @@ import design.solids.magnet_template
 import design.solids.primitives
 import design.solids.probes
 import design.solids.sampled
+import design.spec.body
 import design.spec.learning
+import design.spec.load_cell
+import design.spec.magnets
+import design.spec.object
 import design.spec_io
 import design.wiring.bus_limits
 import design.wiring.bus_plan
@@ -88,6 +98,18 @@ FIGURES = {
         "STEEP": np.sqrt(0.5), "_LEAST_OVERHANG_MM2": 30.0, "_BED_MM2": 60.0, "_SLENDER": 3.0,
         "_BRIM_MM": 4.0,
     },
+    design.catalogue.bus_parts: {"SELECT_BYTES": 2, "PIN_PF": 10.0, "WIRE_PF_PER_MM": 0.06},
+    design.catalogue.magnets: {
+        "REFERENCE_TEMPERATURE_C": 20.0, "NDFEB_REMANENCE_PER_KELVIN": -0.0011,
+        "NDFEB_RECOIL_PERMEABILITY": 1.05,
+    },
+    design.catalogue.orders: {"SILICONE_KIT_G": 900.0},
+    design.catalogue.silicones: {"_INCOMPRESSIBLE": 0.4999},
+    design.catalogue.tensile: {
+        "_STABLE_FROM_STRETCH": 0.5, "_LARGEST_RESIDUAL_PERCENT": 10.0, "_NORMAL_90": 1.645,
+        "_RANGES_TO_STRETCH": (1.25, 1.5, 2.0, 3.0), "_LARGEST_CORRELATION": 0.95,
+    },
+    design.catalogue.tensile_files: {"FIT_TO_STRETCH": 2.0, "LEAST_POINTS": 6, "_LEAST_STRETCH": 1.1},
     design.fabrication.assembly: {"TOUCHING_MM3": 1e-3},
     design.fabrication.casting: {
         "CEILING_MM2": 100.0, "YIELD_SHARE": 0.02, "NEAR_MM": 0.15,
@@ -190,12 +212,20 @@ FIGURES = {
     design.solids.sampled: {
         "_OVERSHOOT_MM": 0.5, "_SECTIONS": 64, "_LEAST_HOLLOW_MM": 3.0, "_LEANING": 0.5,
     },
+    design.spec.body: {"LONGEST_EDGE_MM": (5.0, 1000.0)},
     design.spec.learning: {
+        "LARGEST_EXACT_HULL_FRAMES": 100,
         "LIMITS_OF_USE": {
             "grasp": {"position_bound_mm": 1.5, "detectable_force_n": 5.0},
             "touch": {"position_bound_mm": 1.0, "detectable_force_n": 1.0},
             "presence": {"position_bound_mm": 5.0, "detectable_force_n": 5.0},
         },
+    },
+    design.spec.load_cell: {"PINS_OF_KIND": {"none": 0, "hx711": 2, "analog": 1}},
+    design.spec.magnets: {"MU0_T_MM_PER_A": 1.25663706e-3},
+    design.spec.object: {
+        "LARGEST_RATIO_WITHOUT_PRESSURE": 0.4999, "LEAST_RATIO_WITH_PRESSURE": 0.01,
+        "LARGEST_RATIO_OF_P2": 0.45,
     },
     design.spec_io: {"_LARGEST_BYTES": 250_000},
     design.wiring.bus_limits: {

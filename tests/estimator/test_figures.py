@@ -6,6 +6,7 @@ beside the docstrings and the pages that explain them; who changes one changes t
 
 import pytest
 
+import estimator.bringup.asking.asked
 import estimator.bringup.asking.held_magnet
 import estimator.bringup.asking.hold_places
 import estimator.bringup.diagnosis.channels
@@ -14,16 +15,22 @@ import estimator.bringup.diagnosis.chip_fit
 import estimator.bringup.diagnosis.earth
 import estimator.bringup.diagnosis.health
 import estimator.bringup.diagnosis.poles
+import estimator.bringup.simulated
 import estimator.bringup.verdict
 import estimator.calibration.known_travel.agreement
 import estimator.calibration.known_travel.bound
+import estimator.calibration.known_travel.cycles
 import estimator.calibration.known_travel.fit
+import estimator.calibration.known_travel.places
 import estimator.calibration.known_travel.suspects
 import estimator.calibration.pose_fit
 import estimator.calibration.recorded_presses
 import estimator.calibration.resting_conventions
 import estimator.calibration.slip_recovery
+import estimator.calibration.twin.digital_twin
 import estimator.calibration.twin.discrepancy
+import estimator.calibration.twin.grasp_twin
+import estimator.calibration.twin.like_forces
 import estimator.calibration.twin.pressed_cases
 import estimator.calibration.twin.pressed_places
 import estimator.calibration.twin.pretraining
@@ -31,11 +38,16 @@ import estimator.calibration.twin.unknowns
 import estimator.calibration.validation
 import estimator.deploy.export
 import estimator.deploy.zeroing
+import estimator.evaluation.baselines
+import estimator.evaluation.false_alarms
+import estimator.frames.collection_recipe
 import estimator.frames.contact_cases
 import estimator.frames.heatmap
 import estimator.frames.press_protocol
+import estimator.frames.splits
 import estimator.information.contact_sets
 import estimator.information.fisher
+import estimator.information.identifiability
 import estimator.information.two_contacts
 import estimator.inversion.inversion
 import estimator.inversion.priors
@@ -48,18 +60,27 @@ import estimator.layouts.robustness
 import estimator.layouts.scoring
 import estimator.metrics.contacts
 import estimator.metrics.heatmaps
+import estimator.networks.defaults
 import estimator.networks.intervals.coverage
+import estimator.networks.intervals.held_out
+import estimator.networks.network
 import estimator.networks.prediction
 import estimator.networks.training.face
+import estimator.networks.training.fitting
 import estimator.networks.training.losses
+import estimator.recordings.boards.lines
 import estimator.recordings.boards.link
 import estimator.recordings.checks.faults
+import estimator.recordings.checks.labels
+import estimator.recordings.checks.limits
+import estimator.recordings.checks.turned
 import estimator.recordings.drift
 import estimator.recordings.formats.files
 import estimator.recordings.formats.generic
 import estimator.recordings.formats.travel
 import estimator.recordings.presses
 import estimator.recordings.reading
+import estimator.recordings.table
 import estimator.recordings.zeros
 import estimator.signals.hall
 import estimator.signals.surroundings
@@ -68,7 +89,13 @@ import estimator.tolerances.result
 import estimator.tolerances.selftest
 
 FIGURES = {
-    estimator.bringup.asking.held_magnet: {"HAND_MM": 6.0, "HAND_RAD": 0.5, "TURNED_COUNTS_UT": 50.0},
+    estimator.bringup.asking.asked: {
+        "STILL_S": 10.0, "HELD_S": 4.0, "FURTHER_S": 10.0, "STEP_S": 2.0, "POSE_S": 20.0,
+        "MOST_FURTHER": 12, "_FEWEST_FRAMES": 10,
+    },
+    estimator.bringup.asking.held_magnet: {
+        "HAND_MM": 6.0, "HAND_RAD": 0.5, "TURNED_COUNTS_UT": 50.0, "_LOWEST_MM": 0.5,
+    },
     estimator.bringup.asking.hold_places: {"OVER_MM": 10.0, "BETWEEN_MM": 6.0, "_LEAST_COSINE": -0.1},
     estimator.bringup.diagnosis.channels: {
         "OTHER_PLACE": 7.0, "OTHER_TURN": 7.0, "MIRRORED": 9.0, "TURNED_OVER": 5.0,
@@ -83,25 +110,41 @@ FIGURES = {
     estimator.bringup.diagnosis.poles: {
         "TURNED_UT": 100.0, "WEAK": 0.6, "STRONG": 1.6, "ABSENT": 0.2, "_MARGIN": 10.0,
     },
+    estimator.bringup.simulated: {
+        "HAND_MM": 3.0, "HAND_DEG": 15.0, "HEIGHT_MM": (4.0, 15.0), "TREMOR_MM": 0.3,
+        "TREMOR_DEG": 1.0, "LAID_DEG": 5.0, "EARTH_UT": (25.0, 65.0), "_DRIFT_MS": 900_000,
+        "_STUCK_COUNTS": 128.0,
+    },
     estimator.bringup.verdict: {"LEAST_HOLDS": 3, "_BEYOND_LINEAR": 0.3},
     estimator.calibration.known_travel.agreement: {"SMALLEST_MT": 0.03},
     estimator.calibration.known_travel.bound: {"NEIGHBOURS_MM": 4.5, "LEAST_NEIGHBOURS": 12},
+    estimator.calibration.known_travel.cycles: {
+        "TIMES_S": (1.0, 3.0, 10.0, 30.0, 100.0), "_RETURNED": 0.02, "_FEWEST_CYCLES": 4,
+    },
     estimator.calibration.known_travel.fit: {
         "MODEL_ERROR_MT": 0.05, "RESTING_ERROR_MT": 0.1, "MAGNET_SEAT_MM": 1.0,
         "MAGNET_TILT_RAD": 0.1, "STRENGTH": 0.1,
     },
+    estimator.calibration.known_travel.places: {"TABLE_MM": (1.0, 0.5), "_LEAST_SHARE": 0.05},
     estimator.calibration.known_travel.suspects: {
         "LEAN_RAD": 0.05, "TRAVEL_SHARE": 0.2, "CHIP_SHARE": 0.1,
     },
     estimator.calibration.pose_fit: {
         "PRIOR": (1.0, 1.0, 1.0, 3.0, 3.0, 3.0, 0.02, 0.5),
-        "BOUNDS": (3.0, 3.0, 3.0, 10.0, 10.0, 10.0, 0.1, 1.5),
-        "_FLOOR_COUNTS": 20.0, "_MODEL_ERROR": 0.2,
+        "BOUNDS": (3.0, 3.0, 3.0, 10.0, 10.0, 10.0, 0.1, 1.5), "_FLOOR_COUNTS": 20.0,
+        "_MODEL_ERROR": 0.2, "LARGEST_SHIFT_MM": 3.0,
     },
     estimator.calibration.recorded_presses: {"LOADED_SHARE": 0.5, "LEAST_FRAMES": 5},
     estimator.calibration.resting_conventions: {"MOST_CANDIDATES": 500_000, "_SPREAD_COUNTS": 300.0},
     estimator.calibration.slip_recovery: {"_MODEL_ERROR": 0.1},
+    estimator.calibration.twin.digital_twin: {
+        "SIZES": (0.02, 0.05, 0.1, 0.2), "LENGTHS_MM": (6.0, 10.0, 16.0),
+    },
     estimator.calibration.twin.discrepancy: {"_FORCE_SCALE_N": 10.0, "_FLOOR_COUNTS": 1.0},
+    estimator.calibration.twin.grasp_twin: {
+        "SIZES": (0.02, 0.05, 0.1, 0.2, 0.5, 1.0), "_CLEAR": 25.0,
+    },
+    estimator.calibration.twin.like_forces: {"STEADY_NOISES": 3.0},
     estimator.calibration.twin.pressed_cases: {"LEAST_CASES": 3},
     estimator.calibration.twin.pressed_places: {
         "LEVELS": 16, "LEAST_PLACES": 4, "LEAST_FRAMES": 12, "MOST_PLACES": 150, "REACH": 0.8,
@@ -116,7 +159,11 @@ FIGURES = {
     estimator.deploy.zeroing: {
         "ZERO_FRAMES": 8, "STILL_RATIO": 1.3, "RETURN_SHARE": 0.15, "SETTLE_S": 5.0,
         "DRIFT_COUNTS_PER_S": 1.0, "LEAST_FORCE_N": 0.3, "PRESS_FORCE_N": 1.0,
+        "_LEAST_FRAMES": 5, "_FRAME_S": 0.1, "_WINDOW_S": 0.6, "_JUDGED_EVERY_S": 0.08,
     },
+    estimator.evaluation.baselines: {"_NEIGHBOURS": 5, "_INTERVAL_PERCENT": (5.0, 95.0)},
+    estimator.evaluation.false_alarms: {"WANTED_RATE": 0.01},
+    estimator.frames.collection_recipe: {"_PERIOD_SPREAD": 0.05},
     estimator.frames.contact_cases: {
         "DUAL_CASES": 100_000, "TRIPLE_CASES": 200_000, "GRASP_CASES": 300_000,
     },
@@ -126,45 +173,96 @@ FIGURES = {
     estimator.frames.press_protocol: {
         "PLACE_ID_STRIDE": 1000, "DRIFT_TIME_S": 900.0, "LEAST_FORCE_NOISES": 2.5,
     },
+    estimator.frames.splits: {"DEFAULT_SHARES": (0.6, 0.2, 0.2)},
     estimator.information.contact_sets: {"_PLACES_AN_AXIS": 5},
     estimator.information.fisher: {"DETECTION_DISTANCE": 5.0},
+    estimator.information.identifiability: {
+        "_SENSOR_COUNTS": (1, 2, 3, 4, 5), "CONTACT_COUNTS": (1, 2, 3),
+    },
     estimator.information.two_contacts: {"PERCENT": 95.0},
     estimator.inversion.inversion: {"KNOWN_FORCE_SPREAD": 0.3},
     estimator.inversion.priors: {"_OVERLAP_MM": 0.5, "SPACING_SIGMA_MM": 0.2},
     estimator.inversion.readings: {"COVERAGE": 0.9, "UNEXPLAINED": 1e-3},
-    estimator.inversion.tracking: {"_FAINT": 3.0, "_STRAINED": 0.02},
+    estimator.inversion.tracking: {
+        "_FAINT": 3.0, "_STRAINED": 0.02, "_LONGEST_PAUSE": 8, "_WORSE": 0.1,
+    },
     estimator.layouts.cross_face: {"CROSS_FACE_FORCE_N": 10.0},
     estimator.layouts.limits.parts: {"SLACK_MM": 0.02},
     estimator.layouts.polish: {"PENALTY_PER_MM": 10.0, "_MM_PER_EXCESS": 10.0},
     estimator.layouts.robustness: {"SLIP_MM": 1.0},
     estimator.layouts.scoring: {"_FORCE_VARIANCE": 1 / 8},
-    estimator.metrics.contacts: {"FAR_MM": 5.0},
+    estimator.metrics.contacts: {
+        "FAR_MM": 5.0, "FORCE_BANDS_N": ((0.0, 1.0), (1.0, 4.0), (4.0, float("inf"))),
+    },
     estimator.metrics.heatmaps: {"NON_CONTACT_SHARE": 0.9, "LEAST_SIMILARITY": 0.3},
+    estimator.networks.defaults: {"SMALL_PRESSES": 60},
     estimator.networks.intervals.coverage: {"KNOWN_SHARE": 0.95, "WHOLLY_NEW_FROM": 2.0},
+    estimator.networks.intervals.held_out: {
+        "SHARPNESS": (1.0, 2.0, 4.0, 8.0, 16.0), "FAINT": (0.05, 0.2, 0.4), "STEPS_OF_SHARES": 4,
+        "LEAST_RADIUS_PITCHES": 0.1,
+    },
+    estimator.networks.network: {
+        "SIGMA_SPAN": 3.0, "LINEAR_SIGMA_SPAN": 30.0, "DOUBT_POWER": 2, "GATHER_MM": 9.0,
+        "SPLAT_PITCHES": 0.3,
+    },
     estimator.networks.prediction: {"NOVEL_FROM": 1.0},
-    estimator.networks.training.face: {"FINE_TUNING_RATE": 0.3, "_WEIGHT_DECAY": 1e-3},
+    estimator.networks.training.face: {
+        "FINE_TUNING_RATE": 0.3, "_WEIGHT_DECAY": 1e-3, "PAPER_BATCH_FRAMES": 2000,
+        "PAPER_LEARNING_RATE": 1e-3, "PAPER_WEIGHT_DECAY": 1e-4, "_OTHER_FACES": 0.5,
+    },
+    estimator.networks.training.fitting: {"_WARM_UP_EPOCHS": 2.0, "_LEAST_BATCH_FRAMES": 16},
     estimator.networks.training.losses: {
         "_FORCE_WEIGHT": 8.0, "_CENTRE_WEIGHT": 0.3, "_SPREAD_WEIGHT": 0.1,
     },
-    estimator.recordings.boards.link: {"BAUD": 115_200, "PATIENCE_S": 10.0, "LONGEST_PAUSE_S": 3.0},
-    estimator.recordings.checks.faults: {"NOISY_FACTOR": 3.0, "JUMP_COUNTS": 500.0, "_OPPOSITE_MM": 6.0},
+    estimator.recordings.boards.lines: {
+        "FORMAT_VERSION": 1, "_SEQUENCES": 65536, "_RESTART_GAP": 10_000, "_LONGEST_LINE": 4096,
+        "_LARGEST_MV": 60_000, "_LARGEST_C": 300.0,
+    },
+    estimator.recordings.boards.link: {
+        "BAUD": 115_200, "PATIENCE_S": 10.0, "LONGEST_PAUSE_S": 3.0, "_CLOCK": 2**32,
+        "_DISORDER_MS": 1000,
+    },
+    estimator.recordings.checks.faults: {
+        "NOISY_FACTOR": 3.0, "JUMP_COUNTS": 500.0, "_OPPOSITE_MM": 6.0, "_MOVED_COUNTS": 150.0,
+        "_DOUBT_FACTOR": 3.0,
+    },
+    estimator.recordings.checks.labels: {
+        "LEAST_FRAMES": 5, "_HIDDEN_SIGMAS": 6.0, "_SILENT_SHARE": 0.1, "_SILENT_SIGMAS": 5.0,
+        "_PRESSED_SHARE": 0.3, "_LOADED_SHARE": 0.5, "_OWN_DISTANCE": 0.4,
+        "_DISTANCE_RATIO": 2.5,
+    },
+    estimator.recordings.checks.limits: {
+        "_CONVERTER_COUNTS": 32768.0, "_FEW_READINGS": 0.05, "_FAR_FACTOR": 3.0,
+    },
+    estimator.recordings.checks.turned: {
+        "_ALIKE": 0.5, "_ANSWERS": 0.1, "_REST_AGREES": 0.25, "_EXCHANGE_GAIN": 4.0,
+    },
     estimator.recordings.drift: {
         "LEAST_FRAMES": 5, "LARGEST_DRIFT_NOISES": 6.0, "LONGEST_GAP_S": 120.0, "USUAL_S": 3.0,
+        "_LEAST_S": 0.5, "_LONGEST_S": 30.0, "_CONTACT_FRAMES": 3, "_TOUCH_FRAMES": 2,
+        "_LEAST_NOISE_COUNTS": 0.3,
     },
     estimator.recordings.formats.files: {"NEWTON_PER_GRAM_FORCE": 9.8e-3},
     estimator.recordings.formats.generic: {"_NEWTON_PER_GRAM": 9.80665e-3},
     estimator.recordings.formats.travel: {
         "_LARGEST_LAG_S": 1.0, "_LARGEST_UT": 1e6, "_LARGEST_MM": 1e4, "_NO_LOAD": -1.0,
     },
-    estimator.recordings.presses: {"PAUSE_S": 5.0, "CONTACT_FORCE_N": 0.3, "_STEADY_REST_N": 0.15},
+    estimator.recordings.presses: {
+        "PAUSE_S": 5.0, "CONTACT_FORCE_N": 0.3, "_STEADY_REST_N": 0.15, "LAGS": range(-10, 26),
+        "_LEAST_PRESS_FRAMES": 5, "LAG_FRAMES": 75,
+    },
     estimator.recordings.reading: {
         "NOMINAL_RATE_HZ": 10.5,
         "REST_FORCE_N": {"gripper": 0.05, "training": 0.15, "generic": 0.15},
     },
+    estimator.recordings.table: {
+        "LARGEST_COUNT": 2.0**24, "LARGEST_FORCE_N": 1000.0, "LARGEST_PLACE_MM": 300.0,
+        "_SLOWEST_FRAME_S": 5.0,
+    },
     estimator.recordings.zeros: {"ZERO_FRAMES": 20, "LEAST_ZERO_FRAMES": 5},
     estimator.signals.hall: {"LARGEST_COUNT": 32767},
     estimator.signals.surroundings: {"TYPICAL_EARTH_UT": 50.0},
-    estimator.tolerances.localisation_bias: {"OBJECTS": 12},
+    estimator.tolerances.localisation_bias: {"OBJECTS": 12, "_SPREAD_MM": 0.5},
     estimator.tolerances.result: {"REACH_SHARE": 0.7},
     estimator.tolerances.selftest: {"PRIOR_PROBABILITY": 1e-3, "POOR_FIT": 1e-3},
 }  # fmt: skip

@@ -9,6 +9,7 @@ import fem.candidates.motions
 import fem.candidates.presses
 import fem.candidates.tied_magnets
 import fem.contact.half_space
+import fem.contact.indenter
 import fem.contact.lift_off
 import fem.large_strain.linearity
 import fem.linear.material
@@ -22,8 +23,10 @@ FIGURES = {
     fem.candidates.presses: {"FORCE_SHARES": (0.8, 1.2)},
     fem.candidates.tied_magnets: {"DEGREE": 2, "INSET": 0.035, "MOST_INSET": 0.2},
     fem.contact.half_space: {"SQUARE_OWN": 0.9505, "HAT_OWN": 0.9614},
+    fem.contact.indenter: {"_CELLS": 150, "_LARGEST_CELL_MM": 1.2, "_FINE_BELOW_MM": 0.4},
     fem.contact.lift_off: {"HOLD": 1e-3},
     fem.large_strain.linearity: {
+        "_THICKNESS_MM": 8.0,
         "_DEPTH_MM": (0.0, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0),
         "_FORCE_ERROR": (0.0, 0.025, 0.032, 0.042, 0.055, 0.075, 0.107, 0.137, 0.165),
         "_MOTION_ERROR": (0.0, 0.09, 0.113, 0.144, 0.205, 0.264, 0.312, 0.395, 0.485),
@@ -34,7 +37,10 @@ FIGURES = {
     },
     fem.mesh.edge_lengths: {"FINE_LAYER_MM": 0.5, "_RIM_GROWTH": 0.7},
     fem.presses.compliance_map: {"DEPTH_MM": 1.0},
-    fem.presses.discretisation: {"COARSENING": 1.5, "ORDER": 2.0, "_ROTATION_ARM_MM": 3.0},
+    fem.presses.discretisation: {
+        "COARSENING": 1.5, "ORDER": 2.0, "_ROTATION_ARM_MM": 3.0, "_PLACES_PER_AXIS": 5,
+        "_PATCH_RADIUS_MM": 5.0,
+    },
 }  # fmt: skip
 
 

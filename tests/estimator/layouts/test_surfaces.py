@@ -131,6 +131,19 @@ def test_a_board_finds_room_up_to_where_its_corner_leaves_the_core_s_patch():
     assert (reach <= 1.001 * max(surface.core.half_extents_mm)).all()
 
 
+def test_a_board_finds_as_much_room_on_either_side_of_the_first_direction():
+    """A capsule's side is alike to its left and right, and its patch ends farthest along its length."""
+    surface = surfaces(body_spec("capsule"))[2]
+    turn = np.array([0.01, 0.05, 0.09])
+
+    def reach(azimuth):
+        return surface.reach_mm(np.column_stack([np.cos(azimuth), np.sin(azimuth)]))
+
+    assert (np.diff(reach(turn)) < -0.05).all()
+    assert_allclose(reach(-turn), reach(turn), rtol=1e-9)
+    assert_allclose(reach(np.pi - turn), reach(turn), rtol=1e-3)
+
+
 def test_boards_sink_at_their_own_places_and_beyond_their_reach_as_just_within_it():
     """On a capsule's side, whose ends curve more than its middle."""
     spec = body_spec("capsule")

@@ -5,7 +5,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from estimator.recordings.checks.labels import press_patterns
+from estimator.recordings.checks.labels import (
+    contacts_at_rest,
+    hidden_contacts,
+    press_patterns,
+    pressed_faces,
+    silent_presses,
+)
 from estimator.recordings.formats.files import read_table
 from estimator.recordings.formats.netcdf import write_generic_netcdf
 from estimator.recordings.reading import read_recording
@@ -169,3 +175,75 @@ def test_patterns_are_unit_means_of_five_frames_of_half_the_press_and_more(read,
     press, place, pattern = press_patterns(none)
     channels = recording.frames.signal_counts[0].size
     assert (press.shape, place.shape, pattern.shape) == ((0,), (0,), (0, channels))
+
+
+def test_a_face_is_pressed_from_three_tenths_of_its_press_and_from_the_least_force():
+    face, press = np.tile([3, 5], (4, 1)), np.array([0, 0, 1, 1])
+    force_n = np.array([[10.0, 2.9], [3.1, 1.0], [0.5, 0.29], [0.31, 0.0]])
+    held = pressed_faces(face, force_n, press)
+    assert held.tolist() == [[3, 0], [3, 0], [3, 0], [3, 0]]
+    assert pressed_faces(face, force_n, np.array([0, 1, 1, 1])).tolist()[3] == [0, 0]
+    assert pressed_faces(face, force_n[:, ::-1], press).tolist()[1] == [0, 5]
+
+
+def test_five_frames_in_a_row_make_a_contact_at_rest_and_take_their_presses_along():
+    touching, press = np.zeros((30, 2), bool), np.repeat([0, 1, 2], 10)
+    touching[6:11, 1] = touching[24:28, 0] = True
+    wrong, faults = contacts_at_rest(touching, np.ones(30, bool), press)
+    assert wrong.tolist() == [True] * 20 + [False] * 10
+    assert [fault.kind for fault in faults] == ["contact while labelled rest"]
+    labelled = np.arange(30) < 6
+    assert not contacts_at_rest(touching, labelled, press)[0].any()
+
+
+@pytest.mark.parametrize(
+    ("sigmas", "frames", "at_rest", "told"),
+    [
+        (6.1, 5, 40, True),
+        (5.9, 5, 40, False),
+        (-6.1, 5, 40, True),
+        (6.1, 4, 40, False),
+        (6.1, 5, 14, False),
+        (6.1, 5, 15, True),
+    ],
+)
+def test_a_hidden_contact_leaves_its_level_by_six_sigmas_in_five_frames(
+    sigmas, frames, at_rest, told
+):
+    """Of face 4, most channels of which change; its noise is twice that of the others."""
+    noise = np.ones((5, 3, 3))
+    noise[3] = 2.0
+    counts = np.full((50, 5, 3, 3), 100.0)
+    counts[5 : 5 + frames, 3, :2] += 2.0 * sigmas
+    rest, none = np.arange(50) < at_rest, np.zeros(50, int)
+    hidden, faults = hidden_contacts(counts, rest, none, none, noise)
+    assert np.flatnonzero(hidden).tolist() == (list(range(5, 5 + frames)) if told else [])
+    assert [fault.detail[:6] for fault in faults] == (["face 4"] if told else [])
+
+
+@pytest.mark.parametrize(
+    ("counts", "sigma", "newton", "told"),
+    [
+        (9.9, 19.9, 2.0, True),
+        (10.1, 19.9, 2.0, False),
+        (9.9, 20.1, 2.0, False),
+        (9.9, 19.9, 4.0, True),
+        (19.9, 19.9, 4.0, True),
+        (0.0, 1.0, 0.31, True),
+        (0.0, 1.0, 0.29, False),
+    ],
+)
+def test_a_press_is_silent_below_a_tenth_of_what_is_usual_where_that_stands_out(
+    counts, sigma, newton, told
+):
+    """Of five presses of 2 N on face 3, where 50 counts per newton are usual, the fourth is another."""
+    force_n = np.where(np.arange(60) % 12 < 6, 0.0, 2.0)[:, None]  # not held before half of a press
+    force_n[36:48] *= newton / 2.0
+    press = np.repeat(np.arange(5), 12)
+    responses = np.full((5, 5), 7.0)
+    responses[:, 2] = [100.0, 100.0, 100.0, counts, 100.0]
+    noise = np.full((5, 3, 3), sigma)
+    noise[1, 1, 1] = np.nan
+    wrong, faults = silent_presses(np.full((60, 1), 3), force_n, press, responses, noise)
+    assert np.flatnonzero(wrong).tolist() == (list(range(36, 48)) if told else [])
+    assert len(faults) == told
