@@ -56,6 +56,11 @@ def load_deployed(path: Path | str) -> DeployedModel:
     path = Path(path)
     if not path.is_file():
         raise InputError(f"no model at {path}. `instobj export` makes one of a trained estimator")
+    if path.suffix == ".safetensors":
+        raise InputError(
+            f"{path} is a trained estimator that is not exported yet. `instobj export {path}` makes "
+            f"{path.stem}.onnx; give that"
+        )
     session = open_session(path)
     try:
         described = json.loads(session.get_modelmeta().custom_metadata_map["instobj"])

@@ -104,7 +104,8 @@ def evaluate(
 @app.command()
 def export(
     models: Annotated[
-        list[Path], typer.Argument(help="Trained estimators (face_<n>.safetensors).")
+        list[Path],
+        typer.Argument(help="Trained estimators (face_<n>.safetensors), or their folder."),
     ],
     out: Annotated[
         Path, typer.Option(help="Folder of the files (default: beside each model).")

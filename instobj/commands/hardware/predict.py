@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator
-from itertools import islice
+from itertools import chain, islice
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from design.errors import InputError
 from design.tables import write_table
 from estimator.deploy.runtime import LiveReader, load_deployed, predict_told
 from estimator.frames.same_object import require_same_object
@@ -25,6 +26,7 @@ from instobj.commands.hardware.readings import (
     zeroed_data_set,
 )
 from instobj.store.publish import file_rows
+from instobj.store.readers import INVERSION, face_model_paths
 
 COLUMNS: tuple[str, ...] = (
     "frame",
@@ -141,17 +143,22 @@ def _rows(number: np.ndarray, time_s: np.ndarray, found: Prediction) -> list[dic
 
 
 def export_models(models: list[Path], out: Path) -> dict[str, Any]:
-    """Write an ONNX file for each trained estimator, in `out` or beside it.
+    """Write an ONNX file for each trained estimator, in `out` or beside it; a folder is its estimators.
 
     One that inverts the forward model is what the robot reads already: it is read once, and copied to
     `out`.
+
+    Raises
+    ------
+    InputError
+        A file that is no estimator, or a folder without any.
     """
     from estimator.deploy.export import export_onnx
     from estimator.inversion.storage import is_inversion
     from estimator.networks.face_model import load_model
 
     written = []
-    for path in models:
+    for path in chain.from_iterable(map(_models_at, models)):
         if is_inversion(path):
             written.append(_checked_inversion(path, out))
             continue
@@ -159,6 +166,18 @@ def export_models(models: list[Path], out: Path) -> dict[str, Any]:
         export_onnx(load_model(path), target)
         written.append(target)
     return {"command": "export", "files": file_rows(written)}
+
+
+def _models_at(path: Path) -> list[Path]:
+    if not path.is_dir():
+        return [path]
+    found = [*face_model_paths(path), *path.glob(INVERSION.name)]
+    if not found:
+        raise InputError(
+            f"{path} holds no trained estimator (face_<n>.safetensors or {INVERSION.name}). Give the "
+            "folder that `instobj train` wrote to, or its files"
+        )
+    return found
 
 
 def _checked_inversion(path: Path, out: Path) -> Path:

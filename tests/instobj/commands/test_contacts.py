@@ -98,7 +98,7 @@ def test_a_board_is_read_live(folder):
 
 
 def test_export_reads_it_once_and_copies_it(folder, tmp_path):
-    export_models([folder / "contacts.nc"], tmp_path)
+    export_models([folder], tmp_path)
     assert load_inversion(tmp_path / "contacts.nc").priors == inverted().priors
     damaged = tmp_path / "damaged.nc"
     content = bytearray((folder / "contacts.nc").read_bytes())

@@ -91,8 +91,15 @@ def folder(tmp_path_factory):
     torch.set_num_threads(1)
     save_model(fit_estimator(*parts, FitSettings(FACE, SMALL)), target / "face_3.safetensors")
     torch.set_num_threads(threads)
-    export_models([target / "face_3.safetensors"], target / "robot")
+    export_models([target], target / "robot")
     return target
+
+
+def test_what_is_no_exported_estimator_or_folder_of_trained_ones_is_one_error(folder, tmp_path):
+    with pytest.raises(InputError, match=r"not exported yet\. `instobj export .*face_3\.safetens"):
+        predict_file(folder / "face_3.safetensors", folder / "press.nc")
+    with pytest.raises(InputError, match=r"holds no trained estimator \(face_<n>\.safetensors or"):
+        export_models([tmp_path], tmp_path)
 
 
 def test_a_folder_in_place_of_a_recording_is_one_error():
