@@ -13,8 +13,9 @@ from instobj.stages.tasks import tasks_of
 from instobj.stages.workers import Here, open_workers
 from instobj.store.readers import METRICS
 from instobj.store.shared import URL
-from instobj.sweep.outcome import variant_row
-from instobj.sweep.study import load_study
+from instobj.sweep import outcome
+from instobj.sweep.outcome import draw_sweep, variant_row
+from instobj.sweep.study import Study, Variant, load_study
 from instobj.sweep.sweep import sweep
 from tests.support.objects.tiny_cube import CHANGES, SMALL_CUBE, lend_mechanics
 
@@ -69,6 +70,18 @@ def test_a_sweep_writes_what_single_runs_find_and_goes_on_where_it_was(
     again = sweep(path, tmp_path)
     assert again["rows"] == found["rows"]
     assert {file.stat().st_mtime_ns for file in (tmp_path / "store").rglob("*.npz")} == before
+
+
+def test_scores_that_differ_little_stand_within_their_panels(monkeypatch, tmp_path):
+    kept = []
+    monkeypatch.setattr(outcome, "save_figure", lambda figure, path: kept.append(figure))
+    rows = [{"shell.thickness_mm": 7.0 + n, "place mm": 0.44 + 0.02 * n} for n in range(3)]
+    study = Study("s", ("scores",), (Variant("a", {"shell.thickness_mm": 7.0}, None),))
+    assert draw_sweep(study, rows, tmp_path / "sweep.png")
+    (panel,) = kept[0].axes
+    low, high = panel.get_ylim()
+    assert low == 0
+    assert 0.5 < high < 0.6
 
 
 def test_scores_that_another_machine_made_come_from_the_shared_store(tmp_path, monkeypatch):
