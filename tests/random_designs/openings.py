@@ -36,6 +36,8 @@ _FACET_MM = 0.1
 """By which triangles of narrow holes lie within them."""
 _TOLD_MM = 0.05
 """By which the silicone over a magnet may be thinner than checks tell."""
+_FACE_COSINE = 0.5
+"""Patches end where the surface is 60° steep."""
 _POUR_MM = 2.8
 _STRAY_MM3 = 0.5
 _FIRST = ("mould_box", "mould_half_a", "mould_half_b", "mould_plug", "mould_holder")
@@ -64,41 +66,53 @@ def _pose(pin: Pin) -> Float[np.ndarray, "4 4"]:
 
 
 def thin_covers(spec: ObjectSpec, outer: trimesh.Trimesh) -> list[str]:
-    """Magnets and boards in the silicone with less of it over them, anywhere, than checks tell."""
+    """Magnets and boards in the silicone with less of it over them, anywhere, than checks tell, or
+    beside them, towards another side of the body, than `silicone.thinnest_wall_mm`."""
     wrong, surface = [], manifold_of(outer)
     reach = 2 * max(spec.body.size_mm)
     for frame, pockets in zip(face_frames(spec), shell_pockets(spec), strict=True):
         for pocket in pockets:
             body = pocket.body
+            normal = frame.axes_at(body.centre_mm[:2])[:, 2]
             axes = frame.axes_at(body.centre_mm[:2]) @ body.frame
             top = frame.to_object(body.centre_mm) + axes[:, 2] * body.height_mm / 2
             flat = body.outline.corners_mm(24) if body.outline.round else body.outline.corners_mm(4)
             disk = np.concatenate([share * flat for share in (0.0, 0.5, 1.0)])
             points = top + disk @ axes[:, :2].T
-            least = min(_least_mm(surface, point, axes, reach) for point in points)
-            told = cover_mm(frame, body)
-            if not least > told - _TOLD_MM:
-                wrong.append(
-                    f"{least:.2f} mm of silicone over {body.label} of face {frame.number}, "
-                    f"{told:.2f} mm told"
-                )
+            found = [_least_mm(surface, point, axes, normal, reach) for point in points]
+            over, beside = np.min(found, axis=0)
+            told, what = cover_mm(frame, body), f"{body.label} of face {frame.number}"
+            if not over > told - _TOLD_MM:
+                wrong.append(f"{over:.2f} mm of silicone over {what}, {told:.2f} mm told")
+            if not beside > spec.silicone.thinnest_wall_mm - _TOLD_MM:
+                wrong.append(f"{beside:.2f} mm of silicone beside {what}")
     return wrong
 
 
 def _least_mm(
-    surface: manifold3d.Manifold, point: np.ndarray, axes: np.ndarray, reach: float
-) -> float:
-    """Of rays out of a point, along the body's axis and up to 40° beside it."""
+    surface: manifold3d.Manifold,
+    point: Float[np.ndarray, "3"],
+    axes: Float[np.ndarray, "3 3"],
+    normal: Float[np.ndarray, "3"],
+    reach: float,
+) -> tuple[float, float]:
+    """Of rays out of a point, along the body's axis and up to 40° beside it: over the body, and to
+    where the surface turns more than 60° from its normal over the body, the pad's side of a deep magnet.
+    """
     slants = [(0.0, 0.0), *((np.sin(t), np.cos(t)) for t in np.linspace(0, 2 * np.pi, 7)[:-1])]
-    least = np.inf
+    over = beside = np.inf
     for slant in (0.35, 0.84):
         for x, y in slants:
             way = axes @ np.array([slant * x, slant * y, 1.0])
             hits = surface.ray_cast(tuple(point), tuple(point + reach * way / np.linalg.norm(way)))
             if not hits:
-                return -np.inf
-            least = min(least, float(np.linalg.norm(np.asarray(hits[0].position) - point)))
-    return least
+                return -np.inf, beside
+            length = float(np.linalg.norm(np.asarray(hits[0].position) - point))
+            if np.dot(hits[0].normal, normal) > _FACE_COSINE:
+                over = min(over, length)
+            else:
+                beside = min(beside, length)
+    return over, beside
 
 
 def blocked_ways(spec: ObjectSpec, solids: Solids, pins: Solids) -> list[str]:

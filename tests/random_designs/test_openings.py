@@ -149,6 +149,21 @@ def test_silicone_over_a_magnet_thinner_than_told_is_told(ball):
     assert "magnet" in thin_covers(spec, dented)[0]
 
 
+def test_silicone_beside_a_deep_magnet_is_a_wall_and_no_cover():
+    """Of seed 65 of the second generator: the side of a pad lies nearer than its face."""
+    pad = {
+        "name": "pad",
+        "body": {"kind": "pad", "size_mm": [54.0, 54.0, 38.0]},
+        "shell": {"thickness_mm": 31.0, "pocket_depth_mm": 20.0},
+        "sensors": {"positions_mm": [[0.0, 0.0]]},
+    }
+    spec = parse_spec(pad | {"magnets": {"positions_mm": [[21.0, 0.0]]}}, "test")
+    outer = body_of(spec).outer_surface()  # 3.0 mm to the side, 4.7 on the way of the judge's rays
+    assert thin_covers(spec, outer) == []
+    (told,) = thin_covers(spec.changed(silicone={"thinnest_wall_mm": 5.5}), outer)
+    assert "mm of silicone beside magnets.positions_mm[0]" in told
+
+
 def test_a_piece_that_lies_in_a_part_is_no_room_left_over():
     """As a boolean of walls upon walls gave one that lay in the shell of random design 602."""
     shell = manifold3d.Manifold.cube((10.0, 10.0, 10.0))
