@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from design.fit.magnet_places import lies_on_patch, patch_problems
+from design.fit.magnet_places import lies_on_patch, patch_problems, placed_pockets
 from design.layout.boards import smallest_recess_wall_mm
 from design.layout.body import body_of, core_frames, face_frames
 from design.layout.places.contact_places import (
@@ -20,12 +20,11 @@ from design.layout.places.contact_places import (
     stays_on_patch,
     touched_reach_mm,
 )
-from design.layout.places.positions import board_places, board_sinks_mm, cover_mm
+from design.layout.places.positions import board_places, board_sinks_mm, shell_covers_mm
 from design.layout.pockets import (
     Pocket,
     axis_in_object_mm,
     distance_of_segments_mm,
-    shell_pockets,
 )
 
 if TYPE_CHECKING:
@@ -37,10 +36,11 @@ _STEP_MM = 0.2
 """In which boards that find no room are moved inwards."""
 
 
-def check_body(spec: ObjectSpec) -> Iterator[str]:
-    """What does not fit in a body that has room for its core."""
+def check_body(spec: ObjectSpec, ways: bool = True) -> Iterator[str]:
+    """What does not fit in a body that has room for its core; unless `ways` without places that are looked
+    for."""
     yield from _check_recesses(spec)
-    yield from _check_pockets(spec)
+    yield from _check_pockets(spec, ways)
     yield from _check_sensors(spec)
 
 
@@ -144,37 +144,39 @@ def _check_recesses(spec: ObjectSpec) -> Iterator[str]:
         )
 
 
-def _check_pockets(spec: ObjectSpec) -> Iterator[str]:
-    shell, silicone = spec.shell, body_of(spec).silicone_mm
-    frames, placed = face_frames(spec), []
-    for frame, pockets in zip(frames, shell_pockets(spec), strict=True):
-        for pocket in pockets:
-            body = pocket.body
-            tall = body.height_mm >= shell.pocket_depth_mm and spec.magnets.depth_mm is None
-            if -pocket.lowest_mm >= silicone or tall:
-                over = -pocket.lowest_mm - silicone
-                key = (
-                    "shell.pocket_depth_mm" if spec.magnets.depth_mm is None else "magnets.depth_mm"
-                )
-                nearest = (
-                    f"Lower {key} by more than {over:.3g} mm"
-                    if over >= 0
-                    else f"Make shell.pocket_depth_mm more than {body.height_mm:g}, or take a thinner magnet"
-                )
-                yield (
-                    f"{body.label}: a magnet {body.height_mm:g} mm high in a pocket "
-                    f"{-pocket.lowest_mm:.4g} mm deep does not lie within the {silicone:g} mm of silicone. "
-                    f"{nearest}"
-                )
-            if lies_on_patch(frame, pocket) and (cover := cover_mm(frame, body)) <= 0:
-                yield (
-                    f"{body.label} stands {-cover:.3g} mm out of the curved face {frame.number}. Deepen "
-                    "shell.pocket_depth_mm or magnets.depth_mm by more than that, or take a smaller magnet"
-                )
-            placed.append((frame.number, pocket, axis_in_object_mm(frame, pocket)))
-    yield from patch_problems(spec)
-    for (face, a, ends), (other, b, ends_b) in combinations(placed, 2):
+def _check_pockets(spec: ObjectSpec, ways: bool) -> Iterator[str]:
+    covers = np.concatenate(shell_covers_mm(spec)).tolist()
+    placed = placed_pockets(spec)
+    for (frame, pocket), cover in zip(placed, covers, strict=True):
+        yield from _check_depth(spec, pocket)
+        if cover <= 0 and lies_on_patch(frame, pocket, cover):
+            yield (
+                f"{pocket.body.label} stands {-cover:.3g} mm out of the curved face {frame.number}. Deepen "
+                "shell.pocket_depth_mm or magnets.depth_mm by more than that, or take a smaller magnet"
+            )
+    yield from patch_problems(spec, ways)
+    axes = [(frame.number, pocket, axis_in_object_mm(frame, pocket)) for frame, pocket in placed]
+    for (face, a, ends), (other, b, ends_b) in combinations(axes, 2):
         yield from _require_apart(face, a, ends, other, b, ends_b)
+
+
+def _check_depth(spec: ObjectSpec, pocket: Pocket) -> Iterator[str]:
+    """A magnet wholly within its pocket, and that within the silicone."""
+    shell, silicone, body = spec.shell, body_of(spec).silicone_mm, pocket.body
+    tall = body.height_mm >= shell.pocket_depth_mm and spec.magnets.depth_mm is None
+    over = -pocket.lowest_mm - silicone
+    if over >= 0 or tall:
+        key = "shell.pocket_depth_mm" if spec.magnets.depth_mm is None else "magnets.depth_mm"
+        nearest = (
+            f"Lower {key} by more than {over:.3g} mm"
+            if over >= 0
+            else f"Make shell.pocket_depth_mm more than {body.height_mm:g}, or take a thinner magnet"
+        )
+        yield (
+            f"{body.label}: a magnet {body.height_mm:g} mm high in a pocket "
+            f"{-pocket.lowest_mm:.4g} mm deep does not lie within the {silicone:g} mm of silicone. "
+            f"{nearest}"
+        )
 
 
 def _inwards(frame: FaceFrame, xy_mm: np.ndarray) -> str:

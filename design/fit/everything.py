@@ -26,29 +26,40 @@ def problems_of(spec: ObjectSpec, table: bool = True) -> list[str]:
     return list(dict.fromkeys(_problems(spec, table)))
 
 
-def fits(spec: ObjectSpec, table: bool = True) -> bool:
-    """Whether `problems_of` would find nothing; quicker where it would, as the first one decides."""
-    return next(_problems(spec, table), None) is None
+def fits(spec: ObjectSpec, table: bool = True, mould: bool = True) -> bool:
+    """Whether `problems_of` would find nothing; quicker where it would, as the first one decides.
+
+    Without `mould`, which takes longest, that is left to `can_be_moulded`.
+    """
+    return next(_problems(spec, table, ways=False, mould=mould), None) is None
 
 
-def _problems(spec: ObjectSpec, table: bool) -> Iterator[str]:
+def can_be_moulded(spec: ObjectSpec) -> bool:
+    """Whether the mould of what fits otherwise has no problem either."""
+    return next(check_mould(spec, ways=False), None) is None
+
+
+def _problems(
+    spec: ObjectSpec, table: bool, ways: bool = True, mould: bool = True
+) -> Iterator[str]:
     try:
         core = [*(check_box_core if body_of(spec).cuboid else check_body_core)(spec)]
-        yield from core or _all_checks(spec, table)
+        yield from core or _but_mould(spec, table, ways)
+        if mould and not core:
+            yield from check_mould(spec, ways)
     except ValueError as error:  # no core lies that deep within the file's surface
         yield str(error)
 
 
-def _all_checks(spec: ObjectSpec, table: bool) -> Iterator[str]:
+def _but_mould(spec: ObjectSpec, table: bool, ways: bool) -> Iterator[str]:
     cuboid = body_of(spec).cuboid
-    yield from check_box(spec) if cuboid else check_body(spec)
+    yield from check_box(spec) if cuboid else check_body(spec, ways)
     yield from check_tips(spec)
     if table:
         yield from check_box_presses(spec) if cuboid else check_curved_presses(spec)
     yield from check_environment(spec)
     yield from check_parts(spec)
     yield from check_boards(spec)
-    yield from check_mould(spec)
 
 
 def require_fit(spec: ObjectSpec, table: bool = True) -> None:

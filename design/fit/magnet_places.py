@@ -12,7 +12,7 @@ from design.layout.body import face_frames
 from design.layout.mould_closure import flange_corners_mm
 from design.layout.mould_frame import mould_style
 from design.layout.mould_pins import Pin, least_rim_mm, pin_of, rim_below_clips_mm
-from design.layout.places.positions import cover_mm
+from design.layout.places.positions import cover_mm, shell_covers_mm
 from design.layout.pockets import Pocket, shell_pockets
 
 if TYPE_CHECKING:
@@ -33,18 +33,18 @@ def placed_pockets(spec: ObjectSpec) -> list[Placed]:
     return [(frame, pocket) for frame, pockets in faces for pocket in pockets]
 
 
-def lies_on_patch(frame: FaceFrame, pocket: Pocket) -> bool:
-    """Whether a face covers a pocket, and the silicone over what lies in it is known."""
-    known = bool(np.isfinite(cover_mm(frame, pocket.body)))
-    return known and bool(frame.covers(pocket.reach_mm))
+def lies_on_patch(frame: FaceFrame, pocket: Pocket, cover_mm: float) -> bool:
+    """Whether a face covers a pocket, and the silicone over what lies in it is known (not NaN)."""
+    return bool(np.isfinite(cover_mm)) and bool(frame.covers(pocket.reach_mm))
 
 
 def beside_patches(spec: ObjectSpec) -> dict[str, list[Placed]]:
     """Pockets that do not lie on their patches, by what the specification calls their magnets: one of a
     list that faces share is one there."""
     found: dict[str, list[Placed]] = {}
-    for frame, pocket in placed_pockets(spec):
-        if not lies_on_patch(frame, pocket):
+    covers = np.concatenate(shell_covers_mm(spec)).tolist()
+    for (frame, pocket), cover in zip(placed_pockets(spec), covers, strict=True):
+        if not lies_on_patch(frame, pocket, cover):
             found.setdefault(pocket.body.label, []).append((frame, pocket))
     return found
 
@@ -53,13 +53,16 @@ def where_on_patches(spec: ObjectSpec, placed: Sequence[Placed]) -> str:
     """Where one magnet of these faces would lie on the patches of all, its pin clear of the flange."""
     closing = flange_solids(spec) if _is_split(spec) else []
 
+    def known(frame: FaceFrame, pocket: Pocket) -> bool:
+        return lies_on_patch(frame, pocket, cover_mm(frame, pocket.body))
+
     def covered(frame: FaceFrame, pocket: Pocket) -> bool:
-        return lies_on_patch(frame, pocket) and cover_mm(frame, pocket.body) > 0
+        return known(frame, pocket) and cover_mm(frame, pocket.body) > 0
 
     def clear(frame: FaceFrame, pocket: Pocket) -> bool:
-        return covered(frame, pocket) and head_is_clear(spec, frame, pocket, closing)
+        return covered(frame, pocket) and head_is_clear(spec, closing, frame, pocket)
 
-    for works in (clear, covered, lies_on_patch):
+    for works in (clear, covered, known):
         place = nearest_inwards(placed, works)
         if place is not None:
             return f"Move it inwards, as to ({place[0]:.4g}, {place[1]:.4g})"
@@ -93,7 +96,7 @@ def moved_pin(spec: ObjectSpec, frame: FaceFrame, pocket: Pocket) -> Pin | None:
 
 
 def head_is_clear(
-    spec: ObjectSpec, frame: FaceFrame, pocket: Pocket, flange: Sequence[Manifold]
+    spec: ObjectSpec, flange: Sequence[Manifold], frame: FaceFrame, pocket: Pocket
 ) -> bool:
     """Whether a pocket's pin keeps the least rim of its head below the clips, and out of the flange."""
     pin = moved_pin(spec, frame, pocket)
@@ -119,9 +122,9 @@ def _is_split(spec: ObjectSpec) -> bool:
     return mould_style(spec) == "split" and spec.silicone.cure != "none"
 
 
-def patch_problems(spec: ObjectSpec) -> Iterator[str]:
+def patch_problems(spec: ObjectSpec, ways: bool = True) -> Iterator[str]:
     """Magnets whose pockets do not lie on their patches, one line for each, with a place that works on
-    every face."""
+    every face; without it, which takes a while, unless `ways`."""
     for label, placed in beside_patches(spec).items():
         half = np.min([frame.half_extents_mm for frame, _ in placed], axis=0)
         numbers = [frame.number for frame, _ in placed]
@@ -129,7 +132,5 @@ def patch_problems(spec: ObjectSpec) -> Iterator[str]:
         over = all(frame.covers(pocket.reach_mm) for frame, pocket in placed)
         unknown = "reaches so near the rim that the silicone over it is not known, on"
         what = unknown if over else "puts its pocket outside"
-        yield (
-            f"{label} {what} {faces} (±{half[0]:.4g}, ±{half[1]:.4g} mm). "
-            f"{where_on_patches(spec, placed)}"
-        )
+        way = where_on_patches(spec, placed) if ways else ""
+        yield f"{label} {what} {faces} (±{half[0]:.4g}, ±{half[1]:.4g} mm). {way}"

@@ -32,8 +32,9 @@ if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
 
 
-def check_mould(spec: ObjectSpec) -> Iterator[str]:
-    """What cannot be moulded, what was given and how to fix it."""
+def check_mould(spec: ObjectSpec, ways: bool = True) -> Iterator[str]:
+    """What cannot be moulded, what was given and how to fix it; unless `ways` without places and widths that
+    are looked for."""
     opening = opening_of(spec)
     if spec.mould.style == "one-piece" and opening != "open":
         yield (
@@ -43,13 +44,13 @@ def check_mould(spec: ObjectSpec) -> Iterator[str]:
     elif mould_style(spec) == "split" and spec.silicone.cure != "none":
         if beside_patches(spec):
             return  # told with the patches: where such pins stand is not known
-        yield from _check_closure(spec)
+        yield from _check_closure(spec, ways)
         yield from _check_pins_apart(spec)
         if why_no_mould(spec) is None:
-            yield from _check_pouring(spec)
+            yield from _check_pouring(spec, ways)
 
 
-def _check_closure(spec: ObjectSpec) -> Iterator[str]:
+def _check_closure(spec: ObjectSpec, ways: bool = True) -> Iterator[str]:
     """Heads of pins and the flange of a plug or a rod, which reaches over the mould's walls."""
     flange = flange_solids(spec)
     for pin in loose_pins(spec) if flange else ():
@@ -57,10 +58,11 @@ def _check_closure(spec: ObjectSpec) -> Iterator[str]:
         if volume > MEETING_MM3:
             label = pin.pocket.body.label
             alike = [place for place in placed_pockets(spec) if place[1].body.label == label]
+            clear = partial(head_is_clear, spec, flange)
             yield (
                 f"the head of the pin of {label} of face {pin.frame.number} stands {volume:.2g} mm³ in the "
                 "flange by which the mould's rod or plug hangs over its walls. "
-                f"{_where(alike, lambda frame, moved: head_is_clear(spec, frame, moved, flange))}"
+                f"{_where(alike, clear) if ways else ''}"
             )
 
 
@@ -86,13 +88,13 @@ def _check_pins_apart(spec: ObjectSpec) -> Iterator[str]:
             )
 
 
-def _check_pouring(spec: ObjectSpec) -> Iterator[str]:
+def _check_pouring(spec: ObjectSpec, ways: bool = True) -> Iterator[str]:
     """Holes to pour through, of the mould and of the seal layer's."""
     for first in (True, False) if spec.shell.seal_layer_mm else (True,):
         try:
             pour_holes(spec, first)
         except InputError as error:
-            yield f"{error}. {_how_poured(spec, first)}"
+            yield f"{error}. {_how_poured(spec, first) if ways else ''}"
             return
 
 

@@ -20,7 +20,7 @@ from design.layout.boards import (
 )
 from design.layout.body import body_of, core_frames, face_frames
 from design.layout.dents import dents_mm
-from design.layout.places.positions import cover_mm
+from design.layout.places.positions import cover_mm, shell_covers_mm
 from design.layout.pockets import Pocket, sensor_places, shell_pockets
 
 if TYPE_CHECKING:
@@ -204,11 +204,7 @@ def _slit_meets(slit: Block, axis_mm: np.ndarray, pocket: Pocket) -> bool:
 
 def _check_seal_layer(spec: ObjectSpec) -> Iterator[str]:
     layer = spec.shell.seal_layer_mm
-    room = min(
-        cover_mm(frame, pocket.body)
-        for frame, face in zip(face_frames(spec), shell_pockets(spec), strict=True)
-        for pocket in face
-    )
+    room = float(np.min(np.concatenate(shell_covers_mm(spec))))
     if layer > room:
         yield (
             f"shell.seal_layer_mm = {layer:g} would leave magnets sticking out of the first pour: at "

@@ -7,25 +7,30 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 from jaxtyping import Float
 
 from design.errors import InputError
+from design.layout.body import body_of
 from design.layout.mould_frame import mould_frame, mould_style, thin_at_seam, up
 from design.layout.mould_pins import Pin, exit_mm, loose_pins
 from design.layout.pockets import distance_of_segments_mm
-from design.layout.surface import cast_surface, finished_surface
 from design.spec.object import ObjectSpec
 
 if TYPE_CHECKING:
     import trimesh
 
+    from design.body.kinds.base import BodyKind
+
 _SECTIONS = 48
 _POUR_SHIFTS = (0.0, 0.25, -0.25, 0.5, -0.5, 0.75, -0.75, 1.0, -1.0, 1.25, -1.25, 1.5, -1.5)
 """Along the flange, over the distance from the rod's axis across it."""
 _MOST_CORNERS = 200
+_RIM_POINTS, _WITHIN = 24, 0.999
+"""Of a hole's rim that are looked at, and how far out: a hole may end where the silicone does."""
 LEAST_POUR_MM = 3.0
 """Silicone runs badly through narrower holes and slots."""
 
@@ -89,7 +94,7 @@ def pour_holes(
         return ()
     pins = pins_of(spec, first) if pins is None else pins
     thin: tuple[Hole, ...] | None = None
-    for tops in _pour_places(spec, cast_surface(spec) if first else finished_surface(spec)):
+    for tops in _pour_places(spec, first):
         holes = tuple(hole_from(spec, "pour", top, up(spec), spec.mould.pour_mm) for top in tops)
         if all(is_clear(hole, pins) for hole in holes):
             if not any(hole_thins_the_seam(spec, hole) for hole in holes):
@@ -100,28 +105,84 @@ def pour_holes(
     which = "" if first else "seal layer's "
     raise InputError(
         f"wherever the {which}mould's pouring holes (mould.pour_mm = "
-        f"{spec.mould.pour_mm:g}) might be, a pin of a magnet's pocket is in the way, or no silicone "
-        "is below them"
+        f"{spec.mould.pour_mm:g}) might be, a pin of a magnet's pocket is in the way, or silicone "
+        "is not below all of their rims"
     )
 
 
-def _pour_places(spec: ObjectSpec, surface: trimesh.Trimesh) -> Iterator[list[np.ndarray]]:
-    """Tops of the pouring holes on the silicone's surface, the best first."""
-    frame, way = mould_frame(spec), up(spec)
+def _pour_places(spec: ObjectSpec, first: bool) -> Iterator[list[np.ndarray]]:
+    """Tops of the pouring holes on the silicone's surface, which lies below all of their rims; the best
+    first."""
+    frame, radius = mould_frame(spec), spec.mould.pour_mm / 2
     if frame.opening == "closed":
-        height = surface.vertices @ way
-        for corner in np.argsort(-height, kind="stable")[:_MOST_CORNERS]:
-            yield [surface.vertices[corner]]
+        way = up(spec)
+        seen = _seen(spec, first, _beside(way))
+        height = seen.vertices @ way
+        for top in seen.vertices[np.argsort(-height, kind="stable")[:_MOST_CORNERS]]:
+            if seen.lies_below_rim(seen.axes[:2] @ top, radius):
+                yield [top]
         return
-    aside = float(frame.plug_mm[1, 0]) + spec.mould.pour_mm / 2
-    axes = np.stack([frame.across, frame.along, frame.out])
-    triangles = (surface.vertices @ axes.T)[surface.faces]
+    seen = _seen(spec, first, np.stack([frame.across, frame.along, frame.out]))
+    aside = float(frame.plug_mm[1, 0]) + radius
     for shift in _POUR_SHIFTS:
-        side = aside * np.array([1.0, shift])
-        heights = [_highest_mm(triangles, sign * side) for sign in (-1, 1)]
-        if None not in heights:
-            tops = zip((-side, side), heights, strict=True)
-            yield [np.array([*beside, height]) @ axes for beside, height in tops]
+        places = [sign * aside * np.array([1.0, shift]) for sign in (-1, 1)]
+        heights = [seen.highest_mm(place) for place in places]
+        if None not in heights and all(seen.lies_below_rim(place, radius) for place in places):
+            tops = zip(places, heights, strict=True)
+            yield [np.array([*place, height]) @ seen.axes for place, height in tops]
+
+
+def _beside(way: Float[np.ndarray, "3"]) -> Float[np.ndarray, "3 3"]:
+    """Orthonormal rows of which the last is that way."""
+    side = np.cross(way, np.eye(3)[int(abs(way).argmin())])
+    side /= np.linalg.norm(side)
+    return np.stack([side, np.cross(way, side), way])
+
+
+@dataclass(frozen=True)
+class _Seen:
+    """A surface, and its triangles along axes (rows) of which the last is the way that it is looked at.
+
+    These stand in the order of their lowest first coordinate, `low`, from which none reaches
+    farther than `widest`.
+    """
+
+    axes: Float[np.ndarray, "3 3"]
+    vertices: Float[np.ndarray, "vertex 3"]
+    triangles: Float[np.ndarray, "triangle 3 3"]
+    low: Float[np.ndarray, "triangle"]
+    widest: float
+
+    def lies_below_rim(self, place_mm: Float[np.ndarray, "2"], radius_mm: float) -> bool:
+        """Whether the surface lies below all of a round hole's rim."""
+        turn = 2 * np.pi * np.arange(_RIM_POINTS) / _RIM_POINTS
+        rim = place_mm + _WITHIN * radius_mm * np.column_stack([np.cos(turn), np.sin(turn)])
+        return all(self.highest_mm(place) is not None for place in rim)
+
+    def highest_mm(self, place_mm: Float[np.ndarray, "2"]) -> float | None:
+        first, last = np.searchsorted(self.low, place_mm[0] - [self.widest, 0.0], side="right")
+        return _highest_mm(self.triangles[max(first - 1, 0) : last], place_mm)
+
+
+def _seen(spec: ObjectSpec, first: bool, axes: Float[np.ndarray, "3 3"]) -> _Seen:
+    """The silicone's outside, or unless it is the `first` pour's the finished one's."""
+    layer = spec.shell.seal_layer_mm if first else 0.0
+    return _seen_of(body_of(spec), layer, spec.body.sensed, tuple(axes.ravel().tolist()))
+
+
+@lru_cache(maxsize=4)
+def _seen_of(
+    body: BodyKind, layer_mm: float, sensed: tuple[int, ...], axes: tuple[float, ...]
+) -> _Seen:
+    """Kept, as many layouts of one body are judged one after the other."""
+    surface = body.cast_surface(layer_mm, sensed) if layer_mm else body.outer_surface()
+    rows = np.reshape(axes, (3, 3))
+    triangles = (np.asarray(surface.vertices) @ rows.T)[np.asarray(surface.faces)]
+    low, high = triangles[:, :, 0].min(axis=1), triangles[:, :, 0].max(axis=1)
+    order = np.argsort(low, kind="stable")
+    return _Seen(
+        rows, np.asarray(surface.vertices), triangles[order], low[order], float((high - low).max())
+    )
 
 
 def _highest_mm(

@@ -19,7 +19,7 @@ from pydantic import ValidationError
 
 from design.body.kinds.registry import KINDS
 from design.errors import InputError, SpecError
-from design.fit.everything import fits
+from design.fit.everything import can_be_moulded, fits
 from design.layout.boards import wire_bundle_mm
 from design.layout.body import body_of, core_frames, face_frames
 from design.layout.places.contact_places import MOST_COUNT, contact_places
@@ -46,13 +46,16 @@ _SHARES = tuple(np.arange(0.66, 0.2, -0.04).round(2).tolist())
 _COARSE = _SHARES[::3]
 """Fewer of them, while a size that works is looked for."""
 _COUNTS = (5, 4, 3, 2, 1)
-"""Of magnets, where none is asked for."""
+_FEWEST = (1, 2)
+"""Of magnets, where none is asked for: as many as fit, or one, or two where its pocket in the middle of
+the face is in the way."""
 _SIDE_HOLE_MM = 3.0
 _LEAST_BORE_MM = 4.0
 _FLOOR_MM = 1.0
 """Of a core's wall behind a recess: more than the printer's thinnest by a quarter."""
-_GROWTH, _LARGEST_GROWTH, _HALVINGS = 1.25, 8.0, 3
-"""Steps in which a larger size is looked for, how far, and how often the last step is halved."""
+_GROWTH, _LARGEST_GROWTH, _LARGEST_BESIDE, _HALVINGS = 1.25, 8.0, 3.1, 3
+"""Steps in which a larger size is looked for, how far, how far where longer short edges help, and how
+often the last step is halved."""
 _HALF_RECESS_MM = 3.25
 """Of a recess along the board, a little longer than the board."""
 
@@ -154,10 +157,32 @@ def _fit(request: Request, trims: tuple[Trim, ...], shares: tuple[float, ...]) -
     return next(_fits(request, trims, shares), None)
 
 
-def _fits(request: Request, trims: tuple[Trim, ...], shares: tuple[float, ...]) -> Iterator[Tables]:
+def _fits(
+    request: Request,
+    trims: tuple[Trim, ...],
+    shares: tuple[float, ...],
+    counts: tuple[int, ...] = _COUNTS,
+) -> Iterator[Tables]:
+    """Of each shell that takes everything; at last as sizes are tried, so that one that is named works."""
+    found = False
+    for tables in _of_shells(request, trims, shares, counts):
+        found = True
+        yield tables
+    if not found and shares != _COARSE:
+        yield from _roughly(request)
+
+
+def _roughly(request: Request) -> Iterator[Tables]:
+    """As sizes are tried: under the thinnest shell, which leaves the most room, with few magnets."""
+    return _fits(request, _TRIMS[-1:], _COARSE, _FEWEST)
+
+
+def _of_shells(
+    request: Request, trims: tuple[Trim, ...], shares: tuple[float, ...], counts: tuple[int, ...]
+) -> Iterator[Tables]:
     for trim in trims:
         tables = _with_sensors(request, trim, shares)
-        tables = tables and _with_magnets(request, tables, shares)
+        tables = tables and _with_magnets(request, tables, shares, counts)
         tables = tables and _with_contacts(tables)
         if tables:
             yield tables
@@ -301,26 +326,39 @@ def _wall_mm(spec: ObjectSpec) -> float | None:
     return max(4.0, float(np.ceil(2 * (deepest + _FLOOR_MM))) / 2)
 
 
-def _with_magnets(request: Request, tables: Tables, shares: tuple[float, ...]) -> Tables | None:
+def _with_magnets(
+    request: Request, tables: Tables, shares: tuple[float, ...], counts: tuple[int, ...]
+) -> Tables | None:
     """Most magnets first; of their patterns and spreads, over each face or alike on all, the one with the
     shortest signal paths."""
     diameter = tables["shell"]["pocket_diameter_mm"]
-    counts = _COUNTS if request.magnets is None else (request.magnets,)
+    counts = counts if request.magnets is None else (request.magnets,)
     halves = np.array([frame.half_extents_mm for frame in face_frames(spec_of(tables))])
     smallest = np.broadcast_to(halves.min(axis=0), halves.shape)
     spreads = [smallest] if np.allclose(halves, smallest) else [halves, smallest]
     sensors = sensor_layout(spec_of(tables))
     for count in counts:
         tried = []
-        for pattern, share, spread in product(magnet_patterns(count), shares, spreads):
-            places = _per_face([_rounded(share * half * pattern) for half in spread])
+        for places in _different_places(count, shares, spreads):
             magnets = {"diameter_mm": diameter, "positions_mm": places}
             spec = spec_of(tables | {"magnets": magnets})
             tried.append((long_path_mm(spec, sensors), magnets, spec))
         for _, magnets, spec in sorted(tried, key=lambda one: one[0]):
-            if fits(spec) and not tight_shell(spec):
+            if fits(spec, mould=False) and not tight_shell(spec) and can_be_moulded(spec):
                 return tables | {"magnets": magnets}
     return None
+
+
+def _different_places(
+    count: int, shares: tuple[float, ...], spreads: list[np.ndarray]
+) -> list[list[Any]]:
+    """Of every pattern, share and spread; once those that come out alike, as one in the middle does."""
+    found = list[list[Any]]()
+    for pattern, share, spread in product(magnet_patterns(count), shares, spreads):
+        places = _per_face([_rounded(share * half * pattern) for half in spread])
+        if places not in found:
+            found.append(places)
+    return found
 
 
 def _with_contacts(tables: Tables) -> Tables | None:
@@ -333,7 +371,7 @@ def _with_contacts(tables: Tables) -> Tables | None:
             "press": {"depths_mm": [d for d in _DEPTHS_MM if d <= deepest and d < radius]},
         }
         spec = spec_of(tables | more)
-        if fits(spec) and contact_places(spec).sum(axis=1).min() >= _LEAST_PLACES:
+        if fits(spec, mould=False) and contact_places(spec).sum(axis=1).min() >= _LEAST_PLACES:
             return tables | more
     return None
 
@@ -368,12 +406,13 @@ def _too_small(request: Request) -> str:
 
 def _larger(request: Request) -> Iterator[str]:
     """Sizes that work: of that shape, and where that helps with the short edges longer alone."""
-    whole = _smallest(request, max(request.size_mm), _grown)
+    flat = min(request.size_mm) < max(request.size_mm) and not request.file
+    thicker = _smallest(request, min(request.size_mm), _thickened) if flat else None
+    most = _LARGEST_GROWTH if thicker is None else _LARGEST_BESIDE
+    whole = _smallest(request, max(request.size_mm), _grown, most)
     if whole is not None:
         scale = f" (scale = {dict(whole.file)['scale']:.4g})" if whole.file else ""
         yield f"The smallest of that shape that works is about {_told(whole)}{scale}"
-    flat = min(request.size_mm) < max(request.size_mm) and not request.file
-    thicker = _smallest(request, min(request.size_mm), _thickened) if flat else None
     if thicker is not None and (whole is None or thicker.size_mm != whole.size_mm):
         yield f"{'with' if whole else 'With'} its short edges longer about {_told(thicker)} works"
 
@@ -385,9 +424,12 @@ def _told(request: Request) -> str:
 
 
 def _smallest(
-    request: Request, edge_mm: float, grown: Callable[[Request, float], Request]
+    request: Request,
+    edge_mm: float,
+    grown: Callable[[Request, float], Request],
+    most: float = _LARGEST_GROWTH,
 ) -> Request | None:
-    """The request at about the least growth at which everything finds room; None where none does.
+    """The request at about the least growth, up to `most`, at which everything finds room; or None.
 
     `edge_mm` is the edge that grows, to what a body may measure at most.
     """
@@ -397,7 +439,7 @@ def _smallest(
         return _fitting_roughly(larger) if KINDS[larger.kind].takes_size(larger.size_mm) else None
 
     low, high, found = 1.0, _GROWTH, None
-    largest = min(_LARGEST_GROWTH, LONGEST_EDGE_MM[1] / edge_mm)
+    largest = min(most, LONGEST_EDGE_MM[1] / edge_mm)
     while high <= largest and (found := working(high)) is None:
         low, high = high, high * _GROWTH
     for _ in range(_HALVINGS if found else 0):
@@ -421,8 +463,8 @@ def _fewer(request: Request) -> Iterator[str]:
 
 
 def _fits_roughly(request: Request) -> bool:
-    """Whether the thinnest shell takes everything: it leaves the most room, and trying all is slow."""
-    return _fit(request, _TRIMS[-1:], _COARSE) is not None
+    """Whether the thinnest shell takes everything: trying all is slow."""
+    return next(_roughly(request), None) is not None
 
 
 def _fitting_roughly(request: Request) -> Request | None:

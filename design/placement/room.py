@@ -16,7 +16,7 @@ from design.layout.boards import (
     smallest_recess_wall_mm,
 )
 from design.layout.body import body_of, face_frames
-from design.layout.places.positions import cover_mm
+from design.layout.places.positions import shell_covers_mm
 from design.layout.pockets import (
     Pocket,
     axis_in_object_mm,
@@ -124,7 +124,7 @@ def tight_shell(spec: ObjectSpec) -> bool:
         for frame, pockets in zip(face_frames(spec), shell_pockets(spec), strict=True)
         for pocket in pockets
     ]
-    over = min(cover_mm(frame, pocket.body) for frame, pocket, _ in placed)
+    over = float(np.min(np.concatenate(shell_covers_mm(spec))))
     under = min(body_of(spec).silicone_mm + pocket.lowest_mm for _, pocket, _ in placed)
     between = min(
         (

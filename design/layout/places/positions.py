@@ -97,14 +97,37 @@ def cover_mm(frame: FaceFrame, body: Body) -> float:
 
     Measured from the rims of both its ends along the surface's normals; NaN beside the patch.
     """
+    return float(covers_mm(frame, (body,))[0])
+
+
+def covers_mm(frame: FaceFrame, bodies: tuple[Body, ...]) -> Float[np.ndarray, "body"]:
+    """The same of several bodies of a face, found together."""
+    rims = np.concatenate([_rims_mm(frame, body) for body in bodies])
+    ends = np.cumsum([2 * _corners_of(body.outline) for body in bodies])
+    above = frame.from_object(rims)[:, 2]
+    return np.array([-heights.max() for heights in np.split(above, ends[:-1])])
+
+
+@once
+def shell_covers_mm(spec: ObjectSpec) -> tuple[Float[np.ndarray, "body"], ...]:
+    """The same of all that moves with the silicone, face by face."""
+    faces = zip(face_frames(spec), shell_bodies(spec), strict=True)
+    return tuple(covers_mm(frame, bodies) for frame, bodies in faces)
+
+
+def _corners_of(outline: Outline) -> int:
+    return _RIM_POINTS if outline.round else 4
+
+
+def _rims_mm(frame: FaceFrame, body: Body) -> Float[np.ndarray, "point 3"]:
+    """Points round both ends of a body, in the object's frame."""
     outline = body.outline
     turn = np.linspace(0, 2 * np.pi, _RIM_POINTS, endpoint=False)
     circle = outline.half_mm[0] * np.column_stack([np.cos(turn), np.sin(turn)])
     rim = circle if outline.round else outline.corners_mm(4)
     ends = [np.column_stack([rim, [end * body.height_mm / 2] * len(rim)]) for end in (-1, 1)]
     axes = frame.axes_at(body.centre_mm[:2]) @ body.frame
-    points = frame.to_object(body.centre_mm) + np.concatenate(ends) @ axes.T
-    return -float(frame.from_object(points)[:, 2].max())
+    return frame.to_object(body.centre_mm) + np.concatenate(ends) @ axes.T
 
 
 @once

@@ -8,10 +8,11 @@ import trimesh
 
 from design.body.triangles import Block
 from design.errors import SpecError
-from design.fit import curved, magnet_places
+from design.fit import curved
 from design.fit.curved import _check_recesses
 from design.fit.curved_parts import _check_passages
 from design.layout.body import core_frames
+from design.layout.places import positions
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
 from tests.support.pages import ROOT
@@ -66,15 +67,15 @@ def test_given_counts_stay_on_both_ends_of_a_pear(tmp_path, upside_down):
 def test_a_magnet_over_which_the_silicone_is_not_known_is_refused(monkeypatch):
     """At the rim of a frustum's patch the cover is no number, and passed as it is not below 0."""
 
-    def known_within_5_mm(frame, body):
-        return 2.0 if abs(body.centre_mm[0]) <= 5 else float("nan")
+    def known_within_5_mm(frame, bodies):
+        return np.array([2.0 if abs(body.centre_mm[0]) <= 5 else np.nan for body in bodies])
 
-    monkeypatch.setattr(magnet_places, "cover_mm", known_within_5_mm)
+    monkeypatch.setattr(positions, "covers_mm", known_within_5_mm)
     magnets = egg().magnets
     within = egg().changed(magnets=magnets.changed(positions_mm=((5.0, 0.0),)))
-    assert not [text for text in curved._check_pockets(within) if "not known" in text]
+    assert not [text for text in curved.check_body(within) if "not known" in text]
     beyond = egg().changed(magnets=magnets.changed(positions_mm=((10.0, 1.0),)))
-    (told,) = [text for text in curved._check_pockets(beyond) if "not known" in text]
+    (told,) = [text for text in curved.check_body(beyond) if "not known" in text]
     assert "on faces 1, 2, 3, 4, 5" in told
     assert told.endswith("Move it inwards, as to (5, 0.5)")
 

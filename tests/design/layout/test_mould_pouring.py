@@ -100,3 +100,16 @@ def test_a_hole_passes_pins_and_their_heads_at_their_radius_and_its_own(at_head)
         hole = Hole("pour", place + away * side, place + 9 * side, place + 20 * side, 3.0)
         assert is_clear(hole, (pin,)) is clear
     assert is_clear(hole, ())
+
+
+def test_silicone_lies_under_all_of_a_pouring_hole_s_rim_by_hand():
+    """Beside the rod of a ball of R 22 mm a hole's rim ends where the ball does, at 22 mm: it was judged by
+    its middle, so that one that reached 4 mm past the ball passed."""
+    rod, usual = 4.0, body_spec("sphere", body={"open_faces": [6]})
+    for width, finds_room in ((17.8, True), (18.4, False), (25.0, False)):
+        ball = usual.changed(mould=usual.mould.changed(pour_mm=width))
+        assert (rod + width < 22) is finds_room
+        places = [*mould_pouring._pour_places(ball, True)]
+        assert bool(places) is finds_room, width
+        for top in places[0] if places else ():
+            assert np.hypot(*top[:2]) + width / 2 <= 22

@@ -174,10 +174,24 @@ def test_what_would_fit_instead_is_named_and_fits(request_, works):
     asked = f"{request_.kind} {request_.size_mm}, {request_.sensors} and {request_.magnets}"
     assert_on_record("placed", asked, [str(told.value)])
     for size in re.findall(r"about ([\d.]+) × ([\d.]+) × ([\d.]+) mm", str(told.value)):
-        placed(replace(request_, size_mm=tuple(map(float, size))))
+        works = placed(replace(request_, size_mm=tuple(map(float, size))))
+        assert problems_of(spec_of(works)) == [], "or check refuses the size that is named"
     for what in ("sensor", "magnet"):
         for count in re.findall(rf"(\d+) {what}s? per face would", str(told.value)):
             placed(replace(request_, **{f"{what}s": int(count)}))
+
+
+def test_a_size_is_placed_as_it_was_tried_where_finer_ways_find_nothing(monkeypatch):
+    """Finer shares put sensors elsewhere, where magnets may not fit: the size that is named works anyway."""
+    tried = []
+
+    def of_shells(request, trims, shares, counts):
+        tried.append((len(trims), shares, counts))
+        yield from [{"found": {"at": len(tried)}}] if shares == objects._COARSE else []
+
+    monkeypatch.setattr(objects, "_of_shells", of_shells)
+    assert placed(Request("box", (50.0, 50.0, 50.0))) == {"found": {"at": 2}}
+    assert tried[1] == (1, objects._COARSE, objects._FEWEST)
 
 
 def test_sizes_that_work_may_leave_faces_out_as_placements_do(monkeypatch):
