@@ -6,10 +6,8 @@ import numpy as np
 import pytest
 
 from estimator.recordings.checks.labels import (
-    contacts_at_rest,
     hidden_contacts,
     press_patterns,
-    pressed_faces,
     silent_presses,
 )
 from estimator.recordings.formats.files import read_table
@@ -175,25 +173,6 @@ def test_patterns_are_unit_means_of_five_frames_of_half_the_press_and_more(read,
     press, place, pattern = press_patterns(none)
     channels = recording.frames.signal_counts[0].size
     assert (press.shape, place.shape, pattern.shape) == ((0,), (0,), (0, channels))
-
-
-def test_a_face_is_pressed_from_three_tenths_of_its_press_and_from_the_least_force():
-    face, press = np.tile([3, 5], (4, 1)), np.array([0, 0, 1, 1])
-    force_n = np.array([[10.0, 2.9], [3.1, 1.0], [0.5, 0.29], [0.31, 0.0]])
-    held = pressed_faces(face, force_n, press)
-    assert held.tolist() == [[3, 0], [3, 0], [3, 0], [3, 0]]
-    assert pressed_faces(face, force_n, np.array([0, 1, 1, 1])).tolist()[3] == [0, 0]
-    assert pressed_faces(face, force_n[:, ::-1], press).tolist()[1] == [0, 5]
-
-
-def test_five_frames_in_a_row_make_a_contact_at_rest_and_take_their_presses_along():
-    touching, press = np.zeros((30, 2), bool), np.repeat([0, 1, 2], 10)
-    touching[6:11, 1] = touching[24:28, 0] = True
-    wrong, faults = contacts_at_rest(touching, np.ones(30, bool), press)
-    assert wrong.tolist() == [True] * 20 + [False] * 10
-    assert [fault.kind for fault in faults] == ["contact while labelled rest"]
-    labelled = np.arange(30) < 6
-    assert not contacts_at_rest(touching, labelled, press)[0].any()
 
 
 @pytest.mark.parametrize(
