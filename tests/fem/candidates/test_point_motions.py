@@ -6,12 +6,8 @@ from numpy.testing import assert_allclose
 
 from design.errors import InputError
 from design.layout.pockets import Outline, tilted_frame
-from fem.candidates.point_motions import (
-    containing_tets,
-    fitted_motion_rows,
-    interpolate_at,
-    motion_rows,
-)
+from fem.candidates.point_motions import containing_tets, interpolate_at, motion_rows
+from fem.candidates.presses import candidate_rows
 from fem.candidates.quadrature import outline_quadrature, skin_quadrature
 from fem.linear.elements import element_space
 from tests.support.mechanics.fem_cases import box_mesh
@@ -125,18 +121,18 @@ def test_means_over_a_skin_have_their_closed_form(outline):
 
 
 def fitted(space, centres, axes, outline, field):
-    local, weights = outline_quadrature(outline, 2, 8)
-    points = (centres[:, None] + local @ axes[:, :2].T).reshape(-1, 3)
-    rows = fitted_motion_rows(interpolate_at(space, points).values, local, weights, axes)
+    rows = candidate_rows(space, centres, axes, outline)
     return (rows @ nodal(space, field)).reshape(-1, 6)
 
 
 @pytest.mark.parametrize("outline", [DISK, PLATE], ids=["disk", "plate"])
 def test_a_fitted_rigid_motion_is_exact(cube, outline):
     centres = np.array([[4.0, -6.0, 17.5], [-9.0, 3.0, 18.5]])
-    motion = fitted(cube.space, centres, tilted_frame(9.0, -14.0), outline, rigid)
-    assert_allclose(motion[:, :3], rigid(centres), rtol=0, atol=1e-12)
-    assert_allclose(motion[:, 3:], [TURN, TURN], rtol=0, atol=1e-12)
+    one, other = tilted_frame(9.0, -14.0), tilted_frame(-20.0, 5.0)
+    for axes in (one, np.stack([one, other])):
+        motion = fitted(cube.space, centres, axes, outline, rigid)
+        assert_allclose(motion[:, :3], rigid(centres), rtol=0, atol=1e-12)
+        assert_allclose(motion[:, 3:], [TURN, TURN], rtol=0, atol=1e-12)
 
 
 def test_a_fitted_disk_turns_with_its_plane_not_by_half_the_curl(cube):
