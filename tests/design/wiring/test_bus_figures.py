@@ -14,8 +14,8 @@ from design.wiring.bus_limits import (
     pullup_kohm,
     rise_time_ns,
 )
-from design.wiring.bus_plan import choose_plan
-from design.wiring.dealing import MULTIPLEXED, STARTED
+from design.wiring.bus_plan import _require_current, choose_plan
+from design.wiring.dealing import MULTIPLEXED, STARTED, CannotError, ChipOnBus
 from design.wiring.load_cell import LoadCellPlan, load_cell_plan, newtons_per_step, zero_steps
 
 CUBE = ObjectSpec(name="planned")
@@ -118,6 +118,28 @@ def test_an_hx711_draws_from_the_pico_s_rail_and_not_from_its_outputs():
     hx711, sensor = LoadCellPlan("hx711", ("a", "b"), 80.0), LoadCellPlan("analog", ("a",), 40.0)
     assert (hx711.rail_ma, sensor.rail_ma) == (6.5, 0.0)
     assert bus_chip(CUBE.sensors.part).supply_ma * 20 + hx711.rail_ma > PICO.outputs_ma
+
+
+@pytest.mark.parametrize(
+    ("board", "supply", "load", "most", "source"),
+    [
+        (MEGA2560, "D22", None, 21, "3.3 V pin gives 50 mA"),
+        (MEGA2560, None, None, 21, "3.3 V pin gives 50 mA"),
+        (MEGA2560, None, "hx711", 21, "3.3 V pin gives 50 mA"),
+        (PICO, "GP8", None, 21, "outputs give 50 mA"),
+        (PICO, "GP8", "hx711", 21, "outputs give 50 mA"),
+        (PICO, None, None, 130, "3.3 V pin gives 300 mA"),
+        (PICO, None, "hx711", 127, "3.3 V pin gives 300 mA"),
+    ],
+)
+def test_chips_draw_no_more_than_what_powers_them_gives(board, supply, load, most, source):
+    """2.3 mA each: a Pico's outputs power chips that are started one by one, a Mega's only switch
+    buffers on its 3.3 V pin; an HX711's 6.5 mA come from a Pico's 3.3 V or from a Mega's 5 V."""
+    cell = None if load is None else LoadCellPlan(load, ("a", "b"), 80.0)
+    chip = ChipOnBus(1, 1, "TMAG5273A1", "order code", 0x35, 0x35, 0, 100.0, supply=supply)
+    _require_current([chip] * most, TMAG5273, board, cell)
+    with pytest.raises(CannotError, match=f"{most + 1} chips draw .* {source}"):
+        _require_current([chip] * (most + 1), TMAG5273, board, cell)
 
 
 def test_a_force_sensor_is_wired_through_a_divider_where_the_board_bears_less_than_its_5_v():
