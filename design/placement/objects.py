@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 from pydantic import ValidationError
 
+from design.body.kinds.pad import Pad
 from design.body.kinds.registry import KINDS
 from design.errors import InputError, SpecError
 from design.fit.everything import can_be_moulded, fits
@@ -56,6 +57,8 @@ _FLOOR_MM = 1.0
 _GROWTH, _LARGEST_GROWTH, _LARGEST_BESIDE, _HALVINGS = 1.25, 8.0, 3.1, 3
 """Steps in which a larger size is looked for, how far, how far where longer short edges help, and how
 often the last step is halved."""
+_PLATE = 0.5
+"""Of the shorter of the other edges, up to which a height is that of a plate."""
 _HALF_RECESS_MM = 3.25
 """Of a recess along the board, a little longer than the board."""
 
@@ -398,7 +401,7 @@ def _too_small(request: Request) -> str:
     sensors = f"{request.sensors} sensor{'s' * (request.sensors > 1)}"
     magnets = f"{request.magnets} magnets" if (request.magnets or 1) > 1 else "a magnet"
     message = f"{body} of {size} mm is too small for {sensors} and {magnets} per face"
-    ways = [*_larger(request), *_fewer(request)]
+    ways = [*_larger(request), *_on_base(request), *_fewer(request)]
     if not ways:
         return f"{message}, whatever its size. Choose another shape"
     return f"{message}. {'; or '.join(ways)}"
@@ -447,6 +450,14 @@ def _smallest(
         smaller = working(middle)
         low, high, found = (low, middle, smaller) if smaller else (middle, high, found)
     return found
+
+
+def _on_base(request: Request) -> Iterator[str]:
+    """A plate whose core has no room for its walls, as a slab on a rigid base."""
+    x, y, z = request.size_mm
+    plate = KINDS[request.kind].cuboid and z <= _PLATE * min(x, y)
+    if plate and _fits_roughly(replace(request, kind=Pad.name, faces=None)):
+        yield f"--kind {Pad.name}, a slab of that size on a rigid base, sensed from above, would fit"
 
 
 def _fewer(request: Request) -> Iterator[str]:

@@ -27,6 +27,8 @@ BEHIND_MM = 1.5
 _GREY = (0.72, 0.74, 0.78)
 _COLOURS = {"fail": "#c1121f", "warn": "#e07b00"}
 _LINE = 76
+_FLATTER = 0.8
+"""Of a part's least extent along the object's axes, below which it is looked at across its own."""
 
 
 def draw_findings(
@@ -110,10 +112,24 @@ def _hidden(image: DepthImage, seen_mm: np.ndarray) -> bool:
 
 
 def _towards(mesh: trimesh.Trimesh, place: np.ndarray) -> np.ndarray:
-    """Direction to the viewer: obliquely over the side of the part on which the place lies."""
-    away = (place - mesh.bounds.mean(axis=0)) / np.maximum(mesh.extents, 1e-9)
-    side = np.where(away >= 0, 1.0, -1.0) * np.array([0.8, 0.9, 0.55])
-    strongest = np.argmax(abs(away))
-    side[strongest] *= 1.7
-    side *= np.sqrt(mesh.extents.max() / np.maximum(mesh.extents, 1e-9))
-    return side / np.linalg.norm(side)
+    """Direction to the viewer: obliquely over the side of the part on which the place lies, and across
+    the part where it is flat."""
+    axes, shares = _axes_of(mesh)
+    along = mesh.vertices @ axes.T
+    extents = np.maximum(np.ptp(along, axis=0), 1e-9)
+    away = (axes @ place - (along.min(axis=0) + along.max(axis=0)) / 2) / extents
+    side = np.where(away >= 0, 1.0, -1.0) * shares
+    side[np.argmax(abs(away))] *= 1.7
+    side *= np.sqrt(extents.max() / extents)
+    return side / np.linalg.norm(side) @ axes
+
+
+def _axes_of(mesh: trimesh.Trimesh) -> tuple[np.ndarray, np.ndarray]:
+    """Axes that a part is looked at over, as rows, and how much over each: the object's, but for a part
+    that is flatter across its own, as a mould half between two edges of its block."""
+    spread = np.cov(mesh.triangles_center, rowvar=False, aweights=mesh.area_faces)
+    own = np.linalg.eigh(spread)[1].T[::-1]
+    own *= np.sign(own[np.arange(3), abs(own).argmax(axis=1)])[:, None]
+    if np.ptp(mesh.vertices @ own[2]) < _FLATTER * mesh.extents.min():
+        return own, np.array([0.4, 0.5, 0.9])
+    return np.eye(3), np.array([0.8, 0.9, 0.55])

@@ -176,6 +176,8 @@ def test_what_would_fit_instead_is_named_and_fits(request_, works):
     for size in re.findall(r"about ([\d.]+) × ([\d.]+) × ([\d.]+) mm", str(told.value)):
         works = placed(replace(request_, size_mm=tuple(map(float, size))))
         assert problems_of(spec_of(works)) == [], "or check refuses the size that is named"
+    if "--kind pad" in str(told.value):
+        assert problems_of(spec_of(placed(replace(request_, kind="pad")))) == []
     for what in ("sensor", "magnet"):
         for count in re.findall(rf"(\d+) {what}s? per face would", str(told.value)):
             placed(replace(request_, **{f"{what}s": int(count)}))
