@@ -63,7 +63,8 @@ class Cap:
         self, xy_mm: Float[np.ndarray, "*n 2"]
     ) -> tuple[Float[np.ndarray, "*n"], Float[np.ndarray, "*n 2"]]:
         across, c = np.asarray(self.semi_axes_mm[:2]), self.semi_axes_mm[2]
-        square = np.sum((xy_mm / across) ** 2, axis=-1)
+        share = xy_mm / across
+        square = share[..., 0] ** 2 + share[..., 1] ** 2
         root = np.asarray(np.sqrt(1 - np.where(square <= LARGEST_SQUARE, square, np.nan)))
         return np.asarray(c * (root - 1)), -c * xy_mm / across**2 / root[..., None]
 
@@ -179,14 +180,17 @@ class FaceFrame:
         local = self.in_plane(points_mm)
         if self.flat:
             return local
-        xy, above = local[..., :2], local[..., 2] * np.nan
+        x, y, z = np.moveaxis(local, -1, 0)
+        xy, above = local[..., :2], z * np.nan
         for _ in range(_MAX_ITERATIONS):
             before = xy
             height, slope = self.relief.at(xy)
-            normal = _normals(slope)
-            foot = np.concatenate([xy, height[..., None]], axis=-1)
-            above = np.sum((local - foot) * normal, axis=-1)
-            xy = local[..., :2] - above[..., None] * normal[..., :2]
+            along_x, along_y = slope[..., 0], slope[..., 1]
+            # sums over components take a third of the time of sums along an axis of three
+            square = 1 + along_x**2 + along_y**2
+            rise = (z - height - (x - xy[..., 0]) * along_x - (y - xy[..., 1]) * along_y) / square
+            above = rise * np.sqrt(square)
+            xy = np.stack([x + rise * along_x, y + rise * along_y], axis=-1)
             if not np.any(abs(xy - before) > _CONVERGED_MM):
                 break
         return np.concatenate([xy, above[..., None]], axis=-1)
@@ -222,11 +226,8 @@ class FaceFrame:
         for _ in range(_MAX_ITERATIONS):
             point = start + offset[:, None] * direction
             height, slope = self.relief.at(point[:, :2])
-            rise = direction[..., 2] - (
-                slope @ direction[:2]
-                if direction.ndim == 1
-                else np.sum(slope * direction[:, :2], axis=1)
-            )
+            climb = slope[:, 0] * direction[..., 0] + slope[:, 1] * direction[..., 1]
+            rise = direction[..., 2] - climb
             step = (point[:, 2] - height) / np.where(rise > 0, rise, np.nan)
             offset = offset - step
             if not np.any(abs(step) > _CONVERGED_MM):
@@ -289,8 +290,9 @@ def _slope_along(
 
 def _normals(slope: Float[np.ndarray, "*n 2"]) -> Float[np.ndarray, "*n 3"]:
     """Outward normals of a surface of those slopes, in its frame."""
-    rise = np.concatenate([-slope, np.ones((*slope.shape[:-1], 1))], axis=-1)
-    return rise / np.linalg.norm(rise, axis=-1, keepdims=True)
+    along_x, along_y = slope[..., 0], slope[..., 1]
+    upward = 1 / np.sqrt(1 + along_x**2 + along_y**2)
+    return np.stack([-along_x * upward, -along_y * upward, upward], axis=-1)
 
 
 def _local_axes(slope: Float[np.ndarray, "*n 2"]) -> Float[np.ndarray, "*n 3 3"]:
@@ -298,5 +300,5 @@ def _local_axes(slope: Float[np.ndarray, "*n 2"]) -> Float[np.ndarray, "*n 3 3"]
     normal = _normals(slope)
     zero, one = np.zeros(slope.shape[:-1]), np.ones(slope.shape[:-1])
     x = np.stack([one, zero, slope[..., 0]], axis=-1)
-    x = x / np.linalg.norm(x, axis=-1, keepdims=True)
+    x = x / np.sqrt(1 + slope[..., :1] ** 2)
     return np.stack([x, np.cross(normal, x), normal], axis=-1)

@@ -58,15 +58,9 @@ def check_curved_presses(spec: ObjectSpec) -> Iterator[str]:
         return
     reach = touched_reach_mm(spec)
     corner = np.asarray(spec.contact_grid.count) * spec.contact_grid.pitch_mm / 2
-    shares = np.linspace(0.0, 1.0, 201)
     for frame in face_frames(spec):
-        stays = np.logical_and.reduce(
-            [
-                stays_on_patch(frame, shares[:, None] * corner * signs, reach)
-                for signs in product((1.0, -1.0), repeat=2)
-            ]
-        )
-        if not stays[-1]:
+        if not _corners_stay(frame, corner, np.ones(1), reach)[0]:
+            stays = _corners_stay(frame, corner, np.linspace(0.0, 1.0, 201), reach)
             half, fewer = frame.half_lengths_mm, _at_most(spec, int(stays.argmin()))
             yield (
                 f"contact_grid.count × pitch_mm / 2 = ({corner[0]:g}, {corner[1]:g}) mm, and {reach:.3g} mm "
@@ -74,6 +68,16 @@ def check_curved_presses(spec: ObjectSpec) -> Iterator[str]:
                 f"of ±{half[0]:.4g}, ±{half[1]:.4g} mm along it. Use fewer places{fewer}, "
                 'contact_grid.count = "fill", a smaller tip or lesser depths'
             )
+
+
+def _corners_stay(
+    frame: FaceFrame, corner_mm: np.ndarray, shares: np.ndarray, reach_mm: float
+) -> np.ndarray:
+    """Whether all four corners of a grid, drawn in to each share of the way, stay on their patch."""
+    signs = np.array(list(product((1.0, -1.0), repeat=2)))
+    places = shares[:, None, None] * corner_mm * signs
+    stays = stays_on_patch(frame, places.reshape(-1, 2), reach_mm)
+    return np.asarray(stays.reshape(-1, len(signs)).all(axis=1))
 
 
 def _at_most(spec: ObjectSpec, left: int) -> str:

@@ -41,7 +41,7 @@ class CapsuleSide:
         x, y = xy_mm[..., 0], xy_mm[..., 1]
         beyond = x - np.clip(x, -self.straight_mm, self.straight_mm)
         across = np.stack([beyond, y], axis=-1) / self.radius_mm
-        square = np.sum(across**2, axis=-1)
+        square = across[..., 0] ** 2 + across[..., 1] ** 2
         root = np.asarray(np.sqrt(1 - np.where(square <= LARGEST_SQUARE, square, np.nan)))
         return np.asarray(self.radius_mm * (root - 1)), -across / root[..., None]
 

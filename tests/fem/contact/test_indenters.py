@@ -208,10 +208,14 @@ def test_blocks_differ_from_the_half_space_by_their_size_alone(blocks, shape):
     assert abs(2 * errors[1] - errors[0]) < 0.015
 
 
-def test_the_layer_s_force_hardly_depends_on_the_mesh():
+@pytest.fixture(scope="module")
+def layer():
+    return block_response(0.5, 40.0, 8.0, layers=5)
+
+
+def test_the_layer_s_force_hardly_depends_on_the_mesh(layer):
     """Bonded layer of 8 mm, ν = 0.5, 80 mm wide, surface edges of 2 mm; contact radii from 1.1 mm."""
     depths = np.array([0.25, 0.5, 1.0, 2.0])
-    layer = block_response(0.5, 40.0, 8.0, layers=5)
     force = press_face(spec_of(0.5), layer, 0, PLACES, depths).force_n
     assert_allclose(force.mean(axis=0)[2:], [1.69, 5.5], rtol=0.02)
     assert_allclose(force.mean(axis=0)[:3], dimitriadis_force_n(depths[:3], 5.0, 8.0), rtol=0.03)
@@ -219,7 +223,7 @@ def test_the_layer_s_force_hardly_depends_on_the_mesh():
 
 
 @pytest.mark.parametrize("fault", ["no half-space", "hats twice"])
-def test_the_layer_s_force_notices_a_broken_correction(monkeypatch, fault):
+def test_the_layer_s_force_notices_a_broken_correction(layer, monkeypatch, fault):
     from fem.contact import refined as refined_contact
 
     plain = refined_contact.cells_compliance
@@ -230,7 +234,6 @@ def test_the_layer_s_force_notices_a_broken_correction(monkeypatch, fault):
         lambda patches, spec: plain(patches, spec) * (factor if patches.own == 0.9614 else 1),
     )
     assert half_space.HAT_OWN == 0.9614
-    layer = block_response(0.5, 40.0, 8.0, layers=5)
     force = press_face(spec_of(0.5), layer, 0, PLACES, np.array([0.25])).force_n.mean()
     assert abs(force / dimitriadis_force_n(0.25, 5.0, 8.0) - 1) > 0.1
 

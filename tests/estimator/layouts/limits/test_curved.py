@@ -32,23 +32,25 @@ BODIES = {
 
 
 @cache
-def spec_of(body, pocket_gap_mm=None):
-    """Once per body: what is worked out of a specification is kept with it."""
-    limits = {} if pocket_gap_mm is None else {"pocket_gap_mm": pocket_gap_mm}
+def spec_of(body):
+    """Once per body: what is worked out of a specification is kept with it.
+
+    Without a gap of the search's own between pockets: what the silicone needs is left.
+    """
     content = {
         "name": body,
         "magnets": {"positions_mm": [[0, 0], [10, 0], [-10, 0]]},
         "sensors": {"positions_mm": [[6, 0], [-6, 0]]},
         "core": CORE,
         "contact_grid": {"count": "fill", "pitch_mm": 4.0},
-        "search": {"vary": VARY, "limits": limits},
+        "search": {"vary": VARY, "limits": {"pocket_gap_mm": 0.0}},
         **BODIES[body],
     }
     return parse_spec(content, "made up")
 
 
-def batch(body, count, seed=0, **limits):
-    spec = spec_of(body, **limits)
+def batch(body, count, seed=0):
+    spec = spec_of(body)
     space = search_space(spec)
     units = np.random.default_rng(seed).random((count, len(space.variables)))
     params = [params_at(space, unit) for unit in units]
@@ -73,7 +75,7 @@ FABRICATION = {
 
 def told_and_missing(body, monkeypatch, count=16):
     """Of every rule of fabrication: what the limit says, and what its figure lacks."""
-    spec, space, params, poles, units = batch(body, count, 11, pocket_gap_mm=0.0)
+    spec, space, params, poles, units = batch(body, count, 11)
     broken = broken_limits_mm(space, layouts_at(space, units, poles, 3), 3)
     for row, one in enumerate(params):
         laid = unchecked(spec, one, monkeypatch)
