@@ -119,6 +119,42 @@ def test_slopes_of_parabolas_at_scattered_places_are_exact():
     assert_allclose(stretched[0], by_x / 3, atol=1e-9)
 
 
+@pytest.mark.parametrize("missing", [(), (0, 7, 19)])
+def test_derivatives_of_motions_that_are_parabolas_times_the_force_are_exact(missing):
+    """On a whole grid and where some places are missing; of the second face under presses of it."""
+    x_mm, y_mm = np.array([-4.0, -1.0, 2.0, 5.0, 8.0]), np.array([-3.0, 0.0, 3.0, 6.0])
+    x, y = (grid.ravel() for grid in np.meshgrid(x_mm, y_mm, indexing="ij"))
+    one, none = np.ones(20), np.zeros(20)
+    rng = np.random.default_rng(5)
+    parabola = rng.normal(size=(5, 2, 6, 6))  # candidate, pressed face, term, quantity
+    force_n = rng.uniform([1.0, 2.0], [1.5, 3.0], (2, 20, 2))
+    terms = np.stack([one, x, y, x * y, x**2, y**2], axis=1)
+    motions = SimpleNamespace(
+        faces=np.array([2, 5]),
+        candidates=[
+            FaceCandidates(face, np.arange(count), np.zeros(1), np.ones(1))
+            for face, count in ((2, 3.0), (5, 2.0))
+        ],
+        places=SimpleNamespace(x_mm=x_mm, y_mm=y_mm, shape=(5, 4), xy_mm=np.stack([x, y], 1)),
+        force_n=force_n,
+        steps_around=lambda newton: np.array([0, 1]),
+        by_candidate=np.einsum("pt,cftq,fps->cfpsq", terms, parabola, force_n),
+    )
+    axes = np.linalg.qr(rng.normal(size=(3, 3)))[0]
+    there = ~np.isin(np.arange(20), missing)
+    found = basis._derivatives.__wrapped__(motions, 5, 5, axes, 1.8, there)
+
+    def wanted(terms):
+        per_n = np.einsum("pt,ctq->cpq", terms, parabola[3:, 1])
+        return (per_n.reshape(2, 20, 2, 3) @ axes).reshape(2, 20, 6).swapaxes(1, 2)[..., there]
+
+    by_x = np.stack([none, one, none, y, 2 * x, none], axis=1)
+    by_y = np.stack([none, none, one, x, none, 2 * y], axis=1)
+    assert found.shape == (2, 6, 4, int(there.sum()))
+    for number, of in enumerate((1.8 * by_x, 1.8 * by_y, terms, 1.8 * terms)):
+        assert_allclose(found[:, :, number], wanted(of), atol=1e-6)
+
+
 def test_ends_of_the_candidates_and_places_just_beyond_them(presses):
     least, most = basis.candidate_ends_mm(presses)
     assert_allclose(least, presses.first_mm)
