@@ -8,7 +8,7 @@ from numpy.testing import assert_allclose
 from scipy.spatial.transform import Rotation
 
 from design.layout.body import face_frames
-from design.layout.places.positions import sensor_layout
+from design.layout.places.positions import magnet_layout, sensor_layout
 from design.spec.object import ObjectSpec
 from estimator.tolerances import assembly, budget, localisation_bias, selftest, virtual_object
 from estimator.tolerances.budget import Spread
@@ -152,3 +152,20 @@ def test_a_selftest_looks_at_the_object_whose_core_has_slipped(arrangement):
     core, shell = (sensors, magnets) if arrangement == "sensors-in-core" else (magnets, sensors)
     assert_allclose(core, np.broadcast_to((0.5, -0.25, 0.1), core.shape), atol=1e-12)
     assert_allclose(shell, 0, atol=1e-12)
+
+
+def nearest_mm(motion):
+    """Of every magnet's centre, moved, to every chip."""
+    centre = magnet_layout(SPEC).centre_mm + motion[..., :3]
+    return np.linalg.norm(centre[..., None, :] - sensor_layout(SPEC).position_mm, axis=-1).min()
+
+
+def test_fields_are_good_for_magnets_a_millimetre_nearer_than_they_come(monkeypatch):
+    design = assembly.designed(SPEC)
+    motion = np.random.default_rng(4).uniform(-0.8, 0.8, (3, design.scene.bodies, 6))
+    for module in (selftest, virtual_object):
+        monkeypatch.setattr(module, "field_model", lambda magnet, nearest: nearest)
+    at_rest_mm = selftest._design.__wrapped__(SPEC)[1]
+    assert_allclose(at_rest_mm, nearest_mm(np.zeros(6)) - 1.0, atol=1e-3)
+    moved_mm = virtual_object.twin_model.__wrapped__(SPEC, design, motion)
+    assert_allclose(moved_mm, nearest_mm(motion) - 1.0, atol=1e-3)
