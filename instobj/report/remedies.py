@@ -11,7 +11,7 @@ from math import isfinite
 from typing import Any
 
 from design.spec.object import ObjectSpec
-from instobj.report.verdict import judge, worst_ratio
+from instobj.report.verdict import beside_limit, judge, worst_ratio
 from instobj.store.content import StoredResult
 from instobj.store.readers import ALTERNATIVES, PRESS_CURVES, SCORES
 
@@ -66,7 +66,7 @@ def remedies_section(spec: ObjectSpec, content: dict[str, Any], go: bool) -> dic
     """What turns the verdict, and a table of the best changes and pairs, as the page shows them."""
     rows = content["alternatives"]
     found = remedies(spec, rows)
-    figures = {tuple(row["changes"]): _figures(row) for row in rows}
+    figures = {tuple(row["changes"]): _figures(spec, row) for row in rows}
     price, minutes = price_and_minutes(spec, rows[0]["magnets"], rows[0]["sensors"])
     table = [["as specified", *figures[()], f"{price:.0f}", f"{minutes:.0f}", ""]]
     for one in found[:_BEST]:
@@ -142,7 +142,14 @@ def _remedy(spec: ObjectSpec, start: dict[str, Any], row: dict[str, Any]) -> Rem
     return Remedy(tuple(row["changes"]), ratio, bound, *price_and_minutes(spec, *added))
 
 
-def _figures(row: dict[str, Any]) -> list[str]:
-    names = ("weakest_bound_mm", "median_bound_mm", "worst_detectable_n")
-    shown = (f"{row[name]:.2f}" if isfinite(row[name]) else "∞" for name in names)
+def _figures(spec: ObjectSpec, row: dict[str, Any]) -> list[str]:
+    limits = {
+        "weakest_bound_mm": spec.limits.position_bound_mm,
+        "median_bound_mm": spec.limits.position_bound_mm,
+        "worst_detectable_n": spec.limits.detectable_force_n,
+    }
+    shown = (
+        beside_limit(row[name], limit) if isfinite(row[name]) else "∞"
+        for name, limit in limits.items()
+    )
     return [*shown, f"{100 * row['saturation_margin']:.0f} %"]

@@ -14,6 +14,8 @@ if TYPE_CHECKING:
 
 HEADER = ["depth, mm", "force, rms", "force, largest", "motions, rms", "motions, largest"]
 _FIGURES = ("force_rms", "force_worst", "motion_rms", "motion_worst")
+_DECIMALS = 4
+"""Of mm, N, % and counts: what lies below is rounding, and reads as 0."""
 
 
 def error_text(content: dict[str, Any]) -> str:
@@ -111,14 +113,14 @@ def budget_rows(spec: ObjectSpec, budget: Robustness) -> list[dict[str, Any]]:
     return [
         {
             "tolerance": tolerance_text(spec, row.name),
-            "localisation error mm": row.false_place_mm,
-            "worst mm": row.false_place_worst_mm,
-            "force error N": row.false_force_n,
-            "worst N": row.false_force_worst_n,
-            "ΔS %": 100 * row.signal,
-            "rest counts": row.baseline_counts,
-            "position bound %": 100 * row.position_bound,
-            "force bound %": 100 * row.force_bound,
+            "localisation error mm": round(row.false_place_mm, _DECIMALS),
+            "worst mm": round(row.false_place_worst_mm, _DECIMALS),
+            "force error N": round(row.false_force_n, _DECIMALS),
+            "worst N": round(row.false_force_worst_n, _DECIMALS),
+            "ΔS %": round(100 * row.signal, _DECIMALS),
+            "rest counts": round(row.baseline_counts, _DECIMALS),
+            "position bound %": round(100 * row.position_bound, _DECIMALS),
+            "force bound %": round(100 * row.force_bound, _DECIMALS),
         }
         for row in (*budget.contributions, budget.together, budget.monte_carlo)
     ]

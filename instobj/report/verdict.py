@@ -81,7 +81,7 @@ def _position(spec: ObjectSpec, scores: PlaceScores) -> Check:
     return Check(
         f"Where: position bound of a press of {spec.score.force_n:g} N at the weakest contact location, "
         "fresh baseline",
-        _shown(weakest.position_bound_mm, "mm", "blind"),
+        _shown(weakest.position_bound_mm, limit, "mm", "blind"),
         f"≤ {limit:g} mm",
         weakest.position_bound_mm / limit,
         f"face {weakest.face} at ({weakest.x_mm:g}, {weakest.y_mm:g}) mm, worst along "
@@ -97,16 +97,25 @@ def _detection(spec: ObjectSpec, scores: PlaceScores) -> Check:
     limit = spec.limits.detectable_force_n
     return Check(
         "How light: smallest force detectable at every contact location (five sigma from the baseline)",
-        _shown(float(force.max()), "N", "none up to the deepest press"),
+        _shown(float(force.max()), limit, "N", "none up to the deepest press"),
         f"≤ {limit:g} N",
         float(force.max() / limit),
         f"face {scores.faces[face]} at ({x:g}, {y:g}) mm; median location "
-        + _shown(float(np.median(force)), "N", "none"),
+        + _shown(float(np.median(force)), limit, "N", "none"),
     )
 
 
-def _shown(value: float, unit: str, unknown: str) -> str:
-    return f"{value:.2f} {unit}" if np.isfinite(value) else unknown
+def beside_limit(value: float, limit: float) -> str:
+    """Two decimals, or as many as keep the figure on its side of the limit."""
+    for decimals in range(2, 6):
+        text = f"{value:.{decimals}f}"
+        if (float(text) > limit) == (value > limit):
+            return text
+    return repr(value)
+
+
+def _shown(value: float, limit: float, unit: str, unknown: str) -> str:
+    return f"{beside_limit(value, limit)} {unit}" if np.isfinite(value) else unknown
 
 
 def _saturation(spec: ObjectSpec, margin: float) -> Check:

@@ -1,5 +1,7 @@
 """What the first page says of the locations at the border of a face."""
 
+import pytest
+
 from estimator.information.scores import AREAS, AreaSummary
 from instobj.report import verdict
 
@@ -21,3 +23,11 @@ def test_the_verdict_names_areas_that_the_face_has(monkeypatch):
         "The position bound is 2.5 times the centre's at the outermost locations"
     )
     assert told("corner", "centre") == "The position bound is 3.0 times the centre's in corners"
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [(1.5, "1.50"), (1.504, "1.504"), (1.50001, "1.50001"), (1.496, "1.50"), (1.6, "1.60")],
+)
+def test_a_figure_that_fails_is_not_shown_as_its_limit(value, text):
+    assert verdict.beside_limit(value, 1.5) == text
