@@ -17,24 +17,31 @@ def surroundings_lines(row: dict[str, Any]) -> list[str]:
     )
     lines = [
         f"Earth's field of {row['earth_field_ut']:g} µT: turning the object changes a channel by up to "
-        f"{row['turning_largest_counts']:g} counts ({row['turning_rms_counts']:g} rms)",
-        f"steel jaw against a face: up to {touching:g} counts on its own channels and "
-        f"{touching_others:g} on others; {row['jaw_gap_mm'][1]:g} mm away {near:g} and {near_others:g} "
-        "(thick wide plate, an upper bound)",
+        f"{_told(row['turning_largest_counts'])} counts ({_told(row['turning_rms_counts'])} rms)",
+        f"steel jaw against a face: up to {_told(touching)} counts on its own channels and "
+        f"{_told(touching_others)} on others; {row['jaw_gap_mm'][1]:g} mm away {_told(near)} and "
+        f"{_told(near_others)} (thick wide plate, an upper bound)",
     ]
     if "baseline_counts_per_kelvin" in row:
         lines.append(
             f"magnets 1 K warmer: {100 * NDFEB_REMANENCE_PER_KELVIN:.2f} % of every signal, up to "
-            f"{row['baseline_counts_per_kelvin']:g} counts of a baseline"
+            f"{_told(row['baseline_counts_per_kelvin'])} counts of a baseline"
         )
     else:
         lines.append(
             f"coils worth {row['coil_polarization_mt']:g} mT of polarization: up to "
-            f"{row['own_coils_counts']:g} counts on their own face's channels; those of the other faces "
-            f"add up to {row['other_faces_coils_counts']:g} where they are on too"
+            f"{_told(row['own_coils_counts'])} counts on their own face's channels; those of the other faces "
+            f"add up to {_told(row['other_faces_coils_counts'])} where they are on too"
         )
-    lines.append(f"sensors can be read at up to {row['fastest_frame_rate_hz']:g} Hz over the bus")
+    lines.append(
+        f"sensors can be read at up to {_told(row['fastest_frame_rate_hz'])} Hz over the bus"
+    )
     return lines
+
+
+def _told(value: float) -> str:
+    """Three figures, without an exponent."""
+    return f"{value:.0f}" if abs(value) >= 100 else f"{value:.3g}"
 
 
 def surroundings_section(row: dict[str, Any]) -> Markup:
