@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import ctypes
 import functools
+import hashlib
 import importlib.metadata
 import importlib.util
 import os
@@ -21,7 +22,7 @@ from typing import Any
 import numpy as np
 import scipy.sparse as sp
 import scipy.sparse.linalg
-from jaxtyping import Bool, Float
+from jaxtyping import Bool, Float, Int32
 from scipy.linalg import get_lapack_funcs
 
 from fem.linear.multifrontal import SingularSystemError, eliminate
@@ -32,6 +33,11 @@ _LARGEST_RESIDUAL = 1e-6
 _ANALYSE, _FACTOR, _SOLVE, _BACKWARD, _RELEASE = 11, 22, 33, 333, -1
 (_POTRF,) = get_lapack_funcs(("potrf",), dtype="float64")
 _SCHUR_ALONE, _SCHUR_AND_FACTOR = 1, 2
+_GIVEN_ORDER, _TELL_ORDER = 1, 2
+_MOST_ORDERS = 8
+_ORDERS: dict[str, Int32[np.ndarray, "n"]] = {}
+"""In which unknowns are eliminated, by the pattern of the matrix, of the last patterns. Newton's steps
+and materials share one: METIS takes 45 % of a factorization of 65 000 unknowns, more of smaller ones."""
 
 
 @dataclass(frozen=True)
@@ -183,10 +189,8 @@ def _solver(matrix: sp.csr_matrix) -> Any:
         except SingularSystemError:
             return _superlu(matrix)
     solver = _Pardiso(matrix)
-    unused = np.zeros(shape_of(matrix)[0])
     try:
-        solver.call(_ANALYSE, unused, unused)
-        solver.call(_FACTOR, unused, unused)
+        solver.factor()
     except BaseException:
         solver.release()
         raise
@@ -271,6 +275,21 @@ class _Pardiso:
                 f"PARDISO phase {phase} failed: error {error.value}, "
                 f"{self.parameters[13]} perturbed pivots"
             )
+
+    def factor(self) -> None:
+        """Analyse and factor; a pattern that was met before keeps its order."""
+        unused = np.zeros(len(self.marked))
+        pattern = hashlib.blake2b(self.row_start.tobytes())
+        pattern.update(self.columns.tobytes())
+        order = _ORDERS.pop(pattern.hexdigest(), None)
+        self.parameters[4] = _TELL_ORDER if order is None else _GIVEN_ORDER
+        if order is not None:
+            self.marked[:] = order
+        self.call(_ANALYSE, unused, unused)
+        _ORDERS[pattern.hexdigest()] = self.marked.copy() if order is None else order
+        if len(_ORDERS) > _MOST_ORDERS:
+            _ORDERS.pop(next(iter(_ORDERS)))
+        self.call(_FACTOR, unused, unused)
 
     def condense(
         self, marked: Bool[np.ndarray, "n"], how: int

@@ -11,6 +11,7 @@ from design.layout.boards import wire_channels
 from design.layout.body import body_of
 from design.layout.places.positions import board_places
 from design.mould.openings import mould_holes
+from design.solids import booleans
 from design.solids.booleans import as_triangles
 from design.spec_io import parse_spec
 from tests.random_designs.openings import (
@@ -45,10 +46,16 @@ BOX = {
 }
 
 
+COARSE = (0.02, 0.2)
+"""Triangles within 20 µm, of which the ball's parts have a quarter as many as within 5 µm."""
+
+
 def made(content):
     spec = parse_spec(content, "test")
     wanted = {p.name: p for p in parts_of(spec) if p.name.startswith(("core", "shell", "mould"))}
-    parts = {name: as_triangles(part.make()) for name, part in wanted.items()}
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(booleans, "_FINENESS", COARSE)
+        parts = {name: as_triangles(part.make()) for name, part in wanted.items()}
     solids = {name: manifold_of(mesh) for name, mesh in parts.items()}
     return spec, solids, placed_pins(spec, parts)
 

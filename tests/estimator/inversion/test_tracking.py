@@ -14,8 +14,6 @@ from estimator.inversion.storage import is_inversion, load_inversion, save_inver
 from estimator.inversion.tracking import Tracker
 from tests.support.mechanics.inverted import SPEC, inverted, noisy_counts, presses
 
-FREE = inverted()
-
 
 def press_over_time():
     """Rest, a press that grows and slides, a second on another face, then only that, then rest."""
@@ -34,8 +32,8 @@ def press_over_time():
 @pytest.fixture(scope="module")
 def followed():
     face, contact = press_over_time()
-    counts = noisy_counts(FREE, face, contact, np.random.default_rng(1))
-    tracker = Tracker(FREE)
+    counts = noisy_counts(inverted(), face, contact, np.random.default_rng(1))
+    tracker = Tracker(inverted())
     return face, contact, counts, [tracker.feed(frame) for frame in counts], tracker
 
 
@@ -61,7 +59,7 @@ def test_tracking_rarely_starts_anew(followed):
 
 def test_odds_of_the_last_try_stand_while_the_next_one_waits(monkeypatch):
     """A faint contact: every try says 0.6, the first wait is one frame, the next three."""
-    tracker, tried = Tracker(FREE), []
+    tracker, tried = Tracker(inverted()), []
 
     def changed(_, same):
         tried.append(len(told))
@@ -69,7 +67,7 @@ def test_odds_of_the_last_try_stand_while_the_next_one_waits(monkeypatch):
 
     monkeypatch.setattr(tracker, "_faint", lambda _: True)
     monkeypatch.setattr(tracker, "_changed", changed)
-    counts, told = np.zeros(FREE.model.channels), []
+    counts, told = np.zeros(inverted().model.channels), []
     for _ in range(6):
         told.append(float(tracker.feed(counts).odds[0]))
     assert tried == [0, 2]
@@ -79,12 +77,14 @@ def test_odds_of_the_last_try_stand_while_the_next_one_waits(monkeypatch):
 def test_a_tracker_reads_the_mean_of_its_window():
     face, contact = np.full((1, 6), -1), np.zeros((1, 6, 3))
     face[0, 0], contact[0, 0] = 1, [2.0, -4.0, 5.0]
-    counts = noisy_counts(FREE, face.repeat(12, 0), contact.repeat(12, 0), np.random.default_rng(2))
-    window = FREE.model.spec.inversion.changed(window_frames=12)
-    model = replace(FREE.model, spec=FREE.model.spec.changed(inversion=window))
-    tracker = Tracker(replace(FREE, model=model))
+    counts = noisy_counts(
+        inverted(), face.repeat(12, 0), contact.repeat(12, 0), np.random.default_rng(2)
+    )
+    window = inverted().model.spec.inversion.changed(window_frames=12)
+    model = replace(inverted().model, spec=inverted().model.spec.changed(inversion=window))
+    tracker = Tracker(replace(inverted(), model=model))
     found = [tracker.feed(frame) for frame in counts][-1]
-    (whole,), _ = zip(FREE.read(counts.mean(axis=0)[None], np.array([12])), strict=True)
+    (whole,), _ = zip(inverted().read(counts.mean(axis=0)[None], np.array([12])), strict=True)
     assert_allclose(found.xy_mm[0, 0], whole.xy_mm[0, 0], atol=0.02)
     assert_allclose(found.position_radius_mm[0, 0], whole.position_radius_mm[0, 0], rtol=0.02)
 
@@ -92,14 +92,14 @@ def test_a_tracker_reads_the_mean_of_its_window():
 def test_the_zero_is_taken_from_rest(followed):
     _, _, counts, _, _ = followed
     raw = np.random.default_rng(2).integers(-500, 500, 45) + counts
-    reader = LiveContacts(FREE, "first", 8)
+    reader = LiveContacts(inverted(), "first", 8)
     read = [reader.feed(frame.reshape(5, 3, 3), row / 10) for row, frame in enumerate(raw)]
     assert all(one is None for one in read[:8])
     told = read[40]
     assert told.number[0] == 2
     own = np.flatnonzero(told.face[0] == 5)[0]
     assert np.linalg.norm(told.xy_mm[0, own] - [5, -2]) < 2.0
-    following = LiveContacts(FREE, "rest", 8)
+    following = LiveContacts(inverted(), "rest", 8)
     last = [following.feed(frame.reshape(5, 3, 3), row / 10) for row, frame in enumerate(raw)]
     assert last[40].number[0] == 2
     assert last[-1].number[0] == 0
@@ -109,8 +109,8 @@ def test_a_still_level_and_its_opposite_are_read_each_by_itself():
     """The zero asks for both in turn: what one reads must not depend on the other."""
     face, contact = np.full((1, 6), -1), np.zeros((1, 6, 3))
     face[0, :2], contact[0, :2] = [2, 4], [[2.0, 3.0, 6.0], [-3.0, 1.0, 6.0]]
-    (counts,) = noisy_counts(FREE, face, contact, np.random.default_rng(4))
-    reader = LiveContacts(FREE, "none")
+    (counts,) = noisy_counts(inverted(), face, contact, np.random.default_rng(4))
+    reader = LiveContacts(inverted(), "none")
     read = [reader._read_still(sign * counts) for sign in (1, -1) * 6]
     assert read[0::2] == [read[0]] * 6
     assert read[1::2] == [read[1]] * 6
@@ -121,8 +121,8 @@ def test_at_rest_a_contact_is_unlikely():
     """The share that the zero follows: near 0 at rest, near 1 under a press, between them always."""
     face, contact = np.full((8, 6), -1), np.zeros((8, 6, 3))
     face[4:, 0], contact[4:, 0] = 1, [2.0, -4.0, 5.0]
-    counts = noisy_counts(FREE, face, contact, np.random.default_rng(2))
-    reader = LiveContacts(FREE, "none")
+    counts = noisy_counts(inverted(), face, contact, np.random.default_rng(2))
+    reader = LiveContacts(inverted(), "none")
     share, force = np.transpose([reader._read_still(frame) for frame in counts])
     assert (share[:4] < 0.5).all()
     assert (share[4:] > 0.5).all()
@@ -133,20 +133,20 @@ def test_at_rest_a_contact_is_unlikely():
 
 def test_readings_of_another_object_are_refused():
     with pytest.raises(InputError, match="reads 3 sensors on faces"):
-        LiveContacts(FREE, "none").feed(np.zeros((5, 2, 3)))
+        LiveContacts(inverted(), "none").feed(np.zeros((5, 2, 3)))
     missing = np.zeros((5, 3, 3))
     missing[2, 1, 0] = np.nan
     with pytest.raises(InputError, match="F3-X2, which the model uses, gives no reading"):
-        LiveContacts(FREE, "none").feed(missing)
+        LiveContacts(inverted(), "none").feed(missing)
 
 
 def test_a_file_gives_the_same_readings(tmp_path, followed):
     _, _, counts, _, _ = followed
     path = tmp_path / "contacts.nc"
-    save_inversion(FREE, path)
+    save_inversion(inverted(), path)
     again = load_inversion(path)
     some = counts[[3, 20, 30]]
-    for one, other in zip(FREE.read(some)[0].xy_mm, again.read(some)[0].xy_mm, strict=True):
+    for one, other in zip(inverted().read(some)[0].xy_mm, again.read(some)[0].xy_mm, strict=True):
         assert_allclose(one, other, atol=1e-5)
     assert is_inversion(path)
     assert not is_inversion(tmp_path / "no.nc")
@@ -177,7 +177,7 @@ def test_the_error_of_a_design_is_that_of_its_tolerances():
 )
 def test_a_file_whose_description_is_another_is_one_error(tmp_path, name, value):
     path = tmp_path / "contacts.nc"
-    save_inversion(FREE, path)
+    save_inversion(inverted(), path)
     with h5py.File(path, "a") as file:
         file.attrs[name] = value
     with pytest.raises(StoreError, match=r"contacts\.nc: tables and description.*Train it anew"):

@@ -85,6 +85,31 @@ def test_one_factorization_answers_many_right_sides(solver):
     factor.release()  # once more does no harm
 
 
+def test_matrices_of_one_pattern_are_ordered_once_and_solved_alike(monkeypatch):
+    """As the systems of two materials are; another pattern is ordered anew, the oldest forgotten."""
+    if not factorization.pardiso_available():
+        pytest.skip("MKL's PARDISO is not on this machine")
+    asked, call = [], factorization._Pardiso.call
+
+    def noted(self, phase, right_sides, solution):
+        asked.extend([int(self.parameters[4])] if phase == factorization._ANALYSE else [])
+        call(self, phase, right_sides, solution)
+
+    monkeypatch.setattr(factorization._Pardiso, "call", noted)
+    monkeypatch.setattr(factorization, "_ORDERS", {})
+    monkeypatch.setattr(factorization, "_MOST_ORDERS", 2)
+    matrix, pressures = small_system(bonded=True)
+    scale = np.r_[np.full(shape_of(matrix)[0] - pressures, 2.0), np.full(pressures, 0.7)]
+    other = sp.csr_matrix(sp.diags_array(scale) @ matrix @ sp.diags_array(scale))
+    smaller = matrix[3:, 3:]
+    for given in (matrix, other, smaller, smaller, matrix, matrix[1:, 1:], smaller):
+        right = np.random.default_rng(4).standard_normal((shape_of(given)[0], 2))
+        exact = np.linalg.solve(given.toarray(), right)
+        found = solve_symmetric(given, right)
+        assert_allclose(found, exact, rtol=0, atol=1e-9 * abs(exact).max())
+    assert asked == [2, 1, 2, 1, 1, 2, 2]
+
+
 def test_adjoint_and_direct_solves_agree_to_rounding(solver):
     """lᵀ (A⁻¹ f) = (A⁻¹ l)ᵀ f, and the Schur complement gives the same."""
     matrix, _ = small_system(bonded=True)
