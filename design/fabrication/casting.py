@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from itertools import combinations
+from math import ceil
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -25,7 +26,7 @@ from design.body.meshes import (
 from design.fabrication.finding import Finding, at_least, place_of
 from design.layout.body import body_of
 from design.layout.core_hold import why_no_mould
-from design.layout.mould_frame import mould_frame, mould_style, parting, up
+from design.layout.mould_frame import YIELD_SHARE, mould_frame, mould_style, parting, up
 from design.layout.mould_pins import Pin, least_rim_mm, loose_pins, pin_kinds
 from design.layout.mould_pouring import LEAST_POUR_MM, Hole
 from design.layout.surface import finished_surface, sealed_body_surface
@@ -44,8 +45,6 @@ if TYPE_CHECKING:
     import trimesh
 
 CEILING_MM2 = 100.0
-YIELD_SHARE = 0.02
-"""Of the silicone's thickness: what it gives way by on the spot, without room; an estimate."""
 NEAR_MM = 0.15
 """Of the silicone's surface, within which a face touches it: triangles of both leave theirs by less."""
 OPEN_MM3 = 1e-3
@@ -192,6 +191,13 @@ def _way_out(spec: ObjectSpec) -> str:
     return "Turn the seam (mould.parting_azimuth_deg)"
 
 
+def _thicker(spec: ObjectSpec, depth_mm: float) -> str:
+    """The shell that gives way by so much on the spot, where one twice as thick at most does."""
+    thickness = ceil(10 * depth_mm / YIELD_SHARE) / 10
+    told = f"make shell.thickness_mm {thickness:g} or more, which gives way by that, "
+    return told if thickness <= 2 * spec.shell.thickness_mm else ""
+
+
 def _undercut(
     spec: ObjectSpec, draw: Draw, mesh: trimesh.Trimesh, silicone: trimesh.Trimesh
 ) -> Finding:
@@ -205,7 +211,8 @@ def _undercut(
         status = "fail"
         text = (
             f"{found.area_mm2:.0f} mm² of undercut; the silicone must give way by {found.depth_mm:.2g} mm "
-            f"and has {room:.2g} mm of room. {_way_out(spec)}, or leave out what hooks"
+            f"and has {room:.2g} mm of room. {_way_out(spec)}, {_thicker(spec, found.depth_mm)}or leave out "
+            "what hooks"
         )
     else:
         status = "pass" if strain <= allowed else "fail"

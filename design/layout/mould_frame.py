@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 from jaxtyping import Float
 
+from design.body.meshes import undercut
 from design.body.surface_chart import FACE_AXES
 from design.layout.body import body_of
 from design.spec.worked_out import once
@@ -30,6 +31,8 @@ _STEP_DEG = 15.0
 _WEDGE = np.cos(np.deg2rad(15.0))
 _EDGES = 40
 """Of triangles along a body, at least, where its undercuts are looked for."""
+YIELD_SHARE = 0.02
+"""Of the silicone's thickness: what it gives way by on the spot, without room; an estimate."""
 _AS_GOOD = 1e-4
 """Share of the surface by which an undercut may grow for a plane through the origin."""
 _SLOPE = np.sin(np.deg2rad(2.0))
@@ -147,14 +150,34 @@ def up(spec: ObjectSpec) -> Float[np.ndarray, "3"]:
 def parting(spec: ObjectSpec) -> Parting:
     """The plane that parts the halves; it holds `out`.
 
-    By default where the kind of body says, or where least of it is an undercut.
+    By default where the kind of body says, or where least of it is an undercut. Across a given azimuth it
+    goes through the origin, but of a file's body, whose middle says little, where least is an undercut.
     """
     frame, given = mould_frame(spec), spec.mould.parting_azimuth_deg
     size = abs(frame.axes.T) @ np.asarray(spec.body.size_mm)
     azimuth = body_of(spec).parting_azimuth(size) if given is None else float(np.deg2rad(given))
     if azimuth is None:
         return _at_silhouette(body_of(spec).outside)
-    return Parting(np.cos(azimuth) * frame.across + np.sin(azimuth) * frame.along, 0.0)
+    normal = np.cos(azimuth) * frame.across + np.sin(azimuth) * frame.along
+    if not body_of(spec).from_file:
+        return Parting(normal, 0.0)
+    surface = _outside_in_small_triangles(body_of(spec).outside)
+    return Parting(normal, least_undercut(surface, normal)[1])
+
+
+def hooked_depth_mm(spec: ObjectSpec) -> float:
+    """By how much the outside must give way to the half that hooks it most, about: before a mould is
+    built."""
+    import trimesh
+
+    surface, plane = _outside_in_small_triangles(body_of(spec).outside), parting(spec)
+    side = np.sign(np.asarray(surface.triangles_center) @ plane.normal - plane.offset_mm)
+    depths = []
+    for sign in (1, -1):
+        faces = surface.faces[side == sign][:, ::-1]
+        half = trimesh.Trimesh(surface.vertices, faces, process=False)
+        depths.append(undercut(half, sign * plane.normal, np.ones(len(faces), bool)).depth_mm)
+    return float(max(depths))
 
 
 def thin_at_seam(spec: ObjectSpec, ends_mm: Float[np.ndarray, "2 3"], radius_mm: float) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import warnings
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from itertools import islice
 from math import inf
@@ -19,7 +19,15 @@ from design.body.kinds.registry import KINDS
 from design.errors import InputError
 from design.fabrication.finding import Finding
 from design.files import atomic_path
-from design.layout.mould_frame import hooked_share, mould_frame, mould_style, parting
+from design.layout.body import body_of
+from design.layout.mould_frame import (
+    YIELD_SHARE,
+    hooked_depth_mm,
+    hooked_share,
+    mould_frame,
+    mould_style,
+    parting,
+)
 from design.placement.objects import Request, Tables, placements, spec_of
 from design.spec.body import MM, BodySpec
 from design.spec.object import ObjectSpec
@@ -35,6 +43,8 @@ _OTHERS = "OTHER KINDS"
 _MOULD_MM = 30.0
 """Of walls and flanges, beyond the body."""
 _TURNS_DEG = (6.0, -6.0, 12.0, -12.0, 18.0, -18.0, 30.0, -30.0, 45.0, -45.0, 60.0, -60.0, 90.0)
+_AZIMUTHS_DEG = tuple(np.arange(0.0, 180.0, 5.0).tolist())
+_MOST_REFINED, _FINER_DEG = 3, (-2.0, -1.0, 0.0, 1.0, 2.0)
 _MOST_TURNS = 2
 """By which a mould's seam is turned, and how many of those are tried."""
 _BED = "fits the bed"
@@ -109,7 +119,7 @@ def made(request: Request) -> tuple[Tables, list[Finding]]:
     before = set[str]()
     for placement in placements(request):
         failed = list[Finding]()
-        for tables in _turned(placement):
+        for tables in _turned(_least_hooked(placement)):
             findings = check_fabrication(spec_of(tables)).findings
             failed = [finding for finding in findings if finding.status == "fail"]
             if best is None or len(failed) < len(best[1]):
@@ -130,19 +140,48 @@ def _turned(tables: Tables) -> Iterator[Tables]:
     yield from islice(_with_clear_seams(tables), _MOST_TURNS)
 
 
-def _with_clear_seams(tables: Tables) -> Iterator[Tables]:
-    """With the seam turned by either way, where pins, pouring holes and vents leave it walls; first by
-    those turns that hook no more of the body (a fluted vase's by a whole flute)."""
+def _least_hooked(tables: Tables) -> Tables:
+    """With the seam of a file's body turned to where the halves hook it least deep, if need be, and if it
+    can where walls beside it are clear: by default it stands where they hook the least area."""
+    spec = spec_of(tables)
+    room = YIELD_SHARE * spec.shell.thickness_mm
+    if not body_of(spec).from_file or mould_style(spec) != "split" or hooked_depth_mm(spec) <= room:
+        return tables
+
+    def turned(azimuth: float) -> Tables:
+        return tables | {"mould": {"parting_azimuth_deg": azimuth}}
+
+    def depths(azimuths: Iterable[float]) -> dict[float, float]:
+        return {azimuth: hooked_depth_mm(spec_of(turned(azimuth))) for azimuth in azimuths}
+
+    coarse = depths(_AZIMUTHS_DEG)
+    least = sorted(coarse, key=lambda azimuth: coarse[azimuth])[:_MOST_REFINED]
+    fine = depths(dict.fromkeys(azimuth + shift for azimuth in least for shift in _FINER_DEG))
+    found = [
+        turned(azimuth) for azimuth in sorted(fine, key=fine.__getitem__) if fine[azimuth] <= room
+    ]
+    return next(
+        (one for one in found if _leaves_walls(spec_of(one))), found[0] if found else tables
+    )
+
+
+def _leaves_walls(spec: ObjectSpec) -> bool:
+    """Whether no pin, pouring hole or vent leaves a thin wall to the seam."""
     from design.layout.mould_pins import pins_thin_the_seam
     from design.mould.openings import holes_thin_the_seam
 
+    return not (pins_thin_the_seam(spec) or holes_thin_the_seam(spec))
+
+
+def _with_clear_seams(tables: Tables) -> Iterator[Tables]:
+    """With the seam turned by either way, where pins, pouring holes and vents leave it walls; first by
+    those turns that hook no more of the body (a fluted vase's by a whole flute)."""
     plane, frame = parting(spec_of(tables)), mould_frame(spec_of(tables))
     azimuth = np.rad2deg(np.arctan2(plane.normal @ frame.along, plane.normal @ frame.across))
     azimuths = [round(float(azimuth) + turn, 1) for turn in _TURNS_DEG]
     turns = [tables | {"mould": {"parting_azimuth_deg": turned}} for turned in azimuths]
     for turned in sorted(turns, key=lambda turned: round(hooked_share(spec_of(turned)), 3)):
-        spec = spec_of(turned)
-        if not (pins_thin_the_seam(spec) or holes_thin_the_seam(spec)):
+        if _leaves_walls(spec_of(turned)):
             yield turned
 
 

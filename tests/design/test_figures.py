@@ -29,7 +29,7 @@ import design.fabrication.check
 import design.fabrication.printing
 import design.fit.boards
 import design.fit.curved
-import design.fit.mould
+import design.fit.magnet_places
 import design.fit.nearest
 import design.layout.blocks
 import design.layout.boards
@@ -119,7 +119,7 @@ FIGURES = {
     design.fabrication.printing: {"_TIGHT": 1.25, "SHARPEST_DEG": 40.0},
     design.fit.boards: {"_TOUCHING_MM": 0.01, "_FLUSH_MM": 0.05},
     design.fit.curved: {"_LARGEST_SHARE": 0.6},
-    design.fit.mould: {"_MEETING_MM3": 1e-3},
+    design.fit.magnet_places: {"MEETING_MM3": 1e-3},
     design.fit.nearest: {"_REACH_MM": 8.0, "_LEAST_BAY_MM": 1.5, "_SMALLER": (0.7, 0.5, 0.35, 0.25)},
     design.layout.blocks: {"_SUNK_MM": 0.5, "_SINKING_STEPS": 4},
     design.layout.boards: {"PACKING": 0.7, "_TOP_FACE": 1},
@@ -140,7 +140,7 @@ FIGURES = {
         "_SLOPE": np.sin(np.deg2rad(2.0)),
     },
     design.layout.mould_pouring: {
-        "_MOST_CORNERS": 200, "LEAST_POUR_MM": 3.0,
+        "_MOST_CORNERS": 200, "LEAST_POUR_MM": 3.0, "_RIM_POINTS": 24, "_WITHIN": 0.999,
         "_POUR_SHIFTS": (0.0, *(sign * k / 4 for k in range(1, 7) for sign in (1, -1))),
     },
     design.layout.mould_pins: {"PIN_HEAD_MM": 2.0, "PIN_HEAD_RIM_MM": 1.5, "HEAD_STEP_MM": 1.0},
@@ -173,6 +173,7 @@ FIGURES = {
         "_SHARES": (0.66, 0.62, 0.58, 0.54, 0.5, 0.46, 0.42, 0.38, 0.34, 0.3, 0.26, 0.22),
         "_COARSE": (0.66, 0.54, 0.42, 0.3), "_COUNTS": (5, 4, 3, 2, 1), "_SIDE_HOLE_MM": 3.0,
         "_LEAST_BORE_MM": 4.0, "_FLOOR_MM": 1.0, "_GROWTH": 1.25, "_LARGEST_GROWTH": 8.0,
+        "_LARGEST_BESIDE": 3.1, "_FEWEST": (1, 2), "_PLATE": 0.5,
         "_HALVINGS": 3, "_HALF_RECESS_MM": 3.25, "_TIP_RADII_MM": (5.0, 4.0, 3.0, 2.0),
         "_TRIMS": (
             Trim(8.0, 6.0, 3.0), Trim(7.0, 5.0, 3.0), Trim(6.0, 4.0, 3.0), Trim(5.0, 4.0, 2.5),

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+import trimesh
 from numpy.testing import assert_allclose
 
 from design.layout import mould_frame as frames
@@ -116,3 +117,31 @@ def test_a_seam_hooks_what_faces_the_other_half(azimuth_deg, share):
     strips = 2 * (y - x) / 2 * z * (np.sqrt(0.5) - np.sin(np.deg2rad(2.0)))
     share = strips / (2 * (x * y + y * z + z * x)) if share is None else share
     assert frames.hooked_share(spec) == pytest.approx(share, rel=0.05)
+
+
+def tapered(tmp_path, **mould):
+    """40 × 40 × 40 mm that taper along y from their largest section, at y = −20, by 2 mm on either side."""
+    x, y, z = 20.0, 20.0, 20.0
+    wide = [(sx * x, -y, sz * z) for sx in (-1, 1) for sz in (-1, 1)]
+    narrow = [(sx * (x - 2), y, sz * (z - 2)) for sx in (-1, 1) for sz in (-1, 1)]
+    trimesh.convex.convex_hull(np.array(wide + narrow)).export(tmp_path / "tapered.stl")
+    body = {"kind": "imported", "file": str(tmp_path / "tapered.stl"), "size_mm": [40.0] * 3}
+    return ObjectSpec.model_validate({"name": "tapered", "body": body, "mould": mould})
+
+
+def test_the_seam_of_a_file_s_body_stands_across_a_given_azimuth_where_least_hooks(tmp_path):
+    """Through the middle of its box half of a taper hooked: by 0.05 · 20 mm, by hand."""
+    across_y = tapered(tmp_path, parting_azimuth_deg=90.0)
+    assert_allclose(abs(parting(across_y).normal), [0, 1, 0], atol=1e-12)
+    assert -20.5 < parting(across_y).offset_mm * parting(across_y).normal[1] < -19
+    assert frames.hooked_depth_mm(across_y) == 0
+    across_x = tapered(tmp_path, parting_azimuth_deg=0.0)
+    assert parting(across_x).offset_mm == 0
+    assert frames.hooked_depth_mm(across_x) == 0
+
+
+def test_the_depth_that_hooks_is_that_of_a_taper_by_hand(tmp_path, monkeypatch):
+    """A wall that leans by 2 in 40 mm, 20 mm of it on the wrong side."""
+    spec = tapered(tmp_path, parting_azimuth_deg=90.0)
+    monkeypatch.setattr(frames, "parting", lambda spec: frames.Parting(np.array([0.0, 1, 0]), 0.0))
+    assert_allclose(frames.hooked_depth_mm(spec), 20 * 2 / 40, rtol=0.1)

@@ -176,8 +176,6 @@ def test_what_would_fit_instead_is_named_and_fits(request_, works):
     for size in re.findall(r"about ([\d.]+) × ([\d.]+) × ([\d.]+) mm", str(told.value)):
         works = placed(replace(request_, size_mm=tuple(map(float, size))))
         assert problems_of(spec_of(works)) == [], "or check refuses the size that is named"
-    if "--kind pad" in str(told.value):
-        assert problems_of(spec_of(placed(replace(request_, kind="pad")))) == []
     for what in ("sensor", "magnet"):
         for count in re.findall(rf"(\d+) {what}s? per face would", str(told.value)):
             placed(replace(request_, **{f"{what}s": int(count)}))
@@ -194,6 +192,15 @@ def test_a_size_is_placed_as_it_was_tried_where_finer_ways_find_nothing(monkeypa
     monkeypatch.setattr(objects, "_of_shells", of_shells)
     assert placed(Request("box", (50.0, 50.0, 50.0))) == {"found": {"at": 2}}
     assert tried[1] == (1, objects._COARSE, objects._FEWEST)
+
+
+def test_a_plate_too_thin_for_its_core_s_walls_is_offered_as_a_pad():
+    plate = Request("box", (40.0, 30.0, 12.0), 1, 1)
+    (told,) = objects._on_base(plate)
+    assert "--kind pad" in told
+    assert problems_of(spec_of(placed(replace(plate, kind="pad")))) == []
+    assert not [*objects._on_base(replace(plate, size_mm=(40.0, 30.0, 16.0)))], "no plate"
+    assert not [*objects._on_base(replace(plate, size_mm=(40.0, 30.0, 4.0)))], "nor room in a pad"
 
 
 def test_sizes_that_work_may_leave_faces_out_as_placements_do(monkeypatch):
