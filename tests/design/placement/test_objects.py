@@ -277,6 +277,28 @@ def test_a_face_too_long_for_its_lattice_gets_a_coarser_pitch_in_whole_millimetr
     assert objects._pitches_mm(spec_of({"body": {"size_mm": [301.0, 42.0, 42.0]}})) == (4.0,)
 
 
+def test_the_widest_tip_and_the_coarsest_pitch_leave_every_face_sixteen_places(monkeypatch):
+    """Of a made-up body whose smallest face has so many places at each tip and pitch."""
+    places = {(5.0, 3.0): 15, (5.0, 2.5): 40, (5.0, 2.0): 15, (5.0, 1.5): 15, (5.0, 1.0): 15}
+    places |= {(4.0, 3.0): 15, (4.0, 2.5): 16, (4.0, 2.0): 60}
+
+    def counted(spec):
+        count = places[spec.indenter.radius_mm, spec.contact_grid.pitch_mm]
+        return np.arange(80) < np.array([[80], [count]])
+
+    def fits(spec, mould):
+        return (spec.indenter.radius_mm, spec.contact_grid.pitch_mm) != (5.0, 2.5)
+
+    monkeypatch.setattr(objects, "contact_places", counted)
+    monkeypatch.setattr(objects, "fits", fits)
+    tables = {"shell": {"thickness_mm": 9.0}, "name": "made-up"}
+    found = objects._with_contacts.__wrapped__(tables)
+    assert found["indenter"] == {"radius_mm": 4.0}
+    assert found["contact_grid"] == {"count": "fill", "pitch_mm": 2.5}
+    assert found["press"]["depths_mm"] == [0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5]
+    assert found["shell"] == tables["shell"]
+
+
 def test_electronics_of_a_face_by_hand():
     """Recesses reach 3.25 mm to both sides of the boards' middles; holes take the wires of all."""
     request = Request("box", (60.0, 60.0, 60.0), 2)

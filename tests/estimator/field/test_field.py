@@ -8,12 +8,14 @@ from scipy.spatial.transform import Rotation
 from estimator.field.exact import cylinder_field
 from estimator.field.models import (
     FieldModel,
+    _candidates,
     dipole_field,
     field_model,
     model_error,
     multipole_field,
     total_field,
 )
+from estimator.field.sources import BlockMagnet
 from tests.support.mechanics.magnet_poses import DISKS, magpylib_field, random_poses, relative_error
 
 
@@ -128,6 +130,15 @@ def test_model_is_chosen_by_the_nearest_distance():
     assert field_model(disk, 12.0) == FieldModel(disk, "multipole", 7)
     assert field_model(disk, 7.0) == FieldModel(disk, "multipole", 9)
     assert field_model(disk, 3.2).name == "exact"
+
+
+def test_models_are_tried_from_the_cheapest_on():
+    """Series of odd orders from 7 to 25; of a block two of them, then 2 to 8 charges along an edge."""
+    series = [("multipole", order, 0) for order in range(7, 26, 2)]
+    disk = [(one.name, one.order, one.charges) for one in _candidates(DISKS[0])]
+    assert disk == series
+    block = [(one.name, one.charges) for one in _candidates(BlockMagnet((4.0, 3.0), 2.0, 1.2))]
+    assert block == [("multipole", 0)] * 2 + [("charges", count) for count in range(2, 9)]
 
 
 def test_inside_of_a_tilted_disk():
