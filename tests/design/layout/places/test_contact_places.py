@@ -1,10 +1,13 @@
 """Contact locations that each face has: filled, given, and what is pressed round them."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
 from design.errors import SpecError
 from design.layout.body import face_frames
+from design.layout.places import contact_places as contact_places_module
 from design.layout.places.contact_grid import contact_grid, press_lattice
 from design.layout.places.contact_places import (
     _all_around,
@@ -166,3 +169,25 @@ def test_a_lattice_without_room_keeps_two_locations_or_three():
     assert _of_parity(nowhere, (False, False)).count == (2, 2)
     assert _of_parity(nowhere, (True, False)).count == (3, 2)
     assert not _of_parity(nowhere, (True, True)).places.any()
+
+
+@pytest.mark.parametrize(
+    ("widest_mm", "least_mm", "most_mm"),
+    [(2.0, 1.98, 2.0), (0.7, 0.68, 0.7), (2.9, 2.88, 2.9), (0.01, None, None)],
+)
+def test_the_largest_pitch_that_works_is_found_to_two_hundredths(
+    monkeypatch, widest_mm, least_mm, most_mm
+):
+    """Of a body that has 2 × 2 locations up to a pitch, and 1 × 2 beyond it."""
+
+    def filled(spec, pitch):
+        places = np.zeros((2, 3, 3), bool)
+        places[:, : 2 if pitch <= widest_mm else 1, :2] = True
+        return SimpleNamespace(places=places)
+
+    monkeypatch.setattr(contact_places_module, "_filled", filled)
+    found = contact_places_module._nearest_pitch_mm(BOX)
+    if least_mm is None:
+        assert found is None
+    else:
+        assert least_mm <= found <= most_mm
