@@ -119,7 +119,7 @@ def made(request: Request) -> tuple[Tables, list[Finding]]:
     before = set[str]()
     for placement in placements(request):
         failed = list[Finding]()
-        for tables in _turned(_least_hooked(placement)):
+        for tables in _turned(placement):
             findings = check_fabrication(spec_of(tables)).findings
             failed = [finding for finding in findings if finding.status == "fail"]
             if best is None or len(failed) < len(best[1]):
@@ -135,9 +135,12 @@ def made(request: Request) -> tuple[Tables, list[Finding]]:
 
 
 def _turned(tables: Tables) -> Iterator[Tables]:
-    """As placed, and with the seam of the mould turned to where pins and holes leave it walls."""
-    yield tables
-    yield from islice(_with_clear_seams(tables), _MOST_TURNS)
+    """As placed, and with the seam of the mould turned to where pins and holes leave it walls; not from
+    where a file's body hooks least deep, as it would hook again."""
+    least = _least_hooked(tables)
+    yield least
+    if least is tables:
+        yield from islice(_with_clear_seams(tables), _MOST_TURNS)
 
 
 def _least_hooked(tables: Tables) -> Tables:

@@ -211,6 +211,7 @@ def test_the_seam_of_a_file_s_body_is_turned_to_where_it_hooks_least_deep(monkey
         clear.intersection_update({97.0, 96.0, beside})
         assert new._least_hooked(lump)["mould"] == {"parting_azimuth_deg": taken}
         clear.discard(beside)
+    assert [*new._turned(lump)] == [new._least_hooked(lump)], "or it hooks again"
     assert new._least_hooked(BALL) == BALL, "kinds know where theirs hooks nothing"
     depths[None] = 0.15
     assert new._least_hooked(lump) == lump, "it gives way by that"
