@@ -19,6 +19,7 @@ from pydantic import ValidationError
 
 from design.body.kinds.pad import Pad
 from design.body.kinds.registry import KINDS
+from design.body.surface_chart import FaceFrame
 from design.errors import InputError, SpecError
 from design.fit.everything import can_be_moulded, fits
 from design.layout.boards import wire_bundle_mm
@@ -202,13 +203,22 @@ def _roomy_faces(request: Request) -> tuple[int, ...]:
 
 def _largest_together(request: Request) -> tuple[int, ...]:
     """The most faces, largest first, that take everything together; () where there are none."""
-    frames = face_frames(spec_of(_body(request, _TRIMS[-1])))
+    every = spec_of(_body(request, _TRIMS[-1])).body.sensed
+    frames = [frame for face in every for frame in _frame_where_there_is(request, face)]
     frames = sorted(frames, key=lambda frame: -float(np.prod(frame.half_extents_mm)))
-    for count in range(len(frames) - 1, 0, -1):
+    for count in range(min(len(frames), len(every) - 1), 0, -1):
         faces = tuple(sorted(frame.number for frame in frames[:count]))
         if _fits_roughly(replace(request, faces=faces)):
             return faces
     return ()
+
+
+def _frame_where_there_is(request: Request, face: int) -> tuple[FaceFrame, ...]:
+    """Of a face by itself; () where the surface about it is too steep or too small for a patch."""
+    try:
+        return face_frames(spec_of(_body(replace(request, faces=(face,)), _TRIMS[-1])))
+    except InputError:
+        return ()
 
 
 def spec_of(tables: Tables) -> ObjectSpec:

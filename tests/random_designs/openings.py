@@ -186,7 +186,8 @@ def _blocked_wires(spec: ObjectSpec, core: manifold3d.Manifold) -> list[str]:
         if body.on_base or body.name == "pad":
             inside = frame.centre_mm * [1, 1, 0] - [0, 0, body.half_mm[2]]
         elif body.opening == "open":
-            inside = frame.centre_mm - (spec.core.wall_mm + 0.5) * frame.normal
+            depth = min(spec.core.wall_mm + 0.5, float(frame.centre_mm @ frame.normal))
+            inside = frame.centre_mm - depth * frame.normal  # a core without cavity: to its axis
         else:
             inside = np.zeros(3)
         name = f"wire hole of face {frame.number}"

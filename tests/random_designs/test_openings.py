@@ -171,6 +171,34 @@ def test_silicone_beside_a_deep_magnet_is_a_wall_and_no_cover():
     assert "mm of silicone beside magnets.positions_mm[0]" in told
 
 
+def test_a_wire_hole_of_a_core_without_a_cavity_ends_at_its_axis():
+    """Of seed 202 of the second generator: its wall is thicker than the core's radius, and the wires
+    leave along the axis."""
+    spec = parse_spec(
+        {
+            "name": "stick",
+            "body": {"kind": "cylinder", "size_mm": [22.8, 22.8, 86.9], "sensed_faces": [2]},
+            "shell": {"thickness_mm": 6.0, "pocket_diameter_mm": 4.0},
+            "magnets": {"diameter_mm": 4.0, "positions_mm": [[0.0, 0.0]]},
+            "core": {
+                "wall_mm": 5.5,
+                "wire_hole_top_diameter_mm": 2.5,
+                "wire_hole_side_diameter_mm": 3.0,
+                "hub_radius_mm": 1.5,
+            },
+            "sensors": {"positions_mm": [[-8.24, 0.0], [8.24, 0.0]]},
+            "press": {"depths_mm": [0.5, 1.0]},
+        },
+        "test",
+    )
+    core = next(part for part in parts_of(spec) if part.name == "core")
+    solid = manifold_of(as_triangles(core.make()))
+    assert blocked_ways(spec, {"core": solid}, {}) == []
+    plugged = solid + ball_at([0.0, -1.0, 0.0])
+    (told,) = blocked_ways(spec, {"core": plugged}, {})
+    assert told.startswith("core is in the way of wire hole of face 2")
+
+
 def test_a_piece_that_lies_in_a_part_is_no_room_left_over():
     """As a boolean of walls upon walls gave one that lay in the shell of random design 602."""
     shell = manifold3d.Manifold.cube((10.0, 10.0, 10.0))

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import trimesh
 
 from design.body.imported import body_of_file
 from design.body.surface_chart import steepest_reach_mm
@@ -341,3 +342,14 @@ def test_a_request_grows_to_half_millimetres_or_in_its_short_edges_alone():
     assert objects._grown(Request("box", (30.0, 20.1, 10.0)), 1.1).file == ()
     assert objects._thickened(request, 1.26).size_mm == (30.0, 20.1, 13.0)
     assert objects._thickened(request, 2.5).size_mm == (30.0, 25.0, 25.0)
+
+
+def test_a_face_without_a_patch_is_left_out_of_the_largest(tmp_path):
+    """An edge of 34° points to face 2 of a wedge, too steep for a patch: `new` told that alone, and not
+    which size works with which faces."""
+    path = tmp_path / "wedge.stl"
+    corners = [[x, y, z] for x, y in ((0, -30), (17, 25), (-17, 25)) for z in (-15, 15)]
+    trimesh.Trimesh(corners).convex_hull.export(path)
+    read = body_of_file(path)
+    request = Request("imported", tuple(read["size_mm"]), 3, None, (("file", read["file"]),))
+    assert first_fit(request, (Trim(5.0, 4.0, 3.0),)) is None
