@@ -8,7 +8,7 @@ taken: what fits is said by `design.fit` and, for gaps that can be cast and prin
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from itertools import product
 from math import hypot
@@ -17,7 +17,6 @@ from typing import Any
 import numpy as np
 from pydantic import ValidationError
 
-from design.body.kinds.pad import Pad
 from design.body.kinds.registry import KINDS
 from design.body.surface_chart import FaceFrame
 from design.errors import InputError, SpecError
@@ -37,15 +36,14 @@ from design.placement.room import (
     tight_shell,
 )
 from design.spec.base import complaints
-from design.spec.body import LONGEST_EDGE_MM
 from design.spec.object import ObjectSpec
 
 Tables = dict[str, dict[str, Any]]
 """Tables of a specification, with what differs from the paper's cube."""
 
-_SHARES = tuple(np.arange(0.66, 0.2, -0.04).round(2).tolist())
+SHARES = tuple(np.arange(0.66, 0.2, -0.04).round(2).tolist())
 """Of a face's half extents: how far out parts are tried."""
-_COARSE = _SHARES[::3]
+COARSE = SHARES[::3]
 """Fewer of them, while a size that works is looked for."""
 _COUNTS = (5, 4, 3, 2, 1)
 _FEWEST = (1, 2)
@@ -55,11 +53,6 @@ _SIDE_HOLE_MM = 3.0
 _LEAST_BORE_MM = 4.0
 _FLOOR_MM = 1.0
 """Of a core's wall behind a recess: more than the printer's thinnest by a quarter."""
-_GROWTH, _LARGEST_GROWTH, _LARGEST_BESIDE, _HALVINGS = 1.25, 8.0, 3.1, 3
-"""Steps in which a larger size is looked for, how far, how far where longer short edges help, and how
-often the last step is halved."""
-_PLATE = 0.5
-"""Of the shorter of the other edges, up to which a height is that of a plate."""
 _HALF_RECESS_MM = 3.25
 """Of a recess along the board, a little longer than the board."""
 
@@ -73,7 +66,7 @@ class Trim:
     pocket_depth_mm: float
 
 
-_TRIMS = (
+TRIMS = (
     Trim(8.0, 6.0, 3.0),
     Trim(7.0, 5.0, 3.0),
     Trim(6.0, 4.0, 3.0),
@@ -102,66 +95,35 @@ class Request:
     faces: tuple[int, ...] | None = None
 
 
-def placed(request: Request) -> Tables:
-    """Tables of a specification in which everything fits and can be made.
-
-    Raises
-    ------
-    SpecError
-        The kind takes no such size, or it is too small; with the smallest that works.
-    """
-    return next(placements(request))
-
-
-def placements(request: Request) -> Iterator[Tables]:
-    """The same for each shell that takes everything, the most generous first.
-
-    Raises
-    ------
-    SpecError
-        As `placed`.
-    """
-    found = False
-    for tables in _fitting(request, _TRIMS, _SHARES):
-        found = True
-        yield tables
-    if not found:
-        raise SpecError(_too_small(request))
-
-
 def first_fit(
-    request: Request, trims: tuple[Trim, ...] = _TRIMS, shares: tuple[float, ...] = _SHARES
+    request: Request, trims: tuple[Trim, ...] = TRIMS, shares: tuple[float, ...] = SHARES
 ) -> Tables | None:
     """The same, or None where nothing fits of these trims and shares of the faces' half extents.
 
     Where not all faces take everything, those that do by themselves are sensed.
     """
-    return next(_fitting(request, trims, shares), None)
+    return next(fitting(request, trims, shares), None)
 
 
-def _fitting(
+def fitting(
     request: Request, trims: tuple[Trim, ...], shares: tuple[float, ...]
 ) -> Iterator[Tables]:
     found = False
-    for tables in _fits(request, trims, shares):
+    for tables in every_fit(request, trims, shares):
         found = True
         yield tables
     if found or request.faces is not None:
         return
-    for fewer in (_roomy_faces, _largest_together):
+    for fewer in (roomy_faces, _largest_together):
         faces = fewer(request)
-        for tables in _fits(replace(request, faces=faces), trims, shares) if faces else ():
+        for tables in every_fit(replace(request, faces=faces), trims, shares) if faces else ():
             found = True
             yield tables
         if found:
             return
 
 
-def _fit(request: Request, trims: tuple[Trim, ...], shares: tuple[float, ...]) -> Tables | None:
-    return next(_fits(request, trims, shares), None)
-
-
-def _fits(
+def every_fit(
     request: Request,
     trims: tuple[Trim, ...],
     shares: tuple[float, ...],
@@ -172,13 +134,13 @@ def _fits(
     for tables in _of_shells(request, trims, shares, counts):
         found = True
         yield tables
-    if not found and shares != _COARSE:
+    if not found and shares != COARSE:
         yield from _roughly(request)
 
 
 def _roughly(request: Request) -> Iterator[Tables]:
     """As sizes are tried: under the thinnest shell, which leaves the most room, with few magnets."""
-    return _fits(request, _TRIMS[-1:], _COARSE, _FEWEST)
+    return every_fit(request, TRIMS[-1:], COARSE, _FEWEST)
 
 
 def _of_shells(
@@ -192,23 +154,28 @@ def _of_shells(
             yield tables
 
 
-def _roomy_faces(request: Request) -> tuple[int, ...]:
+def fits_roughly(request: Request) -> bool:
+    """Whether the thinnest shell takes everything: trying all is slow."""
+    return next(_roughly(request), None) is not None
+
+
+def roomy_faces(request: Request) -> tuple[int, ...]:
     """Faces on which everything finds room by itself, under the thinnest shell; () where all have it."""
-    every = spec_of(_body(request, _TRIMS[-1])).body.sensed
+    every = spec_of(_body(request, TRIMS[-1])).body.sensed
     if len(every) == 1:
         return ()
-    found = tuple(face for face in every if _fits_roughly(replace(request, faces=(face,))))
+    found = tuple(face for face in every if fits_roughly(replace(request, faces=(face,))))
     return found if len(found) < len(every) else ()
 
 
 def _largest_together(request: Request) -> tuple[int, ...]:
     """The most faces, largest first, that take everything together; () where there are none."""
-    every = spec_of(_body(request, _TRIMS[-1])).body.sensed
+    every = spec_of(_body(request, TRIMS[-1])).body.sensed
     frames = [frame for face in every for frame in _frame_where_there_is(request, face)]
     frames = sorted(frames, key=lambda frame: -float(np.prod(frame.half_extents_mm)))
     for count in range(min(len(frames), len(every) - 1), 0, -1):
         faces = tuple(sorted(frame.number for frame in frames[:count]))
-        if _fits_roughly(replace(request, faces=faces)):
+        if fits_roughly(replace(request, faces=faces)):
             return faces
     return ()
 
@@ -216,7 +183,7 @@ def _largest_together(request: Request) -> tuple[int, ...]:
 def _frame_where_there_is(request: Request, face: int) -> tuple[FaceFrame, ...]:
     """Of a face by itself; () where the surface about it is too steep or too small for a patch."""
     try:
-        return face_frames(spec_of(_body(replace(request, faces=(face,)), _TRIMS[-1])))
+        return face_frames(spec_of(_body(replace(request, faces=(face,)), TRIMS[-1])))
     except InputError:
         return ()
 
@@ -403,110 +370,3 @@ def _per_face(places: list[list[list[float]]]) -> list[Any]:
 
 def _rounded(places_mm: Shares) -> list[list[float]]:
     return [[round(float(x), 2) + 0.0 for x in xy] for xy in places_mm]
-
-
-def _too_small(request: Request) -> str:
-    size = " × ".join(f"{edge:g}" for edge in request.size_mm)
-    body = "an imported body" if request.file else f"a body of kind {request.kind}"
-    sensors = f"{request.sensors} sensor{'s' * (request.sensors > 1)}"
-    magnets = f"{request.magnets} magnets" if (request.magnets or 1) > 1 else "a magnet"
-    message = f"{body} of {size} mm is too small for {sensors} and {magnets} per face"
-    ways = [*_larger(request), *_on_base(request), *_fewer(request)]
-    if not ways:
-        return f"{message}, whatever its size. Choose another shape"
-    return f"{message}. {'; or '.join(ways)}"
-
-
-def _larger(request: Request) -> Iterator[str]:
-    """Sizes that work: of that shape, and where that helps with the short edges longer alone."""
-    flat = min(request.size_mm) < max(request.size_mm) and not request.file
-    thicker = _smallest(request, min(request.size_mm), _thickened) if flat else None
-    most = _LARGEST_GROWTH if thicker is None else _LARGEST_BESIDE
-    whole = _smallest(request, max(request.size_mm), _grown, most)
-    if whole is not None:
-        scale = f" (scale = {dict(whole.file)['scale']:.4g})" if whole.file else ""
-        yield f"The smallest of that shape that works is about {_told(whole)}{scale}"
-    if thicker is not None and (whole is None or thicker.size_mm != whole.size_mm):
-        yield f"{'with' if whole else 'With'} its short edges longer about {_told(thicker)} works"
-
-
-def _told(request: Request) -> str:
-    faces = request.faces or ()
-    sensed = f" with sensors on face{'s' * (len(faces) > 1)} {', '.join(map(str, faces))} alone"
-    return " × ".join(f"{edge:g}" for edge in request.size_mm) + " mm" + sensed * bool(faces)
-
-
-def _smallest(
-    request: Request,
-    edge_mm: float,
-    grown: Callable[[Request, float], Request],
-    most: float = _LARGEST_GROWTH,
-) -> Request | None:
-    """The request at about the least growth, up to `most`, at which everything finds room; or None.
-
-    `edge_mm` is the edge that grows, to what a body may measure at most.
-    """
-
-    def working(growth: float) -> Request | None:
-        larger = grown(request, growth)
-        return _fitting_roughly(larger) if KINDS[larger.kind].takes_size(larger.size_mm) else None
-
-    low, high, found = 1.0, _GROWTH, None
-    largest = min(most, LONGEST_EDGE_MM[1] / edge_mm)
-    while high <= largest and (found := working(high)) is None:
-        low, high = high, high * _GROWTH
-    for _ in range(_HALVINGS if found else 0):
-        middle = (low + high) / 2
-        smaller = working(middle)
-        low, high, found = (low, middle, smaller) if smaller else (middle, high, found)
-    return found
-
-
-def _on_base(request: Request) -> Iterator[str]:
-    """A plate whose core has no room for its walls, as a slab on a rigid base."""
-    x, y, z = request.size_mm
-    plate = KINDS[request.kind].cuboid and z <= _PLATE * min(x, y)
-    if plate and _fits_roughly(replace(request, kind=Pad.name, faces=None)):
-        yield f"--kind {Pad.name}, a slab of that size on a rigid base, sensed from above, would fit"
-
-
-def _fewer(request: Request) -> Iterator[str]:
-    """Fewer sensors, and fewer magnets, that the size takes on all faces."""
-    for count in sorted({request.sensors - 1, request.sensors // 2, 1} - {0}, reverse=True):
-        if count < request.sensors and _fits_roughly(replace(request, sensors=count)):
-            yield f"{count} sensor{'s' * (count > 1)} per face would fit"
-            break
-    if request.magnets is not None and request.magnets > 1:
-        found = _fit(replace(request, magnets=None), _TRIMS[-1:], _COARSE)
-        if found is not None:
-            count = len(found["magnets"]["positions_mm"])
-            yield f"{count} magnet{'s' * (count > 1)} per face would fit"
-
-
-def _fits_roughly(request: Request) -> bool:
-    """Whether the thinnest shell takes everything: trying all is slow."""
-    return next(_roughly(request), None) is not None
-
-
-def _fitting_roughly(request: Request) -> Request | None:
-    """The request where it fits roughly, if need be without the faces that do not take everything by
-    themselves, as `first_fit` leaves them out; None where it does not."""
-    if _fits_roughly(request):
-        return request
-    faces = () if request.faces is not None else _roomy_faces(request)
-    fewer = replace(request, faces=faces)
-    return fewer if faces and _fits_roughly(fewer) else None
-
-
-def _grown(request: Request, growth: float) -> Request:
-    x, y, z = (float(np.ceil(2 * growth * edge)) / 2 for edge in request.size_mm)
-    file = {**dict(request.file)}
-    if file:
-        file["scale"] = file.get("scale", 1.0) * growth
-    return replace(request, size_mm=(x, y, z), file=tuple(file.items()))
-
-
-def _thickened(request: Request, growth: float) -> Request:
-    floor = float(np.ceil(2 * growth * min(request.size_mm))) / 2
-    x, y, z = (max(edge, floor) for edge in request.size_mm)
-    return replace(request, size_mm=(x, y, z))

@@ -28,7 +28,8 @@ from design.layout.mould_frame import (
     mould_style,
     parting,
 )
-from design.placement.objects import Request, Tables, placements, spec_of
+from design.placement.asked import placements
+from design.placement.objects import Request, Tables, spec_of
 from design.spec.body import MM, BodySpec
 from design.spec.object import ObjectSpec
 

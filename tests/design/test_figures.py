@@ -49,6 +49,7 @@ import design.mould.halves
 import design.mould.openings
 import design.mould.plug_flange
 import design.netcdf
+import design.placement.asked
 import design.placement.objects
 import design.placement.paths
 import design.placement.patterns
@@ -169,13 +170,15 @@ FIGURES = {
         "_LARGEST_CHUNK_BYTES": 2**30, "_SEAL_BYTES": 48, "FIRST_READING_S": 120.0,
         "_FIRST_READING_BYTES_PER_S": 2e7,
     },
+    design.placement.asked: {
+        "_GROWTH": 1.25, "_LARGEST_GROWTH": 8.0, "_LARGEST_BESIDE": 3.1, "_HALVINGS": 3, "_PLATE": 0.5,
+    },
     design.placement.objects: {
-        "_SHARES": (0.66, 0.62, 0.58, 0.54, 0.5, 0.46, 0.42, 0.38, 0.34, 0.3, 0.26, 0.22),
-        "_COARSE": (0.66, 0.54, 0.42, 0.3), "_COUNTS": (5, 4, 3, 2, 1), "_SIDE_HOLE_MM": 3.0,
-        "_LEAST_BORE_MM": 4.0, "_FLOOR_MM": 1.0, "_GROWTH": 1.25, "_LARGEST_GROWTH": 8.0,
-        "_LARGEST_BESIDE": 3.1, "_FEWEST": (1, 2), "_PLATE": 0.5,
-        "_HALVINGS": 3, "_HALF_RECESS_MM": 3.25, "_TIP_RADII_MM": (5.0, 4.0, 3.0, 2.0),
-        "_TRIMS": (
+        "SHARES": (0.66, 0.62, 0.58, 0.54, 0.5, 0.46, 0.42, 0.38, 0.34, 0.3, 0.26, 0.22),
+        "COARSE": (0.66, 0.54, 0.42, 0.3), "_COUNTS": (5, 4, 3, 2, 1), "_SIDE_HOLE_MM": 3.0,
+        "_LEAST_BORE_MM": 4.0, "_FLOOR_MM": 1.0, "_FEWEST": (1, 2), "_HALF_RECESS_MM": 3.25,
+        "_TIP_RADII_MM": (5.0, 4.0, 3.0, 2.0),
+        "TRIMS": (
             Trim(8.0, 6.0, 3.0), Trim(7.0, 5.0, 3.0), Trim(6.0, 4.0, 3.0), Trim(5.0, 4.0, 2.5),
         ),
         "_PITCHES_MM": (3.0, 2.5, 2.0, 1.5, 1.0), "_LEAST_PLACES": 16,

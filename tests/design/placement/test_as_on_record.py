@@ -8,21 +8,17 @@ import pytest
 from design.layout.body import face_frames
 from design.layout.places.positions import sensor_layout
 from design.layout.pockets import shell_pockets
-from design.placement import objects
-from design.placement.objects import (
-    Request,
-    Trim,
-    _body,
+from design.placement import asked
+from design.placement.asked import (
     _fewer,
     _grown,
     _larger,
-    _pitches_mm,
-    _rounded,
     _smallest,
     _thickened,
     _told,
     _too_small,
 )
+from design.placement.objects import Request, Trim, _body, _pitches_mm, _rounded
 from design.placement.paths import long_path_mm
 from design.placement.room import (
     _beside_mm,
@@ -75,8 +71,8 @@ def test_sizes_grow_in_half_millimetres():
 
 
 def ruled(monkeypatch, rule):
-    monkeypatch.setattr(objects, "_fits_roughly", rule)
-    monkeypatch.setattr(objects, "_roomy_faces", lambda request: ())
+    monkeypatch.setattr(asked, "fits_roughly", rule)
+    monkeypatch.setattr(asked, "roomy_faces", lambda request: ())
 
 
 @pytest.mark.parametrize(
@@ -126,14 +122,14 @@ def test_fewer_sensors_are_told_that_would_fit(monkeypatch, sensors, most, said)
 
 
 @pytest.mark.parametrize(
-    ("asked", "fit", "said"),
+    ("wanted", "fit", "said"),
     [(5, 2, "2 magnets"), (3, 1, "1 magnet"), (1, 1, None), (None, 2, None), (4, 0, None)],
 )
-def test_fewer_magnets_are_told_that_would_fit(monkeypatch, asked, fit, said):
+def test_fewer_magnets_are_told_that_would_fit(monkeypatch, wanted, fit, said):
     found = {"magnets": {"positions_mm": [[0.0, 0.0]] * fit}} if fit else None
-    monkeypatch.setattr(objects, "_fit", lambda request, trims, shares: found)
-    monkeypatch.setattr(objects, "_fits_roughly", lambda request: False)
-    told_ = list(_fewer(Request("box", (30.0, 30.0, 30.0), 3, asked)))
+    monkeypatch.setattr(asked, "every_fit", lambda *given: iter([found] if found else []))
+    monkeypatch.setattr(asked, "fits_roughly", lambda request: False)
+    told_ = list(_fewer(Request("box", (30.0, 30.0, 30.0), 3, wanted)))
     assert told_ == ([f"{said} per face would fit"] if said else [])
 
 
@@ -144,8 +140,8 @@ def test_what_is_too_small_is_told_with_all_that_helps(monkeypatch):
         "a body of kind box of 24 × 24 × 24 mm is too small for 2 sensors and a magnet per face. The "
         "smallest of that shape that works is about 30 × 30 × 30 mm; or 1 sensor per face would fit"
     )
-    monkeypatch.setattr(objects, "_fits_roughly", lambda request: False)
-    monkeypatch.setattr(objects, "_fit", lambda *given: None)
+    monkeypatch.setattr(asked, "fits_roughly", lambda request: False)
+    monkeypatch.setattr(asked, "every_fit", lambda *given: iter([]))
     said = _too_small(Request("imported", (24.0, 24.0, 24.0), 1, 3, (("file", "x"),)))
     assert said == (
         "an imported body of 24 × 24 × 24 mm is too small for 1 sensor and 3 magnets per face, whatever "

@@ -21,8 +21,9 @@ from design.layout.boards import (
 from design.layout.places.contact_places import contact_places
 from design.layout.places.positions import magnet_layout
 from design.layout.pockets import sensor_places
-from design.placement import objects
-from design.placement.objects import Request, Trim, first_fit, placed, spec_of
+from design.placement import asked, objects
+from design.placement.asked import _on_base, placed
+from design.placement.objects import COARSE, Request, Trim, first_fit, spec_of
 from design.placement.room import low_rim, tight_rim
 from tests.support.recorded_facts import assert_on_record
 
@@ -188,31 +189,36 @@ def test_a_size_is_placed_as_it_was_tried_where_finer_ways_find_nothing(monkeypa
 
     def of_shells(request, trims, shares, counts):
         tried.append((len(trims), shares, counts))
-        yield from [{"found": {"at": len(tried)}}] if shares == objects._COARSE else []
+        yield from [{"found": {"at": len(tried)}}] if shares == COARSE else []
 
     monkeypatch.setattr(objects, "_of_shells", of_shells)
     assert placed(Request("box", (50.0, 50.0, 50.0))) == {"found": {"at": 2}}
-    assert tried[1] == (1, objects._COARSE, objects._FEWEST)
+    assert tried[1] == (1, COARSE, objects._FEWEST)
 
 
 def test_a_plate_too_thin_for_its_core_s_walls_is_offered_as_a_pad():
     plate = Request("box", (40.0, 30.0, 12.0), 1, 1)
-    (told,) = objects._on_base(plate)
+    (told,) = _on_base(plate)
     assert "--kind pad" in told
     assert problems_of(spec_of(placed(replace(plate, kind="pad")))) == []
-    assert not [*objects._on_base(replace(plate, size_mm=(40.0, 30.0, 16.0)))], "no plate"
-    assert not [*objects._on_base(replace(plate, size_mm=(40.0, 30.0, 4.0)))], "nor room in a pad"
+    assert not [*_on_base(replace(plate, size_mm=(40.0, 30.0, 16.0)))], "no plate"
+    assert not [*_on_base(replace(plate, size_mm=(40.0, 30.0, 4.0)))], "nor room in a pad"
 
 
 def test_sizes_that_work_may_leave_faces_out_as_placements_do(monkeypatch):
     """An ellipsoid of 90 × 20 × 30 mm: 48 mm thick for all faces was named, of face 1 alone 21 mm do."""
-    works = "design.placement.objects."
-    monkeypatch.setattr(works + "_fits", lambda *_: iter(()))
-    monkeypatch.setattr(works + "_roomy_faces", lambda request: (1,) if request.size_mm[1] else ())
-    monkeypatch.setattr(
-        works + "_fits_roughly",
-        lambda request: request.faces == (1,) and request.sensors > 2 and request.size_mm[1] >= 24,
-    )
+    monkeypatch.setattr(objects, "every_fit", lambda *_: iter(()))
+    for module in (objects, asked):
+        monkeypatch.setattr(
+            module, "roomy_faces", lambda request: (1,) if request.size_mm[1] else ()
+        )
+        monkeypatch.setattr(
+            module,
+            "fits_roughly",
+            lambda request: (
+                request.faces == (1,) and request.sensors > 2 and request.size_mm[1] >= 24
+            ),
+        )
     with pytest.raises(SpecError) as told:
         placed(Request("ellipsoid", (90.0, 20.0, 30.0)))
     assert str(told.value).endswith(
@@ -252,8 +258,9 @@ def test_a_long_box_senses_all_its_faces_by_a_coarser_grid():
 
 
 def test_a_body_that_nothing_helps_is_not_grown_beyond_what_a_body_may_measure(monkeypatch):
-    monkeypatch.setattr("design.placement.objects._fits", lambda *_: iter(()))
-    monkeypatch.setattr("design.placement.objects._roomy_faces", lambda _: ())
+    monkeypatch.setattr(objects, "every_fit", lambda *_: iter(()))
+    for module in (objects, asked):
+        monkeypatch.setattr(module, "roomy_faces", lambda _: ())
     with pytest.raises(
         SpecError, match="too small for 3 sensors and a magnet per face, whatever its size"
     ):
@@ -336,12 +343,12 @@ def test_a_core_s_wall_leaves_a_millimetre_behind_the_deepest_recess():
 
 def test_a_request_grows_to_half_millimetres_or_in_its_short_edges_alone():
     request = Request("box", (30.0, 20.1, 10.0), 1, 1, (("scale", 2.0), ("file", "a.stl")))
-    grown = objects._grown(request, 1.1)
+    grown = asked._grown(request, 1.1)
     assert grown.size_mm == (33.0, 22.5, 11.0)
     assert dict(grown.file) == {"scale": pytest.approx(2.2), "file": "a.stl"}
-    assert objects._grown(Request("box", (30.0, 20.1, 10.0)), 1.1).file == ()
-    assert objects._thickened(request, 1.26).size_mm == (30.0, 20.1, 13.0)
-    assert objects._thickened(request, 2.5).size_mm == (30.0, 25.0, 25.0)
+    assert asked._grown(Request("box", (30.0, 20.1, 10.0)), 1.1).file == ()
+    assert asked._thickened(request, 1.26).size_mm == (30.0, 20.1, 13.0)
+    assert asked._thickened(request, 2.5).size_mm == (30.0, 25.0, 25.0)
 
 
 def test_a_face_without_a_patch_is_left_out_of_the_largest(tmp_path):

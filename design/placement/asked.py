@@ -1,0 +1,159 @@
+"""Placement of what is asked for, or what would fit instead: larger bodies, fewer parts."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+
+import numpy as np
+
+from design.body.kinds.pad import Pad
+from design.body.kinds.registry import KINDS
+from design.errors import SpecError
+from design.placement.objects import (
+    COARSE,
+    SHARES,
+    TRIMS,
+    Request,
+    Tables,
+    every_fit,
+    fits_roughly,
+    fitting,
+    roomy_faces,
+)
+from design.spec.body import LONGEST_EDGE_MM
+
+_GROWTH, _LARGEST_GROWTH, _LARGEST_BESIDE, _HALVINGS = 1.25, 8.0, 3.1, 3
+"""Steps in which a larger size is looked for, how far, how far where longer short edges help, and how
+often the last step is halved."""
+_PLATE = 0.5
+"""Of the shorter of the other edges, up to which a height is that of a plate."""
+
+
+def placed(request: Request) -> Tables:
+    """Tables of a specification in which everything fits and can be made.
+
+    Raises
+    ------
+    SpecError
+        The kind takes no such size, or it is too small; with the smallest that works.
+    """
+    return next(placements(request))
+
+
+def placements(request: Request) -> Iterator[Tables]:
+    """The same for each shell that takes everything, the most generous first.
+
+    Raises
+    ------
+    SpecError
+        As `placed`.
+    """
+    found = False
+    for tables in fitting(request, TRIMS, SHARES):
+        found = True
+        yield tables
+    if not found:
+        raise SpecError(_too_small(request))
+
+
+def _too_small(request: Request) -> str:
+    size = " × ".join(f"{edge:g}" for edge in request.size_mm)
+    body = "an imported body" if request.file else f"a body of kind {request.kind}"
+    sensors = f"{request.sensors} sensor{'s' * (request.sensors > 1)}"
+    magnets = f"{request.magnets} magnets" if (request.magnets or 1) > 1 else "a magnet"
+    message = f"{body} of {size} mm is too small for {sensors} and {magnets} per face"
+    ways = [*_larger(request), *_on_base(request), *_fewer(request)]
+    if not ways:
+        return f"{message}, whatever its size. Choose another shape"
+    return f"{message}. {'; or '.join(ways)}"
+
+
+def _larger(request: Request) -> Iterator[str]:
+    """Sizes that work: of that shape, and where that helps with the short edges longer alone."""
+    flat = min(request.size_mm) < max(request.size_mm) and not request.file
+    thicker = _smallest(request, min(request.size_mm), _thickened) if flat else None
+    most = _LARGEST_GROWTH if thicker is None else _LARGEST_BESIDE
+    whole = _smallest(request, max(request.size_mm), _grown, most)
+    if whole is not None:
+        scale = f" (scale = {dict(whole.file)['scale']:.4g})" if whole.file else ""
+        yield f"The smallest of that shape that works is about {_told(whole)}{scale}"
+    if thicker is not None and (whole is None or thicker.size_mm != whole.size_mm):
+        yield f"{'with' if whole else 'With'} its short edges longer about {_told(thicker)} works"
+
+
+def _told(request: Request) -> str:
+    faces = request.faces or ()
+    sensed = f" with sensors on face{'s' * (len(faces) > 1)} {', '.join(map(str, faces))} alone"
+    return " × ".join(f"{edge:g}" for edge in request.size_mm) + " mm" + sensed * bool(faces)
+
+
+def _smallest(
+    request: Request,
+    edge_mm: float,
+    grown: Callable[[Request, float], Request],
+    most: float = _LARGEST_GROWTH,
+) -> Request | None:
+    """The request at about the least growth, up to `most`, at which everything finds room; or None.
+
+    `edge_mm` is the edge that grows, to what a body may measure at most.
+    """
+
+    def working(growth: float) -> Request | None:
+        larger = grown(request, growth)
+        return _fitting_roughly(larger) if KINDS[larger.kind].takes_size(larger.size_mm) else None
+
+    low, high, found = 1.0, _GROWTH, None
+    largest = min(most, LONGEST_EDGE_MM[1] / edge_mm)
+    while high <= largest and (found := working(high)) is None:
+        low, high = high, high * _GROWTH
+    for _ in range(_HALVINGS if found else 0):
+        middle = (low + high) / 2
+        smaller = working(middle)
+        low, high, found = (low, middle, smaller) if smaller else (middle, high, found)
+    return found
+
+
+def _on_base(request: Request) -> Iterator[str]:
+    """A plate whose core has no room for its walls, as a slab on a rigid base."""
+    x, y, z = request.size_mm
+    plate = KINDS[request.kind].cuboid and z <= _PLATE * min(x, y)
+    if plate and fits_roughly(replace(request, kind=Pad.name, faces=None)):
+        yield f"--kind {Pad.name}, a slab of that size on a rigid base, sensed from above, would fit"
+
+
+def _fewer(request: Request) -> Iterator[str]:
+    """Fewer sensors, and fewer magnets, that the size takes on all faces."""
+    for count in sorted({request.sensors - 1, request.sensors // 2, 1} - {0}, reverse=True):
+        if count < request.sensors and fits_roughly(replace(request, sensors=count)):
+            yield f"{count} sensor{'s' * (count > 1)} per face would fit"
+            break
+    if request.magnets is not None and request.magnets > 1:
+        found = next(every_fit(replace(request, magnets=None), TRIMS[-1:], COARSE), None)
+        if found is not None:
+            count = len(found["magnets"]["positions_mm"])
+            yield f"{count} magnet{'s' * (count > 1)} per face would fit"
+
+
+def _fitting_roughly(request: Request) -> Request | None:
+    """The request where it fits roughly, if need be without the faces that do not take everything by
+    themselves, as `first_fit` leaves them out; None where it does not."""
+    if fits_roughly(request):
+        return request
+    faces = () if request.faces is not None else roomy_faces(request)
+    fewer = replace(request, faces=faces)
+    return fewer if faces and fits_roughly(fewer) else None
+
+
+def _grown(request: Request, growth: float) -> Request:
+    x, y, z = (float(np.ceil(2 * growth * edge)) / 2 for edge in request.size_mm)
+    file = {**dict(request.file)}
+    if file:
+        file["scale"] = file.get("scale", 1.0) * growth
+    return replace(request, size_mm=(x, y, z), file=tuple(file.items()))
+
+
+def _thickened(request: Request, growth: float) -> Request:
+    floor = float(np.ceil(2 * growth * min(request.size_mm))) / 2
+    x, y, z = (max(edge, floor) for edge in request.size_mm)
+    return replace(request, size_mm=(x, y, z))
