@@ -108,6 +108,8 @@ def first_fit(
 def fitting(
     request: Request, trims: tuple[Trim, ...], shares: tuple[float, ...]
 ) -> Iterator[Tables]:
+    """Of each shell that takes everything: on all faces, else on those that do by themselves, else on the
+    largest that do together."""
     found = False
     for tables in every_fit(request, trims, shares):
         found = True
