@@ -12,8 +12,8 @@ import numpy as np
 
 from design.build.parts import parts_of
 from design.layout.core_hold import locators
-from design.layout.mould_frame import mould_frame, parting
-from design.layout.mould_pins import loose_pins
+from design.layout.mould.frame import mould_frame, parting
+from design.layout.mould.pins import loose_pins
 from design.mould.halves import make_mould_half
 from design.mould.pins import make_pin
 from design.mould.plug import make_mould_holder, make_mould_plug

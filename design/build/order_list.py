@@ -21,7 +21,7 @@ from design.catalogue.orders import (
     Order,
 )
 from design.layout.core_hold import why_no_mould
-from design.layout.mould_frame import mould_style, opening_of
+from design.layout.mould.frame import mould_style, opening_of
 from design.layout.places.positions import magnet_layout, sensor_layout
 from design.spec.object import ObjectSpec
 from design.tables import write_table

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Literal
 import cadquery as cq
 
 from design.layout.body import body_of, face_frames
-from design.layout.mould_frame import mould_frame, mould_style, opening_of
-from design.layout.mould_pins import loose_pins, pin_kinds
+from design.layout.mould.frame import mould_frame, mould_style, opening_of
+from design.layout.mould.pins import loose_pins, pin_kinds
 from design.mould.halves import make_mould_half, make_seal_half
 from design.mould.one_piece import make_mould_box, make_seal_mould
 from design.mould.pins import make_pin

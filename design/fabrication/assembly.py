@@ -12,7 +12,7 @@ from design.fabrication.finding import Finding, at_least, place_of
 from design.layout.blocks import block_manifold
 from design.layout.boards import Mounted, mounted_sensors, wire_bundle_mm
 from design.layout.body import face_frames
-from design.layout.mould_frame import play_mm
+from design.layout.mould.frame import play_mm
 from design.layout.places.positions import cover_mm
 from design.layout.pockets import (
     Pocket,

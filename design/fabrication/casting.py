@@ -26,9 +26,9 @@ from design.body.meshes import (
 from design.fabrication.finding import Finding, at_least, place_of
 from design.layout.body import body_of
 from design.layout.core_hold import why_no_mould
-from design.layout.mould_frame import YIELD_SHARE, mould_frame, mould_style, parting, up
-from design.layout.mould_pins import Pin, least_rim_mm, loose_pins, pin_kinds
-from design.layout.mould_pouring import LEAST_POUR_MM, Hole
+from design.layout.mould.frame import YIELD_SHARE, mould_frame, mould_style, parting, up
+from design.layout.mould.pins import Pin, least_rim_mm, loose_pins, pin_kinds
+from design.layout.mould.pouring import LEAST_POUR_MM, Hole
 from design.layout.surface import finished_surface, sealed_body_surface
 from design.mould.openings import (
     air_traps,

@@ -9,7 +9,7 @@ from design.body.meshes import sharpest_edge, thinnest_wall
 from design.build.parts import Part
 from design.fabrication.finding import Finding, at_least, place_of
 from design.layout.core_hold import locators
-from design.layout.mould_frame import mould_style
+from design.layout.mould.frame import mould_style
 from design.layout.pockets import shell_pockets
 from design.mould.whole import has_mould
 from design.spec.object import ObjectSpec

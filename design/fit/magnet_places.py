@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from design.layout.body import face_frames
-from design.layout.mould_closure import flange_corners_mm
-from design.layout.mould_frame import mould_style
-from design.layout.mould_pins import Pin, least_rim_mm, pin_of, rim_below_clips_mm
+from design.layout.mould.closure import flange_corners_mm
+from design.layout.mould.frame import mould_style
+from design.layout.mould.pins import Pin, least_rim_mm, pin_of, rim_below_clips_mm
 from design.layout.places.positions import cover_mm, shell_covers_mm
 from design.layout.pockets import Pocket, shell_pockets
 

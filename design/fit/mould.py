@@ -22,9 +22,9 @@ from design.fit.magnet_places import (
 )
 from design.layout.body import face_frame
 from design.layout.core_hold import why_no_mould
-from design.layout.mould_frame import mould_style, opening_of
-from design.layout.mould_pins import Pin, loose_pins
-from design.layout.mould_pouring import LEAST_POUR_MM, pins_of, pour_holes
+from design.layout.mould.frame import mould_style, opening_of
+from design.layout.mould.pins import Pin, loose_pins
+from design.layout.mould.pouring import LEAST_POUR_MM, pins_of, pour_holes
 from design.layout.pockets import Pocket, distance_of_segments_mm
 
 if TYPE_CHECKING:

@@ -19,7 +19,7 @@ from design.body.surface_chart import Cap, FaceFrame
 from design.layout.boards import wire_hole_diameter_mm
 from design.layout.body import body_of, core_frames, face_frames
 from design.layout.core_sockets import Socket, roomiest_sockets, socket_beside
-from design.layout.mould_frame import opening_of
+from design.layout.mould.frame import opening_of
 from design.layout.pockets import Pocket, shell_pockets
 from design.spec.worked_out import once
 

@@ -18,7 +18,7 @@ from design.errors import InputError
 from design.layout.blocks import core_keys, relief_slits
 from design.layout.boards import cuts_of_core, passage_radius_mm
 from design.layout.body import body_of, core_frames, face_frames
-from design.layout.mould_frame import parting, up
+from design.layout.mould.frame import parting, up
 from design.layout.pockets import axis_in_object_mm, core_pockets, shell_pockets
 from design.spec.worked_out import once
 

@@ -9,8 +9,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from design.layout.mould_frame import MouldFrame, mould_frame, parting, play_mm
-from design.layout.mould_pins import Pin, loose_pins
+from design.layout.mould.frame import MouldFrame, mould_frame, parting, play_mm
+from design.layout.mould.pins import Pin, loose_pins
 from design.mould.openings import mould_holes
 from design.spec.object import ObjectSpec
 from design.spec.worked_out import once

@@ -16,10 +16,10 @@ import numpy as np
 from design.body.meshes import Trap, high_points, manifold_of
 from design.body.triangles import cylinder_between
 from design.layout.body import body_of
-from design.layout.mould_closure import flange_span_mm
-from design.layout.mould_frame import mould_frame, thin_beside, up
-from design.layout.mould_pins import Pin
-from design.layout.mould_pouring import (
+from design.layout.mould.closure import flange_span_mm
+from design.layout.mould.frame import mould_frame, thin_beside, up
+from design.layout.mould.pins import Pin
+from design.layout.mould.pouring import (
     Hole,
     far_mm,
     hole_from,

@@ -14,8 +14,8 @@ import numpy as np
 
 from design.layout.body import body_of
 from design.layout.core_hold import core_outlet
-from design.layout.mould_closure import flange_span_mm
-from design.layout.mould_frame import mould_frame, play_mm
+from design.layout.mould.closure import flange_span_mm
+from design.layout.mould.frame import mould_frame, play_mm
 from design.mould.openings import hole_solid, mould_holes, seal_holes
 from design.mould.plug_flange import flange_solids
 from design.mould.room import cast_room, core_outside

@@ -14,14 +14,14 @@ from __future__ import annotations
 import cadquery as cq
 import numpy as np
 
-from design.layout.mould_closure import (
+from design.layout.mould.closure import (
     CLIP_MM,
     FLANGE_HEIGHT_MM,
     SEAT_MM,
     clip_mm,
     flange_span_mm,
 )
-from design.layout.mould_frame import MouldFrame, mould_frame, mould_style, play_mm
+from design.layout.mould.frame import MouldFrame, mould_frame, mould_style, play_mm
 from design.solids.booleans import common
 from design.solids.primitives import OVERSHOOT_MM, box_between
 from design.spec.object import ObjectSpec

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from design.layout.blocks import core_keys
 from design.layout.body import body_of
-from design.layout.mould_frame import mould_frame
+from design.layout.mould.frame import mould_frame
 from design.layout.surface import cast_surface
 from design.solids.body import core_solid, past_opening
 from design.solids.booleans import Shape, join

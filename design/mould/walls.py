@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cadquery as cq
 
-from design.layout.mould_frame import mould_frame
+from design.layout.mould.frame import mould_frame
 from design.mould.plug_flange import tabs
 from design.mould.room import drawn_out
 from design.solids.booleans import Shape, common, cut, join

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from design.layout.core_hold import why_no_mould
-from design.layout.mould_frame import mould_frame, mould_style
-from design.layout.mould_pins import loose_pins
+from design.layout.mould.frame import mould_frame, mould_style
+from design.layout.mould.pins import loose_pins
 from design.mould.halves import make_mould_half
 from design.mould.one_piece import make_mould_box
 from design.mould.pins import make_pin

@@ -19,7 +19,7 @@ from design.body.kinds.sphere import Sphere
 from design.errors import InputError
 from design.layout.body import body_of
 from design.layout.core_hold import core_outlet
-from design.layout.mould_frame import MouldFrame
+from design.layout.mould.frame import MouldFrame
 from design.solids.booleans import Shape, join
 from design.solids.primitives import OVERSHOOT_MM, box_between, rod_about_z
 from design.spec.object import ObjectSpec

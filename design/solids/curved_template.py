@@ -17,7 +17,7 @@ from jaxtyping import Float, Int
 from design.body.meshes import one_closed_surface
 from design.body.surface_chart import FaceFrame
 from design.body.triangles import Block, block_surface
-from design.layout.mould_frame import play_mm
+from design.layout.mould.frame import play_mm
 from design.layout.pockets import Pocket
 from design.solids.magnet_template import (
     MARK_DEPTH_MM,

@@ -18,7 +18,7 @@ import numpy as np
 
 from design.layout.body import body_of
 from design.layout.core_hold import core_outlet
-from design.layout.mould_frame import play_mm
+from design.layout.mould.frame import play_mm
 from design.solids.body import core_hollow
 from design.solids.booleans import Shape, Solid, cut, one_body
 from design.solids.primitives import OVERSHOOT_MM, box_between, rod_about_z

@@ -14,7 +14,7 @@ import numpy as np
 
 from design.body.surface_chart import FaceFrame
 from design.layout.body import core_frames, face_frames
-from design.layout.mould_frame import play_mm
+from design.layout.mould.frame import play_mm
 from design.layout.pockets import Pocket, core_pockets, shell_pockets
 from design.solids.primitives import OVERSHOOT_MM, box_between, single_solid
 from design.spec.object import ObjectSpec

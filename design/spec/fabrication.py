@@ -27,7 +27,7 @@ class MouldSpec(SpecPart):
     are two halves, pulled apart across a plane through z, with loose pins as bosses, drawn first,
     along their own axes (bosses that point along the pull stay on their half). Left out, the style
     is one piece where a side is open. The plane's normal has `parting_azimuth_deg` from x; left
-    out, it is chosen for the body's kind (`design.layout.mould_frame.parting`). `play_mm` is left between
+    out, it is chosen for the body's kind (`design.layout.mould.frame.parting`). `play_mm` is left between
     parts that slide; left out, it is the printer's clearance. A closed mould is poured through a
     hole of `pour_mm`; vents of `vent_mm` (left out: the printer's narrowest hole) stand where air
     would be caught. `draft_deg` widens pins and rods from where they leave the silicone, dowels

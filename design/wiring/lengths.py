@@ -8,7 +8,7 @@ from design.body.surface_chart import FACE_AXES
 from design.layout.boards import mounted_sensors
 from design.layout.body import core_frames
 from design.layout.core_hold import locators
-from design.layout.mould_frame import opening_of
+from design.layout.mould.frame import opening_of
 from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
 

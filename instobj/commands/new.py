@@ -20,7 +20,7 @@ from design.errors import InputError
 from design.fabrication.finding import Finding
 from design.files import atomic_path
 from design.layout.body import body_of
-from design.layout.mould_frame import (
+from design.layout.mould.frame import (
     YIELD_SHARE,
     hooked_depth_mm,
     hooked_share,
@@ -171,7 +171,7 @@ def _least_hooked(tables: Tables) -> Tables:
 
 def _leaves_walls(spec: ObjectSpec) -> bool:
     """Whether no pin, pouring hole or vent leaves a thin wall to the seam."""
-    from design.layout.mould_pins import pins_thin_the_seam
+    from design.layout.mould.pins import pins_thin_the_seam
     from design.mould.openings import holes_thin_the_seam
 
     return not (pins_thin_the_seam(spec) or holes_thin_the_seam(spec))

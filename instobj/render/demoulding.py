@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
-from design.layout.mould_frame import mould_frame, mould_style, parting
+from design.layout.mould.frame import mould_frame, mould_style, parting
 from design.layout.surface import sealed_body_surface
 from design.spec.object import ObjectSpec
 from instobj.figures.saving import save_figure
@@ -18,7 +18,7 @@ from instobj.render.pieces import Piece, moved, picture_of
 if TYPE_CHECKING:
     import trimesh
 
-    from design.layout.mould_pins import Pin
+    from design.layout.mould.pins import Pin
 
 _SHOWN = (
     *("mould_box", "mould_half_a", "mould_half_b", "mould_plug", "mould_holder", "shell"),

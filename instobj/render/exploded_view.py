@@ -73,7 +73,7 @@ def _aside(spec: ObjectSpec, name: str) -> Float[np.ndarray, "3"]:
     """Halves of a split mould stand apart along the pull."""
     if not name.startswith("mould_half"):
         return np.zeros(3)
-    from design.layout.mould_frame import parting
+    from design.layout.mould.frame import parting
 
     return (1 if name.endswith("a") else -1) * _OUT_MM * parting(spec).normal
 

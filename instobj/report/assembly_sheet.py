@@ -13,7 +13,7 @@ from design.build.manifest import BuildManifest, PartManifest
 from design.build.order_list import OrderLine, cost_eur
 from design.layout.boards import wire_bundle_mm
 from design.layout.body import body_of, core_frames, face_frames
-from design.layout.mould_frame import opening_of
+from design.layout.mould.frame import opening_of
 from design.layout.pockets import magnet_places, sensor_places
 from design.spec.object import ObjectSpec
 from design.wiring.bus_plan import BusPlan
@@ -23,7 +23,7 @@ from instobj.report.assembly_steps import has_template, steps
 from instobj.report.pages import render
 
 if TYPE_CHECKING:
-    from design.layout.mould_pins import PinKind
+    from design.layout.mould.pins import PinKind
 
 _NORTH, _SOUTH = "#c1121f", "#1d4e9e"
 _FACE_MM = 55.0

@@ -7,7 +7,7 @@ from collections.abc import Collection
 from design.build.bom import silicone_amount
 from design.layout.body import body_of
 from design.layout.core_hold import why_no_mould
-from design.layout.mould_frame import mould_frame, mould_style, opening_of
+from design.layout.mould.frame import mould_frame, mould_style, opening_of
 from design.spec.object import ObjectSpec
 
 

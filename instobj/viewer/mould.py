@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from jaxtyping import Float
 
-from design.layout.mould_frame import mould_frame, parting
+from design.layout.mould.frame import mould_frame, parting
 from design.spec.object import ObjectSpec
 from instobj.render.parts import load_stl
 
@@ -71,7 +71,7 @@ def mould_pieces(spec: ObjectSpec, build: Path) -> list[MouldPiece]:
 
 def _pins(spec: ObjectSpec, build: Path) -> list[MouldPiece]:
     """Every loose pin in its place: pins of a kind are alike in the frames of their pockets."""
-    from design.layout.mould_pins import Pin, loose_pins, pins_of_kinds
+    from design.layout.mould.pins import Pin, loose_pins, pins_of_kinds
 
     pins, pieces = loose_pins(spec), []
     length = _PINS_OUT * float(max(spec.body.size_mm))

@@ -15,7 +15,7 @@ from design.body.surface_chart import FaceFrame
 from design.body.triangles import Block
 from design.layout.boards import board_blocks, mounted_sensors
 from design.layout.body import face_frames
-from design.layout.mould_frame import mould_frame
+from design.layout.mould.frame import mould_frame
 from design.layout.places.positions import MagnetLayout, magnet_layout, sensor_layout
 from design.spec.object import ObjectSpec
 from instobj.render.parts import load_stl

@@ -35,10 +35,10 @@ import design.layout.blocks
 import design.layout.boards
 import design.layout.core_hold
 import design.layout.core_sockets
-import design.layout.mould_closure
-import design.layout.mould_frame
-import design.layout.mould_pins
-import design.layout.mould_pouring
+import design.layout.mould.closure
+import design.layout.mould.frame
+import design.layout.mould.pins
+import design.layout.mould.pouring
 import design.layout.places.contact_places
 import design.layout.places.coverage
 import design.layout.places.measures
@@ -133,18 +133,18 @@ FIGURES = {
         "_CROSSING_DEG": 38.0, "_ASIDE_COS": 0.6, "_FINEST": 9, "_STEPS": 13, "_SEAM_MM": 8.0,
         "_OUT_MM": 5.0,
     },
-    design.layout.mould_closure: {
+    design.layout.mould.closure: {
         "SEAT_MM": 2.0, "FLANGE_HEIGHT_MM": 10.0, "FLANGE_OVERLAP_MM": 2.0, "CLIP_MM": 2.5,
     },
-    design.layout.mould_frame: {
+    design.layout.mould.frame: {
         "_DOWN": 6, "_STEP_DEG": 15.0, "_WEDGE": np.cos(np.deg2rad(15.0)),
         "_SLOPE": np.sin(np.deg2rad(2.0)),
     },
-    design.layout.mould_pouring: {
+    design.layout.mould.pouring: {
         "_MOST_CORNERS": 200, "LEAST_POUR_MM": 3.0, "_RIM_POINTS": 24, "_WITHIN": 0.999,
         "_POUR_SHIFTS": (0.0, *(sign * k / 4 for k in range(1, 7) for sign in (1, -1))),
     },
-    design.layout.mould_pins: {"PIN_HEAD_MM": 2.0, "PIN_HEAD_RIM_MM": 1.5, "HEAD_STEP_MM": 1.0},
+    design.layout.mould.pins: {"PIN_HEAD_MM": 2.0, "PIN_HEAD_RIM_MM": 1.5, "HEAD_STEP_MM": 1.0},
     design.layout.places.contact_places: {
         "LEAST_COUNT": 2, "MOST_COUNT": 100, "_ROUND_MARGIN_MM": 0.1, "_FINER": 0.8,
         "_FINER_STEPS": 16,

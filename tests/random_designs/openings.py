@@ -19,9 +19,9 @@ from design.layout.blocks import relief_slits
 from design.layout.boards import wire_channels, wire_hole_diameter_mm
 from design.layout.body import body_of, face_frames
 from design.layout.core_hold import FLAT_SHARE, core_outlet
-from design.layout.mould_frame import mould_frame, mould_style
-from design.layout.mould_pins import Pin, loose_pins, pins_of_kinds
-from design.layout.mould_pouring import Hole
+from design.layout.mould.frame import mould_frame, mould_style
+from design.layout.mould.pins import Pin, loose_pins, pins_of_kinds
+from design.layout.mould.pouring import Hole
 from design.layout.places.positions import board_places, cover_mm
 from design.layout.pockets import shell_pockets
 from design.mould.openings import mould_holes, seal_holes

@@ -5,7 +5,7 @@ import pytest
 
 from design.body.surface_chart import steepest_reach_mm
 from design.layout.body import body_of
-from design.layout.mould_frame import mould_frame
+from design.layout.mould.frame import mould_frame
 from tests.support.objects.worked_objects import OBJECTS, worked
 from tests.support.recorded_facts import assert_on_record, told
 

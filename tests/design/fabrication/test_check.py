@@ -25,8 +25,8 @@ from design.fabrication.printing import (
     check_inhibition,
     check_walls,
 )
-from design.layout.mould_frame import mould_style, parting
-from design.layout.mould_pins import loose_pins
+from design.layout.mould.frame import mould_style, parting
+from design.layout.mould.pins import loose_pins
 from design.mould.halves import make_mould_half
 from design.mould.one_piece import make_mould_box
 from design.mould.plug import make_mould_plug

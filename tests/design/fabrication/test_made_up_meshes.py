@@ -16,8 +16,8 @@ from design.fabrication.check import check_solid
 from design.fabrication.finding import Finding, at_least, worst
 from design.fabrication.printing import check_bed, check_edges, check_walls
 from design.layout.boards import Mounted
-from design.layout.mould_frame import parting
-from design.layout.mould_pouring import Hole
+from design.layout.mould.frame import parting
+from design.layout.mould.pouring import Hole
 from tests.support.objects.worked_objects import worked
 
 CUBE = worked("closed box")

@@ -10,9 +10,9 @@ from design.body.surface_chart import FACE_AXES, FaceFrame
 from design.errors import InputError
 from design.fit import mould
 from design.fit.everything import problems_of
-from design.layout.mould_closure import flange_corners_mm
-from design.layout.mould_frame import mould_frame
-from design.layout.mould_pins import Pin, loose_pins
+from design.layout.mould.closure import flange_corners_mm
+from design.layout.mould.frame import mould_frame
+from design.layout.mould.pins import Pin, loose_pins
 from design.layout.pockets import Body, Outline, Pocket, tilted_frame
 from design.spec.object import ObjectSpec
 

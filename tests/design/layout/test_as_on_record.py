@@ -26,7 +26,7 @@ from design.layout.boards import (
 from design.layout.body import body_of, core_frames, face_frames
 from design.layout.core_hold import core_outlet, locators
 from design.layout.core_sockets import roomiest_sockets, socket_beside
-from design.layout.mould_frame import mould_frame, mould_style, parting, play_mm, thin_at_seam, up
+from design.layout.mould.frame import mould_frame, mould_style, parting, play_mm, thin_at_seam, up
 from design.layout.places.positions import (
     board_places,
     cover_mm,

@@ -24,8 +24,8 @@ from design.layout.core_sockets import (
     _Ways,
     _ways,
 )
-from design.layout.mould_frame import up
-from design.layout.mould_pins import loose_pins
+from design.layout.mould.frame import up
+from design.layout.mould.pins import loose_pins
 from design.layout.places.positions import magnet_layout
 from design.layout.pockets import axis_in_object_mm, shell_pockets
 from design.mould.pins import make_pin

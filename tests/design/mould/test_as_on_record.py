@@ -8,8 +8,8 @@ from design.fabrication.assembly import check_clearances, check_pockets
 from design.fabrication.casting import _heads, _pour, draws
 from design.fabrication.layout import layout_findings
 from design.fabrication.printing import check_features, check_inhibition
-from design.layout.mould_frame import mould_frame
-from design.layout.mould_pins import (
+from design.layout.mould.frame import mould_frame
+from design.layout.mould.pins import (
     least_rim_mm,
     loose_pins,
     pins_by_kind,

@@ -15,9 +15,9 @@ from design.errors import InputError
 from design.fabrication.casting import OPEN_MM3, check_casting
 from design.layout.body import body_of
 from design.layout.core_hold import core_outlet, locators, why_no_mould
-from design.layout.mould_frame import least_undercut, mould_frame, mould_style, parting, up
-from design.layout.mould_pins import loose_pins, pins_of_kinds
-from design.layout.mould_pouring import pour_holes
+from design.layout.mould.frame import least_undercut, mould_frame, mould_style, parting, up
+from design.layout.mould.pins import loose_pins, pins_of_kinds
+from design.layout.mould.pouring import pour_holes
 from design.mould import plug
 from design.mould.halves import make_mould_half
 from design.mould.openings import air_traps, mould_holes

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from design.layout.mould_frame import Parting, mould_frame
+from design.layout.mould.frame import Parting, mould_frame
 from design.mould import flange
 from design.mould.flange import FLANGE_LENGTH_MM, Flange, flanges
 from tests.support.objects.body_cases import body_spec

@@ -7,7 +7,7 @@ from numpy.testing import assert_allclose
 from scipy.spatial.distance import pdist
 
 from design.errors import InputError
-from design.layout.mould_closure import flange_span_mm
+from design.layout.mould.closure import flange_span_mm
 from design.layout.tips import tip_positions_mm
 from design.mould.one_piece import make_mould_box
 from design.mould.plug import make_mould_plug

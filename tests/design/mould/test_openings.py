@@ -6,8 +6,8 @@ import trimesh
 from numpy.testing import assert_allclose
 
 from design.body.meshes import Trap
-from design.layout.mould_frame import up
-from design.layout.mould_pouring import Hole
+from design.layout.mould.frame import up
+from design.layout.mould.pouring import Hole
 from design.mould import openings
 from design.mould.openings import _vent, hole_solid, vent_diameter_mm
 from tests.support.objects.body_cases import body_spec

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from design.layout.core_hold import core_outlet
-from design.layout.mould_closure import FLANGE_HEIGHT_MM, flange_span_mm
-from design.layout.mould_frame import mould_frame, play_mm
+from design.layout.mould.closure import FLANGE_HEIGHT_MM, flange_span_mm
+from design.layout.mould.frame import mould_frame, play_mm
 from design.mould.plug import make_mould_holder
 from design.mould.plug_flange import CHAMFER_MM, _grip, _inner_mm, _over_slope, flange_solids, tabs
 from design.solids.primitives import OVERSHOOT_MM, box_between

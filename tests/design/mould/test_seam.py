@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from design.layout.mould_frame import parting, thin_at_seam
-from design.layout.mould_pins import pins_thin_the_seam
+from design.layout.mould.frame import parting, thin_at_seam
+from design.layout.mould.pins import pins_thin_the_seam
 from design.spec.object import ObjectSpec
 
 BALL = {"name": "ball", "body": {"kind": "sphere", "size_mm": [60.0] * 3}}

@@ -3,8 +3,8 @@
 import pytest
 
 from design.layout.core_hold import locators
-from design.layout.mould_frame import mould_frame
-from design.layout.mould_pins import loose_pins
+from design.layout.mould.frame import mould_frame
+from design.layout.mould.pins import loose_pins
 from design.mould.flange import flanges
 from design.mould.halves import _bolt_holes, _dowel, _flange, _half_space
 from design.mould.one_piece import make_mould_box, make_seal_mould

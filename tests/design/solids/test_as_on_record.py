@@ -6,7 +6,7 @@ import pytest
 from design.body.triangles import Block
 from design.layout.body import face_frames
 from design.layout.core_hold import locators
-from design.layout.mould_frame import mould_frame
+from design.layout.mould.frame import mould_frame
 from design.layout.places.positions import board_places
 from design.layout.pockets import shell_pockets
 from design.solids import sampled

@@ -7,7 +7,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.layout.body import face_frames
-from design.layout.mould_frame import play_mm
+from design.layout.mould.frame import play_mm
 from design.solids.curved_template import (
     _half_mm,
     _rings,

@@ -6,7 +6,7 @@ import pytest
 from design.body.meshes import manifold_of
 from design.layout.body import body_of
 from design.layout.core_hold import core_outlet
-from design.layout.mould_frame import play_mm
+from design.layout.mould.frame import play_mm
 from design.solids.body import core_solid
 from design.solids.booleans import as_triangles
 from design.solids.core import make_core

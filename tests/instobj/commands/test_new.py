@@ -189,7 +189,7 @@ def test_seams_are_turned_to_where_neither_pins_nor_holes_are(monkeypatch):
         lambda spec: spec.mould.parting_azimuth_deg in (51.0, 57.0),
     )
     monkeypatch.setattr(
-        "design.layout.mould_pins.pins_thin_the_seam",
+        "design.layout.mould.pins.pins_thin_the_seam",
         lambda spec: spec.mould.parting_azimuth_deg == 39.0,
     )
     turned = [one["mould"]["parting_azimuth_deg"] for one in new._with_clear_seams(BALL)]
@@ -222,7 +222,7 @@ def test_the_seam_of_a_file_s_body_is_turned_to_where_it_hooks_least_deep(monkey
 def test_seams_that_hook_least_are_tried_first(monkeypatch):
     """Of a vase of six flutes a turn by a whole one hooks nothing, one by 6° does."""
     monkeypatch.setattr("design.mould.openings.holes_thin_the_seam", lambda spec: False)
-    monkeypatch.setattr("design.layout.mould_pins.pins_thin_the_seam", lambda spec: False)
+    monkeypatch.setattr("design.layout.mould.pins.pins_thin_the_seam", lambda spec: False)
     monkeypatch.setattr(
         new, "hooked_share", lambda spec: (spec.mould.parting_azimuth_deg - 45) % 60 / 1000
     )

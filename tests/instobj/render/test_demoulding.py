@@ -5,7 +5,7 @@ import pytest
 import trimesh
 from matplotlib.image import imread
 
-from design.layout.mould_pins import loose_pins
+from design.layout.mould.pins import loose_pins
 from design.spec.object import ObjectSpec
 from instobj.render.demoulding import _one_piece_steps, _split_steps, draw_demoulding
 from instobj.render.pieces import Piece

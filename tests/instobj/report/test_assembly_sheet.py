@@ -12,7 +12,7 @@ from numpy.testing import assert_allclose
 from design.build.bom import bill_of_materials, silicone_amount, write_bom
 from design.build.manifest import BuildManifest, PartManifest
 from design.catalogue.bus_parts import MEGA2560
-from design.layout.mould_pins import PinKind, loose_pins, pins_by_kind
+from design.layout.mould.pins import PinKind, loose_pins, pins_by_kind
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, parse_spec
 from design.wiring.bus_plan import plan_or_none

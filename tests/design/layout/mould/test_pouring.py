@@ -6,11 +6,11 @@ import trimesh
 from numpy.testing import assert_allclose
 
 from design.errors import InputError
-from design.layout import mould_pouring
-from design.layout.mould_closure import flange_span_mm
-from design.layout.mould_frame import mould_frame, up
-from design.layout.mould_pins import loose_pins
-from design.layout.mould_pouring import Hole, is_clear, pour_holes
+from design.layout.mould import pouring
+from design.layout.mould.closure import flange_span_mm
+from design.layout.mould.frame import mould_frame, up
+from design.layout.mould.pins import loose_pins
+from design.layout.mould.pouring import Hole, is_clear, pour_holes
 from design.spec_io import parse_spec
 from tests.support.objects.body_cases import body_spec
 from tests.support.objects.worked_objects import worked
@@ -47,12 +47,12 @@ def test_a_pouring_hole_goes_down_from_the_upper_corner_until_no_pin_is_in_its_w
     ]
     (hole,) = pour_holes(spec)
     assert not any(len(hole.surface().intersection(pin).faces) for pin in pins)
-    monkeypatch.setattr(mould_pouring, "is_clear", lambda hole, pins: True)
+    monkeypatch.setattr(pouring, "is_clear", lambda hole, pins: True)
     (blocked,) = pour_holes(spec)
     assert any(len(blocked.surface().intersection(pin).faces) for pin in pins)
     lower_mm = (blocked.top_mm - hole.top_mm) @ up(spec)
     assert 0 < lower_mm < 1
-    monkeypatch.setattr(mould_pouring, "is_clear", lambda hole, pins: False)
+    monkeypatch.setattr(pouring, "is_clear", lambda hole, pins: False)
     with pytest.raises(InputError, match="a pin of a magnet's pocket is in the way"):
         pour_holes(spec)
 
@@ -63,7 +63,7 @@ def test_pouring_holes_of_a_bored_body_move_along_its_holder_together(monkeypatc
     usual = pour_holes(spec)
     frame, aside = mould_frame(spec), abs(usual[0].top_mm[0])
     monkeypatch.setattr(
-        mould_pouring, "is_clear", lambda hole, pins: abs(hole.top_mm @ frame.along) > 0.7 * aside
+        pouring, "is_clear", lambda hole, pins: abs(hole.top_mm @ frame.along) > 0.7 * aside
     )
     one, other = pour_holes(spec)
     assert_allclose(one.top_mm[:2], -other.top_mm[:2], atol=1e-9)
@@ -81,10 +81,10 @@ def test_pouring_holes_move_along_the_holder_where_walls_to_the_seam_are_thin(mo
     def thin_near_the_middle(spec, hole):
         return abs(hole.top_mm @ frame.along) < 0.7 * aside
 
-    monkeypatch.setattr(mould_pouring, "hole_thins_the_seam", thin_near_the_middle)
+    monkeypatch.setattr(pouring, "hole_thins_the_seam", thin_near_the_middle)
     for hole in pour_holes(spec):
         assert_allclose(abs(hole.top_mm @ frame.along), 0.75 * aside)
-    monkeypatch.setattr(mould_pouring, "hole_thins_the_seam", lambda spec, hole: True)
+    monkeypatch.setattr(pouring, "hole_thins_the_seam", lambda spec, hole: True)
     assert_allclose(pour_holes(spec)[0].top_mm, usual.top_mm)
 
 
@@ -109,7 +109,7 @@ def test_silicone_lies_under_all_of_a_pouring_hole_s_rim_by_hand():
     for width, finds_room in ((17.8, True), (18.4, False), (25.0, False)):
         ball = usual.changed(mould=usual.mould.changed(pour_mm=width))
         assert (rod + width < 22) is finds_room
-        places = [*mould_pouring._pour_places(ball, True)]
+        places = [*pouring._pour_places(ball, True)]
         assert bool(places) is finds_room, width
         for top in places[0] if places else ():
             assert np.hypot(*top[:2]) + width / 2 <= 22

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from design.layout import mould_pins as pins
-from design.layout.mould_frame import mould_frame, parting
-from design.layout.mould_pins import PIN_HEAD_MM, loose_pins, pins_by_kind
+from design.layout.mould import pins
+from design.layout.mould.frame import mould_frame, parting
+from design.layout.mould.pins import PIN_HEAD_MM, loose_pins, pins_by_kind
 from design.layout.pockets import shell_pockets
 from design.spec.object import ObjectSpec
 from tests.support.objects.body_cases import body_spec

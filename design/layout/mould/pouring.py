@@ -15,8 +15,8 @@ from jaxtyping import Float
 
 from design.errors import InputError
 from design.layout.body import body_of
-from design.layout.mould_frame import mould_frame, mould_style, thin_at_seam, up
-from design.layout.mould_pins import Pin, exit_mm, loose_pins
+from design.layout.mould.frame import mould_frame, mould_style, thin_at_seam, up
+from design.layout.mould.pins import Pin, exit_mm, loose_pins
 from design.layout.pockets import distance_of_segments_mm
 from design.spec.object import ObjectSpec
 

@@ -19,8 +19,8 @@ from jaxtyping import Float
 from design.body.surface_chart import FaceFrame
 from design.layout.body import face_frames
 from design.layout.core_hold import Locator, locators
-from design.layout.mould_closure import flange_span_mm
-from design.layout.mould_frame import mould_frame, parting, play_mm, thin_at_seam
+from design.layout.mould.closure import flange_span_mm
+from design.layout.mould.frame import mould_frame, parting, play_mm, thin_at_seam
 from design.layout.pockets import Body, Outline, Pocket, distance_of_segments_mm, shell_pockets
 from design.spec.worked_out import once
 

@@ -11,7 +11,7 @@ import numpy as np
 from jaxtyping import Float
 
 from design.layout.body import body_of
-from design.layout.mould_frame import mould_frame, play_mm
+from design.layout.mould.frame import mould_frame, play_mm
 
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec

@@ -5,10 +5,10 @@ import pytest
 import trimesh
 from numpy.testing import assert_allclose
 
-from design.layout import mould_frame as frames
 from design.layout.body import body_of
-from design.layout.mould_closure import clip_mm, flange_corners_mm
-from design.layout.mould_frame import mould_frame, mould_style, parting, play_mm, up
+from design.layout.mould import frame as frames
+from design.layout.mould.closure import clip_mm, flange_corners_mm
+from design.layout.mould.frame import mould_frame, mould_style, parting, play_mm, up
 from design.spec.object import ObjectSpec
 
 AXES = {1: (0, 0, 1), 2: (0, -1, 0), 3: (1, 0, 0), 4: (0, 1, 0), 5: (-1, 0, 0), 6: (0, 0, -1)}
