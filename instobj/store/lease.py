@@ -98,8 +98,9 @@ def _take_lease(root: Path) -> Lease:
     file.write(json.dumps(holder))
     file.flush()
     threading.Thread(target=_beat, args=(path,), daemon=True, name="store lease").start()
-    atexit.register(_release, path, os.getpid())
-    return Lease(path, file)
+    lease = Lease(path, file)
+    atexit.register(_release, lease, os.getpid())
+    return lease
 
 
 def _beat(path: Path) -> None:
@@ -114,9 +115,10 @@ def _beat(path: Path) -> None:
             continue
 
 
-def _release(path: Path, pid: int) -> None:
+def _release(lease: Lease, pid: int) -> None:
     if os.getpid() == pid:
-        path.unlink(missing_ok=True)
+        lease.file.close()
+        lease.path.unlink(missing_ok=True)
 
 
 def _leases(root: Path) -> list[Path]:
