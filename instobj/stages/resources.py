@@ -79,7 +79,11 @@ def needed_gib(stage: str, spec: ObjectSpec) -> float:
 
 
 def mesh_vertices(spec: ObjectSpec) -> float:
-    """Vertices of the mesh: fine under the skin, coarser to mid-shell, coarse below."""
+    """Vertices of the mesh: fine under the skin, coarser to mid-shell, coarse below.
+
+    Within a factor of two, but for small bodies with edges about as long as the shell is thick: a dome of
+    36 mm with edges of 3 and 7 mm has 880 vertices, 2.6 times as many (with those of its example 1.0 times).
+    """
     volume = sealed_volume_mm3(spec)
     fine, coarse = spec.mesh.surface_edge_mm, spec.mesh.edge_mm
     area, ramp = volume / spec.shell.thickness_mm, spec.shell.thickness_mm / 2

@@ -153,7 +153,7 @@ def test_two_workers_find_what_one_process_finds_though_one_is_killed(tmp_path, 
 
     path = write_study(tmp_path, '[grid]\n"shell.thickness_mm" = [8.0, 7.5]\n')
     monkeypatch.setenv("INSTOBJ_STORE", str(tmp_path / "store"))
-    monkeypatch.setattr(workers, "_MOST_SILENT_S", 0.0)
+    monkeypatch.setattr(workers, "NEWS_EVERY_S", 0.0)
     killed, made = [], []
 
     def finished(self, task, outcome):
