@@ -22,7 +22,7 @@ from estimator.frames.face_data import (
     Channel,
     channel_counts,
     channel_label,
-    has_readings,
+    told_frames,
     with_history,
 )
 from estimator.networks.prediction import UNITS, Prediction
@@ -137,9 +137,7 @@ def predict_told(
     InputError
         No frame has the readings of all channels that the model uses.
     """
-    wide = with_history(frames, model.history_frames)
-    told = has_readings(wide, model.channels)
-    chosen = wide.select(told) if told.any() else wide
+    told, chosen = told_frames(frames, model.channels, model.history_frames)
     return told, run_model(model, channel_counts(chosen, model.channels))
 
 

@@ -140,6 +140,22 @@ def has_readings(frames: FrameSet, channels: tuple[Channel, ...]) -> Bool[np.nda
     return np.all(np.isfinite(_of_channels(frames, channels)), axis=1)
 
 
+def told_frames(
+    frames: FrameSet, channels: tuple[Channel, ...], history_frames: int
+) -> tuple[Bool[np.ndarray, "frame"], FrameSet]:
+    """Which frames have readings of all channels (and the one that a change starts from), and these, with
+    changes; all of them where none has, for `channel_counts` to say which channel is missing.
+
+    Raises
+    ------
+    InputError
+        A channel does not exist.
+    """
+    wide = with_history(frames, history_frames)
+    told = has_readings(wide, channels)
+    return told, wide.select(told) if told.any() else wide
+
+
 def _of_channels(
     frames: FrameSet, channels: tuple[Channel, ...]
 ) -> Float[np.ndarray, "frame channel"]:

@@ -18,7 +18,7 @@ from estimator.frames.face_data import (
     HISTORY,
     Channel,
     channel_counts,
-    has_readings,
+    told_frames,
     with_history,
 )
 from estimator.networks.forest import Forest, ForestShape
@@ -99,9 +99,7 @@ def predict_told(model: FaceModel, frames: FrameSet) -> Prediction:
     InputError
         No frame has the readings of all channels that the model uses.
     """
-    wide = with_history(frames, model.history_frames)
-    told = has_readings(wide, model.channels)
-    chosen = wide.select(told) if told.any() else wide
+    told, chosen = told_frames(frames, model.channels, model.history_frames)
     return predict(model, chosen).spread(told)
 
 

@@ -44,10 +44,11 @@ _OTHERS = "OTHER KINDS"
 _MOULD_MM = 30.0
 """Of walls and flanges, beyond the body."""
 _TURNS_DEG = (6.0, -6.0, 12.0, -12.0, 18.0, -18.0, 30.0, -30.0, 45.0, -45.0, 60.0, -60.0, 90.0)
-_AZIMUTHS_DEG = tuple(np.arange(0.0, 180.0, 5.0).tolist())
-_MOST_REFINED, _FINER_DEG = 3, (-2.0, -1.0, 0.0, 1.0, 2.0)
 _MOST_TURNS = 2
 """By which a mould's seam is turned, and how many of those are tried."""
+_AZIMUTHS_DEG = tuple(np.arange(0.0, 180.0, 5.0).tolist())
+_MOST_REFINED, _FINER_DEG = 3, (-2.0, -1.0, 0.0, 1.0, 2.0)
+"""Where the seam that hooks least deep is looked for: first these, then beside the best of them."""
 _BED = "fits the bed"
 _OF_THE_BODY = {"undercut", _BED}
 """Checks that fail by the shape or size of a body, wherever its parts are."""

@@ -110,18 +110,19 @@ def robustness_summary(spec: ObjectSpec, folder: Path) -> dict[str, list[dict[st
 
 def budget_rows(spec: ObjectSpec, budget: Robustness) -> list[dict[str, Any]]:
     """One row per contribution, worst first, then all together both ways."""
+    figures = {
+        "localisation error mm": lambda row: row.false_place_mm,
+        "worst mm": lambda row: row.false_place_worst_mm,
+        "force error N": lambda row: row.false_force_n,
+        "worst N": lambda row: row.false_force_worst_n,
+        "ΔS %": lambda row: 100 * row.signal,
+        "rest counts": lambda row: row.baseline_counts,
+        "position bound %": lambda row: 100 * row.position_bound,
+        "force bound %": lambda row: 100 * row.force_bound,
+    }
     return [
-        {
-            "tolerance": tolerance_text(spec, row.name),
-            "localisation error mm": round(row.false_place_mm, _DECIMALS),
-            "worst mm": round(row.false_place_worst_mm, _DECIMALS),
-            "force error N": round(row.false_force_n, _DECIMALS),
-            "worst N": round(row.false_force_worst_n, _DECIMALS),
-            "ΔS %": round(100 * row.signal, _DECIMALS),
-            "rest counts": round(row.baseline_counts, _DECIMALS),
-            "position bound %": round(100 * row.position_bound, _DECIMALS),
-            "force bound %": round(100 * row.force_bound, _DECIMALS),
-        }
+        {"tolerance": tolerance_text(spec, row.name)}
+        | {title: round(figure(row), _DECIMALS) for title, figure in figures.items()}
         for row in (*budget.contributions, budget.together, budget.monte_carlo)
     ]
 

@@ -120,7 +120,7 @@ def draw_sweep(study: Study, rows: Sequence[dict[str, Any]], path: Path) -> bool
             x, y = (np.array([row[name] for row in made], dtype=float) for name in (key, score))
             axes.plot(x, y, "o", ms=4, color="#31688e", alpha=0.7)
             axes.grid(alpha=0.3)
-            axes.set_ylim(0, 1.1 * y.max() or 1)
+            axes.set_ylim(0, 1.1 * y[np.isfinite(y)].max(initial=0.0) or 1)
         panel_row[0].set_ylabel(score)
     for axes, key in zip(panels[-1], keys, strict=True):
         axes.set_xlabel(key)

@@ -58,7 +58,8 @@ def test_one_edit_leaves_what_the_schema_takes(kind):
         if kind in kinds:
             tables = tomllib.loads(text)
             edit(np.random.default_rng(number), tables)
-            ObjectSpec.model_validate(with_places_in_mm(tables))
+            spec = ObjectSpec.model_validate(with_places_in_mm(tables))
+            assert spec.body.kind == kind, "an edit keeps the kind of body"
 
 
 def test_values_are_those_given_or_the_defaults():

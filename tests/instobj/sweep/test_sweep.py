@@ -76,6 +76,7 @@ def test_scores_that_differ_little_stand_within_their_panels(monkeypatch, tmp_pa
     kept = []
     monkeypatch.setattr(outcome, "save_figure", lambda figure, path: kept.append(figure))
     rows = [{"shell.thickness_mm": 7.0 + n, "place mm": 0.44 + 0.02 * n} for n in range(3)]
+    rows.append({"shell.thickness_mm": 30.0, "place mm": float("inf")})
     study = Study("s", ("scores",), (Variant("a", {"shell.thickness_mm": 7.0}, None),))
     assert draw_sweep(study, rows, tmp_path / "sweep.png")
     (panel,) = kept[0].axes
