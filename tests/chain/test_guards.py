@@ -1,11 +1,18 @@
-"""Keywords that guard say so everywhere: results are immutable, lists end together, files run no code."""
+"""Keywords that guard say so everywhere: results are immutable, lists end together, files run no code.
+
+And defaults of functions and fields, on record: nothing but their choice makes most of them right.
+"""
 
 import ast
+from functools import cache
 from pathlib import Path
+
+import pytest
 
 import design
 import estimator
 import fem
+from tests.support.recorded_facts import assert_on_record
 
 ROOT = Path(__file__).parents[2]
 GUARDS = {"frozen": True, "strict": True, "allow_pickle": False, "allow_inf_nan": False}
@@ -23,9 +30,16 @@ UNEQUAL = {
 """How often a file takes lists together of which one is longer on purpose."""
 
 
-def unguarded(source):
+@cache
+def modules(package):
+    """Syntax tree of every file of a package, by its name."""
+    files = sorted((ROOT / package).rglob("*.py"))
+    return {file.relative_to(ROOT).as_posix(): ast.parse(file.read_text("utf-8")) for file in files}
+
+
+def unguarded(tree):
     """Keywords of calls that say the other of what guards."""
-    calls = (node for node in ast.walk(ast.parse(source)) if isinstance(node, ast.Call))
+    calls = (node for node in ast.walk(tree) if isinstance(node, ast.Call))
     said = [one for call in calls for one in call.keywords if one.arg in GUARDS]
     return [
         one.arg
@@ -37,15 +51,61 @@ def unguarded(source):
 def test_dataclasses_are_frozen_lists_zipped_strictly_numbers_finite_and_nothing_unpickled():
     """In the packages that make results; pages and figures of `instobj` may end a list early."""
     found = {
-        path.relative_to(ROOT).as_posix(): names
+        path: names
         for package in (design, fem, estimator)
-        for path in sorted((ROOT / package.__name__).rglob("*.py"))
-        if (names := unguarded(path.read_text(encoding="utf-8")))
+        for path, tree in modules(package.__name__).items()
+        if (names := unguarded(tree))
     }
     assert found == {path: ["strict"] * number for path, number in UNEQUAL.items()}
 
 
 def test_what_does_not_guard_is_found():
     source = "@dataclass(frozen={})\nclass A:\n    x: float = Field(allow_inf_nan={})\n"
-    assert unguarded(source.format("False", "True")) == ["frozen", "allow_inf_nan"]
-    assert unguarded(source.format("True", "False")) == []
+    assert unguarded(ast.parse(source.format("False", "True"))) == ["frozen", "allow_inf_nan"]
+    assert unguarded(ast.parse(source.format("True", "False"))) == []
+
+
+def defaults(tree, inside=""):
+    """Lines: default numbers and truth values of functions and of fields of classes, but seeds."""
+    for node in getattr(tree, "body", []):
+        if isinstance(node, ast.ClassDef):
+            fields = [one for one in node.body if isinstance(one, ast.AnnAssign | ast.Assign)]
+            for field in fields:
+                name = ast.unparse(getattr(field, "target", None) or field.targets[0])
+                yield from _default(f"{inside}{node.name}.{name}", field.value)
+            yield from defaults(node, f"{inside}{node.name}.")
+        elif isinstance(node, ast.FunctionDef):
+            args = [*node.args.posonlyargs, *node.args.args]
+            given = [*zip(reversed(args), reversed(node.args.defaults), strict=False)][::-1]
+            given += zip(node.args.kwonlyargs, node.args.kw_defaults, strict=True)
+            for argument, value in given:
+                yield from _default(f"{inside}{node.name}({argument.arg})", value)
+
+
+def _default(name, value):
+    parts = ast.walk(value) if value else ()
+    numbers = [one for one in parts if isinstance(getattr(one, "value", None), int | float)]
+    if numbers and not name.endswith("(seed)"):
+        yield f"{name} = {ast.unparse(value)}"
+
+
+@pytest.mark.parametrize("package", [design, fem, estimator], ids=lambda package: package.__name__)
+def test_defaults_are_as_on_record(package):
+    """But for the keys of a specification (`tests/design/spec/test_keys.py`)."""
+    lines = [
+        f"{path.removesuffix('.py').replace('/', '.')}: {line}"
+        for path, tree in modules(package.__name__).items()
+        if not path.startswith("design/spec/")
+        for line in defaults(tree)
+    ]
+    assert_on_record("defaults", package.__name__, lines, "chain")
+
+
+def test_defaults_of_functions_methods_and_fields_are_found():
+    source = "def f(a, b=2, *, c=-0.5, d=None): ...\nclass A:\n    e = True\n    def g(self, h=(1, 2)): ..."
+    assert list(defaults(ast.parse(source))) == [
+        "f(b) = 2",
+        "f(c) = -0.5",
+        "A.e = True",
+        "A.g(h) = (1, 2)",
+    ]

@@ -14,16 +14,16 @@ import numpy as np
 
 from design.files import atomic_path
 
-FOLDER = Path(__file__).parents[1] / "references" / "design"
+FOLDER = Path(__file__).parents[1] / "references"
 MODE = "INSTOBJ_TESTS_FACTS"
 _NUMBER = re.compile(r"(?<![\w.])-?\d+(?:\.\d+)?(?:e[+-]?\d+)?(?![\w])")
 _FEW = 12
 """Numbers of an array that are told one by one."""
 
 
-def assert_on_record(file, section, lines):
-    """Lines of a section as they stand in `tests/references/design/<file>.txt`."""
-    path, lines = FOLDER / f"{file}.txt", list(lines)
+def assert_on_record(file, section, lines, package="design"):
+    """Lines of a section as they stand in `tests/references/<package>/<file>.txt`."""
+    path, lines = FOLDER / package / f"{file}.txt", list(lines)
     if os.environ.get(MODE) == "record":
         _write(path, section, lines)
     known = sections_of(path).get(section)

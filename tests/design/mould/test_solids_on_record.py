@@ -1,6 +1,7 @@
 """Cheap solids of moulds of objects off their symmetries: volumes, middles and boxes, on record."""
 
 import pytest
+from numpy.testing import assert_allclose
 
 from design.layout.core_hold import locators
 from design.layout.mould.frame import mould_frame
@@ -14,6 +15,7 @@ from design.mould.plug_flange import flange_solids, tabs
 from design.mould.walls import block
 from design.solids.core import _sockets
 from design.solids.shell import locator_hole
+from design.spec.object import ObjectSpec
 from tests.support.objects.worked_objects import worked
 from tests.support.recorded_facts import assert_on_record, of_solids
 
@@ -59,3 +61,21 @@ def test_what_holds_a_core_is_as_on_record(name):
         lines.append(of_solids("rod's hole", [rod_hole(spec)]))
         lines.append(of_solids("holder", [make_mould_holder(spec)]))
     assert_on_record("hold_solids", name, lines)
+
+
+def test_pockets_along_the_pull_are_fixed_bosses_but_where_a_locating_pin_forms_them():
+    """Pulled along x: face 3's middle holds a locating pin, its second pocket and face 5's are fixed."""
+    content = {
+        "body": {"open_faces": []},
+        "magnets": {"positions_mm": [[0.0, 0.0], [9.0, 0.0]]},
+        "mould": {"parting_azimuth_deg": 0.0},
+    }
+    spec = ObjectSpec.model_validate({"name": "wide", **content})
+    middles = [[boss.Center().toTuple() for boss in fixed_bosses(spec, side)] for side in (1, -1)]
+    assert [[x > 0 for x, _, _ in some] for some in middles] == [[True], [False, False]]
+    beside = [[yz for _, *yz in some] for some in middles]
+    assert_allclose(beside[0], [[0.0, -9.0]], atol=1e-9)
+    assert_allclose(beside[1], [[0.0, 0.0], [0.0, -9.0]], atol=1e-9)
+    pins = loose_pins(spec)
+    assert [pin.frame.number for pin in pins if pin.locator is not None] == [2, 3]
+    assert [pin.frame.number for pin in pins if pin.locator is None] == [1, 1, 2, 4, 4, 6, 6]

@@ -284,3 +284,18 @@ def test_the_upper_triangle_stores_every_diagonal_entry_in_sorted_rows():
     assert_allclose(upper.toarray(), np.triu(dense), rtol=0, atol=0)
     assert upper.indices.tolist() == [0, 1, 3, 1, 2, 3]
     assert upper.indptr.tolist() == [0, 3, 4, 5, 6]
+
+
+@pytest.mark.parametrize("most_runs", [150, 1], ids=["by blocks", "one by one"])
+@pytest.mark.parametrize("at", [[0], [3, 4, 7], [1, 2, 3, 6, 8, 9], []], ids=str)
+def test_a_front_is_added_at_its_rows(monkeypatch, at, most_runs):
+    """Its lower triangle, wherever the first run of neighbours begins."""
+    monkeypatch.setattr(multifrontal, "_MOST_RUNS", most_runs)
+    rng = np.random.default_rng(2)
+    front, part = rng.normal(size=(10, 10)), rng.normal(size=(len(at), len(at)))
+    wanted = front.copy()
+    for row, to_row in enumerate(at):
+        for column, to_column in enumerate(at[: row + 1]):
+            wanted[to_row, to_column] += part[row, column]
+    multifrontal._add(front, np.array(at, int), part)
+    assert_allclose(np.tril(front), np.tril(wanted))
