@@ -3,6 +3,7 @@
 import re
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -360,3 +361,30 @@ def test_a_face_without_a_patch_is_left_out_of_the_largest(tmp_path):
     read = body_of_file(path)
     request = Request("imported", tuple(read["size_mm"]), 3, None, (("file", read["file"]),))
     assert first_fit(request, (Trim(5.0, 4.0, 3.0),)) is None
+
+
+@pytest.mark.parametrize(
+    "wrong", ["tight_middle", "tight_core", "tight_core, as sunk", "tight_rim", "_wall_mm"]
+)
+def test_a_pattern_that_is_tight_in_any_one_way_is_left_out(monkeypatch, wrong):
+    """The first of two patterns, which is wrong in one way alone, gives way to the second."""
+    spec_of_tables = lambda tables: tables["core"]["number"]  # noqa: E731
+    monkeypatch.setattr(objects, "spec_of", spec_of_tables)
+    numbers = iter((1, 2))
+    monkeypatch.setattr(objects, "_electronics", lambda *_: {"core": {"number": next(numbers)}})
+    for name in ("tight_middle", "tight_rim", "low_rim"):
+        monkeypatch.setattr(objects, name, lambda spec, name=name: (spec, wrong) == (1, name))
+    unsunk = lambda spec, sunk: wrong == ("tight_core, as sunk" if sunk else "tight_core")  # noqa: E731
+    monkeypatch.setattr(
+        objects, "tight_core", lambda spec, sunk=True: spec == 1 and unsunk(spec, sunk)
+    )
+    monkeypatch.setattr(
+        objects, "_wall_mm", lambda spec: None if (spec, wrong) == (1, "_wall_mm") else 2.0 + spec
+    )
+    monkeypatch.setattr(objects, "body_of", lambda spec: SimpleNamespace(opening="plane"))
+    monkeypatch.setattr(objects, "fits", lambda spec: True)
+    square = ((1.0, 0.0), (0.0, 1.0))
+    found = objects._with_patterns.__wrapped__(
+        QUICK["pad"], {}, [np.ones(2)], [(0.5, np.array(square)), (0.4, np.array(square))]
+    )
+    assert found == {"core": {"number": 2, "wall_mm": 4.0}}

@@ -163,3 +163,17 @@ def test_pairs_of_faults_count_in_one_order_alone(model):
     assert [one.faults for one in kept] == [(a, b), (a, c), (a,)]
     assert kept[0].name == f"{a} and {b}"
     assert selftest.Hypothesis((), 0.0, 1.0).name == "as specified"
+
+
+def test_noise_beside_tolerances_adds_its_variance_to_every_channel():
+    """4 and 3 counts of readings and of zeroing: 25 more on the diagonal, 9 without the readings'."""
+    small = {"magnets": {"positions_mm": [[2.0, -3.0]]}, "body": {"sensed_faces": [1]}}
+
+    def made(zeroing_counts, *noise_counts):
+        sensors = {"sensors": {"zeroing_counts": zeroing_counts}}
+        spec = ObjectSpec.model_validate({"name": "small", **small, **sensors})
+        return rest_model(spec, *noise_counts).covariance
+
+    without = made(0.0)
+    np.testing.assert_allclose(made(3.0) - without, 9 * np.eye(9), atol=1e-7)
+    np.testing.assert_allclose(made(3.0, 4.0) - without, 25 * np.eye(9), atol=1e-7)

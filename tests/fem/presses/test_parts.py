@@ -7,10 +7,12 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.errors import InputError
+from design.layout.places.contact_grid import PlaceGrid
 from design.spec.object import IndenterSpec, ObjectSpec
 from fem.candidates import presses as candidates
 from fem.presses import discretisation, shape
 from fem.presses.joint import Tip, require_apart
+from fem.presses.results import MagnetMotions
 from fem.presses.table import require_on_face
 
 
@@ -113,3 +115,14 @@ def test_presses_to_forces_are_mixed_of_the_depths_on_both_sides(monkeypatch):
     low = candidates.presses_at_forces.__wrapped__(shallow, response, 0, (0.5, 1.0))
     assert_allclose(low.depth_mm, [[0.5, 1.0]])
     assert_allclose(low.pressure_mpa[0], [[0.25, 0.25], [0.5, 0.5]])
+
+
+def test_places_that_a_face_has_not_are_left_out_of_every_press():
+    motion = np.arange(2 * 3 * 2 * 2 * 6, dtype=float).reshape(2, 3, 2, 2, 6)
+    grid = PlaceGrid(np.arange(3.0), np.zeros(1))
+    whole = MagnetMotions(np.array([1, 3]), grid, np.array([0.5, 1.0]), motion)
+    assert whole.pressed.all()
+    assert_allclose(whole.every, motion.reshape(12, 2, 6))
+    motion[1, 0] = np.nan
+    assert whole.pressed.tolist() == [[True] * 3, [False, True, True]]
+    assert_allclose(whole.every, np.concatenate([motion[0], motion[1, 1:]]).reshape(10, 2, 6))

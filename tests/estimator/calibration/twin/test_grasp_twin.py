@@ -1,6 +1,7 @@
 """A whole object calibrated on presses of several tips together, and what it reads of others."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -135,3 +136,13 @@ def test_errors_of_sensors_are_what_is_left_over(seen):
 def test_two_cases_are_too_few(built):
     with pytest.raises(InputError, match="got 2 such cases"):
         pressed_cases(SPEC, grasps(built, 2, cases=2), presses()[0])
+
+
+def test_the_share_left_is_of_signals_without_their_noise():
+    """5 noise² of 30 left, of 130: √(25 / 125); signals lost in noise are measured by the noise."""
+    counts = np.array([[[3.0, 11.0]], [[1.0, 1.0]], [[7.0, 9.0]]])
+    noise = np.array([[[1.0, 4.0]], [[2.0, 6.0]], [[3.0, 2.0]]])
+    left = np.array([[1.0, np.sqrt(29)], [4.0, np.sqrt(24)], [1.0, 0.5]])
+    seen = SimpleNamespace(counts=counts, noise_counts2=noise)
+    found = left_share.__wrapped__(seen, left)
+    assert_allclose(found, [np.sqrt(25 / 125), np.sqrt(32 / 8), 0.0])
