@@ -108,8 +108,8 @@ def export(
         typer.Argument(help="Trained estimators (face_<n>.safetensors), or their folder."),
     ],
     out: Annotated[
-        Path, typer.Option(help="Folder of the files (default: beside each model).")
-    ] = HERE,
+        Path | None, typer.Option(help="Folder of the files (default: beside each model).")
+    ] = None,
     as_json: AsJson = False,
 ) -> None:
     """Trained estimators as ONNX files with scaling, units and channel order inside."""

@@ -43,8 +43,10 @@ def work_through(
     inputs: dict[str, Any],
     stages: Sequence[DataStage],
     progress: ProgressLine,
+    folder: str = "",
 ) -> dict[str, Any]:
-    """Make the stages of a data set, or find them stored; results go to `runs/<name>`."""
+    """Make the stages of a data set, or find them stored; results go to `runs/<name>`, or to the given
+    folder in it."""
     from instobj.report.summary import summarize
 
     results: Results = {}
@@ -58,10 +60,10 @@ def work_through(
                 stage.name, inputs | dict(stage.inputs), make, progress
             )
     name = run_name(path)
-    target = run_folder(out, name)
+    target = run_folder(out, name) / folder
     files = [file for result in results.values() for file in publish_to(target, result)]
     return {
-        "name": name,
+        "name": f"{name}/{folder}" if folder else name,
         "stages": [stage_row(result) for result in results.values()],
         "summary": summarize(results),
         "files": file_rows(files),

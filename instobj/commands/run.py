@@ -7,18 +7,25 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from design.errors import InputError
+from design.errors import InputError, InstobjError
 from design.spec.object import ObjectSpec
 from design.spec_io import check as require_fit
 from design.spec_io import load_spec, spec_hash
 from instobj.commands.compare import compare_scores
-from instobj.stages.run import Run
+from instobj.stages.run import Run, with_needs
 from instobj.stages.tasks import tasks_of
 from instobj.stages.workers import open_workers
 from instobj.store.content import store_root
 from instobj.store.progress import ProgressLine
-from instobj.store.publish import file_rows, publish, require_writable, stage_row
-from instobj.store.readers import FINDINGS
+from instobj.store.publish import (
+    file_rows,
+    publish,
+    require_writable,
+    run_folder,
+    run_name,
+    stage_row,
+)
+from instobj.store.readers import FINDINGS, FRAMES
 
 
 @dataclass(frozen=True)
@@ -137,8 +144,10 @@ def run_chain(
     (`instobj.stages.workers`).
     """
     loaded = [load_spec(path, overrides) for path in specs]
-    _require_distinct_names(loaded, specs)
+    _require_distinct_names([spec.name for spec in loaded], specs)
     require_writable(out)
+    for spec in loaded:
+        _require_no_recording(spec, stages, out)
     _make_by_workers(loaded, stages, workers, scheduler)
     result: dict[str, Any] = {
         "command": "chain",
@@ -161,7 +170,7 @@ def simulate_recordings(
     from estimator.frames.contact_cases import contact_groups
 
     loaded = [load_spec(path, overrides) for path in specs]
-    _require_distinct_names(loaded, specs)
+    _require_distinct_names([spec.name for spec in loaded], specs)
     require_writable(out)
     for spec in loaded:  # told before the minutes of mechanics
         contact_groups(spec)
@@ -234,47 +243,91 @@ def run_estimator(
     from instobj.commands.training import run_on_data_set, settings_of
 
     require_writable(out)
+    if len(sources) > 1:
+        _require_distinct_names([_results_name(path, overrides) for path in sources], sources)
     objects = []
     for path in sources:
-        if path.suffix == ".csv":
-            raise InputError(
-                f"{path} is a recording, not a data set. Run `instobj recordings {path}` first and "
-                "give the frames.nc that it writes"
-            )
         inverts = path.suffix == ".nc" and settings_of(overrides)[0].model == "inversion"
-        if on is not None and not inverts:
-            raise InputError(
-                f"--on judges contacts that inversion reads in another data set; got {path}. Add "
-                "--set training.model=inversion and --twin SPEC to a data set (.nc), or leave --on out"
-            )
+        _require_trainable(path, start, twin, None if inverts else on)
         if inverts:
             objects.append(invert_on_data_set(path, stages, out, overrides, twin, on))
         elif path.suffix == ".nc":
             objects.append(run_on_data_set(path, stages, out, overrides, start, twin))
-        elif start is not None or twin is not None:
-            raise InputError(
-                f"{'--twin' if start is None else '--start'} is for data sets (.nc); got the "
-                f"specification {path}. Leave it out, or give the data set of the object that the "
-                "estimators are tuned to"
-            )
         else:
             spec = load_spec(path, overrides)
+            inverting = spec.training.model == "inversion"
             chosen = tuple(_INVERTING.get(stage, stage) for stage in stages)
-            inverts = spec.training.model == "inversion"
-            objects.append(_run_one(spec, chosen if inverts else stages, out))
+            chosen = chosen if inverting else stages
+            _require_no_recording(spec, chosen, out)
+            objects.append(_run_one(spec, chosen, out))
     return {"command": "estimator", "objects": objects}
+
+
+def _results_name(path: Path, overrides: list[str]) -> str:
+    """Of the folder below `runs` that gets what is trained on a specification or a data set."""
+    known = path.suffix in (".nc", ".csv")
+    return run_name(path) if known else load_spec(path, overrides).name
+
+
+def _require_trainable(path: Path, start: Path | None, twin: Path | None, on: Path | None) -> None:
+    """A data set or a specification, and no options that are not for it."""
+    if path.suffix == ".csv":
+        raise InputError(
+            f"{path} is a recording, not a data set. Run `instobj recordings {path}` first and "
+            "give the frames.nc that it writes"
+        )
+    if on is not None:
+        raise InputError(
+            f"--on judges contacts that inversion reads in another data set; got {path}. Add "
+            "--set training.model=inversion and --twin SPEC to a data set (.nc), or leave --on out"
+        )
+    if path.suffix != ".nc" and (start is not None or twin is not None):
+        raise InputError(
+            f"{'--twin' if start is None else '--start'} is for data sets (.nc); got the "
+            f"specification {path}. Leave it out, or give the data set of the object that the "
+            "estimators are tuned to"
+        )
 
 
 _INVERTING = {"networks": "inversion", "metrics": "contact_metrics"}
 """Stages that stand for those of networks where the forward model is inverted."""
 
 
-def _require_distinct_names(loaded: list[ObjectSpec], paths: list[Path]) -> None:
+def _require_distinct_names(names: list[str], paths: list[Path]) -> None:
     seen: dict[str, Path] = {}
-    for spec, path in zip(loaded, paths, strict=True):
-        if spec.name in seen:
+    for name, path in zip(names, paths, strict=True):
+        if name in seen:
             raise InputError(
-                f"{seen[spec.name]} and {path} are both named {spec.name!r}, and would write to the "
+                f"{seen[name]} and {path} are both named {name!r}, and would write to the "
                 "same folders. Rename one"
             )
-        seen[spec.name] = path
+        seen[name] = path
+
+
+_TRAINED = {"frames", "networks", "metrics", "inversion", "contact_metrics"}
+"""Stages whose files have the names of those that `instobj recordings` and training on them write."""
+
+
+def _require_no_recording(spec: ObjectSpec, stages: tuple[str, ...], out: Path) -> None:
+    """Simulated presses, and estimators of them, do not take the place of recorded ones.
+
+    Raises
+    ------
+    InputError
+        The object's folder of results holds the data set of a recording.
+    """
+    from estimator.frames.dataset import load_frames
+
+    path = run_folder(out, spec.name) / FRAMES.name
+    if not path.is_file() or not _TRAINED & with_needs(*stages):
+        return
+    try:
+        recorded = load_frames(path).source == "recorded"
+    except InstobjError:
+        return
+    if recorded:
+        raise InputError(
+            f"{path} is the data set of a recording; {spec.name} would write simulated presses, and "
+            "estimators of these, over it and what was trained on it. Give another folder with --out, or "
+            "another name to the object or its recording"
+        )

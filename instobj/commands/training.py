@@ -18,7 +18,7 @@ from instobj.commands.data_set import (
 )
 from instobj.store.keys import file_key
 from instobj.store.progress import ProgressLine
-from instobj.store.publish import file_rows, require_writable, run_folder
+from instobj.store.publish import file_rows, own_folder, require_writable, run_folder
 from instobj.store.readers import FRAMES, MODELS, PRESSES, SHEAR, face_model_paths
 
 if TYPE_CHECKING:
@@ -76,7 +76,8 @@ def run_on_data_set(
     """Train (and evaluate) on a data set file; results go to `runs/<name>`.
 
     Training goes on from the estimators in the folder `start`, if given, and gets presses of the
-    calibrated twin of the specification `twin_spec`, if given.
+    calibrated twin of the specification `twin_spec`, if given: such estimators lie in folders of their
+    own below it (`own_folder`).
 
     Raises
     ------
@@ -116,7 +117,9 @@ def run_on_data_set(
         DataStage("metrics", "held-out presses", evaluate),
     )
     asked = [stage for stage in every if stage.name in (*stages, "networks")]
-    return work_through(path, out, inputs, asked, progress)
+    return work_through(
+        path, out, inputs, asked, progress, own_folder(start is not None, twin is not None)
+    )
 
 
 def trained_networks(

@@ -105,7 +105,7 @@ class Run:
             return self.results[name]
         if self.call is not None:
             return self._made(name, self.call)
-        self.call = Call(_with_needs(name))
+        self.call = Call(with_needs(name))
         try:
             return self._made(name, self.call)
         finally:
@@ -302,9 +302,9 @@ def _unit(name: str) -> str:
     return _UNITS_BY_NAME.get(name) or next(endings)
 
 
-def _with_needs(name: str) -> frozenset[str]:
-    """The stage, and all that it needs of the same specification."""
-    return frozenset({name}).union(*map(_with_needs, STAGES[name].needs))
+def with_needs(*names: str) -> frozenset[str]:
+    """The stages, and all that they need of the same specification."""
+    return frozenset(names).union(*(with_needs(*STAGES[name].needs) for name in names))
 
 
 def versions() -> dict[str, str]:

@@ -17,6 +17,9 @@ from instobj.store.record import RECORD
 
 _BESIDE_THE_PARTS = ("fabrication", "sheet")
 """Stages whose files go to the parts, not to the results."""
+TUNED, TWIN = "tuned", "twin"
+OWN_FOLDERS = (TUNED, TWIN, f"{TUNED}+{TWIN}")
+"""Of estimators that began with others (`--start`), or saw presses of a twin (`--twin`)."""
 
 
 def run_folder(out: Path, name: str) -> Path:
@@ -27,6 +30,18 @@ def run_folder(out: Path, name: str) -> Path:
 def run_name(data_set: Path) -> str:
     """Name of the results on a data set or recording: that of the file, of `frames.nc` its folder's."""
     return data_set.absolute().parent.name if data_set.stem == "frames" else data_set.stem
+
+
+def own_folder(started: bool, with_twin: bool) -> str:
+    """Where estimators that are more than a training on the data set lie below its results, so that they
+    stand beside those of the plain training; "" for these."""
+    return "+".join(name for name, on in ((TUNED, started), (TWIN, with_twin)) if on)
+
+
+def own_folder_of(model: Path) -> str:
+    """The same of a model's file, by where it lies."""
+    name = model.absolute().parent.name
+    return name if name in OWN_FOLDERS else ""
 
 
 def cad_folder(out: Path, name: str) -> Path:

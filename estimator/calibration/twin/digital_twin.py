@@ -227,7 +227,8 @@ def places_left_out(
 def _left_share(
     spec: ObjectSpec, seen: PressedPlaces, predicted: np.ndarray
 ) -> Float[np.ndarray, "place"]:
-    """Rms over levels and channels, each about its mean, noise taken off."""
+    """Rms over levels and channels, each about its mean, noise taken off; all of it where the
+    prediction is of no object (NaN)."""
     centring = np.eye(seen.force_n.shape[1]) - 1 / seen.force_n.shape[1]
     zeros = np.einsum("ij,pji->p", centring, seen.zero_counts2) * len(seen.channels)
     noise = zeros + np.einsum("ii,pic->p", centring, seen.white_counts2(spec))
@@ -235,7 +236,8 @@ def _left_share(
         np.sum((centring @ values) ** 2, axis=(1, 2)) - noise
         for values in (seen.counts - predicted, seen.counts)
     )
-    return np.sqrt(np.maximum(wrong, 0.0) / np.maximum(size, noise))
+    share = np.sqrt(np.maximum(wrong, 0.0) / np.maximum(size, noise))
+    return np.where(np.isnan(share), 1.0, share)
 
 
 def _of_face(

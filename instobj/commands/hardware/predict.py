@@ -25,7 +25,7 @@ from instobj.commands.hardware.readings import (
     recorded_frames,
     zeroed_data_set,
 )
-from instobj.store.publish import file_rows
+from instobj.store.publish import OWN_FOLDERS, file_rows, own_folder_of
 from instobj.store.readers import INVERSION, face_model_paths
 
 COLUMNS: tuple[str, ...] = (
@@ -49,7 +49,8 @@ def predict_file(
 ) -> dict[str, Any]:
     """Read every frame of a file; writes `<stem>.prediction_face_<n>.csv` beside it.
 
-    With a folder `out` it is `out/runs/<name>/prediction_face_<n>.csv`, named as `run_name` says.
+    With a folder `out` it is `out/runs/<name>/prediction_face_<n>.csv`, named as `run_name` says. Models
+    in a folder of their own (`own_folder`) name it too: `prediction_twin_face_<n>.csv`.
     Every row tells the number of its frame in the file and its time stamp, as the file has it to 1 µs.
 
     Data sets of instobj are changes against rest already. Recordings of any other format are zeroed
@@ -65,7 +66,8 @@ def predict_file(
         A folder that cannot be written to.
     """
     model = load_deployed(model_path)
-    target = prediction_path(f"prediction_face_{model.face}.csv", path, out)
+    kind = f"{own}_" if (own := own_folder_of(model_path)) else ""
+    target = prediction_path(f"prediction_{kind}face_{model.face}.csv", path, out)
     if is_data_set(path):
         frames = zeroed_data_set(path, zeroing)
         grid_mm = model.grid_x_mm, model.grid_y_mm
@@ -142,8 +144,9 @@ def _rows(number: np.ndarray, time_s: np.ndarray, found: Prediction) -> list[dic
     return [dict(zip(COLUMNS, values, strict=True)) for values in zip(*rounded, strict=True)]
 
 
-def export_models(models: list[Path], out: Path) -> dict[str, Any]:
-    """Write an ONNX file for each trained estimator, in `out` or beside it; a folder is its estimators.
+def export_models(models: list[Path], out: Path | None = None) -> dict[str, Any]:
+    """Write an ONNX file for each trained estimator, beside it or in `out`; a folder is its estimators,
+    with those of the folders of their own in it (`own_folder`), which are kept apart in `out` too.
 
     One that inverts the forward model is what the robot reads already: it is read once, and copied to
     `out`.
@@ -151,40 +154,62 @@ def export_models(models: list[Path], out: Path) -> dict[str, Any]:
     Raises
     ------
     InputError
-        A file that is no estimator, or a folder without any.
+        A file that is no estimator, a folder without any, or two that would be one file.
     """
+    targets = _targets(list(chain.from_iterable(map(_models_at, models))), out)
+    for path, target in targets.items():
+        _export(path, target)
+    return {"command": "export", "files": file_rows(list(targets.values()))}
+
+
+def _targets(models: list[Path], out: Path | None) -> dict[Path, Path]:
+    """Where each model goes, before any is written."""
+    targets: dict[Path, Path] = {}
+    for path in models:
+        name = path.name if _inverts(path) else f"{path.stem}.onnx"
+        target = path.parent / name if out is None else out / own_folder_of(path) / name
+        taken = {there.resolve(): model for model, there in targets.items()}.get(target.resolve())
+        if taken is not None and taken.resolve() != path.resolve():
+            raise InputError(
+                f"{taken} and {path} would both become {target}. Leave --out out, or export one at a time "
+                "into folders of their own"
+            )
+        if taken is None:
+            targets[path] = target
+    return targets
+
+
+def _export(path: Path, target: Path) -> None:
     from estimator.deploy.export import export_onnx
-    from estimator.inversion.storage import is_inversion
+    from estimator.inversion.storage import load_inversion, save_inversion
     from estimator.networks.face_model import load_model
 
-    written = []
-    for path in chain.from_iterable(map(_models_at, models)):
-        if is_inversion(path):
-            written.append(_checked_inversion(path, out))
-            continue
-        target = (path.parent if out == Path() else out) / f"{path.stem}.onnx"
+    if not _inverts(path):
         export_onnx(load_model(path), target)
-        written.append(target)
-    return {"command": "export", "files": file_rows(written)}
+        return
+    model = load_inversion(path)
+    if target.resolve() != path.resolve():
+        save_inversion(model, target)
+
+
+def _inverts(path: Path) -> bool:
+    from estimator.inversion.storage import is_inversion
+
+    return is_inversion(path)
 
 
 def _models_at(path: Path) -> list[Path]:
     if not path.is_dir():
         return [path]
-    found = [*face_model_paths(path), *path.glob(INVERSION.name)]
+    folders = (path, *(path / name for name in OWN_FOLDERS))
+    found = [
+        model
+        for folder in folders
+        for model in (*face_model_paths(folder), *folder.glob(INVERSION.name))
+    ]
     if not found:
         raise InputError(
             f"{path} holds no trained estimator (face_<n>.safetensors or {INVERSION.name}). Give the "
             "folder that `instobj train` wrote to, or its files"
         )
     return found
-
-
-def _checked_inversion(path: Path, out: Path) -> Path:
-    from estimator.inversion.storage import load_inversion, save_inversion
-
-    model = load_inversion(path)
-    if out == Path() or out.resolve() == path.parent.resolve():
-        return path
-    save_inversion(model, out / path.name)
-    return out / path.name

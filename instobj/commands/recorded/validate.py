@@ -27,6 +27,8 @@ if TYPE_CHECKING:
 
 
 _WORTHWHILE_GAIN = 0.05
+_AS_DRAWN = 0.1
+"""Share of the change left by which digital twins are trusted, too."""
 _LEAST_CASES = 3
 """With fewer, no place is left to calibrate on beside the unseen one and one to exchange it with."""
 
@@ -325,6 +327,9 @@ def calibration_text(test: dict[str, Any]) -> str:
     worth = "it helps there" if helps else "it is worth little there"
     if untold := cannot_be_told(1 + test["permutations"]):
         worth = f"whether it helps there {untold}"
+    if not helps and test["before"]["left"] <= _AS_DRAWN:
+        left_percent = 100 * test["before"]["left"]
+        worth = f"nothing to gain, the object is as drawn within {left_percent:.2g} % of the change"
     return (
         f"calibration judged on {test['unseen']}: own-face cosine {before:.2f} → {after:.2f} (null of the "
         f"same fit {null:.2f}, p {test['p_own_cosine']:.2g}), share of the change left "

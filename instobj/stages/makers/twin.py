@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 _TRUSTED_PERCENT = 10.0
 _EXACT_PERCENT = 4.0
 """Twice what meshes of one design differ by in the mean."""
+_NO_GAIN = 0.8
+"""Of what the design leaves: a twin that leaves more has nothing to calibrate but noise."""
 _SHARE = 0.8
 _LESS = "train without --twin, or press more locations"
 _UNEXPLAINED = "frames will be called not explained; train networks, or measure what was built"
@@ -207,11 +209,18 @@ def verdict(left_percent: float, design_percent: float, strained: int, instead: 
     places at most.
 
     They do where it leaves no more than meshes of one design differ by, or less than half of what
-    the design leaves and at most 10 %, with no number at its limit.
+    the design leaves and at most 10 %, with no number at its limit. They do, too, where the design
+    leaves at most 10 % and the twin hardly less: then there is nothing to calibrate.
     """
     if strained:
         return (
             f"no: {strained} numbers at their limits; is it this object, are its tolerances true?"
+        )
+    most = max(left_percent, design_percent)
+    if most <= _TRUSTED_PERCENT and left_percent >= _NO_GAIN * design_percent:
+        return (
+            f"yes: the object is as drawn within {design_percent:.2g} % of its signals (calibrated "
+            f"{left_percent:.2g} %; rms, four of five left out)"
         )
     if left_percent > max(_EXACT_PERCENT, min(_TRUSTED_PERCENT, design_percent / 2)):
         return f"no: {instead}"

@@ -2,6 +2,7 @@
 
 import csv
 import json
+import shutil
 from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
@@ -100,6 +101,63 @@ def test_what_is_no_exported_estimator_or_folder_of_trained_ones_is_one_error(fo
         predict_file(folder / "face_3.safetensors", folder / "press.nc")
     with pytest.raises(InputError, match=r"holds no trained estimator \(face_<n>\.safetensors or"):
         export_models([tmp_path], tmp_path)
+
+
+@pytest.fixture
+def several(tmp_path, monkeypatch):
+    """Estimators of one face in a folder, in one of its own there, and elsewhere; they are exported in
+    no time."""
+    monkeypatch.setattr("estimator.networks.face_model.load_model", lambda path: path)
+    monkeypatch.setattr(
+        "estimator.deploy.export.export_onnx",
+        lambda model, target: (
+            target.parent.mkdir(parents=True, exist_ok=True),
+            target.write_text(str(model)),
+        ),
+    )
+    paths = [tmp_path / name for name in ("runs/cube", "runs/cube/twin", "runs/other")]
+    for path in paths:
+        path.mkdir(parents=True)
+        (path / "face_3.safetensors").touch()
+    return paths
+
+
+def exported(found):
+    return [Path(row["path"]) for row in found["files"]]
+
+
+def test_export_finds_estimators_with_a_twin_and_keeps_them_apart(several, tmp_path):
+    plain, twin, _ = several
+    names = ["face_3.onnx", "twin/face_3.onnx"]
+    assert exported(export_models([plain])) == [plain / name for name in names]
+    out = tmp_path / "robot"
+    assert exported(export_models([plain], out)) == [out / name for name in names]
+    assert exported(export_models([twin])) == [twin / "face_3.onnx"]
+    assert (out / "twin" / "face_3.onnx").read_text() == str(twin / "face_3.safetensors")
+
+
+def test_two_estimators_that_would_be_one_file_are_refused_before_any_is_written(several, tmp_path):
+    plain, _, other = several
+    with pytest.raises(InputError, match=r"cube/face_3.* and .*other/face_3.* both become .*robot"):
+        export_models([plain, other], tmp_path / "robot")
+    assert not (tmp_path / "robot").exists()
+    again = export_models([plain / "face_3.safetensors", plain], tmp_path / "robot")
+    assert len(again["files"]) == 2
+
+
+def test_export_writes_into_the_folder_that_is_named_also_if_it_is_this_one(
+    several, tmp_path, monkeypatch
+):
+    monkeypatch.chdir(tmp_path)
+    done = CliRunner().invoke(app, ["export", "runs/other", "--out", ".", "--json"])
+    assert [row["path"] for row in json.loads(done.stdout)["files"]] == ["face_3.onnx"]
+
+
+def test_predictions_of_an_estimator_with_a_twin_have_a_name_of_their_own(folder, tmp_path):
+    (tmp_path / "twin").mkdir()
+    shutil.copy(folder / "robot" / "face_3.onnx", tmp_path / "twin")
+    found = predict_file(tmp_path / "twin" / "face_3.onnx", folder / "press.nc", tmp_path)
+    assert [path.name for path in exported(found)] == ["prediction_twin_face_3.csv"]
 
 
 def test_a_folder_in_place_of_a_recording_is_one_error():
@@ -359,7 +417,8 @@ def test_train_from_a_start(folder, tmp_path, monkeypatch):
     out = tmp_path / "out"
     out.mkdir()
     found = run_estimator([folder / "press.nc"], ("networks",), out, SETTINGS, folder)
-    tuned = load_model(out / "runs" / "press" / "face_3.safetensors")
+    tuned = load_model(out / "runs" / "press" / "tuned" / "face_3.safetensors")
+    assert not (out / "runs" / "press" / "face_3.safetensors").exists()
     anew = run_estimator([folder / "press.nc"], ("networks",), out, SETTINGS)
     assert found["objects"][0]["stages"] != anew["objects"][0]["stages"]
     begun = load_model(folder / "face_3.safetensors")

@@ -157,6 +157,17 @@ def test_calibration_on_few_places_cannot_be_told(permutations, said):
     assert calibration_texts(document)[0].endswith(said)
 
 
+@pytest.mark.parametrize("permutations", [19, 5])
+def test_an_object_that_is_the_drawing_is_called_so(permutations):
+    found = {"own_cosine": 0.999, "left": 0.042}
+    test = calibrated(permutations) | {"before": found, "after": found}
+    said = calibration_texts({"cases": [[]] * 3, "calibration_tests": [test]})[0]
+    assert said.endswith("the object is as drawn within 4.2 % of the change")
+    worse = test | {"before": {"own_cosine": 0.9, "left": 0.3}}
+    (said,) = calibration_texts({"cases": [[]] * 3, "calibration_tests": [worse]})
+    assert "as drawn" not in said
+
+
 def test_calibration_without_exchanges_is_told():
     document = {"cases": [[]] * 2, "calibration_tests": []}
     assert "cannot be told: 2 sets of places" in calibration_texts(document)[0]

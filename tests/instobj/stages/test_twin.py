@@ -99,10 +99,16 @@ def test_the_command_writes_models_and_what_was_calibrated(
     monkeypatch.setenv("INSTOBJ_STORE", str(tmp_path / "store"))
     monkeypatch.setattr(training, "twin_of_data", lambda *given: twin)
     save_frames(frames, tmp_path / "cube.nc")
+    plain = run_estimator([tmp_path / "cube.nc"], ("networks",), tmp_path, SETTINGS)
+    beside = run_folder(tmp_path, "cube") / "face_3.safetensors"
+    written = beside.read_bytes()
     found = run_estimator(
         [tmp_path / "cube.nc"], ("networks",), tmp_path, SETTINGS, None, tmp_path / "cube.toml"
     )
-    target = run_folder(tmp_path, "cube")
+    target = run_folder(tmp_path, "cube") / "twin"
+    assert beside.read_bytes() == written
+    assert not beside.with_name("calibration.json").exists()
+    assert (plain["objects"][0]["name"], found["objects"][0]["name"]) == ("cube", "cube/twin")
     assert (target / "face_3.safetensors").is_file()
     assert (target / "calibration.png").stat().st_size > 5000
     _, row = json.loads((target / "calibration.json").read_text())["faces"]
@@ -110,8 +116,7 @@ def test_the_command_writes_models_and_what_was_calibrated(
     assert shown["signals left %, design"] == row["signals left %, design"] > 0
     assert shown["face"] == FACE
     wider = load_model(target / "face_3.safetensors").network.state_dict()
-    plain = run_estimator([tmp_path / "cube.nc"], ("networks",), tmp_path, SETTINGS)
-    alone = load_model(target / "face_3.safetensors").network.state_dict()
+    alone = load_model(beside).network.state_dict()
     assert not all(wider[name].equal(alone[name]) for name in wider)
     assert "calibrated twin (medians over labelled places)" not in plain["objects"][0]["summary"]
     monkeypatch.setattr(learning, "train_networks", None)
@@ -135,7 +140,12 @@ def test_a_face_without_a_twin_stands_in_the_table(calibrated, tmp_path):
     ("numbers", "said"),
     [
         ((4.0, 20.0, 0), "yes"),
-        ((2.5, 2.4, 0), "yes"),
+        (
+            (2.5, 2.4, 0),
+            "yes: the object is as drawn within 2.4 % of its signals (calibrated 2.5 %",
+        ),
+        ((5.9, 4.5, 0), "yes: the object is as drawn within 4.5 %"),
+        ((10.1, 9.0, 0), "no: train without"),
         ((30.0, 2.5, 0), "no: train without"),
         ((11.0, 40.0, 0), "no: train without"),
         ((6.0, 8.0, 0), "no: train without"),

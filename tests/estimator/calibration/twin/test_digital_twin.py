@@ -114,6 +114,15 @@ def test_without_large_deformation_it_does_worse(monkeypatch, presses, truth, se
     assert left_over(small.signals(), truth, seen) > 1.5 * with_it
 
 
+def test_a_prediction_of_no_object_leaves_everything(seen):
+    """NaN counted as nothing left: such a twin was said to help."""
+    predicted = np.zeros_like(seen.counts)
+    predicted[1] = np.nan
+    share = calibrated_twin._left_share(SPEC, seen, predicted)
+    assert share[1] == 1.0
+    assert np.isfinite(share).all()
+
+
 def test_places_left_out_tell_the_error_beforehand(monkeypatch, presses, seen):
     monkeypatch.setattr(calibrated_twin, "_FOLDS", 2)
     calibrated, planned = places_left_out(SPEC, *presses, seen)

@@ -1,0 +1,50 @@
+"""What commands of the chain refuse to write over, before any work."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from design.errors import InputError
+from estimator.frames.dataset import save_frames
+from instobj.commands import run
+from instobj.commands.run import run_chain, run_estimator
+from tests.instobj.commands.test_predict import made_frames
+
+
+@pytest.fixture
+def specification(tmp_path, monkeypatch):
+    """One named cube, in a folder of results; what would be made is not."""
+    monkeypatch.setattr(run, "_run_one", lambda spec, stages, out: list(stages))
+    path = tmp_path / "cube.toml"
+    path.write_text('name = "cube"\n')
+    return path
+
+
+@pytest.mark.parametrize("source", ["recorded", "simulated"])
+def test_simulated_presses_do_not_take_the_place_of_a_recording(specification, tmp_path, source):
+    save_frames(replace(made_frames(), source=source), tmp_path / "runs" / "cube" / "frames.nc")
+
+    def chain(*stages):
+        return run_chain([specification], stages, tmp_path, [])["objects"]
+
+    def trained():
+        return run_estimator([specification], ("networks",), tmp_path, [])["objects"]
+
+    assert chain("signals", "discretisation") == [["signals", "discretisation"]]
+    if source == "simulated":
+        assert (chain("report"), trained()) == ([["report"]], [["networks"]])
+        return
+    for command in (lambda: chain("report"), trained):
+        with pytest.raises(
+            InputError, match=r"cube/frames\.nc is the data set of a recording; .*--out"
+        ):
+            command()
+    assert run_chain([specification], ("report",), tmp_path / "other", [])["objects"]
+
+
+def test_two_sources_of_one_name_are_refused_before_any_is_trained(specification, tmp_path):
+    other = tmp_path / "elsewhere" / "cube.nc"
+    for pair in ([specification, other], [Path("a") / "frames.nc", Path("b/a") / "frames.nc"]):
+        with pytest.raises(InputError, match=r"are both named '(cube|a)'"):
+            run_estimator(pair, ("networks",), tmp_path, [])
