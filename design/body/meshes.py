@@ -32,6 +32,8 @@ LEDGE_MM2 = 0.5
 CRUMB_MM3 = 1.0
 """Smaller pieces that cuts leave beside a part are left out: they would come loose in the print."""
 
+_FILM_MM = 1e-3
+"""Triangles that are less high have no normal: booleans leave vertices off their plane by up to 2e-5 mm."""
 _FACING = -np.cos(np.deg2rad(15))
 _START_MM = 1e-4
 _EQUAL_MM = 1e-6
@@ -117,20 +119,19 @@ def _without_crumbs(mesh: trimesh.Trimesh) -> trimesh.Trimesh:
 def thinnest_wall(mesh: trimesh.Trimesh) -> ThinnestWall | None:
     """The smallest distance, through the material, between surfaces that face apart; None if none.
 
-    Rays start from a fine triangulation of the surface and run along the inward normal; a wall is
-    where the first surface they meet faces within 15° of the ray. Wedges are no walls, their edge
+    Rays start from a fine triangulation of the surface, but for films, and run along the inward normal;
+    a wall is where the first surface they meet faces within 15° of the ray. Wedges are no walls, their edge
     is as thin as one likes: `sharpest_edge` finds them. Between a plane and a hole of radius r the
     result is too thick by up to 0.01 r.
     """
     from trimesh.remesh import subdivide_to_size
 
     edge = max(1.0, float(np.sqrt(mesh.area / (0.3 * RAYS))))
-    vertices, faces = subdivide_to_size(mesh.vertices, mesh.faces, edge, max_iter=30)[:2]
+    known = np.asarray(mesh.faces)[_height_mm(mesh) > _FILM_MM]
+    vertices, faces = subdivide_to_size(mesh.vertices, known, edge, max_iter=30)[:2]
     corner = vertices[faces]
     doubled = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
-    size = np.linalg.norm(doubled, axis=1)
-    kept = size > 1e-9
-    normal, start = doubled[kept] / size[kept, None], corner[kept].mean(axis=1)
+    normal, start = doubled / np.linalg.norm(doubled, axis=1, keepdims=True), corner.mean(axis=1)
     thickness = _through_mm(mesh, start, normal)
     if np.isnan(thickness).all():
         return None

@@ -98,6 +98,28 @@ def test_the_thinnest_wall_is_found_with_its_middle():
     assert_allclose(middle[2], 8.75, atol=1e-6)
 
 
+def plate_with_a_film(depth=1e-5):
+    """20 × 12 × 2 mm; 0.1 mm from its right end its top steps down, by less than booleans are exact."""
+    x, y, z = 10.0, 6.0, 1.0
+    left = [(-x, -y, -z), (-x, y, -z), (-x, y, z), (-x, -y, z)]
+    right = [(x, py, pz) for _, py, pz in left]
+    step = [(x - 0.1, -y, z), (x - 0.1, y, z), (x - 0.1, 0.0, z - depth)]
+    sides = [(0, 1, 2), (0, 2, 3), (4, 6, 5), (4, 7, 6), (0, 5, 1), (0, 4, 5)]
+    front = [(0, 3, 8), (0, 8, 7), (0, 7, 4)]
+    back = [(1, 9, 2), (1, 6, 9), (1, 5, 6)]
+    top = [(3, 10, 8), (3, 2, 10), (2, 9, 10), (8, 6, 7), (8, 9, 6), (8, 10, 9)]
+    mesh = trimesh.Trimesh([*left, *right, *step], sides + front + back + top, process=False)
+    mesh.fix_normals()
+    assert mesh.is_volume
+    return mesh
+
+
+def test_triangles_without_height_have_no_walls():
+    """Their normals are those of rounding: of a lump's mould half one told 0.37 mm beside a flange's end."""
+    assert_allclose(thinnest_wall(plate_with_a_film()).thickness_mm, 2.0, atol=1e-4)
+    assert thinnest_wall(plate_with_a_film(depth=0.01)).thickness_mm < 0.11, "a step is a wall"
+
+
 def test_walls_of_fine_surfaces_are_measured_in_seconds():
     """41 000 rays: 0.6 s of processor time; through Manifold half a minute or more."""
     outside, inside = (trimesh.creation.icosphere(5, radius) for radius in (30.0, 22.0))
