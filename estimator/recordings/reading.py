@@ -43,6 +43,7 @@ from estimator.recordings.checks.limits import (
     usual_limits,
     within_range,
 )
+from estimator.recordings.checks.repeats import Repeats, repeat_faults, repeated_readings
 from estimator.recordings.checks.turned import turned_channels, turned_forces
 from estimator.recordings.contacts import (
     Place,
@@ -118,6 +119,7 @@ class _Presses:
     face: Int[np.ndarray, "frame cell"]
     tip_xy_mm: Float[np.ndarray, "frame cell tip 2"]
     doubtful: Bool[np.ndarray, "frame"]
+    repeats: Repeats
     noise_counts: Float[np.ndarray, "5 sensor 3"]
     lag: LagReport
     faults: tuple[Fault, ...]
@@ -178,6 +180,7 @@ def read_recording(
     faults = (
         *stamp_faults(table),
         *unreachable,
+        *repeat_faults(presses.repeats, presses.rate_hz),
         *channel_faults(table.counts, presses.noise_counts),
         *unread_faces(table.counts, presses.face),
         *jumps,
@@ -251,13 +254,14 @@ def _find_presses(table: RawTable) -> _Presses:
     shear_n = np.zeros((*aligned_n.shape, 2))
     if table.shear_n is not None:
         shear_n = shifted_shear(table.shear_n, stretch, lag.frames if lag.corrected else 0, rest)
-    noise = rest_noise_counts(table.counts, rest)
+    repeats = repeated_readings(table.counts)
+    noise = rest_noise_counts(table.counts, rest, repeats.stale)
     unlabelled, denied = contacts_at_rest(force_n >= CONTACT_FORCE_N, no_contact, press)
     hidden, concealed = hidden_contacts(table.counts, rest, stretch, block, noise)
     silent, quiet = silent_presses(face, force_n, press, responses, noise)
     return _Presses(
         time_s, rate_hz, press, aligned_n, shear_n, rest, hidden, face, tip_xy_mm,
-        doubtful | unlabelled | hidden | silent, noise, lag,
+        doubtful | unlabelled | hidden | silent, repeats, noise, lag,
         (*turns, *corrected, *doubts, *denied, *concealed, *quiet),
     )  # fmt: skip
 
@@ -274,7 +278,8 @@ def _frames(
     if table.kind == "generic":
         levels = levels_under_presses(
             table.counts, presses.time_s, session, np.any(touching, axis=1),
-            at_rest(presses.force_n, rest_limit_n(presses.force_n)) & ~presses.hidden,
+            at_rest(presses.force_n, rest_limit_n(presses.force_n))
+            & ~presses.hidden & ~presses.repeats.rows,
             presses.noise_counts,
         )  # fmt: skip
         zero, error = levels.counts, levels.error
@@ -295,7 +300,7 @@ def _frames(
         contact_face=contact_face,
         contact_xy_mm=xy_mm,
         force_n=contact_n,
-        valid=clear & ~presses.doubtful & ~gap,
+        valid=clear & ~presses.doubtful & ~gap & ~presses.repeats.rows,
         press_id=presses.press,
         place_id=place,
         session_id=session,

@@ -33,14 +33,20 @@ class Fault:
 
 
 def rest_noise_counts(
-    counts: Float[np.ndarray, "frame 5 sensor 3"], rest: Bool[np.ndarray, "frame"]
+    counts: Float[np.ndarray, "frame 5 sensor 3"],
+    rest: Bool[np.ndarray, "frame"],
+    stale: Bool[np.ndarray, "frame 5 sensor"] | None = None,
 ) -> Float[np.ndarray, "5 sensor 3"]:
     """White noise (counts) of each channel, from the differences of neighbouring rest frames.
 
-    NaN where a channel has no reading in two neighbouring rest frames.
+    NaN where a channel has no reading in two neighbouring rest frames. Readings that a slow sensor only
+    repeats (`stale`) are no second ones.
     """
-    step = np.diff(counts, axis=0)[rest[1:] & rest[:-1]]
+    pairs = rest[1:] & rest[:-1]
+    step = np.diff(counts, axis=0)[pairs]
     known = np.isfinite(step)
+    if stale is not None:
+        known &= ~stale[1:][pairs][..., None]
     number = known.sum(axis=0)
     mean_square = np.where(known, step, 0.0) ** 2
     return np.where(number > 0, np.sqrt(mean_square.sum(0) / np.maximum(number, 1) / 2), np.nan)
