@@ -113,6 +113,35 @@ def test_figures_are_ranked_among_all_exchanges_of_cases():
     assert validation.Figure(1.0, 0.0, 0.051, 20).judgement == "not supported"
 
 
+@pytest.mark.parametrize(
+    ("size_ratio", "modulus_mpa", "sized", "inside"),
+    [
+        (0.8, 0.2, "supported", "inside"), (0.79, 0.3, "not supported", "inside"),
+        (1.25, 0.4, "supported", "inside"), (1.26, 0.41, "not supported", "outside"),
+        (1.0, 0.19, "supported", "outside"),
+    ],
+)  # fmt: skip
+def test_a_verdict_tells_sizes_within_a_quarter_and_moduli_within_the_silicone_s_range(
+    size_ratio, modulus_mpa, sized, inside
+):
+    silicone = SPEC.silicone.changed(youngs_modulus_mpa=0.3, youngs_modulus_range_mpa=(0.2, 0.4))
+    figure = validation.Figure(1.4, 1.5, 0.01, 100)
+    found = validation.Agreement(
+        "face 3", 9, 4, validation.Figure(0.91, 0.32, 0.06, 100),
+        validation.Figure(0.83, 0.51, 0.04, 100), size_ratio, figure, modulus_mpa,
+        replace(figure, p=0.07), 1.0,
+    )  # fmt: skip
+    assert validation.verdict(SPEC.changed(silicone=silicone), found) == (
+        "face 3: pattern not supported (cosine 0.91, null 0.32, p 0.06); signs right in 83 % "
+        f"(null 51 %, p 0.04); absolute size {sized} (recorded {size_ratio:.2f} of predicted, scatter "
+        f"×/÷ 1.40, null 1.50); effective modulus {modulus_mpa:.2f} MPa ×/÷ 1.40, {inside} 0.2 to 0.4 "
+        "MPa, its scatter no smaller than that of places exchanged (p 0.07)"
+    )
+    alone = silicone.changed(youngs_modulus_mpa=modulus_mpa, youngs_modulus_range_mpa=None)
+    said = validation.verdict(SPEC.changed(silicone=alone), found)
+    assert f"inside {modulus_mpa:g} to {modulus_mpa:g} MPa" in said
+
+
 def test_cosines_signs_sizes_and_moduli_of_single_presses():
     measured = np.array([[3.0, 4.0, 1.0]])
     predicted = np.array([[[3.0, -4.0, 0.0], [6.0, 8.0, 2.0]]])

@@ -34,10 +34,10 @@ def test_probes_go_from_a_channel_s_noise_to_the_range_of_a_chip():
 
 def test_sizes_are_the_largest_of_each_scale_s_frames():
     output = np.zeros((576, 2))
-    output[3], output[64], output[575] = -5.0, [1.0, np.inf], [2.0, np.nan]
+    output[3], output[64], output[575] = -5.0, [0.5, np.inf], [2.0, np.nan]
     found = export._sizes(output)
     assert found.shape == (576, 1)
     assert found[:64].tolist() == [[5.0]] * 64
-    assert found[64:128].tolist() == [[1.0]] * 64
+    assert found[64:128].tolist() == [[0.5]] * 64
     assert found[-64:].tolist() == [[2.0]] * 64
     assert found[128] == 0

@@ -33,6 +33,8 @@ def test_rates_by_hand():
     found = false_alarms(predicted, true, rest, 0.5)
     assert (found.false_alarm_rate, found.miss_rate) == (0.5, 0.5)
     assert found.noticed_from_n == 4.0
+    lower = false_alarms(predicted, true, rest, 0.3)
+    assert (lower.false_alarm_rate, lower.miss_rate) == (0.5, 0.25)
     assert false_alarms(predicted, true, rest, 0.1).noticed_from_n == 1.0
     assert false_alarms(predicted, true, rest, 10.0).summary()["noticed_from_n"] is None
 

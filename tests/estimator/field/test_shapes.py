@@ -219,5 +219,8 @@ def test_inside_means_the_outline_and_a_rings_hole_counts_as_full():
     assert OBLONG.holds(place(0.9, 3.9, 1.9), axis, side)
     assert not OBLONG.holds(place(0.9, 1.9, 3.9), axis, side)
     assert not OBLONG.holds(place(1.1, 0.0, 0.0), axis, side)
+    up, along = (0.0, 0.0, 1.0), (1.0, 0.0, 0.0)
+    assert OBLONG.holds((4.0, 2.0, 1.0), up, along)
+    assert OBLONG.holds((-4.0, -2.0, -1.0), up, along)
     assert RING.holds(place(0.0, 0.5, 0.0), axis)
     assert not RING.holds(place(0.0, 4.1, 0.0), axis)

@@ -125,7 +125,32 @@ def test_every_magnet_pair_of_sensors_pair_of_channels_sensor_and_channel_may_be
     assert last.order.tolist() == [*range(43), 44, 43]
     dead = [one for one in model.faults if one.kind == "dead channel"]
     assert [one.silent for one in dead] == [(channel,) for channel in range(45)]
+    dead = [one for one in model.faults if one.kind == "dead sensor"]
+    assert [one.silent for one in dead] == [(3 * k, 3 * k + 1, 3 * k + 2) for k in range(15)]
     assert len({str(one) for one in model.faults}) == len(model.faults)
+
+
+def test_mean_and_covariance_at_rest_follow_from_slopes_and_bends(monkeypatch):
+    """Of counts a + b x + c x² and d y², x and y standard normal: the mean is a + c + d, covariances are
+    b bᵀ + 2 c cᵀ + 2 d dᵀ, with the noise of each channel."""
+    a, b, c, d = np.random.default_rng(1).normal(size=(4, 3))
+    step = selftest._STEP
+    pairs = (((step, 0), (-step, 0)), ((0, step), (0, -step)))
+    monkeypatch.setattr(selftest, "_design", lambda spec: ((0, 0), None))
+    monkeypatch.setattr(selftest, "_steps", lambda spec, design: pairs)
+    monkeypatch.setattr(selftest, "_faults", lambda spec, design, model: ())
+    monkeypatch.setattr(
+        selftest,
+        "_rest",
+        lambda spec, at, model: a + b * at[0] + c * at[0] ** 2 + d * at[1] ** 2,
+    )
+    found = rest_model.__wrapped__(SPEC, 7.0)
+    zeroing = SPEC.sensors.zeroing_counts
+    noise = (49 + zeroing**2) * np.eye(3)
+    wanted = np.outer(b, b) + 2 * np.outer(c, c) + 2 * np.outer(d, d) + noise
+    np.testing.assert_allclose(found.mean, a + c + d)
+    np.testing.assert_allclose(found.covariance, wanted)
+    assert found.full_scale_counts == 2**15 - 1
 
 
 def test_a_flip_shifts_the_rest_by_twice_its_own_field(model):

@@ -202,6 +202,13 @@ def test_chips_go_where_the_magnet_moves_them_most_and_unheld_places_keep_theirs
     readings = channels.HeldReadings(counts, np.ones((2, 4, 3)), 0.05, 0.2)
     assert channels._by_response(readings, [2, 0]).tolist() == [1, 2, 0, 3]
     assert channels._by_response(readings, [1, 2]).tolist() == [0, 1, 2, 3]
+    near = np.zeros((2, 2, 3))
+    near[:, :, 1] = [[2.0, 7.0], [0.0, 2.0]]  # of two chips: (2 + 1)(2 + 1) against (7 + 1)(0 + 1)
+    two = channels.HeldReadings(near, np.ones((2, 2, 3)), 0.05, 0.2)
+    assert channels._by_response(two, [0, 1]).tolist() == [0, 1]
+    assert channels._by_response(two, [2, 1]).tolist() == [0, 1]
+    near[0, 1, 1] = 9.0
+    assert channels._by_response(two, [0, 1]).tolist() == [1, 0]
     nothing = replace(readings, counts=np.full((2, 4, 3), np.nan))
     assert channels._by_response(nothing, [2, 9]).tolist() == [0, 1, 2, 3]
 
