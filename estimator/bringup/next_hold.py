@@ -47,7 +47,10 @@ def next_hold(
     own = slice(problem.poses, None)
     known = np.linalg.inv(fit.covariance[own, own])
     near = _nearest(spec, [h for h in every if h.name not in over], fit, int(np.nanargmax(wide)))
-    return min(near, key=lambda hold: _left_wide(spec, fit, known, hold), default=None)
+    if not near:
+        return None
+    left = [_left_wide(fit, known + told) for told in _information(spec, problem, near)]
+    return near[int(np.argmin(left))]
 
 
 def _nearest(spec: ObjectSpec, holds: list[Asked], fit: Fitted, chip: int) -> list[Asked]:
@@ -58,15 +61,12 @@ def _nearest(spec: ObjectSpec, holds: list[Asked], fit: Fitted, chip: int) -> li
     ]
 
 
-def _left_wide(
-    spec: ObjectSpec, fit: Fitted, known: Float[np.ndarray, "own own"], hold: Asked
-) -> float:
-    """Sum over chips of the fourth powers of their gains' intervals after the hold: wide ones count.
+def _left_wide(fit: Fitted, information: Float[np.ndarray, "own own"]) -> float:
+    """Sum over chips of the fourth powers of their gains' intervals: wide ones count.
 
-    `known` is the information about the chips' matrices and seats so far.
+    `information` is that about the chips' matrices and seats.
     """
-    problem = fit.problem
-    after = np.linalg.inv(known + _information(spec, problem, hold))
+    problem, after = fit.problem, np.linalg.inv(information)
     entries = slice(9 * problem.chips)
     intervals = gain_intervals(
         problem.matrices(fit.unknown), after[entries, entries], problem.known
@@ -74,15 +74,22 @@ def _left_wide(
     return float(np.nansum(intervals**4))
 
 
-def _information(spec: ObjectSpec, problem: JointFit, hold: Asked) -> Float[np.ndarray, "own own"]:
-    """Of a hold about the chips' matrices and seats, its own pose left unknown."""
-    given = problem.readings
-    counts = np.where(problem.known, 0.0, np.nan)[None]
-    noise = given.noise_counts.min(axis=0, keepdims=True)
-    found = replace(problem.found, model=held_magnet(spec, [hold.part]), pose=stated_pose(1))
-    one = JointFit.of(replace(given, counts=counts, noise_counts=noise), found)
-    slope = one.slopes(one.start)
-    rows = np.r_[: counts.size + one.poses]  # readings, and the prior of the pose
-    normal, pose = slope[rows].T @ slope[rows], one.poses
-    across = normal[pose:, :pose]
-    return normal[pose:, pose:] - across @ np.linalg.solve(normal[:pose, :pose], across.T)
+def _information(
+    spec: ObjectSpec, problem: JointFit, holds: list[Asked]
+) -> Float[np.ndarray, "hold own own"]:
+    """Of each hold by itself about the chips' matrices and seats, its own pose left unknown."""
+    given, count = problem.readings, len(holds)
+    counts = np.tile(np.where(problem.known, 0.0, np.nan), (count, 1, 1))
+    noise = np.tile(given.noise_counts.min(axis=0), (count, 1, 1))
+    model = held_magnet(spec, [hold.part for hold in holds])
+    found = replace(problem.found, model=model, pose=stated_pose(count))
+    every = JointFit.of(replace(given, counts=counts, noise_counts=noise), found)
+    slope, poses = every.slopes(every.start), every.poses
+    k = np.arange(count)
+    readings = slope[: counts.size].reshape(count, -1, slope.shape[1])
+    of_pose = readings[:, :, :poses].reshape(count, readings.shape[1], count, -1)[k, :, k]
+    of_chips = readings[:, :, poses:]
+    prior = slope[counts.size :][:poses, :poses].reshape(count, -1, count, poses // count)
+    normal = of_pose.mT @ of_pose + (prior**2)[k, :, k]
+    across = of_chips.mT @ of_pose
+    return of_chips.mT @ of_chips - across @ np.linalg.solve(normal, across.mT)
