@@ -46,6 +46,8 @@ def pytest_configure(config):
         shared = tempfile.mkdtemp(prefix="instobj_tests_")
         os.environ["INSTOBJ_TESTS_SHARED"] = shared  # for `tests.support.shared`, in all workers
         config.add_cleanup(lambda: shutil.rmtree(shared, ignore_errors=True))
+    else:
+        config.args = scheduling.own_turn(config.args, config.workerinput)
 
 
 def pytest_collection_finish():

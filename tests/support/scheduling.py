@@ -1,5 +1,7 @@
 """Which test files go to one process together, and in what order."""
 
+from pathlib import Path
+
 from xdist.scheduler import LoadScopeScheduling
 
 TOGETHER = (
@@ -34,6 +36,19 @@ class FilesAndRooms(LoadScopeScheduling):
 
 
 def longest_first(nodeid):
-    """Rank of a test: less goes first."""
+    """Rank of a test, then its file: less goes first."""
     ranks = (rank for rank, folder in enumerate(LONGEST_FIRST) if nodeid.startswith(folder))
-    return min(ranks, default=len(LONGEST_FIRST))
+    return min(ranks, default=len(LONGEST_FIRST)), nodeid.split("::")[0]
+
+
+def own_turn(folders, worker):
+    """The rooms of the folder of all tests, from another one on in every worker.
+
+    Pytest compiles a test file when it is first collected, and finds what another process compiled
+    before. Workers that collect in one order compile everything each: 3.5 s of a fresh clone.
+    """
+    if len(folders) != 1:
+        return folders
+    rooms = sorted(path for path in Path(folders[0]).glob("[!_.]*") if any(path.rglob("test_*.py")))
+    begin = int(worker["workerid"].removeprefix("gw")) * len(rooms) // worker["workercount"]
+    return [str(room) for room in rooms[begin:] + rooms[:begin]]
