@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -75,7 +75,7 @@ def _left_wide(fit: Fitted, information: Float[np.ndarray, "own own"]) -> float:
 
 
 def _information(
-    spec: ObjectSpec, problem: JointFit, holds: list[Asked]
+    spec: ObjectSpec, problem: JointFit, holds: Sequence[Asked]
 ) -> Float[np.ndarray, "hold own own"]:
     """Of each hold by itself about the chips' matrices and seats, its own pose left unknown."""
     given, count = problem.readings, len(holds)

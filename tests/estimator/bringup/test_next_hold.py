@@ -7,9 +7,10 @@ from design.layout.body import core_frames
 from estimator.bringup.asking.asked import MOST_FURTHER, STILL_AGAIN, asked_of, further_holds
 from estimator.bringup.asking.hold_places import BETWEEN_MM, hold_places
 from estimator.bringup.diagnosis.chip_findings import wide_gains, widest_gain_sd
-from estimator.bringup.next_hold import next_hold
+from estimator.bringup.diagnosis.chip_fit import fitted
+from estimator.bringup.next_hold import _information, next_hold
 from estimator.bringup.simulated import simulated_object
-from estimator.bringup.verdict import which_is_which
+from estimator.bringup.verdict import held_so_far, which_is_which
 from tests.support.new_objects import BOX
 
 PLANNED = {asked.name: asked for asked in asked_of(BOX) if asked.step in ("still", "held")}
@@ -73,3 +74,13 @@ def test_places_between_chips_lie_half_way_along_the_surface_outside_the_core():
         assert max(height) >= BETWEEN_MM - 1e-9
         assert np.allclose(place.axes.T @ place.axes, np.eye(3))
     assert ("F2-S1", "F4-S1") not in places
+
+
+def test_candidates_judged_together_tell_what_each_tells_alone(held):
+    _, recordings = held
+    problem = fitted(*held_so_far(BOX, recordings, drift_followed=True)).problem
+    holds = further_holds(BOX)[2:5]
+    together = _information(BOX, problem, holds)
+    for hold, told in zip(holds, together, strict=True):
+        np.testing.assert_allclose(_information(BOX, problem, [hold])[0], told, atol=1e-9)
+    assert abs(together[0] - together[1]).max() > 0.1 * abs(together[0]).max()
