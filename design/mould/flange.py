@@ -91,11 +91,23 @@ def flanges(spec: ObjectSpec) -> tuple[Flange, Flange]:
     return found[0], found[1]
 
 
-def _block_ends_mm(spec: ObjectSpec, frame: MouldFrame) -> tuple[float, float]:
-    """Where a level line in the parting plane enters and leaves the block."""
+def roots_mm(spec: ObjectSpec) -> tuple[float, float]:
+    """Where the block ends on all of both flanges' thickness: notches begin there. From the ends of the
+    seam on a fin stood between a notch and the block, 0.2 mm thick beside a pin's head."""
+    asides = (-FLANGE_THICKNESS_MM, 0.0, FLANGE_THICKNESS_MM)
+    left, right = zip(
+        *(_block_ends_mm(spec, mould_frame(spec), one) for one in asides), strict=True
+    )
+    return max(left), min(right)
+
+
+def _block_ends_mm(
+    spec: ObjectSpec, frame: MouldFrame, aside_mm: float = 0.0
+) -> tuple[float, float]:
+    """Where a level line beside the parting plane enters and leaves the block."""
     plane = parting(spec)
     way = frame.axes.T @ np.cross(frame.out, plane.normal)
-    start = frame.axes.T @ (plane.offset_mm * plane.normal)
+    start = frame.axes.T @ ((plane.offset_mm + aside_mm) * plane.normal)
     steep = abs(way) > 1e-9
     ends = [(end - start)[steep] / way[steep] for end in (frame.low_mm, frame.high_mm)]
     return float(np.min(ends, axis=0).max()), float(np.max(ends, axis=0).min())

@@ -16,7 +16,7 @@ import numpy as np
 from design.layout.mould.frame import mould_frame, parting, play_mm
 from design.layout.mould.pins import Pin, loose_pins
 from design.layout.mould.pouring import Hole
-from design.mould.flange import FLANGE_THICKNESS_MM, Flange, flanges
+from design.mould.flange import FLANGE_THICKNESS_MM, Flange, flanges, roots_mm
 from design.mould.openings import hole_solid, mould_holes, seal_holes
 from design.mould.pins import fixed_bosses, pin_holes
 from design.mould.plug import rod_hole
@@ -122,13 +122,13 @@ def _flange(spec: ObjectSpec, first: Flange, second: Flange) -> Shape:
         for side in (first, second)
         if side.bottom_mm < block
     ]
-    past = thick + 1.0
+    past, (left, right) = thick + 1.0, roots_mm(spec)
     notches = [
-        _in_plane(spec, [first.low_mm - 1.0, start, -past], [first.high_mm, end, past])
+        _in_plane(spec, [first.low_mm - 1.0, start, -past], [left, end, past])
         for start, end in first.notches
     ]
     notches += [
-        _in_plane(spec, [second.low_mm, start, -past], [second.high_mm + 1.0, end, past])
+        _in_plane(spec, [right, start, -past], [second.high_mm + 1.0, end, past])
         for start, end in second.notches
     ]
     return cut(join(slab, *strips), *notches)

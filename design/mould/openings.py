@@ -17,7 +17,7 @@ from design.body.meshes import Trap, high_points, manifold_of
 from design.body.triangles import cylinder_between
 from design.layout.body import body_of
 from design.layout.mould.closure import flange_span_mm
-from design.layout.mould.frame import mould_frame, thin_beside, up
+from design.layout.mould.frame import Parting, mould_frame, thin_beside, up
 from design.layout.mould.pins import Pin
 from design.layout.mould.pouring import (
     Hole,
@@ -27,6 +27,7 @@ from design.layout.mould.pouring import (
     is_clear,
     pins_of,
     pour_holes,
+    thin_beside_others,
     within_mould,
 )
 from design.layout.surface import finished_surface
@@ -117,7 +118,7 @@ def _vent(
     spec: ObjectSpec, shell: trimesh.Trimesh, pins: tuple[Pin, ...], trap: Trap
 ) -> Hole | None:
     """The first of some ways on which neither silicone nor a pin is, and which leaves no thin wall to the
-    seam or to a side of the flange, if there is one; or None."""
+    seam, to a side of the flange or to another hole, if there is one; or None."""
     solid, found = manifold_of(shell), None
     for top, way in _ways_out(spec, solid, trap):
         hole = hole_from(spec, "vent", top, way / np.linalg.norm(way), vent_diameter_mm(spec))
@@ -125,7 +126,11 @@ def _vent(
         start = top + _SKIN_MM * (way + trap.normal)
         if solid.ray_cast(tuple(start), tuple(hole.end_mm)) or not is_clear(hole, pins):
             continue
-        if not (hole_thins_the_seam(spec, hole) or _thin_at_flange(spec, hole)):
+        if not (
+            hole_thins_the_seam(spec, hole)
+            or _thin_at_flange(spec, hole)
+            or thin_beside_others(spec, hole, pins)
+        ):
             return hole
         found = found or hole
     return found
@@ -150,15 +155,19 @@ def _ways_out(
                 yield np.asarray(hits[0].position), above
 
 
-def holes_thin_the_seam(spec: ObjectSpec) -> bool:
-    """Whether holes for pouring or for air leave walls to the parting plane that are too thin."""
-    return any(hole_thins_the_seam(spec, hole) for hole in mould_holes(spec))
+def holes_thin_walls(spec: ObjectSpec) -> bool:
+    """Whether holes for pouring or for air leave walls to the parting plane, or to holes of pins or a rod,
+    that are too thin."""
+    pins = pins_of(spec, first=True)
+    return any(
+        hole_thins_the_seam(spec, hole) or thin_beside_others(spec, hole, pins)
+        for hole in mould_holes(spec)
+    )
 
 
 def _thin_at_flange(spec: ObjectSpec, hole: Hole) -> bool:
     """A side of the flange by which a plug or a rod hangs, through which vents go."""
     frame = mould_frame(spec)
-    across = within_mould(spec, hole) @ frame.across
-    return frame.plugged and any(
-        thin_beside(spec, across - side, hole.diameter_mm / 2) for side in flange_span_mm(spec)
-    )
+    ends, radius = within_mould(spec, hole), hole.diameter_mm / 2
+    sides = [Parting(frame.across, side) for side in flange_span_mm(spec)]
+    return frame.plugged and any(thin_beside(spec, ends, side, radius) for side in sides)

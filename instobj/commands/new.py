@@ -45,10 +45,11 @@ _MOULD_MM = 30.0
 """Of walls and flanges, beyond the body."""
 _TURNS_DEG = (6.0, -6.0, 12.0, -12.0, 18.0, -18.0, 30.0, -30.0, 45.0, -45.0, 60.0, -60.0, 90.0)
 _MOST_TURNS = 2
-"""By which a mould's seam is turned, and how many of those are tried."""
+"""By which a mould's seam is turned, and how many turned ones are tried of a shell."""
 _AZIMUTHS_DEG = tuple(np.arange(0.0, 180.0, 5.0).tolist())
-_MOST_REFINED, _FINER_DEG = 3, (-2.0, -1.0, 0.0, 1.0, 2.0)
-"""Where the seam that hooks least deep is looked for: first these, then beside the best of them."""
+_MOST_REFINED, _FINER_DEG = 3, (-2.0, -1.0, 1.0, 2.0)
+"""Where seams of a file's body are looked for that hook it least deep: first these, then beside the best
+of them."""
 _BED = "fits the bed"
 _OF_THE_BODY = {"undercut", _BED}
 """Checks that fail by the shape or size of a body, wherever its parts are."""
@@ -112,82 +113,94 @@ def made(request: Request) -> tuple[Tables, list[Finding]]:
     """Placed tables that can be made, as `check --fabrication` says, and no findings; else those with the
     fewest that failed, and these.
 
-    Where walls of the mould alone are too thin, as between a pin's hole and the seam, the seam is turned a
-    little; else the next shell is tried, until the same checks fail as before.
+    Of each shell a few seams of its mould are tried that neither hook the body nor, by their numbers,
+    leave thin walls beside pins and holes; of a shell without such a seam none, unless no shell has one.
     """
-    from design.fabrication.check import check_fabrication
-
     best: tuple[Tables, list[Finding]] | None = None
-    before = set[str]()
+    before, first = set[str](), None
     for placement in placements(request):
-        failed = list[Finding]()
-        for tables in _turned(placement):
-            findings = check_fabrication(spec_of(tables)).findings
-            failed = [finding for finding in findings if finding.status == "fail"]
-            if best is None or len(failed) < len(best[1]):
-                best = tables, failed
-            if not failed or not all(_thin_mould(finding) for finding in failed):
-                break
-        checks = {finding.check for finding in failed}
-        if checks in (set(), before) or checks <= _OF_THE_BODY:
+        first = first or placement
+        tried = _checked(islice(filter(_leaves_walls, _seams(placement)), 1 + _MOST_TURNS))
+        if tried is None:
+            continue
+        best = tried if best is None or len(tried[1]) < len(best[1]) else best
+        checks = {finding.check for finding in tried[1]}
+        if not checks or checks <= _OF_THE_BODY:
+            break
+        if checks == before and not all(map(_thin_mould, tried[1])):
             break
         before = checks
+    assert first is not None
+    best = best or _checked(islice(_seams(first), 1))
     assert best is not None
     return best
 
 
-def _turned(tables: Tables) -> Iterator[Tables]:
-    """As placed, and with the seam of the mould turned to where pins and holes leave it walls; not from
-    where a file's body hooks least deep, as it would hook again."""
-    least = _least_hooked(tables)
-    yield least
-    if least is tables:
-        yield from islice(_with_clear_seams(tables), _MOST_TURNS)
+def _checked(seams: Iterable[Tables]) -> tuple[Tables, list[Finding]] | None:
+    """The first of these that can be made, else the one with the fewest failures, and these; None of none.
+
+    The next is tried where walls of the mould alone are too thin.
+    """
+    from design.fabrication.check import check_fabrication
+
+    best: tuple[Tables, list[Finding]] | None = None
+    for tables in seams:
+        findings = check_fabrication(spec_of(tables)).findings
+        failed = [finding for finding in findings if finding.status == "fail"]
+        if best is None or len(failed) < len(best[1]):
+            best = tables, failed
+        if not failed or not all(map(_thin_mould, failed)):
+            break
+    return best
 
 
-def _least_hooked(tables: Tables) -> Tables:
-    """With the seam of a file's body turned to where the halves hook it least deep, if need be, and if it
-    can where walls beside it are clear: by default it stands where they hook the least area."""
+def _seams(tables: Tables) -> Iterator[Tables]:
+    """As placed, and with the seam of the mould turned, by either way; first by those turns that hook no
+    more of the body (a fluted vase's by a whole flute)."""
     spec = spec_of(tables)
-    room = YIELD_SHARE * spec.shell.thickness_mm
-    if not body_of(spec).from_file or mould_style(spec) != "split" or hooked_depth_mm(spec) <= room:
-        return tables
+    if body_of(spec).from_file and mould_style(spec) == "split":
+        yield from _seams_of_a_file(tables, YIELD_SHARE * spec.shell.thickness_mm)
+        return
+    yield tables
+    if mould_style(spec) != "split":
+        return
+    plane, frame = parting(spec), mould_frame(spec)
+    azimuth = np.rad2deg(np.arctan2(plane.normal @ frame.along, plane.normal @ frame.across))
+    azimuths = [round(float(azimuth) + turn, 1) for turn in _TURNS_DEG]
+    turns = [_turned(tables, turned) for turned in azimuths]
+    yield from sorted(turns, key=lambda turned: round(hooked_share(spec_of(turned)), 3))
 
-    def turned(azimuth: float) -> Tables:
-        return tables | {"mould": {"parting_azimuth_deg": azimuth}}
+
+def _seams_of_a_file(tables: Tables, room_mm: float) -> Iterator[Tables]:
+    """Those whose halves hook the body no deeper than it gives way, the least first; as placed, where the
+    seam hooks the least area, before all others if it is one of them, or if there are none."""
+    as_placed = hooked_depth_mm(spec_of(tables)) <= room_mm
+    if as_placed:
+        yield tables
 
     def depths(azimuths: Iterable[float]) -> dict[float, float]:
-        return {azimuth: hooked_depth_mm(spec_of(turned(azimuth))) for azimuth in azimuths}
+        return {azimuth: hooked_depth_mm(spec_of(_turned(tables, azimuth))) for azimuth in azimuths}
 
     coarse = depths(_AZIMUTHS_DEG)
     least = sorted(coarse, key=lambda azimuth: coarse[azimuth])[:_MOST_REFINED]
-    fine = depths(dict.fromkeys(azimuth + shift for azimuth in least for shift in _FINER_DEG))
-    found = [
-        turned(azimuth) for azimuth in sorted(fine, key=fine.__getitem__) if fine[azimuth] <= room
-    ]
-    return next(
-        (one for one in found if _leaves_walls(spec_of(one))), found[0] if found else tables
-    )
+    fine = coarse | depths(azimuth + shift for azimuth in least for shift in _FINER_DEG)
+    found = sorted((depth, azimuth) for azimuth, depth in fine.items() if depth <= room_mm)
+    yield from (_turned(tables, azimuth) for _, azimuth in found)
+    if not (as_placed or found):
+        yield tables
 
 
-def _leaves_walls(spec: ObjectSpec) -> bool:
-    """Whether no pin, pouring hole or vent leaves a thin wall to the seam."""
+def _turned(tables: Tables, azimuth_deg: float) -> Tables:
+    return tables | {"mould": {"parting_azimuth_deg": azimuth_deg}}
+
+
+def _leaves_walls(tables: Tables) -> bool:
+    """Whether no pin, pouring hole or vent leaves a thin wall, to the seam or to each other."""
     from design.layout.mould.pins import pins_thin_the_seam
-    from design.mould.openings import holes_thin_the_seam
+    from design.mould.openings import holes_thin_walls
 
-    return not (pins_thin_the_seam(spec) or holes_thin_the_seam(spec))
-
-
-def _with_clear_seams(tables: Tables) -> Iterator[Tables]:
-    """With the seam turned by either way, where pins, pouring holes and vents leave it walls; first by
-    those turns that hook no more of the body (a fluted vase's by a whole flute)."""
-    plane, frame = parting(spec_of(tables)), mould_frame(spec_of(tables))
-    azimuth = np.rad2deg(np.arctan2(plane.normal @ frame.along, plane.normal @ frame.across))
-    azimuths = [round(float(azimuth) + turn, 1) for turn in _TURNS_DEG]
-    turns = [tables | {"mould": {"parting_azimuth_deg": turned}} for turned in azimuths]
-    for turned in sorted(turns, key=lambda turned: round(hooked_share(spec_of(turned)), 3)):
-        if _leaves_walls(spec_of(turned)):
-            yield turned
+    spec = spec_of(tables)
+    return not (pins_thin_the_seam(spec) or holes_thin_walls(spec))
 
 
 def _thin_mould(finding: Finding) -> bool:
@@ -205,7 +218,7 @@ def _why_seams_do_not_help(tables: Tables) -> str:
     if mould_style(spec_of(tables)) != "split":
         return ""
     most = f"turned by up to {max(_TURNS_DEG):g}°"
-    if "mould" not in tables and next(_with_clear_seams(tables), None) is None:
+    if "mould" not in tables and not any(map(_leaves_walls, _seams(tables))):
         return (
             f"\nThe mould's seam, {most}, meets a pin, a pouring hole or a vent wherever it goes, and leaves "
             "a thin wall beside it"

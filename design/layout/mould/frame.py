@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 _DOWN = 6
 _STEP_DEG = 15.0
-_WEDGE = np.cos(np.deg2rad(15.0))
+_WEDGE, _WEDGE_SINE = np.cos(np.deg2rad(15.0)), np.sin(np.deg2rad(15.0))
 _EDGES = 40
 """Of triangles along a body, at least, where its undercuts are looked for."""
 YIELD_SHARE = 0.02
@@ -80,7 +80,7 @@ class MouldFrame:
 
 @dataclass(frozen=True)
 class Parting:
-    """The plane between two halves: its unit normal, and how far along it from the origin, mm."""
+    """A plane as that between two halves: its unit normal, and how far along it from the origin, mm."""
 
     normal: Float[np.ndarray, "3"]
     offset_mm: float
@@ -185,16 +185,24 @@ def thin_at_seam(spec: ObjectSpec, ends_mm: Float[np.ndarray, "2 3"], radius_mm:
 
     Not where the plane cuts it, unless so near its side that a wedge of less than 15° is left.
     """
-    plane = parting(spec)
-    return thin_beside(spec, ends_mm @ plane.normal - plane.offset_mm, radius_mm)
+    return thin_beside(spec, ends_mm, parting(spec), radius_mm)
 
 
-def thin_beside(spec: ObjectSpec, aside_mm: Float[np.ndarray, "2"], radius_mm: float) -> bool:
-    """The same of a round hole whose axis begins and ends that far from a plane."""
-    if aside_mm[0] * aside_mm[1] <= 0:
+def thin_beside(
+    spec: ObjectSpec, ends_mm: Float[np.ndarray, "2 3"], plane: Parting, radius_mm: float
+) -> bool:
+    """The same of any plane.
+
+    A hole that leans towards it may be cut at one end and leave a wall at the other; one that leans by
+    15° or more leaves wedges alone.
+    """
+    aside = ends_mm @ plane.normal - plane.offset_mm
+    lean = abs(aside[1] - aside[0]) / np.linalg.norm(ends_mm[1] - ends_mm[0])
+    if lean >= _WEDGE_SINE:
         return False
-    least = float(abs(aside_mm).min())
-    return bool(radius_mm * _WEDGE < least < radius_mm + spec.printer.wall_mm)
+    nearest = 0.0 if aside[0] * aside[1] <= 0 else float(abs(aside).min())
+    reach = radius_mm / np.sqrt(1 - lean**2)
+    return bool(nearest < reach + spec.printer.wall_mm and abs(aside).max() > radius_mm * _WEDGE)
 
 
 def _out(spec: ObjectSpec) -> np.ndarray:

@@ -15,7 +15,7 @@ from jaxtyping import Float
 
 from design.errors import InputError
 from design.layout.body import body_of
-from design.layout.mould.frame import mould_frame, mould_style, thin_at_seam, up
+from design.layout.mould.frame import mould_frame, mould_style, play_mm, thin_at_seam, up
 from design.layout.mould.pins import Pin, exit_mm, loose_pins
 from design.layout.pockets import distance_of_segments_mm
 from design.spec.object import ObjectSpec
@@ -29,6 +29,7 @@ _SECTIONS = 48
 _POUR_SHIFTS = (0.0, 0.25, -0.25, 0.5, -0.5, 0.75, -0.75, 1.0, -1.0, 1.25, -1.25, 1.5, -1.5)
 """Along the flange, over the distance from the rod's axis across it."""
 _MOST_CORNERS = 200
+_WEDGE = np.cos(np.deg2rad(15.0))
 _RIM_POINTS, _WITHIN = 24, 0.999
 """Of a hole's rim that are looked at, and how far out: a hole may end where the silicone does."""
 LEAST_POUR_MM = 3.0
@@ -97,7 +98,10 @@ def pour_holes(
     for tops in _pour_places(spec, first):
         holes = tuple(hole_from(spec, "pour", top, up(spec), spec.mould.pour_mm) for top in tops)
         if all(is_clear(hole, pins) for hole in holes):
-            if not any(hole_thins_the_seam(spec, hole) for hole in holes):
+            if not any(
+                hole_thins_the_seam(spec, hole) or thin_beside_others(spec, hole, pins)
+                for hole in holes
+            ):
                 return holes
             thin = thin or holes
     if thin is not None:
@@ -216,6 +220,30 @@ def is_clear(hole: Hole, pins: tuple[Pin, ...]) -> bool:
         and distance_of_segments_mm(axis, pin.head_axis_mm) > half + pin.radius_mm + pin.rim_mm
         for pin in pins
     )
+
+
+def thin_beside_others(spec: ObjectSpec, hole: Hole, pins: tuple[Pin, ...]) -> bool:
+    """Whether a hole leaves too thin a wall to that of the rod, of a pin or of its head, or a wedge of
+    less than 15° where they meet."""
+    ends, radius = within_mould(spec, hole), hole.diameter_mm / 2
+    for axis, other in _other_holes(spec, pins):
+        away = distance_of_segments_mm(ends, axis)
+        meets = np.sqrt(radius**2 + other**2 + 2 * radius * other * _WEDGE)
+        if meets < away < radius + other + spec.printer.wall_mm:
+            return True
+    return False
+
+
+def _other_holes(
+    spec: ObjectSpec, pins: tuple[Pin, ...]
+) -> Iterator[tuple[Float[np.ndarray, "2 3"], float]]:
+    """Axes and radii of those for the rod, and for pins and their heads."""
+    frame, play = mould_frame(spec), play_mm(spec)
+    if frame.opening == "bore":
+        yield np.outer([0.0, frame.rim_mm], frame.out), spec.body.bore_mm / 2 + play
+    for pin in pins:
+        yield pin.shank_axis_mm, pin.radius_mm + play
+        yield pin.head_axis_mm, pin.radius_mm + pin.rim_mm + play
 
 
 def hole_thins_the_seam(spec: ObjectSpec, hole: Hole) -> bool:

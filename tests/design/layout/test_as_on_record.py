@@ -127,9 +127,9 @@ def of_mould(spec):
     yield told("up", up(spec))
     yield told("parting", [*plane.normal, plane.offset_mm])
     aside = np.array([0.5, 0.9, 1.0, 1.03, 1.3, 1.5, 1.9])
-    axes = np.array([[plane.normal, 2 * plane.normal]]) * aside[:, None, None]
-    offset = plane.offset_mm * plane.normal
-    yield told("thin at the seam", [thin_at_seam(spec, offset + ends, 1.0) for ends in axes])
+    starts = (plane.offset_mm + aside)[:, None] * plane.normal
+    axes = np.stack([starts, starts + frame.out], axis=1)
+    yield told("thin at the seam", [thin_at_seam(spec, ends, 1.0) for ends in axes])
     if frame.opening == "bore":
         outlet = core_outlet(spec)
         yield told("outlet", [outlet.radius_mm, outlet.floor_mm, outlet.wall_mm, outlet.flat_mm])

@@ -20,6 +20,7 @@ from design.mould.flange import (
     PLACES,
     Flange,
     flanges,
+    roots_mm,
 )
 from design.mould.halves import (
     BOLT_HOLE_MM,
@@ -166,15 +167,21 @@ def test_bolts_go_through_both_flanges_at_every_second_place():
 
 
 def test_flanges_are_notched_through_both_halves_from_their_outer_edges():
-    """A slab across the mould's block of 42 mm and its walls, less what notches take of the strips."""
+    """A slab across the mould's block of 42 mm and its walls of 1.5 mm, less what notches take up to it."""
     spec = parsed(0.0)
     low = float(mould_frame(spec).low_mm[2])
     first = Flange(-32.0, -24.0, low, 20.0, ((-9.0, -4.0), (6.0, 8.0)))
     second = Flange(24.0, 31.0, low - 6.0, 20.0, ((1.0, 4.5),))
     slab, strip = 63.0 * (20.0 - low), 7.0 * 6.0
-    notches = 8.0 * (5.0 + 2.0) + 7.0 * 3.5
+    notches = 9.5 * (5.0 + 2.0) + 8.5 * 3.5
     solid = _flange(spec, first, second)
     assert_allclose(solid.Volume(), 2 * FLANGE_THICKNESS_MM * (slab + strip - notches), rtol=1e-9)
+
+
+@pytest.mark.parametrize(("azimuth", "root"), [(0.0, 22.5), (45.0, 22.5 * np.sqrt(2) - 4.0)])
+def test_notches_begin_where_the_block_ends_on_all_of_the_flange_s_thickness(azimuth, root):
+    """4 mm beside a seam through its edges the block of 45 mm ends 4 mm sooner."""
+    assert_allclose(roots_mm(parsed(azimuth)), (-root, root))
 
 
 @pytest.mark.parametrize("notches", [(), ((5.0, 9.0),)])

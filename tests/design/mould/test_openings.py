@@ -69,7 +69,7 @@ def test_holes_beside_the_seam_are_told(monkeypatch, azimuth_deg, thin):
     start, end = (top + height * up(spec) for height in (-1.0, 90.0))
     vent = Hole("vent", start, top, end, 1.0)
     monkeypatch.setattr(openings, "mould_holes", lambda spec: (vent,))
-    assert openings.holes_thin_the_seam(spec) is thin
+    assert openings.holes_thin_walls(spec) is thin
 
 
 def test_a_vent_goes_straight_up_where_nothing_is_above():

@@ -23,11 +23,27 @@ def test_a_hole_beside_the_seam_leaves_a_wall_or_is_cut_by_it(aside_mm, thin):
     assert thin_at_seam(spec, ends[::-1], 2.0) is thin
 
 
-def test_a_hole_that_goes_through_the_seam_is_cut_by_it():
+@pytest.mark.parametrize(
+    ("lean_deg", "aside_mm", "thin"),
+    [
+        (14.0, 1.8, True),  # cut at 1.8 mm, where it begins, with a wall of 0 to 0.8 mm farther on
+        (14.0, -0.3, True),  # from one side to the other
+        (0.5, 1.5, False),  # cut over all of its length
+        (14.0, 2.9, False),
+        (16.0, 1.8, False),  # where it leaves the seam a wedge of 16°
+        (90.0, 2.3, False),
+    ],
+)
+def test_a_hole_that_leans_is_cut_by_the_seam_and_leaves_a_wall_farther_on(
+    lean_deg, aside_mm, thin
+):
+    """Of radius 2 mm and 10 mm long: a lump's pin leant by 14.4°, was cut at its head, and left 0.05 mm."""
     spec = ObjectSpec.model_validate(BALL)
-    across = np.stack([-0.5, 2.5])[:, None] * parting(spec).normal
-    assert not thin_at_seam(spec, across, 2.0)
-    assert thin_at_seam(spec, across + 3.1 * parting(spec).normal, 2.0)
+    normal, lean = parting(spec).normal, np.deg2rad(lean_deg)
+    way = np.cos(lean) * np.array([0.0, 0.0, 1.0]) + np.sin(lean) * normal
+    ends = np.array([0.0, 0.0, 20.0]) + aside_mm * normal + np.array([[0.0], [10.0]]) * way
+    assert thin_at_seam(spec, ends, 2.0) is thin
+    assert thin_at_seam(spec, ends[::-1], 2.0) is thin
 
 
 def test_turning_the_seam_takes_it_from_a_pin():

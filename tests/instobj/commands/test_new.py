@@ -116,6 +116,11 @@ HOOKED = Finding("undercut", "mould_half_a", 1.9, 0.14, "mm", "fail", "leave out
 RIM = Finding("rim of the pins' heads", "mould_pin", 0.2, 0.4, "mm", "fail", "move pockets apart")
 
 
+def of_all(thickness):
+    """Seams of a ball's shell: as placed, and turned by 6° either way."""
+    return [(thickness, None), (thickness, 51.0), (thickness, 39.0)]
+
+
 @pytest.mark.parametrize(
     ("failing", "asked", "taken", "failed"),
     [
@@ -127,6 +132,8 @@ RIM = Finding("rim of the pins' heads", "mould_pin", 0.2, 0.4, "mm", "fail", "mo
         ([[RIM], [RIM]], [(8, None), (7, None)], 0, [RIM]),
         ([[RIM, THIN_CORE], [RIM], [RIM]], [(8, None), (7, None), (6, None)], 1, [RIM]),
         ([[HOOKED]], [(8, None)], 0, [HOOKED]),
+        ([[THIN]] * 3 + [[THIN]] * 3 + [[]], [*of_all(8), *of_all(7), (6, None)], 6, []),
+        ([[THIN]] * 9, [*of_all(8), *of_all(7), *of_all(6)], 0, [THIN]),
     ],
 )
 def test_what_is_placed_is_tried_until_it_can_be_made(monkeypatch, failing, asked, taken, failed):
@@ -140,12 +147,36 @@ def test_what_is_placed_is_tried_until_it_can_be_made(monkeypatch, failing, aske
     body = {"kind": "sphere", "size_mm": [60.0] * 3}
     shells = [{"body": body, "shell": {"thickness_mm": thick}} for thick in (8.0, 7.0, 6.0)]
     monkeypatch.setattr(new, "placements", lambda request: iter(shells))
+    monkeypatch.setattr(new, "_leaves_walls", lambda tables: True)
     monkeypatch.setattr("design.fabrication.check.check_fabrication", checked)
     tables, found = new.made(Request("sphere", (60.0, 60.0, 60.0)))
     assert tried == asked
     assert tables["shell"]["thickness_mm"] == asked[taken][0]
     assert tables.get("mould", {}).get("parting_azimuth_deg") == asked[taken][1]
     assert found == failed
+
+
+@pytest.mark.parametrize(
+    ("clear", "asked"),
+    [({(8, 39), (7, None)}, [(8, 39), (7, None)]), ({(6, 51)}, [(6, 51)]), (set(), [(8, None)])],
+)
+def test_only_seams_that_leave_walls_are_tried_unless_there_are_none(monkeypatch, clear, asked):
+    tried = []
+
+    def seam(spec):
+        return spec.shell.thickness_mm, spec.mould.parting_azimuth_deg
+
+    def checked(spec):
+        tried.append(seam(spec))
+        return Checked([THIN], {})
+
+    body = {"kind": "sphere", "size_mm": [60.0] * 3}
+    shells = [{"body": body, "shell": {"thickness_mm": thick}} for thick in (8.0, 7.0, 6.0)]
+    monkeypatch.setattr(new, "placements", lambda request: iter(shells))
+    monkeypatch.setattr(new, "_leaves_walls", lambda tables: seam(new.spec_of(tables)) in clear)
+    monkeypatch.setattr("design.fabrication.check.check_fabrication", checked)
+    assert new.made(Request("sphere", (60.0, 60.0, 60.0)))[1] == [THIN]
+    assert tried == asked
 
 
 def test_what_no_placement_mends_is_told_with_its_numbers(tmp_path, monkeypatch):
@@ -176,59 +207,59 @@ BALL = {"body": {"kind": "sphere", "size_mm": [60.0] * 3}}
 )
 def test_why_no_turn_of_the_seam_helps_is_told(monkeypatch, clear, failed, tables, said):
     """Not where anything else fails, for which it is not turned, nor of a mould in one piece."""
-    monkeypatch.setattr("design.mould.openings.holes_thin_the_seam", lambda spec: not clear)
+    monkeypatch.setattr("design.mould.openings.holes_thin_walls", lambda spec: not clear)
     told = new._not_made(failed, tables)
     assert ("seam" in told.partition("thicken it")[2]) is (said is not None)
     assert said is None or said in told
 
 
 def test_seams_are_turned_to_where_neither_pins_nor_holes_are(monkeypatch):
-    """By 6° and 12° one way holes are beside it, by 6° the other way a pin."""
+    """By 6° and 12° one way holes are beside it, by 6° the other way a pin, as placed both."""
     monkeypatch.setattr(
-        "design.mould.openings.holes_thin_the_seam",
-        lambda spec: spec.mould.parting_azimuth_deg in (51.0, 57.0),
+        "design.mould.openings.holes_thin_walls",
+        lambda spec: spec.mould.parting_azimuth_deg in (None, 51.0, 57.0),
     )
     monkeypatch.setattr(
         "design.layout.mould.pins.pins_thin_the_seam",
-        lambda spec: spec.mould.parting_azimuth_deg == 39.0,
+        lambda spec: spec.mould.parting_azimuth_deg in (None, 39.0),
     )
-    turned = [one["mould"]["parting_azimuth_deg"] for one in new._with_clear_seams(BALL)]
+    clear = filter(new._leaves_walls, new._seams(BALL))
+    turned = [one["mould"]["parting_azimuth_deg"] for one in clear]
     assert turned[:4] == [33.0, 63.0, 27.0, 75.0]
 
 
-def test_the_seam_of_a_file_s_body_is_turned_to_where_it_hooks_least_deep(monkeypatch):
-    """A lump's stood where 0.21 mm hooked, of 0.16 mm that give way; turned by 95° 0.13 mm do, and by 97°
-    no pin stands beside it."""
-    depths, clear = {None: 0.206, 95.0: 0.13, 97.0: 0.11, 96.0: 0.118}, {96.0, 97.0}
+def test_the_seam_of_a_file_s_body_goes_where_it_hooks_least_deep(monkeypatch):
+    """A lump's stood where 0.21 mm hooked, of 0.16 mm that give way; turned by 95° 0.13 mm do, by 97°
+    0.11 mm."""
+    depths = {None: 0.206, 95.0: 0.13, 97.0: 0.11, 96.0: 0.118, 30.0: 0.161}
 
-    def azimuth(spec):
-        return spec.mould.parting_azimuth_deg
+    def azimuth(tables):
+        return tables.get("mould", {}).get("parting_azimuth_deg")
 
-    monkeypatch.setattr(new, "hooked_depth_mm", lambda spec: depths.get(azimuth(spec), 0.3))
-    monkeypatch.setattr(new, "_leaves_walls", lambda spec: azimuth(spec) in clear)
+    def deep(spec):
+        return depths.get(spec.mould.parting_azimuth_deg, 0.3)
+
+    monkeypatch.setattr(new, "hooked_depth_mm", deep)
     lump = {"body": {"kind": "imported", "file": str(PEAR), "size_mm": [60.0] * 3}}
-    for beside, taken in ((97.0, 97.0), (96.0, 96.0), (None, 97.0)):
-        clear.intersection_update({97.0, 96.0, beside})
-        assert new._least_hooked(lump)["mould"] == {"parting_azimuth_deg": taken}
-        clear.discard(beside)
-    assert [*new._turned(lump)] == [new._least_hooked(lump)], "or it hooks again"
-    assert new._least_hooked(BALL) == BALL, "kinds know where theirs hooks nothing"
+    assert [azimuth(tables) for tables in new._seams(lump)] == [97.0, 96.0, 95.0]
     depths[None] = 0.15
-    assert new._least_hooked(lump) == lump, "it gives way by that"
+    assert [azimuth(tables) for tables in new._seams(lump)] == [None, 97.0, 96.0, 95.0]
     depths.clear()
-    assert new._least_hooked(lump) == lump, "no turn helps"
+    assert [*new._seams(lump)] == [lump], "no turn helps"
+    assert next(new._seams(BALL)) == BALL, "kinds know where theirs hooks nothing"
+    whole = {"body": {"size_mm": [60.0] * 3}}
+    assert [*new._seams(whole)] == [whole], "a mould in one piece has no seam"
 
 
 def test_seams_that_hook_least_are_tried_first(monkeypatch):
     """Of a vase of six flutes a turn by a whole one hooks nothing, one by 6° does."""
-    monkeypatch.setattr("design.mould.openings.holes_thin_the_seam", lambda spec: False)
-    monkeypatch.setattr("design.layout.mould.pins.pins_thin_the_seam", lambda spec: False)
     monkeypatch.setattr(
         new, "hooked_share", lambda spec: (spec.mould.parting_azimuth_deg - 45) % 60 / 1000
     )
-    first, second, *_ = new._with_clear_seams(BALL)
-    assert first["mould"]["parting_azimuth_deg"] == 105.0
-    assert second["mould"]["parting_azimuth_deg"] == -15.0
+    first, second, third, *_ = new._seams(BALL)
+    assert first == BALL
+    assert second["mould"]["parting_azimuth_deg"] == 105.0
+    assert third["mould"]["parting_azimuth_deg"] == -15.0
 
 
 def test_without_options_the_cube_of_the_paper_is_written(tmp_path):

@@ -8,9 +8,9 @@ from numpy.testing import assert_allclose
 from design.errors import InputError
 from design.layout.mould import pouring
 from design.layout.mould.closure import flange_span_mm
-from design.layout.mould.frame import mould_frame, up
+from design.layout.mould.frame import mould_frame, play_mm, up
 from design.layout.mould.pins import loose_pins
-from design.layout.mould.pouring import Hole, is_clear, pour_holes
+from design.layout.mould.pouring import Hole, is_clear, pour_holes, thin_beside_others
 from design.spec_io import parse_spec
 from tests.support.objects.body_cases import body_spec
 from tests.support.objects.worked_objects import worked
@@ -100,6 +100,30 @@ def test_a_hole_passes_pins_and_their_heads_at_their_radius_and_its_own(at_head)
         hole = Hole("pour", place + away * side, place + 9 * side, place + 20 * side, 3.0)
         assert is_clear(hole, (pin,)) is clear
     assert is_clear(hole, ())
+
+
+@pytest.mark.parametrize(
+    ("away_mm", "thin"),
+    [(7.2, False), (8.05, True), (8.15, True), (8.85, True), (8.95, False)],
+)
+def test_a_hole_beside_that_of_the_rod_leaves_a_wall_or_a_clear_opening(away_mm, thin):
+    """A hole of R 3 mm and one of R 5 mm and 0.1 mm of play that meet under 15° at 8.04 mm, part at 8.1 mm,
+    and have 0.8 mm between them at 8.9 mm: moved by a quarter of its way a lump's left 0.15 mm."""
+    spec = body_spec("sphere", body={"open_faces": [6], "bore_mm": 10.0})
+    top, way = np.array([0.6, 0.8, 0.0]) * away_mm - [0.0, 0.0, 20.0], up(spec)
+    hole = Hole("pour", top - 6 * way, top, top + 100 * way, 6.0)
+    assert thin_beside_others(spec, hole, ()) is thin
+
+
+def test_a_hole_beside_that_of_a_pin_s_head_leaves_a_wall():
+    spec = worked("closed capsule")
+    (pin, *_), side = loose_pins(spec), np.array([0.0, 0.0, 1.0])
+    side = np.cross(pin.way, side) / np.linalg.norm(np.cross(pin.way, side))
+    head = pin.radius_mm + pin.rim_mm + play_mm(spec)
+    for gap, thin in ((0.85, False), (0.75, True), (0.02, True), (-0.8, False)):
+        top = pin.head_axis_mm[0] + (head + 0.5 + gap) * side
+        hole = Hole("vent", top - pin.way, top, top + 50 * pin.way, 1.0)
+        assert thin_beside_others(spec, hole, (pin,)) is thin
 
 
 def test_silicone_lies_under_all_of_a_pouring_hole_s_rim_by_hand():
