@@ -142,6 +142,27 @@ def test_a_verdict_tells_sizes_within_a_quarter_and_moduli_within_the_silicone_s
     assert f"inside {modulus_mpa:g} to {modulus_mpa:g} MPa" in said
 
 
+def test_rows_of_channels_are_correlations_signs_and_slopes_over_the_presses_own_cases():
+    """Presses of the first, second and first case; the last channel is missing in one press."""
+    measured = np.array([[1.0, 2.0, 3.0], [-2.0, 1.0, 1.0], [3.0, -0.5, np.nan]])
+    counts = np.full((3, 2, 3), 99.0)
+    own = np.array([[2.0, -1.0, 1.0], [-1.0, 0.0, 1.0], [1.0, -2.0, 1.0]])
+    counts[[0, 1, 2], [0, 1, 0]] = own
+    presses = replace(
+        recorded(), signal_counts=measured, case=np.array([0, 1, 0]), face_force_n=np.ones((3, 6)),
+        recording=np.zeros(3, int), frames=np.full(3, 9),
+    )  # fmt: skip
+    predictions = validation.Predictions(counts, counts[None])
+    rows = validation.channel_rows(presses, predictions, ["F1-X1", "F1-Y1", "F1-Z1"])
+    assert [row["channel"] for row in rows] == ["F1-X1", "F1-Y1", "F1-Z1"]
+    for k, signs in ((0, 1.0), (1, 1 / 3)):
+        a, b = measured[:, k] - measured[:, k].mean(), own[:, k] - own[:, k].mean()
+        assert rows[k]["correlation"] == pytest.approx(a @ b / np.sqrt(a @ a * (b @ b)))
+        assert rows[k]["signs"] == pytest.approx(signs)
+    assert [rows[k]["gain"] for k in (0, 1)] == pytest.approx([7 / 6, -1 / 5])
+    assert [rows[2][name] for name in ("correlation", "signs", "gain")] == [None] * 3
+
+
 def test_cosines_signs_sizes_and_moduli_of_single_presses():
     measured = np.array([[3.0, 4.0, 1.0]])
     predicted = np.array([[[3.0, -4.0, 0.0], [6.0, 8.0, 2.0]]])

@@ -8,8 +8,11 @@ from numpy.testing import assert_allclose
 
 from design.errors import InputError
 from design.spec.object import TrainingSpec
+from estimator.evaluation import baselines
 from estimator.evaluation.baselines import (
     REGRESSORS,
+    ContactAnswers,
+    HeldOutAnswers,
     baseline_reports,
     held_out_answers,
     paired_difference,
@@ -84,3 +87,41 @@ def test_a_test_part_without_contact_is_refused(frames, held_out):
     )
     with pytest.raises(InputError, match="no contact in the tested part"):
         held_out_answers(model, frames, silent)
+
+
+def test_reports_are_means_of_distances_and_of_forces_missed_over_their_span():
+    """Three frames of two presses; the model is right but for 1 N and 5 mm in the last frame."""
+    force, xy = np.array([4.0, 8.0, 10.0]), np.array([[0.0, 1], [2, 3], [4, -5]])
+    held_out = HeldOutAnswers(
+        face=FACE, true_force_n=force, true_xy_mm=xy, span_n=np.array([20.0, 10, 40]),
+        press_id=np.array([3, 3, 9]), time_s=np.arange(3.0), grid_x_mm=np.zeros(1),
+        grid_y_mm=np.zeros(1), force_halfwidth_n=np.ones(3), interval_cover=0.9,
+        answers=(
+            ContactAnswers("model", force - [0, 0, 1], xy - np.array([[0, 0], [0, 0], [-3, 4]])),
+            ContactAnswers("ridge", force - [-2, 1, -4], xy - np.array([[-0.6, -0.8], [0, 3], [0, -6]])),
+        ),
+        fitted_frames={"ridge": 77},
+    )  # fmt: skip
+    model, ridge = baseline_reports(held_out)
+    assert (model.name, model.fitted_frames, model.presses, model.face) == ("model", 0, 2, FACE)
+    assert (ridge.name, ridge.fitted_frames, ridge.presses, ridge.face) == ("ridge", 77, 2, FACE)
+    assert [model.total_force_n, model.place_mm] == pytest.approx([1 / 3, 5 / 3])
+    assert [ridge.total_force_n, ridge.place_mm] == pytest.approx([7 / 3, 10 / 3])
+    assert model.total_force_percent == pytest.approx(100 * (1 / 40) / 3)
+    assert ridge.total_force_percent == pytest.approx(100 * (2 / 20 + 1 / 10 + 4 / 40) / 3)
+    assert ridge.force_n_less_model.mean == pytest.approx((1.5 + 3) / 2)
+    assert ridge.place_mm_less_model.mean == pytest.approx((2 + 1) / 2)
+    assert model.place_mm_less_model.mean == 0
+
+
+def test_no_more_frames_than_wanted_are_drawn_in_their_order():
+    class Data(list):
+        def select(self, rows):
+            return Data(self[row] for row in rows)
+
+    whole = Data(range(10, 40))
+    assert baselines._drawn.__wrapped__(whole, 30, 1) is whole
+    some = baselines._drawn.__wrapped__(whole, 29, 1)
+    assert len(set(some)) == 29
+    assert some == sorted(some)
+    assert baselines._drawn.__wrapped__(whole, 5, 1) != baselines._drawn.__wrapped__(whole, 5, 2)

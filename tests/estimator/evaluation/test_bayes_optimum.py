@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from design.layout.places.contact_grid import contact_grid
 from estimator.evaluation.bayes_optimum import (
     Hypotheses,
     best_answers,
@@ -11,8 +12,8 @@ from estimator.evaluation.bayes_optimum import (
     press_hypotheses,
 )
 from estimator.evaluation.narrowest_intervals import best_intervals
-from estimator.frames.contact_cases import paper_cases
-from estimator.frames.contact_traces import contact_traces
+from estimator.frames.contact_cases import ContactCase, paper_cases
+from estimator.frames.contact_traces import ContactTraces, contact_traces, force_at_travel
 from estimator.metrics.heatmaps import contact_errors, force_reference
 from estimator.signals.presses import press_signals
 from tests.support.mechanics.synthetic_presses import coarse_spec, force_n, synthetic_presses
@@ -95,6 +96,46 @@ def test_hypotheses_are_presses_on_their_way_to_the_peak_and_back():
     place = np.array([case.xy_mm[0] for case in cases])
     expected = force_n(3, place[:, None], travel)
     assert_allclose(found.map_n.sum(axis=(2, 3)), expected, rtol=0.02, atol=0.02)
+
+
+def test_tips_of_one_cell_share_its_force_and_those_of_other_faces_are_not_on_the_map():
+    """Signals are in proportion to the force; the third case has one load cell of three tips,
+    one of which stands on another face."""
+    spec = coarse_spec()
+    grid, travel = contact_grid(spec), np.array([0.0, 1.0, 4.0])
+    tip_n = np.array([[3.0, 0, 0], [2.0, 5.0, 0], [1.0, 2.0, 6.0]])
+    counts = np.array([[10.0, -4.0], [7.0, 1.0], [0.5, 3.0]])
+    traces = ContactTraces(
+        np.tile(travel, (3, 1)),
+        tip_n.sum(axis=1)[:, None] * travel,
+        tip_n[:, None] * travel[:, None],
+        counts[:, None] * travel[:, None],
+    )
+    pixels = [[(0, 1)], [(1, 0), (3, 2)], [(2, 2), (2, 2), (1, 4)]]
+    faces, cells = ([3], [5, 3], [3, 3, 5]), ([0], [0, 1], [0, 0, 0])
+    cases = [
+        ContactCase(
+            np.array(face),
+            np.array([(grid.x_mm[i], grid.y_mm[j]) for i, j in pixel]),
+            np.array(cell),
+            np.ones(len(face)),
+            number,
+        )
+        for number, (face, pixel, cell) in enumerate(zip(faces, pixels, cells, strict=True))
+    ]
+    peak = np.array([4.0, 2.0, 3.0])
+    found = press_hypotheses(spec, cases, traces, peak, 3, 0.25, phases=3)
+    share = (1 - np.cos(np.deg2rad([30.0, 90.0, 150.0]))) / 2
+    total = force_at_travel(traces, peak[:, None] * share)
+    bears = total / tip_n.sum(axis=1)[:, None]
+    assert_allclose(found.counts, counts[:, None] * bears[..., None])
+    wanted = np.zeros((3, 3, *grid.shape))
+    wanted[0, :, 0, 1] = 3 * bears[0]
+    wanted[1, :, 3, 2] = 5 * bears[1]
+    wanted[2, :, 2, 2] = 2 * (1 + 2 + 6) / 3 * bears[2]
+    assert_allclose(found.map_n, wanted)
+    assert_allclose(found.total_n, wanted.sum(axis=(2, 3)))
+    assert found.rest_share == 0.25
 
 
 def test_no_other_answer_does_better_on_a_small_cube():

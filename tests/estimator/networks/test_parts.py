@@ -8,10 +8,11 @@ import pytest
 import torch
 from numpy.testing import assert_allclose, assert_array_equal
 
+from design.errors import InputError
 from design.spec.object import TrainingSpec
 from estimator.frames.face_data import HISTORY, channel_label
 from estimator.networks import process
-from estimator.networks.ensemble import sigma_counts
+from estimator.networks.ensemble import architecture_of, sigma_counts
 from estimator.networks.forest import LEAST_FRAMES_OF_LEAF
 from estimator.networks.intervals import coverage, held_out
 from estimator.networks.intervals.coverage import Coverage, growth, newness
@@ -209,3 +210,30 @@ def test_trees_that_stand_behind_networks_average_two_frames_at_least():
     """A leaf of a single frame repeats its noise."""
     assert LEAST_FRAMES_OF_LEAF == 2
     assert_array_equal(held_out.SHARPNESS, 2.0 ** np.arange(5))
+
+
+@pytest.mark.parametrize(
+    ("change", "fits"),
+    [
+        ({}, True), ({"grid_x_mm": np.array([-3.0, 0, 3 + 9e-7])}, True),
+        ({"grid_x_mm": np.array([-3.0, 0, 3 + 2e-6])}, False),
+        ({"grid_x_mm": np.array([-3.0])}, False), ({"grid_y_mm": np.array([1.0, 6])}, False),
+        ({"grid_y_mm": np.array([1.0])}, False), ({"face": 2}, False), ({"hidden": (5, 5)}, False),
+    ],
+)  # fmt: skip
+def test_training_starts_from_a_model_of_the_same_face_settings_and_grid_alone(change, fits):
+    """How many members, trees and references it has is its own."""
+    settings = FitSettings(3, TrainingSpec())
+    whole = replace(architecture_of(settings.training), members=7, references=3)
+    start = SimpleNamespace(
+        face=change.get("face", 3),
+        architecture=replace(whole, hidden_units=change.get("hidden", whole.hidden_units)),
+        grid_x_mm=change.get("grid_x_mm", np.array([-3.0, 0, 3])),
+        grid_y_mm=change.get("grid_y_mm", np.array([1.0, 5])),
+    )
+    frames = SimpleNamespace(grid_x_mm=np.array([-3.0, 0, 3]), grid_y_mm=np.array([1.0, 5]))
+    check = training._require_same_kind.__wrapped__
+    if fits:
+        return check(start, settings, frames)
+    with pytest.raises(InputError, match="wanted are face 3"):
+        check(start, settings, frames)

@@ -8,14 +8,17 @@ from numpy.testing import assert_allclose
 from scipy.linalg import cho_solve
 from sklearn.gaussian_process.kernels import Matern
 
+from design.spec.object import ObjectSpec
 from estimator.calibration.twin import (
+    digital_twin,
     discrepancy,
     inverted_twin,
     least_possible,
     pressed_cases,
     pressed_places,
 )
-from estimator.calibration.twin.digital_twin import _log_evidence, _of_face
+from estimator.calibration.twin.digital_twin import _left_share, _log_evidence, _of_face
+from estimator.calibration.twin.pressed_places import PressedPlaces
 from fem.presses.results import MagnetMotions, PressForces
 
 
@@ -166,3 +169,81 @@ def test_cases_left_out_move_labelled_contacts_by_the_weighted_least_squares_ste
         step, *_ = np.linalg.lstsq(jacobian, wrong, rcond=None)
         squares.append(step @ jacobian.T @ jacobian @ step / 3)
     assert_allclose(found, np.sqrt(np.mean(squares)), rtol=1e-6)
+
+
+def pressed(places=7):
+    """Places at three levels with two channels; frames, forces and errors of zeros are all different."""
+    rng = np.random.default_rng(5)
+    root = rng.normal(0, 4, (places, 3, 3))
+    return PressedPlaces(
+        3, np.array([1, 5]), rng.uniform(-9, 9, (places, 2)),
+        np.sort(rng.uniform(2, 9, (places, 3)), axis=1), rng.normal(0, 400, (places, 3, 2)),
+        rng.integers(9, 40, (places, 3)), np.einsum("pij,pkj->pik", root, root),
+    )  # fmt: skip
+
+
+def test_what_a_prediction_leaves_of_a_place_is_about_the_means_of_its_levels():
+    """Noise of three levels about their mean: of each 2/3, less 2/3 of what two share."""
+    spec, seen = ObjectSpec(name="cube"), pressed(4)
+    predicted = 0.7 * seen.counts + 1e4
+    predicted[2] = np.nan
+    seen.counts[3] *= 1e-6  # nothing but noise: the share of that
+    predicted[3] = seen.counts[3] + [[300.0, 0], [0, 0], [0, -600.0]]
+    found = _left_share(spec, seen, predicted)
+    white = seen.white_counts2(spec)
+    for place, share in enumerate(found):
+        zero, noise = seen.zero_counts2[place], 2 * white[place].sum() / 3
+        for i in range(3):
+            noise += 2 * (2 / 3 * zero[i, i] - 1 / 3 * (zero[i].sum() - zero[i, i]))
+        wrong, size = (
+            np.sum((values - values.mean(axis=0)) ** 2) - noise
+            for values in (seen.counts[place] - predicted[place], seen.counts[place])
+        )
+        wanted = 1.0 if place == 2 else np.sqrt(max(wrong, 0) / max(size, noise))
+        assert share == pytest.approx(wanted)
+        assert place == 3 or wanted > 0.25
+    assert found[3] > 1
+    exact = _left_share(spec, seen, seen.counts)
+    assert_allclose(exact, 0)
+
+
+def test_places_left_out_are_predicted_by_numbers_and_process_of_all_others(monkeypatch):
+    """Two folds of seven places: numbers tell how many places a twin was calibrated on, its process adds
+    the mean of their counts."""
+    seen, asked = pressed(), []
+
+    def calibrate(spec, forces, motions, kept):
+        asked.append(kept.xy_mm)
+        mean = kept.counts.mean()
+        process = SimpleNamespace(
+            mean=lambda left, xy, force: mean * xy[:, :1, None] * np.ones((1, 3, 2))
+        )
+        return SimpleNamespace(
+            unknowns=None, numbers=np.array([float(len(kept))]), left=None, discrepancy=process
+        )
+
+    class Places:
+        def __init__(self, unknowns, forces, motions, rest):
+            self.size = rest.counts.shape
+
+        def expected(self, numbers):
+            return (10.0 + numbers[0]) * np.ones((self.size[0] * self.size[1], self.size[2]))
+
+    told = []
+    monkeypatch.setattr(digital_twin, "_FOLDS", 2)
+    monkeypatch.setattr(digital_twin, "calibrate", calibrate)
+    monkeypatch.setattr(digital_twin, "PlaceMechanics", Places)
+    monkeypatch.setattr(
+        digital_twin, "_left_share", lambda spec, rest, wrong: wrong.sum(axis=(1, 2))
+    )
+    found, planned = digital_twin.places_left_out.__wrapped__(None, None, None, seen, told.append)
+    assert told == ["places left out, 1 of 2", "places left out, 2 of 2"]
+    assert_allclose(planned, 6 * 10.0)
+    kept = [[(xy == row).all(axis=1).any() for row in seen.xy_mm] for xy in asked]
+    out = ~np.array(kept)
+    assert sorted(out.sum(axis=1)) == [3, 4]
+    assert_allclose(out.sum(axis=0), 1)
+    for rows in out:
+        mean = seen.counts[~rows].mean()
+        wanted = 6 * (10 + np.sum(~rows) + mean * seen.xy_mm[rows, 0])
+        assert_allclose(found[rows], wanted)
