@@ -97,27 +97,27 @@ class Server:
 
     def learn(self, packages: set[str]) -> None:
         """What tests of the packages call, and how long they take: each file's first ones, without a
-        fault. A later call goes on with what stands in the file `learnt`."""
-        if self.learnt is not None and self.learnt.exists():
-            for one in lines(self.learnt):
-                self.seconds[one["test"]] = one["seconds"]
-                self.calls[one["test"]] = {(module, name) for module, name in one["calls"]}
-            return
+        fault. What stands in the file `learnt` is known; a later call goes on with the others."""
+        known = {one["test"]: one for one in lines(self.learnt)} if self.learnt else {}
         files: dict[str, list[str]] = {}
         for test in self.items:
-            if any(test.startswith(f"tests/{package}/") for package in packages):
+            if test not in known and any(test.startswith(f"tests/{name}/") for name in packages):
                 files.setdefault(test.split("::")[0], []).append(test)
         for tests in files.values():
             said = self._fork(None, tests, anew=False, most_s=LEARNT_S)
-            self.seconds |= said.seconds()
-            self.calls |= said.calls
-        if self.learnt is not None:
-            known = [
-                {"test": test, "seconds": self.seconds[test], "calls": sorted(self.calls[test])}
-                for test in self.calls
-            ]
+            failed = [] if said.failed is None else [said.failed or tests[0]]
+            took_s = said.seconds() | dict.fromkeys(failed, LEARNT_S)
+            for test in took_s:
+                calls = sorted(said.calls[test]) if test in said.calls else None
+                known[test] = {"test": test, "seconds": took_s[test], "calls": calls}
+        for test, one in known.items():
+            self.seconds[test] = one["seconds"]
+            if one["calls"] is not None:
+                self.calls[test] = {(module, name) for module, name in one["calls"]}
+        if self.learnt is not None and files:
             with atomic_path(self.learnt) as temporary:
-                temporary.write_text("".join(f"{json.dumps(one)}\n" for one in known), "utf-8")
+                text = "".join(f"{json.dumps(one)}\n" for one in known.values())
+                temporary.write_text(text, "utf-8")
 
     def judged(self, fault: Fault, tests: list[str], most_s: float) -> dict[str, Any]:
         """Outcome (noticed, hangs, not noticed, not reached), by which test, and of how many.

@@ -168,13 +168,28 @@ def test_tests_of_the_room_that_call_the_function_go_first_the_quickest_before_l
     ]
 
 
-def test_what_tests_call_is_learnt_once(tmp_path):
+def test_what_tests_call_is_learnt_once_and_of_new_tests_later(tmp_path, monkeypatch):
+    """Of two new tests of a package one fails by itself, and is not asked again for what it calls."""
     file = tmp_path / "learnt.jsonl"
-    file.write_text('{"test": "t::1", "seconds": 0.5, "calls": [["fem.a", "f"]]}\n')
-    server = Server(tmp_path, [], print, learnt=file)
-    server.items = {}
-    server.learn({"fem"})
-    assert (server.seconds, server.calls) == ({"t::1": 0.5}, {"t::1": {("fem.a", "f")}})
+    file.write_text('{"test": "tests/fem/t.py::1", "seconds": 0.5, "calls": [["fem.a", "f"]]}\n')
+    asked = []
+
+    def fork(self, fault, tests, **_):
+        asked.append(tests)
+        events = [("begins", tests[0], 1.0), ("passes", tests[0], 3.0), ("fails", tests[1], 4.0)]
+        return Said([*events, ("ends", tests[1], 4.0)], calls={tests[0]: {("fem.a", "g")}})
+
+    monkeypatch.setattr(Server, "_fork", fork)
+    tests = [
+        f"tests/{name}" for name in ("fem/t.py::1", "fem/t.py::2", "fem/t.py::3", "chain/t.py::4")
+    ]
+    for _ in range(2):
+        server = Server(tmp_path, [], print, learnt=file)
+        server.items = dict.fromkeys(tests)
+        server.learn({"fem"})
+        assert asked == [tests[1:3]]
+        assert server.seconds == {tests[0]: 0.5, tests[1]: 2.0, tests[2]: 6.0}
+        assert server.calls == {tests[0]: {("fem.a", "f")}, tests[1]: {("fem.a", "g")}}
 
 
 def test_a_room_without_tests_has_those_of_the_room_above_it(tmp_path):
