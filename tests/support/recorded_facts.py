@@ -8,6 +8,8 @@ in the commit why it changed.
 
 import os
 import re
+import warnings
+from dataclasses import fields, is_dataclass
 from pathlib import Path
 
 import numpy as np
@@ -55,8 +57,39 @@ def told(name, value):
     shape = " × ".join(map(str, array.shape))
     rows = array.reshape(-1, array.shape[-1] if array.ndim > 1 else 1)
     weight = np.arange(1, len(rows) + 1) / len(rows)
-    plain, weighed = np.nanmean(rows, axis=0), np.nanmean(weight[:, None] * rows, axis=0)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", RuntimeWarning)  # columns without a number
+        plain, weighed = np.nanmean(rows, axis=0), np.nanmean(weight[:, None] * rows, axis=0)
     return f"{name}: {shape}, mean {_numbers(plain)}, weighed {_numbers(weighed)}"
+
+
+def told_whole(name, value, without=()):
+    """Lines: every fact of a result, by its names: of dataclasses, lists and mappings of them.
+
+    Facts that another processor may give another sign to are left out by their names.
+    """
+    if is_dataclass(value):
+        names = [field.name for field in fields(value) if field.name not in without]
+        value = {field: getattr(value, field) for field in names}
+    if isinstance(value, dict):
+        for key, inner in value.items():
+            yield from told_whole(f"{name}.{key}", inner, without)
+    elif isinstance(value, str | bool) or value is None:
+        yield told(name, None if value is None else str(value))
+    elif isinstance(value, list | tuple) and all(isinstance(one, str) for one in value):
+        yield told(name, ", ".join(value))
+    elif isinstance(value, list | tuple) and not _are_numbers(value):
+        for number, inner in enumerate(value):
+            yield from told_whole(f"{name}[{number}]", inner, without)
+    else:
+        yield told(name, value)
+
+
+def _are_numbers(values):
+    try:
+        return np.asarray(values).dtype.kind in "biuf"
+    except ValueError:
+        return False
 
 
 def of_solids(name, shapes):

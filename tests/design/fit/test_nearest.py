@@ -5,6 +5,7 @@ import re
 import pytest
 
 from design.errors import SpecError
+from design.fit.box import fewer_places
 from design.fit.everything import fits
 from design.spec_io import load_spec
 from tests.support.pages import ROOT
@@ -44,6 +45,19 @@ def test_keys_that_fit_nowhere_are_made_smaller():
     ).groups()
     smaller = [f"core.keys.size_mm={size}", f"core.keys.positions_mm={places}"]
     assert load_spec(ROOT / "examples" / "paper_cube.toml", smaller)
+
+
+@pytest.mark.parametrize(
+    ("count", "room_mm", "said"),
+    [
+        ((4, 8), 6.0, "fewer places (3 at most), contact_grid.pitch_mm of 0.75 or less,"),
+        ((4, 2), 4.01, "fewer places (2 at most), contact_grid.pitch_mm of 2 or less,"),
+        ((4, 2), 3.9, "fewer places, contact_grid.pitch_mm of 1.95 or less,"),
+        ((4, 8), 0.07, "fewer places, contact_grid.count"),
+    ],
+)
+def test_pitches_of_less_than_a_millimetre_are_told_and_none_is_0(count, room_mm, said):
+    assert fewer_places(count, 2.0, 1, room_mm).startswith(f"Use {said}")
 
 
 @pytest.mark.parametrize("name", ["ball", "paper_cube"])

@@ -1,6 +1,7 @@
 """What a body may be, on both sides of each border."""
 
 import re
+from itertools import combinations
 
 import pytest
 
@@ -56,8 +57,16 @@ def test_open_and_sensed_faces():
     refused("must name some of the closed faces", sensed_faces=(6,))
     refused("must name some of the closed faces", sensed_faces=())
     refused("leaves no face of silicone", open_faces=(1, 2, 3, 4, 5, 6))
-    refused(r"two faces \[1, 6\] that do not meet", open_faces=(2, 3, 4, 5))
-    assert BodySpec(open_faces=(3, 4, 5, 6)).sensed == (1, 2)
+
+
+@pytest.mark.parametrize("closed", list(combinations(range(1, 7), 2)), ids=str)
+def test_two_closed_faces_must_meet(closed):
+    """Opposite ones: 1 and 6, 2 and 4, 3 and 5."""
+    opened = tuple({1, 2, 3, 4, 5, 6} - set(closed))
+    if closed in ((1, 6), (2, 4), (3, 5)):
+        refused(rf"two faces \[{closed[0]}, {closed[1]}\] that do not meet", open_faces=opened)
+    else:
+        assert BodySpec(open_faces=opened).sensed == closed
 
 
 def test_insides_and_files_go_with_their_kinds():

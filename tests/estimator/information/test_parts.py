@@ -217,3 +217,5 @@ def test_a_force_is_detectable_where_the_distance_is_reached_and_never_beyond_th
     found = fisher.detectable_force_n(traces, np.ones(2))
     assert_allclose(found, [1.0, 1.0], rtol=1e-6)  # 5 counts a newton, and 5 are asked for
     assert_allclose(fisher.detectable_force_n(traces, np.ones(2), 12.5), [2.5, np.inf], rtol=1e-6)
+    at_the_end = [fisher.detectable_force_n(traces, np.ones(2), 5 * n)[0] for n in (3.9, 3.98, 4.0)]
+    assert_allclose(at_the_end, [3.9, 3.98, 4.0], rtol=1e-6)

@@ -1,5 +1,6 @@
 """Loading cycles made of known laws: each law explains its own, and exchanged ways tell history."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -98,6 +99,30 @@ def test_what_are_no_cycles_is_said():
     )
     with pytest.raises(InputError, match="one axis"):
         cycles_of(moved)
+
+
+@pytest.mark.parametrize(
+    ("axis", "reach_mm", "aside_mm", "named"),
+    [(2, 0.51, 0.0, "z"), (2, 0.49, 0.0, ""), (0, -3.0, 0.09, "x"), (1, 2.0, 0.11, "")],
+)
+def test_cycles_are_half_a_millimetre_long_at_least_and_stray_a_tenth_at_most(
+    axis, reach_mm, aside_mm, named
+):
+    """Either way along any axis; the travel counts from where it begins."""
+    recording = made()
+    share = (90 - recording.tip_mm[:, 2]) / 8
+    tip = np.full((len(share), 3), 5.0)
+    tip[:, axis] -= reach_mm * share
+    tip[:, (axis + 1) % 3] += aside_mm * share
+    moved = replace(recording, tip_mm=tip)
+    if named:
+        found = cycles_of(moved)
+        assert (found.axis, found.count) == (named, COUNT)
+        assert_allclose(found.travel_mm.max(), abs(reach_mm), rtol=1e-3)
+        assert abs(found.travel_mm[0]) < 1e-9
+    else:
+        with pytest.raises(InputError, match="one axis"):
+            cycles_of(moved)
 
 
 @pytest.mark.parametrize(("count", "fitted"), [(4, [0, 1]), (5, [0, 1])])
