@@ -10,7 +10,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 from design.errors import InputError
 from estimator.recordings.combine import combine
 from estimator.recordings.formats.files import read_table
-from estimator.recordings.formats.generic import generic_columns
+from estimator.recordings.formats.generic import generic_columns, is_unlabelled
 from estimator.recordings.formats.netcdf import write_generic_netcdf
 from estimator.recordings.presses import LagReport
 from estimator.recordings.reading import read_recording
@@ -281,3 +281,15 @@ def test_one_time_stamp_in_ms_is_noticed(tmp_path, good):
         csv.writer(file).writerows(rows)
     with pytest.raises(InputError, match="not ms"):
         read_recording(tmp_path / "a.csv")
+
+
+@pytest.mark.parametrize(
+    ("header", "unlabelled"),
+    [
+        ("time_s,F1-X1,F1-Y1", True), ("rest,time_s,F1-X1", True), ("F1-X1,F1-Y1", False),
+        ("time_s,session", False), ("time_s,F1-X1,cell1_force_n", False),
+        ("time_s,F1-X1,cell1_force_n,cell1_face", False), ("time,F1-X1", False),
+    ],
+)  # fmt: skip
+def test_stamps_and_channels_without_load_cells_are_unlabelled(header, unlabelled):
+    assert is_unlabelled(header.split(",")) == unlabelled

@@ -130,6 +130,27 @@ def test_every_magnet_pair_of_sensors_pair_of_channels_sensor_and_channel_may_be
     assert len({str(one) for one in model.faults}) == len(model.faults)
 
 
+def test_every_tolerance_but_the_modulus_is_stepped_both_ways_number_by_number(monkeypatch):
+    monkeypatch.setattr(
+        selftest,
+        "contribution_sizes",
+        lambda design: {"magnet_seat": 2, "remanence": 3, "modulus": 1, "core_yaw": 1},
+    )
+    monkeypatch.setattr(selftest, "assembled", lambda spec, design, draws: draws)
+    spec = SPEC.changed(tolerances=SPEC.tolerances.changed(remanence_relative=0.0))
+    assert SPEC.tolerances.modulus_relative > 0
+    steps = [
+        [(name, *step) for one in pair for name, step in one.items()]
+        for pair in selftest._steps.__wrapped__(spec, None)
+    ]
+    k = selftest._STEP
+    assert steps == [
+        [("magnet_seat", k, 0), ("magnet_seat", -k, 0)],
+        [("magnet_seat", 0, k), ("magnet_seat", 0, -k)],
+        [("core_yaw", k), ("core_yaw", -k)],
+    ]
+
+
 def test_mean_and_covariance_at_rest_follow_from_slopes_and_bends(monkeypatch):
     """Of counts a + b x + c x² and d y², x and y standard normal: the mean is a + c + d, covariances are
     b bᵀ + 2 c cᵀ + 2 d dᵀ, with the noise of each channel."""

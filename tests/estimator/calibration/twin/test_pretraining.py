@@ -1,9 +1,13 @@
 """Pre-training on twins and fine-tuning on few presses of an object that no twin is."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
+from numpy.testing import assert_array_equal
 
 from design.spec.object import TrainingSpec
+from estimator.calibration.twin import pretraining
 from estimator.calibration.twin.pretraining import split_twins, twin_frames
 from estimator.evaluation.evaluation import evaluate_face
 from estimator.frames.press_protocol import simulate_presses
@@ -69,3 +73,18 @@ def test_few_presses_go_further_from_pretrained(presses, twins):
     assert errors[0] < 0.7 * errors[1]
     untuned = evaluate_face(pretrained, test, real).force_error_percent
     assert errors[0] < untuned
+
+
+def test_presses_of_a_calibrated_twin_are_numbered_behind_those_of_both_parts(twins, monkeypatch):
+    """The training part alone goes with them; the part that stops training stays as it was."""
+    rows = [np.flatnonzero(twins.press_id == press)[:3] for press in (0, 1, 2)]
+    few = twins.select(np.concatenate(rows[:2]))
+    stopping = replace(few, press_id=few.press_id + 7)
+    monkeypatch.setattr(pretraining, "calibrated_frames", lambda twin, draws, progress: few)
+    for parts in ((few, stopping), (stopping, few)):
+        found = pretraining.with_calibrated_presses.__wrapped__(None, parts, 1)
+        begin, added = np.split(found.press_id, [len(few)])
+        assert_array_equal(begin, parts[0].press_id)
+        assert_array_equal(added - added[0], few.press_id)
+        assert added[0] > max(part.press_id.max() for part in parts)
+        assert_array_equal(found.signal_counts[: len(few)], parts[0].signal_counts)

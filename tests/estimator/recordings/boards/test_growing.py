@@ -1,8 +1,11 @@
 """A recording that grows: what an open file had, where it goes on, and what was cut off."""
 
+from types import SimpleNamespace
+
 import pytest
 
 from design.errors import RecordingError
+from estimator.recordings.boards import growing
 from estimator.recordings.boards.growing import growing_recording
 
 HEADER = "time_s,session,rest,F1-X1,cell1_force_n,cell1_face,cell1_x1_mm,cell1_y1_mm\n"
@@ -69,3 +72,26 @@ def test_a_file_of_other_columns_is_refused_and_left_alone(tmp_path, content):
     with pytest.raises(RecordingError, match="columns"):
         opened(path)
     assert path.read_text() == content
+
+
+def test_rows_are_on_the_disk_once_a_while(tmp_path, monkeypatch):
+    """Synchronized where more than the time between has passed since the last one, not at every row."""
+    now, synced = [100.0], []
+    monkeypatch.setattr(growing, "time", SimpleNamespace(monotonic=lambda: now[0]))
+    path, row = tmp_path / "a.csv", [1.0, 1.0, 0.0, 5.0, 0.25, 1.0, 2.0, -3.0]
+    with growing_recording(path, ["F1-X1"], 1, 1, None) as found:
+        monkeypatch.setattr(
+            growing.os, "fsync", lambda handle: synced.append((now[0], found.rows_added))
+        )
+        found.append(row)
+        for later_s in (0.5, 1.0, 1.01, 1.5, 2.5):
+            now[0] = 100.0 + later_s * growing._SYNC_S
+            found.append(row)
+        assert found.rows_added == 6
+    during = [entry for entry in synced if entry[1] < 6]
+    assert during == [
+        (100.0, 0),
+        (100.0 + 1.01 * growing._SYNC_S, 3),
+        (100.0 + 2.5 * growing._SYNC_S, 5),
+    ]
+    assert len(path.read_text().splitlines()) == 7

@@ -118,3 +118,44 @@ def test_a_table_without_rows_of_a_channel_leaves_it_out():
     none = replace(recording(), counts=np.full((FRAMES, 5, 1, 3), 1.0))
     (header,) = LineDecoder().feed(next(link.replay_chunks(none, 0.0)))
     assert len(header.channels) == 15
+
+
+def test_a_port_is_asked_for_its_header_and_read_as_bytes_come(monkeypatch):
+    """One byte is waited for where there are none; a broken line is told."""
+    made = []
+
+    class Port:
+        def __init__(self, *given, **options):
+            self.given, self.written, self.asked = (given, options), [], []
+            self.waiting = [0, 7, 10**6]
+            made.append(self)
+
+        def __enter__(self):
+            return self
+
+        def __exit__(self, *error):
+            self.closed = True
+
+        @property
+        def in_waiting(self):
+            if not self.waiting:
+                raise OSError("unplugged")
+            return self.waiting.pop(0)
+
+        def write(self, text):
+            self.written.append(text)
+
+        def read(self, most):
+            self.asked.append(most)
+            return b"x" * min(most, 3)
+
+    monkeypatch.setattr("serial.Serial", Port)
+    chunks = link.serial_chunks("/dev/ttyX", 9600, 0.5)
+    assert [next(chunks) for _ in range(3)] == [b"x", b"xxx", b"xxx"]
+    (port,) = made
+    assert port.given == (("/dev/ttyX", 9600), {"timeout": 0.5, "exclusive": True})
+    assert port.written == [b"?\n"]
+    assert port.asked == [1, 7, 65536]
+    with pytest.raises(InputError, match=r"/dev/ttyX: the line broke off \(unplugged\)"):
+        next(chunks)
+    assert port.closed
