@@ -41,6 +41,7 @@ from estimator.recordings.reading import read_recording
 from estimator.signals.press_states import rest_motion
 from estimator.tolerances.assembly import designed
 from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
+from tests.support.recorded_facts import assert_on_record, told, told_whole
 from tests.support.recordings.made_recordings import gripper_arrays, write_gripper
 from tests.support.recordings.public_recordings import FOLDER, NAMES
 from tests.support.recordings.synthetic_frames import synthetic_frames
@@ -334,3 +335,10 @@ def test_what_is_wrong_leaves_least_where_it_is_freed(problem, true, first):
         )
     )
     assert right["the design"].left == pytest.approx(0, abs=1e-12)
+
+
+@pytest.mark.parametrize("face", [3, 5, None], ids=str)
+def test_figures_of_merit_are_as_on_record(problem, face):
+    result = found(problem, designed(SPEC), face)
+    lines = [*told_whole("agreement", result), told("said", verdict(SPEC, result))]
+    assert_on_record("calibration", f"agreement on {face or 'all faces'}", lines, "estimator")

@@ -15,6 +15,7 @@ from estimator.calibration.twin.pressed_cases import pressed_cases
 from estimator.frames.windows import all_counts
 from estimator.metrics.contacts import contact_rows, matched_contacts
 from tests.support.mechanics.inverted import SPEC, presses
+from tests.support.recorded_facts import assert_on_record, told, told_whole
 from tests.support.recordings.made_grasps import both, built_object, grasps
 
 
@@ -146,3 +147,15 @@ def test_the_share_left_is_of_signals_without_their_noise():
     seen = SimpleNamespace(counts=counts, noise_counts2=noise)
     found = left_share.__wrapped__(seen, left)
     assert_allclose(found, [np.sqrt(25 / 125), np.sqrt(32 / 8), 0.0])
+
+
+def test_the_twin_is_as_on_record(twin, seen, estimator):
+    lines = [
+        *told_whole("cases", seen),
+        told("numbers", twin.numbers),
+        told("modulus", twin.modulus_error),
+        told("shares", np.stack([twin.left_share, twin.design_share])),
+        told("left", twin.left),
+        *told_whole("disturbances", estimator.disturbances),
+    ]
+    assert_on_record("calibration", "twin of grasps", lines, "estimator")
