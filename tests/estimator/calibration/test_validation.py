@@ -7,6 +7,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.errors import InputError
+from estimator.calibration import validation
 from estimator.calibration.pose_fit import (
     Calibration,
     Problem,
@@ -169,6 +170,12 @@ def test_dead_channels_do_not_matter(problem):
     rows = channel_rows(one_dead, predictions, [str(k) for k in range(45)])
     assert rows[18]["correlation"] is None
     assert rows[19]["correlation"] is not None
+
+
+def test_one_press_has_no_correlation():
+    """NaN, which is no JSON, after three warnings of NumPy."""
+    assert validation._correlation(np.array([2.0]), np.array([3.0])) is None
+    assert validation._correlation(np.array([1.0, 2.0]), np.array([5.0, 3.0])) == pytest.approx(-1)
 
 
 def test_calibration_finds_pose_and_modulus(problem):

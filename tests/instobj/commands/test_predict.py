@@ -26,6 +26,7 @@ from instobj.commands.hardware.predict import export_models, predict_file, predi
 from instobj.commands.hardware.readings import (
     SILENT_FRAMES,
     Zeroing,
+    lacks_readings,
     live_frames,
     prediction_path,
 )
@@ -158,6 +159,27 @@ def test_predictions_of_an_estimator_with_a_twin_have_a_name_of_their_own(folder
     shutil.copy(folder / "robot" / "face_3.onnx", tmp_path / "twin")
     found = predict_file(tmp_path / "twin" / "face_3.onnx", folder / "press.nc", tmp_path)
     assert [path.name for path in exported(found)] == ["prediction_twin_face_3.csv"]
+
+
+def test_what_predict_cannot_use_is_refused_in_a_sentence(folder, tmp_path):
+    model = str(folder / "robot" / "face_3.onnx")
+    for words, said in (
+        (
+            [model, "a.csv", "--frames", "3"],
+            "--frames stops reading a --port after 3 frames; a.csv",
+        ),
+        ([str(folder / "robot"), "a.csv"], "robot is a folder. Give one exported estimator"),
+    ):
+        done = CliRunner().invoke(app, ["predict", *words])
+        assert said in str(done.exception)
+
+
+def test_a_recording_with_fewer_sensors_names_the_channel_that_is_missing(folder, tmp_path):
+    """It ended in an IndexError."""
+    spoken = lacks_readings(np.zeros((2, 5, 1, 3)), ((3, 0, 2), (103, 1, 0)))
+    assert spoken.tolist() == [True, True]
+    spoken = lacks_readings(np.zeros((2, 5, 2, 3)), ((3, 0, 2), (103, 1, 0)))
+    assert spoken.tolist() == [False, False]
 
 
 def test_a_folder_in_place_of_a_recording_is_one_error():
