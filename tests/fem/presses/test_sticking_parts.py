@@ -3,6 +3,7 @@
 from types import SimpleNamespace
 
 import numpy as np
+import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from design.layout.tips import tip_heights_mm, tip_places_mm, tip_shape
@@ -153,3 +154,27 @@ def test_cells_that_were_slid_over_lie_under_another_part_of_the_tip():
     assert_allclose(tip_heights_mm(shape, local[inside]), ball(local[inside]), atol=1e-9)
     far = sticking._heights_mm.__wrapped__(setting, slip + 50)
     assert np.isposinf(far).all()
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_cells_in_contact_press_and_others_lie_below_the_indenter(monkeypatch, seed):
+    """Cells that move each other: those that are pushed up beside come in, those that are pulled go."""
+    rng = np.random.default_rng(seed)
+    root = rng.normal(size=(15, 15))
+    setting = small(root @ root.T + 10 * np.eye(15))
+    heights = rng.uniform(0, 3, 5)
+    monkeypatch.setattr(sticking, "_heights_mm", lambda given, slip_mm: heights)
+    for name in ("_displacement_mm", "_tractions"):
+        monkeypatch.setattr(sticking, name, getattr(sticking, name).__wrapped__)
+    nothing = state(np.zeros((3, 5)), [False] * 5)
+    depth = np.array([1.0, 2.0])
+    found = sticking._next.__wrapped__(setting, nothing, depth)
+    reach = depth[setting.indenter] - heights
+    moved = sticking._displacement_mm(setting, found)
+    there = found.touching
+    assert there.any()
+    assert (found.traction_mpa[0, there] > 0).all()
+    assert not found.traction_mpa[:, ~there].any()
+    assert_allclose(moved[0, there], reach[there])
+    assert_allclose(moved[1:, there], 0, atol=1e-12)
+    assert (moved[0, ~there] >= reach[~there] - 1e-8).all()
