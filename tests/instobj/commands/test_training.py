@@ -9,7 +9,7 @@ from design.errors import InputError
 from design.spec.object import ObjectSpec
 from estimator.frames.dataset import NO_FACE
 from instobj.commands.training import _of_object
-from tests.instobj.commands.test_predict import made_frames
+from tests.support.recordings.pressed_frames import made_frames
 
 FRAMES = made_frames()
 """One sensor on each of five faces, presses of face 3."""
