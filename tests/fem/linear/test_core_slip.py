@@ -17,6 +17,7 @@ from design.spec.object import ObjectSpec
 from fem.large_strain.single_press import require_press
 from fem.linear.core_interface import prescribed_loads, rigid_interface_motions
 from fem.linear.core_slip import (
+    RestingShell,
     move_interface,
     resting_shell,
     shell_motion,
@@ -309,7 +310,9 @@ def test_vertices_of_slipped_faces_move_in_their_plane_and_out_of_it():
     surfaces = tuple(FaceSurface(number, xy, np.array([[0, 1, 2]])) for number in (2, 3))
     shift = np.array([[0.1, 0.2, 0.3], [0.0, -0.4, 0.0], [0.7, 0.0, -0.6]])
     response = ResponseOperator(surfaces, np.eye(2), 2, 0)
-    found = slipped_response(spec, response, SimpleNamespace(face_shift_mm=(shift, 2 * shift)))
+    none = np.zeros((0, 6))
+    rest = RestingShell(none, none, (shift, 2 * shift))
+    found = slipped_response(spec, response, rest)
     for surface, frame, moved in zip(
         found.surfaces, face_frames(spec), (shift, 2 * shift), strict=True
     ):
