@@ -405,3 +405,15 @@ def test_a_pattern_that_is_tight_in_any_one_way_is_left_out(monkeypatch, wrong):
         QUICK["pad"], {}, [np.ones(2)], [(0.5, np.array(square)), (0.4, np.array(square))]
     )
     assert found == {"core": {"number": 2, "wall_mm": 4.0}}
+
+
+def test_faces_are_asked_for_under_the_thinnest_shell(monkeypatch):
+    asked, body = [], objects._body
+    monkeypatch.setattr(
+        objects, "_body", lambda request, trim: (asked.append(trim), body(request, trim))[1]
+    )
+    monkeypatch.setattr(objects, "fits_roughly", lambda request: False)
+    assert objects._largest_together(QUICK["brick"]) == ()
+    assert objects._frame_where_there_is(QUICK["brick"], 3)[0].number == 3
+    assert set(asked) == {objects.TRIMS[-1]}
+    assert len(asked) == 1 + 5 + 1
