@@ -96,7 +96,9 @@ class _Pairs:
 
     def keep_apart(self, apart_mm: float) -> None:
         between, distance = self._between()
-        self._hold(between, distance, apart_mm, _OVERLAP_MM, self.both & (distance < apart_mm))
+        overlap = self.both & (distance < apart_mm)
+        if overlap.any():
+            self._hold(between, distance, apart_mm, _OVERLAP_MM, overlap)
 
     def stand(self, spacing_mm: tuple[float, ...]) -> None:
         wanted = np.array([0.0, 0.0, *spacing_mm])
