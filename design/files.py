@@ -28,17 +28,29 @@ def atomic_path(target: Path | str) -> Iterator[Path]:
             prefix=f".{target.stem}.", suffix=target.suffix, dir=target.parent
         )
     except OSError as error:
-        raise StoreError(
-            f"cannot write {target}: {error.strerror}. Choose a writable folder with --out"
-        ) from error
+        raise _cannot_write(target, error) from error
     os.close(handle)
     temporary = Path(name)
     try:
         yield temporary
         temporary.chmod(0o644)
-        temporary.replace(target)
+        try:
+            temporary.replace(target)
+        except OSError as error:
+            raise _cannot_write(target, error) from error
     finally:
         temporary.unlink(missing_ok=True)
+
+
+def _cannot_write(target: Path, error: OSError) -> StoreError:
+    """What is in the way, where something is; else what the system says."""
+    file = next((one for one in target.parents if one.exists() and not one.is_dir()), None)
+    why = str(error.strerror)
+    if file is not None:
+        why = f"{file} is a file, not a folder"
+    elif target.is_dir():
+        why = "a folder of that name is there"
+    return StoreError(f"cannot write {target}: {why}. Choose a writable folder with --out")
 
 
 def require_regular_file(path: Path | str, missing: str) -> Path:

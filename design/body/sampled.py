@@ -142,14 +142,19 @@ def _measured_where_near(
 
     A point is measured unless that grid says that it lies farther out than its error, at most its
     cell's half diagonal as a distance changes by one millimetre per millimetre, and some steps more.
-    Of a surface that is `mirrored` in x, y and z it is measured in one octant.
+    Of a surface that is `mirrored` in x, y and z it is measured in one octant, to that octant's triangles.
     """
     from scipy.ndimage import map_coordinates
+
+    part = _octant(surface) if mirrored else surface
+
+    def measured_mm(points_mm: np.ndarray) -> np.ndarray:
+        return measured_distance_mm(part, abs(points_mm) if mirrored else points_mm)
 
     first = points_mm[0]
     coarse = [np.arange(-(-(n - 1) // _COARSE) + 1) * _COARSE for n in count]
     at = np.stack(np.meshgrid(*coarse, indexing="ij"), axis=-1)
-    known = measured_distance_mm(surface, (first + step_mm * at).reshape(-1, 3))
+    known = measured_mm((first + step_mm * at).reshape(-1, 3))
     places = np.stack(np.meshgrid(*map(np.arange, count), indexing="ij")) / _COARSE
     distance = map_coordinates(known.reshape(at.shape[:-1]), places, order=1)
     near = distance < step_mm * (_EXACT_STEPS + np.sqrt(3) / 2 * _COARSE)
@@ -157,8 +162,21 @@ def _measured_where_near(
     if mirrored:
         index = middle + abs(index - middle)
     once, again = np.unique(np.ravel_multi_index(tuple(index.T), count), return_inverse=True)
-    distance[near] = measured_distance_mm(surface, points_mm[once])[again]
+    distance[near] = measured_mm(points_mm[once])[again]
     return distance
+
+
+def _octant(surface: trimesh.Trimesh) -> trimesh.Trimesh:
+    """Triangles in which the nearest to a point of x, y, z ≥ 0 is, and enough beyond that none of them
+    ends at a cut."""
+    import trimesh
+
+    corners = np.asarray(surface.triangles)
+    beyond = 3 * float(np.ptp(corners, axis=1).max())
+    kept = np.asarray(surface.faces)[(corners > -beyond).all(axis=(1, 2))]
+    octant = trimesh.Trimesh(surface.vertices, kept, process=False)
+    octant.remove_unreferenced_vertices()
+    return octant
 
 
 def _grid(half_mm: np.ndarray, step_mm: float) -> tuple[np.ndarray, tuple[int, ...]]:

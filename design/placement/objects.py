@@ -78,6 +78,10 @@ _LEAST_PLACES = 16
 """Contact locations of every face."""
 
 
+_TURNED = {4: 2, 5: 3}
+"""Faces as others are after half a turn about z, by which all bodies but those of files stay the same."""
+
+
 @dataclass(frozen=True)
 class Request:
     """What a user asks for: kind of body, its box (mm), sensors and magnets per face.
@@ -166,7 +170,12 @@ def roomy_faces(request: Request) -> tuple[int, ...]:
     every = spec_of(_body(request, TRIMS[-1])).body.sensed
     if len(every) == 1:
         return ()
-    found = tuple(face for face in every if fits_roughly(replace(request, faces=(face,))))
+    roomy = dict[int, bool]()
+    for face in every:
+        alike = None if KINDS[request.kind].from_file else _TURNED.get(face)
+        known = roomy.get(alike) if alike else None
+        roomy[face] = fits_roughly(replace(request, faces=(face,))) if known is None else known
+    found = tuple(face for face in every if roomy[face])
     return found if len(found) < len(every) else ()
 
 

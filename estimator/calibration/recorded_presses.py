@@ -72,7 +72,8 @@ def require_presses_of(spec: ObjectSpec, presses: RecordedPresses) -> None:
         raise InputError(
             f"the recordings hold {recorded} channels; {spec.name} has {channels}: "
             f"{spec.sensors.count_per_face} sensors on each of {len(faces)} faces. Give the specification "
-            "of the recorded object"
+            f"of the recorded object (recordings have room for {RECORDED_FACES} faces, with "
+            f"{recorded // (3 * RECORDED_FACES)} sensors each here)"
         )
     beyond = set(pressed_faces(presses)) - set(faces)
     if beyond:

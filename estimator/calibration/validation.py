@@ -279,12 +279,19 @@ def channel_rows(
         rows.append(
             {
                 "channel": name,
-                "correlation": float(np.corrcoef(recorded, model)[0, 1]),
+                "correlation": _correlation(recorded, model),
                 "signs": float(np.mean(recorded * model > 0)),
                 "gain": float(recorded @ model / (model @ model)),
             }
         )
     return rows
+
+
+def _correlation(recorded: np.ndarray, model: np.ndarray) -> float | None:
+    """None where one of them is the same in all presses."""
+    if np.ptp(recorded) == 0 or np.ptp(model) == 0:
+        return None
+    return float(np.corrcoef(recorded, model)[0, 1])
 
 
 def verdict(spec: ObjectSpec, found: Agreement) -> str:

@@ -54,6 +54,10 @@ def load_deployed(path: Path | str) -> DeployedModel:
         Damaged, or exported by an earlier version.
     """
     path = Path(path)
+    if path.is_dir():
+        raise InputError(
+            f"{path} is a folder. Give one exported estimator, such as {path / 'face_1.onnx'}"
+        )
     if not path.is_file():
         raise InputError(f"no model at {path}. `instobj export` makes one of a trained estimator")
     if path.suffix == ".safetensors":

@@ -35,6 +35,7 @@ from estimator.recordings.checks.labels import (
     hidden_contacts,
     place_label_faults,
     pressed_faces,
+    restless_presses,
     silent_presses,
 )
 from estimator.recordings.checks.limits import (
@@ -259,10 +260,11 @@ def _find_presses(table: RawTable) -> _Presses:
     unlabelled, denied = contacts_at_rest(force_n >= CONTACT_FORCE_N, no_contact, press)
     hidden, concealed = hidden_contacts(table.counts, rest, stretch, block, noise)
     silent, quiet = silent_presses(face, force_n, press, responses, noise)
+    restless = restless_presses(rest, np.any(force_n >= CONTACT_FORCE_N, axis=1), press)
     return _Presses(
         time_s, rate_hz, press, aligned_n, shear_n, rest, hidden, face, tip_xy_mm,
         doubtful | unlabelled | hidden | silent, repeats, noise, lag,
-        (*turns, *corrected, *doubts, *denied, *concealed, *quiet),
+        (*restless, *turns, *corrected, *doubts, *denied, *concealed, *quiet),
     )  # fmt: skip
 
 

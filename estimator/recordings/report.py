@@ -47,14 +47,19 @@ class RecordingReport:
 
     def __str__(self) -> str:
         lines = [
-            f"{self.path}: {self.frames} frames ({self.kind} format), {self.presses} presses of "
-            f"{len(self.places)} contact cases on faces {', '.join(map(str, self.faces_pressed))}",
+            f"{self.path}: {self.frames} frames ({self.kind} format), {_number(self.presses, 'press', 'es')} "
+            f"of {_number(len(self.places), 'contact case')} on "
+            f"face{'s' * (len(self.faces_pressed) > 1)} {', '.join(map(str, self.faces_pressed))}",
             f"  frames: {self.contact_frames} contact, {self.rest_frames} rest, "
             f"{self.unused_frames} not used; {self.frame_rate_hz:.1f} frames/s; {self.units}",
             f"  force lag: {_lag_text(self.lag)}",
             *(f"  {fault}" for fault in self.faults),
         ]
         return "\n".join(lines)
+
+
+def _number(count: int, name: str, plural: str = "s") -> str:
+    return f"{count} {name}{plural * (count != 1)}"
 
 
 def _lag_text(lag: LagReport) -> str:

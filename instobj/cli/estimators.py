@@ -151,6 +151,10 @@ def predict(
         from instobj.commands.hardware.predict import predict_port as on_port
     if (file is None) == (port is None):
         raise InputError("give either a file or --port, the serial port of a board")
+    if file is not None and frames is not None:
+        raise InputError(
+            f"--frames stops reading a --port after {frames} frames; {file} is read whole. Leave it out"
+        )
     if file is not None:
         show(in_file(model, file, out, Zeroing(zero, zero_frames)), as_json)
     elif port is not None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -22,6 +23,7 @@ from instobj.store.publish import file_rows, own_folder, require_writable, run_f
 from instobj.store.readers import FRAMES, MODELS, PRESSES, SHEAR, face_model_paths
 
 if TYPE_CHECKING:
+    from design.spec.object import ObjectSpec
     from estimator.frames.dataset import FrameSet
     from estimator.networks.face_model import FaceModel
     from estimator.recordings.checks.limits import Limits
@@ -46,13 +48,15 @@ def read_recordings(files: list[Path], out: Path, spec: Path | None = None) -> d
 
     require_writable(out)
     progress = ProgressLine()
-    grid_mm, limits, faces = (None, None, None) if spec is None else _as_specified(spec)
+    grid_mm, limits, recorded_object = (None, None, None) if spec is None else _as_specified(spec)
     found = []
     for path in files:
         with progress.stage(f"reading {path}"):
             found.append(read_recording(path, grid_mm, limits))
     frames = found[0].frames if len(found) == 1 else combine(found)
-    frames = frames if faces is None else frames.on_faces(faces)
+    frames, absent = (
+        (frames, []) if recorded_object is None else _of_object(frames, recorded_object)
+    )
     between = jump_between_faults(found)
     target = run_folder(out, "+".join(path.stem for path in files)) / FRAMES.name
     save_frames(frames, target)
@@ -60,7 +64,7 @@ def read_recordings(files: list[Path], out: Path, spec: Path | None = None) -> d
         "command": "recordings",
         "reports": [recording.report.as_dict() for recording in found],
         "between": [vars(fault) for fault in between],
-        "texts": [*(str(recording.report) for recording in found), *map(str, between)],
+        "texts": [*(str(recording.report) for recording in found), *map(str, between), *absent],
         "files": file_rows([target]),
     }
 
@@ -188,8 +192,41 @@ def simulated_twin(
     return TwinOfData(spec, presses, run.results[PRESSES.stage].origin, draws, shear)
 
 
-def _as_specified(path: Path) -> tuple[Grid, Limits, tuple[int, ...]]:
-    """Contact grid, limits and sensed faces of an object."""
+def _of_object(frames: FrameSet, spec: ObjectSpec) -> tuple[FrameSet, list[str]]:
+    """Frames with the faces and sensors of an object, and what is said of sensors that they lack.
+
+    Raises
+    ------
+    InputError
+        Readings of sensors, or presses of faces, that it does not have.
+    """
+    from estimator.frames.dataset import NO_FACE
+
+    frames, count = frames.on_faces(spec.body.sensed), spec.sensors.count_per_face
+    pressed = set(np.unique(frames.contact_face).tolist()) - {NO_FACE}
+    if pressed and not pressed & set(spec.body.sensed):
+        raise InputError(
+            f"labels say that face {min(pressed)} is pressed; {spec.name} senses {list(spec.body.sensed)}. "
+            "Fix the labels' face, or give the specification of the object that was recorded"
+        )
+    sensors = frames.signal_counts.shape[2]
+    if np.isfinite(frames.signal_counts[:, :, count:]).any():
+        raise InputError(
+            f"the recording has readings of {sensors} sensors on a face; {spec.name} has {count}. Give the "
+            "specification of the object that was recorded"
+        )
+    room = ((0, 0), (0, 0), (0, max(0, count - sensors)), (0, 0))
+    signals = np.pad(frames.signal_counts[:, :, :count], room, constant_values=np.nan)
+    said = [
+        f"dead sensor: sensor {number} of every face: {spec.name} has it, the recording has no column "
+        "of it; taken as without readings"
+        for number in range(sensors + 1, count + 1)
+    ]
+    return replace(frames, signal_counts=signals), said
+
+
+def _as_specified(path: Path) -> tuple[Grid, Limits, ObjectSpec]:
+    """Contact grid and limits of an object, and the object."""
     from design.layout.places.contact_grid import contact_grid
     from design.spec_io import load_spec
     from estimator.recordings.checks.limits import Limits
@@ -198,7 +235,7 @@ def _as_specified(path: Path) -> tuple[Grid, Limits, tuple[int, ...]]:
     spec = load_spec(path, [])
     grid = contact_grid(spec)
     limits = Limits(full_scale_counts(spec.sensors) + 1, max(spec.body.size_mm) / 2)
-    return (grid.x_mm, grid.y_mm), limits, spec.body.sensed
+    return (grid.x_mm, grid.y_mm), limits, spec
 
 
 def _keys_of_models(folder: Path) -> dict[str, str]:

@@ -261,12 +261,12 @@ def _baselines(result: StoredResult) -> list[dict[str, Any]]:
 
 
 def _difference(row: dict[str, Any], name: str, unit: str) -> dict[str, str]:
-    """Mean difference over presses and half of its 90 % range."""
-    found, is_model = row[name], row["name"] == "model"
+    """Mean difference over presses and half of its 90 % range, which one press does not have."""
+    found, is_model, alone = row[name], row["name"] == "model", row["presses"] < 2
     half = (found["high"] - found["low"]) / 2
     return {
         f"Δ {unit}": "–" if is_model else f"{found['mean']:+.2f}",
-        f"± {unit}": "–" if is_model else f"{half:.2f}",
+        f"± {unit}": "–" if is_model or alone else f"{half:.2f}",
     }
 
 

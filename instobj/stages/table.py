@@ -265,7 +265,7 @@ STAGES: dict[str, Stage] = {
         of_others=pretraining_twins,
     ),
     "networks": Stage(
-        "estimator: training", ("frames",), ("training", "seed"), make_networks, version=10
+        "estimator: training", ("frames",), ("training", "seed"), make_networks, version=11
     ),
     "metrics": Stage(
         "estimator: held-out presses", ("frames", "networks"), (), make_metrics, version=5
@@ -278,7 +278,7 @@ STAGES: dict[str, Stage] = {
             *("indenter", "inversion", "tolerances", "seed"),
         ),
         make_inversion,
-        version=3,
+        version=4,
         of_others=tangential_mechanics,
     ),
     "contact_metrics": Stage(

@@ -58,6 +58,10 @@ def require_writable(out: Path) -> None:
 
 def require_writable_folder(folder: Path) -> None:
     """Raise StoreError where a file cannot be written in this one folder."""
+    if folder.exists() and not folder.is_dir():
+        raise StoreError(
+            f"cannot write into {folder}: it is a file, not a folder. Choose a folder with --out"
+        )
     with atomic_path(folder / ".instobj-writable") as probe:
         probe.write_text("")
     (folder / ".instobj-writable").unlink(missing_ok=True)

@@ -33,6 +33,12 @@ def unwritable_folder(folder):
         pass
 
 
+def folder_in_place_of_the_file(folder):
+    (folder / "frames.nc").mkdir()
+    with atomic_path(folder / "frames.nc"):
+        pass
+
+
 def singular_system(folder):
     solve_symmetric(sp.csr_matrix((4, 4)), np.ones((4, 1)))
 
@@ -44,6 +50,7 @@ def singular_system(folder):
         (damaged_recording, RecordingError, ValueError),
         (damaged_result, StoreError, OSError),
         (unwritable_folder, StoreError, OSError),
+        (folder_in_place_of_the_file, StoreError, OSError),
         (singular_system, SolverError, ArithmeticError),
     ],
 )
@@ -52,6 +59,20 @@ def test_each_fault_has_its_kind_and_python_s_own_class(tmp_path, fault, kind, b
         fault(tmp_path)
     assert isinstance(caught.value, kind)
     assert isinstance(caught.value, InputError) == (builtin is ValueError)
+
+
+@pytest.mark.parametrize(
+    ("fault", "said"),
+    [
+        (unwritable_folder, "/file is a file, not a folder. Choose a writable folder with --out"),
+        (folder_in_place_of_the_file, "frames.nc: a folder of that name is there. Choose"),
+    ],
+)
+def test_what_is_in_the_way_of_a_file_is_named_and_nothing_is_left(tmp_path, fault, said):
+    with pytest.raises(StoreError) as caught:
+        fault(tmp_path)
+    assert said in str(caught.value)
+    assert len(list(tmp_path.iterdir())) == 1
 
 
 def test_the_path_of_a_recording_stands_once_before_what_is_wrong_in_it(tmp_path):

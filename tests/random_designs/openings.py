@@ -15,6 +15,7 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
 from design.body.meshes import manifold_of
+from design.body.surface_chart import FACE_AXES
 from design.layout.blocks import relief_slits
 from design.layout.boards import wire_channels, wire_hole_diameter_mm
 from design.layout.body import body_of, face_frames
@@ -124,6 +125,7 @@ def blocked_ways(spec: ObjectSpec, solids: Solids, pins: Solids) -> list[str]:
             wrong += _in_the_way(
                 f"slit {k}", _posed(cube, slit.axes, slit.centre_mm), solids, "shell"
             )
+    wrong += _blocked_sides(spec, solids)
     if any(name in solids for name in _FIRST):
         first = {name: solids[name] for name in _FIRST if name in solids} | pins
         wrong += _blocked_holes(mould_holes(spec), first, solids.get("shell"))
@@ -206,6 +208,19 @@ def _blocked_wires(spec: ObjectSpec, core: manifold3d.Manifold) -> list[str]:
             "the outlet of the wires", _rod(np.zeros(3), down, radius), {"core": core}, "core"
         )
     return wrong
+
+
+def _blocked_sides(spec: ObjectSpec, solids: Solids) -> list[str]:
+    """Where the core's room runs out through whole sides: wires must leave it through one of them."""
+    inner = {name: solids[name] for name in ("core", "shell") if name in solids}
+    if body_of(spec).opening != "open" or "core" not in inner:
+        return []
+    radius, found = spec.core.wire_hole_side_diameter_mm / 2 - _FACET_MM, []
+    for face in spec.body.opened:
+        out = (1.0 + body_of(spec).half_mm) * FACE_AXES[face][0]
+        name, way = f"the way out of side {face}", _rod(np.zeros(3), out, radius)
+        found.append([told for part in inner for told in _in_the_way(name, way, inner, part)])
+    return [] if [] in found else [told for texts in found for told in texts]
 
 
 def meeting_pins(solids: Solids, pins: Solids) -> list[str]:

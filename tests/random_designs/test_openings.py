@@ -15,6 +15,8 @@ from design.solids import booleans
 from design.solids.booleans import as_triangles
 from design.spec_io import parse_spec
 from tests.random_designs.openings import (
+    _blocked_sides,
+    _rod,
     blocked_ways,
     left_over,
     meeting_pins,
@@ -116,6 +118,21 @@ def test_a_core_without_its_wire_holes_is_told(ball, box):
     assert told.startswith("core is in the way of channel 1 of face 1")
 
 
+def test_a_side_that_nothing_leads_out_of_is_told(box):
+    """Of a box open at −z, and by made-up solids of one open at +x and +y, where one way is enough."""
+    spec, solids, pins = box
+    for part in ("core", "shell"):
+        shut = solids | {part: solids[part] + ball_at(np.array([0.0, 0.0, -12.0]))}
+        (told,) = blocked_ways(spec, shut, pins)
+        assert told.startswith(f"{part} is in the way of the way out of side 6"), told
+    spec = spec.changed(body=spec.body.changed(open_faces=[3, 4]))
+    across, along = (_rod(np.zeros(3), 30 * way, 2.0) for way in np.eye(3)[:2])
+    block = manifold3d.Manifold.cube((30.0, 30.0, 30.0), True)
+    for open_ways, count in (([across], 0), ([along], 0), ([across, along], 0), ([], 2)):
+        core = block - manifold3d.Manifold.batch_boolean(open_ways, manifold3d.OpType.Add)
+        assert len(_blocked_sides(spec, {"core": core})) == count
+
+
 def test_pins_that_meet_each_other_or_the_mould_are_told(ball):
     _, solids, pins = ball
     longer = pins | {"pin 1": pins["pin 2"].translate((0.5, 0.0, 0.0))}
@@ -194,7 +211,7 @@ def test_a_wire_hole_of_a_core_without_a_cavity_ends_at_its_axis():
     core = next(part for part in parts_of(spec) if part.name == "core")
     solid = manifold_of(as_triangles(core.make()))
     assert blocked_ways(spec, {"core": solid}, {}) == []
-    plugged = solid + ball_at([0.0, -1.0, 0.0])
+    plugged = solid + ball_at([0.0, -3.0, 0.0])
     (told,) = blocked_ways(spec, {"core": plugged}, {})
     assert told.startswith("core is in the way of wire hole of face 2")
 

@@ -18,6 +18,7 @@ from design.files import atomic_path
 
 FOLDER = Path(__file__).parents[1] / "references"
 MODE = "INSTOBJ_TESTS_FACTS"
+RECORDS = os.environ.get(MODE) == "record"
 _NUMBER = re.compile(r"(?<![\w.])-?\d+(?:\.\d+)?(?:e[+-]?\d+)?(?![\w])")
 _FEW = 12
 """Numbers of an array that are told one by one."""
@@ -26,7 +27,7 @@ _FEW = 12
 def assert_on_record(file, section, lines, package="design"):
     """Lines of a section as they stand in `tests/references/<package>/<file>.txt`."""
     path, lines = FOLDER / package / f"{file}.txt", list(lines)
-    if os.environ.get(MODE) == "record":
+    if RECORDS:
         _write(path, section, lines)
     known = sections_of(path).get(section)
     assert known is not None, f"no section {section} in {path}: see {__name__}"

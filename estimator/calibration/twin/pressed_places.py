@@ -45,6 +45,8 @@ class PressedPlaces:
     zero_counts2 : (place, level, level) covariance of the means by errors of their zeros and by drift
         since then, a random walk. Frames share a zero that are of one session and place (simulated,
         where many presses may follow one zero), or of one press (recorded without `zero_error`)
+    noise_counts : (axis,) white noise of a reading as the recording shows it; None or NaN: the
+        specification's
     """
 
     face: int
@@ -54,6 +56,7 @@ class PressedPlaces:
     counts: Float[np.ndarray, "place level channel"]
     frames: Int[np.ndarray, "place level"]
     zero_counts2: Float[np.ndarray, "place level level"]
+    noise_counts: Float[np.ndarray, "3"] | None = None
 
     def __len__(self) -> int:
         return len(self.xy_mm)
@@ -67,7 +70,10 @@ class PressedPlaces:
         """Variance of each mean alone: noise of its frames, and of their labelled forces through the
         signal's slope."""
         force_noise = spec.protocol.force_noise_n
-        white = np.asarray(spec.sensors.noise_counts)[self.channels % 3]
+        noise = np.asarray(spec.sensors.noise_counts)
+        if self.noise_counts is not None:
+            noise = np.where(np.isfinite(self.noise_counts), self.noise_counts, noise)
+        white = noise[self.channels % 3]
         slope = self.counts / np.maximum(self.force_n, 3 * force_noise)[..., None]
         return (white**2 + (force_noise * slope) ** 2) / self.frames[..., None]
 
@@ -149,6 +155,7 @@ def pressed_places(spec: ObjectSpec, frames: FrameSet, face: int) -> PressedPlac
         np.array([[own[level][:, channels].mean(axis=0) for level in place] for place in levels]),
         np.array([[len(level) for level in place] for place in levels]),
         np.array([drifting_zeros(spec, zeroed, time_s, place, error) for place in levels]),
+        frames.noise_counts if frames.source == "recorded" else None,
     )
 
 

@@ -267,7 +267,10 @@ def stamp_faults(table: RawTable) -> list[Fault]:
     step = np.diff(table.time_s)
     if np.any(step == 0):
         detail = f"{int(np.sum(step == 0))} of {len(step) + 1} repeat the one before"
-        faults.append(Fault("time stamps", "Time", detail, "rebuilt from the frame rate"))
+        rebuilt = "rebuilt from the frame rate"
+        if not step.any():
+            rebuilt = "they tell no frame rate, an assumed one is taken; give stamps in s"
+        faults.append(Fault("time stamps", "Time", detail, rebuilt))
     if np.any(step < 0):
         detail = f"{int(np.sum(step < 0))} run backwards"
         faults.append(Fault("time stamps", "Time", detail, "a new stretch begins there"))

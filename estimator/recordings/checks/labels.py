@@ -6,6 +6,8 @@ which none of these faults was found, and on simulated ones with planted faults.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
@@ -204,26 +206,75 @@ def place_label_faults(
     return wrong, faults
 
 
+def restless_presses(
+    rest: Bool[np.ndarray, "frame"],
+    touching: Bool[np.ndarray, "frame"],
+    press: Int[np.ndarray, "frame"],
+) -> list[Fault]:
+    """One fault where most presses have no frame at rest beside them: then nobody knows their zero."""
+    pressed = np.unique(press[touching])
+    without = np.setdiff1d(pressed, press[rest])
+    if 2 * len(without) <= len(pressed):
+        return []
+    return [
+        Fault(
+            "hardly any rest",
+            f"{len(without)} of {len(pressed)} presses",
+            "no frame at rest beside them: forces count from the lowest one, which may be a press, and "
+            "signals from rests of other presses, so that both may be too small",
+            "kept; record a second without contact before each press",
+        )
+    ]
+
+
 def press_patterns(
     frames: FrameSet,
 ) -> tuple[Int[np.ndarray, "press"], Int[np.ndarray, "press"], Float[np.ndarray, "press channel"]]:
     """Press id, place id and unit pattern of every press with loaded, usable frames."""
+    found = [
+        (press, place, mean / max(_size(mean), 1e-9))
+        for press, place, mean, _ in _loaded_means(frames)
+    ]
+    if not found:
+        empty = np.empty(0, dtype=int)
+        return empty, empty, np.empty((0, frames.signal_counts[0].size))
+    press, place, pattern = zip(*found, strict=True)
+    return np.array(press), np.array(place), np.array(pattern)
+
+
+def pattern_noises(frames: FrameSet) -> Float[np.ndarray, "press channel"]:
+    """Standard deviation of `press_patterns` by the noise of the readings, that of the zero counted as
+    large as the mean's."""
+    known = np.nan_to_num(frames.noise_counts)
+    noise = np.broadcast_to(known, frames.signal_counts.shape[1:]).ravel()
+    found = [
+        noise * np.sqrt(2 / rows) / max(_size(mean), 1e-9)
+        for _, _, mean, rows in _loaded_means(frames)
+    ]
+    return np.array(found).reshape(-1, len(noise))
+
+
+def _loaded_means(
+    frames: FrameSet,
+) -> Iterator[tuple[int, int, Float[np.ndarray, "channel"], int]]:
+    """Press id, place id, mean signals and number of the loaded, usable frames of every press."""
     total = np.nansum(frames.force_n[..., 2], axis=1)
     loaded = frames.valid & (frames.place_id >= 0)
     signal = frames.signal_counts.reshape(len(frames), -1)
-    found = []
     for first, last in runs(frames.press_id):
         rows = np.arange(first, last)[loaded[first:last]]
         rows = rows[total[rows] >= _LOADED_SHARE * total[rows].max()] if len(rows) else rows
         if len(rows) >= LEAST_FRAMES:
-            mean = signal[rows].mean(axis=0)
-            size = np.sqrt(np.nansum(mean**2))
-            found.append((frames.press_id[first], frames.place_id[rows[0]], mean / max(size, 1e-9)))
-    if not found:
-        empty = np.empty(0, dtype=int)
-        return empty, empty, np.empty((0, signal.shape[1]))
-    press, place, pattern = zip(*found, strict=True)
-    return np.array(press), np.array(place), np.array(pattern)
+            yield (
+                int(frames.press_id[first]),
+                int(frames.place_id[rows[0]]),
+                signal[rows].mean(axis=0),
+                len(rows),
+            )
+
+
+def _size(mean: Float[np.ndarray, "channel"]) -> float:
+    return float(np.sqrt(np.nansum(mean**2)))
 
 
 def _chords(

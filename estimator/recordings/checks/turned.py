@@ -8,15 +8,21 @@ import numpy as np
 from jaxtyping import Bool, Float, Int
 
 from estimator.frames.dataset import NO_FACE, FrameSet
-from estimator.recordings.checks.faults import Fault, rows_text
-from estimator.recordings.checks.labels import LEAST_FRAMES, press_patterns
+from estimator.recordings.checks.faults import Fault, known_mean, rows_text
+from estimator.recordings.checks.labels import LEAST_FRAMES, pattern_noises, press_patterns
 from estimator.recordings.presses import CONTACT_FORCE_N, runs
 from estimator.recordings.table import channel_name
 
 _ALIKE = 0.5
 """Cosine between the changes above and below rest: 1 where a force has the wrong sign, else −1."""
+_HARDLY_ANY = 0.01
+_LEAST_BLOCKS = 2
+_ALIKE_AT_REST = 0.3
+"""Scatter of signals over places at rest, over that in holds."""
 _ANSWERS = 0.1
 """Share of a press's pattern (length 1) from which the sign of a channel counts."""
+_BEYOND_NOISE = 3.0
+"""Standard deviations: at places that hardly answer, noise alone turns channels."""
 _REST_AGREES = 0.25
 _EXCHANGE_GAIN = 4.0
 
@@ -32,7 +38,8 @@ def turned_forces(
 
     Rest is the level at which a cell dwells longest. Frames below it are presses with a wrong sign
     where the signals of the face change in the same direction as above it; were that level a hold,
-    they would change in opposite ones. Said only where one place has both.
+    they would change in opposite ones. Said only where one place has both, or where no row is above that
+    level: the cell counts the other way throughout then.
     """
     corrected, faults = force_n.copy(), []
     for cell in range(force_n.shape[1]):
@@ -40,6 +47,15 @@ def turned_forces(
         above = force_n[:, cell] > level + CONTACT_FORCE_N
         below = force_n[:, cell] < level - CONTACT_FORCE_N
         at_level = np.abs(force_n[:, cell] - level) <= rest_force_n
+        if above.mean() < _HARDLY_ANY and _rests_above(counts, block, at_level, force_n[:, cell]):
+            corrected[:, cell] = 2 * level - force_n[:, cell]
+            lowest = force_n[:, cell].min() - level
+            detail = (
+                f"cell {cell + 1} shows down to {lowest:.1f} N and nothing above its usual level, at which "
+                "the signals of all places are alike, as at rest"
+            )
+            faults.append(Fault("force turned", "all rows", detail, "sign turned back"))
+            continue
         if not _change_alike(counts, face[:, cell], block, (at_level, above, below)):
             continue
         for first, last in runs((force_n[:, cell] < level - rest_force_n).astype(int)):
@@ -53,6 +69,27 @@ def turned_forces(
             )
             faults.append(Fault("force turned", rows_text(rows), detail, "sign turned back"))
     return corrected, faults
+
+
+def _rests_above(
+    counts: Float[np.ndarray, "frame 5 sensor 3"],
+    block: Int[np.ndarray, "frame"],
+    at_level: Bool[np.ndarray, "frame"],
+    force_n: Float[np.ndarray, "frame"],
+) -> bool:
+    """Whether a cell that goes below its usual level alone rests there: the signals of all places are then
+    alike there, and differ where it is lowest; were the level a hold, it would be the other way round."""
+    middle = (np.median(force_n[at_level]) + force_n.min()) / 2
+    lowest = force_n < middle
+    means = []
+    for first, last in runs(block):
+        rows = [first + np.flatnonzero(part[first:last]) for part in (at_level, lowest)]
+        if min(map(len, rows)) >= LEAST_FRAMES:
+            means.append([known_mean(counts[part]) for part in rows])
+    if len(means) < _LEAST_BLOCKS:
+        return False
+    scatter = np.sqrt(np.nanmean(np.var(means, axis=0), axis=(1, 2, 3)))
+    return bool(scatter[0] < _ALIKE_AT_REST * scatter[1])
 
 
 def _longest_level(force_n: Float[np.ndarray, "frame"], width_n: float) -> float:
@@ -95,11 +132,13 @@ def turned_channels(
     channels that hardly answer, cannot be judged.
     """
     press, place, pattern = press_patterns(frames)
+    noise = pattern_noises(frames)
     shape = frames.signal_counts.shape[1:]
     found: dict[tuple[str, tuple[int, ...]], list[tuple[int, int]]] = {}
     for first, second in combinations(range(len(press)), 2):
         if place[first] == place[second]:
-            kind, channels = _unlike(pattern[second], pattern[first])
+            larger = np.fmax(noise[first], noise[second])
+            kind, channels = _unlike(pattern[second], pattern[first], larger)
             if channels:
                 found.setdefault((kind, channels), []).append((first, second))
     wrong, faults = np.zeros(shape, dtype=bool), []
@@ -117,20 +156,25 @@ def turned_channels(
 
 
 def _unlike(
-    pattern: Float[np.ndarray, "channel"], usual: Float[np.ndarray, "channel"]
+    pattern: Float[np.ndarray, "channel"],
+    usual: Float[np.ndarray, "channel"],
+    noise: Float[np.ndarray, "channel"] | float = 0.0,
 ) -> tuple[str, tuple[int, ...]]:
-    """Kind of fault and the channels that explain why two presses of a place differ, if any do."""
+    """Kind of fault and the channels that explain why two presses of a place differ by more than their
+    noise, if any do."""
     step = np.nan_to_num(pattern - usual)
     largest = np.argsort(-np.abs(step))[:2].tolist()
     one = largest[0]
-    strong = min(abs(pattern[one]), abs(usual[one])) > _ANSWERS
+    beyond = _BEYOND_NOISE * np.broadcast_to(noise, step.shape)
+    strong = min(abs(pattern[one]), abs(usual[one])) > max(_ANSWERS, beyond[one])
     if strong and pattern[one] * usual[one] < 0 and _length(np.delete(step, one)) < _REST_AGREES:
         return "channel turned", (one,)
     for a, b in combinations(sorted(largest), 2):
         exchanged = pattern.copy()
         exchanged[[a, b]] = pattern[[b, a]]
         rest = _length(np.nan_to_num(exchanged - usual))
-        if _length(step) > max(_REST_AGREES, _EXCHANGE_GAIN * rest):
+        clear = np.all(np.abs(step[[a, b]]) > beyond[[a, b]])
+        if clear and _length(step) > max(_REST_AGREES, _EXCHANGE_GAIN * rest):
             return "channels exchanged", (a, b)
     return "", ()
 

@@ -126,6 +126,8 @@ def lacks_readings(
 ) -> Bool[np.ndarray, "frame"]:
     """Which frames lack a reading of one of the channels."""
     face, sensor, axis = np.array(channels).T
+    absent = max(0, int(sensor.max()) + 1 - counts.shape[2])
+    counts = np.pad(counts, ((0, 0), (0, 0), (0, absent), (0, 0)), constant_values=np.nan)
     return np.any(np.isnan(counts[:, face % HISTORY - 1, sensor, axis]), axis=1)
 
 

@@ -218,9 +218,12 @@ def verdict(left_percent: float, design_percent: float, strained: int, instead: 
         )
     most = max(left_percent, design_percent)
     if most <= _TRUSTED_PERCENT and left_percent >= _NO_GAIN * design_percent:
+        design_percent, left_percent = (
+            max(percent, _EXACT_PERCENT / 2) for percent in (design_percent, left_percent)
+        )
         return (
             f"yes: the object is as drawn within {design_percent:.2g} % of its signals (calibrated "
-            f"{left_percent:.2g} %; rms, four of five left out)"
+            f"within {left_percent:.2g} %)"
         )
     if left_percent > max(_EXACT_PERCENT, min(_TRUSTED_PERCENT, design_percent / 2)):
         return f"no: {instead}"

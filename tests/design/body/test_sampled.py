@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+import trimesh
 from numpy.testing import assert_allclose
 
 from design.body import sampled
@@ -70,3 +71,16 @@ def test_surfaces_too_small_or_too_steep_have_no_patch(monkeypatch):
         patch(monkeypatch, 1, lambda p: np.linalg.norm(p, axis=-1) - 7.0)
     with pytest.raises(InputError, match="about face 2 is too steep or too small"):
         patch(monkeypatch, 2, lambda p: p[:, 1] - 30.0, inward_mm=26.0)
+
+
+def test_an_octant_s_triangles_measure_as_all_of_them_do():
+    """Of an ellipsoid's 5120 triangles to points inside and out, on its planes and in its middle."""
+    ball = trimesh.creation.icosphere(4, 1.0).apply_scale([30.0, 12.0, 20.0])
+    octant = sampled._octant(ball)
+    assert len(octant.faces) < len(ball.faces) / 2
+    points = np.random.default_rng(3).uniform(0.0, 1.0, (300, 3)) * [36.0, 16.0, 25.0]
+    points[:60, 0] = points[40:100, 1] = points[80:140, 2] = 0.0
+    points[140] = 0.0
+    whole = sampled.measured_distance_mm(ball, points)
+    assert (whole < 0).sum() > 50
+    assert_allclose(sampled.measured_distance_mm(octant, points), whole, rtol=0, atol=1e-12)

@@ -1,5 +1,6 @@
 """Checks of fabrication at both sides of their limits, by boxes and made-up measures in place of parts."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -67,6 +68,16 @@ def test_a_hole_must_be_open_but_for_a_hundredth_of_its_section():
     assert _blocked((hole,), holder)[0].status == "pass", "within the silicone it may stand"
     assert not _blocked((), holder)
     assert not _blocked((hole,), {"core": wall}, "core")
+    both = {
+        "mould_half_a": thin["mould_half_b"],
+        "mould_half_b": wall,
+        "plug": thin["mould_half_b"],
+    }
+    other = replace(hole, start_mm=np.array([0.0, 30, 0]), top_mm=np.array([5.0, 30, 0]))
+    for holes in ((hole, other), (other, hole)):
+        (found,) = _blocked(holes, both)
+        assert (found.part, found.place_mm) == ("mould_half_b", (0.0, 0.0, 0.0))
+        assert found.value == pytest.approx(3 * section, rel=0.01)
 
 
 @pytest.mark.parametrize(

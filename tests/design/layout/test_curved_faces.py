@@ -9,12 +9,13 @@ import design.layout.places.positions
 from design.errors import InputError
 from design.layout.boards import mounted_sensors
 from design.layout.body import body_of, face_frames
-from design.layout.places.positions import board_sinks_mm, cover_mm, sensor_layout
+from design.layout.places.positions import _rims_of_stack, board_sinks_mm, cover_mm, sensor_layout
 from design.layout.pockets import magnet_bodies
 from design.solids.core import make_core
 from design.solids.primitives import block_solid
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
+from tests.support.objects.worked_objects import worked
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 CURVED = ("ball", "egg", "handle", "pear", "capsule")
@@ -83,6 +84,37 @@ def test_silicone_over_a_magnet_is_thinnest_over_its_rim():
             rim = np.hypot(top, magnets.diameter_mm / 2)
             assert cover_mm(frame, body) == pytest.approx(radius - rim, abs=1e-6)
             assert cover_mm(frame, body) < radius - top - 0.1, "on the axis there is more"
+
+
+@pytest.mark.parametrize("towards_deg", range(0, 360, 30))
+def test_a_leaning_magnet_is_nearest_to_a_flat_surface_at_the_rim_that_rises(towards_deg):
+    """A disk of R 3 mm and 1 mm, 4 mm deep, whose top leans 10° away from where its rim rises."""
+    tilt = np.deg2rad(10) * np.array(
+        [-np.sin(np.deg2rad(towards_deg)), np.cos(np.deg2rad(towards_deg))]
+    )
+    magnets = {"positions_mm": [[1.0, -2.0]], "tilt_deg": [(-np.rad2deg(tilt)).tolist()]}
+    spec = ObjectSpec.model_validate({"name": "leaning", "magnets": magnets})
+    (body,) = magnet_bodies(spec)[0]
+    height, radius = body.height_mm / 2, spec.magnets.diameter_mm / 2
+    top = body.centre_mm[2] + height * np.cos(np.deg2rad(10)) + radius * np.sin(np.deg2rad(10))
+    within = np.cos(np.pi / 48)  # of the nearest of 48 points round the rim
+    found = -cover_mm(face_frames(spec)[0], body)
+    assert top - (1 - within) * radius * np.sin(np.deg2rad(10)) - 1e-9 <= found <= top + 1e-9
+
+
+@pytest.mark.parametrize(
+    ("azimuth_deg", "radial"), [(0.0, (1, 0)), (90.0, (0, 1)), (180.0, (-1, 0))]
+)
+def test_points_round_board_and_chip_lie_about_their_own_middles(azimuth_deg, radial):
+    """A recess from 2.5 to 6.5 mm has its board's middle at 4.5, 0.3 mm inwards of a chip at 4.8."""
+    spec = worked("box")
+    place = np.array([[4.8 * radial[0], 4.8 * radial[1], np.deg2rad(azimuth_deg)]])
+    points, tops = _rims_of_stack(spec, place)
+    along, across = points[0] @ radial, points[0] @ [-radial[1], radial[0]]
+    board, chip = slice(0, len(tops) // 2), slice(len(tops) // 2, None)
+    for part, low, high, wide in ((board, -2.1, 1.5, 1.9), (chip, -0.85, 0.85, 0.95)):
+        ends = [along[part].min(), along[part].max(), across[part].min(), across[part].max()]
+        np.testing.assert_allclose(ends, [low, high, -wide, wide], atol=1e-9)
 
 
 def test_a_magnet_that_stands_out_of_a_curved_face_is_refused():

@@ -228,6 +228,23 @@ def test_sizes_that_work_may_leave_faces_out_as_placements_do(monkeypatch):
     )
 
 
+def test_faces_alike_after_half_a_turn_are_judged_once_but_for_a_file_s(monkeypatch):
+    asked_for = []
+
+    def fits(request):
+        asked_for.append(*request.faces)
+        return request.faces[0] in (1, 2)
+
+    monkeypatch.setattr(objects, "fits_roughly", fits)
+    ellipsoid = Request("ellipsoid", (60.0, 50.0, 40.0))
+    assert objects.roomy_faces(ellipsoid) == (1, 2, 4)
+    assert asked_for == [1, 2, 3]
+    asked_for.clear()
+    request = Request("imported", (60.0, 60.0, 60.0), file=(("file", str(PEAR)),))
+    assert objects.roomy_faces(request) == (1, 2)
+    assert asked_for == [1, 2, 3, 4, 5]
+
+
 def test_a_core_of_no_size_has_faces_of_no_size():
     """A sphere of 12 mm with the shell's 6 mm: told to be too small, not divided by."""
     assert steepest_reach_mm(0.0, 0.0) == steepest_reach_mm(-1.0, -1.0) == 0
@@ -388,3 +405,15 @@ def test_a_pattern_that_is_tight_in_any_one_way_is_left_out(monkeypatch, wrong):
         QUICK["pad"], {}, [np.ones(2)], [(0.5, np.array(square)), (0.4, np.array(square))]
     )
     assert found == {"core": {"number": 2, "wall_mm": 4.0}}
+
+
+def test_faces_are_asked_for_under_the_thinnest_shell(monkeypatch):
+    asked, body = [], objects._body
+    monkeypatch.setattr(
+        objects, "_body", lambda request, trim: (asked.append(trim), body(request, trim))[1]
+    )
+    monkeypatch.setattr(objects, "fits_roughly", lambda request: False)
+    assert objects._largest_together(QUICK["brick"]) == ()
+    assert objects._frame_where_there_is(QUICK["brick"], 3)[0].number == 3
+    assert set(asked) == {objects.TRIMS[-1]}
+    assert len(asked) == 1 + 5 + 1

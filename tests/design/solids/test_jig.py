@@ -16,6 +16,7 @@ from design.solids.jig import (
     RECESS_MM,
     _bolt_holes,
     _channel,
+    _cup,
     _flat_seat_mm,
     _marks,
     _post,
@@ -26,6 +27,7 @@ from design.solids.primitives import OVERSHOOT_MM
 from design.solids.sampled import sampled_core_part
 from design.spec.object import ObjectSpec
 from tests.support.objects.body_cases import body_spec
+from tests.support.objects.worked_objects import worked
 
 BORED = {"open_faces": [6], "bore_mm": 9.0}
 
@@ -125,3 +127,19 @@ def test_a_recess_takes_the_lower_end_of_a_body_with_play_all_round():
     radius = 20 + play_mm(dome)
     wanted = [-radius, radius] * 2 + [top - RECESS_MM, top + OVERSHOOT_MM]
     assert bounds(_recess(dome, top)) == pytest.approx(wanted, abs=1e-6)
+
+
+@pytest.mark.parametrize("name", ["closed sphere", "closed capsule"])
+def test_a_cup_leaves_play_round_the_lower_end_and_opens_straight_upwards(name):
+    """As wide at its top as where the body leaves the plate, and no wider to any side."""
+    spec = worked(name)
+    low, high = np.asarray(body_of(spec).outer_surface().bounds)
+    top = low[2] + 6.0
+    found, play = np.asarray(_cup(spec, top).bounds), play_mm(spec)
+    radius, depth = high[0], top + RECESS_MM - low[2]
+    wide = np.sqrt(radius**2 - max(0.0, radius - depth) ** 2) + play
+    assert (abs(found[:, :2]) < wide + 0.05).all()
+    assert (abs(found[:, :2]) > wide - 0.8).all(), "between the triangles' corners"
+    np.testing.assert_allclose(found[0, 2], low[2] - play, atol=0.05)
+    assert abs(found[0, :2] + found[1, :2]).max() < 0.05
+    assert found[1, 2] > top + RECESS_MM

@@ -11,6 +11,7 @@ from estimator.frames.press_protocol import simulate_presses
 from estimator.tolerances.assembly import designed
 from estimator.tolerances.virtual_object import drawn_assembly, twin_signals
 from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
+from tests.support.recorded_facts import assert_on_record, told_whole
 
 SLIP = FoundSlip((0.7, -0.5, 0.6), (0.5, -1.0, 1.5), 0.0)
 
@@ -87,3 +88,11 @@ def test_contacts_add_up(made):
     ]
     assert np.abs(changes[1]).max() > 20
     assert_allclose(changes[1][0], changes[0].sum(axis=0), atol=1e-6)
+
+
+def test_a_slip_found_is_as_on_record(made):
+    spec, _, before, after = made
+    change = after.baseline_counts - before.baseline_counts + np.arange(45).reshape(15, 3)
+    change[4, 1] = np.nan
+    found = slip_from_rest(spec, change, 14.0)
+    assert_on_record("calibration", "slip", told_whole("slip", found), "estimator")

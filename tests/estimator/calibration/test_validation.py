@@ -7,6 +7,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.errors import InputError
+from estimator.calibration import validation
 from estimator.calibration.pose_fit import (
     Calibration,
     Problem,
@@ -41,6 +42,7 @@ from estimator.recordings.reading import read_recording
 from estimator.signals.press_states import rest_motion
 from estimator.tolerances.assembly import designed
 from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
+from tests.support.recorded_facts import assert_on_record, told, told_whole
 from tests.support.recordings.made_recordings import gripper_arrays, write_gripper
 from tests.support.recordings.public_recordings import FOLDER, NAMES
 from tests.support.recordings.synthetic_frames import synthetic_frames
@@ -168,6 +170,12 @@ def test_dead_channels_do_not_matter(problem):
     rows = channel_rows(one_dead, predictions, [str(k) for k in range(45)])
     assert rows[18]["correlation"] is None
     assert rows[19]["correlation"] is not None
+
+
+def test_one_press_has_no_correlation():
+    """NaN, which is no JSON, after three warnings of NumPy."""
+    assert validation._correlation(np.array([2.0]), np.array([3.0])) is None
+    assert validation._correlation(np.array([1.0, 2.0]), np.array([5.0, 3.0])) == pytest.approx(-1)
 
 
 def test_calibration_finds_pose_and_modulus(problem):
@@ -334,3 +342,10 @@ def test_what_is_wrong_leaves_least_where_it_is_freed(problem, true, first):
         )
     )
     assert right["the design"].left == pytest.approx(0, abs=1e-12)
+
+
+@pytest.mark.parametrize("face", [3, 5, None], ids=str)
+def test_figures_of_merit_are_as_on_record(problem, face):
+    result = found(problem, designed(SPEC), face)
+    lines = [*told_whole("agreement", result), told("said", verdict(SPEC, result))]
+    assert_on_record("calibration", f"agreement on {face or 'all faces'}", lines, "estimator")

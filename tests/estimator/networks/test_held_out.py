@@ -1,5 +1,6 @@
 """Widths of intervals, sharpness and slopes of novelty from held-out presses whose answers are made up."""
 
+import inspect
 from types import SimpleNamespace
 
 import numpy as np
@@ -292,3 +293,30 @@ def test_channels_are_those_that_are_alive_in_both_parts(data):
     silent = without(*((sensor, axis) for _, sensor, axis in every if (sensor, axis) != (0, 1)))
     with pytest.raises(InputError, match=f"no channel of face {FACE}"):
         training.common_channels([parts[0], silent], TrainingSpec())
+
+
+@pytest.mark.parametrize("started", [False, True])
+def test_a_member_that_goes_on_from_another_is_fitted_as_one(monkeypatch, data, started):
+    """What is learned from, by whom, and at which rate."""
+    fitted = []
+
+    def stop(*given):
+        fitted.append(given)
+        raise StopIteration
+
+    frames = data.frames
+    start = SimpleNamespace(channels=CHANNELS, network=SimpleNamespace(members=["one", "two"]))
+    monkeypatch.setattr(training, "_fit_member", stop)
+    monkeypatch.setattr(training, "prepared", lambda frames, name, settings: data)
+    monkeypatch.setattr(training, "_folds", lambda parts, settings: [(parts[0], parts[1])])
+    monkeypatch.setattr(training, "new_member", lambda *_: "new")
+    monkeypatch.setattr(training, "common_channels", lambda *_: CHANNELS)
+    monkeypatch.setattr(training, "_require_same_kind", lambda *_: None)
+    for name in ("filled_for", "_as_started"):
+        monkeypatch.setattr(training, name, lambda given, *_: given)
+    settings = FitSettings(FACE, TrainingSpec(ensemble=1))
+    with pytest.raises(StopIteration):
+        inspect.unwrap(training.fit_estimator)(frames, frames, settings, start if started else None)
+    member, number, one, other, channels, _, goes_on, counted = fitted[0]
+    assert (member, goes_on) == (("one", True) if started else ("new", False))
+    assert (number, one, other, channels, counted) == (0, data, data, CHANNELS, None)

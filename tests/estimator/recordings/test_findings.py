@@ -147,6 +147,13 @@ def test_stamps_that_repeat_or_run_backwards_are_counted():
     ]
 
 
+def test_stamps_that_are_all_the_same_tell_no_rate():
+    table = SimpleNamespace(duplicate_columns=(), time_s=np.full(4, 5.0))
+    (found,) = faults.stamp_faults.__wrapped__(table)
+    assert found.detail == "3 of 4 repeat the one before"
+    assert found.action.startswith("they tell no frame rate, an assumed one is taken")
+
+
 def test_a_face_is_pressed_where_its_cell_holds_a_third_of_the_largest_force():
     force = np.array([[10.0, 3.0], [2.9, 3.1], [0.3, 0.29]])
     found = labels.pressed_faces(np.array([[3, 5]] * 3), force, np.array([0, 0, 1]))
@@ -223,6 +230,47 @@ def test_forces_are_turned_back_where_the_face_answers_as_to_a_press():
     assert_array_equal(corrected, force)
 
 
+def holds_of_two_places(turn=1.0):
+    """Force of two places, 30 rows each, and counts that differ where it is not 0."""
+    force = np.tile(np.r_[np.zeros(12), np.full(8, 6.0), np.zeros(10)], 2)[:, None]
+    counts = np.random.default_rng(0).normal(0, 1, (60, 5, 2, 3))
+    counts[:30, 1] += 20 * force[:30, :, None]
+    counts[30:, 1] -= 15 * force[30:, :, None]
+    where = np.full((60, 1), 2), np.repeat([0, 1], 30)
+    return turn * force, counts, where
+
+
+def test_a_cell_that_counts_the_other_way_throughout_is_turned():
+    """Its presses were taken for rest, and rest for presses."""
+    force, counts, where = holds_of_two_places(-1.0)
+    corrected, (found,) = turned.turned_forces(force, counts, *where, 0.2)
+    assert_allclose(corrected, -force)
+    assert (found.kind, found.where) == ("force turned", "all rows")
+    assert found.detail.startswith("cell 1 shows down to -6.0 N and nothing above its usual level")
+    one_place = (where[0], 0 * where[1])
+    assert_array_equal(turned.turned_forces(force, counts, *one_place, 0.2)[0], force)
+
+
+def test_long_holds_with_short_rests_are_not_turned():
+    force, counts, where = holds_of_two_places()
+    often = np.r_[np.arange(12, 20), np.arange(12, 20), np.arange(20, 26)]
+    rows = np.r_[often, often + 30]
+    given = force[rows], counts[rows], (where[0][rows], where[1][rows])
+    corrected, found = turned.turned_forces(given[0], given[1], *given[2], 0.2)
+    assert found == []
+    assert_array_equal(corrected, given[0])
+
+
+def test_presses_without_any_rest_are_told_where_they_are_most():
+    press, rest = np.repeat([0, 1, 2, 3], 3), np.zeros(12, bool)
+    touching = ~rest
+    rest[[0, 3]] = True
+    assert labels.restless_presses(rest, touching, press) == []
+    rest[3] = False
+    (found,) = labels.restless_presses(rest, touching, press)
+    assert (found.kind, found.where) == ("hardly any rest", "3 of 4 presses")
+
+
 def test_one_channel_turned_or_two_exchanged_explain_a_difference():
     usual = np.array([0.6, 0.6, 0.4, 0.3, np.nan])
     turned_one = usual * [1, 1, -1, 1, 1]
@@ -230,6 +278,11 @@ def test_one_channel_turned_or_two_exchanged_explain_a_difference():
     exchanged = usual[[3, 1, 2, 0, 4]]
     assert turned._unlike(exchanged, usual) == ("channels exchanged", (0, 3))
     assert turned._unlike(usual + 0.01, usual) == ("", ())
+    noise = np.full(5, 0.15)
+    assert turned._unlike(turned_one, usual, noise) == ("", ())
+    assert turned._unlike(turned_one, usual, 0.8 * noise) == ("channel turned", (2,))
+    assert turned._unlike(exchanged, usual, noise) == ("", ())
+    assert turned._unlike(exchanged, usual, 0.6 * noise) == ("channels exchanged", (0, 3))
     weak = np.array([0.7, 0.7, 0.09])
     assert turned._unlike(weak * [1, 1, -1], weak) == ("", ())
 
@@ -252,7 +305,7 @@ def made(press, place, force, signals, valid=None):
         faces=np.array([1]),
         grid_x_mm=np.zeros(1),
         grid_y_mm=np.zeros(1),
-        noise_counts=np.ones(3),
+        noise_counts=np.full(3, 0.01),
         source="recorded",
         spec_hash="x",
         seed=0,

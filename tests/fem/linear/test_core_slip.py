@@ -11,17 +11,20 @@ from scipy.spatial.transform import Rotation
 
 import fem.linear.core_slip
 from design.errors import InputError
+from design.layout.body import face_frames
 from design.layout.places.positions import shell_body_layout
+from design.spec.object import ObjectSpec
 from fem.large_strain.single_press import require_press
 from fem.linear.core_interface import prescribed_loads, rigid_interface_motions
 from fem.linear.core_slip import (
+    RestingShell,
     move_interface,
     resting_shell,
     shell_motion,
     slipped_response,
     superposed,
 )
-from fem.linear.response import elastic_system, face_pressure_loads
+from fem.linear.response import FaceSurface, ResponseOperator, elastic_system, face_pressure_loads
 from fem.mesh.tetrahedra import tet_volumes_mm3
 from fem.presses.results import load_presses, save_presses
 from fem.presses.table import press_places, simulate_lattice, surface_weights_mm2
@@ -299,3 +302,21 @@ def test_rest_is_the_finite_rigid_motion_and_what_deviates_from_the_small_one(mo
     assert_allclose(rest.magnet_motion[:, :3], finite + deviation[:, :3], atol=1e-12)
     assert_allclose(rest.magnet_motion[:, 3:], turn.as_rotvec() + deviation[:, 3:], atol=1e-12)
     assert_allclose(rest.face_shift_mm[0], turn.apply(nodes) + shift - nodes + bent, atol=1e-12)
+
+
+def test_vertices_of_slipped_faces_move_in_their_plane_and_out_of_it():
+    spec = ObjectSpec.model_validate({"name": "two", "body": {"sensed_faces": [2, 3]}})
+    xy = np.array([[0.0, 1.0], [2.0, 3.0], [4.0, -5.0]])
+    surfaces = tuple(FaceSurface(number, xy, np.array([[0, 1, 2]])) for number in (2, 3))
+    shift = np.array([[0.1, 0.2, 0.3], [0.0, -0.4, 0.0], [0.7, 0.0, -0.6]])
+    response = ResponseOperator(surfaces, np.eye(2), 2, 0)
+    none = np.zeros((0, 6))
+    rest = RestingShell(none, none, (shift, 2 * shift))
+    found = slipped_response(spec, response, rest)
+    for surface, frame, moved in zip(
+        found.surfaces, face_frames(spec), (shift, 2 * shift), strict=True
+    ):
+        assert surface.number == frame.number
+        assert_allclose(surface.xy_mm, xy + np.column_stack([moved @ frame.x, moved @ frame.y]))
+        assert_allclose(surface.height_mm, moved @ frame.normal)
+    assert_allclose(found.compliance, np.eye(2))

@@ -1,5 +1,6 @@
 """The largest tension at a core that only touches, by hand."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -46,6 +47,8 @@ def test_tensions_are_told_per_newton_with_their_press():
     place = {"x_mm": 1.0, "y_mm": 2.0, "z_mm": 3.0}
     assert plain.to_dict() == {"largest_tension_kpa_per_n": 20.0} | place
     pressed = CoreTension(0.02, np.array([1.0, 2.0, 3.0]), (4, -5.0, 6.0), 0.25)
+    for lone in ({"press": (3, 1.0, 2.0)}, {"force_drop": 0.25}):
+        assert replace(plain, **lone).to_dict() == plain.to_dict()
     assert pressed.to_dict() == plain.to_dict() | {
         "press_face": 4,
         "press_x_mm": -5.0,

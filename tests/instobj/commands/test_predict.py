@@ -16,7 +16,7 @@ import instobj
 from design.errors import InputError, StoreError
 from design.spec.object import TrainingSpec
 from estimator.deploy.runtime import channel_readings
-from estimator.frames.dataset import FrameSet, load_frames, save_frames
+from estimator.frames.dataset import load_frames, save_frames
 from estimator.frames.splits import split_presses
 from estimator.networks.face_model import load_model, predict, save_model
 from estimator.networks.training.face import FitSettings, fit_estimator
@@ -26,6 +26,7 @@ from instobj.commands.hardware.predict import export_models, predict_file, predi
 from instobj.commands.hardware.readings import (
     SILENT_FRAMES,
     Zeroing,
+    lacks_readings,
     live_frames,
     prediction_path,
 )
@@ -37,6 +38,7 @@ from tests.support.recordings.dummy_board import (
     counts_at,
     dummy_board,
 )
+from tests.support.recordings.pressed_frames import made_frames
 
 FACE = 3
 ONE = {"history_frames": 0, "ensemble": 1, "trees": 0, "process": False}
@@ -44,41 +46,6 @@ SMALL = TrainingSpec(hidden_units=(16,), epochs=2, batch_size=64, **ONE)
 SETTINGS = ["training.hidden_units=[16]", "training.epochs=2", "seed=1"] + [
     f"training.{name}={value}" for name, value in ONE.items()
 ]
-
-
-def made_frames():
-    """Presses at two places of face 3, seen by its first sensor and by that of face 1."""
-    rng = np.random.default_rng(3)
-    presses, rest, loaded = 24, 4, 10
-    count = presses * (rest + loaded)
-    force = np.tile(np.r_[np.zeros(rest), np.linspace(1, 9, loaded)], presses)
-    press = np.repeat(np.arange(presses), rest + loaded)
-    signal = np.full((count, 5, 1, 3), np.nan)
-    place = press % 2
-    gains = np.array([[40, -25, 60], [-30, 55, 20]])[place]
-    signal[:, 2, 0] = gains * force[:, None] + rng.normal(0, 20, (count, 3))
-    signal[:, 0, 0] = rng.normal(0, 20, (count, 3))
-    touched = force > 0
-    xy = np.where(touched[:, None], np.array([[-3.0, 3.0], [3.0, 0.0]])[place], np.nan)
-    normal = np.where(touched, force, np.nan)
-    return FrameSet(
-        signal_counts=signal,
-        contact_face=np.where(touched, FACE, 0)[:, None],
-        contact_xy_mm=xy[:, None],
-        force_n=np.stack([0 * normal, 0 * normal, normal], axis=1)[:, None],
-        valid=np.ones(count, dtype=bool),
-        press_id=press,
-        place_id=np.where(touched, place, -1),
-        session_id=np.zeros(count, dtype=int),
-        time_s=np.arange(count) / 10.0,
-        faces=np.arange(1, 6),
-        grid_x_mm=np.array([-3.0, 0.0, 3.0]),
-        grid_y_mm=np.array([0.0, 3.0]),
-        noise_counts=np.array([20.0, 20.0, 20.0]),
-        source="recorded",
-        spec_hash="made",
-        seed=1,
-    )
 
 
 @pytest.fixture(scope="module")
@@ -158,6 +125,27 @@ def test_predictions_of_an_estimator_with_a_twin_have_a_name_of_their_own(folder
     shutil.copy(folder / "robot" / "face_3.onnx", tmp_path / "twin")
     found = predict_file(tmp_path / "twin" / "face_3.onnx", folder / "press.nc", tmp_path)
     assert [path.name for path in exported(found)] == ["prediction_twin_face_3.csv"]
+
+
+def test_what_predict_cannot_use_is_refused_in_a_sentence(folder, tmp_path):
+    model = str(folder / "robot" / "face_3.onnx")
+    for words, said in (
+        (
+            [model, "a.csv", "--frames", "3"],
+            "--frames stops reading a --port after 3 frames; a.csv",
+        ),
+        ([str(folder / "robot"), "a.csv"], "robot is a folder. Give one exported estimator"),
+    ):
+        done = CliRunner().invoke(app, ["predict", *words])
+        assert said in str(done.exception)
+
+
+def test_a_recording_with_fewer_sensors_names_the_channel_that_is_missing(folder, tmp_path):
+    """It ended in an IndexError."""
+    spoken = lacks_readings(np.zeros((2, 5, 1, 3)), ((3, 0, 2), (103, 1, 0)))
+    assert spoken.tolist() == [True, True]
+    spoken = lacks_readings(np.zeros((2, 5, 2, 3)), ((3, 0, 2), (103, 1, 0)))
+    assert spoken.tolist() == [False, False]
 
 
 def test_a_folder_in_place_of_a_recording_is_one_error():

@@ -9,7 +9,7 @@ from design.errors import InputError
 from estimator.frames.dataset import save_frames
 from instobj.commands import run
 from instobj.commands.run import run_chain, run_estimator
-from tests.instobj.commands.test_predict import made_frames
+from tests.support.recordings.pressed_frames import made_frames
 
 
 @pytest.fixture

@@ -142,8 +142,9 @@ def test_a_face_without_a_twin_stands_in_the_table(calibrated, tmp_path):
         ((4.0, 20.0, 0), "yes"),
         (
             (2.5, 2.4, 0),
-            "yes: the object is as drawn within 2.4 % of its signals (calibrated 2.5 %",
+            "yes: the object is as drawn within 2.4 % of its signals (calibrated within 2.5 %",
         ),
+        ((0.0, 0.0, 0), "yes: the object is as drawn within 2 % of its signals"),
         ((5.9, 4.5, 0), "yes: the object is as drawn within 4.5 %"),
         ((10.1, 9.0, 0), "no: train without"),
         ((30.0, 2.5, 0), "no: train without"),

@@ -14,6 +14,7 @@ from estimator.bringup.diagnosis.channels import find_chips, held_readings, sign
 from estimator.bringup.diagnosis.chip_fit import _orthogonal, chips_found
 from estimator.field.sources import magnet_source
 from tests.support.new_objects import SMALL
+from tests.support.recorded_facts import assert_on_record, told, told_whole
 
 CHIPS = 10
 
@@ -278,3 +279,14 @@ def test_matrices_of_chips_are_those_of_least_squares_and_weak_axes_are_dead():
     three[:, 2, 0] = np.einsum("b,hb->h", about[0], field[:, 2])
     three[:2, 2, 0] = np.nan
     assert not chip_fit.linear_chips(replace(readings, counts=three), found)[1][2].any()
+
+
+def test_what_is_found_of_chips_is_as_on_record(shuffled):
+    _, _, readings, found = shuffled
+    lines = [
+        told("sites", found.site),
+        told("poses", found.pose),
+        told("cost", found.cost),
+        *told_whole("chips", chips_found(readings, found)[::4]),
+    ]
+    assert_on_record("bringup", "chips", lines, "estimator")

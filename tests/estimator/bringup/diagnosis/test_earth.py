@@ -9,6 +9,7 @@ from estimator.bringup.asking.asked import POSES
 from estimator.bringup.diagnosis.earth import _results, from_earth, in_object
 from estimator.bringup.diagnosis.findings import ChipFound
 from tests.support.new_objects import SMALL
+from tests.support.recorded_facts import assert_on_record, told_whole
 
 FRAMES = 210
 CHIPS = tuple(ChipFound(site, np.eye(3)) for site in range(10))
@@ -81,3 +82,7 @@ def test_all_gains_together_are_told_as_a_stronger_field(means, found):
     again = from_earth(SMALL, CHIPS, stronger, TIMES_S, FRAMES)
     assert again.field_ut == pytest.approx(1.1 * found.field_ut, rel=0.01)
     assert np.allclose(again.gain, found.gain, atol=0.02)
+
+
+def test_what_is_found_in_earth_s_field_is_as_on_record(found):
+    assert_on_record("bringup", "earth", told_whole("found", found), "estimator")

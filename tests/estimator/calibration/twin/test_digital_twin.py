@@ -21,6 +21,7 @@ from estimator.signals.interpolation import counts_at_force, press_traces
 from estimator.tolerances.virtual_object import drawn_assembly, twin_signals
 from fem.large_strain.correction import StrainCorrection, corrected_table
 from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
+from tests.support.recorded_facts import assert_on_record, told, told_whole
 
 pytestmark = pytest.mark.usefixtures("statistics_in_full")
 FACE = 3
@@ -327,3 +328,17 @@ def test_no_force_no_discrepancy():
         seen.counts.reshape(6, 2), np.array([[1.0, 2.0]]), np.zeros((1, 3))
     )
     assert_allclose(found, 0, atol=0)
+
+
+def test_the_twin_is_as_on_record(twin, seen):
+    lines = [
+        *told_whole("places", seen),
+        told("numbers", twin.numbers),
+        told("covariance", twin.factor @ twin.factor.T),
+        told("modulus", twin.modulus_error),
+        told("left", twin.left),
+        told("slopes", twin.jacobian),
+        *told_whole("prior", twin.discrepancy.prior),
+        told("changes", twin.signals().delta_counts),
+    ]
+    assert_on_record("calibration", "twin", lines, "estimator")

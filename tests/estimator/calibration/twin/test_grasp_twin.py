@@ -9,12 +9,18 @@ from numpy.testing import assert_allclose
 
 from design.errors import InputError
 from estimator.calibration.twin import unknowns
-from estimator.calibration.twin.grasp_twin import calibrate_on_cases, left_share, sensor_errors
+from estimator.calibration.twin.grasp_twin import (
+    _Mechanics,
+    calibrate_on_cases,
+    left_share,
+    sensor_errors,
+)
 from estimator.calibration.twin.inverted_twin import inverted_grasps
 from estimator.calibration.twin.pressed_cases import pressed_cases
 from estimator.frames.windows import all_counts
 from estimator.metrics.contacts import contact_rows, matched_contacts
 from tests.support.mechanics.inverted import SPEC, presses
+from tests.support.recorded_facts import assert_on_record, told, told_whole
 from tests.support.recordings.made_grasps import both, built_object, grasps
 
 
@@ -109,8 +115,6 @@ def test_an_object_that_is_not_the_drawing_is_told(built, trained, twin):
 
 def predicted(seen, twin):
     """Of the design."""
-    from estimator.calibration.twin.grasp_twin import _Mechanics
-
     mechanics = _Mechanics(twin.unknowns, *presses()[:2], seen)
     return mechanics.expected(np.zeros(len(twin.unknowns))).reshape(seen.counts.shape)
 
@@ -146,3 +150,28 @@ def test_the_share_left_is_of_signals_without_their_noise():
     seen = SimpleNamespace(counts=counts, noise_counts2=noise)
     found = left_share.__wrapped__(seen, left)
     assert_allclose(found, [np.sqrt(25 / 125), np.sqrt(32 / 8), 0.0])
+
+
+def test_the_twin_is_as_on_record(twin, seen, estimator):
+    lines = [
+        *told_whole("cases", seen),
+        told("numbers", twin.numbers),
+        told("modulus", twin.modulus_error),
+        told("shares", np.stack([twin.left_share, twin.design_share])),
+        told("left", twin.left),
+        *told_whole("disturbances", estimator.disturbances),
+    ]
+    assert_on_record("calibration", "twin of grasps", lines, "estimator")
+
+
+@pytest.mark.parametrize("force", [[1.0, 1.0], [0.0, 2.0], [2.0, 1.5]], ids=str)
+def test_presses_whose_forces_do_not_grow_are_of_no_object(force):
+    places = SimpleNamespace(of=lambda *_: (np.array([force]), np.zeros((1, 2, 1, 6))))
+    seen = SimpleNamespace(counts=np.zeros((2, 3, 4)), channels=np.arange(4))
+    guess = SimpleNamespace(spec=None, assembly=lambda _: None, correction=lambda _: None)
+    one = SimpleNamespace(
+        unknowns=guess, seen=seen, rest=np.zeros((1, 6)), parts=[([0], [0], places)]
+    )
+    found = _Mechanics.expected.__wrapped__(one, np.zeros(2))
+    assert found.shape == (6, 4)
+    assert np.isnan(found).all()

@@ -38,6 +38,10 @@ def test_variance_is_that_of_frames_and_of_labelled_forces_through_the_slope():
         [(4 + 0.8**2) / 9, 9 / 9, (16 + 1.2**2) / 9],
     ]
     assert_allclose(seen.white_counts2(spec), [by_hand])
+    recorded = replace(seen, noise_counts=np.array([2.0, np.nan, 5.0]))
+    by_hand[0][2] += (25 - 16) / 4
+    by_hand[1][2] += (25 - 16) / 9
+    assert_allclose(recorded.white_counts2(spec), [by_hand])
 
 
 def made_frames(spec, frames_of_place, face=2):

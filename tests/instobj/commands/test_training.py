@@ -1,0 +1,52 @@
+"""Recordings read with the specification of their object."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from design.errors import InputError
+from design.spec.object import ObjectSpec
+from estimator.frames.dataset import NO_FACE
+from instobj.commands.training import _of_object
+from tests.support.recordings.pressed_frames import made_frames
+
+FRAMES = made_frames()
+"""One sensor on each of five faces, presses of face 3."""
+
+
+def specified(sensors, faces=(1, 2, 3, 4, 5)):
+    body, sensed = {"sensed_faces": list(faces)}, {"count_per_face": sensors}
+    return ObjectSpec.model_validate({"name": "cube", "body": body, "sensors": sensed})
+
+
+def test_sensors_without_a_column_are_dead_ones_and_named():
+    """Twins and validation called such a recording one of another object."""
+    frames, said = _of_object(FRAMES, specified(3))
+    assert frames.signal_counts.shape == (*FRAMES.signal_counts.shape[:2], 3, 3)
+    np.testing.assert_array_equal(frames.signal_counts[:, :, :1], FRAMES.signal_counts)
+    assert np.isnan(frames.signal_counts[:, :, 1:]).all()
+    assert [text.split(":")[1] for text in said] == [
+        " sensor 2 of every face",
+        " sensor 3 of every face",
+    ]
+    same, said = _of_object(FRAMES, specified(1))
+    np.testing.assert_array_equal(same.signal_counts, FRAMES.signal_counts)
+    assert said == []
+
+
+def test_readings_of_sensors_that_an_object_does_not_have_are_refused():
+    more = np.pad(FRAMES.signal_counts, ((0, 0), (0, 0), (0, 3), (0, 0)))
+    with pytest.raises(InputError, match="4 sensors on a face; cube has 3"):
+        _of_object(replace(FRAMES, signal_counts=more), specified(3))
+    more[:, :, 3] = np.nan
+    frames, _ = _of_object(replace(FRAMES, signal_counts=more), specified(3))
+    assert frames.signal_counts.shape[2] == 3
+
+
+def test_presses_of_faces_that_are_not_sensed_are_refused_where_there_are_no_others():
+    with pytest.raises(InputError, match=r"face 3 is pressed; cube senses \[1\]"):
+        _of_object(FRAMES, specified(1, [1]))
+    both = FRAMES.contact_face.copy()
+    both[np.flatnonzero(both[:, 0] != NO_FACE)[:10]] = 1
+    _of_object(replace(FRAMES, contact_face=both), specified(1, [1]))
