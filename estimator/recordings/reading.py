@@ -219,6 +219,7 @@ def _report(
         frame_rate_hz=presses.rate_hz,
         units=_UNITS[table.kind],
         lag=presses.lag,
+        largest_force_n=float(np.nanmax(presses.force_n)),
         noise_counts=noise_by_name(presses.noise_counts),
         presses_zeroed_after=zeroed_after,
         faults=faults,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import asdict, dataclass
+from statistics import median
 from typing import Any
 
 import numpy as np
@@ -18,9 +19,9 @@ from estimator.recordings.table import channel_name
 class RecordingReport:
     """What was read, measured, found and fixed; `as_dict` for JSON, `str` for people.
 
-    `places` lists the contact case of each place id, `noise_counts` the white noise at rest by
-    channel name. `presses_zeroed_after` counts the presses without enough rest before them,
-    zeroed from the rest that follows.
+    `largest_force_n` is that of one load cell from its rest level; `places` lists the contact case of
+    each place id, `noise_counts` the white noise at rest by channel name. `presses_zeroed_after` counts
+    the presses without enough rest before them, zeroed from the rest that follows.
     """
 
     path: str
@@ -37,6 +38,7 @@ class RecordingReport:
     frame_rate_hz: float
     units: str
     lag: LagReport
+    largest_force_n: float
     noise_counts: dict[str, float | None]
     presses_zeroed_after: int
     faults: tuple[Fault, ...]
@@ -52,6 +54,7 @@ class RecordingReport:
             f"face{'s' * (len(self.faces_pressed) > 1)} {', '.join(map(str, self.faces_pressed))}",
             f"  frames: {self.contact_frames} contact, {self.rest_frames} rest, "
             f"{self.unused_frames} not used; {self.frame_rate_hz:.1f} frames/s; {self.units}",
+            f"  forces up to {self.largest_force_n:.3g} N; noise at rest {_noise_text(self.noise_counts)}",
             f"  force lag: {_lag_text(self.lag)}",
             *(f"  {fault}" for fault in self.faults),
         ]
@@ -60,6 +63,19 @@ class RecordingReport:
 
 def _number(count: int, name: str, plural: str = "s") -> str:
     return f"{count} {name}{plural * (count != 1)}"
+
+
+def _noise_text(noise_counts: dict[str, float | None]) -> str:
+    """Medians over the channels of each axis that have readings at rest, noisy ones included."""
+    by_axis = {
+        axis: [noise for name, noise in noise_counts.items() if noise is not None and axis in name]
+        for axis in "XYZ"
+    }
+    known = [f"{median(noises):.3g} ({axis})" for axis, noises in by_axis.items() if noises]
+    if not known:
+        return "not known"
+    number = sum(map(len, by_axis.values()))
+    return f"{', '.join(known)} counts, medians over {number} channels"
 
 
 def _lag_text(lag: LagReport) -> str:

@@ -48,12 +48,7 @@ def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) 
         ("weak_areas", WEAK_TITLE, weak_rows),
         ("scores", "10 N on another face, in this face's own channels", _cross_face),
         ("shear_scores", "bounds with tangential forces (medians over all places)", _shear),
-        (
-            "identify",
-            "k contacts at once: medians over sets, worst contact. blind: maximum likelihood from a blind "
-            "start on simulated frames, ± half of its 90 % range; ok: found within limits.position_bound_mm",
-            _identify,
-        ),
+        ("identify", _identify_title(spec), _identify),
         ("frames", "simulated presses", _read(PROTOCOL)),
         ("collection", "simulated recordings", _read(COLLECTION_SUMMARY)),
         ("pulled_collection", "simulated recordings", _read(PULLED_SUMMARY)),
@@ -61,8 +56,9 @@ def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) 
         ("metrics", "metrics on held-out presses (frames of contact and of rest)", _metrics),
         (
             "metrics",
-            "total force and place beside simple regressions, held-out presses (Δ: less the model's, mean "
-            "over presses, ± half of its 90 % range; below 0: better than the model)",
+            "total force and place beside simple regressions, held-out presses (%: of the range of force "
+            "there; Δ: less the model's, mean over presses, ± half of its 90 % range; below 0: better than "
+            "the model)",
             _baselines,
         ),
         ("metrics", "intervals on held-out presses (medians of widths; presses)", _intervals),
@@ -79,6 +75,18 @@ def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) 
     if spec and "report" in results:
         made = {"verdict": verdict_summary(spec, results)} | made
     return {title: values for title, values in made.items() if values}
+
+
+def _identify_title(spec: ObjectSpec | None) -> str:
+    """What its numbers are medians of, with the force and the limit that they hold for."""
+    force, limit = ("score.force_n", "limits.position_bound_mm")
+    if spec is not None:
+        force, limit = f"{spec.score.force_n:g} N", f"{spec.limits.position_bound_mm:g} mm"
+    return (
+        f"k contacts at once, each of {force} or what its deepest press reaches: medians over sets, worst "
+        "contact. blind: maximum likelihood from a blind start on simulated frames, ± half of its 90 % "
+        f"range; ok: found within {limit}"
+    )
 
 
 def _read(file: ResultFile[Any]) -> Callable[[StoredResult], Any]:

@@ -74,18 +74,20 @@ def predict_file(
         require_same_object(model.channels, grid_mm, frames, str(path))
         told, found = predict_told(model, frames)
         rows = _rows(np.flatnonzero(told), frames.time_s[told], found)
-        unread = int(np.sum(~told))
+        unread, before = int(np.sum(~told)), 0
     else:
         reader = LiveReader(model, *zeroing.of_raw)
         read = list(recorded_frames(reader, model.channels, path, zeroing))
         rows = [_row(number, time_s, found) for number, time_s, found in read if found is not None]
         unread = len(read) - len(rows)
+        before = read[0][0] if read else 0
     write_table(target, list(COLUMNS), ([row[name] for name in COLUMNS] for row in rows))
     forces = [row["force_n"] for row in rows]
     summary = {
         "face": model.face,
         "frames": len(rows),
         "frames that lack a reading": unread,
+        "frames before a zero": before,
         "frames with contact": sum(row["contact"] > 0.5 for row in rows),
         "novel frames": sum(row["novelty"] > NOVEL_FROM for row in rows),
         "largest force N": max(forces, default=0.0),

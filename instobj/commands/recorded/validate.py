@@ -255,7 +255,10 @@ def _published(
                 "spec_hash": spec_hash(spec),
                 "stages": [stage_row(stage) for stage in run.results.values()],
                 "summary": {
-                    "predicted against recorded (null: places exchanged)": agreement_rows(document),
+                    f"predicted against recorded, {document['presses']} presses of "
+                    f"{len(document['cases'])} sets of places (null: places exchanged)": agreement_rows(
+                        document
+                    ),
                     "calibrated on some presses, judged on others": calibration_rows(document),
                     "what the residuals point to: freed by itself, judged on other places": [
                         {"freed": name, **found} for name, found in document["freed"].items()
@@ -329,7 +332,10 @@ def calibration_text(test: dict[str, Any]) -> str:
         worth = f"whether it helps there {untold}"
     if not helps and test["before"]["left"] <= _AS_DRAWN:
         left_percent = 100 * test["before"]["left"]
-        worth = f"nothing to gain, the object is as drawn within {left_percent:.2g} % of the change"
+        worth = (
+            f"nothing to gain, the object is as drawn within {left_percent:.2g} % of the change, noise "
+            "included"
+        )
     return (
         f"calibration judged on {test['unseen']}: own-face cosine {before:.2f} → {after:.2f} (null of the "
         f"same fit {null:.2f}, p {test['p_own_cosine']:.2g}), share of the change left "

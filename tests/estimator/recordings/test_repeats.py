@@ -83,6 +83,10 @@ def test_a_recording_by_a_fast_logger_has_the_noise_of_its_sensors(table, tmp_pa
     assert "1.7 times too small" in fault.action
     assert "n/3 readings; repeated rows not used" in fault.action
     assert found.frames.noise_counts == pytest.approx(NOISE_COUNTS, rel=0.1)
+    shown = str(found.report)
+    assert "forces up to 18.5 N; noise at rest " in shown
+    assert "counts, medians over 45 channels" in shown
+    assert "6 presses of 2 contact cases on faces 3, 5" in shown
     used = np.flatnonzero(found.frames.valid)
     assert set(used % SLOW) == {0}
     assert len(used) > 0.8 * len(last) / SLOW

@@ -315,7 +315,9 @@ def test_frames_that_lack_a_reading_are_passed_over_and_counted(folder, tmp_path
     found = predict_file(model, path, None, Zeroing("first", 4))
     with (tmp_path / "board.prediction_face_3.csv").open() as file:
         assert [int(row["frame"]) for row in csv.DictReader(file)] == [*range(4, 9), *range(10, 14)]
-    assert next(iter(found["tables"].values()))[0]["frames that lack a reading"] == 1
+    (summary,) = next(iter(found["tables"].values()))
+    told = ("frames", "frames that lack a reading", "frames before a zero")
+    assert [summary[name] for name in told] == [9, 1, 4], "14 frames in all"
     for row in rows[1:]:
         row[2] = ""
     path.write_text("\n".join(",".join(row) for row in rows) + "\n")

@@ -162,7 +162,7 @@ def test_an_object_that_is_the_drawing_is_called_so(permutations):
     found = {"own_cosine": 0.999, "left": 0.042}
     test = calibrated(permutations) | {"before": found, "after": found}
     said = calibration_texts({"cases": [[]] * 3, "calibration_tests": [test]})[0]
-    assert said.endswith("the object is as drawn within 4.2 % of the change")
+    assert said.endswith("the object is as drawn within 4.2 % of the change, noise included")
     worse = test | {"before": {"own_cosine": 0.9, "left": 0.3}}
     (said,) = calibration_texts({"cases": [[]] * 3, "calibration_tests": [worse]})
     assert "as drawn" not in said
