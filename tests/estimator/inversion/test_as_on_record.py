@@ -43,7 +43,7 @@ def test_beliefs_are_as_on_record(probes):
 
 @pytest.mark.parametrize("probes", ["free", "known"])
 def test_readings_are_as_on_record(probes, frames):
-    best, second = inverted(probes).read(frames[2])
+    best, second = inverted(probes).read(frames[2][::2] if probes == "known" else frames[2])
     lines = [
         *told_whole("best", best),
         *told_whole("second", second),

@@ -16,7 +16,13 @@ from tests.support.mechanics.odd_presses import SPEC, presses
 from tests.support.mechanics.synthetic_presses import synthetic_presses
 from tests.support.recorded_facts import assert_on_record, told, told_whole
 
-FEW = SPEC.changed(contact_grid=SPEC.contact_grid.changed(count=(2, 2), pitch_mm=4.0))
+FEW = SPEC.changed(
+    contact_grid=SPEC.contact_grid.changed(count=(2, 2), pitch_mm=4.0),
+    magnets=SPEC.magnets.changed(
+        positions_mm=((3.0, -6.0), (-7.0, 2.0)), north=("inward", "outward"), tilt_deg=()
+    ),
+    press=SPEC.press.changed(depths_mm=(1.0, 2.0, 4.0)),
+)
 
 
 def on_record(section, lines):
