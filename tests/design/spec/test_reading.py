@@ -4,7 +4,10 @@ import os
 import time
 import warnings
 
+import numpy as np
 import pytest
+import trimesh
+from numpy.testing import assert_allclose
 from pydantic import ValidationError
 
 from design.errors import InputError, SpecError
@@ -166,3 +169,14 @@ def test_tables_of_another_type_and_names_that_are_no_text_are_told(table):
     for given in ("text", 5, ["x"], None, *names):
         with pytest.raises(ValidationError):
             ObjectSpec.model_validate({"name": "t", table: given})
+
+
+def test_an_indenter_s_file_is_read_beside_the_specification(tmp_path):
+    corners = np.array([[0.0, 0, 0], [6, 0, 8], [-6, 5, 8], [-6, -5, 8]])
+    folder = tmp_path / "tips"
+    folder.mkdir()
+    trimesh.convex.convex_hull(corners).export(folder / "tip.stl")
+    path = tmp_path / "x.toml"
+    path.write_text('name = "x"\n[indenter]\nkind = "stl"\nfile = "tips/tip.stl"\n')
+    found = np.array(load_spec(path).indenter.vertices_mm)
+    assert_allclose(found[np.lexsort(found.T)], corners[np.lexsort(corners.T)], atol=1e-5)

@@ -299,3 +299,17 @@ def test_a_front_is_added_at_its_rows(monkeypatch, at, most_runs):
             wanted[to_row, to_column] += part[row, column]
     multifrontal._add(front, np.array(at, int), part)
     assert_allclose(np.tril(front), np.tril(wanted))
+
+
+@pytest.mark.parametrize("layer", [3, 20, 36])
+def test_a_pressure_that_couples_far_unknowns_waits_for_all_of_them(monkeypatch, layer):
+    """Beside the first layer of a long bar and another one, in branches of the tree far apart."""
+    monkeypatch.setattr(dissection, "_LEAF_UNKNOWNS", 20)
+    bonds = np.zeros(160)
+    bonds[[0, 2, 4 * layer, 4 * layer + 1]] = [3.0, -2.0, 5.0, 4.0]
+    near = sp.diags([1.0, 2.5, 1.0], [-1, 0, 1], shape=(40, 40))
+    stiff = sp.kron(near, sp.csr_matrix(np.ones((4, 4)))) + 40 * sp.identity(160)
+    matrix = sp.csr_matrix(sp.bmat([[stiff, bonds[:, None]], [bonds[None], [[-0.5]]]]))
+    right = np.random.default_rng(1).normal(size=(161, 2))
+    solved = multifrontal.eliminate(matrix).solve(right)
+    assert_allclose(solved, np.linalg.solve(matrix.toarray(), right), rtol=1e-8, atol=1e-10)

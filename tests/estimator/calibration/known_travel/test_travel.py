@@ -44,6 +44,7 @@ def recording(model, tmp_path_factory):
 def test_a_recording_gives_back_what_was_written(recording, model):
     tip = pressed_places()
     assert len(recording) == len(tip) == 2 * recording.places
+    assert_allclose(recording.time_s, 1.7421e9 + 4.25 * np.arange(len(tip)), rtol=0, atol=1e-3)
     assert_allclose(recording.tip_mm, tip, atol=1e-6)
     assert_allclose(recording.field_mt, recorded(model, tip), atol=1e-9)
 

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from functools import cache
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -173,3 +174,22 @@ def test_silicone_over_magnets_is_that_of_their_rims():
                 wanted = cover_mm(frame, replace(body, centre_mm=np.array([x, y, -depth])))
                 found = float(covers[frame.number].at(np.array([[x, y, depth]]))[0, 0])
                 assert found == pytest.approx(wanted, abs=0.02)
+
+
+@pytest.mark.parametrize("farthest", [(1, 1), (1, -1), (-1, 1), (-1, -1)], ids=str)
+def test_the_corner_of_a_recess_s_floor_that_goes_farthest_beyond_the_core_counts(
+    monkeypatch, seed
+):
+    """The core ends at a plane through the origin, whichever way it lies; a wall must be left."""
+    spec, rng = spec_of("box"), np.random.default_rng(3)
+    axes, half = np.linalg.qr(rng.normal(size=(3, 3)))[0], rng.uniform(1, 4, 3)
+    centre, out = rng.normal(size=3), np.array([*farthest, -0.5]) @ axes
+    monkeypatch.setattr(curved, "beyond_core_mm", lambda spec, points: points @ out)
+    flat = SimpleNamespace(flat=True)
+    surface = SimpleNamespace(spec=spec, core=flat, reach_mm=lambda at: np.full(len(at), 99.0))
+    recesses = tuple(torch.as_tensor(one[None, None]) for one in (centre, axes, half))
+    place = SimpleNamespace(sensor_mm=torch.zeros(1, 1, 2, dtype=torch.float64))
+    found = curved._boards_past_edges.__wrapped__(surface, place, recesses)
+    corners = [centre + (half * [x, y, -1]) @ axes for x in (-1, 1) for y in (-1, 1)]
+    wanted = max(0.0, np.max(np.array(corners) @ out) + spec.printer.wall_mm + curved.SLACK_MM)
+    assert_allclose(found.numpy(), [wanted])
