@@ -178,7 +178,7 @@ def test_silicone_over_magnets_is_that_of_their_rims():
 
 @pytest.mark.parametrize("farthest", [(1, 1), (1, -1), (-1, 1), (-1, -1)], ids=str)
 def test_the_corner_of_a_recess_s_floor_that_goes_farthest_beyond_the_core_counts(
-    monkeypatch, seed
+    monkeypatch, farthest
 ):
     """The core ends at a plane through the origin, whichever way it lies; a wall must be left."""
     spec, rng = spec_of("box"), np.random.default_rng(3)
