@@ -6,6 +6,7 @@ import scipy.sparse as sp
 
 from design.errors import InputError, RecordingError, SolverError, SpecError, StoreError
 from design.files import atomic_path
+from design.processes import _reason
 from design.spec_io import load_spec
 from estimator.frames.dataset import load_frames
 from estimator.recordings.formats.files import read_table
@@ -81,3 +82,17 @@ def test_the_path_of_a_recording_stands_once_before_what_is_wrong_in_it(tmp_path
     path = str(tmp_path / "1probe.csv")
     assert str(caught.value).startswith(f"{path}: it lacks the columns cell1_force_n")
     assert str(caught.value).count(path) == 1
+
+
+@pytest.mark.parametrize(
+    ("code", "said", "memory_gib", "reason"),
+    [
+        (1, "one\ntwo\nthree: it is wrong\n", None, "three: it is wrong"),
+        (3, " \n", None, "it ended with code 3"),
+        (-11, "anything", None, "it crashed (SIGSEGV)"),
+        (1, "x\nMemoryError", 2.5, "it needs more than 2.5 GiB of memory"),
+        (1, "x\nMemoryError", None, "MemoryError"),
+    ],
+)
+def test_why_a_process_ended_is_its_last_line(code, said, memory_gib, reason):
+    assert _reason(code, said, memory_gib) == reason

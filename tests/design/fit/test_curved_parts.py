@@ -4,11 +4,12 @@ import numpy as np
 import pytest
 
 from design.body.triangles import Block
-from design.fit import curved_parts
+from design.fit import curved_parts, parts
 from design.fit.curved_parts import check_curved_bay, check_curved_keys, check_curved_slits
 from design.layout.body import core_frames
 from design.layout.pockets import shell_pockets
 from design.spec.object import ObjectSpec
+from tests.support.objects.worked_objects import worked
 
 CYLINDER = {
     "body": {"kind": "cylinder", "size_mm": [44.0, 44.0, 60.0]},
@@ -153,3 +154,16 @@ def test_a_bay_leaves_a_printed_wall_to_the_core_s_side_its_top_and_its_cuts(giv
         assert bool(told(check_curved_bay, "within", bay(10.0))) == refused
         given()
     assert not list(check_curved_bay(cylinder()))
+
+
+def test_channels_are_judged_where_they_pass_under_their_board(monkeypatch):
+    """Half a millimetre of wall is left there, none a millimetre farther along."""
+    spec = worked("box")
+    wall = spec.core.wall_mm
+    monkeypatch.setattr(
+        parts, "channel_heights_mm", lambda spec, frame, xy, along: np.array([0.5 - wall - along])
+    )
+    assert list(parts._check_channels(spec)) == []
+    monkeypatch.setattr(parts, "channel_heights_mm", lambda *_: np.array([-wall]))
+    (said,) = parts._check_channels(spec)
+    assert "channel" in said

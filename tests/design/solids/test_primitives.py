@@ -10,8 +10,9 @@ from scipy.spatial.transform import Rotation
 from design.body.meshes import manifold_of
 from design.body.triangles import Block
 from design.errors import NotOneSolid
-from design.layout.body import face_frames
+from design.layout.body import body_of, face_frames
 from design.layout.pockets import Body, Outline, Pocket, tilted_frame
+from design.solids.body import _cylinder_room, _sphere_room
 from design.solids.booleans import as_triangles
 from design.solids.primitives import (
     OVERSHOOT_MM,
@@ -25,7 +26,10 @@ from design.solids.primitives import (
     single_solid,
     tapered_rod,
 )
+from design.solids.probes import _cylinder
+from design.spec.mechanics import IndenterSpec
 from design.spec.object import ObjectSpec
+from tests.support.objects.worked_objects import worked
 
 FRAME = {frame.number: frame for frame in face_frames(ObjectSpec(name="cube"))}[3]
 """Outward +x at x = 21, its x is −z, its y +y."""
@@ -157,3 +161,14 @@ def test_merging_that_moves_an_edge_is_not_taken():
     solid = manifold_of(mesh)
     for way in ways:
         assert (solid ^ manifold_of(as_triangles(rod(1.15, *way)))).volume() < 1e-3
+
+
+def test_a_lying_cylinder_s_middle_is_pressed_and_a_core_without_room_is_solid():
+    box = _cylinder(IndenterSpec(kind="cylinder", radius_mm=2.0, length_mm=7.0)).BoundingBox()
+    assert (box.xmin, box.xmax) == pytest.approx((-3.5, 3.5), abs=1e-6)
+    assert (box.zmin, box.zmax) == pytest.approx((-2.0, 2.0), abs=1e-6)
+    ball = body_of(worked("closed sphere"))
+    assert _sphere_room(ball, ball.core_radius_mm) is None
+    assert _sphere_room(ball, ball.core_radius_mm - 1).Volume() == pytest.approx(4 / 3 * np.pi)
+    tube = body_of(worked("closed cylinder"))
+    assert _cylinder_room(tube, float(min(tube.core_half_mm))) is None

@@ -7,6 +7,7 @@ import pytest
 
 from design.errors import SpecError
 from design.spec.body import MM, BodySpec
+from design.spec.object import ObjectSpec, ShellSpec
 
 
 def refused(message, **keys):
@@ -74,3 +75,8 @@ def test_insides_and_files_go_with_their_kinds():
     refused("is for 'dome'", inside="air")
     refused("Give both or neither", file="a.stl")
     refused("Give both or neither", kind="imported", open_faces=())
+
+
+def test_the_core_is_the_body_less_the_shell_on_every_side():
+    body, shell = BodySpec(size_mm=(46.0, 50.0, 57.0)), ShellSpec(thickness_mm=8.5)
+    assert ObjectSpec(name="x", body=body, shell=shell).core_size_mm == (29.0, 33.0, 40.0)

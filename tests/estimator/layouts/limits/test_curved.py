@@ -193,3 +193,19 @@ def test_the_corner_of_a_recess_s_floor_that_goes_farthest_beyond_the_core_count
     corners = [centre + (half * [x, y, -1]) @ axes for x in (-1, 1) for y in (-1, 1)]
     wanted = max(0.0, np.max(np.array(corners) @ out) + spec.printer.wall_mm + curved.SLACK_MM)
     assert_allclose(found.numpy(), [wanted])
+
+
+def test_silicone_is_missing_over_a_leaning_magnet_and_under_its_pocket():
+    """By hand on a flat face: 2 mm deep, and 2 mm deep leaning 30°; one pocket goes 0.2 mm too deep."""
+    spec, lean = spec_of("box"), np.deg2rad(30)
+    least = spec.silicone.thinnest_wall_mm + curved.SLACK_MM
+    axis = torch.tensor([[[0.0, np.sin(lean)]], [[0.0, 0.0]], [[1.0, np.cos(lean)]]]).double()
+    lowest = torch.tensor([[-1.0, least - spec.shell.thickness_mm - 0.2]]).double()
+    depth = torch.tensor([[[0.0, 0, 2.0], [0.0, 0, 2.0]]]).double()
+    surface = SimpleNamespace(spec=spec, frame=SimpleNamespace(flat=True))
+    pockets = SimpleNamespace(axis=axis, lowest=lowest)
+    found = curved._unsealed.__wrapped__(surface, SimpleNamespace(magnet_mm=depth), pockets)
+    radius, half = spec.magnets.diameter_mm / 2, spec.magnets.height_mm / 2
+    covers = [2 - half, 2 - radius * np.sin(lean) - half * np.cos(lean)]
+    wanted = sum(max(0.0, least - cover) for cover in covers) + 0.2
+    assert_allclose(found.numpy(), [wanted], atol=1e-5)
