@@ -29,6 +29,9 @@ SLIVER_MM = 0.01
 
 LEDGE_MM2 = 0.5
 
+_STRIP_MM, _STRIPS = 1.0, 20
+"""Of a wall that leans, along the pull: no narrower, and not more of them."""
+
 CRUMB_MM3 = 1.0
 """Smaller pieces that cuts leave beside a part are left out: they would come loose in the print."""
 
@@ -57,8 +60,9 @@ class Undercut:
 
     `depth_mm` is that of the patch that needs most: its least width across the pull, by which the
     soft side must move to let it by, or, of a wall that leans a little, its length along the pull
-    times the mean tangent of the lean; `place_mm` is that patch's middle. Ledges below `LEDGE_MM2`, as
-    where a vent ends, and slivers among the triangles hook nothing.
+    times the mean tangent of the lean, of the strip of it where that is most; `place_mm` is that
+    patch's middle. Ledges below `LEDGE_MM2`, as where a vent ends, and slivers among the triangles
+    hook nothing.
     """
 
     area_mm2: float
@@ -173,7 +177,8 @@ def undercut(
         lean = float(np.average(tangent, weights=mesh.area_faces[patch]))
         depth = _least_width_mm(points, pull)
         if lean <= 1:  # a curved wall that leans a little is wider than it hooks; a ledge is not
-            depth = min(depth, float(np.ptp(points @ pull)) * lean)
+            whole = float(np.ptp(points @ pull)) * lean
+            depth = min(depth, whole, _deepest_strip_mm(mesh, np.array(patch), pull))
         if depth > deepest:
             deepest, place = depth, points.mean(axis=0)
     return Undercut(float(mesh.area_faces[against].sum()), deepest, place)
@@ -307,6 +312,28 @@ def _height_mm(mesh: trimesh.Trimesh) -> np.ndarray:
     corners = mesh.triangles
     edges = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).max(axis=1)
     return 2 * mesh.area_faces / np.maximum(edges, 1e-12)
+
+
+def _deepest_strip_mm(mesh: trimesh.Trimesh, patch: np.ndarray, pull: np.ndarray) -> float:
+    """By how much a leaning patch stands in the way of strips along the pull, at most.
+
+    Facets of a large ball on both sides of its seam lean by a degree or two; all of them together are
+    long and wide, each strip over them is short.
+    """
+    from trimesh.remesh import subdivide_to_size
+
+    way = np.cross(pull, mesh.area_faces[patch] @ np.asarray(mesh.face_normals)[patch])
+    way /= max(float(np.linalg.norm(way)), 1e-12)
+    faces = np.asarray(mesh.faces)[patch]
+    across = np.ptp(mesh.vertices[faces].reshape(-1, 3) @ way)
+    strip = max(_STRIP_MM, float(across) / _STRIPS)
+    vertices, small = subdivide_to_size(mesh.vertices, faces, strip / 3, max_iter=30)[:2]
+    corner = vertices[small]
+    normal = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]) / 2
+    place = corner.mean(axis=1) @ way
+    return float(
+        np.bincount(((place - place.min()) / strip).astype(int), normal @ pull).max() / strip
+    )
 
 
 def _least_width_mm(points: np.ndarray, pull: np.ndarray) -> float:
