@@ -79,6 +79,14 @@ def test_what_large_deformation_does_not_know_is_refused(changes, said):
 
 
 @pytest.mark.parametrize("magnets", ["rigid", "points"])
+def test_magnets_are_rigid_where_the_specification_says_so(magnets):
+    spec = SPEC.changed(mechanics=SPEC.mechanics.changed(magnets=magnets))
+    setting = object.__new__(single_press.PressSetting)
+    setting.__dict__["spec"] = spec
+    assert setting.rigid_magnets == (magnets == "rigid")
+
+
+@pytest.mark.parametrize("magnets", ["rigid", "points"])
 def test_the_large_problem_moves_free_nodes_and_presses_the_candidates(monkeypatch, magnets):
     """Seven nodes; the third is held by the core, the last two are a magnet's, which moves as one where it
     is rigid. Of the faces' vertices 5, 6, 8 and 9 the second and fourth are candidates."""
