@@ -27,8 +27,9 @@ from estimator.inversion.priors import Priors
 
 _KEPT = 3
 _ROUGH_STEPS = 2
-_NEAR = 1, 3
-"""Rounds and steps of sets on the way; tangential forces, which make the posterior flat, need all."""
+_NEAR, _FEW = (1, 3), 2
+"""Rounds and steps of sets on the way beyond so many contacts, of which most frames have no more;
+tangential forces, which make the posterior flat, need all steps."""
 _SETTLED, _OUT_OF_THE_RACE = 4, 20.0
 """Sets of a frame that are fitted to the end, and by how much the log evidence of others is less."""
 _QUIET, _HOPELESS = 0.75, 10.0
@@ -108,7 +109,8 @@ class Search:
         found = [self.judged(level)]
         best = found[0].log_evidence.copy()
         while len(level):
-            judged = self.judged(self._grown(seen, level, self._on_the_way))
+            effort = self._on_the_way if int(level.number.max()) >= _FEW else ()
+            judged = self.judged(self._grown(seen, level, effort))
             found.append(judged)
             np.maximum.at(best, judged.problems.frame, judged.log_evidence)
             level = judged.problems.select(self._hopeful(judged, best))
