@@ -25,6 +25,7 @@ from instobj.store.readers import FRAMES, MODELS, PRESSES, SHEAR, face_model_pat
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
     from estimator.frames.dataset import FrameSet
+    from estimator.frames.splits import Split
     from estimator.networks.face_model import FaceModel
     from estimator.recordings.checks.limits import Limits
     from estimator.recordings.reading import Grid
@@ -121,9 +122,31 @@ def run_on_data_set(
         DataStage("metrics", "held-out presses", evaluate),
     )
     asked = [stage for stage in every if stage.name in (*stages, "networks")]
-    return work_through(
-        path, out, inputs, asked, progress, own_folder(start is not None, twin is not None)
-    )
+    folder = own_folder(start is not None, twin is not None)
+    document = work_through(path, out, inputs, asked, progress, folder)
+    document["summary"] |= {"presses of the data set": _parts(frames, split)}
+    return document
+
+
+def _parts(frames: FrameSet, split: Split) -> list[dict[str, Any]]:
+    """What each part of the split holds; frames that are not used are left out."""
+    rows = []
+    for use, part in (
+        ("training", split.train),
+        ("stopping, intervals", split.validation),
+        ("held out", split.test),
+    ):
+        pressed = part & frames.valid & (frames.place_id >= 0)
+        rows.append(
+            {
+                "used for": use,
+                "presses": len(np.unique(frames.press_id[pressed])),
+                "contact cases": len(np.unique(frames.place_id[pressed])),
+                "frames pressed": int(pressed.sum()),
+                "at rest": int((part & frames.valid).sum() - pressed.sum()),
+            }
+        )
+    return rows
 
 
 def trained_networks(

@@ -222,11 +222,14 @@ def _require_same_kind(start: FaceModel, settings: FitSettings, frames: FrameSet
         )
     )
     if start.face != settings.face or start.architecture != wanted or not same_grid:
+        mine, theirs = vars(start.architecture), vars(wanted)
+        other = [f"{name} {mine[name]} (wanted {theirs[name]})" for name in mine
+                 if mine[name] != theirs[name]]  # fmt: skip
         raise InputError(
-            f"the model to start from reads face {start.face} with {start.architecture} on "
-            f"{len(start.grid_x_mm)} × {len(start.grid_y_mm)} pixels; wanted are face "
-            f"{settings.face} and {wanted} on the data's grid. Start from a model trained with the "
-            "same training.* settings"
+            f"the model to start from reads face {start.face} on {len(start.grid_x_mm)} × "
+            f"{len(start.grid_y_mm)} pixels{''.join(f', {one}' for one in other)}; wanted are face "
+            f"{settings.face} and the data's {len(frames.grid_x_mm)} × {len(frames.grid_y_mm)} pixels. "
+            "Start from a model trained with the same training.* settings"
         )
 
 

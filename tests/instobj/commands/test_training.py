@@ -1,4 +1,4 @@
-"""Recordings read with the specification of their object."""
+"""Recordings read with the specification of their object, and what a training tells of them."""
 
 from dataclasses import replace
 
@@ -8,8 +8,10 @@ import pytest
 from design.errors import InputError
 from design.spec.object import ObjectSpec
 from estimator.frames.dataset import NO_FACE
-from instobj.commands.training import _of_object
+from estimator.frames.splits import split_presses
+from instobj.commands.training import _of_object, _parts
 from tests.support.recordings.pressed_frames import made_frames
+from tests.support.recordings.synthetic_frames import synthetic_frames
 
 FRAMES = made_frames()
 """One sensor on each of five faces, presses of face 3."""
@@ -50,3 +52,16 @@ def test_presses_of_faces_that_are_not_sensed_are_refused_where_there_are_no_oth
     both = FRAMES.contact_face.copy()
     both[np.flatnonzero(both[:, 0] != NO_FACE)[:10]] = 1
     _of_object(replace(FRAMES, contact_face=both), specified(1, [1]))
+
+
+def test_parts_of_a_data_set_are_told_by_what_they_are_used_for():
+    frames = synthetic_frames(faces=(2,), presses=4, rest=3, loaded=5, places=(0, 7))
+    split = split_presses(frames, 0)
+    frames.valid[np.flatnonzero(split.train & (frames.place_id >= 0))[:2]] = False
+    rows = _parts(frames, split)
+    assert [row["used for"] for row in rows] == ["training", "stopping, intervals", "held out"]
+    assert sum(row["presses"] for row in rows) == 8
+    assert {row["contact cases"] for row in rows} == {2}
+    for row, lost in zip(rows, (2, 0, 0), strict=True):
+        assert row["frames pressed"] == 5 * row["presses"] - lost
+        assert row["at rest"] == 3 * row["presses"]
