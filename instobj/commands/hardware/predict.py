@@ -25,7 +25,12 @@ from instobj.commands.hardware.readings import (
     recorded_frames,
     zeroed_data_set,
 )
-from instobj.store.publish import OWN_FOLDERS, file_rows, own_folder_of
+from instobj.store.publish import (
+    OWN_FOLDERS,
+    file_rows,
+    own_folder_of,
+    require_writable_folder,
+)
 from instobj.store.readers import INVERSION, face_model_paths
 
 COLUMNS: tuple[str, ...] = (
@@ -159,6 +164,8 @@ def export_models(models: list[Path], out: Path | None = None) -> dict[str, Any]
         A file that is no estimator, a folder without any, or two that would be one file.
     """
     targets = _targets(list(chain.from_iterable(map(_models_at, models))), out)
+    for folder in {target.parent for target in targets.values()}:
+        require_writable_folder(folder)  # before estimators are loaded, which takes seconds
     for path, target in targets.items():
         _export(path, target)
     return {"command": "export", "files": file_rows(list(targets.values()))}

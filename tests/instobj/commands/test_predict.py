@@ -112,6 +112,15 @@ def test_two_estimators_that_would_be_one_file_are_refused_before_any_is_written
     assert len(again["files"]) == 2
 
 
+def test_an_export_into_a_file_is_refused_before_an_estimator_is_loaded(
+    several, tmp_path, monkeypatch
+):
+    monkeypatch.setattr("estimator.networks.face_model.load_model", None)
+    (tmp_path / "taken").touch()
+    with pytest.raises(StoreError, match=r"taken: it is a file, not a folder"):
+        export_models([several[0] / "face_3.safetensors"], tmp_path / "taken")
+
+
 def test_export_writes_into_the_folder_that_is_named_also_if_it_is_this_one(
     several, tmp_path, monkeypatch
 ):
