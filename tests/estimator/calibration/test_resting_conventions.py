@@ -1,5 +1,7 @@
 """A planted convention or assembly is found in resting levels; nothing is found in noise."""
 
+from itertools import permutations
+
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
@@ -100,3 +102,21 @@ def test_what_cannot_be_searched_is_refused():
     shell = CUBE.model_copy(update={"arrangement": "sensors-in-shell"})
     with pytest.raises(InputError, match="in the shell"):
         list(common_fits(shell, np.ones(45), FACES))
+
+
+def test_the_best_candidate_is_told_by_its_numbers_and_the_documented_one_by_its_own_null():
+    """A convention off all symmetries; the null of the documented one without any search, by hand."""
+    rng = np.random.default_rng(6)
+    predicted, read = rng.normal(0, 900, 27), np.empty((3, 3, 3))
+    exchange, order, turn = (2, 0, 1), (1, 2, 0), 7
+    read[:, list(order)] = predicted.reshape(3, 3, 3)[list(exchange)] @ TURNS[turn].T
+    levels = read.ravel() + 500 * rng.standard_normal(27)
+    found = search_resting(predicted, levels, 3, 19, seed=3)
+    orders = list(permutations(range(3)))
+    assert found.best == (orders.index(exchange), orders.index(order), turn)
+    for mixed in (levels, levels + 0.4 * predicted, levels + 0.6 * predicted):
+        found = search_resting(predicted, mixed, 3, 19, seed=3)
+        draw = np.random.default_rng((3, 12))
+        null = np.array([predicted @ mixed[draw.permutation(27)] for _ in range(19)])
+        p = (1 + np.sum(null >= predicted @ mixed)) / 20
+        assert found.p_documented == pytest.approx(p)

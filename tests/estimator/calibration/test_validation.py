@@ -1,6 +1,7 @@
 """Recorded presses made by a known object: agreement, nulls and the calibration that finds it."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -349,3 +350,22 @@ def test_figures_of_merit_are_as_on_record(problem, face):
     result = found(problem, designed(SPEC), face)
     lines = [*told_whole("agreement", result), told("said", verdict(SPEC, result))]
     assert_on_record("calibration", f"agreement on {face or 'all faces'}", lines, "estimator")
+
+
+@pytest.mark.parametrize("modulus", [0.5, 1.0, 1.7])
+def test_moduli_that_are_tried_stay_within_those_of_the_mechanics(monkeypatch, modulus):
+    """Signals that are the ratio itself, a hundred times the case and the press's number."""
+    monkeypatch.setattr(
+        validation, "counts_of", lambda spec, scene, motion, model: motion.reshape(len(motion), -1)
+    )
+    moving = SimpleNamespace(
+        motion=np.zeros((2, 3)),
+        at=lambda case, ratio: (ratio + 100.0 * case + [1e4, 2e4])[:, None, None] * np.ones(6),
+    )
+    assembly = SimpleNamespace(scene=None, modulus_ratio=modulus)
+    found = predict.__wrapped__(None, assembly, moving, np.full((1, 6), 7.0), None)
+    place = np.array([[1e4], [2e4]]) + 100.0 * np.arange(3) - 7.0
+    assert_allclose(found.counts[..., 4], place + modulus)
+    least, most = min(MODULUS_RATIOS), max(MODULUS_RATIOS)
+    wanted = [min(max(modulus * ratio, least), most) for ratio in MODULUS_RATIOS]
+    assert_allclose(found.by_ratio[..., 2], place + np.array(wanted)[:, None, None])

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
+from scipy.spatial.distance import cosine
 from scipy.special import ndtri
 
 from estimator.calibration.known_travel import agreement
@@ -125,3 +126,50 @@ def test_maps_are_aligned_by_their_shortest_best_displacement():
     shifted[1:, 2:] = centred[:-1, :-2]
     own = predicted[0] - predicted[0].mean()
     assert found.similarity[0] == pytest.approx((own * shifted).sum() / (centred**2).sum())
+
+
+def test_a_tie_holds_the_wanted_share():
+    """A quarter, a half and a quarter are exact: the middle one alone holds a half."""
+    force, share = np.array([1.0, 2.0, 4.5]), np.array([[0.25, 0.5, 0.25]])
+    found = narrowest_intervals._halfwidths(force, share.cumsum(axis=1), np.array([2.0]), 0.5, 0.0)
+    assert_allclose(found, 0, atol=1e-6)
+
+
+def test_figures_of_rows_are_rounded_to_a_micrometre_a_millinewton_and_a_tenth_of_a_percent():
+    """Thirds and sevenths: three frames of one tip each, of which the first is right."""
+    third, first = np.full(3, 1 / 3), np.array([True, False, False])
+    thirds = MatchedContacts(
+        np.ones(3, int), np.array([2, 2, 1]), first, np.full(3, 2.0), np.array([1, 1, 0]) / 7,
+        np.ones(3, int), first, np.arange(3), third, np.array([1, -1, 0]) / 7, third, third / 2,
+        first, ~first,
+    )  # fmt: skip
+    (row,) = contact_rows(thirds, np.full(3, 2 / 3))
+    assert row == {
+        "tips a face": 1,
+        "force": "1 to 4 N",
+        "frames": 3,
+        "number right %": 33.3,
+        "missed a frame": 0.0,
+        "ghosts a frame": 0.667,
+        "distance mm": 0.333,
+        "95th percentile mm": 0.333,
+        "possible mm": 0.667,
+        "total force N": 0.095,
+        "each force N": 0.095,
+        "place in 90 % region %": 33.3,
+        "force in 90 % interval %": 66.7,
+        "not explained %": 66.7,
+        "tangential error N": 0.333,
+        "tangential force N": 0.167,
+    }
+
+
+def test_cosines_of_changes_of_hundredths_of_a_millitesla_are_those_of_large_ones():
+    """Lengths below 1 mT², above no sign: only signs know a size."""
+    rng = np.random.default_rng(8)
+    predicted, recorded = rng.normal(0, 3, (2, 5, 2, 3))
+    small, large = (agreement.figures(s * predicted, s * recorded) for s in (0.01, 1.0))
+    wanted = [1 - cosine(p.ravel(), m.ravel()) for p, m in zip(predicted, recorded, strict=True)]
+    assert large.cosine == pytest.approx(np.median(wanted))
+    for name in ("cosine", "explained", "between", "size"):
+        assert getattr(small, name) == pytest.approx(getattr(large, name)), name

@@ -6,6 +6,7 @@ import magpylib
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
+from scipy.optimize import brentq
 
 from design.layout.places.positions import sensor_layout
 from estimator.bringup.asking.held_magnet import held_magnet
@@ -290,3 +291,26 @@ def test_what_is_found_of_chips_is_as_on_record(shuffled):
         *told_whole("chips", chips_found(readings, found)[::4]),
     ]
     assert_on_record("bringup", "chips", lines, "estimator")
+
+
+def test_what_turns_a_hold_over_is_weighed_by_the_errors_of_its_readings():
+    """Readings that are a share of the prediction: just beyond the share at which both ways round are
+    apart by five, by hand, and just before it."""
+    readings, model, pose = made_up()
+    pose[:, 5:] = 0  # a uniform field does not turn with the magnet
+    site, turn = np.arange(CHIPS), np.tile(np.eye(3), (CHIPS, 1, 1))
+    field, hold = model.counts(pose), 2
+    error = channels.model_error(readings, model, pose)[:, site, None]
+    sigma = np.hypot(error, readings.noise_counts)[hold]
+
+    def apart(share):
+        off = [(share - sign) * field[hold] / sigma for sign in (1.0, -1.0)]
+        return np.subtract(*(np.sum(8 * np.log1p(one**2 / 16)) for one in off))
+
+    border = brentq(lambda share: apart(share) - channels.TURNED_OVER, -0.9, 0.0)
+    assert -0.5 < border < -1e-4
+    for share, way in ((1.01 * border, -1.0), (0.99 * border, 1.0)):
+        counts = field.copy()
+        counts[hold] *= share
+        found = channels._with_polarities(replace(readings, counts=counts), model, pose, site, turn)
+        assert found.polarity.tolist() == [1.0, 1.0, way]

@@ -8,7 +8,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec
-from estimator.calibration.twin import digital_twin
+from estimator.calibration.twin import digital_twin, pressed_cases
 from estimator.calibration.twin.pressed_places import (
     PressedPlaces,
     drift_rate,
@@ -152,3 +152,16 @@ def test_what_a_twin_leaves_is_a_share_of_the_signals_about_their_mean_less_nois
     assert_allclose(found, wanted)
     assert found[0] > 0.03
     assert found[1] == 0
+
+
+def test_a_channel_with_a_gap_in_any_frame_of_a_case_is_left_out(monkeypatch):
+    """Two gaps: the second in a place of too few frames, which is no case."""
+    monkeypatch.setattr(pressed_cases, "within_reach", lambda frames, forces, face: frames)
+    spec = coarse_spec(contact_grid={"count": (9, 9), "pitch_mm": 3.0})
+    frames = made_frames(spec, [12, 16, 11, 12])
+    frames.signal_counts[17, 1, 2, 1] = frames.signal_counts[30, 1, 0, 0] = np.nan
+    found = pressed_cases.pressed_cases.__wrapped__(spec, frames, None)
+    assert found.channels.tolist() == [9, 10, 11, 12, 13, 14, 15, 17]
+    assert_allclose(found.xy_mm[:, 0], [[-6, 0], [-3, 0], [3, 0]])
+    assert np.isfinite(found.counts).all()
+    assert found.counts.shape == (3, 4, 8)

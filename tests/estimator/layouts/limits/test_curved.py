@@ -17,6 +17,7 @@ from design.layout.pockets import magnet_bodies
 from design.search.space import params_at, search_space, with_layout
 from design.search.structure import with_structure
 from design.spec_io import parse_spec
+from estimator.field.sources import magnet_source
 from estimator.layouts.limits import curved
 from estimator.layouts.limits.rules import RULES, broken_limits_mm
 from estimator.layouts.polish import descend
@@ -209,3 +210,44 @@ def test_silicone_is_missing_over_a_leaning_magnet_and_under_its_pocket():
     covers = [2 - half, 2 - radius * np.sin(lean) - half * np.cos(lean)]
     wanted = sum(max(0.0, least - cover) for cover in covers) + 0.2
     assert_allclose(found.numpy(), [wanted], atol=1e-5)
+
+
+def test_pockets_keep_their_slack_from_the_edge_of_their_patch():
+    """A hundredth of a millimetre too near along x, a tenth beyond along y; on a box's face further in
+    by the deepest pocket; on an ellipse by the share of its half axes."""
+    reach = torch.as_tensor(np.array([[[9.99, 9.97]], [[5.0, 8.1]]]))
+    pockets = SimpleNamespace(reach=reach, lowest=torch.tensor([[-2.5, -3.5]]).double())
+
+    def beyond(body, is_round=False):
+        frame = SimpleNamespace(half_extents_mm=(10.0, 8.0), round=is_round)
+        surface = SimpleNamespace(frame=frame, spec=spec_of(body))
+        return float(curved._past_border.__wrapped__(surface, pockets)[0])
+
+    slack = curved.SLACK_MM
+    assert slack > 0.01
+    assert beyond("handle") == pytest.approx(slack - 0.01 + max(0.0, slack - 0.03) + slack + 0.1)
+    deep = [9.99 + 3.5 - 10, 9.97 + 3.5 - 10, 5 + 3.5 - 8, 8.1 + 3.5 - 8]
+    assert beyond("box") == pytest.approx(sum(deep) + 4 * slack)
+    shares = [np.hypot((x + slack) / 10, (y + slack) / 8) for x, y in ((9.99, 5.0), (9.97, 8.1))]
+    assert beyond("handle", True) == pytest.approx(sum(8 * (share - 1) for share in shares))
+
+
+def test_chips_keep_their_slack_from_where_the_series_of_magnets_is_right():
+    """Two chips, one magnet of their own face and one of another, on a line through the first chip."""
+    spec = spec_of("box")
+    radius, slack = magnet_source(spec.magnets).circumscribed_radius_mm, curved.SLACK_MM
+    way = np.array([0.6, 0.0, 0.8])
+    chips = torch.as_tensor(np.array([[[1.0, 2.0, 3.0], [1.0, 42.0, 3.0]]]))
+    surface = SimpleNamespace(spec=spec, number=3, chips=lambda place: (chips, None))
+    layouts = SimpleNamespace(sensor_mm=torch.zeros(1, 2, 2).double())
+
+    def short(own, other):
+        place = {3: own * way, 5: -other * way}
+        centres = {n: torch.as_tensor(np.array([[[1.0, 2, 3]]]) + at) for n, at in place.items()}
+        return float(curved._chips_near_magnets.__wrapped__(surface, layouts, centres)[0])
+
+    least = {"own": 1.4 * radius, "other": 2.0 * radius}
+    assert short(least["own"] + slack + 0.01, least["other"] + slack + 0.01) == 0
+    assert short(least["own"] + 0.01, 30.0) == pytest.approx(slack - 0.01)
+    assert short(30.0, least["other"] + 0.005) == pytest.approx(slack - 0.005)
+    assert short(least["own"] - 1, least["other"] - 0.5) == pytest.approx(1.5 + 2 * slack)
