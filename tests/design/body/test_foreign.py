@@ -2,6 +2,7 @@
 
 import os
 import sys
+from pathlib import Path
 
 import cadquery as cq
 import numpy as np
@@ -12,6 +13,7 @@ from numpy.testing import assert_allclose
 import design.body.foreign
 from design.body.foreign import read_foreign_surface
 from design.errors import InputError
+from design.layout import stl_tip
 from design.layout.stl_tip import stl_tip_vertices_mm
 
 MISSING = "nothing there"
@@ -103,3 +105,28 @@ def test_what_is_no_file_is_said(tmp_path):
             read_foreign_surface(tmp_path / name, MISSING)
     with pytest.raises(InputError, match=r"no indenter\.file"):
         stl_tip_vertices_mm(tmp_path / "none.stl")
+
+
+def test_a_tip_of_any_size_is_closed_and_outward(monkeypatch):
+    """A wedge of 0.012 mm³ and of 12 cm³, inside out, and torn; corners to a millionth."""
+    corners = np.array([[x, y, z] for x in (0, 0.3) for y in (-0.1, 0.1) for z in (0.0, 0.4)])[
+        [0, 1, 2, 3, 4, 6]
+    ]
+    wedge = trimesh.convex.convex_hull(corners)
+    torn, inverted = wedge.copy(), wedge.copy()
+    torn.update_faces(np.arange(len(torn.faces) - 1))
+    inverted.invert()
+
+    def told(mesh):
+        monkeypatch.setattr(stl_tip, "_read", lambda path: mesh)
+        return np.array(stl_tip_vertices_mm(Path("tip.stl")))
+
+    assert wedge.volume == pytest.approx(0.012)
+    for scale in (1.0, 100.0):
+        found, wanted = told(wedge.copy().apply_scale(scale)), scale * corners
+        assert_allclose(found[np.lexsort(found.T)], wanted[np.lexsort(wanted.T)], atol=1e-9)
+    exact = told(wedge.copy().apply_translation([1 / 3, 0, 0]))
+    assert set(exact[:, 0]) == {0.333333, 0.633333}
+    for mesh in (torn, inverted):
+        with pytest.raises(InputError, match="not closed with its normals outward"):
+            told(mesh)

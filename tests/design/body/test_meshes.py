@@ -6,9 +6,11 @@ import numpy as np
 import pytest
 import trimesh
 from numpy.testing import assert_allclose
+from scipy.spatial.transform import Rotation
 
 from design.body.meshes import (
     _height_mm,
+    _least_width_mm,
     _peaks_and_saddles,
     distance_mm,
     high_points,
@@ -279,3 +281,20 @@ def test_crumbs_are_left_out_and_voids_stay():
     torn.update_faces(np.arange(11))
     with pytest.raises(NotOneSolid, match=r"not closed"):
         one_closed_surface(torn, "part")
+
+
+@pytest.mark.parametrize("pull", [UP, -UP, np.array([1.0, 0.0, 0.0])], ids=str)
+def test_the_least_width_of_a_bar_is_its_own_in_any_direction_to_a_step(pull):
+    """20 × 1 mm across the pull and 7 along it: exact in steps of 2.5°, half a step beside them by its
+    corners."""
+    ends = np.array([[x, y, z] for x in (-10, 10) for y in (-0.5, 0.5) for z in (0, 7)], float)
+    onto = Rotation.align_vectors([pull], [UP])[0]
+
+    def width(degrees):
+        turned = Rotation.from_rotvec(pull * np.deg2rad(degrees)).apply(onto.apply(ends))
+        return _least_width_mm(turned, pull)
+
+    half = np.deg2rad(1.25)
+    for degrees in (0.0, 2.5, 42.5, 90.0, 117.5, 177.5):
+        assert width(degrees) == pytest.approx(1.0)
+        assert width(degrees + 1.25) == pytest.approx(np.cos(half) + 20 * np.sin(half))

@@ -330,3 +330,15 @@ def test_a_mould_of_the_layer_is_drawn_off_the_silicone_without_its_plug(monkeyp
     casting.check_seal_mould(spec, meshes)
     assert asked[: len(drawn)] == drawn
     assert not casting.check_seal_mould(worked("cylinder"), {})
+
+
+@pytest.mark.parametrize(
+    ("depth", "told"), [(0.165, "8.3"), (0.24, "12"), (0.3199, "16"), (0.3201, ""), (3.0, "")]
+)
+def test_a_shell_is_made_thicker_up_to_twice(depth, told):
+    """Of 8 mm: it gives way by 2 % on the spot."""
+    assert CUBE.shell.thickness_mm == 8.0
+    text = casting._thicker(CUBE, depth)
+    assert text == (
+        f"make shell.thickness_mm {told} or more, which gives way by that, " if told else ""
+    )

@@ -75,6 +75,8 @@ def test_boards_move_inwards_until_they_and_the_walls_between_them_have_room(mon
     walls = [lambda spec: wide]
     room = [core.recess_depth_mm + sink + 1]
     assert moved() == inwards(step)
+    room = [core.recess_depth_mm + sink - 1.5 * step]
+    assert moved() == inwards(2 * step)
     room = [core.recess_depth_mm + sink - 2 * step]  # not enough where it is just as deep
     assert moved() == inwards(3 * step)
     walls = [

@@ -10,7 +10,7 @@ from design.errors import InputError
 from design.layout.boards import mounted_sensors
 from design.layout.body import body_of, face_frames
 from design.layout.places.positions import _rims_of_stack, board_sinks_mm, cover_mm, sensor_layout
-from design.layout.pockets import magnet_bodies
+from design.layout.pockets import Body, Outline, magnet_bodies, tilted_frame
 from design.solids.core import make_core
 from design.solids.primitives import block_solid
 from design.spec.object import ObjectSpec
@@ -140,3 +140,26 @@ def test_a_board_sinks_until_its_corners_are_flush_with_a_small_ball(package_mm)
     }
     ((sink,),) = board_sinks_mm(ObjectSpec.model_validate({"name": "ball", **content}))
     assert sink == pytest.approx(radius - np.sqrt(radius**2 - corner**2), abs=1e-5)
+
+
+def test_silicone_is_thinnest_over_the_rim_that_is_highest():
+    """A disk of Ø6 × 2 mm, 4 mm deep: leaning on a flat face whichever way; across a cylinder, whose
+    axis is as far from the rim as Pythagoras says."""
+    disk = Outline((3.0, 3.0), True)
+
+    def cover(frame, tilt=(0.0, 0.0), xy=(0.0, 0.0)):
+        body = Body(np.array([*xy, -4.0]), tilted_frame(*tilt), disk, 2.0, "a magnet")
+        return cover_mm(frame, body)
+
+    flat = face_frames(worked("closed box"))[2]
+    lean = np.deg2rad(20)
+    leaning = 4 - 3 * np.sin(lean) - np.cos(lean)
+    for tilt in ((20.0, 0.0), (-20.0, 0.0), (0.0, 20.0), (0.0, -20.0)):
+        assert cover(flat, tilt, (2.0, -1.0)) == pytest.approx(leaning)
+    assert cover(flat, (12.0, -16.0)) == pytest.approx(leaning, abs=3e-3)
+    handle = load_spec(EXAMPLES / "handle.toml")
+    round_ = [frame for frame in face_frames(handle) if not frame.flat]
+    radius = np.hypot(*round_[0].centre_mm[:2])
+    across = radius - np.hypot(radius - 3, 3.0)
+    for frame in round_:
+        assert cover(frame) == pytest.approx(across, abs=1e-3)

@@ -1,15 +1,17 @@
 """Loose pins as numbers: which pockets they form, and how far they reach out of the block."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from design.layout.body import face_frames
 from design.layout.mould import pins
 from design.layout.mould.frame import mould_frame, parting
 from design.layout.mould.pins import PIN_HEAD_MM, loose_pins, pins_by_kind
-from design.layout.pockets import shell_pockets
+from design.layout.pockets import shell_pockets, tilted_frame
 from design.spec.object import ObjectSpec
 from tests.support.objects.body_cases import body_spec
 
@@ -127,3 +129,54 @@ def test_rims_leave_a_wall_between_heads_or_run_together(monkeypatch, gap, rim):
     ]
     assert pins._rim_mm.__wrapped__(closed(), made) == pytest.approx(rim)
     assert pins._rim_mm.__wrapped__(closed(), made[:1]) == 1.5
+
+
+@pytest.mark.parametrize("lean", [(0.3, 0.1), (-0.3, 0.2), (0.1, 0.25), (-0.2, -0.4)], ids=str)
+def test_a_head_ends_out_of_the_block_where_its_rim_is_deepest_in_it(monkeypatch, lean):
+    """A block that ends at a plane which leans over the face; heads in steps of a micrometre."""
+    monkeypatch.setattr(pins, "HEAD_STEP_MM", 1e-3)
+    spec = closed()
+    frame, pocket = face_frames(spec)[2], shell_pockets(spec)[2][1]
+    slopes = frame.axes @ [*lean, -1.0]
+
+    def leaves(spec, start_mm, way):
+        assert_allclose(way, frame.normal)
+        return 7.0 + float((start_mm - frame.centre_mm) @ slopes)
+
+    monkeypatch.setattr(pins, "exit_mm", leaves)
+    pin = pins.pin_of(spec, frame, pocket, 0.5)
+    radius = pocket.outline.radius_mm + 1.5
+    highest = 7.0 + np.array(PLACES[1]) @ lean + radius * np.max(np.abs(lean))
+    assert pin.seat_mm == pytest.approx(spec.mould.wall_mm + 0.5 * radius)
+    assert pin.top_mm - PIN_HEAD_MM == pytest.approx(max(highest, pin.seat_mm), abs=2e-3)
+    assert highest > spec.mould.wall_mm
+
+
+def test_a_locating_pin_forms_the_outer_half_of_its_hole():
+    spec = closed(magnets={"positions_mm": [(9.0, -8.0), (-9.0, 4.0)]})
+    held = [pin for pin in loose_pins(spec) if pin.locator is not None]
+    assert len(held) == 2
+    for pin in held:
+        hole = pin.locator
+        floor = hole.frame.centre_mm - hole.depth_mm / 2 * hole.frame.normal
+        assert_allclose(pin.axis_mm[0], floor, atol=1e-9)
+        assert pin.pocket.lowest_mm == pytest.approx(-hole.depth_mm / 2)
+        assert_allclose(pin.pocket.outline.half_mm, hole.radius_mm)
+
+
+def test_pins_are_alike_where_their_shapes_are_but_locating_pins_are_not():
+    """Whatever their number among the pins is; the third's head is longer, the fifth's pocket leans."""
+    spec = closed()
+    pin = next(pin for pin in loose_pins(spec) if pin.locator is None)
+    locating = replace(pin, locator=loose_pins(spec)[-1].locator)
+    body = replace(pin.pocket.body, frame=tilted_frame(0.0, 1.0))
+    leaning = replace(pin, pocket=replace(pin.pocket, body=body))
+    longer = replace(pin, top_mm=pin.top_mm + 1)
+    made = [pin, locating, longer, pin, leaning, locating]
+    assert pins.pins_of_kinds(made) == [
+        ("mould_pin_1", [0, 3]),
+        ("mould_pin_2", [2]),
+        ("mould_pin_3", [4]),
+        ("mould_locator_1", [1]),
+        ("mould_locator_2", [5]),
+    ]
