@@ -8,6 +8,7 @@ from numpy.testing import assert_allclose
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec
+from estimator.calibration import resting_conventions
 from estimator.calibration.conventions import TURNS
 from estimator.calibration.resting_conventions import (
     RestingObject,
@@ -120,3 +121,12 @@ def test_the_best_candidate_is_told_by_its_numbers_and_the_documented_one_by_its
         null = np.array([predicted @ mixed[draw.permutation(27)] for _ in range(19)])
         p = (1 + np.sum(null >= predicted @ mixed)) / 20
         assert found.p_documented == pytest.approx(p)
+
+
+@pytest.mark.parametrize(("apart", "asked"), [(20.0, 20 - 3 - 3 * np.sqrt(3)), (6.0, 1.0)])
+def test_the_field_is_right_as_near_as_the_bounds_may_bring_a_magnet(monkeypatch, apart, asked):
+    """3 mm inwards, and 3 mm along each axis of a shifted core; 1 mm at least."""
+    monkeypatch.setattr(resting_conventions, "min_distance_mm", lambda *given: apart)
+    monkeypatch.setattr(resting_conventions, "at_rest", lambda place: None)
+    monkeypatch.setattr(resting_conventions, "field_model", lambda source, nearest_mm: nearest_mm)
+    assert resting_conventions._near_model.__wrapped__(CUBE, None) == pytest.approx(asked)

@@ -200,3 +200,12 @@ def test_an_empty_part_gets_a_lone_press_of_the_most_crowded_one():
     assert splits._fill_empty(part, 0 * single > 0).tolist() == [0, 0, 2, 1, 1]
     assert splits._fill_empty(np.zeros(3, int), np.zeros(3, bool)).tolist() == [0, 2, 1]
     assert splits._fill_empty(np.array([2, 2, 1, 0]), np.ones(4, bool)).tolist() == [2, 2, 1, 0]
+
+
+def test_every_contact_case_is_held_out_by_some_seed(frames):
+    """The first case's number is 0, as in recordings."""
+    first = frames.place_id[frames.place_id >= 0].min()
+    place = np.where(frames.place_id >= 0, frames.place_id - first, -1)
+    counted = replace(frames, place_id=place)
+    tested = [set(place[split_places(counted, seed).test].tolist()) for seed in range(40)]
+    assert set.union(*tested) - {-1} == set(place.tolist()) - {-1}

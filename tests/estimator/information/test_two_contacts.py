@@ -1,10 +1,13 @@
 """Bounds of two contacts from simulated presses, against finite differences of the forward model."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
 from design.layout.places.contact_grid import contact_grid
+from estimator.information import two_contacts
 from estimator.information.contact_sets import contact_sets, spread_pairs, spread_places
 from estimator.information.fisher import disturbance_counts
 from estimator.information.two_contacts import opposite_faces, two_contact_bounds_mm
@@ -108,3 +111,17 @@ def test_half_the_noise_halves_every_bound(signals):
     whole, half = (two_contact_bounds_mm(spec, signals) for spec in (SPEC, quiet))
     for name in ("own", "all", "grasp"):
         assert_allclose(half[name], whole[name] / 2, rtol=1e-6)
+
+
+def test_faces_are_opposite_where_their_normals_are_more_than_120_degrees_apart(monkeypatch):
+    """Whatever their order: 143° apart one after the other, 180° and 121.3° with others between."""
+    normals = {
+        2: [0, 0, 1],
+        3: [0, 0.6, -0.8],
+        5: [1, 0, 0],
+        6: [0, -0.6, 0.8],
+        9: [-0.52, 0.854, 0],
+    }
+    frames = [SimpleNamespace(number=n, normal=np.array(way, float)) for n, way in normals.items()]
+    monkeypatch.setattr(two_contacts, "face_frames", lambda spec: frames)
+    assert opposite_faces(SPEC) == ((2, 3), (3, 6), (5, 9), (6, 9))

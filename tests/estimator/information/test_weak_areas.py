@@ -6,9 +6,14 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from design.layout.places.measures import MEASURES, place_measures
+from design.layout.places.measures import MEASURES, PlaceMeasures, place_measures
 from design.spec_io import load_spec
-from estimator.information.weak_areas import save_weak_areas_csv, weak_areas
+from estimator.information.weak_areas import (
+    Third,
+    WeakAreas,
+    save_weak_areas_csv,
+    weak_areas,
+)
 from tests.support.objects.made_scores import scores_of
 from tests.support.pages import ROOT
 
@@ -69,3 +74,14 @@ def test_locations_that_lie_alike_have_no_weak_areas():
     found = weak_areas(spec, scores_of(spec, np.ones(4)))
     assert found.told_by is None
     assert np.isnan(found.edge_ratio)
+
+
+def test_the_edge_s_ratio_is_of_the_third_nearest_the_border_over_the_innermost():
+    thirds = [
+        Third(name, 0.0, 1.0, 9, bound, 1.0)
+        for name, bounds in (("path_mm", (9.0, 8.0)), ("border_mm", (0.75, 0.5, 0.3)))
+        for bound in bounds
+    ]
+    measures = PlaceMeasures(*np.zeros((len(MEASURES), 1, 1)))
+    assert WeakAreas(measures, {}, tuple(thirds), {}).edge_ratio == pytest.approx(2.5)
+    assert np.isnan(WeakAreas(measures, {}, tuple(thirds[:2]), {}).edge_ratio)

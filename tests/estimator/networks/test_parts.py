@@ -237,3 +237,15 @@ def test_training_starts_from_a_model_of_the_same_face_settings_and_grid_alone(c
         return check(start, settings, frames)
     with pytest.raises(InputError, match="wanted are face 3"):
         check(start, settings, frames)
+
+
+def test_targets_of_tenths_choose_a_kernel_as_well():
+    """Forces below 1 N tell lengths and noise; those that are all the same leave the kernel as it starts."""
+    rng = np.random.default_rng(5)
+    seen = rng.uniform(-2, 2, (25, 2))
+    smooth = 0.2 * np.sin(seen[:, :1])
+    variance, _, noise = process._chosen_kernel(seen, smooth)
+    assert variance < 0.5
+    assert noise < 5e-3
+    start = process._chosen_kernel(seen, np.full((25, 1), 0.2))
+    assert_allclose(start, (1.0, np.sqrt(2), 1e-2))

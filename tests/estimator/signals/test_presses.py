@@ -202,3 +202,12 @@ def test_channels_that_are_not_finite_are_named_four_at_most(signals):
     force = signals.force_n.copy()
     force[0, 3, :2] = np.nan
     assert told(replace(signals, force_n=force)).startswith("the force of 2 presses is not finite")
+
+
+def test_saturation_margin_is_that_at_rest_where_presses_take_from_it(signals):
+    """Of a reading of −20000 counts, which every press makes a tenth smaller."""
+    baseline = np.zeros_like(signals.baseline_counts)
+    baseline[2, 1], baseline[0, 0] = -20000.0, 900.0
+    delta = np.broadcast_to(-0.1 * baseline, signals.delta_counts.shape)
+    eased = replace(signals, baseline_counts=baseline, delta_counts=delta)
+    assert_allclose(saturation_margin(eased, SPEC), 1 - 20000 / 32767, rtol=1e-12)

@@ -11,7 +11,7 @@ from design.layout.body import face_frames
 from design.layout.mould import pins
 from design.layout.mould.frame import mould_frame, parting
 from design.layout.mould.pins import PIN_HEAD_MM, loose_pins, pins_by_kind
-from design.layout.pockets import shell_pockets, tilted_frame
+from design.layout.pockets import Body, Outline, Pocket, shell_pockets, tilted_frame
 from design.spec.object import ObjectSpec
 from tests.support.objects.body_cases import body_spec
 
@@ -180,3 +180,22 @@ def test_pins_are_alike_where_their_shapes_are_but_locating_pins_are_not():
         ("mould_locator_1", [1]),
         ("mould_locator_2", [5]),
     ]
+
+
+def test_the_circle_round_a_pin_holds_all_pockets_that_it_forms():
+    """A locating pin of radius 3 with round pockets of radius 2 beside it, 4 and 2.2 mm off its axis."""
+    spec = closed()
+    pin = next(pin for pin in loose_pins(spec) if pin.locator is None)
+
+    def pocket(x, y, radius):
+        outline = Outline((radius, radius), True)
+        body = Body(np.array([x, y, -2.0]), np.eye(3), outline, 1.0, "a magnet")
+        return Pocket(body, outline)
+
+    beside = (pocket(5.0, -1.0, 2.0), pocket(1.0, 1.2, 2.0))
+    held = replace(pin, pocket=pocket(1.0, -1.0, 3.0), locator=SimpleNamespace(pockets=beside))
+    assert held.radius_mm == pytest.approx(6.0)
+    assert replace(held, locator=SimpleNamespace(pockets=beside[1:])).radius_mm == pytest.approx(
+        4.2
+    )
+    assert replace(held, locator=None).radius_mm == 3.0

@@ -6,7 +6,7 @@ from scipy.spatial.transform import Rotation
 
 from design.layout.places.positions import sensor_layout
 from estimator.bringup.asking.asked import POSES
-from estimator.bringup.diagnosis.earth import _results, from_earth, in_object
+from estimator.bringup.diagnosis.earth import _first_field, _results, from_earth, in_object
 from estimator.bringup.diagnosis.findings import ChipFound
 from tests.support.new_objects import SMALL
 from tests.support.recorded_facts import assert_on_record, told_whole
@@ -86,3 +86,16 @@ def test_all_gains_together_are_told_as_a_stronger_field(means, found):
 
 def test_what_is_found_in_earth_s_field_is_as_on_record(found):
     assert_on_record("bringup", "earth", told_whole("found", found), "estimator")
+
+
+def test_the_first_field_is_that_of_least_squares_about_the_mean_pose():
+    """Chips turned any way, offsets of their own that the mean over the poses takes away; a channel
+    that is not known."""
+    rng = np.random.default_rng(6)
+    axes = Rotation.random(4, random_state=1).as_matrix()
+    poses = Rotation.random(5, random_state=2).as_matrix()
+    field = np.array([21.0, -4.0, 39.0])
+    counts = 0.8 * np.einsum("cab,kbd,d->kca", axes, poses, field) + rng.normal(0, 80, (4, 3))
+    counts[:, 2, 1] = np.nan
+    found = _first_field(counts - counts.mean(axis=0), axes, poses, 0.8)
+    assert found == pytest.approx(field)

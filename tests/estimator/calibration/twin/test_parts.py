@@ -247,3 +247,45 @@ def test_places_left_out_are_predicted_by_numbers_and_process_of_all_others(monk
         mean = seen.counts[~rows].mean()
         wanted = 6 * (10 + np.sum(~rows) + mean * seen.xy_mm[rows, 0])
         assert_allclose(found[rows], wanted)
+
+
+@pytest.mark.parametrize(("impossible", "drawn"), [(0, True), (19, True), (20, False)])
+def test_an_object_is_drawn_twenty_times_at_most(impossible, drawn):
+    """Some draws in a row are no object; the most probable one is asked once."""
+    asked = []
+
+    def signals(numbers, forces, motions):
+        asked.append(numbers)
+        return None if len(asked) <= impossible else "signals"
+
+    def no_object(what):
+        return ValueError(what)
+
+    twin = SimpleNamespace(
+        numbers=np.array([0.5, -0.25]),
+        factor=np.array([[1e-3, 0.0], [2e-3, 1e-3]]),
+        unknowns=SimpleNamespace(signals=signals, no_object=no_object),
+        forces=None,
+        motions=None,
+        discrepancy=SimpleNamespace(seen=SimpleNamespace(face=4)),
+        _with_discrepancy=lambda made, numbers, rng: (made, numbers),
+    )
+    told = digital_twin.CalibratedTwin.signals.__wrapped__
+    if drawn:
+        made, numbers = told(twin, np.random.default_rng(7))
+        rng = np.random.default_rng(7)
+        draws = [twin.numbers + twin.factor @ rng.standard_normal(2) for _ in asked]
+        assert_allclose(asked, draws)
+        assert_allclose(numbers, draws[-1])
+        assert (made, len(asked)) == ("signals", impossible + 1)
+    else:
+        with pytest.raises(ValueError, match="labelled presses of face 4"):
+            told(twin, np.random.default_rng(7))
+        assert len(asked) == 20
+    asked.clear()
+    if impossible:
+        with pytest.raises(ValueError, match="face 4"):
+            told(twin, None)
+    else:
+        assert_allclose(told(twin, None)[1], twin.numbers)
+    assert len(asked) == 1
