@@ -2,6 +2,7 @@
 
 import csv
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -9,9 +10,10 @@ from numpy.testing import assert_allclose
 
 from estimator.information.fisher import disturbance_counts
 from estimator.information.identifiability import identifiability
-from estimator.inversion.blind_start import blind_starts, save_identifiability
+from estimator.inversion.blind_start import _known_number, blind_starts, save_identifiability
 from estimator.inversion.model.noise import BLIND
 from estimator.inversion.posterior import Observed, most_probable
+from estimator.inversion.priors import Priors
 from estimator.inversion.search import Search
 from tests.support.mechanics.inverted import expected_counts, inverted
 from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
@@ -126,3 +128,11 @@ def test_presses_of_one_face_are_those_of_the_object():
     whole = expected_counts(model, np.full((1, 2), 3), contact)
     assert_allclose(expected_counts(one, np.zeros((1, 2), int), contact), whole, rtol=1e-12)
     assert one.signals.faces.tolist() == [4]
+
+
+def test_a_known_number_of_tips_is_anywhere_on_the_face_and_two_radii_apart():
+    model = SimpleNamespace(
+        bounds=(np.array([-9.0, -7.0, 0.05]), np.array([9.0, 7.0, 11.5])), area_mm2=252.0
+    )
+    found = _known_number.__wrapped__(SPEC, model, 2)
+    assert found == Priors((0.0, 0.0, 1.0), 1, 252.0, (0.1, 11.5), 9.0)
