@@ -79,6 +79,20 @@ def test_the_possible_distance_is_the_mean_of_a_normal_error_of_the_bound():
     assert_allclose(possible_distance_mm(estimator, frames), mean, rtol=0.03)
 
 
+def test_the_possible_distance_of_one_contact_knows_no_empty_slots():
+    estimator = inverted()
+    face, contact = contacts(np.random.default_rng(4), 3, 1, (3.0, 8.0), slots=1)
+    face, empty = estimator.model.signals.faces[face], np.full((4, 1, 3), np.nan)
+    alone = labelled_frames(face, contact[..., :2], contact[..., 2])
+    padded = np.concatenate([np.concatenate([contact, empty[:1]]), empty], axis=1)
+    beside = labelled_frames(
+        np.pad(face, ((0, 1), (0, 1))), padded[..., :2], padded[..., 2]
+    )  # the last frame is at rest
+    found = possible_distance_mm(estimator, beside)
+    assert np.isfinite(found[:3]).all()
+    assert_allclose(found, [*possible_distance_mm(estimator, alone), np.nan])
+
+
 def test_rows_are_chosen_in_order_and_valid(judged):
     frames, _, _ = judged
     frames.valid[1] = False

@@ -199,3 +199,25 @@ def test_the_circle_round_a_pin_holds_all_pockets_that_it_forms():
         4.2
     )
     assert replace(held, locator=None).radius_mm == 3.0
+
+
+@pytest.mark.parametrize("round_", [True, False])
+def test_shank_and_head_of_a_leaning_pin_are_prisms_between_planes_along_the_face(round_):
+    """Their sections along the face are their own over the cosine of the lean, about the axis."""
+    spec = closed()
+    plain = next(pin for pin in loose_pins(spec) if pin.locator is None)
+    outline = Outline((3.0, 3.0 if round_ else 2.0), round_)
+    body = Body(np.array([4.0, -2.0, -2.5]), tilted_frame(20.0, -10.0), outline, 1.0, "a magnet")
+    pin = replace(plain, pocket=Pocket(body, outline), seat_mm=3.0, top_mm=7.0, rim_mm=0.5)
+    area, wide = (9 * np.pi, 3.5**2 * np.pi) if round_ else (24.0, 35.0)
+    up = body.frame[2, 2]
+    for part, volume, low, high in (
+        (pin.shank(), area / up * 3, 0.0, 3.0),
+        (pin.head(), wide / up * 4, 3.0, 7.0),
+    ):
+        assert part.volume() == pytest.approx(volume, rel=1e-6)
+        corners = pin.frame.from_object(np.array(part.to_mesh().vert_properties[:, :3], float))
+        assert_allclose([corners[:, 2].min(), corners[:, 2].max()], [low, high], atol=1e-4)
+        middle = corners.min(axis=0) / 2 + corners.max(axis=0) / 2
+        axis = body.centre_mm + (middle[2] - body.centre_mm[2]) / up * body.frame[:, 2]
+        assert_allclose(middle, axis, atol=0.02 if round_ else 1e-4)
