@@ -65,6 +65,12 @@ def feasible(spec, seed=0, tries=4000):
     raise AssertionError("no layout fits")
 
 
+def test_a_ring_of_the_fewest_sensors_turns_as_far_as_to_its_like():
+    space = search_space(specification(vary=EVERYTHING, sensor_symmetry="ring"))
+    azimuth = next(v for v in space.variables if v.name == "sensor_azimuth_deg")
+    assert (azimuth.low, azimuth.high) == (0.0, 120.0)
+
+
 def test_a_layout_is_a_specification_with_the_chosen_parts():
     spec = specification(vary=EVERYTHING, sensor_symmetry="ring")
     params, found = feasible(spec)

@@ -8,7 +8,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.errors import InputError, StoreError
-from estimator.deploy.live_contacts import LiveContacts
+from estimator.deploy.live_contacts import LiveContacts, _of_one
 from estimator.inversion.model.noise import BLIND, MESH_ERROR, SUM_ERROR, design_error, disturbances
 from estimator.inversion.storage import is_inversion, load_inversion, save_inversion
 from estimator.inversion.tracking import Tracker
@@ -182,3 +182,9 @@ def test_a_file_whose_description_is_another_is_one_error(tmp_path, name, value)
         file.attrs[name] = value
     with pytest.raises(StoreError, match=r"contacts\.nc: tables and description.*Train it anew"):
         load_inversion(path)
+
+
+def test_an_answer_while_zeroing_takes_one_contact_for_as_likely_as_none():
+    found = _of_one(inverted())
+    assert found.priors.number == (0.5, 0.5)
+    assert found.priors.most == 1

@@ -186,3 +186,13 @@ def test_a_lag_is_corrected_where_half_of_the_presses_agree_and_a_fifth_is_gaine
     assert not report([4, 9, 12, 15], 0.1).corrected
     near = report([4, 6, 2, 7], 0.1)
     assert near.share_within_2 == 0.75
+
+
+def test_rest_is_the_lower_extreme_where_both_last_as_long():
+    force = np.concatenate([np.full(40, 1.0), np.linspace(1.5, 6.5, 9), np.full(40, 7.0)])
+    none = np.zeros(len(force), bool)
+    assert_allclose(presses.tared(force[:, None], none, 0.2, False)[:, 0], force - 1)
+    longer = np.append(force, 7.0)
+    assert_allclose(
+        presses.tared(longer[:, None], np.zeros(90, bool), 0.2, False)[:, 0], 7 - longer
+    )
