@@ -47,7 +47,7 @@ def repeated_readings(counts: Float[np.ndarray, "frame 5 sensor 3"]) -> Repeats:
     """
     known = np.isfinite(counts)
     alike = (counts[1:] == counts[:-1]) | ~(known[1:] | known[:-1])
-    told = known.any(axis=3)
+    told = np.asarray(known.any(axis=3))
     repeated = np.zeros(told.shape, dtype=bool)
     repeated[1:] = np.all(alike, axis=3) & told[1:]
     moving = np.any((counts[1:] != counts[:-1]) & known[1:] & known[:-1], axis=(0, 3))
