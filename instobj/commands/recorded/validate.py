@@ -13,6 +13,7 @@ import numpy as np
 from design.errors import InputError
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, spec_hash
+from instobj.stages.makers.twin import TRUSTED_PERCENT
 from instobj.stages.run import Run
 from instobj.store.progress import ProgressLine
 from instobj.store.publish import file_rows, require_writable, run_folder, stage_row
@@ -27,8 +28,6 @@ if TYPE_CHECKING:
 
 
 _WORTHWHILE_GAIN = 0.05
-_AS_DRAWN = 0.1
-"""Share of the change left by which digital twins are trusted, too."""
 _LEAST_CASES = 3
 """With fewer, no place is left to calibrate on beside the unseen one and one to exchange it with."""
 
@@ -330,8 +329,8 @@ def calibration_text(test: dict[str, Any]) -> str:
     worth = "it helps there" if helps else "it is worth little there"
     if untold := cannot_be_told(1 + test["permutations"]):
         worth = f"whether it helps there {untold}"
-    if not helps and test["before"]["left"] <= _AS_DRAWN:
-        left_percent = 100 * test["before"]["left"]
+    left_percent = 100 * test["before"]["left"]
+    if not helps and left_percent <= TRUSTED_PERCENT:
         worth = (
             f"nothing to gain, the object is as drawn within {left_percent:.2g} % of the change, noise "
             "included"

@@ -23,7 +23,8 @@ if TYPE_CHECKING:
     from estimator.inversion.inversion import Inversion
     from fem.presses.results import MagnetMotions, PressForces
 
-_TRUSTED_PERCENT = 10.0
+TRUSTED_PERCENT = 10.0
+"""Of the signals, left by a prediction that is used."""
 _EXACT_PERCENT = 4.0
 """Twice what meshes of one design differ by in the mean."""
 _NO_GAIN = 0.8
@@ -217,7 +218,7 @@ def verdict(left_percent: float, design_percent: float, strained: int, instead: 
             f"no: {strained} numbers at their limits; is it this object, are its tolerances true?"
         )
     most = max(left_percent, design_percent)
-    if most <= _TRUSTED_PERCENT and left_percent >= _NO_GAIN * design_percent:
+    if most <= TRUSTED_PERCENT and left_percent >= _NO_GAIN * design_percent:
         design_percent, left_percent = (
             max(percent, _EXACT_PERCENT / 2) for percent in (design_percent, left_percent)
         )
@@ -225,7 +226,7 @@ def verdict(left_percent: float, design_percent: float, strained: int, instead: 
             f"yes: the object is as drawn within {design_percent:.2g} % of its signals (calibrated "
             f"within {left_percent:.2g} %)"
         )
-    if left_percent > max(_EXACT_PERCENT, min(_TRUSTED_PERCENT, design_percent / 2)):
+    if left_percent > max(_EXACT_PERCENT, min(TRUSTED_PERCENT, design_percent / 2)):
         return f"no: {instead}"
     return "yes"
 
