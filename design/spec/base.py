@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Annotated, Any, TypeVar, get_args
+from types import NoneType, UnionType
+from typing import TYPE_CHECKING, Annotated, Any, TypeVar, Union, get_args, get_origin
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
@@ -19,6 +20,10 @@ RecoilPermeability = Annotated[float, Field(ge=1, le=2)]
 """Relative; 1 takes a magnet's remanence as its polarization."""
 Count = Annotated[int, Field(ge=1)]
 
+
+_SHOULD_BE = "Input should be "
+_OTHER_KIND = ("_type", "_parsing", "literal_error", "int_from_float")
+"""Ends of pydantic's types of errors of a value that is not of the kind at all."""
 
 Part = TypeVar("Part", bound="SpecPart")  # not Self, which the tests' type checks refuse
 
@@ -70,11 +75,71 @@ class SpecPart(BaseModel):
 def complaints(error: ValidationError, model: type[BaseModel]) -> list[str]:
     """pydantic's errors about a model in words: where, what is wrong, what was received.
 
-    Without those of a list that is too short because its entries are wrong.
+    Without those of a list that is too short because its entries are wrong, and, where a key takes values
+    of several kinds, without those of kinds that the value is not.
     """
-    every = error.errors()
+    every = _of_fitting_kinds(error.errors(), model)
     within = {problem["loc"][:length] for problem in every for length in range(len(problem["loc"]))}
     return [_complaint(problem, model) for problem in every if problem["loc"] not in within]
+
+
+def _of_fitting_kinds(problems: list[Any], model: type[BaseModel]) -> list[Any]:
+    """Of a key that takes several kinds pydantic tells what is wrong with each: the kinds that the value
+    is not are left out, or, where it is none of them, told together."""
+    found: dict[tuple[Any, ...], list[Any]] = {}
+    for problem in problems:
+        kind = _place_of_kind(problem["loc"], model)
+        key = problem["loc"] if kind is None else problem["loc"][:kind]
+        rest = () if kind is None else problem["loc"][kind + 1 :]
+        other = kind is not None and not rest and problem["type"].endswith(_OTHER_KIND)
+        found.setdefault(key, []).append((other, problem | {"loc": (*key, *rest)}))
+    told = []
+    for tried in found.values():
+        fitting = [problem for other, problem in tried if not other]
+        told += fitting or [
+            tried[0][1] | {"msg": _any_of([problem["msg"] for _, problem in tried])}
+        ]
+    return told
+
+
+def _any_of(messages: list[str]) -> str:
+    wanted = [message.removeprefix(_SHOULD_BE).split(", ")[0] for message in messages]
+    return f"{_SHOULD_BE}{' or '.join(wanted)}" if len(messages) > 1 else messages[0]
+
+
+def _place_of_kind(location: tuple[Any, ...], model: type[BaseModel]) -> int | None:
+    """Where in the location pydantic names the kind that it tried, as it does in keys of several kinds;
+    None where the kind is found first and named by us, with a space ("each face")."""
+    annotation: Any = model
+    for place, part in enumerate(location):
+        kinds = _kinds(annotation)
+        if len(kinds) > 1:
+            ours = " " in str(part) and "[" not in str(part)
+            return None if ours else place
+        annotation = _inside(kinds[0], part)
+    return None
+
+
+def _kinds(annotation: Any) -> list[Any]:
+    if get_origin(annotation) is Annotated:
+        return _kinds(get_args(annotation)[0])
+    if get_origin(annotation) in (Union, UnionType):
+        return [
+            kind for one in get_args(annotation) for kind in _kinds(one) if kind is not NoneType
+        ]
+    return [annotation]
+
+
+def _inside(kind: Any, part: Any) -> Any:
+    """Annotation of what lies at a part of a location; None where that is not known."""
+    if isinstance(kind, type) and issubclass(kind, BaseModel):
+        return kind.model_fields[part].annotation if part in kind.model_fields else None
+    inner = get_args(kind)
+    if get_origin(kind) is dict:
+        return inner[1]
+    if get_origin(kind) is tuple and isinstance(part, int) and inner[-1] is not Ellipsis:
+        return inner[part] if part < len(inner) else None
+    return inner[0] if inner else None
 
 
 def _complaint(problem: Any, model: type[BaseModel]) -> str:

@@ -5,9 +5,11 @@ import re
 import pytest
 from pydantic import ValidationError
 
+from design.errors import SpecError
 from design.spec.base import complaints
 from design.spec.object import ObjectSpec
 from design.spec_io import with_overrides
+from instobj.sweep.study import StudySpec
 
 RULES = """
 mechanics.element=taylor-hood silicone.poisson_ratio=% | 0.01 | 0.009 | takes silicone.poisson_ratio from 0.01
@@ -122,3 +124,39 @@ def test_a_rule_takes_up_to_its_border(row):
     changes, taken, refused, words = row.split(" | ")
     assert not said_of(changes.replace("%", taken))
     assert re.search(words, said_of(changes.replace("%", refused)))
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        ("magnets.depth_mm=-3", "magnets.depth_mm: Input should be greater than 0; got -3"),
+        ("magnets.depth_mm=[3,-1]", "magnets.depth_mm.1: Input should be greater than 0; got -1"),
+        (
+            "magnets.depth_mm='deep'",
+            "magnets.depth_mm: Input should be a valid number or a valid tuple; got 'deep'",
+        ),
+        (
+            "environment.earth_direction='up'",
+            "environment.earth_direction: Input should be a valid tuple or 'random'; got 'up'",
+        ),
+        ("environment.earth_direction=[1,0]", "environment.earth_direction.2 is missing. Add it"),
+        (
+            "contact_grid.count=3",
+            "contact_grid.count: Input should be 'fill' or a valid tuple; got 3",
+        ),
+        (
+            "contact_grid.count=[1,5]",
+            "contact_grid.count.0: Input should be greater than or equal to 2; got 1",
+        ),
+        ("magnets.positions_mm=3", "magnets.positions_mm: Input should be a valid tuple; got 3"),
+    ],
+)
+def test_a_key_of_several_kinds_is_told_in_one_line(change, said):
+    assert said_of(change) == said
+
+
+def test_a_value_inside_a_table_of_several_kinds_is_told_in_one_line():
+    with pytest.raises(SpecError) as told:
+        StudySpec(name="s", specification="a.toml", grid={"body.size": [1, {"x": 2}]})
+    kinds = "integer or a valid number or a valid string or a valid boolean or a valid list"
+    assert str(told.value) == f"grid.body.size.1: Input should be a valid {kinds}"
