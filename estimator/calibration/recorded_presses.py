@@ -83,6 +83,51 @@ def require_presses_of(spec: ObjectSpec, presses: RecordedPresses) -> None:
         )
 
 
+def with_all_sensors(spec: ObjectSpec, recordings: Sequence[Recording]) -> list[Recording]:
+    """Generic recordings with room for all sensors of the object: columns that they lack are sensors
+    that were not recorded. Other formats have a fixed number of sensors, and stay as they are."""
+    return [
+        _with_room(recording, spec.sensors.count_per_face)
+        if recording.report.kind == "generic"
+        else recording
+        for recording in recordings
+    ]
+
+
+def _with_room(recording: Recording, sensors: int) -> Recording:
+    missing = max(0, sensors - recording.rest_counts.shape[2])
+    room = ((0, 0), (0, 0), (0, missing), (0, 0))
+    signals = np.pad(recording.frames.signal_counts, room, constant_values=np.nan)
+    return replace(
+        recording,
+        frames=replace(recording.frames, signal_counts=signals),
+        rest_counts=np.pad(recording.rest_counts, room, constant_values=np.nan),
+    )
+
+
+def sensors_not_recorded(
+    spec: ObjectSpec, recordings: Sequence[Recording]
+) -> list[tuple[int, int]]:
+    """Face and number of the object's sensors of which no recording has a reading.
+
+    Raises
+    ------
+    InputError
+        A face is pressed of which no sensor was recorded.
+    """
+    read = np.any([np.isfinite(one.rest_counts).any(axis=(0, 3)) for one in recordings], axis=0)
+    read = read[:, : spec.sensors.count_per_face]
+    faces = [face for face in spec.body.sensed if face <= RECORDED_FACES]
+    pressed = {int(face) for one in recordings for face in one.report.faces_pressed}
+    blind = [face for face in faces if face in pressed and not read[face - 1].any()]
+    if blind:
+        raise InputError(
+            f"face {blind[0]} is pressed, and none of its sensors was recorded: there is nothing to judge "
+            "such presses by. Give recordings that have its columns, or that press other faces"
+        )
+    return [(face, int(n) + 1) for face in faces for n in np.flatnonzero(~read[face - 1])]
+
+
 def on_sensed_faces(spec: ObjectSpec, presses: RecordedPresses) -> RecordedPresses:
     """Channels of the object's sensed faces alone, where recordings have room for all of a cube's and
     the others never spoke; as they are where that is not so."""

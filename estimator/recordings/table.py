@@ -13,6 +13,8 @@ FACES = (1, 2, 3, 4, 5)
 LARGEST_COUNT = 2.0**24
 LARGEST_FORCE_N = 1000.0
 LARGEST_PLACE_MM = 300.0
+_LEAST_FALLS = 3
+"""Steps back on end, without a step forward between them, that no clock started anew makes."""
 _SLOWEST_FRAME_S = 5.0
 """Median time between frames from which stamps are taken for another unit."""
 
@@ -68,7 +70,8 @@ def check_plausible(table: RawTable) -> None:
     ------
     RecordingError
         Counts beyond 24 bits, forces beyond 1 kN, places beyond 300 mm (or all within 0.1 mm of
-        the middle but not in it), or stamps that fall in most steps or are 5 s or more apart.
+        the middle but not in it), or stamps that fall in most steps, fall on end without a rise between
+        (rows in reverse order), or are 5 s or more apart.
     """
     check_signals(table.time_s, table.counts)
     _check_below("forces (N)", table.force_n, LARGEST_FORCE_N, "forces in N, not in g or mN")
@@ -98,17 +101,31 @@ def check_signals(
         raise RecordingError(
             f"time stamps reach {np.abs(time_s).max():.3g} s. Give seconds, not ms"
         )
-    falling = int(np.sum(np.diff(time_s) < 0))
-    if 2 * falling > len(time_s):
-        raise RecordingError(
-            f"time runs backwards from row to row in {falling} of {len(time_s) - 1} steps. Sort the "
-            "rows by time"
-        )
+    _check_order(time_s)
     step_s = float(np.median(np.diff(time_s))) if len(time_s) > 2 else 0.0
     if step_s >= _SLOWEST_FRAME_S:
         raise RecordingError(
             f"frames are {step_s:g} s apart (median). Give time stamps in s, not in ms"
         )
+
+
+def _check_order(time_s: Float[np.ndarray, "stamp"]) -> None:
+    """A clock that starts anew falls once and rises again; rows in reverse order fall on end, in whole
+    seconds with equal stamps between the falls."""
+    step = np.diff(time_s)
+    falling = int(np.sum(step < 0))
+    if 2 * falling > len(time_s):
+        raise RecordingError(
+            f"time runs backwards from row to row in {falling} of {len(step)} steps. Sort the rows by time"
+        )
+    changed = np.flatnonzero(step)
+    edges = np.flatnonzero(np.diff(step[changed] < 0, prepend=False, append=False))
+    for first, end in edges.reshape(-1, 2):
+        if end - first >= _LEAST_FALLS:
+            raise RecordingError(
+                f"time runs backwards from data row {changed[first] + 1} to {changed[end - 1] + 2}, in "
+                f"{end - first} steps on end: these rows are in reverse order. Sort the rows by time"
+            )
 
 
 def _check_below(what: str, values: np.ndarray, limit: float, right: str) -> None:

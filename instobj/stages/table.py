@@ -278,7 +278,7 @@ STAGES: dict[str, Stage] = {
             *("indenter", "inversion", "tolerances", "seed"),
         ),
         make_inversion,
-        version=4,
+        version=5,
         of_others=tangential_mechanics,
     ),
     "contact_metrics": Stage(

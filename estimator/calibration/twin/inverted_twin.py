@@ -82,12 +82,21 @@ def inverted_grasps(
     sensors = len(sensor_layout(spec).face)
     errors = np.maximum(sensor_errors(seen, twin.left, sensors), MESH_ERROR)
     found = inversion(spec, *presses, twin.signals(*presses), errors, twin.modulus_error, shear)
+    found = _with_noise(found, seen.noise_counts)
     wider = max(1.0, _beyond_regions(found, twin, seen))
     told = found.disturbances
     blind = np.full(len(told.noise_counts), BLIND)
     blind[seen.channels] = told.noise_counts[seen.channels]
     told = replace(told, noise_counts=blind, model_error=told.model_error * wider)
     return replace(found, disturbances=told)
+
+
+def _with_noise(inversion: Inversion, noise_counts: Float[np.ndarray, "3"]) -> Inversion:
+    """White noise as the labelled presses show it, in all channels that are read."""
+    told = inversion.disturbances
+    noise = np.tile(noise_counts, len(told.noise_counts) // 3)
+    noise = np.where(told.noise_counts < BLIND, noise, told.noise_counts)
+    return replace(inversion, disturbances=replace(told, noise_counts=noise))
 
 
 def _beyond_regions(inversion: Inversion, twin: GraspTwin, seen: PressedCases) -> float:

@@ -9,7 +9,12 @@ from jaxtyping import Float, Int
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec
-from estimator.calibration.twin.pressed_places import LEAST_FRAMES, within_reach, within_table
+from estimator.calibration.twin.pressed_places import (
+    LEAST_FRAMES,
+    white_noise_counts,
+    within_reach,
+    within_table,
+)
 from estimator.frames.dataset import NO_FACE, FrameSet
 from estimator.frames.heatmap import faces_pressed
 from estimator.frames.windows import all_counts
@@ -31,6 +36,7 @@ class PressedCases:
     counts : (case, level, channel) mean change against rest
     noise_counts2 : (case, level, channel) variance of each mean by white noise and zeroing
     chip_counts : (case, level, channel) rms change of the axes of the channel's chip
+    noise_counts : (axis,) white noise of a frame, as recorded where that is known
     """
 
     channels: Int[np.ndarray, "channel"]
@@ -40,6 +46,7 @@ class PressedCases:
     counts: Float[np.ndarray, "case level channel"]
     noise_counts2: Float[np.ndarray, "case level channel"]
     chip_counts: Float[np.ndarray, "case level channel"]
+    noise_counts: Float[np.ndarray, "3"]
 
     def __len__(self) -> int:
         return len(self.face)
@@ -82,7 +89,8 @@ def pressed_cases(spec: ObjectSpec, frames: FrameSet, forces: PressForces) -> Pr
         )
     levels = [np.array_split(rows, _LEVELS) for rows in cases]
     first = [rows[0] for rows in cases]
-    white = np.tile(np.square(spec.sensors.noise_counts), counts.shape[1] // 3)
+    noise = white_noise_counts(spec, frames.noise_counts if frames.source == "recorded" else None)
+    white = np.tile(noise**2, counts.shape[1] // 3)
 
     def means(of: np.ndarray) -> np.ndarray:
         return np.array([[of[level].mean(axis=0) for level in case] for case in levels])
@@ -102,6 +110,7 @@ def pressed_cases(spec: ObjectSpec, frames: FrameSet, forces: PressForces) -> Pr
         mean[..., channels],
         np.array([[noise2(level) for level in case] for case in levels]),
         chip_counts[..., channels],
+        noise,
     )
 
 

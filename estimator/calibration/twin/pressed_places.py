@@ -70,12 +70,17 @@ class PressedPlaces:
         """Variance of each mean alone: noise of its frames, and of their labelled forces through the
         signal's slope."""
         force_noise = spec.protocol.force_noise_n
-        noise = np.asarray(spec.sensors.noise_counts)
-        if self.noise_counts is not None:
-            noise = np.where(np.isfinite(self.noise_counts), self.noise_counts, noise)
-        white = noise[self.channels % 3]
+        white = white_noise_counts(spec, self.noise_counts)[self.channels % 3]
         slope = self.counts / np.maximum(self.force_n, 3 * force_noise)[..., None]
         return (white**2 + (force_noise * slope) ** 2) / self.frames[..., None]
+
+
+def white_noise_counts(
+    spec: ObjectSpec, recorded: Float[np.ndarray, "3"] | None
+) -> Float[np.ndarray, "3"]:
+    """Of a reading, as the recording shows it, or the specification's where none was recorded."""
+    noise = np.asarray(spec.sensors.noise_counts, float)
+    return noise if recorded is None else np.where(np.isfinite(recorded), recorded, noise)
 
 
 def within_table(

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from design.errors import InputError
+from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, spec_hash
 from instobj.stages.makers.twin import TRUSTED_PERCENT
@@ -95,6 +96,8 @@ def validate_on(
         on_sensed_faces,
         recorded_presses,
         require_presses_of,
+        sensors_not_recorded,
+        with_all_sensors,
     )
     from estimator.recordings.formats.travel import is_travel_recording
     from estimator.recordings.reading import read_recording
@@ -119,13 +122,15 @@ def validate_on(
     require_writable(out)
     run = Run(spec)
     with run.progress.stage("reading recordings"):
-        recorded = recorded_presses([read_recording(file) for file in recordings])
-        presses = on_sensed_faces(spec, recorded)
+        read = with_all_sensors(spec, [read_recording(file) for file in recordings])
+        presses = on_sensed_faces(spec, recorded_presses(read))
     require_presses_of(spec, presses)
+    absent = sensors_not_recorded(spec, read)
     problem, agreements, predictions = _compare(run, presses)
     tests = _calibrations(problem, exchanges, run.progress)
     freed = groups_freed(problem) if tests else {}
     document = _document(problem, agreements, predictions, tests, freed)
+    document["sensors_not_recorded"] = absent
     target = run_folder(out, spec.name)
     target.mkdir(parents=True, exist_ok=True)
     write_json(document, target / "validation.json")
@@ -246,7 +251,11 @@ def _published(
     draw_validation(spec, presses, predictions, document, figure)
     return {
         "command": "validate",
-        "texts": document["verdicts"] + calibration_texts(document),
+        "texts": [
+            *not_recorded_texts(document["sensors_not_recorded"], len(sensor_layout(spec).face)),
+            *document["verdicts"],
+            *calibration_texts(document),
+        ],
         "validation": json.loads(json.dumps(document)),
         "objects": [
             {
@@ -267,6 +276,17 @@ def _published(
             }
         ],
     }
+
+
+def not_recorded_texts(absent: list[tuple[int, int]], sensors: int) -> list[str]:
+    """Which sensors (face, number) the figures leave out; nothing where all were recorded."""
+    if not absent:
+        return []
+    named = ", ".join(f"{number} of face {face}" for face, number in absent)
+    return [
+        f"not recorded, and left out of all figures: sensor{'s' * (len(absent) > 1)} {named}; judged on the "
+        f"other {sensors - len(absent)} of {sensors}"
+    ]
 
 
 def agreement_rows(document: dict[str, Any]) -> list[dict[str, Any]]:

@@ -28,6 +28,8 @@ from estimator.calibration.recorded_presses import (
     pressed_faces,
     recorded_presses,
     require_presses_of,
+    sensors_not_recorded,
+    with_all_sensors,
 )
 from estimator.calibration.validation import (
     Figure,
@@ -321,6 +323,52 @@ def test_channels_of_faces_that_an_object_does_not_sense_are_left_out():
     foreign = replace(presses, signal_counts=np.zeros((2, 45)))
     with pytest.raises(InputError, match="45 channels"):
         require_presses_of(spec, on_sensed_faces(spec, foreign))
+
+
+@pytest.fixture(scope="module")
+def one_press(tmp_path_factory):
+    path = tmp_path_factory.mktemp("made") / "one.csv"
+    return read_recording(write_gripper(path, gripper_arrays(presses=1)))
+
+
+def made_of(recording, read, pressed=(3,), kind="generic"):
+    """The recording with readings of some (face, sensor), and other words in its report."""
+    where = np.where(read, 7.0, np.nan)[..., None] * np.ones(3)
+    frames = len(recording.frames), *where.shape
+    return replace(
+        recording,
+        frames=replace(recording.frames, signal_counts=np.broadcast_to(where, frames).copy()),
+        rest_counts=np.broadcast_to(where, (1, *where.shape)).copy(),
+        report=replace(recording.report, kind=kind, faces_pressed=pressed),
+    )
+
+
+def test_sensors_without_columns_are_named_and_leave_room_in_the_channels(one_press):
+    """Three sensors a face; the recordings have two, and none of the second of face 2."""
+    spec = coarse_spec(body={"sensed_faces": (2, 3)})
+    read = np.zeros((5, 2), bool)
+    read[[1, 2, 2], [0, 0, 1]] = True
+    given = [made_of(one_press, read), made_of(one_press, read, kind="gripper")]
+    found, gripper = with_all_sensors(spec, given)
+    np.testing.assert_array_equal(
+        found.frames.signal_counts[:, :, :2], given[0].frames.signal_counts
+    )
+    assert found.rest_counts.shape == (1, 5, 3, 3)
+    assert np.isnan(found.frames.signal_counts[:, :, 2]).all()
+    assert gripper.rest_counts.shape == (1, 5, 2, 3)
+    assert sensors_not_recorded(spec, [found]) == [(2, 2), (2, 3), (3, 3)]
+    whole = made_of(one_press, np.ones((5, 3), bool))
+    assert sensors_not_recorded(spec, [found, whole]) == []
+
+
+def test_a_pressed_face_of_which_no_sensor_was_recorded_is_refused(one_press):
+    spec = coarse_spec(body={"sensed_faces": (2, 3)})
+    read = np.ones((5, 3), bool)
+    read[2] = False
+    absent = sensors_not_recorded(spec, [made_of(one_press, read, (2,))])
+    assert absent == [(3, 1), (3, 2), (3, 3)]
+    with pytest.raises(InputError, match="face 3 is pressed, and none of its sensors was recorded"):
+        sensors_not_recorded(spec, [made_of(one_press, read, (2, 3))])
 
 
 @pytest.mark.parametrize(

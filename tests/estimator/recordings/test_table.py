@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from design.errors import RecordingError
-from estimator.recordings.table import RawTable, channel_name, check_plausible
+from estimator.recordings.table import RawTable, channel_name, check_plausible, check_signals
 
 FRAMES = 5
 SOUND = RawTable(
@@ -79,3 +79,20 @@ def test_rows_from_last_to_first_are_refused_and_a_single_step_back_is_not():
     with pytest.raises(RecordingError, match="backwards from row to row in 4 of 4 steps"):
         check_plausible(replace(SOUND, time_s=SOUND.time_s[::-1]))
     check_plausible(replace(SOUND, time_s=np.array([0.0, 0.1, 0.2, 0.0, 0.1])))
+
+
+def in_whole_seconds(*parts):
+    """Stamps of four frames a second."""
+    return np.repeat(np.concatenate(parts).astype(float), 4)
+
+
+def test_rows_in_reverse_order_among_others_are_refused_and_clocks_started_anew_are_not():
+    """They would be as many presses as the clock steps back."""
+    check_signals(in_whole_seconds([5, 6], [0, 1], [8, 9], [2, 3]), SOUND.counts)
+    check_signals(in_whole_seconds([0, 1, 2, 9, 8, 7, 10]), SOUND.counts)  # two steps back on end
+    with pytest.raises(
+        RecordingError, match=r"from data row 16 to 25, in 3 steps .* Sort the rows"
+    ):
+        check_signals(in_whole_seconds([0, 1, 2, 9, 8, 7, 6, 10]), SOUND.counts)
+    with pytest.raises(RecordingError, match="from data row 4 to 17, in 4 steps"):
+        check_signals(in_whole_seconds([4, 3, 2, 1, 0]), SOUND.counts)

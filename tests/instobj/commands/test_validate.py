@@ -11,7 +11,11 @@ from design.spec_io import load_spec
 from estimator.calibration.recorded_presses import RecordedPresses
 from estimator.calibration.resting import channel_names, read_resting
 from estimator.signals.presses import rest_counts
-from instobj.commands.recorded.validate import calibration_texts, exchanged_cases
+from instobj.commands.recorded.validate import (
+    calibration_texts,
+    exchanged_cases,
+    not_recorded_texts,
+)
 from tests.support.cli import CUBE, assert_one_clear_error, run
 from tests.support.recordings.made_recordings import gripper_arrays, write_gripper
 
@@ -171,6 +175,13 @@ def test_an_object_that_is_the_drawing_is_called_so(permutations):
 def test_calibration_without_exchanges_is_told():
     document = {"cases": [[]] * 2, "calibration_tests": []}
     assert "cannot be told: 2 sets of places" in calibration_texts(document)[0]
+
+
+def test_sensors_that_were_not_recorded_are_told_first():
+    (said,) = not_recorded_texts([(2, 2), (3, 3)], 6)
+    assert "sensors 2 of face 2, 3 of face 3; judged on the other 4 of 6" in said
+    assert ": sensor 1 of face 5;" in not_recorded_texts([(5, 1)], 15)[0]
+    assert not_recorded_texts([], 6) == []
 
 
 def test_validate_refuses_what_is_no_recording(tmp_path):

@@ -96,6 +96,25 @@ def test_a_mean_s_variance_is_of_its_frames_and_of_the_zeros_of_its_presses(trai
     assert zeros > 1
 
 
+def test_noise_is_the_recording_s_where_one_is_known(trained, seen):
+    """Simulated presses have the specification's, and so has an axis that was never at rest."""
+    noise = np.array([3.0, np.nan, 70.0])
+    told = replace(trained, noise_counts=noise, source="recorded")
+    found = pressed_cases(SPEC, told, presses()[0])
+    expected = np.array([3.0, SPEC.sensors.noise_counts[1], 70.0])
+    assert_allclose(found.noise_counts, expected)
+    assert_allclose(seen.noise_counts, SPEC.sensors.noise_counts)
+    frames = np.array([len(part) for part in np.array_split(rows_of(trained, 0), 4)])
+    more = np.tile(expected**2 - np.square(SPEC.sensors.noise_counts), 15)[found.channels]
+    assert_allclose(
+        found.noise_counts2[0] - seen.noise_counts2[0], more / frames[:, None], atol=1e-9
+    )
+
+
+def rows_of(frames, case):
+    return np.flatnonzero(frames.place_id == case)
+
+
 def test_an_object_that_is_not_the_drawing_is_told(built, trained, twin):
     chips = np.random.default_rng(1).permutation(15)
 
@@ -119,15 +138,17 @@ def predicted(seen, twin):
     return mechanics.expected(np.zeros(len(twin.unknowns))).reshape(seen.counts.shape)
 
 
-def test_a_channel_that_was_dead_in_training_is_not_read(seen, twin):
+def test_a_channel_that_was_dead_in_training_is_not_read_others_with_its_noise(seen, twin):
     kept = np.arange(1, len(seen.channels))
     part = {
         name: getattr(seen, name)[..., kept] for name in ("counts", "noise_counts2", "chip_counts")
     }
-    without = replace(seen, channels=seen.channels[kept], **part)
+    noise = np.array([3.0, 50.0, 70.0])
+    without = replace(seen, channels=seen.channels[kept], noise_counts=noise, **part)
     found = inverted_grasps(SPEC, presses()[:2], replace(twin, left=twin.left[..., kept]), without)
     assert (1, 0, 0) not in found.channels
     assert len(found.channels) == 44
+    assert_allclose(found.disturbances.noise_counts[1:], np.tile(noise, 15)[1:])
 
 
 def test_errors_of_sensors_are_what_is_left_over(seen):

@@ -50,7 +50,7 @@ def seen_as(counts):
     case, level = counts.shape[:2]
     return PressedCases(
         np.arange(4), np.full((case, 1), 3), np.zeros((case, 1, 2)), np.ones((case, level, 1)),
-        counts, Linear.noise2, chip,
+        counts, Linear.noise2, chip, np.ones(3),
     )  # fmt: skip
 
 
