@@ -12,6 +12,7 @@ from design.spec.renamed import under_names_now
 Coordinate = Annotated[float, Field(ge=-500, le=500)]
 ProbePose = tuple[Coordinate, Coordinate, Annotated[float, Field(ge=-360, le=360)]]
 """Centre of a probe in the face's frame (x, y in mm) and its turn about the normal (degrees)."""
+CollectionKind = Literal["paper", "grasp", "continuous"]
 SensedFace = Annotated[int, Field(ge=1, le=6)]
 
 _ROWS: tuple[ProbePose, ...] = (
@@ -39,7 +40,7 @@ class CollectionSpec(SpecPart):
     `hysteresis` is the loop's width at half force over the peak, without rate.
     """
 
-    kind: Literal["paper", "grasp", "continuous"] = "paper"
+    kind: CollectionKind = "paper"
     faces: Annotated[tuple[SensedFace, ...], Field(min_length=1)] = (1, 2, 3, 4, 5)
     frames_per_case: Annotated[int, Field(ge=4)] = 1000
     non_contact_cases: Annotated[int, Field(ge=1)] = 3

@@ -5,14 +5,15 @@ from __future__ import annotations
 import shutil
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 from design.errors import StoreError
 from design.files import atomic_path
+from design.spec.learning import CollectionKind
 from design.spec.object import ObjectSpec
 from design.spec_io import spec_hash
 from instobj.store.content import StoredResult
-from instobj.store.readers import published_files
+from instobj.store.readers import FRAMES, collection_path, published_files
 from instobj.store.record import RECORD
 
 _BESIDE_THE_PARTS = ("fabrication", "sheet")
@@ -28,8 +29,16 @@ def run_folder(out: Path, name: str) -> Path:
 
 
 def run_name(data_set: Path) -> str:
-    """Name of the results on a data set or recording: that of the file, of `frames.nc` its folder's."""
-    return data_set.absolute().parent.name if data_set.stem == "frames" else data_set.stem
+    """Name of the results on a data set or recording: that of the file, of `frames.nc` its folder's.
+
+    Simulated recordings, `frames_<kind>.nc`, are called so in every run: their results lie in a folder
+    of that kind below the run's own (`cube/grasp`), beside what other runs and this one made.
+    """
+    folder, stem = data_set.absolute().parent.name, data_set.stem
+    if stem == Path(FRAMES.name).stem:
+        return folder
+    kinds = {collection_path(Path(), kind).name: kind for kind in get_args(CollectionKind)}
+    return f"{folder}/{kinds[data_set.name]}" if data_set.name in kinds else stem
 
 
 def own_folder(started: bool, with_twin: bool) -> str:
