@@ -9,7 +9,7 @@ from collections.abc import Callable
 import numpy as np
 
 from design.errors import InputError
-from instobj.rig.grbl import MachineFault, until
+from instobj.rig.grbl import Listening, MachineFault, until
 from instobj.rig.grbl_lines import ALARMS, KEPT_POSITION
 from instobj.rig.mounting import safe_height_mm
 from instobj.rig.plan import PressSettings
@@ -116,15 +116,17 @@ def settle(
     MachineFault
         It stands still and answers nothing more: characters were lost.
     """
-    link, changed_s, seen = station.machine, time.monotonic(), -1
+    link, listening, seen = station.machine, Listening(_SILENT_S + dwell_s), -1
+    changed_s = listening.now_s
 
     def tick() -> None:
         nonlocal changed_s, seen
         station.tick()
+        now_s = listening.look()
         idle = link.state is not None and link.state.name == "Idle"
         if not idle or link.unanswered != seen:
-            changed_s, seen = time.monotonic(), link.unanswered
-        elif time.monotonic() - changed_s > _SILENT_S + dwell_s:
+            changed_s, seen = now_s, link.unanswered
+        elif now_s - changed_s > _SILENT_S + dwell_s:
             raise MachineFault(f"{link.where}: {seen} lines without answer. Characters were lost")
 
     def over() -> bool:
@@ -231,6 +233,17 @@ def press(
         largest_n = max(largest_n, force_n)
     require_at(station, (*spot.machine_mm, station.safe_mm))
     return largest_n
+
+
+def end_rows(station: Station) -> None:
+    """Record no more, and wait for travel and force of the frames that came last, a second at most."""
+    station.recording, listening = False, Listening(_SILENT_S)
+    last_s = listening.now_s + _SILENT_S
+
+    def over() -> bool:
+        return not station.waiting or listening.look() > last_s
+
+    until(station.machine, station.tick, over, "the last frames' travel", _PATIENCE_S)
 
 
 def _strokes(

@@ -30,6 +30,27 @@ from instobj.rig.grbl_lines import (
 GRBL_BAUD = 115_200
 
 
+_SLOWEST_LOOKS = 5
+"""Looks, at least, before anything is called silent."""
+
+
+class Listening:
+    """Seconds spent listening: a program that was kept from looking, by a busy or
+    suspended computer, heard nothing meanwhile, whoever spoke. From one look to the next passes a fifth
+    of `patience_s` at most."""
+
+    def __init__(self, patience_s: float) -> None:
+        self._most_s = patience_s / _SLOWEST_LOOKS
+        self._looked_s = self.now_s = time.monotonic()
+
+    def look(self) -> float:
+        """The time now."""
+        now_s = time.monotonic()
+        self.now_s += min(now_s - self._looked_s, self._most_s)
+        self._looked_s = now_s
+        return self.now_s
+
+
 class MachineFault(InputError):
     """The machine did not do what it was told."""
 
@@ -186,9 +207,10 @@ def until(
     MachineFault
         It was not, for `patience_s`.
     """
-    give_up_s = time.monotonic() + patience_s
+    listening = Listening(patience_s)
+    give_up_s = listening.now_s + patience_s
     while not met():
-        if time.monotonic() > give_up_s:
+        if listening.look() > give_up_s:
             state = "no state" if link.state is None else link.state.name
             raise MachineFault(
                 f"{link.where}: {what} did not come within {patience_s:g} s (last: {state}, "

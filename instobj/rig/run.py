@@ -15,7 +15,7 @@ from design.layout.tips import tip_places_mm
 from design.spec.object import ObjectSpec
 from estimator.recordings.boards.growing import growing_recording
 from estimator.recordings.boards.link import serial_chunks
-from instobj.rig.cycle import greet, home, press, raise_tip, take_tare
+from instobj.rig.cycle import end_rows, greet, home, press, raise_tip, take_tare
 from instobj.rig.grbl import grbl_link, until
 from instobj.rig.grbl_lines import TRAVEL_SETTINGS
 from instobj.rig.journal import Journal
@@ -179,6 +179,7 @@ def _presses(station: Station, spec: ObjectSpec, journal: Journal, say: Say) -> 
         largest_n = press(station, spot, height_mm, plan.settings, rest_frames)
         journal.note("finished", press=number, row=_rows(station), largest_n=round(largest_n, 3))
         say(f"press {len(journal.finished)} of {len(plan)}: {largest_n:.2f} N")
+    end_rows(station)
 
 
 def _rows(station: Station) -> int:

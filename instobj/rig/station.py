@@ -13,7 +13,7 @@ from design.errors import InputError
 from estimator.recordings.boards.growing import GrowingRecording
 from estimator.recordings.boards.lines import Frame, Header, LineDecoder, Load
 from estimator.recordings.boards.link import BoardClock
-from instobj.rig.grbl import GrblLink, MachineFault
+from instobj.rig.grbl import GrblLink, Listening, MachineFault
 from instobj.rig.grbl_lines import State
 
 ASIDE_MM = 0.1
@@ -61,7 +61,6 @@ class LoadCell:
         self.recent_n.append(force_n)
         self.times_s.append(time_s)
         self.readings += 1
-        self.heard_s = time.monotonic()
 
     def mean_n(self, readings: int) -> float:
         """Mean of the last readings, with the tare."""
@@ -118,14 +117,18 @@ class Station:
     channels: tuple[str, ...] = ()
     frames: int = 0
     without_force: int = 0
-    frame_s: float = 0.0
     cell: LoadCell = field(default_factory=LoadCell)
     decoder: LineDecoder = field(default_factory=LineDecoder)
     clock: BoardClock = field(default_factory=BoardClock)
     _rows: deque[_Row] = field(default_factory=deque)
     _states: int = 0
+    _board_s: float = 0.0
     _state_s: float = 0.0
     _asked_s: float = 0.0
+    _listening: Listening = field(init=False)
+
+    def __post_init__(self) -> None:
+        self._listening = Listening(self.lost_s)
 
     def stop(self) -> None:
         """End as if a fault had come."""
@@ -140,9 +143,10 @@ class Station:
             A force beyond the limit (the feed is stopped already), a line that broke off or is silent,
             a machine that faults or is where it may not be, or Ctrl-C.
         """
+        self._listening.look()
+        self._take_machine()  # reports that waited here are older than the frames that come now
         came = self._take_board() + self._take_loads()
-        self.machine.poll()
-        self._take_state()
+        self._take_machine()
         if self.watching:
             self._watch()
         now_s = time.monotonic()
@@ -153,7 +157,12 @@ class Station:
 
     def expect(self) -> None:
         """Count silence from now on."""
-        self.frame_s = self.cell.heard_s = self._state_s = time.monotonic()
+        self._board_s = self.cell.heard_s = self._state_s = self._listening.now_s
+
+    @property
+    def waiting(self) -> bool:
+        """Whether rows wait for their travel or their force."""
+        return bool(self._rows)
 
     def close_rows(self) -> None:
         """Write rows whose travel never came without it; count those without a force."""
@@ -202,6 +211,7 @@ class Station:
 
     def _take_force(self, force_n: float, time_s: float) -> None:
         self.cell.take(force_n, time_s)
+        self.cell.heard_s = self._listening.now_s
         self._label_rows()
         if self.watching and abs(self.cell.force_n) > self.limit_n:
             self.machine.hold()
@@ -215,23 +225,25 @@ class Station:
         self.channels = header.channels
 
     def _take_frame(self, frame: Frame) -> None:
-        self.frames, self.frame_s = self.frames + 1, time.monotonic()
-        self._ask(self.frame_s)
+        self.frames += 1
+        self._board_s, heard_s = self._listening.now_s, time.monotonic()
+        self._ask(heard_s)
         if not self.recording or self.growing is None or self.spot is None:
             return
         time_s = self.clock.time_s(frame.board_ms, time.time())
         tips = [value for tip in self.spot.tips_mm for value in tip]
         head = [time_s, float(self.growing.session), float(self.resting)]
-        at_s = frame.board_ms / 1000 if self.loads is None else self.frame_s
+        at_s = frame.board_ms / 1000 if self.loads is None else heard_s
         label = [float(self.spot.face), *tips]
         self._rows.append(_Row(at_s, [*head, *frame.counts], label))
         self._label_rows()
 
-    def _take_state(self) -> None:
+    def _take_machine(self) -> None:
+        self.machine.poll()
         state = self.machine.state
         if state is None or self.machine.states == self._states:
             return
-        self._states, self._state_s = self.machine.states, time.monotonic()
+        self._states, self._state_s = self.machine.states, self._listening.now_s
         for row in self._rows:
             if row.travel_mm is None:
                 row.travel_mm = self.surface_mm - state.position_mm[2]
@@ -270,10 +282,10 @@ class Station:
             )
 
     def _watch(self) -> None:
-        now_s = time.monotonic()
+        now_s = self._listening.now_s
         if self.stopped:
             raise InputError("stopped by the user")
-        heard = {"board": self.frame_s, "load cell": self.cell.heard_s}
+        heard = {"board": self._board_s, "load cell": self.cell.heard_s}
         if self.machine.trusted:
             heard["machine"] = self._state_s
         for who, heard_s in heard.items():

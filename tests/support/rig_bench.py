@@ -1,11 +1,14 @@
 """A press rig without hardware: Grbl machine, board and load cell on pseudo-terminals, one object below.
 
 Time runs as fast as the host answers: it asks the machine's state after every frame, and the bench
-waits for that. So the host's own slowness costs no simulated time.
+waits until the frame was read and then asked for. So the host's own slowness costs no simulated time.
 """
 
+import fcntl
 import os
 import select
+import sys
+import termios
 import threading
 import time
 import tty
@@ -17,6 +20,7 @@ from estimator.recordings.boards.lines import Load, encode_frame, encode_header,
 from tests.support.grbl_simulator import GrblSimulator
 
 FRAME_S, STEP_S = 0.1, 0.01
+_PATIENCE_S = 5.0
 MIDDLE_MM, TOP_MM = (-150.0, -100.0), -8.0
 
 
@@ -50,6 +54,11 @@ class Line:
     def write(self, data):
         with suppress(BlockingIOError, OSError):
             os.write(self.master, data)
+
+    def unread(self):
+        """Bytes that the host has not taken yet."""
+        count = fcntl.ioctl(self.slave, termios.FIONREAD, b"\0" * 4)
+        return int.from_bytes(count, sys.byteorder)
 
     def close(self):
         os.close(self.master)
@@ -144,19 +153,19 @@ class Bench:
         self.frames += 1
 
     def _answered(self):
-        """Wait for what the host says to the machine after a frame: half a second at most, or nothing
-        where it has been silent for three frames."""
-        line, until = (
-            self.lines["machine"],
-            time.monotonic() + (0.5 if self.unanswered < 3 else 0.002),
-        )
+        """Wait for what the host says to the machine once it has read a frame (what it says before is
+        answered too): some seconds at most, or nothing where it has been silent for three frames."""
+        line, patience_s = self.lines["machine"], _PATIENCE_S if self.unanswered < 3 else 0.002
+        until = time.monotonic() + patience_s
         self.unanswered += 1
         while time.monotonic() < until and not self._stop.is_set():
+            frame_read = not self.lines["board"].unread()
             if data := line.read():
                 self.machine.take(data)
                 line.write(self.machine.give())
                 self.unanswered = 0
-                return
+                if frame_read:
+                    return
             time.sleep(0.0002)
 
 

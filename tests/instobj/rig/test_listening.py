@@ -1,0 +1,84 @@
+"""Silence on a busy computer: told of what was listened to, not of a program that was kept waiting."""
+
+from types import SimpleNamespace
+
+import pytest
+
+from instobj.rig import cycle, grbl, station
+from instobj.rig.grbl import GrblLink, MachineFault, until
+from instobj.rig.station import Silence, Station
+
+LOST_S = 3.0
+
+
+@pytest.fixture
+def clock(monkeypatch):
+    """Time that passes by hand; each nap of a tick lasts a tenth of a second."""
+    made = SimpleNamespace(now=1000.0)
+
+    def sleep(_):
+        made.now += 0.1
+
+    time = SimpleNamespace(monotonic=lambda: made.now, sleep=sleep, time=lambda: made.now)
+    for module in (cycle, grbl, station):
+        monkeypatch.setattr(module, "time", time)
+    return made
+
+
+def silent_station():
+    """A machine that answers nothing, no board and no load cell; what it says is given by hand."""
+    said = []
+    line = SimpleNamespace(read=lambda _: said.pop() if said else b"", write=len)
+    made = Station(GrblLink(line, "machine"), None, None, 5.0, LOST_S)
+    made.machine.trusted = True
+    return made, said
+
+
+def ticked(made, clock, apart_s):
+    """A hundred ticks."""
+    for _ in range(100):
+        clock.now += apart_s
+        made.tick()
+
+
+def test_a_program_that_was_kept_waiting_does_not_call_the_machine_silent(clock):
+    made, said = silent_station()
+    made.expect()
+    made.tick()
+    clock.now += 60.0
+    made.tick()
+    said.append(b"<Idle|MPos:0.000,0.000,0.000|FS:0,0>\r\n")
+    made.tick()  # it answers once it is asked; boards and load cells speak unasked
+    heard_s = clock.now
+    made.cell.heard_s = made._board_s = 0.0
+    with pytest.raises(Silence, match="machine has said nothing for 3 s"):
+        ticked(made, clock, 0.0)
+    assert clock.now - heard_s == pytest.approx(LOST_S, abs=0.25)
+
+
+def test_some_slow_ticks_are_enough_to_tell_silence(clock):
+    made, _ = silent_station()
+    made.expect()
+    began_s = clock.now
+    with pytest.raises(Silence):
+        ticked(made, clock, 30.0)
+    assert 4 <= round((clock.now - began_s) / 30) <= 6
+
+
+def test_lines_without_answer_are_told_after_a_second_of_listening(clock):
+    """A standstill that lasts while the program is kept waiting is none."""
+    made, _ = silent_station()
+    made.tick = lambda: setattr(clock, "now", clock.now + (30.0 if clock.now < 1010 else 0.1))
+    made.machine.state = SimpleNamespace(name="Idle")
+    made.machine.send("G0")
+    with pytest.raises(MachineFault, match="1 lines without answer"):
+        cycle.settle(made)
+    assert 1030.7 < clock.now < 1031.2
+
+
+def test_patience_is_of_listening_too(clock):
+    met, link = iter([False] * 3 + [True]), silent_station()[0].machine
+    until(link, lambda: setattr(clock, "now", clock.now + 50.0), lambda: next(met), "it", 60.0)
+    with pytest.raises(MachineFault, match="it did not come within 2 s"):
+        until(link, lambda: setattr(clock, "now", clock.now + 0.1), lambda: False, "it", 2.0)
+    assert clock.now == pytest.approx(1152.1, abs=0.15)
