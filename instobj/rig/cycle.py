@@ -24,6 +24,8 @@ _TRIES, _TRYING_S = 20, 20.0
 """To raise the tip: a line in which every eleventh character is lost comes whole now and then."""
 _ARRIVED_MM = 0.03
 _SILENT_S = 1.0
+_WITHOUT_BOARD = 5
+"""Times the patience where the board's clock stands still too."""
 _AVERAGED = 3
 _LARGEST_DRIFT_N = 1.0
 
@@ -114,19 +116,23 @@ def settle(
     Raises
     ------
     MachineFault
-        It stands still and answers nothing more: characters were lost.
+        It stands still and answers nothing more, by our clock and the board's: characters were lost.
     """
-    link, listening, seen = station.machine, Listening(_SILENT_S + dwell_s), -1
-    changed_s = listening.now_s
+    link, silent_s, seen = station.machine, _SILENT_S + dwell_s, -1
+    listening = Listening(silent_s)
+    changed_s = listening.now_s, station.frame_ms / 1000
 
     def tick() -> None:
         nonlocal changed_s, seen
         station.tick()
-        now_s = listening.look()
+        now_s = listening.look(), station.frame_ms / 1000
         idle = link.state is not None and link.state.name == "Idle"
         if not idle or link.unanswered != seen:
             changed_s, seen = now_s, link.unanswered
-        elif now_s - changed_s > _SILENT_S + dwell_s:
+        elif (
+            min(now_s[0] - changed_s[0], now_s[1] - changed_s[1]) > silent_s
+            or now_s[0] - changed_s[0] > _WITHOUT_BOARD * silent_s
+        ):
             raise MachineFault(f"{link.where}: {seen} lines without answer. Characters were lost")
 
     def over() -> bool:

@@ -116,6 +116,7 @@ class Station:
     growing: GrowingRecording | None = None
     channels: tuple[str, ...] = ()
     frames: int = 0
+    frame_ms: int = 0
     without_force: int = 0
     cell: LoadCell = field(default_factory=LoadCell)
     decoder: LineDecoder = field(default_factory=LineDecoder)
@@ -225,7 +226,7 @@ class Station:
         self.channels = header.channels
 
     def _take_frame(self, frame: Frame) -> None:
-        self.frames += 1
+        self.frames, self.frame_ms = self.frames + 1, frame.board_ms
         self._board_s, heard_s = self._listening.now_s, time.monotonic()
         self._ask(heard_s)
         if not self.recording or self.growing is None or self.spot is None:

@@ -265,7 +265,7 @@ STAGES: dict[str, Stage] = {
         of_others=pretraining_twins,
     ),
     "networks": Stage(
-        "estimator: training", ("frames",), ("training", "seed"), make_networks, version=11
+        "estimator: training", ("frames",), ("training", "seed"), make_networks, version=12
     ),
     "metrics": Stage(
         "estimator: held-out presses", ("frames", "networks"), (), make_metrics, version=5

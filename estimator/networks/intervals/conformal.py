@@ -15,6 +15,7 @@ from __future__ import annotations
 
 import numpy as np
 from jaxtyping import Float, Int
+from scipy.special import stdtrit
 
 from design.errors import InputError
 
@@ -48,3 +49,18 @@ def conformal_quantile(
     level = cover if pooled_folds else min(1.0, cover * (len(count) + 1) / len(count))
     index = min(int(np.searchsorted(share, level - 1e-9)), len(score) - 1)
     return float(score[order][index])
+
+
+def student_bound(
+    error: Float[np.ndarray, "frame"], group: Int[np.ndarray, "frame"], cover: float
+) -> float:
+    """Error below which a frame of a new group falls with the given probability, if groups err normally
+    about 0.
+
+    Frames of a group err alike, so each of K groups tells the variance with one degree of freedom:
+    the bound is Student's t of K degrees times the root mean square over the groups. It serves where
+    groups are too few for `conformal_quantile`, whose largest error covers K / (K + 1) alone.
+    """
+    _, number, count = np.unique(group, return_inverse=True, return_counts=True)
+    squares = np.bincount(number, error**2) / count
+    return float(stdtrit(len(count), (1 + cover) / 2) * np.sqrt(squares.mean()))

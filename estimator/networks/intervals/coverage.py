@@ -20,7 +20,7 @@ from torch import Tensor, nn
 
 from estimator.frames.face_data import Channel, FaceData, channel_counts
 from estimator.networks.forest import fit_forest
-from estimator.networks.intervals.conformal import conformal_quantile
+from estimator.networks.intervals.conformal import conformal_quantile, student_bound
 from estimator.networks.process import fit_process
 
 REFERENCE_FRAMES = 600
@@ -117,42 +117,60 @@ def slopes_at_places_left_out(
     learn.
 
     A process errs at a new place by much the same in all frames, so that its errors are those of
-    cases. With fewer of them than the level needs (nine at 90 %) the largest error counts
-    (`conformal_quantile`), and the place may be anywhere on the grid: its slope is no less than the
-    radius about what was answered that holds so much of the grid. With a single contact case none
-    can be left out: a place may then be anywhere, and a force anything up to the largest.
+    cases. With fewer of them than the level needs (nine at 90 %) even the largest error, which
+    `conformal_quantile` then takes, covers too little of a case to come: the force's slope is no less
+    than `student_bound`, but no more by this than the largest force, and as the place may be
+    anywhere on the grid, its slope is no less than the radius about what was answered that holds so
+    much of the grid. With a single contact case none can be left out: a place may then be anywhere,
+    and a force anything up to the largest.
     """
     rng = np.random.default_rng(seed)
     if len(data) > _PLACE_FRAMES:
         data = data.select(np.sort(rng.permutation(len(data))[:_PLACE_FRAMES]))
     cases = rng.permutation(np.unique(data.frames.place_id[data.contact]))
+    largest_n = float(data.heatmap_n.sum(axis=(1, 2)).max())
     if len(cases) < 2:
-        largest_n = float(data.heatmap_n.sum(axis=(1, 2)).max())
         return Slopes(largest_n, _radius_of_grid(data, data.centre_mm[data.contact], cover))
-    rows = []
+    parts = []
     for some in np.array_split(cases, min(_PLACE_GROUPS, len(cases))):
         left_out = np.isin(data.frames.place_id, some) & data.contact
         known, novel = data.select(~left_out), data.select(left_out)
-        counts = torch.as_tensor(channel_counts(novel.frames, channels).astype(np.float32))
-        with torch.inference_mode():
-            if of_process:
-                grown = np.ones(len(novel))
-                answer = fit_process(known, channels, seed)(counts)
-            else:
-                distance = reference_of(known, channels, sigma_counts, 0).distance(counts)
-                grown = growth(distance.double() / scale).clamp(min=_LEAST_GROWTH).numpy()
-                answer = fit_forest(known, channels, _PLACE_TREES, seed=0)(counts)
-        force_n, xy_mm = (column.double().numpy() for column in answer)
-        missed_n = np.abs(force_n - novel.heatmap_n.sum(axis=(1, 2)))
-        away_mm = np.linalg.norm(xy_mm - novel.centre_mm, axis=1)
-        rows.append((novel.frames.place_id, missed_n / grown, away_mm / grown, xy_mm))
-    case, missed, away, said_mm = (np.concatenate(column) for column in zip(*rows, strict=True))
+        parts.append(_missed(known, novel, channels, sigma_counts, scale, seed, of_process))
+    case, missed, away, said_mm = (np.concatenate(column) for column in zip(*parts, strict=True))
     force, place = (
         conformal_quantile(score, case, cover, pooled_folds=not of_process)
         for score in (missed, away)
     )
-    few = of_process and cover * (len(cases) + 1) > len(cases)
-    return Slopes(force, max(place, _radius_of_grid(data, said_mm, cover)) if few else place)
+    if not of_process or cover * (len(cases) + 1) <= len(cases):
+        return Slopes(force, place)
+    force = max(force, min(student_bound(missed, case, cover), largest_n))
+    return Slopes(force, max(place, _radius_of_grid(data, said_mm, cover)))
+
+
+def _missed(
+    known: FaceData,
+    novel: FaceData,
+    channels: tuple[Channel, ...],
+    sigma_counts: Float[np.ndarray, "channel"],
+    scale: float,
+    seed: int,
+    of_process: bool,
+) -> tuple[np.ndarray, ...]:
+    """Of frames at cases that were not learned: the case, errors of force (N) and place (mm) over the
+    growth there, and the place that was answered."""
+    counts = torch.as_tensor(channel_counts(novel.frames, channels).astype(np.float32))
+    with torch.inference_mode():
+        if of_process:
+            grown = np.ones(len(novel))
+            answer = fit_process(known, channels, seed)(counts)
+        else:
+            distance = reference_of(known, channels, sigma_counts, 0).distance(counts)
+            grown = growth(distance.double() / scale).clamp(min=_LEAST_GROWTH).numpy()
+            answer = fit_forest(known, channels, _PLACE_TREES, seed=0)(counts)
+    force_n, xy_mm = (column.double().numpy() for column in answer)
+    missed_n = np.abs(force_n - novel.heatmap_n.sum(axis=(1, 2)))
+    away_mm = np.linalg.norm(xy_mm - novel.centre_mm, axis=1)
+    return novel.frames.place_id, missed_n / grown, away_mm / grown, xy_mm
 
 
 def _radius_of_grid(data: FaceData, said_mm: Float[np.ndarray, "frame 2"], cover: float) -> float:

@@ -65,15 +65,23 @@ def test_some_slow_ticks_are_enough_to_tell_silence(clock):
     assert 4 <= round((clock.now - began_s) / 30) <= 6
 
 
-def test_lines_without_answer_are_told_after_a_second_of_listening(clock):
-    """A standstill that lasts while the program is kept waiting is none."""
+@pytest.mark.parametrize(("board_rate", "told_s"), [(1.0, 1.0), (0.25, 4.0), (0.0, 5.0)])
+def test_lines_without_answer_are_told_after_a_second_of_listening(clock, board_rate, told_s):
+    """Neither a time in which the program is kept waiting counts nor one in which the board's clock is
+    slow; where that stands still, five seconds are enough."""
     made, _ = silent_station()
-    made.tick = lambda: setattr(clock, "now", clock.now + (30.0 if clock.now < 1010 else 0.1))
+    began_s = clock.now
+
+    def tick():
+        clock.now += 30.0 if clock.now == began_s else 0.05
+        made.frame_ms = round(1000 * board_rate * (clock.now - began_s - 29.95))
+
+    made.tick = tick
     made.machine.state = SimpleNamespace(name="Idle")
     made.machine.send("G0")
     with pytest.raises(MachineFault, match="1 lines without answer"):
         cycle.settle(made)
-    assert 1030.7 < clock.now < 1031.2
+    assert clock.now - began_s - 29.95 == pytest.approx(told_s, abs=0.3)
 
 
 def test_patience_is_of_listening_too(clock):

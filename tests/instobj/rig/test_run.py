@@ -6,6 +6,7 @@ import signal
 import subprocess
 import sys
 import time
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -28,11 +29,10 @@ LOST_S = 3.0
 def options(made, tmp_path, presses=2, numbers=False, **choice):
     spec = tmp_path / "cube.toml"
     spec.write_text('name = "cube"\n[contact_grid]\ncount = [2, 2]\npitch_mm = 12.0\n')
-    ports = Ports(made.port, made.board_port, lost_s=LOST_S)
+    ports = Ports(made.port, made.board_port)
     if numbers:
-        ports = Ports(
-            made.port, made.board_port, made.load_port, load_scale=9.80665e-3, lost_s=LOST_S
-        )
+        ports = Ports(made.port, made.board_port, made.load_port, load_scale=9.80665e-3)
+    ports = replace(ports, lost_s=choice.pop("lost_s", LOST_S))
     given = {
         "faces": (3,),
         "mounting": Mounting(MIDDLE_MM, 0.0),
@@ -80,7 +80,7 @@ def test_presses_are_done_as_planned_and_recorded(tmp_path, numbers):
     with bench() as made:
         made.machine.late_ok_s = 0.15
         made.numbers_on_load_line = numbers
-        found = rig(options(made, tmp_path, numbers=numbers), yes)
+        found = rig(options(made, tmp_path, numbers=numbers, lost_s=60.0), yes)
         assert not made.machine.overflowed
         require_tip_up(made)
     rows = rows_of(tmp_path)
