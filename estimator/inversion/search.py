@@ -230,14 +230,14 @@ def _best_of_frame(problems: Problems, kept: int) -> Int[np.ndarray, "n"]:
     """Rows of the sets of least misfit of each frame, of one number of contacts each, equal ones once."""
     number = problems.number
     order = np.lexsort((problems.misfit, number, problems.frame))
+    columns = (part[order].tolist() for part in (problems.frame, number, problems.misfit))
     chosen: list[int] = []
-    group, of_group = (-1, -1), []
-    for row in order.tolist():
-        if (problems.frame[row], number[row]) != group:
-            group, of_group = (problems.frame[row], number[row]), []
-        misfit = problems.misfit[row]
-        if len(of_group) < kept and not any(abs(misfit - other) < _EQUAL for other in of_group):
-            of_group.append(misfit)
+    group, taken, last = (-1, -1), 0, 0.0
+    for row, frame, contacts, misfit in zip(order.tolist(), *columns, strict=True):
+        if (frame, contacts) != group:
+            group, taken = (frame, contacts), 0
+        if taken < kept and not (taken and misfit - last < _EQUAL):
+            taken, last = taken + 1, misfit
             chosen.append(row)
     return np.array(chosen, int)
 

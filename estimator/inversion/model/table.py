@@ -29,8 +29,15 @@ FORCE_NODES = 14
 _NEAR_ZERO_N = 0.5
 """Nodes stand evenly in the root of the force beyond this."""
 _FIRST_ROOT = np.sqrt(_NEAR_ZERO_N)
-_DERIVED = [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]
+_DERIVED = np.array([[0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])[..., None]
 """Whether value and derivatives by x, y and force take an axis's weights or their derivatives."""
+_OF_X, _OF_Y, _OF_FORCE = (
+    2 * node + by
+    for node, by in zip(
+        (np.arange(4), np.repeat(np.arange(4), 4), np.tile(np.arange(4), 4)), _DERIVED, strict=True
+    )
+)
+"""Where an axis's (node, derivative) stands for x, and for every pair of y and force."""
 _CHUNK = 128
 """Contacts at a time, whose coefficients fit a second-level cache."""
 _STEP_X, _STEP_Y = (step.ravel() for step in np.meshgrid(range(4), range(4), indexing="ij"))
@@ -85,11 +92,11 @@ class PressTable:
         root = shifted_root - _FIRST_ROOT
         first, along = self._axes.weights((contact[:, 0], contact[:, 1], root))
         along[2, :, :, 1] /= (2 * shifted_root)[:, None]
-        in_x, in_y, in_f = (
-            one[:, :, by].swapaxes(1, 2) for one, by in zip(along, _DERIVED, strict=True)
-        )
-        weights = in_x[:, :, :, None, None] * in_y[:, :, None, :, None] * in_f[:, :, None, None, :]
-        return (face, *first), weights.reshape(len(face), 4, 64).astype(np.float32)
+        of_x, of_y, of_force = along.astype(np.float32).reshape(3, len(face), 8)
+        weights = of_y.take(_OF_Y, axis=1)
+        weights *= of_force.take(_OF_FORCE, axis=1)
+        weights = of_x.take(_OF_X, axis=1)[..., None] * weights[:, :, None]
+        return (face, *first), weights.reshape(len(face), 4, 64)
 
     @cached_property
     def _axes(self) -> CubicAxes:
