@@ -6,8 +6,9 @@ default), and so do the figures here; walls between parallel planes come out exa
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from jaxtyping import Bool, Float
@@ -271,6 +272,35 @@ def distance_mm(
     surface = pyvista.PolyData.from_regular_faces(mesh.vertices, mesh.faces)
     cloud = pyvista.PolyData(np.ascontiguousarray(points_mm, float))
     return abs(np.asarray(cloud.compute_implicit_distance(surface)["implicit_distance"], float))
+
+
+def boolean_of(
+    operation: Literal["union", "difference", "intersection"], meshes: Sequence[trimesh.Trimesh]
+) -> trimesh.Trimesh:
+    """A boolean of closed surfaces: of a difference, the first without the others.
+
+    trimesh would measure centres of mass first, which took a sixth of all the time of a mould's half.
+
+    Raises
+    ------
+    ValueError
+        A surface is not closed, or looks inwards.
+    """
+    import trimesh
+
+    if not all(_is_closed_outwards(mesh) for mesh in meshes):
+        raise ValueError("Not all meshes are volumes!")
+    return getattr(trimesh.boolean, operation)(meshes, engine="manifold", check_volume=False)
+
+
+def _is_closed_outwards(mesh: trimesh.Trimesh) -> bool:
+    return mesh.is_watertight and mesh.is_winding_consistent and signed_mm3(mesh) > 0
+
+
+def signed_mm3(piece: trimesh.Trimesh) -> float:
+    """Volume, below 0 of a void; of nothing too, where trimesh divides by it."""
+    one, two, three = np.moveaxis(np.asarray(piece.triangles), 1, 0)
+    return float(np.einsum("ij,ij->", np.cross(one, two), three)) / 6
 
 
 def manifold_of(mesh: trimesh.Trimesh) -> Manifold:

@@ -10,7 +10,7 @@ from design.body.meshes import manifold_of
 from design.body.surface_chart import FaceFrame
 from design.fabrication.finding import Finding, at_least, place_of
 from design.layout.blocks import block_manifold
-from design.layout.boards import Mounted, mounted_sensors, wire_bundle_mm
+from design.layout.boards import Mounted, mounted_sensors, wire_bundle_mm, wire_holes
 from design.layout.body import face_frames
 from design.layout.mould.frame import play_mm
 from design.layout.places.positions import cover_mm
@@ -109,8 +109,9 @@ def check_electronics(spec: ObjectSpec, core: trimesh.Trimesh) -> list[Finding]:
 
 
 def _wires(spec: ObjectSpec) -> Finding:
-    core, bundle = spec.core, wire_bundle_mm(spec)
-    room = min(core.wire_hole_top_diameter_mm, core.wire_hole_side_diameter_mm) - bundle
+    bundle, holes = wire_bundle_mm(spec), wire_holes(spec)
+    key = min(holes, key=lambda name: holes[name].diameter_mm)
+    room = holes[key].diameter_mm - bundle
     return Finding(
         "wires in their hole",
         "core",
@@ -119,7 +120,8 @@ def _wires(spec: ObjectSpec) -> Finding:
         "mm",
         at_least(room, 0.0),
         f"the narrowest hole less the bundle of {bundle:.2f} mm of a face's wires. Below the limit: "
-        f"widen core.wire_hole_*_diameter_mm to {ceil(100 * bundle - 1e-6) / 100:g} or take thinner wires",
+        f"widen core.{key} to {ceil(100 * bundle - 1e-6) / 100:g} or take thinner wires",
+        place_of(holes[key].end_mm),
     )
 
 

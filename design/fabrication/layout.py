@@ -23,7 +23,7 @@ from design.layout.pockets import (
     sensor_places,
     shell_pockets,
 )
-from design.solids.magnet_template import thinnest_mark_wall_mm
+from design.layout.template_marks import thinnest_mark_wall_mm
 from design.spec.object import ObjectSpec
 
 

@@ -5,18 +5,26 @@ from __future__ import annotations
 from math import floor
 from typing import TYPE_CHECKING
 
+import numpy as np
+from jaxtyping import Float
+
 from design.body.meshes import sharpest_edge, thinnest_wall
 from design.build.parts import Part
 from design.fabrication.finding import Finding, at_least, place_of
+from design.layout.blocks import core_keys, relief_slits
+from design.layout.boards import all_wire_channels, wire_holes
+from design.layout.body import face_frames
 from design.layout.core_hold import locators
 from design.layout.mould.frame import mould_style
-from design.layout.pockets import shell_pockets
+from design.layout.pockets import Pocket, shell_pockets
+from design.mould.openings import mould_holes
 from design.mould.whole import has_mould
 from design.spec.object import ObjectSpec
 
 if TYPE_CHECKING:
     import trimesh
 
+Point = Float[np.ndarray, "3"]
 _TIGHT = 1.25
 SHARPEST_DEG = 40.0
 
@@ -91,60 +99,81 @@ def _rising(
 
 
 def check_features(spec: ObjectSpec) -> list[Finding]:
-    """Holes, channels, keys, fins and bosses against what the printer resolves."""
-    core, printer, slits = spec.core, spec.printer, spec.shell.slits
-    found = [
-        _feature(f"wire hole, {where}", "core", getattr(core, key), printer.hole_mm, f"core.{key}")
-        for where, key in (
-            ("top", "wire_hole_top_diameter_mm"),
-            ("sides", "wire_hole_side_diameter_mm"),
-        )
-    ]
+    """Holes, channels, keys, fins and bosses against what the printer resolves.
+
+    Places are in the object's frame: of the first of those that are alike.
+    """
+    core, printer = spec.core, spec.printer
+    found = list[Finding]()
+    for key, hole in wire_holes(spec).items():
+        name, least = f"wire hole, {'top' if 'top' in key else 'sides'}", printer.hole_mm
+        found.append(_feature(name, "core", hole.diameter_mm, least, f"core.{key}", hole.end_mm))
     if width := core.wire_channel_width_mm:
-        key = "core.wire_channel_width_mm"
-        found.append(_feature("wire channel", "core", width, printer.hole_mm, key))
+        key, channels = "core.wire_channel_width_mm", all_wire_channels(spec)
+        place = channels[0].centre_mm if channels else None
+        found.append(_feature("wire channel", "core", width, printer.hole_mm, key, place))
     if core.keys.positions_mm:
-        narrow, name = min(core.keys.size_mm), "anti-slip key"
+        narrow, name, place = min(core.keys.size_mm), "anti-slip key", core_keys(spec)[0].centre_mm
         found += [
-            _feature(name, "core", narrow, printer.feature_mm, "core.keys.size_mm"),
-            _aspect(name, "core", core.keys.height_mm, narrow, spec, "core.keys.height_mm"),
+            _feature(name, "core", narrow, printer.feature_mm, "core.keys.size_mm", place),
+            _aspect(name, "core", core.keys.height_mm, narrow, spec, place, "core.keys.height_mm"),
         ]
-    if slits.depth_mm:
-        part, name, wide = _mould(spec), "fin of a slit", slits.width_mm
-        found += [
-            _feature(name, part, wide, printer.wall_mm, "shell.slits.width_mm"),
-            _aspect(name, part, slits.depth_mm, wide, spec, "shell.slits.depth_mm"),
-        ]
+    found += _fins(spec) if spec.shell.slits.depth_mm else []
     return found + (_bosses(spec) + _holding(spec) if has_mould(spec) else [])
+
+
+def _fins(spec: ObjectSpec) -> list[Finding]:
+    """Fins of the mould that form the shell's slits."""
+    slits, part, name = spec.shell.slits, _mould(spec), "fin of a slit"
+    place, wide = relief_slits(spec)[0].centre_mm, slits.width_mm
+    return [
+        _feature(name, part, wide, spec.printer.wall_mm, "shell.slits.width_mm", place),
+        _aspect(name, part, slits.depth_mm, wide, spec, place, "shell.slits.depth_mm"),
+    ]
 
 
 def _holding(spec: ObjectSpec) -> list[Finding]:
     """Pins that hold the core of a closed body, and vents."""
     found = [
-        _aspect("locating pin", f"mould_locator_{k}", locator.depth_mm, 2 * locator.radius_mm, spec)
+        _aspect(
+            "locating pin",
+            f"mould_locator_{k}",
+            locator.depth_mm,
+            2 * locator.radius_mm,
+            spec,
+            locator.frame.centre_mm,
+        )
         for k, locator in enumerate(locators(spec), start=1)
     ]
     if spec.mould.vent_mm is not None:
-        wide = spec.mould.vent_mm
-        found.append(_feature("vent", "mould", wide, spec.printer.hole_mm, "mould.vent_mm"))
+        wide, vents = spec.mould.vent_mm, [h for h in mould_holes(spec) if h.use == "vent"]
+        place = vents[0].start_mm if vents else None
+        found.append(_feature("vent", "mould", wide, spec.printer.hole_mm, "mould.vent_mm", place))
     return found
 
 
 def _bosses(spec: ObjectSpec) -> list[Finding]:
+    """The narrowest and the most slender of all that form pockets."""
     part = "mould_box" if mould_style(spec) == "one-piece" else "mould_pin"
-    pockets = [pocket for face in shell_pockets(spec) for pocket in face]
-    narrow = min(2 * min(pocket.outline.half_mm) for pocket in pockets)
-    slender = max(
-        (-pocket.axis_ends_mm[0, 2] - spec.shell.seal_layer_mm)
-        / pocket.axis[2]
-        / (2 * min(pocket.outline.half_mm))
+    placed = [
+        (pocket, frame.to_object(pocket.axis_ends_mm[0]))
+        for frame, pockets in zip(face_frames(spec), shell_pockets(spec), strict=True)
         for pocket in pockets
-    )
+    ]
+
+    def width(pocket: Pocket) -> float:
+        return 2 * min(pocket.outline.half_mm)
+
+    def slender(pocket: Pocket) -> float:
+        high = -pocket.axis_ends_mm[0, 2] - spec.shell.seal_layer_mm
+        return float(high / pocket.axis[2] / width(pocket))
+
+    narrow, at = min(placed, key=lambda one: width(one[0]))
+    tall, there = max(placed, key=lambda one: slender(one[0]))
+    key, name, least = "shell.pocket_diameter_mm", "boss of a pocket", spec.printer.feature_mm
     return [
-        _feature(
-            "boss of a pocket", part, narrow, spec.printer.feature_mm, "shell.pocket_diameter_mm"
-        ),
-        _aspect("boss of a pocket", part, float(slender), 1.0, spec),
+        _feature(name, part, width(narrow), least, key, at),
+        _aspect(name, part, slender(tall), 1.0, spec, there),
     ]
 
 
@@ -152,22 +181,31 @@ def _mould(spec: ObjectSpec) -> str:
     return "mould_box" if mould_style(spec) == "one-piece" else "mould_half_a"
 
 
-def _feature(what: str, part: str, value: float, limit: float, key: str) -> Finding:
+def _feature(
+    what: str, part: str, value: float, limit: float, key: str, at_mm: Point | None
+) -> Finding:
     text = (
         f"{what}: width. Below what the printer resolves it closes or breaks: make it wider ({key} of "
         f"{limit:g} or more)"
     )
-    return Finding("smallest feature", part, value, limit, "mm", at_least(value, limit), text)
+    place, status = None if at_mm is None else place_of(at_mm), at_least(value, limit)
+    return Finding("smallest feature", part, value, limit, "mm", status, text, place)
 
 
 def _aspect(
-    what: str, part: str, height: float, width: float, spec: ObjectSpec, key: str = ""
+    what: str,
+    part: str,
+    height: float,
+    width: float,
+    spec: ObjectSpec,
+    at_mm: Point,
+    key: str = "",
 ) -> Finding:
     limit, value = spec.printer.aspect, height / width
     status = "pass" if value <= limit else "warn"
     most = f" ({key} of {floor(100 * limit * width + 1e-6) / 100:g} or less)" if key else ""
     text = f"{what}: height over width. Beyond the limit it may break off: make it wider or lower{most}"
-    return Finding("slenderness", part, value, limit, "", status, text)
+    return Finding("slenderness", part, value, limit, "", status, text, place_of(at_mm))
 
 
 def check_inhibition(spec: ObjectSpec) -> list[Finding]:

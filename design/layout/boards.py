@@ -100,12 +100,18 @@ def cuts_of_core(spec: ObjectSpec) -> list[Block]:
     """Recesses of the sensors and wire channels; none where the sensors sit in the shell."""
     if spec.arrangement != "sensors-in-core":
         return []
-    channels = [
+    return [*sensor_recesses(spec), *all_wire_channels(spec)]
+
+
+def all_wire_channels(spec: ObjectSpec) -> list[Block]:
+    """Wire channels of all faces of the core, up to its surface; none where the sensors sit in the shell."""
+    if spec.arrangement != "sensors-in-core":
+        return []
+    return [
         channel
         for frame, places in board_places(spec)
         for channel in wire_channels(spec, frame, [place for place, _ in places], 0.0)
     ]
-    return [*sensor_recesses(spec), *channels]
 
 
 def wire_bundle_mm(spec: ObjectSpec) -> float:
@@ -159,12 +165,32 @@ def smallest_recess_wall_mm(spec: ObjectSpec, sunk: bool = True) -> float:
     return float(_gaps_mm(one, other).min())
 
 
+@dataclass(frozen=True)
+class WireHole:
+    """A hole for wires in the middle of a face of the core, and its end in the core's surface (mm)."""
+
+    diameter_mm: float
+    end_mm: Float[np.ndarray, "3"]
+
+
+def wire_holes(spec: ObjectSpec) -> dict[str, WireHole]:
+    """Of every key that gives wire holes their diameter, the first hole that has it, face by face."""
+    found: dict[str, WireHole] = {}
+    for frame in core_frames(spec):
+        hole = WireHole(wire_hole_diameter_mm(spec, frame.number), frame.centre_mm)
+        found.setdefault(_wire_hole_key(spec, frame.number), hole)
+    return found
+
+
 def wire_hole_diameter_mm(spec: ObjectSpec, face: int) -> float:
     """Of the hole in the middle of a face of the core."""
-    core = spec.core
+    return getattr(spec.core, _wire_hole_key(spec, face))
+
+
+def _wire_hole_key(spec: ObjectSpec, face: int) -> str:
     if face == _TOP_FACE and not body_of(spec).sampled:
-        return core.wire_hole_top_diameter_mm
-    return core.wire_hole_side_diameter_mm
+        return "wire_hole_top_diameter_mm"
+    return "wire_hole_side_diameter_mm"
 
 
 def passage_radius_mm(spec: ObjectSpec) -> float:

@@ -7,13 +7,14 @@ but mould lies above it, else out along the surface's normal, or between the two
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 import cadquery as cq
 import numpy as np
+from jaxtyping import Float
 
-from design.body.meshes import Trap, high_points, manifold_of
+from design.body.meshes import Trap, boolean_of, high_points, manifold_of
 from design.body.triangles import cylinder_between
 from design.layout.body import body_of
 from design.layout.mould.closure import flange_span_mm
@@ -44,6 +45,8 @@ _LEAST_TRAP_MM = 0.1
 """Bubbles less high than this are left: triangles of curved surfaces make dents of a third of it."""
 _SHIFTS_MM, _WAYS = (0.5, 1.0, 1.5, 2.0), 12
 """From a high point to where a vent stands as well, and directions of these."""
+_ROUND = 24
+"""Of places along the rim of a bore."""
 _LOWER_MM = 0.5 * _LEAST_TRAP_MM
 """By which a vent that is shifted may begin below its high point."""
 
@@ -76,8 +79,7 @@ def seal_holes(spec: ObjectSpec) -> tuple[Hole, ...]:
         return ()
     pour, shell = pour_holes(spec, first=False), sealed_round(spec)
     pins = pins_of(spec, first=False)
-    vents = [_vent(spec, shell, pins, trap) for trap in air_traps(spec, shell, pour)]
-    return (*pour, *(vent for vent in vents if vent is not None))
+    return (*pour, *_vents_of(spec, shell, pins, pour))
 
 
 def sealed_round(spec: ObjectSpec) -> trimesh.Trimesh:
@@ -99,23 +101,32 @@ def air_traps(spec: ObjectSpec, shell: trimesh.Trimesh, holes: tuple[Hole, ...])
     frame, way = mould_frame(spec), up(spec)
     whole = shell
     if holes:
-        import trimesh
-
-        surfaces = [shell, *(hole.surface() for hole in holes)]
-        whole = trimesh.boolean.union(surfaces, engine="manifold")
+        whole = boolean_of("union", [shell, *(hole.surface() for hole in holes)])
     rim = frame.rim_mm if frame.opening != "closed" else float(far_mm(spec)) / 2
     return high_points(whole, way, rim, max(_LEAST_TRAP_MM, 1.5 * spec.mesh.envelope_mm))
 
 
 def _vents(spec: ObjectSpec, pour: tuple[Hole, ...]) -> list[Hole]:
-    shell = sampled_shell(spec)
-    pins = pins_of(spec, first=True)
-    vents = [_vent(spec, shell, pins, trap) for trap in air_traps(spec, shell, pour)]
-    return [vent for vent in vents if vent is not None]
+    return _vents_of(spec, sampled_shell(spec), pins_of(spec, first=True), pour)
+
+
+def _vents_of(
+    spec: ObjectSpec, silicone: trimesh.Trimesh, pins: tuple[Pin, ...], pour: tuple[Hole, ...]
+) -> list[Hole]:
+    """One for every high point, each beside pouring holes and the vents before it."""
+    found = list[Hole]()
+    for trap in air_traps(spec, silicone, pour):
+        vent = _vent(spec, silicone, pins, trap, [*pour, *found])
+        found += [] if vent is None else [vent]
+    return found
 
 
 def _vent(
-    spec: ObjectSpec, shell: trimesh.Trimesh, pins: tuple[Pin, ...], trap: Trap
+    spec: ObjectSpec,
+    shell: trimesh.Trimesh,
+    pins: tuple[Pin, ...],
+    trap: Trap,
+    holes: Sequence[Hole] = (),
 ) -> Hole | None:
     """The first of some ways on which neither silicone nor a pin is, and which leaves no thin wall to the
     seam, to a side of the flange or to another hole, if there is one; or None."""
@@ -129,7 +140,7 @@ def _vent(
         if not (
             hole_thins_the_seam(spec, hole)
             or _thin_at_flange(spec, hole)
-            or thin_beside_others(spec, hole, pins)
+            or thin_beside_others(spec, hole, pins, holes)
         ):
             return hole
         found = found or hole
@@ -139,7 +150,8 @@ def _vent(
 def _ways_out(
     spec: ObjectSpec, solid: Manifold, trap: Trap
 ) -> Iterator[tuple[np.ndarray, np.ndarray]]:
-    """Where a vent may begin, and in which direction: from the high point, then beside it straight up."""
+    """Where a vent may begin, and in which direction: from the high point, then beside it straight up, or
+    elsewhere on the level rim round a bore."""
     above = up(spec)
     yield from ((trap.place_mm, above + outward * trap.normal) for outward in (0.0, 0.5, 1.0, 2.0))
     side = np.cross(above, np.eye(3)[int(abs(above).argmin())])
@@ -153,15 +165,33 @@ def _ways_out(
             hits = solid.ray_cast(*ends)
             if hits:
                 yield np.asarray(hits[0].position), above
+    if mould_frame(spec).opening == "bore":
+        yield from ((place, above) for place in _round_the_rod(solid, trap.place_mm, above))
+
+
+def _round_the_rod(
+    solid: Manifold, place_mm: Float[np.ndarray, "3"], above: Float[np.ndarray, "3"]
+) -> Iterator[Float[np.ndarray, "3"]]:
+    """Places of the silicone as high as one of its points, turned from there about the axis; the nearest
+    first."""
+    for step in range(1, _ROUND // 2 + 1):
+        for turn in 2 * np.pi / _ROUND * np.array([step, -step]):
+            cosine, sine = np.cos(turn), np.sin(turn)
+            x, y, z = place_mm
+            turned = np.array([cosine * x - sine * y, sine * x + cosine * y, z])
+            turned[:2] *= 1 + _SKIN_MM / max(float(np.hypot(x, y)), _SKIN_MM)
+            hits = solid.ray_cast(tuple(turned + above), tuple(turned - _LOWER_MM * above))
+            if hits:
+                yield np.asarray(hits[0].position)
 
 
 def holes_thin_walls(spec: ObjectSpec) -> bool:
-    """Whether holes for pouring or for air leave walls to the parting plane, or to holes of pins or a rod,
-    that are too thin."""
-    pins = pins_of(spec, first=True)
+    """Whether holes for pouring or for air leave walls to the parting plane, to holes of pins or a rod, or to
+    each other, that are too thin."""
+    pins, holes = pins_of(spec, first=True), mould_holes(spec)
     return any(
-        hole_thins_the_seam(spec, hole) or thin_beside_others(spec, hole, pins)
-        for hole in mould_holes(spec)
+        hole_thins_the_seam(spec, hole) or thin_beside_others(spec, hole, pins, holes[:index])
+        for index, hole in enumerate(holes)
     )
 
 

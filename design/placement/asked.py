@@ -78,8 +78,13 @@ def _larger(request: Request) -> Iterator[str]:
     if whole is not None:
         scale = f" (scale = {dict(whole.file)['scale']:.4g})" if whole.file else ""
         yield f"The smallest of that shape that works is about {_told(whole)}{scale}"
-    if thicker is not None and (whole is None or thicker.size_mm != whole.size_mm):
+    if thicker is not None and (whole is None or _shorter_somewhere(thicker, whole)):
         yield f"{'with' if whole else 'With'} its short edges longer about {_told(thicker)} works"
+
+
+def _shorter_somewhere(one: Request, other: Request) -> bool:
+    """Whether one size is below the other along any edge."""
+    return any(a < b for a, b in zip(one.size_mm, other.size_mm, strict=True))
 
 
 def _told(request: Request) -> str:

@@ -29,8 +29,10 @@ from design.placement.paths import long_path_mm
 from design.placement.patterns import Shares, magnet_patterns, sensor_patterns
 from design.placement.room import (
     low_rim,
+    narrow_heads,
     outlet_room_mm,
     tight_core,
+    tight_marks,
     tight_middle,
     tight_rim,
     tight_shell,
@@ -321,7 +323,7 @@ def _with_magnets(
     request: Request, tables: Tables, shares: tuple[float, ...], counts: tuple[int, ...]
 ) -> Tables | None:
     """Most magnets first; of their patterns and spreads, over each face or alike on all, the one with the
-    shortest signal paths."""
+    shortest signal paths, if any with a template and pins that can be printed."""
     diameter = tables["shell"]["pocket_diameter_mm"]
     counts = counts if request.magnets is None else (request.magnets,)
     halves = np.array([frame.half_extents_mm for frame in face_frames(spec_of(tables))])
@@ -334,9 +336,14 @@ def _with_magnets(
             magnets = {"diameter_mm": diameter, "positions_mm": places}
             spec = spec_of(tables | {"magnets": magnets})
             tried.append((long_path_mm(spec, sensors), magnets, spec))
+        spare = None
         for _, magnets, spec in sorted(tried, key=lambda one: one[0]):
             if fits(spec, mould=False) and not tight_shell(spec) and can_be_moulded(spec):
-                return tables | {"magnets": magnets}
+                if not (tight_marks(spec) or narrow_heads(spec)):
+                    return tables | {"magnets": magnets}
+                spare = spare or tables | {"magnets": magnets}
+        if spare:
+            return spare
     return None
 
 

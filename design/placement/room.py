@@ -16,6 +16,8 @@ from design.layout.boards import (
     smallest_recess_wall_mm,
 )
 from design.layout.body import body_of, face_frames
+from design.layout.mould.frame import mould_style
+from design.layout.mould.pins import least_rim_mm, loose_pins
 from design.layout.places.positions import shell_covers_mm
 from design.layout.pockets import (
     Pocket,
@@ -24,6 +26,7 @@ from design.layout.pockets import (
     sensor_places,
     shell_pockets,
 )
+from design.layout.template_marks import thinnest_mark_wall_mm
 from design.spec.object import ObjectSpec
 
 Points = Float[np.ndarray, "point 3"]
@@ -135,6 +138,19 @@ def tight_shell(spec: ObjectSpec) -> bool:
     )
     beside = min(_beside_mm(frame, pocket) for frame, pocket, _ in placed)
     return not np.min([over, under, between, beside]) >= least
+
+
+def tight_marks(spec: ObjectSpec) -> bool:
+    """Whether marks of polarity leave walls too thin to print on the templates of flat faces."""
+    if not all(frame.flat for frame in face_frames(spec)):
+        return False
+    return thinnest_mark_wall_mm(spec) < spec.printer.wall_mm
+
+
+def narrow_heads(spec: ObjectSpec) -> bool:
+    """Whether pins of a split mould stand so close that their heads rest on rims too narrow to print."""
+    pins = loose_pins(spec) if mould_style(spec) == "split" else ()
+    return bool(pins) and pins[0].rim_mm < least_rim_mm(spec)
 
 
 def _beside_mm(frame: FaceFrame, pocket: Pocket) -> float:

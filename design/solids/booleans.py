@@ -7,13 +7,13 @@ triangles among its operands is done with triangles, everything else stays exact
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, TypeAlias
+from typing import Any, Literal, TypeAlias
 
 import cadquery as cq
 import numpy as np
 import trimesh
 
-from design.body.meshes import one_closed_surface
+from design.body.meshes import boolean_of, one_closed_surface, signed_mm3
 from design.solids.primitives import single_solid
 
 Shape: TypeAlias = cq.Shape | trimesh.Trimesh
@@ -85,18 +85,12 @@ def pieces_that_meet(shape: Shape, other: Shape) -> Shape:
         kept = [solid for solid in solids if volume_mm3(common(solid, other)) > 0]
         return shape if len(kept) == len(solids) else cq.Compound.makeCompound(kept)
     pieces = shape.split(only_watertight=False)
-    solid = [piece for piece in pieces if abs(_signed_mm3(piece)) > _NOTHING_MM3]
+    solid = [piece for piece in pieces if abs(signed_mm3(piece)) > _NOTHING_MM3]
     kept = [piece for piece in solid if piece.volume < 0 or volume_mm3(common(piece, other)) > 0]
     if len(kept) == len(pieces):
         return shape
     joined: Any = trimesh.util.concatenate(kept)
     return joined
-
-
-def _signed_mm3(piece: trimesh.Trimesh) -> float:
-    """Volume, below 0 of a void; of nothing too, where trimesh divides by it."""
-    one, two, three = np.moveaxis(np.asarray(piece.triangles), 1, 0)
-    return float(np.einsum("ij,ij->", np.cross(one, two), three)) / 6
 
 
 def without_offcuts(shape: Shape, share: float) -> Shape:
@@ -107,7 +101,7 @@ def without_offcuts(shape: Shape, share: float) -> Shape:
         kept = [solid for solid in solids if volume_mm3(solid) >= least]
         return shape if len(kept) == len(solids) else cq.Compound.makeCompound(kept)
     pieces = shape.split(only_watertight=False)
-    sizes = [_signed_mm3(piece) for piece in pieces]
+    sizes = [signed_mm3(piece) for piece in pieces]
     least = share * max(sizes)
     whole = [p for p, size in zip(pieces, sizes, strict=True) if size < 0 or size >= least]
     joined: Any = shape if len(whole) == len(pieces) else trimesh.util.concatenate(whole)
@@ -132,6 +126,8 @@ def _exact(*shapes: Shape) -> list[cq.Shape]:
     return exact if len(exact) == len(shapes) else []
 
 
-def _manifold(operation: str, shapes: Sequence[Shape]) -> Any:
+def _manifold(
+    operation: Literal["union", "difference", "intersection"], shapes: Sequence[Shape]
+) -> Any:
     meshes = [as_triangles(shape) for shape in shapes]
-    return getattr(trimesh.boolean, operation)(meshes, engine="manifold")
+    return boolean_of(operation, meshes)

@@ -19,14 +19,8 @@ from design.body.surface_chart import FaceFrame
 from design.body.triangles import Block, block_surface
 from design.layout.mould.frame import play_mm
 from design.layout.pockets import Pocket
-from design.solids.magnet_template import (
-    MARK_DEPTH_MM,
-    MARK_LENGTH_MM,
-    MARK_WIDTH_MM,
-    PLATE_MM,
-    mark_place,
-    pockets_by_face,
-)
+from design.layout.template_marks import bars, mark_places, pockets_by_face
+from design.solids.magnet_template import MARK_DEPTH_MM, PLATE_MM
 from design.spec.object import ObjectSpec
 
 if TYPE_CHECKING:
@@ -70,8 +64,8 @@ def make_curved_template(spec: ObjectSpec, face: int) -> trimesh.Trimesh:
     play, half = play_mm(spec), _half_mm(frame, pockets)
     sheet = _sheet(frame, half, (play, play + PLATE_MM))
     tools = [_hole(frame, pocket, play) for pocket in pockets]
-    for index, polarity in enumerate(spec.magnets.polarities):
-        place = mark_place(pockets, index, half)
+    places = mark_places(spec, pockets, half)
+    for place, polarity in zip(places, spec.magnets.polarities, strict=True):
         tools += _mark(frame, place, polarity, play + PLATE_MM)
     corner = np.asarray(half) * (0.5**0.5 if frame.round else 1.0)
     tools.append(_rod(frame, corner, NOTCH_MM))
@@ -177,8 +171,7 @@ def _mark(
     frame: FaceFrame, place_mm: np.ndarray, polarity: int, top_mm: float
 ) -> list[trimesh.Trimesh]:
     """Bars of + or −, cut into the outside of the sheet."""
-    long, wide, half = MARK_LENGTH_MM / 2, MARK_WIDTH_MM / 2, (MARK_DEPTH_MM + _OVER_MM) / 2
+    half = (MARK_DEPTH_MM + _OVER_MM) / 2
     centre = frame.to_object(np.append(place_mm, top_mm - MARK_DEPTH_MM + half))
-    bars = [(long, wide), (wide, long)] if polarity > 0 else [(long, wide)]
     axes = frame.axes_at(place_mm)
-    return [block_surface(Block(centre, axes, np.array([*bar, half]))) for bar in bars]
+    return [block_surface(Block(centre, axes, np.array([*bar, half]))) for bar in bars(polarity)]

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from design.body.meshes import one_closed_surface
+from design.body.meshes import boolean_of, one_closed_surface
 from design.body.sampled import sampled_core
 from design.body.surface_chart import FaceFrame
 from design.body.triangles import block_surface
@@ -172,7 +172,4 @@ def _placed(axes: np.ndarray, origin_mm: np.ndarray) -> np.ndarray:
 
 
 def _one(body: trimesh.Trimesh, removed: list[trimesh.Trimesh], name: str) -> trimesh.Trimesh:
-    import trimesh
-
-    part = trimesh.boolean.difference([body, *removed], engine="manifold")
-    return one_closed_surface(part, name)
+    return one_closed_surface(boolean_of("difference", [body, *removed]), name)

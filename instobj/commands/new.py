@@ -30,6 +30,7 @@ from design.layout.mould.frame import (
 )
 from design.placement.asked import placements
 from design.placement.objects import Request, Tables, spec_of
+from design.placement.room import narrow_heads
 from design.spec.body import MM, BodySpec
 from design.spec.object import ObjectSpec
 
@@ -195,12 +196,13 @@ def _turned(tables: Tables, azimuth_deg: float) -> Tables:
 
 
 def _leaves_walls(tables: Tables) -> bool:
-    """Whether no pin, pouring hole or vent leaves a thin wall, to the seam or to each other."""
+    """Whether no pin, pouring hole or vent leaves a thin wall, to the seam or to each other, and pins rest on
+    heads that can be printed."""
     from design.layout.mould.pins import pins_thin_the_seam
     from design.mould.openings import holes_thin_walls
 
     spec = spec_of(tables)
-    return not (pins_thin_the_seam(spec) or holes_thin_walls(spec))
+    return not (narrow_heads(spec) or pins_thin_the_seam(spec) or holes_thin_walls(spec))
 
 
 def _thin_mould(finding: Finding) -> bool:

@@ -43,6 +43,7 @@ import design.layout.places.contact_places
 import design.layout.places.coverage
 import design.layout.places.measures
 import design.layout.surface
+import design.layout.template_marks
 import design.layout.tips
 import design.mould.flange
 import design.mould.halves
@@ -152,6 +153,10 @@ FIGURES = {
     design.layout.places.coverage: {"_IN_CELL": 5},
     design.layout.places.measures: {"SENSOR_SHARE": 0.6, "LONGEST_PATH_MM": 15.0},
     design.layout.surface: {"_SUPPORT_RING_MM": 2.0},
+    design.layout.template_marks: {
+        "MARK_LENGTH_MM": 3.0, "MARK_WIDTH_MM": 0.9, "MARK_GAP_MM": 1.3, "CORNER_MM": 4.0,
+        "_ANGLES": 32, "_CLOSER_MM": (0.0, 0.25), "_ROUNDS": 6,
+    },
     design.layout.tips: {"_ARC_STEPS": 180, "_FILLET_STEPS": 10, "_BODY_MM": 20.0},
     design.mould.flange: {
         "FLANGE_THICKNESS_MM": 4.0, "FLANGE_LENGTH_MM": 26.0, "PLACES": (0.15, 0.42, 0.7, 0.9),
@@ -161,7 +166,7 @@ FIGURES = {
     design.mould.halves: {"DOWEL_DIAMETER_MM": 4.0, "DOWEL_HEIGHT_MM": 2.5, "BOLT_HOLE_MM": 3.4},
     design.mould.openings: {
         "_SKIN_MM": 0.05, "_LEAST_TRAP_MM": 0.1, "_SHIFTS_MM": (0.5, 1.0, 1.5, 2.0), "_WAYS": 12,
-        "_LOWER_MM": 0.05,
+        "_LOWER_MM": 0.05, "_ROUND": 24,
     },
     design.mould.plug_flange: {
         "POST_HEIGHT_MM": 4.0, "POST_MM": 7.3, "BLOCK_MM": 10.0, "CHAMFER_MM": 3.0,
@@ -205,8 +210,7 @@ FIGURES = {
         "SLOT_SHARES": (0.9, 0.1),
     },
     design.solids.magnet_template: {
-        "PLATE_MM": 3.0, "LIP_MM": (2.0, 3.0), "MARK_LENGTH_MM": 3.0, "MARK_WIDTH_MM": 0.9,
-        "MARK_DEPTH_MM": 0.8, "MARK_GAP_MM": 1.3, "CORNER_MM": 4.0,
+        "PLATE_MM": 3.0, "LIP_MM": (2.0, 3.0), "MARK_DEPTH_MM": 0.8,
     },
     design.solids.primitives: {"OVERSHOOT_MM": 0.5},
     design.solids.probes: {

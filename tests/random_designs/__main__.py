@@ -3,7 +3,8 @@
 `python -m tests.random_designs --first 0 --count 100 --table outcomes.jsonl`: seeds that the file
 holds are not judged again, so that a study goes on where it stopped. `--seconds` ends it in time.
 Without `--count` it only sums up what the file holds. `--generator edits` draws with other habits
-(`draw_edits`); a file holds the seeds of one generator.
+(`draw_edits`), `--generator new` asks `instobj new` and `check --fabrication` (`new_requests`); a file
+holds the seeds of one generator.
 """
 
 from __future__ import annotations
@@ -18,9 +19,11 @@ from typing import Any
 
 from tests.random_designs.draw import kind_of
 from tests.random_designs.judge import GENERATORS, judged
-from tests.random_designs.summary import summary
+from tests.random_designs.new_requests import asked
+from tests.random_designs.summary import summary, summary_of_requests
 from tests.support.building_apart import Apart
 
+_REQUESTS = "new"
 _PATIENCE_S = 6 * 3600.0
 """On a busy machine: how long a seed may take is judged by its processor time."""
 _GIVEN_UP = f"exit code {-signal.SIGXCPU}"
@@ -28,7 +31,7 @@ _GIVEN_UP = f"exit code {-signal.SIGXCPU}"
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--generator", choices=GENERATORS, default="placed")
+    parser.add_argument("--generator", choices=[*GENERATORS, _REQUESTS], default="placed")
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--count", type=int, default=0)
     parser.add_argument("--seconds", type=float, default=float("inf"))
@@ -41,7 +44,8 @@ def main() -> None:
             f"{given.table} holds seeds of the generator {', '.join(others)}. Name another"
         )
     left = [s for s in range(given.first, given.first + given.count) if s not in rows]
-    apart, started = Apart(judged), time.monotonic()
+    of_requests = given.generator == _REQUESTS
+    apart, started = Apart(asked if of_requests else judged), time.monotonic()
     with given.table.open("a") as file, tempfile.TemporaryDirectory() as folder:
         for number, seed in enumerate(left, start=1):
             if time.monotonic() - started > given.seconds:
@@ -56,7 +60,7 @@ def main() -> None:
                 flush=True,
             )
     apart.close()
-    print(summary(list(rows.values())))
+    print((summary_of_requests if of_requests else summary)(list(rows.values())))
 
 
 def _row(apart: Apart, generator: str, seed: int, folder: str) -> dict[str, Any]:

@@ -24,6 +24,34 @@ def wilson(hits: int, of: int) -> tuple[float, float]:
 
 def summary(rows: list[dict[str, Any]]) -> str:
     """A table of outcomes and longest times, and the shares that a study asks for."""
+    passed = [row for row in rows if row["outcome"] not in ("too small", "refused by check")]
+    slow = [row for row in passed if not _seconds(row) <= LONGEST_S]
+    shares = [
+        ("crashes", _count(rows, "crash"), rows),
+        ("violations that nothing told", _count(passed, "violates"), passed),
+        ("violations, told or not", _count(passed, "violates", "told by fabrication"), passed),
+        ("refused after check", _count(passed, "refused by build"), passed),
+        (f"over {LONGEST_S:g} s", len(slow), passed),
+    ]
+    return "\n".join([*_table(rows), *_with_intervals(shares)])
+
+
+def summary_of_requests(rows: list[dict[str, Any]]) -> str:
+    """The same of requests for `instobj new`."""
+    faults = ("crash", "slow", "fails", "false advice")
+    placed = [row for row in rows if row["outcome"] in ("passes", "told", "fails")]
+    slow = [row for row in rows if not _seconds(row) <= LONGEST_S]
+    shares = [
+        ("faults", _count(rows, *faults), rows),
+        ("placed, and pass at once", _count(placed, "passes"), placed),
+        ("placed, told what fails", _count(placed, "told"), placed),
+        ("refused", _count(rows, "refused", "false advice"), rows),
+        (f"over {LONGEST_S:g} s", len(slow), rows),
+    ]
+    return "\n".join([*_table(rows), *_with_intervals(shares)])
+
+
+def _table(rows: list[dict[str, Any]]) -> list[str]:
     outcomes = [name for name, _ in Counter(row["outcome"] for row in rows).most_common()]
     lines = ["| kind | drawn | " + " | ".join(outcomes) + " | longest, s |"]
     lines.append("|---" * (len(outcomes) + 3) + "|")
@@ -33,18 +61,15 @@ def summary(rows: list[dict[str, Any]]) -> str:
         longest = max(map(_seconds, of_kind), default=0.0)
         cells = [kind, len(of_kind), *(counts[name] for name in outcomes), f"{longest:.0f}"]
         lines.append("| " + " | ".join(map(str, cells)) + " |")
-    passed = [row for row in rows if row["outcome"] not in ("too small", "refused by check")]
-    slow = [row for row in passed if not _seconds(row) <= LONGEST_S]
-    for what, hits, among in (
-        ("crashes", _count(rows, "crash"), rows),
-        ("violations that nothing told", _count(passed, "violates"), passed),
-        ("violations, told or not", _count(passed, "violates", "told by fabrication"), passed),
-        ("refused after check", _count(passed, "refused by build"), passed),
-        (f"over {LONGEST_S:g} s", len(slow), passed),
-    ):
+    return lines
+
+
+def _with_intervals(shares: list[tuple[str, int, list[dict[str, Any]]]]) -> list[str]:
+    lines = []
+    for what, hits, among in shares:
         low, high = wilson(hits, len(among))
         lines.append(f"{what}: {hits} of {len(among)} ({low:.1%} to {high:.1%})")
-    return "\n".join(lines)
+    return lines
 
 
 def _seconds(row: dict[str, Any]) -> float:

@@ -33,6 +33,11 @@ class Pad(BodyKind):
         return self.size_mm[2] / 2 - self.thickness_mm
 
     @property
+    def outside(self) -> Pad:
+        """The slab is as thick as the shell."""
+        return replace(self, opened=(), bore_mm=0.0, inside="core")
+
+    @property
     def corners_mm(self) -> tuple[np.ndarray, np.ndarray]:
         return np.array([*-self.half_mm[:2], self.base_top_mm]), self.half_mm
 

@@ -191,18 +191,23 @@ def thin_at_seam(spec: ObjectSpec, ends_mm: Float[np.ndarray, "2 3"], radius_mm:
 def thin_beside(
     spec: ObjectSpec, ends_mm: Float[np.ndarray, "2 3"], plane: Parting, radius_mm: float
 ) -> bool:
-    """The same of any plane.
+    """The same of any plane."""
+    return wall_to_plane_mm(ends_mm, plane, radius_mm) < spec.printer.wall_mm
+
+
+def wall_to_plane_mm(ends_mm: Float[np.ndarray, "2 3"], plane: Parting, radius_mm: float) -> float:
+    """Wall that a round hole along an axis leaves to a plane: 0 of a wedge of less than 15°, ∞ where the
+    plane cuts the hole.
 
     A hole that leans towards it may be cut at one end and leave a wall at the other; one that leans by
     15° or more leaves wedges alone.
     """
     aside = ends_mm @ plane.normal - plane.offset_mm
     lean = abs(aside[1] - aside[0]) / np.linalg.norm(ends_mm[1] - ends_mm[0])
-    if lean >= _WEDGE_SINE:
-        return False
+    if lean >= _WEDGE_SINE or abs(aside).max() <= radius_mm * _WEDGE:
+        return float("inf")
     nearest = 0.0 if aside[0] * aside[1] <= 0 else float(abs(aside).min())
-    reach = radius_mm / np.sqrt(1 - lean**2)
-    return bool(nearest < reach + spec.printer.wall_mm and abs(aside).max() > radius_mm * _WEDGE)
+    return max(0.0, float(nearest - radius_mm / np.sqrt(1 - lean**2)))
 
 
 def _out(spec: ObjectSpec) -> np.ndarray:

@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import TYPE_CHECKING, Literal
@@ -222,11 +222,14 @@ def is_clear(hole: Hole, pins: tuple[Pin, ...]) -> bool:
     )
 
 
-def thin_beside_others(spec: ObjectSpec, hole: Hole, pins: tuple[Pin, ...]) -> bool:
-    """Whether a hole leaves too thin a wall to that of the rod, of a pin or of its head, or a wedge of
-    less than 15° where they meet."""
+def thin_beside_others(
+    spec: ObjectSpec, hole: Hole, pins: tuple[Pin, ...], holes: Sequence[Hole] = ()
+) -> bool:
+    """Whether a hole leaves too thin a wall to that of the rod, of a pin or of its head, or to other holes
+    for pouring or for air, or a wedge of less than 15° where they meet."""
     ends, radius = within_mould(spec, hole), hole.diameter_mm / 2
-    for axis, other in _other_holes(spec, pins):
+    beside = [(within_mould(spec, other), other.diameter_mm / 2) for other in holes]
+    for axis, other in (*_other_holes(spec, pins), *beside):
         away = distance_of_segments_mm(ends, axis)
         meets = np.sqrt(radius**2 + other**2 + 2 * radius * other * _WEDGE)
         if meets < away < radius + other + spec.printer.wall_mm:

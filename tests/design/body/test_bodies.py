@@ -166,3 +166,12 @@ LONG = {"package_mm": [6.6, 6.2, 1.6]}
 def test_what_does_not_fit_is_refused_with_the_reason(name, changes, wanted):
     with pytest.raises(ValueError, match=wanted):
         body_spec(name, **changes)
+
+
+@pytest.mark.parametrize("name", BODIES)
+def test_the_outside_of_a_body_is_that_without_its_inside(name):
+    """A pad's slab is as thick as its shell: by `outside` it had no sides, and its seam hooked nothing."""
+    body = body_of(body_spec(name))
+    outer = body.outer_surface()
+    assert body.outside.outer_surface().volume == pytest.approx(outer.volume)
+    assert_allclose(body.outside.outer_surface().bounds, outer.bounds, atol=1e-9)

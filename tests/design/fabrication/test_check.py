@@ -14,7 +14,12 @@ from design.body.meshes import Trap
 from design.build.parts import Part
 from design.errors import InputError, NotOneSolid
 from design.fabrication import casting
-from design.fabrication.assembly import check_clearances, check_electronics, check_pockets
+from design.fabrication.assembly import (
+    _wires,
+    check_clearances,
+    check_electronics,
+    check_pockets,
+)
 from design.fabrication.casting import _closing, check_casting, draws
 from design.fabrication.check import check_fabrication, check_solid, mesh_of
 from design.fabrication.finding import at_least
@@ -236,6 +241,35 @@ def test_printers_limits():
         ("slenderness", "mould_box"),
     }
     assert all(f.status == "pass" for f in check_features(PAPER))
+
+
+def test_features_are_told_with_their_places():
+    """By hand, of the paper's cube: a core of 26 mm from face 6 at −21 up to 13, magnets in pockets 4.5 mm
+    from its middle."""
+    narrow = parsed(
+        core={"wire_hole_side_diameter_mm": 0.5, "wire_channel_width_mm": 0.4} | KEYS["core"]
+    )
+    places = {f.what.split(":")[0]: f.place_mm for f in check_features(narrow)}
+    assert None not in places.values()
+    assert places["wire hole, top"] == (0.0, 0.0, 13.0)
+    assert places["wire hole, sides"] == (0.0, -13.0, 0.0)
+    assert places["anti-slip key"][:2] == (11.4, 11.2)
+    (wires,) = [
+        f for f in check_electronics(narrow, mesh_of(make_core(PAPER), PAPER)) if "wires" in f.check
+    ]
+    assert (wires.status, wires.place_mm) == ("fail", (0.0, -13.0, 0.0))
+    assert "core.wire_hole_side_diameter_mm to" in wires.what
+
+
+def test_holes_that_a_body_does_not_have_are_not_told():
+    """A pad has a wire hole on its face 1 alone, an egg's has the diameter of those at the sides."""
+    for kind, key in (
+        ("pad", "wire_hole_side_diameter_mm"),
+        ("ellipsoid", "wire_hole_top_diameter_mm"),
+    ):
+        spec = body_spec(kind, core={key: 0.5})
+        assert not [f for f in check_features(spec) if f.status == "fail"], kind
+        assert _wires(spec).status == "pass"
 
 
 @pytest.mark.parametrize(

@@ -15,16 +15,12 @@ from design.layout.mould.pins import (
     pins_by_kind,
     pins_thin_the_seam,
 )
+from design.layout.template_marks import mark_places, pockets_by_face, thinnest_mark_wall_mm
 from design.mould.flange import flanges
 from design.mould.openings import mould_holes, seal_holes, sealed_round, vent_diameter_mm
 from design.mould.plug import pour_width_mm
 from design.mould.plug_flange import flange_span_mm
-from design.solids.magnet_template import (
-    mark_place,
-    pockets_by_face,
-    template_faces,
-    thinnest_mark_wall_mm,
-)
+from design.solids.magnet_template import template_faces
 from tests.support.objects.worked_objects import worked
 from tests.support.recorded_facts import assert_on_record, told
 
@@ -101,9 +97,9 @@ def test_what_is_checked_without_a_solid_is_as_on_record(name):
         told("layers", [layer_mm(spec.printer, copied) for copied in (True, False)]),
     ]
     frame, pockets = pockets_by_face(spec)[0]
-    marks = [mark_place(pockets, k, frame.half_extents_mm) for k in range(len(pockets))]
+    marks = mark_places(spec, pockets, frame.half_extents_mm)
     lines += [
-        told("marks", np.array(marks)),
+        told("marks", marks),
         told("wall beside them", min(thinnest_mark_wall_mm(spec), 1e6)),
         f"templates: {template_faces(spec)}",
     ]

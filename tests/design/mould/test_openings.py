@@ -72,6 +72,42 @@ def test_holes_beside_the_seam_are_told(monkeypatch, azimuth_deg, thin):
     assert openings.holes_thin_walls(spec) is thin
 
 
+def beside_a_bore():
+    """Silicone round a bore of 10 mm, its rim at −20 from where it slopes, and pouring holes of 6 mm."""
+    spec = body_spec("sphere", body={"open_faces": [6], "bore_mm": 10.0})
+    spec = spec.changed(mould=spec.mould.changed(parting_azimuth_deg=90.0))
+    profile = np.array([[5.0, -20.0], [14.0, -16.0], [14.0, -8.0], [5.0, -8.0], [5.0, -20.0]])
+    ring = trimesh.creation.revolve(profile, sections=144)
+    tops = [np.array([sign * 8.0, sign * 4.0, -20.0]) for sign in (-1, 1)]
+    pour = [Hole("pour", top, top, top + 90 * up(spec), 6.0) for top in tops]
+    return spec, ring, pour
+
+
+def test_a_vent_beside_a_pouring_hole_goes_round_the_bore_until_a_wall_is_left():
+    """Of `instobj new` for a ball of 34.5 mm with nine magnets: 0.58 mm between both, at 18° of the bore."""
+    spec, ring, pour = beside_a_bore()
+    place = 5.0 * np.array([-np.cos(np.deg2rad(17.7)), -np.sin(np.deg2rad(17.7)), -4.0])
+    trap = Trap(place, up(spec), 1.0)
+    alone = _vent(spec, ring, (), trap)
+    assert_allclose(alone.top_mm, place)
+    gap = np.linalg.norm(alone.top_mm[:2] - pour[0].top_mm[:2]) - 3.5
+    assert 0.5 < gap < 0.7
+    moved = _vent(spec, ring, (), trap, pour)
+    away = [np.linalg.norm(moved.top_mm[:2] - hole.top_mm[:2]) - 3.5 for hole in pour]
+    assert min(away) > spec.printer.wall_mm
+    assert np.hypot(*moved.top_mm[:2]) == pytest.approx(5.05)
+    assert moved.top_mm[2] == pytest.approx(-20.0 + 0.05 * 4 / 9, abs=1e-3)
+
+
+def test_a_thin_wall_between_two_holes_is_told(monkeypatch):
+    spec, _, pour = beside_a_bore()
+    for away, thin in ((4.1, True), (4.4, False)):
+        start = pour[1].top_mm + np.array([0.0, away, 0.0])
+        vent = Hole("vent", start, start, start + 90 * up(spec), 1.0)
+        monkeypatch.setattr(openings, "mould_holes", lambda spec, v=vent: (*pour, v))
+        assert openings.holes_thin_walls(spec) is thin, away
+
+
 def test_a_vent_goes_straight_up_where_nothing_is_above():
     """`up` is −z. Silicone of 20 mm edges, its high point in the middle of the side at −10; with a second
     piece over all of it there is no way."""

@@ -8,6 +8,7 @@ from numpy.testing import assert_allclose
 
 from design.layout.body import face_frames
 from design.layout.mould.frame import play_mm
+from design.layout.template_marks import pockets_by_face
 from design.solids.curved_template import (
     _half_mm,
     _rings,
@@ -15,7 +16,7 @@ from design.solids.curved_template import (
     curved_template_faces,
     make_curved_template,
 )
-from design.solids.magnet_template import PLATE_MM, pockets_by_face
+from design.solids.magnet_template import PLATE_MM
 from design.spec.object import ObjectSpec
 
 PLACES = [[0, 0], [11, 0], [-7, 6]]

@@ -1,0 +1,71 @@
+"""What a mould's seam does is told before anything is built, by hand, with a seam that does not."""
+
+import re
+
+import numpy as np
+import pytest
+
+from design.fit.seam import seam_in_words
+from design.layout.mould.frame import hooked_depth_mm, play_mm
+from design.spec.object import ObjectSpec
+
+
+def cylinder(place, **mould):
+    """A closed cylinder whose upper magnet stands at a place, its seam across x."""
+    content = {
+        "name": "cylinder",
+        "body": {
+            "kind": "cylinder",
+            "size_mm": [46.0, 46.0, 46.0],
+            "open_faces": [],
+            "sensed_faces": [1],
+        },
+        "shell": {"pocket_diameter_mm": 6.0},
+        "magnets": {"positions_mm": [place]},
+        "mould": {"style": "split", "parting_azimuth_deg": 0.0, **mould},
+    }
+    return ObjectSpec.model_validate(content)
+
+
+def pad(azimuth_deg):
+    content = {
+        "name": "pad",
+        "body": {"kind": "pad", "size_mm": [30.7, 44.3, 13.4]},
+        "shell": {"thickness_mm": 8.0},
+        "magnets": {"positions_mm": [[-9.0, -3.0]]},
+        "mould": {"style": "split", "parting_azimuth_deg": azimuth_deg},
+    }
+    return ObjectSpec.model_validate(content)
+
+
+@pytest.mark.parametrize(("away_mm", "thin"), [(5.0, True), (5.5, False), (0.0, False)])
+def test_a_thin_wall_beside_a_pin_s_head_is_told_with_its_place(away_mm, thin):
+    """A head of 3 + 1.5 mm beside a seam across x, through the middle; one on it is cut in half."""
+    spec = cylinder([away_mm, 9.0])
+    wall = away_mm - 4.5 - play_mm(spec)
+    assert (0 < wall < spec.printer.wall_mm) is thin
+    told = seam_in_words(spec)
+    assert len(told) == thin
+    for text in told:
+        assert f"a wall of {wall:.2g} mm beside the hole for the pin of" in text
+        place = [float(x) for x in re.search(r"at \((.*?)\),", text)[1].split(", ")]
+        assert place[:2] == pytest.approx([wall, 9.0], abs=0.06)
+        assert place[2] >= 23
+        better = float(re.search(r"parting_azimuth_deg = (\d+)", text)[1])
+        assert seam_in_words(cylinder([away_mm, 9.0], parting_azimuth_deg=better)) == []
+
+
+def test_a_seam_that_is_not_along_a_pad_s_sides_hooks():
+    """Random design 7009: of each end wall the part beyond the seam stands in the way of its half."""
+    spec, lean = pad(173.47), np.tan(np.deg2rad(180 - 173.47))
+    hooked = (30.7 / 2 - 44.3 / 2 * lean) * lean
+    assert hooked_depth_mm(spec) == pytest.approx(hooked, rel=0.02)
+    (told,) = seam_in_words(spec)
+    assert f"hook the body by about {hooked:.2g} mm, and the silicone gives way by 0.16 mm" in told
+    assert told.endswith("mould.parting_azimuth_deg = 0 does without")
+    assert seam_in_words(pad(0.0)) == []
+
+
+def test_where_nothing_is_moulded_in_halves_nothing_is_told():
+    assert seam_in_words(cylinder([5.0, 9.0], style="one-piece")) == []
+    assert seam_in_words(cylinder([5.0, 9.0]).changed(silicone={"cure": "none"})) == []
