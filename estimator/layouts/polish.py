@@ -7,7 +7,7 @@ that a layout breaks make it worth less, smoothly, so that every engine is led b
 from __future__ import annotations
 
 import zlib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -32,6 +32,8 @@ _LEARNING_RATE = 0.03
 
 _SPREAD = 0.3
 """Standard deviation of a run's first generation, of the unit cube."""
+_LAYOUTS_OF_A_CARD = 8192
+"""Judged at once on a graphics card: at two faces and three forces 5 GB of its memory."""
 
 Judge = Callable[[Float[Tensor, "layout variable"], Int[Tensor, "layout"]], "Judged"]
 """Judges points that belong to these layouts of a batch."""
@@ -130,14 +132,16 @@ def polish(
 ) -> Float[Tensor, "layout variable"]:
     """Better points by the weighted logarithms of the objectives, each by a CMA-ES of its own.
 
-    A run begins round its point, with `population` layouts a generation. The penalty grows from a
-    thousandth to all of it, so that early generations cross what later ones may not. No point ends
-    worth less than it began, and none without a value is taken. Repeatable: a run's seed comes from
-    its point.
+    A run begins round its point, with `population` layouts a generation; `runs_together` of them are
+    judged side by side. The penalty grows from a thousandth to all of it, so that early generations
+    cross what later ones may not. No point ends worth less than it began, and none without a value
+    is taken. Repeatable: a run's seed comes from its point.
     """
-    rows = torch.arange(len(unit))
-    ends = [_evolved(judge_at, unit[row], row, generations, weights[row]) for row in rows]
-    return torch.stack(ends) if ends else unit
+    runs = [_Evolution(row, unit[row], weights[row]) for row in range(len(unit))]
+    together = runs_together(unit.device, unit.shape[1])
+    for first in range(0, len(runs), together):
+        _evolve(judge_at, runs[first : first + together], generations)
+    return torch.stack([run.best for run in runs]) if runs else unit
 
 
 def population(variables: int) -> int:
@@ -146,43 +150,108 @@ def population(variables: int) -> int:
     return 8 * (4 + int(3 * np.log(max(variables, 2))))
 
 
-def _evolved(
-    judge_at: Judge,
-    begin: Float[Tensor, "variable"],
-    row: Int[Tensor, ""],
-    generations: int,
-    weights: Float[Tensor, "objective"],
-) -> Float[Tensor, "variable"]:
-    def worth(points: Tensor) -> tuple[Float[np.ndarray, "layout"], Float[np.ndarray, "layout 2"]]:
-        """Logarithm without penalties, and the penalties."""
-        with torch.no_grad():
-            judged = judge_at(points, row.expand(len(points)))
-        value = (judged.objectives.log() @ weights).double().nan_to_num(torch.inf).numpy()
-        return value, judged.penalties.double().numpy()
+def runs_together(device: torch.device, variables: int) -> int:
+    """Runs whose generations are judged in one batch: one on a processor, whose caches that fills."""
+    return 1 if device.type == "cpu" else max(1, _LAYOUTS_OF_A_CARD // population(variables))
 
-    whole = float(weights.sum())
-    count = max(len(begin), 2)  # the package takes no single variable
-    mean = np.full(count, 0.5)
-    mean[: len(begin)] = begin.numpy()
-    seed = zlib.crc32(begin.numpy().tobytes())
-    bounds = np.repeat([[0.0, 1.0]], count, axis=0)
-    search = CMA(mean, _SPREAD, bounds=bounds, seed=seed, population_size=population(count))
-    value, penalties = worth(begin[None])
-    best, least = begin, float(value[0] + whole * np.log1p(penalties[0]).sum())
-    for generation in range(generations):
-        if search.should_stop():
-            break
-        asked = [search.ask() for _ in range(search.population_size)]
-        points = torch.as_tensor(np.array(asked)[:, : len(begin)], dtype=begin.dtype)
-        value, penalties = worth(points)
-        share = _share_of_penalty(generation / generations)
-        now = value + whole * np.log1p(share * penalties).sum(axis=1)
-        search.tell(list(zip(asked, now.tolist(), strict=True)))
-        finally_worth = value + whole * np.log1p(penalties).sum(axis=1)
+
+class Generations(CMA):
+    """CMA-ES of the package whose generations are drawn at once.
+
+    A point out of bounds is drawn anew up to a hundred times, then moved to the bounds, as in the
+    package; there one after the other, which took as long as judging a tenth of the points.
+    """
+
+    def ask_all(self) -> Float[np.ndarray, "point variable"]:
+        """A generation."""
+        axes, deviations = self._eigen_decomposition()
+        points = np.empty((self.population_size, self.dim))
+        low, high = np.asarray(self._bounds).T
+        wanted = np.arange(len(points))
+        for _ in range(1 + self._n_max_resampling):
+            drawn = self._rng.standard_normal((len(wanted), self.dim))
+            points[wanted] = self._mean + self._sigma * (drawn * deviations) @ axes.T
+            within = ((points[wanted] >= low) & (points[wanted] <= high)).all(axis=1)
+            wanted = wanted[~within]
+            if not len(wanted):
+                break
+        return np.clip(points, low, high)
+
+
+class _Evolution:
+    """A run of CMA-ES round one layout of a batch."""
+
+    def __init__(
+        self, row: int, begin: Float[Tensor, "variable"], weights: Float[Tensor, "objective"]
+    ) -> None:
+        self.row, self.begin, self.weights = row, begin, weights.cpu()
+        self.best, self.least, self.whole = begin, np.inf, float(weights.sum())
+        count = max(len(begin), 2)  # the package takes no single variable
+        mean = np.full(count, 0.5)
+        mean[: len(begin)] = begin.cpu().numpy()
+        self.search = Generations(
+            mean,
+            _SPREAD,
+            bounds=np.repeat([[0.0, 1.0]], count, axis=0),
+            seed=zlib.crc32(begin.cpu().numpy().tobytes()),
+            population_size=population(count),
+        )
+
+    def ask(self) -> Float[Tensor, "layout variable"]:
+        """The next generation."""
+        self._asked = self.search.ask_all()
+        points = self._asked[:, : len(self.begin)]
+        return torch.as_tensor(points, dtype=self.begin.dtype, device=self.begin.device)
+
+    def tell(self, worth: _Worth, share: float) -> None:
+        """What the generation is worth, with a share of the penalties."""
+        now = worth.value + self.whole * np.log1p(share * worth.penalties).sum(axis=1)
+        self.search.tell(list(zip(self._asked, now.tolist(), strict=True)))
+
+    def keep_best(self, worth: _Worth) -> None:
+        """The best so far, with all of the penalties."""
+        finally_worth = worth.value + self.whole * np.log1p(worth.penalties).sum(axis=1)
         leader = int(finally_worth.argmin())
-        if finally_worth[leader] < least:
-            best, least = points[leader], float(finally_worth[leader])
-    return best
+        if finally_worth[leader] < self.least:
+            self.best, self.least = worth.points[leader], float(finally_worth[leader])
+
+
+@dataclass(frozen=True)
+class _Worth:
+    """Of points of one run: weighted logarithms of the objectives without penalties, and these."""
+
+    points: Float[Tensor, "layout variable"]
+    value: Float[np.ndarray, "layout"]
+    penalties: Float[np.ndarray, "layout 2"]
+
+
+def _evolve(judge_at: Judge, runs: Sequence[_Evolution], generations: int) -> None:
+    """Runs side by side, each as if alone."""
+    for run, worth in _judged(judge_at, runs, [run.begin[None] for run in runs]):
+        run.keep_best(worth)
+    for generation in range(generations):
+        going = [run for run in runs if not run.search.should_stop()]
+        if not going:
+            break
+        share = _share_of_penalty(generation / generations)
+        for run, worth in _judged(judge_at, going, [run.ask() for run in going]):
+            run.tell(worth, share)
+            run.keep_best(worth)
+
+
+def _judged(
+    judge_at: Judge, runs: Sequence[_Evolution], points: Sequence[Float[Tensor, "_ variable"]]
+) -> Iterator[tuple[_Evolution, _Worth]]:
+    """Points of every run, judged in one batch."""
+    counts = [len(of_run) for of_run in points]
+    rows = torch.tensor(np.repeat([run.row for run in runs], counts), device=points[0].device)
+    with torch.no_grad():
+        judged = judge_at(torch.cat(list(points)), rows)
+    parts = judged.objectives.log(), judged.penalties.double()
+    logs, penalties = (part.cpu().split(counts) for part in parts)
+    for run, at, log, penalty in zip(runs, points, logs, penalties, strict=True):
+        value = (log @ run.weights).double().nan_to_num(torch.inf)
+        yield run, _Worth(at, value.numpy(), penalty.numpy())
 
 
 def _share_of_penalty(progress: float) -> float:

@@ -259,7 +259,9 @@ def candidate_ends_mm(
     ]
     for index, patch in enumerate(patches):
         in_plane = torch.stack(ends[index]).double()
-        in_plane[:, :2] = torch.as_tensor(patch.surface.frame.to_plane(in_plane[:, :2].numpy()))
+        in_plane[:, :2] = torch.as_tensor(
+            patch.surface.frame.to_plane(in_plane[:, :2].cpu().numpy())
+        )
         ends[index] = in_plane[0].to(basis.first_mm), in_plane[1].to(basis.first_mm)
     least, most = (torch.stack(parts) for parts in zip(*ends, strict=True))
     return least.amax(dim=0), most.amin(dim=0)
@@ -292,7 +294,9 @@ def _around(
     x, y, z = _kernel(place - cell).unbind(1)
     weight = x[:, :, None, None] * y[:, None, :, None] * z[:, None, None, :]
     _, ny, nz = (count + 2 for count in lattice.nodes)
-    corner = cell.long() @ torch.tensor([ny * nz, nz, 1])
+    corner = (cell.long() * torch.tensor([ny * nz, nz, 1])).sum(
+        1
+    )  # CUDA multiplies no integer matrices
     around = torch.arange(4)
     near = ((around[:, None, None] * ny + around[:, None]) * nz + around).reshape(-1)
     return corner[:, None] + near, weight.reshape(-1, 64)

@@ -165,16 +165,16 @@ def pointwise(function: _Function, at: Float[Tensor, "*n inputs"]) -> Float[Tens
 class _Pointwise(torch.autograd.Function):
     @staticmethod
     def forward(ctx: Any, at: Tensor, function: _Function) -> Tensor:
-        values = at.detach().double().numpy()
+        values = at.detach().double().cpu().numpy()
         if not ctx.needs_input_grad[0]:
-            return torch.as_tensor(function(values), dtype=at.dtype)
+            return torch.as_tensor(function(values), dtype=at.dtype, device=at.device)
         points, inputs = values.shape
         steps = _STEP * np.eye(inputs)
         places = values + np.concatenate([np.zeros((1, inputs)), steps, -steps])[:, None]
         found = function(places.reshape(-1, inputs)).reshape(1 + 2 * inputs, points, -1)
         slopes = (found[1 : 1 + inputs] - found[1 + inputs :]) / (2 * _STEP)
-        ctx.save_for_backward(torch.as_tensor(slopes))
-        return torch.as_tensor(found[0], dtype=at.dtype)
+        ctx.save_for_backward(torch.as_tensor(slopes, device=at.device))
+        return torch.as_tensor(found[0], dtype=at.dtype, device=at.device)
 
     @staticmethod
     def backward(ctx: Any, *grads: Tensor) -> tuple[Tensor, None]:

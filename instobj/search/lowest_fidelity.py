@@ -34,6 +34,7 @@ from design.search.structure import with_structure
 from design.spec.object import ObjectSpec
 from design.spec.search import OBJECTIVES_TO_MAXIMIZE, SearchSpec
 from design.spec_io import parse_spec
+from estimator.field.device import compute_device
 from estimator.layouts.batch import layouts_of
 from estimator.layouts.batch_scores import (
     DEARER,
@@ -51,6 +52,7 @@ from estimator.layouts.polish import (
     judge,
     polish,
     population,
+    runs_together,
 )
 from estimator.layouts.press_basis import faces_differ, press_basis
 from estimator.layouts.scoring import LayoutScorer, layout_scorer
@@ -77,8 +79,14 @@ class StartScores:
 
 
 def lowest_fidelity(spec_json: str) -> Evaluate:
-    """The function that scores trials of one structure; takes and gives what pipes can carry."""
+    """The function that scores trials of one structure; takes and gives what pipes can carry.
+
+    On the device that `INSTOBJ_DEVICE` names, which all tensors of this process then lie on.
+    """
     torch.set_num_threads(1)
+    device = compute_device()
+    if device.type != "cpu":
+        torch.set_default_device(device)
     space = search_space(parse_spec(json.loads(spec_json), "the specification"))
     start = start_scores(space.spec)
     by_structure: dict[Any, LowestFidelity] = {}
@@ -88,7 +96,8 @@ def lowest_fidelity(spec_json: str) -> Evaluate:
         if structure not in by_structure:
             by_structure[structure] = structure_fidelity(space, trials[0], start)
             if space.spec.search.polish_steps:
-                generation_s = seconds_per_generation(space, by_structure[structure], trials[0])
+                lowest = by_structure[structure]
+                generation_s = seconds_per_generation(space, lowest, trials[0], len(trials))
                 require_in_time(space.spec.search, generation_s, len(trials))
         return score_trials(space, by_structure[structure], trials)
 
@@ -96,21 +105,24 @@ def lowest_fidelity(spec_json: str) -> Evaluate:
 
 
 def seconds_per_generation(
-    space: SearchSpace, lowest: LowestFidelity, params: dict[str, Any]
+    space: SearchSpace, lowest: LowestFidelity, params: dict[str, Any], layouts: int
 ) -> float:
-    """How long a generation of one layout's CMA-ES takes here, the faster of two; 0 for choices alone."""
+    """How long a generation of one layout's CMA-ES takes here among so many, the faster of two; 0 for
+    choices alone."""
     free = sum(not v.choices for v in space.variables)
     if not free:
         return 0.0
-    size, taken = population(free), []
-    units = torch.rand(size, free, generator=torch.Generator().manual_seed(0))
+    drawn = np.random.default_rng(0)
+    together = min(layouts, runs_together(torch.get_default_device(), free))
+    size, taken = together * population(free), []
+    units = torch.as_tensor(drawn.random((size, free)), dtype=torch.float32)
     poles = torch.tensor(polarities(lowest.space.structured, params)).expand(size, -1)
     for _ in range(2):
         began = time.monotonic()
         with torch.no_grad():
-            judge(lowest, units, poles, space.spec.search.objectives)
+            judge(lowest, units, poles, space.spec.search.objectives).objectives.cpu()
         taken.append(time.monotonic() - began)
-    return min(taken)
+    return min(taken) / together
 
 
 def require_in_time(search: SearchSpec, generation_s: float, layouts: int) -> None:
@@ -236,7 +248,7 @@ def score_trials(
             point[row] = _better(judge_at, row, (point[row], begin[row]), weights[row], spec.search)
     with torch.no_grad():
         judged = judge_at(point, torch.arange(len(point)))
-    units[:, flags] = point.numpy()
+    units[:, flags] = point.cpu().numpy()
     found = []
     for row, (unit, trial) in enumerate(zip(units, trials, strict=True)):
         params = params_at(space, unit) | {

@@ -16,6 +16,7 @@ from design.search.space import SearchSpace, start_params
 from design.spec.assembly import AsBuiltSpec
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, spec_hash
+from estimator.field.device import compute_device
 from instobj.search.apart import side_by_side
 from instobj.search.fidelity import METRIC_LABELS, score_row
 from instobj.search.loop import is_feasible, run_search
@@ -120,7 +121,8 @@ def search_folder(out: Path, spec: ObjectSpec) -> Path:
 
 def _prepared(path: Path, out: Path, overrides: list[str]) -> tuple[ObjectSpec, SearchSpace]:
     """Another object is sought: what was measured on the built one goes. One layout serves all faces:
-    it is judged at the contact locations that they share."""
+    it is judged at the contact locations that they share. A device that is not there is told at once."""
+    compute_device()
     spec = load_spec(path, overrides).changed(as_built=AsBuiltSpec())
     require_writable(out)
     shared = body_of(spec).cuboid and len(layout_groups(spec)) == 1

@@ -20,6 +20,7 @@ from torch import nn
 
 from design.errors import InputError
 from design.spec.object import TrainingSpec
+from estimator.field.device import compute_device
 from estimator.frames.dataset import FrameSet
 from estimator.frames.face_data import (
     HISTORY,
@@ -68,7 +69,7 @@ class FitSettings:
     seed : of the initial weights, the batches, the disturbances and the folds
     augmentation : by default that of the data's source, `AUGMENTATION`, with presses of other
         faces superposed for the whole-object model
-    device : "cpu" or "cuda"
+    device : where the network is trained; by default what `INSTOBJ_DEVICE` names
     budget_s : limit of time over all members, s
     checkpoint : folder that keeps an unfinished training; it is resumed from there
     """
@@ -77,7 +78,7 @@ class FitSettings:
     training: TrainingSpec = field(default_factory=TrainingSpec)
     seed: int = 1
     augmentation: Augmentation | None = None
-    device: str = "cpu"
+    device: str = field(default_factory=lambda: str(compute_device()))
     budget_s: float | None = None
     checkpoint: Path | None = None
 

@@ -199,6 +199,50 @@ def test_layouts_evolve_each_by_itself_and_repeatably(lowest, units):
     assert (ends != units[:2]).any(dim=1).all()
 
 
+def test_generations_are_drawn_as_the_package_draws_them():
+    """Means, spreads and the share moved to the bounds, of points far out and oblique."""
+    search = polishing.Generations(
+        np.array([0.9, 0.2]),
+        0.3,
+        bounds=np.array([[0.0, 1.0]] * 2),
+        cov=np.array([[1.0, 0.6], [0.6, 0.5]]),
+        seed=1,
+        population_size=4000,
+        n_max_resampling=1,
+    )
+    drawn = search.ask_all(), np.array([search.ask() for _ in range(4000)])
+    assert all(((points >= 0) & (points <= 1)).all() for points in drawn)
+    moved = [np.isin(points, (0.0, 1.0)).any(axis=1).mean() for points in drawn]
+    assert 0.2 < moved[1] < 0.6
+    assert abs(moved[0] - moved[1]) < 0.05
+    assert_allclose(drawn[0].mean(axis=0), drawn[1].mean(axis=0), atol=0.02)
+    assert_allclose(np.cov(drawn[0].T), np.cov(drawn[1].T), atol=0.004)
+
+
+def test_runs_that_are_judged_side_by_side_end_as_if_alone(monkeypatch):
+    """As on a graphics card, in groups of two; one run has converged before the others."""
+
+    def judge_at(point, rows):
+        batches.append(rows.tolist())
+        wanted = torch.tensor([0.2, 0.5, 0.7])[rows]
+        away = ((point - wanted[:, None]) ** 2).sum(dim=1)
+        flat = torch.where(rows == 1, torch.tensor(1.0), 1 + away)
+        other = 2 + (point[:, 0] - 0.5) ** 2
+        broken = torch.relu(point[:, 1] - 0.6)
+        return Judged(torch.stack([flat, other], dim=1), broken, torch.zeros(len(point)), {})
+
+    begin = torch.rand(3, 2, generator=torch.Generator().manual_seed(3))
+    weights = torch.tensor([[1.0, 0.0], [1.0, 0.0], [0.3, 0.7]])
+    batches: list[list[int]] = []
+    alone = polish(judge_at, begin, 40, weights)
+    assert all(len({*rows}) == 1 for rows in batches)
+    monkeypatch.setattr(polishing, "runs_together", lambda device, variables: 2)
+    batches = []
+    assert_array_equal(polish(judge_at, begin, 40, weights), alone)
+    groups = {tuple(sorted({*rows})) for rows in batches}
+    assert groups == {(0, 1), (0,), (2,)}
+
+
 @pytest.mark.parametrize("variables", [1, 6])
 def test_the_penalty_grows_so_that_what_is_forbidden_is_crossed(variables, monkeypatch):
     """The best place lies behind a forbidden wall; with all of the penalty from the start a run stays
