@@ -245,10 +245,12 @@ def test_of_few_places_a_process_may_err_as_far_as_the_grid(monkeypatch, data):
         data, CHANNELS, np.ones(2), 2.0, 0.9, 0, True
     )
     assert many.place_mm == pytest.approx(77.9)
+    assert many.force_n == pytest.approx(2.131847 * 0.5)  # Student's t, 95 %, 4 degrees
     exact = coverage.slopes_at_places_left_out.__wrapped__(
         data, CHANNELS, np.ones(2), 2.0, 0.8, 0, True
     )
     assert exact.place_mm == pytest.approx(1.0)
+    assert exact.force_n == pytest.approx(0.5)
     one = data.select(
         ~data.contact | (data.frames.place_id == data.frames.place_id[data.contact][0])
     )
@@ -257,6 +259,17 @@ def test_of_few_places_a_process_may_err_as_far_as_the_grid(monkeypatch, data):
     )
     assert alone.place_mm == pytest.approx(77.6)
     assert alone.force_n == pytest.approx(float(one.heatmap_n.sum(axis=(1, 2)).max()))
+
+
+def test_of_few_places_a_force_errs_by_no_more_than_the_largest(monkeypatch, data):
+    """Unless errors were seen that are larger."""
+    largest_n = float(data.heatmap_n.sum(axis=(1, 2)).max())
+    for off_n, slope_n in ((0.9, largest_n), (0.3, 2.131847 * 0.3 * largest_n), (1.2, None)):
+        left_out(monkeypatch, data, of_process=True, force_off=off_n * largest_n)
+        found = coverage.slopes_at_places_left_out.__wrapped__(
+            data, CHANNELS, np.ones(2), 2.0, 0.9, 0, True
+        )
+        assert found.force_n == pytest.approx(slope_n or off_n * largest_n, rel=1e-5)
 
 
 def test_one_member_is_stopped_by_the_validation_part_several_by_a_fold_each(data):
