@@ -19,10 +19,9 @@ from design.layout.mould.frame import (
     mould_frame,
     mould_style,
     parting,
-    play_mm,
     wall_to_plane_mm,
 )
-from design.layout.mould.pins import Pin, loose_pins
+from design.layout.mould.pins import Pin, pin_holes
 from design.spec.object import ObjectSpec
 
 _AZIMUTHS_DEG = np.arange(0.0, 180.0, 3.0)
@@ -47,29 +46,32 @@ def seam_in_words(spec: ObjectSpec) -> list[str]:
 
 
 def _thin(spec: ObjectSpec) -> Iterator[str]:
-    found = [(wall, place, pin) for wall, place, pin in _walls(spec) if wall < spec.printer.wall_mm]
+    least = spec.printer.wall_mm
+    found = [
+        (wall, place, pin) for wall, place, pin, whole in _walls(spec) if whole and wall < least
+    ]
     if not found:
         return
     wall, place, pin = min(found, key=lambda one: one[0])
     label, face = pin.pocket.body.label, f"face {pin.frame.number}: "
     what = label if label.startswith(face) else f"{face}{label}"
-    left = "a wedge" if wall == 0 else f"a wall of {wall:.2g} mm"
+    left = "a wall that ends in nothing" if wall == 0 else f"a wall of {wall:.2g} mm"
     yield (
         f"the mould's seam leaves {left} beside the hole for the pin of {what}, at "
         f"({', '.join(f'{x:.1f}' for x in place)}), where {spec.printer.wall_mm:g} mm can be printed"
     )
 
 
-def _walls(spec: ObjectSpec) -> Iterator[tuple[float, Float[np.ndarray, "3"], Pin]]:
-    """Between the seam and every hole of a pin or of its head, and where."""
-    play, plane = play_mm(spec), parting(spec)
-    for pin in loose_pins(spec):
-        for axis, rim in ((pin.shank_axis_mm, 0.0), (pin.head_axis_mm, pin.rim_mm)):
-            radius = pin.radius_mm + play + rim
-            aside = axis @ plane.normal - plane.offset_mm
-            nearest = int(abs(aside).argmin())
-            place = axis[nearest] - np.sign(aside[nearest]) * radius * plane.normal
-            yield wall_to_plane_mm(axis, plane, radius), place, pin
+def _walls(spec: ObjectSpec) -> Iterator[tuple[float, Float[np.ndarray, "3"], Pin, bool]]:
+    """Between the seam and every hole of a pin or of its head, and where; whether there is a wall: where the
+    seam cuts the hole at both its ends, a wedge is left, which prints ragged and is no thin wall."""
+    plane = parting(spec)
+    for pin, axis, radius in pin_holes(spec):
+        aside = axis @ plane.normal - plane.offset_mm
+        nearest = int(abs(aside).argmin())
+        place = axis[nearest] - np.sign(aside[nearest]) * radius * plane.normal
+        whole = bool(abs(aside).max() > radius)
+        yield wall_to_plane_mm(axis, plane, radius), place, pin, whole
 
 
 def _hooked(spec: ObjectSpec) -> Iterator[str]:
@@ -94,7 +96,7 @@ def _nearest_azimuth(spec: ObjectSpec) -> float | None:
     for azimuth in _AZIMUTHS_DEG[np.argsort(away, kind="stable")].tolist():
         turned = spec.changed(mould=spec.mould.changed(parting_azimuth_deg=azimuth))
         try:
-            thin = any(wall < spec.printer.wall_mm for wall, _, _ in _walls(turned))
+            thin = any(wall < spec.printer.wall_mm for wall, *_ in _walls(turned))
         except InputError:
             continue
         if not thin and hooked_depth_mm(turned) <= room:

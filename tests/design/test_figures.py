@@ -145,7 +145,9 @@ FIGURES = {
         "_MOST_CORNERS": 200, "LEAST_POUR_MM": 3.0, "_RIM_POINTS": 24, "_WITHIN": 0.999,
         "_POUR_SHIFTS": (0.0, *(sign * k / 4 for k in range(1, 7) for sign in (1, -1))),
     },
-    design.layout.mould.pins: {"PIN_HEAD_MM": 2.0, "PIN_HEAD_RIM_MM": 1.5, "HEAD_STEP_MM": 1.0},
+    design.layout.mould.pins: {
+        "PIN_HEAD_MM": 2.0, "PIN_HEAD_RIM_MM": 1.5, "HEAD_STEP_MM": 1.0, "_OUTSIDE": 0.01,
+    },
     design.layout.places.contact_places: {
         "LEAST_COUNT": 2, "MOST_COUNT": 100, "_ROUND_MARGIN_MM": 0.1, "_FINER": 0.8,
         "_FINER_STEPS": 16,

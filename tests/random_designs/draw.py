@@ -99,12 +99,12 @@ def _between(where: str, low: float, high: float) -> Edit:
 
 def _moved_magnets(rng: np.random.Generator, tables: Tables) -> None:
     magnets = tables["magnets"]
-    places = np.array(magnets["positions_mm"]) + rng.normal(0, 2, (len(magnets["positions_mm"]), 2))
-    magnets["positions_mm"] = places.round(2).tolist()
+    places = np.array(magnets["positions_mm"])
+    magnets["positions_mm"] = (places + rng.normal(0, 2, places.shape)).round(2).tolist()
 
 
 def _tilted(rng: np.random.Generator, tables: Tables) -> None:
-    count = len(tables["magnets"]["positions_mm"])
+    count = np.shape(tables["magnets"]["positions_mm"])[-2]
     tables["magnets"]["tilt_deg"] = rng.uniform(-15, 15, (count, 2)).round(1).tolist()
 
 

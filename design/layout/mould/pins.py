@@ -8,7 +8,7 @@ pocket's pin is longer, elsewhere they have heads of their own.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 from typing import TYPE_CHECKING
@@ -36,6 +36,8 @@ HEAD_STEP_MM = 1.0
 _SIDES = 64
 _ALONG = 1 - 1e-9
 _STEEP = 1e-6
+_OUTSIDE = 0.01
+"""Of a head's height, down to which it is within the mould's block."""
 
 
 @dataclass(frozen=True)
@@ -144,12 +146,20 @@ def loose_pins(spec: ObjectSpec) -> tuple[Pin, ...]:
 
 def pins_thin_the_seam(spec: ObjectSpec) -> bool:
     """Whether holes of pins, or of their heads, leave walls to the parting plane that are too thin."""
+    return any(thin_at_seam(spec, axis, radius) for _, axis, radius in pin_holes(spec))
+
+
+def pin_holes(spec: ObjectSpec) -> Iterator[tuple[Pin, Float[np.ndarray, "2 3"], float]]:
+    """Axes and radii of the mould's holes for pins and for their heads, which have none where they rest on
+    the outside of its block."""
     play = play_mm(spec)
-    return any(
-        thin_at_seam(spec, axis, pin.radius_mm + play + rim)
-        for pin in loose_pins(spec)
-        for axis, rim in ((pin.shank_axis_mm, 0.0), (pin.head_axis_mm, pin.rim_mm))
-    )
+    for pin in loose_pins(spec):
+        for axis, rim in ((pin.shank_axis_mm, 0.0), (pin.head_axis_mm, pin.rim_mm)):
+            along = axis[1] - axis[0]
+            inside = exit_mm(spec, axis[0], pin.way) / float(np.linalg.norm(along))
+            if inside > _OUTSIDE:
+                ends = axis[0] + np.outer([0.0, min(inside, 1.0)], along)
+                yield pin, ends, pin.radius_mm + rim + play
 
 
 def pin_kinds(pins: Sequence[Pin]) -> list[tuple[str, int, int]]:
