@@ -39,12 +39,14 @@ def inverted_twin(
     twins: Mapping[int, FaceTwin],
     left: Mapping[int, float],
     shear: ShearSignals | None = None,
+    noise_counts: Float[np.ndarray, "3"] | None = None,
 ) -> Inversion:
     """An estimator of the object that labelled presses show, and of the design on other faces.
 
     `left` is the share of the signals that each face's twin leaves at places that it has not seen.
     What a press shows on other faces' sensors is the design's, with the twin's core and modulus;
-    `shear`, what tangential forces add, is the design's.
+    `shear`, what tangential forces add, is the design's. `noise_counts` is the white noise of the axes as
+    recorded, the specification's if left out.
 
     Raises
     ------
@@ -57,7 +59,8 @@ def inverted_twin(
     for face, twin in twins.items():
         signals = _with_face(signals, twin.signals(), face)
     errors = _errors(spec, design_error(spec, forces, motions, design), left)
-    return inversion(spec, forces, motions, signals, errors, _force_error(spec, twins), shear)
+    found = inversion(spec, forces, motions, signals, errors, _force_error(spec, twins), shear)
+    return found if noise_counts is None else _with_noise(found, noise_counts)
 
 
 def inverted_grasps(

@@ -11,7 +11,7 @@ from design.errors import InputError
 from design.spec.object import ObjectSpec
 from estimator.calibration.twin.pressed_places import (
     LEAST_FRAMES,
-    white_noise_counts,
+    recorded_noise_counts,
     within_reach,
     within_table,
 )
@@ -89,7 +89,7 @@ def pressed_cases(spec: ObjectSpec, frames: FrameSet, forces: PressForces) -> Pr
         )
     levels = [np.array_split(rows, _LEVELS) for rows in cases]
     first = [rows[0] for rows in cases]
-    noise = white_noise_counts(spec, frames.noise_counts if frames.source == "recorded" else None)
+    noise = recorded_noise_counts(spec, frames)
     white = np.tile(noise**2, counts.shape[1] // 3)
 
     def means(of: np.ndarray) -> np.ndarray:

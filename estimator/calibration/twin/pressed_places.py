@@ -83,6 +83,11 @@ def white_noise_counts(
     return noise if recorded is None else np.where(np.isfinite(recorded), recorded, noise)
 
 
+def recorded_noise_counts(spec: ObjectSpec, frames: FrameSet) -> Float[np.ndarray, "3"]:
+    """White noise of a reading that frames show; simulated ones have the specification's."""
+    return white_noise_counts(spec, frames.noise_counts if frames.source == "recorded" else None)
+
+
 def within_table(
     spec: ObjectSpec, face: int, xy_mm: Float[np.ndarray, "press 2"]
 ) -> Bool[np.ndarray, "press"]:

@@ -75,6 +75,7 @@ class TwinOfData:
         """The estimator that inverts the twins of all faces with enough single places in these frames, or,
         where none has, the twin of the whole object that presses of several contacts show."""
         from estimator.calibration.twin.inverted_twin import inverted_twin
+        from estimator.calibration.twin.pressed_places import recorded_noise_counts
         from estimator.frames.heatmap import faces_pressed
 
         found = {face: self.calibrated(frames, face, step) for face in faces_pressed(frames)}
@@ -85,7 +86,8 @@ class TwinOfData:
         twins = {face: twin for face, (twin, _) in known.items()}
         left = {face: share for face, (_, share) in known.items()}
         step("tables of presses")
-        return inverted_twin(self.spec, *self.presses, twins, left, self.shear)
+        noise = recorded_noise_counts(self.spec, frames)
+        return inverted_twin(self.spec, *self.presses, twins, left, self.shear, noise)
 
     def _inverted_grasps(self, frames: FrameSet, step: Step) -> Inversion:
         from estimator.calibration.twin.grasp_twin import calibrate_on_cases

@@ -1,12 +1,14 @@
 """Training on a data set with presses of the object's calibrated twin beside it."""
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from design.errors import InputError
+from estimator.calibration.twin import inverted_twin
 from estimator.frames.dataset import save_frames
 from estimator.frames.press_protocol import simulate_presses
 from estimator.frames.splits import split_presses
@@ -170,6 +172,17 @@ def test_a_foreign_object_is_not_explained(frames, twin):
         (wrong.select(split.train), wrong.select(split.validation)), FACE, lambda text: None
     )
     assert twin.rows[0]["helps"].startswith("no: ")
+
+
+def test_an_inverted_twin_reads_with_the_recording_s_noise(frames, twin, monkeypatch):
+    asked = []
+    monkeypatch.setattr(inverted_twin, "inverted_twin", lambda *args: asked.append(args[-1]))
+    monkeypatch.setattr(twin, "calibrated", lambda *_: (None, 0.03))
+    recorded = replace(frames, source="recorded", noise_counts=np.array([3.0, np.nan, 70.0]))
+    for known in (recorded, frames):
+        twin.inverted(known, lambda _: None)
+    own = SPEC.sensors.noise_counts
+    np.testing.assert_allclose(asked, [[3.0, own[1], 70.0], own])
 
 
 def test_what_a_twin_does_not_serve_is_told_before_anything_is_simulated(frames, twin, tmp_path):
