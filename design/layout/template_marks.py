@@ -43,12 +43,12 @@ def mark_places(
 ) -> Places:
     """Middle of every magnet's mark on a template of these half extents, in the face's frame (mm).
 
-    Each stands where most room is beside its own hole; where that leaves a wall that cannot be printed,
-    they make room for each other.
+    Each stands where most room is beside its own hole; where that leaves a wall that cannot be printed, or
+    none, they make room for each other.
     """
     plate = _Plate(spec, pockets, half_mm)
     places = np.stack([mark_place(pockets, index, half_mm) for index in range(len(pockets))])
-    if plate.thinnest_mm(places) >= spec.printer.wall_mm:
+    if plate.least_mm(places) >= spec.printer.wall_mm:
         return places
     for _ in range(_ROUNDS):
         before = places.copy()
@@ -114,10 +114,17 @@ class _Plate:
 
     def thinnest_mm(self, places: Places) -> float:
         """Of all walls between marks and what is beside them."""
+        walls = self._every_wall_mm(places)
+        return float(walls[walls > -np.inf].min(initial=np.inf))
+
+    def least_mm(self, places: Places) -> float:
+        """The same, −∞ where marks meet or reach past the edge."""
+        return float(self._every_wall_mm(places).min(initial=np.inf))
+
+    def _every_wall_mm(self, places: Places) -> Float[np.ndarray, "wall"]:
         each = range(len(places))
         every = [self._walls_mm(places[index, None], places, index) for index in each]
-        walls = np.concatenate(every, axis=None)
-        return float(walls[walls > -np.inf].min(initial=np.inf))
+        return np.concatenate(every, axis=None)
 
     def roomiest(self, places: Places, index: int) -> Float[np.ndarray, "2"]:
         """Where a mark has the thickest walls beside it, the others standing where they do; first where it

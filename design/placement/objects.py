@@ -31,6 +31,8 @@ from design.placement.room import (
     low_rim,
     narrow_heads,
     outlet_room_mm,
+    thin_over_outlet,
+    thin_round_bore,
     tight_core,
     tight_marks,
     tight_middle,
@@ -273,9 +275,11 @@ def _with_patterns(
         if wall is None or tight_core(spec) or tight_rim(spec):
             continue
         tables["core"]["wall_mm"] = wall
+        if thin_over_outlet(spec_of(tables)):
+            continue
         if body_of(spec).opening == "bore":
-            bore = min(spec.body.bore_mm, float(np.floor(2 * outlet_room_mm(spec))))
-            if bore < _LEAST_BORE_MM:
+            bore = _bore_mm(spec)
+            if bore is None:
                 continue
             tables["body"] = tables["body"] | {"bore_mm": bore}
         if low_rim(spec):
@@ -283,6 +287,15 @@ def _with_patterns(
         elif fits(spec_of(tables)):
             return tables
     return next((tables for tables in on_slopes if fits(spec_of(tables))), None)
+
+
+def _bore_mm(spec: ObjectSpec) -> float | None:
+    """The widest bore that leaves walls to recesses and to the sides of the core; None where none does."""
+    widest = min(spec.body.bore_mm, float(np.floor(2 * outlet_room_mm(spec))))
+    for bore in np.arange(widest, _LEAST_BORE_MM - 1e-9, -1.0).tolist():
+        if not thin_round_bore(spec.changed(body=spec.body.changed(bore_mm=bore))):
+            return bore
+    return None
 
 
 def _electronics(request: Request, faces: list[Shares]) -> Tables:
@@ -319,6 +332,10 @@ def _wall_mm(spec: ObjectSpec) -> float | None:
     return max(4.0, float(np.ceil(2 * (deepest + _FLOOR_MM))) / 2)
 
 
+_HARD_TO_MAKE = (tight_marks, narrow_heads)
+"""What other patterns of magnets are tried against."""
+
+
 def _with_magnets(
     request: Request, tables: Tables, shares: tuple[float, ...], counts: tuple[int, ...]
 ) -> Tables | None:
@@ -339,7 +356,7 @@ def _with_magnets(
         spare = None
         for _, magnets, spec in sorted(tried, key=lambda one: one[0]):
             if fits(spec, mould=False) and not tight_shell(spec) and can_be_moulded(spec):
-                if not (tight_marks(spec) or narrow_heads(spec)):
+                if not any(hard(spec) for hard in _HARD_TO_MAKE):
                     return tables | {"magnets": magnets}
                 spare = spare or tables | {"magnets": magnets}
         if spare:

@@ -35,6 +35,8 @@ _ROOMY = 1.25
 _LAYER_MM = 0.25
 """Of a floor below a sloping core, at least: what a printer lays in one layer."""
 _WALL_DEG, _STEP_MM, _EDGE_POINTS = 45.0, 0.05, 5
+_FACING_DEG, _ROUND, _ALONG_MM = 18.0, 24, 0.25
+"""Beside a bore: how squarely a wall's side faces it, and where walls are looked at."""
 
 
 def tight_core(spec: ObjectSpec, sunk: bool = True) -> bool:
@@ -108,14 +110,48 @@ def tight_middle(spec: ObjectSpec) -> bool:
 
 def outlet_room_mm(spec: ObjectSpec) -> float:
     """Radius about −z that leaves a wall to every recess that reaches as low as a core's outlet."""
-    steps = np.linspace(-1, 1, _EDGE_POINTS)
-    shares = np.stack(np.meshgrid(steps, steps, steps), axis=-1).reshape(-1, 3)
-    points = np.concatenate(
-        [r.centre_mm + (shares * r.half_mm) @ r.axes.T for r in sensor_recesses(spec)]
-    )
+    points = _points_of_recesses(spec)
     beside = points[points[:, 2] < 0]
     away = np.linalg.norm(beside[:, :2], axis=1).min(initial=np.inf)
     return float(away) - spec.printer.wall_mm - _STEP_MM
+
+
+def _points_of_recesses(spec: ObjectSpec) -> Points:
+    steps = np.linspace(-1, 1, _EDGE_POINTS)
+    shares = np.stack(np.meshgrid(steps, steps, steps), axis=-1).reshape(-1, 3)
+    return np.concatenate(
+        [r.centre_mm + (shares * r.half_mm) @ r.axes.T for r in sensor_recesses(spec)]
+    )
+
+
+def thin_over_outlet(spec: ObjectSpec) -> bool:
+    """Whether a recess ends too little above the middle of a core without a cavity, from where wires leave
+    downwards in a hole of their own: the floor between both is too thin to print."""
+    room, _ = body_of(spec).room_for_recesses
+    if body_of(spec).on_base or spec.core.wall_mm < room:
+        return False
+    points = _points_of_recesses(spec)
+    above = np.hypot(*points[:, :2].T) <= spec.core.wire_hole_side_diameter_mm / 2
+    return bool(np.any(above & (points[:, 2] > 0) & (points[:, 2] < spec.printer.wall_mm)))
+
+
+def thin_round_bore(spec: ObjectSpec) -> bool:
+    """Whether a side of the core that runs along its bore is too thin to print, as of a flat body's.
+
+    Where the core slopes away from the bore by more than what rays take for a wall, it has an edge there.
+    """
+    turn = 2 * np.pi * np.arange(_ROUND) / _ROUND
+    outward = np.column_stack([np.cos(turn), np.sin(turn), np.zeros(_ROUND)])
+    heights = np.arange(-float(body_of(spec).core_half_mm[2]), 0.0, _ALONG_MM)
+    rings = spec.body.bore_mm / 2 * outward + heights[:, None, None] * [0.0, 0.0, 1.0]
+    points, outward = rings.reshape(-1, 3), np.tile(outward, (len(heights), 1))
+    beyond = beyond_core_mm(spec, points)
+    thin = (beyond < 0) & (beyond > -spec.printer.wall_mm)
+    points, outward, beyond = points[thin], outward[thin], beyond[thin]
+    further = [beyond_core_mm(spec, points + _STEP_MM * way) for way in np.eye(3)]
+    normal = np.column_stack(further) - beyond[:, None]
+    facing = np.einsum("ij,ij->i", normal, outward) / np.linalg.norm(normal, axis=1)
+    return bool(np.any(facing > np.cos(np.deg2rad(_FACING_DEG))))
 
 
 def tight_shell(spec: ObjectSpec) -> bool:

@@ -19,13 +19,21 @@ from design.layout.boards import (
     smallest_recess_wall_mm,
     wire_bundle_mm,
 )
+from design.layout.mould.frame import play_mm
 from design.layout.places.contact_places import contact_places
 from design.layout.places.positions import magnet_layout
 from design.layout.pockets import sensor_places
 from design.placement import asked, objects
 from design.placement.asked import _on_base, placed
 from design.placement.objects import COARSE, Request, Trim, first_fit, spec_of
-from design.placement.room import low_rim, tight_rim
+from design.placement.room import (
+    low_rim,
+    narrow_heads,
+    thin_over_outlet,
+    thin_round_bore,
+    tight_marks,
+    tight_rim,
+)
 from tests.support.recorded_facts import assert_on_record
 
 PEAR = Path(__file__).parents[3] / "examples" / "bodies" / "pear.stl"
@@ -381,7 +389,15 @@ def test_a_face_without_a_patch_is_left_out_of_the_largest(tmp_path):
 
 
 @pytest.mark.parametrize(
-    "wrong", ["tight_middle", "tight_core", "tight_core, as sunk", "tight_rim", "_wall_mm"]
+    "wrong",
+    [
+        "tight_middle",
+        "tight_core",
+        "tight_core, as sunk",
+        "tight_rim",
+        "_wall_mm",
+        "thin_over_outlet",
+    ],
 )
 def test_a_pattern_that_is_tight_in_any_one_way_is_left_out(monkeypatch, wrong):
     """The first of two patterns, which is wrong in one way alone, gives way to the second."""
@@ -389,7 +405,7 @@ def test_a_pattern_that_is_tight_in_any_one_way_is_left_out(monkeypatch, wrong):
     monkeypatch.setattr(objects, "spec_of", spec_of_tables)
     numbers = iter((1, 2))
     monkeypatch.setattr(objects, "_electronics", lambda *_: {"core": {"number": next(numbers)}})
-    for name in ("tight_middle", "tight_rim", "low_rim"):
+    for name in ("tight_middle", "tight_rim", "low_rim", "thin_over_outlet"):
         monkeypatch.setattr(objects, name, lambda spec, name=name: (spec, wrong) == (1, name))
     unsunk = lambda spec, sunk: wrong == ("tight_core, as sunk" if sunk else "tight_core")  # noqa: E731
     monkeypatch.setattr(
@@ -417,3 +433,88 @@ def test_faces_are_asked_for_under_the_thinnest_shell(monkeypatch):
     assert objects._frame_where_there_is(QUICK["brick"], 3)[0].number == 3
     assert set(asked) == {objects.TRIMS[-1]}
     assert len(asked) == 1 + 5 + 1
+
+
+def closed_cylinder(places):
+    """With pockets of 6 mm in its upper end; its mould is one of halves, with pins."""
+    body = {"kind": "cylinder", "size_mm": [60.0] * 3, "open_faces": [], "sensed_faces": [1]}
+    shell = {"pocket_diameter_mm": 6.0}
+    return spec_of({"body": body, "shell": shell, "magnets": {"positions_mm": places}})
+
+
+@pytest.mark.parametrize(("apart_mm", "narrow"), [(6.8, True), (7.0, False), (12.0, False)])
+def test_heads_of_pins_that_stand_close_have_narrow_rims(apart_mm, narrow):
+    """Half of what is left between two pockets of 6 mm and their pins' play, of 0.4 mm or more."""
+    spec = closed_cylinder([[0.0, 6.0], [apart_mm, 6.0]])
+    assert ((apart_mm - 6.0 - play_mm(spec)) / 2 < 0.4) is narrow
+    assert narrow_heads(spec) is narrow
+    one_piece = spec.changed(mould={"style": "one-piece"}, body=spec.body.changed(open_faces=[6]))
+    assert not narrow_heads(one_piece)
+
+
+def test_marks_that_find_no_room_are_told_of_flat_faces_alone():
+    crowded = [[x, y] for x in (-8.0, 0.0, 8.0) for y in (-8.0, 0.0, 8.0)]
+    spec = closed_cylinder(crowded)
+    for kind, tight in (("box", True), ("sphere", False)):
+        body = {"kind": kind, "size_mm": [30.0] * 3, "sensed_faces": [1]}
+        assert tight_marks(spec.changed(body=body)) is tight
+    assert not tight_marks(closed_cylinder([[0.0, 0.0], [12.0, 0.0]]))
+
+
+def test_patterns_that_cannot_be_made_come_last(monkeypatch):
+    request = Request("pad", (60.0, 42.0, 11.0), 1, 4)
+
+    def places(*hard):
+        monkeypatch.setattr(objects, "_HARD_TO_MAKE", hard)
+        tables = first_fit(request, objects.TRIMS[2:3], shares=(0.5, 0.4))
+        return tables["magnets"]["positions_mm"]
+
+    first = places()
+    second = places(lambda spec: spec.magnets.positions_mm == spec_of_places(first))
+    assert second != first
+    assert places(lambda spec: True) == first
+
+
+def spec_of_places(places):
+    return spec_of({"magnets": {"positions_mm": places}}).magnets.positions_mm
+
+
+@pytest.mark.parametrize(("bore_mm", "thin"), [(11.4, False), (12.0, True), (13.8, True)])
+def test_a_bore_leaves_a_wall_to_the_side_of_a_narrow_core(bore_mm, thin):
+    """By hand, in a capsule's core of R 7 mm, along its side and on for 18° of its round end: 0.8 mm can be
+    printed."""
+    body = {"kind": "capsule", "size_mm": [30.0, 30.0, 60.0], "bore_mm": bore_mm}
+    spec = spec_of({"body": body, "shell": {"thickness_mm": 8.0}})
+    wall = float(7.0 * np.cos(np.deg2rad(18.0)) - bore_mm / 2)
+    assert (wall < spec.printer.wall_mm) is thin
+    assert thin_round_bore(spec) is thin
+
+
+def test_a_core_that_slopes_away_from_its_bore_has_an_edge_and_no_wall():
+    """On a ball's core of R 9 mm a bore of 8 mm meets the surface at 64°."""
+    body = {"kind": "sphere", "size_mm": [34.0] * 3, "bore_mm": 8.0}
+    assert not thin_round_bore(spec_of({"body": body, "shell": {"thickness_mm": 8.0}}))
+
+
+@pytest.mark.parametrize(("diameter_mm", "thin"), [(21.4, True), (22.0, False)])
+def test_a_recess_leaves_a_floor_over_the_way_of_the_wires(diameter_mm, thin):
+    """By hand, below a board of 6.6 × 6.2 mm whose corners touch the core; 0.463 mm by rays through the core
+    of a ball of 21.4 mm that `instobj new` placed."""
+    floor = np.sqrt((diameter_mm / 2 - 5.0) ** 2 - 3.3**2 - 3.1**2) - 3.0
+    spec = spec_of(
+        {
+            "body": {"kind": "sphere", "size_mm": [diameter_mm] * 3, "sensed_faces": [1]},
+            "shell": {"thickness_mm": 5.0},
+            "core": {
+                "wall_mm": 6.5,
+                "recess_inner_radius_mm": 0.25,
+                "recess_outer_radius_mm": 6.75,
+            },
+            "sensors": {"count_per_face": 1, "radius_mm": 3.5, "positions_mm": [[0.0, 0.0]]},
+        }
+    )
+    (recess,) = sensor_recesses(spec)
+    assert recess.centre_mm[2] - recess.half_mm[2] == pytest.approx(floor, abs=0.01)
+    assert thin_over_outlet(spec) is thin
+    hollow = spec.changed(core=spec.core.changed(wall_mm=2.0))
+    assert not thin_over_outlet(hollow), "its cavity is what wires leave by"
