@@ -1,4 +1,4 @@
-"""Where tensors of large batches are worked on: the processor, or a graphics card."""
+"""Device for tensors of large batches: the processor, or a graphics card."""
 
 from __future__ import annotations
 
