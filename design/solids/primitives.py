@@ -164,13 +164,14 @@ def single_solid(shape: cq.Shape, part: str) -> cq.Solid:
         An InputError: the dimensions leave several pieces, or a body that is not valid.
     """
     merged = _merged(shape)
-    if shape.isValid() and not (merged.isValid() and _loose_mm(merged) <= _tight_mm(shape)):
-        merged = shape
+    valid = merged.isValid()  # takes as long as an operation
+    if not (valid and _loose_mm(merged) <= _tight_mm(shape)) and shape.isValid():
+        merged, valid = shape, True
     solids = merged.Solids()
     if len(solids) > 1:
         solids = [solid for solid in solids if solid.Volume() >= CRUMB_MM3] or solids
-    if len(solids) != 1 or not solids[0].isValid():
-        state = "valid" if merged.isValid() else "invalid"
+    if len(solids) != 1 or not (valid or solids[0].isValid()):
+        state = "valid" if valid else "invalid"
         raise NotOneSolid(
             f"{part} must be one valid solid; these dimensions give {len(solids)} ({state}). "
             "Move its recesses, holes or pockets apart, or make them smaller",

@@ -9,14 +9,13 @@ from __future__ import annotations
 import numpy as np
 from jaxtyping import Float, Int
 from scipy.spatial import KDTree
-from threadpoolctl import threadpool_limits
 
 from design.errors import StoreError
 from design.layout.body import face_frame
 from design.spec.object import ObjectSpec
 from fem.linear.response import ResponseOperator
 from fem.mesh.surfaces import surface_tolerance_mm
-from fem.presses.table import press_places, surface_weights_mm2
+from fem.presses.table import one_blas_thread, press_places, surface_weights_mm2
 
 
 def inward_motion_mm(
@@ -35,7 +34,7 @@ def inward_motion_mm(
     surface = slice(0, response.magnet_loads.start)
     weights = np.concatenate([surface_weights_mm2(face) for face in response.surfaces])
     rows = np.asarray(response.compliance[surface, response.face_loads(face_index)])
-    with threadpool_limits(1, "blas"):
+    with one_blas_thread():
         moments = pressure.reshape(-1, pressure.shape[-1]) @ rows.T
     return (moments / weights).reshape(*pressure.shape[:2], -1)
 

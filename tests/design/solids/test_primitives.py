@@ -12,6 +12,7 @@ from design.body.triangles import Block
 from design.errors import NotOneSolid
 from design.layout.body import body_of, face_frames
 from design.layout.pockets import Body, Outline, Pocket, tilted_frame
+from design.solids import primitives
 from design.solids.body import _cylinder_room, _sphere_room
 from design.solids.booleans import as_triangles
 from design.solids.primitives import (
@@ -172,3 +173,13 @@ def test_a_lying_cylinder_s_middle_is_pressed_and_a_core_without_room_is_solid()
     assert _sphere_room(ball, ball.core_radius_mm - 1).Volume() == pytest.approx(4 / 3 * np.pi)
     tube = body_of(worked("closed cylinder"))
     assert _cylinder_room(tube, float(min(tube.core_half_mm))) is None
+
+
+def test_a_merging_that_spoils_a_solid_is_not_taken(monkeypatch):
+    box = box_between(np.zeros(3), np.ones(3))
+    spoiled = cq.Solid.makeSolid(cq.Shell.makeShell(box.Faces()[:5]))
+    assert not spoiled.isValid()
+    monkeypatch.setattr(primitives, "_merged", lambda shape: spoiled)
+    assert single_solid(box, "part").isValid()
+    with pytest.raises(NotOneSolid, match=r"give 1 \(invalid\)"):
+        single_solid(spoiled, "part")

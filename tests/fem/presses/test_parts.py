@@ -5,6 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
+from threadpoolctl import threadpool_info, threadpool_limits
 
 from design.errors import InputError
 from design.layout.places.contact_grid import PlaceGrid
@@ -13,7 +14,7 @@ from fem.candidates import presses as candidates
 from fem.presses import discretisation, shape
 from fem.presses.joint import Tip, require_apart
 from fem.presses.results import MagnetMotions
-from fem.presses.table import require_on_face
+from fem.presses.table import one_blas_thread, require_on_face
 
 
 def test_up_to_five_rows_and_columns_are_spread_over_the_locations_that_a_face_has():
@@ -126,3 +127,14 @@ def test_places_that_a_face_has_not_are_left_out_of_every_press():
     motion[1, 0] = np.nan
     assert whole.pressed.tolist() == [[True] * 3, [False, True, True]]
     assert_allclose(whole.every, np.concatenate([motion[0], motion[1, 1:]]).reshape(10, 2, 6))
+
+
+def test_presses_take_one_thread_of_linear_algebra_and_give_the_others_back():
+    with threadpool_limits(2, "blas"):
+        with one_blas_thread():
+            assert blas_threads() == {1}
+        assert blas_threads() == {2}
+
+
+def blas_threads():
+    return {one["num_threads"] for one in threadpool_info() if one["user_api"] == "blas"}
