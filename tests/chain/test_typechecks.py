@@ -37,6 +37,11 @@ def test_a_wrong_field_is_noticed_in_the_first_objects_of_a_test(again):
     assert replace(MESH, points_mm=WRONG).points_mm is WRONG
 
 
+def test_a_name_of_an_axis_stands_for_one_size_in_a_call():
+    with pytest.raises(TypeCheckError):
+        replace(MESH, magnet=np.array([-1, -1]))
+
+
 def test_where_many_tests_called_a_function_the_first_call_of_a_test_is_still_checked():
     for _ in range(typechecks.TESTS):
         typechecks.next_test()

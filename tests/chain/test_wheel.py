@@ -55,11 +55,11 @@ def installed(tmp_path_factory):
     install, are not read for it.
     """
     folder = tmp_path_factory.mktemp("wheel")
-    pip = (sys.executable, "-m", "pip", "--disable-pip-version-check")
-    _run(*pip, "wheel", "-q", "--no-deps", "--no-build-isolation", "-w", folder, ROOT, cwd=folder)
+    _run(sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", folder, cwd=ROOT)
     (wheel,) = folder.glob("instobj-*.whl")
     venv.create(folder / "env", with_pip=False)
     python = folder / "env" / "bin" / "python"
+    pip = (sys.executable, "-m", "pip", "--disable-pip-version-check")
     _run(*pip, "--python", python, "install", "-q", "--no-deps", "--no-index", wheel, cwd=folder)
     home = Path(_run(python, "-c", "import sysconfig; print(sysconfig.get_path('purelib'))",
                      cwd=folder).strip())  # fmt: skip
@@ -91,30 +91,31 @@ def tiny(installed, tmp_path_factory):
     """Folder of a new object whose mesh and responses are those that other tests made."""
     folder = tmp_path_factory.mktemp("tiny")
     lend_mechanics(folder / ".instobj")
-    _run(installed / "instobj", "new", "tiny", cwd=folder)
     return folder
 
 
 @pytest.fixture(scope="module")
 def told(installed, tiny):
-    """What `check`, `build` and `run` of the new object print."""
+    """What `new`, and `check`, `build` and `run` of the new object print, and a page of the docs."""
     commands = [
+        ["new", "tiny"],
         ["check", "tiny.toml", *COARSE],
         ["build", "tiny.toml", *COARSE],
         ["run", "tiny.toml", *COARSE, "--json"],
+        ["docs", "recordings"],
     ]
     python = installed / "python"
     return _run(python, "-c", CHAIN, json.dumps(commands), cwd=tiny, **THREADS).split("\f")
 
 
 def test_a_new_object_is_checked_and_built_from_the_wheel(told, tiny):
-    assert "tiny" in told[0]
+    assert "tiny" in told[1]
     assert (tiny / "cad_out" / "tiny" / "shell.stl").stat().st_size > 10_000
     assert "<h1>" in (tiny / "cad_out" / "tiny" / "assembly.html").read_text(encoding="utf-8")
 
 
 def test_a_new_object_is_run_from_the_wheel(told, tiny):
-    (document,) = json.loads(told[2])["objects"]
+    (document,) = json.loads(told[3])["objects"]
     reused = {row["stage"] for row in document["stages"] if row["reused"]}
     assert reused <= {*MECHANICS, "build"}
     report = (tiny / "runs" / "tiny" / "report.html").read_text(encoding="utf-8")
@@ -122,8 +123,7 @@ def test_a_new_object_is_run_from_the_wheel(told, tiny):
     assert (tiny / "runs" / "tiny" / "scores.csv").is_file()
 
 
-def test_the_pages_that_messages_name_are_in_the_wheel(installed, tmp_path):
+def test_the_pages_that_messages_name_are_in_the_wheel(installed, told, tmp_path):
     names = _run(installed / "instobj", "docs", cwd=tmp_path).split()
     assert "recordings" in names
-    page = _run(installed / "instobj", "docs", "recordings", cwd=tmp_path)
-    assert page == (ROOT / "docs" / "recordings.md").read_text(encoding="utf-8") + "\n"
+    assert told[4] == (ROOT / "docs" / "recordings.md").read_text(encoding="utf-8") + "\n"

@@ -8,10 +8,11 @@ A function's check is built when it is first called: all of them would take 8 s 
 from contextlib import suppress
 from dataclasses import is_dataclass
 from functools import wraps
-from inspect import isfunction
+from inspect import isasyncgenfunction, isfunction, isgeneratorfunction
 from typing import get_type_hints
 
 import jaxtyping
+from beartype.roar import BeartypeCallHintViolation
 
 CALLS = 5
 """Of a function in a test that are checked; and in each fixture's setup, as part of its test."""
@@ -54,7 +55,14 @@ def _first_calls(jaxtyped):
             return jaxtyped(plain, typechecker=typechecker)
 
         def checked(plain):
-            return with_shapes(plain) if _names_shapes(plain) else typechecker(plain)
+            try:
+                shapes = _names_shapes(plain)
+            except NameError:  # stands for type checkers alone, which jaxtyping takes for any type
+                return with_shapes(plain)
+            if isgeneratorfunction(plain) or isasyncgenfunction(plain):
+                return with_shapes(plain) if shapes else typechecker(plain)
+            form = typechecker(plain)
+            return _of_one_size(form, jaxtyped("context")) if shapes else form
 
         def counted(plain):
             if isfunction(plain):
@@ -70,12 +78,24 @@ def _first_calls(jaxtyped):
 
 
 def _names_shapes(function):
-    """Also where a name stands for type checkers alone, which jaxtyping takes for any type."""
-    try:
-        hints = get_type_hints(function)
-    except NameError:
-        return True
-    return "jaxtyping" in repr(hints)
+    return "jaxtyping" in repr(get_type_hints(function))
+
+
+def _of_one_size(form, context):
+    """Names of axes stand for one size in a call.
+
+    As jaxtyping's own decorator, which builds two checks of each function and looks at what is given
+    to it twice, in order to say more of an error.
+    """
+
+    def call(*args, **kwargs):
+        with context:
+            try:
+                return form(*args, **kwargs)
+            except BeartypeCallHintViolation as error:
+                raise jaxtyping.TypeCheckError(str(error)) from error
+
+    return call
 
 
 def _counted(plain, checked):

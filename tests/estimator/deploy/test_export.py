@@ -90,12 +90,18 @@ def certain(model):
     return sure
 
 
-def test_a_model_that_is_certain_of_its_pixels_exports_without_a_nan(certain, frames, tmp_path):
+@pytest.fixture(scope="module")
+def certain_path(certain, tmp_path_factory):
+    target = tmp_path_factory.mktemp("certain") / "certain.onnx"
+    export_onnx(certain, target)
+    return target
+
+
+def test_a_model_that_is_certain_of_its_pixels_exports_without_a_nan(certain, certain_path, frames):
     """Fails with `optimize=True`: 0/0 where weights underflow (the first such file: 67 % NaN)."""
-    export_onnx(certain, tmp_path / "certain.onnx")
     loud = replace(frames, signal_counts=100 * frames.signal_counts)
     trained = predict(certain, loud)
-    deployed = predict_frames(load_deployed(tmp_path / "certain.onnx"), loud)
+    deployed = predict_frames(load_deployed(certain_path), loud)
     for name in UNITS:
         expected = getattr(trained, name)
         assert np.isfinite(expected).all()
@@ -248,8 +254,8 @@ def test_bad_files_give_one_clear_error(path, tmp_path, damage):
     assert len(str(raised.value)) < 400
 
 
-def test_a_changed_byte_anywhere_in_an_exported_file_is_one_error(path, tmp_path):
-    bad, whole = tmp_path / "bad.onnx", path.read_bytes()
+def test_a_changed_byte_anywhere_in_an_exported_file_is_one_error(certain_path, tmp_path):
+    bad, whole = tmp_path / "bad.onnx", certain_path.read_bytes()
     for at in np.random.default_rng(5).integers(len(whole), size=25).tolist():
         bad.write_bytes(whole[:at] + bytes([whole[at] ^ 4]) + whole[at + 1 :])
         with pytest.raises(InstobjError, match=r"bad\.onnx"):
