@@ -26,6 +26,8 @@ from design.spec.body import LONGEST_EDGE_MM
 _GROWTH, _LARGEST_GROWTH, _LARGEST_BESIDE, _HALVINGS = 1.25, 8.0, 3.1, 3
 """Steps in which a larger size is looked for, how far, how far where longer short edges help, and how
 often the last step is halved."""
+_DIGITS = 4
+"""Of a scale that is named."""
 _PLATE = 0.5
 """Of the shorter of the other edges, up to which a height is that of a plate."""
 
@@ -90,7 +92,8 @@ def _shorter_somewhere(one: Request, other: Request) -> bool:
 def _told(request: Request) -> str:
     faces = request.faces or ()
     sensed = f" with sensors on face{'s' * (len(faces) > 1)} {', '.join(map(str, faces))} alone"
-    return " × ".join(f"{edge:g}" for edge in request.size_mm) + " mm" + sensed * bool(faces)
+    size = " × ".join(f"{edge:.4g}" for edge in request.size_mm)
+    return f"{size} mm{sensed * bool(faces)}"
 
 
 def _smallest(
@@ -151,11 +154,16 @@ def _fitting_roughly(request: Request) -> Request | None:
 
 
 def _grown(request: Request, growth: float) -> Request:
-    x, y, z = (float(np.ceil(2 * growth * edge)) / 2 for edge in request.size_mm)
-    file = {**dict(request.file)}
-    if file:
-        file["scale"] = file.get("scale", 1.0) * growth
-    return replace(request, size_mm=(x, y, z), file=tuple(file.items()))
+    """By half millimetres; a file's body by a scale of four digits, of which its size follows."""
+    if not request.file:
+        x, y, z = (float(np.ceil(2 * growth * edge)) / 2 for edge in request.size_mm)
+        return replace(request, size_mm=(x, y, z))
+    file = dict(request.file)
+    before = file.get("scale", 1.0)
+    digits = _DIGITS - int(np.ceil(np.log10(before * growth)))
+    scale = float(np.ceil(before * growth * 10.0**digits - 1e-6)) / 10.0**digits
+    x, y, z = (edge * scale / before for edge in request.size_mm)
+    return replace(request, size_mm=(x, y, z), file=tuple((file | {"scale": scale}).items()))
 
 
 def _thickened(request: Request, growth: float) -> Request:

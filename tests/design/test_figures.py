@@ -179,6 +179,7 @@ FIGURES = {
     },
     design.placement.asked: {
         "_GROWTH": 1.25, "_LARGEST_GROWTH": 8.0, "_LARGEST_BESIDE": 3.1, "_HALVINGS": 3, "_PLATE": 0.5,
+        "_DIGITS": 4,
     },
     design.placement.objects: {
         "SHARES": (0.66, 0.62, 0.58, 0.54, 0.5, 0.46, 0.42, 0.38, 0.34, 0.3, 0.26, 0.22),

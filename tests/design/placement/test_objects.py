@@ -370,9 +370,13 @@ def test_a_core_s_wall_leaves_a_millimetre_behind_the_deepest_recess():
 def test_a_request_grows_to_half_millimetres_or_in_its_short_edges_alone():
     request = Request("box", (30.0, 20.1, 10.0), 1, 1, (("scale", 2.0), ("file", "a.stl")))
     grown = asked._grown(request, 1.1)
-    assert grown.size_mm == (33.0, 22.5, 11.0)
+    assert grown.size_mm == pytest.approx((33.0, 22.11, 11.0)), "as the file is, at that scale"
     assert dict(grown.file) == {"scale": pytest.approx(2.2), "file": "a.stl"}
-    assert asked._grown(Request("box", (30.0, 20.1, 10.0)), 1.1).file == ()
+    odd = asked._grown(replace(request, file=(("scale", 0.03), ("file", "a.stl"))), 1.0936717)
+    assert dict(odd.file)["scale"] == pytest.approx(0.03282), "0.032810 rounded up, as it is named"
+    assert odd.size_mm == pytest.approx((32.82, 20.1 * 1.094, 10.94))
+    plain = asked._grown(Request("box", (30.0, 20.1, 10.0)), 1.1)
+    assert (plain.size_mm, plain.file) == ((33.0, 22.5, 11.0), ())
     assert asked._thickened(request, 1.26).size_mm == (30.0, 20.1, 13.0)
     assert asked._thickened(request, 2.5).size_mm == (30.0, 25.0, 25.0)
 
