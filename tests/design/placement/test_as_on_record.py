@@ -59,13 +59,14 @@ def test_pitches_are_coarser_on_faces_that_would_take_more_than_100_locations():
         assert _pitches_mm(worked("box").changed(body=body)) == pitches
 
 
-def test_sizes_grow_in_half_millimetres():
+def test_sizes_grow_in_half_millimetres_and_files_as_their_scale():
     request = Request("imported", (20.0, 30.1, 40.0), file=(("file", "a.stl"), ("scale", 2.0)))
     grown = _grown(request, 1.25)
-    assert grown.size_mm == (25.0, 38.0, 50.0)
+    assert grown.size_mm == pytest.approx((25.0, 30.1 * 1.25, 50.0))
     assert dict(grown.file) == {"file": "a.stl", "scale": 2.5}
     assert dict(_grown(replace(request, file=(("file", "a.stl"),)), 1.25).file)["scale"] == 1.25
-    assert _grown(Request("box", (20.0, 30.0, 40.0)), 1.25).file == ()
+    plain = _grown(Request("box", (20.0, 30.1, 40.0)), 1.25)
+    assert (plain.size_mm, plain.file) == ((25.0, 38.0, 50.0), ())
     assert _thickened(request, 1.3).size_mm == (26.0, 30.1, 40.0)
     assert _rounded(np.array([[1.234, -0.001]])) == [[1.23, 0.0]]
 
