@@ -11,7 +11,14 @@ TOGETHER = (
 )
 """Folders whose files share meshes and responses of the whole run: one worker takes all of them."""
 
-LONGEST_FIRST = ("tests/fem/", "tests/chain/", "tests/instobj/", "tests/benchmarks/")
+LONGEST_FIRST = (
+    "tests/fem/",
+    "tests/chain/",
+    "tests/estimator/layouts/",
+    "tests/planted_faults/",
+    "tests/instobj/",
+    "tests/benchmarks/",
+)
 """So that no worker is left with a long file at the end."""
 
 
