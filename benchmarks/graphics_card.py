@@ -28,7 +28,7 @@ from design.spec_io import load_spec
 from estimator.field.batched import batched_field
 from estimator.field.models import field_model
 from estimator.field.sources import magnet_source
-from estimator.layouts.polish import LowestFidelity, judge, polish, population
+from estimator.layouts.polish import LowestFidelity, judge, polish, population, runs_together
 from instobj.search.lowest_fidelity import start_scores, structure_fidelity
 from instobj.stages.run import Run
 
@@ -45,8 +45,7 @@ def timed(call: Callable[[], Any], repeats: int) -> float:
     for _ in range(repeats + 1):
         start = time.perf_counter()
         call()
-        if torch.cuda.is_available():
-            torch.cuda.synchronize()
+        torch.cuda.synchronize()
         taken.append(time.perf_counter() - start)
     return min(taken[1:])
 
@@ -117,7 +116,7 @@ def _runs(
     space: SearchSpace, lowest: LowestFidelity, units: np.ndarray, poles: Any, device: str
 ) -> Result:
     """Generations of runs of CMA-ES: one run on the processor, as many as go side by side on the card."""
-    count = 1 if device == "cpu" else max(1, len(units) // population(units.shape[1]))
+    count = min(runs_together(torch.device(device), units.shape[1]), len(units))
     with torch.device(device):
         begin = torch.as_tensor(units[:count], dtype=torch.float32)
         signs, weights = torch.tensor(poles).expand(count, -1), torch.ones(count, 1)
@@ -138,7 +137,7 @@ def fields(spec: ObjectSpec, quick: bool) -> Result:
     rng = np.random.default_rng(1)
     presses, model = 100 if quick else 20_000, field_model(magnet_source(spec.magnets), 6.0)
     points, centres = rng.uniform(-20, 20, (1, 15, 3)), rng.uniform(-20, 20, (presses, 25, 3))
-    points[..., 2] += 30.0
+    points[..., 2] += 50.0  # 10 mm above the magnets at least
     axes = rng.normal(size=(presses, 25, 3))
     axes /= np.linalg.norm(axes, axis=2, keepdims=True)
     given = [torch.as_tensor(part, dtype=torch.float32) for part in (points, centres, axes)]

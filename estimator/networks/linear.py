@@ -22,7 +22,7 @@ def fit_linear(
     InputError
         No contact on the face in either part, or no live channel.
     """
-    settings = FitSettings(face, filled(TrainingSpec(model="linear")))
+    settings = FitSettings(face, filled(TrainingSpec(model="linear")), device="cpu")
     train, validation = (
         prepared(frames, name, settings)
         for frames, name in ((train_frames, "training"), (validation_frames, "validation"))

@@ -23,6 +23,7 @@ from estimator.networks.face_model import (
 )
 from estimator.networks.network import HeadsNetwork
 from estimator.networks.tensor_file import save_tensors
+from estimator.networks.training import face as face_training
 from estimator.networks.training.face import FitSettings, fit_estimator
 from tests.support.recordings.synthetic_frames import synthetic_frames
 
@@ -83,6 +84,13 @@ def test_estimator_beats_the_baselines(result, frames, split):
     assert result.force_error_percent < 0.5 * ridge.force_error_percent
     assert ridge.location_error_px < chance.location_error_px
     assert result.contact_frames == ridge.contact_frames == chance.contact_frames
+
+
+def test_the_ridge_baseline_stays_on_the_processor(frames, split, monkeypatch):
+    """Whatever networks are trained on; "meta" stands for a card, whose tensors NumPy cannot read."""
+    monkeypatch.setattr(face_training, "compute_device", lambda: torch.device("meta"))
+    assert FitSettings(FACE).device == "meta"
+    assert np.isfinite(linear_baseline(frames, FACE, split).force_error_n)
 
 
 @pytest.mark.parametrize("fault", ["sign", "channels", "unzeroed"])
