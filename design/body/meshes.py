@@ -124,15 +124,15 @@ def _without_crumbs(mesh: trimesh.Trimesh) -> trimesh.Trimesh:
 def thinnest_wall(mesh: trimesh.Trimesh) -> ThinnestWall | None:
     """The smallest distance, through the material, between surfaces that face apart; None if none.
 
-    Rays start from a fine triangulation of the surface, but for films, and run along the inward normal;
-    a wall is where the first surface they meet faces within 15° of the ray. Wedges are no walls, their edge
+    Rays start from a fine triangulation of the surface, but for films and slivers, and run along the inward
+    normal; a wall is where the first surface they meet faces within 15° of the ray. Wedges are no walls, their edge
     is as thin as one likes: `sharpest_edge` finds them. Between a plane and a hole of radius r the
     result is too thick by up to 0.01 r.
     """
     from trimesh.remesh import subdivide_to_size
 
     edge = max(1.0, float(np.sqrt(mesh.area / (0.3 * RAYS))))
-    known = np.asarray(mesh.faces)[_height_mm(mesh) > _FILM_MM]
+    known = np.asarray(mesh.faces)[_tells_how_it_faces(mesh)]
     vertices, faces = subdivide_to_size(mesh.vertices, known, edge, max_iter=30)[:2]
     corner = vertices[faces]
     doubled = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
@@ -335,6 +335,16 @@ def _through_mm(
             found[k], met[k] = hit, cell.get()
     apart = np.sum(facing[met] * normals, axis=1) <= _FACING
     return np.where(apart, np.linalg.norm(found - points_mm, axis=1), np.nan)
+
+
+def _tells_how_it_faces(mesh: trimesh.Trimesh) -> Bool[np.ndarray, "face"]:
+    """Of every triangle whether its normal is the surface's: not of films, nor of slivers none of whose
+    neighbours faces as they do, as those that are left where a surface is drawn by fewer triangles."""
+    height = _height_mm(mesh)
+    alike = np.cos(np.asarray(mesh.face_adjacency_angles)) >= -_FACING
+    known = height > SLIVER_MM - _EQUAL_MM
+    known[np.asarray(mesh.face_adjacency)[alike]] = True
+    return known & (height > _FILM_MM)
 
 
 def _height_mm(mesh: trimesh.Trimesh) -> np.ndarray:
