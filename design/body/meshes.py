@@ -125,9 +125,9 @@ def thinnest_wall(mesh: trimesh.Trimesh) -> ThinnestWall | None:
     """The smallest distance, through the material, between surfaces that face apart; None if none.
 
     Rays start from a fine triangulation of the surface, but for films and slivers, and run along the inward
-    normal; a wall is where the first surface they meet faces within 15° of the ray. Wedges are no walls, their edge
-    is as thin as one likes: `sharpest_edge` finds them. Between a plane and a hole of radius r the
-    result is too thick by up to 0.01 r.
+    normal; a wall is where the first surface they meet faces within 15° of the ray. Wedges are no walls,
+    their edge is as thin as one likes: `sharpest_edge` finds them. Between a plane and a hole of radius r
+    the result is too thick by up to 0.01 r.
     """
     from trimesh.remesh import subdivide_to_size
 

@@ -10,39 +10,54 @@ from collections.abc import Iterator
 import numpy as np
 from jaxtyping import Float
 
+from design.body.triangles import Block
 from design.errors import InputError
+from design.layout.blocks import relief_slits
 from design.layout.body import body_of
 from design.layout.core_hold import why_no_mould
 from design.layout.mould.frame import (
     YIELD_SHARE,
+    Parting,
     hooked_depth_mm,
     mould_frame,
     mould_style,
+    opening_of,
     parting,
     wall_to_plane_mm,
 )
 from design.layout.mould.pins import Pin, pin_holes
+from design.layout.mould.pouring import (
+    Hole,
+    hole_thins_the_seam,
+    pins_of,
+    pour_holes,
+    thin_beside_others,
+    within_mould,
+)
 from design.spec.object import ObjectSpec
 
+_FAILS = "check --fabrication fails on it"
+_ALONG_THE_SEAM = 1e-9
 _AZIMUTHS_DEG = np.arange(0.0, 180.0, 3.0)
 """Of seams that are tried, until one does neither."""
 
 
 def seam_in_words(spec: ObjectSpec) -> list[str]:
-    """Thin walls between the seam and holes of pins, and halves that hook, with places and the nearest
-    `mould.parting_azimuth_deg` that has neither; of a specification that fits."""
+    """Thin walls between the seam and holes of pins, or beside holes to pour through, and halves or fins of
+    slits that hook, with places and the nearest `mould.parting_azimuth_deg` that has none of them; of a
+    specification that fits."""
     if mould_style(spec) != "split" or spec.silicone.cure == "none" or why_no_mould(spec):
         return []
-    wrong = [*_thin(spec), *_hooked(spec)]
-    if not wrong:
+    wrong, hooking = [*_thin(spec), *_thin_pouring(spec), *_hooked(spec)], [*_hooking_fins(spec)]
+    if not (wrong or hooking):
         return []
     better = _nearest_azimuth(spec)
-    way = (
-        "No azimuth of the seam does without: move magnets, or choose another mould.style"
-        if better is None
-        else f"A seam with mould.parting_azimuth_deg = {better:g} does without"
-    )
-    return [f"{told}; check --fabrication fails on it. {way}" for told in wrong]
+    if better is None:
+        way = "No azimuth of the seam does without: move magnets, or choose another mould.style"
+        told = [f"{one}; {_FAILS}. {way}" for one in wrong]
+        return told + [f"{one}; {_FAILS}. {_without_fins(spec)}" for one in hooking]
+    way = f"A seam with mould.parting_azimuth_deg = {better:g} does without"
+    return [f"{one}; {_FAILS}. {way}" for one in (*wrong, *hooking)]
 
 
 def _thin(spec: ObjectSpec) -> Iterator[str]:
@@ -74,6 +89,26 @@ def _walls(spec: ObjectSpec) -> Iterator[tuple[float, Float[np.ndarray, "3"], Pi
         yield wall_to_plane_mm(axis, plane, radius), place, pin, whole
 
 
+def _thin_pouring(spec: ObjectSpec) -> Iterator[str]:
+    """Where no place of the pouring holes is free of them."""
+    for hole in _thin_pour_holes(spec)[:1]:
+        place = ", ".join(f"{x:.1f}" for x in within_mould(spec, hole)[1])
+        yield (
+            f"wherever the mould's pouring holes (mould.pour_mm = {spec.mould.pour_mm:g}) are clear of "
+            f"pins, they leave a wall thinner than {spec.printer.wall_mm:g} mm to the seam, a side of its "
+            f"flange or another hole, as at ({place})"
+        )
+
+
+def _thin_pour_holes(spec: ObjectSpec) -> list[Hole]:
+    pins = pins_of(spec, first=True)
+    return [
+        hole
+        for hole in pour_holes(spec)
+        if hole_thins_the_seam(spec, hole) or thin_beside_others(spec, hole, pins)
+    ]
+
+
 def _hooked(spec: ObjectSpec) -> Iterator[str]:
     depth, room = hooked_depth_mm(spec), _room_mm(spec)
     if not body_of(spec).from_file and depth > room:
@@ -81,6 +116,34 @@ def _hooked(spec: ObjectSpec) -> Iterator[str]:
             f"the mould's halves hook the body by about {depth:.2g} mm, and the silicone gives way by "
             f"{room:.2g} mm: the seam is not along the body's sides"
         )
+
+
+def _hooking_fins(spec: ObjectSpec) -> Iterator[str]:
+    fins = [(depth, slit) for depth, slit in _fins(spec, parting(spec)) if depth > _room_mm(spec)]
+    if not fins:
+        return
+    depth, slit = max(fins, key=lambda one: one[0])
+    place = ", ".join(f"{x:.1f}" for x in slit.centre_mm)
+    yield (
+        f"fins that form {len(fins)} of {len(relief_slits(spec))} slits hook the halves of the mould, as by "
+        f"about {depth:.2g} mm at ({place}), and the silicone gives way by {_room_mm(spec):.2g} mm"
+    )
+
+
+def _fins(spec: ObjectSpec, plane: Parting) -> Iterator[tuple[float, Block]]:
+    """Of every slit, by how much its fin moves the silicone aside, until it is out, when a half is drawn; one
+    that is drawn across its own side, or that the seam splits, by its whole depth."""
+    deep = spec.shell.slits.depth_mm
+    for slit in relief_slits(spec):
+        _, inward, across = slit.axes.T
+        aside, outward = abs(plane.normal @ across), abs(plane.normal @ inward)
+        yield deep * float(min(1.0, aside / max(outward, _ALONG_THE_SEAM))), slit
+
+
+def _without_fins(spec: ObjectSpec) -> str:
+    one_piece = 'choose mould.style = "one-piece"'
+    way = one_piece if opening_of(spec) == "open" else "open a side of the body (body.open_faces)"
+    return f"Leave shell.slits.depth_mm out and cut the slits after casting, or {way}"
 
 
 def _room_mm(spec: ObjectSpec) -> float:
@@ -95,8 +158,11 @@ def _nearest_azimuth(spec: ObjectSpec) -> float | None:
     away = abs((_AZIMUTHS_DEG - start + 90.0) % 180.0 - 90.0)
     for azimuth in _AZIMUTHS_DEG[np.argsort(away, kind="stable")].tolist():
         turned = spec.changed(mould=spec.mould.changed(parting_azimuth_deg=azimuth))
+        if any(depth > _room_mm(spec) for depth, _ in _fins(spec, parting(turned))):
+            continue
         try:
             thin = any(wall < spec.printer.wall_mm for wall, *_ in _walls(turned))
+            thin = thin or bool(_thin_pour_holes(turned))
         except InputError:
             continue
         if not thin and hooked_depth_mm(turned) <= room:

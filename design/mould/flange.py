@@ -9,13 +9,18 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from design.layout.mould.frame import MouldFrame, mould_frame, parting, play_mm
+from design.layout.mould.frame import (
+    FLANGE_THICKNESS_MM,
+    mould_frame,
+    parting,
+    play_mm,
+    seam_ends_mm,
+)
 from design.layout.mould.pins import Pin, loose_pins
 from design.mould.openings import mould_holes
 from design.spec.object import ObjectSpec
 from design.spec.worked_out import once
 
-FLANGE_THICKNESS_MM = 4.0
 FLANGE_LENGTH_MM = 26.0
 """At least: dowels and bolts lie at shares of it and must not meet."""
 PLACES = (0.15, 0.42, 0.7, 0.9)
@@ -74,7 +79,7 @@ class Flange:
 def flanges(spec: ObjectSpec) -> tuple[Flange, Flange]:
     """Of both ends of the seam, below the rim that a plug clips onto, as long as dowels and bolts need."""
     frame, wide = mould_frame(spec), spec.mould.flange_mm
-    left, right = _block_ends_mm(spec, frame)
+    left, right = seam_ends_mm(spec)
     lower = BELOW_RIM_MM + 2 * play_mm(spec) if frame.plugged else 0.0
     top = frame.rim_mm - lower
     bottom = min(float(frame.low_mm[2]), top - FLANGE_LENGTH_MM)
@@ -95,22 +100,8 @@ def roots_mm(spec: ObjectSpec) -> tuple[float, float]:
     """Where the block ends on all of both flanges' thickness: notches begin there. From the ends of the
     seam on a fin stood between a notch and the block, 0.2 mm thick beside a pin's head."""
     asides = (-FLANGE_THICKNESS_MM, 0.0, FLANGE_THICKNESS_MM)
-    left, right = zip(
-        *(_block_ends_mm(spec, mould_frame(spec), one) for one in asides), strict=True
-    )
+    left, right = zip(*(seam_ends_mm(spec, one) for one in asides), strict=True)
     return max(left), min(right)
-
-
-def _block_ends_mm(
-    spec: ObjectSpec, frame: MouldFrame, aside_mm: float = 0.0
-) -> tuple[float, float]:
-    """Where a level line beside the parting plane enters and leaves the block."""
-    plane = parting(spec)
-    way = frame.axes.T @ np.cross(frame.out, plane.normal)
-    start = frame.axes.T @ ((plane.offset_mm + aside_mm) * plane.normal)
-    steep = abs(way) > 1e-9
-    ends = [(end - start)[steep] / way[steep] for end in (frame.low_mm, frame.high_mm)]
-    return float(np.min(ends, axis=0).max()), float(np.max(ends, axis=0).min())
 
 
 def _notches(

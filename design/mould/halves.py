@@ -13,10 +13,10 @@ from __future__ import annotations
 import cadquery as cq
 import numpy as np
 
-from design.layout.mould.frame import mould_frame, parting, play_mm
+from design.layout.mould.frame import FLANGE_THICKNESS_MM, mould_frame, parting, play_mm
 from design.layout.mould.pins import Pin, loose_pins
 from design.layout.mould.pouring import Hole
-from design.mould.flange import FLANGE_THICKNESS_MM, Flange, flanges, roots_mm
+from design.mould.flange import Flange, flanges, roots_mm
 from design.mould.openings import hole_solid, mould_holes, seal_holes
 from design.mould.pins import fixed_bosses, pin_holes
 from design.mould.plug import rod_hole

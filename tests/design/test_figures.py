@@ -139,9 +139,10 @@ FIGURES = {
     },
     design.layout.mould.frame: {
         "_DOWN": 6, "_STEP_DEG": 15.0, "_WEDGE": np.cos(np.deg2rad(15.0)),
-        "_SLOPE": np.sin(np.deg2rad(2.0)),
+        "_SLOPE": np.sin(np.deg2rad(2.0)), "FLANGE_THICKNESS_MM": 4.0,
     },
     design.layout.mould.pouring: {
+        "_STEP_MM": 0.25,
         "_MOST_CORNERS": 200, "LEAST_POUR_MM": 3.0, "_RIM_POINTS": 24, "_WITHIN": 0.999,
         "_POUR_SHIFTS": (0.0, *(sign * k / 4 for k in range(1, 7) for sign in (1, -1))),
     },
@@ -161,7 +162,7 @@ FIGURES = {
     },
     design.layout.tips: {"_ARC_STEPS": 180, "_FILLET_STEPS": 10, "_BODY_MM": 20.0},
     design.mould.flange: {
-        "FLANGE_THICKNESS_MM": 4.0, "FLANGE_LENGTH_MM": 26.0, "PLACES": (0.15, 0.42, 0.7, 0.9),
+        "FLANGE_LENGTH_MM": 26.0, "PLACES": (0.15, 0.42, 0.7, 0.9),
         "LONGER_MM": (0.0, 6.0, 12.0, 18.0, 24.0), "LEAST_GAP_MM": 5.0, "BELOW_RIM_MM": 4.0,
         "EDGE_MM": 3.0, "LEAST_STRETCH_MM": 4.0, "_STEP_MM": 0.5,
     },

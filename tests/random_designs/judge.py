@@ -21,6 +21,7 @@ from design.body.meshes import manifold_of
 from design.build.parts import parts_of
 from design.errors import InputError
 from design.fabrication.check import check_fabrication
+from design.fit.seam import seam_in_words
 from design.layout.boards import mounted_sensors
 from design.layout.body import body_of
 from design.layout.places.positions import magnet_layout
@@ -57,7 +58,8 @@ def judged(question: dict[str, Any]) -> dict[str, Any]:
     """What became of the seed in `question`, of the generator named there, in processor seconds.
 
     `outcome` is "too small" (by the placement), "refused by check", "refused by build", "crash",
-    "violates", "told by fabrication" (its checks tell what is violated) or "sound".
+    "violates", "told by check" (with what its mould's seam does), "told by fabrication" (whose checks fail)
+    or "sound".
     """
     started = time.process_time()
     _, hard = resource.getrlimit(resource.RLIMIT_CPU)
@@ -93,6 +95,8 @@ def _outcome(tables: draw.Tables | None) -> tuple[str, str]:
     wrong = violations(spec, parts)
     if not wrong:
         return "sound", what
+    if warned := seam_in_words(spec):
+        return "told by check", what + "; ".join([*wrong, *(f"told: {one}" for one in warned)])
     told = [f for f in check_fabrication(spec).findings if f.status == "fail"]
     outcome = "told by fabrication" if told else "violates"
     return outcome, what + "; ".join([*wrong, *(f"told: {f.check}, {f.part}" for f in told)])

@@ -35,6 +35,8 @@ YIELD_SHARE = 0.02
 """Of the silicone's thickness: what it gives way by on the spot, without room; an estimate."""
 _AS_GOOD = 1e-4
 """Share of the surface by which an undercut may grow for a plane through the origin."""
+FLANGE_THICKNESS_MM = 4.0
+"""Of the flanges along the seam, on either side of it."""
 _SLOPE = np.sin(np.deg2rad(2.0))
 """Undercuts below this slope are those of facets that the parting plane crosses."""
 
@@ -163,6 +165,17 @@ def parting(spec: ObjectSpec) -> Parting:
         return Parting(normal, 0.0)
     surface = _outside_in_small_triangles(body_of(spec).outside)
     return Parting(normal, least_undercut(surface, normal)[1])
+
+
+def seam_ends_mm(spec: ObjectSpec, aside_mm: float = 0.0) -> tuple[float, float]:
+    """Where a level line beside the parting plane enters and leaves the block, across the mould;
+    flanges begin there."""
+    frame, plane = mould_frame(spec), parting(spec)
+    way = frame.axes.T @ np.cross(frame.out, plane.normal)
+    start = frame.axes.T @ ((plane.offset_mm + aside_mm) * plane.normal)
+    steep = abs(way) > 1e-9
+    ends = [(end - start)[steep] / way[steep] for end in (frame.low_mm, frame.high_mm)]
+    return float(np.min(ends, axis=0).max()), float(np.max(ends, axis=0).min())
 
 
 def hooked_depth_mm(spec: ObjectSpec) -> float:

@@ -15,7 +15,18 @@ from jaxtyping import Float
 
 from design.errors import InputError
 from design.layout.body import body_of
-from design.layout.mould.frame import mould_frame, mould_style, play_mm, thin_at_seam, up
+from design.layout.mould.frame import (
+    FLANGE_THICKNESS_MM,
+    Parting,
+    mould_frame,
+    mould_style,
+    parting,
+    play_mm,
+    seam_ends_mm,
+    thin_at_seam,
+    thin_beside,
+    up,
+)
 from design.layout.mould.pins import Pin, exit_mm, loose_pins
 from design.layout.pockets import distance_of_segments_mm
 from design.spec.object import ObjectSpec
@@ -32,6 +43,8 @@ _MOST_CORNERS = 200
 _WEDGE = np.cos(np.deg2rad(15.0))
 _RIM_POINTS, _WITHIN = 24, 0.999
 """Of a hole's rim that are looked at, and how far out: a hole may end where the silicone does."""
+_STEP_MM = 0.25
+"""Along a hole, where it is looked for in a flange."""
 LEAST_POUR_MM = 3.0
 """Silicone runs badly through narrower holes and slots."""
 
@@ -250,9 +263,33 @@ def _other_holes(
 
 
 def hole_thins_the_seam(spec: ObjectSpec, hole: Hole) -> bool:
-    """Whether a hole leaves a wall to the parting plane that is too thin."""
-    split = mould_style(spec) == "split"
-    return split and thin_at_seam(spec, within_mould(spec, hole), hole.diameter_mm / 2)
+    """Whether a hole leaves a wall to the parting plane that is too thin, or to a side of a flange."""
+    if mould_style(spec) != "split":
+        return False
+    ends, radius = within_mould(spec, hole), hole.diameter_mm / 2
+    return thin_at_seam(spec, ends, radius) or _thin_in_a_flange(spec, hole)
+
+
+def _thin_in_a_flange(spec: ObjectSpec, hole: Hole) -> bool:
+    """The same of a flange's sides, where the hole goes through it beside the block."""
+    frame, plane, radius = mould_frame(spec), parting(spec), hole.diameter_mm / 2
+    way = hole.end_mm - hole.top_mm
+    steps = np.arange(0.0, float(np.linalg.norm(way)), _STEP_MM)
+    path = hole.top_mm + steps[:, None] * way / np.linalg.norm(way)
+    place = path @ frame.axes
+    beyond = np.maximum(frame.low_mm - place, place - frame.high_mm)[:, :2].max(axis=1)
+    left, right = seam_ends_mm(spec)
+    middle, half = (left + right) / 2, (right - left) / 2 + spec.mould.flange_mm
+    across = abs(path @ np.cross(frame.out, plane.normal) - middle)
+    inside = (beyond > -radius) & (across < half + radius) & (place[:, 2] < frame.rim_mm + radius)
+    if not inside.any():
+        return False
+    through = path[inside]
+    ends = np.stack([through[0], through[-1] + _STEP_MM * way / np.linalg.norm(way)])
+    return any(
+        thin_beside(spec, ends, Parting(plane.normal, plane.offset_mm + side), radius)
+        for side in (-FLANGE_THICKNESS_MM, FLANGE_THICKNESS_MM)
+    )
 
 
 def within_mould(spec: ObjectSpec, hole: Hole) -> Float[np.ndarray, "2 3"]:

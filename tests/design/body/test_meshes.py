@@ -124,8 +124,8 @@ def test_triangles_without_height_have_no_walls():
 
 
 def test_slivers_that_face_as_none_of_their_neighbours_do_have_no_walls():
-    """Where a core was drawn by fewer triangles one was left 0.008 mm high, across its slope: 0.75 mm beside a
-    recess were told of an ellipsoid (random request 213) whose core has 1.85 mm or more."""
+    """Where a core was drawn by fewer triangles one was left 0.008 mm high, across its slope: 0.75 mm beside
+    a recess were told of an ellipsoid (random request 213) whose core has 1.85 mm or more."""
     assert_allclose(thinnest_wall(plate_with_a_film(depth=0.008)).thickness_mm, 2.0, atol=0.01)
     strips = trimesh.creation.box((0.009, 4.0, 4.0))
     assert _tells_how_it_faces(strips).all(), "two that make one side"

@@ -5,8 +5,10 @@ import re
 import numpy as np
 import pytest
 
+from design.fit import seam
 from design.fit.seam import seam_in_words
-from design.layout.mould.frame import hooked_depth_mm, play_mm
+from design.layout.mould.frame import hooked_depth_mm, mould_frame, play_mm, up
+from design.layout.mould.pouring import pour_holes
 from design.spec.object import ObjectSpec
 
 
@@ -58,6 +60,23 @@ def test_a_thin_wall_beside_a_pin_is_told_with_its_place(away_mm, thin):
         assert seam_in_words(cylinder([away_mm, 9.0], parting_azimuth_deg=better)) == []
 
 
+def test_a_pouring_hole_that_leaves_a_thin_wall_wherever_it_goes_is_told_with_a_seam_that_does_not(
+    monkeypatch,
+):
+    """Of random design 7052 a wall of 0.14 mm beside one was told by nothing before it was built."""
+    azimuth = lambda spec: spec.mould.parting_azimuth_deg  # noqa: E731
+    monkeypatch.setattr(seam, "hole_thins_the_seam", lambda spec, hole: azimuth(spec) != 177.0)
+    spec = cylinder([0.0, 9.0])
+    (told,) = seam_in_words(spec)
+    (hole,), rim = pour_holes(spec), mould_frame(spec).rim_mm
+    assert "they leave a wall thinner than 0.8 mm to the seam" in told
+    place = np.array([float(x) for x in re.search(r"as at \((.*?)\)", told)[1].split(", ")])
+    assert np.linalg.norm(np.cross(place - hole.top_mm, up(spec))) == pytest.approx(0, abs=0.1)
+    assert max(abs(place)) == pytest.approx(rim, abs=0.06), "where it leaves the block"
+    assert told.endswith("mould.parting_azimuth_deg = 177 does without")
+    assert seam_in_words(cylinder([0.0, 9.0], parting_azimuth_deg=177.0)) == []
+
+
 def test_a_seam_that_is_not_along_a_pad_s_sides_hooks():
     """Random design 7009: of each end wall the part beyond the seam stands in the way of its half."""
     spec, lean = pad(173.47), np.tan(np.deg2rad(180 - 173.47))
@@ -67,6 +86,43 @@ def test_a_seam_that_is_not_along_a_pad_s_sides_hooks():
     assert f"hook the body by about {hooked:.2g} mm, and the silicone gives way by 0.16 mm" in told
     assert told.endswith("mould.parting_azimuth_deg = 0 does without")
     assert seam_in_words(pad(0.0)) == []
+
+
+def slit_box(**mould):
+    """A closed cube with one slit, along the edge between +x and +y."""
+    content = {
+        "name": "box",
+        "body": {"kind": "box", "size_mm": [42.0] * 3, "open_faces": [], "sensed_faces": [3, 4]},
+        "shell": {"slits": {"depth_mm": 2.4}},
+        "mould": mould,
+    }
+    return ObjectSpec.model_validate(content)
+
+
+@pytest.mark.parametrize(
+    ("azimuth_deg", "hooked_mm"),
+    [(45.0, 0.0), (42.0, 2.4 * np.tan(np.deg2rad(3))), (27.0, 2.4 * np.tan(np.deg2rad(18)))],
+)
+def test_fins_of_slits_hook_unless_they_lie_along_the_pull(azimuth_deg, hooked_mm):
+    """Random design 7120, a closed box: by hand, the depth of a slit times the tangent of its angle to the
+    pull, where 2 % of 8 mm give way."""
+    told = [
+        one for one in seam_in_words(slit_box(parting_azimuth_deg=azimuth_deg)) if "fins" in one
+    ]
+    assert len(told) == (hooked_mm > 0.16)
+    for text in told:
+        assert f"1 of 1 slits hook the halves of the mould, as by about {hooked_mm:.2g} mm" in text
+        assert text.endswith("mould.parting_azimuth_deg = 45 does without")
+
+
+def test_fins_that_no_seam_frees_are_told_with_a_mould_that_does():
+    """Halfway between four sides two lie in the seam that the two others are drawn along."""
+    body = {"kind": "cylinder", "size_mm": [40.0, 40.0, 50.0]}
+    shell = {"slits": {"depth_mm": 3.0, "width_mm": 0.8, "end_mm": 6.0}}
+    content = {"name": "cylinder", "body": body, "shell": shell, "mould": {"style": "split"}}
+    (told,) = seam_in_words(ObjectSpec.model_validate(content))
+    assert "2 of 4 slits hook" in told
+    assert told.endswith('cut the slits after casting, or choose mould.style = "one-piece"')
 
 
 def test_where_nothing_is_moulded_in_halves_nothing_is_told():

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from design.layout.mould.frame import Parting, mould_frame
+from design.layout.mould.frame import mould_frame
 from design.mould import flange
 from design.mould.flange import FLANGE_LENGTH_MM, Flange, flanges
 from tests.support.objects.body_cases import body_spec
@@ -42,20 +42,3 @@ def test_flanges_that_no_length_helps_are_as_short_as_they_may_be(monkeypatch):
         top = frame.rim_mm if not frame.plugged else one.top_mm
         assert one.top_mm == top
         assert one.bottom_mm == min(frame.low_mm[2], top - FLANGE_LENGTH_MM)
-
-
-@pytest.mark.parametrize(("azimuth_deg", "offset_mm"), [(0.0, 3.0), (30.0, 7.0), (130.0, -11.0)])
-def test_a_seam_beside_the_middle_begins_and_ends_where_it_crosses_the_block(
-    monkeypatch, azimuth_deg, offset_mm
-):
-    """As found by steps of a hundredth of a millimetre along it."""
-    spec = body_spec("closed_box")
-    frame, turn = mould_frame(spec), np.deg2rad(azimuth_deg)
-    normal = np.cos(turn) * frame.across + np.sin(turn) * frame.along
-    monkeypatch.setattr(flange, "parting", lambda spec: Parting(normal, offset_mm))
-    at = np.arange(-200.0, 200.0, 0.01)
-    line = offset_mm * normal + at[:, None] * np.cross(frame.out, normal)
-    places = line @ frame.axes
-    inside = np.all((places >= frame.low_mm) & (places <= frame.high_mm), axis=1)
-    wanted = at[inside][[0, -1]]
-    assert np.allclose(flange._block_ends_mm(spec, frame), wanted, atol=0.02)

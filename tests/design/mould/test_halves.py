@@ -8,13 +8,12 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.layout.body import face_frames
-from design.layout.mould.frame import mould_frame, parting
+from design.layout.mould.frame import FLANGE_THICKNESS_MM, mould_frame, parting
 from design.layout.mould.pins import loose_pins, pin_kinds
 from design.layout.mould.pouring import pour_holes
 from design.layout.pockets import distance_of_segments_mm, shell_pockets
 from design.mould.flange import (
     EDGE_MM,
-    FLANGE_THICKNESS_MM,
     LEAST_GAP_MM,
     LEAST_STRETCH_MM,
     PLACES,

@@ -145,3 +145,20 @@ def test_the_depth_that_hooks_is_that_of_a_taper_by_hand(tmp_path, monkeypatch):
     spec = tapered(tmp_path, parting_azimuth_deg=90.0)
     monkeypatch.setattr(frames, "parting", lambda spec: frames.Parting(np.array([0.0, 1, 0]), 0.0))
     assert_allclose(frames.hooked_depth_mm(spec), 20 * 2 / 40, rtol=0.1)
+
+
+@pytest.mark.parametrize(("azimuth_deg", "offset_mm"), [(0.0, 3.0), (30.0, 7.0), (130.0, -11.0)])
+def test_a_seam_beside_the_middle_begins_and_ends_where_it_crosses_the_block(
+    monkeypatch, azimuth_deg, offset_mm
+):
+    """As found by steps of a hundredth of a millimetre along it."""
+    spec = box([])
+    frame, turn = mould_frame(spec), np.deg2rad(azimuth_deg)
+    normal = np.cos(turn) * frame.across + np.sin(turn) * frame.along
+    monkeypatch.setattr(frames, "parting", lambda spec: frames.Parting(normal, offset_mm))
+    at = np.arange(-200.0, 200.0, 0.01)
+    line = offset_mm * normal + at[:, None] * np.cross(frame.out, normal)
+    places = line @ frame.axes
+    inside = np.all((places >= frame.low_mm) & (places <= frame.high_mm), axis=1)
+    wanted = at[inside][[0, -1]]
+    assert np.allclose(frames.seam_ends_mm(spec), wanted, atol=0.02)

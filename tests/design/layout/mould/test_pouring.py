@@ -10,7 +10,13 @@ from design.layout.mould import pouring
 from design.layout.mould.closure import flange_span_mm
 from design.layout.mould.frame import mould_frame, play_mm, up
 from design.layout.mould.pins import loose_pins
-from design.layout.mould.pouring import Hole, is_clear, pour_holes, thin_beside_others
+from design.layout.mould.pouring import (
+    Hole,
+    hole_thins_the_seam,
+    is_clear,
+    pour_holes,
+    thin_beside_others,
+)
 from design.spec_io import parse_spec
 from tests.support.objects.body_cases import body_spec
 from tests.support.objects.worked_objects import worked
@@ -124,6 +130,30 @@ def test_a_hole_beside_that_of_a_pin_s_head_leaves_a_wall():
         top = pin.head_axis_mm[0] + (head + 0.5 + gap) * side
         hole = Hole("vent", top - pin.way, top, top + 50 * pin.way, 1.0)
         assert thin_beside_others(spec, hole, (pin,)) is thin
+
+
+@pytest.mark.parametrize(
+    ("aside_mm", "beside_mm", "thin"),
+    [
+        (2.6, 2.0, False),
+        (2.8, 2.0, True),
+        (-3.4, 2.0, True),
+        (3.6, 2.0, False),
+        (3.4, -0.6, False),
+        (3.4, -0.4, True),
+        (3.4, 8.4, True),
+        (3.4, 8.6, False),
+    ],
+)
+def test_a_hole_through_a_flange_leaves_a_wall_to_its_sides(aside_mm, beside_mm, thin):
+    """A hole of Ø1 mm beside the block, through a flange 8 mm wide that reaches 4 mm to both sides of a seam
+    across x: a pouring hole of random design 7052 left 0.14 mm."""
+    spec = body_spec("sphere", body={"open_faces": [6]}, mould={"parting_azimuth_deg": 0.0})
+    assert spec.mould.flange_mm == 8.0
+    way, frame = up(spec), mould_frame(spec)
+    top = np.array([aside_mm, float(frame.high_mm[1]) + beside_mm, 0.0])
+    hole = Hole("vent", top - way, top, top + 100 * way, 1.0)
+    assert hole_thins_the_seam(spec, hole) is thin
 
 
 def test_silicone_lies_under_all_of_a_pouring_hole_s_rim_by_hand():
