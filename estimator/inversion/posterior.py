@@ -10,13 +10,24 @@ changes them by a few percent, which costs steps, not accuracy.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
-from jaxtyping import Float, Int
+from jaxtyping import Bool, Float, Int
 
+from estimator.inversion.model.arrays import (
+    Array,
+    chosen,
+    float64,
+    library,
+    like,
+    on_host,
+    where_true,
+    zeros,
+)
 from estimator.inversion.model.columns import Columns
 from estimator.inversion.model.forward import NONE, ContactModel
-from estimator.inversion.priors import Priors, Quadratic, add_priors, log_density, widths
+from estimator.inversion.priors import Pairs, Priors, Quadratic, log_density, widths
 
 _ROUNDS = 3
 _STEPS = 8
@@ -38,6 +49,7 @@ class Problems(Columns):
     face, contact : as in `ContactModel`
     extra : (problem, channel) interaction of the contacts, counts
     misfit : (problem,) half χ² of signals and priors
+    slope : (problem, 3k) of the misfit
     curvature : (problem, 3k, 3k) of the misfit, empty slots as ones on the diagonal
     log_spread : (problem,) half the log determinant of the covariance of the signals over that of the
         noise: tangential forces widen it; of no contact below 0, as it has no error of the model
@@ -46,12 +58,13 @@ class Problems(Columns):
     frame: Int[np.ndarray, "problem"]
     face: Int[np.ndarray, "problem contact"]
     contact: Float[np.ndarray, "problem contact 3"]
-    extra: Float[np.ndarray, "problem channel"]
+    extra: Float[Array, "problem channel"]
     misfit: Float[np.ndarray, "problem"]
-    curvature: Float[np.ndarray, "problem parameter parameter"]
+    slope: Float[Array, "problem parameter"]
+    curvature: Float[Array, "problem parameter parameter"]
     log_spread: Float[np.ndarray, "problem"]
 
-    @property
+    @cached_property
     def number(self) -> Int[np.ndarray, "problem"]:
         """How many contacts."""
         return np.sum(self.face != NONE, axis=1)
@@ -69,18 +82,23 @@ class Observed:
     strict : the same as `sigma` with no more of that error than a model may have that explains a frame
     """
 
-    counts: Float[np.ndarray, "frame channel"]
-    sigma: Float[np.ndarray, "frame channel"]
-    still: Float[np.ndarray, "frame channel"]
-    strict: Float[np.ndarray, "frame channel"]
+    counts: Float[Array, "frame channel"]
+    sigma: Float[Array, "frame channel"]
+    still: Float[Array, "frame channel"]
+    strict: Float[Array, "frame channel"]
+
+    def on(self, reference: Array) -> Observed:
+        """The same where the reference is."""
+        parts = (self.counts, self.sigma, self.still, self.strict)
+        return Observed(*(like(reference, part) for part in parts))
 
     def resting(
-        self, frame: Int[np.ndarray, "problem"]
-    ) -> tuple[Float[np.ndarray, "problem"], Float[np.ndarray, "problem"]]:
+        self, frame: Int[Array, "problem"]
+    ) -> tuple[Float[Array, "problem"], Float[Array, "problem"]]:
         """Misfit and log spread of frames in which nothing is pressed."""
         still = self.still[frame]
-        misfit = 0.5 * np.sum((self.counts[frame] / still) ** 2, axis=1)
-        return misfit, np.sum(np.log(still / self.sigma[frame]), axis=1)
+        misfit = 0.5 * ((self.counts[frame] / still) ** 2).sum(axis=1)
+        return misfit, library(still).log(still / self.sigma[frame]).sum(axis=1)
 
 
 def most_probable(
@@ -96,20 +114,84 @@ def most_probable(
 ) -> Problems:
     """Contacts of the largest posterior near a start; faces stay.
 
-    `extra` is a first guess of the interaction, which each of the rounds works out anew.
+    `extra` is a first guess of the interaction, which each of the rounds works out anew. What is
+    seen decides on which device the work is done; `extra` and `curvature` stay there.
     """
     slots, used = face.shape[1], _used_slots(face)
-    face, contact = face[:, :used], _held(model, priors, face[:, :used], contact[:, :used])
-    extra = model.interaction(face, contact) if extra is None else extra
+    frame_at, face_at = like(seen.sigma, frame), like(seen.sigma, face[:, :used])
+    hold = _Hold(model, priors, seen.sigma)
+    at_contact = hold(face_at, like(seen.sigma, contact[:, :used]))
+    extra = model.interaction(face_at, at_contact) if extra is None else extra
+    start = _Start(frame_at, face_at, at_contact, extra)
+    return _widened(_fitted(model, priors, seen, start, hold, rounds, steps), slots)
+
+
+def refitted(
+    model: ContactModel,
+    priors: Priors,
+    seen: Observed,
+    problems: Problems,
+    rounds: int = _ROUNDS,
+    steps: int = _STEPS,
+) -> Problems:
+    """`most_probable` from where one round left problems: misfit and slope are known there."""
+    slots, used = problems.face.shape[1], _used_slots(problems.face)
+    parameters = slice(3 * used)
+    at = Quadratic(
+        like(seen.sigma, problems.misfit),
+        problems.slope[:, parameters],
+        problems.curvature[:, parameters, parameters],
+        like(seen.sigma, problems.log_spread),
+    )
+    given = problems.frame, problems.face[:, :used], problems.contact[:, :used], problems.extra
+    start = _Start(*(like(seen.sigma, part) for part in given), at=at)
+    hold = _Hold(model, priors, seen.sigma)
+    return _widened(_fitted(model, priors, seen, start, hold, rounds, steps), slots)
+
+
+@dataclass(frozen=True)
+class _Start:
+    """Where a fit begins: as of `Problems`, and the misfit there if it is known."""
+
+    frame: Array
+    face: Array
+    contact: Array
+    extra: Array
+    at: Quadratic | None = None
+
+
+def _fitted(
+    model: ContactModel,
+    priors: Priors,
+    seen: Observed,
+    start: _Start,
+    hold: _Hold,
+    rounds: int,
+    steps: int,
+) -> Problems:
+    frame, face, contact, extra, at = start.frame, start.face, start.contact, start.extra, start.at
+    alone = not bool(((face != NONE).sum(axis=1) > 1).any())
     for number in range(rounds):
-        contact, at = _descend(model, priors, seen, frame, face, contact, extra, steps)
-        if number == rounds - 1 or not np.any((face != NONE).sum(axis=1) > 1):
+        posterior = _posterior(model, priors, seen, frame, face, extra)
+        at = posterior.at(contact) if at is None else at
+        contact, at = _descend(posterior, hold, contact, at, steps)
+        if number == rounds - 1 or alone:
             break
         before, extra = extra, model.interaction(face, contact)
-        if np.max(np.abs(extra - before) / seen.sigma[frame], initial=0.0) < _SAME_SIGMA:
+        if (abs(extra - before) * posterior.weight < _SAME_SIGMA).all():
             break
-    found = Problems(frame, face, contact, extra, at.misfit, at.curvature, at.log_spread)
-    return _widened(found, slots)
+        at = None
+    assert at is not None
+    return Problems(
+        on_host(frame),
+        on_host(face),
+        on_host(contact),
+        extra,
+        on_host(at.misfit),
+        at.slope,
+        at.curvature,
+        on_host(at.log_spread),
+    )
 
 
 def _used_slots(face: np.ndarray) -> int:
@@ -119,106 +201,198 @@ def _used_slots(face: np.ndarray) -> int:
 
 def _widened(problems: Problems, slots: int) -> Problems:
     """Empty contact slots added."""
-    used = problems.face.shape[1]
-    more = slots - used
-    if not more:
+    some, used = problems.face.shape
+    if used == slots:
         return problems
-    curvature = np.broadcast_to(np.eye(3 * slots), (len(problems), 3 * slots, 3 * slots)).copy()
+    face, contact = np.full((some, slots), NONE), np.zeros((some, slots, 3))
+    face[:, :used], contact[:, :used] = problems.face, problems.contact
+    curvature = _identities(problems.curvature, some, 3 * slots)
     curvature[:, : 3 * used, : 3 * used] = problems.curvature
-    return replace(
-        problems,
-        face=np.pad(problems.face, ((0, 0), (0, more)), constant_values=NONE),
-        contact=np.pad(problems.contact, ((0, 0), (0, more), (0, 0))),
-        curvature=curvature,
-    )
+    slope = zeros(problems.slope, (some, 3 * slots))
+    slope[:, : 3 * used] = problems.slope
+    return replace(problems, face=face, contact=contact, slope=slope, curvature=curvature)
 
 
-def _held(model: ContactModel, priors: Priors, face: np.ndarray, contact: np.ndarray) -> np.ndarray:
-    (low, high), (least, most) = model.bounds, priors.force_n
-    lowest, highest = [*low[:2], least], [*high[:2], min(most, high[2])]
-    return model.on_faces(face, np.minimum(np.maximum(contact, lowest), highest))
-
-
-def _descend(
-    model: ContactModel,
-    priors: Priors,
-    seen: Observed,
-    frame: np.ndarray,
-    face: np.ndarray,
-    contact: np.ndarray,
-    extra: np.ndarray,
-    steps: int,
-) -> tuple[np.ndarray, Quadratic]:
-    """Steps with the interaction held; rows that have settled are left alone."""
-    at = _linear(model, priors, seen, frame, face, contact, extra)
-    contact, damping = contact.copy(), np.full(len(frame), 1e-3)
-    active = np.arange(len(frame))
-    for _ in range(steps):
-        if not len(active):
-            break
-        step = _step(at.slope[active], at.curvature[active], damping[active])
-        step = np.minimum(np.maximum(step.reshape(-1, *contact.shape[1:]), -_LONGEST), _LONGEST)
-        trial = _held(model, priors, face[active], contact[active] + step)
-        there = _linear(model, priors, seen, frame[active], face[active], trial, extra[active])
-        gain = at.misfit[active] - there.misfit
-        better = gain > 0
-        rows = active[better]
-        contact[rows] = trial[better]
-        for name in ("misfit", "slope", "curvature", "log_spread"):
-            getattr(at, name)[rows] = getattr(there, name)[better]
-        damping[active] = np.where(better, damping[active] / 8, damping[active] * 8)
-        going = np.where(better, gain > _SETTLED, damping[active] < 1e2)
-        active = active[going]
-    return contact, at
-
-
-def _step(slope: np.ndarray, curvature: np.ndarray, damping: np.ndarray) -> np.ndarray:
-    damped, diagonal = curvature.copy(), np.arange(curvature.shape[1])
-    damped[:, diagonal, diagonal] += damping[:, None] * damped[:, diagonal, diagonal] + 1e-9
-    return -np.linalg.solve(damped, slope[..., None])[..., 0]
-
-
-def _linear(
-    model: ContactModel,
-    priors: Priors,
-    seen: Observed,
-    frame: np.ndarray,
-    face: np.ndarray,
-    contact: np.ndarray,
-    extra: np.ndarray,
-) -> Quadratic:
-    problems, slots = face.shape
-    singles = model.singles(face, contact)
-    sigma = seen.sigma[frame]
-    left = (singles[:, :, 0].sum(axis=1) + extra - seen.counts[frame]) / sigma
-    jacobian = singles[:, :, 1:].reshape(problems, 3 * slots, model.channels) / sigma[:, None]
-    slope = (jacobian @ left[..., None])[..., 0]
-    curvature = jacobian @ jacobian.transpose(0, 2, 1)
-    found = Quadratic(0.5 * np.sum(left**2, axis=1), slope, curvature, np.zeros(problems))
-    if model.shear is not None:
-        pulls = model.pulls(face, contact).reshape(problems, 2 * slots, model.channels)
-        pulls = pulls / sigma[:, None]
-        _loosen(found, left, jacobian, pulls)
-    nothing = np.all(face == NONE, axis=1)
-    if nothing.any():
-        found.misfit[nothing], found.log_spread[nothing] = seen.resting(frame[nothing])
-    add_priors(found, priors, face, contact)
-    diagonal = np.arange(3 * slots)
-    found.curvature[:, diagonal, diagonal] += (face == NONE).repeat(3, axis=1)
+def _identities(reference: Array, many: int, size: int) -> Float[Array, "many size size"]:
+    found, diagonal = zeros(reference, (many, size, size)), np.arange(size)
+    found[:, diagonal, diagonal] = 1.0
     return found
 
 
-def _loosen(found: Quadratic, left: np.ndarray, jacobian: np.ndarray, pulls: np.ndarray) -> None:
+class _Hold:
+    """Keeps contacts where model and priors know them."""
+
+    def __init__(self, model: ContactModel, priors: Priors, reference: Array) -> None:
+        (low, high), (least, most) = model.bounds, priors.force_n
+        self.model = model
+        self.lowest = like(reference, np.array([*low[:2], least]))
+        self.highest = like(reference, np.array([*high[:2], min(most, high[2])]))
+
+    def __call__(self, face: Array, contact: Array) -> Array:
+        xp = library(contact)
+        inside = xp.minimum(xp.maximum(contact, self.lowest), self.highest)
+        return self.model.on_faces(face, inside)
+
+
+def _descend(
+    posterior: _Posterior, hold: _Hold, contact: Array, at: Quadratic, steps: int
+) -> tuple[Array, Quadratic]:
+    """Steps with the interaction held; rows that have settled are left alone."""
+    xp = library(contact)
+    longest = like(contact, np.tile(_LONGEST, contact.shape[1]))
+    damping = zeros(contact, (len(contact),)) + 1e-3
+    every, rows = (contact, at), None
+    for _ in range(steps):
+        step = _step(at.slope, at.curvature, damping)
+        step = xp.minimum(xp.maximum(step, -longest), longest).reshape(contact.shape)
+        trial = hold(posterior.face, contact + step)
+        there = posterior.at(trial)
+        gain = at.misfit - there.misfit
+        better = gain > 0
+        contact, at = _chosen_of(better, (trial, there), (contact, at))
+        damping = damping * xp.where(better, 1 / 8, 8.0)
+        going = xp.where(better, gain > _SETTLED, damping < 1e2)
+        if going.all():
+            continue
+        every = _put(every, rows, (contact, at))
+        going = where_true(going)
+        rows = going if rows is None else rows[going]
+        if not len(rows):
+            return every
+        contact, at, damping = contact[going], at.select(going), damping[going]
+        posterior = posterior.select(going)
+    return _put(every, rows, (contact, at))
+
+
+_State = tuple[Array, Quadratic]
+
+
+def _chosen_of(better: Array, new: _State, old: _State) -> _State:
+    """Contacts and their misfits, the new ones where they are better."""
+    if better.all():
+        return new
+    xp = library(better)
+
+    def pick(one: Array, other: Array) -> Array:
+        return xp.where(better.reshape(-1, *[1] * (one.ndim - 1)), one, other)
+
+    (contact, there), (before, at) = new, old
+    parts = (pick(*pair) for pair in zip(there.parts, at.parts, strict=True))
+    return pick(contact, before), Quadratic(*parts)
+
+
+def _put(every: _State, rows: Array | None, some: _State) -> _State:
+    """`some` in the given rows of all problems."""
+    if rows is None:
+        return some
+    (contact, at), (there, found) = every, some
+    for column, part in zip((contact, *at.parts), (there, *found.parts), strict=True):
+        column[rows] = part
+    return every
+
+
+def _step(slope: Array, curvature: Array, damping: Array) -> Array:
+    damped, diagonal = curvature + 0.0, np.arange(curvature.shape[1])
+    damped[:, diagonal, diagonal] *= 1 + damping[:, None]
+    damped[:, diagonal, diagonal] += 1e-9
+    return -library(slope).linalg.solve(damped, slope[..., None])[..., 0]
+
+
+@dataclass(frozen=True)
+class _Posterior:
+    """Problems with all that stays while their contacts move.
+
+    Attributes
+    ----------
+    weight : (problem, channel) one over the standard deviations
+    wanted : (problem, channel) counts that the contacts' own signals have to give, weighed
+    nothing, resting : problems without contacts; their misfit and log spread; None where there is none
+    unused : (problem, 3k) 1 where a slot is empty
+    """
+
+    model: ContactModel
+    face: Int[Array, "problem contact"]
+    pairs: Pairs
+    weight: Float[Array, "problem channel"]
+    wanted: Float[Array, "problem channel"]
+    unused: Float[Array, "problem parameter"]
+    nothing: Bool[Array, "problem"] | None = None
+    resting: tuple[Float[Array, "problem"], ...] = ()
+
+    def select(self, rows: Array) -> _Posterior:
+        """Those of some problems."""
+        return replace(
+            self,
+            face=self.face[rows],
+            pairs=self.pairs.select(rows),
+            weight=self.weight[rows],
+            wanted=self.wanted[rows],
+            unused=self.unused[rows],
+            nothing=None if self.nothing is None else self.nothing[rows],
+            resting=tuple(part[rows] for part in self.resting),
+        )
+
+    def at(self, contact: Float[Array, "problem contact 3"]) -> Quadratic:
+        """Misfit and its derivatives at contacts."""
+        white = self._white(contact)
+        turned = white.swapaxes(1, 2)
+        gram = white @ turned
+        found = Quadratic(
+            0.5 * gram[:, 0, 0],
+            gram[:, 1:, 0],
+            gram[:, 1:, 1:],
+            zeros(white, (len(white),)),
+        )
+        if self.model.shear is not None:
+            pulls = self.model.pulls(self.face, contact) * self.weight[:, None, None]
+            _loosen(found, turned, pulls.reshape(len(pulls), 2 * contact.shape[1], white.shape[2]))
+        if self.nothing is not None:
+            for part, resting in zip((found.misfit, found.log_spread), self.resting, strict=True):
+                part[self.nothing] = resting[self.nothing]
+        self.pairs.add(found, contact)
+        diagonal = np.arange(white.shape[1] - 1)
+        found.curvature[:, diagonal, diagonal] += self.unused
+        return found
+
+    def _white(self, contact: Array) -> Float[Array, "problem row channel"]:
+        """What is left, and its derivatives, in standard deviations."""
+        singles = self.model.singles(self.face, contact) * self.weight[:, None, None]
+        problems, slots, _, channels = singles.shape
+        white = zeros(singles, (problems, 1 + 3 * slots, channels))
+        white[:, 0] = singles[:, :, 0].sum(axis=1) - self.wanted
+        white[:, 1:] = singles[:, :, 1:].reshape(problems, 3 * slots, channels)
+        return white
+
+
+def _posterior(
+    model: ContactModel, priors: Priors, seen: Observed, frame: Array, face: Array, extra: Array
+) -> _Posterior:
+    weight = 1 / seen.sigma[frame]
+    nothing = (face == NONE).all(axis=1)
+    some = bool(nothing.any())
+    return _Posterior(
+        model,
+        face,
+        Pairs(priors, face),
+        weight,
+        (seen.counts[frame] - extra) * weight,
+        float64(chosen(face == NONE, like(face, np.arange(3 * face.shape[1]) // 3))),
+        nothing if some else None,
+        seen.resting(frame) if some else (),
+    )
+
+
+def _loosen(found: Quadratic, turned: Array, pulls: Array) -> None:
     """Tangential forces integrated out: linear in the signals, normal a priori, they widen the noise
     along `pulls` (Woodbury's identity)."""
-    spread = np.eye(pulls.shape[1]) + pulls @ pulls.transpose(0, 2, 1)
-    along = pulls @ np.concatenate([left[:, None], jacobian], axis=1).transpose(0, 2, 1)
-    solved = np.linalg.solve(spread, along)
-    taken = along.transpose(0, 2, 1) @ solved
+    xp = library(pulls)
+    spread = pulls @ pulls.swapaxes(1, 2) + _identities(pulls, len(pulls), pulls.shape[1])
+    along = pulls @ turned
+    taken = along.swapaxes(1, 2) @ xp.linalg.solve(spread, along)
     found.misfit -= 0.5 * taken[:, 0, 0]
     found.slope -= taken[:, 1:, 0]
     found.curvature -= taken[:, 1:, 1:]
-    found.log_spread += 0.5 * np.linalg.slogdet(spread)[1]
+    found.log_spread += 0.5 * xp.linalg.slogdet(spread)[1]
 
 
 def curvature_at(
@@ -231,12 +405,13 @@ def curvature_at(
     """Fisher information of contacts, without priors; ones on the diagonal of empty slots."""
     nothing = Priors((1.0,), len(model.signals.faces), 1.0, (0.0, 1.0))
     extra = np.zeros((len(frame), model.channels))
-    return _linear(model, nothing, seen, frame, face, contact, extra).curvature
+    return _posterior(model, nothing, seen, frame, face, extra).at(contact).curvature
 
 
 def log_evidence(problems: Problems, priors: Priors) -> Float[np.ndarray, "problem"]:
     """Log of the posterior mass about each peak, priors included, but for the frame's constant."""
-    _, log_volume = np.linalg.slogdet(bounded_curvature(problems, priors))
+    curvature = bounded_curvature(problems, priors)
+    log_volume = on_host(library(curvature).linalg.slogdet(curvature)[1])
     mass = 0.5 * (3 * problems.number * np.log(2 * np.pi) - log_volume)
     return (
         mass
@@ -258,22 +433,24 @@ def bounded_curvature(
     problems: Problems, priors: Priors
 ) -> Float[np.ndarray, "problem parameter parameter"]:
     """With that of normal priors as wide as the even ones: it has an inverse."""
-    filled = np.repeat(problems.face != NONE, 3, axis=1)
-    flat = np.tile(12 / np.square(widths(priors)), problems.face.shape[1])
-    return problems.curvature + (filled * flat)[:, :, None] * np.eye(len(flat))
+    flat = (problems.face != NONE)[..., None] * (12 / np.square(widths(priors)))
+    found, diagonal = problems.curvature + 0.0, np.arange(problems.curvature.shape[1])
+    found[:, diagonal, diagonal] += like(found, flat.reshape(len(found), len(diagonal)))
+    return found
 
 
 def empty(seen: Observed, frame: Int[np.ndarray, "problem"], slots: int) -> Problems:
     """Frames explained by nothing."""
-    problems, (misfit, log_spread) = len(frame), seen.resting(frame)
+    problems, (misfit, log_spread) = len(frame), seen.resting(like(seen.counts, frame))
     return Problems(
         frame,
         np.full((problems, slots), NONE),
         np.zeros((problems, slots, 3)),
-        np.zeros((problems, seen.counts.shape[1])),
-        misfit,
-        np.broadcast_to(np.eye(3 * slots), (problems, 3 * slots, 3 * slots)).copy(),
-        log_spread,
+        zeros(seen.counts, (problems, seen.counts.shape[1])),
+        on_host(misfit),
+        zeros(seen.counts, (problems, 3 * slots)),
+        _identities(seen.counts, problems, 3 * slots),
+        on_host(log_spread),
     )
 
 
@@ -282,5 +459,5 @@ def strict_misfit(
 ) -> Float[np.ndarray, "problem"]:
     """Misfit of problems around the strict deviations instead of the true ones."""
     strict = replace(seen, sigma=seen.strict)
-    given = problems.frame, problems.face, problems.contact, problems.extra
-    return _linear(model, priors, strict, *given).misfit
+    given = problems.frame, problems.face, problems.extra
+    return _posterior(model, priors, strict, *given).at(problems.contact).misfit

@@ -2,13 +2,22 @@
 
 from __future__ import annotations
 
+from copy import copy
 from dataclasses import dataclass
 from functools import cache
-from typing import Any
 
 import numpy as np
 from jaxtyping import Float, Int
 
+from estimator.inversion.model.arrays import (
+    Array,
+    chosen,
+    float64,
+    library,
+    like,
+    where_true,
+    zeros,
+)
 from estimator.inversion.model.forward import NONE
 
 _OVERLAP_MM, SPACING_SIGMA_MM = 0.5, 0.2
@@ -51,97 +60,119 @@ class Priors:
 class Quadratic:
     """Misfit, its slope and curvature at the contacts of some problems; `Problems.log_spread`."""
 
-    misfit: np.ndarray
-    slope: np.ndarray
-    curvature: np.ndarray
-    log_spread: np.ndarray
+    misfit: Array
+    slope: Array
+    curvature: Array
+    log_spread: Array
+
+    @property
+    def parts(self) -> tuple[Array, Array, Array, Array]:
+        """All four."""
+        return self.misfit, self.slope, self.curvature, self.log_spread
+
+    def select(self, rows: Array) -> Quadratic:
+        """Those of some problems."""
+        return Quadratic(*(part[rows] for part in self.parts))
 
 
-def add_priors(found: Quadratic, priors: Priors, face: np.ndarray, contact: np.ndarray) -> None:
+def add_priors(found: Quadratic, priors: Priors, face: Array, contact: Array) -> None:
     """Tips that do not overlap, stand as their probe has them, and bear alike where they are known to."""
-    first, second = _pairs_of(face.shape[1])
-    both = (face[:, first] == face[:, second]) & (face[:, first] != NONE)
-    (rows,) = np.nonzero(both.any(axis=1))
-    if not len(rows):
-        return
-    alike = np.sum(face[rows, :, None] == face[rows, None, :], axis=2)[:, first]
-    pairs = _Pairs(found, rows, contact[rows], first, second, both[rows], alike)
-    if priors.spacing_mm:
-        pairs.stand(priors.spacing_mm)
-    elif priors.apart_mm:
-        pairs.keep_apart(priors.apart_mm)
-    if priors.force_spread is not None:
-        pairs.bear_alike(priors.force_spread)
+    Pairs(priors, face).add(found, contact)
+
+
+class Pairs:
+    """Pairs of contacts that share a face, in problems whose faces stay."""
+
+    def __init__(self, priors: Priors, face: Int[Array, "problem contact"]) -> None:
+        self.priors = priors
+        first, second = _pairs_of(face.shape[1])
+        self._first, self._second = like(face, first), like(face, second)
+        of_first = chosen(face, self._first)
+        self._both = (of_first == chosen(face, self._second)) & (of_first != NONE)
+        self._some = bool(self._both.any())
+        self._alike = chosen((face[:, :, None] == face[:, None, :]).sum(axis=2), self._first)
+
+    def select(self, rows: Array) -> Pairs:
+        """Those of some problems."""
+        few = copy(self)
+        few._both, few._alike = self._both[rows], self._alike[rows]
+        return few
+
+    def add(self, found: Quadratic, contact: Float[Array, "problem contact 3"]) -> None:
+        """What the priors say of them, added to the misfit with its slope and curvature."""
+        if not self._some:
+            return
+        if self.priors.spacing_mm:
+            self._stand(found, contact, self.priors.spacing_mm)
+        elif self.priors.apart_mm:
+            self._keep_apart(found, contact, self.priors.apart_mm)
+        if self.priors.force_spread is not None:
+            self._bear_alike(found, contact, self.priors.force_spread)
+
+    def _keep_apart(self, found: Quadratic, contact: Array, apart_mm: float) -> None:
+        between = self._between(contact)
+        overlap = self._both & ((between * between).sum(axis=2) < apart_mm**2)
+        rows = where_true(overlap.any(axis=1))
+        if len(rows):
+            self._hold(found, rows, between[rows], apart_mm, _OVERLAP_MM, overlap[rows])
+
+    def _stand(self, found: Quadratic, contact: Array, spacing_mm: tuple[float, ...]) -> None:
+        wanted = like(contact, np.array([0.0, 0.0, *spacing_mm]))
+        rows = where_true(self._both.any(axis=1))
+        alike = self._alike[rows]
+        known = self._both[rows] & (alike < len(wanted))
+        target = wanted[alike.clip(max=len(wanted) - 1)]
+        between = self._between(contact[rows])
+        self._hold(found, rows, between, target, SPACING_SIGMA_MM, known)
+
+    def _bear_alike(self, found: Quadratic, contact: Array, spread: float) -> None:
+        xp, rows = library(contact), where_true(self._both.any(axis=1))
+        force, both = contact[rows][:, :, 2], self._both[rows]
+        one, other = (
+            xp.where(both, chosen(force, slots), 1.0) for slots in (self._first, self._second)
+        )
+        scale = both / (spread * float64(self._alike[rows].clip(1)) ** 0.5)
+        left = scale * xp.log(one / other)
+        self._add(found, rows, left, {2: (scale / one, scale / other)})
+
+    def _between(self, contact: Array) -> Float[Array, "problem pair 2"]:
+        place = contact[:, :, :2]
+        return chosen(place, self._first) - chosen(place, self._second)
+
+    def _hold(
+        self,
+        found: Quadratic,
+        rows: Array,
+        between: Array,
+        wanted_mm: Array | float,
+        sigma_mm: float,
+        held: Array,
+    ) -> None:
+        distance = ((between * between).sum(axis=2) ** 0.5).clip(1e-6)
+        scale = float64(held) / sigma_mm
+        along = between * (scale / distance)[..., None]
+        both_alike = {axis: (along[..., axis], along[..., axis]) for axis in (0, 1)}
+        self._add(found, rows, scale * (distance - wanted_mm), both_alike)
+
+    def _add(
+        self, found: Quadratic, rows: Array, left: Array, slopes: dict[int, tuple[Array, Array]]
+    ) -> None:
+        """One more term ½ left² for every pair: its slope by these parameters of the first contact,
+        and less that by the second's."""
+        by = zeros(left, (*left.shape, found.slope.shape[1]))
+        pair = like(left, np.arange(left.shape[1]))
+        for parameter, (by_first, by_second) in slopes.items():
+            by[:, pair, 3 * self._first + parameter] = by_first
+            by[:, pair, 3 * self._second + parameter] = -by_second
+        turned = by.swapaxes(1, 2)
+        found.misfit[rows] += 0.5 * (left * left).sum(axis=1)
+        found.slope[rows] += (turned @ left[..., None])[..., 0]
+        found.curvature[rows] += turned @ by
 
 
 @cache
 def _pairs_of(slots: int) -> tuple[np.ndarray, np.ndarray]:
     return np.triu_indices(slots, 1)
-
-
-@dataclass(frozen=True)
-class _Pairs:
-    """Pairs of contacts in some problems (`rows` of `found`), those that share a face (`both`).
-
-    `alike` (problem, pair) counts the contacts of the first one's face.
-    """
-
-    found: Quadratic
-    rows: np.ndarray
-    contact: np.ndarray
-    first: np.ndarray
-    second: np.ndarray
-    both: np.ndarray
-    alike: np.ndarray
-
-    def keep_apart(self, apart_mm: float) -> None:
-        between, distance = self._between()
-        overlap = self.both & (distance < apart_mm)
-        if overlap.any():
-            self._hold(between, distance, apart_mm, _OVERLAP_MM, overlap)
-
-    def stand(self, spacing_mm: tuple[float, ...]) -> None:
-        wanted = np.array([0.0, 0.0, *spacing_mm])
-        known = self.both & (self.alike < len(wanted))
-        target = wanted[np.minimum(self.alike, len(wanted) - 1)]
-        self._hold(*self._between(), target, SPACING_SIGMA_MM, known)
-
-    def bear_alike(self, spread: float) -> None:
-        one, other = (
-            np.where(self.both, self.contact[:, slots, 2], 1.0)
-            for slots in (self.first, self.second)
-        )
-        scale = self.both / (spread * np.sqrt(np.maximum(self.alike, 1)))
-        self._add(scale * np.log(one / other), [2], [scale / one], [scale / other])
-
-    def _between(self) -> tuple[np.ndarray, np.ndarray]:
-        between = self.contact[:, self.first, :2] - self.contact[:, self.second, :2]
-        return between, np.maximum(np.sqrt(np.sum(between**2, axis=2)), 1e-6)
-
-    def _hold(
-        self,
-        between: np.ndarray,
-        distance: np.ndarray,
-        wanted_mm: np.ndarray | float,
-        sigma_mm: float,
-        held: np.ndarray,
-    ) -> None:
-        scale = held / sigma_mm
-        along = (between * (scale / distance)[..., None]).transpose(2, 0, 1)
-        self._add(scale * (distance - wanted_mm), [0, 1], along, along)
-
-    def _add(self, left: np.ndarray, parameters: list[int], one: Any, other: Any) -> None:
-        """One more term ½ left² for every pair: its slope by these parameters of the first contact,
-        and less that by the second's."""
-        rows = np.zeros((*left.shape, self.found.slope.shape[1]))
-        pair = np.arange(len(self.first))
-        for parameter, by_first, by_second in zip(parameters, one, other, strict=True):
-            rows[:, pair, 3 * self.first + parameter] = by_first
-            rows[:, pair, 3 * self.second + parameter] = -by_second
-        turned = rows.transpose(0, 2, 1)
-        self.found.misfit[self.rows] += 0.5 * np.sum(left**2, axis=1)
-        self.found.slope[self.rows] += (turned @ left[..., None])[..., 0]
-        self.found.curvature[self.rows] += turned @ rows
 
 
 def log_density(
@@ -150,11 +181,19 @@ def log_density(
     contact: Float[np.ndarray, "problem contact 3"],
 ) -> Float[np.ndarray, "problem"]:
     """Log prior density of sets of contacts, whatever the order of their contacts."""
-    number = np.sum(face != NONE, axis=1)
+    counted = _counted(priors)[np.sum(face != NONE, axis=1)]
+    if priors.force_spread is None and not priors.spacing_mm:
+        return counted
+    return counted + _probe_density(priors, face, contact)
+
+
+@cache
+def _counted(priors: Priors) -> Float[np.ndarray, "number"]:
+    """Log density of so many contacts anywhere."""
+    number = np.arange(priors.most + 1)
     each = -np.log(priors.area_mm2 * np.ptp(priors.force_n))
-    counted = np.log(np.maximum(np.asarray(priors.number), 1e-300))[number]
-    orders = np.array([np.sum(np.log(np.arange(1, n + 1))) for n in range(priors.most + 1)])
-    return number * each + counted + orders[number] + _probe_density(priors, face, contact)
+    orders = np.cumsum(np.log(np.maximum(number, 1)))
+    return number * each + np.log(np.maximum(np.asarray(priors.number), 1e-300)) + orders
 
 
 def _probe_density(

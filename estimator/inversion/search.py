@@ -14,6 +14,7 @@ from functools import cached_property
 import numpy as np
 from jaxtyping import Float, Int
 
+from estimator.inversion.model.arrays import Array, concatenated, rows_of
 from estimator.inversion.model.dictionary import Dictionary, dictionary
 from estimator.inversion.model.forward import NONE, ContactModel
 from estimator.inversion.posterior import (
@@ -22,6 +23,7 @@ from estimator.inversion.posterior import (
     empty,
     log_evidence,
     most_probable,
+    refitted,
 )
 from estimator.inversion.priors import Priors
 
@@ -38,7 +40,9 @@ which is what the evidence asks of a further contact."""
 _EQUAL = 0.05
 """Of misfits and log evidences: sets that differ by less are the same."""
 _HALF_MM = 6.0
-_DIRECTIONS = np.array([(1, 0), (0, 1), (1, 1), (1, -1)]) / np.sqrt([[1], [1], [2], [2]])
+_HALVED_BY = _HALF_MM * np.array(
+    [(1, 0, 0), (0, 1, 0), (0.5**0.5, 0.5**0.5, 0), (0.5**0.5, -(0.5**0.5), 0)]
+)
 
 
 @dataclass(frozen=True)
@@ -145,7 +149,7 @@ class Search:
             face, contact = _packed(np.where(gone, NONE, sets.face)[rows], sets.contact[rows])
             parts.append((sets.frame[rows], face, contact))
         frame, face, contact = (np.concatenate(column) for column in zip(*parts, strict=True))
-        given = frame, face, contact, self.model.interaction(face, contact)
+        given = frame, face, contact, None
         return self.judged(most_probable(self.model, self.priors, seen, *given, *effort))
 
     def judged(self, problems: Problems) -> Hypotheses:
@@ -174,11 +178,11 @@ class Search:
 
     def _grown(self, seen: Observed, level: Problems, effort: tuple[int, ...] = ()) -> Problems:
         rows, face, contact = self.dictionary.added(self.model, seen, level, self.probes)
-        frame, extra = level.frame[rows], level.extra[rows]
+        frame, extra = level.frame[rows], rows_of(level.extra, rows)
         if not self.probes:
             halved = _halves(level.select(_best_of_frame(level, 1)))
             frame, face, contact, extra = (
-                np.concatenate(pair)
+                concatenated(pair)
                 for pair in zip((frame, face, contact, extra), halved, strict=True)
             )
         if not len(frame):
@@ -187,8 +191,7 @@ class Search:
             self.model, self.priors, seen, frame, face, contact, extra, 1, _ROUGH_STEPS
         )
         kept = rough.select(_best_of_frame(rough, 2 * _KEPT))
-        given = kept.frame, kept.face, kept.contact, kept.extra
-        found = most_probable(self.model, self.priors, seen, *given, *effort)
+        found = refitted(self.model, self.priors, seen, kept, *effort)
         return found.select(_best_of_frame(found, _KEPT))
 
     def _hopeful(self, judged: Hypotheses, best: np.ndarray) -> np.ndarray:
@@ -205,20 +208,20 @@ def together(parts: list[Hypotheses]) -> Hypotheses:
     return Hypotheses(Problems.joined([part.problems for part in parts]), evidence)
 
 
-def _halves(level: Problems) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+def _halves(level: Problems) -> tuple[np.ndarray, np.ndarray, np.ndarray, Array]:
     """Every contact split in two, four ways: frame, face, contact, extra."""
     slots = level.face.shape[1]
     some = (level.face != NONE) & (level.number < slots)[:, None]
     rows, slot, way = (
-        index.ravel() for index in np.nonzero(np.repeat(some[..., None], len(_DIRECTIONS), axis=2))
+        index.ravel() for index in np.nonzero(np.repeat(some[..., None], len(_HALVED_BY), axis=2))
     )
     face, contact = level.face[rows], level.contact[rows]
     each, new = np.arange(len(rows)), level.number[rows]
     half = contact[each, slot] * [1, 1, 0.5]
-    offset = np.pad(_HALF_MM * _DIRECTIONS[way], ((0, 0), (0, 1)))
+    offset = _HALVED_BY[way]
     face[each, new] = face[each, slot]
     contact[each, slot], contact[each, new] = half + offset, half - offset
-    return level.frame[rows], face, contact, level.extra[rows]
+    return level.frame[rows], face, contact, rows_of(level.extra, rows)
 
 
 def _first_of_frame(frame: np.ndarray, cost: np.ndarray) -> Int[np.ndarray, "n"]:

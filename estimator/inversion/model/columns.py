@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import fields
 from typing import Any, TypeVar
 
 import numpy as np
 from jaxtyping import Bool, Int
+
+from estimator.inversion.model.arrays import concatenated, rows_of
 
 Kind = TypeVar("Kind", bound="Columns")
 
@@ -20,12 +21,12 @@ class Columns:
 
     def select(self: Kind, rows: Int[np.ndarray, "n"] | Bool[np.ndarray, "all"]) -> Kind:
         """The given rows, in order."""
-        return type(self)(*(column[rows] for column in self._columns()))
+        return type(self)(*(rows_of(column, rows) for column in self._columns()))
 
     @classmethod
     def joined(cls: type[Kind], parts: Sequence[Kind]) -> Kind:
         """Parts one after the other."""
-        return cls(*map(np.concatenate, zip(*(part._columns() for part in parts), strict=True)))
+        return cls(*map(concatenated, zip(*(part._columns() for part in parts), strict=True)))
 
     def _columns(self) -> list[Any]:
-        return [getattr(self, field.name) for field in fields(self)]  # pyright: ignore[reportArgumentType]
+        return [getattr(self, name) for name in self.__dataclass_fields__]  # pyright: ignore[reportAttributeAccessIssue]

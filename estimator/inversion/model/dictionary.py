@@ -10,6 +10,7 @@ import numpy as np
 from jaxtyping import Bool, Float, Int
 
 from design.layout.tips import tip_positions_mm
+from estimator.inversion.model.arrays import Array, float32, library, like, on_host, where_true
 from estimator.inversion.model.forward import NONE, ContactModel
 from estimator.inversion.posterior import Observed, Problems
 from estimator.inversion.priors import Priors
@@ -21,7 +22,9 @@ _SCALES = (0.3, 2.5)
 _CHOSEN, _CHOSEN_PROBES = 4, 3
 _APART_MM = 6.0
 _ANGLES = 8
-_SEEN = 1e-6
+_SEEN, _ALIKE = 1e-6, 1e-9
+"""Signals of a contact that shifts, in standard deviations, below which it shows nothing, and the share
+of them by which contacts that look alike are told apart."""
 
 
 @dataclass(frozen=True)
@@ -33,13 +36,13 @@ class Dictionary:
     face : (press,) index of the face
     tips : (press,) how many contacts it has
     contact : (press, tip, 3), as in `ContactModel`; rows beyond `tips` are not used
-    counts : (press, channel), contacts summed
+    counts : (press, channel), contacts summed; frames are given as arrays of this one's kind
     """
 
     face: Int[np.ndarray, "press"]
     tips: Int[np.ndarray, "press"]
     contact: Float[np.ndarray, "press tip 3"]
-    counts: Float[np.ndarray, "press channel"]
+    counts: Float[Array, "press channel"]
 
     def added(
         self, model: ContactModel, seen: Observed, level: Problems, probes: bool
@@ -54,20 +57,23 @@ class Dictionary:
         apart.
         """
         gain, scale = self._gains(model, seen, level)
-        used = np.stack(
-            [np.any(level.face == f, axis=1) for f in range(self.face.max() + 1)], axis=1
-        )
+        xp = library(gain)
         room = level.face.shape[1] - level.number
-        gain[self.tips > room[:, None]] = -np.inf
+        gain[like(gain, self.tips > room[:, None])] = -np.inf
         if probes:
-            gain[used[:, self.face]] = -np.inf
-        found = []
+            used = np.stack(
+                [np.any(level.face == f, axis=1) for f in range(self.face.max() + 1)], axis=1
+            )
+            gain[like(gain, used[:, self.face])] = -np.inf
+        found, each = [], like(gain, np.arange(len(level)))
         for number in np.unique(self.tips):
-            of_number = np.where(self.tips == number, gain, -np.inf)
+            of_number = xp.where(like(gain, self.tips == number), gain, -np.inf)
             for _ in range(_CHOSEN_PROBES if probes else _CHOSEN):
-                press = np.argmax(of_number, axis=1)
-                (rows,) = np.nonzero(of_number[np.arange(len(level)), press] > 0)
-                found.append(self._placed(level, rows, press[rows], scale[rows, press[rows]]))
+                press = of_number.argmax(axis=1)
+                rows = where_true(of_number[each, press] > 0)
+                few = press[rows]
+                told = (on_host(part) for part in (rows, few, scale[rows, few]))
+                found.append(self._placed(level, *told))
                 of_number[self._near(press)] = -np.inf
         rows, faces, contacts = zip(*found, strict=True)
         return np.concatenate(rows), np.concatenate(faces), np.concatenate(contacts)
@@ -87,51 +93,61 @@ class Dictionary:
 
     def _gains(
         self, model: ContactModel, seen: Observed, level: Problems
-    ) -> tuple[Float[np.ndarray, "problem press"], Float[np.ndarray, "problem press"]]:
+    ) -> tuple[Float[Array, "problem press"], Float[Array, "problem press"]]:
         """By how much each press would lower the misfit, and its force over the dictionary's."""
-        weight = (1 / seen.sigma[level.frame]).astype(np.float32)
+        frame = like(seen.sigma, level.frame)
+        weight = 1 / seen.sigma[frame]
         slots = int(level.number.max(initial=0))
-        left = seen.counts[level.frame] - level.extra
-        length = weight**2 @ self._squared.T
-        if not slots:
-            along = (left * weight**2).astype(np.float32) @ self.counts.T
-        else:
-            singles = model.singles(level.face[:, :slots], level.contact[:, :slots])
+        counts, squared = self._both
+        left = (seen.counts[frame] - level.extra) * weight
+        length = float32(weight * weight) @ squared
+        if slots:
+            face, contact = (like(weight, part[:, :slots]) for part in (level.face, level.contact))
+            singles = model.singles(face, contact) * weight[:, None, None]
             left = left - singles[:, :, 0].sum(axis=1)
-            jacobian = (
-                singles[:, :, 1:].reshape(len(level), 3 * slots, model.channels) * weight[:, None]
-            )
-            basis, triangle = np.linalg.qr(jacobian.transpose(0, 2, 1))
-            basis = basis * (abs(np.diagonal(triangle, axis1=1, axis2=2)) > _SEEN)[:, None]
-            white = left * weight
-            white = white - (basis @ (basis.transpose(0, 2, 1) @ white[..., None]))[..., 0]
-            shared = (basis * weight[..., None]).transpose(0, 2, 1).astype(np.float32)
-            shared = shared @ self.counts.T
-            length = np.maximum(length - np.einsum("pkn,pkn->pn", shared, shared), 1e-3 * length)
-            along = (white * weight).astype(np.float32) @ self.counts.T
-        scale = np.clip(along / length, *_SCALES)
-        return scale * along - 0.5 * scale**2 * length, scale
+            jacobian = singles[:, :, 1:].reshape(len(level), 3 * slots, model.channels)
+            basis = _basis(jacobian)
+            left = left - ((basis @ left[..., None]).swapaxes(1, 2) @ basis)[:, 0]
+            shared = float32(basis * weight[:, None]) @ counts
+            taken = (shared * shared).sum(axis=1)
+            length = library(length).maximum(length - taken, 1e-3 * length)
+        along = float32(left * weight) @ counts
+        scale = (along / length).clip(*_SCALES)
+        return scale * along - 0.5 * scale * scale * length, scale
 
     @cached_property
-    def _squared(self) -> Float[np.ndarray, "press channel"]:
-        return self.counts**2
+    def _both(self) -> tuple[Float[Array, "channel press"], Float[Array, "channel press"]]:
+        """Counts and their squares."""
+        counts = self.counts.swapaxes(0, 1)
+        return counts, counts * counts
 
-    def _near(self, press: Int[np.ndarray, "problem"]) -> Bool[np.ndarray, "problem press"]:
+    def _near(self, press: Int[Array, "problem"]) -> Bool[Array, "problem press"]:
         """Presses that are one start with a chosen one: of as many tips whose centres are near."""
-        near = (self.face[press, None] == self.face) & (self.tips[press, None] == self.tips)
-        for places in (self._centre_mm, self._first_mm):
-            x, y = (axis[press, None] - axis for axis in places)
+        kind, *places = self._marks
+        near = kind[press, None] == kind
+        for x_mm, y_mm in zip(places[::2], places[1::2], strict=True):
+            x, y = x_mm[press, None] - x_mm, y_mm[press, None] - y_mm
             near &= x * x + y * y < _APART_MM**2
         return near
 
     @cached_property
-    def _centre_mm(self) -> Float[np.ndarray, "2 press"]:
+    def _marks(self) -> list[Array]:
+        """Face and tips as one number; x and y of the centre and, of probes, of the first tip."""
+        kind = self.face * (self.tips.max() + 1) + self.tips
         number = np.arange(self.contact.shape[1])[:, None] < self.tips
-        return np.einsum("tp,ptd->dp", number / self.tips, self.contact[..., :2]).astype(np.float32)
+        centre = np.einsum("tp,ptd->dp", number / self.tips, self.contact[..., :2])
+        first = self.contact[:, 0, :2].T
+        places = (*centre, *first) if self.contact.shape[1] > 1 else tuple(centre)
+        return [like(self.counts, part) for part in (kind, *map(float32, places))]
 
-    @cached_property
-    def _first_mm(self) -> Float[np.ndarray, "2 press"]:
-        return self.contact[:, 0, :2].T.astype(np.float32)
+
+def _basis(jacobian: Float[Array, "problem row channel"]) -> Float[Array, "problem row channel"]:
+    """Orthonormal rows that span those given (Cholesky); rows of nothing stay so."""
+    xp, diagonal = library(jacobian), np.arange(jacobian.shape[1])
+    gram = jacobian @ jacobian.swapaxes(1, 2)
+    gram[:, diagonal, diagonal] *= 1 + _ALIKE
+    gram[:, diagonal, diagonal] += _SEEN**2
+    return xp.linalg.solve(xp.linalg.cholesky(gram), jacobian)
 
 
 def dictionary(model: ContactModel, priors: Priors) -> Dictionary:
@@ -160,9 +176,11 @@ def dictionary(model: ContactModel, priors: Priors) -> Dictionary:
                 contacts.append(np.column_stack([tips_mm, np.full(most, force)]))
     face, number, contact = np.array(faces), np.array(tips), np.array(contacts)
     there = np.arange(most) < number[:, None]
-    singles = np.zeros((*there.shape, model.channels))
-    singles[there] = model.signals.values(np.repeat(face, number), contact[there])[:, 0]
-    return Dictionary(face, number, contact, singles.sum(axis=1).astype(np.float32))
+    tables, singles = model.signals, np.zeros((*there.shape, model.channels))
+    given = (like(tables.coefficients, part) for part in (np.repeat(face, number), contact[there]))
+    singles[there] = on_host(tables.values(*given)[:, 0])
+    counts = like(tables.coefficients, singles.sum(axis=1).astype(np.float32))
+    return Dictionary(face, number, contact, counts)
 
 
 def _on_face(model: ContactModel, face: int, tips_mm: Float[np.ndarray, "tip 2"]) -> bool:

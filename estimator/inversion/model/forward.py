@@ -10,6 +10,7 @@ the table is of, the design's presses or those of a calibrated twin.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -23,6 +24,15 @@ from design.spec.object import ObjectSpec
 from estimator.field.models import FieldModel, field_model
 from estimator.field.sources import magnet_source
 from estimator.information.shear import ShearSignals
+from estimator.inversion.model.arrays import (
+    Array,
+    concatenated,
+    float64,
+    like,
+    on_host,
+    where_true,
+    zeros,
+)
 from estimator.inversion.model.table import PressTable, motion_table, shear_table, signal_table
 from estimator.signals.field_setup import Scene, counts, min_distance_mm, sensed_field
 from estimator.signals.interpolation import among_pressed
@@ -68,6 +78,12 @@ class ContactModel:
             motions=self.motions.of_face(index),
             shear=shear,
         )
+
+    def on(self, reference: Array) -> ContactModel:
+        """The same for contacts that are arrays of the reference's kind, on its device."""
+        shear = None if self.shear is None else self.shear.on(reference)
+        tables = self.signals.on(reference), self.motions.on(reference)
+        return replace(self, signals=tables[0], motions=tables[1], shear=shear)
 
     @cached_property
     def scene(self) -> Scene:
@@ -116,72 +132,91 @@ class ContactModel:
 
     def on_faces(
         self,
-        face: Int[np.ndarray, "problem contact"],
-        contact: Float[np.ndarray, "problem contact 3"],
-    ) -> Float[np.ndarray, "problem contact 3"]:
+        face: Int[Array, "problem contact"],
+        contact: Float[Array, "problem contact 3"],
+    ) -> Float[Array, "problem contact 3"]:
         """Contacts beside what their face has moved to its border."""
         if self.whole:
             return contact
         from scipy.spatial import KDTree
 
-        moved, half = contact.copy(), self.spec.contact_grid.pitch_mm / 4
+        on, at = on_host(face), on_host(contact)
+        moved, half = at.copy(), self.spec.contact_grid.pitch_mm / 4
         for index, middles in enumerate(self.cells):
-            here = face == index
-            nearest = middles[KDTree(middles).query(contact[here, :2])[1]]
-            moved[here, :2] = np.clip(contact[here, :2], nearest - half, nearest + half)
-        return moved
+            here = on == index
+            nearest = middles[KDTree(middles).query(at[here, :2])[1]]
+            moved[here, :2] = np.clip(at[here, :2], nearest - half, nearest + half)
+        return like(contact, moved)
 
     def singles(
         self,
-        face: Int[np.ndarray, "problem contact"],
-        contact: Float[np.ndarray, "problem contact 3"],
-    ) -> Float[np.ndarray, "problem contact 4 channel"]:
+        face: Int[Array, "problem contact"],
+        contact: Float[Array, "problem contact 3"],
+    ) -> Float[Array, "problem contact 4 channel"]:
         """Counts of each contact alone and their derivatives by x, y and force; 0 where empty."""
-        there = face != NONE
-        values = np.zeros((*face.shape, 4, self.channels))
-        values[there] = self.signals.values(face[there], contact[there])
-        return values
+        return self._of_filled(face, contact, self.signals.values)
 
     def pulls(
         self,
-        face: Int[np.ndarray, "problem contact"],
-        contact: Float[np.ndarray, "problem contact 3"],
-    ) -> Float[np.ndarray, "problem contact 2 channel"]:
+        face: Int[Array, "problem contact"],
+        contact: Float[Array, "problem contact 3"],
+    ) -> Float[Array, "problem contact 2 channel"]:
         """Counts that a tangential force along x and along y gives, each of its standard deviation
         (`pull_sigma_n`); 0 where empty or frictionless."""
-        values = np.zeros((*face.shape, 2, self.channels))
-        there = face != NONE
-        if self.shear is not None:
-            per_n = self.shear.values(face[there], contact[there])[:, 0]
-            sigma = self.pull_sigma_n(contact[there])[:, None, None]
-            values[there] = sigma * per_n.reshape(-1, 2, self.channels)
-        return values
+        table = self.shear
+        if table is None:
+            return zeros(contact, (*face.shape, 2, self.channels))
 
-    def pull_sigma_n(self, contact: Float[np.ndarray, "*n 3"]) -> Float[np.ndarray, "*n"]:
+        def pulled(face: Array, contact: Array) -> Array:
+            per_n = table.values(face, contact)[:, 0]
+            sigma = self.pull_sigma_n(contact)[:, None, None]
+            return sigma * per_n.reshape(-1, 2, self.channels)
+
+        return self._of_filled(face, contact, pulled)
+
+    def _of_filled(
+        self, face: Array, contact: Array, values: Callable[[Array, Array], Array]
+    ) -> Float[Array, "problem contact _ channel"]:
+        """What the filled slots give, at their place among the empty ones."""
+        there = face != NONE
+        if there.all():
+            found = values(face.reshape(-1), contact.reshape(-1, 3))
+            return found.reshape(*face.shape, *found.shape[1:])
+        found = values(face[there], contact[there])
+        every = zeros(found, (*face.shape, *found.shape[1:]))
+        every[there] = found
+        return every
+
+    def pull_sigma_n(self, contact: Float[Array, "*n 3"]) -> Float[Array, "*n"]:
         """Standard deviation of a contact's tangential force along each axis before a frame is seen."""
         return 0.5 * self.spec.inversion.tangential_share * contact[..., 2]
 
     def interaction(
         self,
-        face: Int[np.ndarray, "problem contact"],
-        contact: Float[np.ndarray, "problem contact 3"],
-    ) -> Float[np.ndarray, "problem channel"]:
+        face: Int[Array, "problem contact"],
+        contact: Float[Array, "problem contact 3"],
+    ) -> Float[Array, "problem channel"]:
         """What contacts together give beyond the sum of each alone, counts."""
-        there: Bool[np.ndarray, "problem contact"] = face != NONE
-        extra = np.zeros((len(face), self.channels))
-        (several,) = np.nonzero(there.sum(axis=1) > 1)
+        there: Bool[Array, "problem contact"] = face != NONE
+        extra = zeros(contact, (len(face), self.channels))
+        several = where_true(there.sum(axis=1) > 1)
         if not len(several):
             return extra
         there, face, contact = there[several], face[several], contact[several]
-        single = np.zeros((*face.shape, *self.rest.shape))
-        moved = self.motions.values(face[there], contact[there])[:, 0]
+        single = zeros(contact, (*face.shape, *self.rest.shape))
+        moved = float64(self.motions.values(face[there], contact[there])[:, 0])
         single[there] = moved.reshape(-1, *self.rest.shape)
-        states = self.rest + np.concatenate([single[there], single.sum(axis=1)])
-        change = self._counts(states) - self._resting
-        alone = np.zeros((*face.shape, self.channels))
-        alone[there] = change[: there.sum()]
-        extra[several] = change[there.sum() :] - alone.sum(axis=1)
+        change = self._changes(concatenated([single[there], single.sum(axis=1)]))
+        alone = zeros(contact, (*face.shape, self.channels))
+        alone[there] = change[: len(moved)]
+        extra[several] = change[len(moved) :] - alone.sum(axis=1)
         return extra
+
+    def _changes(self, moved: Float[Array, "state body 6"]) -> Float[Array, "state channel"]:
+        """Counts of motions beyond those at rest."""
+        if isinstance(moved, np.ndarray):
+            return self._counts(self.rest + moved) - self._resting
+        return like(moved, self._changes(on_host(moved)))
 
     @cached_property
     def _resting(self) -> Float[np.ndarray, "channel"]:

@@ -6,11 +6,14 @@ microseconds where `estimator.signals.interpolation` takes milliseconds.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from jaxtyping import Float, Int
+
+from estimator.inversion.model.arrays import Array, library, like
 
 _ORDER = 3
 
@@ -22,7 +25,7 @@ class CubicAxis:
     Attributes
     ----------
     nodes : (node,) what they pass through
-    breaks : (interval + 1,) where polynomials meet
+    breaks : (interval + 1,) where polynomials meet; beyond the ends the last ones go on
     power : (interval, basis, power) coefficients of the four splines that live on an interval, by
         growing powers of the distance from its lower break
     """
@@ -31,48 +34,67 @@ class CubicAxis:
     breaks: Float[np.ndarray, "break"]
     power: Float[np.ndarray, "interval 4 4"]
 
-    def interval(self, at: Float[np.ndarray, "n"]) -> Int[np.ndarray, "n"]:
-        """In which interval points lie; beyond the ends the last polynomial goes on."""
-        after = np.searchsorted(self.breaks, at, "right") - 1
-        return np.minimum(np.maximum(after, 0), len(self.power) - 1)
-
 
 @dataclass(frozen=True)
 class CubicAxes:
-    """Several axes at once: few contacts cost calls of NumPy, not arithmetic."""
+    """Several axes at once: few contacts cost calls of NumPy, not arithmetic.
+
+    They work with arrays of the kind of `reference`, on its device.
+    """
 
     axes: tuple[CubicAxis, ...]
+    reference: Array = field(default_factory=lambda: np.empty(0))
 
     def weights(
-        self, at: tuple[Float[np.ndarray, "n"], ...]
-    ) -> tuple[Int[np.ndarray, "axis n"], Float[np.ndarray, "axis n 4 2"]]:
+        self, at: tuple[Float[Array, "n"], ...]
+    ) -> tuple[Int[Array, "axis n"], Float[Array, "axis n 4 2"]]:
         """Of points on every axis: first of the four coefficients that count, their weights and the
         weights' derivatives."""
-        first = np.array([axis.interval(one) for axis, one in zip(self.axes, at, strict=True)])
+        first = _stacked([_interval(*one) for one in zip(self._inner, at, strict=True)])
         rows = first + self._begin
-        u = np.array(at) - self._lower[rows]
-        powers = np.zeros((*u.shape, 4, 2))
-        powers[..., 0, 0] = powers[..., 1, 1] = 1.0
-        powers[..., 1, 0] = u
-        powers[..., 2, 1] = 2 * u
-        square = u * u
-        powers[..., 2, 0] = square
-        powers[..., 3, 0] = square * u
-        powers[..., 3, 1] = 3 * square
-        return first, self._power[rows] @ powers
+        u = (_stacked(at) - self._lower[rows])[..., None]
+        power = self._power[rows]
+        weights = power[:, :, 3] * u
+        for lower in (2, 1):
+            weights += power[:, :, lower]
+            weights *= u
+        weights += power[:, :, 0]
+        return first, weights.reshape(*first.shape, 4, 2)
 
     @cached_property
-    def _begin(self) -> Int[np.ndarray, "axis 1"]:
+    def _inner(self) -> tuple[Float[Array, "_"], ...]:
+        """Breaks between polynomials."""
+        return tuple(like(self.reference, axis.breaks[1:-1].copy()) for axis in self.axes)
+
+    @cached_property
+    def _begin(self) -> Int[Array, "axis 1"]:
         intervals = [len(axis.power) for axis in self.axes]
-        return np.concatenate([[0], np.cumsum(intervals)[:-1]])[:, None]
+        return like(self.reference, np.concatenate([[0], np.cumsum(intervals)[:-1]])[:, None])
 
     @cached_property
-    def _lower(self) -> Float[np.ndarray, "row"]:
-        return np.concatenate([axis.breaks[:-1] for axis in self.axes])
+    def _lower(self) -> Float[Array, "row"]:
+        return like(self.reference, np.concatenate([axis.breaks[:-1] for axis in self.axes]))
 
     @cached_property
-    def _power(self) -> Float[np.ndarray, "row 4 4"]:
-        return np.concatenate([axis.power for axis in self.axes])
+    def _power(self) -> Float[Array, "row 4 8"]:
+        """By growing powers: the polynomial of each spline and, after it, that of its derivative."""
+        power = np.concatenate([axis.power for axis in self.axes]).swapaxes(1, 2)
+        slopes = np.zeros_like(power)
+        slopes[:, :3] = power[:, 1:] * [[1.0], [2.0], [3.0]]
+        return like(self.reference, np.stack([power, slopes], axis=-1).reshape(len(power), 4, 8))
+
+
+def _stacked(parts: Any) -> Array:
+    """Equal arrays in a new first dimension."""
+    first = parts[0]
+    return np.array(parts) if isinstance(first, np.ndarray) else library(first).stack(list(parts))
+
+
+def _interval(inner: Array, at: Array) -> Int[Array, "n"]:
+    """In which interval points lie."""
+    if isinstance(at, np.ndarray):
+        return inner.searchsorted(at, "right")
+    return library(at).searchsorted(inner, at.contiguous(), right=True)
 
 
 def cubic_axis(nodes: Float[np.ndarray, "node"]) -> CubicAxis:

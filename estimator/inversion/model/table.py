@@ -16,6 +16,7 @@ from design.layout.places.contact_places import contact_places, face_rows
 from design.spec.object import ObjectSpec
 from estimator.frames.tangential import slope_traces
 from estimator.information.shear import ShearSignals
+from estimator.inversion.model.arrays import Array, chosen, float32, like, zeros
 from estimator.inversion.model.spline import CubicAxes, CubicAxis, cubic_axis, spline_coefficients
 from estimator.signals.continuation import continued
 from estimator.signals.interpolation import Traces, press_traces
@@ -38,8 +39,8 @@ _OF_X, _OF_Y, _OF_FORCE = (
     )
 )
 """Where an axis's (node, derivative) stands for x, and for every pair of y and force."""
-_CHUNK = 128
-"""Contacts at a time, whose coefficients fit a second-level cache."""
+_CHUNK, _DEVICE_CHUNK = 128, 1 << 14
+"""Contacts at a time: their coefficients fit a second-level cache, or a device's memory."""
 _STEP_X, _STEP_Y = (step.ravel() for step in np.meshgrid(range(4), range(4), indexing="ij"))
 
 
@@ -50,19 +51,23 @@ class PressTable:
     Attributes
     ----------
     faces : (face,) numbers of the faces, in the order of the first axis of `coefficients`
-    coefficients : (face, x, y, force, channel)
+    coefficients : (face, x, y, force, channel); contacts are given as arrays of this one's kind
     """
 
     faces: Int[np.ndarray, "face"]
     x: CubicAxis
     y: CubicAxis
     root: CubicAxis
-    coefficients: Float[np.ndarray, "face nx ny nf channel"]
+    coefficients: Float[Array, "face nx ny nf channel"]
 
     def of_face(self, index: int) -> PressTable:
         """Presses of one face, which then is face 0."""
         only = slice(index, index + 1)
         return replace(self, faces=self.faces[only], coefficients=self.coefficients[only])
+
+    def on(self, reference: Array) -> PressTable:
+        """The same where the reference is."""
+        return replace(self, coefficients=like(reference, self.coefficients))
 
     @property
     def largest_force_n(self) -> float:
@@ -70,50 +75,61 @@ class PressTable:
         return float((self.root.breaks[-1] + _FIRST_ROOT) ** 2 - _NEAR_ZERO_N)
 
     def values(
-        self, face: Int[np.ndarray, "n"], contact: Float[np.ndarray, "n 3"]
-    ) -> Float[np.ndarray, "n 4 channel"]:
+        self, face: Int[Array, "n"], contact: Float[Array, "n 3"]
+    ) -> Float[Array, "n 4 channel"]:
         """Channels of contacts (x, y in mm and force in N), and their derivatives by these three.
 
         `face` counts faces from 0, in the order of `faces`.
         """
-        values = np.empty((len(face), 4, self.coefficients.shape[-1]))
-        for start in range(0, len(face), _CHUNK):
-            rows = slice(start, start + _CHUNK)
-            first, weights = self._weights(face[rows], contact[rows])
-            values[rows] = weights @ self._blocks(*first)
+        chunk = _CHUNK if isinstance(self.coefficients, np.ndarray) else _DEVICE_CHUNK
+        if len(face) <= chunk:
+            return self._few(face, contact)
+        values = zeros(self.coefficients, (len(face), 4, self.coefficients.shape[-1]))
+        for start in range(0, len(face), chunk):
+            rows = slice(start, start + chunk)
+            values[rows] = self._few(face[rows], contact[rows])
         return values
 
-    def _weights(
-        self, face: np.ndarray, contact: np.ndarray
-    ) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
+    def _few(self, face: Array, contact: Array) -> Float[Array, "n 4 channel"]:
+        first, weights = self._weights(face, contact)
+        return weights @ self._blocks(*first)
+
+    def _weights(self, face: Array, contact: Array) -> tuple[tuple[Array, ...], Array]:
         """Where each contact's 64 coefficients begin, and their weights for value and derivatives."""
-        shifted = np.maximum(contact[:, 2], 0.0) + _NEAR_ZERO_N
-        shifted_root = np.sqrt(shifted)
-        root = shifted_root - _FIRST_ROOT
-        first, along = self._axes.weights((contact[:, 0], contact[:, 1], root))
+        shifted_root = (contact[:, 2].clip(0.0) + _NEAR_ZERO_N) ** 0.5
+        at = contact[:, 0], contact[:, 1], shifted_root - _FIRST_ROOT
+        first, along = self._axes.weights(at)
         along[2, :, :, 1] /= (2 * shifted_root)[:, None]
-        of_x, of_y, of_force = along.astype(np.float32).reshape(3, len(face), 8)
-        weights = of_y.take(_OF_Y, axis=1)
-        weights *= of_force.take(_OF_FORCE, axis=1)
-        weights = of_x.take(_OF_X, axis=1)[..., None] * weights[:, :, None]
+        of_x, of_y, of_force = float32(along).reshape(3, len(face), 8)
+        take_x, take_y, take_force, _, _ = self._places
+        weights = chosen(of_y, take_y)
+        weights *= chosen(of_force, take_force)
+        weights = chosen(of_x, take_x)[..., None] * weights[:, :, None]
         return (face, *first), weights.reshape(len(face), 4, 64)
 
     @cached_property
     def _axes(self) -> CubicAxes:
-        return CubicAxes((self.x, self.y, self.root))
+        return CubicAxes((self.x, self.y, self.root), self.coefficients)
 
-    def _blocks(
-        self, face: np.ndarray, ix: np.ndarray, iy: np.ndarray, jf: np.ndarray
-    ) -> Float[np.ndarray, "n 64 channel"]:
+    @cached_property
+    def _places(self) -> list[Array]:
+        """Where weights and coefficients of a contact stand."""
+        return [like(self.coefficients, i) for i in (_OF_X, _OF_Y, _OF_FORCE, _STEP_X, _STEP_Y)]
+
+    def _blocks(self, face: Array, ix: Array, iy: Array, jf: Array) -> Float[Array, "n 64 channel"]:
         _, nx, ny, _, channels = self.coefficients.shape
-        places = (face[:, None] * nx + ix[:, None] + _STEP_X) * ny + iy[:, None] + _STEP_Y
+        *_, step_x, step_y = self._places
+        places = (face[:, None] * nx + ix[:, None] + step_x) * ny + iy[:, None] + step_y
         return self._runs[places, jf[:, None]].reshape(len(face), 64, channels)
 
     @cached_property
-    def _runs(self) -> Float[np.ndarray, "place start run"]:
+    def _runs(self) -> Float[Array, "place start run"]:
         """Overlapping views of four force nodes each: a contact is sixteen contiguous runs."""
         faces, nx, ny, nf, channels = self.coefficients.shape
-        flat = np.ascontiguousarray(self.coefficients).reshape(faces * nx * ny, nf * channels)
+        shape = faces * nx * ny, nf * channels
+        if not isinstance(self.coefficients, np.ndarray):
+            return self.coefficients.reshape(shape).unfold(1, 4 * channels, channels)
+        flat = np.ascontiguousarray(self.coefficients).reshape(shape)
         runs = np.lib.stride_tricks.sliding_window_view(flat, 4 * channels, axis=1)
         return runs[:, ::channels]
 

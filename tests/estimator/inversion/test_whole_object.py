@@ -157,7 +157,7 @@ def test_tangential_forces_are_those_of_the_joint_normal_posterior(slots):
     )
     problems = posterior.Problems(
         np.zeros(1, int), np.zeros((1, slots), int), np.ones((1, slots, 3)), extra, np.zeros(1),
-        curvature[None], np.zeros(1),
+        np.zeros((1, 3 * slots)), curvature[None], np.zeros(1),
     )  # fmt: skip
     priors = Priors((0.25,) * 4, 2, 800.0, (0.5, 10.5))
     mean, deviation = readings.tangential_forces.__wrapped__(stub, priors, seen, problems)

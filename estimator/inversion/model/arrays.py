@@ -1,0 +1,70 @@
+"""Arrays of many problems: NumPy's, or tensors of torch on a device, and the few calls that differ.
+
+Forward model, posterior and dictionary are written once, in what both libraries share; what they are
+given decides where they work. A program that gives NumPy's arrays never imports torch.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+Array = Any
+"""A NumPy array or a tensor, as in `Float[Array, "problem channel"]`."""
+
+
+def library(array: Array) -> Any:
+    """`numpy` or `torch`."""
+    return np if isinstance(array, np.ndarray) else sys.modules["torch"]
+
+
+def like(reference: Array, values: Any) -> Array:
+    """Values as an array of the reference's kind, on its device."""
+    if isinstance(reference, np.ndarray):
+        return np.asarray(values)
+    return library(reference).as_tensor(values, device=reference.device)
+
+
+def zeros(reference: Array, shape: tuple[int, ...]) -> Array:
+    """Zeros of the reference's kind and type, on its device."""
+    if isinstance(reference, np.ndarray):
+        return np.zeros(shape, reference.dtype)
+    return reference.new_zeros(shape)
+
+
+def on_host(array: Array) -> np.ndarray:
+    """As a NumPy array."""
+    return array if isinstance(array, np.ndarray) else array.cpu().numpy()
+
+
+def where_true(mask: Array) -> Array:
+    """Indices of what is true along the one dimension."""
+    return library(mask).where(mask)[0]
+
+
+def float32(array: Array) -> Array:
+    """In single precision."""
+    return array.astype(np.float32) if isinstance(array, np.ndarray) else array.float()
+
+
+def float64(array: Array) -> Array:
+    """In double precision."""
+    return array.astype(np.float64) if isinstance(array, np.ndarray) else array.double()
+
+
+def rows_of(array: Array, rows: np.ndarray) -> Array:
+    """Rows that are told by an array of the host."""
+    return array[rows if isinstance(array, np.ndarray) else like(array, rows)]
+
+
+def chosen(array: Array, index: Array) -> Array:
+    """Entries of the second dimension."""
+    return array.take(index, axis=1) if isinstance(array, np.ndarray) else array[:, index]
+
+
+def concatenated(parts: Sequence[Array]) -> Array:
+    """One after the other."""
+    return library(parts[0]).concatenate(parts)
