@@ -10,10 +10,10 @@ import numpy as np
 from design.body.kinds.pad import Pad
 from design.body.kinds.registry import KINDS
 from design.errors import SpecError
+from design.placement.hooking import trims_of, with_thinnest
 from design.placement.objects import (
     COARSE,
     SHARES,
-    TRIMS,
     Request,
     Tables,
     every_fit,
@@ -22,12 +22,15 @@ from design.placement.objects import (
     roomy_faces,
 )
 from design.spec.body import LONGEST_EDGE_MM
+from design.spec.object import ObjectSpec
 
 _GROWTH, _LARGEST_GROWTH, _LARGEST_BESIDE, _HALVINGS = 1.25, 8.0, 3.1, 3
 """Steps in which a larger size is looked for, how far, how far where longer short edges help, and how
 often the last step is halved."""
 _DIGITS = 4
 """Of a scale that is named."""
+_MOULD_MM = 30.0
+"""Of walls and flanges, beyond the body."""
 _PLATE = 0.5
 """Of the shorter of the other edges, up to which a height is that of a plate."""
 
@@ -43,6 +46,11 @@ def placed(request: Request) -> Tables:
     return next(placements(request))
 
 
+def most_printed_mm() -> float:
+    """Longest edge of a body whose mould lies on the default printer."""
+    return min(ObjectSpec(name="default").printer.bed_mm[:2]) - _MOULD_MM
+
+
 def placements(request: Request) -> Iterator[Tables]:
     """The same for each shell that takes everything, the most generous first.
 
@@ -51,8 +59,8 @@ def placements(request: Request) -> Iterator[Tables]:
     SpecError
         As `placed`.
     """
-    found = False
-    for tables in fitting(request, TRIMS, SHARES):
+    found, request = False, with_thinnest(request)
+    for tables in fitting(request, trims_of(request), SHARES):
         found = True
         yield tables
     if not found:
@@ -72,14 +80,17 @@ def _too_small(request: Request) -> str:
 
 
 def _larger(request: Request) -> Iterator[str]:
-    """Sizes that work: of that shape, and where that helps with the short edges longer alone."""
+    """Sizes that work: of that shape, unless its mould is larger than the bed and another helps, and where
+    that helps with the short edges longer alone."""
     flat = min(request.size_mm) < max(request.size_mm) and not request.file
     thicker = _smallest(request, min(request.size_mm), _thickened) if flat else None
     most = _LARGEST_GROWTH if thicker is None else _LARGEST_BESIDE
     whole = _smallest(request, max(request.size_mm), _grown, most)
-    if whole is not None:
+    if whole is not None and (thicker is None or max(whole.size_mm) <= most_printed_mm()):
         scale = f" (scale = {dict(whole.file)['scale']:.4g})" if whole.file else ""
         yield f"The smallest of that shape that works is about {_told(whole)}{scale}"
+    else:
+        whole = None
     if thicker is not None and (whole is None or _shorter_somewhere(thicker, whole)):
         yield f"{'with' if whole else 'With'} its short edges longer about {_told(thicker)} works"
 
@@ -137,7 +148,7 @@ def _fewer(request: Request) -> Iterator[str]:
             yield f"{count} sensor{'s' * (count > 1)} per face would fit"
             break
     if request.magnets is not None and request.magnets > 1:
-        found = next(every_fit(replace(request, magnets=None), TRIMS[-1:], COARSE), None)
+        found = next(every_fit(replace(request, magnets=None), (request.thinnest,), COARSE), None)
         if found is not None:
             count = len(found["magnets"]["positions_mm"])
             yield f"{count} magnet{'s' * (count > 1)} per face would fit"
@@ -146,6 +157,7 @@ def _fewer(request: Request) -> Iterator[str]:
 def _fitting_roughly(request: Request) -> Request | None:
     """The request where it fits roughly, if need be without the faces that do not take everything by
     themselves, as `first_fit` leaves them out; None where it does not."""
+    request = with_thinnest(request)
     if fits_roughly(request):
         return request
     faces = () if request.faces is not None else roomy_faces(request)
@@ -163,7 +175,8 @@ def _grown(request: Request, growth: float) -> Request:
     digits = _DIGITS - int(np.ceil(np.log10(before * growth)))
     scale = float(np.ceil(before * growth * 10.0**digits - 1e-6)) / 10.0**digits
     x, y, z = (edge * scale / before for edge in request.size_mm)
-    return replace(request, size_mm=(x, y, z), file=tuple((file | {"scale": scale}).items()))
+    file = tuple((file | {"scale": scale}).items())
+    return replace(request, size_mm=(x, y, z), file=file)
 
 
 def _thickened(request: Request, growth: float) -> Request:

@@ -92,7 +92,7 @@ class Request:
 
     Without a number of magnets, as many as fit, five at most. An imported body has `size_mm` of its
     file, and the keys of `[body]` that read it in `file`. Without `faces` all are sensed on which
-    everything finds room.
+    everything finds room. Sizes that work are looked for under the `thinnest` shell.
     """
 
     kind: str
@@ -101,6 +101,7 @@ class Request:
     magnets: int | None = None
     file: tuple[tuple[str, Any], ...] = ()
     faces: tuple[int, ...] | None = None
+    thinnest: Trim = TRIMS[-1]
 
 
 def first_fit(
@@ -150,7 +151,7 @@ def every_fit(
 
 def _roughly(request: Request) -> Iterator[Tables]:
     """As sizes are tried: under the thinnest shell, which leaves the most room, with few magnets."""
-    return every_fit(request, TRIMS[-1:], COARSE, _FEWEST)
+    return every_fit(request, (request.thinnest,), COARSE, _FEWEST)
 
 
 def _of_shells(
@@ -158,7 +159,7 @@ def _of_shells(
 ) -> Iterator[Tables]:
     for trim in trims:
         tables = _with_sensors(request, trim, shares)
-        tables = tables and _with_magnets(request, tables, shares, counts)
+        tables = tables and next(_with_magnets(request, tables, shares, counts), None)
         tables = tables and _with_contacts(tables)
         if tables:
             yield tables
@@ -171,7 +172,7 @@ def fits_roughly(request: Request) -> bool:
 
 def roomy_faces(request: Request) -> tuple[int, ...]:
     """Faces on which everything finds room by itself, under the thinnest shell; () where all have it."""
-    every = spec_of(_body(request, TRIMS[-1])).body.sensed
+    every = spec_of(bare_tables(request, request.thinnest)).body.sensed
     if len(every) == 1:
         return ()
     roomy = dict[int, bool]()
@@ -185,7 +186,7 @@ def roomy_faces(request: Request) -> tuple[int, ...]:
 
 def _largest_together(request: Request) -> tuple[int, ...]:
     """The most faces, largest first, that take everything together; () where there are none."""
-    every = spec_of(_body(request, TRIMS[-1])).body.sensed
+    every = spec_of(bare_tables(request, request.thinnest)).body.sensed
     frames = [frame for face in every for frame in _frame_where_there_is(request, face)]
     frames = sorted(frames, key=lambda frame: -float(np.prod(frame.half_extents_mm)))
     for count in range(min(len(frames), len(every) - 1), 0, -1):
@@ -198,7 +199,7 @@ def _largest_together(request: Request) -> tuple[int, ...]:
 def _frame_where_there_is(request: Request, face: int) -> tuple[FaceFrame, ...]:
     """Of a face by itself; () where the surface about it is too steep or too small for a patch."""
     try:
-        return face_frames(spec_of(_body(replace(request, faces=(face,)), TRIMS[-1])))
+        return face_frames(spec_of(bare_tables(replace(request, faces=(face,)), request.thinnest)))
     except InputError:
         return ()
 
@@ -208,7 +209,8 @@ def spec_of(tables: Tables) -> ObjectSpec:
     return ObjectSpec.model_validate({"name": "placed", **tables})
 
 
-def _body(request: Request, trim: Trim) -> Tables:
+def bare_tables(request: Request, trim: Trim) -> Tables:
+    """Of a body without sensors and with one tiny magnet, to begin with."""
     kind = KINDS[request.kind]
     body: dict[str, Any] = {"kind": request.kind, **dict(request.file)}
     body["size_mm"] = list(request.size_mm)
@@ -237,7 +239,7 @@ _DEPTHS_MM = (0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0)
 
 
 def _with_sensors(request: Request, trim: Trim, shares: tuple[float, ...]) -> Tables | None:
-    body = _body(request, trim)
+    body = bare_tables(request, trim)
     try:
         start = spec_of(body)
     except ValidationError as error:
@@ -338,9 +340,10 @@ _HARD_TO_MAKE = (tight_marks, narrow_heads)
 
 def _with_magnets(
     request: Request, tables: Tables, shares: tuple[float, ...], counts: tuple[int, ...]
-) -> Tables | None:
-    """Most magnets first; of their patterns and spreads, over each face or alike on all, the one with the
-    shortest signal paths, if any with a template and pins that can be printed."""
+) -> Iterator[Tables]:
+    """Most magnets first; of their patterns and spreads, over each face or alike on all, those that fit, the
+    one with the shortest signal paths first, but those without a template and pins that can be printed
+    last."""
     diameter = tables["shell"]["pocket_diameter_mm"]
     counts = counts if request.magnets is None else (request.magnets,)
     halves = np.array([frame.half_extents_mm for frame in face_frames(spec_of(tables))])
@@ -353,15 +356,27 @@ def _with_magnets(
             magnets = {"diameter_mm": diameter, "positions_mm": places}
             spec = spec_of(tables | {"magnets": magnets})
             tried.append((long_path_mm(spec, sensors), magnets, spec))
-        spare = None
+        spare = []
         for _, magnets, spec in sorted(tried, key=lambda one: one[0]):
             if fits(spec, mould=False) and not tight_shell(spec) and can_be_moulded(spec):
-                if not any(hard(spec) for hard in _HARD_TO_MAKE):
-                    return tables | {"magnets": magnets}
-                spare = spare or tables | {"magnets": magnets}
-        if spare:
-            return spare
-    return None
+                if any(hard(spec) for hard in _HARD_TO_MAKE):
+                    spare.append(tables | {"magnets": magnets})
+                else:
+                    yield tables | {"magnets": magnets}
+        yield from spare
+
+
+def relaid(
+    request: Request, tables: Tables, shares: tuple[float, ...] = SHARES
+) -> Iterator[Tables]:
+    """The same shell and sensors with as many magnets elsewhere, those that fit."""
+    count = int(np.shape(tables["magnets"]["positions_mm"])[-2])
+    trim = Trim(**tables["shell"])
+    bare = bare_tables(request, trim) | {key: tables[key] for key in ("body", "core", "sensors")}
+    for other in _with_magnets(request, bare, shares, (count,)):
+        found = None if other["magnets"] == tables["magnets"] else _with_contacts(other)
+        if found is not None:
+            yield found
 
 
 def _different_places(

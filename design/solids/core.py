@@ -108,9 +108,14 @@ def _wire_passage(spec: ObjectSpec, frame: FaceFrame) -> list[cq.Solid]:
 
 
 def _passage_mm(spec: ObjectSpec, frame: FaceFrame) -> float:
-    """How deep a wire hole is: through the wall of a hollow core, else to where wires leave."""
-    if core_hollow(spec):
+    """How deep a wire hole is: through the wall of a hollow core, else to where wires leave.
+
+    A cavity that is narrower than the hole would leave a film round its mouth.
+    """
+    to_middle = float(abs(frame.normal) @ body_of(spec).core_half_mm)
+    narrow = to_middle - spec.core.wall_mm < wire_hole_diameter_mm(spec, frame.number)
+    if core_hollow(spec) and not (body_of(spec).opening == "bore" and narrow):
         return spec.core.wall_mm
     if body_of(spec).on_base:
         return float(frame.centre_mm[2]) + spec.body.size_mm[2] / 2
-    return float(abs(frame.normal) @ body_of(spec).core_half_mm)
+    return to_middle

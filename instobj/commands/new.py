@@ -6,7 +6,7 @@ import re
 import warnings
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
-from itertools import islice
+from itertools import chain, islice
 from math import inf
 from pathlib import Path
 from typing import Any
@@ -28,8 +28,9 @@ from design.layout.mould.frame import (
     mould_style,
     parting,
 )
-from design.placement.asked import placements
-from design.placement.objects import Request, Tables, spec_of
+from design.placement.asked import most_printed_mm, placements
+from design.placement.hooking import hooked_by_azimuth_mm, turned, way_that_hooks_least
+from design.placement.objects import Request, Tables, relaid, spec_of
 from design.placement.room import narrow_heads
 from design.spec.body import MM, BodySpec
 from design.spec.object import ObjectSpec
@@ -42,15 +43,11 @@ _DEFAULTS = re.compile(r"^# Every value below is the default.*$", re.MULTILINE)
 _COLUMN = 28
 _NAME = '"NAME"'
 _OTHERS = "OTHER KINDS"
-_MOULD_MM = 30.0
-"""Of walls and flanges, beyond the body."""
 _TURNS_DEG = (6.0, -6.0, 12.0, -12.0, 18.0, -18.0, 30.0, -30.0, 45.0, -45.0, 60.0, -60.0, 90.0)
 _MOST_TURNS = 2
 """By which a mould's seam is turned, and how many turned ones are tried of a shell."""
-_AZIMUTHS_DEG = tuple(np.arange(0.0, 180.0, 5.0).tolist())
-_MOST_REFINED, _FINER_DEG = 3, (-2.0, -1.0, 1.0, 2.0)
-"""Where seams of a file's body are looked for that hook it least deep: first these, then beside the best
-of them."""
+_MOST_RELAID, _MOST_CHECKED = 6, 2
+"""Layouts of magnets that are tried of a shell where no seam leaves walls, and how many are checked."""
 _BED = "fits the bed"
 _OF_THE_BODY = {"undercut", _BED}
 """Checks that fail by the shape or size of a body, wherever its parts are."""
@@ -102,7 +99,7 @@ def new_specification(name: str, out: Path, request: Request | None = None) -> P
             warnings.warn(_not_made(failed, tables), stacklevel=2)
         if "sensed_faces" in tables["body"]:
             warnings.warn(_left_out_faces(request, tables["body"]["sensed_faces"]), stacklevel=2)
-        if max(request.size_mm) > _most_mm():
+        if max(request.size_mm) > most_printed_mm():
             warnings.warn(_beyond_the_bed(request), stacklevel=2)
         text = _filled(text, tables, KINDS[request.kind], out)
     with atomic_path(target) as temporary:
@@ -115,26 +112,39 @@ def made(request: Request) -> tuple[Tables, list[Finding]]:
     fewest that failed, and these.
 
     Of each shell a few seams of its mould are tried that neither hook the body nor, by their numbers,
-    leave thin walls beside pins and holes; of a shell without such a seam none, unless no shell has one.
+    leave thin walls beside pins and holes; where no shell has one that can be made, magnets elsewhere.
     """
     best: tuple[Tables, list[Finding]] | None = None
-    before, first = set[str](), None
+    before, tried = set[str](), list[Tables]()
     for placement in placements(request):
-        first = first or placement
-        tried = _checked(islice(filter(_leaves_walls, _seams(placement)), 1 + _MOST_TURNS))
-        if tried is None:
+        tried.append(placement)
+        found = _checked(islice(filter(_leaves_walls, _seams(placement)), 1 + _MOST_TURNS))
+        if found is None:
             continue
-        best = tried if best is None or len(tried[1]) < len(best[1]) else best
-        checks = {finding.check for finding in tried[1]}
+        best = found if best is None or len(found[1]) < len(best[1]) else best
+        checks = {finding.check for finding in found[1]}
         if not checks or checks <= _OF_THE_BODY:
-            break
-        if checks == before and not all(map(_thin_mould, tried[1])):
-            break
+            return best
+        if checks == before and not all(map(_thin_mould, found[1])):
+            return best
         before = checks
-    assert first is not None
-    best = best or _checked(islice(_seams(first), 1))
-    assert best is not None
-    return best
+    if best is None or all(map(_thin_mould, best[1])):
+        best = _made_with_magnets_elsewhere(request, tried) or best
+    return best or _checked(islice(_seams(tried[0]), 1)) or (tried[0], [])
+
+
+def _made_with_magnets_elsewhere(
+    request: Request, tried: list[Tables]
+) -> tuple[Tables, list[Finding]] | None:
+    """The first of some that can be made; None of none."""
+    parted = [one for one in tried if _parts_somewhere(one)]
+    others = chain.from_iterable(islice(relaid(request, one), _MOST_RELAID) for one in parted)
+    seams = (next(filter(_leaves_walls, _seams(other)), None) for other in others)
+    for tables in islice(filter(None, seams), _MOST_CHECKED):
+        found = _checked([tables])
+        if found is not None and not found[1]:
+            return found
+    return None
 
 
 def _checked(seams: Iterable[Tables]) -> tuple[Tables, list[Finding]] | None:
@@ -168,8 +178,8 @@ def _seams(tables: Tables) -> Iterator[Tables]:
     plane, frame = parting(spec), mould_frame(spec)
     azimuth = np.rad2deg(np.arctan2(plane.normal @ frame.along, plane.normal @ frame.across))
     azimuths = [round(float(azimuth) + turn, 1) for turn in _TURNS_DEG]
-    turns = [_turned(tables, turned) for turned in azimuths]
-    yield from sorted(turns, key=lambda turned: round(hooked_share(spec_of(turned)), 3))
+    turns = [turned(tables, azimuth) for azimuth in azimuths]
+    yield from sorted(turns, key=lambda one: round(hooked_share(spec_of(one)), 3))
 
 
 def _seams_of_a_file(tables: Tables, room_mm: float) -> Iterator[Tables]:
@@ -178,21 +188,20 @@ def _seams_of_a_file(tables: Tables, room_mm: float) -> Iterator[Tables]:
     as_placed = hooked_depth_mm(spec_of(tables)) <= room_mm
     if as_placed:
         yield tables
-
-    def depths(azimuths: Iterable[float]) -> dict[float, float]:
-        return {azimuth: hooked_depth_mm(spec_of(_turned(tables, azimuth))) for azimuth in azimuths}
-
-    coarse = depths(_AZIMUTHS_DEG)
-    least = sorted(coarse, key=lambda azimuth: coarse[azimuth])[:_MOST_REFINED]
-    fine = coarse | depths(azimuth + shift for azimuth in least for shift in _FINER_DEG)
-    found = sorted((depth, azimuth) for azimuth, depth in fine.items() if depth <= room_mm)
-    yield from (_turned(tables, azimuth) for _, azimuth in found)
+    hooked = hooked_by_azimuth_mm(tables)
+    found = sorted((depth, azimuth) for azimuth, depth in hooked.items() if depth <= room_mm)
+    yield from (turned(tables, azimuth) for _, azimuth in found)
     if not (as_placed or found):
         yield tables
 
 
-def _turned(tables: Tables, azimuth_deg: float) -> Tables:
-    return tables | {"mould": {"parting_azimuth_deg": azimuth_deg}}
+def _parts_somewhere(tables: Tables) -> bool:
+    """Whether any seam of a file's body hooks it no deeper than it gives way."""
+    spec = spec_of(tables)
+    if not body_of(spec).from_file or mould_style(spec) != "split":
+        return True
+    room = YIELD_SHARE * spec.shell.thickness_mm
+    return any(depth <= room for depth in hooked_by_azimuth_mm(tables).values())
 
 
 def _leaves_walls(tables: Tables) -> bool:
@@ -212,7 +221,31 @@ def _thin_mould(finding: Finding) -> bool:
 def _not_made(failed: list[Finding], tables: Tables) -> str:
     lines = "".join(f"\n  - {finding.told}. {finding.what}" for finding in failed)
     text = "check --fabrication fails on this body, in whatever of the ways of placing that help:"
-    return f"{text}{lines}{_why_seams_do_not_help(tables) if all(map(_thin_mould, failed)) else ''}"
+    if all(map(_thin_mould, failed)):
+        return f"{text}{lines}{_why_seams_do_not_help(tables)}"
+    hooked = any(finding.check == "undercut" for finding in failed)
+    return f"{text}{lines}{_how_it_hooks(tables) if hooked else ''}"
+
+
+def _how_it_hooks(tables: Tables) -> str:
+    """Which seam hooks a file's body least, and along which way halves would; empty of other kinds."""
+    if not KINDS[tables["body"].get("kind", BodySpec().kind)].from_file:
+        return ""
+    spec = spec_of(tables)
+    room = YIELD_SHARE * spec.shell.thickness_mm
+    depth, azimuth = min((depth, one) for one, depth in hooked_by_azimuth_mm(tables).items())
+    deep, way = way_that_hooks_least(body_of(spec))
+    drawn = (
+        f"drawn along ({', '.join(f'{x:.2f}' for x in way)}) they would hook it by {deep:.2g} mm"
+    )
+    if deep > room:
+        other = f"{drawn}, and along no way by less: a mould of two halves does not suit this shape"
+    else:
+        other = f"{drawn}: turn the body in its file so that this way lies level"
+    return (
+        f"\nOf all seams about z that with mould.parting_azimuth_deg = {azimuth % 180:g} hooks it least, by "
+        f"about {depth:.2g} mm of {room:.2g} that give way; {other}"
+    )
 
 
 def _why_seams_do_not_help(tables: Tables) -> str:
@@ -343,15 +376,10 @@ def _left_out_faces(request: Request, sensed: list[int]) -> str:
     )
 
 
-def _most_mm() -> float:
-    """Longest edge of a body whose mould lies on the template's printer."""
-    return min(ObjectSpec(name="default").printer.bed_mm[:2]) - _MOULD_MM
-
-
 def _beyond_the_bed(request: Request) -> str:
     bed = " × ".join(f"{edge:g}" for edge in ObjectSpec(name="default").printer.bed_mm)
     return (
-        f"moulds of bodies above {_most_mm():g} mm do not fit the printer's {bed} mm, which check "
+        f"moulds of bodies above {most_printed_mm():g} mm do not fit the printer's {bed} mm, which check "
         f"--fabrication will tell; this one is {max(request.size_mm):g} mm long. Give yours as printer.bed_mm"
     )
 

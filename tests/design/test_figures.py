@@ -51,6 +51,7 @@ import design.mould.openings
 import design.mould.plug_flange
 import design.netcdf
 import design.placement.asked
+import design.placement.hooking
 import design.placement.objects
 import design.placement.paths
 import design.placement.patterns
@@ -180,7 +181,12 @@ FIGURES = {
     },
     design.placement.asked: {
         "_GROWTH": 1.25, "_LARGEST_GROWTH": 8.0, "_LARGEST_BESIDE": 3.1, "_HALVINGS": 3, "_PLATE": 0.5,
-        "_DIGITS": 4,
+        "_DIGITS": 4, "_MOULD_MM": 30.0,
+    },
+    design.placement.hooking: {
+        "_AZIMUTHS_DEG": tuple(range(0, 180, 5)), "_MOST_REFINED": 3,
+        "_FINER_DEG": (-2.0, -1.0, 1.0, 2.0), "_WAYS": 60, "_NEARER_DEG": (8.0, 4.0),
+        "_LOOKED_AT_MM": 60.0, "_SPARE": 1.1, "_THICKEST_MM": 16.0, "_SILICONE_BELOW_MM": 5.0,
     },
     design.placement.objects: {
         "SHARES": (0.66, 0.62, 0.58, 0.54, 0.5, 0.46, 0.42, 0.38, 0.34, 0.3, 0.26, 0.22),

@@ -181,15 +181,29 @@ def seam_ends_mm(spec: ObjectSpec, aside_mm: float = 0.0) -> tuple[float, float]
 def hooked_depth_mm(spec: ObjectSpec) -> float:
     """By how much the outside must give way to the half that hooks it most, about: before a mould is
     built."""
+    plane = parting(spec)
+    return _hooked_mm(body_of(spec).outside, tuple(plane.normal.tolist()), plane.offset_mm)
+
+
+def hooked_along_mm(body: BodyKind, normal: Float[np.ndarray, "3"]) -> float:
+    """The same of halves that are drawn along any unit vector, parted across it where least is hooked."""
+    outside = body.outside
+    offset = least_undercut(_outside_in_small_triangles(outside), normal)[1]
+    return _hooked_mm(outside, tuple(normal.tolist()), offset)
+
+
+@lru_cache(maxsize=512)
+def _hooked_mm(body: BodyKind, normal: tuple[float, ...], offset_mm: float) -> float:
+    """Kept, as the same seams are asked for under many shells."""
     import trimesh
 
-    surface, plane = _outside_in_small_triangles(body_of(spec).outside), parting(spec)
-    side = np.sign(np.asarray(surface.triangles_center) @ plane.normal - plane.offset_mm)
+    surface, pull = _outside_in_small_triangles(body), np.array(normal)
+    side = np.sign(np.asarray(surface.triangles_center) @ pull - offset_mm)
     depths = []
     for sign in (1, -1):
         faces = surface.faces[side == sign][:, ::-1]
         half = trimesh.Trimesh(surface.vertices, faces, process=False)
-        depths.append(undercut(half, sign * plane.normal, np.ones(len(faces), bool)).depth_mm)
+        depths.append(undercut(half, sign * pull, np.ones(len(faces), bool)).depth_mm)
     return float(max(depths))
 
 

@@ -18,7 +18,7 @@ from design.placement.asked import (
     _told,
     _too_small,
 )
-from design.placement.objects import Request, Trim, _body, _pitches_mm, _rounded
+from design.placement.objects import Request, Trim, _pitches_mm, _rounded, bare_tables
 from design.placement.paths import long_path_mm
 from design.placement.room import (
     _beside_mm,
@@ -41,7 +41,7 @@ IN_CORE = [name for name in OBJECTS if name not in ("reverse box", "ellipsoid")]
     [("sphere", 50, 10.0), ("sphere", 27, 6.0), ("sphere", 20, 4.0), ("box", 42, None)],
 )
 def test_a_bore_is_half_of_the_room_from_4_to_10_mm(kind, size, bore):
-    tables = _body(Request(kind, (float(size),) * 3, faces=(1, 2)), TRIM)
+    tables = bare_tables(Request(kind, (float(size),) * 3, faces=(1, 2)), TRIM)
     assert tables["body"].get("bore_mm") == bore
     assert tables["body"]["sensed_faces"] == [1, 2]
     assert tables["shell"] == {
@@ -49,7 +49,7 @@ def test_a_bore_is_half_of_the_room_from_4_to_10_mm(kind, size, bore):
         "pocket_diameter_mm": 5.0,
         "pocket_depth_mm": 3.0,
     }
-    assert "sensed_faces" not in _body(Request(kind, (float(size),) * 3), TRIM)["body"]
+    assert "sensed_faces" not in bare_tables(Request(kind, (float(size),) * 3), TRIM)["body"]
 
 
 def test_pitches_are_coarser_on_faces_that_would_take_more_than_100_locations():
@@ -101,6 +101,11 @@ def test_larger_sizes_are_told_of_the_shape_and_with_short_edges_alone(monkeypat
     assert short == "with its short edges longer about 30 × 60 × 60 mm works"
     (alone,) = _larger(Request("box", (24.0, 24.0, 24.0)))
     assert alone.endswith("about 30 × 30 × 30 mm")
+    (short,) = _larger(Request("box", (24.0, 160.0, 160.0)))  # the whole: beyond the printer's bed
+    assert short == "With its short edges longer about 30 × 160 × 160 mm works"
+    (whole,) = _larger(Request("box", (24.0, 160.0, 160.0), file=(("scale", 1.0),)))
+    assert whole.endswith("30 × 200 × 200 mm (scale = 1.25)"), "nothing else helps"
+    monkeypatch.setattr(asked, "with_thinnest", lambda request: request)
     (scaled,) = _larger(Request("imported", (24.0, 60.0, 60.0), file=(("scale", 2.0),)))
     assert scaled.endswith("30 × 75 × 75 mm (scale = 2.5)")
 
@@ -141,6 +146,7 @@ def test_what_is_too_small_is_told_with_all_that_helps(monkeypatch):
         "a body of kind box of 24 × 24 × 24 mm is too small for 2 sensors and a magnet per face. The "
         "smallest of that shape that works is about 30 × 30 × 30 mm; or 1 sensor per face would fit"
     )
+    monkeypatch.setattr(asked, "with_thinnest", lambda request: request)
     monkeypatch.setattr(asked, "fits_roughly", lambda request: False)
     monkeypatch.setattr(asked, "every_fit", lambda *given: iter([]))
     said = _too_small(Request("imported", (24.0, 24.0, 24.0), 1, 3, (("file", "x"),)))

@@ -2,6 +2,7 @@
 
 import re
 from dataclasses import replace
+from itertools import combinations
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -25,7 +26,7 @@ from design.layout.places.positions import magnet_layout
 from design.layout.pockets import sensor_places
 from design.placement import asked, objects
 from design.placement.asked import _on_base, placed
-from design.placement.objects import COARSE, Request, Trim, first_fit, spec_of
+from design.placement.objects import COARSE, Request, Trim, first_fit, relaid, spec_of
 from design.placement.room import (
     low_rim,
     narrow_heads,
@@ -73,6 +74,20 @@ def test_what_is_placed_fits_and_is_what_was_asked_for(name, made):
     assert spec.sensors.count_per_face == request.sensors
     assert len(spec.magnets.positions_mm) == (request.magnets or 5)
     assert contact_places(spec).sum(axis=1).min() >= 16
+
+
+def test_magnets_go_elsewhere_on_the_same_shell(made_tables):
+    first, request = made_tables["pad"], QUICK["pad"]
+    others = [*relaid(request, first, (0.5, 0.42))]
+    assert others
+    for tables in others:
+        assert {key: tables[key] for key in ("body", "shell", "core", "sensors")} == {
+            key: first[key] for key in ("body", "shell", "core", "sensors")
+        }
+        assert np.shape(tables["magnets"]["positions_mm"]) == (5, 2)
+        assert problems_of(spec_of(tables)) == []
+    places = [first, *others]
+    assert all(a["magnets"] != b["magnets"] for a, b in combinations(places, 2))
 
 
 def test_boards_and_magnets_of_a_brick_lie_in_core_and_silicone_by_hand(made):
@@ -428,9 +443,9 @@ def test_a_pattern_that_is_tight_in_any_one_way_is_left_out(monkeypatch, wrong):
 
 
 def test_faces_are_asked_for_under_the_thinnest_shell(monkeypatch):
-    asked, body = [], objects._body
+    asked, body = [], objects.bare_tables
     monkeypatch.setattr(
-        objects, "_body", lambda request, trim: (asked.append(trim), body(request, trim))[1]
+        objects, "bare_tables", lambda request, trim: (asked.append(trim), body(request, trim))[1]
     )
     monkeypatch.setattr(objects, "fits_roughly", lambda request: False)
     assert objects._largest_together(QUICK["brick"]) == ()

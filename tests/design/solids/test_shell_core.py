@@ -13,11 +13,11 @@ import design.solids.core
 import design.solids.shell
 from design.body.surface_chart import FACE_AXES
 from design.errors import InputError
-from design.layout.body import face_frames
+from design.layout.body import core_frames, face_frames
 from design.layout.places.positions import board_places, sensor_layout
 from design.layout.volumes import sealed_volume_mm3
-from design.solids.core import make_core
-from design.solids.primitives import single_solid
+from design.solids.core import _wire_passage, make_core
+from design.solids.primitives import OVERSHOOT_MM, single_solid
 from design.solids.shell import make_shell
 from design.spec.object import BodySpec, CoreSpec, MagnetSpec, ObjectSpec, SensorSpec, ShellSpec
 from design.spec_io import check, parse_spec
@@ -266,3 +266,21 @@ def test_a_sensor_over_the_wire_hole_needs_no_channel():
     )
     plain = spec.changed(core=spec.core.changed(wire_channel_width_mm=0.0))
     assert make_core(spec).Volume() == pytest.approx(make_core(plain).Volume(), rel=1e-9)
+
+
+@pytest.mark.parametrize(("wall_mm", "deep_mm"), [(6.0, 6.65), (4.7, 6.65), (4.6, 4.6)])
+def test_a_wire_hole_goes_on_to_the_middle_where_the_cavity_is_narrower_than_it(wall_mm, deep_mm):
+    """A ball's core of R 6.65 mm with a hole of Ø2 mm from above (random request 340): a cavity of R 0.65 mm
+    left a film of 0.15 mm round the hole's mouth."""
+    content = {
+        "name": "ball",
+        "body": {"kind": "sphere", "size_mm": [23.3] * 3, "bore_mm": 6.0, "sensed_faces": [1]},
+        "shell": {"thickness_mm": 5.0},
+        "core": {"wall_mm": wall_mm, "hub_radius_mm": 0.5},
+    }
+    spec = ObjectSpec.model_validate(content)
+    (face,) = core_frames(spec)
+    (hole,) = _wire_passage(spec, face)
+    box = hole.BoundingBox()
+    assert box.zmin == pytest.approx(6.65 - deep_mm - OVERSHOOT_MM)
+    assert hole.Volume() == pytest.approx(np.pi * (deep_mm + 2 * OVERSHOOT_MM))

@@ -4,6 +4,7 @@ import re
 import tomllib
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from design.body.kinds.registry import KINDS
@@ -148,6 +149,7 @@ def test_what_is_placed_is_tried_until_it_can_be_made(monkeypatch, failing, aske
     shells = [{"body": body, "shell": {"thickness_mm": thick}} for thick in (8.0, 7.0, 6.0)]
     monkeypatch.setattr(new, "placements", lambda request: iter(shells))
     monkeypatch.setattr(new, "_leaves_walls", lambda tables: True)
+    monkeypatch.setattr(new, "relaid", lambda request, tables: iter(()))
     monkeypatch.setattr("design.fabrication.check.check_fabrication", checked)
     tables, found = new.made(Request("sphere", (60.0, 60.0, 60.0)))
     assert tried == asked
@@ -174,9 +176,47 @@ def test_only_seams_that_leave_walls_are_tried_unless_there_are_none(monkeypatch
     shells = [{"body": body, "shell": {"thickness_mm": thick}} for thick in (8.0, 7.0, 6.0)]
     monkeypatch.setattr(new, "placements", lambda request: iter(shells))
     monkeypatch.setattr(new, "_leaves_walls", lambda tables: seam(new.spec_of(tables)) in clear)
+    monkeypatch.setattr(new, "relaid", lambda request, tables: iter(()))
     monkeypatch.setattr("design.fabrication.check.check_fabrication", checked)
     assert new.made(Request("sphere", (60.0, 60.0, 60.0)))[1] == [THIN]
     assert tried == asked
+
+
+@pytest.mark.parametrize(
+    ("clear", "failing", "taken"),
+    [
+        ({(7, 2.0)}, [[]], (7, 2.0)),  # of no shell's own magnets
+        ({(8, None), (8, 3.0)}, [[THIN], []], (8, 3.0)),
+        ({(8, None), (7, 1.0), (7, 2.0)}, [[THIN], [THIN], [RIM]], (8, None)),
+        ({(8, None), (8, 1.0)}, [[RIM, THIN]], (8, None)),  # which magnets elsewhere do not mend
+    ],
+)
+def test_where_no_seam_leaves_walls_magnets_go_elsewhere(monkeypatch, clear, failing, taken):
+    """Of a file's body with nine magnets per face (random request 63) every seam met a pin."""
+    tried = []
+
+    def of(tables):
+        magnets = tables.get("magnets", {}).get("positions_mm", [[None]])
+        return tables["shell"]["thickness_mm"], magnets[0][0]
+
+    def checked(tables):
+        tried.append(of(tables))
+        return Checked(failing[len(tried) - 1], {})
+
+    def relaid(request, tables):
+        return iter(tables | {"magnets": {"positions_mm": [[x, 0.0]]}} for x in (1.0, 2.0, 3.0))
+
+    shells = [{"shell": {"thickness_mm": thick}} for thick in (8.0, 7.0)]
+    monkeypatch.setattr(new, "placements", lambda request: iter(shells))
+    monkeypatch.setattr(new, "_seams", lambda tables: iter([tables]))
+    monkeypatch.setattr(new, "spec_of", lambda tables: tables)
+    monkeypatch.setattr(new, "_parts_somewhere", lambda tables: True)
+    monkeypatch.setattr(new, "_leaves_walls", lambda tables: of(tables) in clear)
+    monkeypatch.setattr(new, "relaid", relaid)
+    monkeypatch.setattr("design.fabrication.check.check_fabrication", checked)
+    tables, _ = new.made(Request("sphere", (60.0, 60.0, 60.0)))
+    assert of(tables) == taken
+    assert len(tried) == len(failing)
 
 
 def test_what_no_placement_mends_is_told_with_its_numbers(tmp_path, monkeypatch):
@@ -213,6 +253,30 @@ def test_why_no_turn_of_the_seam_helps_is_told(monkeypatch, clear, failed, table
     assert said is None or said in told
 
 
+@pytest.mark.parametrize(
+    ("deep", "said"),
+    [
+        (
+            0.1,
+            "along (0.60, 0.00, 0.80) they would hook it by 0.1 mm: turn the body in its file so",
+        ),
+        (0.17, "by 0.17 mm, and along no way by less: a mould of two halves does not suit this"),
+    ],
+)
+def test_a_file_s_body_that_hooks_is_told_with_the_way_that_hooks_least(monkeypatch, deep, said):
+    monkeypatch.setattr(new, "hooked_by_azimuth_mm", lambda tables: {10.0: 0.3, 182.0: 0.24})
+    monkeypatch.setattr(new, "way_that_hooks_least", lambda body: (deep, np.array([0.6, 0.0, 0.8])))
+    told = new._not_made(
+        [HOOKED], {"body": {"kind": "imported", "file": str(PEAR), "size_mm": [60.0] * 3}}
+    )
+    assert (
+        "parting_azimuth_deg = 2 hooks it least, by about 0.24 mm of 0.16 that give way; drawn"
+        in told
+    )
+    assert said in told
+    assert "parting_azimuth_deg" not in new._not_made([HOOKED], BALL)
+
+
 def test_seams_are_turned_to_where_neither_pins_nor_holes_are(monkeypatch):
     """By 6° and 12° one way holes are beside it, by 6° the other way a pin, as placed both."""
     monkeypatch.setattr(
@@ -240,6 +304,7 @@ def test_the_seam_of_a_file_s_body_goes_where_it_hooks_least_deep(monkeypatch):
         return depths.get(spec.mould.parting_azimuth_deg, 0.3)
 
     monkeypatch.setattr(new, "hooked_depth_mm", deep)
+    monkeypatch.setattr("design.placement.hooking.hooked_depth_mm", deep)
     lump = {"body": {"kind": "imported", "file": str(PEAR), "size_mm": [60.0] * 3}}
     assert [azimuth(tables) for tables in new._seams(lump)] == [97.0, 96.0, 95.0]
     depths[None] = 0.15

@@ -1,0 +1,128 @@
+"""Shells for a file's body: silicone that gives way where the halves of its mould hook it.
+
+A half may drive into the silicone by a share of its thickness (`YIELD_SHARE`), so that a body that hooks
+takes a thick shell: with smaller magnets where the usual ones find no room, or a thicker one than usual,
+whose magnets lie as far from the core as under the others.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+from functools import lru_cache
+
+import numpy as np
+from jaxtyping import Float
+
+from design.body.kinds.base import BodyKind
+from design.body.kinds.registry import KINDS
+from design.layout.mould.frame import YIELD_SHARE, hooked_along_mm, hooked_depth_mm
+from design.placement.objects import TRIMS, Request, Tables, Trim, bare_tables, spec_of
+
+_AZIMUTHS_DEG = tuple(np.arange(0.0, 180.0, 5.0).tolist())
+_MOST_REFINED, _FINER_DEG = 3, (-2.0, -1.0, 1.0, 2.0)
+"""Where seams of a file's body are looked for that hook it least deep: first these, then beside the best
+of them."""
+_WAYS, _NEARER_DEG = 60, (8.0, 4.0)
+"""Ways along which halves may be drawn, that are looked at where no seam about z frees the body."""
+_LOOKED_AT_MM = 60.0
+"""Longest edge of a body whose hooks are measured; they grow as it does."""
+_SPARE, _EXACT_MM = 1.1, 1e-6
+"""By which the mould's triangles may hook deeper."""
+_THICKEST_MM = 16.0
+_SILICONE_BELOW_MM = TRIMS[0].thickness_mm - TRIMS[0].pocket_depth_mm
+
+
+def turned(tables: Tables, azimuth_deg: float) -> Tables:
+    """The same with the seam of its mould at an azimuth."""
+    return tables | {"mould": {"parting_azimuth_deg": azimuth_deg}}
+
+
+def hooked_by_azimuth_mm(tables: Tables) -> dict[float, float]:
+    """How deep halves hook the body, of seams 5° apart and finer beside those that do least."""
+
+    def depths(azimuths: Iterable[float]) -> dict[float, float]:
+        return {azimuth: hooked_depth_mm(spec_of(turned(tables, azimuth))) for azimuth in azimuths}
+
+    coarse = depths(_AZIMUTHS_DEG)
+    least = sorted(coarse, key=lambda azimuth: coarse[azimuth])[:_MOST_REFINED]
+    return coarse | depths(azimuth + shift for azimuth in least for shift in _FINER_DEG)
+
+
+def way_that_hooks_least(body: BodyKind) -> tuple[float, Float[np.ndarray, "3"]]:
+    """How deep halves hook a body that are drawn along the best of all ways, and that unit vector: of ways
+    about 18° apart first, then nearer ones beside the best of them."""
+
+    def least(ways: Iterable[Float[np.ndarray, "3"]]) -> list[tuple[float, Float[np.ndarray, "3"]]]:
+        found = [(hooked_along_mm(body, way), way) for way in ways]
+        return sorted(found, key=lambda one: one[0])[:_MOST_REFINED]
+
+    best = least(_ways_of_half_a_ball(_WAYS))
+    for apart in _NEARER_DEG:
+        best = least(near for _, way in best for near in (way, *_ways_beside(way, apart)))
+    return best[0]
+
+
+def _ways_of_half_a_ball(count: int) -> Float[np.ndarray, "way 3"]:
+    """Evenly, along a spiral."""
+    steps = np.arange(count) + 0.5
+    z, turn = 1 - steps / count, np.pi * (1 + np.sqrt(5)) * steps
+    level = np.sqrt(1 - z**2)
+    return np.column_stack([level * np.cos(turn), level * np.sin(turn), z])
+
+
+def _ways_beside(way: Float[np.ndarray, "3"], apart_deg: float) -> Iterable[Float[np.ndarray, "3"]]:
+    side = np.cross(way, np.eye(3)[int(abs(way).argmin())])
+    side /= np.linalg.norm(side)
+    lean = np.tan(np.deg2rad(apart_deg))
+    for turn in np.deg2rad(np.arange(0.0, 360.0, 60.0)):
+        near = way + lean * (np.cos(turn) * side + np.sin(turn) * np.cross(way, side))
+        yield near / np.linalg.norm(near)
+
+
+def trims_of(request: Request) -> tuple[Trim, ...]:
+    """Shells that are tried, first those that give way by what the halves hook; `TRIMS` where they do not."""
+    needed = _needed_mm(request)
+    if needed <= TRIMS[-1].thickness_mm or needed > _THICKEST_MM:
+        return TRIMS
+    thick = [trim for trim in TRIMS if trim.thickness_mm >= needed - _EXACT_MM]
+    if not thick:
+        high = float(np.ceil(needed - _EXACT_MM))
+        thick = [replace(TRIMS[0], thickness_mm=high, pocket_depth_mm=high - _SILICONE_BELOW_MM)]
+    widths = sorted({trim.pocket_diameter_mm for trim in TRIMS}, reverse=True)
+    firm = [
+        replace(trim, pocket_diameter_mm=width)
+        for trim in thick
+        for width in widths
+        if width <= trim.pocket_diameter_mm
+    ]
+    return (*firm, *(trim for trim in TRIMS if trim not in firm))
+
+
+def with_thinnest(request: Request) -> Request:
+    """The same, under the thinnest of its shells that give way."""
+    needed = _needed_mm(request)
+    enough = [trim for trim in trims_of(request) if trim.thickness_mm >= needed - _EXACT_MM]
+    if not enough:
+        return replace(request, thinnest=TRIMS[-1])
+    thinnest = min(enough, key=lambda trim: (trim.thickness_mm, trim.pocket_diameter_mm))
+    return replace(request, thinnest=thinnest)
+
+
+def _needed_mm(request: Request) -> float:
+    """Silicone that gives way by what the best seam hooks; 0 of kinds whose halves hook nothing."""
+    if not KINDS[request.kind].from_file:
+        return 0.0
+    file, longest = dict(request.file), max(request.size_mm)
+    scale = float(file.get("scale", 1.0)) * _LOOKED_AT_MM / longest
+    x, y, z = (round(_LOOKED_AT_MM * edge / longest, 4) for edge in request.size_mm)
+    alike = Request(
+        request.kind, (x, y, z), file=tuple((file | {"scale": round(scale, 9)}).items())
+    )
+    return _SPARE * _least_hooked_mm(alike) * longest / _LOOKED_AT_MM / YIELD_SHARE
+
+
+@lru_cache(maxsize=16)
+def _least_hooked_mm(request: Request) -> float:
+    """How deep halves hook the body at the best azimuth."""
+    return min(hooked_by_azimuth_mm(bare_tables(request, TRIMS[-1])).values())
