@@ -20,6 +20,7 @@ import trimesh
 
 from design.errors import InputError
 from design.fabrication.check import check_fabrication
+from design.fit.seam import seam_in_words
 from design.spec.body import MM
 from design.spec_io import load_spec
 from instobj.commands.new import new_specification, request_of
@@ -95,8 +96,9 @@ def asked(question: dict[str, Any]) -> dict[str, Any]:
     """What became of the request of the seed in `question`.
 
     `outcome` is "passes" (both checks), "refused" (no room, with what would work), "told" (`new` itself
-    tells which check of fabrication fails), "fails" (a check fails that `new` did not tell), "false advice"
-    (refused, and what is named in its place does not pass) or "crash". `seconds` of processor time are those
+    tells which check of fabrication fails), "fails" (a check fails that `new` did not tell), "false alarm"
+    (`check` warns of what does not fail), "false advice" (refused, and what is named in its place does not
+    pass) or "crash". `seconds` of processor time are those
     of `new` and both checks, without what is asked after a refusal.
     """
     used = time.process_time()
@@ -149,6 +151,8 @@ def _outcome(options: Options, path: Path) -> tuple[str, str, float | None]:
     failed = [one for one in check_fabrication(spec).findings if one.status == "fail"]
     if told and failed:
         return "told", told[0], placed
+    if not failed and (warned := seam_in_words(spec)):
+        return "false alarm", "; ".join(warned), placed
     wrong = [f"{one.told} at {one.place_mm}" for one in failed]
     return ("fails" if wrong else "passes"), "; ".join(wrong), placed
 

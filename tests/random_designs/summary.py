@@ -40,8 +40,9 @@ def summary(rows: list[dict[str, Any]]) -> str:
 
 def summary_of_requests(rows: list[dict[str, Any]]) -> str:
     """The same of requests for `instobj new`."""
-    faults = ("crash", "slow", "fails", "false advice")
-    placed = [row for row in rows if row["outcome"] in ("passes", "told", "fails")]
+    faults = ("crash", "slow", "fails", "false alarm", "false advice")
+    outcomes = ("passes", "told", "fails", "false alarm")
+    placed = [row for row in rows if row["outcome"] in outcomes]
     slow = [row for row in rows if not _seconds(row) <= LONGEST_S]
     shares = [
         ("faults", _count(rows, *faults), rows),

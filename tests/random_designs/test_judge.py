@@ -1,6 +1,7 @@
 """The judge of random designs: sound parts pass, and each planted fault is told."""
 
 import json
+from types import SimpleNamespace
 
 import pytest
 
@@ -8,6 +9,7 @@ from design.build.parts import parts_of
 from design.solids.booleans import as_triangles
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
+from tests.random_designs import judge
 from tests.random_designs.__main__ import read_rows
 from tests.random_designs.draw import EDITS, KINDS, drawn, kind_of
 from tests.random_designs.judge import violations
@@ -97,11 +99,39 @@ def test_a_summary_counts_by_kind_and_its_shares_have_intervals(tmp_path):
     assert "| cylinder | 2 | 0 | 0 | 2 | 0 | 0 |" in text
     assert "| all | 16 |" in text
     assert "violations that nothing told: 4 of 12 (13.8% to 60.9%)" in text
+    told = summary([rows[0] | {"outcome": one} for one in ("told by fabrication", "told by check")])
+    assert "violations that check did not tell: 1 of 2" in told
+    assert "violations, told or not: 2 of 2" in told
     assert "over 60 s: 8 of 12" in text
     table = tmp_path / "rows.jsonl"
     table.write_text("".join(json.dumps(row) + "\n" for row in [*rows, rows[0] | {"why": "again"}]))
     assert read_rows(table)[0]["why"] == "again"
     assert len(read_rows(table)) == 16
+
+
+@pytest.mark.parametrize(
+    ("wrong", "warned", "status", "outcome"),
+    [
+        ([], ["the seam"], "fail", "sound"),
+        (["shared"], ["the seam"], "pass", "told by check"),
+        (["shared"], [], "fail", "told by fabrication"),
+        (["shared"], [], "pass", "violates"),
+    ],
+)
+def test_what_is_wrong_is_told_by_a_check_or_by_nothing(
+    monkeypatch, wrong, warned, status, outcome
+):
+    body, finding = SimpleNamespace(kind="box", size_mm=(1, 1, 1)), {"check": "c", "part": "p"}
+    patched = {
+        "parse_spec": SimpleNamespace(body=body),
+        "parts_of": [],
+        "violations": wrong,
+        "seam_in_words": warned,
+        "check_fabrication": SimpleNamespace(findings=[SimpleNamespace(status=status, **finding)]),
+    }
+    for name, answer in patched.items():
+        monkeypatch.setattr(judge, name, lambda *given, answer=answer: answer)
+    assert judge._outcome({"name": "one"})[0] == outcome
 
 
 @pytest.mark.slow

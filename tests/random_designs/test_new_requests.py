@@ -58,6 +58,8 @@ GOOD = Finding("thinnest wall", "core", 0.9, 0.8, "mm", "pass", "")
         ([None], [GOOD], "passes"),
         ([None], [GOOD, THIN], "fails"),
         (["warned"], [THIN], "told"),
+        (["seam"], [GOOD], "false alarm"),
+        (["seam"], [THIN], "fails"),
         ([SpecError(REFUSAL), *[None] * 5], [GOOD], "refused"),
         ([SpecError(REFUSAL), *[None] * 5], [THIN], "false advice"),
         ([ValueError("broken")], [GOOD], "crash"),
@@ -70,7 +72,7 @@ def test_requests_are_judged_by_both_checks(monkeypatch, tmp_path, answers, find
         answer = left.pop(0)
         if isinstance(answer, Exception):
             raise answer
-        if answer:
+        if answer == "warned":
             new_requests.warnings.warn("check --fabrication fails on this body: core", stacklevel=2)
 
     patched = {
@@ -78,6 +80,7 @@ def test_requests_are_judged_by_both_checks(monkeypatch, tmp_path, answers, find
         "new_specification": new,
         "load_spec": lambda path: path,
         "check": lambda spec: None,
+        "seam_in_words": lambda spec: ["the seam"] * (answers[0] == "seam"),
         "check_fabrication": lambda spec: SimpleNamespace(findings=findings),
     }
     for name, value in patched.items():
@@ -87,6 +90,6 @@ def test_requests_are_judged_by_both_checks(monkeypatch, tmp_path, answers, find
     assert (row["kind"], row["outcome"], left) == ("box", outcome, [])
     json.dumps(row)
     text = summary_of_requests([row, row | {"outcome": "passes", "seconds": 61.0}])
-    faults = outcome in ("fails", "false advice", "crash")
+    faults = outcome in ("fails", "false alarm", "false advice", "crash")
     assert f"faults: {int(faults)} of 2" in text
     assert "over 60 s: 1 of 2" in text
